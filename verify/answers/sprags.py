@@ -1,6 +1,5 @@
 """Criteria of sprag clutches at rest and in their engagement."""
 
-import math
 from typing import Any
 
 from verify.answers.answer import Quantity
@@ -29,11 +28,14 @@ STATIC_ONLY = (
 
 def wedge(q: Any, v: Values, part: Assessment) -> None:
     """Roll-over torque and contact pressures; friction is not an input of this case."""
-    part.at_most("torque", "torque", q.T, v["T_roll"], "N m", "a contact reaches the sprag's flank")
+    if "T_roll" in v:  # a disc has no flank
+        part.at_most(
+            "torque", "torque", q.T, v["T_roll"], "N m", "a contact reaches the sprag's flank"
+        )
     for key, place in (("p_i", "inner"), ("p_e", "outer")):
         part.pressure(f"contact_pressure_{place}", f"pressure at the {place} race", v[key], q.E)
     part.unknowns.append(
-        f"the friction coefficient is not an input: the sprags grip above {math.tan(v['nu']):.4g}; "
+        f"the friction coefficient is not an input: the sprags grip above {v['mu_i']:.4g}; "
         "case sprag-clutch compares it with μ_s"
     )
 

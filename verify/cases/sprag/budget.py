@@ -83,17 +83,17 @@ STATEMENTS: Mapping[str, Statement] = {
         ),
         without=(BOTH,), left=(WEDGE, TURNED),
         corrected=(
-            Corrected("rotation with half planes and Eq. 6, long, at N_0", "alpha, N_0",
+            Corrected("rotation with half planes and Eq. 6, long, at N_0", "alpha_rigid",
                       "half planes and Eq. 6, beside the yields of elastic bodies"),
             Corrected("rotation with Eqs. 9, 10 as printed and elastic yields, at N_0",
-                      "alpha, N_0"),
-            Corrected("rotation with Palmgren's law, Eqs. 6 and 7, at N_0", "alpha, N_0",
+                      "alpha_rigid"),
+            Corrected("rotation with Palmgren's law, Eqs. 6 and 7, at N_0", "alpha_rigid",
                       "Palmgren's law, beside the yields of elastic bodies"),
             Corrected("rotation as the paper has it, Palmgren's law in Eqs. 9, 10 as printed, "
                       "at T", "alpha", "both as printed, beside Eqs. 9, 10 corrected with the "
                       "yields of elastic bodies"),
             *(
-                Corrected(row.format(race), f"{key} {race[0].replace('o', 'e')}, N_0", what)
+                Corrected(row.format(race), f"{key}_{race[0].replace('o', 'e')}_rigid", what)
                 for race in ("inner", "outer")
                 for row, key, what in (
                     ("mean displacement of the {} race (Eq. 6 as printed, thin), at N_0", "mean",

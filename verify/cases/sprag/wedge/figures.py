@@ -8,127 +8,36 @@ import numpy as np
 from analytic.sprag import printed
 from analytic.sprag.closure import Wedged, wedged
 from verify.cases.freewheel.star_sketch import arc
-from verify.cases.sprag.inputs import WedgeInputs
-from verify.cases.sprag.wedge.fem import GRID
+from verify.cases.sprag.wedge.formulas import WedgeFormulas
 from verify.cases.sprag.wedge.model import (
     composite,
-    elastic,
     half_widths,
     plane_modulus,
     races,
-    rigid_force,
 )
-from verify.cases.sprag.wedge.sketch import outline, sketch
-from verify.core.case import Context, Values
+from verify.cases.sprag.wedge.reference import GRID
+from verify.cases.sprag.wedge.sketch import outline
+from verify.core.case import Context
 from verify.core.figures import (
     Array,
     Bars,
     Curve,
     Curves,
-    Equation,
     Figure,
     Panel,
-    Picture,
     Profile,
     Shapes,
 )
-from verify.core.tex import tex
 from verify.judging.profiles import along
-
-__all__ = ["equations", "figures", "pictures", "sketch"]
 
 FINE = np.linspace(0.005, 1.88, 94)  # of N_0, where curves are drawn
 DEGREE = math.degrees(1.0)
 DRAWN = (0.0, 0.5, 1.0, 1.8)  # of N_0
 
 
-def equations(q: WedgeInputs, v: Values) -> Sequence[Equation]:
-    return *_closure(q, v), *_statics(q, v), *_yielding(v)
-
-
-def _closure(q: WedgeInputs, v: Values) -> tuple[Equation, ...]:
-    return (
-        Equation(
-            tex=r"OA_s = R_i - \delta_{BI} - \delta_{HI} - \frac{\delta_g}{2}",
-            numbers=rf"R_i = {tex(q.R_i * 1e3, 5)}\ \mathrm{{mm}}",
-            place="Eq. 9, corrected: all that yields on the inner side",
-        ),
-        Equation(
-            tex=r"OC_e = R_e - r_e + \delta_{BE} + \delta_{HE} + \frac{\delta_g}{2}",
-            numbers=rf"r_e = {tex(v['r_e'] * 1e3, 5)}\ \mathrm{{mm}}",
-            place="Eq. 9",
-        ),
-        Equation(
-            tex=r"OC_e^2 = OA_s^2 + \rho^2 + \frac{2\,OA_s\,\rho}{\sqrt{1 + m^2}}",
-            numbers=rf"m = {tex(v['m'], 5)}",
-            place="Eq. 10, with the free spiral's OA_s for OA",
-        ),
-        Equation(
-            tex=r"\sin\eta = \frac{m\,OA_s}{OC_e\sqrt{1 + m^2}}, \quad \beta = \arctan m - \eta",
-            numbers=rf"\beta = {tex((v['nu'] - v['omega']) * DEGREE, 5)}°",
-            place="Eq. 10, with OA_s",
-        ),
-        Equation(
-            tex=r"\alpha = \frac{1}{m}\ln\frac{\rho}{\rho_0} - (\eta - \eta_0)",
-            numbers=rf"\alpha = {tex(v['alpha'] * DEGREE, 4)}°",
-            place="Eq. 10; the logarithm of ρ/ρ_0 over m",
-        ),
-    )
-
-
-def _statics(q: WedgeInputs, v: Values) -> tuple[Equation, ...]:
-    nu, omega = (tex(v[name] * DEGREE, 5) for name in ("nu", "omega"))
-    N = tex(v["N"], 5)
-    return (
-        Equation(
-            tex=r"\nu = \arctan\frac{OB\sin\beta}{OB\cos\beta - OA}, \quad \omega = \nu - \beta",
-            numbers=rf"\nu = {nu}°, \quad \omega = {omega}°",
-            place="Eq. 10",
-        ),
-        Equation(
-            tex=r"T = n_s N \tan\nu\;OA",
-            numbers=rf"{tex(q.T)}\ \mathrm{{N\,m}} = {q.z}\cdot {N}\ \mathrm{{N}}\cdot\tan {nu}°"
-            r"\cdot OA",
-            place="Eq. 10; two forces hold a sprag",
-        ),
-        Equation(
-            tex=r"N_e = N\,\frac{\cos\omega}{\cos\nu}",
-            numbers=rf"N_e = {tex(v['N'] * math.cos(v['omega']) / math.cos(v['nu']), 5)}"
-            r"\ \mathrm{N}",
-            place="the paper has both normal forces equal",
-        ),
-    )
-
-
-def _yielding(v: Values) -> tuple[Equation, ...]:
-    return (
-        Equation(
-            tex=r"H = \delta_{BI} + \delta_{HI} + \delta_g + \delta_{HE} + \delta_{BE}",
-            numbers=rf"H = {tex(v['H'] * 1e6, 4)}\ \mathrm{{µm}}",
-            place="all that yields under a sprag",
-        ),
-        Equation(
-            tex=r"n_s N\,\mathrm{d}H = T\,\mathrm{d}\theta",
-            numbers=rf"\theta = {tex(v['theta'] * DEGREE, 4)}°",
-            place="work: it holds with OA_s, not with the printed OA in Eq. 10",
-        ),
-        Equation(
-            tex=r"\bar\delta_B = \frac{n_s N}{2\pi l E'}\left[\frac{r_o^2 + r_i^2}{r_o^2 - r_i^2} "
-            r"\pm \nu'\right]",
-            numbers=rf"\bar\delta_{{BI}} = {tex(v['mean i, N_0'] * 1e6, 4)}, \quad "
-            rf"\bar\delta_{{BE}} = {tex(v['mean e, N_0'] * 1e6, 4)}\ \mathrm{{µm}}",
-            place="Eq. 6 for long races, under N_0: their mean",
-        ),
-        Equation(
-            tex=r"E' = \frac{E}{1 - \nu^2}, \quad \nu' = \frac{\nu}{1 - \nu}",
-            place="Eq. 6 as printed, for thin races, has E and ν",
-        ),
-    )  # fmt: skip
-
-
 def figures(context: Context) -> Sequence[Figure]:
     q = context.inputs
-    states = wedged(elastic(q), FINE * rigid_force(q))
+    states = wedged(q.clutch, FINE * q.N_0)
     shown: list[Figure] = [_stroke(q), _yields(context, states), _shares(q)]
     if context.converging:
         shown += [
@@ -139,11 +48,11 @@ def figures(context: Context) -> Sequence[Figure]:
     return shown
 
 
-def _stroke(q: WedgeInputs) -> Shapes:
+def _stroke(q: WedgeFormulas) -> Shapes:
     half = math.pi / q.z
     panels = []
     for share in DRAWN:
-        at = wedged(elastic(q), share * rigid_force(q))
+        at = wedged(q.clutch, share * q.N_0)
         OC_e, beta, alpha = float(at.OC_e), float(at.beta), float(at.alpha_b)
         if not math.isfinite(alpha):
             continue
@@ -168,10 +77,10 @@ def _stroke(q: WedgeInputs) -> Shapes:
 
 
 def _angle(context: Context, states: Wedged, key: str, symbol: str, race: str) -> Profile:
-    values, u = along(context, f"profile, {key}", formal=2, scale=1.0)
+    values, u = along(context, f"profile_{key}", formal=2, scale=1.0)
     q = context.inputs
-    N = GRID * rigid_force(q)
-    curve, marks = getattr(states, key), getattr(wedged(elastic(q), N), key)
+    N = GRID * q.N_0
+    curve, marks = getattr(states, key), getattr(wedged(q.clutch, N), key)
     return Profile(
         title=f"Angle of the force on the {race} race", x_label="N [N]", y_label=f"{symbol} [°]",
         x=states.N, y=curve * DEGREE, x_fem=N, y_fem=values * DEGREE, y_ref=marks * DEGREE,
@@ -183,7 +92,7 @@ def _angle(context: Context, states: Wedged, key: str, symbol: str, race: str) -
 
 def _rotation(context: Context) -> Curves:
     q, loads = context.inputs, context.fem[-1].arrays["loads"]
-    N = FINE * rigid_force(q)
+    N, palmgren = FINE * q.N_0, composite(context.inputs.part)
     most = 1.05 * loads[1].max()
 
     def curve(name: str, at: Wedged, colour: int, style: str = "line") -> Curve:
@@ -194,11 +103,11 @@ def _rotation(context: Context) -> Curves:
     return Curves(
         title="Rotation of the sprags over torque", x_label="T [N m]", y_label="α [°]",
         curves=(
-            curve("elastic", wedged(elastic(q), N), 0),
-            curve("elastic, printed Eqs. 9, 10", printed.wedged(elastic(q), N), 0, "dashes"),
-            curve("Palmgren", wedged(composite(q), N), 1),
-            curve("Palmgren, printed Eqs. 9, 10", printed.wedged(composite(q), N), 1, "dashes"),
-            curve("Palmgren, rigid races (Liu)", wedged(composite(q).rigid_races(), N), 2),
+            curve("elastic", wedged(q.clutch, N), 0),
+            curve("elastic, printed Eqs. 9, 10", printed.wedged(q.clutch, N), 0, "dashes"),
+            curve("Palmgren", wedged(palmgren, N), 1),
+            curve("Palmgren, printed Eqs. 9, 10", printed.wedged(palmgren, N), 1, "dashes"),
+            curve("Palmgren, rigid races (Liu)", wedged(palmgren.rigid_races(), N), 2),
             Curve(name="FE", x=loads[1], y=loads[4] * DEGREE, style="dots"),
         ),
         note="The printed closure turns the sprag too little for the same yields; Palmgren's law "
@@ -209,7 +118,7 @@ def _rotation(context: Context) -> Curves:
 
 def _force(context: Context, states: Wedged) -> Curves:
     q, loads = context.inputs, context.fem[-1].arrays["loads"]
-    rigid = rigid_force(q) / q.T
+    rigid = q.N_0 / q.T
 
     def excess(N: Array, T: Array) -> Array:
         return np.asarray(100 * (N / (rigid * T) - 1))
@@ -226,13 +135,13 @@ def _force(context: Context, states: Wedged) -> Curves:
     )  # fmt: skip
 
 
-def parts_of(q: WedgeInputs, N: Array) -> tuple[tuple[str, Array], ...]:
+def parts_of(q: WedgeFormulas, N: Array) -> tuple[tuple[str, Array], ...]:
     """Who yields how much [m] under N [N], from the inner race's mean to the outer's."""
-    (inner, outer), yields = races(q), elastic(q).compliance.yields(N)
-    unit = N / (q.l * plane_modulus(q))
+    (inner, outer), yields = races(q.part), q.clutch.compliance.yields(N)
+    unit = N / (q.l * plane_modulus(q.part))
     dents = [
         unit * (race.at(a) - race.mean)
-        for race, a in zip((inner, outer), half_widths(q, N), strict=True)
+        for race, a in zip((inner, outer), half_widths(q.part, N), strict=True)
     ]
     return (
         ("inner mean", yields.race_i),
@@ -262,8 +171,8 @@ def _yields(context: Context, states: Wedged) -> Curves:
     )
 
 
-def _shares(q: WedgeInputs) -> Bars:
-    found = parts_of(q, np.array([rigid_force(q)]))
+def _shares(q: WedgeFormulas) -> Bars:
+    found = parts_of(q, np.array([q.N_0]))
     whole = float(sum(part[0] for _, part in found))
     return Bars(
         title="Yields under N_0", label="[µm]",
@@ -272,13 +181,4 @@ def _shares(q: WedgeInputs) -> Bars:
         ),
         note="Eq. 6, for long races, has both means; the dents at the contacts and the sprag are "
         "left to the contacts' law and to Eq. 7.",
-    )  # fmt: skip
-
-
-def pictures(_q: WedgeInputs) -> Sequence[Picture]:
-    return (
-        Picture(field="sector", data="log_mises", symbol="σ_v", unit="MPa", factor=1.0,
-                decades=True, displacement="",
-                caption="One pitch in the heaviest state of the stroke, von Mises' stress: forces "
-                "run along the strut, beside the middle of the column; below 10 MPa in one colour"),
     )  # fmt: skip

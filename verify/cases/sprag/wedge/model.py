@@ -1,4 +1,4 @@
-"""Formulas of a sprag clutch under torque: the closure, with yields of three kinds.
+"""Sprag clutches as the formulas take them: the closure, with yields of three kinds.
 
 - elastic: races as rings under single loads (`analytic.ring.loaded_race`), the sprag as a rounded
   column (`analytic.sprag.column`), all in plane strain. As contacts leave its middle the column
@@ -11,7 +11,7 @@ The printed closure has Eq. 9's OA in the triangle of Eq. 10.
 """
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
@@ -22,19 +22,16 @@ from analytic.contact.checks import Array, in_plane
 from analytic.ring.fourier_ring import Wall
 from analytic.ring.loaded_race import LoadedRace
 from analytic.sprag import column, printed
-from analytic.sprag.closure import Wedged, at_torque, wedged
+from analytic.sprag.closure import Wedged, wedged
 from analytic.sprag.clutch import Clutch
 from analytic.sprag.column import Column
 from analytic.sprag.compliance import Compliance
-from analytic.sprag.course import energy, rolled
 from analytic.sprag.laws import Law
-from analytic.sprag.limits import limits, pressures
+from analytic.sprag.limits import limits
 from analytic.sprag.parts import Parts
 from analytic.sprag.search import first_reach
 from verify.cases.sprag.inputs import WedgeInputs
-from verify.core.case import Values
 
-STROKE = {"N_0/4": 0.25, "N_0/2": 0.5, "N_0": 1.0, "1.8 N_0": 1.8}
 MOST_FRICTION = 0.99  # no limit here
 BENDING = 0.2, 0.5  # of the rotation with a contact at a flank, where the column's bending is taken
 
@@ -198,49 +195,3 @@ def rolls_over_at(q: WedgeInputs) -> float:
         return math.inf
     turned = min(whole.turned, whole.alpha_b)  # alpha_b is theta - theta_0 but for 1 %
     return float(limits(elastic(q), mu=MOST_FRICTION, theta_max=turned).end_of_cam)
-
-
-def analytic(q: WedgeInputs) -> Values:
-    clutch, N_0 = elastic(q), rigid_force(q)
-    under = at_torque(clutch, q.T)
-    if not np.isfinite(under.N):
-        raise ValueError(f"the sprags never bear T = {q.T:g} N m: the spiral grows too little")
-    p_i, p_e = pressures(parts(q), under)
-    a_i, a_e = half_widths(q, under.N)
-    values: dict[str, object] = {
-        "one": 1.0, "N_0": N_0, "m": q.sprag.m, "r_e": q.sprag.r_e, "nu_0": q.sprag.nu_0,
-        "omega_0": q.sprag.omega_0, "nu": under.nu, "omega": under.omega,
-        "tan nu": np.tan(under.nu), "N": under.N, "T_i": under.T_i, "alpha": under.alpha_b,
-        "turned": under.turned,
-        "H": under.yields.H, "theta": rolled(clutch, under.N), "p_i": p_i, "p_e": p_e, "a_i": a_i,
-        "a_e": a_e, "U": energy(clutch, under.N),
-        "T_roll": rolls_over_at(q), "alpha plane": at_torque(plane(q), q.T).alpha_b,
-        "alpha composite": at_torque(composite(q), q.T).alpha_b,
-        "alpha printed": printed_at_torque(composite(q), q.T).alpha_b,
-    }  # fmt: skip
-    for name, share in STROKE.items():
-        values |= {f"{key}, {name}": value for key, value in _at_force(q, share * N_0).items()}
-    return {key: float(np.asarray(value)) for key, value in values.items()}
-
-
-def _at_force(q: WedgeInputs, N: float) -> Mapping[str, object]:
-    """What is compared at the normal force N [N] on the inner contact."""
-    clutch, (inner, outer) = elastic(q), races(q)
-    at, p = wedged(clutch, N), parts(q)
-    a_i, a_e = half_widths(q, np.asarray(N))
-    p_i, p_e = pressures(p, at)
-    unit, N_e = 1 / (q.l * plane_modulus(q)), at.N_e
-    by_paper = composite(q).compliance.yields(N)
-    return {
-        "tan nu": np.tan(at.nu), "tan omega": np.tan(at.omega), "N_e/N_i": N_e / N - 1, "T": at.T,
-        "alpha": at.alpha_b, "H": at.yields.H, "OC_e": at.OC_e,
-        "theta": rolled(clutch, N), "U": energy(clutch, N),
-        "mean i": unit * inner.mean * N, "mean e": unit * outer.mean * N_e,
-        "thin i": by_paper.race_i, "thin e": by_paper.race_e,
-        "race i": unit * inner.under(a_i) * N, "race e": unit * outer.under(a_e) * N_e,
-        "alpha plane": wedged(plane(q), N).alpha_b,
-        "H composite": by_paper.H,
-        "alpha composite": wedged(composite(q), N).alpha_b,
-        "alpha printed": printed.wedged(clutch, N).alpha_b,
-        "p_i": p_i, "p_e": p_e, "a_i": a_i, "a_e": a_e,
-    }  # fmt: skip

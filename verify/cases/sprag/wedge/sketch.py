@@ -5,16 +5,16 @@ import math
 import numpy as np
 
 from verify.cases.freewheel.star_sketch import arc, label, ray
-from verify.cases.sprag.inputs import WedgeInputs
+from verify.cases.sprag.wedge.formulas import WedgeFormulas
 from verify.cases.sprag.wedge.model import sprag_column
 from verify.core.figures import Array, Shape, Sketch
 
 SIDE = 0.42  # of the drawing's height: room for labels on either side
 
 
-def outline(q: WedgeInputs, *, turned: float, alpha_b: float, OC_e: float) -> Array:
+def outline(q: WedgeFormulas, *, turned: float, alpha_b: float, OC_e: float) -> Array:
     """Closed outline (m, 2) [m] of the sprag about the axis, its pole on +y; empty if it rolls."""
-    whole = sprag_column(q)
+    whole = sprag_column(q.part)
     drawn = whole and whole.outline(turned=turned, alpha_b=alpha_b)
     if not drawn:
         return np.empty((0, 2))
@@ -23,7 +23,7 @@ def outline(q: WedgeInputs, *, turned: float, alpha_b: float, OC_e: float) -> Ar
     return np.column_stack([placed.real, placed.imag])
 
 
-def sketch(q: WedgeInputs) -> Sketch:
+def sketch(q: WedgeFormulas) -> Sketch:
     """One pitch to scale, in metres, at first contact; the axis lies below."""
     sprag, half = q.sprag, math.pi / q.z
     beta, OC_e = float(sprag.beta_0), float(sprag.OC_e)
@@ -57,7 +57,7 @@ def sketch(q: WedgeInputs) -> Sketch:
 
 
 def _named(
-    q: WedgeInputs, A: Array, B: Array, pole: Array, *, tall: float, wide: float, low: float
+    q: WedgeFormulas, A: Array, B: Array, pole: Array, *, tall: float, wide: float, low: float
 ) -> tuple[Shape, ...]:
     """Radii on the right, what is the sprag's on the left, each with an arrow to its place."""
     half, right, left = math.pi / q.z, wide + 0.06 * tall, -wide - 0.06 * tall

@@ -28,7 +28,6 @@ from verify.cases.sprag.wedge.model import (
     half_widths,
     plane_modulus,
     races,
-    rigid_force,
     sprag_column,
 )
 
@@ -43,11 +42,11 @@ HERTZ, EDGES = 2.0, 2e-3  # bound of what Hertz neglects over (a/r)²; where con
 ACCEPTED = 1e-2  # of half-widths
 SIDEWAYS = 0.4, 1.2  # bounds of the tangential over the normal compliance
 SLOPES = 5e-3  # of how much rotation goes with a yield of one side, over that of the other
-WIDEST = 1.5  # of the demand: an interval that leaves a row of one's own sharp enough
+WIDEST = 1.5  # of the sensitivity: an interval that leaves a row of one's own sharp enough
 
 
 @dataclass(frozen=True)
-class Expected:
+class Bounds:
     """Intervals for formula/FE - 1 at a normal force N [N]."""
 
     q: WedgeInputs
@@ -251,9 +250,3 @@ def times(interval: Interval, ratio: float, spread: float = 0.0) -> Interval:
     """The interval of a formula that is `ratio` times another, within `spread` of that."""
     low, high = interval
     return ratio * (1 - spread) * (1 + low) - 1, ratio * (1 + spread) * (1 + high) - 1
-
-
-@lru_cache(maxsize=64)
-def at_share(q: WedgeInputs, share: float) -> Expected:
-    """At the normal force that is `share` of a rigid clutch's."""
-    return Expected(q, share * rigid_force(q))

@@ -1,19 +1,18 @@
 """What a wedged sprag's numbers mean in words, and what its meshes cannot do."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
 
 from analytic.sprag.closure import wedged
-from verify.cases.sprag.inputs import WedgeInputs
-from verify.cases.sprag.wedge.model import elastic, half_widths, rigid_force, sprag_column
-from verify.core.case import Values
+from verify.cases.sprag.wedge.formulas import WedgeFormulas
+from verify.cases.sprag.wedge.model import half_widths, sprag_column
 
 HARD = 4000e6  # Pa, what hardened rollers bear in static contact (ISO 76)
 FRICTION = 0.1  # what oiled steel hardly exceeds
-WIDE = 0.12  # a/r up to which these finite elements, small in displacements, are asked
+WIDE = 0.12  # a/r up to which these finite elements are used: displacements are small
 BENT = 0.1  # of a race's wall: by how much more it bends, its forces move along it
 MOST = 1.9  # of N_0, that the stroke of the finite elements goes to
 ZONES = 2.2  # half-widths that meshes need between a contact and a flank
@@ -21,72 +20,67 @@ NEAREST = 0.29  # of half the outline: a quarter, and what the rotation is uncer
 TURNED = 0.6  # rad
 
 
-def verdict(q: WedgeInputs, v: Values) -> str:
-    if v["T_roll"] < q.T:
-        return "rolls over"
-    return "too much pressure" if max(v["p_i"], v["p_e"]) > HARD else "holds"
-
-
-def findings(q: WedgeInputs, v: Values) -> Sequence[str]:
-    tan = math.tan(v["nu"])
-    if v["T_roll"] < q.T:
-        first = (
-            f"rolls over: a contact reaches the sprag's flank at {v['T_roll']:.4g} N m, before "
+def advice(q: WedgeFormulas) -> Iterator[str]:
+    """Whether the clutch holds, what yields, and how far the paper's laws are off."""
+    if q.T_roll < q.T:
+        yield (
+            f"rolls over: a contact reaches the sprag's flank at {q.T_roll:.4g} N m, before "
             f"T = {q.T:g} N m; all below is of sprags without flanks"
         )
     else:
-        first = (
-            f"holds with friction above tan ν = {tan:.4f} at the inner race and "
-            f"{math.tan(v['omega']):.4f} at the outer; below, the sprags slide out"
+        yield (
+            f"holds with friction above tan ν = {math.tan(q.nu_T):.4f} at the inner race and "
+            f"{math.tan(q.omega_T):.4f} at the outer; below, the sprags slide out"
         )
-    near = v["alpha printed"] / v["alpha"] - 1
-    return (
-        first,
-        f"{v['H'] * 1e6:.3g} µm yield under {v['N']:.4g} N and turn each sprag by "
-        f"{math.degrees(v['alpha']):.3g}°, the races by {math.degrees(v['theta']):.3g}°",
-        f"with Palmgren's law and Eqs. 9, 10 as printed the rotation is {near:+.0%} off: yields "
-        f"{v['H composite, N_0'] / v['H, N_0'] - 1:+.0%}, and a share of them lost on the inner "
-        "side",
+    yield (
+        f"{q.H * 1e6:.3g} µm yield under {q.N:.4g} N and turn each sprag by "
+        f"{math.degrees(q.alpha):.3g}°, the races by {math.degrees(q.theta):.3g}°"
+    )
+    rigid = q.at_share(1.0)
+    yield (
+        f"with Palmgren's law and Eqs. 9, 10 as printed the rotation is "
+        f"{q.alpha_paper / q.alpha - 1:+.0%} off: yields {rigid.H_composite / rigid.H - 1:+.0%}, "
+        "and a share of them lost on the inner side"
     )
 
 
-def summary(q: WedgeInputs, v: Values) -> Mapping[str, Any]:
+def summary(q: WedgeFormulas) -> Mapping[str, Any]:
+    """The same for programs."""
+    verdict = "too much pressure" if max(q.p_i, q.p_e) > HARD else "holds"
     return {
-        "verdict": verdict(q, v), "friction needed": math.tan(v["nu"]), "N": v["N"],
-        "rotation_deg": math.degrees(v["alpha"]), "p_i": v["p_i"], "p_o": v["p_e"],
+        "verdict": "rolls over" if q.T_roll < q.T else verdict,
+        "friction needed": math.tan(q.nu_T), "N": q.N, "rotation_deg": math.degrees(q.alpha),
+        "p_i": q.p_i, "p_o": q.p_e,
     }  # fmt: skip
 
 
-def warnings(q: WedgeInputs, v: Values) -> Sequence[str]:
-    found = []
-    if v["T_roll"] < q.T:
-        found.append(
-            f"a contact reaches the sprag's flank at {v['T_roll']:.4g} N m: the sprags roll over"
-        )
-    if sprag_column(q) is None:
-        found.append(
+def warnings(q: WedgeFormulas) -> Iterator[str]:
+    """Where the sprags roll over, slip or are pressed too much."""
+    if q.T_roll < q.T:
+        yield f"a contact reaches the sprag's flank at {q.T_roll:.4g} N m: the sprags roll over"
+    if sprag_column(q.part) is None:
+        yield (
             f"sprags b = {q.b * 1e3:g} mm wide are wider than they are round: a disc between the "
             "races stands for them"
         )
-    if math.tan(v["nu"]) > FRICTION:
-        found.append(
-            f"tan ν = {math.tan(v['nu']):.3g} is more than the friction {FRICTION:g} that oiled "
+    if math.tan(q.nu_T) > FRICTION:
+        yield (
+            f"tan ν = {math.tan(q.nu_T):.3g} is more than the friction {FRICTION:g} that oiled "
             "steel hardly exceeds: the clutch slips"
         )
-    p = max(v["p_i"], v["p_e"])
+    p = max(q.p_i, q.p_e)
     if p > HARD:
-        found.append(
+        yield (
             f"pressure {p / 1e6:.4g} MPa exceeds the {HARD / 1e6:g} MPa of static contact of "
             "hardened rollers (ISO 76)"
         )
-    return found
 
 
-def too_large(q: WedgeInputs) -> str:
+def refusal(q: WedgeFormulas) -> str:
     """Why finite elements refuse these inputs, or nothing."""
-    N = MOST * rigid_force(q)
-    at, (a_i, a_e) = wedged(elastic(q), N), map(float, half_widths(q, np.asarray(N)))
-    column, without = sprag_column(q), "; check it without --fem"
+    N = MOST * q.N_0
+    at, (a_i, a_e) = wedged(q.clutch, N), map(float, half_widths(q.part, np.asarray(N)))
+    column, without = sprag_column(q.part), "; check it without --fem"
     if column is None:
         return f"sprags b = {q.b * 1e3:g} mm wide are wider than they are round{without}"
     turned, alpha_b = float(at.turned), float(at.alpha_b)

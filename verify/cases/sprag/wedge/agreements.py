@@ -1,0 +1,102 @@
+"""Pairs and margins of a wedged sprag that its rows judge by figures stated beforehand."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from analytic.sprag.closure import wedged
+from verify.cases.sprag.wedge.bounds import bending
+from verify.cases.sprag.wedge.formulas import KEYS, STROKE
+from verify.core.case import Context
+from verify.judging.tolerance_checks import Pair
+
+Function = Callable[[Context], Pair]
+
+RATIO, WORK = 2e-3, 5e-3  # accepted of force ratios and torque, and of the work
+LIGHT, SLIDES = 1e-4, 1e-3  # accepted without load, and of the friction that just holds
+
+
+def no_load(context: Context) -> Pair:
+    """tan(nu) of Eq. 10 over T_i/N_i in the lightest state: 1e-4 accepted."""
+    clutch, found = context.inputs.clutch, []
+    for result in context.fem[-2:]:
+        N, _, share, *_ = result.arrays["loads"][:, 0]
+        found.append(float(np.tan(wedged(clutch, N).nu) / share - 1))
+    words = f"off by {found[1]:+.1e} at {N:.3g} N, 1e-4 accepted"
+    return Pair(1 + found[1], 1.0, 2 * abs(found[1] - found[0]), words)
+
+
+def ratio(key: str, most: float, what: str, *, of_fem: bool = False) -> Function:
+    """A ratio less 1, `key`, of formula and finite elements; where `of_fem`, theirs over it.
+
+    How much the last meshes differ is its uncertainty.
+    """
+
+    def pair(context: Context) -> Pair:
+        before, now = (r.values[key] for r in context.fem[-2:])
+        words = f"{what} {now:+.3%}, {most:.1%} accepted"
+        return Pair(1 / (1 + now) if of_fem else 1 + now, 1.0, 2 * abs(now - before), words)
+
+    return pair
+
+
+def force_ratio(key: str) -> Function:
+    """The strut's against that of finite elements, at its worst up to N_0."""
+    names = [f"{key}_{KEYS[point]}" for point, share in STROKE.items() if share <= 1]
+
+    def pair(context: Context) -> Pair:
+        off = [{name: r.values[name] / context.analytic[name] - 1 for name in names}
+               for r in context.fem[-2:]]  # fmt: skip
+        before, now = (max(x.values(), key=abs) for x in off)
+        worst = max(names, key=lambda name: abs(off[-1][name]))
+        words = f"off by {now:+.2%} at most, {RATIO:.1%} accepted"
+        found = context.fem[-1].values[worst]
+        return Pair(context.analytic[worst], found, 2 * abs(now - before) * found, words)
+
+    return pair
+
+
+def force_ratio_bent(key: str) -> Function:
+    """The strut's at 1.8 N_0 with the change by bending against that of finite elements."""
+    name = f"{key}_most"
+
+    def pair(context: Context) -> Pair:
+        q = context.inputs
+        bent = bending(q.part, q.stroke["1.8 N_0"].case.N).whole
+        before, now = (r.values[name] / context.analytic[name] - 1 for r in context.fem[-2:])
+        words = f"off by {now:+.2%}, bending {bent:+.2%}: {RATIO:.1%} accepted of the rest"
+        found = context.fem[-1].values[name]
+        formula = context.analytic[name] * (1 + bent)
+        return Pair(formula, found, 2 * abs(now - before) * found, words)
+
+    return pair
+
+
+def keeps_its_angle(context: Context) -> tuple[float, float, str]:
+    """Least and largest force ratio of the stroke."""
+    spread = [
+        max(s) / min(s) - 1
+        for s in ([r.values[f"mu_i_{k}"] for k in KEYS.values()] for r in context.fem[-2:])
+    ]
+    words = f"T_i/N_i changes by {spread[1]:.2%} from N_0/4 to 1.8 N_0, 1 % accepted"
+    return 0.01 - spread[1], 2 * abs(spread[1] - spread[0]), words
+
+
+def inner_above_outer(context: Context) -> tuple[float, float]:
+    """Least excess of p_i over p_o through the stroke, over p_o."""
+    ratios = [
+        min(r.values[f"p_i_{k}"] / r.values[f"p_e_{k}"] for k in KEYS.values())
+        for r in context.fem[-2:]
+    ]
+    return ratios[1] - 1, 2 * abs(ratios[1] - ratios[0])
+
+
+def onset(context: Context) -> Pair:
+    """tan(nu) against the friction between what holds and what slides."""
+    v = context.fem[0].values
+    tan = float(np.tan(wedged(context.inputs.clutch, v["N_at_onset"]).nu))
+    between, half = (v["holds"] + v["slides"]) / 2, abs(v["holds"] - v["slides"]) / 2
+    words = (
+        f"holds at μ = {v['holds'] / tan:.4f} tan ν, slides out at {v['slides'] / tan:.4f} tan ν"
+    )
+    return Pair(tan, between, half, words)

@@ -1,0 +1,198 @@
+"""What is compared of a wedged sprag: at equal force through the stroke, and at equal torque."""
+
+from collections.abc import Callable, Iterator
+from functools import partial
+from typing import Any
+
+from verify.case import Comparison, Computed, Quantity, approximation, balance, fact
+from verify.cases.sprag.inputs import WedgeInputs
+from verify.cases.sprag.wedge import agreements as found
+from verify.cases.sprag.wedge.bounds import SHARP, WIDEST, Bounds, Interval
+from verify.cases.sprag.wedge.formulas import KEYS, STROKE
+from verify.cases.sprag.wedge.formulas import WedgeFormulas as Wedge
+from verify.judging.checks import Accepted
+from verify.judging.judge import DEMAND
+from verify.judging.tolerance_checks import Agreement, suites
+
+Bound = Callable[[Bounds], Interval]
+
+BENDS = "the column bends, its ends roll on: by complex potentials to a quarter of all parts"
+YIELDS = "1e-3, (a/r)² and tan²ν/2, beside the elastic solutions of all parts"
+TANGENTIAL = f"{YIELDS}; tangential deformation of 0.4 to 1.2 tan²ν"
+HERTZ = "2e-3, and 2 (a/h)² of the smallest of radii, walls and width"
+BETTI = "reciprocity: the mean is Lamé's wherever forces act; 1e-3 for what is of second order"
+PALMGREN = "Palmgren's law is of rollers of finite length"
+PAPER = "too soft by a quarter, an eighth lost on the inner side"
+FULL, MOST = "N_0", "1.8 N_0"
+WIDTH = f"{HERTZ}, no less than the 1 % that is accepted"
+ONE = 0.02, "1 % of Hertz is accepted"
+BLUNT = 0.02, "an excess of 0.1 %, twice as blunt as the angles"
+AS_FORCE = 0.02, "as sharp as N(T)"
+SLIPPING = 0.015, "tangential compliance"
+EIGHTH = 0.02, "a formula 12 % off: two per cent show it"
+ROLLERS = "a sprag's statics as sharp as those of a roller freewheel"
+EDGE = 1  # order of what hangs on where a contact ends in a cell
+PLANE = "plane strain"
+COLUMN = f"{PLANE}, the sprag as a column with rounded ends"
+
+
+def expected(q: Any, bound: Bound, source: str, sensitivity: float) -> Computed:
+    """The interval, but for a user's clutch of which too little is known to judge by."""
+
+    def interval() -> Interval | None:
+        low, high = bound(Bounds(q.part, q.N))
+        wide = high - low > WIDEST * sensitivity
+        return None if wide and q.part != WedgeInputs() else (low, high)
+
+    return Computed(interval, source)
+
+
+def through(
+    q: Wedge, formula: Quantity, name: str, symbol: str, bound: Bound, source: str, *,
+    reference: str = "", points: tuple[str, ...] = tuple(STROKE), order: float = 2,
+    own: tuple[float, str] = (DEMAND, ""), shares: str = COLUMN,
+) -> Iterator[Comparison]:  # fmt: skip
+    """One row at each of the normal forces `points`."""
+    more: dict[str, Any] = {"own": own} if own[1] else {}
+    for point in points:
+        state = q.stroke[point]
+        yield approximation(
+            formula, f"{reference}_{KEYS[point]}" if reference else "", state=state,
+            expected=expected(state.case, bound, source, own[0]), name=f"{name}, at {point}",
+            symbol=symbol, order=order, shares=shares, **more,
+        )  # fmt: skip
+
+
+def comparisons(q: Wedge) -> Iterator[Comparison]:
+    """All of them, in the order of the page."""
+    yield from _angles(q)
+    yield from _forces(q)
+    yield from _rotations(q)
+    yield from _races(q)
+    yield from _contacts(q)
+    yield from _statics()
+
+
+def _angles(q: Wedge) -> Iterator[Comparison]:
+    tan_nu, tan_omega = "T_i/N_i against the strut's tan ν", "T_e/N_e against the strut's tan ω"
+    yield from through(q, Wedge.mu_i, f"{tan_nu} (Eq. 10)", "tan ν", Bounds.angle, BENDS)
+    yield from through(q, Wedge.mu_e, f"{tan_omega} (Eq. 10)", "tan ω", Bounds.angle, BENDS)
+    races = (("inner", "ν", Wedge.mu_i), ("outer", "ω", Wedge.mu_e))
+    for race, angle, mu in races:
+        yield agrees(f"force ratio on the {race} race against tan {angle} up to N_0",
+                     f"tan {angle}", found.force_ratio(mu.name), found.RATIO, mu)  # fmt: skip
+    for race, angle, mu in races:
+        yield agrees(f"force ratio on the {race} race at 1.8 N_0, but for the column's bending",
+                     f"tan {angle}", found.force_ratio_bent(mu.name), found.RATIO, mu)  # fmt: skip
+    yield from through(q, Wedge.excess, "excess of N_e over N_i, which the paper has equal",
+                       "N_e/N_i − 1", Bounds.excess, BENDS, points=(FULL,), own=BLUNT)  # fmt: skip
+
+
+def _forces(q: Wedge) -> Iterator[Comparison]:
+    yield from through(q, Wedge.torque, "torque n_s N tan(ν) OA", "T(N)", Bounds.torque, BENDS,
+                       points=(FULL, MOST))  # fmt: skip
+    yield approximation(
+        Wedge.N, expected=expected(q, Bounds.force, BENDS, DEMAND), order=2, symbol="N(T)",
+        name="normal force (Eq. 10), at T", shares=COLUMN,
+    )  # fmt: skip
+    yield approximation(
+        Wedge.alpha, expected=expected(q, Bounds.rotation_at_torque, YIELDS, AS_FORCE[0]), order=2,
+        own=AS_FORCE, symbol="α(T)", name="rotation of the sprags, at T", shares=COLUMN,
+    )  # fmt: skip
+
+
+def _rotations(q: Wedge) -> Iterator[Comparison]:
+    at_full: dict[str, Any] = {"reference": "alpha", "points": (FULL,)}
+    yield from through(q, Wedge.H, "all yields of elastic bodies", "H(N)", Bounds.elastic, YIELDS,
+                       points=(FULL, MOST))  # fmt: skip
+    yield from through(q, Wedge.alpha, "rotation of the sprags with elastic yields", "α(N)",
+                       Bounds.elastic, YIELDS)  # fmt: skip
+    yield from through(q, Wedge.theta, "turn of the races by rolling, against n_s ∫dU/T", "θ(N)",
+                       Bounds.turn, TANGENTIAL, own=SLIPPING)  # fmt: skip
+    yield from through(q, Wedge.alpha_plane, "rotation with half planes and Eq. 6, long", "α(N)",
+                       Bounds.plane, "elastic solutions of the same parts", **at_full,
+                       shares=PLANE)  # fmt: skip
+    yield from through(q, Wedge.alpha_printed,
+                       "rotation with Eqs. 9, 10 as printed and elastic yields", "α(N)",
+                       Bounds.lost, "half of δ_HI and of δ_g left out of H", own=EIGHTH,
+                       **at_full)  # fmt: skip
+    yield approximation(
+        Wedge.alpha_composite, expected=Computed(lambda: None, PALMGREN), state=q.stroke[FULL],
+        name="rotation with Palmgren's law, Eqs. 6 and 7, at N_0", symbol="α(N)", order=2,
+    )  # fmt: skip
+    yield approximation(
+        Wedge.alpha_paper, expected=Computed(lambda: None, PAPER), symbol="α(T)", order=2,
+        name="rotation as the paper has it, Palmgren's law in Eqs. 9, 10 as printed, at T",
+    )  # fmt: skip
+
+
+def _races(q: Wedge) -> Iterator[Comparison]:
+    races = (("inner", "i", Wedge.mean_i, Wedge.thin_i, Wedge.race_i),
+             ("outer", "e", Wedge.mean_e, Wedge.thin_e, Wedge.race_e))  # fmt: skip
+    for race, which, mean, *_ in races:
+        yield from through(
+            q, mean, f"mean displacement of the {race} race (Eq. 6, long)", f"δ_B{which.upper()}",
+            lambda _: (-SHARP, SHARP), BETTI, points=(FULL, MOST), shares=PLANE,
+        )  # fmt: skip
+    for race, which, mean, thin, under in races:
+        symbol = f"δ_B{which.upper()}"
+        at_full: dict[str, Any] = {"points": (FULL,)}
+        yield from through(
+            q, thin, f"mean displacement of the {race} race (Eq. 6 as printed, thin)", symbol,
+            partial(Bounds.thin, which=which), "plane stress for plane strain",
+            reference=mean.name, shares="", **at_full,
+        )  # fmt: skip
+        yield from through(
+            q, under, f"displacement of the {race} race under a sprag", symbol,
+            partial(Bounds.race, which=which), "a ring under single loads; 1e-3 and (a/wall)²",
+            shares=PLANE, **at_full,
+        )  # fmt: skip
+        yield from through(
+            q, thin, f"Eq. 6 alone for the {race} race under a sprag", symbol,
+            partial(Bounds.thin_at_contact, which=which), "a ring under single loads",
+            reference=under.name, shares="", **at_full,
+        )  # fmt: skip
+
+
+def _contacts(q: Wedge) -> Iterator[Comparison]:
+    for race, formula, symbol in (("inner", Wedge.p_i, "p_i"), ("outer", Wedge.p_e, "p_o")):
+        yield from through(
+            q, formula, f"peak pressure on the {race} race (Hertz)", symbol, Bounds.hertz, HERTZ,
+            order=EDGE, points=(FULL, MOST), shares=PLANE,
+        )  # fmt: skip
+    for race, formula, symbol in (("inner", Wedge.a_i, "a_i"), ("outer", Wedge.a_e, "a_o")):
+        yield from through(
+            q, formula, f"half-width on the {race} race (Hertz)", symbol, Bounds.width, WIDTH,
+            order=EDGE, points=(FULL,), own=ONE, shares=PLANE,
+        )  # fmt: skip
+
+
+def _statics() -> Iterator[Comparison]:
+    yield fact("the inner contact is pressed more than the outer, through the stroke", "p_i",
+               found.inner_above_outer)  # fmt: skip
+    yield agrees("T_i/N_i becomes tan ν_0 without load (Eq. 10)", "ν_0", found.no_load,
+                 found.LIGHT, Wedge.mu_i)  # fmt: skip
+    yield Comparison(check=Accepted(name="the logarithmic spiral keeps its wedge angle", symbol="ν",
+                                    unit="1", margin=found.keeps_its_angle))  # fmt: skip
+    yield agrees("friction at which the sprag slides out against tan ν", "μ", found.onset,
+                 found.SLIDES, Wedge.mu_i)  # fmt: skip
+    yield agrees("torque against n_s N tan(ν) OA of the strut where the sprag lies", "T",
+                 found.ratio("column", found.RATIO, "the column bends: off by", of_fem=True),
+                 found.RATIO, Wedge.torque)  # fmt: skip
+    yield agrees("work ∫N dH on all yields against the elastic energy", "U",
+                 found.ratio("work", found.WORK, "tangential deformation takes the rest: off by"),
+                 found.WORK)  # fmt: skip
+    one = {"one": 1.0}
+    yield balance("forces", "balance of both contact forces on a sprag", "ΣF", "1", of=one,
+                  bound=1e-9, because="the solver's balance of a free body")  # fmt: skip
+    yield balance("held", "torque on the inner race against that on the outer", "T", "1", of=one,
+                  bound=1e-3, because="forces act at surfaces a displacement apart")  # fmt: skip
+
+
+def agrees(
+    name: str, symbol: str, pair: found.Function, accepted: float, judged: Quantity | None = None
+) -> Comparison:
+    """Two values within a figure of this subject."""
+    check = Agreement(name=name, symbol=symbol, unit="1", pair=pair, accepted=accepted,
+                      source=suites(ROLLERS))  # fmt: skip
+    return Comparison(check=check, quantity=judged, shares=COLUMN if judged else "")

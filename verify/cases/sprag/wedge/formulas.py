@@ -1,0 +1,243 @@
+"""Formulas of a wedged logarithmic sprag (Huang, Zhao, Liu, Eqs. 6, 7, 9, 10).
+
+The clutches that they stand for are made in `model`; the quantities are those under the torque T,
+and of `at_share` those under a share of a rigid clutch's normal force.
+"""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import ClassVar, Self
+
+import numpy as np
+
+from analytic.sprag import printed
+from analytic.sprag.closure import Wedged, at_torque, wedged
+from analytic.sprag.clutch import Clutch
+from analytic.sprag.course import rolled
+from analytic.sprag.limits import pressures
+from verify.case import Case, Quantity, State, shared
+from verify.cases.sprag.inputs import WedgeInputs
+from verify.cases.sprag.wedge import model
+from verify.core.figures import Array
+
+STROKE = MappingProxyType({"N_0/4": 0.25, "N_0/2": 0.5, "N_0": 1.0, "1.8 N_0": 1.8})
+KEYS = dict(zip(STROKE, ("quarter", "half", "rigid", "most"), strict=True))
+INNER, OUTER = ("R_i", "R_{id}"), ("R_{ed}", "R_e")  # radii of the races as TeX
+
+
+def mean_of(E: str, N: str, radii: tuple[str, str], nu: str) -> str:
+    """TeX of Eq. 6 for a race of the radii r_o, r_i."""
+    r_o, r_i = radii
+    ratio = rf"\frac{{{r_o}^2 + {r_i}^2}}{{{r_o}^2 - {r_i}^2}} {nu}"
+    return rf"\frac{{n_s {N}}}{{2 \pi l {E}}} ({ratio})"
+
+
+class WedgeFormulas(WedgeInputs, Case):
+    """A sprag between two races as its contacts, its body and the races yield as elastic bodies."""
+
+    share: ClassVar[float | None] = None  # of N_0, under which the quantities are; None is under T
+
+    def at_share(self, share: float) -> Self:
+        """The same clutch under `share` of a rigid one's normal force in place of T."""
+        return self.model_copy(update={"share": share})
+
+    @shared
+    def part(self) -> WedgeInputs:
+        """The inputs alone, for which the clutches of `model` are made once, whatever the state."""
+        return WedgeInputs(**{name: getattr(self, name) for name in WedgeInputs.model_fields})
+
+    @shared
+    def stroke(self) -> Mapping[str, State]:
+        """The states in which formulas and finite elements are compared."""
+        return {
+            point: State(self.at_share(share), KEYS[point], f"at {point}")
+            for point, share in STROKE.items()
+        }
+
+    @shared
+    def clutch(self) -> Clutch:
+        """The clutch whose parts yield as elastic bodies."""
+        return model.elastic(self.part)
+
+    @shared
+    def state(self) -> Wedged:
+        """Its state; ValueError where no state bears the torque."""
+        found = self.state_of(self.clutch)
+        if self.share is None and not np.isfinite(found.N):
+            raise ValueError(
+                f"the sprags never bear T = {self.T:g} N m: the spiral grows too little"
+            )
+        return found
+
+    def state_of(self, clutch: Clutch) -> Wedged:
+        """The state of another clutch under the same load."""
+        if self.share is None:
+            return at_torque(clutch, self.T)
+        return wedged(clutch, self.N)
+
+    def printed_state_of(self, clutch: Clutch) -> Wedged:
+        """The same with Eqs. 9 and 10 as printed."""
+        if self.share is None:
+            return model.printed_at_torque(clutch, self.T)
+        return printed.wedged(clutch, self.N)
+
+    @shared
+    def widths(self) -> tuple[Array, Array]:
+        """Half-widths [m] of both contacts."""
+        return model.half_widths(self.part, np.asarray(self.N))
+
+    @property
+    def unit(self) -> float:
+        """What P/E' is of a force [1/N times m]."""
+        return 1 / (self.l * model.plane_modulus(self.part))
+
+    @Quantity("N_0", "N", "normal force of a rigid clutch", role="step",
+              tex=r"\frac{T}{n_s R_i \tan\left(\nu_0\right)}")  # fmt: skip
+    def N_0(self) -> float:
+        return model.rigid_force(self.part)
+
+    @Quantity("N", "N", "normal force of a sprag on the inner race", equation="10",
+              tex=r"\frac{T}{n_s \tan\left(\nu_T\right) OA}")  # fmt: skip
+    def N(self) -> float:
+        return float(self.state.N) if self.share is None else self.share * self.N_0
+
+    @Quantity("μ_i", "1", "required friction coefficient of the inner race, T_i/N", equation="10",
+              safe="too high", tex=r"\tan\left(\nu_T\right)")  # fmt: skip
+    def mu_i(self) -> float:
+        return float(np.tan(self.state.nu))
+
+    @Quantity("μ_e", "1", "required friction coefficient of the outer race, T_e/N_e",
+              equation="10", safe="too high", tex=r"\tan\left(\omega_T\right)")  # fmt: skip
+    def mu_e(self) -> float:
+        return float(np.tan(self.state.omega))
+
+    @Quantity("ν_T", "deg", "wedge angle at the inner contact", equation="10", role="step",
+              tex=r"\arctan\left(\frac{OB \sin\left(\beta\right)}"
+              r"{OB \cos\left(\beta\right) - OA}\right)")  # fmt: skip
+    def nu_T(self) -> float:
+        return float(self.state.nu)
+
+    @Quantity("ω_T", "deg", "wedge angle at the outer contact", equation="10", role="step",
+              tex=r"\nu_T - \beta")  # fmt: skip
+    def omega_T(self) -> float:
+        return float(self.state.omega)
+
+    @Quantity("T", "N m", "torque n_s N tan(ν) OA", equation="10", form_of="T",
+              source="two forces hold a sprag", tex=r"n_s N \tan\left(\nu_T\right) OA")  # fmt: skip
+    def torque(self) -> float:
+        return float(self.state.T)
+
+    @Quantity("T_i", "N", "tangential force of a sprag on the inner race", role="step",
+              tex=r"N \mu_i")  # fmt: skip
+    def T_i(self) -> float:
+        return float(self.state.T_i)
+
+    @Quantity("N_e", "N", "normal force on the outer race", role="step",
+              source="the paper has both normal forces equal",
+              tex=r"N \frac{\cos\left(\omega_T\right)}{\cos\left(\nu_T\right)}")  # fmt: skip
+    def N_e(self) -> float:
+        return float(self.state.N_e)
+
+    @Quantity("N_e/N − 1", "1", "excess of the outer normal force over the inner",
+              source="two forces hold a sprag", tex=r"\frac{N_e}{N} - 1")  # fmt: skip
+    def excess(self) -> float:
+        return float(self.state.N_e / self.N - 1)
+
+    @Quantity("α", "deg", "rotation of the sprags", equation="10",
+              tex=r"\frac{1}{m} \ln\left(\frac{\rho}{\rho_0}\right) - (\eta - \eta_0)")  # fmt: skip
+    def alpha(self) -> float:
+        return float(self.state.alpha_b)
+
+    @Quantity("α", "deg", "rotation with half planes and Eq. 6 of long races", form_of="alpha",
+              source="Eqs. 6, 10")  # fmt: skip
+    def alpha_plane(self) -> float:
+        return float(self.state_of(model.plane(self.part)).alpha_b)
+
+    @Quantity("α", "deg", "rotation with elastic yields and Eqs. 9, 10 as printed",
+              form_of="alpha", form="as printed", source="Eqs. 9, 10")  # fmt: skip
+    def alpha_printed(self) -> float:
+        return float(self.printed_state_of(self.clutch).alpha_b)
+
+    @Quantity("α", "deg", "rotation with Palmgren's law, Eqs. 6 and 7", form_of="alpha",
+              source="Eqs. 6, 7, 10")  # fmt: skip
+    def alpha_composite(self) -> float:
+        return float(self.state_of(model.composite(self.part)).alpha_b)
+
+    @Quantity("α", "deg", "rotation with Palmgren's law, Eqs. 6 and 7 and Eqs. 9, 10 as printed",
+              form_of="alpha", form="as printed", source="Eqs. 6, 7, 9, 10")  # fmt: skip
+    def alpha_paper(self) -> float:
+        return float(self.printed_state_of(model.composite(self.part)).alpha_b)
+
+    @Quantity("θ", "deg", "turn of the inner race against the outer, by rolling",
+              source="work: it holds with OA_s, not with the printed OA in Eq. 10",
+              tex=r"\int \frac{n_s N}{T} \mathrm{d}H")  # fmt: skip
+    def theta(self) -> float:
+        return float(rolled(self.clutch, np.asarray(self.N)))
+
+    @Quantity("H", "µm", "all that yields under a sprag, elastic bodies", source="Eqs. 6, 9",
+              tex=r"\delta_{BI} + \delta_{HI} + \delta_g + \delta_{HE} + \delta_{BE}")  # fmt: skip
+    def H(self) -> float:
+        return float(self.state.yields.H)
+
+    @Quantity("H", "µm", "all that yields by Palmgren's law, Eqs. 6 and 7", form_of="H",
+              role="step", source="Eqs. 6, 7")  # fmt: skip
+    def H_composite(self) -> float:
+        return float(model.composite(self.part).compliance.yields(self.N).H)
+
+    @Quantity("T_r", "N m", "torque at which a contact reaches a flank of the sprag", role="step",
+              safe="too low")  # fmt: skip
+    def T_roll(self) -> float:
+        return model.rolls_over_at(self.part)
+
+    @Quantity("p_i", "MPa", "peak pressure on the inner race", source="Hertz", safe="too high",
+              tex=r"\sqrt{\frac{N E'}{2 \pi l} (\frac{1}{\rho \sqrt{1 + m^2}} + "
+              r"\frac{1}{R_i})}")  # fmt: skip
+    def p_i(self) -> float:
+        return float(pressures(model.parts(self.part), self.state)[0])
+
+    @Quantity("p_o", "MPa", "peak pressure on the outer race", source="Hertz", safe="too high",
+              tex=r"\sqrt{\frac{N_e E'}{2 \pi l} (\frac{1}{r_e} - \frac{1}{R_e})}")  # fmt: skip
+    def p_e(self) -> float:
+        return float(pressures(model.parts(self.part), self.state)[1])
+
+    @Quantity("a_i", "µm", "half-width of the contact on the inner race", source="Hertz",
+              tex=r"\sqrt{\frac{8 N r_i R_i}{\pi l E' (r_i + R_i)}}")  # fmt: skip
+    def a_i(self) -> float:
+        return float(self.widths[0])
+
+    @Quantity("a_o", "µm", "half-width of the contact on the outer race", source="Hertz",
+              tex=r"\sqrt{\frac{8 N r_e R_e}{\pi l E' (R_e - r_e)}}")  # fmt: skip
+    def a_e(self) -> float:
+        return float(self.widths[1])
+
+    @Quantity("u_i", "µm", "mean displacement of the inner race, plane strain", equation="6",
+              tex=mean_of("E'", "N", INNER, r"- \nu'"))  # fmt: skip
+    def mean_i(self) -> float:
+        return float(self.unit * model.races(self.part)[0].mean * self.N)
+
+    @Quantity("u_e", "µm", "mean displacement of the outer race, plane strain", equation="6",
+              tex=mean_of("E'", "N_e", OUTER, r"+ \nu'"))  # fmt: skip
+    def mean_e(self) -> float:
+        return float(self.unit * model.races(self.part)[1].mean * self.state.N_e)
+
+    @Quantity("u_i", "µm", "mean displacement of the inner race, thin", equation="6",
+              form_of="mean_i", form="as printed",
+              tex=mean_of("E", "N", INNER, r"- \nu"))  # fmt: skip
+    def thin_i(self) -> float:
+        return float(model.composite(self.part).compliance.yields(self.N).race_i)
+
+    @Quantity("u_e", "µm", "mean displacement of the outer race, thin", equation="6",
+              form_of="mean_e", form="as printed",
+              tex=mean_of("E", "N", OUTER, r"+ \nu"))  # fmt: skip
+    def thin_e(self) -> float:
+        return float(model.composite(self.part).compliance.yields(self.N).race_e)
+
+    @Quantity("u_is", "µm", "displacement of the inner race under a sprag",
+              source="ring under single loads")  # fmt: skip
+    def race_i(self) -> float:
+        return float(self.unit * model.races(self.part)[0].under(self.widths[0]) * self.N)
+
+    @Quantity("u_es", "µm", "displacement of the outer race under a sprag",
+              source="ring under single loads")  # fmt: skip
+    def race_e(self) -> float:
+        return float(self.unit * model.races(self.part)[1].under(self.widths[1]) * self.state.N_e)
