@@ -4,6 +4,7 @@ import pytest
 
 from analytic.spring import frame
 from verify.cases.ring.budget import WAVE
+from verify.cases.spring.inputs import strip_of
 from verify.studies.budget.compared import values
 from verify.studies.budget.found import budgets
 from verify.studies.budget.measuring import plan_of
@@ -35,7 +36,7 @@ def test_shear_and_stretching_of_the_strip_are_those_of_the_force_method():
     row, case = "Eqs. 1-9 against the curved beam", "spring-accordion"
     q = plan_of(case).case.inputs()
     k_1 = plan_of(case).case.analytic(q)["k1"]
-    k = {theory: frame.stiffness(**q.paper_path, **q.strip, theory=theory)
+    k = {theory: frame.stiffness(**q.paper_path, **strip_of(q), theory=theory)
          for theory in ("bending", "thin", "shear")}  # fmt: skip
     as_it_is = error(case, (), 8, row)
     shear = as_it_is - error(case, ("no shear of the strip",), 8, row)

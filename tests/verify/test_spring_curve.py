@@ -7,11 +7,10 @@ import pytest
 
 from fem.beam import touching, touching_law
 from meshes.spring import centre_line
-from verify.cases.spring.curve import claims, runs
+from verify.cases.spring.curve import claims, reference
 from verify.cases.spring.curve import fem as curve_fem
-from verify.cases.spring.curve.case import CURVE
+from verify.cases.spring.curve.case import CURVE, CurveSpring
 from verify.cases.spring.curve.figures import points, tables
-from verify.cases.spring.curve.inputs import CurveInputs
 from verify.cases.spring.stages.readings import eq10
 from verify.core.case import Context, FemResult
 from verify.core.inputs import InputError, build
@@ -19,14 +18,14 @@ from verify.core.results import Status
 
 pytestmark = pytest.mark.xdist_group("spring-curve")
 mm = 1e-3
-Q = CurveInputs()
+Q = CurveSpring()
 STATES, CELLS = 17, 2  # of the runs here: every millimetre of the stroke
 
 
 def pressed(**changed):
     """The paper's spring, or one with something `changed`, up to the end of its stroke."""
     return curve_fem.fem_compress(
-        runs.spring_of(Q, **changed), runs.grid(Q, STATES), per_arc=CELLS
+        reference.spring_of(Q, **changed), reference.grid(Q, STATES), per_arc=CELLS
     )  # fmt: skip
 
 
@@ -39,10 +38,10 @@ def context(curve, *, inputs=Q, **more):
     """What judges see if this curve is what both meshes and all contacts give."""
     kept = np.array([curve.U, curve.F, curve.press.sum(axis=1)])
     arrays = curve.arrays("curve 4") | curve.arrays("curve 8")
-    arrays |= {f"contact {times:g}": kept for times in runs.TIMES}
+    arrays |= {f"contact {times:g}": kept for times in reference.TIMES}
     back = kept[:, [13, 9, 5]]
     arrays["there and back"] = np.hstack([kept, back])
-    for name, _ in runs.readings(Q):
+    for name, _ in reference.readings(Q):
         off = 1.0 if name == "mid-leaf, guided, r" else 1.2
         arrays[f"reading {name}"] = kept * np.array([[1], [off], [off]]) / [[1], [1.0957], [1.0957]]
     arrays |= {"rest": curve.shapes[0]} | more
@@ -105,11 +104,11 @@ def test_a_width_factor_dropped_or_taken_twice_turns_k_1_red(own, factor):
 
 
 def stiffness_at_rest():
-    return runs.fem(Q, runs.READINGS).values["k0"] / CURVE.analytic(Q)["k1"] - 1
+    return reference.solve(Q, reference.READINGS).values["k1"] / CURVE.analytic(Q)["k1"] - 1
 
 
 def test_a_head_that_may_turn_is_softer_at_rest(monkeypatch):
-    monkeypatch.setattr(runs, "_read", lambda _: {})
+    monkeypatch.setattr(reference, "_read", lambda _: {})
     assert abs(stiffness_at_rest()) < 1e-6
     monkeypatch.setattr(curve_fem, "SUPPORTS", curve_fem.SUPPORTS | {"guided": "y"})
     assert stiffness_at_rest() < -5e-4
@@ -120,14 +119,14 @@ def slender(monkeypatch):
     """The three limit rows, as the least share says: what is wrong there is wrong at all."""
 
     def rows():
-        q, share = Q, runs.THIN[-1]
-        found = np.array(runs.thin_fem(q, share, 2))
+        q, share = Q, reference.THIN[-1]
+        found = np.array(reference.thin_fem(q, share, 2))
         form = claims._thin(q, share)
         off = found / np.array([form["U_A"], form["F_A"], form["k2"]])
         exact = np.array([
-            [claims._thin(q, s)[key] for key in ("U_A", "F_A", "k2")] for s in runs.THIN
+            [claims._thin(q, s)[key] for key in ("U_A", "F_A", "k2")] for s in reference.THIN
         ])  # fmt: skip
-        curved = off * (1 - 0.1 * np.array(runs.THIN)[:, None])
+        curved = off * (1 - 0.1 * np.array(reference.THIN)[:, None])
         thin = np.array([exact * curved * (1 + 1e-6), exact * curved])
         fem = [FemResult(h=1.0, values={}, arrays={"thin": thin})]
         seen = Context("spring-curve", q, {}, fem, is_paper=True)
@@ -169,7 +168,7 @@ def test_a_wrong_model_misses_the_closed_form(owner, name, fault, row, monkeypat
 def test_a_soft_contact_that_does_not_settle_enters(own, monkeypatch):
     monkeypatch.setattr(touching_law.Law, "settle", lambda *_: False)
     places = np.array([6, 12, 14, 17]) * mm
-    soft = curve_fem.fem_compress(runs.spring_of(Q), places, per_arc=CELLS, times=0.1)
+    soft = curve_fem.fem_compress(reference.spring_of(Q), places, per_arc=CELLS, times=0.1)
     assert is_red(DEPTH, context(own, **{"curve 8 depth": soft.depth}))
 
 
@@ -218,7 +217,7 @@ def further(curve, share, force):
 
 def test_a_curve_that_ends_by_its_force_or_its_last_displacement_has_a_third_stage(own):
     assert not is_red(TENFOLD, context(own, **further(own, 1.03, 2.01)))
-    soft = judge(TENFOLD, context(own, **further(own, 1 + runs.BEYOND[-1], 1.3)))
+    soft = judge(TENFOLD, context(own, **further(own, 1 + reference.BEYOND[-1], 1.3)))
     assert soft.status is Status.FAIL
     assert soft.reason.startswith("not held")
 
@@ -242,7 +241,7 @@ def test_a_state_that_is_not_found_ends_a_curve_beyond_its_stroke_and_no_other(m
         return right(self, moved, factors, since=since)
 
     monkeypatch.setattr(LargeFrame, "displaced", fails)
-    spring, U = runs.spring_of(Q), np.arange(1, 4) * mm
+    spring, U = reference.spring_of(Q), np.arange(1, 4) * mm
     assert len(curve_fem.fem_compress(spring, U[:2], per_arc=CELLS, beyond=U[2:]).U) == 2
     with pytest.raises(ArithmeticError, match="pressed to 3 mm: no equilibrium found"):
         curve_fem.fem_compress(spring, U, per_arc=CELLS)
@@ -295,9 +294,9 @@ def test_a_curve_that_touches_at_its_end_has_no_second_slope():
 
 def test_touching_is_read_from_two_states_past_it():
     U = np.array([11, 11.5, 12.2, 12.4, 13]) * mm
-    assert runs.touching(*kinked(U)) == pytest.approx((12 * mm, 7.2, 750), rel=1e-12)
-    assert np.isnan(runs.touching(*kinked(U[:2]))).all()
-    assert np.isnan(runs.touching(*kinked(U[:3]))).all(), "one state gives no slope"
+    assert reference.touching(*kinked(U)) == pytest.approx((12 * mm, 7.2, 750), rel=1e-12)
+    assert np.isnan(reference.touching(*kinked(U[:2]))).all()
+    assert np.isnan(reference.touching(*kinked(U[:3]))).all(), "one state gives no slope"
 
 
 def test_eq_10_is_printed_as_two_lines():
@@ -328,9 +327,9 @@ def test_points_are_named_by_what_presses(own):
 def test_what_is_not_reached_is_told_in_words(own):
     """At one's own inputs nothing turns red by that, and no row tells of nan."""
     short = replace(own, press=0 * own.press)
-    mine = CurveInputs(mu=0.1)
+    mine = CurveSpring(mu=0.1)
     seen = context(short, inputs=mine)
-    whole = context(short, inputs=mine, **further(short, 1 + runs.BEYOND[-1], 1.3))
+    whole = context(short, inputs=mine, **further(short, 1 + reference.BEYOND[-1], 1.3))
     rows = [judge(name, seen) for name in (DEPTH, SAME, HALVED, BALANCE, BACK, TENFOLD)]
     assert {row.status for row in rows} == {Status.SHOWN}
     assert not any("nan" in row.reason for row in rows)
@@ -347,8 +346,8 @@ def test_a_curve_that_breaks_off_shows_nothing(own):
 
 
 def test_rows_about_the_paper_are_the_paper_s_alone():
-    assert CurveInputs().is_paper
-    assert not CurveInputs(mu=0.1).is_paper
+    assert CurveSpring().is_paper
+    assert not CurveSpring(mu=0.1).is_paper
     alone = {check.name for check in CURVE.checks if check.paper_only}
     assert alone >= {NEAREST, K1, K2, CROSSING, ALONG, AT_A, FORCE_A, BEYOND}
 
@@ -374,12 +373,12 @@ PAPER = {"n": 10, "b": "0.1 mm", "h": "56 mm", "r": "0.45 mm", "L1": "11.6 mm",
 )
 def test_wrong_input_is_named_in_one_line(raw, message):
     with pytest.raises(InputError) as error:
-        build(CurveInputs, PAPER | raw, "my.toml")
+        build(CurveSpring, PAPER | raw, "my.toml")
     assert message in str(error.value)
     assert "\n" not in str(error.value)
 
 
 @pytest.mark.parametrize("head", ["free", "hinged"])
 def test_only_a_guided_head_is_followed(head):
-    assert f"head = {head}: the whole curve" in CURVE.too_large(CurveInputs(head=head))
-    assert CURVE.too_large(CurveInputs()) == ""
+    assert f"head = {head}: the whole curve" in CURVE.too_large(CurveSpring(head=head))
+    assert CURVE.too_large(CurveSpring()) == ""

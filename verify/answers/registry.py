@@ -56,7 +56,7 @@ RULES: Mapping[str, Rule] = {
     "spring-stages": Rule("k1", springs.stages),
     "spring-width": Rule("k", springs.compared),
     "spring-curve": Rule("k1", springs.curve),
-    "spring-buckling": Rule("F_cr, arc", springs.buckling),
+    "spring-buckling": Rule("F_cr", springs.buckling),
     "spring-map": Rule("k1", springs.compared),
     "contact-flat": Rule("p_0", contacts.line),
     "contact-pair": Rule("p_0", contacts.line),

@@ -13,9 +13,9 @@ from verify.core.case import Values
 FREE_STAGE = 0.47  # of the free length, where the leaves of the paper's spring touch (Wang 2023)
 LARGEST_STROKE = 0.6  # of the free length (Eq. 12)
 CRITICAL = {
-    "F_cr, arc": "tail clamped at the end of the arc",
-    "F_cr, mid-leaf": "tail clamped at mid-leaf",
-    "Haringx F, free": "Haringx's column",
+    "F_cr": "tail clamped at the end of the arc",
+    "F_cr_mid_leaf": "tail clamped at mid-leaf",
+    "column_F": "Haringx's column",
 }
 NO_FORCE = "no working force F is given: neither stress nor deflection is checked"
 

@@ -77,12 +77,12 @@ def proportional(level: int, force: float, share: float) -> FemResult:
 def fem_firmer(q: CurveInputs, level: int) -> FemResult:
     """The stiffness at rest, as the case reads it, with contact that is firmer."""
     from verify.cases.spring.curve.fem import fem_compress
-    from verify.cases.spring.curve.runs import FIRST, spring_of
+    from verify.cases.spring.curve.reference import FIRST, spring_of
 
     pressed = [FIRST * q.stroke, 2 * FIRST * q.stroke]
     rest = fem_compress(spring_of(q), pressed, per_arc=level, times=FIRMER)
     once, twice = rest.F / rest.U
-    return FemResult(h=1 / level, values={"k0": float(2 * once - twice)})
+    return FemResult(h=1 / level, values={"k1": float(2 * once - twice)})
 
 
 PROPORTION = "hardly pressed, the force in proportion"

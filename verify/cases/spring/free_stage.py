@@ -8,7 +8,7 @@ from typing import Any
 
 from analytic.spring import energy, frame
 from verify.case import Case, Quantity
-from verify.cases.spring.inputs import AccordionInputs
+from verify.cases.spring.inputs import AccordionInputs, strip_of
 from verify.cases.spring.sketch import sketch as to_scale
 from verify.core.figures import Sketch
 
@@ -52,11 +52,11 @@ class FreeStage(AccordionInputs, Case):
 
     @Quantity("k", "N/mm", "stiffness, true centre line, E I", source=FRAME)
     def k(self) -> float:
-        return frame.stiffness(**self.path, **self.strip)
+        return frame.stiffness(**self.path, **strip_of(self))
 
     @Quantity("k_w", "N/mm", "stiffness, true centre line, E I/(1 − ν²)", source=FRAME)
     def k_wide(self) -> float:
-        return frame.stiffness(**self.path, **self.strip, plane_strain=True)
+        return frame.stiffness(**self.path, **strip_of(self), plane_strain=True)
 
     @Quantity("L_0", "mm", "free length over all", source="geometry of the true centre line")
     def L0(self) -> float:

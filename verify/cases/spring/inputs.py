@@ -7,8 +7,6 @@ from pydantic import model_validator
 
 from verify.core.inputs import Inputs, count, quantity
 
-MOST_SLENDER = 16_000  # unfolded length over thickness
-
 
 class SpringInputs(Inputs):
     """Geometry and material of an accordion spring; r is the inner radius of the arcs."""
@@ -47,11 +45,6 @@ class SpringInputs(Inputs):
         return self.r + self.b / 2
 
     @property
-    def strip(self) -> dict[str, Any]:
-        """Section and material of the strip."""
-        return {"b": self.b, "h": self.h, "E": self.E, "nu": self.nu}
-
-    @property
     def path(self) -> dict[str, Any]:
         """What the clean centre line needs."""
         return {"n": self.n, "L1": self.L1, "radius": self.R, "alpha": self.alpha}
@@ -76,13 +69,6 @@ class AccordionInputs(SpringInputs):
     )  # fmt: skip
 
 
-def too_slender(q: SpringInputs) -> str:
-    """Elements of a frame this slender bend by less than what round-off makes of its movement."""
-    leaf = q.L1 / math.sin(q.alpha) + 2 * q.R / math.tan(q.alpha)
-    slender = q.n * (leaf + 2 * q.R * q.alpha) / q.b
-    if slender <= MOST_SLENDER:
-        return ""
-    return (
-        f"n = {q.n} segments unfold to {slender:,.0f} times the thickness, more than "
-        f"{MOST_SLENDER:,}: finite elements lose too many digits there, check it without --fem"
-    )
+def strip_of(q: SpringInputs) -> dict[str, Any]:
+    """Section and material of the strip."""
+    return {"b": q.b, "h": q.h, "E": q.E, "nu": q.nu}

@@ -22,7 +22,8 @@ from verify.cases.spring.accordion import figures as drawn
 from verify.cases.spring.accordion import reference as frames
 from verify.cases.spring.accordion.ends import COMBINED, PAPER, Ends
 from verify.cases.spring.free_stage import FRAME, FreeStage
-from verify.cases.spring.inputs import too_slender
+from verify.cases.spring.inputs import strip_of
+from verify.cases.spring.limits import too_slender
 from verify.core.case import Check, Context, Portion
 from verify.core.figures import Picture, Table
 from verify.form.adapter import adapted
@@ -101,7 +102,7 @@ class AccordionSpring(FreeStage):
     def _stiffness(self, theory: frame.Theory) -> float:
         head, tail, hold = self.ends.head, self.ends.tail, self.ends.hold
         return frame.stiffness(
-            **self.lengths, **self.strip, head=head, tail=tail, hold=hold, theory=theory
+            **self.lengths, **strip_of(self), head=head, tail=tail, hold=hold, theory=theory
         )
 
     @property
@@ -154,7 +155,7 @@ class AccordionSpring(FreeStage):
 
     def _neglected(self) -> Expected:
         """What axial force and shear add to the compliance, known to a tenth of itself."""
-        bending = frame.stiffness(**self.paper_path, **self.strip, theory="bending")
+        bending = frame.stiffness(**self.paper_path, **strip_of(self), theory="bending")
         m = bending / self.held(PAPER).k_V - 1
         return Expected(0.9 * m, 1.1 * m, EQ_9_SOURCE)
 

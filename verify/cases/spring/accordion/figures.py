@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 from analytic.spring import frame
 from analytic.spring.moments import moment_diagram
+from verify.cases.spring.inputs import strip_of
 from verify.core.case import Context
 from verify.core.figures import Dots, Picture, Profile, Table
 from verify.judging.profiles import along
@@ -33,7 +34,7 @@ def combinations(q: Any) -> list[Combination]:
     paths = (("r", q.paper_path), ("r + b/2", q.path))
     return [
         Combination(tail, head, radius, wide, frame.stiffness(
-            **path, **q.strip, head=head, tail=tail, plane_strain=wide))
+            **path, **strip_of(q), head=head, tail=tail, plane_strain=wide))
         for tail, head, (radius, path), wide in product(tails, heads, paths, (False, True))
     ]  # fmt: skip
 

@@ -2,40 +2,15 @@
 
 import math
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
 from analytic.spring import column
-from verify.cases.spring.buckling.inputs import MAP_L1, MAP_N, RATIO, SAME_RATIO, TAILS
-from verify.core.case import Context, Values
-from verify.core.figures import Array, Curve, Curves, Equation, Figure, Map, Panel, Shapes, Table
-from verify.core.tex import tex
+from verify.cases.spring.buckling.inputs import KEYS, MAP_L1, MAP_N, RATIO, SAME_RATIO, TAILS
+from verify.core.case import Context
+from verify.core.figures import Array, Curve, Curves, Figure, Map, Panel, Shapes, Table
 
 mm = 1e-3
-
-
-def equations(q: Any, v: Values) -> Sequence[Equation]:
-    unit = column.unit(L1=q.L1, radius=q.R, alpha=q.alpha, **q.strip)
-    p = float(unit.pitch)
-    B, C = p / float(unit.turn), p / float(unit.axial)
-    S = p / float(unit.lateral - p**2 * unit.turn / 12)
-    found = [
-        Equation(tex=r"B = \frac{p}{a_B}, \quad C = \frac{p}{a_C}, \quad "
-                 r"S = \frac{p}{a_S - p^2 a_B/12}",
-                 numbers=rf"= {tex(B / mm**2)}\ \mathrm{{N\,mm^2}},\ {tex(C)}\ \mathrm{{N}},\ "
-                 rf"{tex(S)}\ \mathrm{{N}}", place="one middle unit"),
-        Equation(tex=r"\frac{C L_0^2}{B}\,\xi \left[1 - \left(1 - \frac{C}{S}\right) \xi\right] = "
-                 r"\left(\frac{\pi}{2}\right)^2, \quad \frac{C L_0^2}{B}",
-                 numbers=rf"= {tex(C * q.length**2 / B)}", place="Haringx, head free"),
-    ]  # fmt: skip
-    if U := v.get("Haringx U, free"):
-        found.append(
-            Equation(tex=r"U_{cr} = \xi L_0, \quad F_{cr} = C \xi",
-                     numbers=rf"= {tex(U / mm)}\ \mathrm{{mm}},\ "
-                     rf"{tex(v['Haringx F, free'])}\ \mathrm{{N}}")
-        )  # fmt: skip
-    return found
 
 
 def swept(context: Context, name: str) -> Array | None:
@@ -43,7 +18,7 @@ def swept(context: Context, name: str) -> Array | None:
 
 
 def tables(context: Context) -> Sequence[Table]:
-    q, by_b, ratio = context.inputs, swept(context, "by b"), swept(context, "same ratio")
+    q, by_b, ratio = context.inputs, swept(context, "by_b"), swept(context, "same_ratio")
     if by_b is None or ratio is None:
         return ()
     z = q.length / by_b[:, 0]
@@ -127,9 +102,9 @@ def _drift(context: Context) -> Curves:
     """Sideways movement of a free head over the force, and where Haringx has the column buckle."""
     curves = []
     for k, tail in enumerate(TAILS):
-        F, _, y, _ = np.asarray(swept(context, f"free, {tail}")).T
+        F, _, y, _ = np.asarray(swept(context, f"free{KEYS[tail]}")).T
         curves.append(Curve(name=f"tail held at {tail}", x=np.abs(y) / mm, y=F, colour=k))
-        limit = context.analytic[f"F_cr, {tail}"]
+        limit = context.analytic[f"F_cr{KEYS[tail]}"]
         curves.append(
             Curve(name=f"let go, {tail}", x=np.array([0, np.abs(y).max() / mm]),
                   y=np.full(2, limit), style="dashes", colour=k)
@@ -146,7 +121,7 @@ def _guide(context: Context) -> Curves:
     """What a guide feels: lateral stiffness over the displacement."""
     curves = []
     for k, tail in enumerate(TAILS):
-        U, _, k_y, _ = np.asarray(swept(context, f"guided, {tail}")).T
+        U, _, k_y, _ = np.asarray(swept(context, f"guided{KEYS[tail]}")).T
         curves.append(Curve(name=f"tail held at {tail}", x=U / mm, y=k_y * mm, colour=k))
     return Curves(
         title="Lateral stiffness of the guided head", x_label="U [mm]", y_label="k_y [N/mm]",
@@ -160,8 +135,8 @@ def _shapes(context: Context) -> Shapes:
     q = context.inputs
     panels = []
     for tail in TAILS:
-        let_go, free = (np.asarray(swept(context, f"{name}, {tail}")) / mm
-                        for name in ("let go", "free shape"))  # fmt: skip
+        let_go, free = (np.asarray(swept(context, f"{name}{KEYS[tail]}")) / mm
+                        for name in ("let_go", "free_shape"))  # fmt: skip
         straight = tuple(let_go)
         panels += [
             Panel(name=f"buckled, tail at {tail}", lines=straight),

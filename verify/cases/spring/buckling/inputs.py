@@ -4,10 +4,12 @@ import math
 from typing import Literal
 
 from verify.cases.spring.inputs import SpringInputs
+from verify.cases.spring.limits import Share
 from verify.core.inputs import quantity
 
 TAILS: tuple[Literal["arc"], Literal["mid-leaf"]] = ("arc", "mid-leaf")
-DRIFT = (0.5, 0.9)  # shares of the load P at which the drift is compared
+KEYS = {"arc": "", "mid-leaf": "_mid_leaf"}  # end the names of numbers
+DRIFT = (Share(0.5), Share(0.9))  # of the load P, at which the drift is compared
 THICKNESSES = (0.5, 1.0, 1.5, 2.0)  # of b
 MANY = (16, 24, 36, 54)  # units, on the way to many
 RATIO = 240.0  # L_0/b of Eq. 13

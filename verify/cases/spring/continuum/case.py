@@ -19,6 +19,7 @@ from verify.case import (
 from verify.cases.spring.continuum import reference as plane_body
 from verify.cases.spring.continuum.expected import added
 from verify.cases.spring.free_stage import FRAME, FreeStage
+from verify.cases.spring.inputs import strip_of
 from verify.core.case import Context
 from verify.core.figures import Dots, Picture
 from verify.form.adapter import adapted
@@ -64,7 +65,7 @@ class PlaneSpring(FreeStage):
         return self._stiffness("thick", wide=True)
 
     def _stiffness(self, theory: frame.Theory, *, wide: bool) -> float:
-        return frame.stiffness(**self.path, **self.strip, theory=theory, plane_strain=wide)
+        return frame.stiffness(**self.path, **strip_of(self), theory=theory, plane_strain=wide)
 
     def reference(self, level: int) -> Level:
         """The plane body, narrow and wide."""

@@ -1,101 +1,162 @@
 """Accordion spring, the whole curve: geometrically exact beams that touch (Wang et al. 2023)."""
 
-from collections.abc import Sequence
+import math
+from collections.abc import Iterator
+from typing import Any, ClassVar
 
+from analytic.spring.stages import Stages, stages
 from analytic.spring.wide_leaf import width_factor
-from verify.cases.spring.curve import figures as spring_curve_shown
-from verify.cases.spring.curve.claims import CHECKS
+from verify.case import Case, Comparison, Drawn, Level, Quantity, identity, shared
+from verify.cases.spring.curve import comparisons as stated
+from verify.cases.spring.curve import figures as drawn
+from verify.cases.spring.curve import reference as beams
 from verify.cases.spring.curve.inputs import CurveInputs
-from verify.cases.spring.curve.runs import LEVELS, fem
-from verify.cases.spring.inputs import too_slender
-from verify.cases.spring.stages.sketch import sketch as stages_sketch
-from verify.core.case import Case, Output, Values
+from verify.cases.spring.inputs import strip_of
+from verify.cases.spring.limits import too_slender
+from verify.cases.spring.stages.readings import eq10
+from verify.cases.spring.stages.sketch import sketch
+from verify.core.case import Check, Context
+from verify.core.figures import Sketch, Table
+from verify.form.adapter import adapted
 from verify.judging.published_checks import PrintedMeasurement
 
 OTHER_WIDTH = 0.005  # between the factor given and that of a leaf
+LINEAR = "closed form, linear theory"
+FINE = 5e-4, "frame elements are to settle 0.05 %"
 
 
-def analytic(q: CurveInputs) -> Values:
-    form = spring_curve_shown.linear(q)
-    values = {key: float(getattr(form, key)) for key in ("k1", "U_A", "F_A", "k2")}
-    return {key: value for key, value in values.items() if value < float("inf")}
+def of_paper(q: CurveInputs) -> bool:
+    """Whether Eq. 10 speaks of this spring."""
+    return q.is_paper
 
 
-def warnings(q: CurveInputs, v: Values) -> Sequence[str]:
-    found = []
-    if q.head == "free":
-        found.append("a free head buckles sideways early: see case spring-buckling for the load")
-    leaf = float(width_factor(q.h, q.leaf, nu=q.nu))
-    if abs(leaf / q.width_factor - 1) > OTHER_WIDTH:
-        found.append(
-            f"width_factor = {q.width_factor:.5g}, but leaves of this width and length are "
-            f"stiffened by {leaf:.5g}: forces change by {leaf / q.width_factor - 1:+.1%}"
-        )
-    if "U_A" not in v:
-        found.append("linear theory lets no leaves touch with these ends")
-    return found
+class CurveSpring(CurveInputs, Case):
+    """Force over displacement through all stages by geometrically exact beams.
 
+    They touch each other with friction: how far straight lines hold, and which reading of the
+    paper's spring gives its Eq. 10.
+    """
 
-def too_large(q: CurveInputs) -> str:
-    """Only guided heads are followed: a free one buckles, a hinged one moves sideways."""
-    if q.head != "guided":
-        return (
-            f"head = {q.head}: the whole curve is followed for a guided head alone, the first "
-            "stage of another is in spring-stages and its sideways movement in spring-buckling"
-        )
-    return too_slender(q)
-
-
-CURVE = Case(
-    id="spring-curve",
-    title="Accordion spring, the whole curve",
-    paper="wang2023",
-    place="Sec. 2, Eq. 10, Fig. 9; Table 1",
-    lead="Force over displacement through all stages by geometrically exact beams that touch each "
-    "other with friction: how far straight lines hold, and which reading of the paper's spring "
-    "gives its Eq. 10.",
-    inputs=CurveInputs,
-    analytic=analytic,
-    reference=fem,
-    levels=LEVELS,
-    checks=(
-        *CHECKS,
-        *(
-            PrintedMeasurement(
-                name=f"{symbol} of the closed form against the {what}", symbol=symbol,
-                unit="N/mm", analytic=key, reference=f"wang2023:{key}-{name}",
-            )
-            for key, symbol in (("k1", "k_1"), ("k2", "k_2"))
-            for name, what in (("fea", "paper's shell model"), ("test", "paper's test"))
-        ),
-    ),
-    outputs=(
-        Output(key="k1", symbol="k_1", unit="N/mm", what="stiffness at rest"),
-        Output(key="U_A", symbol="U_A", unit="mm", judged=False,
-               what="displacement where leaves touch, linear theory"),
-        Output(key="F_A", symbol="F_A", unit="N", what="force there, linear theory",
-               judged=False),
-        Output(key="k2", symbol="k_2", unit="N/mm", what="stiffness beyond, linear theory",
-               judged=False),
-    ),
-    quick=False,
-    readings=(
+    id = "spring-curve"
+    title = "Accordion spring, the whole curve"
+    source = "wang2023"
+    place = "Sec. 2, Eq. 10, Fig. 9; Table 1"
+    levels: ClassVar = beams.LEVELS
+    quick: ClassVar = False
+    readings: ClassVar = (
         "r is the radius of the arcs' centre line, as a shell model's middle surface would be "
         "drawn from the printed dimensions; chosen with tail and head by k_1 alone (calibrated)",
         "the tail is held in the middle of its leaf, the head moves along the axis and does not "
         "turn",
         "k_1 and k_2 of a curve are least-squares lines before and after the leaves touch",
         "the width factor f is that of the shell in case spring-width",
-    ),
-    assumptions=(
+    )
+    assumptions: ClassVar = (
         "plane deformation of a strip with one bending stiffness; linear elastic",
         "free ends of leaves are round, b/2 in radius",
         "friction by Coulomb between leaves; none at the head, whose movement is given",
-    ),
-    warnings=warnings,
-    too_large=too_large,
-    equations=spring_curve_shown.equations,
-    tables=spring_curve_shown.tables,
-    sketch=stages_sketch,
-    figures=spring_curve_shown.figures,
-)  # fmt: skip
+    )
+
+    @Quantity("EI", "N mm^2", "bending stiffness of the strip", role="step",
+              tex=r"f \frac{E h b^3}{12}")  # fmt: skip
+    def EI(self) -> float:
+        return self.width_factor * self.E * self.h * self.b**3 / 12
+
+    @Quantity("k_1", "N/mm", "stiffness at rest", source="geometrically exact beam",
+              tex=r"\left.\frac{dF}{dU}\right|_0 \quad (\varepsilon=t\cdot r' - 1, \quad "
+              r"\gamma=n\cdot r', \quad \kappa=\varphi')")  # fmt: skip
+    def k1(self) -> float:
+        return float(self.linear.k1)
+
+    @Quantity("U_A", "mm", "displacement where leaves touch, linear theory", source=LINEAR,
+              tex=r"\frac{F_A}{k_1}")  # fmt: skip
+    def U_A(self) -> float:
+        return float(self.linear.U_A)
+
+    @Quantity("F_A", "N", "force where leaves touch, linear theory", source=LINEAR)
+    def F_A(self) -> float:
+        return float(self.linear.F_A)
+
+    @Quantity("k_2", "N/mm", "stiffness beyond, linear theory", source=LINEAR)
+    def k2(self) -> float:
+        return float(self.linear.k2)
+
+    @Quantity("U_10", "mm", "displacement where the lines of Eq. 10 cross (N, N/m)", role="step",
+              source="Eq. 10", tex=r"\frac{0.0055 + 1.62}{749 - 613}", when=of_paper)  # fmt: skip
+    def U_10(self) -> float:
+        return eq10().U
+
+    @Quantity("F_10", "N", "force where the lines of Eq. 10 cross (N, N/m)", role="step",
+              source="Eq. 10", tex=r"613 U_{10} + 0.0055 = 749 U_{10} - 1.62",
+              when=of_paper)  # fmt: skip
+    def F_10(self) -> float:
+        return eq10().F
+
+    @shared
+    def linear(self) -> Stages:
+        """The closed form's two straight lines."""
+        ends: dict[str, Any] = {"head": self.head, "tail": self.tail}
+        factor = self.width_factor
+        return stages(**self.path, **strip_of(self), **ends, width_factor=factor, theory="shear")
+
+    def reference(self, level: int) -> Level:
+        """Beams that touch: the curve, other contacts and friction, readings."""
+        return beams.solve(self, level)
+
+    def comparisons(self) -> Iterator[Comparison | Check]:
+        """The closed form against beams, claims of the curve, Eq. 10 and tests."""
+        spring = CurveSpring
+        yield identity(spring.k1, order=4, sensitivity=FINE,
+                       shares="beam theory, E I with one width factor")  # fmt: skip
+        slender = (
+            (spring.U_A, "displacement where tips touch"), (spring.F_A, "force where tips touch"),
+            (spring.k2, "stiffness beyond"),
+        )  # fmt: skip
+        for k, (q, words) in enumerate(slender):
+            yield Comparison(quantity=q, check=stated.slender(k, q.symbol, words))
+        yield from stated.deviations()
+        yield from stated.accepted()
+        for q in (spring.k1, spring.k2):
+            for name, what in (("fea", "paper's shell model"), ("test", "paper's test")):
+                yield Comparison(quantity=q, check=PrintedMeasurement(
+                    name=f"{q.symbol} of the closed form against the {what}", symbol=q.symbol,
+                    unit="N/mm", analytic=q.name, reference=f"wang2023:{q.name}-{name}",
+                ))  # fmt: skip
+
+    def refusal(self) -> str:
+        """Only guided heads are followed: a free one buckles, a hinged one moves sideways."""
+        if self.head != "guided":
+            return (
+                f"head = {self.head}: the whole curve is followed for a guided head alone, the "
+                "first stage of another is in spring-stages and its sideways movement in "
+                "spring-buckling"
+            )
+        return too_slender(self)
+
+    def figures(self) -> Iterator[Drawn]:
+        """Curves, slopes, deformed shapes, readings."""
+        yield Drawn(drawn.figures)
+
+    def tables(self, context: Context) -> Iterator[Table]:
+        """Points of the curve, forces and combinations."""
+        yield from drawn.tables(context)
+
+    def sketch(self) -> Sketch:
+        """The centre line with the gaps that the tips close."""
+        return sketch(self)
+
+    def warnings(self) -> Iterator[str]:
+        """Heads that buckle, other width factors, tips that do not touch."""
+        if self.head == "free":
+            yield "a free head buckles sideways early: see case spring-buckling for the load"
+        leaf = float(width_factor(self.h, self.leaf, nu=self.nu))
+        if abs(leaf / self.width_factor - 1) > OTHER_WIDTH:
+            yield (
+                f"width_factor = {self.width_factor:.5g}, but leaves of this width and length are "
+                f"stiffened by {leaf:.5g}: forces change by {leaf / self.width_factor - 1:+.1%}"
+            )
+        if not math.isfinite(self.U_A):
+            yield "linear theory lets no leaves touch with these ends"
+
+
+CURVE = adapted(CurveSpring)

@@ -5,7 +5,6 @@ from typing import Any
 
 import numpy as np
 
-from analytic.spring.stages import Stages, stages
 from verify.cases.spring.curve.claims import (
     Lines,
     array,
@@ -16,44 +15,14 @@ from verify.cases.spring.curve.claims import (
     read,
 )
 from verify.cases.spring.curve.fem import Array
-from verify.cases.spring.curve.inputs import CurveInputs
-from verify.cases.spring.curve.runs import FINE, LEVELS, TOUCH
+from verify.cases.spring.curve.reference import FINE, LEVELS, TOUCH
 from verify.cases.spring.stages.readings import eq10
-from verify.core.case import Context, Values
-from verify.core.figures import Curve, Curves, Equation, Figure, Panel, Shapes, Table
-from verify.core.tex import tex
+from verify.core.case import Context
+from verify.core.figures import Curve, Curves, Figure, Panel, Shapes, Table
 from verify.papers.ledger import published
 
 mm, N_PER_MM = 1e-3, 1e3
 TABLE_N = 18.0  # N, the end load of the paper's finite elements
-
-
-def linear(q: CurveInputs) -> Stages:
-    """The closed form's two straight lines."""
-    ends: dict[str, Any] = {"head": q.head, "tail": q.tail, "width_factor": q.width_factor}
-    return stages(**q.path, **q.strip, **ends, theory="shear")
-
-
-def equations(q: CurveInputs, v: Values) -> Sequence[Equation]:
-    return (
-        Equation(
-            tex=r"\varepsilon = t\cdot r' - 1, \quad \gamma = n\cdot r', \quad \kappa = \varphi'",
-            numbers=rf"\Rightarrow\ k_1(0) = {tex(v['k1'] / N_PER_MM)}\ \mathrm{{N/mm}}",
-            place="geometrically exact beam",
-        ),
-        Equation(
-            tex=r"E I = f\,\frac{E h b^3}{12}",
-            numbers=rf"= {tex(q.width_factor * q.E * q.h * q.b**3 / 12 / mm**2)}"
-            r"\ \mathrm{N\,mm^2}",
-            place="strip",
-        ),
-        Equation(
-            tex=r"F = \begin{cases} 0.613\,U + 0.0055 \\ 0.749\,U - 1.62 \end{cases}",
-            numbers=rf"\Rightarrow\ U = {tex(eq10().U / mm)}\ \mathrm{{mm}},"
-            rf"\ F = {tex(eq10().F)}\ \mathrm{{N}}",
-            place="Eq. 10",
-        ),
-    )  # fmt: skip
 
 
 def figures(context: Context) -> Sequence[Figure]:
@@ -70,13 +39,13 @@ def _own(context: Context) -> tuple[Array, Array]:
 
 def _curve(context: Context) -> Curves:
     """Up to the stroke, less 0.6 times the first slope's line would hide: the lines themselves."""
-    q: CurveInputs = context.inputs
+    q = context.inputs
     U, F = _own(context)
     within = q.stroke * (1 + 1e-9) >= U
     at = np.linspace(0, q.stroke, 200)
     curves = [
         Curve(name="beams that touch", x=U[within] / mm, y=F[within], colour=1),
-        Curve(name="closed form (linear)", x=at / mm, y=linear(q).force(at), style="dashes"),
+        Curve(name="closed form (linear)", x=at / mm, y=q.linear.force(at), style="dashes"),
     ]
     if context.is_paper:
         k1, k2 = (published(f"wang2023:{k}-test").value for k in ("k1", "k2"))
@@ -110,9 +79,9 @@ def _whole(context: Context) -> Curves:
 
 def _slope(context: Context) -> Curves:
     U, F = _own(context)
-    q: CurveInputs = context.inputs
+    q = context.inputs
     k, middle = np.diff(F) / np.diff(U) / N_PER_MM, (U[1:] + U[:-1]) / 2
-    form = linear(q)
+    form = q.linear
     kink = min(float(form.U_A), q.stroke)
     at = np.array([0, kink, kink, q.stroke])
     level = np.array([form.k1, form.k1, form.k2, form.k2], float) / N_PER_MM
@@ -196,7 +165,7 @@ def tables(context: Context) -> Sequence[Table]:
 
 def _points(context: Context) -> Table:
     U, F = (array(context, f"curve {FINE} {key}") for key in ("U", "F"))
-    found, form = lines(context), linear(context.inputs)
+    found, form = lines(context), context.inputs.linear
     most = float(abs(array(context, f"curve {FINE} side") / F).max())
     rows: list[tuple[str, float, float, str]] = []
     words = {"B": "half of the neighbouring leaves press", "E": "end of the curve"}
@@ -219,9 +188,9 @@ def _points(context: Context) -> Table:
 
 def _forces(context: Context) -> Table:
     U, off = deviations(context, FINE)
-    q: CurveInputs = context.inputs
+    q = context.inputs
     F, theory = (1 + off) * printed_force(U), published("wang2023:k1-theory").value * U / mm
-    form = linear(q).force(U)
+    form = q.linear.force(U)
     rows = tuple(
         (round(u / mm), round(f, 4), round(p, 4), _percent(f / p - 1), _percent(t / f - 1),
          _percent(c / f - 1))

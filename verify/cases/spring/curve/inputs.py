@@ -63,7 +63,7 @@ class CurveInputs(SpringInputs):
     @property
     def is_paper(self) -> bool:
         """Whether Eq. 10 and the readings speak of this spring."""
-        return self == CurveInputs()
+        return self == type(self)()
 
     @property
     def factor(self) -> float:

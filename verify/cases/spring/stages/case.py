@@ -15,7 +15,7 @@ from verify.case import (
     errors_of,
     identity,
 )
-from verify.cases.spring.inputs import too_slender
+from verify.cases.spring.limits import too_slender
 from verify.cases.spring.stages import figures as drawn
 from verify.cases.spring.stages import readings as paper
 from verify.cases.spring.stages import reference as linked_frame

@@ -10,6 +10,7 @@ from analytic.spring.redundant import Theory
 from analytic.spring.stages import Stages, stages
 from analytic.spring.wide_leaf import width_factor
 from verify.case import Case, Quantity, shared
+from verify.cases.spring.inputs import strip_of
 from verify.cases.spring.stages.inputs import StagesInputs
 
 LINEAR = 0.1  # U_A over L_0 up to which lengths may be taken as unchanged
@@ -149,7 +150,7 @@ class StageFormulas(StagesInputs, Case):
         """With axial strain, as elements have it."""
         path = self.paper_path if self.inner else self.path
         return stages(
-            **path, **self.strip, width_factor=self.factor, head=self.head, tail=self.tail,
+            **path, **strip_of(self), width_factor=self.factor, head=self.head, tail=self.tail,
             theory=self.theory, normal=self.normal,
         )  # fmt: skip
 

@@ -6,7 +6,7 @@ from pydantic import model_validator
 
 from analytic.spring.loops import Tail
 from analytic.spring.stages import Head, Stages, stages
-from verify.cases.spring.inputs import AccordionInputs
+from verify.cases.spring.inputs import AccordionInputs, strip_of
 from verify.core.inputs import quantity, word
 
 
@@ -53,4 +53,4 @@ class StagesInputs(AccordionInputs):
     def held(self, **other: Any) -> Stages:
         """The stages of the spring as the inputs hold it, or with `other` ends."""
         ends: dict[str, Any] = {"head": self.head, "tail": self.tail, "width_factor": self.factor}
-        return stages(**self.path, **self.strip, **(ends | other))
+        return stages(**self.path, **strip_of(self), **(ends | other))

@@ -1,17 +1,19 @@
 """Sketch of the accordion spring with whole end leaves, whose tips may touch."""
 
 import math
+from typing import Any
 
 import numpy as np
 
 from analytic.spring import frame
-from verify.cases.spring.stages.inputs import StagesInputs
+from analytic.spring.stages import stages
+from verify.cases.spring.inputs import strip_of
 from verify.core.figures import Shape, Sketch
 
 mm = 1e-3
 
 
-def sketch(q: StagesInputs) -> Sketch:
+def sketch(q: Any) -> Sketch:
     """The whole centre line to scale, with the gaps that the tips close."""
     line = frame.sections(frame.pieces(**q.path, tail="mid-leaf")).at.T / mm
     end = np.array(frame.end_point(**q.path, tail="mid-leaf")) / mm
@@ -25,6 +27,7 @@ def sketch(q: StagesInputs) -> Sketch:
     facing /= mm
     arc_end = end - np.array([0.0, toward * a])
     held = sorted([arc_end[1], tip[1]] if q.tail == "arc" else [end[1] - wall, end[1] + wall])
+    g_0 = stages(**q.path, **strip_of(q), head=q.head, tail=q.tail, width_factor=q.factor).gap
     below, tail_side = -a - 0.6 * tall, toward * (a + 0.5 * tall)
     shapes = (
         Shape(style="text", points=np.array([[-1.1 * tall, 0.0]])),
@@ -35,7 +38,7 @@ def sketch(q: StagesInputs) -> Sketch:
         Shape(style="clamp", points=np.array([[right + edge, held[1]], [right + edge, held[0]]])),
         Shape(style="faint", points=np.array([[0.0, -a], [0.0, below]])),
         Shape(style="faint", points=np.array([[facing, -a], [facing, below]])),
-        Shape(style="dimension", label=f"g_0 = {q.held().gap / mm:.3g} mm",
+        Shape(style="dimension", label=f"g_0 = {g_0 / mm:.3g} mm",
               points=np.array([[0.0, below], [facing, below]])),
         Shape(style="leader", label="free tip",
               points=np.array([[-0.3 * tall, -a - 0.15 * tall], [0.0, -a]])),

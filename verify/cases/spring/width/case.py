@@ -1,86 +1,267 @@
 """Accordion spring as a strip of finite width: the paper's shell model (Wang et al. 2023)."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Iterator
+from typing import ClassVar, Self
 
 from analytic.spring import frame
 from analytic.spring.wide_leaf import TERMS, width_factor
+from verify.case import (
+    Case,
+    Comparison,
+    Drawn,
+    Expected,
+    Level,
+    Quantity,
+    Scan,
+    State,
+    approximation,
+    identity,
+)
+from verify.cases.spring.inputs import strip_of
+from verify.cases.spring.limits import Share
 from verify.cases.spring.stages.readings import PaperReading
 from verify.cases.spring.width import claims
-from verify.cases.spring.width import figures as shown
-from verify.cases.spring.width.fem import ENDS, LEVELS, RATIOS, WIDE, fem, widths_of_both
+from verify.cases.spring.width import figures as drawn
+from verify.cases.spring.width import reference as shells
 from verify.cases.spring.width.inputs import WidthInputs
-from verify.core.case import Case, Context, Output, Scan, Values
-from verify.judging.checks import Approximation, Identity, Limit
+from verify.cases.spring.width.reference import ENDS, RATIOS, WIDE, widths_of_both
+from verify.core.case import Check, Context
+from verify.core.figures import Picture, Sketch, Table
+from verify.form.adapter import adapted
+from verify.judging.checks import Limit
 from verify.judging.published_checks import PrintedMeasurement
-from verify.judging.tolerance_checks import BOTH_WAYS, Agreement, Pair, PaperAgreement, suites
+from verify.judging.tolerance_checks import BOTH_WAYS, Agreement, PaperAgreement, suites
 
 MOST = 30  # segments that shells are solved for
 FOIL = 3000  # thicknesses in a leaf's length, beyond which narrow shells are ill-conditioned
 PLATE = 3.0  # widths over the thickness from which a leaf is a plate
 SLENDER = 0.2  # of a leaf's length, that an arc is long
+HELD = 5e-4, "a shell with held edges is a beam"
+PLATES = 5e-4, "a thin leaf is Kirchhoff's plate"
+FIFTH = "a fifth of the acceptance figure"
+HALF = "half of the 1 % that rows are asked for"
+CURVE = "half of what case spring-curve may be off by"
+THEORY = "what a shell's theory leaves of a thin solid, and no more"
+FITTED = "these ends were chosen because they meet the printed stiffness"
+FRAME = "force method on the true centre line"
+RITZ = "a leaf as Kirchhoff's plate, by Ritz's method"
+SMALL = "small displacements"
+LOOPS = ("20 times as wide as thick", "100 times as wide as thick", "at the spring's width")
 
 
-def analytic(q: WidthInputs) -> Values:
-    f = float(width_factor(q.h, q.leaf, nu=q.nu))
-    values = {"one": 1.0, "f": f, "f wide": q.widest, "h/l": q.h / q.leaf}
-    for tail, head in {*ENDS, (q.tail, q.head)}:
-        for name, plane_strain in (("k narrow", False), ("k wide", True)):
-            values[f"{tail}, {head}, {name}"] = frame.stiffness(
-                **q.path, **q.strip, tail=tail, head=head, theory="shear",
-                plane_strain=plane_strain,
-            )  # fmt: skip
-        values[f"{tail}, {head}, k"] = f * values[f"{tail}, {head}, k narrow"]
-    for name in ("k", "k narrow", "k wide"):
-        values[name] = values[f"{q.tail}, {q.head}, {name}"]
-    for ratio in RATIOS:
-        leaf, coarse = (
-            float(width_factor(ratio, 1.0, nu=q.nu, terms=terms)) for terms in (TERMS, TERMS // 2)
-        )
-        values |= {f"leaf {ratio:g}": leaf, f"left {ratio:g}": (coarse - leaf) / leaf}
-    return values
+class WideSpring(WidthInputs, Case):
+    """How much stiffer than E I the width makes the spring.
 
+    A shell of the whole spring, solids of a loop, and a leaf as a plate by Ritz's method stand
+    between a beam in plane stress and an endless strip in plane strain.
+    """
 
-def warnings(q: WidthInputs, _: Values) -> Sequence[str]:
-    found = []
-    if q.h < PLATE * q.b:
-        found.append(
-            f"a strip {q.h / q.b:.2g} times as wide as thick is no plate: its factor is nearer to 1"
-        )
-    elif q.h < q.leaf:
-        found.append(
-            f"a strip {q.h / q.leaf:.2g} times as wide as a leaf is long: its arcs, which cannot "
-            f"curve across, stiffen it more than a leaf, by at most {q.widest - 1:.1%} in all "
-            "(measure it with --fem)"
-        )
-    if q.R * q.alpha > SLENDER * q.leaf:
-        found.append(
-            f"arcs {q.R * q.alpha / q.leaf:.0%} as long as leaves: a leaf's factor says little of "
-            "such a spring (measure it with --fem)"
-        )
-    return found
-
-
-def too_large(q: WidthInputs) -> str:
-    if q.leaf > FOIL * q.b:
-        return (
-            f"leaves {q.leaf / q.b:.0f} times as long as thick are more than {FOIL}: shells of "
-            "such foils are ill-conditioned, and a leaf's plate is exact but for its arcs"
-        )
-    if q.n <= MOST:
-        return ""
-    return (
-        f"n = {q.n} segments are more than the {MOST} that shells are solved for: the factor does "
-        f"not depend on n, check it with n = {MOST}"
+    id = "spring-width"
+    title = "Accordion spring as a strip of finite width"
+    source = "wang2023"
+    place = "Sec. 2, shell model; h in I = h b³/12"
+    levels: ClassVar = shells.LEVELS
+    scans: ClassVar = (Scan(vary=("h=14mm,28mm,56mm", "n=6,10"), star=True),)
+    readings: ClassVar = (
+        "the force moves a line across the head that stays straight, as a roller's",
+        "r is the inner radius: the centre line of the arcs has r + b/2",
+        "where the tail is held and what the head may do is not printed: all four are shown",
+    )
+    assumptions: ClassVar = (
+        "small displacements, no contact",
+        "the tail is clamped over the whole width, edges are free",
+        "symmetric about the middle of the width",
     )
 
+    @Quantity("R", "mm", "radius of the arcs' centre line", role="geometry",
+              tex=r"r + \frac{b}{2}")  # fmt: skip
+    def radius(self) -> float:
+        return self.R
 
-def estimated(q: WidthInputs, _values: Values) -> tuple[float, float] | None:
-    """The figure that the estimate is accepted with at the paper's width; none is at one's own."""
-    return (-claims.ESTIMATE, claims.ESTIMATE) if q == WidthInputs() else None
+    @Quantity("l", "mm", "straight length of a middle leaf", role="geometry",
+              tex=r"\frac{L_1 + 2 R \cos\alpha}{\sin\alpha}")  # fmt: skip
+    def leaf_length(self) -> float:
+        return self.leaf
+
+    @Quantity("h/l", "1", "width over a leaf's length", role="step", tex=r"\frac{h}{l}")
+    def h_over_l(self) -> float:
+        return self.h / self.leaf
+
+    @Quantity("f", "1", "factor of one leaf, the estimate", source=RITZ,
+              tex=r"\frac{1}{3 (1-\nu^2)} \min_w \int\int w_{\xi\xi}^2 "
+              r"+ \frac{l^4}{h^4} w_{\eta\eta}^2 + 2 \frac{l^2}{h^2} (\nu w_{\xi\xi} "
+              r"w_{\eta\eta} + (1-\nu) w_{\xi\eta}^2)\, d\xi\,d\eta")  # fmt: skip
+    def f(self) -> float:
+        return float(width_factor(self.h, self.leaf, nu=self.nu))
+
+    @Quantity("f_max", "1", "factor at most, 1 at least", role="step",
+              tex=r"\frac{1}{1 - \nu^2}")  # fmt: skip
+    def f_wide(self) -> float:
+        return self.widest
+
+    @Quantity("k_EI", "N/mm", "stiffness of a narrow strip", source=FRAME)
+    def k_narrow(self) -> float:
+        return self._stiffness(plane_strain=False)
+
+    @Quantity("k_PE", "N/mm", "stiffness of an endless strip", source=FRAME)
+    def k_wide(self) -> float:
+        return self._stiffness(plane_strain=True)
+
+    @Quantity("k_1", "N/mm", "stiffness with the factor of one leaf", source=FRAME)
+    def k(self) -> float:
+        return self.f * self.k_narrow
+
+    @Quantity("f({0:g})", "1", "factor of a leaf {0:g} times as wide as long",
+              source=RITZ).over(RATIOS)  # fmt: skip
+    def leaf_factor(self, ratio: Share) -> float:
+        return float(width_factor(ratio, 1.0, nu=self.nu))
+
+    def _stiffness(self, *, plane_strain: bool) -> float:
+        return frame.stiffness(
+            **self.path, **strip_of(self), tail=self.tail, head=self.head, theory="shear",
+            plane_strain=plane_strain,
+        )  # fmt: skip
+
+    def _left(self, ratio: Share) -> float:
+        """What twice the terms change of a leaf's factor, relative."""
+        leaf = self.leaf_factor(ratio)
+        return (float(width_factor(ratio, 1.0, nu=self.nu, terms=TERMS // 2)) - leaf) / leaf
+
+    def held(self, tail: frame.Tail, head: frame.Head) -> Self:
+        """The same spring with other ends."""
+        return self.model_copy(update={"tail": tail, "head": head})
+
+    def reference(self, level: int) -> Level:
+        """Shells of the spring and of leaves, shells and solids of a loop."""
+        return shells.solve(self, level)
+
+    def comparisons(self) -> Iterator[Comparison | Check]:
+        """Beams and plates against shells, solids, and what the paper prints."""
+        spring = WideSpring
+        states = {ends: State(self.held(*ends), shells.key_of(*ends), "", displayed=False)
+                  for ends in ENDS}  # fmt: skip
+        for (tail, head), state in states.items():
+            name = f"shell with held edges, tail held at {tail}, head {head}"
+            yield identity(spring.k_wide, state=state, name=name, symbol="k", order=4,
+                           sensitivity=HELD, shares=SMALL)  # fmt: skip
+        yield identity(spring.k_narrow, name="shell with held edges and plane stress", order=4,
+                       sensitivity=HELD, shares=SMALL)  # fmt: skip
+        for ratio in RATIOS:
+            q = spring.leaf_factor(ratio)
+            yield identity(q, symbol="f", uncertainty=self._left(ratio), sensitivity=PLATES,
+                           shares=SMALL)  # fmt: skip
+        figure = Expected(-claims.ESTIMATE, claims.ESTIMATE, suites(CURVE), sharp=self.is_default)
+        yield approximation(spring.f, name="factor of the spring by one leaf's", expected=figure,
+                            sensitivity=(2 * claims.ESTIMATE, BOTH_WAYS), shares=SMALL)  # fmt: skip
+        yield from _limits()
+        yield from _accepted()
+        yield PaperReading(
+            name="k_1 of the shell, head free, tail held at mid-leaf, beside the paper's",
+            symbol="k_1", unit="1", margin=claims.meets("mid-leaf", "free"), fitted=FITTED,
+        )  # fmt: skip
+        for (tail, head), state in states.items():
+            for printed, what in (("fea", "paper's shell model"), ("test", "paper's test")):
+                yield Comparison(quantity=spring.k, state=state, check=PrintedMeasurement(
+                    name=f"k_1, head {head}, tail held at {tail}, against the {what}",
+                    symbol="k_1", unit="N/mm", analytic=f"k_{state.key}",
+                    reference=f"wang2023:k1-{printed}",
+                ))  # fmt: skip
+
+    def refusal(self) -> str:
+        """Foils and long springs."""
+        if self.leaf > FOIL * self.b:
+            return (
+                f"leaves {self.leaf / self.b:.0f} times as long as thick are more than {FOIL}: "
+                "shells of such foils are ill-conditioned, and a leaf's plate is exact but for its "
+                "arcs"
+            )
+        if self.n <= MOST:
+            return ""
+        return (
+            f"n = {self.n} segments are more than the {MOST} that shells are solved for: the "
+            f"factor does not depend on n, check it with n = {MOST}"
+        )
+
+    def figures(self) -> Iterator[Drawn]:
+        """The factor over the width, both kinds of elements, lifted edges."""
+        yield Drawn(drawn.figures)
+
+    def pictures(self) -> Iterator[Picture]:
+        """Bending stress across a loop."""
+        yield drawn.ACROSS
+
+    def tables(self, context: Context) -> Iterator[Table]:
+        """Stiffness by ends, factor by width."""
+        yield from drawn.tables(context)
+
+    def sketch(self) -> Sketch:
+        """The spring with its whole end leaves, held as the inputs have it."""
+        return drawn.sketch(self)
+
+    def warnings(self) -> Iterator[str]:
+        """Where a leaf's factor says little of the spring."""
+        if self.h < PLATE * self.b:
+            yield (
+                f"a strip {self.h / self.b:.2g} times as wide as thick is no plate: its factor is "
+                "nearer to 1"
+            )
+        elif self.h < self.leaf:
+            yield (
+                f"a strip {self.h / self.leaf:.2g} times as wide as a leaf is long: its arcs, "
+                "which cannot curve across, stiffen it more than a leaf, by at most "
+                f"{self.widest - 1:.1%} in all (measure it with --fem)"
+            )
+        if self.R * self.alpha > SLENDER * self.leaf:
+            yield (
+                f"arcs {self.R * self.alpha / self.leaf:.0%} as long as leaves: a leaf's factor "
+                "says little of such a spring (measure it with --fem)"
+            )
 
 
-def agrees(
-    name: str, pair: Callable[[Context], Pair], accepted: float, why: str, by: str = ""
+def _limits() -> Iterator[Comparison]:
+    """Plane stress and plane strain as limits of the width."""
+    spring = WideSpring
+    yield Comparison(quantity=spring.k_narrow, check=claims.PaperLimit(
+        name="a narrow spring is in plane stress", symbol="f", unit="1", points=claims.narrow,
+        exponent=None, demand=1e-3, demand_reason=FIFTH,
+    ))  # fmt: skip
+    yield Comparison(quantity=spring.k_wide, check=Limit(
+        name="a wide spring is in plane strain but for edges as wide as leaves are long",
+        symbol="f", unit="1", points=claims.wide, exponent=1.0, demand=1e-3, demand_reason=FIFTH,
+    ))  # fmt: skip
+    for q, which, name in (
+        (spring.k_narrow, 0, "the narrowest spring within 0.5 % of plane stress"),
+        (spring.k_wide, -1,
+         f"a spring {WIDE[-1]:g} times as wide as its leaves within 0.5 % of plane strain"),
+    ):  # fmt: skip
+        pair = claims.at_end(which)
+        yield Comparison(quantity=q, check=_agrees(name, pair, claims.LIMIT, HALF))
+
+
+def _accepted() -> Iterator[Comparison | Check]:
+    """What agrees within a figure: other elements, widths, ends, and another case's factor."""
+    for name, what in zip(widths_of_both(WidthInputs()), LOOPS, strict=True):
+        yield _agrees(f"loop as a shell and as solids, {what}", claims.solids(name), claims.SOLID,
+                      THEORY, by="solids")  # fmt: skip
+    for name, pair, accepted, why in (
+        ("one leaf's factor within 0.1 % of the spring's", claims.estimate, claims.ESTIMATE, CURVE),
+        ("one leaf's factor within 0.5 % of the spring's over all widths", claims.estimates,
+         claims.SWEEP, HALF),
+    ):  # fmt: skip
+        yield Comparison(quantity=WideSpring.f, check=_agrees(name, pair, accepted, why))
+    yield _agrees("the factor is the same however the ends are held", claims.ends, claims.HEAD,
+                  "half of what one leaf's factor may miss", by="the softest way")  # fmt: skip
+    yield _agrees("the factor is the same for a head under a uniform force", claims.uniform,
+                  claims.UNIFORM, "a tenth of what the ends may do",
+                  by="a uniform force")  # fmt: skip
+    yield PaperAgreement(
+        name="the factor that case spring-curve takes", symbol="f", unit="1", pair=claims.taken,
+        accepted=claims.TAKEN, source=suites("a fifth of the 1 % that rows are asked for"),
+    )  # fmt: skip
+
+
+def _agrees(
+    name: str, pair: claims.OfContext, accepted: float, why: str, by: str = ""
 ) -> Agreement:
     """Two factors that are the same but for `accepted`."""
     return Agreement(
@@ -88,109 +269,4 @@ def agrees(
     )
 
 
-HELD = "a shell with held edges is a beam"
-PLATES = "a thin leaf is Kirchhoff's plate"
-HALF = "half of the 1 % that rows are asked for"
-THEORY = "what a shell's theory leaves of a thin solid, and no more"
-FITTED = "these ends were chosen because they meet the printed stiffness"
-CHECKS = (
-    *(
-        Identity(name=f"shell with held edges, tail held at {tail}, head {head}", symbol="k",
-                 unit="N/mm", analytic=f"{tail}, {head}, k wide", fem=f"{tail}, {head}, held",
-                 formal=4, demand=5e-4, demand_reason=HELD)
-        for tail, head in ENDS
-    ),
-    Identity(name="shell with held edges and plane stress", symbol="k_EI", unit="N/mm",
-             analytic="k narrow", fem="narrow", formal=4, demand=5e-4, demand_reason=HELD),
-    *(
-        Identity(name=f"factor of a leaf {ratio:g} times as wide as long", symbol="f", unit="1",
-                 analytic=f"leaf {ratio:g}", fem=f"leaf {ratio:g}", residual=f"left {ratio:g}",
-                 demand=5e-4, demand_reason=PLATES)
-        for ratio in RATIOS
-    ),
-    Approximation(name="factor of the spring by one leaf's", symbol="f", unit="1", analytic="f",
-                  fem="f", interval=estimated,
-                  source=suites("half of what case spring-curve may be off by"),
-                  demand=2 * claims.ESTIMATE, demand_reason=BOTH_WAYS),
-    claims.PaperLimit(name="a narrow spring is in plane stress", symbol="f", unit="1",
-                      points=claims.narrow, exponent=None, demand=1e-3,
-                      demand_reason="a fifth of the acceptance figure"),
-    Limit(name="a wide spring is in plane strain but for edges as wide as leaves are long",
-          symbol="f", unit="1", points=claims.wide, exponent=1.0, demand=1e-3,
-          demand_reason="a fifth of the acceptance figure"),
-    agrees("the narrowest spring within 0.5 % of plane stress", claims.at_end(0), claims.LIMIT,
-           HALF),
-    agrees(f"a spring {WIDE[-1]:g} times as wide as its leaves within 0.5 % of plane strain",
-           claims.at_end(-1), claims.LIMIT, HALF),
-    *(
-        agrees(f"loop as a shell and as solids, {what}", claims.solids(name), claims.SOLID,
-               THEORY, by="solids")
-        for name, what in zip(widths_of_both(WidthInputs()), (
-            "20 times as wide as thick", "100 times as wide as thick", "at the spring's width"
-        ), strict=True)
-    ),
-    agrees("one leaf's factor within 0.1 % of the spring's", claims.estimate, claims.ESTIMATE,
-           "half of what case spring-curve may be off by"),
-    agrees("one leaf's factor within 0.5 % of the spring's over all widths", claims.estimates,
-           claims.SWEEP, HALF),
-    agrees("the factor is the same however the ends are held", claims.ends, claims.HEAD,
-           "half of what one leaf's factor may miss", by="the softest way"),
-    agrees("the factor is the same for a head under a uniform force", claims.uniform,
-           claims.UNIFORM, "a tenth of what the ends may do", by="a uniform force"),
-    PaperAgreement(name="the factor that case spring-curve takes", symbol="f", unit="1",
-                   pair=claims.taken, accepted=claims.TAKEN,
-                   source=suites("a fifth of the 1 % that rows are asked for")),
-    PaperReading(name="k_1 of the shell, head free, tail held at mid-leaf, beside the paper's",
-                 symbol="k_1", unit="1", margin=claims.meets("mid-leaf", "free"), fitted=FITTED),
-    *(
-        PrintedMeasurement(name=f"k_1, head {head}, tail held at {tail}, against the {what}",
-                           symbol="k_1", unit="N/mm", analytic=f"{tail}, {head}, k",
-                           reference=f"wang2023:k1-{printed}")
-        for tail, head in ENDS
-        for printed, what in (("fea", "paper's shell model"), ("test", "paper's test"))
-    ),
-)  # fmt: skip
-
-WIDTH = Case(
-    id="spring-width",
-    title="Accordion spring as a strip of finite width",
-    paper="wang2023",
-    place="Sec. 2, shell model; h in I = h b³/12",
-    lead="How much stiffer than E I the width makes the spring: a shell of the whole spring, "
-    "solids of a loop, and a leaf as a plate by Ritz's method, between a beam in plane stress and "
-    "an endless strip in plane strain.",
-    inputs=WidthInputs,
-    analytic=analytic,
-    reference=fem,
-    levels=LEVELS,
-    scans=(
-        Scan(vary=("h=14mm,28mm,56mm", "n=6,10"), star=True),
-    ),
-    checks=CHECKS,
-    outputs=(
-        Output(key="f", symbol="f", unit="1", what="factor of one leaf, the estimate"),
-        Output(key="f wide", symbol="1/(1 − ν²)", unit="1", what="factor at most, 1 at least",
-               judged=False),
-        Output(key="h/l", symbol="h/l", unit="1", what="width over a leaf's length", judged=False),
-        Output(key="k", symbol="k_1", unit="N/mm", what="stiffness with that factor"),
-        Output(key="k narrow", symbol="k_EI", unit="N/mm", what="stiffness of a narrow strip"),
-        Output(key="k wide", symbol="k_PE", unit="N/mm", what="stiffness of an endless strip"),
-    ),
-    readings=(
-        "the force moves a line across the head that stays straight, as a roller's",
-        "r is the inner radius: the centre line of the arcs has r + b/2",
-        "where the tail is held and what the head may do is not printed: all four are shown",
-    ),
-    assumptions=(
-        "small displacements, no contact",
-        "the tail is clamped over the whole width, edges are free",
-        "symmetric about the middle of the width",
-    ),
-    warnings=warnings,
-    too_large=too_large,
-    equations=shown.equations,
-    tables=shown.tables,
-    sketch=shown.sketch,
-    figures=shown.figures,
-    pictures=shown.pictures,
-)  # fmt: skip
+WIDTH = adapted(WideSpring)

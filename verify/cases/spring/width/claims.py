@@ -10,8 +10,8 @@ import numpy as np
 from analytic.spring.frame import Head, Tail
 from analytic.spring.wide_leaf import width_factor
 from verify.cases.spring.curve.inputs import CurveInputs
-from verify.cases.spring.width.fem import ENDS
 from verify.cases.spring.width.inputs import WidthInputs
+from verify.cases.spring.width.reference import ENDS
 from verify.core.case import Context
 from verify.core.figures import Array
 from verify.core.results import Row
@@ -21,6 +21,7 @@ from verify.judging.convergence import grid_convergence
 from verify.judging.tolerance_checks import Pair, farthest
 from verify.papers.ledger import published
 
+OfContext = Callable[[Context], Pair]
 N_PER_MM = 1e3
 LIMIT = 0.005  # of the factor at the ends of the sweep
 TAKEN = 0.002  # of the factor that the whole curve is computed with
@@ -63,37 +64,37 @@ def sweep_uncertainty(context: Context) -> float:
 
     At the inputs' width and at the narrowest.
     """
-    series = (context.series(key)[1] for key in ("f", "f narrowest"))
+    series = (context.series(key)[1] for key in ("f", "f_narrowest"))
     return max(abs(value / f[-1] - 1) for f in series for value in f)
 
 
 def sweep(context: Context) -> Array:
     """Widths [m] and factors (m, 2), narrow to wide."""
     names = ("narrow", "medium", "wide")
-    found: Any = [row for name in names for row in swept(context, f"sweep {name}")]
+    found: Any = [row for name in names for row in swept(context, f"sweep_{name}")]
     return np.array(sorted(map(tuple, found)))
 
 
 def limits(context: Context) -> tuple[float, float]:
     """Of a narrow and of a wide spring by formula."""
-    return 1.0, context.analytic["k wide"] / context.analytic["k narrow"]
+    return 1.0, context.analytic["k_wide"] / context.analytic["k_narrow"]
 
 
 def narrow(context: Context) -> tuple[list[float], list[float], list[float]]:
     """Plane stress over the shell, against the width over the thickness."""
-    h, f = swept(context, "sweep narrow").T
+    h, f = swept(context, "sweep_narrow").T
     u = [sweep_uncertainty(context)] * len(h)
     return (h / context.inputs.b).tolist(), (limits(context)[0] / f - 1).tolist(), u
 
 
 def wide(context: Context) -> tuple[list[float], list[float], list[float]]:
     """Plane strain over the shell, against a leaf's length over the width."""
-    h, f = swept(context, "sweep wide").T
+    h, f = swept(context, "sweep_wide").T
     u = [sweep_uncertainty(context)] * len(h)
     return (context.inputs.leaf / h).tolist(), (limits(context)[1] / f - 1).tolist(), u
 
 
-def at_end(which: int) -> Callable[[Context], Pair]:
+def at_end(which: int) -> OfContext:
     """The limit and the factor at the narrow (0) or wide (-1) end of the sweep."""
 
     def pair(context: Context) -> Pair:
@@ -136,11 +137,11 @@ def estimates(context: Context) -> Pair:
     return replace(found, words=words)
 
 
-def solids(name: str) -> Callable[[Context], Pair]:
+def solids(name: str) -> OfContext:
     """Shell and solid of a loop, each over its own plane strain."""
 
     def pair(context: Context) -> Pair:
-        keys = f"{name}, shell", f"{name}, solid"
+        keys = f"shell_{name}", f"solid_{name}"
         shell, solid = (context.series(key)[1][-1] for key in keys)
         u = (relative_uncertainty(context, key, formal=4) for key in keys)  # quadratic elements
         U = judge.expanded(math.hypot(*u)) * solid
@@ -167,7 +168,7 @@ def readings(context: Context) -> dict[tuple[Tail, Head], tuple[float, float]]:
     """Factor and stiffness [N/m] by the shell for every way to hold the ends."""
     found: dict[tuple[Tail, Head], tuple[float, float]] = {}
     for (tail, head), f in zip(ENDS, swept(context, "ends"), strict=True):
-        found[tail, head] = float(f), float(f * context.analytic[f"{tail}, {head}, k narrow"])
+        found[tail, head] = float(f), float(f * context.inputs.held(tail, head).k_narrow)
     return found
 
 

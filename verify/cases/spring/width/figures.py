@@ -1,4 +1,4 @@
-"""What the report shows of the strip's width: formulas, the factor over the width, shapes."""
+"""Figures of the strip's width: the factor over the width, shapes, how the ends are held."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -15,11 +15,10 @@ from verify.cases.spring.width.claims import (
     sweep,
     sweep_uncertainty,
 )
-from verify.cases.spring.width.fem import RATIOS, widths_of_both
 from verify.cases.spring.width.inputs import WidthInputs
-from verify.core.case import Context, Values
-from verify.core.figures import Curve, Curves, Equation, Figure, Picture, Profile, Sketch, Table
-from verify.core.tex import tex
+from verify.cases.spring.width.reference import RATIOS, widths_of_both
+from verify.core.case import Context
+from verify.core.figures import Curve, Curves, Figure, Picture, Profile, Sketch, Table
 from verify.papers.ledger import published
 
 mm, MPa = 1e-3, 1e6
@@ -28,31 +27,6 @@ mm, MPa = 1e-3, 1e6
 def sketch(q: WidthInputs) -> Sketch:
     """The spring with its whole end leaves, held as the inputs say."""
     return stages_sketch(StagesInputs(**q.model_dump()))
-
-
-def equations(q: WidthInputs, v: Values) -> Sequence[Equation]:
-    return (
-        Equation(
-            tex=r"f = \frac{k}{k_{E I}}, \quad 1 \le f \le \frac{1}{1-\nu^2}",
-            numbers=rf"= \frac{{1}}{{1 - {tex(q.nu, 3)}^2}} = {tex(q.widest, 5)}",
-        ),
-        Equation(
-            tex=r"l = \frac{L_1 + 2 R\cos\alpha}{\sin\alpha}",
-            numbers=rf"= {tex(q.leaf / mm, 5)}\ \mathrm{{mm}}, \quad "
-            rf"\frac{{h}}{{l}} = {tex(q.h / q.leaf, 4)}",
-        ),
-        Equation(
-            tex=r"f_\text{leaf} = \frac{1}{3 (1-\nu^2)} \min_w \int\int w_{\xi\xi}^2 "
-            r"+ s^4 w_{\eta\eta}^2 + 2\nu s^2 w_{\xi\xi} w_{\eta\eta} "
-            r"+ 2(1-\nu) s^2 w_{\xi\eta}^2\, d\xi\,d\eta, \quad s = \frac{l}{h}",
-            numbers=rf"= {tex(v['f'], 6)}",
-        ),
-        Equation(
-            tex=r"k_1 = f\, k_{E I}",
-            numbers=rf"= {tex(v['f'], 5)} \cdot {tex(v['k narrow'] / N_PER_MM, 5)} = "
-            rf"{tex(v['k'] / N_PER_MM, 4)}\ \mathrm{{N/mm}}",
-        ),
-    )
 
 
 def tables(context: Context) -> Sequence[Table]:
@@ -134,7 +108,7 @@ def _elements(context: Context) -> Curves:
     x = np.log10([w / q.b for w in widths_of_both(q).values()])
     loops = [
         Curve(name=f"loop, {what}", x=x, style="dots", colour=colour,
-              y=np.array([high * v[f"{name}, {kind}"] for name, v in both.items()]))
+              y=np.array([high * v[f"{kind}_{name}"] for name, v in both.items()]))
         for kind, what, colour in (("shell", "shell", 2), ("solid", "27-node solids", 3))
     ]  # fmt: skip
     return Curves(
@@ -158,7 +132,7 @@ def _elements(context: Context) -> Curves:
 def _lifted(context: Context) -> Curves:
     curves = []
     for colour, ratio in enumerate(RATIOS):
-        y, lifted = context.fem[-1].arrays[f"lifted {ratio:g}"].T
+        y, lifted = context.fem[-1].arrays[f"lifted_{ratio}"].T
         curves.append(Curve(name=f"h/l = {ratio:g}", x=y, y=100 * lifted, colour=colour))
     return Curves(
         title="How a thin leaf curves across: its edge above its middle",
@@ -168,9 +142,8 @@ def _lifted(context: Context) -> Curves:
     )  # fmt: skip
 
 
-def pictures(_: WidthInputs) -> Sequence[Picture]:
-    return (
-        Picture(field="loop", data="across", symbol="σ_z", unit="MPa", factor=MPa,
-                caption="Bending stress across a loop, half its width, edge in front: ν times "
-                "that along it but for the free edge, under 2 N on the whole width"),
-    )  # fmt: skip
+ACROSS = Picture(
+    field="loop", data="across", symbol="σ_z", unit="MPa", factor=MPa,
+    caption="Bending stress across a loop, half its width, edge in front: ν times that along it "
+    "but for the free edge, under 2 N on the whole width",
+)  # fmt: skip

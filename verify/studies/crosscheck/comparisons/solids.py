@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from verify.cases.spring.width.case import WIDTH
-from verify.cases.spring.width.fem import fem_loop, fem_mesh, fem_pulled, fem_steel
+from verify.cases.spring.width.reference import fem_loop, fem_mesh, fem_pulled, fem_steel
 from verify.studies.crosscheck.clock import timed
 from verify.studies.crosscheck.statement import CALCULIX, Cross, Posed, Quantity
 

@@ -11,7 +11,7 @@ from verify.cases.spring.accordion.case import ACCORDION
 from verify.cases.spring.accordion.ends import Ends
 from verify.cases.spring.accordion.reference import curved_frame, line_of
 from verify.cases.spring.buckling.case import BUCKLING
-from verify.cases.spring.buckling.fem import spring
+from verify.cases.spring.buckling.reference import spring
 from verify.cases.spring.continuum.case import CONTINUUM
 from verify.cases.spring.continuum.reference import cells_along
 from verify.cases.spring.curve.case import CURVE

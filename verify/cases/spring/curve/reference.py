@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
+from verify.case import Level
 from verify.cases.spring.curve.fem import Array, Curve, Spring, fem_compress
 from verify.cases.spring.curve.inputs import CurveInputs
-from verify.core.case import FemResult
 
 LEVELS = (4, 6, 8)  # cells of an arc and of a leaf
 COARSE, READINGS, FINE = LEVELS
@@ -49,7 +49,8 @@ def grid(q: CurveInputs, states: int) -> Array:
     return np.linspace(0, q.stroke, states + 1)[1:]
 
 
-def fem(q: CurveInputs, level: int) -> FemResult:
+def solve(q: CurveInputs, level: int) -> Level:
+    """The stiffness at rest on every level; curves, variants and readings on one each."""
     own = spring_of(q)
     rest = fem_compress(own, [FIRST * q.stroke, 2 * FIRST * q.stroke], per_arc=level)
     once, twice = rest.F / rest.U
@@ -64,7 +65,7 @@ def fem(q: CurveInputs, level: int) -> FemResult:
         beyond = (q.stroke * (1 + BEYOND)).tolist()
         curve = fem_compress(own, grid(q, GRID), per_arc=level, beyond=beyond)
         arrays = curve.arrays(f"curve {level}") | {"rest": rest.shapes[0, rest.nodes]}
-    return FemResult(h=1 / level, values={"k0": k0}, u_it={"k0": ROUND_OFF * k0}, arrays=arrays)
+    return Level(h=1 / level, values={"k1": k0}, u_it={"k1": ROUND_OFF * k0}, arrays=arrays)
 
 
 def _variants(q: CurveInputs) -> dict[str, Any]:

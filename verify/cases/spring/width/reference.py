@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.spring.frame import Head, Tail
+from verify.case import Level
+from verify.cases.spring.limits import Share
 from verify.cases.spring.width.inputs import WidthInputs
-from verify.core.case import FemResult
 from verify.core.figures import Field
 
 if TYPE_CHECKING:
@@ -28,32 +29,38 @@ NARROW = (0.2, 0.5, 1.0, 2.0, 4.0)  # widths over the thickness, or over THREAD 
 THREAD = 1 / 120  # of a leaf's length: narrower ones are ill-conditioned
 MEDIUM = (0.1, 0.2, 0.4, 0.7, 1.0)  # widths over a leaf's length
 WIDE = (2.0, 5.0, 10.0, 30.0, 90.0)
-RATIOS = (0.2, 1.0, 5.0)  # of a thin leaf's width over its length
+RATIOS = (Share(0.2), Share(1.0), Share(5.0))  # of a thin leaf's width over its length
 THIN = 3e-5  # thickness over length of a leaf that is Kirchhoff's plate
 BOTH = (20.0, 100.0)  # widths over the thickness at which solids stand beside shells
 ROUND_OFF = 1e-12  # of the energy
 
 
-def fem(q: WidthInputs, level: int) -> FemResult:
+def solve(q: WidthInputs, level: int) -> Level:
+    """One level of spring, leaves and loops; on one of them the sweeps, too."""
     values: dict[str, float] = {}
     for tail, head in ENDS:
-        values[f"{tail}, {head}, held"] = fem_spring(q, q.h, level, tail, head, held=True)
-    values["narrow"] = fem_spring(q, q.h, level, q.tail, q.head, held=True, narrow=True)
+        values[f"k_wide_{key_of(tail, head)}"] = fem_spring(q, q.h, level, tail, head, held=True)
+    values["k_narrow"] = fem_spring(q, q.h, level, q.tail, q.head, held=True, narrow=True)
     values["k"] = fem_spring(q, q.h, level, q.tail, q.head)
-    values["f"] = values["k"] / values["narrow"]
-    values["f narrowest"] = factor(q, NARROW[0] * thread(q), level)
+    values["f"] = values["k"] / values["k_narrow"]
+    values["f_narrowest"] = factor(q, NARROW[0] * thread(q), level)
     arrays: dict[str, NDArray[Any]] = {}
     for ratio in RATIOS:
-        values[f"leaf {ratio:g}"], arrays[f"lifted {ratio:g}"] = fem_leaf(q, ratio, level)
+        values[f"leaf_factor_{ratio}"], arrays[f"lifted_{ratio}"] = fem_leaf(q, ratio, level)
     fields: list[Field] = []
     for name, h in widths_of_both(q).items():
         loops = shell_loop(q, h, level)
-        values[f"{name}, shell"], values[f"{name}, solid"] = loops[0], solid_loop(q, h, level)
+        values[f"shell_{name}"], values[f"solid_{name}"] = loops[0], solid_loop(q, h, level)
         fields = [loop_field(*loops[1:])]  # the last one has the inputs' width
     if level == SWEPT:
         arrays |= sweeps(q)
     u_it = {key: ROUND_OFF * abs(value) for key, value in values.items()}
-    return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=tuple(fields))
+    return Level(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=tuple(fields))
+
+
+def key_of(tail: Tail, head: Head) -> str:
+    """The end of a number's name with these ends."""
+    return f"{tail}_{head}".replace("-", "_")
 
 
 def thread(q: WidthInputs) -> float:
@@ -63,7 +70,7 @@ def thread(q: WidthInputs) -> float:
 
 def widths_of_both(q: WidthInputs) -> dict[str, float]:
     """Widths [m] of the loop that is solved as a shell and as a solid, the inputs' own last."""
-    return {f"h/b = {ratio:g}": ratio * q.b for ratio in BOTH} | {"own": q.h}
+    return {f"{ratio:g}": ratio * q.b for ratio in BOTH} | {"own": q.h}
 
 
 def sweeps(q: WidthInputs) -> dict[str, NDArray[Any]]:
@@ -74,7 +81,7 @@ def sweeps(q: WidthInputs) -> dict[str, NDArray[Any]]:
         "wide": [ratio * q.leaf for ratio in WIDE],
     }
     found = {
-        f"sweep {name}": np.array([(h, factor(q, h, SWEPT)) for h in widths]).reshape(-1, 2)
+        f"sweep_{name}": np.array([(h, factor(q, h, SWEPT)) for h in widths]).reshape(-1, 2)
         for name, widths in swept.items()
     }
     found["ends"] = np.array([factor(q, q.h, SWEPT, *ends) for ends in ENDS])

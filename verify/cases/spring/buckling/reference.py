@@ -5,8 +5,10 @@ from typing import Any
 
 import numpy as np
 
+from verify.case import Level
 from verify.cases.spring.buckling.inputs import (
     DRIFT,
+    KEYS,
     MANY,
     MAP_L1,
     MAP_N,
@@ -17,7 +19,6 @@ from verify.cases.spring.buckling.inputs import (
     BucklingInputs,
 )
 from verify.cases.spring.large_fem import PLACES, Spring
-from verify.core.case import FemResult
 from verify.core.figures import Field
 
 SWEPT = 8  # the level of sweeps and the map
@@ -27,7 +28,8 @@ LAST = 0.75  # of the free length: leaves of any spring would have met
 UNIT_PIECES = slice(2, 5)  # arc, leaf, arc of the first middle unit
 
 
-def fem(q: BucklingInputs, level: int) -> FemResult:
+def solve(q: BucklingInputs, level: int) -> Level:
+    """One level of a unit and of both tails; on one of them paths and sweeps, too."""
     values: dict[str, float] = unit_fem(q, level)
     u_it: dict[str, float] = {}
     arrays: dict[str, Any] = {}
@@ -40,23 +42,22 @@ def fem(q: BucklingInputs, level: int) -> FemResult:
                 f"no critical point of the free head up to {LAST:.0%} of the length, tail {tail}"
             )
         F = one.force(state)
-        values |= {f"U_cr, {tail}": U, f"F_cr, {tail}": F}
-        u_it |= {f"U_cr, {tail}": u, f"F_cr, {tail}": u / U * F}
-        values[f"F_lin, {tail}"], u_it[f"F_lin, {tail}"] = one.linear_load()
-        k_y, u_it[f"k_y, {tail}"] = one.lateral_stiffness(one.guided.rest())
-        values[f"k_y, {tail}"] = k_y
+        F_lin, u_lin = one.linear_load()
+        k_y, u_y = one.lateral_stiffness(one.guided.rest())
+        found = {"U_cr": (U, u), "F_cr": (F, u / U * F), "F_lin": (F_lin, u_lin), "k_y": (k_y, u_y)}
         for share, moved in zip(DRIFT, drift(one, q.P), strict=True):
-            u_y = values[f"drift {share:g} P, {tail}"] = moved.u[one.head, 1]
-            u_it[f"drift {share:g} P, {tail}"] = PLACES * abs(u_y)
+            found[f"drift_{share}"] = moved.u[one.head, 1], PLACES * abs(moved.u[one.head, 1])
+        for name, (value, uncertainty) in found.items():
+            values[f"{name}{KEYS[tail]}"], u_it[f"{name}{KEYS[tail]}"] = value, uncertainty
         if level == SWEPT:
-            arrays |= {f"{name}, {tail}": array for name, array in along(one, q).items()}
-            arrays[f"let go, {tail}"] = (one.line.points + state.u[:, :2])[
+            arrays |= {f"{name}{KEYS[tail]}": array for name, array in along(one, q).items()}
+            arrays[f"let_go{KEYS[tail]}"] = (one.line.points + state.u[:, :2])[
                 one.line.elements[:, [0, 2, 1]]
             ]
             fields.append(shape(one, state, f"let go, {tail}"))
     if level == SWEPT:
         arrays |= swept(q)
-    return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=tuple(fields))
+    return Level(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=tuple(fields))
 
 
 def spring(q: BucklingInputs, path: dict[str, Any], b: float, level: int) -> Spring:
@@ -87,7 +88,7 @@ def along(one: Spring, q: BucklingInputs) -> dict[str, Any]:
             V, [one.force(s) for s in states], [one.lateral_stiffness(s)[0] for s in states],
             [one.determinant(s, "hinged") / rest["hinged"] for s in states],
         ]),
-        "free shape": (one.line.points + shapes)[one.line.elements[:, [0, 2, 1]]],
+        "free_shape": (one.line.points + shapes)[one.line.elements[:, [0, 2, 1]]],
     }  # fmt: skip
 
 
@@ -103,7 +104,7 @@ def swept(q: BucklingInputs) -> dict[str, Any]:
     for n in SAME_RATIO:
         length = q.length_of(n, q.L1)
         ratio.append(shortening(spring(q, own | {"n": n}, length / RATIO, COARSE), length))
-    found = {"by b": np.array(by_b), "same ratio": np.array(ratio)}
+    found = {"by_b": np.array(by_b), "same_ratio": np.array(ratio)}
     found["many"] = np.array([
         shortening(spring(q, own | {"n": n}, q.b, COARSE), q.length_of(n, q.L1)) for n in MANY
     ])  # fmt: skip
@@ -142,7 +143,7 @@ def unit_fem(q: BucklingInputs, level: int) -> dict[str, float]:
             points, elements.reshape(own.shape), sections=one.section, supports={start: "xyr"},
             loads={end: load},
         )  # fmt: skip
-        found[f"unit {name}"] = -1 / (2 * solved.potential_energy)
+        found[f"unit_{name}"] = -1 / (2 * solved.potential_energy)
     return found
 
 

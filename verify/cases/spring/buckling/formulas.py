@@ -1,0 +1,219 @@
+"""Lateral buckling by formulas: Haringx's column of the spring's units, and the exact elastica."""
+
+import math
+from collections.abc import Iterator, Mapping
+from contextlib import suppress
+from functools import lru_cache
+from typing import ClassVar, Self
+
+import numpy as np
+
+from analytic.spring import column, frame, stability
+from analytic.spring.elastica import Elastica
+from verify.case import Case, Quantity, shared
+from verify.cases.spring.buckling.inputs import DRIFT, TAILS, BucklingInputs
+from verify.cases.spring.inputs import strip_of
+from verify.cases.spring.limits import Share
+
+MOST = 24  # segments of an elastica that a check has time for
+SEARCHED = np.linspace(0.05, 0.75, 15)  # of the free length, for critical points
+HELD_HEADS: tuple[column.Head, ...] = ("hinged", "guided")
+UNIT = "unit-load integrals of a middle unit"
+HARINGX = "Haringx's column"
+EXACT = "exact elastica"
+
+
+def elastica(q: BucklingInputs, tail: frame.Tail) -> Elastica:
+    """The spring's leaves and arcs as an exact elastica."""
+    EA = q.E * q.h * q.b
+    GA = 5 / 6 * EA / (2 * (1 + q.nu))
+    return Elastica(frame.pieces(**q.path, tail=tail), EI=EA * q.b**2 / 12, EA=EA, GA=GA)
+
+
+@lru_cache(maxsize=8)
+def critical_point(q: BucklingInputs, tail: frame.Tail) -> Mapping[str, float]:
+    """The critical point of the elastica with a free head, and its drift before, by quantity.
+
+    Empty where the determinant keeps its sign in all states of the path. ArithmeticError where a
+    state is not found, which says nothing about the spring. Small steps first, since slender
+    springs buckle early.
+    """
+    line = elastica(q, tail)
+    load = line.linear_load()
+    start = load * _flexibility(q, tail) / q.length
+    steps = np.concatenate([min(start, 0.05) * np.linspace(0.5, 1.5, 3), SEARCHED])
+    found = stability.critical(line, "free", np.unique(steps) * q.length)
+    if found is None:
+        return {}
+    k_y = stability.lateral_stiffness(line.unloaded())
+    values = {"U_cr": found.U, "F_cr": found.F, "F_lin": load, "k_y": k_y}
+    state = line.unloaded()
+    for share in sorted({*map(Share, np.linspace(0.2, 0.8, 4)), *DRIFT}):
+        state = line.pushed((share * q.P, 0.0), state)
+        if share in DRIFT:
+            values[f"drift_{share}"] = state.drift
+    return values
+
+
+def _flexibility(q: BucklingInputs, tail: frame.Tail) -> float:
+    return 1 / frame.stiffness(**q.path, **strip_of(q), head="guided", tail=tail, theory="shear")
+
+
+def loaded(q: BucklingInputs) -> bool:
+    """Whether a working force is given."""
+    return q.F is not None
+
+
+class BucklingFormulas(BucklingInputs, Case):
+    """Where a spring buckles sideways; what it does not, has no value."""
+
+    tail: ClassVar[frame.Tail] = "arc"  # where the elastica's is held
+
+    @Quantity("U_cr", "mm", "displacement at which the spring with a free head buckles",
+              source=EXACT)  # fmt: skip
+    def U_cr(self) -> float:
+        return self._critical.get("U_cr", math.nan)
+
+    @Quantity("F_cr", "N", "force at which the spring with a free head buckles", source=EXACT,
+              safe="too low")  # fmt: skip
+    def F_cr(self) -> float:
+        return self._critical.get("F_cr", math.nan)
+
+    @Quantity("F_lin", "N", "linear buckling load of the undeformed spring", source=EXACT)
+    def F_lin(self) -> float:
+        return self._critical.get("F_lin", math.nan)
+
+    @Quantity("k_y", "N/mm", "lateral stiffness of the guided head, unloaded", source=EXACT)
+    def k_y(self) -> float:
+        return self._critical.get("k_y", math.nan)
+
+    @Quantity("u_y({0:g} P)", "mm", "drift of a free head under {0:g} P", source=EXACT).over(DRIFT)
+    def drift(self, share: Share) -> float:
+        return self._critical.get(f"drift_{share}", math.nan)
+
+    @Quantity("L_0", "mm", "length from the head's leaf to the tail's", role="geometry")
+    def L0(self) -> float:
+        return self.length
+
+    @Quantity("p", "mm", "pitch of a middle unit", role="step", source=UNIT)
+    def pitch(self) -> float:
+        return float(self._unit.pitch)
+
+    @Quantity("a_B", "1/N/m", "flexibility of a unit against a couple", role="step", source=UNIT)
+    def a_B(self) -> float:
+        return float(self._unit.turn)
+
+    @Quantity("a_C", "mm/N", "flexibility of a unit along", role="step", source=UNIT)
+    def a_C(self) -> float:
+        return float(self._unit.axial)
+
+    @Quantity("a_S", "mm/N", "flexibility of a unit across", role="step", source=UNIT)
+    def a_S(self) -> float:
+        return float(self._unit.lateral)
+
+    @Quantity("1/a_B", "N m", "stiffness of a middle unit, against a couple", source=UNIT,
+              tex=r"\frac{1}{a_B}")  # fmt: skip
+    def unit_turn(self) -> float:
+        return 1 / self.a_B
+
+    @Quantity("1/a_C", "N/mm", "stiffness of a middle unit, along", source=UNIT,
+              tex=r"\frac{1}{a_C}")  # fmt: skip
+    def unit_axial(self) -> float:
+        return 1 / self.a_C
+
+    @Quantity("1/a_S", "N/mm", "stiffness of a middle unit, across", source=UNIT,
+              tex=r"\frac{1}{a_S}")  # fmt: skip
+    def unit_lateral(self) -> float:
+        return 1 / self.a_S
+
+    @Quantity("B", "N mm^2", "bending stiffness of the column", role="step", source=HARINGX)
+    def B(self) -> float:
+        return self.pitch / self.a_B
+
+    @Quantity("C", "N", "axial stiffness of the column", role="step", source=HARINGX)
+    def C(self) -> float:
+        return self.pitch / self.a_C
+
+    @Quantity("S", "N", "shear stiffness of the column", role="step", source=HARINGX)
+    def S(self) -> float:
+        return self.pitch / (self.a_S - self.pitch**2 * self.a_B / 12)
+
+    @Quantity("λ", "1", "slenderness of the column", role="step", source=HARINGX)
+    def slenderness(self) -> float:
+        return self.C * self.L0**2 / self.B
+
+    @Quantity("ξ", "1", "share of the length at which the column with a free head buckles",
+              role="step", source=HARINGX,
+              tex=r"\frac{\pi^2}{2 \lambda (1 + \sqrt{1 - (1 - C/S) \pi^2/\lambda})}")  # fmt: skip
+    def xi(self) -> float:
+        return self._shortening("free")
+
+    @Quantity("(kL)^2", "1", "its square of waves by length, π²/4 for a free head", role="step",
+              source=HARINGX, tex=r"\lambda \xi (1 - (1 - C/S) \xi)")  # fmt: skip
+    def waves(self) -> float:
+        return math.pi**2 / 4 if math.isfinite(self.xi) else math.nan
+
+    @Quantity("U_H", "mm", "displacement at buckling, head free, by Haringx's column",
+              source=HARINGX)  # fmt: skip
+    def column_U(self) -> float:
+        return self.xi * self.L0
+
+    @Quantity("U_H({0})", "mm", "displacement at buckling, head {0}, by Haringx's column",
+              source=HARINGX).over(HELD_HEADS)  # fmt: skip
+    def column_held(self, head: column.Head) -> float:
+        return self._shortening(head) * self.L0
+
+    @Quantity("F_H", "N", "force at buckling, head free, by Haringx's column", source=HARINGX,
+              safe="too low", tex=r"C \xi")  # fmt: skip
+    def column_F(self) -> float:
+        force = float(column.critical_force("free", **self.path, **strip_of(self)))
+        return force if math.isfinite(self.xi) else math.nan
+
+    @Quantity("U_w", "mm", "displacement at F, head guided, small displacements",
+              source="force method", when=loaded)  # fmt: skip
+    def deflection(self) -> float:
+        return (self.F or 0.0) / frame.stiffness(
+            **self.path, **strip_of(self), head="guided", tail="arc", theory="shear"
+        )
+
+    @shared
+    def _unit(self) -> column.Unit:
+        return column.unit(L1=self.L1, radius=self.R, alpha=self.alpha, **strip_of(self))
+
+    @shared
+    def _critical(self) -> Mapping[str, float]:
+        if self.n <= MOST:
+            with suppress(ArithmeticError):  # no value: `refusal` and `warnings` have the reason
+                return critical_point(self, self.tail)
+        return {}
+
+    def _shortening(self, head: column.Head) -> float:
+        """Share of the length at which the column buckles; NaN where it never does."""
+        xi = float(column.critical_shortening(head, **self.path, b=self.b, nu=self.nu))
+        return xi if math.isfinite(xi) else math.nan
+
+    def held(self, tail: frame.Tail) -> Self:
+        """The same spring with its tail held elsewhere."""
+        return self.model_copy(update={"tail": tail})
+
+    def warnings(self) -> Iterator[str]:
+        """What a working force asks of the head, and what formulas do not find."""
+        free, hinged = self.column_U, self.column_held("hinged")
+        if math.isnan(free):
+            yield "too short to buckle sideways, whatever holds the head"
+            return
+        tails = {tail: self.held(tail).U_cr for tail in TAILS}
+        if self.F is not None:
+            found = (free, *tails.values())
+            least = min(U for U in found if math.isfinite(U))
+            for head, limit in (("free", least), ("hinged", hinged)):
+                if limit < self.deflection:
+                    yield (
+                        f"F = {self.F:g} N compresses by {self.deflection * 1e3:.3g} mm; with a "
+                        f"{head} head the spring buckles at {limit * 1e3:.3g} mm: the head needs a "
+                        "guide"
+                    )
+        if self.n > MOST:
+            yield f"more than {MOST} segments: by Haringx's column alone"
+        elif missing := [tail for tail, U in tails.items() if math.isnan(U)]:
+            yield f"no critical point of the elastica was found, tail {' and '.join(missing)}"

@@ -1,0 +1,81 @@
+"""What is compared of the whole curve: contact, energy, limits, and Eq. 10 beside its readings."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from verify.cases.spring.curve import claims
+from verify.cases.spring.stages.readings import eq10
+from verify.judging.checks import Accepted, Limit
+from verify.judging.tolerance_checks import Deviation, suites
+
+PENETRATION = 1e-4  # of b: contact is settled to that
+SAME_CONTACT = 0.002  # of a slope, whatever the contact's stiffness
+HALVED = 0.003  # of a slope, on a mesh of half the size
+BALANCE = 1e-5  # of the work
+RETRACED = 1e-5  # of the force: contact is settled to 1e-4 b, a few millionths of it
+K1, K2, CROSSING = 0.01, 0.05, 0.05  # of Eq. 10
+FITTED = "calibrated: of the readings the one whose k_1 is nearest to that of Eq. 10"
+ASKED = "the 1 % that rows of slopes are asked for"
+LIMIT = "linear theory is exact where leaves turn by nothing; 0.2 % settles the closed form"
+
+
+@dataclass(frozen=True, kw_only=True)
+class OfThePaper(Accepted):
+    """What sets the paper's spring beside Eq. 10."""
+
+    paper_only = True
+
+
+@dataclass(frozen=True, kw_only=True)
+class Slender(Limit):
+    """Of the closed form and the elements, not of one's own spring."""
+
+    paper_only = True
+
+
+def slender(k: int, symbol: str, words: str) -> Slender:
+    """The closed form's U_A, F_A or k_2 as a limit of slender leaves."""
+    return Slender(
+        name=f"{words}, closed form for slender leaves", symbol=f"{symbol}, FE/formula − 1",
+        unit="1", points=claims.parallel(k), exponent=None, demand=2e-3, demand_reason=LIMIT,
+    )  # fmt: skip
+
+
+def deviations() -> Iterator[Deviation]:
+    """Contact, mesh, energy and reversal of the beams."""
+    slopes: dict[str, Any] = {"symbol": "Δk/k", "unit": "1", "whole": "slopes k_1, k_2"}
+    yield Deviation(name="leaves do not enter each other", symbol="δ/b", unit="1",
+                    size=claims.depth, accepted=PENETRATION, whole="thickness",
+                    source="what contact is settled to")  # fmt: skip
+    yield Deviation(name="slopes do not depend on the contact's stiffness", **slopes,
+                    size=claims.same_contact, accepted=SAME_CONTACT,
+                    source=suites(f"a fifth of {ASKED}"))  # fmt: skip
+    yield Deviation(name="slopes stay under halving of the mesh", **slopes, size=claims.halved,
+                    accepted=HALVED,
+                    source=suites(f"a third of {ASKED}"))  # fmt: skip
+    yield Deviation(name="work is stored or lost in friction", symbol="W − V − D", unit="1",
+                    size=claims.balance, accepted=BALANCE, whole="work",
+                    source=suites("no more than contact that is settled to 1e-4 b"))  # fmt: skip
+    yield Deviation(name="the way back is the way there without friction", symbol="ΔF/F",
+                    unit="1", size=claims.retraced, accepted=RETRACED, whole="force there",
+                    source=suites("contact is settled to 1e-4 b"))  # fmt: skip
+
+
+def accepted() -> Iterator[Accepted]:
+    """The third stage, and the paper's spring beside Eq. 10."""
+    yield Accepted(name="stiffness rises tenfold once loops meet (stage BE)", symbol="dF/dU",
+                   unit="1", margin=claims.stiffens)  # fmt: skip
+    fitted: dict[str, Any] = {"unit": "1", "fitted": FITTED}
+    yield OfThePaper(name="the reading is the nearest by k_1 alone", symbol="k_1",
+                     margin=claims.nearest, **fitted)  # fmt: skip
+    yield OfThePaper(name="k_1 of the reading beside Eq. 10", symbol="k_1",
+                     margin=claims.near("k1", K1, lambda: eq10().k1), **fitted,
+                     printed=("wang2023:k1-fea",))  # fmt: skip
+    yield OfThePaper(name="k_2 of the reading beside Eq. 10", symbol="k_2",
+                     margin=claims.near("k2", K2, lambda: eq10().k2), **fitted,
+                     printed=("wang2023:k2-fea",))  # fmt: skip
+    yield OfThePaper(name="where the lines cross, beside Eq. 10", symbol="U",
+                     margin=claims.near("U", CROSSING, lambda: eq10().U), **fitted)  # fmt: skip
+    yield OfThePaper(name="F(U) at 1 ... 17 mm beside Eq. 10", symbol="F", margin=claims.along,
+                     **fitted)  # fmt: skip
