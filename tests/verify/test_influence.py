@@ -56,7 +56,7 @@ def test_a_variation_without_a_solution_is_reported():
 
 
 def test_only_numbers_that_formulas_use_are_varied():
-    named, _ = studied("fan-rotor-inch", "frequency 1")
+    named, _ = studied("fan-rotor-inch", "frequency_1")
     assert set(named) == {"speed", "margin"}
 
 

@@ -4,41 +4,36 @@ import numpy as np
 import pytest
 
 from analytic.rotor import transfer_model
-from verify.cases.rotor.system import model
-from verify.cases.rotor.system.case import SYSTEM
-from verify.cases.rotor.system.companion import JUDGED, companion
-from verify.cases.rotor.system.fem import fem
-from verify.cases.rotor.system.inputs import RPM, SystemInputs
-from verify.cases.rotor.system.model import analytic, study
+from verify.cases.rotor.system import formulas
+from verify.cases.rotor.system.case import SYSTEM, RotorSystem
+from verify.cases.rotor.system.companion import companion
+from verify.cases.rotor.system.formulas import TransferRotor
+from verify.cases.rotor.system.inputs import RPM
+from verify.cases.rotor.system.reference import solve
 from verify.jobs.level import Job, Solved, judge_case
 
 pytestmark = pytest.mark.xdist_group("rotor-system")
-
-
-@pytest.fixture(autouse=True)
-def _anew():
-    """What the formulas found before a fault is forgotten."""
-    study.cache_clear()
-    yield
-    study.cache_clear()
+JUDGED = 11  # four frequencies, two critical speeds of each shaft, an amplitude and two loads
 
 
 @pytest.fixture(scope="module")
 def beams():
-    found = [fem(SystemInputs(), level) for level in SYSTEM.levels]
+    found = [solve(RotorSystem(), level) for level in SYSTEM.levels]
     return [Solved(result, "", 0.0, cached=False) for result in found]
 
 
 def rows(beams):
-    found = judge_case(Job(SYSTEM, SystemInputs()), beams).rows
+    found = judge_case(Job(SYSTEM, RotorSystem()), beams).rows
     return [row for row in found if row.quantity.startswith("companion")]
 
 
 def test_every_value_has_a_row_that_passes_beside_the_default_rotor_alone(beams):
     found = rows(beams)
-    assert len({row.quantity for row in found}) == 2 * len(JUDGED)  # each and its convergence
+    assert len({row.quantity for row in found}) == 2 * JUDGED  # each and its convergence
     assert {row.status.value for row in found} == {"PASS"}
-    assert not [k for k in analytic(SystemInputs(speed=8000 * RPM)) if k.startswith("companion")]
+    assert not [
+        k for k in SYSTEM.analytic(RotorSystem(speed=8000 * RPM)) if k.endswith("companion")
+    ]
 
 
 def kept(name, change):
@@ -48,9 +43,9 @@ def kept(name, change):
 
 
 def excited(change):
-    was = model.unbalance_response
+    was = formulas.unbalance_response
     return (
-        model,
+        formulas,
         "unbalance_response",
         lambda r, n, u, excitation: was(r, n, change(u, excitation), excitation=excitation),
     )
@@ -81,13 +76,13 @@ def test_a_fault_of_the_formulas_turns_amplitude_and_loads_red(fault, beams, mon
 
 def each(table, **change):
     """Companions in which one part alone is changed."""
-    given = {name: getattr(companion(), name) for name in SystemInputs.model_fields}
+    given = {name: getattr(companion(), name) for name in TransferRotor.model_fields}
     parts = given[table]
     for k, part in enumerate(parts):
         new = {name: of(getattr(part, name)) for name, of in change.items()}
         if new != {name: getattr(part, name) for name in new}:
             changed = (*parts[:k], part.model_copy(update=new), *parts[k + 1 :])
-            yield SystemInputs(**(given | {table: changed}))
+            yield TransferRotor(**(given | {table: changed}))
 
 
 ONE_PART = [
@@ -103,10 +98,9 @@ ONE_PART = [
 @pytest.mark.parametrize(("table", "change"), ONE_PART)
 def test_every_part_is_felt_by_a_row(table, change):
     """By more than three times what a row lets pass, 1e-4."""
-    base = model._values(companion())
+    base = companion()
     others = list(each(table, **change))
     assert others
     for other in others:
-        found = model._values(other)
-        keys = ("amplitude", "support load", "link load")
-        assert max(abs(found[k] / base[k] - 1) for k in keys) > 3e-4
+        keys = ("amplitude", "support_load", "link_load")
+        assert max(abs(getattr(other, k) / getattr(base, k) - 1) for k in keys) > 3e-4

@@ -72,7 +72,7 @@ RULES: Mapping[str, Rule] = {
     "rotor-clutch": Rule("K_zz", rotors.link),
     "rotor-shaft": Rule("critical", rotors.shaft),
     "rotor-step": Rule("critical_cone", rotors.stepped),
-    "rotor-system": Rule("critical 1.1", rotors.system),
+    "rotor-system": Rule("critical_first_1", rotors.system),
     "rotor-sprag": Rule("forward critical 1", rotors.sprag_rotor),
 }
 

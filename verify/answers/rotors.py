@@ -7,8 +7,8 @@ from typing import Any
 from verify.answers.answer import Quantity
 from verify.answers.assessment import Assessment
 from verify.cases.rotor.clutch.advice import open_slices
-from verify.cases.rotor.system.messages import criticals, distance, limits
-from verify.cases.rotor.system.model import opposite_criticals
+from verify.cases.rotor.system.advice import criticals, distance, limits
+from verify.cases.rotor.system.formulas import opposite_criticals
 from verify.core.case import Values
 
 SEPARATION = 0.15

@@ -49,7 +49,7 @@ class Quantity:
     form_of: str = ""
     form: Form = ""
     role: Role = "formula"
-    when: Callable[[Any], bool] | None = None
+    when: Callable[..., bool] | None = None
     name: str = field(default="", init=False)
     formula: Callable[[Any], SupportsFloat] = field(init=False, repr=False)
 

@@ -2,7 +2,18 @@
 
 import pytest
 
-from verify.case import Case, CaseError, Level, Quantity, State, given, identity, solved, underived
+from verify.case import (
+    Case,
+    CaseError,
+    Level,
+    Quantity,
+    State,
+    count,
+    given,
+    identity,
+    solved,
+    underived,
+)
 from verify.case import approximation as approximated
 from verify.core.case import Context
 from verify.form import equations
@@ -18,6 +29,8 @@ class Beam(Case):
 
     k: float = given("4 N/mm", "N/mm", "k", "stiffness", gt=0)
     m: float = given("1 kg", "kg", "m", "mass", gt=0)
+
+    nodes: int = count(4, "", "number of nodes, without a symbol", ge=1)
 
     @Quantity("ω_{0}{1[0]}", "rad/s", "mode {0} {1}").over((1, 2), ("forward", "backward"))
     def whirl(self, j, way):

@@ -5,32 +5,18 @@ that turns against the other, and two unbalances at an angle on each: signs and 
 the default rotor cannot tell apart change its numbers.
 """
 
-from functools import cache
-
 import numpy as np
 
 from verify.cases.rotor.description import LinkInputs, ShaftInputs, SupportInputs, UnbalanceInputs
-from verify.cases.rotor.system.inputs import RPM, SystemInputs
-
-NAMED = "companion"
-JUDGED = (
-    *(f"frequency {k}" for k in (1, 2, 3, 4)),
-    *(f"critical {g}.{k}" for g in (1, 2) for k in (1, 2)),
-    "amplitude", "support load", "link load",
-)  # fmt: skip
+from verify.cases.rotor.system.formulas import TransferRotor
+from verify.cases.rotor.system.inputs import RPM
 
 
-def has_companion(q: SystemInputs) -> bool:
-    """Whether it is judged beside `q`: beside the default rotor alone."""
-    return q == SystemInputs()
-
-
-@cache
-def companion() -> SystemInputs:
+def companion() -> TransferRotor:
     """The companion with unlike bearings."""
-    q = SystemInputs()
+    q = TransferRotor()
     turned = np.deg2rad
-    return SystemInputs(
+    return TransferRotor(
         speed=5200 * RPM,
         shafts=(
             ShaftInputs(name="outer", start=q.shafts[0].start),

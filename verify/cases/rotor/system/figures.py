@@ -1,4 +1,4 @@
-"""What the report shows of a rotor: Campbell diagram, modes, response, convergence."""
+"""Figures of a rotor: Campbell diagram, modes, response, convergence."""
 
 from collections.abc import Sequence
 
@@ -6,36 +6,16 @@ import numpy as np
 
 from analytic.rotor.transfer_response import unbalance_response
 from analytic.rotor.transfer_shapes import mode_lines
-from verify.cases.rotor.system.claims import frequency_keys
-from verify.cases.rotor.system.inputs import RPM, SystemInputs
-from verify.cases.rotor.system.messages import SENSE, criticals
-from verify.cases.rotor.system.model import CRITICALS, campbell, shown_to, study
+from verify.cases.rotor.system.advice import SENSE, criticals
+from verify.cases.rotor.system.formulas import TransferRotor
+from verify.cases.rotor.system.inputs import CRITICALS, RPM
 from verify.cases.rotor.system.sketch import outlines
-from verify.core.case import Context, Values
-from verify.core.figures import Campbell, Curve, Curves, Equation, Figure, Mode, Refinement, Whirl
-from verify.core.tex import tex
+from verify.core.case import Context
+from verify.core.figures import Campbell, Curve, Curves, Figure, Mode, Refinement, Whirl
 
 Hz, mm, um = 2 * np.pi, 1e-3, 1e-6
 SPEEDS = 400  # of the response
 DRAWN = 4  # critical speeds in motion
-
-
-def equations(q: SystemInputs, v: Values) -> Sequence[Equation]:
-    first = rf"= {tex(v['frequency 1'], 5)}\ \mathrm{{Hz}}"
-    return (
-        Equation(
-            tex=r"\frac{d}{dz}\begin{pmatrix} r\\ \varphi\\ Q\\ M\end{pmatrix} = "
-            r"\begin{pmatrix} 0&1&\frac{1}{\kappa GA}&0\\ 0&0&0&\frac{1}{EI}\\ "
-            r"-\rho A\omega^2&0&0&0\\ 0&-\rho I(\omega^2-2\Omega\omega)&-1&0\end{pmatrix}"
-            r"\begin{pmatrix} r\\ \varphi\\ Q\\ M\end{pmatrix}",
-            place="turning Timoshenko shaft",
-        ),
-        Equation(
-            tex=r"\det D(\omega_1, \Omega) = 0,\quad \omega_1/2\pi",
-            numbers=rf"{first}\quad(\Omega = {tex(q.speed / RPM)}\ \mathrm{{r/min}})",
-            place="none missed: the negative eigenvalues of D count the roots below ω",
-        ),
-    )
 
 
 def figures(context: Context) -> Sequence[Figure]:
@@ -48,14 +28,13 @@ def figures(context: Context) -> Sequence[Figure]:
     return (*found, *(_refinement(context) if context.converging else ()))
 
 
-def _campbell(q: SystemInputs) -> Campbell:
-    speeds, w, whirl = campbell(q)
+def _campbell(q: TransferRotor) -> Campbell:
+    speeds, w, whirl = q.campbell
     top = 1.05 * float(w[np.isfinite(w)].max()) / Hz
     lines = tuple(
-        (f"unbalance of {' and '.join(e.shafts)}", abs(e.ratio) * RPM / Hz)
-        for e in study(q).excited
+        (f"unbalance of {' and '.join(e.shafts)}", abs(e.ratio) * RPM / Hz) for e in q.study.excited
     )
-    ratio = {" and ".join(e.shafts): abs(e.ratio) for e in study(q).excited}
+    ratio = {" and ".join(e.shafts): abs(e.ratio) for e in q.study.excited}
     met = tuple(
         (c.speed / RPM, c.speed * ratio[c.shafts] / Hz, f"{c.speed / RPM:.0f}")
         for c in criticals(q)
@@ -69,7 +48,7 @@ def _campbell(q: SystemInputs) -> Campbell:
     )  # fmt: skip
 
 
-def _sense(q: SystemInputs) -> str:
+def _sense(q: TransferRotor) -> str:
     if q.rotor.isotropic:
         return "Unbalance excites whirl where its line crosses a branch of the same sense."
     return (
@@ -78,9 +57,9 @@ def _sense(q: SystemInputs) -> str:
     )
 
 
-def _modes(q: SystemInputs) -> Whirl:
+def _modes(q: TransferRotor) -> Whirl:
     ranked = sorted(
-        ((float(e.speeds[k]), k, e) for e in study(q).excited for k in range(len(e.speeds))),
+        ((float(e.speeds[k]), k, e) for e in q.study.excited for k in range(len(e.speeds))),
         key=lambda item: item[0],
     )[:DRAWN]  # fmt: skip
     modes = []
@@ -105,8 +84,8 @@ def _modes(q: SystemInputs) -> Whirl:
     )  # fmt: skip
 
 
-def _response(q: SystemInputs) -> Curves:
-    speeds = np.linspace(0.02, 1.0, SPEEDS) * shown_to(q)
+def _response(q: TransferRotor) -> Curves:
+    speeds = np.linspace(0.02, 1.0, SPEEDS) * q.speed_axis
     curves = []
     for k, (ratio, group) in enumerate(q.unbalanced().items()):
         if ratio:
@@ -122,10 +101,14 @@ def _response(q: SystemInputs) -> Curves:
 
 
 def _refinement(context: Context) -> Sequence[Figure]:
-    keys = [k for k in frequency_keys(context) if k.startswith("frequency")][:CRITICALS]
+    exact = [q for q in TransferRotor.quantities() if q.name.startswith("frequency_")][:CRITICALS]
+    keys = [q.name for q in exact if q.name in context.analytic]
     cells = np.array([1 / result.h for result in context.fem])
     errors = tuple(
-        (f"{key}", np.array([abs(r.values[key] / context.analytic[key] - 1) for r in context.fem]))
+        (
+            key.replace("_", " "),
+            np.array([abs(r.values[key] / context.analytic[key] - 1) for r in context.fem]),
+        )
         for key in keys
     )
     return (

@@ -1,12 +1,14 @@
 """Inputs of any rotor: two shafts, one in the other, until one's own are put in."""
 
 from functools import cached_property
+from typing import Self
 
 import numpy as np
 from pydantic import model_validator
 
 from analytic.rotor.transfer_model import Rotor
 from analytic.rotor.transfer_supported import check_supported
+from verify.case import Case, count, given, table
 from verify.cases.rotor import description
 from verify.cases.rotor.description import (
     DiscInputs,
@@ -17,10 +19,16 @@ from verify.cases.rotor.description import (
     UnbalanceInputs,
 )
 from verify.core import units
-from verify.core.inputs import EntryError, Inputs, count, quantity, table
+from verify.core.inputs import EntryError
 
 RPM = np.pi / 30
 MOST_NODES = 150
+FREQUENCIES, CRITICALS = 6, 3  # that are compared; critical speeds for unbalance of each speed
+
+
+def critical_name(group: int) -> str:
+    """Of the critical speeds that unbalance of the first shaft's, or another, speed meets."""
+    return {1: "critical_first", 2: "critical_other"}.get(group, f"critical_{group}")
 
 
 def _segments() -> tuple[SegmentInputs, ...]:
@@ -34,14 +42,14 @@ def _segments() -> tuple[SegmentInputs, ...]:
     )
 
 
-class SystemInputs(Inputs):
+class CoaxialRotor(Case):
     """Coaxial shafts with discs, bearings, links and unbalances."""
 
-    speed_from: float = quantity(
+    speed_from: float = given(
         "5600 r/min", "r/min", "n_1", "operating speeds of the first shaft, from", ge=0, le=1e6
     )
-    speed_to: float = quantity("9000 r/min", "r/min", "n_2", "operating speeds, to", gt=0, le=1e6)
-    margin: float = quantity(
+    speed_to: float = given("9000 r/min", "r/min", "n_2", "operating speeds, to", gt=0, le=1e6)
+    margin: float = given(
         0.15,
         "1",
         "m_n",
@@ -49,7 +57,7 @@ class SystemInputs(Inputs):
         ge=0,
         lt=1,
     )
-    speed: float = quantity(
+    speed: float = given(
         "9000 r/min", "r/min", "n", "speed at which frequencies and amplitudes are reported", gt=0,
         le=1e6,
     )  # fmt: skip
@@ -97,7 +105,7 @@ class SystemInputs(Inputs):
     )
 
     @model_validator(mode="after")
-    def _sensible(self) -> "SystemInputs":
+    def _sensible(self) -> Self:
         if not self.speed_from < self.speed_to:
             raise ValueError(
                 "the operating speeds need speed_from < speed_to, got speed_from = "

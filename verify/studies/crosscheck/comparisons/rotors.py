@@ -15,7 +15,7 @@ from verify.cases.rotor.sprag.layout import CENTRAL, DISCS
 from verify.cases.rotor.sprag.system_fem import rotor_fem
 from verify.cases.rotor.step.case import STEP
 from verify.cases.rotor.system.case import SYSTEM
-from verify.cases.rotor.system.fem import fem_rotor
+from verify.cases.rotor.system.reference import fem_rotor
 from verify.studies.crosscheck.clock import timed
 from verify.studies.crosscheck.statement import ROSS, Cross, Posed, Quantity
 

@@ -5,9 +5,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from verify.cases.rotor.system.inputs import RPM, SystemInputs
-from verify.cases.rotor.system.model import study
-from verify.core.case import Values
+from verify.cases.rotor.system.formulas import TransferRotor
+from verify.cases.rotor.system.inputs import RPM
 
 SENSE = {1: "forward", -1: "backward", 0: "to and fro"}
 
@@ -20,37 +19,37 @@ class Critical(NamedTuple):
     whirl: int
 
 
-def criticals(q: SystemInputs) -> list[Critical]:
+def criticals(q: TransferRotor) -> list[Critical]:
     """Of every shaft's unbalance, rising."""
     return sorted(
         Critical(float(speed), " and ".join(excited.shafts), int(whirl))
-        for excited in study(q).excited
+        for excited in q.study.excited
         for speed, whirl in zip(excited.speeds, excited.modes.whirl, strict=True)
     )
 
 
-def limits(q: SystemInputs) -> tuple[float, float]:
+def limits(q: TransferRotor) -> tuple[float, float]:
     """Operating speeds widened by the wanted margin [rad/s]."""
     return q.speed_from * (1 - q.margin), q.speed_to * (1 + q.margin)
 
 
-def too_near(q: SystemInputs) -> list[Critical]:
+def too_near(q: TransferRotor) -> list[Critical]:
     low, high = limits(q)
     return [c for c in criticals(q) if low <= c.speed <= high]
 
 
-def distance(q: SystemInputs, speed: float) -> float:
+def distance(q: TransferRotor, speed: float) -> float:
     """Signed relative distance from the operating speeds: 0 inside, negative below them."""
     if speed < q.speed_from:
         return speed / q.speed_from - 1
     return speed / q.speed_to - 1 if speed > q.speed_to else 0.0
 
 
-def findings(q: SystemInputs, v: Values) -> Sequence[str]:
-    return (*_verdict(q), *_neighbours(q), _frequencies(q), *_amplitudes(q, v))
+def findings(q: TransferRotor) -> Sequence[str]:
+    return (*_verdict(q), *_neighbours(q), _frequencies(q), *_amplitudes(q))
 
 
-def _verdict(q: SystemInputs) -> list[str]:
+def _verdict(q: TransferRotor) -> list[str]:
     asked = f"{q.speed_from / RPM:.5g} to {q.speed_to / RPM:.5g} r/min"
     if not (met := too_near(q)):
         return [f"clear: no critical speed within {q.margin:.0%} of {asked}"]
@@ -58,7 +57,7 @@ def _verdict(q: SystemInputs) -> list[str]:
     return [f"not clear: {number} within {q.margin:.0%} of {asked}", *(_told(q, c) for c in met)]
 
 
-def _told(q: SystemInputs, critical: Critical) -> str:
+def _told(q: TransferRotor, critical: Critical) -> str:
     far = distance(q, critical.speed)
     place = "among the operating speeds" if far == 0 else f"{abs(far):.1%} "
     place += "" if far == 0 else "below them" if far < 0 else "above them"
@@ -68,7 +67,7 @@ def _told(q: SystemInputs, critical: Critical) -> str:
     )
 
 
-def _neighbours(q: SystemInputs) -> list[str]:
+def _neighbours(q: TransferRotor) -> list[str]:
     """The nearest critical speeds on either side of the margin."""
     low, high = limits(q)
     found = criticals(q)
@@ -77,32 +76,32 @@ def _neighbours(q: SystemInputs) -> list[str]:
     return [_told(q, c) for c in below + above]
 
 
-def _frequencies(q: SystemInputs) -> str:
-    modes = study(q).modes
+def _frequencies(q: TransferRotor) -> str:
+    modes = q.study.modes
     told = ", ".join(
         f"{w / 2 / np.pi:.4g} Hz {SENSE[int(s)]}" for w, s in zip(modes.w, modes.whirl, strict=True)
     )
     return f"natural frequencies at {q.speed / RPM:.5g} r/min: {told}"
 
 
-def _amplitudes(q: SystemInputs, v: Values) -> list[str]:
-    if "amplitude" not in v:
+def _amplitudes(q: TransferRotor) -> list[str]:
+    if not q.study.responses:
         return []
     loads = {
-        f"{table}[{k}]": sum(float(r.load(spring)[0]) for r in study(q).responses)
+        f"{table}[{k}]": sum(float(r.load(spring)[0]) for r in q.study.responses)
         for table, springs in (("supports", q.rotor.supports), ("links", q.rotor.links))
         for k, spring in enumerate(springs, start=1)
     }
     worst = max(loads, key=loads.__getitem__)
-    together = ", the unbalances of all shafts added" if len(study(q).responses) > 1 else ""
+    together = ", the unbalances of all shafts added" if len(q.study.responses) > 1 else ""
     return [
         f"at {q.speed / RPM:.5g} r/min node {q.probe} whirls with "
-        f"{v['amplitude'] * 1e6:.3g} µm (zero to peak) and the largest bearing load is "
+        f"{q.amplitude * 1e6:.3g} µm (zero to peak) and the largest bearing load is "
         f"{loads[worst]:.4g} N at {worst}{together}"
     ]
 
 
-def summary(q: SystemInputs, _: Values) -> Mapping[str, Any]:
+def summary(q: TransferRotor) -> Mapping[str, Any]:
     """JSON: the verdict, and every critical speed found with its distance."""
     return {
         "verdict": "not clear" if too_near(q) else "clear",
@@ -111,11 +110,11 @@ def summary(q: SystemInputs, _: Values) -> Mapping[str, Any]:
              "whirl": SENSE[c.whirl], "distance": distance(q, c.speed)}
             for c in criticals(q)
         ],
-        "whirl": [SENSE[int(s)] for s in study(q).modes.whirl],
+        "whirl": [SENSE[int(s)] for s in q.study.modes.whirl],
     }  # fmt: skip
 
 
-def too_large(q: SystemInputs) -> str:
+def refusal(q: TransferRotor) -> str:
     """Why beams of eight elements a segment are not taken."""
     most = 60
     if len(q.segments) > most:

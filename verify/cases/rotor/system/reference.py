@@ -4,16 +4,20 @@ from typing import Any
 
 import numpy as np
 
-from verify.cases.rotor.system.companion import JUDGED, NAMED, companion, has_companion
-from verify.cases.rotor.system.inputs import SystemInputs
-from verify.core.case import FemResult
+from verify.case import Level, solved
+from verify.cases.rotor.system.companion import companion
+from verify.cases.rotor.system.inputs import (
+    CRITICALS,
+    FREQUENCIES,
+    CoaxialRotor,
+    critical_name,
+)
 
-FREQUENCIES, CRITICALS = 6, 3
 TURN = 2 * np.pi  # a frequency in Hz is its angular one over this
 RIGID = 1e-4  # of a torsional frequency: below it a shaft turns freely
 
 
-def fem_rotor(q: SystemInputs, refine: int, theory: str = "timoshenko") -> Any:
+def fem_rotor(q: CoaxialRotor, refine: int, theory: str = "timoshenko") -> Any:
     """The rotor that a user described, of beam elements."""
     from fem.rotor.model import Disc, Element, Link, Material, Rotor, Shaft, Support
 
@@ -51,37 +55,38 @@ def _bearing(spring: Any) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def fem(q: SystemInputs, level: int) -> FemResult:
-    values = _fem_values(q, level)
-    if has_companion(q):
-        other = _fem_values(companion(), level)
-        values |= {f"{NAMED} {key}": other[key] for key in JUDGED}
-    return FemResult(h=1 / level, values=values)
+def solve(q: CoaxialRotor, level: int) -> Level:
+    """Beams, and beside the default rotor those of its companion."""
+    values = fem_values(q, level)
+    if q.is_default:
+        other = fem_values(companion(), level)
+        values |= {f"{key}_companion": value for key, value in other.items()}
+    return solved(1 / level, **values)
 
 
-def _fem_values(q: SystemInputs, level: int) -> dict[str, float]:
+def fem_values(q: CoaxialRotor, level: int) -> dict[str, float]:
     from fem.rotor.critical import critical_speeds
     from fem.rotor.modes import modes
 
     undamped = fem_rotor(still(q), level)
     found = modes(undamped, q.speed, FREQUENCIES)
-    values = {f"frequency {k}": w / TURN for k, w in enumerate(found.frequencies, start=1)}
-    values |= {f"whirl {k}": float(s) for k, s in enumerate(found.whirl, start=1)}
+    values = {f"frequency_{k}": w / TURN for k, w in enumerate(found.frequencies, start=1)}
+    values |= {f"sense_{k}": float(s) for k, s in enumerate(found.whirl, start=1)}
     alike = all(s.kyy in (None, s.k) and s.kxy == 0 for s in (*q.supports, *q.links))
     ratios = list(dict.fromkeys(shaft.ratio for shaft in q.shafts if shaft.ratio))
     for group, ratio in enumerate(ratios, start=1):
         whirl = "both" if not alike else "forward" if ratio > 0 else "backward"
         speeds = critical_speeds(undamped, CRITICALS, whirl, abs(ratio)).speeds
-        values |= {f"critical {group}.{k}": w for k, w in enumerate(speeds, start=1)}
+        values |= {f"{critical_name(group)}_{k}": w for k, w in enumerate(speeds, start=1)}
     turning = modes(undamped, 0.0, len(q.shafts) + 1, "torsion").frequencies
     values["torsion"] = turning[turning > RIGID * turning.max()][0] / TURN
     slender = modes(fem_rotor(still(q), level, "euler"), q.speed, FREQUENCIES).frequencies
-    values |= {f"euler {k}": w / TURN for k, w in enumerate(slender, start=1)}
+    values |= {f"euler_{k}": w / TURN for k, w in enumerate(slender, start=1)}
     values |= _fem_response(q, fem_rotor(q, level))
     return {key: float(value) for key, value in values.items()}
 
 
-def still(q: SystemInputs) -> SystemInputs:
+def still(q: CoaxialRotor) -> CoaxialRotor:
     """The same without damping."""
     none = {"c": 0.0, "cyy": None, "c_tilt": 0.0}
     bearings = {
@@ -91,7 +96,7 @@ def still(q: SystemInputs) -> SystemInputs:
     return q.model_copy(update=bearings)
 
 
-def _fem_response(q: SystemInputs, rotor: Any) -> dict[str, float]:
+def _fem_response(q: CoaxialRotor, rotor: Any) -> dict[str, float]:
     """Amplitude and loads at the speed; unbalances of different speeds add where they align."""
     from fem.rotor.response import unbalance_response
 
@@ -105,9 +110,9 @@ def _fem_response(q: SystemInputs, rotor: Any) -> dict[str, float]:
         if ratio:
             response = unbalance_response(rotor, q.speed, group)
             parts = {"amplitude": response.major(q.probe - 1)[0],
-                     "support load": _largest(response.support_load(0)[0])}  # fmt: skip
+                     "support_load": _largest(response.support_load(0)[0])}  # fmt: skip
             if q.links:
-                parts["link load"] = _largest(response.link_load(0)[0])
+                parts["link_load"] = _largest(response.link_load(0)[0])
             found = {key: found.get(key, 0.0) + value for key, value in parts.items()}
     return found
 

@@ -1,0 +1,112 @@
+"""Rows of a rotor: transfer matrices and beams side by side."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from verify.case import Comparison, Quantity, State, errors_of
+from verify.cases.rotor.system.companion import companion
+from verify.cases.rotor.system.formulas import TransferRotor
+from verify.cases.rotor.system.inputs import CRITICALS, FREQUENCIES
+from verify.core.case import Check, Context
+from verify.core.results import Row
+from verify.judging.checks import Fact, Identity, Order
+from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, farthest
+
+SHARP = "both sides solve the same beam: only the elements' size lies between them"
+BEAM = "Timoshenko's beam with Hutchinson's shear coefficient"
+COARSE, FINE = 2e-4, 5e-6
+FINER = 8
+LOADS = 1e-4  # that a load or an amplitude may be off by
+rotor = TransferRotor
+
+
+@dataclass(frozen=True, kw_only=True)
+class Present(Identity):
+    """An identity of rotors that have the quantity: a critical speed, a link, an unbalance."""
+
+    def rows(self, context: Context) -> list[Row]:
+        return super().rows(context) if self.analytic in context.analytic else []
+
+
+@dataclass(frozen=True, kw_only=True)
+class Companion(Present):
+    """An identity of the companion, which is judged beside the default rotor alone."""
+
+    paper_only = True
+
+
+def rows(q: TransferRotor) -> Iterator[Comparison | Check]:
+    """All of them, in the order of the page."""
+    for k in range(1, FREQUENCIES + 1):
+        yield _identical(rotor.frequency(k))
+    yield Fact(name="sense of each whirl", symbol="", unit="1", margin=_senses)
+    for criticals in (rotor.critical_first, rotor.critical_other):
+        for k in range(1, CRITICALS + 1):
+            yield _identical(criticals(k), symbol="n_c")
+    yield _identical(rotor.torsion, name="torsional frequency")
+    yield _identical(rotor.amplitude, name="amplitude at the probe", demand=LOADS)
+    for one, words in ((rotor.support_load, "support"), (rotor.link_load, "link")):
+        yield _identical(one, name=f"load of the first {words}", symbol="F", demand=LOADS)
+    if q.is_default:
+        yield from _of_companion()
+    for name, level, figure in (
+        ("frequencies with an element a segment", 0, COARSE),
+        (f"frequencies with {FINER} elements a segment", -1, FINE),
+    ):
+        yield _accepted(q, name, level, figure)
+    last = rotor.euler(FREQUENCIES)
+    order = Order(name="order of a frequency by Euler's theory", symbol="p", unit="1",
+                  errors=errors_of(last), order=4, demand=0.05,
+                  demand_reason="the coarsest level still has terms of higher order")  # fmt: skip
+    yield Comparison(check=order, quantity=last)
+
+
+def _identical(
+    q: Quantity, state: State | None = None, *, name: str = "", symbol: str = "",
+    demand: float = 1e-5,
+) -> Comparison:  # fmt: skip
+    key = f"{q.name}_{state.key}" if state else q.name
+    kind = Companion if state else Present
+    check = kind(name=name or q.what, symbol=symbol or q.symbol, unit=q.unit, fem=key,
+                 analytic=key, formal=2, demand=demand, demand_reason=SHARP)  # fmt: skip
+    return Comparison(check=check, quantity=q, state=state, shares=BEAM)
+
+
+def _of_companion() -> Iterator[Comparison]:
+    """Every judged value of the companion."""
+    own = State(companion(), "companion", "companion with unlike bearings", displayed=False)
+    for k in (1, 2, 3, 4):
+        yield _identical(rotor.frequency(k), own, name=f"{own.words}: frequency {k}")
+    for criticals, shaft in ((rotor.critical_first, "outer"), (rotor.critical_other, "inner")):
+        for k in (1, 2):
+            words = f"{own.words}: critical speed {k}, the {shaft} shaft's unbalance"
+            yield _identical(criticals(k), own, name=words, symbol="n_c")
+    for one, words in ((rotor.amplitude, "amplitude"),
+                       (rotor.support_load, "load of the first support"),
+                       (rotor.link_load, "load of the link")):  # fmt: skip
+        symbol = "F" if one is not rotor.amplitude else ""
+        yield _identical(one, own, name=f"{own.words}: {words}", symbol=symbol, demand=LOADS)
+
+
+def _accepted(q: TransferRotor, name: str, level: int, figure: float) -> Comparison:
+    """Of all frequencies and critical speeds on a level the one that is farthest off."""
+
+    def pair(context: Context) -> Pair:
+        exact, v = q.undamped, context.fem[level].values
+        found = farthest(np.array(list(exact.values())), np.array([v[key] for key in exact]), 0.0)
+        off = abs(found.value / found.reference - 1)
+        return replace(found, words=f"at most {off:.1e} apart, {figure:.0e} accepted")
+
+    check = Agreement(name=name, symbol="ω", unit="rad/s", pair=pair, accepted=figure,
+                      source=SUBJECT)  # fmt: skip
+    return Comparison(check=check, quantity=rotor.frequency(1), shares=BEAM)
+
+
+def _senses(context: Context) -> tuple[float, float]:
+    """Positive where both sides name the whirl of each mode alike."""
+    v = context.fem[-1].values
+    keys = [k for k in context.analytic if k.startswith("sense_")]
+    alike = all(v[k] == context.analytic[k] for k in keys)
+    return (1.0 if alike else -1.0), 0.0

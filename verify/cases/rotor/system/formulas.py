@@ -1,0 +1,205 @@
+"""A rotor by transfer matrices: frequencies, critical speeds, response, torsion."""
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic.rotor.transfer_modes import (
+    Modes,
+    critical_speeds,
+    modes,
+    natural_frequencies,
+    whirl_frequencies,
+)
+from analytic.rotor.transfer_response import Response, unbalance_response
+from analytic.rotor.transfer_torsion import torsional_frequencies
+from verify.case import Quantity, shared
+from verify.cases.rotor.system.inputs import (
+    CRITICALS,
+    FREQUENCIES,
+    CoaxialRotor,
+    critical_name,
+)
+
+ORDERS = range(1, FREQUENCIES + 1)
+SEARCHED = 8  # critical speeds of each shaft's unbalance
+CAMPBELL = 20  # speeds
+TURN = 2 * np.pi  # frequencies are handed over in Hz, speeds in rad/s
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Excited:
+    """Critical speeds [rad/s] of the unbalance of shafts with one `ratio`, and their modes."""
+
+    ratio: float
+    shafts: tuple[str, ...]
+    modes: Modes
+
+    @property
+    def speeds(self) -> Array:
+        """Of the rotor, rising."""
+        return self.modes.speeds
+
+
+@dataclass(frozen=True)
+class Study:
+    """What the formulas find of a rotor."""
+
+    modes: Modes
+    excited: tuple[Excited, ...]
+    responses: tuple[Response, ...]
+    torsion: Array
+    slender: Array  # frequencies by Euler's theory
+
+
+def ratios(q: CoaxialRotor) -> list[float]:
+    """Ratios of speed that unbalance may turn with, in the order of the shafts."""
+    return list(dict.fromkeys(shaft.ratio for shaft in q.shafts if shaft.ratio))
+
+
+def _excited(q: CoaxialRotor, ratio: float) -> Excited:
+    """On bearings alike in x and y unbalance excites whirl in its own sense alone."""
+    names = tuple(shaft.name for shaft in q.shafts if shaft.ratio == ratio)
+    sense = None if not q.rotor.isotropic else "forward" if ratio > 0 else "backward"
+    found = critical_speeds(q.rotor, count=SEARCHED, whirl=sense, excitation=abs(ratio))  # type: ignore[arg-type]
+    return Excited(ratio, names, found)
+
+
+def opposite_criticals(q: CoaxialRotor) -> list[float]:
+    """Critical speeds [rad/s] of whirl against the unbalance's turn, which bearings excite.
+
+    Unbalance excites them only where bearings differ in x and y; where they are given so, all
+    critical speeds are among those of `study`.
+    """
+    if not q.rotor.isotropic:
+        return []
+    found: list[float] = []
+    for ratio in ratios(q):
+        sense = "backward" if ratio > 0 else "forward"
+        modes_ = critical_speeds(q.rotor, count=SEARCHED, whirl=sense, excitation=abs(ratio))  # type: ignore[arg-type]
+        found += [float(w) for w in modes_.speeds]
+    return sorted(found)
+
+
+def _found(group: int) -> Any:
+    """Whether a rotor has critical speed k of the group."""
+
+    def has(q: Any, k: int) -> bool:
+        excited = q.study.excited
+        return len(excited) >= group and len(excited[group - 1].speeds) >= k
+
+    return has
+
+
+def _turning(q: Any) -> bool:
+    """Whether a shaft with an unbalance turns."""
+    return bool(q.study.responses)
+
+
+class TransferRotor(CoaxialRotor):
+    """What transfer matrices find of a rotor; speeds in rad/s, frequencies in Hz."""
+
+    @Quantity("ω_1", "rad/s", "lowest natural frequency at the speed", role="step",
+              source="turning Timoshenko shaft; none missed: the negative eigenvalues of D count "
+              "the roots below ω",
+              tex=r"\omega,\quad \det D(\omega, n)=0,\quad "
+              r"\frac{d}{dz}\begin{pmatrix} r\\ \varphi\\ Q\\ M\end{pmatrix}="
+              r"\begin{pmatrix} 0&1&\frac{1}{\kappa GA}&0\\ 0&0&0&\frac{1}{EI}\\ "
+              r"-\rho A\omega^2&0&0&0\\ 0&-\rho I(\omega^2-2\Omega\omega)&-1&0\end{pmatrix}"
+              r"\begin{pmatrix} r\\ \varphi\\ Q\\ M\end{pmatrix}")  # fmt: skip
+    def lowest(self) -> float:
+        return float(self.study.modes.w[0])
+
+    @Quantity("f_{0}", "Hz", "natural frequency {0} at the speed",
+              when=lambda q, k: len(q.study.modes.w) >= k).over(ORDERS)  # fmt: skip
+    def frequency(self, k: int) -> float:
+        return float(self.study.modes.w[k - 1] / TURN)
+
+    @Quantity("s_{0}", "1", "sense of whirl {0}: 1 forward, −1 backward", role="step",
+              when=lambda q, k: len(q.study.modes.w) >= k).over(ORDERS)  # fmt: skip
+    def sense(self, k: int) -> float:
+        return float(self.study.modes.whirl[k - 1])
+
+    @Quantity("n_c{0}", "r/min", "critical speed {0}, the first shaft's unbalance", safe="too low",
+              when=_found(1)).over(range(1, CRITICALS + 1))  # fmt: skip
+    def critical_first(self, k: int) -> float:
+        return float(self.study.excited[0].speeds[k - 1])
+
+    @Quantity("n_c{0}'", "r/min", "critical speed {0}, unbalance of another speed", safe="too low",
+              when=_found(2)).over(range(1, CRITICALS + 1))  # fmt: skip
+    def critical_other(self, k: int) -> float:
+        return float(self.study.excited[1].speeds[k - 1])
+
+    @Quantity("f_t", "Hz", "lowest torsional frequency")
+    def torsion(self) -> float:
+        return float(self.study.torsion[0] / TURN)
+
+    @Quantity("f_{0}E", "Hz", "natural frequency {0} by Euler's theory", role="step",
+              when=lambda q, k: len(q.study.slender) >= k).over(ORDERS)  # fmt: skip
+    def euler(self, k: int) -> float:
+        return float(self.study.slender[k - 1] / TURN)
+
+    @Quantity("|r|", "µm", "amplitude of the probe's node", safe="too high", when=_turning)
+    def amplitude(self) -> float:
+        return float(sum(r.amplitude(self.probe - 1)[0] for r in self.study.responses))
+
+    @Quantity("F_s", "N", "load of supports[1]", safe="too high", when=_turning)
+    def support_load(self) -> float:
+        return float(sum(r.load(self.rotor.supports[0])[0] for r in self.study.responses))
+
+    @Quantity("F_l", "N", "load of links[1]", safe="too high",
+              when=lambda q: _turning(q) and q.rotor.links)  # fmt: skip
+    def link_load(self) -> float:
+        return float(sum(r.load(self.rotor.links[0])[0] for r in self.study.responses))
+
+    @shared
+    def study(self) -> Study:
+        """Modes at the speed, critical speeds of each shaft's unbalance, response, torsion."""
+        return Study(
+            modes=modes(self.rotor, self.speed, count=FREQUENCIES),
+            excited=tuple(_excited(self, ratio) for ratio in ratios(self)),
+            responses=tuple(
+                unbalance_response(self.rotor, self.speed, group, excitation=ratio)
+                for ratio, group in self.unbalanced().items()
+                if ratio
+            ),
+            torsion=torsional_frequencies(self.rotor, count=1),
+            slender=modes(replace(self.rotor, theory="euler"), self.speed, count=FREQUENCIES).w,
+        )
+
+    @property
+    def undamped(self) -> dict[str, float]:
+        """Natural frequencies and critical speeds, by name."""
+        found = {f"frequency_{k}": w / TURN for k, w in enumerate(self.study.modes.w, start=1)}
+        for group, excited in enumerate(self.study.excited, start=1):
+            speeds = enumerate(excited.speeds[:CRITICALS], start=1)
+            found |= {f"{critical_name(group)}_{k}": w for k, w in speeds}
+        return found
+
+    @shared
+    def speed_axis(self) -> float:
+        """Where axes of the speed end [rad/s]: with the nearest critical speed above on them."""
+        top = max(self.speed_to, self.speed)
+        above = [w for excited in self.study.excited for w in excited.speeds if w > top]
+        return float(max(1.2 * top, 1.1 * min(above, default=0.0)))
+
+    @shared
+    def campbell(self) -> tuple[Array, Array, tuple[int, ...]]:
+        """Speeds (n,), natural frequencies (n, branches) [rad/s] and the sense of each branch.
+
+        On unlike bearings, where whirl is elliptical, a branch has the sense that it has at the
+        speed that frequencies are told at.
+        """
+        speeds = np.linspace(0, self.speed_axis, CAMPBELL)
+        if not self.rotor.isotropic:
+            told = tuple(int(sense) for sense in self.study.modes.whirl[:FREQUENCIES])
+            return speeds, natural_frequencies(self.rotor, speeds, count=len(told)), told
+        half = FREQUENCIES // 2
+        forward = whirl_frequencies(self.rotor, speeds, count=half, whirl="forward")
+        backward = whirl_frequencies(self.rotor, speeds, count=half, whirl="backward")
+        both = np.concatenate([forward, backward], axis=1)
+        return speeds, both, (1,) * half + (-1,) * half
