@@ -76,18 +76,18 @@ class BeamTheories(TurningShaft):
                               nu=self.nu, rho=self.rho)
         )  # fmt: skip
 
-    @Quantity("EIk^4", "N/m^2", "Rayleigh's equation, mode 1 forward", role="step",
+    @Quantity("EIk^4", "MPa", "Rayleigh's equation, mode 1 forward", role="step",
               tex=r"\omega_{1fR}^2 (\rho A + \rho I k^2) - 2 n \omega_{1fR} \rho I k^2",
               source="Rayleigh, mode 1")  # fmt: skip
     def rayleigh_equation(self) -> float:
         return self.E * self.I * self.k**4
 
-    @Quantity("(κGAk)^2", "N^2/m^2", "Timoshenko's equation, mode 1 forward", role="step",
-              tex=r"(\kappa G A k^2 - \rho A \omega_{1f}^2) (\kappa G A + E I k^2 + "
-              r"2 n \omega_{1f} \rho I - \rho I \omega_{1f}^2)",
+    @Quantity("κGAk", "N/mm", "Timoshenko's equation, mode 1 forward", role="step",
+              tex=r"\sqrt{(\kappa G A k^2 - \rho A \omega_{1f}^2) (\kappa G A + E I k^2 + "
+              r"2 n \omega_{1f} \rho I - \rho I \omega_{1f}^2)}",
               source="Timoshenko, mode 1")  # fmt: skip
     def timoshenko_equation(self) -> float:
-        return (self.kappa * self.G * self.A * self.k) ** 2
+        return self.kappa * self.G * self.A * self.k
 
     @shared
     def _pairs(self) -> dict[int, tuple[float, float]]:
