@@ -112,8 +112,8 @@ class RollerInRace(TwoBodies):
         sizes = {"P": self.P, "a": self.a, "R": self.R}
         return float(hertz_line_approach.approach_to_centre(**sizes, E_plane=E_plane))
 
-    @Quantity("s", "1", "what a pressure cos nθ, which widens the bore by U_n cos nθ, adds up to",
-              role="step", source="Fourier series of the race",
+    @Quantity("s", "1", "constant of the held rim", role="step",
+              source="a pressure cos nθ widens the bore by U_n cos nθ",
               tex=r"\frac{E_2' U_0}{4 r_i} + \sum_{n=1}^{\infty}"
               r"\left(\frac{E_2' U_n}{2 r_i} - \frac{1}{n}\right)")  # fmt: skip
     def s(self) -> float:
@@ -193,7 +193,8 @@ class RollerInRace(TwoBodies):
         close = self.small / 2 + abs(
             self.coupled
         )  # half of `small`, as the brackets are 2 and more
-        yield approximation(by.approach, order=2, expected=expected(0.0, close, APPROACH))
+        yield approximation(by.approach, order=2, expected=expected(0.0, close, APPROACH),
+                            shares="rim that is held all around")  # fmt: skip
         yield approximation(by.tau_max, order=2, expected=self.neglected_shear())
         yield self.near_hertz(self.pressure)
         yield from self.balances()

@@ -1,6 +1,7 @@
 """Press fit: a race in its housing, two walls that contact alone joins (Lamé twice)."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -70,10 +71,11 @@ class PressFit(FitFormulas):
         load = max(self.p_i * self.r_i, self.p_o * self.r_o, self.p * self.r_f)
         for one in FITS:
             of = self.of(one) if one.key else self
+            state = State(of, one.key, one.words)
+            yield identity(fit.p, order=4, state=state, sensitivity=FAST)
             shared: dict[str, Any] = {
-                "state": State(of, one.key, one.words), "sensitivity": FAST,
+                "state": replace(state, displayed=not one.key), "sensitivity": FAST,
             }  # fmt: skip
-            yield identity(fit.p, order=4, **shared)
             yield identity(fit.scatter, order=2, scale={f"{one.name}: p": of.p}, **shared)
             for q, r in moved[one.walls == "shaft" :]:
                 yield identity(q, order=4, scale={f"{one.name}: u scale": of.moved},
