@@ -60,11 +60,12 @@ class State:
 
     `case` has the quantities of that state, such as `self.at(T=...)`. Names of its numbers end in
     `key`, as the reference's do; names of its rows in `words`; `symbol` is a format of its symbols.
-    The state of the inputs themselves has no `key`. Numbers of a state that is not `displayed` are
-    compared in their rows and are no values of `check`.
+    The state of the inputs themselves has no `key`; inputs without the state have no `case`.
+    Numbers of a state that is not `displayed` are compared in their rows and are no values of
+    `check`.
     """
 
-    case: object
+    case: object | None
     key: str
     words: str
     symbol: str = "{}"
@@ -124,9 +125,9 @@ class Comparison:
         return key_of(self.quantity, self.state) if self.quantity else ""
 
     def evaluated(self) -> dict[str, float]:
-        """The further numbers, and that of the quantity in another state."""
+        """The further numbers, and that of the quantity in another state if none of them is it."""
         found = {key: v() if callable(v) else v for key, v in self.numbers.items()}
-        if self.quantity and self.state:
+        if self.quantity and self.state and self.state.case and self.key not in found:
             found[self.key] = getattr(self.state.case, self.quantity.name)
         return found
 

@@ -46,7 +46,7 @@ def symbols_of(case: Case) -> Symbols:
             found.numbers[as_tex] = equations.with_unit(value / units.factor(unit), unit, digits)
             found.values[as_tex] = value
     for one in case.stated():
-        if one.quantity and one.state and one.state.symbol != "{}":
+        if one.quantity and one.state and one.state.case and one.state.symbol != "{}":
             value, unit = getattr(one.state.case, one.quantity.name), one.quantity.unit
             as_tex = equations.symbol_tex(one.state.symbol.format(one.quantity.symbol))
             found.tex[one.key] = as_tex
