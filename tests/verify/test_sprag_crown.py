@@ -12,12 +12,11 @@ from tests.conftest import solved
 from verify.answers.template import template
 from verify.app.cli import run
 from verify.cases.contact.roller.inputs import DESIGNS
-from verify.cases.sprag.crown import formulas, table2
+from verify.cases.sprag.crown import comparisons, formulas, table2
+from verify.cases.sprag.crown.advice import verdict
 from verify.cases.sprag.crown.box_fem import forces, terms
-from verify.cases.sprag.crown.case import CROWN, too_large
-from verify.cases.sprag.crown.claims import CHECKS
+from verify.cases.sprag.crown.case import CROWN, SpragCrown
 from verify.cases.sprag.crown.formulas import (
-    analytic,
     box,
     even,
     factorial,
@@ -26,10 +25,8 @@ from verify.cases.sprag.crown.formulas import (
     z_m_share,
 )
 from verify.cases.sprag.crown.measured_figures import ordered
-from verify.cases.sprag.crown.messages import verdict
 from verify.cases.sprag.crown.paper_fem import FIG_12, FIG_14
 from verify.cases.sprag.crown.table2 import MEDIAN, cell, relative_error, standardised
-from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.case import Context
 from verify.core.figures import Curves
 from verify.core.results import Status
@@ -38,7 +35,7 @@ pytestmark = pytest.mark.xdist_group("sprag-crown")
 
 
 def own(**changes):
-    return EngagementInputs(**changes)
+    return SpragCrown(**changes)
 
 
 def context(**arrays):
@@ -46,7 +43,7 @@ def context(**arrays):
     q = own()
     levels = solved(CROWN, q)
     last = levels[-1].result
-    return Context(CROWN.id, q, analytic(q), [*(s.result for s in levels[:-1]),
+    return Context(CROWN.id, q, CROWN.analytic(q), [*(s.result for s in levels[:-1]),
                    replace(last, arrays={**last.arrays, **arrays})], is_paper=True)  # fmt: skip
 
 
@@ -55,7 +52,7 @@ def measured(name):
 
 
 def statuses(of):
-    return {row.quantity: row.status for check in CHECKS for row in check.rows(of)}
+    return {row.quantity: row.status for check in CROWN.checks for row in check.rows(of)}
 
 
 @pytest.fixture
@@ -66,12 +63,10 @@ def faulty(monkeypatch, judged, red):
         right = getattr(module, name)
         judged(CROWN)
         monkeypatch.setattr(module, name, lambda *a, **k: wrapper(right, *a, **k))
-        analytic.cache_clear()
         return {row.quantity for row in red(judged(CROWN))}
 
     yield broken
     monkeypatch.undo()
-    analytic.cache_clear()
 
 
 MEAN, SHARE = "mean drop of the crown", "share of z_m in the mean drop"
@@ -146,17 +141,15 @@ def test_a_fault_of_the_formulas_turns_its_rows_red(faulty, module, name, wrappe
 
 
 def test_a_profile_that_is_not_clipped_is_not_straight(monkeypatch):
-    from verify.cases.sprag.crown import claims
-
-    right = claims.crowned
-    monkeypatch.setattr(claims, "crowned", lambda q, n: right(q, n) + 1e-9)
+    right = comparisons.crowned
+    monkeypatch.setattr(comparisons, "crowned", lambda q, n: right(q, n) + 1e-9)
     assert statuses_of("Fig. 11: (1 - K_2) l", context()) == [Status.FAIL]
-    monkeypatch.setattr(claims, "crowned", lambda q, n: right(q, n) * 1.01)
+    monkeypatch.setattr(comparisons, "crowned", lambda q, n: right(q, n) * 1.01)
     assert statuses_of("Fig. 11: (1 - K_2) l", context()) == [Status.FAIL]
 
 
 def statuses_of(start, of):
-    return [row.status for check in CHECKS if check.name.startswith(start)
+    return [row.status for check in CROWN.checks if check.name.startswith(start)
             for row in check.rows(of)]  # fmt: skip
 
 
@@ -195,12 +188,12 @@ def test_other_measurements_turn_what_was_said_of_them_red(start, changed):
 
 
 def test_fig_12_s_order_holds_about_the_static_load_and_not_at_the_first_peak():
-    found, v = context().fem[-1].arrays, analytic(own())
+    found, v = context().fem[-1].arrays, CROWN.analytic(own())
     N = found["swept"]
     for by in ("slices", "strips"):
         holds = N[ordered(found, by)]
         assert holds.min() < v["N"] < holds.max() < v["N_max"]
-    (row,) = (row for check in CHECKS if check.name.startswith("Fig. 12: best")
+    (row,) = (row for check in CROWN.checks if check.name.startswith("Fig. 12: best")
               for row in check.rows(context()))  # fmt: skip
     assert "first peak under 8 to 17 N m" in row.reason  # 2.0 and 4.25 kN over 0.252 kN/(N m)
 
@@ -241,7 +234,7 @@ def test_an_error_of_zero_is_no_scale_and_its_row_tells_of_a_point_fitted(monkey
 
 
 def test_what_the_printed_digits_hide_is_a_few_per_cent_of_all_errors_but_one():
-    rows = [row for check in CHECKS if check.name.startswith("Table 2, row") and "10" not in
+    rows = [row for check in CROWN.checks if check.name.startswith("Table 2, row") and "10" not in
             check.name for row in check.rows(context())]  # fmt: skip
     assert len(rows) == 8
     printed = [1.38, 1.64, 0.45, 0.33, 0.14, 0.3, 0.57, 0.19]  # per cent
@@ -311,13 +304,13 @@ def test_a_quadratic_is_found_again():
 )  # fmt: skip
 def test_the_verdict_says_what_the_crown_is(changes, state):
     q = own(**changes)
-    assert verdict(q, analytic(q)) == state
-    assert CROWN.findings(q, analytic(q))[0].startswith(state)
+    assert verdict(q) == state
+    assert CROWN.findings(q, CROWN.analytic(q))[0].startswith(state)
 
 
 def test_a_crown_for_the_first_peak_suits_it():
-    q = own(K_1=analytic(own())["K_1 suits"])
-    assert verdict(q, analytic(q)) == "suits"
+    q = own(K_1=own().K_1_suits)
+    assert verdict(q) == "suits"
 
 
 @pytest.mark.parametrize(
@@ -326,7 +319,7 @@ def test_a_crown_for_the_first_peak_suits_it():
      ({}, "")],
 )  # fmt: skip
 def test_inputs_that_cannot_be_compared_are_refused_with_a_reason(changes, words):
-    said = too_large(own(**changes))
+    said = CROWN.too_large(own(**changes))
     assert words in said
     assert bool(said) == bool(words)
 

@@ -48,7 +48,7 @@ RULES: Mapping[str, Rule] = {
     "sprag-engagement": Rule("N_max", sprags.engagement),
     "sprag-friction": Rule("mu_b", sprags.stick_slip),
     "sprag-clutch": Rule("stiffness", sprags.clutch),
-    "sprag-crown": Rule("p peak", sprags.crown),
+    "sprag-crown": Rule("p_peak", sprags.crown),
     "sprag-optimum": Rule("static peak", sprags.optimum),
     "sprag-optimum-40": Rule("static peak", sprags.optimum),
     "spring-accordion": Rule("k_wide", springs.free_stage),

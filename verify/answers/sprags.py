@@ -97,13 +97,13 @@ def stick_slip(q: Any, v: Values, part: Assessment) -> None:
 
 def crown(q: Any, v: Values, part: Assessment) -> None:
     """Largest pressure of the first peak along the crowned sprag."""
-    if "p peak" not in v:
+    if "p_peak" not in v:
         part.failures.append("no state within the sprags' profile carries the first peak")
         return
     part.below_input("friction", FRICTION, required_friction(q)[0], "mu_s", q.mu_s, "1")
     if q.z_m == 0:
         part.unknowns.append(NO_CROWN)
-    part.pressure("contact_pressure", "largest pressure in the first peak", v["p peak"], q.E,
+    part.pressure("contact_pressure", "largest pressure in the first peak", v["p_peak"], q.E,
                   given=q.p_lim, option=MISSING)  # fmt: skip
 
 

@@ -1,36 +1,35 @@
-"""What is told of a crown first: which load it suits, and what it makes of the first peak."""
+"""Advice on a crown: which load it suits, and what it makes of the first peak."""
 
+import math
 from collections.abc import Sequence
 from typing import Any
 
 from verify.cases.freewheel.clutch.numbers import newton, pascal
-from verify.cases.sprag.inputs import EngagementInputs
-from verify.core.case import Values
 
 EVEN = 1.05  # of an even load's pressure
 UM = 1e-6
 REACHED = 0.5  # of z_m
 
 
-def verdict(q: EngagementInputs, v: Values) -> str:
-    if "N" not in v:
+def verdict(q: Any) -> str:
+    if not math.isfinite(q.N):
         return "no state"
-    if "N_max" not in v:
+    if not math.isfinite(q.N_max):
         return "rolls over"
     if q.z_m == 0:
         return "no crown"
-    if v["p peak"] <= EVEN * v["p even peak"]:
+    if q.p_peak <= EVEN * q.p_even_peak:
         return "suits"
-    return "too shallow" if v["p end peak"] >= v["p peak"] else "uneven"
+    return "too shallow" if q.p_end_peak >= q.p_peak else "uneven"
 
 
-def findings(q: EngagementInputs, v: Values) -> Sequence[str]:
-    state = verdict(q, v)
+def findings(q: Any) -> Sequence[str]:
+    state = verdict(q)
     if state == "no state":
         return ("no state: no state within the profile bears this torque",)
     if state == "rolls over":
         return ("rolls over: the sprags turn past their profile before the torque's swing ends",)
-    over = v["p peak"] / v["p even peak"]
+    over = q.p_peak / q.p_even_peak
     first = {
         "no crown": "no crown: the ends carry most, and that pressure has no limit",
         "suits": "suits the first peak: its pressure is nearly even",
@@ -38,32 +37,32 @@ def findings(q: EngagementInputs, v: Values) -> Sequence[str]:
         "uneven": "uneven at the first peak: the middle carries most",
     }[state]
     found = [
-        f"{first}; {pascal(v['p peak'])} under {newton(v['N_max'])}, {over:.3g} times that of an "
-        f"even load; at rest {pascal(v['p rest'])} under {newton(v['N'])}"
+        f"{first}; {pascal(q.p_peak)} under {newton(q.N_max)}, {over:.3g} times that of an "
+        f"even load; at rest {pascal(q.p_rest)} under {newton(q.N)}"
     ]
     if q.z_m == 0:
         return found
     found.append(
-        f"the crown is cut for K_1 Q = {newton(v['suits'])}; the first peak asks for K_1 = "
-        f"{v['K_1 suits']:.3g} with this Q"
+        f"the crown is cut for K_1 Q = {newton(q.suits)}; the first peak asks for K_1 = "
+        f"{q.K_1_suits:.3g} with this Q"
     )
     found.append(
-        f"it begins {v['straight'] / 2 * 1e3:.3g} mm from mid-length and drops by "
-        f"{v['end slice'] / UM:.3g} µm at the middle of its end slices, {q.z_m / UM:.3g} µm at the "
-        f"very ends; 1 % more z_m deepens it by {v['share']:.2g} % on average, 1 % more K_1 "
-        f"by {1 - v['share']:.2g} %"
+        f"it begins {q.straight / 2 * 1e3:.3g} mm from mid-length and drops by "
+        f"{q.end_slice / UM:.3g} µm at the middle of its end slices, {q.z_m / UM:.3g} µm at the "
+        f"very ends; 1 % more z_m deepens it by {q.share:.2g} % on average, 1 % more K_1 "
+        f"by {1 - q.share:.2g} %"
     )
     return found
 
 
-def warnings(q: EngagementInputs, v: Values) -> Sequence[str]:
+def warnings(q: Any) -> Sequence[str]:
     found = []
-    if q.z_m > 0 and v["end slice"] < REACHED * q.z_m:
+    if q.z_m > 0 and q.end_slice < REACHED * q.z_m:
         found.append(
             f"z_m = {q.z_m / UM:.3g} µm is reached at the very ends alone: the end slices drop by "
-            f"{v['end slice'] / UM:.3g} µm"
+            f"{q.end_slice / UM:.3g} µm"
         )
-    if v.get("p end peak", 0.0) > 0:
+    if q.p_end_peak > 0:
         found.append(
             "the ends carry at the first peak: the largest pressure grows with the number of "
             "slices where it is theirs"
@@ -71,10 +70,10 @@ def warnings(q: EngagementInputs, v: Values) -> Sequence[str]:
     return found
 
 
-def summary(q: EngagementInputs, v: Values) -> dict[str, Any]:
+def summary(q: Any) -> dict[str, Any]:
     """JSON; `over_even` is the largest pressure over an even load's at the first peak."""
-    known = "p peak" in v
+    known = math.isfinite(q.p_peak)
     return {
-        "verdict": verdict(q, v), "over_even": v["p peak"] / v["p even peak"] if known else None,
-        "K_1": v.get("K_1 suits"),
+        "verdict": verdict(q), "over_even": q.p_peak / q.p_even_peak if known else None,
+        "K_1": q.K_1_suits if known else None,
     }  # fmt: skip

@@ -1,70 +1,55 @@
 """What the crown's three parameters do to a sprag clutch's pressures (Secs. 4.1 and 4.2)."""
 
-from verify.cases.sprag.clutch.advice import refusal as too_large_at_rest
-from verify.cases.sprag.crown.claims import CHECKS
-from verify.cases.sprag.crown.fem import LEVELS, fem
-from verify.cases.sprag.crown.figures import equations, figures, sketch
-from verify.cases.sprag.crown.formulas import analytic
-from verify.cases.sprag.crown.messages import findings, summary, warnings
+import math
+from collections.abc import Iterator, Mapping
+from functools import partial
+from typing import Any, ClassVar
+
+import numpy as np
+
+from analytic.contact.crown import straight_length
+from analytic.contact.sliced import SlicedContact
+from verify.case import Case, Comparison, Drawn, Level, Quantity, Scan, shared
+from verify.cases.sprag.clutch.advice import refusal as refusal_at_rest
+from verify.cases.sprag.clutch.model import mid, normal_force, under
+from verify.cases.sprag.crown import advice, formulas
+from verify.cases.sprag.crown import comparisons as compared
+from verify.cases.sprag.crown.figures import figures, sketch
 from verify.cases.sprag.crown.table2 import table_2
+from verify.cases.sprag.engagement.formulas import at_rest, sprags_inertia, swing
+from verify.cases.sprag.engagement.model import crowned_for, gap, wedge
 from verify.cases.sprag.inputs import EngagementInputs
-from verify.core.case import Case, Context, Output, Scan
-from verify.core.figures import Table
+from verify.cases.sprag.peaks import Crown
+from verify.core.case import Check, Context
+from verify.core.figures import Sketch, Table
 from verify.core.references import BY_STRIPS
+from verify.form.adapter import adapted
 
 
-def too_large(q: EngagementInputs) -> str:
-    if q.z_m == 0:
-        return "without a crown there is nothing to compare; check it without --fem"
-    if "N_max" not in analytic(q):
-        return "the sprags roll over: no peak is left to compare; check it without --fem"
-    return too_large_at_rest(q)
+def _is_crowned(q: "SpragCrown") -> bool:
+    return q.z_m > 0
 
 
-def tables(context: Context) -> tuple[Table, ...]:
-    return (table_2(),) if context.is_paper else ()
+Drop = partial(Quantity, when=_is_crowned)
+ARTANH = r"\ln\left(\frac{1 + \sqrt{c}}{1 - \sqrt{c}}\right)"  # twice that of √c
 
 
-def output(key: str, symbol: str, unit: str, what: str, *, judged: bool = False) -> Output:
-    return Output(key=key, symbol=symbol, unit=unit, what=what, judged=judged)
+class SpragCrown(EngagementInputs, Case):
+    """Which load a crown suits, and its effect on the largest pressure of an engagement.
 
+    What the paper's figures state of its crowns is judged under the forces of compiled engagements,
+    and where it fits another force than theirs, that force is named.
+    """
 
-CROWN = Case(
-    id="sprag-crown",
-    title="What the crown's parameters do",
-    paper="huang2018",
-    place="Eq. 1, Secs. 4.1 and 4.2, Figs. 11-14, Table 2",
-    lead="Which load a crown suits, and what depth, length and drop make of the largest pressure "
-    "of an engagement. What the paper's figures say of its crowns is judged under the forces of "
-    "compiled engagements, and where it fits another force than theirs, that force is named.",
-    inputs=EngagementInputs,
-    analytic=analytic,
-    method=BY_STRIPS, reference=fem,
-    levels=LEVELS,
-    quick=False,
-    scans=(
-        Scan(vary=("T=20N m,25N m,30N m",), star=True),
-    ),
-    checks=CHECKS,
-    outputs=(
-        output("A", "A", "µm", "depth of the logarithm in Eq. 1"),
-        output("straight", "(1−K_2) l", "mm", "straight middle"),
-        output("mean", "z̄", "µm", "mean drop over the length", judged=True),
-        output("share", "e_z", "1", "% more mean drop by 1 % more z_m; K_1 the rest of 1 %",
-               judged=True),
-        output("end slice", "z_end", "µm", "drop at the middle of the end slices"),
-        output("suits", "K_1 Q", "N", "load that a crown of this depth makes even (Lundberg)"),
-        output("N", "N", "N", "normal force at rest with the yields, no springs"),
-        output("p rest", "p", "MPa", "largest pressure at rest, inner race, by slices"),
-        output("p even rest", "p_even", "MPa", "pressure at rest if the load were even"),
-        output("N_max", "N_max", "N", "force of the first peak: two races on a spring"),
-        output("K_1 suits", "N_max/Q", "1", "K_1 that suits the first peak"),
-        output("p peak", "p_max", "MPa", "largest pressure at the first peak, by slices"),
-        output("p mid peak", "p_mid", "MPa", "the same at mid-length", judged=True),
-        output("p end peak", "p_end", "MPa", "pressure of the end slices at the first peak"),
-        output("p even peak", "p_even", "MPa", "pressure at the first peak if the load were even"),
-    ),
-    readings=(
+    id = "sprag-crown"
+    title = "What the crown's parameters do"
+    source = "huang2018"
+    place = "Eq. 1, Secs. 4.1 and 4.2, Figs. 11-14, Table 2"
+    method = BY_STRIPS
+    levels: ClassVar = (41, 81, 161)  # strips along a sprag
+    quick = False
+    scans: ClassVar = (Scan(vary=("T=20N m,25N m,30N m",), star=True),)
+    readings: ClassVar = (
         "Eq. 1 is clipped and symmetric, its A is the factor before the logarithm (ledger: "
         "eq-1-a-undefined, eq-1-clipping)",
         "z_m is in millimetres: no unit is printed",
@@ -74,8 +59,8 @@ CROWN = Case(
         "Fig. 12 is under a force of 2 to 4 kN, such as the static load, not under the first peak "
         "at 25 N m; which crowns it has is not printed: the eight that the paper prints "
         "anywhere are compared (ledger: fig-12-load)",
-    ),
-    assumptions=(
+    )
+    assumptions: ClassVar = (
         "length, width, wedge angle, support and Q are identified, not printed: what rests on "
         "them is calibrated",
         "N_max of Eq. 19's crowns is a quadratic through 27 engagements: it changes by 2 % over "
@@ -83,13 +68,169 @@ CROWN = Case(
         "at one's own clutch z_m of Eq. 19 is scaled by its own 2Q/(π l E')",
         "pressures by slices (Palmgren's law): ends that carry bear less there than on a "
         "half-space",
-    ),
-    findings=findings,
-    summary=summary,
-    warnings=warnings,
-    too_large=too_large,
-    equations=equations,
-    tables=tables,
-    sketch=sketch,
-    figures=figures,
-)  # fmt: skip
+    )
+
+    @Drop("A", "µm", "depth of the logarithm", equation="1", form="corrected",
+          tex=r"\frac{2 K_1 Q (1 - \nu^2)}{\pi l E}")  # fmt: skip
+    def A(self) -> float:
+        return self.K_1 * formulas.unit(self)
+
+    @Drop("l_0", "mm", "straight middle", equation="1", tex="(1 - K_2) l")
+    def straight(self) -> float:
+        return float(straight_length(K_2=self.K_2, length=self.l))
+
+    @Drop("c", "1", "how far the logarithm is followed", role="step", equation="1",
+          tex=r"1 - \exp\left(-\frac{z_m}{A}\right)")  # fmt: skip
+    def c(self) -> float:
+        return float(-np.expm1(-self.z_m / self.A))
+
+    @Drop("z_mean", "µm", "mean drop over the length", source="mean of Eq. 1 over the length",
+          tex=rf"K_2 (z_m + 2 A - A \frac{{{ARTANH}}}{{\sqrt{{c}}}})")  # fmt: skip
+    def mean(self) -> float:
+        return formulas.mean_drop(self.A, self.K_2, self.z_m)
+
+    @Drop("e_z", "1", "% more mean drop by 1 % more z_m; K_1 the rest of 1 %",
+          source="mean of Eq. 1 over the length",
+          tex=rf"\frac{{z_m K_2}}{{z_{{mean}}}} (1 - \frac{{1}}{{c}} + "
+          rf"\frac{{(1 - c) {ARTANH}}}{{2 c \sqrt{{c}}}})")  # fmt: skip
+    def share(self) -> float:
+        return formulas.z_m_share(self.A, self.z_m)
+
+    @Drop("t", "1", "place of the end slices on the crown", role="step", equation="1")
+    def end_place(self) -> float:
+        return max(0.0, 1 - 1 / (self.slices * self.K_2))
+
+    @Drop("z_end", "µm", "drop at the middle of the end slices", equation="1", form="corrected",
+          tex=r"-A \ln\left(1 - c t^2\right)")  # fmt: skip
+    def end_slice(self) -> float:
+        return float(gap(self)[0])
+
+    @Drop("Q_even", "N", "load that a crown of this depth makes even", source="Lundberg",
+          tex="K_1 Q")  # fmt: skip
+    def suits(self) -> float:
+        return self.K_1 * crowned_for(self)
+
+    @Quantity("N", "N", "normal force at rest with the deflections, no springs", safe="too high")
+    def N(self) -> float:
+        return normal_force(under(self))
+
+    @Quantity("N_max", "N", "force of the first peak: two races on a spring", safe="too high")
+    def N_max(self) -> float:
+        if under(self) is None or (swung := swing(self)).over:
+            return math.nan
+        return float(swung.peak[1])
+
+    @Quantity("N_max/Q", "1", "K_1 that suits the first peak", source="Lundberg",
+              tex=r"\frac{N_{max}}{Q}")  # fmt: skip
+    def K_1_suits(self) -> float:
+        return self.N_max / crowned_for(self)
+
+    @shared
+    def _rest(self) -> SlicedContact | None:
+        """The inner contact at rest."""
+        return formulas.pressed(self, self.N) if math.isfinite(self.N) else None
+
+    @shared
+    def _peak(self) -> SlicedContact | None:
+        """The inner contact at the first peak."""
+        return formulas.pressed(self, self.N_max) if math.isfinite(self.N_max) else None
+
+    @Quantity("p", "MPa", "largest pressure at rest, inner race, by slices", safe="too high")
+    def p_rest(self) -> float:
+        return _largest(self._rest)
+
+    @Quantity("p_max", "MPa", "largest pressure at the first peak, by slices", safe="too high")
+    def p_peak(self) -> float:
+        return _largest(self._peak)
+
+    @Quantity("p_mid", "MPa", "the same at mid-length", safe="too high")
+    def p_mid_peak(self) -> float:
+        return mid(self._peak) if self._peak else math.nan
+
+    @Quantity("p_end", "MPa", "pressure of the end slices at the first peak", safe="too high")
+    def p_end_peak(self) -> float:
+        return float(self._peak.peak_pressure[0]) if self._peak else math.nan
+
+    @Quantity("R", "mm", "relative radius of the inner contact at rest", role="step")
+    def R_rest(self) -> float:
+        return formulas.radius(self, self.N) if math.isfinite(self.N) else math.nan
+
+    @Quantity("R_max", "mm", "the same at the first peak", role="step")
+    def R_peak(self) -> float:
+        return formulas.radius(self, self.N_max) if math.isfinite(self.N_max) else math.nan
+
+    @Quantity("p_e", "MPa", "pressure at rest if the load were even", source="Hertz",
+              tex=r"\sqrt{\frac{N E}{2 (1 - \nu^2) \pi l R}}")  # fmt: skip
+    def p_even_rest(self) -> float:
+        return formulas.even(self, self.N) if math.isfinite(self.N) else math.nan
+
+    @Quantity("p_even", "MPa", "pressure at the first peak if the load were even", source="Hertz",
+              tex=r"\sqrt{\frac{N_{max} E}{2 (1 - \nu^2) \pi l R_{max}}}")  # fmt: skip
+    def p_even_peak(self) -> float:
+        return formulas.even(self, self.N_max) if math.isfinite(self.N_max) else math.nan
+
+    def peak_of(self, crown: Crown) -> float:
+        """Largest pressure [Pa] of another crown under the force of this one's first peak."""
+        return _largest(formulas.pressed(self, self.N_max, crown))
+
+    @property
+    def unequal(self) -> float:
+        """By how much the outer contact's force exceeds the inner's at the first peak."""
+        states = wedge(self).states
+        return float(np.interp(self.N_max, states.N[1:], states.N_e[1:] / states.N[1:])) - 1
+
+    @property
+    def inertia(self) -> float:
+        """Inertia of the sprags over that of the inner race."""
+        w = wedge(self)
+        return float(sprags_inertia(w, at_rest(w, self.T)) / self.I_bi)
+
+    def reference(self, level: int) -> Level:
+        """Drawn profiles, strips under the forces of compiled engagements."""
+        from verify.cases.sprag.crown.reference import solve
+
+        return solve(self, level)
+
+    def comparisons(self) -> Iterator[Comparison | Check]:
+        """By the drawn profile, by strips, and what the paper states."""
+        return compared.stated(self, SpragCrown)
+
+    def figures(self) -> Iterator[Drawn]:
+        """Profiles, pressures over force and torque, slices."""
+        yield Drawn(figures)
+
+    def tables(self, context: Context) -> Iterator[Table]:
+        """Table 2, recomputed."""
+        if context.is_paper:
+            yield table_2()
+
+    def sketch(self) -> Sketch | None:
+        """The sprag's outline along its axis."""
+        return sketch(self)
+
+    def warnings(self) -> Iterator[str]:
+        """Where the ends carry or the drop is hardly reached."""
+        yield from advice.warnings(self)
+
+    def advice(self) -> Iterator[str]:
+        """Which load the crown suits."""
+        yield from advice.findings(self)
+
+    def summary(self) -> Mapping[str, Any]:
+        """Verdict and the largest pressure over an even load's."""
+        return advice.summary(self)
+
+    def refusal(self) -> str:
+        """No crown, no peak, or what the clutch at rest cannot be solved for."""
+        if self.z_m == 0:
+            return "without a crown there is nothing to compare; check it without --fem"
+        if not math.isfinite(self.N_max):
+            return "the sprags roll over: no peak is left to compare; check it without --fem"
+        return refusal_at_rest(self)
+
+
+def _largest(contact: SlicedContact | None) -> float:
+    return math.nan if contact is None else float(contact.peak_pressure.max())
+
+
+CROWN = adapted(SpragCrown)

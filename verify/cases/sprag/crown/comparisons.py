@@ -1,11 +1,12 @@
-"""The claims about a crown: its profile, its pressures, and what the figures of crowns say."""
+"""What is compared of a crown: its profile, its pressures, and what the figures of crowns state."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
 
+from verify.case import Comparison, State, identity
 from verify.cases.contact.roller.accepted import Estimated
 from verify.cases.sprag.clutch.drawn_fem import crowned
 from verify.cases.sprag.crown.formulas import DEEP, factorial, label, unit, z_m_share
@@ -33,27 +34,29 @@ from verify.cases.sprag.statements import (
     Noted,
     OfPaper,
 )
-from verify.core.case import Context
+from verify.core.case import Check, Context
 from verify.core.figures import Array
 from verify.core.results import Row
-from verify.judging.checks import Accepted, Fact, Identity
+from verify.form.comparisons import key_of
+from verify.judging.checks import Accepted, Fact
 
 DRAWN = "drawn profile"
 BOTH = "strips, at the force of compiled engagements"
 UNEQUAL = "N_e = N_i in Eqs. 14-16 and sprags without mass, half of what they do to N"
+HERTZ = "line contacts, radius of the inner contact"
 MEAN_OF = 4000  # places of a profile
 EQUAL = 1e-9
 MOST = 0.5  # of a per cent: from here on z_m would do more than K_1
 
 
-def near(q: Any, v: Mapping[str, float]) -> tuple[float, float] | None:
+def near(q: Any, _values: Any) -> tuple[float, float] | None:
     """Slices over strips, and two races on a spring over the compiled sprags, by p ~ √N.
 
     None at one's own numbers, for which no acceptance figure was given.
     """
-    if q != EngagementInputs():
+    if not q.is_default:
         return None
-    low, high = (-v["unequal"] - v["inertia"]) / 2, v["inertia"] / 2
+    low, high = (-q.unequal - q.inertia) / 2, q.inertia / 2
     return low - SLICED - STRIPS, high + SLICED + STRIPS
 
 
@@ -108,9 +111,9 @@ def inner_above(context: Context) -> tuple[float, float]:
 
 def in_the_box(context: Context) -> tuple[float, float, str]:
     """How much lower than the clutch's own crown the lowest of Eq. 19's factorial is."""
-    v, found = context.analytic, context.fem[-1].arrays
+    q, found = context.inputs, context.fem[-1].arrays
     k = int(found["box p"].argmin())
-    p, own = float(found["box p"][k]), v["p peak"]
+    p, own = float(found["box p"][k]), q.p_peak
     off = float(np.abs(found["by contacts"] / found["engaged p"] - 1).max())
     words = (
         f"{label(tuple(found['box'][k]))} bears {p / 1e6:.0f} MPa, {p / own - 1:+.1%} against "
@@ -120,22 +123,37 @@ def in_the_box(context: Context) -> tuple[float, float, str]:
     return 1 - p / own, off + 0.01, words
 
 
-CHECKS = (
-    Identity(name="mean drop of the crown", symbol="z̄", unit="µm", analytic="mean", fem="mean",
-             formal=1, by=DRAWN),
-    Identity(name="share of z_m in the mean drop", symbol="e_z", unit="1", analytic="share",
-             fem="share", formal=1, by=DRAWN),
-    Estimated(name="pressure at mid-length under the largest force", symbol="p_mid", unit="MPa",
-              analytic="p mid peak", fem="p mid peak", by=BOTH, interval=near, demand=WIDER,
-              source=f"{PLACE}; {UNEQUAL}", demand_reason="acceptance figure of slices"),
-    *(
-        OfPaperEstimated(
-            name=f"largest pressure of {label(crown)} under that force", symbol="p_max",
-            unit="MPa", analytic=f"{label(crown)} p", fem=f"{label(crown)} p", by=BY_STRIPS,
-            interval=near, source=f"{PLACE}; {UNEQUAL}", demand=WIDER,
-            demand_reason="acceptance figure of slices")
-        for crown in DEEP
-    ),
+def stated(crown: Any, c: Any) -> Iterator[Comparison | Check]:
+    """Profile by drawing, pressures by strips, the paper's figures and its Table 2.
+
+    `c` declares the quantities.
+    """
+    drawn: dict[str, Any] = {"order": 1, "by": DRAWN}
+    yield identity(c.mean, name="mean drop of the crown", symbol="z̄", **drawn)
+    yield identity(c.share, name="share of z_m in the mean drop", **drawn)
+    estimate: dict[str, Any] = {
+        "unit": "MPa", "interval": near, "source": f"{PLACE}; {UNEQUAL}", "demand": WIDER,
+        "demand_reason": "acceptance figure of slices",
+    }  # fmt: skip
+    check = Estimated(name="pressure at mid-length under the largest force", symbol="p_mid",
+                      analytic="p_mid_peak", fem="p_mid_peak", by=BOTH, **estimate)  # fmt: skip
+    yield Comparison(check=check, quantity=c.p_mid_peak, shares=HERTZ)
+    for k, other in enumerate(DEEP):
+        state = State(None, f"deep_{k}", f"of {label(other)}")
+        key = key_of(c.p_peak, state)
+        largest = OfPaperEstimated(
+            name=f"largest pressure of {label(other)} under that force", symbol="p_max",
+            analytic=key, fem=key, by=BY_STRIPS, **estimate,
+        )  # fmt: skip
+        numbers = {key: crown.peak_of(other)} if crown.is_default else {}
+        yield Comparison(check=largest, quantity=c.p_peak, state=state, numbers=numbers,
+                         shares=HERTZ)  # fmt: skip
+    yield from OF_FIGURES
+    yield Comparison(check=LOWER, quantity=c.p_peak)
+    yield from TABLE_2
+
+
+OF_FIGURES: tuple[Check, ...] = (
     Fact(name="Fig. 11: (1 - K_2) l stay straight, z_m is the deepest, all three deepen",
          symbol="z", unit="1", margin=straight_and_ends, fem_needed=False),
     Noted(name="Fig. 11: K_1, not z_m, sets the mean drop", symbol="e_z", unit="1",
@@ -170,7 +188,8 @@ CHECKS = (
             margin=grows_with_torque, fitted=FITTED),
     OfPaper(name="Eq. 21's crown: p_max by 21 to 161 slices within 0.5 %", symbol="p_max", unit="1",
             margin=hardly_by_slices, fitted=FITTED),
-    Accepted(name="the lowest of Eq. 19's factorial is below this crown's p_max", symbol="p_max",
-             unit="1", margin=in_the_box, fitted=FITTED),
-    *TABLE_2,
+)  # fmt: skip
+LOWER = Accepted(
+    name="the lowest of Eq. 19's factorial is below this crown's p_max", symbol="p_max", unit="1",
+    margin=in_the_box, fitted=FITTED,
 )  # fmt: skip

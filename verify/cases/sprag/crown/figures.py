@@ -1,5 +1,6 @@
-"""What the report shows of crowns: profiles, pressures over force and torque, slices."""
+"""Figures of crowns: profiles, pressures over force and torque, slices."""
 
+import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -10,48 +11,14 @@ from verify.cases.sprag.crown.formulas import even, label, pressed, unit, z_m_sh
 from verify.cases.sprag.crown.measured_figures import AT, number, window
 from verify.cases.sprag.crown.paper_fem import EQ_21, FIG_12, FIG_14
 from verify.cases.sprag.crown.slices import by_number
-from verify.cases.sprag.engagement.model import gap
+from verify.cases.sprag.engagement.model import crowned_for, gap
 from verify.cases.sprag.inputs import EngagementInputs
-from verify.core.case import Context, Values
-from verify.core.figures import Array, Curve, Curves, Dots, Equation, Figure, Shape, Sketch
-from verify.core.tex import tex
+from verify.core.case import Context
+from verify.core.figures import Array, Curve, Curves, Dots, Figure, Shape, Sketch
 
 MPa, mm, um, kN = 1e6, 1e-3, 1e-6, 1e3
 EQ_22 = (2.80, 0.7, 11.8e-6)
 DEEPER = 0.3  # of the length that the sketch's crown drops by
-
-
-def equations(_q: EngagementInputs, v: Values) -> Sequence[Equation]:
-    if "A" not in v:
-        return ()
-    found = [
-        Equation(
-            tex=r"z(y) = -A\ln\left\{1 - \left(1 - e^{-z_m/A}\right) t^2\right\}, \quad "
-            r"A = \frac{2K_1Q}{\pi l E'}, \quad "
-            r"t = \max\left(0, \frac{|y| - l/2}{K_2 l/2} + 1\right)",
-            numbers=rf"A = {tex(v['A'] / um, 4)}\ \mathrm{{µm}}, \quad (1 - K_2)\,l = "
-            rf"{tex(v['straight'] / mm, 4)}\ \mathrm{{mm}}", place="Eq. 1, corrected",
-        ),
-        Equation(
-            tex=r"\bar z = K_2\left[z_m + 2A - 2A\,\frac{\operatorname{artanh}\sqrt c}{\sqrt c}"
-            r"\right], \quad c = 1 - e^{-z_m/A}",
-            numbers=rf"\bar z = {tex(v['mean'] / um, 4)}\ \mathrm{{µm}}, \quad "
-            rf"\frac{{z_m}}{{\bar z}}\frac{{\partial\bar z}}{{\partial z_m}} = "
-            rf"{tex(v['share'], 3)}",
-            place="mean of Eq. 1 over the length",
-        ),
-    ]  # fmt: skip
-    if "N_max" in v:
-        found.append(
-            Equation(
-                tex=r"p_{even} = \sqrt{\frac{N_{max} E'}{2\pi l R}}, \quad "
-                r"K_1 = \frac{N_{max}}{Q}",
-                numbers=rf"p_{{even}} = {tex(v['p even peak'] / MPa, 4)}\ \mathrm{{MPa}}, \quad "
-                rf"K_1 = {tex(v['K_1 suits'], 3)}",
-                place="Hertz's pressure of an even load, and the crown that Lundberg makes it with",
-            )
-        )  # fmt: skip
-    return found
 
 
 def sketch(q: EngagementInputs) -> Sketch | None:
@@ -79,9 +46,9 @@ def sketch(q: EngagementInputs) -> Sketch | None:
 
 
 def figures(context: Context) -> Sequence[Figure]:
-    q, v = context.inputs, context.analytic
+    q = context.inputs
     found: list[Figure] = [shares(q)] if q.z_m else []
-    if "N" in v:
+    if math.isfinite(q.N):
         found.append(along(context))
     if not context.fem:
         return found
@@ -118,29 +85,27 @@ def shares(q: EngagementInputs) -> Curves:
 
 def along(context: Context) -> Curves:
     """p(y) at rest and at the first peak."""
-    q, v = context.inputs, context.analytic
+    q = context.inputs
+    both = (q.N, q.p_even_rest, "at rest"), (q.N_max, q.p_even_peak, "at the first peak")
+    states = [state for state in both if math.isfinite(state[0])]
     y = places(q, q.slices) / mm
     curves = [
-        Curve(name=words, x=y, y=pressed(q, v[key]).peak_pressure / MPa, colour=2 * k)
-        for k, (key, words) in enumerate((("N", "at rest"), ("N_max", "at the first peak")))
-        if key in v
+        Curve(name=words, x=y, y=pressed(q, N).peak_pressure / MPa, colour=2 * k)
+        for k, (N, _, words) in enumerate(states)
     ]
     if context.fem:
         p = context.fem[-1].arrays["strips"]
         curves.append(Curve(name="at the first peak, strips", x=places(q, p.size) / mm,
                             y=p / MPa, style="dashes", colour=2))  # fmt: skip
     curves += [
-        Curve(name=f"if even, {words}", x=y[[0, -1]], y=np.full(2, v[key] / MPa),
-              style="dashes", colour=2 * k + 1)
-        for k, (key, words) in enumerate(
-            (("p even rest", "at rest"), ("p even peak", "at the first peak"))
-        )
-        if key in v
+        Curve(name=f"if even, {words}", x=y[[0, -1]], y=np.full(2, p / MPa), style="dashes",
+              colour=2 * k + 1)
+        for k, (_, p, words) in enumerate(states)
     ]  # fmt: skip
     return Curves(
         title="Pressure along the sprag, inner race", x_label="y [mm]", y_label="p [MPa]",
         curves=tuple(curves), y_bottom=0.0,
-        y_top=1.5 * v.get("p even peak", v["p even rest"]) / MPa,
+        y_top=1.5 * states[-1][1] / MPa,
         note=f"(K_1, K_2, z_m) = {label((q.K_1, q.K_2, q.z_m))}. Ends that carry have no highest "
         "pressure: it grows with the number of parts.",
     )  # fmt: skip
@@ -158,8 +123,8 @@ def by_force(context: Context) -> Curves:
         for by, style in (("slices", "line"), ("strips", "dashes"))
     ]  # fmt: skip
     highest = max(float(np.max(curve.y)) for curve in curves)
-    marks = (("upright: static load, 25 N m", context.analytic["N"]),
-             ("upright: first peak, 25 N m", context.analytic["N_max"]))  # fmt: skip
+    marks = (("upright: static load, 25 N m", q.N),
+             ("upright: first peak, 25 N m", q.N_max))  # fmt: skip
     curves += [
         Curve(name=name, x=np.full(2, at / kN), y=np.array([1.0, highest]), style="dashes",
               colour=4 + k)
@@ -212,7 +177,7 @@ def above(found: Mapping[str, Array]) -> Curves:
 
 def suits(context: Context) -> Curves:
     """K_1 of the lowest crown over the torque, beside N_max/Q and what is printed."""
-    found, Q = context.fem[-1].arrays, context.analytic["Q"]
+    found, Q = context.fem[-1].arrays, crowned_for(context.inputs)
     T = found["band T"]
     return Curves(
         title="K_1 of the lowest crown", x_label="T [N m]", y_label="K_1", y_bottom=0.0,

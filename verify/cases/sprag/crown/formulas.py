@@ -1,18 +1,14 @@
 """What the crown's three parameters make of its profile, and of the pressure under a force."""
 
-from collections.abc import Mapping
-from functools import lru_cache
 from itertools import product
 
 import numpy as np
 
 from analytic.contact import slices
-from analytic.contact.crown import straight_length
 from analytic.contact.sliced import SlicedContact
 from analytic.sprag.closure import wedged
-from verify.cases.sprag.clutch.model import built, mid, under
-from verify.cases.sprag.engagement.formulas import at_rest, sprags_inertia, swing
-from verify.cases.sprag.engagement.model import crowned_for, gap, parts, wedge
+from verify.cases.sprag.clutch.model import built
+from verify.cases.sprag.engagement.model import crowned_for, gap, parts
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.cases.sprag.peaks import Crown, with_crown
 from verify.core.figures import Array
@@ -98,41 +94,3 @@ def pressed(q: EngagementInputs, N: float, crown: Crown | None = None) -> Sliced
 def even(q: EngagementInputs, N: float) -> float:
     """Hertz's pressure [Pa] of N [N] spread evenly over the length."""
     return float(np.sqrt(N * float(parts(q).E_star) / (np.pi * q.l * radius(q, N))))
-
-
-@lru_cache(maxsize=16)
-def analytic(q: EngagementInputs) -> Mapping[str, float]:
-    """SI values; what the clutch does not have is left out."""
-    found = {"Q": crowned_for(q)}
-    if q.z_m > 0:
-        A = q.K_1 * unit(q)
-        found |= {
-            "A": A, "straight": float(straight_length(K_2=q.K_2, length=q.l)),
-            "mean": mean_drop(A, q.K_2, q.z_m), "share": z_m_share(A, q.z_m),
-            "suits": q.K_1 * found["Q"], "end slice": float(gap(q)[0]),
-        }  # fmt: skip
-    now = under(q)
-    if now is None:
-        return found
-    N = float(now.N)
-    found |= {"N": N} | _pressures(q, N, "rest")
-    swung, w = swing(q), wedge(q)
-    if swung.over:
-        return found
-    N_max = swung.peak[1]
-    unequal = float(np.interp(N_max, w.states.N[1:], w.states.N_e[1:] / w.states.N[1:])) - 1
-    found |= {"N_max": N_max, "K_1 suits": N_max / found["Q"], "unequal": unequal,
-              "inertia": sprags_inertia(w, at_rest(w, q.T)) / q.I_bi}  # fmt: skip
-    found |= _pressures(q, N_max, "peak")
-    if q == EngagementInputs():
-        found |= {f"{label(c)} p": float(pressed(q, N_max, c).peak_pressure.max()) for c in DEEP}
-    return found
-
-
-def _pressures(q: EngagementInputs, N: float, when: str) -> dict[str, float]:
-    contact = pressed(q, N)
-    p = contact.peak_pressure
-    return {
-        f"p {when}": float(p.max()), f"p mid {when}": mid(contact), f"p end {when}": float(p[0]),
-        f"p even {when}": even(q, N),
-    }  # fmt: skip

@@ -7,6 +7,7 @@ import numpy as np
 from verify.cases.contact.roller.inputs import DESIGNS
 from verify.cases.sprag.crown.formulas import label
 from verify.cases.sprag.crown.paper_fem import FIG_12, FIG_14
+from verify.cases.sprag.engagement.model import crowned_for
 from verify.core.case import Context
 from verify.core.figures import Array
 from verify.judging.checks import Margin
@@ -51,7 +52,7 @@ def highest_and_lowest(context: Context) -> tuple[float, float, str]:
 
     By slices and by strips.
     """
-    found, N = arrays(context), context.analytic["N"]
+    found, N = arrays(context), context.inputs.N
     best, worst = map(number, FIG_12)
     margins = []
     for by in ("slices", "strips"):
@@ -135,7 +136,7 @@ def lowest_at_10(context: Context) -> tuple[float, float, str]:
 def not_lowest_at_30(context: Context) -> tuple[float, float, str]:
     """How far above the lowest crown at 30 N m; and printed is a K_1 between them at 25 and 40."""
     above, words = above_lowest(context, 1)
-    N = arrays(context)["many N"][:, AT[30]].mean() / context.analytic["Q"]
+    N = arrays(context)["many N"][:, AT[30]].mean() / crowned_for(context.inputs)
     return above, STEP, f"{words}; N_max/Q = {N:.2f}"
 
 
@@ -148,7 +149,7 @@ def lowest(context: Context) -> Array:
 def grows_with_torque(context: Context) -> tuple[float, float, str]:
     """K_1 of the lowest crown never falls and is larger by some levels at the largest torque."""
     found, best = arrays(context), lowest(context)
-    ratio = found["many N"].mean(axis=0) / context.analytic["Q"]
+    ratio = found["many N"].mean(axis=0) / crowned_for(context.inputs)
     words = "; ".join(
         f"{T:g} N m: K_1 = {c[0]:g}, z_m = {c[2] * 1e6:g} µm, N_max/Q = {r:.2f}"
         for T, c, r in zip(found["torques"], best, ratio, strict=True)

@@ -1,45 +1,44 @@
 """What stands beside the formulas of a crown: drawn profiles, strips, compiled engagements."""
 
+from typing import Any
+
 import numpy as np
 
+from verify.case import Level, solved
 from verify.cases.sprag.clutch.drawn_fem import crowned
 from verify.cases.sprag.clutch.reference import by_strips
 from verify.cases.sprag.clutch.run_fem import run_fem
 from verify.cases.sprag.crown.box_fem import FEW, SHARES, box_fem
-from verify.cases.sprag.crown.formulas import DEEP, factorial, label
+from verify.cases.sprag.crown.formulas import DEEP, factorial
 from verify.cases.sprag.crown.paper_fem import paper_fem
-from verify.cases.sprag.inputs import EngagementInputs
 from verify.cases.sprag.peaks import peaks_fem, with_crown
-from verify.core.case import FemResult
 
-LEVELS = (41, 81, 161)  # strips along a sprag
 POINTS = 1200  # of a drawn profile for each strip
 STEP = 1e-3  # of z_m, for its share
 ROUNDED = {"mean": 1e-12, "share": 1e-9}  # of themselves, by so many terms and that step
 
 
-def fem(q: EngagementInputs, level: int) -> FemResult:
+def solve(q: Any, level: int) -> Level:
+    """One level: so many strips, a profile drawn at 1200 points for each."""
     run = run_fem(q)
     N = run.engagement.N_max
     own = by_strips(q, level, N, 0)
-    values = {"N_max": N, "p mid peak": float(own.mid)} | drawn_fem(q, POINTS * level)
+    values = {"N_max": N, "p_mid_peak": float(own.mid)} | drawn(q, POINTS * level)
     arrays = {"strips": own.pressure}
-    paper = q == EngagementInputs()
-    if paper:
-        for crown in DEEP:
+    if q.is_default:
+        for k, crown in enumerate(DEEP):
             found = by_strips(with_crown(q, crown), level, N, 0)
-            values[f"{label(crown)} p"] = float(found.peak)
-    if level == LEVELS[-1]:
-        shares = SHARES if paper else (1.0,)
+            values[f"p_peak_deep_{k}"] = float(found.peak)
+    if level == q.levels[-1]:
+        shares = SHARES if q.is_default else (1.0,)
         few = peaks_fem(q, factorial(q, FEW), q.T * np.array(shares))
         arrays |= box_fem(q, few.of(shares.index(1.0)))
-        if paper:
+        if q.is_default:
             arrays |= paper_fem(q, few)
-    u_it = {key: share * values[key] for key, share in ROUNDED.items()}
-    return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays)
+    return solved(1 / level, iteration=ROUNDED, **values, **arrays)
 
 
-def drawn_fem(q: EngagementInputs, n: int) -> dict[str, float]:
+def drawn(q: Any, n: int) -> dict[str, float]:
     """Mean of the drop [m] at n places of the sprag, and by how many per cent one of z_m adds."""
 
     def mean(step: float) -> float:
