@@ -91,11 +91,14 @@ def _over(match: re.Match[str]) -> str:
 
 
 def evaluate(tex: str, values: Mapping[str, float]) -> float | None:
-    """What the equation gives for SI `values` by symbol; None where it is more than arithmetic."""
+    """What the equation gives for SI `values` by symbol.
+
+    None where it is more than arithmetic, or has no value there: a root of a negative number.
+    """
     text = plain(put_in(tex, {name: f"({value!r})" for name, value in values.items()}))
     known = {name: getattr(math, code) for code, name in FUNCTIONS.items()}
     try:
         code = text.replace("·", "*").replace("^", "**")
         return float(eval(code, {"__builtins__": {}}, known | EXTREMES | {"π": math.pi}))  # noqa: S307 - the case's own TeX
-    except (SyntaxError, NameError, TypeError, AttributeError):
+    except (SyntaxError, NameError, TypeError, AttributeError, ValueError, ArithmeticError):
         return None
