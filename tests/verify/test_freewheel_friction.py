@@ -6,16 +6,16 @@ from functools import cache
 
 import numpy as np
 import pytest
-from verify.cases.freewheel.torque.fem import ratio
 
 from analytic.freewheel import criterion
 from analytic.freewheel.geometry import Cam
 from fem.contact import interface
-from verify.cases.freewheel.friction import fem, formulas, model
-from verify.cases.freewheel.friction.case import FRICTION, analytic, too_large
-from verify.cases.freewheel.friction.formulas import slipped
-from verify.cases.freewheel.pulled import Pulled
+from verify.cases.freewheel import pulled_sector as model
+from verify.cases.freewheel.friction import reference as fem
+from verify.cases.freewheel.friction.case import FRICTION, FreewheelFriction
+from verify.cases.freewheel.reference import ratio
 from verify.cases.freewheel.slip_limit import Limit
+from verify.cases.freewheel.star import Star
 from verify.cases.freewheel.sweep import Sweep
 from verify.core.results import Status
 from verify.jobs.level import Job, judge_case, solve_level
@@ -33,7 +33,7 @@ def names(rows):
 
 def solve_anew():
     model.wedged.cache_clear()
-    q = Pulled()
+    q = FreewheelFriction()
     return judge_case(Job(COARSE, q), [solve_level(COARSE, q, level, None) for level in LEVELS])
 
 
@@ -59,23 +59,23 @@ def broken(monkeypatch):
 
 @pytest.fixture(scope="module")
 def start():
-    return model.at_torque(Pulled(), 4)
+    return model.at_torque(FreewheelFriction(), 4)
 
 
 def driven(start, mu=0.08):
-    there = model.sector(Pulled(), start, 4, mu, driven=True)
+    there = model.sector(FreewheelFriction(), start, 4, mu, driven=True)
     return there, there.rest(start.drags)
 
 
 # States of the clutch.
 def test_a_clutch_whose_friction_is_too_low_slips_and_does_not_fail(start):
-    limit = Limit(Pulled(), start, start.drags)
+    limit = Limit(FreewheelFriction(), start, start.drags)
     assert limit.slipping(0.9 * limit.tan).tolist() == [1.0, 1.0]
     assert limit.slipping(2.0 * limit.tan).max() < 0.5
 
 
 def test_friction_and_the_sweep_over_the_torque_read_the_same_forces(start):
-    q = Pulled()
+    q = FreewheelFriction()
     rest, _ = fem.under_load(q, start, 4)
     sweep, T, borne = Sweep(q, 4), rest.torque * q.L, model.Borne.by(rest)
     shares = [ratio(sweep, T, where) for where in ("", " race")]
@@ -85,7 +85,7 @@ def test_friction_and_the_sweep_over_the_torque_read_the_same_forces(start):
 
 
 def test_a_pull_within_the_cone_leaves_torque_and_normal_force(start):
-    q = Pulled()
+    q = FreewheelFriction()
     there = model.sector(q, start, 4, 0.2, driven=False)
     rest = there.rest(start.drags)
     before, after = model.Borne.by(rest), model.Borne.by(model.pulled(q, there, rest))
@@ -96,10 +96,10 @@ def test_a_pull_within_the_cone_leaves_torque_and_normal_force(start):
 
 
 def test_a_pull_beyond_the_cone_finds_no_rest(start):
-    q = Pulled()
+    q = FreewheelFriction()
     there = model.sector(q, start, 4, q.mu, driven=False)
     rest = there.rest(start.drags)
-    force = {"ring.rim": 1.05 * analytic(q)["F_lim"] / (q.z * q.L)}
+    force = {"ring.rim": 1.05 * FRICTION.analytic(q)["F_lim"] / (q.z * q.L)}
     with pytest.raises(ArithmeticError):
         there.at(rest.drags, after=rest.solution, axial_forces=force)
 
@@ -118,7 +118,7 @@ def test_a_ring_held_about_the_axis_lets_rollers_out_where_one_driven_on_keeps_t
 
 
 def test_slip_of_a_held_ring_costs_approach_as_coulombs_law_has_it(start):
-    q = Pulled()
+    q = FreewheelFriction()
     there, rest = driven(start)
     first = there.at(rest.drags, after=rest.solution, axial_displacements={"ring.rim": 5e-6})
     second = there.at(rest.drags, after=first.solution, axial_displacements={"ring.rim": 8e-6})
@@ -128,10 +128,10 @@ def test_slip_of_a_held_ring_costs_approach_as_coulombs_law_has_it(start):
 
 
 def test_the_torque_that_is_left_falls_to_nothing_over_the_axial_slip():
-    slip, torque = slipped(Pulled())
+    slip, torque = FreewheelFriction().slipped()
     assert (slip[-1], torque[-1], torque[0]) == (0.0, 1.0, 0.0)
     assert np.all(np.diff(slip) < 0)
-    assert analytic(Pulled())["u_out"] == pytest.approx(slip[0])
+    assert FRICTION.analytic(FreewheelFriction())["u_out"] == pytest.approx(slip[0])
 
 
 def test_no_limit_is_found_in_a_bracket_on_one_side_of_it():
@@ -141,14 +141,14 @@ def test_no_limit_is_found_in_a_bracket_on_one_side_of_it():
 
 # Inputs.
 def test_a_torque_that_lets_rollers_out_is_said_to_and_not_solved():
-    q = Pulled(X=14e-3 * math.cos(2 * STEEP) - 2.5e-3)
-    v = analytic(q)
+    q = FreewheelFriction(X=14e-3 * math.cos(2 * STEEP) - 2.5e-3)
+    v = FRICTION.analytic(q)
     assert "F_lim" not in v
     assert "the torque alone lets the rollers out" in " ".join(FRICTION.warnings(q, v))
-    assert "check it without --fem" in too_large(q)
+    assert "check it without --fem" in FRICTION.too_large(q)
     assert FRICTION.equations(q, v)
     assert FRICTION.sketch(q)
-    assert not too_large(Pulled())
+    assert not FRICTION.too_large(FreewheelFriction())
 
 
 @pytest.mark.parametrize(
@@ -160,9 +160,9 @@ def test_a_torque_that_lets_rollers_out_is_said_to_and_not_solved():
     ],
 )
 def test_inputs_that_slip_or_tilt_are_warned_of(change, word):
-    q = Pulled(**change)
-    assert word in " ".join(FRICTION.warnings(q, analytic(q)))
-    assert not FRICTION.warnings(Pulled(), analytic(Pulled()))
+    q = FreewheelFriction(**change)
+    assert word in " ".join(FRICTION.warnings(q, FRICTION.analytic(q)))
+    assert not FRICTION.warnings(FreewheelFriction(), FRICTION.analytic(FreewheelFriction()))
 
 
 @pytest.mark.parametrize(
@@ -175,12 +175,12 @@ def test_inputs_that_slip_or_tilt_are_warned_of(change, word):
 )
 def test_what_is_no_loaded_clutch_is_refused(change, words):
     with pytest.raises(ValueError, match=words):
-        Pulled(**change)
+        FreewheelFriction(**change)
 
 
 def test_more_torque_than_hertz_knows_is_refused_in_a_line():
     with pytest.raises(ValueError, match="wider than half the rollers"):
-        analytic(Pulled(T=1e6))
+        FRICTION.analytic(FreewheelFriction(T=1e6))
 
 
 # Judging.
@@ -241,7 +241,7 @@ READINGS = [
                  FORCE, id="T = z X F_t, Eq. 3 as printed"),
     pytest.param(Cam, "torque_on_race", lambda _: lambda self, *, F_t: self.race * F_t, FORCE,
                  id="T of one roller"),
-    pytest.param(formulas, "state_under", lambda right: lambda q, T: right(
+    pytest.param(Star, "under", lambda right: lambda q, T: right(
         q, T / 2), ALONE, id="angle of half the torque"),
 ]  # fmt: skip
 

@@ -6,14 +6,11 @@ from functools import cache
 
 import numpy as np
 import pytest
-from verify.cases.freewheel.torque.model import state_under
 
 from analytic.freewheel import course, criterion, load_path
-from verify.cases.freewheel.paths import fem
-from verify.cases.freewheel.paths.case import PATHS, findings, too_large, warnings
-from verify.cases.freewheel.paths.formulas import analytic, courses
-from verify.cases.freewheel.paths.inputs import PathInputs
-from verify.cases.freewheel.paths.times import tan_of, time_of_slip
+from verify.cases.freewheel.paths import reference as fem
+from verify.cases.freewheel.paths.case import PATHS, LoadPaths
+from verify.cases.freewheel.paths.times import MU_REQ, tan_of, time_of_slip
 from verify.cases.freewheel.pulled_sector import Borne
 from verify.core.results import Status
 from verify.jobs.cache import default_folder
@@ -39,50 +36,50 @@ def names(rows):
 def broken(monkeypatch):
     def break_(owner, name, fault):
         monkeypatch.setattr(owner, name, fault(getattr(owner, name)))
-        courses.cache_clear()
 
     yield break_
     monkeypatch.undo()
-    courses.cache_clear()
 
 
 # Paths and their courses.
 def test_all_three_paths_slip_at_the_load_that_eq_9_gives():
-    q = PathInputs()
-    v = analytic(q)
+    q = LoadPaths()
+    v = PATHS.analytic(q)
     steady = q.rise + v["F_lim"] / q.F_ax * (q.duration - q.rise)
-    assert v["slip 1"] == pytest.approx(steady, abs=3e-4)
+    assert v["slip_1"] == pytest.approx(steady, abs=3e-4)
     for case in (2, 3):
-        along = courses(q)[case]
+        along = q.courses[case]
         at = np.searchsorted(along.t, along.slips_at)
         assert abs(along.mu_req[at]) > q.mu > abs(along.mu_req[at - 1])
 
 
 def test_an_alternating_load_slips_no_sooner_than_a_steady_one_of_the_same_growth():
-    v = analytic(PathInputs())
-    assert v["slip 2"] >= v["slip 1"]
+    v = PATHS.analytic(LoadPaths())
+    assert v["slip_2"] >= v["slip_1"]
 
 
 def test_a_path_that_ends_below_the_limit_holds_and_is_green():
-    q = PathInputs(F_ax=900.0)
-    v = analytic(q)
+    q = LoadPaths(F_ax=900.0)
+    v = PATHS.analytic(q)
     assert not any(key.startswith("slip") for key in v)
-    assert all("holds to the end" in words and "green" in words for words in findings(q, v)[1:4])
+    assert all(
+        "holds to the end" in words and "green" in words for words in PATHS.findings(q, v)[1:4]
+    )
 
 
 def test_about_a_mean_torque_the_trough_asks_for_most():
-    q = PathInputs(T=10.0, T_m=16.0, F_ax=300.0)
-    last = courses(q)[3]
+    q = LoadPaths(T=10.0, T_m=16.0, F_ax=300.0)
+    last = q.courses[3]
     assert q.T_critical == pytest.approx(last.T[np.nanargmax(last.mu_req)], rel=1e-3)
-    assert not too_large(q)
+    assert not PATHS.too_large(q)
 
 
 def test_inertia_is_a_thousandth_of_the_loads_at_30_hz_and_warned_of_near_the_eigenfrequency():
-    q = PathInputs()
-    assert analytic(q)["sway"] < 1e-3
-    assert not [w for w in warnings(q, analytic(q)) if "inertia" in w]
-    fast = PathInputs(f=500.0)
-    assert "inertia adds some" in " ".join(warnings(fast, analytic(fast)))
+    q = LoadPaths()
+    assert PATHS.analytic(q)["sway"] < 1e-3
+    assert not [w for w in PATHS.warnings(q, PATHS.analytic(q)) if "inertia" in w]
+    fast = LoadPaths(f=500.0)
+    assert "inertia adds some" in " ".join(PATHS.warnings(fast, PATHS.analytic(fast)))
 
 
 # Inputs.
@@ -98,7 +95,7 @@ def test_inertia_is_a_thousandth_of_the_loads_at_30_hz_and_warned_of_near_the_ei
 )
 def test_what_is_no_path_is_refused(change, words):
     with pytest.raises(ValueError, match=words):
-        analytic(PathInputs(**change))
+        PATHS.analytic(LoadPaths(**change))
 
 
 @pytest.mark.parametrize(
@@ -112,14 +109,14 @@ def test_what_is_no_path_is_refused(change, words):
     ],
 )
 def test_paths_that_finite_elements_cannot_follow_are_told(change, words):
-    q = PathInputs(**change)
-    assert words in too_large(q)
-    assert PATHS.equations(q, analytic(q))
+    q = LoadPaths(**change)
+    assert words in PATHS.too_large(q)
+    assert PATHS.equations(q, PATHS.analytic(q))
 
 
 # States.
 def test_friction_of_the_way_there_leaves_the_roller_s_balance_alone():
-    q = PathInputs()
+    q = LoadPaths()
     held = fem.Held.at(q, fem.at_torque(q, 3), 3, q.mu)
     there = held.to(-0.8, held.to(0.8, held.rest))
     b, on_mesh = Borne.by(there), Borne.on_mesh(there)
@@ -190,7 +187,7 @@ def test_a_wrong_path_turns_its_time_of_slip_red(owner, name, fault, cases, brok
 @pytest.mark.parametrize("at", [0.35, 0.8])
 def test_a_path_reaches_a_load_no_sooner_than_it_grows_to_it(at):
     """A ramp at F = at F_ax; a sine not before, and within half a swing, at its definition."""
-    q = PathInputs()
+    q = LoadPaths()
     ramp, sine = (time_of_slip(q, case, at * q.F_ax, {}) for case in (1, 2))
     assert ramp == pytest.approx(q.rise + at * (q.duration - q.rise), rel=1e-12)
     assert ramp <= sine <= ramp + 0.5 / q.f
@@ -203,26 +200,26 @@ def test_a_path_reaches_a_load_no_sooner_than_it_grows_to_it(at):
     [(1050.0, 0.175), (1150.0, 0.2)],  # grown after 5.25 cycles, and after 5.75: it overruns
 )
 def test_of_one_angle_load_case_3_slips_as_its_amplitude_has_grown_and_it_locks(F, t):
-    q = PathInputs()
-    alike = {f"mu_req at {s:g}": math.hypot(1, q.R * q.F_ax / q.T) for s in (1.0, 0.3)}
+    q = LoadPaths()
+    alike = dict.fromkeys(MU_REQ.values(), math.hypot(1, q.R * q.F_ax / q.T))
     assert time_of_slip(q, 3, F, alike) == pytest.approx(t, abs=1e-9)
 
 
 @pytest.mark.parametrize("share", [0.3, 0.5, 0.7, 0.9, 1.0])
 def test_between_two_torques_the_angle_is_next_to_a_line(share):
-    q = PathInputs()
-    tan = math.tan(state_under(q, share * q.T).alpha)
-    assert tan_of(q, analytic(q))(share * q.T) == pytest.approx(tan, rel=2e-3)
+    q = LoadPaths()
+    tan = math.tan(q.under(share * q.T).alpha)
+    assert tan_of(q, PATHS.analytic(q))(share * q.T) == pytest.approx(tan, rel=2e-3)
 
 
 def test_a_path_that_never_reaches_the_load_has_no_time_of_slip():
-    q, alike = PathInputs(), {"mu_req at 1": 2.0, "mu_req at 0.3": 2.0}
+    q, alike = LoadPaths(), dict.fromkeys(MU_REQ.values(), 2.0)
     assert all(time_of_slip(q, case, 1.1 * q.F_ax, alike) == math.inf for case in (1, 2, 3))
 
 
 @cache
 def solved():
-    return [solve_level(PATHS, PathInputs(), level, default_folder()) for level in PATHS.levels]
+    return [solve_level(PATHS, LoadPaths(), level, default_folder()) for level in PATHS.levels]
 
 
 def changed(level, fault):
@@ -241,7 +238,7 @@ def changed(level, fault):
     ],
 )  # fmt: skip
 def test_finite_elements_that_say_otherwise_turn_a_row_red(row, fault, red):
-    q = PathInputs()
+    q = LoadPaths()
     levels = [changed(level, fault) for level in solved()]
     assert row in names(red(judge_case(Job(PATHS, q), levels)))
 
@@ -249,7 +246,7 @@ def test_finite_elements_that_say_otherwise_turn_a_row_red(row, fault, red):
 @pytest.mark.parametrize("off", [-1e-13, 1e-13])
 def test_round_off_of_the_frequency_moves_no_time_of_a_course(off):
     """Cycles of the defaults are whole: one time more would move every time of slip."""
-    q = PathInputs()
-    own = courses(q)
-    for case, along in courses(q.model_copy(update={"f": q.f * (1 + off)})).items():
+    q = LoadPaths()
+    own = q.courses
+    for case, along in q.model_copy(update={"f": q.f * (1 + off)}).courses.items():
         assert np.array_equal(along.t, own[case].t)

@@ -8,9 +8,9 @@ from verify.answers.answer import Quantity
 from verify.answers.assessment import Assessment
 from verify.answers.strengths import yield_strength
 from verify.answers.torque import criteria_under, permissible
+from verify.cases.freewheel.clutch.classes import past_corners
 from verify.cases.freewheel.clutch.limits import allowed_shift, as_torque_grows
 from verify.cases.freewheel.clutch.messages import verdict
-from verify.cases.freewheel.clutch.model import analytic, past_corners
 from verify.cases.ring.loads.case import OUTER, OuterRace
 from verify.core.case import Values
 
@@ -42,11 +42,11 @@ def with_axial_load(q: Any, v: Values, part: Assessment) -> None:
 
 def load_paths(q: Any, v: Values, part: Assessment) -> None:
     """Largest required friction of the three load cases of the test rig."""
-    part.below_input("friction_torque", f"{MARGIN} under torque alone", v["mu_t"], "mu", q.mu, "1")
+    part.below_input("friction_torque", f"{MARGIN} under torque alone", v["mu_T"], "mu", q.mu, "1")
     for case in (1, 2, 3):
-        if f"peak {case}" in v:
+        if f"peak_{case}" in v:
             part.below_input(f"friction_load_case_{case}", f"{MARGIN}, load case {case}",
-                         v[f"peak {case}"], "mu", q.mu, "1")  # fmt: skip
+                         v[f"peak_{case}"], "mu", q.mu, "1")  # fmt: skip
         else:
             part.unknowns.append(f"load case {case}: no required friction with these inputs")
     _flat_pressure(q, v["N"], 1.0, part)
@@ -76,7 +76,7 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
     part.pressure("contact_pressure", "largest contact pressure, rollers' ends included", worst,
                   *_moduli(q), given=q.p_lim, option="give p_lim")  # fmt: skip
     source = "one end lifts off" if q.e_lim is None else "given"
-    part.at_most("tilting", "shift e/L of the contact forces by tilting", v["e/L"],
+    part.at_most("tilting", "shift e/L of the contact forces by tilting", v["e_L"],
                  allowed_shift(q), "1", source)  # fmt: skip
     if q.is_star:
         _outer_ring(q, v, part)
@@ -87,7 +87,7 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
 def _permissible(q: Any) -> Quantity | None:
     """The largest torque at this axial load, parts without tolerances."""
     exact = q.model_copy(update={"X_tol": 0.0, "r_tol": 0.0, "R_tol": 0.0, "s_mu": 0.0})
-    under = criteria_under(exact, analytic, clutch)
+    under = criteria_under(exact, lambda one: one.values, clutch)
     return permissible(as_torque_grows(q), q.T, " at this axial load", under)
 
 
@@ -117,7 +117,7 @@ def _outer_ring(q: Any, v: Values, part: Assessment) -> None:
 
 def _within_tolerances(v: Values, part: Assessment) -> None:
     """Clutches within the tolerances that slip or do not wedge leave the answer open."""
-    lost = sum(v.get(key, 0.0) for key in ("P(slip)", "P(no wedge)", "P(no state)"))
+    lost = sum(v.get(key, 0.0) for key in ("P_slip", "P_no_wedge", "P_no_state"))
     if lost > LOST:
         part.unknowns.append(
             f"{lost:.3g} of the clutches within the tolerances slip or do not wedge"

@@ -81,7 +81,7 @@ STATEMENTS: Mapping[str, Statement] = {
         without=(ALONG,),
         corrected=(
             Corrected("required friction, Eq. 8 with the F_ax of Eq. 9 (as printed)", "mu_req"),
-            Corrected("tan α, Eq. 8 as printed", "mu_t"),
+            Corrected("tan α, Eq. 8 as printed", "mu_T"),
         ),
     ),
     "freewheel-paths": Statement(

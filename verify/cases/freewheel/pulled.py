@@ -20,11 +20,34 @@ class Pulled(Star):
         alone = {"T": self.T, "F_ax": 0.0, "R": self.R}
         return float(criterion.required_friction(alpha=self.state.alpha, **alone))
 
+    @Quantity("F_t", "N", "tangential force at either contact of a roller", equation="3",
+              form="corrected", source="T of the whole clutch", tex=r"\frac{T}{z R}")  # fmt: skip
+    def F_t(self) -> float:
+        return float(self.T / self.cam.torque_on_race(F_t=1.0))
+
+    @Quantity("F_a", "N", "axial force at either contact of a roller",
+              source="F_ax of the whole clutch", tex=r"\frac{F_{ax}}{z}")  # fmt: skip
+    def F_a(self) -> float:
+        return self.F_ax / self.z
+
+    @Quantity("μ_req", "1", "required friction coefficient", equation="9", safe="too high",
+              source="a symbol of its own for what is no tangent of α; Eq. 8 by forces",
+              tex=r"\frac{\sqrt{F_t^2 + F_a^2}}{F_n} = "
+              r"\tan\left(\alpha\right) \sqrt{1 + (\frac{F_{ax} R}{T})^2}")  # fmt: skip
+    def mu_req(self) -> float:
+        loads = {"T": self.T, "F_ax": self.F_ax, "R": self.R}
+        return float(criterion.required_friction(alpha=self.state.alpha, **loads))
+
     @Quantity("F_lim", "N", "axial load on the clutch at slip", equation="9", safe="too low",
               when=lambda q: q.bears_axial_load,
               tex=r"\frac{T}{R} \sqrt{(\frac{\mu}{\tan\left(\alpha\right)})^2 - 1}")  # fmt: skip
     def F_lim(self) -> float:
         return self.largest_axial_load(self.T)
+
+    @property
+    def lever(self) -> float:
+        """F_a/F_t = F_ax R/T."""
+        return self.F_ax * self.R / self.T
 
     @property
     def bears_axial_load(self) -> bool:

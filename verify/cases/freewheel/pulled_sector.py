@@ -12,6 +12,7 @@ from verify.cases.contact.errors import fem_errors
 from verify.cases.freewheel.fem import Place, Sector, State
 from verify.cases.freewheel.pulled import Pulled
 from verify.cases.freewheel.sweep import COARSE, FIRST, SPLIT, Start, after, rigid_force
+from verify.core.figures import Field
 
 if TYPE_CHECKING:
     from fem.contact.along import Along
@@ -150,3 +151,21 @@ def creeping(there: Sector, state: State, ahead: float = 0.0, **along: Any) -> S
             return new
         drags = drags[0], drags[1] - 2 * out
     raise fem_errors().NotFoundError(f"the roller moves by {out:.1e} m after {MOST} steps")
+
+
+def field(state: State) -> Field:
+    """The sector under both loads: u_z and the shear stress along z."""
+    solution = state.solution
+    cells = solution.plane.cells()
+    assert solution.along is not None
+    corners = cells["cells"].astype(np.int64)
+    u_z = solution.along.u[: len(cells["points"])]
+    shear = np.hypot(*solution.along.stress().T)
+    return Field(
+        name="sector", points=cells["points"], cells=corners,
+        point_data={"displacement": cells["displacement"], "u_z": u_z},
+        cell_data={"shear_z": shear, "log_shear_z": np.log10(np.maximum(shear, 1.0) / 1e6),
+                   "von_mises": cells["von_mises"]},
+        units={"displacement": "m", "u_z": "m", "shear_z": "Pa", "log_shear_z": "1",
+               "von_mises": "Pa"},
+    )  # fmt: skip

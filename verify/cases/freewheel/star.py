@@ -229,6 +229,8 @@ class Star(Case):
     def refusal(self) -> str:
         """Where displacements under N_0 are not small."""
         same, under = self.loaded_by("N_0"), "under T/(z R tan α_0)"
+        for one in (self, same, self.loaded_by("ψ")):
+            _ = one.state  # ValueError where there is none
         wide = max(same.a_i, same.a_o) / self.r
         if wide > WIDE:
             return (

@@ -1,116 +1,54 @@
-"""One's own roller freewheel: whether it holds, what ends its work, what tolerances do."""
+"""A user's roller freewheel: whether it holds, what ends its work, what tolerances do."""
 
-from verify.cases.freewheel.clutch.claims import CHECKS
-from verify.cases.freewheel.clutch.fem import fem, star
-from verify.cases.freewheel.clutch.figures import equations, figures, sketch
+import math
+from collections.abc import Iterator, Mapping
+from typing import Any, ClassVar
+
+import numpy as np
+
+from analytic.freewheel import criterion, state, tilt
+from verify.case import Comparison, Drawn, Level, Quantity, shared
+from verify.cases.freewheel.clutch import comparisons as compared
+from verify.cases.freewheel.clutch import figures as drawn
+from verify.cases.freewheel.clutch import messages
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
-from verify.cases.freewheel.clutch.limits import under
-from verify.cases.freewheel.clutch.messages import findings, warnings
-from verify.cases.freewheel.clutch.model import analytic
+from verify.cases.freewheel.clutch.limits import (
+    as_axial_load_grows,
+    as_torque_grows,
+    least_torque,
+    under,
+)
+from verify.cases.freewheel.clutch.scatter import PERCENTILES, deviation, scatter, slopes
 from verify.cases.freewheel.clutch.summary import summary
-from verify.cases.freewheel.reference import LEVELS
-from verify.core.case import Case, Output
+from verify.core.case import Values
+from verify.core.figures import Sketch
+from verify.form.adapter import adapted
+
+PERCENTS = tuple(f"{p:g}" for p in PERCENTILES)
+BELOW = "below which {0} % of the clutches that wedge lie"
+WITHIN = "clutches within tolerance that"
 
 
-def output(key: str, symbol: str, unit: str, what: str, *, judged: bool = False) -> Output:
-    return Output(key=key, symbol=symbol, unit=unit, what=what, judged=judged)
+class FreewheelClutch(ClutchInputs):
+    """Whether a roller freewheel holds, and which limit is reached first as its loads grow.
 
+    The limits are friction, pressure, the flats' corners, pop-through, tilting rollers. A few
+    micrometres turn the clamping angle, and with it everything else.
+    """
 
-OUTPUTS = (
-    output("alpha_0", "α_0", "deg", "clamping angle without load (Eq. 4)"),
-    output("alpha", "α(T)", "deg", "clamping angle under torque (Eq. 5)", judged=True),
-    output("N", "F_n", "N", "normal force of one contact (Eqs. 2, 3)", judged=True),
-    output("F_t", "F_t", "N", "tangential force of one contact"),
-    output("F_a", "F_a", "N", "axial force of one roller"),
-    output("p_i", "p_i", "MPa", "peak pressure of the inner contacts (Hertz)"),
-    output("p_o", "p_o", "MPa", "peak pressure of the outer contacts (Hertz)"),
-    output("d_i", "d_i", "µm", "approach of roller and inner part"),
-    output("d_o", "d_o", "µm", "approach of roller and outer part"),
-    output("s", "s", "µm", "travel of the rollers along the cam (Eq. 6)"),
-    output("phi", "φ", "deg", "wind-up angle by exact rolling (Eq. 7, corrected)", judged=True),
-    output("phi printed", "φ_7", "deg", "wind-up angle, Eq. 7 as printed"),
-    output("mu_req", "μ_req", "1", "required friction coefficient (Eqs. 8, 9)"),
-    output("safety", "μ/μ_req", "1", "available over required friction (Eq. 10)"),
-    output("F slip", "F_ax,lim", "N", "axial load at which the contacts slip (Eq. 9)"),
-    output("F tilt_lift", "F_ax,lift", "N", "axial load that lifts the rollers off at one end"),
-    output("F tilt", "F_ax,tilt", "N", "axial load at which the contact forces move by (e/L)_lim"),
-    output("F pressure", "F_ax,p", "N", "axial load at which the rollers' ends reach p_lim"),
-    output("e/L", "e/L", "1", "how far the tilting couple moves the contact forces"),
-    output("peak", "q/q_m", "1", "peak of the line load at one end over its mean"),
-    output("p_end", "p_end", "MPa", "peak pressure there"),
-    output("T bears", "T_min", "N m", "torque below which friction does not bear the axial load"),
-    output("T slip", "T_μ", "N m", "torque at which the contacts slip"),
-    output("T pressure_inner", "T_p,i", "N m", "torque at which the inner contacts reach p_lim"),
-    output("T pressure_outer", "T_p,o", "N m", "torque at which the outer contacts reach p_lim"),
-    output("T corner", "T_c", "N m", "torque at which the rollers reach the ends of the cam flats"),
-    output("T pop_through", "T_pop", "N m", "torque at which the rollers go through"),
-    output("dalpha_0/dX", "dα_0/dX", "deg/mm", "sensitivity of α_0 to X"),
-    output("dalpha_0/dr", "dα_0/dr", "deg/mm", "sensitivity of α_0 to r"),
-    output("dalpha_0/dR", "dα_0/dR", "deg/mm", "sensitivity of α_0 to R"),
-    output("dalpha/dX", "dα(T)/dX", "deg/mm", "sensitivity of α under torque to X, over ±5 µm",
-           judged=True),
-    output("s(alpha_0)", "s(α_0)", "deg", "standard deviation of α_0 by the tolerances"),
-    output("P(slip)", "P(slip)", "%", "clutches of like rollers that slip"),
-    output("P(no wedge)", "P(gap)", "%", "clutches within tolerance that have no wedge"),
-    output("P(no state)", "P(through)", "%", "clutches within tolerance that no state bears: "
-           "rollers go through, or contacts are too wide"),
-    output("P(corner)", "P(corner)", "%", "clutches within tolerance past the flats' corners"),
-    output("share green", "green", "%", "clutches within tolerance that are green by friction"),
-    output("share yellow", "yellow", "%", "clutches within tolerance that are yellow by friction"),
-    output("share red", "red", "%", "clutches within tolerance that are red by friction"),
-    *(
-        output(f"{key}, {p} %", f"{symbol},{p}%", unit,
-               f"{what} below which {p} % of the clutches that wedge lie")
-        for key, symbol, unit, what in (
-            ("alpha_0", "α_0", "deg", "clamping angle without load"),
-            ("alpha", "α_T", "deg", "clamping angle under torque"),
-            ("safety", "μ/μ_req", "1", "available over required friction"),
-        )
-        for p in (5, 50, 95)
-    ),
-)  # fmt: skip
-
-
-def too_large(q: ClutchInputs) -> str:
-    if not q.is_star:
-        return (
-            "finite elements of this case take inner cams only, case freewheel-cup compares outer "
-            "cams; check it without --fem"
-        )
-    if q.T <= 0 or under(q) is None:
-        return "finite elements need a torque that locks and that a state bears; check it without "\
-            "--fem"  # fmt: skip
-    if not q.like:
-        return "finite elements take one material for all parts; check unlike ones without --fem"
-    try:
-        return star(q).refusal()
-    except ValueError as error:
-        words = str(error).partition("Value error, ")[2].partition(" [type=")[0] or str(error)
-        return f"finite elements refuse it: {words}"
-
-
-CLUTCH = Case(
-    id="freewheel-clutch",
-    title="Roller freewheel under torque and axial load",
-    paper="nagler2021",
-    place="Eqs. 1-10, Sec. 7",
-    lead="Whether a roller freewheel holds, and which limit is reached first as the torque or the "
-    "axial load grows: friction, pressure, the flats' corners, pop-through, tilting rollers. A few "
-    "micrometres turn the clamping angle, and with it everything else.",
-    inputs=ClutchInputs,
-    analytic=analytic,
-    reference=fem,
-    levels=LEVELS,
-    checks=CHECKS,
-    outputs=OUTPUTS,
-    readings=(
+    id = "freewheel-clutch"
+    title = "Roller freewheel under torque and axial load"
+    source = "nagler2021"
+    place = "Eqs. 1-10, Sec. 7"
+    levels: ClassVar = (4, 7, 10)  # cells on the half-width of the fine zones
+    readings: ClassVar = (
         "T and F_ax act on the whole clutch: F_a = F_ax/z on a roller, F_t = T/(zR)",
         "R, r are radii and X the distance of a flat from the axis",
         "± are limits within which parts lie: three standard deviations of a normal distribution, "
         "or all of a uniform one; s_μ is a standard deviation of a normal one always",
         "rollers are long: plane strain",
-    ),
-    assumptions=(
+    )
+    assumptions: ClassVar = (
         "the paper prints no dimensions, friction or tolerances of its clutches: these are a "
         "synthetic clutch's, with an axial load and tolerances that are yours to give",
         "classes by μ/μ_req are the paper's observation on its rig (Sec. 7), adopted here; a "
@@ -124,12 +62,276 @@ CLUTCH = Case(
         "axial forces does to pressure is a linear line load",
         "a star is clamped in its bore, a shaft and every rim are free; finite elements know inner "
         "cams of one material",
-    ),
-    findings=findings,
-    summary=summary,
-    warnings=warnings,
-    too_large=too_large,
-    equations=equations,
-    sketch=sketch,
-    figures=figures,
-)
+    )
+
+    @Quantity("σ", "1", "+1 of an inner cam, −1 of an outer cam", role="step")
+    def sense(self) -> float:
+        return 1.0 if self.is_star else -1.0
+
+    @Quantity("α_0", "deg", "clamping angle without load", equation="4", form="corrected",
+              tex=r"\frac{1}{2} \arccos\left(\frac{X + \sigma r}{R - \sigma r}\right)")  # fmt: skip
+    def alpha_0(self) -> float:
+        return float(self.cam.alpha0)
+
+    @Quantity("μ_0", "1", "required friction coefficient without load", equation="1",
+              safe="too high", tex=r"\tan\left(\alpha_0\right)")  # fmt: skip
+    def mu_0(self) -> float:
+        return math.tan(self.alpha_0)
+
+    @Quantity("α", "deg", "clamping angle under torque", equation="5", form="corrected")
+    def alpha(self) -> float:
+        return self._of_state("alpha")
+
+    @Quantity("F_t", "N", "tangential force of one contact", equation="3", form="corrected",
+              tex=r"\frac{T}{z R}")  # fmt: skip
+    def F_t(self) -> float:
+        return self._of_state("F_t")
+
+    @Quantity("F_n", "N", "normal force of one contact", equation="2",
+              tex=r"\frac{F_t}{\tan\left(\alpha\right)}")  # fmt: skip
+    def N(self) -> float:
+        return self._of_state("N")
+
+    @Quantity("F_a", "N", "axial force of one roller", tex=r"\frac{F_{ax}}{z}")
+    def F_a(self) -> float:
+        return math.nan if under(self) is None else self.F_ax / self.z
+
+    @Quantity("p_i", "MPa", "peak pressure of the inner contacts (Hertz)", safe="too high")
+    def p_i(self) -> float:
+        return self._of_state("p_i")
+
+    @Quantity("p_o", "MPa", "peak pressure of the outer contacts (Hertz)", safe="too high")
+    def p_o(self) -> float:
+        return self._of_state("p_o")
+
+    @Quantity("d_i", "µm", "approach of roller and inner part")
+    def d_i(self) -> float:
+        return self._of_state("d_i")
+
+    @Quantity("d_o", "µm", "approach of roller and outer part")
+    def d_o(self) -> float:
+        return self._of_state("d_o")
+
+    @Quantity("s", "µm", "travel of the rollers along the cam", equation="6")
+    def s(self) -> float:
+        return self._of_state("s")
+
+    @Quantity("φ", "deg", "wind-up angle by exact rolling", equation="7", form="corrected",
+              tex=r"\frac{1}{R} \int \frac{\mathrm{d}d_i + \mathrm{d}d_o}{\tan\alpha}")  # fmt: skip
+    def phi(self) -> float:
+        return self._of_state("phi")
+
+    @Quantity("φ", "deg", "wind-up angle", equation="7", form="as printed", form_of="phi",
+              tex=r"\frac{s}{R} + \frac{s}{X}")  # fmt: skip
+    def phi_printed(self) -> float:
+        return self._of_state("phi_printed")
+
+    @Quantity("μ_req", "1", "required friction coefficient", equation="9", safe="too high",
+              source="F_ax on the whole clutch, μ_req has a symbol of its own",
+              tex=r"\tan\left(\alpha\right) \sqrt{1 + (\frac{F_{ax} R}{T})^2}")  # fmt: skip
+    def mu_req(self) -> float:
+        if (now := under(self)) is None:
+            return math.nan
+        found = criterion.required_friction(
+            alpha=now.alpha, T=self.T, F_ax=self.F_ax, R=self.cam.race
+        )  # fmt: skip
+        return float(found)
+
+    @Quantity("μ/μ_req", "1", "available over required friction", equation="10", safe="too low",
+              tex=r"\frac{\mu}{\mu_{req}}")  # fmt: skip
+    def safety(self) -> float:
+        return self.mu / self.mu_req
+
+    @Quantity("F_lim", "N", "axial load at which the contacts slip", equation="9", safe="too low",
+              tex=r"\frac{T}{R} \sqrt{(\frac{\mu}{\tan\left(\alpha\right)})^2 - 1}")  # fmt: skip
+    def F_slip(self) -> float:
+        return self._axial.get("slip", math.nan)
+
+    @Quantity("F_lift", "N", "axial load that lifts the rollers off at one end", safe="too low")
+    def F_tilt_lift(self) -> float:
+        return self._axial.get("tilt_lift", math.nan)
+
+    @Quantity("F_tilt", "N", "axial load at which the contact forces move by (e/L)_lim",
+              safe="too low")  # fmt: skip
+    def F_tilt(self) -> float:
+        return self._axial.get("tilt", math.nan)
+
+    @Quantity("F_p", "N", "axial load at which the rollers' ends reach p_lim", safe="too low")
+    def F_pressure(self) -> float:
+        return self._axial.get("pressure", math.nan)
+
+    @Quantity("e", "µm", "how far the tilting couple moves the contact forces", role="step",
+              tex=r"r (\cos\left(\alpha\right))^2 \frac{F_a}{F_n}")  # fmt: skip
+    def e(self) -> float:
+        if (now := under(self)) is None:
+            return math.nan
+        return float(tilt.offset(F_a=self.F_a, F_n=now.N, r=self.r, alpha=now.alpha))
+
+    @Quantity("e/L", "1", "the same over the length of the rollers", tex=r"\frac{e}{L}")
+    def e_L(self) -> float:
+        return self.e / self.L
+
+    @Quantity("q/q_m", "1", "peak of the line load at one end over its mean")
+    def peak(self) -> float:
+        if not math.isfinite(self.e):
+            return math.nan
+        return float(tilt.peak_factor(e=self.e, L=self.L)) if self.e < self.L / 2 else math.inf
+
+    @Quantity("p_end", "MPa", "peak pressure at the rollers' ends", safe="too high")
+    def p_end(self) -> float:
+        return max(self.p_i, self.p_o) * math.sqrt(self.peak)
+
+    @Quantity("T_min", "N m", "torque below which friction does not bear the axial load")
+    def T_bears(self) -> float:
+        return least_torque(self) if self.T >= 0 else math.nan
+
+    @Quantity("T_μ", "N m", "torque at which the contacts slip", safe="too low")
+    def T_slip(self) -> float:
+        return self._torques.get("slip", math.nan)
+
+    @Quantity("T_pi", "N m", "torque at which the inner contacts reach p_lim", safe="too low")
+    def T_pressure_inner(self) -> float:
+        return self._torques.get("pressure_inner", math.nan)
+
+    @Quantity("T_po", "N m", "torque at which the outer contacts reach p_lim", safe="too low")
+    def T_pressure_outer(self) -> float:
+        return self._torques.get("pressure_outer", math.nan)
+
+    @Quantity("T_c", "N m", "torque at which the rollers reach the ends of the cam flats",
+              safe="too low")  # fmt: skip
+    def T_corner(self) -> float:
+        return self._torques.get("corner", math.nan)
+
+    @Quantity("T_pop", "N m", "torque at which the rollers go through", safe="too low")
+    def T_pop_through(self) -> float:
+        return self._torques.get("pop_through", math.nan)
+
+    @Quantity("dα_0/d{0}", "deg/mm", "sensitivity of α_0 to {0}").over(("X", "r", "R"))
+    def dalpha_0_d(self, dimension: str) -> float:
+        return next(s.slope for s in slopes(self) if s.name == dimension)
+
+    @Quantity("dα(T)/dX", "deg/mm", "sensitivity of α under torque to X, over ±5 µm")
+    def dalpha_dX(self) -> float:
+        if under(self) is None:
+            return math.nan
+        flats = (self.moved(dX) for dX in (-self.off, self.off))
+        low, high = (float(state.loaded(clutch, self.T).alpha) for clutch in flats)
+        return (high - low) / (2 * self.off)
+
+    @Quantity("s(α_0)", "deg", "standard deviation of α_0 by the tolerances")
+    def s_alpha_0(self) -> float:
+        return deviation(self)
+
+    @Quantity("P(slip)", "%", "clutches of like rollers that slip")
+    def P_slip(self) -> float:
+        return self._scattered.get("P_slip", math.nan)
+
+    @Quantity("P(gap)", "%", "clutches within tolerance that have no wedge")
+    def P_no_wedge(self) -> float:
+        return self._scattered.get("P_no_wedge", math.nan)
+
+    @Quantity("P(through)", "%", f"{WITHIN} no state bears: rollers go through, or contacts are "
+              "too wide")  # fmt: skip
+    def P_no_state(self) -> float:
+        return self._scattered.get("P_no_state", math.nan)
+
+    @Quantity("P(corner)", "%", "clutches within tolerance past the flats' corners")
+    def P_corner(self) -> float:
+        return self._scattered.get("P_corner", math.nan)
+
+    @Quantity("{0}", "%", f"{WITHIN} are {{0}} by friction").over(("green", "yellow", "red"))
+    def share(self, light: str) -> float:
+        return self._scattered.get(f"share_{light}", math.nan)
+
+    @Quantity("α_0,{0}%", "deg", f"clamping angle without load {BELOW}").over(PERCENTS)
+    def alpha_0_below(self, percent: str) -> float:
+        return self._scattered.get(f"alpha_0_{percent}", math.nan)
+
+    @Quantity("α_T,{0}%", "deg", f"clamping angle under torque {BELOW}").over(PERCENTS)
+    def alpha_below(self, percent: str) -> float:
+        return self._scattered.get(f"alpha_{percent}", math.nan)
+
+    @Quantity("μ/μ_req,{0}%", "1", f"available over required friction {BELOW}").over(PERCENTS)
+    def safety_below(self, percent: str) -> float:
+        return self._scattered.get(f"safety_{percent}", math.nan)
+
+    def _of_state(self, name: str) -> float:
+        now = under(self)
+        return math.nan if now is None else float(getattr(now, name))
+
+    @shared
+    def _axial(self) -> Mapping[str, float]:
+        """Limits of the axial load [N] at this torque."""
+        return {limit.key: limit.at for limit in as_axial_load_grows(self)}
+
+    @shared
+    def _torques(self) -> Mapping[str, float]:
+        """Limits of the torque [N m] at this axial load."""
+        return {x.key: x.at for x in as_torque_grows(self)} if self.T >= 0 else {}
+
+    @shared
+    def _scattered(self) -> Mapping[str, float]:
+        """Shares and percentiles of the clutches within tolerance."""
+        ensemble = scatter(self)
+        return {} if ensemble is None else ensemble.values()
+
+    @shared
+    def values(self) -> Values:
+        """SI values; those that the clutch does not have, or that are infinite, are left out."""
+        found = {q.name: float(getattr(self, q.name)) for q in self.present()}
+        return {name: value for name, value in found.items() if np.isfinite(value)}
+
+    def reference(self, level: int) -> Level:
+        """A sweep over the torque, the flats a few µm off, slip about the required friction."""
+        from verify.cases.freewheel.clutch.reference import solve
+
+        return solve(self, level)
+
+    def comparisons(self) -> Iterator[Comparison]:
+        """Under its torque, with the flats moved, and about slip."""
+        yield from compared.comparisons(FreewheelClutch)
+
+    def figures(self) -> Iterator[Drawn]:
+        """Where it holds, its course, its scatter."""
+        yield Drawn(drawn.figures)
+
+    def sketch(self) -> Sketch:
+        """One pitch of star or cup."""
+        return drawn.sketch(self)
+
+    def warnings(self) -> Iterator[str]:
+        """Limits of pressure, tilt and tolerances that are exceeded."""
+        yield from messages.warnings(self, self.values)
+
+    def advice(self) -> Iterator[str]:
+        """The verdict, what ends its work, what to change."""
+        yield from messages.findings(self, self.values)
+
+    def summary(self) -> Mapping[str, Any]:
+        """Class, ratio and limits as JSON."""
+        return summary(self, self.values)
+
+    def refusal(self) -> str:
+        """Where these finite elements know no such clutch."""
+        if not self.is_star:
+            return (
+                "finite elements of this case take inner cams only, case freewheel-cup compares "
+                "outer cams; check it without --fem"
+            )
+        if self.T <= 0 or under(self) is None:
+            return (
+                "finite elements need a torque that locks and that a state bears; check it "
+                "without --fem"
+            )
+        if not self.like:
+            return (
+                "finite elements take one material for all parts; check unlike ones without --fem"
+            )
+        try:
+            return self.as_star.refusal()
+        except ValueError as error:
+            words = str(error).partition("Value error, ")[2].partition(" [type=")[0] or str(error)
+            return f"finite elements refuse it: {words}"
+
+
+CLUTCH = adapted(FreewheelClutch)

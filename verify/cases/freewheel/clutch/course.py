@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 
+from verify.cases.freewheel.clutch.classes import past_corners
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
 from verify.cases.freewheel.clutch.limits import (
     SEVERITY,
@@ -11,7 +12,6 @@ from verify.cases.freewheel.clutch.limits import (
     as_torque_grows,
     friction_holds,
 )
-from verify.cases.freewheel.clutch.model import past_corners
 from verify.cases.freewheel.clutch.numbers import newton, newton_metres, pascal
 from verify.core.case import Values
 
@@ -33,7 +33,7 @@ def torque(q: ClutchInputs, v: Values) -> list[str]:
     if ahead:
         listed = _listed(ahead, q.T, "T")
         found.append(f"as the torque grows, without stresses of rings and rollers' ends: {listed}")
-    if (least := v.get("T bears", 0.0)) > 0 and not past_corners(q, v):
+    if (least := v.get("T_bears", 0.0)) > 0 and not past_corners(q, v):
         found.append(
             f"as the torque falls: below {newton_metres(least)} ({least / q.T:.3g} T) friction no "
             f"longer bears F_ax = {newton(q.F_ax)}"
@@ -53,7 +53,7 @@ def where_friction_holds(q: ClutchInputs) -> str:
 
 def axial(q: ClutchInputs, v: Values) -> list[str]:
     """What comes first when the axial load grows and the torque stays."""
-    if v["F slip"] == 0:
+    if v["F_slip"] == 0:
         return ["friction bears no axial load at this torque"]
     limits = [limit for limit in as_axial_load_grows(q) if limit.at > 0]
     passed = [limit for limit in limits if limit.at < q.F_ax]
@@ -72,7 +72,7 @@ def tilted(q: ClutchInputs, v: Values) -> list[str]:
         return []
     end = f"{pascal(v['p_end'])} at one end" if "p_end" in v else "without bound at one end"
     return [
-        f"the axial forces' couple tilts the rollers: contact forces move by {v['e/L']:.2g} L and "
+        f"the axial forces' couple tilts the rollers: contact forces move by {v['e_L']:.2g} L and "
         f"the pressure is {end}; the criterion does not contain this"
     ]
 

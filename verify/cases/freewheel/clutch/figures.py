@@ -8,7 +8,6 @@ import numpy as np
 from analytic.freewheel import criterion, state
 from analytic.freewheel.state import State
 from verify.cases.freewheel import star_sketch
-from verify.cases.freewheel.clutch.fem import GRID, off
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
 from verify.cases.freewheel.clutch.limits import (
     WORDS,
@@ -19,11 +18,11 @@ from verify.cases.freewheel.clutch.limits import (
     of_torque_alone,
     under,
 )
+from verify.cases.freewheel.clutch.reference import GRID
 from verify.cases.freewheel.clutch.scatter import DRAWS, scatter, slopes
 from verify.cases.freewheel.clutch.sketch import cup
-from verify.core.case import Context, Values
-from verify.core.figures import Array, Bars, Curve, Curves, Equation, Figure, Sketch, Zone, Zones
-from verify.core.tex import tex
+from verify.core.case import Context
+from verify.core.figures import Array, Bars, Curve, Curves, Figure, Sketch, Zone, Zones
 
 DEGREE = math.degrees(1.0)
 POINTS = 241
@@ -34,38 +33,6 @@ DRAWN = np.linspace(0.1, 99.9, 200)  # per cent of the clutches
 
 def sketch(q: ClutchInputs) -> Sketch:
     return star_sketch.sketch(q) if q.is_star else cup(q)
-
-
-def equations(q: ClutchInputs, v: Values) -> Sequence[Equation]:
-    R, r, X = tex(q.R * 1e3), tex(q.r * 1e3), tex(q.X * 1e3, 7)
-    star = q.is_star
-    found = [Equation(
-        tex=r"\cos 2\alpha_0 = \frac{X + r}{R - r}" if star
-        else r"\cos 2\alpha_0 = \frac{X - r}{R + r}",
-        numbers=rf"= \frac{{{X} {'+' if star else '-'} {r}}}{{{R} {'-' if star else '+'} {r}}} "
-        rf"\Rightarrow \alpha_0 = {tex(v['alpha_0'] * DEGREE, 5)}°",
-        place="Eq. 4, corrected" if star else "Eq. 4, for an outer cam",
-    )]  # fmt: skip
-    if "mu_req" not in v:
-        return found
-    tan = tex(math.tan(v["alpha"]), 5)
-    found.append(Equation(
-        tex=r"\mu_{req} = \tan\alpha\,\sqrt{1 + \left(\frac{F_{ax} R}{T}\right)^2}",
-        numbers=rf"= {tan}\sqrt{{1 + \left({tex(q.F_ax * q.R / q.T)}\right)^2}} = "
-        rf"{tex(v['mu_req'])}, \quad \frac{{\mu}}{{\mu_{{req}}}} = {tex(v['safety'])}",
-        place="Eqs. 8 to 10; F_ax on the whole clutch, μ_req has a symbol of its own",
-    ))  # fmt: skip
-    if v["F slip"] > 0:
-        found.append(Equation(
-            tex=r"F_{ax,lim} = \frac{T}{R}\sqrt{\left(\frac{\mu}{\tan\alpha}\right)^2 - 1}",
-            numbers=rf"= {tex(v['F slip'])}\ \mathrm{{N}}", place="Eq. 9, solved",
-        ))  # fmt: skip
-    return (*found, Equation(
-        tex=r"\varphi = \frac{1}{R}\int\frac{\mathrm{d}d_i + \mathrm{d}d_o}{\tan\alpha}",
-        numbers=rf"= {tex(v['phi'] * DEGREE, 5)}°, \quad \frac{{s}}{{R}} + \frac{{s}}{{X}} = "
-        rf"{tex(v['phi printed'] * DEGREE, 5)}°",
-        place="Eq. 7, corrected, and as printed",
-    ))  # fmt: skip
 
 
 def figures(context: Context) -> Sequence[Figure]:
@@ -170,7 +137,7 @@ def angles(q: ClutchInputs) -> Curves:
 
 def flats(q: ClutchInputs, context: Context) -> Curves:
     """Both angles over the distance of the flats, a few µm to either side."""
-    far = 2 * off(q)
+    far = 2 * q.off
     X = np.linspace(-far, far, 41)
     moved = [q.moved(dX) for dX in X]
     low, own, high = context.fem[-1].arrays["moved"] * DEGREE
@@ -181,7 +148,7 @@ def flats(q: ClutchInputs, context: Context) -> Curves:
                   y=np.array([float(state.loaded(c, q.T).alpha) for c in moved]) * DEGREE),
             Curve(name="α_0", x=X * 1e6, style="dashes", colour=4,
                   y=np.array([float(c.cam.alpha0) for c in moved]) * DEGREE),
-            Curve(name="FE under T", x=np.array([-off(q), 0.0, off(q)]) * 1e6, colour=1,
+            Curve(name="FE under T", x=np.array([-q.off, 0.0, q.off]) * 1e6, colour=1,
                   y=np.array([low, own, high]), style="dots"),
         ),
         y_bottom=0.97 * float(moved[-1].cam.alpha0) * DEGREE,
@@ -192,7 +159,7 @@ def flats(q: ClutchInputs, context: Context) -> Curves:
 def ways(q: ClutchInputs, context: Context) -> Curves:
     T, now = _states(q)
     measured = () if not context.fem else (
-        Curve(name="FE, ∫dU/T", x=GRID * q.T, y=context.fem[-1].arrays["profile, phi"] * DEGREE,
+        Curve(name="FE, ∫dU/T", x=GRID * q.T, y=context.fem[-1].arrays["phi_over_T"] * DEGREE,
               style="dots", colour=1),
     )  # fmt: skip
     return Curves(

@@ -4,19 +4,22 @@ import math
 import re
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import ClassVar, Literal
+from typing import ClassVar, Literal, Self
 
 from pydantic import model_validator
 
 from analytic.freewheel.cam import Cam
 from analytic.freewheel.clutch import Clutch, Material
 from analytic.freewheel.geometry import InnerCam, OuterCam
+from verify.case import Case, count, given, word
 from verify.cases.freewheel.inputs import in_millimetres
-from verify.core.inputs import Inputs, count, quantity, word
+from verify.cases.freewheel.star import Star
 
 Kind = Literal["inner cam", "outer cam"]
 Spread = Literal["normal", "uniform"]
 
+OFF = 5e-6  # of X [m]: how far flats are moved to either side, where wedges allow for it
+TURNED = 0.05  # of the angle: more would be no small change
 DEVIATIONS = {"normal": 3.0, "uniform": math.sqrt(3)}  # of a part within its tolerance
 
 
@@ -26,7 +29,7 @@ def in_terms_of_inputs(rule: str) -> str:
     return in_millimetres(named)
 
 
-class ClutchInputs(Inputs):
+class ClutchInputs(Case):
     """z rollers between flats and a circular race, under a torque and an axial load."""
 
     instead: ClassVar[tuple[str, Mapping[str, str]]] = (
@@ -39,70 +42,70 @@ class ClutchInputs(Inputs):
         "inner cam",
         "inner cam: flats on a star, in a ring of bore R; outer cam: flats in a cup, on a shaft R",
     )
-    R: float = quantity("16.5 mm", "mm", "R", "radius of the circular race: bore of the outer "
+    R: float = given("16.5 mm", "mm", "R", "radius of the circular race: bore of the outer "
                         "ring, or the shaft of an outer cam", gt=0.1, le=1e5)  # fmt: skip
-    r: float = quantity("2.5 mm", "mm", "r", "radius of the rollers", gt=0.01, le=1e5)
-    X: float = quantity("11.39565 mm", "mm", "X", "distance of the flats from the axis", ge=-1e5,
+    r: float = given("2.5 mm", "mm", "r", "radius of the rollers", gt=0.01, le=1e5)
+    X: float = given("11.39565 mm", "mm", "X", "distance of the flats from the axis", ge=-1e5,
                         le=1e5)  # fmt: skip
-    R_a: float = quantity("21 mm", "mm", "R_a", "outer radius of the outer part, with the "
+    R_a: float = given("21 mm", "mm", "R_a", "outer radius of the outer part, with the "
                           "housing that a drawn cup is pressed into", gt=0.1, le=1e5)  # fmt: skip
-    r_b: float = quantity("7.5 mm", "mm", "r_b", "bore radius of the inner part; 0 for a solid "
+    r_b: float = given("7.5 mm", "mm", "r_b", "bore radius of the inner part; 0 for a solid "
                           "shaft of an outer cam", ge=0, le=1e5)  # fmt: skip
     z: int = count(8, "z", "number of rollers", ge=3, le=100)
-    L: float = quantity("10 mm", "mm", "L", "length of the rollers", gt=0.01, le=1e6)
-    T: float = quantity("26 N m", "N m", "T", "torque, positive in the locking direction", ge=-1e9,
+    L: float = given("10 mm", "mm", "L", "length of the rollers", gt=0.01, le=1e6)
+    T: float = given("26 N m", "N m", "T", "torque, positive in the locking direction", ge=-1e9,
                         le=1e9, claims="nagler2021:rig-torque")  # fmt: skip
-    F_ax: float = quantity("600 N", "N", "F_ax", "axial load on the whole clutch", ge=0, le=1e9)
-    mu: float = quantity(0.08, "1", "μ", "coefficient of friction, equal at all contacts", ge=1e-3,
+    F_ax: float = given("600 N", "N", "F_ax", "axial load on the whole clutch", ge=0, le=1e9)
+    mu: float = given(0.08, "1", "μ", "coefficient of friction, equal at all contacts", ge=1e-3,
                          le=2)  # fmt: skip
-    E: float = quantity("206 GPa", "GPa", "E", "Young's modulus", gt=0.1, le=1e5)
-    nu: float = quantity(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
-    E_r: float | None = quantity(
+    E: float = given("206 GPa", "GPa", "E", "Young's modulus", gt=0.1, le=1e5)
+    nu: float = given(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
+    E_r: float | None = given(
         None, "GPa", "E_r", "Young's modulus of the rollers, where another; without ν_r "
         "their ν is ν", omitted=None, gt=0.1,
         le=1e5, example="310 GPa",
     )  # fmt: skip
-    nu_r: float | None = quantity(
+    nu_r: float | None = given(
         None, "1", "ν_r", "Poisson's ratio of the rollers, where another", omitted=None, ge=0,
         le=0.45, example="0.27",
     )  # fmt: skip
-    E_i: float | None = quantity(
+    E_i: float | None = given(
         None, "GPa", "E_i", "Young's modulus of the inner part, where another; without ν_i "
         "their ν is ν", omitted=None,
         gt=0.1, le=1e5, example="206 GPa",
     )  # fmt: skip
-    nu_i: float | None = quantity(
+    nu_i: float | None = given(
         None, "1", "ν_i", "Poisson's ratio of the inner part, where another", omitted=None, ge=0,
         le=0.45, example="0.3",
     )  # fmt: skip
-    E_o: float | None = quantity(
+    E_o: float | None = given(
         None, "GPa", "E_o", "Young's modulus of the outer part, where another; without ν_o "
         "their ν is ν", omitted=None,
         gt=0.1, le=1e5, example="206 GPa",
     )  # fmt: skip
-    nu_o: float | None = quantity(
+    nu_o: float | None = given(
         None, "1", "ν_o", "Poisson's ratio of the outer part, where another", omitted=None, ge=0,
         le=0.45, example="0.3",
     )  # fmt: skip
-    p_lim: float | None = quantity(
+    p_lim: float | None = given(
         "4000 MPa", "MPa", "p_lim", "permissible contact pressure", omitted=None, gt=0, le=1e6,
     )  # fmt: skip
-    e_lim: float | None = quantity(
+    e_lim: float | None = given(
         None, "1", "(e/L)_lim", "how far along the rollers their contact forces may move, over L; "
         "where left out until one end lifts off, at 1/6", omitted=None, gt=0, lt=0.5,
         example="0.1",
     )  # fmt: skip
-    X_tol: float = quantity("5 µm", "µm", "t_X", "tolerance ± of X", omitted=0.0, ge=0, le=1e4)
-    r_tol: float = quantity("2 µm", "µm", "t_r", "tolerance ± of r", omitted=0.0, ge=0, le=1e4)
-    R_tol: float = quantity("5 µm", "µm", "t_R", "tolerance ± of R", omitted=0.0, ge=0, le=1e4)
-    s_mu: float = quantity(0.004, "1", "s_μ", "standard deviation of μ", omitted=0.0, ge=0, lt=1)
+    X_tol: float = given("5 µm", "µm", "t_X", "tolerance ± of X", omitted=0.0, ge=0, le=1e4)
+    r_tol: float = given("2 µm", "µm", "t_r", "tolerance ± of r", omitted=0.0, ge=0, le=1e4)
+    R_tol: float = given("5 µm", "µm", "t_R", "tolerance ± of R", omitted=0.0, ge=0, le=1e4)
+    s_mu: float = given(0.004, "1", "s_μ", "standard deviation of μ", omitted=0.0, ge=0, lt=1)
     spread: Spread = word(
         "normal",
         "distribution within the tolerances: normal (± is three standard deviations) or uniform",
     )
 
     @model_validator(mode="after")
-    def _fits(self) -> "ClutchInputs":
+    def _fits(self) -> Self:
         try:
             _ = self.clutch
         except ValueError as error:
@@ -159,6 +162,18 @@ class ClutchInputs(Inputs):
         if isinstance(cam, InnerCam):
             return replace(self.clutch, cam=replace(cam, X=self.X + dX))
         return replace(self.clutch, cam=OuterCam(R_s=self.R, r=self.r, X_o=self.X + dX, z=self.z))
+
+    @property
+    def off(self) -> float:
+        """How far [m] flats are moved for the sensitivity of the loaded angle."""
+        x, _ = self.cam.centre(d_i=0.0, d_o=0.0)
+        return min(OFF, TURNED * float(x) * 2 * float(self.cam.alpha0))
+
+    @property
+    def as_star(self) -> Star:
+        """The clutch as an inner cam of one material; ValueError where that is none."""
+        names = ("R", "r", "X", "R_a", "r_b", "z", "L", "T", "E", "nu")
+        return Star(**{name: getattr(self, name) for name in names})
 
     @property
     def clutch(self) -> Clutch:

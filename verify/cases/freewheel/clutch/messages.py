@@ -3,10 +3,10 @@
 import math
 from collections.abc import Sequence
 
+from verify.cases.freewheel.clutch.classes import light, past_corners
 from verify.cases.freewheel.clutch.course import axial, tilted, torque, where_friction_holds
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
 from verify.cases.freewheel.clutch.limits import Limit, allowed_shift, end, of_torque_alone, under
-from verify.cases.freewheel.clutch.model import light, past_corners
 from verify.cases.freewheel.clutch.numbers import newton, newton_metres, pascal, share
 from verify.cases.freewheel.clutch.recommendations import advice, sensitive
 from verify.cases.freewheel.clutch.scatter import DRAWS
@@ -50,7 +50,7 @@ def verdict(q: ClutchInputs, v: Values) -> str:
     ratio = f"μ/μ_req = {v['safety']:.4g}"
     if past_corners(q, v):
         alone = "friction alone would hold" if v["safety"] >= 1 else "friction would slip, too"
-        at = f"T_c = {newton_metres(v['T corner'])}"
+        at = f"T_c = {newton_metres(v['T_corner'])}"
         return f"the rollers are past the flats' corners ({at}); {alone}, {ratio}"
     if light(q, v) == "overloaded":
         return f"{ratio}: friction holds ({needs}), {beyond(q, v)}"
@@ -70,34 +70,34 @@ def beyond(q: ClutchInputs, v: Values) -> str:
             f"the rollers' ends bear {pascal(v['p_end'])}" if "p_end" in v else \
             "one end of the rollers bears everything"  # fmt: skip
         found.append(f"contacts are overloaded: {bear}, p_lim is {pascal(q.p_lim)}")
-    if v["e/L"] > allowed_shift(q):
-        found.append(f"the rollers tilt: e/L = {v['e/L']:.3g} is beyond {allowed_shift(q):.3g}")
+    if v["e_L"] > allowed_shift(q):
+        found.append(f"the rollers tilt: e/L = {v['e_L']:.3g} is beyond {allowed_shift(q):.3g}")
     return " and ".join(found)
 
 
 def scattered(q: ClutchInputs, v: Values) -> list[str]:
-    if "P(slip)" not in v:
+    if "P_slip" not in v:
         return []
     given = [
         f"±{t * 1e6:.3g} µm on {name}"
         for name, t in (("X", q.X_tol), ("r", q.r_tol), ("R", q.R_tol)) if t > 0
     ] + ([f"μ {q.mu:g} ± {q.s_mu:g}"] if q.s_mu > 0 else [])  # fmt: skip
-    shares = ", ".join(f"{share(v[f'share {c}'])} {c}" for c in ("green", "yellow", "red"))
+    shares = ", ".join(f"{share(v[f'share_{c}'])} {c}" for c in ("green", "yellow", "red"))
     through = "let the rollers through" if not q.is_star else "have contacts too wide to tell"
     lost = [
-        f"{share(v[f'P({key})'])} {words}"
-        for key, words in (("no wedge", "have no wedge"), ("no state", through),
+        f"{share(v[f'P_{key}'])} {words}"
+        for key, words in (("no_wedge", "have no wedge"), ("no_state", through),
                            ("corner", "have rollers past the flats' corners"))
-        if f"P({key})" in v
+        if f"P_{key}" in v
     ]  # fmt: skip
     spread = ""
-    if "alpha, 5 %" in v:
+    if "alpha_below_5" in v:
         spread = (
-            f"; 90 % of those that wedge have α_0 from {v['alpha_0, 5 %'] * DEGREE:.3f}° to "
-            f"{v['alpha_0, 95 %'] * DEGREE:.3f}° and μ/μ_req from {v['safety, 5 %']:.3g} to "
-            f"{v['safety, 95 %']:.3g}"
+            f"; 90 % of those that wedge have α_0 from {v['alpha_0_below_5'] * DEGREE:.3f}° to "
+            f"{v['alpha_0_below_95'] * DEGREE:.3f}° and μ/μ_req from {v['safety_below_5']:.3g} to "
+            f"{v['safety_below_95']:.3g}"
         )
-    told = ", ".join([*lost, f"{share(v['P(slip)'])} slip"])
+    told = ", ".join([*lost, f"{share(v['P_slip'])} slip"])
     return [
         f"of {DRAWS:,} clutches of like rollers with {', '.join(given)}: {told} (by friction "
         f"{shares}){spread}"
@@ -111,8 +111,8 @@ def warnings(q: ClutchInputs, v: Values) -> Sequence[str]:
             f"{pascal(v['p_end'])} at the rollers' ends exceed p_lim = {pascal(q.p_lim)}: the "
             "surfaces yield"
         )
-    if v.get("e/L", 0.0) > allowed_shift(q):
-        found.append(f"e/L = {v['e/L']:.3g} is beyond {allowed_shift(q):.3g}: the rollers tilt")
+    if v.get("e_L", 0.0) > allowed_shift(q):
+        found.append(f"e/L = {v['e_L']:.3g} is beyond {allowed_shift(q):.3g}: the rollers tilt")
     return found
 
 

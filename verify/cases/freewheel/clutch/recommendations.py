@@ -2,9 +2,9 @@
 
 import math
 
+from verify.cases.freewheel.clutch.classes import past_corners
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
 from verify.cases.freewheel.clutch.limits import under
-from verify.cases.freewheel.clutch.model import past_corners
 from verify.cases.freewheel.clutch.remedies import (
     GOALS,
     bearing,
@@ -27,7 +27,7 @@ def advice(q: ClutchInputs, v: Values) -> list[str]:
     if under(q) is None:
         return [stiffer(q)]
     if past_corners(q, v):
-        return [f"the corners are just reached with L = {q.L * q.T / v['T corner'] * 1e3:.5g} mm"]
+        return [f"the corners are just reached with L = {q.L * q.T / v['T_corner'] * 1e3:.5g} mm"]
     if v["safety"] >= 1 and v["mu_0"] <= q.mu:
         return []
     return [

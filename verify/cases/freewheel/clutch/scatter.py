@@ -16,7 +16,8 @@ Array = NDArray[np.float64]
 DRAWS, SEED = 20_000, 2021
 PERCENTILES = (5.0, 50.0, 95.0)
 COUNTED: dict[str, Outcome] = {
-    "slip": "slips", "no wedge": "no wedge", "corner": "past the corners", "no state": "no state",
+    "slip": "slips", "no_wedge": "no wedge", "corner": "past the corners",
+    "no_state": "no state",
 }  # fmt: skip
 NAMES = {"R_s": "R", "X_o": "X"}  # of an outer cam's fields, as inputs are called
 
@@ -36,13 +37,13 @@ class Scatter:
     def values(self) -> dict[str, float]:
         """Percentiles and shares, SI; shares of none are left out, but for those that slip."""
         d, known = self.drawn, np.isfinite(self.drawn.mu_req)
-        found = {f"P({key})": d.share(outcome) for key, outcome in COUNTED.items()}
-        found = {key: share for key, share in found.items() if share > 0 or key == "P(slip)"}
+        found = {f"P_{key}": d.share(outcome) for key, outcome in COUNTED.items()}
+        found = {key: share for key, share in found.items() if share > 0 or key == "P_slip"}
         for name, x in (
             ("alpha_0", d.alpha0), ("alpha", d.alpha[known]), ("safety", self.safety),
         ):  # fmt: skip
             if x.size:
-                found |= {f"{name}, {p:g} %": float(np.percentile(x, p)) for p in PERCENTILES}
+                found |= {f"{name}_{p:g}": float(np.percentile(x, p)) for p in PERCENTILES}
         wedged = ~criterion.self_releasing(alpha=d.alpha0, mu=d.mu)
         wedged &= d.outcomes[d.wedging] != "past the corners"
         lights = criterion.traffic_light(self.safety)[wedged[known]]
@@ -50,7 +51,7 @@ class Scatter:
                   for name in ("green", "yellow")}  # fmt: skip
         # those without a wedge or a state, past the corners or releasing themselves among them
         shares["red"] = 1 - sum(shares.values())
-        return found | {f"share {name}": share for name, share in shares.items()}
+        return found | {f"share_{name}": share for name, share in shares.items()}
 
 
 @lru_cache(maxsize=4)

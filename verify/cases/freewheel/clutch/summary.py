@@ -2,9 +2,9 @@
 
 from typing import Any
 
+from verify.cases.freewheel.clutch.classes import light
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
 from verify.cases.freewheel.clutch.limits import Limit, as_axial_load_grows, as_torque_grows
-from verify.cases.freewheel.clutch.model import light
 from verify.core.case import Values
 
 

@@ -1,111 +1,66 @@
 """Friction criterion of a freewheel with axial load (Nagler, Lohrengel, Eqs. 1, 2, 8 to 10)."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator
+from typing import Any, ClassVar
 
-from analytic.freewheel import criterion
-from verify.cases.freewheel.friction import figures
-from verify.cases.freewheel.friction.claims import CHECKS
-from verify.cases.freewheel.friction.fem import LEVELS, fem
-from verify.cases.freewheel.friction.formulas import analytic, both_contacts
+import numpy as np
+
+from analytic.freewheel import criterion, tilt
+from analytic.freewheel.state import at_normal_force, loaded
+from verify.case import (
+    Comparison,
+    Drawn,
+    Expected,
+    Level,
+    Quantity,
+    Scan,
+    approximation,
+    balance,
+    identity,
+)
+from verify.case import underived as unknown
+from verify.cases.freewheel.bounds import Interval
+from verify.cases.freewheel.friction import figures as drawn
+from verify.cases.freewheel.friction.bounds import FrictionBounds
+from verify.cases.freewheel.friction.comparisons import at_slip
 from verify.cases.freewheel.pulled import Pulled
-from verify.core.case import Case, Output, Scan, Values
+from verify.core.case import Context
+from verify.core.figures import Array, Picture, Sketch, Table
+from verify.form.adapter import adapted
 
 CLOSE = 0.02  # of tan(alpha): friction that near leaves no axial load worth measuring
+GRID = np.linspace(0.0, 1.0, 401)  # of N, along which rollers are let out
+ANGLE = "two bodies that enclose the star say alpha, friction along surfaces by its size"
+TILTED = f"{ANGLE}, surfaces tilt under N"
+HEAVY: Any = {"own": (0.03, "surfaces tilt by more, the heavier the load")}
+LIMITED, CREEPS = "it goes as √((μ/tan α)² − 1)", "it goes as 1/√((μ/tan α)² − 1)"
+ROOT = 0.015, 0.05  # what a root of a small difference asks for, by default and of a user's inputs
+STATICS: Any = {"sensitivity": (1e-6, "forces in balance, on any mesh")}
+SHARED = "Coulomb's law of friction, plane strain, load uniform along the rollers"
 
 
-def warnings(q: Pulled, v: Values) -> Sequence[str]:
-    found: list[str] = []
-    light = str(criterion.traffic_light(v["safety"]))
-    if "F_lim" not in v:
-        found.append(
-            f"tan α = {v['mu_t']:.4g} is not below μ = {q.mu:g} (Eq. 1): the torque alone lets the "
-            "rollers out, no axial load needed"
-        )
-    elif light != "green":
-        found.append(
-            f"μ/μ_req = {v['safety']:.3g}, {light}: the clutch slips along its axis; it bears "
-            f"F_ax = {v['F_lim']:.4g} N"
-        )
-    if v["e"] * 6 > q.L:
-        found.append(
-            f"the axial forces tilt the rollers: e = {v['e'] * 1e3:.3g} mm is beyond L/6, one end "
-            "lifts off"
-        )
-    return found
+class FreewheelFriction(Pulled):
+    """The wedge says what friction rollers need, tan α; an axial load adds to it at right angles.
 
+    An elastic clutch with friction in a cone slips where that says so, under the torque and along
+    the axis. Beyond the limit it turns as well: slip has the direction of the resultant.
+    """
 
-def findings(_q: Pulled, v: Values) -> Sequence[str]:
-    if "F_lim" not in v:
-        return ("slips under the torque alone: friction is less than the wedge asks for",)
-    holds = v["safety"] >= 1
-    beyond = (
-        f"beyond F_ax = {v['F_lim']:.4g} N it slips along the axis and turns by "
-        f"{v['creep']:.3g} times that, or lets the rollers out within {v['u_out'] * 1e3:.2g} mm"
-    )
-    said = "holds" if holds else "slips"
-    return (f"{said}: μ/μ_req = {v['safety']:.4g}, {criterion.traffic_light(v['safety'])}", beyond)
-
-
-def too_large(q: Pulled) -> str:
-    v = analytic(q)
-    low, _ = both_contacts(q, v)
-    if v["mu_t"] * (1 + CLOSE) / (1 + low) < q.mu:
-        return q.refusal()
-    return (
-        f"tan α = {v['mu_t']:.4g} is not below μ = {q.mu:g} by {CLOSE:.0%} or more: the torque "
-        "alone lets the rollers out, or nearly so; check it without --fem"
-    )
-
-
-def output(key: str, symbol: str, unit: str, what: str, *, judged: bool = True) -> Output:
-    return Output(key=key, symbol=symbol, unit=unit, what=what, judged=judged)
-
-
-FRICTION = Case(
-    id="freewheel-friction",
-    title="Friction criterion of a freewheel with axial load",
-    paper="nagler2021",
-    place="Eqs. 1, 2, 8-10",
-    lead="The wedge says what friction rollers need, tan α, and an axial load adds to it at right "
-    "angles. An elastic clutch with friction in a cone slips where that says so, under the torque "
-    "and along the axis. Beyond the limit it turns as well: slip has the direction of the "
-    "resultant.",
-    inputs=Pulled,
-    analytic=analytic,
-    reference=fem,
-    levels=LEVELS,
-    scans=(
-        Scan(vary=("T=13N m,26N m", "F_ax=300N,600N,1200N"), star=True),
-    ),
-    checks=CHECKS,
-    outputs=(
-        output("mu_req", "μ_req", "1", "required friction (Eqs. 8, 9)"),
-        output("safety", "μ/μ_req", "1", "available over required friction: it holds from 1 on",
-               judged=False),
-        output("F_lim", "F_ax,lim", "N", "axial load on the clutch at which it slips (Eq. 9)"),
-        output("mu_t", "tan α", "1", "required friction without axial load (Eq. 1)"),
-        output("alpha", "α", "deg", "clamping angle under T", judged=False),
-        output("N", "F_n", "N", "normal force at either contact of a roller"),
-        output("F_t", "F_t", "N", "tangential force at either contact"),
-        output("F_a", "F_a", "N", "axial force at either contact, F_ax/z"),
-        output("creep", "R dφ/du_z", "1", "creep of the ring's bore over axial slip at the limit"),
-        output("u_out", "u_out", "mm", "axial slip after which nothing is left of the torque, "
-               "ring held", judged=False),
-        output("e", "e", "mm", "shift of F_n along the roller by the couple of its axial forces",
-               judged=False),
-        output("peak", "1 + 6e/L", "1", "peak of the line load over its mean, by that",
-               judged=False),
-        output("pressure", "p_1/p", "1", "and of Hertz's pressure", judged=False),
-    ),
-    readings=(
+    id = "freewheel-friction"
+    title = "Friction criterion of a freewheel with axial load"
+    source = "nagler2021"
+    place = "Eqs. 1, 2, 8-10"
+    levels: ClassVar = (4, 6, 8)  # cells on the half-width of the fine zones
+    scans: ClassVar = (Scan(vary=("T=13N m,26N m", "F_ax=300N,600N,1200N"), star=True),)
+    readings: ClassVar = (
         "T and F_ax are of the whole clutch, F_n, F_t and F_a of one contact of one roller: Eq. 8 "
         "has F_a = F_ax/z where Eq. 9 has F_ax",
         "α is half the angle between flat and ring at the roller, that under load",
         "the lever of F_t is the ring's bore radius R",
         "μ_req has a symbol of its own: Eq. 8 calls it tan α, which is F_t/F_n (Eq. 1)",
         "at μ = μ_req the clutch holds, as Eqs. 1 and 8 and the classes have it; not Eqs. 9, 10",
-    ),
-    assumptions=(
+    )
+    assumptions: ClassVar = (
         "dimensions, μ and F_ax are yours: the paper prints none for its clutches; this clutch is "
         "synthetic, at the rig's largest torque",
         "finite elements have u_z(x, y) beside plane strain: long rollers, the axial load spread "
@@ -118,13 +73,173 @@ FRICTION = Case(
         "the drive keeps the torque up beyond the limit, or holds the ring: both are shown",
         "one coefficient of friction, no rate, no oil; the couples of all rollers cancel on star "
         "and ring",
-    ),
-    findings=findings,
-    warnings=warnings,
-    too_large=too_large,
-    equations=figures.equations,
-    tables=figures.tables,
-    sketch=figures.sketch,
-    figures=figures.figures,
-    pictures=figures.pictures,
-)  # fmt: skip
+    )
+
+    @Quantity("μ_req", "1", "required friction coefficient with the F_ax of Eq. 9", equation="8",
+              form="as printed", form_of="mu_req", safe="too high",
+              tex=r"\frac{\sqrt{F_t^2 + F_{ax}^2}}{F_n}")  # fmt: skip
+    def mu_req_printed(self) -> float:
+        found = criterion.required_friction_of_contact(
+            F_n=self.state.N, F_t=self.F_t, F_a=self.F_ax
+        )  # fmt: skip
+        return float(found)
+
+    @Quantity("μ/μ_req", "1", "available over required friction: the clutch holds from 1 on",
+              equation="10", safe="too low", tex=r"\frac{\mu}{\mu_{req}}")  # fmt: skip
+    def safety(self) -> float:
+        return float(criterion.safety(mu=self.mu, mu_req=self.mu_req))
+
+    @Quantity("R dφ/du_z", "1", "creep of the ring's bore over axial slip at the limit, F_t/F_a",
+              source="slip beyond the limit is along the resultant", tex=r"\frac{T}{R F_{lim}}",
+              when=lambda q: q.bears_axial_load)  # fmt: skip
+    def creep(self) -> float:
+        return self.T / (self.R * self.F_lim)
+
+    @Quantity("u_out", "mm", "axial slip after which nothing is left of the torque, ring held",
+              role="step", when=lambda q: q.bears_axial_load)  # fmt: skip
+    def u_out(self) -> float:
+        return float(self.slipped()[0][0])
+
+    @Quantity("e", "mm", "shift of F_n along the roller by the couple of its axial forces",
+              source="tilt of the roller; no part of the criterion, nor of these elements",
+              role="step",
+              tex=r"r (\cos\left(\alpha\right))^2 \frac{F_a}{F_n}")  # fmt: skip
+    def e(self) -> float:
+        state = self.state
+        return float(tilt.offset(F_a=self.F_a, F_n=state.N, r=self.r, alpha=state.alpha))
+
+    @Quantity("q/q_m", "1", "peak of the line load over its mean, by that shift", role="step",
+              source="one end lifts off from e = L/6 on", tex=r"1 + \frac{6 e}{L}")  # fmt: skip
+    def peak(self) -> float:
+        return float(tilt.peak_factor(e=self.e, L=self.L))
+
+    @Quantity("p_1/p", "1", "the same of Hertz's pressure", role="step",
+              tex=r"\sqrt{1 + \frac{6 e}{L}}")  # fmt: skip
+    def pressure(self) -> float:
+        return float(tilt.pressure_factor(e=self.e, L=self.L))
+
+    def slipped(self) -> tuple[Array, Array]:
+        """Axial slip (m,) [m] of a ring held about the axis, and T (m,) over that before.
+
+        Backwards: the first is where nothing is left. What the clutch does at its limit follows
+        from Coulomb's law and energy. Slip is along the resultant, so that u_z of it and R phi are
+        as F_z and F_t. Where the ring is held, rollers are let out: R phi is made up by what both
+        approaches lose, dd_i + dd_o = -tan(alpha) R dphi, until none is left.
+        """
+        state = at_normal_force(self.clutch, GRID * loaded(self.clutch, self.T).N)
+        tan = np.tan(state.alpha)
+        slope = np.sqrt((self.mu / tan) ** 2 - 1) / tan
+        d = state.d_i + state.d_o
+        lost = np.diff(d) * (slope[1:] + slope[:-1]) / 2
+        rest = np.concatenate([np.cumsum(lost[::-1])[::-1], [0.0]])
+        return rest, np.asarray(state.T / state.T[-1])
+
+    def reference(self, level: int) -> Level:
+        """The sector under torque alone, with axial load, and beyond the limit."""
+        from verify.cases.freewheel.friction.reference import solve
+
+        return solve(self, level)
+
+    def comparisons(self) -> Iterator[Comparison]:
+        """Forces and required friction; the limit; where slip begins and what slips then."""
+        law, bounds = FreewheelFriction, FrictionBounds(self)
+        more: Any = {"order": 2, "shares": SHARED}
+        yield identity(law.F_t, name="tangential force of a roller (Eq. 3, corrected)", **STATICS)
+        yield identity(law.F_a, name="axial force of a roller, F_ax/z", scale=law.F_t, **STATICS)
+        yield approximation(law.N, name="normal force under torque",
+                            expected=expected(bounds.normal_force()), **HEAVY, **more)  # fmt: skip
+        yield approximation(
+            law.mu_T, name="required friction, torque alone (Eqs. 1, 2)", symbol="μ_req",
+            expected=expected(bounds.both_contacts(), ANGLE), **more,
+        )  # fmt: skip
+        yield approximation(law.mu_req, name="required friction (Eqs. 8, 9)",
+                            expected=expected(bounds.one_contact()), **HEAVY, **more)  # fmt: skip
+        whole = expected(bounds.whole_load(), f"{TILTED}; z times a roller's axial force")
+        yield approximation(
+            law.mu_req_printed, expected=whole, **HEAVY, **more,
+            name="required friction, Eq. 8 with the F_ax of Eq. 9 (as printed)",
+        )  # fmt: skip
+        tangent = f"{ANGLE}; √(1 + (F_ax R/T)²) of it is no tangent"
+        yield approximation(law.mu_req, "mu_T", name="tan α, Eq. 8 as printed", symbol="tan α",
+                            expected=expected(bounds.two_tangents(), tangent), **more)  # fmt: skip
+        least, own = ROOT
+        yield approximation(
+            law.F_lim, name="limit of the axial load (Eq. 9)", symbol="F_ax,lim",
+            expected=expected(bounds.limit_load()), sensitivity=(least, LIMITED),
+            own=(own, LIMITED), **more,
+        )  # fmt: skip
+        along = f"Coulomb: slip is along the resultant; {TILTED}"
+        yield approximation(
+            law.creep, name="creep of the ring that slips along the axis, F_t/F_a",
+            expected=expected(bounds.limit_creep(), along), sensitivity=(least, CREEPS),
+            own=(own, CREEPS), **more,
+        )  # fmt: skip
+        yield from at_slip(law.mu_T, law.mu_req)
+        yield balance("balance", "balance of a roller along the axis", "ΣF_a", "N",
+                      of={"F_t": self.F_t}, bound=1e-9,
+                      because="the solver's balance of a body that only contact holds")  # fmt: skip
+
+    def figures(self) -> Iterator[Drawn]:
+        """Cone, limit over torque, what slips and how."""
+        yield Drawn(drawn.figures)
+
+    def pictures(self) -> Iterator[Picture]:
+        """Displacement and shear along the axis."""
+        yield from drawn.pictures()
+
+    def tables(self, context: Context) -> Iterator[Table]:
+        """The clutch's states by finite elements, in words."""
+        yield from drawn.tables(context)
+
+    def sketch(self) -> Sketch:
+        """Roller between flat and ring, and the friction of one contact in its cone."""
+        return drawn.sketch(self)
+
+    def warnings(self) -> Iterator[str]:
+        """Where the clutch slips or tilts its rollers."""
+        light = str(criterion.traffic_light(self.safety))
+        if not self.bears_axial_load:
+            yield (
+                f"tan α = {self.mu_T:.4g} is not below μ = {self.mu:g} (Eq. 1): the torque alone "
+                "lets the rollers out, no axial load needed"
+            )
+        elif light != "green":
+            yield (
+                f"μ/μ_req = {self.safety:.3g}, {light}: the clutch slips along its axis; it bears "
+                f"F_ax = {self.F_lim:.4g} N"
+            )
+        if self.e * 6 > self.L:
+            yield (
+                f"the axial forces tilt the rollers: e = {self.e * 1e3:.3g} mm is beyond L/6, one "
+                "end lifts off"
+            )
+
+    def advice(self) -> Iterator[str]:
+        """Whether it holds, and what happens beyond its limit."""
+        if not self.bears_axial_load:
+            yield "slips under the torque alone: friction is less than the wedge asks for"
+            return
+        said = "holds" if self.safety >= 1 else "slips"
+        yield f"{said}: μ/μ_req = {self.safety:.4g}, {criterion.traffic_light(self.safety)}"
+        yield (
+            f"beyond F_ax = {self.F_lim:.4g} N it slips along the axis and turns by "
+            f"{self.creep:.3g} times that, or lets the rollers out within {self.u_out * 1e3:.2g} mm"
+        )
+
+    def refusal(self) -> str:
+        """Where the torque alone nearly slips, or displacements are not small."""
+        low, _ = FrictionBounds(self).both_contacts()
+        if self.mu_T * (1 + CLOSE) / (1 + low) < self.mu:
+            return super().refusal()
+        return (
+            f"tan α = {self.mu_T:.4g} is not below μ = {self.mu:g} by {CLOSE:.0%} or more: the "
+            "torque alone lets the rollers out, or nearly so; check it without --fem"
+        )
+
+
+def expected(interval: Interval | None, source: str = TILTED) -> Expected:
+    """The interval with its source, where there is one."""
+    return unknown(source) if interval is None else Expected(*interval, source)
+
+
+FRICTION = adapted(FreewheelFriction)

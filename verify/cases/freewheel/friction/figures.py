@@ -8,11 +8,9 @@ import numpy as np
 
 from analytic.freewheel import criterion
 from analytic.freewheel.state import loaded
-from verify.cases.freewheel.friction.formulas import lever, slipped
 from verify.cases.freewheel.slip_limit import HELD
-from verify.core.case import Context, Values
-from verify.core.figures import Curve, Curves, Equation, Figure, Picture, Shape, Sketch, Table
-from verify.core.tex import tex
+from verify.core.case import Context
+from verify.core.figures import Curve, Curves, Figure, Picture, Shape, Sketch, Table
 
 mm, µm = 1e-3, 1e-6
 QUARTER = np.linspace(0.0, np.pi / 2, 91)
@@ -20,42 +18,6 @@ STARTED = 0.999  # of T: the ring has begun to slide
 GRID = np.linspace(0.0, 1.6, 81)[1:]  # of T, over which the limit is drawn
 WIDE, CIRCLE = 2.2, 1.7  # over r: half of the walls drawn, radius of the cone's circle
 ABOVE = 2.2  # of F_ax,lim or F_ax, up to where it is
-
-
-def equations(q: Any, v: Values) -> Sequence[Equation]:
-    tan, T, R = tex(math.tan(v["alpha"])), tex(q.T), tex(q.R / mm)
-    sign, mu = (r"\le" if v["safety"] >= 1 else ">"), tex(q.mu)
-    limit = ""
-    if "F_lim" in v:
-        limit = (
-            rf"= \frac{{{T}\ \mathrm{{N\,m}}}}{{{R}\ \mathrm{{mm}}}}\sqrt{{({mu}/{tan})^2 - 1}}"
-            rf" = {tex(v['F_lim'])}\ \mathrm{{N}}"
-        )
-    return (
-        Equation(tex=r"\tan\alpha = \frac{F_t}{F_n} \le \mu",
-                 numbers=rf"= \frac{{{tex(v['F_t'])}}}{{{tex(v['N'])}}} = {tan}",
-                 place="Eqs. 1 and 2: a roller is a two-force body"),
-        Equation(tex=r"F_t = \frac{T}{z R}, \quad F_a = \frac{F_{ax}}{z}",
-                 numbers=rf"F_t = {tex(v['F_t'])}\ \mathrm{{N}},\quad "
-                 rf"F_a = {tex(v['F_a'])}\ \mathrm{{N}}",
-                 place="of one roller; T and F_ax of the whole clutch"),
-        Equation(tex=r"\mu_{req} = \frac{\sqrt{F_t^2 + F_a^2}}{F_n}",
-                 place="Eq. 8, with a symbol of its own for what is no tangent of α"),
-        Equation(
-            tex=r"\mu_{req} = \tan\alpha\,\sqrt{1 + \left(\frac{F_{ax} R}{T}\right)^2}",
-            numbers=rf"= {tan}\,\sqrt{{1 + {tex(lever(q))}^2}} = {tex(v['mu_req'])}", place="Eq. 9",
-        ),
-        Equation(tex=r"\mu_{req} \le \mu", numbers=rf"{tex(v['mu_req'])} {sign} {mu}",
-                 place="Eq. 10" if v["safety"] >= 1 else "Eq. 10 is not met: the clutch slips"),
-        Equation(tex=r"F_{ax,lim} = \frac{T}{R}\sqrt{\left(\frac{\mu}{\tan\alpha}\right)^2 - 1}",
-                 numbers=limit, place="Eq. 9 solved"),
-        Equation(tex=r"\frac{R\,\mathrm{d}\varphi}{\mathrm{d}u_z} = \frac{F_t}{F_a}",
-                 numbers=rf"= {tex(v['creep'])}" if "creep" in v else "",
-                 place="slip beyond the limit is along the resultant"),
-        Equation(tex=r"e = r\cos^2\alpha\,\frac{F_a}{F_n}, \quad \frac{p_1}{p} = 1 + \frac{6e}{L}",
-                 numbers=rf"e = {tex(v['e'] / µm, 4)}\ \mathrm{{µm}},\quad {tex(v['peak'], 5)}",
-                 place="tilt of the roller; no part of the criterion, nor of these elements"),
-    )  # fmt: skip
 
 
 def sketch(q: Any) -> Sketch:
@@ -67,8 +29,8 @@ def sketch(q: Any) -> Sketch:
     turn = np.linspace(0.0, 2 * np.pi, 121)
     circle = np.column_stack([np.cos(turn), np.sin(turn)])
     cone = np.array([WIDE + CIRCLE + 1.2, 0.0])
-    used = min(tan * math.hypot(1.0, lever(q)) / q.mu, 1.4)
-    tip = cone + CIRCLE * used * np.array([1.0, lever(q)]) / math.hypot(1.0, lever(q))
+    used = min(tan * math.hypot(1.0, q.lever) / q.mu, 1.4)
+    tip = cone + CIRCLE * used * np.array([1.0, q.lever]) / math.hypot(1.0, q.lever)
     shapes = (
         Shape(style="body", points=circle),
         Shape(style="clamp", points=np.array([[WIDE, -1.0], [-WIDE, -1.0]])),
@@ -149,7 +111,7 @@ def _limit(context: Context) -> Curves:
 
 
 def _path(q: Any, last: Any) -> Curves:
-    creep, out = last["creep"], last["let out"]
+    creep, out = last["creep"], last["let_out"]
     tan = creep[0, 2:4].mean()
     full = math.sqrt(q.mu**2 - tan**2)
     turned = creep[-1, 1] + (out[-1, 0] - creep[-1, 0]) * tan / full
@@ -172,8 +134,8 @@ def _path(q: Any, last: Any) -> Curves:
 
 
 def _let_out(q: Any, last: Any) -> Curves:
-    u, T = slipped(q)
-    out = last["let out"]
+    u, T = q.slipped()
+    out = last["let_out"]
     start = np.interp(-STARTED, -out[:, 7], out[:, 0])  # before that the parts only deform
     return Curves(
         title="Torque that is left where the ring is held and slides along the axis",
@@ -239,7 +201,7 @@ def tables(context: Context) -> Sequence[Table]:
     rows.append(
         (f"T, F_ax = {q.F_ax:g} N, μ = {q.mu:g}", f"{holds}; the limit is {v['F_lim']:.5g} N")
     )
-    creep, out = last["creep"], last["let out"]
+    creep, out = last["creep"], last["let_out"]
     rows.append((
         "ring driven along the axis, torque held",
         f"slips; F_t, F_n and F_a stay, the ring creeps by {v['creep']:.3f} of what it slides",
@@ -252,7 +214,7 @@ def tables(context: Context) -> Sequence[Table]:
     return (Table(title="States by finite elements", header=("load", "state"), rows=tuple(rows)),)
 
 
-def pictures(_q: Any) -> Sequence[Picture]:
+def pictures() -> Sequence[Picture]:
     return (
         Picture(field="sector", data="u_z", symbol="u_z", unit="µm", factor=µm, displacement="",
                 caption="Displacement along the axis under torque and axial load: the ring is "

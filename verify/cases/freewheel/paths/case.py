@@ -1,16 +1,36 @@
-"""A roller freewheel on the load paths of the test rig (Nagler, Lohrengel, Sec. 6)."""
+"""A roller freewheel on the load paths of the test rig (Nagler, Lohrengel, Sec. 6).
+
+The paths are taken as a row of rests. What inertia adds is some (f/f_0)² of the loads: f_0 is the
+frequency at which the ring by itself swings on the wedged rollers.
+"""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator
+from typing import ClassVar, Self
 
-from verify.cases.freewheel.paths import figures
-from verify.cases.freewheel.paths.claims import CHECKS
-from verify.cases.freewheel.paths.fem import LEVELS, fem
-from verify.cases.freewheel.paths.formulas import SWAY, analytic, courses, of_limit
-from verify.cases.freewheel.paths.inputs import PathInputs
+import numpy as np
+from pydantic import model_validator
+
+from analytic.freewheel.course import Course, follow
+from analytic.freewheel.load_path import AlternatingAxial, AxialRamp, BothAlternating, LoadPath
+from analytic.freewheel.state import State, loaded
+from verify.case import Comparison, Drawn, Level, Quantity, given, shared
+from verify.cases.freewheel.bounds import Bounds, Interval
+from verify.cases.freewheel.paths import comparisons as compared
+from verify.cases.freewheel.paths import figures as drawn
+from verify.cases.freewheel.pulled import Pulled
 from verify.cases.freewheel.star_sketch import sketch
-from verify.core.case import Case, Output, Values
+from verify.core.case import Check, Context
+from verify.core.figures import Picture, Sketch, Table
+from verify.form.adapter import adapted
 
+MOST = 1000  # cycles of a path
+CASES = (1, 2, 3)
+STEP = 1e-3  # of T, over which the stiffness is taken
+SWAY = 0.01  # of the loads: inertia that may be neglected
+TIMES = 240  # of a cycle
+LEAST = 2000  # of a path
+ROUND_OFF = 1e-9  # of the cycles of a path: one time more would move all of them
 CLOSE = 0.02  # of tan(alpha): friction that near leaves no axial load worth measuring
 LIGHTEST = 0.05  # of the largest torque, down to which load case 3 is solved
 SWINGS = 0.25  # of the loads, beyond which inertia is no small addition
@@ -18,114 +38,21 @@ WORN = 2.0  # mu_req up to which finite elements are asked
 SETTLES = 0.6  # of the limit: alternating loads below settled, of the synthetic clutch
 
 
-def findings(q: PathInputs, v: Values) -> Sequence[str]:
-    paths = courses(q)
-    slips = [case for case, course in paths.items() if math.isfinite(course.slips_at)]
-    named = ", ".join(map(str, slips))
-    found = [
-        f"slips in load case{'s' * (len(slips) > 1)} {named} of {len(paths)}"
-        if slips
-        else f"holds to the end of all {len(paths)} load cases"
-    ]
-    for case, course in paths.items():
-        slip, least = course.slips_at, f"{q.mu / course.peak:.3g}, {course.light}"
-        found.append(
-            f"{figures.NAMES[case]}: "
-            + (
-                f"slips at {slip:.4g} s; loaded on to the path's end as if it held, least "
-                f"μ/μ_req {least}"
-                if math.isfinite(slip)
-                else f"holds to the end, least μ/μ_req {least}"
-            )
-        )
-    if "F_lim" in v:
-        found.append(
-            f"under T = {q.T:g} N m it bears F_ax = {v['F_lim']:.4g} N; alternating loads beyond "
-            f"some {SETTLES:g} of that may make the ring walk before it slips (with --fem)"
-        )
-    return found
+class LoadPaths(Pulled):
+    """The rig loads the clutch along three paths.
 
+    They are a growing axial load under torque, an alternating one, and both alternating. The
+    criterion says along each what friction is asked for and when the clutch slips; finite elements
+    follow the paths with the history of their friction, slip at the same load by any way, and show
+    that the ring walks before.
+    """
 
-def warnings(q: PathInputs, v: Values) -> Sequence[str]:
-    found = []
-    if "F_lim" not in v:
-        found.append(
-            f"tan α = {v['mu_t']:.4g} is not below μ = {q.mu:g} (Eq. 1): the torque alone lets the "
-            "rollers out, no axial load needed"
-        )
-    if 0 < q.T_m <= q.T:
-        found.append(
-            "load case 3: the torque comes to zero under axial load, where no friction holds"
-        )
-    if v["sway"] > SWAY:
-        more = f"adds some {v['sway']:.1%} to the loads" if v["sway"] < SWINGS else "rules"
-        found.append(
-            f"f = {q.f:g} Hz is {math.sqrt(v['sway']):.2g} of the ring's f_0 = {v['f_0']:.4g} Hz: "
-            f"inertia {more}, the paths are taken as slow"
-        )
-    return found
-
-
-def too_large(q: PathInputs) -> str:
-    if reason := q.model_copy(update={"T": q.T_peak}).refusal():
-        return reason
-    v = analytic(q)
-    if v["mu_t"] * (1 + CLOSE) > q.mu or of_limit(q, q.T) is None:
-        return (
-            f"tan α = {v['mu_t']:.4g} is not below μ = {q.mu:g} by {CLOSE:.0%} or more: the torque "
-            "alone lets the rollers out, or nearly so; check it without --fem"
-        )
-    if q.T_critical < LIGHTEST * q.T_peak:
-        return (
-            f"T_m = {q.T_m:g} N m: load case 3 has an axial load while its torque is next to "
-            "zero, where nothing holds; T_m = 0 or well above T, or check it without --fem"
-        )
-    if of_limit(q, q.T_critical) is None:
-        return "the trough of load case 3 slips without axial load; check it without --fem"
-    if v["mu_req at 1"] > WORN:
-        return (
-            f"F_ax = {q.F_ax:g} N asks for friction of {v['mu_req at 1']:.3g} beyond {WORN:g}; "
-            "check it without --fem"
-        )
-    return ""
-
-
-def output(key: str, symbol: str, unit: str, what: str, *, judged: bool = False) -> Output:
-    return Output(key=key, symbol=symbol, unit=unit, what=what, judged=judged)
-
-
-PATHS = Case(
-    id="freewheel-paths",
-    title="Load paths of the test rig",
-    paper="nagler2021",
-    place="Secs. 6 and 7, Eqs. 8-10",
-    lead="The rig loads the clutch along three paths: a growing axial load under torque, an "
-    "alternating one, and both alternating. The criterion says along each what friction is asked "
-    "for and when the clutch slips; finite elements follow the paths with the history of their "
-    "friction, slip at the same load by any way, and show that the ring walks before.",
-    inputs=PathInputs,
-    analytic=analytic,
-    reference=fem,
-    levels=LEVELS,
-    checks=CHECKS,
-    outputs=(
-        output("F_lim", "F_ax,lim", "N", "axial load at slip, load cases 1 and 2 (Eq. 9)",
-               judged=True),
-        output("F_lim 3", "F_ax,lim", "N", "axial amplitude at slip, load case 3", judged=True),
-        *(output(f"{key} {case}", symbol, unit, f"{what}, load case {case}")
-          for case in (1, 2, 3)
-          for key, symbol, unit, what in (
-              ("peak", "μ_req", "1", "largest required friction"),
-              ("when", "t", "s", "and when"),
-              ("safety", "μ/μ_req", "1", "least ratio"),
-              ("slip", "t_slip", "s", "first time of slip"))),
-        output("mu_t", "tan α", "1", "required friction under T without axial load"),
-        output("N", "F_n", "N", "normal force under T"),
-        output("phi", "φ", "deg", "torsion under the largest torque"),
-        output("f_0", "f_0", "Hz", "eigenfrequency of the ring by itself on the wedged rollers"),
-        output("sway", "(f/f_0)²", "1", "what inertia adds to the loads, about"),
-    ),
-    readings=(
+    id = "freewheel-paths"
+    title = "Load paths of the test rig"
+    source = "nagler2021"
+    place = "Secs. 6 and 7, Eqs. 8-10"
+    levels: ClassVar = (3, 4, 5)  # cells on the half-width of the fine zones
+    readings: ClassVar = (
         "load case 2: the axial load alternates about zero, load case 3: torque and axial load "
         "are in phase; Fig. 7 is not in the text",
         "T is the steady torque of load cases 1 and 2 and the amplitude of load case 3; F_ax the "
@@ -133,8 +60,8 @@ PATHS = Case(
         "amplitudes grow in proportion to time",
         "a clutch with T < 0 overruns: the criterion asks for nothing there",
         "the classes 0.8 and 1.0 are a rule of the paper's own runs, adopted",
-    ),
-    assumptions=(
+    )
+    assumptions: ClassVar = (
         "a row of rests: at 30 Hz inertia of the ring adds (f/f_0)², 0.03 % of the loads; it takes "
         "thirty times the ring's own inertia to add 1 %. Rollers and oil are left out, too",
         "times of rise and path, μ and all dimensions are yours: the settings of Table 1 are not "
@@ -146,13 +73,239 @@ PATHS = Case(
         "are wide; each torque has its own place, where both loads come on together",
         "expected errors: tan α of one contact by a star between a layer and a disc, and tilting "
         "surfaces; the limit multiplies them by 1/(1 − (tan α/μ)²)",
-    ),
-    findings=findings,
-    warnings=warnings,
-    too_large=too_large,
-    equations=figures.equations,
-    tables=figures.tables,
-    sketch=sketch,
-    figures=figures.figures,
-    pictures=figures.pictures,
-)  # fmt: skip
+    )
+
+    F_ax: float = given("3 kN", "N", "F_ax", "axial load on the whole clutch at the path's end",
+                        gt=0, le=1e9, claims="nagler2021:rig-axial-load")  # fmt: skip
+    T_m: float = given("0 N m", "N m", "T_m",
+                       "mean torque of load case 3, about which T is the amplitude",
+                       ge=0, le=1e9)  # fmt: skip
+    f: float = given("30 Hz", "Hz", "f", "frequency of load cases 2 and 3", gt=0, le=1e5,
+                     claims="nagler2021:rig-frequency")  # fmt: skip
+    rise: float = given("0.1 s", "s", "t_T", "time in which the torque comes up, load cases 1 "
+                        "and 2", gt=0, le=1e6)  # fmt: skip
+    duration: float = given("0.5 s", "s", "t_end", "end of the path, where the axial load "
+                            "reaches F_ax", gt=0, le=1e6)  # fmt: skip
+    rho: float = given("7850 kg/m^3", "kg/m^3", "ρ", "density of the ring", gt=0, le=1e5)
+
+    @model_validator(mode="after")
+    def _times(self) -> Self:
+        if not self.rise < self.duration:
+            raise ValueError(
+                f"the torque comes up before the path ends: rise < duration, got rise = "
+                f"{self.rise:g} s, duration = {self.duration:g} s"
+            )
+        if self.f * self.duration > MOST:
+            raise ValueError(
+                f"a path has at most {MOST} cycles, got f duration = {self.f * self.duration:g}"
+            )
+        return self
+
+    @Quantity("T_c", "N m", "torque of load case 3 at which the least axial amplitude slips",
+              role="geometry")  # fmt: skip
+    def T_critical(self) -> float:
+        # About zero it is the peak, F_ax/T is the same all the time and alpha largest; about a mean
+        # that keeps it positive the trough, where F_ax is as large and N least. Between lies a zero
+        # under axial load: 0.
+        return self.T if self.T_m == 0 else max(self.T_m - self.T, 0.0)
+
+    @Quantity("α_c", "deg", "clamping angle under that torque", role="step",
+              when=lambda q: q.T_critical > 0)  # fmt: skip
+    def alpha_critical(self) -> float:
+        return float(loaded(self.clutch, self.T_critical).alpha)
+
+    @Quantity("F_lim3", "N", "axial amplitude at slip, load case 3", equation="9", safe="too low",
+              tex=r"\frac{T_c}{R} \sqrt{(\frac{\mu}{\tan\left(\alpha_c\right)})^2 - 1}"
+              )  # fmt: skip
+    def F_lim_3(self) -> float:
+        return self.largest_axial_load(self.T_critical) if self.T_critical else 0.0
+
+    @Quantity("μ_{0}", "1", "largest required friction, load case {0}", source="Eqs. 8, 9, along "
+              "the paths of Sec. 6", safe="too high").over(CASES)  # fmt: skip
+    def peak(self, case: int) -> float:
+        return self.courses[case].peak
+
+    @Quantity("t_{0}", "s", "time of the largest required friction, load case {0}",
+              role="step").over(CASES)  # fmt: skip
+    def when(self, case: int) -> float:
+        return self.courses[case].when
+
+    @Quantity("μ/μ_{0}", "1", "least ratio of friction, load case {0}", safe="too low").over(CASES)
+    def safety(self, case: int) -> float:
+        return self.mu / self.courses[case].peak
+
+    @Quantity("t_s{0}", "s", "first time of slip, load case {0}", safe="too low").over(CASES)
+    def slip(self, case: int) -> float:
+        return self.courses[case].slips_at
+
+    @Quantity("F_2", "N", "axial load at that time, load case 2; load case 1 has no sine",
+              role="step",
+              tex=r"F_{ax} \frac{t_2 - t_T}{t_{end} - t_T} "
+              r"\sin\left(2 \pi f (t_2 - t_T)\right)")  # fmt: skip
+    def F_2(self) -> float:
+        return float(self.paths[2].axial_load(self.courses[2].when))
+
+    @Quantity("φ", "deg", "wind-up angle under the largest torque", equation="7", form="corrected",
+              tex=r"\frac{1}{R} \int \frac{\mathrm{d}d_i + \mathrm{d}d_o}{\tan\alpha}")  # fmt: skip
+    def phi(self) -> float:
+        return float(self._top.phi)
+
+    @Quantity("k", "N m/rad", "stiffness of the wedged rollers about T", role="step",
+              tex=r"\frac{\mathrm{d}T}{\mathrm{d}\varphi}")  # fmt: skip
+    def stiffness(self) -> float:
+        phi = loaded(self.clutch, self.T * np.array([1 - STEP, 1 + STEP])).phi
+        return float(2 * STEP * self.T / (phi[1] - phi[0]))
+
+    @Quantity("J", "kg m^2", "moment of inertia of the ring", role="step",
+              tex=r"\frac{\pi}{2} \rho L (R_a^4 - R^4)")  # fmt: skip
+    def inertia(self) -> float:
+        return self.rho * math.pi / 2 * (self.R_a**4 - self.R**4) * self.L
+
+    @Quantity("f_0", "Hz", "eigenfrequency of the ring by itself on the wedged rollers",
+              role="step", tex=r"\frac{\sqrt{\frac{k}{J}}}{2 \pi}")  # fmt: skip
+    def f_0(self) -> float:
+        return math.sqrt(self.stiffness / self.inertia) / (2 * math.pi)
+
+    @Quantity("(f/f_0)²", "1", "what inertia adds to the loads, about", role="step",
+              tex=r"(\frac{f}{f_0})^2")  # fmt: skip
+    def sway(self) -> float:
+        return (self.f / self.f_0) ** 2
+
+    @property
+    def T_peak(self) -> float:
+        """Largest torque of load case 3 [N m]."""
+        return self.T_m + self.T
+
+    @property
+    def paths(self) -> dict[int, LoadPath]:
+        """The three load cases by their numbers."""
+        ramp = {"T": self.T, "F": self.F_ax, "rise": self.rise, "duration": self.duration}
+        return {
+            1: AxialRamp(**ramp), 2: AlternatingAxial(**ramp, frequency=self.f),
+            3: BothAlternating(T=self.T, F=self.F_ax, frequency=self.f, duration=self.duration,
+                               T_m=self.T_m),
+        }  # fmt: skip
+
+    @shared
+    def courses(self) -> dict[int, Course]:
+        """Loads and required friction along the paths."""
+        cycles = self.f * self.duration * (1 - ROUND_OFF)
+        t = np.linspace(0, self.duration, 1 + max(LEAST, math.ceil(TIMES * cycles)))
+        return {c: follow(self.clutch, path, mu=self.mu, t=t) for c, path in self.paths.items()}
+
+    @shared
+    def _top(self) -> State:
+        """The state under the largest torque."""
+        return self.under(self.T_peak)
+
+    def in_phase(self, sine: float) -> Self:
+        """Load case 3 in its last cycle where its sine has a value."""
+        return self.at(T=self.T_m + sine * self.T, F_ax=self.F_ax * sine)
+
+    def limit_of(self, T: float) -> Interval | None:
+        """Interval of the axial load at slip, from what may be wrong with one contact's tan α."""
+        if not T:
+            return None
+        state = loaded(self.clutch, T)
+        own = math.tan(float(state.alpha))
+        ends = [own / (1 + m) for m in Bounds(self, state).slope(tilted=True)]
+        if max(*ends, own) >= self.mu:
+            return None
+        lever, *others = (math.sqrt((self.mu / tan) ** 2 - 1) for tan in (own, *ends))
+        found = [lever / other - 1 for other in others]
+        return min(found), max(found)
+
+    def reference(self, level: int) -> Level:
+        """The paths from rest to rest, with the history of their friction."""
+        from verify.cases.freewheel.paths.reference import solve
+
+        return solve(self, level)
+
+    def comparisons(self) -> Iterator[Comparison | Check]:
+        """Loads and times of slip, required friction on the way, what comes before slip."""
+        yield from compared.comparisons(self, LoadPaths)
+
+    def figures(self) -> Iterator[Drawn]:
+        """Loads and required friction over time; friction in its cone; how the ring walks."""
+        yield Drawn(drawn.figures)
+
+    def pictures(self) -> Iterator[Picture]:
+        """Displacement and shear along the axis."""
+        yield from drawn.pictures(self)
+
+    def tables(self, context: Context) -> Iterator[Table]:
+        """The three paths side by side."""
+        yield from drawn.tables(context)
+
+    def sketch(self) -> Sketch:
+        """One pitch of star, roller and ring."""
+        return sketch(self)
+
+    def warnings(self) -> Iterator[str]:
+        """Where the torque alone slips or comes to zero, and where inertia counts."""
+        if not math.isfinite(self.F_lim):
+            yield (
+                f"tan α = {self.mu_T:.4g} is not below μ = {self.mu:g} (Eq. 1): the torque alone "
+                "lets the rollers out, no axial load needed"
+            )
+        if 0 < self.T_m <= self.T:
+            yield "load case 3: the torque comes to zero under axial load, where no friction holds"
+        if self.sway > SWAY:
+            more = f"adds some {self.sway:.1%} to the loads" if self.sway < SWINGS else "rules"
+            yield (
+                f"f = {self.f:g} Hz is {math.sqrt(self.sway):.2g} of the ring's f_0 = "
+                f"{self.f_0:.4g} Hz: inertia {more}, the paths are taken as slow"
+            )
+
+    def advice(self) -> Iterator[str]:
+        """Which paths slip, when, and what the clutch bears."""
+        paths = self.courses
+        slips = [case for case, course in paths.items() if math.isfinite(course.slips_at)]
+        named = ", ".join(map(str, slips))
+        yield (
+            f"slips in load case{'s' * (len(slips) > 1)} {named} of {len(paths)}"
+            if slips
+            else f"holds to the end of all {len(paths)} load cases"
+        )
+        for case, course in paths.items():
+            slip, least = course.slips_at, f"{self.mu / course.peak:.3g}, {course.light}"
+            ends = (
+                f"slips at {slip:.4g} s; loaded on to the path's end as if it held, least "
+                f"μ/μ_req {least}"
+                if math.isfinite(slip)
+                else f"holds to the end, least μ/μ_req {least}"
+            )
+            yield f"{drawn.NAMES[case]}: {ends}"
+        if math.isfinite(self.F_lim):
+            yield (
+                f"under T = {self.T:g} N m it bears F_ax = {self.F_lim:.4g} N; alternating loads "
+                f"beyond some {SETTLES:g} of that may make the ring walk before it slips (with "
+                "--fem)"
+            )
+
+    def refusal(self) -> str:
+        """Where displacements are not small, friction is spent, or load case 3 has no torque."""
+        _ = self._top  # ValueError where no state bears the largest torque
+        if reason := Pulled.refusal(self.model_copy(update={"T": self.T_peak})):
+            return reason
+        if self.mu_T * (1 + CLOSE) > self.mu or self.limit_of(self.T) is None:
+            return (
+                f"tan α = {self.mu_T:.4g} is not below μ = {self.mu:g} by {CLOSE:.0%} or more: the "
+                "torque alone lets the rollers out, or nearly so; check it without --fem"
+            )
+        if self.T_critical < LIGHTEST * self.T_peak:
+            return (
+                f"T_m = {self.T_m:g} N m: load case 3 has an axial load while its torque is next "
+                "to zero, where nothing holds; T_m = 0 or well above T, or check it without --fem"
+            )
+        if self.limit_of(self.T_critical) is None:
+            return "the trough of load case 3 slips without axial load; check it without --fem"
+        if (asked := self.in_phase(1.0).mu_req) > WORN:
+            return (
+                f"F_ax = {self.F_ax:g} N asks for friction of {asked:.3g} beyond {WORN:g}; "
+                "check it without --fem"
+            )
+        return ""
+
+
+PATHS = adapted(LoadPaths)

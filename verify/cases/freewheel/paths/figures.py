@@ -8,11 +8,9 @@ from numpy.typing import NDArray
 
 from analytic.freewheel.course import Course
 from analytic.freewheel.criterion import RED
-from verify.cases.freewheel.paths.fem import LOUD, OTHERS, QUIET
-from verify.cases.freewheel.paths.formulas import courses
-from verify.core.case import Context, Values
-from verify.core.figures import Curve, Curves, Equation, Figure, Picture, Table, Zone, Zones
-from verify.core.tex import tex
+from verify.cases.freewheel.paths.reference import LOUD, OTHERS, QUIET
+from verify.core.case import Context
+from verify.core.figures import Curve, Curves, Figure, Picture, Table, Zone, Zones
 
 Array = NDArray[np.float64]
 
@@ -27,39 +25,10 @@ CUT = 4.0  # of mu, beyond which the required friction is not drawn
 DRAWN = 8  # steps of a path's times that a curve is drawn over: 30 points a cycle
 
 
-def equations(q: Any, v: Values) -> Sequence[Equation]:
-    R, T, F = tex(q.R * 1e3), tex(q.T), tex(q.F_ax)
-    found = [
-        Equation(
-            tex=r"\mu_{req}(t) = \tan\alpha(T)\sqrt{1 + \left(\frac{F_{ax}(t) R}{T(t)}\right)^2}",
-            numbers=rf"{tex(v['mu_t'], 4)}\sqrt{{1 + ({F}\cdot {R}\cdot 10^{{-3}}/{T})^2}} = "
-            rf"{tex(v['peak 1'], 4)}\ \text{{at the end of load case 1}}",
-            place="Eqs. 8, 9, along the paths of Sec. 6",
-        ),
-        Equation(
-            tex=r"F_{ax}(t) = F_{ax}\,\frac{t - t_T}{t_{end} - t_T}\,\sin 2\pi f (t - t_T)",
-            place="load case 2; load case 1 has no sine",
-        ),
-        Equation(
-            tex=r"f_0 = \frac{1}{2\pi}\sqrt{\frac{\mathrm{d}T/\mathrm{d}\varphi}{J}}, \quad "
-            r"J = \frac{\pi}{2}\rho L (R_a^4 - R^4), \quad \left(\frac{f}{f_0}\right)^2",
-            numbers=rf"f_0 = {tex(v['f_0'], 4)}\ \mathrm{{Hz}}, \quad "
-            rf"(f/f_0)^2 = {tex(v['sway'], 2)}",
-            place="inertia that is left out: the ring on the wedged rollers",
-        ),
-    ]
-    if "F_lim" in v:
-        found.insert(1, Equation(
-            tex=r"F_{ax,lim} = \frac{T}{R}\sqrt{\left(\frac{\mu}{\tan\alpha}\right)^2 - 1}",
-            numbers=rf"= {tex(v['F_lim'], 5)}\ \mathrm{{N}}", place="Eq. 9, solved",
-        ))  # fmt: skip
-    return found
-
-
 def tables(context: Context) -> Sequence[Table]:
     """The three paths side by side."""
     rows = []
-    for case, course in courses(context.inputs).items():
+    for case, course in context.inputs.courses.items():
         slip = course.slips_at
         peak = short(course.peak) if np.isfinite(course.peak) else None
         rows.append((
@@ -90,7 +59,7 @@ def figures(context: Context) -> Sequence[Figure]:
 
 
 def loads(context: Context, case: int) -> Curves:
-    course, q = courses(context.inputs)[case], context.inputs
+    course, q = context.inputs.courses[case], context.inputs
     return Curves(
         title=f"Loads, {NAMES[case]}", x_label="t [s]", y_label="share of T, F_ax at the end",
         y_bottom=None,
@@ -105,7 +74,7 @@ def loads(context: Context, case: int) -> Curves:
 
 def classes(context: Context, case: int) -> Zones:
     """mu_req over time in the bands of the classes."""
-    course, q = courses(context.inputs)[case], context.inputs
+    course, q = context.inputs.courses[case], context.inputs
     finite = course.mu_req[np.isfinite(course.mu_req)]
     top = HIGH * max(min(float(finite.max()), CUT * q.mu), q.mu / RED)
     across = np.linspace(0, q.duration, 101)
@@ -151,7 +120,7 @@ def plane(context: Context) -> Curves:
               style="dashes", colour=3),
     ]  # fmt: skip
     for case, colour, drawn in ((2, 2, "line"), (1, 0, "dashes"), (3, 1, "line")):
-        curves += _ways(courses(q)[case], q.R, f"load case {case}", colour, drawn)
+        curves += _ways(q.courses[case], q.R, f"load case {case}", colour, drawn)
     for name, colour, told in (("growing", 2, "FE, extremes of 2"), ("ramp", 0, "FE, load case 1")):
         table = last[name]
         curves.append(Curve(

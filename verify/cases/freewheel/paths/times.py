@@ -6,22 +6,22 @@ alone; nothing here comes from the formulas' side, whose times of slip are judge
 
 import math
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
-from verify.cases.freewheel.paths.inputs import PathInputs
 from verify.core.case import Values
 
 Array = NDArray[np.float64]
 
 FINE = 400  # times of a cycle: a crossing below the top by less than 4e-5 of it may be missed
 ROUND_OFF = 1e-9  # of the cycles, so that their times are the same on all processors
-HIGH, LOW = 1.0, 0.3  # sines of load case 3 at which finite elements say mu_req
+MU_REQ = {1.0: "mu_req_high", 0.3: "mu_req_low"}  # of finite elements, by sines of load case 3
 
 
-def time_of_slip(q: PathInputs, case: int, F: float, fem: Values) -> float:
+def time_of_slip(q: Any, case: int, F: float, fem: Values) -> float:
     """First time [s] at which the path asks for more than `F` [N] bears; inf where it never does.
 
     `F` is what finite elements bear under T, of load case 3 under its critical torque; `fem` has
@@ -29,14 +29,14 @@ def time_of_slip(q: PathInputs, case: int, F: float, fem: Values) -> float:
     the case's clutch, 0.3 % of the load where its path slips.
     """
     if case == 1:
-        t = q.rise + F / q.F_ax * (q.duration - q.rise)
+        t: float = q.rise + F / q.F_ax * (q.duration - q.rise)
         return t if t <= q.duration else math.inf
     if case == 2:
         span = q.duration - q.rise
 
         def beyond(t: float) -> float:
             s = t - q.rise
-            return q.F_ax * s / span * abs(math.sin(2 * math.pi * q.f * s)) - F
+            return float(q.F_ax * s / span * abs(math.sin(2 * math.pi * q.f * s)) - F)
 
         return _first(beyond, q.rise, q.duration, q.f)
     tan = tan_of(q, fem)
@@ -50,14 +50,14 @@ def time_of_slip(q: PathInputs, case: int, F: float, fem: Values) -> float:
     return _first(asks, 0.0, q.duration, q.f)
 
 
-def tan_of(q: PathInputs, fem: Values) -> Callable[[float], float]:
+def tan_of(q: Any, fem: Values) -> Callable[[float], float]:
     """tan(alpha) of finite elements over the torque [N m], by a line through two of them."""
 
     def at(sine: float) -> tuple[float, float]:
         T = q.T_m + sine * q.T
-        return T, fem[f"mu_req at {sine:g}"] / math.hypot(1, q.R * sine * q.F_ax / T)
+        return T, fem[MU_REQ[sine]] / math.hypot(1, q.R * sine * q.F_ax / T)
 
-    (T, tan), (T_low, tan_low) = at(HIGH), at(LOW)
+    (T, tan), (T_low, tan_low) = map(at, MU_REQ)
     return lambda torque: tan + (torque - T) * (tan - tan_low) / (T - T_low)
 
 

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from verify.case import Level
 from verify.cases.freewheel.fem import Sector, State
 from verify.cases.freewheel.pulled import Pulled
 from verify.cases.freewheel.pulled_sector import (
@@ -14,6 +15,7 @@ from verify.cases.freewheel.pulled_sector import (
     ample,
     at_torque,
     creeping,
+    field,
     lever_left,
     pulled,
     sector,
@@ -21,8 +23,6 @@ from verify.cases.freewheel.pulled_sector import (
 )
 from verify.cases.freewheel.slip_limit import Limit, over_angles
 from verify.cases.freewheel.sweep import Start
-from verify.core.case import FemResult
-from verify.core.figures import Field
 
 Array = NDArray[np.float64]
 
@@ -32,7 +32,8 @@ FREE = (1.0, 2.0, 5.0, 10.0, 18.0, 27.0, 37.0)  # the same with the ring held
 SOLVED = 1e-9  # of N, within which the solver balances a body that only contact holds
 
 
-def fem(q: Pulled, level: int) -> FemResult:
+def solve(q: Pulled, level: int) -> Level:
+    """One level: forces with ample friction, the path to slip; on the finest what slips how."""
     start = at_torque(q, level)
     rest, held = under_load(q, start, level)
     alone, borne = Borne.by(rest), Borne.by(held)
@@ -41,10 +42,10 @@ def fem(q: Pulled, level: int) -> FemResult:
     values = {
         "F_t": Borne.on_mesh(rest).F_t[1] * per_torque, "N": alone.N.mean() * per_torque,
         "F_a": borne.F_z[0] * per_torque, "balance": borne.F_z.sum() * q.L,
-        "mu_t": alone.tangent, "mu_req": borne.required.mean(),
+        "mu_T": alone.tangent, "mu_req": borne.required.mean(),
     }  # fmt: skip
     # tan² alpha is linear in the approaches, on which T grows faster
-    u_it = {key: (EDGES + missed / 2) * values[key] for key in ("mu_t", "mu_req", "N")}
+    u_it = {key: (EDGES + missed / 2) * values[key] for key in ("mu_T", "mu_req", "N")}
     u_it |= dict.fromkeys(("F_t", "F_a"), SOLVED * values["N"])
     there = sector(q, start, level, q.mu, driven=True)
     stuck = there.rest(rest.drags)
@@ -66,11 +67,11 @@ def fem(q: Pulled, level: int) -> FemResult:
     if level == LEVELS[-1]:
         bound = Limit(q, start, rest.drags)
         arrays |= {
-            "shares": bound.shares(), "onset": bound.of_torque(), "axial onset": bound.of_load(),
+            "shares": bound.shares(), "onset": bound.of_torque(), "axial_onset": bound.of_load(),
             "angles": over_angles(q, start, rest.drags, float(alone.N.mean()), unit),
-            "let out": let_out(there, stuck, [u * unit for u in FREE]),
+            "let_out": let_out(there, stuck, [u * unit for u in FREE]),
         }  # fmt: skip
-    return FemResult(
+    return Level(
         h=1 / level, values={k: float(v) for k, v in values.items()},
         u_it={k: float(v) for k, v in u_it.items()}, arrays=arrays, fields=(field(held),),
     )  # fmt: skip
@@ -112,21 +113,3 @@ def row(state: State, stuck: State, u: float) -> list[float]:
         u, drag, *(b.F_t / b.N), *(b.F_z / b.N), b.N[1] / Borne.on_mesh(stuck).N[1],
         state.torque / stuck.torque,
     ]  # fmt: skip
-
-
-def field(state: State) -> Field:
-    """The sector under both loads: u_z and the shear stress along z."""
-    solution = state.solution
-    cells = solution.plane.cells()
-    assert solution.along is not None
-    corners = cells["cells"].astype(np.int64)
-    u_z = solution.along.u[: len(cells["points"])]
-    shear = np.hypot(*solution.along.stress().T)
-    return Field(
-        name="sector", points=cells["points"], cells=corners,
-        point_data={"displacement": cells["displacement"], "u_z": u_z},
-        cell_data={"shear_z": shear, "log_shear_z": np.log10(np.maximum(shear, 1.0) / 1e6),
-                   "von_mises": cells["von_mises"]},
-        units={"displacement": "m", "u_z": "m", "shear_z": "Pa", "log_shear_z": "1",
-               "von_mises": "Pa"},
-    )  # fmt: skip

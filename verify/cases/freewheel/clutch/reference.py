@@ -5,6 +5,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from verify.case import Level
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
 from verify.cases.freewheel.fem import Place
 from verify.cases.freewheel.pulled import Pulled
@@ -13,52 +14,38 @@ from verify.cases.freewheel.reference import LEVELS, SPLINE, field
 from verify.cases.freewheel.slip_limit import Limit
 from verify.cases.freewheel.star import Star
 from verify.cases.freewheel.sweep import Start, Sweep, after
-from verify.core.case import FemResult
 
 Array = NDArray[np.float64]
 
-OFF = 5e-6  # of X [m]: how far flats are moved to either side, where wedges allow for it
 LEFT = 1e-5  # of dalpha/dX: what the last step to the torque may miss
-TURNED = 0.05  # of the angle: more would be no small change
 GRID = np.linspace(0.1, 1.0, 10)  # of T, where profiles are compared
 AROUND = (0.99, 1.01)  # of mu_req: friction that does not hold, and that does
 NEAR, MOST = 2e-4, 6  # how near the torque a moved flat comes, and in how many steps
 
 
-def star(q: ClutchInputs) -> Star:
-    """The clutch as an inner cam of one material."""
-    return Star(R=q.R, r=q.r, X=q.X, R_a=q.R_a, r_b=q.r_b, z=q.z, L=q.L, T=q.T, E=q.E,
-                      nu=q.nu)  # fmt: skip
-
-
-def off(q: ClutchInputs) -> float:
-    """How far [m] flats are moved."""
-    x, _ = q.cam.centre(d_i=0.0, d_o=0.0)
-    return min(OFF, TURNED * float(x) * 2 * float(q.cam.alpha0))
-
-
-def fem(q: ClutchInputs, level: int) -> FemResult:
-    one, T = star(q), q.T
+def solve(q: ClutchInputs, level: int) -> Level:
+    """One level: the sweep over the torque, the flats moved; on the finest slip about mu_req."""
+    one, T = q.as_star, q.T
     sweep = Sweep(one, level)
     place = sweep.place(T)
     start = at(sweep, T)
-    low, high = (moved(one, start, dX, level) for dX in (-off(q), off(q)))
+    low, high = (moved(one, start, dX, level) for dX in (-q.off, q.off))
     grid = GRID * T
     places = [sweep.place(t) for t in grid]
     values = {
         "alpha": place.psi / 2, "N": sweep.at("N", T),
-        "phi": sweep.torsion_by_energy(np.array([T]))[0], "dalpha/dX": (high - low) / (2 * off(q)),
+        "phi": sweep.torsion_by_energy(np.array([T]))[0], "dalpha_dX": (high - low) / (2 * q.off),
     }  # fmt: skip
     arrays = {
-        "profile, alpha": np.array([p.psi / 2 for p in places]),
-        "profile, phi": sweep.torsion_by_energy(grid),
+        "alpha_over_T": np.array([p.psi / 2 for p in places]),
+        "phi_over_T": sweep.torsion_by_energy(grid),
         "moved": np.array([low, place.psi / 2, high]),
     }
     if level == LEVELS[-1]:
         arrays["around"] = around(q, one, start)
     u_it = {key: SPLINE * abs(float(v)) for key, v in values.items()}
-    u_it["dalpha/dX"] = LEFT * abs(values["dalpha/dX"])
-    return FemResult(
+    u_it["dalpha_dX"] = LEFT * abs(values["dalpha_dX"])
+    return Level(
         h=1 / level, values={k: float(v) for k, v in values.items()},
         u_it={k: float(v) for k, v in u_it.items()}, arrays=arrays, fields=(field(sweep.last),),
     )  # fmt: skip

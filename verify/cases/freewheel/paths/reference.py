@@ -9,30 +9,30 @@ both loads come on together.
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from verify.case import Level
 from verify.cases.freewheel.fem import Place, Sector, State
-from verify.cases.freewheel.friction.fem import field
-from verify.cases.freewheel.paths.inputs import PathInputs
+from verify.cases.freewheel.paths.times import MU_REQ
 from verify.cases.freewheel.pulled_sector import (
     HARDER,
     Borne,
     ample,
     at_torque,
     creeping,
+    field,
     sector,
     slipping,
 )
 from verify.cases.freewheel.slip import Drive, axial_unit
 from verify.cases.freewheel.sweep import Start, after
-from verify.core.case import FemResult
 
 Array = NDArray[np.float64]
 
 LEVELS = (3, 4, 5)  # cells on the half-width of the fine zones
-SHARES = (1.0, 0.3)  # sines of load case 3
 RAMP = (0.3, 0.6, 0.95)  # of the limit of the axial load, load case 1
 GROWING = (0.3, -0.45, 0.6, -0.75, 0.9, -0.95)  # and at the extremes of load case 2
 QUIET, LOUD, CYCLES = 0.4, 0.8, 4  # amplitudes that stay the same, and for how long
@@ -46,12 +46,12 @@ TOGETHER = 0.95  # of the way to the limit in load case 3: what comes from no lo
 class Held:
     """The clutch under its torque and axial forces, in a unit of what friction leaves for F_z."""
 
-    q: PathInputs
+    q: Any
     there: Sector
     rest: State
 
     @classmethod
-    def at(cls, q: PathInputs, start: Start, cells: int, mu: float) -> "Held":
+    def at(cls, q: Any, start: Start, cells: int, mu: float) -> "Held":
         there = sector(q, start, cells, mu, driven=False)
         return cls(q, there, there.rest(start.drags))
 
@@ -65,7 +65,8 @@ class Held:
         return creeping(self.there, state, axial_forces={"ring.rim": share * self.unit})
 
 
-def fem(q: PathInputs, level: int) -> FemResult:
+def solve(q: Any, level: int) -> Level:
+    """One level of all paths; on the finest the loads at slip."""
     start = at_torque(q, level)
     held, drive = Held.at(q, start, level, q.mu), Drive.at(q, start, level)
     ramp, growing = follow(held, RAMP), follow(held, GROWING)
@@ -87,32 +88,30 @@ def fem(q: PathInputs, level: int) -> FemResult:
         ])  # fmt: skip
         coarse = Held.at(q, at_torque(q, LEVELS[0]), LEVELS[0], q.mu)
         arrays["walks"] = np.array([walk(coarse, share) for share in OTHERS])
-    return FemResult(
-        h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=(field(growing[-1]),)
-    )
+    return Level(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=(field(growing[-1]),))
 
 
-def in_phase(q: PathInputs, near: Start, cells: int) -> dict[str, float]:
-    """Load case 3: required friction at `SHARES`."""
+def in_phase(q: Any, near: Start, cells: int) -> dict[str, float]:
+    """Load case 3: required friction at the sines of `MU_REQ`."""
     values = {}
-    for share in SHARES:
+    for share, key in MU_REQ.items():
         there = q.model_copy(update={"T": q.T_m + share * q.T, "F_ax": share * q.F_ax})
         start = under(there, near, q, cells)
         mu = ample(there, Place.overlapping(there, *start.d))
         own = Held.at(there, start, cells, mu)
         force = {"ring.rim": there.F_ax * own.rest.torque / (q.z * there.T)}
         state = own.there.at(own.rest.drags, axial_forces=force)
-        values[f"mu_req at {share:g}"] = float(Borne.by(state).required.mean())
+        values[key] = float(Borne.by(state).required.mean())
     return values
 
 
-def critical(q: PathInputs, near: Start, cells: int) -> Drive:
+def critical(q: Any, near: Start, cells: int) -> Drive:
     """The clutch at the torque of load case 3 at which the least amplitude slips."""
     there = q.model_copy(update={"T": q.T_critical})
     return Drive.at(there, under(there, near, q, cells), cells)
 
 
-def under(there: PathInputs, near: Start, q: PathInputs, cells: int) -> Start:
+def under(there: Any, near: Start, q: Any, cells: int) -> Start:
     """Where the clutch lies under the torque of `there`, from where it lies under that of `q`."""
     if there.T == q.T:
         return near

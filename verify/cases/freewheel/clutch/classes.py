@@ -1,0 +1,34 @@
+"""The class of a freewheel by its worst limit."""
+
+import math
+
+from analytic.freewheel import criterion
+from verify.cases.freewheel.clutch.inputs import ClutchInputs
+from verify.cases.freewheel.clutch.limits import allowed_shift
+from verify.core.case import Values
+
+
+def light(q: ClutchInputs, v: Values) -> str:
+    """Class by the worst limit: "free", "green", "overloaded", "yellow" or "red".
+
+    Red also where torque alone drives the rollers out, or where they are past the flats' corners;
+    overloaded where friction holds and pressure or tilt is beyond its limit.
+    """
+    if q.T < 0:
+        return "free"
+    if q.T == 0 and q.F_ax == 0:
+        return "green" if v["mu_0"] <= q.mu else "red"
+    if "safety" not in v or v["mu_0"] > q.mu or past_corners(q, v):
+        return "red"
+    found = str(criterion.traffic_light(v["safety"]))
+    return "overloaded" if found == "green" and overloaded(q, v) else found
+
+
+def past_corners(q: ClutchInputs, v: Values) -> bool:
+    return v.get("T_corner", math.inf) < q.T
+
+
+def overloaded(q: ClutchInputs, v: Values) -> bool:
+    """Whether contacts, their ends included, press beyond p_lim, or the rollers tilt."""
+    pressed = q.p_lim is not None and v.get("p_end", math.inf) > q.p_lim
+    return pressed or v["e_L"] > allowed_shift(q)

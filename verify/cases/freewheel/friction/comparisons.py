@@ -1,0 +1,130 @@
+"""Where slip of a freewheel begins and what slips then, at the reference's own angle."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from analytic.freewheel import criterion
+from verify.case import Comparison, Quantity
+from verify.cases.freewheel.slip_limit import HELD
+from verify.core.case import Context
+from verify.core.figures import Array
+from verify.judging.tolerance_checks import (
+    SUBJECT,
+    Agreement,
+    Deviation,
+    Pair,
+    PaperDeviation,
+    suites,
+)
+
+ONSET, CONE = 1e-3, 5e-3  # acceptance of the subject
+OWN = 2e-3  # and of F_t/F_n, which is the required friction without an axial load
+ALONE = "as F_t/F_n, which it is without an axial load"
+SHARE = 1e-3  # of F_t/(mu N) over the wedge angles
+COULOMB = "Coulomb's law of friction"
+
+
+def at_slip(mu_T: Quantity, mu_req: Quantity) -> Iterator[Comparison]:
+    """Friction at which all slips, torque alone and with axial load; the cone; wedge angles."""
+
+    def judged(check: Agreement | Deviation, q: Quantity) -> Comparison:
+        return Comparison(check=check, quantity=q, shares=COULOMB)
+
+    yield judged(
+        Agreement(name="torque alone: friction at which all slips (Eq. 1)", symbol="μ/tan α",
+                  unit="1", pair=onset, accepted=ONSET, source=SUBJECT), mu_T,
+    )  # fmt: skip
+    yield judged(
+        Agreement(name="friction below which the axial load finds no rest (Eqs. 8-10)",
+                  symbol="μ/μ_req", unit="1", pair=axial_onset, accepted=CONE, source=SUBJECT),
+        mu_req,
+    )  # fmt: skip
+    yield judged(
+        Agreement(name="required friction on the star, at its own angle (Eqs. 8, 9)",
+                  symbol="μ_req", unit="1", pair=lambda context: of_contact(context, 0),
+                  accepted=OWN, source=suites(ALONE)), mu_req,
+    )  # fmt: skip
+    yield judged(
+        Agreement(name="required friction on the ring, at its own angle (Eqs. 8, 9)",
+                  symbol="μ_req", unit="1", pair=lambda context: of_contact(context, 1),
+                  accepted=OWN, source=suites(ALONE)), mu_req,
+    )  # fmt: skip
+    yield judged(
+        Deviation(name="slipping contacts are on the friction cone", symbol="F/(μF_n) − 1",
+                  unit="1", size=on_the_cone, accepted=CONE, source=SUBJECT, whole="μF_n"), mu_req,
+    )  # fmt: skip
+    yield judged(
+        PaperDeviation(name="wedge angles: held below tan α = μ, let out above",
+                       symbol="ΔF_t/(μF_n)", unit="1", size=over_angles, accepted=SHARE,
+                       source=suites("as sharp as the onset of slip"), whole="μF_n"), mu_T,
+    )  # fmt: skip
+
+
+def required(context: Context, *, loaded: bool, of_mesh: bool = False) -> float:
+    """Eq. 9 at the angle that finite elements have; their loads are in the ratio of the inputs.
+
+    The mesh's own angle is that of its normals, on which the solver's friction acts.
+    """
+    turned, meshed = context.fem[-1].arrays["tan"]
+    tan = meshed if of_mesh else turned
+    q = context.inputs
+    F_ax = q.F_ax if loaded else 0.0
+    return float(criterion.required_friction(alpha=np.arctan(tan), T=q.T, F_ax=F_ax, R=q.R))
+
+
+def onset(context: Context) -> Pair:
+    """All of both contacts slips where friction is tan(alpha)."""
+    share, half = context.fem[-1].arrays["onset"]
+    tan = context.fem[-1].arrays["tan"][1]
+    off = share * tan / required(context, loaded=False, of_mesh=True) - 1
+    words = f"slip starts at {_of_required(off)}, {ONSET:.1%} accepted"
+    return Pair(1 / (1 + off), 1.0, 2 * half, words)
+
+
+def axial_onset(context: Context) -> Pair:
+    """With friction mu_req the axial load is the limit, at which the clutch slips."""
+    share, half = context.fem[-1].arrays["axial_onset"]
+    tan, q = context.fem[-1].arrays["tan"][1], context.inputs
+    needed = required(context, loaded=True, of_mesh=True)
+    off = share * tan * np.hypot(1.0, q.F_ax * q.R / q.T) / needed - 1
+    words = f"slip starts at {_of_required(off)}, {CONE:.1%} accepted"
+    return Pair(1 / (1 + off), 1.0, half, words)
+
+
+def _of_required(off: float) -> str:
+    return "no μ near μ_req" if np.isnan(off) else f"μ_req {off:+.3%}"
+
+
+def of_contact(context: Context, where: int) -> Pair:
+    """Resultant over N of one contact against Eq. 9."""
+    before, now = (_off(context, r.arrays["loaded"][:, where]) for r in context.fem[-2:])
+    words = f"off by {now:+.3%}, {OWN:.1%} accepted"
+    return Pair(1 / (1 + now), 1.0, abs(now - before), words)
+
+
+def _off(context: Context, forces: Array) -> float:
+    N, F_t, F_z = forces
+    found = criterion.required_friction_of_contact(F_n=N, F_t=F_t, F_a=F_z)
+    return float(found / required(context, loaded=True) - 1)
+
+
+def on_the_cone(context: Context) -> tuple[float, float, str]:
+    """Resultant over mu N where all slips, of all contacts and clutches."""
+    arrays, mu = context.fem[-1].arrays, context.inputs.mu
+    last = arrays["creep"][-1] / mu
+    slid = [row for row in arrays["angles"] if row[3] > 0]
+    found = [np.hypot(last[2:4], last[4:6]), *(np.hypot(row[3::2], row[4::2]) for row in slid)]
+    off = np.abs(np.concatenate(found) - 1).max()
+    return float(off), 0.0, f"within {off:.2%} of μF_n, {CONE:.1%} accepted"
+
+
+def over_angles(context: Context) -> tuple[float, float, str]:
+    """How far F_t/(mu N) is off tan(alpha)/mu up to 1; beyond next to nothing is left of N."""
+    k, left, ratio = context.fem[-1].arrays["angles"].T[:3]
+    mu = context.inputs.mu
+    alpha = np.arctan(k * mu)
+    out = criterion.self_releasing(alpha=alpha, mu=mu)
+    needed = criterion.required_friction(alpha=alpha, T=1.0, F_ax=0.0, R=1.0) / mu
+    missed = np.where(out, SHARE * left / (1 - HELD), np.abs(ratio - needed))
+    return float(missed.max()), 0.0, f"off by {missed.max():.1e} at most"

@@ -1,0 +1,247 @@
+"""A freewheel on the rig's load paths: loads and times of slip, and what comes before."""
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from analytic.freewheel import criterion
+from verify.case import Comparison, Expected, Quantity, State, approximation, fact, underived
+from verify.cases.freewheel.bounds import Bounds, Interval
+from verify.cases.freewheel.paths.times import MU_REQ, time_of_slip
+from verify.core.case import Check, Context
+from verify.core.figures import Array
+from verify.judging.checks import Accepted, Margin
+from verify.judging.published_checks import Adopted
+from verify.judging.tolerance_checks import Agreement, Deviation, Pair, demanded, farthest, suites
+
+OWN, KEPT, ALIKE = (
+    2e-3,
+    5e-3,
+    1e-2,
+)  # what is accepted of mu_req, of the torque, of the amplitude at slip
+ROOTED = "twice the friction cone's 0.5 %: it is a root of a small difference"
+STATICS = "as sharp as F_t/F_n against tan(ψ/2)"
+SETTLES = 1 / 3  # of the first cycle's walk, in the last
+GOES_ON = 0.9  # of the walk in the cycle before
+ANGLE = "two bodies that enclose the star say alpha, surfaces tilt under N"
+COULOMB = "Coulomb's law of friction"
+RULE = "rule adopted, not derived: an average over the runs of clutch A in load case 1"
+
+
+def _required(context: Context, at: int, name: str) -> tuple[Array, Array]:
+    """mu_req of finite elements and Eq. 9 at their own angle and loads, states of a path."""
+    arrays, q = context.fem[at].arrays, context.inputs
+    (tan, T, unit), table = arrays["own"], arrays[name]
+    found = criterion.required_friction_of_contact(
+        F_n=1.0, F_t=table[:, 1:3], F_a=table[:, 3:5]
+    ).mean(axis=1)
+    F_ax = np.abs(table[:, 0]) * unit
+    return found, criterion.required_friction(alpha=np.arctan(tan), T=T, F_ax=F_ax, R=q.R)
+
+
+def own(context: Context, name: str) -> Pair:
+    """Eq. 9 and both contacts' resultant over N, where they differ most along a path.
+
+    What the finest meshes differ by in that is its uncertainty.
+    """
+    pairs = (_required(context, at, name) for at in (-2, -1))
+    before, now = (farthest(needed, found, 0.0) for found, needed in pairs)
+    off, earlier = (one.value / one.reference - 1 for one in (now, before))
+    words = f"off by at most {abs(off):.2%}, {OWN:.1%} accepted"
+    return replace(now, U=abs(abs(off) - abs(earlier)) * now.reference, words=words)
+
+
+def torque(context: Context) -> tuple[float, float, str]:
+    """Torque of all states up to the limit over that at rest."""
+    before, now = (
+        max(float(np.abs(r.arrays[name][:, 6] - 1).max()) for name in ("ramp", "growing"))
+        for r in context.fem[-2:]
+    )
+    return now, abs(now - before), f"changes by at most {now:.2%}, {KEPT:.1%} accepted"
+
+
+def at_slip(context: Context, case: int) -> Pair:
+    """Amplitude at which finite elements slip against Eq. 9, from the finest mesh alone."""
+    F, half = slips(context, case)
+    needed = context.analytic["F_lim_3" if case == 3 else "F_lim"]
+    words = f"{F:.5g} N by finite elements, Eq. 9 {needed / F - 1:+.2%}, {ALIKE:.0%} accepted"
+    return Pair(needed, F, half, words)
+
+
+def slips(context: Context, case: int) -> tuple[float, float]:
+    """Axial load [N] at which finite elements slip, and how sure that is."""
+    last = context.fem[-1]
+    if case == 1:
+        return last.values["F_1"], last.u_it["F_1"]
+    F, half = last.arrays["slips"][case - 2]
+    return float(F), float(half)
+
+
+def settles(context: Context) -> tuple[float, float, str]:
+    """A small alternating load turns the ring on less and less."""
+    before, now = (
+        float(walk[-1] / walk[0]) for walk in (r.arrays["cycles"][0] for r in context.fem[-2:])
+    )
+    first, last = 1e9 * context.fem[-1].arrays["cycles"][0][[0, -1]]
+    words = (
+        f"at 0.4 of the limit the bore turns on by {first:.3g} nm in the first cycle, "
+        f"{last:.2g} nm in the last of four"
+    )
+    return SETTLES - now, abs(now - before), words
+
+
+def walks(context: Context) -> tuple[float, float, str]:
+    """A large one turns it on in every cycle, long before it slips."""
+    before, now = (
+        float(walk[-1] / walk[-2]) for walk in (r.arrays["cycles"][1] for r in context.fem[-2:])
+    )
+    ends = [1e9 * r.arrays["cycles"][1][-1] for r in context.fem[-2:]]
+    rate, spread = ends[-1], abs(ends[1] - ends[0])
+    words = (
+        f"at 0.8 of the limit the bore turns on by {rate:.0f} nm in every cycle (meshes differ by "
+        f"{spread:.0f} nm), the last {now:.3f} of that before"
+    )
+    return now - GOES_ON, abs(now - before), words
+
+
+def falls(context: Context) -> tuple[float, float]:
+    """In phase about zero mu_req is largest where the torque is."""
+    key, low = MU_REQ.values()
+    before, now = (r.values[key] / r.values[low] - 1 for r in context.fem[-2:])
+    return now, abs(now - before)
+
+
+def in_time(context: Context, case: int) -> Pair:
+    """The formula's time of slip within those at which the path is `ALIKE` beside what FE bear.
+
+    A course names the first of its times beyond slip: half a step of it is unknown.
+    """
+    q, along = context.inputs, context.inputs.courses[case]
+    F, half = slips(context, case)
+    step = float(along.t[1] - along.t[0])
+    own = along.slips_at - step / 2
+    if not math.isfinite(own):
+        return Pair(own, math.nan, 0.0, "the path ends before it slips")
+    early, below, found, above, late = (
+        time_of_slip(q, case, F + d, context.fem[-1].values)
+        for d in (-ALIKE * F, -half, 0.0, half, ALIKE * F)
+    )
+    words = (
+        f"{own:.5f} s, finite elements {found:.5f} s, from {early:.5f} to {late:.5f} s accepted: "
+        f"{ALIKE:.0%} of their load"
+    )
+    allowed = early / found - 1, late / found - 1
+    U = max(above - found, found - below) + step / 2
+    return Pair(own, found, U, words, allowed)
+
+
+def accepted(name: str, symbol: str, margin: Margin) -> Accepted:
+    return Accepted(name=name, symbol=symbol, unit="1", margin=margin)
+
+
+def agrees(
+    q: Quantity, name: str, pair: Callable[[Context], Pair], figure: float, why: str, unit: str,
+    symbol: str = "",
+) -> Comparison:  # fmt: skip
+    """The formula within a figure that the suite demands."""
+    check = Agreement(name=name, symbol=symbol or q.symbol, unit=unit, pair=pair, accepted=figure,
+                      source=suites(why), **demanded(figure))  # fmt: skip
+    return Comparison(check=check, quantity=q, shares=COULOMB)
+
+
+def slips_in_time(q: Quantity, case: int) -> Comparison:
+    """When a path slips."""
+    check = Agreement(
+        name=f"time of slip, load case {case}", symbol="t", unit="s", accepted=ALIKE,
+        pair=lambda c: in_time(c, case),
+        source=suites(f"when the path is {ALIKE:.0%} beside the load that finite elements bear"),
+    )  # fmt: skip
+    return Comparison(check=check, quantity=q, shares=COULOMB)
+
+
+def in_phase(q: Any, mu_req: Quantity) -> Iterator[Comparison]:
+    """Required friction of load case 3 in its last cycle."""
+    for sine, key in MU_REQ.items():
+        there = q.in_phase(sine)
+        low, high = Bounds(there, there.state).slope(tilted=True)
+        state = State(there, key.removeprefix("mu_req_"), f"load case 3, at {sine:g}")
+        yield approximation(
+            mu_req, state=state, order=2, shares=COULOMB, expected=Expected(low, high, ANGLE),
+            name=f"required friction, load case 3, at {sine:g} of the amplitudes (Eqs. 8, 9)",
+        )  # fmt: skip
+
+
+def comparisons(q: Any, path: Any) -> Iterator[Comparison | Check]:
+    """Of the case `q`, whose class is `path`."""
+    yield from _loads(q, path)
+    yield from in_phase(q, path.mu_req)
+    yield fact("load case 3: required friction is largest at the largest torque", "μ_req", falls)
+    yield agrees(
+        path.mu_req, "required friction along load case 1, at its own angle (Eqs. 8, 9)",
+        lambda c: own(c, "ramp"), OWN, STATICS, "1",
+    )  # fmt: skip
+    yield agrees(
+        path.mu_req, "required friction at the extremes of load case 2, at its own angle "
+        "(Eqs. 8, 9)", lambda c: own(c, "growing"), OWN, STATICS, "1",
+    )  # fmt: skip
+    for case in (1, 2, 3):
+        yield slips_in_time(path.slip(case), case)
+    yield Deviation(name="torque is kept up to the limit", symbol="T/T_0 − 1", unit="1",
+                    size=torque, accepted=KEPT, whole="torque at rest",
+                    source=suites("half of the 1 % that rows are asked for"))  # fmt: skip
+    yield accepted("a small alternating load settles: shakedown", "RΔφ", settles)
+    yield accepted("a large alternating load makes the ring walk: ratcheting below slip", "RΔφ",
+                   walks)  # fmt: skip
+    yield from _adopted(path)
+
+
+def _loads(q: Any, path: Any) -> Iterator[Comparison]:
+    """Axial loads at slip of the three paths."""
+    interval: Interval | None = q.limit_of(q.T)
+    expected = underived(ANGLE) if interval is None else Expected(*interval, ANGLE)
+    yield approximation(
+        path.F_lim, "F_1", name="axial load at slip, torque first (load case 1)", symbol="F_ax",
+        order=2, expected=expected,
+        own=(0.03, "it goes as √((μ/tan α)² − 1)"), shares=COULOMB,
+    )  # fmt: skip
+    yield agrees(path.F_lim, "axial amplitude at slip, steady torque (load case 2)",
+                 lambda c: at_slip(c, 2), ALIKE, ROOTED, "N", "F_ax")  # fmt: skip
+    yield agrees(path.F_lim_3, "axial amplitude at slip, both in phase (load case 3)",
+                 lambda c: at_slip(c, 3), ALIKE, ROOTED, "N", "F_ax")  # fmt: skip
+
+
+def _adopted(path: Any) -> Iterator[Comparison | Check]:
+    """Numbers of the paper that are taken as they stand."""
+    coulomb = {"coulomb": 1.0}
+    yield Comparison(
+        check=Adopted(name="class red below", symbol="μ/μ_req", unit="1", analytic="coulomb",
+                      reference="nagler2021:friction-ratio-red-yellow",
+                      why=f"{RULE}; by Coulomb it slips below 1 (erratum traffic-light-wording)"),
+        numbers=coulomb,
+    )  # fmt: skip
+    yield Comparison(
+        check=Adopted(name="class green from", symbol="μ/μ_req", unit="1", analytic="coulomb",
+                      reference="nagler2021:friction-ratio-yellow-green",
+                      why=f"{RULE}; it is Coulomb's limit, with the equal sign (erratum "
+                      "eq-10-strictness)"),
+        numbers=coulomb,
+    )  # fmt: skip
+    yield Comparison(
+        check=Adopted(name="torsion that the rig allows", symbol="φ", unit="deg", analytic="phi",
+                      reference="nagler2021:rig-torsion-angle",
+                      why="range of the rig, beside the torsion under the largest torque"),
+        quantity=path.phi,
+    )  # fmt: skip
+    yield Adopted(
+        name="axial displacement that the rig allows", symbol="u_z", unit="mm",
+        reference="nagler2021:rig-axial-displacement",
+        why="range of the rig: before slip the clutch deflects by some µm, the rest is slip",
+    )  # fmt: skip
+    yield Adopted(
+        name="test runs of each clutch", symbol="n", unit="1",
+        reference="nagler2021:test-runs-per-clutch",
+        why="their settings (Table 1) are not in the text: three paths stand for the kinds",
+    )  # fmt: skip
