@@ -1,5 +1,6 @@
 """Criteria of sprag clutches at rest and in their engagement."""
 
+import math
 from typing import Any
 
 from verify.answers.answer import Quantity
