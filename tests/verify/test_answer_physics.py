@@ -111,7 +111,7 @@ def test_a_roller_on_the_convex_ring_is_judged_with_its_curvature():
 def test_the_polyhedral_torque_is_the_safe_bound_and_requires_a_cage():
     result = found("polyhedral-clutch")
     values = find("polyhedral-clutch").analytic(find("polyhedral-clutch").inputs())
-    assert result.design.value == values["M wide"] < values["M series"]
+    assert result.design.value == values["M_wide"] < values["M_el"]
     assert any("requires a cage" in text for text in result.remarks)
     assert result.verdict is Verdict.CANNOT_SAY
 

@@ -52,7 +52,7 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
             f"p_t = {q.p_t / 1e6:.4g} MPa does not reach the rollers: needs p_1r = "
             f"{v['p_1r'] / 1e6:.4g} MPa, and {_pressure_for_torque(v)}"
         )
-    elif "M series" not in v:
+    elif "M_el" not in v:
         part.unknowns.append(
             "the hub force alone wedges the rollers: pressure does not limit the torque, strength "
             "does; a larger e or a smaller μ avoids this"
@@ -60,7 +60,7 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
     else:
         _torque(q, v, part)
     ring(q, v, part)
-    for key, body in (("p_0 ring", "ring"), ("p_0 race", "race")):
+    for key, body in (("p_ring", "ring"), ("p_race", "race")):
         if key in v:
             what = f"Hertzian pressure of the rollers on the {body}"
             part.pressure(f"contact_pressure_{body}", what, v[key], q.E)
@@ -68,7 +68,7 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
 
 def _torque(q: Any, v: Values, part: Assessment) -> None:
     """Torque in plane strain, the safe bound of a ring of finite width, and the cage it needs."""
-    narrow, safe = v["M series"], min(v["M series"], v.get("M wide", v["M series"]))
+    narrow, safe = v["M_el"], min(v["M_el"], v.get("M_wide", v["M_el"]))
     part.design = Quantity(
         key="permissible_torque", symbol="M_el", value=safe, unit="N m",
         what="torque of elastic ring and rollers in plane strain, the safe bound; in plane stress "
@@ -83,14 +83,14 @@ def _torque(q: Any, v: Values, part: Assessment) -> None:
         )
     part.at_least("torque", "torque of elastic ring and rollers", narrow if doubt else safe, q.M_t,
                   "N m", "target torque M_t, given", doubt=doubt)  # fmt: skip
-    if v["needed"] > v["slope"]:
+    if v["alpha_need"] > v["alpha_ring"]:
         part.remarks.append(
-            f"this requires a cage: without one the wedge of {math.degrees(v['slope']):.2g} deg "
-            f"carries {v['M slope']:.3g} N m"
+            "this requires a cage: without one the wedge of "
+            f"{math.degrees(v['alpha_ring']):.2g} deg carries {v['M_ring']:.3g} N m"
         )
 
 
 def _pressure_for_torque(v: Values) -> str:
-    if "p series" not in v:
+    if "p_need" not in v:
         return "no pressure gives the target torque"
-    return f"{v['p series'] / 1e6:.4g} MPa for the target torque"
+    return f"{v['p_need'] / 1e6:.4g} MPa for the target torque"

@@ -38,7 +38,7 @@ RULES: Mapping[str, Rule] = {
     "polyhedral-map": Rule("", no_part),
     "polyhedral-locking": Rule("N_elastic", polyhedral.locking),
     "polyhedral-wedge": Rule("M_free", polyhedral.wedge),
-    "polyhedral-clutch": Rule("M series", polyhedral.clutch),
+    "polyhedral-clutch": Rule("M_el", polyhedral.clutch),
     "freewheel-torque": Rule("phi", freewheels.under_torque),
     "freewheel-cup": Rule("phi", freewheels.cup),
     "freewheel-friction": Rule("F_lim", freewheels.with_axial_load),

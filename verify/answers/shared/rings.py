@@ -161,7 +161,7 @@ def _clutch(_: Any, v: Values) -> tuple[SharedReading, ...]:
         SharedReading(
             assumption="ring and rollers are narrow (plane stress)",
             part="their width puts them between plane stress and plane strain",
-            quantity="the torque M_el", source=STRAIN, effect=ratio(v, "M series", "M wide"),
+            quantity="the torque M_el", source=STRAIN, effect=ratio(v, "M_el", "M_wide"),
         ),
         RIGID_RACE,
         equal_shares("rollers", "the torque M_el"),

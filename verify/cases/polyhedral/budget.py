@@ -138,9 +138,9 @@ STATEMENTS: Mapping[str, Statement] = {
             LIMITED,
         ),
         corrected=(
-            Corrected("torque, Eq. 20", "M series", BY_SERIES),
-            Corrected("torque of the first design, Eq. 21", "M series", BY_SERIES),
-            Corrected("pressure for the torque that is wanted, Eqs. 17 to 20", "p series",
+            Corrected("torque, Eq. 20", "M_el", BY_SERIES),
+            Corrected("torque of the first design, Eq. 21", "M_el", BY_SERIES),
+            Corrected("pressure for the torque that is wanted, Eqs. 17 to 20", "p_need",
                       BY_SERIES),
         ),
         finer=5, headline="torque of the elastic ring, series",

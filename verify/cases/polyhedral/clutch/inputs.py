@@ -1,49 +1,68 @@
 """Inputs of the whole polyhedral ring clutch, from its parts to the torque that is wanted."""
 
 import math
+from typing import Self
 
 import numpy as np
 from pydantic import model_validator
 
+from analytic.polyhedral.wedging import holds
+from verify.case import Case, Quantity, count, given
 from verify.cases.polyhedral.inputs import PolygonRing, check_on_the_flat
-from verify.core.inputs import Inputs, count, quantity
 
 FLATTENED = 0.15  # a/d that rollers may reach
 NARROWEST, WIDEST = 1e-5, 0.02  # of d_e: clearances that a ring can take up
 
 
-class ClutchInputs(Inputs):
+class ClutchInputs(Case):
     """Ring, rollers, race and hub; the paper prints no numbers, these are the project's own."""
 
-    M_t: float = quantity("100 N m", "N m", "M_t", "target torque", gt=0, le=1e9)
-    p_t: float = quantity("30 MPa", "MPa", "p_t", "pressure that is available", gt=0, le=1e4)
+    M_t: float = given("100 N m", "N m", "M_t", "target torque", gt=0, le=1e9)
+    p_t: float = given("30 MPa", "MPa", "p_t", "pressure that is available", gt=0, le=1e4)
     z: int = count(6, "z", "rollers, and flats of the bore", ge=3, le=48)
-    D_i: float = quantity("100.06 mm", "mm", "D_i", "bore of the race", gt=0, le=1e5)
-    d: float = quantity("10 mm", "mm", "d", "diameter of the rollers", gt=0, le=1e5)
-    d_e: float = quantity("80 mm", "mm", "d_e", "outer diameter of the ring", gt=0, le=1e5)
-    delta_1: float = quantity("4 mm", "mm", "δ_1", "wall of the ring in its corners", gt=0, le=1e5)
-    rho: float = quantity("2 mm", "mm", "ρ", "fillet radius of the bore's corners", gt=0, le=1e4)
-    b: float = quantity("30 mm", "mm", "b", "width of ring and rollers", gt=0, le=1e5)
-    e: float = quantity(
+    D_i: float = given("100.06 mm", "mm", "D_i", "bore of the race", gt=0, le=1e5)
+    d: float = given("10 mm", "mm", "d", "diameter of the rollers", gt=0, le=1e5)
+    d_e: float = given("80 mm", "mm", "d_e", "outer diameter of the ring", gt=0, le=1e5)
+    delta_1: float = given("4 mm", "mm", "δ_1", "wall of the ring in its corners", gt=0, le=1e5)
+    rho: float = given("2 mm", "mm", "ρ", "fillet radius of the bore's corners", gt=0, le=1e4)
+    b: float = given("30 mm", "mm", "b", "width of ring and rollers", gt=0, le=1e5)
+    e: float = given(
         "9 mm", "mm", "e", "distance of the hub's contact from the middle of a flat", gt=0, le=1e5
     )
-    mu: float = quantity(0.08, "1", "μ", "friction of the rollers", gt=0, lt=1)
-    tan_phi: float = quantity(0.05, "1", "tan φ_1", "friction between hub and ring", ge=0, le=1)
-    E: float = quantity("210 GPa", "GPa", "E", "Young's modulus of all parts", gt=0, le=1e5)
-    nu: float = quantity(0.3, "1", "ν", "Poisson's ratio of all parts", ge=0, le=0.45)
-    alpha: float | None = quantity(
+    mu: float = given(0.08, "1", "μ", "friction of the rollers", gt=0, lt=1)
+    tan_phi: float = given(0.05, "1", "tan φ_1", "friction between hub and ring", ge=0, le=1)
+    E: float = given("210 GPa", "GPa", "E", "Young's modulus of all parts", gt=0, le=1e5)
+    nu: float = given(0.3, "1", "ν", "Poisson's ratio of all parts", ge=0, le=0.45)
+    alpha: float | None = given(
         None, "deg", "α", "wedge angle of the rollers; 2 arctan μ without it", omitted=None,
         gt=0, le=25, example="6 deg",
     )  # fmt: skip
-    R_p: float | None = quantity(
+    R_p: float | None = given(
         None, "MPa", "R_p", "yield strength of the ring, for the warning", omitted=None, gt=0,
         example="900 MPa",
     )  # fmt: skip
 
-    @property
+    @Quantity("β", "deg", "angle between rollers", role="geometry", tex=r"\frac{2 \pi}{z}")
+    def beta(self) -> float:
+        return 2 * math.pi / self.z
+
+    @Quantity("j_D", "mm", "clearance on the diameter", equation="7", role="geometry")
     def j_D(self) -> float:
-        """Clearance on the diameter [m] (Eq. 7)."""
         return self.D_i - (self.d_e + 2 * self.d)
+
+    @Quantity("d_i", "mm", "diameter of the bore, through its corners", role="geometry")
+    def d_i(self) -> float:
+        return self.d_e - 2 * self.delta_1
+
+    @Quantity(
+        "a_f",
+        "mm",
+        "distance of the flats from the axis",
+        role="geometry",
+        tex=r"\left(\frac{d_i}{2} - \rho\right) \cos\left(\frac{\pi}{z}\right) + \rho",
+    )
+    def apothem(self) -> float:
+        return self.ring.apothem
 
     @property
     def ring(self) -> PolygonRing:
@@ -53,15 +72,32 @@ class ClutchInputs(Inputs):
             z=self.z, rho=self.rho,
         )  # fmt: skip
 
-    @property
+    @Quantity("ψ", "deg", "hub's contact off the flat's normal", source="after Eq. 15",
+              role="geometry", tex=r"\arctan\left(\frac{e}{a_f}\right)")  # fmt: skip
     def psi(self) -> float:
-        """Angle [rad] between a flat's normal and the radius to the hub's contact."""
-        return math.atan2(self.e, self.ring.apothem)
+        return math.atan2(self.e, self.apothem)
+
+    @Quantity("φ_1", "deg", "angle of friction between hub and ring", role="geometry",
+              tex=r"\arctan\left(tan \varphi_1\right)")  # fmt: skip
+    def phi_1(self) -> float:
+        return math.atan(self.tan_phi)
+
+    @Quantity("μ_g", "1", "tangential over normal force of the rollers: μ, or tan(α/2) where they "
+              "stay", role="geometry")  # fmt: skip
+    def grip(self) -> float:
+        if self.alpha is None or not holds(alpha=self.alpha, mu=self.mu):
+            return self.mu
+        return float(np.tan(self.alpha / 2))
 
     @property
-    def phi_1(self) -> float:
-        """Angle of friction between hub and ring [rad]."""
-        return math.atan(self.tan_phi)
+    def stays(self) -> bool:
+        """Whether the rollers are not expelled from their wedge."""
+        return self.alpha is None or bool(holds(alpha=self.alpha, mu=self.mu))
+
+    @property
+    def all_levers(self) -> float:
+        """Torque over the tangential force per length on a roller [m²]."""
+        return self.b * self.z * self.D_i / 2
 
     def _check_loads(self) -> None:
         """ValueError where rollers would be pressed flat: a/d beyond `FLATTENED`."""
@@ -81,7 +117,7 @@ class ClutchInputs(Inputs):
             )
 
     @model_validator(mode="after")
-    def _built(self) -> "ClutchInputs":
+    def _built(self) -> Self:
         room = (self.D_i - self.d_e) / 2
         if self.j_D <= NARROWEST * self.d_e:
             raise ValueError(

@@ -1,0 +1,167 @@
+"""What is compared of the whole clutch: formulas and series with finite elements."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from math import inf, nan
+
+import numpy as np
+
+from analytic.polyhedral.capacity import Driven
+from verify.case import Comparison, Quantity, balance
+from verify.cases.polyhedral.clutch.chain import PaperChain
+from verify.cases.polyhedral.clutch.formulas import ElasticClutch, in_fillet
+from verify.cases.polyhedral.clutch.inputs import ClutchInputs
+from verify.cases.polyhedral.clutch.statics import filleted, first_design
+from verify.core.case import Context
+from verify.core.results import Row, Status
+from verify.judging import judge
+from verify.judging.checks import Approximation
+
+BLUNT = 1e-3  # what the semi-ellipse of Hertz may miss at least
+LOOSE = 0.1  # slack from which on a formula is shown, not judged
+PEAK = 2e-3  # of a largest stress: the polynomial along the fillet and the mesh's own error
+NO_LIMIT = "the side without a value sets no limit: the hub's friction locks"
+HERTZ = "argued: (2 a/d)² of each contact, (a/wall)² and 1e-3 of the closure, times what it moves"
+STATICS = (
+    "vectors of pressure, hub and roller on a flat in balance, over the series; the same slack"
+)
+STRESS = "2e-3 of a peak stress between meshes, and what Hertz's neglect makes of the force"
+BALANCE = "acceptance figure; contact met to round-off"
+PLANE = "plane stress, rigid race; half of the hub's force on each side of the flat's middle"
+
+
+class ClutchFormulas(PaperChain, ElasticClutch):
+    """The elastic clutch first, then the paper's chain; what Hertz leaves undecided of both."""
+
+    @property
+    def slack(self) -> float:
+        """Share of the elastic torque; nan where there is none."""
+        N = self.line_load
+        return neglect(self, self.hub, N) * self.hub.force_sensitivity(N) if 0 < N < inf else nan
+
+    @property
+    def slack_p(self) -> float:
+        """Share of the pressure for the target torque."""
+        N = self.line_need
+        if not 0 < self.line_load < inf:
+            return nan
+        return neglect(self, self.hub, N) * self.hub.pressure_sensitivity(N)
+
+    @property
+    def slack_rigid(self) -> float:
+        """Share of the torque with rigid rollers."""
+        N, stiff = self.line_rigid, self.stiff
+        return neglect(self, stiff, N) * stiff.force_sensitivity(N) if 0 < N < inf else nan
+
+    @property
+    def from_rollers(self) -> float:
+        """Share of the stress in the fillets that rollers and hub make."""
+        if not 0 < self.line_load < inf:
+            return nan
+        return abs(1 - in_fillet(self.hub, 0.0, self.p_t) / self.fillet)
+
+
+def neglect(q: ClutchInputs, hub: Driven, N: float) -> float:
+    """What Hertz neglects of the closure under N [N/m], as a share.
+
+    (2 a/d)² on ring and race, (a/wall)² and 1e-3.
+    """
+    a, wall = hub.contact.half_width(N), q.d_e / 2 - q.ring.apothem
+    ends = a**2 + hub.contact.half_width_on_race(N) ** 2
+    return 4 * ends / q.d**2 + (a / wall) ** 2 + BLUNT
+
+
+@dataclass(frozen=True, kw_only=True)
+class Claimed(Approximation):
+    """A formula that Hertz's neglect blurs by `give`; shown where it has no value or much blur.
+
+    On inputs of the user the demand is that blur, both ways, where it is larger than usual.
+    """
+
+    give: str
+
+    def rows(self, context: Context) -> list[Row]:
+        given, found = context.analytic.get(self.analytic), context.fem[-1].values.get(self.fem)
+        if given is not None and all(self.fem in level.values for level in context.fem):
+            return super().rows(context)
+        verdict = judge.Verdict(Status.SHOWN, NO_LIMIT)
+        return [self._row(context.case, self.kind, verdict, analytic=given, fem=found)]
+
+    def demanded(self, context: Context) -> float:
+        usual = super().demanded(context)
+        return usual if context.is_paper else max(usual, 2.2 * context.analytic[self.give])
+
+
+Interval = tuple[float, float] | None
+
+
+def _claimed(
+    q: Quantity, name: str, symbol: str, give: tuple[str, Callable[[], float]],
+    interval: Callable[[], Interval], *, source: str = HERTZ, reference: str = "",
+) -> Comparison:  # fmt: skip
+    check = Claimed(
+        name=name, symbol=symbol, unit="N" if q.unit == "kN" else q.unit, fem=reference or q.name,
+        analytic=q.name, give=give[0], formal=2, interval=lambda *_: interval(), source=source,
+    )  # fmt: skip
+    shares = PLANE if source is not STATICS else ""
+    return Comparison(check=check, quantity=q, numbers={give[0]: give[1]}, shares=shares)
+
+
+def comparisons(self: ClutchFormulas) -> Iterator[Comparison]:
+    """Series, the paper's chain, stress and balances; intervals are computed where rows are."""
+    case = ClutchFormulas
+    slack = ("slack", lambda: self.slack)
+    rigid, p = ("slack rigid", lambda: self.slack_rigid), ("slack p", lambda: self.slack_p)
+    for q, name, symbol, give in (
+        (case.M_el, "torque of the elastic ring, series", "M_t", slack),
+        (case.M_rigid, "torque with rigid rollers, series", "M_t", rigid),
+        (case.N_el, "force of a roller, series", "N", slack),
+        (case.p_need, "pressure for the torque that is wanted, series", "p_t", p),
+    ):
+        yield _claimed(q, name, symbol, give, _around(self, q, give[1], None))
+    for q, name, symbol, give, series, statics in (
+        (case.M_20, "torque, Eq. 20", "M_t", slack, case.M_el,
+         lambda: filleted(self, self.touch).torque(self.p_t)),
+        (case.M_21, "torque of the first design, Eq. 21", "M_t", slack, case.M_el,
+         lambda: first_design(self).torque(self.p_t)),
+        (case.p_20, "pressure for the torque that is wanted, Eqs. 17 to 20", "p_t", p, case.p_need,
+         lambda: filleted(self, self.touch).pressure(self.M_t)),
+    ):  # fmt: skip
+        yield _claimed(q, name, symbol, give, _around(self, series, give[1], statics),
+                       source=STATICS, reference=series.name)  # fmt: skip
+    yield _claimed(case.fillet, "largest hoop stress in the fillets", "σ_max", slack,
+                   lambda: _of_stress(self), source=STRESS)  # fmt: skip
+    for x in "xy":
+        yield balance(
+            f"balance_{x}", f"balance of half a sector, {x}", f"ΣF_{x}", "N/mm", bound=1e-8,
+            of={"side": self.p_t * self.ring.d_i * float(np.sin(np.pi / self.z))}, because=BALANCE,
+        )  # fmt: skip
+    yield balance("moment", "moments of hub and rollers about the axis", "ΣM", "N m",
+                  of={"M series": self.M_el}, bound=1e-9,
+                  because="statics: Eq. 14's lever and angle")  # fmt: skip
+
+
+def _around(
+    q: ClutchFormulas, series: Quantity, slack: Callable[[], float],
+    statics: Callable[[], float] | None,
+) -> Callable[[], Interval]:  # fmt: skip
+    """Interval of a formula's error: what it should give, by other means, over the series."""
+
+    def interval() -> Interval:
+        value, give = getattr(q, series.name), slack()
+        if not value > 0:
+            return 0.0, 0.0  # finite elements have a force, or they would not have been asked
+        if give > LOOSE:
+            return None
+        m = (statics() if statics else value) / value - 1
+        return m - (1 + m) * give, m + (1 + m) * give
+
+    return interval
+
+
+def _of_stress(q: ClutchFormulas) -> Interval:
+    """The same of the fillets' stress, of which roller and hub make a part."""
+    if not q.slack < LOOSE:
+        return None
+    give = PEAK + q.from_rollers * q.slack
+    return -give, give
