@@ -7,14 +7,13 @@ import pytest
 
 from analytic.spring import energy
 from verify.cases.spring.large_fem import Spring
-from verify.cases.spring.map import case as spring_map
-from verify.cases.spring.map import fem
-from verify.cases.spring.map.case import DEEP_MAP, MAP, analytic, pressed, too_large
+from verify.cases.spring.map import fem, formulas
+from verify.cases.spring.map.case import DEEP_MAP, MAP, MapSpring
+from verify.cases.spring.map.formulas import pressed
 from verify.cases.spring.map.inputs import (
     DEEP_LEAVES,
     DEEP_SLENDER,
     Cell,
-    MapInputs,
     points,
     slender,
 )
@@ -35,7 +34,7 @@ TESTS = "Eq. 9 against Eq. 10 at the tests' largest force"
 
 
 def own(**changes):
-    return build(MapInputs, PAPER | changes, "my.toml")
+    return build(MapSpring, PAPER | changes, "my.toml")
 
 
 @pytest.fixture
@@ -75,9 +74,9 @@ def elastica_of(**changes):
 
 
 FAULTS = [
-    pytest.param(spring_map, "Elastica", elastica_of(EI=lambda k: 1.003 * k["EI"]), GUIDED,
+    pytest.param(formulas, "Elastica", elastica_of(EI=lambda k: 1.003 * k["EI"]), GUIDED,
                  id="E I 0.3 % too large"),
-    pytest.param(spring_map, "Elastica", elastica_of(EI=lambda k: k["EI"] / 0.91), ACROSS,
+    pytest.param(formulas, "Elastica", elastica_of(EI=lambda k: k["EI"] / 0.91), ACROSS,
                  id="a wide strip"),
     pytest.param(energy, "stiffness", stiffer(1.05), CLAIM, id="Eq. 9 5 % too stiff"),
     pytest.param(energy, "stiffness", stiffer(0.95), FALLS, id="Eq. 9 5 % too soft"),
@@ -100,9 +99,9 @@ def test_a_wrong_formula_turns_its_row_red(
 def test_another_radius_of_the_elastica_is_not_that_of_the_beams(judged, red, monkeypatch, fresh):
     judged(MAP)
     pressed.cache_clear()
-    right = spring_map.frame.pieces
+    right = formulas.frame.pieces
     monkeypatch.setattr(
-        spring_map.frame, "pieces", lambda **k: right(**k | {"radius": 0.9 * k["radius"]})
+        formulas.frame, "pieces", lambda **k: right(**k | {"radius": 0.9 * k["radius"]})
     )
     found = judged(replace(MAP, figures=lambda _: (), tables=lambda _: ()))
     assert GUIDED in {r.quantity for r in red(found)}
@@ -121,10 +120,10 @@ FE_FAULTS = [
 def test_wrong_finite_elements_turn_rows_red(owner, name, fault, row, monkeypatch, fresh):
     monkeypatch.setattr(owner, name, fault(vars(owner)[name]))
     monkeypatch.setattr(fem, "MAPPED", 0)  # maps are not asked
-    q = MapInputs()
-    levels = [fem.fem(q, level) for level in (4, 8, 16)]
+    q = MapSpring()
+    levels = [MAP.reference(q, level) for level in (4, 8, 16)]
     (check,) = (c for c in MAP.checks if c.name == row)
-    assert check.rows(Context(MAP.id, q, analytic(q), levels, True))[0].status is Status.FAIL
+    assert check.rows(Context(MAP.id, q, MAP.analytic(q), levels, True))[0].status is Status.FAIL
 
 
 def test_the_printed_six_per_cent_are_noted(judged):
@@ -150,8 +149,8 @@ ODD = [
 def test_odd_springs_have_finite_values(change):
     q = own(**change)
     with np.errstate(over="raise", divide="raise", invalid="raise"):  # as the command does
-        v = analytic(q)
-        MAP.warnings(q, v)
+        v = MAP.analytic(q)
+        list(q.warnings())
         assert all(len(row) == 4 for row in points(q, deep=False)["slender"])
     assert all(np.isfinite(x) for x in v.values())
     assert MAP.figures(Context(MAP.id, q, v, [], False)) == ()
@@ -159,12 +158,12 @@ def test_odd_springs_have_finite_values(change):
 
 def test_the_cells_of_a_column_have_its_slenderness():
     for n, ratio in ((4, 60.0), (24, 480.0)):
-        cell = slender(MapInputs(), n, ratio)
+        cell = slender(MapSpring(), n, ratio)
         assert cell.length / cell.b == pytest.approx(ratio, rel=1e-9)
 
 
 def test_a_cell_that_is_no_leaf_spring_is_left_out():
-    assert fem.measured(MapInputs(), Cell(24, 2e-3, 0.45e-3, 11.6e-3, 1.4)) == (0, 0, 0)
+    assert fem.measured(MapSpring(), Cell(24, 2e-3, 0.45e-3, 11.6e-3, 1.4)) == (0, 0, 0)
 
 
 LONG_LEAVES = 18, 8  # of the finer maps: alpha = 70 deg, L_1/r = 60
@@ -172,7 +171,7 @@ LONG_LEAVES = 18, 8  # of the finer maps: alpha = 70 deg, L_1/r = 60
 
 def test_a_cell_whose_spring_becomes_unstable_has_no_forces():
     """Before 60 % of its length the pivots' sign changes between two equilibria."""
-    q = MapInputs()
+    q = MapSpring()
     rows = [row for grid in points(q, deep=True).values() for row in grid]
     cell = rows[LONG_LEAVES[0]][LONG_LEAVES[1]]
     one = fem.spring(q, cell, 4, 2)
@@ -188,7 +187,7 @@ def test_a_cell_whose_spring_becomes_unstable_has_no_forces():
 
 def test_a_path_that_is_not_found_is_no_critical_point(monkeypatch):
     """The paper's spring is stable: what its solver fails at is no result of the map."""
-    q = MapInputs()
+    q = MapSpring()
 
     def fails(self, U, since=None):
         raise ArithmeticError("no equilibrium found")
@@ -200,7 +199,7 @@ def test_a_path_that_is_not_found_is_no_critical_point(monkeypatch):
 
 
 def test_an_arc_that_is_not_followed_proves_nothing(monkeypatch):
-    q = MapInputs()
+    q = MapSpring()
     cell = Cell(q.n, q.b, q.r, q.L1, q.alpha)
 
     def fails(self, *_loads, **_control):
@@ -214,7 +213,7 @@ def test_an_arc_that_is_not_followed_proves_nothing(monkeypatch):
 
 
 def test_forces_of_unstable_equilibria_are_no_result(monkeypatch):
-    q, right = MapInputs(), Spring.compressed
+    q, right = MapSpring(), Spring.compressed
 
     def crossed(self, U, since=None):
         *before, last = right(self, U, since)
@@ -227,17 +226,17 @@ def test_forces_of_unstable_equilibria_are_no_result(monkeypatch):
 def test_an_elastica_that_is_not_found_says_nothing_of_stability():
     """Flat leaves: Newton's method fails at these steps, beams are stable all the way."""
     q = own(alpha="30 deg", x_r="2 mm", y_r="0.1 mm")
-    assert "F, 0.3" not in analytic(q)
-    assert too_large(q) == f"{spring_map.NOT_FOUND}: check it without --fem"
-    assert MAP.warnings(q, analytic(q)) == [spring_map.NOT_FOUND]
+    assert "F_0_3" not in MAP.analytic(q)
+    assert q.refusal() == f"{formulas.NOT_FOUND}: check it without --fem"
+    assert list(q.warnings()) == [formulas.NOT_FOUND]
     cell = Cell(q.n, q.b, q.r, q.L1, q.alpha)
     assert len(fem.pressed(fem.spring(q, cell, 4, 2), cell)) == 2
 
 
 def test_the_finer_map_has_a_part_for_each_of_its_rows():
-    rows = [row for grid in points(MapInputs(), deep=True).values() for row in grid]
+    rows = [row for grid in points(MapSpring(), deep=True).values() for row in grid]
     assert len(DEEP_MAP.levels) == len(rows)
-    part = DEEP_MAP.reference(MapInputs(), 0).arrays["cells"]
+    part = DEEP_MAP.reference(MapSpring(), 0).arrays["cells"]
     assert part.shape == (len(DEEP_SLENDER), 3)
     assert len(rows[-1]) == len(DEEP_LEAVES)
     assert (part > 0).all()

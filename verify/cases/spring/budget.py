@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from verify.cases.spring.curve.inputs import CurveInputs
+from verify.cases.spring.limits import Share
 from verify.cases.spring.map.inputs import SHARES, Cell, MapInputs
 from verify.core.case import FemResult
 from verify.judging.budget_statement import (
@@ -70,7 +71,7 @@ def fem_paper(q: MapInputs, level: int) -> FemResult:
 
 def proportional(level: int, force: float, share: float) -> FemResult:
     """Forces at the shares of the length that a case has, from one at another share."""
-    values = {f"F, {wanted:g}": wanted / share * force for wanted in SHARES}
+    values = {f"F_{wanted}": wanted / share * force for wanted in map(Share, SHARES)}
     return FemResult(h=1 / level, values=values)
 
 

@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 
 from verify.cases.spring.large_fem import Spring
+from verify.cases.spring.limits import Share
 from verify.cases.spring.map.inputs import SHARES, Cell, MapInputs, points
 from verify.core.case import FemResult
 
@@ -18,18 +19,21 @@ class UnstableError(ArithmeticError):
     """Proven: the path of the guided spring has a critical point before the largest share."""
 
 
-def fem(q: MapInputs, level: int) -> FemResult:
+def solve(q: MapInputs, level: int) -> FemResult:
+    """One level of the spring; on one of them the maps, too."""
     here = Cell(q.n, q.b, q.r, q.L1, q.alpha)
     one = spring(q, here, level, max(1, level // 2))
-    values = {f"F, {share:g}": F for share, F in zip(SHARES, pressed(one, here), strict=True)}
-    values["F, free"] = free(one, here)
-    values |= dict(zip(("F_x, aside", "F_y, aside"), aside(q, one), strict=True))
-    values["F_x, straight"] = one.force(one.compressed(np.linspace(0.25, 1, 4) * q.x_r)[-1])
+    values = {
+        f"F_{share}": F for share, F in zip(map(Share, SHARES), pressed(one, here), strict=True)
+    }
+    values["F_free"] = free(one, here)
+    values |= dict(zip(("F_x", "F_y"), aside(q, one), strict=True))
+    values["F_x_straight"] = one.force(one.compressed(np.linspace(0.25, 1, 4) * q.x_r)[-1])
     arrays: dict[str, Any] = {}
     if level == MAPPED:
         for name, cells in points(q, deep=False).items():
             arrays[name] = np.array([[measured(q, cell) for cell in row] for row in cells])
-        arrays["on line"] = np.array([on_line(q, share * q.b) for share in ON_LINE])
+        arrays["on_line"] = np.array([on_line(q, share * q.b) for share in ON_LINE])
     return FemResult(h=1 / level, values=values, arrays=arrays)
 
 

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
@@ -17,27 +16,14 @@ from verify.cases.spring.map.inputs import (
     SHARES,
     SLENDER,
 )
-from verify.core.case import Context, Values
-from verify.core.figures import Array, Curve, Curves, Equation, Map, Table
-from verify.core.tex import tex
+from verify.core.case import Context
+from verify.core.figures import Array, Curve, Curves, Map, Table
 
 mm = 1e-3
 WHAT = (
     ("at small displacement", "head free in both"),
     *((f"at {share:.0%} of the length", "head guided, no contact") for share in SHARES),
 )
-
-
-def equations(q: Any, v: Values) -> Sequence[Equation]:
-    share = SHARES[0]
-    return (
-        Equation(tex=r"k_1", numbers=rf"= {tex(v['k1'] / 1e3)}\ \mathrm{{N/mm}}", place="Eq. 9"),
-        Equation(
-            tex=rf"k_1 \cdot {share:g}\,L_0",
-            numbers=rf"= {tex(v['k1'] / 1e3)} \cdot {tex(share * q.length / mm)} = "
-            rf"{tex(v[f'k1 U, {share:g}'])}\ \mathrm{{N}}",
-        ),
-    )
 
 
 def maps(name: str, m: Array, date: str) -> list[Map]:
@@ -85,8 +71,8 @@ def radius(over: list[tuple[Array, Array]]) -> Curves:
 
 
 def tables(context: Context) -> Sequence[Table]:
-    q, v = context.inputs, context.analytic
-    if "F_x, aside" not in v:
+    q = context.inputs
+    if not math.isfinite(q.F_x):
         return ()
     slope = math.degrees(math.atan2(q.y_r, q.x_r))
     longer = math.hypot(q.x_r, q.y_r) / q.x_r - 1
@@ -95,10 +81,10 @@ def tables(context: Context) -> Sequence[Table]:
         ("direction of the way against the spring's axis", f"{slope:.2f}°"),
         ("turn of the chamber's wall along the way", f"{math.degrees(q.kappa * q.x_r):.2f}°"),
         ("bow of the wall over the way", f"{q.kappa * q.x_r**2 / 8 / mm:.3f} mm"),
-        ("force at the end of a straight way, Eq. 9", f"{v['k1'] * q.x_r:.4g} N"),
-        ("the same, guided elastica", f"{v['F_x, straight']:.4g} N"),
-        ("at the end of the slanted way, along", f"{v['F_x, aside']:.4g} N"),
-        ("and across", f"{v['F_y, aside']:.4g} N"),
+        ("force at the end of a straight way, Eq. 9", f"{q.k1 * q.x_r:.4g} N"),
+        ("the same, guided elastica", f"{q.F_x_straight:.4g} N"),
+        ("at the end of the slanted way, along", f"{q.F_x:.4g} N"),
+        ("and across", f"{q.F_y:.4g} N"),
     ]
     return (
         Table(

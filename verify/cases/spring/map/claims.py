@@ -1,0 +1,66 @@
+"""What case spring-map claims of its maps, of a free head and of the roller's path."""
+
+from typing import Any
+
+import numpy as np
+
+from analytic.spring import energy
+from verify.cases.spring.map.inputs import Cell, MapInputs, points
+from verify.core.case import Context
+from verify.judging.tolerance_checks import Pair
+
+CLAIMED, FROM = 0.10, 240.0  # the paper's error at larger L_0/b
+THIRD = 1 / 3
+NOISE = 1e-4  # of the maps' finite elements
+
+
+def mapped(context: Context, name: str) -> Any:
+    """An array of the level on which maps are made."""
+    return next(r.arrays[name] for r in context.fem if name in r.arrays)
+
+
+def errors(q: MapInputs, cells: list[list[Cell]], k: Any) -> Any:
+    """Eqs. 1-9 over finite elements less one (rows, columns, 3); NaN where there is none."""
+    k1 = np.array([[float(energy.stiffness(**c.eqs, h=q.h, E=q.E)) if c.b < c.r else np.nan
+                    for c in row] for row in cells])  # fmt: skip
+    with np.errstate(divide="ignore"):
+        return np.where(k > 0, k1[..., None] / k - 1, np.nan)
+
+
+def within_claim(context: Context) -> tuple[float, float, str]:
+    """What is left of 10 % at L_0/b from 240 on, at small displacement."""
+    q = context.inputs
+    cells = points(q, deep=False)["slender"]
+    m = errors(q, cells, mapped(context, "slender"))[..., 0]
+    z = np.array([[c.length / c.b for c in row] for row in cells])
+    worst = float(np.nanmax(np.abs(m[z > FROM * 0.999])))
+    return CLAIMED - worst, NOISE, f"{worst:.1%} at most"
+
+
+def falls(context: Context) -> tuple[float, float, str]:
+    """Least step by which the error at small displacement falls as b does, on one centre line."""
+    q = context.inputs
+    b, z, k = mapped(context, "on_line").T
+    k1 = np.array([
+        float(energy.stiffness(**Cell(q.n, t, q.R - t / 2, q.L1, q.alpha).eqs, h=q.h, E=q.E))
+        for t in b
+    ])  # fmt: skip
+    m = np.abs(k1 / k - 1)
+    words = f"from {m[-1]:.1%} at L_0/b = {z[-1]:.0f} to {m[0]:.1%} at {z[0]:.0f}"
+    return float(np.diff(m).min()), NOISE, words
+
+
+def let_loose(context: Context) -> tuple[float, float, str]:
+    """What a third of Eq. 9's force leaves above that of a free head at 0.3 of the length."""
+    F = [r.values["F_free"] for r in context.fem]
+    promised = context.analytic["linear_0_3"]
+    words = f"{F[-1]:.3g} N, Eq. 9 promises {promised:.3g} N"
+    return THIRD - F[-1] / promised, 3 * abs(F[-1] - F[-2]) / promised, words
+
+
+def way(context: Context) -> Pair:
+    """The forces at the end of the straight and the slanted way."""
+    v = context.fem[-1].values
+    m = v["F_x_straight"] / v["F_x"] - 1
+    words = f"{m:+.2%}; across, the spring holds {v['F_y'] / v['F_x']:+.1%} of it"
+    return Pair(v["F_x_straight"], v["F_x"], NOISE * v["F_x"], words)

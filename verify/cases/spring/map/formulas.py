@@ -1,0 +1,133 @@
+"""Eqs. 1-9 of the accordion spring beside the exact elastica of a guided head."""
+
+import math
+from collections.abc import Iterator, Mapping
+from functools import lru_cache
+
+import numpy as np
+
+from analytic.spring import energy, frame
+from analytic.spring.elastica import Elastica
+from verify.case import Case, Quantity, shared
+from verify.cases.spring.limits import Share
+from verify.cases.spring.map.inputs import SHARES, Cell, MapInputs
+from verify.papers.ledger import published
+
+MOST = 24  # segments of an elastica that a check has time for
+TEST_FORCE = 11.0  # N, the largest of Sec. 4
+PARTS = tuple(map(Share, SHARES))
+NOT_FOUND = f"no equilibrium of the guided elastica was found up to {SHARES[-1]:.0%} of its length"
+EXACT = "exact elastica"
+
+
+@lru_cache(maxsize=4)
+def pressed(q: MapInputs) -> Mapping[str, float]:
+    """The exact forces of a guided head at the shares of its length, and aside, by quantity.
+
+    Empty where Newton's method finds no state on the path, whatever the reason: refusal and
+    warnings then say that there is no result, and nothing about the spring.
+    """
+    try:
+        return _pressed(q)
+    except ArithmeticError:
+        return {}
+
+
+def _pressed(q: MapInputs) -> Mapping[str, float]:
+    EA = q.E * q.h * q.b
+    line = Elastica(
+        frame.pieces(**q.path), EI=EA * q.b**2 / 12, EA=EA, GA=5 / 6 * EA / (2 * (1 + q.nu))
+    )
+    steps = np.unique([*np.linspace(0.075, SHARES[0], 4), 0.45, *SHARES])
+    states = dict(zip(steps, line.path("guided", steps * q.length), strict=True))
+    values = {f"F_{share}": states[share].F for share in PARTS}
+    near = [line.unloaded()]
+    for part in np.linspace(0.25, 1, 4):
+        near = [*near[-1:], line.displaced("guided", part * q.x_r, near, aside=part * q.y_r)]
+    values |= {"F_x": near[-1].F, "F_y": float(near[-1].head[3])}
+    values["F_x_straight"] = line.path("guided", np.linspace(0.25, 1, 4) * q.x_r)[-1].F
+    return values
+
+
+def of_paper(q: Case) -> bool:
+    """Whether the paper's tests speak of this spring."""
+    return q.is_default
+
+
+class MapFormulas(MapInputs, Case):
+    """Forces by Eq. 9 and by the elastica, which has none where it is not found."""
+
+    @Quantity("J", "mm^3", "integral of the squared lever of the force", equation="7",
+              role="step", tex=r"\int (M/F)^2 ds")  # fmt: skip
+    def J(self) -> float:
+        return float(energy.flexibility(**self.cell.eqs))
+
+    @Quantity("k_1", "N/mm", "stiffness", equation="9", tex=r"\frac{E h b^3}{12 J}")
+    def k1(self) -> float:
+        return float(energy.stiffness(**self.cell.eqs, h=self.h, E=self.E))
+
+    @Quantity("L_0", "mm", "length from the head's leaf to the tail's", role="geometry")
+    def L0(self) -> float:
+        return self.length
+
+    @Quantity("F({0:g} L_0)", "N", "force of the guided head at {0:.0%} of its length",
+              source=EXACT).over(PARTS)  # fmt: skip
+    def F(self, share: Share) -> float:
+        return self._pressed.get(f"F_{share}", math.nan)
+
+    @Quantity("k_1 U(0.3 L_0)", "N", "force by Eq. 9 at 30% of the length", source="Eq. 9",
+              tex=r"0.3 k_1 L_0")  # fmt: skip
+    def linear_0_3(self) -> float:
+        return self.k1 * SHARES[0] * self.L0
+
+    @Quantity("k_1 U(0.6 L_0)", "N", "force by Eq. 9 at 60% of the length", source="Eq. 9",
+              tex=r"0.6 k_1 L_0")  # fmt: skip
+    def linear_0_6(self) -> float:
+        return self.k1 * SHARES[1] * self.L0
+
+    @Quantity("F_x(x_r)", "N", "force at the end of a straight path of the roller", role="step",
+              source=EXACT)  # fmt: skip
+    def F_x_straight(self) -> float:
+        return self._pressed.get("F_x_straight", math.nan)
+
+    @Quantity("F_x", "N", "force along, at the end of the roller's slanted path", source=EXACT)
+    def F_x(self) -> float:
+        return self._pressed.get("F_x", math.nan)
+
+    @Quantity("F_y", "N", "force across, at the end of the roller's slanted path", source=EXACT)
+    def F_y(self) -> float:
+        return self._pressed.get("F_y", math.nan)
+
+    @Quantity("e_r", "%", "force of Eq. 9 below that of Eq. 10 at the tests' largest force",
+              source="Eqs. 9 and 10", when=of_paper)  # fmt: skip
+    def error_of_tests(self) -> float:
+        U = (TEST_FORCE - published("wang2023:eq10-ab-intercept").value) / (
+            published("wang2023:k2-fea").value * 1e3
+        )
+        return 1 - self.k1 * U / TEST_FORCE
+
+    @property
+    def cell(self) -> Cell:
+        """The spring as a cell of the maps."""
+        return Cell(self.n, self.b, self.r, self.L1, self.alpha)
+
+    @shared
+    def _pressed(self) -> Mapping[str, float]:
+        return pressed(self) if self.n <= MOST else {}
+
+    def refusal(self) -> str:
+        """Long springs, and those of which no equilibrium is found."""
+        if self.n > MOST:
+            return f"n = {self.n} segments are more than {MOST}: check it without --fem"
+        return "" if self._pressed else f"{NOT_FOUND}: check it without --fem"
+
+    def warnings(self) -> Iterator[str]:
+        """Where Eq. 9 is off."""
+        if self.n <= MOST and not self._pressed:
+            yield NOT_FOUND
+        for share, linear in zip(PARTS, (self.linear_0_3, self.linear_0_6), strict=True):
+            if math.isfinite(F := self.F(share)) and abs(m := linear / F - 1) > 0.02:
+                yield (
+                    f"at {share:.0%} of the length Eq. 9 is {m:+.1%} off the guided spring's force"
+                    " (leaves that touch not counted)"
+                )
