@@ -7,13 +7,13 @@ import pytest
 
 from analytic.rotor import clutch_uniform
 from verify.cases.rotor.sprag import ensemble_fem, layout, solid_fem
-from verify.cases.rotor.sprag.case import SPRAG_ROTOR
+from verify.cases.rotor.sprag.case import SPRAG_ROTOR, SpragRotor
 from verify.cases.rotor.sprag.check_types import FittedTo, Share
-from verify.cases.rotor.sprag.claims import FITTED_SPEEDS, IDENTITIES
+from verify.cases.rotor.sprag.claims import IDENTITIES
 from verify.cases.rotor.sprag.elastic import drawn
-from verify.cases.rotor.sprag.fem import beams_fem, drawn_fem, ensemble_arrays_fem
-from verify.cases.rotor.sprag.inputs import PRINTED, RPM, SpragRotorInputs
-from verify.cases.rotor.sprag.model import ORDERS, analytic
+from verify.cases.rotor.sprag.formulas import ORDERS
+from verify.cases.rotor.sprag.inputs import PRINTED, RPM
+from verify.cases.rotor.sprag.reference import beams_fem, drawn_fem, ensemble_arrays_fem
 from verify.cases.rotor.sprag.response_fem import (
     above_chord,
     damped,
@@ -29,8 +29,9 @@ from verify.core.inputs import InputError, build
 from verify.core.results import Status
 from verify.papers.ledger import erratum, published
 
-Q = SpragRotorInputs()
+Q = SpragRotor()
 RNG = np.random.default_rng(3)
+IDENTICAL = [c for c in SPRAG_ROTOR.checks if c.name in {one.name for one in IDENTITIES}]
 ANYWHERE = RNG.random((3, len(layout.PARAMETERS)))  # places in the ranges
 
 
@@ -255,7 +256,7 @@ def test_elastic_bodies_with_the_same_springs_and_discs_have_about_the_beams_fre
     """Within 1 % on a coarse mesh: a spring or disc left out changes some of them by more."""
     monkeypatch.setattr(solid_fem, "REFINED", (2,))
     found = solid_fem.solid_fem(Q)["solid"][0]
-    beams = [values[f"natural frequency {i + 1}"] for i in range(6)]
+    beams = [values[f"frequency_{i + 1}"] for i in range(6)]
     assert found == pytest.approx(beams, rel=0.005)
 
 
@@ -276,7 +277,7 @@ def test_beams_and_elastic_bodies_lose_the_same_inertia_with_a_disc(monkeypatch)
 
 @pytest.fixture(scope="module")
 def values():
-    return analytic(Q)
+    return SPRAG_ROTOR.analytic(Q)
 
 
 @pytest.fixture(scope="module")
@@ -294,7 +295,7 @@ def rows(context, check):
     return {row.quantity: row for row in check.rows(context)}
 
 
-@pytest.mark.parametrize("check", [c for c in SPRAG_ROTOR.checks if c not in IDENTITIES],
+@pytest.mark.parametrize("check", [c for c in SPRAG_ROTOR.checks if c not in IDENTICAL],
                          ids=lambda c: c.name)  # fmt: skip
 def test_claims_stand_on_a_small_ensemble(context, check):
     for row in check.rows(context):
@@ -302,7 +303,7 @@ def test_claims_stand_on_a_small_ensemble(context, check):
 
 
 def test_beams_go_to_the_exact_model_with_order_two(context):
-    for check in IDENTITIES[:12]:
+    for check in IDENTICAL[:12]:
         row = check.rows(context)[1]
         assert row.status is Status.PASS, row.reason
 
@@ -310,13 +311,13 @@ def test_beams_go_to_the_exact_model_with_order_two(context):
 def test_another_shear_coefficient_turns_the_frequencies_red(context, values):
     """0.9 of kappa changes frequencies 3 to 6 by far more than beams err."""
     red = replace(context, analytic={k: v * (1 + 2e-5) for k, v in values.items()})
-    assert all(c.rows(red)[0].status is Status.FAIL for c in IDENTITIES[:6])
+    assert all(c.rows(red)[0].status is Status.FAIL for c in IDENTICAL[:6])
 
 
 def test_backward_whirl_is_no_reading_of_orders_1_3_and_5(context, values):
-    swapped = {f"forward critical {k}": values[f"backward critical {k}"] for k in ORDERS}
+    swapped = {f"critical_forward_{k}": values[f"critical_backward_{k}"] for k in ORDERS}
     other = replace(context, analytic={**values, **swapped})
-    fitted = [c for c in FITTED_SPEEDS if isinstance(c, FittedTo)]
+    fitted = [c for c in SPRAG_ROTOR.checks if isinstance(c, FittedTo)]
     assert [c.rows(context)[0].status for c in fitted] == [Status.CALIBRATED] * 3
     assert [c.rows(other)[0].status for c in fitted] == [Status.FAIL] * 3
 
@@ -380,7 +381,7 @@ def test_a_claim_fails_where_what_it_says_is_not_so(context, name, key, change):
 
 
 def test_frequencies_at_the_critical_speed_itself_would_be_no_contradiction(context, values):
-    same = {f"natural frequency {2 * i + 2}": values[f"forward critical {k}"] / (2 * np.pi)
+    same = {f"frequency_{2 * i + 2}": values[f"critical_forward_{k}"] / (2 * np.pi)
             for i, k in enumerate(ORDERS)}  # fmt: skip
     other = replace(context, analytic={**values, **same})
     check = named("critical speeds at 5000 r/min")
@@ -476,6 +477,6 @@ def test_inputs_that_make_no_sense_are_refused(change, message):
            "U_2": "1e-5 kg m", "U_2_middle": "3e-5 kg m", "U_2_high": "5e-5 kg m",
            "speed": "5000 r/min", "rig_speed": "7000 r/min", "u_rig_1": "7e-5 kg m",
            "u_rig_2": "6e-5 kg m", "T": "15 N m", "offset": 0.2, "anisotropy": 0.2}  # fmt: skip
-    build(SpragRotorInputs, raw, "file")
+    build(SpragRotor, raw, "file")
     with pytest.raises(InputError, match=message):
-        build(SpragRotorInputs, raw | change, "file")
+        build(SpragRotor, raw | change, "file")

@@ -73,7 +73,7 @@ RULES: Mapping[str, Rule] = {
     "rotor-shaft": Rule("critical", rotors.shaft),
     "rotor-step": Rule("critical_cone", rotors.stepped),
     "rotor-system": Rule("critical_first_1", rotors.system),
-    "rotor-sprag": Rule("forward critical 1", rotors.sprag_rotor),
+    "rotor-sprag": Rule("critical_forward_1", rotors.sprag_rotor),
 }
 
 

@@ -39,26 +39,25 @@ class Share(Claim):
 
     kind = Kind.FACT
 
-    holds: Callable[[Arrays], Members]
+    holds: Callable[[Context], Members]
     of: str = "sets"
 
-    def asked(self, a: Arrays) -> Members:
+    def asked(self, context: Context) -> Members:
         """Of which sets it is asked: all."""
-        return np.ones(self.holds(a).size, dtype=bool)
+        return np.ones(self.holds(context).size, dtype=bool)
 
-    def words(self, a: Arrays) -> str:
-        held = self.holds(a)
+    def words(self, context: Context) -> str:
+        held = self.holds(context)
         return f"{int(held.sum())} of {held.size} {self.of}"
 
     def rows(self, context: Context) -> list[Row]:
-        a = arrays(context)
-        held, asked = self.holds(a), self.asked(a)
+        held, asked = self.holds(context), self.asked(context)
         if not held.size:
             verdict = judge.Verdict(Status.FAIL, NO_SETS)
         elif not asked.any():
             verdict = judge.Verdict(Status.SKIP, "no set of parameters has the peaks it compares")
         else:
-            said = f"holds in {self.words(a)}; {FITTED}"
+            said = f"holds in {self.words(context)}; {FITTED}"
             verdict = judge.Verdict(Status.CALIBRATED, said)
             share = Partner(by=f"share of {self.of}", value=float(held[asked].mean()))
             return [self._row(context.case, Kind.FACT, verdict, partner=share)]
@@ -74,10 +73,11 @@ class Told(Share):
 
     statement: Statement
 
-    def asked(self, a: Arrays) -> Members:
-        return self.statement.asked(a)
+    def asked(self, context: Context) -> Members:
+        return self.statement.asked(arrays(context))
 
-    def words(self, a: Arrays) -> str:
+    def words(self, context: Context) -> str:
+        a = arrays(context)
         other = held_of(self.statement, opposite(a))
         return f"{held_of(self.statement, a)}; unbalances opposite: {other}"
 
@@ -199,13 +199,13 @@ class Drawn(Claim):
 
     kind = Kind.FACT
 
-    margin: Callable[[], float]
+    margin: Callable[[Context], float]
 
     @property
     def needs_fem(self) -> bool:
         return False
 
     def rows(self, context: Context) -> list[Row]:
-        verdict = judge.fact(self.margin(), 0.0)
+        verdict = judge.fact(self.margin(context), 0.0)
         verdict = replace(verdict, reason=f"{verdict.reason}; {len(self.printed)} printed numbers")
         return [self._row(context.case, Kind.FACT, verdict)]

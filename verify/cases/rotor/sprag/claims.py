@@ -4,17 +4,22 @@ from dataclasses import replace
 
 import numpy as np
 
+from verify.case import Comparison, Quantity, identity
 from verify.cases.rotor.sprag.assertions import STATEMENTS, Statement
 from verify.cases.rotor.sprag.check_types import COARSE, FittedTo, Rounded, Share, Told, arrays
+from verify.cases.rotor.sprag.formulas import MODES, ORDERS, CentralSystem
 from verify.cases.rotor.sprag.inputs import PRINTED
-from verify.cases.rotor.sprag.model import MODES, ORDERS
-from verify.core.case import Context
-from verify.judging.checks import Accepted, Identity
+from verify.cases.rotor.sprag.layout import DISCS
+from verify.core.case import Check, Context
+from verify.judging.checks import Accepted
 from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, farthest
 
 BEAMS = 5e-6  # acceptance figure of 8 beams in each of the paper's elements
 BARS = 1e-5  # the same for elements of torsion, whose twist is linear
 WITHIN_PRINTED = 3e-3
+EIGHT = "acceptance figure of beams against transfer matrices, 8 in each element"
+BEAM = "Timoshenko's beam with Hutchinson's shear coefficient"
+system = CentralSystem
 
 
 def largest_error(context: Context, level: int, keys: tuple[str, ...]) -> float:
@@ -22,7 +27,7 @@ def largest_error(context: Context, level: int, keys: tuple[str, ...]) -> float:
     return max(abs(v[key] / context.analytic[key] - 1) for key in keys)
 
 
-FREQUENCIES = tuple(f"natural frequency {i + 1}" for i in range(MODES))
+FREQUENCIES = tuple(f"frequency_{i + 1}" for i in range(MODES))
 
 
 def printed_bound(context: Context) -> tuple[float, float, str]:
@@ -33,23 +38,24 @@ def printed_bound(context: Context) -> tuple[float, float, str]:
 
 def coarse(context: Context) -> Pair:
     """The exact model and 20 elements where they are farthest apart."""
-    keys = (*FREQUENCIES, *(f"forward critical {k}" for k in ORDERS))
+    keys = (*FREQUENCIES, *(f"critical_forward_{k}" for k in ORDERS))
     v = context.fem[0].values
     exact = np.array([context.analytic[key] for key in keys])
     found = farthest(exact, np.array([v[key] for key in keys]), 0.0)
     return replace(found, words=f"at most {abs(found.value / found.reference - 1):.1e}")
 
 
-def identity(name: str, symbol: str, unit: str, key: str, demand: float = BEAMS) -> Identity:
-    return Identity(
-        name=name, symbol=symbol, unit=unit, fem=key, analytic=key, formal=2, demand=demand,
-        demand_reason="acceptance figure of beams against transfer matrices, 8 in each element",
-    )  # fmt: skip
+def identical(
+    q: Quantity, name: str, symbol: str = "", demand: float = BEAMS, reason: str = EIGHT
+) -> Comparison:
+    return identity(q, name=name, symbol=symbol or q.symbol, order=2, sensitivity=(demand, reason),
+                    shares=BEAM)  # fmt: skip
 
 
 def shares(statement: Statement) -> Told:
     return Told(
-        name=statement.name, symbol=statement.symbol, unit="%", holds=statement.holds,
+        name=statement.name, symbol=statement.symbol, unit="%",
+        holds=lambda context: statement.holds(arrays(context)),
         printed=statement.printed, statement=statement,
     )  # fmt: skip
 
@@ -60,35 +66,43 @@ def hit(context: Context) -> float:
 
 
 IDENTITIES = (
-    *(identity(f"natural frequency {i + 1}, beams", f"f_{i + 1}", "Hz", key)
-      for i, key in enumerate(FREQUENCIES)),
-    *(identity(f"{whirl} critical speed {k}, beams", f"n_{k}", "r/min", f"{whirl} critical {k}")
-      for whirl in ("forward", "backward") for k in ORDERS),
-    *(identity(f"amplitude of node {n} at the rig's speed, no damping", f"x_{n}", "µm",
-               f"amplitude {n}") for n in (4, 19)),
-    identity("torsional frequency of the clutch", "f_c", "Hz", "torsion, clutch"),
-    identity("torsional frequency of the inner shaft", "f_t", "Hz", "torsion, shaft", BARS),
-    Identity(name="coupling of bending and torsion by the offset", symbol="K_xz", unit="N",
-             fem="coupling", analytic="coupling", demand=1e-9,
-             demand_reason="the same sums on both sides"),
-    Accepted(name="20 elements against the exact model, frequencies 1 to 6", symbol="Δf/f",
-             unit="1", margin=printed_bound, fitted="on a fitted system",
-             printed=("huang2022:frequency-deviation-bound", "huang2022:compared-frequencies")),
-    Agreement(name="20 elements against the exact model within 2e-4", symbol="ω", unit="rad/s",
-              pair=coarse, accepted=COARSE,
-              source=SUBJECT),
+    *(identical(system.frequency(k), f"natural frequency {k}, beams")
+      for k in range(1, MODES + 1)),
+    *(identical(critical(k), f"{whirl} critical speed {k}, beams", f"n_{k}")
+      for whirl, critical in (("forward", system.critical_forward),
+                              ("backward", system.critical_backward)) for k in ORDERS),
+    *(identical(system.amplitude(n), system.amplitude(n).what) for n in DISCS),
+    identical(system.torsion_clutch, "torsional frequency of the clutch"),
+    identical(system.torsion_shaft, "torsional frequency of the inner shaft", demand=BARS),
+    identity(system.coupling, sensitivity=(1e-9, "the same sums on both sides")),
+    Comparison(
+        check=Accepted(
+            name="20 elements against the exact model, frequencies 1 to 6", symbol="Δf/f", unit="1",
+            margin=printed_bound, fitted="on a fitted system",
+            printed=("huang2022:frequency-deviation-bound", "huang2022:compared-frequencies"),
+        ),
+        quantity=system.frequency(1), shares=BEAM,
+    ),
+    Comparison(
+        check=Agreement(name="20 elements against the exact model within 2e-4", symbol="ω",
+                        unit="rad/s", pair=coarse, accepted=COARSE, source=SUBJECT),
+        quantity=system.critical_forward(1), shares=BEAM,
+    ),
 )  # fmt: skip
-FITTED_SPEEDS = (
-    *(FittedTo(name=f"critical speed {k}, central system", symbol=f"n_{k}", unit="r/min",
-               analytic=f"forward critical {k}", printed=(f"huang2022:critical-speed-{k}",))
-      for k in ORDERS),
+FITTED_SPEEDS: tuple[Comparison | Check, ...] = (
+    *(Comparison(
+        check=FittedTo(name=f"critical speed {k}, central system", symbol=f"n_{k}", unit="r/min",
+                       analytic=f"critical_forward_{k}",
+                       printed=(f"huang2022:critical-speed-{k}",)),
+        quantity=system.critical_forward(k),
+      ) for k in ORDERS),
     Rounded(name="every set of parameters has the three printed speeds", symbol="Δn/n", unit="1",
             residual=hit, bound=1.1e-8, scale_name="printed speed",
             bound_reason="where sets are accepted, and round-off of another assembly"),
     Share(name="starts of the fit that meet all three speeds", symbol="", unit="%", of="starts",
-          holds=lambda a: a["start met"] > 0),
+          holds=lambda c: arrays(c)["start met"] > 0),
     Share(name="starts of the fit that meet them inside the ranges", symbol="", unit="%",
           of="starts",
-          holds=lambda a: a["start kept"] > 0),
+          holds=lambda c: arrays(c)["start kept"] > 0),
 )  # fmt: skip
-SHARES = tuple(map(shares, STATEMENTS))
+SHARES: tuple[Check, ...] = tuple(map(shares, STATEMENTS))

@@ -5,12 +5,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from verify.case import Comparison
 from verify.cases.rotor.sprag.check_types import Rounded, arrays
 from verify.cases.rotor.sprag.claims import WITHIN_PRINTED
+from verify.cases.rotor.sprag.formulas import MODES, CentralSystem
 from verify.cases.rotor.sprag.layout import CENTRAL, DISCS, OUTER, RHO, layout
-from verify.cases.rotor.sprag.model import MODES
 from verify.cases.rotor.sprag.solid_fem import REFINED
-from verify.core.case import Context
+from verify.core.case import Check, Context
 from verify.core.figures import Array
 from verify.core.results import Kind, Row, Status
 from verify.judging import judge
@@ -30,7 +31,7 @@ class Bodies(Claim):
     order: int
 
     def rows(self, context: Context) -> list[Row]:
-        formula = context.analytic[f"natural frequency {self.order}"]
+        formula = context.analytic[f"frequency_{self.order}"]
         values = arrays(context)["solid"][:, self.order - 1].tolist()
         h = [1 / refine for refine in REFINED]
         grid = grid_convergence(h, values, formal=2.0, scale=formula, u_it=0.0)
@@ -75,13 +76,14 @@ def inertia(i: int) -> Callable[[Context], float]:
     return lambda context: abs(float(arrays(context)["solid, inertia"][i] / drawn()[i] - 1))
 
 
-ELASTIC = (
+ELASTIC: tuple[Comparison | Check, ...] = (
     *(Rounded(name=f"{what} of the elastic bodies with discs", symbol=symbol, unit="1",
               residual=inertia(i), bound=1e-11, scale_name="that of beams and discs",
               bound_reason="Gauss' rule is exact on straight cells")
       for i, (what, symbol) in enumerate((
           ("mass", "Δm/m"), ("polar moment of inertia", "ΔI_p/I_p"),
           ("diametral moment of inertia about node 1", "ΔI_d/I_d")))),
-    *(Bodies(name=f"natural frequency {k}, elastic bodies", symbol=f"f_{k}", unit="Hz", order=k)
+    *(Comparison(check=Bodies(name=f"natural frequency {k}, elastic bodies", symbol=f"f_{k}",
+                              unit="Hz", order=k), quantity=CentralSystem.frequency(k))
       for k in range(1, MODES + 1)),
 )  # fmt: skip

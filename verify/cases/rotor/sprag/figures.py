@@ -8,6 +8,7 @@ import numpy as np
 
 from analytic.rotor.transfer_modes import natural_frequencies
 from verify.cases.rotor.sprag.check_types import Arrays, arrays
+from verify.cases.rotor.sprag.formulas import ORDERS, rotor
 from verify.cases.rotor.sprag.inputs import PRINTED, RPM
 from verify.cases.rotor.sprag.layout import (
     BETWEEN,
@@ -21,7 +22,6 @@ from verify.cases.rotor.sprag.layout import (
     PARAMETERS,
     layout,
 )
-from verify.cases.rotor.sprag.model import ORDERS, rotor
 from verify.cases.rotor.sprag.response_fem import SHOWN_NODES, SMALL_OFFSETS
 from verify.core.case import Context
 from verify.core.figures import (

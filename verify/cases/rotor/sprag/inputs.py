@@ -1,10 +1,12 @@
 """Inputs of the sprag clutch - rotor system: what the paper gives, and ranges for what it lacks."""
 
+from typing import Self
+
 import numpy as np
 from pydantic import model_validator
 
+from verify.case import Case, count, given
 from verify.core.figures import Array
-from verify.core.inputs import Inputs, count, quantity
 
 RPM = np.pi / 30
 PRINTED = (10149 * RPM, 32298 * RPM, 36245 * RPM)  # rad/s: the paper's critical speeds 1, 3, 5
@@ -12,64 +14,64 @@ MOST = 256
 SLOWEST, FASTEST = 2000 * RPM, 60_000 * RPM  # of what a response may be asked at
 
 
-class SpragRotorInputs(Inputs):
+class SpragRotorInputs(Case):
     """Loads, damping and the ensemble; the system itself is the paper's."""
 
-    speed: float = quantity(
+    speed: float = given(
         "5000 r/min", "r/min", "n", "speed at which natural frequencies are compared",
         ge=0, le=40_000, claims="huang2022:comparison-speed",
     )  # fmt: skip
     members: int = count(48, "N", "sets of parameters wanted", ge=8, le=MOST)
-    zeta_low: float = quantity(
+    zeta_low: float = given(
         "0.5 %", "%", "ζ_min", "least damping ratio at critical speeds 1 and 5 (none is printed)",
         ge=0.05, le=20,
     )  # fmt: skip
-    zeta_high: float = quantity(
+    zeta_high: float = given(
         "3 %", "%", "ζ_max", "largest damping ratio there (none is printed)", ge=0.05, le=20
     )
-    U_1: float = quantity(
+    U_1: float = given(
         "1.4e-5 kg m", "kg m", "U_1", "unbalance 1, at node 4", gt=0, le=1,
         claims="huang2022:unbalance-1",
     )  # fmt: skip
-    U_2: float = quantity(
+    U_2: float = given(
         "1e-5 kg m", "kg m", "U_2", "unbalance 2, at node 19: lowest of three", gt=0, le=1,
         claims="huang2022:unbalance-2-low",
     )  # fmt: skip
-    U_2_middle: float = quantity(
+    U_2_middle: float = given(
         "3e-5 kg m", "kg m", "U_2", "middle of three", gt=0, le=1,
         claims="huang2022:unbalance-2-middle",
     )  # fmt: skip
-    U_2_high: float = quantity(
+    U_2_high: float = given(
         "5e-5 kg m", "kg m", "U_2", "highest of three", gt=0, le=1,
         claims="huang2022:unbalance-2-high",
     )  # fmt: skip
-    rig_speed: float = quantity(
+    rig_speed: float = given(
         "7000 r/min", "r/min", "n_r", "speed of the orbit", ge=2000, le=60_000,
         claims="huang2022:orbit-speed",
     )  # fmt: skip
-    u_rig_1: float = quantity(
+    u_rig_1: float = given(
         "7e-5 kg m", "kg m", "U_1", "unbalance of the rig at node 4", gt=0, le=1,
         claims="huang2022:rig-unbalance-1",
     )  # fmt: skip
-    u_rig_2: float = quantity(
+    u_rig_2: float = given(
         "6e-5 kg m", "kg m", "U_2", "unbalance of the rig at node 19", gt=0, le=1,
         claims="huang2022:rig-unbalance-2",
     )  # fmt: skip
-    T: float = quantity(
+    T: float = given(
         "15 N m", "N m", "T", "torque that preloads the clutch", gt=0, le=1e5,
         claims="huang2022:orbit-torque",
     )  # fmt: skip
-    offset: float = quantity(
+    offset: float = given(
         0.2, "1", "Δx/δ_0", "static offset of the clutch's rings over the sprags' deformation "
         "(none is printed)", ge=0.001, le=0.9,
     )  # fmt: skip
-    anisotropy: float = quantity(
+    anisotropy: float = given(
         0.2, "1", "k_y/k_x − 1", "how much stiffer bearings to the ground are along y "
         "(none is printed)", ge=0, le=2,
     )  # fmt: skip
 
     @model_validator(mode="after")
-    def _ordered(self) -> "SpragRotorInputs":
+    def _ordered(self) -> Self:
         if self.zeta_low > self.zeta_high:
             raise ValueError(
                 f"damping ratios need zeta_low <= zeta_high, got {self.zeta_low:.3%} and "

@@ -6,6 +6,7 @@ import numpy as np
 
 from verify.cases.rotor.sprag.assertions import STATEMENTS
 from verify.cases.rotor.sprag.check_types import Drawn, Noted, Rounded, Spread, arrays, held_of
+from verify.cases.rotor.sprag.formulas import ORDERS
 from verify.cases.rotor.sprag.inputs import PRINTED
 from verify.cases.rotor.sprag.layout import (
     BETWEEN,
@@ -17,10 +18,9 @@ from verify.cases.rotor.sprag.layout import (
     OUTER,
     PARTS,
 )
-from verify.cases.rotor.sprag.model import ORDERS
 from verify.cases.rotor.sprag.response_fem import SHOWN_NODES, SMALL_OFFSETS
 from verify.cases.rotor.sprag.system_fem import uneven_clutch
-from verify.core.case import Context
+from verify.core.case import Check, Context
 from verify.core.figures import Array
 from verify.judging.tolerance_checks import Agreement, Pair, farthest, suites
 from verify.papers.ledger import published
@@ -42,7 +42,7 @@ NODES = {
 }  # fmt: skip
 
 
-def as_drawn() -> float:
+def as_drawn(_: Context) -> float:
     """Nodes are counted as printed, and each has as many unknowns as printed."""
     unknowns = published("huang2022:commercial-beam-dofs").value
     off = [abs(unknowns - len(uneven_clutch(CENTRAL, 0.0)))]
@@ -136,7 +136,7 @@ def no_coupling(context: Context) -> tuple[float, str]:
 
 def at_one_speed(context: Context) -> tuple[float, str]:
     v = context.analytic
-    off = [v[f"natural frequency {2 * i + 2}"] * 2 * np.pi / v[f"forward critical {k}"] - 1
+    off = [v[f"frequency_{2 * i + 2}"] * 2 * np.pi / v[f"critical_forward_{k}"] - 1
            for i, k in enumerate(ORDERS)]  # fmt: skip
     words = "forward frequencies at 5000 r/min are off the critical speeds by " + ", ".join(
         f"{x:+.2%}" for x in off
@@ -164,7 +164,7 @@ def ratio_of_axes(i: int) -> Callable[[Context], Array]:
     return ratio
 
 
-LINEAR_ROWS = (
+LINEAR_ROWS: tuple[Check, ...] = (
     Drawn(name="nodes and their unknowns are those of Fig. 1", symbol="", unit="1",
          margin=as_drawn,
          printed=tuple(f"huang2022:{key}" for key in (*NODES, "commercial-beam-dofs"))),

@@ -6,6 +6,7 @@ import numpy as np
 
 from verify.cases.rotor.sprag.assertions import STATEMENTS, Statement, opposite
 from verify.cases.rotor.sprag.check_types import Arrays, arrays, held_of
+from verify.cases.rotor.sprag.formulas import MODES, ORDERS
 from verify.cases.rotor.sprag.inputs import RPM, SpragRotorInputs
 from verify.cases.rotor.sprag.layout import (
     BETWEEN,
@@ -16,7 +17,6 @@ from verify.cases.rotor.sprag.layout import (
     OUTER,
     PARAMETERS,
 )
-from verify.cases.rotor.sprag.model import MODES, ORDERS
 from verify.core.case import Context
 from verify.core.figures import Array, Shape, Sketch, Table
 
@@ -35,7 +35,7 @@ def table_1(context: Context) -> Table:
     solid = arrays(context)["solid"]
     rows = []
     for i in range(MODES):
-        exact, beams = v[f"natural frequency {i + 1}"], coarse[f"natural frequency {i + 1}"]
+        exact, beams = v[f"frequency_{i + 1}"], coarse[f"frequency_{i + 1}"]
         rows.append((
             i + 1, "not in the text", round(beams, 3), round(exact, 3),
             f"{100 * (beams / exact - 1):.4f}", round(float(solid[-1, i]), 2),

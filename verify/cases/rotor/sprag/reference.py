@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from verify.case import Level
 from verify.cases.rotor.sprag.ensemble_fem import (
     Ensemble,
     critical_speeds_fem,
@@ -16,7 +17,6 @@ from verify.cases.rotor.sprag.layout import CENTRAL, DISCS
 from verify.cases.rotor.sprag.response_fem import responses_fem
 from verify.cases.rotor.sprag.solid_fem import solid_fem
 from verify.cases.rotor.sprag.system_fem import rotor_fem, uneven_clutch
-from verify.core.case import FemResult
 from verify.core.figures import Array
 
 LEVELS = (1, 2, 4, 8)  # beam elements in each of the paper's
@@ -26,7 +26,8 @@ ROUND_OFF = 1e-10  # of frequencies and amplitudes: the condition of K times eps
 SWEPT = np.linspace(0, 40_000, 41) * RPM
 
 
-def fem(q: SpragRotorInputs, level: int) -> FemResult:
+def solve(q: SpragRotorInputs, level: int) -> Level:
+    """Beams of one level; on the paper's mesh the ensemble, its responses and bodies, too."""
     values = beams_fem(q, level)
     arrays: dict[str, Any] = {}
     if level == LEVELS[0]:
@@ -34,7 +35,7 @@ def fem(q: SpragRotorInputs, level: int) -> FemResult:
         arrays = ensemble_arrays_fem(ensemble)
         arrays |= responses_fem(q, ensemble.members) | drawn_fem(q) | solid_fem(q)
     u_it = {key: ROUND_OFF * abs(value) for key, value in values.items()}
-    return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays)
+    return Level(h=1 / level, values=values, u_it=u_it, arrays=arrays)
 
 
 def ensemble_arrays_fem(found: Ensemble) -> dict[str, Any]:
@@ -55,15 +56,15 @@ def beams_fem(q: SpragRotorInputs, refine: int) -> dict[str, float]:
     rotor = rotor_fem(CENTRAL, refine=refine)
     values: dict[str, Any] = {}
     w = modes(rotor, q.speed, MODES).frequencies
-    values |= {f"natural frequency {i + 1}": w[i] / (2 * pi) for i in range(MODES)}
+    values |= {f"frequency_{i + 1}": w[i] / (2 * pi) for i in range(MODES)}
     for whirl in ("forward", "backward"):
         speeds = critical_speeds(rotor, len(ORDERS), whirl).speeds
-        values |= {f"{whirl} critical {k}": v for k, v in zip(ORDERS, speeds, strict=True)}
+        values |= {f"critical_{whirl}_{k}": v for k, v in zip(ORDERS, speeds, strict=True)}
     turning = modes(rotor, 0.0, 3, "torsion").frequencies / (2 * pi)
-    values |= {"torsion, clutch": turning[1], "torsion, shaft": turning[2]}
+    values |= {"torsion_clutch": turning[1], "torsion_shaft": turning[2]}
     U = {DISCS[0] - 1: q.u_rig_1, DISCS[1] - 1: q.u_rig_2}
     response = unbalance_response(rotor, q.rig_speed, U)
-    values |= {f"amplitude {n}": response.major(n - 1)[0] for n in DISCS}
+    values |= {f"amplitude_{n}": response.major(n - 1)[0] for n in DISCS}
     values["coupling"] = uneven_clutch(CENTRAL, q.offset)[0, 5]
     return {key: float(v) for key, v in values.items()}
 

@@ -1,0 +1,183 @@
+"""The central system by exact transfer matrices, and its clutch under an uneven load."""
+
+from math import atan, pi
+from typing import Any, Literal
+
+from analytic.rotor import transfer_model as transfer
+from analytic.rotor.clutch import Clutch, even_angles
+from analytic.rotor.transfer_modes import critical_speeds, natural_frequencies
+from analytic.rotor.transfer_response import unbalance_response
+from analytic.rotor.transfer_torsion import torsional_frequencies
+from verify.case import Quantity, shared
+from verify.cases.rotor.sprag.inputs import SpragRotorInputs
+from verify.cases.rotor.sprag.layout import (
+    BETWEEN,
+    CENTRAL,
+    CLUTCH,
+    D_2,
+    DISCS,
+    DRIVE,
+    EXPONENT,
+    GROUNDED,
+    K_C,
+    NU,
+    OUTER,
+    RHO,
+    SLICES,
+    SPRAG_LENGTH,
+    SPRAGS,
+    WEDGE,
+    E,
+    layout,
+)
+from verify.core.figures import Array
+
+MODES = 6
+ORDERS = (1, 3, 5)
+
+
+def rotor() -> transfer.Rotor:
+    """The central system without damping."""
+    s = layout(CENTRAL)
+    segments = tuple(
+        transfer.Segment(length=length, d_o=d_o, d_i=d_i, E=E, nu=NU, rho=RHO)
+        for length, d_o, d_i in zip(
+            s.length[0].tolist(), s.d_o[0].tolist(), s.d_i[0].tolist(), strict=True
+        )
+    )
+    k_g, k_s, k_c = float(s.k_g[0]), float(s.k_s[0]), float(s.k_c[0])
+    clutch = transfer.Link(
+        a=CLUTCH[0] - 1, b=CLUTCH[1] - 1, kxx=k_c, k_tilt=float(s.k_tilt[0]),
+        k_turn=float(s.k_turn[0]),
+    )  # fmt: skip
+    return transfer.Rotor(
+        shafts=tuple(
+            transfer.Shaft(segments=own) for own in (segments[: OUTER - 1], segments[OUTER - 1 :])
+        ),
+        discs=tuple(
+            transfer.Disc(
+                node=node - 1, mass=float(s.mass[0, i]), polar=float(s.polar[0, i]),
+                diametral=float(s.diametral[0, i]),
+            )
+            for i, node in enumerate(DISCS)
+        ),
+        supports=tuple(
+            transfer.Support(node=n - 1, kxx=k_g, k_turn=DRIVE if n == GROUNDED[0] else 0.0)
+            for n in GROUNDED
+        ),
+        links=(*(transfer.Link(a=a - 1, b=b - 1, kxx=k_s) for a, b in BETWEEN), clutch),
+    )  # fmt: skip
+
+
+def coupling(offset: float) -> float:
+    """K_xz [N/rad] of the central clutch, its rings `offset` times the yield apart along x."""
+    return float(uneven(offset)[0, 4])
+
+
+def uneven(offset: float) -> Array:
+    """K (5, 5) of the central clutch about a yield of 1 µm; only its share of it matters."""
+    R_i, delta_0 = CENTRAL[D_2] / 2, 1e-6
+    k = 2 * CENTRAL[K_C] / SPRAGS
+    clutch = Clutch(
+        psi=even_angles(Z=SPRAGS), R_i=R_i, nu=atan(WEDGE), L=SPRAG_LENGTH, n=EXPONENT,
+        k_n=k / (EXPONENT * delta_0 ** (EXPONENT - 1)), n_s=SLICES,
+    )  # fmt: skip
+    return clutch.stiffness([offset * delta_0, 0, 0, 0, delta_0 / (R_i * WEDGE)])
+
+
+def yield_of_sprags(T: float, parameters: Array) -> Array:
+    """delta_0 (m,) [m] under T [N m]: K = n T/(2 d_t delta_0) solved for it."""
+    s = layout(parameters)
+    return EXPONENT * T / (2 * s.d_t * s.k_c)
+
+
+Whirl = Literal["forward", "backward"]
+
+
+class CentralSystem(SpragRotorInputs):
+    """The central system in numbers."""
+
+    @Quantity("f_{0}", "Hz", "natural frequency {0} at the speed of comparison").over(
+        range(1, MODES + 1)
+    )
+    def frequency(self, k: int) -> float:
+        return float(self._frequencies[k - 1] / (2 * pi))
+
+    @Quantity("n_{0}", "r/min", "critical speed {0} (forward), central system",
+              safe="too low").over(ORDERS)  # fmt: skip
+    def critical_forward(self, k: int) -> float:
+        return self._critical("forward", k)
+
+    @Quantity("n_{0}'", "r/min", "critical speed {0} (backward), central system").over(ORDERS)
+    def critical_backward(self, k: int) -> float:
+        return self._critical("backward", k)
+
+    @Quantity("Ω_1", "rad/s", "lowest of the forward critical speeds", role="step",
+              source="Sec. 1, before Fig. 6; forward critical speeds with r = x + iy",
+              tex=r"\Omega,\quad M \ddot q + (C + \Omega G)\dot q + K q=f,\quad "
+              r"K v=\Omega^2 (M - G_1) v,\quad C=\alpha M + \beta K,\quad "
+              r"\zeta=\frac{1}{2}\left(\frac{\alpha}{\omega} + \beta \omega\right)")  # fmt: skip
+    def lowest(self) -> float:
+        return self.critical_forward(ORDERS[0])
+
+    @Quantity("x_{0}", "µm", "amplitude of node {0} at the rig's speed, no damping").over(DISCS)
+    def amplitude(self, node: int) -> float:
+        U = {DISCS[0] - 1: self.u_rig_1, DISCS[1] - 1: self.u_rig_2}
+        response = unbalance_response(self._rotor, self.rig_speed, U)
+        return float(response.amplitude(node - 1)[0])
+
+    @Quantity("f_c", "Hz", "torsional frequency of the clutch between both rotors")
+    def torsion_clutch(self) -> float:
+        return float(self._torsion[1] / (2 * pi))
+
+    @Quantity("f_t", "Hz", "torsional frequency of the inner shaft")
+    def torsion_shaft(self) -> float:
+        return float(self._torsion[2] / (2 * pi))
+
+    @Quantity("m", "1", "exponent of a line contact", source="Eq. 2", role="step")
+    def exponent(self) -> float:
+        return EXPONENT
+
+    @Quantity("K_xx", "N/µm", "stiffness of the clutch across, central system", role="step")
+    def across(self) -> float:
+        return float(CENTRAL[K_C])
+
+    @Quantity("d_t", "mm", "deformation of the sprags over the angle of twist", role="step")
+    def d_t(self) -> float:
+        return float(layout(CENTRAL).d_t[0])
+
+    @Quantity("δ_0", "µm", "deformation of the sprags under T", role="step",
+              tex=r"\frac{m T}{2 d_t K_{xx}}")  # fmt: skip
+    def delta_0(self) -> float:
+        return float(yield_of_sprags(self.T, CENTRAL)[0])
+
+    @Quantity("K_xz", "N", "coupling of bending and torsion by the offset")
+    def coupling(self) -> float:
+        return coupling(self.offset)
+
+    @Quantity("K_xz1", "N", "the same, first order", role="step",
+              source="coupling by an offset, first order",
+              tex=r"(m - 1) K_{xx} d_t \Delta x/\delta_0")  # fmt: skip
+    def coupling_first(self) -> float:
+        return (EXPONENT - 1) * self.across * self.d_t * self.offset
+
+    @shared
+    def _rotor(self) -> transfer.Rotor:
+        return rotor()
+
+    def _critical(self, whirl: Whirl, k: int) -> float:
+        return float(self._criticals[whirl][ORDERS.index(k)])
+
+    @shared
+    def _criticals(self) -> dict[Whirl, Any]:
+        whirls: tuple[Whirl, Whirl] = ("forward", "backward")
+        count = len(ORDERS)
+        return {w: critical_speeds(self._rotor, count=count, whirl=w).w for w in whirls}
+
+    @shared
+    def _frequencies(self) -> Any:
+        return natural_frequencies(self._rotor, self.speed, count=MODES)[0]
+
+    @shared
+    def _torsion(self) -> Any:
+        return torsional_frequencies(self._rotor, count=3)
