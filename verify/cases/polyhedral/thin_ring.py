@@ -1,8 +1,15 @@
-"""The thin round ring that takes up a clearance, behind all polyhedral ones."""
+"""The thin round ring that takes up a clearance, and how far a polygonal bore is from it."""
 
-from analytic.polyhedral import expansion
-from verify.case import Quantity
-from verify.cases.polyhedral.inputs import RoundRing
+from typing import ClassVar
+
+from analytic.contact.checks import Assumption
+from analytic.polyhedral import bore_pressure, expansion
+from analytic.polyhedral.bore_pressure import StiffnessFactors
+from analytic.polyhedral.sector import Sector
+from verify.case import Quantity, shared
+from verify.cases.polyhedral.inputs import PolygonRing, RoundRing
+
+SERIES = "complex potentials"
 
 
 class ThinRing(RoundRing):
@@ -22,3 +29,23 @@ class ThinRing(RoundRing):
     def p_1(self) -> float:
         wall = {"d_i": self.d_i, "d_e": self.d_e}
         return float(expansion.touching_pressure(j_D=self.j_D, **wall, E=self.E))
+
+
+class PolygonSeries(ThinRing, PolygonRing):
+    """The polygonal ring under pressure by complex potentials."""
+
+    ends: ClassVar[Assumption] = "plane stress"
+
+    @Quantity("K_mid", "1", "K in the middle of the flats", source=SERIES)
+    def K_mid(self) -> float:
+        return float(self.factors.mid)
+
+    @shared
+    def sector(self) -> Sector:
+        """Half a sector for the series."""
+        return Sector(z=self.z, d_e=self.d_e, d_i=self.d_i, rho=self.rho)
+
+    @shared
+    def factors(self) -> StiffnessFactors:
+        """K by its three definitions."""
+        return bore_pressure.stiffness_factors(sector=self.sector, nu=self.nu, assumption=self.ends)

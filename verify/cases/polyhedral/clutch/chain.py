@@ -29,8 +29,8 @@ class PaperChain(ClutchInputs):
     def sigma_t(self) -> float:
         return self.full.sigma_t
 
-    @Quantity("p_1", "MPa", "pressure of the round ring", equation="10", role="step", safe="too high",
-              tex=r"\frac{2 \delta_1 E j_D}{d_i d_m}")  # fmt: skip
+    @Quantity("p_1", "MPa", "pressure of the round ring", equation="10", role="step",
+              safe="too high", tex=r"\frac{2 \delta_1 E j_D}{d_i d_m}")  # fmt: skip
     def p_1(self) -> float:
         return self.full.p_1
 

@@ -9,28 +9,19 @@ from analytic.polyhedral import bore_pressure, expansion, forces
 from analytic.polyhedral.hub_force import HubForce, hub_force
 from analytic.polyhedral.locking import Locked, Roller, locked
 from analytic.polyhedral.roller_load import roller_load
-from analytic.polyhedral.sector import Sector
 from analytic.polyhedral.wall_stress import bore_stress
 from verify.case import Quantity, shared
 from verify.cases.polyhedral.locking.inputs import LockingInputs
-from verify.cases.polyhedral.thin_ring import ThinRing
+from verify.cases.polyhedral.thin_ring import SERIES, PolygonSeries
 
 ALONG = 200  # points of the fillet
-SERIES = "complex potentials"
 
 
-class LockedFormulas(ThinRing, LockingInputs):
+class LockedFormulas(PolygonSeries, LockingInputs):
     """Rollers on the ring under pressure and hub, rigid; `alone` and `soft` are other states."""
 
     pushed: ClassVar[bool] = True  # by the hub
     elastic: ClassVar[bool] = False  # rollers
-
-    @Quantity("K_mid", "1", "K in the middle of the flats", source=SERIES, role="step")
-    def K_mid(self) -> float:
-        ring = bore_pressure.stiffness_factors(
-            sector=self.sector, nu=self.nu, assumption="plane stress"
-        )
-        return float(ring.mid)
 
     @Quantity("p_1r", "MPa", "pressure at which the ring reaches its rollers", equation="11",
               role="step", safe="too high", tex=r"K_{mid} p_1")  # fmt: skip
@@ -101,11 +92,6 @@ class LockedFormulas(ThinRing, LockingInputs):
               safe="too high")  # fmt: skip
     def fillet(self) -> float:
         return self._in_fillet(self.locked)
-
-    @shared
-    def sector(self) -> Sector:
-        """Half a sector for the series."""
-        return Sector(z=self.z, d_e=self.d_e, d_i=self.d_i, rho=self.rho)
 
     @shared
     def alone(self) -> Self:

@@ -5,11 +5,8 @@ from typing import Any, ClassVar, Self
 
 import numpy as np
 
-from analytic.contact.checks import Assumption
 from analytic.polyhedral import bore_pressure, expansion, wall_stress
-from analytic.polyhedral.bore_pressure import StiffnessFactors
 from analytic.polyhedral.hub_force import hub_force
-from analytic.polyhedral.sector import Sector
 from verify.case import (
     AlongLine,
     Comparison,
@@ -29,7 +26,7 @@ from verify.cases.polyhedral.fem import UNIT, stations
 from verify.cases.polyhedral.inputs import HubRing
 from verify.cases.polyhedral.ring import reference as fem
 from verify.cases.polyhedral.ring import sketch as sketched
-from verify.cases.polyhedral.thin_ring import ThinRing
+from verify.cases.polyhedral.thin_ring import SERIES, PolygonSeries
 from verify.cases.polyhedral.warnings import of_fillets
 from verify.core.case import Portion
 from verify.core.figures import Array, Picture, Sketch
@@ -37,17 +34,16 @@ from verify.form.adapter import adapted
 
 STRESS = 30.0  # times the series' residual: stress in the fillet is worse by one or two digits
 PEAK = 1e-4  # of a largest stress: what a polynomial along the fillet may miss
-SERIES = 1e-3  # about the series' predictions: a hundred times their residual
+NEAR = 1e-3  # about the series' predictions: a hundred times their residual
 HALVED = 1e-3, "acceptance figure: 0.1 % under halving of the mesh"
 FILLET = 5e-3, "a peak stress: half a per cent tells fillets apart"
-BY_SERIES = "complex potentials"
 PLACES = {"e": "e", "corner": "the corner"}  # of the hub's force
 WHERE = {"mid": "middle of the flats", "corner": "corners"}
 HUB = "the part of the hub's force that is the same for all flats; plane stress"
 BALANCE = "acceptance figure; direct solve"
 
 
-class PolyhedralRing(ThinRing, HubRing):
+class PolyhedralRing(PolygonSeries, HubRing):
     """The flats of a polygonal bore bulge under pressure, and the corners hold the ring back.
 
     The paper leaves K open and puts 1; here it comes from complex potentials, which share nothing
@@ -61,7 +57,6 @@ class PolyhedralRing(ThinRing, HubRing):
     # Displacements at a point err by a third order in h beside the fourth, often of the other sign:
     # on 2, 3, 4 both are of one size for one ring in seven, whose differences then grow.
     levels: ClassVar = (2, 3, 4, fem.FINEST)
-    ends: ClassVar[Assumption] = "plane stress"  # of the quantities below
     portions: ClassVar = (
         Portion(name="K", fem=fem.stiffness_fem, levels=(1, 2, 3),
                 keys=("K_mid", "K_mean", "flexibility")),
@@ -94,18 +89,14 @@ class PolyhedralRing(ThinRing, HubRing):
     def K(self) -> float:
         return 1.0
 
-    @Quantity("K_mid", "1", "K in the middle of the flats", source=BY_SERIES)
-    def K_mid(self) -> float:
-        return float(self._factors.mid)
-
-    @Quantity("K_mean", "1", "K in the mean", source=BY_SERIES)
+    @Quantity("K_mean", "1", "K in the mean", source=SERIES)
     def K_mean(self) -> float:
-        return float(self._factors.mean)
+        return float(self.factors.mean)
 
-    @Quantity("K_corner", "1", "K at the corners, negative where they draw in", source=BY_SERIES,
+    @Quantity("K_corner", "1", "K at the corners, negative where they draw in", source=SERIES,
               role="step")  # fmt: skip
     def K_corner(self) -> float:
-        return float(self._factors.corner)
+        return float(self.factors.corner)
 
     @Quantity("1/K_corner", "1", "flexibility at the corners")
     def flexibility(self) -> float:
@@ -132,7 +123,7 @@ class PolyhedralRing(ThinRing, HubRing):
     def growth(self) -> float:
         return float(self.outside(np.zeros(1))[0])
 
-    @Quantity("σ_max", "MPa", "largest hoop stress in the fillets", source=BY_SERIES,
+    @Quantity("σ_max", "MPa", "largest hoop stress in the fillets", source=SERIES,
               safe="too high")  # fmt: skip
     def fillet(self) -> float:
         return float(wall_stress.largest_fillet_stress(sector=self.sector)[0] * self.p_1r)
@@ -142,18 +133,9 @@ class PolyhedralRing(ThinRing, HubRing):
         return self.fillet / self.sigma_t
 
     @Quantity("u_{1}({0})", "µm", "lift of the outside by the hub's force, {0}: {1}",
-              source=BY_SERIES).over(tuple(PLACES), tuple(WHERE))  # fmt: skip
+              source=SERIES).over(tuple(PLACES), tuple(WHERE))  # fmt: skip
     def hub(self, at: str, where: str) -> float:
         return self._lifts[at, where]
-
-    @shared
-    def sector(self) -> Sector:
-        """Half a sector for the series."""
-        return Sector(z=self.z, d_e=self.d_e, d_i=self.d_i, rho=self.rho)
-
-    @shared
-    def _factors(self) -> StiffnessFactors:
-        return bore_pressure.stiffness_factors(sector=self.sector, nu=self.nu, assumption=self.ends)
 
     @shared
     def _hubs(self) -> Mapping[str, Any]:
@@ -194,7 +176,7 @@ class PolyhedralRing(ThinRing, HubRing):
 
     def comparisons(self) -> Iterator[Comparison]:
         """The series against finite elements, and K = 1 with both."""
-        ring, residual = PolyhedralRing, self._factors.residual
+        ring, residual = PolyhedralRing, self.factors.residual
         left = max(residual, *(hub.correction.residual for hub in self._hubs.values()))
         same: dict[str, Any] = {"order": 4, "sensitivity": HALVED, "uncertainty": left,
                                 "shares": "plane stress"}  # fmt: skip
@@ -253,7 +235,7 @@ class PolyhedralRing(ThinRing, HubRing):
 
 def of_one(K_mid: float) -> Expected:
     """The error of K = 1 by the series."""
-    return about(1 / K_mid - 1, SERIES, "1/K_mid of the series (complex potentials)")
+    return about(1 / K_mid - 1, NEAR, "1/K_mid of the series (complex potentials)")
 
 
 RING = adapted(PolyhedralRing)
