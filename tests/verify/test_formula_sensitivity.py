@@ -36,7 +36,7 @@ SAMPLED = "of a path at so many times; one more of them moves all by a step, 1/2
 FURTHER = (
     ("contact-flat", r"z_disc", 1e-6, FLAT),
     ("contact-sphere", r"z_.*", 1e-6, FLAT),
-    ("freewheel-paths", r"(slip|when|peak|safety) \d", 1e-3, SAMPLED),
+    ("freewheel-paths", r"(slip|when|peak|safety)_\d|F_2", 1e-3, SAMPLED),
 )
 # Keys that only the papers' inputs have, which moved ones are no longer.
 PAPER_ONLY = ("rotor-system", "sprag-clutch", "sprag-crown")
