@@ -24,7 +24,7 @@ from verify.cases.contact.roller.case import ROLLER
 from verify.cases.contact.roller.crowns import CROWNS, REFERENCES
 from verify.cases.contact.roller.flat import UNCROWNED
 from verify.cases.contact.roller.half_space import pressed
-from verify.cases.contact.roller.inputs import Crown, Roller, TiltedInputs
+from verify.cases.contact.roller.inputs import Crown, Roller, Tilt
 from verify.cases.contact.roller.tilted import TILTED
 from verify.cases.registry import find
 from verify.core.results import Status
@@ -177,7 +177,7 @@ def test_the_half_space_takes_neither_the_formulas_crowns_nor_their_tilt(monkeyp
     for name in ("logarithmic", "lundberg", "johns_gohar", "_scale", "_position"):
         monkeypatch.setattr(crown, name, refused)
     monkeypatch.setattr(inputs, "logarithmic", refused)
-    for owner in (Roller, Crown, TiltedInputs):
+    for owner in (Roller, Crown, Tilt):
         monkeypatch.setattr(owner, "gap", refused)
     assert found() == right
 
@@ -217,9 +217,9 @@ def test_the_half_space_takes_neither_the_formulas_crowns_nor_their_tilt(monkeyp
         pytest.param(TILTED, slices.press, "__kwdefaults__",
                      kernel(lambda d, D, b: slice_compliance.love(d, D, 4 * b)), f"{PEAK}, slices",
                      id="reading: w on four times Hertz's width"),
-        pytest.param(TILTED, TiltedInputs, "gap", turned_the_other_way,
+        pytest.param(TILTED, Tilt, "gap", turned_the_other_way,
                      "tilting moment, strips within 1%", id="reading: tilt the other way"),
-        pytest.param(TILTED, TiltedInputs, "gap", about_its_end, "approach, strips",
+        pytest.param(TILTED, Tilt, "gap", about_its_end, "approach, strips",
                      id="reading: tilt about the end"),
         # faults
         pytest.param(ROLLER, inputs, "logarithmic", deeper, f"{PEAK}, strips", id="z_m doubled"),

@@ -5,9 +5,7 @@ import pytest
 from pydantic import ValidationError
 
 from verify.cases.contact.roller import end_fem
-from verify.cases.contact.roller.end import END, local
-from verify.cases.contact.roller.end_fem import EndInputs
-from verify.cases.contact.roller.end_formulas import analytic
+from verify.cases.contact.roller.end import END, EndFace
 from verify.cases.contact.roller.inputs import Roller
 from verify.core.case import Context
 from verify.core.results import Status
@@ -18,7 +16,7 @@ LEVEL = 1
 @pytest.fixture(scope="module")
 def bodies():
     """Race, roller with its end face and roller that goes on, coarse."""
-    q = EndInputs()
+    q = EndFace()
     race = end_fem.compliance_fem(q, LEVEL, race=True, overhang=q.overhang)
     face = end_fem.compliance_fem(q, LEVEL, race=False, overhang=0.0)
     beyond = end_fem.compliance_fem(q, LEVEL, race=False, overhang=q.overhang)
@@ -26,7 +24,7 @@ def bodies():
 
 
 def read(q, roller, race, crown="flat"):
-    return end_fem.read(q, end_fem.contact_fem(q, LEVEL, (roller, race), crown), "")
+    return end_fem.read(q, end_fem.contact_fem(q, LEVEL, (roller, race), crown))
 
 
 def test_the_whole_load_is_carried_by_both_halves(bodies):
@@ -37,18 +35,18 @@ def test_the_whole_load_is_carried_by_both_halves(bodies):
 
 def test_a_face_takes_load_off_the_ends_and_more_than_the_bodies_size_does(bodies):
     q, race, face, beyond = bodies
-    on = analytic(q)["flat ends"]
-    with_face, without = (read(q, roller, race)[" ends"] for roller in (face, beyond))
+    on = END.analytic(q)["F_d_flat"]
+    with_face, without = (read(q, roller, race)["F_d"] for roller in (face, beyond))
     assert with_face < 0.8 * on
     assert 0.9 * on < without < on
 
 
 def test_hertz_holds_at_mid_length_and_a_wrong_modulus_would_be_seen(bodies, monkeypatch):
     q, race, face, _ = bodies
-    low, high = local(q, {})
-    assert 0.5 * low < read(q, face, race)[" local"] - 1 < 5 * high  # coarse: 2e-3 of cells more
+    low, high = q.local()
+    assert 0.5 * low < read(q, face, race)["local"] - 1 < 5 * high  # coarse: 2e-3 of cells more
     monkeypatch.setattr(Roller, "E_star", property(lambda q: q.E_1 / 2))  # without 1 - nu²
-    assert abs(read(q, face, race)[" local"] - 1) > 0.02
+    assert abs(read(q, face, race)["local"] - 1) > 0.02
 
 
 def judged(context, name):
@@ -60,27 +58,27 @@ def judged(context, name):
 def made_up(**changes):
     """A run whose levels all have the values of a good one, but for `changes` (key: factor)."""
     good = {
-        "end flat local": 1.0001, "end crowned local": 1.0002, "end flat ends": 407.0,
-        "end crowned ends": 184.3, "control flat ends": 534.0, "control crowned ends": 225.1,
-        "edge slope": -0.2261,
+        "local_end_flat": 1.0001, "local_end_crowned": 1.0002, "F_d_end_flat": 407.0,
+        "F_d_end_crowned": 184.3, "F_d_control_flat": 534.0, "F_d_control_crowned": 225.1,
+        "sharpness": -0.2261,
     }  # fmt: skip
     values = {key: value * changes.get(key, 1.0) for key, value in good.items()}
-    q = EndInputs()
+    q = EndFace()
     levels = [
-        end_fem.FemResult(h=1 / n, values={k: v * (1 + 1e-5 / n**2) for k, v in values.items()})
+        end_fem.Level(h=1 / n, values={k: v * (1 + 1e-5 / n**2) for k, v in values.items()})
         for n in (2, 3, 4)
     ]
-    return Context("contact-roller-end", q, analytic(q), levels, is_paper=True)
+    return Context("contact-roller-end", q, END.analytic(q), levels, is_paper=True)
 
 
 @pytest.mark.parametrize(
     ("key", "factor", "name"),
     [
-        ("end flat local", 1.005, "pressure at mid-length"),
-        ("end flat ends", 1.3, "the end face takes"),
-        ("control crowned ends", 0.9, "most of it"),
-        ("edge slope", 0.99, "sharpness"),
-        ("edge slope", 0.5 / 0.226, "sharpness"),  # a half-space's
+        ("local_end_flat", 1.005, "pressure at mid-length"),
+        ("F_d_end_flat", 1.3, "the end face takes"),
+        ("F_d_control_crowned", 0.9, "most of it"),
+        ("sharpness", 0.99, "sharpness"),
+        ("sharpness", 0.5 / 0.226, "sharpness"),  # a half-space's
     ],
 )
 def test_a_wrong_value_turns_its_row_red(key, factor, name):
@@ -108,7 +106,7 @@ def test_what_a_half_space_costs_is_shown_and_not_judged():
 )
 def test_bodies_that_it_cannot_mesh_are_refused(change, message):
     with pytest.raises(ValidationError, match=message):
-        EndInputs(**change)
+        EndFace(**change)
 
 
 def test_the_slope_at_the_edge_is_extrapolated_over_the_distance():

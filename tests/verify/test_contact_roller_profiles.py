@@ -5,7 +5,7 @@ import pytest
 
 from analytic.contact import crown
 from verify.cases.contact.roller import profiles
-from verify.cases.contact.roller.inputs import DESIGNS, CrownedInputs, RollerInputs, TiltedInputs
+from verify.cases.contact.roller.inputs import DESIGNS, Crown, Roller, Tilt
 
 SAME = 1e-12  # of the drop, and as much of A, in which logarithms near 1 are rounded
 RNG = np.random.default_rng(11)
@@ -29,7 +29,7 @@ def same(one, other, A):
 @pytest.mark.parametrize("design", [*DESIGNS, *DRAWN, (1, 1, 1e-3)], ids=str)
 def test_both_writings_of_eq_1_agree(design, load):
     K_1, K_2, z_m = design
-    q = CrownedInputs(K_1=K_1, K_2=K_2, z_m=min(z_m, 500 * K_1 * scale(CrownedInputs(), load)),
+    q = Crown(K_1=K_1, K_2=K_2, z_m=min(z_m, 500 * K_1 * scale(Crown(), load)),
                       Q=load)  # fmt: skip
     y = along(q)
     A = K_1 * scale(q, load)
@@ -40,7 +40,7 @@ def test_both_writings_of_eq_1_agree(design, load):
 
 
 def test_both_writings_of_lundberg_s_crown_agree():
-    q = RollerInputs()
+    q = Roller()
     y = along(q)[1:-1]
     written = crown.lundberg(y, load=q.F, length=q.L, E_star=q.E_star)
     assert same(profiles.lundberg(q)(y), written, scale(q, q.F))
@@ -48,7 +48,7 @@ def test_both_writings_of_lundberg_s_crown_agree():
 
 @pytest.mark.parametrize("load", [1.0, 3407.0, 30e3])
 def test_johns_and_gohar_s_constant_is_the_one_that_they_print(load):
-    q = RollerInputs(F=load)
+    q = Roller(F=load)
     y, A = along(q), scale(q, load)
     written = crown.johns_gohar(y, load=load, length=q.L, half_width=q.b, E_star=q.E_star)
     apart = np.abs(profiles.johns_gohar(q)(y) - written)
@@ -59,9 +59,9 @@ def test_johns_and_gohar_s_constant_is_the_one_that_they_print(load):
 
 @pytest.mark.parametrize("theta", [0.0, 5e-4, np.pi / 180])
 def test_both_writings_of_the_tilt_agree_as_small_angles_do(theta):
-    q = TiltedInputs(theta=theta)
+    q = Tilt(theta=theta)
     y = along(q)
-    lean = CrownedInputs.gap(q, y) - q.gap(y)
+    lean = Crown.gap(q, y) - q.gap(y)
     other = profiles.logarithmic(q, (q.K_1, q.K_2, q.z_m), q.Q)(y) - profiles.gap(q)(y)
     assert np.abs(other - lean).max() <= theta**3 / 2 * q.L / 2 + SAME * 1e-3
     assert np.all(np.diff(lean) >= 0)
@@ -69,6 +69,6 @@ def test_both_writings_of_the_tilt_agree_as_small_angles_do(theta):
 
 
 def test_a_roller_without_crown_has_no_gap():
-    q = RollerInputs()
+    q = Roller()
     assert not profiles.gap(q)(along(q)).any()
     assert not q.gap(along(q)).any()

@@ -24,9 +24,6 @@ SEEDS = (0, 1, 2)
 SCALES = (
     ("polyhedral-ring", r"uncertainty of .*", 1.0),  # shares of the loads that a fit leaves
     ("spring-width", r"left .*", 1.0),
-    ("contact-roller-crowns", r".* moment", 30.0),  # N m, its load times its length
-    ("contact-roller.*", r".* moment", "F l"),
-    ("contact-roller.*", r".* left", 1.0),  # relative errors of other values
     ("rotor-clutch", r"K_xz_.*", "K_xx"),
     ("rotor-step", r"uncertainty of .*", 1.0),  # relative errors
 )

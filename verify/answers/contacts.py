@@ -34,10 +34,10 @@ def slip(q: Any, v: Values, part: Assessment) -> None:
 
 def roller(q: Any, v: Values, part: Assessment) -> None:
     """Largest pressure along a crowned roller; ends that carry load are not decided."""
-    p = v["strips peak"]
+    p = v["p_max"]
     part.pressure("contact_pressure", "largest pressure away from the ends", p, q.E_1, q.E_2,
                   option=OTHER)  # fmt: skip
-    if v["strips loaded ends"]:
+    if q.loaded_ends:
         part.unknowns.append(
             "the ends of the roller carry load: the pressure there has no limit in this model and "
             "grows with the number of strips; a crown removes it"
@@ -47,12 +47,12 @@ def roller(q: Any, v: Values, part: Assessment) -> None:
 def crowns(q: Any, v: Values, part: Assessment) -> None:
     """Pressure of Lundberg's crown away from the ends."""
     part.pressure("contact_pressure", "pressure at mid-length, Lundberg's crown",
-                  v["Lundberg mid"], q.E_1, q.E_2, option=OTHER)  # fmt: skip
+                  v["p_mid"], q.E_1, q.E_2, option=OTHER)  # fmt: skip
 
 
 def end_face(q: Any, v: Values, part: Assessment) -> None:
     """Pressure of a crowned roller at mid-length; that at its end face is not a criterion."""
-    part.pressure("contact_pressure", "pressure at mid-length, crowned", v["crowned mid"],
+    part.pressure("contact_pressure", "pressure at mid-length, crowned", v["p_mid"],
                   q.E_1, q.E_2, option=OTHER)  # fmt: skip
     part.unknowns.append(
         "the pressure at the end face is not limited by this model: compare the load on the end "

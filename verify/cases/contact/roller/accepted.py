@@ -1,15 +1,13 @@
-"""Acceptance figures of finite line contacts: judged at the paper's numbers, told at one's own."""
+"""A model beside the half-space whose error nothing bounds beforehand for inputs of the user."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
+from typing import Unpack
 
-from verify.cases.contact.roller.formulas import apart
+from verify.case import Comparison, Computed, Expected, Quantity, approximation
 from verify.core.case import Context
 from verify.core.results import Row, Status
-from verify.judging.checks import Approximation, Margin
-
-SHARE = 0.04  # of the load that slices may put elsewhere
-ENDS = 0.06  # of loads near the ends
-LEAST = 1e-3  # of load, or load times length: less near the ends or about the middle is none
+from verify.form.comparisons import Options
+from verify.judging.checks import Approximation
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -33,33 +31,11 @@ class Estimated(Approximation):
         ]
 
 
-def elsewhere(model: str) -> Margin:
-    """The share of the load that a model puts elsewhere than the half-space."""
-
-    def margin(context: Context) -> tuple[float, float, str]:
-        share, U, error = apart(context, model)
-        return SHARE - share, U, f"{share:.1%} elsewhere; line load off by {error:.1%} in L2"
-
-    return margin
-
-
-def nearer(context: Context) -> tuple[float, float, str]:
-    """How much less of the load slices put elsewhere than uncoupled ones do."""
-    coupled, U, _ = apart(context, "slices")
-    alone, U_alone, _ = apart(context, "lamina")
-    return alone - coupled, U + U_alone, f"{coupled:.1%} against {alone:.1%} elsewhere"
-
-
-def within(key: str, bound: float, scale: str) -> Margin:
-    """The strips' error in `key`, over itself or, where it is next to nothing, over `scale`."""
-
-    def margin(context: Context) -> tuple[float, float, str]:
-        v, strips = context.series(key)[1], context.analytic[f"strips {key}"]
-        size = max(abs(v[-1]), LEAST * context.analytic[scale])
-        error = (strips - v[-1]) / size
-        return bound - abs(error), 3 * abs(v[-1] - v[-2]) / size, f"strips {error:+.2%}"
-
-    return margin
-
-
-ends = within("ends", ENDS, "F")
+def estimated(
+    q: Quantity, reference: str = "", *, expected: Expected | Computed | None,
+    **options: Unpack[Options],
+) -> Comparison:  # fmt: skip
+    """An approximation whose reference may stay open for inputs of the user."""
+    one = approximation(q, reference, expected=expected, **options)
+    stated = {f.name: getattr(one.check, f.name) for f in fields(one.check)}  # type: ignore[arg-type]
+    return replace(one, check=Estimated(**stated))

@@ -1,33 +1,224 @@
 """A roller's end face: finite elements of both bodies where a half-space has no face at all."""
 
+import math
+from collections.abc import Iterator
+from typing import ClassVar, Self
+
+import numpy as np
+from pydantic import model_validator
+
+from analytic.contact.edge import edge_exponent
+from analytic.contact.half_space_roller import RollerContact, press_roller
+from verify.case import (
+    Comparison,
+    Drawn,
+    Expected,
+    Level,
+    Quantity,
+    State,
+    approximation,
+    given,
+    shared,
+    underived,
+)
 from verify.cases.contact.roller import end_figures
-from verify.cases.contact.roller.accepted import Estimated
-from verify.cases.contact.roller.end_fem import CROWNS, EndInputs, fem
+from verify.cases.contact.roller.accepted import estimated
+from verify.cases.contact.roller.end_fem import CROWNS, solve
 from verify.cases.contact.roller.end_figures import BODIES
-from verify.cases.contact.roller.end_formulas import analytic
-from verify.core.case import Case, Context, Output, Values
+from verify.cases.contact.roller.formulas import MIDDLE
+from verify.cases.contact.roller.inputs import Crown
+from verify.core.case import Context
+from verify.core.figures import Picture, Sketch
+from verify.form.adapter import adapted
+from verify.form.comparisons import key_of
 from verify.judging.checks import Accepted, Approximation, Margin
 
+mm = 1e-3
+HALF_SPACE = (64, 512)  # cells across and along
 FACE = 0.10  # of the load within d of the ends that the face takes at least
 MOSTLY = 1 / 3  # of what the face takes, which the bodies' size stays below
 EDGE_LEFT = 5e-3  # of the slope at the edge itself: terms of the order of its distances
+TERMS = "argued: terms of the order of the distance, 1 and 2 thousandths of the radius"
 
 
-def local(q: EndInputs, _: Values) -> tuple[float, float]:
-    """Hertz at the line load at mid-length: circles and the change of load along y are neglected.
+class EndFace(Crown):
+    """Slices, strips and boundary elements take the roller for a half-space beyond its end.
 
-    Each with a factor of one about the square of the half-width over the radius and half-length.
+    Finite elements of whole bodies, a Fourier series around the axes, say what that costs at a free
+    end face; a control in which both bodies go on tells the face from the bodies' finite size.
     """
-    most = (q.b / q.R_1) ** 2 + (2 * q.b / q.L) ** 2 + 1e-3
-    return -most, most
+
+    id = "contact-roller-end"
+    title = "End face of a roller"
+    source = "huang2018"
+    place = "Eqs. 2-5, the half-space behind their weights"
+    quick = False
+    levels: ClassVar = (2, 3, 4)
+    readings: ClassVar = (
+        "the race goes on beyond the roller, as those of a clutch do",
+        "the roller is pressed from two sides by equal races, and each race from two sides",
+    )
+    assumptions: ClassVar = (
+        "linear elasticity, no friction; solid cylinders with circular sections",
+        "pressure acts along the common normal and is even in each cell of the patch",
+        "harmonics around the axis are solved up to the width of a cell; those between are "
+        "interpolated",
+        "the edge's sharpness is that of a ring shrunk on a longer shaft, axisymmetric",
+    )
+    crown: ClassVar[str] = "crowned"  # of the quantities
+
+    overhang: float = given(
+        "2 mm", "mm", "h", "length by which the races go on beyond each end", gt=0, le=1e3
+    )
+
+    @model_validator(mode="after")
+    def _race(self) -> Self:
+        if self.R_2 <= 0:
+            raise ValueError(
+                f"R_2 must be positive here, got R_2 = {self.R_2 / mm:g} mm: finite elements have "
+                "a race that is a shaft"
+            )
+        if not 0.2 <= self.R_2 / self.R_1 <= 20:
+            raise ValueError(
+                f"radii may differ by a factor of 5 to 20, got R_1 = {self.R_1 / mm:g} mm, "
+                f"R_2 = {self.R_2 / mm:g} mm"
+            )
+        if not 0.05 * self.L <= self.overhang <= 3 * self.L:
+            raise ValueError(
+                f"the overhang must be 0.05 to 3 lengths of the roller, got "
+                f"h = {self.overhang / mm:g} mm, l = {self.L / mm:g} mm"
+            )
+        if not 0.2 <= self.L / self.R_1 <= 20:
+            raise ValueError(
+                f"the roller's length must be 0.2 to 20 radii, got l = {self.L / mm:g} mm, "
+                f"R_1 = {self.R_1 / mm:g} mm"
+            )
+        return self
+
+    @Quantity("p_0", "MPa", "Hertz's pressure of an evenly distributed load", source="Hertz",
+              tex=r"\sqrt{\frac{F E*}{\pi l R}}")  # fmt: skip
+    def p_0(self) -> float:
+        return math.sqrt(self.F / self.L * self.E_star / (np.pi * self.R))
+
+    @Quantity("p", "MPa", f"{MIDDLE}, half-space", source="half-space", safe="too high")
+    def p_mid(self) -> float:
+        return self.contact.mid_pressure
+
+    @Quantity("p_f", "MPa", f"{MIDDLE} without crown, half-space", source="half-space", role="step")
+    def p_mid_flat(self) -> float:
+        return float(self.flat.p_mid)
+
+    @Quantity("F_d", "N", "load within d of both ends, half-space", source="half-space",
+              safe="too high",
+              tex=r"\int_{-l/2}^{d - l/2} q\,dy + \int_{l/2 - d}^{l/2} q\,dy")  # fmt: skip
+    def F_d(self) -> float:
+        return sum(self.contact.end_load(self.d))
+
+    @Quantity("F_d/F", "1", "share of the load within d of both ends, half-space", role="step",
+              tex=r"\frac{F_d}{F}")  # fmt: skip
+    def end_share(self) -> float:
+        return self.F_d / self.F
+
+    @Quantity("λ", "1", "exponent of a right-angled edge", source="Williams; Dundurs and Lee",
+              role="step", tex=r"\lambda_{90},\quad p \propto r^{\lambda - 1}")  # fmt: skip
+    def exponent(self) -> float:
+        return 1 + self.sharpness
+
+    @Quantity("λ − 1", "1", "sharpness of a right-angled edge on its own material",
+              source="Williams; Dundurs and Lee")  # fmt: skip
+    def sharpness(self) -> float:
+        return edge_exponent(np.pi / 2)
+
+    @Quantity("1−λ", "1", "exponent of the distance in the edge's pressure; 0.5 in a half-space",
+              source="Williams; Dundurs and Lee", role="step", tex=r"1 - \lambda")  # fmt: skip
+    def less_sharp(self) -> float:
+        return -self.sharpness
+
+    @shared
+    def contact(self) -> RollerContact:
+        """The roller on a half-space, which knows no end face."""
+        gap = self.gap if self.crown == "crowned" else np.zeros_like
+        return press_roller(gap, R=self.R, length=self.L, E_star=self.E_star, load=self.F,
+                            cells=HALF_SPACE)  # fmt: skip
+
+    @shared
+    def flat(self) -> Self:
+        """The roller without its crown."""
+        return self.model_copy(update={"crown": "flat"})
+
+    @shared
+    def states(self) -> tuple[State, State]:
+        """Without and with the crown."""
+        return State(self.flat, "flat", "flat"), State(self, "", "crowned")
+
+    def reference(self, level: int) -> Level:
+        """Bodies of revolution, harmonic by harmonic."""
+        return solve(self, level)
+
+    def comparisons(self) -> Iterator[Comparison]:
+        """Hertz at mid-length, what a half-space costs at the ends, the edge's sharpness."""
+        q = EndFace
+        for crown in CROWNS:
+            yield Comparison(quantity=q.p_0, numbers={"one": 1.0}, check=Approximation(
+                name=f"pressure at mid-length over Hertz's at the line load there, {crown}, "
+                f"{BODIES['end']}", symbol="p/p_H", unit="1", fem=f"local_end_{crown}",
+                analytic="one", formal=2, interval=lambda *_: self.local(), demand=4e-3,
+                demand_reason="cells across are even in pressure",
+                source="argued: (b/R_1)² + (2b/l)², and 1e-3 of the cells",
+            ))  # fmt: skip
+        cost = underived("what a half-space costs is measured here")
+        for name, words in BODIES.items():
+            for state in self.states:
+                yield estimated(
+                    q.F_d, f"F_d_{name}_{state.words}", state=state, symbol="F_d", order=1,
+                    name=f"load within d of the ends, half-space, {state.words}, {words}",
+                    expected=cost,
+                )  # fmt: skip
+        for what, margin in (
+            (f"the end face takes {FACE:.0%} or more off the load near it", face),
+            ("most of it is the face: the bodies' size costs less than a third", mostly),
+        ):  # fmt: skip
+            for state in self.states:
+                check = Accepted(name=f"{what}, {state.words}", symbol="F_d", unit="1",
+                                 margin=margin(state))  # fmt: skip
+                yield Comparison(check=check, quantity=q.F_d, state=state)
+        yield approximation(q.sharpness, order=2, expected=Expected(-EDGE_LEFT, EDGE_LEFT, TERMS))
+
+    def local(self) -> tuple[float, float]:
+        """Hertz at the line load at mid-length: circles and the change of load are neglected.
+
+        Each with a factor of one about the square of the half-width over radius and half-length.
+        """
+        most = (self.b / self.R_1) ** 2 + (2 * self.b / self.L) ** 2 + 1e-3
+        return -most, most
+
+    def figures(self) -> Iterator[Drawn]:
+        """Line loads towards the end, and pressure at the edge."""
+        yield Drawn(end_figures.drawn)
+
+    def pictures(self) -> Iterator[Picture]:
+        """Pressure on the patch."""
+        yield end_figures.patch()
+
+    def sketch(self) -> Sketch:
+        """Section along the axes."""
+        return end_figures.sketch(self)
+
+    def warnings(self) -> Iterator[str]:
+        """Ends that a half-space loads more than an end face can carry."""
+        if max(self.end_share, self.flat.end_share) > 1.2 * 2 * self.d / self.L:
+            yield (
+                "a half-space puts more load on the ends than a roller's end face can carry: "
+                "its pressures near a loaded end are too high"
+            )
 
 
-def face(crown: str) -> Margin:
+def face(state: State) -> Margin:
     """What the end face takes off the load near it, beyond FACE."""
 
     def margin(context: Context) -> tuple[float, float, str]:
-        here, on, U = _apart(context, "end", crown)
-        beyond, _, _ = _apart(context, "control", crown)
+        here, on, U = end_loads(context, "end", state)
+        beyond, _, _ = end_loads(context, "control", state)
         told = (
             f"{here / on - 1:+.1%} of the half-space's, {here / beyond - 1:+.1%} of the control's"
         )
@@ -36,103 +227,23 @@ def face(crown: str) -> Margin:
     return margin
 
 
-def mostly(crown: str) -> Margin:
+def mostly(state: State) -> Margin:
     """How far what the bodies' size takes is below a share of what the end face does."""
 
     def margin(context: Context) -> tuple[float, float, str]:
-        face_, on, U = _apart(context, "end", crown)
-        size, _, U_size = _apart(context, "control", crown)
+        face_, on, U = end_loads(context, "end", state)
+        size, _, U_size = end_loads(context, "control", state)
         left = MOSTLY * (1 - face_ / on) - abs(1 - size / on)
         return left, MOSTLY * U + U_size, f"{size / on - 1:+.1%} against {face_ / on - 1:+.1%}"
 
     return margin
 
 
-def _apart(context: Context, name: str, crown: str) -> tuple[float, float, float]:
-    v = context.series(f"{name} {crown} ends")[1]
-    on = context.analytic[f"{crown} ends"]
+def end_loads(context: Context, name: str, state: State) -> tuple[float, float, float]:
+    """Loads near the ends by finite elements and on a half-space, and U of their ratio."""
+    v = context.series(f"F_d_{name}_{state.words}")[1]
+    on = context.analytic[key_of(EndFace.F_d, state)]
     return v[-1], on, 3 * (max(v) - min(v)) / on
 
 
-CHECKS = (
-    *(
-        Approximation(
-            name=f"pressure at mid-length over Hertz's at the line load there, {crown}, {words}",
-            symbol="p/p_H", unit="1", fem=f"{name} {crown} local", analytic="one", formal=2,
-            interval=local, demand=4e-3, demand_reason="cells across are even in pressure",
-            source="argued: (b/R_1)² + (2b/l)², and 1e-3 of the cells")
-        for name, words in list(BODIES.items())[:1] for crown in CROWNS
-    ),
-    *(
-        Estimated(
-            name=f"load within d of the ends, half-space, {crown}, {words}", symbol="F_d",
-            unit="N", fem=f"{name} {crown} ends", analytic=f"{crown} ends", formal=1,
-            interval=None, source="what a half-space costs is measured here")
-        for name, words in BODIES.items() for crown in CROWNS
-    ),
-    *(
-        Accepted(name=f"the end face takes {FACE:.0%} or more off the load near it, {crown}",
-             symbol="F_d", unit="1", margin=face(crown))
-        for crown in CROWNS
-    ),
-    *(
-        Accepted(name=f"most of it is the face: the bodies' size costs less than a third, {crown}",
-             symbol="F_d", unit="1", margin=mostly(crown))
-        for crown in CROWNS
-    ),
-    Approximation(
-        name="sharpness of a right-angled edge on its own material", symbol="λ − 1", unit="1",
-        fem="edge slope", analytic="edge", formal=2,
-        interval=lambda _q, _v: (-EDGE_LEFT, EDGE_LEFT),
-        source="argued: terms of the order of the distance, 1 and 2 thousandths of the radius"),
-)  # fmt: skip
-
-OUTPUTS = (
-    Output(key="Hertz p0", symbol="p_0", unit="MPa", what="Hertz's of a load spread evenly",
-           judged=False),
-    *(
-        Output(key=f"{crown} {key}", symbol=symbol, unit=unit, what=f"{what}, {crown}, half-space",
-               judged=key == "ends")
-        for crown in CROWNS for key, symbol, unit, what in (
-            ("mid", "p", "MPa", "pressure at mid-length"),
-            ("ends", "F_d", "N", "load within d of both ends"),
-        )
-    ),
-    Output(key="less sharp", symbol="1−λ", unit="1",
-           what="exponent of the distance in the edge's pressure; 0.5 in a half-space"),
-)  # fmt: skip
-
-
-END = Case(
-    id="contact-roller-end",
-    title="End face of a roller",
-    paper="huang2018",
-    place="Eqs. 2-5, the half-space behind their weights",
-    lead="Slices, strips and boundary elements take the roller for a half-space that goes on "
-    "beyond its end. Finite elements of whole bodies, a Fourier series around the axes, say what "
-    "that costs at a free end face; a control in which both bodies go on tells the face from the "
-    "bodies' finite size.",
-    inputs=EndInputs,
-    analytic=analytic,
-    reference=fem,
-    levels=(2, 3, 4),
-    checks=CHECKS,
-    outputs=OUTPUTS,
-    readings=(
-        "the race goes on beyond the roller, as those of a clutch do",
-        "the roller is pressed from two sides by equal races, and each race from two sides",
-    ),
-    assumptions=(
-        "linear elasticity, no friction; solid cylinders with circular sections",
-        "pressure acts along the common normal and is even in each cell of the patch",
-        "harmonics around the axis are solved up to the width of a cell; those between are "
-        "interpolated",
-        "the edge's sharpness is that of a ring shrunk on a longer shaft, axisymmetric",
-    ),
-    warnings=end_figures.warnings,
-    equations=end_figures.equations,
-    sketch=end_figures.sketch,
-    figures=end_figures.figures,
-    pictures=end_figures.pictures,
-    quick=False,
-)
+END = adapted(EndFace)

@@ -4,20 +4,18 @@ import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from pydantic import model_validator
 from scipy.interpolate import CubicSpline
 
+from verify.case import Level
 from verify.cases.contact.roller import profiles
-from verify.cases.contact.roller.inputs import STRETCH, Crown
-from verify.core.case import FemResult
+from verify.cases.contact.roller.inputs import STRETCH
 from verify.core.figures import Array, Field
-from verify.core.inputs import quantity
 
 if TYPE_CHECKING:
     from fem.fourier.compliance import SurfaceCompliance
     from fem.fourier.contact import PatchContact
+    from verify.cases.contact.roller.end import EndFace
 
-mm = 1e-3
 CROWNS = ("flat", "crowned")
 ACROSS = 4  # cells on Hertz's half-width, a level
 WIDE = (1.5, 2.0, 3.0)  # of the half-width, the patch, until the contact fits
@@ -25,39 +23,8 @@ DEEP = 0.4  # of the half-width, the first cell at the end of the contact along 
 EDGE = 1e-3  # distance from the ring's edge over its radius at which its slope is taken
 
 
-class EndInputs(Crown):
-    """A roller between two equal races that go on beyond its ends."""
-
-    overhang: float = quantity(
-        "2 mm", "mm", "h", "length by which the races go on beyond each end", gt=0, le=1e3
-    )
-
-    @model_validator(mode="after")
-    def _race(self) -> "EndInputs":
-        if self.R_2 <= 0:
-            raise ValueError(
-                f"R_2 must be positive here, got R_2 = {self.R_2 / mm:g} mm: finite elements have "
-                "a race that is a shaft"
-            )
-        if not 0.2 <= self.R_2 / self.R_1 <= 20:
-            raise ValueError(
-                f"radii may differ by a factor of 5 to 20, got R_1 = {self.R_1 / mm:g} mm, "
-                f"R_2 = {self.R_2 / mm:g} mm"
-            )
-        if not 0.05 * self.L <= self.overhang <= 3 * self.L:
-            raise ValueError(
-                f"the overhang must be 0.05 to 3 lengths of the roller, got "
-                f"h = {self.overhang / mm:g} mm, l = {self.L / mm:g} mm"
-            )
-        if not 0.2 <= self.L / self.R_1 <= 20:
-            raise ValueError(
-                f"the roller's length must be 0.2 to 20 radii, got l = {self.L / mm:g} mm, "
-                f"R_1 = {self.R_1 / mm:g} mm"
-            )
-        return self
-
-
-def fem(q: EndInputs, level: int) -> FemResult:
+def solve(q: "EndFace", level: int) -> Level:
+    """Roller with its end face and one that goes on, without and with the crown; the edge."""
     values: dict[str, float] = {}
     u_it: dict[str, float] = {}
     arrays: dict[str, Array] = {}
@@ -66,28 +33,27 @@ def fem(q: EndInputs, level: int) -> FemResult:
         roller = compliance_fem(q, level, race=False, overhang=overhang)
         for crown in CROWNS:
             found = contact_fem(q, level, (roller, race), crown)
-            here = read(q, found, f"{name} {crown}")
+            here = read(q, found)
             beside = [
-                read(q, contact_fem(q, level, (roller, race), crown, more), f"{name} {crown}")
+                read(q, contact_fem(q, level, (roller, race), crown, more))["F_d"]
                 for more in (-1, 1)
             ]
+            state = f"{name}_{crown}"
             # the contact's rim is a stair of cells: what other cells across make of the ends
-            ends = f"{name} {crown} ends"
-            u_it[ends] = max(abs(v[ends] - here[ends]) for v in beside)
-            values |= here
+            u_it[f"F_d_{state}"] = max(abs(F_d - here["F_d"]) for F_d in beside)
+            values |= {f"{key}_{state}": value for key, value in here.items()}
             arrays |= {
-                f"{name} {crown} y": found.z, f"{name} {crown} q": found.line_load,
-                f"{name} {crown} p": found.ridge,
+                f"y_{state}": found.z, f"q_{state}": found.line_load, f"p_{state}": found.ridge,
             }  # fmt: skip
             if (name, crown) == ("end", "flat"):
                 fields = (patch(found),)
     distance, pressure = edge_fem(level)
-    values["edge slope"] = slope(distance, pressure)
-    arrays |= {"edge distance": distance, "edge pressure": pressure}
-    return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=fields)
+    values["sharpness"] = slope(distance, pressure)
+    arrays |= {"edge_distance": distance, "edge_pressure": pressure}
+    return Level(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=fields)
 
 
-def stations_fem(q: EndInputs, level: int) -> Array:
+def stations_fem(q: "EndFace", level: int) -> Array:
     """Stations along the contact from mid-length to its end, where they are finest; one at d."""
     from meshes.revolution.section import stations
 
@@ -96,7 +62,7 @@ def stations_fem(q: EndInputs, level: int) -> Array:
     return found
 
 
-def compliance_fem(q: EndInputs, level: int, *, race: bool, overhang: float) -> "SurfaceCompliance":
+def compliance_fem(q: "EndFace", level: int, *, race: bool, overhang: float) -> "SurfaceCompliance":
     """Compliance of the race, or of the roller; each pressed at opposite places."""
     from fem.fourier.compliance import harmonics, surface_compliance
     from fem.fourier.solid import FourierSolid
@@ -111,7 +77,7 @@ def compliance_fem(q: EndInputs, level: int, *, race: bool, overhang: float) -> 
     return surface_compliance(solid, "rim", stations=z, orders=orders)
 
 
-def contact_fem(q: EndInputs, level: int, bodies: Any, crown: str, more: int = 0) -> "PatchContact":
+def contact_fem(q: "EndFace", level: int, bodies: Any, crown: str, more: int = 0) -> "PatchContact":
     """The half y >= 0 of the roller on the race, under half the load; `more` cells across."""
     from fem.fourier.contact import NarrowPatchError, patch_contact
 
@@ -126,16 +92,14 @@ def contact_fem(q: EndInputs, level: int, bodies: Any, crown: str, more: int = 0
     raise AssertionError
 
 
-def read(q: EndInputs, found: "PatchContact", name: str) -> dict[str, float]:
-    """Values of one contact under `name`."""
-    q_mid = float(np.interp(0.0, found.z, found.line_load))
-    ends = 2 * found.load_between(q.L / 2 - q.d, q.L / 2)
+def read(q: "EndFace", found: "PatchContact") -> dict[str, float]:
+    """Pressure and line load at mid-length, the first over Hertz's there, load at the ends."""
+    q_mid, p_mid = float(np.interp(0.0, found.z, found.line_load)), found.ridge_at(0.0)
     return {
-        f"{name} mid": found.ridge_at(0.0),
-        f"{name} q mid": q_mid,
-        f"{name} local": found.ridge_at(0.0) / math.sqrt(q_mid * q.E_star / (np.pi * q.R)),
-        f"{name} ends": ends,
-        f"{name} share": ends / q.F,
+        "p_mid": p_mid,
+        "q_mid": q_mid,
+        "local": p_mid / math.sqrt(q_mid * q.E_star / (np.pi * q.R)),
+        "F_d": 2 * found.load_between(q.L / 2 - q.d, q.L / 2),
     }
 
 

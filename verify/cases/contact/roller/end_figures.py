@@ -1,41 +1,44 @@
 """What the report shows of a roller's end face."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from analytic.contact.edge import edge_exponent
+from verify.case import State
 from verify.cases.contact.roller import figures as roller_figures
-from verify.cases.contact.roller.end_fem import CROWNS, EDGE, EndInputs
-from verify.cases.contact.roller.end_formulas import on_half_space
+from verify.cases.contact.roller.end_fem import EDGE
 from verify.cases.contact.roller.inputs import STRETCH
-from verify.core.case import Context, Values
-from verify.core.figures import Array, Curve, Curves, Equation, Figure, Picture, Shape, Sketch
-from verify.core.tex import tex
+from verify.core.case import Context
+from verify.core.figures import Array, Curve, Curves, Figure, Picture, Shape, Sketch
+
+if TYPE_CHECKING:
+    from verify.cases.contact.roller.end import EndFace
 
 MPa, mm = roller_figures.MPa, roller_figures.mm
 BODIES = {"end": "end face", "control": "both bodies go on"}
 EDGE_DRAWN = 5e-3
 
 
-def figures(context: Context) -> Sequence[Figure]:
-    if not context.fem:
-        return ()
-    return (*(line_loads(context, crown) for crown in CROWNS), edge(context))
+def drawn(context: Context) -> Iterator[Figure]:
+    """Line loads towards the end, and pressure at the edge."""
+    if context.fem:
+        yield from (line_loads(context, state) for state in context.inputs.states)
+        yield edge(context)
 
 
-def line_loads(context: Context, crown: str) -> Figure:
+def line_loads(context: Context, state: State) -> Figure:
     """Line load along half the roller: with an end face, without, and on a half-space."""
     q, arrays = context.inputs, context.fem[-1].arrays
-    on = on_half_space(q, crown)
+    on: Any = getattr(state.case, "contact")  # noqa: B009
     half = on.y > 0
     curves = [Curve(name="half-space", x=on.y[half] / mm, y=on.line_load[half] / 1e3,
                     style="dashes", colour=4)]  # fmt: skip
     for i, (name, words) in enumerate(BODIES.items()):
-        y, line = (arrays[f"{name} {crown} {key}"] for key in "yq")
+        y, line = (arrays[f"{key}_{name}_{state.words}"] for key in "yq")
         curves.append(Curve(name=f"FE, {words}", x=y / mm, y=line / 1e3, colour=2 * i))
     return Curves(
-        title=f"Line load towards the end, {crown}", x_label="y [mm]", y_label="q [N/mm]",
+        title=f"Line load towards the end, {state.words}", x_label="y [mm]", y_label="q [N/mm]",
         curves=tuple(curves), y_top=1.7 * q.F / q.L / 1e3,
         note="Where both bodies go on, the half-space is nearly right; a free end face deflects "
         "more, and the load goes to the middle.",
@@ -45,11 +48,11 @@ def line_loads(context: Context, crown: str) -> Figure:
 def edge(context: Context) -> Figure:
     """Pressure of a ring near its edge on a longer shaft, with Williams' slope."""
     arrays = context.fem[-1].arrays
-    d, p = arrays["edge distance"], arrays["edge pressure"]
+    d, p = arrays["edge_distance"], arrays["edge_pressure"]
     near = (d > EDGE / 20) & (d < 0.1)
     x, y = np.log10(d[near]), np.log10(p[near] / p[np.argmin(np.abs(d - EDGE_DRAWN))])
     at = np.array([x.min(), x.max()])
-    k, middle = edge_exponent(np.pi / 2), float(np.log10(EDGE_DRAWN))
+    k, middle = context.inputs.sharpness, float(np.log10(EDGE_DRAWN))
     return Curves(
         title="How sharp the edge of an end face is", x_label="log10 distance/radius",
         y_label="log10 p/p(0.005)",
@@ -64,7 +67,7 @@ def edge(context: Context) -> Figure:
     )  # fmt: skip
 
 
-def sketch(q: EndInputs) -> Sketch:
+def sketch(q: "EndFace") -> Sketch:
     """Section along the axes: the roller between two races."""
     end, h = 1.6, min(q.overhang / q.L * 3.2, 1.6)
     r, race = 0.55, 1.0
@@ -118,30 +121,10 @@ def sketch(q: EndInputs) -> Sketch:
                   shapes=shapes)  # fmt: skip
 
 
-def equations(_: EndInputs, v: Values) -> Sequence[Equation]:
-    return (
-        Equation(tex=r"p \propto r^{\lambda - 1},\quad \lambda(90^\circ)",
-                 numbers=rf"= {tex(1 + v['edge'])}", place="Williams; Dundurs and Lee"),
-        Equation(tex=r"F_d = 2\int_{l/2-d}^{l/2} q\,dy",
-                 numbers=rf"= {tex(v['flat ends'])}\ \mathrm{{N}},\ "
-                 rf"{tex(v['crowned ends'])}\ \mathrm{{N}}",
-                 place="half-space: without and with the crown"),
+def patch() -> Picture:
+    """Pressure on the patch, stretched across."""
+    return Picture(
+        field="patch", data="pressure", symbol="p", unit="MPa", factor=MPa,
+        caption="Pressure on the patch of the roller without crown, with its end faces; "
+        f"lengths across are drawn {STRETCH:.0f} times as long", displacement="",
     )  # fmt: skip
-
-
-def pictures(_: EndInputs) -> Sequence[Picture]:
-    return (
-        Picture(field="patch", data="pressure", symbol="p", unit="MPa", factor=MPa,
-                caption="Pressure on the patch of the roller without crown, with its end faces; "
-                f"lengths across are drawn {STRETCH:.0f} times as long", displacement=""),
-    )  # fmt: skip
-
-
-def warnings(q: EndInputs, v: Values) -> Sequence[str]:
-    found = []
-    if v["crowned share"] > 1.2 * 2 * q.d / q.L or v["flat share"] > 1.2 * 2 * q.d / q.L:
-        found.append(
-            "a half-space puts more load on the ends than a roller's end face can carry: "
-            "its pressures near a loaded end are too high"
-        )
-    return found

@@ -1,17 +1,15 @@
 """What the report shows of a finite line contact: sketch, equations, curves, pressure maps."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
 
-from analytic.contact.crown import slice_centres
 from analytic.contact.strips import Strips
-from verify.cases.contact.roller.formulas import MODELS, by_strips, sliced
-from verify.cases.contact.roller.inputs import STRETCH, Crown, Roller, TiltedInputs
-from verify.core.case import Context, Values
-from verify.core.figures import Array, Curve, Curves, Equation, Figure, Picture, Shape, Sketch
-from verify.core.tex import tex
+from verify.cases.contact.roller.formulas import Along, SlicedRoller
+from verify.cases.contact.roller.inputs import STRETCH, Crown, Roller, Tilt
+from verify.core.case import Context
+from verify.core.figures import Array, Curve, Curves, Figure, Picture, Shape, Sketch
 
 MPa, mm, um = 1e6, 1e-3, 1e-6
 NAMES = {"strips": "strips", "slices": "slices, Eqs. 2-5", "lamina": "uncoupled slices"}
@@ -30,7 +28,7 @@ def sketch(q: Roller) -> Sketch:
     y = np.linspace(-end, end, 81)
     drop = q.gap(y * q.L / (2 * end))
     z = 0.35 * drop / drop.max() if drop.max() > 0 else 0 * y
-    tilted = isinstance(q, TiltedInputs) and q.theta > 0
+    tilted = isinstance(q, Tilt) and q.theta > 0
     top = h + (z if tilted else 0 * y)
     roller = np.vstack([np.column_stack([y, z]), np.column_stack([y, top])[::-1]])
     d = 2 * end * q.d / q.L
@@ -54,7 +52,7 @@ def sketch(q: Roller) -> Sketch:
         shapes.append(Shape(style="leader", points=line((3.2, 0.75), (end, z[-1] / 2)),
                             label=label))  # fmt: skip
     crown = " with its crown" if isinstance(q, Crown) else " without crown"
-    lean = f", tilted by {np.degrees(q.theta):.3g}°" if isinstance(q, TiltedInputs) else ""
+    lean = f", tilted by {np.degrees(q.theta):.3g}°" if isinstance(q, Tilt) else ""
     return Sketch(title=f"roller{crown}{lean} on a longer race, heights exaggerated",
                   shapes=tuple(shapes))  # fmt: skip
 
@@ -63,60 +61,24 @@ def _race(q: Roller) -> str:
     return f"R_2 = {q.R_2 / mm:.4g} mm" if abs(q.R_2) < 1e4 else "flat"
 
 
-def equations(q: Any, v: Values) -> Sequence[Equation]:
-    """The models with their numbers; the crown where there is one."""
-    E = q.E_star / MPa
-    found = [
-        Equation(tex=r"\frac{1}{R} = \frac{1}{R_1} + \frac{1}{R_2}",
-                 numbers=rf"\Rightarrow\ R = {tex(q.R / mm)}\ \mathrm{{mm}}"),
-        Equation(tex=r"\frac{1}{E^*} = \frac{1-\nu_1^2}{E_1} + \frac{1-\nu_2^2}{E_2}",
-                 numbers=rf"\Rightarrow\ E^* = {tex(E)}\ \mathrm{{MPa}}",
-                 place="E' of Eq. 1 is 2 E*"),
-    ]  # fmt: skip
-    if isinstance(q, Crown):
-        A = q.K_1 * q.Q / (np.pi * q.L * q.E_star)
-        found += [
-            Equation(tex=r"A = \frac{2 K_1 Q}{\pi l E'} = \frac{K_1 Q}{\pi l E^*}",
-                     numbers=rf"= {tex(A / um)}\ \mathrm{{\mu m}}", place="Eq. 1"),
-            Equation(
-                tex=r"z = -A \ln\left\{1 - \left[1 - e^{-z_m/A}\right] t^2\right\},\quad "
-                r"t = \max\left(0, \frac{|y| - l/2}{K_2 l/2} + 1\right)",
-                numbers=rf"z(l/2) = {tex(q.z_m / um)}\ \mathrm{{\mu m}}", place="Eq. 1, corrected",
-            ),
-        ]  # fmt: skip
-    s = v["Palmgren"] ** (10 / 9) / q.F * q.slices
-    return (
-        *found,
-        Equation(
-            tex=r"\sum_k S_{jk} q_k = (\delta - z_j)^{10/9},\quad "
-            r"S = s\, \frac{n_s\, w}{\sum w}",
-            numbers=rf"s = {tex(s * 1e3 ** (10 / 9))}\ \mathrm{{mm^{{10/9}}/N}}",
-            place="Eqs. 2 to 5",
-        ),
-        Equation(
-            tex=r"\sum_k C_{jk}(b_k)\, q_k = \delta - z_j,\quad b_k = \sqrt{\frac{4 q_k R}"
-            r"{\pi E^*}},\quad p_k = \frac{2 q_k}{\pi b_k}",
-            numbers=rf"p_{{max}} = {tex(v['strips peak'] / MPa)}\ \mathrm{{MPa}}",
-            place="strips",
-        ),
-    )
+def modelled(q: SlicedRoller) -> Iterator[tuple[str, Along, dict[str, Any]]]:
+    """All models: words, what they give along the roller, style of their curve."""
+    for name, words in NAMES.items():
+        style, colour = STYLES[name]
+        along = q.strips if name == "strips" else q.sliced(name)
+        yield words, along, {"style": style, "colour": colour}
 
 
 def pressures(context: Context, of: Any = None, key: str = "", crown: str = "") -> Figure:
-    """p(y) of all models and of the half-space; `of` another roller, its arrays led by `key`."""
+    """p(y) of all models and of the half-space; `of` another one, its arrays ending in `key`."""
     q = of or context.inputs
-    curves, tops = [], []
-    for name, words in NAMES.items():
-        _, parts = by_strips(q, q.n) if name == "strips" else sliced(q, MODELS[name])
-        style, colour = STYLES[name]
-        curves.append(Curve(name=words, x=parts.y / mm, y=parts.p / MPa, style=style,
-                            colour=colour))  # fmt: skip
-        tops.append(parts.peak / MPa)
+    models = list(modelled(q))
+    curves = [Curve(name=n, x=one.y / mm, y=one.p / MPa, **style) for n, one, style in models]
     if context.fem:
         curves.append(half_space(context, "half-space", key))
     return Curves(
         title=f"Pressure along the roller, at x = 0{crown}", x_label="y [mm]", y_label="p [MPa]",
-        curves=tuple(curves), y_top=OVER * max(tops),
+        curves=tuple(curves), y_top=OVER * max(one.p_max / MPa for _, one, _ in models),
         note=f"{q.n} strips, {q.slices} slices; dots: boundary elements on a half-space, the "
         "finest grid. A loaded end has no highest pressure, and its curve ends where the plot "
         "does.",
@@ -126,7 +88,7 @@ def pressures(context: Context, of: Any = None, key: str = "", crown: str = "") 
 def half_space(context: Context, name: str, key: str = "", colour: int = 4) -> Curve:
     """Some of the half-space's pressures on the finest grid, of the solution `key`."""
     arrays = context.fem[-1].arrays
-    y, p = arrays[f"{key}y"], arrays[f"{key}p"]
+    y, p = arrays[f"y{key}"], arrays[f"p{key}"]
     some = np.unique(np.round(np.linspace(0, len(y) - 1, DOTS)).astype(int))
     return Curve(name=name, x=y[some] / mm, y=p[some] / MPa, style="dots", colour=colour)
 
@@ -148,7 +110,7 @@ def profile(q: Any) -> Figure:
     y = np.linspace(-q.L / 2, q.L / 2, 401)
     return Curves(
         title="Gap before loading, at x = 0", x_label="y [mm]", y_label="z [µm]",
-        curves=(Curve(name="crown" + (" and tilt" if isinstance(q, TiltedInputs) else ""),
+        curves=(Curve(name="crown" + (" and tilt" if isinstance(q, Tilt) else ""),
                       x=y / mm, y=q.gap(y) / um),),
         note=f"The straight middle is (1 − K_2) l = {(1 - q.K_2) * q.L / mm:.4g} mm long.",
     )  # fmt: skip
@@ -157,12 +119,9 @@ def profile(q: Any) -> Figure:
 def loads(context: Context) -> Figure:
     """Line load along the roller: what the models make of its ends."""
     q = context.inputs
-    curves = []
-    for name, words in NAMES.items():
-        _, parts = by_strips(q, q.n) if name == "strips" else sliced(q, MODELS[name])
-        style, colour = STYLES[name]
-        curves.append(Curve(name=words, x=parts.y / mm, y=parts.line / 1e3, style=style,
-                            colour=colour))  # fmt: skip
+    curves = [
+        Curve(name=n, x=one.y / mm, y=one.line / 1e3, **style) for n, one, style in modelled(q)
+    ]
     return Curves(
         title="Line load along the roller", x_label="y [mm]", y_label="q [N/mm]",
         curves=tuple(curves), note=f"Its mean is {q.F / q.L / 1e3:.4g} N/mm.",
@@ -170,13 +129,9 @@ def loads(context: Context) -> Figure:
     )  # fmt: skip
 
 
-def pictures(_: Any) -> Sequence[Picture]:
+def pictures() -> Sequence[Picture]:
     return (
         Picture(field="patch", data="pressure", symbol="p", unit="MPa", factor=MPa,
                 caption=f"Pressure on the patch, along the roller (sideways) and across it, where "
                 f"lengths are drawn {STRETCH:.0f} times as long", displacement=""),
     )  # fmt: skip
-
-
-def centres(q: Roller, n: int) -> Array:
-    return slice_centres(length=q.L, slices=n)

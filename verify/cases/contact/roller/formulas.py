@@ -1,31 +1,29 @@
-"""What the formulas say of a finite line contact: strips, the paper's slices, uncoupled slices."""
+"""Formulas of a finite line contact: strips, the paper's slices, uncoupled slices."""
 
-from collections.abc import Callable
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from analytic.contact import hertz_line, lamina, palmgren, slices, strips
+from analytic.contact import hertz_line, lamina, palmgren, slices
 from analytic.contact.crown import slice_centres
-from analytic.contact.sliced import SlicedContact
 from analytic.contact.strip_error import neglected
-from verify.cases.contact.roller.inputs import (
-    CrownedInputs,
-    Roller,
-    RollerInputs,
-    SlicedInputs,
-    StripInputs,
-)
-from verify.core.case import Context, Values
+from analytic.contact.strips import Strips, press
+from verify.case import Quantity, count, shared
+from verify.cases.contact.roller.inputs import Roller
 from verify.core.figures import Array
 
-LEAST = 1e-4  # of a model error: nothing sharper is claimed
-OWN = 1e-3  # nor this at one's own numbers, for which nobody chose strips and grids
-LOADED = 3e-3  # nor this, there, where an end carries, of which no expansion speaks
-SLENDER = 0.03  # of the length, the half-width up to which the expansion is trusted there
-WIDEST = 0.01  # and beyond the suite's demand: an interval that judges nothing
-TIMES = 2.0  # within which the strips' own estimate of what they neglect holds
+BEYOND, MIDDLE = "largest pressure beyond d of the ends", "pressure at mid-length"
+STRIPS = (
+    r"\max_{|y_k| \le l/2 - d} p_k,\quad p_k = \frac{2 q_k}{\pi b_k},\quad "
+    r"b_k = \sqrt{\frac{4 q_k R}{\pi E*}},\quad \sum_k C_{jk}(b_k) q_k = \delta - z_j"
+)
+SLICES = (
+    r"z_j + \left(\sum_k S_{jk} q_k\right)^{9/10},\quad "
+    r"S_{jk} = \frac{n_s \delta_P^{10/9}}{F} \frac{n_s w_{jk}}{\sum w}"
+)
+LAMINA = r"z_j + \left(\frac{n_s \delta_P^{10/9}}{F} q_j\right)^{9/10}"
 
 
 @dataclass(frozen=True)
@@ -36,6 +34,7 @@ class Along:
     y: Array
     p: Array
     line: Array
+    delta: float  # approach [m]
 
     @property
     def width(self) -> float:
@@ -43,19 +42,33 @@ class Along:
         return self.q.L / len(self.y)
 
     @property
-    def peak(self) -> float:
+    def p_max(self) -> float:
         """Largest pressure at least d away from the ends, of the parabola through three parts."""
-        q = self.q
-        limit = q.L / 2 - q.d
-        inner = np.abs(self.y) <= limit
-        at = int(np.argmax(np.where(inner, self.p, -1.0)))
+        limit = self.q.L / 2 - self.q.d
+        at = self.place
         return float(max(vertex(self.p, at), *np.interp([-limit, limit], self.y, self.p)))
 
     @property
-    def mid(self) -> float:
+    def place(self) -> int:
+        """The part with the largest pressure at least d away from the ends."""
+        inner = np.abs(self.y) <= self.q.L / 2 - self.q.d
+        return int(np.argmax(np.where(inner, self.p, -1.0)))
+
+    @property
+    def p_mid(self) -> float:
         """Pressure at mid-length; between two parts the mean of their squares, which are loads."""
         n = len(self.p)
         return float(np.sqrt((self.p[(n - 1) // 2] ** 2 + self.p[n // 2] ** 2) / 2))
+
+    @property
+    def q_mid(self) -> float:
+        """Line load at mid-length."""
+        return float(np.mean(self.line[[(len(self.y) - 1) // 2, len(self.y) // 2]]))
+
+    @property
+    def p_top(self) -> float:
+        """Largest pressure, ends included."""
+        return vertex(self.p, int(np.argmax(self.p)))
 
     @property
     def ends(self) -> tuple[float, float]:
@@ -63,26 +76,6 @@ class Along:
         share = np.clip(self.q.d / self.width - np.arange(len(self.y)), 0.0, 1.0)
         force = self.line * self.width
         return float(share @ force), float(share[::-1] @ force)
-
-    def values(self, approach: Any, name: str) -> dict[str, float]:
-        """Values under their keys, each led by the `name` of the model."""
-        q, (low, high) = self.q, self.ends
-        mid = float(np.mean(self.line[[(len(self.y) - 1) // 2, len(self.y) // 2]]))
-        found = {
-            "peak": self.peak,
-            "mid": self.mid,
-            "q mid": mid,
-            "b mid": float(np.sqrt(4 * mid * q.R / (np.pi * q.E_star))),
-            "approach": float(approach),
-            "low end": low,
-            "high end": high,
-            "ends": low + high,
-            "end pressure": float(np.sqrt(max(low, high) / q.d * q.E_star / (np.pi * q.R))),
-            "moment": float(self.line @ self.y * self.width),
-            "largest": float(self.p.max()),
-            "top": vertex(self.p, int(np.argmax(self.p))),
-        }
-        return {f"{name} {key}": value for key, value in found.items()}
 
 
 def vertex(p: Array, at: int) -> float:
@@ -94,126 +87,168 @@ def vertex(p: Array, at: int) -> float:
     return float(top - (above - below) ** 2 / (8 * bend))
 
 
-Gap = Callable[[Array], Array]
-Divided = StripInputs | RollerInputs
-
-
-def roller(q: Roller, n: int, gap: Gap | None = None) -> dict[str, Any]:
-    """What all models are given, for n parts; `gap` (y) replaces the roller's own."""
-    z = (gap or q.gap)(slice_centres(length=q.L, slices=n))
+def roller(q: Roller, n: int) -> dict[str, Any]:
+    """What all models take, for n parts."""
+    z = q.gap(slice_centres(length=q.L, slices=n))
     return {"gap": z, "length": q.L, "R": q.R, "E_star": q.E_star, "load": q.F}
 
 
-def by_strips(q: Roller, n: int, gap: Gap | None = None) -> tuple[strips.Strips, Along]:
+def by_strips(q: Roller, n: int) -> tuple[Strips, Along]:
     """The strips' solution for n strips."""
-    found = strips.press(**roller(q, n, gap))
+    found = press(**roller(q, n))
     y = slice_centres(length=q.L, slices=n)
-    return found, Along(q, y, found.pressure, found.q)
+    return found, Along(q, y, found.pressure, found.q, float(found.approach))
 
 
-def strip_values(q: Divided, name: str = "strips", gap: Gap | None = None) -> dict[str, float]:
-    """Values by n strips, those by "twice" as many, and what strips neglect ("left"), by `name`."""
-    solved, along = by_strips(q, q.n, gap)
-    twice, finer = by_strips(q, 2 * q.n, gap)
-    left = {key: value for key, value in left_out(solved, along).items() if np.isfinite(value)}
-    return (
-        along.values(solved.approach, name)
-        | finer.values(twice.approach, f"{name} twice")
-        | {f"{name} {key} left": value for key, value in left.items()}
-        | {
-            f"{name} contact": float(solved.carries.mean() * q.L),
-            f"{name} loaded ends": float(solved.carries[0]) + float(solved.carries[-1]),
+class StripRoller(Roller):
+    """A roller in strips, each with Hertz's ellipse across."""
+
+    if TYPE_CHECKING:
+
+        @property
+        def n(self) -> int:
+            """Strips over the length, an input or of other inputs."""
+
+    @Quantity("p_0", "MPa", "Hertz's pressure of an evenly distributed load", source="Hertz",
+              tex=r"\sqrt{\frac{F E*}{\pi l R}}")  # fmt: skip
+    def p_0(self) -> float:
+        return float(hertz_line.peak_pressure(P=self.F / self.L, R=self.R, E_star=self.E_star))
+
+    @Quantity("p_max", "MPa", f"{BEYOND}, strips", source="strips", safe="too high", tex=STRIPS)
+    def p_max(self) -> float:
+        return self.strips.p_max
+
+    @Quantity("q", "N/mm", "line load at mid-length, strips", role="step")
+    def q_mid(self) -> float:
+        return self.strips.q_mid
+
+    @Quantity("b_m", "µm", "half-width at mid-length, strips", role="step", source="Hertz",
+              tex=r"\sqrt{\frac{4 q R}{\pi E*}}")  # fmt: skip
+    def b_mid(self) -> float:
+        return float(np.sqrt(4 * self.q_mid * self.R / (np.pi * self.E_star)))
+
+    @Quantity("p", "MPa", f"{MIDDLE}, strips", source="strips", safe="too high",
+              tex=r"\frac{2 q}{\pi b_m}")  # fmt: skip
+    def p_mid(self) -> float:
+        return self.strips.p_mid
+
+    @Quantity("F_1", "N", "load within d of the more loaded end, strips", role="step",
+              tex=r"\int_{l/2 - d}^{l/2} q(y)\,dy")  # fmt: skip
+    def F_1(self) -> float:
+        return max(self.strips.ends)
+
+    @Quantity("p_d", "MPa", "Hertz's pressure of the mean line load within d of the more loaded "
+              "end, strips", source="strips", safe="too high",
+              tex=r"\sqrt{\frac{F_1 E*}{\pi d R}}")  # fmt: skip
+    def p_d(self) -> float:
+        return float(np.sqrt(self.F_1 / self.d * self.E_star / (np.pi * self.R)))
+
+    @Quantity("F_d", "N", "load within d of both ends, strips", source="strips", safe="too high")
+    def F_d(self) -> float:
+        low, high = self.strips.ends
+        return low + high
+
+    @Quantity("F_d/F", "1", "share of the load within d of both ends, strips", role="step",
+              tex=r"\frac{F_d}{F}")  # fmt: skip
+    def end_share(self) -> float:
+        return self.F_d / self.F
+
+    @Quantity("p_n", "MPa", "largest pressure of n strips, ends included: it grows with n if they "
+              "carry", role="step")  # fmt: skip
+    def p_largest(self) -> float:
+        return float(self.strips.p.max())
+
+    @Quantity("δ", "µm", "approach, strips", source="strips")
+    def delta(self) -> float:
+        return self.strips.delta
+
+    @Quantity("l_c", "mm", "length in contact, strips", role="step")
+    def l_c(self) -> float:
+        return float(self._strips[0].carries.mean() * self.L)
+
+    @shared
+    def _strips(self) -> tuple[Strips, Along]:
+        return by_strips(self, self.n)
+
+    @property
+    def strips(self) -> Along:
+        """Pressure along n strips."""
+        return self._strips[1]
+
+    @shared
+    def twice(self) -> Along:
+        """The same along twice as many strips."""
+        return by_strips(self, 2 * self.n)[1]
+
+    @property
+    def loaded_ends(self) -> int:
+        """How many ends carry load."""
+        carries = self._strips[0].carries
+        return int(carries[0]) + int(carries[-1])
+
+    @shared
+    def neglected(self) -> Mapping[str, float]:
+        """Fractions by which a half-space's values are higher; NaN without an estimate."""
+        solved, along = self._strips
+        missing = neglected(solved)
+        return {
+            "p_max": float(missing.pressure[along.place]),
+            "p_top": float(missing.pressure[int(np.argmax(along.p))]),
+            "p_mid": float(missing.mid),
+            "delta": float(missing.approach),
         }
+
+
+class SlicedRoller(StripRoller):
+    """The same roller by the paper's slices, and by slices that do not deflect each other."""
+
+    slices: int = count(50, "n_s", "slices of Eqs. 2-5, their number not printed", ge=10, le=401)
+
+    @Quantity(
+        "δ_P",
+        "µm",
+        "approach by Palmgren's law for steel",
+        role="step",
+        source="Palmgren; in N and m",
+        tex=r"3.84 \cdot 10^{-10.4} \frac{F^{0.9}}{l^{0.8}}",
     )
+    def delta_P(self) -> float:
+        return float(palmgren.approach(load=self.F, length=self.L))
 
+    @Quantity("p_max", "MPa", f"{BEYOND}, slices", source="Eqs. 2-5", form_of="p_max",
+              safe="too high")  # fmt: skip
+    def p_max_slices(self) -> float:
+        return self.sliced("slices").p_max
 
-def sliced(q: SlicedInputs, model: Any) -> tuple[SlicedContact, Along]:
-    """The solution of a model of slices, by Palmgren's law for a whole roller of its length."""
-    found = model.press(**roller(q, q.slices))
-    y = slice_centres(length=q.L, slices=q.slices)
-    return found, Along(q, y, found.peak_pressure, found.line_load)
+    @Quantity("p", "MPa", f"{MIDDLE}, slices", source="Eqs. 2-5", form_of="p_mid", safe="too high")
+    def p_mid_slices(self) -> float:
+        return self.sliced("slices").p_mid
 
+    @Quantity("δ", "µm", "approach, slices", source="Eqs. 2-5", form_of="delta", tex=SLICES)
+    def delta_slices(self) -> float:
+        return self.sliced("slices").delta
 
-def values(q: CrownedInputs | RollerInputs) -> dict[str, float]:
-    """Values of all models under their names, and Hertz's for an even load."""
-    found = strip_values(q)
-    for name, model in MODELS.items():
-        contact, parts = sliced(q, model)
-        found |= parts.values(contact.approach, name)
-    hertz = {"P": q.F / q.L, "R": q.R, "E_star": q.E_star}
-    return found | {
-        "F": q.F,
-        "F l": q.F * q.L,
-        "share of the ends": found["strips ends"] / q.F,
-        "Hertz p0": float(hertz_line.peak_pressure(**hertz)),
-        "Hertz b": float(hertz_line.half_width(**hertz)),
-        "Palmgren": float(palmgren.approach(load=q.F, length=q.L)),
-        "E*": q.E_star,
-        "R": q.R,
-    }
+    @Quantity("p_max", "MPa", f"{BEYOND}, uncoupled slices", form_of="p_max", safe="too high")
+    def p_max_lamina(self) -> float:
+        return self.sliced("lamina").p_max
 
+    @Quantity("p", "MPa", f"{MIDDLE}, uncoupled slices", form_of="p_mid", safe="too high")
+    def p_mid_lamina(self) -> float:
+        return self.sliced("lamina").p_mid
 
-def left_out(solved: strips.Strips, along: Along) -> dict[str, float]:
-    """What strips neglect: at the largest pressure beyond d of the ends, at mid-length, of depth.
+    @Quantity("δ", "µm", "approach, uncoupled slices", form_of="delta", tex=LAMINA)
+    def delta_lamina(self) -> float:
+        return self.sliced("lamina").delta
 
-    As fractions by which a half-space's values are higher; NaN where no estimate is known.
-    """
-    missing = neglected(solved)
-    inner = np.abs(along.y) <= along.q.L / 2 - along.q.d
-    at = int(np.argmax(np.where(inner, along.p, -1.0)))
-    return {
-        "peak": float(missing.pressure[at]),
-        "top": float(missing.pressure[int(np.argmax(along.p))]),
-        "mid": float(missing.mid),
-        "approach": float(missing.approach),
-    }
+    @shared
+    def _sliced(self) -> Mapping[str, Along]:
+        y, found = slice_centres(length=self.L, slices=self.slices), {}
+        for name, model in (("slices", slices), ("lamina", lamina)):
+            contact = model.press(**roller(self, self.slices))
+            found[name] = Along(self, y, contact.peak_pressure, contact.line_load,
+                                float(contact.approach))  # fmt: skip
+        return found
 
-
-def interval(key: str, name: str = "strips") -> Any:
-    """Interval of strips/half-space - 1, from the strips `name` alone.
-
-    From half to twice of what they neglect, and either way what is left of strips whose error is
-    of first order, twice what they change as there are twice as many; under a loaded end, where
-    more of them need not be better, that change once. None where no estimate is known.
-    """
-
-    def found(q: Roller, v: Values) -> tuple[float, float] | None:
-        if f"{name} {key} left" not in v or not v[f"{name} {key}"]:
-            return None
-        if q.own and q.b > SLENDER * q.L:
-            return None
-        left, loaded = -v[f"{name} {key} left"], v[f"{name} loaded ends"] > 0
-        change = abs(v[f"{name} twice {key}"] / v[f"{name} {key}"] - 1)
-        least = LEAST if not q.own else LOADED if loaded else OWN
-        cut = (1 if loaded else 2) * change + least
-        low, high = sorted((left / TIMES, TIMES * left))
-        if q.own and high - low + 2 * cut > WIDEST:
-            return None
-        return low - cut, high + cut
-
-    return found
-
-
-def apart(context: Context, name: str) -> tuple[float, float, float]:
-    """Share of the load that a model puts elsewhere than the half-space, its U, and q's L2 error.
-
-    The share does not care how finely the roller is sliced; the error in L2 is mostly that of the
-    slices in which contact ends.
-    """
-    q = context.inputs
-    _, parts = sliced(q, MODELS[name])
-    n = len(parts.y)
-    edges = np.linspace(-q.L / 2, q.L / 2, n + 1)
-    share, error = [], 0.0
-    for result in context.fem[-2:]:
-        line = result.arrays["q"]
-        stations = np.linspace(-q.L / 2, q.L / 2, len(line) + 1)
-        total = np.concatenate([[0.0], np.cumsum(line) * (q.L / len(line))])
-        reference = np.diff(np.interp(edges, stations, total)) * (n / q.L)
-        off = parts.line - reference
-        share.append(float(np.abs(off).sum() / reference.sum() / 2))
-        error = float(np.linalg.norm(off) / np.linalg.norm(reference))
-    return share[-1], 3 * abs(share[-1] - share[-2]), error
-
-
-MODELS = {"slices": slices, "lamina": lamina}
+    def sliced(self, model: str) -> Along:
+        """Pressure along slices, by Palmgren's law for a whole roller of its length."""
+        return self._sliced[model]

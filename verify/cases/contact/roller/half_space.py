@@ -47,7 +47,7 @@ class Pressed:
 
     @property
     def values(self) -> dict[str, float]:
-        """What does not depend on the mesh, SI; "largest" is what does."""
+        """What does not depend on the mesh, SI; "p_largest" is what does."""
         q, found = self.q, self.contact
         y, ridge, line = found.y, self.ridge, found.line_load
         limits = np.array([-1.0, 1.0]) * (q.L / 2 - q.d)
@@ -55,18 +55,18 @@ class Pressed:
         low, high = found.end_load(q.d)
         loaded = found.contact
         return {
-            "peak": max(_top(np.where(inner, ridge, 0.0)), *np.interp(limits, y, ridge)),
-            "mid": float(_middle(ridge)),
-            "q mid": float(_middle(line)),
-            "b mid": float(_middle(found.half_width)),
-            "approach": loaded.approach,
-            "low end": low,
-            "high end": high,
-            "ends": low + high,
-            "end pressure": math.sqrt(max(low, high) / q.d * q.E_star / (math.pi * q.R)),
-            "moment": loaded.moments[0],
-            "largest": float(loaded.pressure.max()),
-            "top": _top(ridge),
+            "p_max": max(_top(np.where(inner, ridge, 0.0)), *np.interp(limits, y, ridge)),
+            "p_mid": float(_middle(ridge)),
+            "q_mid": float(_middle(line)),
+            "b_mid": float(_middle(found.half_width)),
+            "delta": loaded.approach,
+            "F_low": low,
+            "F_high": high,
+            "F_d": low + high,
+            "p_d": math.sqrt(max(low, high) / q.d * q.E_star / (math.pi * q.R)),
+            "M": loaded.moments[0],
+            "p_largest": float(loaded.pressure.max()),
+            "p_top": _top(ridge),
             "balance": loaded.load - q.F,
         }
 

@@ -1,66 +1,77 @@
 """Inputs of the finite line contacts: a roller, crowned or not, straight or tilted, on a race."""
 
-import math
+from math import pi, sqrt
+from typing import NamedTuple
 
 import numpy as np
 from pydantic import model_validator
 
 from analytic.contact.crown import logarithmic
+from verify.case import Case, Quantity, count, given
 from verify.core.figures import Array
-from verify.core.inputs import Inputs, count, quantity
 
 WIDEST = 0.1  # of the length of the roller that its half-width may be
 FEWEST, MOST = 41, 401  # strips
 STRETCH = 20.0  # of lengths across in pictures of the patch
 FLATTEST = 50  # rollers lengths that a relative radius may be
 
-DESIGNS: tuple[tuple[float, float, float], ...] = (  # K_1, K_2, z_m [m] that the paper prints
+
+class Design(NamedTuple):
+    """A crown of Eq. 1 [SI]."""
+
+    K_1: float
+    K_2: float
+    z_m: float
+
+    def __format__(self, _: str) -> str:
+        """What it is called: "(1, 0.7, 10 µm)"."""
+        return f"({self.K_1:g}, {self.K_2:g}, {self.z_m * 1e6:g} µm)"
+
+    def __str__(self) -> str:
+        """A name for its numbers: "1_0d7_10"."""
+        return f"{self.K_1:g}_{self.K_2:g}_{self.z_m * 1e6:g}".replace(".", "d")
+
+
+DESIGNS = tuple(Design(*one) for one in (  # that the paper prints
     (1, 0.7, 10e-6), (5, 0.7, 15e-6), (1, 0.4, 10e-6), (3, 0.4, 10e-6), (1, 0.5, 8e-6),
     (5, 0.5, 15e-6), (2.1507, 0.6763, 12.1e-6), (2.80, 0.7, 11.8e-6),
-)  # fmt: skip
+))  # fmt: skip
 
 
-class Roller(Inputs):
+class Roller(Case):
     """A roller without crown on a race that is longer than it."""
 
-    F: float = quantity("3407 N", "N", "F", "normal load", gt=0, le=1e9)
-    L: float = quantity("9 mm", "mm", "l", "length of the roller", gt=0, le=1e4)
-    R_1: float = quantity(
+    F: float = given("3407 N", "N", "F", "normal load", gt=0, le=1e9)
+    L: float = given("9 mm", "mm", "l", "length of the roller", gt=0, le=1e4)
+    R_1: float = given(
         "4.02 mm", "mm", "R_1", "radius of the roller", gt=0, le=1e5,
         claims="huang2018:table1-r-i1",
     )  # fmt: skip
-    R_2: float = quantity(
+    R_2: float = given(
         "11.11 mm", "mm", "R_2", "radius of the race, negative for a bore", ge=-1e9, le=1e9,
         claims="huang2018:table1-r-i",
     )  # fmt: skip
-    E_1: float = quantity("206 GPa", "GPa", "E_1", "Young's modulus, roller", gt=0, le=1e5)
-    nu_1: float = quantity(0.3, "1", "ν_1", "Poisson's ratio, roller", ge=0, lt=0.5)
-    E_2: float = quantity("206 GPa", "GPa", "E_2", "Young's modulus, race", gt=0, le=1e5)
-    nu_2: float = quantity(0.3, "1", "ν_2", "Poisson's ratio, race", ge=0, lt=0.5)
-    d: float = quantity(
+    E_1: float = given("206 GPa", "GPa", "E_1", "Young's modulus, roller", gt=0, le=1e5)
+    nu_1: float = given(0.3, "1", "ν_1", "Poisson's ratio, roller", ge=0, lt=0.5)
+    E_2: float = given("206 GPa", "GPa", "E_2", "Young's modulus, race", gt=0, le=1e5)
+    nu_2: float = given(0.3, "1", "ν_2", "Poisson's ratio, race", ge=0, lt=0.5)
+    d: float = given(
         "0.5 mm", "mm", "d", "length at each end whose load is told", omitted=0.5e-3,
         gt=0, le=1e4,
     )  # fmt: skip
 
-    @property
+    @Quantity("R", "mm", "relative radius", role="geometry")
     def R(self) -> float:
-        """Relative radius [m]."""
         return 1 / (1 / self.R_1 + 1 / self.R_2)
 
-    @property
+    @Quantity("E*", "GPa", "contact modulus of half-spaces", role="geometry",
+              source="E' of Eq. 1 is 2 E*")  # fmt: skip
     def E_star(self) -> float:
-        """Contact modulus [Pa] of half-spaces."""
         return 1 / ((1 - self.nu_1**2) / self.E_1 + (1 - self.nu_2**2) / self.E_2)
 
-    @property
-    def own(self) -> bool:
-        """Whether these are other numbers than the paper's."""
-        return self != type(self)()
-
-    @property
+    @Quantity("b", "mm", "Hertz's half-width of an evenly distributed load", role="geometry")
     def b(self) -> float:
-        """Half-width [m] that Hertz gives the load, were it spread evenly."""
-        return math.sqrt(4 * self.F * self.R / (math.pi * self.E_star * self.L))
+        return sqrt(4 * self.F * self.R / (pi * self.E_star * self.L))
 
     def gap(self, y: Array) -> Array:
         """Height z [m] of the race's surface over the roller's at y [m], unloaded."""
@@ -96,43 +107,28 @@ class Roller(Inputs):
         return self
 
 
-class StripInputs(Roller):
-    """How finely strips divide it."""
+class Divided(Roller):
+    """How many strips divide it."""
 
     n: int = count(161, "n", "strips over the length", ge=FEWEST, le=MOST)
-
-
-class SlicedInputs(Roller):
-    """How finely slices divide it."""
-
-    slices: int = count(50, "n_s", "slices of Eqs. 2-5, their number not printed", ge=10, le=401)
-
-
-class RollerInputs(SlicedInputs):
-    """A roller whose ends carry, which strips narrower than the contact make too much of."""
-
-    @property
-    def n(self) -> int:
-        """Strips over the length: as long along the roller as the contact is half wide."""
-        return min(max(round(self.L / self.b), FEWEST), MOST)
 
 
 class Crown(Roller):
     """A roller with the logarithmic crown of Eq. 1."""
 
-    K_1: float = quantity(
+    K_1: float = given(
         2.1507, "1", "K_1", "crown's depth: the load that it would even out, over Q", gt=0, le=100,
         claims="huang2018:optimum-25nm-k1",
     )  # fmt: skip
-    K_2: float = quantity(
+    K_2: float = given(
         0.6763, "1", "K_2", "crowned part of the length", gt=0, le=1,
         claims="huang2018:optimum-25nm-k2",
     )  # fmt: skip
-    z_m: float = quantity(
+    z_m: float = given(
         "0.0121 mm", "mm", "z_m", "crown's drop at the ends", gt=0, le=1,
         claims="huang2018:optimum-25nm-zm",
     )  # fmt: skip
-    Q: float = quantity("3407 N", "N", "Q", "load that the crown is designed for", gt=0, le=1e9)
+    Q: float = given("3407 N", "N", "Q", "load that the crown is designed for", gt=0, le=1e9)
 
     def gap(self, y: Array) -> Array:
         return logarithmic(
@@ -141,16 +137,10 @@ class Crown(Roller):
         )  # fmt: skip
 
 
-class CrownedInputs(Crown, StripInputs, SlicedInputs):
-    """A crowned roller in strips and slices."""
-
-
-class TiltedInputs(CrownedInputs):
+class Tilt(Crown):
     """A crowned roller whose axis is not parallel to the race."""
 
-    theta: float = quantity(
-        "0.03 deg", "deg", "θ", "tilt, which presses the end y = l/2", ge=0, le=1
-    )
+    theta: float = given("0.03 deg", "deg", "θ", "tilt, which presses the end y = l/2", ge=0, le=1)
 
     def gap(self, y: Array) -> Array:
         return super().gap(y) - self.theta * y

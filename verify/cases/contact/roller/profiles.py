@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from verify.cases.contact.roller.inputs import Crown, Roller, TiltedInputs
+from verify.cases.contact.roller.inputs import Crown, Roller, Tilt
 from verify.core.figures import Array
 
 Gap = Callable[[Array], Array]
@@ -17,7 +17,7 @@ Gap = Callable[[Array], Array]
 def gap(q: Roller) -> Gap:
     """Height over the race at y: of the crown where there is one, and of the tilt."""
     crown = logarithmic(q, (q.K_1, q.K_2, q.z_m), q.Q) if isinstance(q, Crown) else np.zeros_like
-    slope = np.tan(q.theta) if isinstance(q, TiltedInputs) else 0.0
+    slope = np.tan(q.theta) if isinstance(q, Tilt) else 0.0
     return lambda y: crown(y) - slope * y
 
 

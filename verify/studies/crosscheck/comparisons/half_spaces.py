@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 
 from verify.cases.contact.roller.case import ROLLER
-from verify.cases.contact.roller.crowns import CROWNS, EVEN, REFERENCES
+from verify.cases.contact.roller.crown_figures import EVEN
+from verify.cases.contact.roller.crowns import CROWNS, REFERENCES
 from verify.cases.contact.roller.flat import UNCROWNED
 from verify.cases.contact.roller.half_space import Pressed, pressed
 from verify.cases.contact.roller.profiles import gap
@@ -26,6 +27,8 @@ TOLERANCE, LIMIT = 1e-12, 20_000  # of tamaas
 ALIKE = 1e-6
 AT_MIDDLE, TOP = "pressure at mid-length", "largest pressure beyond d of the ends"
 END = "pressure of the mean load within d, strips within 3%"
+READ = {"mid": "p_mid", "peak": "p_max", "end pressure": "p_d", "q mid": "q_mid",
+        "largest": "p_largest"}  # fmt: skip
 GRID = "the same cells and Love's influence; both stop at a tolerance"
 
 
@@ -40,7 +43,7 @@ def roller(case: Any, crown: Callable[[Any], Callable[[Array], Array]] = gap) ->
     def read(pressure: Array) -> Numbers:
         there = replace(found.contact, contact=replace(own, pressure=pressure))
         values = Pressed(q, there).values
-        return {name: values[name] for name in ("mid", "peak", "end pressure", "q mid", "largest")}
+        return {name: values[key] for name, key in READ.items()}
 
     question = asked(shape, own.cell, q.E_star, q.F)
     return posed(question, read(own.pressure), seconds, read)

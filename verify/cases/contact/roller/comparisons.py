@@ -1,0 +1,157 @@
+"""Comparisons that rollers share: strips and slices beside the half-space."""
+
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from verify.case import Comparison, Computed, Expected, Quantity, State, balance, underived
+from verify.cases.contact.roller import bounds
+from verify.cases.contact.roller.accepted import estimated
+from verify.cases.contact.roller.formulas import SlicedRoller, StripRoller
+from verify.core.case import Context
+from verify.form.comparisons import key_of
+from verify.judging.checks import Accepted, Margin
+from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, demanded
+
+HALF_SPACE = "half-space"
+SHARED = "half-spaces of E*"
+ACCEPTED = "acceptance figure of the finite line contact"
+ESTIMATE = (
+    "derived: from half to twice of what strips neglect, and what is left of their number, of "
+    "first order, 1e-4 at least (own numbers: 1e-3)"
+)
+PALMGREN = underived("Palmgren's fit is of measured approaches: no interval is known beforehand")
+SHARPEST = 3e-3  # acceptance of the strips
+SHARE = 0.04  # of the load that slices may put elsewhere
+ENDS = 0.06  # of loads near the ends
+LEAST = 1e-3  # of load, or load times length: less near the ends or about the middle is none
+
+
+def strips_rows(q: StripRoller, *judged: Quantity) -> Iterator[Comparison]:
+    """Strips beside the half-space, as sharp as the acceptance figures."""
+    for one in judged:
+        interval = partial(bounds.of_strips, q, one.name, own=not q.is_default)
+        yield estimated(one, expected=Computed(interval, ESTIMATE), order=1, by=HALF_SPACE,
+                        sensitivity=(SHARPEST, ACCEPTED), shares=SHARED)  # fmt: skip
+
+
+def sliced_rows(
+    q: SlicedRoller, sliced: Sequence[Quantity], uncoupled: Sequence[Quantity]
+) -> Iterator[Comparison]:
+    """Slices beside the half-space and beside uncoupled slices; their approach is shown."""
+    accepted = Expected(-bounds.SLICED, bounds.SLICED, ACCEPTED, sharp=q.is_default)
+    for one in (*sliced, *uncoupled):
+        judged = one in sliced and one is not SlicedRoller.delta_slices
+        yield estimated(
+            one, expected=accepted if judged else PALMGREN, order=1, by=HALF_SPACE, shares=SHARED,
+            sensitivity=(2 * bounds.SLICED, "as wide as the acceptance figure is both ways"),
+        )  # fmt: skip
+    load: dict[str, Any] = {"symbol": "ΔF/F", "unit": "1"}
+    for check in (
+        Accepted(name=f"load that slices put elsewhere than the half-space, below {SHARE:.0%}",
+                 margin=elsewhere, **load),
+        Accepted(name="slices put less load elsewhere than uncoupled slices", margin=nearer,
+                 **load),
+    ):  # fmt: skip
+        yield Comparison(check=check, quantity=SlicedRoller.p_max_slices, shares=SHARED)
+
+
+def balanced(q: StripRoller) -> Comparison:
+    """The load of the half-space."""
+    return balance("balance", "balance of forces, half-space", "ΣF", "N", of={"F": q.F},
+                   bound=1e-10, because="the load is held by every iteration")  # fmt: skip
+
+
+def loaded_ends(q: StripRoller) -> Comparison:
+    """Load near both ends, within an acceptance figure."""
+    check = Accepted(name=f"load within d of the ends, strips within {ENDS:.0%}", symbol="F_d",
+                     unit="1", margin=within("F_d", ENDS, q.F))  # fmt: skip
+    return Comparison(check=check, quantity=StripRoller.F_d, shares=SHARED)
+
+
+def end_pressure(q: StripRoller) -> Comparison:
+    """Pressure of the mean load near the more loaded end, within an acceptance figure."""
+    check = Accepted(name=f"pressure of the mean load within d, strips within {ENDS / 2:.0%}",
+                     symbol="p_d", unit="1",
+                     margin=within("p_d", ENDS / 2, lambda: q.p_0))  # fmt: skip
+    return Comparison(check=check, quantity=StripRoller.p_d, shares=SHARED)
+
+
+def agreeing(
+    name: str, judged: Quantity, figure: float, scale: "Scale", source: str = SUBJECT, *,
+    symbol: str = "", state: State | None = None,
+) -> Comparison:  # fmt: skip
+    """Strips within `figure` of the half-space, as a comparison."""
+    pair = pair_of(key_of(judged, state), scale)
+    check = Agreement(name=name, symbol=symbol or judged.symbol, unit=judged.unit,
+                      pair=pair, accepted=figure, source=source, by=HALF_SPACE,
+                      **demanded(figure))  # fmt: skip
+    return Comparison(check=check, quantity=judged, state=state, shares=SHARED)
+
+
+Scale = float | Callable[[], float]
+
+
+def pair_of(key: str, scale: Scale) -> Callable[[Context], Pair]:
+    """Their error in words is over the half-space's or, where that is nothing, over `scale`."""
+
+    def pair(context: Context) -> Pair:
+        v, strips = context.series(key)[1], context.analytic[key]
+        error = (strips - v[-1]) / size(v[-1], scale)
+        return Pair(strips, v[-1], 3 * abs(v[-1] - v[-2]), f"strips {error:+.2%}")
+
+    return pair
+
+
+def within(key: str, bound: float, scale: Scale) -> Margin:
+    """The strips' error in `key`, over itself or, where it is next to nothing, over `scale`."""
+
+    def margin(context: Context) -> tuple[float, float, str]:
+        v, strips = context.series(key)[1], context.analytic[key]
+        over = size(v[-1], scale)
+        error = (strips - v[-1]) / over
+        return bound - abs(error), 3 * abs(v[-1] - v[-2]) / over, f"strips {error:+.2%}"
+
+    return margin
+
+
+def size(value: float, scale: Scale) -> float:
+    """The magnitude that errors are taken over."""
+    return max(abs(value), LEAST * (scale() if callable(scale) else scale))
+
+
+def elsewhere(context: Context) -> tuple[float, float, str]:
+    """What is left of the share of the load that slices may put elsewhere."""
+    share, U, error = misplaced_load(context, "slices")
+    return SHARE - share, U, f"{share:.1%} elsewhere; line load off by {error:.1%} in L2"
+
+
+def nearer(context: Context) -> tuple[float, float, str]:
+    """How much less of the load slices put elsewhere than uncoupled ones do."""
+    coupled, U, _ = misplaced_load(context, "slices")
+    alone, U_alone, _ = misplaced_load(context, "lamina")
+    return alone - coupled, U + U_alone, f"{coupled:.1%} against {alone:.1%} elsewhere"
+
+
+def misplaced_load(context: Context, model: str) -> tuple[float, float, float]:
+    """Share of the load that a model puts elsewhere than the half-space, its U, and q's L2 error.
+
+    The share does not care how finely the roller is sliced; the error in L2 is mostly that of the
+    slices in which contact ends.
+    """
+    q: Any = context.inputs
+    parts = q.sliced(model)
+    n = len(parts.y)
+    edges = np.linspace(-q.L / 2, q.L / 2, n + 1)
+    share, error = [], 0.0
+    for result in context.fem[-2:]:
+        line = result.arrays["q"]
+        stations = np.linspace(-q.L / 2, q.L / 2, len(line) + 1)
+        total = np.concatenate([[0.0], np.cumsum(line) * (q.L / len(line))])
+        reference = np.diff(np.interp(edges, stations, total)) * (n / q.L)
+        off = parts.line - reference
+        share.append(float(np.abs(off).sum() / reference.sum() / 2))
+        error = float(np.linalg.norm(off) / np.linalg.norm(reference))
+    return share[-1], 3 * abs(share[-1] - share[-2]), error

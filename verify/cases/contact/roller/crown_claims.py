@@ -1,0 +1,129 @@
+"""What is claimed of crowns for an even pressure and of the paper's designs."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from verify.cases.contact.roller.formulas import by_strips
+from verify.cases.contact.roller.half_space import Pressed
+from verify.cases.contact.roller.inputs import DESIGNS, Design
+from verify.core.case import Check, Context
+from verify.core.figures import Array
+from verify.judging.checks import Accepted, Fact
+from verify.judging.tolerance_checks import Deviation, suites
+
+FLAT = 0.01  # of an even pressure
+FITTED = "length and load are not printed but identified, and other loads have other winners"
+FIRST, NEXT = 1e-5, 0.05
+RESOLVED = 2e-3  # of the half-length: 9 µm of the paper's
+NEAR_END = 0.1e-3  # m, nearly the half-width, from the ends
+MID, AT_ENDS = 3e-3, 0.02  # of strips beside the half-space
+BEST = ("huang2018:fig12-best-k1", "huang2018:fig12-best-k2", "huang2018:fig12-best-zm")
+
+
+def unevenness(found: Pressed) -> float:
+    """Share of the load that would have to move for the line load to be even: no peak, no mesh."""
+    line = found.contact.line_load
+    return float(np.abs(line / line.mean() - 1).mean() / 2)
+
+
+def near_end(found: Pressed) -> float:
+    """Largest pressure [Pa] farther than NEAR_END from the ends."""
+    inner = np.abs(found.contact.y) <= found.q.L / 2 - NEAR_END
+    return float(found.ridge[inner].max())
+
+
+def uneven(key: str, crown: str, far: float) -> Accepted:
+    """The half-space's pressure is even up to `far` half-widths from the ends."""
+
+    def margin(context: Context) -> tuple[float, float, str]:
+        v = context.series(key)[1]
+        return FLAT - v[-1], 3 * abs(v[-1] - v[-2]), f"even to {v[-1]:.2%}"
+
+    return Accepted(
+        name=f"pressure of {crown} within {FLAT:.0%} of even, up to {far:g} b from the ends",
+        symbol="p", unit="1", margin=margin,
+    )  # fmt: skip
+
+
+def printed_designs() -> Iterator[Check]:
+    """Which designs of Fig. 12 are the most and the least even."""
+    shared: dict[str, Any] = {"symbol": "q", "unit": "1", "fitted": FITTED}
+    yield Accepted(name="Fig. 12: (1, 0.7, 0.01) is the evenest of the designs printed",
+                   margin=evenest, printed=BEST, **shared)  # fmt: skip
+    yield Accepted(name="Fig. 12: (5, 0.7, 0.015) is the least even of the designs printed",
+                   margin=least_even, **shared)  # fmt: skip
+
+
+def deviations() -> Iterator[Check]:
+    """What K_2 alone decides, and where contact begins."""
+    yield Deviation(
+        name="the straight middle follows K_2, not z_m", symbol="Δl_s/l", unit="1", size=straight,
+        accepted=RESOLVED, source=suites("9 µm of the paper's length, a cell of the half-space"),
+        whole="l/2", by="crown", fem_needed=False, everywhere=True,
+    )  # fmt: skip
+    yield Fact(name="at first only the straight middle is loaded", symbol="l_c/l", unit="1",
+               margin=first_contact, fem_needed=False)  # fmt: skip
+
+
+def evenest(context: Context) -> tuple[float, float, str]:
+    """How much more load would have to move for the next design, over the best's share."""
+    found = _designs(context, "uneven")
+    next_ = float(found[-1, 1:].min())
+    words = f"{found[-1, 0]:.1%} of the load would have to move, next {next_:.1%}"
+    return next_ / float(found[-1, 0]) - 1, _spread(found), f"{words}; {_peaks(context, 0)}"
+
+
+def least_even(context: Context) -> tuple[float, float, str]:
+    """How much more load would have to move for the worst design than for the next."""
+    found = _designs(context, "uneven")
+    next_ = float(np.delete(found[-1], 1).max())
+    words = f"{found[-1, 1]:.1%} of the load would have to move, next {next_:.1%}"
+    return float(found[-1, 1]) / next_ - 1, _spread(found), f"{words}; {_peaks(context, 1)}"
+
+
+def _peaks(context: Context, design: int) -> str:
+    """The design's largest pressures, and its place among all: it hangs on where one looks."""
+    told = []
+    for key, where in (("p_max", "beyond d"), ("near", "beyond 0.1 mm")):
+        found = _designs(context, key)[-1]
+        place = int(np.argsort(np.argsort(found))[design]) + 1
+        told.append(f"{found[design] / 1e6:.0f} MPa {where}, {place} of {len(found)} upwards")
+    return "; ".join(told)
+
+
+def _designs(context: Context, key: str) -> Array:
+    names = [f"{key}_of_{design!s}" for design in DESIGNS]
+    return np.array([[r.values[name] for name in names] for r in context.fem])
+
+
+def _spread(found: Array) -> float:
+    return float(3 * np.abs(found[-1] / found[-2] - 1).max())
+
+
+def straight(context: Context) -> tuple[float, float, str]:
+    """How far the drop's start is moved by z_m, and is off (1 - K_2) l/2."""
+    q = context.inputs
+    y = np.linspace(0, q.L / 2, 20001)
+
+    def start(K_2: float, z_m: float) -> float:
+        z = q.designed(Design(1.0, K_2, z_m)).gap(y)
+        return float(y[np.argmax(z > 0)])
+
+    by_z = abs(start(0.7, 25e-6) - start(0.7, 5e-6))
+    off = abs(start(0.4, 10e-6) - 0.6 * q.L / 2) + abs(start(0.7, 10e-6) - 0.3 * q.L / 2)
+    moved = (by_z + off) / (q.L / 2)
+    return moved, 2 * float(y[1]) / (q.L / 2), f"moved and off by {moved:.1e} of l/2"
+
+
+def first_contact(context: Context) -> tuple[float, float]:
+    """How far inside the straight middle and NEXT of the half-length beside it contact ends.
+
+    The crown of Fig. 13a on strips, under FIRST of F.
+    """
+    q = context.inputs
+    light = q.designed(Design(1, 0.4, 10e-6)).model_copy(update={"F": FIRST * q.F})
+    solved, along = by_strips(light, q.n)
+    outmost = float(np.abs(along.y[solved.carries]).max())
+    return float(1 - light.K_2 + NEXT - outmost / (q.L / 2)), 1 / q.n

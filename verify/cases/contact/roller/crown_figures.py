@@ -1,0 +1,107 @@
+"""What the report shows of crowns compared: profiles, pressures of designs, even pressures."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from verify.cases.contact.roller import figures
+from verify.cases.contact.roller.inputs import DESIGNS, Design
+from verify.core.case import Context
+from verify.core.figures import Curve, Curves, Figure
+
+if TYPE_CHECKING:
+    from verify.cases.contact.roller.crowns import ComparedCrowns
+
+MPa, mm, um = figures.MPa, figures.mm, figures.um
+PROFILES = {  # Fig. 11: one parameter at a time
+    "K_1": (Design(1, 0.7, 10e-6), Design(3, 0.7, 10e-6), Design(5, 0.7, 10e-6)),
+    "K_2": (Design(1, 0.4, 10e-6), Design(1, 0.55, 10e-6), Design(1, 0.7, 10e-6)),
+    "z_m": (Design(1, 0.7, 5e-6), Design(1, 0.7, 10e-6), Design(1, 0.7, 15e-6)),
+}
+COMPARED = (0, 1, 6, 3)  # of the designs, in Fig. 12's plot
+EVEN = {"Lundberg": "Lundberg's crown", "Johns": "Johns and Gohar's crown"}
+
+
+def ending(name: str) -> str:
+    """The end of a crown's keys: Lundberg's is the one of the quantities themselves."""
+    return "" if name == "Lundberg" else f"_{name}"
+
+
+def drawn(context: Context) -> Iterator[Figure]:
+    """Profiles of Fig. 11, pressures of Fig. 12, and even ones."""
+    yield from (grown(context.inputs, varied) for varied in PROFILES)
+    if context.fem:
+        yield designs(context)
+        yield from (by_all(context, design) for design in DESIGNS[:2])
+        yield even(context)
+        yield ends(context)
+
+
+def grown(q: "ComparedCrowns", varied: str) -> Figure:
+    """Fig. 11: the crown as one of its parameters grows."""
+    start = 0.85 if varied == "z_m" else 0.0  # where it shows
+    y = np.linspace(start, 1.0, 301) * q.L / 2
+    return Curves(
+        title=f"Profiles as {varied} grows (Fig. 11)", x_label="y [mm]", y_label="z [µm]",
+        curves=tuple(
+            Curve(name=f"{design}", x=y / mm, y=q.designed(design).gap(y) / um, colour=i)
+            for i, design in enumerate(PROFILES[varied])
+        ),
+        note="(K_1, K_2, z_m), the half y > 0, Q = F; the paper's figure was not to be had.",
+    )  # fmt: skip
+
+
+def designs(context: Context) -> Figure:
+    """Fig. 12: pressures of several designs, strips and half-space."""
+    q = context.inputs
+    curves = []
+    for i, design in enumerate(DESIGNS[k] for k in COMPARED):
+        along, end = q.designed(design).strips, f"_of_{design!s}"
+        curves.append(Curve(name=f"{design}", x=along.y / mm, y=along.p / MPa, colour=i))
+        curves.append(figures.half_space(context, "" if i else "half-space", end, i))
+    p_0 = q.p_0 / MPa
+    return Curves(
+        title="Pressure of the paper's designs (Fig. 12)", x_label="y [mm]", y_label="p [MPa]",
+        curves=tuple(curves), y_top=1.25 * p_0, y_bottom=0.5 * p_0,
+        note="Lines: strips; dots: half-space. (1, 0.7, 10 µm) is the evenest "
+        "but for its ends, which carry load: there a half-space has no highest pressure.",
+    )  # fmt: skip
+
+
+def by_all(context: Context, design: Design) -> Figure:
+    """p(y) of all methods for one of the designs."""
+    roller = context.inputs.designed(design)
+    return figures.pressures(context, roller, f"_of_{design!s}", f", {design}")
+
+
+def even(context: Context) -> Figure:
+    """Lundberg's and Johns and Gohar's pressure."""
+    curves = []
+    for i, (name, words) in enumerate(EVEN.items()):
+        curve = figures.half_space(context, words, ending(name), 2 * i)
+        curves.append(replace(curve, y=curve.y * MPa / context.inputs.p_0))
+    return Curves(
+        title="Crowns for an even pressure", x_label="y [mm]", y_label="p/p_0",
+        curves=tuple(curves), y_bottom=0.9, y_top=1.1,
+        note="Half-space, over Hertz's pressure of the load spread evenly.",
+    )  # fmt: skip
+
+
+def ends(context: Context) -> Figure:
+    """The same within some half-widths of the end."""
+    q, b = context.inputs, context.inputs.b
+    curves = []
+    for i, (name, words) in enumerate(EVEN.items()):
+        y, p = (context.fem[-1].arrays[f"{key}{ending(name)}"] for key in "yp")
+        near = (q.L / 2 - y < 10 * b) & (y < q.L / 2)
+        curves.append(
+            Curve(name=words, x=(q.L / 2 - y[near])[::-1] / b,
+                  y=p[near][::-1] / q.p_0, colour=2 * i)
+        )  # fmt: skip
+    return Curves(
+        title="Their ends", x_label="distance from the end over b", y_label="p/p_0",
+        curves=tuple(curves), note="Half-space. Both rise before they fall: an even load needs a "
+        "little more crown there than either has; Lundberg's has no floor at the very end.",
+    )  # fmt: skip

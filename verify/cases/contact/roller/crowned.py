@@ -1,0 +1,168 @@
+"""Crowned rollers: the crown of Eq. 1, and the best crown for the load."""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, Self
+
+import numpy as np
+
+from analytic.contact import strips
+from analytic.contact.crown import slice_centres
+from verify.case import Comparison, Computed, Level, Quantity, shared
+from verify.cases.contact.roller import bounds, figures, half_space, profiles, texts
+from verify.cases.contact.roller.accepted import estimated
+from verify.cases.contact.roller.comparisons import ESTIMATE, HALF_SPACE, SHARED
+from verify.cases.contact.roller.formulas import SlicedRoller
+from verify.cases.contact.roller.inputs import Crown, Divided
+from verify.core.case import Context
+from verify.core.figures import Array, Curve, Figure, Picture, Sketch
+
+if TYPE_CHECKING:
+    from analytic.contact.best_crown import BestCrown
+
+LEVELS = (16, 24, 32)
+
+
+class CrownedRoller(Crown, Divided, SlicedRoller):
+    """A crowned roller in strips and slices."""
+
+    @Quantity("A", "µm", "scale of the crown", equation="1", role="step",
+              tex=r"\frac{2 K_1 Q}{\pi l E'} = \frac{K_1 Q}{\pi l E*}")  # fmt: skip
+    def A(self) -> float:
+        return float(self.K_1 * self.Q / (np.pi * self.L * self.E_star))
+
+    @Quantity("t", "1", "place in the crown at y = l/2 - d: 0 where it begins, 1 at the end",
+              equation="1", form="corrected", role="step",
+              tex=r"\max\left(0, \frac{|y| - l/2}{K_2 l/2} + 1\right) "
+              r"= 1 - \frac{2 d}{K_2 l}")  # fmt: skip
+    def t(self) -> float:
+        return max(1 - 2 * self.d / (self.K_2 * self.L), 0.0)
+
+    @Quantity(
+        "z",
+        "µm",
+        "drop of the crown there",
+        equation="1",
+        form="corrected",
+        role="step",
+        tex=r"-A \ln\left(1 - \left(1 - \exp\left(-\frac{z_m}{A}\right)\right) t^2\right)",
+    )
+    def drop(self) -> float:
+        return float(Crown.gap(self, np.array(self.L / 2 - self.d)))
+
+    @Quantity("K_1*", "1", "best crown for F whose ends carry nothing, Q = F; a flat optimum",
+              source="search", role="step")  # fmt: skip
+    def best_K_1(self) -> float:
+        return self._best.K_1
+
+    @Quantity("K_2*", "1", "its crowned part", source="search", role="step")
+    def best_K_2(self) -> float:
+        return self._best.K_2
+
+    @Quantity("z_m*", "mm", "its drop at the ends", source="search", role="step")
+    def best_z_m(self) -> float:
+        return self._best.z_m
+
+    @Quantity("p_max*", "MPa", "largest pressure of the best crown, ends included, strips",
+              source="strips", safe="too high")  # fmt: skip
+    def p_best(self) -> float:
+        return float(self.with_best_crown.strips.p_top)
+
+    @shared
+    def _best(self) -> "BestCrown":
+        return self.best()
+
+    @shared
+    def with_best_crown(self) -> Self:
+        """The roller with the best crown, which is made for F."""
+        best = self._best
+        sizes = {"K_1": best.K_1, "K_2": best.K_2, "z_m": best.z_m}
+        return self.model_copy(update=sizes | {"Q": self.F})
+
+    def best(self, load: float = 1.0, tilt: float | None = None) -> "BestCrown":
+        """The best crown for a load [of F] and a tilt to either side, by default the roller's."""
+        from analytic.contact.best_crown import best_crown  # of both sides: what they press
+
+        tilts = (0.0, self.lean if tilt is None else tilt)
+        return best_crown(load=load * self.F, length=self.L, R=self.R, E_star=self.E_star,
+                          tilt=tilts)  # fmt: skip
+
+    @property
+    def lean(self) -> float:
+        """The tilt [rad]."""
+        return 0.0
+
+    def even_pressure(self, share: float = 1.0) -> float:
+        """Hertz's pressure [Pa] of an evenly distributed share of F."""
+        return float(np.sqrt(share * self.F / self.L * self.E_star / (np.pi * self.R)))
+
+    def solve_crowns(self, level: int, more: dict[str, float], arrays: dict[str, Array]) -> Level:
+        """The crown and the best one on the half-space, with `more` values and `arrays`."""
+        found, best = half_space.pressed(self, level), self.best()
+        straight = profiles.logarithmic(self, (best.K_1, best.K_2, best.z_m), self.F)
+        slope = np.tan(self.lean)
+
+        def crown(y: Array) -> Array:
+            return np.asarray(straight(y) - slope * y)
+
+        pressed = half_space.pressed(self, level, crown=crown)
+        u_best = half_space.stair(pressed, level, crown=crown)["p_top"]
+        u_it = half_space.stair(found, level) | {"p_best": u_best}
+        return half_space.result(
+            found, level, u_it, {"p_best": pressed.values["p_top"]} | more, arrays
+        )
+
+    def best_row(self) -> Comparison:
+        """The best crown's pressure by strips, beside the half-space."""
+
+        def interval() -> bounds.Interval:
+            return bounds.of_strips(self.with_best_crown, "p_top", own=not self.is_default)
+
+        return estimated(
+            CrownedRoller.p_best, expected=Computed(interval, ESTIMATE), symbol="p_max", order=1,
+            by=HALF_SPACE, sensitivity=(1e-2, ""), shares=f"{SHARED}; the crown, found by strips",
+        )  # fmt: skip
+
+    def refusal(self) -> str:
+        """Where the half-space cannot resolve the ends."""
+        return half_space.too_short(self)
+
+    def warnings(self) -> Iterator[str]:
+        """What an engineer should know before trusting these pressures."""
+        yield from texts.of_contact(self)
+        if not self._best.free:
+            yield (
+                "no crown keeps both ends free of load: the best one told is whose ends carry least"
+            )
+        yield from texts.of_materials(self)
+
+    def sketch(self) -> Sketch:
+        """Roller and race from the side."""
+        return figures.sketch(self)
+
+    def pictures(self) -> Iterator[Picture]:
+        """Pressure on the patch."""
+        yield from figures.pictures()
+
+    def along_roller(self, context: Context) -> Iterator[Figure]:
+        """Gap, pressure and line load along the roller."""
+        yield figures.profile(self)
+        yield figures.pressures(context)
+        yield figures.loads(context)
+
+    def peaks(
+        self, gaps: Array, loads: Array, x: Array, best: tuple[str, Array, Array | None]
+    ) -> tuple[Curve, ...]:
+        """Peaks over Hertz's pressure at `x` for gaps and loads [of F]; those of best crowns."""
+        roller: dict[str, Any] = {"length": self.L, "R": self.R, "E_star": self.E_star}
+        pairs = zip(gaps, loads, strict=True)
+        solved = [strips.press(z, load=k * self.F, **roller) for z, k in pairs]
+        curves = figures.over(solved, x, [self.even_pressure(k) for k in loads])
+        name, at, least = best
+        if least is not None:
+            curves.append(Curve(name=name, x=at, y=least, style="dashes", colour=2))
+        return tuple(curves)
+
+    @property
+    def centres(self) -> Array:
+        """Middles of the strips (n,) [m]."""
+        return slice_centres(length=self.L, slices=self.n)
