@@ -39,7 +39,7 @@ def adapted(form: type[Case], *, time_limit: float | None = None) -> core.Case:
         findings=lambda q, _values: tuple(q.advice()),
         summary=lambda q, _values: q.summary(),
         warnings=lambda q, _values: tuple(q.warnings()),
-        equations=lambda q, _values: equations.stated(q),
+        equations=lambda q, _values: (*q.laws(), *equations.stated(q)),
         tables=lambda context: tuple(context.inputs.tables(context)),
         too_large=lambda q: q.refusal(), sketch=lambda q: q.sketch(), figures=_figures,
         pictures=lambda q: tuple(q.pictures()),

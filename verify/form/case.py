@@ -13,7 +13,7 @@ from pydantic import ConfigDict
 
 from verify.core import units
 from verify.core.case import Check, Context, Dynamic, FemResult, Portion, Scan
-from verify.core.figures import Field, Figure, Picture, Sketch, Table
+from verify.core.figures import Equation, Field, Figure, Picture, Sketch, Table
 from verify.core.inputs import Inputs, meta
 from verify.core.references import Method
 from verify.form.comparisons import Comparison
@@ -90,6 +90,10 @@ class Case(Inputs):
 
     def pictures(self) -> Iterable[Picture]:
         """Fields of the finest level in colours."""
+        return ()
+
+    def laws(self) -> Iterable[Equation]:
+        """Equations of the source that no quantity solves, such as those of motion."""
         return ()
 
     def tables(self, context: Context) -> Iterable[Table]:  # noqa: ARG002

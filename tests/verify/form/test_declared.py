@@ -29,6 +29,7 @@ from verify.case import (
     solved,
 )
 from verify.core.case import Context
+from verify.core.figures import Equation
 from verify.form import equations
 from verify.form.adapter import adapted
 from verify.form.members import reached
@@ -181,6 +182,16 @@ def test_equations_come_from_the_code_or_are_checked_against_it():
 
     with pytest.raises(CaseError, match=r"test_declared.py:\d+: Wrong.G: the equation E/3 gives"):
         equations.stated(Wrong())
+
+
+def test_equations_that_no_quantity_solves_come_first():
+    class Swinging(Rod):
+        def laws(self):
+            yield Equation(tex=r"m \ddot x = -k x", place="Eq. 3")
+
+    found = adapted(Swinging).equations(Swinging(), {})
+    assert found[0].place == "Eq. 3"
+    assert found[1:] == adapted(Rod).equations(Rod(), {})
 
 
 def test_a_quantity_that_the_inputs_do_not_have_is_left_out():
