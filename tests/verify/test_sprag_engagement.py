@@ -9,15 +9,15 @@ import pytest
 
 from analytic.sprag import closure, course, printed, start, table
 from analytic.sprag.history import Phase
-from verify.cases.sprag.engagement import claims, fem, formulas, model
-from verify.cases.sprag.engagement.case import ENGAGEMENT, analytic, too_large
-from verify.cases.sprag.inputs import EngagementInputs
+from verify.cases.sprag.engagement import comparisons, formulas, model, reference
+from verify.cases.sprag.engagement.case import ENGAGEMENT, SpragEngagement
 from verify.core.results import Status
+from verify.form import quantity
 from verify.jobs.cache import default_folder
 from verify.jobs.level import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("sprag-engagement")
-PAPER = EngagementInputs()
+PAPER = SpragEngagement()
 
 
 def names(rows):
@@ -25,12 +25,13 @@ def names(rows):
 
 
 def own(**changes):
-    return EngagementInputs.model_validate(PAPER.model_dump() | changes)
+    return SpragEngagement.model_validate(PAPER.model_dump() | changes)
 
 
 def forget():
     for kept in (model.wedge, model._table, formulas.swing):
         kept.cache_clear()
+    quantity.forget()
 
 
 @pytest.fixture
@@ -48,7 +49,7 @@ def broken(monkeypatch):
 @cache
 def finest():
     """What the finest level keeps of LSODA and of other clutches, from the cache."""
-    return solve_level(ENGAGEMENT, PAPER, fem.LEVELS[-1], default_folder()).result
+    return solve_level(ENGAGEMENT, PAPER, reference.LEVELS[-1], default_folder()).result
 
 
 @pytest.fixture
@@ -61,11 +62,13 @@ def steps_alone(monkeypatch):
         ("designs_fem", ("crowns", "centroids", "balanced")),
     ):
         monkeypatch.setattr(
-            fem, name, lambda *_, keys=arrays: {key: right.arrays[key] for key in keys}
+            reference, name, lambda *_, keys=arrays: {key: right.arrays[key] for key in keys}
         )
-    monkeypatch.setattr(fem, "order_fem", lambda _q: {"order": right.arrays["order"]}["order"])
-    monkeypatch.setattr(fem, "partners_fem", lambda _q: kept)
-    monkeypatch.setattr(fem, "pressed_fem", lambda _q: {})
+    monkeypatch.setattr(
+        reference, "order_fem", lambda _q: {"order": right.arrays["order"]}["order"]
+    )
+    monkeypatch.setattr(reference, "partners_fem", lambda _q: kept)
+    monkeypatch.setattr(reference, "pressed_fem", lambda _q: {})
 
     def solve():
         levels = [solve_level(ENGAGEMENT, PAPER, level, None) for level in ENGAGEMENT.levels]
@@ -75,7 +78,7 @@ def steps_alone(monkeypatch):
 
 
 def engaged(q, dt=1e-5, **how):
-    return fem.engaged_fem(q, model.wedge(q), dt, **how)
+    return reference.engaged_fem(q, model.wedge(q), dt, **how)
 
 
 # States of the clutch.
@@ -110,20 +113,20 @@ def test_no_contact_slides_with_the_paper_s_springs():
 def test_words_of_the_formulas_agree_with_what_the_steps_do(change, verdict, said):
     q = own(**change)
     assert engaged(q).verdict == verdict
-    assert ENGAGEMENT.findings(q, analytic(q))[0].startswith(said)
-    assert bool(too_large(q)) == (verdict != "locks")
-    assert bool(ENGAGEMENT.warnings(q, analytic(q))) == (verdict != "locks")
+    assert ENGAGEMENT.findings(q, ENGAGEMENT.analytic(q))[0].startswith(said)
+    assert bool(ENGAGEMENT.too_large(q)) == (verdict != "locks")
+    assert bool(ENGAGEMENT.warnings(q, ENGAGEMENT.analytic(q))) == (verdict != "locks")
 
 
 def test_sprags_that_slide_at_the_start_are_warned_of_and_not_compared():
     q = own(K_r=4e-4)
-    assert "slide at the start" in ENGAGEMENT.warnings(q, analytic(q))[0]
-    assert "slide at the start" in too_large(q)
+    assert "slide at the start" in ENGAGEMENT.warnings(q, ENGAGEMENT.analytic(q))[0]
+    assert "slide at the start" in ENGAGEMENT.too_large(q)
     assert (engaged(q).phases[:20, 0] == Phase.SLIP).any()
 
 
 def test_too_many_steps_are_refused_before_they_run():
-    assert "steps" in too_large(own(dt=1e-7, t_end=0.06))
+    assert "steps" in ENGAGEMENT.too_large(own(dt=1e-7, t_end=0.06))
 
 
 def test_a_band_too_narrow_for_the_step_is_one_red_line_not_a_traceback():
@@ -134,7 +137,9 @@ def test_a_band_too_narrow_for_the_step_is_one_red_line_not_a_traceback():
 
 
 def test_a_ramp_swings_less_than_a_step_and_an_overrunning_race_comes_to_rest_first():
-    step, ramp, late = (analytic(own(**c)) for c in ({}, {"t_ramp": 0.02}, {"w_i": -100.0}))
+    step, ramp, late = (
+        ENGAGEMENT.analytic(own(**c)) for c in ({}, {"t_ramp": 0.02}, {"w_i": -100.0})
+    )
     assert ramp["factor"] < 1.2 < step["factor"]
     assert late["t_max"] > step["t_max"] + 4e-3
     assert late["N_max"] == pytest.approx(step["N_max"], rel=1e-3)
@@ -151,7 +156,7 @@ def test_a_ramp_swings_less_than_a_step_and_an_overrunning_race_comes_to_rest_fi
 )  # fmt: skip
 def test_odd_clutches_have_words_equations_and_a_sketch(change):
     q = own(**change)
-    v = analytic(q)
+    v = ENGAGEMENT.analytic(q)
     assert all(np.isfinite(list(v.values())))
     assert ENGAGEMENT.findings(q, v)
     assert ENGAGEMENT.equations(q, v)
@@ -224,15 +229,15 @@ STEPS = [
     pytest.param(model, "_table", scaled_columns(h=1.01), ENERGY, id="lever of N"),
     pytest.param(model, "_table", scaled_columns(b_i=1.01), FREE, id="lever of T_i"),
     pytest.param(model, "_table", scaled_columns(b_e=0.99), REST, id="lever of T_e"),
-    pytest.param(fem, "motion", moving(C_rl=2.0), SPRING, id="damping twice"),
-    pytest.param(fem, "motion", moving(k_out=1e-5), SPRING,
+    pytest.param(reference, "motion", moving(C_rl=2.0), SPRING, id="damping twice"),
+    pytest.param(reference, "motion", moving(k_out=1e-5), SPRING,
                  id="a constant torque holds no outer race"),
-    pytest.param(fem, "motion", moving(I_bi=1.01), SMALL, id="inertia of the inner race"),
-    pytest.param(fem, "motion", moving(I_g=12.0, m_g=12.0), SMALL,
+    pytest.param(reference, "motion", moving(I_bi=1.01), SMALL, id="inertia of the inner race"),
+    pytest.param(reference, "motion", moving(I_g=12.0, m_g=12.0), SMALL,
                  id="the mass of all sprags for one"),
-    pytest.param(fem, "torque", lambda _: lambda q: fem.Torque.step(q.T, t_ramp=5e-3), SPRING,
-                 id="the torque is no step"),
-    pytest.param(fem, "wedge", lambda right: lambda q, rigid=False: right(q), RIGID,
+    pytest.param(reference, "torque", lambda _: lambda q: reference.Torque.step(
+        q.T, t_ramp=5e-3), SPRING, id="the torque is no step"),
+    pytest.param(reference, "wedge", lambda right: lambda q, rigid=False: right(q), RIGID,
                  id="rigid races forgotten"),
 ]  # fmt: skip
 
@@ -270,7 +275,7 @@ FORMULAS = [
                  id="work of 1 % more torque"),
     pytest.param(model, "parts", lambda right: lambda q: replace(right(q), b=2 * q.b), REST,
                  id="sprags twice as wide"),
-    pytest.param(claims, "parts", lambda right: lambda q: replace(right(q), sprag=replace(
+    pytest.param(comparisons, "parts", lambda right: lambda q: replace(right(q), sprag=replace(
         q.sprag, r_i=1.0)), INNER, id="a flat sprag"),
 ]  # fmt: skip
 

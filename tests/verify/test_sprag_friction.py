@@ -9,18 +9,18 @@ import pytest
 
 from analytic.sprag.friction import coefficient
 from analytic.sprag.history import Phase
-from verify.cases.sprag.engagement import fem as engagement_fem
 from verify.cases.sprag.engagement import formulas as engagement_formulas
 from verify.cases.sprag.engagement import model as engagement_model
+from verify.cases.sprag.engagement import reference as engagement_steps
 from verify.cases.sprag.engagement.model import wedge
-from verify.cases.sprag.friction import fem, formulas
-from verify.cases.sprag.friction.case import FRICTION, analytic, too_large
-from verify.cases.sprag.inputs import EngagementInputs
+from verify.cases.sprag.friction import formulas, reference
+from verify.cases.sprag.friction.case import FRICTION, SpragFriction
+from verify.form import quantity
 from verify.jobs.cache import default_folder
 from verify.jobs.level import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("sprag-friction")
-PAPER = EngagementInputs()
+PAPER = SpragFriction()
 
 
 def names(rows):
@@ -28,13 +28,14 @@ def names(rows):
 
 
 def own(**changes):
-    return EngagementInputs.model_validate(PAPER.model_dump() | changes)
+    return SpragFriction.model_validate(PAPER.model_dump() | changes)
 
 
 def forget():
     for kept in (engagement_model.wedge, engagement_model._table,
                  engagement_formulas.swing):  # fmt: skip
         kept.cache_clear()
+    quantity.forget()
 
 
 @pytest.fixture
@@ -52,7 +53,7 @@ def broken(monkeypatch):
 @cache
 def finest():
     """What the finest level keeps, from the cache."""
-    return solve_level(FRICTION, PAPER, fem.LEVELS[-1], default_folder()).result
+    return solve_level(FRICTION, PAPER, reference.LEVELS[-1], default_folder()).result
 
 
 @pytest.fixture
@@ -60,13 +61,13 @@ def steps_alone(monkeypatch):
     """Solve the steps anew beside the right LSODA and maps, which take longest."""
     right = finest()
     kept = {key: v for key, v in right.values.items() if key.startswith("LSODA")}
-    monkeypatch.setattr(fem, "partners_fem", lambda *_: kept)
+    monkeypatch.setattr(reference, "partners_fem", lambda *_: kept)
     for name, keys in (
         ("guarded_fem", ("guard",)), ("swept_fem", ("sweep",)), ("map_fem", ("map",)),
         ("narrow_fem", ("narrow", "unguarded")), ("boundaries_fem", ("boundaries",)),
     ):  # fmt: skip
         monkeypatch.setattr(
-            fem, name, lambda *_, keys=keys: {key: right.arrays[key] for key in keys}
+            reference, name, lambda *_, keys=keys: {key: right.arrays[key] for key in keys}
         )
 
     def solve():
@@ -77,7 +78,7 @@ def steps_alone(monkeypatch):
 
 
 def engaged(q, dt=1e-5, **how):
-    return fem.engaged_fem(q, wedge(q), dt, **how)
+    return reference.engaged_fem(q, wedge(q), dt, **how)
 
 
 # States of the contacts.
@@ -96,15 +97,18 @@ def test_friction_joins_where_sliding_begins_and_falls_with_speed():
 )
 def test_what_the_words_say_is_what_the_steps_do(change, verdict, said):
     q = own(**change)
-    v = analytic(q)
+    v = FRICTION.analytic(q)
     assert engaged(q).verdict == verdict
     assert FRICTION.findings(q, v)[0].startswith(said)
-    assert bool(too_large(q)) == (verdict != "locks")
+    assert bool(FRICTION.too_large(q)) == (verdict != "locks")
 
 
 def test_sprags_caught_late_slide_on_where_fast_friction_is_below_the_wedge():
     q = own(mu_s=0.056, mu_c=0.05, K_r=4e-4)
-    assert "it locks only where it does not slip first" in FRICTION.warnings(q, analytic(q))[0]
+    assert (
+        "it locks only where it does not slip first"
+        in FRICTION.warnings(q, FRICTION.analytic(q))[0]
+    )
     assert engaged(q).verdict == "slips"
     assert engaged(own(mu_s=0.056, mu_c=0.05)).verdict == "locks"
 
@@ -113,10 +117,10 @@ def test_driven_it_is_the_inner_contact_that_slides_and_overrunning_the_outer():
     for speed, mu, outside in ((100.0, 0.9 * math.tan(PAPER.nu_0), False), (-100.0, 0.12, True)):
         found = formulas.sliding(wedge(PAPER), math.copysign(mu, speed))
         assert found.outside == outside
-        p = fem.rough(PAPER, mu)
+        p = reference.rough(PAPER, mu)
         run = engaged(
-            PAPER, moves=fem.held(p, C_rl=0.0, I_bi=1.0), course=fem.Torque.step(0.0),
-            duration=fem.SLIDES, speeds=fem.Speeds(inner=speed),
+            PAPER, moves=reference.held(p, C_rl=0.0, I_bi=1.0), course=reference.Torque.step(0.0),
+            duration=reference.SLIDES, speeds=reference.Speeds(inner=speed),
         )  # fmt: skip
         late = run.phases[len(run.t) // 2 :]
         assert (late[:, int(outside)] == Phase.SLIP).mean() > 0.9
@@ -143,8 +147,8 @@ def test_sliding_force_grows_as_friction_nears_the_wedge():
 
 def test_the_guard_stops_what_unguarded_is_silently_wrong():
     q = formulas.weak(PAPER, 1.6)
-    assert fem.refused_fem(q, 1e-5, 1e-3)
-    assert not fem.refused_fem(q, 1e-5, 1e-2)
+    assert reference.refused_fem(q, 1e-5, 1e-3)
+    assert not reference.refused_fem(q, 1e-5, 1e-2)
     right = engaged(q).N_max
     torques = [q.model_copy(update={"T": q.T * (1 + k * 1e-9)}) for k in range(16)]
     wrong = [engaged(p, D_V=1e-3, guard=False).N_max / right for p in torques]
@@ -154,10 +158,10 @@ def test_the_guard_stops_what_unguarded_is_silently_wrong():
 
 def test_clutches_that_roll_over_are_told_and_not_compared():
     q = own(T=120.0)
-    v = analytic(q)
+    v = FRICTION.analytic(q)
     assert FRICTION.findings(q, v)[0].startswith("rolls over")
     assert FRICTION.warnings(q, v)
-    assert "roll over" in too_large(q)
+    assert "roll over" in FRICTION.too_large(q)
     assert FRICTION.equations(q, v)
 
 
@@ -220,20 +224,20 @@ def unguarded(right):
 
 
 STEPS = [
-    pytest.param(engagement_fem, "motion", moving(lambda m: replace(m, mu_s=m.mu_c)), AFTER,
+    pytest.param(engagement_steps, "motion", moving(lambda m: replace(m, mu_s=m.mu_c)), AFTER,
                  id="T_bis of Coulomb's friction"),
-    pytest.param(engagement_fem, "motion", moving(lambda m: replace(m, gamma_b=0.0)), AFTER,
+    pytest.param(engagement_steps, "motion", moving(lambda m: replace(m, gamma_b=0.0)), AFTER,
                  id="friction that does not fall"),
-    pytest.param(engagement_fem, "motion", moving(lambda m: replace(m, mu_s=1.02 * m.mu_s)),
+    pytest.param(engagement_steps, "motion", moving(lambda m: replace(m, mu_s=1.02 * m.mu_s)),
                  OVERRUN, id="friction 2 % too large"),
-    pytest.param(engagement_fem, "motion", moving(lambda m: replace(m, K_r=12 * m.K_r)), DRIVEN,
+    pytest.param(engagement_steps, "motion", moving(lambda m: replace(m, K_r=12 * m.K_r)), DRIVEN,
                  id="springs of all sprags on one"),
-    pytest.param(engagement_fem, "motion", moving(lambda m: replace(m, alpha_max=m.alpha_max / 2)),
-                 DRIVEN, id="springs half as far wound"),
-    pytest.param(fem, "between", moving(lambda mu: 1.002 * mu), BEGINS,
+    pytest.param(engagement_steps, "motion", moving(lambda m: replace(
+        m, alpha_max=m.alpha_max / 2)), DRIVEN, id="springs half as far wound"),
+    pytest.param(reference, "between", moving(lambda mu: 1.002 * mu), BEGINS,
                  id="slip at 0.2 % more friction"),
-    pytest.param(fem, "engaged_fem", unguarded, AFTER, id="no guard and a narrow band"),
-    pytest.param(fem, "engaged_fem", unguarded, ENDS, id="slip without an end"),
+    pytest.param(reference, "engaged_fem", unguarded, AFTER, id="no guard and a narrow band"),
+    pytest.param(reference, "engaged_fem", unguarded, ENDS, id="slip without an end"),
 ]  # fmt: skip
 
 

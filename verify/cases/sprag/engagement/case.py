@@ -1,116 +1,47 @@
 """Engagement of a sprag clutch in time (Huang, Zhao, Liu 2018, Eqs. 11-16)."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from typing import ClassVar
 
-from verify.cases.sprag.engagement import figures
-from verify.cases.sprag.engagement.claims import CHECKS
-from verify.cases.sprag.engagement.fem import LEVELS, fem
-from verify.cases.sprag.engagement.formulas import analytic
-from verify.cases.sprag.inputs import EngagementInputs
-from verify.core.case import Case, Output, Scan, Values
+from verify.case import Comparison, Drawn, Level, Scan
+from verify.cases.sprag.engagement import comparisons, figures
+from verify.cases.sprag.engagement.quantities import EngagementFormulas
+from verify.cases.sprag.engagement.reference import LEVELS
+from verify.core.case import Check
+from verify.core.figures import Equation, Sketch
 from verify.core.references import BY_INTEGRATION
+from verify.form.adapter import adapted
 
 MOST_STEPS = 200_000  # of a level, which finite memory and LSODA bear
-SURE = 1.05  # of the friction asked for
+SURE = 1.05  # of the required friction
 
 
-def too_large(q: EngagementInputs) -> str:
-    if LEVELS[-1] * q.t_end / q.dt > MOST_STEPS:
-        return f"t_end/dt = {q.t_end / q.dt:.4g} is above {MOST_STEPS // LEVELS[-1]} steps"
-    v = analytic(q)
-    if "N_undamped" not in v or v["over"]:
-        return "the sprags roll over: nothing is left to compare; check it without --fem"
-    if "N_max more" not in v or v["over more"]:
-        return "under 1.6 T, to which it is compared, the sprags roll over; check it without --fem"
-    if q.mu_s < v["start"]:
-        return (
-            f"the sprags slide at the start, where rolling asks for μ = {v['start']:.3g}: the "
-            "formulas are those of rolling; see sprag-friction"
-        )
-    if q.mu_s < SURE * v["mu_asked"]:
-        return (
-            f"mu_s = {q.mu_s:g} is not above tan ν = {v['mu_asked']:.4g} by {SURE - 1:.0%}: the "
-            "sprags slip, or nearly so; see sprag-friction"
-        )
-    return ""
+class SpragEngagement(EngagementFormulas):
+    """A torque that comes at once swings the races against the sprags.
 
+    The paper's equations of motion, in its Runge-Kutta steps, compiled, are refined in time and
+    stand beside LSODA with events, which shares the closure alone, and beside energy, statics and
+    two races on a spring.
+    """
 
-def warnings(q: EngagementInputs, v: Values) -> Sequence[str]:
-    found = []
-    if "N_undamped" not in v or v["over"]:
-        found.append(
-            f"the profile ends at α_max = {q.alpha_max:.4g} rad before the torque's swing does"
-        )
-    if v["start"] > q.mu_s > v["mu_asked"]:
-        found.append(
-            f"the springs press so little that the sprags slide at the start (μ = {v['start']:.3g} "
-            f"is asked for{', above μ_c' if q.mu_c < v['mu_asked'] else ''}): the "
-            "forces here are those of rolling; see sprag-friction"
-        )
-    if q.mu_s < v["mu_asked"]:
-        found.append(
-            f"friction μ_s = {q.mu_s:g} is below tan ν = {v['mu_asked']:.4g}: the sprags slip, "
-            "the forces here are those of rolling"
-        )
-    return found
-
-
-def findings(q: EngagementInputs, v: Values) -> Sequence[str]:
-    if "N_undamped" not in v or v["over"]:
-        return ("rolls over: the sprags turn past their profile",)
-    if q.mu_s < v["mu_asked"]:
-        return ("slips: friction is less than the wedge asks for",)
-    return (
-        f"locks: N swings to {v['N_max']:.4g} N, {v['factor']:.3g} times that at rest, after "
-        f"{v['t_max'] * 1e3:.3g} ms",
-        f"without the races' yielding (Liu) {v['rigid'] - 1:+.1%}",
-    )
-
-
-def output(key: str, symbol: str, unit: str, what: str, *, judged: bool = True) -> Output:
-    return Output(key=key, symbol=symbol, unit=unit, what=what, judged=judged)
-
-
-ENGAGEMENT = Case(
-    id="sprag-engagement",
-    title="Engagement of a sprag clutch in time",
-    paper="huang2018",
-    place="Eqs. 11-16, Sec. 2.4",
-    lead="A torque that comes at once swings the races against the sprags: the paper's equations "
-    "of motion, in its Runge-Kutta steps, compiled, are refined in time and stand beside LSODA "
-    "with events, which shares the closure alone, and beside energy, statics and two races on "
-    "a spring.",
-    inputs=EngagementInputs,
-    analytic=analytic,
-    method=BY_INTEGRATION, reference=fem,
-    levels=LEVELS,
-    scans=(
+    id = "sprag-engagement"
+    title = "Engagement of a sprag clutch in time"
+    source = "huang2018"
+    place = "Eqs. 11-16, Sec. 2.4"
+    method = BY_INTEGRATION
+    levels: ClassVar = LEVELS
+    scans: ClassVar = (
         Scan(vary=("T=15N m,25N m,40N m", "k_out=30000N m/rad,100000N m/rad"), star=True),
-    ),
-    checks=CHECKS,
-    outputs=(
-        output("N_max", "N_max", "N", "largest normal force: two races on the clutch as a spring"),
-        output("t_max", "t_max", "ms", "its time", judged=False),
-        output("factor", "N_max/N", "1", "over N, that at rest with springs", judged=False),
-        output("N", "N", "N", "normal force at rest, of a strut with springs"),
-        output("N_undamped", "N_1", "N", "first peak without damping, outer race held"),
-        output("N_max rigid", "N_max", "N", "with races that do not yield (Liu)", judged=False),
-        output("ratio", "r", "1", "N_max under 1.6 T over that under T"),
-        output("mu_asked", "tan ν", "1", "friction that rolling asks for"),
-        output("f", "f", "Hz", "small oscillations, outer race held"),
-        output("k", "k", "N m/rad", "stiffness of the clutch at rest", judged=False),
-        output("theta", "θ", "deg", "turn of the races against each other at rest", judged=False),
-        output("alpha", "α", "deg", "rotation of the sprags at rest", judged=False),
-    ),
-    readings=(
+    )
+    readings: ClassVar = (
         "driving is positive and locks at α > 0: the mirror image of Eq. 11, with the sign of the "
         "springs that closes (ledger: eq-11-14-spring-sign)",
         "forces of the races act at OA and OB of Eq. 9, not at half of them (eq-16-lever-arms)",
         "C_be is the moment of the support, −k_out θ_e (eq-16-outer-spring)",
         "N_be = N_bi in Eqs. 14 and 16; a strut in balance has N_e = N_i cos ω/cos ν",
         "the torque comes as a step on a clutch at rest under its springs",
-    ),
-    assumptions=(
+    )
+    assumptions: ClassVar = (
         "length, width, wedge angle, support and the crown's load are identified, not printed; "
         "friction, α_max and the centroid's place are assumed",
         "N follows from the rotation as at rest, by the closure that balances work: what the paper "
@@ -118,11 +49,87 @@ ENGAGEMENT = Case(
         "all sprags are alike; races turn, but neither bend nor move; no oil",
         "the centroid keeps the distance OC_g(α): its radial motion is left out, as in Eq. 14",
         "a contact sticks within a band of speeds; the band follows from the time step",
-    ),
-    equations=figures.equations,
-    sketch=figures.sketch,
-    figures=figures.figures,
-    findings=findings,
-    warnings=warnings,
-    too_large=too_large,
-)  # fmt: skip
+    )
+
+    def reference(self, level: int) -> Level:
+        """The paper's steps, and LSODA with events."""
+        from verify.cases.sprag.engagement.reference import solve
+
+        return solve(self, level)
+
+    def comparisons(self) -> Iterator[Comparison | Check]:
+        """The steps with LSODA, energy, limits, and what follows."""
+        return comparisons.comparisons(self)
+
+    def laws(self) -> Iterator[Equation]:
+        """The equations of motion."""
+        return figures.motion()
+
+    def figures(self) -> Sequence[Drawn]:
+        """Forces, energies and pressures over time."""
+        return (Drawn(figures.figures),)
+
+    def sketch(self) -> Sketch:
+        """Two races with the sprags as a spring."""
+        return figures.sketch(self)
+
+    def refusal(self) -> str:
+        """Too many steps, sprags that roll over or slide."""
+        if LEVELS[-1] * self.t_end / self.dt > MOST_STEPS:
+            return (
+                f"t_end/dt = {self.t_end / self.dt:.4g} is above {MOST_STEPS // LEVELS[-1]} steps"
+            )
+        if self.rolls_over:
+            return "the sprags roll over: nothing is left to compare; check it without --fem"
+        if "N_max more" not in self.numbers or self.number("over more"):
+            return (
+                "under 1.6 T, to which it is compared, the sprags roll over; check it without --fem"
+            )
+        start = self.number("start")
+        if self.mu_s < start:
+            return (
+                f"the sprags slide at the start, where rolling asks for μ = {start:.3g}: the "
+                "formulas are those of rolling; see sprag-friction"
+            )
+        if self.mu_s < SURE * self.mu_asked:
+            return (
+                f"mu_s = {self.mu_s:g} is not above tan ν = {self.mu_asked:.4g} by {SURE - 1:.0%}: "
+                "the sprags slip, or nearly so; see sprag-friction"
+            )
+        return ""
+
+    def warnings(self) -> Iterator[str]:
+        """Where the sprags leave their profile, slide at the start or slip."""
+        start = self.number("start")
+        if self.rolls_over:
+            yield (
+                f"the profile ends at α_max = {self.alpha_max:.4g} rad before the torque's swing "
+                "does"
+            )
+        if start > self.mu_s > self.mu_asked:
+            yield (
+                f"the springs press so little that the sprags slide at the start (μ = {start:.3g} "
+                f"is asked for{', above μ_c' if self.mu_c < self.mu_asked else ''}): the "
+                "forces here are those of rolling; see sprag-friction"
+            )
+        if self.mu_s < self.mu_asked:
+            yield (
+                f"friction μ_s = {self.mu_s:g} is below tan ν = {self.mu_asked:.4g}: the sprags "
+                "slip, the forces here are those of rolling"
+            )
+
+    def advice(self) -> Iterator[str]:
+        """Whether it locks, and how much rigid races change."""
+        if self.rolls_over:
+            yield "rolls over: the sprags turn past their profile"
+        elif self.mu_s < self.mu_asked:
+            yield "slips: friction is less than the wedge asks for"
+        else:
+            yield (
+                f"locks: N swings to {self.N_max:.4g} N, {self.factor:.3g} times that at rest, "
+                f"after {self.t_max * 1e3:.3g} ms"
+            )
+            yield f"without the races' yielding (Liu) {self.number('rigid') - 1:+.1%}"
+
+
+ENGAGEMENT = adapted(SpragEngagement)

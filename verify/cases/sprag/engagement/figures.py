@@ -1,16 +1,16 @@
 """What the report shows of an engagement: forces over time, energies, pressures, convergence."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from verify.cases.contact.roller.inputs import DESIGNS
-from verify.cases.sprag.engagement.fem import ORDER
 from verify.cases.sprag.engagement.formulas import swing
 from verify.cases.sprag.engagement.pressures import pressures
+from verify.cases.sprag.engagement.reference import ORDER
 from verify.cases.sprag.inputs import EngagementInputs
-from verify.core.case import Context, Values
+from verify.core.case import Context
 from verify.core.figures import (
     Array,
     Bars,
@@ -22,7 +22,6 @@ from verify.core.figures import (
     Shape,
     Sketch,
 )
-from verify.core.tex import tex
 
 ms, kN, mm = 1e-3, 1e3, 1e-3
 FEW = 45  # dots of a curve
@@ -32,28 +31,24 @@ SAID = {
 }  # fmt: skip
 
 
-def equations(q: EngagementInputs, v: Values) -> Sequence[Equation]:
-    found = [
-        Equation(tex=r"I_{bi}\ddot\theta_i = T - n_s OA\,T_i - C_{rl}(\dot\theta_i - \dot\theta_e)",
-                 place="Eq. 16, its lever arms corrected"),
-        Equation(tex=r"I_{be}\ddot\theta_e = n_s OB\,T_e - k_{out}\theta_e "
-                 r"- C_{rl}(\dot\theta_e - \dot\theta_i)", place="Eq. 16, with the support"),
-        Equation(tex=r"m_g OC_g\ddot\varphi = -N\sin(\beta+\gamma) + T_i\cos(\beta+\gamma) "
-                 r"+ N\sin\gamma - T_e\cos\gamma", place="Eq. 14"),
-        Equation(tex=r"I_g(\ddot\alpha - \ddot\varphi) = b_i T_i + b_e T_e - (h_i - h_e) N "
-                 r"+ K_r(\alpha_{max} - \alpha)", place="Eq. 14, the springs' sign corrected"),
-    ]  # fmt: skip
-    if "N_undamped" in v:
-        found += [
-            Equation(tex=r"T\,\theta_1 = \int_0^{\theta_1} T(\theta)\,\mathrm{d}\theta",
-                     numbers=rf"N_1 = {tex(v['N_undamped'])}\ \mathrm{{N}}",
-                     place="first peak without damping, outer race held"),
-            Equation(tex=r"f = \frac{1}{2\pi}\sqrt{\frac{\mathrm{d}T/\mathrm{d}\theta}{I_{bi}}}",
-                     numbers=rf"= \frac{{1}}{{2\pi}}\sqrt{{\frac{{{tex(v['k'])}}}"
-                     rf"{{{tex(q.I_bi)}}}}} = {tex(v['f'])}\ \mathrm{{Hz}}",
-                     place="about rest, the sprags' inertia added"),
-        ]  # fmt: skip
-    return found
+def motion() -> Iterator[Equation]:
+    """The equations of motion, which the steps solve."""
+    yield Equation(
+        tex=r"I_{bi}\ddot\theta_i = T - n_s OA\,T_i - C_{rl}(\dot\theta_i - \dot\theta_e)",
+        place="Eq. 16, its lever arms corrected",
+    )  # fmt: skip
+    yield Equation(
+        tex=r"I_{be}\ddot\theta_e = n_s OB\,T_e - k_{out}\theta_e "
+        r"- C_{rl}(\dot\theta_e - \dot\theta_i)", place="Eq. 16, with the support",
+    )  # fmt: skip
+    yield Equation(
+        tex=r"m_g OC_g\ddot\varphi = -N\sin(\beta+\gamma) + T_i\cos(\beta+\gamma) "
+        r"+ N\sin\gamma - T_e\cos\gamma", place="Eq. 14",
+    )  # fmt: skip
+    yield Equation(
+        tex=r"I_g(\ddot\alpha - \ddot\varphi) = b_i T_i + b_e T_e - (h_i - h_e) N "
+        r"+ K_r(\alpha_{max} - \alpha)", place="Eq. 14, the springs' sign corrected",
+    )  # fmt: skip
 
 
 def sketch(_q: EngagementInputs) -> Sketch:

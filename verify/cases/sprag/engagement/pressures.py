@@ -6,8 +6,8 @@ import numpy as np
 
 from analytic.contact import slices
 from analytic.sprag.pressure import along
-from verify.cases.sprag.engagement.fem import drawn
 from verify.cases.sprag.engagement.model import gap, parts
+from verify.cases.sprag.engagement.reference import drawn
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.case import Context
 from verify.core.figures import Array, Curve, Curves, Density, Figure

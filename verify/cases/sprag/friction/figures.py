@@ -6,16 +6,14 @@ from collections.abc import Sequence
 import numpy as np
 
 from analytic.sprag.friction import coefficient
-from verify.cases.sprag.engagement.model import wedge
-from verify.cases.sprag.friction.fem import BANDS, NARROW, STEPS
 from verify.cases.sprag.friction.formulas import sliding
+from verify.cases.sprag.friction.reference import BANDS, NARROW, STEPS
 from verify.cases.sprag.inputs import EngagementInputs
-from verify.core.case import Context, Values
+from verify.core.case import Context
 from verify.core.figures import (
     Array,
     Curve,
     Curves,
-    Equation,
     Figure,
     Map,
     Shape,
@@ -23,38 +21,12 @@ from verify.core.figures import (
     Zone,
     Zones,
 )
-from verify.core.tex import tex
 
 ms, kN = 1e-3, 1e3
 FASTEST = 5.0  # over gamma_b, the sliding speeds of the law
 EARLY = 40  # steps after the start in which a contact comes to rest, or does not
 FINE = 141  # torques in the map
 HIGH = 0.3  # friction up to which the map goes
-
-
-def equations(q: EngagementInputs, v: Values) -> Sequence[Equation]:
-    found = [
-        Equation(tex=r"T = \begin{cases} T_{stick} & |v| < D_V,\ |T_{stick}| \le \mu_s N \\ "
-                 r"\mu_s N\,\mathrm{sgn}\,T_{stick} & |v| < D_V,\ |T_{stick}| > \mu_s N \\ "
-                 r"\mu_d N\,\mathrm{sgn}\,v & |v| \ge D_V \end{cases}", place="Eq. 12"),
-        Equation(tex=r"\mu_d = \mu_c + (\mu_s - \mu_c) e^{-\gamma_b |v|}",
-                 numbers=rf"= {tex(q.mu_c)} + {tex(q.mu_s - q.mu_c)}\,"
-                 rf"e^{{-{tex(q.gamma_b)}\,|v|}}", place="Eq. 13"),
-    ]  # fmt: skip
-    if "mu_b" in v:
-        found.append(
-            Equation(tex=r"\mu_b = \frac{T}{n_s\,OA\,N} \approx \tan\nu",
-                     numbers=rf"= {tex(v['mu_b'])}, \quad \tan\nu = {tex(v['tan'])}",
-                     place="from there on it locks; springs bear the difference")
-        )  # fmt: skip
-    if "N slides" in v:
-        found.append(
-            Equation(tex=r"N = \frac{K_r(\alpha_{max} - \alpha)}{h - b_i\mu - b_e\frac{(OA + b_i)"
-                     r"\mu - h}{OB - b_e}}, \quad h = h_i - h_e",
-                     numbers=rf"= {tex(v['N slides'])}\ \mathrm{{N}}",
-                     place="sprags that slide on the inner race, μ = 0.9 tan ν_0")
-        )  # fmt: skip
-    return found
 
 
 def sketch(q: EngagementInputs) -> Sketch:
@@ -118,12 +90,12 @@ def law(q: EngagementInputs) -> Figure:
 
 def slides(context: Context) -> Figure:
     """N of sprags that slide, over friction; driven and overrunning."""
-    q, w, v = context.inputs, wedge(context.inputs), context.analytic
+    q, w = context.inputs, context.inputs.wedge
     curves: list[Curve] = []
     for words, share in (
         ("driven", np.linspace(0.02, 0.97, 96)), ("overrunning", np.linspace(-3, -0.02, 96)),
     ):  # fmt: skip
-        N = np.array([sliding(w, float(s * v["tan_0"])).N for s in share])
+        N = np.array([sliding(w, float(s * q.tan_0)).N for s in share])
         held = np.isfinite(N)
         curves.append(
             Curve(name=f"closed form, {words}", x=share[held], y=N[held], colour=len(curves))
@@ -132,12 +104,12 @@ def slides(context: Context) -> Figure:
         last = context.fem[-1].values
         curves.append(
             Curve(name="Runge-Kutta steps", style="dots", colour=2,
-                  x=np.array([0.9, -q.mu_s / v["tan_0"]]),
-                  y=np.array([last["N slides"], last["N overruns"]]))
+                  x=np.array([0.9, -q.mu_s / q.tan_0]),
+                  y=np.array([last["N_slides"], last["N_overruns"]]))
         )  # fmt: skip
     return Curves(
         title="Normal force of sprags that slide", x_label="μ/tan ν_0, negative where the race "
-        "overruns", y_label="N [N]", curves=tuple(curves), y_top=float(2 * v["N slides"]),
+        "overruns", y_label="N [N]", curves=tuple(curves), y_top=float(2 * q.N_slides),
         note="The springs alone press; friction multiplies that by 1/(1 − μ/tan ν), or divides it. "
         "Between the curves neither contact holds.",
     )  # fmt: skip
@@ -148,7 +120,7 @@ def zones(context: Context) -> Figure:
     coarse = context.fem[-1].arrays["map"].T
     T = np.linspace(coarse[0, 0], coarse[0, -1], FINE)
     firm, _, weak, most = (np.interp(T, coarse[0], column) for column in coarse[1:])
-    tan = context.analytic["tan"]
+    tan = context.inputs.tan
     return Zones(
         title="Stick and slip with weak springs", x_label="T [N m]", y_label="μ/tan ν",
         x=T, y_top=HIGH / tan,

@@ -10,16 +10,18 @@ contact would have to bear more, slides with T_e = -mu N, and the sprags go roun
 """
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 from scipy.optimize import brentq
 
-from verify.cases.sprag.engagement.formulas import MORE, at_rest, swing, with_torque
+from analytic.sprag.friction import coefficient
+from verify.case import Case, Quantity, shared
 from verify.cases.sprag.engagement.formulas import asked as asked_at
+from verify.cases.sprag.engagement.formulas import at_rest, swing, with_torque
 from verify.cases.sprag.engagement.model import Wedge, wedge
 from verify.cases.sprag.inputs import EngagementInputs
+from verify.core.figures import Array, Equation
 
 WEAK = 0.04  # of the blades' stiffness: springs that let the sprags slip at the start
 BELOW = 0.9  # of tan(nu_0), the friction with which they slide for ever
@@ -71,22 +73,118 @@ def weak(q: EngagementInputs, factor: float = 1.0) -> EngagementInputs:
     return with_torque(q, factor).model_copy(update={"K_r": WEAK * q.K_r})
 
 
-def analytic(q: EngagementInputs) -> Mapping[str, float]:
-    """Values in SI units; what has no answer is left out."""
-    w = wedge(q)
-    mu, tan = asked(q)
-    below = BELOW * math.tan(q.nu_0)
-    slides, overruns = sliding(w, below), sliding(w, -q.mu_s)
-    values = {
-        "mu_b": mu, "tan": tan, "mu_b/tan": mu / tan, "tan_0": math.tan(q.nu_0),
-        "mu_s/mu_b": q.mu_s / mu, "mu_c/mu_b": q.mu_c / mu,
-        "N slides": slides.N, "N overruns": overruns.N,
-        "drag": -q.z * q.R_i * overruns.share * overruns.N,
-        "T slides": q.z * q.R_i * slides.share * slides.N,
-        "unequal": float((w.states.N_e / np.maximum(w.states.N, 1e-300))[-1]) - 1,
-        "N_max": swing(q).peak[1], "t_max": swing(q).peak[0],
-        "N_max more": swing(with_torque(q, MORE)).peak[1],
-        "asked": float(np.tan(np.interp(swing(q).peak[1], w.states.N, w.states.nu))),
-        "over": float(swing(q).over),
-    }  # fmt: skip
-    return {key: value for key, value in values.items() if math.isfinite(value)}
+LAW = Equation(
+    tex=r"T = \begin{cases} T_{stick} & |v| < D_V,\ |T_{stick}| \le \mu_s N \\ "
+    r"\mu_s N\,\mathrm{sgn}\,T_{stick} & |v| < D_V,\ |T_{stick}| > \mu_s N \\ "
+    r"\mu_d N\,\mathrm{sgn}\,v & |v| \ge D_V \end{cases}", place="Eq. 12",
+)  # fmt: skip
+
+
+class FrictionFormulas(EngagementInputs, Case):
+    """What friction has to bear in a sprag clutch at rest, and what sprags bear that slide.
+
+    nan where the sprags roll over, or where nothing slides on.
+    """
+
+    @shared
+    def wedge(self) -> Wedge:
+        """The clutch at all turns of its races."""
+        return wedge(self)
+
+    @shared
+    def rest(self) -> float:
+        """Turn of the races [rad] at rest under T."""
+        return at_rest(self.wedge, self.T)
+
+    @shared
+    def slides(self) -> Sliding:
+        """Sprags that are driven and slide for ever."""
+        return sliding(self.wedge, BELOW * self.tan_0)
+
+    @shared
+    def overruns(self) -> Sliding:
+        """Sprags that the race overruns."""
+        return sliding(self.wedge, -self.mu_s)
+
+    @property
+    def tan_0(self) -> float:
+        """tan(nu_0)."""
+        return math.tan(self.nu_0)
+
+    @property
+    def unequal(self) -> float:
+        """N_e/N - 1 of a strut at the end of the profile."""
+        now = self.wedge.states
+        return float((now.N_e / np.maximum(now.N, 1e-300))[-1]) - 1
+
+    @property
+    def asked_in_swing(self) -> float:
+        """tan(nu) at the largest force of the engagement."""
+        now = self.wedge.states
+        return float(np.tan(np.interp(swing(self).peak[1], now.N, now.nu)))
+
+    def at_turn(self, values: Array) -> float:
+        """What a state has at rest, of its `values` over the turn."""
+        return float(np.interp(self.rest, self.wedge.theta, values))
+
+    @Quantity("μ_b", "1", "friction from which on it locks, required at rest under T",
+              source="from there on it locks; springs bear the difference to tan ν",
+              safe="too high", tex=r"\frac{T}{n_s OA N_T}")  # fmt: skip
+    def mu_b(self) -> float:
+        return asked(self)[0]
+
+    @Quantity("tan ν", "1", "tangent of the wedge angle there", equation="10",
+              tex=r"\tan\left(\nu_T\right)")  # fmt: skip
+    def tan(self) -> float:
+        return asked(self)[1]
+
+    @Quantity("μ_s/μ_b", "1", "static friction over that", role="step",
+              tex=r"\frac{\mu_s}{\mu_b}")  # fmt: skip
+    def mu_s_share(self) -> float:
+        return self.mu_s / self.mu_b
+
+    @Quantity("μ_c/μ_b", "1", "friction of fast sliding over that", role="step",
+              tex=r"\frac{\mu_c}{\mu_b}")  # fmt: skip
+    def mu_c_share(self) -> float:
+        return self.mu_c / self.mu_b
+
+    @Quantity("N_s", "N", "force of sprags that slide for ever, μ = 0.9 tan ν_0",
+              source="sprags that slide on the inner race, μ = 0.9 tan ν_0; Eq. 14",
+              tex=r"\frac{K_r(\alpha_{max} - \alpha)}{h - b_i\mu - b_e\frac{(OA + b_i)\mu - h}"
+              r"{OB - b_e}}, \quad h = h_i - h_e")  # fmt: skip
+    def N_slides(self) -> float:
+        return self.slides.N
+
+    @Quantity("T_sl", "N m", "torque of the clutch then", role="step")
+    def T_slides(self) -> float:
+        return self.z * self.R_i * self.slides.share * self.slides.N
+
+    @Quantity("N_o", "N", "normal force where the race overruns, with μ_s", source="Eq. 14")
+    def N_overruns(self) -> float:
+        return self.overruns.N
+
+    @Quantity("T_o", "N m", "torque with which it drags then", role="step")
+    def drag(self) -> float:
+        return -self.z * self.R_i * self.overruns.share * self.overruns.N
+
+    @Quantity("N_T", "N", "normal force at rest under T", role="step")
+    def N_T(self) -> float:
+        return self.at_turn(self.wedge.states.N)
+
+    @Quantity("OA", "mm", "radius at which it acts", equation="9", role="step")
+    def OA(self) -> float:
+        return self.at_turn(self.wedge.states.OA)
+
+    @Quantity("ν_T", "deg", "wedge angle at rest under T", equation="10", role="step")
+    def nu_T(self) -> float:
+        return self.at_turn(self.wedge.states.nu)
+
+    @Quantity("v", "m/s", "sliding speed at which friction is displayed", role="step",
+              tex=r"\frac{1}{\gamma_b}")  # fmt: skip
+    def v(self) -> float:
+        return 1 / self.gamma_b
+
+    @Quantity("μ_d", "1", "friction coefficient at that speed", equation="13", role="step",
+              tex=r"\mu_c + (\mu_s - \mu_c) \exp\left(-\gamma_b v\right)")  # fmt: skip
+    def mu_d(self) -> float:
+        return float(coefficient(self.v, mu_c=self.mu_c, mu_s=self.mu_s, gamma_b=self.gamma_b))

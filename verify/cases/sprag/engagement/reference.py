@@ -48,7 +48,8 @@ ACROSS = 240  # moments in figures of pressure
 ENERGIES = ("torque", "blades", "kinetic", "elastic", "support", "damping", "friction", "missing")
 
 
-def fem(q: EngagementInputs, level: int) -> FemResult:
+def solve(q: EngagementInputs, level: int) -> FemResult:
+    """One level: the engagements in steps, statics and oscillation; on the finest LSODA."""
     dt = q.dt / level
     main, rigid, more = (engaged_fem(*which, dt) for which in engagements(q))
     free = undamped_fem(q, dt)
@@ -301,7 +302,7 @@ def balanced_fem(q: EngagementInputs) -> dict[str, Array]:
 
 def drawn(q: EngagementInputs) -> dict[str, EngagementInputs]:
     """Whose pressures are drawn: the crowns of Fig. 13 for the paper's clutch, else one's own."""
-    if q != EngagementInputs():
+    if q != type(q)():
         return {"": q}
     return {
         f"{part} ": q.model_copy(update={"K_1": K_1, "K_2": 0.4, "z_m": 10e-6})

@@ -3,13 +3,17 @@
 A level halves the time step of the inputs. What is compiled is imported inside functions.
 """
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from analytic.sprag.history import Phase
 from analytic.sprag.motion import Speeds, Torque
-from verify.cases.sprag.engagement.fem import (
+from verify.cases.sprag.engagement.formulas import MORE, swing, with_torque
+from verify.cases.sprag.engagement.formulas import analytic as engagement_values
+from verify.cases.sprag.engagement.model import motion, wedge
+from verify.cases.sprag.engagement.reference import (
     SPLINES,
     STUCK,
     engaged_fem,
@@ -17,10 +21,7 @@ from verify.cases.sprag.engagement.fem import (
     highest,
     partner_fem,
 )
-from verify.cases.sprag.engagement.formulas import MORE, with_torque
-from verify.cases.sprag.engagement.formulas import analytic as engagement_values
-from verify.cases.sprag.engagement.model import motion, wedge
-from verify.cases.sprag.friction.formulas import BELOW, analytic, asked, weak
+from verify.cases.sprag.friction.formulas import BELOW, asked, weak
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.case import FemResult
 from verify.core.figures import Array
@@ -45,17 +46,17 @@ BANDS = (1.0, 0.1, 0.01, 1e-3, 1e-4)  # m/s
 STEPS = (2.0, 1.0, 0.5, 0.2)  # of the time step, in the sweep of the guard
 
 
-def fem(q: EngagementInputs, level: int) -> FemResult:
+def solve(q: EngagementInputs, level: int) -> FemResult:
+    """One level: limits and sliding states in steps; on the finest LSODA and the guard."""
     dt = q.dt / level
-    v = analytic(q)
     boundary, half = boundary_fem(q, dt)
-    slides, wide = sliding_fem(q, dt, BELOW * v["tan_0"], SPEED)
+    slides, wide = sliding_fem(q, dt, BELOW * math.tan(q.nu_0), SPEED)
     overruns, wide_over = sliding_fem(q, dt, q.mu_s, -SPEED)
-    until = UNTIL * v["t_max"]
+    until = UNTIL * swing(q).peak[0]
     first, more = (engaged_fem(p, wedge(p), dt, duration=until, D_V=None)
                    for p in (weak(q), weak(q, MORE)))  # fmt: skip
     values = {
-        "mu_b": boundary, "N slides": slides, "N overruns": overruns,
+        "mu_b": boundary, "N_slides": slides, "N_overruns": overruns,
         "N_max": first.N_max, "N_max more": more.N_max, "sticks": sticks_fem(more),
         "D_V": more.D_V,
     } | amid_fem(q, dt, until)  # fmt: skip
@@ -65,7 +66,7 @@ def fem(q: EngagementInputs, level: int) -> FemResult:
         arrays = (guarded_fem(q, until) | swept_fem(q, until) | boundaries_fem(q)
                   | map_fem(q) | narrow_fem(q))  # fmt: skip
     u_it = {
-        "mu_b": half, "N slides": wide, "N overruns": wide_over, "slips": STUCK * dt,
+        "mu_b": half, "N_slides": wide, "N_overruns": wide_over, "slips": STUCK * dt,
         "sticks": STUCK * dt,
     }  # fmt: skip
     return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays)

@@ -1,0 +1,299 @@
+"""What is compared of an engagement: steps with LSODA, energy, limits, and what follows."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from analytic.contact import slices
+from verify.case import Comparison, Computed, approximation, balance
+from verify.cases.contact.roller.inputs import DESIGNS
+from verify.cases.sprag.engagement.formulas import stored, undamped
+from verify.cases.sprag.engagement.model import gap, parts, wedge
+from verify.cases.sprag.engagement.quantities import EngagementFormulas
+from verify.cases.sprag.engagement.quantities import EngagementFormulas as Of
+from verify.cases.sprag.engagement.reference import ORDER
+from verify.core.case import Check, Context
+from verify.core.results import Row
+from verify.judging.checks import Accepted, Approximation, Fact, Identity
+from verify.judging.convergence import fit_order
+from verify.judging.tolerance_checks import SUBJECT, Agreement, Deviation, Pair, suites
+
+Interval = tuple[float, float]
+
+BY = "Runge-Kutta steps, compiled"
+CLOSURE = "closure of Eqs. 9 and 10, N as at rest"
+LSODA, HALVING, CROWN, CENTROID, SLICES = 1e-3, 1e-4, 0.03, 1e-3, 2e-3  # accepted
+ENERGY = 1e-5  # of the work: what the table's cubics may miss
+BOOKED = 2 * ENERGY  # the same, and the turn of the outer race that inertia alone holds
+PART = 0.1  # of the centroid's way outwards, told on the trapezia of 401 states
+ROLLED = 1e-4  # of the work, on the cubics of those
+LOADS = 13  # over which the contacts' pressures are compared
+NEAR = 0.5  # of the order, which is then nearer to 4 than to any other
+FITTED = "length, width, wedge angle and support are identified, not printed"
+UNEQUAL = "N_e = N_i in Eqs. 14-16, where a strut has N_e/N_i = cos ω/cos ν"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Partnered(Identity):
+    """The steps against LSODA, whose values stand beside those of the finest level."""
+
+    by: str = BY
+
+    def rows(self, context: Context) -> list[Row]:
+        return super().rows(replace(context, analytic=context.fem[-1].values))
+
+
+@dataclass(frozen=True, kw_only=True)
+class AtPeak(Approximation):
+    """Work of the forces on the yields, at the force that the steps reach, beside what drives."""
+
+    def rows(self, context: Context) -> list[Row]:
+        N = context.fem[-1].values["N_1 strut"]
+        own = {**context.analytic, "stored": stored(wedge(context.inputs), N)}
+        return super().rows(replace(context, analytic=own))
+
+
+def conjugate(context: Context) -> Pair:
+    """Rolling and the yields, which share the closure alone, have the same work."""
+    turning = context.inputs.number("by turning")
+    return Pair(turning, 1.0, 0.0, f"off by {turning - 1:+.1e} of the work")
+
+
+class Bounds:
+    """Intervals of formula over steps, less 1; `unequal` is N_e/N_i - 1 of a strut."""
+
+    def __init__(self, q: EngagementFormulas) -> None:
+        self.q, self.unequal = q, q.number("unequal")
+
+    def statics(self) -> Interval:
+        """At the same turn the steps have the same N, and a torque less by 0 to N_e/N_i - 1."""
+        return -self.unequal, 0.0
+
+    def energy(self) -> Interval:
+        """The same for a peak that the work done decides."""
+        return -self.q.number("passed on") * self.unequal, 0.0
+
+    def spring(self) -> Interval | None:
+        """The same, and the sprags' mass, which the races' spring leaves out, either way.
+
+        None where races that turn at the start slide first.
+        """
+        (low, _), inertia = self.energy(), self.q.number("inertia")
+        return None if self.q.w_i else (low - inertia, inertia)
+
+    def both(self) -> Interval | None:
+        """Ratio of two such peaks: the difference of two such errors."""
+        one = self.spring()
+        return one and (one[0] - one[1], one[1] - one[0])
+
+    def either_way(self, times: float) -> Interval:
+        """By so many times N_e/N_i - 1."""
+        return -times * self.unequal, times * self.unequal
+
+    def radially(self) -> Interval:
+        """The steps' torque turns less far by the work of the centroid's motion outwards."""
+        left_out = self.q.number("left out")
+        u = BOOKED + PART * abs(left_out)
+        return left_out - u, left_out + u
+
+
+def along(context: Context) -> tuple[float, float, str]:
+    """N(t) of the steps against LSODA over the whole engagement."""
+    last = context.fem[-1]
+    d = last.arrays["LSODA beside"] - last.arrays["LSODA N"]
+    worst = float(np.abs(d).max() / last.values["N_max"])
+    squares = (np.trapezoid(x**2, last.arrays["LSODA t"]) for x in (d, last.arrays["LSODA N"]))
+    mean = float(np.sqrt(np.divide(*squares)))
+    return worst, 0.0, f"off by {worst:.1e} of N_max at most, {mean:.1e} in L2"
+
+
+def halving(context: Context) -> Pair:
+    """What half of the time step changes."""
+    whole, half = (r.values["N_max"] for r in context.fem[:2])
+    return Pair(whole, half, 0.0, f"N_max changes by {abs(half / whole - 1):.1e}")
+
+
+def order(context: Context) -> tuple[float, float, str]:
+    """How near 4 the order of N(t) is; cubics of the table have a second slope that jumps."""
+    fit = fit_order(list(ORDER), context.fem[-1].arrays["order"].tolist())
+    return NEAR - abs(fit.order - 4), 2 * fit.u, f"order {fit.order:.2f}, theory 4"
+
+
+def crowns(context: Context) -> tuple[float, float, str]:
+    """How much the paper's crowns change the largest force."""
+    none, *with_one = context.fem[-1].arrays["crowns"]
+    share = np.array(with_one) / none - 1
+    words = f"{share.min():+.1%} to {share.max():+.1%} over {len(DESIGNS)} crowns"
+    return CROWN - float(np.abs(share).max()), HALVING, words
+
+
+def centroids(context: Context) -> tuple[float, float, str]:
+    """How much the centroid's place, which is not printed, changes the largest force."""
+    v = context.fem[-1]
+    worst = float(np.abs(v.arrays["centroids"] / v.values["N_max"] - 1).max())
+    return CENTROID - worst, 0.0, f"at the pole or beside it: {worst:.1e} of N_max"
+
+
+def balanced(context: Context) -> Pair:
+    """First peak without damping against energy, where N_e/N_i is that of a strut."""
+    v, last = context.analytic, context.fem[-1]
+    N_max, free = last.arrays["balanced"]
+    off, change = free / v["N_undamped"] - 1, N_max / last.values["N_max"] - 1
+    words = f"off by {off:+.1e}; N_max changes by {change:+.1e} with it"
+    return Pair(v["N_undamped"], float(free), 0.0, words)
+
+
+def sliced(context: Context) -> Pair:
+    """What twice as many slices change."""
+    half, whole = (r.values["N_max sliced"] for r in context.fem[-2:])
+    change = abs(whole / half - 1)
+    words = f"N_max changes by {change:.1e} from half of the slices on"
+    return Pair(half, whole, 0.0, words)
+
+
+def liu(context: Context) -> tuple[float, float, str]:
+    """How much larger the force is where the races do not yield as rings."""
+    q, v, w = context.inputs, context.fem[-1].values, wedge(context.inputs)
+    now = w.states.yields
+    share = float((now.race_i + now.race_e)[-1] / now.H[-1])
+    stiff = wedge(q, rigid=True)
+    free = float(stiff.force()(undamped(stiff, q.T))) / context.analytic["N_undamped"] - 1
+    words = (
+        f"{v['rigid'] - 1:+.1%}, of which {free:+.1%} without damping, the rest by its shorter "
+        f"time; the races are {share:.0%} of what yields"
+    )
+    return v["rigid"] - 1, LSODA, words
+
+
+def first(context: Context) -> tuple[float, float, str]:
+    """First peak over the highest later one."""
+    v = context.fem[-1].values
+    share = v["later peak"] / v["first peak"]
+    return 1 - share, LSODA, f"the highest later one is {share:.3f} of it"
+
+
+def inner(context: Context) -> tuple[float, float]:
+    """Least ratio of the inner contact's largest pressure to the outer's, less one."""
+    q, v = context.inputs, context.analytic
+    whole, N = parts(q), v["N_max"] * np.linspace(0, 1, LOADS)[1:]
+    both = [
+        slices.press(gap(q), length=q.l, R=float(R), E_star=float(whole.E_star), load=N)
+        for R in (whole.R_contact_i, whole.R_contact_e)
+    ]
+    p_i, p_o = (found.peak_pressure.max(axis=-1) for found in both)
+    return float((p_i / p_o).min()) - 1, 1e-6
+
+
+def rolling(context: Context) -> Pair:
+    """Contacts that always roll against friction that may let them slide."""
+    last = context.fem[-1]
+    always = float(last.arrays["rolling"][0])
+    off = last.values["N_max"] / always - 1
+    words = f"N_max off by {off:.1e}; {last.values['slides']:.1%} of the time a contact slides"
+    return Pair(always, last.values["N_max"], 0.0, words)
+
+
+def partnered(name: str, symbol: str, unit: str, key: str, **more: Any) -> Partnered:
+    return Partnered(name=f"{name}: steps and LSODA", symbol=symbol, unit=unit, fem=key,
+                     analytic=f"LSODA {key}", formal=4, residual="LSODA residual",
+                     demand=LSODA, demand_reason="acceptance of the subject", **more)  # fmt: skip
+
+
+def comparisons(q: EngagementFormulas) -> Iterator[Comparison | Check]:
+    """All of them, in the order of the page."""
+    yield from _partners()
+    yield from _energies(q)
+    yield from _models(q)
+    yield from _findings()
+
+
+def _partners() -> Iterator[Check]:
+    yield partnered("largest force", "N_max", "N", "N_max", printed=("huang2018:time-step",))
+    yield partnered("time of the largest force", "t_max", "ms", "t_max")
+    yield partnered("largest force without yielding races (Liu)", "N_max", "N", "N_max rigid")
+    yield partnered("largest force under 1.6 T", "N_max", "N", "N_max more",
+                    printed=("huang2018:torque-40",))  # fmt: skip
+    yield partnered("ratio of the largest forces under 1.6 T and T", "r", "1", "ratio")
+    yield Deviation(name=f"N(t): steps and LSODA within {LSODA:.1%}", symbol="ΔN", unit="1",
+                    size=along, accepted=LSODA, source=SUBJECT, whole="N_max", by=BY)  # fmt: skip
+    yield Agreement(name=f"half the time step: N_max within {HALVING:.2%}", symbol="N_max",
+                    unit="N", pair=halving, accepted=HALVING, source=SUBJECT,
+                    by=f"{BY}, half as long")  # fmt: skip
+    yield Accepted(name=f"order of N(t) in the time step: 4 within {NEAR:g}", symbol="p", unit="1",
+                   margin=order, printed=("huang2018:runge-kutta-order",))  # fmt: skip
+
+
+def _energies(q: EngagementFormulas) -> Iterator[Comparison]:
+    bound = Bounds(q)
+    cubics: dict[str, Any] = {"of": {"work": q.number("work")}, "bound": ENERGY,
+                              "because": "cubics of the table"}  # fmt: skip
+    yield balance("missing", "balance of energies, damping and friction booked", "ΔE", "J",
+                  **cubics)  # fmt: skip
+    yield balance("missing undamped", "balance of energies without damping", "ΔE", "J", **cubics)
+    yield approximation(
+        Of.N_undamped, expected=Computed(bound.energy, f"{UNEQUAL}; work passes it on"), order=4,
+        by=BY, name="first peak without damping, T θ = ∫T dθ by rolling", shares=CLOSURE,
+    )  # fmt: skip
+    strut = Agreement(name=f"the same with N_e/N_i of a strut, within {HALVING:.2%}", symbol="N_1",
+                      unit="N", pair=balanced, accepted=HALVING,
+                      source=suites("as half the time step"), by=BY)  # fmt: skip
+    yield Comparison(check=strut, quantity=Of.N_undamped, shares=CLOSURE)
+    work = AtPeak(
+        name="work till that peak, T θ = n_s ∫(N dH_i + N_e dH_e)", symbol="W_1", unit="J",
+        fem="W_1 strut", analytic="stored", interval=lambda *_: bound.radially(), formal=2, by=BY,
+        demand=1e-3, demand_reason="a closure that loses work is off by far more",
+        source="the centroid's radial motion, left out by Eq. 14; cubics of the table",
+    )  # fmt: skip
+    yield Comparison(check=work, quantity=Of.W_1, shares=CLOSURE)
+    turning = Agreement(
+        name=f"∫T dθ by rolling, n_s ∫(N dH_i + N_e dH_e) within {ROLLED:.2%}", symbol="W",
+        unit="1", pair=conjugate, accepted=ROLLED, source=suites("cubics through the states"),
+        by="work on the yields", fem_needed=False,
+    )  # fmt: skip
+    yield Comparison(check=turning, quantity=Of.W_1, shares=CLOSURE)
+
+
+def _models(q: EngagementFormulas) -> Iterator[Comparison]:
+    bound = Bounds(q)
+    more: dict[str, Any] = {"by": BY, "shares": CLOSURE}
+    yield approximation(Of.N, expected=Computed(bound.statics, UNEQUAL), order=4,
+                        name="force at rest after a slow rise", **more)  # fmt: skip
+    yield approximation(
+        Of.f, expected=Computed(lambda: bound.either_way(1), f"{UNEQUAL}; a root of slopes of T"),
+        order=2, name="frequency of small oscillations, √(k/I)", **more,
+    )  # fmt: skip
+    yield approximation(
+        Of.N_max, expected=Computed(bound.spring, f"{UNEQUAL}; sprags without mass"), order=4,
+        name="largest force, two races on a spring", **more,
+    )  # fmt: skip
+    yield approximation(
+        Of.ratio, expected=Computed(bound.both, f"{UNEQUAL}, at both torques"), order=4,
+        name="ratio under 1.6 T and T, two races on a spring", **more,
+    )  # fmt: skip
+    asked = f"{UNEQUAL}; either contact's share"
+    yield approximation(
+        Of.mu_asked, "asked", expected=Computed(lambda: bound.either_way(2), asked), order=4,
+        name="friction that rolling asks for, tan ν", symbol="μ", **more,
+    )  # fmt: skip
+
+
+def _findings() -> Iterator[Check]:
+    force: dict[str, Any] = {"symbol": "N_max", "unit": "1", "fitted": FITTED}
+    yield Agreement(name=f"contacts that always roll (Xu, Liu) within {LSODA:.1%}", symbol="N_max",
+                    unit="N", pair=rolling, accepted=LSODA,
+                    source=suites("as the steps beside LSODA"),
+                    by=f"{BY}, contacts that may slide")  # fmt: skip
+    yield Accepted(name="rigid races (Liu) make the force larger", margin=liu, **force)
+    yield Accepted(name="the first peak is the largest", symbol="N_2/N_1", unit="1", margin=first,
+                   fitted=FITTED)  # fmt: skip
+    yield Fact(name="inner contact's pressure above the outer's, at any force", symbol="p_i/p_o",
+               unit="1", margin=inner, fem_needed=False)  # fmt: skip
+    yield Accepted(name=f"crowns change N_max by {CROWN:.0%} at most", margin=crowns, **force)
+    yield Agreement(name=f"slices: N_max within {SLICES:.1%} of that with half of them",
+                    symbol="N_max", unit="N", pair=sliced, accepted=SLICES,
+                    source=suites("a fifth of the 1 % that rows are asked for"),
+                    by="all slices")  # fmt: skip
+    yield Accepted(name=f"place of the sprags' centroid: {CENTROID:.1%} of N_max",
+                   margin=centroids, **force)  # fmt: skip

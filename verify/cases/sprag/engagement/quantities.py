@@ -1,0 +1,104 @@
+"""Quantities of an engagement: the numbers of `formulas` with symbol, unit and source."""
+
+import math
+from collections.abc import Mapping
+
+from verify.case import Case, Quantity, shared
+from verify.cases.sprag.engagement.formulas import analytic, stored
+from verify.cases.sprag.engagement.model import Wedge, wedge
+from verify.cases.sprag.inputs import EngagementInputs
+
+SPRING = "two races on the clutch as a spring"
+
+
+class EngagementFormulas(EngagementInputs, Case):
+    """Statics, energy, small oscillation and two races on one spring; nan where there is none."""
+
+    @shared
+    def numbers(self) -> Mapping[str, float]:
+        """All numbers of the formulas, but for those that the part does not have."""
+        return analytic(self)
+
+    def number(self, name: str) -> float:
+        """One of them, nan where the part does not have it."""
+        return self.numbers.get(name, math.nan)
+
+    @shared
+    def wedge(self) -> Wedge:
+        """The clutch at all turns of its races."""
+        return wedge(self)
+
+    @property
+    def rolls_over(self) -> bool:
+        """Whether the profile ends before the swing does."""
+        return not math.isfinite(self.N_undamped) or bool(self.number("over"))
+
+    @Quantity("N_max", "N", f"largest normal force: {SPRING}", source=SPRING, safe="too high")
+    def N_max(self) -> float:
+        return self.number("N_max")
+
+    @Quantity("t_max", "ms", "its time", source=SPRING, role="step")
+    def t_max(self) -> float:
+        return self.number("t_max")
+
+    @Quantity("N_max/N", "1", "over N, that at rest with springs", role="step",
+              tex=r"\frac{N_{max}}{N}")  # fmt: skip
+    def factor(self) -> float:
+        return self.number("factor")
+
+    @Quantity("N", "N", "normal force at rest, of a strut with springs", equation="10")
+    def N(self) -> float:
+        return self.number("N")
+
+    @Quantity("N_1", "N", "first peak without damping, outer race held", safe="too high",
+              source="first peak without damping, outer race held",
+              tex=r"N(\theta_1), \quad T\,\theta_1 = \int_0^{\theta_1} T(\theta)\,"
+              r"\mathrm{d}\theta")  # fmt: skip
+    def N_undamped(self) -> float:
+        return self.number("N_undamped")
+
+    @Quantity("W_1", "J", "work of the forces on all that yields, till that peak",
+              source="work balances",
+              tex=r"n_s \int (N\,\mathrm{d}H_i + N_e\,\mathrm{d}H_e)")  # fmt: skip
+    def W_1(self) -> float:
+        return stored(self.wedge, self.N_undamped)
+
+    @Quantity("N_r", "N", "largest normal force with races that do not yield (Liu)",
+              source=SPRING, role="step")  # fmt: skip
+    def N_max_rigid(self) -> float:
+        return self.number("N_max rigid")
+
+    @Quantity("N_m", "N", "largest normal force under 1.6 T", source=SPRING, role="step")
+    def N_max_more(self) -> float:
+        return self.number("N_max more")
+
+    @Quantity("r", "1", "N_max under 1.6 T over that under T", source=SPRING,
+              tex=r"\frac{N_m}{N_{max}}")  # fmt: skip
+    def ratio(self) -> float:
+        return self.number("ratio")
+
+    @Quantity("μ_r", "1", "friction that rolling asks for, tan ν", equation="10", safe="too high")
+    def mu_asked(self) -> float:
+        return self.number("mu_asked")
+
+    @Quantity("f", "Hz", "small oscillations, outer race held",
+              source="about rest, the sprags' inertia added",
+              tex=r"\frac{1}{2 \pi} \sqrt{\frac{k}{I_{bi} + I_s}}")  # fmt: skip
+    def f(self) -> float:
+        return self.number("f")
+
+    @Quantity("k", "N m/rad", "stiffness dT/dθ of the clutch at rest", role="step")
+    def k(self) -> float:
+        return self.number("k")
+
+    @Quantity("I_s", "kg m^2", "inertia of the sprags on the inner race's turn", role="step")
+    def I_s(self) -> float:
+        return self.number("inertia") * self.I_bi
+
+    @Quantity("θ", "deg", "turn of the races against each other at rest", role="step")
+    def theta(self) -> float:
+        return self.number("theta")
+
+    @Quantity("α", "deg", "rotation of the sprags at rest", role="step")
+    def alpha(self) -> float:
+        return self.number("alpha")

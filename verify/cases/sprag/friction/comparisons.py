@@ -1,0 +1,161 @@
+"""What is compared of friction in a sprag clutch: where it locks, what slides, what is guarded."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from verify.case import Comparison, Computed, approximation, identity
+from verify.cases.sprag.engagement.comparisons import BY, LSODA, Partnered
+from verify.cases.sprag.friction.formulas import FrictionFormulas
+from verify.cases.sprag.friction.reference import NARROW
+from verify.core.case import Check, Context
+from verify.core.results import Row, Status
+from verify.judging import judge
+from verify.judging.checks import Accepted
+from verify.judging.tolerance_checks import (
+    SUBJECT,
+    Agreement,
+    Deviation,
+    Pair,
+    demanded,
+    farthest,
+    suites,
+)
+
+BOUNDARY, GUARDED = 0.02, 1e-3  # accepted
+CLOSURE = "closure of Eqs. 9 and 10, N as at rest"
+HANGS = 0.1  # of the right force, and more, between torques that are hardly different
+WEAK = "springs a 25th as stiff, at the start of which sprags slip"
+UNEQUAL = "N_e = N_i in Eqs. 14-16, where a strut has N_e/N_i = cos ω/cos ν"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Ended(Partnered):
+    """A time that is told to a time step; of one's own it need not be sharper than three.
+
+    Told where no contact slides at all.
+    """
+
+    def rows(self, context: Context) -> list[Row]:
+        if context.fem[-1].values[self.analytic] > 0:
+            return super().rows(context)
+        told = judge.Verdict(Status.SHOWN, "no sprag slides at the start")
+        row = self._row(context.case, self.kind, told)
+        return [row, self._convergence_row(context.case, told)]
+
+    def demanded(self, context: Context) -> float:
+        q, t = context.inputs, context.fem[-1].values[self.analytic]
+        return self.demand if context.is_paper else max(super().demanded(context), 3 * q.dt / t)
+
+
+def at_tan(context: Context) -> Pair:
+    """Friction from which on it locks, over tan(nu) at rest, at three torques."""
+    T, ratio, half = context.fem[-1].arrays["boundaries"].T
+    told = ", ".join(f"{r - 1:+.2%} at {t:.4g} N m" for t, r in zip(T, ratio, strict=True))
+    found = farthest(np.ones_like(ratio), ratio, 0.0)
+    return replace(found, U=float(half.max()), words=told)
+
+
+def refused(context: Context) -> tuple[float, float, str]:
+    """Whether the guard refuses the narrow band, for which the unguarded force is wrong."""
+    refuses, _ = context.fem[-1].arrays["narrow"]
+    return 2 * refuses - 1, 0.0, "refused" if refuses else "not refused"
+
+
+def unguarded(context: Context) -> tuple[float, float, str]:
+    """How far the unguarded force goes apart over torques that are hardly different."""
+    found = context.fem[-1].arrays
+    share = found["unguarded"] / found["narrow"][1]
+    words = f"{share.min():.0%} to {share.max():.0%} of the right force, silently"
+    return float(np.ptp(share)) - HANGS, GUARDED, words
+
+
+def never_wrong(context: Context) -> tuple[float, float, str]:
+    """Largest error of what the guard lets pass."""
+    passed = context.fem[-1].arrays["guard"]
+    passed = passed[passed[:, 3] == 0]
+    worst = float(np.abs(passed[:, 4]).max())
+    return worst, 0.0, f"{len(passed)} bands and steps let pass, off by {worst:.1e}"
+
+
+def never_idle(context: Context) -> tuple[float, float, str]:
+    """Least median error of what the guard refuses, so that no right answer is."""
+    all_of_them = context.fem[-1].arrays["guard"]
+    stopped = all_of_them[all_of_them[:, 3] == 1]
+    least = float(np.abs(stopped[:, 4]).min()) if len(stopped) else np.inf
+    words = f"{len(stopped)} of {len(all_of_them)} refused, median errors of {least:.0%} or more"
+    return min(least, 1.0) - GUARDED, 0.0, words if len(stopped) else "none refused"
+
+
+def by_default(context: Context) -> Pair:
+    """Bands that are chosen, against LSODA, over torques and frictions."""
+    _, _, ours, theirs = context.fem[-1].arrays["sweep"].T
+    found = farthest(theirs, ours, 0.0)
+    off = abs(found.value / found.reference - 1)
+    words = f"{len(ours)} engagements, none refused, off by {off:.1e}"
+    return replace(found, words=words)
+
+
+def comparisons(q: FrictionFormulas) -> Iterator[Comparison | Check]:
+    """All of them, in the order of the page."""
+    yield from _limits(q)
+    yield from _partners()
+    yield from _guard()
+
+
+def _limits(q: FrictionFormulas) -> Iterator[Comparison]:
+    def boundary() -> tuple[float, float]:
+        """Either contact's share of a force that the steps have alike at both."""
+        return -2 * q.unequal, 2 * q.unequal
+
+    yield approximation(
+        FrictionFormulas.mu_b, expected=Computed(boundary, f"{UNEQUAL}; either contact's share"),
+        name="friction from which on it locks, T/(n_s OA N)", by=BY, shares=CLOSURE,
+    )  # fmt: skip
+    locks = Agreement(name=f"locks from μ = tan ν on, within {BOUNDARY:.0%}", symbol="μ_b/tan ν",
+                      unit="1", pair=at_tan, accepted=BOUNDARY, source=SUBJECT, by=BY,
+                      **demanded(BOUNDARY))  # fmt: skip
+    yield Comparison(check=locks, quantity=FrictionFormulas.tan, shares=CLOSURE)
+    yield identity(
+        FrictionFormulas.N_slides, symbol="N", by=BY, shares=CLOSURE,
+        name="normal force of sprags that slide, driven, μ = 0.9 tan ν_0",
+        own=(0.02, "it swings on, without damping, as 1/(1 − μ/tan ν)"),
+    )  # fmt: skip
+    yield identity(FrictionFormulas.N_overruns, symbol="N", by=BY, shares=CLOSURE,
+                   name="normal force where the race overruns")  # fmt: skip
+
+
+def _partners() -> Iterator[Check]:
+    force: dict[str, Any] = {"symbol": "N_max", "unit": "N", "residual": "LSODA residual",
+                             "demand": LSODA}  # fmt: skip
+    weak: dict[str, Any] = force | {"formal": 2, "demand_reason": WEAK}
+    time: dict[str, Any] = {"symbol": "t", "unit": "ms"}
+    yield Partnered(name="largest force after slip at the start, weak springs: steps and LSODA",
+                    fem="N_max", analytic="LSODA N_max", **weak)  # fmt: skip
+    yield Partnered(name="the same under 1.6 T", fem="N_max more", analytic="LSODA N_max more",
+                    **weak)  # fmt: skip
+    yield Ended(name="time at which slip ends: steps and LSODA", fem="sticks",
+                analytic="LSODA sticks", own_demand=0.02,
+                own_reason="a band ends slip, LSODA an event", **time)  # fmt: skip
+    yield Partnered(name="time at which slip begins, μ between rest and peak: steps and LSODA",
+                    fem="slips", analytic="LSODA slips", **time)  # fmt: skip
+    yield Partnered(name="largest force with slip amid: steps and LSODA", fem="N_max amid",
+                    analytic="LSODA N_max amid", demand_reason="acceptance of the subject",
+                    **force)  # fmt: skip
+
+
+def _guard() -> Iterator[Check]:
+    yield Agreement(name=f"chosen bands: N_max within {GUARDED:.1%} of LSODA", symbol="N_max",
+                    unit="N", pair=by_default, accepted=GUARDED, source=SUBJECT, by=BY)  # fmt: skip
+    yield Accepted(name=f"D_V = {NARROW:g} m/s is refused at 1.6 T with weak springs", symbol="D_V",
+                   unit="1", margin=refused)  # fmt: skip
+    yield Accepted(name="unguarded, the force hangs on the torque's ninth digit", symbol="N_max",
+                   unit="1", margin=unguarded)  # fmt: skip
+    yield Deviation(name=f"what the guard lets pass is right to {GUARDED:.1%}",
+                    symbol="ΔN_max/N_max", unit="1", size=never_wrong, accepted=GUARDED,
+                    source=suites("as the steps beside LSODA"), whole="right force",
+                    by=BY)  # fmt: skip
+    yield Accepted(name="what the guard refuses is wrong", symbol="N_max", unit="1",
+                   margin=never_idle)  # fmt: skip
