@@ -10,7 +10,7 @@ from verify.core import case as core
 from verify.core.case import Check, Context, FemResult, Output, Values
 from verify.core.figures import Figure
 from verify.form import equations
-from verify.form.case import Case
+from verify.form.case import MESHES, Case
 from verify.form.comparisons import Comparison, State
 from verify.form.members import check_names, reached
 from verify.form.quantity import CaseError, Quantity, faults_located, solving
@@ -33,7 +33,8 @@ def adapted(form: type[Case], *, time_limit: float | None = None) -> core.Case:
         lead=" ".join((inspect.getdoc(form) or "").split()),
         inputs=form, analytic=Formulas(form, time_limit),
         reference=Reference(form, time_limit), method=form.method,
-        levels=form.levels, checks=tuple(_check(one) for one in default.stated()),
+        levels=getattr(form, "levels", MESHES),
+        checks=tuple(_check(one) for one in default.stated()),
         outputs=tuple(_outputs(default)), readings=form.readings, assumptions=form.assumptions,
         quick=form.quick, scans=form.scans, portions=form.portions, dynamic=form.dynamic,
         findings=lambda q, _values: tuple(q.advice()),

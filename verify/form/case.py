@@ -5,7 +5,7 @@ instance is the problem with numbers, so that `CurvedBar().sigma_i` is a stress 
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Any, ClassVar, Protocol, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +18,8 @@ from verify.core.inputs import Inputs, meta
 from verify.core.references import Method
 from verify.form.comparisons import Comparison
 from verify.form.quantity import MEMO, Declared, Family, Quantity, remembered, shared
+
+MESHES = (1, 2, 3, 4)
 
 
 def solved(
@@ -54,7 +56,8 @@ class Case(Inputs):
     source: ClassVar[str] = ""  # key of a paper of the suite
     place: ClassVar[str] = ""
     method: ClassVar[Method] = Method()  # of the reference
-    levels: ClassVar[tuple[int, ...]] = (1, 2, 3, 4)
+    if TYPE_CHECKING:  # MESHES by default, and no attribute: an input may have the name, too
+        levels: ClassVar[tuple[int, ...]]
     readings: ClassVar[tuple[str, ...]] = ()
     assumptions: ClassVar[tuple[str, ...]] = ()
     scans: ClassVar[tuple[Scan, ...]] = ()  # regions over which sweeps measure the formulas

@@ -30,6 +30,7 @@ from verify.case import (
 )
 from verify.core.case import Context
 from verify.core.figures import Equation
+from verify.core.inputs import Inputs, count
 from verify.form import equations
 from verify.form.adapter import adapted
 from verify.form.members import reached
@@ -404,3 +405,15 @@ def test_equal_inputs_are_equal_whatever_was_computed_from_them():
     assert hash(one) == hash(other)
     assert one != Arrays(d=20e-3)
     assert one != one.model_copy(update={"ends": "plane strain"})
+
+
+def test_an_input_may_be_called_levels():
+    class Given(Inputs):
+        n: float = given("1 m", "m", "n", "length")
+        levels: int = count(5, "", "levels of a factorial", ge=1, le=9)
+
+    class Factorial(Given, Case):
+        title = "Factorial"
+
+    assert list(Factorial.model_fields) == ["n", "levels"]
+    assert (Factorial().levels, adapted(Factorial).levels) == (5, (1, 2, 3, 4))
