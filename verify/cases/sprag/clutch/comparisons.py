@@ -3,12 +3,13 @@
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 from verify.case import Comparison, Quantity, State, identity
 from verify.cases.contact.roller.accepted import Estimated
 from verify.cases.sprag.clutch.formulas import ClutchFormulas
-from verify.cases.sprag.clutch.model import HALF, fast, low_friction
+from verify.cases.sprag.clutch.model import fast, low_friction
 from verify.cases.sprag.clutch.paper_statements import LITTLE_SPRUNG, OF_THE_PAPER
 from verify.cases.sprag.statements import BY_STRIPS, PLACE, WIDER, sliced
 from verify.core.case import Check, Context
@@ -21,6 +22,7 @@ LAW_ALPHA = 1e-3  # the same of turns and deflections, 0.15 % of the contacts' a
 DRAWN = "drawn sprag, same deflections"
 FROM_DRAWN = 1e-3, "cubic between the loads of the contacts' laws, as told in u_ref"
 SLIPS = 0.01
+SAME_CONTACT = "line contacts, radius of the inner contact under load"
 SAME_LAWS = "deflections by the laws of Eqs. 2-8"
 
 
@@ -72,10 +74,10 @@ def drawn_states(clutch: Any) -> Iterator[Comparison]:
 
 def pressures(clutch: Any) -> Iterator[Comparison]:
     """Slices beside strips under half of N: there a crown's ends are free."""
-    c, half = ClutchFormulas, State(clutch.under_share(HALF), "half", "under half of N")
-    for race, symbol, mid, peak in (
-        ("inner", "p_i", c.p_i_mid, c.p_i), ("outer", "p_o", c.p_o_mid, c.p_o)
-    ):  # fmt: skip
+    c, half = ClutchFormulas, State(None, "half", "under half of N")
+    for k, (race, symbol, mid, peak) in enumerate(
+        (("inner", "p_i", c.p_i_mid, c.p_i), ("outer", "p_o", c.p_o_mid, c.p_o))
+    ):
         for q, what in ((mid, "pressure at mid-length"), (peak, "largest pressure")):
             key = key_of(q, half)
             check = Estimated(
@@ -83,8 +85,9 @@ def pressures(clutch: Any) -> Iterator[Comparison]:
                 analytic=key, fem=key, by=BY_STRIPS, interval=sliced, source=PLACE, demand=WIDER,
                 demand_reason="acceptance figure of slices",
             )  # fmt: skip
-            yield Comparison(check=check, quantity=q, state=half,
-                             numbers={key: getattr(half.case, q.name)})  # fmt: skip
+            pressure = partial(clutch.half_pressure, k, mid=q is mid)
+            yield Comparison(check=check, quantity=q, state=half, numbers={key: pressure},
+                             shares=SAME_CONTACT)  # fmt: skip
 
 
 def stated(clutch: Any) -> Iterator[Comparison | Check]:

@@ -2,7 +2,6 @@
 
 import math
 from functools import partial
-from typing import Any, ClassVar
 
 import numpy as np
 
@@ -17,6 +16,7 @@ from verify.cases.sprag.inputs import EngagementInputs
 from verify.cases.sprag.wedge import model as sprag_wedge_model
 
 Step = partial(Quantity, role="step")
+Contacts = tuple[SlicedContact, SlicedContact]  # inner, outer
 
 
 class ClutchFormulas(EngagementInputs, Case):
@@ -24,8 +24,6 @@ class ClutchFormulas(EngagementInputs, Case):
 
     Forces, turns, pressures and stresses are those under T.
     """
-
-    load_share: ClassVar[float] = 1.0  # of N, under which the pressures below are
 
     @Step("m", "1", "growth of the spiral")
     def m(self) -> float:
@@ -184,16 +182,21 @@ class ClutchFormulas(EngagementInputs, Case):
         return float(np.max(model.built(self).parts.d_ce))
 
     @shared
-    def _pressed(self) -> tuple[SlicedContact, SlicedContact] | None:
-        """Both contacts under a share of the normal force."""
-        one = model.built(self)
-        return None if self.state is None else one.pressed(self.load_share * self.N)
+    def _pressed(self) -> Contacts | None:
+        """Both contacts under the normal force."""
+        return None if self.state is None else model.built(self).pressed(self.N)
+
+    @shared
+    def _half_pressed(self) -> Contacts | None:
+        """The same under half of it, where the ends of a crown are free."""
+        return None if self.state is None else model.built(self).pressed(model.HALF * self.N)
 
     def _pressure(self, contact: int, *, mid: bool = False) -> float:
-        if self._pressed is None:
-            return math.nan
-        found = self._pressed[contact]
-        return model.mid(found) if mid else float(found.peak_pressure.max())
+        return _read(self._pressed, contact, mid=mid)
+
+    def half_pressure(self, contact: int, *, mid: bool) -> float:
+        """Pressure [Pa] at mid-length, or the largest one, under half of the normal force."""
+        return _read(self._half_pressed, contact, mid=mid)
 
     @Quantity("p_i(0)", "MPa", "pressure at mid-length, inner race", safe="too high")
     def p_i_mid(self) -> float:
@@ -337,6 +340,9 @@ class ClutchFormulas(EngagementInputs, Case):
         N_e = self._in_state("N_e")
         return bodies.uneven(self, self.N, "rim"), bodies.uneven(self, N_e, "bore")
 
-    def under_share(self, share: float) -> Any:
-        """The same clutch, its pressures under a share of the normal force."""
-        return self.model_copy(update={"load_share": share})
+
+def _read(contacts: Contacts | None, contact: int, *, mid: bool) -> float:
+    if contacts is None:
+        return math.nan
+    found = contacts[contact]
+    return model.mid(found) if mid else float(found.peak_pressure.max())
