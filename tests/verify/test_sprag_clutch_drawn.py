@@ -12,8 +12,8 @@ from verify.cases.sprag.clutch import formulas, limits, model, paper_fem
 from verify.cases.sprag.clutch.case import CLUTCH, SpragClutch
 from verify.cases.sprag.clutch.drawn_fem import Drawn
 from verify.cases.sprag.clutch.paper_statements import corners, length
-from verify.cases.sprag.optimum import fem as sprag_optimum_fem
-from verify.cases.sprag.optimum.inputs import Optimum25Inputs
+from verify.cases.sprag.optimum import reference as sprag_optimum_fem
+from verify.cases.sprag.optimum.case import SpragOptimum
 from verify.cases.sprag.statements import UNFITTED
 from verify.jobs.level import Job, judge_case
 
@@ -159,7 +159,7 @@ def test_an_engagement_that_is_not_solved_is_no_failed_calibration(error, monkey
     with pytest.raises(error, match="not followed"):
         paper_fem.calibrated_fem()
     with pytest.raises(error, match="not followed"):
-        sprag_optimum_fem.calibrated_fem(Optimum25Inputs(), {})
+        sprag_optimum_fem.calibrated_fem(SpragOptimum(), {})
 
 
 def test_the_rounding_of_mass_and_inertia_leaves_8_to_11_mm():

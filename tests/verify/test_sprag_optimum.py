@@ -11,9 +11,8 @@ from tests.conftest import solved
 from verify.answers.template import template
 from verify.cases.sprag.clutch import model as sprag_clutch_model
 from verify.cases.sprag.engagement.model import gap
-from verify.cases.sprag.optimum import crown_claims, formulas
-from verify.cases.sprag.optimum.case import OPTIMUM_25, OPTIMUM_40, too_large
-from verify.cases.sprag.optimum.inputs import Optimum25Inputs, Optimum40Inputs
+from verify.cases.sprag.optimum import crown_claims
+from verify.cases.sprag.optimum.case import OPTIMUM_25, OPTIMUM_40, SpragOptimum, SpragOptimum40
 from verify.cases.sprag.peaks import with_crown
 from verify.core.case import Context
 from verify.core.inputs import InputError, build
@@ -79,7 +78,7 @@ def test_what_is_wrong_by_a_little_turns_its_row_red(arrays, row):
 
 
 def test_a_map_that_only_falls_is_told():
-    shape = solved(OPTIMUM_25, Optimum25Inputs())[-1].result.arrays["end"].shape
+    shape = solved(OPTIMUM_25, SpragOptimum())[-1].result.arrays["end"].shape
     falling = 1e3 * np.linspace(2, 1, math.prod(shape)).reshape(shape)
     assert ON_K_1 in wrong(OPTIMUM_25, end=falling)
 
@@ -98,18 +97,18 @@ def test_what_grows_with_the_torque_is_told_where_it_does_not(arrays, row):
 
 def forget():
     model = sprag_clutch_model
-    for function in (formulas.analytic, model.built, model.under):
+    for function in (model.built, model.under):
         function.cache_clear()
 
 
 def test_a_z_m_that_changes_nothing_is_told():
-    p = solved(OPTIMUM_40, Optimum40Inputs())[-1].result.arrays["true K_1, z_m"]
+    p = solved(OPTIMUM_40, SpragOptimum40())[-1].result.arrays["true K_1, z_m"]
     even = np.stack([p[0].mean() / p[0], np.ones_like(p[1])])
     assert "z_m changes more than at 25 N m" in wrong(OPTIMUM_40, **{"true K_1, z_m": even})
 
 
 def test_a_z_m_that_changes_more_at_the_other_torque_is_told():
-    factor = np.ones_like(solved(OPTIMUM_40, Optimum40Inputs())[-1].result.arrays["true K_1, z_m"])
+    factor = np.ones_like(solved(OPTIMUM_40, SpragOptimum40())[-1].result.arrays["true K_1, z_m"])
     factor[1, :, 0] = 2
     assert "z_m changes more than at 25 N m" in wrong(OPTIMUM_40, **{"true K_1, z_m": factor})
 
@@ -150,7 +149,7 @@ def test_the_middle_of_the_slices_is_that_of_the_sprag(faulty):
 
 
 def test_the_design_variables_are_the_crown_s_three():
-    q = Optimum25Inputs()
+    q = SpragOptimum()
     assert q.box.low == (q.K_1_low, q.K_2_low, q.z_m_low) == (1.0, 0.4, 5e-6)
     assert q.box.high == (q.K_1_high, q.K_2_high, q.z_m_high) == (5.0, 0.7, 25e-6)
     mine = with_crown(q, (2.0, 0.5, 1e-5))
@@ -158,7 +157,7 @@ def test_the_design_variables_are_the_crown_s_three():
 
 
 def test_crowns_are_made_for_one_load_whatever_the_torque():
-    less, more = (with_crown(q, (2.0, 0.5, 1e-5)) for q in (Optimum25Inputs(), Optimum40Inputs()))
+    less, more = (with_crown(q, (2.0, 0.5, 1e-5)) for q in (SpragOptimum(), SpragOptimum40()))
     assert less.T != more.T
     assert gap(less) == pytest.approx(gap(more), rel=1e-12)
 
@@ -183,7 +182,7 @@ def test_a_box_that_makes_no_sense_is_refused_in_a_line(raw, said):
 
     whole = tomllib.loads(template(OPTIMUM_25))["inputs"] | raw
     with pytest.raises(InputError) as error:
-        build(Optimum25Inputs, whole, "t")
+        build(SpragOptimum, whole, "t")
     assert said in str(error.value)
     assert "\n" not in str(error.value)
 
@@ -196,7 +195,7 @@ def test_a_box_that_makes_no_sense_is_refused_in_a_line(raw, said):
      ({"t_end": 1.0}, "t_end/dt = 1e+05 is above 50000 steps"), ({}, "")],
 )  # fmt: skip
 def test_what_no_crown_mends_is_refused(changes, said):
-    assert too_large(Optimum25Inputs(**changes)).startswith(said)
+    assert OPTIMUM_25.too_large(SpragOptimum(**changes)).startswith(said)
 
 
 @BOTH
@@ -214,14 +213,14 @@ def test_figures_and_tables_are_of_numbers(case, judged):
 
 
 def test_findings_say_which_load_the_crown_at_hand_suits():
-    q = Optimum25Inputs()
+    q = SpragOptimum()
     first, second = OPTIMUM_25.findings(q, OPTIMUM_25.analytic(q))
     assert first.startswith("the crown at hand is Lundberg's for 7327 N")  # 2.1507 x 3407
     assert second.startswith("at rest under T a sprag bears 3388 N")
 
 
 def test_without_levels_there_is_nothing_to_show():
-    q = Optimum25Inputs()
+    q = SpragOptimum()
     context = Context(OPTIMUM_25.id, q, OPTIMUM_25.analytic(q), [], True)
     assert not OPTIMUM_25.figures(context)
     assert not OPTIMUM_25.tables(context)

@@ -4,10 +4,16 @@ import numpy as np
 import pytest
 
 from tests.conftest import solved
-from verify.cases.sprag.optimum.case import OPTIMUM_25, OPTIMUM_40
-from verify.cases.sprag.optimum.claims import band, counted, course, over_K_1, reductions, taken_off
+from verify.cases.sprag.optimum.case import OPTIMUM_25, OPTIMUM_40, SpragOptimum
+from verify.cases.sprag.optimum.comparisons import (
+    band,
+    counted,
+    course,
+    over_K_1,
+    reductions,
+    taken_off,
+)
 from verify.cases.sprag.optimum.crown_claims import CELLS, STRIPPED, endless
-from verify.cases.sprag.optimum.inputs import Optimum25Inputs
 from verify.cases.sprag.optimum.surrogate_claims import asked
 from verify.core.case import Context, FemResult
 from verify.core.results import Status
@@ -20,7 +26,7 @@ BOTH = pytest.mark.parametrize("case", [OPTIMUM_25, OPTIMUM_40], ids=lambda case
 
 def context(q=None, **arrays):
     fem = FemResult(h=1.0, values={}, arrays=arrays)
-    return Context("sprag-optimum", q or Optimum25Inputs(), {}, [fem], is_paper=True)
+    return Context("sprag-optimum", q or SpragOptimum(), {}, [fem], is_paper=True)
 
 
 @BOTH
@@ -41,7 +47,7 @@ def test_one_line_that_only_falls_along_k_1_is_told(case, line):
 )
 def test_where_the_paper_s_lines_turn_stands_with_where_they_do_not(name, turning):
     rows = judge_case(
-        Job(OPTIMUM_25, Optimum25Inputs(), drawn=False), solved(OPTIMUM_25, Optimum25Inputs())
+        Job(OPTIMUM_25, SpragOptimum(), drawn=False), solved(OPTIMUM_25, SpragOptimum())
     ).rows
     (row,) = [row for row in rows if row.quantity == name]
     assert row.status is Status.SHOWN

@@ -7,14 +7,14 @@ from analytic.contact import crown, slices
 from analytic.surrogate import genetic, kriging, largest
 from analytic.surrogate.infill import NoAgreementError
 from verify.cases.sprag.optimum import deep, ends_fem, study_fem
-from verify.cases.sprag.optimum.inputs import Optimum25Inputs
+from verify.cases.sprag.optimum.case import SpragOptimum
 from verify.cases.sprag.optimum.surrogate_claims import SURROGATE
 from verify.cases.sprag.peaks import Peaks
 from verify.core.case import Context, FemResult
 from verify.core.results import Status
 
 pytestmark = pytest.mark.xdist_group("sprag-optimum")
-Q = Optimum25Inputs(slices=21, levels=4, extra=12, population=60, generations=40)
+Q = SpragOptimum(slices=21, levels=4, extra=12, population=60, generations=40)
 N, R, E_STAR = 6340.0, 2.9963e-3, 1.132e11  # of the paper's clutch under 25 N m
 PREDICTION = "kriging prediction and the bordered system"
 DEVIATION = "kriging deviation and the bordered system"

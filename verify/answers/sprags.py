@@ -111,7 +111,7 @@ def crown(q: Any, v: Values, part: Assessment) -> None:
 def optimum(q: Any, v: Values, part: Assessment) -> None:
     """Friction and pressure under the static load; the optimum itself needs `check --fem`."""
     part.below_input("friction", FRICTION, v["mu_req"], "mu_s", q.mu_s, "1")
-    part.pressure("contact_pressure", "largest pressure under the static load", v["static peak"],
+    part.pressure("contact_pressure", "largest pressure under the static load", v["static_peak"],
                   q.E, given=q.p_lim, option=MISSING)  # fmt: skip
     part.unknowns.append(STATIC_ONLY)
 

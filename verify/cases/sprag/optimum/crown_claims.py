@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from analytic.contact import slices
+from verify.case import Comparison
 from verify.cases.contact.roller.accepted import Estimated
 from verify.cases.sprag.clutch.model import built, mid
 from verify.cases.sprag.engagement.model import gap
@@ -154,17 +155,20 @@ def lower(context: Context) -> tuple[float, float, str]:
     return 1 - free / hand, (u + U) / hand, words
 
 
+def at_rest(q: Any, name: str) -> Comparison:
+    """A pressure of the crown at hand at rest: slices beside strips."""
+    check = Estimated(
+        name=f"{name} of the crown at hand at rest, by slices", symbol="p", unit="MPa",
+        analytic=q.name, fem=q.name, by=BY_STRIPS, interval=within(SLICED + STRIPS), source=PLACE,
+        demand=WIDER, demand_reason="acceptance figure of slices",
+    )  # fmt: skip
+    return Comparison(check=check, quantity=q, shares="line contacts, radius of the inner contact")
+
+
 def pressed(T: int) -> tuple[Any, ...]:
-    """The claims about contacts, of the printed crown for a torque [N m] and of those found."""
+    """About contacts, of the printed crown for a torque [N m] and of those found."""
     both = SLICED + STRIPS
     return (
-        *(
-            Estimated(name=f"{name} of the crown at hand at rest, by slices", symbol="p",
-                      unit="MPa", analytic=key, fem=key, by=BY_STRIPS, interval=within(both),
-                      source=PLACE, demand=WIDER, demand_reason="acceptance figure of slices")
-            for key, name in (("static mid", "pressure at mid-length"),
-                              ("static peak", "largest pressure"))
-        ),
         at_crown("largest pressure by slices", "peak", "slices", "strips", both, WIDER),
         at_crown("pressure at mid-length by slices", "mid", "slices", "strips", both, WIDER),
         at_crown("largest pressure by strips", "peak", "strips", "cells", STRIPS, 2 * STRIPS),

@@ -4,26 +4,30 @@ Parts of a deep measurement: validation designs; scipy's DIRECT on the engagemen
 surrogate; genetic algorithm and differential evolution from several seeds.
 """
 
+from dataclasses import replace
+
 import numpy as np
 from scipy.optimize import direct
 
 from analytic.surrogate.designs import full_factorial, random_designs
 from analytic.surrogate.evolution import evolve
 from analytic.surrogate.genetic import genetic
+from verify.case import Case, Level
 from verify.cases.sprag.optimum.inputs import Optimum25Inputs, Optimum40Inputs, OptimumInputs
 from verify.cases.sprag.optimum.study_fem import answers, fit_fem, single_fem
 from verify.cases.sprag.peaks import peaks_fem
-from verify.core.case import Case, FemResult
 from verify.core.figures import Array
+from verify.form.adapter import adapted
 
 DESIGNS, SEED = 200, 3
+PARTS = (0, 1, 2)  # of the measurement
 ENGAGEMENTS = 400  # of DIRECT
 SEEDS = 10
 
 
-def deep_fem(q: OptimumInputs, level: int) -> FemResult:
+def deep_fem(q: OptimumInputs, level: int) -> Level:
     arrays = (validated_fem, direct_fem, seeds_fem)[level](q)
-    return FemResult(h=1.0, values={}, arrays=arrays)
+    return Level(h=1.0, values={}, arrays=arrays)
 
 
 def validated_fem(q: OptimumInputs) -> dict[str, Array]:
@@ -64,21 +68,30 @@ def seeds_fem(q: OptimumInputs) -> dict[str, Array]:
     return {"GA": np.array(ga), "DE": np.array(de)}
 
 
-def deep(T: int, inputs: type[OptimumInputs], name: str) -> Case:
-    return Case(
-        id=f"{name}-deep",
-        title=f"Best crown of a sprag clutch, {T} N m, longer",
-        paper="huang2018",
-        place="Sec. 3, Table 2",
-        lead="What kriging misses at 200 designs, and what searches find that take longer.",
-        inputs=inputs,
-        analytic=lambda _: {},
-        reference=deep_fem,
-        levels=(0, 1, 2),
-        checks=(),
-        outputs=(),
-    )
+class Deep(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an input
+    """What kriging misses at 200 designs, and what searches find that take longer."""
+
+    source = "huang2018"
+    place = "Sec. 3, Table 2"
+
+    def reference(self, level: int) -> Level:
+        """Errors at fresh designs, DIRECT without surrogate, several seeds."""
+        return deep_fem(self, level)
 
 
-DEEP_25 = deep(25, Optimum25Inputs, "sprag-optimum")
-DEEP_40 = deep(40, Optimum40Inputs, "sprag-optimum-40")
+class Deep25(Optimum25Inputs, Deep):  # type: ignore[misc]
+    """What kriging misses at 200 designs, and what searches find that take longer."""
+
+    id = "sprag-optimum-deep"
+    title = "Best crown of a sprag clutch, 25 N m, longer"
+
+
+class Deep40(Optimum40Inputs, Deep):  # type: ignore[misc]
+    """What kriging misses at 200 designs, and what searches find that take longer."""
+
+    id = "sprag-optimum-40-deep"
+    title = "Best crown of a sprag clutch, 40 N m, longer"
+
+
+DEEP_25 = replace(adapted(Deep25), levels=PARTS)
+DEEP_40 = replace(adapted(Deep40), levels=PARTS)

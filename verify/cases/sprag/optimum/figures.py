@@ -1,45 +1,17 @@
-"""What the report shows of the best crown: equations, tables, which figures."""
+"""What the report shows of the best crown: tables, which figures."""
 
 from collections.abc import Sequence
 
 import numpy as np
 
 from verify.cases.sprag.optimum.contact_figures import apart, at_counts, before_and_after, contact
-from verify.cases.sprag.optimum.inputs import OptimumInputs
 from verify.cases.sprag.optimum.maps_figures import lines, maps, valley
 from verify.cases.sprag.optimum.surrogate_figures import bars, designs, errors, longer, searches
 from verify.cases.sprag.statements import measured
-from verify.core.case import Context, Values
-from verify.core.figures import Equation, Figure, Table
-from verify.core.tex import tex
+from verify.core.case import Context
+from verify.core.figures import Figure, Table
 
 MPa, um = 1e6, 1e-6
-
-
-def equations(q: OptimumInputs, v: Values) -> Sequence[Equation]:
-    return (
-        Equation(
-            tex=r"\min_{\mathbf{X}} \max_{t,\,y} p(y, t), \quad \mathbf{X} = (K_1, K_2, z_m)",
-            place="Eqs. 17, 18",
-        ),
-        Equation(
-            tex=rf"{tex(q.K_1_low)} \leq K_1 \leq {tex(q.K_1_high)}, \quad "
-            rf"{tex(q.K_2_low)} \leq K_2 \leq {tex(q.K_2_high)}, \quad "
-            rf"{tex(q.z_m_low / um)} \leq z_m \leq {tex(q.z_m_high / um)}\ \mathrm{{µm}}",
-            place="Eq. 19",
-        ),
-        Equation(
-            tex=r"Y(\mathbf{x}) = \mathbf{f}(\mathbf{x})^\mathsf{T}\mathbf{b} + G(\mathbf{x}), "
-            r"\quad \mathrm{Pre}_{\max} \approx \sqrt{\max(Y_{end}, Y_{rest})}",
-            place="Eq. 20, of squares of pressures, the end slice and the rest apart",
-        ),
-        Equation(
-            tex=r"A = \frac{2 K_1 Q}{\pi l E'} = \frac{K_1 Q}{\pi l E^*}",
-            numbers=rf"= {tex(v['A'] / um, 4)}\ \mathrm{{µm}}, \quad K_1 Q = "
-            rf"{tex(v['K_1 Q'], 5)}\ \mathrm{{N}}",
-            place="Eq. 1, the crown at hand",
-        ),
-    )
 
 
 def tables(context: Context) -> Sequence[Table]:

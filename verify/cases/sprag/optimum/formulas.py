@@ -1,31 +1,168 @@
 """What formulas say of a crown before any engagement: the load that it suits, statics."""
 
-from functools import lru_cache
+import math
+from collections.abc import Iterator, Sequence
+from typing import ClassVar
 
 import numpy as np
 
 from analytic.contact import crown
-from verify.cases.sprag.clutch.model import built, mid, under
+from analytic.contact.sliced import SlicedContact
+from verify.case import Case, Comparison, Drawn, Level, Quantity, shared
+from verify.cases.sprag.clutch import advice
+from verify.cases.sprag.clutch.model import built, mid, normal_force, under
+from verify.cases.sprag.clutch.sketch import sketch
 from verify.cases.sprag.engagement.model import crowned_for
+from verify.cases.sprag.optimum import comparisons as compared
+from verify.cases.sprag.optimum import figures
 from verify.cases.sprag.optimum.inputs import OptimumInputs
+from verify.core.case import Check, Context
+from verify.core.figures import Equation, Sketch, Table
+from verify.core.references import BY_SEARCHES
+from verify.core.tex import tex
+
+LEVELS = (41, 81, 161)  # strips along a sprag
+UM = 1e-6
+MOST_STEPS = 50_000  # of an engagement, of which a study has hundreds
 
 
-@lru_cache(maxsize=16)
-def analytic(q: OptimumInputs) -> dict[str, float]:
-    """SI values; those of a state under the torque are left out where there is none."""
-    one, Q, now = built(q), crowned_for(q), under(q)
-    A = q.K_1 * Q / (np.pi * q.l * float(one.parts.E_star))
-    found = {
-        "Q": Q, "K_1 Q": q.K_1 * Q, "A": A, "z_end": float(one.gap[0]),
-        "straight": float(crown.straight_length(K_2=q.K_2, length=q.l)),
-        "designs": float(q.levels**3),
-    }  # fmt: skip
-    if now is None:
-        return found
-    N = float(now.N)
-    inner, _ = one.pressed(N)
-    return found | {
-        "N": N, "mu_req": float(np.tan(now.nu)), "static mid": mid(inner),
-        "static peak": float(inner.peak_pressure.max()),
-        "static end": float(inner.peak_pressure[0]),
-    }  # fmt: skip
+class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an input
+    """The crown at hand at rest; what the best crown has in common under all torques."""
+
+    source = "huang2018"
+    method = BY_SEARCHES
+    quick = False
+    readings: ClassVar = (
+        "Pre_max is the largest pressure of the inner contacts' slices at the largest force",
+        "z_m is in millimetres; Q is the static load at 25 N m of bodies that don't yield, "
+        "T/(z R_i tan ν_0), at both torques; with their yields a sprag bears less",
+        "Eq. 20: a full quadratic, a Matérn 5/2 process on what it leaves; neither is printed",
+        "the genetic algorithm has Gray codes, tournaments of two, one-point crossover, and keeps "
+        "its best; none of these is printed",
+    )
+    assumptions: ClassVar = (
+        "inputs that the paper lacks are those of sprag-clutch, identified or assumed",
+        "the end slice and all others are kriged apart, as squares of pressures, which go with "
+        "forces; the larger counts",
+        "of the largest force of an engagement the contact's pressure is that of statics",
+    )
+
+    @Quantity("Q_0", "N", "load that all crowns are made for, without deflections")
+    def Q_crown(self) -> float:
+        return crowned_for(self)
+
+    @Quantity("Q_even", "N", "load whose Lundberg crown the one at hand follows",
+              source="Lundberg", tex="K_1 Q_0")  # fmt: skip
+    def K_1_Q(self) -> float:
+        return self.K_1 * self.Q_crown
+
+    @Quantity("A", "µm", "its depth, by which the drop grows", equation="1", form="corrected",
+              tex=r"\frac{2 K_1 Q_0 (1 - \nu^2)}{\pi l E}")  # fmt: skip
+    def A(self) -> float:
+        E_star = float(built(self).parts.E_star)
+        return float(self.K_1 * self.Q_crown / (np.pi * self.l * E_star))
+
+    @Quantity("l_0", "mm", "its straight middle", equation="1", tex="(1 - K_2) l")
+    def straight(self) -> float:
+        return float(crown.straight_length(K_2=self.K_2, length=self.l))
+
+    @Quantity("z_end", "µm", "its drop at the middle of the end slices", equation="1")
+    def z_end(self) -> float:
+        return float(built(self).gap[0])
+
+    @Quantity("N", "N", "normal force at rest under the torque", safe="too high")
+    def N(self) -> float:
+        return normal_force(under(self))
+
+    @Quantity("μ_req", "1", "friction that the torque requires", role="step")
+    def mu_req(self) -> float:
+        now = under(self)
+        return math.nan if now is None else float(np.tan(now.nu))
+
+    @shared
+    def _contact(self) -> SlicedContact | None:
+        """The inner contact at rest."""
+        return built(self).pressed(self.N)[0] if math.isfinite(self.N) else None
+
+    @Quantity("p", "MPa", "largest pressure at rest, by slices", safe="too high")
+    def static_peak(self) -> float:
+        return float(self._contact.peak_pressure.max()) if self._contact else math.nan
+
+    @Quantity("p(0)", "MPa", "pressure at mid-length at rest", safe="too high")
+    def static_mid(self) -> float:
+        return mid(self._contact) if self._contact else math.nan
+
+    @Quantity("p_end", "MPa", "pressure of the end slices at rest", safe="too high")
+    def static_end(self) -> float:
+        return float(self._contact.peak_pressure[0]) if self._contact else math.nan
+
+    @Quantity("n_X", "1", "designs of the full factorial")
+    def designs(self) -> float:
+        return float(self.levels**3)
+
+    torque: ClassVar[int] = 25  # N m, of the paper's statements
+
+    def reference(self, level: int) -> Level:
+        """Strips at the crown at hand, the optimisation, its ends."""
+        from verify.cases.sprag.optimum.reference import solve
+
+        return solve(self, level)
+
+    def comparisons(self) -> Iterator[Comparison | Check]:
+        """Surrogates and searches, what the paper states, contacts."""
+        return compared.stated(self)
+
+    def figures(self) -> Iterator[Drawn]:
+        """Designs, errors, maps, contacts."""
+        yield Drawn(figures.figures)
+
+    def tables(self, context: Context) -> Sequence[Table]:
+        """Crowns and extra designs."""
+        return figures.tables(context)
+
+    def equations(self) -> Iterator[Equation]:
+        """The problem, its box and its surrogate."""
+        yield Equation(
+            tex=r"\min_{\mathbf{X}} \max_{t,\,y} p(y, t), \quad \mathbf{X} = (K_1, K_2, z_m)",
+            place="Eqs. 17, 18",
+        )
+        yield Equation(
+            tex=rf"{tex(self.K_1_low)} \leq K_1 \leq {tex(self.K_1_high)}, \quad "
+            rf"{tex(self.K_2_low)} \leq K_2 \leq {tex(self.K_2_high)}, \quad "
+            rf"{tex(self.z_m_low / UM)} \leq z_m \leq {tex(self.z_m_high / UM)}\ \mathrm{{µm}}",
+            place="Eq. 19",
+        )
+        yield Equation(
+            tex=r"Y(\mathbf{x}) = \mathbf{f}(\mathbf{x})^\mathsf{T}\mathbf{b} + G(\mathbf{x}), "
+            r"\quad \mathrm{Pre}_{\max} \approx \sqrt{\max(Y_{end}, Y_{rest})}",
+            place="Eq. 20, of squares of pressures, the end slice and the rest apart",
+        )
+
+    def sketch(self) -> Sketch:
+        """A sprag between its races."""
+        return sketch(self)
+
+    def advice(self) -> Iterator[str]:
+        """What formulas state of the crown at hand; the best one is found with --fem."""
+        yield (
+            f"the crown at hand is Lundberg's for {self.K_1_Q:.4g} N, straight over "
+            f"{self.straight * 1e3:.3g} mm of {self.l * 1e3:g} mm"
+        )
+        if math.isfinite(self.N):
+            ends = "carry" if self.static_end > 0 else "carry nothing"
+            yield (
+                f"at rest under T a sprag bears {self.N:.4g} N, {self.static_peak / 1e6:.4g} MPa "
+                f"at most, its ends {ends}; an engagement bears up to twice the force"
+            )
+
+    def refusal(self) -> str:
+        """What the clutch at rest cannot be solved for, slip, too many steps."""
+        if reason := advice.refusal(self):
+            return reason
+        if self.mu_s < self.mu_req:
+            return "the sprags slip: no crown mends that"
+        steps = self.t_end / self.dt
+        return (
+            f"t_end/dt = {steps:.4g} is above {MOST_STEPS} steps of an engagement"
+            if steps > MOST_STEPS else ""
+        )  # fmt: skip

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from verify.cases.sprag.optimum.claims import FLAT
+from verify.cases.sprag.optimum.comparisons import FLAT
 from verify.cases.sprag.optimum.study_fem import held
 from verify.cases.sprag.statements import measured
 from verify.core.case import Context

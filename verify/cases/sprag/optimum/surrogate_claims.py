@@ -54,12 +54,12 @@ class Repeated(Claim):
 
     kind = Kind.EXACT
 
-    pair: Callable[[Callable[[str], Array], Bordered, Array], tuple[Array, Array, float]]
+    pair: Callable[[Context, Callable[[str], Array], Bordered, Array], tuple[Array, Array, float]]
 
     def rows(self, context: Context) -> list[Row]:
         worst, bound = 0.0, 0.0
         for array, one, extra in regimes(context):
-            ours, theirs, scale = self.pair(array, one, extra)
+            ours, theirs, scale = self.pair(context, array, one, extra)
             worst = max(worst, float(np.abs(ours - theirs).max()) / scale)
             bound = max(bound, EPS * one.condition)
         verdict = judge.exact(worst, bound=min(bound, BOUND), scale=1.0, demand=self.demand)
@@ -84,19 +84,19 @@ def regimes(context: Context) -> Iterator[tuple[Callable[[str], Array], Bordered
 
 
 def predictions(
-    array: Callable[[str], Array], one: Bordered, extra: Array
+    _: Context, array: Callable[[str], Array], one: Bordered, extra: Array
 ) -> tuple[Array, Array, float]:
     return array("predicted"), one.predicted(extra), float(np.abs(one.values).max())
 
 
 def deviations(
-    array: Callable[[str], Array], one: Bordered, extra: Array
+    _: Context, array: Callable[[str], Array], one: Bordered, extra: Array
 ) -> tuple[Array, Array, float]:
     return array("deviation"), one.deviation(extra), float(np.abs(one.values).max())
 
 
 def left_out(
-    array: Callable[[str], Array], one: Bordered, _extra: Array
+    _: Context, array: Callable[[str], Array], one: Bordered, _extra: Array
 ) -> tuple[Array, Array, float]:
     """Some designs left out one by one, length scales kept."""
     some = np.unique(np.linspace(0, len(one.x) - 1, LEFT_OUT).round().astype(int))

@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from analytic.contact import strips
+from verify.case import Level
 from verify.cases.sprag.clutch.drawn_fem import crowned
 from verify.cases.sprag.clutch.model import built, under
 from verify.cases.sprag.clutch.paper_fem import fitted_angle_fem, peak_fem
@@ -11,30 +13,28 @@ from verify.cases.sprag.optimum.ends_fem import STRIPPED, ends_fem
 from verify.cases.sprag.optimum.inputs import OptimumInputs
 from verify.cases.sprag.optimum.study_fem import held, study_fem
 from verify.cases.sprag.peaks import peaks_fem, with_crown
-from verify.core.case import FemResult
 from verify.core.figures import Array
 
 STEPS = 241  # states of an engagement that are drawn
 LEVELS = STRIPPED  # strips along a sprag
 
 
-def fem(q: OptimumInputs, level: int) -> FemResult:
-    from analytic.contact import strips
-
+def solve(q: OptimumInputs, level: int) -> Level:
+    """One level: so many strips at the crown at hand; the finest has the optimisation."""
     now, one = under(q), built(q)
     assert now is not None  # refused where there is none
     found = strips.press(
         crowned(q, level), length=q.l, R=one.radii(now)[0], E_star=float(one.parts.E_star),
         load=float(now.N),
     )  # fmt: skip
-    values = {"static mid": float(found.mid), "static peak": float(found.peak)}
+    values = {"static_mid": float(found.mid), "static_peak": float(found.peak)}
     arrays: dict[str, Array] = {}
     if level == LEVELS[-1]:
         arrays = study_fem(q)
         arrays |= ends_fem(q, arrays)
         arrays |= maps_fem(q) | lundberg_fem(q, arrays) | courses_fem(q, arrays["best"])
         arrays |= calibrated_fem(q, arrays)
-    return FemResult(h=1 / level, values=values, arrays=arrays)
+    return Level(h=1 / level, values=values, arrays=arrays)
 
 
 def maps_fem(q: OptimumInputs) -> dict[str, Array]:

@@ -1,17 +1,18 @@
-"""The claims about the best crown: beside what is printed, its valley, its maps, other torques."""
+"""What is compared of the best crown: with what is printed, its valley, its maps, torques."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
 
+from verify.case import Comparison
 from verify.cases.sprag.clutch.paper_fem import PRINTED
-from verify.cases.sprag.optimum.crown_claims import pressed
+from verify.cases.sprag.optimum.crown_claims import at_rest, pressed
 from verify.cases.sprag.optimum.ends_fem import SLICED
 from verify.cases.sprag.optimum.surrogate_claims import SURROGATE, Told
 from verify.cases.sprag.statements import FITTED, Beside, OfPaper, measured
-from verify.core.case import Context
+from verify.core.case import Check, Context
 from verify.core.figures import Array
 
 NEAR = 0.01  # of the best crown's pressure: what is as good
@@ -246,7 +247,15 @@ def checks(T: int) -> tuple[Any, ...]:
         Told(name="p_max along z_m", symbol="Pre_max", unit="1", words=over_z_m,
              printed=(f"huang2018:fig{15 if T == 25 else 17}b-k2",)),
     )  # fmt: skip
-    return (*found, *(AT_25 if T == 25 else AT_40), *pressed(T))
+    return (*found, *(AT_25 if T == 25 else AT_40))
+
+
+def stated(q: Any) -> Iterator[Comparison | Check]:
+    """Surrogates and searches, what the paper states at this torque, contacts."""
+    yield from checks(q.torque)
+    yield at_rest(type(q).static_mid, "pressure at mid-length")
+    yield at_rest(type(q).static_peak, "largest pressure")
+    yield from pressed(q.torque)
 
 
 AT_25 = (
