@@ -120,7 +120,7 @@ class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an 
         """Crowns and extra designs."""
         return figures.tables(context)
 
-    def equations(self) -> Iterator[Equation]:
+    def laws(self) -> Iterator[Equation]:
         """The problem, its box and its surrogate."""
         yield Equation(
             tex=r"\min_{\mathbf{X}} \max_{t,\,y} p(y, t), \quad \mathbf{X} = (K_1, K_2, z_m)",
