@@ -133,7 +133,7 @@ class StripRoller(Roller):
         return self.strips.p_mid
 
     @Quantity("F_1", "N", "load within d of the more loaded end, strips", role="step",
-              tex=r"\int_{l/2 - d}^{l/2} q(y)\,dy")  # fmt: skip
+              tex=r"\int_{l/2 - d}^{l/2} q\,dy")  # fmt: skip
     def F_1(self) -> float:
         return max(self.strips.ends)
 

@@ -46,12 +46,12 @@ class TiltedRoller(Tilt, CrownedRoller):
         return self.theta
 
     @Quantity("M", "N m", "tilting moment about mid-length, strips", source="strips",
-              tex=r"\int_{-l/2}^{l/2} q(y)\,y\,dy")  # fmt: skip
+              tex=r"\int_{-l/2}^{l/2} q y\,dy")  # fmt: skip
     def M(self) -> float:
         return float(self.strips.line @ self.strips.y * self.strips.width)
 
     @Quantity("F_h", "N", "load within d of the pressed end, strips", source="strips",
-              safe="too high", tex=r"\int_{l/2 - d}^{l/2} q(y)\,dy")  # fmt: skip
+              safe="too high", tex=r"\int_{l/2 - d}^{l/2} q\,dy")  # fmt: skip
     def F_high(self) -> float:
         return self.strips.ends[1]
 
