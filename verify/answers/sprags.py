@@ -76,7 +76,7 @@ def _permissible(q: Any) -> Quantity | None:
 
 def engagement(q: Any, v: Values, part: Assessment) -> None:
     """Friction and rolling over during the first peak of a torque that rises suddenly."""
-    if "N_max" not in v or "N_undamped" not in v or v["over"]:
+    if "N_max" not in v or q.rolls_over:
         part.failures.append(ROLLS_OVER)
         return
     what = "largest required friction coefficient"
