@@ -8,6 +8,7 @@ from typing import Any
 
 from analytic.spring import energy, frame
 from verify.case import Case, Quantity
+from verify.cases.spring.claims import loaded
 from verify.cases.spring.inputs import AccordionInputs, strip_of
 from verify.cases.spring.sketch import sketch as to_scale
 from verify.core.figures import Sketch
@@ -15,11 +16,6 @@ from verify.core.figures import Sketch
 L0_OVER_B = 240  # Eq. 13
 FREE_STAGE = 11.95 / 25.6  # where Eq. 10's branches meet, over L_0 of the true centre line
 FRAME = "force method on the true centre line"
-
-
-def loaded(q: Any) -> bool:
-    """Whether a working force is given."""
-    return q.F is not None
 
 
 class FreeStage(AccordionInputs, Case):

@@ -19,6 +19,7 @@ from verify.cases.spring.buckling import figures as drawn
 from verify.cases.spring.buckling import reference as beams
 from verify.cases.spring.buckling.formulas import MOST, BucklingFormulas, critical_point
 from verify.cases.spring.buckling.inputs import DRIFT, KEYS, TAILS
+from verify.cases.spring.claims import PaperLimit
 from verify.cases.spring.sketch import sketch
 from verify.core.case import Check, Context
 from verify.core.figures import Sketch, Table
@@ -84,7 +85,7 @@ class BucklingSpring(BucklingFormulas):
                 name=f"Haringx's column, {WHERE[tail]}", shares=SHARED,
                 expected=underived("measured: ends that are no units"),
             )  # fmt: skip
-        yield Comparison(quantity=spring.column_U, check=claims.PaperLimit(
+        yield Comparison(quantity=spring.column_U, check=PaperLimit(
             name="Haringx's column with ever more units, tail held at its arc", symbol="U_cr",
             unit="1", points=claims.many_units, exponent=0.5,
         ))  # fmt: skip

@@ -1,7 +1,6 @@
 """What case spring-buckling claims of sweeps over thickness, length and force."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -9,8 +8,6 @@ import numpy as np
 from analytic.spring import column
 from verify.cases.spring.buckling.inputs import KEYS, MANY, RATIO
 from verify.core.case import Context
-from verify.core.results import Row
-from verify.judging.checks import Limit
 from verify.judging.tolerance_checks import Pair
 
 NOISE = 1e-5  # rounding of finite elements of slender springs, times what it is seen as
@@ -79,13 +76,3 @@ def many_units(context: Context) -> tuple[list[float], list[float], list[float]]
     xi = column.critical_shortening("free", **q.path | {"n": np.array(MANY)}, b=q.b, nu=q.nu)
     d = xi / swept(context, "many") - 1
     return xi.tolist(), d.tolist(), (NOISE * (np.array(MANY) / 10) ** 2).tolist()
-
-
-@dataclass(frozen=True, kw_only=True)
-class PaperLimit(Limit):
-    """A limit of the formula, told once: on the paper's strip."""
-
-    paper_only = True
-
-    def rows(self, context: Context) -> list[Row]:
-        return super().rows(context) if context.is_paper else []

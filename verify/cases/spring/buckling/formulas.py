@@ -12,6 +12,7 @@ from analytic.spring import column, frame, stability
 from analytic.spring.elastica import Elastica
 from verify.case import Case, Quantity, shared
 from verify.cases.spring.buckling.inputs import DRIFT, TAILS, BucklingInputs
+from verify.cases.spring.claims import loaded
 from verify.cases.spring.inputs import strip_of
 from verify.cases.spring.limits import Share
 
@@ -57,11 +58,6 @@ def critical_point(q: BucklingInputs, tail: frame.Tail) -> Mapping[str, float]:
 
 def _flexibility(q: BucklingInputs, tail: frame.Tail) -> float:
     return 1 / frame.stiffness(**q.path, **strip_of(q), head="guided", tail=tail, theory="shear")
-
-
-def loaded(q: BucklingInputs) -> bool:
-    """Whether a working force is given."""
-    return q.F is not None
 
 
 class BucklingFormulas(BucklingInputs, Case):

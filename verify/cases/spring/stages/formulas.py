@@ -8,25 +8,19 @@ from analytic.spring import energy, frame
 from analytic.spring.loops import Normal
 from analytic.spring.redundant import Theory
 from analytic.spring.stages import Stages, stages
-from analytic.spring.wide_leaf import width_factor
 from verify.case import Case, Quantity, shared
+from verify.cases.spring.claims import loaded, other_width
 from verify.cases.spring.inputs import strip_of
 from verify.cases.spring.stages.inputs import StagesInputs
 
 LINEAR = 0.1  # U_A over L_0 up to which lengths may be taken as unchanged
 PARALLEL = math.radians(5)
-OTHER_WIDTH = 0.005  # between the factor given and that of a leaf
 TIPS = "closed form of the touching tips"
 
 
 def narrow(q: Any) -> bool:
     """Whether no width factor is given."""
     return q.width_factor is None
-
-
-def loaded(q: Any) -> bool:
-    """Whether a working force is given."""
-    return q.F is not None
 
 
 class StageFormulas(StagesInputs, Case):
@@ -188,14 +182,10 @@ class StageFormulas(StagesInputs, Case):
 
     def _width(self) -> Iterator[str]:
         leaf = (self.L1 + 2 * self.R * math.cos(self.alpha)) / math.sin(self.alpha)
-        wide = float(width_factor(self.h, leaf, nu=self.nu))
         given = self.width_factor
-        if given is not None and abs(wide / given - 1) > OTHER_WIDTH:
-            yield (
-                f"width_factor = {given:.5g}, but leaves of this width and length are "
-                f"stiffened by {wide:.5g}: forces change by {wide / given - 1:+.1%}"
-            )
-        if given is None and self.h > 10 * self.b:
+        if given is not None:
+            yield from other_width(given, h=self.h, leaf=leaf, nu=self.nu)
+        elif self.h > 10 * self.b:
             yield (
                 f"a strip {self.h / self.b:.0f} times as wide as thick lies between E I and "
                 f"E I/(1 - ν²): forces and stiffnesses may be up to {self.widest - 1:.1%} above "

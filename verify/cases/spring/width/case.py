@@ -17,6 +17,7 @@ from verify.case import (
     approximation,
     identity,
 )
+from verify.cases.spring.claims import PaperLimit
 from verify.cases.spring.inputs import strip_of
 from verify.cases.spring.limits import Share
 from verify.cases.spring.stages.readings import PaperReading
@@ -221,7 +222,7 @@ class WideSpring(WidthInputs, Case):
 def _limits() -> Iterator[Comparison]:
     """Plane stress and plane strain as limits of the width."""
     spring = WideSpring
-    yield Comparison(quantity=spring.k_narrow, check=claims.PaperLimit(
+    yield Comparison(quantity=spring.k_narrow, check=PaperLimit(
         name="a narrow spring is in plane stress", symbol="f", unit="1", points=claims.narrow,
         exponent=None, demand=1e-3, demand_reason=FIFTH,
     ))  # fmt: skip

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -14,9 +14,8 @@ from verify.cases.spring.width.inputs import WidthInputs
 from verify.cases.spring.width.reference import ENDS
 from verify.core.case import Context
 from verify.core.figures import Array
-from verify.core.results import Row
 from verify.judging import judge
-from verify.judging.checks import Limit, Margin
+from verify.judging.checks import Margin
 from verify.judging.convergence import grid_convergence
 from verify.judging.tolerance_checks import Pair, farthest
 from verify.papers.ledger import published
@@ -31,20 +30,6 @@ SOLID = 1e-3  # of the factor, by solids
 HEAD = 5e-4  # of the factor, whatever holds the head and the tail
 UNIFORM = 5e-5  # of the factor, however the head's force spreads
 MET = 0.01  # of the printed stiffness
-
-
-@dataclass(frozen=True, kw_only=True)
-class PaperLimit(Limit):
-    """A limit that one power leads to at the paper's inputs; at one's own it is not claimed.
-
-    A tail held where it is bent adds to a narrow spring what a clamp keeps from curving across, in
-    proportion to the width, beside what its leaves gain.
-    """
-
-    paper_only = True
-
-    def rows(self, context: Context) -> list[Row]:
-        return super().rows(context) if context.is_paper else []
 
 
 def swept(context: Context, name: str) -> Array:

@@ -1,0 +1,37 @@
+"""What formulas and comparisons of springs share: limits of the paper, warnings, conditions."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from analytic.spring.wide_leaf import width_factor
+from verify.core.case import Context
+from verify.core.results import Row
+from verify.judging.checks import Limit
+
+OTHER_WIDTH = 0.005  # between the factor given and that of a leaf
+
+
+@dataclass(frozen=True, kw_only=True)
+class PaperLimit(Limit):
+    """A limit of the paper's strip, which the user's inputs do not claim."""
+
+    paper_only = True
+
+    def rows(self, context: Context) -> list[Row]:
+        return super().rows(context) if context.is_paper else []
+
+
+def other_width(given: float, *, h: float, leaf: float, nu: float) -> Iterator[str]:
+    """A warning where leaves of this width h [m] and length have another factor than the given."""
+    wide = float(width_factor(h, leaf, nu=nu))
+    if abs(wide / given - 1) > OTHER_WIDTH:
+        yield (
+            f"width_factor = {given:.5g}, but leaves of this width and length are "
+            f"stiffened by {wide:.5g}: forces change by {wide / given - 1:+.1%}"
+        )
+
+
+def loaded(q: Any) -> bool:
+    """Whether a working force is given."""
+    return q.F is not None
