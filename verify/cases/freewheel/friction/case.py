@@ -17,8 +17,8 @@ from verify.case import (
     approximation,
     balance,
     identity,
+    underived,
 )
-from verify.case import underived as unknown
 from verify.cases.freewheel.bounds import Interval
 from verify.cases.freewheel.friction import figures as drawn
 from verify.cases.freewheel.friction.bounds import FrictionBounds
@@ -239,7 +239,7 @@ class FreewheelFriction(Pulled):
 
 def expected(interval: Interval | None, source: str = TILTED) -> Expected:
     """The interval with its source, where there is one."""
-    return unknown(source) if interval is None else Expected(*interval, source)
+    return underived(source) if interval is None else Expected(*interval, source)
 
 
 FRICTION = adapted(FreewheelFriction)
