@@ -66,7 +66,7 @@ class ComparedCrowns(Divided, StripRoller):
 
     @Quantity(
         "z_e", "µm", "Johns and Gohar's crown at the ends", source="Johns and Gohar", role="step",
-        tex=r"A_1 \ln\left(\frac{1}{1 - (1 - 0.6065\,b/l) \cdot (2 y/l)^2}\right) "
+        tex=r"A_1 \ln\left(\frac{1}{1 - (1 - 0.6065 b/l) \cdot (2 y/l)^2}\right) "
         r"= A_1 \ln\left(\frac{l}{\exp\left(-\frac{1}{2}\right) b}\right)",
     )  # fmt: skip
     def end_drop(self) -> float:
