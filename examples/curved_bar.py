@@ -1,0 +1,60 @@
+"""Bending stresses of a curved bar by Winkler and Bach: freewheel verify examples/curved_bar.py."""
+
+from collections.abc import Iterator
+from math import log
+
+import verify.case as vc
+
+SOURCE = "derived: Winkler-Bach over Golovin's exact solution (Timoshenko, Goodier: curved bars)"
+
+
+class CurvedBar(vc.Case):
+    """A bar with a rectangular section is straightened by a moment; sections are to stay plane."""
+
+    title = "Bending stresses of a curved bar"
+    source = "Timoshenko, Strength of Materials, part II: bending of curved bars"
+    place = "Winkler-Bach, rectangular section"
+
+    r_i: float = vc.given("50 mm", "mm", "r_i", "inner radius", gt=0)
+    r_o: float = vc.given("100 mm", "mm", "r_o", "outer radius", gt=0)
+    b: float = vc.given("20 mm", "mm", "b", "width", gt=0)
+    M: float = vc.given("1 kN m", "N m", "M", "bending moment that straightens", gt=0)
+
+    @vc.Quantity("r_n", "mm", "radius of the neutral axis", role="step")
+    def r_n(self) -> float:
+        return (self.r_o - self.r_i) / log(self.r_o / self.r_i)
+
+    @vc.Quantity("S", "mm³", "static moment b h e", role="step")
+    def S(self) -> float:
+        return self.b * (self.r_o - self.r_i) * ((self.r_i + self.r_o) / 2 - self.r_n)
+
+    @vc.Quantity("σ_i", "MPa", "stress at the inside", safe="too high")
+    def sigma_i(self) -> float:
+        return self.M * (self.r_n - self.r_i) / (self.S * self.r_i)
+
+    @vc.Quantity("σ_o", "MPa", "stress at the outside")
+    def sigma_o(self) -> float:
+        return self.M * (self.r_n - self.r_o) / (self.S * self.r_o)
+
+    def reference(self, level: int) -> vc.Level:
+        from fem.plane.material import Elastic
+        from fem.plane.solve import solve_plane
+        from meshes.ring.quarter import quarter_ring
+
+        mesh = quarter_ring(r_i=self.r_i, r_o=self.r_o, refine=3 * level)
+        bar = solve_plane(  # a section is turned; no force follows, as x is free at y = 0
+            mesh, materials=Elastic(E=210e9, nu=0.3), assumption="plane stress",
+            supports={"y=0": "y", "x=0": {"x": lambda x: 1e-3 * x[1]}}, thickness=self.b,
+        )  # fmt: skip
+        k = -self.M / bar.reaction("x=0")[2]  # to the moment of the inputs
+        at = {n: k * s.mean(s.polar()[2]) for n in ("bore", "rim") for s in [bar.on_boundary(n)]}
+        field = vc.plane_field(bar, "hoop_stress", scale=k)
+        return vc.solved(1 / level, field, sigma_i=at["bore"], sigma_o=at["rim"])
+
+    def comparisons(self) -> Iterator[vc.Comparison]:
+        a, c, n = self.r_i**2, self.r_o**2, log(self.r_o / self.r_i)
+        exact = 4 * self.M / self.b / ((c - a) ** 2 - 4 * a * c * n**2)
+        sides = (CurvedBar.sigma_i, self.sigma_i, a), (CurvedBar.sigma_o, self.sigma_o, c)
+        for q, at, r2 in sides:
+            sigma = exact * (a * c / r2 * n - c * log(r2 / c) / 2 + a * log(r2 / a) / 2 - c + a)
+            yield vc.approximation(q, order=2, expected=vc.about(at / sigma - 1, 1e-3, SOURCE))
