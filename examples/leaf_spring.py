@@ -53,7 +53,7 @@ class LeafSpring(vc.Case):
     def comparisons(self) -> Iterator[vc.Comparison]:
         s, q = self.t / self.L, 3 / (160 * (1 + self.nu))
         more = 3 * self.nu**2 * s * (sqrt(q / (1 - self.nu**2)) + q * s)  # energy over the beam's
-        shear = self.R / self.R_shear  # flexibility over the beam's, at most
+        shear = 1 + 0.6 * (1 + self.nu) * s**2  # flexibility over the beam's, at most
         for rate, f in ((LeafSpring.R, 1.0), (LeafSpring.R_shear, shear)):
             expected = vc.Expected(1 / (1 + more) / f - 1, shear / f - 1, SOURCE)
             yield vc.approximation(rate, order=1.5, expected=expected)

@@ -1,0 +1,48 @@
+"""Every example passes as it stands, and a mistake in its formula fails the row."""
+
+import json
+import os
+from pathlib import Path
+
+import pytest
+
+from verify.app.cli import run
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
+FORMULAS = {  # file without .py: row, the formula's last line, factors that the row must notice
+    "curved_bar": ("stress at the inside", "return self.M * (self.r_n - self.r_i)", (0.98, 1.02)),
+    "dunkerley": ("critical speed by Dunkerley", "return 1 / sqrt(terms)", (0.98, 1.02)),
+    "leaf_spring": ("rate without shear", "return self.E * self.b * self.t**3", (0.98, 1.02)),
+    "shaft_shoulder": ("stress concentration factor", "return float(s ** np", (0.8, 1.2)),
+    "stepped_hub": ("normal force of the fit", "return 4 * np.pi * self.R * (", (0.98, 1.02)),
+}
+
+
+def statuses(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, file: Path) -> dict[str, str]:
+    monkeypatch.chdir(tmp_path)
+    run(["verify", os.path.relpath(file), "--out", "out", "--jobs", "1"])
+    rows = json.loads(Path("out/results.json").read_text(encoding="utf-8"))["rows"]
+    return {row["quantity"]: row["status"] for row in rows}
+
+
+@pytest.mark.parametrize("name", FORMULAS)
+def test_passes_in_sixty_lines(tmp_path, monkeypatch, name):
+    file = EXAMPLES / f"{name}.py"
+    assert len(file.read_text(encoding="utf-8").splitlines()) <= 60
+    found = statuses(tmp_path, monkeypatch, file)
+    assert FORMULAS[name][0] in found
+    assert set(found.values()) == {"PASS"}
+
+
+@pytest.mark.parametrize(
+    ("name", "factor"), [(n, f) for n, (_, _, factors) in FORMULAS.items() for f in factors]
+)
+def test_wrong_formula_fails(tmp_path, monkeypatch, name, factor):
+    row, line, _ = FORMULAS[name]
+    text = (EXAMPLES / f"{name}.py").read_text(encoding="utf-8")
+    assert text.count(line) == 1
+    side = "low" if factor < 1 else "high"
+    file = tmp_path / f"{name}_{side}.py"  # a module is read once
+    wrong = line.replace("return ", f"return {factor} * ")
+    file.write_text(text.replace(line, wrong), encoding="utf-8")
+    assert statuses(tmp_path, monkeypatch, file)[row] == "FAIL"
