@@ -15,7 +15,7 @@ from verify.case import (
     solved,
 )
 
-# where the expected error comes from; it must not come from the finite elements below
+# where the expected error comes from: neither from the finite elements nor by reading the formula
 SOURCE = "derived: Barlow's mean stress over Lamé's largest is (1 + r_i/r_o)²/(1 + (r_i/r_o)²)/2"
 
 
