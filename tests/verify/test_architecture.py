@@ -42,7 +42,9 @@ def test_only_what_makes_the_reference_or_is_compiled_imports_below_the_top_of_a
     for path in (ROOT / "verify" / "cases").rglob("*.py"):
         for node in ast.walk(ast.parse(path.read_text("utf-8"))):
             if isinstance(node, ast.FunctionDef) and not (
-                "fem" in node.name or "dynamic" in node.name or node.name in REFERENCE
+                "fem" in node.name
+                or "dynamic" in node.name
+                or node.name in REFERENCE
                 or path.stem == "reference"
             ):
                 inner = [n for n in ast.walk(node) if isinstance(n, ast.Import | ast.ImportFrom)]
