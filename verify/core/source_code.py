@@ -21,6 +21,8 @@ from typing import Any
 
 from verify.core.plain_code import PROJECT, is_of_project, plain
 
+CASE = "q"  # what a case's modules call the case with its inputs
+SOLVERS = ("analytic.", "fem.", "meshes.")  # take numbers, and no case
 COMPILED = "analytic.sprag.engagement"
 _outside: set[Path] = set()
 OF_BOTH = re.compile(r"[._](inputs|description)$")  # modules that make what both sides take
@@ -65,7 +67,7 @@ def group_hash(modules: Collection[str]) -> str:
 
 def forget() -> None:
     """Read the sources again: processes read a module once."""
-    for one in (source_of, whole_source_of, is_module, _read, _shallow):
+    for one in (source_of, whole_source_of, is_module, _read, _shallow, _attributes):
         one.cache_clear()
 
 
@@ -86,23 +88,57 @@ def _used(function: Any, *, whole: bool) -> tuple[dict[str, str], set[str]]:
     The function of a case that is one class names its parts by `code`: module, class, members.
     """
     if hasattr(function, "code"):
-        found: dict[str, str] = {}
-        start: set[str] = set()
-        for module, owner, members in function.code():
-            more, reached = _used_in(sys.modules[module], owner, members, whole=whole)
-            found |= {f"{owner}.{name}": code for name, code in more.items()}
-            start |= reached
-        return found, start
+        return _used_in_class(function, whole=whole)
     module = inspect.getmodule(function)
     if module is None or module.__file__ is None:
         return {}, set()
     return _used_in(module, "", [function.__name__], whole=whole)
 
 
+def _used_in_class(function: Any, *, whole: bool) -> tuple[dict[str, str], set[str]]:
+    """The same of a function that names its parts, and of the members that its modules read.
+
+    A reference in a file of its own reads sizes off the case: attributes of the case's modules.
+    """
+    read: frozenset[str] = frozenset()
+    while True:
+        found: dict[str, str] = {}
+        start: set[str] = set()
+        for module, owner, members in function.code(read):
+            more, reached = _used_in(sys.modules[module], owner, members, whole=whole)
+            found |= {f"{owner}.{name}": code for name, code in more.items()}
+            start |= reached
+        modules = (m for m in _reached(start, whole=whole) if not m.startswith(SOLVERS))
+        attributes = read.union(*map(_attributes, modules))
+        if attributes == read:
+            return found, start
+        read = attributes
+
+
+@cache
+def _attributes(module: str) -> frozenset[str]:
+    """The attributes that a module reads off a case: in the suite the object called q.
+
+    Modules outside the suite may call it anything: all that they read.
+    """
+    nodes = [n for n in ast.walk(_tree(module)) if isinstance(n, ast.Attribute)]
+    if module.startswith("verify.cases."):
+        nodes = [n for n in nodes if _name(n.value) == CASE]
+    return frozenset(n.attr for n in nodes)
+
+
+def _name(node: ast.expr) -> str:
+    """The last part of a dotted name."""
+    return node.attr if isinstance(node, ast.Attribute) else getattr(node, "id", "")
+
+
 def _used_in(
     module: ModuleType, owner: str, names: Sequence[str], *, whole: bool
 ) -> tuple[dict[str, str], set[str]]:
-    """The same of some names of a module, or of members of its class `owner`."""
+    """The same of some names of a module, or of members of its class `owner`.
+
+    Formulas that members use, of which sizes are made, count.
+    """
     tree = ast.parse(Path(module.__file__ or "").read_text("utf-8"))
     bound = _bound(tree, module.__name__, whole=whole)
     own = {name: node for node in tree.body for name in _defined(node)}
@@ -114,7 +150,7 @@ def _used_in(
                 alone = copy.copy(node)
                 alone.names = [alias]
                 found = _imported(alone, module.__name__)
-                found = (m for m in found if whole or not _is_formula(m))
+                found = (m for m in found if whole or owner or not _is_formula(m))
                 borrowed.setdefault(name, set()).update(found)
     used: dict[str, str] = {}
     start: set[str] = set()
@@ -150,10 +186,21 @@ def _imported(node: ast.AST, importer: str, *, whole: bool = False) -> Iterator[
     of inputs are both sides': sizes and loads that they compute act on finite elements, too.
     """
     formulas = () if whole else _formulas(node, importer)
+    types = _for_types(node)
     for item in ast.walk(node):
+        if item in types:
+            continue
         names = list(_names(item, importer))
         kept = (n for n in names if not (item in formulas and _is_formula(n)))
         yield from (n for n in kept if _counts(n))
+
+
+def _for_types(node: ast.AST) -> set[ast.AST]:
+    """The imports of a part of a module that only type checkers execute."""
+    guarded = (
+        n for n in ast.walk(node) if isinstance(n, ast.If) and _name(n.test) == "TYPE_CHECKING"
+    )
+    return {item for guard in guarded for part in guard.body for item in ast.walk(part)}
 
 
 def _formulas(node: ast.AST, importer: str) -> Collection[ast.AST]:

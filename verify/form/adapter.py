@@ -2,7 +2,7 @@
 
 import inspect
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import fields, replace
 from typing import Any, ClassVar
 
@@ -66,9 +66,10 @@ class Formulas(_Side):
 
     name = "quantities"
 
-    def code(self) -> tuple[tuple[str, str, tuple[str, ...]], ...]:
-        """What a hash of its code begins with: module, class and members."""
-        return reached(self.form, [q.name for q in self.form.quantities()], formulas=True)
+    def code(self, read: Collection[str] = ()) -> tuple[tuple[str, str, tuple[str, ...]], ...]:
+        """What a hash of its code begins with: module, class and members, also those `read`."""
+        names = [q.name for q in self.form.quantities()]
+        return reached(self.form, [*names, *read], formulas=True)
 
     def __call__(self, case: Case) -> Values:
         more: dict[str, float] = {}
@@ -84,9 +85,9 @@ class Reference(_Side):
 
     name = "reference"
 
-    def code(self) -> tuple[tuple[str, str, tuple[str, ...]], ...]:
-        """What a hash of its code begins with: module, class and members."""
-        return reached(self.form, ["reference"], formulas=False)
+    def code(self, read: Collection[str] = ()) -> tuple[tuple[str, str, tuple[str, ...]], ...]:
+        """What a hash of its code begins with: module, class and members, also those `read`."""
+        return reached(self.form, ["reference", *read], formulas=False)
 
     def __call__(self, case: Case, level: int) -> FemResult:
         before = solving.set(True)

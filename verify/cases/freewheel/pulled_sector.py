@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 
 from verify.cases.contact.errors import fem_errors
 from verify.cases.freewheel.fem import Place, Sector, State
-from verify.cases.freewheel.pulled import Pulled
 from verify.cases.freewheel.sweep import COARSE, FIRST, SPLIT, Start, after, rigid_force
 from verify.core.figures import Field
 
 if TYPE_CHECKING:
     from fem.contact.along import Along
+    from verify.cases.freewheel.pulled import Pulled
 
 Array = NDArray[np.float64]
 
@@ -86,18 +86,18 @@ def fem_along(*, driven: bool) -> "Along":
     return Along(supports={"star.bore": 0.0} | ({"ring.rim": 0.0} if driven else {}))
 
 
-def sector(q: Pulled, start: Start, cells: int, mu: float, *, driven: bool) -> Sector:
+def sector(q: "Pulled", start: Start, cells: int, mu: float, *, driven: bool) -> Sector:
     place = Place.overlapping(q, *start.d)
     return Sector(place, start.widths, cells, mu=mu, along=fem_along(driven=driven))
 
 
-def ample(q: Pulled, place: Place) -> float:
+def ample(q: "Pulled", place: Place) -> float:
     """Friction that holds torque and axial load well."""
     return AMPLE * math.tan(place.psi / 2) * math.hypot(1.0, q.F_ax * q.R / q.T)
 
 
 @lru_cache(maxsize=8)
-def wedged(q: Pulled) -> Start:
+def wedged(q: "Pulled") -> Start:
     """Where the clutch lies under its torque, by coarse meshes."""
     P = rigid_force(q) / q.L
     whole = FIRST * P * (1 - q.nu**2) / q.E
@@ -112,7 +112,7 @@ def wedged(q: Pulled) -> Start:
     raise fem_errors().NotFoundError(f"the torque is missed by {share - 1:.1%}")
 
 
-def at_torque(q: Pulled, cells: int) -> Start:
+def at_torque(q: "Pulled", cells: int) -> Start:
     """The same on meshes of `cells`, whose zones stay where they are."""
     start = wedged(q)
     state = start.state(q, cells)
@@ -120,13 +120,13 @@ def at_torque(q: Pulled, cells: int) -> Start:
     return replace(found, widths=start.widths)
 
 
-def pulled(q: Pulled, there: Sector, rest: State) -> State:
+def pulled(q: "Pulled", there: Sector, rest: State) -> State:
     """The clutch at rest, then loaded on the ring's rim by F_ax/T of the torque that it has."""
     force = {"ring.rim": q.F_ax / q.T * rest.torque / q.z}
     return there.at(rest.drags, axial_forces=force, after=rest.solution)
 
 
-def yielding(q: Pulled, there: Sector, stuck: State) -> float:
+def yielding(q: "Pulled", there: Sector, stuck: State) -> float:
     """How far [m] the ring would yield along z up to the limit if nothing slipped."""
     borne = Borne.on_mesh(stuck)
     N = borne.N.mean()

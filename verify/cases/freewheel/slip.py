@@ -8,12 +8,12 @@ the resultant of its friction is mu N, which no state of this N and F_t exceeds.
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from verify.cases.contact.errors import fem_errors
 from verify.cases.freewheel.fem import Sector, State
-from verify.cases.freewheel.pulled import Pulled
 from verify.cases.freewheel.pulled_sector import (
     EDGES,
     Borne,
@@ -23,6 +23,9 @@ from verify.cases.freewheel.pulled_sector import (
     yielding,
 )
 from verify.cases.freewheel.sweep import Start
+
+if TYPE_CHECKING:
+    from verify.cases.freewheel.pulled import Pulled
 
 STEP = 0.25  # of the rim along z, over what parts yield at the limit
 MOBILISED = 1e-6  # of the axial force: by no more may the cone let it grow where a contact slips
@@ -53,12 +56,12 @@ class Drive:
     The roller stays in its place: the ring turns on where friction lets it creep.
     """
 
-    q: Pulled
+    q: "Pulled"
     there: Sector
     rest: State
 
     @classmethod
-    def at(cls, q: Pulled, start: Start, cells: int) -> "Drive":
+    def at(cls, q: "Pulled", start: Start, cells: int) -> "Drive":
         there = sector(q, start, cells, q.mu, driven=True)
         return cls(q, there, there.rest(start.drags))
 
@@ -152,6 +155,6 @@ class Drive:
         return Driven(creeping(self.there, at.state, ahead, axial_displacements={"ring.rim": u}), u)
 
 
-def axial_unit(q: Pulled, rest: State) -> float:
+def axial_unit(q: "Pulled", rest: State) -> float:
     """F_z [N/m] of one roller that friction leaves beside F_t at rest, by the mesh's normals."""
     return rest.torque / (q.z * q.R) * lever_left(q.mu, rest.start)

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,10 +10,12 @@ from numpy.typing import NDArray
 from analytic.freewheel.geometry import InnerCam
 from verify.cases.contact.errors import fem_errors
 from verify.cases.freewheel.fem import Place, Sector, State
-from verify.cases.freewheel.pulled import Pulled
 from verify.cases.freewheel.pulled_sector import Borne, fem_along, slipping
 from verify.cases.freewheel.slip import Drive, Driven
 from verify.cases.freewheel.sweep import COARSE, Start
+
+if TYPE_CHECKING:
+    from verify.cases.freewheel.pulled import Pulled
 
 Array = NDArray[np.float64]
 
@@ -32,7 +35,7 @@ class Limit:
     Slip is where Coulomb's law says so on the normals of the mesh: `tan` is of the mesh's angle.
     """
 
-    def __init__(self, q: Pulled, start: Start, drags: tuple[float, float]) -> None:
+    def __init__(self, q: "Pulled", start: Start, drags: tuple[float, float]) -> None:
         self.q, self.start, self.drags = q, start, drags
         self.place = Place.overlapping(q, *start.d)
         self.tan = math.tan(self.place.psi / 2)
@@ -121,7 +124,7 @@ class Limit:
 
 
 def over_angles(
-    q: Pulled, start: Start, drags: tuple[float, float], N: float, unit: float
+    q: "Pulled", start: Start, drags: tuple[float, float], N: float, unit: float
 ) -> Array:
     """Clutches alike but for X, at the same overlap, one row (m, 7) for each that can be built.
 

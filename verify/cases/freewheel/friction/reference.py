@@ -2,13 +2,13 @@
 
 import math
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from verify.case import Level
 from verify.cases.freewheel.fem import Sector, State
-from verify.cases.freewheel.pulled import Pulled
 from verify.cases.freewheel.pulled_sector import (
     EDGES,
     Borne,
@@ -24,6 +24,9 @@ from verify.cases.freewheel.pulled_sector import (
 from verify.cases.freewheel.slip_limit import Limit, over_angles
 from verify.cases.freewheel.sweep import Start
 
+if TYPE_CHECKING:
+    from verify.cases.freewheel.pulled import Pulled
+
 Array = NDArray[np.float64]
 
 LEVELS = (4, 6, 8)  # cells on the half-width of the fine zones
@@ -32,7 +35,7 @@ FREE = (1.0, 2.0, 5.0, 10.0, 18.0, 27.0, 37.0)  # the same with the ring held
 SOLVED = 1e-9  # of N, within which the solver balances a body that only contact holds
 
 
-def solve(q: Pulled, level: int) -> Level:
+def solve(q: "Pulled", level: int) -> Level:
     """One level: forces with ample friction, the path to slip; on the finest what slips how."""
     start = at_torque(q, level)
     rest, held = under_load(q, start, level)
@@ -77,7 +80,7 @@ def solve(q: Pulled, level: int) -> Level:
     )  # fmt: skip
 
 
-def under_load(q: Pulled, start: Start, cells: int) -> tuple[State, State]:
+def under_load(q: "Pulled", start: Start, cells: int) -> tuple[State, State]:
     """The clutch with ample friction: at rest under torque, and with the axial load as well."""
     there = sector(q, start, cells, 1.0, driven=False)
     there = sector(q, start, cells, ample(q, there.place), driven=False)
