@@ -72,9 +72,9 @@ def test_the_papers_table_has_the_numbers_of_the_formulas():
         values(x) for x in ("polyhedral-clutch", "freewheel-torque", "spring-width")
     )
     for text in (
-        f"transmits {ring['M wide']:.0f} (plane strain)",
-        f"to {ring['M series']:.0f} N m (plane stress)",
-        f"promises {ring['M Eq. 21']:.0f} N m",
+        f"transmits {ring['M_wide']:.0f} (plane strain)",
+        f"to {ring['M_el']:.0f} N m (plane stress)",
+        f"promises {ring['M_21']:.0f} N m",
         f"overestimates the wind-up by {star['phi_printed'] / star['phi'] - 1:.0%}".replace(
             "%", " %"
         ),

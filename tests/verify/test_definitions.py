@@ -274,8 +274,8 @@ def test_any_case_offers_readings_by_the_kind_of_its_inputs(case):
 def test_the_command_finds_a_diameter_put_in_for_a_radius(tmp_path, capsys):
     lame = CASES[0]
     q = lame.inputs()
-    wrong = lame.analytic(q.model_copy(update={"r_o": 2 * q.r_o}))["bore hoop stress"] / 1e6
-    command = ["search", "ring-lame", "--key", "bore hoop stress", "--printed", f"{wrong:.2f}"]
+    wrong = lame.analytic(q.model_copy(update={"r_o": 2 * q.r_o}))["hoop_bore"] / 1e6
+    command = ["search", "ring-lame", "--key", "hoop_bore", "--printed", f"{wrong:.2f}"]
     assert run([*command, "--changes", "1"]) == 0
     told = capsys.readouterr().out
     assert "2 r_o for r_o" in told
@@ -303,10 +303,10 @@ def test_the_command_ends_with_one_where_nothing_is_found(capsys):
         (["huang2018:table1-i-1"], "an inertia in no equation"),
         (["ring-lame"], "needs --key"),
         (["ring-lame", "--key", "x", "--printed", "1"], "--key x: ring-lame has"),
-        (["ring-lame", "--key", "bore hoop stress"], "--printed needs a number"),
-        (["ring-lame", "--key", "bore hoop stress", "--printed", "0"], "other than zero"),
-        (["ring-lame", "--key", "bore hoop stress", "--printed", "1", "--unit", "mm"], "is in MPa"),
-        (["ring-lame", "--key", "bore hoop stress", "--printed", "1", "--file", "no.toml"],
+        (["ring-lame", "--key", "hoop_bore"], "--printed needs a number"),
+        (["ring-lame", "--key", "hoop_bore", "--printed", "0"], "other than zero"),
+        (["ring-lame", "--key", "hoop_bore", "--printed", "1", "--unit", "mm"], "is in MPa"),
+        (["ring-lame", "--key", "hoop_bore", "--printed", "1", "--file", "no.toml"],
          "no.toml"),
         (["ring-lame/no row"], "has no row"),
         (["wang2023:k1-theory", "--changes", "9"], "--changes is 1 to 3"),

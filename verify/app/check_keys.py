@@ -31,7 +31,7 @@ def _case(file: Path) -> Case:
     return find(read_parameter_file(file)[0])
 
 
-def _lines(outputs: tuple[Output, ...]) -> list[tuple[str, ...]]:
+def _lines(outputs: Sequence[Output]) -> list[tuple[str, ...]]:
     return [(identifier(o.key), unit_of(o.unit), o.what) for o in outputs]
 
 

@@ -63,7 +63,14 @@ def of_package(name: str) -> Case:
         raise
     except Exception as error:
         raise InputError(f"{point.value}: {type(error).__name__}: {error}") from error
-    return adapted(form, time_limit=form.time_limit)
+    return _stated(form)
+
+
+def _stated(form: type[Form]) -> Case:
+    """The case of a class, whose broken rules are errors now."""
+    case = adapted(form, time_limit=form.time_limit)
+    len(case.checks)
+    return case
 
 
 def _form(point: EntryPoint) -> type[Form]:
@@ -95,7 +102,7 @@ def _loaded(path: Path) -> Case:
         ]  # fmt: skip
         if not found:
             raise InputError(f"{path}: declares no subclass of Case with a title")
-        return adapted(found[-1], time_limit=found[-1].time_limit)
+        return _stated(found[-1])
     except InputError:
         raise
     except Exception as error:

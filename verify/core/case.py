@@ -154,8 +154,8 @@ class Case:
     analytic: Callable[[Any], Values]
     reference: Callable[[Any, int], FemResult]
     levels: tuple[int, ...]
-    checks: tuple[Check, ...]
-    outputs: tuple[Output, ...]
+    checks: Sequence[Check]
+    outputs: Sequence[Output]
     readings: tuple[str, ...] = ()
     assumptions: tuple[str, ...] = ()
     quick: bool = True

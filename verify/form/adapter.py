@@ -4,6 +4,7 @@ import inspect
 import math
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import fields, replace
+from functools import cache
 from typing import Any, ClassVar
 
 from verify.core import case as core
@@ -12,6 +13,7 @@ from verify.core.figures import Figure
 from verify.form import equations
 from verify.form.case import MESHES, Case
 from verify.form.comparisons import Comparison, State
+from verify.form.later import Later
 from verify.form.members import check_names, reached
 from verify.form.quantity import CaseError, Quantity, faults_located, solving
 from verify.form.time_limit import limited
@@ -20,23 +22,23 @@ from verify.form.time_limit import limited
 def adapted(form: type[Case], *, time_limit: float | None = None) -> core.Case:
     """The case of a class: comparisons by name as of the default inputs, numbers of any inputs.
 
-    `time_limit` is that of its formulas and of a level [s].
+    `time_limit` is that of its formulas and of a level [s]. Comparisons are stated when they are
+    first read, so that a process states those of the cases that it works on.
     """
-    check_names(form)
-    default = form()
-    with faults_located(inspect.getfile(form)), limited(time_limit):
-        named = [one.name for one in default.stated()]
-    if double := next((name for name in named if named.count(name) > 1), ""):
-        raise CaseError(f"{form.__module__}: {form.__name__}: two comparisons are called {double}")
+
+    def default() -> Case:
+        return _default(form, time_limit)
+
     return core.Case(
         id=form.id, title=form.title, paper=form.source, place=form.place,
         lead=" ".join((inspect.getdoc(form) or "").split()),
         inputs=form, analytic=Formulas(form, time_limit),
         reference=Reference(form, time_limit), method=form.method,
         levels=getattr(form, "levels", MESHES),
-        checks=tuple(_check(one) for one in default.stated()),
-        outputs=tuple(_outputs(default)), readings=form.readings, assumptions=form.assumptions,
-        quick=form.quick, scans=form.scans, portions=form.portions, dynamic=form.dynamic,
+        checks=Later(lambda: tuple(_check(one) for one in default().stated())),
+        outputs=Later(lambda: tuple(_outputs(default()))), readings=form.readings,
+        assumptions=form.assumptions, quick=form.quick, scans=form.scans,
+        portions=form.portions, dynamic=form.dynamic,
         findings=lambda q, _values: tuple(q.advice()),
         summary=lambda q, _values: q.summary(),
         warnings=lambda q, _values: tuple(q.warnings()),
@@ -45,6 +47,18 @@ def adapted(form: type[Case], *, time_limit: float | None = None) -> core.Case:
         too_large=lambda q: q.refusal(), sketch=lambda q: q.sketch(), figures=_figures,
         pictures=lambda q: tuple(q.pictures()),
     )  # fmt: skip
+
+
+@cache
+def _default(form: type[Case], time_limit: float | None) -> Case:
+    """The default inputs with their comparisons; CaseError for a name that is given twice."""
+    check_names(form)
+    case = form()
+    with faults_located(inspect.getfile(form)), limited(time_limit):
+        named = [one.name for one in case.stated()]
+    if double := next((name for name in named if named.count(name) > 1), ""):
+        raise CaseError(f"{form.__module__}: {form.__name__}: two comparisons are called {double}")
+    return case
 
 
 class _Side:

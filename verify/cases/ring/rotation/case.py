@@ -1,12 +1,11 @@
 """Rotating race: the outer race's growth at speed (Eq. 8) beside what the sprags do to it."""
 
 from collections.abc import Iterator
-from typing import Any, ClassVar, Self
+from typing import Any, ClassVar, Literal, Self
 
 import numpy as np
 from pydantic import model_validator
 
-from analytic.contact.checks import Array, Assumption
 from analytic.ring import rotating
 from analytic.ring.smeared import race_deflection
 from verify.case import (
@@ -37,6 +36,7 @@ from verify.judging import judge
 from verify.judging.checks import Order
 from verify.judging.claims import Claim
 
+Ends = Literal["plane stress", "plane strain"]
 FASTEST = 0.05  # strain beyond which small-strain elasticity is no model
 PARABOLAS = "parabolas for circles: their moment errs by less than (cell's angle)^4"
 RPM = np.pi / 30
@@ -54,7 +54,7 @@ class RotatingRace(Case):
     source = "huang2018"
     place = "Eq. 8; Table 1, the outer race's radii"
     levels: ClassVar = (2, 4, 8, 12)
-    ends: ClassVar[Assumption] = "plane stress"  # of the quantities below
+    ends: ClassVar[Ends] = "plane stress"  # of the quantities below
     scans: ClassVar = (Scan(vary=("r_i=5mm,12mm,19.44mm,24mm", "nu=0.1,0.3,0.45"), star=True),)
     readings: ClassVar = (
         "the n of Eq. 8 is a speed in r/min, its ρ a density: πn/30 is the angular speed",
@@ -151,7 +151,7 @@ class RotatingRace(Case):
                 "nu": self.nu}  # fmt: skip
 
     @property
-    def _stresses(self) -> tuple[Array, Array]:
+    def _stresses(self) -> tuple[Any, Any]:
         """Radial and hoop stresses (3,) [Pa] at bore, middle and rim."""
         radii = [self.r_i, (self.r_i + self.r_o) / 2, self.r_o]
         return rotating.stresses(radii, assumption=self.ends, **self._race)
@@ -166,14 +166,14 @@ class RotatingRace(Case):
 
     def reference(self, level: int) -> Level:
         """Quarters in plane stress and plane strain under centrifugal forces."""
-        from fem.plane.material import Assumption, Elastic
+        from fem.plane.material import Elastic
         from fem.plane.solution import PlaneSolution
         from fem.plane.solve import solve_plane
         from meshes.ring.quarter import quarter_ring
 
         pull = self.rho * self.omega**2
 
-        def turning(assumption: Assumption) -> PlaneSolution:
+        def turning(assumption: Ends) -> PlaneSolution:
             return solve_plane(
                 quarter_ring(r_i=self.r_i, r_o=self.r_o, refine=level),
                 materials=Elastic(E=self.E, nu=self.nu), assumption=assumption,
