@@ -4,7 +4,7 @@ A case is one class. Its fields are the inputs, its quantities the formulas of t
 instance is the problem with numbers, so that `CurvedBar().sigma_i` is a stress in Pa.
 """
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Generator, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self
 
 import numpy as np
@@ -170,6 +170,10 @@ class Case(Inputs):
     @property
     def _own(self) -> dict[str, Any]:
         return {k: v for k, v in self.__dict__.items() if not k.startswith(MEMO)}
+
+    def __iter__(self) -> Generator[tuple[str, Any], None, None]:
+        """Names and values of the inputs alone, as `dict(case)` has them."""
+        yield from ((name, getattr(self, name)) for name in type(self).model_fields)
 
     def __copy__(self) -> Self:
         """Without computed values, which `model_copy` would take to other inputs."""

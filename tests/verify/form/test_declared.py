@@ -153,6 +153,7 @@ def test_computed_values_stay_behind_in_copies_and_other_processes():
     stress = rod.sigma
     other = rod.model_copy(update={"F": 2e3})
     assert other.sigma == pytest.approx(2 * stress)
+    assert dict(rod) == {"d": 10e-3, "F": 1e3, "E": 200e9}
     sent = pickle.loads(pickle.dumps(rod))
     assert sent == rod
     assert not [key for key in sent.__dict__ if key.startswith("=")]
