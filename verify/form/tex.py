@@ -97,8 +97,10 @@ def evaluate(tex: str, values: Mapping[str, float]) -> float | None:
     """
     text = plain(put_in(tex, {name: f"({value!r})" for name, value in values.items()}))
     known = {name: getattr(math, code) for code, name in FUNCTIONS.items()}
+    code = text.replace("·", "*").replace("^", "**")
+    if re.search(r"[\d)]\s*\(", code):  # a function of something, as under an integral
+        return None
     try:
-        code = text.replace("·", "*").replace("^", "**")
         return float(eval(code, {"__builtins__": {}}, known | EXTREMES | {"π": math.pi}))  # noqa: S307 - the case's own TeX
     except (SyntaxError, NameError, TypeError, AttributeError, ValueError, ArithmeticError):
         return None
