@@ -23,7 +23,7 @@ SEEDS = (0, 1, 2)
 # of another value.
 SCALES = (
     ("polyhedral-ring", r"uncertainty of .*", 1.0),  # shares of the loads that a fit leaves
-    ("spring-width", r"left .*", 1.0),
+    ("spring-width", r"uncertainty of .*", 1.0),
     ("rotor-clutch", r"K_xz_.*", "K_xx"),
     ("rotor-step", r"uncertainty of .*", 1.0),  # relative errors
 )
@@ -36,7 +36,7 @@ FURTHER = (
     ("freewheel-paths", r"(slip|when|peak|safety)_\d|F_2", 1e-3, SAMPLED),
 )
 # Keys that only the papers' inputs have, which moved ones are no longer.
-PAPER_ONLY = ("rotor-system", "sprag-clutch", "sprag-crown")
+PAPER_ONLY = ("rotor-system", "sprag-clutch", "sprag-crown", "spring-curve", "spring-map")
 
 
 def moved(inputs, rng):
