@@ -97,7 +97,7 @@ def test_a_task_that_killed_its_process_has_failed_on_the_sides_that_it_was_aske
 
 @pytest.mark.parametrize(
     ("module", "formulas", "fe"),
-    [("analytic.polyhedral.bore_pressure", True, False), ("fem.plane.solve", False, True)],
+    [("analytic.polyhedral.bore_pressure", True, False), ("fem.plane.solve", True, True)],
 )
 def test_the_code_of_a_side_is_that_of_all_its_modules(monkeypatch, module, formulas, fe):
     case = registry.find("polyhedral-ring", registry.CASES)
