@@ -24,6 +24,7 @@ Array = NDArray[np.float64]
 
 ZONE = 1.15  # half-width of the fine cells over Hertz's
 HIT = 1e-12  # of the normal force, within which it is met
+UNCHANGED = 1e-6  # of what N misses: it does not depend on the race's place
 MOST = 40
 
 
@@ -88,9 +89,11 @@ class Wedge:
             more = self._missing(state, N)
             if abs(more) <= HIT:
                 return state, now
-            if more == missing:
-                break
-            before, now, missing = now, now - more * (now - before) / (more - missing), more
+            if abs(more - missing) <= UNCHANGED * abs(more):  # slips: the push alone makes N
+                step = -math.copysign(now / 2, more)
+            else:
+                step = -more * (now - before) / (more - missing)
+            before, now, missing = now, now + step, more
         raise fem_errors().NotFoundError(f"the normal force is missed by {more:.1e} of itself")
 
     def _missing(self, state: "ContactSolution", N: float) -> float:
