@@ -82,10 +82,7 @@ class Formulas(_Side):
 
     def code(self, read: Collection[str] = ()) -> tuple[tuple[str, str, tuple[str, ...]], ...]:
         """What a hash of its code begins with: module, class and members, also those `read`."""
-        names = [
-            *(q.name for q in self.form.quantities()),
-            "comparisons",
-        ]  # which have numbers, too
+        names = [*(q.name for q in self.form.quantities()), "comparisons"]  # both have numbers
         return reached(self.form, [*names, *read], formulas=True)
 
     def __call__(self, case: Case) -> Values:
