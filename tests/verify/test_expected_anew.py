@@ -5,14 +5,11 @@ import math
 import pytest
 
 from analytic.rotor import shafts
-from analytic.spring import frame
 from verify.cases.rotor.clutch import bounds as rotor_clutch_expected
 from verify.cases.rotor.clutch import tilted
 from verify.cases.rotor.clutch.case import ClutchLink
 from verify.cases.rotor.shaft import bounds as rotor_shaft_expected
 from verify.cases.rotor.shaft.case import UniformShaft
-from verify.cases.spring.continuum.expected import added
-from verify.cases.spring.inputs import AccordionInputs, strip_of
 
 
 @pytest.mark.parametrize("nu", [0.0, 0.3, 0.45])
@@ -29,30 +26,6 @@ def test_frequencies_are_timoshenko_s(j, change):
     q = UniformShaft(**change)
     anew = rotor_shaft_expected.frequency(q, j)
     assert anew == pytest.approx(q.shaft().whirl(j, theory="timoshenko")[0], rel=1e-11)
-
-
-def by_frame(q: AccordionInputs, *, wide: bool) -> tuple[float, float]:
-    """Shares of the thin frame's flexibility that shear and curvature add."""
-    k = [
-        frame.stiffness(**q.path, **strip_of(q), theory=theory, plane_strain=wide)
-        for theory in ("bending", "shear", "thick")
-    ]
-    return k[0] / k[1] - 1, k[0] / k[2] - k[0] / k[1]
-
-
-@pytest.mark.parametrize("wide", [False, True])
-@pytest.mark.parametrize("change", [{}, {"alpha": math.radians(45), "n": 5}, {"L1": 0.03}])
-def test_shear_is_the_frame_s_and_curvature_up_to_the_next_power_of_thickness(wide, change):
-    off, shares = [], []
-    for b in (1e-4, 5e-5):
-        q = AccordionInputs(**change, b=b, r=0.45e-3 - b / 2)  # the same centre line
-        shear, curvature = by_frame(q, wide=wide)
-        found = added(q, wide=wide)
-        assert found.shear == pytest.approx(shear, rel=1e-8)
-        off.append(found.curvature - curvature)
-        shares.append(curvature)
-    assert abs(off[0]) < 0.03 * abs(shares[0])
-    assert off[0] / off[1] == pytest.approx(16, rel=0.05)  # (b/R)^4
 
 
 @pytest.mark.parametrize(

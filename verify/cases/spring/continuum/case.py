@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from functools import partial
 from typing import ClassVar
 
+from analytic.bounds.spring.thick_frame import Added, added
 from analytic.spring import frame
 from verify.case import (
     Comparison,
@@ -17,7 +18,6 @@ from verify.case import (
     picture,
 )
 from verify.cases.spring.continuum import reference as plane_body
-from verify.cases.spring.continuum.expected import added
 from verify.cases.spring.free_stage import FRAME, FreeStage
 from verify.cases.spring.inputs import strip_of
 from verify.core.case import Context
@@ -76,9 +76,8 @@ class PlaneSpring(FreeStage):
         spring = PlaneSpring
         frames = {False: (spring.k, spring.k_thick), True: (spring.k_wide, spring.k_thick_wide)}
         for strip, wide in STRIPS:
-            more = added(self, wide=wide)
-            expected = (self._expected(more.shear, more.curvature, m) for m in
-                        (more.shear + more.curvature, 0.0))  # fmt: skip
+            more = added(**self.path, b=self.b, nu=self.nu, wide=wide)
+            expected = (self._expected(more, m) for m in (more.both, 0.0))
             words = ("thin frame", "thick curved frame")
             for q, what, interval in zip(frames[wide], words, expected, strict=True):
                 yield approximation(
@@ -86,16 +85,13 @@ class PlaneSpring(FreeStage):
                     order=4, expected=interval, sensitivity=DEMAND, shares="small displacements",
                 )  # fmt: skip
 
-    def _expected(self, shear: float, curvature: float, neglected: float) -> Expected:
-        """What the thick curved frame adds where the formula neglects it, and one order more.
+    def _expected(self, more: Added, neglected: float) -> Expected:
+        """What the formula neglects, within one order more.
 
-        The corrections are of order (b/R)^2, in closed form and not from the frames' own values;
-        what comes next is smaller by b/R at least, with the corrections added up in magnitude,
-        since they partly cancel. Where even that is more than half the demand, the bar is too thick
-        for an estimate and its error is measured.
+        Where even that is more than half the demand, the bar is too thick for an estimate and its
+        error is measured.
         """
-        unknown = self.b / self.R * (abs(shear) + abs(curvature))
-        unknown = max(unknown, DEMAND[0] / 100)  # nothing sharper is claimed
+        unknown = max(more.next_order(self.b / self.R), DEMAND[0] / 100)  # nothing sharper
         return about(neglected, unknown, SOURCE)._replace(sharp=unknown <= DEMAND[0] / 2)
 
     def refusal(self) -> str:

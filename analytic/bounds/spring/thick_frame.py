@@ -9,13 +9,13 @@ N = -cos t and V = sin t there, cos alpha and sin alpha on the leaves. Over 1/(E
 - on arcs 2/5 (M/R)^2: a curved bar in pure bending is softer by (b/R)^2/30 in Golovin's solution;
 - on arcs 2 (1 + 6 nu/5) N M/R: what M and N do together, M positive that pulls the outer fibre.
 
-M^2/I = 12 M^2/(A b^2) is the thin frame's part.
+M^2/I = 12 M^2/(A b^2) is the thin frame's part. What is left out goes with the fourth power of b/R.
+
+S. P. Timoshenko, J. N. Goodier, Theory of Elasticity, 3rd ed., McGraw-Hill 1970, Secs. 29 and 33.
 """
 
 import math
 from dataclasses import dataclass
-
-from verify.cases.spring.inputs import SpringInputs
 
 
 @dataclass(frozen=True)
@@ -24,6 +24,18 @@ class Added:
 
     shear: float
     curvature: float
+
+    @property
+    def both(self) -> float:
+        """Error of the thin frame's stiffness [1]."""
+        return self.shear + self.curvature
+
+    def next_order(self, slenderness: float) -> float:
+        """Size [1] of what comes next, smaller by b/R, the `slenderness`, at least.
+
+        The corrections are added up in magnitude, since they partly cancel.
+        """
+        return slenderness * (abs(self.shear) + abs(self.curvature))
 
 
 @dataclass(frozen=True)
@@ -53,26 +65,36 @@ class _Arc:
         return self.c**2 * self.t + 2 * self.c * self.R * self.cos + self.R**2 * self.cos2
 
 
-def added(q: SpringInputs, *, wide: bool) -> Added:
+def added(
+    *, n: int, L1: float, radius: float, alpha: float, b: float, nu: float, wide: bool
+) -> Added:
     """Both shares for a head that moves freely and a tail clamped at the end of its arc.
 
-    `wide` is plane strain: nu/(1 - nu) in the place of nu.
+    `n` segments, straight length `L1` of head and tail, `radius` R of the arcs' centre line,
+    thickness `b` [length], angle `alpha` of the arcs [rad]. `wide` is plane strain: nu/(1 - nu) in
+    the place of nu.
+
+    >>> shape = {"n": 4, "L1": 10.0, "radius": 1.0, "alpha": 1.5, "nu": 0.3, "wide": False}
+    >>> thick, thin = added(b=0.2, **shape), added(b=0.1, **shape)
+    >>> round(thick.shear / thin.shear, 12), round(thick.curvature / thin.curvature, 12)
+    (4.0, 4.0)
     """
-    nu = q.nu / (1 - q.nu) if wide else q.nu
-    R, c = q.R, q.L1 / 2
-    middle = q.n - 2  # leaves, each with an arc at both ends; a quarter turn at head and tail
-    arcs = ((2.0, _Arc(R, c, math.pi / 2)), (2.0 * middle, _Arc(R, c, q.alpha)))
+    if wide:
+        nu = nu / (1 - nu)
+    R, c = radius, L1 / 2
+    middle = n - 2  # leaves, each with an arc at both ends; a quarter turn at head and tail
+    arcs = ((2.0, _Arc(R, c, math.pi / 2)), (2.0 * middle, _Arc(R, c, alpha)))
 
     def round_arcs(of: str) -> float:
         return R * sum(count * float(getattr(arc, of)) for count, arc in arcs)
 
-    reach = c + R * math.cos(q.alpha)  # of a leaf's ends
-    leaves = middle * 2 * reach / math.sin(q.alpha)
+    reach = c + R * math.cos(alpha)  # of a leaf's ends
+    leaves = middle * 2 * reach / math.sin(alpha)
     squares = c**3 / 3 + leaves * reach**2 / 3 + round_arcs("square")
-    across = leaves * math.sin(q.alpha) ** 2 + round_arcs("t") - round_arcs("cos2") + c
-    along = leaves * math.cos(q.alpha) ** 2 + round_arcs("cos2")
+    across = leaves * math.sin(alpha) ** 2 + round_arcs("t") - round_arcs("cos2") + c
+    along = leaves * math.cos(alpha) ** 2 + round_arcs("cos2")
     shear = along + 12 / 5 * (1 + nu) * across
     together = -round_arcs("lever") / R
     curvature = 2 / 5 * round_arcs("square") / R**2 + 2 * (1 + 6 / 5 * nu) * together
-    thin = 12 / q.b**2 * squares
+    thin = 12 / b**2 * squares
     return Added(shear / thin, curvature / thin)

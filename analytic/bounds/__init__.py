@@ -1,0 +1,1 @@
+"""Errors that formulas may have, known beforehand and without the formulas themselves."""
