@@ -1,20 +1,18 @@
 """The sector of a roller freewheel over its load, by finite elements, and what lies between.
 
 States are taken at overlaps of the contacts that grow from next to nothing to where the normal
-force is that of a rigid clutch, N_0 = T/(z R tan(alpha_0)), and beyond the torque T. In between
-cubic splines of logarithms, whose slopes hardly change.
+force is that of a rigid clutch, N_0 = T/(z R tan(alpha_0)), and beyond the torque T.
 """
 
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
-from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicSpline
 
+from fem.wedge.course import Course
 from verify.cases.contact.errors import fem_errors
 from verify.cases.freewheel.bodies import OneClutch
 from verify.cases.freewheel.fem import Place, Sector, State
@@ -28,7 +26,6 @@ NEAR, MOST = 2e-3, 12  # how near N_0 the end of the sweep is, and in how many s
 FIRST = 16.0  # overlap over N/(L E'), about
 GIVEN = 10.0  # N_0/(L E'): approaches at an angle that is given
 SPLIT = 0.33  # and the star's part of it
-GAUSS = 24  # points of each stretch of an integral over ln T
 QUANTITIES = ("T", "N", "N race", "F_t", "F_t race", "d_i", "d_o", "a_i", "a_o", "p_i", "p_o", "U")
 
 
@@ -100,13 +97,13 @@ def starts(q: OneClutch) -> tuple[Start, ...]:
     return tuple(found)
 
 
-class Sweep:
+class Sweep(Course):
     """States of the sector on meshes of `cells`, and splines between them.
 
     What `along` names grows from state to state: integrals run over its logarithm.
     """
 
-    along = "T"
+    by = along = "T"
 
     def __init__(self, q: OneClutch, cells: int) -> None:
         self._take(q, [start.state(q, cells) for start in reversed(starts(q))])
@@ -117,29 +114,18 @@ class Sweep:
         self.at_states = {name: np.array([read(q, s)[name] for s in states]) for name in QUANTITIES}
         self.psi = np.array([s.place.psi for s in states])
 
-    def over(self, name: str, by: str = "T") -> CubicSpline:
-        """Logarithm of a quantity over that of another."""
-        return CubicSpline(np.log(self.at_states[by]), np.log(self.at_states[name]))
-
-    def at(self, name: str, value: float, by: str = "T") -> float:
-        """A quantity where another has a value; ArithmeticError beyond the sweep."""
-        low, high = self.at_states[by][[0, -1]]
-        if not low <= value <= high:
-            raise ArithmeticError(f"{by} = {value:.4g} lies beyond the states from {low:.4g} on")
-        return float(np.exp(self.over(name, by)(np.log(value))))
-
     def place(self, value: float, by: str = "T") -> Place:
         """Where the roller's centre is."""
         return Place.overlapping(self.q, self.at("d_i", value, by), self.at("d_o", value, by))
 
     def torsion_by_energy(self, T: Array) -> Array:
         """Torsion [rad] as the integral of dU/T, with a power law below the first state."""
-        U = self.over("U", self.along)
-        return self._integral(lambda t: np.exp(U(t) - self.log_torque(t)) * U(t, 1), T)
+        U = self.logarithm("U", self.along)
+        return self._up_to(lambda t: np.exp(U(t) - self.log_torque(t)) * U(t, 1), T)
 
     def torsion_by_rolling(self, T: Array) -> Array:
         """Torsion [rad] as the integral of (dd_i + dd_o)/(R tan(alpha)): exact rolling."""
-        d_i, d_o, q = self.over("d_i", self.along), self.over("d_o", self.along), self.q
+        d_i, d_o, q = self.logarithm("d_i", self.along), self.logarithm("d_o", self.along), self.q
 
         def slope(t: Array) -> Array:
             inner, outer = np.exp(d_i(t)), np.exp(d_o(t))
@@ -149,7 +135,7 @@ class Sweep:
             tangent = np.sqrt((rho - y) / (rho + y))
             return np.asarray((inner * d_i(t, 1) + outer * d_o(t, 1)) / (q.race * tangent))
 
-        return self._integral(slope, T)
+        return self._up_to(slope, T)
 
     def log_torque(self, t: Array) -> Array:
         """Logarithm of the torque where that of what the states run along is `t`."""
@@ -159,19 +145,9 @@ class Sweep:
         """And the other way round."""
         return np.asarray(np.log(T))
 
-    def _integral(self, slope: Callable[[Array], Array], T: Array) -> Array:
-        """Up to torques, of a slope over logarithms that begins with a power."""
-        first = float(np.log(self.at_states[self.along][0]))
-        ends = np.concatenate([[first], self.log_along(np.atleast_1d(T))])
-        x, w = np.polynomial.legendre.leggauss(GAUSS)
-        parts = []
-        for low, high in pairwise(ends):
-            t = low + (high - low) * (x + 1) / 2
-            parts.append(float((high - low) / 2 * w @ slope(t)))
-        step = 1e-3
-        at = slope(np.array([first, first + step]))
-        tail = at[0] / (np.log(at[1] / at[0]) / step)
-        return np.asarray(tail + np.cumsum(parts))
+    def _up_to(self, slope: Callable[[Array], Array], T: Array) -> Array:
+        """Integrals of a slope up to torques."""
+        return self.integral(slope, self.along, self.log_along(np.atleast_1d(T)))
 
 
 def read(q: OneClutch, state: State) -> dict[str, float]:

@@ -101,9 +101,9 @@ class CupSweep(Sweep):
         """Logarithm of the torque over that of the normal force."""
         return np.asarray(t + np.log(self._square(np.exp(np.asarray(t) / 2))) / 2)
 
-    def at(self, name: str, value: float, by: str = "T") -> float:
+    def at(self, name: str, value: float, by: str = "") -> float:
         """As for a star; where T has a value before its summit."""
-        if by == "T":
+        if (by or self.by) == "T":
             return self.at(name, math.exp(self._force(value)), "N")
         return math.exp(self._T(math.log(value))) if name == "T" else super().at(name, value, by)
 

@@ -1,11 +1,10 @@
 """The sector of a sprag clutch over its stroke, by finite elements, and what lies between.
 
 States are taken at rotations whose normal forces grow from next to nothing to beyond 1.8 times a
-rigid clutch's, N_0 = T/(n_s R_i tan(nu_0)). In between cubic splines over the logarithm of N.
+rigid clutch's, N_0 = T/(n_s R_i tan(nu_0)).
 """
 
 import math
-from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache
 from itertools import pairwise
@@ -13,8 +12,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicSpline
 
+from fem.wedge.course import Course
 from verify.cases.sprag.fem import State
 from verify.cases.sprag.inputs import WedgeInputs
 from verify.cases.sprag.stroke import COARSE, Start, at_force
@@ -27,8 +26,6 @@ Array = NDArray[np.float64]
 SHARES = (0.03, 0.22, 0.5, 1.0, 1.86)  # of N_0
 GROWS = 0.965  # power of N with which rotations grow
 FINER = 8  # cells that say how wide contacts are
-GAUSS = 24  # points of each stretch of an integral over ln N
-GROWING = 1.5  # first to last value, from which on logarithms are splined
 
 
 def rigid_force(q: WedgeInputs) -> float:
@@ -53,7 +50,7 @@ def starts_by_fem(q: WedgeInputs) -> tuple[Start, ...]:
     )
 
 
-class Sweep:
+class Sweep(Course):
     """States of the sector on meshes of `cells`, and splines between them over ln N."""
 
     def __init__(self, q: WedgeInputs, cells: int) -> None:
@@ -62,48 +59,15 @@ class Sweep:
         rows = [read(q, state) for state in self.states]
         self.at_states = {name: np.array([row[name] for row in rows]) for name in rows[0]}
 
-    def at(self, name: str, value: float, by: str = "N") -> float:
-        """A quantity where another has a value; ArithmeticError beyond the sweep."""
-        low, high = self.at_states[by][[0, -1]]
-        if not low <= value <= high:
-            raise ArithmeticError(f"{by} = {value:.4g} lies beyond the states from {low:.4g} on")
-        return float(self.over(name, by)(np.log(value)))
-
-    def over(self, name: str, by: str = "N") -> Callable[[Array], Array]:
-        """A quantity over the logarithm of another; of those that grow, logarithms are splined."""
-        x, y = np.log(self.at_states[by]), self.at_states[name]
-        if y[-1] > GROWING * y[0] > 0:
-            power = CubicSpline(x, np.log(y))
-            return lambda t: np.asarray(np.exp(power(t)))
-        spline = CubicSpline(x, y)
-        return lambda t: np.asarray(spline(t))
-
     def turn_by_energy(self, T: Array) -> Array:
         """Turn of the races [rad] up to torques T [N m]: the integral of n_s dU/T."""
-        U, z = self._logarithm("U", "T"), self.q.z
-        return self._integral(lambda t: z * np.exp(U(t) - t) * U(t, 1), "T", T)
+        U, z = self.logarithm("U", "T"), self.q.z
+        return self.integral(lambda t: z * np.exp(U(t) - t) * U(t, 1), "T", np.log(T))
 
     def work(self, N: Array) -> Array:
         """Work [J] on the yields of one sprag up to normal forces N [N]: the integral of N dH."""
-        H = self._logarithm("H", "N")
-        return self._integral(lambda t: np.exp(H(t) + t) * H(t, 1), "N", N)
-
-    def _logarithm(self, name: str, by: str) -> CubicSpline:
-        return CubicSpline(np.log(self.at_states[by]), np.log(self.at_states[name]))
-
-    def _integral(self, slope: Callable[[Array], Array], along: str, to: Array) -> Array:
-        """Up to values of what it runs along, of a slope over logarithms that begins as a power."""
-        first = float(np.log(self.at_states[along][0]))
-        ends = np.concatenate([[first], np.log(np.atleast_1d(to))])
-        x, w = np.polynomial.legendre.leggauss(GAUSS)
-        parts = []
-        for low, high in pairwise(ends):
-            t = low + (high - low) * (x + 1) / 2
-            parts.append(float((high - low) / 2 * w @ slope(t)))
-        step = 1e-3
-        at = slope(np.array([first, first + step]))
-        tail = at[0] / (np.log(at[1] / at[0]) / step)
-        return np.asarray(tail + np.cumsum(parts))
+        H = self.logarithm("H", "N")
+        return self.integral(lambda t: np.exp(H(t) + t) * H(t, 1), "N", np.log(N))
 
 
 def half_width(touch: "Touch") -> float:

@@ -1,0 +1,1 @@
+"""Bodies wedged between two races: states at rest, and courses through states of growing load."""

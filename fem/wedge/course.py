@@ -1,0 +1,63 @@
+"""Numbers of finite-element states of growing load, read over one another between the states."""
+
+from collections.abc import Callable
+from itertools import pairwise
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline
+
+Array = NDArray[np.float64]
+
+GAUSS = 24  # points of each stretch of an integral over logarithms
+GROWING = 1.5  # first to last value, from which on logarithms are splined
+
+
+class Course:
+    """Cubic splines through what `at_states` has of each state (n,), by name.
+
+    All are over the logarithm of a quantity that grows from state to state. Of those that grow by
+    more than `GROWING`, too, logarithms are splined: their slopes hardly change, as bodies in
+    contact yield by powers of their loads. `by` names what values are asked over by default.
+    """
+
+    by: ClassVar[str] = "N"
+    at_states: dict[str, Array]
+
+    def logarithm(self, name: str, by: str) -> CubicSpline:
+        """Logarithm of a quantity over that of another."""
+        return CubicSpline(np.log(self.at_states[by]), np.log(self.at_states[name]))
+
+    def over(self, name: str, by: str) -> Callable[[Array], Array]:
+        """A quantity over the logarithm of another."""
+        y = self.at_states[name]
+        if y[-1] > GROWING * y[0] > 0:
+            power = self.logarithm(name, by)
+            return lambda t: np.asarray(np.exp(power(t)))
+        spline = CubicSpline(np.log(self.at_states[by]), y)
+        return lambda t: np.asarray(spline(t))
+
+    def at(self, name: str, value: float, by: str = "") -> float:
+        """A quantity where another has a value; ArithmeticError beyond the states."""
+        by = by or self.by
+        low, high = self.at_states[by][[0, -1]]
+        if not low <= value <= high:
+            raise ArithmeticError(f"{by} = {value:.4g} lies beyond the states from {low:.4g} on")
+        return float(self.over(name, by)(np.log(value)))
+
+    def integral(self, slope: Callable[[Array], Array], along: str, ends: Array) -> Array:
+        """Integrals (m,) of `slope` over the logarithm of `along`, from no load up to `ends` (m,).
+
+        Up to the first state the slope is taken for a power, as that of its beginning.
+        """
+        first = float(np.log(self.at_states[along][0]))
+        x, w = np.polynomial.legendre.leggauss(GAUSS)
+        parts = []
+        for low, high in pairwise(np.concatenate([[first], np.atleast_1d(ends)])):
+            t = low + (high - low) * (x + 1) / 2
+            parts.append(float((high - low) / 2 * w @ slope(t)))
+        step = 1e-3
+        at = slope(np.array([first, first + step]))
+        tail = at[0] / (np.log(at[1] / at[0]) / step)
+        return np.asarray(tail + np.cumsum(parts))
