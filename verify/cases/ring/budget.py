@@ -35,9 +35,10 @@ def fem_wave(q: LoadsInputs, level: int) -> FemResult:
     import numpy as np
 
     from fem.plane.material import Elastic
+    from fem.plane.patch import polar_nodes
     from fem.plane.solve import solve_plane
     from meshes.ring.sector import half_sector
-    from verify.cases.ring.loads.reference import CELLS, wall_nodes
+    from verify.cases.ring.loads.reference import CELLS
 
     mean = q.n * q.P / (2 * math.pi * q.radius)
     ring = solve_plane(
@@ -48,7 +49,7 @@ def fem_wave(q: LoadsInputs, level: int) -> FemResult:
         supports={"load cut": "n", "free cut": "n"},
         pressures={q.loaded: lambda x: mean * (1 + 2 * np.cos(q.n * np.arctan2(x[1], x[0])))},
     )  # fmt: skip
-    u = np.abs(wall_nodes(ring, q.loaded)[1])
+    u = np.abs(polar_nodes(ring, q.loaded)[1])
     values = {"load": float(u[0]), "between": float(u[-1])}
     return FemResult(h=1 / (CELLS * level), values=values)
 

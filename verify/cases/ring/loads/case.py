@@ -4,12 +4,11 @@ from collections.abc import Iterator
 from typing import ClassVar
 
 from verify.case import Level, Quantity, Scan, given
-from verify.cases.ring.loads import consequence
 from verify.cases.ring.loads import figures as drawn
 from verify.cases.ring.loads import sketch as sketched
 from verify.cases.ring.loads.comparisons import comparisons
 from verify.cases.ring.loads.formulas import SpragLoads
-from verify.cases.ring.loads.inputs import LoadsInputs, Wall
+from verify.cases.ring.loads.inputs import Wall
 from verify.core.case import Context
 from verify.core.figures import Table
 from verify.form.adapter import adapted
@@ -21,51 +20,59 @@ READINGS = (
     "the race is a thin ring (plane stress), as Eq. 6 has it; the contact's half-width is a long "
     "roller's (plane strain)",
 )
-ASSUMPTIONS = (
-    "linear elasticity, small strain, forces along radii, no friction",
-    "Hertz's pressure on every patch, along the arc; the other wall free",
-    "half a pitch with symmetry on both cuts",
-)
 
 
-def reference(self: LoadsInputs, level: int) -> Level:
-    """Half a pitch under Hertz's pressure."""
-    from verify.cases.ring.loads.reference import solve
+class SpragRace(SpragLoads):
+    """What both races have in common."""
 
-    return solve(self, level)
+    levels: ClassVar = (8, 12, 16)
+    assumptions: ClassVar = (
+        "linear elasticity, small strain, forces along radii, no friction",
+        "Hertz's pressure on every patch, along the arc; the other wall free",
+        "half a pitch with symmetry on both cuts",
+    )
 
+    comparisons = comparisons
+    sketch = sketched.sketch
+    figures = drawn.figures
+    pictures = drawn.pictures
 
-def warnings(self: SpragLoads) -> Iterator[str]:
-    """Where the race yields, and where it is no ring under line contacts."""
-    if self.R_p is not None:
-        limit = YIELDING * self.R_p
-        if self.p_0 > limit:
+    def reference(self, level: int) -> Level:
+        """Half a pitch under Hertz's pressure."""
+        from verify.cases.ring.loads.reference import solve
+
+        return solve(self, level)
+
+    def tables(self, context: Context) -> Iterator[Table]:
+        """Wind-up and peak force of a clutch with such races."""
+        yield drawn.table(self, (OuterRace(), InnerRace()) if context.is_paper else ())
+
+    def warnings(self) -> Iterator[str]:
+        """Where the race yields, and where it is no ring under line contacts."""
+        if self.R_p is not None:
+            limit = YIELDING * self.R_p
+            if self.p_0 > limit:
+                yield (
+                    f"p_0 = {self.shown('p_0')} exceeds {YIELDING:g} R_p = {limit / 1e6:.4g} MPa: "
+                    "the race yields below the contact"
+                )
+            if self.stress_scale > self.R_p:
+                yield (
+                    f"hoop stress {self.stress_scale / 1e6:.4g} MPa exceeds R_p = "
+                    f"{self.R_p / 1e6:.4g} MPa: the race yields"
+                )
+        elif self.p_0 > 0.025 * self.E:
             yield (
-                f"p_0 = {self.p_0 / 1e6:.4g} MPa exceeds {YIELDING:g} R_p = {limit / 1e6:.4g} MPa: "
-                "the race yields below the contact"
+                f"p_0 = {self.shown('p_0')} is {self.p_0 / self.E:.1%} of E: no steel bears that; "
+                "give R_p"
             )
-        if self.stress_scale > self.R_p:
-            yield (
-                f"hoop stress {self.stress_scale / 1e6:.4g} MPa exceeds R_p = "
-                f"{self.R_p / 1e6:.4g} MPa: the race yields"
-            )
-    elif self.p_0 > 0.025 * self.E:
-        yield (
-            f"p_0 = {self.p_0 / 1e6:.4g} MPa is {self.p_0 / self.E:.1%} of E: no steel bears that; "
-            "give R_p"
-        )
-    if (share := self.a / self.wall) > WIDE:
-        yield f"a is {share:.0%} of the wall: Hertz's half plane and his dent no longer hold"
-    if self.load > 0.1 * self.wall:
-        yield "the race moves by more than a tenth of its wall: small strain is left"
+        if (share := self.a / self.wall) > WIDE:
+            yield f"a is {share:.0%} of the wall: Hertz's half plane and his dent no longer hold"
+        if self.load > 0.1 * self.wall:
+            yield "the race moves by more than a tenth of its wall: small strain is left"
 
 
-def tables(_: SpragLoads, context: Context) -> Iterator[Table]:
-    """Wind-up and peak force of a clutch with such races."""
-    yield consequence.table(context, (OuterRace(), InnerRace()))
-
-
-class OuterRace(SpragLoads):
+class OuterRace(SpragRace):
     """Eq. 6 replaces the forces of n sprags by a uniform pressure.
 
     Finite elements of half a pitch and a Fourier ring, which agree, give the error of that at a
@@ -76,13 +83,11 @@ class OuterRace(SpragLoads):
     title = "Outer race under its sprags"
     source = "huang2018"
     place = "Eq. 6, δ_BE; Table 1"
-    levels: ClassVar = (8, 12, 16)
     scans: ClassVar = (Scan(vary=("n=6,12,24,48", "r_o=22mm,26.23mm,32mm,45mm")),)
     readings: ClassVar = (
         *READINGS,
         "the sprag's radius at the outer race is not printed: it is taken as at the inner one",
     )
-    assumptions: ClassVar = ASSUMPTIONS
     names: ClassVar = ("R_e", "R_ed")
 
     r_i: float = given(
@@ -98,16 +103,8 @@ class OuterRace(SpragLoads):
     def smeared(self) -> float:
         return self.by_smearing()
 
-    reference = reference
-    comparisons = comparisons
-    warnings = warnings
-    tables = tables
-    sketch = sketched.sketch
-    figures = drawn.figures
-    pictures = drawn.pictures
 
-
-class InnerRace(SpragLoads):
+class InnerRace(SpragRace):
     """The sprags push on the rim of the inner race.
 
     It has the thicker wall, so that the waves between the sprags, which Eq. 6 neglects, are a
@@ -118,10 +115,8 @@ class InnerRace(SpragLoads):
     title = "Inner race under its sprags"
     source = "huang2018"
     place = "Eq. 6, δ_BI; Table 1"
-    levels: ClassVar = (8, 12, 16)
     scans: ClassVar = (Scan(vary=("n=6,12,24,48", "r_i=4mm,7.21mm,8.5mm,9.5mm")),)
     readings: ClassVar = READINGS
-    assumptions: ClassVar = ASSUMPTIONS
     names: ClassVar = ("R_id", "R_i")
     loaded: ClassVar[Wall] = "rim"
 
@@ -137,14 +132,6 @@ class InnerRace(SpragLoads):
               r" - \nu\right)")  # fmt: skip
     def smeared(self) -> float:
         return self.by_smearing()
-
-    reference = reference
-    comparisons = comparisons
-    warnings = warnings
-    tables = tables
-    sketch = sketched.sketch
-    figures = drawn.figures
-    pictures = drawn.pictures
 
 
 OUTER, INNER = adapted(OuterRace), adapted(InnerRace)

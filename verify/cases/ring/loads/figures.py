@@ -1,20 +1,21 @@
-"""What the report draws of a race under n sprags: displacements and stresses around it, fields."""
+"""Figures and table of a race under n sprags: around it, fields, windup and shock of a clutch."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from analytic.ring import windup
 from verify.case import AlongLine, Drawn
-from verify.cases.ring.loads import consequence
 from verify.cases.ring.loads.formulas import SpragLoads
 from verify.cases.ring.loads.reference import wall_angles
 from verify.core.case import Context
-from verify.core.figures import Array, Curve, Curves, Picture
+from verify.core.figures import Array, Curve, Curves, Picture, Table
 from verify.form.fields import picture
 
 MPa, um = 1e6, 1e-6
 COUNTS = (6, 12, 24)
 EDGE = 1.5  # formal order of the largest error, beside the patch
+LISTED = (6, 8, 12, 16, 24)  # numbers of sprags in the table
 DOTS = 40  # nodes of finite elements in a curve
 
 
@@ -42,7 +43,7 @@ def around(q: SpragLoads) -> Array:
 def _ripple(q: SpragLoads, context: Context) -> Curves:
     shares, curves = around(q), []
     for k, n in enumerate(sorted({*COUNTS, q.n})):
-        if not consequence.fits(q, n):
+        if not q.room_for(n):
             continue
         ring = q.race(n=n)
         u = q.outward * ring.at(ring.r, shares * np.pi / n).u_r
@@ -102,3 +103,29 @@ def pictures(self: SpragLoads) -> Iterator[Picture]:
                   factor=um, caption="Radial displacement over a pitch", mirror=("y",))  # fmt: skip
     yield picture("half a pitch", "von_mises", "Von Mises stress about a load, cell means",
                   mirror="y", window=window)  # fmt: skip
+
+
+def ratios(races: Sequence[SpragLoads], n: int) -> tuple[float, float]:
+    """Windup and peak force by Lamé and Hertz over those by the Fourier ring, with n sprags."""
+    return windup.ratios([
+        windup.compliances(q.race(n=n), R=q.R, F=q.F, L=q.L) for q in races
+    ])  # fmt: skip
+
+
+def table(q: SpragLoads, pair: Sequence[SpragLoads]) -> Table:
+    """Both ratios over n: of this race alone and, for the paper's numbers, of both races."""
+    rows: list[tuple[str | float | None, ...]] = []
+    for n in sorted({*LISTED, q.n}):
+        if not all(race.room_for(n) for race in (q, *pair)):
+            continue
+        both = ratios(pair, n) if pair else ()
+        rows.append((str(n), *(f"{x - 1:+.1%}" for x in (*ratios((q,), n), *both))))
+    header = ("n", "windup, this race", "peak force, this race")
+    return Table(
+        title="Lamé's ring and Hertz's dent (to the wall's depth) against the Fourier ring",
+        header=(*header, "windup, both races", "peak force, both races") if pair else header,
+        rows=tuple(rows),
+        note=f"One sprag of {q.F:.4g} N with its own dents; the peak force is that of a shock with "
+        "the energy which Lamé and Hertz take up under this force. Too soft a race overestimates "
+        "the windup, which is safe, and underestimates the force of a shock, which is not.",
+    )

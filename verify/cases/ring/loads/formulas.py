@@ -3,13 +3,11 @@
 import numpy as np
 
 from analytic.contact import hertz_line, hertz_line_approach
-from analytic.ring import loaded_race, smeared
+from analytic.ring import loaded_race, race_work, smeared
 from analytic.ring.fourier_ring import State
 from analytic.ring.loaded_race import LoadedRace
 from verify.case import Quantity, shared
 from verify.cases.ring.loads.inputs import LoadsInputs
-
-POINTS = 24  # of the rule over the patch for its work
 
 
 class SpragLoads(LoadsInputs):
@@ -105,17 +103,11 @@ class SpragLoads(LoadsInputs):
 
     @Quantity("N_θ", "N/mm", "hoop force in the cut between the loads", source="statics")
     def hoop_force(self) -> float:
-        ring = self.race()  # half a load's push along its axis, P <cos θ>, hangs on the cut
-        along = loaded_race.share(ring.alpha) * ring.P
-        return float(self.outward * along / (2 * np.sin(np.pi / ring.n)))
+        return race_work.cut_force(self.race())
 
     @Quantity("U", "J/m", "strain energy", source="Fourier ring")
     def strain_energy(self) -> float:
-        ring = self.race()  # half the work of the pressures on the patches
-        turn = np.arange(1, POINTS + 1) * np.pi / (POINTS + 1)
-        weight = 2 / (POINTS + 1) * np.sin(turn) ** 2
-        u = ring.at(ring.r, ring.alpha * np.cos(turn)).u_r
-        return float(ring.n * ring.P / 2 * abs(u @ weight))
+        return race_work.strain_energy(self.race())
 
     @shared
     def hertz(self) -> tuple[float, float]:

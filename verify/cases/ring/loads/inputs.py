@@ -58,6 +58,10 @@ class LoadsInputs(Case):
         bend = 1 / self.R + (-1 if self.loaded == "bore" else 1) / self.radius
         return math.sqrt(8 * self.P * (1 - self.nu**2) / (math.pi * self.E * bend))
 
+    def room_for(self, n: int) -> bool:
+        """Whether n patches leave half of the wall free."""
+        return 2 * n * self.half_width <= math.pi * self.radius
+
     @model_validator(mode="after")
     def _fits(self) -> Self:
         walls.check_wall(self.r_i, self.r_o)

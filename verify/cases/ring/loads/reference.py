@@ -1,6 +1,5 @@
 """Finite elements of a race under n sprags: half a pitch, plane stress."""
 
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -31,59 +30,31 @@ def wall_angles(q: LoadsInputs) -> Array:
     return np.linspace(AWAY * q.half_width / q.radius, np.pi / q.n, ALONG)
 
 
-def wall_nodes(sector: Any, name: str) -> Array:
-    """Angle, u_r and u_theta (3, m) at every node of the wall `name`."""
-    mesh, basis = sector.basis.mesh, sector.basis
-    facets = mesh.boundaries[name]
-    corners = basis.nodal_dofs[:, np.unique(mesh.facets[:, facets])]
-    dofs = np.hstack([corners, basis.facet_dofs[:2, facets]])
-    x, y = basis.doflocs[:, dofs[0]]
-    theta = np.arctan2(y, x)
-    order = np.argsort(theta)
-    u_x, u_y = sector.u[dofs]
-    c, s = np.cos(theta), np.sin(theta)
-    return np.array([theta, u_x * c + u_y * s, u_y * c - u_x * s])[:, order]
-
-
 def fem_sector(
     *, r_i: float, r_o: float, n: int, loaded: Wall, a: float, P: float, material: Any, level: int
 ) -> Any:
-    """Half a pitch of a ring whose wall `loaded` bears the load P per length on the half-width a.
-
-    Even cells integrate the square-root end of the pressure with an error of order 3/2, 1e-5 of
-    the load; everything is scaled so that the patch bears P.
-    """
-    from fem.plane.solve import solve_plane
+    """Half a pitch of a ring that bears the load P per length on the half-width a of one wall."""
+    from fem.plane.patch import solve_under_patch
     from meshes.ring.sector import half_sector
 
-    radius, peak = r_i if loaded == "bore" else r_o, 2 * P / (np.pi * a)
-
-    def pressure(x: Array) -> Array:
-        arc = radius * np.arctan2(x[1], x[0])
-        return np.asarray(peak * np.sqrt(np.maximum(1 - (arc / a) ** 2, 0.0)))
-
-    sector = solve_plane(
+    return solve_under_patch(
         half_sector(r_i=r_i, r_o=r_o, n=n, loaded=loaded, patch=a, refine=level, cells=CELLS),
-        materials=material,
-        assumption="plane stress",
-        supports={"load cut": "n", "free cut": "n"},
-        pressures={"patch": pressure},
-    )
-    patch = sector.on_boundary("patch")
-    k = P / 2 / float(patch.weight @ pressure(patch.x))
-    return replace(sector, u=k * sector.u, internal=k * sector.internal, f=k * sector.f)
+        material=material, assumption="plane stress", supports={"load cut": "n", "free cut": "n"},
+        radius=r_i if loaded == "bore" else r_o, a=a, P=P,
+    )  # fmt: skip
 
 
 def solve(q: LoadsInputs, level: int) -> Level:
     """One level of half a pitch."""
     from fem.plane.material import Elastic
+    from fem.plane.patch import polar_nodes
 
     sector = fem_sector(
         r_i=q.r_i, r_o=q.r_o, n=q.n, loaded=q.loaded, a=q.half_width, P=q.P,
         material=Elastic(E=q.E, nu=q.nu), level=level,
     )  # fmt: skip
     sign = 1.0 if q.loaded == "bore" else -1.0
-    walls = {name: wall_nodes(sector, name) for name in ("bore", "rim")}
+    walls = {name: polar_nodes(sector, name) for name in ("bore", "rim")}
     far = "rim" if q.loaded == "bore" else "bore"
     near_u, far_u = sign * walls[q.loaded][1], sign * walls[far][1]
     wall = sector.on_boundary(q.loaded)

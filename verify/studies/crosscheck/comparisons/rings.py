@@ -19,7 +19,7 @@ from verify.cases.polyhedral.ring.reference import stiffness
 from verify.cases.ring.lame.case import LAME
 from verify.cases.ring.loads.case import INNER, OUTER
 from verify.cases.ring.loads.inputs import Wall
-from verify.cases.ring.loads.reference import fem_sector, wall_nodes
+from verify.cases.ring.loads.reference import fem_sector
 from verify.cases.ring.rotation.case import ROTATION
 from verify.studies.crosscheck.clock import timed
 from verify.studies.crosscheck.comparisons.plane import (
@@ -117,6 +117,7 @@ def rotation() -> Posed:
 def sprags(loaded: Wall) -> Posed:
     """Half a pitch of a race under its sprags, guided at both cuts, one of them inclined."""
     from fem.plane.material import Elastic
+    from fem.plane.patch import polar_nodes
     from verify.studies.crosscheck.calculix.plane import PlaneDeck
 
     q: Any = (OUTER if loaded == "bore" else INNER).inputs()
@@ -128,7 +129,7 @@ def sprags(loaded: Wall) -> Posed:
     sign, far = (1.0, "rim") if loaded == "bore" else (-1.0, "bore")
 
     def moved(solution: "PlaneSolution") -> dict[str, float]:
-        near, other = (sign * wall_nodes(solution, name)[1] for name in (loaded, far))
+        near, other = (sign * polar_nodes(solution, name)[1] for name in (loaded, far))
         return {
             "load": float(near[0]), "between": float(near[-1]), "far load": float(other[0]),
             "far between": float(other[-1]), "mean": sign * outwards(solution, loaded),

@@ -1,0 +1,58 @@
+r"""What Eq. 6 of Huang 2018 and Hertz's dent are expected to miss of a race under n loads.
+
+Eq. 6 is the mean of the Fourier ring, so that its error at a place where the ring gives way by
+u, less a local dent h, is
+
+.. math:: m = \frac{\bar u + h_a}{u - h} - 1
+
+with the dent h_a that the formula adds. The dents are integrated along the axis of the contact,
+from McEwen's stresses.
+
+References
+----------
+.. [1] K. L. Johnson, Contact Mechanics, Cambridge University Press 1985, sec. 4.2.
+"""
+
+import numpy as np
+from scipy.integrate import quad
+
+ACCEPTED = 1e-3  # of finite elements against the Fourier ring
+PART = 0.05  # of the displacement at a load: of less a ratio says nothing
+
+Interval = tuple[float, float]
+
+
+def smeared_error(
+    *, mean: float, at: float, load: float, dent: float = 0.0, added: float = 0.0
+) -> Interval | None:
+    """Relative error of Eq. 6 and the dent `added`, against `at` less `dent`, within ACCEPTED.
+
+    Displacements [length] of the loaded wall: its `mean`, `at` the place, and at a `load`. None
+    where the dent leaves less than PART of the last one.
+
+    >>> low, high = smeared_error(mean=1.1, at=1.5, load=1.5, dent=0.5)
+    >>> round(low, 6), round(high, 6)
+    (0.0989, 0.1011)
+    """
+    reference = at - dent
+    if abs(reference) < PART * load:
+        return None
+    ratio = (mean + added) / reference
+    slack = ACCEPTED * abs(ratio)
+    return ratio - 1 - slack, ratio - 1 + slack
+
+
+def integrated_dent(depth: float, *, P: float, a: float, E: float, nu: float) -> float:
+    """Shortening [length] of the axis of a contact down to `depth` in a half plane, plane stress.
+
+    Under the load P per length on the half-width a, elliptic.
+    """
+    p_0 = 2 * P / (np.pi * a)
+
+    def strain(z: float) -> float:
+        root = np.hypot(a, z)
+        sigma_z = -p_0 * a / root
+        sigma_x = -p_0 * ((a**2 + 2 * z**2) / (a * root) - 2 * z / a)
+        return float(sigma_z - nu * sigma_x) / E
+
+    return -float(quad(strain, 0.0, depth, points=(a,))[0])

@@ -1,0 +1,29 @@
+"""Race under Hertz's patches as a whole: the force in its cuts and its energy."""
+
+import numpy as np
+
+from analytic.ring import loaded_race
+from analytic.ring.loaded_race import LoadedRace
+
+POINTS = 24  # of the rule over the patch
+
+
+def cut_force(race: LoadedRace) -> float:
+    """Hoop force [force per length] in a cut midway between two loads; a pull counts positive.
+
+    Statics: half of a load's push along its axis, P <cos theta> over the patch, hangs on the cut.
+    """
+    outward = 1.0 if race.loaded == "bore" else -1.0
+    along = loaded_race.share(race.alpha) * race.P
+    return float(outward * along / (2 * np.sin(np.pi / race.n)))
+
+
+def strain_energy(race: LoadedRace) -> float:
+    """Strain energy per length [force] of the whole race: half the work of the pressures.
+
+    By Gauss' rule for the semi-ellipse with `POINTS` points over each patch.
+    """
+    turn = np.arange(1, POINTS + 1) * np.pi / (POINTS + 1)
+    weight = 2 / (POINTS + 1) * np.sin(turn) ** 2
+    u = race.at(race.r, race.alpha * np.cos(turn)).u_r
+    return float(race.n * race.P / 2 * abs(u @ weight))
