@@ -7,11 +7,12 @@ import pytest
 
 from analytic.spring import column, stability
 from analytic.spring.elastica import Elastica
-from verify.cases.spring import large_fem
+from fem.beam import released
+from fem.beam.released import gives_way, linear_load
 from verify.cases.spring.buckling import formulas, reference
 from verify.cases.spring.buckling.case import BUCKLING, NOT_FOUND, BucklingSpring
 from verify.cases.spring.buckling.formulas import critical_point
-from verify.cases.spring.large_fem import Spring
+from verify.cases.spring.large_fem import spring_fem
 from verify.core.case import Context
 from verify.core.inputs import InputError, build
 from verify.core.results import Status
@@ -116,12 +117,17 @@ def test_shear_of_the_column_counts(monkeypatch):
 
 
 def wrong_section(right):
-    """Sections without shear stiffness enough: ten times too soft."""
-    return property(lambda self: replace(right.func(self), GA=right.func(self).GA / 1e4))
+    """Sections without shear stiffness enough: ten thousand times too soft."""
+
+    def wrong(*shape):
+        one = right(*shape)
+        return replace(one, section=replace(one.section, GA=one.section.GA / 1e4))
+
+    return wrong
 
 
 FE_FAULTS = [
-    pytest.param(Spring, "section", wrong_section, U_CR, id="shear ten thousand times too soft"),
+    pytest.param(reference, "spring", wrong_section, U_CR, id="shear ten thousand times too soft"),
     pytest.param(reference, "spring",
                  lambda f: lambda q, p, b, level: f(q, p | {"L1": 1.002 * p["L1"]}, b, level),
                  U_CR, id="leaves 0.2 % too long"),
@@ -145,7 +151,7 @@ SLENDER = {"b": 5e-5, "h": 0.056, "E": 206e9, "nu": 0.3, "per_arc": 4, "per_leaf
 @pytest.fixture
 def thin():
     """A strip half as thick as the paper's, whose stiff and soft directions are furthest apart."""
-    return Spring(BucklingSpring().path | {"tail": "arc"}, **SLENDER)
+    return spring_fem(BucklingSpring().path | {"tail": "arc"}, **SLENDER)
 
 
 def test_the_head_s_stiffness_is_symmetric_though_nothing_makes_it_so(thin):
@@ -157,28 +163,27 @@ def test_the_head_s_stiffness_is_symmetric_though_nothing_makes_it_so(thin):
 def test_where_a_head_gives_way_does_not_depend_on_where_the_search_began(thin, monkeypatch):
     found = []
     for near in (0.8, 0.85, 0.9):
-        monkeypatch.setattr(large_fem, "NEAR", near)
-        found.append(thin.gives_way(5e-3)[0])
+        monkeypatch.setattr(released, "NEAR", near)
+        found.append(gives_way(thin, 5e-3)[0])
     assert found == pytest.approx([found[0]] * 3, rel=1e-11)
 
 
 def test_two_searches_of_one_spring_give_the_same_digits(thin):
-    other = Spring(thin.path, **SLENDER)
-    assert thin.gives_way(5e-3)[:2] == other.gives_way(5e-3)[:2]
-    assert thin.linear_load() == other.linear_load()
+    other = spring_fem(BucklingSpring().path | {"tail": "arc"}, **SLENDER)
+    assert gives_way(thin, 5e-3)[:2] == gives_way(other, 5e-3)[:2]
+    assert linear_load(thin) == linear_load(other)
 
 
 @pytest.mark.parametrize("tail", ["arc", "mid-leaf"])
 def test_a_spring_of_other_size_has_the_same_linear_load_to_its_rounding(tail):
     """Lengths times 1.07 round everywhere else; the load grows with their square."""
-    one, other = (
-        Spring(
-            {k: v * size if k in ("L1", "radius") else v for k, v in BucklingSpring().path.items()}
-            | {"tail": tail},
-            **SLENDER | {"b": 5e-5 * size, "h": 0.056 * size, "per_arc": 16, "per_leaf": 8},
-        ).linear_load()
-        for size in (1.0, 1.07)
-    )
+    loads = []
+    for size in (1.0, 1.07):
+        path = BucklingSpring().path | {"tail": tail}
+        larger = path | {k: path[k] * size for k in ("L1", "radius")}
+        strip = SLENDER | {"b": 5e-5 * size, "h": 0.056 * size, "per_arc": 16, "per_leaf": 8}
+        loads.append(linear_load(spring_fem(larger, **strip)))
+    one, other = loads
     assert other[0] / 1.07**2 == pytest.approx(one[0], rel=1e-11)
     assert one[1] < 1e-10 * one[0]
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from fem.beam import touching, touching_law
+from fem.beam import touching, touching_law, two_lines
 from meshes.spring import centre_line
 from verify.cases.spring.curve import claims, reference
 from verify.cases.spring.curve import fem as curve_fem
@@ -36,7 +36,7 @@ def own():
 
 def context(curve, *, inputs=Q, **more):
     """What judges see if this curve is what both meshes and all contacts give."""
-    kept = np.array([curve.U, curve.F, curve.press.sum(axis=1)])
+    kept = curve.forces
     arrays = curve.arrays("curve 4") | curve.arrays("curve 8")
     arrays |= {f"contact {times:g}": kept for times in reference.TIMES}
     back = kept[:, [13, 9, 5]]
@@ -173,10 +173,10 @@ def test_a_soft_contact_that_does_not_settle_enters(own, monkeypatch):
 
 
 def test_lines_on_the_wrong_side_turn_both_slopes_red(own, monkeypatch):
-    right = claims.touching
-    monkeypatch.setattr(claims, "touching", lambda *a: (right(*a)[0] - 6 * mm, *right(*a)[1:]))
+    right = two_lines.touching
+    monkeypatch.setattr(two_lines, "touching", lambda *a: (right(*a)[0] - 6 * mm, *right(*a)[1:]))
     assert is_red(K2, context(own))
-    monkeypatch.setattr(claims, "touching", lambda *a: (right(*a)[0] + 2 * mm, *right(*a)[1:]))
+    monkeypatch.setattr(two_lines, "touching", lambda *a: (right(*a)[0] + 2 * mm, *right(*a)[1:]))
     assert is_red(CROSSING, context(own)) or is_red(K1, context(own))
 
 
@@ -260,55 +260,16 @@ def test_forces_5_percent_off_are_red_along_the_way(own):
     assert is_red(CROSSING, context(replace(own, U=1.06 * own.U)))
 
 
-def kinked(U, U_A=12 * mm, k1=600.0, k2=750.0):
-    """Two straight lines and the normal force that grows from the kink on."""
-    F = np.where(U > U_A, k1 * U_A + k2 * (U - U_A), k1 * U)
-    return np.array([U, F, np.maximum(0, 300 * (U - U_A))])
-
-
-def test_two_lines_are_found_again():
-    found = claims.fitted(kinked(np.arange(1, 18) * mm), 17 * mm)
-    assert (found.k1, found.k2) == pytest.approx((600, 750), rel=1e-12)
-    assert pytest.approx((12 * mm, 12 * mm), rel=1e-12) == (found.U_A, found.U)
-    assert (found.F_A, found.c1, found.c2) == pytest.approx((7.2, 0, -1.8), abs=1e-12)
-
-
-def test_what_comes_after_the_stroke_is_not_fitted():
-    curve = kinked(np.arange(1, 25) * mm)
-    curve[1, 18:] += 100
-    assert claims.fitted(curve, 17 * mm).k2 == pytest.approx(750, rel=1e-12)
-
-
-def test_a_stroke_that_ends_before_a_has_one_line():
-    found = claims.fitted(kinked(np.arange(1, 11) * mm), 17 * mm)
-    assert found.k1 == pytest.approx(600, rel=1e-12)
-    assert np.isnan([found.k2, found.c2, found.U_A, found.F_A, found.U]).all()
-
-
-def test_a_curve_that_touches_at_its_end_has_no_second_slope():
-    found = claims.fitted(kinked(np.arange(1, 15) * mm), 17 * mm)
-    assert pytest.approx(12 * mm) == found.U_A
-    assert np.isnan(found.k2)
-    assert np.isnan(claims.fitted(kinked(np.arange(1, 3) * mm), 17 * mm).k1)
-
-
-def test_touching_is_read_from_two_states_past_it():
-    U = np.array([11, 11.5, 12.2, 12.4, 13]) * mm
-    assert reference.touching(*kinked(U)) == pytest.approx((12 * mm, 7.2, 750), rel=1e-12)
-    assert np.isnan(reference.touching(*kinked(U[:2]))).all()
-    assert np.isnan(reference.touching(*kinked(U[:3]))).all(), "one state gives no slope"
-
-
 def test_eq_10_is_printed_as_two_lines():
     U = np.array([1, 11.9, 12.0, 17]) * mm
-    assert claims.printed_force(U) == pytest.approx(
+    assert eq10().force(U) == pytest.approx(
         [0.613 + 0.0055, 0.613 * 11.9 + 0.0055, 0.749 * 12 - 1.62, 0.749 * 17 - 1.62], rel=1e-12
     )
 
 
 def test_deviations_are_over_eq_10(own):
     U = np.arange(1.0, 18.0) * mm
-    exact = replace(own, U=U, F=claims.printed_force(U))
+    exact = replace(own, U=U, F=eq10().force(U))
     assert claims.deviations(context(exact), 8)[1] == pytest.approx(np.zeros(17), abs=1e-14)
     assert claims.deviations(context(replace(exact, F=1.02 * exact.F)), 8)[1] == pytest.approx(
         np.full(17, 0.02)

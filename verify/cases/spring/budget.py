@@ -62,10 +62,10 @@ def fem_free(q: MapInputs, level: int) -> FemResult:
 
 def fem_paper(q: MapInputs, level: int) -> FemResult:
     """The same on the paper's lengths: arcs of the inner radius."""
-    from verify.cases.spring.large_fem import Spring
+    from verify.cases.spring.large_fem import spring_fem
 
     path = q.paper_path | {"tail": "arc"}
-    one = Spring(path, q.b, q.h, q.E, q.nu, per_arc=level, per_leaf=max(1, level // 2))
+    one = spring_fem(path, q.b, q.h, q.E, q.nu, per_arc=level, per_leaf=max(1, level // 2))
     return proportional(level, one.stiffness * q.length, 1.0)
 
 

@@ -1,7 +1,7 @@
 """Finite elements of case spring-buckling: one unit, critical points, drift, sweeps and the map."""
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -18,8 +18,11 @@ from verify.cases.spring.buckling.inputs import (
     THICKNESSES,
     BucklingInputs,
 )
-from verify.cases.spring.large_fem import PLACES, Spring
+from verify.cases.spring.large_fem import spring_fem
 from verify.core.figures import Field
+
+if TYPE_CHECKING:
+    from fem.beam.pressed import PressedFrame
 
 SWEPT = 8  # the level of sweeps and the map
 COARSE = 4  # of springs of another shape
@@ -30,19 +33,22 @@ UNIT_PIECES = slice(2, 5)  # arc, leaf, arc of the first middle unit
 
 def solve(q: BucklingInputs, level: int) -> Level:
     """One level of a unit and of both tails; on one of them paths and sweeps, too."""
+    from fem.beam.pressed import PLACES
+    from fem.beam.released import gives_way, linear_load
+
     values: dict[str, float] = unit_fem(q, level)
     u_it: dict[str, float] = {}
     arrays: dict[str, Any] = {}
     fields: list[Field] = []
     for tail in TAILS:
         one = spring(q, q.path | {"tail": tail}, q.b, level)
-        U, u, state = one.gives_way(LAST * q.length)
+        U, u, state = gives_way(one, LAST * q.length)
         if state is None:  # the elastica has a critical point, else the case refuses the inputs
             raise ArithmeticError(
                 f"no critical point of the free head up to {LAST:.0%} of the length, tail {tail}"
             )
         F = one.force(state)
-        F_lin, u_lin = one.linear_load()
+        F_lin, u_lin = linear_load(one)
         k_y, u_y = one.lateral_stiffness(one.guided.rest())
         found = {"U_cr": (U, u), "F_cr": (F, u / U * F), "F_lin": (F_lin, u_lin), "k_y": (k_y, u_y)}
         for share, moved in zip(DRIFT, drift(one, q.P), strict=True):
@@ -51,8 +57,8 @@ def solve(q: BucklingInputs, level: int) -> Level:
             values[f"{name}{KEYS[tail]}"], u_it[f"{name}{KEYS[tail]}"] = value, uncertainty
         if level == SWEPT:
             arrays |= {f"{name}{KEYS[tail]}": array for name, array in along(one, q).items()}
-            arrays[f"let_go{KEYS[tail]}"] = (one.line.points + state.u[:, :2])[
-                one.line.elements[:, [0, 2, 1]]
+            arrays[f"let_go{KEYS[tail]}"] = (one.points + state.u[:, :2])[
+                one.elements[:, [0, 2, 1]]
             ]
             fields.append(shape(one, state, f"let go, {tail}"))
     if level == SWEPT:
@@ -60,18 +66,18 @@ def solve(q: BucklingInputs, level: int) -> Level:
     return Level(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=tuple(fields))
 
 
-def spring(q: BucklingInputs, path: dict[str, Any], b: float, level: int) -> Spring:
-    return Spring(path, b, q.h, q.E, q.nu, per_arc=level, per_leaf=max(1, level // 2))
+def spring(q: BucklingInputs, path: dict[str, Any], b: float, level: int) -> "PressedFrame":
+    return spring_fem(path, b, q.h, q.E, q.nu, per_arc=level, per_leaf=max(1, level // 2))
 
 
-def drift(one: Spring, P: float) -> Any:
+def drift(one: "PressedFrame", P: float) -> Any:
     """States of a head that is free from the first moment, at its shares of the load `P`."""
     path = one.frame("").under_loads({one.head: (P, 0.0, 0.0)}, np.linspace(0.05, 1.1, 22))
     by_share = {round(float(state.factor), 6): state for state in path.states}
     return [by_share[share] for share in DRIFT]
 
 
-def along(one: Spring, q: BucklingInputs) -> dict[str, Any]:
+def along(one: "PressedFrame", q: BucklingInputs) -> dict[str, Any]:
     """A free head's path and the guided one: forces, drift, and what holds them."""
     loose, head = one.frame(""), {one.head: {"x": 1.0}}
     U = np.concatenate([np.linspace(0.01, 0.15, 20), np.linspace(0.18, 0.6, 10)]) * q.length
@@ -88,17 +94,19 @@ def along(one: Spring, q: BucklingInputs) -> dict[str, Any]:
             V, [one.force(s) for s in states], [one.lateral_stiffness(s)[0] for s in states],
             [one.determinant(s, "hinged") / rest["hinged"] for s in states],
         ]),
-        "free_shape": (one.line.points + shapes)[one.line.elements[:, [0, 2, 1]]],
+        "free_shape": (one.points + shapes)[one.elements[:, [0, 2, 1]]],
     }  # fmt: skip
 
 
 def swept(q: BucklingInputs) -> dict[str, Any]:
     """U_cr over b on one centre line; over n; at one L_0/b; and U_cr/L_0 over n and L_1."""
+    from fem.beam.released import gives_way
+
     own = q.path | {"tail": "arc"}
     by_b = []
     for share in THICKNESSES:
         one = spring(q, own, share * q.b, SWEPT)
-        U, _, state = one.gives_way(LAST * q.length)
+        U, _, state = gives_way(one, LAST * q.length)
         by_b.append((share * q.b, U, one.force(state) if state else math.nan))
     ratio = []
     for n in SAME_RATIO:
@@ -116,9 +124,11 @@ def swept(q: BucklingInputs) -> dict[str, Any]:
     return found
 
 
-def shortening(one: Spring, length: float) -> float:
+def shortening(one: "PressedFrame", length: float) -> float:
     """Share of the free length at which a free head buckles; NaN where it never does."""
-    return one.gives_way(LAST * length)[0] / length
+    from fem.beam.released import gives_way
+
+    return gives_way(one, LAST * length)[0] / length
 
 
 def unit_fem(q: BucklingInputs, level: int) -> dict[str, float]:
@@ -127,12 +137,12 @@ def unit_fem(q: BucklingInputs, level: int) -> dict[str, float]:
     from meshes.spring.path import accordion
 
     one = spring(q, q.path | {"tail": "arc"}, q.b, level)
-    line, pieces = one.line, list(accordion(**q.path, tail="arc"))[UNIT_PIECES]
+    pieces = list(accordion(**q.path, tail="arc"))[UNIT_PIECES]
     (x0, y0), (x1, y1) = (pieces[0].x, pieces[0].y), pieces[-1].end
-    middle = line.points[line.elements[:, 2]]
-    own = line.elements[(middle[:, 0] > x0) & (middle[:, 0] < x1)]
+    middle = one.points[one.elements[:, 2]]
+    own = one.elements[(middle[:, 0] > x0) & (middle[:, 0] < x1)]
     nodes, elements = np.unique(own, return_inverse=True)
-    points = line.points[nodes]
+    points = one.points[nodes]
     start, end = (int(np.hypot(*(points - at).T).argmin()) for at in ((x0, y0), (x1, y1)))
     p, y = x1 - x0, (y1 - y0) / 2
     # unit loads at the centre, carried to the end by a rigid arm
@@ -147,9 +157,9 @@ def unit_fem(q: BucklingInputs, level: int) -> dict[str, float]:
     return found
 
 
-def shape(one: Spring, state: Any, name: str) -> Field:
+def shape(one: "PressedFrame", state: Any, name: str) -> Field:
     """The guided spring at its critical point."""
     return Field(
-        name=name, points=one.line.points, cells=one.line.elements[:, :2],
+        name=name, points=one.points, cells=one.elements[:, :2],
         point_data={"displacement": state.u[:, :2]}, units={"displacement": "m"},
     )  # fmt: skip

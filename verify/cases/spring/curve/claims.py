@@ -1,13 +1,13 @@
 """What rows of the whole curve are judged by: fitted lines, contact, energy, limits, Eq. 10."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
 
 from analytic.spring.stages import stages
-from verify.cases.spring.curve.fem import TWICE, Array
+from fem.beam import two_lines
+from fem.beam.two_lines import ROUNDING, TWICE, FittedLines, fitted, on_common
 from verify.cases.spring.curve.inputs import CurveInputs
 from verify.cases.spring.curve.reference import (
     BEYOND,
@@ -18,49 +18,16 @@ from verify.cases.spring.curve.reference import (
     TIMES,
     readings,
     thin,
-    touching,
 )
 from verify.cases.spring.stages.readings import eq10
 from verify.core.case import Context
+from verify.core.figures import Array
 from verify.judging.checks import Margin
 
 mm = 1e-3
 FORCE = 0.04  # of Eq. 10, along the curve
 SETTLED = 1e-4  # of b: how early contact may act, or late
 STIFFER = 10.0  # times k_2, once all loops meet
-ROUNDING = 1e-9  # of a displacement
-
-
-@dataclass(frozen=True)
-class Lines:
-    """Two straight lines fitted to a curve before and after its tips touch, as Eq. 10 was made.
-
-    `k1`, `k2` [N/m], their constants `c1`, `c2` [N]; `U_A`, `F_A` where the tips begin to press.
-    """
-
-    k1: float
-    c1: float
-    k2: float
-    c2: float
-    U_A: float
-    F_A: float
-
-    @property
-    def U(self) -> float:
-        """Displacement [m] where the lines cross."""
-        return (self.c1 - self.c2) / (self.k2 - self.k1)
-
-
-def fitted(curve: Array, stroke: float) -> Lines:
-    """Least squares over U, F, N (3, k) up to the stroke; NaN where nothing touches."""
-    U, F, N = curve[:, stroke * (1 + ROUNDING) >= curve[0]]
-    U_A, F_A, _ = touching(U, F, N)
-    free = U <= U_A if np.isfinite(U_A) else np.ones(len(U), bool)
-    if free.sum() < 3:
-        return Lines(*(np.nan,) * 6)
-    k1, c1 = np.polyfit(U[free], F[free], 1)
-    k2, c2 = np.polyfit(U[~free], F[~free], 1) if (~free).sum() > 2 else (np.nan, np.nan)
-    return Lines(float(k1), float(c1), float(k2), float(c2), U_A, F_A)
 
 
 def array(context: Context, name: str) -> Array:
@@ -74,12 +41,12 @@ def curve(context: Context, level: int = FINE) -> Array:
     return np.array([U, F, press.sum(axis=1)])
 
 
-def lines(context: Context, level: int = FINE) -> Lines:
+def lines(context: Context, level: int = FINE) -> FittedLines:
     """Of the curve of the inputs."""
     return fitted(curve(context, level), context.inputs.stroke)
 
 
-def read(context: Context) -> list[tuple[str, float, Lines, Array]]:
+def read(context: Context) -> list[tuple[str, float, FittedLines, Array]]:
     """Every reading with every strip: name, factor, its lines, and U and F (2, k)."""
     q: CurveInputs = context.inputs
     found = []
@@ -91,18 +58,17 @@ def read(context: Context) -> list[tuple[str, float, Lines, Array]]:
     return found
 
 
-def beside(context: Context, other: Array) -> tuple[Lines, Lines]:
+def beside(context: Context, other: Array) -> tuple[FittedLines, FittedLines]:
     """Of the inputs' curve on the coarse mesh and of the `other` (3, k), in states of both."""
-    own, stroke = curve(context, COARSE), context.inputs.stroke
-    U, V = (np.round(one[0] / stroke, 6) for one in (own, other))
-    own, other = own[:, np.isin(U, V)], other[:, np.isin(V, U)]
+    stroke = context.inputs.stroke
+    own, other = on_common(curve(context, COARSE), other, stroke)
     return fitted(own, stroke), fitted(other, stroke)
 
 
-def apart(one: Lines, other: Lines) -> float:
-    """Largest relative difference of the slopes that both have."""
-    off = [abs(other.k1 / one.k1 - 1), abs(other.k2 / one.k2 - 1)]
-    return float(np.nanmax(off)) if np.isfinite(off).any() else np.nan
+def apart(context: Context, other: Array) -> float:
+    """Largest relative difference of slopes of the inputs' curve and the `other`."""
+    own, other_lines = beside(context, other)
+    return own.apart(other_lines)
 
 
 def without(context: Context) -> str:
@@ -110,7 +76,7 @@ def without(context: Context) -> str:
     return "" if np.isfinite(lines(context).k2) else "; k_2: no leaves touch for long enough"
 
 
-def drift(number: Callable[[Lines], float]) -> Callable[[Context], float]:
+def drift(number: Callable[[FittedLines], float]) -> Callable[[Context], float]:
     """How far a fitted number is from the one on the coarse mesh, over itself."""
 
     def of(context: Context) -> float:
@@ -126,13 +92,13 @@ def depth(context: Context) -> tuple[float, float, str]:
 
 
 def same_contact(context: Context) -> tuple[float, float, str]:
-    off = max(apart(*beside(context, array(context, f"contact {times:g}"))) for times in TIMES)
+    off = max(apart(context, array(context, f"contact {times:g}")) for times in TIMES)
     words = f"slopes change by {off:.1e} at most with a contact 10 times softer or stiffer"
     return off, 0.0, words + without(context)
 
 
 def halved(context: Context) -> tuple[float, float, str]:
-    off = apart(*beside(context, curve(context)))
+    off = apart(context, curve(context))
     words = f"slopes change by {off:.1e} at most from {COARSE} to {FINE} cells"
     return off, 0.0, words + without(context)
 
@@ -149,9 +115,7 @@ def balance(context: Context) -> tuple[float, float, str]:
 def retraced(context: Context) -> tuple[float, float, str]:
     """Force on the way back against the way there, without friction."""
     U, F, _ = array(context, "there and back")
-    turn = int(np.argmax(U))
-    back = F[turn + 1 :] / np.interp(U[turn + 1 :], U[: turn + 1], F[: turn + 1]) - 1
-    off = float(abs(back).max())
+    off = two_lines.retraced(U, F)
     return off, 0.0, f"forces on the way back differ by {off:.1e}"
 
 
@@ -179,7 +143,7 @@ def near(key: str, figure: float, printed: Callable[[], float]) -> Margin:
     """What is left of `figure` about a number of Eq. 10."""
 
     def margin(context: Context) -> tuple[float, float, str]:
-        def own(found: Lines) -> float:
+        def own(found: FittedLines) -> float:
             return float(getattr(found, key))
 
         off = own(lines(context)) / printed() - 1
@@ -214,13 +178,7 @@ def deviations(context: Context, level: int) -> tuple[Array, Array]:
     """U = 1 ... 17 mm, and force over that of Eq. 10, less one."""
     U = np.arange(1.0, 18.0) * mm
     reached, F = (array(context, f"curve {level} {key}") for key in ("U", "F"))
-    return U, np.interp(U, reached, F) / printed_force(U) - 1
-
-
-def printed_force(U: Array) -> Array:
-    """Eq. 10 [N] at U [m]."""
-    own = eq10()
-    return np.where(own.U > U, own.k1 * U + own.c1, own.k2 * U + own.c2)
+    return U, np.interp(U, reached, F) / eq10().force(U) - 1
 
 
 def parallel(k: int) -> Callable[[Context], tuple[list[float], list[float], list[float]]]:

@@ -5,20 +5,18 @@ from typing import Any
 
 import numpy as np
 
+from fem.beam.two_lines import TOUCH, FittedLines
 from verify.cases.spring.curve.claims import (
-    Lines,
     array,
     deviations,
     ends_early,
     lines,
-    printed_force,
     read,
 )
-from verify.cases.spring.curve.fem import Array
-from verify.cases.spring.curve.reference import FINE, LEVELS, TOUCH
+from verify.cases.spring.curve.reference import FINE, LEVELS
 from verify.cases.spring.stages.readings import eq10
 from verify.core.case import Context
-from verify.core.figures import Curve, Curves, Figure, Panel, Shapes, Table
+from verify.core.figures import Array, Curve, Curves, Figure, Panel, Shapes, Table
 from verify.papers.ledger import published
 
 mm, N_PER_MM = 1e-3, 1e3
@@ -51,7 +49,7 @@ def _curve(context: Context) -> Curves:
         k1, k2 = (published(f"wang2023:{k}-test").value for k in ("k1", "k2"))
         test = np.where(at < eq10().U, k1 * at / mm, k1 * eq10().U / mm + k2 * (at - eq10().U) / mm)
         curves += [
-            Curve(name="Eq. 10", x=at[::8] / mm, y=printed_force(at[::8]), style="dots", colour=3),
+            Curve(name="Eq. 10", x=at[::8] / mm, y=eq10().force(at[::8]), style="dots", colour=3),
             Curve(name="slopes of the tests", x=at / mm, y=test, style="dashes", colour=4),
         ]
     kink = (
@@ -138,7 +136,7 @@ def _readings(context: Context) -> Curves:
     for k, (name, found) in enumerate(_stable(context)):
         U, F = found
         curves.append(
-            Curve(name=name, x=U / mm, y=100 * (F / printed_force(U) - 1), colour=k % 6,
+            Curve(name=name, x=U / mm, y=100 * (F / eq10().force(U) - 1), colour=k % 6,
                   style="line" if k < 6 else "dashes")
         )  # fmt: skip
     return Curves(
@@ -189,12 +187,12 @@ def _points(context: Context) -> Table:
 def _forces(context: Context) -> Table:
     U, off = deviations(context, FINE)
     q = context.inputs
-    F, theory = (1 + off) * printed_force(U), published("wang2023:k1-theory").value * U / mm
+    F, theory = (1 + off) * eq10().force(U), published("wang2023:k1-theory").value * U / mm
     form = q.linear.force(U)
     rows = tuple(
         (round(u / mm), round(f, 4), round(p, 4), _percent(f / p - 1), _percent(t / f - 1),
          _percent(c / f - 1))
-        for u, f, p, t, c in zip(U, F, printed_force(U), theory, form, strict=True)
+        for u, f, p, t, c in zip(U, F, eq10().force(U), theory, form, strict=True)
     )  # fmt: skip
     return Table(
         title="F(U) beside Eq. 10", rows=rows,
@@ -222,8 +220,8 @@ def _combinations(context: Context) -> Table:
     )  # fmt: skip
 
 
-def _beside(found: Lines, curve: Array, test: dict[str, float]) -> tuple[Any, ...]:
-    last = curve[1, -1] / printed_force(curve[0, -1:])[0] - 1
+def _beside(found: FittedLines, curve: Array, test: dict[str, float]) -> tuple[Any, ...]:
+    last = curve[1, -1] / eq10().force(curve[0, -1:])[0] - 1
     return (
         round(found.k1 / N_PER_MM, 4), _percent(found.k1 / eq10().k1 - 1),
         round(found.k2 / N_PER_MM, 4), _percent(found.k2 / eq10().k2 - 1),

@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 
 from verify.case import Level
-from verify.cases.spring.curve.fem import Array, Curve, Spring, fem_compress
+from verify.cases.spring.curve.fem import Spring, fem_compress
 from verify.cases.spring.curve.inputs import CurveInputs
+from verify.core.figures import Array
 
 LEVELS = (4, 6, 8)  # cells of an arc and of a leaf
 COARSE, READINGS, FINE = LEVELS
@@ -19,7 +20,6 @@ TIMES = (0.1, 10.0)  # the contact's usual stiffness
 BACK = (14, 10, 6)  # of the variants' states, on the way back
 BEYOND = np.arange(1, 41) * 0.006  # of the stroke, beyond it
 ROUND_OFF = 1e-9
-TOUCH = 0.004  # of the force: tips that press this much touch for sure
 THIN = (0.01, 0.005, 0.002, 0.001)  # r over L_1, towards leaves that stay parallel
 THIN_UNITS, THIN_SLOPE, THIN_CELLS = 10, 1.5, (2, 3)
 THIN_GRID = (10.0, 14.0, 15.6, 16.0)  # of the loops' radius
@@ -73,10 +73,10 @@ def _variants(q: CurveInputs) -> dict[str, Any]:
     there, found = grid(q, QUARTER), {}
     for times in TIMES:
         varied = fem_compress(spring_of(q), there, per_arc=COARSE, times=times)
-        found[f"contact {times:g}"] = _kept(varied)
+        found[f"contact {times:g}"] = varied.forces
     both_ways = np.append(there, there[np.array(BACK) - 1])
     slippery = fem_compress(spring_of(q, mu=0.0), both_ways, per_arc=COARSE)
-    return found | {"there and back": _kept(slippery)}
+    return found | {"there and back": slippery.forces}
 
 
 def _read(q: CurveInputs) -> dict[str, Any]:
@@ -84,14 +84,9 @@ def _read(q: CurveInputs) -> dict[str, Any]:
     held, found = grid(q, QUARTER), {}
     for name, spring in readings(q):
         within = held if spring.head != "free" else held[:1]  # it buckles soon after
-        found[f"reading {name}"] = _kept(fem_compress(spring, within, per_arc=COARSE))
+        found[f"reading {name}"] = fem_compress(spring, within, per_arc=COARSE).forces
     limit = [[thin_fem(q, share, cells) for share in THIN] for cells in THIN_CELLS]
     return found | {"thin": np.array(limit)}
-
-
-def _kept(curve: Curve) -> Array:
-    """U, F and the sum of the normal forces (3, k)."""
-    return np.array([curve.U, curve.F, curve.press.sum(axis=1)])
 
 
 def thin(q: CurveInputs, share: float) -> Spring:
@@ -107,25 +102,8 @@ def thin(q: CurveInputs, share: float) -> Spring:
 
 def thin_fem(q: CurveInputs, share: float, cells: int) -> tuple[float, float, float]:
     """Displacement [m] and force [N] where its tips touch, and the stiffness from there on."""
+    from fem.beam.two_lines import onset
+
     spring = thin(q, share)
     curve = fem_compress(spring, spring.line["radius"] * np.array(THIN_GRID), per_arc=cells)
-    return _line(curve.U[-2:], curve.F[-2:], curve.press[-2:].sum(axis=1))
-
-
-def touching(U: Array, F: Array, N: Array) -> tuple[float, float, float]:
-    """U_A, F_A and the slope beyond, from the two first states in which tips surely touch.
-
-    N is the sum of normal forces, which begins at zero in A and grows evenly. NaN where nothing
-    touches.
-    """
-    i = int(np.argmax(N > TOUCH * F))
-    if i == 0 or i + 1 == len(U):
-        return (np.nan,) * 3
-    return _line(U[i : i + 2], F[i : i + 2], N[i : i + 2])
-
-
-def _line(U: Array, F: Array, N: Array) -> tuple[float, float, float]:
-    """Where N began, the force there and the slope, from two states."""
-    k = (F[1] - F[0]) / (U[1] - U[0])
-    U_A = U[0] - N[0] * (U[1] - U[0]) / (N[1] - N[0])
-    return float(U_A), float(F[0] - k * (U[0] - U_A)), float(k)
+    return onset(*curve.forces[:, -2:])

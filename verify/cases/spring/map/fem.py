@@ -1,13 +1,16 @@
 """Finite elements of case spring-map: one spring on every level, maps on one of them."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from verify.cases.spring.large_fem import Spring
+from verify.cases.spring.large_fem import spring_fem
 from verify.cases.spring.limits import Share
 from verify.cases.spring.map.inputs import SHARES, Cell, MapInputs, points
 from verify.core.case import FemResult
+
+if TYPE_CHECKING:
+    from fem.beam.pressed import PressedFrame
 
 MAPPED = 8  # the level of the maps
 PER_ARC, PER_LEAF = 4, 2  # of the cells of a map
@@ -45,8 +48,8 @@ def deep_fem(q: MapInputs, row: int) -> FemResult:
     )
 
 
-def spring(q: MapInputs, cell: Cell, per_arc: int, per_leaf: int) -> Spring:
-    return Spring(cell.path, cell.b, q.h, q.E, q.nu, per_arc=per_arc, per_leaf=per_leaf)
+def spring(q: MapInputs, cell: Cell, per_arc: int, per_leaf: int) -> "PressedFrame":
+    return spring_fem(cell.path, cell.b, q.h, q.E, q.nu, per_arc=per_arc, per_leaf=per_leaf)
 
 
 def measured(q: MapInputs, cell: Cell) -> tuple[float, ...]:
@@ -67,7 +70,7 @@ def measured(q: MapInputs, cell: Cell) -> tuple[float, ...]:
     return (one.stiffness, *secant)
 
 
-def pressed(one: Spring, cell: Cell) -> list[float]:
+def pressed(one: "PressedFrame", cell: Cell) -> list[float]:
     """Forces of the guided head at the shares of its length, all of stable equilibria.
 
     UnstableError where there is a critical point before, ArithmeticError where nothing is found.
@@ -77,7 +80,8 @@ def pressed(one: Spring, cell: Cell) -> list[float]:
     try:
         states = one.compressed(U)
     except ArithmeticError as error:
-        if (U_cr := critical_displacement(one, float(U[-1]))) is None:
+        until = float(U[-1])
+        if (U_cr := one.critical_displacement(until, SHARES[0] / CLOSER * until)) is None:
             raise
         raise UnstableError(f"critical point at {U_cr / cell.length:.1%} of the length") from error
     if any(state.negative for state in states):
@@ -85,28 +89,14 @@ def pressed(one: Spring, cell: Cell) -> list[float]:
     return [one.force(states[int(np.argmin(abs(U - s * cell.length)))]) for s in SHARES]
 
 
-def critical_displacement(one: Spring, until: float) -> float | None:
-    """First critical point of the guided spring [m]; None where there is none up to `until` [m].
-
-    Between two states that were found, the tangent stiffness ceases to be positive definite.
-    Control by the arc length passes limit points, where control by displacement finds no state.
-    """
-    path = one.guided.along_arc(
-        None, moved={one.head: {"x": 1.0}}, first=SHARES[0] / CLOSER * until,
-        until=lambda state: state.negative > 0 or state.factor > until,
-    )  # fmt: skip
-    found = [point.factor for point in one.guided.buckling(path)]
-    return min((U for U in found if until > U), default=None)
-
-
-def free(one: Spring, cell: Cell) -> float:
+def free(one: "PressedFrame", cell: Cell) -> float:
     """Force of a free head that came as far as the first share, drifting on its way."""
     U = np.linspace(0, SHARES[0], 31)[1:] * cell.length
     path = one.frame("").displaced({one.head: {"x": 1.0}}, U)
     return float(path.reactions[-1, one.head, 0])
 
 
-def aside(q: MapInputs, one: Spring) -> tuple[float, float]:
+def aside(q: MapInputs, one: "PressedFrame") -> tuple[float, float]:
     """Force along and across of a head that went the roller's way, without turning."""
     way = {one.head: {"x": q.x_r, "y": q.y_r}}
     state = one.frame("r").displaced(way, np.linspace(0.25, 1, 4)).last

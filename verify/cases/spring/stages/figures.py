@@ -40,7 +40,7 @@ def _beside_eq_10(q: StagesInputs) -> Iterator[Curves]:
     lines = eq10()
     tests = [published(f"wang2023:{name}-test").value * 1e3 for name in ("k1", "k2")]
     U = np.linspace(0.0, EQ10_END, 60)
-    printed = np.where(U > lines.U, lines.c2 + lines.k2 * U, lines.c1 + lines.k1 * U)
+    printed = lines.force(U)
     tested = np.where(U > lines.U, (tests[0] - tests[1]) * lines.U + tests[1] * U, tests[0] * U)
     found = [("Eq. 10, the paper's shell model", printed, "line", 0),
              ("slopes of the tests, from the origin", tested, "dots", 5)]  # fmt: skip

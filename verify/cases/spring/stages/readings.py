@@ -5,13 +5,13 @@ much its shell model gains by its width. A reading is chosen by k_1 alone; what 
 k_2 and of the point A is a prediction, and calibrated all the same.
 """
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from itertools import product
 from typing import Any
 
+from analytic.spring.lines import Lines
 from analytic.spring.loops import Tail
 from analytic.spring.stages import Head, Stages, stages
 from verify.cases.spring.stages.inputs import StagesInputs
@@ -64,34 +64,6 @@ class Reading:
 
     def __str__(self) -> str:
         return f"tail at {self.tail}, head {self.head}, {self.radius}, {self.strip}"
-
-
-@dataclass(frozen=True)
-class Lines:
-    """The two lines of Eq. 10 [SI] and where they cross, with standard uncertainties of that.
-
-    The printed digits of all four constants enter the crossing to first order.
-    """
-
-    k1: float
-    c1: float
-    k2: float
-    c2: float
-
-    @property
-    def U(self) -> float:
-        return (self.c1 - self.c2) / (self.k2 - self.k1)
-
-    @property
-    def F(self) -> float:
-        return self.k1 * self.U + self.c1
-
-    def spread(self, u_k1: float, u_c1: float, u_k2: float, u_c2: float) -> tuple[float, float]:
-        """Standard uncertainties of U and F."""
-        rise = self.k2 - self.k1
-        by_U = (self.U * u_k1, u_c1, self.U * u_k2, u_c2)  # over the difference of the slopes
-        by_F = (self.k2 * self.U * u_k1, self.k2 * u_c1, self.k1 * self.U * u_k2, self.k1 * u_c2)
-        return math.hypot(*by_U) / rise, math.hypot(*by_F) / rise
 
 
 def _entries() -> tuple[tuple[float, float], ...]:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from fem.beam.released import linear_load
 from verify.cases.spring.accordion.case import ACCORDION
 from verify.cases.spring.accordion.ends import Ends
 from verify.cases.spring.accordion.reference import curved_frame, line_of
@@ -100,7 +101,8 @@ def accordion(tail: Any, head: Any) -> Posed:
 def aside() -> Posed:
     """The guided head moved aside without load."""
     q: Any = BUCKLING.inputs()
-    one = spring(q, q.path | {"tail": "arc"}, q.b, LEVEL)
+    path = q.path | {"tail": "arc"}
+    one = spring(q, path, q.b, LEVEL)
     (k, _), seconds = timed(lambda: one.lateral_stiffness(one.guided.rest()))
 
     def problem(part: "Strip") -> dict[str, Any]:
@@ -113,7 +115,7 @@ def aside() -> Posed:
         }  # fmt: skip
 
     return posed(
-        q, one.path, problem, {"k_y": k}, seconds,
+        q, path, problem, {"k_y": k}, seconds,
         lambda answer: {"k_y": float(answer.reaction[0, 1]) * q.h / ASIDE},
     )  # fmt: skip
 
@@ -121,8 +123,9 @@ def aside() -> Posed:
 def buckled(tail: str) -> Posed:
     """The linear buckling load of the spring whose head is free."""
     q: Any = BUCKLING.inputs()
-    one = spring(q, q.path | {"tail": tail}, q.b, LEVEL)
-    (load, _), seconds = timed(one.linear_load)
+    path = q.path | {"tail": tail}
+    one = spring(q, path, q.b, LEVEL)
+    (load, _), seconds = timed(lambda: linear_load(one))
 
     def problem(part: "Strip") -> dict[str, Any]:
         from verify.studies.crosscheck.calculix.large import Load
@@ -133,20 +136,21 @@ def buckled(tail: str) -> Posed:
             "steps": [[Load(part.middle(0), 0, 1 / q.h)]], "watched": [part.middle(0)],
         }  # fmt: skip
 
-    return posed(q, one.path, problem, {"F": load}, seconds, None)
+    return posed(q, path, problem, {"F": load}, seconds, None)
 
 
 def drift(share: float) -> Posed:
     """A free head under a dead force, far beyond small displacements."""
     q: Any = BUCKLING.inputs()
-    one = spring(q, q.path | {"tail": "arc"}, q.b, LEVEL)
+    path = q.path | {"tail": "arc"}
+    one = spring(q, path, q.b, LEVEL)
 
     def solve() -> Any:
         steps = np.linspace(0.05, share, 20)
         return one.frame("").under_loads({one.head: (q.P, 0.0, 0.0)}, steps)
 
-    path, seconds = timed(solve)
-    u = path.u[-1, one.head, :2]
+    loaded, seconds = timed(solve)
+    u = loaded.u[-1, one.head, :2]
 
     def problem(part: "Strip") -> dict[str, Any]:
         from verify.studies.crosscheck.calculix.large import Load
@@ -158,7 +162,7 @@ def drift(share: float) -> Posed:
         }  # fmt: skip
 
     return posed(
-        q, one.path, problem, {"u_x": float(u[0]), "u_y": float(u[1])}, seconds,
+        q, path, problem, {"u_x": float(u[0]), "u_y": float(u[1])}, seconds,
         lambda answer: dict(zip(("u_x", "u_y"), answer.u[-1, 0].tolist(), strict=True)), SMALL,
     )  # fmt: skip
 

@@ -1,4 +1,4 @@
-"""Small displacements of springs for the cases, free of the round-off of thin strips."""
+"""Small displacements of unloaded frames, free of the round-off of thin strips."""
 
 from dataclasses import dataclass
 from functools import cached_property

@@ -1,0 +1,123 @@
+"""A frame whose end is pressed far along x: its path, and what holds the end in line.
+
+The springs of thin strips that this is for have stiff and soft directions that are many powers of
+ten apart: strains come from differences in extended precision, stiffnesses from strains.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+from scipy.sparse.linalg import splu
+
+from fem.beam.curved import solve_curved_frame
+from fem.beam.large import LargeFrame
+from fem.beam.large_state import State
+from fem.beam.section import Array, Indices, Section
+
+PLACES = 1e-11  # of a load, displacement or stiffness: nodes' places, rounded in double precision
+Freedom = Literal["free", "hinged"]
+
+
+@dataclass(frozen=True, eq=False)
+class PressedFrame:
+    """Quadratic `elements` (m, 3) of one `section`, clamped at the node `tail`, moved at `head`."""
+
+    points: Array
+    elements: Indices
+    section: Section
+    head: int
+    tail: int
+
+    @property
+    def stiffness(self) -> float:
+        """Of a free head along x, at small displacement [force/length]."""
+        solved = solve_curved_frame(
+            self.points, self.elements, sections=self.section, supports={self.tail: "xyr"},
+            loads={self.head: (1.0, 0.0, 0.0)},
+        )  # fmt: skip
+        return -1 / (2 * solved.potential_energy)
+
+    def frame(self, head: str) -> LargeFrame:
+        """A frame whose head's components in `head` are held ("yr": guided along x)."""
+        supports = {self.tail: "xyr", self.head: head}
+        return LargeFrame(self.points, self.elements, sections=self.section, supports=supports)
+
+    @cached_property
+    def guided(self) -> LargeFrame:
+        return self.frame("yr")
+
+    def compressed(self, U: Iterable[float], since: State | None = None) -> list[State]:
+        """States of the guided frame at the displacements `U` since rest, or since a state."""
+        one = {self.head: {"x": 1.0}}
+        return list(self.guided.displaced(one, U, since=since).states)
+
+    def force(self, state: State) -> float:
+        """What presses the head along x."""
+        return float(state.reactions[self.head, 0])
+
+    def head_stiffness(self, state: State) -> tuple[Array, Array]:
+        """Force and couple (3, 3) on the head per small movement of it, let go from a state.
+
+        And its rounding (3, 3), by what it lacks in symmetry and what the last correction changed.
+        Only the rest of the frame is solved for, so that nothing is singular where the frame
+        buckles; what is left comes from strains in extended precision, since K u would round in
+        thin strips.
+        """
+        e = self.guided.elements
+        strain, _, t = e.strains(state.exact)
+        S, stress = e.increments(strain, t), e.moduli * strain
+        size = 3 * e.count
+        head, tail = (3 * node + np.arange(3) for node in (self.head, self.tail))
+        free = np.ones(size, bool)
+        free[[*head, *tail]] = False
+        symmetric = {"diag_pivot_thresh": 0.0, "options": {"SymmetricMode": True}}
+        K = e.tangent_stiffness(S, strain, t, stress)[free][:, free]
+        factor = splu(K.tocsc(), permc_spec="MMD_AT_PLUS_A", **symmetric)
+        moved = np.zeros((3, size), np.longdouble)
+        moved[range(3), head] = 1.0
+        forces, smallest = np.zeros((3, size)), np.inf
+        while True:
+            before = forces[:, head]
+            forces = np.array([
+                e.change_of_forces(S, strain, t, stress, u.reshape(-1, 3)) for u in moved
+            ])  # fmt: skip
+            step = factor.solve(-forces[:, free].T).T
+            change = float(abs(step).max())
+            if not change < smallest / 2:
+                return self._rounded(forces[:, head], before)
+            smallest = change
+            moved[:, free] += step
+
+    def _rounded(self, S: Array, before: Array) -> tuple[Array, Array]:
+        """A stiffness (3, 3) and its rounding, the worst of its parts in every one."""
+        size = np.sqrt(abs(np.outer(np.diag(S), np.diag(S))))
+        worst = float((np.maximum(abs(S - S.T), abs(S - before)) / size).max())
+        return (S + S.T) / 2, worst * size
+
+    def determinant(self, state: State, head: Freedom) -> float:
+        """Of the stiffness that a head of this freedom has under the loads it bears."""
+        S, _ = self.head_stiffness(state)
+        moving = [0, 2] if head == "hinged" else [0, 1, 2]
+        return float(np.linalg.det(S[np.ix_(moving, moving)]))
+
+    def lateral_stiffness(self, state: State) -> tuple[float, float]:
+        """Of the guided head against a movement along y, and its rounding [force/length]."""
+        S, rounding = self.head_stiffness(state)
+        return float(S[1, 1]), float(rounding[1, 1]) + PLACES * abs(float(S[1, 1]))
+
+    def critical_displacement(self, until: float, first: float) -> float | None:
+        """First critical point of the guided frame up to `until` [length]; None if there is none.
+
+        Between two states that were found, the tangent stiffness ceases to be positive definite.
+        Control by the arc length passes limit points, where control by displacement finds no state.
+        The path begins with the displacement `first`.
+        """
+        path = self.guided.along_arc(
+            None, moved={self.head: {"x": 1.0}}, first=first,
+            until=lambda state: state.negative > 0 or state.factor > until,
+        )  # fmt: skip
+        found = [point.factor for point in self.guided.buckling(path)]
+        return min((U for U in found if until > U), default=None)

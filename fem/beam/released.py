@@ -1,0 +1,74 @@
+"""Where a pressed frame buckles once its head is let go: by loads at rest, and along its path."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+from scipy.optimize import brentq
+
+from fem.beam.at_rest import AtRest
+from fem.beam.large_state import State
+from fem.beam.pressed import PLACES, PressedFrame
+
+LOCATED = 1e-13  # of the displacement
+ITERATIONS = 3  # inverse ones from a mode of six digits: each gains two digits and more of its load
+NEAR, STEP = 0.85, 1.25  # of the linear load's displacement; from one displacement to the next
+
+
+def linear_load(one: PressedFrame) -> tuple[float, float]:
+    """Force at which a free head's frame buckles if it does not deform before [force].
+
+    And its rounding: what the last step of inverse iteration changes of it, and nodes' places.
+    """
+    frame = one.frame("")
+    rest, e = frame.rest(), frame.elements
+    at_rest = AtRest(e, *e.strains(rest.exact), ~rest.held)
+    push = (np.arange(rest.held.size) == 3 * one.head).astype(float)
+    stress = e.moduli * at_rest.strains(at_rest.solve(push))
+    G = at_rest.stiffness(stress, replace(e, moduli=0 * e.moduli))
+    mode = at_rest.lowest(G, push)
+    loads = [at_rest.load(mode, G)]
+    for _ in range(ITERATIONS):
+        mode = at_rest.solve(-(G @ mode.astype(float)))
+        mode /= abs(mode).max()
+        loads.append(at_rest.load(mode, G))
+    return loads[-1], abs(loads[-1] - loads[-2]) + PLACES * loads[-1]
+
+
+def gives_way(one: PressedFrame, until: float) -> tuple[float, float, State | None]:
+    """Where a guided head, released, first buckles: displacement, its rounding, and state.
+
+    NaN and None where it does not up to `until`. The search begins at the linear buckling load; a
+    lower point would be found, since from rest on the determinant changes its sign at the first.
+    """
+    load, _ = linear_load(one)
+    before, at = one.guided.rest(), 0.0
+    S, _ = one.head_stiffness(before)
+    u = min(NEAR * load * float(np.linalg.inv(S)[0, 0]), until / STEP)
+    while at < until:
+        here = one.compressed([u - at], before)[0]
+        if one.determinant(here, "free") <= 0:
+            return _located(one, before, at, u)
+        before, at, u = here, u, min(STEP * u, until)
+    return math.nan, 0.0, None
+
+
+def _located(one: PressedFrame, before: State, at: float, u: float) -> tuple[float, float, State]:
+    """Between the displacement `at` of a state before and `u` beyond.
+
+    The determinant is as good as round-off there, so that its root is one number.
+    """
+    found = {0.0: before}
+
+    def beyond(step: float) -> float:
+        if step not in found:
+            near = min(found, key=lambda known: abs(known - step))
+            found[step] = one.compressed([step - near], found[near])[0]
+        return one.determinant(found[step], "free")
+
+    step = float(brentq(beyond, 0.0, u - at, xtol=LOCATED * u, rtol=1e-13))
+    here = found[step]
+    slope = one.determinant(before, "free") / step
+    S, rounding = one.head_stiffness(here)
+    lost = abs(np.linalg.det(S + rounding) - np.linalg.det(S))
+    return at + step, float(lost) / slope + (LOCATED + PLACES) * u, here

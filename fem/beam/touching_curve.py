@@ -1,0 +1,150 @@
+"""Force over displacement of a pressed line of beams that touch one another, state by state."""
+
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from fem.beam.large import LargeFrame
+from fem.beam.large_state import State
+from fem.beam.section import Array, Indices, Section
+from fem.beam.touching import SHARE, SelfContact
+from fem.beam.touching_record import Record
+from fem.beam.two_lines import TWICE
+
+STORED = ("U", "F", "side", "press", "depth", "work", "stored", "dissipated", "negative")
+
+
+@dataclass(frozen=True)
+class TouchingLine:
+    """One line of quadratic `elements` (m, 3: ends and middle) of one `section` that may touch.
+
+    `thickness` and coefficient of `friction` of the strip; `units` are the elements of its parts,
+    each of which may touch the next. It begins at the node `start`, is clamped at `tail` and
+    pressed along x at `head`, whose components `held` ("yr") are fixed.
+    """
+
+    points: Array
+    elements: Indices
+    section: Section
+    thickness: float
+    friction: float
+    units: tuple[Indices, ...]
+    start: int
+    head: int
+    tail: int
+    held: str
+
+    @property
+    def order(self) -> Indices:
+        """Its nodes in their order along the line."""
+        after = {int(first): (int(middle), int(end)) for first, end, middle in self.elements}
+        order = [self.start]
+        while order[-1] in after:
+            order += after[order[-1]]
+        return np.array(order)
+
+
+@dataclass(frozen=True)
+class Curve:
+    """States (k,) of a line as its head is pressed: what the head takes, what touches [SI].
+
+    `side` is the force across at the tail's clamp, `press` (k, units - 1) the normal force between
+    neighbouring units, `depth` the deepest overlap, `negative` how many ways are unstable;
+    `shapes` (k, nodes, 2) and the places that touch in each state.
+    """
+
+    U: Array
+    F: Array
+    side: Array
+    press: Array
+    depth: Array
+    work: Array
+    stored: Array
+    dissipated: Array
+    negative: Array
+    shapes: Array
+    touches: tuple[Array, ...]
+    nodes: Indices  # in the order of the line
+
+    def arrays(self, name: str) -> dict[str, Array]:
+        """What is stored of the curve, under `name`; of its shapes only the centre lines."""
+        return {
+            **{f"{name} {key}": getattr(self, key) for key in STORED},
+            f"{name} shapes": self.shapes[:, self.nodes],
+            f"{name} touches": np.array([
+                (k, *at) for k, places in enumerate(self.touches) for at in places
+            ]).reshape(-1, 3),
+        }  # fmt: skip
+
+    @property
+    def forces(self) -> Array:
+        """U, F and the sum of the normal forces (3, k)."""
+        return np.array([self.U, self.F, self.press.sum(axis=1)])
+
+
+def compress(
+    line: TouchingLine, U: Sequence[float] | Array, *, times: float = 1.0,
+    beyond: Sequence[float] | Array = (),
+) -> Curve:  # fmt: skip
+    """The line with its head moved to each of the displacements U [m] in turn.
+
+    `times` is how much stiffer the contact is than usual. Displacements `beyond` the last of U
+    follow until the force is TWICE that at the last of U. Where no equilibrium is found before, the
+    curve ends early, which says nothing about the line.
+
+    Raises ArithmeticError where a state at one of U is not found.
+    """
+    contact = SelfContact(
+        line.points, line.elements, thickness=line.thickness, EA=line.section.EA,
+        friction=line.friction, share=SHARE * times,
+    )  # fmt: skip
+    head = line.head
+    frame = LargeFrame(
+        line.points, line.elements, sections=line.section, terms=(contact,),
+        supports={line.tail: "xyr", head: line.held},
+    )  # fmt: skip
+    states: list[State] = []
+    records: list[Record] = []
+
+    def press_to(place: float) -> None:
+        since = states[-1] if states else None
+        step = place - (float(states[-1].u[head, 0]) if states else 0.0)
+        try:
+            states.append(frame.displaced({head: {"x": step}}, [1.0], since=since).last)
+        except ArithmeticError as error:
+            raise ArithmeticError(f"pressed to {place * 1e3:.4g} mm: {error}") from error
+        records.append(contact.record)
+
+    for place in U:
+        press_to(float(place))
+    most = TWICE * states[-1].reactions[head, 0]
+    with suppress(ArithmeticError):
+        for place in beyond:
+            if states[-1].reactions[head, 0] > most:
+                break
+            press_to(float(place))
+    return _curve(line, states, records)
+
+
+def _curve(line: TouchingLine, states: list[State], records: list[Record]) -> Curve:
+    names = [str(i) for i in range(len(line.units))]
+    units = dict(zip(names, line.units, strict=True))
+    found = [record.pressing(units) for record in records]
+    pairs = list(pairwise(names))
+    return Curve(
+        U=np.array([state.u[line.head, 0] for state in states]),
+        F=np.array([state.reactions[line.head, 0] for state in states]),
+        side=np.array([state.reactions[line.tail, 1] for state in states]),
+        press=np.array([[one.get(pair, 0.0) for pair in pairs] for one in found]),
+        depth=np.array([record.penetration for record in records]),
+        work=np.array([state.work for state in states]),
+        stored=np.array([state.strain_energy + state.term_energy for state in states]),
+        dissipated=np.array([state.dissipated for state in states]),
+        negative=np.array([state.negative for state in states]),
+        shapes=np.array([line.points + state.u[:, :2] for state in states]),
+        touches=tuple(record.at for record in records),
+        nodes=line.order,
+    )
