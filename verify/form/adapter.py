@@ -1,7 +1,6 @@
 """A declared case as the record that the jobs, studies and reports of the suite work with."""
 
 import inspect
-import math
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import fields, replace
 from functools import cache
@@ -73,10 +72,7 @@ class _Side:
 
 
 class Formulas(_Side):
-    """Numbers of a case's quantities and further ones of its comparisons, by name [SI].
-
-    What is infinite or nan is left out: the part at hand does not have it.
-    """
+    """Numbers of a case's quantities and further ones of its comparisons, by name [SI]."""
 
     name = "quantities"
 
@@ -91,7 +87,7 @@ class Formulas(_Side):
             values = {q.name: float(getattr(case, q.name)) for q in case.present()}
             for one in case.stated():
                 more |= one.evaluated()
-        return {key: value for key, value in (values | more).items() if math.isfinite(value)}
+        return values | more
 
 
 class Reference(_Side):

@@ -161,7 +161,7 @@ class Case(Inputs):
 
     def present(self) -> tuple[Quantity, ...]:
         """The quantities that these inputs have."""
-        return tuple(q for q in self.quantities() if q.when is None or q.when(self))
+        return tuple(q for q in self.quantities() if q.of(self) is not None)
 
     def __eq__(self, other: object) -> bool:
         """By inputs and state: computed values follow from them, and arrays have no one truth."""

@@ -10,7 +10,7 @@ from math import inf
 from typing import Any, NamedTuple, TypedDict, Unpack
 
 from verify.core.case import Check, Context, FemResult
-from verify.form.quantity import Quantity
+from verify.form.quantity import Quantity, finite
 from verify.judging import checks, judge
 from verify.judging.convergence import grid_convergence
 from verify.judging.published_checks import PrintedTheory
@@ -126,10 +126,10 @@ class Comparison:
 
     def evaluated(self) -> dict[str, float]:
         """The further numbers, and that of the quantity in another state if none of them is it."""
-        found = {key: v() if callable(v) else v for key, v in self.numbers.items()}
+        found = {key: finite(v() if callable(v) else v) for key, v in self.numbers.items()}
         if self.quantity and self.state and self.state.case and self.key not in found:
-            found[self.key] = getattr(self.state.case, self.quantity.name)
-        return found
+            found[self.key] = self.quantity.of(self.state.case)
+        return {key: value for key, value in found.items() if value is not None}
 
 
 def identity(

@@ -58,12 +58,11 @@ def symbols_of(case: Case) -> Symbols:
 def equation(case: Case, q: Quantity, symbols: Symbols) -> Equation | None:
     """The equation of a quantity, with numbers where it is arithmetic.
 
-    None where none is stated, or where the part at hand does not have the quantity.
-    CaseError where the TeX that is stated gives another number than the code on the default inputs.
-    Elsewhere cancellation may part them: the numbers that are put in are then left out.
+    None where none is stated; CaseError where it gives another number than the code on the default
+    inputs. Elsewhere cancellation may part them: the numbers that are put in are then left out.
     """
     tex, value, found = q.tex or tex_of(q.formula, symbols.tex), getattr(case, q.name), None
-    if not tex or not math.isfinite(value):
+    if not tex:
         return None
     for part in tex.split(" = "):
         found = equations.evaluate(part, symbols.values)

@@ -8,6 +8,7 @@ from contextvars import ContextVar
 from dataclasses import KW_ONLY, dataclass, field, replace
 from functools import partial, wraps
 from itertools import product
+from math import isfinite
 from pathlib import Path
 from typing import Any, Generic, Literal, SupportsFloat, TypeVar, overload
 
@@ -36,6 +37,7 @@ class Quantity:
     both share symbol and reference; `form` states which one it is. A "step" of a formula is not
     compared. "geometry" follows from the inputs without any theory, so that the reference may read
     it. `when` says of a case whether its inputs have the quantity; a deflection needs a load.
+    Where only the solution shows that, the method returns nan, or inf for a limit out of reach.
     """
 
     symbol: str
@@ -66,6 +68,12 @@ class Quantity:
         """
         return partial(Family.of, self, tuple(product(*indices)))
 
+    def of(self, case: object) -> float | None:
+        """Its number [SI], None where the inputs of the case do not have it."""
+        if self.when is not None and not self.when(case):
+            return None
+        return finite(getattr(case, self.name))
+
     @property
     def label(self) -> str:
         """What it is, with its equation: "hoop stress, Eq. 9". Rows are named by it."""
@@ -76,6 +84,12 @@ class Quantity:
         code = inspect.unwrap(self.formula).__code__
         place = f"{Path(code.co_filename).name}:{code.co_firstlineno}"
         return CaseError(f"{place}: {owner.__name__}.{self.name}: {rule}")
+
+
+def finite(number: SupportsFloat) -> float | None:
+    """The number, None for nan or inf: one solution computes several numbers, and not all exist."""
+    value = float(number)
+    return value if isfinite(value) else None
 
 
 @dataclass(frozen=True)

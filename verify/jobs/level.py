@@ -86,7 +86,21 @@ def _judged(check: Check, context: Context, job: Job) -> list[Row]:
         return check.skipped(context.case, job.skip)
     if check.needs_fem and not job.use_fem:
         return []
-    return [replace(row, method=job.case.method.alone) for row in check.rows(context)]
+    try:
+        return [replace(row, method=job.case.method.alone) for row in check.rows(context)]
+    except KeyError as error:
+        if reason := _without(context, error.args[0]):
+            raise ValueError(reason) from error
+        raise
+
+
+def _without(context: Context, key: object) -> str:
+    """Which side does not give a number that a check asked for; empty where both do."""
+    if key not in context.analytic:
+        return f"the formulas give no {key}, or nan or inf"
+    if any(key not in level.values for level in context.fem):
+        return f"the reference gives no {key}"
+    return ""
 
 
 def solve_level(case: Case, inputs: Inputs, level: int, folder: Path | None) -> Solved:

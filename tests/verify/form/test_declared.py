@@ -2,7 +2,7 @@
 
 import pickle
 from collections.abc import Iterator
-from math import pi
+from math import log, pi
 
 import numpy as np
 import pytest
@@ -35,6 +35,7 @@ from verify.form import equations
 from verify.form.adapter import adapted
 from verify.form.members import reached
 from verify.form.quantity import forget
+from verify.jobs.level import Job, judge_case, solve_level
 from verify.judging.checks import Order
 
 LOW, HIGH = -0.003, 0.003
@@ -279,19 +280,55 @@ def test_the_reference_consists_of_what_it_uses_and_of_no_formula():
     assert set(members) == {"strain", "sigma", "area", "d", "F", "E"}
 
 
+class Column(Case):
+    """A column that is pushed, buckles, and may not exist in a state."""
+
+    title = "Column"
+    F: float = given("1 N", "N", "F", "force")
+
+    @Quantity("S", "1", "safety against buckling under a push", tex=r"\frac{2}{F}")
+    def S(self) -> float:
+        return 2 / self.F if self.F > 0 else float("nan")
+
+    @Quantity("l", "1", "a logarithm", role="step", when=lambda q: q.F > 0)
+    def level(self) -> float:
+        return log(self.F)
+
+    def comparisons(self):
+        for q in (Column.S, Column.level):
+            yield identity(q, state=State(self.at(F=2 * self.F), "twice", "2 F"))
+
+
 def test_what_a_part_does_not_have_is_no_value_and_no_equation():
-    class Column(Case):
-        title = "Column"
-        F: float = given("1 N", "N", "F", "force")
-
-        @Quantity("S", "1", "safety against buckling under a push", tex=r"\frac{2}{F}")
-        def S(self) -> float:
-            return 2 / self.F if self.F > 0 else float("nan")
-
     case = adapted(Column)
-    for F, found in ((1.0, {"S": 2.0}), (-1.0, {})):
-        assert case.analytic(Column(F=F)) == found
-        assert len(case.equations(Column(F=F), found)) == len(found)
+    assert case.analytic(Column()) == {
+        "S": 2.0, "level": 0.0, "S_twice": 1.0, "level_twice": log(2),
+    }  # fmt: skip
+    assert len(case.equations(Column(), {})) == 2
+    pulled = Column(F=-1.0)
+    assert pulled.present() == case.equations(pulled, {}) == ()
+    assert case.analytic(pulled) == {}  # of no state, either
+
+
+@pytest.mark.parametrize(
+    ("solution", "F", "reason"),
+    [
+        ({}, 1.0, "the reference gives no S_twice"),
+        ({"S_twice": 1.0}, -1.0, "the formulas give no S_twice, or nan or inf"),
+    ],
+)
+def test_a_number_that_a_side_does_not_give_is_named(solution, F, reason):
+    class Solved(Column):
+        def reference(self, level):
+            return solved(1 / level, **solution)
+
+        def comparisons(self):
+            yield identity(Column.S, state=State(self.at(F=2 * self.F), "twice", "2 F"))
+
+    case, q = adapted(Solved), Solved(F=F)
+    levels = [solve_level(case, q, level, None) for level in case.levels]
+    (*_, row) = judge_case(Job(case, q), levels).rows
+    assert (row.status, row.reason) == ("FAIL", f"ValueError: {reason}")
 
 
 class Pair(Rod):
