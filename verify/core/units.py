@@ -120,6 +120,8 @@ def parse(text: str, unit: str) -> float:
     >>> parse("11.6 mm", "mm")
     0.0116
     """
+    if unit not in DIMENSIONS:
+        dimensions(unit)  # a unit that is none
     wanted = DIMENSIONS.get(unit, f"a quantity in {unit}")
     example = "" if unit == "1" else f', such as "1.5 {unit}"'
     match = _TEXT.fullmatch(text)
@@ -172,7 +174,7 @@ def _parsed(unit: str) -> "pint.Unit":
         parts[-1] += f"**{match[3]}" if match[3] else ""
         at = match.end()
     if not parts or parts[0][0] in "*/":
-        raise ValueError(f'"{_short(unit)}" is not a unit')
+        raise ValueError(f'"{_short(unit)}" is not a unit; that of a plain number is "1"')
     try:
         return registry().Unit("".join(parts))
     except (pint.errors.PintError, AttributeError, ValueError, TypeError) as error:

@@ -80,7 +80,8 @@ def approximation(
     if ratio == 0:
         return Verdict(Status.FAIL, "the formula is zero: no relative change moves it", None, U)
     if not low + U_m <= m <= high - U_m:
-        reason = f"model error {m:+.3%} ± {U_m:.1g} is not inside [{low:+.3%}, {high:+.3%}]"
+        error, u, ends = 100 * m, 100 * U_m, f"[{100 * low:+.3f} %, {100 * high:+.3f} %]"
+        reason = f"model error {error:+.3f} % ± {u:.1g} % is not inside {ends}"
         return Verdict(Status.FAIL, reason, formula - reference, U)
     # the formula times 1 + c leaves the interval where (1 + m)(1 + c)(1 ± u) meets its ends
     smaller, larger = (low, high) if ratio > 0 else (high, low)  # in size
@@ -213,6 +214,7 @@ def _positive(scale: float) -> None:
 
 def _sharp(verdict: Verdict, demand: float) -> Verdict:
     if verdict.detects is not None and verdict.detects > demand:
-        reason = f"not sharp: detects {verdict.detects:.2g}, demanded {demand:.2g}"
+        least, must = f"{100 * verdict.detects:.2g} %", f"{100 * demand:.2g} %"
+        reason = f"not sharp: notices errors from {least}, must from {must} (sensitivity)"
         return Verdict(Status.FAIL, reason, verdict.difference, verdict.tolerance, verdict.detects)
     return verdict
