@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from analytic.bounds.polyhedral.flat import filleted
 from analytic.polyhedral import bore_pressure, capacity, forces, torque, wedging
 from analytic.polyhedral.capacity import Driven
 from fem.contact import bodies
@@ -14,7 +15,6 @@ from verify.app.cli import main
 from verify.cases.polyhedral.clutch import formulas
 from verify.cases.polyhedral.clutch.case import CLUTCH, PolyhedralClutch
 from verify.cases.polyhedral.clutch.fem import DrivenRing
-from verify.cases.polyhedral.clutch.statics import filleted, first_design
 from verify.cases.polyhedral.locking.fem import LockedRing
 from verify.core.case import Context
 from verify.core.inputs import InputError, build
@@ -118,10 +118,10 @@ def test_another_reading_or_a_wrong_formula_turns_its_row_red(
 def test_the_chain_is_the_statics_of_vectors(change):
     q = own(**change)
     v = CLUTCH.analytic(q)
-    flat = filleted(q, q.touch)
+    flat = filleted(q.flat, q.touch)
     assert flat.torque(q.p_t) == pytest.approx(v["M_20"], rel=1e-9)
     assert flat.pressure(q.M_t) == pytest.approx(v["p_20"], rel=1e-9)
-    assert first_design(q).torque(q.p_t) == pytest.approx(v["M_21"], rel=1e-12)
+    assert q.torque_of_first_design() == pytest.approx(v["M_21"], rel=1e-12)
 
 
 # Faults of the finite elements: solved anew, on the two coarsest meshes.

@@ -6,20 +6,18 @@ from math import inf, nan
 
 import numpy as np
 
+from analytic.bounds.polyhedral.contacts import PEAK_STRESS, RollerOnRing, over_series
+from analytic.bounds.polyhedral.flat import FlatParts, filleted, first_design
 from analytic.polyhedral.capacity import Driven
 from verify.case import Comparison, Quantity, balance
 from verify.cases.polyhedral.clutch.chain import PaperChain
 from verify.cases.polyhedral.clutch.formulas import ElasticClutch, in_fillet
-from verify.cases.polyhedral.clutch.inputs import ClutchInputs
-from verify.cases.polyhedral.clutch.statics import filleted, first_design
 from verify.core.case import Context
 from verify.core.results import Row, Status
 from verify.judging import judge
 from verify.judging.checks import Approximation
 
-BLUNT = 1e-3  # what the semi-ellipse of Hertz may miss at least
 LOOSE = 0.1  # slack from which on a formula is shown, not judged
-PEAK = 2e-3  # of a largest stress: the polynomial along the fillet and the mesh's own error
 NO_LIMIT = "the side without a value sets no limit: the hub's friction locks"
 HERTZ = "argued: (2 a/d)² of each contact, (a/wall)² and 1e-3 of the closure, times what it moves"
 STATICS = (
@@ -36,8 +34,7 @@ class ClutchFormulas(PaperChain, ElasticClutch):
     @property
     def slack(self) -> float:
         """Share of the elastic torque; nan where there is none."""
-        N = self.line_load
-        return neglect(self, self.hub, N) * self.hub.force_sensitivity(N) if 0 < N < inf else nan
+        return self._blur(self.hub, self.line_load)
 
     @property
     def slack_p(self) -> float:
@@ -45,13 +42,32 @@ class ClutchFormulas(PaperChain, ElasticClutch):
         N = self.line_need
         if not 0 < self.line_load < inf:
             return nan
-        return neglect(self, self.hub, N) * self.hub.pressure_sensitivity(N)
+        return self._neglect(self.hub, N) * self.hub.pressure_sensitivity(N)
 
     @property
     def slack_rigid(self) -> float:
         """Share of the torque with rigid rollers."""
-        N, stiff = self.line_rigid, self.stiff
-        return neglect(self, stiff, N) * stiff.force_sensitivity(N) if 0 < N < inf else nan
+        return self._blur(self.stiff, self.line_rigid)
+
+    def _blur(self, hub: Driven, N: float) -> float:
+        return self._neglect(hub, N) * hub.force_sensitivity(N) if 0 < N < inf else nan
+
+    def _neglect(self, hub: Driven, N: float) -> float:
+        """What Hertz neglects of the closure under N [N/m], as a share."""
+        roller = RollerOnRing(d=self.d, d_e=self.d_e, j_D=self.j_D, apothem=self.ring.apothem,
+                              E=self.E, nu=self.nu)  # fmt: skip
+        return roller.closure(hub.contact.half_width(N), hub.contact.half_width_on_race(N))
+
+    @property
+    def flat(self) -> FlatParts:
+        """What bears on the flats, for their statics."""
+        return FlatParts(z=self.z, d_i=self.d_i, D_i=self.D_i, b=self.b, e=self.e, mu=self.mu,
+                         apothem=self.ring.apothem, phi_1=self.phi_1, alpha=self.alpha)  # fmt: skip
+
+    def torque_of_first_design(self) -> float:
+        """Torque [N m] of a rigid flat as Eq. 21 has it, by vectors."""
+        ring = {"d_m": self.ring.d_m, "wall": self.delta_1, "j_D": self.j_D, "E": self.E}
+        return first_design(self.flat, **ring).torque(self.p_t)
 
     @property
     def from_rollers(self) -> float:
@@ -59,16 +75,6 @@ class ClutchFormulas(PaperChain, ElasticClutch):
         if not 0 < self.line_load < inf:
             return nan
         return abs(1 - in_fillet(self.hub, 0.0, self.p_t) / self.fillet)
-
-
-def neglect(q: ClutchInputs, hub: Driven, N: float) -> float:
-    """What Hertz neglects of the closure under N [N/m], as a share.
-
-    (2 a/d)² on ring and race, (a/wall)² and 1e-3.
-    """
-    a, wall = hub.contact.half_width(N), q.d_e / 2 - q.ring.apothem
-    ends = a**2 + hub.contact.half_width_on_race(N) ** 2
-    return 4 * ends / q.d**2 + (a / wall) ** 2 + BLUNT
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -121,11 +127,11 @@ def comparisons(self: ClutchFormulas) -> Iterator[Comparison]:
         yield _claimed(q, name, symbol, give, _around(self, q, give[1], None))
     for q, name, symbol, give, series, statics in (
         (case.M_20, "torque, Eq. 20", "M_t", slack, case.M_el,
-         lambda: filleted(self, self.touch).torque(self.p_t)),
+         lambda: filleted(self.flat, self.touch).torque(self.p_t)),
         (case.M_21, "torque of the first design, Eq. 21", "M_t", slack, case.M_el,
-         lambda: first_design(self).torque(self.p_t)),
+         self.torque_of_first_design),
         (case.p_20, "pressure for the torque that is wanted, Eqs. 17 to 20", "p_t", p, case.p_need,
-         lambda: filleted(self, self.touch).pressure(self.M_t)),
+         lambda: filleted(self.flat, self.touch).pressure(self.M_t)),
     ):  # fmt: skip
         yield _claimed(q, name, symbol, give, _around(self, series, give[1], statics),
                        source=STATICS, reference=series.name)  # fmt: skip
@@ -153,8 +159,7 @@ def _around(
             return 0.0, 0.0  # finite elements have a force, or they would not have been asked
         if give > LOOSE:
             return None
-        m = (statics() if statics else value) / value - 1
-        return m - (1 + m) * give, m + (1 + m) * give
+        return over_series(statics() if statics else value, value, give)
 
     return interval
 
@@ -163,5 +168,5 @@ def _of_stress(q: ClutchFormulas) -> Interval:
     """The same of the fillets' stress, of which roller and hub make a part."""
     if not q.slack < LOOSE:
         return None
-    give = PEAK + q.from_rollers * q.slack
+    give = PEAK_STRESS + q.from_rollers * q.slack
     return -give, give

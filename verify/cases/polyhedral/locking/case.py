@@ -3,9 +3,18 @@
 from collections.abc import Iterator
 from typing import Any, ClassVar
 
+from analytic.bounds.polyhedral import flat
+from analytic.bounds.polyhedral.contacts import (
+    PEAK,
+    WIDTH,
+    RollerOnRing,
+    about,
+    over_series,
+)
 from verify.case import (
     Comparison,
     Drawn,
+    Expected,
     Level,
     Quantity,
     Scan,
@@ -15,7 +24,7 @@ from verify.case import (
     identity,
     picture,
 )
-from verify.cases.polyhedral.locking import bounds, figures, sketch
+from verify.cases.polyhedral.locking import figures, sketch
 from verify.cases.polyhedral.locking import reference as fem
 from verify.cases.polyhedral.locking.bands import OwnFillet, within_band
 from verify.cases.polyhedral.locking.formulas import LockedFormulas
@@ -31,6 +40,13 @@ FILLET = 5e-3, "a peak stress: half a per cent tells fillets apart"
 BALANCE = "acceptance figure; contact met to round-off"
 HALVES = "plane stress; half of the hub's force on each side of the flat's middle"
 PLANE = "plane stress, rigid race, no friction at the rollers"
+FORCES = "argued: (2 a/d)² of the curvature, (a/wall)², and 1e-3, each once"
+SERIES = "a rigid flat's statics by vectors over the series under the same loads; the same slack"
+CONTACT = (
+    "derived: the first order in βκa, with κ of the line on which the bodies meet; argued, each "
+    "once: (2 a/d)², (a/wall)², 1e-3, and what the ring strains and bends, j_D/d_e (1 + R/wall)"
+)
+RACE = "derived: the first order in βκa; argued: (2 a/d)² and 1e-3, each once"
 
 
 class LockedPolyhedralRing(LockedFormulas):
@@ -72,9 +88,8 @@ class LockedPolyhedralRing(LockedFormulas):
         """The series, Hertz and the paper against finite elements."""
         yield from self._series()
         yield from self._flat()
-        case, blur = LockedPolyhedralRing, {
-            "fillet blur": bounds.fillet_blur(self, self.from_rollers, self.a)
-        }  # fmt: skip
+        case = LockedPolyhedralRing
+        blur = {"fillet blur": self._roller.fillet_blur(self.from_rollers, self.a)}
         yield identity(case.side, symbol="F/b", order=4, sensitivity=CHORD)
         q = case.fillet
         check = OwnFillet(name=q.label, symbol=q.symbol, unit=q.unit, fem=q.name, analytic=q.name,
@@ -95,10 +110,12 @@ class LockedPolyhedralRing(LockedFormulas):
         case, soft = LockedPolyhedralRing, self.soft
         alone = State(self.alone, "alone", "under pressure alone")
         elastic = State(soft, "elastic", "elastic rollers under pressure alone")
-        rigid, both = bounds.within(self, self.a), bounds.within(self, soft.a, soft.a_race)
-        hertz = bounds.on_ring(self, bounds.WIDTH, self.a)
-        peak = bounds.on_ring(self, bounds.PEAK, self.a)
-        bent = {"bent": bounds.bent(self), "shares": HALVES}
+        roller = self._roller
+        rigid = Expected(*about(0.0, roller.reach(self.a)), FORCES)
+        both = Expected(*about(0.0, roller.reach(soft.a, soft.a_race)), FORCES)
+        hertz = Expected(*roller.on_ring(WIDTH, self.a), CONTACT)
+        peak = Expected(*roller.on_ring(PEAK, self.a), CONTACT)
+        bent = {"bent": roller.bent(R_b=self.R_b, e=self.e), "shares": HALVES}
         rows: tuple[tuple[Quantity, str, Any, State | None, dict[str, Any]], ...] = (
             (case.N, "force of a roller under pressure, series", rigid, alone, {}),
             (case.efficiency, "share of further pressure that reaches the rollers, series", rigid,
@@ -113,9 +130,9 @@ class LockedPolyhedralRing(LockedFormulas):
             (case.efficiency, "share of further pressure that reaches elastic rollers, series",
              both, elastic, {}),
             (case.a, "half-width of an elastic roller's contact on the ring, Hertz",
-             bounds.on_ring(self, bounds.WIDTH, soft.a, elastic=True), elastic, {}),
+             Expected(*roller.on_ring(WIDTH, soft.a, elastic=True), CONTACT), elastic, {}),
             (case.a_race, "half-width of an elastic roller's contact on the race, Hertz",
-             bounds.on_race(self, soft.a_race), elastic, {"symbol": "a"}),
+             Expected(*roller.on_race(soft.a_race), RACE), elastic, {"symbol": "a"}),
         )  # fmt: skip
         for q, name, expected, state, more in rows:
             yield within_band(q, name, expected, state=state, **{"shares": PLANE} | more)
@@ -123,13 +140,24 @@ class LockedPolyhedralRing(LockedFormulas):
     def _flat(self) -> Iterator[Comparison]:
         """The paper's forces, which leave out the ring's hoop force."""
         case, touch = LockedPolyhedralRing, self.alone.locked.touch
-        for q, where, reference, series in (
-            (case.F, "without the hub", "N_alone", self.alone.N),
-            (case.N_16, "with the hub", "N", self.N),
+        for q, where, reference, series, R_b in (
+            (case.F, "without the hub", "N_alone", self.alone.N, 0.0),
+            (case.N_16, "with the hub", "N", self.N, self.R_b),
         ):
-            expected = bounds.of_rigid_flat(self, series, touch=touch, a=self.a, hub=q is case.N_16)
-            yield within_band(q, f"force of a roller, Eqs. 13 and 16 {where}", expected,
-                              reference=reference, symbol="N/b")  # fmt: skip
+            statics = flat.roller_force(
+                p=self.p_t, touch=touch, d_i=self.d_i, z=self.z, R_b=R_b, tan_phi=self.tan_phi
+            )
+            slack = self._roller.reach(self.a)
+            interval = over_series(statics, series, slack) if series > 0 else (0.0, 0.0)
+            yield within_band(
+                q, f"force of a roller, Eqs. 13 and 16 {where}", reference=reference, symbol="N/b",
+                expected=Expected(*interval, SERIES, sharp=series > 0),
+            )  # fmt: skip
+
+    @property
+    def _roller(self) -> RollerOnRing:
+        return RollerOnRing(d=self.d, d_e=self.d_e, j_D=self.j_D, apothem=self.apothem, E=self.E,
+                            nu=self.nu)  # fmt: skip
 
     def figures(self) -> Iterator[Drawn]:
         """Force of a roller over the pressure, efficiency over the support."""

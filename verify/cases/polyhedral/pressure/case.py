@@ -5,14 +5,15 @@ from typing import ClassVar, Self
 
 import numpy as np
 
+from analytic.bounds.polyhedral import thin_ring
 from analytic.polyhedral import expansion
 from analytic.ring import lame
 from verify.case import (
     Comparison,
+    Expected,
     Level,
     Quantity,
     Scan,
-    about,
     approximation,
     balance,
     identity,
@@ -28,8 +29,6 @@ from verify.form.fields import picture, plane_field
 from verify.form.figures import Overlay
 
 WALLS = (0.01, 0.0178, 0.0316, 0.0562, 0.1)  # δ_1/d_m: a decade
-SLACK = 1e-4  # of the closed forms that expected errors are computed from
-CELL = 1e-2  # of (δ_1/d_m)²: stress at the end of a cell, which spans more of ln r in thick walls
 THICK = 0.15  # δ_1/d_m from which on meshes are twice as fine
 SOLID = 0.96  # δ_1/d_m where figures end: at 1 there is no bore
 ACCEPTED = 5e-4, "uniform pressure on a round ring: acceptance figure"
@@ -39,8 +38,8 @@ MEAN = (
     "p_1 does"
 )
 RIM = (
-    f"derived: the free outside has the strain j_D/d_e; more by {CELL:g} (δ_1/d_m)² for stresses "
-    "at the ends of cells"
+    "derived: the free outside has the strain j_D/d_e; more by "
+    f"{thin_ring.CELL:g} (δ_1/d_m)² for stresses at the ends of cells"
 )
 MIDDLE = "Lamé: growth of the mean diameter where the outside grows by j_D"
 
@@ -146,20 +145,18 @@ class RingPressure(ThinRing):
 
     def comparisons(self) -> Iterator[Comparison]:
         """Against Lamé by finite elements, at this wall and as it vanishes."""
-        ring, thin = RingPressure, about(1 / self.K - 1, SLACK, LAME)
-        cell = SLACK + CELL * (self.delta_1 / self.d_m) ** 2
-        grown = 2 * float(lame.radial_displacement(
-            self.d_m / 2, r_i=self.d_i / 2, r_o=self.d_e / 2, p_i=self.p_1, E=self.E, nu=self.nu,
-            ends="plane stress"))  # fmt: skip
+        ring, wall = RingPressure, {"d_e": self.d_e, "wall": self.delta_1}
+        thin = thin_ring.pressure_error(**wall)
+        outside = thin_ring.rim_stress_error(**wall)
+        middle = thin_ring.growth_error(**wall, j_D=self.j_D, E=self.E, nu=self.nu)
         yield identity(ring.p, order=4, sensitivity=ACCEPTED)
         yield identity(ring.p_strain, order=4, sensitivity=ACCEPTED)
-        yield approximation(ring.p_1, "p", order=4, expected=thin)
+        yield approximation(ring.p_1, "p", order=4, expected=Expected(*thin, LAME))
         yield approximation(ring.sigma_t, "mean_stress", order=4, against="the mean over the wall",
-                            expected=thin._replace(source=MEAN))  # fmt: skip
+                            expected=Expected(*thin, MEAN))  # fmt: skip
         yield approximation(ring.sigma_t, "rim_stress", order=2, against="that of the outside",
-                            expected=about(self.d_e / self.d_m - 1, cell, RIM))  # fmt: skip
-        middle = about(self.j_D / (grown * self.K) - 1, SLACK, MIDDLE)
-        yield approximation(ring.growth, order=4, expected=middle)
+                            expected=Expected(*outside, RIM))  # fmt: skip
+        yield approximation(ring.growth, order=4, expected=Expected(*middle, MIDDLE))
         yield limit(ring.p_1, "pressure of ever thinner rings, Eq. 10", "p_1/p - 1", exponent=2,
                     points=over_family(ring.p_1, "thinner", at=WALLS, family=self.of_wall,
                                        order=4))  # fmt: skip

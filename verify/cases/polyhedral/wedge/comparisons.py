@@ -5,8 +5,10 @@ from typing import Any
 
 import numpy as np
 
+from analytic.bounds.polyhedral import wedge as bounds
+from analytic.bounds.polyhedral.wedge import STATICS
 from analytic.polyhedral import wedging
-from verify.case import Comparison, Expected, about, approximation, balance, fact, identity
+from verify.case import Comparison, Expected, approximation, balance, fact, identity
 from verify.cases.polyhedral.wedge.formulas import WedgeFormulas
 from verify.cases.polyhedral.wedge.stick import SHARES, small
 from verify.core.case import Check, Context
@@ -15,8 +17,6 @@ from verify.judging.checks import Fact
 from verify.judging.tolerance_checks import Deviation
 
 BALANCED = "forces in balance, on any mesh"
-STATICS = 1e-6  # of a value: what forces in balance may miss
-MODEL = 2.0  # bound of what half planes leave out, over (a/R)²
 REST = 1e-3  # of N: next to nothing
 EXPELLED = 1e-6  # how close T/N is to tan(alpha/2) in the sweep
 L2 = 0.03  # acceptance of tractions
@@ -37,38 +37,24 @@ class PaperFact(Fact):
         return super().rows(context) if context.is_paper else []
 
 
-def too_much(q: WedgeFormulas) -> Expected:
-    """Eq. 3 against a free roller, which uses tan(alpha/2)/mu of its friction."""
-    m = 1 / q.wedged - 1
-    return about(m, STATICS * (1 + m), FREE)
-
-
-def too_little(q: WedgeFormulas) -> Expected:
-    """Eq. 4 against the same."""
-    return about(q.wedged - 1, STATICS, FREE)
-
-
-def half_planes(q: WedgeFormulas) -> Expected:
-    """What inclined surfaces do to the stick zone, and what half planes leave out of bodies."""
-    geometry = small(q)
-    tilt, size = geometry.a / (q.mu * q.R), geometry.a / q.R
-    return about(0.0, tilt**2 + MODEL * size**2, HALF_PLANES)
-
-
 def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
     """Free rollers, caged ones, Eqs. 3 and 4 as printed, and where contacts stick."""
-    case, scale = WedgeFormulas, {"N": self.N}
+    case, scale, angle = WedgeFormulas, {"N": self.N}, {"alpha": self.alpha, "mu": self.mu}
+    too_much = Expected(*bounds.torque_error(**angle), FREE)
+    too_little = Expected(*bounds.normal_force_error(**angle), FREE)
+    reach = bounds.half_planes(a=small(self).a, R=self.R, mu=self.mu)
+    half_planes = Expected(*reach, HALF_PLANES)
     free: dict[str, Any] = {"sensitivity": (STATICS, BALANCED)}
     caged: dict[str, Any] = free | {"shares": COULOMB}
     printed: dict[str, Any] = {"sensitivity": (1e-5, BALANCED)}
     yield identity(case.T, name="friction force of a free roller", **free)
     yield identity(case.M_free, name="torque of free rollers (Eq. 3, corrected)", **free)
     yield approximation(case.M_caged, "M_free", name="torque of free rollers, Eq. 3 as printed",
-                        expected=too_much(self), **printed)  # fmt: skip
+                        expected=too_much, **printed)  # fmt: skip
     yield identity(case.M_caged, "M_caged", name="torque of caged rollers (Eq. 3)", **caged)
     yield identity(case.C, name="cage force (Eq. 1)", scale=scale, **caged)
     yield identity(case.N_per_M, name="normal force per torque, free (Eq. 5, corrected)", **free)
-    yield approximation(case.N_per_M_caged, "N_per_M", expected=too_little(self),
+    yield approximation(case.N_per_M_caged, "N_per_M", expected=too_little,
                         name="normal force per torque, free, Eq. 4 as printed",
                         **printed)  # fmt: skip
     yield identity(case.N_per_M_caged, "N_per_M_caged",
@@ -82,7 +68,7 @@ def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
         size=over_angles, accepted=EXPELLED, whole="μN", source=BALANCED, everywhere=True,
     ), quantity=case.wedged, shares=COULOMB)  # fmt: skip
     for k in SHARES:
-        yield approximation(case.stick(k), symbol="c/a", order=1, expected=half_planes(self),
+        yield approximation(case.stick(k), symbol="c/a", order=1, expected=half_planes,
                             shares=COULOMB)  # fmt: skip
     for name, symbol, margin in (
         ("N and T grow together: below 1 % of N slips", "N_slip", no_slip),

@@ -1,0 +1,1 @@
+"""Expected errors of the polyhedral ring clutch's formulas."""
