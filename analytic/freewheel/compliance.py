@@ -10,7 +10,7 @@ approach only the whole, d = f + u, can be compared:
   its bending and its growth under all z loads;
 - a star, clamped on its bore: "annulus", a disc through the contact, l = sqrt(X² + x²), under all
   loads (`series`); "half space", l = 2 (X - r_b), k = -nu', the displacement down to the depth
-  X - r_b of a half space, which has no clamp and is some 2 % of d_i too stiff: `star_bracket`;
+  X - r_b of a half space, which has no clamp and is some 2 % of d_i too stiff;
 - a cup with z flats: the ring whose bore encloses as much as the flats do.
 
 Of the tangential force none of this knows: on a ring it makes no radial displacement at the load.

@@ -603,4 +603,3 @@ def test_the_interval_of_the_turn_holds_the_formula_and_not_the_unloaded_one():
     assert low < 0 < high
     v = analytic(own())
     assert not low <= v["dalpha_0_d_X"] / v["dalpha_dX"] - 1 <= high
-    assert v["dalpha_dX"] == pytest.approx(comparisons.turned(own(), 1.0, 1.0), rel=1e-7)

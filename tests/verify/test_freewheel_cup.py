@@ -7,15 +7,17 @@ from functools import cache
 import numpy as np
 import pytest
 
+from analytic.bounds.freewheel.cup import Course
+from analytic.bounds.freewheel.cup_bracket import expected_approach
 from analytic.freewheel import compliance, printed, series
 from analytic.freewheel.cam import Cam
 from analytic.freewheel.clutch import Clutch, Material, hertz_line
 from analytic.freewheel.state import State as Formula
 from analytic.freewheel.state import at_normal_force, loaded
 from verify.app.cli import run
+from verify.cases.freewheel.bounds import parts
 from verify.cases.freewheel.cup import inputs
 from verify.cases.freewheel.cup import sweep as freewheel_cup_sweep
-from verify.cases.freewheel.cup.bounds import Course, CupBounds, cup_bracket
 from verify.cases.freewheel.cup.case import CUP, FreewheelCup
 from verify.cases.freewheel.cup.sweep import ONWARD, SHARES, CupSweep, through
 from verify.cases.freewheel.fem import Place, Sector, State
@@ -42,7 +44,7 @@ def forget():
 
 
 def under_torque(q):
-    return CupBounds(q, q.state)
+    return q.within(q.state)
 
 
 def solve_anew():
@@ -186,7 +188,7 @@ def test_energy_and_rolling_agree_about_rollers_that_roll():
 
 # What is expected.
 def test_the_course_follows_the_formulas():
-    v, course = CUP.analytic(Q), Course(Q)
+    v, course = CUP.analytic(Q), Course(parts(Q), under_torque(Q).approaches, (1.0, 1.0, 1.0))
     own = course.at(Q.T)
     for key in ("N", "alpha", "s", "phi"):
         assert own[key] == pytest.approx(v[key], rel=1e-6)
@@ -195,7 +197,7 @@ def test_the_course_follows_the_formulas():
 
 def test_a_cup_lies_between_rings_and_the_formula_does():
     P = CUP.analytic(Q)["N"] / Q.L
-    low, _, high = cup_bracket(Q, P)
+    low, _, high = expected_approach(parts(Q), P)
     assert low < CUP.analytic(Q)["d_o"] < high < 1.06 * low
 
 
@@ -203,7 +205,7 @@ def test_intervals_hold_the_formulas_themselves():
     e = under_torque(Q)
     found = [e.under_torque(k) for k in ("N", "alpha", "s")] + [
         e.slope(), e.approach("d_i"), e.approach("d_o"),
-        CupBounds(Q, Q.loaded_by("N_0").state).torque(), CupBounds(Q, Q.at_summit).summit(),
+        Q.within(Q.loaded_by("N_0").state).torque(), Q.within(Q.at_summit).summit(),
     ]  # fmt: skip
     assert all(low < 0 < high for low, high in found)
 

@@ -10,7 +10,6 @@ import pytest
 from analytic.freewheel import course, criterion, load_path
 from verify.cases.freewheel.paths import reference as fem
 from verify.cases.freewheel.paths.case import PATHS, LoadPaths
-from verify.cases.freewheel.paths.times import MU_REQ, tan_of, time_of_slip
 from verify.cases.freewheel.pulled_sector import Borne
 from verify.core.results import Status
 from verify.jobs.cache import default_folder
@@ -183,38 +182,12 @@ def test_a_wrong_path_turns_its_time_of_slip_red(owner, name, fault, cases, brok
     assert {f"time of slip, load case {case}" for case in cases} <= wrong
 
 
-# When a path reaches a load.
-@pytest.mark.parametrize("at", [0.35, 0.8])
-def test_a_path_reaches_a_load_no_sooner_than_it_grows_to_it(at):
-    """A ramp at F = at F_ax; a sine not before, and within half a swing, at its definition."""
-    q = LoadPaths()
-    ramp, sine = (time_of_slip(q, case, at * q.F_ax, {}) for case in (1, 2))
-    assert ramp == pytest.approx(q.rise + at * (q.duration - q.rise), rel=1e-12)
-    assert ramp <= sine <= ramp + 0.5 / q.f
-    turn = 2 * math.pi * 30 * (sine - 0.1)
-    assert 3000 * (sine - 0.1) / 0.4 * abs(math.sin(turn)) == pytest.approx(3000 * at, rel=1e-9)
-
-
-@pytest.mark.parametrize(
-    ("F", "t"),
-    [(1050.0, 0.175), (1150.0, 0.2)],  # grown after 5.25 cycles, and after 5.75: it overruns
-)
-def test_of_one_angle_load_case_3_slips_as_its_amplitude_has_grown_and_it_locks(F, t):
-    q = LoadPaths()
-    alike = dict.fromkeys(MU_REQ.values(), math.hypot(1, q.R * q.F_ax / q.T))
-    assert time_of_slip(q, 3, F, alike) == pytest.approx(t, abs=1e-9)
-
-
 @pytest.mark.parametrize("share", [0.3, 0.5, 0.7, 0.9, 1.0])
 def test_between_two_torques_the_angle_is_next_to_a_line(share):
     q = LoadPaths()
-    tan = math.tan(q.under(share * q.T).alpha)
-    assert tan_of(q, PATHS.analytic(q))(share * q.T) == pytest.approx(tan, rel=2e-3)
-
-
-def test_a_path_that_never_reaches_the_load_has_no_time_of_slip():
-    q, alike = LoadPaths(), dict.fromkeys(MU_REQ.values(), 2.0)
-    assert all(time_of_slip(q, case, 1.1 * q.F_ax, alike) == math.inf for case in (1, 2, 3))
+    v, tan = PATHS.analytic(q), math.tan(q.under(share * q.T).alpha)
+    line = q.rig.tangent(tuple(fem.MU_REQ), tuple(v[key] for key in fem.MU_REQ.values()))
+    assert line(share * q.T) == pytest.approx(tan, rel=2e-3)
 
 
 @cache

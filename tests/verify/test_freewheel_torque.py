@@ -18,7 +18,7 @@ from verify.app.cli import run
 from verify.cases.freewheel import fem as freewheel_fem
 from verify.cases.freewheel import star
 from verify.cases.freewheel import sweep as freewheel_sweep
-from verify.cases.freewheel.bounds import Bounds
+from verify.cases.freewheel.bounds import of_star
 from verify.cases.freewheel.fem import Place, Sector, State
 from verify.cases.freewheel.reference import at_angle
 from verify.cases.freewheel.sweep import Sweep, rigid_force
@@ -46,11 +46,11 @@ def forget():
 
 
 def under_torque(q):
-    return Bounds(q, q.state)
+    return of_star(q, q.state)
 
 
 def under_force(q):
-    return Bounds(q, q.loaded_by("N_0").state)
+    return of_star(q, q.loaded_by("N_0").state)
 
 
 def solve_anew():

@@ -5,8 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from analytic.bounds.freewheel import star_bracket
+from analytic.bounds.freewheel.parts import Parts
 from analytic.contact import hertz_line_approach
-from analytic.freewheel import series, star_bracket
+from analytic.freewheel import series
 from analytic.freewheel.clutch import Clutch, Material
 from analytic.freewheel.compliance import compliance
 from analytic.freewheel.geometry import InnerCam, OuterCam
@@ -85,7 +87,9 @@ def test_the_expected_interval_holds_the_disc_and_not_the_half_space():
     more = {"cam": cam, "L": 10e-3, "r_b": 7.5e-3, "R_a": 21e-3, **PARTS}
     P = np.array([1e4, 1e5, 3e5])
     disc, half_space = Clutch(**more), Clutch(**more, star="half space")
-    least, largest = star_bracket.expected_approach(disc, P)
+    enclosed = Parts(sense=1, race=16.5e-3, flat=11.39565e-3, r=2.5e-3, z=8, L=10e-3, r_b=7.5e-3,
+                     R_a=21e-3, E=E, nu=NU)  # fmt: skip
+    least, largest = star_bracket.expected_approach(enclosed, P)
     found = compliance(disc).approaches(P).d_i
     assert np.all((least < found) & (found < largest))
     assert np.all(largest / least - 1 < 0.025)

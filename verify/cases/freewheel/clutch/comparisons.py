@@ -1,24 +1,17 @@
 """The claims about one's own clutch: angle, force and torsion at its load, slip, a few µm of X."""
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from functools import lru_cache
-from itertools import product
 from typing import Any
 
-import numpy as np
-from scipy.optimize import brentq
-
+from analytic.bounds.freewheel.intervals import Interval
+from analytic.bounds.freewheel.star import StarBounds
+from analytic.bounds.freewheel.turn import Moved, of_turn
 from analytic.freewheel.compliance import compliance
 from analytic.freewheel.state import loaded
 from verify.case import Comparison, Quantity
-from verify.cases.freewheel.bounds import (
-    BRACKET,
-    SMALLEST,
-    TANGENTIAL,
-    Bounds,
-    Interval,
-    known,
-)
+from verify.cases.freewheel.bounds import BRACKET, TANGENTIAL, known, of_star, parts
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
 from verify.core.case import Context, Values
 from verify.judging.checks import Approximation, Fact
@@ -26,43 +19,29 @@ from verify.judging.checks import Approximation, Fact
 SHARED = "plane strain, small strain, the star clamped in its bore"
 COULOMB = "Coulomb's law of friction"
 SHARP = "acceptance of the subject"
-FAR = 5.0  # the normal force is searched within this factor of the formula's
 
 
-def expected(q: ClutchInputs) -> Bounds:
+def expected(q: ClutchInputs) -> StarBounds:
     one = q.as_star
-    return Bounds(one, loaded(one.clutch, one.T))
+    return of_star(one, loaded(one.clutch, one.T))
 
 
 @lru_cache(maxsize=8)
 def turn(q: ClutchInputs) -> Interval:
     """Of dalpha/dX at the torque, with approaches anywhere within their bounds."""
-    enclosed = expected(q)
-    own = float(enclosed.state.d_i), float(enclosed.state.d_o)
-    factors = [[end / d for end in ends]
-               for d, ends in zip(own, (enclosed.d_i, enclosed.d_o), strict=True)]  # fmt: skip
-    ratio = [turned(q, 1.0, 1.0) / turned(q, *pair) - 1 for pair in product(*factors)]
-    return min(*ratio, -SMALLEST), max(*ratio, SMALLEST)
+    ends = [moved(q, dX) for dX in (-q.off, q.off)]
+    return of_turn(ends, expected(q), off=q.off, F_t=q.T / (q.z * q.R))
 
 
-def turned(q: ClutchInputs, f_i: float, f_o: float) -> float:
-    """dalpha/dX [rad/m] between X ± off, with approaches `f_i`, `f_o` times the formula's."""
-    ends = [angle(q, dX, f_i, f_o) for dX in (-q.off, q.off)]
-    return (ends[1] - ends[0]) / (2 * q.off)
+def moved(q: ClutchInputs, dX: float) -> Moved:
+    """The clutch with the flats moved by `dX` [m]."""
+    bodies = compliance(q.moved(dX))
 
+    def approaches(N: float) -> tuple[float, float]:
+        d = bodies.approaches(N / q.L)
+        return float(d.d_i), float(d.d_o)
 
-def angle(q: ClutchInputs, dX: float, f_i: float, f_o: float) -> float:
-    """The angle [rad] at the torque with the flats moved by `dX` [m]."""
-    moved = q.moved(dX)
-    cam, bodies = moved.cam, compliance(moved)
-    F_t, N = q.T / (q.z * q.R), float(expected(q).state.N)
-
-    def at(force: float) -> float:
-        d = bodies.approaches(force / q.L)
-        return float(cam.alpha(d_i=f_i * d.d_i, d_o=f_o * d.d_o))
-
-    force = brentq(lambda x: x * np.tan(at(x)) / F_t - 1, N / FAR, FAR * N, rtol=1e-13)
-    return at(force)
+    return Moved(replace(parts(q.as_star), flat=q.X + dX), approaches)
 
 
 def lets_go(context: Context) -> tuple[float, float]:

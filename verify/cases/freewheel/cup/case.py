@@ -7,6 +7,9 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from analytic.bounds.freewheel.cup import Approaches, CupBounds
+from analytic.bounds.freewheel.intervals import STRAIGHT, Interval, times
+from analytic.freewheel import state
 from verify.case import (
     Comparison,
     Expected,
@@ -19,13 +22,12 @@ from verify.case import (
     solved,
 )
 from verify.cases.freewheel import over_torque, statics
-from verify.cases.freewheel.bounds import STRAIGHT, Interval, times
+from verify.cases.freewheel.bounds import parts, sizes
 from verify.cases.freewheel.cup import figures as drawn
-from verify.cases.freewheel.cup.bounds import CupBounds
 from verify.cases.freewheel.cup.inputs import FRICTION, HARD, Cup
 from verify.cases.freewheel.statics import accepted
 from verify.core.case import Context
-from verify.core.figures import Picture, Sketch
+from verify.core.figures import Array, Picture, Sketch
 from verify.form.adapter import adapted
 from verify.form.case import Drawing
 from verify.judging.judge import DEMAND
@@ -253,7 +255,7 @@ class FreewheelCup(Cup):
     def comparisons(self) -> Iterator[Comparison]:
         """At equal torque, force and angle; at the summit; without load; forces in balance."""
         cup, rigid = FreewheelCup, self.loaded_by("N_0")
-        force = CupBounds(self, rigid.state)
+        force = self.within(rigid.state)
         yield from self._at_torque()
         yield from self._at_force(State(rigid, "rigid", "at N = T/(z R_s tan α_0)"), force)
         angle = State(self.loaded_by("ψ"), "angle", "at a given angle")
@@ -266,6 +268,16 @@ class FreewheelCup(Cup):
         yield fact("the torque falls beyond its summit, the normal force growing", "T",
                    margin("past_summit"))  # fmt: skip
         yield from balanced()
+
+    def within(self, at: state.State) -> CupBounds:
+        """Bounds of the formulas in a state."""
+
+        def approaches(N: Array) -> tuple[Array, Array]:
+            d = self.bodies.approaches(N / self.L)
+            return d.d_i, d.d_o
+
+        course = Approaches(approaches, float(self.at_summit.N))
+        return CupBounds(parts(self), sizes(at), course)
 
     def _judged(
         self, q: Quantity, interval: Interval, demand: float = DEMAND, source: str = BRACKET,
@@ -284,7 +296,7 @@ class FreewheelCup(Cup):
         return approximation(q, expected=expected, order=2, shares=SHARED, **more)
 
     def _at_torque(self) -> Iterator[Comparison]:
-        cup, bounds = FreewheelCup, CupBounds(self, self.state)
+        cup, bounds = FreewheelCup, self.within(self.state)
         yield self._judged(cup.alpha, bounds.under_torque("alpha"), FINE, symbol="α(T)",
                            name="clamping angle under torque (Eq. 5 for a cup)")  # fmt: skip
         yield self._judged(cup.N, bounds.under_torque("N"), NEARLY, symbol="F_n(T)",
@@ -319,7 +331,7 @@ class FreewheelCup(Cup):
         """The largest torque's, judged where contacts are narrow there."""
         top = self.at_summit
         wide = max(float(top.a_i), float(top.a_o)) / self.r > WIDE
-        interval = (-math.inf, math.inf) if wide else CupBounds(self, top).summit()
+        interval = (-math.inf, math.inf) if wide else self.within(top).summit()
         return self._judged(FreewheelCup.T_max, interval, COARSE,
                             name="largest torque, before the rollers go through")  # fmt: skip
 

@@ -5,6 +5,8 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from analytic.bounds.freewheel.friction import FrictionBounds
+from analytic.bounds.freewheel.intervals import Interval
 from analytic.freewheel import criterion, tilt
 from analytic.freewheel.state import at_normal_force, loaded
 from verify.case import (
@@ -19,9 +21,8 @@ from verify.case import (
     identity,
     underived,
 )
-from verify.cases.freewheel.bounds import Interval
+from verify.cases.freewheel.bounds import of_star
 from verify.cases.freewheel.friction import figures as drawn
-from verify.cases.freewheel.friction.bounds import FrictionBounds
 from verify.cases.freewheel.friction.comparisons import at_slip
 from verify.cases.freewheel.pulled import Pulled
 from verify.core.case import Context
@@ -140,9 +141,14 @@ class FreewheelFriction(Pulled):
 
         return solve(self, level)
 
+    @property
+    def within(self) -> FrictionBounds:
+        """Bounds of the criterion under these loads."""
+        return FrictionBounds(of_star(self, self.state), mu=self.mu, lever=self.lever)
+
     def comparisons(self) -> Iterator[Comparison]:
         """Forces and required friction; the limit; where slip begins and what slips then."""
-        law, bounds = FreewheelFriction, FrictionBounds(self)
+        law, bounds = FreewheelFriction, self.within
         more: Any = {"order": 2, "shares": SHARED}
         yield identity(law.F_t, name="tangential force of a roller (Eq. 3, corrected)", **STATICS)
         yield identity(law.F_a, name="axial force of a roller, F_ax/z", scale=law.F_t, **STATICS)
@@ -228,7 +234,7 @@ class FreewheelFriction(Pulled):
 
     def refusal(self) -> str:
         """Where the torque alone nearly slips, or displacements are not small."""
-        low, _ = FrictionBounds(self).both_contacts()
+        low, _ = self.within.both_contacts()
         if self.mu_T * (1 + CLOSE) / (1 + low) < self.mu:
             return super().refusal()
         return (

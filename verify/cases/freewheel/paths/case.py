@@ -6,16 +6,20 @@ frequency at which the ring by itself swings on the wedged rollers.
 
 import math
 from collections.abc import Iterator
+from dataclasses import fields
 from typing import ClassVar, Self
 
 import numpy as np
 from pydantic import model_validator
 
+from analytic.bounds.freewheel import friction
+from analytic.bounds.freewheel.intervals import Interval
+from analytic.bounds.freewheel.slip_times import Rig
 from analytic.freewheel.course import Course, follow
 from analytic.freewheel.load_path import AlternatingAxial, AxialRamp, BothAlternating, LoadPath
 from analytic.freewheel.state import State, loaded
 from verify.case import Comparison, Drawn, Level, Quantity, given, shared
-from verify.cases.freewheel.bounds import Bounds, Interval
+from verify.cases.freewheel.bounds import of_star
 from verify.cases.freewheel.paths import comparisons as compared
 from verify.cases.freewheel.paths import figures as drawn
 from verify.cases.freewheel.pulled import Pulled
@@ -177,6 +181,11 @@ class LoadPaths(Pulled):
         return self.T_m + self.T
 
     @property
+    def rig(self) -> Rig:
+        """The paths written anew, for judging times of slip."""
+        return Rig(**{f.name: getattr(self, f.name) for f in fields(Rig)})
+
+    @property
     def paths(self) -> dict[int, LoadPath]:
         """The three load cases by their numbers."""
         ramp = {"T": self.T, "F": self.F_ax, "rise": self.rise, "duration": self.duration}
@@ -206,14 +215,7 @@ class LoadPaths(Pulled):
         """Interval of the axial load at slip, from what may be wrong with one contact's tan α."""
         if not T:
             return None
-        state = loaded(self.clutch, T)
-        own = math.tan(float(state.alpha))
-        ends = [own / (1 + m) for m in Bounds(self, state).slope(tilted=True)]
-        if max(*ends, own) >= self.mu:
-            return None
-        lever, *others = (math.sqrt((self.mu / tan) ** 2 - 1) for tan in (own, *ends))
-        found = [lever / other - 1 for other in others]
-        return min(found), max(found)
+        return friction.limit_load(of_star(self, loaded(self.clutch, T)), self.mu)
 
     def reference(self, level: int) -> Level:
         """The paths from rest to rest, with the history of their friction."""

@@ -7,10 +7,11 @@ from typing import Any
 
 import numpy as np
 
+from analytic.bounds.freewheel.intervals import Interval
 from analytic.freewheel import criterion
 from verify.case import Comparison, Expected, Quantity, State, approximation, fact, underived
-from verify.cases.freewheel.bounds import Bounds, Interval
-from verify.cases.freewheel.paths.times import MU_REQ, time_of_slip
+from verify.cases.freewheel.bounds import of_star
+from verify.cases.freewheel.paths.reference import MU_REQ
 from verify.core.case import Check, Context
 from verify.core.figures import Array
 from verify.judging.checks import Accepted, Margin
@@ -125,9 +126,10 @@ def in_time(context: Context, case: int) -> Pair:
     own = along.slips_at - step / 2
     if not math.isfinite(own):
         return Pair(own, math.nan, 0.0, "the path ends before it slips")
+    mu_req = tuple(context.fem[-1].values[key] for key in MU_REQ.values())
+    tan = q.rig.tangent(tuple(MU_REQ), mu_req)
     early, below, found, above, late = (
-        time_of_slip(q, case, F + d, context.fem[-1].values)
-        for d in (-ALIKE * F, -half, 0.0, half, ALIKE * F)
+        q.rig.time_of_slip(case, F + d, tan) for d in (-ALIKE * F, -half, 0.0, half, ALIKE * F)
     )
     words = (
         f"{own:.5f} s, finite elements {found:.5f} s, from {early:.5f} to {late:.5f} s accepted: "
@@ -166,7 +168,7 @@ def in_phase(q: Any, mu_req: Quantity) -> Iterator[Comparison]:
     """Required friction of load case 3 in its last cycle."""
     for sine, key in MU_REQ.items():
         there = q.in_phase(sine)
-        low, high = Bounds(there, there.state).slope(tilted=True)
+        low, high = of_star(there, there.state).slope(tilted=True)
         state = State(there, key.removeprefix("mu_req_"), f"load case 3, at {sine:g}")
         yield approximation(
             mu_req, state=state, order=2, shares=COULOMB, expected=Expected(low, high, ANGLE),

@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 
 from verify.case import Level
 from verify.cases.freewheel.fem import Place, Sector, State
-from verify.cases.freewheel.paths.times import MU_REQ
 from verify.cases.freewheel.pulled_sector import (
     HARDER,
     Borne,
@@ -36,6 +35,7 @@ LEVELS = (3, 4, 5)  # cells on the half-width of the fine zones
 RAMP = (0.3, 0.6, 0.95)  # of the limit of the axial load, load case 1
 GROWING = (0.3, -0.45, 0.6, -0.75, 0.9, -0.95)  # and at the extremes of load case 2
 QUIET, LOUD, CYCLES = 0.4, 0.8, 4  # amplitudes that stay the same, and for how long
+MU_REQ = {1.0: "mu_req_high", 0.3: "mu_req_low"}  # by sines of load case 3
 SOLVED = 1e-6  # of mu_req
 CORRECTIONS = 2  # of a place under another torque
 OTHERS = (0.6, 0.9)  # and further ones, of the figure alone

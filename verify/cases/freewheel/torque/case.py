@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from functools import partial
 from typing import Any, ClassVar
 
+from analytic.bounds.freewheel.intervals import STRAIGHT, times
 from analytic.freewheel import printed
 from verify.case import (
     AlongLine,
@@ -18,7 +19,7 @@ from verify.case import (
     solved,
 )
 from verify.cases.freewheel import over_torque, statics
-from verify.cases.freewheel.bounds import STRAIGHT, TANGENTIAL, Bounds, known, times
+from verify.cases.freewheel.bounds import TANGENTIAL, known, of_star
 from verify.cases.freewheel.star import Star
 from verify.cases.freewheel.star_sketch import sketch
 from verify.cases.freewheel.statics import accepted
@@ -144,7 +145,7 @@ class FreewheelTorque(Star):
         yield from self._at_torque()
         yield from self._at_force()
         angle = State(self.loaded_by("ψ"), "angle", "at a given angle")
-        force = Bounds(self, self.loaded_by("N_0").state).force_at_angle()
+        force = of_star(self, self.loaded_by("N_0").state).force_at_angle()
         yield approximation(
             FreewheelTorque.N, name="normal force at a given angle", symbol="F_n(ψ)", order=2,
             state=angle, expected=known(self, force), own=(0.02, SHARP), shares=SHARED,
@@ -155,7 +156,7 @@ class FreewheelTorque(Star):
         yield from balanced()
 
     def _at_torque(self) -> Iterator[Comparison]:
-        star, bounds = FreewheelTorque, Bounds(self, self.state)
+        star, bounds = FreewheelTorque, of_star(self, self.state)
         more: dict[str, Any] = {"order": 2, "shares": SHARED}
         yield approximation(star.alpha, name="clamping angle under torque (Eqs. 4, 5)",
                             symbol="α(T)", expected=known(self, bounds.angle()),
@@ -177,7 +178,7 @@ class FreewheelTorque(Star):
 
     def _at_force(self) -> Iterator[Comparison]:
         star, rigid = FreewheelTorque, self.loaded_by("N_0")
-        bounds, where = Bounds(self, rigid.state), "at N = T/(z R tan α_0)"
+        bounds, where = of_star(self, rigid.state), "at N = T/(z R tan α_0)"
         more: dict[str, Any] = {"order": 2, "shares": SHARED, "state": State(rigid, "rigid", where)}
         yield approximation(star.d_i, symbol="d_i(N)", expected=known(self, bounds.approach("d_i")),
                             sensitivity=(0.025, ENCLOSED), **more)  # fmt: skip

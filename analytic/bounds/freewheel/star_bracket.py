@@ -20,52 +20,32 @@ References
 import numpy as np
 from numpy.typing import ArrayLike
 
+from analytic.bounds.freewheel.parts import Parts, approach, half_roller
 from analytic.contact.checks import Array, positive
 from analytic.freewheel import series
-from analytic.freewheel.clutch import Clutch
-from analytic.freewheel.compliance import Body, compliance
-from analytic.freewheel.geometry import InnerCam
 
 DEEP = 20.0  # q h beyond which K is 1 to round-off
 
 
-def expected_approach(clutch: Clutch, P: ArrayLike) -> tuple[Array, Array]:
-    """Least and largest d_i [length] of an inner cam under P = N/L, of one clutch."""
-    if not isinstance(clutch.cam, InnerCam):
-        raise ValueError("the interval is that of a star: the clutch needs an inner cam")
+def expected_approach(star: Parts, P: ArrayLike) -> tuple[Array, Array]:
+    """Least and largest d_i [length] of a star under P = N/L [force/length]."""
     P = positive(P, "load per length", "N/m")
-    flat, corner = _rims(clutch)
-    found = np.array([
-        _approach(clutch, body, P)
-        for body in (_layer(clutch), _disc(clutch, flat), _disc(clutch, corner))
-    ])  # fmt: skip
+    flat, corner = _rims(star)
+    found = np.array([_on_layer(star, P), _on_disc(star, flat, P), _on_disc(star, corner, P)])
     return found.min(axis=0), found.max(axis=0)
 
 
-def between_discs(clutch: Clutch, P: ArrayLike) -> Array:
+def between_discs(star: Parts, P: ArrayLike) -> Array:
     """Approach d_i [length] of a disc through the contact, drawn between those of the two discs.
 
-    What `compliance` should say of a star, to second order in the corners' height: for judging it.
+    What is expected of a star, to second order in the corners' height.
     """
     P = positive(P, "load per length", "N/m")
-    flat, corner = _rims(clutch)
-    x, _ = clutch.cam.centre(d_i=0.0, d_o=0.0)
-    low, high = (_approach(clutch, _disc(clutch, rim), P) for rim in (flat, corner))
+    flat, corner = _rims(star)
+    x, _ = star.centre(d_i=0.0, d_o=0.0)
+    low, high = (_on_disc(star, rim, P) for rim in (flat, corner))
     share = (np.hypot(flat, x) - flat) / (corner - flat)
     return np.asarray(low + share * (high - low))
-
-
-def _rims(clutch: Clutch) -> tuple[Array, Array]:
-    """Radii [length] of the discs through the flats and through the corners."""
-    flat = clutch.cam.flat
-    return flat, np.minimum(flat / np.cos(np.pi / clutch.cam.count), clutch.cam.race)
-
-
-def _approach(clutch: Clutch, body: Body, P: Array) -> Array:
-    """Of half a roller and a star [length]."""
-    a, _ = clutch.half_widths(P)
-    half, _ = compliance(clutch).half_roller.approach(P, a)
-    return np.asarray(half + body.approach(P, a)[0])
 
 
 def layer_constant(*, pitch: float, kappa: float) -> float:
@@ -83,15 +63,23 @@ def layer_constant(*, pitch: float, kappa: float) -> float:
     return float(2 * np.log(2 / step) + 1 + uniform * step + 2 * ((K - 1) / t * step).sum())
 
 
-def _layer(clutch: Clutch) -> Body:
-    cam, (E, _) = clutch.cam, clutch.inner.plane
-    height = cam.flat - np.asarray(clutch.r_b)
-    kappa = 3 - 4 * float(np.asarray(clutch.inner.nu))
-    k = layer_constant(pitch=float(2 * cam.corner / height), kappa=kappa)
-    return Body(E=E, l=height, k=np.asarray(k))
+def _rims(star: Parts) -> tuple[float, float]:
+    """Radii [length] of the discs through the flats and through the corners."""
+    return star.flat, min(star.flat / np.cos(np.pi / star.z), star.race)
 
 
-def _disc(clutch: Clutch, rim: Array) -> Body:
-    E, nu = clutch.inner.plane
-    k = series.star_constant(ratio=rim / np.asarray(clutch.r_b), n=clutch.cam.count, nu=nu)
-    return Body(E=E, l=rim, k=k)
+def _on_layer(star: Parts, P: Array) -> Array:
+    height, kappa = star.flat - star.r_b, 3 - 4 * star.nu
+    k = layer_constant(pitch=float(2 * star.corner / height), kappa=kappa)
+    return _with_roller(star, P, height, k)
+
+
+def _on_disc(star: Parts, rim: float, P: Array) -> Array:
+    k = series.star_constant(ratio=rim / star.r_b, n=star.z, nu=star.plane[1])
+    return _with_roller(star, P, rim, k)
+
+
+def _with_roller(star: Parts, P: Array, l: float, k: Array | float) -> Array:  # noqa: E741
+    """Approach [length] of half a roller and a body of the constants l and k."""
+    a = star.width_on_flat(P)
+    return half_roller(star, P, a) + approach(P, a, E=star.plane[0], l=l, k=k)

@@ -1,0 +1,1 @@
+"""Expected errors of a roller freewheel's formulas."""

@@ -1,0 +1,173 @@
+"""What is expected of the formulas of a drawn cup, from rings that enclose it and from sizes.
+
+The torque winds cup and shaft up. At equal torque errors grow near the summit, where a little
+compliance costs much torque: the whole course is followed with approaches at the corners of what
+they may be.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import product
+
+import numpy as np
+
+from analytic.bounds.freewheel.cup_bracket import expected_approach
+from analytic.bounds.freewheel.intervals import (
+    LOOSE,
+    SIDEWAYS,
+    TIGHT,
+    Interval,
+    enclosed,
+    of_approach,
+    of_contact,
+    of_round_bodies,
+    tilting,
+    winding,
+)
+from analytic.bounds.freewheel.parts import Loaded, Parts
+from analytic.contact.checks import Array
+
+POINTS = 4000  # of a course
+FARTHER = 1.5  # normal force over that of the summit
+
+Factors = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Approaches:
+    """Approaches d_i, d_o [length] of a cup over the normal force, `of`; `top` is N of the summit.
+
+    A course multiplies them by factors: what is expected follows from ratios of two courses.
+    """
+
+    of: Callable[[Array], tuple[Array, Array]]
+    top: float
+
+
+@dataclass(frozen=True)
+class Course:
+    """A course over N with approaches and torque times given factors."""
+
+    cup: Parts
+    approaches: Approaches
+    factors: Factors
+
+    @cached_property
+    def states(self) -> tuple[Array, Array, Array, Array]:
+        """N [N], both approaches [m], torque [N m] as far as there is an angle."""
+        cup, (f_i, f_o, f_T) = self.cup, self.factors
+        N = FARTHER * self.approaches.top * np.linspace(0, 1, POINTS) ** 3
+        d_i, d_o = self.approaches.of(N)
+        d_i, d_o = f_i * d_i, f_o * d_o
+        alpha = cup.alpha(d_i=d_i, d_o=d_o)
+        known = np.isfinite(alpha)
+        T = f_T * cup.z * cup.race * N * np.tan(alpha)
+        return N[known], d_i[known], d_o[known], T[known]
+
+    @property
+    def summit(self) -> float:
+        """Largest torque [N m]."""
+        return float(self.states[3].max())
+
+    def at(self, T: float) -> dict[str, float]:
+        """N [N], alpha [rad], s [m], phi [rad] of rolling under a torque, or at the summit."""
+        N, d_i, d_o, torque = self.states
+        rising = slice(int(torque.argmax()) + 1)
+        cup, now = self.cup, min(T, self.summit)
+        courses = {
+            "N": N, "alpha": cup.alpha(d_i=d_i, d_o=d_o), "s": cup.arc(d_i=d_i, d_o=d_o),
+            "phi": cup.rolled(d_i=d_i, d_o=d_o),
+        }  # fmt: skip
+        return {k: float(np.interp(now, torque[rising], v[rising])) for k, v in courses.items()}
+
+    def force(self, psi: float) -> float:
+        """N [N] at which the approaches leave the angle psi [rad]."""
+        N, d_i, d_o, _ = self.states
+        return float(np.interp(-psi / 2, -self.cup.alpha(d_i=d_i, d_o=d_o), N))
+
+
+class CupBounds:
+    """Intervals for formula/reference - 1 in a state."""
+
+    def __init__(self, cup: Parts, at: Loaded, approaches: Approaches) -> None:
+        self.cup, self.at, self.approaches = cup, at, approaches
+        P, c = at.N / cup.L, of_round_bodies(cup, at)
+        low, middle, high = expected_approach(cup, P)
+        # not the formula's own d_o: what is expected must not move with what is judged
+        self.own = {"d_i": at.d_i, "d_o": middle}
+        x = float(cup.centre(d_i=at.d_i, d_o=at.d_o)[0])
+        wound = winding(cup, at.T, cup.flat, cup.R_a) * x
+        self.d_i = at.d_i * (1 - c), at.d_i * (1 + c)
+        self.d_o = low * (1 - c) + TIGHT * wound, high * (1 + c) + LOOSE * wound
+        wall = min(cup.race - cup.r_b, cup.R_a - cup.flat)
+        self.tilt = tilting(cup, P, wall) / math.tan(at.alpha)
+
+    @property
+    def corners(self) -> tuple[Factors, ...]:
+        """Factors of approaches and torque at the corners of what they may be."""
+        return tuple(
+            (i / self.at.d_i, o / self.at.d_o, 1 + t)
+            for i, o, t in product(self.d_i, self.d_o, (-self.tilt, self.tilt))
+        )
+
+    @property
+    def middle(self) -> Factors:
+        """Factors of the approaches of the ring that is expected to stand for the cup."""
+        return 1.0, self.own["d_o"] / self.at.d_o, 1.0
+
+    def approach(self, which: str) -> Interval:
+        """Of d_i or d_o."""
+        return of_approach(self.own[which], getattr(self, which))
+
+    def contact(self) -> Interval:
+        """Of half-widths and pressures."""
+        return of_contact(self.cup, self.at)
+
+    @cached_property
+    def _at_torque(self) -> tuple[dict[str, float], list[dict[str, float]]]:
+        return self._course(self.middle).at(self.at.T), [
+            self._course(f).at(self.at.T) for f in self.corners
+        ]
+
+    def under_torque(self, key: str) -> Interval:
+        """Of N, alpha or s at this torque."""
+        own, corners = self._at_torque
+        return enclosed(own[key], [c[key] for c in corners])
+
+    def slope(self) -> Interval:
+        """Of tan(alpha), at this torque."""
+        own, corners = self._at_torque
+        return enclosed(math.tan(own["alpha"]), [math.tan(c["alpha"]) for c in corners])
+
+    def torsion(self) -> Interval:
+        """Of phi: what rolls, the contacts' tangential way, and shaft and cup wound up."""
+        cup, T, (own, corners) = self.cup, self.at.T, self._at_torque
+        wound = winding(cup, T, cup.flat, cup.R_a) + winding(cup, T, cup.r_b, cup.race)
+        tan, tan_0 = math.tan(own["alpha"]), math.tan(float(cup.alpha(d_i=0.0, d_o=0.0)))
+        (less, more) = SIDEWAYS[0] * tan**2, SIDEWAYS[1] * tan * tan_0
+        low = min(c["phi"] for c in corners) * (1 + less) + TIGHT * wound
+        high = max(c["phi"] for c in corners) * (1 + more) + LOOSE * wound
+        return enclosed(own["phi"], [low, high])
+
+    def torque(self) -> Interval:
+        """Of T at this normal force."""
+
+        def tan(i: float, o: float) -> float:
+            return math.tan(float(self.cup.alpha(d_i=i * self.at.d_i, d_o=o * self.at.d_o)))
+
+        return enclosed(tan(*self.middle[:2]), [t * tan(i, o) for i, o, t in self.corners])
+
+    def summit(self) -> Interval:
+        """Of the largest torque."""
+        own = self._course(self.middle).summit
+        return enclosed(own, [self._course(f).summit for f in self.corners])
+
+    def force_at_angle(self, psi: float) -> Interval:
+        """Of N at an angle [rad]: where the approaches leave it."""
+        own = self._course(self.middle).force(psi)
+        return enclosed(own, [self._course(f).force(psi) for f in self.corners])
+
+    def _course(self, factors: Factors) -> Course:
+        return Course(self.cup, self.approaches, factors)

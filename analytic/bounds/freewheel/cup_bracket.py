@@ -1,0 +1,38 @@
+"""Expected interval of a cup's approach, from rings that enclose it.
+
+The cup holds the ring outside its corners, X_o/cos(pi/z), and lies in the ring outside its flats,
+X_o: as a ring it is softer than this one and stiffer than that one. On that one the rollers stand
+on what is left of the flat, a column in which the load spreads as in a half plane: from a Hertz
+patch, -2 ln(a) + 2 ln 2 + 1 of P/(pi E'), to the pressures at the depth h, -2 ln(h) + 2, and it
+shortens by 2 ln(2 h/a) - nu'; together 1 - nu' more than a bore.
+"""
+
+import math
+
+import numpy as np
+
+from analytic.bounds.freewheel.parts import Parts, approach, half_roller
+from analytic.freewheel import series
+
+
+def expected_approach(cup: Parts, P: float) -> tuple[float, float, float]:
+    """Least, expected and largest approach [length] of roller and cup under P [force/length].
+
+    Expected is that of the ring whose bore encloses as much as the flats do, drawn between those of
+    the rings with the bores X_o and X_o/cos(pi/z).
+    """
+    half = math.pi / cup.z
+    corner = cup.flat / math.cos(half)
+    at_flats, at_corners = (_as_ring(cup, P, bore, 0.0) for bore in (cup.flat, corner))
+    share = (cup.flat * math.sqrt(math.tan(half) / half) - cup.flat) / (corner - cup.flat)
+    column = 1 - float(cup.plane[1])
+    middle = at_flats + share * (at_corners - at_flats)
+    return at_flats, middle, _as_ring(cup, P, corner, column)
+
+
+def _as_ring(cup: Parts, P: float, bore: float, column: float) -> float:
+    """Approach [length] of roller and a ring, its constant k raised by `column`."""
+    (E, nu), load, a = cup.plane, np.asarray(P), cup.width_on_flat(P)
+    k = series.race_constant(ratio=cup.R_a / bore, n=cup.z, nu=nu, loaded="bore") + column
+    c = series.curvature_term(nu=nu, loaded="bore")
+    return float(half_roller(cup, load, a) + approach(load, a, E=E, l=bore, k=k, c=c))

@@ -1,0 +1,89 @@
+"""What is expected of a freewheel's friction, from what may be wrong with the clamping angle.
+
+A tangential force moves nothing across itself where a body is its own mirror image. Contacts on
+flats are off their middle by psi, some 2 tan(alpha), F_t is tan(alpha) of N, and the bodies' shape
+makes less than half of an approach: by size, approaches change by tan² alpha of themselves at most.
+From alpha_0 on tan² alpha is linear in them.
+"""
+
+import math
+from collections.abc import Callable
+
+from analytic.bounds.freewheel.intervals import Interval, times
+from analytic.bounds.freewheel.star import StarBounds
+
+WIDEST = 0.04  # interval at the limit: near tan(alpha) = mu it says nothing
+ALIKE = 1e-6  # of a value: what two forms of one equation differ by beside their ratio
+
+
+class FrictionBounds:
+    """Intervals for formula/reference - 1 under torque and axial load.
+
+    `star` has those of the angle; `mu` is the friction that there is, `lever` F_ax R/T.
+    """
+
+    def __init__(self, star: StarBounds, *, mu: float, lever: float) -> None:
+        self.star, self.mu, self.lever = star, mu, lever
+        self.tan = math.tan(star.at.alpha)
+        least = math.tan(float(star.star.alpha(d_i=0.0, d_o=0.0)))
+        self.rest = (self.tan**2 - least**2) / 2
+
+    def one_contact(self) -> Interval:
+        """Of F_t/N where both contacts count by themselves."""
+        return self._wider(self.star.slope(tilted=True))
+
+    def both_contacts(self) -> Interval:
+        """Of the mean of both."""
+        return self._wider(self.star.slope())
+
+    def normal_force(self) -> Interval:
+        """Of N."""
+        return self._wider(self.star.force())
+
+    def whole_load(self) -> Interval:
+        """Eq. 8 with the F_ax of Eq. 9: z times the axial force of a roller."""
+        more = math.hypot(1.0, self.star.star.z * self.lever) / math.hypot(1.0, self.lever)
+        return times(self.one_contact(), more, ALIKE)
+
+    def two_tangents(self) -> Interval:
+        """Eq. 8 as it stands calls tan(alpha) what is mu_req."""
+        return times(self.both_contacts(), math.hypot(1.0, self.lever), ALIKE)
+
+    def limit_load(self) -> Interval | None:
+        """Of F_ax at the limit: none where the slope's alone nearly lets the roller out."""
+        return self._sharp(lambda tan: math.sqrt((self.mu / tan) ** 2 - 1))
+
+    def limit_creep(self) -> Interval | None:
+        """Of F_t/F_z at the limit."""
+        return self._sharp(lambda tan: 1 / math.sqrt((self.mu / tan) ** 2 - 1))
+
+    def _wider(self, interval: Interval) -> Interval:
+        """With what friction along the surfaces does to the angle."""
+        return interval[0] - self.rest, interval[1] + self.rest
+
+    def _sharp(self, of: Callable[[float], float]) -> Interval | None:
+        found = at_limit(of, self.tan, self.one_contact(), self.mu)
+        return None if found is None or not found[1] - found[0] < WIDEST else found
+
+
+def limit_load(star: StarBounds, mu: float) -> Interval | None:
+    """Of F_ax at the limit on a path, from what may be wrong with one contact's tan(alpha)."""
+    return at_limit(lambda tan: math.sqrt((mu / tan) ** 2 - 1), math.tan(star.at.alpha),
+                    star.slope(tilted=True), mu)  # fmt: skip
+
+
+def at_limit(
+    of: Callable[[float], float], own: float, slope: Interval, mu: float
+) -> Interval | None:
+    """The interval of a function of tan(alpha) whose own is within `slope`.
+
+    None where tan(alpha) may reach mu: torque alone would let the rollers out.
+
+    >>> at_limit(lambda tan: 1 / tan, 0.05, (-0.5, 0.0), mu=0.2)
+    (0.0, 1.0)
+    """
+    ends = [own / (1 + m) for m in slope]
+    if max(*ends, own) >= mu:
+        return None
+    found = [of(own) / of(tan) - 1 for tan in ends]
+    return min(found), max(found)

@@ -1,0 +1,71 @@
+"""Intervals for formula/reference - 1, and what wall and torque do to any freewheel."""
+
+import math
+
+from analytic.bounds.freewheel.parts import Loaded, Parts
+
+CURVED = 4.0  # bound of what Hertz neglects of pressures, over (a/r)²; between flats it is 3/16
+LEAST = 7e-3  # and no less is asked of them: 1 % is accepted, meshes take 0.3
+ROUNDED = 2e-5  # of a value: nothing finer is asked, splines and meshes take half of it
+SMALLEST = 2e-3  # nor of approaches that others follow from
+ASKED = 4e-3  # nor of approaches themselves
+TIGHT, LOOSE = 0.8, 1.2  # of the winding of a ring: corners stand beyond it, some without shear
+SIDEWAYS = 0.5, 1.0  # bounds of the tangential over the normal compliance, of like logarithms
+STRAIGHT = 0.01  # of phi: what the printed angle's ratio changes by along its arc
+
+Interval = tuple[float, float]
+
+
+def of_contact(parts: Parts, at: Loaded) -> Interval:
+    """Of half-widths and pressures: round bodies taken for parabolas err by some (a/r)²."""
+    bound = max(CURVED * _wide(parts, at) ** 2, LEAST)
+    return -bound, bound
+
+
+def of_round_bodies(parts: Parts, at: Loaded) -> float:
+    """Relative error of an approach of round bodies.
+
+    Hertz errs by some (a/r)²; a roller's loads stand psi off its diameter, and the roller is half
+    of an approach.
+    """
+    return max(_wide(parts, at) ** 2 / 2 + at.psi**2 / 16, SMALLEST)
+
+
+def _wide(parts: Parts, at: Loaded) -> float:
+    return max(at.a_i, at.a_o) / parts.r
+
+
+def of_approach(own: float, ends: Interval) -> Interval:
+    """Of an approach `own` that may lie between `ends`.
+
+    >>> of_approach(1.0, (0.8, 1.25))
+    (-0.19999999999999996, 0.25)
+    """
+    low, high = ends
+    return min(own / high - 1, -ASKED), max(own / low - 1, ASKED)
+
+
+def enclosed(own: float, others: list[float]) -> Interval:
+    """Of a value `own` that may be any of the `others`."""
+    return own / max(others) - 1 - ROUNDED, own / min(others) - 1 + ROUNDED
+
+
+def times(interval: Interval, ratio: float, spread: float = 0.0) -> Interval:
+    """The interval of a formula that is `ratio` times another, within `spread` of that.
+
+    >>> times((-0.5, 0.5), 2.0)
+    (0.0, 2.0)
+    """
+    low, high = interval
+    return ratio * (1 - spread) * (1 + low) - 1, ratio * (1 + spread) * (1 + high) - 1
+
+
+def winding(parts: Parts, T: float, r_1: float, r_2: float) -> float:
+    """Angle [rad] by which T winds up a hollow shaft from one radius [length] to the other."""
+    G = parts.E / (2 * (1 + parts.nu))
+    return T / parts.L / (4 * math.pi * G) * (1 / r_1**2 - 1 / r_2**2)
+
+
+def tilting(parts: Parts, P: float, wall: float) -> float:
+    """Angle [rad] by which a half plane tilts at the depth of a wall [length] under P."""
+    return 2 * P * (1 - parts.nu**2) / (math.pi * parts.E * wall)

@@ -1,0 +1,133 @@
+r"""What bounds of a roller freewheel start from: its parts, its wedge written anew, one state.
+
+The roller's centre is at the distance rho from the axis and at the height y over the flat's
+parallel through the axis, cos(2 alpha) = y/rho, so that
+
+.. math:: \sin^2\alpha = \frac{\rho - y}{2\rho} .
+
+Lengths in any one unit; arguments broadcast.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.contact import hertz_line
+from analytic.contact.checks import Array, in_plane
+
+
+@dataclass(frozen=True, kw_only=True)
+class Parts:
+    """Rollers between flats and a round race, all parts of one material [length, stress].
+
+    `sense` is +1 of a star with flats in a ring, whose angle grows under load, and -1 of a cup with
+    flats about a shaft. `r_b` is the bore of the inner part, `R_a` the rim of the outer one.
+    """
+
+    sense: int
+    race: float
+    flat: float
+    r: float
+    z: int
+    L: float
+    r_b: float
+    R_a: float
+    E: float
+    nu: float
+
+    @property
+    def plane(self) -> tuple[Array, Array]:
+        """E' and nu' of plane strain."""
+        return in_plane(self.E, self.nu, "plane strain")
+
+    @property
+    def corner(self) -> float:
+        """Half the length [length] of a flat."""
+        return float(self.flat * np.tan(np.pi / self.z))
+
+    def distance(self, *, d_i: ArrayLike, d_o: ArrayLike) -> Array:
+        """Distance rho [length] of the roller's centre from the axis."""
+        to_race = d_o if self.sense > 0 else d_i
+        return np.asarray(self.race - self.sense * (self.r - np.asarray(to_race)))
+
+    def alpha(self, *, d_i: ArrayLike, d_o: ArrayLike) -> Array:
+        """Clamping angle [rad] with the approaches d_i, d_o; nan beyond pop-through.
+
+        >>> more = {"L": 10.0, "r_b": 7.5, "R_a": 21.0, "E": 206e3, "nu": 0.3}
+        >>> X = 14 * np.cos(np.radians(7)) - 2.5  # cos 2 alpha = (X + r)/(R - r)
+        >>> star = Parts(sense=1, race=16.5, flat=X, r=2.5, z=8, **more)
+        >>> round(float(np.degrees(star.alpha(d_i=0.0, d_o=0.0))), 12)
+        3.5
+        """
+        through = -self.sense * (self.race - self.flat) + 2 * self.r
+        lower = self.sense * (np.asarray(d_i) + np.asarray(d_o) - through)
+        share = lower / (2 * self.distance(d_i=d_i, d_o=d_o))
+        valid = (share >= 0) & (share < 1)
+        return np.where(valid, np.arcsin(np.sqrt(np.where(valid, share, 0.0))), np.nan)
+
+    def centre(self, *, d_i: ArrayLike, d_o: ArrayLike) -> tuple[Array, Array]:
+        """Roller's centre x, y [length] along the flat and along its normal."""
+        psi = 2 * self.alpha(d_i=d_i, d_o=d_o)
+        rho = self.distance(d_i=d_i, d_o=d_o)
+        return np.asarray(rho * np.sin(psi)), np.asarray(rho * np.cos(psi))
+
+    def arc(self, *, d_i: ArrayLike, d_o: ArrayLike) -> Array:
+        """Arc [length] of the roller's centre relative to the cam, from no load on."""
+        turned = 2 * (self.alpha(d_i=d_i, d_o=d_o) - self.alpha(d_i=0.0, d_o=0.0))
+        return np.asarray(self.sense * self.distance(d_i=d_i, d_o=d_o) * turned)
+
+    def rolled(self, *, d_i: Array, d_o: Array) -> Array:
+        """Angle [rad] between the parts along a path of approaches that starts without load.
+
+        R dphi = (1 + cos psi) dx - sin psi dy, in which x + y arsinh(x/y) is integrated and the
+        small rest is the trapezoid's.
+        """
+        x, y = self.centre(d_i=d_i, d_o=d_o)
+        G = np.arcsinh(x / y)
+        steps = (G[1:] + G[:-1]) / 2 * np.diff(y)
+        rest = np.concatenate([np.zeros(1), np.cumsum(steps)])
+        held = x + y * G
+        return np.asarray(self.sense * (held - held[:1] - rest) / self.race)
+
+    def width_on_flat(self, P: ArrayLike) -> Array:
+        """Hertz's half-width [length] of the contact on the flat under P [force/length]."""
+        like = {"E_1": self.E, "nu_1": self.nu, "E_2": self.E, "nu_2": self.nu}
+        E_star = hertz_line.contact_modulus(**like, assumption="plane strain")
+        return np.asarray(np.sqrt(4 * np.asarray(P) * self.r / (np.pi * E_star)))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Loaded:
+    """A state of the formulas: what bounds take sizes from [force, force x length, rad, length].
+
+    `N` of one contact, `T` of the clutch, clamping angle, approaches and half-widths.
+    """
+
+    N: float
+    T: float
+    alpha: float
+    d_i: float
+    d_o: float
+    a_i: float
+    a_o: float
+
+    @property
+    def psi(self) -> float:
+        """Angle [rad] of the roller's centre from the flat's normal."""
+        return 2 * self.alpha
+
+
+def approach(
+    P: Array, a: Array, *, E: Array, l: float, k: Array | float, c: Array | float = 0.0  # noqa: E741
+) -> Array:  # fmt: skip
+    """Approach [length] of a body under P [force/length] on a half-width a, of constants k and c.
+
+    P/(pi E') (2 ln(l/a) + k + c a/l), to second order in a/l.
+    """
+    return np.asarray(P * (1 / (np.pi * E)) * (2 * np.log(l / a) + k + c * a / l))
+
+
+def half_roller(parts: Parts, P: Array, a: Array) -> Array:
+    """Approach [length] between a contact and the roller's centre, k = 2 ln 4 - 1."""
+    return approach(P, a, E=parts.plane[0], l=parts.r, k=2 * np.log(4) - 1)

@@ -1,0 +1,93 @@
+"""When a load path reaches what a clutch bears: the paths and slip written anew.
+
+From the definitions of the rig's paths alone (Nagler, Lohrengel, Sec. 6), so that times of slip can
+be judged that follow from `load_path` and the criterion:
+
+1. the torque comes up to T in `rise`, then the axial load grows in proportion to time and reaches
+   F_ax at `duration`;
+2. the same with an axial load that alternates about zero;
+3. T_m + T sin and an axial load in phase, whose amplitude grows from the beginning on.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.optimize import brentq
+
+FINE = 400  # times of a cycle: a crossing below the top by less than 4e-5 of it may be missed
+ROUND_OFF = 1e-9  # of the cycles, so that their times are the same on all processors
+
+Tangent = Callable[[float], float]  # tan(alpha) over the torque
+
+
+@dataclass(frozen=True, kw_only=True)
+class Rig:
+    """Loads of the three paths [N m, N], frequency [Hz] and times [s]; R [m] is the race's radius.
+
+    `T_critical` is the torque of path 3 at which the least axial amplitude slips.
+    """
+
+    R: float
+    T: float
+    T_m: float
+    T_critical: float
+    F_ax: float
+    f: float
+    rise: float
+    duration: float
+
+    def time_of_slip(self, path: int, F: float, tan: Tangent) -> float:
+        """First time [s] at which a path asks for more than `F` [N] bears; inf where it never does.
+
+        `F` is the axial load at slip under T, of path 3 under T_critical, where friction is that of
+        both; `tan` is asked on path 3 alone.
+        """
+        if path == 1:
+            t = self.rise + F / self.F_ax * (self.duration - self.rise)
+            return t if t <= self.duration else math.inf
+        return self._steady(F) if path == 2 else self._in_phase(F, tan)
+
+    def _steady(self, F: float) -> float:
+        span = self.duration - self.rise
+
+        def beyond(t: float) -> float:
+            s = t - self.rise
+            return self.F_ax * s / span * abs(math.sin(2 * math.pi * self.f * s)) - F
+
+        return self._first(beyond, self.rise)
+
+    def _in_phase(self, F: float, tan: Tangent) -> float:
+        mu = tan(self.T_critical) * math.hypot(1, self.R * F / self.T_critical)
+
+        def asks(t: float) -> float:
+            sine = math.sin(2 * math.pi * self.f * t)
+            T, load = self.T_m + self.T * sine, self.F_ax * t / self.duration * sine
+            return tan(T) * math.hypot(1, self.R * load / T) - mu if T > 0 else -mu
+
+        return self._first(asks, 0.0)
+
+    def _first(self, beyond: Callable[[float], float], start: float) -> float:
+        """First root [s] of `beyond` after which it is positive."""
+        cycles = self.f * (self.duration - start) * (1 - ROUND_OFF)
+        times = np.linspace(start, self.duration, 1 + math.ceil(FINE * cycles))
+        above = np.flatnonzero([beyond(float(t)) > 0 for t in times])
+        if not above.size:
+            return math.inf
+        k = int(above[0])
+        return float(brentq(beyond, times[k - 1], times[k])) if k else start
+
+    def tangent(self, sines: tuple[float, float], mu_req: tuple[float, float]) -> Tangent:
+        """tan(alpha) over the torque [N m] by a line through two required frictions of path 3.
+
+        They are at the path's end at two values of its sine. Between 0.3 and 1 of the synthetic
+        clutch's torque the line is true to 2e-3.
+        """
+
+        def at(sine: float, friction: float) -> tuple[float, float]:
+            T = self.T_m + sine * self.T
+            return T, friction / math.hypot(1, self.R * sine * self.F_ax / T)
+
+        (T, tan), (T_low, tan_low) = map(at, sines, mu_req)
+        return lambda torque: tan + (torque - T) * (tan - tan_low) / (T - T_low)

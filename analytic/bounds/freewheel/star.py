@@ -1,0 +1,91 @@
+"""What is expected of a star's formulas, from bodies that enclose the star and from sizes.
+
+The star's approach lies among those of a layer and of two discs (`star_bracket`) and the torque
+winds the star up on its bore, which lowers the flat under the roller; everything else follows from
+the approaches. Round bodies that Hertz takes for parabolas on half planes err by some (a/r)².
+Surfaces tilt under N as far as a half plane does at the depth of its wall. Tangential forces deform
+the contacts, too, and turn the ring further by tan² alpha, times the tangential compliance over the
+normal one, which is somewhat below 1.
+"""
+
+import math
+from collections.abc import Callable
+from itertools import product
+
+from analytic.bounds.freewheel.intervals import (
+    LOOSE,
+    SIDEWAYS,
+    TIGHT,
+    Interval,
+    enclosed,
+    of_approach,
+    of_contact,
+    of_round_bodies,
+    tilting,
+    winding,
+)
+from analytic.bounds.freewheel.parts import Loaded, Parts
+from analytic.bounds.freewheel.star_bracket import between_discs, expected_approach
+
+STEEPER = 1.15  # d ln(N)/d ln(approach) at most
+
+
+class StarBounds:
+    """Intervals for formula/reference - 1 in a state, from approaches that may be within bounds."""
+
+    def __init__(self, star: Parts, at: Loaded) -> None:
+        self.star, self.at = star, at
+        P, c = at.N / star.L, of_round_bodies(star, at)
+        low, high = (float(d) for d in expected_approach(star, P))
+        wound = winding(star, at.T, star.r_b, star.flat)
+        wound *= float(star.centre(d_i=at.d_i, d_o=at.d_o)[0])
+        low, high = low * (1 - c), high * (1 + c)
+        # not the formula's own d_i: what is expected must not move with what is judged
+        self.own = {"d_i": float(between_discs(star, P)), "d_o": at.d_o}
+        self.d_i = low + TIGHT * wound, high + LOOSE * wound
+        self.d_o = at.d_o * (1 - c), at.d_o * (1 + c)
+        wall = min(star.flat - star.r_b, star.R_a - star.race)
+        self.tilt = tilting(star, P, wall) / math.tan(at.alpha)
+
+    def approach(self, which: str) -> Interval:
+        """Of d_i or d_o."""
+        return of_approach(self.own[which], getattr(self, which))
+
+    def contact(self) -> Interval:
+        """Of half-widths and pressures."""
+        return of_contact(self.star, self.at)
+
+    def angle(self) -> Interval:
+        """Of alpha."""
+        return self._of(lambda **d: float(self.star.alpha(**d)))
+
+    def way(self) -> Interval:
+        """Of s."""
+        return self._of(lambda **d: float(self.star.arc(**d)))
+
+    def slope(self, *, tilted: bool = False) -> Interval:
+        """Of tan(alpha), where `tilted` also as one contact alone has it."""
+        low, high = self._of(lambda **d: math.tan(float(self.star.alpha(**d))))
+        more = self.tilt if tilted else 0.0
+        return low - more, high + more
+
+    def force(self) -> Interval:
+        """Of N at a torque, which goes as 1/tan(alpha)."""
+        low, high = self.slope(tilted=True)
+        return 1 / (1 + high) - 1, 1 / (1 + low) - 1
+
+    def torsion(self) -> Interval:
+        """Of phi, which goes as the way of the rollers and is added to by tangential forces."""
+        (low, high), square = self.way(), math.tan(self.at.alpha) ** 2
+        less, more = (share * square for share in SIDEWAYS)
+        return (1 + low) / (1 + more) - 1, (1 + high) / (1 + less) - 1
+
+    def force_at_angle(self) -> Interval:
+        """Of N at an angle, which says what both approaches are together."""
+        size = sum(self.own.values())
+        low, high = (sum(ends) / size for ends in zip(self.d_i, self.d_o, strict=True))
+        return low**STEEPER - 1, high**STEEPER - 1
+
+    def _of(self, value: Callable[..., float]) -> Interval:
+        corners = [value(d_i=d_i, d_o=d_o) for d_i, d_o in product(self.d_i, self.d_o)]
+        return enclosed(value(**self.own), corners)

@@ -1,0 +1,155 @@
+"""Bounds of a freewheel's formulas: what is written anew meets the formulas, and limits."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from analytic.bounds.freewheel import cup_bracket, intervals, star_bracket
+from analytic.bounds.freewheel.cup import Approaches, Course, CupBounds
+from analytic.bounds.freewheel.friction import FrictionBounds, at_limit, limit_load
+from analytic.bounds.freewheel.parts import Loaded, Parts
+from analytic.bounds.freewheel.star import StarBounds
+from analytic.bounds.freewheel.turn import Moved, of_turn, turned
+from analytic.freewheel import criterion, rolling, state
+from analytic.freewheel.compliance import compliance
+from analytic.freewheel.geometry import InnerCam
+
+
+def parts(clutch):
+    cam = clutch.cam
+    return Parts(
+        sense=int(cam.sense), race=float(cam.race), flat=float(cam.flat), r=cam.r, z=cam.z,
+        L=clutch.L, r_b=clutch.r_b, R_a=clutch.R_a, E=clutch.roller.E, nu=clutch.roller.nu,
+    )  # fmt: skip
+
+
+def sizes(now):
+    names = ("N", "T", "alpha", "d_i", "d_o", "a_i", "a_o")
+    return Loaded(**{name: float(getattr(now, name)) for name in names})
+
+
+def bounds(star, T=26.0):
+    return StarBounds(parts(star), sizes(state.loaded(star, T)))
+
+
+def test_the_wedge_written_anew_is_the_formulas(clutch):
+    d, anew = {"d_i": 6e-6, "d_o": 14e-6}, parts(clutch)
+    for name in ("alpha", "arc", "centre", "distance"):
+        found, formula = (np.array(getattr(one, name)(**d)) for one in (anew, clutch.cam))
+        assert found == pytest.approx(formula, rel=1e-14)
+    assert anew.corner == float(clutch.cam.corner)
+    path = {name: value * np.linspace(0, 1, 50) for name, value in d.items()}
+    assert anew.rolled(**path) == pytest.approx(rolling.torsion(clutch.cam, **path), rel=1e-12)
+    wide = clutch.half_widths(2e5)[0 if anew.sense > 0 else 1]
+    assert float(anew.width_on_flat(2e5)) == pytest.approx(float(wide), rel=1e-14)
+
+
+def test_intervals_of_a_star_hold_the_formulas_themselves(star):
+    found = bounds(star)
+    for low, high in (found.angle(), found.way(), found.slope(), found.force(), found.contact(),
+                      found.force_at_angle(), found.approach("d_o")):  # fmt: skip
+        assert low < 0 < high
+    formula = float(state.loaded(star, 26.0).d_i)
+    assert found.d_i[0] < formula < found.d_i[1]
+
+
+def test_tangential_forces_turn_the_ring_further(star):
+    found = bounds(star)
+    (low, high), (least, most) = found.torsion(), found.way()
+    tan = math.tan(found.at.alpha)
+    assert (1 + least) / (1 + low) - 1 == pytest.approx(tan**2, rel=1e-9)
+    assert (1 + most) / (1 + high) - 1 == pytest.approx(tan**2 / 2, rel=1e-9)
+
+
+def test_a_star_of_thin_wall_is_enclosed_more_widely(star):
+    least, most = (float(d) for d in star_bracket.expected_approach(parts(star), 2e5))
+    thin = replace(parts(star), r_b=10.5e-3)
+    low, high = (float(d) for d in star_bracket.expected_approach(thin, 2e5))
+    assert 0 < most / least - 1 < high / low - 1
+
+
+def test_a_cup_is_stiffer_than_the_ring_outside_its_corners_and_the_more_flats_the_less(cup):
+    P = 2e5
+    found = [cup_bracket.expected_approach(replace(parts(cup), z=z), P) for z in (8, 16)]
+    for low, middle, high in found:
+        assert low < middle < high
+    assert found[0][1] / found[0][0] > found[1][1] / found[1][0]
+
+
+def course(cup, factors=(1.0, 1.0, 1.0), top=13e3):
+    def approaches(N):
+        d = compliance(cup).approaches(N / cup.L)
+        return d.d_i, d.d_o
+
+    return Course(parts(cup), Approaches(approaches, top), factors)
+
+
+def test_the_course_of_a_cup_is_the_formulas(cup):
+    now, found = state.loaded(cup, 10.0), course(cup).at(10.0)
+    for name in ("N", "alpha", "s", "phi"):
+        assert found[name] == pytest.approx(float(getattr(now, name)), rel=2e-4)
+    assert course(cup).force(float(now.psi)) == pytest.approx(float(now.N), rel=1e-4)
+
+
+def test_a_softer_cup_has_a_lower_summit(cup):
+    assert course(cup, (1.0, 1.1, 1.0)).summit < course(cup).summit
+    at = sizes(state.loaded(cup, 10.0))
+    low, high = CupBounds(parts(cup), at, course(cup).approaches).summit()
+    assert low < 0 < high
+
+
+def test_a_hollow_shaft_winds_up_as_its_shear_says(star):
+    """dphi/dr = T/(2 pi r³ G L): the difference over a thin tube."""
+    one, T, r, wall = parts(star), 10.0, 1e-2, 1e-7
+    G = one.E / (2 * (1 + one.nu))
+    thin = T * wall / (2 * math.pi * r**3 * G * one.L)
+    assert intervals.winding(one, T, r, r + wall) == pytest.approx(thin, rel=1e-4)
+
+
+# Friction.
+def test_the_limit_s_interval_is_that_of_the_criterion_at_other_angles():
+    own, mu = 0.06, 0.08
+    low, high = at_limit(lambda tan: math.sqrt((mu / tan) ** 2 - 1), own, (-0.01, 0.02), mu)
+    at = {"T": 26.0, "R": 16.5e-3, "mu": mu}
+    loads = [float(criterion.largest_axial_load(alpha=math.atan(tan), **at))
+             for tan in (own, own / 0.99, own / 1.02)]  # fmt: skip
+    assert (low, high) == pytest.approx(sorted(loads[0] / other - 1 for other in loads[1:]))
+
+
+def test_there_is_no_interval_where_the_torque_alone_may_slip(star):
+    found = bounds(star)
+    assert limit_load(found, mu=math.tan(found.at.alpha) * 1.0001) is None
+    low, high = limit_load(found, mu=0.2)
+    assert low < 0 < high
+    close = FrictionBounds(found, mu=math.tan(found.at.alpha) * 1.01, lever=0.4)
+    assert close.limit_load() is None
+    assert close.limit_creep() is None
+
+
+def test_along_its_axis_a_contact_is_less_sure_than_both_together(star):
+    found = FrictionBounds(bounds(star), mu=0.08, lever=0.4)
+    (low, high), (least, most) = found.both_contacts(), found.one_contact()
+    assert least < low < 0 < high < most
+
+
+# The turn by the flats.
+def test_the_turn_by_the_flats_is_the_formulas(star):
+    off, T, cam = 5e-6, 26.0, star.cam
+
+    def end(dX):
+        clutch = replace(star, cam=InnerCam(R=cam.R, r=cam.r, X=cam.X + dX, z=cam.z))
+
+        def approaches(N):
+            d = compliance(clutch).approaches(N / clutch.L)
+            return float(d.d_i), float(d.d_o)
+
+        return Moved(parts(clutch), approaches), float(state.loaded(clutch, T).alpha)
+
+    (low, alpha_low), (high, alpha_high) = end(-off), end(off)
+    more = {"off": off, "F_t": T / (8 * 16.5e-3)}
+    found = turned([low, high], bounds(star), f_i=1.0, f_o=1.0, **more)
+    assert found == pytest.approx((alpha_high - alpha_low) / (2 * off), rel=1e-7)
+    least, most = of_turn([low, high], bounds(star), **more)
+    assert least < 0 < most
