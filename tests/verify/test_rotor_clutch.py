@@ -8,9 +8,8 @@ import pytest
 from pydantic import ValidationError
 
 from analytic.contact import palmgren
-from analytic.rotor import clutch, clutch_uniform
+from analytic.rotor import clutch, clutch_inclined, clutch_tilted, clutch_uniform
 from fem.rotor import struts, struts_kinds
-from verify.cases.rotor.clutch import formulas, tilted
 from verify.cases.rotor.clutch.case import CLUTCH, ClutchLink
 from verify.cases.rotor.clutch.inputs import SpragLink
 from verify.core.case import Context
@@ -98,10 +97,10 @@ FORMULA_FAULTS = [
                  "coupling of y and the tilt about x, aside and tilted", id="Eq. 7, tilt about x"),
     pytest.param(clutch.Clutch, "__post_init__", with_gradient([1, 1, 1, -1, 1]),
                  "coupling of y and the tilt about x, aside and tilted", id="Eq. 7, tilt about y"),
-    pytest.param(formulas, "replace", lambda f: lambda c, psi: f(c, psi=2 * c.psi - psi),
+    pytest.param(clutch_inclined, "replace", lambda f: lambda c, psi: f(c, psi=2 * c.psi - psi),
                  "coupling of x and y by the wedge angle, with offset, crown and gap",
                  id="forces inclined the other way"),
-    pytest.param(tilted, "aside", lambda f: lambda *a: (f(*a)[0], f(*a)[1] / 2),
+    pytest.param(clutch_tilted, "aside", lambda f: lambda *a: (f(*a)[0], f(*a)[1] / 2),
                  "coupling of x and the tilt about y, aside and tilted", id="half the tilt"),
     pytest.param(clutch.Clutch, "slopes", times(1.001), "tangent against differences of the loads, "
                  "1e-8", id="Eq. 11, a tangent of other loads"),

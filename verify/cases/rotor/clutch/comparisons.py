@@ -8,6 +8,8 @@ from typing import ClassVar
 
 import numpy as np
 
+from analytic.bounds.rotor import clutch as bounds
+from analytic.bounds.rotor.clutch_tilted import PLACES, left_out
 from analytic.contact import palmgren
 from analytic.rotor import clutch_printed as printed
 from analytic.rotor import clutch_uniform as uniform
@@ -22,10 +24,8 @@ from verify.case import (
     identity,
     limit,
 )
-from verify.cases.rotor.clutch import bounds
-from verify.cases.rotor.clutch.formulas import ENTRIES, ClutchStiffness
+from verify.cases.rotor.clutch.formulas import ENTRIES, FINE, ClutchStiffness
 from verify.cases.rotor.clutch.reference import ANGLES, HARD, SMALL, STIFFER
-from verify.cases.rotor.clutch.tilted import left_out
 from verify.core.case import Check, Context
 from verify.core.results import Kind, Row, Status
 from verify.judging import judge
@@ -56,7 +56,12 @@ def rows(q: ClutchStiffness) -> Iterator[Comparison | Check]:
 
 
 def _approximate(q: ClutchStiffness, one: Quantity, state: str) -> Comparison:
-    interval = partial(bounds.inclined, q.in_state[state], one.name)
+    of = q.in_state[state]
+
+    def interval() -> bounds.Interval:
+        taken = of.leaning if one.name == "K_tilt" else 0.0
+        return bounds.around(of.general(one.name), of.inclined(one.name), taken, of.nu)
+
     return approximation(one, order=2, state=q.state(state), shares=RIGID,
                          expected=Computed(interval, INCLINED))  # fmt: skip
 
@@ -70,12 +75,16 @@ def _states(q: ClutchStiffness) -> Iterator[Comparison]:
     leading = "derived: Eq. 3 leaves tan²ν out; the next term, twice"
     for one in (link.K_xx, link.K_yy):
         yield approximation(one, order=2, state=q.state(""), shares=RIGID,
-                            expected=Computed(partial(bounds.leading, q), leading))  # fmt: skip
+                            expected=Computed(partial(bounds.leading, q.nu), leading))  # fmt: skip
     yield _approximate(q, link.K_tilt, "")
     yield _identical(q, link.K_zz, "")
+
+    def first_order() -> bounds.Interval | None:
+        return bounds.first_order(q.nu, q.e / q.delta_0, q.Z)
+
     series = "derived: tan²ν, and the next term of the series in Δx/δ_0"
     yield approximation(link.K_xz_first, "K_xz_offset", order=2, symbol="K_xz", shares=RIGID,
-                        expected=Computed(partial(bounds.first_order, q), series))  # fmt: skip
+                        expected=Computed(first_order, series))  # fmt: skip
     for one, state in (
         (link.K_xz, "offset"), (link.K_xx, "crown"), (link.K_tilt, "crown"), (link.K_xx, "gap"),
         (link.K_yy, "gap"), (link.K_tilt, "gap"),
@@ -87,9 +96,11 @@ def _states(q: ClutchStiffness) -> Iterator[Comparison]:
         yield _approximate(q, getattr(link, entry), "together")
     tilted = "derived: forces inclined by ν, points that sink and move along the axis as the race "\
         "tilts; to a twentieth of either"  # fmt: skip
-    for one in (link.K_y_tilt_x, link.K_x_tilt_y):
-        yield approximation(one, order=2, shares=RIGID,
-                            expected=Computed(partial(left_out, one.name, q), tilted))  # fmt: skip
+    fine = q.clutch(n_s=FINE)
+    for entry in PLACES:
+        interval = partial(left_out, entry, fine, T=q.T, n_s=q.n_s, **q.aside)
+        yield approximation(getattr(link, entry), order=2, shares=RIGID,
+                            expected=Computed(interval, tilted))  # fmt: skip
 
 
 def _along_struts(q: ClutchStiffness) -> Iterator[Comparison]:
@@ -102,9 +113,12 @@ def _along_struts(q: ClutchStiffness) -> Iterator[Comparison]:
 
 
 def _held_ends(q: ClutchStiffness) -> Iterator[Comparison]:
+    def interval() -> bounds.Interval:
+        return bounds.held_ends(q.nu, q.delta_0, q.R_e - q.R_i)
+
     source = "derived: tan²ν and Q/(k l), their sum's square left out"
     yield approximation(link.K_xx, "K_xx_pinned", name=f"stiffness along x, {HELD}", order=2,
-                        expected=Computed(partial(bounds.held_ends, q), source))  # fmt: skip
+                        expected=Computed(interval, source))  # fmt: skip
     yield identity(link.K_zz_pinned, order=2, symbol="K_zz", sensitivity=(1e-8, SAME))
 
 

@@ -1,24 +1,14 @@
-"""Formulas of a clutch between two rotors, in its uniform state and in uneven ones.
-
-`inclined` is what Eq. 3 becomes when the sprags' forces run along their struts, inclined by nu:
-
-    delta = (cos psi - tan nu sin psi) dx + ... = cos(psi + nu) dx / cos nu + ...,
-
-the same formulas with turned angles and stretched displacements. It judges what Eq. 3 leaves out.
-"""
+"""Formulas of a clutch between two rotors, in its uniform state and in uneven ones."""
 
 import math
-from dataclasses import replace
-from typing import Any, ClassVar, Self
+from typing import ClassVar, Self
 
-import numpy as np
-
+from analytic.rotor import clutch_inclined, clutch_tilted
 from analytic.rotor import clutch_uniform as uniform
 from analytic.rotor.clutch import LINE_CONTACT, Array, Clutch
 from analytic.rotor.clutch_state import under_torque
 from verify.case import Quantity, State, shared
 from verify.cases.rotor.clutch.inputs import SpragLink
-from verify.cases.rotor.clutch.tilted import couplings
 
 FINE = 401  # slices that stand for none
 ENTRIES = {"K_xx": (0, 0), "K_yy": (1, 1), "K_tilt": (3, 3), "K_zz": (4, 4), "K_xz": (0, 4)}
@@ -103,7 +93,7 @@ class ClutchStiffness(SpragLink):
         """Of sprags missing at psi_g -k tan(nu) sum cos(2 psi_g)."""
         if self.with_offset:
             return self.inclined("K_xy")
-        return float(-self._k_left * math.tan(self.nu) * np.cos(2 * self._gone).sum())
+        return clutch_inclined.coupling_across(self._gone, k=self._k_left, nu=self.nu)
 
     @Quantity("K_yz", "N", "coupling of y and torsion by the wedge angle",
               when=lambda q: q.with_gap,
@@ -112,8 +102,9 @@ class ClutchStiffness(SpragLink):
         """Of sprags missing tan(nu) K_xz."""
         if self.with_offset:
             return self.inclined("K_yz")
-        lever = self._k_left * self.d_t
-        return float(-lever * math.tan(self.nu) * np.cos(self._gone).sum())
+        return clutch_inclined.coupling_with_torsion(
+            self._gone, k=self._k_left, nu=self.nu, d_t=self.d_t
+        )
 
     @Quantity("K_y,γx", "N", "coupling of y and the tilt about x, aside and tilted", source="Eq. 7")
     def K_y_tilt_x(self) -> float:
@@ -125,16 +116,9 @@ class ClutchStiffness(SpragLink):
 
     @Quantity("K_zz'", "N m/rad", "torsional stiffness, ends held in both races")
     def K_zz_pinned(self) -> float:
-        """Struts held in both races: F' h^2 - F (R_i R_e cos beta - h^2)/l each.
-
-        The distance of their ends obeys l^2 = R_i^2 + R_e^2 - 2 R_i R_e cos beta; h = R_i sin nu.
-        """
-        h = self.R_i * math.sin(self.nu)
-        beta = self.nu - math.asin(h / self.R_e)
-        length = math.sqrt(self.R_i**2 + self.R_e**2 - 2 * self.R_i * self.R_e * math.cos(beta))
-        bent = (self.R_i * self.R_e * math.cos(beta) - h**2) / length
-        along = self.k / math.cos(self.nu) ** 2 * h**2
-        return float(self.Z * (along - self.N / math.cos(self.nu) * bent))
+        return clutch_inclined.held_torsional_stiffness(
+            Z=self.Z, R_i=self.R_i, R_e=self.R_e, nu=self.nu, k=self.k, N=self.N
+        )
 
     @Quantity("p", "1", "exponent of the stiffness over the torque", tex=r"1 - \frac{1}{n}")
     def exponent(self) -> float:
@@ -179,11 +163,7 @@ class ClutchStiffness(SpragLink):
     def _inclined(self) -> Array:
         """K (5, 5) with forces along the struts, and slices as fine as matters."""
         clutch = self.clutch(crowned=self.with_crown, gap=self.with_gap, n_s=FINE)
-        turned: Clutch = replace(clutch, psi=clutch.psi + self.nu)
-        dx = self.e / math.cos(self.nu) if self.with_offset else 0.0
-        K = turned.stiffness(under_torque(turned, T=self.T, offset=(dx, 0, 0, 0)))
-        stretch = np.array([1.0, 1.0, 1.0, 1.0, math.cos(self.nu)]) / math.cos(self.nu)
-        return np.asarray(K * np.outer(stretch, stretch))
+        return clutch_inclined.inclined_stiffness(clutch, T=self.T, dx=self._dx)
 
     def inclined(self, entry: str) -> float:
         """An entry with forces along the struts."""
@@ -191,13 +171,8 @@ class ClutchStiffness(SpragLink):
 
     @shared
     def leaning(self) -> float:
-        """What the forces take from K_tilt [N m/rad] as their points on the race tilt with it.
-
-        A force along e at a point y of the race, which turns while the force keeps its direction,
-        does the work e . w x (w x y)/2 more: -N R_i cos^2 psi for a tilt about y.
-        """
-        N = self.sums.forces(self.at_T).sum(-1)
-        return float(self.R_i * N @ np.cos(self.sums.psi) ** 2)
+        """What the forces take from K_tilt [N m/rad] as their points on the race tilt with it."""
+        return clutch_inclined.leaning(self.sums, self.at_T)
 
     @property
     def coupling(self) -> float:
@@ -210,10 +185,10 @@ class ClutchStiffness(SpragLink):
         return self.e if self.with_offset else 0.0
 
     @property
-    def _k_left(self) -> Any:
+    def _k_left(self) -> float:
         """Slope of a sprag where some are missing."""
         N = uniform.normal_force(T=self.T, Z=self.Z - self.missing, d_t=self.d_t)
-        return uniform.contact_stiffness(N=N, k_n=self.k_n)
+        return float(uniform.contact_stiffness(N=N, k_n=self.k_n))
 
     @property
     def _gone(self) -> Array:
@@ -221,4 +196,10 @@ class ClutchStiffness(SpragLink):
 
     @shared
     def _tilted(self) -> dict[str, float]:
-        return couplings(self)
+        return clutch_tilted.couplings(self.clutch(), T=self.T, **self.aside)
+
+    @property
+    def aside(self) -> dict[str, float]:
+        """Offset [m] and tilt [rad] of the clutch that is held aside and tilted."""
+        dx, tilt = clutch_tilted.aside(self.e, self.L, self.delta_0)
+        return {"dx": dx, "tilt": tilt}

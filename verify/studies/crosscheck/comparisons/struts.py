@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from verify.cases.rotor.clutch.case import CLUTCH
-from verify.cases.rotor.clutch.struts_fem import pinned_by_fem
+from verify.cases.rotor.clutch.reference import struts_fem
 from verify.core.figures import Array
 from verify.studies.crosscheck.clock import timed
 from verify.studies.crosscheck.statement import CALCULIX, Cross, Posed, Quantity
@@ -26,7 +26,7 @@ ALIKE = 1e-5
 def struts() -> Posed:
     """The inner hub moved aside and tilted, as it stands under T, and then turned back."""
     q: Any = CLUTCH.inputs()
-    rest = pinned_by_fem(q, SLICES)
+    rest = struts_fem(q).pinned(SLICES)
     moves = np.zeros((2, 6))
     moves[:, [0, 4]], moves[1, 5] = (q.e, 2 * q.e / q.L), BACK
 

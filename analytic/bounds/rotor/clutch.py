@@ -1,0 +1,70 @@
+"""Errors of Eqs. 3 to 11 of Huang et al. 2022 that are expected beside struts in exact kinematics.
+
+Eq. 3 presses a sprag at psi by cos psi dx where a strut that is inclined by nu takes
+(cos psi - tan nu sin psi) dx: the equations are too soft by tan^2 nu and by what stands beside it
+in each state. Errors are formula/struts - 1; intervals are (least, largest).
+"""
+
+import math
+
+POWER = 10 / 9  # of a line contact
+SERIES = 4e-3  # that a series may be uncertain by
+SHARE = 0.05  # of what Eq. 3 leaves out, that expectations are given to
+Interval = tuple[float, float]
+
+
+def leading(nu: float) -> Interval:
+    """Of K_xx, K_yy of an even clutch: cos^2 for cos^2 + tan^2 nu sin^2, and the next term twice.
+
+    >>> low, high = leading(0.05)
+    >>> low < -math.sin(0.05) ** 2 < high
+    True
+    """
+    neglected = math.tan(nu) ** 2
+    return -neglected, -neglected + 2 * neglected**2
+
+
+def around(formula: float, corrected: float, left_out: float, nu: float) -> Interval:
+    """Of an entry of K by the equations, over the same with forces along the struts.
+
+    `left_out` is what tilting forces take of the `corrected` entry. What both have in common
+    cancels, so that no fault of theirs moves the interval.
+
+    >>> low, high = around(1.0, 1.01, 0.0, 0.1)
+    >>> round((low + high) / 2, 6)
+    -0.009901
+    """
+    width = SHARE * (math.tan(nu) ** 2 + left_out / corrected)
+    m = formula / (corrected - left_out) - 1
+    return m - width, m + width
+
+
+def first_order(nu: float, eps: float, Z: int) -> Interval | None:
+    """Of the coupling's first term in eps = dx/delta_0 with Z sprags; squares of eps^2 left out.
+
+    The next term of the sum over cos psi, and the yield that the torque takes back. None where eps
+    is too large for a first term, or sprags too few for fourth powers to sum to 3/8 of Z.
+
+    >>> first_order(0.05, 0.5, 12), first_order(0.05, 0.1, 4)
+    (None, None)
+    """
+    n = POWER
+    after = ((n - 2) * (n - 3) / 8 + (2 - n) * (n - 1) / 4) * eps**2
+    neglected = math.tan(nu) ** 2
+    width = (neglected + eps**2) ** 2
+    if width > SERIES or Z < 5:
+        return None
+    return -after - neglected - width, -after - neglected + width
+
+
+def held_ends(nu: float, delta_0: float, length: float) -> Interval:
+    """Of K_xx with struts of a `length` [m] held in both races, that yield by `delta_0` [m].
+
+    Their forces turn with them, by Q/length; the sum's square is left out.
+
+    >>> low, high = held_ends(0.05, 1e-9, 1.0)
+    >>> low < leading(0.05)[0] < high
+    True
+    """
+    terms = (math.tan(nu) ** 2, delta_0 / (POWER * length))
+    return terms[1] - terms[0] - sum(terms) ** 2, terms[1] - terms[0] + sum(terms) ** 2

@@ -1,0 +1,75 @@
+"""Expected errors of a tilted clutch's couplings, and these couplings summed anew.
+
+Sprags of that clutch stand from half a pitch on. Slice k of sprag j is pressed by d_jk =
+(dx + x_k gamma) cos psi_j + R_i tan nu g, with the power 10/9 of which its force grows. The twist g
+bears T, and the couplings are sums of the slope times -x_k sin^2 psi_j and x_k cos^2 psi_j.
+"""
+
+import math
+from dataclasses import replace
+from typing import Literal
+
+import numpy as np
+from scipy.optimize import brentq
+
+from analytic.rotor.clutch import Array, Clutch, even_angles
+from analytic.rotor.clutch_state import under_torque
+
+POWER = 10 / 9  # of a line contact
+SHARE = 0.05  # of what the formula leaves out, that expectations are given to
+Entry = Literal["K_y_tilt_x", "K_x_tilt_y"]
+PLACES: dict[Entry, tuple[int, int]] = {"K_y_tilt_x": (1, 2), "K_x_tilt_y": (0, 3)}
+
+
+def summed(clutch: Clutch, *, T: float, dx: float, tilt: float, n_s: int) -> dict[Entry, float]:
+    """Couplings [N] of a force along y with a tilt about x, and of one along x with one about y.
+
+    The offset dx [m] is along x, the tilt [rad] about y, the torque T [N m]. Of `clutch` only its
+    sizes are taken, in `n_s` slices; it has no crown.
+    """
+    Z, k_n = clutch.Z, clutch.k_n
+    psi = 2 * math.pi * (np.arange(Z) + 0.5)[:, None] / Z
+    x = clutch.L * ((np.arange(n_s) + 0.5) / n_s - 0.5)
+    lever = clutch.R_i * math.tan(clutch.nu)
+    uneven = (dx + tilt * x) * np.cos(psi)
+
+    def pressed(twist: float) -> Array:
+        return np.asarray(np.maximum(uneven + lever * twist, 0.0))
+
+    def excess(twist: float) -> float:
+        """Torque over T [1], less one."""
+        return float(lever * k_n / n_s * (pressed(twist) ** POWER).sum() / T - 1)
+
+    even = (T / (Z * lever * k_n)) ** (1 / POWER)  # what an even load presses
+    most = even + np.abs(uneven).max()
+    twist = float(brentq(excess, 0.0, most / lever, xtol=1e-13 * most / lever))
+    slope = POWER * k_n / n_s * pressed(twist) ** (POWER - 1)
+    return {
+        "K_y_tilt_x": float(-(slope * x * np.sin(psi) ** 2).sum()),
+        "K_x_tilt_y": float((slope * x * np.cos(psi) ** 2).sum()),
+    }
+
+
+def left_out(
+    entry: Entry, clutch: Clutch, *, T: float, dx: float, tilt: float, n_s: int
+) -> tuple[float, float]:
+    """Interval of formula/struts - 1: forces along the struts, at points that sink with the tilt.
+
+    `clutch` has slices as fine as matters, the formula `n_s`; its side is summed anew, so that a
+    slip of its value does not move the interval. Points of the race at R_i turn by
+    a = gamma_y cos(psi + nu) about their tangent: they sink by R_i a^2/2 off the sprag, and move
+    along the axis by R_i a, which changes a tilt's lever.
+    """
+    nu, R_i = clutch.nu, clutch.R_i
+    plain = replace(clutch, psi=even_angles(Z=clutch.Z, psi_0=math.pi / clutch.Z + nu))
+    direction = np.stack([np.cos(plain.psi), np.sin(plain.psi)]) / math.cos(nu)
+    a = tilt * direction[0]
+    sinking = replace(plain, interference=-R_i * a**2 / 2)
+    stretched = (dx / math.cos(nu), 0, 0, tilt / math.cos(nu))
+    at = under_torque(sinking, T=T, offset=stretched)
+    inclined = float(sinking.stiffness(at)[PLACES[entry]]) / math.cos(nu) ** 2
+    along, sign = (1, 1) if entry == "K_y_tilt_x" else (0, -1)
+    moved = float(sinking.slopes(at).sum(-1) @ (sign * R_i * a * direction[along] ** 2))
+    m = summed(clutch, T=T, dx=dx, tilt=tilt, n_s=n_s)[entry] / (inclined + moved) - 1
+    width = SHARE * (math.tan(nu) ** 2 + abs(moved / inclined))
+    return m - width, m + width

@@ -1,0 +1,79 @@
+r"""What Eq. 3 becomes when the sprags' forces run along their struts, inclined by nu.
+
+.. math:: \delta = (\cos\psi - \tan\nu \sin\psi)\, dx + \dots
+   = \cos(\psi + \nu)\, dx / \cos\nu + \dots
+
+are the same formulas with turned angles and stretched displacements.
+"""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.rotor.clutch import Array, Clutch
+from analytic.rotor.clutch_state import under_torque
+
+
+def inclined_stiffness(clutch: Clutch, *, T: float, dx: float = 0.0) -> Array:
+    """K (5, 5) under T [N m] at an offset dx [m], with forces along the struts.
+
+    >>> from analytic.rotor.clutch import even_angles
+    >>> one = Clutch(psi=even_angles(Z=4), R_i=1.0, nu=0.1, L=1.0, k_n=3.0)
+    >>> K = one.stiffness(under_torque(one, T=1.0))
+    >>> round(float(inclined_stiffness(one, T=1.0)[0, 0] / K[0, 0] * math.cos(0.1) ** 2), 9)
+    1.0
+    """
+    turned = replace(clutch, psi=clutch.psi + clutch.nu)
+    dx = dx / math.cos(clutch.nu)
+    K = turned.stiffness(under_torque(turned, T=T, offset=(dx, 0, 0, 0)))
+    stretch = np.array([1.0, 1.0, 1.0, 1.0, math.cos(clutch.nu)]) / math.cos(clutch.nu)
+    return np.asarray(K * np.outer(stretch, stretch))
+
+
+def leaning(clutch: Clutch, at: ArrayLike) -> float:
+    """What the forces take from K_tilt [N m/rad] as their points on the race tilt with it.
+
+    At displacements `at` (5,). A force along e at a point y of the race, which turns while the
+    force keeps its direction, does the work e . w x (w x y)/2 more: -N R_i cos^2 psi for a tilt
+    about y.
+    """
+    N = clutch.forces(at).sum(-1)
+    return float(clutch.R_i * N @ np.cos(clutch.psi) ** 2)
+
+
+def coupling_across(gone: Array, *, k: float, nu: float) -> float:
+    """K_xy [N/m] of a clutch without sprags at `gone` (m,) [rad], the slope k [N/m] of the others.
+
+    -k tan(nu) sum cos(2 psi): the whole clutch has none.
+    """
+    return float(-k * math.tan(nu) * np.cos(2 * gone).sum())
+
+
+def coupling_with_torsion(gone: Array, *, k: float, nu: float, d_t: float) -> float:
+    """K_yz [N] of the same with the lever d_t [m]: tan(nu) K_xz."""
+    lever = k * d_t
+    return float(-lever * math.tan(nu) * np.cos(gone).sum())
+
+
+def held_torsional_stiffness(
+    *, Z: int, R_i: float, R_e: float, nu: float, k: float, N: float
+) -> float:
+    """K_zz [N m/rad] of struts held in both races: F' h^2 - F (R_i R_e cos beta - h^2)/l each.
+
+    The distance of their ends obeys l^2 = R_i^2 + R_e^2 - 2 R_i R_e cos beta; h = R_i sin nu. N [N]
+    is the normal force of a sprag, k [N/m] its slope.
+
+    Without a force it is Z k d_t^2 with d_t = R_i tan nu:
+
+    >>> K = held_torsional_stiffness(Z=12, R_i=1.0, R_e=2.0, nu=0.1, k=2.0, N=0.0)
+    >>> round(K / (12 * 2.0 * math.tan(0.1) ** 2), 12)
+    1.0
+    """
+    h = R_i * math.sin(nu)
+    beta = nu - math.asin(h / R_e)
+    length = math.sqrt(R_i**2 + R_e**2 - 2 * R_i * R_e * math.cos(beta))
+    bent = (R_i * R_e * math.cos(beta) - h**2) / length
+    along = k / math.cos(nu) ** 2 * h**2
+    return float(Z * (along - N / math.cos(nu) * bent))

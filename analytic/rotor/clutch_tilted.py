@@ -1,0 +1,37 @@
+"""A clutch held aside and tilted at once: what bending forces and tilts have to do with each other.
+
+At one end of the sprags the offset is twice as large, at the other there is none, so that the load
+is uneven around and along. Eq. 7 then couples a force along y with a tilt about x, and one along x
+with a tilt about y; even loads, or uneven ones around alone, couple neither.
+"""
+
+import math
+from dataclasses import replace
+
+from analytic.rotor.clutch import Clutch, even_angles
+from analytic.rotor.clutch_state import under_torque
+
+LARGEST = 0.25  # of the yield, so that every slice keeps in contact
+TILTS = {"K_y_tilt_x": (1, 2), "K_x_tilt_y": (0, 3)}
+
+
+def aside(offset: float, L: float, delta_0: float) -> tuple[float, float]:
+    """Offset along x [m] and tilt about y [rad] of sprags L long that yield by `delta_0` [m].
+
+    >>> aside(1.0, 4.0, 8.0)  # the offset asked for; then a quarter of the yield
+    (1.0, 0.5)
+    >>> aside(1.0, 4.0, 2.0)
+    (0.5, 0.25)
+    """
+    dx = min(offset, LARGEST * delta_0)
+    return dx, 2 * dx / L
+
+
+def couplings(clutch: Clutch, *, T: float, dx: float, tilt: float) -> dict[str, float]:
+    """Both entries [N] by Eqs. 3 to 11 under T [N m], with sprags from half a pitch on.
+
+    Four of them at 0 deg would couple nothing.
+    """
+    turned = replace(clutch, psi=even_angles(Z=clutch.Z, psi_0=math.pi / clutch.Z))
+    K = turned.stiffness(under_torque(turned, T=T, offset=(dx, 0, 0, tilt)))
+    return {entry: float(K[at]) for entry, at in TILTS.items()}

@@ -1,0 +1,130 @@
+"""Sprags between two races as struts of rigid hubs, inclined by the wedge angle, under a torque.
+
+Their ends roll, so that their lines keep their distance from the axis, or are held in both races.
+Each contact yields as a line contact: its force goes with the power 10/9.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.rotor import struts, struts_kinds
+
+Array = NDArray[np.float64]
+POWER = 10 / 9  # of a line contact
+START = 1e-3  # rad, to press the struts at all
+TURN = (5,)  # the component that is free under a torque
+
+
+@dataclass(frozen=True, kw_only=True)
+class SpragStruts:
+    """Z sprags of the length L [m] under the torque T [N m], on radii R_i and R_e [m].
+
+    `nu` [rad] is the wedge angle at the inner race, `yields_at_kn` [m] what 1 kN presses both
+    contacts together, by Palmgren where left out. The first sprag lies half of `missing` - 1
+    pitches before the x-axis, so that a gap of as many is symmetric about it.
+    """
+
+    T: float
+    Z: int
+    R_i: float
+    R_e: float
+    nu: float
+    L: float
+    yields_at_kn: float | None = None
+    missing: int = 1
+
+    @property
+    def law(self) -> float:
+        """Force of a sprag over its yield to the power 10/9 [N/m^(10/9)].
+
+        Palmgren's yield of one contact is 3.84e-5 N^0.9/l^0.8 in newtons and millimetres.
+
+        >>> sprags = SpragStruts(T=1.0, Z=12, R_i=0.01, R_e=0.02, nu=0.05, L=0.01, yields_at_kn=1.0)
+        >>> sprags.law
+        1000.0
+        """
+        palmgren = 2 * 3.84e-8 * 1e3**0.9 / (1e3 * self.L) ** 0.8
+        yields = palmgren if self.yields_at_kn is None else self.yields_at_kn
+        return float(1e3 / yields**POWER)
+
+    @property
+    def yields(self) -> float:
+        """Yield [m] of every sprag's contacts under T alone."""
+        force = self.T / self.Z / self.R_i / math.tan(self.nu)
+        return float((force / self.law) ** (1 / POWER))
+
+    def slices(self, psi: Array, count: int) -> tuple[Array, Array]:
+        """Angle [rad] and height [m] of all `count` slices of sprags at psi (Z,)."""
+        z = self.L * ((np.arange(count) + 0.5) / count - 0.5)
+        return np.repeat(psi, count), np.tile(z, psi.size)
+
+    def rolling(
+        self, count: int, *, dx: float = 0.0, drop: float = 0.0, gone: int = 0,
+        stiffer: float = 1.0,
+    ) -> struts.Joint:  # fmt: skip
+        """Rolling ends in `count` slices under T, the inner hub held at dx, from no load on.
+
+        Both contacts have a parabolic crown with the `drop` [m] at its ends; the first sprags are
+        `gone`. Yields are smaller by `stiffer`.
+        """
+        step = 2 * math.pi / self.Z
+        psi = step * (np.arange(gone, self.Z, dtype=float) - (self.missing - 1) / 2)
+        angle, z = self.slices(psi, count)
+        law = self._power_law(self.law * stiffer**POWER / count)
+        crown = -2 * drop * (2 * z / self.L) ** 2 * math.cos(self.nu)
+        cams = self._cams(angle, z, crown)
+        # from a twist that has every strut in contact: cams, offsets and drops are of its size
+        lost = 2 * drop + abs(dx)
+        twist = START + lost / (self.R_i * math.tan(self.nu))
+        started = struts.Joint.at_rest(cams, law).moved(np.array([dx, 0, 0, 0, 0, twist]))
+        return started.under(self._torque, TURN)
+
+    def tilted(self, count: int, offset: float) -> struts.Joint:
+        """Rolling ends from half a pitch on under T, the inner hub aside at one end, twice as far.
+
+        Aside by `offset` [m] in the middle, by a quarter of the yield at most: every slice stays in
+        contact.
+        """
+        psi = 2 * math.pi * (np.arange(self.Z) + 0.5) / self.Z
+        cams = self._cams(*self.slices(psi, count))
+        law = self._power_law(self.law / count)
+        # the twist first: what is left to turn about z then hardly turns the axis of the tilt
+        twist = self.yields / (self.R_i * math.tan(self.nu))
+        twisted = struts.Joint.at_rest(cams, law).moved(np.array([0, 0, 0, 0, 0, twist]))
+        dx = min(offset, self.yields / 4)
+        held = twisted.moved(np.array([dx, 0, 0, 0, 2 * dx / self.L, 0]))
+        return held.under(self._torque, TURN)
+
+    def pinned(self, count: int, *, stiffer: float = 1.0) -> struts.Joint:
+        """Struts held in both races, placed as they stand under T."""
+        psi, z = self.slices(2 * math.pi * np.arange(self.Z) / self.Z, count)
+        h = self.R_i * math.sin(self.nu)
+        away = psi + self.nu - math.asin(h / self.R_e)
+        k = self.law * stiffer**POWER / math.cos(self.nu) ** (POWER + 1)
+        held = struts_kinds.Pinned(
+            a=np.stack([self.R_i * np.cos(psi), self.R_i * np.sin(psi), z], axis=1),
+            b=np.stack([self.R_e * np.cos(away), self.R_e * np.sin(away), z], axis=1),
+            s_0=(self.T / (self.Z * h) / k) ** (1 / POWER),
+        )
+        return struts.Joint.at_rest(held, struts.power_law(k / count, POWER))
+
+    def off_diagonal(self, K: Array) -> float:
+        """Largest entry off the diagonal [N/m], tilts over L and the twist over R_i."""
+        size = np.array([1, 1, 1, self.L, self.L, self.R_i])
+        return float(np.abs((K - np.diag(np.diag(K))) / np.outer(size, size)).max())
+
+    @property
+    def _torque(self) -> Array:
+        return np.array([0, 0, 0, 0, 0, self.T])
+
+    def _cams(self, angle: Array, z: Array, s_0: Array | float = 0.0) -> struts_kinds.Rolling:
+        """Struts whose lines touch a circle round the axis."""
+        lever, reach = self.R_i * math.sin(self.nu), self.R_i * math.cos(self.nu)
+        return struts_kinds.Rolling(angle=angle + self.nu, z=z, lever=lever, reach=reach, s_0=s_0)
+
+    def _power_law(self, k: float) -> struts.Law:
+        """Of shortenings along struts that contacts with the constant k are inclined to."""
+        return struts.power_law(k / math.cos(self.nu) ** (POWER + 1), POWER)

@@ -1,0 +1,60 @@
+"""Expected errors of a clutch's equations: couplings summed anew, and limits of the intervals."""
+
+import math
+from dataclasses import replace
+
+import pytest
+
+from analytic.bounds.rotor import clutch as bounds
+from analytic.bounds.rotor.clutch_tilted import left_out, summed
+from analytic.rotor.clutch import Clutch, even_angles
+from analytic.rotor.clutch_tilted import aside, couplings
+
+SPRAGS = {"Z": 12, "nu": math.radians(3.15), "n_s": 41}
+T = 15.0
+
+
+def clutch(Z, nu, n_s):
+    return Clutch(psi=even_angles(Z=Z), R_i=11.11e-3, nu=nu, L=9e-3, k_n=5e9, n_s=n_s)
+
+
+def held(of, torque, offset):
+    """Aside and tilted as far as the yield under the torque lets it."""
+    delta_0 = (torque / (of.Z * of.d_t * of.k_n)) ** (1 / of.n)
+    dx, tilt = aside(offset, of.L, delta_0)
+    return {"T": torque, "dx": dx, "tilt": tilt}
+
+
+@pytest.mark.parametrize("change", [{}, {"Z": 5}, {"n_s": 2}, {"nu": math.radians(10)}])
+@pytest.mark.parametrize(("torque", "offset"), [(T, 1e-6), (T, 5e-6), (1000.0, 1e-6)])
+def test_couplings_are_those_of_eqs_3_to_11(change, torque, offset):
+    of = clutch(**SPRAGS | change)
+    at = held(of, torque, offset)
+    by_formula = couplings(of, **at)
+    for entry, value in summed(of, n_s=of.n_s, **at).items():
+        assert value == pytest.approx(by_formula[entry], rel=1e-7), entry
+
+
+@pytest.mark.parametrize("entry", ["K_y_tilt_x", "K_x_tilt_y"])
+def test_less_is_left_out_of_flatter_wedges(entry):
+    """A quarter of the angle under the same normal forces leaves a sixteenth of tan^2 nu."""
+    middles = []
+    for nu in (0.2, 0.05):
+        of = clutch(**SPRAGS | {"nu": nu, "n_s": 401})
+        low, high = left_out(entry, of, n_s=401, **held(of, T * math.tan(nu), 1e-8))
+        middles.append((low + high) / 2)
+    assert middles[0] / middles[1] == pytest.approx(16, rel=0.1)
+
+
+def test_the_summed_couplings_take_no_angles_or_slices_of_the_clutch():
+    of = clutch(**SPRAGS)
+    at = held(of, T, 1e-6)
+    turned = replace(of, psi=of.psi + 0.3, n_s=7)
+    assert summed(turned, n_s=41, **at) == summed(of, n_s=41, **at)
+
+
+def test_intervals_without_offset_or_yield_are_those_of_an_even_clutch():
+    low, high = bounds.first_order(0.05, 1e-9, 12)
+    assert (low + high) / 2 == pytest.approx(-(math.tan(0.05) ** 2))
+    low, high = bounds.held_ends(0.05, 1e-12, 8e-3)
+    assert low < bounds.leading(0.05)[0] < high
