@@ -10,15 +10,6 @@ with h the heights below the upper and above the lower contact, on the axis x = 
     \sigma_y = \int\left[\frac{y'}{\pi R^2} - \frac{2}{\pi}\sum_h
         \frac{h^3}{(x'^2 + h^2)^2}\right] q\,dx'.
 
-What Hertz's half plane lacks is of the first order here, unlike in the pressure. The opposite
-contact adds sigma_y = -P/(pi R), hence the shear stress P/(2 pi R) = p_0 a/(4R); and the circle
-bends away, so that forces at x' are nearer to the depth z by x'²/(2R). With the half plane's
-kernel the largest shear stress is, at its depth h = g^(-1/2) a (g the golden ratio),
-
-.. math:: \frac{\tau}{p_0} = g^{-5/2} + \frac{a}{R}\left[\frac{1}{4} - \frac{1}{\pi}
-    \int_{-1}^{1} \frac{s^2}{2}\,\frac{6 s^2 h^2 - h^4 - s^4}{(s^2 + h^2)^3}
-    \sqrt{1 - s^2}\,ds\right] = 0.3003 + 0.2082\,\frac{a}{R}, \qquad h = g^{-1/2}.
-
 References
 ----------
 .. [1] S. P. Timoshenko, J. N. Goodier, Theory of Elasticity, 3rd ed.,
@@ -31,7 +22,6 @@ from scipy.optimize import minimize_scalar
 
 from analytic.contact.checks import Array, positive
 from analytic.contact.disc import PressedDisc
-from analytic.contact.hertz_line_stress import GOLDEN
 
 POINTS = 600
 
@@ -86,17 +76,3 @@ def largest_shear_stress(*, disc: PressedDisc) -> tuple[float, float]:
         lambda t: -shear(t) / disc.p_0, bounds=(0.4, top), method="bounded", options={"xatol": 1e-9}
     )
     return shear(float(found.x)), float(found.x) * disc.a
-
-
-def shear_excess(*, a: ArrayLike, R: ArrayLike) -> Array:
-    """Relative excess of the true largest shear over Hertz's 0.300 p_0: 0.693 a/R.
-
-    >>> round(float(shear_excess(a=0.01, R=1.0)), 5)
-    0.00693
-    """
-    turn = np.arange(1, POINTS + 1) * np.pi / (POINTS + 1)
-    s, h = np.cos(turn), GOLDEN**-0.5
-    bend = s**2 / 2 * (6 * s**2 * h**2 - h**4 - s**4) / (s**2 + h**2) ** 3
-    nearer = float(bend @ np.sin(turn) ** 2 / (POINTS + 1))
-    ratio = positive(a, "half-width", "m") / positive(R, "radius", "m")
-    return np.asarray(GOLDEN**2.5 * (1 / 4 - nearer) * ratio)

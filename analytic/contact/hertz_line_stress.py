@@ -75,22 +75,3 @@ def largest_shear_stress(*, a: ArrayLike, p_0: ArrayLike) -> tuple[Array, Array]
     """
     a, p_0 = positive(a, "half-width", "m"), positive(p_0, "peak pressure", "Pa")
     return p_0 * GOLDEN**-2.5, a * GOLDEN**-0.5
-
-
-def tilted_shear_excess(kappa_a: float) -> float:
-    r"""Relative excess of the largest shear (no unit) for pressure normal to a curved line.
-
-    On a line of curvature kappa around the body the pressure p at x' pulls towards the axis with
-    kappa x' p. By Flamant's field of a tangential force, at the depth h = g^(-1/2) a,
-
-    .. math:: \frac{\Delta\tau}{p_0} = \frac{\kappa a}{\pi}\int_{-1}^{1}
-        \frac{s^2 (h^2 - s^2)}{(s^2 + h^2)^2}\sqrt{1 - s^2}\,ds = 0.02786\,\kappa a.
-
-    >>> round(tilted_shear_excess(1.0), 4)
-    0.0928
-    """
-    count = 600
-    turn = np.arange(1, count + 1) * np.pi / (count + 1)
-    s2, h2 = np.cos(turn) ** 2, 1 / GOLDEN
-    mean = s2 * (h2 - s2) / (s2 + h2) ** 2 @ np.sin(turn) ** 2 / (count + 1)
-    return float(GOLDEN**2.5 * mean * kappa_a)

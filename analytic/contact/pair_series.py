@@ -38,8 +38,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from analytic.contact.checks import Assumption, in_plane, positive
-from analytic.contact.hertz_line import contact_modulus, relative_radius
 from analytic.contact.partial_slip import dundurs_beta
+from analytic.contact.two_bodies import contact_modulus, relative_radius
 
 CATALAN = 0.915965594177219
 

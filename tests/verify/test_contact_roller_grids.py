@@ -3,9 +3,9 @@
 import pytest
 
 from verify.cases.contact.roller.case import ROLLER
-from verify.cases.contact.roller.crown_figures import ending
 from verify.cases.contact.roller.crowns import CROWNS, REFERENCES
 from verify.cases.contact.roller.half_space import pressed
+from verify.cases.contact.roller.inputs import ending
 from verify.cases.contact.roller.tilted import TILTED
 
 LEVEL = 20

@@ -9,12 +9,11 @@ import pytest
 
 from analytic.contact import checks, hertz_line, partial_slip, tangential_cycle
 from fem.contact import active_sets, bodies, interface, solution
+from fem.contact import partial_slip as readings
 from fem.contact.friction_lcp import FrictionLcp
 from fem.plane.material import Elastic
-from verify.cases.contact.slip import reference
 from verify.cases.contact.slip.case import SLIP, SlippingRollers
 from verify.cases.contact.slip.claims import HALF_PLANES, neglected
-from verify.cases.contact.slip.read import AROUND, around, at_nodes, simpson, smoothed, stick_share
 from verify.core.case import Context
 from verify.core.results import Kind, Status
 from verify.jobs.level import Job, judge_case, solve_level
@@ -48,66 +47,6 @@ def broken(monkeypatch):
         monkeypatch.setattr(owner, name, fault(getattr(owner, name)))
 
     return break_
-
-
-# What finite elements are read with.
-def touching(a, c, mu_p=1.0, shift=0.0):
-    """Two ellipses of traction, and of pressure, at many points."""
-    x = np.linspace(-a, a, 200_001)
-    lens, stuck = (np.sqrt(np.maximum(w**2 - x**2, 0.0)) for w in (a, c))
-    return SimpleNamespace(
-        along=lambda _: x + shift, q=mu_p * (lens - stuck), weight=np.full(x.size, x[1] - x[0]),
-        half_width=lambda _: a,
-    )  # fmt: skip
-
-
-@pytest.mark.parametrize("c", [0.05, 0.3, 0.9])
-@pytest.mark.parametrize("shift", [0.0, 0.2])
-def test_the_stick_zone_follows_from_moments_wherever_the_traction_sits(c, shift):
-    found = stick_share(touching(2.0, 2.0 * c, mu_p=7.0, shift=shift))
-    assert found == pytest.approx(c**2, abs=1e-5)
-
-
-def test_a_cubic_passes_smoothing_unchanged_and_jitter_is_stated():
-    k = np.linspace(0.0, 1.0, 101)
-    cubic = 3 - k + 2 * k**2 - 5 * k**3
-    value, u, scatter = smoothed(k, cubic, 0.4)
-    assert value == pytest.approx(3 - 0.4 + 0.32 - 0.32, rel=1e-12)
-    assert max(u, scatter) < 1e-12
-    jitter = 1e-3 * (-1.0) ** np.arange(k.size)
-    value, u, scatter = smoothed(k, cubic + jitter, 0.4)
-    assert abs(value - 2.6) < 2 * u
-    assert 0.5e-3 < scatter < 2e-3
-
-
-def test_values_at_nodes_are_means_of_the_cells_about_them_weighed_by_area():
-    points = np.array([[0.0, 0], [1, 0], [4, 0], [0, 1], [1, 1], [4, 1]])
-    cells = np.array([[0, 1, 4, 3], [1, 2, 5, 4]])
-    at = at_nodes(points, cells, np.array([[8.0, 1.0], [4.0, 1.0]]))
-    assert at[:, 0].tolist() == [8.0, 5.0, 4.0, 8.0, 5.0, 4.0]  # areas 1 and 3
-    assert np.all(at[:, 1] == 1)
-
-
-def loop(n):
-    """A loop of even steps in x, Q = x ± (1 - x²): area 2 * 4/3."""
-    down = np.linspace(1.0, -1.0, n + 1)
-    x = np.concatenate([down, -down[1:]])
-    swing = np.where(np.arange(x.size) <= n, -1.0, 1.0)
-    return x, x + swing * (1 - x**2)
-
-
-def test_the_area_of_a_loop_is_positive_and_exact_for_parabolas():
-    assert simpson(*loop(8)) == pytest.approx(8 / 3, rel=1e-14)
-
-
-def test_a_loop_is_shown_beyond_the_line_between_its_reversals():
-    x = np.concatenate([np.linspace(1, -1, 33), np.linspace(-1, 1, 33)[1:]])
-    bend = np.where(np.arange(x.size) <= 32, 1.0, -1.0) * (1 - x**2)
-    found = around(2 * x + 0.1 * bend, x)
-    down, up = np.split(found, 2)
-    at = AROUND
-    assert down == pytest.approx(0.1 * (1 - at**2), abs=1e-4)
-    assert up == pytest.approx(-0.1 * (1 - at**2), abs=1e-4)
 
 
 # Inputs.
@@ -206,8 +145,6 @@ def test_another_reading_or_a_wrong_formula_turns_a_row_red(
 ):
     right = judged(SLIP)
     broken(owner, name, fault)
-    if owner is checks:  # by name in its users
-        broken(hertz_line, "pair_in_plane", lambda _: checks.pair_in_plane)
     assert row in names(red(judged(SLIP))) - names(red(right))
 
 
@@ -229,7 +166,7 @@ FEM_FAULTS = [
     pytest.param(solution.ContactSolution, "slips", lambda _: property(lambda self: 0 * self.w[
         self.interface.gaps.size:]), "cycle: both energies agree within 0.1 %",
                  id="slip of earlier steps forgotten"),
-    pytest.param(reference, "stick_share", lambda f: lambda touch: f(touch) + 0.004,
+    pytest.param(readings, "stick_share", lambda f: lambda touch: f(touch) + 0.004,
                  "stick half-width, Q/(μP) = 0.8", id="moments read wrongly"),
 ]  # fmt: skip
 

@@ -5,8 +5,8 @@ import pytest
 
 from analytic.contact import pair_series
 from analytic.contact.disc import disc_in_contact
-from analytic.contact.hertz_line_stress import GOLDEN, tilted_shear_excess
 from analytic.contact.partial_slip import dundurs_beta
+from analytic.contact.shear_series import GOLDEN, tilted_shear_excess
 
 # Discs by Fourier modes in plane stress, both directions coupled: R_1, R_2, E_1, nu_1, E_2, nu_2;
 # Hertz's half-width, excess of the peak pressure, excess of the moments' half-width. Four digits.

@@ -1,25 +1,32 @@
-"""The part of a mesh about a contact, for pictures."""
+"""Fields about a contact, for pictures."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from verify.core.figures import Array
+from verify.core.figures import Array, Field
+
+Data = Mapping[str, tuple[Array, str]]  # values and their unit
 
 
-def cut(
-    cells: Mapping[str, Array], inside: Callable[[Array], Array]
-) -> tuple[dict[str, Any], NDArray[np.int64]]:
-    """Points, cells and data of the cells of which `inside` is true by their centres (m, 2).
+def field(name: str, cells: Mapping[str, Any], data: Data, at_nodes: Data | None = None) -> Field:
+    """Cells of a solution with their displacements and `data`, and what is given `at_nodes`."""
+    nodes = at_nodes or {}
+    return Field(
+        name=name, points=cells["points"], cells=cells["cells"].astype(np.int64),
+        point_data={"displacement": cells["displacement"], **{k: v for k, (v, _) in nodes.items()}},
+        cell_data={k: v for k, (v, _) in data.items()},
+        units={"displacement": "m", **{k: unit for k, (_, unit) in {**data, **nodes}.items()}},
+    )  # fmt: skip
 
-    Beside them the numbers of the points that are left.
-    """
-    corners = cells["cells"].astype(np.int64)
-    kept = np.flatnonzero(inside(cells["points"][corners].mean(axis=1)))
-    used, corners = np.unique(corners[kept], return_inverse=True)
-    left = {"points": cells["points"][used], "cells": corners.reshape(kept.size, -1),
-            "displacement": cells["displacement"][used],
-            "stress": cells["stress"][kept], "von_mises": cells["von_mises"][kept]}  # fmt: skip
-    return left, used
+
+def grid(name: str, x: Array, y: Array, pressure: Array) -> Field:
+    """Pressures [Pa] of the cells (n m,) between n + 1 places along x and m + 1 along y."""
+    points = np.column_stack([a.ravel() for a in np.meshgrid(x, y, indexing="ij")])
+    i = np.arange(len(x) - 1)[:, None] * len(y) + np.arange(len(y) - 1)
+    cells = np.stack([i, i + 1, i + len(y) + 1, i + len(y)], axis=-1).reshape(-1, 4)
+    return Field(
+        name=name, points=points, cells=cells.astype(np.int64),
+        cell_data={"pressure": pressure}, units={"pressure": "Pa"},
+    )  # fmt: skip

@@ -1,13 +1,15 @@
 """Finite elements of the three line contacts: meshes, materials, supports."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from verify.cases.contact.line.reference import Pressed
+if TYPE_CHECKING:
+    from fem.contact.pressed_line import PressedLine
 
 
-def disc_fem(q: Any, P: float, guess: float, level: int) -> Pressed:
+def disc_fem(q: Any, P: float, guess: float, level: int) -> "PressedLine":
     """The quarter of the disc on the flat y = 0 under the load P [N/m]."""
     from fem.contact.pairs import Obstacle, Pair
+    from fem.contact.pressed_line import PressedLine
     from fem.contact.problem import ContactProblem
     from fem.contact.shapes import Circle, Flat
     from fem.plane.material import Elastic
@@ -23,65 +25,61 @@ def disc_fem(q: Any, P: float, guess: float, level: int) -> Pressed:
             ],
         )  # fmt: skip
 
-    return Pressed(build, level, P=P, guess=guess, arc=q.R, softness=q.softness, cut="middle")
+    return PressedLine(build, level, P=P, guess=guess, arc=q.R, softness=q.softness, cut="middle")
 
 
-def pair_fem(q: Any, level: int) -> Pressed:
+def pair_fem(q: Any, level: int) -> "PressedLine":
     """Quarters of both rollers under the load."""
-    from fem.contact.pairs import Pair
-    from fem.contact.problem import ContactProblem
     from fem.contact.shapes import Circle
-    from fem.plane.material import Elastic
     from meshes.contact.disc import quarter_disc
-    from meshes.join import join
 
-    def build(zone: float, cells: int, refine: int) -> ContactProblem:
-        fine: dict[str, Any] = {"zone": zone, "cells": cells, "refine": refine}
-        return ContactProblem(
-            join({"upper": quarter_disc(R=q.R_1, **fine),
-                  "lower": quarter_disc(R=q.R_2, below=True, **fine)}),
-            materials={"upper": Elastic(E=q.E_1, nu=q.nu_1), "lower": Elastic(E=q.E_2, nu=q.nu_2)},
-            assumption="plane strain",
-            supports={"upper.axis": "x", "lower.axis": "x",
-                      "upper.middle": "y", "lower.middle": "y"},
-            contacts=[
-                Pair(slave="upper.surface", master="lower.surface",
-                     slave_shape=Circle((0.0, q.R_1), q.R_1),
-                     master_shape=Circle((0.0, -q.R_2), q.R_2))
-            ],
-        )  # fmt: skip
-
-    return Pressed(
-        build, level, P=q.P, guess=q.guess, arc=q.R_1, softness=q.softness, cut="upper.middle"
-    )
+    return _two_bodies(
+        q, level, ("upper", "lower"), q.R_1, {"lower.middle": "y"}, "lower.surface",
+        Circle((0.0, -q.R_2), q.R_2),
+        lambda fine: quarter_disc(R=q.R_2, below=True, **fine),
+    )  # fmt: skip
 
 
-def race_fem(q: Any, level: int) -> Pressed:
+def race_fem(q: Any, level: int) -> "PressedLine":
     """A quarter of the roller in half a race whose rim is held, under the load."""
+    from fem.contact.shapes import Circle
+    from meshes.contact.race import half_race
+
+    return _two_bodies(
+        q, level, ("roller", "race"), q.R, {"race.rim": "xy"}, "race.bore",
+        Circle((0.0, q.r_i), q.r_i, hollow=True),
+        lambda fine: half_race(r_i=q.r_i, r_o=q.r_o, **fine),
+    )  # fmt: skip
+
+
+def _two_bodies(
+    q: Any, level: int, names: tuple[str, str], R: float, held: dict[str, str], master: str,
+    shape: Any, mesh: Any,
+) -> "PressedLine":  # fmt: skip
+    """A quarter disc of the radius R pushed on a second body, of which `mesh(fine)` is the mesh."""
     from fem.contact.pairs import Pair
+    from fem.contact.pressed_line import PressedLine
     from fem.contact.problem import ContactProblem
     from fem.contact.shapes import Circle
     from fem.plane.material import Elastic
     from meshes.contact.disc import quarter_disc
-    from meshes.contact.race import half_race
     from meshes.join import join
+
+    upper, lower = names
 
     def build(zone: float, cells: int, refine: int) -> ContactProblem:
         fine: dict[str, Any] = {"zone": zone, "cells": cells, "refine": refine}
         return ContactProblem(
-            join({"roller": quarter_disc(R=q.R, **fine),
-                  "race": half_race(r_i=q.r_i, r_o=q.r_o, **fine)}),
-            materials={"roller": Elastic(E=q.E_1, nu=q.nu_1), "race": Elastic(E=q.E_2, nu=q.nu_2)},
+            join({upper: quarter_disc(R=R, **fine), lower: mesh(fine)}),
+            materials={upper: Elastic(E=q.E_1, nu=q.nu_1), lower: Elastic(E=q.E_2, nu=q.nu_2)},
             assumption="plane strain",
-            supports={"roller.axis": "x", "race.axis": "x",
-                      "roller.middle": "y", "race.rim": "xy"},
+            supports={f"{upper}.axis": "x", f"{lower}.axis": "x", f"{upper}.middle": "y", **held},
             contacts=[
-                Pair(slave="roller.surface", master="race.bore",
-                     slave_shape=Circle((0.0, q.R), q.R),
-                     master_shape=Circle((0.0, q.r_i), q.r_i, hollow=True))
+                Pair(slave=f"{upper}.surface", master=master,
+                     slave_shape=Circle((0.0, R), R), master_shape=shape)
             ],
         )  # fmt: skip
 
-    return Pressed(
-        build, level, P=q.P, guess=q.guess, arc=q.R, softness=q.softness, cut="roller.middle"
+    return PressedLine(
+        build, level, P=q.P, guess=q.guess, arc=R, softness=q.softness, cut=f"{upper}.middle"
     )

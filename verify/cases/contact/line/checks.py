@@ -1,11 +1,10 @@
-"""Claims of the line contacts: profiles, coefficients and intervals of what is neglected."""
+"""Claims of the line contacts: profiles, and coefficients of what is neglected."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from verify.case import Expected
 from verify.core.case import Context, FemResult
 from verify.core.figures import Array
 from verify.core.results import Kind, Row, Status
@@ -16,26 +15,9 @@ from verify.judging.convergence import grid_convergence
 
 Points = tuple[list[float], list[float], list[float]]  # a/R, error of Hertz, its uncertainty
 
-FLOOR = 3e-4  # of Hertz/FE - 1: nothing sharper is claimed at one load
 PROFILE = 0.03  # acceptance figure of q(x) in L2
 BLUNT = 1e-3  # of Hertz's shear over the finite elements': smoothed stresses are no sharper
 LIMITS = "acceptance figure of the contact models"
-
-
-def expected(m: float, unknown: float, source: str, *, least: float = FLOOR) -> Expected:
-    """Interval m ± unknown, `least` at least.
-
-    Not sharp where it says less than the row demands: the bodies are then too small for an
-    estimate, and the formula's error is measured.
-    """
-    unknown = max(float(unknown), least)
-    return Expected(m - unknown, m + unknown, source, sharp=unknown <= judge.DEMAND / 2)
-
-
-def about(m: float, unknown: float) -> tuple[float, float] | None:
-    """The interval alone, None where it is not sharp."""
-    found = expected(m, unknown, "")
-    return (found.low, found.high) if found.sharp else None
 
 
 @dataclass(frozen=True, kw_only=True)

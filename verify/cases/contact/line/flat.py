@@ -5,13 +5,13 @@ from typing import Any, ClassVar, Self
 
 import numpy as np
 
+from analytic.bounds.contact.line import PRESSURE, WIDTH, OnFlat
 from analytic.contact import disc_stress, hertz_line_approach
 from analytic.contact.disc import PressedDisc, disc_under_load
 from verify.case import (
     AlongLine,
     Comparison,
     Drawn,
-    Expected,
     Level,
     Quantity,
     Scan,
@@ -21,21 +21,22 @@ from verify.case import (
     limit,
     shared,
 )
+from verify.cases.contact.expected import FLOOR, expected
 from verify.cases.contact.line import figures, sketches
 from verify.cases.contact.line.bodies import disc_fem
 from verify.cases.contact.line.checks import (
-    FLOOR,
+    BLUNT,
     LIMITS,
     PROFILE,
     Coefficient,
     Points,
     ProfileError,
-    expected,
     l2_errors,
     relative_uncertainty,
 )
 from verify.cases.contact.line.hertz import at
 from verify.cases.contact.line.inputs import FlatInputs
+from verify.cases.contact.line.reference import result
 from verify.core.case import Context
 from verify.core.figures import Array, Picture, Sketch
 from verify.form.adapter import adapted
@@ -45,7 +46,6 @@ SWEEP = (0.015, 0.03, 0.06, 0.1, 0.15)  # Hertz's a/R
 WIDEST = SWEEP[-1]
 WIDE = f"a/R = {WIDEST:g}"
 DEPTH = 5e-3  # of the depth of the largest shear
-PRESSURE, WIDTH, APPROACH = -3 / 16, 1 / 4, -9 / 16  # of (a/R)², by which Hertz errs
 DISC = "elastic disc between flats"
 SERIES = "derived series of the disc; its next term, taken as 1 × (a/R)⁴"
 SHEAR = (
@@ -144,7 +144,7 @@ class RollerOnFlat(FlatInputs):
         """The quarter under the load, and under those of the sweep."""
         swept = {f"_{key(e)}": disc_fem(self, self.at_ratio(e).P, e * self.R, level) for e in SWEEP}
         found = disc_fem(self, self.P, self.guess, level)
-        return found.result(level, ("axis", "middle"), swept)
+        return result(found, level, ("axis", "middle"), swept)
 
     def comparisons(self) -> Iterator[Comparison]:
         """The disc, exact; Hertz, with what he neglects; the limit of narrow contacts."""
@@ -161,11 +161,15 @@ class RollerOnFlat(FlatInputs):
         name = f"depth of the largest shear stress within {DEPTH:.1%} of the disc's"
         depth = Fact(name=name, symbol="z", unit="1", margin=self.depth_margin)
         yield Comparison(check=depth, quantity=by.z_disc)
-        for where, state in places:
-            for q in (by.p_0, by.a, by.approach):
+        narrow = OnFlat(self.ratio)
+        for (where, state), known, least in zip(places, (narrow, OnFlat(WIDEST)), (FLOOR, 0.0),
+                                                strict=True):  # fmt: skip
+            for q, one in ((by.p_0, known.pressure), (by.a, known.width),
+                           (by.approach, known.approach)):  # fmt: skip
                 yield approximation(q, state=state, name=at(q, where), order=2,
-                                    expected=self.neglected(q, wide=bool(where)))  # fmt: skip
-        yield approximation(by.tau_max, order=2, expected=self.neglected_shear())
+                                    expected=expected(one, SERIES, least=least))  # fmt: skip
+        yield approximation(by.tau_max, order=2,
+                            expected=expected(narrow.shear, SHEAR, least=BLUNT))  # fmt: skip
         for q, sharp in ((by.p_0, 5e-4), (by.a, 1e-3)):
             yield limit(q, f"{q.what} as a/R vanishes", "d_0", points=self.deviations(q),
                         exponent=2, sensitivity=(sharp, LIMITS))  # fmt: skip
@@ -191,23 +195,6 @@ class RollerOnFlat(FlatInputs):
         )  # fmt: skip
         numbers = {"zero": 0.0, "one": 1.0}
         return Comparison(check=check, quantity=RollerOnFlat.p_0_disc, numbers=numbers)
-
-    def neglected(self, q: Quantity, *, wide: bool) -> Expected:
-        """Coefficient times (a/R)^2, known up to (a/R)^4, which counts once.
-
-        Of the approach it is in the bracket of the logarithm.
-        """
-        e = WIDEST if wide else self.ratio
-        coefficient = {"p_0": PRESSURE, "a": WIDTH, "approach": APPROACH}[q.name]
-        m = coefficient * e**2
-        if q.name == "approach":
-            m = m / float(2 * np.log(4 / e) - 1)
-        return expected(m, e**4, SERIES, least=0.0 if wide else FLOOR)
-
-    def neglected_shear(self) -> Expected:
-        """The opposite flat and the circle add to it, up to (a/R)^2, which counts once."""
-        m = 1 / (1 + float(disc_stress.shear_excess(a=self.ratio, R=1.0))) - 1
-        return expected(m, self.ratio**2, SHEAR, least=1e-3)
 
     def depth_margin(self, context: Context) -> tuple[float, float]:
         """Depths of stresses that jump from cell to cell follow no order: their spread counts.

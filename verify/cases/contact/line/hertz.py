@@ -64,14 +64,15 @@ class LineContact(Case):
         raise NotImplementedError
 
     @property
-    def upper(self) -> float:
-        """Radius of the upper roller [m]."""
+    def radii(self) -> tuple[float, float]:
+        """Radii of the upper body and of its partner [m], negative of a bore."""
         raise NotImplementedError
 
     @property
     def curvature(self) -> float:
         """Relative curvature of the surfaces [1/m]."""
-        raise NotImplementedError
+        one, other = self.radii
+        return 1 / one + 1 / other
 
     @property
     def softness(self) -> float:
@@ -122,7 +123,7 @@ class LineContact(Case):
 
     def balances(self) -> Iterator[Comparison]:
         """Forces and moment on the upper roller."""
-        force, moment = {"P": self.P}, {"P R": self.P * self.upper}
+        force, moment = {"P": self.P}, {"P R": self.P * self.radii[0]}
         for name, key, symbol, unit, scale in (
             ("forces across", "balance_x", "ΣF_x", "N/mm", force),
             ("forces along the load", "balance_y", "ΣF_y", "N/mm", force),

@@ -1,12 +1,12 @@
-"""Bodies of the line contacts: a roller between flats, and two bodies of their own materials."""
+"""Inputs of a roller between two rigid flats."""
 
+import math
 from typing import Self
 
 from pydantic import model_validator
 
-from analytic.contact import hertz_line
 from verify.case import Quantity, given
-from verify.cases.contact.line.hertz import HERTZ, LineContact
+from verify.cases.contact.line.hertz import LineContact
 
 
 def softness(E: float, nu: float) -> float:
@@ -39,12 +39,8 @@ class FlatInputs(LineContact):
         return self.R
 
     @property
-    def upper(self) -> float:
-        return self.R
-
-    @property
-    def curvature(self) -> float:
-        return 1 / self.R
+    def radii(self) -> tuple[float, float]:
+        return self.R, math.inf
 
     @property
     def softness(self) -> float:
@@ -53,31 +49,3 @@ class FlatInputs(LineContact):
     @property
     def smallest(self) -> float:
         return self.R
-
-
-class TwoBodies(LineContact):
-    """Materials of two bodies in contact."""
-
-    E_1: float = given("206 GPa", "GPa", "E_1", "Young's modulus, roller", gt=0, le=1e5)
-    nu_1: float = given(0.3, "1", "ν_1", "Poisson's ratio, roller", ge=0, le=0.45)
-    E_2: float = given("206 GPa", "GPa", "E_2", "Young's modulus, partner", gt=0, le=1e5)
-    nu_2: float = given(0.3, "1", "ν_2", "Poisson's ratio, partner", ge=0, le=0.45)
-
-    @Quantity("E*", "GPa", "contact modulus, plane strain", role="step", source="Hertz",
-              tex=r"\frac{1}{\frac{1 - \nu_1^2}{E_1} + \frac{1 - \nu_2^2}{E_2}}")  # fmt: skip
-    def E_star(self) -> float:
-        return float(hertz_line.contact_modulus(**self.materials, assumption="plane strain"))
-
-    @Quantity("a", "µm", "half-width, Hertz", source=HERTZ,
-              tex=r"\sqrt{\frac{4 P R'}{\pi E*}}")  # fmt: skip
-    def a(self) -> float:
-        return float(hertz_line.half_width(P=self.P, R=self.relative, E_star=self.E_star))
-
-    @property
-    def softness(self) -> float:
-        return softness(self.E_1, self.nu_1) + softness(self.E_2, self.nu_2)
-
-    @property
-    def materials(self) -> dict[str, float]:
-        """Moduli and Poisson's ratios as the formulas name them."""
-        return {"E_1": self.E_1, "nu_1": self.nu_1, "E_2": self.E_2, "nu_2": self.nu_2}

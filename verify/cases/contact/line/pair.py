@@ -10,28 +10,16 @@ from typing import ClassVar, Self
 
 from pydantic import model_validator
 
-from analytic.contact import hertz_line, hertz_line_approach, pair_series
-from analytic.contact.disc_stress import shear_excess
-from analytic.contact.hertz_line_stress import tilted_shear_excess
-from verify.case import (
-    AlongLine,
-    Comparison,
-    Drawn,
-    Expected,
-    Level,
-    Quantity,
-    Scan,
-    State,
-    approximation,
-    given,
-    shared,
-)
-from verify.cases.contact.line import figures, sketches
+from analytic.bounds.contact.line import OfDiscs
+from analytic.contact import hertz_line, hertz_line_approach
+from verify.case import Comparison, Level, Quantity, Scan, State, approximation, given, shared
+from verify.cases.contact.expected import expected
+from verify.cases.contact.line import sketches
 from verify.cases.contact.line.bodies import pair_fem
-from verify.cases.contact.line.checks import BLUNT, expected
 from verify.cases.contact.line.hertz import at
-from verify.cases.contact.line.inputs import TwoBodies
-from verify.core.figures import Picture, Sketch
+from verify.cases.contact.line.reference import result
+from verify.cases.contact.line.two_bodies import TwoBodies
+from verify.core.figures import Sketch
 from verify.form.adapter import adapted
 
 RATIO = 0.1  # of unlike rollers: Hertz's a over the smaller radius
@@ -115,39 +103,24 @@ class TwoRollers(TwoBodies):
     @Quantity("p_s", "MPa", "peak pressure, second order", source="series of two discs",
               role="step")  # fmt: skip
     def p_0_series(self) -> float:
-        return self.p_0 * (1 + self.excess["p_0"].total)
+        return self.p_0 * (1 + self.known.series[0].total)
 
     @Quantity("a_s", "µm", "half-width, second order", source="series of two discs", role="step")
     def a_series(self) -> float:
-        return self.a * (1 + self.excess["a"].total)
+        return self.a * (1 + self.known.series[1].total)
 
     @shared
-    def excess(self) -> dict[str, pair_series.Excess]:
-        """What the series adds to Hertz's pressure and half-width."""
-        p, w = pair_series.excess(**self.sizes, **self.materials, assumption="plane strain")
-        return {"p_0": p, "a": w}
-
-    @property
-    def sizes(self) -> dict[str, float]:
-        """Half-width and radii as the series takes them."""
-        return {"a": self.a, "R_1": self.R_1, "R_2": self.R_2}
-
-    @property
-    def coupled(self) -> float:
-        """What unlike materials couple, of first order."""
-        return abs(self.excess["p_0"].first) + abs(self.excess["a"].first)
+    def known(self) -> OfDiscs:
+        """What Hertz leaves out of two discs."""
+        return OfDiscs(a=self.a, R_1=self.R_1, R_2=self.R_2, **self.materials)
 
     @property
     def relative(self) -> float:
         return self.radius
 
     @property
-    def upper(self) -> float:
-        return self.R_1
-
-    @property
-    def curvature(self) -> float:
-        return 1 / self.R_1 + 1 / self.R_2
+    def radii(self) -> tuple[float, float]:
+        return self.R_1, self.R_2
 
     @property
     def smallest(self) -> float:
@@ -166,58 +139,20 @@ class TwoRollers(TwoBodies):
     def reference(self, level: int) -> Level:
         """Quarters of both rollers, and of unlike ones."""
         soft = {"_unlike": pair_fem(self.unlike(), level)}
-        return pair_fem(self, level).result(level, ("upper.axis", "upper.middle"), soft)
+        return result(pair_fem(self, level), level, ("upper.axis", "upper.middle"), soft)
 
     def comparisons(self) -> Iterator[Comparison]:
         """Hertz within the series of two discs, also of unlike rollers."""
         by = TwoRollers
-        for q in (by.p_0, by.a):
-            yield approximation(q, order=2, expected=self.second_order(q))
-        close = (self.a / self.smallest) ** 2 / 2 + self.coupled  # of the brackets, 4 and more
-        yield approximation(by.approach, order=2, expected=expected(0.0, close, COUPLING))
-        yield approximation(by.tau_max, order=2, expected=self.neglected_shear())
+        yield from self.against(self.known, by.approach, (SERIES, COUPLING, SHEAR))
         soft = self.unlike()
-        for q in (by.p_0, by.a):
+        for q, known in zip((by.p_0, by.a), soft.known.bounded, strict=True):
             yield approximation(
                 q, state=State(soft, "unlike", WHERE, displayed=False), name=at(q, WHERE),
-                order=2, expected=soft.bounded(q), sensitivity=SECOND,
+                order=2, expected=expected(known, BOUNDED), sensitivity=SECOND,
             )  # fmt: skip
         yield self.near_hertz(self.pressure)
         yield from self.balances()
-
-    def second_order(self, q: Quantity) -> Expected:
-        """The series, whose next terms count once.
-
-        These are the square of its terms, and the first-order one times a/R.
-        """
-        e = self.a / self.smallest
-        m = 1 / (1 + self.excess[q.name].total) - 1
-        return expected(m, (self.coupled + e**2) ** 2 + self.coupled * e, SERIES)
-
-    def bounded(self, q: Quantity) -> Expected:
-        """The series and what it leaves out."""
-        left_out = pair_series.left_out(**self.sizes, **self.materials, assumption="plane strain")
-        return expected(1 / (1 + self.excess[q.name].total) - 1, left_out, BOUNDED)
-
-    def neglected_shear(self) -> Expected:
-        """Both first-order terms; (a/R)^2 and the coupling count once.
-
-        Of equal discs it is 0.57 (a/R)^2.
-        """
-        kappa = pair_series.meeting_curvature(
-            R_1=self.R_1, R_2=self.R_2, **self.materials, assumption="plane strain"
-        )
-        first = float(shear_excess(a=self.a, R=self.R_1)) + tilted_shear_excess(kappa * self.a)
-        e = self.a / self.smallest
-        return expected(1 / (1 + first) - 1, e**2 + self.coupled, SHEAR, least=BLUNT)
-
-    def figures(self) -> Iterator[AlongLine | Drawn]:
-        """Pressure beside Hertz's, errors of Hertz, convergence."""
-        yield from figures.two_bodies(self)
-
-    def pictures(self) -> Iterator[Picture]:
-        """Stresses about the contact."""
-        yield from figures.pictures(self.guess)
 
     def sketch(self) -> Sketch:
         """Both rollers to scale."""

@@ -1,37 +1,22 @@
 """A roller in a concave race whose rim is held: Hertz's line contact inside a ring."""
 
 from collections.abc import Iterator
-from typing import Any, ClassVar, Self
+from typing import ClassVar, Self
 
-import numpy as np
 from pydantic import model_validator
 
+from analytic.bounds.contact.line import InRace
 from analytic.contact import clamped_race, hertz_line, hertz_line_approach
-from analytic.contact.disc_stress import shear_excess
-from analytic.contact.hertz_line_stress import tilted_shear_excess
-from analytic.contact.pair_series import CATALAN, meeting_curvature
-from analytic.contact.partial_slip import dundurs_beta
-from verify.case import (
-    AlongLine,
-    Comparison,
-    Drawn,
-    Expected,
-    Level,
-    Quantity,
-    Scan,
-    approximation,
-    given,
-)
-from verify.cases.contact.line import figures, sketches
+from verify.case import Comparison, Level, Quantity, Scan, given
+from verify.cases.contact.line import sketches
 from verify.cases.contact.line.bodies import race_fem
-from verify.cases.contact.line.checks import BLUNT, expected
-from verify.cases.contact.line.inputs import TwoBodies
-from verify.core.figures import Picture, Sketch
+from verify.cases.contact.line.reference import result
+from verify.cases.contact.line.two_bodies import TwoBodies
+from verify.core.figures import Sketch
 from verify.form.adapter import adapted
 
 THICKEST = 8.0  # r_o/r_i
 THINNEST = 0.08  # wall over r_i: the whole bore may touch, and half a minute goes by there
-PRESSURE, WIDTH = -(2 * CATALAN - 1 / 3) / np.pi, 64 / (45 * np.pi)  # of what materials couple
 BOUND = "argued: (a/R)² of the curvature and (a/wall)² of the held rim, each once"
 APPROACH = "argued: half of (a/R)² + (a/wall)², and what unlike materials couple"
 SHEAR = (
@@ -143,12 +128,8 @@ class RollerInRace(TwoBodies):
         return self.radius
 
     @property
-    def upper(self) -> float:
-        return self.R
-
-    @property
-    def curvature(self) -> float:
-        return 1 / self.R - 1 / self.r_i
+    def radii(self) -> tuple[float, float]:
+        return self.R, -self.r_i
 
     @property
     def wall(self) -> float:
@@ -163,61 +144,17 @@ class RollerInRace(TwoBodies):
     def smallest_name(self) -> str:
         return "the roller's radius" if self.smallest == self.R else "the race's wall"
 
-    @property
-    def kappa(self) -> float:
-        """Curvature of the surface on which the bodies meet [1/m]."""
-        materials: dict[str, Any] = self.materials
-        return meeting_curvature(R_1=self.R, R_2=-self.r_i, **materials, assumption="plane strain")
-
-    @property
-    def coupled(self) -> float:
-        """What unlike materials couple, of first order."""
-        return (
-            float(dundurs_beta(**self.materials, assumption="plane strain")) * self.kappa * self.a
-        )
-
-    @property
-    def small(self) -> float:
-        """(a/R)^2 + (a/wall)^2: what curvature and the held rim change, each counted once."""
-        return float((self.a / self.R) ** 2 + (self.a / self.wall) ** 2)
-
     def reference(self, level: int) -> Level:
         """A quarter of the roller in half the race."""
-        return race_fem(self, level).result(level, ("roller.axis", "roller.middle"))
+        return result(race_fem(self, level), level, ("roller.axis", "roller.middle"))
 
     def comparisons(self) -> Iterator[Comparison]:
         """Hertz within what curvature, rim and materials change."""
-        by = RollerInRace
-        yield approximation(by.p_0, order=2, expected=self.bounded(PRESSURE))
-        yield approximation(by.a, order=2, expected=self.bounded(WIDTH))
-        close = self.small / 2 + abs(
-            self.coupled
-        )  # half of `small`, as the brackets are 2 and more
-        yield approximation(by.approach, order=2, expected=expected(0.0, close, APPROACH),
-                            shares="rim that is held all around")  # fmt: skip
-        yield approximation(by.tau_max, order=2, expected=self.neglected_shear())
+        known = InRace(a=self.a, R_1=self.R, R_2=-self.r_i, wall=self.wall, **self.materials)
+        yield from self.against(known, RollerInRace.approach, (BOUND, APPROACH, SHEAR),
+                                shares="rim that is held all around")  # fmt: skip
         yield self.near_hertz(self.pressure)
         yield from self.balances()
-
-    def bounded(self, first: float) -> Expected:
-        """`first` times beta kappa a, and `small` either way."""
-        m = 1 / (1 + first * self.coupled) - 1
-        unknown = self.small + abs(self.coupled) * self.a / self.smallest
-        return expected(m, unknown, BOUND)
-
-    def neglected_shear(self) -> Expected:
-        """Both first-order terms; `small`, and what the materials couple, each counted once."""
-        first = float(shear_excess(a=self.a, R=self.R)) + tilted_shear_excess(self.kappa * self.a)
-        unknown = self.small + abs(self.coupled)
-        return expected(1 / (1 + first) - 1, unknown, SHEAR, least=BLUNT)
-
-    def figures(self) -> Iterator[AlongLine | Drawn]:
-        """Pressure beside Hertz's, errors of Hertz, convergence."""
-        yield from figures.two_bodies(self)
-
-    def pictures(self) -> Iterator[Picture]:
-        """Stresses about the contact."""
-        yield from figures.pictures(self.guess)
 
     def sketch(self) -> Sketch:
         """Roller and race to scale."""

@@ -4,13 +4,14 @@ from typing import Any
 
 import numpy as np
 
+from analytic.contact.loaded_wall import LoadedWall
 from analytic.contact.press_fit import (
     Wall,
     contact_pressures,
     interferences_lost,
     pressure_of_overlap,
 )
-from verify.case import Quantity
+from verify.case import Quantity, shared
 from verify.cases.contact.press_fit.inputs import FITS, FitInputs
 
 LAME = "Lamé; behind Eq. 6"
@@ -61,52 +62,51 @@ class FitFormulas(FitInputs):
               safe="too high",
               tex=r"\frac{p_i (r_f^2 + r_i^2) - 2 p r_f^2}{r_f^2 - r_i^2}")  # fmt: skip
     def hoop_inner_bore(self) -> float:
-        return self._hoop("inner", "bore")
+        return self.loaded[0].hoop_bore
 
     @Quantity("σ_i(r_f)", "MPa", "hoop stress at the inner wall's rim", source=LAME,
               safe="too high",
               tex=r"\frac{2 p_i r_i^2 - p (r_f^2 + r_i^2)}{r_f^2 - r_i^2}")  # fmt: skip
     def hoop_inner_rim(self) -> float:
-        return self._hoop("inner", "rim")
+        return self.loaded[0].hoop_rim
 
     @Quantity("σ_o(r_f)", "MPa", "hoop stress at the outer wall's bore", source=LAME,
               safe="too high",
               tex=r"\frac{p (r_o^2 + r_f^2) - 2 p_o r_o^2}{r_o^2 - r_f^2}")  # fmt: skip
     def hoop_outer_bore(self) -> float:
-        return self._hoop("outer", "bore")
+        return self.loaded[1].hoop_bore
 
     @Quantity("σ_o(r_o)", "MPa", "hoop stress at the outer wall's rim", source=LAME,
               safe="too high",
               tex=r"\frac{2 p r_f^2 - p_o (r_o^2 + r_f^2)}{r_o^2 - r_f^2}")  # fmt: skip
     def hoop_outer_rim(self) -> float:
-        return self._hoop("outer", "rim")
+        return self.loaded[1].hoop_rim
 
     @Quantity("u_i(r_i)", "µm", "displacement of the inner ring's bore", source=LAME,
               tex=r"\frac{r_i}{E_i} (\sigma_i(r_i) + \nu_i p_i)")  # fmt: skip
     def u_inner_bore(self) -> float:
-        return self._displacement("inner", "bore")
+        return self.loaded[0].u_bore
 
     @Quantity("u_i(r_f)", "µm", "displacement of the inner wall's rim", source=LAME,
               tex=r"\frac{r_f}{E_i} (\sigma_i(r_f) + \nu_i p)")  # fmt: skip
     def u_inner_rim(self) -> float:
-        return self._displacement("inner", "rim")
+        return self.loaded[0].u_rim
 
     @Quantity("u_o(r_f)", "µm", "displacement of the outer wall's bore", source=LAME,
               tex=r"\frac{r_f}{E_o} (\sigma_o(r_f) + \nu_o p)")  # fmt: skip
     def u_outer_bore(self) -> float:
-        return self._displacement("outer", "bore")
+        return self.loaded[1].u_bore
 
     @Quantity("u_o(r_o)", "µm", "displacement of the outer wall's rim", source=LAME,
               tex=r"\frac{r_o}{E_o} (\sigma_o(r_o) + \nu_o p_o)")  # fmt: skip
     def u_outer_rim(self) -> float:
-        return self._displacement("outer", "rim")
+        return self.loaded[1].u_rim
 
     @Quantity("U", "J/m", "strain energy", source=LAME,
               tex=r"\pi (p_i r_i u_i(r_i) - p r_f u_i(r_f)"
               r" + p r_f u_o(r_f) - p_o r_o u_o(r_o))")  # fmt: skip
     def U(self) -> float:
-        walls = zip(self.pair, self._loads.values(), strict=True)
-        return sum(wall.strain_energy(**load, assumption=self.ends) for wall, load in walls)
+        return sum(wall.strain_energy for wall in self.loaded)
 
     @property
     def pair(self) -> tuple[Wall, Wall]:
@@ -117,32 +117,22 @@ class FitFormulas(FitInputs):
             Wall(r_i=bore, r_o=self.r_o, E=self.E_o, nu=self.nu_o),
         )
 
-    @property
-    def _loads(self) -> dict[str, dict[str, float]]:
-        """Pressures on bore and rim of both walls; the force between them is one."""
+    @shared
+    def loaded(self) -> tuple[LoadedWall, LoadedWall]:
+        """Both under their pressures; the force between them is one."""
         inner, outer = self.pair
-        return {
-            "inner": {"p_i": self.p_bore, "p_o": self.p},
-            "outer": {"p_i": self.p * inner.r_o / outer.r_i, "p_o": self.p_o},
-        }
-
-    def _at(self, side: str, place: str) -> tuple[Wall, float, dict[str, float]]:
-        wall = self.pair[side == "outer"]
-        return wall, wall.r_o if place == "rim" else wall.r_i, self._loads[side]
-
-    def _hoop(self, side: str, place: str) -> float:
-        wall, r, load = self._at(side, place)
-        return float(wall.stresses(r, **load)[1])
-
-    def _displacement(self, side: str, place: str) -> float:
-        wall, r, load = self._at(side, place)
-        return float(wall.displacement(r, **load, assumption=self.ends))
+        p = self.p
+        return (
+            LoadedWall(wall=inner, p_i=self.p_bore, p_o=p, assumption=self.ends),
+            LoadedWall(wall=outer, p_i=p * inner.r_o / outer.r_i, p_o=self.p_o,
+                       assumption=self.ends),
+        )  # fmt: skip
 
     @property
     def hoops(self) -> tuple[float, float, float, float]:
         """Hoop stresses from the bore outward [Pa]."""
-        return (self.hoop_inner_bore, self.hoop_inner_rim, self.hoop_outer_bore,
-                self.hoop_outer_rim)  # fmt: skip
+        inner, outer = self.loaded
+        return inner.hoop_bore, inner.hoop_rim, outer.hoop_bore, outer.hoop_rim
 
     @property
     def stress_scale(self) -> float:
@@ -152,11 +142,10 @@ class FitFormulas(FitInputs):
     @property
     def moved(self) -> float:
         """The largest displacement [m]."""
-        return max(map(abs, (self.u_inner_bore, self.u_inner_rim, self.u_outer_bore,
-                             self.u_outer_rim)))  # fmt: skip
+        return max(abs(u) for wall in self.loaded for u in (wall.u_bore, wall.u_rim))
 
     def stresses(self, r: Any) -> tuple[Any, Any]:
         """Radial and hoop stress (m,) at radii, the first half of which lies in the inner wall."""
-        halves = zip(self.pair, np.split(r, 2), self._loads.values(), strict=True)
-        radial, hoop = zip(*(w.stresses(x, **load) for w, x, load in halves), strict=True)
+        halves = zip(self.loaded, np.split(r, 2), strict=True)
+        radial, hoop = zip(*(wall.stresses(x) for wall, x in halves), strict=True)
         return np.concatenate(radial), np.concatenate(hoop)

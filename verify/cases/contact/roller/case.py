@@ -8,7 +8,9 @@ import numpy as np
 
 from verify.case import Comparison, Computed, Drawn, Level, Scan, approximation
 from verify.cases.contact.roller import bounds, comparisons
-from verify.cases.contact.roller.crowned import LEVELS, CrownedRoller
+from verify.cases.contact.roller.crowned import CrownedRoller
+from verify.cases.contact.roller.half_space import LEVELS
+from verify.cases.contact.roller.reference import solve_crowns
 from verify.cases.contact.roller.texts import ASSUMPTIONS, READINGS
 from verify.core.case import Context
 from verify.core.figures import Array, Curves, Figure
@@ -47,7 +49,8 @@ class RollerOnRace(CrownedRoller):
     def reference(self, level: int) -> Level:
         """The half-space under this crown and the best one, and a disc under the strips' load."""
         best = {"best_over_load": self._best_over_load()} if level == LEVELS[-1] else {}
-        return self.solve_crowns(level, self.plane_at_middle(level), best)
+        return solve_crowns(self, level, self.best_design, self.lean,
+                            more=self.plane_at_middle(level), arrays=best)  # fmt: skip
 
     def plane_at_middle(self, level: int) -> dict[str, float]:
         """A disc of the relative radius on a rigid flat, plane strain, under the strips' load."""
@@ -81,9 +84,9 @@ class RollerOnRace(CrownedRoller):
             "order": 2, "sensitivity": (5e-3, comparisons.ACCEPTED),
             "shares": "line load of the strips at mid-length",
         }  # fmt: skip
-        for one, what, symbol, coefficient in ((q.p_mid, "pressure", "p", -3 / 16),
-                                               (q.b_mid, "half-width", "b", 1 / 4)):  # fmt: skip
-            interval = partial(bounds.of_disc, self, coefficient)
+        for one, what, symbol, key in ((q.p_mid, "pressure", "p", "pressure"),
+                                       (q.b_mid, "half-width", "b", "width")):  # fmt: skip
+            interval = partial(bounds.of_disc, self, key)
             yield approximation(one, f"{symbol}_plane", name=f"{what} at mid-length, {PLANE}",
                                 symbol=symbol, expected=Computed(interval, SERIES),
                                 **plane)  # fmt: skip
@@ -92,7 +95,7 @@ class RollerOnRace(CrownedRoller):
 
     def figures(self) -> Iterator[Drawn]:
         """Pressure along the roller, and its peak over the load."""
-        yield Drawn(self.along_roller)
+        yield Drawn(self.along_crowned)
         yield Drawn(lambda context: (self._over_load(context),))
 
     def _over_load(self, context: Context) -> Figure:

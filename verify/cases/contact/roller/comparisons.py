@@ -4,8 +4,7 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import Any
 
-import numpy as np
-
+from analytic.contact.roller_parts import load_elsewhere
 from verify.case import Comparison, Computed, Expected, Quantity, State, balance, underived
 from verify.cases.contact.roller import bounds
 from verify.cases.contact.roller.accepted import estimated
@@ -136,22 +135,9 @@ def nearer(context: Context) -> tuple[float, float, str]:
 
 
 def misplaced_load(context: Context, model: str) -> tuple[float, float, float]:
-    """Share of the load that a model puts elsewhere than the half-space, its U, and q's L2 error.
-
-    The share does not care how finely the roller is sliced; the error in L2 is mostly that of the
-    slices in which contact ends.
-    """
+    """Share of the load that a model puts elsewhere, its U, and the line load's error in L2."""
     q: Any = context.inputs
-    parts = q.sliced(model)
-    n = len(parts.y)
-    edges = np.linspace(-q.L / 2, q.L / 2, n + 1)
-    share, error = [], 0.0
-    for result in context.fem[-2:]:
-        line = result.arrays["q"]
-        stations = np.linspace(-q.L / 2, q.L / 2, len(line) + 1)
-        total = np.concatenate([[0.0], np.cumsum(line) * (q.L / len(line))])
-        reference = np.diff(np.interp(edges, stations, total)) * (n / q.L)
-        off = parts.line - reference
-        share.append(float(np.abs(off).sum() / reference.sum() / 2))
-        error = float(np.linalg.norm(off) / np.linalg.norm(reference))
-    return share[-1], 3 * abs(share[-1] - share[-2]), error
+    line = q.sliced(model).line
+    found = [load_elsewhere(line, level.arrays["q"], q.L) for level in context.fem[-2:]]
+    (before, _), (share, error) = found[0], found[-1]
+    return share, 3 * abs(share - before), error

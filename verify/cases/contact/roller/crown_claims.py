@@ -6,7 +6,6 @@ from typing import Any
 import numpy as np
 
 from verify.cases.contact.roller.formulas import by_strips
-from verify.cases.contact.roller.half_space import Pressed
 from verify.cases.contact.roller.inputs import DESIGNS, Design
 from verify.core.case import Check, Context
 from verify.core.figures import Array
@@ -17,21 +16,8 @@ FLAT = 0.01  # of an even pressure
 FITTED = "length and load are not printed but identified, and other loads have other winners"
 FIRST, NEXT = 1e-5, 0.05
 RESOLVED = 2e-3  # of the half-length: 9 µm of the paper's
-NEAR_END = 0.1e-3  # m, nearly the half-width, from the ends
 MID, AT_ENDS = 3e-3, 0.02  # of strips beside the half-space
 BEST = ("huang2018:fig12-best-k1", "huang2018:fig12-best-k2", "huang2018:fig12-best-zm")
-
-
-def unevenness(found: Pressed) -> float:
-    """Share of the load that would have to move for the line load to be even: no peak, no mesh."""
-    line = found.contact.line_load
-    return float(np.abs(line / line.mean() - 1).mean() / 2)
-
-
-def near_end(found: Pressed) -> float:
-    """Largest pressure [Pa] farther than NEAR_END from the ends."""
-    inner = np.abs(found.contact.y) <= found.q.L / 2 - NEAR_END
-    return float(found.ridge[inner].max())
 
 
 def uneven(key: str, crown: str, far: float) -> Accepted:
@@ -124,6 +110,6 @@ def first_contact(context: Context) -> tuple[float, float]:
     """
     q = context.inputs
     light = q.designed(Design(1, 0.4, 10e-6)).model_copy(update={"F": FIRST * q.F})
-    solved, along = by_strips(light, q.n)
-    outmost = float(np.abs(along.y[solved.carries]).max())
+    solved, parts = by_strips(light, q.n)
+    outmost = float(np.abs(parts.y[solved.carries]).max())
     return float(1 - light.K_2 + NEXT - outmost / (q.L / 2)), 1 / q.n

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from verify.cases.contact.roller import figures
-from verify.cases.contact.roller.inputs import DESIGNS, Design
+from verify.cases.contact.roller.inputs import DESIGNS, EVEN, Design, ending
 from verify.core.case import Context
 from verify.core.figures import Curve, Curves, Figure
 
@@ -21,12 +21,6 @@ PROFILES = {  # Fig. 11: one parameter at a time
     "z_m": (Design(1, 0.7, 5e-6), Design(1, 0.7, 10e-6), Design(1, 0.7, 15e-6)),
 }
 COMPARED = (0, 1, 6, 3)  # of the designs, in Fig. 12's plot
-EVEN = {"Lundberg": "Lundberg's crown", "Johns": "Johns and Gohar's crown"}
-
-
-def ending(name: str) -> str:
-    """The end of a crown's keys: Lundberg's is the one of the quantities themselves."""
-    return "" if name == "Lundberg" else f"_{name}"
 
 
 def drawn(context: Context) -> Iterator[Figure]:

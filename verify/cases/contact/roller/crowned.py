@@ -7,22 +7,20 @@ import numpy as np
 
 from analytic.contact import strips
 from analytic.contact.crown import slice_centres
-from verify.case import Comparison, Computed, Level, Quantity, shared
-from verify.cases.contact.roller import bounds, figures, half_space, profiles, texts
+from verify.case import Comparison, Computed, Quantity, shared
+from verify.cases.contact.roller import bounds, figures, texts
 from verify.cases.contact.roller.accepted import estimated
 from verify.cases.contact.roller.comparisons import ESTIMATE, HALF_SPACE, SHARED
-from verify.cases.contact.roller.formulas import SlicedRoller
-from verify.cases.contact.roller.inputs import Crown, Divided
+from verify.cases.contact.roller.inputs import Crown, Design, Divided
+from verify.cases.contact.roller.shown import OnHalfSpace
 from verify.core.case import Context
-from verify.core.figures import Array, Curve, Figure, Picture, Sketch
+from verify.core.figures import Array, Curve, Figure
 
 if TYPE_CHECKING:
     from analytic.contact.best_crown import BestCrown
 
-LEVELS = (16, 24, 32)
 
-
-class CrownedRoller(Crown, Divided, SlicedRoller):
+class CrownedRoller(Crown, Divided, OnHalfSpace):
     """A crowned roller in strips and slices."""
 
     @Quantity("A", "µm", "scale of the crown", equation="1", role="step",
@@ -87,6 +85,12 @@ class CrownedRoller(Crown, Divided, SlicedRoller):
                           tilt=tilts)  # fmt: skip
 
     @property
+    def best_design(self) -> Design:
+        """The best crown as the reference takes it."""
+        best = self.best()
+        return Design(best.K_1, best.K_2, best.z_m)
+
+    @property
     def lean(self) -> float:
         """The tilt [rad]."""
         return 0.0
@@ -94,22 +98,6 @@ class CrownedRoller(Crown, Divided, SlicedRoller):
     def even_pressure(self, share: float = 1.0) -> float:
         """Hertz's pressure [Pa] of an evenly distributed share of F."""
         return float(np.sqrt(share * self.F / self.L * self.E_star / (np.pi * self.R)))
-
-    def solve_crowns(self, level: int, more: dict[str, float], arrays: dict[str, Array]) -> Level:
-        """The crown and the best one on the half-space, with `more` values and `arrays`."""
-        found, best = half_space.pressed(self, level), self.best()
-        straight = profiles.logarithmic(self, (best.K_1, best.K_2, best.z_m), self.F)
-        slope = np.tan(self.lean)
-
-        def crown(y: Array) -> Array:
-            return np.asarray(straight(y) - slope * y)
-
-        pressed = half_space.pressed(self, level, crown=crown)
-        u_best = half_space.stair(pressed, level, crown=crown)["p_top"]
-        u_it = half_space.stair(found, level) | {"p_best": u_best}
-        return half_space.result(
-            found, level, u_it, {"p_best": pressed.values["p_top"]} | more, arrays
-        )
 
     def best_row(self) -> Comparison:
         """The best crown's pressure by strips, beside the half-space."""
@@ -122,10 +110,6 @@ class CrownedRoller(Crown, Divided, SlicedRoller):
             by=HALF_SPACE, sensitivity=(1e-2, ""), shares=f"{SHARED}; the crown, found by strips",
         )  # fmt: skip
 
-    def refusal(self) -> str:
-        """Where the half-space cannot resolve the ends."""
-        return half_space.too_short(self)
-
     def warnings(self) -> Iterator[str]:
         """What an engineer should know before trusting these pressures."""
         yield from texts.of_contact(self)
@@ -135,19 +119,10 @@ class CrownedRoller(Crown, Divided, SlicedRoller):
             )
         yield from texts.of_materials(self)
 
-    def sketch(self) -> Sketch:
-        """Roller and race from the side."""
-        return figures.sketch(self)
-
-    def pictures(self) -> Iterator[Picture]:
-        """Pressure on the patch."""
-        yield from figures.pictures()
-
-    def along_roller(self, context: Context) -> Iterator[Figure]:
+    def along_crowned(self, context: Context) -> Iterator[Figure]:
         """Gap, pressure and line load along the roller."""
         yield figures.profile(self)
-        yield figures.pressures(context)
-        yield figures.loads(context)
+        yield from self.along_roller(context)
 
     def peaks(
         self, gaps: Array, loads: Array, x: Array, best: tuple[str, Array, Array | None]

@@ -15,15 +15,13 @@ from verify.cases.contact.roller.crown_claims import (
     AT_ENDS,
     MID,
     deviations,
-    near_end,
     printed_designs,
     uneven,
-    unevenness,
 )
-from verify.cases.contact.roller.crown_figures import EVEN, drawn, ending
+from verify.cases.contact.roller.crown_figures import drawn
 from verify.cases.contact.roller.crowned import CrownedRoller
 from verify.cases.contact.roller.formulas import MIDDLE, StripRoller
-from verify.cases.contact.roller.inputs import DESIGNS, Design, Divided
+from verify.cases.contact.roller.inputs import DESIGNS, EVEN, Design, Divided, ending
 from verify.core.case import Check
 from verify.core.figures import Array, Picture, Sketch
 from verify.core.references import BY_HALF_SPACE
@@ -31,6 +29,7 @@ from verify.form.adapter import adapted
 from verify.judging.tolerance_checks import SUBJECT, suites
 
 REFERENCES = {"Lundberg": profiles.lundberg, "Johns": profiles.johns_gohar}
+NEAR_END = 0.1e-3  # m, nearly the half-width, from the ends
 FAR = 5.0  # half-widths from the ends, up to which an even pressure is one
 BESIDE = "strips, as the finer model, with their acceptance figure of 0.3 %"
 
@@ -102,18 +101,20 @@ class ComparedCrowns(Divided, StripRoller):
         for name, gap in REFERENCES.items():
             crown = gap(self)
             found = half_space.pressed(self, level, crown=crown)
-            beside = half_space.stair(found, level, crown=crown)
-            far = np.abs(found.contact.y) <= self.L / 2 - FAR * self.b
-            even = found.ridge[far] / np.sqrt(self.F / self.L * self.E_star / (np.pi * self.R))
-            values = found.values | {"uneven": float(np.abs(even - 1).max())}
+            beside = half_space.stair(self, found, level, crown=crown)
+            even = np.sqrt(self.F / self.L * self.E_star / (np.pi * self.R))
+            off = float(np.abs(found.beyond(FAR * self.b) / even - 1).max())
             u_it = {key: u for key, u in beside.items() if key != "p_max"}  # nor its place
-            field = replace(found.field, name=name)
-            result = _with(result, ending(name), values, found.arrays, u_it, (field,))
+            result = _with(
+                result, ending(name), found.values | {"uneven": off},
+                half_space.along(found), u_it, (half_space.patch(found, name),),
+            )  # fmt: skip
         for design in DESIGNS:
-            found = half_space.pressed(self.designed(design), level)
-            values = {"p_max": found.values["p_max"], "near": near_end(found),
-                      "uneven": unevenness(found)}  # fmt: skip
-            result = _with(result, f"_of_{design!s}", values, found.arrays)
+            crown = profiles.logarithmic(self, design, self.F)
+            found = half_space.pressed(self, level, crown=crown)
+            values = {"p_max": found.values["p_max"], "uneven": found.unevenness,
+                      "near": float(found.beyond(NEAR_END).max())}  # fmt: skip
+            result = _with(result, f"_of_{design!s}", values, half_space.along(found))
         return result
 
     def comparisons(self) -> Iterator[Comparison | Check]:
@@ -169,7 +170,7 @@ class ComparedCrowns(Divided, StripRoller):
 
     def pictures(self) -> Iterator[Picture]:
         """Pressure on the patch under both crowns for an even pressure."""
-        (picture,) = figures.pictures()
+        picture = figures.patch()
         for name, words in EVEN.items():
             yield replace(picture, field=name, caption=f"{words}: {picture.caption}")
 

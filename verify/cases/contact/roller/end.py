@@ -7,6 +7,7 @@ from typing import ClassVar, Self
 import numpy as np
 from pydantic import model_validator
 
+from analytic.bounds.contact.roller import local_pressure
 from analytic.contact.edge import edge_exponent
 from analytic.contact.half_space_roller import RollerContact, press_roller
 from verify.case import (
@@ -158,11 +159,12 @@ class EndFace(Crown):
     def comparisons(self) -> Iterator[Comparison]:
         """Hertz at mid-length, what a half-space costs at the ends, the edge's sharpness."""
         q = EndFace
+        local = local_pressure(b=self.b, R=self.R_1, length=self.L)
         for crown in CROWNS:
             yield Comparison(quantity=q.p_0, numbers={"one": 1.0}, check=Approximation(
                 name=f"pressure at mid-length over Hertz's at the line load there, {crown}, "
                 f"{BODIES['end']}", symbol="p/p_H", unit="1", fem=f"local_end_{crown}",
-                analytic="one", formal=2, interval=lambda *_: self.local(), demand=4e-3,
+                analytic="one", formal=2, interval=lambda *_: local, demand=4e-3,
                 demand_reason="cells across are even in pressure",
                 source="argued: (b/R_1)² + (2b/l)², and 1e-3 of the cells",
             ))  # fmt: skip
@@ -183,14 +185,6 @@ class EndFace(Crown):
                                  margin=margin(state))  # fmt: skip
                 yield Comparison(check=check, quantity=q.F_d, state=state)
         yield approximation(q.sharpness, order=2, expected=Expected(-EDGE_LEFT, EDGE_LEFT, TERMS))
-
-    def local(self) -> tuple[float, float]:
-        """Hertz at the line load at mid-length: circles and the change of load are neglected.
-
-        Each with a factor of one about the square of the half-width over radius and half-length.
-        """
-        most = (self.b / self.R_1) ** 2 + (2 * self.b / self.L) ** 2 + 1e-3
-        return -most, most
 
     def figures(self) -> Iterator[Drawn]:
         """Line loads towards the end, and pressure at the edge."""

@@ -9,6 +9,7 @@ from scipy.interpolate import CubicSpline
 from verify.case import Level
 from verify.cases.contact.roller import profiles
 from verify.cases.contact.roller.inputs import STRETCH
+from verify.cases.contact.window import grid
 from verify.core.figures import Array, Field
 
 if TYPE_CHECKING:
@@ -137,14 +138,8 @@ def slope(distance: Array, pressure: Array) -> float:
 
 def patch(found: "PatchContact") -> Field:
     """The patch of both halves with its pressure, stretched across."""
-    s = np.concatenate([-found.across[:0:-1], found.across]) * STRETCH
+    s = np.concatenate([-found.across[:0:-1], found.across])
     y = np.concatenate([-found.stations[:0:-1], found.stations])
     p = np.hstack([found.p[:, ::-1], found.p])
     p = np.vstack([p[::-1], p])
-    points = np.column_stack([a.ravel() for a in np.meshgrid(y, s, indexing="ij")])
-    i = np.arange(len(y) - 1)[:, None] * len(s) + np.arange(len(s) - 1)
-    cells = np.stack([i, i + 1, i + len(s) + 1, i + len(s)], axis=-1).reshape(-1, 4)
-    return Field(
-        name="patch", points=points, cells=cells.astype(np.int64),
-        cell_data={"pressure": p.T.ravel()}, units={"pressure": "Pa"},
-    )  # fmt: skip
+    return grid("patch", y, s * STRETCH, p.T.ravel())

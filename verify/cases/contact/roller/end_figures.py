@@ -1,6 +1,7 @@
 """What the report shows of a roller's end face."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -10,7 +11,9 @@ from verify.cases.contact.roller import figures as roller_figures
 from verify.cases.contact.roller.end_fem import EDGE
 from verify.cases.contact.roller.inputs import STRETCH
 from verify.core.case import Context
-from verify.core.figures import Array, Curve, Curves, Figure, Picture, Shape, Sketch
+from verify.core.figures import Curve, Curves, Figure, Picture, Shape, Sketch
+from verify.form import sketches
+from verify.form.sketches import arrow, leader
 
 if TYPE_CHECKING:
     from verify.cases.contact.roller.end import EndFace
@@ -73,58 +76,31 @@ def sketch(q: "EndFace") -> Sketch:
     r, race = 0.55, 1.0
     wide = end + h
 
-    def box(x0: float, y0: float, x1: float, y1: float) -> Array:
-        return np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
+    def box(style: str, x0: float, y0: float, x1: float, y1: float) -> Shape:
+        return Shape(style=style, points=np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)]))
 
-    shapes = (
-        Shape(style="text", points=roller_figures.line((-5.2, 0.0))),
-        Shape(style="text", points=roller_figures.line((5.2, 0.0))),
-        Shape(style="body", points=box(-wide, -r - race, wide, -r)),
-        Shape(style="body", points=box(-wide, r, wide, r + race)),
-        Shape(style="body", points=box(-end, -r, end, r)),
-        Shape(style="modelled", points=box(0, -r - race, wide, -r)),
-        Shape(style="modelled", points=box(0, -r, end, r)),
-        Shape(style="axis", points=roller_figures.line((-wide - 0.3, 0.0), (wide + 0.3, 0.0))),
-        Shape(
-            style="axis", points=roller_figures.line((0.0, -r - race - 0.2), (0.0, r + race + 0.2))
-        ),
-        Shape(
-            style="load",
-            points=roller_figures.line((0.0, r + race + 0.7), (0.0, r + race + 0.1)),
-            label=f"F = {q.F:.4g} N",
-        ),
-        Shape(
-            style="load", points=roller_figures.line((0.0, -r - race - 0.7), (0.0, -r - race - 0.1))
-        ),
-        Shape(
-            style="dimension",
-            points=roller_figures.line((end, -r - race - 0.6), (wide, -r - race - 0.6)),
-            label=f"h = {q.overhang / mm:.4g} mm",
-        ),
-        Shape(
-            style="leader",
-            points=roller_figures.line((-wide - 0.8, 0.35), (-end + 0.1, 0.25)),
-            label=f"R_1 = {q.R_1 / mm:.4g} mm",
-        ),
-        Shape(
-            style="leader",
-            points=roller_figures.line((-wide - 0.8, -1.2), (-wide + 0.1, -1.1)),
-            label=f"R_2 = {q.R_2 / mm:.4g} mm",
-        ),
-        Shape(
-            style="leader",
-            points=roller_figures.line((wide + 0.6, 0.3), (end, 0.2)),
-            label="end face",
-        ),
-    )
-    return Sketch(title=f"roller, {q.L / mm:.4g} mm long, between two equal races, halves",
-                  shapes=shapes)  # fmt: skip
+    return sketches.sketch(
+        f"roller, {q.shown('L')} long, between two equal races, halves",
+        sketches.room(5.2, 5.2),
+        box("body", -wide, -r - race, wide, -r), box("body", -wide, r, wide, r + race),
+        box("body", -end, -r, end, r),
+        box("modelled", 0, -r - race, wide, -r), box("modelled", 0, -r, end, r),
+        arrow((-wide - 0.3, 0.0), (wide + 0.3, 0.0), style="axis"),
+        arrow((0.0, -r - race - 0.2), (0.0, r + race + 0.2), style="axis"),
+        arrow((0.0, r + race + 0.7), (0.0, r + race + 0.1), f"F = {q.shown('F')}"),
+        arrow((0.0, -r - race - 0.7), (0.0, -r - race - 0.1)),
+        arrow((end, -r - race - 0.6), (wide, -r - race - 0.6), f"h = {q.shown('overhang')}",
+              "dimension"),
+        leader((-wide - 0.8, 0.35), (-end + 0.1, 0.25), f"R_1 = {q.shown('R_1')}"),
+        leader((-wide - 0.8, -1.2), (-wide + 0.1, -1.1), f"R_2 = {q.shown('R_2')}"),
+        leader((wide + 0.6, 0.3), (end, 0.2), "end face"),
+    )  # fmt: skip
 
 
 def patch() -> Picture:
     """Pressure on the patch, stretched across."""
-    return Picture(
-        field="patch", data="pressure", symbol="p", unit="MPa", factor=MPa,
+    return replace(
+        roller_figures.patch(),
         caption="Pressure on the patch of the roller without crown, with its end faces; "
-        f"lengths across are drawn {STRETCH:.0f} times as long", displacement="",
+        f"lengths across are drawn {STRETCH:.0f} times as long",
     )  # fmt: skip

@@ -5,21 +5,20 @@ from typing import Any
 
 import numpy as np
 
+from analytic.contact.roller_parts import Parts
 from analytic.contact.strips import Strips
-from verify.cases.contact.roller.formulas import Along, SlicedRoller
+from verify.cases.contact.roller.formulas import SlicedRoller
 from verify.cases.contact.roller.inputs import STRETCH, Crown, Roller, Tilt
 from verify.core.case import Context
 from verify.core.figures import Array, Curve, Curves, Figure, Picture, Shape, Sketch
+from verify.form import sketches
+from verify.form.sketches import arrow, leader
 
 MPa, mm, um = 1e6, 1e-3, 1e-6
 NAMES = {"strips": "strips", "slices": "slices, Eqs. 2-5", "lamina": "uncoupled slices"}
 STYLES = {"strips": ("line", 0), "slices": ("dashes", 1), "lamina": ("dashes", 3)}
 DOTS = 60  # of the half-space along the roller
 OVER = 1.35  # of the strips' largest pressure beyond the ends, where the plot is cut
-
-
-def line(*points: tuple[float, float]) -> Array:
-    return np.array(points)
 
 
 def sketch(q: Roller) -> Sketch:
@@ -32,36 +31,26 @@ def sketch(q: Roller) -> Sketch:
     top = h + (z if tilted else 0 * y)
     roller = np.vstack([np.column_stack([y, z]), np.column_stack([y, top])[::-1]])
     d = 2 * end * q.d / q.L
-    shapes = [
-        Shape(style="text", points=line((-5.0, 0.0))),
-        Shape(style="text", points=line((5.0, 0.0))),
-        Shape(style="body", points=line((-3.0, -0.8), (3.0, -0.8), (3.0, 0.0), (-3.0, 0.0))),
-        Shape(style="body", points=roller),
-        Shape(style="axis", points=line((-2.4, (z[0] + top[0]) / 2), (2.4, (z[-1] + top[-1]) / 2))),
-        Shape(style="load", points=line((0.0, h + 0.9), (0.0, h + 0.25)), label=f"F = {q.F:.4g} N"),
-        Shape(style="dimension", points=line((-end, -1.35), (end, -1.35)),
-              label=f"l = {q.L / mm:.4g} mm"),
-        Shape(style="dimension", points=line((end - d, h + 0.45), (end, h + 0.45)),
-              label=f"d = {q.d / mm:.4g} mm"),
-        Shape(style="leader", points=line((-3.2, 1.2), (-end + 0.1, 1.0)),
-              label=f"R_1 = {q.R_1 / mm:.4g} mm"),
-        Shape(style="leader", points=line((-3.3, -0.5), (-2.6, -0.4)), label=_race(q)),
-    ]  # fmt: skip
-    if isinstance(q, Crown):
-        label = f"z_m = {q.z_m / um:.4g} µm"
-        shapes.append(Shape(style="leader", points=line((3.2, 0.75), (end, z[-1] / 2)),
-                            label=label))  # fmt: skip
+    race = f"R_2 = {q.shown('R_2')}" if abs(q.R_2) < 1e4 else "flat"
     crown = " with its crown" if isinstance(q, Crown) else " without crown"
     lean = f", tilted by {np.degrees(q.theta):.3g}°" if isinstance(q, Tilt) else ""
-    return Sketch(title=f"roller{crown}{lean} on a longer race, heights exaggerated",
-                  shapes=tuple(shapes))  # fmt: skip
+    return sketches.sketch(
+        f"roller{crown}{lean} on a longer race, heights exaggerated",
+        sketches.room(5.0, 5.0),
+        Shape(style="body", points=np.array([(-3.0, -0.8), (3.0, -0.8), (3.0, 0.0), (-3.0, 0.0)])),
+        Shape(style="body", points=roller),
+        arrow((-2.4, (z[0] + top[0]) / 2), (2.4, (z[-1] + top[-1]) / 2), style="axis"),
+        arrow((0.0, h + 0.9), (0.0, h + 0.25), f"F = {q.shown('F')}"),
+        arrow((-end, -1.35), (end, -1.35), f"l = {q.shown('L')}", "dimension"),
+        arrow((end - d, h + 0.45), (end, h + 0.45), f"d = {q.shown('d')}", "dimension"),
+        leader((-3.2, 1.2), (-end + 0.1, 1.0), f"R_1 = {q.shown('R_1')}"),
+        leader((-3.3, -0.5), (-2.6, -0.4), race),
+        [leader((3.2, 0.75), (end, z[-1] / 2), f"z_m = {q.z_m / um:.4g} µm")]
+        if isinstance(q, Crown) else [],
+    )  # fmt: skip
 
 
-def _race(q: Roller) -> str:
-    return f"R_2 = {q.R_2 / mm:.4g} mm" if abs(q.R_2) < 1e4 else "flat"
-
-
-def modelled(q: SlicedRoller) -> Iterator[tuple[str, Along, dict[str, Any]]]:
+def modelled(q: SlicedRoller) -> Iterator[tuple[str, Parts, dict[str, Any]]]:
     """All models: words, what they give along the roller, style of their curve."""
     for name, words in NAMES.items():
         style, colour = STYLES[name]
@@ -129,9 +118,10 @@ def loads(context: Context) -> Figure:
     )  # fmt: skip
 
 
-def pictures() -> Sequence[Picture]:
-    return (
-        Picture(field="patch", data="pressure", symbol="p", unit="MPa", factor=MPa,
-                caption=f"Pressure on the patch, along the roller (sideways) and across it, where "
-                f"lengths are drawn {STRETCH:.0f} times as long", displacement=""),
+def patch() -> Picture:
+    """Pressure on the patch."""
+    return Picture(
+        field="patch", data="pressure", symbol="p", unit="MPa", factor=MPa,
+        caption="Pressure on the patch, along the roller (sideways) and across it, where lengths "
+        f"are drawn {STRETCH:.0f} times as long", displacement="",
     )  # fmt: skip

@@ -5,14 +5,13 @@ from typing import ClassVar
 
 import numpy as np
 
-from analytic.contact import strips
-from analytic.contact.crown import slice_centres
 from verify.case import Comparison, Drawn, Level, Scan
-from verify.cases.contact.roller import comparisons, figures, half_space, texts
-from verify.cases.contact.roller.formulas import MIDDLE, SlicedRoller
+from verify.cases.contact.roller import comparisons, half_space, texts
+from verify.cases.contact.roller.formulas import MIDDLE, by_strips
 from verify.cases.contact.roller.inputs import FEWEST, MOST
+from verify.cases.contact.roller.shown import OnHalfSpace
 from verify.core.case import Check, Context
-from verify.core.figures import Curve, Curves, Figure, Picture, Refinement, Sketch
+from verify.core.figures import Curve, Curves, Figure, Refinement
 from verify.core.references import BY_HALF_SPACE
 from verify.form.adapter import adapted
 from verify.judging.checks import Order
@@ -24,7 +23,7 @@ FLAT = 5e-3  # acceptance of pressures and approach without a crown
 WITHIN = f"strips as wide as the contact within {FLAT:.1%}"
 
 
-class FlatRoller(SlicedRoller):
+class FlatRoller(OnHalfSpace):
     """A cylinder that simply ends.
 
     In a half-space the pressure at its ends is infinite, so that no peak that a model prints for it
@@ -74,30 +73,12 @@ class FlatRoller(SlicedRoller):
         h, peaks = context.series("p_largest")
         return h, [self.p_0 / p for p in peaks]
 
-    def refusal(self) -> str:
-        """Where the half-space cannot resolve the ends."""
-        return half_space.too_short(self)
-
-    def warnings(self) -> Iterator[str]:
-        """What an engineer should know before trusting these pressures."""
-        yield from texts.of_contact(self)
-        yield from texts.of_materials(self)
-
-    def sketch(self) -> Sketch:
-        """Roller and race from the side."""
-        return figures.sketch(self)
-
-    def pictures(self) -> Iterator[Picture]:
-        """Pressure on the patch."""
-        yield from figures.pictures()
-
     def figures(self) -> Iterator[Drawn]:
         """Pressure along the roller, ends over the number of strips, the peak over the cell."""
         yield Drawn(self._drawn)
 
     def _drawn(self, context: Context) -> Iterator[Figure]:
-        yield figures.pressures(context)
-        yield figures.loads(context)
+        yield from self.along_roller(context)
         yield self._over_strips(context)
         if context.converging:
             yield self._peaks(context)
@@ -115,7 +96,7 @@ class FlatRoller(SlicedRoller):
 
     def _over_strips(self, context: Context) -> Figure:
         """Strips narrower than the contact is wide make too much of a loaded end."""
-        found = [self._end_share(n) for n in COUNTS]
+        found = [sum(by_strips(self, n)[1].ends) / self.F for n in COUNTS]
         curves = [Curve(name="strips", x=np.array(COUNTS, float), y=np.array(found))]
         if context.fem:
             x, share = np.array([COUNTS[0], COUNTS[-1]], float), context.series("F_d")[1][-1]
@@ -127,12 +108,6 @@ class FlatRoller(SlicedRoller):
             note="Strips narrower than the contact is wide no longer settle where an end carries: "
             f"take about l/b = {self.L / self.b:.0f} of them.",
         )  # fmt: skip
-
-    def _end_share(self, n: int) -> float:
-        gap = self.gap(slice_centres(length=self.L, slices=n))
-        solved = strips.press(gap, length=self.L, R=self.R, E_star=self.E_star, load=self.F)
-        share = np.clip(self.d * n / self.L - np.arange(n), 0.0, 1.0)
-        return 2 * float(share @ solved.q) * self.L / n / self.F
 
 
 UNCROWNED = adapted(FlatRoller)

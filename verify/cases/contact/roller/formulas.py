@@ -1,13 +1,13 @@
 """Formulas of a finite line contact: strips, the paper's slices, uncoupled slices."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from analytic.contact import hertz_line, lamina, palmgren, slices
 from analytic.contact.crown import slice_centres
+from analytic.contact.roller_parts import Parts
 from analytic.contact.strip_error import neglected
 from analytic.contact.strips import Strips, press
 from verify.case import Quantity, count, shared
@@ -26,78 +26,22 @@ SLICES = (
 LAMINA = r"z_j + \left(\frac{n_s \delta_P^{10/9}}{F} q_j\right)^{9/10}"
 
 
-@dataclass(frozen=True)
-class Along:
-    """Pressure at x = 0 and line load at the centres y of equal parts of the roller (n,)."""
-
-    q: Roller
-    y: Array
-    p: Array
-    line: Array
-    delta: float  # approach [m]
-
-    @property
-    def width(self) -> float:
-        """Length of a part [m]."""
-        return self.q.L / len(self.y)
-
-    @property
-    def p_max(self) -> float:
-        """Largest pressure at least d away from the ends, of the parabola through three parts."""
-        limit = self.q.L / 2 - self.q.d
-        at = self.place
-        return float(max(vertex(self.p, at), *np.interp([-limit, limit], self.y, self.p)))
-
-    @property
-    def place(self) -> int:
-        """The part with the largest pressure at least d away from the ends."""
-        inner = np.abs(self.y) <= self.q.L / 2 - self.q.d
-        return int(np.argmax(np.where(inner, self.p, -1.0)))
-
-    @property
-    def p_mid(self) -> float:
-        """Pressure at mid-length; between two parts the mean of their squares, which are loads."""
-        n = len(self.p)
-        return float(np.sqrt((self.p[(n - 1) // 2] ** 2 + self.p[n // 2] ** 2) / 2))
-
-    @property
-    def q_mid(self) -> float:
-        """Line load at mid-length."""
-        return float(np.mean(self.line[[(len(self.y) - 1) // 2, len(self.y) // 2]]))
-
-    @property
-    def p_top(self) -> float:
-        """Largest pressure, ends included."""
-        return vertex(self.p, int(np.argmax(self.p)))
-
-    @property
-    def ends(self) -> tuple[float, float]:
-        """Loads within d of the ends at -l/2 and l/2."""
-        share = np.clip(self.q.d / self.width - np.arange(len(self.y)), 0.0, 1.0)
-        force = self.line * self.width
-        return float(share @ force), float(share[::-1] @ force)
-
-
-def vertex(p: Array, at: int) -> float:
-    """Top of the parabola through p at `at` and beside it; p itself where that is none."""
-    below, top, above = np.pad(p, 1)[at : at + 3]
-    bend = below - 2 * top + above
-    if min(below, above) <= 0 or top < max(below, above) or bend >= 0:  # it may go on rising
-        return float(top)
-    return float(top - (above - below) ** 2 / (8 * bend))
-
-
 def roller(q: Roller, n: int) -> dict[str, Any]:
     """What all models take, for n parts."""
     z = q.gap(slice_centres(length=q.L, slices=n))
     return {"gap": z, "length": q.L, "R": q.R, "E_star": q.E_star, "load": q.F}
 
 
-def by_strips(q: Roller, n: int) -> tuple[Strips, Along]:
+def parts(q: Roller, p: Array, line: Array, approach: Any) -> Parts:
+    """What a model gives of equal parts of the roller."""
+    y = slice_centres(length=q.L, slices=len(p))
+    return Parts(y=y, p=p, line=line, delta=float(approach), length=q.L, d=q.d)
+
+
+def by_strips(q: Roller, n: int) -> tuple[Strips, Parts]:
     """The strips' solution for n strips."""
     found = press(**roller(q, n))
-    y = slice_centres(length=q.L, slices=n)
-    return found, Along(q, y, found.pressure, found.q, float(found.approach))
+    return found, parts(q, found.pressure, found.q, found.approach)
 
 
 class StripRoller(Roller):
@@ -167,16 +111,16 @@ class StripRoller(Roller):
         return float(self._strips[0].carries.mean() * self.L)
 
     @shared
-    def _strips(self) -> tuple[Strips, Along]:
+    def _strips(self) -> tuple[Strips, Parts]:
         return by_strips(self, self.n)
 
     @property
-    def strips(self) -> Along:
+    def strips(self) -> Parts:
         """Pressure along n strips."""
         return self._strips[1]
 
     @shared
-    def twice(self) -> Along:
+    def twice(self) -> Parts:
         """The same along twice as many strips."""
         return by_strips(self, 2 * self.n)[1]
 
@@ -241,14 +185,13 @@ class SlicedRoller(StripRoller):
         return self.sliced("lamina").delta
 
     @shared
-    def _sliced(self) -> Mapping[str, Along]:
-        y, found = slice_centres(length=self.L, slices=self.slices), {}
+    def _sliced(self) -> Mapping[str, Parts]:
+        found = {}
         for name, model in (("slices", slices), ("lamina", lamina)):
-            contact = model.press(**roller(self, self.slices))
-            found[name] = Along(self, y, contact.peak_pressure, contact.line_load,
-                                float(contact.approach))  # fmt: skip
+            one = model.press(**roller(self, self.slices))
+            found[name] = parts(self, one.peak_pressure, one.line_load, one.approach)
         return found
 
-    def sliced(self, model: str) -> Along:
+    def sliced(self, model: str) -> Parts:
         """Pressure along slices, by Palmgren's law for a whole roller of its length."""
         return self._sliced[model]

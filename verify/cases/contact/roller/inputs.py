@@ -38,6 +38,14 @@ DESIGNS = tuple(Design(*one) for one in (  # that the paper prints
 ))  # fmt: skip
 
 
+EVEN = {"Lundberg": "Lundberg's crown", "Johns": "Johns and Gohar's crown"}  # pressures
+
+
+def ending(name: str) -> str:
+    """The end of an even crown's keys: Lundberg's is the one of the quantities themselves."""
+    return "" if name == "Lundberg" else f"_{name}"
+
+
 class Roller(Case):
     """A roller without crown on a race that is longer than it."""
 

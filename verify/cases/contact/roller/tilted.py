@@ -7,8 +7,10 @@ import numpy as np
 
 from verify.case import Comparison, Drawn, Level, Quantity, Scan
 from verify.cases.contact.roller import comparisons
-from verify.cases.contact.roller.crowned import LEVELS, CrownedRoller
+from verify.cases.contact.roller.crowned import CrownedRoller
+from verify.cases.contact.roller.half_space import LEVELS
 from verify.cases.contact.roller.inputs import Crown, Tilt
+from verify.cases.contact.roller.reference import solve_crowns
 from verify.cases.contact.roller.texts import ASSUMPTIONS, COUPLED, READINGS
 from verify.core.case import Context
 from verify.core.figures import Array, Curves, Figure
@@ -58,7 +60,7 @@ class TiltedRoller(Tilt, CrownedRoller):
     def reference(self, level: int) -> Level:
         """The tilted roller on the half-space, with this crown and the best one."""
         best = {"best_over_tilt": self._best_over_tilt()} if level == LEVELS[-1] else {}
-        return self.solve_crowns(level, {}, best)
+        return solve_crowns(self, level, self.best_design, self.lean, more={}, arrays=best)
 
     def _best_over_tilt(self) -> Array:
         """Peak of the best crown for each tilt over Hertz's pressure of an even load."""
@@ -85,7 +87,7 @@ class TiltedRoller(Tilt, CrownedRoller):
 
     def figures(self) -> Iterator[Drawn]:
         """Pressure along the roller, and its peak over the tilt."""
-        yield Drawn(self.along_roller)
+        yield Drawn(self.along_crowned)
         yield Drawn(lambda context: (self._over_tilt(context),))
 
     def _over_tilt(self, context: Context) -> Figure:

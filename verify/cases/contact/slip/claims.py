@@ -6,6 +6,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from analytic.bounds.contact import slip
 from verify.cases.contact.slip.inputs import SlipInputs
 from verify.core.case import Context, Values
 from verify.core.results import Kind, Row
@@ -14,21 +15,13 @@ from verify.judging.claims import FemClaim
 from verify.judging.tolerance_checks import Pair
 
 HALF_PLANES = 2e-4  # share of the half planes' own error below which they and the discs are one
-MODEL = 2.0  # bound of that error over (a/R)²
 AGREE = 1e-3  # two ways to one energy
 L2 = 0.03  # acceptance of tractions
 
 
 def neglected(q: SlipInputs) -> float:
-    """Bound of what half planes leave out of discs, as a share of a value.
-
-    By symmetry a disc's tangential load does not change the gap, and terms odd in a/R vanish. Of
-    order (a/R)² are the circle against the parabola, which steepens the profile by a quarter of
-    (a/R)² at the edge, and the even parts x² + x'² of the two kernels, normal and tangential, each
-    with a factor of a half or less about the logarithm. Half-widths enter squared in displacements
-    and energies: all of it together stays below twice (a/R)².
-    """
-    return MODEL * (q.width / q.R) ** 2
+    """Bound of what half planes leave out of discs, as a share of a value."""
+    return slip.neglected(a=q.width, R=q.R)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -49,7 +42,7 @@ class HalfPlanes(FemClaim):
             bound = neglected(q) + demand / 2  # nothing sharper is claimed of wide contacts
             return (-bound, bound) if neglected(q) <= demand / 4 else None
 
-        source = f"±{MODEL:g} (a/R)², and half of the demand"
+        source = f"±{slip.MODEL:g} (a/R)², and half of the demand"
         return Approximation(**own, interval=interval, source=source).rows(context)
 
 
@@ -89,11 +82,12 @@ def two_ways(context: Context) -> Pair:
 def step_order(context: Context) -> tuple[float, float]:
     """Order above 1.8 in which straight lines between steps approach the loop's area.
 
-    Against friction's work, which is exact for any steps: a node slips under mu p alone, however
-    far. What Simpson's rule leaves of the difference is the mesh's own jitter, and uncertain.
+    What Simpson's rule leaves of the difference is the mesh's own jitter, and uncertain.
     """
+    from fem.contact.partial_slip import order_in_steps
+
     result = context.fem[-1]
     x, Q = result.arrays["loop, x"], result.arrays["loop, Q"]
     work, area = result.values["work"], result.values["area"]
-    coarse, fine = (abs(abs(np.trapezoid(Q[::n], x[::n])) - work) for n in (4, 2))
-    return float(np.log2(coarse / fine) - 1.8), float(2 * abs(area - work) / fine / np.log(2))
+    order, fine = order_in_steps(x, Q, work)
+    return order - 1.8, float(2 * abs(area - work) / fine / np.log(2))

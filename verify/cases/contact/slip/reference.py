@@ -1,24 +1,18 @@
 """Finite elements of partial slip: two half discs pressed together, pushed, and swung."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import cumulative_trapezoid
 
 from verify.case import Level
-from verify.cases.contact.slip.driven import Rollers
 from verify.cases.contact.slip.inputs import CHORD, SHARES, STAGES, SlipInputs, key
-from verify.cases.contact.slip.read import (
-    apart,
-    around,
-    near,
-    simpson,
-    smoothed,
-    stick_share,
-    traction,
-)
+from verify.cases.contact.slip.read import AROUND, near, traction
 from verify.core.figures import Field
+
+if TYPE_CHECKING:
+    from fem.contact.driven_discs import DrivenDiscs
 
 Array = NDArray[np.float64]
 
@@ -31,6 +25,7 @@ STEPS = 32  # of a swing from Q_max to -Q_max
 
 def solve(q: SlipInputs, level: int) -> Level:
     """One level: the first loading and a cycle."""
+    from fem.contact.driven_discs import DrivenDiscs
     from fem.contact.pairs import Pair
     from fem.contact.problem import ContactProblem
     from fem.contact.shapes import Circle
@@ -51,18 +46,22 @@ def solve(q: SlipInputs, level: int) -> Level:
             )
         ],
     )  # fmt: skip
-    rollers = Rollers(q, problem)
-    values, u_it, arrays = loading(rollers)
-    cycled, jitter, tractions, fields = cycle(rollers)
+    rollers = DrivenDiscs(problem, P=q.P, approach=q.width**2 / q.R)
+    values, u_it, arrays = loading(q, rollers)
+    cycled, jitter, tractions, fields = cycle(q, rollers)
     return Level(
         h=1 / level, values=values | cycled, u_it=u_it | jitter, arrays=arrays | tractions,
         fields=fields,
     )  # fmt: skip
 
 
-def loading(rollers: Rollers) -> tuple[dict[str, float], dict[str, float], dict[str, Array]]:
+def loading(
+    q: SlipInputs, rollers: "DrivenDiscs"
+) -> tuple[dict[str, float], dict[str, float], dict[str, Array]]:
     """First loading: stick half-widths, displacements, tractions; sliding at its end."""
-    q, (state, cut) = rollers.q, rollers.pressed
+    from fem.contact.partial_slip import smoothed, stick_share
+
+    state, cut = rollers.pressed
     values: dict[str, float] = {"a": state.touches[0].half_width((0.0, 0.0))}
     u_it: dict[str, float] = {}
     arrays: dict[str, Array] = {}
@@ -99,10 +98,12 @@ def loading(rollers: Rollers) -> tuple[dict[str, float], dict[str, float], dict[
 
 
 def cycle(
-    rollers: Rollers,
+    q: SlipInputs, rollers: "DrivenDiscs"
 ) -> tuple[dict[str, float], dict[str, float], dict[str, Array], tuple[Field, ...]]:
     """Q_max, -Q_max, Q_max: tractions on the way, work of friction, area of the loop."""
-    q, (state, cut) = rollers.q, rollers.pressed
+    from fem.contact.partial_slip import apart, beyond_chord, loop_area, smoothed
+
+    state, cut = rollers.pressed
     Q_max = q.share * q.mu * q.P
     first, top = rollers.loaded(Q_max, cut, state)
     values: dict[str, float] = {}
@@ -123,8 +124,8 @@ def cycle(
             values["steps"] = apart(state, back)
     values |= {"closure": apart(state, first), "work": work}
     arrays["loop, x"], arrays["loop, Q"] = np.array(swung).T
-    arrays["profile, loop"] = around(arrays["loop, x"], arrays["loop, Q"])
-    area, coarser = (simpson(arrays["loop, x"][::n], arrays["loop, Q"][::n]) for n in (1, 2))
+    arrays["profile, loop"] = beyond_chord(arrays["loop, x"], arrays["loop, Q"], AROUND)
+    area, coarser = (loop_area(arrays["loop, x"][::n], arrays["loop, Q"][::n]) for n in (1, 2))
     values["area"] = area
     down, moved = arrays["loop, Q"][: STEPS + 1] / Q_max, arrays["loop, x"][: STEPS + 1]
     values["delta_0"], left, _ = smoothed(down, moved, 0.0, window=5.0 * 2 / STEPS)

@@ -3,9 +3,9 @@
 from collections.abc import Iterator
 from typing import Any, ClassVar
 
+from analytic.bounds.contact import point
 from verify.case import (
     Comparison,
-    Expected,
     Level,
     Quantity,
     Scan,
@@ -13,6 +13,7 @@ from verify.case import (
     approximation,
     balance,
 )
+from verify.cases.contact.expected import expected
 from verify.cases.contact.sphere import figures
 from verify.cases.contact.sphere.formulas import SphereFormulas
 from verify.cases.contact.sphere.inputs import BODIES, END, PAIRS, WORDS
@@ -20,13 +21,13 @@ from verify.cases.contact.sphere.reference import solve
 from verify.core.figures import Picture, Sketch
 from verify.form.adapter import adapted
 from verify.form.figures import AlongLine, Drawn
-from verify.judging.judge import DEMAND
 
 ORDER = "first correction for finite spheres ± (a/R)² of the smaller one, 2e-4 at least"
 SURFACE = (
     "± a/R: against the curved surface the pressure tilts by r/R, which bears on the axis with the "
     "tilt's share of p_0"
 )
+LEAST, BLUNT = 2e-4, 5e-3  # nothing sharper is claimed, of Hertz and of his shear stress
 SHARP = "design limit for contact figures"
 FIRST_ORDER = 0.04, "an estimate of first order in a/R"
 DIRECT = "direct solve: machine epsilon times the condition of K, with cells from a/50 to R"
@@ -72,7 +73,9 @@ class Spheres(SphereFormulas):
             for body in BODIES[pair]:
                 shear = Spheres.tau_upper if body == "upper" else Spheres.tau_lower
                 yield approximation(
-                    shear, order=2, state=state, expected=at.tilt(), symbol="τ_max",
+                    shear, order=2, state=state, symbol="τ_max",
+                    expected=expected(point.axis_shear(beyond=at.beyond), SURFACE, least=BLUNT,
+                                      sharp=0.02),
                     name=f"largest shear stress {WORDS[pair]}, {body} body",
                     sensitivity=FIRST_ORDER,
                 )  # fmt: skip
@@ -92,28 +95,12 @@ class Spheres(SphereFormulas):
             (by.force, by.force.what, self.force_excess, 2e-3, 1.5),
         )
         for q, what, excess, sharp, order in kinds:
-            share = 1.5 if q is by.force else 1.0  # P goes with delta^(3/2)
+            power = 1.5 if q is by.force else 1.0  # P goes with delta^(3/2)
+            known = point.corrected(excess, beyond=self.beyond, power=power)
             yield approximation(
                 q, order=order, state=state, name=f"{what} {state.words}",
-                expected=self.corrected(excess, share), sensitivity=(sharp, SHARP),
+                expected=expected(known, ORDER, least=LEAST), sensitivity=(sharp, SHARP),
             )  # fmt: skip
-
-    def corrected(self, excess: float, share: float) -> Expected:
-        """What the first correction for finite spheres says of Hertz, the next order about it.
-
-        From the correction alone: a wrong Hertz leaves the interval instead of taking it along.
-        Where the next order is more than half the default sensitivity there is no sharp estimate.
-        """
-        m = 1 / (1 + excess) - 1
-        unknown = self.beyond * share
-        unknown = max(unknown, 2e-4)  # nothing sharper is claimed
-        return Expected(m - unknown, m + unknown, ORDER, sharp=unknown <= DEMAND / 2)
-
-    def tilt(self) -> Expected:
-        """The same for the shear stress below the surface."""
-        wide = self.beyond**0.5
-        wide = max(wide, 5e-3)  # nothing sharper is claimed
-        return Expected(-wide, wide, SURFACE, sharp=wide <= 0.02)
 
     def figures(self) -> Iterator[AlongLine | Drawn]:
         """Pressures, stresses on the axes, and what Hertz neglects."""

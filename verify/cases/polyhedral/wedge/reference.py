@@ -7,7 +7,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from verify.case import Level
-from verify.cases.contact.slip.read import at_nodes, largest_shear
 from verify.cases.polyhedral.wedge.inputs import WedgeInputs
 from verify.cases.polyhedral.wedge.limit import Limit
 from verify.cases.polyhedral.wedge.model import Geometry, Wedge, fem_mesh
@@ -101,6 +100,8 @@ def across(q: WedgeInputs, touch: "Touch") -> Array:
 
 def roller(q: WedgeInputs, state: "ContactSolution") -> Field:
     """The half roller under N with its largest shear stress over Hertz's peak pressure."""
+    from fem.plane.cell_fields import at_nodes, largest_shear
+
     cells = state.plane.cells()
     own = state.bodies.basis.mesh.subdomains["roller"]
     used, index = np.unique(cells["cells"][own].astype(np.int64), return_inverse=True)

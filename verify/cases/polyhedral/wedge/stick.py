@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from verify.cases.contact.slip.read import smoothed
 from verify.cases.polyhedral.wedge.inputs import WedgeInputs
 from verify.cases.polyhedral.wedge.model import Geometry, Wedge, fem_mesh
 
@@ -41,6 +40,8 @@ def small(q: WedgeInputs) -> Geometry:
 
 def let_go(q: WedgeInputs, level: int) -> tuple[dict[str, float], dict[str, float], Array]:
     """Stick half-widths over a as T grows at the same N, their uncertainties, and the figure's."""
+    from fem.contact.partial_slip import smoothed
+
     geometry = small(q)
     N = math.pi * q.E_star * geometry.a**2 / (4 * q.R)
     wedge = Wedge(geometry, fem_mesh(geometry, level), E=q.E, nu=q.nu, mu=q.mu, normal="between")
@@ -66,8 +67,8 @@ def let_go(q: WedgeInputs, level: int) -> tuple[dict[str, float], dict[str, floa
 def share_stuck(touch: "Touch") -> float:
     """(c/a)² from the second moment of the traction about the middle of the contact.
 
-    As in `contact_slip_read`, 4 M_2/(M_0 a²) - 1; about a fixed place, where an odd part of the
-    traction drops out: a round body on a flat has one, which pressing alone leaves.
+    As in `fem.contact.partial_slip`: 4 M_2/(M_0 a²) - 1, about a fixed place, where an odd part of
+    the traction drops out: a round body on a flat has one, which pressing alone leaves.
     """
     middle = (0.0, 0.0)  # the roller's centre, below the place where it first touched
     s, load = touch.along(middle), touch.q * touch.weight

@@ -12,11 +12,10 @@ from verify.cases.contact.press_fit.case import PressFit
 from verify.cases.contact.press_fit.inputs import FITS, Fit
 from verify.cases.contact.press_fit.reference import read, solve_fit
 from verify.cases.contact.slip.case import SlippingRollers
-from verify.cases.contact.slip.driven import Rollers
 from verify.cases.contact.slip.reference import ZONE
 from verify.cases.contact.sphere.case import Spheres
 from verify.cases.contact.sphere.inputs import WORDS, Pair
-from verify.cases.contact.sphere.reference import problem, push
+from verify.cases.contact.sphere.reference import problem
 from verify.studies.crosscheck.clock import timed
 from verify.studies.crosscheck.comparisons.touching import (
     CONTACT,
@@ -28,7 +27,7 @@ from verify.studies.crosscheck.comparisons.touching import (
 from verify.studies.crosscheck.statement import CALCULIX, Cross, Numbers, Posed, Quantity
 
 if TYPE_CHECKING:
-    from verify.cases.contact.line.reference import Pressed
+    from fem.contact.pressed_line import PressedLine
 
 STIFF, SOFTER = 500.0, 100.0  # slopes of the penalty [E/a], without friction and with it
 LEVEL = 3
@@ -43,7 +42,7 @@ def line(case: Any, solve: Any) -> Posed:
     from verify.studies.crosscheck.calculix.contact import ContactDeck, Settings
 
     q: Any = case.inputs()
-    found: Pressed
+    found: PressedLine
     found, _ = timed(lambda: solve(q))
     state, seconds = timed(
         lambda: found.problem.solve(displacements={found.cut: {"y": -found.approach}})
@@ -71,6 +70,7 @@ def line(case: Any, solve: Any) -> Posed:
 
 def sphere(pair: Pair) -> Posed:
     """A sphere at Hertz's approach, turned about its axis."""
+    from fem.contact.point_contact import push
     from fem.plane.material import Elastic
     from verify.studies.crosscheck.calculix.contact import ContactDeck, Settings
 
@@ -118,6 +118,7 @@ def fit(which: Fit) -> Posed:
 
 def slip(stage: float) -> Posed:
     """Half discs pressed together, pushed sideways to Q_max and swung back to a share of it."""
+    from fem.contact.driven_discs import DrivenDiscs
     from fem.contact.pairs import Pair
     from fem.contact.problem import ContactProblem
     from fem.contact.shapes import Circle
@@ -138,7 +139,8 @@ def slip(stage: float) -> Posed:
             slave_shape=Circle((0.0, q.R), q.R), master_shape=Circle((0.0, -q.R), q.R),
         )],
     )  # fmt: skip
-    rollers, Q_max = Rollers(q, problem), q.share * q.mu * q.P
+    rollers = DrivenDiscs(problem, P=q.P, approach=q.width**2 / q.R)
+    Q_max = q.share * q.mu * q.P
     pressed, cut = rollers.pressed
     pushed, top = rollers.loaded(Q_max, cut, pressed)
     states = [pressed, pushed]

@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 
 from verify.cases.contact.roller.case import ROLLER
-from verify.cases.contact.roller.crown_figures import EVEN
 from verify.cases.contact.roller.crowns import CROWNS, REFERENCES
 from verify.cases.contact.roller.flat import UNCROWNED
-from verify.cases.contact.roller.half_space import Pressed, pressed
+from verify.cases.contact.roller.half_space import pressed
+from verify.cases.contact.roller.inputs import EVEN
 from verify.cases.contact.roller.profiles import gap
 from verify.cases.contact.roller.tilted import TILTED
 from verify.cases.contact.sphere.case import Spheres
@@ -42,7 +42,7 @@ def roller(case: Any, crown: Callable[[Any], Callable[[Array], Array]] = gap) ->
 
     def read(pressure: Array) -> Numbers:
         there = replace(found.contact, contact=replace(own, pressure=pressure))
-        values = Pressed(q, there).values
+        values = replace(found, contact=there).values
         return {name: values[key] for name, key in READ.items()}
 
     question = asked(shape, own.cell, q.E_star, q.F)

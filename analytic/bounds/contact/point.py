@@ -1,0 +1,26 @@
+"""What Hertz's point contact leaves out of finite spheres.
+
+`beyond` is (a/R)² of the smaller sphere, the size of what the first correction leaves out.
+"""
+
+from analytic.bounds.contact.estimate import Estimate
+
+
+def corrected(excess: float, *, beyond: float, power: float = 1.0) -> Estimate:
+    """Of a value that finite spheres exceed by the share `excess`, as the first correction says.
+
+    `power` is that of the approach with which the value goes: 3/2 for the load.
+
+    >>> corrected(1.0, beyond=0.01)
+    Estimate(error=-0.5, slack=0.01)
+    """
+    return Estimate(1 / (1 + excess) - 1, beyond * power)
+
+
+def axis_shear(*, beyond: float) -> Estimate:
+    """Of the largest shear stress on the axis.
+
+    Against the curved surface the pressure tilts by r/R, which bears on the axis with the tilt's
+    share of p_0.
+    """
+    return Estimate(0.0, beyond**0.5)

@@ -1,0 +1,52 @@
+"""Errors expected of models of a roller of finite length, before a better one is solved."""
+
+from math import isfinite
+
+LEAST = 1e-4  # of a model error: nothing sharper is claimed
+OWN = 1e-3  # nor this for inputs for which nobody chose strips and grids
+LOADED = 3e-3  # nor this, there, where an end carries, of which no expansion speaks
+SLENDER = 0.03  # of the length, the half-width up to which the expansion is trusted there
+WIDEST = 0.01  # and beyond what a row must notice: an interval that judges nothing
+TIMES = 2.0  # within which the strips' own estimate of what they neglect holds
+CELLS = 1e-3  # of cells across that are even in pressure
+
+Interval = tuple[float, float]
+
+
+def of_strips(
+    missing: float, *, value: float, twice: float, b: float, length: float, loaded: bool, own: bool
+) -> Interval | None:
+    """Interval of strips/half-space - 1 from what strips say of themselves.
+
+    From half to twice of what is `missing` in the `value`, and either way what is left of strips
+    whose error is of first order, twice what they change as there are `twice` as many; under a
+    `loaded` end, where more of them need not be better, that change once. None where no estimate
+    is known. b is the half-width, `own` are inputs for which nobody chose the strips.
+
+    >>> contact = {"b": 1.0, "length": 100.0, "loaded": False, "own": False}
+    >>> low, high = of_strips(0.02, value=1.0, twice=1.0, **contact)
+    >>> round(low, 6), round(high, 6)
+    (-0.0401, -0.0099)
+    """
+    left = -missing
+    if not isfinite(left) or not value:
+        return None
+    if own and b > SLENDER * length:
+        return None
+    change = abs(twice / value - 1)
+    least = LEAST if not own else LOADED if loaded else OWN
+    cut = (1 if loaded else 2) * change + least
+    low, high = sorted((left / TIMES, TIMES * left))
+    if own and high - low + 2 * cut > WIDEST:
+        return None
+    return low - cut, high + cut
+
+
+def local_pressure(*, b: float, R: float, length: float) -> Interval:
+    """Interval of the error of Hertz's pressure at the line load at mid-length.
+
+    Circles and the change of load along the roller are neglected, each with a factor of one about
+    the square of the half-width b over radius and half-length.
+    """
+    most = (b / R) ** 2 + (2 * b / length) ** 2 + CELLS
+    return -most, most

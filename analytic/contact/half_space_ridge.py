@@ -1,0 +1,124 @@
+"""Readings of a roller on a half-space that do not depend on its cells, and a grid for them.
+
+The pressure of a loaded end has no limit, so that the largest pressure is that farther than d from
+the ends, and ends are measured by their load.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from analytic.contact.checks import Array
+from analytic.contact.half_space_roller import RollerContact, press_roller
+
+SCOUT = (32, 256)  # cells of the grid that finds the contact's width
+BEYOND = 1.1  # of the widest contact, which the patch covers
+NEAR = 0.7  # of the half-width, within which p² over x² gives the pressure at x = 0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Ridge:
+    """A roller of the relative radius R pressed on a half-space by `load`; d is that of its ends.
+
+    Any consistent units.
+    """
+
+    contact: RollerContact
+    R: float
+    E_star: float
+    load: float
+    d: float
+
+    @property
+    def pressure(self) -> Array:
+        """Pressure at x = 0 along the roller (ny,) [stress]: p² is a line over x² there."""
+        field, x = self.contact.contact.pressure, self.contact.contact.x
+        b = np.maximum(self.contact.half_width, 4 * self.contact.contact.cell[0])
+        w = np.abs(x)[:, None] < NEAR * b
+        t, v = x[:, None] ** 2 / b**2, field**2
+        n, s, r = w.sum(0), (w * t).sum(0), (w * t**2).sum(0)
+        f, g = (w * v).sum(0), (w * t * v).sum(0)
+        return np.asarray(np.sqrt(np.maximum((r * f - s * g) / (n * r - s**2), 0.0)))
+
+    @property
+    def values(self) -> dict[str, float]:
+        """What does not depend on the cells, and "p_largest", which does.
+
+        Pressures p_max beyond d, p_mid, p_top and p_d of the mean load within d of the more loaded
+        end; line load q_mid, half-width b_mid; approach delta, loads F_low, F_high, F_d of the
+        ends, tilting moment M, and the load's `balance`.
+        """
+        found, ridge = self.contact, self.pressure
+        limits = np.array([-1.0, 1.0]) * self.inner(self.d)
+        inner = np.abs(found.y) <= limits[1]
+        low, high = found.end_load(self.d)
+        loaded = found.contact
+        return {
+            "p_max": max(_top(np.where(inner, ridge, 0.0)), *np.interp(limits, found.y, ridge)),
+            "p_mid": float(_middle(ridge)),
+            "q_mid": float(_middle(found.line_load)),
+            "b_mid": float(_middle(found.half_width)),
+            "delta": loaded.approach,
+            "F_low": low,
+            "F_high": high,
+            "F_d": low + high,
+            "p_d": math.sqrt(max(low, high) / self.d * self.E_star / (math.pi * self.R)),
+            "M": loaded.moments[0],
+            "p_largest": float(loaded.pressure.max()),
+            "p_top": _top(ridge),
+            "balance": loaded.load - self.load,
+        }
+
+    @property
+    def unevenness(self) -> float:
+        """Share of the load that would have to move for the line load to be even.
+
+        It has neither a peak nor a mesh.
+        """
+        line = self.contact.line_load
+        return float(np.abs(line / line.mean() - 1).mean() / 2)
+
+    def inner(self, end: float) -> float:
+        """The place [length] that is `end` away from the roller's end."""
+        return self.contact.length / 2 - end
+
+    def beyond(self, end: float) -> Array:
+        """Pressures at x = 0 of all places farther than `end` from the ends."""
+        return np.asarray(self.pressure[np.abs(self.contact.y) <= self.inner(end)])
+
+
+def press_ridge(
+    crown: Callable[[Array], Array], *, across: int, along: int, load: float, R: float,
+    length: float, E_star: float, d: float,
+) -> Ridge:  # fmt: skip
+    """The contact on a grid with a line of cells along each edge of the contact at its middle.
+
+    `across` are cells on the half-width there, `along` those on the roller, whose profile is
+    `crown`. A coarse solution says how wide the contact is.
+    """
+    roller: dict[str, Any] = {"crown": crown, "load": load, "R": R, "length": length,
+                              "E_star": E_star}  # fmt: skip
+    b = press_roller(**roller, cells=SCOUT).half_width
+    middle = float(_middle(b)) or float(b.max())
+    half = math.ceil(BEYOND * float(b.max()) / middle * across) + 1
+    width = 2 * half * middle / across
+    found = press_roller(**roller, cells=(2 * half, along), width=width)
+    return Ridge(contact=found, R=R, E_star=E_star, load=load, d=d)
+
+
+def _middle(values: Array) -> Any:
+    n = len(values)
+    return (values[(n - 1) // 2] + values[n // 2]) / 2
+
+
+def _top(values: Array) -> float:
+    """Largest value, of the parabola through it and its neighbours."""
+    i = int(np.argmax(values))
+    if not 0 < i < len(values) - 1 or min(values[i - 1], values[i + 1]) <= 0:
+        return float(values[i])
+    below, at, above = values[i - 1 : i + 2]
+    bend = below - 2 * at + above
+    return float(at - (above - below) ** 2 / (8 * bend)) if bend < 0 else float(at)

@@ -1,0 +1,96 @@
+"""Readings of pressures along a roller that a model gives in equal parts of it."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from analytic.contact.checks import Array
+
+
+@dataclass(frozen=True, kw_only=True)
+class Parts:
+    """Pressure at x = 0 and line load at the centres y of equal parts (n,) of a roller.
+
+    `length` is the roller's, about whose middle y counts, d [length] that of what counts as an end.
+    """
+
+    y: Array
+    p: Array  # [stress]
+    line: Array  # [force/length]
+    delta: float  # approach [length]
+    length: float
+    d: float
+
+    @property
+    def width(self) -> float:
+        """Length of a part."""
+        return self.length / len(self.y)
+
+    @property
+    def p_max(self) -> float:
+        """Largest pressure at least d away from the ends, of the parabola through three parts."""
+        limit = self.length / 2 - self.d
+        at = self.place
+        return float(max(vertex(self.p, at), *np.interp([-limit, limit], self.y, self.p)))
+
+    @property
+    def place(self) -> int:
+        """The part with the largest pressure at least d away from the ends."""
+        inner = np.abs(self.y) <= self.length / 2 - self.d
+        return int(np.argmax(np.where(inner, self.p, -1.0)))
+
+    @property
+    def p_mid(self) -> float:
+        """Pressure at mid-length; between two parts the mean of their squares, which are loads."""
+        n = len(self.p)
+        return float(np.sqrt((self.p[(n - 1) // 2] ** 2 + self.p[n // 2] ** 2) / 2))
+
+    @property
+    def q_mid(self) -> float:
+        """Line load at mid-length."""
+        return float(np.mean(self.line[[(len(self.y) - 1) // 2, len(self.y) // 2]]))
+
+    @property
+    def p_top(self) -> float:
+        """Largest pressure, ends included."""
+        return vertex(self.p, int(np.argmax(self.p)))
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Loads within d of the ends at -l/2 and l/2, of a cut part its share.
+
+        >>> y, load = np.array([-1.5, -0.5, 0.5, 1.5]), np.array([1.0, 2.0, 3.0, 4.0])
+        >>> Parts(y=y, p=load, line=load, delta=0.0, length=4.0, d=1.5).ends
+        (2.0, 5.5)
+        """
+        share = np.clip(self.d / self.width - np.arange(len(self.y)), 0.0, 1.0)
+        force = self.line * self.width
+        return float(share @ force), float(share[::-1] @ force)
+
+
+def vertex(p: Array, at: int) -> float:
+    """Top of the parabola through p at `at` and beside it; p itself where that is none."""
+    below, top, above = np.pad(p, 1)[at : at + 3]
+    bend = below - 2 * top + above
+    if min(below, above) <= 0 or top < max(below, above) or bend >= 0:  # it may go on rising
+        return float(top)
+    return float(top - (above - below) ** 2 / (8 * bend))
+
+
+def load_elsewhere(line: Array, other: Array, length: float) -> tuple[float, float]:
+    """Share of the load that `line` (n,) puts elsewhere than `other` (m,), and its error in L2.
+
+    Both are line loads of equal parts of the roller. The share does not care how finely it is
+    divided; the error in L2 is mostly that of the parts in which contact ends.
+
+    >>> load_elsewhere(np.array([2.0, 0.0]), np.ones(8), 1.0)
+    (0.5, 1.0)
+    """
+    n = len(line)
+    edges = np.linspace(-length / 2, length / 2, n + 1)
+    stations = np.linspace(-length / 2, length / 2, len(other) + 1)
+    total = np.concatenate([[0.0], np.cumsum(other) * (length / len(other))])
+    reference = np.diff(np.interp(edges, stations, total)) * (n / length)
+    off = line - reference
+    share = float(np.abs(off).sum() / reference.sum() / 2)
+    return share, float(np.linalg.norm(off) / np.linalg.norm(reference))

@@ -1,0 +1,71 @@
+"""What is read off a contact that slips at its edges: stick zone, the loop of a cycle."""
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+from fem.contact.solution import ContactSolution, Touch
+from fem.plane.discretisation import Array
+
+WINDOW = 0.06  # of Q/(mu P) about a value's, over which a sweep is smoothed
+
+
+def stick_share(touch: Touch) -> float:
+    """(c/a)² from the moments of a traction mu p_a - mu p_c of two ellipses.
+
+    Both mu p have the moments mu P and mu P a²/4, those of c have (c/a)² and (c/a)⁴ of that, so
+    that 4 M_2/(M_0 a²) = (1 - (c/a)⁴)/(1 - (c/a)²) = 1 + (c/a)². M_2 is about the centre of q.
+    """
+    s, load = touch.along((0.0, 0.0)), touch.q * touch.weight
+    M_0 = load.sum()
+    M_2 = load @ (s - load @ s / M_0) ** 2
+    return float(4 * M_2 / (M_0 * touch.half_width((0.0, 0.0)) ** 2) - 1)
+
+
+def smoothed(k: Array, v: Array, at: float, window: float = WINDOW) -> tuple[float, float, float]:
+    """Value at k = `at` of a cubic through the samples around it, its uncertainty, and a sample's.
+
+    As the slip strips grow, nodes let go one by one; the value jitters with the place of the
+    strip's end between two nodes.
+    """
+    chosen = np.abs(k - at) <= window
+    A = np.vander((k[chosen] - at) / window, 4)
+    constants = np.linalg.lstsq(A, v[chosen], rcond=None)[0]
+    scatter = np.linalg.norm(A @ constants - v[chosen]) / np.sqrt(max(chosen.sum() - 4, 1))
+    share = np.sqrt(np.linalg.inv(A.T @ A)[-1, -1])
+    return float(constants[-1]), float(scatter * share), float(scatter)
+
+
+def apart(state: ContactSolution, other: ContactSolution) -> float:
+    """Largest difference of the tractions of two states [Pa]."""
+    return float(np.abs(state.touches[0].traction - other.touches[0].traction).max())
+
+
+def loop_area(x: Array, Q: Array) -> float:
+    """Area enclosed by a loop of even steps that reverses once, in the middle (Simpson)."""
+    weights = np.full(x.size // 2 + 1, 2.0)
+    weights[1::2], weights[[0, -1]] = 4.0, 1.0
+    half = x.size // 2
+    swings = (Q[: half + 1], Q[half:][::-1])
+    return float((swings[1] - swings[0]) @ weights * (x[0] - x[1]) / 3)
+
+
+def beyond_chord(x: Array, Q: Array, at: Array) -> Array:
+    """Displacements (2n,) of a loop beyond the line from -Q_max to Q_max, down and up again.
+
+    On each branch at the n shares `at` of Q_max, which rise.
+    """
+    half = x.size // 2
+    beyond = x - x[0] / Q[0] * Q
+    down = CubicSpline(Q[half::-1], beyond[half::-1])(at[::-1] * Q[0])
+    up = CubicSpline(Q[half:], beyond[half:])(at * Q[0])
+    return np.concatenate([down, up])
+
+
+def order_in_steps(x: Array, Q: Array, work: float) -> tuple[float, float]:
+    """Order in which straight lines between a loop's steps approach its area, and the finer error.
+
+    Against friction's `work`, which is exact for any steps: a node slips under mu p alone, however
+    far.
+    """
+    coarse, fine = (abs(abs(float(np.trapezoid(Q[::n], x[::n]))) - work) for n in (4, 2))
+    return float(np.log2(coarse / fine)), float(fine)
