@@ -71,6 +71,12 @@ class Cam(ABC):
         return np.asarray(-self.sense * (self.race - self.flat) + 2 * self.roller)
 
     @property
+    def room(self) -> Array:
+        """How far [length] parts are from having no wedge, R - 2 r - X, of a cup R_s + 2 r - X."""
+        _, y = self.centre(d_i=0.0, d_o=0.0)
+        return np.asarray(self.distance(d_i=0.0, d_o=0.0) - y)
+
+    @property
     def alpha0(self) -> Array:
         """Clamping angle [rad] without load (Eq. 4)."""
         return self.alpha(d_i=0.0, d_o=0.0)

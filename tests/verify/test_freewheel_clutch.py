@@ -7,23 +7,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from analytic.freewheel import criterion, state
+from analytic.freewheel import criterion, remedies, state
+from analytic.freewheel.scatter import DRAWS
 from tests.conftest import solved
 from tests.verify.template_text import whole
 from verify.answers.template import template
 from verify.app.cli import run
-from verify.cases.freewheel.clutch import comparisons, reference, remedies
+from verify.cases.freewheel.clutch import comparisons, reference
 from verify.cases.freewheel.clutch.case import CLUTCH, FreewheelClutch
 from verify.cases.freewheel.clutch.classes import light
 from verify.cases.freewheel.clutch.figures import lights
-from verify.cases.freewheel.clutch.limits import (
-    as_axial_load_grows,
-    as_torque_grows,
-    friction_holds,
-    least_torque,
-    uneven,
-)
-from verify.cases.freewheel.clutch.scatter import DRAWS, scatter, slopes
+from verify.cases.freewheel.clutch.recommendations import GOALS
 from verify.cases.freewheel.star import Star
 from verify.core import units
 from verify.core.inputs import InputError, build
@@ -143,10 +137,10 @@ def test_limits_far_behind_the_first_are_not_told():
 
 # What to change.
 @pytest.mark.parametrize("changes", [{"mu": 0.06}, {"mu": 0.065}, CUP | {"mu": 0.055, "T": 5.0}])
-@pytest.mark.parametrize("goal", remedies.GOALS)
+@pytest.mark.parametrize("goal", GOALS)
 def test_the_flats_advised_hold_as_they_are_said_to(changes, goal):
     q = own(**changes)
-    X = q.X + remedies.moved_to(q, goal)
+    X = q.X + remedies.moved_to(q.duty, goal)
     v = analytic(own(**changes | {"X": X}))
     assert v["mu_0"] <= q.mu
     assert v["safety"] >= goal * (1 - 1e-12)
@@ -158,8 +152,8 @@ def test_the_flats_advised_hold_as_they_are_said_to(changes, goal):
 @pytest.mark.parametrize("changes", [{"mu": 0.065}, CUP | {"mu": 0.06}])
 def test_the_friction_advised_is_just_enough(changes):
     q = own(**changes)
-    for goal in remedies.GOALS:
-        mu = remedies.friction_for(q, goal)
+    for goal in GOALS:
+        mu = remedies.friction_for(q.duty, goal)
         v = analytic(own(**changes | {"mu": mu * (1 + 1e-9)}))
         assert v["safety"] >= goal
         assert v["mu_0"] <= mu * (1 + 1e-9)
@@ -169,7 +163,7 @@ def test_the_friction_advised_is_just_enough(changes):
 @pytest.mark.parametrize("changes", [{}, CUP])
 def test_flats_nearer_by_what_is_to_spare_just_hold(changes):
     q = own(**changes)
-    spare = remedies.to_spare(q)
+    spare = remedies.to_spare(q.duty)
     for off, holds in ((-1e-7, True), (1e-7, False)):
         v = analytic(own(**changes | {"X": q.X - spare - off}))
         assert (v["safety"] >= 1 and v["mu_0"] <= q.mu) == holds
@@ -178,14 +172,14 @@ def test_flats_nearer_by_what_is_to_spare_just_hold(changes):
 
 def test_a_micrometre_changes_the_ratio_as_it_is_said_to():
     q, h = own(), 1e-8
-    for name, share in remedies.per_micrometre(q).items():
+    for name, share in remedies.per_micrometre(q.duty).items():
         low, high = (analytic(own(**{name: getattr(q, name) + s * h}))["safety"] for s in (-1, 1))
         assert (high - low) / (high + low) * 1e-6 / h == pytest.approx(share, rel=1e-4)
 
 
 def test_a_torque_that_no_state_bears_is_borne_by_what_is_advised():
     cup = CUP | {"T": 40.0}
-    found = dict(remedies.bearing(own(**cup)))
+    found = dict(remedies.bearing(own(**cup).duty))
     assert set(found) == {"R_a", "L", "X"}
     for name, value in found.items():
         worse = value + (1e-6 if name == "X" else -1e-5)
@@ -259,46 +253,11 @@ def test_a_clutch_that_slips_is_told_where_it_would_hold():
     assert "friction would bear F_ax = 3000 N at no torque" in said(F_ax=3000.0)
 
 
-# Limits are where they are said to be.
-@pytest.mark.parametrize("changes", [{}, {"F_ax": 1000.0}, CUP, CUP | {"F_ax": 2500.0}])
-def test_friction_is_just_enough_at_the_ends_of_the_range(changes):
-    q = own(**changes)
-    ((low, high),) = friction_holds(q)
-    for T, inwards in ((low, 1), (high, -1)):
-        if 0 < T < math.inf:
-            assert required(q, T=T) == pytest.approx(q.mu, rel=1e-6)
-            assert required(q, T=T * (1 + 0.01 * inwards)) < q.mu
-    assert least_torque(q) == low
-
-
-def test_without_axial_load_any_torque_up_to_the_release_holds():
-    q = own(F_ax=0.0)
-    ((low, high),) = friction_holds(q)
-    assert low == 0
-    assert math.tan(float(state.loaded(q.clutch, high).alpha)) == pytest.approx(q.mu, rel=1e-6)
-
-
-def test_the_limit_of_the_axial_load_is_where_friction_is_just_enough():
-    q = own()
-    (F,) = (limit.at for limit in as_axial_load_grows(q) if limit.key == "slip")
-    assert required(q, F_ax=F) == pytest.approx(q.mu, rel=1e-12)
-
-
 @pytest.mark.parametrize("p_lim", [2.2e9, 4e9])  # linear line load, and lifted off at one end
 def test_the_axial_load_at_which_the_ends_reach_p_lim_makes_that_pressure(p_lim):
     q = own(p_lim=p_lim)
-    (F,) = (limit.at for limit in as_axial_load_grows(q) if limit.key == "pressure")
+    (F,) = (limit.at for limit in q.duty.of_axial_load if limit.key == "pressure")
     assert analytic(own(p_lim=p_lim, F_ax=F))["p_end"] == pytest.approx(p_lim, rel=1e-9)
-
-
-def test_pressure_beyond_the_limit_without_any_tilt_leaves_no_axial_load():
-    assert uneven(0.99) == 0
-    assert uneven(math.sqrt(2)) == pytest.approx(1 / 6)
-
-
-def test_limits_come_in_order():
-    for found in (as_torque_grows(own()), as_axial_load_grows(own())):
-        assert [x.at for x in found] == sorted(x.at for x in found)
 
 
 def test_the_zones_of_the_figure_end_where_the_criterion_says():
@@ -312,20 +271,18 @@ def test_the_zones_of_the_figure_end_where_the_criterion_says():
 
 # Tolerances.
 def test_the_scatter_is_the_same_every_time_and_that_of_first_order():
-    first = scatter(own()).drawn.alpha0
-    scatter.cache_clear()
-    again = scatter(own()).drawn.alpha0
+    first, again = (own().scatter.drawn.alpha0 for _ in range(2))
     assert np.array_equal(first, again)
     assert np.std(again) == pytest.approx(analytic(own())["s_alpha_0"], rel=0.03)
 
 
 def test_sensitivities_are_differences_of_the_angle():
     q, h = own(), 1e-9
-    for slope in slopes(q):
+    for slope in q.slopes:
         ends = [float(own(**{slope.name: getattr(q, slope.name) + s * h}).cam.alpha0)
                 for s in (-1, 1)]  # fmt: skip
         assert (ends[1] - ends[0]) / (2 * h) == pytest.approx(slope.slope, rel=1e-5)
-    assert sum(s.share for s in slopes(q)) == pytest.approx(1)
+    assert sum(s.share for s in q.slopes) == pytest.approx(1)
 
 
 def test_the_share_that_slips_is_that_of_friction_alone_where_only_it_scatters():

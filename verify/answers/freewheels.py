@@ -9,7 +9,6 @@ from verify.answers.assessment import Assessment
 from verify.answers.strengths import yield_strength
 from verify.answers.torque import criteria_under, permissible
 from verify.cases.freewheel.clutch.classes import past_corners
-from verify.cases.freewheel.clutch.limits import allowed_shift, as_torque_grows
 from verify.cases.freewheel.clutch.messages import verdict
 from verify.cases.ring.loads.case import OUTER, OuterRace
 from verify.core.case import Values
@@ -77,7 +76,7 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
                   *_moduli(q), given=q.p_lim, option="give p_lim")  # fmt: skip
     source = "one end lifts off" if q.e_lim is None else "given"
     part.at_most("tilting", "shift e/L of the contact forces by tilting", v["e_L"],
-                 allowed_shift(q), "1", source)  # fmt: skip
+                 q.duty.allowed_shift, "1", source)  # fmt: skip
     if q.is_star:
         _outer_ring(q, v, part)
     if past_corners(q, v):
@@ -88,7 +87,7 @@ def _permissible(q: Any) -> Quantity | None:
     """The largest torque at this axial load, parts without tolerances."""
     exact = q.model_copy(update={"X_tol": 0.0, "r_tol": 0.0, "R_tol": 0.0, "s_mu": 0.0})
     under = criteria_under(exact, lambda one: one.values, clutch)
-    return permissible(as_torque_grows(q), q.T, " at this axial load", under)
+    return permissible(q.duty.of_torque, q.T, " at this axial load", under)
 
 
 def _flat_pressure(q: Any, N: float, factor: float, part: Assessment) -> None:

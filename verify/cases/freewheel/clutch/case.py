@@ -6,19 +6,13 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from analytic.freewheel import criterion, state, tilt
+from analytic.freewheel import state, tilt
+from analytic.freewheel.scatter import PERCENTILES, deviation
 from verify.case import Comparison, Drawn, Level, Quantity, shared
 from verify.cases.freewheel.clutch import comparisons as compared
 from verify.cases.freewheel.clutch import figures as drawn
 from verify.cases.freewheel.clutch import messages
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
-from verify.cases.freewheel.clutch.limits import (
-    as_axial_load_grows,
-    as_torque_grows,
-    least_torque,
-    under,
-)
-from verify.cases.freewheel.clutch.scatter import PERCENTILES, deviation, scatter, slopes
 from verify.cases.freewheel.clutch.summary import summary
 from verify.core.case import Values
 from verify.core.figures import Sketch
@@ -94,7 +88,7 @@ class FreewheelClutch(ClutchInputs):
 
     @Quantity("F_a", "N", "axial force of one roller", tex=r"\frac{F_{ax}}{z}")
     def F_a(self) -> float:
-        return math.nan if under(self) is None else self.F_ax / self.z
+        return math.nan if self.duty.under is None else self.F_ax / self.z
 
     @Quantity("p_i", "MPa", "peak pressure of the inner contacts (Hertz)", safe="too high")
     def p_i(self) -> float:
@@ -130,12 +124,9 @@ class FreewheelClutch(ClutchInputs):
               source="F_ax on the whole clutch, μ_req has a symbol of its own",
               tex=r"\tan\left(\alpha\right) \sqrt{1 + (\frac{F_{ax} R}{T})^2}")  # fmt: skip
     def mu_req(self) -> float:
-        if (now := under(self)) is None:
+        if (now := self.duty.under) is None:
             return math.nan
-        found = criterion.required_friction(
-            alpha=now.alpha, T=self.T, F_ax=self.F_ax, R=self.cam.race
-        )  # fmt: skip
-        return float(found)
+        return float(self.duty.required(self.T, now.alpha))
 
     @Quantity("μ/μ_req", "1", "available over required friction", equation="10", safe="too low",
               tex=r"\frac{\mu}{\mu_{req}}")  # fmt: skip
@@ -163,7 +154,7 @@ class FreewheelClutch(ClutchInputs):
     @Quantity("e", "µm", "how far the tilting couple moves the contact forces", role="step",
               tex=r"r (\cos\left(\alpha\right))^2 \frac{F_a}{F_n}")  # fmt: skip
     def e(self) -> float:
-        if (now := under(self)) is None:
+        if (now := self.duty.under) is None:
             return math.nan
         return float(tilt.offset(F_a=self.F_a, F_n=now.N, r=self.r, alpha=now.alpha))
 
@@ -183,7 +174,7 @@ class FreewheelClutch(ClutchInputs):
 
     @Quantity("T_min", "N m", "torque below which friction does not bear the axial load")
     def T_bears(self) -> float:
-        return least_torque(self) if self.T >= 0 else math.nan
+        return self.duty.least_torque if self.T >= 0 else math.nan
 
     @Quantity("T_μ", "N m", "torque at which the contacts slip", safe="too low")
     def T_slip(self) -> float:
@@ -208,11 +199,11 @@ class FreewheelClutch(ClutchInputs):
 
     @Quantity("dα_0/d{0}", "deg/mm", "sensitivity of α_0 to {0}").over(("X", "r", "R"))
     def dalpha_0_d(self, dimension: str) -> float:
-        return next(s.slope for s in slopes(self) if s.name == dimension)
+        return next(s.slope for s in self.slopes if s.name == dimension)
 
     @Quantity("dα(T)/dX", "deg/mm", "sensitivity of α under torque to X, over ±5 µm")
     def dalpha_dX(self) -> float:
-        if under(self) is None:
+        if self.duty.under is None:
             return math.nan
         flats = (self.moved(dX) for dX in (-self.off, self.off))
         low, high = (float(state.loaded(clutch, self.T).alpha) for clutch in flats)
@@ -220,7 +211,7 @@ class FreewheelClutch(ClutchInputs):
 
     @Quantity("s(α_0)", "deg", "standard deviation of α_0 by the tolerances")
     def s_alpha_0(self) -> float:
-        return deviation(self)
+        return deviation(self.cam, self.sigma)
 
     @Quantity("P(slip)", "%", "clutches of like rollers that slip")
     def P_slip(self) -> float:
@@ -256,24 +247,23 @@ class FreewheelClutch(ClutchInputs):
         return self._scattered.get(f"safety_{percent}", math.nan)
 
     def _of_state(self, name: str) -> float:
-        now = under(self)
+        now = self.duty.under
         return math.nan if now is None else float(getattr(now, name))
 
     @shared
     def _axial(self) -> Mapping[str, float]:
         """Limits of the axial load [N] at this torque."""
-        return {limit.key: limit.at for limit in as_axial_load_grows(self)}
+        return {limit.key: limit.at for limit in self.duty.of_axial_load}
 
     @shared
     def _torques(self) -> Mapping[str, float]:
         """Limits of the torque [N m] at this axial load."""
-        return {x.key: x.at for x in as_torque_grows(self)} if self.T >= 0 else {}
+        return {x.key: x.at for x in self.duty.of_torque} if self.T >= 0 else {}
 
     @shared
     def _scattered(self) -> Mapping[str, float]:
         """Shares and percentiles of the clutches within tolerance."""
-        ensemble = scatter(self)
-        return {} if ensemble is None else ensemble.values()
+        return {} if self.scatter is None else self.scatter.values()
 
     @shared
     def values(self) -> Values:
@@ -318,7 +308,7 @@ class FreewheelClutch(ClutchInputs):
                 "finite elements of this case take inner cams only, case freewheel-cup compares "
                 "outer cams; check it without --fem"
             )
-        if self.T <= 0 or under(self) is None:
+        if self.T <= 0 or self.duty.under is None:
             return (
                 "finite elements need a torque that locks and that a state bears; check it "
                 "without --fem"

@@ -4,7 +4,6 @@ import math
 
 from analytic.freewheel import criterion
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
-from verify.cases.freewheel.clutch.limits import allowed_shift
 from verify.core.case import Values
 
 
@@ -31,4 +30,4 @@ def past_corners(q: ClutchInputs, v: Values) -> bool:
 def overloaded(q: ClutchInputs, v: Values) -> bool:
     """Whether contacts, their ends included, press beyond p_lim, or the rollers tilt."""
     pressed = q.p_lim is not None and v.get("p_end", math.inf) > q.p_lim
-    return pressed or v["e_L"] > allowed_shift(q)
+    return pressed or v["e_L"] > q.duty.allowed_shift

@@ -3,15 +3,9 @@
 import math
 from collections.abc import Sequence
 
+from analytic.freewheel.duty import SEVERITY, Limit
 from verify.cases.freewheel.clutch.classes import past_corners
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
-from verify.cases.freewheel.clutch.limits import (
-    SEVERITY,
-    Limit,
-    as_axial_load_grows,
-    as_torque_grows,
-    friction_holds,
-)
 from verify.cases.freewheel.clutch.numbers import newton, newton_metres, pascal
 from verify.core.case import Values
 
@@ -20,7 +14,7 @@ FAR = 10.0  # times the first limit ahead, beyond which another one is not told
 
 def torque(q: ClutchInputs, v: Values) -> list[str]:
     """What comes first when the torque grows and the axial load stays."""
-    limits = as_torque_grows(q)
+    limits = q.duty.of_torque
     passed = [limit for limit in limits if limit.at < q.T]
     ahead = [limit for limit in limits if limit.at > q.T]
     ahead = [limit for k, limit in enumerate(ahead) if k == 0 or limit.key != "hertz"]
@@ -42,7 +36,7 @@ def torque(q: ClutchInputs, v: Values) -> list[str]:
 
 
 def where_friction_holds(q: ClutchInputs) -> str:
-    ranges = friction_holds(q)
+    ranges = q.duty.friction_holds
     if q.F_ax == 0 and ranges and math.isfinite(ranges[0][1]):
         return f"without axial load friction holds up to {newton_metres(ranges[0][1])}"
     told = [f"{a:.4g} to {newton_metres(b)}" if math.isfinite(b) else f"{newton_metres(a)} on"
@@ -55,7 +49,7 @@ def axial(q: ClutchInputs, v: Values) -> list[str]:
     """What comes first when the axial load grows and the torque stays."""
     if v["F_slip"] == 0:
         return ["friction bears no axial load at this torque"]
-    limits = [limit for limit in as_axial_load_grows(q) if limit.at > 0]
+    limits = [limit for limit in q.duty.of_axial_load if limit.at > 0]
     passed = [limit for limit in limits if limit.at < q.F_ax]
     ahead = [limit for limit in limits if limit.at >= q.F_ax]
     found = [

@@ -6,20 +6,12 @@ from collections.abc import Sequence
 import numpy as np
 
 from analytic.freewheel import criterion, state
+from analytic.freewheel.duty import WORDS
+from analytic.freewheel.scatter import DRAWS
 from analytic.freewheel.state import State
 from verify.cases.freewheel import star_sketch
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
-from verify.cases.freewheel.clutch.limits import (
-    WORDS,
-    as_axial_load_grows,
-    as_torque_grows,
-    end,
-    largest_axial_load,
-    of_torque_alone,
-    under,
-)
 from verify.cases.freewheel.clutch.reference import GRID
-from verify.cases.freewheel.clutch.scatter import DRAWS, scatter, slopes
 from verify.cases.freewheel.clutch.sketch import cup
 from verify.core.case import Context
 from verify.core.figures import Array, Bars, Curve, Curves, Figure, Sketch, Zone, Zones
@@ -37,28 +29,28 @@ def sketch(q: ClutchInputs) -> Sketch:
 
 def figures(context: Context) -> Sequence[Figure]:
     q = context.inputs
-    if under(q) is None:
+    if q.duty.under is None:
         return ()
     found: list[Figure] = [lights(q), angles(q), ways(q, context)]
     if context.fem:
         found.append(flats(q, context))
-    if (ensemble := scatter(q)) is not None:
+    if (ensemble := q.scatter) is not None:
         found += [
             cumulated("Clamping angle of the clutches made", "α_0 [°]",
                       ensemble.drawn.alpha0 * DEGREE, float(q.cam.alpha0) * DEGREE),
             cumulated("Friction of the clutches made", "μ/μ_req", ensemble.safety,
                       context.analytic["safety"], limits=True),
         ]  # fmt: skip
-    if any(s.share for s in slopes(q)):
+    if any(s.share for s in q.slopes):
         found.append(sensitivity(q))
     return found
 
 
 def reach(q: ClutchInputs) -> float:
     """The largest torque [N m] of figures: to the limit after next, within what has a state."""
-    ahead = [limit.at for limit in as_torque_grows(q) if limit.at > q.T]
+    ahead = [limit.at for limit in q.duty.of_torque if limit.at > q.T]
     most = 1.15 * ahead[1] if len(ahead) > 1 else 1.3 * ahead[0] if ahead else 3 * q.T
-    return min(max(WIDE * q.T, min(most, 6 * q.T)), (1 - 1e-9) * end(q))
+    return min(max(WIDE * q.T, min(most, 6 * q.T)), (1 - 1e-9) * q.duty.end)
 
 
 def lights(q: ClutchInputs) -> Zones:
@@ -74,14 +66,14 @@ def lights(q: ClutchInputs) -> Zones:
     curves = [
         Curve(name=f"{limit.words}", x=np.full(2, limit.at), y=np.array([0.0, top]),
               style="dashes", colour=k)
-        for k, limit in enumerate(as_torque_grows(q)[:3])
+        for k, limit in enumerate(q.duty.of_torque[:3])
         if limit.key != "slip" and limit.at <= T[-1]
     ]  # fmt: skip
-    through = float(of_torque_alone(q).pop_through)
+    through = float(q.duty.of_torque_alone.pop_through)
     if through < (1 + AT_END) * T[-1]:
         curves.append(Curve(name=f"the map ends: {WORDS['pop_through']}", x=np.full(2, T[-1]),
                             y=np.array([0.0, top]), style="dashes", colour=3))  # fmt: skip
-    lifted = [x for x in as_axial_load_grows(q) if x.key != "slip" and x.at / 1e3 < 0.98 * top]
+    lifted = [x for x in q.duty.of_axial_load if x.key != "slip" and x.at / 1e3 < 0.98 * top]
     curves += [
         Curve(name=f"{limit.words}, at this torque", x=T[[0, -1]],
               y=np.full(2, limit.at / 1e3), style="dashes", colour=4)
@@ -99,9 +91,9 @@ def lights(q: ClutchInputs) -> Zones:
 
 def _zones(q: ClutchInputs, T: Array, F: dict[float, Array], top: float) -> tuple[Zone, ...]:
     """Classes over the torque, by the worst limit: F [kN] are those of friction."""
-    within = float(of_torque_alone(q).corner) >= T
+    within = float(q.duty.of_torque_alone.corner) >= T
     holds, slips = (np.where(within, F[share], 0.0) for share in (criterion.GREEN, criterion.RED))
-    borne = np.fmin(holds, largest_axial_load(q, T) / 1e3)
+    borne = np.fmin(holds, q.duty.largest_axial_load(T) / 1e3)
     return (
         Zone(name="green: holds", top=borne, tone="good"),
         Zone(name="friction holds, overloaded", top=holds, tone="fair"),
@@ -112,7 +104,7 @@ def _zones(q: ClutchInputs, T: Array, F: dict[float, Array], top: float) -> tupl
 
 
 def _states(q: ClutchInputs) -> tuple[Array, State]:
-    T = np.linspace(0.0, min(WIDE * q.T, (1 - 1e-9) * end(q)), POINTS)
+    T = np.linspace(0.0, min(WIDE * q.T, (1 - 1e-9) * q.duty.end), POINTS)
     T[0] = 1e-6 * T[-1]
     return T, state.loaded(q.clutch, T)
 
@@ -120,7 +112,7 @@ def _states(q: ClutchInputs) -> tuple[Array, State]:
 def angles(q: ClutchInputs) -> Curves:
     T, now = _states(q)
     tan = math.atan(q.mu) * DEGREE
-    asked = np.arctan(criterion.required_friction(alpha=now.alpha, T=T, F_ax=q.F_ax, R=q.cam.race))
+    asked = np.arctan(q.duty.required(T, now.alpha))
     return Curves(
         title="Clamping angle and required friction", x_label="T [N m]", y_label="[°]",
         curves=(
@@ -171,7 +163,7 @@ def ways(q: ClutchInputs, context: Context) -> Curves:
             Curve(name="2s/R", x=T, y=now.phi_small * DEGREE, style="dashes", colour=4),
             *measured,
         ),
-        note=f"At T the rollers have moved by s = {float(under(q).s) * 1e6:.4g} µm."  # type: ignore[union-attr]
+        note=f"At T the rollers have moved by s = {float(q.duty.under.s) * 1e6:.4g} µm."  # type: ignore[union-attr]
     )  # fmt: skip
 
 
@@ -195,7 +187,7 @@ def cumulated(title: str, label: str, x: Array, drawn: float, *, limits: bool = 
 
 
 def sensitivity(q: ClutchInputs) -> Bars:
-    by = slopes(q)
+    by = q.slopes
     return Bars(
         title="What makes the clamping angle scatter", label="share of the variance of α_0 [%]",
         items=tuple(

@@ -3,15 +3,17 @@
 import math
 import re
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import ClassVar, Literal, Self
 
 from pydantic import model_validator
 
 from analytic.freewheel.cam import Cam
 from analytic.freewheel.clutch import Clutch, Material
+from analytic.freewheel.duty import Duty
 from analytic.freewheel.geometry import InnerCam, OuterCam
-from verify.case import Case, count, given, word
+from analytic.freewheel.remedies import shifted
+from analytic.freewheel.scatter import Scatter, Slope, scatter, slopes
+from verify.case import Case, count, given, shared, word
 from verify.cases.freewheel.inputs import in_millimetres
 from verify.cases.freewheel.star import Star
 
@@ -150,18 +152,9 @@ class ClutchInputs(Case):
             return InnerCam(R=self.R, r=self.r, X=self.X, z=self.z)
         return OuterCam(R_s=self.R, r=self.r, X_o=self.X, z=self.z)
 
-    @property
-    def room(self) -> float:
-        """How far [m] parts are from having no wedge: R - 2 r - X, or R + 2 r - X of a cup."""
-        _, y = self.cam.centre(d_i=0.0, d_o=0.0)
-        return float(self.cam.distance(d_i=0.0, d_o=0.0) - y)
-
     def moved(self, dX: float) -> Clutch:
         """The clutch with its flats `dX` [m] further from the axis."""
-        cam = self.cam
-        if isinstance(cam, InnerCam):
-            return replace(self.clutch, cam=replace(cam, X=self.X + dX))
-        return replace(self.clutch, cam=OuterCam(R_s=self.R, r=self.r, X_o=self.X + dX, z=self.z))
+        return shifted(self.clutch, "X", dX)
 
     @property
     def off(self) -> float:
@@ -182,6 +175,27 @@ class ClutchInputs(Case):
             cam=self.cam, L=self.L, r_b=self.r_b, R_a=self.R_a, roller=self._material("r"),
             inner=self._material("i"), outer=self._material("o"),
         )  # fmt: skip
+
+    @shared
+    def duty(self) -> Duty:
+        """The clutch under its loads."""
+        return Duty(clutch=self.clutch, T=self.T, F_ax=self.F_ax, mu=self.mu, p_lim=self.p_lim,
+                    e_lim=self.e_lim)  # fmt: skip
+
+    @shared
+    def scatter(self) -> Scatter | None:
+        """Clutches within tolerance under these loads."""
+        return scatter(self.duty, self.deviations, self.spread)
+
+    @property
+    def sigma(self) -> dict[str, float]:
+        """Standard deviations [m] of the cam's fields."""
+        return {name: s for name, s in self.deviations.items() if name != "mu"}
+
+    @property
+    def slopes(self) -> list[Slope]:
+        """What X, r and R do to alpha_0."""
+        return slopes(self.cam, self.sigma)
 
     @property
     def like(self) -> bool:

@@ -3,13 +3,13 @@
 import math
 from collections.abc import Sequence
 
+from analytic.freewheel.duty import Limit
+from analytic.freewheel.scatter import DRAWS
 from verify.cases.freewheel.clutch.classes import light, past_corners
 from verify.cases.freewheel.clutch.course import axial, tilted, torque, where_friction_holds
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
-from verify.cases.freewheel.clutch.limits import Limit, allowed_shift, end, of_torque_alone, under
 from verify.cases.freewheel.clutch.numbers import newton, newton_metres, pascal, share
 from verify.cases.freewheel.clutch.recommendations import advice, sensitive
-from verify.cases.freewheel.clutch.scatter import DRAWS
 from verify.core.case import Values
 
 DEGREE = math.degrees(1.0)
@@ -17,12 +17,12 @@ DEGREE = math.degrees(1.0)
 
 def findings(q: ClutchInputs, v: Values) -> Sequence[str]:
     found = [f"{light(q, v)}: {verdict(q, v)}", *advice(q, v)]
-    if under(q) is not None and v["mu_0"] <= q.mu:
+    if q.duty.under is not None and v["mu_0"] <= q.mu:
         found += torque(q, v)
         if not past_corners(q, v):
             found += axial(q, v) + tilted(q, v)
     found += scattered(q, v) + sensitive(q, v)
-    if under(q) is not None and light(q, v) in ("red", "yellow"):
+    if q.duty.under is not None and light(q, v) in ("red", "yellow"):
         found.append("forces, pressures, way and torsion below are those it would have if it held")
     return found
 
@@ -43,9 +43,9 @@ def verdict(q: ClutchInputs, v: Values) -> str:
         return f"without torque nothing presses the rollers: F_ax = {newton(q.F_ax)} meets no "\
             "friction"  # fmt: skip
     if "safety" not in v:
-        last = "pop_through" if math.isfinite(of_torque_alone(q).pop_through) else "hertz"
-        return f"no equilibrium at T = {newton_metres(q.T)}: {Limit(last, end(q)).words} at "\
-            f"{newton_metres(end(q))}"  # fmt: skip
+        last = "pop_through" if math.isfinite(q.duty.of_torque_alone.pop_through) else "hertz"
+        return f"no equilibrium at T = {newton_metres(q.T)}: {Limit(last, q.duty.end).words} at "\
+            f"{newton_metres(q.duty.end)}"  # fmt: skip
     needs = f"required friction coefficient {v['mu_req']:.4g}, available {q.mu:g}"
     ratio = f"μ/μ_req = {v['safety']:.4g}"
     if past_corners(q, v):
@@ -70,8 +70,8 @@ def beyond(q: ClutchInputs, v: Values) -> str:
             f"the rollers' ends bear {pascal(v['p_end'])}" if "p_end" in v else \
             "one end of the rollers bears everything"  # fmt: skip
         found.append(f"contacts are overloaded: {bear}, p_lim is {pascal(q.p_lim)}")
-    if v["e_L"] > allowed_shift(q):
-        found.append(f"the rollers tilt: e/L = {v['e_L']:.3g} is beyond {allowed_shift(q):.3g}")
+    if v["e_L"] > q.duty.allowed_shift:
+        found.append(f"the rollers tilt: e/L = {v['e_L']:.3g} is beyond {q.duty.allowed_shift:.3g}")
     return " and ".join(found)
 
 
@@ -111,8 +111,8 @@ def warnings(q: ClutchInputs, v: Values) -> Sequence[str]:
             f"{pascal(v['p_end'])} at the rollers' ends exceed p_lim = {pascal(q.p_lim)}: the "
             "surfaces yield"
         )
-    if v.get("e_L", 0.0) > allowed_shift(q):
-        found.append(f"e/L = {v['e_L']:.3g} is beyond {allowed_shift(q):.3g}: the rollers tilt")
+    if v.get("e_L", 0.0) > q.duty.allowed_shift:
+        found.append(f"e/L = {v['e_L']:.3g} is beyond {q.duty.allowed_shift:.3g}: the rollers tilt")
     return found
 
 
@@ -127,7 +127,7 @@ def kept(q: ClutchInputs) -> list[str]:
 
 def reached(q: ClutchInputs) -> list[str]:
     """Whether tolerances use up what a wedge is made of."""
-    used, room = q.X_tol + 2 * q.r_tol + q.R_tol, q.room
+    used, room = q.X_tol + 2 * q.r_tol + q.R_tol, float(q.cam.room)
     if used < room:
         return []
     rule = "R - 2 r - X" if q.is_star else "R + 2 r - X"

@@ -2,11 +2,7 @@
 
 import math
 
-from verify.cases.freewheel.clutch.classes import past_corners
-from verify.cases.freewheel.clutch.inputs import ClutchInputs
-from verify.cases.freewheel.clutch.limits import under
-from verify.cases.freewheel.clutch.remedies import (
-    GOALS,
+from analytic.freewheel.remedies import (
     bearing,
     friction_for,
     moved_to,
@@ -14,17 +10,19 @@ from verify.cases.freewheel.clutch.remedies import (
     to_spare,
     until_pop_through,
 )
-from verify.cases.freewheel.clutch.scatter import slopes
+from verify.cases.freewheel.clutch.classes import past_corners
+from verify.cases.freewheel.clutch.inputs import ClutchInputs
 from verify.core.case import Values
 
 DEGREE = math.degrees(1.0)
+GOALS = (1.0, 1.1)  # of mu/mu_req: what holds by Coulomb's law, and with a tenth to spare
 
 
 def advice(q: ClutchInputs, v: Values) -> list[str]:
     """What to change so that T and F_ax are borne; nothing where friction holds."""
     if q.T <= 0:
         return []
-    if under(q) is None:
+    if q.duty.under is None:
         return [stiffer(q)]
     if past_corners(q, v):
         return [f"the corners are just reached with L = {q.L * q.T / v['T_corner'] * 1e3:.5g} mm"]
@@ -32,13 +30,13 @@ def advice(q: ClutchInputs, v: Values) -> list[str]:
         return []
     return [
         flats(q),
-        f"or for μ/μ_req of {_each([f'μ = {friction_for(q, g):.4g}' for g in GOALS])}",
+        f"or for μ/μ_req of {_each([f'μ = {friction_for(q.duty, g):.4g}' for g in GOALS])}",
     ]
 
 
 def flats(q: ClutchInputs) -> str:
     """Where the flats would have to lie."""
-    needed = [moved_to(q, goal) for goal in GOALS]
+    needed = [moved_to(q.duty, goal) for goal in GOALS]
     if math.isnan(needed[0]):
         return "to hold at this T and F_ax: no X is enough"
     told = []
@@ -59,7 +57,7 @@ def stiffer(q: ClutchInputs) -> str:
     """What would bear the torque of a clutch without a state."""
     found = [f"{name} = {value * 1e3:.5g} mm" if name != "X"
              else f"X = {value * 1e3:.7g} mm ({(value - q.X) * 1e6:+.3g} µm)"
-             for name, value in bearing(q)]  # fmt: skip
+             for name, value in bearing(q.duty)]  # fmt: skip
     if not found:
         return "no R_a, X or L near these bears the torque: the clutch is too small"
     housing = "" if q.is_star else "; R_a is that of the housing that stiffens a drawn cup"
@@ -68,7 +66,7 @@ def stiffer(q: ClutchInputs) -> str:
 
 def sensitive(q: ClutchInputs, v: Values) -> list[str]:
     """What a micrometre turns, and how many of X there are until the clutch slips."""
-    by, ratio = slopes(q), per_micrometre(q)
+    by, ratio = q.slopes, per_micrometre(q.duty)
     turned = ", ".join(
         f"1 µm on {s.name} by {s.slope * 1e-6 * DEGREE:+.3f}°"
         + (f" (μ/μ_req by {100 * ratio[s.name]:+.2g} %)" if ratio else "")
@@ -87,8 +85,8 @@ def sensitive(q: ClutchInputs, v: Values) -> list[str]:
 def _ends_of_X(q: ClutchInputs) -> list[str]:
     """Deviations of X at which the clutch slips or its rollers pass through, the nearer first."""
     limits = [
-        (to_spare(q), "smaller", "the contacts slip"),
-        (until_pop_through(q), "larger", "the rollers pass through between flat and race"),
+        (to_spare(q.duty), "smaller", "the contacts slip"),
+        (until_pop_through(q.duty), "larger", "the rollers pass through between flat and race"),
     ]
     near = sorted(one for one in limits if math.isfinite(one[0]))
     told = [f"with X {side} by {dX * 1e6:.3g} µm {what}" for dX, side, what in near]

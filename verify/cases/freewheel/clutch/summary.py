@@ -2,16 +2,16 @@
 
 from typing import Any
 
+from analytic.freewheel.duty import Limit
 from verify.cases.freewheel.clutch.classes import light
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
-from verify.cases.freewheel.clutch.limits import Limit, as_axial_load_grows, as_torque_grows
 from verify.core.case import Values
 
 
 def summary(q: ClutchInputs, v: Values) -> dict[str, Any]:
     """JSON; `ratio` is mu/mu_req, None without a state; limits of T [N m] and F_ax [N]."""
-    limits = [_limit("T", "N m", q.T, x) for x in as_torque_grows(q)] if q.T >= 0 else []
-    limits += [_limit("F_ax", "N", q.F_ax, x) for x in as_axial_load_grows(q)]
+    limits = [_limit("T", "N m", q.T, x) for x in q.duty.of_torque] if q.T >= 0 else []
+    limits += [_limit("F_ax", "N", q.F_ax, x) for x in q.duty.of_axial_load]
     return {"verdict": light(q, v), "ratio": v.get("safety"), "limits": limits}
 
 

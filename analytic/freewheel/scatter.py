@@ -1,17 +1,15 @@
-"""Clutches out of tolerance: what share of them slips, and which dimension does most."""
+"""Clutches out of tolerance under load: what share of them slips, which dimension does most."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from analytic.contact.checks import Array
 from analytic.freewheel import criterion
-from analytic.freewheel.tolerance import Ensemble, Outcome, draw, first_order, sensitivities
-from verify.cases.freewheel.clutch.inputs import ClutchInputs
-from verify.cases.freewheel.clutch.limits import under
-
-Array = NDArray[np.float64]
+from analytic.freewheel.cam import Cam
+from analytic.freewheel.duty import Duty
+from analytic.freewheel.tolerance import Ensemble, Kind, Outcome, draw, first_order, sensitivities
 
 DRAWS, SEED = 20_000, 2021
 PERCENTILES = (5.0, 50.0, 95.0)
@@ -19,7 +17,7 @@ COUNTED: dict[str, Outcome] = {
     "slip": "slips", "no_wedge": "no wedge", "corner": "past the corners",
     "no_state": "no state",
 }  # fmt: skip
-NAMES = {"R_s": "R", "X_o": "X"}  # of an outer cam's fields, as inputs are called
+NAMES = {"R_s": "R", "X_o": "X"}  # of an outer cam's fields, as those of both kinds are called
 
 
 @dataclass(frozen=True)
@@ -54,35 +52,40 @@ class Scatter:
         return found | {f"share_{name}": share for name, share in shares.items()}
 
 
-@lru_cache(maxsize=4)
-def scatter(q: ClutchInputs) -> Scatter | None:
-    """The ensemble of `q`; None where nothing scatters or the clutch bears nothing."""
-    if not q.deviations or under(q) is None:
+def scatter(duty: Duty, sigma: Mapping[str, float], kind: Kind) -> Scatter | None:
+    """Clutches drawn with the standard deviations `sigma`, by the cam's fields and mu.
+
+    None where nothing scatters or the clutch bears nothing.
+    """
+    if not sigma or duty.under is None:
         return None
-    return Scatter(
-        draw(q.clutch, q.deviations, mu=q.mu, T=q.T, F_ax=q.F_ax, n=DRAWS, seed=SEED, kind=q.spread)
-    )
+    loads = {"mu": duty.mu, "T": duty.T, "F_ax": duty.F_ax}
+    return Scatter(draw(duty.clutch, sigma, **loads, n=DRAWS, seed=SEED, kind=kind))
 
 
 @dataclass(frozen=True)
 class Slope:
-    """What a dimension does to alpha_0: by input's name, rad/m, and its share of the variance."""
+    """What X, r or R does to alpha_0 [rad/m], and its share of the variance."""
 
     name: str
     slope: float
     share: float
 
 
-def slopes(q: ClutchInputs) -> list[Slope]:
-    """Of X, r and R, in this order."""
-    by = sensitivities(q.cam)
-    sigma = {name: s for name, s in q.deviations.items() if name != "mu"}
-    shares = first_order(q.cam, sigma)[1] if sigma else {}
-    found = [Slope(NAMES.get(n, n), float(v), shares.get(n, 0.0)) for n, v in by.items()]
+def slopes(cam: Cam, sigma: Mapping[str, float]) -> list[Slope]:
+    """Of X, r and R, in this order; `sigma` [m] by the fields of `cam`.
+
+    >>> from analytic.freewheel.geometry import InnerCam
+    >>> cam = InnerCam(R=16.5, r=2.5, X=11.39565, z=8)
+    >>> [(s.name, s.share) for s in slopes(cam, {"X": 5e-3})]
+    [('X', 1.0), ('r', 0.0), ('R', 0.0)]
+    """
+    shares = first_order(cam, sigma)[1] if sigma else {}
+    found = [Slope(NAMES.get(n, n), float(v), shares.get(n, 0.0))
+             for n, v in sensitivities(cam).items()]  # fmt: skip
     return sorted(found, key=lambda s: "XrR".index(s.name))
 
 
-def deviation(q: ClutchInputs) -> float:
+def deviation(cam: Cam, sigma: Mapping[str, float]) -> float:
     """Standard deviation of alpha_0 [rad] to first order; 0 where nothing scatters."""
-    sigma = {name: s for name, s in q.deviations.items() if name != "mu"}
-    return first_order(q.cam, sigma)[0] if sigma else 0.0
+    return first_order(cam, sigma)[0] if sigma else 0.0

@@ -1,0 +1,182 @@
+"""What ends a clutch's work first: as its torque grows under its axial load, and the reverse.
+
+Each limit is met alone: the axial load stays as the torque grows, and the reverse. SI units.
+"""
+
+import math
+from dataclasses import dataclass, fields
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic.contact.checks import Array
+from analytic.freewheel import criterion, state, tilt
+from analytic.freewheel.clutch import Clutch
+from analytic.freewheel.limits import Limits, limits
+from analytic.freewheel.state import State
+
+LIFT_OFF = 1 / 6  # e/L from which on a linear line load lifts off one end
+NONE = 10.0  # pressure over E that stands for no limit of pressure: no contact reaches it
+LEAST, POINTS, ROUNDS = 1e-7, 400, 3  # of the largest torque; torques of a search, its rounds
+
+WORDS = {
+    "slip": "the contacts slip",
+    "bears": "below it friction no longer bears the axial load",
+    "pressure_inner": "the inner contacts reach p_lim",
+    "pressure_outer": "the outer contacts reach p_lim",
+    "corner": "the rollers reach the ends of the cam flats",
+    "pop_through": "the rollers go through between flat and shaft",
+    "hertz": "contacts as wide as the rollers' radius, where the formulas end",
+    "tilt": "the tilting couple moves the contact forces by (e/L)_lim",
+    "tilt_lift": "the tilting couple lifts the rollers off at one end",
+    "pressure": "the pressure at the rollers' ends reaches p_lim",
+}
+SEVERITY = ("pop_through", "corner", "hertz", "slip", "pressure_inner", "pressure_outer",
+            "pressure", "tilt_lift", "tilt")  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Limit:
+    """A limit of the torque [N m] or the axial load [N]: its key in `WORDS` and its value."""
+
+    key: str
+    at: float
+
+    @property
+    def words(self) -> str:
+        """What happens there."""
+        return WORDS[self.key]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Duty:
+    """A clutch with the friction mu under a torque and an axial load on the whole of it.
+
+    T [N m] is positive where it locks, F_ax [N] not negative. `p_lim` [Pa] is the permissible
+    pressure, if any; `e_lim` is e/L up to which rollers may tilt, or until one end lifts off.
+    """
+
+    clutch: Clutch
+    T: float
+    F_ax: float
+    mu: float
+    p_lim: float | None = None
+    e_lim: float | None = None
+
+    @cached_property
+    def under(self) -> State | None:
+        """The state under the torque; None where the clutch overruns, rests or has no state."""
+        if self.T <= 0:
+            return None
+        now = state.loaded(self.clutch, self.T)
+        return now if np.isfinite(now.N) else None
+
+    def required(self, T: Array | float, alpha: Array | float) -> Array:
+        """mu_req under the axial load and a torque [N m] at the clamping angle [rad] (Eq. 9)."""
+        R = self.clutch.cam.race
+        return criterion.required_friction(alpha=alpha, T=T, F_ax=self.F_ax, R=R)
+
+    @cached_property
+    def of_torque_alone(self) -> Limits:
+        """Limits of the torque that do not look at the axial load."""
+        p_lim = self.p_lim or NONE * float(np.asarray(self.clutch.roller.E))
+        return limits(self.clutch, mu=self.mu, p_lim=p_lim)
+
+    @property
+    def end(self) -> float:
+        """The largest torque [N m] that has a state."""
+        found = self.of_torque_alone
+        return float(min(found.pop_through, found.hertz))
+
+    @cached_property
+    def friction_holds(self) -> tuple[tuple[float, float], ...]:
+        """Ranges of the torque [N m] in which friction bears it and F_ax; inf at an open end."""
+        T = np.geomspace(LEAST * self.end, (1 - 1e-9) * self.end, POINTS)
+        held = self._held(T)
+        found, ends = [], np.flatnonzero(np.diff(np.concatenate([[0], held.astype(int), [0]])))
+        for start, stop in ends.reshape(-1, 2):
+            low = 0.0 if start == 0 else self._crossing(T[start - 1], T[start])
+            high = math.inf if stop == T.size else self._crossing(T[stop - 1], T[stop])
+            found.append((low, high))
+        return tuple(found)
+
+    def _held(self, T: Array) -> NDArray[np.bool_]:
+        return np.asarray(self.required(T, state.loaded(self.clutch, T).alpha) <= self.mu)
+
+    def _crossing(self, low: float, high: float) -> float:
+        """Where friction begins or ends to hold, between two torques [N m]."""
+        for _ in range(ROUNDS):
+            T = np.linspace(low, high, POINTS)
+            held = self._held(T)
+            k = int(np.argmax(held != held[0]))
+            low, high = float(T[k - 1]), float(T[k])
+        return (low + high) / 2
+
+    @property
+    def _range(self) -> tuple[tuple[float, float], ...]:
+        """That in which the torque is, if any."""
+        return tuple(one for one in self.friction_holds if one[0] <= self.T <= one[1])
+
+    @property
+    def least_torque(self) -> float:
+        """The torque [N m] above which friction bears the axial load, 0 where any torque will do.
+
+        nan where it does nowhere near.
+        """
+        return next((low for low, _ in self._range), math.nan)
+
+    @property
+    def of_torque(self) -> list[Limit]:
+        """Limits of the torque [N m] at this axial load, the first one first."""
+        alone = self.of_torque_alone
+        names = (f.name for f in fields(alone) if f.name != "release")
+        found = [Limit(name, float(getattr(alone, name))) for name in names]
+        found += [Limit("slip", high) for _, high in self._range]
+        return sorted((limit for limit in found if math.isfinite(limit.at)), key=lambda x: x.at)
+
+    @property
+    def allowed_shift(self) -> float:
+        """e/L up to which the rollers do not tilt."""
+        return LIFT_OFF if self.e_lim is None else self.e_lim
+
+    @property
+    def of_axial_load(self) -> list[Limit]:
+        """Limits of the axial load [N] at this torque, the first one first."""
+        if (now := self.under) is None:
+            return []
+        cam = self.clutch.cam
+        slip = criterion.largest_axial_load(alpha=now.alpha, T=self.T, R=cam.race, mu=self.mu)
+        found = [Limit("slip", 0.0 if np.isnan(slip) else float(slip))]
+        # F_ax over e/L
+        one = tilt.offset(F_a=1.0, F_n=now.N, r=cam.roller, alpha=now.alpha)
+        per_shift = float(cam.count * np.asarray(self.clutch.L) / one)
+        key = "tilt_lift" if self.e_lim is None else "tilt"
+        found.append(Limit(key, self.allowed_shift * per_shift))
+        if self.p_lim is not None:
+            share = uneven(self.p_lim / float(max(now.p_i, now.p_o)))
+            found.append(Limit("pressure", share * per_shift))
+        return sorted(found, key=lambda x: x.at)
+
+    def largest_axial_load(self, T: Array) -> Array:
+        """F_ax [N] at which rollers' ends reach p_lim, or tilt, at T [N m]; nan without a state."""
+        now, cam = state.loaded(self.clutch, T), self.clutch.cam
+        share = np.full(T.shape, self.allowed_shift)
+        if self.p_lim is not None:
+            factors = self.p_lim / np.maximum(now.p_i, now.p_o)
+            share = np.minimum(share, [uneven(float(x)) for x in factors])
+        N = np.where(np.isfinite(now.N), now.N, 1.0)
+        offset = tilt.offset(F_a=1.0, F_n=N, r=cam.roller, alpha=now.alpha)
+        return np.asarray(share * cam.count * np.asarray(self.clutch.L) / offset)
+
+
+def uneven(factor: float) -> float:
+    """e/L at which Hertz's pressure at one end is `factor` times the even one; 0 where below 1.
+
+    >>> uneven(2**0.5), uneven(2.0)  # of a line load of 2 and of 4 times its mean: see `tilt`
+    (0.16666666666666674, 0.33333333333333337)
+    """
+    peak = factor**2
+    if peak <= 1:
+        return 0.0
+    return (peak - 1) / 6 if peak <= 2 else (1 - 4 / (3 * peak)) / 2

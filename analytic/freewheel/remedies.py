@@ -1,0 +1,157 @@
+"""What makes a clutch hold, and how far one that holds is from slipping. Lengths in m."""
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic.contact.checks import Array
+from analytic.freewheel import criterion, state
+from analytic.freewheel.clutch import Clutch
+from analytic.freewheel.duty import Duty
+from analytic.freewheel.geometry import InnerCam
+
+FINE, NARROW = 1e-8, 0.1  # for a derivative [m], at most this of what a wedge has
+FARTHEST, POINTS = 0.999, 400  # of the way to no wedge; places along it
+STIFFEST, HALVINGS = 4.0, 30  # times R_a, beyond which a housing does no more
+LONGEST = 10.0  # times L that are advised at most
+
+Named = dict[str, str]
+
+
+def field_of(clutch: Clutch, name: str) -> str:
+    """The field of the clutch's cam that `name` X, r or R is."""
+    outer: Named = {"X": "X_o", "R": "R_s"}
+    return name if isinstance(clutch.cam, InnerCam) else outer.get(name, name)
+
+
+def shifted(clutch: Clutch, name: str, by: Array | float) -> Clutch:
+    """Clutches whose X, r or R are off `by` [m]; ValueError where one has no wedge."""
+    cam, field = clutch.cam, field_of(clutch, name)
+    return replace(clutch, cam=replace(cam, **{field: getattr(cam, field) + by}))
+
+
+def ratios(duty: Duty, clutch: Clutch) -> Array:
+    """mu/mu_req of `clutch` under these loads; 0 where it releases itself or bears no T."""
+    now = state.loaded(clutch, duty.T)
+    asked = criterion.required_friction(
+        alpha=now.alpha, T=duty.T, F_ax=duty.F_ax, R=clutch.cam.race
+    )
+    x, _ = clutch.cam.centre(d_i=now.d_i, d_o=now.d_o)
+    lost = criterion.self_releasing(alpha=clutch.cam.alpha0, mu=duty.mu) | (x > clutch.cam.corner)
+    return np.where(lost | np.isnan(asked), 0.0, duty.mu / asked)
+
+
+def moved_to(duty: Duty, goal: float) -> float:
+    """The least dX [m] outwards at which mu/mu_req is `goal`; nan where none is enough."""
+    return _first(duty, 1.0, lambda dX: ratios(duty, shifted(duty.clutch, "X", dX)) >= goal)
+
+
+def to_spare(duty: Duty) -> float:
+    """How far [m] flats may be nearer to the axis until it no longer holds; nan if never."""
+    far = -_first(duty, -1.0, lambda dX: ratios(duty, _nearer(duty, dX)) < 1)
+    return far if far > 0 else math.nan
+
+
+def until_pop_through(duty: Duty) -> float:
+    """How far [m] flats may be farther from the axis until no state bears T; nan if never."""
+
+    def is_lost(dX: Array) -> NDArray[np.bool_]:
+        return ~np.isfinite(state.loaded(shifted(duty.clutch, "X", dX), duty.T).N)
+
+    far = _first(duty, 1.0, is_lost)
+    return far if far > 0 else math.nan
+
+
+def _first(duty: Duty, sense: float, met: Callable[[Array], NDArray[np.bool_]]) -> float:
+    """The first dX [m] of this sign, up to next to no wedge, at which `met` holds; nan if none."""
+    dX = sense * np.linspace(0.0, FARTHEST * duty.clutch.cam.room, POINTS)
+    there = met(dX)
+    if not np.any(there):
+        return math.nan
+    if (k := int(np.argmax(there))) == 0:
+        return 0.0
+    fine = np.linspace(dX[k - 1], dX[k], POINTS)
+    return float(fine[np.argmax(met(fine))])
+
+
+def _nearer(duty: Duty, dX: Array) -> Clutch:
+    """Clutches with their flats nearer; those past a corner stay at the last that is not."""
+    for share in np.linspace(1.0, 0.0, 50):
+        try:
+            return shifted(duty.clutch, "X", np.maximum(dX, share * dX.min()))
+        except ValueError:
+            continue
+    return duty.clutch
+
+
+def friction_for(duty: Duty, goal: float) -> float:
+    """Friction at which mu/mu_req is `goal`, or more where only that keeps the rollers in.
+
+    ValueError where no state bears the torque.
+    """
+    if (now := duty.under) is None:
+        raise ValueError(f"no state bears T = {duty.T:g} N m")
+    return max(goal * float(duty.required(duty.T, now.alpha)),
+               math.tan(float(duty.clutch.cam.alpha0)))  # fmt: skip
+
+
+def per_micrometre(duty: Duty) -> dict[str, float]:
+    """Relative change of mu/mu_req by 1 µm on X, r and R; empty without a state."""
+    if duty.under is None:
+        return {}
+    found, step = {}, min(FINE, NARROW * float(duty.clutch.cam.room))
+    for name in ("X", "r", "R"):
+        try:
+            clutch = shifted(duty.clutch, name, step * np.array([-1.0, 1.0]))
+        except ValueError:  # at a flat's corner, or rollers that touch
+            return {}
+        alpha = state.loaded(clutch, duty.T).alpha
+        low, high = criterion.required_friction(
+            alpha=alpha, T=duty.T, F_ax=duty.F_ax, R=clutch.cam.race
+        )
+        found[name] = float((low - high) / (low + high)) * 1e-6 / step
+    return found
+
+
+def bearing(duty: Duty) -> list[tuple[str, float]]:
+    """L, R_a and X [m] of clutches that just bear T, where `duty` has no state; those there are.
+
+    All torques grow with L; R_a is that of the part with its housing.
+    """
+    clutch, cam = duty.clutch, duty.clutch.cam
+    L, R_a, X = (float(np.asarray(x)) for x in (clutch.L, clutch.R_a, cam.flat))
+    flat = field_of(clutch, "X")
+    found = [("L", L * duty.T / duty.end)] if LONGEST * duty.end > duty.T else []
+    ways: tuple[tuple[str, float, float, Callable[[float], Clutch]], ...] = (
+        ("R_a", R_a, R_a * STIFFEST, lambda value: replace(clutch, R_a=value)),
+        (
+            "X",
+            X,
+            X - float(cam.room),
+            lambda value: replace(clutch, cam=replace(cam, **{flat: value})),
+        ),
+    )
+    for name, own, last, made in ways:
+        if (value := _towards(duty.T, own, last, made)) is not None:
+            found.append((name, value))
+    return found
+
+
+def _towards(T: float, near: float, far: float, made: Callable[[float], Clutch]) -> float | None:
+    """The value between `near` and `far` from which on the clutch `made` of it bears T [N m]."""
+
+    def bears(value: float) -> bool:
+        return bool(np.isfinite(state.loaded(made(value), T).N))
+
+    try:
+        if not bears(far):
+            return None
+        for _ in range(HALVINGS):
+            middle = (near + far) / 2
+            near, far = (near, middle) if bears(middle) else (middle, far)
+    except ValueError:
+        return None
+    return far
