@@ -12,7 +12,7 @@ from typing import Any
 from benchmarks import sector
 from benchmarks.ours import timed
 from benchmarks.ours_contact import SET_UP
-from verify.cases.freewheel.fem import Sector
+from fem.wedge.flat import Sector
 
 PARTS = ("set-up", "first", "fields")  # in processor seconds
 

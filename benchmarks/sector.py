@@ -14,7 +14,8 @@ from skfem.mesh import Mesh2D
 
 from fem.contact.problem import ContactProblem
 from fem.contact.solution import ContactSolution
-from verify.cases.freewheel.fem import Place, fem_mesh, fem_problem
+from fem.wedge.flat import flat_problem
+from verify.cases.freewheel.fem import fem_mesh, overlapping
 from verify.cases.freewheel.star import Star
 
 Array = NDArray[np.float64]
@@ -22,7 +23,7 @@ Point = tuple[float, float]
 
 CLUTCH = Star()
 OVERLAP = 20e-6  # m, of each contact: 51 N m on ten millimetres
-PLACE = Place.overlapping(CLUTCH, OVERLAP, OVERLAP)
+PLACE = overlapping(CLUTCH, OVERLAP, OVERLAP)
 CENTRE = (PLACE.x, PLACE.y)
 WIDTHS = (0.1235e-3, 0.1341e-3)  # m, half-widths as they come out
 TURNED = (1.2536e-6, 0.6598e-6)  # m, of the surfaces of star and ring: the roller rolls nowhere
@@ -44,7 +45,7 @@ def pitch(cells: int = CELLS) -> Mesh2D:
 
 
 def posed(mesh: Mesh2D) -> ContactProblem:
-    return fem_problem(PLACE, mesh, MU)
+    return flat_problem(PLACE, mesh, MU)
 
 
 def turned(problem: ContactProblem) -> ContactSolution:

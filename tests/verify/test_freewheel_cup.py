@@ -14,14 +14,15 @@ from analytic.freewheel.cam import Cam
 from analytic.freewheel.clutch import Clutch, Material, hertz_line
 from analytic.freewheel.state import State as Formula
 from analytic.freewheel.state import at_normal_force, loaded
+from fem.wedge.flat import Sector, State
+from fem.wedge.flat_course import FlatCourse
 from verify.app.cli import run
 from verify.cases.freewheel.bounds import parts
 from verify.cases.freewheel.cup import inputs
 from verify.cases.freewheel.cup import sweep as freewheel_cup_sweep
 from verify.cases.freewheel.cup.case import CUP, FreewheelCup
 from verify.cases.freewheel.cup.sweep import ONWARD, SHARES, CupSweep, through
-from verify.cases.freewheel.fem import Place, Sector, State
-from verify.cases.freewheel.sweep import Sweep
+from verify.cases.freewheel.fem import overlapping
 from verify.core.case import Context
 from verify.core.results import Status
 from verify.form import quantity
@@ -79,7 +80,7 @@ def red_without_fault():
 
 @pytest.fixture(scope="module")
 def state():
-    place = Place.overlapping(Q, 10e-6, 17e-6)
+    place = overlapping(Q, 10e-6, 17e-6)
     return Sector(place, (83e-6, 91e-6), 4, mu=2 * math.tan(place.psi / 2)).rest()
 
 
@@ -90,7 +91,7 @@ def sweep():
 
 # The roller's place and state.
 def test_a_place_overlaps_by_the_approaches_it_is_made_of():
-    place = Place.overlapping(Q, 10e-6, 17e-6)
+    place = overlapping(Q, 10e-6, 17e-6)
     assert (place.d_i, place.d_o) == pytest.approx((10e-6, 17e-6), rel=1e-9)
     assert place.psi == pytest.approx(2 * float(Q.cam.alpha(d_i=10e-6, d_o=17e-6)), rel=1e-12)
     x, y = Q.cam.centre(d_i=10e-6, d_o=17e-6)
@@ -98,7 +99,7 @@ def test_a_place_overlaps_by_the_approaches_it_is_made_of():
 
 
 def test_a_place_goes_towards_the_flat_s_middle_as_contacts_overlap_more():
-    angles = [Place.overlapping(Q, d, d).psi for d in (0, 1e-5, 3e-5, 0.499999 * through(Q))]
+    angles = [overlapping(Q, d, d).psi for d in (0, 1e-5, 3e-5, 0.499999 * through(Q))]
     assert angles == sorted(angles, reverse=True)
     assert angles[-1] < 1e-3 * angles[0] or angles[-1] < 3e-4
 
@@ -122,7 +123,7 @@ def test_contact_forces_of_a_roller_are_equal_and_opposite(state):
 
 
 def test_surfaces_drawn_out_of_the_wedge_push_the_roller_out():
-    place = Place.overlapping(Q, 10e-6, 17e-6)
+    place = overlapping(Q, 10e-6, 17e-6)
     sector = Sector(place, (83e-6, 91e-6), 3, mu=2 * math.tan(place.psi / 2))
     still, drawn = sector.at((0.0, 0.0)), sector.at((5e-7, 5e-7))
     assert drawn.motion[0] > still.motion[0] + 3e-7
@@ -395,7 +396,7 @@ FAULTS = [
         lambda self: right.fget(self) * (Q.z - 1) / Q.z), ON_RACE, id="one roller too few"),
     pytest.param(State, "on_race", mirrored, ON_RACE, id="the friction's sign"),
     pytest.param(CupSweep, "torsion_by_energy", lambda _: lambda self, T: 0.95 * (
-        Sweep.torsion_by_energy(self, T)), ROLLS, id="energy 5 % too little"),
+        FlatCourse.torsion_by_energy(self, T)), ROLLS, id="energy 5 % too little"),
 ]  # fmt: skip
 
 

@@ -10,11 +10,12 @@ import pytest
 from analytic.freewheel import criterion
 from analytic.freewheel.geometry import Cam
 from fem.contact import interface
-from verify.cases.freewheel import pulled_sector as model
+from fem.wedge import pulled as model
+from fem.wedge.slip_limit import Limit
 from verify.cases.freewheel.friction import reference as fem
 from verify.cases.freewheel.friction.case import FRICTION, FreewheelFriction
+from verify.cases.freewheel.pulled_sector import one_pulled
 from verify.cases.freewheel.reference import ratio
-from verify.cases.freewheel.slip_limit import Limit
 from verify.cases.freewheel.star import Star
 from verify.cases.freewheel.sweep import Sweep
 from verify.core.results import Status
@@ -23,6 +24,8 @@ from verify.jobs.level import Job, judge_case, solve_level
 LEVELS = (3, 4, 5)
 COARSE = replace(FRICTION, levels=LEVELS)
 STEEP = math.radians(5)  # a clamping angle that friction of 0.08 does not bear
+
+ONE = one_pulled(FreewheelFriction())
 
 pytestmark = pytest.mark.xdist_group("freewheel-friction")
 
@@ -59,24 +62,24 @@ def broken(monkeypatch):
 
 @pytest.fixture(scope="module")
 def start():
-    return model.at_torque(FreewheelFriction(), 4)
+    return model.at_torque(ONE, 4)
 
 
 def driven(start, mu=0.08):
-    there = model.sector(FreewheelFriction(), start, 4, mu, driven=True)
+    there = model.sector(ONE.q, start, 4, mu, driven=True)
     return there, there.rest(start.drags)
 
 
 # States of the clutch.
 def test_a_clutch_whose_friction_is_too_low_slips_and_does_not_fail(start):
-    limit = Limit(FreewheelFriction(), start, start.drags)
+    limit = Limit(ONE, start, start.drags)
     assert limit.slipping(0.9 * limit.tan).tolist() == [1.0, 1.0]
     assert limit.slipping(2.0 * limit.tan).max() < 0.5
 
 
 def test_friction_and_the_sweep_over_the_torque_read_the_same_forces(start):
     q = FreewheelFriction()
-    rest, _ = fem.under_load(q, start, 4)
+    rest, _ = fem.under_load(ONE, start, 4)
     sweep, T, borne = Sweep(q, 4), rest.torque * q.L, model.Borne.by(rest)
     shares = [ratio(sweep, T, where) for where in ("", " race")]
     assert pytest.approx(np.mean(shares), rel=1e-4) == borne.tangent
@@ -86,9 +89,9 @@ def test_friction_and_the_sweep_over_the_torque_read_the_same_forces(start):
 
 def test_a_pull_within_the_cone_leaves_torque_and_normal_force(start):
     q = FreewheelFriction()
-    there = model.sector(q, start, 4, 0.2, driven=False)
+    there = model.sector(ONE.q, start, 4, 0.2, driven=False)
     rest = there.rest(start.drags)
-    before, after = model.Borne.by(rest), model.Borne.by(model.pulled(q, there, rest))
+    before, after = model.Borne.by(rest), model.Borne.by(model.pulled(ONE, there, rest))
     assert pytest.approx(before.N, rel=1e-4) == after.N
     assert after.F_t == pytest.approx(before.F_t, rel=1e-4)
     pull = q.F_ax * rest.torque / (q.z * q.T)
@@ -97,7 +100,7 @@ def test_a_pull_within_the_cone_leaves_torque_and_normal_force(start):
 
 def test_a_pull_beyond_the_cone_finds_no_rest(start):
     q = FreewheelFriction()
-    there = model.sector(q, start, 4, q.mu, driven=False)
+    there = model.sector(ONE.q, start, 4, q.mu, driven=False)
     rest = there.rest(start.drags)
     force = {"ring.rim": 1.05 * FRICTION.analytic(q)["F_lim"] / (q.z * q.L)}
     with pytest.raises(ArithmeticError):
@@ -269,8 +272,8 @@ def without_z(right):
 FEM_FAULTS = [
     pytest.param(interface, "Complementarity", rough(1.01), ONSET, id="friction 1 % too large"),
     pytest.param(model.Borne, "by", without_z, BOTH, id="the pull along z is not read"),
-    pytest.param(fem, "pulled", lambda right: lambda q, there, rest: right(
-        q.model_copy(update={"F_ax": q.z * q.F_ax}), there, rest), AXIAL,
+    pytest.param(fem, "pulled", lambda right: lambda one, there, rest: right(
+        replace(one, F_ax=one.q.z * one.F_ax), there, rest), AXIAL,
         id="the whole load on one pitch"),
     pytest.param(fem, "creeping", lambda _: lambda there, state, **along: (
         there.at(state.drags, after=state.solution, **along)), CREEP, id="the ring is held"),

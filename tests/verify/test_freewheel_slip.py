@@ -7,25 +7,26 @@ import numpy as np
 import pytest
 
 from fem.contact.errors import NotFoundError
-from verify.cases.freewheel import slip
-from verify.cases.freewheel import slip_limit as freewheel_friction_limit
+from fem.wedge import drive as slip
+from fem.wedge import slip_limit
+from fem.wedge.drive import Drive, Driven
+from fem.wedge.flat_start import COARSE
+from fem.wedge.pulled import Borne, at_torque, creeping, sector
+from fem.wedge.slip_limit import Limit
 from verify.cases.freewheel.paths.case import LoadPaths
-from verify.cases.freewheel.pulled_sector import Borne, at_torque, creeping, sector
-from verify.cases.freewheel.slip import Drive, Driven
-from verify.cases.freewheel.slip_limit import Limit
-from verify.cases.freewheel.sweep import COARSE
+from verify.cases.freewheel.pulled_sector import one_pulled
 
 pytestmark = pytest.mark.xdist_group("freewheel-paths")
 
 
 @cache
 def start():
-    return at_torque(LoadPaths(), COARSE)
+    return at_torque(one_pulled(LoadPaths()), COARSE)
 
 
 @cache
 def drive():
-    return Drive.at(LoadPaths(), start(), COARSE)
+    return Drive.at(one_pulled(LoadPaths()), start(), COARSE)
 
 
 @cache
@@ -34,7 +35,7 @@ def limit():
 
 
 def bound(mu=0.08):
-    return Limit(LoadPaths(mu=mu, F_ax=600.0), start(), start().drags)
+    return Limit(one_pulled(LoadPaths(mu=mu, F_ax=600.0)), start(), start().drags)
 
 
 def test_the_limit_is_what_the_cone_leaves_for_the_axis():
@@ -47,7 +48,7 @@ def test_the_limit_is_what_the_cone_leaves_for_the_axis():
 
 def test_forces_that_grow_in_small_steps_are_borne_up_to_next_to_the_limit():
     q = LoadPaths()
-    there = sector(q, start(), COARSE, q.mu, driven=False)
+    there = sector(one_pulled(q).q, start(), COARSE, q.mu, driven=False)
     rest = state = there.rest(start().drags)
     for share in (0.6, 0.95, 0.99, 0.997, 0.9985):
         force = {"ring.rim": share * drive().unit}
@@ -120,7 +121,7 @@ def test_the_friction_of_a_load_is_that_of_eq_8_where_slip_is_the_cone_s(monkeyp
     def coulomb(self, mu):
         return math.sqrt((mu / self.tan) ** 2 - 1), 1e-6
 
-    monkeypatch.setattr(freewheel_friction_limit.Limit, "_lever", coulomb)
+    monkeypatch.setattr(slip_limit.Limit, "_lever", coulomb)
     value, half = bound().of_load()
     assert value == pytest.approx(1.0, abs=1e-12)
     assert 0 < half < 2e-6
@@ -129,7 +130,7 @@ def test_the_friction_of_a_load_is_that_of_eq_8_where_slip_is_the_cone_s(monkeyp
 def test_a_light_load_s_friction_lies_between_one_that_holds_and_torque_alone(monkeypatch):
     monkeypatch.setattr(Limit, "sticks", lambda self, mu: mu >= self.tan * 1.0005)
     monkeypatch.setattr(Limit, "_lever", lambda *_: (0.05, 1e-6))
-    one = Limit(LoadPaths(F_ax=1.0), start(), start().drags)
+    one = Limit(one_pulled(LoadPaths(F_ax=1.0)), start(), start().drags)
     value, half = one.of_load()
-    assert value + half == pytest.approx(1 + freewheel_friction_limit.AXIAL_ABOVE, abs=1e-9)
+    assert value + half == pytest.approx(1 + slip_limit.AXIAL_ABOVE, abs=1e-9)
     assert half > 0

@@ -13,13 +13,14 @@ from analytic.freewheel.clutch import Clutch, Material, hertz_line
 from analytic.freewheel.rolling import torsion
 from analytic.freewheel.state import State as Formula
 from fem.plane.material import Elastic
+from fem.wedge import flat_start, rest
+from fem.wedge.flat import Sector, State
 from tests.conftest import solved
 from verify.app.cli import run
-from verify.cases.freewheel import fem as freewheel_fem
 from verify.cases.freewheel import star
 from verify.cases.freewheel import sweep as freewheel_sweep
 from verify.cases.freewheel.bounds import of_star
-from verify.cases.freewheel.fem import Place, Sector, State
+from verify.cases.freewheel.fem import overlapping
 from verify.cases.freewheel.reference import at_angle
 from verify.cases.freewheel.sweep import Sweep, rigid_force
 from verify.cases.freewheel.torque.case import TORQUE, FreewheelTorque
@@ -89,7 +90,7 @@ def off_x(alpha):
 
 
 def at_rest(q=Q, d=(8e-6, 17e-6), widths=(95e-6, 103e-6), cells=3):
-    place = Place.overlapping(q, *d)
+    place = overlapping(q, *d)
     return Sector(place, widths, cells, mu=2 * math.tan(place.psi / 2)).rest()
 
 
@@ -100,7 +101,7 @@ def state():
 
 # The roller's place.
 def test_a_place_overlaps_by_the_approaches_it_is_made_of():
-    place = Place.overlapping(Q, 8e-6, 17e-6)
+    place = overlapping(Q, 8e-6, 17e-6)
     assert (place.d_i, place.d_o) == pytest.approx((8e-6, 17e-6), rel=1e-9)
     assert place.psi == pytest.approx(2 * float(Q.cam.alpha(d_i=8e-6, d_o=17e-6)), rel=1e-12)
     x, y = Q.cam.centre(d_i=8e-6, d_o=17e-6)
@@ -108,12 +109,12 @@ def test_a_place_overlaps_by_the_approaches_it_is_made_of():
 
 
 def test_a_place_without_overlap_stands_at_the_rigid_angle():
-    assert Place.overlapping(Q, 0.0, 0.0).psi == pytest.approx(2 * float(Q.cam.alpha0), rel=1e-12)
+    assert overlapping(Q, 0.0, 0.0).psi == pytest.approx(2 * float(Q.cam.alpha0), rel=1e-12)
 
 
 # A state.
 def test_a_state_s_roller_neither_creeps_nor_turns(state):
-    most = freewheel_fem.STILL * (state.place.d_i + state.place.d_o)
+    most = rest.STILL * (state.place.d_i + state.place.d_o)
     assert max(map(abs, state.motion)) <= most
     assert max(map(abs, state.drags)) > 100 * most
 
@@ -494,6 +495,6 @@ def test_wrong_finite_elements_turn_a_row_red(owner, name, fault, row, few, brok
 
 
 def test_rollers_with_less_friction_than_they_need_find_no_state(monkeypatch):
-    monkeypatch.setattr(freewheel_sweep, "STICKS", 0.9)
+    monkeypatch.setattr(flat_start, "STICKS", 0.9)
     with pytest.raises(ArithmeticError):
         freewheel_sweep.starts.__wrapped__(Q)

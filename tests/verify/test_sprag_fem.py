@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from fem.contact.errors import NotFoundError
-from verify.cases.sprag.bodies import Place, fem_sprag, first_contact
-from verify.cases.sprag.fem import Sector
+from fem.wedge.races import Sector
+from meshes.sprag.wedged import Place, first_contact
 from verify.cases.sprag.inputs import WedgeInputs
-from verify.cases.sprag.stroke import Start, at_force, at_rotation
+from verify.cases.sprag.stroke import Start, at_force, at_rotation, races, struts
 
 Q = WedgeInputs()
 P = 3407 / Q.l  # [N/m] of a sprag under 25 N m
@@ -42,7 +42,7 @@ def test_a_wedge_angle_asks_for_its_growth_of_the_spiral(nu_0, m):
 
 
 def test_the_sprag_by_vectors_is_that_of_the_formulas():
-    sprag, formula = fem_sprag(Q), Q.sprag
+    sprag, formula = races(Q).sprag, Q.sprag
     for name, value in (("rho_0", formula.rho_0), ("m", formula.m), ("r_e", formula.r_e),
                         ("theta_0", formula.eta_0)):  # fmt: skip
         assert getattr(sprag, name) == pytest.approx(value, rel=1e-9)
@@ -56,14 +56,16 @@ def test_a_wedge_angle_that_no_spiral_has_is_refused():
 
 
 def test_without_rotation_nothing_overlaps_and_turning_clockwise_makes_it():
-    H = [Place.overlapping(Q, alpha).H for alpha in (0.0, 0.02, 0.04)]
+    H = [Place.overlapping(races(Q), alpha).H for alpha in (0.0, 0.02, 0.04)]
     assert H[0] == pytest.approx(0, abs=1e-15)
     assert 0 < H[1] < H[2] < 2.2 * H[1]
 
 
 def test_the_drawn_contacts_lie_where_forces_act():
-    place = Place(Q, 0.1, Place.overlapping(Q, 0.1).D, shares=(0.65, 0.75), bends=(1e-6, 2e-6))
-    drawn, free = place.fem_drawn, place.fem_free
+    place = Place(
+        races(Q), 0.1, Place.overlapping(races(Q), 0.1).D, shares=(0.65, 0.75), bends=(1e-6, 2e-6)
+    )
+    drawn, free = place.drawn, place.free
     assert hypot(*drawn.inner) == pytest.approx(place.OA - 1e-6, rel=1e-12)
     assert hypot(*drawn.outer) == pytest.approx(place.OB + 2e-6, rel=1e-12)
     assert drawn.theta == pytest.approx(free.theta, abs=1e-12)
@@ -128,7 +130,7 @@ def test_bodies_that_overlap_as_they_are_without_loads_bear_as_much_but_leave_a_
     start, state
 ):
     place = replace(start.place, shares=(0.0, 0.0), bends=start.place.overlaps)
-    plain = Sector(place, start.widths, 6, mu=0.3).rest(start.drags)
+    plain = Sector(struts(Q), place, start.widths, 6, mu=0.3).rest(start.drags)
     assert plain.N[0] == pytest.approx(state.N[0], rel=5e-4)
     assert plain.energy == pytest.approx(state.energy, rel=5e-4)
     # tangential forces act on surfaces that lie apart by the overlaps
@@ -145,7 +147,7 @@ def test_forces_act_at_the_radii_of_the_compressed_races(state):
 def test_the_inner_contact_is_narrower_and_pressed_harder(state):
     assert state.widths[0] < state.widths[1]
     assert state.peaks[0] > state.peaks[1]
-    for i, bends in enumerate((1 / Q.r_i + 1 / Q.R_i, 1 / fem_sprag(Q).r_e - 1 / Q.R_e)):
+    for i, bends in enumerate((1 / Q.r_i + 1 / Q.R_i, 1 / races(Q).sprag.r_e - 1 / Q.R_e)):
         a = (8 * state.N[i] * (1 - Q.nu**2) / (pi * Q.E * bends)) ** 0.5  # Hertz
         assert state.widths[i] == pytest.approx(a, rel=0.01)
         assert state.peaks[i] == pytest.approx(2 * state.N[i] / (pi * a), rel=0.01)
@@ -239,6 +241,6 @@ def test_a_load_that_turns_the_sprag_off_its_profile_is_refused_in_one_line():
 
 
 def test_a_sector_turned_by_its_drags_alone_shows_them_in_the_sprags_motion(start):
-    sector = Sector(start.place, start.widths, 3, mu=0.3)
+    sector = Sector(struts(Q), start.place, start.widths, 3, mu=0.3)
     still, dragged = sector.at((0.0, 0.0)).motion, sector.at((1e-7, 1e-7)).motion
     assert dragged[0] - still[0] == pytest.approx(-1e-7, rel=0.02)  # both races to the left

@@ -11,9 +11,9 @@ from analytic.ring import smeared
 from analytic.sprag import closure, column, course, parts, printed
 from analytic.sprag.compliance import Yields
 from fem.plane.material import Elastic
+from fem.wedge.races import State
+from meshes.sprag.wedged import Place
 from verify.app.cli import run
-from verify.cases.sprag.bodies import Place
-from verify.cases.sprag.fem import State
 from verify.cases.sprag.wedge import bounds, formulas, model
 from verify.cases.sprag.wedge import sweep as sprag_wedge_sweep
 from verify.cases.sprag.wedge.bounds import Bounds, plane_yields

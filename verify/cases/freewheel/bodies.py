@@ -1,10 +1,9 @@
-"""What sectors of both kinds of roller freewheels have in common, by the names of their parts.
+"""What both kinds of roller freewheels have in common, by the names of their parts.
 
 The cam has the flats, the race is round. `sense` is +1 for a star with flats in a ring and -1 for a
 cup with flats around a shaft: what draws a roller into the wedge then turns the other way.
 """
 
-from dataclasses import dataclass
 from typing import Protocol
 
 
@@ -34,21 +33,3 @@ class OneClutch(Protocol):
     def E(self) -> float: ...
     @property
     def nu(self) -> float: ...
-
-
-@dataclass(frozen=True)
-class Bodies:
-    """Names of the bodies, of the touched surfaces, and of the boundaries that hold them."""
-
-    cam: str
-    race: str
-    flat: str
-    bore: str
-    cam_held: str
-    race_held: str
-
-
-BODIES = {
-    1: Bodies("star", "ring", "star.flat", "ring.bore", "star.bore", "ring.rim"),
-    -1: Bodies("cup", "shaft", "cup.flat", "shaft.rim", "cup.rim", "shaft.bore"),
-}

@@ -7,10 +7,13 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
+from fem.wedge.flat import State
+from fem.wedge.flat_course import FlatCourse as Sweep
+from fem.wedge.flat_place import Pitch, Place
 from verify.case import plane_field
-from verify.cases.freewheel.bodies import BODIES, OneClutch
-from verify.cases.freewheel.fem import Place, State
-from verify.cases.freewheel.sweep import Sweep, rigid_force
+from verify.cases.freewheel.bodies import OneClutch
+from verify.cases.freewheel.fem import NAMES
+from verify.cases.freewheel.sweep import rigid_force
 from verify.core.figures import Field
 
 Array = NDArray[np.float64]
@@ -40,7 +43,7 @@ def over_torque(q: OneClutch, sweep: Sweep) -> dict[str, Array]:
     """Profiles over the torque, what the states are, and pressures of the heaviest one."""
     grid, at = GRID * q.T, sweep.at_states
     psi, d = np.array([(p.psi, to_race(p)) for p in map(sweep.place, grid)]).T
-    names = BODIES[q.sense]
+    names = NAMES[q.sense]
     inner, outer = (names.cam, names.race)[:: q.sense]
     return {
         "alpha_over_T": psi / 2,
@@ -70,7 +73,7 @@ def at_angle(sweep: Sweep, psi: float) -> float:
     return float(np.exp(spline(math.log(wanted))))
 
 
-def rigid_angle(q: OneClutch) -> float:
+def rigid_angle(q: OneClutch | Pitch) -> float:
     """The angle psi [rad] without load."""
     return math.acos((q.flat + q.sense * q.r) / (q.race - q.sense * q.r))
 

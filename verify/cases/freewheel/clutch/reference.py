@@ -5,15 +5,15 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from fem.wedge.flat_start import Start, after
+from fem.wedge.pulled import HARDER, Pulled
+from fem.wedge.slip_limit import Limit
 from verify.case import Level
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
-from verify.cases.freewheel.fem import Place
-from verify.cases.freewheel.pulled import Pulled
-from verify.cases.freewheel.pulled_sector import HARDER
+from verify.cases.freewheel.fem import overlapping, pitch
 from verify.cases.freewheel.reference import LEVELS, SPLINE, field
-from verify.cases.freewheel.slip_limit import Limit
 from verify.cases.freewheel.star import Star
-from verify.cases.freewheel.sweep import Start, Sweep, after
+from verify.cases.freewheel.sweep import Sweep
 
 Array = NDArray[np.float64]
 
@@ -60,10 +60,10 @@ def at(sweep: Sweep, T: float) -> Start:
 def moved(q: Star, start: Start, dX: float, level: int) -> float:
     """The angle [rad] under T with the flats moved by `dX`."""
     other = q.model_copy(update={"X": q.X + dX})
-    steeper = [math.tan(Place.overlapping(one, *start.d).psi / 2) for one in (other, q)]
+    steeper = [math.tan(overlapping(one, *start.d).psi / 2) for one in (other, q)]
     now = start.scaled((steeper[1] / steeper[0]) ** HARDER)
     for _ in range(MOST):
-        state = now.state(other, level)
+        state = now.state(pitch(other), level)
         share = q.T / (state.torque * q.L)
         if abs(share - 1) < NEAR:
             break
@@ -76,7 +76,7 @@ def moved(q: Star, start: Start, dX: float, level: int) -> float:
 
 def around(q: ClutchInputs, one: Star, start: Start) -> Array:
     """Whether friction `AROUND` mu_req holds (2,): 1 or 0; at the angle of finite elements."""
-    given = Pulled(**one.model_dump(), F_ax=q.F_ax, mu=q.mu)
+    given = Pulled(pitch(one), L=one.L, T=one.T, F_ax=q.F_ax, mu=q.mu)
     limit = Limit(given, start, start.drags)
     needed = limit.tan * math.hypot(1.0, q.F_ax * q.R / q.T)
     return np.array([float(limit.bears(share * needed)) for share in AROUND])

@@ -5,8 +5,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from analytic.freewheel import criterion
+from fem.wedge.slip_limit import HELD
 from verify.case import Comparison, Quantity
-from verify.cases.freewheel.slip_limit import HELD
 from verify.core.case import Context
 from verify.core.figures import Array
 from verify.judging.tolerance_checks import (

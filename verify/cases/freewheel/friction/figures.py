@@ -8,7 +8,7 @@ import numpy as np
 
 from analytic.freewheel import criterion
 from analytic.freewheel.state import loaded
-from verify.cases.freewheel.slip_limit import HELD
+from fem.wedge.slip_limit import HELD
 from verify.core.case import Context
 from verify.core.figures import Curve, Curves, Figure, Picture, Shape, Sketch, Table
 

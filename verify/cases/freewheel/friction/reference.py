@@ -2,30 +2,35 @@
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from verify.case import Level
-from verify.cases.freewheel.fem import Sector, State
-from verify.cases.freewheel.pulled_sector import (
+from analytic.freewheel.geometry import InnerCam
+from fem.wedge.flat import Sector, State
+from fem.wedge.flat_place import Pitch, Place
+from fem.wedge.flat_start import Start
+from fem.wedge.pulled import (
     EDGES,
     Borne,
+    Pulled,
     ample,
     at_torque,
     creeping,
-    field,
     lever_left,
     pulled,
     sector,
     yielding,
 )
-from verify.cases.freewheel.slip_limit import Limit, over_angles
-from verify.cases.freewheel.sweep import Start
+from fem.wedge.slip_limit import Limit, over_angles
+from verify.case import Level
+from verify.cases.freewheel.pulled_sector import field, one_pulled
 
 if TYPE_CHECKING:
-    from verify.cases.freewheel.pulled import Pulled
+    from verify.cases.freewheel.friction.case import FreewheelFriction
 
 Array = NDArray[np.float64]
 
@@ -35,10 +40,11 @@ FREE = (1.0, 2.0, 5.0, 10.0, 18.0, 27.0, 37.0)  # the same with the ring held
 SOLVED = 1e-9  # of N, within which the solver balances a body that only contact holds
 
 
-def solve(q: "Pulled", level: int) -> Level:
+def solve(q: "FreewheelFriction", level: int) -> Level:
     """One level: forces with ample friction, the path to slip; on the finest what slips how."""
-    start = at_torque(q, level)
-    rest, held = under_load(q, start, level)
+    one = one_pulled(q)
+    start = at_torque(one, level)
+    rest, held = under_load(one, start, level)
     alone, borne = Borne.by(rest), Borne.by(held)
     missed = abs(rest.torque * q.L / q.T - 1)
     per_torque = q.T / rest.torque  # of forces, at an angle that hardly changes
@@ -50,9 +56,9 @@ def solve(q: "Pulled", level: int) -> Level:
     # tan² alpha is linear in the approaches, on which T grows faster
     u_it = {key: (EDGES + missed / 2) * values[key] for key in ("mu_T", "mu_req", "N")}
     u_it |= dict.fromkeys(("F_t", "F_a"), SOLVED * values["N"])
-    there = sector(q, start, level, q.mu, driven=True)
+    there = sector(one.q, start, level, q.mu, driven=True)
     stuck = there.rest(rest.drags)
-    unit = yielding(q, there, stuck)
+    unit = yielding(one, there, stuck)
     path = driven(there, stuck, [u * unit for u in STEPS])
     # slip is where the mesh has its normals: from its angle to that of the torque that is asked for
     own = lever_left(q.mu, stuck.place) / lever_left(q.mu, stuck.start)
@@ -68,10 +74,12 @@ def solve(q: "Pulled", level: int) -> Level:
         "creep": path,
     }  # fmt: skip
     if level == LEVELS[-1]:
-        bound = Limit(q, start, rest.drags)
+        bound = Limit(one, start, rest.drags)
         arrays |= {
             "shares": bound.shares(), "onset": bound.of_torque(), "axial_onset": bound.of_load(),
-            "angles": over_angles(q, start, rest.drags, float(alone.N.mean()), unit),
+            "angles": over_angles(
+                one, start, rest, N=float(alone.N.mean()), unit=unit, built=partial(with_flat, one)
+            ),
             "let_out": let_out(there, stuck, [u * unit for u in FREE]),
         }  # fmt: skip
     return Level(
@@ -80,12 +88,19 @@ def solve(q: "Pulled", level: int) -> Level:
     )  # fmt: skip
 
 
-def under_load(q: "Pulled", start: Start, cells: int) -> tuple[State, State]:
+def with_flat(one: Pulled, X: float) -> Pitch:
+    """The pitch with its flats at another distance [m]; ValueError where it has no wedges."""
+    q = one.q
+    InnerCam(R=q.race, r=q.r, X=X, z=q.z)
+    return replace(q, flat=X)
+
+
+def under_load(one: Pulled, start: Start, cells: int) -> tuple[State, State]:
     """The clutch with ample friction: at rest under torque, and with the axial load as well."""
-    there = sector(q, start, cells, 1.0, driven=False)
-    there = sector(q, start, cells, ample(q, there.place), driven=False)
+    mu = ample(one, Place.overlapping(one.q, *start.d))
+    there = sector(one.q, start, cells, mu, driven=False)
     rest = there.rest(start.drags)
-    return rest, pulled(q, there, rest)
+    return rest, pulled(one, there, rest)
 
 
 def driven(there: Sector, stuck: State, way: Sequence[float]) -> Array:

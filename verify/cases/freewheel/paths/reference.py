@@ -8,26 +8,28 @@ both loads come on together.
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from verify.case import Level
-from verify.cases.freewheel.fem import Place, Sector, State
-from verify.cases.freewheel.pulled_sector import (
+from fem.wedge.drive import Drive, axial_unit
+from fem.wedge.flat import Sector, State
+from fem.wedge.flat_place import Place
+from fem.wedge.flat_start import Start, after
+from fem.wedge.pulled import (
     HARDER,
     Borne,
+    Pulled,
     ample,
     at_torque,
     creeping,
-    field,
     sector,
     slipping,
 )
-from verify.cases.freewheel.slip import Drive, axial_unit
-from verify.cases.freewheel.sweep import Start, after
+from verify.case import Level
+from verify.cases.freewheel.pulled_sector import field, one_pulled
 
 Array = NDArray[np.float64]
 
@@ -46,19 +48,19 @@ TOGETHER = 0.95  # of the way to the limit in load case 3: what comes from no lo
 class Held:
     """The clutch under its torque and axial forces, in a unit of what friction leaves for F_z."""
 
-    q: Any
+    one: Pulled
     there: Sector
     rest: State
 
     @classmethod
-    def at(cls, q: Any, start: Start, cells: int, mu: float) -> "Held":
-        there = sector(q, start, cells, mu, driven=False)
-        return cls(q, there, there.rest(start.drags))
+    def at(cls, one: Pulled, start: Start, cells: int, mu: float) -> "Held":
+        there = sector(one.q, start, cells, mu, driven=False)
+        return cls(one, there, there.rest(start.drags))
 
     @property
     def unit(self) -> float:
         """F_z [N/m] with which F_t makes mu N by the normals of the mesh, and the torque."""
-        return axial_unit(self.q, self.rest)
+        return axial_unit(self.one, self.rest)
 
     def to(self, share: float, state: State) -> State:
         """On from `state` to an axial load; NotFoundError where no rest is found under it."""
@@ -67,8 +69,9 @@ class Held:
 
 def solve(q: Any, level: int) -> Level:
     """One level of all paths; on the finest the loads at slip."""
-    start = at_torque(q, level)
-    held, drive = Held.at(q, start, level, q.mu), Drive.at(q, start, level)
+    one = one_pulled(q)
+    start = at_torque(one, level)
+    held, drive = Held.at(one, start, level, q.mu), Drive.at(one, start, level)
     ramp, growing = follow(held, RAMP), follow(held, GROWING)
     values = in_phase(q, start, level)
     u_it = dict.fromkeys(values, SOLVED)
@@ -86,7 +89,7 @@ def solve(q: Any, level: int) -> Level:
         arrays["slips"] = np.array([
             drive.load(drive.along(GROWING)), last.load(last.together(TOGETHER)),
         ])  # fmt: skip
-        coarse = Held.at(q, at_torque(q, LEVELS[0]), LEVELS[0], q.mu)
+        coarse = Held.at(one, at_torque(one, LEVELS[0]), LEVELS[0], q.mu)
         arrays["walks"] = np.array([walk(coarse, share) for share in OTHERS])
     return Level(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=(field(growing[-1]),))
 
@@ -95,9 +98,9 @@ def in_phase(q: Any, near: Start, cells: int) -> dict[str, float]:
     """Load case 3: required friction at the sines of `MU_REQ`."""
     values = {}
     for share, key in MU_REQ.items():
-        there = q.model_copy(update={"T": q.T_m + share * q.T, "F_ax": share * q.F_ax})
-        start = under(there, near, q, cells)
-        mu = ample(there, Place.overlapping(there, *start.d))
+        there = one_pulled(q.model_copy(update={"T": q.T_m + share * q.T, "F_ax": share * q.F_ax}))
+        start = under(there, near, q.T, cells)
+        mu = ample(there, Place.overlapping(there.q, *start.d))
         own = Held.at(there, start, cells, mu)
         force = {"ring.rim": there.F_ax * own.rest.torque / (q.z * there.T)}
         state = own.there.at(own.rest.drags, axial_forces=force)
@@ -107,17 +110,17 @@ def in_phase(q: Any, near: Start, cells: int) -> dict[str, float]:
 
 def critical(q: Any, near: Start, cells: int) -> Drive:
     """The clutch at the torque of load case 3 at which the least amplitude slips."""
-    there = q.model_copy(update={"T": q.T_critical})
-    return Drive.at(there, under(there, near, q, cells), cells)
+    there = replace(one_pulled(q), T=q.T_critical)
+    return Drive.at(there, under(there, near, q.T, cells), cells)
 
 
-def under(there: Any, near: Start, q: Any, cells: int) -> Start:
-    """Where the clutch lies under the torque of `there`, from where it lies under that of `q`."""
-    if there.T == q.T:
+def under(there: Pulled, near: Start, T: float, cells: int) -> Start:
+    """Where the clutch lies under the torque of `there`, from where it lies under `T` [N m]."""
+    if there.T == T:
         return near
-    now = near.scaled((there.T / q.T) ** HARDER)
+    now = near.scaled((there.T / T) ** HARDER)
     for _ in range(CORRECTIONS):
-        state = now.state(there, cells)
+        state = now.state(there.q, cells)
         now = after(state).scaled((there.T / (state.torque * there.L)) ** HARDER)
     return now
 

@@ -5,7 +5,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from verify.cases.sprag.fem import Sector, State
+from fem.wedge.races import Sector, State
+from meshes.sprag.wedged import Place
 from verify.cases.sprag.inputs import WedgeInputs
 from verify.cases.sprag.wedge.sweep import Sweep, rigid_force
 from verify.core.case import FemResult
@@ -90,6 +91,7 @@ def onset(sweep: Sweep) -> dict[str, float]:
     }
 
 
-def stays(state: State, mu: float) -> bool:
+def stays(state: State[Place], mu: float) -> bool:
     """Whether friction `mu` holds the sprag: at both contacts some nodes stick."""
-    return not Sector(state.start, state.widths, 4, mu=mu).at(state.drags).solution.slides
+    sector = Sector(state.sector.q, state.start, state.widths, 4, mu=mu)
+    return not sector.at(state.drags).solution.slides

@@ -14,7 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem.wedge.course import Course
-from verify.cases.sprag.fem import State
+from fem.wedge.races import State
+from meshes.sprag.wedged import Place
 from verify.cases.sprag.inputs import WedgeInputs
 from verify.cases.sprag.stroke import COARSE, Start, at_force
 
@@ -79,7 +80,7 @@ def half_width(touch: "Touch") -> float:
     return float(3 * math.pi / 4 * (load @ np.abs(touch.along())) / load.sum())
 
 
-def read(q: WedgeInputs, state: State) -> dict[str, float]:
+def read(q: WedgeInputs, state: State[Place]) -> dict[str, float]:
     """Torque [N m], forces [N] on one sprag, lengths, angles, pressures; energy [J] of a pitch."""
     (N, N_e), (T_i, T_e), (p_i, p_e) = state.N, state.T, state.peaks
     a_i, a_e = map(half_width, state.solution.touches)

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from verify.cases.freewheel.cup.case import CUP
+from verify.cases.freewheel.fem import pitch
 from verify.cases.freewheel.sweep import starts
 from verify.cases.freewheel.torque.case import TORQUE
 from verify.cases.polyhedral.locking.case import LOCKING
@@ -49,7 +50,7 @@ def freewheel(case: Any) -> Posed:
 
     q: Any = case.inputs()
     start = starts(q)[LOADED]
-    state, seconds = timed(lambda: start.state(q, CELLS))
+    state, seconds = timed(lambda: start.state(pitch(q), CELLS))
     deck = ContactDeck(
         states=[state.solution], materials=Elastic(E=q.E, nu=q.nu), assumption="plane strain",
         how=Settings(slope=STIFF * q.E / min(state.widths)),

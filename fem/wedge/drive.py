@@ -1,4 +1,4 @@
-"""Axial load at which a freewheel slips: the ring driven along z until friction bears no more.
+"""Axial load at which a wedged roller slips: the ring driven along z until it bears no more.
 
 The limit is read from solved states alone. The axial load first follows its path, met by
 displacements of the ring's rim; then the rim goes on until no loaded node of a contact sticks and
@@ -8,24 +8,13 @@ the resultant of its friction is mu N, which no state of this N and F_t exceeds.
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from verify.cases.contact.errors import fem_errors
-from verify.cases.freewheel.fem import Sector, State
-from verify.cases.freewheel.pulled_sector import (
-    EDGES,
-    Borne,
-    creeping,
-    lever_left,
-    sector,
-    yielding,
-)
-from verify.cases.freewheel.sweep import Start
-
-if TYPE_CHECKING:
-    from verify.cases.freewheel.pulled import Pulled
+from fem.contact.errors import NotFoundError
+from fem.wedge.flat import Sector, State
+from fem.wedge.flat_start import Start
+from fem.wedge.pulled import EDGES, Borne, Pulled, creeping, lever_left, sector, yielding
 
 STEP = 0.25  # of the rim along z, over what parts yield at the limit
 MOBILISED = 1e-6  # of the axial force: by no more may the cone let it grow where a contact slips
@@ -51,29 +40,29 @@ class Driven:
 
 @dataclass(frozen=True)
 class Drive:
-    """The clutch of `q` under its torque, with its ring's rim driven along z.
+    """The clutch `one` under its torque, with its ring's rim driven along z.
 
     The roller stays in its place: the ring turns on where friction lets it creep.
     """
 
-    q: "Pulled"
+    one: Pulled
     there: Sector
     rest: State
 
     @classmethod
-    def at(cls, q: "Pulled", start: Start, cells: int) -> "Drive":
-        there = sector(q, start, cells, q.mu, driven=True)
-        return cls(q, there, there.rest(start.drags))
+    def at(cls, one: Pulled, start: Start, cells: int) -> "Drive":
+        there = sector(one.q, start, cells, one.mu, driven=True)
+        return cls(one, there, there.rest(start.drags))
 
     @property
     def unit(self) -> float:
         """F_z [N/m] with which F_t makes mu N by the normals of the mesh, and the torque."""
-        return axial_unit(self.q, self.rest)
+        return axial_unit(self.one, self.rest)
 
     @cached_property
     def way(self) -> float:
         """How far [m] parts would yield along z under that force if nothing slipped."""
-        return yielding(self.q, self.there, self.rest)
+        return yielding(self.one, self.there, self.rest)
 
     def along(self, shares: Sequence[float]) -> Driven:
         """The end of a load path: at rest, then at these parts of `unit` one after the other."""
@@ -85,7 +74,7 @@ class Drive:
     def together(self, share: float) -> Driven:
         """Torque and axial load at once, from no load: what parts yield under a part of `unit`."""
         u = share * self.way
-        rim = {"ring.rim": u}
+        rim = self._rim(u)
         first = self.there.at(self.rest.drags, axial_displacements=rim)
         return Driven(creeping(self.there, first, axial_displacements=rim), u)
 
@@ -94,11 +83,11 @@ class Drive:
 
         At the torque asked for, and at the angle that the clutch has there.
         """
-        q = self.q
+        one, R = self.one, self.one.q.race
         lever, doubt = self.lever(at)
-        own = lever_left(q.mu, self.rest.place) / lever_left(q.mu, self.rest.start)
-        missed = self._steep * abs(self.rest.torque * q.L / q.T - 1)
-        return lever * own * q.T / q.R, (doubt + missed * lever) * own * q.T / q.R
+        own = lever_left(one.mu, self.rest.place) / lever_left(one.mu, self.rest.start)
+        missed = self._steep * abs(self.rest.torque * one.L / one.T - 1)
+        return lever * own * one.T / R, (doubt + missed * lever) * own * one.T / R
 
     def lever(self, at: Driven) -> tuple[float, float]:
         """F_ax R/T at slip, on from `at`, and its uncertainty: friction depends on the steps."""
@@ -111,13 +100,13 @@ class Drive:
         force = b.F_z * (1, -1)
         if not np.all(force > 0):
             return np.inf
-        bound = np.sqrt(np.maximum((self.q.mu * b.N) ** 2 - b.F_t**2, 0.0))
+        bound = np.sqrt(np.maximum((self.one.mu * b.N) ** 2 - b.F_t**2, 0.0))
         return float((bound / force).min()) - 1
 
     @property
     def _steep(self) -> float:
         """Minus d ln(lever)/d ln(tan alpha) at the limit."""
-        return 1 + 1 / lever_left(self.q.mu, self.rest.start) ** 2
+        return 1 + 1 / lever_left(self.one.mu, self.rest.start) ** 2
 
     def _slip(self, at: Driven, step: float) -> tuple[float, float]:
         """The largest F_ax R/T on the way to slip, and what is `left` there."""
@@ -126,10 +115,10 @@ class Drive:
             new = self._onward(at, step * self.way, ahead)
             ahead = new.state.drags[1] - at.state.drags[1]
             at, left = new, self.left(new)
-            largest = max(largest, new.force * self.q.z * self.q.R / new.state.torque)
+            largest = max(largest, new.force * self.one.q.z * self.one.q.race / new.state.torque)
             if new.state.solution.slides and left <= MOBILISED:
                 return largest, left
-        raise fem_errors().NotFoundError(
+        raise NotFoundError(
             f"no slip was found: {MOST} steps along z leave {left:.1e} of the axial force to the "
             "friction cone"
         )
@@ -146,15 +135,16 @@ class Drive:
             at = new
             if not slope > 0:
                 break
-        raise fem_errors().NotFoundError(
-            f"the axial force {force:.4g} N/m is missed by {missing:.1e} N/m"
-        )
+        raise NotFoundError(f"the axial force {force:.4g} N/m is missed by {missing:.1e} N/m")
 
     def _onward(self, at: Driven, du: float, ahead: float = 0.0) -> Driven:
         u = at.u + du
-        return Driven(creeping(self.there, at.state, ahead, axial_displacements={"ring.rim": u}), u)
+        return Driven(creeping(self.there, at.state, ahead, axial_displacements=self._rim(u)), u)
+
+    def _rim(self, u: float) -> dict[str, float]:
+        return {self.one.q.names.race_held: u}
 
 
-def axial_unit(q: "Pulled", rest: State) -> float:
+def axial_unit(one: Pulled, rest: State) -> float:
     """F_z [N/m] of one roller that friction leaves beside F_t at rest, by the mesh's normals."""
-    return rest.torque / (q.z * q.R) * lever_left(q.mu, rest.start)
+    return rest.torque / (one.q.z * one.q.race) * lever_left(one.mu, rest.start)

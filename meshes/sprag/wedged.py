@@ -1,46 +1,46 @@
-"""The bodies of a sprag clutch by vectors: the sprag's outline, and where it lies between races.
+"""A sprag between its races by vectors: its spiral, where it lies, and one pitch as it is drawn.
 
 Seen along the axis, O below and the sprag above it; angles count clockwise from the line through O
 and the pole. The sprag turns clockwise into the wedge.
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy.optimize import brentq
 
+from meshes.sprag.profile import Placed, Sprag
+
 if TYPE_CHECKING:
-    from meshes.sprag.profile import Placed, Sprag
+    from skfem.mesh import Mesh2D
 
 GROWTHS = 1e-5, 0.95  # of the spiral, between which that of a wedge angle is looked for
 
 
-class OneClutch(Protocol):
-    """Sprags `b` wide between races `R_id`..`R_i` and `R_e`..`R_ed`, SI."""
+@dataclass(frozen=True)
+class Races:
+    """z sprags `b` wide between races `R_id`..`R_i` and `R_e`..`R_ed` [m].
+
+    The spiral's radius of curvature at first contact is `r_i` [m], its wedge angle `nu_0` [rad].
+    """
+
+    R_id: float
+    R_i: float
+    R_e: float
+    R_ed: float
+    r_i: float
+    nu_0: float
+    z: int
+    b: float
 
     @property
-    def R_id(self) -> float: ...
-    @property
-    def R_i(self) -> float: ...
-    @property
-    def R_e(self) -> float: ...
-    @property
-    def R_ed(self) -> float: ...
-    @property
-    def r_i(self) -> float: ...
-    @property
-    def nu_0(self) -> float: ...
-    @property
-    def z(self) -> int: ...
-    @property
-    def b(self) -> float: ...
-    @property
-    def E(self) -> float: ...
-    @property
-    def nu(self) -> float: ...
+    def sprag(self) -> Sprag:
+        """The sprag without load."""
+        first = first_contact(self.R_i, self.R_e, self.r_i, self.nu_0)
+        return Sprag(first.rho, first.theta, first.m, self.R_e - math.hypot(*first.pole), self.b)
 
 
 @dataclass(frozen=True)
@@ -90,13 +90,6 @@ def first_contact(R_i: float, R_e: float, r_i: float, nu_0: float) -> FirstConta
     return FirstContact(R_i, R_e, r_i, brentq(missing, low, high, xtol=1e-15))
 
 
-def fem_sprag(q: OneClutch) -> "Sprag":
-    from meshes.sprag.profile import Sprag
-
-    first = first_contact(q.R_i, q.R_e, q.r_i, q.nu_0)
-    return Sprag(first.rho, first.theta, first.m, q.R_e - math.hypot(*first.pole), q.b)
-
-
 @dataclass(frozen=True)
 class Place:
     """Where the sprag is: turned by `alpha` [rad], its pole at the distance `D` [m] from O.
@@ -107,29 +100,27 @@ class Place:
     each other on the average over the pressure.
     """
 
-    q: OneClutch
+    q: Races
     alpha: float
     D: float
     shares: tuple[float, float] = (0.6, 0.8)
     bends: tuple[float, float] = (0.0, 0.0)
 
     @classmethod
-    def overlapping(cls, q: OneClutch, alpha: float) -> "Place":
+    def overlapping(cls, q: Races, alpha: float) -> "Place":
         """Turned by `alpha`, both contacts overlapping by about as much."""
-        D = q.R_e - fem_sprag(q).r_e
+        D = q.R_e - q.sprag.r_e
         return cls(q, alpha, D + cls(q, alpha, D).overlaps[0] / 2)
 
     @cached_property
-    def fem_free(self) -> "Placed":
+    def free(self) -> Placed:
         """The sprag without loads, as it overlaps both races."""
-        from meshes.sprag.profile import Placed
-
-        return Placed(fem_sprag(self.q), (0.0, self.D), self.alpha)
+        return Placed(self.q.sprag, (0.0, self.D), self.alpha)
 
     @cached_property
     def overlaps(self) -> tuple[float, float]:
         """Of both contacts without loads [m]: all that yields there."""
-        at = self.fem_free
+        at = self.free
         return self.q.R_i - math.hypot(*at.inner), math.hypot(*at.outer) - self.q.R_e
 
     @property
@@ -150,7 +141,7 @@ class Place:
     @property
     def beta(self) -> float:
         """Angle AOB [rad]."""
-        (x_i, y_i), (x_e, y_e) = self.fem_free.inner, self.fem_free.outer
+        (x_i, y_i), (x_e, y_e) = self.free.inner, self.free.outer
         return math.atan2(x_i * y_e - y_i * x_e, x_i * x_e + y_i * y_e)
 
     @property
@@ -161,13 +152,9 @@ class Place:
         return nu, nu - self.beta
 
     @cached_property
-    def fem_drawn(self) -> "Placed":
+    def drawn(self) -> Placed:
         """The compressed sprag, whose ends have moved along their normals."""
-        from dataclasses import replace
-
-        from meshes.sprag.profile import Placed
-
-        at, (x_i, y_i) = self.fem_free, self.fem_free.inner
+        at, (x_i, y_i) = self.free, self.free.inner
         inwards = (self.OA - self.bends[0]) / math.hypot(x_i, y_i) - 1
         pole = x_i * inwards, self.D + y_i * inwards
         away = -pole[0], self.OB + self.bends[1] - at.sprag.r_e - pole[1]
@@ -176,10 +163,50 @@ class Place:
         return Placed(replace(at.sprag, centre=centre), pole, self.alpha)
 
     @property
-    def fem_core(self) -> tuple[float, float]:
+    def core(self) -> tuple[float, float]:
         """The point of the column's middle beside the pole."""
-        at = self.fem_drawn
+        at = self.drawn
         low, high = np.array(at.sprag.middle)
         along = (high - low) / np.hypot(*(high - low))
         x, y = at.placed(low - (low @ along) * along)
         return float(x), float(y)
+
+    @property
+    def touched(self) -> tuple[float, float]:
+        """How far [m] above O the contacts of the drawn sprag lie."""
+        return self.drawn.inner[1], self.drawn.outer[1]
+
+    @property
+    def spiral(self) -> tuple[tuple[float, float], float, float, float]:
+        """Of the drawn sprag: pole, first radius [m], its direction [rad] from +x, growth."""
+        at, s = self.drawn, self.drawn.sprag
+        return at.pole, s.rho_0, s.theta_0 - at.turn - math.pi / 2, s.m
+
+    @property
+    def arc(self) -> tuple[tuple[float, float], float]:
+        """Of the drawn sprag: centre and radius [m]."""
+        x, y = self.drawn.placed(np.array(self.drawn.sprag.centre))
+        return (float(x), float(y)), self.drawn.sprag.r_e
+
+    def settled(
+        self, outwards: float, races: tuple[float, float], opened: tuple[float, float]
+    ) -> "Place":
+        """Where the sprag lies that has moved `outwards` [m].
+
+        The races have moved outwards at the contacts by `races` [m], and curved surfaces that were
+        drawn apart are so by `opened` [m] more.
+        """
+        moved = replace(self, D=self.D + outwards)
+        (inner, outer), (d_i, d_e) = races, moved.overlaps
+        b_i, b_e = (before + more for before, more in zip(self.bends, opened, strict=True))
+        return replace(moved, shares=(-inner / d_i, outer / d_e), bends=(b_i, b_e))
+
+    def mesh(self, zones: tuple[float, float], cells: int) -> "Mesh2D":
+        """One pitch with `cells` on half of each fine zone `zones` [m] about the contacts."""
+        from meshes.sprag.sector import sprag_sector
+
+        q, at = self.q, self.drawn
+        return sprag_sector(
+            R_id=q.R_id * self.OA / q.R_i, R_i=self.OA, R_e=self.OB, R_ed=q.R_ed * self.OB / q.R_e,
+            z=q.z, sprag=at.sprag, pole=at.pole, turn=at.turn, zones=zones, cells=cells,
+        )  # fmt: skip

@@ -1,67 +1,106 @@
-"""Finite elements of one pitch of a sprag clutch, at a rotation of the sprag.
+"""One pitch of two round races with a strut wedged between them, at a rotation of the strut.
 
-The sprag touches both races and is free but for them. The races breathe as rings do: only the mean
-rotation of the inner one's bore and of the outer one's rim is held. All bodies are drawn as they
-are compressed, and the overlaps that do this are taken off the gaps.
+It touches the inner race with a spiral and the outer one with an arc, and is free but for them. The
+races breathe as rings do: only the mean rotation of the inner one's bore and of the outer one's rim
+is held. All bodies are drawn as they are compressed, and the overlaps that do this are taken off
+the gaps.
 """
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Generic, Protocol, Self, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from verify.cases.contact.errors import fem_errors
-from verify.cases.sprag.bodies import Place
+from fem.wedge.pitch import pitch_problem
+from fem.wedge.rest import Drags, Unrest, at_rest, core_motion
 
 if TYPE_CHECKING:
     from skfem.mesh import Mesh2D
 
     from fem.contact.pairs import Pair
-    from fem.contact.problem import ContactProblem
     from fem.contact.solution import ContactSolution, Touch
 
 Array = NDArray[np.float64]
 
 ZONE = 1.5  # half-widths of even cells about each contact
-CORE = 0.05  # of the sprag's width: where its motion is read
-STILL, MOST = 1e-5, 12  # of both overlaps: what the sprag may move; steps
+MOST = 12  # steps to rest
+BODY = "sprag"  # what meshes call the strut
 RACES = ("inner.rim", "outer.bore")
 HELD = ("inner.bore", "outer.rim")
 
 
-class Sector:
-    """One pitch with the sprag at a place, meshed for contacts of these half-widths [m]."""
+class Place(Protocol):
+    """Where the strut is, its pole at the distance `D` [m] from the axis, and how it is drawn.
 
-    def __init__(self, place: Place, widths: tuple[float, float], cells: int, *, mu: float) -> None:
-        self.place = place
-        self.problem = fem_problem(place, fem_mesh(place, widths, cells), mu)
+    `overlaps` are those of both contacts without loads, `bends` how much of them is drawn, H all
+    of them; `OA` and `OB` are the radii at which forces act. `spiral` has pole, first radius, its
+    direction and growth, `arc` centre and radius, `core` is the point at which motion is read.
+    """
 
-    def rest(self, drags: tuple[float, float] = (0.0, 0.0)) -> "State":
-        """The state in which the sprag neither leaves its azimuth nor turns.
+    @property
+    def D(self) -> float: ...
+    @property
+    def OA(self) -> float: ...
+    @property
+    def OB(self) -> float: ...
+    @property
+    def H(self) -> float: ...
+    @property
+    def overlaps(self) -> tuple[float, float]: ...
+    @property
+    def bends(self) -> tuple[float, float]: ...
+    @property
+    def touched(self) -> tuple[float, float]: ...
+    @property
+    def core(self) -> tuple[float, float]: ...
+    @property
+    def spiral(self) -> tuple[tuple[float, float], float, float, float]: ...
+    @property
+    def arc(self) -> tuple[tuple[float, float], float]: ...
+    def mesh(self, zones: tuple[float, float], cells: int) -> "Mesh2D": ...
+    def settled(
+        self, outwards: float, races: tuple[float, float], opened: tuple[float, float]
+    ) -> Self: ...
+
+
+P = TypeVar("P", bound=Place)
+
+
+@dataclass(frozen=True)
+class Struts:
+    """z struts `b` wide [m] and their races of one material, E [Pa]."""
+
+    z: int
+    b: float
+    E: float
+    nu: float
+
+
+class Sector(Generic[P]):
+    """One pitch with the strut at a place, meshed for contacts of these half-widths [m]."""
+
+    def __init__(
+        self, q: Struts, place: P, widths: tuple[float, float], cells: int, *, mu: float
+    ) -> None:
+        self.q, self.place = q, place
+        mesh = place.mesh((ZONE * widths[0], ZONE * widths[1]), cells)
+        self.problem = pitch_problem(
+            mesh, race_pairs(place, mu), E=q.E, nu=q.nu, z=q.z, races=("inner", "outer"),
+            turned=HELD,
+        )  # fmt: skip
+
+    def rest(self, drags: Drags = (0.0, 0.0)) -> "State[P]":
+        """The state in which the strut neither leaves its azimuth nor turns.
 
         `drags` [m], how far inner and outer race are turned anticlockwise where they are touched,
         are improved until it does not.
         """
-        bound = STILL * self.place.H
-        for _ in range(MOST):
-            state = self.at(drags)
-            aside, _, turn = state.motion
-            at = self.place.fem_drawn
-            below, above = (aside + turn * (self.place.D - y) for y in (at.inner[1], at.outer[1]))
-            if max(abs(below), abs(above)) <= bound:
-                return state
-            drags = drags[0] + below, drags[1] + above
-        slips = ", and every node of a contact slips" if state.solution.slides else ""
-        raise fem_errors().NotFoundError(
-            "no equilibrium was found: the sprag still moves by "
-            f"{max(abs(below), abs(above)):.1e} m after {MOST} steps{slips}"
-        )
+        return at_rest(self.at, drags, State.unrest, body=BODY, most=MOST)
 
-    def at(self, drags: tuple[float, float], **more: Any) -> "State":
+    def at(self, drags: Drags, **more: Any) -> "State[P]":
         """The state with the surfaces of both races turned anticlockwise by `drags` [m].
 
         `more` goes to the solver.
@@ -73,55 +112,56 @@ class Sector:
 
 
 @dataclass(frozen=True)
-class State:
-    """A pitch in equilibrium; forces of one sprag per length [N/m], torque of all [N].
+class State(Generic[P]):
+    """A pitch in equilibrium; forces of one strut per length [N/m], torque of all [N].
 
     Pairs are of the inner and the outer contact.
     """
 
-    sector: Sector
-    drags: tuple[float, float]
+    sector: Sector[P]
+    drags: Drags
     solution: "ContactSolution"
 
     @property
-    def start(self) -> Place:
+    def start(self) -> P:
         return self.sector.place
 
     @cached_property
     def motion(self) -> tuple[float, float, float]:
-        """How far [m] the sprag moves aside (+x) and outwards about its pole; how it turns [rad].
+        """How far [m] the strut moves aside (+x) and outwards about its pole; how it turns [rad].
 
         The turn counts anticlockwise.
         """
-        (x, y), near = self.start.fem_core, CORE * self.start.q.b
-        points = np.array([[x], [y]]) + near * np.array([[1, -1, 0, 0], [0, 0, 1, -1]])
-        u = self.solution.plane.at(points).u
-        right, left, up, down = u.T
-        turn = float((right[1] - left[1] - up[0] + down[0]) / (4 * near))
+        x, y = self.start.core
+        u, turn = core_motion(self.solution, (x, y), self.sector.q.b)
         aside, outwards = u.mean(axis=1)
         return float(aside - turn * (self.start.D - y)), float(outwards - turn * x), turn
 
+    def unrest(self) -> Unrest:
+        """What the strut moves at its contacts, and drags with which the races follow it."""
+        aside, _, turn = self.motion
+        below, above = (aside + turn * (self.start.D - y) for y in self.start.touched)
+        drags = self.drags[0] + below, self.drags[1] + above
+        return Unrest(max(abs(below), abs(above)), self.start.H, drags)
+
     @cached_property
-    def place(self) -> Place:
-        """Where the sprag is, and what the races take of its overlaps."""
-        moved = replace(self.start, D=self.start.D + self.motion[1])
-        inner, outer = self.race_at_contact
-        d_i, d_e = moved.overlaps
-        b_i, b_e = (
-            before + float(touch.mortar.points.gap @ _shares(touch))
-            for before, touch in zip(self.start.bends, self.solution.touches, strict=True)
+    def place(self) -> P:
+        """Where the strut is, and what the races take of its overlaps."""
+        opened = (
+            float(touch.mortar.points.gap @ _shares(touch)) for touch in self.solution.touches
         )
-        return replace(moved, shares=(-inner / d_i, outer / d_e), bends=(b_i, b_e))
+        inner, outer = opened
+        return self.start.settled(self.motion[1], self.race_at_contact, (inner, outer))
 
     @property
     def torque(self) -> float:
         """That the inner race's bore is driven with [N]."""
-        return self.start.q.z * self.solution.plane.mean_reaction(HELD[0])["r"]
+        return self.sector.q.z * self.solution.plane.mean_reaction(HELD[0])["r"]
 
     @property
     def held(self) -> float:
         """That the outer race's rim bears [N]."""
-        return -self.start.q.z * self.solution.plane.mean_reaction(HELD[1])["r"]
+        return -self.sector.q.z * self.solution.plane.mean_reaction(HELD[1])["r"]
 
     @cached_property
     def T(self) -> tuple[float, float]:
@@ -205,51 +245,20 @@ def _centre(touch: "Touch") -> tuple[float, float]:
     return float(np.hypot(*y) @ share), math.atan2(x[0], x[1])
 
 
-def fem_mesh(place: Place, widths: Sequence[float], cells: int) -> "Mesh2D":
-    from meshes.sprag.sector import sprag_sector
-
-    q, at = place.q, place.fem_drawn
-    return sprag_sector(
-        R_id=q.R_id * place.OA / q.R_i, R_i=place.OA, R_e=place.OB,
-        R_ed=q.R_ed * place.OB / q.R_e, z=q.z, sprag=at.sprag, pole=at.pole, turn=at.turn,
-        zones=(ZONE * widths[0], ZONE * widths[1]), cells=cells,
-    )  # fmt: skip
-
-
-def fem_problem(place: Place, mesh: "Mesh2D", mu: float) -> "ContactProblem":
-    from fem.contact.problem import ContactProblem
-    from fem.plane.material import Elastic
-    from fem.plane.means import Mean
-    from fem.plane.ties import Tie
-
-    q = place.q
-    return ContactProblem(
-        mesh,
-        materials=Elastic(E=q.E, nu=q.nu),
-        assumption="plane strain",
-        contacts=fem_pairs(place, mu),
-        ties=[
-            Tie(leader=f"{body}.right", follower=f"{body}.left", angle=2 * math.pi / q.z)
-            for body in ("inner", "outer")
-        ],
-        means={name: Mean({"r": 0.0}) for name in HELD},
-    )
-
-
-def fem_pairs(place: Place, mu: float) -> list["Pair"]:
+def race_pairs(place: Place, mu: float) -> "list[Pair]":
     """The contacts with the inner and the outer race."""
     from fem.contact.pairs import Pair
     from fem.contact.shapes import Circle, Spiral
 
-    at = place.fem_drawn
-    x, y = at.placed(np.array(at.sprag.centre))
-    s, start = at.sprag, at.sprag.theta_0 - at.turn - math.pi / 2
+    pole, rho_0, start, m = place.spiral
+    centre, r_e = place.arc
     meet: Any = {"normal": "master", "friction": mu, "press_fit": True}
     return [
-        Pair(slave="sprag.inner", master=RACES[0], interference=place.overlaps[0] - place.bends[0],
-             slave_shape=Spiral(at.pole, s.rho_0, start, s.m),
+        Pair(slave=f"{BODY}.inner", master=RACES[0],
+             interference=place.overlaps[0] - place.bends[0],
+             slave_shape=Spiral(pole, rho_0, start, m),
              master_shape=Circle((0.0, 0.0), place.OA), **meet),
-        Pair(slave="sprag.outer", master=RACES[1], interference=place.overlaps[1] - place.bends[1],
-             slave_shape=Circle((float(x), float(y)), s.r_e),
+        Pair(slave=f"{BODY}.outer", master=RACES[1],
+             interference=place.overlaps[1] - place.bends[1], slave_shape=Circle(centre, r_e),
              master_shape=Circle((0.0, 0.0), place.OB, hollow=True), **meet),
     ]  # fmt: skip

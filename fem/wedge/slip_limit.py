@@ -1,21 +1,18 @@
-"""Where friction no longer holds a freewheel: over friction, over wedge angles, with axial load."""
+"""Where friction no longer holds a roller: over friction, over wedge angles, with axial load."""
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from analytic.freewheel.geometry import InnerCam
-from verify.cases.contact.errors import fem_errors
-from verify.cases.freewheel.fem import Place, Sector, State
-from verify.cases.freewheel.pulled_sector import Borne, fem_along, slipping
-from verify.cases.freewheel.slip import Drive, Driven
-from verify.cases.freewheel.sweep import COARSE, Start
-
-if TYPE_CHECKING:
-    from verify.cases.freewheel.pulled import Pulled
+from fem.contact.errors import NotFoundError
+from fem.wedge.drive import Drive, Driven
+from fem.wedge.flat import Sector, State
+from fem.wedge.flat_place import Pitch, Place
+from fem.wedge.flat_start import COARSE, Start
+from fem.wedge.pulled import Borne, Pulled, held_along, slipping
 
 Array = NDArray[np.float64]
 
@@ -35,9 +32,9 @@ class Limit:
     Slip is where Coulomb's law says so on the normals of the mesh: `tan` is of the mesh's angle.
     """
 
-    def __init__(self, q: "Pulled", start: Start, drags: tuple[float, float]) -> None:
-        self.q, self.start, self.drags = q, start, drags
-        self.place = Place.overlapping(q, *start.d)
+    def __init__(self, one: Pulled, start: Start, drags: tuple[float, float]) -> None:
+        self.one, self.start, self.drags = one, start, drags
+        self.place = Place.overlapping(one.q, *start.d)
         self.tan = math.tan(self.place.psi / 2)
 
     def slipping(self, mu: float) -> Array:
@@ -91,7 +88,7 @@ class Limit:
             return False
         lever, doubt = self._lever(mu)
         if abs(lever - self.asked) <= doubt:
-            raise fem_errors().NotFoundError(
+            raise NotFoundError(
                 f"F_ax R/T = {self.asked:.4g} is within {doubt:.1e} of the limit {lever:.4g}: "
                 "whether it holds is not decided"
             )
@@ -100,7 +97,7 @@ class Limit:
     @property
     def asked(self) -> float:
         """F_ax R/T."""
-        return self.q.F_ax * self.q.R / self.q.T
+        return self.one.lever
 
     @property
     def full(self) -> float:
@@ -110,11 +107,11 @@ class Limit:
     def _lever(self, mu: float) -> tuple[float, float]:
         """F_ax R/T at slip with friction `mu` on coarse meshes, and its uncertainty."""
         start = replace(self.start, drags=self.drags)
-        drive = Drive.at(self.q.model_copy(update={"mu": mu}), start, COARSE)
+        drive = Drive.at(replace(self.one, mu=mu), start, COARSE)
         return drive.lever(Driven(drive.rest, 0.0))
 
     @staticmethod
-    def _bisected(holds, low: float, high: float, steps: int) -> Array:  # type: ignore[no-untyped-def]
+    def _bisected(holds: Callable[[float], bool], low: float, high: float, steps: int) -> Array:
         if holds(low) or not holds(high):
             return np.array([math.nan, 0.0])
         for _ in range(steps):
@@ -124,29 +121,30 @@ class Limit:
 
 
 def over_angles(
-    q: "Pulled", start: Start, drags: tuple[float, float], N: float, unit: float
-) -> Array:
+    one: Pulled, start: Start, stuck: State, *, N: float, unit: float,
+    built: Callable[[float], Pitch],
+) -> Array:  # fmt: skip
     """Clutches alike but for X, at the same overlap, one row (m, 7) for each that can be built.
 
+    `built` makes the pitch with flats at X [m], ValueError where there is none. Rows have
     tan(alpha)/mu, part of `N` [N/m] that is left, F_t/(mu N) (0 where it is none), and after the
-    ring has been driven along z until all slips F_t/(mu N) and F_z/(mu N) of star and ring. At its
-    own angle the clutch yields by `unit` [m] along z to where it slips. Angles and forces are those
-    of the meshes, on whose normals slip is decided.
+    ring has been driven along z until all slips F_t/(mu N) and F_z/(mu N) of cam and ring. At its
+    own angle the clutch, `stuck`, yields by `unit` [m] along z to where it slips. Angles and forces
+    are those of the meshes, on whose normals slip is decided.
     """
-    own = math.tan(Place.overlapping(q, *start.d).psi / 2) / q.mu
+    q, mu, (d_i, d_o) = one.q, one.mu, start.d
+    own = math.tan(Place.overlapping(q, *start.d).psi / 2) / mu
     most = unit / math.sqrt(1 - own**2)  # under all of mu N
-    found = []
+    along, found = held_along(q, driven=True), []
     for k in ANGLES:
-        psi, (d_i, d_o) = 2 * math.atan(k * q.mu), start.d
-        X = (q.R - q.r + d_o) * math.cos(psi) - q.r + d_i
-        other = q.model_copy(update={"X": X})
+        psi = 2 * math.atan(k * mu)
+        X = (q.race - q.r + d_o) * math.cos(psi) - q.r + d_i
         try:
-            InnerCam(R=q.R, r=q.r, X=X, z=q.z)
-            place = Place.overlapping(other, d_i, d_o)
-            there = Sector(place, start.widths, COARSE, mu=q.mu, along=fem_along(driven=True))
+            place = Place.overlapping(built(X), d_i, d_o)
+            there = Sector(place, start.widths, COARSE, mu=mu, along=along)
         except ValueError:  # no such clutch, or none that can be meshed
             continue
-        found.append([k, *_one_angle(there, drags, N, most)])
+        found.append([k, *_one_angle(there, stuck.drags, N, most)])
     return np.array(found)
 
 
@@ -159,7 +157,8 @@ def _one_angle(there: Sector, drags: tuple[float, float], N: float, most: float)
     mu = there.problem.surfaces.pairs[0].friction
     alone = borne.tangent / mu
     for u in DRIVEN:
-        state = there.at(drags, after=state.solution, axial_displacements={"ring.rim": u * most})
+        rim = {there.place.q.names.race_held: u * most}
+        state = there.at(drags, after=state.solution, axial_displacements=rim)
     b = Borne.on_mesh(state)
     t, z = b.F_t / (mu * b.N), np.abs(b.F_z) / (mu * b.N)
     return [mean / N, alone, t[0], z[0], t[1], z[1]]

@@ -1,0 +1,80 @@
+"""Rollers between flats and a round race through states of growing load, and what lies between."""
+
+from collections.abc import Callable, Sequence
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.wedge.course import Course
+from fem.wedge.flat import State
+from fem.wedge.flat_place import Pitch, Place
+
+Array = NDArray[np.float64]
+
+QUANTITIES = ("T", "N", "N race", "F_t", "F_t race", "d_i", "d_o", "a_i", "a_o", "p_i", "p_o", "U")
+
+
+class FlatCourse(Course):
+    """`states` of a clutch whose rollers are `L` [m] long, from light to heavy.
+
+    What `along` names grows from state to state: integrals run over its logarithm.
+    """
+
+    by: ClassVar[str] = "T"
+    along: ClassVar[str] = "T"
+
+    def __init__(self, q: Pitch, L: float, states: Sequence[State]) -> None:
+        self.q = q
+        self.last = states[-1]
+        rows = [read(L, state) for state in states]
+        self.at_states = {name: np.array([row[name] for row in rows]) for name in QUANTITIES}
+        self.psi = np.array([s.place.psi for s in states])
+
+    def place(self, value: float, by: str = "T") -> Place:
+        """Where the roller's centre is."""
+        return Place.overlapping(self.q, self.at("d_i", value, by), self.at("d_o", value, by))
+
+    def torsion_by_energy(self, T: Array) -> Array:
+        """Torsion [rad] as the integral of dU/T, with a power law below the first state."""
+        U = self.logarithm("U", self.along)
+        return self._up_to(lambda t: np.exp(U(t) - self.log_torque(t)) * U(t, 1), T)
+
+    def torsion_by_rolling(self, T: Array) -> Array:
+        """Torsion [rad] as the integral of (dd_i + dd_o)/(R tan(alpha)): exact rolling."""
+        q = self.q
+        d_i, d_o = self.logarithm("d_i", self.along), self.logarithm("d_o", self.along)
+
+        def slope(t: Array) -> Array:
+            inner, outer = np.exp(d_i(t)), np.exp(d_o(t))
+            to_flat, to_race = (inner, outer) if q.sense > 0 else (outer, inner)
+            y = q.flat + q.sense * q.r - q.sense * to_flat
+            rho = q.race - q.sense * q.r + q.sense * to_race
+            tangent = np.sqrt((rho - y) / (rho + y))
+            return np.asarray((inner * d_i(t, 1) + outer * d_o(t, 1)) / (q.race * tangent))
+
+        return self._up_to(slope, T)
+
+    def log_torque(self, t: Array) -> Array:
+        """Logarithm of the torque where that of what the states run along is `t`."""
+        return t
+
+    def log_along(self, T: Array) -> Array:
+        """And the other way round."""
+        return np.asarray(np.log(T))
+
+    def _up_to(self, slope: Callable[[Array], Array], T: Array) -> Array:
+        """Integrals of a slope up to torques."""
+        return self.integral(slope, self.along, self.log_along(np.atleast_1d(T)))
+
+
+def read(L: float, state: State) -> dict[str, float]:
+    """Torque [N m], energy [J] of the clutch; forces [N] on one roller, lengths, pressures."""
+    (N, F_t), (N_race, F_race) = state.on_flat, state.on_race
+    (a_i, a_o), (p_i, p_o) = state.widths, state.peaks
+    return {
+        "T": state.torque * L, "N": N * L, "N race": N_race * L, "F_t": F_t * L,
+        "F_t race": F_race * L, "d_i": state.place.d_i, "d_o": state.place.d_o,
+        "a_i": a_i, "a_o": a_o, "p_i": p_i, "p_o": p_o,
+        "U": state.solution.strain_energy * L * state.start.q.z,
+    }  # fmt: skip

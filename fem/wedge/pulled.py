@@ -1,0 +1,166 @@
+"""Rollers between flats and a ring under torque that are pulled along the axis; what they bear."""
+
+import math
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.wedge.flat import Sector, State
+from fem.wedge.flat_place import Pitch, Place
+from fem.wedge.flat_start import Start, after, guessed_inside, loaded, rigid_force
+from fem.wedge.rest import Unrest, at_rest
+
+if TYPE_CHECKING:
+    from fem.contact.along import Along
+
+Array = NDArray[np.float64]
+
+AMPLE = 2.0  # friction over what statics asks for, where forces are measured
+HARDER = 0.85  # d ln(approach)/d ln(T), about
+NEAR, MOST = 1e-4, 12  # how near the torque coarse meshes come; steps of a ring that creeps
+STILL = 1e-6  # of both approaches: what the roller may move while the ring creeps
+EDGES = 1e-4  # of a value, as the ends of contacts lie between two nodes
+PROBE = 0.3  # mu P'/G, the first step of the ring along z; it says how far all would yield
+
+
+@dataclass(frozen=True)
+class Pulled:
+    """A pitch of rollers `L` long; torque, axial load of the whole, friction of all contacts."""
+
+    q: Pitch
+    L: float
+    T: float
+    F_ax: float
+    mu: float
+
+    @property
+    def lever(self) -> float:
+        """F_ax R/T."""
+        return self.F_ax * self.q.race / self.T
+
+
+@dataclass(frozen=True)
+class Borne:
+    """What the contacts of one roller bear per length [N/m]: `N`, `F_t`, `F_z` (2,), cam and ring.
+
+    F_t is positive into the wedge, F_z as it acts on the races.
+    """
+
+    N: Array
+    F_t: Array
+    F_z: Array
+
+    @classmethod
+    def by(cls, state: State) -> "Borne":
+        """Along the flat as it is turned, and the ray through the roller: where formulas stand."""
+        N, F_t = np.array([state.on_flat, state.on_race]).T
+        return cls(N, F_t, F_z=np.array([touch.force_z for touch in state.solution.touches]))
+
+    @classmethod
+    def on_mesh(cls, state: State) -> "Borne":
+        """By the normals of the mesh, on which Coulomb's law acts and moments balance."""
+        cam, ring = state.solution.touches
+        return cls(
+            N=np.array([cam.normal_force, ring.normal_force]),
+            F_t=np.array([-cam.friction_force, ring.friction_force]),
+            F_z=np.array([cam.force_z, ring.force_z]),
+        )
+
+    @property
+    def tangent(self) -> float:
+        """F_t/N at the mean angle of both contacts: they tilt to either side of the bisector."""
+        return math.tan(float(np.arctan(self.F_t / self.N).mean()))
+
+    @property
+    def required(self) -> Array:
+        """Resultant of the friction over N (2,)."""
+        return np.asarray(np.hypot(self.F_t, self.F_z) / self.N)
+
+
+def lever_left(mu: float, place: Place) -> float:
+    """F_z/F_t that friction leaves for the axis at the angle of a place.
+
+    The solver's cone stands on the normals of the mesh, thus at the angle where a state starts. The
+    torque belongs to the one at which it rests, with the cam as it is turned.
+    """
+    return math.sqrt((mu / math.tan(place.psi / 2)) ** 2 - 1)
+
+
+def slipping(state: State) -> Array:
+    """Share of N (2,) on nodes that slip; 1 where contact is lost."""
+    return np.array([1 - touch.sticking_share for touch in state.solution.touches])
+
+
+def held_along(q: Pitch, *, driven: bool) -> "Along":
+    """The cam is clamped along z, too, the ring's rim loaded or driven, rollers are free."""
+    from fem.contact.along import Along
+
+    rim = {q.names.race_held: 0.0} if driven else {}
+    return Along(supports={q.names.cam_held: 0.0} | rim)
+
+
+def sector(q: Pitch, start: Start, cells: int, mu: float, *, driven: bool) -> Sector:
+    """The pitch at a start with friction `mu`, its rim driven along z or free to be loaded."""
+    place = Place.overlapping(q, *start.d)
+    return Sector(place, start.widths, cells, mu=mu, along=held_along(q, driven=driven))
+
+
+def ample(one: Pulled, place: Place) -> float:
+    """Friction that holds torque and axial load well."""
+    return AMPLE * math.tan(place.psi / 2) * math.hypot(1.0, one.F_ax * one.q.race / one.T)
+
+
+@lru_cache(maxsize=8)
+def wedged(q: Pitch, L: float, T: float) -> Start:
+    """Where the clutch lies under its torque [N m], by coarse meshes."""
+    return loaded(
+        q, guessed_inside(q, rigid_force(q, T) / L), lambda state: T / (state.torque * L),
+        power=HARDER, near=NEAR, what="the torque",
+    )  # fmt: skip
+
+
+def at_torque(one: Pulled, cells: int) -> Start:
+    """The same on meshes of `cells`, whose zones stay where they are."""
+    start = wedged(one.q, one.L, one.T)
+    state = start.state(one.q, cells)
+    found = after(state).scaled((one.T / (state.torque * one.L)) ** HARDER)
+    return replace(found, widths=start.widths)
+
+
+def pulled(one: Pulled, there: Sector, rest: State) -> State:
+    """The clutch at rest, then loaded on the ring's rim by F_ax/T of the torque that it has."""
+    force = {one.q.names.race_held: one.F_ax / one.T * rest.torque / one.q.z}
+    return there.at(rest.drags, axial_forces=force, after=rest.solution)
+
+
+def yielding(one: Pulled, there: Sector, stuck: State) -> float:
+    """How far [m] the ring would yield along z up to the limit if nothing slipped."""
+    q, borne = one.q, Borne.on_mesh(stuck)
+    N = borne.N.mean()
+    u = PROBE * one.mu * N * 2 * (1 + q.nu) / q.E
+    rim = {q.names.race_held: u}
+    first = there.at(stuck.drags, after=stuck.solution, axial_displacements=rim)
+    limit = N * math.sqrt(one.mu**2 - borne.tangent**2)
+    return float(u * limit / Borne.on_mesh(first).F_z[0])
+
+
+def creeping(there: Sector, state: State, ahead: float = 0.0, **along: Any) -> State:
+    """On from `state` with the roller in its place: what it is let out, the ring takes it back.
+
+    The ring turns on then, and N stays; by `ahead` [m] from the start, where that is known to be
+    needed: then nodes that slip do so in the last solve, too. NotFoundError where the roller does
+    not come to rest, or a solve finds no equilibrium.
+    """
+    size = state.start.d_i + state.start.d_o
+
+    def unrest(new: State) -> Unrest:
+        out, _ = new.motion
+        return Unrest(abs(out), size, (new.drags[0], new.drags[1] - 2 * out))
+
+    return at_rest(
+        lambda drags: there.at(drags, after=state.solution, **along),
+        (state.drags[0], state.drags[1] + ahead), unrest, body="roller", most=MOST, still=STILL,
+    )  # fmt: skip

@@ -1,0 +1,76 @@
+"""A wedged body at rest: the surfaces about it are turned until it stays where the mesh has it.
+
+In small displacements forces act where the mesh has them. A body that creeps out of its place, or
+turns there, until friction holds it would bear its forces beside its contacts.
+"""
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, NamedTuple, Protocol, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.contact.errors import NotFoundError
+
+if TYPE_CHECKING:
+    from fem.contact.solution import ContactSolution
+
+Array = NDArray[np.float64]
+Drags = tuple[float, float]  # m, how far inner and outer surface are turned where they are touched
+
+STILL = 1e-5  # of both overlaps: what a body may move
+CORE = 0.05  # of a body's size: where its motion is read
+
+
+class Solved(Protocol):
+    """A state of bodies in contact."""
+
+    @property
+    def solution(self) -> "ContactSolution": ...
+
+
+S = TypeVar("S", bound=Solved)
+
+
+class Unrest(NamedTuple):
+    """How far [m] a body moves, of overlaps of what `size` [m], and drags that would undo it."""
+
+    moves: float
+    size: float
+    drags: Drags
+
+
+def at_rest(
+    at: Callable[[Drags], S], drags: Drags, unrest: Callable[[S], Unrest], *, body: str,
+    most: int, still: float | None = None,
+) -> S:  # fmt: skip
+    """The state in which the `body` rests: the first of `most` that moves by `still` of its size.
+
+    `at` solves with surfaces turned by `drags`; from one to the next they undo what the body moves.
+    NotFoundError where it does not come to rest.
+    """
+    limit = STILL if still is None else still
+    for _ in range(most):
+        state = at(drags)
+        moves, size, drags = unrest(state)
+        if moves <= limit * size:
+            return state
+    slips = ", and every node of a contact slips" if state.solution.slides else ""
+    raise NotFoundError(
+        f"no equilibrium was found: the {body} still moves by {moves:.1e} m after {most} "
+        f"steps{slips}"
+    )
+
+
+def core_motion(
+    solution: "ContactSolution", centre: tuple[float, float], size: float
+) -> tuple[Array, float]:
+    """How a body of this `size` [m] moves about `centre`: displacements (2, 4) [m], turn [rad].
+
+    They are those of points to the right, left, above and below; the turn counts anticlockwise.
+    """
+    near = CORE * size
+    points = np.array([[centre[0]], [centre[1]]]) + near * np.array([[1, -1, 0, 0], [0, 0, 1, -1]])
+    u = solution.plane.at(points).u
+    right, left, up, down = u.T
+    return u, float((right[1] - left[1] - up[0] + down[0]) / (4 * near))
