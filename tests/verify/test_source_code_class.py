@@ -38,7 +38,7 @@ class Bar(Case):
     def unread(self) -> float:
         return self.d**3.0
 
-    @Quantity("σ", "MPa", "stress", equation="1")
+    @Quantity("σ", "MPa", "stress", equation="1", when=lambda q: q.F > 0)
     def sigma(self) -> float:
         return self.F / self.area * 1.0
 
@@ -98,6 +98,7 @@ def keys(tmp_path_factory, monkeypatch):
     [
         pytest.param("3.14 *", "3.15 *", {"formulas", "reference"}, id="geometry that it reads"),
         pytest.param("d / 2.0", "d / 2.5", {"formulas", "reference"}, id="geometry under that"),
+        pytest.param("lambda q: q.F", "lambda q: -q.F", {"formulas"}, id="which inputs have it"),
         pytest.param("d**3.0", "d**3.5", {"formulas"}, id="geometry that it does not read"),
         pytest.param("area * 1.0", "area * 1.5", {"formulas"}, id="formula"),
         pytest.param("0.03", "0.04", {"formulas"}, id="bound of a comparison"),

@@ -60,7 +60,7 @@ class _Plain(ast.NodeTransformer):
     def visit_FunctionDef(self, node: ast.FunctionDef) -> Any:
         for one in node.decorator_list:
             if isinstance(one, ast.Call) and getattr(one.func, "id", "") == DECLARATION:
-                one.args, one.keywords = [], [k for k in one.keywords if k.arg == "role"]
+                one.args, one.keywords = [], [k for k in one.keywords if k.arg in ("role", "when")]
         return self.generic_visit(node)
 
     def visit_Call(self, node: ast.Call) -> Any:

@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 from verify.core import case as core
 from verify.core.case import Check, Context, FemResult, Output, Values
 from verify.core.figures import Figure
-from verify.form import equations
+from verify.form import dimensions, equations, independence
 from verify.form.case import MESHES, Case
 from verify.form.comparisons import Comparison, State
 from verify.form.later import Later
@@ -50,11 +50,17 @@ def adapted(form: type[Case], *, time_limit: float | None = None) -> core.Case:
 
 @cache
 def _default(form: type[Case], time_limit: float | None) -> Case:
-    """The default inputs with their comparisons; CaseError for a name that is given twice."""
+    """The default inputs with their comparisons; CaseError for a rule that they break.
+
+    Rules that take equations and further comparisons are tests of the suite's own cases.
+    """
     check_names(form)
     case = form()
     with faults_located(inspect.getfile(form)), limited(time_limit):
         named = [one.name for one in case.stated()]
+        if time_limit is not None:
+            dimensions.check(case)
+            independence.check(case)
     if double := next((name for name in named if named.count(name) > 1), ""):
         raise CaseError(f"{form.__module__}: {form.__name__}: two comparisons are called {double}")
     return case

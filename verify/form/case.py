@@ -73,11 +73,11 @@ class Case(Inputs):
         names = {meta(field)["symbol"]: name for name, field in cls.model_fields.items()}
         for q in cls.quantities():
             if (other := names.setdefault(q.symbol, q.name)) not in (q.name, q.form_of):
-                raise q.broken(cls, f"the symbol {q.symbol} is that of {other} already")
+                raise q.broken(f"the symbol {q.symbol} is that of {other} already")
             try:
                 units.factor(q.unit)
             except ValueError as error:
-                raise q.broken(cls, str(error)) from error
+                raise q.broken(str(error)) from error
 
     def reference(self, level: int) -> FemResult:
         """Solve one level; meshes and finite elements are imported here, not above."""

@@ -5,7 +5,7 @@ the quantity that it judges.
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import inf
 from typing import Any, NamedTuple, TypedDict, Unpack
 
@@ -105,7 +105,8 @@ class Options(TypedDict, total=False):
 class Comparison:
     """A check, the formula that it judges, and further `numbers` [SI] that the check needs.
 
-    `shares` states what both sides have in common, beside the inputs.
+    `shares` states what both sides have in common, beside the inputs; `expected` is the error that
+    an approximation was stated with.
     """
 
     check: Check
@@ -113,6 +114,7 @@ class Comparison:
     state: State | None = None
     numbers: Mapping[str, Number] = field(default_factory=dict)
     shares: str = ""
+    expected: Expected | Computed | None = None
 
     @property
     def name(self) -> str:
@@ -159,6 +161,9 @@ def approximation(
     Comparisons are stated before the reference is solved: no interval can be read off it.
     """
     source = "" if expected is None else expected.source
+    if isinstance(expected, Expected) and not expected.low <= expected.high:
+        ends = f"from {expected.low:g} to {expected.high:g}"
+        raise q.broken(f"its error is expected {ends}, and low must not be above high")
 
     def interval(*_: object) -> tuple[float, float] | None:
         if isinstance(expected, Computed):
@@ -166,7 +171,8 @@ def approximation(
         return (expected.low, expected.high) if expected and expected.sharp else None
 
     more = {"interval": interval, "source": source}
-    return _compared(checks.Approximation, q, reference, options, more)
+    made = _compared(checks.Approximation, q, reference, options, more)
+    return replace(made, expected=expected)
 
 
 def limit(

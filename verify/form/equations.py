@@ -16,11 +16,18 @@ DIGITS, INPUT_DIGITS = 6, 10  # significant: inputs are displayed as they are gi
 
 
 class Symbols(NamedTuple):
-    """TeX of a case's symbols by attribute; numbers with units, and SI values, by TeX."""
+    """TeX of a case's symbols by attribute; SI values, units and numbers with units by TeX."""
 
     tex: dict[str, str]
-    numbers: dict[str, str]
     values: dict[str, float]
+    units: dict[str, str]
+    numbers: dict[str, str]
+
+    def add(self, name: str, symbol: str, value: float, unit: str, digits: int) -> None:
+        """Another symbol, or another value of one."""
+        self.tex[name] = symbol
+        self.values[symbol], self.units[symbol] = value, unit
+        self.numbers[symbol] = equations.with_unit(value / units.factor(unit), unit, digits)
 
 
 def stated(case: Case) -> tuple[Equation, ...]:
@@ -35,23 +42,18 @@ def symbols_of(case: Case) -> Symbols:
 
     Those of a compared state are there, too, where it has symbols different from these.
     """
-    found = Symbols({}, {}, {})
+    found = Symbols({}, {}, {}, {})
     fields = type(case).model_fields
     inputs = ((name, meta(field)["symbol"], meta(field)["unit"]) for name, field in fields.items())
     for name, symbol, unit in (*inputs, *((q.name, q.symbol, q.unit) for q in case.present())):
         value, as_tex = getattr(case, name), equations.symbol_tex(symbol)
         if as_tex and isinstance(value, int | float) and as_tex not in found.values:
-            digits = INPUT_DIGITS if name in fields else DIGITS
-            found.tex[name] = as_tex
-            found.numbers[as_tex] = equations.with_unit(value / units.factor(unit), unit, digits)
-            found.values[as_tex] = value
+            found.add(name, as_tex, value, unit, INPUT_DIGITS if name in fields else DIGITS)
     for one in case.stated():
         if one.quantity and one.state and one.state.case and one.state.symbol != "{}":
             value, unit = getattr(one.state.case, one.quantity.name), one.quantity.unit
             as_tex = equations.symbol_tex(one.state.symbol.format(one.quantity.symbol))
-            found.tex[one.key] = as_tex
-            found.numbers[as_tex] = equations.with_unit(value / units.factor(unit), unit, DIGITS)
-            found.values[as_tex] = value
+            found.add(one.key, as_tex, value, unit, DIGITS)
     return found
 
 
@@ -70,7 +72,7 @@ def equation(case: Case, q: Quantity, symbols: Symbols) -> Equation | None:
             continue
         if case.is_default:
             rule = f"the equation {equations.plain(part)} gives {found:.10g}, the code {value:.10g}"
-            raise q.broken(type(case), f"{rule} [SI]")
+            raise q.broken(f"{rule} [SI]")
         found = None
         break
     put_in = equations.put_in(tex.rpartition(" = ")[2], symbols.numbers)

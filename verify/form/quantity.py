@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import KW_ONLY, dataclass, field, replace
 from functools import partial, wraps
-from itertools import product
+from itertools import count, product
 from math import isfinite
 from pathlib import Path
 from typing import Any, Generic, Literal, SupportsFloat, TypeVar, overload
@@ -18,8 +18,11 @@ Form = Literal["as printed", "corrected", "small angles", ""]
 Indexed = Callable[..., SupportsFloat]  # a method with arguments beside the instance
 T = TypeVar("T")
 MEMO = "="  # before the name of a computed value in an instance's __dict__: no field begins so
-_code_changes = [0]  # how often
+_numbers = count(1)
+_code = [0]  # number of the code that values are computed by
 solving: ContextVar[bool] = ContextVar("solving", default=False)  # whether a reference is at work
+_larger: ContextVar["Quantity | None"] = ContextVar("larger", default=None)  # see `changed`
+CHANGE = 1e-3
 
 
 class CaseError(ValueError):
@@ -37,6 +40,7 @@ class Quantity:
     both share symbol and reference; `form` states which one it is. A "step" of a formula is not
     compared. "geometry" follows from the inputs without any theory, so that the reference may read
     it. `when` says of a case whether its inputs have the quantity; a deflection needs a load.
+    Constants of a `fitted` equation have units of their own, so that its dimension is not checked.
     Where only the solution shows that, the method returns nan, or inf for a limit out of reach.
     """
 
@@ -51,8 +55,10 @@ class Quantity:
     form_of: str = ""
     form: Form = ""
     role: Role = "formula"
+    fitted: bool = False
     when: Callable[..., bool] | None = None
     name: str = field(default="", init=False)
+    owner: str = field(default="", init=False)  # the class
     formula: Callable[[Any], SupportsFloat] = field(init=False, repr=False)
 
     def __call__(self, formula: Callable[[Any], SupportsFloat]) -> "Declared":
@@ -79,11 +85,11 @@ class Quantity:
         """What it is, with its equation: "hoop stress, Eq. 9". Rows are named by it."""
         return f"{self.what}, Eq. {self.equation}" if self.equation else self.what
 
-    def broken(self, owner: type, rule: str) -> CaseError:
+    def broken(self, rule: str) -> CaseError:
         """The error for a rule that this declaration breaks."""
         code = inspect.unwrap(self.formula).__code__
         place = f"{Path(code.co_filename).name}:{code.co_firstlineno}"
-        return CaseError(f"{place}: {owner.__name__}.{self.name}: {rule}")
+        return CaseError(f"{place}: {self.owner}.{self.name}: {rule}")
 
 
 def finite(number: SupportsFloat) -> float | None:
@@ -98,6 +104,9 @@ class Declared:
 
     quantity: Quantity
 
+    def __set_name__(self, owner: type, _name: str) -> None:
+        self.quantity.owner = owner.__name__
+
     @overload
     def __get__(self, case: None, owner: type) -> Quantity: ...
     @overload
@@ -107,8 +116,9 @@ class Declared:
         if case is None:
             return q
         if solving.get() and q.role != "geometry":
-            raise q.broken(owner, "the reference reads this formula, but must share none")
-        return remembered(case, q.name, lambda: float(q.formula(case)))
+            raise q.broken("the reference reads this formula, but must share none")
+        factor = 1 + CHANGE if _larger.get() is q else 1.0
+        return remembered(case, q.name, lambda: factor * float(q.formula(case)))
 
 
 @dataclass(frozen=True)
@@ -137,6 +147,7 @@ class Family:
 
     def __set_name__(self, owner: type, name: str) -> None:
         for declared in self.members.values():
+            declared.__set_name__(owner, name)
             setattr(owner, declared.quantity.name, declared)
 
     @overload
@@ -190,12 +201,24 @@ def _located(error: Exception, file: str) -> CaseError:
 
 def forget() -> None:
     """Have every value computed again: the code of a formula was replaced."""
-    _code_changes[0] += 1
+    _code[0] = next(_numbers)
+
+
+@contextmanager
+def changed(q: Quantity) -> Iterator[None]:
+    """Have a quantity larger by CHANGE, and what follows from it; nothing of it is kept."""
+    before, token = _code[0], _larger.set(q)
+    forget()
+    try:
+        yield
+    finally:
+        _code[0] = before
+        _larger.reset(token)
 
 
 def remembered(case: object, name: str, compute: Callable[[], T]) -> T:
     """A value of an instance, computed once: its inputs never change."""
-    memo, key = case.__dict__, f"{MEMO}{_code_changes[0]} {name}"
+    memo, key = case.__dict__, f"{MEMO}{_code[0]} {name}"
     if key not in memo:
         memo[key] = compute()
     found: T = memo[key]

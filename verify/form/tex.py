@@ -6,9 +6,11 @@ Numbers keep their units (210 GPa · 0.06 mm), so that no reader has to guess a 
 import math
 import re
 from collections.abc import Mapping
+from typing import Any, TypeVar
 
 from verify.core.tex import tex as number
 
+T = TypeVar("T")
 _NAMES = """alpha beta gamma delta varepsilon zeta eta theta kappa lambda mu nu xi pi rho sigma
     tau varphi chi psi omega Gamma Delta Theta Lambda Sigma Phi Psi Omega"""
 GREEK = dict(zip("αβγδεζηθκλμνξπρστφχψωΓΔΘΛΣΦΨΩ", _NAMES.split(), strict=True))
@@ -90,17 +92,25 @@ def _over(match: re.Match[str]) -> str:
     return f"({above}/{below})" if inside else f"{above}/{below}"
 
 
-def evaluate(tex: str, values: Mapping[str, float]) -> float | None:
-    """What the equation gives for SI `values` by symbol.
+ARITHMETIC: Mapping[str, Any] = (
+    {name: getattr(math, code) for code, name in FUNCTIONS.items()} | EXTREMES | {"π": math.pi}
+)
+
+
+def evaluate(
+    tex: str, values: Mapping[str, T], arithmetic: Mapping[str, Any] = ARITHMETIC
+) -> T | None:
+    """What the equation gives for `values` by symbol, such as numbers [SI].
 
     None where it is more than arithmetic, or has no value there: a root of a negative number.
     """
-    text = plain(put_in(tex, {name: f"({value!r})" for name, value in values.items()}))
-    known = {name: getattr(math, code) for code, name in FUNCTIONS.items()}
+    variables = {f"x{k}": value for k, value in enumerate(values.values())}
+    text = plain(put_in(tex, {s: f"({name})" for s, name in zip(values, variables, strict=True)}))
     code = text.replace("·", "*").replace("^", "**")
     if re.search(r"[\d)]\s*\(", code):  # a function of something, as under an integral
         return None
     try:
-        return float(eval(code, {"__builtins__": {}}, known | EXTREMES | {"π": math.pi}))  # noqa: S307 - the case's own TeX
+        found = eval(code, {"__builtins__": {}}, {**arithmetic, **variables})  # noqa: S307 - the case's own TeX
     except (SyntaxError, NameError, TypeError, AttributeError, ValueError, ArithmeticError):
         return None
+    return None if isinstance(found, complex | tuple) else found

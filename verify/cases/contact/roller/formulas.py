@@ -154,6 +154,7 @@ class SlicedRoller(StripRoller):
         "approach by Palmgren's law for steel",
         role="step",
         source="Palmgren; in N and m",
+        fitted=True,
         tex=r"3.84 \cdot 10^{-10.4} \frac{F^{0.9}}{l^{0.8}}",
     )
     def delta_P(self) -> float:

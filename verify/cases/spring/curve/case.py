@@ -81,12 +81,13 @@ class CurveSpring(CurveInputs, Case):
         return float(self.linear.k2)
 
     @Quantity("U_10", "mm", "displacement where the lines of Eq. 10 cross (N, N/m)", role="step",
-              source="Eq. 10", tex=r"\frac{0.0055 + 1.62}{749 - 613}", when=of_paper)  # fmt: skip
+              source="Eq. 10", tex=r"\frac{0.0055 + 1.62}{749 - 613}", fitted=True,
+              when=of_paper)  # fmt: skip
     def U_10(self) -> float:
         return eq10().U
 
     @Quantity("F_10", "N", "force where the lines of Eq. 10 cross (N, N/m)", role="step",
-              source="Eq. 10", tex=r"613 U_{10} + 0.0055 = 749 U_{10} - 1.62",
+              source="Eq. 10", tex=r"613 U_{10} + 0.0055 = 749 U_{10} - 1.62", fitted=True,
               when=of_paper)  # fmt: skip
     def F_10(self) -> float:
         return eq10().F

@@ -1,0 +1,166 @@
+"""Rules that equations and expected errors of a case follow: here the suite's, at start others'."""
+
+from math import log, pi
+
+import pytest
+
+from verify.case import (
+    Case,
+    CaseError,
+    Computed,
+    Expected,
+    Quantity,
+    State,
+    approximation,
+    given,
+    identity,
+)
+from verify.cases.registry import CASES
+from verify.form import dimensions, independence
+from verify.form.adapter import adapted
+from verify.form.quantity import changed
+
+
+class Rod(Case):
+    """A rod in tension."""
+
+    title = "Rod"
+    source = "belcin"
+
+    d: float = given("10 mm", "mm", "d", "diameter", gt=0)
+    F: float = given("1 kN", "kN", "F", "force")
+    n: float = given("60 r/min", "r/min", "n", "speed")
+    k: float = given(2.0, "1", "k", "exponent")
+
+    @Quantity("A", "mm^2", "area", role="geometry", tex=r"\frac{\pi d^2}{4}")
+    def area(self) -> float:
+        return pi * self.d**2 / 4
+
+    @Quantity("σ", "MPa", "stress", equation="1")
+    def sigma(self) -> float:
+        return self.F / self.area
+
+    @Quantity("p", "MPa", "no less than nothing")
+    def p(self) -> float:
+        return max(self.sigma - 2 * self.sigma, 0)
+
+    @Quantity("v", "m/s", "speed of the rim: an angle is a number")
+    def v(self) -> float:
+        return self.n * self.d / 2
+
+
+def stated(form):
+    """The checks of a case outside the suite."""
+    return len(adapted(form, time_limit=60.0).checks)
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
+def test_equations_give_what_units_state(case):
+    dimensions.check(case.inputs())
+
+
+def test_numbers_and_angles_have_no_dimension():
+    assert stated(Rod) == 0
+
+
+def declared(unit, tex, **more):
+    class Wrong(Rod):
+        @Quantity("x", unit, "something", tex=tex, **more)
+        def x(self):
+            return 1.0
+
+    return Wrong
+
+
+@pytest.mark.parametrize(
+    ("unit", "tex", "rule"),
+    [
+        ("mm", r"\frac{F}{A}", "the unit mm is a length, the equation F/A a pressure or stress"),
+        ("mm", "n d", "the unit mm is a length, the equation n d a speed"),
+        ("1", r"\sqrt{A}", "the unit 1 is a number, the equation √"),
+        ("mm^4", "d^3", r"the unit mm\^4 is \[length\]\^4, the equation d\^3 \[length\]\^3"),
+        ("mm", "d + A", r"the equation d \+ A adds a length and \[length\]\^2"),
+        ("mm", "d - 1", "the equation d - 1 adds a length and a number"),
+        ("1", "2^d", r"the equation 2\^d has a function of a length"),
+        ("1", r"\ln d", "the equation ln d has a function of a length"),
+        ("mm", r"\min(d, F)", r"the equation min\(d, F\) compares a length and a force"),
+        ("MPa", r"\frac{F}{A} = F A", "the unit MPa is a pressure or stress, the equation F A"),
+    ],
+)
+def test_a_unit_that_the_equation_does_not_give_is_an_error(unit, tex, rule):
+    with pytest.raises(CaseError, match=rf"^test_rules.py:\d+: Wrong.x: {rule.replace('√', '')}"):
+        stated(declared(unit, tex))
+
+
+@pytest.mark.parametrize(
+    ("tex", "more"),
+    [("3.84 F^{0.9}", {"fitted": True}), (r"\int_0^d y dy", {}), ("A^k", {})],
+    ids=["fitted", "no arithmetic", "an exponent without value"],
+)  # fmt: skip
+def test_other_equations_have_no_dimension(tex, more):
+    assert stated(declared("mm", tex, **more)) == 0
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
+def test_no_expected_error_follows_the_formula_that_it_judges(case):
+    q = case.inputs()
+    assert isinstance(q, Case)
+    assert [one.name for one in independence.followers(q, computed=True)] == []
+
+
+def expecting(low, high, *, computed=False):
+    """A case whose stress is expected to err by what two functions give of it."""
+
+    class Judged(Rod):
+        def comparisons(self):
+            double = self.at(F=2 * self.F)
+            interval = Expected(low(self), high(self), "book")
+            if computed:
+                interval = Computed(lambda: (low(self), high(self)), "book")
+            yield identity(Judged.area, scale={"of its stress": self.sigma * self.d**4})
+            yield approximation(Judged.sigma, expected=interval)
+            yield approximation(Judged.sigma, expected=Expected(-0.1, 0.1, ""),
+                                state=State(double, "double", "2 F"))  # fmt: skip
+
+    return Judged
+
+
+def exact(q):
+    return 4 * q.F / (pi * q.d**2)
+
+
+FOLLOWS = {
+    "an error": (lambda q: q.sigma / exact(q) - 1.01, lambda q: q.sigma / exact(q) - 0.99),
+    "one end": (lambda _: -0.01, lambda q: q.sigma / exact(q) - 0.99),
+    "a state": (lambda q: q.at(F=3.0).sigma / 3 / exact(q.at(F=1.0)) - 1, lambda _: 0.1),
+}
+
+
+@pytest.mark.parametrize("ends", FOLLOWS.values(), ids=FOLLOWS)
+def test_an_expected_error_that_reads_its_formula_is_an_error(ends):
+    rule = r"Rod.sigma: its expected error reads this formula"
+    with pytest.raises(CaseError, match=rf"^test_rules.py:\d+: {rule}"):
+        stated(expecting(*ends))
+    (one,) = independence.followers(expecting(*ends, computed=True)(), computed=True)
+    assert one.name == "stress, Eq. 1"
+
+
+def test_an_expected_error_may_depend_on_inputs_and_on_the_size_of_the_formula():
+    """As the size of a cell over a width that the formula gives."""
+    form = expecting(lambda q: q.d, lambda q: 0.01 * log(q.sigma))
+    assert stated(form) == 3
+
+
+def test_what_is_computed_from_a_changed_formula_is_not_kept():
+    case = Rod()
+    with changed(Rod.sigma):
+        assert case.p == 0
+        assert case.sigma == pytest.approx(1.001 * exact(case), rel=1e-12)
+    assert case.sigma == pytest.approx(exact(case), rel=1e-12)
+
+
+@pytest.mark.parametrize("ends", [(0.01, -0.01), (float("nan"), 0.01)])
+def test_an_expected_error_has_a_lower_and_an_upper_end(ends):
+    rule = "its error is expected from (0.01 to -0.01|nan to 0.01), and low must not be above high"
+    with pytest.raises(CaseError, match=rf"^test_rules.py:\d+: Rod.sigma: {rule}"):
+        stated(expecting(lambda _: ends[0], lambda _: ends[1]))
