@@ -279,7 +279,7 @@ class FreewheelClutch(ClutchInputs):
 
     def comparisons(self) -> Iterator[Comparison]:
         """Under its torque, with the flats moved, and about slip."""
-        yield from compared.comparisons(FreewheelClutch)
+        yield from compared.comparisons(self, FreewheelClutch)
 
     def figures(self) -> Iterator[Drawn]:
         """Where it holds, its course, its scatter."""

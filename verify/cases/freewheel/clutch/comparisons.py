@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any
 
 from analytic.bounds.freewheel.intervals import Interval
@@ -10,11 +10,11 @@ from analytic.bounds.freewheel.star import StarBounds
 from analytic.bounds.freewheel.turn import Moved, of_turn
 from analytic.freewheel.compliance import compliance
 from analytic.freewheel.state import loaded
-from verify.case import Comparison, Quantity
+from verify.case import Comparison, Computed, Quantity, approximation
 from verify.cases.freewheel.bounds import BRACKET, TANGENTIAL, known, of_star, parts
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
-from verify.core.case import Context, Values
-from verify.judging.checks import Approximation, Fact
+from verify.core.case import Context
+from verify.judging.checks import Fact
 
 SHARED = "plane strain, small strain, the star clamped in its bore"
 COULOMB = "Coulomb's law of friction"
@@ -54,40 +54,31 @@ def bears(context: Context) -> tuple[float, float]:
     return float(context.fem[-1].arrays["around"][1] - 0.5), 0.0
 
 
-def within(of: Callable[[ClutchInputs], Interval]) -> Callable[..., Interval | None]:
-    """An interval as a claim takes it; none where it is too wide to judge by."""
-
-    def interval(q: ClutchInputs, _values: Values) -> Interval | None:
-        found = known(q.as_star, of(q))
-        return (found.low, found.high) if found.sharp else None
-
-    return interval
+def interval(q: ClutchInputs, of: Callable[[], Interval]) -> tuple[float, float] | None:
+    """An interval, where it is narrow enough to judge by."""
+    found = known(q.as_star, of())
+    return (found.low, found.high) if found.sharp else None
 
 
-def comparisons(case: Any) -> Iterator[Comparison]:
-    """Of the class of the case: under its torque, about slip, and with the flats moved."""
-    more: Any = {"formal": 2, "source": BRACKET}
-    judged: list[tuple[Quantity, Approximation]] = [
-        (case.alpha, Approximation(
-            name="clamping angle under torque (Eqs. 4, 5)", symbol="α(T)", unit="deg",
-            analytic="alpha", fem="alpha", demand=0.002, demand_reason=SHARP,
-            interval=within(lambda q: expected(q).angle()), **more)),
-        (case.N, Approximation(
-            name="normal force under torque (Eqs. 2, 3)", symbol="F_n(T)", unit="N",
-            analytic="N", fem="N", interval=within(lambda q: expected(q).force()), **more)),
-        (case.phi, Approximation(
-            name="torsion by exact rolling, against ∫dU/T (Eq. 7, corrected)", symbol="φ",
-            unit="deg", analytic="phi", fem="phi",
-            interval=within(lambda q: expected(q).torsion()), formal=2, source=TANGENTIAL)),
-        (case.dalpha_dX, Approximation(
-            name="turn of the loaded angle by X", symbol="dα(T)/dX", unit="deg/mm",
-            analytic="dalpha_dX", fem="dalpha_dX", interval=within(turn), **more)),
-    ]  # fmt: skip
-    for quantity, check in judged:
-        yield Comparison(check=check, quantity=quantity, shares=SHARED)
+def comparisons(q: ClutchInputs, case: Any) -> Iterator[Comparison]:
+    """Of `q`, whose class is `case`: under its torque, with the flats moved, and about slip."""
+    judged: tuple[tuple[Quantity, str, str, Callable[[], Interval], str], ...] = (
+        (case.alpha, "clamping angle under torque (Eqs. 4, 5)", "α(T)",
+         lambda: expected(q).angle(), BRACKET),
+        (case.N, "normal force under torque (Eqs. 2, 3)", "F_n(T)", lambda: expected(q).force(),
+         BRACKET),
+        (case.phi, "torsion by exact rolling, against ∫dU/T (Eq. 7, corrected)", "φ",
+         lambda: expected(q).torsion(), TANGENTIAL),
+        (case.dalpha_dX, "turn of the loaded angle by X", "dα(T)/dX", lambda: turn(q), BRACKET),
+    )  # fmt: skip
+    for quantity, name, symbol, of, source in judged:
+        more: Any = {"sensitivity": (0.002, SHARP)} if quantity is case.alpha else {}
+        computed = Computed(partial(interval, q, of), source)
+        yield approximation(quantity, name=name, symbol=symbol, expected=computed, order=2,
+                            shares=SHARED, **more)  # fmt: skip
     for name, margin in (
         ("friction 1 % above μ_req bears torque and axial load (Eqs. 8, 9)", bears),
         ("friction 1 % below μ_req does not (Eqs. 8, 9)", lets_go),
     ):
-        fact = Fact(name=name, symbol="μ_req", unit="1", margin=margin)
-        yield Comparison(check=fact, quantity=case.mu_req, shares=COULOMB)
+        check = Fact(name=name, symbol="μ_req", unit="1", margin=margin)
+        yield Comparison(check=check, quantity=case.mu_req, shares=COULOMB)

@@ -3,12 +3,10 @@
 from collections.abc import Iterator
 from typing import Any, ClassVar
 
-import numpy as np
-
 from analytic.bounds.freewheel.friction import FrictionBounds
 from analytic.bounds.freewheel.intervals import Interval
 from analytic.freewheel import criterion, tilt
-from analytic.freewheel.state import at_normal_force, loaded
+from analytic.freewheel.let_out import let_out
 from verify.case import (
     Comparison,
     Drawn,
@@ -30,7 +28,6 @@ from verify.core.figures import Array, Picture, Sketch, Table
 from verify.form.adapter import adapted
 
 CLOSE = 0.02  # of tan(alpha): friction that near leaves no axial load worth measuring
-GRID = np.linspace(0.0, 1.0, 401)  # of N, along which rollers are let out
 ANGLE = "two bodies that enclose the star say alpha, friction along surfaces by its size"
 TILTED = f"{ANGLE}, surfaces tilt under N"
 HEAVY: Any = {"own": (0.03, "surfaces tilt by more, the heavier the load")}
@@ -120,20 +117,8 @@ class FreewheelFriction(Pulled):
         return float(tilt.pressure_factor(e=self.e, L=self.L))
 
     def slipped(self) -> tuple[Array, Array]:
-        """Axial slip (m,) [m] of a ring held about the axis, and T (m,) over that before.
-
-        Backwards: the first is where nothing is left. What the clutch does at its limit follows
-        from Coulomb's law and energy. Slip is along the resultant, so that u_z of it and R phi are
-        as F_z and F_t. Where the ring is held, rollers are let out: R phi is made up by what both
-        approaches lose, dd_i + dd_o = -tan(alpha) R dphi, until none is left.
-        """
-        state = at_normal_force(self.clutch, GRID * loaded(self.clutch, self.T).N)
-        tan = np.tan(state.alpha)
-        slope = np.sqrt((self.mu / tan) ** 2 - 1) / tan
-        d = state.d_i + state.d_o
-        lost = np.diff(d) * (slope[1:] + slope[:-1]) / 2
-        rest = np.concatenate([np.cumsum(lost[::-1])[::-1], [0.0]])
-        return rest, np.asarray(state.T / state.T[-1])
+        """Axial slip (m,) [m] of a ring held about the axis, and T (m,) over that before."""
+        return let_out(self.clutch, T=self.T, mu=self.mu)
 
     def reference(self, level: int) -> Level:
         """The sector under torque alone, with axial load, and beyond the limit."""

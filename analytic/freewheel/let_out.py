@@ -1,0 +1,27 @@
+"""What a ring that is held about the axis loses as it slips along the axis under torque.
+
+Slip is along the resultant of the friction, so that its parts along the axis and around it are as
+F_a and F_t. Where the ring is held, the rollers are let out of their wedges: the part around the
+axis is made up by what both approaches lose, dd_i + dd_o = -tan(alpha) R dphi, until none is left.
+"""
+
+import numpy as np
+
+from analytic.contact.checks import Array
+from analytic.freewheel.clutch import Clutch
+from analytic.freewheel.state import at_normal_force, loaded
+
+GRID = np.linspace(0.0, 1.0, 401)  # of N, along which rollers are let out
+
+
+def let_out(clutch: Clutch, *, T: float, mu: float) -> tuple[Array, Array]:
+    """Axial slip (m,) [length] with the friction mu, and the torque (m,) over T.
+
+    Backwards: the first is where nothing is left. nan where T alone slips, tan(alpha) > mu.
+    """
+    state = at_normal_force(clutch, GRID * loaded(clutch, T).N)
+    tan = np.tan(state.alpha)
+    slope = np.sqrt((mu / tan) ** 2 - 1) / tan
+    lost = np.diff(state.d_i + state.d_o) * (slope[1:] + slope[:-1]) / 2
+    rest = np.concatenate([np.cumsum(lost[::-1])[::-1], [0.0]])
+    return rest, np.asarray(state.T / state.T[-1])
