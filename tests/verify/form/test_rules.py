@@ -1,9 +1,12 @@
 """Rules that equations and expected errors of a case follow: here the suite's, at start others'."""
 
+import pydoc
+import re
 from math import log, pi
 
 import pytest
 
+import verify.case
 from verify.case import (
     Case,
     CaseError,
@@ -164,3 +167,14 @@ def test_an_expected_error_has_a_lower_and_an_upper_end(ends):
     rule = "its error is expected from (0.01 to -0.01|nan to 0.01), and low must not be above high"
     with pytest.raises(CaseError, match=rf"^test_rules.py:\d+: Rod.sigma: {rule}"):
         stated(expecting(lambda _: ends[0], lambda _: ends[1]))
+
+
+def test_help_is_an_overview_of_all_names():
+    text = pydoc.plain(pydoc.render_doc(verify.case))
+    names = {name for name in vars(verify.case) if not name.startswith("_")}
+    own = names - {"FemResult", "quantity"}
+    assert {"Case", "given", "Options", "sketches"} < own
+    assert [name for name in own if not re.search(rf"\b{name}\b", verify.case.__doc__)] == []
+    assert "BaseModel" not in text
+    assert len(text.splitlines()) < 80
+    assert "sensitivity" in pydoc.render_doc(verify.case.Options)
