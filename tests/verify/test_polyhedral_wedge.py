@@ -9,13 +9,13 @@ import pytest
 
 from analytic.contact import partial_slip
 from analytic.polyhedral import wedging
-from fem.contact import active_sets, interface
+from fem.contact import active_sets, interface, wedged, wedged_states
 from fem.contact.friction_lcp import FrictionLcp
-from verify.cases.polyhedral.wedge import model, stick
+from fem.contact.wedged import Geometry, Wedge
 from verify.cases.polyhedral.wedge import reference as fem
 from verify.cases.polyhedral.wedge.case import WEDGE, WedgedRoller
-from verify.cases.polyhedral.wedge.limit import Limit
-from verify.cases.polyhedral.wedge.model import Geometry, Wedge, fem_mesh
+from verify.cases.polyhedral.wedge.limit import least_fem
+from verify.cases.polyhedral.wedge.mesh import fem_mesh
 from verify.core.results import Status
 from verify.jobs.level import Job, judge_case, solve_level
 
@@ -100,7 +100,7 @@ def test_what_slides_into_the_wedge_is_held_back_by_the_cage():
 def test_no_limit_is_found_in_a_bracket_on_one_side_of_it():
     q = WedgedRoller()
     _, down = wedge(q).pressed(q.line_load)
-    value, _ = Limit(q, down).friction(1.01 * math.tan(q.half))
+    value, _ = least_fem(q, down, 1.01 * math.tan(q.half))
     assert math.isnan(value)
 
 
@@ -205,12 +205,12 @@ def rough(factor):
 
 FEM_FAULTS = [
     pytest.param(interface, "Complementarity", rough(1.001), CAGED, id="friction 0.1 % too large"),
-    pytest.param(model.Wedge, "forces", lambda f: lambda self, state: tuple(
+    pytest.param(wedged.Wedge, "forces", lambda f: lambda self, state: tuple(
         2 * np.array(f(self, state))), CAGE, id="forces of both contacts"),
-    pytest.param(model.Geometry, "normal", lambda _: property(
+    pytest.param(wedged.Geometry, "normal", lambda _: property(
         lambda self: np.array([math.sin(2 * self.half), math.cos(2 * self.half)])), FORCE,
         id="the flat at the full angle"),
-    pytest.param(stick, "share_stuck", lambda f: lambda touch: f(touch) + 0.004,
+    pytest.param(wedged_states, "share_stuck", lambda f: lambda touch: f(touch) + 0.004,
                  "stick half-width of a roller let go, T/(μN) = 0.8", id="moments read wrongly"),
 ]  # fmt: skip
 

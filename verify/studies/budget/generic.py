@@ -20,7 +20,7 @@ TOLERANCES = (
     "fem.wedge.pulled:STILL",
     "fem.wedge.rest:STILL",
     "verify.cases.polyhedral.clutch.fem:CLOSE",
-    "verify.cases.polyhedral.wedge.model:HIT",
+    "fem.contact.wedged:HIT",
     "verify.cases.freewheel.clutch.reference:NEAR",
 )
 CONTACT = ("fem.contact.problem", "fem.beam.touching", "fem.fourier.contact", "fem.rotor.struts")

@@ -42,7 +42,7 @@ def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
     case, scale, angle = WedgeFormulas, {"N": self.N}, {"alpha": self.alpha, "mu": self.mu}
     too_much = Expected(*bounds.torque_error(**angle), FREE)
     too_little = Expected(*bounds.normal_force_error(**angle), FREE)
-    reach = bounds.half_planes(a=small(self).a, R=self.R, mu=self.mu)
+    reach = bounds.half_planes(a=small(self), R=self.R, mu=self.mu)
     half_planes = Expected(*reach, HALF_PLANES)
     free: dict[str, Any] = {"sensitivity": (STATICS, BALANCED)}
     caged: dict[str, Any] = free | {"shares": COULOMB}

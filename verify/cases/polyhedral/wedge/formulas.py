@@ -78,5 +78,5 @@ class WedgeFormulas(WedgeInputs):
     @Quantity("c/a({0:g})", "1", "stick half-width of a roller let go, T/(μN) = {0:g}",
               source="Cattaneo").over(SHARES)  # fmt: skip
     def stick(self, k: Share) -> float:
-        a = small(self).a
+        a = small(self)
         return float(partial_slip.stick_half_width(Q=k, P=1.0, mu=1.0, a=a) / a)

@@ -8,13 +8,14 @@ from numpy.typing import NDArray
 
 from verify.case import Level
 from verify.cases.polyhedral.wedge.inputs import WedgeInputs
-from verify.cases.polyhedral.wedge.limit import Limit
-from verify.cases.polyhedral.wedge.model import Geometry, Wedge, fem_mesh
-from verify.cases.polyhedral.wedge.stick import let_go
+from verify.cases.polyhedral.wedge.limit import around_fem, least_fem, over_angles_fem
+from verify.cases.polyhedral.wedge.mesh import fem_mesh
+from verify.cases.polyhedral.wedge.stick import fem_stuck
 from verify.core.figures import Field
 
 if TYPE_CHECKING:
     from fem.contact.solution import ContactSolution, Touch
+    from fem.contact.wedged import Wedge
 
 Array = NDArray[np.float64]
 
@@ -27,33 +28,39 @@ ACROSS = np.linspace(-0.95, 0.95, 39)  # of the half-width, where tractions are 
 
 def solve(q: WedgeInputs, level: int) -> Level:
     """One level: free, caged, about the limit, let go, and wedged in by steps."""
+    from fem.contact.wedged import Geometry, Wedge
+    from fem.contact.wedged_states import slipping, uneven
+
     geometry = Geometry(q.R, q.half, q.a)
     mesh = fem_mesh(geometry, level // 2)
     free, cage = (
         Wedge(geometry, mesh, E=q.E, nu=q.nu, mu=q.mu, caged=caged) for caged in (False, True)
     )
     state, down = free.pressed(q.line_load)
-    found, caught, limit = freely(q, free, state), held_back(q, cage), Limit(q, down)
+    found, caught = freely(q, free, state), held_back(q, cage)
     values = found | caught
     # what the balance along the bisector misses is missing in T
     u_it = {key: SOLVED * abs(found[key]) / math.tan(q.half) for key in ("T", "M_free", "N_per_M")}
     u_it |= {key: SOLVED * abs(caught[key]) for key in ("M_caged", "N_per_M_caged")}
     u_it["C"] = SOLVED * q.N
-    values["mu_c"], u_it["mu_c"] = limit.friction(found["T"] / q.N)
-    stuck, jitter, growth = let_go(q, level)
+    values["mu_c"], u_it["mu_c"] = least_fem(q, down, found["T"] / q.N)
+    stuck, jitter, growth = fem_stuck(q, level)
     grown = free.at(down, steps=GROWN)
     touch = grown.touches[0]
-    arrays = {"growth": growth, "grown": across(q, touch)}
+    along = touch.x.T @ geometry.tangent / q.a
+    arrays = {"growth": growth, "grown": across(q, touch, along)}
     if level == LEVELS[-1]:
-        arrays |= {"over angles": limit.over_angles(), "around": limit.around(),
-                   "slipping": np.array([slipping(touch), uneven(q, touch)])}  # fmt: skip
+        arrays |= {
+            "over angles": over_angles_fem(q, down), "around": around_fem(q, down),
+            "slipping": np.array([slipping(touch), uneven(touch, math.tan(q.half))]),
+        }  # fmt: skip
     return Level(
         h=1 / level, values=values | stuck, u_it=u_it | jitter, arrays=arrays,
         fields=(roller(q, grown),),
     )  # fmt: skip
 
 
-def freely(q: WedgeInputs, free: Wedge, state: "ContactSolution") -> dict[str, float]:
+def freely(q: WedgeInputs, free: "Wedge", state: "ContactSolution") -> dict[str, float]:
     """What a free roller carries under N, and its balance along and across the bisector."""
     N, T = free.forces(state)
     lever = q.z * q.D_i / 2
@@ -65,7 +72,7 @@ def freely(q: WedgeInputs, free: Wedge, state: "ContactSolution") -> dict[str, f
     }  # fmt: skip
 
 
-def held_back(q: WedgeInputs, cage: Wedge) -> dict[str, float]:
+def held_back(q: WedgeInputs, cage: "Wedge") -> dict[str, float]:
     """The race slides into the wedge under N, and a cage holds the roller back."""
     state, _ = cage.pressed(q.line_load, along=FAR * q.mu * q.a**2 / q.R)
     N, T = cage.forces(state)
@@ -79,21 +86,8 @@ def held_back(q: WedgeInputs, cage: Wedge) -> dict[str, float]:
     }  # fmt: skip
 
 
-def slipping(touch: "Touch") -> float:
-    """Share of the normal force on nodes that slip."""
-    load = touch.pressure * touch.mortar.size
-    return float(load[touch.closed & ~touch.sticks].sum() / load.sum())
-
-
-def uneven(q: WedgeInputs, touch: "Touch") -> float:
-    """How far the traction is from tan(alpha/2) p in L2, over the norm of that."""
-    wanted = math.tan(q.half) * touch.p
-    return float(np.sqrt(((touch.q - wanted) ** 2 @ touch.weight) / (wanted**2 @ touch.weight)))
-
-
-def across(q: WedgeInputs, touch: "Touch") -> Array:
-    """Traction (m,) into the wedge at `ACROSS`, over tan(alpha/2) p_0."""
-    s = (touch.x.T @ Geometry(q.R, q.half, q.a).tangent) / q.a
+def across(q: WedgeInputs, touch: "Touch", s: Array) -> Array:
+    """Traction (m,) into the wedge at `ACROSS`, over tan(alpha/2) p_0; s is where nodes are."""
     order = np.argsort(s)
     return np.interp(ACROSS, s[order], touch.traction[order]) / (math.tan(q.half) * q.p_0)
 

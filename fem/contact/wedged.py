@@ -1,4 +1,4 @@
-"""Half a roller on an inclined race of finite elements, driven to a normal force.
+"""Half a roller on an inclined race, driven to a normal force: free, caged, or let go.
 
 The bisector is the x axis; the wedge narrows towards +x. By symmetry the roller's cut y = 0 stays
 straight and feels no friction. The race comes down along its own normal; what it does along itself
@@ -6,23 +6,19 @@ and what pushes at the roller's middle is the caller's.
 """
 
 import math
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from skfem.mesh import Mesh2D
 
-from verify.cases.contact.errors import fem_errors
+from fem.contact.errors import NotFoundError
+from fem.contact.pairs import Normal, Pair
+from fem.contact.problem import ContactProblem
+from fem.contact.shapes import Circle, Flat
+from fem.contact.solution import ContactSolution
+from fem.plane.discretisation import Array
+from fem.plane.material import Elastic
 
-if TYPE_CHECKING:
-    from skfem.mesh import Mesh2D
-
-    from fem.contact.pairs import Normal
-    from fem.contact.problem import ContactProblem
-    from fem.contact.solution import ContactSolution
-
-Array = NDArray[np.float64]
-
-ZONE = 1.15  # half-width of the fine cells over Hertz's
 HIT = 1e-12  # of the normal force, within which it is met
 UNCHANGED = 1e-6  # of what N misses: it does not depend on the race's place
 MOST = 40
@@ -50,16 +46,16 @@ class Wedge:
     """A roller that only its contacts hold along the bisector, or one whose middle a cage holds."""
 
     def __init__(
-        self, geometry: Geometry, mesh: "Mesh2D", *, E: float, nu: float, mu: float,
-        caged: bool = False, normal: "Normal" = "master",
+        self, geometry: Geometry, mesh: Mesh2D, *, E: float, nu: float, mu: float,
+        caged: bool = False, normal: Normal = "master",
     ) -> None:  # fmt: skip
         self.geometry = geometry
-        self.problem = fem_problem(geometry, mesh, E, nu, mu, caged=caged, normal=normal)
+        self.problem = wedge_problem(geometry, mesh, E, nu, mu, caged=caged, normal=normal)
 
     def at(
         self, down: float, *, along: float = 0.0, push: float = 0.0,
-        after: "ContactSolution | None" = None, steps: int = 1,
-    ) -> "ContactSolution":  # fmt: skip
+        after: ContactSolution | None = None, steps: int = 1,
+    ) -> ContactSolution:  # fmt: skip
         """The race moved `down` on the roller and `along` itself [m], its middle pushed [N/m].
 
         The push acts on half of the roller, into the wedge where positive.
@@ -69,14 +65,14 @@ class Wedge:
         moved = {"race.bottom": {"x": float(x), "y": float(y)}}
         return self.problem.solve(displacements=moved, forces=forces, after=after, steps=steps)
 
-    def forces(self, state: "ContactSolution") -> tuple[float, float]:
+    def forces(self, state: ContactSolution) -> tuple[float, float]:
         """Normal and tangential force [N/m]: the latter drags the roller into the wedge."""
         force = np.array(state.touches[0].force)
         return float(force @ self.geometry.normal), float(-force @ self.geometry.tangent)
 
     def pressed(
         self, N: float, *, along: float = 0.0, push: float = 0.0, near: float | None = None
-    ) -> tuple["ContactSolution", float]:
+    ) -> tuple[ContactSolution, float]:
         """The state under the normal force N [N/m], and how far down the race came for it.
 
         The search starts `near` a place [m], or at about half of where Hertz has it.
@@ -94,38 +90,21 @@ class Wedge:
             else:
                 step = -more * (now - before) / (more - missing)
             before, now, missing = now, now + step, more
-        raise fem_errors().NotFoundError(f"the normal force is missed by {more:.1e} of itself")
+        raise NotFoundError(f"the normal force is missed by {more:.1e} of itself")
 
-    def _missing(self, state: "ContactSolution", N: float) -> float:
+    def _missing(self, state: ContactSolution, N: float) -> float:
         return self.forces(state)[0] / N - 1
 
 
-def fem_mesh(geometry: Geometry, cells: int) -> "Mesh2D":
-    """Roller and race, `cells` on the half-width."""
-    from meshes.contact.block import full_block
-    from meshes.contact.tilted import placed, tilted_half_disc
-    from meshes.join import join
+def wedge_problem(
+    geometry: Geometry, mesh: Mesh2D, E: float, nu: float, mu: float, *, caged: bool,
+    normal: Normal,
+) -> ContactProblem:  # fmt: skip
+    """Cut and far side of the race on supports, friction between roller and race.
 
-    R, half = geometry.R, geometry.half
-    fine: dict[str, Any] = {"zone": ZONE * geometry.a, "cells": round(ZONE * cells), "refine": 1}
-    x, y = R * geometry.normal
-    race = full_block(width=R, depth=R, above=True, **fine)
-    return join({
-        "roller": tilted_half_disc(R=R, tilt=half, **fine),
-        "race": placed(race, turn=-half, shift=(float(x), float(y))),
-    })  # fmt: skip
-
-
-def fem_problem(
-    geometry: Geometry, mesh: "Mesh2D", E: float, nu: float, mu: float, *, caged: bool,
-    normal: "Normal",
-) -> "ContactProblem":  # fmt: skip
-    """Cut and far side of the race on supports, friction between roller and race."""
-    from fem.contact.pairs import Pair
-    from fem.contact.problem import ContactProblem
-    from fem.contact.shapes import Circle, Flat
-    from fem.plane.material import Elastic
-
+    Bodies "roller" (boundaries "surface", "inner", "outer" on its cut) and "race" ("surface",
+    "bottom"); the cut's inner part is where a cage holds.
+    """
     (x, y), (n_x, n_y) = geometry.R * geometry.normal, -geometry.normal
     return ContactProblem(
         mesh,

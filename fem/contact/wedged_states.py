@@ -1,0 +1,79 @@
+"""States of a roller in a wedge: let go after pressing, and at the least friction that holds it."""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from fem.contact.solution import Touch
+from fem.contact.wedged import Wedge
+from fem.plane.discretisation import Array
+
+SWEEP, SWEPT = 50, 0.88  # steps of letting go, and T/(mu N) at their end
+STIFFENS = 0.93  # d ln(approach)/d ln(N) of line contacts, about
+BELOW, ABOVE = 2e-4, 4e-4  # of T/N: ends of the bracket in which the limit is searched
+BISECTIONS = 5
+HELD = 0.9  # of N: more is left of it, or the roller is on its way out
+
+
+def let_go(wedge: Wedge, N: float, *, mu: float) -> tuple[Array, Array]:
+    """T/(mu N) and (c/a)² (m,) of a roller as its push goes and T grows at the same N [N/m].
+
+    Pressed first without friction at work: the push at its middle balances the normal force alone.
+    """
+    half = wedge.geometry.half
+    push = N * math.sin(half)
+    state, down = wedge.pressed(N, push=push, near=wedge.pressed(N)[1])
+    found = []
+    for k in np.linspace(0.0, SWEPT, SWEEP + 1)[1:]:
+        less = push - k * mu * N * math.cos(half)
+        trial = wedge.forces(wedge.at(down, push=less, after=state))[0]
+        down *= (N / trial) ** STIFFENS
+        state = wedge.at(down, push=less, after=state)
+        normal, tangential = wedge.forces(state)
+        found.append((tangential / (mu * normal), share_stuck(state.touches[0])))
+    ratio, stuck = np.array(found).T
+    return ratio, stuck
+
+
+def share_stuck(touch: Touch) -> float:
+    """(c/a)² from the second moment of the traction about the middle of the contact.
+
+    By Cattaneo's tractions 4 M_2/(M_0 a²) - 1; about a fixed place, where an odd part of the
+    traction drops out: a round body on a flat has one, which pressing alone leaves.
+    """
+    middle = (0.0, 0.0)  # the roller's centre, below the place where it first touched
+    s, load = touch.along(middle), touch.q * touch.weight
+    return float(4 * (load @ s**2) / (load.sum() * touch.half_width(middle) ** 2) - 1)
+
+
+def slipping(touch: Touch) -> float:
+    """Share of the normal force on nodes that slip."""
+    load = touch.pressure * touch.mortar.size
+    return float(load[touch.closed & ~touch.sticks].sum() / load.sum())
+
+
+def uneven(touch: Touch, slope: float) -> float:
+    """How far the traction is from `slope` times the pressure in L2, over the norm of that."""
+    wanted = slope * touch.p
+    return float(np.sqrt(((touch.q - wanted) ** 2 @ touch.weight) / (wanted**2 @ touch.weight)))
+
+
+def least_friction(left: Callable[[float], float], share: float) -> tuple[float, float]:
+    """The least friction that holds a roller, by bisection, and half of the last bracket.
+
+    `left` says what part of the normal force is left under a friction: about all, or next to
+    nothing. The first bracket lies about `share`, the T/N that friction must bear. Not a number
+    where the roller is held at both its ends, or at none.
+
+    >>> value, half = least_friction(lambda mu: 1.0 if mu > 0.05 else 0.0, 0.05)
+    >>> abs(value - 0.05) <= half
+    True
+    """
+    low, high = share * (1 - BELOW), share * (1 + ABOVE)
+    if left(low) > HELD or left(high) < HELD:
+        return math.nan, 0.0
+    for _ in range(BISECTIONS):
+        middle = (low + high) / 2
+        low, high = (low, middle) if left(middle) > HELD else (middle, high)
+    return (low + high) / 2, (high - low) / 2
