@@ -21,16 +21,30 @@ is left out, as finite elements of small strains leave it out.
 """
 
 from dataclasses import astuple, dataclass
+from typing import Protocol
 
 import numpy as np
 
-from analytic.sprag.closure import Wedged
+from analytic.contact.checks import Array
 from analytic.sprag.column import Column
 from analytic.sprag.goursat import displaced, flamant, forces_along, rest, turns
 
 Pair = tuple[float, float]  # of the inner and the outer contact
 
 DEGREE = 32  # of the polynomials: 2 % of how far the ends of a column turn
+
+
+class Triangle(Protocol):
+    """Where the forces of a wedged sprag act: radii OA and OB, polar radius rho [m], beta [rad]."""
+
+    @property
+    def OA(self) -> Array: ...
+    @property
+    def OB(self) -> Array: ...
+    @property
+    def rho(self) -> Array: ...
+    @property
+    def beta(self) -> Array: ...
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -96,7 +110,7 @@ def ends(column: Column, *, turned: float, alpha_b: float, a: Pair, nu: float) -
     return Ends(moved=(moved[0], moved[1]), turned=(turn[0], turn[1]))
 
 
-def shift(at: Wedged, ends: Ends, *, column: Column, a: Pair, P: float, races: Pair) -> Shift:
+def shift(at: Triangle, ends: Ends, *, column: Column, a: Pair, P: float, races: Pair) -> Shift:
     """Of a wedged sprag under P = N/(l E') [length]; `races` [length] move sideways as far.
 
     Both are positive: the inner race to the side of A, the outer one away from it.

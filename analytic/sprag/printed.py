@@ -17,6 +17,7 @@ from analytic.sprag.closure import Wedged
 from analytic.sprag.clutch import Clutch
 from analytic.sprag.compliance import Yields
 from analytic.sprag.geometry import LogSprag
+from analytic.sprag.search import first_reach
 
 
 def wedged(clutch: Clutch, N: ArrayLike) -> Wedged:
@@ -25,6 +26,14 @@ def wedged(clutch: Clutch, N: ArrayLike) -> Wedged:
     yields = clutch.compliance.yields(N)
     OA = np.asarray(np.asarray(clutch.sprag.R_i) - yields.race_i - yields.contact_i / 2)
     return closure.closed(clutch, N, yields, OA_s=OA, OA=OA)
+
+
+def at_torque(clutch: Clutch, T: float) -> Wedged:
+    """State under the torque T [N m] of the clutch, the first on the way from no load."""
+    sprag = clutch.sprag
+    start = np.asarray(T / (clutch.n_s * np.asarray(sprag.R_i) * np.tan(sprag.nu_0)))
+    N = first_reach(lambda N: wedged(clutch, N).T, np.asarray(T), start=start)
+    return wedged(clutch, N)
 
 
 def pole_distance(sprag: LogSprag, yields: Yields) -> Array:

@@ -6,20 +6,20 @@ from functools import cache
 import numpy as np
 import pytest
 
+from analytic.bounds.sprag import wedge
 from analytic.contact import hertz_line
 from analytic.ring import smeared
-from analytic.sprag import closure, column, course, parts, printed
+from analytic.sprag import closure, column, course, elastic, parts, printed
 from analytic.sprag.compliance import Yields
 from fem.plane.material import Elastic
 from fem.wedge.races import State
 from meshes.sprag.wedged import Place
 from verify.app.cli import run
-from verify.cases.sprag.wedge import bounds, formulas, model
+from verify.cases.sprag.wedge import formulas, model
 from verify.cases.sprag.wedge import sweep as sprag_wedge_sweep
-from verify.cases.sprag.wedge.bounds import Bounds, plane_yields
 from verify.cases.sprag.wedge.case import WEDGE, WedgedSprag
 from verify.cases.sprag.wedge.figures import parts_of
-from verify.cases.sprag.wedge.model import Race, rigid_force
+from verify.cases.sprag.wedge.model import rigid_force
 from verify.cases.sprag.wedge.sketch import outline
 from verify.cases.sprag.wedge.sweep import Sweep
 from verify.core.case import Context
@@ -39,9 +39,7 @@ def names(rows):
 
 
 def forget():
-    for kept in (model.parts, model.races, model.elastic, model.plane, model.composite,
-                 model.sprag_column, bounds.bending, sprag_wedge_sweep.starts_by_fem,
-                 ):  # fmt: skip
+    for kept in (model.bodies, model.bounds, sprag_wedge_sweep.starts_by_fem):
         kept.cache_clear()
     quantity.forget()
 
@@ -110,10 +108,10 @@ def test_elastic_yields_are_those_of_rings_under_single_loads_and_of_the_column(
     parts = dict(parts_of(Q, np.array([rigid_force(Q)])))
     assert sum(float(p[0]) for p in parts.values()) == pytest.approx(Q.at_share(1.0).H, rel=1e-12)
     P = rigid_force(Q) / Q.l
-    a_i, a_e = (float(a) for a in model.half_widths(Q, np.array(rigid_force(Q))))
+    a_i, a_e = (float(a) for a in Q.bodies.half_widths(np.array(rigid_force(Q))))
     for name, r_i, r_o, loaded, a in (("inner", Q.R_id, Q.R_i, "rim", a_i),
                                       ("outer", Q.R_e, Q.R_ed, "bore", a_e)):  # fmt: skip
-        ring = model.LoadedRace(r_i=r_i, r_o=r_o, E=Q.E, nu=Q.nu, assumption="plane strain",
+        ring = elastic.LoadedRace(r_i=r_i, r_o=r_o, E=Q.E, nu=Q.nu, assumption="plane strain",
                                 loaded=loaded, n=Q.z, P=P, a=a)  # fmt: skip
         both = float(parts[f"{name} mean"][0] + parts[f"{name} dent"][0])
         assert both == pytest.approx(abs(ring.displacement(ring.r, 0.0)), rel=2e-4)
@@ -121,13 +119,13 @@ def test_elastic_yields_are_those_of_rings_under_single_loads_and_of_the_column(
 
 def test_half_planes_written_out_are_those_of_the_plane_compliance():
     N = rigid_force(Q)
-    assert plane_yields(Q, N) == pytest.approx(
-        float(model.plane(Q).compliance.yields(N).H), rel=2e-3
+    assert model.bounds(Q.part, N).plane_yields() == pytest.approx(
+        float(Q.bodies.plane.compliance.yields(N).H), rel=2e-3
     )
 
 
 def test_the_work_of_the_torque_is_that_of_the_yields_but_not_for_the_printed_closure():
-    clutch, N, h = model.elastic(Q), rigid_force(Q), 1e-4
+    clutch, N, h = Q.clutch, rigid_force(Q), 1e-4
     low, high = (closure.wedged(clutch, N * (1 + s)) for s in (-h, h))
     at = closure.wedged(clutch, N)
     turn = course.rolled(clutch, N * (1 + h)) - course.rolled(clutch, N * (1 - h))
@@ -138,9 +136,9 @@ def test_the_work_of_the_torque_is_that_of_the_yields_but_not_for_the_printed_cl
 
 
 def test_intervals_do_not_move_with_the_formula_they_judge(broken):
-    before = Bounds(Q.part, rigid_force(Q)).plane()
+    before = model.bounds(Q.part, rigid_force(Q)).plane()
     broken(parts.Parts, "plane", lambda right: lambda self: replace(right(self), sprag=1e-9))
-    assert Bounds(Q.part, rigid_force(Q)).plane() == pytest.approx(before, rel=1e-9)
+    assert model.bounds(Q.part, rigid_force(Q)).plane() == pytest.approx(before, rel=1e-9)
 
 
 # Inputs and words.
@@ -321,9 +319,9 @@ READINGS = [
     pytest.param(closure, "closed", whole_yield_in_the_lever,
                  "T_e/N_e against the strut's tan ω (Eq. 10), at N_0",
                  id="all of delta_HI in the lever arm"),
-    pytest.param(bounds, "shift", without_bending, BENT, id="the column does not bend"),
+    pytest.param(wedge, "shift", without_bending, BENT, id="the column does not bend"),
     pytest.param(
-        bounds, "shift", without_bending,
+        wedge, "shift", without_bending,
         "force ratio on the inner race at 1.8 N_0, but for the column's bending",
         id="a rigid column, as the force ratio has it",
     ),
@@ -342,8 +340,9 @@ READINGS = [
                  id="the force of all sprags"),
     pytest.param(formulas, "at_torque", lambda right: lambda clutch, T: right(clutch, T / 2), FORCE,
                  id="half the torque"),
-    pytest.param(model, "plane_modulus", lambda _: lambda q: q.E, YIELDS, id="1 - nu² dropped"),
-    pytest.param(Race, "at", lambda right: lambda self, a: right(self, 2 * a), YIELDS,
+    pytest.param(elastic.Elastic, "E_plane", lambda _: property(
+        lambda self: self.parts.E), YIELDS, id="1 - nu² dropped"),
+    pytest.param(elastic.Race, "at", lambda right: lambda self, a: right(self, 2 * a), YIELDS,
                  id="widths for half-widths in races"),
     pytest.param(column, "approach", scaled(1.05), YIELDS, id="sprag 5 % too soft"),
     pytest.param(Yields, "H", lambda right: property(
@@ -351,7 +350,7 @@ READINGS = [
     pytest.param(smeared.lame, "radial_displacement", scaled(1.01), THIN, id="Eq. 6 off by 1 %"),
     pytest.param(parts, "race_deflection", lambda right: lambda **k: right(
         **k | {"ends": "plane strain"}), THIN, id="long rings where thin ones are told"),
-    pytest.param(model.LoadedRace, "mean_pressure", lambda right: property(
+    pytest.param(elastic.LoadedRace, "mean_pressure", lambda right: property(
         lambda self: right.fget(self) * 1.002), MEAN, id="races pressed 0.2 % too much"),
     pytest.param(parts.Parts, "plane", lambda right: lambda self: replace(
         right(self), sprag=self.palmgren().sprag), PLANE, id="the bar counted twice"),

@@ -33,7 +33,7 @@ def hoop(q: SpragInputs, N: float, N_e: float) -> dict[str, float]:
 def uneven(q: SpragInputs, N: float, loaded: Wall) -> float:
     """Deflection of a race under each sprag, indentation excluded, over Eq. 6's smeared ring."""
     r, ratio = (q.R_i, q.R_i / q.R_id) if loaded == "rim" else (q.R_e, q.R_ed / q.R_e)
-    a = sprag_wedge_model.half_widths(q, np.asarray(N))[loaded == "bore"]
+    a = sprag_wedge_model.bodies(q).half_widths(np.asarray(N))[loaded == "bore"]
     a_r = min(float(a) / r, APART * math.pi / q.z)
     return 1 / (1 + smeared_error(n=q.z, ratio=ratio, a_r=a_r, nu=q.nu, loaded=loaded).load)
 

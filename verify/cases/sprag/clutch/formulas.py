@@ -127,7 +127,7 @@ class ClutchFormulas(EngagementInputs, Case):
     @shared
     def _elastic(self) -> tuple[float, float]:
         """Rotation of the sprags, wind-up of the clutch [rad] with elastic bodies."""
-        clutch = sprag_wedge_model.elastic(self)
+        clutch = sprag_wedge_model.bodies(self).clutch
         found = at_torque(clutch, self.T)
         turn = float(rolled(clutch, float(found.N))) if np.isfinite(found.N) else math.nan
         return float(found.alpha_b), turn

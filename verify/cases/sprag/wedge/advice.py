@@ -8,7 +8,6 @@ import numpy as np
 
 from analytic.sprag.closure import wedged
 from verify.cases.sprag.wedge.formulas import WedgeFormulas
-from verify.cases.sprag.wedge.model import half_widths, sprag_column
 
 HARD = 4000e6  # Pa, what hardened rollers bear in static contact (ISO 76)
 FRICTION = 0.1  # what oiled steel hardly exceeds
@@ -58,7 +57,7 @@ def warnings(q: WedgeFormulas) -> Iterator[str]:
     """Where the sprags roll over, slip or are pressed too much."""
     if q.T_roll < q.T:
         yield f"a contact reaches the sprag's flank at {q.T_roll:.4g} N m: the sprags roll over"
-    if sprag_column(q.part) is None:
+    if q.bodies.column is None:
         yield (
             f"sprags b = {q.b * 1e3:g} mm wide are wider than they are round: a disc between the "
             "races stands for them"
@@ -79,8 +78,8 @@ def warnings(q: WedgeFormulas) -> Iterator[str]:
 def refusal(q: WedgeFormulas) -> str:
     """Why finite elements refuse these inputs, or nothing."""
     N = MOST * q.N_0
-    at, (a_i, a_e) = wedged(q.clutch, N), map(float, half_widths(q.part, np.asarray(N)))
-    column, without = sprag_column(q.part), "; check it without --fem"
+    at, (a_i, a_e) = wedged(q.clutch, N), map(float, q.bodies.half_widths(np.asarray(N)))
+    column, without = q.bodies.column, "; check it without --fem"
     if column is None:
         return f"sprags b = {q.b * 1e3:g} mm wide are wider than they are round{without}"
     turned, alpha_b = float(at.turned), float(at.alpha_b)

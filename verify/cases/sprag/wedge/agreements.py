@@ -5,8 +5,8 @@ from collections.abc import Callable
 import numpy as np
 
 from analytic.sprag.closure import wedged
-from verify.cases.sprag.wedge.bounds import bending
 from verify.cases.sprag.wedge.formulas import KEYS, STROKE
+from verify.cases.sprag.wedge.model import bounds
 from verify.core.case import Context
 from verify.judging.tolerance_checks import Pair
 
@@ -62,7 +62,7 @@ def force_ratio_bent(key: str) -> Function:
 
     def pair(context: Context) -> Pair:
         q = context.inputs
-        bent = bending(q.part, q.stroke["1.8 N_0"].case.N).whole
+        bent = bounds(q.part, q.stroke["1.8 N_0"].case.N).bending.whole
         before, now = (r.values[name] / context.analytic[name] - 1 for r in context.fem[-2:])
         words = f"off by {now:+.2%}, bending {bent:+.2%}: {RATIO:.1%} accepted of the rest"
         found = context.fem[-1].values[name]

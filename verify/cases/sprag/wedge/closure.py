@@ -8,7 +8,6 @@ from functools import partial
 import numpy as np
 
 from verify.case import Quantity
-from verify.cases.sprag.wedge import model
 from verify.cases.sprag.wedge.formulas import INNER, OUTER, WedgeFormulas, mean_of
 
 step = partial(Quantity, role="step")
@@ -20,7 +19,7 @@ class WedgeSteps(WedgeFormulas):
     @step("E'", "GPa", "modulus of plane strain", tex=r"\frac{E}{1 - \nu^2}",
           source="Eq. 6 as printed, for thin races, has E and ν")  # fmt: skip
     def E_plane(self) -> float:
-        return model.plane_modulus(self.part)
+        return self.bodies.E_plane
 
     @step("ν'", "1", "Poisson's ratio of plane strain", tex=r"\frac{\nu}{1 - \nu}",
           source="Eq. 6 as printed, for thin races, has E and ν")  # fmt: skip

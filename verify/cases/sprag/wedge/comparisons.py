@@ -4,12 +4,13 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from typing import Any
 
+from analytic.bounds.sprag.wedge import SHARP, Bounds, Interval
 from verify.case import Comparison, Computed, Quantity, approximation, balance, fact
 from verify.cases.sprag.inputs import WedgeInputs
 from verify.cases.sprag.wedge import agreements as found
-from verify.cases.sprag.wedge.bounds import SHARP, WIDEST, Bounds, Interval
 from verify.cases.sprag.wedge.formulas import KEYS, STROKE
 from verify.cases.sprag.wedge.formulas import WedgeFormulas as Wedge
+from verify.cases.sprag.wedge.model import bounds
 from verify.judging.checks import Accepted
 from verify.judging.judge import DEMAND
 from verify.judging.tolerance_checks import Agreement, suites
@@ -33,6 +34,7 @@ EIGHTH = 0.02, "a formula 12 % off: two per cent show it"
 ROLLERS = "a sprag's statics as sharp as those of a roller freewheel"
 EDGE = 1  # order of what hangs on where a contact ends in a cell
 PLANE = "plane strain"
+WIDEST = 1.5  # of the sensitivity: an interval that leaves a row of one's own sharp enough
 COLUMN = f"{PLANE}, the sprag as a column with rounded ends"
 
 
@@ -40,7 +42,7 @@ def expected(q: Any, bound: Bound, source: str, sensitivity: float) -> Computed:
     """The interval, but for a user's clutch of which too little is known to judge by."""
 
     def interval() -> Interval | None:
-        low, high = bound(Bounds(q.part, q.N))
+        low, high = bound(bounds(q.part, q.N))
         wide = high - low > WIDEST * sensitivity
         return None if wide and q.part != WedgeInputs() else (low, high)
 

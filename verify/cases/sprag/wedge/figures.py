@@ -9,12 +9,6 @@ from analytic.sprag import printed
 from analytic.sprag.closure import Wedged, wedged
 from verify.cases.freewheel.star_sketch import arc
 from verify.cases.sprag.wedge.formulas import WedgeFormulas
-from verify.cases.sprag.wedge.model import (
-    composite,
-    half_widths,
-    plane_modulus,
-    races,
-)
 from verify.cases.sprag.wedge.reference import GRID
 from verify.cases.sprag.wedge.sketch import outline
 from verify.core.case import Context
@@ -92,7 +86,7 @@ def _angle(context: Context, states: Wedged, key: str, symbol: str, race: str) -
 
 def _rotation(context: Context) -> Curves:
     q, loads = context.inputs, context.fem[-1].arrays["loads"]
-    N, palmgren = FINE * q.N_0, composite(context.inputs.part)
+    N, palmgren = FINE * q.N_0, context.inputs.bodies.composite
     most = 1.05 * loads[1].max()
 
     def curve(name: str, at: Wedged, colour: int, style: str = "line") -> Curve:
@@ -137,11 +131,11 @@ def _force(context: Context, states: Wedged) -> Curves:
 
 def parts_of(q: WedgeFormulas, N: Array) -> tuple[tuple[str, Array], ...]:
     """Who yields how much [m] under N [N], from the inner race's mean to the outer's."""
-    (inner, outer), yields = races(q.part), q.clutch.compliance.yields(N)
-    unit = N / (q.l * plane_modulus(q.part))
+    (inner, outer), yields = q.bodies.races, q.clutch.compliance.yields(N)
+    unit = N / (q.l * q.bodies.E_plane)
     dents = [
         unit * (race.at(a) - race.mean)
-        for race, a in zip((inner, outer), half_widths(q.part, N), strict=True)
+        for race, a in zip((inner, outer), q.bodies.half_widths(N), strict=True)
     ]
     return (
         ("inner mean", yields.race_i),

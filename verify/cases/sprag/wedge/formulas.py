@@ -14,6 +14,7 @@ from analytic.sprag import printed
 from analytic.sprag.closure import Wedged, at_torque, wedged
 from analytic.sprag.clutch import Clutch
 from analytic.sprag.course import rolled
+from analytic.sprag.elastic import Elastic
 from analytic.sprag.limits import pressures
 from verify.case import Case, Quantity, State, shared
 from verify.cases.sprag.inputs import WedgeInputs
@@ -54,10 +55,15 @@ class WedgeFormulas(WedgeInputs, Case):
             for point, share in STROKE.items()
         }
 
-    @shared
+    @property
+    def bodies(self) -> Elastic:
+        """The parts, and the clutches that they make by each law of their yields."""
+        return model.bodies(self.part)
+
+    @property
     def clutch(self) -> Clutch:
         """The clutch whose parts yield as elastic bodies."""
-        return model.elastic(self.part)
+        return self.bodies.clutch
 
     @shared
     def state(self) -> Wedged:
@@ -78,18 +84,18 @@ class WedgeFormulas(WedgeInputs, Case):
     def printed_state_of(self, clutch: Clutch) -> Wedged:
         """The same with Eqs. 9 and 10 as printed."""
         if self.share is None:
-            return model.printed_at_torque(clutch, self.T)
+            return printed.at_torque(clutch, self.T)
         return printed.wedged(clutch, self.N)
 
     @shared
     def widths(self) -> tuple[Array, Array]:
         """Half-widths [m] of both contacts."""
-        return model.half_widths(self.part, np.asarray(self.N))
+        return self.bodies.half_widths(np.asarray(self.N))
 
     @property
     def unit(self) -> float:
         """What P/E' is of a force [1/N times m]."""
-        return 1 / (self.l * model.plane_modulus(self.part))
+        return 1 / (self.l * self.bodies.E_plane)
 
     @Quantity("N_0", "N", "normal force of a rigid clutch", role="step",
               tex=r"\frac{T}{n_s R_i \tan\left(\nu_0\right)}")  # fmt: skip
@@ -151,7 +157,7 @@ class WedgeFormulas(WedgeInputs, Case):
     @Quantity("α", "deg", "rotation with half planes and Eq. 6 of long races", form_of="alpha",
               source="Eqs. 6, 10")  # fmt: skip
     def alpha_plane(self) -> float:
-        return float(self.state_of(model.plane(self.part)).alpha_b)
+        return float(self.state_of(self.bodies.plane).alpha_b)
 
     @Quantity("α", "deg", "rotation with elastic yields and Eqs. 9, 10 as printed",
               form_of="alpha", form="as printed", source="Eqs. 9, 10")  # fmt: skip
@@ -161,12 +167,12 @@ class WedgeFormulas(WedgeInputs, Case):
     @Quantity("α", "deg", "rotation with Palmgren's law, Eqs. 6 and 7", form_of="alpha",
               source="Eqs. 6, 7, 10")  # fmt: skip
     def alpha_composite(self) -> float:
-        return float(self.state_of(model.composite(self.part)).alpha_b)
+        return float(self.state_of(self.bodies.composite).alpha_b)
 
     @Quantity("α", "deg", "rotation with Palmgren's law, Eqs. 6 and 7 and Eqs. 9, 10 as printed",
               form_of="alpha", form="as printed", source="Eqs. 6, 7, 9, 10")  # fmt: skip
     def alpha_paper(self) -> float:
-        return float(self.printed_state_of(model.composite(self.part)).alpha_b)
+        return float(self.printed_state_of(self.bodies.composite).alpha_b)
 
     @Quantity("θ", "deg", "turn of the inner race against the outer, by rolling",
               source="work: it holds with OA_s, not with the printed OA in Eq. 10",
@@ -182,23 +188,23 @@ class WedgeFormulas(WedgeInputs, Case):
     @Quantity("H", "µm", "all that yields by Palmgren's law, Eqs. 6 and 7", form_of="H",
               role="step", source="Eqs. 6, 7")  # fmt: skip
     def H_composite(self) -> float:
-        return float(model.composite(self.part).compliance.yields(self.N).H)
+        return float(self.bodies.composite.compliance.yields(self.N).H)
 
     @Quantity("T_r", "N m", "torque at which a contact reaches a flank of the sprag", role="step",
               safe="too low")  # fmt: skip
     def T_roll(self) -> float:
-        return model.rolls_over_at(self.part)
+        return self.bodies.rolls_over_at
 
     @Quantity("p_i", "MPa", "peak pressure on the inner race", source="Hertz", safe="too high",
               tex=r"\sqrt{\frac{N E'}{2 \pi l} (\frac{1}{\rho \sqrt{1 + m^2}} + "
               r"\frac{1}{R_i})}")  # fmt: skip
     def p_i(self) -> float:
-        return float(pressures(model.parts(self.part), self.state)[0])
+        return float(pressures(self.bodies.parts, self.state)[0])
 
     @Quantity("p_o", "MPa", "peak pressure on the outer race", source="Hertz", safe="too high",
               tex=r"\sqrt{\frac{N_e E'}{2 \pi l} (\frac{1}{r_e} - \frac{1}{R_e})}")  # fmt: skip
     def p_e(self) -> float:
-        return float(pressures(model.parts(self.part), self.state)[1])
+        return float(pressures(self.bodies.parts, self.state)[1])
 
     @Quantity("a_i", "µm", "half-width of the contact on the inner race", source="Hertz",
               tex=r"\sqrt{\frac{8 N r_i R_i}{\pi l E' (r_i + R_i)}}")  # fmt: skip
@@ -213,31 +219,31 @@ class WedgeFormulas(WedgeInputs, Case):
     @Quantity("u_i", "µm", "mean displacement of the inner race, plane strain", equation="6",
               tex=mean_of("E'", "N", INNER, r"- \nu'"))  # fmt: skip
     def mean_i(self) -> float:
-        return float(self.unit * model.races(self.part)[0].mean * self.N)
+        return float(self.unit * self.bodies.races[0].mean * self.N)
 
     @Quantity("u_e", "µm", "mean displacement of the outer race, plane strain", equation="6",
               tex=mean_of("E'", "N_e", OUTER, r"+ \nu'"))  # fmt: skip
     def mean_e(self) -> float:
-        return float(self.unit * model.races(self.part)[1].mean * self.state.N_e)
+        return float(self.unit * self.bodies.races[1].mean * self.state.N_e)
 
     @Quantity("u_i", "µm", "mean displacement of the inner race, thin", equation="6",
               form_of="mean_i", form="as printed",
               tex=mean_of("E", "N", INNER, r"- \nu"))  # fmt: skip
     def thin_i(self) -> float:
-        return float(model.composite(self.part).compliance.yields(self.N).race_i)
+        return float(self.bodies.composite.compliance.yields(self.N).race_i)
 
     @Quantity("u_e", "µm", "mean displacement of the outer race, thin", equation="6",
               form_of="mean_e", form="as printed",
               tex=mean_of("E", "N", OUTER, r"+ \nu"))  # fmt: skip
     def thin_e(self) -> float:
-        return float(model.composite(self.part).compliance.yields(self.N).race_e)
+        return float(self.bodies.composite.compliance.yields(self.N).race_e)
 
     @Quantity("u_is", "µm", "displacement of the inner race under a sprag",
               source="ring under single loads")  # fmt: skip
     def race_i(self) -> float:
-        return float(self.unit * model.races(self.part)[0].under(self.widths[0]) * self.N)
+        return float(self.unit * self.bodies.races[0].under(self.widths[0]) * self.N)
 
     @Quantity("u_es", "µm", "displacement of the outer race under a sprag",
               source="ring under single loads")  # fmt: skip
     def race_e(self) -> float:
-        return float(self.unit * model.races(self.part)[1].under(self.widths[1]) * self.state.N_e)
+        return float(self.unit * self.bodies.races[1].under(self.widths[1]) * self.state.N_e)

@@ -6,7 +6,6 @@ import numpy as np
 
 from verify.cases.freewheel.star_sketch import arc, label, ray
 from verify.cases.sprag.wedge.formulas import WedgeFormulas
-from verify.cases.sprag.wedge.model import sprag_column
 from verify.core.figures import Array, Shape, Sketch
 
 SIDE = 0.42  # of the drawing's height: room for labels on either side
@@ -14,7 +13,7 @@ SIDE = 0.42  # of the drawing's height: room for labels on either side
 
 def outline(q: WedgeFormulas, *, turned: float, alpha_b: float, OC_e: float) -> Array:
     """Closed outline (m, 2) [m] of the sprag about the axis, its pole on +y; empty if it rolls."""
-    whole = sprag_column(q.part)
+    whole = q.bodies.column
     drawn = whole and whole.outline(turned=turned, alpha_b=alpha_b)
     if not drawn:
         return np.empty((0, 2))

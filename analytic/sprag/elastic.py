@@ -1,0 +1,182 @@
+"""Sprag clutches whose parts yield as elastic bodies, and by the simpler laws beside them.
+
+- elastic: races as rings under single loads (`analytic.ring.loaded_race`), the sprag as a rounded
+  column (`analytic.sprag.column`), all in plane strain. As contacts leave its middle the column
+  bends and yields more: a parabola through what it has without load and at two rotations.
+- plane: Hertz's line contacts to the walls' depth and to half the sprag's height, and Eq. 6 of long
+  rings.
+- composite: Palmgren's law, Eqs. 6 and 7, as the paper has it.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.contact import hertz_line
+from analytic.contact.checks import Array, in_plane
+from analytic.ring.fourier_ring import Wall
+from analytic.ring.loaded_race import LoadedRace
+from analytic.sprag import column
+from analytic.sprag.closure import Wedged, wedged
+from analytic.sprag.clutch import Clutch
+from analytic.sprag.column import Column
+from analytic.sprag.compliance import Compliance
+from analytic.sprag.laws import Law
+from analytic.sprag.limits import limits
+from analytic.sprag.parts import Parts
+from analytic.sprag.search import first_reach
+
+MOST_FRICTION = 0.99  # no limit here
+BENDING = 0.2, 0.5  # of the rotation with a contact at a flank, where the column's bending is taken
+
+
+@dataclass(frozen=True)
+class Race:
+    """A race under one of its loads in plane strain, over P/E': mean, middle, mean over a patch."""
+
+    mean: float
+    middle: float  # at the half-width r/1000
+    a: float
+
+    def at(self, a: Array) -> Array:
+        """At the middle of a patch of the half-width `a` [m]; what is left out is of (a/r)²."""
+        return np.asarray(self.middle + 2 / np.pi * np.log(self.a / a))
+
+    def under(self, a: Array) -> Array:
+        """On the average over the pressure, which is 1/4 of 2/pi below."""
+        return np.asarray(self.at(a) - 1 / (2 * np.pi))
+
+
+@dataclass(frozen=True, eq=False)
+class Elastic:
+    """The clutch of these parts, with each kind of yield; scalar sizes only."""
+
+    parts: Parts
+
+    @cached_property
+    def E_plane(self) -> float:
+        """E/(1 - nu²) [Pa]."""
+        return float(in_plane(self.parts.E, self.parts.nu, "plane strain")[0])
+
+    def half_widths(self, N: Array) -> tuple[Array, Array]:
+        """Hertz's half-widths [m] at both contacts under N [N]."""
+        p = self.parts
+        a_i, a_e = (
+            hertz_line.half_width(P=np.where(N > 0, N, 1e-300) / p.l, R=R, E_star=p.E_star)
+            for R in (p.R_contact_i, p.R_contact_e)
+        )
+        return a_i, a_e
+
+    @cached_property
+    def races(self) -> tuple[Race, Race]:
+        """The inner and the outer race, each under one of its loads."""
+        p, sprag = self.parts, self.parts.sprag
+        return self._race(p.R_id, sprag.R_i, "rim"), self._race(sprag.R_e, p.R_ed, "bore")
+
+    def _race(self, inside: ArrayLike, outside: ArrayLike, loaded: Wall) -> Race:
+        r_i, r_o = float(np.asarray(inside)), float(np.asarray(outside))
+        p, a = self.parts, 1e-3 * (r_i if loaded == "bore" else r_o)
+        ring = LoadedRace(
+            r_i=r_i, r_o=r_o, E=float(np.asarray(p.E)), nu=p.nu, assumption="plane strain",
+            loaded=loaded, n=p.n_s, P=self.E_plane, a=a,
+        )  # fmt: skip
+        mean, middle = ring.ring.mean_displacement(ring.r), ring.displacement(ring.r, 0.0)
+        return Race(abs(float(mean)), abs(middle), a)
+
+    @cached_property
+    def column(self) -> Column | None:
+        """The sprag between its flanks; None where it is wider than it is round."""
+        try:
+            return Column(sprag=self.parts.sprag, b=float(np.asarray(self.parts.b)))
+        except ValueError:
+            return None
+
+    @cached_property
+    def clutch(self) -> Clutch:
+        """The clutch whose parts yield as elastic bodies."""
+        sprag, n_s = self.parts.sprag, self.parts.n_s
+        still = self._constant(turned=0.0, alpha_b=0.0) or self._disc
+        compliance = self._compliance(lambda N: np.full_like(N, still))
+        clutch = Clutch(sprag=sprag, n_s=n_s, compliance=compliance)
+        bent = [(float(at.N), self._constant(turned=float(at.turned), alpha_b=float(at.alpha_b)))
+                for at in self._on_the_way(clutch)]  # fmt: skip
+        (N_1, half), (N_2, full) = bent if len(bent) == 2 else [(1.0, None), (2.0, None)]
+        if half is None or full is None:
+            return clutch
+        slope_1, slope_2 = (half - still) / N_1, (full - still) / N_2
+        second = (slope_2 - slope_1) / (N_2 - N_1)
+
+        def bending(N: Array) -> Array:
+            return np.asarray(still + N * (slope_1 + second * (N - N_1)))
+
+        return replace(clutch, compliance=self._compliance(bending))
+
+    @cached_property
+    def plane(self) -> Clutch:
+        """With Hertz's contacts and Eq. 6 of long rings."""
+        p = self.parts
+        return Clutch(sprag=p.sprag, n_s=p.n_s, compliance=p.plane())
+
+    @cached_property
+    def composite(self) -> Clutch:
+        """With Palmgren's law and Eqs. 6 and 7."""
+        p = self.parts
+        return Clutch(sprag=p.sprag, n_s=p.n_s, compliance=p.palmgren())
+
+    @property
+    def rolls_over_at(self) -> float:
+        """Torque [N m] at which a contact reaches a flank; infinite where none does."""
+        if self.column is None:
+            return math.inf
+        turned = min(self.column.turned, self.column.alpha_b)  # theta - theta_0 but for 1 %
+        return float(limits(self.clutch, mu=MOST_FRICTION, theta_max=turned).end_of_cam)
+
+    def _constant(self, *, turned: float, alpha_b: float) -> float | None:
+        """A sprag's approach over P/E' but for the logarithms of both half-widths in metres.
+
+        None where it does not stand between its flanks.
+        """
+        outline = self.column and self.column.outline(turned=turned, alpha_b=alpha_b)
+        return column.approach(outline, a=(1.0, 1.0), nu=self.parts.nu) if outline else None
+
+    @property
+    def _disc(self) -> float:
+        """The same of the disc between both races, which a sprag without flanks about is."""
+        R_i, R_e = (float(np.asarray(R)) for R in (self.parts.sprag.R_i, self.parts.sprag.R_e))
+        return 2 / math.pi * (2 * math.log(2 * (R_e - R_i)) - 1)
+
+    def _compliance(self, constant: Callable[[Array], Array]) -> Compliance:
+        """Races as rings under single loads: what exceeds their mean is the contacts' own.
+
+        `constant(N)` is the sprag's, as of `_constant`; each contact has half of it.
+        """
+        unit = 1 / (float(np.asarray(self.parts.l)) * self.E_plane)
+        inner, outer = self.races
+
+        def law(race: Race, which: int) -> Law:
+            def approach(N: Array) -> Array:
+                a = self.half_widths(N)[which]
+                over = race.at(a) - race.mean + constant(N) / 2 - 2 / np.pi * np.log(a)
+                return np.where(N > 0, N * unit * over, 0.0 * N)
+
+            return approach
+
+        return Compliance(
+            contact_i=law(inner, 0), contact_e=law(outer, 1), race_i=unit * inner.mean,
+            race_e=unit * outer.mean, sprag=0.0,
+        )  # fmt: skip
+
+    def _on_the_way(self, clutch: Clutch) -> list[Wedged]:
+        """States of rotations at `BENDING` of that with a contact at a flank, as far as any are."""
+        whole, p = self.column, self.parts
+        if whole is None:
+            return []
+        turned = np.array(BENDING) * min(whole.turned, whole.alpha_b)
+        small = 1e-4 * self.E_plane * np.asarray(p.l) * np.asarray(p.sprag.R_i)
+        start = np.full_like(turned, small)
+        found = first_reach(lambda N: np.asarray(wedged(clutch, N).turned), turned, start=start)
+        return [wedged(clutch, N) for N in found if np.isfinite(N)]

@@ -1,0 +1,63 @@
+"""Expected errors of a wedged sprag: what vanishes with what, and a second way to the same number."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from analytic.bounds.sprag.wedge import ELASTIC, SHARP, Bounds, Race, Sizes, times
+from analytic.sprag.closure import wedged
+from analytic.sprag.elastic import Elastic
+from analytic.sprag.geometry import LogSprag
+from analytic.sprag.parts import Parts
+
+RADII = {"R_i": 11.11e-3, "R_e": 19.44e-3, "r_i": 4.02e-3}
+WALLS = {"R_id": 7.21e-3, "R_ed": 26.23e-3, "b": 4e-3, "l": 9e-3}
+
+
+def bounds(N=3000.0, nu=0.3):
+    sprag = LogSprag.from_wedge_angle(nu_0=0.055, **RADII)
+    one = Elastic(Parts(sprag=sprag, n_s=12, E=206e9, nu=nu, **WALLS))
+    a = tuple(float(x) for x in one.half_widths(np.asarray(N)))
+    races = tuple(
+        Race(race.mean, float(race.at(x)), float(race.under(x)))
+        for race, x in zip(one.races, a, strict=True)
+    )
+    sizes = Sizes(r_e=float(sprag.r_e), nu_0=0.055, z=12, E=206e9, nu=nu, E_plane=one.E_plane,
+                  **RADII, **WALLS)  # fmt: skip
+    return Bounds(sizes=sizes, N=N, at=wedged(one.clutch, N), a=a, races=races, column=one.column)
+
+
+def test_a_light_load_leaves_the_squares_of_the_wedge_angle_and_what_polynomials_miss():
+    light = bounds(N=1e-3)
+    left = ELASTIC + math.tan(0.055) ** 2 / 2 + light.askew
+    assert light.elastic()[1] == pytest.approx(left, rel=1e-6)
+    assert light.elastic()[1] < bounds().elastic()[1]
+    low, high = light.angle()
+    assert low < 0 < high
+    assert high - low < (lambda i: i[1] - i[0])(bounds().angle())
+
+
+def test_without_poisson_s_effect_thin_rings_are_long_ones():
+    for which in ("i", "e"):
+        one = bounds(nu=0.0)
+        assert one.thin_mean(which) == pytest.approx(one.long_mean(which), rel=4e-3)  # N for N_e
+    assert bounds(nu=0.0).thin("i") == pytest.approx((-SHARP, SHARP), rel=1e-9)
+    assert bounds(nu=0.3).thin("i")[0] > 0.02  # thin rings yield more
+
+
+def test_a_force_is_as_wrong_as_the_torque_that_it_has_at_an_angle():
+    one = bounds()
+    (low, high), (less, more) = one.torque(), one.force()
+    assert (1 + low) * (1 + more) == pytest.approx(1.0, rel=1e-12)
+    assert (1 + high) * (1 + less) == pytest.approx(1.0, rel=1e-12)
+
+
+def test_a_sprag_without_flanks_has_no_bending():
+    with pytest.raises(ValueError, match="stand between its flanks"):
+        _ = replace(bounds(), column=None).bending
+
+
+def test_a_ratio_of_formulas_moves_the_interval_along():
+    assert times((-0.01, 0.02), 1.5, spread=0.1) == pytest.approx((0.3365, 0.683), abs=1e-12)
