@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from analytic.rotor import clutch_uniform
+from fem.fourier.inertia import rigid_inertia
 from verify.cases.rotor.sprag import ensemble_fem, layout, solid_fem
 from verify.cases.rotor.sprag.case import SPRAG_ROTOR, SpragRotor
 from verify.cases.rotor.sprag.check_types import FittedTo, Share
@@ -15,14 +16,13 @@ from verify.cases.rotor.sprag.formulas import ORDERS
 from verify.cases.rotor.sprag.inputs import PRINTED, RPM
 from verify.cases.rotor.sprag.reference import beams_fem, drawn_fem, ensemble_arrays_fem
 from verify.cases.rotor.sprag.response_fem import (
-    above_chord,
     damped,
     damping_ratios,
     responses_fem,
     torsion_fem,
     windows,
 )
-from verify.cases.rotor.sprag.system_fem import rotor_fem, uneven_clutch
+from verify.cases.rotor.sprag.system_fem import rotor_fem, systems_fem, uneven_clutch_fem
 from verify.core import units
 from verify.core.case import Context, FemResult
 from verify.core.inputs import InputError, build
@@ -85,7 +85,7 @@ def test_the_inner_rotor_begins_inside_the_drum_whatever_the_lengths():
 
 
 def test_an_even_clutch_is_that_of_the_closed_forms():
-    K = uneven_clutch(layout.CENTRAL, 0.0)
+    K = uneven_clutch_fem(layout.CENTRAL, 0.0)
     s = layout.layout(layout.CENTRAL)
     k = 2 * layout.CENTRAL[layout.K_C] / 12
     tilt = float(clutch_uniform.tilting_stiffness(Z=12, k=k, L=0.012, n_s=20))
@@ -102,7 +102,7 @@ def test_an_offset_couples_as_in_first_order():
     eps = 1e-3
     s = layout.layout(layout.CENTRAL)
     first = (10 / 9 - 1) * layout.CENTRAL[layout.K_C] * s.d_t[0] * eps  # (Z/2) k (n-1) dx d_t/delta
-    assert uneven_clutch(layout.CENTRAL, eps)[0, 5] == pytest.approx(first, rel=eps**2)
+    assert uneven_clutch_fem(layout.CENTRAL, eps)[0, 5] == pytest.approx(first, rel=eps**2)
 
 
 # Ensemble.
@@ -112,17 +112,17 @@ def test_matrices_of_all_members_at_once_are_those_of_the_assembled_rotors():
     from fem.rotor.critical import critical_speeds
 
     p = ensemble_fem.parameters(ANYWHERE)
-    at_once, _ = ensemble_fem.critical_speeds_fem(p, 3)
+    at_once, _ = systems_fem(p).critical_speeds(3)
     each = [critical_speeds(rotor_fem(one), 3).speeds for one in p]
     assert at_once == pytest.approx(np.array(each), rel=1e-9)
 
 
 def test_gradients_are_those_of_the_speeds():
-    _, shapes = ensemble_fem.critical_speeds_fem(ensemble_fem.parameters(ANYWHERE), 3)
+    _, shapes = systems_fem(ensemble_fem.parameters(ANYWHERE)).critical_speeds(3)
     J = ensemble_fem.gradients_fem(ANYWHERE, shapes)
     for i, step in enumerate(1e-4 * np.eye(12)):
         up, down = (
-            np.log(ensemble_fem.critical_speeds_fem(ensemble_fem.parameters(x), 3)[0])
+            np.log(systems_fem(ensemble_fem.parameters(x)).critical_speeds(3)[0])
             for x in (ANYWHERE + step, ANYWHERE - step)
         )
         assert J[:, :, i] == pytest.approx((up - down) / 2e-4, rel=1e-5, abs=1e-6)
@@ -136,8 +136,8 @@ def test_stiffer_supports_raise_critical_speeds():
     assert np.all(stiffness.sum(axis=2) <= 0.5)  # their share of the elastic energy, halved
     up = ensemble_fem.parameters(ANYWHERE)
     up[:, layout.K_G] *= 1.01
-    raised, _ = ensemble_fem.critical_speeds_fem(up, 3)
-    before, _ = ensemble_fem.critical_speeds_fem(ensemble_fem.parameters(ANYWHERE), 3)
+    raised, _ = systems_fem(up).critical_speeds(3)
+    before, _ = systems_fem(ensemble_fem.parameters(ANYWHERE)).critical_speeds(3)
     expected = np.log(raised / before) / np.log(1.01)
     assert J[:, :, layout.K_G] == pytest.approx(expected, rel=0.01, abs=1e-4)
 
@@ -221,14 +221,6 @@ def test_an_unbalance_moved_to_node_11_is_one_there(members):
         assert found[0] == pytest.approx(near[0].max(), rel=1e-9)
 
 
-def test_what_is_above_a_chord_counts_the_spacing_of_unbalances():
-    u = np.array([1.0, 2.0, 5.0])
-    line = (3 + 2 * u)[:, None, None]  # f = 3 + 2u: 5, 7, 13
-    assert above_chord(line, u) == pytest.approx(0, abs=1e-15)
-    assert above_chord(line * [[[1]], [[1.1]], [[1]]], u) == pytest.approx(0.1, rel=1e-12)
-    assert above_chord(u[:, None, None] ** 2, u) < -0.4  # 4 against a chord of 7
-
-
 def test_peaks_stand_above_what_is_seen_over_the_speed(responses):
     over = responses["nodes over speed"][0, 0]  # 5 % of members: below the highest peaks anyway
     nodes = [n - 1 for n in (4, 6, 11, 16, 19, 21)]
@@ -263,10 +255,10 @@ def test_elastic_bodies_with_the_same_springs_and_discs_have_about_the_beams_fre
 def test_beams_and_elastic_bodies_lose_the_same_inertia_with_a_disc(monkeypatch):
     """A disc of 1.1 kg that only the bodies lack: 1.1 of 6.8 kg, and polar moment of it."""
     s = layout.layout(layout.CENTRAL)
-    whole = solid_fem.inertia_fem(solid_fem.body_fem(1, 0.01))
+    whole = rigid_inertia(solid_fem.body_fem(1, 0.01))
     assert whole == pytest.approx(drawn(), rel=1e-11)
     monkeypatch.setattr(solid_fem, "DISCS", ())
-    bare = solid_fem.inertia_fem(solid_fem.body_fem(1, 0.01))
+    bare = rigid_inertia(solid_fem.body_fem(1, 0.01))
     z = s.z[0, [n - 1 for n in layout.DISCS]]
     lost = [s.mass.sum(), s.polar.sum(), (s.diametral + s.mass * z**2).sum()]
     assert whole - bare == pytest.approx(lost, rel=1e-10)

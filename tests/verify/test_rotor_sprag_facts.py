@@ -5,7 +5,7 @@ import pytest
 
 from verify.cases.rotor.sprag.assertions import STATEMENTS, opposite
 from verify.cases.rotor.sprag.check_types import held_of
-from verify.cases.rotor.sprag.response_fem import GRID, WINDOW, peaks
+from verify.cases.rotor.sprag.response_fem import GRID, WINDOW, peaks_fem
 
 RISING = np.arange(1.0, 4.0)  # three unbalances, or three peaks
 
@@ -117,7 +117,7 @@ def windows_of(*rows):
 def test_a_peak_is_no_flank_of_another_one():
     rising = np.linspace(0, 5, WINDOW.size)
     humped = rising + np.where(np.arange(WINDOW.size) == 10, 1.0, 0.0)
-    found = peaks(windows_of(rising, rising[::-1], humped, np.ones_like(rising)))[0, 0]
+    found = peaks_fem(windows_of(rising, rising[::-1], humped, np.ones_like(rising)))[0, 0]
     assert np.isnan(found).tolist() == [True, True, False, True]
     assert found[2] == pytest.approx(1 + 5 * 10 / 24, rel=1e-14)  # not 5, at the window's edge
 

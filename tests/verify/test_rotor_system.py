@@ -16,6 +16,7 @@ from verify.cases.rotor.system import formulas
 from verify.cases.rotor.system.case import SYSTEM, RotorSystem
 from verify.cases.rotor.system.inputs import RPM
 from verify.cases.rotor.system.reference import solve
+from verify.cases.rotor.system.transfer import inertia_of
 from verify.cases.rotor.system.warnings import warnings
 from verify.core import units
 from verify.core.case import Context
@@ -260,13 +261,13 @@ def test_speeds_are_taken_in_other_units():
 
 def test_a_cylinder_has_its_mass_and_moments_and_what_is_given_counts_instead():
     _, _, disc, _ = RotorSystem().discs
-    mass, polar, diametral = disc.inertia()
+    mass, polar, diametral = inertia_of(disc)
     ring = 0.2**2 + 0.03**2
     assert mass == pytest.approx(7850 * np.pi / 4 * (0.2**2 - 0.03**2) * 0.02)
     assert polar == pytest.approx(mass * ring / 8)
     assert diametral == pytest.approx(mass * (ring / 16 + 0.02**2 / 12))
     raw = changed("discs", 3, mass="10 kg", polar="0.05 kg m^2")
-    mass, polar, diametral = built(raw).discs[2].inertia()
+    mass, polar, diametral = inertia_of(built(raw).discs[2])
     assert (mass, polar) == (10.0, 0.05)
     assert diametral == pytest.approx(10 * (ring / 16 + 0.02**2 / 12))
     assert solve(built(raw), 1).values["frequency_3"] == pytest.approx(

@@ -10,6 +10,7 @@ from verify.cases.rotor.system.companion import companion
 from verify.cases.rotor.system.formulas import TransferRotor
 from verify.cases.rotor.system.inputs import RPM
 from verify.cases.rotor.system.reference import solve
+from verify.core.source_code import parts_of
 from verify.jobs.level import Job, Solved, judge_case
 
 pytestmark = pytest.mark.xdist_group("rotor-system")
@@ -76,7 +77,7 @@ def test_a_fault_of_the_formulas_turns_amplitude_and_loads_red(fault, beams, mon
 
 def each(table, **change):
     """Companions in which one part alone is changed."""
-    given = {name: getattr(companion(), name) for name in TransferRotor.model_fields}
+    given = {name: getattr(companion(TransferRotor), name) for name in TransferRotor.model_fields}
     parts = given[table]
     for k, part in enumerate(parts):
         new = {name: of(getattr(part, name)) for name, of in change.items()}
@@ -98,9 +99,15 @@ ONE_PART = [
 @pytest.mark.parametrize(("table", "change"), ONE_PART)
 def test_every_part_is_felt_by_a_row(table, change):
     """By more than three times what a row lets pass, 1e-4."""
-    base = companion()
+    base = companion(TransferRotor)
     others = list(each(table, **change))
     assert others
     for other in others:
         keys = ("amplitude", "support_load", "link_load")
         assert max(abs(getattr(other, k) / getattr(base, k) - 1) for k in keys) > 3e-4
+
+
+def test_the_key_of_the_reference_holds_no_formula():
+    _, modules = parts_of(SYSTEM.reference)
+    assert "fem.rotor.model" in modules
+    assert not [name for name in modules if name.startswith("analytic.")]

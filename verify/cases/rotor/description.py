@@ -1,16 +1,11 @@
-"""What a user says of a rotor: its shafts, segments, discs, bearings, links and unbalances.
+"""What a user states of a rotor: its shafts, segments, discs, bearings, links and unbalances.
 
 Nodes are the ends of the segments, numbered from 1 along the first shaft, then on along the next.
 """
 
-import math
 from collections.abc import Sequence
-from itertools import pairwise
 
-from analytic.rotor.transfer_model import Disc, Link, Rotor, Segment, Shaft, Spring, Support
 from verify.core.inputs import EntryError, Inputs, count, quantity, text
-
-ROUNDED = 0.01  # what numbers of few digits may exceed a bound by
 
 
 class ShaftInputs(Inputs):
@@ -72,24 +67,6 @@ class DiscInputs(NodeInputs):
     )  # fmt: skip
     rho: float = quantity("7850 kg/m^3", "kg/m^3", "ρ", "density", omitted=7850.0, gt=0, le=1e5)
 
-    def inertia(self) -> tuple[float, float, float]:
-        """Mass [kg], polar and diametral moment [kg m²]; ValueError where they do not follow."""
-        given = (self.mass, self.polar, self.diametral)
-        if self.d_o is None or self.width is None:
-            if self.mass is None or self.polar is None or self.diametral is None:
-                raise ValueError("needs mass, polar and diametral, or d_o and width of a cylinder")
-            return self.mass, self.polar, self.diametral
-        if not self.d_i < self.d_o:
-            raise ValueError(f"needs d_i < d_o, got {self.d_i * 1e3:g}, {self.d_o * 1e3:g} mm")
-        mass = self.rho * math.pi / 4 * (self.d_o**2 - self.d_i**2) * self.width
-        mass = mass if self.mass is None else self.mass
-        around = mass * (self.d_o**2 + self.d_i**2) / 8
-        across = around / 2 + mass * self.width**2 / 12
-        m, p, d = (
-            x if g is None else g for g, x in zip(given, (mass, around, across), strict=True)
-        )
-        return m, p, d
-
 
 class SpringInputs(Inputs):
     """Stiffness and damping of a bearing; what is left out is zero, or alike in x and y."""
@@ -116,13 +93,6 @@ class SpringInputs(Inputs):
     k_turn: float = quantity(
         "0 N m/rad", "N m/rad", "k_z", "stiffness against turning", omitted=0.0, ge=0, le=1e15
     )
-
-    def coefficients(self) -> dict[str, float | None]:
-        """By the names of the formulas."""
-        return {
-            "kxx": self.k, "kyy": self.kyy, "kxy": self.kxy, "cxx": self.c, "cyy": self.cyy,
-            "k_tilt": self.k_tilt, "c_tilt": self.c_tilt, "k_turn": self.k_turn,
-        }  # fmt: skip
 
 
 class SupportInputs(SpringInputs, NodeInputs):
@@ -170,22 +140,6 @@ def check_shafts(shafts: Sequence[ShaftInputs], segments: Sequence[SegmentInputs
             raise EntryError("shafts", k, "", f"shaft {name} has no segments")
 
 
-def shafts_of(
-    shafts: Sequence[ShaftInputs], segments: Sequence[SegmentInputs]
-) -> tuple[Shaft, ...]:
-    """The shafts of the formulas."""
-    return tuple(
-        Shaft(
-            ratio=shaft.ratio,
-            segments=tuple(
-                Segment(length=s.length, d_o=s.d_o, d_i=s.d_i, E=s.E, nu=s.nu, rho=s.rho)
-                for s in segments if s.shaft == shaft.name
-            ),
-        )
-        for shaft in shafts
-    )  # fmt: skip
-
-
 def check_nodes(
     nodes: int, **tables: Sequence[DiscInputs | SpringInputs | UnbalanceInputs]
 ) -> None:
@@ -196,58 +150,3 @@ def check_nodes(
                 node = getattr(entry, key, 1)
                 if node > nodes:
                     raise EntryError(table, k, f"{key} = {node}", f"there are nodes 1 to {nodes}")
-
-
-def discs_of(discs: Sequence[DiscInputs]) -> tuple[Disc, ...]:
-    """The discs of the formulas; EntryError where their masses do not follow."""
-    found = []
-    for k, disc in enumerate(discs, start=1):
-        try:
-            mass, polar, diametral = disc.inertia()
-        except ValueError as error:
-            raise EntryError("discs", k, "", str(error)) from error
-        if polar > 2 * diametral * (1 + ROUNDED):
-            raise EntryError(
-                "discs", k, f"polar = {polar:.6g} kg m^2",
-                f"no body has more than twice its diametral moment, {2 * diametral:.6g} kg m^2",
-            )  # fmt: skip
-        found.append(Disc(node=disc.node - 1, mass=mass, polar=polar, diametral=diametral))
-    return tuple(found)
-
-
-def springs_of(
-    supports: Sequence[SupportInputs], links: Sequence[LinkInputs]
-) -> tuple[tuple[Support, ...], tuple[Link, ...]]:
-    """Bearings of the formulas; EntryError for coefficients that do not resist, or one node."""
-    made: dict[str, list[Spring]] = {"supports": [], "links": []}
-    for table, entries in (("supports", supports), ("links", links)):
-        for k, entry in enumerate(entries, start=1):
-            c = entry.coefficients()
-            try:
-                if isinstance(entry, SupportInputs):
-                    made[table].append(Support(node=entry.node - 1, **c))  # type: ignore[arg-type]
-                elif isinstance(entry, LinkInputs):
-                    if entry.node == entry.to:
-                        raise EntryError(table, k, f"to = {entry.to}", "joins a node with itself")
-                    link = Link(a=entry.node - 1, b=entry.to - 1, **c)  # type: ignore[arg-type]
-                    made[table].append(link)
-            except ValueError as error:
-                if isinstance(error, EntryError):
-                    raise
-                raise EntryError(table, k, "", str(error)) from error
-    return (
-        tuple(s for s in made["supports"] if isinstance(s, Support)),
-        tuple(s for s in made["links"] if isinstance(s, Link)),
-    )
-
-
-def check_widths(discs: Sequence[DiscInputs], rotor: Rotor) -> None:
-    """EntryError where two discs of one shaft overlap."""
-    wide = sorted(
-        (rotor.shaft_of[d.node - 1], rotor.places[d.node - 1], d.width or 0.0, k)
-        for k, d in enumerate(discs, start=1)
-    )
-    for (shaft, z, width, k), (other, z2, width2, k2) in pairwise(wide):
-        over = (width + width2) / 2 - (z2 - z)
-        if shaft == other and width > 0 and width2 > 0 and over > 1e-9 * (width + width2):
-            raise EntryError("discs", k2, "", f"overlaps discs[{k}] by {over * 1e3:.4g} mm")

@@ -1,10 +1,11 @@
-"""How far the elastic bodies are from the beams: three-dimensional elasticity, told."""
+"""How far the elastic bodies are from the beams: three-dimensional elasticity beside them."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
+from analytic.rotor.inertia import discs_inertia, tubes_inertia
 from verify.case import Comparison
 from verify.cases.rotor.sprag.check_types import Rounded, arrays
 from verify.cases.rotor.sprag.claims import WITHIN_PRINTED
@@ -53,23 +54,14 @@ class Bodies(Claim):
 
 
 def drawn() -> Array:
-    """Mass [kg], polar moment and diametral moment about node 1 [kg m^2] (3,) of beams and discs.
-
-    Annuli: rho pi (d_o^2 - d_i^2)/4, and fourth powers over 32 or 64.
-    """
+    """Mass [kg], polar and diametral moment about node 1 [kg m^2] (3,) of beams and discs."""
     s = layout(CENTRAL)
     nodes = s.z[0]
     ends = np.concatenate([nodes[1:OUTER], nodes[OUTER + 1 :]])
-    length = s.length[0]
-    area, fourth = ((s.d_o[0] ** n - s.d_i[0] ** n) * RHO * np.pi for n in (2, 4))
-    cubes = (ends**3 - (ends - length) ** 3) / 3
-    z = nodes[np.array(DISCS) - 1]
-    mass, polar, diametral = s.mass[0], s.polar[0], s.diametral[0]
-    return np.array([
-        (area * length).sum() / 4 + mass.sum(),
-        (fourth * length).sum() / 32 + polar.sum(),
-        (fourth * length / 64 + area * cubes / 4).sum() + (diametral + mass * z**2).sum(),
-    ])  # fmt: skip
+    tubes = tubes_inertia(end=ends, length=s.length[0], d_o=s.d_o[0], d_i=s.d_i[0], rho=RHO)
+    return tubes + discs_inertia(
+        z=nodes[np.array(DISCS) - 1], mass=s.mass[0], polar=s.polar[0], diametral=s.diametral[0]
+    )
 
 
 def inertia(i: int) -> Callable[[Context], float]:

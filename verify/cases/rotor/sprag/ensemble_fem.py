@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from verify.cases.rotor.sprag.inputs import PRINTED
-from verify.cases.rotor.sprag.layout import HIGH, LOW, PARAMETERS, layout
-from verify.cases.rotor.sprag.matrices_fem import assembled_fem, energies_fem
+from verify.cases.rotor.sprag.layout import HIGH, LOW, PARAMETERS
+from verify.cases.rotor.sprag.system_fem import systems_fem
 from verify.core.figures import Array
 
 BATCH = 64  # starts solved together
@@ -59,7 +59,7 @@ def calibrated_fem(start: Array) -> tuple[Array, Array]:
     x, hit = start.copy(), np.zeros(len(start), bool)
     active = np.arange(len(start))
     for _ in range(STEPS):
-        speeds, shapes = critical_speeds_fem(parameters(x[active]), COUNT)
+        speeds, shapes = systems_fem(parameters(x[active])).critical_speeds(COUNT)
         gap = np.log(speeds / np.array(PRINTED))
         near = np.abs(gap).max(axis=1) <= HIT
         hit[active[near]] = True
@@ -74,22 +74,9 @@ def calibrated_fem(start: Array) -> tuple[Array, Array]:
     return x, hit
 
 
-def critical_speeds_fem(p: Array, count: int, **left_out: bool) -> tuple[Array, Array]:
-    """The lowest forward ones (m, count) [rad/s] and shapes (m, 44, count) at parameters (m, 12).
-
-    Shapes have v K v = 1. Where there are fewer, speeds are NaN.
-    """
-    K, M, G = assembled_fem(layout(p), **left_out)
-    inverse = np.linalg.inv(np.linalg.cholesky(K))
-    squares, v = np.linalg.eigh(inverse @ (M - G) @ inverse.swapaxes(1, 2))
-    squares, v = squares[:, : -count - 1 : -1], v[:, :, : -count - 1 : -1]
-    speeds = 1 / np.sqrt(np.where(squares > 0, squares, np.nan))
-    return speeds, inverse.swapaxes(1, 2) @ v
-
-
 def elasticities_fem(p: Array) -> Array:
     """Relative change (m, 3, 12) of each critical speed over that of each parameter (m, 12)."""
-    _, shapes = critical_speeds_fem(p, COUNT)
+    _, shapes = systems_fem(p).critical_speeds(COUNT)
     return np.asarray(gradients_fem(np.log(p / LOW) / WIDTH, shapes) / WIDTH)
 
 
@@ -97,7 +84,7 @@ def gradients_fem(x: Array, v: Array) -> Array:
     """Derivatives (m, 3, 12) of the logarithms of the speeds by the places x, at shapes v."""
     made = []
     for change in SMALL * np.eye(len(PARAMETERS)):
-        K_up, N_up = energies_fem(layout(parameters(x + change)), v)
-        K_down, N_down = energies_fem(layout(parameters(x - change)), v)
+        K_up, N_up = systems_fem(parameters(x + change)).energies(v)
+        K_down, N_down = systems_fem(parameters(x - change)).energies(v)
         made.append((np.log(K_up / K_down) - np.log(N_up / N_down)) / (4 * SMALL))
     return np.stack(made, axis=-1)

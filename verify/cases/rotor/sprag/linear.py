@@ -19,7 +19,7 @@ from verify.cases.rotor.sprag.layout import (
     PARTS,
 )
 from verify.cases.rotor.sprag.response_fem import SHOWN_NODES, SMALL_OFFSETS
-from verify.cases.rotor.sprag.system_fem import uneven_clutch
+from verify.cases.rotor.sprag.system_fem import uneven_clutch_fem
 from verify.core.case import Check, Context
 from verify.core.figures import Array
 from verify.judging.tolerance_checks import Agreement, Pair, farthest, suites
@@ -45,7 +45,7 @@ NODES = {
 def as_drawn(_: Context) -> float:
     """Nodes are counted as printed, and each has as many unknowns as printed."""
     unknowns = published("huang2022:commercial-beam-dofs").value
-    off = [abs(unknowns - len(uneven_clutch(CENTRAL, 0.0)))]
+    off = [abs(unknowns - len(uneven_clutch_fem(CENTRAL, 0.0)))]
     off += [abs(published(f"huang2022:{key}").value - node) for key, node in NODES.items()]
     return 0.5 - max(off)
 

@@ -8,7 +8,6 @@ import numpy as np
 from verify.case import Level
 from verify.cases.rotor.sprag.ensemble_fem import (
     Ensemble,
-    critical_speeds_fem,
     elasticities_fem,
     ensemble_fem,
 )
@@ -16,7 +15,7 @@ from verify.cases.rotor.sprag.inputs import RPM, SpragRotorInputs
 from verify.cases.rotor.sprag.layout import CENTRAL, DISCS
 from verify.cases.rotor.sprag.response_fem import responses_fem
 from verify.cases.rotor.sprag.solid_fem import solid_fem
-from verify.cases.rotor.sprag.system_fem import rotor_fem, uneven_clutch
+from verify.cases.rotor.sprag.system_fem import rotor_fem, systems_fem, uneven_clutch_fem
 from verify.core.figures import Array
 
 LEVELS = (1, 2, 4, 8)  # beam elements in each of the paper's
@@ -65,7 +64,7 @@ def beams_fem(q: SpragRotorInputs, refine: int) -> dict[str, float]:
     U = {DISCS[0] - 1: q.u_rig_1, DISCS[1] - 1: q.u_rig_2}
     response = unbalance_response(rotor, q.rig_speed, U)
     values |= {f"amplitude_{n}": response.major(n - 1)[0] for n in DISCS}
-    values["coupling"] = uneven_clutch(CENTRAL, q.offset)[0, 5]
+    values["coupling"] = uneven_clutch_fem(CENTRAL, q.offset)[0, 5]
     return {key: float(v) for key, v in values.items()}
 
 
@@ -84,7 +83,7 @@ def critical_fem(members: Array) -> dict[str, Array]:
         ("without clutch across", {"across": False}),
         ("without clutch in tilt", {"tilt": False}),
     ):
-        found[name] = critical_speeds_fem(members, count, **left_out)[0]
+        found[name] = systems_fem(members, **left_out).critical_speeds(count)[0]
     return {f"critical, {name}": speeds for name, speeds in found.items()}
 
 

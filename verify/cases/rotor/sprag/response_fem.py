@@ -22,20 +22,14 @@ WIDEST = 0.055  # of the speed: peaks 3 and 5 are 12 % apart
 RATIOS = 3.0  # of the damping ratio
 BAND = (5, 50, 95)  # per cent of members
 SMALL_OFFSETS = (0.01, 0.02)
-EVEN = 1 / 1.32471795724474602596 ** np.array([1, 2])  # powers of the plastic number
 THETA_Z = 5
 
 
 def damping_ratios(q: SpragRotorInputs, members: int) -> Array:
-    """Ratios (m, 2) at critical speeds 1 and 5, even over their logarithms (the R2 sequence).
+    """Ratios (m, 2) at critical speeds 1 and 5."""
+    from fem.rotor.peaks import spread_ratios
 
-    No Rayleigh damping has ratios further apart than the frequencies are: the second is cut there.
-    """
-    share = (0.5 + np.arange(members)[:, None] * EVEN) % 1
-    zeta = q.zeta_low * (q.zeta_high / q.zeta_low) ** share
-    apart = PRINTED[-1] / PRINTED[0] * (1 - 1e-9)
-    zeta[:, 1] = np.clip(zeta[:, 1], zeta[:, 0] / apart, zeta[:, 0] * apart)
-    return np.asarray(zeta)
+    return spread_ratios(q.zeta_low, q.zeta_high, PRINTED[-1] / PRINTED[0], members)
 
 
 def damped(zeta: Array) -> Damped:
@@ -65,6 +59,7 @@ def _member(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:
 
 def bending_fem(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:
     """Amplitudes: peaks (U_2, 3, 22), loads of bearings 3 and 4 (U_2, 3, 2), and over the speed."""
+    from fem.rotor.peaks import above_chord
     from fem.rotor.response import unbalance_response
 
     speeds = np.concatenate([GRID, windows(zeta).ravel()])
@@ -82,9 +77,10 @@ def bending_fem(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:
 
     nodes, bearings = combined(x), combined(loads)  # U_2, nodes or bearings, speeds
     return {
-        "peaks": peaks(nodes), "peaks, moved": peaks(combined(x[::-1]))[0],
-        "loads": peaks(bearings), "convex": above_chord(together_fem(q, rotor), q.unbalances_2),
-        "peaks" + OPPOSITE: peaks(combined(x, -1)), "loads" + OPPOSITE: peaks(combined(loads, -1)),
+        "peaks": peaks_fem(nodes), "peaks, moved": peaks_fem(combined(x[::-1]))[0],
+        "loads": peaks_fem(bearings), "convex": above_chord(together_fem(q, rotor), q.unbalances_2),
+        "peaks" + OPPOSITE: peaks_fem(combined(x, -1)),
+        "loads" + OPPOSITE: peaks_fem(combined(loads, -1)),
         "nodes over speed": nodes[:, [n - 1 for n in SHOWN_NODES], : GRID.size],
         "bearings over speed": bearings[:, :, : GRID.size],
     }  # fmt: skip
@@ -99,23 +95,12 @@ def together_fem(q: SpragRotorInputs, rotor: Any) -> Array:
     return np.array([[np.abs(r.at(node - 1)[:, 0]) for node in DISCS] for r in solved])
 
 
-def peaks(f: Array) -> Array:
-    """Highest local maxima (U_2, 3, k) in the windows of f (U_2, k, speeds); NaN where none is.
+def peaks_fem(f: Array) -> Array:
+    """Peaks (U_2, 3, k) in the windows of f (U_2, k, speeds)."""
+    from fem.rotor.peaks import peaks
 
-    What is highest at a window's edge is the flank of another peak.
-    """
     near = f[:, :, GRID.size :].reshape(*f.shape[:2], len(PRINTED), WINDOW.size)
-    inside = near[..., 1:-1]
-    is_peak = (inside > near[..., :-2]) & (inside > near[..., 2:])
-    highest = np.where(is_peak, inside, -np.inf).max(axis=-1).swapaxes(1, 2)
-    return np.asarray(np.where(np.isfinite(highest), highest, np.nan))
-
-
-def above_chord(f: Array, u: Array) -> Array:
-    """Largest f of the middle unbalance over the chord of the others, over the latter."""
-    share = (u[1] - u[0]) / (u[2] - u[0])
-    chord = (1 - share) * f[0] + share * f[2]
-    return np.asarray(((f[1] - chord) / chord).max())
+    return peaks(near).swapaxes(1, 2)
 
 
 def torsion_fem(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:

@@ -35,27 +35,20 @@ def solid_fem(q: SpragRotorInputs) -> dict[str, Array]:
     Also those (6,) of the coarsest with bands twice as wide, and mass [kg], polar moment and
     diametral moment about node 1 [kg m^2] of all that turns.
     """
+    from fem.fourier.inertia import rigid_inertia
+
     bodies = [body_fem(refine, BAND) for refine in REFINED]
     return {
         "solid": np.array([frequencies_fem(body, q.speed) for body in bodies]),
         "solid, wide bands": frequencies_fem(body_fem(REFINED[0], 2 * BAND), q.speed),
         "solid, cells": np.array([float(body.solid.mesh.nelements) for body in bodies]),
-        "solid, inertia": inertia_fem(bodies[-1]),
+        "solid, inertia": rigid_inertia(bodies[-1]),
     }
 
 
 def frequencies_fem(body: "RotatingSolid", speed: float) -> Array:
     modes = body.modes(speed, 3)
     return np.sort(np.concatenate([modes.forward, modes.backward])) / (2 * pi)
-
-
-def inertia_fem(body: "RotatingSolid") -> Array:
-    """Mass, polar and diametral moment (3,) from moving across and tilting as a whole."""
-    from fem.fourier.supports import rigid_motions
-
-    twice = np.asarray(body.T.multiply(body.T).sum(axis=0)).ravel()
-    across, tilt = ((body.T.T @ rigid_motions(body.solid.basis, 1, False)) / twice[:, None]).T
-    return np.array([across @ body.M @ across, tilt @ body.G @ tilt, tilt @ body.M @ tilt])
 
 
 def body_fem(refine: int, width: float) -> "RotatingSolid":

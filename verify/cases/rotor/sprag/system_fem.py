@@ -1,6 +1,6 @@
-"""One system of the ensemble as a rotor of beam elements, and its clutch under an uneven load."""
+"""Systems of the ensemble as beam elements, one and many, and the clutch under an uneven load."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -11,6 +11,8 @@ from verify.cases.rotor.sprag.layout import (
     DRIVE,
     EXPONENT,
     GROUNDED,
+    HOLLOW,
+    INNER,
     NU,
     OUTER,
     RHO,
@@ -21,6 +23,9 @@ from verify.cases.rotor.sprag.layout import (
     layout,
 )
 from verify.core.figures import Array
+
+if TYPE_CHECKING:
+    from fem.rotor.whirl_systems import WhirlSystems
 
 Damped = tuple[tuple[float, float], tuple[float, float]]  # two frequencies [rad/s], their ratios
 
@@ -55,23 +60,39 @@ def rotor_fem(
         ],
         [
             *(Link.bearing(a - 1, b - 1, k_s, kzz=k_s) for a, b in BETWEEN),
-            Link(CLUTCH[0] - 1, CLUTCH[1] - 1, uneven_clutch(parameters, offset)),
+            Link(CLUTCH[0] - 1, CLUTCH[1] - 1, uneven_clutch_fem(parameters, offset)),
         ],
         refine=refine,
         damping=None if damping is None else Rayleigh.at(*damping),
     )  # fmt: skip
 
 
-def uneven_clutch(parameters: Array, offset: float) -> Array:
-    """K (6, 6) of sprags whose deformation is delta_0 (1 + offset cos psi), all on one contact law.
+def uneven_clutch_fem(parameters: Array, offset: float) -> Array:
+    """K (6, 6) of sprags whose deformation is delta_0 (1 + offset cos psi)."""
+    from fem.rotor.uneven_clutch import uneven_clutch
 
-    K = sum k_j J J^T over sprags and slices with J = (cos, sin, 0, -x sin, x cos, d_t), and
-    k_j = k (1 + offset cos psi)^(n - 1), Z k/2 being the even clutch's stiffness across.
-    """
     s = layout(parameters)
-    psi = 2 * np.pi * np.arange(SPRAGS)[:, None] / SPRAGS
-    x = SPRAG_LENGTH * ((np.arange(SLICES) + 0.5) / SLICES - 0.5)[None, :]
-    c, sine, x = (np.asarray(a) for a in np.broadcast_arrays(np.cos(psi), np.sin(psi), x))
-    J = np.stack([c, sine, 0 * c, -x * sine, x * c, np.full(c.shape, s.d_t[0])], axis=-1)
-    k = 2 * s.k_c[0] / (SPRAGS * SLICES) * (1 + offset * c) ** (EXPONENT - 1)
-    return np.asarray(np.einsum("jk,jka,jkb->ab", k, J, J, optimize=True))
+    return uneven_clutch(Z=SPRAGS, slices=SLICES, L=SPRAG_LENGTH, lever=s.d_t[0], across=s.k_c[0],
+                         exponent=EXPONENT, offset=offset)  # fmt: skip
+
+
+def systems_fem(p: Array, *, across: bool = True, tilt: bool = True) -> "WhirlSystems":
+    """Many systems of parameters (m, 12) at once; the clutch left out `across` or in `tilt`."""
+    from fem.rotor.parts import Element, Material
+    from fem.rotor.whirl_systems import Discs, Springs, WhirlSystems
+
+    s, steel = layout(p), Material(E, NU, RHO)
+    a, b = (2 * node - 2 for node in CLUTCH)
+    springs = [Springs(2 * n - 2, None, s.k_g) for n in GROUNDED]
+    springs += [Springs(2 * one - 2, 2 * other - 2, s.k_s) for one, other in BETWEEN]
+    springs += [Springs(a, b, s.k_c)] if across else []
+    springs += [Springs(a + 1, b + 1, s.k_tilt)] if tilt else []
+    return WhirlSystems(
+        nodes=OUTER + INNER, first=tuple(n for n in range(OUTER + INNER - 1) if n != OUTER - 1),
+        length=s.length, d_o=s.d_o, d_i=s.d_i, material=steel, springs=tuple(springs),
+        kappa=np.array([Element(1.0, 1.0, bore, steel).kappa for bore in HOLLOW]),
+        discs=tuple(
+            Discs(node - 1, s.mass[:, i], s.polar[:, i], s.diametral[:, i])
+            for i, node in enumerate(DISCS)
+        ),
+    )  # fmt: skip

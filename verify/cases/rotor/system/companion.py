@@ -5,21 +5,23 @@ that turns against the other, and two unbalances at an angle on each: signs and 
 the default rotor cannot tell apart change its numbers.
 """
 
+from typing import TypeVar
+
 import numpy as np
 
 from verify.cases.rotor.description import LinkInputs, ShaftInputs, SupportInputs, UnbalanceInputs
-from verify.cases.rotor.system.formulas import TransferRotor
-from verify.cases.rotor.system.inputs import RPM
+from verify.cases.rotor.system.inputs import RPM, CoaxialRotor
+
+T = TypeVar("T", bound=CoaxialRotor)
 
 
-def companion() -> TransferRotor:
-    """The companion with unlike bearings."""
-    q = TransferRotor()
+def companion(form: type[T]) -> T:
+    """The companion with unlike bearings: for the formulas, or for the reference as described."""
     turned = np.deg2rad
-    return TransferRotor(
+    return form(
         speed=5200 * RPM,
         shafts=(
-            ShaftInputs(name="outer", start=q.shafts[0].start),
+            ShaftInputs(name="outer", start=form().shafts[0].start),
             ShaftInputs(name="inner", ratio=-1.3),
         ),
         supports=(

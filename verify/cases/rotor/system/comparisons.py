@@ -76,7 +76,9 @@ def _identical(
 
 def _of_companion() -> Iterator[Comparison]:
     """Every judged value of the companion."""
-    own = State(companion(), "companion", "companion with unlike bearings", displayed=False)
+    own = State(
+        companion(TransferRotor), "companion", "companion with unlike bearings", displayed=False
+    )
     for k in (1, 2, 3, 4):
         yield _identical(rotor.frequency(k), own, name=f"{own.words}: frequency {k}")
     for criticals, shaft in ((rotor.critical_first, "outer"), (rotor.critical_other, "inner")):

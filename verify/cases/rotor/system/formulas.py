@@ -16,12 +16,8 @@ from analytic.rotor.transfer_modes import (
 from analytic.rotor.transfer_response import Response, unbalance_response
 from analytic.rotor.transfer_torsion import torsional_frequencies
 from verify.case import Quantity, shared
-from verify.cases.rotor.system.inputs import (
-    CRITICALS,
-    FREQUENCIES,
-    CoaxialRotor,
-    critical_name,
-)
+from verify.cases.rotor.system.inputs import CRITICALS, FREQUENCIES, critical_name
+from verify.cases.rotor.system.transfer import DescribedRotor
 
 ORDERS = range(1, FREQUENCIES + 1)
 SEARCHED = 8  # critical speeds of each shaft's unbalance
@@ -56,12 +52,12 @@ class Study:
     slender: Array  # frequencies by Euler's theory
 
 
-def ratios(q: CoaxialRotor) -> list[float]:
+def ratios(q: DescribedRotor) -> list[float]:
     """Ratios of speed that unbalance may turn with, in the order of the shafts."""
     return list(dict.fromkeys(shaft.ratio for shaft in q.shafts if shaft.ratio))
 
 
-def _excited(q: CoaxialRotor, ratio: float) -> Excited:
+def _excited(q: DescribedRotor, ratio: float) -> Excited:
     """On bearings alike in x and y unbalance excites whirl in its own sense alone."""
     names = tuple(shaft.name for shaft in q.shafts if shaft.ratio == ratio)
     sense = None if not q.rotor.isotropic else "forward" if ratio > 0 else "backward"
@@ -69,7 +65,7 @@ def _excited(q: CoaxialRotor, ratio: float) -> Excited:
     return Excited(ratio, names, found)
 
 
-def opposite_criticals(q: CoaxialRotor) -> list[float]:
+def opposite_criticals(q: DescribedRotor) -> list[float]:
     """Critical speeds [rad/s] of whirl against the unbalance's turn, which bearings excite.
 
     Unbalance excites them only where bearings differ in x and y; where they are given so, all
@@ -100,7 +96,7 @@ def _turning(q: Any) -> bool:
     return bool(q.study.responses)
 
 
-class TransferRotor(CoaxialRotor):
+class TransferRotor(DescribedRotor):
     """What transfer matrices find of a rotor; speeds in rad/s, frequencies in Hz."""
 
     @Quantity("ω_1", "rad/s", "lowest natural frequency at the speed", role="step",

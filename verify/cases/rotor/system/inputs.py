@@ -1,13 +1,10 @@
 """Inputs of any rotor: two shafts, one in the other, until one's own are put in."""
 
-from functools import cached_property
 from typing import Self
 
 import numpy as np
 from pydantic import model_validator
 
-from analytic.rotor.transfer_model import Rotor
-from analytic.rotor.transfer_supported import check_supported
 from verify.case import Case, count, given, table
 from verify.cases.rotor import description
 from verify.cases.rotor.description import (
@@ -19,7 +16,6 @@ from verify.cases.rotor.description import (
     UnbalanceInputs,
 )
 from verify.core import units
-from verify.core.inputs import EntryError
 
 RPM = np.pi / 30
 MOST_NODES = 150
@@ -121,45 +117,4 @@ class CoaxialRotor(Case):
         )  # fmt: skip
         if self.probe > nodes:
             raise ValueError(f"probe = {self.probe}: there are nodes 1 to {nodes}")
-        description.check_widths(self.discs, self.rotor)
-        self._links_join_shafts()
-        check_supported(self.rotor, tuple(shaft.name for shaft in self.shafts))
         return self
-
-    def _links_join_shafts(self) -> None:
-        for k, link in enumerate(self.links, start=1):
-            a, b = (self.shafts[self.rotor.shaft_of[n - 1]] for n in (link.node, link.to))
-            if a == b:
-                raise EntryError(
-                    "links", k, f"to = {link.to}",
-                    f"node {link.node} is on shaft {a.name} too: a link joins two shafts",
-                )  # fmt: skip
-            if link.k_turn > 0 and a.ratio != b.ratio:
-                raise EntryError(
-                    "links", k, f"k_turn = {link.k_turn:g} N m/rad",
-                    f"shafts {a.name} and {b.name} turn at different speeds",
-                )  # fmt: skip
-
-    @cached_property
-    def rotor(self) -> Rotor:
-        """The rotor of the formulas."""
-        supports, links = description.springs_of(self.supports, self.links)
-        return Rotor(
-            shafts=description.shafts_of(self.shafts, self.segments),
-            discs=description.discs_of(self.discs), supports=supports, links=links,
-        )  # fmt: skip
-
-    @property
-    def places(self) -> tuple[float, ...]:
-        """Place of each node along the axis [m]."""
-        start = [self.shafts[k].start for k in self.rotor.shaft_of]
-        return tuple(z0 + z for z0, z in zip(start, self.rotor.places, strict=True))
-
-    def unbalanced(self) -> dict[float, dict[int, complex]]:
-        """Unbalances [kg m] by the ratio of their shaft and by station from 0."""
-        found: dict[float, dict[int, complex]] = {}
-        for u in self.unbalances:
-            ratio = self.shafts[self.rotor.shaft_of[u.node - 1]].ratio
-            group = found.setdefault(ratio, {})
-            group[u.node - 1] = group.get(u.node - 1, 0.0) + u.value * np.exp(1j * u.angle)
-        return found

@@ -59,7 +59,7 @@ def solve(q: CoaxialRotor, level: int) -> Level:
     """Beams, and beside the default rotor those of its companion."""
     values = fem_values(q, level)
     if q.is_default:
-        other = fem_values(companion(), level)
+        other = fem_values(companion(CoaxialRotor), level)
         values |= {f"{key}_companion": value for key, value in other.items()}
     return solved(1 / level, **values)
 

@@ -4,13 +4,13 @@ from typing import Any
 
 import numpy as np
 
-from verify.cases.rotor.system.inputs import CoaxialRotor
+from verify.cases.rotor.system.transfer import DescribedRotor
 from verify.core.figures import Array, Shape, Sketch
 
 TALL = 6  # the largest radius is drawn as a part of the length, larger than to scale
 
 
-def outlines(q: CoaxialRotor) -> list[tuple[Any, Any]]:
+def outlines(q: DescribedRotor) -> list[tuple[Any, Any]]:
     """Places and radii (m,) [m] of each shaft, a step as two points of one place."""
     found = []
     for shaft in q.shafts:
@@ -23,7 +23,7 @@ def outlines(q: CoaxialRotor) -> list[tuple[Any, Any]]:
     return found
 
 
-def sketch(q: CoaxialRotor) -> Sketch:
+def sketch(q: DescribedRotor) -> Sketch:
     """Radii drawn larger than lengths; the triangles of bearings stand at their shaft's radius."""
     lines = outlines(q)
     low, high = min(z.min() for z, _ in lines), max(z.max() for z, _ in lines)
@@ -58,7 +58,7 @@ def sketch(q: CoaxialRotor) -> Sketch:
     return Sketch(title=title, shapes=tuple(shapes))
 
 
-def _radius(q: CoaxialRotor, lines: list[tuple[Any, Any]], station: int) -> float:
+def _radius(q: DescribedRotor, lines: list[tuple[Any, Any]], station: int) -> float:
     """The larger outer radius at a station [m]."""
     z, r = lines[q.rotor.shaft_of[station]]
     at = q.places[station]

@@ -5,7 +5,8 @@ from itertools import combinations, pairwise
 from typing import NamedTuple
 
 from verify.cases.rotor.description import SegmentInputs
-from verify.cases.rotor.system.inputs import RPM, CoaxialRotor
+from verify.cases.rotor.system.inputs import RPM
+from verify.cases.rotor.system.transfer import DescribedRotor
 
 APART = 1e-4  # m: what a bearing between two shafts may span along the axis
 TOUCH = 1e-9  # m: what rounded places may overlap by
@@ -22,11 +23,11 @@ class Placed(NamedTuple):
     segment: SegmentInputs
 
 
-def warnings(q: CoaxialRotor) -> Sequence[str]:
+def warnings(q: DescribedRotor) -> Sequence[str]:
     return [*_links(q), *_through(q), *_damping(q), *_short(q), *_steps(q), *_speed(q)]
 
 
-def placed(q: CoaxialRotor) -> list[Placed]:
+def placed(q: DescribedRotor) -> list[Placed]:
     """Segments in their places, shaft by shaft."""
     found = []
     for shaft in q.shafts:
@@ -38,7 +39,7 @@ def placed(q: CoaxialRotor) -> list[Placed]:
     return found
 
 
-def _links(q: CoaxialRotor) -> Iterator[str]:
+def _links(q: DescribedRotor) -> Iterator[str]:
     for k, link in enumerate(q.links, start=1):
         gap = q.places[link.node - 1] - q.places[link.to - 1]
         if abs(gap) > APART:
@@ -48,7 +49,7 @@ def _links(q: CoaxialRotor) -> Iterator[str]:
             )
 
 
-def _through(q: CoaxialRotor) -> Iterator[str]:
+def _through(q: DescribedRotor) -> Iterator[str]:
     """Shafts beside each other on one axis: the one must fit into the bore of the other."""
     met = []
     for a, b in combinations(placed(q), 2):
@@ -66,7 +67,7 @@ def _through(q: CoaxialRotor) -> Iterator[str]:
         yield f"shafts pass through each other: {'; '.join(met[:LISTED])}{more}"
 
 
-def _damping(q: CoaxialRotor) -> Iterator[str]:
+def _damping(q: DescribedRotor) -> Iterator[str]:
     springs = [
         (f"{table}[{k}]", s)
         for table, entries in (("supports", q.supports), ("links", q.links))
@@ -84,7 +85,7 @@ def _damping(q: CoaxialRotor) -> Iterator[str]:
             )
 
 
-def _short(q: CoaxialRotor) -> Iterator[str]:
+def _short(q: DescribedRotor) -> Iterator[str]:
     """Runs of one diameter count, not what they are cut into."""
     runs: list[list[Placed]] = []
     for s in placed(q):
@@ -102,7 +103,7 @@ def _short(q: CoaxialRotor) -> Iterator[str]:
         yield f"{names}{more} {verb} shorter than a tenth of the diameter: no beam there"
 
 
-def _steps(q: CoaxialRotor) -> Iterator[str]:
+def _steps(q: DescribedRotor) -> Iterator[str]:
     steps = [
         a.k for a, b in pairwise(placed(q))
         if a.segment.shaft == b.segment.shaft
@@ -115,6 +116,6 @@ def _steps(q: CoaxialRotor) -> Iterator[str]:
         )
 
 
-def _speed(q: CoaxialRotor) -> Iterator[str]:
+def _speed(q: DescribedRotor) -> Iterator[str]:
     if q.speed > 1.2 * q.speed_to or q.speed < 0.8 * q.speed_from:
         yield f"speed = {q.speed / RPM:.5g} r/min is not among the operating speeds"

@@ -1,0 +1,17 @@
+"""Mass and moments of inertia of a rotating body with its discs, from its matrices."""
+
+import numpy as np
+
+from fem.fourier.supports import rigid_motions
+from fem.fourier.vibration import RotatingSolid
+from fem.plane.discretisation import Array
+
+
+def rigid_inertia(body: RotatingSolid) -> Array:
+    """Mass [kg], polar and diametral moment about z = 0 [kg m^2] (3,).
+
+    From moving across and tilting as a whole: v M v, and the gyroscopic w G w of the tilt.
+    """
+    twice = np.asarray(body.T.multiply(body.T).sum(axis=0)).ravel()
+    across, tilt = ((body.T.T @ rigid_motions(body.solid.basis, 1, False)) / twice[:, None]).T
+    return np.array([across @ body.M @ across, tilt @ body.G @ tilt, tilt @ body.M @ tilt])

@@ -1,0 +1,144 @@
+"""A described rotor as the transfer matrices take it; what of a description is no rotor."""
+
+from collections.abc import Sequence
+from functools import cached_property
+from itertools import pairwise
+from typing import Any, Self
+
+import numpy as np
+from pydantic import model_validator
+
+from analytic.rotor.inertia import cylinder_inertia
+from analytic.rotor.transfer_model import Disc, Link, Rotor, Segment, Shaft, Support
+from analytic.rotor.transfer_supported import check_supported
+from verify.cases.rotor.description import DiscInputs, SpringInputs
+from verify.cases.rotor.system.inputs import CoaxialRotor
+from verify.core.inputs import EntryError
+
+ROUNDED = 0.01  # what numbers of few digits may exceed a bound by
+
+
+class DescribedRotor(CoaxialRotor):
+    """The description with the rotor of the formulas."""
+
+    @model_validator(mode="after")
+    def _is_rotor(self) -> Self:
+        check_widths(self.discs, self.rotor)
+        self._links_join_shafts()
+        check_supported(self.rotor, tuple(shaft.name for shaft in self.shafts))
+        return self
+
+    def _links_join_shafts(self) -> None:
+        for k, link in enumerate(self.links, start=1):
+            a, b = (self.shafts[self.rotor.shaft_of[n - 1]] for n in (link.node, link.to))
+            if a == b:
+                raise EntryError(
+                    "links", k, f"to = {link.to}",
+                    f"node {link.node} is on shaft {a.name} too: a link joins two shafts",
+                )  # fmt: skip
+            if link.k_turn > 0 and a.ratio != b.ratio:
+                raise EntryError(
+                    "links", k, f"k_turn = {link.k_turn:g} N m/rad",
+                    f"shafts {a.name} and {b.name} turn at different speeds",
+                )  # fmt: skip
+
+    @cached_property
+    def rotor(self) -> Rotor:
+        """The rotor of the formulas."""
+        made = (
+            Shaft(
+                ratio=shaft.ratio,
+                segments=tuple(
+                    Segment(length=s.length, d_o=s.d_o, d_i=s.d_i, E=s.E, nu=s.nu, rho=s.rho)
+                    for s in self.segments if s.shaft == shaft.name
+                ),
+            )
+            for shaft in self.shafts
+        )  # fmt: skip
+        supports, links = self._springs()
+        return Rotor(shafts=tuple(made), discs=discs_of(self.discs), supports=supports, links=links)
+
+    def _springs(self) -> tuple[tuple[Support, ...], tuple[Link, ...]]:
+        """Bearings; EntryError for coefficients that do not resist, or one node."""
+        supports, links = [], []
+        for k, entry in enumerate(self.supports, start=1):
+            try:
+                supports.append(Support(node=entry.node - 1, **coefficients(entry)))
+            except ValueError as error:
+                raise EntryError("supports", k, "", str(error)) from error
+        for k, link in enumerate(self.links, start=1):
+            if link.node == link.to:
+                raise EntryError("links", k, f"to = {link.to}", "joins a node with itself")
+            try:
+                links.append(Link(a=link.node - 1, b=link.to - 1, **coefficients(link)))
+            except ValueError as error:
+                raise EntryError("links", k, "", str(error)) from error
+        return tuple(supports), tuple(links)
+
+    @property
+    def places(self) -> tuple[float, ...]:
+        """Place of each node along the axis [m]."""
+        start = [self.shafts[k].start for k in self.rotor.shaft_of]
+        return tuple(z0 + z for z0, z in zip(start, self.rotor.places, strict=True))
+
+    def unbalanced(self) -> dict[float, dict[int, complex]]:
+        """Unbalances [kg m] by the ratio of their shaft and by station from 0."""
+        found: dict[float, dict[int, complex]] = {}
+        for u in self.unbalances:
+            ratio = self.shafts[self.rotor.shaft_of[u.node - 1]].ratio
+            group = found.setdefault(ratio, {})
+            group[u.node - 1] = group.get(u.node - 1, 0.0) + u.value * np.exp(1j * u.angle)
+        return found
+
+
+def coefficients(spring: SpringInputs) -> dict[str, Any]:
+    """By the names of the formulas."""
+    return {
+        "kxx": spring.k, "kyy": spring.kyy, "kxy": spring.kxy, "cxx": spring.c, "cyy": spring.cyy,
+        "k_tilt": spring.k_tilt, "c_tilt": spring.c_tilt, "k_turn": spring.k_turn,
+    }  # fmt: skip
+
+
+def inertia_of(disc: DiscInputs) -> tuple[float, float, float]:
+    """Mass [kg], polar and diametral moment [kg m²]; ValueError where they do not follow."""
+    given = (disc.mass, disc.polar, disc.diametral)
+    if disc.d_o is None or disc.width is None:
+        if disc.mass is None or disc.polar is None or disc.diametral is None:
+            raise ValueError("needs mass, polar and diametral, or d_o and width of a cylinder")
+        return disc.mass, disc.polar, disc.diametral
+    if not disc.d_i < disc.d_o:
+        raise ValueError(f"needs d_i < d_o, got {disc.d_i * 1e3:g}, {disc.d_o * 1e3:g} mm")
+    own = cylinder_inertia(
+        d_o=disc.d_o, d_i=disc.d_i, width=disc.width, rho=disc.rho, mass=disc.mass
+    )
+    m, p, d = (x if g is None else g for g, x in zip(given, own, strict=True))
+    return m, p, d
+
+
+def discs_of(discs: Sequence[DiscInputs]) -> tuple[Disc, ...]:
+    """The discs of the formulas; EntryError where their masses do not follow."""
+    found = []
+    for k, disc in enumerate(discs, start=1):
+        try:
+            mass, polar, diametral = inertia_of(disc)
+        except ValueError as error:
+            raise EntryError("discs", k, "", str(error)) from error
+        if polar > 2 * diametral * (1 + ROUNDED):
+            raise EntryError(
+                "discs", k, f"polar = {polar:.6g} kg m^2",
+                f"no body has more than twice its diametral moment, {2 * diametral:.6g} kg m^2",
+            )  # fmt: skip
+        found.append(Disc(node=disc.node - 1, mass=mass, polar=polar, diametral=diametral))
+    return tuple(found)
+
+
+def check_widths(discs: Sequence[DiscInputs], rotor: Rotor) -> None:
+    """EntryError where two discs of one shaft overlap."""
+    wide = sorted(
+        (rotor.shaft_of[d.node - 1], rotor.places[d.node - 1], d.width or 0.0, k)
+        for k, d in enumerate(discs, start=1)
+    )
+    for (shaft, z, width, k), (other, z2, width2, k2) in pairwise(wide):
+        over = (width + width2) / 2 - (z2 - z)
+        if shaft == other and width > 0 and width2 > 0 and over > 1e-9 * (width + width2):
+            raise EntryError("discs", k2, "", f"overlaps discs[{k}] by {over * 1e3:.4g} mm")
