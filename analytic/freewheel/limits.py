@@ -65,8 +65,8 @@ def limits(clutch: Clutch, *, mu: ArrayLike, p_lim: ArrayLike) -> Limits:
     """Limits of `clutch` with the coefficient of friction mu and the allowed pressure [stress]."""
     mu, cam = friction(mu), clutch.cam
     L = np.asarray(clutch.L)
-    last = L * np.minimum(*clutch.loads_at_half_width(state.WIDEST * cam.roller))
-    summit = _first(clutch, last, lambda now: np.isnan(now.alpha) | (_growth(now) <= 0))
+    last = _last(clutch)
+    summit = _summit(clutch, last)
     corner = _first(clutch, last, lambda now: now.alpha + 0 * cam.corner > _corner_angle(now))
     end = np.minimum(summit, last)
 
@@ -82,6 +82,26 @@ def limits(clutch: Clutch, *, mu: ArrayLike, p_lim: ArrayLike) -> Limits:
         pressure_outer=torque(P_o * L), corner=torque(corner), pop_through=torque(summit),
         hertz=hertz,
     )  # fmt: skip
+
+
+def pop_through(clutch: Clutch) -> Array:
+    """Torque [force x length] of the summit alone; infinite where there is none."""
+    last = _last(clutch)
+    summit = _summit(clutch, last)
+    within = last >= summit
+    found = state.at_normal_force(clutch, np.where(within, summit, 0.0)).T
+    return np.where(within, found, np.inf)
+
+
+def _last(clutch: Clutch) -> Array:
+    """Normal force [force] at which contacts become too wide."""
+    widths = clutch.loads_at_half_width(state.WIDEST * clutch.cam.roller)
+    return np.asarray(np.asarray(clutch.L) * np.minimum(*widths))
+
+
+def _summit(clutch: Clutch, last: Array) -> Array:
+    """Normal force [force] from which on torque no longer grows; infinite if never."""
+    return _first(clutch, last, lambda now: np.isnan(now.alpha) | (_growth(now) <= 0))
 
 
 def _release(clutch: Clutch, mu: Array) -> Array:

@@ -1,4 +1,4 @@
-"""Curves over the torque that star and cup have in common, and what their sectors look like."""
+"""Curves over the torque that star and cup have in common."""
 
 import math
 from collections.abc import Iterator
@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 
 from analytic.freewheel.state import loaded
-from verify.case import AlongLine, picture
+from verify.case import AlongLine
 from verify.cases.freewheel.reference import ACROSS, GRID
 from verify.core.case import Context
-from verify.core.figures import Curve, Curves, Picture
+from verify.core.figures import Curve, Curves
 
 FINE = np.linspace(0.002, 1.0, 160)  # of T, where curves are drawn
 DEGREE = math.degrees(1.0)
@@ -81,26 +81,4 @@ def pressure(where: str) -> AlongLine:
         curve=lambda x: np.sqrt(1 - x**2), reference=f"p_on_{where}", at=ACROSS, points=WIDTH,
         order=1, scale=1.0, neglects=True,
         note="a from the moments of the pressure, p_0 = 2P/(πa): the shape is compared.",
-    )  # fmt: skip
-
-
-def around_roller(q: Any) -> tuple[float, float, float, float]:
-    """Window (left, bottom, right, top) [m] about the roller."""
-    x, y = (float(v) for v in q.cam.centre(d_i=0.0, d_o=0.0))
-    w = 1.35 * q.r
-    return x - w, y - w, x + w, y + w
-
-
-def pictures(q: Any) -> Iterator[Picture]:
-    """Von Mises stress of the pitch and about the roller."""
-    yield picture(
-        "sector",
-        "log_mises",
-        displacement="",
-        caption="One pitch in the heaviest state of the sweep, von Mises' stress",
-    )
-    yield picture(
-        "sector", "log_mises", displacement="", window=around_roller(q),
-        caption="The roller between both races: the forces run from contact to contact; "
-        "below 10 MPa in one colour",
     )  # fmt: skip

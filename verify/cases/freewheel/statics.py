@@ -1,6 +1,7 @@
 """What a sector of star or cup is compared in beside its formulas: forces in balance, no load."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -15,11 +16,6 @@ OTHER = suites("as the torque of the other contact")
 NOISE = 5e-6  # of F_t/N, from mesh to mesh at least
 
 Points = tuple[list[float], list[float], list[float]]
-
-ON_ROLLER = balance(
-    "forces", "balance of both contact forces on a roller", "ΣF", "1", of={"one": 1.0}, bound=1e-9,
-    because="the solver's balance of a free body",
-)  # fmt: skip
 
 
 def accepted(
@@ -40,6 +36,54 @@ def accepted(
     check = Agreement(name=name, symbol=symbol or q.symbol, unit="1", accepted=within, by=by,
                       source=source, pair=pair, **demanded(within))  # fmt: skip
     return Comparison(check=check, quantity=q)
+
+
+class Named(NamedTuple):
+    """Words of a kind of clutch: its parts, radius and distance of flats, the equations' form.
+
+    `tilts` are those of the cam's flat and of the race, `unlike` how tangential forces differ,
+    `more` what deforms beside rolling.
+    """
+
+    cam: str
+    race: str
+    R: str
+    X: str
+    form: str
+    tilts: tuple[str, str]
+    unlike: str
+    more: str
+
+
+def balanced(clutch: Any, of_cam: Quantity, words: Named) -> Iterator[Comparison]:
+    """Forces of the reference itself, put into the formulas of the class `clutch`.
+
+    `of_cam` is the torque of both forces on the flats.
+    """
+    n = words
+    for part, share, tilts in zip((n.cam, n.race), ("flat", "race"), n.tilts, strict=True):
+        yield accepted(clutch.mu_T, f"F_t/F_n on the {part} against tan(ψ/2)", f"share_{share}",
+                       tilts, symbol="F_t/F_n", within=2e-3, inverse=True)  # fmt: skip
+    yield accepted(clutch.torque, f"torque against z {n.R} F_t of the {n.race} ({n.form})",
+                   "torque_race", "off by", within=1e-3)  # fmt: skip
+    yield accepted(of_cam, f"torque against z (F_n x − F_t {n.X}) of the {n.cam} ({n.form})",
+                   "torque_cam", "off by", within=1e-3, source=OTHER)  # fmt: skip
+    yield accepted(clutch.N, "normal forces of both contacts alike (Eq. 2)", "unlike_N", "apart by",
+                   within=1e-3, source=ALIKE, by="the flat's")  # fmt: skip
+    yield accepted(clutch.F_t, "tangential forces of both contacts alike (Eq. 2)", "unlike_F_t",
+                   f"{n.unlike} to either side of the bisector: apart by", within=4e-3, source=BOTH,
+                   by="the flat's")  # fmt: skip
+    yield accepted(clutch.phi, "∫dU/T against rolling", "rolling", within=5e-3,
+                   words=f"tangential forces deform {n.more}: rolling is off by")  # fmt: skip
+    yield balance(
+        "forces",
+        "balance of both contact forces on a roller",
+        "ΣF",
+        "1",
+        of={"one": 1.0},
+        bound=1e-9,
+        because="the solver's balance of a free body",
+    )
 
 
 def no_load(q: OneClutch, alpha_0: float, levels: Sequence[Level]) -> Points:

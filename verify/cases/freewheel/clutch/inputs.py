@@ -3,7 +3,7 @@
 import math
 import re
 from collections.abc import Mapping
-from typing import ClassVar, Literal, Self
+from typing import Any, ClassVar, Literal, Self
 
 from pydantic import model_validator
 
@@ -29,6 +29,18 @@ def in_terms_of_inputs(rule: str) -> str:
     """A rule of the formulas with the inputs' names, and their lengths in mm."""
     named = re.sub(r"\b(R_s|X_o)\b", lambda m: m[1][0], rule)
     return in_millimetres(named)
+
+
+def other_modulus(part: str, what: str, example: str) -> Any:
+    """Young's modulus of a part of another material."""
+    what = f"Young's modulus of {what}, where another; without ν_{part} their ν is ν"
+    return given(None, "GPa", f"E_{part}", what, omitted=None, gt=0.1, le=1e5, example=example)
+
+
+def other_poisson(part: str, what: str, example: str) -> Any:
+    """Poisson's ratio of a part of another material."""
+    return given(None, "1", f"ν_{part}", f"Poisson's ratio of {what}, where another", omitted=None,
+                 ge=0, le=0.45, example=example)  # fmt: skip
 
 
 class ClutchInputs(Case):
@@ -62,33 +74,12 @@ class ClutchInputs(Case):
                          le=2)  # fmt: skip
     E: float = given("206 GPa", "GPa", "E", "Young's modulus", gt=0.1, le=1e5)
     nu: float = given(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
-    E_r: float | None = given(
-        None, "GPa", "E_r", "Young's modulus of the rollers, where another; without ν_r "
-        "their ν is ν", omitted=None, gt=0.1,
-        le=1e5, example="310 GPa",
-    )  # fmt: skip
-    nu_r: float | None = given(
-        None, "1", "ν_r", "Poisson's ratio of the rollers, where another", omitted=None, ge=0,
-        le=0.45, example="0.27",
-    )  # fmt: skip
-    E_i: float | None = given(
-        None, "GPa", "E_i", "Young's modulus of the inner part, where another; without ν_i "
-        "their ν is ν", omitted=None,
-        gt=0.1, le=1e5, example="206 GPa",
-    )  # fmt: skip
-    nu_i: float | None = given(
-        None, "1", "ν_i", "Poisson's ratio of the inner part, where another", omitted=None, ge=0,
-        le=0.45, example="0.3",
-    )  # fmt: skip
-    E_o: float | None = given(
-        None, "GPa", "E_o", "Young's modulus of the outer part, where another; without ν_o "
-        "their ν is ν", omitted=None,
-        gt=0.1, le=1e5, example="206 GPa",
-    )  # fmt: skip
-    nu_o: float | None = given(
-        None, "1", "ν_o", "Poisson's ratio of the outer part, where another", omitted=None, ge=0,
-        le=0.45, example="0.3",
-    )  # fmt: skip
+    E_r: float | None = other_modulus("r", "the rollers", "310 GPa")
+    nu_r: float | None = other_poisson("r", "the rollers", "0.27")
+    E_i: float | None = other_modulus("i", "the inner part", "206 GPa")
+    nu_i: float | None = other_poisson("i", "the inner part", "0.3")
+    E_o: float | None = other_modulus("o", "the outer part", "206 GPa")
+    nu_o: float | None = other_poisson("o", "the outer part", "0.3")
     p_lim: float | None = given(
         "4000 MPa", "MPa", "p_lim", "permissible contact pressure", omitted=None, gt=0, le=1e6,
     )  # fmt: skip

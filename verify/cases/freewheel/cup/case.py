@@ -21,11 +21,11 @@ from verify.case import (
     limit,
     solved,
 )
-from verify.cases.freewheel import over_torque, statics
+from verify.cases.freewheel import pictures, statics
 from verify.cases.freewheel.bounds import parts, sizes
 from verify.cases.freewheel.cup import figures as drawn
-from verify.cases.freewheel.cup.inputs import FRICTION, HARD, Cup
-from verify.cases.freewheel.statics import accepted
+from verify.cases.freewheel.cup.inputs import Cup
+from verify.cases.freewheel.steel import FRICTION, pressed
 from verify.core.case import Context
 from verify.core.figures import Array, Picture, Sketch
 from verify.form.adapter import adapted
@@ -45,6 +45,11 @@ ON_FLAT = "rolling on a flat instead of on a circle: (R_s + X_o)/(2X_o)"
 ENCLOSED = "rings enclose a cup to some per cent, and torques near the summit multiply that"
 FINE, NEARLY, MEDIUM, COARSE = 0.015, 0.02, 0.04, 0.06  # what rows are asked to show
 WIDE = 0.12  # a/r up to which finite elements, small in displacements, are judged at the summit
+NAMED = statics.Named(
+    "cup", "shaft", "R_s", "X_o", "Eq. 3 for a cup",
+    ("its flat tilts under load:", "its surface tilts under load:"), "surfaces tilt",
+    "contacts and wind up shaft and cup",
+)  # fmt: skip
 SHARED = "plane strain, small strain, cup and housing one body, shaft and cup free"
 
 
@@ -267,7 +272,7 @@ class FreewheelCup(Cup):
         yield fact("the clamping angle falls from state to state", "α", margin("falls"))
         yield fact("the torque falls beyond its summit, the normal force growing", "T",
                    margin("past_summit"))  # fmt: skip
-        yield from balanced()
+        yield from statics.balanced(cup, cup.torque_cup, NAMED)
 
     def within(self, at: state.State) -> CupBounds:
         """Bounds of the formulas in a state."""
@@ -341,7 +346,7 @@ class FreewheelCup(Cup):
 
     def pictures(self) -> Iterator[Picture]:
         """Von Mises stress of the pitch."""
-        yield from over_torque.pictures(self)
+        yield from pictures.heaviest(self)
 
     def sketch(self) -> Sketch:
         """One pitch of shaft, roller and cup."""
@@ -354,12 +359,7 @@ class FreewheelCup(Cup):
                 f"tan α_0 = {np.tan(self.alpha_0):.3g} is more than the friction {FRICTION:g} that "
                 "oiled steel hardly exceeds: the rollers do not grip"
             )
-        p = max(self.p_i, self.p_o)
-        if p > HARD:
-            yield (
-                f"pressure {p / 1e6:.4g} MPa exceeds the {HARD / 1e6:g} MPa of static contact of "
-                "hardened rollers (ISO 76)"
-            )
+        yield from pressed(self.p_i, self.p_o)
         wall = self.R_a - self.corner
         if wall < THIN * self.X_o:
             yield (
@@ -393,31 +393,6 @@ def margin(key: str) -> Callable[[Context], tuple[float, float]]:
         return now, 2 * abs(now - before)
 
     return of
-
-
-def balanced() -> Iterator[Comparison]:
-    """Forces of the reference itself, put into the formulas."""
-    cup = FreewheelCup
-    yield accepted(cup.mu_T, "F_t/F_n on the cup against tan(ψ/2)", "share_flat",
-                   "its flat tilts under load:", symbol="F_t/F_n", within=2e-3,
-                   inverse=True)  # fmt: skip
-    yield accepted(cup.mu_T, "F_t/F_n on the shaft against tan(ψ/2)", "share_race",
-                   "its surface tilts under load:", symbol="F_t/F_n", within=2e-3,
-                   inverse=True)  # fmt: skip
-    yield accepted(cup.torque, "torque against z R_s F_t of the shaft (Eq. 3 for a cup)",
-                   "torque_race", "off by", within=1e-3)  # fmt: skip
-    yield accepted(cup.torque_cup, "torque against z (F_n x − F_t X_o) of the cup (Eq. 3 for a "
-                   "cup)", "torque_cam", "off by", within=1e-3, source=statics.OTHER)  # fmt: skip
-    yield accepted(cup.N, "normal forces of both contacts alike (Eq. 2)", "unlike_N", "apart by",
-                   within=1e-3, source=statics.ALIKE, by="the flat's")  # fmt: skip
-    yield accepted(cup.F_t, "tangential forces of both contacts alike (Eq. 2)", "unlike_F_t",
-                   "surfaces tilt to either side of the bisector: apart by", within=4e-3,
-                   source=statics.BOTH, by="the flat's")  # fmt: skip
-    yield accepted(
-        cup.phi, "∫dU/T against rolling", "rolling", within=5e-3,
-        words="tangential forces deform contacts and wind up shaft and cup: rolling is off by",
-    )  # fmt: skip
-    yield statics.ON_ROLLER
 
 
 CUP = adapted(FreewheelCup)

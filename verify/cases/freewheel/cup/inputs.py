@@ -11,18 +11,15 @@ from typing import ClassVar, Self
 
 import numpy as np
 from pydantic import model_validator
-from scipy.optimize import minimize_scalar
 
 from analytic.freewheel.clutch import Clutch
 from analytic.freewheel.compliance import Compliance, compliance
 from analytic.freewheel.geometry import OuterCam
-from analytic.freewheel.limits import limits
 from analytic.freewheel.state import State, at_angle, at_normal_force, loaded
+from analytic.freewheel.summit import summit
 from verify.case import Case, count, given, shared
 from verify.cases.freewheel.star import LARGEST_ANGLE, Load, of_one_steel
 
-HARD = 4000e6  # Pa, what hardened rollers bear in static contact (ISO 76)
-FRICTION = 0.1  # what oiled steel hardly exceeds
 GIVEN = 0.25  # of the overlap at which rollers go through, at the angle that is given
 
 
@@ -118,20 +115,13 @@ class Cup(Case):
     @shared
     def at_summit(self) -> State:
         """The state with the largest torque."""
-        whole = self.clutch
-        T = float(limits(whole, mu=FRICTION, p_lim=HARD).pop_through)
-        if not np.isfinite(T):
+        if (found := summit(self.clutch)) is None:
             raise ValueError(
                 "contacts are wider than half the rollers' radius before the torque has its "
                 f"summit: α_0 = {np.degrees(float(self.cam.alpha0)):.4g}° is more than these "
                 "formulas know"
             )
-        N = float(loaded(whole, 0.99 * T).N)
-        found = minimize_scalar(
-            lambda N: -float(np.nan_to_num(at_normal_force(whole, N).T)), bounds=(N, 1.4 * N),
-            method="bounded", options={"xatol": 1e-9 * N},
-        )  # fmt: skip
-        return at_normal_force(whole, found.x)
+        return found
 
     @property
     def rigid_force(self) -> float:

@@ -19,6 +19,7 @@ from verify.case import (
     identity,
     underived,
 )
+from verify.cases.freewheel import pictures
 from verify.cases.freewheel.bounds import of_star
 from verify.cases.freewheel.friction import figures as drawn
 from verify.cases.freewheel.friction.comparisons import at_slip
@@ -176,7 +177,11 @@ class FreewheelFriction(Pulled):
 
     def pictures(self) -> Iterator[Picture]:
         """Displacement and shear along the axis."""
-        yield from drawn.pictures()
+        yield from pictures.pulled(
+            "Displacement along the axis under torque and axial load: the ring is pulled out, the "
+            "rollers stay between, the star is clamped on its shaft",
+            "Shear stress along the axis: it enters through both contacts",
+        )
 
     def tables(self, context: Context) -> Iterator[Table]:
         """The clutch's states by finite elements, in words."""

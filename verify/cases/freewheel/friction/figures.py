@@ -10,7 +10,7 @@ from analytic.freewheel import criterion
 from analytic.freewheel.state import loaded
 from fem.wedge.slip_limit import HELD
 from verify.core.case import Context
-from verify.core.figures import Curve, Curves, Figure, Picture, Shape, Sketch, Table
+from verify.core.figures import Curve, Curves, Figure, Shape, Sketch, Table
 
 mm, µm = 1e-3, 1e-6
 QUARTER = np.linspace(0.0, np.pi / 2, 91)
@@ -212,15 +212,3 @@ def tables(context: Context) -> Sequence[Table]:
         f"{out[-1, 0] / µm:.3g} µm" if len(out) > 1 else f"slips; {len(creep)} steps",
     ))  # fmt: skip
     return (Table(title="States by finite elements", header=("load", "state"), rows=tuple(rows)),)
-
-
-def pictures() -> Sequence[Picture]:
-    return (
-        Picture(field="sector", data="u_z", symbol="u_z", unit="µm", factor=µm, displacement="",
-                caption="Displacement along the axis under torque and axial load: the ring is "
-                "pulled out, the rollers stay between, the star is clamped on its shaft"),
-        Picture(field="sector", data="log_shear_z", symbol="τ_z", unit="MPa", factor=1.0,
-                decades=True,
-                displacement="", caption="Shear stress along the axis: "
-                "it enters through both contacts"),
-    )  # fmt: skip

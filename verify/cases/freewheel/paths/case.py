@@ -19,6 +19,7 @@ from analytic.freewheel.course import Course, follow
 from analytic.freewheel.load_path import AlternatingAxial, AxialRamp, BothAlternating, LoadPath
 from analytic.freewheel.state import State, loaded
 from verify.case import Comparison, Drawn, Level, Quantity, given, shared
+from verify.cases.freewheel import pictures
 from verify.cases.freewheel.bounds import of_star
 from verify.cases.freewheel.paths import comparisons as compared
 from verify.cases.freewheel.paths import figures as drawn
@@ -233,7 +234,11 @@ class LoadPaths(Pulled):
 
     def pictures(self) -> Iterator[Picture]:
         """Displacement and shear along the axis."""
-        yield from drawn.pictures(self)
+        yield from pictures.pulled(
+            "Axial displacement at the last extreme of load case 2",
+            "The axial load goes through both contacts of the roller",
+            window=pictures.around_roller(self),
+        )
 
     def tables(self, context: Context) -> Iterator[Table]:
         """The three paths side by side."""

@@ -217,20 +217,15 @@ def _loads(q: Any, path: Any) -> Iterator[Comparison]:
 
 def _adopted(path: Any) -> Iterator[Comparison | Check]:
     """Numbers of the paper that are taken as they stand."""
-    coulomb = {"coulomb": 1.0}
-    yield Comparison(
-        check=Adopted(name="class red below", symbol="μ/μ_req", unit="1", analytic="coulomb",
-                      reference="nagler2021:friction-ratio-red-yellow",
-                      why=f"{RULE}; by Coulomb it slips below 1 (erratum traffic-light-wording)"),
-        numbers=coulomb,
-    )  # fmt: skip
-    yield Comparison(
-        check=Adopted(name="class green from", symbol="μ/μ_req", unit="1", analytic="coulomb",
-                      reference="nagler2021:friction-ratio-yellow-green",
-                      why=f"{RULE}; it is Coulomb's limit, with the equal sign (erratum "
-                      "eq-10-strictness)"),
-        numbers=coulomb,
-    )  # fmt: skip
+    for name, key, why in (
+        ("red below", "red-yellow", "by Coulomb it slips below 1 (erratum traffic-light-wording)"),
+        ("green from", "yellow-green", "it is Coulomb's limit, with the equal sign (erratum "
+         "eq-10-strictness)"),
+    ):  # fmt: skip
+        check = Adopted(name=f"class {name}", symbol="μ/μ_req", unit="1", analytic="coulomb",
+                        reference=f"nagler2021:friction-ratio-{key}", why=f"{RULE}; {why}"
+                        )  # fmt: skip
+        yield Comparison(check=check, numbers={"coulomb": 1.0})
     yield Comparison(
         check=Adopted(name="torsion that the rig allows", symbol="φ", unit="deg", analytic="phi",
                       reference="nagler2021:rig-torsion-angle",

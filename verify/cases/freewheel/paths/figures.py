@@ -1,7 +1,6 @@
 """What the report shows of a freewheel on the rig's load paths."""
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +9,7 @@ from analytic.freewheel.course import Course
 from analytic.freewheel.criterion import RED
 from verify.cases.freewheel.paths.reference import LOUD, OTHERS, QUIET
 from verify.core.case import Context
-from verify.core.figures import Curve, Curves, Figure, Picture, Table, Zone, Zones
+from verify.core.figures import Curve, Curves, Figure, Table, Zone, Zones
 
 Array = NDArray[np.float64]
 
@@ -185,17 +184,4 @@ def walked(context: Context) -> Curves:
                   y=last["growing"][:, 7], style="dots", colour=2),
         ),
         note="The torque alone takes most of the friction: little of the contacts sticks.",
-    )  # fmt: skip
-
-
-def pictures(q: Any) -> Sequence[Picture]:
-    x, y = (float(v) for v in q.cam.centre(d_i=0.0, d_o=0.0))
-    w = 1.35 * q.r
-    return (
-        Picture(field="sector", data="u_z", symbol="u_z", unit="µm", factor=1e-6,
-                caption="Axial displacement at the last extreme of load case 2", displacement=""),
-        Picture(field="sector", data="log_shear_z", symbol="τ_z", unit="MPa", factor=1.0,
-                decades=True,
-                caption="The axial load goes through both contacts of the roller",
-                displacement="", window=(x - w, y - w, x + w, y + w)),
     )  # fmt: skip

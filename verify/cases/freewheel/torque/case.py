@@ -18,22 +18,22 @@ from verify.case import (
     limit,
     solved,
 )
-from verify.cases.freewheel import over_torque, statics
+from verify.cases.freewheel import over_torque, pictures, statics
 from verify.cases.freewheel.bounds import TANGENTIAL, known, of_star
 from verify.cases.freewheel.star import Star
 from verify.cases.freewheel.star_sketch import sketch
-from verify.cases.freewheel.statics import accepted
+from verify.cases.freewheel.steel import FRICTION, pressed
 from verify.core.figures import Picture, Sketch
 from verify.form.adapter import adapted
 
-HARD = 4000e6  # Pa, what hardened rollers bear in static contact (ISO 76)
-FRICTION = 0.1  # what oiled steel hardly exceeds
 SHARP = "acceptance of the subject"
 ENCLOSED = "as sharp as three bodies that enclose the star are"
 SHOWS = "a formula 22 % off: three per cent show it"
 ON_FLAT = "rolling on a flat instead of on a circle: (R + X)/(2X)"
 NO_LEVER = "F_n misses the axis by x: X/R of the torque is left"
 ROOM = "small displacements leave room beside the contacts' middles:"
+NAMED = statics.Named("star", "ring", "R", "X", "Eq. 3, corrected", (ROOM, ROOM), "the same",
+                      "as well")  # fmt: skip
 SHARED = "plane strain, small strain, the star clamped in its bore"
 ROLLED = (
     "Finite elements know nothing of rolling here: the angle is what the energy of all "
@@ -153,7 +153,7 @@ class FreewheelTorque(Star):
         yield limit(FreewheelTorque.alpha_0, symbol="α_0", exponent=1.0,
                     name="statics: F_t/F_n becomes tan α_0 without load (Eqs. 1, 4)",
                     points=partial(statics.no_load, self, self.alpha_0))  # fmt: skip
-        yield from balanced()
+        yield from statics.balanced(FreewheelTorque, FreewheelTorque.torque_star, NAMED)
 
     def _at_torque(self) -> Iterator[Comparison]:
         star, bounds = FreewheelTorque, of_star(self, self.state)
@@ -210,7 +210,7 @@ class FreewheelTorque(Star):
 
     def pictures(self) -> Iterator[Picture]:
         """Von Mises stress of the pitch."""
-        yield from over_torque.pictures(self)
+        yield from pictures.heaviest(self)
 
     def sketch(self) -> Sketch:
         """One pitch of star, roller and ring."""
@@ -223,34 +223,7 @@ class FreewheelTorque(Star):
                 f"tan α(T) = {self.mu_T:.3g} is more than the friction {FRICTION:g} that oiled "
                 "steel hardly exceeds: the clutch slips"
             )
-        p = max(self.p_i, self.p_o)
-        if p > HARD:
-            yield (
-                f"pressure {p / 1e6:.4g} MPa exceeds the {HARD / 1e6:g} MPa of static contact of "
-                "hardened rollers (ISO 76)"
-            )
-
-
-def balanced() -> Iterator[Comparison]:
-    """Forces of the reference itself, put into the formulas."""
-    star = FreewheelTorque
-    yield accepted(star.mu_T, "F_t/F_n on the star against tan(ψ/2)", "share_flat", ROOM,
-                   symbol="F_t/F_n", within=2e-3, inverse=True)  # fmt: skip
-    yield accepted(star.mu_T, "F_t/F_n on the ring against tan(ψ/2)", "share_race", ROOM,
-                   symbol="F_t/F_n", within=2e-3, inverse=True)  # fmt: skip
-    yield accepted(star.torque, "torque against z R F_t of the ring (Eq. 3, corrected)",
-                   "torque_race", "off by", within=1e-3)  # fmt: skip
-    yield accepted(star.torque_star,
-                   "torque against z (F_n x − F_t X) of the star (Eq. 3, corrected)", "torque_cam",
-                   "off by", within=1e-3, source=statics.OTHER)  # fmt: skip
-    yield accepted(star.N, "normal forces of both contacts alike (Eq. 2)", "unlike_N", "apart by",
-                   within=1e-3, source=statics.ALIKE, by="the flat's")  # fmt: skip
-    yield accepted(star.F_t, "tangential forces of both contacts alike (Eq. 2)", "unlike_F_t",
-                   "the same to either side of the bisector: apart by", within=4e-3,
-                   source=statics.BOTH, by="the flat's")  # fmt: skip
-    yield accepted(star.phi, "∫dU/T against rolling", "rolling", within=5e-3,
-                   words="tangential forces deform as well: rolling is off by")  # fmt: skip
-    yield statics.ON_ROLLER
+        yield from pressed(self.p_i, self.p_o)
 
 
 TORQUE = adapted(FreewheelTorque)

@@ -1,0 +1,27 @@
+"""The state of an outer cam's largest torque, beyond which the rollers go through."""
+
+import numpy as np
+from scipy.optimize import minimize_scalar
+
+from analytic.freewheel.clutch import Clutch
+from analytic.freewheel.limits import pop_through
+from analytic.freewheel.state import State, at_normal_force, loaded
+
+NEAR, BEYOND = 0.99, 1.4  # of the largest torque, of N there: where the summit is searched
+FOUND = 1e-9  # of N
+
+
+def summit(clutch: Clutch) -> State | None:
+    """The state of one clutch at its largest torque.
+
+    None where contacts are wider than half the rollers' radius before, and of an inner cam.
+    """
+    T = float(pop_through(clutch))
+    if not np.isfinite(T):
+        return None
+    N = float(loaded(clutch, NEAR * T).N)
+    found = minimize_scalar(
+        lambda N: -float(np.nan_to_num(at_normal_force(clutch, N).T)), bounds=(N, BEYOND * N),
+        method="bounded", options={"xatol": FOUND * N},
+    )  # fmt: skip
+    return at_normal_force(clutch, found.x)

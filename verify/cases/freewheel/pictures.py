@@ -1,0 +1,34 @@
+"""What sectors of star and cup look like under their loads."""
+
+from collections.abc import Iterator
+from typing import Any
+
+from verify.case import picture
+from verify.core.figures import Picture
+
+
+def around_roller(q: Any) -> tuple[float, float, float, float]:
+    """Window (left, bottom, right, top) [m] about the roller."""
+    x, y = (float(v) for v in q.cam.centre(d_i=0.0, d_o=0.0))
+    w = 1.35 * q.r
+    return x - w, y - w, x + w, y + w
+
+
+def heaviest(q: Any) -> Iterator[Picture]:
+    """Von Mises stress of the pitch and about the roller."""
+    yield picture("sector", "log_mises", displacement="",
+                  caption="One pitch in the heaviest state of the sweep, von Mises' stress"
+                  )  # fmt: skip
+    yield picture(
+        "sector", "log_mises", displacement="", window=around_roller(q),
+        caption="The roller between both races: the forces run from contact to contact; "
+        "below 10 MPa in one colour",
+    )  # fmt: skip
+
+
+def pulled(displacement: str, shear: str, **window: Any) -> Iterator[Picture]:
+    """Displacement and shear stress along the axis with these captions."""
+    yield Picture(field="sector", data="u_z", symbol="u_z", unit="µm", factor=1e-6,
+                  displacement="", caption=displacement)  # fmt: skip
+    yield Picture(field="sector", data="log_shear_z", symbol="τ_z", unit="MPa", factor=1.0,
+                  decades=True, displacement="", caption=shear, **window)  # fmt: skip

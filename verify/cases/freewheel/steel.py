@@ -1,0 +1,15 @@
+"""What oiled, hardened steel bears."""
+
+from collections.abc import Iterator
+
+HARD = 4000e6  # Pa, what hardened rollers bear in static contact (ISO 76)
+FRICTION = 0.1  # what oiled steel hardly exceeds
+
+
+def pressed(*pressures: float) -> Iterator[str]:
+    """A warning where a peak pressure [Pa] is more than that."""
+    if (p := max(pressures)) > HARD:
+        yield (
+            f"pressure {p / 1e6:.4g} MPa exceeds the {HARD / 1e6:g} MPa of static contact of "
+            "hardened rollers (ISO 76)"
+        )
