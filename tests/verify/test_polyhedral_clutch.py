@@ -11,11 +11,11 @@ from analytic.bounds.polyhedral.flat import filleted
 from analytic.polyhedral import bore_pressure, capacity, forces, torque, wedging
 from analytic.polyhedral.capacity import Driven
 from fem.contact import bodies
+from fem.contact.driven import DrivenSector
+from fem.contact.locked import LockedSector
 from verify.app.cli import main
 from verify.cases.polyhedral.clutch import formulas
 from verify.cases.polyhedral.clutch.case import CLUTCH, PolyhedralClutch
-from verify.cases.polyhedral.clutch.fem import DrivenRing
-from verify.cases.polyhedral.locking.fem import LockedRing
 from verify.core.case import Context
 from verify.core.inputs import InputError, build
 from verify.core.results import Status
@@ -97,7 +97,7 @@ FAULTS = [
                  ELASTIC, id="clearance on the radius"),
     pytest.param(formulas, "RollerContact", lambda f: lambda *a: f(*a[:4], "plane strain"),
                  ELASTIC, id="plane strain"),
-    pytest.param(formulas, "in_fillet", lambda f: lambda q, hub, N: f(q, hub, 1.1 * N),
+    pytest.param(formulas, "driven_fillet_stress", lambda f: lambda q, hub, N: f(q, hub, 1.1 * N),
                  FILLET, id="fillet under a tenth more"),
 ]  # fmt: skip
 
@@ -134,11 +134,11 @@ def solve_anew():
 
 
 FEM_FAULTS = [
-    pytest.param(DrivenRing, "push", lambda f: lambda self, N: (f(self, N)[0], -f(self, N)[1]),
+    pytest.param(DrivenSector, "push", lambda f: lambda self, N: (f(self, N)[0], -f(self, N)[1]),
                  ELASTIC, id="friction towards the corner"),
-    pytest.param(DrivenRing, "push", lambda f: lambda self, N: tuple(x / 2 for x in f(self, N)),
+    pytest.param(DrivenSector, "push", lambda f: lambda self, N: tuple(x / 2 for x in f(self, N)),
                  NEEDED, id="half of the hub's force"),
-    pytest.param(LockedRing, "force", lambda f: lambda *a: f(*a) / 2, FORCE,
+    pytest.param(LockedSector, "force", lambda f: lambda *a: f(*a) / 2, FORCE,
                  id="force of half a roller"),
     pytest.param(bodies, "vector_basis", lambda f: lambda mesh, _degree, **k: f(mesh, 1, **k),
                  NEEDED, id="linear elements"),

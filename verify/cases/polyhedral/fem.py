@@ -43,38 +43,25 @@ def stations(q: PolygonRing) -> Array:
     return np.linspace(0, q.half_angle, STATIONS)
 
 
-def radial(ring: "PlaneSolution", r: float, theta: Array) -> Array:
-    """Radial displacement (m,) at the radius `r` and the angles `theta`."""
-    direction = np.array([np.cos(theta), np.sin(theta)])
-    return np.asarray((ring.at(r * direction).u * direction).sum(axis=0))
-
-
-def factors(q: PolygonRing, ring: "PlaneSolution") -> dict[str, float]:
+def factors_fem(q: PolygonRing, ring: "PlaneSolution") -> dict[str, float]:
     """Outward displacement [m] under `UNIT` in the middle of the flats, in the mean, at corners."""
+    from fem.plane.sectors import radial
+
     rim = ring.on_boundary("rim")
     middle, corner = radial(ring, q.d_e / 2, np.array([0.0, q.half_angle]))
     return {"mid": float(middle), "mean": float(rim.mean(rim.polar()[0])), "corner": float(corner)}
 
 
-def whole(name: str, z: int, half: dict[str, Array], **data: tuple[Array, str]) -> Field:
+def whole_fem(name: str, z: int, half: dict[str, Array], **data: tuple[Array, str]) -> Field:
     """The ring of 2 z copies of half a sector; `data` are values of cells with their units."""
-    points, moved, cells = half["points"], half["displacement"], half["cells"].astype(np.int64)
-    turned: list[tuple[Array, Array]] = []
-    for k in range(z):
-        c, s = np.cos(2 * np.pi * k / z), np.sin(2 * np.pi * k / z)
-        turn = np.array([[c, s], [-s, c]])
-        for mirror in (1.0, -1.0):
-            flip = np.array([1.0, mirror])
-            turned.append((points * flip @ turn, moved * flip @ turn))
-    count = len(points)
+    from fem.plane.sectors import all_sectors
+
+    points, moved, cells = all_sectors(half, z)
     return Field(
-        name=name,
-        points=np.vstack([p for p, _ in turned]),
-        cells=np.vstack([cells + count * k for k in range(2 * z)]),
-        point_data={"displacement": np.vstack([u for _, u in turned])},
+        name=name, points=points, cells=cells, point_data={"displacement": moved},
         cell_data={key: np.tile(values, 2 * z) for key, (values, _) in data.items()},
         units={"displacement": "m"} | {key: unit for key, (_, unit) in data.items()},
-    )
+    )  # fmt: skip
 
 
 def expanded(q: PolygonRing, z: int) -> Field:
@@ -82,9 +69,9 @@ def expanded(q: PolygonRing, z: int) -> Field:
     other = q.model_copy(update={"z": z})
     ring = pressed_fem(other, 1, "plane stress")
     cells: dict[str, Any] = ring.cells()
-    scale = q.j_D / 2 / factors(other, ring)["mid"]
+    scale = q.j_D / 2 / factors_fem(other, ring)["mid"]
     cells["displacement"] = cells["displacement"] * scale
-    return whole(f"z = {z}", z, cells, von_mises=(cells["von_mises"] * scale, "Pa"))
+    return whole_fem(f"z = {z}", z, cells, von_mises=(cells["von_mises"] * scale, "Pa"))
 
 
 def pushed_fem(q: HubRing, refine: int) -> tuple["PlaneSolution", "PlaneSolution"]:
@@ -122,18 +109,11 @@ def pushed_fem(q: HubRing, refine: int) -> tuple["PlaneSolution", "PlaneSolution
     return at, in_corner
 
 
-def largest_in_fillet(
+def in_fillet_fem(
     q: PolygonRing, ring: "PlaneSolution", p: float = UNIT, *, name: str = "fillet"
 ) -> float:
-    """Largest hoop stress [Pa] of the fillet under the pressure `p`, by a polynomial along it.
+    """Largest hoop stress [Pa] of the fillet, boundary `name`, under the pressure `p`."""
+    from fem.plane.sectors import largest_hoop_stress
 
-    `name` is the fillet's among the boundaries.
-
-    The normal stress there is minus the pressure, so that the sum of both needs no direction.
-    """
-    side = ring.on_boundary(name)
     centre = (q.d_i / 2 - q.rho) * np.array([np.cos(q.half_angle), np.sin(q.half_angle)])
-    turn = np.arctan2(*(side.x - centre[:, None])[::-1]) / q.half_angle
-    stress = side.stress[0] + side.stress[1] + p
-    fit = np.polynomial.Polynomial.fit(turn, stress, 8, domain=[0, 1])
-    return float(fit(np.linspace(0, 1, 2001)).max())
+    return largest_hoop_stress(ring.on_boundary(name), centre, q.half_angle, p)

@@ -19,7 +19,7 @@ TOLERANCES = (
     "fem.contact.point_contact:HIT",
     "fem.wedge.pulled:STILL",
     "fem.wedge.rest:STILL",
-    "verify.cases.polyhedral.clutch.fem:CLOSE",
+    "fem.contact.driven:CLOSE",
     "fem.contact.wedged:HIT",
     "verify.cases.freewheel.clutch.reference:NEAR",
 )

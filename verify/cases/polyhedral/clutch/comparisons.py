@@ -9,9 +9,10 @@ import numpy as np
 from analytic.bounds.polyhedral.contacts import PEAK_STRESS, RollerOnRing, over_series
 from analytic.bounds.polyhedral.flat import FlatParts, filleted, first_design
 from analytic.polyhedral.capacity import Driven
+from analytic.polyhedral.fillet_stress import driven_fillet_stress
 from verify.case import Comparison, Quantity, balance
 from verify.cases.polyhedral.clutch.chain import PaperChain
-from verify.cases.polyhedral.clutch.formulas import ElasticClutch, in_fillet
+from verify.cases.polyhedral.clutch.formulas import ElasticClutch
 from verify.core.case import Context
 from verify.core.results import Row, Status
 from verify.judging import judge
@@ -74,7 +75,7 @@ class ClutchFormulas(PaperChain, ElasticClutch):
         """Share of the stress in the fillets that rollers and hub make."""
         if not 0 < self.line_load < inf:
             return nan
-        return abs(1 - in_fillet(self.hub, 0.0, self.p_t) / self.fillet)
+        return abs(1 - driven_fillet_stress(self.hub, 0.0, self.p_t) / self.fillet)
 
 
 @dataclass(frozen=True, kw_only=True)

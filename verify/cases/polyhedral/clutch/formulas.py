@@ -8,16 +8,13 @@ import numpy as np
 from analytic.contact.checks import Assumption
 from analytic.polyhedral.bore_pressure import pressed
 from analytic.polyhedral.capacity import Driven
-from analytic.polyhedral.hub_force import hub_force
+from analytic.polyhedral.fillet_stress import driven_fillet_stress
 from analytic.polyhedral.locking import Roller, RollerContact
 from analytic.polyhedral.rim_slope import steepest
-from analytic.polyhedral.roller_load import roller_load
 from analytic.polyhedral.sector import Sector
-from analytic.polyhedral.wall_stress import bore_stress
 from verify.case import Quantity, shared
 from verify.cases.polyhedral.clutch.inputs import ClutchInputs
 
-ALONG = 200  # points of the fillet
 SERIES = "elastic ring and rollers: series"
 
 
@@ -51,13 +48,13 @@ class ElasticClutch(ClutchInputs):
     @Quantity("σ_max", "MPa", "hoop stress in the fillets under p_t", source=SERIES,
               safe="too high")  # fmt: skip
     def fillet(self) -> float:
-        return in_fillet(self.hub, self.line_load, self.p_t)
+        return driven_fillet_stress(self.hub, self.line_load, self.p_t)
 
     @Quantity("σ_need", "MPa", "hoop stress in the fillets under p_need", role="step",
               safe="too high")  # fmt: skip
     def fillet_need(self) -> float:
         p = self.p_need
-        return in_fillet(self.hub, self.line_need, p) if isfinite(p) else nan
+        return driven_fillet_stress(self.hub, self.line_need, p) if isfinite(p) else nan
 
     @Quantity(
         "N_el",
@@ -154,17 +151,3 @@ class ElasticClutch(ClutchInputs):
         curvature = 2 / self.d + 1 / R_2
         N = max(carried)
         return float(np.sqrt(N * curvature * self.E / (1 - self.nu**2) / (2 * np.pi)))
-
-
-def in_fillet(hub: Driven, N: float, p: float) -> float:
-    """Largest hoop stress [Pa] in the fillets under p [Pa], rollers with N [N/m] and the hub."""
-    ring = hub.contact.sector
-    at = ring.straight + np.linspace(0, 1, ALONG + 1) * ring.rho * ring.half_angle
-    stress = p * bore_stress(at, sector=ring, field=pressed(ring), p=1.0)
-    if 0 < N < np.inf:
-        normal = N * hub.kappa / np.hypot(1, hub.tan_phi)
-        push = hub_force(sector=ring, e=hub.e, normal=normal, along=-normal * hub.tan_phi)
-        load = roller_load(sector=ring, a=hub.contact.half_width(N))
-        stress = stress + bore_stress(at, sector=ring, field=push)
-        stress = stress + N * bore_stress(at, sector=ring, field=load)
-    return float(stress.max())

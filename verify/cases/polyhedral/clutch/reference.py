@@ -3,9 +3,9 @@
 from math import isfinite
 
 from verify.case import Level
-from verify.cases.polyhedral.clutch.fem import DrivenRing
+from verify.cases.polyhedral.clutch.fem import driven_fem
 from verify.cases.polyhedral.clutch.inputs import ClutchInputs
-from verify.cases.polyhedral.fem import largest_in_fillet, whole
+from verify.cases.polyhedral.fem import in_fillet_fem, whole_fem
 from verify.core.figures import Field
 
 LEVELS = (1, 2, 3, 4)
@@ -13,7 +13,7 @@ LEVELS = (1, 2, 3, 4)
 
 def solve(q: ClutchInputs, level: int) -> Level:
     """One level under p_t, and the pressure for the target torque."""
-    hub = DrivenRing(q, level, grip=q.grip, elastic=True)
+    hub = driven_fem(q, level, elastic=True)
     N, N_t = hub.N, q.M_t / (q.grip * q.b * q.z * q.D_i / 2)
     if not isfinite(N):
         raise ArithmeticError("the hub's lift locks the rollers: pressure does not limit N")
@@ -22,11 +22,11 @@ def solve(q: ClutchInputs, level: int) -> Level:
     rest = hub.ring.balance(q.p_t, hub.push(N))
     values = {
         "N_el": N * q.b, "M_el": q.grip * N * q.b * q.z * q.D_i / 2, "p_need": p,
-        "fillet": largest_in_fillet(q.ring, state.plane, q.p_t, name="ring.fillet"),
+        "fillet": in_fillet_fem(q.ring, state.plane, q.p_t, name="ring.fillet"),
         "balance_x": rest[0], "balance_y": rest[1],
         "moment": q.b * q.z * moment(q, hub.push(N)) - q.grip * N * q.b * q.z * q.D_i / 2,
     }  # fmt: skip
-    if isfinite(N_rigid := DrivenRing(q, level, grip=q.grip, elastic=False).N):
+    if isfinite(N_rigid := driven_fem(q, level, elastic=False).N):
         values["M_rigid"] = q.grip * N_rigid * q.b * q.z * q.D_i / 2
     u_it = {key: 1e-9 * abs(value) for key, value in values.items()}
     fields = (drawn_fem(q, N),) if level == LEVELS[-1] else ()
@@ -35,8 +35,8 @@ def solve(q: ClutchInputs, level: int) -> Level:
 
 def drawn_fem(q: ClutchInputs, N: float) -> Field:
     """Ring and rollers under p_t and what belongs to N [N/m], on a coarse mesh."""
-    coarse = DrivenRing(q, 1, grip=q.grip, elastic=True).at(q.p_t, N).plane.cells()
-    return whole("driven", q.z, coarse, von_mises=(coarse["von_mises"], "Pa"))
+    coarse = driven_fem(q, 1, elastic=True).at(q.p_t, N).plane.cells()
+    return whole_fem("driven", q.z, coarse, von_mises=(coarse["von_mises"], "Pa"))
 
 
 def moment(q: ClutchInputs, push: tuple[float, float]) -> float:

@@ -5,16 +5,13 @@ from typing import Any, ClassVar, Self
 
 import numpy as np
 
-from analytic.polyhedral import bore_pressure, expansion, forces
+from analytic.polyhedral import expansion, forces
+from analytic.polyhedral.fillet_stress import loaded_fillet_stress
 from analytic.polyhedral.hub_force import HubForce, hub_force
 from analytic.polyhedral.locking import Locked, Roller, locked
-from analytic.polyhedral.roller_load import roller_load
-from analytic.polyhedral.wall_stress import bore_stress
 from verify.case import Quantity, shared
 from verify.cases.polyhedral.locking.inputs import LockingInputs
 from verify.cases.polyhedral.thin_ring import SERIES, PolygonSeries
-
-ALONG = 200  # points of the fillet
 
 
 class LockedFormulas(PolygonSeries, LockingInputs):
@@ -130,11 +127,4 @@ class LockedFormulas(PolygonSeries, LockingInputs):
 
     def _in_fillet(self, found: Locked) -> float:
         """Largest hoop stress [Pa] in the fillet under pressure, hub and rollers together."""
-        ring = self.sector
-        at = ring.straight + np.linspace(0, 1, ALONG + 1) * ring.rho * ring.half_angle
-        stress = self.p_t * bore_stress(at, sector=ring, field=bore_pressure.pressed(ring), p=1.0)
-        stress = stress + bore_stress(at, sector=ring, field=self.hub)
-        if found.N:
-            load = roller_load(sector=ring, a=found.a)
-            stress = stress + found.N * bore_stress(at, sector=ring, field=load)
-        return float(stress.max())
+        return loaded_fillet_stress(self.sector, p=self.p_t, hub=self.hub, N=found.N, a=found.a)

@@ -1,14 +1,17 @@
 """Finite elements of the locked ring: forces, widths, pressures, and what is left of balances."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from verify.case import Level
-from verify.cases.polyhedral.fem import largest_in_fillet, pressed_fem, whole
-from verify.cases.polyhedral.locking.fem import LockedRing, held_fem
+from verify.cases.polyhedral.fem import in_fillet_fem, pressed_fem, whole_fem
+from verify.cases.polyhedral.locking.fem import held_fem, locked_fem
 from verify.cases.polyhedral.locking.inputs import LockingInputs
 from verify.core.figures import Array, Field
+
+if TYPE_CHECKING:
+    from fem.contact.locked import LockedSector
 
 LEVELS = (1, 2, 3, 4)
 DRAWN = 2  # level of the curves
@@ -23,9 +26,9 @@ def solve(q: LockingInputs, level: int) -> Level:
     """One level under pressure alone, with the hub, and with elastic rollers."""
     hub, thick = q.push, q.d_e / 2 - q.apothem > THICK * q.d_e
     fine = 2 * level if thick else level
-    alone = LockedRing(q, fine, d=q.d, p=q.p_t)
-    pushed = LockedRing(q, fine, d=q.d, e=q.e, p=q.p_t, hub=hub)
-    soft = LockedRing(q, fine, d=q.d, p=q.p_t, elastic=True)
+    alone = locked_fem(q, fine, d=q.d, p=q.p_t)
+    pushed = locked_fem(q, fine, d=q.d, e=q.e, p=q.p_t, hub=hub)
+    soft = locked_fem(q, fine, d=q.d, p=q.p_t, elastic=True)
     N = [pushed.force(q.p_t, (k * hub[0], k * hub[1])) for k in (1 - STEP, 1, 1 + STEP)]
     both = pushed.at(q.p_t, hub)
     touch = both.touches[0]
@@ -40,7 +43,7 @@ def solve(q: LockingInputs, level: int) -> Level:
         "a": touch.half_width((q.d_e / 2, 0.0)), "p_0": peak(touch),
         "balance_x": rest[0], "balance_y": rest[1],
         "side": -2 * (free.reaction("mid")[0] + free.reaction("corner")[0]) * q.p_t / 1e6,
-        "fillet": largest_in_fillet(q, both.plane, q.p_t, name="ring.fillet"),
+        "fillet": in_fillet_fem(q, both.plane, q.p_t, name="ring.fillet"),
     }  # fmt: skip
     values |= elastic_rollers(q, soft)
     arrays: dict[str, Array] = {}
@@ -51,14 +54,14 @@ def solve(q: LockingInputs, level: int) -> Level:
         ]).T  # fmt: skip
         arrays |= supports(q)
     if level == LEVELS[-1]:
-        coarse = LockedRing(q, 1, d=q.d, e=q.e, p=q.p_t, hub=hub).at(q.p_t, hub).plane.cells()
-        fields = (whole("locked", q.z, coarse, von_mises=(coarse["von_mises"], "Pa")),)
+        coarse = locked_fem(q, 1, d=q.d, e=q.e, p=q.p_t, hub=hub).at(q.p_t, hub).plane.cells()
+        fields = (whole_fem("locked", q.z, coarse, von_mises=(coarse["von_mises"], "Pa")),)
     u_it = {key: 1e-10 * abs(value) for key, value in values.items()}
     u_it |= {key: u for key, (_, u) in shares.items()}
     return Level(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=fields)
 
 
-def elastic_rollers(q: LockingInputs, ring: LockedRing) -> dict[str, float]:
+def elastic_rollers(q: LockingInputs, ring: "LockedSector") -> dict[str, float]:
     """Force and half-widths of elastic rollers, and what is left of forces on one [N/m]."""
     near, far = ring.half_widths(q.p_t)
     on_roller, on_race = (touch.force[0] for touch in ring.at(q.p_t).touches)
@@ -77,7 +80,7 @@ def supports(q: LockingInputs) -> dict[str, Array]:
     """Half-width and efficiency of rollers of other diameters, and of bonded stretches."""
     side, rollers = q.d_i * np.sin(q.half_angle), []
     for d in diameters(q):
-        ring = LockedRing(q, DRAWN, d=d, p=q.p_t)
+        ring = locked_fem(q, DRAWN, d=d, p=q.p_t)
         rollers.append((ring.half_widths(q.p_t)[0], ring.efficiency(q.p_t)[0]))
     bonded = [(w, held_fem(q, w) / side) for w in widths(q)]
     return {"rollers": np.array(rollers).T, "bonded": np.array(bonded).T}

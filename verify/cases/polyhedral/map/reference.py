@@ -3,7 +3,7 @@
 import numpy as np
 
 from verify.case import Level
-from verify.cases.polyhedral.fem import UNIT, factors, largest_in_fillet, pressed_fem
+from verify.cases.polyhedral.fem import UNIT, factors_fem, in_fillet_fem, pressed_fem
 from verify.cases.polyhedral.map.inputs import FLATS, PRESSED, MapInputs, Size
 from verify.core.figures import Array
 
@@ -36,21 +36,21 @@ def _per_p_1(q: MapInputs, size: Size, level: int) -> tuple[float, ...]:
     one = q.ring(size)
     solved = pressed_fem(one, level, "plane stress")
     thin = 2 * one.delta_1 * q.E / (one.d_i * one.d_m)  # p_1 over j_D
-    u = factors(one, solved)
+    u = factors_fem(one, solved)
     p = UNIT / 2 / u["mid"]  # over j_D, where the middle of the flats has taken it up
-    stress = largest_in_fillet(one, solved) * p / UNIT / (q.E / one.d_m)
+    stress = in_fillet_fem(one, solved) * p / UNIT / (q.E / one.d_m)
     return (*(2 * thin * u[name] / UNIT for name in DEFINITIONS), stress)
 
 
 def efficiency_fem(q: MapInputs) -> Array:
     """Share of further pressure that reaches the rollers, for every number of flats (m,)."""
-    from verify.cases.polyhedral.locking.fem import LockedRing
+    from verify.cases.polyhedral.locking.fem import locked_fem
 
     found = []
     for size in q.at_middle:
         one = q.ring(size)
         p = PRESSED * q.touching(size[1])
-        contact = LockedRing(one, 1, d=q.roller(one.z), e=0.5 * one.half_flat, p=p)
+        contact = locked_fem(one, 1, d=q.roller(one.z), e=0.5 * one.half_flat, p=p)
         low, high = (contact.force(k * p) for k in (0.9, 1.1))
         found.append((high - low) / (0.2 * p * one.d_i * np.sin(one.half_angle)))
     return np.array(found)

@@ -7,11 +7,10 @@ from verify.cases.polyhedral.fem import (
     ARC,
     UNIT,
     expanded,
-    factors,
-    largest_in_fillet,
+    factors_fem,
+    in_fillet_fem,
     pressed_fem,
     pushed_fem,
-    radial,
     stations,
 )
 from verify.cases.polyhedral.inputs import HubRing
@@ -23,11 +22,13 @@ DRAWN = (3, 6, 12)  # flats of the rings in the pictures
 
 def solve(q: HubRing, level: int) -> Level:
     """One level: K in plane stress and strain, stresses, and the hub at e and in the corner."""
+    from fem.plane.sectors import radial
+
     ring, long = (pressed_fem(q, level, a, ARC) for a in ("plane stress", "plane strain"))
-    outward = factors(q, ring)
+    outward = factors_fem(q, ring)
     p = UNIT * q.j_D / 2 / outward["mid"]
     values = stiffness(q, outward) | {
-        "K_mid_strain": stiffness(q, factors(q, long))["K_mid"], "fillet": fillet_fem(q, level),
+        "K_mid_strain": stiffness(q, factors_fem(q, long))["K_mid"], "fillet": fillet_fem(q, level),
     }  # fmt: skip
     # forces of half a sector: the pressure's resultant turns the chord of the bore
     c, s = np.cos(q.half_angle), np.sin(q.half_angle)
@@ -49,7 +50,7 @@ def solve(q: HubRing, level: int) -> Level:
 def stiffness_fem(q: HubRing, level: int) -> Level:
     """K by its three definitions, in plane stress."""
     ring = pressed_fem(q, level, "plane stress", ARC)
-    values = stiffness(q, factors(q, ring))
+    values = stiffness(q, factors_fem(q, ring))
     return Level(h=1 / level, values=values, u_it=round_off(values, ring.residual))
 
 
@@ -59,8 +60,8 @@ def both_fem(q: HubRing, level: int) -> Level:
     The residual of either solve is that of all values.
     """
     narrow, wide = (pressed_fem(q, level, a, ARC) for a in ("plane stress", "plane strain"))
-    values = stiffness(q, factors(q, narrow)) | {
-        "K_mid_strain": stiffness(q, factors(q, wide))["K_mid"]
+    values = stiffness(q, factors_fem(q, narrow)) | {
+        "K_mid_strain": stiffness(q, factors_fem(q, wide))["K_mid"]
     }
     residual = max(narrow.residual, wide.residual)
     return Level(h=1 / level, values=values, u_it=round_off(values, residual))
@@ -85,4 +86,4 @@ def fillet_fem(q: HubRing, level: int) -> float:
     error, of the other sign, is of the same size.
     """
     ring = pressed_fem(q, level, "plane stress")
-    return largest_in_fillet(q, ring) * q.j_D / 2 / factors(q, ring)["mid"]
+    return in_fillet_fem(q, ring) * q.j_D / 2 / factors_fem(q, ring)["mid"]

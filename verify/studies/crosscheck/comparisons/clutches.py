@@ -10,7 +10,7 @@ from verify.cases.freewheel.fem import pitch
 from verify.cases.freewheel.sweep import starts
 from verify.cases.freewheel.torque.case import TORQUE
 from verify.cases.polyhedral.locking.case import LOCKING
-from verify.cases.polyhedral.locking.fem import LockedRing
+from verify.cases.polyhedral.locking.fem import locked_fem
 from verify.cases.sprag.wedge.case import WEDGE
 from verify.cases.sprag.wedge.sweep import starts_by_fem
 from verify.core.figures import Array
@@ -31,7 +31,7 @@ def locked(elastic: bool, refine: int) -> Posed:
     from verify.studies.crosscheck.calculix.contact import ContactDeck, Settings
 
     q: Any = LOCKING.inputs()
-    ring = LockedRing(q, refine, d=q.d, p=q.p_t, elastic=elastic)
+    ring = locked_fem(q, refine, d=q.d, p=q.p_t, elastic=elastic)
     state, seconds = timed(lambda: ring.at(q.p_t))
     deck = ContactDeck(
         states=[state], materials=Elastic(E=q.E, nu=q.nu), assumption="plane stress",

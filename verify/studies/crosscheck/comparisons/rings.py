@@ -8,11 +8,10 @@ import numpy as np
 from verify.cases.polyhedral.fem import (
     ARC,
     UNIT,
-    factors,
-    largest_in_fillet,
+    factors_fem,
+    in_fillet_fem,
     pressed_fem,
     pushed_fem,
-    radial,
 )
 from verify.cases.polyhedral.ring.case import RING
 from verify.cases.polyhedral.ring.reference import stiffness
@@ -168,9 +167,9 @@ def polyhedral(assumption: "Assumption") -> Posed:
     )  # fmt: skip
 
     def read(solution: "PlaneSolution") -> dict[str, float]:
-        per = stiffness(q, factors(q, solution))
-        take_up = UNIT * q.j_D / 2 / factors(q, solution)["mid"]
-        return per | {"fillet": largest_in_fillet(q, solution) * take_up / UNIT}
+        per = stiffness(q, factors_fem(q, solution))
+        take_up = UNIT * q.j_D / 2 / factors_fem(q, solution)["mid"]
+        return per | {"fillet": in_fillet_fem(q, solution) * take_up / UNIT}
 
     return posed(deck, read(ring), seconds, lambda fields: read(fields.solution))
 
@@ -178,6 +177,7 @@ def polyhedral(assumption: "Assumption") -> Posed:
 def hub(corner: bool) -> Posed:
     """The same under the hub's force at e, or in the corner, at single nodes."""
     from fem.plane.material import Elastic
+    from fem.plane.sectors import radial
     from verify.studies.crosscheck.calculix.plane import PlaneDeck
 
     q: Any = RING.inputs()

@@ -1,0 +1,47 @@
+"""Largest hoop stress in the fillets of a ring under pressure, hub and rollers together."""
+
+import numpy as np
+
+from analytic.polyhedral.bore_pressure import pressed
+from analytic.polyhedral.capacity import Driven
+from analytic.polyhedral.hub_force import HubForce, hub_force
+from analytic.polyhedral.roller_load import roller_load
+from analytic.polyhedral.sector import Sector
+from analytic.polyhedral.wall_stress import bore_stress
+
+ALONG = 200  # points of the fillet
+
+
+def loaded_fillet_stress(
+    sector: Sector, *, p: float, hub: HubForce | None = None, N: float = 0.0, a: float = 0.0
+) -> float:
+    """Largest hoop stress [stress] under the pressure p, the hub's force, and N on 2 a above flats.
+
+    N per unit length, 0 where no roller touches. The largest of `ALONG` points.
+
+    >>> ring = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)
+    >>> alone, pressed_back = (loaded_fillet_stress(ring, p=30.0, N=N, a=0.1) for N in (0.0, 180.0))
+    >>> round(alone, 1), pressed_back < alone
+    (984.5, True)
+    """
+    at = sector.straight + np.linspace(0, 1, ALONG + 1) * sector.rho * sector.half_angle
+    stress = p * bore_stress(at, sector=sector, field=pressed(sector), p=1.0)
+    if hub is not None:
+        stress = stress + bore_stress(at, sector=sector, field=hub)
+    if N:
+        load = roller_load(sector=sector, a=a)
+        stress = stress + N * bore_stress(at, sector=sector, field=load)
+    return float(stress.max())
+
+
+def driven_fillet_stress(hub: Driven, N: float, p: float) -> float:
+    """The same of a ring that its hub turns, whose rollers carry N per unit length.
+
+    No rollers and no hub where N is 0 or infinite.
+    """
+    if not 0 < N < np.inf:
+        return loaded_fillet_stress(hub.contact.sector, p=p)
+    normal = N * hub.kappa / np.hypot(1, hub.tan_phi)
+    push = hub_force(sector=hub.contact.sector, e=hub.e, normal=normal, along=-normal * hub.tan_phi)
+    a = hub.contact.half_width(N)
+    return loaded_fillet_stress(hub.contact.sector, p=p, hub=push, N=N, a=a)

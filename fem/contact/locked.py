@@ -1,0 +1,125 @@
+"""A pressed sector of a ring with flats, locked against rollers that sit above its flats.
+
+Half a sector between the middle of a flat on the x axis and a corner, in plane stress. The mesh
+touches; what the roller rests on then moves outward by the clearance, so that gaps stay linear in
+the loads. Forces are per unit width, those of the whole roller or hub.
+"""
+
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from skfem.mesh import Mesh2D
+
+from fem.contact.pairs import Obstacle, Pair
+from fem.contact.problem import ContactProblem
+from fem.contact.shapes import Circle
+from fem.contact.solution import ContactSolution
+from fem.plane.material import Elastic
+
+STEP, STEPS = 0.6, 9  # of pressures for shares: in that which N balances on a flat; how many
+
+Force = tuple[float, float]  # along the flat's normal, and along it away from its middle
+
+
+class FlatSector(NamedTuple):
+    """Half the angle between rollers [rad], diameters through corners and outside, apothem.
+
+    `clearance` is on the diameter; lengths in the mesh's unit.
+    """
+
+    half_angle: float
+    d_i: float
+    d_e: float
+    apothem: float
+    clearance: float
+
+
+def rigid_roller(
+    sector: FlatSector, mesh: Mesh2D, *, d: float, material: Elastic
+) -> ContactProblem:
+    """The sector, body "ring", under a rigid roller, the obstacle "stop"."""
+    r = sector.d_e / 2
+    return ContactProblem(
+        mesh,
+        materials=material,
+        assumption="plane stress",
+        supports={"ring.mid": "n", "ring.corner": "n"},
+        obstacles={"stop": Obstacle(Circle((r + d / 2, 0.0), d / 2))},
+        contacts=[Pair(slave="ring.rim", master="stop", slave_shape=Circle((0.0, 0.0), r))],
+    )
+
+
+def elastic_roller(
+    sector: FlatSector, mesh: Mesh2D, *, d: float, material: Elastic
+) -> ContactProblem:
+    """The sector under half a "roller" of its material, free along x, in a rigid race, "stop"."""
+    r, race = sector.d_e / 2, sector.d_e / 2 + d + sector.clearance / 2
+    own = Circle((r + d / 2, 0.0), d / 2)
+    return ContactProblem(
+        mesh,
+        materials=material,
+        assumption="plane stress",
+        supports={"ring.mid": "n", "ring.corner": "n", "roller.cut": "y"},
+        obstacles={"stop": Obstacle(Circle((r + d - race, 0.0), race, hollow=True))},
+        contacts=[
+            Pair(slave="ring.rim", master="roller.near", slave_shape=Circle((0.0, 0.0), r),
+                 master_shape=own),
+            Pair(slave="roller.far", master="stop", slave_shape=own),
+        ],
+    )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class LockedSector:
+    """A sector with its roller of diameter d; the hub may push on the flat at `e` from mid-flat."""
+
+    sector: FlatSector
+    problem: ContactProblem
+    d: float
+    e: float | None = None
+
+    def at(self, p: float, hub: Force = (0.0, 0.0)) -> ContactSolution:
+        """The state under the pressure `p` and the hub's force."""
+        return self.problem.solve(
+            pressures={"ring.bore": p},
+            point_forces={} if self.e is None else {
+                (self.sector.apothem, self.e): (hub[0] / 2, hub[1] / 2)
+            },
+            displacements={"stop": {"x": self.sector.clearance / 2}},
+        )  # fmt: skip
+
+    def force(self, p: float, hub: Force = (0.0, 0.0)) -> float:
+        """Normal force of a roller."""
+        return 2 * self.at(p, hub).touches[0].force[0]
+
+    def efficiency(self, p: float) -> tuple[float, float]:
+        """Share of the force of a further pressure on the flat that reaches the roller, its u.
+
+        A cubic over some pressures smooths the steps by which nodes come to touch; the standard
+        uncertainty is that of its slope.
+        """
+        side = self.sector.d_i * np.sin(self.sector.half_angle)
+        reach, t = STEP * self.force(p), np.linspace(-1, 1, STEPS)
+        powers = np.vander(t, 4, increasing=True)
+        N = np.array([self.force(p + reach * x / side) for x in t]) / reach
+        fit, (rest,), *_ = np.linalg.lstsq(powers, N, rcond=None)
+        spread = np.linalg.inv(powers.T @ powers)[1, 1] * rest / (STEPS - 4)
+        return float(fit[1]), float(np.sqrt(spread))
+
+    def half_widths(self, p: float, hub: Force = (0.0, 0.0)) -> tuple[float, float]:
+        """Half-widths of the contacts on the ring and on the race; 0 on that of a rigid one."""
+        near, *far = self.at(p, hub).touches
+        r = self.sector.d_e / 2
+        on_race = far[0].half_width((r + self.d, 0.0)) if far else 0.0
+        return near.half_width((r, 0.0)), on_race
+
+    def balance(self, p: float, hub: Force) -> tuple[float, float, float]:
+        """What is left of forces x, y on half a sector, and its hoop force along x."""
+        sector, state = self.sector, self.at(p, hub)
+        c, s = np.cos(sector.half_angle), np.sin(sector.half_angle)
+        names = ("ring.mid", "ring.corner")
+        cuts = np.sum([state.plane.reaction(name)[:2] for name in names], axis=0)
+        push = p * np.array([sector.d_i / 2 * s, sector.apothem - sector.d_i / 2 * c])
+        rest: Any = cuts + push + np.array(hub) / 2 - np.array(state.touches[0].force)
+        return float(rest[0]), float(rest[1]), float(cuts[0])
