@@ -26,12 +26,13 @@ from verify.case import (
 )
 from verify.cases.polyhedral.locking import figures, sketch
 from verify.cases.polyhedral.locking import reference as fem
-from verify.cases.polyhedral.locking.bands import OwnFillet, within_band
 from verify.cases.polyhedral.locking.formulas import LockedFormulas
 from verify.cases.polyhedral.warnings import of_fillets
 from verify.core.case import Check, Context
 from verify.core.figures import Picture, Sketch
 from verify.form.adapter import adapted
+from verify.form.comparisons import key_of
+from verify.judging.bands import OwnFillet, OwnFormula
 
 PRESSED = 1.02  # of the pressure that touches: from there on forces are compared
 STATIC_RATING = 4e9  # Pa, ISO 76: roller bearings at their static load rating
@@ -203,6 +204,20 @@ def wider(context: Context) -> tuple[float, float]:
     eta = figures.curves(context.fem)["rollers"][1]
     v = context.series("efficiency_alone")[1]
     return float(eta[-1] - eta[0]), 3 * abs(v[-1] - v[-3])
+
+
+def within_band(
+    q: Quantity, name: str, expected: Expected, *, state: State | None = None, reference: str = "",
+    symbol: str = "", bent: float = 0.0, shares: str = "",
+) -> Comparison:  # fmt: skip
+    """A quantity whose error lies in a band; `reference` and `symbol` are its own by default."""
+    limits = (expected.low, expected.high) if expected.sharp else None
+    key = key_of(q, state)
+    check = OwnFormula(
+        name=name, symbol=symbol or q.symbol, unit=q.unit, fem=reference or key, analytic=key,
+        formal=2, interval=lambda *_: limits, source=expected.source, bent=lambda *_: bent,
+    )  # fmt: skip
+    return Comparison(check=check, quantity=q, state=state, shares=shares)
 
 
 LOCKING = adapted(LockedPolyhedralRing)

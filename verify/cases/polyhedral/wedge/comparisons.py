@@ -1,6 +1,6 @@
 """What is compared of a wedged roller: forces in balance, the limit of friction, the stick zone."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
@@ -62,7 +62,8 @@ def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
     yield identity(case.mu_c, name="least friction of a free roller (Eq. 2)", shares=COULOMB,
                    sensitivity=(1e-4, "bisection to five digits"))  # fmt: skip
     yield fact("friction 1 % above tan(α/2) holds the roller (Eq. 2)", "N", held)
-    yield fact("friction 1 % below tan(α/2) lets it out (Eq. 2)", "N", let_out)
+    yield fact("friction 1 % below tan(α/2) lets it out (Eq. 2)", "N",
+               below(REST, "around", 0))  # fmt: skip
     yield Comparison(check=Deviation(
         name="T/(μN) over wedge angles, to the limit and beyond", symbol="ΔT/(μN)", unit="1",
         size=over_angles, accepted=EXPELLED, whole="μN", source=BALANCED, everywhere=True,
@@ -70,11 +71,13 @@ def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
     for k in SHARES:
         yield approximation(case.stick(k), symbol="c/a", order=1, expected=half_planes,
                             shares=COULOMB)  # fmt: skip
-    for name, symbol, margin in (
-        ("N and T grow together: below 1 % of N slips", "N_slip", no_slip),
-        ("N and T grow together: traction within 3 % of tan(α/2) p in L2", "q", even),
-    ):
-        yield PaperFact(name=name, symbol=symbol, unit="1", margin=margin)
+    together = "N and T grow together"
+    for k, (words, symbol, bound) in enumerate((
+        ("below 1 % of N slips", "N_slip", EDGES),
+        ("traction within 3 % of tan(α/2) p in L2", "q", L2),
+    )):  # fmt: skip
+        yield PaperFact(name=f"{together}: {words}", symbol=symbol, unit="1",
+                        margin=below(bound, "slipping", k))  # fmt: skip
     for residual, name in (
         ("along", "balance along the bisector"), ("across", "balance of cut and contact"),
         ("cage", "balance of cage and contact"),
@@ -89,9 +92,9 @@ def held(context: Context) -> tuple[float, float]:
     return float(context.fem[-1].arrays["around"][1] - (1 - 0.1)), 0.0
 
 
-def let_out(context: Context) -> tuple[float, float]:
-    """And next to nothing a per cent below."""
-    return float(REST - context.fem[-1].arrays["around"][0]), 0.0
+def below(bound: float, array: str, k: int) -> Callable[[Context], tuple[float, float]]:
+    """How far a member of the finest mesh's array is below a bound."""
+    return lambda context: (float(bound - context.fem[-1].arrays[array][k]), 0.0)
 
 
 def over_angles(context: Context) -> tuple[float, float, str]:
@@ -101,13 +104,3 @@ def over_angles(context: Context) -> tuple[float, float, str]:
     stays = wedging.holds(alpha=2 * np.arctan(share * mu), mu=mu)
     missed = np.where(stays, np.abs(ratio - share), EXPELLED / REST * np.abs(left))
     return float(missed.max()), 0.0, f"off by {missed.max():.1e} at most"
-
-
-def no_slip(context: Context) -> tuple[float, float]:
-    """Less than `EDGES` of the normal force is on slipping nodes."""
-    return float(EDGES - context.fem[-1].arrays["slipping"][0]), 0.0
-
-
-def even(context: Context) -> tuple[float, float]:
-    """The traction is tan(alpha/2) p within `L2`."""
-    return float(L2 - context.fem[-1].arrays["slipping"][1]), 0.0

@@ -1,13 +1,11 @@
-"""Formulas of the locked ring on inputs of the user: bands that meshes must resolve."""
+"""Formulas with a band of errors on inputs of the user: meshes must resolve it, or it is shown."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
-from verify.case import Comparison, Expected, Quantity, State
 from verify.core.case import Context, Values
 from verify.core.results import Row, Status
-from verify.form.comparisons import key_of
 from verify.judging import judge
 from verify.judging.checks import Approximation, Identity
 
@@ -18,7 +16,7 @@ TWICE = 2.2  # half bands: what a formula can move by inside its band, with a ma
 
 
 def undecided(rows: list[Row], band: tuple[float, float]) -> list[Row]:
-    """`rows` of a ring of one's own: what meshes leave undecided about the `band` is shown."""
+    """`rows` on inputs of the user: what meshes leave undecided about the `band` is shown."""
     row, half = rows[0], (band[1] - band[0]) / 2
     if row.grid is None or not row.fem or row.analytic is None:
         return rows
@@ -46,15 +44,15 @@ def too_wide(rows: list[Row]) -> list[Row]:
 
 @dataclass(frozen=True, kw_only=True)
 class OwnFormula(Approximation):
-    """A formula with a band; on a ring of one's own the demand is that band where it is larger.
+    """A formula with a band; on inputs of the user the demand is that band where it is larger.
 
-    `bent` [1] is what such a ring's bending adds to the band.
+    `bent` [1] is what bending adds to the band on such inputs.
     """
 
     bent: Callable[[Any, Values], float] | None = None
 
     def band(self, q: Any, v: Values) -> tuple[float, float] | None:
-        """The band on a ring of one's own, None where it is no longer small."""
+        """The band on inputs of the user, None where it is no longer small."""
         band = self.interval and self.interval(q, v)
         if not band:
             return None
@@ -80,7 +78,7 @@ class OwnFormula(Approximation):
 
 @dataclass(frozen=True, kw_only=True)
 class OwnFillet(Identity):
-    """A largest stress; on a ring of one's own it may miss what Hertz's neglect makes of N.
+    """A largest stress; on inputs of the user it may miss what Hertz's neglect makes of N.
 
     `blur` is the analytic key of that, a standard uncertainty over the stress.
     """
@@ -99,17 +97,3 @@ class OwnFillet(Identity):
     def demanded(self, context: Context) -> float:
         usual = super().demanded(context)
         return usual if context.is_paper else max(usual, 2 * TWICE * context.analytic[self.blur])
-
-
-def within_band(
-    q: Quantity, name: str, expected: Expected, *, state: State | None = None, reference: str = "",
-    symbol: str = "", bent: float = 0.0, shares: str = "",
-) -> Comparison:  # fmt: skip
-    """A quantity whose error lies in a band; `reference` and `symbol` are its own by default."""
-    limits = (expected.low, expected.high) if expected.sharp else None
-    key = key_of(q, state)
-    check = OwnFormula(
-        name=name, symbol=symbol or q.symbol, unit=q.unit, fem=reference or key, analytic=key,
-        formal=2, interval=lambda *_: limits, source=expected.source, bent=lambda *_: bent,
-    )  # fmt: skip
-    return Comparison(check=check, quantity=q, state=state, shares=shares)
