@@ -11,7 +11,6 @@ from verify.judging.checks import Approximation, Identity
 
 LOOSE = 0.05  # half of a band from which on a formula is shown, not judged
 FINER = 0.5  # of half a band: meshes that resolve less cannot tell
-WIDE = "what Hertz or a straight wall neglects is no longer small"
 TWICE = 2.2  # half bands: what a formula can move by inside its band, with a margin
 
 
@@ -33,12 +32,12 @@ def undecided(rows: list[Row], band: tuple[float, float]) -> list[Row]:
     ]
 
 
-def too_wide(rows: list[Row]) -> list[Row]:
-    """`rows` of a claim whose band is no longer small: shown, but for convergence that holds."""
+def too_wide(rows: list[Row], reason: str) -> list[Row]:
+    """`rows` of a claim whose band is too wide: shown, but for convergence that holds."""
     first, *others = rows
     told = [first, *(row for row in others if row.status is Status.FAIL)]
     kept = [row for row in others if row.status is not Status.FAIL]
-    shown = [replace(r, status=Status.SHOWN, reason=f"{r.reason}; {WIDE}") for r in told]
+    shown = [replace(r, status=Status.SHOWN, reason=f"{r.reason}; {reason}") for r in told]
     return shown + kept
 
 
@@ -46,9 +45,11 @@ def too_wide(rows: list[Row]) -> list[Row]:
 class OwnFormula(Approximation):
     """A formula with a band; on inputs of the user the demand is that band where it is larger.
 
-    `bent` [1] is what bending adds to the band on such inputs.
+    `bent` [1] is what bending adds to the band on such inputs, `wide` the reason for which a band
+    that is too wide is so.
     """
 
+    wide: str
     bent: Callable[[Any, Values], float] | None = None
 
     def band(self, q: Any, v: Values) -> tuple[float, float] | None:
@@ -68,7 +69,7 @@ class OwnFormula(Approximation):
         rows = Approximation.rows(widened, context)
         if band:
             return undecided(rows, band)
-        return too_wide(rows)
+        return too_wide(rows, self.wide)
 
     def demanded(self, context: Context) -> float:
         usual = super().demanded(context)
@@ -80,10 +81,11 @@ class OwnFormula(Approximation):
 class OwnFillet(Identity):
     """A largest stress; on inputs of the user it may miss what Hertz's neglect makes of N.
 
-    `blur` is the analytic key of that, a standard uncertainty over the stress.
+    `blur` is the analytic key of that, a standard uncertainty over the stress; `wide` as above.
     """
 
     blur: str
+    wide: str
 
     def rows(self, context: Context) -> list[Row]:
         if context.is_paper:
@@ -92,7 +94,7 @@ class OwnFillet(Identity):
         rows = Identity.rows(replace(self, residual=self.blur), context)
         if blur < LOOSE:
             return undecided(rows, (-blur, blur))
-        return too_wide(rows)
+        return too_wide(rows, self.wide)
 
     def demanded(self, context: Context) -> float:
         usual = super().demanded(context)

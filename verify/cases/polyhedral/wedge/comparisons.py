@@ -72,12 +72,12 @@ def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
         yield approximation(case.stick(k), symbol="c/a", order=1, expected=half_planes,
                             shares=COULOMB)  # fmt: skip
     together = "N and T grow together"
-    for k, (words, symbol, bound) in enumerate((
+    for part, (words, symbol, bound) in enumerate((
         ("below 1 % of N slips", "N_slip", EDGES),
         ("traction within 3 % of tan(α/2) p in L2", "q", L2),
     )):  # fmt: skip
         yield PaperFact(name=f"{together}: {words}", symbol=symbol, unit="1",
-                        margin=below(bound, "slipping", k))  # fmt: skip
+                        margin=below(bound, "slipping", part))  # fmt: skip
     for residual, name in (
         ("along", "balance along the bisector"), ("across", "balance of cut and contact"),
         ("cage", "balance of cage and contact"),
