@@ -83,6 +83,25 @@ def rigid_displacement_beyond_stick(
     return np.asarray(sign * (first - 2 * undone))
 
 
+def beyond_chord(share: ArrayLike, *, Q_max: float, P: float, mu: float, E_star: float) -> Array:
+    """Displacements (2n,) [length] beyond the line between both reversals, down and up again.
+
+    On each branch at the n shares Q/Q_max, which rise from -1 to 1.
+
+    >>> load = {"Q_max": 0.5, "P": 1.0, "mu": 1.0, "E_star": 1.0}
+    >>> down, up = np.split(beyond_chord([-1.0, 0.0, 1.0], **load), 2)
+    >>> bool(np.allclose(down[[0, 2]], 0) and down[1] == -up[1] > 0)
+    True
+    """
+    s = np.asarray(share, dtype=np.float64)
+    load = {"Q_max": Q_max, "P": P, "mu": mu, "E_star": E_star}
+    rigid = rigid_displacement_beyond_stick
+    top = rigid(Q=Q_max, branch="unloading", **load)
+    down = rigid(Q=s[::-1] * Q_max, branch="unloading", **load) - s[::-1] * top
+    up = rigid(Q=s * Q_max, branch="reloading", **load) - s * top
+    return np.concatenate([down, up])
+
+
 def dissipation(*, Q_max: ArrayLike, P: ArrayLike, mu: ArrayLike, E_star: ArrayLike) -> Array:
     r"""Energy lost in one cycle per unit length of the contact [force].
 

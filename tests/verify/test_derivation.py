@@ -5,13 +5,13 @@ from dataclasses import replace
 
 import pytest
 
-from verify.cases.contact.line.checks import Coefficient
 from verify.cases.registry import CASES
 from verify.core.case import Context, FemResult
 from verify.core.results import Kind, Status
 from verify.judging.checks import Approximation, Fact, Identity, Limit
 from verify.judging.explain.grid import regrid
 from verify.judging.explain.steps import derive, steps
+from verify.judging.profile_checks import Coefficient
 
 EACH = pytest.mark.parametrize(
     "case", [pytest.param(c, id=c.id, marks=pytest.mark.xdist_group(c.id)) for c in CASES]

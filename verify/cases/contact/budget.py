@@ -1,7 +1,7 @@
 """Error budgets of contacts: width against radius, walls, ends, and the plane assumption."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from verify.core.case import FemResult
@@ -89,30 +89,23 @@ HALF_SPACE = (
     Without(Cause.PLANE, "half-space: three dimensions"),
 )
 
+
+def in_proportion(rows: str, fem: Callable[[Any, int], FemResult]) -> Rerun:
+    """Wide contacts by a narrow one."""
+    return Rerun(cause=Cause.GEOMETRY, what="a contact a tenth as wide, values in proportion",
+                 rows=(rows,), fem=fem)  # fmt: skip
+
+
+def line_contact(more: Rerun) -> Statement:
+    """The causes that line contacts share, and one more."""
+    return Statement(reruns=(NARROW, PLANE, more), finer=8)
+
+
 STATEMENTS: Mapping[str, Statement] = {
-    "contact-flat": Statement(
-        reruns=(
-            NARROW, PLANE,
-            Rerun(cause=Cause.GEOMETRY, what="a contact a tenth as wide, values in proportion",
-                  rows=("*, a/R = 0.15, Hertz",), fem=fem_narrow_disc),
-        ),
-        finer=8,
-    ),
-    "contact-pair": Statement(
-        reruns=(
-            NARROW, PLANE,
-            Rerun(cause=Cause.GEOMETRY, what="a contact a tenth as wide, values in proportion",
-                  rows=("*, unlike, a/R = 0.1, Hertz",), fem=fem_narrow_unlike),
-        ),
-        finer=8,
-    ),
-    "contact-ring": Statement(
-        reruns=(
-            NARROW, PLANE,
-            Rerun(cause=Cause.GEOMETRY, what="a wall four times as thick",
-                  rows=OWN_LOAD, inputs=thick),
-        ),
-        finer=8,
+    "contact-flat": line_contact(in_proportion("*, a/R = 0.15, Hertz", fem_narrow_disc)),
+    "contact-pair": line_contact(in_proportion("*, unlike, a/R = 0.1, Hertz", fem_narrow_unlike)),
+    "contact-ring": line_contact(
+        Rerun(cause=Cause.GEOMETRY, what="a wall four times as thick", rows=OWN_LOAD, inputs=thick)
     ),
     "contact-slip": Statement(finer=72),
     "contact-sphere": Statement(

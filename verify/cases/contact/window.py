@@ -1,13 +1,19 @@
-"""Fields about a contact, for pictures."""
+"""Numbers and fields of contacts in results, by their names."""
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
 from verify.core.figures import Array, Field
 
+T = TypeVar("T")
 Data = Mapping[str, tuple[Array, str]]  # values and their unit
+
+
+def named(found: Mapping[str, T], end: str) -> dict[str, T]:
+    """Numbers or arrays of one of several contacts, whose names end in `end`."""
+    return {f"{key}{end}": value for key, value in found.items()}
 
 
 def field(name: str, cells: Mapping[str, Any], data: Data, at_nodes: Data | None = None) -> Field:

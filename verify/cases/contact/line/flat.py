@@ -23,24 +23,21 @@ from verify.case import (
 )
 from verify.cases.contact.expected import FLOOR, expected
 from verify.cases.contact.line import figures, sketches
-from verify.cases.contact.line.bodies import disc_fem
+from verify.cases.contact.line.bodies import disc_fem, result
 from verify.cases.contact.line.checks import (
     BLUNT,
     LIMITS,
     PROFILE,
-    Coefficient,
-    Points,
-    ProfileError,
     l2_errors,
     relative_uncertainty,
 )
 from verify.cases.contact.line.hertz import at
 from verify.cases.contact.line.inputs import FlatInputs
-from verify.cases.contact.line.reference import result
 from verify.core.case import Context
 from verify.core.figures import Array, Picture, Sketch
 from verify.form.adapter import adapted
 from verify.judging.checks import Fact
+from verify.judging.profile_checks import Coefficient, Points, ProfileError
 
 SWEEP = (0.015, 0.03, 0.06, 0.1, 0.15)  # Hertz's a/R
 WIDEST = SWEEP[-1]
@@ -69,9 +66,6 @@ class RollerOnFlat(FlatInputs):
 
     id = "contact-flat"
     title = "Roller between rigid flats"
-    source = "huang2018"
-    place = "Eqs. 2-5, the line contact behind them (Hertz)"
-    levels: ClassVar = (2, 3, 4, 6)
     scans: ClassVar = (Scan(vary=("F=100N:30000N:6:log", "nu=0,0.3,0.45"), star=True),)
     readings: ClassVar = (
         "rollers are long: plane strain, E/(1 − ν²)",

@@ -15,9 +15,8 @@ from analytic.contact import hertz_line, hertz_line_approach
 from verify.case import Comparison, Level, Quantity, Scan, State, approximation, given, shared
 from verify.cases.contact.expected import expected
 from verify.cases.contact.line import sketches
-from verify.cases.contact.line.bodies import pair_fem
+from verify.cases.contact.line.bodies import pair_fem, result
 from verify.cases.contact.line.hertz import at
-from verify.cases.contact.line.reference import result
 from verify.cases.contact.line.two_bodies import TwoBodies
 from verify.core.figures import Sketch
 from verify.form.adapter import adapted
@@ -44,9 +43,6 @@ class TwoRollers(TwoBodies):
 
     id = "contact-pair"
     title = "Two rollers with parallel axes"
-    source = "huang2018"
-    place = "Eqs. 2-5, the line contact behind them (Hertz)"
-    levels: ClassVar = (2, 3, 4, 6)
     scans: ClassVar = (
         Scan(vary=("F=300N,1000N,3407N,10000N,20000N", "R_2=4.02mm,11.11mm,50mm"), star=True),
     )

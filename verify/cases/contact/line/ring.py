@@ -9,8 +9,7 @@ from analytic.bounds.contact.line import InRace
 from analytic.contact import clamped_race, hertz_line, hertz_line_approach
 from verify.case import Comparison, Level, Quantity, Scan, given
 from verify.cases.contact.line import sketches
-from verify.cases.contact.line.bodies import race_fem
-from verify.cases.contact.line.reference import result
+from verify.cases.contact.line.bodies import race_fem, result
 from verify.cases.contact.line.two_bodies import TwoBodies
 from verify.core.figures import Sketch
 from verify.form.adapter import adapted
@@ -35,9 +34,6 @@ class RollerInRace(TwoBodies):
 
     id = "contact-ring"
     title = "Roller in a race"
-    source = "huang2018"
-    place = "Eqs. 2-5, the line contact behind them (Hertz)"
-    levels: ClassVar = (2, 3, 4, 6)
     scans: ClassVar = (
         Scan(
             vary=("F=1000N,3407N,10000N,20000N", "r_i=8mm,12mm,19.44mm", "r_o=22mm,26.23mm,40mm"),

@@ -1,12 +1,11 @@
 """Sketches of the line contacts."""
 
-from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from verify.core.figures import Array, Shape, Sketch
-from verify.form.sketches import Point, arrow, circle, leader, sketch
+from verify.form.sketches import arrow, circle, leader, room, sketch
 
 if TYPE_CHECKING:
     from verify.cases.contact.line.inputs import FlatInputs
@@ -26,24 +25,14 @@ def sector(y: float, r: float, *, below: bool = False) -> Shape:
     return Shape(style="modelled", points=np.vstack([edge, [[0.0, y]]]))
 
 
-def line(style: str, *points: Point) -> Shape:
-    """A line through points."""
-    return Shape(style=style, points=np.array(points))
-
-
-def room(left: float, right: float) -> Iterator[Shape]:
-    """Places up to which the sketch goes, for its labels."""
-    yield line("text", (left, 0.0))
-    yield line("text", (right, 0.0))
-
-
 def flat(q: "FlatInputs") -> Sketch:
     """A roller between rigid flats."""
     return sketch(
-        f"roller between rigid flats, {q.shown('L')} long", room(-2.4, 2.6),
+        f"roller between rigid flats, {q.shown('L')} long", room(2.4, 2.6),
         circle(1.0, "body", (0.0, 1.0)), sector(1.0, 1.0),
-        line("clamp", (-1.4, 0.0), (1.4, 0.0)), line("clamp", (1.4, 2.0), (-1.4, 2.0)),
-        line("axis", (0.0, -0.3), (0.0, 2.3)),
+        arrow((-1.4, 0.0), (1.4, 0.0), style="clamp"),
+        arrow((1.4, 2.0), (-1.4, 2.0), style="clamp"),
+        arrow((0.0, -0.3), (0.0, 2.3), style="axis"),
         arrow((0.0, 2.75), (0.0, 2.15), f"F = {q.shown('F')}"), arrow((0.0, -0.75), (0.0, -0.15)),
         leader((-1.6, 1.5), (-0.87, 1.5), f"R = {q.shown('R')}"),
         leader((1.7, 0.8), (0.6, 0.7), "FE: a quarter"),
@@ -57,10 +46,10 @@ def pair(q: "TwoRollers") -> Sketch:
     top, low = max(q.R_1 / size, 0.05), max(q.R_2 / size, 0.05)
     load = 2 * top + 0.1
     return sketch(
-        f"two rollers to scale, {q.shown('L')} long", room(-2.4, 2.6),
+        f"two rollers to scale, {q.shown('L')} long", room(2.4, 2.6),
         circle(top, "body", (0.0, top)), circle(low, "body", (0.0, -low)),
         sector(top, top), sector(-low, low, below=True),
-        line("axis", (0.0, -2 * low - 0.15), (0.0, 2 * top + 0.15)),
+        arrow((0.0, -2 * low - 0.15), (0.0, 2 * top + 0.15), style="axis"),
         arrow((0.0, load + 0.4), (0.0, load), f"F = {q.shown('F')}"),
         arrow((0.0, -2 * low - 0.5), (0.0, -2 * low - 0.1)),
         leader((-1.3, 1.5 * top + 0.1), (-0.87 * top, 1.5 * top), f"R_1 = {q.shown('R_1')}"),
@@ -75,11 +64,11 @@ def ring(q: "RollerInRace") -> Sketch:
     force = 2 * R + 0.38  # the upper end of its arrow, with its label above
     half = np.vstack([arc(r_i, 1.0, -90, 180), arc(r_i, r_i, 90, -180)])
     return sketch(
-        f"roller in a race, to scale, {q.shown('L')} long", room(-2.0, 2.2),
+        f"roller in a race, to scale, {q.shown('L')} long", room(2.0, 2.2),
         circle(1.0, "body", (0.0, r_i)), circle(r_i, "hole", (0.0, r_i)),
         Shape(style="modelled", points=half), circle(R, "body", (0.0, R)), sector(R, R),
-        line("axis", (0.0, r_i - 1.15), (0.0, force)),
-        line("axis", (0.0, force + 0.3), (0.0, r_i + 1.15)),
+        arrow((0.0, r_i - 1.15), (0.0, force), style="axis"),
+        arrow((0.0, force + 0.3), (0.0, r_i + 1.15), style="axis"),
         arrow((0.0, force), (0.0, 2 * R + 0.03), f"F = {q.shown('F')}"),
         leader((-1.35, R), (-R, R), f"R = {q.shown('R')}"),
         leader((-1.3, 1.6 * r_i), (-0.78 * r_i, 1.63 * r_i), f"r_i = {q.shown('r_i')}"),

@@ -6,6 +6,7 @@ import numpy as np
 
 from verify.case import Level, plane_field
 from verify.cases.contact.press_fit.inputs import FITS, FitInputs
+from verify.cases.contact.window import named
 
 if TYPE_CHECKING:
     from fem.contact.solution import ContactSolution
@@ -30,8 +31,8 @@ def solve(q: FitInputs, level: int) -> Level:
         size = sizes(found)
         round_off = fit.plane.residual + EPS * q.r_f / q.delta
         worst = max(worst, round_off)
-        values |= {f"{key}{end}": value for key, value in found.items()}
-        u_it |= {f"{key}{end}": round_off * size[key] for key in found}
+        values |= named(found, end)
+        u_it |= named({key: round_off * size[key] for key in found}, end)
         u_it[f"scatter{end}"] = jitter(q, fit.touches[0].x.shape[1])
         if one.walls != "drawn":
             cells = ("stress", "von_mises", "hoop_stress")

@@ -7,10 +7,9 @@ from typing import Any, ClassVar
 import numpy as np
 
 from verify.case import Comparison, Computed, Drawn, Level, Scan, approximation
-from verify.cases.contact.roller import bounds, comparisons
+from verify.cases.contact.roller import comparisons
 from verify.cases.contact.roller.crowned import CrownedRoller
-from verify.cases.contact.roller.half_space import LEVELS
-from verify.cases.contact.roller.reference import solve_crowns
+from verify.cases.contact.roller.half_space import LEVELS, solve_crowns
 from verify.cases.contact.roller.texts import ASSUMPTIONS, READINGS
 from verify.core.case import Context
 from verify.core.figures import Array, Curves, Figure
@@ -86,7 +85,7 @@ class RollerOnRace(CrownedRoller):
         }  # fmt: skip
         for one, what, symbol, key in ((q.p_mid, "pressure", "p", "pressure"),
                                        (q.b_mid, "half-width", "b", "width")):  # fmt: skip
-            interval = partial(bounds.of_disc, self, key)
+            interval = partial(comparisons.of_disc, self, key)
             yield approximation(one, f"{symbol}_plane", name=f"{what} at mid-length, {PLANE}",
                                 symbol=symbol, expected=Computed(interval, SERIES),
                                 **plane)  # fmt: skip

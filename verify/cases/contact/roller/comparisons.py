@@ -1,17 +1,29 @@
 """Comparisons that rollers share: strips and slices beside the half-space."""
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import fields, replace
 from functools import partial
-from typing import Any
+from typing import Any, Unpack
 
+from analytic.bounds.contact import roller
+from analytic.bounds.contact.line import OnFlat
 from analytic.contact.roller_parts import load_elsewhere
-from verify.case import Comparison, Computed, Expected, Quantity, State, balance, underived
-from verify.cases.contact.roller import bounds
-from verify.cases.contact.roller.accepted import estimated
+from verify.case import (
+    Comparison,
+    Computed,
+    Expected,
+    Quantity,
+    State,
+    approximation,
+    balance,
+    underived,
+)
+from verify.cases.contact.expected import expected
 from verify.cases.contact.roller.formulas import SlicedRoller, StripRoller
 from verify.core.case import Context
-from verify.form.comparisons import key_of
+from verify.form.comparisons import Options, key_of
 from verify.judging.checks import Accepted, Margin
+from verify.judging.profile_checks import Estimated
 from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, demanded
 
 HALF_SPACE = "half-space"
@@ -26,12 +38,39 @@ SHARPEST = 3e-3  # acceptance of the strips
 SHARE = 0.04  # of the load that slices may put elsewhere
 ENDS = 0.06  # of loads near the ends
 LEAST = 1e-3  # of load, or load times length: less near the ends or about the middle is none
+SLICED = 0.02  # acceptance of the slicing technique's pressures
+
+Interval = roller.Interval | None
+
+
+def of_strips(q: StripRoller, key: str, *, own: bool) -> Interval:
+    """Interval of strips/half-space - 1 from the strips of `q` alone."""
+    return roller.of_strips(
+        q.neglected[key], value=getattr(q.strips, key), twice=getattr(q.twice, key), b=q.b,
+        length=q.L, loaded=q.loaded_ends > 0, own=own,
+    )  # fmt: skip
+
+
+def of_disc(q: StripRoller, key: str) -> Interval:
+    """What Hertz neglects of a disc at mid-length, in "pressure" or "width"."""
+    found = expected(getattr(OnFlat(q.b_mid / q.R), key), "")
+    return (found.low, found.high) if found.sharp else None
+
+
+def estimated(
+    q: Quantity, reference: str = "", *, expected: Expected | Computed | None,
+    **options: Unpack[Options],
+) -> Comparison:  # fmt: skip
+    """An approximation whose reference may stay open for inputs of the user."""
+    one = approximation(q, reference, expected=expected, **options)
+    stated = {f.name: getattr(one.check, f.name) for f in fields(one.check)}  # type: ignore[arg-type]
+    return replace(one, check=Estimated(**stated))
 
 
 def strips_rows(q: StripRoller, *judged: Quantity) -> Iterator[Comparison]:
     """Strips beside the half-space, as sharp as the acceptance figures."""
     for one in judged:
-        interval = partial(bounds.of_strips, q, one.name, own=not q.is_default)
+        interval = partial(of_strips, q, one.name, own=not q.is_default)
         yield estimated(one, expected=Computed(interval, ESTIMATE), order=1, by=HALF_SPACE,
                         sensitivity=(SHARPEST, ACCEPTED), shares=SHARED)  # fmt: skip
 
@@ -40,12 +79,12 @@ def sliced_rows(
     q: SlicedRoller, sliced: Sequence[Quantity], uncoupled: Sequence[Quantity]
 ) -> Iterator[Comparison]:
     """Slices beside the half-space and beside uncoupled slices; their approach is shown."""
-    accepted = Expected(-bounds.SLICED, bounds.SLICED, ACCEPTED, sharp=q.is_default)
+    accepted = Expected(-SLICED, SLICED, ACCEPTED, sharp=q.is_default)
     for one in (*sliced, *uncoupled):
         judged = one in sliced and one is not SlicedRoller.delta_slices
         yield estimated(
             one, expected=accepted if judged else PALMGREN, order=1, by=HALF_SPACE, shares=SHARED,
-            sensitivity=(2 * bounds.SLICED, "as wide as the acceptance figure is both ways"),
+            sensitivity=(2 * SLICED, "as wide as the acceptance figure is both ways"),
         )  # fmt: skip
     load: dict[str, Any] = {"symbol": "ΔF/F", "unit": "1"}
     for check in (

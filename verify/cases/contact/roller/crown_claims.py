@@ -9,7 +9,7 @@ from verify.cases.contact.roller.formulas import by_strips
 from verify.cases.contact.roller.inputs import DESIGNS, Design
 from verify.core.case import Check, Context
 from verify.core.figures import Array
-from verify.judging.checks import Accepted, Fact
+from verify.judging.checks import Accepted, Fact, Margin
 from verify.judging.tolerance_checks import Deviation, suites
 
 FLAT = 0.01  # of an even pressure
@@ -37,9 +37,9 @@ def printed_designs() -> Iterator[Check]:
     """Which designs of Fig. 12 are the most and the least even."""
     shared: dict[str, Any] = {"symbol": "q", "unit": "1", "fitted": FITTED}
     yield Accepted(name="Fig. 12: (1, 0.7, 0.01) is the evenest of the designs printed",
-                   margin=evenest, printed=BEST, **shared)  # fmt: skip
+                   margin=extreme(0, most=False), printed=BEST, **shared)  # fmt: skip
     yield Accepted(name="Fig. 12: (5, 0.7, 0.015) is the least even of the designs printed",
-                   margin=least_even, **shared)  # fmt: skip
+                   margin=extreme(1, most=True), **shared)  # fmt: skip
 
 
 def deviations() -> Iterator[Check]:
@@ -53,20 +53,18 @@ def deviations() -> Iterator[Check]:
                margin=first_contact, fem_needed=False)  # fmt: skip
 
 
-def evenest(context: Context) -> tuple[float, float, str]:
-    """How much more load would have to move for the next design, over the best's share."""
-    found = _designs(context, "uneven")
-    next_ = float(found[-1, 1:].min())
-    words = f"{found[-1, 0]:.1%} of the load would have to move, next {next_:.1%}"
-    return next_ / float(found[-1, 0]) - 1, _spread(found), f"{words}; {_peaks(context, 0)}"
+def extreme(design: int, *, most: bool) -> Margin:
+    """How much more of the load would have to move for the next design, or for this one."""
 
+    def margin(context: Context) -> tuple[float, float, str]:
+        found = _designs(context, "uneven")
+        own, others = float(found[-1, design]), np.delete(found[-1], design)
+        next_ = float(others.max() if most else others.min())
+        words = f"{own:.1%} of the load would have to move, next {next_:.1%}"
+        more = own / next_ if most else next_ / own
+        return more - 1, _spread(found), f"{words}; {_peaks(context, design)}"
 
-def least_even(context: Context) -> tuple[float, float, str]:
-    """How much more load would have to move for the worst design than for the next."""
-    found = _designs(context, "uneven")
-    next_ = float(np.delete(found[-1], 1).max())
-    words = f"{found[-1, 1]:.1%} of the load would have to move, next {next_:.1%}"
-    return float(found[-1, 1]) / next_ - 1, _spread(found), f"{words}; {_peaks(context, 1)}"
+    return margin
 
 
 def _peaks(context: Context, design: int) -> str:

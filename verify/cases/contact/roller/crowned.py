@@ -8,9 +8,7 @@ import numpy as np
 from analytic.contact import strips
 from analytic.contact.crown import slice_centres
 from verify.case import Comparison, Computed, Quantity, shared
-from verify.cases.contact.roller import bounds, figures, texts
-from verify.cases.contact.roller.accepted import estimated
-from verify.cases.contact.roller.comparisons import ESTIMATE, HALF_SPACE, SHARED
+from verify.cases.contact.roller import comparisons, figures, texts
 from verify.cases.contact.roller.inputs import Crown, Design, Divided
 from verify.cases.contact.roller.shown import OnHalfSpace
 from verify.core.case import Context
@@ -102,12 +100,13 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
     def best_row(self) -> Comparison:
         """The best crown's pressure by strips, beside the half-space."""
 
-        def interval() -> bounds.Interval:
-            return bounds.of_strips(self.with_best_crown, "p_top", own=not self.is_default)
+        def interval() -> tuple[float, float] | None:
+            return comparisons.of_strips(self.with_best_crown, "p_top", own=not self.is_default)
 
-        return estimated(
-            CrownedRoller.p_best, expected=Computed(interval, ESTIMATE), symbol="p_max", order=1,
-            by=HALF_SPACE, sensitivity=(1e-2, ""), shares=f"{SHARED}; the crown, found by strips",
+        return comparisons.estimated(
+            CrownedRoller.p_best, expected=Computed(interval, comparisons.ESTIMATE),
+            symbol="p_max", order=1, by=comparisons.HALF_SPACE, sensitivity=(1e-2, ""),
+            shares=f"{comparisons.SHARED}; the crown, found by strips",
         )  # fmt: skip
 
     def warnings(self) -> Iterator[str]:

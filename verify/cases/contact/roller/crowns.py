@@ -9,8 +9,7 @@ import numpy as np
 
 from analytic.contact.crown import johns_gohar, lundberg
 from verify.case import Comparison, Computed, Drawn, Level, Quantity, Scan, State
-from verify.cases.contact.roller import bounds, comparisons, figures, half_space, profiles, texts
-from verify.cases.contact.roller.accepted import estimated
+from verify.cases.contact.roller import comparisons, figures, half_space, profiles, texts
 from verify.cases.contact.roller.crown_claims import (
     AT_ENDS,
     MID,
@@ -22,6 +21,7 @@ from verify.cases.contact.roller.crown_figures import drawn
 from verify.cases.contact.roller.crowned import CrownedRoller
 from verify.cases.contact.roller.formulas import MIDDLE, StripRoller
 from verify.cases.contact.roller.inputs import DESIGNS, EVEN, Design, Divided, ending
+from verify.cases.contact.window import named
 from verify.core.case import Check
 from verify.core.figures import Array, Picture, Sketch
 from verify.core.references import BY_HALF_SPACE
@@ -97,32 +97,35 @@ class ComparedCrowns(Divided, StripRoller):
 
     def reference(self, level: int) -> Level:
         """All crowns on the half-space."""
-        result = Level(h=1 / level, values={})
+        values: dict[str, float] = {}
+        u_it: dict[str, float] = {}
+        arrays: dict[str, Array] = {}
+        fields = []
         for name, gap in REFERENCES.items():
-            crown = gap(self)
+            crown, end = gap(self), ending(name)
             found = half_space.pressed(self, level, crown=crown)
             beside = half_space.stair(self, found, level, crown=crown)
             even = np.sqrt(self.F / self.L * self.E_star / (np.pi * self.R))
             off = float(np.abs(found.beyond(FAR * self.b) / even - 1).max())
-            u_it = {key: u for key, u in beside.items() if key != "p_max"}  # nor its place
-            result = _with(
-                result, ending(name), found.values | {"uneven": off},
-                half_space.along(found), u_it, (half_space.patch(found, name),),
-            )  # fmt: skip
+            values |= named(found.values | {"uneven": off}, end)
+            u_it |= named({key: u for key, u in beside.items() if key != "p_max"}, end)
+            arrays |= named(half_space.along(found), end)
+            fields.append(half_space.patch(found, name))
         for design in DESIGNS:
-            crown = profiles.logarithmic(self, design, self.F)
+            crown, end = profiles.logarithmic(self, design, self.F), f"_of_{design!s}"
             found = half_space.pressed(self, level, crown=crown)
-            values = {"p_max": found.values["p_max"], "uneven": found.unevenness,
-                      "near": float(found.beyond(NEAR_END).max())}  # fmt: skip
-            result = _with(result, f"_of_{design!s}", values, half_space.along(found))
-        return result
+            near = float(found.beyond(NEAR_END).max())
+            values |= named({"p_max": found.values["p_max"], "uneven": found.unevenness,
+                             "near": near}, end)  # fmt: skip
+            arrays |= named(half_space.along(found), end)
+        return Level(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=tuple(fields))
 
     def comparisons(self) -> Iterator[Comparison | Check]:
         """Even pressures, strips beside the half-space, and the paper's designs."""
         q = ComparedCrowns
         for name, words in EVEN.items():
             interval = partial(self._near_strips, name)
-            yield estimated(
+            yield comparisons.estimated(
                 q.p_0, f"p_mid{ending(name)}", name=f"{MIDDLE}, {words}", symbol="p", order=1,
                 by=comparisons.HALF_SPACE, expected=Computed(interval, BESIDE),
                 sensitivity=(0.01, ""), shares=comparisons.SHARED,
@@ -141,7 +144,7 @@ class ComparedCrowns(Divided, StripRoller):
         yield from printed_designs()
         yield from deviations()
 
-    def _near_strips(self, name: str) -> bounds.Interval:
+    def _near_strips(self, name: str) -> tuple[float, float] | None:
         """Interval of an even load's pressure: its deviation from strips, and their figure.
 
         The pressure is written out anew: the row's own would excuse itself.
@@ -173,22 +176,6 @@ class ComparedCrowns(Divided, StripRoller):
         picture = figures.patch()
         for name, words in EVEN.items():
             yield replace(picture, field=name, caption=f"{words}: {picture.caption}")
-
-
-def _with(
-    result: Level, end: str, values: dict[str, float], arrays: dict[str, Array],
-    u_it: dict[str, float] | None = None, fields: tuple[Any, ...] = (),
-) -> Level:  # fmt: skip
-    """The results and those of one more crown, whose names end in `end`."""
-
-    def named(more: Any) -> dict[str, Any]:
-        return {f"{key}{end}": value for key, value in more.items()}
-
-    return replace(
-        result, values=dict(result.values) | named(values),
-        u_it=dict(result.u_it) | named(u_it or {}),
-        arrays=dict(result.arrays) | named(arrays), fields=(*result.fields, *fields),
-    )  # fmt: skip
 
 
 CROWNS = adapted(ComparedCrowns)

@@ -23,7 +23,7 @@ from verify.case import (
     underived,
 )
 from verify.cases.contact.roller import end_figures
-from verify.cases.contact.roller.accepted import estimated
+from verify.cases.contact.roller.comparisons import estimated
 from verify.cases.contact.roller.end_fem import CROWNS, solve
 from verify.cases.contact.roller.end_figures import BODIES
 from verify.cases.contact.roller.formulas import MIDDLE

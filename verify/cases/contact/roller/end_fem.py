@@ -9,7 +9,7 @@ from scipy.interpolate import CubicSpline
 from verify.case import Level
 from verify.cases.contact.roller import profiles
 from verify.cases.contact.roller.inputs import STRETCH
-from verify.cases.contact.window import grid
+from verify.cases.contact.window import grid, named
 from verify.core.figures import Array, Field
 
 if TYPE_CHECKING:
@@ -42,7 +42,7 @@ def solve(q: "EndFace", level: int) -> Level:
             state = f"{name}_{crown}"
             # the contact's rim is a stair of cells: what other cells across make of the ends
             u_it[f"F_d_{state}"] = max(abs(F_d - here["F_d"]) for F_d in beside)
-            values |= {f"{key}_{state}": value for key, value in here.items()}
+            values |= named(here, f"_{state}")
             arrays |= {
                 f"y_{state}": found.z, f"q_{state}": found.line_load, f"p_{state}": found.ridge,
             }  # fmt: skip

@@ -6,14 +6,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from verify.cases.contact.roller.inputs import STRETCH
+from verify.cases.contact.roller import profiles
+from verify.cases.contact.roller.inputs import STRETCH, Design, Roller
 from verify.cases.contact.window import grid
 from verify.core.case import FemResult
 from verify.core.figures import Array, Field
 
 if TYPE_CHECKING:
     from analytic.contact.half_space_ridge import Ridge
-    from verify.cases.contact.roller.inputs import Roller
 
 LEVELS = (16, 24, 32)
 ACROSS, ALONG = 2, 32  # cells on the half-width and along the roller, a level
@@ -23,18 +23,17 @@ SHORTEST = 1 / 64  # of the roller's length that d may be: eight cells of the co
 Crown = Callable[[Array], Array] | None
 
 
-def pressed(q: "Roller", level: int, *, crown: Crown = None, along: int = 0) -> "Ridge":
+def pressed(q: Roller, level: int, *, crown: Crown = None, along: int = 0) -> "Ridge":
     """The contact of `q` on the grid of a level; another `crown` or cells `along` the roller."""
     from analytic.contact.half_space_ridge import press_ridge
-    from verify.cases.contact.roller.profiles import gap
 
     return press_ridge(
-        crown or gap(q), across=ACROSS * level, along=along or ALONG * level, load=q.F, R=q.R,
-        length=q.L, E_star=q.E_star, d=q.d,
+        crown or profiles.gap(q), across=ACROSS * level, along=along or ALONG * level, load=q.F,
+        R=q.R, length=q.L, E_star=q.E_star, d=q.d,
     )  # fmt: skip
 
 
-def too_short(q: "Roller") -> str:
+def too_short(q: Roller) -> str:
     """Why the half-space cannot tell what d asks."""
     if q.d >= SHORTEST * q.L:
         return ""
@@ -44,7 +43,7 @@ def too_short(q: "Roller") -> str:
     )
 
 
-def stair(q: "Roller", found: "Ridge", level: int, *, crown: Crown = None) -> dict[str, float]:
+def stair(q: Roller, found: "Ridge", level: int, *, crown: Crown = None) -> dict[str, float]:
     """What the values of `found` differ by on the grids next to its own.
 
     Cells are whole inside the contact or outside: its rim is a stair, other on every grid.
@@ -65,6 +64,20 @@ def result(
         u_it={key: max(least.get(key, 0.0), u_it.get(key, 0.0)) for key in {*least, *u_it}},
         arrays=along(found) | dict(arrays or {}), fields=(patch(found),),
     )  # fmt: skip
+
+
+def solve_crowns(
+    q: Roller, level: int, best: Design, tilt: float, *, more: Mapping[str, float],
+    arrays: Mapping[str, Array],
+) -> FemResult:  # fmt: skip
+    """One level, with `more` values and `arrays`; the best crown is made for F."""
+    found = pressed(q, level)
+    crown = profiles.tilted(profiles.logarithmic(q, best, q.F), np.tan(tilt))
+    other = pressed(q, level, crown=crown)
+    u_best = stair(q, other, level, crown=crown)["p_top"]
+    u_it = stair(q, found, level) | {"p_best": u_best}
+    values = {"p_best": other.values["p_top"], **more}
+    return result(found, level, u_it, values, arrays)
 
 
 def along(found: "Ridge") -> dict[str, Array]:

@@ -8,9 +8,8 @@ import numpy as np
 from verify.case import Comparison, Drawn, Level, Quantity, Scan
 from verify.cases.contact.roller import comparisons
 from verify.cases.contact.roller.crowned import CrownedRoller
-from verify.cases.contact.roller.half_space import LEVELS
+from verify.cases.contact.roller.half_space import LEVELS, solve_crowns
 from verify.cases.contact.roller.inputs import Crown, Tilt
-from verify.cases.contact.roller.reference import solve_crowns
 from verify.cases.contact.roller.texts import ASSUMPTIONS, COUPLED, READINGS
 from verify.core.case import Context
 from verify.core.figures import Array, Curves, Figure

@@ -1,17 +1,17 @@
 """The claims that only partial slip makes: half planes for discs, tractions, energies, steps."""
 
+import math
 from collections.abc import Callable
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 from typing import Any, ClassVar
-
-import numpy as np
 
 from analytic.bounds.contact import slip
 from verify.cases.contact.slip.inputs import SlipInputs
 from verify.core.case import Context, Values
 from verify.core.results import Kind, Row
-from verify.judging.checks import Approximation, Fact, Identity
+from verify.judging.checks import Approximation, Identity
 from verify.judging.claims import FemClaim
+from verify.judging.profile_checks import Within, l2_error
 from verify.judging.tolerance_checks import Pair
 
 HALF_PLANES = 2e-4  # share of the half planes' own error below which they and the discs are one
@@ -47,16 +47,13 @@ class HalfPlanes(FemClaim):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Traction(Fact):
+class Traction(Within):
     """A traction's error in L2 below its acceptance, on the resolution made for it."""
 
     paper_only: ClassVar[bool] = True
 
     def rows(self, context: Context) -> list[Row]:
-        if not context.is_paper:
-            return []
-        error = L2 - self.margin(context)[0]
-        return [replace(row, reason=f"{row.reason}: {error:.2%}") for row in super().rows(context)]
+        return super().rows(context) if context.is_paper else []
 
 
 def l2_margin(
@@ -67,7 +64,7 @@ def l2_margin(
     def margin(context: Context) -> tuple[float, float]:
         x, found, weight = context.fem[-1].arrays[f"points, {name}"]
         error, norm = found - formula(x, at), formula(x, scale_at)
-        return float(L2 - np.sqrt((error**2 @ weight) / (norm**2 @ weight))), 0.0
+        return L2 - l2_error(error, norm, weight), 0.0
 
     return margin
 
@@ -90,4 +87,4 @@ def step_order(context: Context) -> tuple[float, float]:
     x, Q = result.arrays["loop, x"], result.arrays["loop, Q"]
     work, area = result.values["work"], result.values["area"]
     order, fine = order_in_steps(x, Q, work)
-    return order - 1.8, float(2 * abs(area - work) / fine / np.log(2))
+    return order - 1.8, float(2 * abs(area - work) / fine / math.log(2))

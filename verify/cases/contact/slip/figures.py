@@ -10,8 +10,7 @@ from analytic.contact import hertz_line, tangential_cycle
 from verify.case import AlongLine, Drawn, sketches
 from verify.cases.contact.slip.formulas import SlipFormulas
 from verify.cases.contact.slip.inputs import SHARES, STAGES
-from verify.cases.contact.slip.read import ACROSS, AROUND
-from verify.cases.contact.slip.reference import GROWTH
+from verify.cases.contact.slip.reference import ACROSS, AROUND, GROWTH
 from verify.core.case import Context
 from verify.core.figures import Dots, Figure, Profile, Shape, Sketch
 from verify.judging.profiles import along
@@ -113,16 +112,10 @@ def _chained(
 
 def _loop(context: Context) -> Profile:
     q = context.inputs
-    Q_max = q.share * q.mu * q.P
+    load = {"Q_max": q.share * q.mu * q.P, **q.moved}
 
     def beyond(s: Any) -> Any:
-        """Displacement beyond the line between the reversals, down and up again."""
-        of: dict[str, Any] = {"Q_max": Q_max, **q.moved}
-        rigid = tangential_cycle.rigid_displacement_beyond_stick
-        top = rigid(Q=Q_max, branch="unloading", **of)
-        down = rigid(Q=s[::-1] * Q_max, branch="unloading", **of) - s[::-1] * top
-        up = rigid(Q=s * Q_max, branch="reloading", **of) - s * top
-        return np.concatenate([down, up])
+        return tangential_cycle.beyond_chord(s, **load)
 
     fine = np.linspace(-1.0, 1.0, 101)
     scale = q.delta_0

@@ -1,18 +1,19 @@
 """Finite elements of partial slip: two half discs pressed together, pushed, and swung."""
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.integrate import cumulative_trapezoid
 
 from verify.case import Level
 from verify.cases.contact.slip.inputs import CHORD, SHARES, STAGES, SlipInputs, key
-from verify.cases.contact.slip.read import AROUND, near, traction
+from verify.cases.contact.window import field
 from verify.core.figures import Field
 
 if TYPE_CHECKING:
     from fem.contact.driven_discs import DrivenDiscs
+    from fem.contact.solution import ContactSolution
 
 Array = NDArray[np.float64]
 
@@ -21,6 +22,9 @@ SIDES = ("upper", "lower")
 ZONE = 1.1  # half-width of the fine cells over Hertz's
 SWEEP, SWEPT = 80, 0.92  # steps of the first loading and Q/(mu P) at its end
 STEPS = 32  # of a swing from Q_max to -Q_max
+ACROSS = np.linspace(-0.95, 0.95, 39)  # x/a of the profiles
+AROUND = np.linspace(-1.0, 1.0, 17)  # Q/Q_max where the loop is shown, on both branches
+VIEW = 3.0  # half-widths about the contact whose cells are kept
 
 
 def solve(q: SlipInputs, level: int) -> Level:
@@ -59,11 +63,10 @@ def loading(
     q: SlipInputs, rollers: "DrivenDiscs"
 ) -> tuple[dict[str, float], dict[str, float], dict[str, Array]]:
     """First loading: stick half-widths, displacements, tractions; sliding at its end."""
-    from fem.contact.partial_slip import smoothed, stick_share
+    from fem.contact.slip_course import push
 
     state, cut = rollers.pressed
     values: dict[str, float] = {"a": state.touches[0].half_width((0.0, 0.0))}
-    u_it: dict[str, float] = {}
     arrays: dict[str, Array] = {}
     for k in SHARES:
         state, cut = rollers.loaded(k * q.mu * q.P, cut, state)
@@ -72,28 +75,15 @@ def loading(
     slid = rollers.at(limit * (4.0, 1.0), end).touches[0]
     values["sliding"] = slid.friction_force - q.mu * slid.normal_force
 
-    state, cut = rollers.pressed
-    swept = []
-    for x in np.linspace(0.0, limit[0], SWEEP + 1)[1:]:
-        state = rollers.at(np.array([x, cut[1]]), state)
-        touch = state.touches[0]
-        swept.append((touch.friction_force / (q.mu * q.P), stick_share(touch), x))
-    k, c2, x = np.array(swept).T
-    arrays["profile, growth"] = np.sqrt([smoothed(k, c2, share)[0] for share in GROWTH])
-    # Masing: each branch of a cycle is the first loading, twice as large
-    area = 8 * cumulative_trapezoid(k, x, initial=0.0) - 4 * k * x
-    jitter = smoothed(k, area, q.share)[2] * q.mu * q.P
-    u_it |= {"work": jitter, "area": jitter}
+    swept = push(rollers, limit[0], limit=q.mu * q.P, steps=SWEEP)
+    arrays["profile, growth"] = swept.growth(GROWTH)
+    jitter = swept.loop_jitter(q.share) * q.mu * q.P
+    u_it = {"work": jitter, "area": jitter}
     for name, share in (*((f"c_{key(s)}", s) for s in SHARES), ("c", q.share)):
-        c2_k, u, _ = smoothed(k, c2, share)
-        values[name] = values["a"] * np.sqrt(c2_k)
-        u_it[name] = u * values[name] / (2 * c2_k)
-    far, u_far, _ = smoothed(k, x, CHORD)
+        values[name], u_it[name] = swept.stick_half_width(share, values["a"])
     for share in SHARES:
-        x_k, u, _ = smoothed(k, x, share)
-        part, name = share / CHORD, f"beyond_chord_{key(share)}"
-        values[name] = x_k - part * far
-        u_it[name] = float(np.hypot(u, part * u_far))
+        name = f"beyond_chord_{key(share)}"
+        values[name], u_it[name] = swept.beyond_chord(share, CHORD)
     return values, u_it, arrays
 
 
@@ -102,33 +92,27 @@ def cycle(
 ) -> tuple[dict[str, float], dict[str, float], dict[str, Array], tuple[Field, ...]]:
     """Q_max, -Q_max, Q_max: tractions on the way, work of friction, area of the loop."""
     from fem.contact.partial_slip import apart, beyond_chord, loop_area, smoothed
+    from fem.contact.slip_course import swing
 
     state, cut = rollers.pressed
     Q_max = q.share * q.mu * q.P
     first, top = rollers.loaded(Q_max, cut, state)
-    values: dict[str, float] = {}
     arrays = traction(q, first, "Q/Q_max = 1")
     for stage in STAGES:
         state, _ = rollers.loaded(stage * Q_max, top * (stage, 1.0), first)
         arrays |= traction(q, state, f"Q/Q_max = {stage:g}")
     back = state  # -Q_max, in one step
 
-    steps = np.linspace(1.0, -1.0, STEPS + 1)[1:]
-    state, work, swung = first, 0.0, [(top[0], Q_max)]
-    for x in top[0] * np.concatenate([steps, -steps]):
-        state = rollers.at(np.array([x, top[1]]), state)
-        touch = state.touches[0]
-        work += float(np.abs(touch.traction * touch.slip) @ touch.mortar.size)
-        swung.append((x, touch.friction_force))
-        if len(swung) == STEPS + 1:
-            values["steps"] = apart(state, back)
-    values |= {"closure": apart(state, first), "work": work}
-    arrays["loop, x"], arrays["loop, Q"] = np.array(swung).T
-    arrays["profile, loop"] = beyond_chord(arrays["loop, x"], arrays["loop, Q"], AROUND)
-    area, coarser = (loop_area(arrays["loop, x"][::n], arrays["loop, Q"][::n]) for n in (1, 2))
-    values["area"] = area
-    down, moved = arrays["loop, Q"][: STEPS + 1] / Q_max, arrays["loop, x"][: STEPS + 1]
-    values["delta_0"], left, _ = smoothed(down, moved, 0.0, window=5.0 * 2 / STEPS)
+    swung = swing(rollers, first, top, Q_max, STEPS)
+    x, Q = swung.x, swung.Q
+    arrays |= {"loop, x": x, "loop, Q": Q, "profile, loop": beyond_chord(x, Q, AROUND)}
+    area, coarser = (loop_area(x[::n], Q[::n]) for n in (1, 2))
+    moved, force = swung.half
+    remaining, left, _ = smoothed(force / Q_max, moved, 0.0, window=5.0 * 2 / STEPS)
+    values = {
+        "steps": apart(swung.opposite, back), "closure": apart(swung.last, first),
+        "work": swung.work, "area": area, "delta_0": remaining,
+    }  # fmt: skip
     u_it = {"delta_0": left, "area_by_steps": abs(area - coarser)}
 
     plane, touch = first.plane, first.touches[0]
@@ -138,3 +122,27 @@ def cycle(
     values["passed_on"] = float(np.hypot(*(upper[:2] - np.array(touch.force))))
     values["moment"] = float(upper[2] + touch.moment(on="slave"))
     return values, u_it, arrays, (near(q, plane.cells()),)
+
+
+def traction(q: SlipInputs, state: "ContactSolution", name: str) -> dict[str, Array]:
+    """Tangential traction at integration points, with their weights, and at `ACROSS`."""
+    touch = state.touches[0]
+    order = np.argsort(touch.x[0])
+    loaded = touch.p > 0
+    return {
+        f"points, {name}": np.array([touch.along((0.0, 0.0)), touch.q, touch.weight])[:, loaded],
+        f"profile, {name}": np.interp(ACROSS * q.width, touch.x[0][order], touch.traction[order]),
+    }
+
+
+def near(q: SlipInputs, whole: Mapping[str, Array]) -> Field:
+    """The cells about the contact, with their largest shear stress."""
+    from fem.plane.cell_fields import at_nodes, cut_out, largest_shear
+
+    cells = cut_out(whole, lambda centre: np.asarray(np.abs(centre).max(axis=1) <= VIEW * q.width))
+    stress = cells["stress"]
+    smooth = largest_shear(at_nodes(cells["points"], cells["cells"], stress))
+    return field(
+        "pushed", cells, {"stress": (stress, "Pa"), "largest_shear": (largest_shear(stress), "Pa")},
+        at_nodes={"shear_at_nodes": (smooth, "Pa")},
+    )  # fmt: skip

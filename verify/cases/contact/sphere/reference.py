@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from verify.case import Level
 from verify.cases.contact.sphere.inputs import BODIES, END, PAIRS, SphereInputs
-from verify.cases.contact.window import field
+from verify.cases.contact.window import field, named
 from verify.core.figures import Field
 
 if TYPE_CHECKING:
@@ -33,8 +33,8 @@ def solve(q: SphereInputs, level: int) -> Level:
     for pair in PAIRS:
         found, profiles, state = solve_pair(q.of(pair), level)
         end = END[pair]
-        values |= {f"{key}{end}": value for key, value in found.items()}
-        arrays |= {f"{key}{end}": array for key, array in profiles.items()}
+        values |= named(found, end)
+        arrays |= named(profiles, end)
         round_off = max(round_off, state.plane.residual)
         fields.append(near(state, pair, VIEW * q.of(pair).width))
     u_it = {key: round_off * abs(value) for key, value in values.items()}

@@ -7,7 +7,6 @@ from functools import partial
 from typing import Any
 
 from verify.case import Comparison, Quantity, State, identity
-from verify.cases.contact.roller.accepted import Estimated
 from verify.cases.sprag.clutch.formulas import ClutchFormulas
 from verify.cases.sprag.clutch.model import fast, low_friction
 from verify.cases.sprag.clutch.paper_statements import LITTLE_SPRUNG, OF_THE_PAPER
@@ -16,6 +15,7 @@ from verify.core.case import Check, Context
 from verify.core.results import Row
 from verify.form.comparisons import key_of
 from verify.judging.checks import Identity
+from verify.judging.profile_checks import Estimated
 
 LAW = 2e-5  # of N, tan(nu): what the cubic between the loads of a contact's law may miss, standard
 LAW_ALPHA = 1e-3  # the same of turns and deflections, 0.15 % of the contacts' at the most

@@ -7,7 +7,6 @@ from typing import Any, ClassVar
 import numpy as np
 
 from verify.case import Comparison, State, identity
-from verify.cases.contact.roller.accepted import Estimated
 from verify.cases.sprag.clutch.drawn_fem import crowned
 from verify.cases.sprag.crown.formulas import DEEP, factorial, label, unit, z_m_share
 from verify.cases.sprag.crown.measured_figures import (
@@ -39,6 +38,7 @@ from verify.core.figures import Array
 from verify.core.results import Row
 from verify.form.comparisons import key_of
 from verify.judging.checks import Accepted, Fact
+from verify.judging.profile_checks import Estimated
 
 DRAWN = "drawn profile"
 BOTH = "strips, at the force of compiled engagements"

@@ -7,7 +7,6 @@ import numpy as np
 
 from analytic.contact import slices
 from verify.case import Comparison
-from verify.cases.contact.roller.accepted import Estimated
 from verify.cases.sprag.clutch.model import built, mid
 from verify.cases.sprag.engagement.model import gap
 from verify.cases.sprag.optimum.surrogate_claims import Told
@@ -27,6 +26,7 @@ from verify.core.case import Context, FemResult
 from verify.core.figures import Array
 from verify.core.results import Row, Status
 from verify.judging import judge
+from verify.judging.profile_checks import Estimated
 
 STRIPPED, CELLS = (41, 81, 161), (384, 512, 768)  # of a sprag's length
 HALF_SPACE = "half-space"

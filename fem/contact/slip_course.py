@@ -1,0 +1,95 @@
+"""Courses of two bodies driven sideways under a held load: a first push, and a swing to and fro."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.integrate import cumulative_trapezoid
+
+from fem.contact.driven_discs import DrivenDiscs
+from fem.contact.partial_slip import smoothed, stick_share
+from fem.contact.solution import ContactSolution
+from fem.plane.discretisation import Array
+
+Value = tuple[float, float]  # and its standard uncertainty, from how single nodes let go
+
+
+@dataclass(frozen=True)
+class Push:
+    """A first push: shares k = Q/(mu P), (c/a)² that stick, displacements x [m], all (n,)."""
+
+    k: Array
+    stick: Array
+    x: Array
+
+    def stick_half_width(self, share: float, a: float) -> Value:
+        """Half-width c [m] of the stick zone at a share, of the half-width `a`."""
+        c2, u, _ = smoothed(self.k, self.stick, share)
+        c = a * np.sqrt(c2)
+        return float(c), float(u * c / (2 * c2))
+
+    def growth(self, shares: Array) -> Array:
+        """c/a at shares (m,)."""
+        return np.sqrt([smoothed(self.k, self.stick, share)[0] for share in shares])
+
+    def beyond_chord(self, share: float, chord: float) -> Value:
+        """Displacement [m] at a share beyond the straight line from 0 to the share `chord`."""
+        far, u_far, _ = smoothed(self.k, self.x, chord)
+        x, u, _ = smoothed(self.k, self.x, share)
+        part = share / chord
+        return x - part * far, float(np.hypot(u, part * u_far))
+
+    def loop_jitter(self, share: float) -> float:
+        """Scatter [m] of the area of a loop to `share`, over mu P.
+
+        By Masing each branch of a cycle is the first push, twice as large.
+        """
+        area = 8 * cumulative_trapezoid(self.k, self.x, initial=0.0) - 4 * self.k * self.x
+        return smoothed(self.k, area, share)[2]
+
+
+def push(discs: DrivenDiscs, to: float, *, limit: float, steps: int) -> Push:
+    """Equal steps of the pressed bodies to a displacement `to` [m]; `limit` is mu P [N/m]."""
+    state, cut = discs.pressed
+    found = []
+    for x in np.linspace(0.0, to, steps + 1)[1:]:
+        state = discs.at(np.array([x, cut[1]]), state)
+        touch = state.touches[0]
+        found.append((touch.friction_force / limit, stick_share(touch), x))
+    return Push(*np.array(found).T)
+
+
+@dataclass(frozen=True)
+class Swing:
+    """A swing from a state to its opposite and back, in steps: x [m] and Q [N/m] (2n + 1,).
+
+    `work` [J/m] is that of friction; `opposite` and `last` are the states in the middle and in the
+    end.
+    """
+
+    x: Array
+    Q: Array
+    work: float
+    opposite: ContactSolution
+    last: ContactSolution
+
+    @property
+    def half(self) -> tuple[Array, Array]:
+        """X and Q of the first half, (n + 1,)."""
+        n = self.x.size // 2 + 1
+        return self.x[:n], self.Q[:n]
+
+
+def swing(discs: DrivenDiscs, first: ContactSolution, top: Array, Q: float, steps: int) -> Swing:
+    """The swing from the state `first` under Q [N/m], whose cut is at `top` (x, y) [m]."""
+    there = np.linspace(1.0, -1.0, steps + 1)[1:]
+    state, work, found = first, 0.0, [(top[0], Q)]
+    opposite = first
+    for x in top[0] * np.concatenate([there, -there]):
+        state = discs.at(np.array([x, top[1]]), state)
+        touch = state.touches[0]
+        work += float(np.abs(touch.traction * touch.slip) @ touch.mortar.size)
+        found.append((x, touch.friction_force))
+        if len(found) == steps + 1:
+            opposite = state
+    x, force = np.array(found).T
+    return Swing(x, force, work, opposite, state)

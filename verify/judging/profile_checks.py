@@ -1,0 +1,101 @@
+"""Checks of profiles and families: distances in L2, coefficients, models without an interval."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from verify.core.case import Context
+from verify.core.results import Kind, Row, Status
+from verify.judging import judge
+from verify.judging.checks import Approximation, Fact, Identity
+from verify.judging.claims import Claim
+
+Array = NDArray[np.float64]
+Points = tuple[list[float], list[float], list[float]]  # parameter, error, its uncertainty
+
+
+def l2_error(error: Array, norm: Array, weight: Array) -> float:
+    """Errors (n,) in L2 over that of `norm` (n,), of points with weights (n,)."""
+    return float(np.sqrt((error**2 @ weight) / (norm**2 @ weight)))
+
+
+@dataclass(frozen=True, kw_only=True)
+class ProfileError(Identity):
+    """The L2 distance of a profile from the exact one vanishes with the mesh, as its order says."""
+
+    swept = False  # needs the pressures of every integration point
+
+    errors: Callable[[Context], list[float]]
+
+    def rows(self, context: Context) -> list[Row]:
+        fem = [
+            replace(result, values={**result.values, self.fem: error})
+            for result, error in zip(context.fem, self.errors(context), strict=True)
+        ]
+        return super().rows(replace(context, fem=fem))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Within(Fact):
+    """A profile within the acceptance figure `accepted` of another, and how near it is.
+
+    `margin` is what the error leaves of the figure.
+    """
+
+    accepted: float
+
+    def rows(self, context: Context) -> list[Row]:
+        error = self.accepted - self.margin(context)[0]
+        return [replace(row, reason=f"{row.reason}: {error:.2%}") for row in super().rows(context)]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Coefficient(Claim):
+    """d = c eps^2 + e eps^4 with the c that theory gives (kind trend).
+
+    `points(context)` gives eps, d = formula/FE - 1 and its standard uncertainty.
+    """
+
+    kind = Kind.TREND
+
+    points: Callable[[Context], Points]
+    theory: float
+
+    def rows(self, context: Context) -> list[Row]:
+        eps, d, u = self.points(context)
+        try:
+            c, U = judge.quadratic_coefficient(eps, d, u)
+        except ValueError as error:
+            verdict = judge.Verdict(Status.FAIL, f"no coefficient: {error}")
+            return [self._row(context.case, Kind.TREND, verdict, analytic=self.theory)]
+        verdict = judge.difference(c, self.theory, U=U, scale=abs(self.theory), demand=self.demand)
+        return [
+            self._row(
+                context.case, Kind.TREND, verdict, analytic=self.theory, fem=c,
+                scale=abs(self.theory), u_num=U / judge.COVERAGE,
+                levels=tuple(zip(eps, d, strict=True)), levels_u=tuple(u),
+            )
+        ]  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class Estimated(Approximation):
+    """A model beside the half-space; at one's own numbers convergence counts where the model does.
+
+    Where nothing says beforehand how far the two may be apart, what the half-space leaves open is
+    told with the difference, and is no failure.
+    """
+
+    def rows(self, context: Context) -> list[Row]:
+        rows = super().rows(context)
+        judged = self.interval and self.interval(context.inputs, context.analytic)
+        if context.is_paper or judged:
+            return rows
+        return [
+            replace(row, status=Status.SHOWN, reason=f"cannot be judged: {row.reason}")
+            if row.status is Status.FAIL
+            else row
+            for row in rows
+        ]
