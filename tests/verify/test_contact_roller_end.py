@@ -1,6 +1,5 @@
 """The end face: what its finite elements are told, and faults that its rows must see."""
 
-import numpy as np
 import pytest
 from pydantic import ValidationError
 
@@ -108,12 +107,6 @@ def test_what_a_half_space_costs_is_shown_and_not_judged():
 def test_bodies_that_it_cannot_mesh_are_refused(change, message):
     with pytest.raises(ValidationError, match=message):
         EndFace(**change)
-
-
-def test_the_slope_at_the_edge_is_extrapolated_over_the_distance():
-    r = np.geomspace(1e-5, 0.1, 60)
-    p = r**-0.226 * np.exp(3 * r)  # a slope of -0.226 + 3 r
-    assert end_fem.slope(r[::-1], p[::-1]) == pytest.approx(-0.226, abs=1e-6)
 
 
 def test_a_wider_patch_is_taken_where_the_contact_needs_it(bodies, monkeypatch):

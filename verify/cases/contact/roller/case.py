@@ -12,7 +12,7 @@ from verify.cases.contact.roller.crowned import CrownedRoller
 from verify.cases.contact.roller.half_space import LEVELS, solve_crowns
 from verify.cases.contact.roller.texts import ASSUMPTIONS, READINGS
 from verify.core.case import Context
-from verify.core.figures import Array, Curves, Figure
+from verify.core.figures import Array, Figure
 from verify.core.references import Method
 from verify.form.adapter import adapted
 
@@ -95,18 +95,14 @@ class RollerOnRace(CrownedRoller):
     def figures(self) -> Iterator[Drawn]:
         """Pressure along the roller, and its peak over the load."""
         yield Drawn(self.along_crowned)
-        yield Drawn(lambda context: (self._over_load(context),))
+        yield Drawn(self._over_load)
 
-    def _over_load(self, context: Context) -> Figure:
-        best = context.fem[-1].arrays.get("best_over_load") if context.fem else None
-        gaps = np.tile(self.gap(self.centres), (len(FINE_AT), 1))
-        return Curves(
-            title="Largest pressure over the load", x_label="load/F", y_label="p_max/p_0",
-            curves=self.peaks(gaps, FINE_AT, FINE_AT, ("best crown for each load", BEST_AT, best)),
-            y_top=1.6, y_bottom=0.95,
-            note=f"p_0: Hertz's pressure of the load spread evenly; ends included, {self.n} "
-            "strips. The best crown of a load just spares the ends under it. Dots: this crown's "
-            "ends carry, and the pressure there has no limit.",
+    def _over_load(self, context: Context) -> Iterator[Figure]:
+        yield self.peaks_over(
+            context, "load", "load/F", gaps=np.tile(self.gap(self.centres), (len(FINE_AT), 1)),
+            loads=FINE_AT, x=FINE_AT, best=("best crown for each load", BEST_AT), y_top=1.6,
+            note="The best crown of a load just spares the ends under it. Dots: this crown's ends "
+            "carry, and the pressure there has no limit.",
         )  # fmt: skip
 
 

@@ -12,7 +12,7 @@ from verify.cases.contact.roller import comparisons, figures, texts
 from verify.cases.contact.roller.inputs import Crown, Design, Divided
 from verify.cases.contact.roller.shown import OnHalfSpace
 from verify.core.case import Context
-from verify.core.figures import Array, Curve, Figure
+from verify.core.figures import Array, Curve, Curves, Figure
 
 if TYPE_CHECKING:
     from analytic.contact.best_crown import BestCrown
@@ -123,18 +123,27 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
         yield figures.profile(self)
         yield from self.along_roller(context)
 
-    def peaks(
-        self, gaps: Array, loads: Array, x: Array, best: tuple[str, Array, Array | None]
-    ) -> tuple[Curve, ...]:
-        """Peaks over Hertz's pressure at `x` for gaps and loads [of F]; those of best crowns."""
+    def peaks_over(
+        self, context: Context, over: str, x_label: str, *, gaps: Array, loads: Array, x: Array,
+        best: tuple[str, Array], y_top: float, note: str,
+    ) -> Figure:  # fmt: skip
+        """Peaks over Hertz's pressure at `x` for gaps and loads [of F], and those of best crowns.
+
+        The latter at places of their own, from the reference.
+        """
         roller: dict[str, Any] = {"length": self.L, "R": self.R, "E_star": self.E_star}
         pairs = zip(gaps, loads, strict=True)
         solved = [strips.press(z, load=k * self.F, **roller) for z, k in pairs]
         curves = figures.over(solved, x, [self.even_pressure(k) for k in loads])
-        name, at, least = best
+        least = context.fem[-1].arrays.get(f"best_over_{over}") if context.fem else None
         if least is not None:
-            curves.append(Curve(name=name, x=at, y=least, style="dashes", colour=2))
-        return tuple(curves)
+            curves.append(Curve(name=best[0], x=best[1], y=least, style="dashes", colour=2))
+        return Curves(
+            title=f"Largest pressure over the {over}", x_label=x_label, y_label="p_max/p_0",
+            curves=tuple(curves), y_top=y_top, y_bottom=0.95,
+            note=f"p_0: Hertz's pressure of the load spread evenly; ends included, {self.n} "
+            f"strips. {note}",
+        )  # fmt: skip
 
     @property
     def centres(self) -> Array:

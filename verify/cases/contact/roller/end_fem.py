@@ -4,7 +4,6 @@ import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.interpolate import CubicSpline
 
 from verify.case import Level
 from verify.cases.contact.roller import profiles
@@ -26,6 +25,8 @@ EDGE = 1e-3  # distance from the ring's edge over its radius at which its slope 
 
 def solve(q: "EndFace", level: int) -> Level:
     """Roller with its end face and one that goes on, without and with the crown; the edge."""
+    from fem.fourier.shrunk import edge_slope
+
     values: dict[str, float] = {}
     u_it: dict[str, float] = {}
     arrays: dict[str, Array] = {}
@@ -49,7 +50,7 @@ def solve(q: "EndFace", level: int) -> Level:
             if (name, crown) == ("end", "flat"):
                 fields = (patch(found),)
     distance, pressure = edge_fem(level)
-    values["sharpness"] = slope(distance, pressure)
+    values["sharpness"] = edge_slope(distance, pressure, EDGE)
     arrays |= {"edge_distance": distance, "edge_pressure": pressure}
     return Level(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=fields)
 
@@ -108,7 +109,7 @@ def edge_fem(level: int) -> tuple[Array, Array]:
     """Pressure of a ring on a longer shaft of its material, near its edge, over the distance."""
     from skfem import MeshQuad1
 
-    from fem.fourier.compliance import surface_flexibility
+    from fem.fourier.shrunk import shrink_pressure
     from fem.fourier.solid import FourierSolid
     from fem.plane.material import Elastic
     from meshes.revolution.cylinder import half_cylinder
@@ -120,20 +121,11 @@ def edge_fem(level: int) -> tuple[Array, Array]:
     shaft = half_cylinder(R=1.0, contact=nodes, overhang=0.5, first=fine["first"], refine=2)
     ring = MeshQuad1.init_tensor(stations(start=1.0, end=2.0, **fine), nodes)
     ring = ring.with_boundaries({"bore": lambda x: x[0] == 1, "start": lambda x: x[1] == 0})
-    G = sum(
-        surface_flexibility(
-            FourierSolid(mesh, Elastic(E=1.0, nu=0.3), {"start": "z"}, degree=2), name, stations=z
-        )[0, :, 0]
+    pressure = shrink_pressure([
+        (FourierSolid(mesh, Elastic(E=1.0, nu=0.3), {"start": "z"}, degree=2), name)
         for mesh, name in ((shaft, "rim"), (ring, "bore"))
-    )  # fmt: skip
-    pressure = np.asarray(np.linalg.solve(G, np.diff(z)), dtype=np.float64)
+    ], z)  # fmt: skip
     return 1 - (z[1:] + z[:-1]) / 2, pressure
-
-
-def slope(distance: Array, pressure: Array) -> float:
-    """Slope of ln p over ln r at the edge: r in it, of first order, is extrapolated to nothing."""
-    s = CubicSpline(np.log(distance[::-1]), np.log(pressure[::-1]))
-    return float(2 * s(np.log(EDGE), 1) - s(np.log(2 * EDGE), 1))
 
 
 def patch(found: "PatchContact") -> Field:

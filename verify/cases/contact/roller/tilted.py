@@ -12,7 +12,7 @@ from verify.cases.contact.roller.half_space import LEVELS, solve_crowns
 from verify.cases.contact.roller.inputs import Crown, Tilt
 from verify.cases.contact.roller.texts import ASSUMPTIONS, COUPLED, READINGS
 from verify.core.case import Context
-from verify.core.figures import Array, Curves, Figure
+from verify.core.figures import Array, Figure
 from verify.core.references import BY_HALF_SPACE
 from verify.form.adapter import adapted
 from verify.judging.tolerance_checks import suites
@@ -87,20 +87,15 @@ class TiltedRoller(Tilt, CrownedRoller):
     def figures(self) -> Iterator[Drawn]:
         """Pressure along the roller, and its peak over the tilt."""
         yield Drawn(self.along_crowned)
-        yield Drawn(lambda context: (self._over_tilt(context),))
+        yield Drawn(self._over_tilt)
 
-    def _over_tilt(self, context: Context) -> Figure:
-        """Peak over Hertz's of an even load: this crown, and the best for each tilt."""
+    def _over_tilt(self, context: Context) -> Iterator[Figure]:
         y, unit = self.centres, self.theta or LEAN
-        gaps = Crown.gap(self, y) - (TILTS * unit)[:, None] * y
-        least = context.fem[-1].arrays.get("best_over_tilt") if context.fem else None
-        best = ("best crown for ±θ", np.degrees(BEST_TILTS * unit), least)
-        return Curves(
-            title="Largest pressure over the tilt", x_label="θ [°]", y_label="p_max/p_0",
-            curves=self.peaks(gaps, np.ones(len(TILTS)), np.degrees(TILTS * unit), best),
-            y_top=2.2, y_bottom=0.95,
-            note=f"p_0: Hertz's pressure of the load spread evenly; ends included, {self.n} "
-            "strips. A crown for tilt is deeper than one for a straight roller.",
+        yield self.peaks_over(
+            context, "tilt", "θ [°]", gaps=Crown.gap(self, y) - (TILTS * unit)[:, None] * y,
+            loads=np.ones(len(TILTS)), x=np.degrees(TILTS * unit),
+            best=("best crown for ±θ", np.degrees(BEST_TILTS * unit)), y_top=2.2,
+            note="A crown for tilt is deeper than one for a straight roller.",
         )  # fmt: skip
 
 

@@ -1,0 +1,32 @@
+"""A ring shrunk on a shaft: the pressure between them, and how sharp it is at the ring's edge."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+from fem.fourier.compliance import surface_flexibility
+from fem.fourier.solid import FourierSolid
+from fem.plane.discretisation import Array
+
+
+def shrink_pressure(bodies: Sequence[tuple[FourierSolid, str]], stations: Array) -> Array:
+    """Pressure (cells,) between `stations` (cells + 1,) of two surfaces, of a unit interference.
+
+    Each body has the name of its surface; both give way all around alike.
+    """
+    G = sum(surface_flexibility(solid, name, stations=stations)[0, :, 0] for solid, name in bodies)
+    return np.asarray(np.linalg.solve(G, np.diff(stations)), dtype=np.float64)
+
+
+def edge_slope(distance: Array, pressure: Array, at: float) -> float:
+    """Slope of ln p over ln r at the edge from pressures at distances r (n,), which fall.
+
+    The slope at r = `at` has r in it, of first order, which is extrapolated to nothing.
+
+    >>> r = np.geomspace(1.0, 1e-4, 50)
+    >>> round(edge_slope(r, 3 * r**-0.25, 1e-3), 9)
+    -0.25
+    """
+    s = CubicSpline(np.log(distance[::-1]), np.log(pressure[::-1]))
+    return float(2 * s(np.log(at), 1) - s(np.log(2 * at), 1))

@@ -1,0 +1,74 @@
+"""Loads that are met by the movement of cuts: a disc on a flat, two discs with friction."""
+
+import numpy as np
+import pytest
+
+from fem.contact.driven_discs import HIT, DrivenDiscs
+from fem.contact.pairs import Obstacle, Pair
+from fem.contact.pressed_line import PressedLine
+from fem.contact.problem import ContactProblem
+from fem.contact.shapes import Circle, Flat
+from fem.plane.material import Elastic
+from meshes.contact.disc import half_disc, quarter_disc
+from meshes.join import join
+
+STEEL = Elastic(E=2.0, nu=0.3)
+SOFT = (1 - 0.3**2) / 2.0
+
+
+def on_flat(zone, cells, refine):
+    return ContactProblem(
+        quarter_disc(R=1.0, zone=zone, cells=cells, refine=refine), materials=STEEL,
+        assumption="plane strain", supports={"axis": "x", "middle": "y"},
+        obstacles={"flat": Obstacle(Flat())},
+        contacts=[Pair(slave="surface", master="flat", slave_shape=Circle((0.0, 1.0), 1.0))],
+    )  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def pressed():
+    P = np.pi / 4 * 0.02**2 / SOFT
+    return PressedLine(on_flat, 2, P=P, guess=0.02, arc=1.0, softness=SOFT, cut="middle")
+
+
+def test_a_disc_on_a_flat_carries_its_load_with_hertz_s_pressure(pressed):
+    assert 2 * abs(pressed.touch.force[1]) == pytest.approx(pressed.P, rel=1e-11)
+    assert pressed.half_width == pytest.approx(0.02, rel=5e-3)
+    assert pressed.peak == pytest.approx(2 * pressed.P / (np.pi * 0.02), rel=5e-3)
+    shear, depth = pressed.shear()
+    assert shear / pressed.peak == pytest.approx(0.3003, rel=0.05)
+    assert depth / pressed.half_width == pytest.approx(0.786, rel=0.05)
+
+
+def test_its_forces_and_moments_balance(pressed):
+    left = pressed.balance(("axis", "middle"))
+    assert max(map(abs, left.values())) < 1e-9 * pressed.P
+
+
+def test_round_off_grows_as_the_contact_shrinks(pressed):
+    P = pressed.P / 100
+    narrow = PressedLine(on_flat, 2, P=P, guess=0.002, arc=1.0, softness=SOFT, cut="middle")
+    shares = [one.rounding("p_0", one.peak) / one.peak for one in (pressed, narrow)]
+    assert shares[1] > 5 * shares[0]
+    assert pressed.rounding("a", 1.0) < pressed.rounding("p_0", 1.0)
+
+
+def test_two_discs_are_driven_until_both_loads_are_met():
+    fine = {"R": 1.0, "zone": 0.06, "cells": 8, "refine": 1}
+    problem = ContactProblem(
+        join({side: half_disc(**fine, below=side == "lower") for side in ("upper", "lower")}),
+        materials=STEEL, assumption="plane strain",
+        supports={"lower.middle": "xy", "upper.middle": "xy"},
+        contacts=[
+            Pair(slave="upper.surface", master="lower.surface", friction=0.3,
+                 slave_shape=Circle((0.0, 1.0), 1.0), master_shape=Circle((0.0, -1.0), 1.0))
+        ],
+    )  # fmt: skip
+    P = np.pi / 4 * 0.05**2 / SOFT
+    discs = DrivenDiscs(problem, P=P, approach=0.05**2)
+    state, cut = discs.pressed
+    assert np.abs(np.array(state.touches[0].force) - (0.0, -P)).max() <= HIT * P
+    pushed, moved = discs.loaded(0.1 * P, cut, state)
+    assert np.abs(np.array(pushed.touches[0].force) - (0.1 * P, -P)).max() <= HIT * P
+    assert moved[0] > cut[0]
+    assert 0 < pushed.touches[0].sticking_share <= 1
