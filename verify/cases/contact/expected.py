@@ -5,6 +5,7 @@ from verify.case import Expected
 from verify.judging import judge
 
 FLOOR = 3e-4  # of an error: nothing sharper is claimed at one load
+BLUNT = 1e-3  # of a line contact's shear: smoothed stresses are no sharper
 SHARP = judge.DEMAND / 2  # slack up to which an estimate judges
 
 

@@ -21,27 +21,23 @@ from verify.case import (
     limit,
     shared,
 )
-from verify.cases.contact.expected import FLOOR, expected
+from verify.cases.contact.expected import BLUNT, FLOOR, expected
 from verify.cases.contact.line import figures, sketches
 from verify.cases.contact.line.bodies import disc_fem, result
-from verify.cases.contact.line.checks import (
-    BLUNT,
-    LIMITS,
-    PROFILE,
-    l2_errors,
-    relative_uncertainty,
-)
-from verify.cases.contact.line.hertz import at
+from verify.cases.contact.line.hertz import PROFILE, at, l2_errors
 from verify.cases.contact.line.inputs import FlatInputs
 from verify.core.case import Context
 from verify.core.figures import Array, Picture, Sketch
 from verify.form.adapter import adapted
+from verify.judging import judge
 from verify.judging.checks import Fact
+from verify.judging.convergence import grid_convergence
 from verify.judging.profile_checks import Coefficient, Points, ProfileError
 
 SWEEP = (0.015, 0.03, 0.06, 0.1, 0.15)  # Hertz's a/R
 WIDEST = SWEEP[-1]
 WIDE = f"a/R = {WIDEST:g}"
+LIMITS = "acceptance figure of the contact models"
 DEPTH = 5e-3  # of the depth of the largest shear
 DISC = "elastic disc between flats"
 SERIES = "derived series of the disc; its next term, taken as 1 × (a/R)⁴"
@@ -54,6 +50,14 @@ TELLS = 0.2, "tells the derived term from its parts, of a third and more"
 def key(ratio: float) -> str:
     """What names of numbers at a ratio a/R end in, its thousandths."""
     return f"r{round(1000 * ratio)}"
+
+
+def relative_uncertainty(levels: Sequence[Level], key: str) -> float:
+    """Standard uncertainty of the finest value over itself; infinite where it does not converge."""
+    h, v = [r.h for r in levels], [r.values[key] for r in levels]
+    u_it = max(r.u_it.get(key, 0.0) for r in levels)
+    grid = grid_convergence(h, v, formal=2.0, scale=abs(v[-1]), u_it=u_it)
+    return judge.numerical_uncertainty(grid, u_it) / abs(v[-1])
 
 
 class RollerOnFlat(FlatInputs):

@@ -6,15 +6,15 @@ from typing import Any, ClassVar, Self
 
 from analytic.contact import hertz_line, hertz_line_stress
 from verify.case import Case, Comparison, Quantity, balance, given
-from verify.cases.contact.line.checks import PROFILE, l2_errors
 from verify.core.case import Context
 from verify.core.figures import Array
-from verify.judging.profile_checks import Within
+from verify.judging.profile_checks import Within, l2_error
 
 NARROWEST = 1e-4  # and down to which round-off leaves them sharp
 WIDEST = 0.3  # a over the smallest radius up to which finite elements follow
 STATIC_RATING = 4.0e9  # Pa, ISO 76: pressure of roller bearings at their static load rating
 HERTZ = "Hertz; behind Eqs. 2-5"
+PROFILE = 0.03  # acceptance figure of q(x) in L2
 ROUND = "direct solve; the load is met within 1e-12 of itself"
 
 
@@ -177,3 +177,17 @@ def at(q: Quantity, where: str) -> str:
     """The name of a row elsewhere: "half-width, Hertz" is "half-width, a/R = 0.15, Hertz"."""
     name, theory = q.what.rsplit(", ", 1)
     return f"{name}, {where}, {theory}" if where else q.what
+
+
+def l2_errors(pressure: Callable[[Array], Array]) -> Callable[[Context], list[float]]:
+    """Relative L2 errors of the finite-element pressure, per level, at its integration points."""
+
+    def errors(context: Context) -> list[float]:
+        found = []
+        for result in context.fem:
+            x, p, weight = (result.arrays[key] for key in ("x", "p", "weight"))
+            exact = pressure(x)
+            found.append(l2_error(p - exact, exact, weight))
+        return found
+
+    return errors

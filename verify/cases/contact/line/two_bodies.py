@@ -5,9 +5,8 @@ from collections.abc import Iterator
 from analytic.bounds.contact.line import InRace, OfDiscs
 from analytic.contact import hertz_line
 from verify.case import AlongLine, Comparison, Drawn, Quantity, approximation, given
-from verify.cases.contact.expected import expected
+from verify.cases.contact.expected import BLUNT, expected
 from verify.cases.contact.line import figures
-from verify.cases.contact.line.checks import BLUNT
 from verify.cases.contact.line.hertz import HERTZ, LineContact
 from verify.cases.contact.line.inputs import softness
 from verify.core.figures import Picture

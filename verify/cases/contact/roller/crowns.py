@@ -108,6 +108,7 @@ class ComparedCrowns(Divided, StripRoller):
             even = np.sqrt(self.F / self.L * self.E_star / (np.pi * self.R))
             off = float(np.abs(found.beyond(FAR * self.b) / even - 1).max())
             values |= named(found.values | {"uneven": off}, end)
+            # the largest of an even pressure has no place of its own
             u_it |= named({key: u for key, u in beside.items() if key != "p_max"}, end)
             arrays |= named(half_space.along(found), end)
             fields.append(half_space.patch(found, name))
