@@ -102,12 +102,14 @@ def solve_fit(q: FitInputs, level: int) -> "ContactSolution":
 
 def read(q: FitInputs, fit: "ContactSolution") -> dict[str, float]:
     """Numbers of one fit by the names of the quantities."""
+    from fem.contact.round_fit import mean_and_scatter, means_on
+
     touch, plane = fit.touches[0], fit.plane
-    p = float(touch.p @ touch.weight / touch.weight.sum())
+    p, scatter = mean_and_scatter(touch)
     push = touch.force[0]
     found = {
         "p": p,
-        "scatter": float(np.sqrt((touch.p - p) ** 2 @ touch.weight / touch.weight.sum())),
+        "scatter": scatter,
         "U": 4 * fit.strain_energy,
         "outer_balance": plane.reaction("outer.x=0")[0] + push - q.p_o * q.r_o,
     }
@@ -118,9 +120,7 @@ def read(q: FitInputs, fit: "ContactSolution") -> dict[str, float]:
         sides = {"inner_bore": "inner.bore", "inner_rim": "inner.rim"}
         found["inner_balance"] = plane.reaction("inner.x=0")[0] + q.p_i * q.r_i - push
     for place, name in (sides | {"outer_bore": "outer.bore", "outer_rim": "outer.rim"}).items():
-        wall = plane.on_boundary(name)
-        found[f"u_{place}"] = wall.mean(wall.polar()[0])
-        found[f"hoop_{place}"] = wall.mean(wall.polar()[2])
+        found[f"u_{place}"], found[f"hoop_{place}"] = means_on(plane, name)
     return found
 
 
@@ -135,10 +135,9 @@ def stations(q: FitInputs) -> Any:
 
 def profiles(q: FitInputs, fit: "ContactSolution") -> dict[str, Any]:
     """Pressure along the fit, radial and hoop stress across both walls."""
-    touch = fit.touches[0]
-    turn = np.arctan2(touch.x[1], touch.x[0])
-    order = np.argsort(turn)
+    from fem.contact.round_fit import pressure_at
+
     across = fit.plane.at(np.outer([np.cos(ASKEW), np.sin(ASKEW)], stations(q)))
     _, radial, hoop, _ = across.polar()
-    along = np.interp(TURNS, turn[order], touch.pressure[order])
+    along = pressure_at(fit.touches[0], TURNS)
     return {"p along": along, "profile hoop": hoop, "profile radial": radial}
