@@ -16,7 +16,7 @@ Interval = tuple[float, float]
 def of_strips(
     missing: float, *, value: float, twice: float, b: float, length: float, loaded: bool, own: bool
 ) -> Interval | None:
-    """Interval of strips/half-space - 1 from what strips say of themselves.
+    """Interval of strips/half-space - 1 by the estimate of strips alone.
 
     From half to twice of what is `missing` in the `value`, and either way what is left of strips
     whose error is of first order, twice what they change as there are `twice` as many; under a
