@@ -2,6 +2,7 @@
 
 import inspect
 from collections.abc import Callable, Collection, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import fields, replace
 from functools import cache
 from typing import Any, ClassVar
@@ -28,13 +29,15 @@ def adapted(form: type[Case], *, time_limit: float | None = None) -> core.Case:
     def default() -> Case:
         return _default(form, time_limit)
 
+    own = time_limit is not None
+
     return core.Case(
         id=form.id, title=form.title, paper=form.source, place=form.place,
         lead=" ".join((inspect.getdoc(form) or "").split()),
         inputs=form, analytic=Formulas(form, time_limit),
         reference=Reference(form, time_limit), method=form.method,
         levels=getattr(form, "levels", MESHES),
-        checks=Later(lambda: tuple(_check(one) for one in default().stated())),
+        checks=Later(lambda: tuple(_check(one, own) for one in default().stated())),
         outputs=Later(lambda: tuple(_outputs(default()))), readings=form.readings,
         assumptions=form.assumptions, quick=form.quick, scans=form.scans,
         portions=form.portions, dynamic=form.dynamic,
@@ -52,18 +55,24 @@ def adapted(form: type[Case], *, time_limit: float | None = None) -> core.Case:
 def _default(form: type[Case], time_limit: float | None) -> Case:
     """The default inputs with their comparisons; CaseError for a rule that they break.
 
-    Rules that take equations and further comparisons are tests of the suite's own cases.
+    The dimensions of the suite's own equations are a matter of its tests.
     """
     check_names(form)
     case = form()
-    with faults_located(inspect.getfile(form)), limited(time_limit):
+    with _executed(form, time_limit):
         named = [one.name for one in case.stated()]
-        if time_limit is not None:
+        if time_limit is not None:  # outside the suite
             dimensions.check(case)
-            independence.check(case)
     if double := next((name for name in named if named.count(name) > 1), ""):
         raise CaseError(f"{form.__module__}: {form.__name__}: two comparisons are called {double}")
     return case
+
+
+@contextmanager
+def _executed(form: type[Case], time_limit: float | None) -> Iterator[None]:
+    """Code of a case, whose faults have their place, outside the suite within a time limit."""
+    with faults_located(inspect.getfile(form), own=time_limit is not None), limited(time_limit):
+        yield
 
 
 class _Side:
@@ -72,7 +81,7 @@ class _Side:
     name: ClassVar[str]
 
     def __init__(self, form: type[Case], time_limit: float | None) -> None:
-        self.form, self.file, self.time_limit = form, inspect.getfile(form), time_limit
+        self.form, self.time_limit = form, time_limit
         self.__module__ = form.__module__
         self.__name__ = f"{form.__name__}.{self.name}"
 
@@ -89,7 +98,7 @@ class Formulas(_Side):
 
     def __call__(self, case: Case) -> Values:
         more: dict[str, float] = {}
-        with faults_located(self.file), limited(self.time_limit):
+        with _executed(self.form, self.time_limit):
             values = {q.name: float(getattr(case, q.name)) for q in case.present()}
             for one in case.stated():
                 more |= one.evaluated()
@@ -108,7 +117,7 @@ class Reference(_Side):
     def __call__(self, case: Case, level: int) -> FemResult:
         before = solving.set(True)
         try:
-            with faults_located(self.file), limited(self.time_limit):
+            with _executed(self.form, self.time_limit):
                 return case.reference(level)
         finally:
             solving.reset(before)
@@ -140,7 +149,7 @@ def _output(q: Quantity, key: str, state: State | None, *, judged: bool) -> Outp
     )  # fmt: skip
 
 
-def _check(one: Comparison) -> Check:
+def _check(one: Comparison, own: bool) -> Check:
     """The check of a comparison, whose functions are those of the inputs at hand.
 
     A function of a check takes the inputs or the context first, and may belong to the instance that
@@ -151,19 +160,26 @@ def _check(one: Comparison) -> Check:
         f.name for f in fields(check)
         if callable(value := getattr(check, f.name)) and not isinstance(value, type)
     ]  # fmt: skip
-    found = {name: _of_inputs(one.name, name) for name in functions}
+    found = {name: _of_inputs(one.name, name, own) for name in functions}
     judged = one.key if one.quantity else check.formula
     made: Check = replace(check, **found, formula=judged, shares=one.shares or check.shares)
     return made
 
 
-def _of_inputs(name: str, function: str) -> Callable[..., Any]:
+def _of_inputs(name: str, function: str, own: bool) -> Callable[..., Any]:
+    """A function of the check of that name; an expected error of one's `own` case must stand alone.
+
+    That of the suite's cases is a matter of tests.
+    """
+
     def call(first: Any, *rest: Any) -> Any:
         case: Case = first.inputs if isinstance(first, Context) else first
-        check = next((one.check for one in case.stated() if one.name == name), None)
-        if check is None:
+        one = next((one for one in case.stated() if one.name == name), None)
+        if one is None:
             raise CaseError(f"these inputs have no comparison called {name}")
-        return getattr(check, function)(first, *rest)
+        if own and function == "interval" and case.is_default:
+            independence.check(case, one)
+        return getattr(one.check, function)(first, *rest)
 
     return call
 

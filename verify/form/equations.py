@@ -16,17 +16,16 @@ DIGITS, INPUT_DIGITS = 6, 10  # significant: inputs are displayed as they are gi
 
 
 class Symbols(NamedTuple):
-    """TeX of a case's symbols by attribute; SI values, units and numbers with units by TeX."""
+    """TeX of a case's symbols by attribute; SI values and numbers with units by TeX."""
 
     tex: dict[str, str]
     values: dict[str, float]
-    units: dict[str, str]
     numbers: dict[str, str]
 
     def add(self, name: str, symbol: str, value: float, unit: str, digits: int) -> None:
         """Another symbol, or another value of one."""
         self.tex[name] = symbol
-        self.values[symbol], self.units[symbol] = value, unit
+        self.values[symbol] = value
         self.numbers[symbol] = equations.with_unit(value / units.factor(unit), unit, digits)
 
 
@@ -42,7 +41,7 @@ def symbols_of(case: Case) -> Symbols:
 
     Those of a compared state are there, too, where it has symbols different from these.
     """
-    found = Symbols({}, {}, {}, {})
+    found = Symbols({}, {}, {})
     fields = type(case).model_fields
     inputs = ((name, meta(field)["symbol"], meta(field)["unit"]) for name, field in fields.items())
     for name, symbol, unit in (*inputs, *((q.name, q.symbol, q.unit) for q in case.present())):

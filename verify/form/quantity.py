@@ -178,18 +178,20 @@ class shared(Generic[T]):  # noqa: N801 - a decorator, as cached_property is
 
 
 @contextmanager
-def faults_located(file: str) -> Iterator[None]:
+def faults_located(file: str, *, own: bool) -> Iterator[None]:
     """Turn a fault of a case's code into a CaseError with its place in the case's file.
 
-    What states that there is no solution, or that the machine failed, passes unchanged.
+    What states that there is no solution, or that the machine failed, passes unchanged; so does a
+    ValueError of the suite's cases, which speaks of inputs. In one's `own` it may be math.sqrt's.
     """
     try:
         yield
-    except (ZeroDivisionError, OverflowError) as error:
-        raise _located(error, file) from error
-    except (CaseError, ValueError, ArithmeticError, OSError, MemoryError):
+    except (CaseError, OSError, MemoryError):
         raise
     except Exception as error:
+        speaks = isinstance(error, ArithmeticError) or (isinstance(error, ValueError) and not own)
+        if speaks and not isinstance(error, ZeroDivisionError | OverflowError):
+            raise
         raise _located(error, file) from error
 
 

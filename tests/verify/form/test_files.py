@@ -100,10 +100,12 @@ def test_a_wrong_declaration_is_one_line(change, message, bar, capsys):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (("return self.M * (self.r_n - self.r_i)", "return self.M / (self.r_i - self.r_i)"),
+        (("return self.M * (self.r_n - self.r_i)", "return self.M * self.r_i / (self.r_i - self.r_i)"),
          r".py:\d+: sigma_i: ZeroDivisionError: float division by zero"),
         (("return self.M * (self.r_n - self.r_i)", "return self.moment * (self.r_n - self.r_i)"),
          r".py:\d+: sigma_i: AttributeError: .*'moment'"),
+        (("/ log(self.r_o / self.r_i)", "/ log(-self.r_o / self.r_i)"),
+         r".py:\d+: r_n: ValueError: math domain error"),
     ],
 )  # fmt: skip
 def test_a_fault_of_a_formula_is_one_line_with_its_place(change, message, bar, capsys):
@@ -168,7 +170,8 @@ def test_a_case_of_an_installed_package_has_a_name(bar, capsys, monkeypatch):
 def test_a_fault_of_the_reference_has_its_place(bar, capsys):
     file = bar(("force, _, moment = bar.reaction", "force, moment = bar.reaction"))
     assert run(["verify", file, "--out", "out"]) == 1
-    assert re.search(r"level 1: ValueError: too many values", capsys.readouterr().out)
+    place = rf"level 1: CaseError: {file}:\d+: reference: ValueError: too many values"
+    assert re.search(place, capsys.readouterr().out)
     assert file in Path("out/errors.txt").read_text("utf-8")
 
 

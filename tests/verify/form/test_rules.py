@@ -108,7 +108,7 @@ def test_other_equations_have_no_dimension(tex, more):
 def test_no_expected_error_follows_the_formula_that_it_judges(case):
     q = case.inputs()
     assert isinstance(q, Case)
-    assert [one.name for one in independence.followers(q, computed=True)] == []
+    assert [one.name for one in q.stated() if independence.follows(q, one)] == []
 
 
 def expecting(low, high, *, computed=False):
@@ -139,19 +139,23 @@ FOLLOWS = {
 }
 
 
+@pytest.mark.parametrize("computed", [False, True])
 @pytest.mark.parametrize("ends", FOLLOWS.values(), ids=FOLLOWS)
-def test_an_expected_error_that_reads_its_formula_is_an_error(ends):
+def test_an_expected_error_that_reads_its_formula_is_an_error(ends, computed):
+    form = expecting(*ends, computed=computed)
+    _, check, other = adapted(form, time_limit=60.0).checks
     rule = r"Rod.sigma: its expected error reads this formula"
     with pytest.raises(CaseError, match=rf"^test_rules.py:\d+: {rule}"):
-        stated(expecting(*ends))
-    (one,) = independence.followers(expecting(*ends, computed=True)(), computed=True)
-    assert one.name == "stress, Eq. 1"
+        check.interval(form(), {})
+    assert other.interval(form(), {}) == (-0.1, 0.1)
+    assert adapted(form).checks[1].interval(form(), {})  # of the suite
 
 
 def test_an_expected_error_may_depend_on_inputs_and_on_the_size_of_the_formula():
     """As the size of a cell over a width that the formula gives."""
     form = expecting(lambda q: q.d, lambda q: 0.01 * log(q.sigma))
-    assert stated(form) == 3
+    low, high = adapted(form, time_limit=60.0).checks[1].interval(form(), {})
+    assert (low, high) == (0.01, 0.01 * log(form().sigma))
 
 
 def test_what_is_computed_from_a_changed_formula_is_not_kept():
