@@ -7,8 +7,9 @@ from functools import cache
 import numpy as np
 import pytest
 
-from analytic.sprag import closure, course, printed, start, table
+from analytic.sprag import closure, course, printed, race_spring, start, table, work_balance
 from analytic.sprag.history import Phase
+from analytic.sprag.race_spring import RaceSpring
 from verify.cases.sprag.engagement import comparisons, formulas, model, reference
 from verify.cases.sprag.engagement.case import ENGAGEMENT, SpragEngagement
 from verify.core.results import Status
@@ -29,7 +30,7 @@ def own(**changes):
 
 
 def forget():
-    for kept in (model.wedge, model._table, formulas.swing):
+    for kept in (model.wedge, race_spring._table, formulas.swing):
         kept.cache_clear()
     quantity.forget()
 
@@ -221,14 +222,14 @@ def moving(**changes):
 
 
 STEPS = [
-    pytest.param(model, "_table", scaled_columns(OA=0.5, OB=0.5), REST,
+    pytest.param(race_spring, "_table", scaled_columns(OA=0.5, OB=0.5), REST,
                  id="lever arms halved, as printed"),
-    pytest.param(model, "_table", scaled_columns(OA=0.5, OB=0.5), LSODA,
+    pytest.param(race_spring, "_table", scaled_columns(OA=0.5, OB=0.5), LSODA,
                  id="lever arms halved, against LSODA"),
-    pytest.param(model, "_table", scaled_columns(N=1.001), LSODA, id="force 0.1 % too large"),
-    pytest.param(model, "_table", scaled_columns(h=1.01), ENERGY, id="lever of N"),
-    pytest.param(model, "_table", scaled_columns(b_i=1.01), FREE, id="lever of T_i"),
-    pytest.param(model, "_table", scaled_columns(b_e=0.99), REST, id="lever of T_e"),
+    pytest.param(race_spring, "_table", scaled_columns(N=1.001), LSODA, id="force 0.1 % too large"),
+    pytest.param(race_spring, "_table", scaled_columns(h=1.01), ENERGY, id="lever of N"),
+    pytest.param(race_spring, "_table", scaled_columns(b_i=1.01), FREE, id="lever of T_i"),
+    pytest.param(race_spring, "_table", scaled_columns(b_e=0.99), REST, id="lever of T_e"),
     pytest.param(reference, "motion", moving(C_rl=2.0), SPRING, id="damping twice"),
     pytest.param(reference, "motion", moving(k_out=1e-5), SPRING,
                  id="a constant torque holds no outer race"),
@@ -262,14 +263,14 @@ def as_printed(_right):
 
 
 FORMULAS = [
-    pytest.param(model.Wedge, "resistance", stiffer(1.005), REST, id="torque 0.5 % too large"),
-    pytest.param(model.Wedge, "resistance", stiffer(1 / 12), FREE, id="torque of one sprag"),
-    pytest.param(model.Wedge, "force", stiffer(1.003), SPRING, id="force 0.3 % too large"),
-    pytest.param(model, "rolled", lambda right: lambda c, N: 1.01 * right(c, N), SMALL,
+    pytest.param(RaceSpring, "resistance", stiffer(1.005), REST, id="torque 0.5 % too large"),
+    pytest.param(RaceSpring, "resistance", stiffer(1 / 12), FREE, id="torque of one sprag"),
+    pytest.param(RaceSpring, "force", stiffer(1.003), SPRING, id="force 0.3 % too large"),
+    pytest.param(race_spring, "rolled", lambda right: lambda c, N: 1.01 * right(c, N), SMALL,
                  id="turn 1 % too large"),
-    pytest.param(model, "wedged", as_printed, REST, id="closure as printed, at rest"),
-    pytest.param(model, "wedged", as_printed, SMALL, id="closure as printed, stiffness"),
-    pytest.param(formulas, "sprags_inertia", lambda _: lambda _w, _t: -0.02 * PAPER.I_bi, SMALL,
+    pytest.param(race_spring, "wedged", as_printed, REST, id="closure as printed, at rest"),
+    pytest.param(race_spring, "wedged", as_printed, SMALL, id="closure as printed, stiffness"),
+    pytest.param(work_balance, "sprags_inertia", lambda _: lambda *_: -0.02 * PAPER.I_bi, SMALL,
                  id="inertia 2 % too small"),
     pytest.param(formulas, "undamped", lambda right: lambda w, T: right(w, 1.01 * T), FREE,
                  id="work of 1 % more torque"),
@@ -300,7 +301,7 @@ closure_wedged = closure.wedged
 
 def in_every_closure(broken, fault):
     """Put `fault` where formulas, steps and LSODA take the state of a sprag from."""
-    for module in (closure, course, table, start, model):
+    for module in (closure, course, table, start, race_spring):
         broken(module, "wedged", lambda _: fault)
 
 
@@ -319,7 +320,7 @@ def test_rolling_without_the_sprag_s_way_outwards_is_red(broken, judged, red):
         return course._integral(per_turn, on_way.alpha_b)
 
     judged(ENGAGEMENT)
-    broken(model, "rolled", lambda _: without)
+    broken(race_spring, "rolled", lambda _: without)
     assert CONJUGATE in names(red(judged(ENGAGEMENT)))
 
 

@@ -7,6 +7,7 @@ from functools import cache
 import numpy as np
 import pytest
 
+from analytic.sprag import race_spring
 from analytic.sprag.friction import coefficient
 from analytic.sprag.history import Phase
 from verify.cases.sprag.engagement import formulas as engagement_formulas
@@ -32,7 +33,7 @@ def own(**changes):
 
 
 def forget():
-    for kept in (engagement_model.wedge, engagement_model._table,
+    for kept in (engagement_model.wedge, race_spring._table,
                  engagement_formulas.swing):  # fmt: skip
         kept.cache_clear()
     quantity.forget()
@@ -190,7 +191,7 @@ CHOSEN = "chosen bands: N_max within 0.1% of LSODA"
 FORMULAS = [
     pytest.param(formulas, "asked_at", lambda right: lambda w, t: 1.01 * right(w, t), LOCKS,
                  id="asked 1 % too much"),
-    pytest.param(formulas, "asked_at", lambda _: lambda w, t: math.tan(2 * w.q.nu_0), LOCKS,
+    pytest.param(formulas, "asked_at", lambda _: lambda w, t: math.tan(2 * PAPER.nu_0), LOCKS,
                  id="twice the wedge angle"),
     pytest.param(formulas, "sliding", lambda right: lambda w, mu: replace(
         right(w, mu), N=right(w, mu).N / 12), OVERRUN, id="springs of one sprag for all"),

@@ -3,6 +3,7 @@
 import math
 from typing import Any
 
+from analytic.sprag.work_balance import at_rest
 from verify.answers.answer import Quantity
 from verify.answers.assessment import Assessment
 from verify.answers.strengths import yield_strength
@@ -10,7 +11,6 @@ from verify.answers.torque import criteria_under, permissible
 from verify.cases.sprag.clutch.limits import as_torque_grows
 from verify.cases.sprag.clutch.recommendations import verdict, why
 from verify.cases.sprag.crown.formulas import pressed
-from verify.cases.sprag.engagement.formulas import at_rest
 from verify.cases.sprag.engagement.model import crowned_for
 from verify.cases.sprag.engagement.model import wedge as wedge_states
 from verify.cases.sprag.friction.formulas import asked as required_friction

@@ -1,4 +1,4 @@
-"""Expected errors of a wedged sprag: what vanishes with what, and a second way to the same number."""
+"""Expected errors of a wedged sprag: what vanishes with what, a second way to the same number."""
 
 import math
 from dataclasses import replace

@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from analytic.sprag.work_balance import at_rest as static_turn
 from verify.cases.sprag.clutch.paper_fem import PRINTED
-from verify.cases.sprag.engagement.formulas import at_rest as static_turn
 from verify.cases.sprag.engagement.model import wedge
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.cases.sprag.statements import FITTED, Beside, Noted, OfPaper, measured

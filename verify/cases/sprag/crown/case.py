@@ -9,6 +9,7 @@ import numpy as np
 
 from analytic.contact.crown import straight_length
 from analytic.contact.sliced import SlicedContact
+from analytic.sprag.work_balance import at_rest, sprags_inertia
 from verify.case import Case, Comparison, Drawn, Level, Quantity, Scan, shared
 from verify.cases.sprag.clutch.advice import refusal as refusal_at_rest
 from verify.cases.sprag.clutch.model import mid, normal_force, under
@@ -16,8 +17,8 @@ from verify.cases.sprag.crown import advice, formulas
 from verify.cases.sprag.crown import comparisons as compared
 from verify.cases.sprag.crown.figures import figures, sketch
 from verify.cases.sprag.crown.table2 import table_2
-from verify.cases.sprag.engagement.formulas import at_rest, sprags_inertia, swing
-from verify.cases.sprag.engagement.model import crowned_for, gap, wedge
+from verify.cases.sprag.engagement.formulas import swing
+from verify.cases.sprag.engagement.model import crowned_for, gap, motion, wedge
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.cases.sprag.peaks import Crown
 from verify.core.case import Check, Context
@@ -183,7 +184,7 @@ class SpragCrown(EngagementInputs, Case):
     def inertia(self) -> float:
         """Inertia of the sprags over that of the inner race."""
         w = wedge(self)
-        return float(sprags_inertia(w, at_rest(w, self.T)) / self.I_bi)
+        return float(sprags_inertia(w, at_rest(w, self.T), motion(self)) / self.I_bi)
 
     def reference(self, level: int) -> Level:
         """Drawn profiles, strips under the forces of compiled engagements."""

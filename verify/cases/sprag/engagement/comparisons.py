@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 
 from analytic.contact import slices
+from analytic.sprag.work_balance import stored, undamped
 from verify.case import Comparison, Computed, approximation, balance
 from verify.cases.contact.roller.inputs import DESIGNS
-from verify.cases.sprag.engagement.formulas import stored, undamped
 from verify.cases.sprag.engagement.model import gap, parts, wedge
 from verify.cases.sprag.engagement.quantities import EngagementFormulas
 from verify.cases.sprag.engagement.quantities import EngagementFormulas as Of

@@ -1,32 +1,23 @@
-"""A sprag clutch as an engagement needs it: its statics, its table, what moves, and its spring.
+"""A sprag clutch of the inputs as an engagement needs it: its contacts, its spring, what moves.
 
 Everything here is formulas: nothing is compiled.
 """
 
 import math
-from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from scipy.interpolate import CubicSpline
 
 from analytic.contact import crown
-from analytic.sprag.closure import Wedged, wedged
 from analytic.sprag.clutch import Clutch
-from analytic.sprag.course import energy, rolled
 from analytic.sprag.laws import LOADS, sliced_law
 from analytic.sprag.motion import Motion
 from analytic.sprag.parts import Parts
-from analytic.sprag.start import spring_equilibrium
-from analytic.sprag.table import INTERVALS, Table, tabulated
+from analytic.sprag.race_spring import KEPT, Blades, RaceSpring, reached
 from verify.cases.sprag.inputs import EngagementInputs, SpragInputs
 from verify.core.figures import Array
 
-KEPT = 64  # clutches in memory
-STATES = 401  # on the way from no load to the end of the profile
 HEADROOM = 2.5  # of the static load: a load that comes at once swings to twice, or a little less
-SHARE = 1.3  # of the energy put in, which the end of the table must bear
-LONGEST = 60  # times that the largest load is raised
 
 
 def parts(q: SpragInputs) -> Parts:
@@ -65,95 +56,21 @@ def clutch(q: SpragInputs, N_end: float, loads: int = LOADS) -> Clutch:
     )
 
 
-@dataclass(frozen=True, eq=False)
-class Wedge:
-    """A clutch with its states (n,) from no load to `end`, and the races' turn theta [rad] there.
-
-    `ends` says whether the profile ends there, or only the force.
-    """
-
-    q: EngagementInputs
-    clutch: Clutch
-    states: Wedged
-    theta: Array
-    ends: bool
-
-    @property
-    def end(self) -> float:
-        """The largest force [N]."""
-        return float(self.states.N[-1])
-
-    def table(self, intervals: int = INTERVALS) -> Table:
-        """The same over the rotation."""
-        return _table(self, intervals)
-
-    @property
-    def blades(self) -> Array:
-        """What the blades add to the torque [N m] as the races turn, (n,)."""
-        q, now = self.q, self.states
-        turn = now.OC_e / now.OB * np.gradient(now.alpha_b, self.theta, edge_order=2)
-        return np.asarray(q.z * q.K_r * (q.alpha_max - now.alpha) * turn)
-
-    def force(self) -> CubicSpline:
-        """N [N] over the turn [rad]."""
-        return CubicSpline(self.theta, self.states.N)
-
-    def resistance(self) -> CubicSpline:
-        """Torque [N m] that the sprags resist with over the turn [rad], less the blades'."""
-        return CubicSpline(self.theta, self.states.T - self.blades)
-
-    @property
-    def start(self) -> float:
-        """Turn [rad] at which the blades alone press the sprags on their races."""
-        N, _ = spring_equilibrium(self.clutch, K_r=self.q.K_r, alpha_max=self.q.alpha_max)
-        return float(np.interp(N.N, self.states.N, self.theta))
-
-
 @lru_cache(maxsize=KEPT)
-def _table(w: Wedge, intervals: int) -> Table:
-    return tabulated(w.clutch, N_end=w.end, intervals=intervals)
-
-
-@lru_cache(maxsize=KEPT)
-def wedge(q: EngagementInputs, *, rigid: bool = False) -> Wedge:
+def wedge(q: EngagementInputs, *, rigid: bool = False) -> RaceSpring:
     """The clutch up to what an engagement can reach, or the end of the profile.
 
     `rigid` races are Liu's.
     """
-    N = HEADROOM * crowned_for(q)
-    for _ in range(LONGEST):
+
+    def made(N: float) -> Clutch:
         found = clutch(q, N)
-        found = found.rigid_races() if rigid else found
-        states = wedged(found, N * np.linspace(0, 1, STATES) ** 2)
-        inside = np.isfinite(states.alpha) & (states.alpha - states.alpha[0] <= q.alpha_max)
-        if not inside.all():
-            return _to_profile_end(q, found, N)
-        put_in = q.T * rolled(found, N) + q.I_bi * q.w_i**2 / 2 + _sprung(q, states.alpha)
-        if q.z * energy(found, N) > SHARE * put_in:
-            return _of(q, found, N, ends=False)
-        N *= 2
-    raise ValueError(f"no force bears the torque T = {q.T:g} N m")
+        return found.rigid_races() if rigid else found
 
-
-def _sprung(q: EngagementInputs, alpha: Array) -> float:
-    """What the blades do [J] on the way from the first of the rotations to the last."""
-    left = q.alpha_max - alpha
-    return float(q.z * q.K_r * (left[0] ** 2 - left[-1] ** 2) / 2)
-
-
-def _to_profile_end(q: EngagementInputs, found: Clutch, N: float) -> Wedge:
-    low, high = 0.0, N
-    first = float(wedged(found, 0.0).alpha)
-    for _ in range(60):
-        middle = (low + high) / 2
-        alpha = float(wedged(found, middle).alpha) - first
-        low, high = (middle, high) if alpha <= q.alpha_max else (low, middle)
-    return _of(q, found, low, ends=True)
-
-
-def _of(q: EngagementInputs, found: Clutch, N: float, *, ends: bool) -> Wedge:
-    loads = N * np.linspace(0, 1, STATES) ** 2
-    return Wedge(q, found, wedged(found, loads), rolled(found, loads), ends)
+    return reached(
+        made, HEADROOM * crowned_for(q), T=q.T, kinetic=q.I_bi * q.w_i**2 / 2,
+        blades=Blades(K_r=q.K_r, alpha_max=q.alpha_max),
+    )  # fmt: skip
 
 
 def motion(q: EngagementInputs) -> Motion:

@@ -3,9 +3,11 @@
 import math
 from collections.abc import Mapping
 
+from analytic.sprag.race_spring import RaceSpring
+from analytic.sprag.work_balance import stored
 from verify.case import Case, Quantity, shared
-from verify.cases.sprag.engagement.formulas import analytic, stored
-from verify.cases.sprag.engagement.model import Wedge, wedge
+from verify.cases.sprag.engagement.formulas import analytic
+from verify.cases.sprag.engagement.model import wedge
 from verify.cases.sprag.inputs import EngagementInputs
 
 SPRING = "two races on the clutch as a spring"
@@ -24,7 +26,7 @@ class EngagementFormulas(EngagementInputs, Case):
         return self.numbers.get(name, math.nan)
 
     @shared
-    def wedge(self) -> Wedge:
+    def wedge(self) -> RaceSpring:
         """The clutch at all turns of its races."""
         return wedge(self)
 

@@ -14,10 +14,12 @@ from analytic.sprag.balance import balance
 from analytic.sprag.closure import wedged
 from analytic.sprag.history import Phase
 from analytic.sprag.motion import Motion, Speeds, Torque
+from analytic.sprag.race_spring import RaceSpring
+from analytic.sprag.readings import asked, highest, later_peak, missing, put_in
 from analytic.sprag.table import INTERVALS, Table, tabulated
 from verify.cases.contact.roller.inputs import DESIGNS
 from verify.cases.sprag.engagement.formulas import analytic, with_torque
-from verify.cases.sprag.engagement.model import Wedge, motion, wedge
+from verify.cases.sprag.engagement.model import motion, wedge
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.case import FemResult
 from verify.core.figures import Array
@@ -89,7 +91,7 @@ def tables_fem(q: EngagementInputs, main: "Engagement") -> dict[str, float]:
     return found | {"f": max(found["f"], CROSSED * v["f"])}
 
 
-def engagements(q: EngagementInputs) -> tuple[tuple[EngagementInputs, Wedge], ...]:
+def engagements(q: EngagementInputs) -> tuple[tuple[EngagementInputs, RaceSpring], ...]:
     """The engagement, that with rigid races and that under more torque."""
     more = with_torque(q)
     return (q, wedge(q)), (q, wedge(q, rigid=True)), (more, wedge(more))
@@ -100,7 +102,7 @@ def torque(q: EngagementInputs) -> Torque:
 
 
 def engaged_fem(
-    q: EngagementInputs, w: Wedge, dt: float, moves: Motion | None = None,
+    q: EngagementInputs, w: RaceSpring, dt: float, moves: Motion | None = None,
     course: Torque | None = None, **how: Any,
 ) -> "Engagement":  # fmt: skip
     """The engagement of `q` on the clutch `w` in steps of dt [s]."""
@@ -137,14 +139,6 @@ def strut_table(q: EngagementInputs) -> Table:
     return tabulated(w.clutch, N_end=w.end, balanced=True)
 
 
-def put_in(found: "Engagement") -> float:
-    """Work [J] of torque and blades till the first peak, on the parabola through three samples."""
-    ahead = found.t / found.dt - found.first_peak[0] / found.dt
-    near = np.argsort(np.abs(ahead))[:3]
-    kept = balance(found)
-    return float(np.polyfit(ahead[near], (kept.torque + kept.blades)[near], 2)[-1])
-
-
 def settled_fem(q: EngagementInputs, level: int) -> float:
     """N [N] at rest: after a slow rise, with damping."""
     v = analytic(q)
@@ -172,27 +166,6 @@ def tremor_fem(q: EngagementInputs, level: int) -> float:
     return float(1 / np.diff(crossings).mean())
 
 
-def missing(found: "Engagement") -> float:
-    """Largest energy that is missing [J]."""
-    return float(np.abs(balance(found).missing).max())
-
-
-def later_peak(found: "Engagement") -> float:
-    """Largest N [N] after the first peak and the trough behind it; 0 where there is none."""
-    after = found.N[found.t > found.first_peak[0]]
-    rising = np.flatnonzero(np.diff(after) > 0)
-    return float(after[rising[0] :].max()) if len(rising) else 0.0
-
-
-def asked(found: "Engagement") -> float:
-    """Largest |T|/N while both contacts stick, the friction that keeps them from sliding."""
-    pressed = (found.N > 0) & (found.phases == Phase.STICK).all(axis=1)
-    if not pressed.any():
-        return math.nan
-    most = np.maximum(np.abs(found.T_i), np.abs(found.T_e))[pressed]
-    return float((most / found.N[pressed]).max())
-
-
 def history(found: "Engagement", name: str) -> dict[str, Array]:
     """Force, sliding and energies, thinned."""
     every = max(len(found.t) // SHOWN, 1)
@@ -205,7 +178,7 @@ def history(found: "Engagement", name: str) -> dict[str, Array]:
 
 def partner_fem(
     q: EngagementInputs,
-    w: Wedge,
+    w: RaceSpring,
     duration: float,
     *,
     unlimited: bool = False,
@@ -240,15 +213,6 @@ def partners_fem(q: EngagementInputs) -> Mapping[str, float]:
             SPLINES, *(abs(a / b - 1) for a, b in zip(rough, first, strict=True))
         ),
     }
-
-
-def highest(found: "Events") -> tuple[float, float]:
-    """Time [s] and N [N] of the largest force."""
-    tops = found.peaks[np.argmax(found.peaks[:, 1])] if len(found.peaks) else (0.0, 0.0)
-    k = int(np.argmax(found.N))
-    if tops[1] >= found.N[k]:
-        return float(tops[0]), float(tops[1])
-    return float(found.t[k]), float(found.N[k])
 
 
 def compared_fem(q: EngagementInputs, main: "Engagement") -> dict[str, Array]:

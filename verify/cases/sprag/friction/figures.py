@@ -6,7 +6,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from analytic.sprag.friction import coefficient
-from verify.cases.sprag.friction.formulas import sliding
+from analytic.sprag.sliding import sliding
 from verify.cases.sprag.friction.reference import BANDS, NARROW, STEPS
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.case import Context

@@ -1,25 +1,17 @@
-"""Formulas of the friction in a sprag clutch: what it asks for at rest, and what sliding bears.
-
-Where one contact slides at a constant speed the two equations of the sprag (Eq. 14) leave N to
-the blades alone. Driven, it is the inner one, T_i = mu N:
-
-    N = K_r (alpha_max - alpha) / (h - b_i mu - b_e [(OA + b_i) mu - h]/(OB - b_e)),
-
-which grows without end as mu comes near what rest asks for. Where the race overruns the outer
-contact would have to bear more, slides with T_e = -mu N, and the sprags go round with the race.
-"""
+"""Formulas of the friction in a sprag clutch: what it asks for at rest, and what sliding bears."""
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import brentq
 
 from analytic.sprag.friction import coefficient
+from analytic.sprag.race_spring import RaceSpring
+from analytic.sprag.sliding import Sliding, sliding
+from analytic.sprag.work_balance import asked as asked_at
+from analytic.sprag.work_balance import at_rest
 from verify.case import Case, Quantity, shared
-from verify.cases.sprag.engagement.formulas import asked as asked_at
-from verify.cases.sprag.engagement.formulas import at_rest, swing, with_torque
-from verify.cases.sprag.engagement.model import Wedge, wedge
+from verify.cases.sprag.engagement.formulas import swing, with_torque
+from verify.cases.sprag.engagement.model import wedge
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.figures import Array, Equation
 
@@ -35,37 +27,6 @@ def asked(q: EngagementInputs, factor: float = 1.0) -> tuple[float, float]:
     if math.isnan(rest):
         return math.nan, math.nan
     return asked_at(w, rest), float(np.tan(np.interp(rest, w.theta, w.states.nu)))
-
-
-@dataclass(frozen=True)
-class Sliding:
-    """N [N] of a sprag that slides, T_i/N, and whether it does so on the outer race."""
-
-    N: float
-    share: float
-    outside: bool
-
-
-def sliding(w: Wedge, mu: float) -> Sliding:
-    """The state with friction `mu` at the contact that slides, negative where the race overruns.
-
-    The contact slides that otherwise would have to bear more than friction. Where both would, for
-    |mu| below h/2 over OC_g, there is no such state, and N is nan.
-    """
-    q, now = w.q, w.states
-    h = now.h_i - now.h_e
-    inner, outer = np.full_like(h, mu), ((now.OA + now.b_i) * mu - h) / (now.OB - now.b_e)
-    outside = bool(np.abs(outer[0]) > abs(mu))
-    if outside:
-        outer = np.full_like(h, np.copysign(mu, outer[0]))
-        inner = ((now.OB - now.b_e) * outer + h) / (now.OA + now.b_i)
-        if abs(inner[0]) > abs(mu):
-            return Sliding(math.nan, math.nan, outside)
-    left = now.N * (h - now.b_i * inner - now.b_e * outer) - q.K_r * (q.alpha_max - now.alpha)
-    if left[-1] <= 0:
-        return Sliding(math.nan, math.nan, outside)
-    N = float(brentq(lambda N: float(np.interp(N, now.N, left)), 0.0, now.N[-1]))
-    return Sliding(N, float(np.interp(N, now.N, inner)), outside)
 
 
 def weak(q: EngagementInputs, factor: float = 1.0) -> EngagementInputs:
@@ -87,7 +48,7 @@ class FrictionFormulas(EngagementInputs, Case):
     """
 
     @shared
-    def wedge(self) -> Wedge:
+    def wedge(self) -> RaceSpring:
         """The clutch at all turns of its races."""
         return wedge(self)
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from analytic.sprag.history import Phase
 from analytic.sprag.motion import Speeds, Torque
+from analytic.sprag.readings import highest, sticks, swings
 from verify.cases.sprag.engagement.formulas import MORE, swing, with_torque
 from verify.cases.sprag.engagement.formulas import analytic as engagement_values
 from verify.cases.sprag.engagement.model import motion, wedge
@@ -18,7 +19,6 @@ from verify.cases.sprag.engagement.reference import (
     STUCK,
     engaged_fem,
     held,
-    highest,
     partner_fem,
 )
 from verify.cases.sprag.friction.formulas import BELOW, asked, weak
@@ -27,7 +27,7 @@ from verify.core.case import FemResult
 from verify.core.figures import Array
 
 if TYPE_CHECKING:
-    from analytic.sprag.history import Engagement
+    pass
 
 LEVELS = (1, 2, 4)  # steps in the one of the inputs
 TORQUES = (0.6, 1.0, MORE)  # of T
@@ -57,7 +57,7 @@ def solve(q: EngagementInputs, level: int) -> FemResult:
                    for p in (weak(q), weak(q, MORE)))  # fmt: skip
     values = {
         "mu_b": boundary, "N_slides": slides, "N_overruns": overruns,
-        "N_max": first.N_max, "N_max more": more.N_max, "sticks": sticks_fem(more),
+        "N_max": first.N_max, "N_max more": more.N_max, "sticks": sticks(more),
         "D_V": more.D_V,
     } | amid_fem(q, dt, until)  # fmt: skip
     arrays: dict[str, Array] = {}
@@ -124,30 +124,6 @@ def sliding_fem(q: EngagementInputs, dt: float, mu: float, speed: float) -> tupl
     )
     # the closed form has lines through the clutch's states, the steps cubics
     return late, max(abs(late - middle), late * max(swings(found, mu), SPLINES))
-
-
-def swings(found: "Engagement", mu: float) -> float:
-    """What the swing shifts the mean N by, over it: N and the arms of its moment swing together."""
-    N, late = found.N, len(found.N) // 2
-    at = found.table.at(found.alpha)
-    outer = ((at["OA"] + at["b_i"]) * mu - at["h"]) / (at["OB"] - at["b_e"])
-    arm = (at["h"] - at["b_i"] * mu - at["b_e"] * outer)[late:]
-    return float(abs(np.mean(N[late:] * arm) / (N[late:].mean() * arm.mean()) - 1))
-
-
-def sticks_fem(found: "Engagement") -> float:
-    """Time [s] at which the inner contact first comes to rest; 0 where it never slides.
-
-    Its speed is followed on the parabola of its last three samples outside the band.
-    """
-    slid = np.flatnonzero(found.phases[:, 0] == Phase.SLIP)
-    if not len(slid):
-        return 0.0
-    outside = slid[np.abs(found.v_i[slid]) > found.D_V]
-    k = outside[np.flatnonzero(np.diff(outside, append=np.inf) > 1)[0]]
-    first, slope, bend = np.polynomial.polynomial.polyfit([-2, -1, 0], found.v_i[k - 2 : k + 1], 2)
-    later = [x.real for x in np.roots([bend, slope, first]) if abs(x.imag) < 1e-9 and x.real > 0]
-    return float(found.t[k] + found.dt * min(later, default=0.0))
 
 
 def between(q: EngagementInputs) -> float:

@@ -1,0 +1,140 @@
+"""A sprag clutch as a spring between its races: what it bears at every turn of one to the other.
+
+Contacts that roll tie the sprags' motion to the turn theta of the races against each other. Without
+the sprags' mass the clutch is a spring T(theta), N(theta), from which blades take what presses the
+sprags on their races.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+from analytic.contact.checks import Array
+from analytic.sprag.closure import Wedged, wedged
+from analytic.sprag.clutch import Clutch
+from analytic.sprag.course import energy, rolled
+from analytic.sprag.start import spring_equilibrium
+from analytic.sprag.table import INTERVALS, Table, tabulated
+
+KEPT = 64  # clutches in memory
+STATES = 401  # on the way from no load to the end of the profile
+SHARE = 1.3  # of the energy put in, which the end of the table must bear
+LONGEST = 60  # times that the largest load is raised
+
+
+@dataclass(frozen=True, kw_only=True)
+class Blades:
+    """Springs of the stiffness `K_r` [N m/rad] on each sprag, slack at its turn `alpha_max` [rad].
+
+    The profile ends that far from first contact.
+    """
+
+    K_r: float
+    alpha_max: float
+
+
+@dataclass(frozen=True, eq=False)
+class RaceSpring:
+    """A clutch with its states (n,) from no load to `end`, and the races' turn theta [rad] there.
+
+    `ends` says whether the profile ends there, or only the force.
+    """
+
+    blades: Blades
+    clutch: Clutch
+    states: Wedged
+    theta: Array
+    ends: bool
+
+    @property
+    def n_s(self) -> int:
+        """Number of sprags."""
+        return self.clutch.n_s
+
+    @property
+    def end(self) -> float:
+        """The largest force [N]."""
+        return float(self.states.N[-1])
+
+    def table(self, intervals: int = INTERVALS) -> Table:
+        """The same over the rotation."""
+        return _table(self, intervals)
+
+    @property
+    def pushed(self) -> Array:
+        """What the blades add to the torque [N m] as the races turn, (n,)."""
+        now = self.states
+        turn = now.OC_e / now.OB * np.gradient(now.alpha_b, self.theta, edge_order=2)
+        left = self.blades.alpha_max - now.alpha
+        return np.asarray(self.n_s * self.blades.K_r * left * turn)
+
+    def force(self) -> CubicSpline:
+        """N [N] over the turn [rad]."""
+        return CubicSpline(self.theta, self.states.N)
+
+    def resistance(self) -> CubicSpline:
+        """Torque [N m] that the sprags resist with over the turn [rad], less the blades'."""
+        return CubicSpline(self.theta, self.states.T - self.pushed)
+
+    @property
+    def pressed(self) -> Wedged:
+        """The state in which the blades alone press the sprags on their races."""
+        blades = self.blades
+        N, _ = spring_equilibrium(self.clutch, K_r=blades.K_r, alpha_max=blades.alpha_max)
+        return N
+
+    @property
+    def start(self) -> float:
+        """Turn [rad] of that state."""
+        return float(np.interp(self.pressed.N, self.states.N, self.theta))
+
+
+@lru_cache(maxsize=KEPT)
+def _table(w: RaceSpring, intervals: int) -> Table:
+    return tabulated(w.clutch, N_end=w.end, intervals=intervals)
+
+
+def reached(
+    made: Callable[[float], Clutch], N: float, *, T: float, kinetic: float, blades: Blades
+) -> RaceSpring:
+    """The clutch up to what an engagement can reach, or the end of the profile.
+
+    `made` gives the clutch whose contacts are known up to a force [N]. It is raised from `N` until
+    the clutch stores more than the torque `T` [N m], the races' `kinetic` energy [J] and the blades
+    put in. ValueError where no force bears the torque.
+    """
+    for _ in range(LONGEST):
+        found = made(N)
+        states = wedged(found, N * np.linspace(0, 1, STATES) ** 2)
+        turned = states.alpha - states.alpha[0]
+        if not (np.isfinite(states.alpha) & (turned <= blades.alpha_max)).all():
+            return _to_profile_end(found, N, blades)
+        put_in = T * rolled(found, N) + kinetic + _sprung(blades, found.n_s, states.alpha)
+        if found.n_s * energy(found, N) > SHARE * put_in:
+            return _of(found, N, blades, ends=False)
+        N *= 2
+    raise ValueError(f"no force bears the torque T = {T:g} N m")
+
+
+def _sprung(blades: Blades, n_s: int, alpha: Array) -> float:
+    """What the blades do [J] on the way from the first of the rotations to the last."""
+    left = blades.alpha_max - alpha
+    return float(n_s * blades.K_r * (left[0] ** 2 - left[-1] ** 2) / 2)
+
+
+def _to_profile_end(found: Clutch, N: float, blades: Blades) -> RaceSpring:
+    low, high = 0.0, N
+    first = float(wedged(found, 0.0).alpha)
+    for _ in range(60):
+        middle = (low + high) / 2
+        alpha = float(wedged(found, middle).alpha) - first
+        low, high = (middle, high) if alpha <= blades.alpha_max else (low, middle)
+    return _of(found, low, blades, ends=True)
+
+
+def _of(found: Clutch, N: float, blades: Blades, *, ends: bool) -> RaceSpring:
+    loads = N * np.linspace(0, 1, STATES) ** 2
+    return RaceSpring(blades, found, wedged(found, loads), rolled(found, loads), ends)

@@ -1,0 +1,71 @@
+"""What is read of an engagement that was followed in time: peaks, work, friction, sliding."""
+
+import math
+
+import numpy as np
+
+from analytic.sprag.balance import balance
+from analytic.sprag.events import Events
+from analytic.sprag.history import Engagement, Phase
+
+
+def put_in(found: Engagement) -> float:
+    """Work [J] of torque and blades till the first peak, on the parabola through three samples."""
+    ahead = found.t / found.dt - found.first_peak[0] / found.dt
+    near = np.argsort(np.abs(ahead))[:3]
+    kept = balance(found)
+    return float(np.polyfit(ahead[near], (kept.torque + kept.blades)[near], 2)[-1])
+
+
+def missing(found: Engagement) -> float:
+    """Largest energy that is missing [J]."""
+    return float(np.abs(balance(found).missing).max())
+
+
+def later_peak(found: Engagement) -> float:
+    """Largest N [N] after the first peak and the trough behind it; 0 where there is none."""
+    after = found.N[found.t > found.first_peak[0]]
+    rising = np.flatnonzero(np.diff(after) > 0)
+    return float(after[rising[0] :].max()) if len(rising) else 0.0
+
+
+def asked(found: Engagement) -> float:
+    """Largest |T|/N while both contacts stick, the friction that keeps them from sliding."""
+    pressed = (found.N > 0) & (found.phases == Phase.STICK).all(axis=1)
+    if not pressed.any():
+        return math.nan
+    most = np.maximum(np.abs(found.T_i), np.abs(found.T_e))[pressed]
+    return float((most / found.N[pressed]).max())
+
+
+def highest(found: Events) -> tuple[float, float]:
+    """Time [s] and N [N] of the largest force."""
+    tops = found.peaks[np.argmax(found.peaks[:, 1])] if len(found.peaks) else (0.0, 0.0)
+    k = int(np.argmax(found.N))
+    if tops[1] >= found.N[k]:
+        return float(tops[0]), float(tops[1])
+    return float(found.t[k]), float(found.N[k])
+
+
+def swings(found: Engagement, mu: float) -> float:
+    """What the swing shifts the mean N by, over it: N and the arms of its moment swing together."""
+    N, late = found.N, len(found.N) // 2
+    at = found.table.at(found.alpha)
+    outer = ((at["OA"] + at["b_i"]) * mu - at["h"]) / (at["OB"] - at["b_e"])
+    arm = (at["h"] - at["b_i"] * mu - at["b_e"] * outer)[late:]
+    return float(abs(np.mean(N[late:] * arm) / (N[late:].mean() * arm.mean()) - 1))
+
+
+def sticks(found: Engagement) -> float:
+    """Time [s] at which the inner contact first comes to rest; 0 where it never slides.
+
+    Its speed is followed on the parabola of its last three samples outside the band.
+    """
+    slid = np.flatnonzero(found.phases[:, 0] == Phase.SLIP)
+    if not len(slid):
+        return 0.0
+    outside = slid[np.abs(found.v_i[slid]) > found.D_V]
+    k = outside[np.flatnonzero(np.diff(outside, append=np.inf) > 1)[0]]
+    first, slope, bend = np.polynomial.polynomial.polyfit([-2, -1, 0], found.v_i[k - 2 : k + 1], 2)
+    later = [x.real for x in np.roots([bend, slope, first]) if abs(x.imag) < 1e-9 and x.real > 0]
+    return float(found.t[k] + found.dt * min(later, default=0.0))

@@ -1,0 +1,50 @@
+"""Sprags that slide on for ever: what they bear, and at which contact they do so.
+
+Where one contact slides at a constant speed the two equations of the sprag (Eq. 14) leave N to
+the blades alone. Driven, it is the inner one, T_i = mu N:
+
+    N = K_r (alpha_max - alpha) / (h - b_i mu - b_e [(OA + b_i) mu - h]/(OB - b_e)),
+
+which grows without end as mu comes near what rest asks for. Where the race overruns the outer
+contact would have to bear more, slides with T_e = -mu N, and the sprags go round with the race.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.optimize import brentq
+
+from analytic.sprag.race_spring import RaceSpring
+
+
+@dataclass(frozen=True)
+class Sliding:
+    """N [N] of a sprag that slides, T_i/N, and whether it does so on the outer race."""
+
+    N: float
+    share: float
+    outside: bool
+
+
+def sliding(w: RaceSpring, mu: float) -> Sliding:
+    """The state with friction `mu` at the contact that slides, negative where the race overruns.
+
+    The contact slides that otherwise would have to bear more than friction. Where both would, for
+    |mu| below h/2 over OC_g, there is no such state, and N is nan.
+    """
+    blades, now = w.blades, w.states
+    h = now.h_i - now.h_e
+    inner, outer = np.full_like(h, mu), ((now.OA + now.b_i) * mu - h) / (now.OB - now.b_e)
+    outside = bool(np.abs(outer[0]) > abs(mu))
+    if outside:
+        outer = np.full_like(h, np.copysign(mu, outer[0]))
+        inner = ((now.OB - now.b_e) * outer + h) / (now.OA + now.b_i)
+        if abs(inner[0]) > abs(mu):
+            return Sliding(math.nan, math.nan, outside)
+    arm = h - now.b_i * inner - now.b_e * outer
+    left = now.N * arm - blades.K_r * (blades.alpha_max - now.alpha)
+    if left[-1] <= 0:
+        return Sliding(math.nan, math.nan, outside)
+    N = float(brentq(lambda N: float(np.interp(N, now.N, left)), 0.0, now.N[-1]))
+    return Sliding(N, float(np.interp(N, now.N, inner)), outside)

@@ -1,0 +1,102 @@
+"""What a clutch as a spring between its races says of an engagement, without motion in time.
+
+Statics balance work: without damping and with the outer race held the first peak is where the
+torque has done the work that the spring has taken. That shares with the equations of motion
+(Eqs. 14-16) the closure alone.
+"""
+
+import math
+
+import numpy as np
+from scipy.integrate import cumulative_trapezoid
+from scipy.interpolate import CubicSpline
+from scipy.optimize import brentq
+
+from analytic.sprag.course import work
+from analytic.sprag.events import ROLLS, Sprag, System
+from analytic.sprag.motion import Motion, Speeds, Torque
+from analytic.sprag.race_spring import RaceSpring
+
+
+def at_rest(w: RaceSpring, T: float) -> float:
+    """Turn [rad] at which the clutch bears T [N m] at rest; nan where its profile ends before."""
+    resists = w.resistance()
+    if float(resists(w.theta[-1])) < T:
+        return math.nan
+    return float(brentq(lambda x: float(resists(x)) - T, 0.0, w.theta[-1], xtol=1e-15))
+
+
+def undamped(w: RaceSpring, T: float) -> float:
+    """Turn [rad] of the first peak without damping, outer race held: T theta = the work done."""
+    work, rest, start = w.resistance().antiderivative(), at_rest(w, T), w.start
+
+    def left(x: float) -> float:
+        return float(T * (x - start) - work(x) + work(start))
+
+    if math.isnan(rest) or left(w.theta[-1]) > 0:
+        return math.nan
+    return float(brentq(left, rest, w.theta[-1], xtol=1e-15))
+
+
+def stored(w: RaceSpring, N: float) -> float:
+    """Work [J] of the forces on all that yields, from the blades' start to N [N]; no rolling."""
+    return w.n_s * float(work(w.clutch, N) - work(w.clutch, w.pressed.N))
+
+
+def by_turning(w: RaceSpring) -> float:
+    """Work of the torque over the turn by rolling, to the last state, over that on the yields."""
+    turned = CubicSpline(w.theta, w.states.T).integrate(0.0, w.theta[-1])
+    return float(turned) / (w.n_s * float(work(w.clutch, w.end)))
+
+
+def left_out(w: RaceSpring, N: float) -> float:
+    """Share of that work, to N [N], on the centroid's way outwards, which Eq. 14 leaves out."""
+    now = w.states
+    per_way = np.sin(now.beta + now.gamma) / now.OA - np.sin(now.gamma) / now.OB
+    on_way = cumulative_trapezoid(now.T * per_way, now.OC_g, initial=0.0)
+    return float(np.interp(N, now.N, on_way)) / stored(w, N)
+
+
+def sprags_inertia(w: RaceSpring, theta: float, motion: Motion) -> float:
+    """Inertia [kg m²] of the sprags on the inner race's turn, outer race held."""
+    now = w.states
+    alpha_b = np.gradient(now.alpha_b, w.theta, edge_order=2)
+    alpha = np.gradient(now.alpha, w.theta, edge_order=2)
+    turn = np.interp(theta, w.theta, now.OC_e / now.OB * alpha_b)
+    around = np.interp(theta, w.theta, alpha) - turn
+    OC_g = np.interp(theta, w.theta, now.OC_g)
+    return float(w.n_s * (motion.m_g * (OC_g * around) ** 2 + motion.I_g * turn**2))
+
+
+def frequency(w: RaceSpring, T: float, motion: Motion) -> float:
+    """Frequency [Hz] of small oscillations about the state at rest under T, outer race held."""
+    rest = at_rest(w, T)
+    if math.isnan(rest):
+        return math.nan
+    k = float(w.resistance()(rest, 1))
+    return math.sqrt(k / (motion.I_bi + sprags_inertia(w, rest, motion))) / (2 * math.pi)
+
+
+def asked(w: RaceSpring, theta: float) -> float:
+    """T_i/N that the clutch asks for at the turn [rad]: tan(nu), less what the springs bear."""
+    N, OA = (np.interp(theta, w.theta, x) for x in (w.states.N, w.states.OA))
+    return float(w.resistance()(theta) / (w.n_s * OA * N))
+
+
+def asked_at_start(w: RaceSpring, T: float, motion: Motion) -> float:
+    """Largest |T|/N with which both contacts would begin to roll under the whole torque."""
+    system = System(Sprag(w.states, w.n_s, balanced=False), motion, Torque.step(T), unlimited=True)
+    _, tangential, _, N = system.accelerations(0.0, system.rest(Speeds()), (ROLLS, ROLLS))
+    return float(np.abs(tangential).max() / N)
+
+
+def passed_on(w: RaceSpring, T: float) -> float:
+    """What a change of the torque, at every turn alike, changes the undamped peak's N by.
+
+    From T theta = work: (T* - T) dtheta = -work dT/T at the peak's turn and torque T*.
+    """
+    peak = undamped(w, T)
+    if math.isnan(peak):
+        return math.nan
+    more = float(w.resistance()(peak)) / T - 1
+    return float(w.force()(peak, 1)) * peak / float(w.force()(peak)) / more
