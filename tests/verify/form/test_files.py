@@ -100,7 +100,7 @@ def test_a_wrong_declaration_is_one_line(change, message, bar, capsys):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (("return self.M * (self.r_n - self.r_i)", "return self.M * self.r_i / (self.r_i - self.r_i)"),
+        ((INNER, "return self.M * self.r_i**2 / (self.r_i - self.r_i)"),
          r".py:\d+: sigma_i: ZeroDivisionError: float division by zero"),
         (("return self.M * (self.r_n - self.r_i)", "return self.moment * (self.r_n - self.r_i)"),
          r".py:\d+: sigma_i: AttributeError: .*'moment'"),
