@@ -1,14 +1,17 @@
 """Rollers between flats and a round race through states of growing load, and what lies between."""
 
+import math
 from collections.abc import Callable, Sequence
 from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline
 
 from fem.wedge.course import Course
 from fem.wedge.flat import State
 from fem.wedge.flat_place import Pitch, Place
+from fem.wedge.flat_start import Start, after
 
 Array = NDArray[np.float64]
 
@@ -34,6 +37,26 @@ class FlatCourse(Course):
     def place(self, value: float, by: str = "T") -> Place:
         """Where the roller's centre is."""
         return Place.overlapping(self.q, self.at("d_i", value, by), self.at("d_o", value, by))
+
+    def start(self, T: float) -> Start:
+        """Where the pitch lies under a torque [N m], from where its heaviest state does."""
+        last = after(self.last)
+        return last.scaled(self.at("d_o", T) / last.d[1])
+
+    def share(self, T: float, where: str = "") -> float:
+        """F_t/N under a torque [N m] at the flat, or at the race: " race"."""
+        return self.at(f"F_t{where}", T) / self.at(f"N{where}", T)
+
+    def force_at_angle(self, psi: float) -> float:
+        """Normal force [N] with the roller's centre at the angle `psi` [rad]."""
+        low, high = np.sort(self.psi[[0, -1]])
+        if not low <= psi <= high:
+            raise ArithmeticError(f"the angle {psi:.4g} rad lies beyond the states' {high:.4g} rad")
+        sense, rigid = self.q.sense, math.cos(self.q.rigid_angle)
+        opened, wanted = sense * (rigid - np.cos(self.psi)), sense * (rigid - math.cos(psi))
+        # nearly a power of N
+        spline = CubicSpline(np.log(opened), np.log(self.at_states["N"]))
+        return float(np.exp(spline(math.log(wanted))))
 
     def torsion_by_energy(self, T: Array) -> Array:
         """Torsion [rad] as the integral of dU/T, with a power law below the first state."""

@@ -9,8 +9,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
 if TYPE_CHECKING:
     from skfem.mesh import Mesh2D
+
+Array = NDArray[np.float64]
 
 
 class Names(NamedTuple):
@@ -43,6 +48,19 @@ class Pitch:
     names: Names
     mesh: "Callable[[Place, tuple[float, float], int], Mesh2D]"
 
+    @property
+    def rigid_angle(self) -> float:
+        """The angle psi [rad] without load."""
+        return math.acos((self.flat + self.sense * self.r) / (self.race - self.sense * self.r))
+
+    def arc(self, psi: Array, to_race: Array) -> Array:
+        """Way [m] of the roller's centre about the axis, as seen from the cam, from no load on.
+
+        `psi` [rad] is its angle, `to_race` [m] the approach of roller and race.
+        """
+        rho = self.race - self.sense * self.r + self.sense * to_race
+        return np.asarray(rho * (psi - self.rigid_angle) * self.sense)
+
 
 @dataclass(frozen=True)
 class Place:
@@ -66,6 +84,11 @@ class Place:
     def d_o(self) -> float:
         """Approach [m] of roller and outer part."""
         return self._approaches[1]
+
+    @property
+    def to_race(self) -> float:
+        """Approach [m] of roller and race."""
+        return self.d_o if self.q.sense > 0 else self.d_i
 
     @property
     def _approaches(self) -> tuple[float, float]:

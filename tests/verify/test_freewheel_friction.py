@@ -11,11 +11,11 @@ from analytic.freewheel import criterion
 from analytic.freewheel.geometry import Cam
 from fem.contact import interface
 from fem.wedge import pulled as model
+from fem.wedge import sliding
 from fem.wedge.slip_limit import Limit
 from verify.cases.freewheel.friction import reference as fem
 from verify.cases.freewheel.friction.case import FRICTION, FreewheelFriction
 from verify.cases.freewheel.pulled_sector import one_pulled
-from verify.cases.freewheel.reference import ratio
 from verify.cases.freewheel.star import Star
 from verify.cases.freewheel.sweep import Sweep
 from verify.core.results import Status
@@ -81,7 +81,7 @@ def test_friction_and_the_sweep_over_the_torque_read_the_same_forces(start):
     q = FreewheelFriction()
     rest, _ = fem.under_load(ONE, start, 4)
     sweep, T, borne = Sweep(q, 4), rest.torque * q.L, model.Borne.by(rest)
-    shares = [ratio(sweep, T, where) for where in ("", " race")]
+    shares = [sweep.share(T, where) for where in ("", " race")]
     assert pytest.approx(np.mean(shares), rel=1e-4) == borne.tangent
     assert pytest.approx(sweep.at("N", T), rel=1e-4) == borne.N.mean() * q.L
     assert borne.tangent == pytest.approx(math.tan(rest.place.psi / 2), rel=2e-6)
@@ -271,10 +271,10 @@ def without_z(right):
 FEM_FAULTS = [
     pytest.param(interface, "Complementarity", rough(1.01), ONSET, id="friction 1 % too large"),
     pytest.param(model.Borne, "by", without_z, BOTH, id="the pull along z is not read"),
-    pytest.param(fem, "pulled", lambda right: lambda one, there, rest: right(
+    pytest.param(sliding, "pulled", lambda right: lambda one, there, rest: right(
         replace(one, F_ax=one.q.z * one.F_ax), there, rest), AXIAL,
         id="the whole load on one pitch"),
-    pytest.param(fem, "creeping", lambda _: lambda there, state, **along: (
+    pytest.param(sliding, "creeping", lambda _: lambda there, state, **along: (
         there.at(state.drags, after=state.solution, **along)), CREEP, id="the ring is held"),
 ]  # fmt: skip
 

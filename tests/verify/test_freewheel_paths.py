@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from analytic.freewheel import course, criterion, load_path
+from fem.wedge.held import Held
 from fem.wedge.pulled import Borne
 from verify.cases.freewheel.paths import reference as fem
 from verify.cases.freewheel.paths.case import PATHS, LoadPaths
@@ -118,7 +119,7 @@ def test_paths_that_finite_elements_cannot_follow_are_told(change, words):
 def test_friction_of_the_way_there_leaves_the_roller_s_balance_alone():
     q = LoadPaths()
     one = one_pulled(q)
-    held = fem.Held.at(one, fem.at_torque(one, 3), 3, q.mu)
+    held = Held.at(one, fem.at_torque(one, 3), 3, q.mu)
     there = held.to(-0.8, held.to(0.8, held.rest))
     b, on_mesh = Borne.by(there), Borne.on_mesh(there)
     assert b.F_z.sum() == pytest.approx(0.0, abs=1e-8 * b.N[0])

@@ -21,7 +21,6 @@ from verify.cases.freewheel import star
 from verify.cases.freewheel import sweep as freewheel_sweep
 from verify.cases.freewheel.bounds import of_star
 from verify.cases.freewheel.fem import overlapping
-from verify.cases.freewheel.reference import at_angle
 from verify.cases.freewheel.sweep import Sweep, rigid_force
 from verify.cases.freewheel.torque.case import TORQUE, FreewheelTorque
 from verify.core.case import Context
@@ -197,7 +196,7 @@ def test_a_sweep_says_nothing_beyond_its_states(sweep):
         with pytest.raises(ArithmeticError, match="lies beyond the states"):
             sweep.at("N", value)
     with pytest.raises(ArithmeticError, match="lies beyond the states"):
-        at_angle(sweep, 1.01 * psi[-1])
+        sweep.force_at_angle(1.01 * psi[-1])
 
 
 def test_the_sweep_reaches_the_normal_force_of_a_rigid_clutch_and_the_torque(sweep):
@@ -209,7 +208,7 @@ def test_the_sweep_reaches_the_normal_force_of_a_rigid_clutch_and_the_torque(swe
 
 def test_the_angle_of_a_state_has_the_state_s_force(sweep):
     for psi, N in zip(sweep.psi[1:-1], sweep.at_states["N"][1:-1], strict=True):
-        assert at_angle(sweep, psi) == pytest.approx(N, rel=1e-9)
+        assert sweep.force_at_angle(psi) == pytest.approx(N, rel=1e-9)
 
 
 def test_torsion_by_rolling_is_the_dense_integral_of_the_splines():
@@ -271,7 +270,11 @@ def test_intervals_hold_what_finite_elements_say_of_other_clutches(change):
         (v["d_o_rigid"], sweep.at("d_o", N, "N"), force.approach("d_o")),
         (v["a_i_rigid"], sweep.at("a_i", N, "N"), force.contact()),
         (v["torque_rigid"], sweep.at("T", N, "N"), force.slope(tilted=True)),
-        (v["N_angle"], at_angle(sweep, freewheel_sweep.given_angle(q)), force.force_at_angle()),
+        (
+            v["N_angle"],
+            sweep.force_at_angle(freewheel_sweep.given_angle(q)),
+            force.force_at_angle(),
+        ),
     ]
     for formula, fem, (low, high) in told:
         assert low < formula / fem - 1 < high

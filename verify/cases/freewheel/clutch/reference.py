@@ -5,12 +5,13 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from fem.wedge.flat_start import Start, after
-from fem.wedge.pulled import HARDER, Pulled
+from fem.wedge.flat_moved import angle_with_flats
+from fem.wedge.flat_start import Start
+from fem.wedge.pulled import Pulled
 from fem.wedge.slip_limit import Limit
 from verify.case import Level
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
-from verify.cases.freewheel.fem import overlapping, pitch
+from verify.cases.freewheel.fem import pitch
 from verify.cases.freewheel.reference import LEVELS, SPLINE, field
 from verify.cases.freewheel.star import Star
 from verify.cases.freewheel.sweep import Sweep
@@ -20,7 +21,6 @@ Array = NDArray[np.float64]
 LEFT = 1e-5  # of dalpha/dX: what the last step to the torque may miss
 GRID = np.linspace(0.1, 1.0, 10)  # of T, where profiles are compared
 AROUND = (0.99, 1.01)  # of mu_req: friction that does not hold, and that does
-NEAR, MOST = 2e-4, 6  # how near the torque a moved flat comes, and in how many steps
 
 
 def solve(q: ClutchInputs, level: int) -> Level:
@@ -28,8 +28,11 @@ def solve(q: ClutchInputs, level: int) -> Level:
     one, T = q.as_star, q.T
     sweep = Sweep(one, level)
     place = sweep.place(T)
-    start = at(sweep, T)
-    low, high = (moved(one, start, dX, level) for dX in (-q.off, q.off))
+    start = sweep.start(T)
+    low, high = (
+        angle_with_flats(pitch(one), start, one.X + dX, level, T=T, L=one.L)
+        for dX in (-q.off, q.off)
+    )
     grid = GRID * T
     places = [sweep.place(t) for t in grid]
     values = {
@@ -49,29 +52,6 @@ def solve(q: ClutchInputs, level: int) -> Level:
         h=1 / level, values={k: float(v) for k, v in values.items()},
         u_it={k: float(v) for k, v in u_it.items()}, arrays=arrays, fields=(field(sweep.last),),
     )  # fmt: skip
-
-
-def at(sweep: Sweep, T: float) -> Start:
-    """Where the sector lies under a torque [N m]: the last state of the sweep, scaled."""
-    last = after(sweep.last)
-    return last.scaled((sweep.at("d_o", T)) / last.d[1])
-
-
-def moved(q: Star, start: Start, dX: float, level: int) -> float:
-    """The angle [rad] under T with the flats moved by `dX`."""
-    other = q.model_copy(update={"X": q.X + dX})
-    steeper = [math.tan(overlapping(one, *start.d).psi / 2) for one in (other, q)]
-    now = start.scaled((steeper[1] / steeper[0]) ** HARDER)
-    for _ in range(MOST):
-        state = now.state(pitch(other), level)
-        share = q.T / (state.torque * q.L)
-        if abs(share - 1) < NEAR:
-            break
-        now = after(state).scaled(share**HARDER)
-    alpha = state.place.psi / 2
-    # what is left of the torque is NEAR: the angle follows the overlap, this the torque
-    overlap = state.place.d_i + state.place.d_o
-    return float(alpha + (share**HARDER - 1) * overlap / (2 * q.R * math.sin(2 * alpha)))
 
 
 def around(q: ClutchInputs, one: Star, start: Start) -> Array:

@@ -246,7 +246,7 @@ class FreewheelCup(Cup):
         sweep = CupSweep(self, level)
         N_top, T_top = sweep.summit
         values = reference.under_torque(self, sweep) | {
-            "N_angle": reference.at_angle(sweep, given_angle(self)),
+            "N_angle": sweep.force_at_angle(given_angle(self)),
             "T_max": T_top,
             "alpha_max": sweep.place(N_top, "N").psi / 2,
             "falls": float(-np.diff(sweep.psi).max() / sweep.psi[0]),

@@ -1,38 +1,22 @@
 """Finite elements of a freewheel's friction: torque alone, axial load, and beyond the limit."""
 
 import math
-from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from analytic.freewheel.geometry import InnerCam
-from fem.wedge.flat import Sector, State
-from fem.wedge.flat_place import Pitch, Place
-from fem.wedge.flat_start import Start
-from fem.wedge.pulled import (
-    EDGES,
-    Borne,
-    Pulled,
-    ample,
-    at_torque,
-    creeping,
-    lever_left,
-    pulled,
-    sector,
-    yielding,
-)
+from fem.wedge.flat_place import Pitch
+from fem.wedge.pulled import EDGES, Borne, Pulled, at_torque, lever_left, sector, yielding
+from fem.wedge.sliding import driven, let_out, under_load
 from fem.wedge.slip_limit import Limit, over_angles
 from verify.case import Level
 from verify.cases.freewheel.pulled_sector import field, one_pulled
 
 if TYPE_CHECKING:
     from verify.cases.freewheel.friction.case import FreewheelFriction
-
-Array = NDArray[np.float64]
 
 LEVELS = (4, 6, 8)  # cells on the half-width of the fine zones
 STEPS = (1.0, 2.0, 3.0, 4.0)  # of the ring along z, over what parts yield at the limit
@@ -93,41 +77,3 @@ def with_flat(one: Pulled, X: float) -> Pitch:
     q = one.q
     InnerCam(R=q.race, r=q.r, X=X, z=q.z)
     return replace(q, flat=X)
-
-
-def under_load(one: Pulled, start: Start, cells: int) -> tuple[State, State]:
-    """The clutch with ample friction: at rest under torque, and with the axial load as well."""
-    mu = ample(one, Place.overlapping(one.q, *start.d))
-    there = sector(one.q, start, cells, mu, driven=False)
-    rest = there.rest(start.drags)
-    return rest, pulled(one, there, rest)
-
-
-def driven(there: Sector, stuck: State, way: Sequence[float]) -> Array:
-    """The path of the ring driven along z while N stays, until all slips and the ring creeps.
-
-    It (m, 8) has u_z [m], the way [m] of the ring's bore into the wedge, F_t/N and F_z/N of both
-    contacts by the mesh's normals, N of the ring and T over those at rest.
-    """
-    path, state = [row(stuck, stuck, 0.0)], stuck
-    for u in way:
-        state = creeping(there, state, axial_displacements={"ring.rim": u})
-        path.append(row(state, stuck, u))
-    return np.array(path)
-
-
-def let_out(there: Sector, stuck: State, way: Sequence[float]) -> Array:
-    """The path (m, 8) of the ring driven along z and held about the axis: rollers are let out."""
-    path, state = [row(stuck, stuck, 0.0)], stuck
-    for u in way:
-        state = there.at(stuck.drags, after=state.solution, axial_displacements={"ring.rim": u})
-        path.append(row(state, stuck, u))
-    return np.array(path)
-
-
-def row(state: State, stuck: State, u: float) -> list[float]:
-    b, drag = Borne.on_mesh(state), state.drags[1] - stuck.drags[1]
-    return [
-        u, drag, *(b.F_t / b.N), *(b.F_z / b.N), b.N[1] / Borne.on_mesh(stuck).N[1],
-        state.torque / stuck.torque,
-    ]  # fmt: skip

@@ -135,7 +135,7 @@ class FreewheelTorque(Star):
 
         sweep = Sweep(self, level)
         values = reference.under_torque(self, sweep)
-        values["N_angle"] = reference.at_angle(sweep, given_angle(self))
+        values["N_angle"] = sweep.force_at_angle(given_angle(self))
         unsure = dict.fromkeys(values, reference.SPLINE) | {"phi": 2 * reference.SPLINE}
         return solved(1 / level, reference.field(sweep.last), iteration=unsure, **values,
                       **reference.over_torque(self, sweep))  # fmt: skip

@@ -1,0 +1,32 @@
+"""The angle of a wedged roller where the flats lie a little elsewhere."""
+
+import math
+from dataclasses import replace
+
+from fem.wedge.flat_place import Pitch, Place
+from fem.wedge.flat_start import Start, after
+from fem.wedge.pulled import HARDER
+
+NEAR, MOST = 2e-4, 6  # how near the torque is met, and in how many steps
+
+
+def angle_with_flats(
+    q: Pitch, start: Start, flat: float, cells: int, *, T: float, L: float
+) -> float:
+    """The clamping angle [rad] under a torque [N m] with the flats at `flat` [m].
+
+    `start` is where the pitch `q` lies under that torque, with rollers `L` [m] long.
+    """
+    other = replace(q, flat=flat)
+    steeper = [math.tan(Place.overlapping(one, *start.d).psi / 2) for one in (other, q)]
+    now = start.scaled((steeper[1] / steeper[0]) ** HARDER)
+    for _ in range(MOST):
+        state = now.state(other, cells)
+        share = T / (state.torque * L)
+        if abs(share - 1) < NEAR:
+            break
+        now = after(state).scaled(share**HARDER)
+    alpha = state.place.psi / 2
+    # what is left of the torque is NEAR: the angle follows the overlap, this the torque
+    overlap = state.place.d_i + state.place.d_o
+    return float(alpha + (share**HARDER - 1) * overlap / (2 * q.race * math.sin(2 * alpha)))

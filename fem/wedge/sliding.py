@@ -1,0 +1,55 @@
+"""Wedged rollers whose ring is driven along the axis to slip and beyond."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.wedge.flat import Sector, State
+from fem.wedge.flat_place import Place
+from fem.wedge.flat_start import Start
+from fem.wedge.pulled import Borne, Pulled, ample, creeping, pulled, sector
+
+Array = NDArray[np.float64]
+
+
+def under_load(one: Pulled, start: Start, cells: int) -> tuple[State, State]:
+    """The clutch with ample friction: at rest under torque, and with the axial load as well."""
+    mu = ample(one, Place.overlapping(one.q, *start.d))
+    there = sector(one.q, start, cells, mu, driven=False)
+    rest = there.rest(start.drags)
+    return rest, pulled(one, there, rest)
+
+
+def driven(there: Sector, stuck: State, way: Sequence[float]) -> Array:
+    """The path of the ring driven along z while N stays, until all slips and the ring creeps.
+
+    It (m, 8) has u_z [m], the way [m] of the ring's bore into the wedge, F_t/N and F_z/N of both
+    contacts by the mesh's normals, N of the ring and T over those at rest.
+    """
+    path, state = [_row(stuck, stuck, 0.0)], stuck
+    for u in way:
+        state = creeping(there, state, axial_displacements=_rim(there, u))
+        path.append(_row(state, stuck, u))
+    return np.array(path)
+
+
+def let_out(there: Sector, stuck: State, way: Sequence[float]) -> Array:
+    """The path (m, 8) of the ring driven along z and held about the axis: rollers are let out."""
+    path, state = [_row(stuck, stuck, 0.0)], stuck
+    for u in way:
+        state = there.at(stuck.drags, after=state.solution, axial_displacements=_rim(there, u))
+        path.append(_row(state, stuck, u))
+    return np.array(path)
+
+
+def _rim(there: Sector, u: float) -> dict[str, float]:
+    return {there.place.q.names.race_held: u}
+
+
+def _row(state: State, stuck: State, u: float) -> list[float]:
+    b, drag = Borne.on_mesh(state), state.drags[1] - stuck.drags[1]
+    return [
+        u, drag, *(b.F_t / b.N), *(b.F_z / b.N), b.N[1] / Borne.on_mesh(stuck).N[1],
+        state.torque / stuck.torque,
+    ]  # fmt: skip

@@ -1,0 +1,77 @@
+"""A roller between flat and race: its place, and what is read off courses and contacts."""
+
+import math
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from fem.wedge.flat_balance import balance, over_hertz
+from fem.wedge.flat_course import FlatCourse
+from fem.wedge.flat_place import Names, Pitch, Place
+
+NAMES = Names(*("cam", "race", "flat", "bore", "cam held", "race held"))
+
+
+def pitch(sense):
+    size = {"race": 16.5e-3, "flat": 11.39565e-3, "r": 2.5e-3}
+    if sense < 0:
+        size = {"race": 10e-3, "flat": 13.910554e-3, "r": 2e-3}
+    return Pitch(sense=sense, r_b=4e-3, R_a=30e-3, z=8, E=206e9, nu=0.3, names=NAMES, mesh=None,
+                 **size)  # fmt: skip
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+def test_without_overlap_a_roller_lies_at_the_rigid_angle_and_load_moves_it(sense):
+    q = pitch(sense)
+    rest = Place.overlapping(q, 0.0, 0.0)
+    assert rest.psi == pytest.approx(q.rigid_angle, rel=1e-12)
+    loaded = Place.overlapping(q, 6e-6, 14e-6)
+    assert loaded.to_race == pytest.approx(14e-6 if sense > 0 else 6e-6, abs=1e-15)
+    assert sense * (loaded.psi - rest.psi) > 0
+    assert float(q.arc(np.array(loaded.psi), np.array(loaded.to_race))) > 0
+
+
+class Rolled(FlatCourse):
+    """States of rigid statics: forces in balance at every angle, energy that of rolling."""
+
+    def __init__(self, sense):
+        self.q = q = pitch(sense)
+        d = np.geomspace(1e-6, 12e-6, 9)
+        places = [Place.overlapping(q, one, 2 * one) for one in d]
+        self.psi = np.array([place.psi for place in places])
+        N = 1e9 * d**1.1
+        F_t = N * np.tan(self.psi / 2)
+        T = q.z * q.race * F_t
+        self.at_states = {"T": T, "N": N, "N race": N, "F_t": F_t, "F_t race": F_t, "d_i": d,
+                          "d_o": 2 * d, "U": 3 * q.z * 1e9 * d**2.1 / 2.1}  # fmt: skip
+        touches = [SimpleNamespace(force=(3.0, 4.0)), SimpleNamespace(force=(-3.0, -4.0))]
+        self.last = SimpleNamespace(solution=SimpleNamespace(touches=touches))
+
+
+def test_states_in_balance_leave_nothing():
+    course = Rolled(1)
+    found = balance(course, float(np.sqrt(course.at_states["T"][3] * course.at_states["T"][4])))
+    for name, left in found.items():
+        assert left == pytest.approx(0.0, abs=2e-3 if name == "torque_cam" else 2e-4), name
+    course.at_states["F_t"] = 1.1 * course.at_states["F_t"]
+    assert balance(course, course.at_states["T"][4])["share_flat"] == pytest.approx(0.1, abs=1e-3)
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+def test_the_force_at_an_angle_is_that_of_the_state_there(sense):
+    course = Rolled(sense)
+    for psi, N in zip(course.psi[1:-1], course.at_states["N"][1:-1], strict=True):
+        assert course.force_at_angle(psi) == pytest.approx(N, rel=1e-9)
+    with pytest.raises(ArithmeticError, match="lies beyond the states"):
+        course.force_at_angle(course.psi[-1] + 0.1 * sense)
+
+
+def test_the_pressure_of_hertz_is_a_semi_ellipse_of_height_one():
+    """With points in any order, and the half-width that the moments say."""
+    x = np.random.default_rng(1).permutation(np.linspace(-1, 1, 4001)) * 2e-4
+    p = 3e9 * np.sqrt(1 - (x / 2e-4) ** 2)
+    touch = SimpleNamespace(along=lambda: x, p=p, weight=np.full(x.size, 1e-7),
+                            half_width=lambda: 2 * math.sqrt(p @ x**2 / p.sum()))  # fmt: skip
+    at = np.linspace(-0.95, 0.95, 11)
+    assert over_hertz(touch, at) == pytest.approx(np.sqrt(1 - at**2), rel=1e-3)
