@@ -5,6 +5,7 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import fields, replace
 from functools import cache
+from pathlib import Path
 from typing import Any, ClassVar
 
 from verify.core import case as core
@@ -60,12 +61,20 @@ def _default(form: type[Case], time_limit: float | None) -> Case:
     check_names(form)
     case = form()
     with _executed(form, time_limit):
-        named = [one.name for one in case.stated()]
+        known: set[str] = set()
+        for one in case.stated():
+            if one.name in known:
+                raise _twice(form, one)
+            known.add(one.name)
         if time_limit is not None:  # outside the suite
             dimensions.check(case)
-    if double := next((name for name in named if named.count(name) > 1), ""):
-        raise CaseError(f"{form.__module__}: {form.__name__}: two comparisons are called {double}")
     return case
+
+
+def _twice(form: type[Case], one: Comparison) -> CaseError:
+    rule = f"two comparisons are called {one.name}; `against` or `name` distinguishes them"
+    file = Path(inspect.getfile(form)).name
+    return one.quantity.broken(rule) if one.quantity else CaseError(f"{file}: {rule}")
 
 
 @contextmanager

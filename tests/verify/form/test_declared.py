@@ -262,13 +262,21 @@ def test_a_broken_rule_is_found_where_the_class_is_made(symbol, unit, rule):
         declare(symbol, unit)
 
 
-def test_two_comparisons_of_one_name_are_refused():
+@pytest.mark.parametrize(
+    ("stated", "message"),
+    [
+        (lambda: identity(Rod.strain), r"py:\d+: Rod.strain: two comparisons are called strain, E"),
+        (lambda: fact("it holds", "F", lambda _: (1, 0)), "py: two comparisons are called it hol"),
+    ],
+)
+def test_two_comparisons_of_one_name_are_refused(stated, message):
     class Twice(Rod):
         def comparisons(self):
-            yield identity(Rod.strain)
-            yield identity(Rod.strain)
+            yield stated()
+            yield identity(Rod.sigma)
+            yield stated()
 
-    with pytest.raises(CaseError, match=r"two comparisons are called strain, Eq. 2"):
+    with pytest.raises(CaseError, match=rf"^test_declared.{message}"):
         len(adapted(Twice).checks)
 
 
