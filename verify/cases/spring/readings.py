@@ -6,8 +6,7 @@ from dataclasses import dataclass
 from itertools import product
 from typing import Any
 
-import numpy as np
-
+from analytic.spring.garbled import SIGNS, flexibility
 from verify.core.case import Context
 from verify.core.figures import Table
 from verify.papers.digits import half_last_digit
@@ -16,7 +15,6 @@ from verify.papers.ledger import published
 LEAVES = {"L_1/sin α": 1.0, "2 L_1/sin α": 2.0}
 OFFSETS = {"r + b/2": (1.0, "b"), "r + b": (2.0, "b"), "r": (0.0, "b"), "r + h/2": (1.0, "h")}
 RADII = ("r", "r + b/2")
-SIGNS = ("alternating", "all plus", "M_2 as printed")
 STARTS = {"F (L_1/2 + r)": 1.0, "F L_1/2": 0.0}
 
 
@@ -79,39 +77,3 @@ def tables(context: Context) -> Sequence[Table]:
             "printed text with h read as b.",
         ),
     )  # fmt: skip
-
-
-def flexibility(
-    n: int,
-    a: float,
-    r: float,
-    L2: float,
-    alpha: float,
-    signs: str,
-    start: float,
-    ends: tuple[float, float] = (math.pi / 2, math.pi / 2),
-) -> float:
-    """Integral of (M/F)^2 along the spring with the chosen signs and first couple.
-
-    `ends` are the angles [rad] over which the arcs of head and tail are taken.
-    """
-    t, w = np.polynomial.legendre.leggauss(24)
-    t, w = (t + 1) / 2, w / 2
-
-    def over(length: float, moment: Any) -> float:
-        return float(length * (w @ np.square(moment)))
-
-    head, tail, angle, x = ends[0] * t, ends[1] * t, alpha * t, L2 * t
-    total = over(a, a * t) + over(r * ends[0], a + r * np.sin(head))
-    T, A = a + start * r, r * (1 - math.cos(alpha))
-    for i in range(2, n):
-        s = 1.0 if signs == "all plus" or i % 2 else -1.0
-        total += over(r * alpha, T + s * r * (1 - np.cos(angle)))
-        if signs == "M_2 as printed":  # the sign stands before T and the arc's share, not F x
-            total += over(L2, x * math.sin(alpha) + s * (T + A))
-        else:
-            total += over(L2, T + s * (A + x * math.sin(alpha)))
-        top = T + s * (A + L2 * math.sin(alpha))
-        total += over(r * alpha, top + s * r * (np.cos(alpha - angle) - math.cos(alpha)))
-        T = top + s * A
-    return total + over(r * ends[1], T - r * (1 - np.cos(tail)))

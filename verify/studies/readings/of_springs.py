@@ -4,9 +4,9 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
+from analytic.spring.garbled import flexibility
 from analytic.spring.stages import stages
 from verify.cases.spring.inputs import AccordionInputs
-from verify.cases.spring.readings import flexibility
 from verify.cases.spring.stages.inputs import StagesInputs
 from verify.papers.ledger import published
 from verify.studies.readings.problem import Problem

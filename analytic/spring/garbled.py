@@ -1,0 +1,55 @@
+"""Eqs. 1 to 7 of Wang et al. 2023 with the readings that their garbled signs leave open.
+
+`analytic.spring.energy` has the adopted reading in closed form.
+"""
+
+import math
+from typing import Any
+
+import numpy as np
+
+SIGNS = ("alternating", "all plus", "M_2 as printed")
+
+
+def flexibility(
+    n: int,
+    a: float,
+    r: float,
+    L2: float,
+    alpha: float,
+    signs: str,
+    start: float,
+    ends: tuple[float, float] = (math.pi / 2, math.pi / 2),
+) -> float:
+    """Integral of (M/F)^2 along the spring [length^3] with the chosen signs and first couple.
+
+    `n` segments; half the straight length of head and tail `a`, radius `r` of the arcs, straight
+    length `L2` of a middle leaf, angle `alpha` of the arcs [rad]. `signs` is one of SIGNS, `start`
+    the share of `r` in the lever of the first couple. `ends` are the angles [rad] over which the
+    arcs of head and tail are taken. By Gauss' rule of 24 points on each piece, exact to round-off.
+
+    A straight tail of length a alone has a^3/3:
+
+    >>> round(flexibility(2, 3.0, 0.0, 1.0, 1.0, "alternating", 1.0), 12)
+    9.0
+    """
+    t, w = np.polynomial.legendre.leggauss(24)
+    t, w = (t + 1) / 2, w / 2
+
+    def over(length: float, moment: Any) -> float:
+        return float(length * (w @ np.square(moment)))
+
+    head, tail, angle, x = ends[0] * t, ends[1] * t, alpha * t, L2 * t
+    total = over(a, a * t) + over(r * ends[0], a + r * np.sin(head))
+    T, A = a + start * r, r * (1 - math.cos(alpha))
+    for i in range(2, n):
+        s = 1.0 if signs == "all plus" or i % 2 else -1.0
+        total += over(r * alpha, T + s * r * (1 - np.cos(angle)))
+        if signs == "M_2 as printed":  # the sign stands before T and the arc's share, not F x
+            total += over(L2, x * math.sin(alpha) + s * (T + A))
+        else:
+            total += over(L2, T + s * (A + x * math.sin(alpha)))
+        top = T + s * (A + L2 * math.sin(alpha))
+        total += over(r * alpha, top + s * r * (np.cos(alpha - angle) - math.cos(alpha)))
+        T = top + s * A
+    return total + over(r * ends[1], T - r * (1 - np.cos(tail)))
