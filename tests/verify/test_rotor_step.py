@@ -6,14 +6,15 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
+from analytic.rotor import stepped
 from analytic.rotor.transfer_modes import whirl_frequencies
 from fem.fourier import vibration
 from fem.rotor import assemble, weak
 from verify.cases.registry import find
 from verify.cases.rotor.step import case as rotor_step
-from verify.cases.rotor.step import inputs, reference
+from verify.cases.rotor.step import reference
 from verify.cases.rotor.step.case import STEP, SteppedBeam
-from verify.cases.rotor.step.inputs import NEAR_ONE, SteppedShaft
+from verify.cases.rotor.step.inputs import NEAR_ONE
 from verify.core.results import Status
 from verify.jobs.cache import default_folder
 from verify.jobs.level import Job, judge_case, solve_level
@@ -76,22 +77,22 @@ def inertia(polar, diametral):
                      "a step makes the beam too fast in modes 1 to 3", id="6 % too slow"),
         pytest.param(rotor_step, "whirl_frequencies", scaled(1.001),
                      "the beam's error as d_2 goes to d_1", id="0.1 % off without a step"),
-        pytest.param(SteppedShaft, "rotor", lambda f: lambda s, **_: f(s),
+        pytest.param(SteppedBeam, "rotor", lambda f: lambda s, **_: f(s),
                      "the 45° rule takes off more than half of the error of mode 1",
                      id="no rule"),
-        pytest.param(SteppedShaft, "rotor", lambda f: lambda s, **_: f(s, cone=True),
+        pytest.param(SteppedBeam, "rotor", lambda f: lambda s, **_: f(s, cone=True),
                      "closed-form elements, mode 3 forward", id="the rule for what is drawn"),
-        pytest.param(SteppedShaft, "rotor",
+        pytest.param(SteppedBeam, "rotor",
                      lambda f: lambda s, **k: f(s.model_copy(update={"k": s.k / 2}), **k),
                      "weak form, mode 1 forward", id="half the bearings"),
-        pytest.param(SteppedShaft, "pieces", stiff(lambda q, p: (p.d_stiff + q.d_1) / 2),
+        pytest.param(stepped.SteppedShape, "pieces", stiff(lambda q, p: (p.d_stiff + q.d_1) / 2),
                      f"{RULE} mode 1 forward", id="half the cones' slope"),
-        pytest.param(SteppedShaft, "pieces",
+        pytest.param(stepped.SteppedShape, "pieces",
                      stiff(lambda q, p: min(p.d, 2 * p.d_stiff - q.d_1)),
                      f"{RULE} mode 1 forward", id="half the cones' reach"),
-        pytest.param(inputs, "Disc", inertia(2, 2), f"{RULE} mode 2 forward",
+        pytest.param(stepped, "Disc", inertia(2, 2), f"{RULE} mode 2 forward",
                      id="twice the lumps"),
-        pytest.param(inputs, "Disc", inertia(0.5, 1),
+        pytest.param(stepped, "Disc", inertia(0.5, 1),
                      f"{RULE} what turning splits mode 2 by", id="half the lumps' polar moment"),
     ],
 )  # fmt: skip
@@ -157,22 +158,23 @@ def test_wrong_finite_elements_turn_a_row_red(solve, owner, name, fault, row, mo
 
 def test_pieces_make_up_the_shaft_and_stiffness_grows_from_the_steps():
     q = SteppedBeam()
+    shape = q.shape
     for cone in (False, True):
-        pieces = q.pieces(cone=cone)
+        pieces = shape.pieces(cone=cone)
         assert sum(p.length for p in pieces) == pytest.approx(q.L)
         assert sum(p.length * p.d**2 for p in pieces) == pytest.approx(
             sum(length * d**2 for length, d, _ in q.parts)
         )
         assert all(p.d_stiff == p.d for p in pieces) is not cone
-    stiff = [p.d_stiff for p in q.pieces(cone=True)]
+    stiff = [p.d_stiff for p in shape.pieces(cone=True)]
     assert stiff == pytest.approx(stiff[::-1])
     assert sorted(set(np.round(stiff, 9)))[:2] == pytest.approx([0.04, 0.04 + 0.04 / 32])
 
 
 def test_cones_meet_where_the_thick_part_is_short():
     q = SteppedBeam(L_2=0.03, a=0.1)
-    assert max(p.d_stiff for p in q.pieces(cone=True)) < q.d_1 + 0.03
-    assert sum(p.length for p in q.pieces(cone=True)) == pytest.approx(q.L)
+    assert max(p.d_stiff for p in q.shape.pieces(cone=True)) < q.d_1 + 0.03
+    assert sum(p.length for p in q.shape.pieces(cone=True)) == pytest.approx(q.L)
 
 
 def test_cones_of_many_slices_and_the_weak_form_agree():

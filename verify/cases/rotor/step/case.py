@@ -6,6 +6,8 @@ from typing import Any, ClassVar, Literal, Self
 
 import numpy as np
 
+from analytic.rotor.stepped import SLICES, SteppedShape, stepped_beam
+from analytic.rotor.transfer_model import Rotor
 from analytic.rotor.transfer_modes import critical_speeds, whirl_frequencies
 from verify.case import (
     Comparison,
@@ -20,7 +22,7 @@ from verify.case import (
     underived,
 )
 from verify.cases.rotor.step import figures as drawn
-from verify.cases.rotor.step.inputs import MODES, NEAR_ONE, SLICES, SteppedShaft
+from verify.cases.rotor.step.inputs import MODES, NEAR_ONE, SteppedShaft
 from verify.core.case import Context
 from verify.core.figures import Picture, Sketch, Table
 from verify.form.adapter import adapted
@@ -79,8 +81,19 @@ class SteppedBeam(SteppedShaft):
     def over_cone(self) -> float:
         return float(self.whirl(1, "forward") / self.by_rule.whirl(1, "forward"))
 
+    @property
+    def shape(self) -> SteppedShape:
+        """Its sizes."""
+        return SteppedShape(L=self.L, d_1=self.d_1, d_2=self.d_2, L_2=self.L_2, start=self.start,
+                            seats=self.seats)  # fmt: skip
+
+    def rotor(self, *, cone: bool = False, slices: int = SLICES) -> Rotor:
+        """The shaft as Timoshenko's beam; `cone`: stiff as the 45° rule says."""
+        return stepped_beam(self.shape, E=self.E, nu=self.nu, rho=self.rho, k=self.k, cone=cone,
+                            slices=slices)  # fmt: skip
+
     @shared
-    def _rotor(self) -> Any:
+    def _rotor(self) -> Rotor:
         return self.rotor(cone=self.cone, slices=self.slices)
 
     @shared

@@ -1,30 +1,16 @@
-"""A shaft that is thick in its middle, and its beams: nominal diameters, and the 45° rule."""
+"""Inputs of a shaft that is thick in its middle, in two short elastic bearings."""
 
-from dataclasses import dataclass
-from itertools import pairwise
 from typing import Self
 
 import numpy as np
 from pydantic import model_validator
 
-from analytic.rotor.transfer_model import Disc, Rotor, Segment, Shaft, Support
 from verify.case import Case, Quantity, given
 
-SLICES = 16  # of a cone, each of its mean diameter
 MODES = (1, 2, 3)
 NEAR_ONE = (1.01, 1.02, 1.04, 1.07, 1.1)  # d_2/d_1 towards the shaft without a step
 RATIOS = (1.1, 1.25, 1.5, 2.0, 2.5, 3.0)  # d_2/d_1 of the map
 SHARES = (0.05, 0.1, 0.2, 0.35, 0.5, 0.7)  # L_2/L of the map
-SMALLEST = 1e-9  # of the length: a piece that is round-off
-
-
-@dataclass(frozen=True)
-class Piece:
-    """A piece of the shaft: its length, its diameter, and the one that counts for stiffness [m]."""
-
-    length: float
-    d: float
-    d_stiff: float
 
 
 class SteppedShaft(Case):
@@ -89,6 +75,11 @@ class SteppedShaft(Case):
         return (self.L - self.L_2) / 2 if self.a is None else self.a
 
     @property
+    def end(self) -> float:
+        """Where it ends [m]."""
+        return self.start + self.L_2
+
+    @property
     def parts(self) -> tuple[tuple[float, float, float], ...]:
         """Length, diameter and bore of each part, end to end [m]."""
         rest = self.L - self.start - self.L_2
@@ -102,47 +93,3 @@ class SteppedShaft(Case):
     def with_middle(self, ratio: float, share: float) -> Self:
         """The same shaft with another thick part, in its middle: d_2/d_1 and L_2/L."""
         return self.model_copy(update={"d_2": ratio * self.d_1, "L_2": share * self.L, "a": None})
-
-    def pieces(self, *, cone: bool, slices: int = SLICES) -> tuple[Piece, ...]:
-        """Pieces end to end, with stations at the seats; `cone`: stiff as the 45° rule says.
-
-        From either step on, the thick part counts for stiffness with a diameter that grows from
-        d_1 by twice the distance, up to d_2.
-        """
-        reach = self.reach if cone else 0.0
-        first, last = self.start, self.start + self.L_2
-        slope = reach * np.linspace(0, 1, slices + 1) if cone else np.zeros(1)
-        z = np.concatenate([
-            [0.0, self.seats[0]], first + slope, last - slope[::-1], [self.seats[1], self.L]
-        ])  # fmt: skip
-        found = []
-        for low, high in pairwise(z):
-            if high - low <= SMALLEST * self.L:
-                continue
-            middle = (low + high) / 2
-            thick = first < middle < last
-            d = self.d_2 if thick else self.d_1
-            depth = min(middle - first, last - middle)
-            stiff = min(d, self.d_1 + 2 * depth) if cone and thick else d
-            found.append(Piece(float(high - low), d, float(stiff)))
-        return tuple(found)
-
-    def rotor(self, *, cone: bool = False, slices: int = SLICES) -> Rotor:
-        """The shaft as Timoshenko's beam; what cones lack of rotary inertia sits at their ends."""
-        segments, lumps, node = [], [], 0
-        for k, piece in enumerate(self.pieces(cone=cone, slices=slices)):
-            share = (piece.d / piece.d_stiff) ** 2  # of the areas: keeps the mass
-            segments.append(
-                Segment(length=piece.length, d_o=piece.d_stiff, E=self.E, nu=self.nu,
-                        rho=self.rho * share)
-            )  # fmt: skip
-            missing = np.pi / 64 * piece.d**2 * (piece.d**2 - piece.d_stiff**2)
-            half = self.rho * missing * piece.length / 2
-            if half > 0:
-                lumps += [Disc(node=at, mass=0.0, polar=2 * half, diametral=half)
-                          for at in (k, k + 1)]  # fmt: skip
-            node = k + 1
-        return Rotor(
-            shafts=(Shaft(segments=tuple(segments)),), discs=tuple(lumps),
-            supports=(Support(node=1, kxx=self.k), Support(node=node - 1, kxx=self.k)),
-        )  # fmt: skip

@@ -44,15 +44,10 @@ def shaft(turning: bool) -> Posed:
 
 def step(turning: bool) -> Posed:
     """A shaft with a thick part in elastic bearings."""
-    from fem.rotor.model import Element, Material, Rotor, Shaft, Support
+    from verify.cases.rotor.step.reference import beam
 
     q: Any = STEP.inputs()
-    steel, pieces = Material(E=q.E, nu=q.nu, rho=q.rho), q.pieces(cone=False)
-    rotor = Rotor(
-        [Shaft([Element(p.length, p.d, 0.0, steel) for p in pieces])],
-        supports=[Support(1, q.k), Support(len(pieces) - 1, q.k)], refine=4,
-    )  # fmt: skip
-    return posed(rotor, [q.n if turning else 0.0])
+    return posed(beam(q, 4), [q.n if turning else 0.0])
 
 
 def system(speeds: Sequence[float]) -> Posed:

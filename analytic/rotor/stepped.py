@@ -1,0 +1,96 @@
+"""A stepped shaft as Timoshenko's beam, as drawn or as stiff as the 45° rule says.
+
+From either step on, the thick part counts for stiffness with a diameter that grows from d_1 by
+twice the distance, up to d_2: the corners carry nothing. Masses are as drawn.
+"""
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from analytic.rotor.transfer_model import Disc, Rotor, Segment, Shaft, Support
+
+SLICES = 16  # of a cone, each of its mean diameter
+SMALLEST = 1e-9  # of the length: a piece that is round-off
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A piece of the shaft: its length, its diameter, and the one that counts for stiffness [m]."""
+
+    length: float
+    d: float
+    d_stiff: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class SteppedShape:
+    """Length L and diameter d_1 with a thick part d_2, L_2 long from `start` on [m].
+
+    Bearings act at the two `seats` [m], both outside the thick part.
+    """
+
+    L: float
+    d_1: float
+    d_2: float
+    L_2: float
+    start: float
+    seats: tuple[float, float]
+
+    @property
+    def reach(self) -> float:
+        """Distance [m] from a step up to which the 45° rule reduces the stiffness."""
+        return min((self.d_2 - self.d_1) / 2, self.L_2 / 2)
+
+    def pieces(self, *, cone: bool, slices: int = SLICES) -> tuple[Piece, ...]:
+        """Pieces end to end, with stations at the seats; `cone`: stiff as the 45° rule says.
+
+        >>> shape = SteppedShape(L=8.0, d_1=1.0, d_2=3.0, L_2=4.0, start=2.0, seats=(0.5, 7.5))
+        >>> [(p.length, p.d_stiff) for p in shape.pieces(cone=False)]
+        [(0.5, 1.0), (1.5, 1.0), (4.0, 3.0), (1.5, 1.0), (0.5, 1.0)]
+        >>> [p.d_stiff for p in shape.pieces(cone=True, slices=1)]
+        [1.0, 1.0, 2.0, 3.0, 2.0, 1.0, 1.0]
+        """
+        reach = self.reach if cone else 0.0
+        first, last = self.start, self.start + self.L_2
+        slope = reach * np.linspace(0, 1, slices + 1) if cone else np.zeros(1)
+        z = np.concatenate([
+            [0.0, self.seats[0]], first + slope, last - slope[::-1], [self.seats[1], self.L]
+        ])  # fmt: skip
+        found = []
+        for low, high in pairwise(z):
+            if high - low <= SMALLEST * self.L:
+                continue
+            middle = (low + high) / 2
+            thick = first < middle < last
+            d = self.d_2 if thick else self.d_1
+            depth = min(middle - first, last - middle)
+            stiff = min(d, self.d_1 + 2 * depth) if cone and thick else d
+            found.append(Piece(float(high - low), d, float(stiff)))
+        return tuple(found)
+
+
+def stepped_beam(
+    shape: SteppedShape, *, E: float, nu: float, rho: float, k: float, cone: bool = False,
+    slices: int = SLICES,
+) -> Rotor:  # fmt: skip
+    """The shaft on bearings with the stiffness k [N/m] across.
+
+    What cones lack of rotary inertia sits at their ends.
+    """
+    segments, lumps, node = [], [], 0
+    for i, piece in enumerate(shape.pieces(cone=cone, slices=slices)):
+        share = (piece.d / piece.d_stiff) ** 2  # of the areas: keeps the mass
+        segments.append(
+            Segment(length=piece.length, d_o=piece.d_stiff, E=E, nu=nu, rho=rho * share)
+        )
+        missing = np.pi / 64 * piece.d**2 * (piece.d**2 - piece.d_stiff**2)
+        half = rho * missing * piece.length / 2
+        if half > 0:
+            lumps += [Disc(node=at, mass=0.0, polar=2 * half, diametral=half) for at in (i, i + 1)]
+        node = i + 1
+    return Rotor(
+        shafts=(Shaft(segments=tuple(segments)),), discs=tuple(lumps),
+        supports=(Support(node=1, kxx=k), Support(node=node - 1, kxx=k)),
+    )  # fmt: skip

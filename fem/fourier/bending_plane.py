@@ -1,0 +1,46 @@
+"""The plane of a body of revolution in which one of its modes bends: both halves of its section."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.fourier.harmonic_cells import stress
+from fem.fourier.vibration import RotatingSolid
+from fem.plane.discretisation import Array
+
+CUT = 0.98  # of the volume, whose stress a picture's colours span
+
+
+class BendingPlane(NamedTuple):
+    """Points (n, 2) along the axis and across, cells (m, 4), displacements (n, 2), stresses (m,).
+
+    Displacements have the largest component 1, the axial stress of cells is cut at the magnitude
+    that CUT of the volume stays below, which is 1.
+    """
+
+    points: Array
+    cells: NDArray[np.int64]
+    displacement: Array
+    stress: Array
+
+
+def bending_plane(body: RotatingSolid, u: Array) -> BendingPlane:
+    """Of the amplitudes `u` (unknowns,) of the first harmonic; not the corners' own peaks."""
+    cells, mesh = body.solid.cells, body.solid.mesh
+    sigma = stress(cells.strain(u, 1), cells.lam[:, None], cells.mu[:, None])[..., 2]
+    volume = cells.dx.sum(axis=1)
+    mean = (sigma * cells.dx).sum(axis=1) / volume
+    order = np.argsort(abs(mean))
+    below = np.cumsum(volume[order]) <= CUT * volume.sum()
+    mean = np.clip(mean / abs(mean[order][below][-1]), -1, 1)
+    U, _, W = u[body.solid.basis.nodal_dofs]
+    r, z = mesh.p
+    top = max(abs(U).max(), abs(W).max())
+    shift = np.column_stack([np.tile(W, 2) * np.repeat([1, -1], W.size), np.tile(U, 2)])
+    return BendingPlane(
+        points=np.column_stack([np.tile(z, 2), np.concatenate([r, -r])]),
+        cells=np.hstack([mesh.t, mesh.t + r.size]).T.astype(np.int64),
+        displacement=shift / top,
+        stress=np.concatenate([mean, -mean]),
+    )
