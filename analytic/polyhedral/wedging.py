@@ -54,6 +54,19 @@ def cage_force(*, N: ArrayLike, alpha: ArrayLike, mu: ArrayLike) -> Array:
     return np.asarray(2 * N * (friction(mu) * np.cos(half) - np.sin(half)))
 
 
+def least_friction(*, N: float, alpha: float) -> float:
+    """Coefficient of friction at which Eq. 1 leaves no force, tan(alpha/2) (Eq. 2).
+
+    From the force at two coefficients, in which Eq. 1 is linear.
+
+    >>> round(least_friction(N=1.0, alpha=0.1) - np.tan(0.05), 15)
+    0.0
+    """
+    low, high = 0.25, 0.75
+    at = [float(cage_force(N=N, alpha=alpha, mu=mu)) for mu in (low, high)]
+    return low - at[0] * (high - low) / (at[1] - at[0])
+
+
 def tangential_force(*, N: ArrayLike, alpha: ArrayLike) -> Array:
     """Tangential force [force] at either contact of a free roller, N tan(alpha/2)."""
     return np.asarray(not_negative(N, "normal force", "N") * np.tan(_wedge(alpha) / 2))

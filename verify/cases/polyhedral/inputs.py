@@ -130,3 +130,13 @@ def check_on_the_flat(q: PolygonRing, e: float) -> None:
             f"the hub must touch the flat: e must be at most {OUTERMOST:g} of half a flat, "
             f"{OUTERMOST * q.half_flat * 1e3:.4g} mm, got {e * 1e3:g} mm"
         )
+
+
+def check_apart(*, z: int, D_i: float, d: float) -> None:
+    """ValueError unless z rollers of diameter d [m] have room beside each other in the race."""
+    pitch = (D_i - d) * math.sin(math.pi / z)
+    if d >= pitch:
+        raise ValueError(
+            f"neighbouring rollers overlap: d must be below (D_i - d) sin(π/z) = "
+            f"{pitch * 1e3:.6g} mm for z = {z}, got {d * 1e3:g} mm"
+        )

@@ -1,5 +1,6 @@
-"""What an engineer should know of the fillets of a polyhedral ring."""
+"""What an engineer should know of the fillets and rollers of a polyhedral ring."""
 
+STATIC_RATING = 4e9  # Pa, ISO 76: roller bearings at their static load rating
 STRAINED = 3e-3  # hoop strain at which most steels yield
 
 
@@ -11,3 +12,13 @@ def of_fillets(stress: float, *, E: float, R_p: float | None, when: str) -> list
     if R_p is None and stress > STRAINED * E:
         return [f"{told} strains them by {stress / E:.2%}: most steels yield before; give R_p"]
     return []
+
+
+def of_rollers(p_0: float, where: str = "") -> list[str]:
+    """Of the largest pressure [Pa] of rollers; `where` they touch."""
+    if not p_0 > STATIC_RATING:
+        return []
+    return [
+        f"p_0 = {p_0 / 1e6:.4g} MPa{where} is beyond 4000 MPa, the static rating of hardened "
+        "rollers (ISO 76)"
+    ]

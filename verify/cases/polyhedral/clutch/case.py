@@ -12,12 +12,11 @@ from verify.cases.polyhedral.clutch import reference as fem
 from verify.cases.polyhedral.clutch.comparisons import ClutchFormulas
 from verify.cases.polyhedral.clutch.figures import torques
 from verify.cases.polyhedral.locking.sketch import sketch
-from verify.cases.polyhedral.warnings import of_fillets
+from verify.cases.polyhedral.warnings import of_fillets, of_rollers
 from verify.core.figures import Picture, Sketch
 from verify.form.adapter import adapted
 
 WIDE = 2.0  # walls: wider rings are not in plane stress all along
-STATIC_RATING = 4.0e9  # Pa, ISO 76: roller bearings at their static load rating
 
 
 class PolyhedralClutch(ClutchFormulas):
@@ -104,11 +103,7 @@ class PolyhedralClutch(ClutchFormulas):
                 f"the hub's share of N is {self.hub_share:.3g} by Eq. 16: friction that locks, "
                 "Eqs. 17 to 20 set no limit to the torque"
             )
-        if (worst := max(self.p_ring, self.p_race)) > STATIC_RATING:
-            yield (
-                f"p_0 = {worst / 1e6:.4g} MPa on the rollers is beyond 4000 MPa, the static rating "
-                "of hardened rollers (ISO 76)"
-            )
+        yield from of_rollers(max(self.p_ring, self.p_race), " on the rollers")
         yield from of_fillets(self.fillet, E=self.E, R_p=self.R_p, when=" under p_t")
 
     def _about_torque(self) -> Iterator[str]:

@@ -8,7 +8,7 @@ from pydantic import model_validator
 
 from analytic.polyhedral.wedging import holds
 from verify.case import Case, Quantity, count, given
-from verify.cases.polyhedral.inputs import PolygonRing, check_on_the_flat
+from verify.cases.polyhedral.inputs import PolygonRing, check_apart, check_on_the_flat
 
 FLATTENED = 0.15  # a/d that rollers may reach
 NARROWEST, WIDEST = 1e-5, 0.02  # of d_e: clearances that a ring can take up
@@ -130,12 +130,7 @@ class ClutchInputs(Case):
                 f" = {self.j_D * 1e3:.6g} mm, at most {WIDEST:g} d_e = {WIDEST * self.d_e * 1e3:g} "
                 f"mm, got d = {self.d * 1e3:g} mm"
             )
-        pitch = (self.D_i - self.d) * math.sin(math.pi / self.z)
-        if self.d >= pitch:
-            raise ValueError(
-                f"neighbouring rollers overlap: d must be below (D_i - d) sin(π/z) = "
-                f"{pitch * 1e3:.6g} mm for z = {self.z}, got {self.d * 1e3:g} mm"
-            )
+        check_apart(z=self.z, D_i=self.D_i, d=self.d)
         self._check_loads()
         check_on_the_flat(self.ring, self.e)
         if self.psi <= self.phi_1:

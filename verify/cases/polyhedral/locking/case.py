@@ -8,12 +8,11 @@ from verify.cases.polyhedral.locking import comparisons as compared
 from verify.cases.polyhedral.locking import figures, sketch
 from verify.cases.polyhedral.locking import reference as fem
 from verify.cases.polyhedral.locking.formulas import LockedFormulas
-from verify.cases.polyhedral.warnings import of_fillets
+from verify.cases.polyhedral.warnings import of_fillets, of_rollers
 from verify.core.figures import Picture, Sketch
 from verify.form.adapter import adapted
 
 PRESSED = 1.02  # of the pressure that touches: from there on forces are compared
-STATIC_RATING = 4e9  # Pa, ISO 76: roller bearings at their static load rating
 
 
 class LockedPolyhedralRing(LockedFormulas):
@@ -74,11 +73,7 @@ class LockedPolyhedralRing(LockedFormulas):
                 "reaches its rollers: pressure alone does not lock them"
             )
         yield from of_fillets(self.fillet, E=self.E, R_p=self.R_p, when="")
-        if self.p_0 > STATIC_RATING:
-            yield (
-                f"p_0 = {self.shown('p_0')} is beyond 4000 MPa, the static rating of hardened "
-                "rollers (ISO 76)"
-            )
+        yield from of_rollers(self.p_0)
 
     def refusal(self) -> str:
         """Rows compare forces of rollers, which there must be."""

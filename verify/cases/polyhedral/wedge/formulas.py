@@ -47,9 +47,7 @@ class WedgeFormulas(WedgeInputs):
     @Quantity("μ_c", "1", "least friction that holds a free roller", equation="2", safe="too high",
               tex=r"\tan\left(\frac{\alpha}{2}\right)")  # fmt: skip
     def mu_c(self) -> float:
-        low, high = 0.25, 0.75  # Eq. 1 leaves nothing, its sides being linear in the friction
-        at = [float(wedging.cage_force(N=self.N, alpha=self.alpha, mu=mu)) for mu in (low, high)]
-        return low - at[0] * (high - low) / (at[1] - at[0])
+        return wedging.least_friction(N=self.N, alpha=self.alpha)
 
     @Quantity("C", "N", "force that pulls a roller out of the wedge", equation="1",
               tex=r"2 N \left(\mu \cos\left(\frac{\alpha}{2}\right) "

@@ -1,12 +1,12 @@
 """Inputs of a roller wedged between two flats, and what its contacts make of them."""
 
-import math
 from typing import Self
 
 from pydantic import model_validator
 
 from analytic.contact import hertz_line
 from verify.case import Case, Quantity, count, given
+from verify.cases.polyhedral.inputs import check_apart
 
 WIDEST = 0.15  # a/R that the roller may reach
 
@@ -37,12 +37,7 @@ class WedgeInputs(Case):
                 "rollers on both sides of the ring need D_i > 2 d, got "
                 f"D_i = {self.D_i * 1e3:g} mm, d = {self.d * 1e3:g} mm"
             )
-        pitch = (self.D_i - self.d) * math.sin(math.pi / self.z)
-        if self.d >= pitch:
-            raise ValueError(
-                f"neighbouring rollers overlap: d must be below (D_i - d) sin(π/z) = "
-                f"{pitch * 1e3:.6g} mm for z = {self.z}, got {self.d * 1e3:g} mm"
-            )
+        check_apart(z=self.z, D_i=self.D_i, d=self.d)
         if self.a > WIDEST * self.R:
             raise ValueError(
                 f"a line contact needs a/R of at most {WIDEST:g}, got a/R = {self.a / self.R:.3g} "
