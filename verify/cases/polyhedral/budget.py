@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from verify.cases.polyhedral.inputs import HubRing
+from verify.cases.ring.walls import quarter_fem
 from verify.core.case import FemResult
 from verify.judging.budget_statement import (
     Cause,
@@ -31,17 +32,11 @@ def sharp(q: HubRing) -> HubRing:
 
 def fem_round(q: HubRing, level: int) -> FemResult:
     """K of the same wall with a round bore."""
-    from fem.plane.material import Elastic
-    from fem.plane.solve import solve_plane
-    from meshes.ring.quarter import quarter_ring
     from verify.cases.polyhedral.fem import UNIT
     from verify.cases.polyhedral.ring.reference import stiffness
 
-    ring = solve_plane(
-        quarter_ring(r_i=q.d_i / 2, r_o=q.d_e / 2, refine=level),
-        materials=Elastic(E=q.E, nu=q.nu), assumption="plane stress",
-        supports={"x=0": "x", "y=0": "y"}, pressures={"bore": UNIT},
-    )  # fmt: skip
+    r_i, r_o = q.d_i / 2, q.d_e / 2
+    ring = quarter_fem(q, r_i, r_o, "plane stress", level, pressures={"bore": UNIT})
     rim = ring.on_boundary("rim")
     u = float(rim.mean(rim.polar()[0]))
     K = stiffness(q, {"mid": u, "mean": u, "corner": u})["K_mid"]

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from verify.cases.ring.loads.inputs import LoadsInputs
+from verify.cases.ring.walls import quarter_fem
 from verify.core.case import FemResult
 from verify.judging.budget_statement import Cause, Left, Rerun, Statement, plane_strain
 
@@ -14,17 +15,8 @@ WAVE = "loads as their mean and first wave, one a pitch, not on patches: no dent
 
 def fem_smeared(q: LoadsInputs, level: int) -> FemResult:
     """The same race with its loads spread evenly over the wall that bears them."""
-    from fem.plane.material import Elastic
-    from fem.plane.solve import solve_plane
-    from meshes.ring.quarter import quarter_ring
-
-    ring = solve_plane(
-        quarter_ring(r_i=q.r_i, r_o=q.r_o, refine=level),
-        materials=Elastic(E=q.E, nu=q.nu),
-        assumption="plane stress",
-        supports={"x=0": "x", "y=0": "y"},
-        pressures={q.loaded: q.n * q.P / (2 * math.pi * q.radius)},
-    )
+    p = q.n * q.P / (2 * math.pi * q.radius)
+    ring = quarter_fem(q, q.r_i, q.r_o, "plane stress", level, pressures={q.loaded: p})
     wall = ring.on_boundary(q.loaded)
     u = abs(float(wall.mean(wall.polar()[0])))
     return FemResult(h=1 / level, values=dict.fromkeys(("load", "between"), u))

@@ -1,13 +1,17 @@
 """What rings with two plain walls share: rules of their inputs, profiles, sketch."""
 
 from collections.abc import Iterable, Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from verify.case import AlongLine, sketches
 from verify.core.figures import Array, Shape
 from verify.form.sketches import polar
+
+if TYPE_CHECKING:
+    from fem.plane.material import Assumption
+    from fem.plane.solution import PlaneSolution
 
 ACROSS = 13  # stations over the wall
 ASKEW = 30.0  # degrees: their direction, on no line of the mesh's symmetry
@@ -34,6 +38,22 @@ def check_wall(r_i: float, r_o: float, names: tuple[str, str] = ("r_i", "r_o")) 
             f"a wall of {(r_o - r_i) * 1e3:g} mm is below a thousandth of r_o = "
             f"{r_o * 1e3:g} mm: a shell, not a thick ring"
         )
+
+
+def quarter_fem(
+    q: Any, r_i: float, r_o: float, assumption: "Assumption", refine: int, *,
+    straight: bool = False, **loads: Any,
+) -> "PlaneSolution":  # fmt: skip
+    """A quarter of a ring of the material of `q`, symmetric on both cuts, under `loads`."""
+    from fem.plane.material import Elastic
+    from fem.plane.solve import solve_plane
+    from meshes.ring.quarter import quarter_ring
+
+    return solve_plane(
+        quarter_ring(r_i=r_i, r_o=r_o, refine=refine, straight=straight),
+        materials=Elastic(E=q.E, nu=q.nu), assumption=assumption,
+        supports={"x=0": "x", "y=0": "y"}, **loads,
+    )  # fmt: skip
 
 
 def stations(q: Any) -> Array:

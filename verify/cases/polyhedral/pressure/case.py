@@ -1,7 +1,7 @@
 """The round ring behind the polyhedral one: pressure that takes up a clearance, thin and thick."""
 
 from collections.abc import Iterator
-from typing import ClassVar, Self
+from typing import Any, ClassVar, Self
 
 import numpy as np
 
@@ -23,6 +23,7 @@ from verify.case import (
     solved,
 )
 from verify.cases.polyhedral.thin_ring import ThinRing
+from verify.cases.ring.walls import quarter_fem
 from verify.core.figures import Picture, Sketch
 from verify.form.adapter import adapted
 from verify.form.fields import picture, plane_field
@@ -100,25 +101,16 @@ class RingPressure(ThinRing):
 
     def reference(self, level: int) -> Level:
         """The ring under a pressure of E/1000 in its bore, scaled to a growth of j_D."""
-        from fem.plane.material import Assumption, Elastic
-        from fem.plane.solution import PlaneSolution
-        from fem.plane.solve import solve_plane
-        from meshes.ring.quarter import quarter_ring
-
         p_0, fine = self.E / 1000, 2 if self.delta_1 > THICK * self.d_m else 1
 
-        def expanded(d_i: float, d_e: float, assumption: Assumption) -> PlaneSolution:
-            return solve_plane(
-                quarter_ring(r_i=d_i / 2, r_o=d_e / 2, refine=level * fine),
-                materials=Elastic(E=self.E, nu=self.nu), assumption=assumption,
-                supports={"x=0": "x", "y=0": "y"}, pressures={"bore": p_0},
-            )  # fmt: skip
+        def expanded(d_i: float, d_e: float, ends: Any) -> Any:
+            return quarter_fem(self, d_i / 2, d_e / 2, ends, level * fine, pressures={"bore": p_0})
 
-        def growth(solution: PlaneSolution, place: str) -> float:
+        def growth(solution: Any, place: str) -> float:
             along = solution.on_boundary(place)
-            return 2 * along.mean(along.polar()[0])
+            return 2 * float(along.mean(along.polar()[0]))
 
-        def pressure(solution: PlaneSolution) -> float:
+        def pressure(solution: Any) -> float:
             """That lets the outside grow by j_D."""
             return p_0 * self.j_D / growth(solution, "rim")
 

@@ -10,25 +10,14 @@ from verify.cases.ring import walls
 
 def solve(q: Any, level: int) -> Level:
     """One level of all three quarters."""
-    from fem.plane.material import Assumption, Elastic
-    from fem.plane.solution import PlaneSolution
-    from fem.plane.solve import solve_plane
-    from meshes.ring.quarter import quarter_ring
-
     values: dict[str, float] = {}
     arrays: dict[str, Any] = {}
-    found: list[PlaneSolution] = []
-
-    def solved(assumption: Assumption, *, straight: bool = False) -> PlaneSolution:
-        found.append(solve_plane(
-            quarter_ring(r_i=q.r_i, r_o=q.r_o, refine=level, straight=straight),
-            materials=Elastic(E=q.E, nu=q.nu), assumption=assumption,
-            supports={"x=0": "x", "y=0": "y"}, pressures={"bore": q.p_i, "rim": q.p_o}, degree=2,
-        ))  # fmt: skip
-        return found[-1]
-
-    thin, long = solved("plane stress"), solved("plane strain")
-    straight = solved("plane strain", straight=True)
+    loads: dict[str, Any] = {"pressures": {"bore": q.p_i, "rim": q.p_o}, "degree": 2}
+    thin, long = (
+        walls.quarter_fem(q, q.r_i, q.r_o, ends, level, **loads)
+        for ends in ("plane stress", "plane strain")
+    )
+    straight = walls.quarter_fem(q, q.r_i, q.r_o, "plane strain", level, straight=True, **loads)
     values["U_straight"] = 4 * straight.strain_energy
     for ring, state in ((thin, ""), (long, "_strain")):
         read = _read(ring) | {"balance": ring.reaction("x=0")[0] + q.p_i * q.r_i - q.p_o * q.r_o}
@@ -42,7 +31,7 @@ def solve(q: Any, level: int) -> Level:
     # that of displacements, not of energies
     round_off = max(
         max(abs(ring.potential_energy / ring.strain_energy + 1), ring.residual**0.5)
-        for ring in found
+        for ring in (thin, long, straight)
     )
     u_it = {key: round_off * abs(value) for key, value in values.items()}
     u_it |= {key: round_off * float(np.abs(array).max()) for key, array in profiles.items()}

@@ -166,21 +166,9 @@ class RotatingRace(Case):
 
     def reference(self, level: int) -> Level:
         """Quarters in plane stress and plane strain under centrifugal forces."""
-        from fem.plane.material import Elastic
-        from fem.plane.solution import PlaneSolution
-        from fem.plane.solve import solve_plane
-        from meshes.ring.quarter import quarter_ring
-
         pull = self.rho * self.omega**2
 
-        def turning(assumption: Ends) -> PlaneSolution:
-            return solve_plane(
-                quarter_ring(r_i=self.r_i, r_o=self.r_o, refine=level),
-                materials=Elastic(E=self.E, nu=self.nu), assumption=assumption,
-                supports={"x=0": "x", "y=0": "y"}, body_forces=lambda x: pull * x,
-            )  # fmt: skip
-
-        def read(race: PlaneSolution) -> dict[str, float]:
+        def read(race: Any) -> dict[str, float]:
             bore, rim, middle = (race.on_boundary(name) for name in ("bore", "rim", "middle"))
             return {
                 "growth": bore.mean(bore.polar()[0]), "growth_rim": rim.mean(rim.polar()[0]),
@@ -190,7 +178,10 @@ class RotatingRace(Case):
                 "balance": race.reaction("x=0")[0] + pull * (self.r_o**3 - self.r_i**3) / 3,
             }  # fmt: skip
 
-        thin, long = turning("plane stress"), turning("plane strain")
+        thin, long = (
+            walls.quarter_fem(self, self.r_i, self.r_o, ends, level, body_forces=lambda x: pull * x)
+            for ends in ("plane stress", "plane strain")
+        )
         values = read(thin) | {f"{name}_strain": value for name, value in read(long).items()}
         profiles = dict(walls.across(self, thin))
         round_off = max(race.residual**0.5 for race in (thin, long))
