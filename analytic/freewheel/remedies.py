@@ -14,7 +14,7 @@ from analytic.freewheel.duty import Duty
 from analytic.freewheel.geometry import InnerCam
 
 FINE, NARROW = 1e-8, 0.1  # for a derivative [m], at most this of what a wedge has
-FARTHEST, POINTS = 0.999, 400  # of the way to no wedge; places along it
+FARTHEST, POINTS = 0.999, 400  # of the room that a wedge has; places in it
 STIFFEST, HALVINGS = 4.0, 30  # times R_a, beyond which a housing does no more
 LONGEST = 10.0  # times L that are advised at most
 

@@ -54,7 +54,7 @@ class Pitch:
         return math.acos((self.flat + self.sense * self.r) / (self.race - self.sense * self.r))
 
     def arc(self, psi: Array, to_race: Array) -> Array:
-        """Way [m] of the roller's centre about the axis, as seen from the cam, from no load on.
+        """Arc [m] of the roller's centre about the axis relative to the cam, from no load on.
 
         `psi` [rad] is its angle, `to_race` [m] the approach of roller and race.
         """

@@ -21,23 +21,23 @@ def under_load(one: Pulled, start: Start, cells: int) -> tuple[State, State]:
     return rest, pulled(one, there, rest)
 
 
-def driven(there: Sector, stuck: State, way: Sequence[float]) -> Array:
-    """The path of the ring driven along z while N stays, until all slips and the ring creeps.
+def driven(there: Sector, stuck: State, displacements: Sequence[float]) -> Array:
+    """The path of the ring driven to `displacements` [m] along z while N stays, until it creeps.
 
-    It (m, 8) has u_z [m], the way [m] of the ring's bore into the wedge, F_t/N and F_z/N of both
+    It (m, 8) has u_z [m], how far [m] the ring's bore moves into the wedge, F_t/N and F_z/N of both
     contacts by the mesh's normals, N of the ring and T over those at rest.
     """
     path, state = [_row(stuck, stuck, 0.0)], stuck
-    for u in way:
+    for u in displacements:
         state = creeping(there, state, axial_displacements=_rim(there, u))
         path.append(_row(state, stuck, u))
     return np.array(path)
 
 
-def let_out(there: Sector, stuck: State, way: Sequence[float]) -> Array:
+def let_out(there: Sector, stuck: State, displacements: Sequence[float]) -> Array:
     """The path (m, 8) of the ring driven along z and held about the axis: rollers are let out."""
     path, state = [_row(stuck, stuck, 0.0)], stuck
-    for u in way:
+    for u in displacements:
         state = there.at(stuck.drags, after=state.solution, axial_displacements=_rim(there, u))
         path.append(_row(state, stuck, u))
     return np.array(path)

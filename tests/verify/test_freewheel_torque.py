@@ -248,7 +248,7 @@ KNOWN = [
 def test_intervals_lie_about_the_formulas_and_are_no_wider_than_what_they_are_for(change):
     q = FreewheelTorque(**change)
     torque, force = under_torque(q), under_force(q)
-    for interval in (torque.angle(), torque.slope(), torque.way(), force.approach("d_o")):
+    for interval in (torque.angle(), torque.slope(), torque.travel(), force.approach("d_o")):
         assert interval[0] <= 1e-5
         assert interval[1] >= -3e-3  # the winding of the star is missing in formulas
     assert torque.angle()[1] - torque.angle()[0] < 4e-3

@@ -142,7 +142,7 @@ class CupBounds:
         return enclosed(math.tan(own["alpha"]), [math.tan(c["alpha"]) for c in corners])
 
     def torsion(self) -> Interval:
-        """Of phi: what rolls, the contacts' tangential way, and shaft and cup wound up."""
+        """Of phi: what rolls, the contacts' tangential displacement, shaft and cup wound up."""
         cup, T, (own, corners) = self.cup, self.at.T, self._at_torque
         wound = winding(cup, T, cup.flat, cup.R_a) + winding(cup, T, cup.r_b, cup.race)
         tan, tan_0 = math.tan(own["alpha"]), math.tan(float(cup.alpha(d_i=0.0, d_o=0.0)))

@@ -59,7 +59,7 @@ class StarBounds:
         """Of alpha."""
         return self._of(lambda **d: float(self.star.alpha(**d)))
 
-    def way(self) -> Interval:
+    def travel(self) -> Interval:
         """Of s."""
         return self._of(lambda **d: float(self.star.arc(**d)))
 
@@ -75,8 +75,8 @@ class StarBounds:
         return 1 / (1 + high) - 1, 1 / (1 + low) - 1
 
     def torsion(self) -> Interval:
-        """Of phi, which goes as the way of the rollers and is added to by tangential forces."""
-        (low, high), square = self.way(), math.tan(self.at.alpha) ** 2
+        """Of phi, which goes as the travel of the rollers and is added to by tangential forces."""
+        (low, high), square = self.travel(), math.tan(self.at.alpha) ** 2
         less, more = (share * square for share in SIDEWAYS)
         return (1 + low) / (1 + more) - 1, (1 + high) / (1 + less) - 1
 

@@ -48,7 +48,7 @@ def test_the_wedge_written_anew_is_the_formulas(clutch):
 
 def test_intervals_of_a_star_hold_the_formulas_themselves(star):
     found = bounds(star)
-    for low, high in (found.angle(), found.way(), found.slope(), found.force(), found.contact(),
+    for low, high in (found.angle(), found.travel(), found.slope(), found.force(), found.contact(),
                       found.force_at_angle(), found.approach("d_o")):  # fmt: skip
         assert low < 0 < high
     formula = float(state.loaded(star, 26.0).d_i)
@@ -57,7 +57,7 @@ def test_intervals_of_a_star_hold_the_formulas_themselves(star):
 
 def test_tangential_forces_turn_the_ring_further(star):
     found = bounds(star)
-    (low, high), (least, most) = found.torsion(), found.way()
+    (low, high), (least, most) = found.torsion(), found.travel()
     tan = math.tan(found.at.alpha)
     assert (1 + least) / (1 + low) - 1 == pytest.approx(tan**2, rel=1e-9)
     assert (1 + most) / (1 + high) - 1 == pytest.approx(tan**2 / 2, rel=1e-9)

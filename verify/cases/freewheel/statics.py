@@ -30,8 +30,8 @@ def accepted(
 
     def pair(context: Context) -> Pair:
         before, now = (level.values[share] for level in context.fem[-2:])
-        told = f"{words} {now:+.2%}, {within:.1%} accepted"
-        return Pair(1 / (1 + now) if inverse else 1 + now, 1.0, 2 * abs(now - before), told)
+        stated = f"{words} {now:+.2%}, {within:.1%} accepted"
+        return Pair(1 / (1 + now) if inverse else 1 + now, 1.0, 2 * abs(now - before), stated)
 
     check = Agreement(name=name, symbol=symbol or q.symbol, unit="1", accepted=within, by=by,
                       source=source, pair=pair, **demanded(within))  # fmt: skip

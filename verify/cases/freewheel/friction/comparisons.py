@@ -1,6 +1,7 @@
 """Where slip of a freewheel begins and what slips then, at the reference's own angle."""
 
 from collections.abc import Iterator
+from functools import partial
 
 import numpy as np
 
@@ -40,16 +41,12 @@ def at_slip(mu_T: Quantity, mu_req: Quantity) -> Iterator[Comparison]:
                   symbol="μ/μ_req", unit="1", pair=axial_onset, accepted=CONE, source=SUBJECT),
         mu_req,
     )  # fmt: skip
-    yield judged(
-        Agreement(name="required friction on the star, at its own angle (Eqs. 8, 9)",
-                  symbol="μ_req", unit="1", pair=lambda context: of_contact(context, 0),
-                  accepted=OWN, source=suites(ALONE)), mu_req,
-    )  # fmt: skip
-    yield judged(
-        Agreement(name="required friction on the ring, at its own angle (Eqs. 8, 9)",
-                  symbol="μ_req", unit="1", pair=lambda context: of_contact(context, 1),
-                  accepted=OWN, source=suites(ALONE)), mu_req,
-    )  # fmt: skip
+    for where, part in enumerate(("star", "ring")):
+        yield judged(
+            Agreement(name=f"required friction on the {part}, at its own angle (Eqs. 8, 9)",
+                      symbol="μ_req", unit="1", pair=partial(of_contact, where=where),
+                      accepted=OWN, source=suites(ALONE)), mu_req,
+        )  # fmt: skip
     yield judged(
         Deviation(name="slipping contacts are on the friction cone", symbol="F/(μF_n) − 1",
                   unit="1", size=on_the_cone, accepted=CONE, source=SUBJECT, whole="μF_n"), mu_req,

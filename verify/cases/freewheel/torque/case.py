@@ -164,7 +164,7 @@ class FreewheelTorque(Star):
         yield approximation(star.N, name="normal force under torque (Eqs. 2, 3)", symbol="F_n(T)",
                             expected=known(self, bounds.force()), **more)  # fmt: skip
         yield approximation(star.s, name="way of the rollers (Eq. 6)", symbol="s(T)",
-                            expected=known(self, bounds.way()), **more)  # fmt: skip
+                            expected=known(self, bounds.travel()), **more)  # fmt: skip
         torsion = bounds.torsion()
         yield approximation(
             star.phi, name="torsion by exact rolling, against ∫dU/T (Eq. 7, corrected)",
