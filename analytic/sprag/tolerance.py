@@ -16,7 +16,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from analytic.contact.checks import Array
-from analytic.sprag.geometry import LogSprag
+from analytic.sprag.geometry import LogSprag, strut, triangle
+
+STEP = 1e-6  # of a radius, for slopes
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -43,3 +45,25 @@ def sensitivities(sprag: LogSprag) -> Sensitivities:
         r_e=np.asarray(-by_beta * np.tan(eta) / OC_e),
         m=np.asarray(by_beta * spiral),
     )
+
+
+def first_contact(sprag: LogSprag, *, dR_i: float = 0.0, dR_e: float = 0.0) -> tuple[float, float]:
+    """Wedge angle and turn of the same sprag [rad] between races that are off by dR [m].
+
+    >>> sprag = LogSprag(R_i=11.11, R_e=19.44, m=0.08490, r_i=4.02)
+    >>> nu, turned = first_contact(sprag, dR_i=-0.02)  # a smaller inner race lets it turn
+    >>> bool(turned > 0), bool(abs(nu - sprag.nu_0) < 1e-3)
+    (True, True)
+    """
+    OA, OB = float(np.asarray(sprag.R_i)) + dR_i, float(np.asarray(sprag.R_e)) + dR_e
+    found = triangle(OA=OA, OC_e=OB - float(sprag.r_e), m=sprag.m)
+    nu, _ = strut(OA=OA, OB=OB, beta=found.beta)
+    turned = np.log(found.rho / sprag.rho_0) / sprag.m - (found.eta - sprag.eta_0)
+    return float(nu), float(turned)
+
+
+def slope(sprag: LogSprag, radius: str) -> tuple[float, float]:
+    """What "dR_i" or "dR_e" does to the wedge angle and to the unloaded sprag's turn [rad/m]."""
+    h = STEP * float(np.asarray(sprag.R_i))
+    low, high = (first_contact(sprag, **{radius: s * h}) for s in (-1, 1))
+    return (high[0] - low[0]) / (2 * h), (high[1] - low[1]) / (2 * h)

@@ -15,17 +15,18 @@ from analytic.sprag.course import rolled
 from analytic.sprag.motion import Motion, Speeds
 from analytic.sprag.rest import at_rest
 from analytic.sprag.table import tabulated
+from analytic.sprag.tolerance import first_contact
 from tests.conftest import solved
 from tests.verify.template_text import whole
 from verify.answers.template import template
 from verify.app.cli import run
 from verify.cases.sprag.clutch import limits, model
 from verify.cases.sprag.clutch.case import CLUTCH, SpragClutch
-from verify.cases.sprag.clutch.drawn_fem import Drawn
+from verify.cases.sprag.clutch.drawn_fem import drawn
 from verify.cases.sprag.clutch.dynamic import DYNAMIC
 from verify.cases.sprag.clutch.dynamic_messages import least_time
 from verify.cases.sprag.clutch.limits import as_torque_grows
-from verify.cases.sprag.clutch.model import built, first_contact, spring_force, under
+from verify.cases.sprag.clutch.model import built, spring_force, under
 from verify.cases.sprag.clutch.paper_fem import BEST, PRINTED, designed
 from verify.cases.sprag.clutch.paper_statements import rectangle
 from verify.cases.sprag.clutch.recommendations import verdict
@@ -263,7 +264,7 @@ def test_stiffness_is_the_slope_of_the_torque_over_the_turn():
 
 def test_a_radius_off_turns_the_sprag_and_hardly_its_wedge_angle():
     v, q = analytic(own()), own()
-    nu, turned = first_contact(q, dR_i=-10e-6)
+    nu, turned = first_contact(q.sprag, dR_i=-10e-6)
     assert turned == pytest.approx(-10e-6 * v["dalpha_per_dR_i"], rel=0.01)
     assert nu - q.nu_0 == pytest.approx(-10e-6 * v["dnu_0_per_dR_i"], rel=0.01)
     assert math.degrees(turned) == pytest.approx(1.61, abs=0.01)
@@ -274,7 +275,7 @@ def test_a_radius_off_is_what_yielding_by_as_much_is():
     """A rigid clutch whose inner race is smaller stands where one stands whose race yields."""
     q = own()
     d = 20e-6
-    nu, turned = first_contact(q, dR_i=-d)
+    nu, turned = first_contact(q.sprag, dR_i=-d)
     one = compliance.Compliance(
         contact_i=lambda N: 0 * N, contact_e=lambda N: 0 * N, race_i=d / 1000.0, race_e=0.0,
         sprag=0.0,
@@ -693,15 +694,15 @@ def test_pressures_with_a_modulus_of_plane_stress_are_missed(faulty):
     def plane_stress(right, *args, E_star, **more):
         return right(*args, E_star=E_star * (1 - 0.3**2), **more)
 
-    assert {MIDDLE, LARGEST} <= faulty(model.slices, "press", plane_stress)
+    assert {MIDDLE, LARGEST} <= faulty(slices, "press", plane_stress)
 
 
 def test_a_fault_of_the_drawn_sprag_is_seen_as_well():
     q = own()
-    drawn = Drawn(q, 82)
-    found, v = drawn.at_torque(q.T, 3400.0), analytic(q)
+    one = drawn(q, 82)
+    found, v = one.at_torque(q.T, 3400.0), analytic(q)
     assert pytest.approx(v["N"], rel=1e-4) == found.N
-    lost = Drawn(q.model_copy(update={"b": 2 * q.b}), 82).at_torque(q.T, 3400.0)
+    lost = drawn(q.model_copy(update={"b": 2 * q.b}), 82).at_torque(q.T, 3400.0)
     assert abs(lost.alpha / v["alpha"] - 1) > 0.03
 
 

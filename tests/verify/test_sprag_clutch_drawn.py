@@ -10,7 +10,7 @@ from analytic.sprag import parts
 from tests.conftest import solved
 from verify.cases.sprag.clutch import formulas, limits, model, paper_fem
 from verify.cases.sprag.clutch.case import CLUTCH, SpragClutch
-from verify.cases.sprag.clutch.drawn_fem import Drawn
+from verify.cases.sprag.clutch.drawn_fem import drawn
 from verify.cases.sprag.clutch.paper_statements import corners, length
 from verify.cases.sprag.optimum import reference as sprag_optimum_fem
 from verify.cases.sprag.optimum.case import SpragOptimum
@@ -102,7 +102,7 @@ def test_friction_s_limit_by_another_angle_is_red(broken):
 
 def test_a_drawn_sprag_rolls_as_its_arcs_say_but_for_what_yields():
     """Arcs of the unloaded flank on the bore and of the spiral on the rim, to half a percent."""
-    one, sprag = Drawn(PAPER, 322), PAPER.sprag
+    one, sprag = drawn(PAPER, 322), PAPER.sprag
     now, m = one.under(3388.0), float(np.asarray(sprag.m))
     spiral = float(sprag.rho_0) * math.hypot(1, m) / m * math.expm1(m * now.turned)
     swung = float(sprag.r_e) * now.alpha / PAPER.R_e

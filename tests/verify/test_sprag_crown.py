@@ -7,22 +7,20 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from analytic.contact import crown, slices
+from analytic.contact import crown_mean, slices
 from tests.conftest import solved
 from verify.answers.template import template
 from verify.app.cli import run
 from verify.cases.contact.roller.inputs import DESIGNS
 from verify.cases.sprag.crown import comparisons, formulas, table2
 from verify.cases.sprag.crown.advice import verdict
-from verify.cases.sprag.crown.box_fem import forces, terms
+from verify.cases.sprag.crown.box_fem import forces
 from verify.cases.sprag.crown.case import CROWN, SpragCrown
 from verify.cases.sprag.crown.formulas import (
     box,
     even,
     factorial,
-    mean_drop,
     unit,
-    z_m_share,
 )
 from verify.cases.sprag.crown.measured_figures import ordered
 from verify.cases.sprag.crown.paper_fem import FIG_12, FIG_14
@@ -74,36 +72,7 @@ MID = "pressure at mid-length under the largest force"
 DEEP = "largest pressure of (5, 0.7, 15 µm) under that force"
 
 
-# The profile's mean.
-@pytest.mark.parametrize("z_m", [1e-3, 0.3, 1.0, 5.0, 30.0, 800.0])
-def test_the_mean_drop_is_that_of_the_profile(z_m):
-    y = 1 - np.linspace(0, 1, 200_001) ** 4  # close to the end
-    z = crown.logarithmic(y, K_1=1.0, K_2=0.6, z_m=z_m, load=np.pi, length=2.0, E_star=0.5)
-    assert mean_drop(1.0, 0.6, z_m) == pytest.approx(float(np.trapezoid(-z, y)), rel=1e-6)
-
-
-@pytest.mark.parametrize("z_m", [1e-3, 0.3, 1.0, 5.0, 12.0])
-def test_the_share_of_z_m_is_the_slope_of_the_mean(z_m):
-    h = 1e-4
-    slope = math.log(mean_drop(1.0, 1.0, z_m * (1 + h)) / mean_drop(1.0, 1.0, z_m * (1 - h)))
-    assert z_m_share(1.0, z_m) == pytest.approx(slope / (2 * h), rel=1e-4)
-
-
-def test_z_m_and_k_1_share_one_per_cent():
-    h = 1e-5
-    by_A = math.log(mean_drop(1 + h, 1.0, 2.0) / mean_drop(1 - h, 1.0, 2.0)) / (2 * h)
-    assert z_m_share(1.0, 2.0) + by_A == pytest.approx(1, rel=1e-6)
-
-
-def test_a_long_logarithm_has_a_mean_that_z_m_does_not_change():
-    assert mean_drop(1.0, 1.0, 60.0) == pytest.approx(2 - math.log(4), rel=1e-9)
-
-
-def test_mean_and_share_are_the_same_in_millimetres():
-    assert mean_drop(1.2e-6, 0.7, 8e-6) * 1e3 == pytest.approx(mean_drop(1.2e-3, 0.7, 8e-3))
-    assert z_m_share(1.2e-6, 8e-6) == pytest.approx(z_m_share(1.2e-3, 8e-3))
-
-
+# The box.
 def test_the_paper_s_box_is_eq_19_and_another_load_scales_its_drop_alone():
     low, high = box(own())
     assert low.tolist() == [1, 0.4, 5e-6]
@@ -124,9 +93,9 @@ def test_an_even_load_s_pressure_is_hertz_s():
 @pytest.mark.parametrize(
     ("module", "name", "wrapper", "rows"),
     [
-        (formulas, "mean_drop", lambda f, A, K_2, z: f(A / 2, K_2, z), {MEAN, SHARE}),
-        (formulas, "mean_drop", lambda f, A, K_2, z: f(A, 1 - K_2, z), {MEAN}),
-        (formulas, "_around", lambda f, c, m: f(c, m) * (1 - 1e-3), {MEAN, SHARE}),
+        (crown_mean, "mean_drop", lambda f, A, K_2, z: f(A / 2, K_2, z), {MEAN, SHARE}),
+        (crown_mean, "mean_drop", lambda f, A, K_2, z: f(A, 1 - K_2, z), {MEAN}),
+        (crown_mean, "_around", lambda f, c, m: f(c, m) * (1 - 1e-3), {MEAN, SHARE}),
         (formulas, "gap", lambda f, q: f(q) * 0.2, {DEEP}),
         (slices, "press", lambda f, *a, **k: f(*a, **k | {"load": np.multiply(k["load"], 0.9)}),
          {MID, DEEP}),
@@ -276,7 +245,7 @@ def test_a_quadratic_through_27_engagements_has_the_forces_of_the_printed_crowns
 
 def replace_peaks(q, found):
     """Forces at the nodes of the 27, from those of the 125 that were fitted through them."""
-    from verify.cases.sprag.peaks import Peaks
+    from analytic.sprag.peaks import Peaks
 
     coarse = [
         k
@@ -285,12 +254,6 @@ def replace_peaks(q, found):
     ]
     N = found["many N"][coarse]
     return Peaks(found["box"][coarse], found["torques"], N, np.empty((*N.shape, 1)))  # fmt: skip
-
-
-def test_a_quadratic_is_found_again():
-    u = np.random.default_rng(0).random((27, 3))
-    assert terms(u).shape == (27, 10)
-    assert np.linalg.matrix_rank(terms(u)) == 10
 
 
 # Words.

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 
 from analytic.contact import crown, slices
+from analytic.sprag.peaks import Peaks
 from analytic.surrogate import genetic, kriging, largest
 from analytic.surrogate.infill import NoAgreementError
 from verify.cases.sprag.optimum import deep, ends_fem, study_fem
 from verify.cases.sprag.optimum.case import SpragOptimum
 from verify.cases.sprag.optimum.surrogate_claims import SURROGATE
-from verify.cases.sprag.peaks import Peaks
 from verify.core.case import Context, FemResult
 from verify.core.results import Status
 

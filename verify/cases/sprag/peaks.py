@@ -2,24 +2,20 @@
 
 A crown changes the laws of the contacts and little else: they are solved once for all torques.
 
-The slices of Eqs. 2-5 hardly know that a sprag ends: the crown that is best by them lets its ends
-carry, which strips on a half-space, and the more the finer they are, answer with a peak there
-(2946 MPa by 41 slices are 3255 MPa by 81 strips, 3766 by 161, for the best crown of Eq. 19 at
-25 N m). So a crown that is to be made is judged by strips, under the same forces, and with its ends
-free: where a contact ends before the sprag does the last strip is partly bare and bears less than
-the others, where it reaches the end it bears more, without limit as strips become narrower.
+What slices and strips tell of the ends is in `analytic.sprag.peaks`: 2946 MPa by 41 slices are
+3255 MPa by 81 strips, 3766 by 161, for the best crown of Eq. 19 at 25 N m.
 """
 
 import math
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 
 from analytic.contact import slices, strips
 from analytic.sprag.closure import wedged
-from verify.cases.sprag.clutch.model import Built, built
+from analytic.sprag.crowned import Crowned
+from analytic.sprag.peaks import By, Peaks
+from verify.cases.sprag.clutch.model import built
 from verify.cases.sprag.clutch.run_fem import AHEAD, engaged_fem
 from verify.cases.sprag.engagement.model import crowned_for, gap
 from verify.cases.sprag.inputs import EngagementInputs
@@ -35,69 +31,11 @@ HOW = {
     "not followed": "the force still rises at the end, take a longer t_end",
 }
 
-END = (
-    1.5  # what the end strip counts for: it may bear (2/3)^2 = 44 % of the force of the most loaded
-)
-
 Crown = tuple[float, float, float]  # K_1, K_2, z_m [m]
-By = Literal["slices", "strips"]
 
 
 class NoLockError(ArithmeticError):
     """An engagement that does not lock: it has no largest pressure to make less."""
-
-
-@dataclass(frozen=True, eq=False)
-class Peaks:
-    """Of n crowns (n, 3) under m torques [N m], at the inner contacts.
-
-    `N_max` [N] (n, m), and under it the `pressure` [Pa] of each slice or strip from one end to the
-    other, (n, m, slices).
-    """
-
-    crowns: Array
-    torques: Array
-    N_max: Array
-    pressure: Array
-    by: By = "slices"
-
-    @property
-    def largest(self) -> Array:
-        """Pre_max [Pa] of Eq. 17, (n, m)."""
-        return np.asarray(self.pressure.max(axis=-1))
-
-    @property
-    def regimes(self) -> tuple[Array, Array]:
-        """What the end and all the rest count for [Pa], each (n, m): regimes for a surrogate.
-
-        Strips let no crown count as good whose ends carry: see END.
-        """
-        return (END if self.by == "strips" else 1.0) * self.end, self.inside
-
-    @property
-    def objective(self) -> Array:
-        """The larger regime [Pa], (n, m): what a crown is to make least.
-
-        That is `largest` of slices, and of strips where the ends are free.
-        """
-        return np.maximum(*self.regimes)
-
-    @property
-    def end(self) -> Array:
-        """Pressure [Pa] of the first slice, at an end, 0 where they carry nothing, (n, m)."""
-        return np.asarray(self.pressure[..., 0])
-
-    @property
-    def inside(self) -> Array:
-        """Largest pressure [Pa] of all other slices, (n, m)."""
-        return np.asarray(self.pressure[..., 1:-1].max(axis=-1))
-
-    def of(self, torque: int) -> "Peaks":
-        """The same under one of the torques, by its number."""
-        only = slice(torque, torque + 1)
-        return Peaks(
-            self.crowns, self.torques[only], self.N_max[:, only], self.pressure[:, only], self.by
-        )
 
 
 def with_crown(q: EngagementInputs, crown: Crown | Array | None) -> EngagementInputs:
@@ -126,7 +64,7 @@ def one_fem(
     return N, strips.press(fine, length=q.l, R=R, E_star=one.parts.E_star, load=N).pressure
 
 
-def _peak_fem(one: Built, q: EngagementInputs) -> tuple[float, float]:
+def _peak_fem(one: Crowned, q: EngagementInputs) -> tuple[float, float]:
     """N_max [N] and the inner contact's relative radius [m] under it."""
     run = engaged_fem(one, q, AHEAD * q.T / (q.z * q.R_i * math.tan(q.nu_0)))
     verdict = run.engagement.verdict

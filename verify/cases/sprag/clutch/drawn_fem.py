@@ -1,190 +1,33 @@
-"""A sprag drawn point by point between its races, without any triangle: the other way to a state.
-
-The spiral is points; where it touches is the point nearest to the axis, on the parabola through
-three. What yields is put together anew: rings under smeared forces, a bar, slices at each load.
-"""
+"""A sprag of the inputs as it is drawn point by point: the other way to its state."""
 
 import math
-from dataclasses import dataclass
-from functools import cached_property
-from itertools import pairwise
 
 import numpy as np
-from scipy.optimize import brentq
 
-from analytic.contact import slices
+from analytic.sprag.drawn import Drawn, Sizes, crown_drop, middles
 from verify.cases.sprag.inputs import SpragInputs
 from verify.core.figures import Array
-
-AROUND = 0.6  # rad of spiral to either side of where it may touch
-AROUND_IT = np.array([-1.0, 0.0, 1.0])  # of the points' distance: where a parabola goes through
-DRAWN_ANEW = 6  # times, about its own lowest place: no error by where points happen to lie
-POWER = 3  # of the way's parts, which force grows with: near no load little of it turns a lot
-FAR = 6.0  # rad, more than any sprag turns
 
 
 def places(q: SpragInputs, n: int) -> Array:
     """Middles [m] of n equal parts of a sprag, from mid-length."""
-    edges = np.linspace(-q.l / 2, q.l / 2, n + 1)
-    return np.asarray((edges[:-1] + edges[1:]) / 2)
+    return middles(q.l, n)
 
 
 def crowned(q: SpragInputs, n: int) -> Array:
-    """Drop [m] of the crown there, Eq. 1 within its range; made for Q, or for the static load."""
+    """Drop [m] of the crown there; made for Q, or for the static load."""
     if q.z_m == 0:
         return np.zeros(n)
     Q = q.Q or q.T / (q.z * q.R_i * math.tan(q.nu_0))
     A = 2 * q.K_1 * Q * (1 - q.nu**2) / (math.pi * q.l * q.E)
-    crowns = q.K_2 * q.l / 2
-    t = np.clip((np.abs(places(q, n)) - (q.l / 2 - crowns)) / crowns, 0.0, 1.0)
-    return np.asarray(-A * np.log(1 - (1 - math.exp(-q.z_m / A)) * t**2))
+    return crown_drop(places(q, n), length=q.l, A=A, K_2=q.K_2, z_m=q.z_m)
 
 
-@dataclass(frozen=True)
-class Touching:
-    """A sprag that two forces hold: its turn, angles [rad], the clutch's torque [N m].
-
-    `A` and `B`, where it bears them, and its pole `C` are places [m], (2,), B straight above O.
-    """
-
-    N: float
-    alpha: float
-    turned: float
-    nu: float
-    T: float
-    A: Array
-    B: Array
-    C: Array
-
-
-@dataclass(frozen=True)
-class Drawn:
-    """The sprag of a clutch as `points` per radian of spiral.
-
-    With `rigid` races (Liu), or with what Eqs. 9 and 10 as printed lose on the inner side.
-    """
-
-    q: SpragInputs
-    points: int
-    rigid: bool = False
-    printed: bool = False
-
-    @cached_property
-    def start(self) -> float:
-        """Angle [rad] of the pole's ray to the first contact from the ray to the axis."""
-        return float(brentq(lambda psi: self._near(psi, 0.0, self._OC)[0] - self.q.R_i, -0.6, 0.6,
-                            xtol=1e-15))  # fmt: skip
-
-    @cached_property
-    def growth(self) -> float:
-        """The spiral's m."""
-        return float(np.asarray(self.q.sprag.m))
-
-    @property
-    def _OC(self) -> float:
-        """The pole [m] from the axis: r_i/sqrt(1 + m²) from A, arctan(m) off the normal there."""
-        off = math.atan(self.growth)
-        return math.hypot(self.q.R_i + self._rho_0 * math.cos(off), self._rho_0 * math.sin(off))
-
-    @property
-    def _rho_0(self) -> float:
-        return self.q.r_i / math.hypot(1, self.growth)
-
-    def _near(self, psi: float, alpha: float, OC: float) -> tuple[float, float, float]:
-        """Distance [m] from the axis to the spiral, azimuth and polar angle [rad] there."""
-        h = 1 / self.points
-        centre = round(alpha / h)
-        around = round(AROUND / h)
-        theta: Array = h * (centre + np.arange(-around, around + 1, dtype=np.float64))
-        x, y = self._at(theta, psi - alpha, OC)
-        far = np.hypot(x, y)
-        k = int(np.clip(np.argmin(far), 1, len(far) - 2))
-        at = theta[k]
-        for _ in range(DRAWN_ANEW):
-            left, low, right = np.hypot(*self._at(at + h * AROUND_IT, psi - alpha, OC))
-            at += h * (left - right) / (2 * (left - 2 * low + right))
-        x_k, y_k = self._at(np.array([at]), psi - alpha, OC)
-        return float(np.hypot(x_k, y_k)[0]), math.atan2(x_k[0], y_k[0]), float(at)
-
-    def _at(self, theta: Array, turn: float, OC: float) -> tuple[Array, Array]:
-        rho = self._rho_0 * np.exp(self.growth * theta)
-        return rho * np.sin(turn + theta), OC - rho * np.cos(turn + theta)
-
-    def yields(self, N: float) -> dict[str, float]:
-        """Yields [m] under the normal force N [N]."""
-        q = self.q
-        smeared = N * q.z / (2 * math.pi * q.l)  # times 1/r is a pressure
-        inner, outer = q.R_id / q.R_i, q.R_e / q.R_ed
-        gap, E_star = crowned(q, q.slices), q.E / (2 * (1 - q.nu**2))
-        r_e = q.R_e - self._OC
-        found = {"BI": 0.0, "BE": 0.0} if self.rigid else {
-            "BI": smeared / q.E * ((1 + inner**2) / (1 - inner**2) - q.nu),
-            "BE": smeared / q.E * ((1 + outer**2) / (1 - outer**2) + q.nu),
-        }  # fmt: skip
-        found["g"] = N * (q.R_e - q.R_i) / (q.E * q.b * q.l)
-        for name, r, R in (("HI", q.r_i, q.R_i), ("HE", r_e, -q.R_e)):
-            given = {"length": q.l, "R": r * R / (r + R), "E_star": E_star}
-            found[name] = float(slices.press(gap, load=N, **given).approach) if N else 0.0
-        return found
-
-    def under(self, N: float) -> Touching:
-        """The state under the normal force N [N]."""
-        q, d = self.q, self.yields(N)
-        grown = self.grown()
-        OC = self._OC + d["BE"] + d["HE"] + d["g"] / 2 + grown
-        lost = (d["HI"] + d["g"]) / 2 if self.printed else 0.0
-        meets = q.R_i - d["BI"] - d["HI"] - d["g"] / 2 + lost
-        first = self.start
-        alpha = float(brentq(lambda a: self._near(first, a, OC)[0] - meets, -FAR, FAR, xtol=1e-14))
-        _, beta, turned = self._near(first, alpha, OC)
-        OA, OB = q.R_i - d["BI"] - d["HI"] / 2, q.R_e + d["BE"] + d["HE"] / 2 + grown
-        A = OA * np.array([math.sin(beta), math.cos(beta)])
-        B, C = np.array([0.0, OB]), np.array([0.0, OC])
-        strut = B - A
-        along, across = float(strut @ A) / OA, float(A[0] * strut[1] - A[1] * strut[0]) / OA
-        nu = math.atan2(across, along)
-        return Touching(N, alpha, turned, nu, q.z * N * math.tan(nu) * OA, A, B, C)
-
-    def grown(self) -> float:
-        """Growth [m] of the outer race's bore by rotation: a hollow disc in plane stress."""
-        q = self.q
-        return float(q.R_e * q.density * q.n**2 / (4 * q.E)
-                     * ((3 + q.nu) * q.R_ed**2 + (1 - q.nu) * q.R_e**2))  # fmt: skip
-
-    def at_torque(self, T: float, near: float) -> Touching:
-        """The state under the torque T [N m], whose force is within a half of `near` [N]."""
-        N = brentq(lambda N: self.under(N).T - T, 0.5 * near, 1.5 * near, rtol=1e-13)
-        return self.under(float(N))
-
-    def at_friction(self, mu: float, near: float) -> Touching:
-        """The state whose strut asks for the friction mu, under a force within a half of `near`."""
-        N = brentq(lambda N: math.tan(self.under(N).nu) - mu, 0.5 * near, 1.5 * near, rtol=1e-12)
-        return self.under(float(N))
-
-    def rolled(self, N: float, steps: int) -> float:
-        """Turn [rad] of the inner race from no load to N [N] in steps, the outer race at rest.
-
-        In each the sprag is moved from one place to the next so that what it has at the middle of
-        its way at B keeps its azimuth; what it has there at A takes the inner race along.
-        """
-        way = [self.under(N * (k / steps) ** POWER) for k in range(steps + 1)]
-        return math.fsum(_taken(one, two) for one, two in pairwise(way))
-
-
-def _taken(one: Touching, two: Touching) -> float:
-    """Angle [rad] by which the sprag takes the inner race on its way between two places."""
-    B = (_on_sprag(one, one.B) + _on_sprag(two, two.B)) / 2
-    A = (_on_sprag(one, one.A) + _on_sprag(two, two.A)) / 2
-    swung = _azimuth(one, B) - _azimuth(two, B)  # counter-clockwise, of the line OB
-    return swung + _azimuth(two, A) - _azimuth(one, A)
-
-
-def _on_sprag(now: Touching, place: Array) -> Array:
-    c, s = math.cos(now.alpha), math.sin(now.alpha)
-    return np.array([[c, -s], [s, c]]) @ (place - now.C)
-
-
-def _azimuth(now: Touching, point: Array) -> float:
-    c, s = math.cos(now.alpha), math.sin(now.alpha)
-    x, y = now.C + np.array([[c, s], [-s, c]]) @ point
-    return math.atan2(y, x)
+def drawn(q: SpragInputs, points: int, *, rigid: bool = False, printed: bool = False) -> Drawn:
+    """The sprag as `points` per radian; with rigid races, or with Eqs. 9 and 10 as printed."""
+    sizes = Sizes(
+        R_id=q.R_id, R_i=q.R_i, R_e=q.R_e, R_ed=q.R_ed, r_i=q.r_i, m=float(np.asarray(q.sprag.m)),
+        z=q.z, l=q.l, b=q.b, E=q.E, nu=q.nu, density=q.density, omega=q.n,
+        gap=crowned(q, q.slices),
+    )  # fmt: skip
+    return Drawn(sizes, points, rigid=rigid, printed=printed)

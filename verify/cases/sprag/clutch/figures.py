@@ -9,9 +9,10 @@ import numpy as np
 from analytic.sprag import printed
 from analytic.sprag.closure import at_torque, wedged
 from analytic.sprag.course import rolled
+from analytic.sprag.tolerance import first_contact
 from verify.cases.sprag.clutch.formulas import ClutchFormulas
 from verify.cases.sprag.clutch.limits import as_torque_grows
-from verify.cases.sprag.clutch.model import built, first_contact, under
+from verify.cases.sprag.clutch.model import built, under
 from verify.cases.sprag.inputs import SpragInputs
 from verify.core.case import Context
 from verify.core.figures import Array, Bars, Curve, Curves, Figure
@@ -117,7 +118,7 @@ def yields(q: ClutchFormulas) -> Bars:
 
 def off(q: SpragInputs) -> Curves:
     far = np.linspace(-20e-6, 20e-6, 41)
-    found = {name: np.array([first_contact(q, **{f"d{name}": float(x)}) for x in far])
+    found = {name: np.array([first_contact(q.sprag, **{f"d{name}": float(x)}) for x in far])
              for name in ("R_i", "R_e")}  # fmt: skip
     return Curves(
         title="Sensitivity to the radii of the races", x_label="radius off by [µm]",

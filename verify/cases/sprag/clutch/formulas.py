@@ -6,12 +6,15 @@ from functools import partial
 import numpy as np
 
 from analytic.contact.sliced import SlicedContact
+from analytic.sprag import crowned
 from analytic.sprag.closure import Wedged, at_torque
 from analytic.sprag.course import rolled
+from analytic.sprag.race_stress import hoop
+from analytic.sprag.tolerance import slope
 from verify.case import Case, Quantity, shared
 from verify.cases.sprag.clutch import bodies, model
 from verify.cases.sprag.clutch.limits import as_torque_grows
-from verify.cases.sprag.engagement.model import gap
+from verify.cases.sprag.engagement.model import gap, parts
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.cases.sprag.wedge import model as sprag_wedge_model
 
@@ -143,7 +146,7 @@ class ClutchFormulas(EngagementInputs, Case):
     @Quantity("dT/dθ", "N m/rad", "torsional stiffness under torque")
     def stiffness(self) -> float:
         clutch = model.built(self).clutch
-        return math.nan if self.state is None else model.stiffness(clutch, self.N)
+        return math.nan if self.state is None else crowned.stiffness(clutch, self.N)
 
     @Quantity("T/θ", "N m/rad", "torque over wind-up", tex=r"\frac{T}{\theta(T)}")
     def T_per_theta(self) -> float:
@@ -223,7 +226,7 @@ class ClutchFormulas(EngagementInputs, Case):
         """Stresses [Pa] of both races under the smeared forces."""
         if self.state is None:
             return dict.fromkeys(("s_i", "s_id", "s_e"), math.nan)
-        return bodies.hoop(self, self.N, self._in_state("N_e"))
+        return hoop(parts(self), self.N, self._in_state("N_e"))
 
     @Quantity("σ_θ(R_id)", "MPa", "hoop stress at the inner race's bore, smeared load",
               source="Lamé", safe="too high")  # fmt: skip
@@ -274,19 +277,19 @@ class ClutchFormulas(EngagementInputs, Case):
 
     @Quantity("dν_0/dR_i", "deg/mm", "sensitivity of the wedge angle to R_i")
     def dnu_0_per_dR_i(self) -> float:
-        return model.slope(self, "dR_i")[0]
+        return slope(self.sprag, "dR_i")[0]
 
     @Quantity("dν_0/dR_e", "deg/mm", "sensitivity of the wedge angle to R_e")
     def dnu_0_per_dR_e(self) -> float:
-        return model.slope(self, "dR_e")[0]
+        return slope(self.sprag, "dR_e")[0]
 
     @Quantity("dα_0/dR_i", "deg/mm", "sensitivity of the unloaded sprags' rotation to R_i")
     def dalpha_per_dR_i(self) -> float:
-        return model.slope(self, "dR_i")[1]
+        return slope(self.sprag, "dR_i")[1]
 
     @Quantity("dα_0/dR_e", "deg/mm", "sensitivity of the unloaded sprags' rotation to R_e")
     def dalpha_per_dR_e(self) -> float:
-        return model.slope(self, "dR_e")[1]
+        return slope(self.sprag, "dR_e")[1]
 
     @Quantity("N_L", "N", "normal force with rigid races", source="Liu")
     def N_Liu(self) -> float:
@@ -345,4 +348,4 @@ def _read(contacts: Contacts | None, contact: int, *, mid: bool) -> float:
     if contacts is None:
         return math.nan
     found = contacts[contact]
-    return model.mid(found) if mid else float(found.peak_pressure.max())
+    return crowned.mid(found) if mid else float(found.peak_pressure.max())

@@ -4,15 +4,10 @@ import math
 from dataclasses import dataclass
 from functools import lru_cache
 
-import numpy as np
-from scipy.optimize import brentq
-
 from analytic.sprag.closure import wedged
 from verify.cases.sprag.clutch.bodies import least_force
 from verify.cases.sprag.clutch.model import built, grip
 from verify.cases.sprag.inputs import SpragInputs
-
-LEAST = 1e-4  # of the largest load: below, no pressure is searched
 
 WORDS = {
     "slip": "the contacts slip",
@@ -48,7 +43,7 @@ def as_torque_grows(q: SpragInputs) -> tuple[Limit, ...]:
     }  # fmt: skip
     if q.p_lim is not None:
         for k, name in enumerate(("inner", "outer")):
-            found[f"pressure_{name}"] = _pressed(q, k)
+            found[f"pressure_{name}"] = one.torque_at(q.p_lim, k)
     if q.R_p is not None:
         for k, name in enumerate(("inner", "outer")):
             N = least_force(q, k)
@@ -59,18 +54,3 @@ def as_torque_grows(q: SpragInputs) -> tuple[Limit, ...]:
 
 def _place(limit: Limit) -> float:
     return limit.at
-
-
-def _pressed(q: SpragInputs, contact: int) -> float:
-    """Torque [N m] at which the inner (0) or outer (1) contact's peak is p_lim; inf if never."""
-    one, p_lim = built(q), float(q.p_lim or math.inf)
-
-    def over(log_N: float) -> float:
-        return math.log(one.peaks(math.exp(log_N))[contact] / p_lim)
-
-    low, high = math.log(LEAST * one.N_top), math.log(one.N_top)
-    if over(high) < 0:
-        return math.inf
-    N = 0.0 if over(low) > 0 else math.exp(brentq(over, low, high, xtol=1e-9))
-    T = float(wedged(one.clutch, N).T)
-    return T if np.isfinite(T) else math.inf

@@ -1,73 +1,32 @@
 """Formulas of one's own sprag clutch: its state under torque, its pressures by slices."""
 
 import math
-from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
 
-from analytic.contact import slices
-from analytic.contact.sliced import SlicedContact
 from analytic.sprag import printed
 from analytic.sprag.closure import Wedged, at_torque, wedged
-from analytic.sprag.clutch import Clutch
-from analytic.sprag.course import rolled
-from analytic.sprag.geometry import strut, triangle
+from analytic.sprag.crowned import Crowned
 from analytic.sprag.laws import LOADS
 from analytic.sprag.limits import Limits, limits
-from analytic.sprag.parts import Parts
 from analytic.sprag.search import first_reach
 from analytic.sprag.start import spring_equilibrium
 from verify.cases.sprag.engagement.model import clutch, gap, parts
 from verify.cases.sprag.inputs import EngagementInputs, SpragInputs
-from verify.core.figures import Array
 
 WIDE = 0.15  # of the inner contact's relative radius: half-widths up to which Hertz is asked
 MANY, FEW_LOADS = 61, 21  # slices from which on fewer loads make up a contact's law
 HALF = 0.5  # of N, where the ends of a crown are free and strips have a highest pressure
-STEP = 1e-6  # of a load or length, for slopes
 FAST = 20_000 * 2 * math.pi / 60  # rad/s: the outer race grows by 2 µm
 
 
-@dataclass(frozen=True, eq=False)
-class Built:
-    """A clutch with crowned contacts: `gap` [m] of the slices, `N_top` [N] where its laws end."""
-
-    parts: Parts
-    clutch: Clutch
-    gap: Array
-    N_top: float
-
-    def radii(self, now: Wedged) -> tuple[float, float]:
-        """Relative radii [m] of the inner and the outer contact under load."""
-        sprag = self.parts.sprag
-        r_i = float(now.rho * np.hypot(1, sprag.m))
-        R_i = float(np.asarray(sprag.R_i))
-        return 1 / (1 / r_i + 1 / R_i), float(self.parts.R_contact_e)
-
-    def pressed(self, N: float) -> tuple[SlicedContact, SlicedContact]:
-        """The inner and the outer contact under the normal force N [N], slice by slice."""
-        now = wedged(self.clutch, N)
-        given = {"length": self.parts.l, "E_star": self.parts.E_star}
-        loads = float(now.N), float(now.N_e)
-        inner, outer = (
-            slices.press(self.gap, R=R, load=load, **given)
-            for R, load in zip(self.radii(now), loads, strict=True)
-        )
-        return inner, outer
-
-    def peaks(self, N: float) -> tuple[float, float]:
-        """Largest pressures [Pa] of both contacts under N [N]."""
-        inner, outer = self.pressed(N)
-        return float(inner.peak_pressure.max()), float(outer.peak_pressure.max())
-
-
 @lru_cache(maxsize=16)
-def built(q: SpragInputs) -> Built:
+def built(q: SpragInputs) -> Crowned:
     whole = parts(q)
     N_top = WIDE**2 * np.pi / 4 * q.l * float(whole.R_contact_i) * float(whole.E_star)
     found = clutch(q, 1.01 * N_top, LOADS if q.slices < MANY else FEW_LOADS)
-    return Built(whole, found, gap(q), N_top)
+    return Crowned(whole, found, gap(q), N_top)
 
 
 @lru_cache(maxsize=16)
@@ -76,41 +35,6 @@ def under(q: SpragInputs) -> Wedged | None:
     one = built(q)
     now = at_torque(one.clutch, q.T)
     return now if np.isfinite(now.N) and one.N_top >= now.N else None
-
-
-def mid(contact: SlicedContact) -> float:
-    """Pressure [Pa] at mid-length; between two slices the mean of their squares, which are loads.
-
-    >>> one = slices.press([0.0] * 4, length=1.0, R=1.0, E_star=1.0, load=1.0)
-    >>> bool(np.isclose(mid(one), one.peak_pressure[1]))
-    True
-    """
-    p, n = contact.peak_pressure, contact.force.shape[-1]
-    return float(np.sqrt((p[(n - 1) // 2] ** 2 + p[n // 2] ** 2) / 2))
-
-
-def stiffness(clutch: Clutch, N: float) -> float:
-    """Torsional stiffness dT/dtheta_i [N m/rad] of the clutch under N [N]."""
-    around = N * np.array([1 - STEP**0.5, 1 + STEP**0.5])
-    T, turn = wedged(clutch, around).T, rolled(clutch, around)
-    return float((T[1] - T[0]) / (turn[1] - turn[0]))
-
-
-def first_contact(q: SpragInputs, *, dR_i: float = 0.0, dR_e: float = 0.0) -> tuple[float, float]:
-    """Wedge angle and turn of the same sprag [rad] between races that are off by dR [m]."""
-    sprag = q.sprag
-    OA, OB = q.R_i + dR_i, q.R_e + dR_e
-    found = triangle(OA=OA, OC_e=OB - float(sprag.r_e), m=sprag.m)
-    nu, _ = strut(OA=OA, OB=OB, beta=found.beta)
-    turned = np.log(found.rho / sprag.rho_0) / sprag.m - (found.eta - sprag.eta_0)
-    return float(nu), float(turned)
-
-
-def slope(q: SpragInputs, radius: str) -> tuple[float, float]:
-    """What a race's radius does to the wedge angle and to the unloaded sprag's turn [rad/m]."""
-    h = STEP * q.R_i
-    low, high = (first_contact(q, **{radius: s * h}) for s in (-1, 1))
-    return (high[0] - low[0]) / (2 * h), (high[1] - low[1]) / (2 * h)
 
 
 @lru_cache(maxsize=16)

@@ -8,8 +8,8 @@ is predicted.
 import numpy as np
 from scipy.optimize import brentq
 
+from analytic.sprag.crowned import mid
 from analytic.sprag.history import Engagement
-from verify.cases.sprag.clutch.model import mid
 from verify.cases.sprag.clutch.run_fem import Run, run_fem
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.figures import Array

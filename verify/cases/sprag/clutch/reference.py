@@ -8,8 +8,9 @@ import numpy as np
 from analytic.contact import strips
 from analytic.contact.strips import Strips
 from analytic.sprag.closure import wedged
+from analytic.sprag.drawn import Touching
 from verify.case import Level, solved
-from verify.cases.sprag.clutch.drawn_fem import Drawn, Touching, crowned, places
+from verify.cases.sprag.clutch.drawn_fem import crowned, drawn, places
 from verify.cases.sprag.clutch.model import (
     HALF,
     built,
@@ -31,11 +32,11 @@ def solve(q: Any, level: int) -> Level:
     """One level: so many strips, twice as many points on a radian of the drawn spiral."""
     now = under(q)
     assert now is not None  # refused where there is none
-    drawn = Drawn(q, POINTS * level)
-    found = drawn.at_torque(q.T, float(now.N))
+    one = drawn(q, POINTS * level)
+    found = one.at_torque(q.T, float(now.N))
     values = {
         "N": found.N, "alpha": found.alpha, "mu_req": float(np.tan(found.nu)),
-        "H": sum(drawn.yields(found.N).values()),
+        "H": sum(one.yields(found.N).values()),
     }  # fmt: skip
     values |= others(q, level, found)
     arrays: dict[str, Array] = {}
@@ -55,21 +56,21 @@ def others(q: Any, level: int, found: Touching) -> dict[str, float]:
     Formulas say where roots are searched, which these do not depend on.
     """
     points, steps = POINTS * level, level // 2
-    one = Drawn(q, points)
+    one = drawn(q, points)
     values = {"theta": one.rolled(found.N, steps)}
     if math.isfinite(near := normal_force(rigid(q))):
-        stiff = Drawn(q, points, rigid=True)
+        stiff = drawn(q, points, rigid=True)
         liu = stiff.at_torque(q.T, near)
         values |= {
             "N_Liu": liu.N, "alpha_Liu": liu.alpha, "theta_Liu": stiff.rolled(liu.N, steps)
         }  # fmt: skip
     if math.isfinite(near := normal_force(literal(q))):
-        as_printed = Drawn(q, points, printed=True).at_torque(q.T, near)
+        as_printed = drawn(q, points, printed=True).at_torque(q.T, near)
         values["alpha_printed"] = as_printed.alpha
     if q.is_default:
         mu = low_friction(q)
         near = float(grip(q.model_copy(update={"mu_s": mu})).slip) / (q.z * q.R_i * mu)
-        quick = Drawn(fast(q), points)
+        quick = drawn(fast(q), points)
         state = quick.at_torque(q.T, found.N)
         values |= {
             "T_slip_low": one.at_friction(mu, near).T, "d_ce_fast": quick.grown(),

@@ -5,10 +5,11 @@ from functools import lru_cache
 
 import numpy as np
 
+from analytic.sprag.crowned import Crowned
 from analytic.sprag.history import Engagement
 from analytic.sprag.motion import Motion, Speeds, Torque
 from analytic.sprag.table import tabulated
-from verify.cases.sprag.clutch.model import Built, built, spring_force, under
+from verify.cases.sprag.clutch.model import built, spring_force, under
 from verify.cases.sprag.inputs import EngagementInputs
 
 AHEAD, WIDER = 4.0, 3.0  # of the static force: how far a table reaches, how much farther the next
@@ -19,7 +20,7 @@ INSIDE = 1 - 1e-6
 class Run:
     """An engagement with the clutch that it was of."""
 
-    one: Built
+    one: Crowned
     engagement: Engagement
     end_of_profile: bool  # where its table ends; else the formulas do
 
@@ -37,7 +38,7 @@ def run_fem(q: EngagementInputs) -> Run:
     return engaged_fem(one, q, AHEAD * float(least))
 
 
-def engaged_fem(one: Built, q: EngagementInputs, N_end: float) -> Run:
+def engaged_fem(one: Crowned, q: EngagementInputs, N_end: float) -> Run:
     """The same of a clutch whose contacts are solved, with a table up to N_end [N] at first."""
     from analytic.sprag.transient import engage
 

@@ -4,15 +4,14 @@ A crown changes the largest force by a per cent, smoothly: a quadratic through t
 engagements gives it for every other crown, whose contact alone is then solved.
 """
 
-from itertools import combinations_with_replacement
-
 import numpy as np
 
 from analytic.contact import slices
+from analytic.sprag.peaks import Peaks
+from analytic.surrogate.terms import trend_terms
 from verify.cases.sprag.crown.formulas import box, factorial, gaps, radius
 from verify.cases.sprag.engagement.model import parts
 from verify.cases.sprag.inputs import EngagementInputs
-from verify.cases.sprag.peaks import Peaks
 from verify.core.figures import Array
 
 FEW, MANY = 3, 5  # levels of the factorial: by engagements, and the paper's
@@ -20,16 +19,10 @@ SHARES = (0.4, 1.0, 1.2, 1.6)  # of T: 10, 25, 30 and 40 N m in the paper
 FORCES = (0.08, 0.2, 0.4, 0.6, 0.8, 1.0)  # of the largest: where both contacts are compared
 
 
-def terms(u: Array) -> Array:
-    """Constant, linear and quadratic terms of points (n, 3) of the unit cube, (n, 10)."""
-    pairs = combinations_with_replacement(range(3), 2)
-    return np.column_stack([np.ones(len(u)), u, *(u[:, i] * u[:, j] for i, j in pairs)])
-
-
 def forces(q: EngagementInputs, engaged: Peaks, crowns: Array) -> Array:
     """N_max [N] of the crowns (n, 3) under each torque, (n, m)."""
     low, high = box(q)
-    known, asked = (terms((x - low) / (high - low)) for x in (engaged.crowns, crowns))
+    known, asked = (trend_terms((x - low) / (high - low)) for x in (engaged.crowns, crowns))
     return np.asarray(asked @ np.linalg.lstsq(known, engaged.N_max, rcond=None)[0])
 
 

@@ -7,12 +7,14 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from analytic.contact import crown_mean
 from analytic.contact.crown import straight_length
 from analytic.contact.sliced import SlicedContact
+from analytic.sprag.crowned import mid
 from analytic.sprag.work_balance import at_rest, sprags_inertia
 from verify.case import Case, Comparison, Drawn, Level, Quantity, Scan, shared
 from verify.cases.sprag.clutch.advice import refusal as refusal_at_rest
-from verify.cases.sprag.clutch.model import mid, normal_force, under
+from verify.cases.sprag.clutch.model import normal_force, under
 from verify.cases.sprag.crown import advice, formulas
 from verify.cases.sprag.crown import comparisons as compared
 from verify.cases.sprag.crown.figures import figures, sketch
@@ -88,14 +90,14 @@ class SpragCrown(EngagementInputs, Case):
     @Drop("z_mean", "µm", "mean drop over the length", source="mean of Eq. 1 over the length",
           tex=rf"K_2 (z_m + 2 A - A \frac{{{ARTANH}}}{{\sqrt{{c}}}})")  # fmt: skip
     def mean(self) -> float:
-        return formulas.mean_drop(self.A, self.K_2, self.z_m)
+        return crown_mean.mean_drop(self.A, self.K_2, self.z_m)
 
     @Drop("e_z", "1", "% more mean drop by 1 % more z_m; K_1 the rest of 1 %",
           source="mean of Eq. 1 over the length",
           tex=rf"\frac{{z_m K_2}}{{z_{{mean}}}} (1 - \frac{{1}}{{c}} + "
           rf"\frac{{(1 - c) {ARTANH}}}{{2 c \sqrt{{c}}}})")  # fmt: skip
     def share(self) -> float:
-        return formulas.z_m_share(self.A, self.z_m)
+        return crown_mean.z_m_share(self.A, self.z_m)
 
     @Drop("t", "1", "place of the end slices on the crown", role="step", equation="1")
     def end_place(self) -> float:

@@ -6,9 +6,10 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from analytic.contact.crown_mean import z_m_share
 from verify.case import Comparison, State, identity
 from verify.cases.sprag.clutch.drawn_fem import crowned
-from verify.cases.sprag.crown.formulas import DEEP, factorial, label, unit, z_m_share
+from verify.cases.sprag.crown.formulas import DEEP, factorial, label, unit
 from verify.cases.sprag.crown.measured_figures import (
     first_and_trough,
     grows_with_torque,

@@ -5,9 +5,10 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from analytic.contact.crown_mean import z_m_share
 from verify.cases.contact.roller.inputs import DESIGNS
 from verify.cases.sprag.clutch.drawn_fem import places
-from verify.cases.sprag.crown.formulas import even, label, pressed, unit, z_m_share
+from verify.cases.sprag.crown.formulas import even, label, pressed, unit
 from verify.cases.sprag.crown.measured_figures import AT, number, window
 from verify.cases.sprag.crown.paper_fem import EQ_21, FIG_12, FIG_14
 from verify.cases.sprag.crown.slices import by_number

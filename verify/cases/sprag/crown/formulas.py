@@ -28,40 +28,6 @@ def unit(q: EngagementInputs) -> float:
     return crowned_for(q) / (np.pi * q.l * float(parts(q).E_star))
 
 
-def mean_drop(A: float, K_2: float, z_m: float) -> float:
-    r"""Mean of Eq. 1 over the length [m]: all that is taken off, over length and width.
-
-    .. math:: \bar z = K_2\left[z_m + 2A - 2A\,\frac{\operatorname{artanh}\sqrt c}{\sqrt c}\right],
-        \qquad c = 1 - e^{-z_m/A}
-
-    >>> round(mean_drop(1.0, 1.0, 1e-3) / 1e-3, 3)  # a parabola: a third
-    0.333
-    """
-    c = -np.expm1(-z_m / A)
-    return float(K_2 * (z_m + 2 * A * (1 - _around(c, z_m / A))))
-
-
-def z_m_share(A: float, z_m: float) -> float:
-    r"""By how many per cent the mean drop grows with a per cent of z_m; K_1 does the rest of one.
-
-    .. math:: \frac{z_m}{\bar z}\frac{\partial\bar z}{\partial z_m}, \qquad
-        \frac{\partial\bar z}{\partial z_m}
-        = K_2\left[1 - \frac1c + \frac{e^{-z_m/A}\operatorname{artanh}\sqrt c}{c\sqrt c}\right]
-
-    >>> round(z_m_share(1.0, 1e-3), 3), round(z_m_share(1.0, 40.0), 3)  # a parabola; Lundberg's
-    (1.0, 0.0)
-    """
-    c, left = -np.expm1(-z_m / A), np.exp(-z_m / A)
-    slope = 1 - (1 - left * _around(c, z_m / A)) / c
-    return float(z_m * slope / mean_drop(A, 1.0, z_m))
-
-
-def _around(c: float, m: float) -> float:
-    """artanh(√c)/√c of c = 1 - exp(-m), which is 1 in floats long before the artanh is infinite."""
-    root = np.sqrt(c)
-    return float((np.log1p(root) + m / 2) / root)  # 1 - c = exp(-m)
-
-
 def box(q: EngagementInputs) -> tuple[Array, Array]:
     """Bounds of Eq. 19; z_m in the clutch's own unit(q), which is the paper's for its clutch."""
     scale = np.array([1.0, 1.0, unit(q) / unit(EngagementInputs())])

@@ -3,13 +3,14 @@
 import numpy as np
 
 from analytic.contact import slices, strips
+from analytic.sprag.peaks import Peaks
 from verify.cases.contact.roller.inputs import DESIGNS
 from verify.cases.sprag.clutch.run_fem import run_fem
 from verify.cases.sprag.crown.box_fem import MANY, SHARES, forces, largest
 from verify.cases.sprag.crown.formulas import box, factorial, radius
 from verify.cases.sprag.engagement.model import gap, parts
 from verify.cases.sprag.inputs import EngagementInputs
-from verify.cases.sprag.peaks import Crown, Peaks, peaks_fem, with_crown
+from verify.cases.sprag.peaks import Crown, peaks_fem, with_crown
 from verify.core.figures import Array
 
 FIG_12: tuple[Crown, Crown] = ((1, 0.7, 10e-6), (5, 0.7, 15e-6))  # called the best and the worst

@@ -6,8 +6,9 @@ from typing import Any
 import numpy as np
 
 from analytic.contact import slices
+from analytic.sprag.crowned import mid
 from verify.case import Comparison
-from verify.cases.sprag.clutch.model import built, mid
+from verify.cases.sprag.clutch.model import built
 from verify.cases.sprag.engagement.model import gap
 from verify.cases.sprag.optimum.surrogate_claims import Told
 from verify.cases.sprag.peaks import with_crown

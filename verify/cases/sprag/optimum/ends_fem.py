@@ -8,12 +8,13 @@ import numpy as np
 
 from analytic.contact import slices, strips
 from analytic.sprag.closure import wedged
+from analytic.sprag.peaks import Peaks
 from analytic.surrogate.infill import NoAgreementError
 from verify.cases.sprag.clutch.drawn_fem import crowned
 from verify.cases.sprag.clutch.model import built
 from verify.cases.sprag.optimum.inputs import OptimumInputs
 from verify.cases.sprag.optimum.study_fem import Answer, answers, infilled_fem
-from verify.cases.sprag.peaks import STRIPS, Peaks, one_fem, peaks_fem, with_crown
+from verify.cases.sprag.peaks import STRIPS, one_fem, peaks_fem, with_crown
 from verify.core.figures import Array
 
 STRIPPED = (41, 81, 161)

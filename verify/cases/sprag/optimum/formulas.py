@@ -8,9 +8,10 @@ import numpy as np
 
 from analytic.contact import crown
 from analytic.contact.sliced import SlicedContact
+from analytic.sprag.crowned import mid
 from verify.case import Case, Comparison, Drawn, Level, Quantity, shared
 from verify.cases.sprag.clutch import advice
-from verify.cases.sprag.clutch.model import built, mid, normal_force, under
+from verify.cases.sprag.clutch.model import built, normal_force, under
 from verify.cases.sprag.clutch.sketch import sketch
 from verify.cases.sprag.engagement.model import crowned_for
 from verify.cases.sprag.optimum import comparisons as compared

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from scipy.optimize import minimize
 
+from analytic.sprag.peaks import Peaks
 from analytic.surrogate.box import Box
 from analytic.surrogate.designs import full_factorial, random_designs
 from analytic.surrogate.evolution import evolve
@@ -18,7 +19,7 @@ from analytic.surrogate.gate import left_level_out
 from analytic.surrogate.genetic import genetic
 from analytic.surrogate.infill import Infilled, infill
 from verify.cases.sprag.optimum.inputs import OptimumInputs
-from verify.cases.sprag.peaks import Peaks, peaks_fem
+from verify.cases.sprag.peaks import peaks_fem
 from verify.core.figures import Array
 
 if TYPE_CHECKING:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from verify.cases.sprag.optimum.bordered import Bordered
+from analytic.surrogate.bordered import Bordered
 from verify.cases.sprag.statements import Measured, OfPaper, measured
 from verify.core.case import Context
 from verify.core.figures import Array

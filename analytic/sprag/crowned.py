@@ -1,0 +1,82 @@
+"""A sprag clutch whose contacts are crowned: pressures by slices under its normal forces."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.optimize import brentq
+
+from analytic.contact import slices
+from analytic.contact.checks import Array
+from analytic.contact.sliced import SlicedContact
+from analytic.sprag.closure import Wedged, wedged
+from analytic.sprag.clutch import Clutch
+from analytic.sprag.course import rolled
+from analytic.sprag.parts import Parts
+
+LEAST = 1e-4  # of the largest load: below, no pressure is searched
+STEP = 1e-3  # of a force, for slopes
+
+
+@dataclass(frozen=True, eq=False)
+class Crowned:
+    """A clutch with crowned contacts: `gap` [m] of the slices, `N_top` [N] where its laws end."""
+
+    parts: Parts
+    clutch: Clutch
+    gap: Array
+    N_top: float
+
+    def radii(self, now: Wedged) -> tuple[float, float]:
+        """Relative radii [m] of the inner and the outer contact under load."""
+        sprag = self.parts.sprag
+        r_i = float(now.rho * np.hypot(1, sprag.m))
+        R_i = float(np.asarray(sprag.R_i))
+        return 1 / (1 / r_i + 1 / R_i), float(self.parts.R_contact_e)
+
+    def pressed(self, N: float) -> tuple[SlicedContact, SlicedContact]:
+        """The inner and the outer contact under the normal force N [N], slice by slice."""
+        now = wedged(self.clutch, N)
+        given = {"length": self.parts.l, "E_star": self.parts.E_star}
+        loads = float(now.N), float(now.N_e)
+        inner, outer = (
+            slices.press(self.gap, R=R, load=load, **given)
+            for R, load in zip(self.radii(now), loads, strict=True)
+        )
+        return inner, outer
+
+    def peaks(self, N: float) -> tuple[float, float]:
+        """Largest pressures [Pa] of both contacts under N [N]."""
+        inner, outer = self.pressed(N)
+        return float(inner.peak_pressure.max()), float(outer.peak_pressure.max())
+
+    def torque_at(self, pressure: float, contact: int) -> float:
+        """Torque [N m] at which the inner (0) or outer (1) contact's peak is that; inf if never."""
+
+        def over(log_N: float) -> float:
+            return math.log(self.peaks(math.exp(log_N))[contact] / pressure)
+
+        low, high = math.log(LEAST * self.N_top), math.log(self.N_top)
+        if over(high) < 0:
+            return math.inf
+        N = 0.0 if over(low) > 0 else math.exp(brentq(over, low, high, xtol=1e-9))
+        T = float(wedged(self.clutch, N).T)
+        return T if np.isfinite(T) else math.inf
+
+
+def mid(contact: SlicedContact) -> float:
+    """Pressure [Pa] at mid-length; between two slices the mean of their squares, which are loads.
+
+    >>> one = slices.press([0.0] * 4, length=1.0, R=1.0, E_star=1.0, load=1.0)
+    >>> bool(np.isclose(mid(one), one.peak_pressure[1]))
+    True
+    """
+    p, n = contact.peak_pressure, contact.force.shape[-1]
+    return float(np.sqrt((p[(n - 1) // 2] ** 2 + p[n // 2] ** 2) / 2))
+
+
+def stiffness(clutch: Clutch, N: float) -> float:
+    """Torsional stiffness dT/dtheta_i [N m/rad] of the clutch under N [N]."""
+    around = N * np.array([1 - STEP, 1 + STEP])
+    T, turn = wedged(clutch, around).T, rolled(clutch, around)
+    return float((T[1] - T[0]) / (turn[1] - turn[0]))

@@ -1,0 +1,73 @@
+"""Largest pressures of crowns under torques, and what a design counts by: its ends or all else.
+
+The slices of Eqs. 2-5 hardly know that a sprag ends: the crown that is best by them lets its ends
+carry, which strips on a half-space, and the more the finer they are, answer with a peak there. So a
+crown that is to be made is judged by strips, and with its ends free: where a contact ends before
+the sprag does the last strip is partly bare and bears less than the others, where it reaches the
+end it bears more, without limit as strips become narrower.
+"""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from analytic.contact.checks import Array
+
+# what the end strip counts for: it may bear (2/3)^2 = 44 % of the force of the most loaded
+END = 1.5
+
+By = Literal["slices", "strips"]
+
+
+@dataclass(frozen=True, eq=False)
+class Peaks:
+    """Of n crowns (n, 3) under m torques [N m], at the inner contacts.
+
+    `N_max` [N] (n, m), and under it the `pressure` [Pa] of each slice or strip from one end to the
+    other, (n, m, slices).
+    """
+
+    crowns: Array
+    torques: Array
+    N_max: Array
+    pressure: Array
+    by: By = "slices"
+
+    @property
+    def largest(self) -> Array:
+        """Pre_max [Pa] of Eq. 17, (n, m)."""
+        return np.asarray(self.pressure.max(axis=-1))
+
+    @property
+    def regimes(self) -> tuple[Array, Array]:
+        """What the end and all the rest count for [Pa], each (n, m): regimes for a surrogate.
+
+        Strips let no crown count as good whose ends carry: see END.
+        """
+        return (END if self.by == "strips" else 1.0) * self.end, self.inside
+
+    @property
+    def objective(self) -> Array:
+        """The larger regime [Pa], (n, m): what a crown is to make least.
+
+        That is `largest` of slices, and of strips where the ends are free.
+        """
+        return np.maximum(*self.regimes)
+
+    @property
+    def end(self) -> Array:
+        """Pressure [Pa] of the first slice, at an end, 0 where they carry nothing, (n, m)."""
+        return np.asarray(self.pressure[..., 0])
+
+    @property
+    def inside(self) -> Array:
+        """Largest pressure [Pa] of all other slices, (n, m)."""
+        return np.asarray(self.pressure[..., 1:-1].max(axis=-1))
+
+    def of(self, torque: int) -> "Peaks":
+        """The same under one of the torques, by its number."""
+        only = slice(torque, torque + 1)
+        return Peaks(
+            self.crowns, self.torques[only], self.N_max[:, only], self.pressure[:, only], self.by
+        )

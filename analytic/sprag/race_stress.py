@@ -1,0 +1,45 @@
+"""What the races of a sprag clutch bear beside their contacts, and how uneven they deflect."""
+
+import math
+
+import numpy as np
+
+from analytic.ring import lame
+from analytic.ring.fourier_ring import Wall
+from analytic.ring.smeared import smeared_error
+from analytic.sprag.parts import Parts
+
+APART = 0.9  # of half a pitch: patches that are wider would overlap
+
+
+def hoop(p: Parts, N: float, N_e: float) -> dict[str, float]:
+    """Hoop stresses [Pa] at R_i, at the inner race's bore and at R_e, and Tresca's of both races.
+
+    The forces N, N_e [N] of a sprag are smeared; the inner race has its largest stress at its bore,
+    the outer at R_e.
+    """
+    R_i, R_e, R_id, R_ed, length = _radii(p)
+    inner = {"r_i": R_id, "r_o": R_i, "p_i": 0.0, "p_o": p.n_s * N / (2 * math.pi * R_i * length)}
+    outer = {"r_i": R_e, "r_o": R_ed, "p_i": p.n_s * N_e / (2 * math.pi * R_e * length)}
+    _, around_i = lame.stresses([R_i, R_id], **inner)
+    radial, around_e = lame.stresses(R_e, **outer)
+    return {
+        "s_i": float(around_i[0]), "s_id": float(around_i[1]), "s_e": float(around_e),
+        "Tresca_i": float(-around_i[1]), "Tresca_e": float(around_e - radial),
+    }  # fmt: skip
+
+
+def over_smeared(p: Parts, a: float, loaded: Wall) -> float:
+    """Deflection of a race under patches of the half-width `a` [m] over Eq. 6's smeared ring.
+
+    Indentation is excluded.
+    """
+    R_i, R_e, R_id, R_ed, _ = _radii(p)
+    r, ratio = (R_i, R_i / R_id) if loaded == "rim" else (R_e, R_ed / R_e)
+    a_r = min(a / r, APART * math.pi / p.n_s)
+    return 1 / (1 + smeared_error(n=p.n_s, ratio=ratio, a_r=a_r, nu=p.nu, loaded=loaded).load)
+
+
+def _radii(p: Parts) -> tuple[float, ...]:
+    """R_i, R_e, R_id, R_ed, l as numbers."""
+    return tuple(float(np.asarray(x)) for x in (p.sprag.R_i, p.sprag.R_e, p.R_id, p.R_ed, p.l))

@@ -1,0 +1,58 @@
+"""A sprag drawn point by point: against the closure, which knows the triangle, and by itself."""
+
+import math
+
+import numpy as np
+import pytest
+
+from analytic.contact import crown
+from analytic.sprag.closure import wedged
+from analytic.sprag.clutch import Clutch
+from analytic.sprag.compliance import Compliance
+from analytic.sprag.drawn import Drawn, Sizes, crown_drop, middles
+from analytic.sprag.geometry import LogSprag
+
+RADII = {"R_i": 11.11e-3, "R_e": 19.44e-3, "r_i": 4.02e-3}
+SPRAG = LogSprag.from_wedge_angle(nu_0=0.055, **RADII)
+SIZES = Sizes(
+    R_id=7.21e-3, R_ed=26.23e-3, m=float(np.asarray(SPRAG.m)), z=12, l=9e-3, b=4e-3, E=206e9,
+    nu=0.3, density=7850.0, omega=0.0, gap=np.zeros(21), **RADII,
+)  # fmt: skip
+
+
+def test_a_drawn_sprag_lies_where_the_triangle_has_it():
+    found, d = Drawn(SIZES, 400).under(3000.0), Drawn(SIZES, 400).yields(3000.0)
+    compliance = Compliance(
+        contact_i=lambda N: 0 * N + d["HI"], contact_e=lambda N: 0 * N + d["HE"],
+        race_i=d["BI"] / 3000, race_e=d["BE"] / 3000, sprag=d["g"] / 3000,
+    )  # fmt: skip
+    at = wedged(Clutch(sprag=SPRAG, n_s=12, compliance=compliance), 3000.0)
+    assert found.nu == pytest.approx(float(at.nu), rel=2e-5)
+    assert found.alpha == pytest.approx(float(at.alpha_b), rel=1e-5)
+    assert pytest.approx(float(at.T), rel=2e-5) == found.T
+
+
+def test_more_points_change_less_and_less():
+    coarse, middle, fine = (Drawn(SIZES, n).under(3000.0).alpha for n in (20, 40, 80))
+    assert abs(fine - middle) < abs(middle - coarse) / 3
+
+
+def test_rigid_races_and_the_printed_loss_turn_the_sprag_less():
+    whole, rigid, printed = (
+        Drawn(SIZES, 80, **how).under(3000.0).alpha
+        for how in ({}, {"rigid": True}, {"printed": True})
+    )
+    assert 0 < rigid < whole
+    assert 0 < printed < whole
+
+
+def test_the_crown_is_eq_1_in_its_range_and_flat_in_the_middle():
+    y, A = middles(9e-3, 41), 2 * 3407.0 / (math.pi * 9e-3 * 226e9)
+    z = crown_drop(y, length=9e-3, A=A, K_2=0.7, z_m=1e-5)
+    other = crown.logarithmic(
+        crown.slice_centres(length=9e-3, slices=41), K_1=1.0, K_2=0.7, z_m=1e-5, load=3407.0,
+        length=9e-3, E_star=113e9,
+    )  # fmt: skip
+    assert z == pytest.approx(np.asarray(other), abs=1e-12)
+    assert z[20] == 0
+    assert z[0] == z[-1] == z.max()
