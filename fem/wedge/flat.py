@@ -14,7 +14,7 @@ import numpy as np
 
 from fem.wedge.flat_place import Place
 from fem.wedge.pitch import pitch_problem
-from fem.wedge.rest import Drags, Unrest, at_rest, core_motion
+from fem.wedge.rest import Drags, Touching, Unrest, at_rest, core_motion
 
 if TYPE_CHECKING:
     from skfem.mesh import Mesh2D
@@ -62,7 +62,7 @@ class Sector:
 
 
 @dataclass(frozen=True)
-class State:
+class State(Touching):
     """A pitch at rest; forces of one roller per length [N/m], the torque of all per length [N]."""
 
     start: Place
@@ -121,18 +121,6 @@ class State:
     def _flat(self) -> int:
         """Which contact is the flat's: the inner one of a cam inside."""
         return 0 if self.start.q.sense > 0 else 1
-
-    @property
-    def widths(self) -> tuple[float, float]:
-        """Half-widths of both contacts [m], from the moments of the pressure."""
-        inner, outer = self.solution.touches
-        return inner.half_width(), outer.half_width()
-
-    @property
-    def peaks(self) -> tuple[float, float]:
-        """Largest pressures [Pa]."""
-        inner, outer = self.solution.touches
-        return inner.peak, outer.peak
 
 
 def flat_problem(

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem.wedge.pitch import pitch_problem
-from fem.wedge.rest import Drags, Unrest, at_rest, core_motion
+from fem.wedge.rest import Drags, Touching, Unrest, at_rest, core_motion
 
 if TYPE_CHECKING:
     from skfem.mesh import Mesh2D
@@ -112,7 +112,7 @@ class Sector(Generic[P]):
 
 
 @dataclass(frozen=True)
-class State(Generic[P]):
+class State(Touching, Generic[P]):
     """A pitch in equilibrium; forces of one strut per length [N/m], torque of all [N].
 
     Pairs are of the inner and the outer contact.
@@ -183,18 +183,6 @@ class State(Generic[P]):
         """atan(T/N) [rad]: nu and omega, as the forces say."""
         inner, outer = (math.atan2(T, N) for T, N in zip(self.T, self.N, strict=True))
         return inner, outer
-
-    @property
-    def widths(self) -> tuple[float, float]:
-        """Half-widths [m], from the moments of the pressure."""
-        inner, outer = self.solution.touches
-        return inner.half_width(), outer.half_width()
-
-    @property
-    def peaks(self) -> tuple[float, float]:
-        """Largest pressures [Pa]."""
-        inner, outer = self.solution.touches
-        return inner.peak, outer.peak
 
     @property
     def race_mean(self) -> tuple[float, float]:

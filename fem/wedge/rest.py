@@ -32,6 +32,24 @@ class Solved(Protocol):
 S = TypeVar("S", bound=Solved)
 
 
+class Touching:
+    """A state of a body with an inner and an outer contact, as its `solution` has them."""
+
+    solution: "ContactSolution"
+
+    @property
+    def widths(self) -> tuple[float, float]:
+        """Half-widths of both contacts [m], from the moments of the pressure."""
+        inner, outer = self.solution.touches
+        return inner.half_width(), outer.half_width()
+
+    @property
+    def peaks(self) -> tuple[float, float]:
+        """Largest pressures [Pa]."""
+        inner, outer = self.solution.touches
+        return inner.peak, outer.peak
+
+
 class Unrest(NamedTuple):
     """How far [m] a body moves, of overlaps of what `size` [m], and drags that would undo it."""
 

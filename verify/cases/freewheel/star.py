@@ -5,7 +5,7 @@ so that none can be guessed: the default one is synthetic.
 """
 
 import math
-from typing import ClassVar, Literal, Self
+from typing import Any, ClassVar, Literal, Self
 
 import numpy as np
 from pydantic import model_validator
@@ -36,10 +36,33 @@ def of_one_steel(q: OneClutch, cam: Cam) -> Clutch:
     )  # fmt: skip
 
 
-class Star(Case):
-    """z rollers between the flats of a star and the bore of a ring, under a torque."""
+class Rollers(Case):
+    """What stars and cups have alike: their elastic clutch, and a rigid one's force."""
 
-    load: ClassVar[Load] = "T"  # what the state of the quantities below is given by
+    load: ClassVar[Load] = "T"  # what the state of the formulas is given by
+
+    @shared
+    def clutch(self: Any) -> Clutch:
+        """The elastic clutch."""
+        return of_one_steel(self, self.cam)
+
+    @shared
+    def bodies(self: Any) -> Compliance:
+        """Constants of the approaches of both parts and half a roller."""
+        return compliance(self.clutch)
+
+    @property
+    def rigid_force(self: Any) -> float:
+        """N_0 [N] of a clutch that keeps its angle alpha_0."""
+        return float(self.T / (self.z * self.race * np.tan(self.cam.alpha0)))
+
+    def loaded_by(self, load: Load) -> Self:
+        """The same clutch where N is N_0, or at the angle psi that is given."""
+        return self.model_copy(update={"load": load})
+
+
+class Star(Rollers):
+    """z rollers between the flats of a star and the bore of a ring, under a torque."""
 
     R: float = given("16.5 mm", "mm", "R", "bore radius of the outer ring", gt=1e-3, le=1e5)
     r: float = given("2.5 mm", "mm", "r", "radius of the rollers", gt=1e-4, le=1e5)
@@ -99,16 +122,6 @@ class Star(Case):
         return InnerCam(R=self.R, r=self.r, X=self.X, z=self.z)
 
     @shared
-    def clutch(self) -> Clutch:
-        """The elastic clutch."""
-        return of_one_steel(self, self.cam)
-
-    @shared
-    def bodies(self) -> Compliance:
-        """Constants of the approaches of star, ring and half a roller."""
-        return compliance(self.clutch)
-
-    @shared
     def state(self) -> State:
         """The state under what `load` names."""
         if self.load == "T":
@@ -118,15 +131,6 @@ class Star(Case):
         d = GIVEN * self.rigid_force / self.L * (1 - self.nu**2) / self.E
         y = self.X + self.r - d / 2
         return self._known(at_angle(self.clutch, math.acos(y / (self.R - self.r + d / 2))))
-
-    @property
-    def rigid_force(self) -> float:
-        """N_0 [N] of a clutch that keeps its angle alpha_0."""
-        return float(self.T / (self.z * self.R * np.tan(self.cam.alpha0)))
-
-    def loaded_by(self, load: Load) -> Self:
-        """The same clutch where N is N_0, or at the angle psi that is given."""
-        return self.model_copy(update={"load": load})
 
     def under(self, T: float) -> State:
         """The state under a torque [N m]; ValueError where the rollers are past their flats."""

@@ -7,26 +7,22 @@ through.
 """
 
 import math
-from typing import ClassVar, Self
+from typing import Self
 
 import numpy as np
 from pydantic import model_validator
 
-from analytic.freewheel.clutch import Clutch
-from analytic.freewheel.compliance import Compliance, compliance
 from analytic.freewheel.geometry import OuterCam
 from analytic.freewheel.state import State, at_angle, at_normal_force, loaded
 from analytic.freewheel.summit import summit
-from verify.case import Case, count, given, shared
-from verify.cases.freewheel.star import LARGEST_ANGLE, Load, of_one_steel
+from verify.case import count, given, shared
+from verify.cases.freewheel.star import LARGEST_ANGLE, Rollers
 
 GIVEN = 0.25  # of the overlap at which rollers go through, at the angle that is given
 
 
-class Cup(Case):
+class Cup(Rollers):
     """z rollers between a shaft and the flats of a cup, under a torque."""
-
-    load: ClassVar[Load] = "T"  # what the state of the formulas is given by
 
     R_s: float = given("10 mm", "mm", "R_s", "radius of the shaft", gt=1e-3, le=1e5)
     r: float = given("2 mm", "mm", "r", "radius of the rollers", gt=1e-4, le=1e5)
@@ -87,16 +83,6 @@ class Cup(Case):
         return OuterCam(R_s=self.R_s, r=self.r, X_o=self.X_o, z=self.z)
 
     @shared
-    def clutch(self) -> Clutch:
-        """The elastic clutch."""
-        return of_one_steel(self, self.cam)
-
-    @shared
-    def bodies(self) -> Compliance:
-        """Constants of the approaches of shaft, cup and half a roller."""
-        return compliance(self.clutch)
-
-    @shared
     def state(self) -> State:
         """The state under what `load` names."""
         if self.load == "N_0":
@@ -124,16 +110,7 @@ class Cup(Case):
         return found
 
     @property
-    def rigid_force(self) -> float:
-        """N_0 [N] of a clutch that keeps its angle alpha_0."""
-        return float(self.T / (self.z * self.R_s * np.tan(self.cam.alpha0)))
-
-    @property
     def given_angle(self) -> float:
         """The angle psi [rad] at which both approaches are `GIVEN` of what lets rollers through."""
         d = GIVEN * float(self.cam.pop_through) / 2
         return float(2 * self.cam.alpha(d_i=d, d_o=d))
-
-    def loaded_by(self, load: Load) -> Self:
-        """The same clutch where N is N_0, or at the angle psi that is given."""
-        return self.model_copy(update={"load": load})
