@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from analytic.contact.checks import Array
 from analytic.sprag.balance import balance
 from analytic.sprag.events import Events
 from analytic.sprag.history import Engagement, Phase
@@ -69,3 +70,27 @@ def sticks(found: Engagement) -> float:
     first, slope, bend = np.polynomial.polynomial.polyfit([-2, -1, 0], found.v_i[k - 2 : k + 1], 2)
     later = [x.real for x in np.roots([bend, slope, first]) if abs(x.imag) < 1e-9 and x.real > 0]
     return float(found.t[k] + found.dt * min(later, default=0.0))
+
+
+def first_trough(found: Engagement) -> float:
+    """The least force [N] between the first peak and the rise behind it."""
+    behind = _behind(found)
+    return float(behind[: int(np.argmax(np.diff(behind) > 0)) + 1].min())
+
+
+def second_peak(found: Engagement) -> float:
+    """The largest force [N] after the first trough."""
+    behind = _behind(found)
+    trough = int(np.argmax(np.diff(behind) > 0))
+    return float(behind[trough:].max())
+
+
+def _behind(found: Engagement) -> Array:
+    """Forces [N] from the first peak on."""
+    return found.N[round(found.first_peak[0] / found.dt) :]
+
+
+def slid(found: Engagement) -> tuple[float, float]:
+    """Ways [m] that the inner and the outer contact have slid while they bore a load."""
+    inner, outer = (float(found.dt * np.abs(v[found.N > 0]).sum()) for v in (found.v_i, found.v_e))
+    return inner, outer

@@ -10,10 +10,11 @@ from analytic.sprag import pressure
 from analytic.sprag.balance import balance
 from analytic.sprag.closure import wedged
 from analytic.sprag.history import Phase
+from analytic.sprag.readings import slid
 from analytic.sprag.steps import missing
 from verify.cases.sprag.clutch.dynamic_messages import findings, overall
 from verify.cases.sprag.clutch.formulas import ClutchFormulas
-from verify.cases.sprag.clutch.run_fem import Run, run_fem, slid
+from verify.cases.sprag.clutch.run_fem import Run, run_fem
 from verify.cases.sprag.engagement import pressures
 from verify.core.case import Dynamic, Output, Values
 from verify.core.figures import Curve, Curves, Density, Figure
@@ -26,7 +27,7 @@ ATOM = 1e-10  # m, below which a way is round-off
 def run(q: ClutchFormulas, _values: Values) -> Values:
     found = run_fem(q)
     e = found.engagement
-    ways, energies = slid(found), balance(e)
+    ways, energies = slid(e), balance(e)
     M = e.table.n_s * e.T_i * e.table.at(e.alpha)["OA"]
     values = {
         "N_max": e.N_max, "slid_i": ways[0] if ways[0] > ATOM else 0.0,

@@ -9,7 +9,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from analytic.sprag.crowned import mid
-from analytic.sprag.history import Engagement
+from analytic.sprag.readings import second_peak
 from verify.cases.sprag.clutch.run_fem import Run, run_fem
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.figures import Array
@@ -39,13 +39,6 @@ def designed(crown: Crown | None, T: float, **more: float) -> EngagementInputs:
 def peak_fem(crown: Crown | None, T: float, **more: float) -> float:
     """Largest pressure [Pa] of the engagement, at the inner contact."""
     return run_fem(designed(crown, T, **more)).peaks[0]
-
-
-def second_peak(run: Engagement) -> float:
-    """The largest force [N] after the first trough."""
-    N = run.N[round(run.first_peak[0] / run.dt) :]
-    trough = int(np.argmax(np.diff(N) > 0))
-    return float(N[trough:].max())
 
 
 def ends(run: Run) -> Array:

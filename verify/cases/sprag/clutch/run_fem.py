@@ -57,9 +57,3 @@ def engaged_fem(one: Crowned, q: EngagementInputs, N_end: float) -> Run:
         if not found.over or profile_ends or N_end >= INSIDE * one.N_top:
             return Run(one, found, profile_ends)
         N_end = min(WIDER * N_end, INSIDE * one.N_top)
-
-
-def slid(run: Run) -> tuple[float, float]:
-    """Ways [m] that the inner and the outer contact have slid while they bore a load."""
-    e = run.engagement
-    return tuple(float(e.dt * np.abs(v[e.N > 0]).sum()) for v in (e.v_i, e.v_e))  # type: ignore[return-value]

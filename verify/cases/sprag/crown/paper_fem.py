@@ -4,6 +4,7 @@ import numpy as np
 
 from analytic.contact import slices, strips
 from analytic.sprag.peaks import Peaks
+from analytic.sprag.readings import first_trough
 from verify.cases.contact.roller.inputs import DESIGNS
 from verify.cases.sprag.clutch.run_fem import run_fem
 from verify.cases.sprag.crown.box_fem import MANY, SHARES, forces, largest
@@ -62,10 +63,8 @@ def moments_fem(q: EngagementInputs) -> dict[str, Array]:
     found = []
     for crown in FIG_13:
         run = run_fem(with_crown(q, crown))
-        N, first = run.engagement.N, run.engagement.first_peak[0]
-        behind = N[round(first / run.engagement.dt) :]
-        trough = float(behind[: int(np.argmax(np.diff(behind) > 0)) + 1].min())
-        found.append([run.one.pressed(x)[0].peak_pressure for x in (run.engagement.N_max, trough)])
+        forces = run.engagement.N_max, first_trough(run.engagement)
+        found.append([run.one.pressed(N)[0].peak_pressure for N in forces])
     return {"Fig. 13": np.array(found)}
 
 

@@ -1,11 +1,12 @@
 """What is compared of an engagement: steps with LSODA, energy, limits, and what follows."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
+from analytic.bounds.sprag.engagement import ENERGY, Bounds, Interval
 from analytic.contact import slices
 from analytic.sprag.work_balance import stored, undamped
 from verify.case import Comparison, Computed, approximation, balance
@@ -20,14 +21,9 @@ from verify.judging.checks import Accepted, Approximation, Fact, Identity
 from verify.judging.convergence import fit_order
 from verify.judging.tolerance_checks import SUBJECT, Agreement, Deviation, Pair, suites
 
-Interval = tuple[float, float]
-
 BY = "Runge-Kutta steps, compiled"
 CLOSURE = "closure of Eqs. 9 and 10, N as at rest"
 LSODA, HALVING, CROWN, CENTROID, SLICES = 1e-3, 1e-4, 0.03, 1e-3, 2e-3  # accepted
-ENERGY = 1e-5  # of the work: what the table's cubics may miss
-BOOKED = 2 * ENERGY  # the same, and the turn of the outer race that inertia alone holds
-PART = 0.1  # of the centroid's way outwards, told on the trapezia of 401 states
 ROLLED = 1e-4  # of the work, on the cubics of those
 LOADS = 13  # over which the contacts' pressures are compared
 NEAR = 0.5  # of the order, which is then nearer to 4 than to any other
@@ -61,42 +57,18 @@ def conjugate(context: Context) -> Pair:
     return Pair(turning, 1.0, 0.0, f"off by {turning - 1:+.1e} of the work")
 
 
-class Bounds:
-    """Intervals of formula over steps, less 1; `unequal` is N_e/N_i - 1 of a strut."""
+def bounds(q: EngagementFormulas) -> Bounds:
+    """The intervals of its rows, read where these are judged."""
+    return Bounds(
+        unequal=q.number("unequal"), passed_on=q.number("passed on"), inertia=q.number("inertia"),
+        left_out=q.number("left out"), turns=bool(q.w_i),
+    )  # fmt: skip
 
-    def __init__(self, q: EngagementFormulas) -> None:
-        self.q, self.unequal = q, q.number("unequal")
 
-    def statics(self) -> Interval:
-        """At the same turn the steps have the same N, and a torque less by 0 to N_e/N_i - 1."""
-        return -self.unequal, 0.0
-
-    def energy(self) -> Interval:
-        """The same for a peak that the work done decides."""
-        return -self.q.number("passed on") * self.unequal, 0.0
-
-    def spring(self) -> Interval | None:
-        """The same, and the sprags' mass, which the races' spring leaves out, either way.
-
-        None where races that turn at the start slide first.
-        """
-        (low, _), inertia = self.energy(), self.q.number("inertia")
-        return None if self.q.w_i else (low - inertia, inertia)
-
-    def both(self) -> Interval | None:
-        """Ratio of two such peaks: the difference of two such errors."""
-        one = self.spring()
-        return one and (one[0] - one[1], one[1] - one[0])
-
-    def either_way(self, times: float) -> Interval:
-        """By so many times N_e/N_i - 1."""
-        return -times * self.unequal, times * self.unequal
-
-    def radially(self) -> Interval:
-        """The steps' torque turns less far by the work of the centroid's motion outwards."""
-        left_out = self.q.number("left out")
-        u = BOOKED + PART * abs(left_out)
-        return left_out - u, left_out + u
+def expected(
+    q: EngagementFormulas, bound: Callable[[Bounds], Interval | None], source: str
+) -> Computed:
+    return Computed(lambda: bound(bounds(q)), source)
 
 
 def along(context: Context) -> tuple[float, float, str]:
@@ -226,15 +198,14 @@ def _partners() -> Iterator[Check]:
 
 
 def _energies(q: EngagementFormulas) -> Iterator[Comparison]:
-    bound = Bounds(q)
     cubics: dict[str, Any] = {"of": {"work": q.number("work")}, "bound": ENERGY,
                               "because": "cubics of the table"}  # fmt: skip
     yield balance("missing", "balance of energies, damping and friction booked", "ΔE", "J",
                   **cubics)  # fmt: skip
     yield balance("missing undamped", "balance of energies without damping", "ΔE", "J", **cubics)
     yield approximation(
-        Of.N_undamped, expected=Computed(bound.energy, f"{UNEQUAL}; work passes it on"), order=4,
-        by=BY, name="first peak without damping, T θ = ∫T dθ by rolling", shares=CLOSURE,
+        Of.N_undamped, expected=expected(q, Bounds.energy, f"{UNEQUAL}; work passes it on"),
+        order=4, by=BY, name="first peak without damping, T θ = ∫T dθ by rolling", shares=CLOSURE,
     )  # fmt: skip
     strut = Agreement(name=f"the same with N_e/N_i of a strut, within {HALVING:.2%}", symbol="N_1",
                       unit="N", pair=balanced, accepted=HALVING,
@@ -242,7 +213,8 @@ def _energies(q: EngagementFormulas) -> Iterator[Comparison]:
     yield Comparison(check=strut, quantity=Of.N_undamped, shares=CLOSURE)
     work = AtPeak(
         name="work till that peak, T θ = n_s ∫(N dH_i + N_e dH_e)", symbol="W_1", unit="J",
-        fem="W_1 strut", analytic="stored", interval=lambda *_: bound.radially(), formal=2, by=BY,
+        fem="W_1 strut", analytic="stored", formal=2, by=BY,
+        interval=lambda *_: bounds(q).radially(),
         demand=1e-3, demand_reason="a closure that loses work is off by far more",
         source="the centroid's radial motion, left out by Eq. 14; cubics of the table",
     )  # fmt: skip
@@ -256,25 +228,24 @@ def _energies(q: EngagementFormulas) -> Iterator[Comparison]:
 
 
 def _models(q: EngagementFormulas) -> Iterator[Comparison]:
-    bound = Bounds(q)
     more: dict[str, Any] = {"by": BY, "shares": CLOSURE}
-    yield approximation(Of.N, expected=Computed(bound.statics, UNEQUAL), order=4,
+    yield approximation(Of.N, expected=expected(q, Bounds.statics, UNEQUAL), order=4,
                         name="force at rest after a slow rise", **more)  # fmt: skip
     yield approximation(
-        Of.f, expected=Computed(lambda: bound.either_way(1), f"{UNEQUAL}; a root of slopes of T"),
+        Of.f, expected=expected(q, lambda b: b.either_way(1), f"{UNEQUAL}; a root of slopes of T"),
         order=2, name="frequency of small oscillations, √(k/I)", **more,
     )  # fmt: skip
     yield approximation(
-        Of.N_max, expected=Computed(bound.spring, f"{UNEQUAL}; sprags without mass"), order=4,
+        Of.N_max, expected=expected(q, Bounds.spring, f"{UNEQUAL}; sprags without mass"), order=4,
         name="largest force, two races on a spring", **more,
     )  # fmt: skip
     yield approximation(
-        Of.ratio, expected=Computed(bound.both, f"{UNEQUAL}, at both torques"), order=4,
+        Of.ratio, expected=expected(q, Bounds.both, f"{UNEQUAL}, at both torques"), order=4,
         name="ratio under 1.6 T and T, two races on a spring", **more,
     )  # fmt: skip
     asked = f"{UNEQUAL}; either contact's share"
     yield approximation(
-        Of.mu_asked, "asked", expected=Computed(lambda: bound.either_way(2), asked), order=4,
+        Of.mu_asked, "asked", expected=expected(q, lambda b: b.either_way(2), asked), order=4,
         name="friction that rolling asks for, tan ν", symbol="μ", **more,
     )  # fmt: skip
 

@@ -1,0 +1,59 @@
+"""Intervals for formulas of an engagement over the steps of the equations of motion, less 1.
+
+Eqs. 14-16 have N_e = N_i, where a strut that two forces hold has N_e/N_i = cos(omega)/cos(nu): at
+the same turn the steps have the same N, and a torque less by 0 to N_e/N_i - 1.
+"""
+
+from dataclasses import dataclass
+
+Interval = tuple[float, float]
+
+ENERGY = 1e-5  # of the work: what the cubics of a table may miss
+BOOKED = 2 * ENERGY  # the same, and the turn of the outer race that inertia alone holds
+PART = 0.1  # of the centroid's way outwards, told on the trapezia of 401 states
+
+
+@dataclass(frozen=True, kw_only=True)
+class Bounds:
+    """By sizes of what formulas and steps have otherwise, all relative.
+
+    `unequal` is N_e/N_i - 1, `passed_on` what a change of the torque makes of a peak's N,
+    `inertia` that of the sprags over the race's, `left_out` the work of the centroid's motion
+    outwards over all. Where races turn at the start (`turns`) contacts slide first.
+    """
+
+    unequal: float
+    passed_on: float
+    inertia: float
+    left_out: float
+    turns: bool
+
+    def statics(self) -> Interval:
+        """Of the force at rest."""
+        return -self.unequal, 0.0
+
+    def energy(self) -> Interval:
+        """Of a peak that the work done decides."""
+        return -self.passed_on * self.unequal, 0.0
+
+    def spring(self) -> Interval | None:
+        """The same, and the sprags' mass, which the races' spring leaves out, either way.
+
+        None where contacts slide first.
+        """
+        (low, _), inertia = self.energy(), self.inertia
+        return None if self.turns else (low - inertia, inertia)
+
+    def both(self) -> Interval | None:
+        """Of a ratio of two such peaks: the difference of two such errors."""
+        one = self.spring()
+        return one and (one[0] - one[1], one[1] - one[0])
+
+    def either_way(self, times: float) -> Interval:
+        """By so many times N_e/N_i - 1."""
+        return -times * self.unequal, times * self.unequal
+
+    def radially(self) -> Interval:
+        """Of the work: the steps' torque turns less far by that of the centroid's way outwards."""
+        u = BOOKED + PART * abs(self.left_out)
+        return self.left_out - u, self.left_out + u
