@@ -15,7 +15,8 @@ import numpy as np
 
 from analytic.contact import crown, strips
 from analytic.sprag.closure import wedged
-from verify.cases.sprag.clutch.model import Built, built
+from analytic.sprag.crowned import Crowned
+from verify.cases.sprag.clutch.model import built
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.cases.sprag.peaks import CHUNK, Crown, NoLockError, Task, some_fem, with_crown
 from verify.core import source_code
@@ -45,7 +46,7 @@ class Model:
     ) -> None:  # fmt: skip
         self.q, self.torques, self.jobs, self.show = q, torques, jobs, show
         self.store = Store(folder or cache.default_folder())
-        self.one: Built = built(with_crown(q, middle))
+        self.one: Crowned = built(with_crown(q, middle))
         self.Q = float(with_crown(q, None).Q or 0)
         first = self._engaged(np.array([middle]))
         loads = first[0][0]
