@@ -168,6 +168,24 @@ def test_the_page_stays_small_enough_to_mail(text):
     assert len(text.encode()) < 9e6  # what most mail takes, with room to spare
 
 
+def test_equations_are_as_high_as_a_few_lines(text):
+    """A drawn parenthesis of the wrong size makes an equation many pages high."""
+    heights = re.findall(r'<svg class="maths"[^>]*? height="([^"]+)"', text)
+    assert len(heights) > 500
+    assert max(map(float, heights)) < 120
+
+
+def test_steps_of_formulas_are_closed_and_follow_the_results(report, text):
+    steps = [e for c in report.cases for e in c.equations if e.is_step]
+    assert steps
+    for section in re.findall(r'<section class="case".*?</section>', text, re.DOTALL):
+        results, summary, closed = section.partition("<summary>Steps of the formulas")
+        if summary:
+            assert "Formula, with numbers" in results
+            listed = int(re.match(r" <small>(\d+)", closed)[1])
+            assert closed.partition("</details>")[0].count("<p>") == listed
+
+
 def test_nothing_that_is_not_known_is_told(text):
     assert not re.search(r">[^<]*\b(None|nan|inf)\b[^<]*<", text)
 

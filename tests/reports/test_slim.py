@@ -61,3 +61,13 @@ def test_only_attributes_that_say_nothing_go():
     drawn = str(svg.text(1, 2, 'text-anchor="start" class=""'))
     assert slim(drawn) == '<text x="1" y="2">text-anchor=&#34;start&#34; class=&#34;&#34;</text>'
     assert 'text-anchor="end"' in slim(str(svg.text(1, 2, "words", "tick", "end")))
+
+
+def test_a_repeated_equation_refers_to_its_first_drawing():
+    first, other = (f'<svg class="maths" width="9">{d}</svg>' for d in ("<p/>", "<q/>"))
+    again = first.replace('"9"', '"8"')
+    assert slim(first + other) == first + other
+    assert slim(first + other + again) == (
+        f'<svg class="maths" width="9"><g id="e0"><p/></g></svg>{other}'
+        '<svg class="maths" width="8"><use href="#e0"/></svg>'
+    )

@@ -409,6 +409,7 @@ class Equation:
     tex: str
     numbers: str = ""
     place: str = ""
+    is_step: bool = False  # a number that other formulas take, not a result
 
 
 @dataclass(frozen=True, kw_only=True)

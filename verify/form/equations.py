@@ -80,4 +80,5 @@ def equation(case: Case, q: Quantity, symbols: Symbols) -> Equation | None:
         tex=f"{equations.symbol_tex(q.symbol)} = {tex}",
         numbers=f"= {number}" if found is None else f"= {put_in} = {number}",
         place=f"Eq. {q.equation}" if q.equation else q.source,
+        is_step=q.role == "step",
     )

@@ -20,7 +20,7 @@ STRIPS = (
     r"b_k = \sqrt{\frac{4 q_k R}{\pi E*}},\quad \sum_k C_{jk}(b_k) q_k = \delta - z_j"
 )
 SLICES = (
-    r"z_j + \left(\sum_k S_{jk} q_k\right)^{9/10},\quad "
+    r"z_j + \Bigl(\sum_k S_{jk} q_k\Bigr)^{9/10},\quad "
     r"S_{jk} = \frac{n_s \delta_P^{10/9}}{F} \frac{n_s w_{jk}}{\sum w}"
 )
 LAMINA = r"z_j + \left(\frac{n_s \delta_P^{10/9}}{F} q_j\right)^{9/10}"

@@ -18,10 +18,10 @@ from verify.form.adapter import adapted
 class SpragRotor(CentralSystem):
     """The paper's 22 nodes with twelve unknown dimensions and stiffnesses.
 
-    None is printed, only three critical speeds are. Many sets of parameters have all three; what
-    else the paper says is asked of every one of them. One set, reached from the middle of all
-    ranges (the central system), is computed by exact transfer matrices, by finer and finer beams
-    and as elastic bodies.
+    Only three critical speeds are printed, none of these values. Many sets of parameters have all
+    three; each of them is compared with everything else that the paper states. One set, reached
+    from the middle of all ranges (the central system), is computed by exact transfer matrices, by
+    finer and finer beams and as elastic bodies.
     """
 
     id = "rotor-sprag"
