@@ -32,6 +32,11 @@ def other_width(given: float, *, h: float, leaf: float, nu: float) -> Iterator[s
         )
 
 
+def stored(context: Context, name: str) -> Any:
+    """The array `name` of the level that has it; None where no level was solved with it."""
+    return next((level.arrays[name] for level in context.fem if name in level.arrays), None)
+
+
 def loaded(q: Any) -> bool:
     """Whether a working force is given."""
     return q.F is not None

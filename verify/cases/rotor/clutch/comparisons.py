@@ -2,9 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
 from functools import partial
-from typing import ClassVar
 
 import numpy as np
 
@@ -27,10 +25,8 @@ from verify.case import (
 from verify.cases.rotor.clutch.formulas import ENTRIES, FINE, ClutchStiffness
 from verify.cases.rotor.clutch.reference import ANGLES, HARD, SMALL, STIFFER
 from verify.core.case import Check, Context
-from verify.core.results import Kind, Row, Status
-from verify.judging import judge
 from verify.judging.checks import Fact
-from verify.judging.claims import Claim
+from verify.judging.misprints import Misprint
 from verify.judging.tolerance_checks import SUBJECT, Agreement, Deviation, Pair
 
 SAME = "the same problem on both sides, to round-off"
@@ -216,32 +212,6 @@ def _facts(q: ClutchStiffness) -> Iterator[Comparison | Check]:
                          printed=("huang2022:exponent-numerator",
                                   "huang2022:exponent-denominator"))  # fmt: skip
     yield Comparison(check=exponent, quantity=link.n)
-
-
-@dataclass(frozen=True, kw_only=True)
-class Misprint(Claim):
-    """A printed form that contradicts itself, shown with numbers: NOTE with its ledger entry."""
-
-    kind = Kind.FACT
-    paper_only: ClassVar[bool] = True
-
-    erratum: str
-    margin: Callable[[Context], tuple[float, str]]
-    fem_needed: bool = False
-
-    @property
-    def needs_fem(self) -> bool:
-        return self.fem_needed
-
-    def rows(self, context: Context) -> list[Row]:
-        if not context.is_paper:
-            return []
-        margin, words = self.margin(context)
-        verdict = judge.fact(margin, 0.0)
-        if verdict.status is Status.PASS:
-            said = f"{words}; ledger {self.erratum}"
-            verdict = replace(verdict, status=Status.NOTE, reason=said)
-        return [self._row(context.case, Kind.FACT, verdict)]
 
 
 def _misprints(q: ClutchStiffness) -> Iterator[Check]:

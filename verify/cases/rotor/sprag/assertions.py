@@ -6,12 +6,13 @@ those in which all that it compares has a peak.
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from verify.cases.rotor.sprag.layout import OUTER
+from verify.cases.rotor.sprag.layout import GROUNDED, OPPOSITE, OUTER
 from verify.core.figures import Array
 
 Members = NDArray[np.bool_]
@@ -19,8 +20,6 @@ Arrays = Mapping[str, Array]
 ALIKE = 0.1  # of the mean: amplitudes that are "nearly equal"
 SMALL = 0.5  # of the median of the others: amplitudes that are "significantly lower"
 ORDERS = (1, 3, 5)
-SEC = "Sec. 2.2"
-OPPOSITE = ", opposite"  # of arrays with unbalance 2 half a turn from unbalance 1
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -32,10 +31,10 @@ class Statement:
 
     name: str
     symbol: str
-    place: str
     holds: Callable[[Arrays], Members]
     compares: Callable[[Arrays], Array]
     printed: tuple[str, ...] = ()
+    place: str = "Sec. 2.2"
 
     def asked(self, a: Arrays) -> Members:
         """The members in which everything that is compared has a peak."""
@@ -126,68 +125,64 @@ def torsion(a: Arrays) -> Array:
     return a["torsion"]
 
 
+def growing(name: str, node: int, at: slice = slice(None)) -> Statement:
+    """Peaks of a node at some critical speeds grow with unbalance 2."""
+
+    def peaks(a: Arrays) -> Array:
+        return a["peaks"][:, :, at, node - 1]
+
+    return Statement(name=name, symbol=f"x_{node}", holds=lambda a: grows(peaks(a)), compares=peaks)
+
+
 def value(*ids: str) -> tuple[str, ...]:
     return tuple(f"huang2022:{id_}" for id_ in ids)
 
 
 OUTER_NODES, INNER_NODES = slice(OUTER), slice(OUTER, None)
-ANOMALY = value("anomaly-unbalance-with-larger-peak", "anomaly-unbalance-with-smaller-peak")
 STATEMENTS = (
     Statement(name="node 11 is the highest of nodes 1 to 11 at critical speed 1", symbol="x_11",
-              place=SEC, holds=lambda a: outer(a, 11, 1, last=11),
+              holds=lambda a: outer(a, 11, 1, last=11),
               compares=lambda a: outer_peaks(a, 1, last=11),
               printed=value("outer-highest-node-at-critical-1")),
     Statement(name="node 11 is the highest of the outer rotor at critical speed 1, with its free "
-              "end", symbol="x_11", place=SEC, holds=lambda a: outer(a, 11, 1),
+              "end", symbol="x_11", holds=lambda a: outer(a, 11, 1),
               compares=lambda a: outer_peaks(a, 1)),
     Statement(name="node 11 is the highest of nodes 1 to 11 at critical speeds 3 and 5",
-              symbol="x_11", place=SEC, holds=lambda a: outer(a, 11, 3, 5, last=11),
+              symbol="x_11", holds=lambda a: outer(a, 11, 3, 5, last=11),
               compares=lambda a: outer_peaks(a, 3, 5, last=11),
               printed=value("outer-highest-node-at-critical-3-and-5")),
-    Statement(name="node 2 stays below half of the others at every peak", symbol="x_2", place=SEC,
-              holds=lambda a: small(a, 2),
-              compares=lambda a: outer_peaks(a, *ORDERS),
-              printed=value("outer-small-node-at-bearing-1")),
-    Statement(name="node 6 stays below half of the others at every peak", symbol="x_6", place=SEC,
-              holds=lambda a: small(a, 6),
-              compares=lambda a: outer_peaks(a, *ORDERS),
-              printed=value("outer-small-node-at-bearing-2")),
-    Statement(name="nodes 13 to 19 are highest at critical speed 1", symbol="x", place=SEC,
-              holds=first_highest,
-              compares=lambda a: base(a)[:, :, OUTER:19],
+    *(Statement(name=f"node {node} stays below half of the others at every peak",
+                symbol=f"x_{node}", holds=partial(small, node=node),
+                compares=lambda a: outer_peaks(a, *ORDERS),
+                printed=value(f"outer-small-node-at-bearing-{k}"))
+      for k, node in enumerate(GROUNDED[:2], start=1)),
+    Statement(name="nodes 13 to 19 are highest at critical speed 1", symbol="x",
+              holds=first_highest, compares=lambda a: base(a)[:, :, OUTER:19],
               printed=value("inner-high-range-first-node", "inner-high-range-last-node")),
     Statement(name="node 19 is the highest of the inner rotor at every peak", symbol="x_19",
-              place=SEC, holds=lambda a: inner(a, 19),
-              compares=lambda a: base(a)[:, :, OUTER:], printed=value("inner-highest-node")),
+              holds=lambda a: inner(a, 19), compares=lambda a: base(a)[:, :, OUTER:],
+              printed=value("inner-highest-node")),
     Statement(name="torsion is alike along the outer rotor at critical speed 1", symbol="θ_z",
-              place=SEC, holds=lambda a: alike(a, OUTER_NODES, slice(1)),
-              compares=torsion),
+              holds=lambda a: alike(a, OUTER_NODES, slice(1)), compares=torsion),
     Statement(name="torsion is alike along the inner rotor at critical speed 1", symbol="θ_z",
-              place=SEC, holds=lambda a: alike(a, INNER_NODES, slice(1)),
-              compares=torsion),
+              holds=lambda a: alike(a, INNER_NODES, slice(1)), compares=torsion),
     Statement(name="torsion is alike along both rotors at critical speeds 3 and 5", symbol="θ_z",
-              place=SEC, holds=lambda a: alike(a, OUTER_NODES, slice(1, 3))
-              & alike(a, INNER_NODES, slice(1, 3)),
+              holds=lambda a: alike(a, OUTER_NODES, slice(1, 3))
+              & alike(a, INNER_NODES, slice(1, 3)), compares=torsion),
+    Statement(name="torsion is highest at critical speed 1", symbol="θ_z", holds=first_torsion,
               compares=torsion),
-    Statement(name="torsion is highest at critical speed 1", symbol="θ_z", place=SEC,
-              holds=first_torsion, compares=torsion),
-    Statement(name="peaks of node 4 grow with unbalance 2", symbol="x_4", place=SEC,
-              holds=lambda a: grows(a["peaks"][:, :, :, 3]),
-              compares=lambda a: a["peaks"][:, :, :, 3]),
-    Statement(name="peaks of node 19 at critical speeds 1 and 5 grow with unbalance 2",
-              symbol="x_19", place=SEC, holds=lambda a: grows(a["peaks"][:, :, ::2, 18]),
-              compares=lambda a: a["peaks"][:, :, ::2, 18]),
-    Statement(name="peak of node 19 at critical speed 3 falls from 3 to 5e-5 kg m",
-              symbol="x_19", place=SEC, holds=anomaly,
-              compares=lambda a: a["peaks"][:, 1:, 1, 18]),
-    Statement(name="loads of bearings 3 and 4 grow with unbalance 2", symbol="F", place=SEC,
-              holds=lambda a: grows(a["loads"]), compares=lambda a: a["loads"]),
-    Statement(name="loads of bearings 3 and 4 are higher at higher critical speeds", symbol="F",
-              place=SEC, holds=lambda a: rises(a["loads"]), compares=lambda a: a["loads"]),
-    Statement(name="bearing 4 bears more than bearing 3 at every peak", symbol="F_4", place=SEC,
-              holds=more_on_4, compares=lambda a: a["loads"]),
+    growing("peaks of node 4 grow with unbalance 2", 4),
+    growing("peaks of node 19 at critical speeds 1 and 5 grow with unbalance 2", 19,
+            slice(None, None, 2)),
+    Statement(name="peak of node 19 at critical speed 3 falls from 3 to 5e-5 kg m", symbol="x_19",
+              holds=anomaly, compares=lambda a: a["peaks"][:, 1:, 1, 18]),
+    *(Statement(name=name, symbol=symbol, holds=holds, compares=lambda a: a["loads"])
+      for name, symbol, holds in (
+          ("loads of bearings 3 and 4 grow with unbalance 2", "F", lambda a: grows(a["loads"])),
+          ("loads of bearings 3 and 4 are higher at higher critical speeds", "F",
+           lambda a: rises(a["loads"])),
+          ("bearing 4 bears more than bearing 3 at every peak", "F_4", more_on_4))),
     Statement(name="torsions of nodes 4 and 19 are as −J_in to J_out within 3 % at critical "
-              "speed 1", symbol="θ_z", place=SEC,
-              holds=lambda a: inverse_inertia(a, 1) < 0.03,
+              "speed 1", symbol="θ_z", holds=lambda a: inverse_inertia(a, 1) < 0.03,
               compares=lambda a: np.abs(a["turned"])),
 )  # fmt: skip

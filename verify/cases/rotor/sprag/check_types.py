@@ -57,15 +57,15 @@ class Share(Claim):
         elif not asked.any():
             verdict = judge.Verdict(Status.SKIP, "no set of parameters has the peaks it compares")
         else:
-            said = f"holds in {self.words(context)}; {FITTED}"
-            verdict = judge.Verdict(Status.CALIBRATED, said)
+            reason = f"holds in {self.words(context)}; {FITTED}"
+            verdict = judge.Verdict(Status.CALIBRATED, reason)
             share = Partner(by=f"share of {self.of}", value=float(held[asked].mean()))
             return [self._row(context.case, Kind.FACT, verdict, partner=share)]
         return [self._row(context.case, Kind.FACT, verdict)]
 
 
 @dataclass(frozen=True, kw_only=True)
-class Told(Share):
+class Claimed(Share):
     """A statement of the paper, asked where it has peaks, and with unbalances opposite.
 
     What the paper prints in it are names of nodes, no values beside a share.
@@ -165,32 +165,6 @@ class FittedTo(Claim):
                 published=self._printed(context),
             )
         ]  # fmt: skip
-
-
-@dataclass(frozen=True, kw_only=True)
-class Noted(Claim):
-    """A printed statement that contradicts itself or linear dynamics: NOTE with its ledger entry.
-
-    `margin` says how surely, and in words; where it does not, the ledger is wrong: FAIL.
-    """
-
-    kind = Kind.FACT
-    paper_only: ClassVar[bool] = True
-
-    erratum: str
-    margin: Callable[[Context], tuple[float, str]]
-
-    def rows(self, context: Context) -> list[Row]:
-        if not context.is_paper:
-            return []
-        margin, words = self.margin(context)
-        verdict = judge.fact(margin, 0.0)
-        if verdict.status is Status.PASS:
-            said = f"{words}; ledger {self.erratum}"
-            verdict = replace(verdict, status=Status.NOTE, reason=said)
-        else:
-            verdict = replace(verdict, reason=f"ledger {self.erratum} says otherwise: {words}")
-        return [self._row(context.case, Kind.FACT, verdict)]
 
 
 @dataclass(frozen=True, kw_only=True)

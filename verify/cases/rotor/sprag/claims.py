@@ -6,7 +6,7 @@ import numpy as np
 
 from verify.case import Comparison, Quantity, identity
 from verify.cases.rotor.sprag.assertions import STATEMENTS, Statement
-from verify.cases.rotor.sprag.check_types import COARSE, FittedTo, Rounded, Share, Told, arrays
+from verify.cases.rotor.sprag.check_types import COARSE, Claimed, FittedTo, Rounded, Share, arrays
 from verify.cases.rotor.sprag.formulas import MODES, ORDERS, CentralSystem
 from verify.cases.rotor.sprag.inputs import PRINTED
 from verify.cases.rotor.sprag.layout import DISCS
@@ -52,8 +52,8 @@ def identical(
                     shares=BEAM)  # fmt: skip
 
 
-def shares(statement: Statement) -> Told:
-    return Told(
+def shares(statement: Statement) -> Claimed:
+    return Claimed(
         name=statement.name, symbol=statement.symbol, unit="%",
         holds=lambda context: statement.holds(arrays(context)),
         printed=statement.printed, statement=statement,

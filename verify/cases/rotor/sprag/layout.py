@@ -24,6 +24,7 @@ BOTTOM = 6  # element of the drum's bottom, between nodes 7 and 8
 GROUNDED = (2, 6, 21)  # bearings 1, 2, 5
 BETWEEN = ((9, 14), (11, 16))  # bearings 3, 4
 CLUTCH = (10, 15)
+OPPOSITE = ", opposite"  # of arrays with unbalance 2 half a turn from unbalance 1
 
 
 @dataclass(frozen=True, kw_only=True)

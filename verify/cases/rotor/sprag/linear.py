@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 
 from verify.cases.rotor.sprag.assertions import STATEMENTS
-from verify.cases.rotor.sprag.check_types import Drawn, Noted, Rounded, Spread, arrays, held_of
+from verify.cases.rotor.sprag.check_types import Drawn, Rounded, Spread, arrays, held_of
 from verify.cases.rotor.sprag.formulas import ORDERS
 from verify.cases.rotor.sprag.inputs import PRINTED
 from verify.cases.rotor.sprag.layout import (
@@ -22,6 +22,7 @@ from verify.cases.rotor.sprag.response_fem import SHOWN_NODES, SMALL_OFFSETS
 from verify.cases.rotor.sprag.system_fem import uneven_clutch_fem
 from verify.core.case import Check, Context
 from verify.core.figures import Array
+from verify.judging.misprints import Misprint
 from verify.judging.tolerance_checks import Agreement, Pair, farthest, suites
 from verify.papers.ledger import published
 
@@ -48,11 +49,6 @@ def as_drawn(_: Context) -> float:
     off = [abs(unknowns - len(uneven_clutch_fem(CENTRAL, 0.0)))]
     off += [abs(published(f"huang2022:{key}").value - node) for key, node in NODES.items()]
     return 0.5 - max(off)
-
-
-def convexity(context: Context) -> float:
-    """What any amplitude of nodes 4 and 19 has above the chord over unbalance 2."""
-    return max(0.0, float(arrays(context)["convex"].max()))
 
 
 def circles(context: Context) -> float:
@@ -169,7 +165,8 @@ LINEAR_ROWS: tuple[Check, ...] = (
          margin=as_drawn,
          printed=tuple(f"huang2022:{key}" for key in (*NODES, "commercial-beam-dofs"))),
     Rounded(name="amplitudes are convex in unbalance 2, each solved", symbol="Δx/x", unit="1",
-            residual=convexity, bound=ROUND_OFF, scale_name="chord", bound_reason="round-off"),
+            residual=lambda c: max(0.0, float(arrays(c)["convex"].max())), bound=ROUND_OFF,
+            scale_name="chord", bound_reason="round-off"),
     Rounded(name="orbits are circles on isotropic supports", symbol="b/a − 1", unit="1",
             residual=circles, bound=ROUND_OFF, scale_name="large axis", bound_reason="round-off"),
     Rounded(name="no torsion without offset", symbol="θ_z", unit="1", residual=untouched,
@@ -192,19 +189,19 @@ LINEAR_ROWS: tuple[Check, ...] = (
     *(Spread(name=f"ratio of the orbit's axes at node {n}, supports unlike in x and y",
              symbol="a/b", unit="1", values=ratio_of_axes(i))
       for i, n in enumerate(DISCS)),
-    Noted(name="peak 3 of node 19 over unbalance 2", symbol="x_19", unit="1",
+    Misprint(name="peak 3 of node 19 over unbalance 2", symbol="x_19", unit="1",
           erratum="huang2022:unbalance-2-third-peak", margin=never_between,
           printed=("huang2022:anomaly-unbalance-with-larger-peak",
                    "huang2022:anomaly-unbalance-with-smaller-peak")),
-    Noted(name="node of unbalance 1", symbol="", unit="1", margin=at_two_nodes,
+    Misprint(name="node of unbalance 1", symbol="", unit="1", margin=at_two_nodes,
           erratum="huang2022:unbalance-1-location", printed=("huang2022:unbalance-1-node",)),
-    Noted(name="elliptical orbits", symbol="a/b", unit="1", erratum="huang2022:fig-15-ellipse",
+    Misprint(name="elliptical orbits", symbol="a/b", unit="1", erratum="huang2022:fig-15-ellipse",
           margin=ellipses),
-    Noted(name="torsional resonance at bending critical speeds", symbol="θ_z", unit="1",
+    Misprint(name="torsional resonance at bending critical speeds", symbol="θ_z", unit="1",
           erratum="huang2022:eq-11-bending-torsion", margin=no_coupling),
-    Noted(name="critical speeds at 5000 r/min", symbol="n", unit="1",
+    Misprint(name="critical speeds at 5000 r/min", symbol="n", unit="1",
           erratum="huang2022:critical-speed-at-one-speed", margin=at_one_speed,
           printed=("huang2022:comparison-speed",)),
-    Noted(name="reason of the nodes shown", symbol="", unit="1",
+    Misprint(name="reason of the nodes shown", symbol="", unit="1",
           erratum="huang2022:response-nodes-reason", margin=on_the_ground),
 )  # fmt: skip

@@ -7,9 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from verify.cases.rotor.sprag.assertions import OPPOSITE
 from verify.cases.rotor.sprag.inputs import PRINTED, RPM, SpragRotorInputs
-from verify.cases.rotor.sprag.layout import DISCS, INNER, OUTER
+from verify.cases.rotor.sprag.layout import DISCS, INNER, OPPOSITE, OUTER
 from verify.cases.rotor.sprag.system_fem import Damped, rotor_fem
 from verify.core.figures import Array
 

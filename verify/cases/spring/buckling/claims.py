@@ -1,26 +1,21 @@
 """What case spring-buckling claims of sweeps over thickness, length and force."""
 
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 
 from analytic.spring import column
 from verify.cases.spring.buckling.inputs import KEYS, MANY, RATIO
+from verify.cases.spring.claims import stored
 from verify.core.case import Context
 from verify.judging.tolerance_checks import Pair
 
 NOISE = 1e-5  # rounding of finite elements of slender springs, times what it is seen as
 
 
-def swept(context: Context, name: str) -> Any:
-    """An array of the level on which sweeps are made."""
-    return next(r.arrays[name] for r in context.fem if name in r.arrays)
-
-
 def spread(context: Context) -> Pair:
     """Largest and least U_cr over thicknesses on one centre line."""
-    b, U, _ = swept(context, "by_b").T
+    b, U, _ = stored(context, "by_b").T
     apart = float(np.ptp(U) / U.mean())
     z = context.inputs.length / b
     words = f"{apart:.2%} while L_0/b falls from {z[0]:.0f} to {z[-1]:.0f}"
@@ -29,7 +24,7 @@ def spread(context: Context) -> Pair:
 
 def by_cube(context: Context) -> Pair:
     """The exponent of b in F_cr, between neighbours where it is farthest from three, and three."""
-    b, _, F = np.log(swept(context, "by_b")).T
+    b, _, F = np.log(stored(context, "by_b")).T
     slope = np.diff(F) / np.diff(b)
     worst = float(slope[np.abs(slope - 3).argmax()])
     return Pair(worst, 3.0, NOISE, f"slope {worst:.5f}")
@@ -37,7 +32,7 @@ def by_cube(context: Context) -> Pair:
 
 def one_ratio(context: Context) -> tuple[float, float, str]:
     """How much more than a factor of five U_cr/L_0 of springs with the same L_0/b differs."""
-    xi = swept(context, "same_ratio")
+    xi = stored(context, "same_ratio")
     return (float(xi.max() / xi.min() - 5), 0.01,
             f"U_cr/L_0 from {xi.min():.2%} to {xi.max():.1%} at L_0/b = {RATIO:g}")  # fmt: skip
 
@@ -46,7 +41,7 @@ def stays(tail: str) -> Callable[[Context], tuple[float, float, str]]:
     """The least determinant of a free head's path over that at rest: zero at a critical point."""
 
     def margin(context: Context) -> tuple[float, float, str]:
-        F, U, _, left = swept(context, f"free{KEYS[tail]}").T
+        F, U, _, left = stored(context, f"free{KEYS[tail]}").T
         k = int(left.argmin())
         share = U[-1] / context.inputs.length
         return float(left[k]), 1e-3, (
@@ -61,7 +56,7 @@ def hinged(tail: str) -> Callable[[Context], tuple[float, float, str]]:
     """The same of a hinged head on the guided path."""
 
     def margin(context: Context) -> tuple[float, float, str]:
-        left = swept(context, f"guided{KEYS[tail]}")[:, 3]
+        left = stored(context, f"guided{KEYS[tail]}")[:, 3]
         return float(left.min()), 1e-3, f"{left.min():.0%} of the determinant is left"
 
     return margin
@@ -74,5 +69,5 @@ def many_units(context: Context) -> tuple[list[float], list[float], list[float]]
     """
     q = context.inputs
     xi = column.critical_shortening("free", **q.path | {"n": np.array(MANY)}, b=q.b, nu=q.nu)
-    d = xi / swept(context, "many") - 1
+    d = xi / stored(context, "many") - 1
     return xi.tolist(), d.tolist(), (NOISE * (np.array(MANY) / 10) ** 2).tolist()

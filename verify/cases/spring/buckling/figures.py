@@ -7,18 +7,15 @@ import numpy as np
 
 from analytic.spring import column
 from verify.cases.spring.buckling.inputs import KEYS, MAP_L1, MAP_N, RATIO, SAME_RATIO, TAILS
+from verify.cases.spring.claims import stored
 from verify.core.case import Context
 from verify.core.figures import Array, Curve, Curves, Figure, Map, Panel, Shapes, Table
 
 mm = 1e-3
 
 
-def swept(context: Context, name: str) -> Array | None:
-    return next((r.arrays[name] for r in context.fem if name in r.arrays), None)
-
-
 def tables(context: Context) -> Sequence[Table]:
-    q, by_b, ratio = context.inputs, swept(context, "by_b"), swept(context, "same_ratio")
+    q, by_b, ratio = context.inputs, stored(context, "by_b"), stored(context, "same_ratio")
     if by_b is None or ratio is None:
         return ()
     z = q.length / by_b[:, 0]
@@ -45,7 +42,7 @@ def tables(context: Context) -> Sequence[Table]:
 def figures(context: Context) -> Sequence[Figure]:
     if not context.fem:
         return (_slender(context, None),)
-    found = np.asarray(swept(context, "map"))
+    found = stored(context, "map")
     return (
         _slender(context, found), _error(context, found), _drift(context), _guide(context),
         _shapes(context),
@@ -102,7 +99,7 @@ def _drift(context: Context) -> Curves:
     """Sideways movement of a free head over the force, and where Haringx has the column buckle."""
     curves = []
     for k, tail in enumerate(TAILS):
-        F, _, y, _ = np.asarray(swept(context, f"free{KEYS[tail]}")).T
+        F, _, y, _ = stored(context, f"free{KEYS[tail]}").T
         curves.append(Curve(name=f"tail held at {tail}", x=np.abs(y) / mm, y=F, colour=k))
         limit = context.analytic[f"F_cr{KEYS[tail]}"]
         curves.append(
@@ -121,7 +118,7 @@ def _guide(context: Context) -> Curves:
     """What a guide feels: lateral stiffness over the displacement."""
     curves = []
     for k, tail in enumerate(TAILS):
-        U, _, k_y, _ = np.asarray(swept(context, f"guided{KEYS[tail]}")).T
+        U, _, k_y, _ = stored(context, f"guided{KEYS[tail]}").T
         curves.append(Curve(name=f"tail held at {tail}", x=U / mm, y=k_y * mm, colour=k))
     return Curves(
         title="Lateral stiffness of the guided head", x_label="U [mm]", y_label="k_y [N/mm]",
@@ -135,7 +132,7 @@ def _shapes(context: Context) -> Shapes:
     q = context.inputs
     panels = []
     for tail in TAILS:
-        let_go, free = (np.asarray(swept(context, f"{name}{KEYS[tail]}")) / mm
+        let_go, free = (stored(context, f"{name}{KEYS[tail]}") / mm
                         for name in ("let_go", "free_shape"))  # fmt: skip
         straight = tuple(let_go)
         panels += [

@@ -8,6 +8,7 @@ import numpy as np
 from analytic.spring.stages import stages
 from fem.beam import two_lines
 from fem.beam.two_lines import ROUNDING, TWICE, FittedLines, fitted, on_common
+from verify.cases.spring.claims import stored
 from verify.cases.spring.curve.inputs import CurveInputs
 from verify.cases.spring.curve.reference import (
     BEYOND,
@@ -30,14 +31,9 @@ SETTLED = 1e-4  # of b: how early contact may act, or late
 STIFFER = 10.0  # times k_2, once all loops meet
 
 
-def array(context: Context, name: str) -> Array:
-    """What some level stored under `name`."""
-    return next(level.arrays[name] for level in context.fem if name in level.arrays)
-
-
 def curve(context: Context, level: int = FINE) -> Array:
     """U, F and the sum of normal forces (3, k) of the inputs' spring."""
-    U, F, press = (array(context, f"curve {level} {key}") for key in ("U", "F", "press"))
+    U, F, press = (stored(context, f"curve {level} {key}") for key in ("U", "F", "press"))
     return np.array([U, F, press.sum(axis=1)])
 
 
@@ -51,7 +47,7 @@ def read(context: Context) -> list[tuple[str, float, FittedLines, Array]]:
     q: CurveInputs = context.inputs
     found = []
     for name, _ in readings(q):
-        U, F, N = array(context, f"reading {name}")
+        U, F, N = stored(context, f"reading {name}")
         for factor in (1.0, q.width_factor, 1 / (1 - q.nu**2)):
             stiff = np.array([U, factor * F, factor * N])
             found.append((name, factor, fitted(stiff, q.stroke), stiff[:2]))
@@ -87,12 +83,12 @@ def drift(number: Callable[[FittedLines], float]) -> Callable[[Context], float]:
 
 
 def depth(context: Context) -> tuple[float, float, str]:
-    b, deepest = context.inputs.b, float(array(context, f"curve {FINE} depth").max())
+    b, deepest = context.inputs.b, float(stored(context, f"curve {FINE} depth").max())
     return deepest / b, 0.0, f"surfaces overlap by {deepest / b:.1e} b at most"
 
 
 def same_contact(context: Context) -> tuple[float, float, str]:
-    off = max(apart(context, array(context, f"contact {times:g}")) for times in TIMES)
+    off = max(apart(context, stored(context, f"contact {times:g}")) for times in TIMES)
     words = f"slopes change by {off:.1e} at most with a contact 10 times softer or stiffer"
     return off, 0.0, words + without(context)
 
@@ -104,17 +100,17 @@ def halved(context: Context) -> tuple[float, float, str]:
 
 
 def balance(context: Context) -> tuple[float, float, str]:
-    work, stored, lost = (
-        array(context, f"curve {FINE} {key}") for key in ("work", "stored", "dissipated")
+    work, energy, lost = (
+        stored(context, f"curve {FINE} {key}") for key in ("work", "stored", "dissipated")
     )
-    off = float(abs(work - stored - lost).max() / work.max())
+    off = float(abs(work - energy - lost).max() / work.max())
     words = f"work less stored and lost energy is {off:.1e} of the work at most"
     return off, 0.0, words
 
 
 def retraced(context: Context) -> tuple[float, float, str]:
     """Force on the way back against the way there, without friction."""
-    U, F, _ = array(context, "there and back")
+    U, F, _ = stored(context, "there and back")
     off = two_lines.retraced(U, F)
     return off, 0.0, f"forces on the way back differ by {off:.1e}"
 
@@ -177,7 +173,7 @@ def along(context: Context) -> tuple[float, float, str]:
 def deviations(context: Context, level: int) -> tuple[Array, Array]:
     """U = 1 ... 17 mm, and force over that of Eq. 10, less one."""
     U = np.arange(1.0, 18.0) * mm
-    reached, F = (array(context, f"curve {level} {key}") for key in ("U", "F"))
+    reached, F = (stored(context, f"curve {level} {key}") for key in ("U", "F"))
     return U, np.interp(U, reached, F) / eq10().force(U) - 1
 
 
@@ -186,7 +182,7 @@ def parallel(k: int) -> Callable[[Context], tuple[list[float], list[float], list
     name = ("U_A", "F_A", "k2")[k]
 
     def points(context: Context) -> tuple[list[float], list[float], list[float]]:
-        coarse, fine = array(context, "thin")[:, :, k]
+        coarse, fine = stored(context, "thin")[:, :, k]
         forms = [_thin(context.inputs, share) for share in THIN]
         exact = np.array([form[name] for form in forms])
         early = [SETTLED * thin(context.inputs, share).b / form["gap"]

@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 
 from fem.beam.two_lines import TOUCH, FittedLines
+from verify.cases.spring.claims import stored
 from verify.cases.spring.curve.claims import (
-    array,
     deviations,
     ends_early,
     lines,
@@ -31,7 +31,7 @@ def figures(context: Context) -> Sequence[Figure]:
 
 
 def _own(context: Context) -> tuple[Array, Array]:
-    U, F = (array(context, f"curve {FINE} {key}") for key in ("U", "F"))
+    U, F = (stored(context, f"curve {FINE} {key}") for key in ("U", "F"))
     return np.append(0.0, U), np.append(0.0, F)
 
 
@@ -101,7 +101,7 @@ def _slope(context: Context) -> Curves:
 
 def points(context: Context) -> dict[str, int]:
     """States by name: O (-1), A where leaves begin to press, B where half of the pairs do, E."""
-    press, F = (array(context, f"curve {FINE} {key}") for key in ("press", "F"))
+    press, F = (stored(context, f"curve {FINE} {key}") for key in ("press", "F"))
     found = {"O": -1}
     touching = press.sum(axis=1) > TOUCH * F
     half = (press > TOUCH * F[:, None]).sum(axis=1) >= press.shape[1] / 2
@@ -114,9 +114,9 @@ def points(context: Context) -> dict[str, int]:
 
 def _states(context: Context) -> Shapes:
     shapes, touches, U = (
-        array(context, f"curve {FINE} {key}") for key in ("shapes", "touches", "U")
+        stored(context, f"curve {FINE} {key}") for key in ("shapes", "touches", "U")
     )
-    rest = array(context, "rest")
+    rest = stored(context, "rest")
     panels = []
     for name, k in points(context).items():
         line = (rest if k < 0 else shapes[k]) / mm
@@ -162,9 +162,9 @@ def tables(context: Context) -> Sequence[Table]:
 
 
 def _points(context: Context) -> Table:
-    U, F = (array(context, f"curve {FINE} {key}") for key in ("U", "F"))
+    U, F = (stored(context, f"curve {FINE} {key}") for key in ("U", "F"))
     found, form = lines(context), context.inputs.linear
-    most = float(abs(array(context, f"curve {FINE} side") / F).max())
+    most = float(abs(stored(context, f"curve {FINE} side") / F).max())
     rows: list[tuple[str, float, float, str]] = []
     words = {"B": "half of the neighbouring leaves press", "E": "end of the curve"}
     if np.isfinite(found.U_A):

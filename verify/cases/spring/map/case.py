@@ -14,6 +14,7 @@ from verify.case import (
     identity,
     underived,
 )
+from verify.cases.spring.claims import stored
 from verify.cases.spring.map import claims
 from verify.cases.spring.map import fem as beams
 from verify.cases.spring.map import figures as drawn
@@ -129,7 +130,7 @@ def _maps(context: Context) -> Iterator[Figure]:
     over, first = [], 0
     for name, cells in points(q, deep=finer is not None).items():
         if finer is None:
-            k = claims.mapped(context, name)
+            k = stored(context, name)
         else:
             parts = finer.parts[first : first + len(cells)]
             k = np.array([part.arrays["cells"] for part in parts])

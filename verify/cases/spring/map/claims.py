@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 
 from analytic.spring import energy
+from verify.cases.spring.claims import stored
 from verify.cases.spring.map.inputs import Cell, MapInputs, points
 from verify.core.case import Context
 from verify.judging.tolerance_checks import Pair
@@ -12,11 +13,6 @@ from verify.judging.tolerance_checks import Pair
 CLAIMED, FROM = 0.10, 240.0  # the paper's error at larger L_0/b
 THIRD = 1 / 3
 NOISE = 1e-4  # of the maps' finite elements
-
-
-def mapped(context: Context, name: str) -> Any:
-    """An array of the level on which maps are made."""
-    return next(r.arrays[name] for r in context.fem if name in r.arrays)
 
 
 def errors(q: MapInputs, cells: list[list[Cell]], k: Any) -> Any:
@@ -31,7 +27,7 @@ def within_claim(context: Context) -> tuple[float, float, str]:
     """What is left of 10 % at L_0/b from 240 on, at small displacement."""
     q = context.inputs
     cells = points(q, deep=False)["slender"]
-    m = errors(q, cells, mapped(context, "slender"))[..., 0]
+    m = errors(q, cells, stored(context, "slender"))[..., 0]
     z = np.array([[c.length / c.b for c in row] for row in cells])
     worst = float(np.nanmax(np.abs(m[z > FROM * 0.999])))
     return CLAIMED - worst, NOISE, f"{worst:.1%} at most"
@@ -40,7 +36,7 @@ def within_claim(context: Context) -> tuple[float, float, str]:
 def falls(context: Context) -> tuple[float, float, str]:
     """Least step by which the error at small displacement falls as b does, on one centre line."""
     q = context.inputs
-    b, z, k = mapped(context, "on_line").T
+    b, z, k = stored(context, "on_line").T
     k1 = np.array([
         float(energy.stiffness(**Cell(q.n, t, q.R - t / 2, q.L1, q.alpha).eqs, h=q.h, E=q.E))
         for t in b

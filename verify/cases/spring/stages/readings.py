@@ -14,6 +14,7 @@ from typing import Any
 from analytic.spring.lines import Lines
 from analytic.spring.loops import Tail
 from analytic.spring.stages import Head, Stages, stages
+from verify.cases.spring.inputs import strip_of
 from verify.cases.spring.stages.inputs import StagesInputs
 from verify.core.case import Context
 from verify.core.figures import Table
@@ -40,22 +41,10 @@ class Reading:
     strip: str
     factor: float
     stages: Stages
-
-    @property
-    def k1(self) -> float:
-        return float(self.stages.k1)
-
-    @property
-    def k2(self) -> float:
-        return float(self.stages.k2)
-
-    @property
-    def U_A(self) -> float:
-        return float(self.stages.U_A)
-
-    @property
-    def F_A(self) -> float:
-        return float(self.stages.F_A)
+    k1: float
+    k2: float
+    U_A: float
+    F_A: float
 
     @property
     def off(self) -> float:
@@ -97,12 +86,12 @@ def readings(q: StagesInputs) -> list[Reading]:
     tails: tuple[Tail, ...] = ("arc", "mid-leaf")
     heads: tuple[Head, ...] = ("free", "guided")
     paths = (("r", q.paper_path), ("r + b/2", q.path))
-    return [
-        Reading(tail, head, radius, strip, factor,
-                stages(**path, b=q.b, h=q.h, E=q.E, nu=q.nu, width_factor=factor, head=head,
-                       tail=tail))
-        for tail, head, (radius, path), (strip, factor) in product(tails, heads, paths, strips)
-    ]  # fmt: skip
+    found = []
+    for tail, head, (radius, path), (strip, factor) in product(tails, heads, paths, strips):
+        s = stages(**path, **strip_of(q), width_factor=factor, head=head, tail=tail)
+        numbers = {key: float(getattr(s, key)) for key in ("k1", "k2", "U_A", "F_A")}
+        found.append(Reading(tail, head, radius, strip, factor, s, **numbers))
+    return found
 
 
 def meeting(q: StagesInputs) -> list[Reading]:

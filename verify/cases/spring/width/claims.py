@@ -9,6 +9,7 @@ import numpy as np
 
 from analytic.spring.frame import Head, Tail
 from analytic.spring.wide_leaf import width_factor
+from verify.cases.spring.claims import stored
 from verify.cases.spring.curve.inputs import CurveInputs
 from verify.cases.spring.width.inputs import WidthInputs
 from verify.cases.spring.width.reference import ENDS
@@ -32,11 +33,6 @@ UNIFORM = 5e-5  # of the factor, however the head's force spreads
 MET = 0.01  # of the printed stiffness
 
 
-def swept(context: Context, name: str) -> Array:
-    """An array of the level on which sweeps are made."""
-    return next(result.arrays[name] for result in context.fem if name in result.arrays)
-
-
 def relative_uncertainty(context: Context, key: str, formal: float | None = None) -> float:
     """Of the finest value of `key`, standard; infinite where it does not converge."""
     h, v = context.series(key)
@@ -56,7 +52,7 @@ def sweep_uncertainty(context: Context) -> float:
 def sweep(context: Context) -> Array:
     """Widths [m] and factors (m, 2), narrow to wide."""
     names = ("narrow", "medium", "wide")
-    found: Any = [row for name in names for row in swept(context, f"sweep_{name}")]
+    found: Any = [row for name in names for row in stored(context, f"sweep_{name}")]
     return np.array(sorted(map(tuple, found)))
 
 
@@ -67,14 +63,14 @@ def limits(context: Context) -> tuple[float, float]:
 
 def narrow(context: Context) -> tuple[list[float], list[float], list[float]]:
     """Plane stress over the shell, against the width over the thickness."""
-    h, f = swept(context, "sweep_narrow").T
+    h, f = stored(context, "sweep_narrow").T
     u = [sweep_uncertainty(context)] * len(h)
     return (h / context.inputs.b).tolist(), (limits(context)[0] / f - 1).tolist(), u
 
 
 def wide(context: Context) -> tuple[list[float], list[float], list[float]]:
     """Plane strain over the shell, against a leaf's length over the width."""
-    h, f = swept(context, "sweep_wide").T
+    h, f = stored(context, "sweep_wide").T
     u = [sweep_uncertainty(context)] * len(h)
     return (context.inputs.leaf / h).tolist(), (limits(context)[1] / f - 1).tolist(), u
 
@@ -138,13 +134,13 @@ def solids(name: str) -> OfContext:
 
 def ends(context: Context) -> Pair:
     """The largest and the least factor of all ways to hold the ends, on one mesh."""
-    f = swept(context, "ends")
+    f = stored(context, "ends")
     return Pair(float(f.max()), float(f.min()), 0.0, f"{f.min():.5f} to {f.max():.5f}")
 
 
 def uniform(context: Context) -> Pair:
     """Stiffness by a line that stays straight and by a uniform force, on one mesh."""
-    line, force = map(float, swept(context, "uniform"))
+    line, force = map(float, stored(context, "uniform"))
     words = f"a uniform force moves the head by {1 - force / line:+.1e} more"
     return Pair(line, force, 0.0, words)
 
@@ -152,7 +148,7 @@ def uniform(context: Context) -> Pair:
 def readings(context: Context) -> dict[tuple[Tail, Head], tuple[float, float]]:
     """Factor and stiffness [N/m] by the shell for every way to hold the ends."""
     found: dict[tuple[Tail, Head], tuple[float, float]] = {}
-    for (tail, head), f in zip(ENDS, swept(context, "ends"), strict=True):
+    for (tail, head), f in zip(ENDS, stored(context, "ends"), strict=True):
         found[tail, head] = float(f), float(f * context.inputs.held(tail, head).k_narrow)
     return found
 

@@ -1,0 +1,41 @@
+"""Printed forms and statements that contradict themselves, as numbers show."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import ClassVar
+
+from verify.core.case import Context
+from verify.core.results import Kind, Row, Status
+from verify.judging import judge
+from verify.judging.claims import Claim
+
+
+@dataclass(frozen=True, kw_only=True)
+class Misprint(Claim):
+    """A printed form that contradicts itself: NOTE with its ledger entry `erratum` ("paper:id").
+
+    `margin` gives how surely, and in words; where it does not, the ledger is wrong: FAIL.
+    """
+
+    kind = Kind.FACT
+    paper_only: ClassVar[bool] = True
+
+    erratum: str
+    margin: Callable[[Context], tuple[float, str]]
+    fem_needed: bool = True
+
+    @property
+    def needs_fem(self) -> bool:
+        return self.fem_needed
+
+    def rows(self, context: Context) -> list[Row]:
+        if not context.is_paper:
+            return []
+        margin, words = self.margin(context)
+        verdict = judge.fact(margin, 0.0)
+        if verdict.status is Status.PASS:
+            reason = f"{words}; ledger {self.erratum}"
+            verdict = replace(verdict, status=Status.NOTE, reason=reason)
+        else:
+            verdict = replace(verdict, reason=f"ledger {self.erratum} says otherwise: {words}")
+        return [self._row(context.case, Kind.FACT, verdict)]
