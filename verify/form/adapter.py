@@ -1,8 +1,8 @@
 """A declared case as the record that the jobs, studies and reports of the suite work with."""
 
 import inspect
+from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Sequence
-from contextlib import contextmanager
 from dataclasses import fields, replace
 from functools import cache
 from pathlib import Path
@@ -14,10 +14,10 @@ from verify.core.figures import Figure
 from verify.form import dimensions, equations, independence
 from verify.form.case import MESHES, Case
 from verify.form.comparisons import Comparison, State
+from verify.form.execution import executed
 from verify.form.later import Later
 from verify.form.members import check_names, reached
-from verify.form.quantity import CaseError, Quantity, faults_located, solving
-from verify.form.time_limit import limited
+from verify.form.quantity import CaseError, Quantity, solving
 
 
 def adapted(form: type[Case], *, time_limit: float | None = None) -> core.Case:
@@ -60,12 +60,10 @@ def _default(form: type[Case], time_limit: float | None) -> Case:
     """
     check_names(form)
     case = form()
-    with _executed(form, time_limit):
-        known: set[str] = set()
-        for one in case.stated():
-            if one.name in known:
-                raise _twice(form, one)
-            known.add(one.name)
+    with executed(inspect.getfile(form), time_limit):
+        names = Counter(one.name for one in case.stated())
+        if twice := next((one for one in case.stated() if names[one.name] > 1), None):
+            raise _twice(form, twice)
         if time_limit is not None:  # outside the suite
             dimensions.check(case)
     return case
@@ -77,20 +75,13 @@ def _twice(form: type[Case], one: Comparison) -> CaseError:
     return one.quantity.broken(rule) if one.quantity else CaseError(f"{file}: {rule}")
 
 
-@contextmanager
-def _executed(form: type[Case], time_limit: float | None) -> Iterator[None]:
-    """Code of a case, whose faults have their place, outside the suite within a time limit."""
-    with faults_located(inspect.getfile(form), own=time_limit is not None), limited(time_limit):
-        yield
-
-
 class _Side:
     """A side of a case as a function, with the module and the name that errors and lists show."""
 
     name: ClassVar[str]
 
     def __init__(self, form: type[Case], time_limit: float | None) -> None:
-        self.form, self.time_limit = form, time_limit
+        self.form, self.file, self.time_limit = form, inspect.getfile(form), time_limit
         self.__module__ = form.__module__
         self.__name__ = f"{form.__name__}.{self.name}"
 
@@ -106,12 +97,11 @@ class Formulas(_Side):
         return reached(self.form, [*names, *read], formulas=True)
 
     def __call__(self, case: Case) -> Values:
-        more: dict[str, float] = {}
-        with _executed(self.form, self.time_limit):
+        with executed(self.file, self.time_limit):
             values = {q.name: float(getattr(case, q.name)) for q in case.present()}
             for one in case.stated():
-                more |= one.evaluated()
-        return values | more
+                values |= one.evaluated()
+        return values
 
 
 class Reference(_Side):
@@ -126,7 +116,7 @@ class Reference(_Side):
     def __call__(self, case: Case, level: int) -> FemResult:
         before = solving.set(True)
         try:
-            with _executed(self.form, self.time_limit):
+            with executed(self.file, self.time_limit):
                 return case.reference(level)
         finally:
             solving.reset(before)

@@ -1,7 +1,6 @@
 """A formula of a source, declared once: symbol, unit, what it is, equation, safe side."""
 
 import inspect
-import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -175,30 +174,6 @@ class shared(Generic[T]):  # noqa: N801 - a decorator, as cached_property is
         if solving.get():
             raise CaseError(f"{owner.__name__}.{name}: the reference reads what formulas share")
         return remembered(case, name, lambda: self.method(case))
-
-
-@contextmanager
-def faults_located(file: str, *, own: bool) -> Iterator[None]:
-    """Turn a fault of a case's code into a CaseError with its place in the case's file.
-
-    What states that there is no solution, or that the machine failed, passes unchanged; so does a
-    ValueError of the suite's cases, which speaks of inputs. In one's `own` it may be math.sqrt's.
-    """
-    try:
-        yield
-    except (CaseError, OSError, MemoryError):
-        raise
-    except Exception as error:
-        speaks = isinstance(error, ArithmeticError) or (isinstance(error, ValueError) and not own)
-        if speaks and not isinstance(error, ZeroDivisionError | OverflowError):
-            raise
-        raise _located(error, file) from error
-
-
-def _located(error: Exception, file: str) -> CaseError:
-    frames = [f for f in traceback.extract_tb(error.__traceback__) if f.filename == file]
-    place = f"{Path(file).name}:{frames[-1].lineno}: {frames[-1].name}" if frames else file
-    return CaseError(f"{place}: {type(error).__name__}: {' '.join(str(error).split())}")
 
 
 def forget() -> None:
