@@ -1,7 +1,9 @@
 """Every example passes as it stands, and a mistake in its formula fails the row."""
 
+import importlib
 import json
 import os
+import re
 from pathlib import Path
 
 import pytest
@@ -9,6 +11,7 @@ import pytest
 from verify.app.cli import run
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
+GUIDE = EXAMPLES.parent / "docs" / "own_case.md"
 FORMULAS = {  # file without .py: row, the formula's last line, factors that the row must notice
     "curved_bar": ("stress at the inside", "return self.M * (self.r_n - self.r_i)", (0.98, 1.02)),
     "dunkerley": ("critical speed by Dunkerley", "return 1 / sqrt(terms)", (0.98, 1.02)),
@@ -46,3 +49,17 @@ def test_wrong_formula_fails(tmp_path, monkeypatch, name, factor):
     wrong = line.replace("return ", f"return {factor} * ")
     file.write_text(text.replace(line, wrong), encoding="utf-8")
     assert statuses(tmp_path, monkeypatch, file)[row] == "FAIL"
+
+
+def names_of(guide):
+    """Modules and what is inside them, as the guide names them."""
+    return set(re.findall(r"[`(]((?:verify|fem|meshes)\.[\w.]*\w)", guide))
+
+
+@pytest.mark.parametrize("name", sorted(names_of(GUIDE.read_text(encoding="utf-8"))))
+def test_what_the_guide_names_exists(name):
+    module, _, own = name.rpartition(".")
+    try:
+        importlib.import_module(name)
+    except ModuleNotFoundError:
+        assert hasattr(importlib.import_module(module), own)
