@@ -7,6 +7,8 @@ import pytest
 
 from analytic.rotor import clutch_uniform
 from fem.fourier.inertia import rigid_inertia
+from fem.rotor import fitted_speeds
+from fem.rotor.fitted_speeds import fitted, gradients
 from verify.cases.rotor.sprag import ensemble_fem, layout, solid_fem
 from verify.cases.rotor.sprag.case import SPRAG_ROTOR, SpragRotor
 from verify.cases.rotor.sprag.check_types import FittedTo, Share
@@ -43,6 +45,10 @@ def found():
 @pytest.fixture(scope="module")
 def members(found):
     return found.members
+
+
+def at(x):
+    return systems_fem(ensemble_fem.parameters(x))
 
 
 # Layout.
@@ -118,13 +124,10 @@ def test_matrices_of_all_members_at_once_are_those_of_the_assembled_rotors():
 
 
 def test_gradients_are_those_of_the_speeds():
-    _, shapes = systems_fem(ensemble_fem.parameters(ANYWHERE)).critical_speeds(3)
-    J = ensemble_fem.gradients_fem(ANYWHERE, shapes)
+    _, shapes = at(ANYWHERE).critical_speeds(3)
+    J = gradients(ANYWHERE, shapes, at)
     for i, step in enumerate(1e-4 * np.eye(12)):
-        up, down = (
-            np.log(systems_fem(ensemble_fem.parameters(x)).critical_speeds(3)[0])
-            for x in (ANYWHERE + step, ANYWHERE - step)
-        )
+        up, down = (np.log(at(x).critical_speeds(3)[0]) for x in (ANYWHERE + step, ANYWHERE - step))
         assert J[:, :, i] == pytest.approx((up - down) / 2e-4, rel=1e-5, abs=1e-6)
 
 
@@ -137,13 +140,13 @@ def test_stiffer_supports_raise_critical_speeds():
     up = ensemble_fem.parameters(ANYWHERE)
     up[:, layout.K_G] *= 1.01
     raised, _ = systems_fem(up).critical_speeds(3)
-    before, _ = systems_fem(ensemble_fem.parameters(ANYWHERE)).critical_speeds(3)
+    before, _ = at(ANYWHERE).critical_speeds(3)
     expected = np.log(raised / before) / np.log(1.01)
     assert J[:, :, layout.K_G] == pytest.approx(expected, rel=0.01, abs=1e-4)
 
 
 def test_the_central_system_is_where_the_middle_of_the_ranges_leads_to():
-    x, hit = ensemble_fem.calibrated_fem(np.full((1, 12), 0.5))
+    x, hit = fitted(np.full((1, 12), 0.5), PRINTED, at)
     assert hit.all()
     # six digits of it are kept
     assert ensemble_fem.parameters(x)[0] == pytest.approx(layout.CENTRAL, rel=5e-6)
@@ -166,7 +169,7 @@ def test_the_ensemble_is_the_same_every_time(members):
 
 
 def test_starts_that_miss_are_no_members(monkeypatch):
-    monkeypatch.setattr(ensemble_fem, "STEPS", 1)
+    monkeypatch.setattr(fitted_speeds, "STEPS", 1)
     monkeypatch.setattr(ensemble_fem, "MOST_BATCHES", 1)
     found = ensemble_fem.ensemble_fem(8)
     assert not found.kept.any()

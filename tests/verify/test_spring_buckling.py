@@ -7,12 +7,9 @@ import pytest
 
 from analytic.spring import column, stability
 from analytic.spring.elastica import Elastica
-from fem.beam import released
-from fem.beam.released import gives_way, linear_load
 from verify.cases.spring.buckling import formulas, reference
 from verify.cases.spring.buckling.case import BUCKLING, NOT_FOUND, BucklingSpring
 from verify.cases.spring.buckling.formulas import critical_point
-from verify.cases.spring.large_fem import spring_fem
 from verify.core.case import Context
 from verify.core.inputs import InputError, build
 from verify.core.results import Status
@@ -143,49 +140,6 @@ def test_wrong_finite_elements_turn_rows_red(owner, name, fault, row, monkeypatc
     (check,) = (c for c in BUCKLING.checks if c.name == row)
     rows = check.rows(Context(BUCKLING.id, q, BUCKLING.analytic(q), levels, True))
     assert rows[0].status is Status.FAIL
-
-
-SLENDER = {"b": 5e-5, "h": 0.056, "E": 206e9, "nu": 0.3, "per_arc": 4, "per_leaf": 2}
-
-
-@pytest.fixture
-def thin():
-    """A strip half as thick as the paper's, whose stiff and soft directions are furthest apart."""
-    return spring_fem(BucklingSpring().path | {"tail": "arc"}, **SLENDER)
-
-
-def test_the_head_s_stiffness_is_symmetric_though_nothing_makes_it_so(thin):
-    state = thin.compressed([1e-3])[0]
-    S, rounding = thin.head_stiffness(state)
-    assert (rounding / np.sqrt(abs(np.outer(np.diag(S), np.diag(S))))).max() < 1e-11
-
-
-def test_where_a_head_gives_way_does_not_depend_on_where_the_search_began(thin, monkeypatch):
-    found = []
-    for near in (0.8, 0.85, 0.9):
-        monkeypatch.setattr(released, "NEAR", near)
-        found.append(gives_way(thin, 5e-3)[0])
-    assert found == pytest.approx([found[0]] * 3, rel=1e-11)
-
-
-def test_two_searches_of_one_spring_give_the_same_digits(thin):
-    other = spring_fem(BucklingSpring().path | {"tail": "arc"}, **SLENDER)
-    assert gives_way(thin, 5e-3)[:2] == gives_way(other, 5e-3)[:2]
-    assert linear_load(thin) == linear_load(other)
-
-
-@pytest.mark.parametrize("tail", ["arc", "mid-leaf"])
-def test_a_spring_of_other_size_has_the_same_linear_load_to_its_rounding(tail):
-    """Lengths times 1.07 round everywhere else; the load grows with their square."""
-    loads = []
-    for size in (1.0, 1.07):
-        path = BucklingSpring().path | {"tail": tail}
-        larger = path | {k: path[k] * size for k in ("L1", "radius")}
-        strip = SLENDER | {"b": 5e-5 * size, "h": 0.056 * size, "per_arc": 16, "per_leaf": 8}
-        loads.append(linear_load(spring_fem(larger, **strip)))
-    one, other = loads
-    assert other[0] / 1.07**2 == pytest.approx(one[0], rel=1e-11)
-    assert one[1] < 1e-10 * one[0]
 
 
 ODD = [
