@@ -24,8 +24,8 @@ def sketch(q: FitFormulas) -> Sketch:
         f"{q.shown('p_i')} in the bore, {q.shown('p_o')} outside",
         sketches.ring(inner, 1.0), Shape(style="modelled", points=np.array(quarter)),
         sketches.circle(fit, "line"),
-        Shape(style="axis", points=np.array([[-1.12, 0.0], [1.12, 0.0]])),
-        Shape(style="axis", points=np.array([[0.0, -1.12], [0.0, 1.12]])),
+        sketches.arrow((-1.12, 0.0), (1.12, 0.0), style="axis"),
+        sketches.arrow((0.0, -1.12), (0.0, 1.12), style="axis"),
         _pressures(q, inner),
         (sketches.leader(polar(1.35, degrees), polar(at, degrees), f"{name} = {q.shown(name)}")
          for name, degrees, at in sizes),

@@ -28,15 +28,14 @@ def sketch(q: SlipFormulas) -> Sketch:
         "two equal half discs; the lower cut is fixed, the upper one driven along x and y",
         Shape(style="modelled", points=lower * (1, -1)),
         Shape(style="modelled", points=lower),
-        Shape(style="axis", points=np.array([[0.0, -1.3], [0.0, 1.3]])),
-        Shape(style="clamp", points=np.array([[1 + wall, -1.0], [-1 - wall, -1.0]])),
+        sketches.arrow((0.0, -1.3), (0.0, 1.3), style="axis"),
+        sketches.arrow((1 + wall, -1.0), (-1 - wall, -1.0), style="clamp"),
         sketches.arrow((0.0, 1.55), (0.0, 1.05), "P"),
         sketches.arrow((-1.6, 1.0), (-1.08, 1.0), "Q"),
         sketches.leader((1.5, 0.42), (0.05, 0.0), f"contact, a = {q.shown('a')}"),
         sketches.leader((1.5, -0.42), (0.02, -0.01), f"sticks to c = {q.shown('c')}"),
         sketches.leader((-1.5, -0.3), (-0.86, -0.5), f"R = {q.shown('R')}"),
-        Shape(style="text", points=np.array([[2.6, 0.0]])),
-        Shape(style="text", points=np.array([[-2.4, 0.0]])),
+        sketches.room(2.4, 2.6),
     )  # fmt: skip
 
 
