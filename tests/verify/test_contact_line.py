@@ -10,9 +10,9 @@ from analytic.contact import clamped_race, hertz_line, pair_series, shear_series
 from fem.contact import bodies, interface, pressed_line
 from fem.plane.material import Elastic
 from verify.cases.contact.line import flat, pair
-from verify.cases.contact.line.bodies import disc_fem
 from verify.cases.contact.line.flat import FLAT
 from verify.cases.contact.line.pair import PAIR
+from verify.cases.contact.line.reference import disc_fem
 from verify.cases.contact.line.ring import RING
 from verify.cases.registry import find
 from verify.core.results import Status

@@ -21,10 +21,11 @@ from analytic.contact.half_space_roller import RollerContact
 from fem.plane.material import Elastic
 from verify.cases.contact.roller import crowns, formulas, inputs
 from verify.cases.contact.roller.case import ROLLER
-from verify.cases.contact.roller.crowns import CROWNS, REFERENCES
+from verify.cases.contact.roller.crowns import CROWNS
 from verify.cases.contact.roller.flat import UNCROWNED
 from verify.cases.contact.roller.half_space import pressed
 from verify.cases.contact.roller.inputs import Crown, Roller, Tilt
+from verify.cases.contact.roller.profiles import even_crowns
 from verify.cases.contact.roller.tilted import TILTED
 from verify.cases.registry import find
 from verify.core.results import Status
@@ -164,8 +165,8 @@ def test_the_half_space_takes_neither_the_formulas_crowns_nor_their_tilt(monkeyp
         return [
             *(pressed(case.inputs(), 4).values for case in (ROLLER, TILTED, UNCROWNED)),
             *(
-                pressed(CROWNS.inputs(), 4, crown=gap(CROWNS.inputs())).values
-                for gap in REFERENCES.values()
+                pressed(CROWNS.inputs(), 4, crown=crown).values
+                for crown in even_crowns(CROWNS.inputs()).values()
             ),
             {k: v for k, v in CROWNS.reference(CROWNS.inputs(), 4).values.items() if v},
         ]

@@ -3,9 +3,10 @@
 import pytest
 
 from verify.cases.contact.roller.case import ROLLER
-from verify.cases.contact.roller.crowns import CROWNS, REFERENCES
+from verify.cases.contact.roller.crowns import CROWNS
 from verify.cases.contact.roller.half_space import pressed
 from verify.cases.contact.roller.inputs import ending
+from verify.cases.contact.roller.profiles import even_crowns
 from verify.cases.contact.roller.tilted import TILTED
 
 LEVEL = 20
@@ -29,8 +30,8 @@ def test_what_neighbouring_grids_differ_by_is_claimed_and_little(case):
 def test_so_it_is_for_crowns_of_an_even_pressure():
     q = CROWNS.inputs()
     found = CROWNS.reference(q, LEVEL)
-    for name, gap in REFERENCES.items():
-        beside = [pressed(q, LEVEL + step, crown=gap(q)).values for step in (-1, 1)]
+    for name, crown in even_crowns(q).items():
+        beside = [pressed(q, LEVEL + step, crown=crown).values for step in (-1, 1)]
         for key in ("p_mid", "delta", "F_d"):
             named = f"{key}{ending(name)}"
             value, claimed = found.values[named], found.u_it[named]

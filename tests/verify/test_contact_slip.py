@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 from analytic.contact import checks, hertz_line, partial_slip, tangential_cycle
-from fem.contact import active_sets, bodies, interface, solution
-from fem.contact import partial_slip as readings
+from fem.contact import active_sets, bodies, interface, slip_course, solution
 from fem.contact.friction_lcp import FrictionLcp
 from fem.plane.material import Elastic
 from verify.cases.contact.slip.case import SLIP, SlippingRollers
@@ -166,7 +165,7 @@ FEM_FAULTS = [
     pytest.param(solution.ContactSolution, "slips", lambda _: property(lambda self: 0 * self.w[
         self.interface.gaps.size:]), "cycle: both energies agree within 0.1 %",
                  id="slip of earlier steps forgotten"),
-    pytest.param(readings, "stick_share", lambda f: lambda touch: f(touch) + 0.004,
+    pytest.param(slip_course, "stick_share", lambda f: lambda touch: f(touch) + 0.004,
                  "stick half-width, Q/(μP) = 0.8", id="moments read wrongly"),
 ]  # fmt: skip
 

@@ -47,8 +47,8 @@ def straight(q: Any) -> Any:
 
 def fem_narrow_disc(q: Any, level: int) -> FemResult:
     """The widest contact's values in proportion to those of one a tenth as wide."""
-    from verify.cases.contact.line.bodies import disc_fem
     from verify.cases.contact.line.flat import WIDEST, key
+    from verify.cases.contact.line.reference import disc_fem
 
     e = WIDEST / NARROWER
     small, wide = q.at_ratio(e), q.at_ratio(WIDEST)
@@ -61,7 +61,7 @@ def fem_narrow_disc(q: Any, level: int) -> FemResult:
 
 def fem_narrow_unlike(q: Any, level: int) -> FemResult:
     """The same of unlike rollers."""
-    from verify.cases.contact.line.bodies import pair_fem
+    from verify.cases.contact.line.reference import pair_fem
 
     found = pair_fem(light(q.unlike()), level).values()
     # by Hertz the half-width and the pressure follow the root of the load

@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 
 from verify.case import AlongLine, Drawn, Level
-from verify.cases.contact.line.bodies import STATIONS, VIEW
 from verify.cases.contact.line.hertz import LineContact
+from verify.cases.contact.line.reference import STATIONS, VIEW
 from verify.core.case import Context
 from verify.core.figures import Array, Dots, Picture, Profile, Refinement
 from verify.judging.profile_checks import Points

@@ -23,9 +23,9 @@ from verify.case import (
 )
 from verify.cases.contact.expected import BLUNT, FLOOR, expected
 from verify.cases.contact.line import figures, sketches
-from verify.cases.contact.line.bodies import disc_fem, result
 from verify.cases.contact.line.hertz import PROFILE, at, l2_errors
 from verify.cases.contact.line.inputs import FlatInputs
+from verify.cases.contact.line.reference import disc_fem, result
 from verify.core.case import Context
 from verify.core.figures import Array, Picture, Sketch
 from verify.form.adapter import adapted

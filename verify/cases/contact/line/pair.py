@@ -15,8 +15,8 @@ from analytic.contact import hertz_line, hertz_line_approach
 from verify.case import Comparison, Level, Quantity, Scan, State, approximation, given, shared
 from verify.cases.contact.expected import expected
 from verify.cases.contact.line import sketches
-from verify.cases.contact.line.bodies import pair_fem, result
 from verify.cases.contact.line.hertz import at
+from verify.cases.contact.line.reference import pair_fem, result
 from verify.cases.contact.line.two_bodies import TwoBodies
 from verify.core.figures import Sketch
 from verify.form.adapter import adapted

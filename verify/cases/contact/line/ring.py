@@ -9,7 +9,7 @@ from analytic.bounds.contact.line import InRace
 from analytic.contact import clamped_race, hertz_line, hertz_line_approach
 from verify.case import Comparison, Level, Quantity, Scan, given
 from verify.cases.contact.line import sketches
-from verify.cases.contact.line.bodies import race_fem, result
+from verify.cases.contact.line.reference import race_fem, result
 from verify.cases.contact.line.two_bodies import TwoBodies
 from verify.core.figures import Sketch
 from verify.form.adapter import adapted

@@ -48,14 +48,14 @@ class RollerOnRace(CrownedRoller):
     def reference(self, level: int) -> Level:
         """The half-space under this crown and the best one, and a disc under the strips' load."""
         best = {"best_over_load": self._best_over_load()} if level == LEVELS[-1] else {}
-        return solve_crowns(self, level, self.best_design, self.lean,
-                            more=self.plane_at_middle(level), arrays=best)  # fmt: skip
+        more = self.plane_at_middle(level)
+        return solve_crowns(self, level, self.best_design, more=more, arrays=best)
 
     def plane_at_middle(self, level: int) -> dict[str, float]:
         """A disc of the relative radius on a rigid flat, plane strain, under the strips' load."""
         from analytic.contact.strips import press
-        from verify.cases.contact.line.bodies import disc_fem
         from verify.cases.contact.line.inputs import FlatInputs
+        from verify.cases.contact.line.reference import disc_fem
 
         gap = self.gap(self.centres)
         solved = press(gap, length=self.L, R=self.R, E_star=self.E_star, load=self.F)

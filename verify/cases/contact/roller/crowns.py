@@ -9,7 +9,7 @@ import numpy as np
 
 from analytic.contact.crown import johns_gohar, lundberg
 from verify.case import Comparison, Computed, Drawn, Level, Quantity, Scan, State
-from verify.cases.contact.roller import comparisons, figures, half_space, profiles, texts
+from verify.cases.contact.roller import comparisons, figures, half_space, texts
 from verify.cases.contact.roller.crown_claims import (
     AT_ENDS,
     MID,
@@ -21,6 +21,8 @@ from verify.cases.contact.roller.crown_figures import drawn
 from verify.cases.contact.roller.crowned import CrownedRoller
 from verify.cases.contact.roller.formulas import MIDDLE, StripRoller
 from verify.cases.contact.roller.inputs import DESIGNS, EVEN, Design, Divided, ending
+from verify.cases.contact.roller.profiles import even_crowns
+from verify.cases.contact.roller.profiles import gap as gap_again
 from verify.cases.contact.window import named
 from verify.core.case import Check
 from verify.core.figures import Array, Picture, Sketch
@@ -28,7 +30,6 @@ from verify.core.references import BY_HALF_SPACE
 from verify.form.adapter import adapted
 from verify.judging.tolerance_checks import SUBJECT, suites
 
-REFERENCES = {"Lundberg": profiles.lundberg, "Johns": profiles.johns_gohar}
 NEAR_END = 0.1e-3  # m, nearly the half-width, from the ends
 FAR = 5.0  # half-widths from the ends, up to which an even pressure is one
 BESIDE = "strips, as the finer model, with their acceptance figure of 0.3 %"
@@ -101,8 +102,8 @@ class ComparedCrowns(Divided, StripRoller):
         u_it: dict[str, float] = {}
         arrays: dict[str, Array] = {}
         fields = []
-        for name, gap in REFERENCES.items():
-            crown, end = gap(self), ending(name)
+        for name, crown in even_crowns(self).items():
+            end = ending(name)
             found = half_space.pressed(self, level, crown=crown)
             beside = half_space.stair(self, found, level, crown=crown)
             even = np.sqrt(self.F / self.L * self.E_star / (np.pi * self.R))
@@ -113,8 +114,8 @@ class ComparedCrowns(Divided, StripRoller):
             arrays |= named(half_space.along(found), end)
             fields.append(half_space.patch(found, name))
         for design in DESIGNS:
-            crown, end = profiles.logarithmic(self, design, self.F), f"_of_{design!s}"
-            found = half_space.pressed(self, level, crown=crown)
+            end = f"_of_{design!s}"
+            found = half_space.pressed(self, level, crown=gap_again(self, design))
             near = float(found.beyond(NEAR_END).max())
             values |= named({"p_max": found.values["p_max"], "uneven": found.unevenness,
                              "near": near}, end)  # fmt: skip

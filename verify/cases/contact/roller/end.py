@@ -24,7 +24,7 @@ from verify.case import (
 )
 from verify.cases.contact.roller import end_figures
 from verify.cases.contact.roller.comparisons import estimated
-from verify.cases.contact.roller.end_fem import CROWNS, solve
+from verify.cases.contact.roller.end_fem import CROWNS, solve_fem
 from verify.cases.contact.roller.end_figures import BODIES
 from verify.cases.contact.roller.formulas import MIDDLE
 from verify.cases.contact.roller.inputs import Crown
@@ -154,7 +154,7 @@ class EndFace(Crown):
 
     def reference(self, level: int) -> Level:
         """Bodies of revolution, harmonic by harmonic."""
-        return solve(self, level)
+        return solve_fem(self, level)
 
     def comparisons(self) -> Iterator[Comparison]:
         """Hertz at mid-length, what a half-space costs at the ends, the edge's sharpness."""

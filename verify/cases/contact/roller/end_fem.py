@@ -23,7 +23,7 @@ DEEP = 0.4  # of the half-width, the first cell at the end of the contact along 
 EDGE = 1e-3  # distance from the ring's edge over its radius at which its slope is taken
 
 
-def solve(q: "EndFace", level: int) -> Level:
+def solve_fem(q: "EndFace", level: int) -> Level:
     """Roller with its end face and one that goes on, without and with the crown; the edge."""
     from fem.fourier.shrunk import edge_slope
 

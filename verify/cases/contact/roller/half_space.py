@@ -67,12 +67,11 @@ def result(
 
 
 def solve_crowns(
-    q: Roller, level: int, best: Design, tilt: float, *, more: Mapping[str, float],
-    arrays: Mapping[str, Array],
+    q: Roller, level: int, best: Design, *, more: Mapping[str, float], arrays: Mapping[str, Array]
 ) -> FemResult:  # fmt: skip
     """One level, with `more` values and `arrays`; the best crown is made for F."""
     found = pressed(q, level)
-    crown = profiles.tilted(profiles.logarithmic(q, best, q.F), np.tan(tilt))
+    crown = profiles.gap(q, best)
     other = pressed(q, level, crown=crown)
     u_best = stair(q, other, level, crown=crown)["p_top"]
     u_it = stair(q, found, level) | {"p_best": u_best}

@@ -1,6 +1,6 @@
 """Gaps of rollers as the reference takes them, from the second writing of the crowns."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -10,40 +10,27 @@ if TYPE_CHECKING:
     from analytic.contact.crown_again import Gap
 
 
-def gap(q: Roller) -> "Gap":
-    """Height over the race at y: of the crown where there is one, and of the tilt."""
+def gap(q: Roller, design: Design | None = None) -> "Gap":
+    """Height over the race at y: of the crown where there is one, and of the tilt.
+
+    A `design` that is made for F takes the place of the roller's own crown.
+    """
+    from analytic.contact import crown_again
+
     crown: Gap = np.zeros_like
-    if isinstance(q, Crown):
-        crown = logarithmic(q, Design(q.K_1, q.K_2, q.z_m), q.Q)
-    return tilted(crown, np.tan(q.theta) if isinstance(q, Tilt) else 0.0)
-
-
-def tilted(crown: "Gap", slope: float) -> "Gap":
-    """A crown whose axis has a slope."""
+    load = q.F
+    if design is None and isinstance(q, Crown):
+        design, load = Design(q.K_1, q.K_2, q.z_m), q.Q
+    if design is not None:
+        crown = crown_again.logarithmic(**design._asdict(), load=load, length=q.L, E_star=q.E_star)
+    slope = np.tan(q.theta) if isinstance(q, Tilt) else 0.0
     return lambda y: np.asarray(crown(y) - slope * y)
 
 
-def logarithmic(q: Roller, design: Design, load: float) -> "Gap":
-    """Eq. 1 with a design's K_1, K_2 and z_m."""
+def even_crowns(q: Roller) -> "dict[str, Gap]":
+    """The crowns for an even pressure under F, by their names in results."""
     from analytic.contact import crown_again
 
-    return crown_again.logarithmic(**design._asdict(), load=load, **sizes(q))
-
-
-def lundberg(q: Roller) -> "Gap":
-    """Lundberg's crown for F."""
-    from analytic.contact import crown_again
-
-    return crown_again.lundberg(load=q.F, **sizes(q))
-
-
-def johns_gohar(q: Roller) -> "Gap":
-    """Johns and Gohar's crown for F."""
-    from analytic.contact import crown_again
-
-    return crown_again.johns_gohar(load=q.F, half_width=q.b, **sizes(q))
-
-
-def sizes(q: Roller) -> dict[str, Any]:
-    """What all crowns take."""
-    return {"length": q.L, "E_star": q.E_star}
+    law = {"load": q.F, "length": q.L, "E_star": q.E_star}
+    return {"Lundberg": crown_again.lundberg(**law),
+            "Johns": crown_again.johns_gohar(**law, half_width=q.b)}  # fmt: skip

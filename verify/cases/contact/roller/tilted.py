@@ -59,7 +59,7 @@ class TiltedRoller(Tilt, CrownedRoller):
     def reference(self, level: int) -> Level:
         """The tilted roller on the half-space, with this crown and the best one."""
         best = {"best_over_tilt": self._best_over_tilt()} if level == LEVELS[-1] else {}
-        return solve_crowns(self, level, self.best_design, self.lean, more={}, arrays=best)
+        return solve_crowns(self, level, self.best_design, more={}, arrays=best)
 
     def _best_over_tilt(self) -> Array:
         """Peak of the best crown for each tilt over Hertz's pressure of an even load."""

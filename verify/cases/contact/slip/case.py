@@ -23,7 +23,7 @@ from verify.cases.contact.slip.claims import (
     Traction,
     l2_margin,
     neglected,
-    step_order,
+    step_order_fem,
     two_ways,
 )
 from verify.cases.contact.slip.formulas import SlipFormulas
@@ -100,7 +100,7 @@ class SlippingRollers(SlipFormulas):
             everywhere=True,
         )  # fmt: skip
         yield Comparison(check=energies)
-        yield fact("cycle: order of the loop's area in its steps above 1.8", "p", step_order)
+        yield fact("cycle: order of the loop's area in its steps above 1.8", "p", step_order_fem)
         yield from self._balances()
 
     def _traction(self, q: Quantity, name: str, at: float) -> Comparison:

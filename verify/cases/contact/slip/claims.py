@@ -76,7 +76,7 @@ def two_ways(context: Context) -> Pair:
     return Pair(area, work, 2 * u, f"apart by {area / work - 1:+.2g}")
 
 
-def step_order(context: Context) -> tuple[float, float]:
+def step_order_fem(context: Context) -> tuple[float, float]:
     """Order above 1.8 in which straight lines between steps approach the loop's area.
 
     What Simpson's rule leaves of the difference is the mesh's own jitter, and uncertain.

@@ -5,9 +5,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from verify.cases.contact.line.bodies import disc_fem, pair_fem
 from verify.cases.contact.line.flat import FLAT
 from verify.cases.contact.line.pair import PAIR
+from verify.cases.contact.line.reference import disc_fem, pair_fem
 from verify.cases.contact.press_fit.case import PressFit
 from verify.cases.contact.press_fit.inputs import FITS, Fit
 from verify.cases.contact.press_fit.reference import read, solve_fit

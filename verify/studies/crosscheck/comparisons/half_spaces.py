@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 
 from verify.cases.contact.roller.case import ROLLER
-from verify.cases.contact.roller.crowns import CROWNS, REFERENCES
+from verify.cases.contact.roller.crowns import CROWNS
 from verify.cases.contact.roller.flat import UNCROWNED
 from verify.cases.contact.roller.half_space import pressed
 from verify.cases.contact.roller.inputs import EVEN
-from verify.cases.contact.roller.profiles import gap
+from verify.cases.contact.roller.profiles import even_crowns, gap
 from verify.cases.contact.roller.tilted import TILTED
 from verify.cases.contact.sphere.case import Spheres
 from verify.core.figures import Array
@@ -47,6 +47,11 @@ def roller(case: Any, crown: Callable[[Any], Callable[[Array], Array]] = gap) ->
 
     question = asked(shape, own.cell, q.E_star, q.F)
     return posed(question, read(own.pressure), seconds, read)
+
+
+def even(name: str) -> Callable[[Any], Callable[[Array], Array]]:
+    """The crown of that name for an even pressure, of any roller."""
+    return lambda q: even_crowns(q)[name]
 
 
 def sphere() -> Posed:
@@ -125,13 +130,13 @@ HALF_SPACES = (
         Cross(
             id=f"contact-roller-crowns, {name}", case="contact-roller-crowns", solver=TAMAAS,
             what=f"a roller with {EVEN[name]} on a half-space",
-            pose=partial(roller, CROWNS, REFERENCES[name]),
+            pose=partial(roller, CROWNS, even(name)),
             quantities=(
                 quantity("mid", "p", "MPa", f"{AT_MIDDLE}, {EVEN[name]}"),
                 quantity("largest", "p", "MPa"), quantity("q mid", "q", "N/mm"),
             ),
         )
-        for name in REFERENCES
+        for name in EVEN
     ),
     Cross(
         id="contact-sphere, half-space", case="contact-sphere", solver=TAMAAS,

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from verify.cases.contact.line.bodies import race_fem
+from verify.cases.contact.line.reference import race_fem
 from verify.cases.contact.line.ring import RollerInRace
 from verify.studies.crosscheck.clock import timed
 from verify.studies.crosscheck.comparisons.touching import (
