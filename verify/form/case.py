@@ -140,7 +140,18 @@ class Case(Inputs):
     def at(self, **changes: float) -> Self:
         """The same case with other inputs, validated [SI units]."""
         inputs = {name: getattr(self, name) for name in type(self).model_fields}
-        return type(self)(**(inputs | changes))
+        states = {n: v for n, v in vars(self).items() if n in type(self).__class_vars__}
+        return type(self)(**(inputs | changes)).variant(**states)
+
+    def variant(self, **attributes: Any) -> Self:
+        """The same inputs with other class attributes that formulas read, such as the ends.
+
+        ValueError where the class has no such attribute.
+        """
+        if unknown := attributes.keys() - type(self).__class_vars__:
+            name = ", ".join(sorted(unknown))
+            raise ValueError(f"{type(self).__name__} has no class attribute {name}")
+        return self.model_copy(update=attributes)
 
     def shown(self, name: str, digits: int = 4) -> str:
         """An input or a quantity in its unit, for sentences: "76 mm"."""

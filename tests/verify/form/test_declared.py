@@ -3,6 +3,7 @@
 import pickle
 from collections.abc import Iterator
 from math import log, pi
+from typing import ClassVar
 
 import numpy as np
 import pytest
@@ -463,3 +464,16 @@ def test_an_input_may_be_called_levels():
 
     assert list(Factorial.model_fields) == ["n", "levels"]
     assert (Factorial().levels, adapted(Factorial).levels) == (5, (1, 2, 3, 4))
+
+
+def test_a_variant_has_other_class_attributes_also_at_other_inputs():
+    class Ended(Rod):
+        ends: ClassVar[str] = "plane stress"
+
+    strained = Ended().variant(ends="plane strain")
+    assert (Ended().ends, strained.ends, strained.at(d=20e-3).ends) == (
+        "plane stress", "plane strain", "plane strain",
+    )  # fmt: skip
+    assert strained.at(d=20e-3).d == 20e-3
+    with pytest.raises(ValueError, match="Ended has no class attribute end$"):
+        Ended().variant(end="plane strain")

@@ -58,7 +58,7 @@ class Rollers(Case):
 
     def loaded_by(self, load: Load) -> Self:
         """The same clutch where N is N_0, or at the angle psi that is given."""
-        return self.model_copy(update={"load": load})
+        return self.variant(load=load)
 
 
 class Star(Rollers):

@@ -101,7 +101,7 @@ class LineContact(Case):
 
     def under(self, P: float) -> Self:
         """The same bodies under another load per length [N/m]."""
-        return self.model_copy(update={"line_load": P})
+        return self.variant(line_load=P)
 
     def check_load(self, sizes: str) -> None:
         """ValueError where the contact would be as wide as the bodies."""

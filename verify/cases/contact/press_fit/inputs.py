@@ -89,7 +89,7 @@ class FitInputs(Case):
 
     def of(self, fit: Fit) -> Self:
         """The same inputs for other walls or ends."""
-        return self.model_copy(update={"walls": fit.walls, "ends": fit.ends})
+        return self.variant(walls=fit.walls, ends=fit.ends)
 
     @property
     def bore(self) -> float:

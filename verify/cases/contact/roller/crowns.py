@@ -89,7 +89,7 @@ class ComparedCrowns(Divided, StripRoller):
 
     def with_crown(self, name: str) -> Self:
         """The roller with one of the crowns for an even pressure."""
-        return self if name == self.crown else self.model_copy(update={"crown": name})
+        return self if name == self.crown else self.variant(crown=name)
 
     def designed(self, design: Design) -> CrownedRoller:
         """The roller with one of the paper's crowns, Q = F."""

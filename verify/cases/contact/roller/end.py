@@ -145,7 +145,7 @@ class EndFace(Crown):
     @shared
     def flat(self) -> Self:
         """The roller without its crown."""
-        return self.model_copy(update={"crown": "flat"})
+        return self.variant(crown="flat")
 
     @shared
     def states(self) -> tuple[State, State]:

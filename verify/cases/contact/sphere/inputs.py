@@ -63,7 +63,7 @@ class SphereInputs(Case):
 
     def of(self, pair: Pair) -> Self:
         """The same inputs for one of both contacts."""
-        return self.model_copy(update={"pair": pair})
+        return self.variant(pair=pair)
 
     @property
     def spheres(self) -> tuple[Sphere, Sphere]:

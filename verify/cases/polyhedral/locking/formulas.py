@@ -93,12 +93,12 @@ class LockedFormulas(PolygonSeries, LockingInputs):
     @shared
     def alone(self) -> Self:
         """The same under pressure alone."""
-        return self.model_copy(update={"pushed": False})
+        return self.variant(pushed=False)
 
     @shared
     def soft(self) -> Self:
         """The same under pressure alone, rollers as elastic as the ring."""
-        return self.model_copy(update={"pushed": False, "elastic": True})
+        return self.variant(pushed=False, elastic=True)
 
     @shared
     def hub(self) -> HubForce:

@@ -168,7 +168,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
 
     def as_wide(self) -> Self:
         """The same ring in plane strain."""
-        return self.model_copy(update={"ends": "plane strain"})
+        return self.variant(ends="plane strain")
 
     def reference(self, level: int) -> Level:
         """Half a sector under pressure in its bore, and under the hub's force."""

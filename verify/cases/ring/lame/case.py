@@ -151,7 +151,7 @@ class Ring(Case):
 
     def as_long(self) -> Self:
         """The same ring in plane strain."""
-        return self.model_copy(update={"ends": "plane strain"})
+        return self.variant(ends="plane strain")
 
     def reference(self, level: int) -> Level:
         """Quarters in plane stress and plane strain, and one with straight edges."""

@@ -162,7 +162,7 @@ class RotatingRace(Case):
 
     def as_long(self) -> Self:
         """The same race in plane strain."""
-        return self.model_copy(update={"ends": "plane strain"})
+        return self.variant(ends="plane strain")
 
     def reference(self, level: int) -> Level:
         """Quarters in plane stress and plane strain under centrifugal forces."""

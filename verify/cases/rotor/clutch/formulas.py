@@ -132,7 +132,7 @@ class ClutchStiffness(SpragLink):
     @shared
     def in_state(self) -> dict[str, Self]:
         """The clutch in all states, by key."""
-        found = {key: self.model_copy(update=dict.fromkeys(parts, True))
+        found = {key: self.variant(**dict.fromkeys(parts, True))
                  for key, (parts, _) in UNEVEN.items() if key}  # fmt: skip
         return {"": self, **found}
 

@@ -103,17 +103,17 @@ class BeamTheories(TurningShaft):
     @shared
     def euler(self) -> Self:
         """Without rotary inertia and shear."""
-        return self.model_copy(update={"theory": "euler"})
+        return self.variant(theory="euler")
 
     @shared
     def rayleigh(self) -> Self:
         """With rotary inertia."""
-        return self.model_copy(update={"theory": "rayleigh"})
+        return self.variant(theory="rayleigh")
 
     @shared
     def exact(self) -> Self:
         """By three-dimensional elasticity."""
-        return self.model_copy(update={"theory": "elasticity"})
+        return self.variant(theory="elasticity")
 
     @shared
     def slender(self) -> Self:

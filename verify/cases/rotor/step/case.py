@@ -104,12 +104,12 @@ class SteppedBeam(SteppedShaft):
     @shared
     def by_rule(self) -> Self:
         """The same shaft with the stiffness of the 45° rule."""
-        return self.model_copy(update={"cone": True})
+        return self.variant(cone=True)
 
     @shared
     def _coarse(self) -> Self:
         """With half as many slices in the cones, whose error of second order is four times it."""
-        return self.model_copy(update={"cone": True, "slices": SLICES // 2})
+        return self.variant(cone=True, slices=SLICES // 2)
 
     def _slice_error(self, j: int) -> float:
         """What slices leave of mode j by the 45° rule, over it."""

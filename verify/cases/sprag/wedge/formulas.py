@@ -40,7 +40,7 @@ class WedgeFormulas(WedgeInputs, Case):
 
     def at_share(self, share: float) -> Self:
         """The same clutch under `share` of a rigid one's normal force in place of T."""
-        return self.model_copy(update={"share": share})
+        return self.variant(share=share)
 
     @shared
     def part(self) -> WedgeInputs:

@@ -112,7 +112,7 @@ class AccordionSpring(FreeStage):
 
     def held(self, ends: Ends) -> Self:
         """The same spring with other ends."""
-        return self.model_copy(update={"ends": ends})
+        return self.variant(ends=ends)
 
     def reference(self, level: int) -> Level:
         """Frames of straight and of curved elements with all ends."""

@@ -190,7 +190,7 @@ class BucklingFormulas(BucklingInputs, Case):
 
     def held(self, tail: frame.Tail) -> Self:
         """The same spring with its tail held elsewhere."""
-        return self.model_copy(update={"tail": tail})
+        return self.variant(tail=tail)
 
     def warnings(self) -> Iterator[str]:
         """What a working force asks of the head, and what formulas do not find."""
