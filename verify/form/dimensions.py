@@ -1,13 +1,13 @@
 """Whether the equation of a quantity gives what its unit states: a length, a stress, a speed."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 from verify.core import units
-from verify.core.inputs import kind_of, meta
 from verify.form import tex as equations
 from verify.form.case import Case
 from verify.form.code_tex import tex_of
+from verify.form.equations import declared
 from verify.form.quantity import Quantity
 
 Powers = frozenset[tuple[str, float]]
@@ -108,25 +108,13 @@ def check(case: Case) -> None:
     """CaseError for the first equation of declared symbols that does not give its unit."""
     symbols: dict[str, str] = {}
     known: dict[str, Dimension] = {}
-    for name, symbol, unit in _declared(case):
-        symbols[name] = as_tex = equations.symbol_tex(symbol)
-        known.setdefault(as_tex, Dimension(powers_of(unit)))
+    for one in declared(case):
+        symbols[one.name] = one.tex
+        known.setdefault(one.tex, Dimension(powers_of(one.unit)))
     for q in case.quantities():
         tex = "" if q.fitted else q.tex or tex_of(q.formula, symbols)
         if fault := _fault(q, known, tex):
             raise q.broken(fault)
-
-
-def _declared(case: Case) -> Iterator[tuple[str, str, str]]:
-    """Name, symbol and unit of inputs, quantities and those of compared states; no number."""
-    for name, field in type(case).model_fields.items():
-        if meta(field)["symbol"] and kind_of(field) in (int, float):
-            yield name, meta(field)["symbol"], meta(field)["unit"]
-    for q in case.quantities():
-        yield q.name, q.symbol, q.unit
-    for one in case.stated():
-        if one.quantity and one.state:
-            yield one.key, one.state.symbol.format(one.quantity.symbol), one.quantity.unit
 
 
 def _fault(q: Quantity, known: Mapping[str, Dimension], tex: str) -> str:

@@ -1,6 +1,8 @@
 """The equation of a quantity with its numbers, checked against the code of its formula."""
 
 import math
+from collections.abc import Callable, Iterator
+from functools import partial
 from typing import NamedTuple
 
 from verify.core import units
@@ -15,18 +17,22 @@ SAME = 1e-9  # relative difference of an equation and the code of its formula
 DIGITS, INPUT_DIGITS = 6, 10  # significant: inputs are displayed as they are given
 
 
+class Symbol(NamedTuple):
+    """A symbol as TeX, with its unit; its SI value is a number, or something else, or None."""
+
+    name: str
+    tex: str
+    unit: str
+    digits: int
+    value: Callable[[], object]
+
+
 class Symbols(NamedTuple):
     """TeX of a case's symbols by attribute; SI values and numbers with units by TeX."""
 
     tex: dict[str, str]
     values: dict[str, float]
     numbers: dict[str, str]
-
-    def add(self, name: str, symbol: str, value: float, unit: str, digits: int) -> None:
-        """Another symbol, or another value of one."""
-        self.tex[name] = symbol
-        self.values[symbol] = value
-        self.numbers[symbol] = equations.with_unit(value / units.factor(unit), unit, digits)
 
 
 def stated(case: Case) -> tuple[Equation, ...]:
@@ -36,23 +42,29 @@ def stated(case: Case) -> tuple[Equation, ...]:
     return tuple(one for one in found if one is not None)
 
 
-def symbols_of(case: Case) -> Symbols:
-    """The symbols of inputs and quantities; of forms of one quantity the first that is declared.
-
-    Those of a compared state are there, too, where it has symbols different from these.
-    """
-    found = Symbols({}, {}, {})
-    fields = type(case).model_fields
-    inputs = ((name, meta(field)["symbol"], meta(field)["unit"]) for name, field in fields.items())
-    for name, symbol, unit in (*inputs, *((q.name, q.symbol, q.unit) for q in case.present())):
-        value, as_tex = getattr(case, name), equations.symbol_tex(symbol)
-        if as_tex and isinstance(value, int | float) and as_tex not in found.values:
-            found.add(name, as_tex, value, unit, INPUT_DIGITS if name in fields else DIGITS)
+def declared(case: Case) -> Iterator[Symbol]:
+    """The symbols of inputs, of quantities, and of compared states that have their own."""
+    as_tex = equations.symbol_tex
+    for name, field in type(case).model_fields.items():
+        symbol, unit = meta(field)["symbol"], meta(field)["unit"]
+        if symbol:
+            yield Symbol(name, as_tex(symbol), unit, INPUT_DIGITS, partial(getattr, case, name))
+    for q in case.quantities():
+        yield Symbol(q.name, as_tex(q.symbol), q.unit, DIGITS, partial(q.of, case))
     for one in case.stated():
-        if one.quantity and one.state and one.state.case and one.state.symbol != "{}":
-            value, unit = getattr(one.state.case, one.quantity.name), one.quantity.unit
-            as_tex = equations.symbol_tex(one.state.symbol.format(one.quantity.symbol))
-            found.add(one.key, as_tex, value, unit, DIGITS)
+        judged, state = one.quantity, one.state
+        if judged and state and state.case and state.symbol != "{}":
+            symbol = as_tex(state.symbol.format(judged.symbol))
+            yield Symbol(one.key, symbol, judged.unit, DIGITS, partial(judged.of, state.case))
+
+
+def symbols_of(case: Case) -> Symbols:
+    """The symbols that have a number; of forms of one quantity the first that is declared."""
+    found = Symbols({}, {}, {})
+    for name, tex, unit, digits, of in declared(case):
+        if tex not in found.values and isinstance(value := of(), int | float):
+            found.tex[name], found.values[tex] = tex, value
+            found.numbers[tex] = equations.with_unit(value / units.factor(unit), unit, digits)
     return found
 
 
