@@ -1,27 +1,18 @@
-"""What Hertz's line contact leaves out of bodies that are no half planes and circles no parabolas.
+"""What Hertz's line contact leaves out of a disc between rigid flats.
 
-Each method gives his signed error and how far that may be off, from sizes, materials and his
-half-width a: coefficients of `disc_series`, `pair_series` and `shear_series`. The next terms, of
-which no coefficient is known, count once; e is a over the smallest length. Range: small e, no
-friction, plane strain.
+Each estimate is his signed error and how far that may be off, from his half-width a over the radius
+R: coefficients of `disc_series` and `shear_series`. The next terms, of which no coefficient is
+known, count once. Range: small a/R, no friction, plane strain.
 """
 
 from dataclasses import dataclass
-from functools import cached_property
-from math import pi
 
 import numpy as np
 
 from analytic.bounds.contact.estimate import Estimate
-from analytic.contact import pair_series, shear_series
-from analytic.contact.checks import Assumption
-from analytic.contact.partial_slip import dundurs_beta
+from analytic.contact import shear_series
 
-PRESSURE, WIDTH, APPROACH = -3 / 16, 1 / 4, -9 / 16  # of (a/R)², by which Hertz errs on a flat
-# of what unlike materials couple, as in `pair_series`
-COUPLED_PRESSURE = -(2 * pair_series.CATALAN - 1 / 3) / pi
-COUPLED_WIDTH = 64 / (45 * pi)
-PLANE: Assumption = "plane strain"
+PRESSURE, WIDTH, APPROACH = -3 / 16, 1 / 4, -9 / 16  # of (a/R)², by which Hertz errs
 
 
 @dataclass(frozen=True)
@@ -53,140 +44,13 @@ class OnFlat:
     @property
     def shear(self) -> Estimate:
         """Of the largest shear stress: the opposite flat and the circle; (a/R)² counts once."""
-        return _of_shear(a=self.ratio, R=1.0, inclined=0.0, slack=self.ratio**2)
+        return of_shear(a=self.ratio, R=1.0, inclined=0.0, slack=self.ratio**2)
 
     def _second_order(self, coefficient: float) -> Estimate:
         return Estimate(coefficient * self.ratio**2, self.ratio**4)
 
 
-@dataclass(frozen=True, kw_only=True)
-class TwoBodies:
-    """A roller of the radius R_1 above a body of the radius R_2, negative for a bore."""
-
-    a: float
-    R_1: float
-    R_2: float
-    E_1: float
-    nu_1: float
-    E_2: float
-    nu_2: float
-
-    @property
-    def materials(self) -> dict[str, float]:
-        """Moduli and Poisson's ratios."""
-        return {"E_1": self.E_1, "nu_1": self.nu_1, "E_2": self.E_2, "nu_2": self.nu_2}
-
-    @cached_property
-    def kappa(self) -> float:
-        """Curvature of the surface on which the bodies meet [1/m]."""
-        return pair_series.meeting_curvature(
-            R_1=self.R_1, R_2=self.R_2, **self.materials, assumption=PLANE
-        )
-
-
-@dataclass(frozen=True, kw_only=True)
-class OfDiscs(TwoBodies):
-    """Two discs, each pressed from both sides."""
-
-    @property
-    def e(self) -> float:
-        """A over the smaller radius [1]."""
-        return self.a / min(self.R_1, self.R_2)
-
-    @cached_property
-    def series(self) -> tuple[pair_series.Excess, pair_series.Excess]:
-        """Excess of true pressure and half-width over Hertz's."""
-        sizes = {"a": self.a, "R_1": self.R_1, "R_2": self.R_2}
-        return pair_series.excess(**sizes, **self.materials, assumption=PLANE)
-
-    @property
-    def coupled(self) -> float:
-        """What unlike materials couple [1], of first order."""
-        return abs(self.series[0].first) + abs(self.series[1].first)
-
-    @property
-    def pressure(self) -> Estimate:
-        """Of the peak pressure: the series.
-
-        The square of its terms and the first-order one times a/R count once.
-        """
-        return self._second_order(self.series[0])
-
-    @property
-    def width(self) -> Estimate:
-        """Of the half-width."""
-        return self._second_order(self.series[1])
-
-    @property
-    def bounded(self) -> tuple[Estimate, Estimate]:
-        """Of pressure and half-width: the series and the bound of what it leaves out."""
-        sizes = {"a": self.a, "R_1": self.R_1, "R_2": self.R_2}
-        slack = pair_series.left_out(**sizes, **self.materials, assumption=PLANE)
-        p, w = (Estimate(1 / (1 + one.total) - 1, slack) for one in self.series)
-        return p, w
-
-    @property
-    def approach(self) -> Estimate:
-        """Of the approach: half of e², as its brackets are 4 and more, and what is coupled."""
-        return Estimate(0.0, self.e**2 / 2 + self.coupled)
-
-    @property
-    def shear(self) -> Estimate:
-        """Of the largest shear stress; e² and what is coupled count once.
-
-        Of equal discs it is 0.57 e².
-        """
-        inclined, slack = self.kappa * self.a, self.e**2 + self.coupled
-        return _of_shear(a=self.a, R=self.R_1, inclined=inclined, slack=slack)
-
-    def _second_order(self, excess: pair_series.Excess) -> Estimate:
-        slack = (self.coupled + self.e**2) ** 2 + self.coupled * self.e
-        return Estimate(1 / (1 + excess.total) - 1, slack)
-
-
-@dataclass(frozen=True, kw_only=True)
-class InRace(TwoBodies):
-    """A roller in the bore of a race of the thickness `wall`, whose rim is held."""
-
-    wall: float
-
-    @property
-    def small(self) -> float:
-        """(a/R)² + (a/wall)²: what curvature and the held rim change, each counted once."""
-        return float((self.a / self.R_1) ** 2 + (self.a / self.wall) ** 2)
-
-    @property
-    def coupled(self) -> float:
-        """What unlike materials couple [1], of first order."""
-        return float(dundurs_beta(**self.materials, assumption=PLANE)) * self.kappa * self.a
-
-    @property
-    def pressure(self) -> Estimate:
-        """Of the peak pressure."""
-        return self._coupled(COUPLED_PRESSURE)
-
-    @property
-    def width(self) -> Estimate:
-        """Of the half-width."""
-        return self._coupled(COUPLED_WIDTH)
-
-    @property
-    def approach(self) -> Estimate:
-        """Of the approach: half of `small`, as its brackets are 2 and more."""
-        return Estimate(0.0, self.small / 2 + abs(self.coupled))
-
-    @property
-    def shear(self) -> Estimate:
-        """Of the largest shear stress; `small` and what is coupled count once."""
-        inclined, slack = self.kappa * self.a, self.small + abs(self.coupled)
-        return _of_shear(a=self.a, R=self.R_1, inclined=inclined, slack=slack)
-
-    def _coupled(self, factor: float) -> Estimate:
-        slack = self.small + abs(self.coupled) * self.a / min(self.R_1, self.wall)
-        return Estimate(1 / (1 + factor * self.coupled) - 1, slack)
-
-
-def _of_shear(*, a: float, R: float, inclined: float, slack: float) -> Estimate:
+def of_shear(*, a: float, R: float, inclined: float, slack: float) -> Estimate:
     """Both first-order terms of a shear stress: of a disc on a flat, of `inclined` pressure."""
     first = float(shear_series.shear_excess(a=a, R=R))
     first += shear_series.tilted_shear_excess(inclined)

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from analytic.bounds.contact import point, roller, slip
-from analytic.bounds.contact.line import InRace, OfDiscs, OnFlat
+from analytic.bounds.contact.line import OnFlat
+from analytic.bounds.contact.line_bodies import InRace, OfDiscs
 from analytic.contact import disc_stress, hertz_line_stress, hertz_point, sphere_series
 from analytic.contact.disc import disc_in_contact
 

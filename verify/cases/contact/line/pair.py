@@ -10,7 +10,7 @@ from typing import ClassVar, Self
 
 from pydantic import model_validator
 
-from analytic.bounds.contact.line import OfDiscs
+from analytic.bounds.contact.line_bodies import OfDiscs
 from analytic.contact import hertz_line, hertz_line_approach
 from verify.case import Comparison, Level, Quantity, Scan, State, approximation, given, shared
 from verify.cases.contact.expected import expected

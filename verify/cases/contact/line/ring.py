@@ -5,7 +5,7 @@ from typing import ClassVar, Self
 
 from pydantic import model_validator
 
-from analytic.bounds.contact.line import InRace
+from analytic.bounds.contact.line_bodies import InRace
 from analytic.contact import clamped_race, hertz_line, hertz_line_approach
 from verify.case import Comparison, Level, Quantity, Scan, given
 from verify.cases.contact.line import sketches

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from analytic.bounds.contact.line import InRace, OfDiscs
+from analytic.bounds.contact.line_bodies import InRace, OfDiscs
 from analytic.contact import hertz_line
 from verify.case import AlongLine, Comparison, Drawn, Quantity, approximation, given
 from verify.cases.contact.expected import BLUNT, expected
