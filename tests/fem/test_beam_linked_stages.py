@@ -11,7 +11,7 @@ EA, L = 100.0, 1.0
 
 
 def bar(gaps):
-    """Three pieces in a row, and two beside them whose nodes 4 and 5 nodes 0 and 1 come to touch."""
+    """Three pieces in a row, and two beside them that nodes 0 and 1 come to touch."""
     points = np.array([[0.0, 0], [1, 0], [2, 0], [3, 0], [0.5, 1], [1.5, 1], [3, 1]])
     chords = np.array([[0, 1], [1, 2], [2, 3], [4, 5], [5, 6]])
     ends = np.array([[0, 4], [1, 5]])

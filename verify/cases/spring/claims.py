@@ -2,8 +2,10 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import product
 from typing import Any
 
+from analytic.spring import frame
 from analytic.spring.wide_leaf import width_factor
 from verify.core.case import Context
 from verify.core.results import Row
@@ -30,6 +32,14 @@ def other_width(given: float, *, h: float, leaf: float, nu: float) -> Iterator[s
             f"width_factor = {given:.5g}, but leaves of this width and length are "
             f"stiffened by {wide:.5g}: forces change by {wide / given - 1:+.1%}"
         )
+
+
+def left_open(q: Any) -> Iterator[tuple[frame.Tail, frame.Head, str, dict[str, Any]]]:
+    """Tail, head, and arc radius with its centre line, in all ways that the paper's text allows."""
+    tails: tuple[frame.Tail, ...] = ("arc", "mid-leaf")
+    heads: tuple[frame.Head, ...] = ("free", "guided")
+    paths = (("r", q.paper_path), ("r + b/2", q.path))
+    return ((tail, head, *path) for tail, head, path in product(tails, heads, paths))
 
 
 def stored(context: Context, name: str) -> Any:

@@ -45,6 +45,16 @@ class SpringInputs(Inputs):
         return self.r + self.b / 2
 
     @property
+    def leaf(self) -> float:
+        """Straight length [m] of the middle units."""
+        return leaf_length(self.L1, self.R, self.alpha)
+
+    @property
+    def widest(self) -> float:
+        """Stiffness of a strip much wider than its leaves are long, over a narrow one's."""
+        return 1 / (1 - self.nu**2)
+
+    @property
     def path(self) -> dict[str, Any]:
         """What the clean centre line needs."""
         return {"n": self.n, "L1": self.L1, "radius": self.R, "alpha": self.alpha}
@@ -67,6 +77,17 @@ class AccordionInputs(SpringInputs):
         None, "MPa", "R_p", "yield strength, for the warning", omitted=None, gt=0,
         example="1200 MPa",
     )  # fmt: skip
+
+
+def leaf_length(L1: float, R: float, alpha: float) -> float:
+    """Straight length [m] of a middle unit."""
+    return (L1 + 2 * R * math.cos(alpha)) / math.sin(alpha)
+
+
+def length_of(n: int, L1: float, R: float, alpha: float) -> float:
+    """From the head's leaf to the tail's on the centre line [m]."""
+    pitch = leaf_length(L1, R, alpha) * math.cos(alpha) + 2 * R * math.sin(alpha)
+    return (n - 2) * pitch + 2 * R
 
 
 def strip_of(q: SpringInputs) -> dict[str, Any]:

@@ -1,7 +1,5 @@
 """What cases of springs share beside their inputs: ratios as indices, and strips too slender."""
 
-import math
-
 from verify.cases.spring.inputs import SpringInputs
 
 MOST_SLENDER = 16_000  # unfolded length over thickness
@@ -16,8 +14,7 @@ class Share(float):
 
 def too_slender(q: SpringInputs) -> str:
     """Elements of a frame this slender bend by less than what round-off makes of its movement."""
-    leaf = q.L1 / math.sin(q.alpha) + 2 * q.R / math.tan(q.alpha)
-    slender = q.n * (leaf + 2 * q.R * q.alpha) / q.b
+    slender = q.n * (q.leaf + 2 * q.R * q.alpha) / q.b
     if slender <= MOST_SLENDER:
         return ""
     return (

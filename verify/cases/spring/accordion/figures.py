@@ -1,11 +1,11 @@
 """Figures of the accordion spring: its moments, and what the paper leaves open."""
 
 from collections.abc import Iterator
-from itertools import product
 from typing import Any, NamedTuple
 
 from analytic.spring import frame
 from analytic.spring.moments import moment_diagram
+from verify.cases.spring.claims import left_open
 from verify.cases.spring.inputs import strip_of
 from verify.core.case import Context
 from verify.core.figures import Dots, Picture, Profile, Table
@@ -29,13 +29,10 @@ class Combination(NamedTuple):
 
 def combinations(q: Any) -> list[Combination]:
     """Tail, head, arc radius and strip in all ways that the text allows."""
-    tails: tuple[frame.Tail, ...] = ("arc", "mid-leaf")
-    heads: tuple[frame.Head, ...] = ("free", "guided")
-    paths = (("r", q.paper_path), ("r + b/2", q.path))
     return [
         Combination(tail, head, radius, wide, frame.stiffness(
             **path, **strip_of(q), head=head, tail=tail, plane_strain=wide))
-        for tail, head, (radius, path), wide in product(tails, heads, paths, (False, True))
+        for tail, head, radius, path in left_open(q) for wide in (False, True)
     ]  # fmt: skip
 
 

@@ -7,7 +7,6 @@ import numpy as np
 
 from verify.case import Level
 from verify.cases.spring.inputs import SpringInputs
-from verify.cases.spring.stiffness import stiffness
 from verify.core.figures import Array, Field
 
 if TYPE_CHECKING:
@@ -21,6 +20,7 @@ TAIL_SUPPORTS = {"clamped": "xyr", "hinged": "xy"}
 def solve(springs: Iterable[Any], level: int) -> Level:
     """One level of springs of one strip with other ends, the first with moments and field."""
     from fem.beam.straight import solve_frame
+    from fem.unit_load import stiffness
 
     values: dict[str, float] = {}
     u_it: dict[str, float] = {}
@@ -44,6 +44,8 @@ def solve(springs: Iterable[Any], level: int) -> Level:
 
 def solve_curved(q: Any, level: int) -> Level:
     """The stiffness of one spring, of curved elements."""
+    from fem.unit_load import stiffness
+
     key = q.ends.named("k_V")
     k, u_it = stiffness(curved_frame(q, line_of(q, level)))
     return Level(h=1 / level, values={key: k}, u_it={key: u_it})

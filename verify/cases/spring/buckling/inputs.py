@@ -3,7 +3,7 @@
 import math
 from typing import Literal
 
-from verify.cases.spring.inputs import SpringInputs
+from verify.cases.spring.inputs import SpringInputs, length_of
 from verify.cases.spring.limits import Share
 from verify.core.inputs import quantity
 
@@ -33,14 +33,11 @@ class BucklingInputs(SpringInputs):
 
     def length_of(self, n: int, L1: float) -> float:
         """The same of a spring with other segments [m]."""
-        leaf = (L1 + 2 * self.R * math.cos(self.alpha)) / math.sin(self.alpha)
-        pitch = leaf * math.cos(self.alpha) + 2 * self.R * math.sin(self.alpha)
-        return (n - 2) * pitch + 2 * self.R
+        return length_of(n, L1, self.R, self.alpha)
 
     @property
     def P(self) -> float:
         """Euler's load of a column that bends like the unfolded strip [N]: the size of loads."""
-        leaf = (self.L1 + 2 * self.R * math.cos(self.alpha)) / math.sin(self.alpha)
-        unfolded = (self.n - 2) * (leaf + 2 * self.R * self.alpha)
+        unfolded = (self.n - 2) * (self.leaf + 2 * self.R * self.alpha)
         EI = self.E * self.h * self.b**3 / 12
         return math.pi**2 / 4 * EI / (unfolded * self.length)

@@ -133,28 +133,16 @@ def shortening(one: "PressedFrame", length: float) -> float:
 
 def unit_fem(q: BucklingInputs, level: int) -> dict[str, float]:
     """Stiffnesses of one middle unit about its centre, clamped at one end."""
-    from fem.beam.curved import solve_curved_frame
+    from fem.beam.part import part_stiffness
     from meshes.spring.path import accordion
 
     one = spring(q, q.path | {"tail": "arc"}, q.b, level)
     pieces = list(accordion(**q.path, tail="arc"))[UNIT_PIECES]
-    (x0, y0), (x1, y1) = (pieces[0].x, pieces[0].y), pieces[-1].end
-    middle = one.points[one.elements[:, 2]]
-    own = one.elements[(middle[:, 0] > x0) & (middle[:, 0] < x1)]
-    nodes, elements = np.unique(own, return_inverse=True)
-    points = one.points[nodes]
-    start, end = (int(np.hypot(*(points - at).T).argmin()) for at in ((x0, y0), (x1, y1)))
-    p, y = x1 - x0, (y1 - y0) / 2
-    # unit loads at the centre, carried to the end by a rigid arm
-    loads = {"turn": (0, 0, 1.0), "axial": (1.0, 0, y), "lateral": (0, 1.0, -p / 2)}
-    found = {}
-    for name, load in loads.items():
-        solved = solve_curved_frame(
-            points, elements.reshape(own.shape), sections=one.section, supports={start: "xyr"},
-            loads={end: load},
-        )  # fmt: skip
-        found[f"unit_{name}"] = -1 / (2 * solved.potential_energy)
-    return found
+    start, end = (pieces[0].x, pieces[0].y), pieces[-1].end
+    x = one.points[one.elements[:, 2], 0]
+    own = one.elements[(x > start[0]) & (x < end[0])]
+    found = part_stiffness(one.points, own, one.section, start, end)
+    return {f"unit_{name}": k for name, k in found.items()}
 
 
 def shape(one: "PressedFrame", state: Any, name: str) -> Field:

@@ -8,7 +8,6 @@ import numpy as np
 
 from verify.case import Level, plane_field
 from verify.cases.spring.inputs import AccordionInputs
-from verify.cases.spring.stiffness import stiffness
 from verify.core.figures import Array
 
 LEVELS = (1, 2, 4, 8)
@@ -19,6 +18,7 @@ def solve(q: AccordionInputs, level: int) -> Level:
     """One level in plane stress and plane strain."""
     from fem.plane.material import Assumption, Elastic
     from fem.plane.solve import solve_plane
+    from fem.unit_load import stiffness
     from meshes.spring.strip import strip
 
     along = cells_along(q, level)
@@ -54,8 +54,7 @@ def cells_along(q: AccordionInputs, level: int) -> dict[str, int]:
 
     Quadratic cells of length l bend a piece of length L with an error of (l/L)^2 (l/b)^2.
     """
-    leaf = q.L1 / math.sin(q.alpha) + 2 * q.R / math.tan(q.alpha)
-    lengths = {"leaf": leaf, "arc": q.R * q.alpha}
+    lengths = {"leaf": q.leaf, "arc": q.R * q.alpha}
     return {k: level * max(4, round(2.2 * math.sqrt(v / q.b))) for k, v in lengths.items()}
 
 

@@ -1,6 +1,5 @@
 """Inputs of the accordion spring's whole curve: ends, arcs, friction and how far it is pressed."""
 
-import math
 from typing import Literal, Self
 
 from pydantic import model_validator
@@ -69,8 +68,3 @@ class CurveInputs(SpringInputs):
     def factor(self) -> float:
         """What the strip's width stiffens it by."""
         return self.width_factor
-
-    @property
-    def leaf(self) -> float:
-        """Straight length [m] of the middle units."""
-        return (self.L1 + 2 * self.R * math.cos(self.alpha)) / math.sin(self.alpha)

@@ -6,7 +6,7 @@ from typing import Any
 
 from pydantic import model_validator
 
-from verify.cases.spring.inputs import SpringInputs
+from verify.cases.spring.inputs import SpringInputs, length_of
 from verify.core.inputs import quantity
 
 SHARES = (0.3, 0.6)  # of the free length: the limits of Eq. 12
@@ -74,9 +74,7 @@ class Cell:
     @property
     def length(self) -> float:
         """From the head's leaf to the tail's on the centre line [m]."""
-        leaf = (self.L1 + 2 * self.R * math.cos(self.alpha)) / math.sin(self.alpha)
-        pitch = leaf * math.cos(self.alpha) + 2 * self.R * math.sin(self.alpha)
-        return (self.n - 2) * pitch + 2 * self.R
+        return length_of(self.n, self.L1, self.R, self.alpha)
 
     @property
     def path(self) -> dict[str, Any]:

@@ -181,10 +181,9 @@ class StageFormulas(StagesInputs, Case):
             )
 
     def _width(self) -> Iterator[str]:
-        leaf = (self.L1 + 2 * self.R * math.cos(self.alpha)) / math.sin(self.alpha)
         given = self.width_factor
         if given is not None:
-            yield from other_width(given, h=self.h, leaf=leaf, nu=self.nu)
+            yield from other_width(given, h=self.h, leaf=self.leaf, nu=self.nu)
         elif self.h > 10 * self.b:
             yield (
                 f"a strip {self.h / self.b:.0f} times as wide as thick lies between E I and "

@@ -41,11 +41,6 @@ class StagesInputs(AccordionInputs):
         return self
 
     @property
-    def widest(self) -> float:
-        """The factor of a strip much wider than its leaves are long."""
-        return 1 / (1 - self.nu**2)
-
-    @property
     def factor(self) -> float:
         """The width factor that the judged rows take."""
         return 1.0 if self.width_factor is None else self.width_factor

@@ -14,6 +14,7 @@ from typing import Any
 from analytic.spring.lines import Lines
 from analytic.spring.loops import Tail
 from analytic.spring.stages import Head, Stages, stages
+from verify.cases.spring.claims import left_open
 from verify.cases.spring.inputs import strip_of
 from verify.cases.spring.stages.inputs import StagesInputs
 from verify.core.case import Context
@@ -83,11 +84,8 @@ def readings(q: StagesInputs) -> list[Reading]:
     strips = [("E I", 1.0), ("E I/(1 − ν²)", q.widest)]
     if q.width_factor is not None:
         strips.append((f"{q.width_factor:.5g} E I", q.width_factor))
-    tails: tuple[Tail, ...] = ("arc", "mid-leaf")
-    heads: tuple[Head, ...] = ("free", "guided")
-    paths = (("r", q.paper_path), ("r + b/2", q.path))
     found = []
-    for tail, head, (radius, path), (strip, factor) in product(tails, heads, paths, strips):
+    for (tail, head, radius, path), (strip, factor) in product(left_open(q), strips):
         s = stages(**path, **strip_of(q), width_factor=factor, head=head, tail=tail)
         numbers = {key: float(getattr(s, key)) for key in ("k1", "k2", "U_A", "F_A")}
         found.append(Reading(tail, head, radius, strip, factor, s, **numbers))

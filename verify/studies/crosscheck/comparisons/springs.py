@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from fem.beam.released import linear_load
+from fem.unit_load import stiffness
 from verify.cases.spring.accordion.case import ACCORDION
 from verify.cases.spring.accordion.ends import Ends
 from verify.cases.spring.accordion.reference import curved_frame, line_of
@@ -17,7 +18,6 @@ from verify.cases.spring.continuum.case import CONTINUUM
 from verify.cases.spring.continuum.reference import cells_along
 from verify.cases.spring.curve.case import CURVE
 from verify.cases.spring.curve.fem import Spring, fem_compress
-from verify.cases.spring.stiffness import stiffness
 from verify.studies.crosscheck.clock import timed
 from verify.studies.crosscheck.comparisons import plane
 from verify.studies.crosscheck.comparisons.plane import LINEAR, MESH

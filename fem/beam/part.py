@@ -1,0 +1,31 @@
+"""Stiffness of a part of a frame, clamped at one end, about a point in its middle."""
+
+import numpy as np
+
+from fem.beam.curved import solve_curved_frame
+from fem.beam.section import Array, Indices, Section
+
+Point = tuple[float, float]
+
+
+def part_stiffness(
+    points: Array, elements: Indices, section: Section, start: Point, end: Point
+) -> dict[str, float]:
+    """Against unit loads at the centre between `start`, clamped, and `end`, along its arm.
+
+    A couple ("turn"), a force along x ("axial") and one along y ("lateral"), carried from the
+    centre to the `end` by a rigid arm. `elements` (m, 3) are those of the part alone.
+    """
+    nodes, own = np.unique(elements, return_inverse=True)
+    places = points[nodes]
+    first, last = (int(np.hypot(*(places - at).T).argmin()) for at in (start, end))
+    p, y = end[0] - start[0], (end[1] - start[1]) / 2
+    loads = {"turn": (0, 0, 1.0), "axial": (1.0, 0, y), "lateral": (0, 1.0, -p / 2)}
+    found = {}
+    for name, load in loads.items():
+        solved = solve_curved_frame(
+            places, own.reshape(elements.shape), sections=section, supports={first: "xyr"},
+            loads={last: load},
+        )  # fmt: skip
+        found[name] = -1 / (2 * solved.potential_energy)
+    return found

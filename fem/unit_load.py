@@ -1,0 +1,30 @@
+"""Stiffness of a linear solution under one unit force, from its potential energy."""
+
+from typing import Protocol
+
+import numpy as np
+
+ROUND_OFF = 10 * float(np.finfo(float).eps)  # of sums over hundreds of elements
+
+
+class Solved(Protocol):
+    """What solutions of frames and bodies have."""
+
+    @property
+    def potential_energy(self) -> float:
+        """Strain energy less the work of the loads."""
+        ...
+
+    @property
+    def residual(self) -> float:
+        """Share of the energy that the solver's last correction held."""
+        ...
+
+
+def stiffness(solved: Solved) -> tuple[float, float]:
+    """Stiffness [force/length] of a solution under a unit force, and its uncertainty by round-off.
+
+    The energy's error is the square of the displacements'.
+    """
+    k = -1 / (2 * solved.potential_energy)
+    return k, abs(k) * max(solved.residual, ROUND_OFF)  # shares of energy
