@@ -9,17 +9,16 @@ the gaps.
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Generic, Protocol, Self, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from fem.wedge.pitch import pitch_problem
+from fem.wedge.races_place import Place
 from fem.wedge.rest import Drags, Touching, Unrest, at_rest, core_motion
 
 if TYPE_CHECKING:
-    from skfem.mesh import Mesh2D
-
     from fem.contact.pairs import Pair
     from fem.contact.solution import ContactSolution, Touch
 
@@ -30,40 +29,6 @@ MOST = 12  # steps to rest
 BODY = "sprag"  # what meshes call the strut
 RACES = ("inner.rim", "outer.bore")
 HELD = ("inner.bore", "outer.rim")
-
-
-class Place(Protocol):
-    """Where the strut is, its pole at the distance `D` [m] from the axis, and how it is drawn.
-
-    `overlaps` are those of both contacts without loads, `bends` how much of them is drawn, H all
-    of them; `OA` and `OB` are the radii at which forces act. `spiral` has pole, first radius, its
-    direction and growth, `arc` centre and radius, `core` is the point at which motion is read.
-    """
-
-    @property
-    def D(self) -> float: ...
-    @property
-    def OA(self) -> float: ...
-    @property
-    def OB(self) -> float: ...
-    @property
-    def H(self) -> float: ...
-    @property
-    def overlaps(self) -> tuple[float, float]: ...
-    @property
-    def bends(self) -> tuple[float, float]: ...
-    @property
-    def touched(self) -> tuple[float, float]: ...
-    @property
-    def core(self) -> tuple[float, float]: ...
-    @property
-    def spiral(self) -> tuple[tuple[float, float], float, float, float]: ...
-    @property
-    def arc(self) -> tuple[tuple[float, float], float]: ...
-    def mesh(self, zones: tuple[float, float], cells: int) -> "Mesh2D": ...
-    def settled(
-        self, outwards: float, races: tuple[float, float], opened: tuple[float, float]
-    ) -> Self: ...
 
 
 P = TypeVar("P", bound=Place)

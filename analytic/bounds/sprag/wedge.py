@@ -13,14 +13,14 @@ no half-space by (a/h)².
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal, NamedTuple, Protocol
+from typing import Literal
 
 import numpy as np
 
-from analytic.contact.checks import Array
+from analytic.bounds.sprag.wedge_sizes import Race, Sizes, State
 from analytic.contact.hertz_line_approach import approach_to_far_depth
 from analytic.ring import lame
-from analytic.sprag.bending import Ends, Pair, Shift, Triangle, ends, shift
+from analytic.sprag.bending import Ends, Pair, Shift, ends, shift
 from analytic.sprag.column import Column
 
 Interval = tuple[float, float]
@@ -34,66 +34,6 @@ HERTZ, EDGES = 2.0, 2e-3  # bound of what Hertz neglects over (a/r)²; where con
 ACCEPTED = 1e-2  # of half-widths
 SIDEWAYS = 0.4, 1.2  # bounds of the tangential over the normal compliance
 SLOPES = 5e-3  # of how much rotation goes with a yield of one side, over that of the other
-
-
-class State(Triangle, Protocol):
-    """A wedged sprag as the closure has it under its normal force, angles in rad."""
-
-    @property
-    def N_e(self) -> Array: ...
-    @property
-    def nu(self) -> Array: ...
-    @property
-    def omega(self) -> Array: ...
-    @property
-    def turned(self) -> Array: ...
-    @property
-    def alpha_b(self) -> Array: ...
-    @property
-    def yields(self) -> "Yields": ...
-
-
-class Yields(Protocol):
-    """What yields [m]: at the inner contact, in the sprag, on the inner side, in all."""
-
-    @property
-    def contact_i(self) -> Array: ...
-    @property
-    def sprag(self) -> Array: ...
-    @property
-    def inner(self) -> Array: ...
-    @property
-    def H(self) -> Array: ...
-
-
-class Race(NamedTuple):
-    """A race under its sprags over P/E': its mean, the middle of a patch, the mean over it."""
-
-    mean: float
-    at: float
-    under: float
-
-
-@dataclass(frozen=True, kw_only=True)
-class Sizes:
-    """z sprags `b` wide, `l` long between races R_id..R_i, R_e..R_ed [m]; E' is of plane strain.
-
-    r_i and r_e [m] are radii at first contact, nu_0 [rad] the wedge angle there.
-    """
-
-    R_id: float
-    R_i: float
-    R_e: float
-    R_ed: float
-    r_i: float
-    r_e: float
-    nu_0: float
-    z: int
-    b: float
-    l: float  # noqa: E741
-    E: float
-    nu: float
-    E_plane: float
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

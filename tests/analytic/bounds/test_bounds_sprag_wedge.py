@@ -6,7 +6,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from analytic.bounds.sprag.wedge import ELASTIC, SHARP, Bounds, Race, Sizes, times
+from analytic.bounds.sprag.wedge import ELASTIC, SHARP, Bounds, times
+from analytic.bounds.sprag.wedge_sizes import Race, Sizes
 from analytic.sprag.closure import wedged
 from analytic.sprag.elastic import Elastic
 from analytic.sprag.geometry import LogSprag

@@ -14,7 +14,7 @@ from analytic.surrogate.evolution import evolve
 from analytic.surrogate.genetic import genetic
 from verify.case import Case, Level
 from verify.cases.sprag.optimum.inputs import Optimum25Inputs, Optimum40Inputs, OptimumInputs
-from verify.cases.sprag.optimum.study_fem import answers, fit_fem, single_fem
+from verify.cases.sprag.optimum.study_fem import answers, fit_fem, recorded_fem, single_fem
 from verify.cases.sprag.peaks import peaks_fem
 from verify.core.figures import Array
 from verify.form.adapter import adapted
@@ -43,14 +43,7 @@ def validated_fem(q: OptimumInputs) -> dict[str, Array]:
 
 def direct_fem(q: OptimumInputs) -> dict[str, Array]:
     """Crowns and pressures [Pa] in the order in which DIRECT asked for them, (n, 4)."""
-    seen: list[list[float]] = []
-
-    def pressure(u: Array) -> float:
-        crown = q.box.from_unit(np.clip(u, 0, 1)[None])
-        p = float(peaks_fem(q, crown, [q.T]).largest[0, 0])
-        seen.append([*crown[0], p])
-        return p
-
+    pressure, seen = recorded_fem(q)
     direct(pressure, [(0.0, 1.0)] * 3, maxfun=ENGAGEMENTS, maxiter=ENGAGEMENTS)
     return {"direct": np.array(seen)}
 

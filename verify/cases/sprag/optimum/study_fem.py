@@ -95,18 +95,26 @@ def infilled_fem(
     )  # fmt: skip
 
 
-def direct_fem(q: OptimumInputs, start: Array) -> dict[str, Array]:
-    """Nelder and Mead's simplex on the true model, from a crown, in DIRECT engagements."""
-    box = q.box
+def recorded_fem(q: OptimumInputs) -> tuple[Callable[[Array], float], list[list[float]]]:
+    """The largest pressure [Pa] of a crown of the unit cube, and all that was asked for, in order.
+
+    That are rows of K_1, K_2, z_m and the pressure.
+    """
     seen: list[list[float]] = []
 
     def pressure(u: Array) -> float:
-        crown = box.from_unit(np.clip(u, 0, 1)[None])
+        crown = q.box.from_unit(np.clip(u, 0, 1)[None])
         p = float(peaks_fem(q, crown, [q.T]).largest[0, 0])
         seen.append([*crown[0], p])
         return p
 
-    u = np.clip(box.to_unit(start[None])[0], 0, 1)
+    return pressure, seen
+
+
+def direct_fem(q: OptimumInputs, start: Array) -> dict[str, Array]:
+    """Nelder and Mead's simplex on the true model, from a crown, in DIRECT engagements."""
+    pressure, seen = recorded_fem(q)
+    u = np.clip(q.box.to_unit(start[None])[0], 0, 1)
     simplex = np.vstack([u, u + np.diag(np.where(u > 0.5, -0.15, 0.15))])
     minimize(
         pressure, u, method="Nelder-Mead", bounds=[(0, 1)] * 3,

@@ -4,7 +4,8 @@ from functools import lru_cache
 
 import numpy as np
 
-from analytic.bounds.sprag.wedge import Bounds, Race, Sizes
+from analytic.bounds.sprag.wedge import Bounds
+from analytic.bounds.sprag.wedge_sizes import Race, Sizes
 from analytic.sprag.closure import wedged
 from analytic.sprag.elastic import Elastic
 from analytic.sprag.parts import Parts

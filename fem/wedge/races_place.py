@@ -1,0 +1,40 @@
+"""Where a strut lies between two round races, as finite elements take it."""
+
+from typing import TYPE_CHECKING, Protocol, Self
+
+if TYPE_CHECKING:
+    from skfem.mesh import Mesh2D
+
+
+class Place(Protocol):
+    """Where the strut is, its pole at the distance `D` [m] from the axis, and how it is drawn.
+
+    `overlaps` are those of both contacts without loads, `bends` how much of them is drawn, H all
+    of them; `OA` and `OB` are the radii at which forces act. `spiral` has pole, first radius, its
+    direction and growth, `arc` centre and radius, `core` is the point at which motion is read.
+    """
+
+    @property
+    def D(self) -> float: ...
+    @property
+    def OA(self) -> float: ...
+    @property
+    def OB(self) -> float: ...
+    @property
+    def H(self) -> float: ...
+    @property
+    def overlaps(self) -> tuple[float, float]: ...
+    @property
+    def bends(self) -> tuple[float, float]: ...
+    @property
+    def touched(self) -> tuple[float, float]: ...
+    @property
+    def core(self) -> tuple[float, float]: ...
+    @property
+    def spiral(self) -> tuple[tuple[float, float], float, float, float]: ...
+    @property
+    def arc(self) -> tuple[tuple[float, float], float]: ...
+    def mesh(self, zones: tuple[float, float], cells: int) -> "Mesh2D": ...
+    def settled(
+        self, outwards: float, races: tuple[float, float], opened: tuple[float, float]
+    ) -> Self: ...
