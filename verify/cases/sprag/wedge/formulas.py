@@ -55,12 +55,12 @@ class WedgeFormulas(WedgeInputs, Case):
             for point, share in STROKE.items()
         }
 
-    @property
+    @shared
     def bodies(self) -> Elastic:
         """The parts, and the clutches that they make by each law of their yields."""
         return model.bodies(self.part)
 
-    @property
+    @shared
     def clutch(self) -> Clutch:
         """The clutch whose parts yield as elastic bodies."""
         return self.bodies.clutch
