@@ -22,6 +22,7 @@ from verify.cases.registry import CASES
 from verify.form import dimensions, independence
 from verify.form.adapter import adapted
 from verify.form.quantity import changed
+from verify.judging import judge
 
 
 class Rod(Case):
@@ -171,6 +172,25 @@ def test_an_expected_error_has_a_lower_and_an_upper_end(ends):
     rule = "its error is expected from (0.01 to -0.01|nan to 0.01), and low must not be above high"
     with pytest.raises(CaseError, match=rf"^test_rules.py:\d+: Rod.sigma: {rule}"):
         stated(expecting(lambda _: ends[0], lambda _: ends[1]))
+
+
+@pytest.mark.parametrize(
+    ("formula", "interval", "reason"),
+    [
+        (1.02, 0.01, "model error +2.000 % ± 0.003 % is not inside [-1.000 %, +1.000 %]"),
+        (1.0, 0.5, "not sharp: notices errors from 50 %, must from 1 % (sensitivity)"),
+    ],
+)
+def test_a_failed_row_has_one_unit_and_names_what_an_author_can_change(formula, interval, reason):
+    judged = judge.approximation(formula, 1.0, U=0.003 / 102, interval=(-interval, interval))
+    assert judged.reason == reason
+    assert "sensitivity" in verify.case.Options.__annotations__
+
+
+def test_a_number_without_a_unit_has_the_unit_1():
+    with pytest.raises(ValueError, match='is not a unit; that of a plain number is "1"$'):
+        given("0.3", "", "ν", "Poisson's ratio")
+    assert given("0.3", "1", "ν", "Poisson's ratio").default == 0.3
 
 
 def test_help_is_an_overview_of_all_names():
