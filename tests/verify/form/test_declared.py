@@ -475,5 +475,5 @@ def test_a_variant_has_other_class_attributes_also_at_other_inputs():
         "plane stress", "plane strain", "plane strain",
     )  # fmt: skip
     assert strained.at(d=20e-3).d == 20e-3
-    with pytest.raises(ValueError, match="Ended has no class attribute end$"):
+    with pytest.raises(ValueError, match=r"Ended has no class attribute end$"):
         Ended().variant(end="plane strain")

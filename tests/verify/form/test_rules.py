@@ -188,7 +188,7 @@ def test_a_failed_row_has_one_unit_and_names_what_an_author_can_change(formula, 
 
 
 def test_a_number_without_a_unit_has_the_unit_1():
-    with pytest.raises(ValueError, match='is not a unit; that of a plain number is "1"$'):
+    with pytest.raises(ValueError, match=r'is not a unit; that of a plain number is "1"$'):
         given("0.3", "", "ν", "Poisson's ratio")
     assert given("0.3", "1", "ν", "Poisson's ratio").default == 0.3
 
