@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from analytic.sprag import parts
+from analytic.sprag.clutch import Clutch
 from tests.conftest import solved
 from verify.cases.sprag.clutch import formulas, limits, model, paper_fem
 from verify.cases.sprag.clutch.case import CLUTCH, SpragClutch
@@ -74,7 +75,7 @@ def test_a_wrong_value_turns_its_row_red(key, factor, row, broken):
 
 
 def test_rigid_races_that_yield_and_rolling_left_out_are_red(broken):
-    rigid = broken(model.Clutch, "rigid_races", lambda _: lambda self: self)
+    rigid = broken(Clutch, "rigid_races", lambda _: lambda self: self)
     assert {RIGID_FORCE, RIGID_SPRAGS, RIGID_TURN} <= rigid
 
 
