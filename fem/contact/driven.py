@@ -36,7 +36,7 @@ class DrivenSector:
         return self.mesh(False, self.p, self.push(0.0))
 
     @cached_property
-    def ring(self) -> LockedSector:
+    def fine(self) -> LockedSector:
         """The sector on a mesh for the N of a coarse one; the coarse one where that locks."""
         N = self.force_on(self.coarse, self.p)
         return self.mesh(True, self.p, self.push(N)) if isfinite(N) else self.coarse
@@ -44,7 +44,7 @@ class DrivenSector:
     @cached_property
     def N(self) -> float:
         """The roller's force under p."""
-        return self.force_on(self.ring, self.p)
+        return self.force_on(self.fine, self.p)
 
     def push(self, N: float) -> Force:
         """The hub's force on a flat: along its normal, and along it away from the middle."""
@@ -53,19 +53,19 @@ class DrivenSector:
 
     def at(self, p: float, N: float) -> ContactSolution:
         """The state under the pressure `p` and the hub's force that goes with N."""
-        return self.ring.at(p, self.push(N))
+        return self.fine.at(p, self.push(N))
 
-    def force_on(self, ring: LockedSector, p: float) -> float:
+    def force_on(self, sector: LockedSector, p: float) -> float:
         """Force N of a roller under the pressure `p`, infinite where the hub's lift locks."""
 
         def excess(N: float) -> float:
             """By how much the roller's force exceeds the N that the hub's force belongs to."""
-            return ring.force(p, self.push(N)) - N
+            return sector.force(p, self.push(N)) - N
 
-        low, high = 0.0, ring.force(p)
+        low, high = 0.0, sector.force(p)
         while excess(high) > 0:
             low, high = high, GROWTH * high
-            if high > LOCKED * ring.force(p):
+            if high > LOCKED * sector.force(p):
                 return inf
         return float(brentq(excess, low, high, xtol=CLOSE * high, rtol=CLOSE))
 
@@ -78,8 +78,8 @@ class DrivenSector:
         p = self._pressure(self.coarse, N)
         return self._pressure(self.mesh(True, p, self.push(N)), N)
 
-    def _pressure(self, ring: LockedSector, N: float) -> float:
-        return _root(lambda x: ring.force(x * self.p, self.push(N)) / N - 1, 1.0, 1.1) * self.p
+    def _pressure(self, sector: LockedSector, N: float) -> float:
+        return _root(lambda x: sector.force(x * self.p, self.push(N)) / N - 1, 1.0, 1.1) * self.p
 
 
 def _root(f: Callable[[float], float], a: float, b: float) -> float:

@@ -19,7 +19,7 @@ from verify.cases.rotor.sprag.inputs import PRINTED, RPM
 from verify.cases.rotor.sprag.reference import beams_fem, drawn_fem, ensemble_arrays_fem
 from verify.cases.rotor.sprag.response_fem import (
     damped,
-    damping_ratios,
+    damping_ratios_fem,
     responses_fem,
     torsion_fem,
     windows,
@@ -177,7 +177,7 @@ def test_starts_that_miss_are_no_members(monkeypatch):
 
 
 def test_damping_ratios_are_within_their_range_and_even():
-    zeta = damping_ratios(Q, 200)
+    zeta = damping_ratios_fem(Q, 200)
     assert np.all((zeta[:, 0] >= 0.005) & (zeta[:, 0] <= 0.03))
     assert np.median(zeta[:, 0]) == pytest.approx(np.sqrt(0.005 * 0.03), rel=0.02)
     apart = zeta[:, 1] / zeta[:, 0]

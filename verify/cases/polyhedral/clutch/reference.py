@@ -19,7 +19,7 @@ def solve(q: ClutchInputs, level: int) -> Level:
         raise ArithmeticError("the hub's lift locks the rollers: pressure does not limit N")
     p = hub.pressure(N_t)
     state = hub.at(q.p_t, N)
-    rest = hub.ring.balance(q.p_t, hub.push(N))
+    rest = hub.fine.balance(q.p_t, hub.push(N))
     values = {
         "N_el": N * q.b, "M_el": q.grip * N * q.b * q.z * q.D_i / 2, "p_need": p,
         "fillet": in_fillet_fem(q.ring, state.plane, q.p_t, name="ring.fillet"),

@@ -24,7 +24,7 @@ SMALL_OFFSETS = (0.01, 0.02)
 THETA_Z = 5
 
 
-def damping_ratios(q: SpragRotorInputs, members: int) -> Array:
+def damping_ratios_fem(q: SpragRotorInputs, members: int) -> Array:
     """Ratios (m, 2) at critical speeds 1 and 5."""
     from fem.rotor.peaks import spread_ratios
 
@@ -44,7 +44,7 @@ def windows(zeta: Array) -> Array:
 
 def responses_fem(q: SpragRotorInputs, members: Array) -> dict[str, Array]:
     """Everything that facts and figures need of the members (m, 12)."""
-    zeta = damping_ratios(q, len(members))
+    zeta = damping_ratios_fem(q, len(members))
     each = [_member(q, p, z) for p, z in zip(members, zeta, strict=True)]
     found = {key: np.stack([one[key] for one in each]) for key in each[0]}
     over = ("nodes over speed", "bearings over speed")

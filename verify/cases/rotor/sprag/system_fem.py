@@ -69,10 +69,10 @@ def rotor_fem(
 
 def uneven_clutch_fem(parameters: Array, offset: float) -> Array:
     """K (6, 6) of sprags whose deformation is delta_0 (1 + offset cos psi)."""
-    from fem.rotor.uneven_clutch import uneven_clutch
+    from fem.rotor.uneven_links import uneven_links
 
     s = layout(parameters)
-    return uneven_clutch(Z=SPRAGS, slices=SLICES, L=SPRAG_LENGTH, lever=s.d_t[0], across=s.k_c[0],
+    return uneven_links(Z=SPRAGS, slices=SLICES, L=SPRAG_LENGTH, lever=s.d_t[0], across=s.k_c[0],
                          exponent=EXPONENT, offset=offset)  # fmt: skip
 
 

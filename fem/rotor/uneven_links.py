@@ -1,20 +1,20 @@
-"""Stiffness of a clutch of sprags under a load that is uneven around, all on one contact law."""
+"""Stiffness of equal links around a shaft, unevenly loaded around it, on one contact law."""
 
 import numpy as np
 
 from fem.rotor.elements import Array
 
 
-def uneven_clutch(
+def uneven_links(
     *, Z: int, slices: int, L: float, lever: float, across: float, exponent: float, offset: float
 ) -> Array:
-    """K (6, 6) of Z sprags whose deformation is delta_0 (1 + offset cos psi).
+    """K (6, 6) of Z links whose deformation is delta_0 (1 + offset cos psi).
 
-    K = sum k_j J J^T over sprags and slices with J = (cos, sin, 0, -x sin, x cos, lever), and
+    K = sum k_j J J^T over links and slices with J = (cos, sin, 0, -x sin, x cos, lever), and
     k_j = k (1 + offset cos psi)^(exponent - 1), where Z k/2 is the stiffness `across` [N/m] of the
-    evenly loaded clutch. `L` is the sprags' length, `lever` their deformation over the twist [m].
+    evenly loaded links. `L` is their length, `lever` their deformation over the twist [m].
 
-    >>> K = uneven_clutch(Z=4, slices=2, L=1.0, lever=0.5, across=2.0, exponent=1.1, offset=0.0)
+    >>> K = uneven_links(Z=4, slices=2, L=1.0, lever=0.5, across=2.0, exponent=1.1, offset=0.0)
     >>> K.diagonal().round(12).tolist()
     [2.0, 2.0, 0.0, 0.125, 0.125, 1.0]
     """
