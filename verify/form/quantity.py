@@ -38,9 +38,9 @@ class Quantity:
     the input or quantity of which this is another form, as printed, corrected or for small angles:
     both share symbol and reference; `form` states which one it is. A "step" of a formula is not
     compared. "geometry" follows from the inputs without any theory, so that the reference may read
-    it. `when` says of a case whether its inputs have the quantity; a deflection needs a load.
-    Constants of a `fitted` equation have units of their own, so that its dimension is not checked.
-    Where only the solution shows that, the method returns nan, or inf for a limit out of reach.
+    it. `when(case)` states whether these inputs have the quantity: a deflection needs a load. If
+    only solving shows it, the method returns nan, or inf for a limit that is not reached. The
+    constants of a `fitted` equation have units of their own: its dimension is not checked.
     """
 
     symbol: str

@@ -1,7 +1,5 @@
 """Bounds of the formulas of star and cup, from the inputs and states of their cases."""
 
-from dataclasses import fields
-
 from analytic.bounds.freewheel.intervals import Interval
 from analytic.bounds.freewheel.parts import Loaded, Parts
 from analytic.bounds.freewheel.star import StarBounds
@@ -18,12 +16,15 @@ TANGENTIAL = f"{BRACKET}, tangential deformation of 0.5 to 1 tan²α"
 
 def parts(q: OneClutch) -> Parts:
     """The sizes and the material of a star or a cup."""
-    return Parts(**{f.name: getattr(q, f.name) for f in fields(Parts)})
+    return Parts(sense=q.sense, race=q.race, flat=q.flat, r=q.r, z=q.z, L=q.L,
+                 r_b=q.r_b, R_a=q.R_a, E=q.E, nu=q.nu)  # fmt: skip
 
 
 def sizes(state: State) -> Loaded:
     """What bounds read of a state of the formulas."""
-    return Loaded(**{f.name: float(getattr(state, f.name)) for f in fields(Loaded)})
+    s = state
+    return Loaded(N=float(s.N), T=float(s.T), alpha=float(s.alpha), d_i=float(s.d_i),
+                  d_o=float(s.d_o), a_i=float(s.a_i), a_o=float(s.a_o))  # fmt: skip
 
 
 def of_star(q: OneClutch, state: State) -> StarBounds:

@@ -1,7 +1,8 @@
 """What a sector of star or cup is compared in beside its formulas: forces in balance, no load."""
 
 from collections.abc import Iterator, Sequence
-from typing import Any, NamedTuple
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -38,21 +39,19 @@ def accepted(
     return Comparison(check=check, quantity=q)
 
 
-class Named(NamedTuple):
-    """Words of a kind of clutch: its parts, radius and distance of flats, the equations' form.
-
-    `tilts` are those of the cam's flat and of the race, `unlike` how tangential forces differ,
-    `more` what deforms beside rolling.
-    """
+@dataclass(frozen=True, kw_only=True)
+class Named:
+    """Words of a kind of clutch in the names and reasons of its rows."""
 
     cam: str
     race: str
-    R: str
-    X: str
-    form: str
-    tilts: tuple[str, str]
-    unlike: str
-    more: str
+    race_radius: str
+    flat_distance: str
+    form: str  # of the equation of the torque
+    cam_tilt: str  # why the forces on the cam differ from the formula
+    race_tilt: str  # likewise on the race
+    unlike_forces: str  # why the tangential forces of both contacts differ
+    rolling: str  # why the angle differs from that of rolling
 
 
 def balanced(clutch: Any, of_cam: Quantity, words: Named) -> Iterator[Comparison]:
@@ -61,20 +60,22 @@ def balanced(clutch: Any, of_cam: Quantity, words: Named) -> Iterator[Comparison
     `of_cam` is the torque of both forces on the flats.
     """
     n = words
-    for part, share, tilts in zip((n.cam, n.race), ("flat", "race"), n.tilts, strict=True):
+    for part, share, tilts in (n.cam, "flat", n.cam_tilt), (n.race, "race", n.race_tilt):
         yield accepted(clutch.mu_T, f"F_t/F_n on the {part} against tan(ψ/2)", f"share_{share}",
                        tilts, symbol="F_t/F_n", within=2e-3, inverse=True)  # fmt: skip
-    yield accepted(clutch.torque, f"torque against z {n.R} F_t of the {n.race} ({n.form})",
-                   "torque_race", "off by", within=1e-3)  # fmt: skip
-    yield accepted(of_cam, f"torque against z (F_n x − F_t {n.X}) of the {n.cam} ({n.form})",
-                   "torque_cam", "off by", within=1e-3, source=OTHER)  # fmt: skip
+    on_race = f"z {n.race_radius} F_t of the {n.race} ({n.form})"
+    on_cam = f"z (F_n x − F_t {n.flat_distance}) of the {n.cam} ({n.form})"
+    yield accepted(clutch.torque, f"torque against {on_race}", "torque_race", "off by",
+                   within=1e-3)  # fmt: skip
+    yield accepted(of_cam, f"torque against {on_cam}", "torque_cam", "off by", within=1e-3,
+                   source=OTHER)  # fmt: skip
     yield accepted(clutch.N, "normal forces of both contacts alike (Eq. 2)", "unlike_N", "apart by",
                    within=1e-3, source=ALIKE, by="the flat's")  # fmt: skip
     yield accepted(clutch.F_t, "tangential forces of both contacts alike (Eq. 2)", "unlike_F_t",
-                   f"{n.unlike} to either side of the bisector: apart by", within=4e-3, source=BOTH,
-                   by="the flat's")  # fmt: skip
+                   f"{n.unlike_forces} to either side of the bisector: apart by", within=4e-3,
+                   source=BOTH, by="the flat's")  # fmt: skip
     yield accepted(clutch.phi, "∫dU/T against rolling", "rolling", within=5e-3,
-                   words=f"tangential forces deform {n.more}: rolling is off by")  # fmt: skip
+                   words=f"tangential forces deform {n.rolling}: rolling is off by")  # fmt: skip
     yield balance(
         "forces",
         "balance of both contact forces on a roller",

@@ -105,7 +105,7 @@ class ComparedCrowns(Divided, StripRoller):
         for name, crown in even_crowns(self).items():
             end = ending(name)
             found = half_space.pressed(self, level, crown=crown)
-            beside = half_space.stair(self, found, level, crown=crown)
+            beside = half_space.grid_scatter(self, found, level, crown=crown)
             even = np.sqrt(self.F / self.L * self.E_star / (np.pi * self.R))
             off = float(np.abs(found.beyond(FAR * self.b) / even - 1).max())
             values |= named(found.values | {"uneven": off}, end)

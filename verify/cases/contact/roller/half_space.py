@@ -34,7 +34,7 @@ def pressed(q: Roller, level: int, *, crown: Crown = None, along: int = 0) -> "R
 
 
 def too_short(q: Roller) -> str:
-    """Why the half-space cannot tell what d asks."""
+    """Why the grid is too coarse for an end of the length d; empty where it is not."""
     if q.d >= SHORTEST * q.L:
         return ""
     return (
@@ -43,10 +43,10 @@ def too_short(q: Roller) -> str:
     )
 
 
-def stair(q: Roller, found: "Ridge", level: int, *, crown: Crown = None) -> dict[str, float]:
-    """What the values of `found` differ by on the grids next to its own.
+def grid_scatter(q: Roller, found: "Ridge", level: int, *, crown: Crown = None) -> dict[str, float]:
+    """Largest change of each value of `found` on the two neighbouring grids.
 
-    Cells are whole inside the contact or outside: its rim is a stair, other on every grid.
+    Each cell is wholly in or out of contact, so that the contact's edge follows the cells.
     """
     beside = [pressed(q, level + step, crown=crown).values for step in (-1, 1)]
     return {key: max(abs(v[key] - value) for v in beside) for key, value in found.values.items()}
@@ -73,8 +73,8 @@ def solve_crowns(
     found = pressed(q, level)
     crown = profiles.gap(q, best)
     other = pressed(q, level, crown=crown)
-    u_best = stair(q, other, level, crown=crown)["p_top"]
-    u_it = stair(q, found, level) | {"p_best": u_best}
+    u_best = grid_scatter(q, other, level, crown=crown)["p_top"]
+    u_it = grid_scatter(q, found, level) | {"p_best": u_best}
     values = {"p_best": other.values["p_top"], **more}
     return result(found, level, u_it, values, arrays)
 

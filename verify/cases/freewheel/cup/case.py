@@ -46,9 +46,9 @@ ENCLOSED = "rings enclose a cup to some per cent, and torques near the summit mu
 FINE, NEARLY, MEDIUM, COARSE = 0.015, 0.02, 0.04, 0.06  # what rows are asked to show
 WIDE = 0.12  # a/r up to which finite elements, small in displacements, are judged at the summit
 NAMED = statics.Named(
-    "cup", "shaft", "R_s", "X_o", "Eq. 3 for a cup",
-    ("its flat tilts under load:", "its surface tilts under load:"), "surfaces tilt",
-    "contacts and wind up shaft and cup",
+    cam="cup", race="shaft", race_radius="R_s", flat_distance="X_o", form="Eq. 3 for a cup",
+    cam_tilt="its flat tilts under load:", race_tilt="its surface tilts under load:",
+    unlike_forces="surfaces tilt", rolling="contacts and wind up shaft and cup",
 )  # fmt: skip
 SHARED = "plane strain, small strain, cup and housing one body, shaft and cup free"
 

@@ -32,8 +32,10 @@ SHOWS = "a formula 22 % off: three per cent show it"
 ON_FLAT = "rolling on a flat instead of on a circle: (R + X)/(2X)"
 NO_LEVER = "F_n misses the axis by x: X/R of the torque is left"
 ROOM = "small displacements leave room beside the contacts' middles:"
-NAMED = statics.Named("star", "ring", "R", "X", "Eq. 3, corrected", (ROOM, ROOM), "the same",
-                      "as well")  # fmt: skip
+NAMED = statics.Named(
+    cam="star", race="ring", race_radius="R", flat_distance="X", form="Eq. 3, corrected",
+    cam_tilt=ROOM, race_tilt=ROOM, unlike_forces="the same", rolling="as well",
+)  # fmt: skip
 SHARED = "plane strain, small strain, the star clamped in its bore"
 ROLLED = (
     "Finite elements know nothing of rolling here: the angle is what the energy of all "

@@ -206,7 +206,7 @@ class SteppedBeam(SteppedShaft):
         return formula / runs[:, -1] - 1, 3 * float(abs(runs[:, -1] / runs[:, -2] - 1).max())
 
     def _too_fast(self, context: Context) -> tuple[float, float, str]:
-        """Least error of modes 1 to 3, which a step leaves positive: a beam counts dead corners."""
+        """Least error of modes 1 to 3, positive at a step: a beam has stiff corners there."""
         m, U = self._errors(context, self)
         return float(m.min()), U, ", ".join(f"{x:+.2%}" for x in m)
 

@@ -5,7 +5,7 @@ from functools import partial
 from typing import Any
 
 from analytic.bounds.sprag.wedge import SHARP, Bounds, Interval
-from verify.case import Comparison, Computed, Quantity, approximation, balance, fact
+from verify.case import Comparison, Computed, Quantity, approximation, balance, fact, underived
 from verify.cases.sprag.inputs import WedgeInputs
 from verify.cases.sprag.wedge import agreements as found
 from verify.cases.sprag.wedge.formulas import KEYS, STROKE
@@ -119,11 +119,11 @@ def _rotations(q: Wedge) -> Iterator[Comparison]:
                        Bounds.lost, "half of δ_HI and of δ_g left out of H", own=EIGHTH,
                        **at_full)  # fmt: skip
     yield approximation(
-        Wedge.alpha_composite, expected=Computed(lambda: None, PALMGREN), state=q.stroke[FULL],
+        Wedge.alpha_composite, expected=underived(PALMGREN), state=q.stroke[FULL],
         name="rotation with Palmgren's law, Eqs. 6 and 7, at N_0", symbol="α(N)", order=2,
     )  # fmt: skip
     yield approximation(
-        Wedge.alpha_paper, expected=Computed(lambda: None, PAPER), symbol="α(T)", order=2,
+        Wedge.alpha_paper, expected=underived(PAPER), symbol="α(T)", order=2,
         name="rotation as the paper has it, Palmgren's law in Eqs. 9, 10 as printed, at T",
     )  # fmt: skip
 
