@@ -39,7 +39,7 @@ from reports.shapes import shapes
 from reports.sketch import sketch
 from reports.slim import slim
 from reports.validity_map import scale_key
-from reports.verdicts import first_author, verdicts
+from reports.verdicts import named, verdicts, where
 from reports.whirl import whirl
 from reports.zones import zones
 from verify.core.figures import (
@@ -100,7 +100,7 @@ def page(report: Report, frames: Mapping[str, Sequence[Frame]], cache: Path | No
         drawn={case.id: [f for f in frames.get(case.id, ()) if f.svg] for case in report.cases},
         viewers={case.id: [f for f in frames.get(case.id, ()) if f.view] for case in report.cases},
         drawn_by=drawn_by(frames), names={p["key"]: cited(p) for p in report.papers},
-        short={p["key"]: first_author(p["authors"], p["year"]) for p in report.papers},
+        short=named(report.papers),
         published=_by_paper(report), script=Markup(script),  # noqa: S704 - the project's own file
         script_source=_source(script), css=Markup(styles()),  # noqa: S704 - likewise
     )  # fmt: skip
@@ -234,7 +234,7 @@ def _environment(glyphs: Glyphs) -> jinja2.Environment:
         "cross_left": crosscheck.left_out, "second_value": second.value,
         "second_apart": second.apart, "second_meshes": second.meshes, "linked": formats.linked,
         "printed": printed, "counts": lambda case: present(case.rows), "anchor": _anchor,
-        "reproduce": reproduce,
+        "reproduce": reproduce, "where": where,
     }  # fmt: skip
     env.globals |= {
         "LONG_LIST": LONG_LIST,

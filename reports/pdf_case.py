@@ -24,10 +24,10 @@ def case_data(
     frames: Sequence[Frame],
     anchors: Mapping[str, str],
     sheets: Sequence[str],
-    paper: str,
+    source: str,
     beside: Seconds = NOTHING,
 ) -> Data:
-    """Everything of a case of a `paper`, as its first author and year.
+    """Everything of a case; `source` says where its formulas stand.
 
     `sheets` name the workbook's sheet of each of the case's tables; `beside` holds what second
     solvers found.
@@ -38,7 +38,7 @@ def case_data(
         "id": case.id,
         "name": case.name,
         "title": runs(case.title),
-        "kicker": f"{case.id} · {paper}, {case.place}",
+        "kicker": " · ".join(filter(None, (case.id, source))),
         "lead": prose(case.lead),
         "counts": [[status.value, count] for status, count in present(case.rows)],
         "findings": [prose(f) for f in case.findings],

@@ -24,7 +24,7 @@ from reports.second import seconds
 from reports.sheets import Sheets
 from reports.since import since_data
 from reports.standalone import HERE, standalone
-from reports.verdicts import first_author, verdicts
+from reports.verdicts import named, verdicts, where
 from verify.core.results import PaperCell, PaperTable, Report, Row, Status
 
 
@@ -33,7 +33,7 @@ def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
     places, sheets = anchors(report.rows), Sheets(report)
     own, checks = bool(report.name), of_cases(report)
     beside = seconds(checks)
-    short = {p["key"]: first_author(p["authors"], p["year"]) for p in report.papers}
+    short = named(report.papers)
     return {
         "title": title(report),
         "kicker": "Check of one’s own parameters" if own else "Verification report",
@@ -55,7 +55,7 @@ def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
         "key": standalone(_key(report)),
         "cases": [
             case_data(
-                case, frames.get(case.id, ()), places, sheets.of_case[i], short[case.paper], beside
+                case, frames.get(case.id, ()), places, sheets.of_case[i], where(case, short), beside
             )
             for i, case in enumerate(report.cases)
         ],

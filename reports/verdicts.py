@@ -2,8 +2,9 @@
 
 import math
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from verify.core.results import CaseResult, Kind, Report, Row, Status
 
@@ -28,8 +29,8 @@ class Verdict:
 
 def verdicts(report: Report) -> list[Verdict]:
     """One line a case."""
-    places = {p["key"]: first_author(p["authors"], p["year"]) for p in report.papers}
-    return [_verdict(case, places.get(case.paper, case.paper)) for case in report.cases]
+    short = named(report.papers)
+    return [_verdict(case, where(case, short)) for case in report.cases]
 
 
 def markdown(report: Report) -> str:
@@ -46,12 +47,25 @@ def first_author(authors: str, year: int | None) -> str:
     return f"{authors.split(',')[0].split()[-1]} {year or ''}".strip()
 
 
-def _verdict(case: CaseResult, paper: str) -> Verdict:
+def named(papers: Sequence[Mapping[str, Any]]) -> Mapping[str, str]:
+    """Papers by key as first author and year; sources without a ledger as they are stated."""
+    return {
+        p["key"]: first_author(p["authors"], p["year"]) if p["title"] else p["authors"]
+        for p in papers
+    }
+
+
+def where(case: CaseResult, short: Mapping[str, str]) -> str:
+    """Source and place of a case's formulas, as far as they are stated."""
+    return ", ".join(filter(None, (short.get(case.paper, case.paper), case.place)))
+
+
+def _verdict(case: CaseResult, source: str) -> Verdict:
     count = Counter(row.status for row in case.rows)
     states = ", ".join(f"{count[s]} {s.value}" for s in reversed(Status) if count[s])
     judged = [row for row in case.rows if row.kind in JUDGED and row.detects is not None]
     return Verdict(
-        case.id, f"{case.title} ({paper}, {case.place})", len(case.rows), states,
+        case.id, f"{case.title} ({source})" if source else case.title, len(case.rows), states,
         _largest([abs(_relative(row)) for row in judged]),
         _largest([row.detects for row in judged if row.detects is not None]),
     )  # fmt: skip

@@ -38,7 +38,8 @@ def run_list() -> int:
             text = name if unit == "1" else f"{name} [{unit}]"
             is_needed = meta(field)["omitted"] == REQUIRED and name not in assumable
             (needed if is_needed else optional).append(text)
-        print(f"{case.id:20} {case.title} ({cited(case.paper)}, {case.place})")
+        source = ", ".join(filter(None, (cited(case.paper), case.place)))
+        print(f"{case.id:20} {case.title}{f' ({source})' if source else ''}")
         print(f"{'':20} inputs: {', '.join(needed)}")
         if optional:
             print(f"{'':20} optional: {', '.join(optional)}")

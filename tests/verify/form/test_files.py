@@ -1,5 +1,6 @@
 """Cases in files outside the suite: commands that take them, and one clear line where they fail."""
 
+import html
 import json
 import os
 import re
@@ -51,6 +52,22 @@ def test_a_file_is_verified_in_worker_processes(bar, capsys):
     assert {row["status"] for row in data["rows"]} == {"PASS"}
     assert "Timoshenko" in Path("out/report.html").read_text("utf-8")
     assert "since 0.1.0" not in capsys.readouterr().out  # no release has these rows
+
+
+@pytest.mark.parametrize(
+    ("source", "place"),
+    [("Pilkey 2008, Peterson's Stress Concentration Factors, 3rd edition", ""),
+     ("Roark 7th edition, Table 6.1", ""), ("Textbook on pressure vessels", "Barlow's formula")],
+)  # fmt: skip
+def test_a_source_is_printed_as_it_is_stated(source, place, bar, capsys):
+    stated = 'source = "Timoshenko, Strength of Materials"\n    place = "curved bars"'
+    file = bar((stated, f'source = "{source}"\n    place = "{place}"'))
+    assert run(["verify", file, "--out", "out"]) == 0
+    whole = f"{source}, {place}" if place else source
+    assert f"({whole}) |" in Path("out/verdicts.md").read_text("utf-8")
+    page = html.unescape(Path("out/report.html").read_text("utf-8"))
+    assert f"· {whole}</p>" in page
+    assert f"({whole})</td>" in page
 
 
 def test_a_parameter_file_names_a_case_file_beside_it(bar, capsys):
