@@ -257,8 +257,9 @@ def _anchor(case: CaseResult) -> str:
 def reproduce(case: CaseResult) -> str:
     if case.name:
         return case.command
+    init = case.command.replace("freewheel verify", "freewheel init", 1)
     return (
-        f"{case.command}\nfreewheel init {case.id} > my.toml    # then edit it for your own part\n"
+        f"{case.command}\n{init} > my.toml    # then edit it for your own part\n"
         "freewheel check --fem my.toml"
     )
 

@@ -1,24 +1,26 @@
 """The command `init`: a commented parameter file with the paper's numbers, made from the model."""
 
+import json
+import os
 import sys
 from io import TextIOWrapper
 from pathlib import Path
 
 from verify.answers.assumed.registry import ASSUMPTIONS
-from verify.answers.template_lines import aligned, assigned, comment, commented, sections
-from verify.cases.registry import find
+from verify.answers.template_lines import CHOSEN, aligned, assigned, comment, commented, sections
+from verify.cases.registry import CASES, DEEP, find
 from verify.core.case import Case
 from verify.core.inputs import REQUIRED, InputError, Inputs, entry_model, is_table, meta
 from verify.papers.ledger import cited
 
 HEAD = """\
-# Parameters of the freewheel case {id}: {title}.
+# Parameters of the freewheel case {called}: {title}.
 # The numbers are {whose}; put in your own, and then
 #   freewheel check my.toml          formulas, with warnings where they leave their range
 #   freewheel check --fem my.toml    and judged by finite elements on these parameters
 # A value keeps its unit; any other unit of the same kind will do.
 
-case = "{id}"
+case = {case}
 name = "my {id}"
 
 [inputs]
@@ -36,7 +38,7 @@ def run_init(case_id: str, out: Path | None) -> int:
         case = find(case_id)
     except ValueError as error:
         raise InputError(f"{error}; tasks of design are {', '.join(TASKS)}") from error
-    hand_over(template(case), out)
+    hand_over(template(case, Path() if out is None else out.parent), out)
     return 0
 
 
@@ -56,22 +58,26 @@ def hand_over(text: str, out: Path | None) -> None:
         raise InputError(f"{out}: cannot be written: {error.strerror}") from error
 
 
-def template(case: Case) -> str:
-    """A parameter file of the paper's numbers.
+def template(case: Case, folder: Path = Path()) -> str:
+    """A parameter file of the paper's numbers; `folder` is where it will be.
 
     Of a case with assumptions the lines that are needed stand first and the others behind a #:
     with these it builds to the paper's inputs. Of another case it does so as it is.
     """
     printed = any(meta(field)["claims"] for field in case.inputs.model_fields.values())
-    whose = f"the paper's ({cited(case.paper)}) where it prints them" if printed \
+    outside = not any(case.id == other.id for other in (*CASES, *DEEP))
+    whose = f"the defaults of {case.named}" if outside \
+        else f"the paper's ({cited(case.paper)}) where it prints them" if printed \
         else "this project's own"  # fmt: skip
-    head = HEAD.format(id=case.id, title=case.title, whose=whose)
+    name = os.path.relpath(case.file, folder.resolve()) if case.file else case.id
+    head = HEAD.format(id=case.id, called=case.named, title=case.title, whose=whose,
+                       case=json.dumps(name, ensure_ascii=False))  # fmt: skip
     assumptions = ASSUMPTIONS.get(case.id, ())
     if assumptions:
         body = sections(case.inputs, assumptions, "the paper's" if printed else "this project's")
         body += IN_A_LINE if any(map(is_table, case.inputs.model_fields.values())) else ""
     else:
-        body = aligned(commented(case.inputs))
+        body = aligned(commented(case.inputs, "" if outside else CHOSEN))
     return head + body + _instead(case.inputs) + _tables(case.inputs)
 
 

@@ -66,10 +66,13 @@ def if_left_out(one: Assumption) -> str:
     return f"optional; if left out{value}: {one.source}"
 
 
-def commented(model: type[Inputs]) -> list[tuple[str, str]]:
+def commented(model: type[Inputs], chosen: str = CHOSEN) -> list[tuple[str, str]]:
     """Every input but tables as its line of TOML, and what is to be said of it."""
     fields = [(n, f) for n, f in model.model_fields.items() if not is_table(f)]
-    return [(assigned(name, field, field.default), comment(name, field)) for name, field in fields]
+    return [
+        (assigned(name, field, field.default), comment(name, field, chosen))
+        for name, field in fields
+    ]
 
 
 def aligned(lines: Sequence[tuple[str, str]]) -> str:

@@ -9,6 +9,7 @@ import os
 import sys
 import traceback
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import cache
 from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
@@ -102,7 +103,7 @@ def _loaded(path: Path) -> Case:
         ]  # fmt: skip
         if not found:
             raise InputError(f"{path}: declares no subclass of Case with a title")
-        return _stated(found[-1])
+        return replace(_stated(found[-1]), file=path)
     except InputError:
         raise
     except Exception as error:

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any, ClassVar, Protocol
 
 from numpy.typing import NDArray
@@ -174,3 +175,9 @@ class Case:
     dynamic: Dynamic | None = None
     portions: tuple[Portion, ...] = ()
     scans: tuple[Scan, ...] = ()
+    file: Path | None = None  # that declares it, of a case outside the suite that has no name
+
+    @property
+    def named(self) -> str:
+        """What commands call it: its id, or the name of its file."""
+        return self.file.name if self.file else self.id

@@ -3,6 +3,7 @@
 Whatever goes wrong inside a case is a red row of that case, with a traceback beside the report.
 """
 
+import shlex
 import time
 import traceback
 from collections.abc import Sequence
@@ -76,8 +77,8 @@ def judge_case(job: Job, levels: Sequence[Solved]) -> CaseResult:
     traces = (*(s.trace for s in levels if s.trace), *guard.traces)
     return CaseResult(
         **shown, rows=(*rows, *guard.rows), seconds=sum(s.seconds for s in levels),
-        cached=all(s.cached for s in levels), command=f"freewheel verify {job.case.id}",
-        errors=traces,
+        cached=all(s.cached for s in levels), errors=traces,
+        command=f"freewheel verify {shlex.quote(job.case.named)}",
     )  # fmt: skip
 
 

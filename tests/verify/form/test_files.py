@@ -79,6 +79,27 @@ def test_a_parameter_file_names_a_case_file_beside_it(bar, capsys):
     assert run(["explain", "inner edge", "my.toml"]) == 0
 
 
+def test_a_template_of_a_case_file_is_a_parameter_file_of_it(bar, capsys):
+    file = bar()
+    Path("parts").mkdir()
+    for out in ("my.toml", "parts/my.toml"):
+        assert run(["init", file, "--out", out]) == 0
+        assert run(["check", out]) == 3
+    assert run(["init", file]) == 0
+    text = capsys.readouterr().out
+    assert f'case = "{file}"' in text
+    assert f"The numbers are the defaults of {file}" in text
+    assert "not printed" not in text
+    assert 'r_i = "100 mm"  # inner radius; greater than 0 mm\n' in text
+
+
+def test_a_page_says_how_to_run_the_case_of_a_file_again(bar):
+    file = bar()
+    assert run(["verify", file, "--out", "out"]) == 0
+    page = Path("out/report.html").read_text("utf-8")
+    assert f"freewheel verify {file}\nfreewheel init {file} &gt; my.toml" in page
+
+
 def test_a_formula_that_is_off_fails_its_row(bar, capsys):
     file = bar(
         ("return self.M * (self.r_n - self.r_i)", "return 1.02 * self.M * (self.r_n - self.r_i)")
