@@ -159,7 +159,9 @@ def partly(report: Report) -> str:
 
 def title(report: Report) -> str:
     """What the report is about."""
-    return report.name or "Freewheel clutches: formulas against finite elements"
+    if report.name or not report.cases or report.has_ledgers:
+        return report.name or "Freewheel clutches: formulas against finite elements"
+    return "; ".join(dict.fromkeys(case.title for case in report.cases))
 
 
 def styles() -> str:

@@ -29,7 +29,7 @@ from verify.core.results import PaperCell, PaperTable, Report, Row, Status
 
 
 def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
-    """All that templates/report.typ prints; a user's own report has no ledgers."""
+    """All that templates/report.typ prints; one's own cases or parameters have no ledgers."""
     places, sheets = anchors(report.rows), Sheets(report)
     own, checks = bool(report.name), of_cases(report)
     beside = seconds(checks)
@@ -67,7 +67,7 @@ def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
         "crosschecks_left": left_out_data(checks),
         "crosschecks_told": told(checks),
         "caught": caught_data(report.caught),
-        "ledgers": None if own else _ledgers(report, places),
+        "ledgers": _ledgers(report, places) if report.has_ledgers else None,
     }
 
 

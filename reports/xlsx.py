@@ -24,7 +24,7 @@ HEAD = 1  # line of the head of a sheet without lines above
 
 
 def xlsx(report: Report) -> bytes:
-    """The workbook; a user's own report has no sheets of the papers."""
+    """The workbook; that of one's own cases or parameters has no sheets of the papers."""
     book, sheets = Book(title(report), made(report)), Sheets(report)
     _summary(book, report)
     book.table("Rows", (*HEADER, "ledger"), _rows(report), numbers=NUMBERS)
@@ -43,7 +43,7 @@ def xlsx(report: Report) -> bytes:
         for table, name in zip(case.tables, names, strict=True):
             above = [[table.title], *([[table.note]] if table.note else []), [case.id]]
             book.table(name, table.header, table.rows, above=above)
-    if not report.name:
+    if report.has_ledgers:
         for paper_table, name in zip(report.tables, sheets.of_paper, strict=True):
             _paper_table(book, name, paper_table)
         _ledgers(book, report)

@@ -113,7 +113,7 @@ def make_report(
 ) -> Report:
     """A run with the ledgers and its provenance; `name` is that of a user's own parameters."""
     from verify.app.provenance import provenance
-    from verify.papers.ledgers import ledgers
+    from verify.papers.ledgers import ledgers, sources
 
     suite = {case.id for case in CASES}
     own = [result for result in results if result.id in suite]
@@ -121,13 +121,13 @@ def make_report(
         cases=tuple(results),
         provenance={**provenance(ROOT, results, seconds), "left_out": len(CASES) - len(own)},
         name=name,
-        validity=() if name else _validity(results, cases),
+        validity=() if name or not own else _validity(results, cases),
         drift=None if name or not own else since(own),
-        searches=() if name else searches([case.id for case in cases]),
-        budgets=() if name else _budgets(results, cases),
+        searches=() if name or not own else searches([case.id for case in cases]),
+        budgets=() if name or not own else _budgets(results, cases),
         crosschecks=() if name else _crosschecks(results),
-        caught=None if name else _caught(),
-        **ledgers(results, cases),
+        caught=None if name or not own else _caught(),
+        **(ledgers(results, cases) if own else sources(cases)),
     )
 
 

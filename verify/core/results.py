@@ -541,7 +541,7 @@ class Caught:
 class Report:
     """A whole run: judged cases, the ledgers and where the numbers come from.
 
-    `name` is that of a user's parameter file; empty for the papers' own numbers.
+    `name` is that of a user's parameter file; empty for the default inputs of the cases.
     """
 
     cases: tuple[CaseResult, ...]
@@ -558,6 +558,11 @@ class Report:
     budgets: tuple[CaseBudget, ...] = ()
     crosschecks: tuple[Crosscheck, ...] = ()
     caught: Caught | None = None
+
+    @property
+    def has_ledgers(self) -> bool:
+        """Whether it tells of the papers: not of one's own parameters or of one's own cases."""
+        return not self.name and any(paper["title"] for paper in self.papers)
 
     @property
     def rows(self) -> tuple[Row, ...]:

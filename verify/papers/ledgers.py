@@ -27,6 +27,12 @@ def ledgers(results: Sequence[CaseResult], cases: Sequence[Case]) -> dict[str, A
     }
 
 
+def sources(cases: Sequence[Case]) -> dict[str, Any]:
+    """The same for a report on cases outside the suite alone: their sources, and no paper."""
+    found = tuple(_other_sources(cases))
+    return {"papers": found} | dict.fromkeys(("equations", "errata", "published", "tables"), ())
+
+
 def _other_sources(cases: Sequence[Case]) -> list[dict[str, Any]]:
     """Books and papers of cases outside the suite, which have no ledger."""
     keys = {paper.key for paper in papers()}

@@ -79,6 +79,20 @@ def test_a_parameter_file_names_a_case_file_beside_it(bar, capsys):
     assert run(["explain", "inner edge", "my.toml"]) == 0
 
 
+def test_a_report_on_one_s_own_cases_has_their_title_and_no_papers(bar):
+    title = "Bending stresses of a curved bar"
+    assert run(["verify", bar(), "--out", "out"]) == 0
+    page = Path("out/report.html").read_text("utf-8")
+    heads = re.findall(r"<h([1-4])[^>]*>([^<]*)", page)
+    assert heads[0] == ("1", title)
+    assert not {"Tables of the papers", "Errata", "Readings", "Assumptions"} & {h for _, h in heads}
+    assert "Error budgets" not in page
+    data = json.loads(Path("out/results.json").read_text("utf-8"))
+    assert [p["key"] for p in data["papers"]] == ["Timoshenko, Strength of Materials"]
+    assert not data["errata"] + data["equations"] + data["published"] + data["paper_tables"]
+    assert len(re.findall(rb"/Type\s*/Page\b", Path("out/report.pdf").read_bytes())) < 8
+
+
 def test_a_template_of_a_case_file_is_a_parameter_file_of_it(bar, capsys):
     file = bar()
     Path("parts").mkdir()
