@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from markupsafe import Markup
 
 MINUS = "−"
-_INDEX = re.compile(r"_(\{[^}]*\}|[^\s()/\[\]|^,;:·=]+)")
+_INDEX = re.compile(r"_(\{[^}]*\}|[^\s()/\[\]|^,;:·=*]+)")
 
 
 def drawing(width: float, height: float, body: Iterable[Markup], label: str, css: str) -> Markup:

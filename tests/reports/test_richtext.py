@@ -3,7 +3,7 @@
 import pytest
 from markupsafe import Markup
 
-from reports import formats
+from reports import formats, svg
 from reports.richtext import digits, plain, runs
 
 
@@ -41,3 +41,8 @@ def test_a_power_of_ten_is_raised(written, expected):
 def test_powers_and_indices_survive_in_one_string():
     assert plain(formats.power(2.1e-8)) == "2.1×10⁻⁸"
     assert plain(formats.symbol("u_r(r_i)")) == "u_r(r_i)"
+
+
+def test_the_star_of_a_symbol_is_not_part_of_its_index():
+    assert formats.symbol("K_1*") == "<var>K<sub>1</sub>*</var>"
+    assert ">1</tspan>" in svg.lowered("K_1*")

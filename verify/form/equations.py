@@ -88,8 +88,9 @@ def equation(case: Case, q: Quantity, symbols: Symbols) -> Equation | None:
         break
     put_in = equations.put_in(tex.rpartition(" = ")[2], symbols.numbers)
     number = equations.with_unit(value / units.factor(q.unit), q.unit)
+    symbol = equations.symbol_tex(q.symbol)
     return Equation(
-        tex=f"{equations.symbol_tex(q.symbol)} = {tex}",
+        tex=equations.with_raised_stars(f"{symbol} = {tex}", (symbol, *symbols.values)),
         numbers=f"= {number}" if found is None else f"= {put_in} = {number}",
         place=f"Eq. {q.equation}" if q.equation else q.source,
         is_step=q.role == "step",

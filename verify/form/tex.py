@@ -5,7 +5,7 @@ Numbers keep their units (210 GPa · 0.06 mm), so that no reader has to guess a 
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any, TypeVar
 
 from verify.core.tex import tex as number
@@ -35,6 +35,20 @@ def symbol_tex(symbol: str) -> str:
         f"([{''.join(GREEK)}])(?=([A-Za-zα-ωΑ-Ω]?))",
         lambda m: rf"\{GREEK[m[1]]}" + (" " if m[2] else ""), with_subscripts,
     )  # fmt: skip
+
+
+def with_raised_stars(tex: str, symbols: Iterable[str]) -> str:
+    r"""The equation for display: a star of one of the `symbols` is no product.
+
+    >>> with_raised_stars(r"\pi E* l K_1*^2", ["l", "E*", "K_1*"])
+    '\\pi E^* l K_1^{*2}'
+    """
+    starred = sorted({s for s in symbols if "*" in s}, key=len, reverse=True)
+    if not starred:
+        return tex
+    names = "|".join(map(re.escape, starred))
+    raised = re.sub(names, lambda m: m[0].replace("*", "^*"), tex)
+    return re.sub(r"\^\*\^(?:\{([^{}]*)\}|(\w))", lambda m: f"^{{*{m[1] or m[2]}}}", raised)
 
 
 def with_unit(value: float, unit: str, digits: int = 6) -> str:
