@@ -5,8 +5,11 @@ from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import fields, replace
 from functools import cache
+from math import isfinite
 from pathlib import Path
 from typing import Any, ClassVar
+
+from pydantic import ValidationError
 
 from verify.core import case as core
 from verify.core.case import Check, Context, FemResult, Output, Values
@@ -59,7 +62,7 @@ def _default(form: type[Case], time_limit: float | None) -> Case:
     The dimensions of the suite's own equations are a matter of its tests.
     """
     check_names(form)
-    case = form()
+    case = _valid(form)
     with executed(inspect.getfile(form), time_limit):
         names = Counter(one.name for one in case.stated())
         if twice := next((one for one in case.stated() if names[one.name] > 1), None):
@@ -67,6 +70,17 @@ def _default(form: type[Case], time_limit: float | None) -> Case:
         if time_limit is not None:  # outside the suite
             dimensions.check(case)
     return case
+
+
+def _valid(form: type[Case]) -> Case:
+    """The default inputs, within their bounds, which pydantic does not check."""
+    try:
+        return form().at()
+    except ValidationError as error:
+        first = error.errors()[0]
+        name = ".".join(map(str, first["loc"]))
+        rule = f"the default of {name}: {first['msg']}" if name else first["msg"]
+        raise CaseError(f"{Path(inspect.getfile(form)).name}: {form.__name__}: {rule}") from error
 
 
 def _twice(form: type[Case], one: Comparison) -> CaseError:
@@ -117,9 +131,21 @@ class Reference(_Side):
         before = solving.set(True)
         try:
             with executed(self.file, self.time_limit):
-                return case.reference(level)
+                found = case.reference(level)
         finally:
             solving.reset(before)
+        if self.time_limit is not None:  # outside the suite
+            _check_numbers(found, f"{Path(self.file).name}: {self.__name__}: level {level}")
+        return found
+
+
+def _check_numbers(found: object, place: str) -> None:
+    """CaseError where a level is not what `solved` gives, or has a number that is none."""
+    if not isinstance(found, FemResult):
+        raise CaseError(f"{place} returns {type(found).__name__}, not solved(...)")
+    for key, value in found.values.items():
+        if not isfinite(value):
+            raise CaseError(f"{place}: {key} is {value:g}")
 
 
 def _outputs(default: Case) -> Iterator[Output]:

@@ -74,6 +74,7 @@ class Case(Inputs):
         for q in cls.quantities():
             if (other := names.setdefault(q.symbol, q.name)) not in (q.name, q.form_of):
                 raise q.broken(f"the symbol {q.symbol} is that of {other} already")
+            q.check_words()
             try:
                 units.factor(q.unit)
             except ValueError as error:

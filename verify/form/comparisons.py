@@ -161,6 +161,8 @@ def approximation(
     Comparisons are stated before the reference is solved: no interval can be read off it.
     """
     source = "" if expected is None else expected.source
+    if expected is not None and not source:
+        raise q.broken("its expected error states no source")
     if isinstance(expected, Expected) and not expected.low <= expected.high:
         ends = f"from {expected.low:g} to {expected.high:g}"
         raise q.broken(f"its error is expected {ends}, and low must not be above high")
@@ -254,6 +256,9 @@ def _compared(
     kind: Callable[..., Check], q: Quantity, reference: str, options: Options,
     more: Mapping[str, Any], numbers: Mapping[str, Number] | None = None,
 ) -> Comparison:  # fmt: skip
+    if unknown := sorted(options.keys() - Options.__annotations__.keys()):
+        known = ", ".join(Options.__annotations__)
+        raise q.broken(f"comparisons have no argument {unknown[0]}; those are: {known}")
     state = options.get("state")
     name, symbol, key = q.label, q.symbol, key_of(q, state)
     own = key.replace(q.name, q.form_of, 1) if q.form_of else key

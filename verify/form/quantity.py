@@ -9,7 +9,7 @@ from functools import partial, wraps
 from itertools import count, product
 from math import isfinite
 from pathlib import Path
-from typing import Any, Generic, Literal, SupportsFloat, TypeVar, overload
+from typing import Any, Generic, Literal, SupportsFloat, TypeVar, get_args, overload
 
 Side = Literal["too high", "too low", ""]
 Role = Literal["formula", "step", "geometry"]
@@ -83,6 +83,13 @@ class Quantity:
     def label(self) -> str:
         """What it is, with its equation: "hoop stress, Eq. 9". Rows are named by it."""
         return f"{self.what}, Eq. {self.equation}" if self.equation else self.what
+
+    def check_words(self) -> None:
+        """CaseError where `safe`, `form` or `role` is none of its words."""
+        for name, words in ("safe", Side), ("form", Form), ("role", Role):
+            if (word := getattr(self, name)) not in get_args(words):
+                known = ", ".join(filter(None, get_args(words)))
+                raise self.broken(f"{name} is {word!r}, and must be one of: {known}")
 
     def broken(self, rule: str) -> CaseError:
         """The error for a rule that this declaration breaks."""

@@ -100,7 +100,10 @@ def _without(context: Context, key: object) -> str:
     if key not in context.analytic:
         return f"the formulas give no {key}, or nan or inf"
     if any(key not in level.values for level in context.fem):
-        return f"the reference gives no {key}"
+        level = context.fem[-1]
+        if key in level.arrays:
+            return f"the reference gives {key} as an array, not as a number"
+        return f"the reference gives no {key}, but {', '.join(level.values) or 'no number'}"
     return ""
 
 

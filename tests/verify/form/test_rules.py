@@ -17,6 +17,7 @@ from verify.case import (
     approximation,
     given,
     identity,
+    solved,
 )
 from verify.cases.registry import CASES
 from verify.form import dimensions, independence
@@ -123,7 +124,7 @@ def expecting(low, high, *, computed=False):
                 interval = Computed(lambda: (low(self), high(self)), "book")
             yield identity(Judged.area, scale={"of its stress": self.sigma * self.d**4})
             yield approximation(Judged.sigma, expected=interval)
-            yield approximation(Judged.sigma, expected=Expected(-0.1, 0.1, ""),
+            yield approximation(Judged.sigma, expected=Expected(-0.1, 0.1, "wide"),
                                 state=State(double, "double", "2 F"))  # fmt: skip
 
     return Judged
@@ -202,3 +203,48 @@ def test_help_is_an_overview_of_all_names():
     assert "BaseModel" not in text
     assert len(text.splitlines()) < 80
     assert "sensitivity" in pydoc.render_doc(verify.case.Options)
+
+
+def test_words_of_a_declaration_are_known():
+    with pytest.raises(CaseError, match=r"test_rules.py:\d+: .*safe is 'to high'"):
+
+        class Mistyped(Rod):
+            @Quantity("τ", "MPa", "shear", safe="to high")
+            def tau(self) -> float:
+                return 0.0
+
+
+@pytest.mark.parametrize(
+    ("stated_as", "message"),
+    [
+        ({"expected": Expected(-0.01, 0.01, "s"), "ordr": 2}, "comparisons have no argument ordr"),
+        ({"expected": Expected(-0.01, 0.01, "")}, "its expected error states no source"),
+    ],
+)
+def test_a_comparison_that_is_stated_wrongly_is_an_error(stated_as, message):
+    with pytest.raises(CaseError, match=rf"test_rules.py:\d+: Rod.sigma: {message}"):
+        approximation(Rod.sigma, **stated_as)
+
+
+def test_a_default_outside_its_bounds_is_an_error():
+    class Negative(Rod):
+        d: float = given("-20 mm", "mm", "d", "diameter", gt=0)
+
+    with pytest.raises(CaseError, match=r"test_rules.py: Negative: the default of d: .* greater"):
+        len(adapted(Negative).checks)
+
+
+@pytest.mark.parametrize(
+    ("result", "message"),
+    [
+        (None, r"returns NoneType, not solved\(...\)"),
+        (solved(1.0, sigma=float("nan")), "sigma is nan"),
+    ],
+)
+def test_a_reference_without_numbers_is_an_error(result, message):
+    class Faulty(Rod):
+        def reference(self, level):
+            return result
+
+    with pytest.raises(CaseError, match=f"test_rules.py: Faulty.reference: level 1:? {message}"):
+        adapted(Faulty, time_limit=60.0).reference(Faulty(), 1)
