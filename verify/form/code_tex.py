@@ -29,7 +29,7 @@ def tex_of(formula: Callable[..., Any], symbols: Mapping[str, str]) -> str:
 
 
 def _tex(node: ast.expr, symbols: Mapping[str, str]) -> tuple[str, int]:
-    """TeX and how tightly it binds: 1 sum, 2 product, 3 power or single symbol."""
+    """TeX and how tightly it binds: 1 sum, 2 product, 3 power, 4 single symbol."""
 
     def part(of: ast.expr, binding: int) -> str:
         text, binds = _tex(of, symbols)
@@ -37,11 +37,11 @@ def _tex(node: ast.expr, symbols: Mapping[str, str]) -> tuple[str, int]:
 
     match node:
         case ast.Attribute(value=ast.Name(id="self"), attr=name):
-            return symbols[name], 3
+            return symbols[name], 4
         case ast.Constant(value=value):
-            return number(float(value)), 3  # type: ignore[arg-type]
+            return _constant(float(value))  # type: ignore[arg-type]
         case ast.Name(id="pi"):
-            return r"\pi", 3
+            return r"\pi", 4
         case ast.UnaryOp(op=ast.USub(), operand=of):
             return f"-{part(of, 2)}", 1
         case ast.BinOp(left=a, op=ast.Add(), right=b):
@@ -53,11 +53,18 @@ def _tex(node: ast.expr, symbols: Mapping[str, str]) -> tuple[str, int]:
         case ast.BinOp(left=a, op=ast.Div(), right=b):
             return rf"\frac{{{part(a, 1)}}}{{{part(b, 1)}}}", 2
         case ast.BinOp(left=a, op=ast.Pow(), right=b):
-            return rf"{part(a, 3)}^{{{part(b, 1)}}}", 3
+            return rf"{part(a, 4)}^{{{part(b, 1)}}}", 3
         case ast.Call(func=ast.Name(id="sqrt"), args=[of]):
-            return rf"\sqrt{{{part(of, 1)}}}", 3
+            return rf"\sqrt{{{part(of, 1)}}}", 4
         case ast.Call(func=ast.Name(id=function), args=several) if function in EXTREMES:
             return rf"\{function}\left({', '.join(part(of, 1) for of in several)}\right)", 2
         case ast.Call(func=ast.Name(id=function), args=[of]):
             return rf"\{FUNCTIONS[function]}\left({part(of, 1)}\right)", 2
     raise TypeError(node)
+
+
+def _constant(value: float) -> tuple[str, int]:
+    """A constant with all its digits, so that the equation has the number of the code."""
+    digits = next(n for n in range(6, 18) if float(f"{value:.{n}g}") == value)
+    text = number(value, digits)
+    return text, 2 if r"\cdot" in text else 3 if "^" in text else 4

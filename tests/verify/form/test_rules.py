@@ -20,7 +20,7 @@ from verify.case import (
     solved,
 )
 from verify.cases.registry import CASES
-from verify.form import dimensions, independence
+from verify.form import dimensions, equations, independence
 from verify.form.adapter import adapted
 from verify.form.quantity import changed
 from verify.judging import judge
@@ -248,3 +248,25 @@ def test_a_reference_without_numbers_is_an_error(result, message):
 
     with pytest.raises(CaseError, match=f"test_rules.py: Faulty.reference: level 1:? {message}"):
         adapted(Faulty, time_limit=60.0).reference(Faulty(), 1)
+
+
+def test_constants_and_powers_of_code_are_those_of_the_equation():
+    class Powers(Rod):
+        @Quantity("x", "mm", "constant of many digits")
+        def x(self) -> float:
+            return 0.31830988618 * self.d
+
+        @Quantity("y", "mm", "power of a power of ten")
+        def y(self) -> float:
+            return self.d * 1e6**self.k
+
+        @Quantity("z", "mm", "power of a power")
+        def z(self) -> float:
+            return self.d * (3**self.k) ** 2
+
+    found = [e.tex for e in equations.stated(Powers()) if e.numbers.count("=") == 2]
+    assert found[-3:] == [
+        r"x = 0.31830988618 d",
+        r"y = d \left(10^{6}\right)^{k}",
+        r"z = d \left(3^{k}\right)^{2}",
+    ]
