@@ -1,6 +1,7 @@
 """A case's sketch from its shapes, to scale, with arrows, dimensions and labels."""
 
 import math
+import re
 from collections.abc import Callable
 
 import numpy as np
@@ -11,6 +12,9 @@ from verify.core.figures import Array, Sketch
 
 WIDTH, HEIGHT = 400.0, 300.0
 MARGIN = 34.0  # for labels around the drawing
+LETTER = 7.0  # width of one in a label, on average
+_LABEL = re.compile(r'<text class="[^"]*" x="(\S+)" y="\S+" text-anchor="(\w+)">(.*?)</text>')
+_TAG = re.compile("<[^>]*>|&#?\\w+;")
 
 Points = list[tuple[float, float]]
 
@@ -33,7 +37,19 @@ def sketch(data: Sketch | None) -> Markup:
         ]
 
     body = [DRAW[s.style](at(s.points), s.label) for s in data.shapes]
-    return svg.drawing(WIDTH, 2 * MARGIN + k * size[1], body, data.title, "sketch")
+    drawn = svg.drawing(WIDTH, 2 * MARGIN + k * size[1], body, data.title, "sketch")
+    return _widened(drawn)
+
+
+def _widened(drawn: Markup) -> Markup:
+    """The drawing with room for its longest labels, which paper and narrow screens would cut."""
+    left, right = 0.0, WIDTH
+    for x, anchor, inner in _LABEL.findall(drawn):
+        wide = LETTER * len(_TAG.sub("", inner))
+        start = float(x) - wide * {"start": 0.0, "middle": 0.5, "end": 1.0}[anchor]
+        left, right = min(left, start), max(right, start + wide)
+    box = f'viewBox="{math.floor(left)} 0 {math.ceil(right) - math.floor(left)} '
+    return Markup(str(drawn).replace(f'viewBox="0 0 {WIDTH:g} ', box, 1))  # noqa: S704 - numbers alone
 
 
 def _closed(css: str) -> Callable[[Points, str], Markup]:

@@ -8,6 +8,7 @@ import pytest
 from reports.sketch import WIDTH, sketch
 from verify.cases.freewheel import star_sketch
 from verify.cases.freewheel.star import Star
+from verify.cases.registry import find
 
 LETTER, TALL, BESIDE = 6.6, 13.0, 44.0  # of a label; room beside a sketch on the page
 SIZES = [  # m: as given, few rollers, many on thin walls, thick walls, another scale
@@ -52,3 +53,11 @@ def test_the_torque_turns_clockwise_and_the_flat_is_measured_upwards():
     (flat,) = (s.points for s in shapes if s.label.startswith("X"))
     assert flat[-1, 1] == Star().X
     assert flat[0, 1] < flat[-1, 1]
+
+
+@pytest.mark.parametrize("case", ["contact-roller", "contact-sphere", "ring-lame"])
+def test_a_label_is_within_the_drawing(case):
+    known = find(case)
+    drawn = str(sketch(known.sketch(known.inputs())))
+    left, _, width, _ = map(float, re.search(r'viewBox="([^"]*)"', drawn)[1].split())
+    assert all(left <= a and b <= left + width for _, (a, _, b, _) in labels(drawn))
