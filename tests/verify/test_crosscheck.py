@@ -114,7 +114,7 @@ def test_what_calculix_says_of_a_deck_that_it_refuses_is_told_and_kept(
     monkeypatch.setattr(store, "code_of", lambda _cross: "")
     assert crosscheck("ring-lame", out=tmp_path) == 1
     said = capsys.readouterr().err
-    assert "failed: ring-lame, plane strain: calculix failed on deck.inp" in said
+    assert "failed: ring-lame, plane strain: RuntimeError: calculix failed on deck.inp" in said
     assert "ERROR" in (tmp_path / ring.file / "deck.log").read_text()
     assert not folder.exists()
 

@@ -6,7 +6,7 @@ import pytest
 
 from analytic.polyhedral import locking
 from analytic.polyhedral.locking import RollerContact
-from fem.contact import problem, shapes
+from fem.contact import locked
 from verify.cases.polyhedral.locking.case import LOCKING
 from verify.jobs.level import Job, judge_case, solve_level
 
@@ -70,8 +70,8 @@ def plane_strain(right):
 
 
 FEM_FAULTS = [
-    pytest.param(shapes, "Circle", convex, {ON_RACE}, id="a convex race"),
-    pytest.param(problem, "ContactProblem", plane_strain, {FORCE}, id="plane strain of both"),
+    pytest.param(locked, "Circle", convex, {ON_RACE}, id="a convex race"),
+    pytest.param(locked, "ContactProblem", plane_strain, {FORCE}, id="plane strain of both"),
 ]  # fmt: skip
 
 

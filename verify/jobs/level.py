@@ -90,13 +90,15 @@ def _judged(check: Check, context: Context, job: Job) -> list[Row]:
     try:
         return [replace(row, method=job.case.method.alone) for row in check.rows(context)]
     except KeyError as error:
-        if reason := _without(context, error.args[0]):
+        if reason := _without(context, check, error.args[0]):
             raise ValueError(reason) from error
         raise
 
 
-def _without(context: Context, key: object) -> str:
-    """Which side does not give a number that a check asked for; empty where both do."""
+def _without(context: Context, check: Check, key: object) -> str:
+    """Which side does not give a number that a check names; empty for any other key."""
+    if not any(isinstance(name, str) and name == key for name in vars(check).values()):
+        return ""
     if key not in context.analytic:
         return f"the formulas give no {key}, or nan or inf"
     if any(key not in level.values for level in context.fem):
