@@ -105,7 +105,8 @@ def _without(context: Context, check: Check, key: object) -> str:
         level = context.fem[-1]
         if key in level.arrays:
             return f"the reference gives {key} as an array, not as a number"
-        return f"the reference gives no {key}, but {', '.join(level.values) or 'no number'}"
+        others = f", but {', '.join(level.values)}" if level.values else ""
+        return f"the reference gives no {key}{others}"
     return ""
 
 
