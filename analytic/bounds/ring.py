@@ -1,6 +1,6 @@
 r"""What Eq. 6 of Huang 2018 and Hertz's dent are expected to miss of a race under n loads.
 
-Eq. 6 is the mean of the Fourier ring, so that its error at a place where the ring gives way by
+Eq. 6 is the mean of the Fourier ring, so that its error at a place where the ring deflects by
 u, less a local dent h, is
 
 .. math:: m = \frac{\bar u + h_a}{u - h} - 1

@@ -1,4 +1,4 @@
-r"""What bounds of a roller freewheel start from: its parts, its wedge written anew, one state.
+r"""What bounds of a roller freewheel start from: its parts, a second form of its wedge, one state.
 
 The roller's centre is at the distance rho from the axis and at the height y over the flat's
 parallel through the axis, cos(2 alpha) = y/rho, so that

@@ -1,4 +1,4 @@
-"""When a load path reaches what a clutch bears: the paths and slip written anew.
+"""When a load path reaches what a clutch bears: a second form of paths and slip.
 
 From the definitions of the rig's paths alone (Nagler, Lohrengel, Sec. 6), so that times of slip can
 be judged that follow from `load_path` and the criterion:

@@ -2,7 +2,7 @@ r"""Expected interval of a clamped star's approach, from three bodies that can b
 
 A layer of the height h = X - r_b, bonded to a rigid base, under loads a flat's length apart, holds
 the star's material inside, and its clamp falls away from the base: for stars of thin wall it is too
-stiff. Its surface gives way to a wave of the number q by 2 K(q h)/(E' q) times its pressure,
+stiff. Its surface deflects under a wave of the number q by 2 K(q h)/(E' q) times its pressure,
 
 .. math:: K(t) = \frac{2\kappa\sinh 2t - 4t}{2\kappa\cosh 2t + 4t^2 + 1 + \kappa^2},
           \qquad \kappa = 3 - 4\nu .

@@ -1,4 +1,4 @@
-"""Expected errors of a tilted clutch's couplings, and these couplings summed anew.
+"""Expected errors of a tilted clutch's couplings, and the sum of these couplings a second time.
 
 Sprags of that clutch stand from half a pitch on. Slice k of sprag j is pressed by d_jk =
 (dx + x_k gamma) cos psi_j + R_i tan nu g, with the power 10/9 of which its force grows. The twist g
@@ -55,7 +55,7 @@ def left_out(
 ) -> tuple[float, float]:
     """Interval of formula/struts - 1: forces along the struts, at points that sink with the tilt.
 
-    `clutch` has slices as fine as matters, the formula `n_s`; its side is summed anew, so that a
+    `clutch` has slices as fine as matters, the formula `n_s`; its side is summed here, so that a
     slip of its value does not move the interval. Points of the race at R_i turn by
     a = gamma_y cos(psi + nu) about their tangent: they sink by R_i a^2/2 off the sprag, and move
     along the axis by R_i a, which changes a tilt's lever.

@@ -1,6 +1,6 @@
 """Errors of beam theories that are expected of a uniform shaft at rest, simply supported.
 
-Timoshenko's equation is written anew, so that a slip of the formula that is judged is none of what
+Timoshenko's equation is written a second time here: a mistake in the judged formula is none of what
 it is judged by.
 
 J. R. Hutchinson, J. Appl. Mech. 68 (2001) 87-92; S. P. Timoshenko, Phil. Mag. 41 (1921) 744-746.
