@@ -530,3 +530,10 @@ def test_a_balance_detects_what_turns_it_red(share, bound, scale):
     more = detects * scale * (1 + 1e-9) + 1e-300
     for change in (more, -more):
         assert judge.exact(residual + change, bound=bound, scale=scale).status is Status.FAIL
+
+
+def test_the_reason_of_an_approximation_is_in_percent():
+    verdict = judge.approximation(1.05, 1.0, U=0.002, interval=(-0.01, 0.01))
+    assert verdict.reason == "model error +5.000 % ± 0.2 % is not inside [-1.000 %, +1.000 %]"
+    shown = judge.approximation(1.05, 1.0, U=0.002, interval=None)
+    assert shown.reason == "measured: +5.00% ± 0.2 %"
