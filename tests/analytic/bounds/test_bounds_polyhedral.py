@@ -79,3 +79,8 @@ def test_a_free_roller_is_missed_by_friction_s_limit_as_wedging_says():
     assert np.mean(wedge.normal_force_error(**angle)) == pytest.approx(1 / (1 + m) - 1, rel=1e-12)
     low, high = wedge.half_planes(a=0.01, R=1.0, mu=0.1)
     assert high == -low == pytest.approx(0.0102)
+
+
+def test_the_relative_radius_is_that_of_roller_and_ring():
+    assert ROLLER.relative_radius == pytest.approx(5e-3 * 40e-3 / 45e-3)
+    assert ROLLER.wall == pytest.approx(8.55e-3)
