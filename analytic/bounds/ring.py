@@ -1,11 +1,11 @@
-r"""What Eq. 6 of Huang 2018 and Hertz's dent are expected to miss of a race under n loads.
+r"""Expected errors of Eq. 6 of Huang 2018 and of Hertz's local approach, a race under n loads.
 
 Eq. 6 is the mean of the Fourier ring, so that its error at a place where the ring deflects by
-u, less a local dent h, is
+u, less the local approach h, is
 
 .. math:: m = \frac{\bar u + h_a}{u - h} - 1
 
-with the dent h_a that the formula adds. The dents are integrated along the axis of the contact,
+with the approach h_a that the formula adds. Both are integrated along the axis of the contact,
 from McEwen's stresses.
 
 References

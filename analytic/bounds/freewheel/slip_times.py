@@ -39,7 +39,7 @@ class Rig:
     duration: float
 
     def time_of_slip(self, path: int, F: float, tan: Tangent) -> float:
-        """First time [s] at which a path asks for more than `F` [N] bears; inf where it never does.
+        """First time [s] at which a path needs more than `F` [N]; inf where it never does.
 
         `F` is the axial load at slip under T, of path 3 under T_critical, where friction is that of
         both; `tan` is asked on path 3 alone.
