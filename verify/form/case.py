@@ -4,7 +4,7 @@ A case is one class. Its fields are the inputs, its quantities the formulas of t
 instance is the problem with numbers, so that `CurvedBar().sigma_i` is a stress in Pa.
 """
 
-from collections.abc import Generator, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Generator, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self
 
 import numpy as np
@@ -108,13 +108,13 @@ class Case(Inputs):
         """The part with its sizes and loads."""
         return None
 
-    def warnings(self) -> Iterator[str]:
+    def warnings(self) -> Iterable[str]:
         """Where these inputs leave what the formulas are for."""
-        yield from ()
+        return ()
 
-    def advice(self) -> Iterator[str]:
+    def advice(self) -> Iterable[str]:
         """What follows for the one who asks, the most important first."""
-        yield from ()
+        return ()
 
     def summary(self) -> Mapping[str, Any]:
         """The advice for programs, as JSON beside the values of `check`."""

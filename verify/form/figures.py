@@ -106,5 +106,10 @@ class Drawn:
         return tuple(self.draw(context))
 
 
+def drawn_by(draw: Callable[[Context], Iterable[Figure]]) -> Callable[[Case], tuple[Drawn]]:
+    """`figures` of a case, all of them made by one function from all results."""
+    return lambda _case: (Drawn(draw),)
+
+
 def _label(symbol: str, unit: str) -> str:
     return symbol if unit == "1" else f"{symbol} [{unit}]"

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from verify.case import AlongLine, Case, given, sketches, solved
+from verify.case import AlongLine, Case, drawn_by, given, sketches, solved
 from verify.core.case import Context
 from verify.form.adapter import adapted
 
@@ -58,3 +58,11 @@ def test_labels_have_room_on_both_sides():
     x = np.concatenate([shape.points[:, 0] for shape in drawn.shapes])
     assert (x.min(), x.max()) == (-3.0, 5.0)
     assert [shape.label for shape in drawn.shapes if shape.style == "text"] == ["", ""]
+
+
+def test_one_function_draws_all_figures_of_a_case_from_all_results():
+    class Drawing(Lines):
+        figures = drawn_by(lambda context: [context.case, len(context.fem)])
+
+    found = adapted(Drawing).figures(Context("drawing", Drawing(), {}, [], True))
+    assert found == ("drawing", 0)

@@ -1,13 +1,12 @@
 """Stiffness of a sprag clutch between two rotors (Eqs. 1-11), beside struts between rigid hubs."""
 
-from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, ClassVar
+from typing import ClassVar
 
-from verify.case import Comparison, Drawn, Level, Scan
-from verify.cases.rotor.clutch import advice, comparisons, figures
+from verify.case import Level, Scan, drawn_by
+from verify.cases.rotor.clutch import advice as advised
+from verify.cases.rotor.clutch import comparisons as compared
+from verify.cases.rotor.clutch import figures as drawn
 from verify.cases.rotor.clutch.formulas import ClutchStiffness
-from verify.core.case import Check
-from verify.core.figures import Sketch
 from verify.core.references import Method
 from verify.form.adapter import adapted
 
@@ -49,39 +48,19 @@ class ClutchLink(ClutchStiffness):
         "the crown is a parabola; Eq. 6 takes any",
     )
 
+    comparisons = compared.rows
+    figures = drawn_by(drawn.figures)
+    sketch = drawn.sketch
+    warnings = advised.warnings
+    advice = advised.findings
+    summary = advised.summary
+    refusal = advised.refusal
+
     def reference(self, level: int) -> Level:
         """Struts, `level` slices for each sprag."""
         from verify.cases.rotor.clutch.reference import solve
 
         return solve(self, level)
-
-    def comparisons(self) -> Iterator[Comparison | Check]:
-        """Closed forms, uneven states, limits, misprints."""
-        return comparisons.rows(self)
-
-    def advice(self) -> Iterator[str]:
-        """Stiffnesses, couplings, and what Eq. 3 leaves out."""
-        yield from advice.findings(self)
-
-    def summary(self) -> Mapping[str, Any]:
-        """Stiffnesses in SI units."""
-        return advice.summary(self)
-
-    def warnings(self) -> Iterator[str]:
-        """Where the stiffness means little."""
-        return advice.warnings(self)
-
-    def refusal(self) -> str:
-        """Why struts are not asked."""
-        return advice.refusal(self)
-
-    def sketch(self) -> Sketch:
-        """Both races with the sprags between them."""
-        return figures.sketch(self)
-
-    def figures(self) -> Sequence[Drawn]:
-        """Stiffness over torque, offset, crown and gap."""
-        return (Drawn(figures.figures),)
 
 
 CLUTCH = adapted(ClutchLink)

@@ -5,14 +5,14 @@ from typing import ClassVar
 
 import numpy as np
 
-from verify.case import Comparison, Drawn, Level, Scan
-from verify.cases.rotor.shaft import comparisons
+from verify.case import Level, Scan, drawn_by
+from verify.cases.rotor.shaft import comparisons as compared
 from verify.cases.rotor.shaft import figures as drawn
 from verify.cases.rotor.shaft.comparisons import CEILING
 from verify.cases.rotor.shaft.formulas import BeamTheories
 from verify.cases.rotor.shaft.inputs import MODES
-from verify.core.case import Check, Context
-from verify.core.figures import Sketch, Table
+from verify.core.case import Context
+from verify.core.figures import Table
 from verify.form.adapter import adapted
 
 FASTEST = 600.0  # rim speed [m/s] that hardly any steel bears
@@ -51,15 +51,15 @@ class UniformShaft(BeamTheories):
         "critical speeds are those of synchronous forward whirl",
     )
 
+    comparisons = compared.rows
+    figures = drawn_by(drawn.figures)
+    sketch = drawn.sketch
+
     def reference(self, level: int) -> Level:
         """Closed-form elements, weak forms, and the elastic body."""
         from verify.cases.rotor.shaft.reference import solve
 
         return solve(self, level)
-
-    def comparisons(self) -> Iterator[Comparison | Check]:
-        """Beams beside beams, elasticity beside the body, beams beside the body, limits, orders."""
-        return comparisons.rows(self)
 
     def warnings(self) -> Iterator[str]:
         """Where a theory is off, and where the speed is critical or bursts the shaft."""
@@ -77,14 +77,6 @@ class UniformShaft(BeamTheories):
     def tables(self, context: Context) -> Iterator[Table]:
         """Frequencies of all theories beside the body's."""
         yield drawn.frequencies(context)
-
-    def sketch(self) -> Sketch:
-        """The shaft in its bearings."""
-        return drawn.sketch(self)
-
-    def figures(self) -> Iterator[Drawn]:
-        """Errors over slenderness, the Campbell diagram, refinement."""
-        yield Drawn(drawn.figures)
 
 
 SHAFT = adapted(UniformShaft)

@@ -3,15 +3,15 @@
 from collections.abc import Iterator
 from typing import ClassVar
 
-from verify.case import Comparison, Drawn, Level, Scan
-from verify.cases.rotor.sprag import figures, tables
+from verify.case import Comparison, Level, Scan, drawn_by
+from verify.cases.rotor.sprag import figures as drawn
+from verify.cases.rotor.sprag import tables as tabulated
 from verify.cases.rotor.sprag.claims import FITTED_SPEEDS, IDENTITIES, SHARES
 from verify.cases.rotor.sprag.elastic import ELASTIC
 from verify.cases.rotor.sprag.formulas import ORDERS, CentralSystem
 from verify.cases.rotor.sprag.inputs import RPM
 from verify.cases.rotor.sprag.linear import LINEAR_ROWS
-from verify.core.case import Check, Context
-from verify.core.figures import Sketch, Table
+from verify.core.case import Check
 from verify.form.adapter import adapted
 
 
@@ -52,6 +52,10 @@ class SpragRotor(CentralSystem):
         "a clutch load uneven in space (offset of the rings), all sprags on one contact law",
     )
 
+    tables = staticmethod(tabulated.tables)
+    figures = drawn_by(drawn.figures)
+    sketch = tabulated.sketch
+
     def reference(self, level: int) -> Level:
         """The central system as beams, and on the paper's mesh the ensemble."""
         from verify.cases.rotor.sprag.reference import solve
@@ -88,18 +92,6 @@ class SpragRotor(CentralSystem):
                 )
         if self.zeta_high > 0.05:
             yield "peaks 3 and 5 lie 12 % apart: damping ratios above 5 % merge them"
-
-    def tables(self, context: Context) -> Iterator[Table]:
-        """Frequencies, statements in shares of sets, unknowns."""
-        yield from tables.tables(context)
-
-    def sketch(self) -> Sketch:
-        """Fig. 1."""
-        return tables.sketch(self)
-
-    def figures(self) -> tuple[Drawn]:
-        """Bands over the sets of parameters."""
-        return (Drawn(figures.figures),)
 
 
 SPRAG_ROTOR = adapted(SpragRotor)

@@ -11,11 +11,11 @@ from analytic.rotor.transfer_model import Rotor
 from analytic.rotor.transfer_modes import critical_speeds, whirl_frequencies
 from verify.case import (
     Comparison,
-    Drawn,
     Level,
     Quantity,
     State,
     approximation,
+    drawn_by,
     identity,
     limit,
     shared,
@@ -120,6 +120,8 @@ class SteppedBeam(SteppedShaft):
         """The same of the splitting, over mode 2."""
         off = abs(self._coarse.split - self.by_rule.split)
         return float(off / self.by_rule.whirl(2, "forward") / 3)
+
+    figures = drawn_by(drawn.figures)
 
     def reference(self, level: int) -> Level:
         """Closed-form elements, the weak form of both beams, and the elastic body."""
@@ -239,10 +241,6 @@ class SteppedBeam(SteppedShaft):
     def sketch(self) -> Sketch:
         """The shaft, its bearings, and what the 45° rule takes as stiff."""
         return drawn.sketch(self)
-
-    def figures(self) -> Iterator[Drawn]:
-        """Maps of both beams' errors over step and length, and their curves."""
-        yield Drawn(drawn.figures)
 
     def pictures(self) -> Iterator[Picture]:
         """Mode 1 of the body."""

@@ -1,13 +1,14 @@
 """Any rotor of coaxial shafts: exact transfer matrices beside beams, on an engineer's own file."""
 
-from collections.abc import Iterator, Mapping
-from typing import Any, ClassVar
+from typing import ClassVar
 
-from verify.case import Comparison, Drawn, Level, Scan
-from verify.cases.rotor.system import advice, comparisons, figures, sketch, warnings
+from verify.case import Level, Scan, drawn_by
+from verify.cases.rotor.system import advice as advised
+from verify.cases.rotor.system import comparisons as compared
+from verify.cases.rotor.system import figures as drawn
+from verify.cases.rotor.system import sketch as sketched
+from verify.cases.rotor.system import warnings as odd
 from verify.cases.rotor.system.formulas import TransferRotor
-from verify.core.case import Check
-from verify.core.figures import Sketch
 from verify.form.adapter import adapted
 
 
@@ -38,39 +39,19 @@ class RotorSystem(TransferRotor):
         "unbalances of shafts that turn at different speeds add their amplitudes",
     )
 
+    comparisons = compared.rows
+    figures = drawn_by(drawn.figures)
+    sketch = sketched.sketch
+    warnings = odd.warnings
+    advice = advised.findings
+    summary = advised.summary
+    refusal = advised.refusal
+
     def reference(self, level: int) -> Level:
         """Beams, every segment cut into `level` elements."""
         from verify.cases.rotor.system.reference import solve
 
         return solve(self, level)
-
-    def comparisons(self) -> Iterator[Comparison | Check]:
-        """Every frequency, critical speed and load, and those of a companion."""
-        return comparisons.rows(self)
-
-    def advice(self) -> Iterator[str]:
-        """Whether the operating speeds are clear of critical ones, the verdict first."""
-        yield from advice.findings(self)
-
-    def summary(self) -> Mapping[str, Any]:
-        """Every critical speed with its distance."""
-        return advice.summary(self)
-
-    def warnings(self) -> Iterator[str]:
-        """What is odd about the rotor."""
-        yield from warnings.warnings(self)
-
-    def refusal(self) -> str:
-        """Why beams are not taken."""
-        return advice.refusal(self)
-
-    def sketch(self) -> Sketch:
-        """Half a section of the rotor."""
-        return sketch.sketch(self)
-
-    def figures(self) -> tuple[Drawn]:
-        """Campbell diagram, modes, response, convergence."""
-        return (Drawn(figures.figures),)
 
 
 SYSTEM = adapted(RotorSystem)

@@ -1,18 +1,15 @@
 """A logarithmic sprag clutch of the user: whether it holds, what ends its grip, its engagement."""
 
-from collections.abc import Iterator, Mapping
-from typing import Any, ClassVar
+from typing import ClassVar
 
-from verify.case import Comparison, Drawn, Level, Scan
-from verify.cases.sprag.clutch import advice
+from verify.case import Level, Scan, drawn_by
+from verify.cases.sprag.clutch import advice as advised
 from verify.cases.sprag.clutch import comparisons as compared
+from verify.cases.sprag.clutch import figures as drawn
+from verify.cases.sprag.clutch import sketch as sketched
 from verify.cases.sprag.clutch.dynamic import DYNAMIC
-from verify.cases.sprag.clutch.figures import figures
 from verify.cases.sprag.clutch.formulas import ClutchFormulas
-from verify.cases.sprag.clutch.sketch import sketch
 from verify.cases.sprag.inputs import ASSUMED, IDENTIFIED, named
-from verify.core.case import Check
-from verify.core.figures import Sketch
 from verify.core.references import BY_STRIPS
 from verify.form.adapter import adapted
 
@@ -64,39 +61,19 @@ class SpragClutch(ClutchFormulas):
         "become more",
     )
 
+    comparisons = compared.stated
+    figures = drawn_by(drawn.figures)
+    sketch = sketched.sketch
+    warnings = advised.warnings
+    advice = advised.findings
+    summary = advised.summary
+    refusal = advised.refusal
+
     def reference(self, level: int) -> Level:
         """The sprag drawn point by point, strips for its slices, compiled engagements."""
         from verify.cases.sprag.clutch.reference import solve
 
         return solve(self, level)
-
-    def comparisons(self) -> Iterator[Comparison | Check]:
-        """By the drawn sprag, by strips, and what the paper states."""
-        return compared.stated(self)
-
-    def figures(self) -> Iterator[Drawn]:
-        """Forces, pressures, turns, deflections, sensitivity, what is calibrated."""
-        yield Drawn(figures)
-
-    def sketch(self) -> Sketch:
-        """A sprag between its races."""
-        return sketch(self)
-
-    def warnings(self) -> Iterator[str]:
-        """Where the formulas do not hold."""
-        yield from advice.warnings(self)
-
-    def advice(self) -> Iterator[str]:
-        """The verdict first."""
-        yield from advice.findings(self)
-
-    def summary(self) -> Mapping[str, Any]:
-        """Verdict, margin and limits."""
-        return advice.summary(self)
-
-    def refusal(self) -> str:
-        """No state, too little load or too many slices."""
-        return advice.refusal(self)
 
 
 CLUTCH = adapted(SpragClutch)

@@ -1,9 +1,9 @@
 """What the crown's three parameters do to a sprag clutch's pressures (Secs. 4.1 and 4.2)."""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from functools import partial
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
@@ -12,19 +12,20 @@ from analytic.contact.crown import straight_length
 from analytic.contact.sliced import SlicedContact
 from analytic.sprag.crowned import mid
 from analytic.sprag.work_balance import at_rest, sprags_inertia
-from verify.case import Case, Comparison, Drawn, Level, Quantity, Scan, shared
+from verify.case import Case, Comparison, Level, Quantity, Scan, drawn_by, shared
 from verify.cases.sprag.clutch.advice import refusal as refusal_at_rest
 from verify.cases.sprag.clutch.model import normal_force, under
-from verify.cases.sprag.crown import advice, formulas
+from verify.cases.sprag.crown import advice as advised
 from verify.cases.sprag.crown import comparisons as compared
-from verify.cases.sprag.crown.figures import figures, sketch
+from verify.cases.sprag.crown import figures as drawn
+from verify.cases.sprag.crown import formulas
 from verify.cases.sprag.crown.table2 import table_2
 from verify.cases.sprag.engagement.formulas import swing
 from verify.cases.sprag.engagement.model import crowned_for, gap, motion, wedge
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.cases.sprag.peaks import Crown
 from verify.core.case import Check, Context
-from verify.core.figures import Sketch, Table
+from verify.core.figures import Table
 from verify.core.references import BY_STRIPS
 from verify.form.adapter import adapted
 
@@ -188,6 +189,12 @@ class SpragCrown(EngagementInputs, Case):
         w = wedge(self)
         return float(sprags_inertia(w, at_rest(w, self.T), motion(self)) / self.I_bi)
 
+    figures = drawn_by(drawn.figures)
+    sketch = drawn.sketch
+    warnings = advised.warnings
+    advice = advised.findings
+    summary = advised.summary
+
     def reference(self, level: int) -> Level:
         """Drawn profiles, strips under the forces of compiled engagements."""
         from verify.cases.sprag.crown.reference import solve
@@ -198,30 +205,10 @@ class SpragCrown(EngagementInputs, Case):
         """By the drawn profile, by strips, and what the paper states."""
         return compared.stated(self, SpragCrown)
 
-    def figures(self) -> Iterator[Drawn]:
-        """Profiles, pressures over force and torque, slices."""
-        yield Drawn(figures)
-
     def tables(self, context: Context) -> Iterator[Table]:
         """Table 2, recomputed."""
         if context.is_paper:
             yield table_2()
-
-    def sketch(self) -> Sketch | None:
-        """The sprag's outline along its axis."""
-        return sketch(self)
-
-    def warnings(self) -> Iterator[str]:
-        """Where the ends carry or the drop is hardly reached."""
-        yield from advice.warnings(self)
-
-    def advice(self) -> Iterator[str]:
-        """Which load the crown suits."""
-        yield from advice.findings(self)
-
-    def summary(self) -> Mapping[str, Any]:
-        """Verdict and the largest pressure over an even load's."""
-        return advice.summary(self)
 
     def refusal(self) -> str:
         """No crown, no peak, or what the clutch at rest cannot be solved for."""

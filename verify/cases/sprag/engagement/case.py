@@ -1,14 +1,13 @@
 """Engagement of a sprag clutch in time (Huang, Zhao, Liu 2018, Eqs. 11-16)."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import ClassVar
 
-from verify.case import Comparison, Drawn, Level, Scan
-from verify.cases.sprag.engagement import comparisons, figures
+from verify.case import Level, Scan, drawn_by
+from verify.cases.sprag.engagement import comparisons as compared
+from verify.cases.sprag.engagement import figures as drawn
 from verify.cases.sprag.engagement.quantities import EngagementFormulas
 from verify.cases.sprag.engagement.reference import LEVELS
-from verify.core.case import Check
-from verify.core.figures import Equation, Sketch
 from verify.core.references import BY_INTEGRATION
 from verify.form.adapter import adapted
 
@@ -51,27 +50,16 @@ class SpragEngagement(EngagementFormulas):
         "a contact sticks within a band of speeds; the band follows from the time step",
     )
 
+    comparisons = compared.comparisons
+    laws = staticmethod(drawn.motion)
+    figures = drawn_by(drawn.figures)
+    sketch = drawn.sketch
+
     def reference(self, level: int) -> Level:
         """The paper's steps, and LSODA with events."""
         from verify.cases.sprag.engagement.reference import solve
 
         return solve(self, level)
-
-    def comparisons(self) -> Iterator[Comparison | Check]:
-        """The steps with LSODA, energy, limits, and what follows."""
-        return comparisons.comparisons(self)
-
-    def laws(self) -> Iterator[Equation]:
-        """The equations of motion."""
-        return figures.motion()
-
-    def figures(self) -> Sequence[Drawn]:
-        """Forces, energies and pressures over time."""
-        return (Drawn(figures.figures),)
-
-    def sketch(self) -> Sketch:
-        """Two races with the sprags as a spring."""
-        return figures.sketch(self)
 
     def refusal(self) -> str:
         """Too many steps, sprags that roll over or slide."""

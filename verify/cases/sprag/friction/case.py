@@ -1,16 +1,16 @@
 """Friction of a sprag clutch: stick, slip, and the band in which steps can tell them apart."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import ClassVar
 
-from verify.case import Comparison, Drawn, Level
+from verify.case import Level, drawn_by
 from verify.cases.sprag.engagement.formulas import MORE, swing, with_torque
-from verify.cases.sprag.friction import comparisons, figures
+from verify.cases.sprag.friction import comparisons as compared
+from verify.cases.sprag.friction import figures as drawn
 from verify.cases.sprag.friction.formulas import LAW, FrictionFormulas
 from verify.cases.sprag.friction.reference import LEVELS, settled
-from verify.core.case import Check
-from verify.core.figures import Equation, Sketch
+from verify.core.figures import Equation
 from verify.core.references import BY_INTEGRATION
 from verify.form.adapter import adapted
 
@@ -45,27 +45,19 @@ class SpragFriction(FrictionFormulas):
         "no oil, no centrifugal force on the sprags; contacts keep their places",
     )
 
+    comparisons = compared.comparisons
+    figures = drawn_by(drawn.figures)
+    sketch = drawn.sketch
+
     def reference(self, level: int) -> Level:
         """The paper's steps, LSODA and what the guard refuses."""
         from verify.cases.sprag.friction.reference import solve
 
         return solve(self, level)
 
-    def comparisons(self) -> Iterator[Comparison | Check]:
-        """Where it locks, what slides, what is guarded."""
-        return comparisons.comparisons(self)
-
     def laws(self) -> tuple[Equation]:
         """The law of friction."""
         return (LAW,)
-
-    def figures(self) -> Sequence[Drawn]:
-        """The law, sliding states, zones and the guard."""
-        return (Drawn(figures.figures),)
-
-    def sketch(self) -> Sketch:
-        """A sprag with its forces."""
-        return figures.sketch(self)
 
     def refusal(self) -> str:
         """Sprags that roll over, too many steps, friction that never locks."""

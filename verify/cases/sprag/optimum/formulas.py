@@ -1,7 +1,7 @@
 """What formulas say of a crown before any engagement: the load that it suits, statics."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import ClassVar
 
 import numpy as np
@@ -9,16 +9,15 @@ import numpy as np
 from analytic.contact import crown
 from analytic.contact.sliced import SlicedContact
 from analytic.sprag.crowned import mid
-from verify.case import Case, Comparison, Drawn, Level, Quantity, shared
-from verify.cases.sprag.clutch import advice
+from verify.case import Case, Level, Quantity, drawn_by, shared
+from verify.cases.sprag.clutch import advice as clutch_advice
+from verify.cases.sprag.clutch import sketch as sketched
 from verify.cases.sprag.clutch.model import built, normal_force, under
-from verify.cases.sprag.clutch.sketch import sketch
 from verify.cases.sprag.engagement.model import crowned_for
 from verify.cases.sprag.optimum import comparisons as compared
-from verify.cases.sprag.optimum import figures
+from verify.cases.sprag.optimum import figures as drawn
 from verify.cases.sprag.optimum.inputs import OptimumInputs
-from verify.core.case import Check, Context
-from verify.core.figures import Equation, Sketch, Table
+from verify.core.figures import Equation
 from verify.core.references import BY_SEARCHES
 from verify.core.tex import tex
 
@@ -103,23 +102,16 @@ class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an 
 
     torque: ClassVar[int] = 25  # N m, of the paper's statements
 
+    comparisons = compared.stated
+    figures = drawn_by(drawn.figures)
+    tables = staticmethod(drawn.tables)
+    sketch = sketched.sketch
+
     def reference(self, level: int) -> Level:
         """Strips at the crown at hand, the optimisation, its ends."""
         from verify.cases.sprag.optimum.reference import solve
 
         return solve(self, level)
-
-    def comparisons(self) -> Iterator[Comparison | Check]:
-        """Surrogates and searches, what the paper states, contacts."""
-        return compared.stated(self)
-
-    def figures(self) -> Iterator[Drawn]:
-        """Designs, errors, maps, contacts."""
-        yield Drawn(figures.figures)
-
-    def tables(self, context: Context) -> Sequence[Table]:
-        """Crowns and extra designs."""
-        return figures.tables(context)
 
     def laws(self) -> Iterator[Equation]:
         """The problem, its box and its surrogate."""
@@ -139,10 +131,6 @@ class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an 
             place="Eq. 20, of squares of pressures, the end slice and the rest apart",
         )
 
-    def sketch(self) -> Sketch:
-        """A sprag between its races."""
-        return sketch(self)
-
     def advice(self) -> Iterator[str]:
         """What formulas state of the crown at hand; the best one is found with --fem."""
         yield (
@@ -158,7 +146,7 @@ class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an 
 
     def refusal(self) -> str:
         """What the clutch at rest cannot be solved for, slip, too many steps."""
-        if reason := advice.refusal(self):
+        if reason := clutch_advice.refusal(self):
             return reason
         if self.mu_s < self.mu_req:
             return "the sprags slip: no crown mends that"

@@ -1,12 +1,15 @@
 """A logarithmic sprag wedged between its races (Huang, Zhao, Liu, Eqs. 6, 7, 9, 10)."""
 
-from collections.abc import Iterator, Mapping
-from typing import Any, ClassVar
+from collections.abc import Iterator
+from typing import ClassVar
 
-from verify.case import Comparison, Drawn, Level, Scan, picture
-from verify.cases.sprag.wedge import advice, comparisons, figures, sketch
+from verify.case import Level, Scan, drawn_by, picture
+from verify.cases.sprag.wedge import advice as advised
+from verify.cases.sprag.wedge import comparisons as compared
+from verify.cases.sprag.wedge import figures as drawn
+from verify.cases.sprag.wedge import sketch as sketched
 from verify.cases.sprag.wedge.closure import WedgeSteps
-from verify.core.figures import Picture, Sketch
+from verify.core.figures import Picture
 from verify.form.adapter import adapted
 
 
@@ -63,19 +66,19 @@ class WedgedSprag(WedgeSteps):
         "out of the balance",
     )
 
+    comparisons = compared.comparisons
+    figures = drawn_by(drawn.figures)
+    sketch = sketched.sketch
+    warnings = advised.warnings
+    advice = advised.advice
+    summary = advised.summary
+    refusal = advised.refusal
+
     def reference(self, level: int) -> Level:
         """One pitch with friction through its stroke."""
         from verify.cases.sprag.wedge.reference import solve
 
         return solve(self, level)
-
-    def comparisons(self) -> Iterator[Comparison]:
-        """At equal force through the stroke, and at equal torque."""
-        return comparisons.comparisons(self)
-
-    def figures(self) -> Iterator[Drawn]:
-        """The stroke, what yields, and angles, rotation and force with finite elements."""
-        yield Drawn(figures.figures)
 
     def pictures(self) -> Iterator[Picture]:
         """The sector in the heaviest state."""
@@ -84,26 +87,6 @@ class WedgedSprag(WedgeSteps):
             "stress: forces run along the strut, beside the middle of the column; below 10 MPa in "
             "one colour", displacement="",
         )  # fmt: skip
-
-    def sketch(self) -> Sketch:
-        """One pitch at first contact."""
-        return sketch.sketch(self)
-
-    def warnings(self) -> Iterator[str]:
-        """Where the sprags roll over, slip or are pressed too much."""
-        return advice.warnings(self)
-
-    def advice(self) -> Iterator[str]:
-        """Whether the clutch holds, what yields, and how far the paper's laws are off."""
-        return advice.advice(self)
-
-    def summary(self) -> Mapping[str, Any]:
-        """The same for programs."""
-        return advice.summary(self)
-
-    def refusal(self) -> str:
-        """Contacts at a flank or too wide, races that bend too much."""
-        return advice.refusal(self)
 
 
 WEDGE = adapted(WedgedSprag)
