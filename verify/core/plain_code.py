@@ -11,7 +11,7 @@ from typing import Any
 
 PROJECT = ("analytic", "fem", "meshes", "verify", "reports")
 FIELDS = ("quantity", "given", "count", "word", "text", "table")  # functions that declare an input
-DECLARATION = "Quantity"  # decorator of a formula: its words, and the unit of its display
+DECLARATION = "Quantity"  # of a formula: its words, and the unit of its display
 FIELD_VALUES = 2  # of their arguments, which are values: default and unit
 FIELD_WORDS = ("claims", "example", "what", "symbol")
 
@@ -57,16 +57,12 @@ class _Plain(ast.NodeTransformer):
         node.msg = None
         return node
 
-    def visit_FunctionDef(self, node: ast.FunctionDef) -> Any:
-        for one in node.decorator_list:
-            if isinstance(one, ast.Call) and getattr(one.func, "id", "") == DECLARATION:
-                one.args, one.keywords = [], [k for k in one.keywords if k.arg in ("role", "when")]
-        return self.generic_visit(node)
-
     def visit_Call(self, node: ast.Call) -> Any:
         self.generic_visit(node)
         name = node.func.id.rpartition(".")[2] if isinstance(node.func, ast.Name) else ""
-        if name in FIELDS:
+        if name == DECLARATION:
+            node.args, node.keywords = [], [k for k in node.keywords if k.arg in ("role", "when")]
+        elif name in FIELDS:
             node.args = [a for i, a in enumerate(node.args) if i < FIELD_VALUES or not _is_text(a)]
             node.keywords = [k for k in node.keywords if k.arg not in FIELD_WORDS]
         return node

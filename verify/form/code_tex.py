@@ -13,8 +13,10 @@ from verify.form.tex import EXTREMES, FUNCTIONS
 def tex_of(formula: Callable[..., Any], symbols: Mapping[str, str]) -> str:
     """TeX of a method that returns one expression of `symbols`; empty where it does more.
 
-    A constant alone is no equation: its value says as much.
+    A constant alone is no equation, and nor is a number that is read from a solution.
     """
+    if formula.__code__.co_name == "<lambda>":
+        return ""
     body = ast.parse(textwrap.dedent(inspect.getsource(formula))).body[0]
     assert isinstance(body, ast.FunctionDef)
     last = body.body[-1]

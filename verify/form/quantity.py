@@ -65,6 +65,14 @@ class Quantity:
         self.formula, self.name = formula, formula.__name__
         return Declared(self)
 
+    def reads(self, number: Callable[[Any], SupportsFloat]) -> "Declared":
+        """Declare a number of a solution that is computed elsewhere, under the name it is given.
+
+        `alpha = Quantity("α", "deg", "clamping angle").reads(lambda q: q.state.alpha)`
+        """
+        self.formula = number
+        return Declared(self)
+
     def over(self, *indices: Sequence[object]) -> "Callable[[Indexed], Family]":
         """Declare a method with arguments as one quantity for each, as of modes or places.
 
@@ -110,8 +118,11 @@ class Declared:
 
     quantity: Quantity
 
-    def __set_name__(self, owner: type, _name: str) -> None:
-        self.quantity.owner = owner.__name__
+    def __set_name__(self, owner: type, name: str) -> None:
+        q = self.quantity
+        q.owner = owner.__name__
+        if not q.name:  # of a number that is read: a method has its own name
+            q.name = q.formula.__name__ = name
 
     @overload
     def __get__(self, case: None, owner: type) -> Quantity: ...

@@ -289,6 +289,29 @@ def test_the_reference_consists_of_what_it_uses_and_of_no_formula():
     assert set(members) == {"strain", "sigma", "area", "d", "F", "E"}
 
 
+class Tie(Rod):
+    """A rod with numbers that are read from a state."""
+
+    stress = Quantity("σ_s", "MPa", "stress of the state", equation="3").reads(lambda q: q.state[0])
+
+    def reference(self, level: int) -> Level:
+        return solved(1 / level, stress=self.stress)
+
+
+def test_a_number_that_is_read_is_a_quantity_without_an_equation():
+    tie = Tie()
+    assert tie.stress == tie.sigma
+    assert (Tie.stress.name, Tie.stress.owner, Tie.stress.label) == (
+        "stress", "Tie", "stress of the state, Eq. 3",
+    )  # fmt: skip
+    assert "stress" in [q.name for q in Tie.quantities()]
+    assert len(equations.stated(tie)) == len(equations.stated(Rod()))
+    ((*_, members), (*_, inherited)) = reached(Tie, ["stress"], formulas=True)
+    assert (set(members), {"state", "sigma"} <= set(inherited)) == ({"stress"}, True)
+    with pytest.raises(CaseError, match=r"test_declared.py:\d+: Tie.stress: the reference reads"):
+        adapted(Tie).reference(tie, 1)
+
+
 class Column(Case):
     """A column that is pushed, buckles, and may not exist in a state."""
 

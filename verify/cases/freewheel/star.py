@@ -156,73 +156,53 @@ class Star(Rollers):
             )
         return state
 
-    @Quantity("α_0", "deg", "clamping angle without load", equation="4", form="corrected",
-              source="R for r_RO in the numerator",
-              tex=r"\arccos\left(\sqrt{\frac{R + X}{2 (R - r)}}\right) = "
-              r"\frac{1}{2} \arccos\left(\frac{X + r}{R - r}\right)")  # fmt: skip
-    def alpha_0(self) -> float:
-        return float(self.cam.alpha0)
-
-    @Quantity("E'", "GPa", "modulus in plane strain", role="step",
-              tex=r"\frac{E}{1 - \nu^2}")  # fmt: skip
-    def E_plane(self) -> float:
-        return float(self.bodies.inner.E)
-
-    @Quantity("a_i", "µm", "half-width of the contact on the star", source="Hertz",
-              tex=r"\sqrt{\frac{8 F_n r}{\pi L E'}}")  # fmt: skip
-    def a_i(self) -> float:
-        return float(self.state.a_i)
-
-    @Quantity("a_o", "µm", "half-width of the contact on the ring", source="Hertz",
-              tex=r"\sqrt{\frac{8 F_n R r}{\pi L E' (R - r)}}")  # fmt: skip
-    def a_o(self) -> float:
-        return float(self.state.a_o)
-
-    @Quantity("l", "mm", "distance of the rigid contact on the flat from the axis", role="step",
-              tex=r"\sqrt{X^2 + (R - r)^2 - (X + r)^2}")  # fmt: skip
-    def l(self) -> float:  # noqa: E743
-        return float(self.bodies.inner.l)
-
-    @Quantity("k_i", "1", "constant of a disc that is clamped in its bore", role="step",
-              source="series over all loads on the star")  # fmt: skip
-    def k_i(self) -> float:
-        return float(self.bodies.inner.k)
-
-    @Quantity("k_o", "1", "constant of a ring that is free outside", role="step",
-              source="series over all loads on the ring")  # fmt: skip
-    def k_o(self) -> float:
-        return float(self.bodies.outer.k)
-
-    @Quantity("c_o", "1", "curvature term of the ring", role="step", source="series")
-    def c_o(self) -> float:
-        return float(self.bodies.outer.c)
-
-    @Quantity("d_i", "µm", "approach of roller and star", source="star clamped in its bore",
-              tex=r"\frac{F_n}{\pi L E'} (2 \ln\left(\frac{4 r}{a_i}\right) - 1 + "
-              r"2 \ln\left(\frac{l}{a_i}\right) + k_i)")  # fmt: skip
-    def d_i(self) -> float:
-        return float(self.state.d_i)
-
-    @Quantity("d_o", "µm", "approach of roller and ring", source="ring free outside",
-              tex=r"\frac{F_n}{\pi L E'} (2 \ln\left(\frac{4 r}{a_o}\right) - 1 + "
-              r"2 \ln\left(\frac{R}{a_o}\right) + k_o + \frac{c_o a_o}{R})")  # fmt: skip
-    def d_o(self) -> float:
-        return float(self.state.d_o)
-
-    @Quantity("α", "deg", "clamping angle under torque", equation="5", form="corrected",
-              tex=r"\frac{1}{2} \arccos\left(\frac{X + r - d_i}{R - r + d_o}\right)")  # fmt: skip
-    def alpha(self) -> float:
-        return float(self.state.alpha)
-
-    @Quantity("F_t", "N", "tangential force at either contact of a roller", equation="3",
-              form="corrected", tex=r"\frac{T}{z R}")  # fmt: skip
-    def F_t(self) -> float:
-        return float(self.state.F_t)
-
-    @Quantity("F_n", "N", "normal force at either contact of a roller", equation="2",
-              tex=r"\frac{F_t}{\tan\left(\alpha\right)}")  # fmt: skip
-    def N(self) -> float:
-        return float(self.state.N)
+    alpha_0 = Quantity(
+        "α_0", "deg", "clamping angle without load", equation="4", form="corrected",
+        source="R for r_RO in the numerator",
+        tex=r"\arccos\left(\sqrt{\frac{R + X}{2 (R - r)}}\right) = "
+        r"\frac{1}{2} \arccos\left(\frac{X + r}{R - r}\right)",
+    ).reads(lambda q: q.cam.alpha0)  # fmt: skip
+    E_plane = Quantity("E'", "GPa", "modulus in plane strain", role="step",
+                       tex=r"\frac{E}{1 - \nu^2}").reads(lambda q: q.bodies.inner.E)  # fmt: skip
+    a_i = Quantity("a_i", "µm", "half-width of the contact on the star", source="Hertz",
+                   tex=r"\sqrt{\frac{8 F_n r}{\pi L E'}}").reads(lambda q: q.state.a_i)  # fmt: skip
+    a_o = Quantity(
+        "a_o", "µm", "half-width of the contact on the ring", source="Hertz",
+        tex=r"\sqrt{\frac{8 F_n R r}{\pi L E' (R - r)}}",
+    ).reads(lambda q: q.state.a_o)  # fmt: skip
+    l = Quantity(  # noqa: E741
+        "l", "mm", "distance of the rigid contact on the flat from the axis", role="step",
+        tex=r"\sqrt{X^2 + (R - r)^2 - (X + r)^2}",
+    ).reads(lambda q: q.bodies.inner.l)  # fmt: skip
+    k_i = Quantity(
+        "k_i", "1", "constant of a disc that is clamped in its bore", role="step",
+        source="series over all loads on the star",
+    ).reads(lambda q: q.bodies.inner.k)  # fmt: skip
+    k_o = Quantity(
+        "k_o", "1", "constant of a ring that is free outside", role="step",
+        source="series over all loads on the ring",
+    ).reads(lambda q: q.bodies.outer.k)  # fmt: skip
+    c_o = Quantity(
+        "c_o", "1", "curvature term of the ring", role="step", source="series",
+    ).reads(lambda q: q.bodies.outer.c)  # fmt: skip
+    d_i = Quantity(
+        "d_i", "µm", "approach of roller and star", source="star clamped in its bore",
+        tex=r"\frac{F_n}{\pi L E'} (2 \ln\left(\frac{4 r}{a_i}\right) - 1 + "
+        r"2 \ln\left(\frac{l}{a_i}\right) + k_i)",
+    ).reads(lambda q: q.state.d_i)  # fmt: skip
+    d_o = Quantity(
+        "d_o", "µm", "approach of roller and ring", source="ring free outside",
+        tex=r"\frac{F_n}{\pi L E'} (2 \ln\left(\frac{4 r}{a_o}\right) - 1 + "
+        r"2 \ln\left(\frac{R}{a_o}\right) + k_o + \frac{c_o a_o}{R})",
+    ).reads(lambda q: q.state.d_o)  # fmt: skip
+    alpha = Quantity(
+        "α", "deg", "clamping angle under torque", equation="5", form="corrected",
+        tex=r"\frac{1}{2} \arccos\left(\frac{X + r - d_i}{R - r + d_o}\right)",
+    ).reads(lambda q: q.state.alpha)  # fmt: skip
+    F_t = Quantity("F_t", "N", "tangential force at either contact of a roller", equation="3",
+                   form="corrected", tex=r"\frac{T}{z R}").reads(lambda q: q.state.F_t)  # fmt: skip
+    N = Quantity("F_n", "N", "normal force at either contact of a roller", equation="2",
+                 tex=r"\frac{F_t}{\tan\left(\alpha\right)}").reads(lambda q: q.state.N)  # fmt: skip
 
     @Quantity("μ_T", "1", "required friction coefficient, torque alone", equation="1",
               safe="too high",

@@ -22,7 +22,7 @@ class RoundRing(Case):
     delta_1: float = given(
         "4 mm", "mm", "δ_1", "wall of the ring, in the corners where there are any", gt=0, le=1e5
     )
-    j_D: float = given(  # noqa: N815
+    j_D: float = given(
         "0.06 mm", "mm", "j_D", "clearance on the diameter that the ring takes up", gt=0, le=1e3
     )
     E: float = given("210 GPa", "GPa", "E", "Young's modulus of the ring", gt=0, le=1e5)

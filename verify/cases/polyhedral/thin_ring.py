@@ -36,9 +36,9 @@ class PolygonSeries(ThinRing, PolygonRing):
 
     ends: ClassVar[Assumption] = "plane stress"
 
-    @Quantity("K_mid", "1", "K in the middle of the flats", source=SERIES)
-    def K_mid(self) -> float:
-        return float(self.factors.mid)
+    K_mid = Quantity(
+        "K_mid", "1", "K in the middle of the flats", source=SERIES,
+    ).reads(lambda q: q.factors.mid)  # fmt: skip
 
     @shared
     def sector(self) -> Sector:

@@ -58,49 +58,38 @@ class FitFormulas(FitInputs):
     def scatter(self) -> float:
         return 0.0
 
-    @Quantity("σ_i(r_i)", "MPa", "hoop stress at the inner ring's bore", source=LAME,
-              safe="too high",
-              tex=r"\frac{p_i (r_f^2 + r_i^2) - 2 p r_f^2}{r_f^2 - r_i^2}")  # fmt: skip
-    def hoop_inner_bore(self) -> float:
-        return self.loaded[0].hoop_bore
-
-    @Quantity("σ_i(r_f)", "MPa", "hoop stress at the inner wall's rim", source=LAME,
-              safe="too high",
-              tex=r"\frac{2 p_i r_i^2 - p (r_f^2 + r_i^2)}{r_f^2 - r_i^2}")  # fmt: skip
-    def hoop_inner_rim(self) -> float:
-        return self.loaded[0].hoop_rim
-
-    @Quantity("σ_o(r_f)", "MPa", "hoop stress at the outer wall's bore", source=LAME,
-              safe="too high",
-              tex=r"\frac{p (r_o^2 + r_f^2) - 2 p_o r_o^2}{r_o^2 - r_f^2}")  # fmt: skip
-    def hoop_outer_bore(self) -> float:
-        return self.loaded[1].hoop_bore
-
-    @Quantity("σ_o(r_o)", "MPa", "hoop stress at the outer wall's rim", source=LAME,
-              safe="too high",
-              tex=r"\frac{2 p r_f^2 - p_o (r_o^2 + r_f^2)}{r_o^2 - r_f^2}")  # fmt: skip
-    def hoop_outer_rim(self) -> float:
-        return self.loaded[1].hoop_rim
-
-    @Quantity("u_i(r_i)", "µm", "displacement of the inner ring's bore", source=LAME,
-              tex=r"\frac{r_i}{E_i} (\sigma_i(r_i) + \nu_i p_i)")  # fmt: skip
-    def u_inner_bore(self) -> float:
-        return self.loaded[0].u_bore
-
-    @Quantity("u_i(r_f)", "µm", "displacement of the inner wall's rim", source=LAME,
-              tex=r"\frac{r_f}{E_i} (\sigma_i(r_f) + \nu_i p)")  # fmt: skip
-    def u_inner_rim(self) -> float:
-        return self.loaded[0].u_rim
-
-    @Quantity("u_o(r_f)", "µm", "displacement of the outer wall's bore", source=LAME,
-              tex=r"\frac{r_f}{E_o} (\sigma_o(r_f) + \nu_o p)")  # fmt: skip
-    def u_outer_bore(self) -> float:
-        return self.loaded[1].u_bore
-
-    @Quantity("u_o(r_o)", "µm", "displacement of the outer wall's rim", source=LAME,
-              tex=r"\frac{r_o}{E_o} (\sigma_o(r_o) + \nu_o p_o)")  # fmt: skip
-    def u_outer_rim(self) -> float:
-        return self.loaded[1].u_rim
+    hoop_inner_bore = Quantity(
+        "σ_i(r_i)", "MPa", "hoop stress at the inner ring's bore", source=LAME, safe="too high",
+        tex=r"\frac{p_i (r_f^2 + r_i^2) - 2 p r_f^2}{r_f^2 - r_i^2}",
+    ).reads(lambda q: q.loaded[0].hoop_bore)  # fmt: skip
+    hoop_inner_rim = Quantity(
+        "σ_i(r_f)", "MPa", "hoop stress at the inner wall's rim", source=LAME, safe="too high",
+        tex=r"\frac{2 p_i r_i^2 - p (r_f^2 + r_i^2)}{r_f^2 - r_i^2}",
+    ).reads(lambda q: q.loaded[0].hoop_rim)  # fmt: skip
+    hoop_outer_bore = Quantity(
+        "σ_o(r_f)", "MPa", "hoop stress at the outer wall's bore", source=LAME, safe="too high",
+        tex=r"\frac{p (r_o^2 + r_f^2) - 2 p_o r_o^2}{r_o^2 - r_f^2}",
+    ).reads(lambda q: q.loaded[1].hoop_bore)  # fmt: skip
+    hoop_outer_rim = Quantity(
+        "σ_o(r_o)", "MPa", "hoop stress at the outer wall's rim", source=LAME, safe="too high",
+        tex=r"\frac{2 p r_f^2 - p_o (r_o^2 + r_f^2)}{r_o^2 - r_f^2}",
+    ).reads(lambda q: q.loaded[1].hoop_rim)  # fmt: skip
+    u_inner_bore = Quantity(
+        "u_i(r_i)", "µm", "displacement of the inner ring's bore", source=LAME,
+        tex=r"\frac{r_i}{E_i} (\sigma_i(r_i) + \nu_i p_i)",
+    ).reads(lambda q: q.loaded[0].u_bore)  # fmt: skip
+    u_inner_rim = Quantity(
+        "u_i(r_f)", "µm", "displacement of the inner wall's rim", source=LAME,
+        tex=r"\frac{r_f}{E_i} (\sigma_i(r_f) + \nu_i p)",
+    ).reads(lambda q: q.loaded[0].u_rim)  # fmt: skip
+    u_outer_bore = Quantity(
+        "u_o(r_f)", "µm", "displacement of the outer wall's bore", source=LAME,
+        tex=r"\frac{r_f}{E_o} (\sigma_o(r_f) + \nu_o p)",
+    ).reads(lambda q: q.loaded[1].u_bore)  # fmt: skip
+    u_outer_rim = Quantity(
+        "u_o(r_o)", "µm", "displacement of the outer wall's rim", source=LAME,
+        tex=r"\frac{r_o}{E_o} (\sigma_o(r_o) + \nu_o p_o)",
+    ).reads(lambda q: q.loaded[1].u_rim)  # fmt: skip
 
     @Quantity("U", "J/m", "strain energy", source=LAME,
               tex=r"\pi (p_i r_i u_i(r_i) - p r_f u_i(r_f)"

@@ -58,23 +58,19 @@ class StripRoller(Roller):
     def p_0(self) -> float:
         return float(hertz_line.peak_pressure(P=self.F / self.L, R=self.R, E_star=self.E_star))
 
-    @Quantity("p_max", "MPa", f"{BEYOND}, strips", source="strips", safe="too high", tex=STRIPS)
-    def p_max(self) -> float:
-        return self.strips.p_max
-
-    @Quantity("q", "N/mm", "line load at mid-length, strips", role="step")
-    def q_mid(self) -> float:
-        return self.strips.q_mid
+    p_max = Quantity("p_max", "MPa", f"{BEYOND}, strips", source="strips", safe="too high",
+                     tex=STRIPS).reads(lambda q: q.strips.p_max)  # fmt: skip
+    q_mid = Quantity(
+        "q", "N/mm", "line load at mid-length, strips", role="step",
+    ).reads(lambda q: q.strips.q_mid)  # fmt: skip
 
     @Quantity("b_m", "µm", "half-width at mid-length, strips", role="step", source="Hertz",
               tex=r"\sqrt{\frac{4 q R}{\pi E*}}")  # fmt: skip
     def b_mid(self) -> float:
         return float(np.sqrt(4 * self.q_mid * self.R / (np.pi * self.E_star)))
 
-    @Quantity("p", "MPa", f"{MIDDLE}, strips", source="strips", safe="too high",
-              tex=r"\frac{2 q}{\pi b_m}")  # fmt: skip
-    def p_mid(self) -> float:
-        return self.strips.p_mid
+    p_mid = Quantity("p", "MPa", f"{MIDDLE}, strips", source="strips", safe="too high",
+                     tex=r"\frac{2 q}{\pi b_m}").reads(lambda q: q.strips.p_mid)  # fmt: skip
 
     @Quantity("F_1", "N", "load within d of the more loaded end, strips", role="step",
               tex=r"\int_{l/2 - d}^{l/2} q\,dy")  # fmt: skip
@@ -97,14 +93,10 @@ class StripRoller(Roller):
     def end_share(self) -> float:
         return self.F_d / self.F
 
-    @Quantity("p_n", "MPa", "largest pressure of n strips, ends included: it grows with n if they "
-              "carry", role="step")  # fmt: skip
-    def p_largest(self) -> float:
-        return float(self.strips.p.max())
-
-    @Quantity("δ", "µm", "approach, strips", source="strips")
-    def delta(self) -> float:
-        return self.strips.delta
+    p_largest = Quantity("p_n", "MPa",
+                         "largest pressure of n strips, ends included: it grows with n if they "
+                         "carry", role="step").reads(lambda q: q.strips.p.max())  # fmt: skip
+    delta = Quantity("δ", "µm", "approach, strips", source="strips").reads(lambda q: q.strips.delta)
 
     @Quantity("l_c", "mm", "length in contact, strips", role="step")
     def l_c(self) -> float:
@@ -160,30 +152,19 @@ class SlicedRoller(StripRoller):
     def delta_P(self) -> float:
         return float(palmgren.approach(load=self.F, length=self.L))
 
-    @Quantity("p_max", "MPa", f"{BEYOND}, slices", source="Eqs. 2-5", form_of="p_max",
-              safe="too high")  # fmt: skip
-    def p_max_slices(self) -> float:
-        return self.sliced("slices").p_max
-
-    @Quantity("p", "MPa", f"{MIDDLE}, slices", source="Eqs. 2-5", form_of="p_mid", safe="too high")
-    def p_mid_slices(self) -> float:
-        return self.sliced("slices").p_mid
-
-    @Quantity("δ", "µm", "approach, slices", source="Eqs. 2-5", form_of="delta", tex=SLICES)
-    def delta_slices(self) -> float:
-        return self.sliced("slices").delta
-
-    @Quantity("p_max", "MPa", f"{BEYOND}, uncoupled slices", form_of="p_max", safe="too high")
-    def p_max_lamina(self) -> float:
-        return self.sliced("lamina").p_max
-
-    @Quantity("p", "MPa", f"{MIDDLE}, uncoupled slices", form_of="p_mid", safe="too high")
-    def p_mid_lamina(self) -> float:
-        return self.sliced("lamina").p_mid
-
-    @Quantity("δ", "µm", "approach, uncoupled slices", form_of="delta", tex=LAMINA)
-    def delta_lamina(self) -> float:
-        return self.sliced("lamina").delta
+    p_max_slices = Quantity("p_max", "MPa", f"{BEYOND}, slices", source="Eqs. 2-5", form_of="p_max",
+                            safe="too high").reads(lambda q: q.sliced("slices").p_max)  # fmt: skip
+    p_mid_slices = Quantity("p", "MPa", f"{MIDDLE}, slices", source="Eqs. 2-5", form_of="p_mid",
+                            safe="too high").reads(lambda q: q.sliced("slices").p_mid)  # fmt: skip
+    delta_slices = Quantity("δ", "µm", "approach, slices", source="Eqs. 2-5", form_of="delta",
+                            tex=SLICES).reads(lambda q: q.sliced("slices").delta)  # fmt: skip
+    p_max_lamina = Quantity("p_max", "MPa", f"{BEYOND}, uncoupled slices", form_of="p_max",
+                            safe="too high").reads(lambda q: q.sliced("lamina").p_max)  # fmt: skip
+    p_mid_lamina = Quantity("p", "MPa", f"{MIDDLE}, uncoupled slices", form_of="p_mid",
+                            safe="too high").reads(lambda q: q.sliced("lamina").p_mid)  # fmt: skip
+    delta_lamina = Quantity(
+        "δ", "µm", "approach, uncoupled slices", form_of="delta", tex=LAMINA,
+    ).reads(lambda q: q.sliced("lamina").delta)  # fmt: skip
 
     @shared
     def _sliced(self) -> Mapping[str, Parts]:

@@ -51,10 +51,10 @@ class TiltedRoller(Tilt, CrownedRoller):
     def M(self) -> float:
         return float(self.strips.line @ self.strips.y * self.strips.width)
 
-    @Quantity("F_h", "N", "load within d of the pressed end, strips", source="strips",
-              safe="too high", tex=r"\int_{l/2 - d}^{l/2} q\,dy")  # fmt: skip
-    def F_high(self) -> float:
-        return self.strips.ends[1]
+    F_high = Quantity(
+        "F_h", "N", "load within d of the pressed end, strips", source="strips", safe="too high",
+        tex=r"\int_{l/2 - d}^{l/2} q\,dy",
+    ).reads(lambda q: q.strips.ends[1])  # fmt: skip
 
     def reference(self, level: int) -> Level:
         """The tilted roller on the half-space, with this crown and the best one."""

@@ -12,10 +12,10 @@ CATTANEO, MINDLIN = "Cattaneo", "Mindlin"
 class SlipFormulas(SlipInputs):
     """Two rollers under P and a tangential force that swings between Q_max and -Q_max."""
 
-    @Quantity("E*", "GPa", "contact modulus, plane strain", role="step", source="Hertz",
-              tex=r"\frac{E}{2 (1 - \nu^2)}")  # fmt: skip
-    def E_star(self) -> float:
-        return float(self.hertz["E_star"])
+    E_star = Quantity(
+        "E*", "GPa", "contact modulus, plane strain", role="step", source="Hertz",
+        tex=r"\frac{E}{2 (1 - \nu^2)}",
+    ).reads(lambda q: q.hertz["E_star"])  # fmt: skip
 
     @Quantity("a", "µm", "half-width of the contact", role="step", source="Hertz",
               tex=r"\sqrt{\frac{4 P \frac{R}{2}}{\pi E*}}")  # fmt: skip

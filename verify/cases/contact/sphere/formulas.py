@@ -13,15 +13,14 @@ FINITE = "first correction for finite spheres"
 class SphereFormulas(SphereInputs):
     """Hertz's contact of two spheres; on a rigid flat the lower one is neither round nor soft."""
 
-    @Quantity("E*", "GPa", "contact modulus", role="step", source=HERTZ,
-              tex=r"\frac{1}{\frac{1 - \nu_1^2}{E_1} + \frac{1 - \nu_2^2}{E_2}}")  # fmt: skip
-    def E_star(self) -> float:
-        return float(self.hertz["E_star"])
-
-    @Quantity("R", "mm", "relative radius", role="step", source=HERTZ,
-              tex=r"\frac{1}{\frac{1}{R_1} + \frac{1}{R_2}}")  # fmt: skip
-    def R(self) -> float:
-        return float(self.hertz["R"])
+    E_star = Quantity(
+        "E*", "GPa", "contact modulus", role="step", source=HERTZ,
+        tex=r"\frac{1}{\frac{1 - \nu_1^2}{E_1} + \frac{1 - \nu_2^2}{E_2}}",
+    ).reads(lambda q: q.hertz["E_star"])  # fmt: skip
+    R = Quantity(
+        "R", "mm", "relative radius", role="step", source=HERTZ,
+        tex=r"\frac{1}{\frac{1}{R_1} + \frac{1}{R_2}}",
+    ).reads(lambda q: q.hertz["R"])  # fmt: skip
 
     @Quantity("a", "mm", "contact radius", source=HERTZ,
               tex=r"\left(\frac{3 P R}{4 E*}\right)^{1/3}")  # fmt: skip
@@ -42,23 +41,16 @@ class SphereFormulas(SphereInputs):
     def force(self) -> float:
         return float(hertz_point.load(R=self.R, E_star=self.E_star, delta=self.approach))
 
-    @Quantity("τ_1", "MPa", "largest shear stress in the upper body", source=HERTZ,
-              safe="too high")  # fmt: skip
-    def tau_upper(self) -> float:
-        return self.shear_of("upper")[0]
-
-    @Quantity("z_1", "mm", "its depth", source=HERTZ, role="step")
-    def z_upper(self) -> float:
-        return self.shear_of("upper")[1]
-
-    @Quantity("τ_2", "MPa", "largest shear stress in the lower body", source=HERTZ,
-              safe="too high")  # fmt: skip
-    def tau_lower(self) -> float:
-        return self.shear_of("lower")[0]
-
-    @Quantity("z_2", "mm", "its depth", source=HERTZ, role="step")
-    def z_lower(self) -> float:
-        return self.shear_of("lower")[1]
+    tau_upper = Quantity("τ_1", "MPa", "largest shear stress in the upper body", source=HERTZ,
+                         safe="too high").reads(lambda q: q.shear_of("upper")[0])  # fmt: skip
+    z_upper = Quantity(
+        "z_1", "mm", "its depth", source=HERTZ, role="step",
+    ).reads(lambda q: q.shear_of("upper")[1])  # fmt: skip
+    tau_lower = Quantity("τ_2", "MPa", "largest shear stress in the lower body", source=HERTZ,
+                         safe="too high").reads(lambda q: q.shear_of("lower")[0])  # fmt: skip
+    z_lower = Quantity(
+        "z_2", "mm", "its depth", source=HERTZ, role="step",
+    ).reads(lambda q: q.shear_of("lower")[1])  # fmt: skip
 
     @Quantity("ε", "1", "strength of the spheres' own logarithm", source=FINITE, role="step",
               tex=r"a E* \left(\frac{(1 - 2 \nu_1)^2 (1 - \nu_1^2)}{2 (1 - \nu_1) E_1 R_1}"
@@ -66,19 +58,17 @@ class SphereFormulas(SphereInputs):
     def epsilon(self) -> float:
         return 2 * pi * self.finite.a_excess
 
-    @Quantity("a_f", "mm", "contact radius of finite spheres", source=FINITE, role="step",
-              tex=r"a (1 + \frac{\varepsilon}{2 \pi})")  # fmt: skip
-    def a_finite(self) -> float:
-        return self.finite.a
-
-    @Quantity("p_f", "MPa", "peak pressure of finite spheres", source=FINITE, role="step",
-              tex=r"p_0 (1 - \frac{\pi \varepsilon}{8})")  # fmt: skip
-    def p_0_finite(self) -> float:
-        return self.finite.p_0
-
-    @Quantity("δ_f", "µm", "approach of the equators of finite spheres", source=FINITE, role="step")
-    def approach_finite(self) -> float:
-        return self.finite.approach
+    a_finite = Quantity(
+        "a_f", "mm", "contact radius of finite spheres", source=FINITE, role="step",
+        tex=r"a (1 + \frac{\varepsilon}{2 \pi})",
+    ).reads(lambda q: q.finite.a)  # fmt: skip
+    p_0_finite = Quantity(
+        "p_f", "MPa", "peak pressure of finite spheres", source=FINITE, role="step",
+        tex=r"p_0 (1 - \frac{\pi \varepsilon}{8})",
+    ).reads(lambda q: q.finite.p_0)  # fmt: skip
+    approach_finite = Quantity(
+        "δ_f", "µm", "approach of the equators of finite spheres", source=FINITE, role="step",
+    ).reads(lambda q: q.finite.approach)  # fmt: skip
 
     @shared
     def finite(self) -> sphere_series.PressedSpheres:

@@ -62,10 +62,10 @@ class FreewheelClutch(ClutchInputs):
     def sense(self) -> float:
         return 1.0 if self.is_star else -1.0
 
-    @Quantity("α_0", "deg", "clamping angle without load", equation="4", form="corrected",
-              tex=r"\frac{1}{2} \arccos\left(\frac{X + \sigma r}{R - \sigma r}\right)")  # fmt: skip
-    def alpha_0(self) -> float:
-        return float(self.cam.alpha0)
+    alpha_0 = Quantity(
+        "α_0", "deg", "clamping angle without load", equation="4", form="corrected",
+        tex=r"\frac{1}{2} \arccos\left(\frac{X + \sigma r}{R - \sigma r}\right)",
+    ).reads(lambda q: q.cam.alpha0)  # fmt: skip
 
     @Quantity("μ_0", "1", "required friction coefficient without load", equation="1",
               safe="too high", tex=r"\tan\left(\alpha_0\right)")  # fmt: skip
@@ -133,23 +133,18 @@ class FreewheelClutch(ClutchInputs):
     def safety(self) -> float:
         return self.mu / self.mu_req
 
-    @Quantity("F_lim", "N", "axial load at which the contacts slip", equation="9", safe="too low",
-              tex=r"\frac{T}{R} \sqrt{(\frac{\mu}{\tan\left(\alpha\right)})^2 - 1}")  # fmt: skip
-    def F_slip(self) -> float:
-        return self._axial.get("slip", math.nan)
-
-    @Quantity("F_lift", "N", "axial load that lifts the rollers off at one end", safe="too low")
-    def F_tilt_lift(self) -> float:
-        return self._axial.get("tilt_lift", math.nan)
-
-    @Quantity("F_tilt", "N", "axial load at which the contact forces move by (e/L)_lim",
-              safe="too low")  # fmt: skip
-    def F_tilt(self) -> float:
-        return self._axial.get("tilt", math.nan)
-
-    @Quantity("F_p", "N", "axial load at which the rollers' ends reach p_lim", safe="too low")
-    def F_pressure(self) -> float:
-        return self._axial.get("pressure", math.nan)
+    F_slip = Quantity(
+        "F_lim", "N", "axial load at which the contacts slip", equation="9", safe="too low",
+        tex=r"\frac{T}{R} \sqrt{(\frac{\mu}{\tan\left(\alpha\right)})^2 - 1}",
+    ).reads(lambda q: q._axial.get("slip", math.nan))  # fmt: skip
+    F_tilt_lift = Quantity(
+        "F_lift", "N", "axial load that lifts the rollers off at one end", safe="too low",
+    ).reads(lambda q: q._axial.get("tilt_lift", math.nan))  # fmt: skip
+    F_tilt = Quantity("F_tilt", "N", "axial load at which the contact forces move by (e/L)_lim",
+                      safe="too low").reads(lambda q: q._axial.get("tilt", math.nan))  # fmt: skip
+    F_pressure = Quantity(
+        "F_p", "N", "axial load at which the rollers' ends reach p_lim", safe="too low",
+    ).reads(lambda q: q._axial.get("pressure", math.nan))  # fmt: skip
 
     @Quantity("e", "µm", "how far the tilting couple moves the contact forces", role="step",
               tex=r"r (\cos\left(\alpha\right))^2 \frac{F_a}{F_n}")  # fmt: skip
@@ -176,26 +171,21 @@ class FreewheelClutch(ClutchInputs):
     def T_bears(self) -> float:
         return self.duty.least_torque if self.T >= 0 else math.nan
 
-    @Quantity("T_μ", "N m", "torque at which the contacts slip", safe="too low")
-    def T_slip(self) -> float:
-        return self._torques.get("slip", math.nan)
-
-    @Quantity("T_pi", "N m", "torque at which the inner contacts reach p_lim", safe="too low")
-    def T_pressure_inner(self) -> float:
-        return self._torques.get("pressure_inner", math.nan)
-
-    @Quantity("T_po", "N m", "torque at which the outer contacts reach p_lim", safe="too low")
-    def T_pressure_outer(self) -> float:
-        return self._torques.get("pressure_outer", math.nan)
-
-    @Quantity("T_c", "N m", "torque at which the rollers reach the ends of the cam flats",
-              safe="too low")  # fmt: skip
-    def T_corner(self) -> float:
-        return self._torques.get("corner", math.nan)
-
-    @Quantity("T_pop", "N m", "torque at which the rollers go through", safe="too low")
-    def T_pop_through(self) -> float:
-        return self._torques.get("pop_through", math.nan)
+    T_slip = Quantity(
+        "T_μ", "N m", "torque at which the contacts slip", safe="too low",
+    ).reads(lambda q: q._torques.get("slip", math.nan))  # fmt: skip
+    T_pressure_inner = Quantity(
+        "T_pi", "N m", "torque at which the inner contacts reach p_lim", safe="too low",
+    ).reads(lambda q: q._torques.get("pressure_inner", math.nan))  # fmt: skip
+    T_pressure_outer = Quantity(
+        "T_po", "N m", "torque at which the outer contacts reach p_lim", safe="too low",
+    ).reads(lambda q: q._torques.get("pressure_outer", math.nan))  # fmt: skip
+    T_corner = Quantity(
+        "T_c", "N m", "torque at which the rollers reach the ends of the cam flats", safe="too low",
+    ).reads(lambda q: q._torques.get("corner", math.nan))  # fmt: skip
+    T_pop_through = Quantity(
+        "T_pop", "N m", "torque at which the rollers go through", safe="too low",
+    ).reads(lambda q: q._torques.get("pop_through", math.nan))  # fmt: skip
 
     @Quantity("dα_0/d{0}", "deg/mm", "sensitivity of α_0 to {0}").over(("X", "r", "R"))
     def dalpha_0_d(self, dimension: str) -> float:
@@ -213,22 +203,19 @@ class FreewheelClutch(ClutchInputs):
     def s_alpha_0(self) -> float:
         return deviation(self.cam, self.sigma)
 
-    @Quantity("P(slip)", "%", "clutches of like rollers that slip")
-    def P_slip(self) -> float:
-        return self._scattered.get("P_slip", math.nan)
-
-    @Quantity("P(gap)", "%", "clutches within tolerance that have no wedge")
-    def P_no_wedge(self) -> float:
-        return self._scattered.get("P_no_wedge", math.nan)
-
-    @Quantity("P(through)", "%", f"{WITHIN} no state bears: rollers go through, or contacts are "
-              "too wide")  # fmt: skip
-    def P_no_state(self) -> float:
-        return self._scattered.get("P_no_state", math.nan)
-
-    @Quantity("P(corner)", "%", "clutches within tolerance past the flats' corners")
-    def P_corner(self) -> float:
-        return self._scattered.get("P_corner", math.nan)
+    P_slip = Quantity(
+        "P(slip)", "%", "clutches of like rollers that slip",
+    ).reads(lambda q: q._scattered.get("P_slip", math.nan))  # fmt: skip
+    P_no_wedge = Quantity(
+        "P(gap)", "%", "clutches within tolerance that have no wedge",
+    ).reads(lambda q: q._scattered.get("P_no_wedge", math.nan))  # fmt: skip
+    P_no_state = Quantity(
+        "P(through)", "%", f"{WITHIN} no state bears: rollers go through, or contacts are "
+        "too wide",
+    ).reads(lambda q: q._scattered.get("P_no_state", math.nan))  # fmt: skip
+    P_corner = Quantity(
+        "P(corner)", "%", "clutches within tolerance past the flats' corners",
+    ).reads(lambda q: q._scattered.get("P_corner", math.nan))  # fmt: skip
 
     @Quantity("{0}", "%", f"{WITHIN} are {{0}} by friction").over(("green", "yellow", "red"))
     def share(self, light: str) -> float:

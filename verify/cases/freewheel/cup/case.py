@@ -88,146 +88,109 @@ class FreewheelCup(Cup):
         "Hertz errs by (a/r)²; tangential forces turn the shaft by 0.5 to 1 tan²α more",
     )
 
-    @Quantity("α_0", "deg", "clamping angle without load, Eq. 4 for a cup",
-              tex=r"\frac{1}{2} \arccos\left(\frac{X_o - r}{R_s + r}\right)")  # fmt: skip
-    def alpha_0(self) -> float:
-        return float(self.cam.alpha0)
-
-    @Quantity("E'", "GPa", "modulus in plane strain", role="step",
-              tex=r"\frac{E}{1 - \nu^2}")  # fmt: skip
-    def E_plane(self) -> float:
-        return float(self.bodies.outer.E)
-
-    @Quantity("a_i", "µm", "half-width of the contact on the shaft", source="Hertz",
-              tex=r"\sqrt{\frac{8 F_n R_s r}{\pi L E' (R_s + r)}}")  # fmt: skip
-    def a_i(self) -> float:
-        return float(self.state.a_i)
-
-    @Quantity("a_o", "µm", "half-width of the contact on the cup", source="Hertz",
-              tex=r"\sqrt{\frac{8 F_n r}{\pi L E'}}")  # fmt: skip
-    def a_o(self) -> float:
-        return float(self.state.a_o)
-
-    @Quantity("R_m", "mm", "bore of the flats' area, which stands for the cup", role="step",
-              tex=r"X_o \sqrt{\frac{\tan\left(\frac{\pi}{z}\right) z}{\pi}}")  # fmt: skip
-    def R_m(self) -> float:
-        return float(self.bodies.outer.l)
-
-    @Quantity("k_i", "1", "constant of a shaft", role="step",
-              source="series over all loads on the shaft")  # fmt: skip
-    def k_i(self) -> float:
-        return float(self.bodies.inner.k)
-
-    @Quantity("c_i", "1", "curvature term of the shaft", role="step", source="series")
-    def c_i(self) -> float:
-        return float(self.bodies.inner.c)
-
-    @Quantity("k_o", "1", "constant of a ring that is free outside", role="step",
-              source="series over all loads on the ring")  # fmt: skip
-    def k_o(self) -> float:
-        return float(self.bodies.outer.k)
-
-    @Quantity("c_o", "1", "curvature term of the ring", role="step", source="series")
-    def c_o(self) -> float:
-        return float(self.bodies.outer.c)
-
-    @Quantity("d_i", "µm", "approach of roller and shaft", source="shaft free in its bore",
-              tex=r"\frac{F_n}{\pi L E'} (2 \ln\left(\frac{4 r}{a_i}\right) - 1 + "
-              r"2 \ln\left(\frac{R_s}{a_i}\right) + k_i + \frac{c_i a_i}{R_s})")  # fmt: skip
-    def d_i(self) -> float:
-        return float(self.state.d_i)
-
-    @Quantity("d_o", "µm", "approach of roller and cup", source="ring for the cup",
-              tex=r"\frac{F_n}{\pi L E'} (2 \ln\left(\frac{4 r}{a_o}\right) - 1 + "
-              r"2 \ln\left(\frac{R_m}{a_o}\right) + k_o + \frac{c_o a_o}{R_m})")  # fmt: skip
-    def d_o(self) -> float:
-        return float(self.state.d_o)
-
-    @Quantity("α", "deg", "clamping angle under torque, Eq. 5 for a cup",
-              source="load lowers the angle",
-              tex=r"\frac{1}{2} \arccos\left(\frac{X_o - r + d_o}{R_s + r - d_i}\right)"
-              )  # fmt: skip
-    def alpha(self) -> float:
-        return float(self.state.alpha)
-
-    @Quantity("F_t", "N", "tangential force at either contact, Eq. 3 for a cup",
-              tex=r"\frac{T}{z R_s}")  # fmt: skip
-    def F_t(self) -> float:
-        return float(self.state.F_t)
-
-    @Quantity("F_n", "N", "normal force at either contact of a roller", equation="2",
-              tex=r"\frac{F_t}{\tan\left(\alpha\right)}")  # fmt: skip
-    def N(self) -> float:
-        return float(self.state.N)
+    alpha_0 = Quantity(
+        "α_0", "deg", "clamping angle without load, Eq. 4 for a cup",
+        tex=r"\frac{1}{2} \arccos\left(\frac{X_o - r}{R_s + r}\right)",
+    ).reads(lambda q: q.cam.alpha0)  # fmt: skip
+    E_plane = Quantity("E'", "GPa", "modulus in plane strain", role="step",
+                       tex=r"\frac{E}{1 - \nu^2}").reads(lambda q: q.bodies.outer.E)  # fmt: skip
+    a_i = Quantity(
+        "a_i", "µm", "half-width of the contact on the shaft", source="Hertz",
+        tex=r"\sqrt{\frac{8 F_n R_s r}{\pi L E' (R_s + r)}}",
+    ).reads(lambda q: q.state.a_i)  # fmt: skip
+    a_o = Quantity("a_o", "µm", "half-width of the contact on the cup", source="Hertz",
+                   tex=r"\sqrt{\frac{8 F_n r}{\pi L E'}}").reads(lambda q: q.state.a_o)  # fmt: skip
+    R_m = Quantity(
+        "R_m", "mm", "bore of the flats' area, which stands for the cup", role="step",
+        tex=r"X_o \sqrt{\frac{\tan\left(\frac{\pi}{z}\right) z}{\pi}}",
+    ).reads(lambda q: q.bodies.outer.l)  # fmt: skip
+    k_i = Quantity(
+        "k_i", "1", "constant of a shaft", role="step", source="series over all loads on the shaft",
+    ).reads(lambda q: q.bodies.inner.k)  # fmt: skip
+    c_i = Quantity(
+        "c_i", "1", "curvature term of the shaft", role="step", source="series",
+    ).reads(lambda q: q.bodies.inner.c)  # fmt: skip
+    k_o = Quantity(
+        "k_o", "1", "constant of a ring that is free outside", role="step",
+        source="series over all loads on the ring",
+    ).reads(lambda q: q.bodies.outer.k)  # fmt: skip
+    c_o = Quantity(
+        "c_o", "1", "curvature term of the ring", role="step", source="series",
+    ).reads(lambda q: q.bodies.outer.c)  # fmt: skip
+    d_i = Quantity(
+        "d_i", "µm", "approach of roller and shaft", source="shaft free in its bore",
+        tex=r"\frac{F_n}{\pi L E'} (2 \ln\left(\frac{4 r}{a_i}\right) - 1 + "
+        r"2 \ln\left(\frac{R_s}{a_i}\right) + k_i + \frac{c_i a_i}{R_s})",
+    ).reads(lambda q: q.state.d_i)  # fmt: skip
+    d_o = Quantity(
+        "d_o", "µm", "approach of roller and cup", source="ring for the cup",
+        tex=r"\frac{F_n}{\pi L E'} (2 \ln\left(\frac{4 r}{a_o}\right) - 1 + "
+        r"2 \ln\left(\frac{R_m}{a_o}\right) + k_o + \frac{c_o a_o}{R_m})",
+    ).reads(lambda q: q.state.d_o)  # fmt: skip
+    alpha = Quantity(
+        "α", "deg", "clamping angle under torque, Eq. 5 for a cup", source="load lowers the angle",
+        tex=r"\frac{1}{2} \arccos\left(\frac{X_o - r + d_o}{R_s + r - d_i}\right)",
+    ).reads(lambda q: q.state.alpha)  # fmt: skip
+    F_t = Quantity("F_t", "N", "tangential force at either contact, Eq. 3 for a cup",
+                   tex=r"\frac{T}{z R_s}").reads(lambda q: q.state.F_t)  # fmt: skip
+    N = Quantity("F_n", "N", "normal force at either contact of a roller", equation="2",
+                 tex=r"\frac{F_t}{\tan\left(\alpha\right)}").reads(lambda q: q.state.N)  # fmt: skip
 
     @Quantity("μ_T", "1", "required friction coefficient, torque alone", equation="1",
               safe="too high", tex=r"\tan\left(\alpha\right) = \frac{F_t}{F_n}")  # fmt: skip
     def mu_T(self) -> float:
         return float(np.tan(self.state.alpha))
 
-    @Quantity("x", "mm", "distance of the contact on the flat from the flat's middle", role="step",
-              tex=r"(R_s + r - d_i) \sin\left(2 \alpha\right)")  # fmt: skip
-    def x(self) -> float:
-        return float(self.cam.centre(d_i=self.state.d_i, d_o=self.state.d_o)[0])
-
-    @Quantity("T", "N m", "torque of the shaft's tangential forces, Eq. 3 for a cup",
-              form="corrected", form_of="T", tex=r"z R_s F_t", safe="too low")  # fmt: skip
-    def torque(self) -> float:
-        return float(self.state.T)
+    x = Quantity(
+        "x", "mm", "distance of the contact on the flat from the flat's middle", role="step",
+        tex=r"(R_s + r - d_i) \sin\left(2 \alpha\right)",
+    ).reads(lambda q: q.cam.centre(d_i=q.state.d_i, d_o=q.state.d_o)[0])  # fmt: skip
+    torque = Quantity(
+        "T", "N m", "torque of the shaft's tangential forces, Eq. 3 for a cup", form="corrected",
+        form_of="T", tex=r"z R_s F_t", safe="too low",
+    ).reads(lambda q: q.state.T)  # fmt: skip
 
     @Quantity("T", "N m", "torque of the cup's contact forces, Eq. 3 for a cup", form="corrected",
               form_of="T", tex=r"z (F_n x - F_t X_o)")  # fmt: skip
     def torque_cup(self) -> float:
         return float(self.z * (self.state.N * self.x - self.state.F_t * self.X_o))
 
-    @Quantity("s", "µm", "travel of the rollers' centres about the axis, Eq. 6 for a cup",
-              tex=r"(R_s + r - d_i) 2 (\alpha_0 - \alpha)")  # fmt: skip
-    def s(self) -> float:
-        return float(self.state.s)
-
-    @Quantity("φ", "deg", "wind-up angle by exact rolling", equation="7", form="corrected",
-              tex=r"\frac{1}{R_s} \int \frac{\mathrm{d}d_i + \mathrm{d}d_o}{\tan\alpha}"
-              )  # fmt: skip
-    def phi(self) -> float:
-        return float(self.state.phi)
-
-    @Quantity("φ", "deg", "wind-up angle with R_s and X_o", equation="7", form="as printed",
-              form_of="phi", tex=r"\frac{s}{R_s} + \frac{s}{X_o}")  # fmt: skip
-    def phi_printed(self) -> float:
-        return float(self.state.phi_printed)
-
-    @Quantity("p_i", "MPa", "peak pressure on the shaft", source="Hertz", safe="too high",
-              tex=r"\frac{2 F_n}{\pi L a_i}")  # fmt: skip
-    def p_i(self) -> float:
-        return float(self.state.p_i)
-
-    @Quantity("p_o", "MPa", "peak pressure on the cup", source="Hertz", safe="too high",
-              tex=r"\frac{2 F_n}{\pi L a_o}")  # fmt: skip
-    def p_o(self) -> float:
-        return float(self.state.p_o)
-
-    @Quantity("T_max", "N m", "largest torque, at pop-through of the rollers", safe="too low",
-              tex=r"\max_{F_n} z R_s F_n \tan\alpha(F_n) = "
-              r"z R_s F_{max} \tan\left(\alpha_{max}\right)")  # fmt: skip
-    def T_max(self) -> float:
-        return float(self.at_summit.T)
-
-    @Quantity("F_max", "N", "normal force at the largest torque", role="step")
-    def N_max(self) -> float:
-        return float(self.at_summit.N)
-
-    @Quantity("α_max", "deg", "clamping angle at the largest torque", role="step")
-    def alpha_max(self) -> float:
-        return float(self.at_summit.alpha)
+    s = Quantity(
+        "s", "µm", "travel of the rollers' centres about the axis, Eq. 6 for a cup",
+        tex=r"(R_s + r - d_i) 2 (\alpha_0 - \alpha)",
+    ).reads(lambda q: q.state.s)  # fmt: skip
+    phi = Quantity(
+        "φ", "deg", "wind-up angle by exact rolling", equation="7", form="corrected",
+        tex=r"\frac{1}{R_s} \int \frac{\mathrm{d}d_i + \mathrm{d}d_o}{\tan\alpha}",
+    ).reads(lambda q: q.state.phi)  # fmt: skip
+    phi_printed = Quantity(
+        "φ", "deg", "wind-up angle with R_s and X_o", equation="7", form="as printed",
+        form_of="phi", tex=r"\frac{s}{R_s} + \frac{s}{X_o}",
+    ).reads(lambda q: q.state.phi_printed)  # fmt: skip
+    p_i = Quantity("p_i", "MPa", "peak pressure on the shaft", source="Hertz", safe="too high",
+                   tex=r"\frac{2 F_n}{\pi L a_i}").reads(lambda q: q.state.p_i)  # fmt: skip
+    p_o = Quantity("p_o", "MPa", "peak pressure on the cup", source="Hertz", safe="too high",
+                   tex=r"\frac{2 F_n}{\pi L a_o}").reads(lambda q: q.state.p_o)  # fmt: skip
+    T_max = Quantity(
+        "T_max", "N m", "largest torque, at pop-through of the rollers", safe="too low",
+        tex=r"\max_{F_n} z R_s F_n \tan\alpha(F_n) = "
+        r"z R_s F_{max} \tan\left(\alpha_{max}\right)",
+    ).reads(lambda q: q.at_summit.T)  # fmt: skip
+    N_max = Quantity(
+        "F_max", "N", "normal force at the largest torque", role="step",
+    ).reads(lambda q: q.at_summit.N)  # fmt: skip
+    alpha_max = Quantity(
+        "α_max", "deg", "clamping angle at the largest torque", role="step",
+    ).reads(lambda q: q.at_summit.alpha)  # fmt: skip
 
     @Quantity("p_max", "MPa", "larger peak pressure at the largest torque (Hertz)", role="step")
     def p_max(self) -> float:
         return float(np.maximum(self.at_summit.p_i, self.at_summit.p_o))
 
-    @Quantity("d_through", "µm", "approaches at which rollers go through, α = 0", role="step",
-              tex=r"R_s + 2 r - X_o")  # fmt: skip
-    def through(self) -> float:
-        return float(self.cam.pop_through)
+    through = Quantity(
+        "d_through", "µm", "approaches at which rollers go through, α = 0", role="step",
+        tex=r"R_s + 2 r - X_o",
+    ).reads(lambda q: q.cam.pop_through)  # fmt: skip
 
     @Quantity("d_max", "µm", "approaches at the largest torque", role="step")
     def d_max(self) -> float:

@@ -94,10 +94,10 @@ class FreewheelFriction(Pulled):
     def creep(self) -> float:
         return self.T / (self.R * self.F_lim)
 
-    @Quantity("u_out", "mm", "axial slip after which nothing is left of the torque, ring held",
-              role="step", when=lambda q: q.bears_axial_load)  # fmt: skip
-    def u_out(self) -> float:
-        return float(self.slipped()[0][0])
+    u_out = Quantity(
+        "u_out", "mm", "axial slip after which nothing is left of the torque, ring held",
+        role="step", when=lambda q: q.bears_axial_load,
+    ).reads(lambda q: q.slipped()[0][0])  # fmt: skip
 
     @Quantity("e", "mm", "shift of F_n along the roller by the couple of its axial forces",
               source="tilt of the roller; no part of the criterion, nor of these elements",

@@ -143,17 +143,14 @@ class LoadPaths(Pulled):
     def slip(self, case: int) -> float:
         return self.courses[case].slips_at
 
-    @Quantity("F_2", "N", "axial load at that time, load case 2; load case 1 has no sine",
-              role="step",
-              tex=r"F_{ax} \frac{t_2 - t_T}{t_{end} - t_T} "
-              r"\sin\left(2 \pi f (t_2 - t_T)\right)")  # fmt: skip
-    def F_2(self) -> float:
-        return float(self.paths[2].axial_load(self.courses[2].when))
-
-    @Quantity("φ", "deg", "wind-up angle under the largest torque", equation="7", form="corrected",
-              tex=r"\frac{1}{R} \int \frac{\mathrm{d}d_i + \mathrm{d}d_o}{\tan\alpha}")  # fmt: skip
-    def phi(self) -> float:
-        return float(self._top.phi)
+    F_2 = Quantity(
+        "F_2", "N", "axial load at that time, load case 2; load case 1 has no sine", role="step",
+        tex=r"F_{ax} \frac{t_2 - t_T}{t_{end} - t_T} " r"\sin\left(2 \pi f (t_2 - t_T)\right)",
+    ).reads(lambda q: q.paths[2].axial_load(q.courses[2].when))  # fmt: skip
+    phi = Quantity(
+        "φ", "deg", "wind-up angle under the largest torque", equation="7", form="corrected",
+        tex=r"\frac{1}{R} \int \frac{\mathrm{d}d_i + \mathrm{d}d_o}{\tan\alpha}",
+    ).reads(lambda q: q._top.phi)  # fmt: skip
 
     @Quantity("k", "N m/rad", "stiffness of the wedged rollers about T", role="step",
               tex=r"\frac{\mathrm{d}T}{\mathrm{d}\varphi}")  # fmt: skip

@@ -80,15 +80,14 @@ class FreewheelTorque(Star):
         "Hertz errs by (a/r)²; tangential forces turn the ring by 0.5 to 1 tan²α more",
     )
 
-    @Quantity("x", "mm", "distance of the contact on the flat from the flat's middle", role="step",
-              tex=r"(R - r + d_o) \sin\left(2 \alpha\right)")  # fmt: skip
-    def x(self) -> float:
-        return float(self.cam.centre(d_i=self.state.d_i, d_o=self.state.d_o)[0])
-
-    @Quantity("T", "N m", "torque of the tangential forces", equation="3", form="corrected",
-              form_of="T", tex=r"z R F_t", safe="too low")  # fmt: skip
-    def torque(self) -> float:
-        return float(self.state.T)
+    x = Quantity(
+        "x", "mm", "distance of the contact on the flat from the flat's middle", role="step",
+        tex=r"(R - r + d_o) \sin\left(2 \alpha\right)",
+    ).reads(lambda q: q.cam.centre(d_i=q.state.d_i, d_o=q.state.d_o)[0])  # fmt: skip
+    torque = Quantity(
+        "T", "N m", "torque of the tangential forces", equation="3", form="corrected", form_of="T",
+        tex=r"z R F_t", safe="too low",
+    ).reads(lambda q: q.state.T)  # fmt: skip
 
     @Quantity("T", "N m", "torque of the star's contact forces", equation="3", form="corrected",
               form_of="T", tex=r"z (F_n x - F_t X)")  # fmt: skip
@@ -100,35 +99,24 @@ class FreewheelTorque(Star):
     def torque_printed(self) -> float:
         return float(printed.torque_on_cam(self.cam, F_t=self.state.F_t))
 
-    @Quantity("s", "µm", "travel of the rollers' centres about the axis", equation="6",
-              tex=r"(R - r + d_o) 2 (\alpha - \alpha_0)")  # fmt: skip
-    def s(self) -> float:
-        return float(self.state.s)
-
-    @Quantity("φ", "deg", "wind-up angle by exact rolling", equation="7", form="corrected",
-              tex=r"\frac{1}{R} \int \frac{\mathrm{d}d_i + \mathrm{d}d_o}{\tan\alpha}")  # fmt: skip
-    def phi(self) -> float:
-        return float(self.state.phi)
-
-    @Quantity("φ", "deg", "wind-up angle", equation="7", form="as printed", form_of="phi",
-              tex=r"\frac{s}{R} + \frac{s}{X}")  # fmt: skip
-    def phi_printed(self) -> float:
-        return float(self.state.phi_printed)
-
-    @Quantity("φ", "deg", "wind-up angle for small angles", form="small angles", form_of="phi",
-              role="step", tex=r"\frac{2 s}{R}")  # fmt: skip
-    def phi_small(self) -> float:
-        return float(self.state.phi_small)
-
-    @Quantity("p_i", "MPa", "peak pressure on the star", source="Hertz", safe="too high",
-              tex=r"\frac{2 F_n}{\pi L a_i}")  # fmt: skip
-    def p_i(self) -> float:
-        return float(self.state.p_i)
-
-    @Quantity("p_o", "MPa", "peak pressure on the ring", source="Hertz", safe="too high",
-              tex=r"\frac{2 F_n}{\pi L a_o}")  # fmt: skip
-    def p_o(self) -> float:
-        return float(self.state.p_o)
+    s = Quantity("s", "µm", "travel of the rollers' centres about the axis", equation="6",
+                 tex=r"(R - r + d_o) 2 (\alpha - \alpha_0)").reads(lambda q: q.state.s)  # fmt: skip
+    phi = Quantity(
+        "φ", "deg", "wind-up angle by exact rolling", equation="7", form="corrected",
+        tex=r"\frac{1}{R} \int \frac{\mathrm{d}d_i + \mathrm{d}d_o}{\tan\alpha}",
+    ).reads(lambda q: q.state.phi)  # fmt: skip
+    phi_printed = Quantity(
+        "φ", "deg", "wind-up angle", equation="7", form="as printed", form_of="phi",
+        tex=r"\frac{s}{R} + \frac{s}{X}",
+    ).reads(lambda q: q.state.phi_printed)  # fmt: skip
+    phi_small = Quantity(
+        "φ", "deg", "wind-up angle for small angles", form="small angles", form_of="phi",
+        role="step", tex=r"\frac{2 s}{R}",
+    ).reads(lambda q: q.state.phi_small)  # fmt: skip
+    p_i = Quantity("p_i", "MPa", "peak pressure on the star", source="Hertz", safe="too high",
+                   tex=r"\frac{2 F_n}{\pi L a_i}").reads(lambda q: q.state.p_i)  # fmt: skip
+    p_o = Quantity("p_o", "MPa", "peak pressure on the ring", source="Hertz", safe="too high",
+                   tex=r"\frac{2 F_n}{\pi L a_o}").reads(lambda q: q.state.p_o)  # fmt: skip
 
     def reference(self, level: int) -> Level:
         """All states of a pitch on meshes of `level` cells on the half-widths."""

@@ -14,25 +14,20 @@ from verify.cases.polyhedral.clutch.inputs import ClutchInputs
 class PaperChain(ClutchInputs):
     """Every value of the chain, misprints corrected; infinite where friction locks."""
 
-    @Quantity("d_m", "mm", "mean diameter of the ring", equation="6", role="step",
-              tex=r"\frac{d_i + d_e}{2}")  # fmt: skip
-    def d_m(self) -> float:
-        return self.full.parts.d_m
-
-    @Quantity("r + r_1", "mm", "lever of the hub's contact", source="Eq. 14", role="step",
-              tex=r"\frac{a_f}{\cos\left(\psi\right)}")  # fmt: skip
-    def lever(self) -> float:
-        return self.full.arm
-
-    @Quantity("σ_t", "MPa", "hoop stress of the round ring", equation="9", role="step",
-              safe="too high", tex=r"\frac{E j_D}{d_m}")  # fmt: skip
-    def sigma_t(self) -> float:
-        return self.full.sigma_t
-
-    @Quantity("p_1", "MPa", "pressure of the round ring", equation="10", role="step",
-              safe="too high", tex=r"\frac{2 \delta_1 E j_D}{d_i d_m}")  # fmt: skip
-    def p_1(self) -> float:
-        return self.full.p_1
+    d_m = Quantity("d_m", "mm", "mean diameter of the ring", equation="6", role="step",
+                   tex=r"\frac{d_i + d_e}{2}").reads(lambda q: q.full.parts.d_m)  # fmt: skip
+    lever = Quantity(
+        "r + r_1", "mm", "lever of the hub's contact", source="Eq. 14", role="step",
+        tex=r"\frac{a_f}{\cos\left(\psi\right)}",
+    ).reads(lambda q: q.full.arm)  # fmt: skip
+    sigma_t = Quantity(
+        "σ_t", "MPa", "hoop stress of the round ring", equation="9", role="step", safe="too high",
+        tex=r"\frac{E j_D}{d_m}",
+    ).reads(lambda q: q.full.sigma_t)  # fmt: skip
+    p_1 = Quantity(
+        "p_1", "MPa", "pressure of the round ring", equation="10", role="step", safe="too high",
+        tex=r"\frac{2 \delta_1 E j_D}{d_i d_m}",
+    ).reads(lambda q: q.full.p_1)  # fmt: skip
 
     @Quantity("K", "1", "correction for the polygon, middle of the flats", role="step",
               source="complex potentials")  # fmt: skip
@@ -42,37 +37,29 @@ class PaperChain(ClutchInputs):
         )
         return ring.mid
 
-    @Quantity("p_1r", "MPa", "pressure that reaches the rollers", equation="11", role="step",
-              safe="too high", tex=r"K p_1")  # fmt: skip
-    def p_1r(self) -> float:
-        return self.full.p_1r
-
-    @Quantity("σ_tr", "MPa", "mean hoop stress in the corners then", equation="12", role="step",
-              safe="too high", tex=r"\frac{p_{1r} d_i}{2 \delta_1}")  # fmt: skip
-    def sigma_tr(self) -> float:
-        return self.full.sigma_tr
-
-    @Quantity("p_2", "MPa", "blocking pressure that is left", equation="19", role="step",
-              safe="too low", tex=r"\max\left(p_t - p_{1r}, 0\right)")  # fmt: skip
-    def p_2(self) -> float:
-        return self.full.p_2
-
-    @Quantity("F", "kN", "force of that on a side", equation="13", form="corrected", role="step",
-              safe="too low", tex=r"p_2 b d_i \sin\left(\frac{\pi}{z}\right)")  # fmt: skip
-    def F(self) -> float:
-        return self.full.F
-
-    @Quantity("s", "1", "hub's share of N; from 1 on it locks", equation="16", role="step",
-              tex=r"\frac{\mu_g D_i \cos\left(\varphi_1\right)}"
-              r"{2 (r + r_1) \sin\left(\psi + \varphi_1\right)}")  # fmt: skip
-    def hub_share(self) -> float:
-        return self.full.hub_share
-
-    @Quantity("M_20", "N m", "torque", equation="20", form="corrected", safe="too low",
-              tex=r"\frac{\mu_g D_i}{2} "
-              r"\frac{z d_i \sin\left(\frac{\pi}{z}\right) b p_2}{1 - s}")  # fmt: skip
-    def M_20(self) -> float:
-        return self.full.M_t
+    p_1r = Quantity("p_1r", "MPa", "pressure that reaches the rollers", equation="11", role="step",
+                    safe="too high", tex=r"K p_1").reads(lambda q: q.full.p_1r)  # fmt: skip
+    sigma_tr = Quantity(
+        "σ_tr", "MPa", "mean hoop stress in the corners then", equation="12", role="step",
+        safe="too high", tex=r"\frac{p_{1r} d_i}{2 \delta_1}",
+    ).reads(lambda q: q.full.sigma_tr)  # fmt: skip
+    p_2 = Quantity(
+        "p_2", "MPa", "blocking pressure that is left", equation="19", role="step", safe="too low",
+        tex=r"\max\left(p_t - p_{1r}, 0\right)",
+    ).reads(lambda q: q.full.p_2)  # fmt: skip
+    F = Quantity(
+        "F", "kN", "force of that on a side", equation="13", form="corrected", role="step",
+        safe="too low", tex=r"p_2 b d_i \sin\left(\frac{\pi}{z}\right)",
+    ).reads(lambda q: q.full.F)  # fmt: skip
+    hub_share = Quantity(
+        "s", "1", "hub's share of N; from 1 on it locks", equation="16", role="step",
+        tex=r"\frac{\mu_g D_i \cos\left(\varphi_1\right)}"
+        r"{2 (r + r_1) \sin\left(\psi + \varphi_1\right)}",
+    ).reads(lambda q: q.full.hub_share)  # fmt: skip
+    M_20 = Quantity(
+        "M_20", "N m", "torque", equation="20", form="corrected", safe="too low",
+        tex=r"\frac{\mu_g D_i}{2} " r"\frac{z d_i \sin\left(\frac{\pi}{z}\right) b p_2}{1 - s}",
+    ).reads(lambda q: q.full.M_t)  # fmt: skip
 
     @Quantity("M_21", "N m", "torque of the first design", equation="21", form="corrected",
               safe="too low")  # fmt: skip
@@ -80,25 +67,20 @@ class PaperChain(ClutchInputs):
         first = self.paper(K=1.0, lever="d_i/2", gamma="radius", rho=0.0)
         return first.M_t
 
-    @Quantity("T", "kN", "tangential force of the hub per corner, with M_20", equation="14",
-              role="step", tex=r"\frac{M_{20}}{z (r + r_1)}")  # fmt: skip
-    def T(self) -> float:
-        return self.full.T
-
-    @Quantity("F_s", "kN", "radial force of the hub", equation="14", role="step",
-              tex=r"\frac{T}{\tan\left(\psi + \varphi_1\right)}")  # fmt: skip
-    def F_s(self) -> float:
-        return self.full.F_s
-
-    @Quantity("R", "kN", "force between hub and flat", source="in Eq. 16", role="step",
-              tex=r"\frac{F_s}{\cos\left(\psi + \varphi_1\right)}")  # fmt: skip
-    def R(self) -> float:
-        return self.full.R
-
-    @Quantity("N_16", "kN", "force of a roller", equation="16", role="step",
-              tex=r"F + R \cos\left(\varphi_1\right)")  # fmt: skip
-    def N_16(self) -> float:
-        return self.full.N
+    T = Quantity(
+        "T", "kN", "tangential force of the hub per corner, with M_20", equation="14", role="step",
+        tex=r"\frac{M_{20}}{z (r + r_1)}",
+    ).reads(lambda q: q.full.T)  # fmt: skip
+    F_s = Quantity(
+        "F_s", "kN", "radial force of the hub", equation="14", role="step",
+        tex=r"\frac{T}{\tan\left(\psi + \varphi_1\right)}",
+    ).reads(lambda q: q.full.F_s)  # fmt: skip
+    R = Quantity(
+        "R", "kN", "force between hub and flat", source="in Eq. 16", role="step",
+        tex=r"\frac{F_s}{\cos\left(\psi + \varphi_1\right)}",
+    ).reads(lambda q: q.full.R)  # fmt: skip
+    N_16 = Quantity("N_16", "kN", "force of a roller", equation="16", role="step",
+                    tex=r"F + R \cos\left(\varphi_1\right)").reads(lambda q: q.full.N)  # fmt: skip
 
     @Quantity("p_20", "MPa", "pressure for the target torque", source="Eqs. 17 to 20, corrected",
               form="corrected", safe="too high", tex=r"p_{1r} + \frac{2 M_t}{\mu_g D_i z} "

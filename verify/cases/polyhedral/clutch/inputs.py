@@ -54,15 +54,10 @@ class ClutchInputs(Case):
     def d_i(self) -> float:
         return self.d_e - 2 * self.delta_1
 
-    @Quantity(
-        "a_f",
-        "mm",
-        "distance of the flats from the axis",
-        role="geometry",
+    apothem = Quantity(
+        "a_f", "mm", "distance of the flats from the axis", role="geometry",
         tex=r"\left(\frac{d_i}{2} - \rho\right) \cos\left(\frac{\pi}{z}\right) + \rho",
-    )
-    def apothem(self) -> float:
-        return self.ring.apothem
+    ).reads(lambda q: q.ring.apothem)  # fmt: skip
 
     @property
     def ring(self) -> PolygonRing:

@@ -50,36 +50,24 @@ class LockedFormulas(PolygonSeries, LockingInputs):
     def side(self) -> float:
         return self._on_a_side(self.p_t)
 
-    @Quantity(
-        "N/b",
-        "N/mm",
-        "force of a roller",
-        safe="too low",
+    N = Quantity(
+        "N/b", "N/mm", "force of a roller", safe="too low",
         source="series, with the half-width a of Hertz under N",
         tex=r"\frac{u_p p_t + u_h - \frac{j_D}{2}}{u_N(a)}",
-    )
-    def N(self) -> float:
-        return self.locked.N
-
-    @Quantity("η", "1", "share of a further pressure that reaches the rollers",
-              source="1 would be Eq. 16",
-              tex=r"\frac{1}{d_i \sin(\pi/z)} \frac{dN}{b\,dp}")  # fmt: skip
-    def efficiency(self) -> float:
-        return self.locked.efficiency
-
-    @Quantity("η_h", "1", "share of a further hub force that reaches the rollers", source=SERIES,
-              when=lambda q: q.pushed)  # fmt: skip
-    def hub_share(self) -> float:
-        return self.locked.hub_share
-
-    @Quantity("a", "µm", "half-width of the contact on the ring", source="Hertz")
-    def a(self) -> float:
-        return self.locked.a
-
-    @Quantity("a_r", "µm", "half-width of the contact on the race", source="Hertz",
-              when=lambda q: q.elastic)  # fmt: skip
-    def a_race(self) -> float:
-        return self.locked.a_race
+    ).reads(lambda q: q.locked.N)  # fmt: skip
+    efficiency = Quantity(
+        "η", "1", "share of a further pressure that reaches the rollers",
+        source="1 would be Eq. 16", tex=r"\frac{1}{d_i \sin(\pi/z)} \frac{dN}{b\,dp}",
+    ).reads(lambda q: q.locked.efficiency)  # fmt: skip
+    hub_share = Quantity(
+        "η_h", "1", "share of a further hub force that reaches the rollers", source=SERIES,
+        when=lambda q: q.pushed,
+    ).reads(lambda q: q.locked.hub_share)  # fmt: skip
+    a = Quantity(
+        "a", "µm", "half-width of the contact on the ring", source="Hertz",
+    ).reads(lambda q: q.locked.a)  # fmt: skip
+    a_race = Quantity("a_r", "µm", "half-width of the contact on the race", source="Hertz",
+                      when=lambda q: q.elastic).reads(lambda q: q.locked.a_race)  # fmt: skip
 
     @Quantity("p_0", "MPa", "pressure between roller and ring", source="Hertz", safe="too high")
     def p_0(self) -> float:

@@ -89,14 +89,9 @@ class PolyhedralRing(PolygonSeries, HubRing):
     def K(self) -> float:
         return 1.0
 
-    @Quantity("K_mean", "1", "K in the mean", source=SERIES)
-    def K_mean(self) -> float:
-        return float(self.factors.mean)
-
-    @Quantity("K_corner", "1", "K at the corners, negative where they draw in", source=SERIES,
-              role="step")  # fmt: skip
-    def K_corner(self) -> float:
-        return float(self.factors.corner)
+    K_mean = Quantity("K_mean", "1", "K in the mean", source=SERIES).reads(lambda q: q.factors.mean)
+    K_corner = Quantity("K_corner", "1", "K at the corners, negative where they draw in",
+                        source=SERIES, role="step").reads(lambda q: q.factors.corner)  # fmt: skip
 
     @Quantity("1/K_corner", "1", "flexibility at the corners")
     def flexibility(self) -> float:
@@ -117,11 +112,11 @@ class PolyhedralRing(PolygonSeries, HubRing):
     def sigma_tr(self) -> float:
         return float(expansion.mean_hoop_stress(p=self.p_1r, d_i=self.d_i, d_e=self.d_e))
 
-    @Quantity("u_r(0)", "µm", "growth of the outside in the middle of the flats then", role="step",
-              source="outside, by the complex potential",
-              tex=r"\frac{4}{E}\,e^{-i\theta}\,\varphi(r_e e^{i\theta}) - i u_\theta")  # fmt: skip
-    def growth(self) -> float:
-        return float(self.outside(np.zeros(1))[0])
+    growth = Quantity(
+        "u_r(0)", "µm", "growth of the outside in the middle of the flats then", role="step",
+        source="outside, by the complex potential",
+        tex=r"\frac{4}{E}\,e^{-i\theta}\,\varphi(r_e e^{i\theta}) - i u_\theta",
+    ).reads(lambda q: q.outside(np.zeros(1))[0])  # fmt: skip
 
     @Quantity("σ_max", "MPa", "largest hoop stress in the fillets", source=SERIES,
               safe="too high")  # fmt: skip

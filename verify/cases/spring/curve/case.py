@@ -61,24 +61,19 @@ class CurveSpring(CurveInputs, Case):
     def EI(self) -> float:
         return self.width_factor * self.E * self.h * self.b**3 / 12
 
-    @Quantity("k_1", "N/mm", "stiffness at rest", source="geometrically exact beam",
-              tex=r"\left.\frac{dF}{dU}\right|_0 \quad (\varepsilon=t\cdot r' - 1, \quad "
-              r"\gamma=n\cdot r', \quad \kappa=\varphi')")  # fmt: skip
-    def k1(self) -> float:
-        return float(self.linear.k1)
-
-    @Quantity("U_A", "mm", "displacement where leaves touch, linear theory", source=LINEAR,
-              tex=r"\frac{F_A}{k_1}")  # fmt: skip
-    def U_A(self) -> float:
-        return float(self.linear.U_A)
-
-    @Quantity("F_A", "N", "force where leaves touch, linear theory", source=LINEAR)
-    def F_A(self) -> float:
-        return float(self.linear.F_A)
-
-    @Quantity("k_2", "N/mm", "stiffness beyond, linear theory", source=LINEAR)
-    def k2(self) -> float:
-        return float(self.linear.k2)
+    k1 = Quantity(
+        "k_1", "N/mm", "stiffness at rest", source="geometrically exact beam",
+        tex=r"\left.\frac{dF}{dU}\right|_0 \quad (\varepsilon=t\cdot r' - 1, \quad "
+        r"\gamma=n\cdot r', \quad \kappa=\varphi')",
+    ).reads(lambda q: q.linear.k1)  # fmt: skip
+    U_A = Quantity("U_A", "mm", "displacement where leaves touch, linear theory", source=LINEAR,
+                   tex=r"\frac{F_A}{k_1}").reads(lambda q: q.linear.U_A)  # fmt: skip
+    F_A = Quantity(
+        "F_A", "N", "force where leaves touch, linear theory", source=LINEAR,
+    ).reads(lambda q: q.linear.F_A)  # fmt: skip
+    k2 = Quantity(
+        "k_2", "N/mm", "stiffness beyond, linear theory", source=LINEAR,
+    ).reads(lambda q: q.linear.k2)  # fmt: skip
 
     @Quantity("U_10", "mm", "displacement where the lines of Eq. 10 cross (N, N/m)", role="step",
               source="Eq. 10", tex=r"\frac{0.0055 + 1.62}{749 - 613}", fitted=True,

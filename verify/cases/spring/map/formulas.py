@@ -85,18 +85,15 @@ class MapFormulas(MapInputs, Case):
     def linear_0_6(self) -> float:
         return self.k1 * SHARES[1] * self.L0
 
-    @Quantity("F_x(x_r)", "N", "force at the end of a straight path of the roller", role="step",
-              source=EXACT)  # fmt: skip
-    def F_x_straight(self) -> float:
-        return self._pressed.get("F_x_straight", math.nan)
-
-    @Quantity("F_x", "N", "force along, at the end of the roller's slanted path", source=EXACT)
-    def F_x(self) -> float:
-        return self._pressed.get("F_x", math.nan)
-
-    @Quantity("F_y", "N", "force across, at the end of the roller's slanted path", source=EXACT)
-    def F_y(self) -> float:
-        return self._pressed.get("F_y", math.nan)
+    F_x_straight = Quantity(
+        "F_x(x_r)", "N", "force at the end of a straight path of the roller", role="step",
+        source=EXACT,
+    ).reads(lambda q: q._pressed.get("F_x_straight", math.nan))  # fmt: skip
+    F_x = Quantity(
+        "F_x", "N", "force along, at the end of the roller's slanted path", source=EXACT,
+    ).reads(lambda q: q._pressed.get("F_x", math.nan))  # fmt: skip
+    F_y = Quantity("F_y", "N", "force across, at the end of the roller's slanted path",
+                   source=EXACT).reads(lambda q: q._pressed.get("F_y", math.nan))  # fmt: skip
 
     @Quantity("e_r", "%", "force of Eq. 9 below that of Eq. 10 at the tests' largest force",
               source="Eqs. 9 and 10", when=of_paper)  # fmt: skip

@@ -40,62 +40,51 @@ class StageFormulas(StagesInputs, Case):
     def EI(self) -> float:
         return self.factor * self.E * self.h * self.b**3 / 12
 
-    @Quantity("g_0", "mm", "gap of the tips", role="step", source=TIPS,
-              tex=r"R (1 + \sin\alpha) + \frac{L_1 + R \cos\alpha}{\tan\alpha} "
-              r"- \frac{b}{2} (1 + \frac{1}{\sin\alpha})")  # fmt: skip
-    def gap(self) -> float:
-        return float(self._bent.gap)
+    gap = Quantity(
+        "g_0", "mm", "gap of the tips", role="step", source=TIPS,
+        tex=r"R (1 + \sin\alpha) + \frac{L_1 + R \cos\alpha}{\tan\alpha} "
+        r"- \frac{b}{2} (1 + \frac{1}{\sin\alpha})",
+    ).reads(lambda q: q._bent.gap)  # fmt: skip
 
     @Quantity("J", "mm^3", "compliance integral of the force", role="step", source=TIPS,
               tex=r"\int M^2 ds")  # fmt: skip
     def J(self) -> float:
         return self.EI / self.k1
 
-    @Quantity("k_1", "N/mm", "stiffness before the tips touch", source=TIPS,
-              tex=r"\frac{EI}{J}")  # fmt: skip
-    def k1(self) -> float:
-        return float(self._stages.k1)
+    k1 = Quantity("k_1", "N/mm", "stiffness before the tips touch", source=TIPS,
+                  tex=r"\frac{EI}{J}").reads(lambda q: q._stages.k1)  # fmt: skip
 
     @Quantity("f_FC", "mm^3", "integral of the force and of that between tip and leaf",
               role="step", source=TIPS, tex=r"\int M\,m\,ds")  # fmt: skip
     def f_FC(self) -> float:
         return self.gap * self.EI / self.F_A
 
-    @Quantity("F_A", "N", "force where the first tip touches", source=TIPS,
-              tex=r"\frac{g_0 EI}{f_{FC}}")  # fmt: skip
-    def F_A(self) -> float:
-        return float(self._stages.F_A)
-
-    @Quantity("U_A", "mm", "displacement where the first tip touches", source=TIPS,
-              tex=r"\frac{F_A}{k_1}")  # fmt: skip
-    def U_A(self) -> float:
-        return float(self._stages.U_A)
+    F_A = Quantity("F_A", "N", "force where the first tip touches", source=TIPS,
+                   tex=r"\frac{g_0 EI}{f_{FC}}").reads(lambda q: q._stages.F_A)  # fmt: skip
+    U_A = Quantity("U_A", "mm", "displacement where the first tip touches", source=TIPS,
+                   tex=r"\frac{F_A}{k_1}").reads(lambda q: q._stages.U_A)  # fmt: skip
 
     @Quantity("J_C", "mm^3", "what the touching tips take from J", role="step", source=TIPS,
               tex=r"\frac{p f_{FC}^2}{\int m^2 ds}")  # fmt: skip
     def J_C(self) -> float:
         return self.J - self.EI / self.k2
 
-    @Quantity("k_2", "N/mm", "stiffness beyond, until the second tip touches", source=TIPS,
-              tex=r"\frac{EI}{J - J_C}")  # fmt: skip
-    def k2(self) -> float:
-        return float(self._stages.k2)
+    k2 = Quantity("k_2", "N/mm", "stiffness beyond, until the second tip touches", source=TIPS,
+                  tex=r"\frac{EI}{J - J_C}").reads(lambda q: q._stages.k2)  # fmt: skip
 
     @Quantity("c_2", "N", "the second line's force at U = 0", source=TIPS)
     def intercept(self) -> float:
         return self.F_A - self.k2 * self.U_A
 
-    @Quantity("U_B", "mm", "displacement where the second tip touches", source=TIPS)
-    def U_B(self) -> float:
-        return float(self._stages.U_B)
-
-    @Quantity("F_B", "N", "force where the second tip touches", source=TIPS)
-    def F_B(self) -> float:
-        return float(self._stages.F_B)
-
-    @Quantity("k_3", "N/mm", "stiffness with both tips in touch", source=TIPS)
-    def k3(self) -> float:
-        return float(self._stages.k3)
+    U_B = Quantity(
+        "U_B", "mm", "displacement where the second tip touches", source=TIPS,
+    ).reads(lambda q: q._stages.U_B)  # fmt: skip
+    F_B = Quantity(
+        "F_B", "N", "force where the second tip touches", source=TIPS,
+    ).reads(lambda q: q._stages.F_B)  # fmt: skip
+    k3 = Quantity(
+        "k_3", "N/mm", "stiffness with both tips in touch", source=TIPS,
+    ).reads(lambda q: q._stages.k3)  # fmt: skip
 
     @Quantity("L_0", "mm", "free length over all", role="step")
     def L0(self) -> float:
@@ -126,9 +115,9 @@ class StageFormulas(StagesInputs, Case):
     def k2_wide(self) -> float:
         return self.widest * self.k2
 
-    @Quantity("U_w", "mm", "displacement at F", source=TIPS, when=loaded)
-    def U_w(self) -> float:
-        return float(self._stages.displacement(self.F or 0.0))
+    U_w = Quantity(
+        "U_w", "mm", "displacement at F", source=TIPS, when=loaded,
+    ).reads(lambda q: q._stages.displacement(q.F or 0.0))  # fmt: skip
 
     @Quantity("ΔU", "mm", "what is left until a tip touches", role="step", when=loaded)
     def margin(self) -> float:
