@@ -11,7 +11,6 @@ from verify.case import Case, Quantity
 from verify.cases.spring.claims import loaded
 from verify.cases.spring.inputs import AccordionInputs, strip_of
 from verify.cases.spring.sketch import sketch as to_scale
-from verify.core.figures import Sketch
 
 L0_OVER_B = 240  # Eq. 13
 FREE_STAGE = 11.95 / 25.6  # where Eq. 10's branches meet, over L_0 of the true centre line
@@ -84,9 +83,7 @@ class FreeStage(AccordionInputs, Case):
         """The lengths of Eqs. 1-9."""
         return {"n": self.n, "L1": self.L1, "r": self.r, "b": self.b, "alpha": self.alpha}
 
-    def sketch(self) -> Sketch:
-        """The centre line to scale, with force, clamp and lengths."""
-        return to_scale(self)
+    sketch = to_scale
 
     def warnings(self) -> Iterator[str]:
         """Where geometry and force leave what Eqs. 1-9 are for."""

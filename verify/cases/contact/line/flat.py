@@ -27,7 +27,7 @@ from verify.cases.contact.line.hertz import PROFILE, at, l2_errors
 from verify.cases.contact.line.inputs import FlatInputs
 from verify.cases.contact.line.reference import disc_fem, result
 from verify.core.case import Context
-from verify.core.figures import Array, Picture, Sketch
+from verify.core.figures import Array, Picture
 from verify.form.adapter import adapted
 from verify.judging import judge
 from verify.judging.checks import Fact
@@ -226,9 +226,7 @@ class RollerOnFlat(FlatInputs):
         """Stresses about the contact; a rigid flat has none."""
         yield from figures.pictures(self.guess, below=0.05)
 
-    def sketch(self) -> Sketch:
-        """The roller between its flats."""
-        return sketches.flat(self)
+    sketch = sketches.flat
 
 
 FLAT = adapted(RollerOnFlat)

@@ -18,7 +18,6 @@ from verify.cases.contact.line import sketches
 from verify.cases.contact.line.hertz import at
 from verify.cases.contact.line.reference import pair_fem, result
 from verify.cases.contact.line.two_bodies import TwoBodies
-from verify.core.figures import Sketch
 from verify.form.adapter import adapted
 
 RATIO = 0.1  # of unlike rollers: Hertz's a over the smaller radius
@@ -150,9 +149,7 @@ class TwoRollers(TwoBodies):
         yield self.near_hertz(self.pressure)
         yield from self.balances()
 
-    def sketch(self) -> Sketch:
-        """Both rollers to scale."""
-        return sketches.pair(self)
+    sketch = sketches.pair
 
 
 PAIR = adapted(TwoRollers)

@@ -11,7 +11,6 @@ from verify.case import Comparison, Level, Quantity, Scan, given
 from verify.cases.contact.line import sketches
 from verify.cases.contact.line.reference import race_fem, result
 from verify.cases.contact.line.two_bodies import TwoBodies
-from verify.core.figures import Sketch
 from verify.form.adapter import adapted
 
 THICKEST = 8.0  # r_o/r_i
@@ -152,9 +151,7 @@ class RollerInRace(TwoBodies):
         yield self.near_hertz(self.pressure)
         yield from self.balances()
 
-    def sketch(self) -> Sketch:
-        """Roller and race to scale."""
-        return sketches.ring(self)
+    sketch = sketches.ring
 
     def refusal(self) -> str:
         """Cells about the contact are carried far into a thick wall, and are coarse there.

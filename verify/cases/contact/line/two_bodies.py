@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from analytic.bounds.contact.line_bodies import InRace, OfDiscs
 from analytic.contact import hertz_line
-from verify.case import AlongLine, Comparison, Drawn, Quantity, approximation, given
+from verify.case import Comparison, Quantity, approximation, given
 from verify.cases.contact.expected import BLUNT, expected
 from verify.cases.contact.line import figures
 from verify.cases.contact.line.hertz import HERTZ, LineContact
@@ -55,9 +55,7 @@ class TwoBodies(LineContact):
         yield approximation(by.tau_max, order=2,
                             expected=expected(known.shear, below, least=BLUNT))  # fmt: skip
 
-    def figures(self) -> Iterator[AlongLine | Drawn]:
-        """Pressure beside Hertz's, errors of Hertz, convergence."""
-        yield from figures.two_bodies(self)
+    figures = figures.two_bodies
 
     def pictures(self) -> Iterator[Picture]:
         """Stresses about the contact."""

@@ -7,7 +7,6 @@ from typing import Any, ClassVar
 import numpy as np
 
 from verify.case import (
-    AlongLine,
     Comparison,
     Level,
     Scan,
@@ -16,11 +15,11 @@ from verify.case import (
     identity,
     picture,
 )
-from verify.cases.contact.press_fit import figures
+from verify.cases.contact.press_fit import figures as drawn
 from verify.cases.contact.press_fit.formulas import FitFormulas
 from verify.cases.contact.press_fit.inputs import FITS
 from verify.cases.contact.press_fit.reference import jitter, solve
-from verify.core.figures import Picture, Sketch
+from verify.core.figures import Picture
 from verify.form.adapter import adapted
 
 FAST = 1e-3, "smooth fields on curved quadratic cells: much sharper than 1 % at no cost"
@@ -89,9 +88,7 @@ class PressFit(FitFormulas):
                 yield balance(residual, f"balance of the {wall} wall, {one.words}", "ΣF_x", "N/mm",
                               of={"load": load}, bound=1e-9, because=DIRECT)  # fmt: skip
 
-    def figures(self) -> Iterator[AlongLine]:
-        """Stresses through both walls, and the contact pressure along the fit."""
-        yield from figures.profiles(self)
+    figures = drawn.profiles
 
     def pictures(self) -> Iterator[Picture]:
         """Hoop stress of the rings, von Mises stress with a shaft."""
@@ -102,9 +99,7 @@ class PressFit(FitFormulas):
             yield picture(f"{name}, plane stress", data, f"{what}, plane stress, cell means",
                           mirror="xy", displacement="")  # fmt: skip
 
-    def sketch(self) -> Sketch:
-        """The fit with both pressures."""
-        return figures.sketch(self)
+    sketch = drawn.sketch
 
     def refusal(self) -> str:
         """Cells must be short against the thinnest wall for an even pressure."""

@@ -157,9 +157,7 @@ class ComparedCrowns(Divided, StripRoller):
         m = even / self.with_crown(name).p_mid
         return m * (1 - MID) - 1, m * (1 + MID) - 1
 
-    def refusal(self) -> str:
-        """Where the half-space cannot resolve the ends."""
-        return half_space.too_short(self)
+    refusal = half_space.too_short
 
     def warnings(self) -> Iterator[str]:
         """A contact that is wide beside the roller."""

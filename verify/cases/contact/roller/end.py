@@ -29,7 +29,7 @@ from verify.cases.contact.roller.end_figures import BODIES
 from verify.cases.contact.roller.formulas import MIDDLE
 from verify.cases.contact.roller.inputs import Crown
 from verify.core.case import Context
-from verify.core.figures import Picture, Sketch
+from verify.core.figures import Picture
 from verify.form.adapter import adapted
 from verify.form.comparisons import key_of
 from verify.judging.checks import Accepted, Approximation, Margin
@@ -192,9 +192,7 @@ class EndFace(Crown):
         """Pressure on the patch."""
         yield end_figures.patch()
 
-    def sketch(self) -> Sketch:
-        """Section along the axes."""
-        return end_figures.sketch(self)
+    sketch = end_figures.sketch
 
     def warnings(self) -> Iterator[str]:
         """Ends that a half-space loads more than an end face can carry."""

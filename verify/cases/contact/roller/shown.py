@@ -5,24 +5,20 @@ from collections.abc import Iterator
 from verify.cases.contact.roller import figures, half_space, texts
 from verify.cases.contact.roller.formulas import SlicedRoller
 from verify.core.case import Context
-from verify.core.figures import Figure, Picture, Sketch
+from verify.core.figures import Figure, Picture
 
 
 class OnHalfSpace(SlicedRoller):
     """A roller in strips and slices whose reference is a half-space."""
 
-    def refusal(self) -> str:
-        """Where the half-space cannot resolve the ends."""
-        return half_space.too_short(self)
+    refusal = half_space.too_short
 
     def warnings(self) -> Iterator[str]:
         """What an engineer should know before trusting these pressures."""
         yield from texts.of_contact(self)
         yield from texts.of_materials(self)
 
-    def sketch(self) -> Sketch:
-        """Roller and race from the side."""
-        return figures.sketch(self)
+    sketch = figures.sketch
 
     def pictures(self) -> Iterator[Picture]:
         """Pressure on the patch."""

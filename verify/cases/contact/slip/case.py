@@ -14,7 +14,7 @@ from verify.case import (
     balance,
     fact,
 )
-from verify.cases.contact.slip import figures
+from verify.cases.contact.slip import figures as drawn
 from verify.cases.contact.slip.claims import (
     AGREE,
     HALF_PLANES,
@@ -29,7 +29,7 @@ from verify.cases.contact.slip.claims import (
 from verify.cases.contact.slip.formulas import SlipFormulas
 from verify.cases.contact.slip.inputs import SHARES, STAGES, key
 from verify.cases.contact.slip.reference import solve
-from verify.core.figures import Picture, Sketch
+from verify.core.figures import Picture
 from verify.form.adapter import adapted
 from verify.judging.tolerance_checks import Agreement, suites
 
@@ -129,7 +129,7 @@ class SlippingRollers(SlipFormulas):
 
     def figures(self) -> Iterator[AlongLine | Drawn]:
         """Tractions, growth of the slip strips, the loop of a cycle, energies."""
-        yield from figures.figures()
+        yield from drawn.figures()
 
     def pictures(self) -> Iterator[Picture]:
         """Shear stress about the contact at Q_max."""
@@ -140,9 +140,7 @@ class SlippingRollers(SlipFormulas):
             "cells at nodes", displacement="", window=(-w, -w, w, w),
         )  # fmt: skip
 
-    def sketch(self) -> Sketch:
-        """Both half discs, their contact not to scale."""
-        return figures.sketch(self)
+    sketch = drawn.sketch
 
     def refusal(self) -> str:
         """Amplitudes whose slip or stick the meshes do not resolve."""

@@ -14,11 +14,11 @@ from verify.case import (
     balance,
 )
 from verify.cases.contact.expected import expected
-from verify.cases.contact.sphere import figures
+from verify.cases.contact.sphere import figures as drawn
 from verify.cases.contact.sphere.formulas import SphereFormulas
 from verify.cases.contact.sphere.inputs import BODIES, END, PAIRS, WORDS
 from verify.cases.contact.sphere.reference import solve
-from verify.core.figures import Picture, Sketch
+from verify.core.figures import Picture
 from verify.form.adapter import adapted
 from verify.form.figures import AlongLine, Drawn
 
@@ -106,19 +106,17 @@ class Spheres(SphereFormulas):
         """Pressures, stresses on the axes, and what Hertz neglects."""
         both = [self.of(pair) for pair in PAIRS]
         for at, words in zip(both, ("a rigid flat", "the lower sphere"), strict=True):
-            yield figures.pressure(at, words)
+            yield drawn.pressure(at, words)
         for body in BODIES["sphere"]:
-            yield from figures.stresses(self, body)
+            yield from drawn.stresses(self, body)
         for at in both:
-            yield figures.errors(at)
+            yield drawn.errors(at)
 
     def pictures(self) -> Iterator[Picture]:
         """Stresses about the contact of both spheres."""
-        yield from figures.pictures(self.width)
+        yield from drawn.pictures(self.width)
 
-    def sketch(self) -> Sketch:
-        """Both spheres to scale."""
-        return figures.sketch(self)
+    sketch = drawn.sketch
 
     def refusal(self) -> str:
         """The approach must stand out of the round-off of the larger sphere's coordinates."""

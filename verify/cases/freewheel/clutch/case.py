@@ -15,7 +15,6 @@ from verify.cases.freewheel.clutch import messages
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
 from verify.cases.freewheel.clutch.summary import summary
 from verify.core.case import Values
-from verify.core.figures import Sketch
 from verify.form.adapter import adapted
 
 PERCENTS = tuple(f"{p:g}" for p in PERCENTILES)
@@ -272,9 +271,7 @@ class FreewheelClutch(ClutchInputs):
         """Where it holds, its course, its scatter."""
         yield Drawn(drawn.figures)
 
-    def sketch(self) -> Sketch:
-        """One pitch of star or cup."""
-        return drawn.sketch(self)
+    sketch = drawn.sketch
 
     def warnings(self) -> Iterator[str]:
         """Limits of pressure, tilt and tolerances that are exceeded."""

@@ -27,9 +27,8 @@ from verify.cases.freewheel.cup import figures as drawn
 from verify.cases.freewheel.cup.inputs import Cup
 from verify.cases.freewheel.steel import FRICTION, pressed
 from verify.core.case import Context
-from verify.core.figures import Array, Picture, Sketch
+from verify.core.figures import Array
 from verify.form.adapter import adapted
-from verify.form.case import Drawing
 from verify.judging.judge import DEMAND
 
 THIN = 0.2  # wall at the corners over X_o below which a cup is a thin one
@@ -303,17 +302,9 @@ class FreewheelCup(Cup):
         return self._judged(FreewheelCup.T_max, interval, COARSE,
                             name="largest torque, before the rollers go through")  # fmt: skip
 
-    def figures(self) -> Iterator[Drawing]:
-        """Torque and angle over the normal force, curves over torque, pressures."""
-        yield from drawn.figures(self)
-
-    def pictures(self) -> Iterator[Picture]:
-        """Von Mises stress of the pitch."""
-        yield from pictures.heaviest(self)
-
-    def sketch(self) -> Sketch:
-        """One pitch of shaft, roller and cup."""
-        return drawn.sketch(self)
+    figures = drawn.figures
+    pictures = pictures.heaviest
+    sketch = drawn.sketch
 
     def warnings(self) -> Iterator[str]:
         """Where friction or hardness is exceeded, and where the cup is thin."""

@@ -24,8 +24,7 @@ from verify.cases.freewheel.bounds import of_star
 from verify.cases.freewheel.friction import figures as drawn
 from verify.cases.freewheel.friction.comparisons import at_slip
 from verify.cases.freewheel.pulled import Pulled
-from verify.core.case import Context
-from verify.core.figures import Array, Picture, Sketch, Table
+from verify.core.figures import Array, Picture
 from verify.form.adapter import adapted
 
 CLOSE = 0.02  # of tan(alpha): friction that near leaves no axial load worth measuring
@@ -183,13 +182,9 @@ class FreewheelFriction(Pulled):
             "Shear stress along the axis: it enters through both contacts",
         )
 
-    def tables(self, context: Context) -> Iterator[Table]:
-        """The clutch's states by finite elements, in words."""
-        yield from drawn.tables(context)
+    tables = drawn.tables
 
-    def sketch(self) -> Sketch:
-        """Roller between flat and ring, and the friction of one contact in its cone."""
-        return drawn.sketch(self)
+    sketch = drawn.sketch
 
     def warnings(self) -> Iterator[str]:
         """Where the clutch slips or tilts its rollers."""

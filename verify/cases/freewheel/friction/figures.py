@@ -181,11 +181,11 @@ def _angles(last: Any) -> Curves:
     )  # fmt: skip
 
 
-def tables(context: Context) -> Sequence[Table]:
+def tables(q: Any, context: Context) -> Sequence[Table]:
     """The clutch's states by finite elements, in words."""
     if not context.converging:
         return ()
-    last, q, v = context.fem[-1].arrays, context.inputs, context.fem[-1].values
+    last, v = context.fem[-1].arrays, context.fem[-1].values
     k, star, ring = last["shares"]
     rows = [
         (f"torque alone, μ = {k[i]:g} tan α",

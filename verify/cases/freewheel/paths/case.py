@@ -19,14 +19,13 @@ from analytic.freewheel.course import Course, follow
 from analytic.freewheel.load_path import AlternatingAxial, AxialRamp, BothAlternating, LoadPath
 from analytic.freewheel.state import State, loaded
 from verify.case import Comparison, Drawn, Level, Quantity, given, shared
-from verify.cases.freewheel import pictures
+from verify.cases.freewheel import pictures, star_sketch
 from verify.cases.freewheel.bounds import of_star
 from verify.cases.freewheel.paths import comparisons as compared
 from verify.cases.freewheel.paths import figures as drawn
 from verify.cases.freewheel.pulled import Pulled
-from verify.cases.freewheel.star_sketch import sketch
-from verify.core.case import Check, Context
-from verify.core.figures import Picture, Sketch, Table
+from verify.core.case import Check
+from verify.core.figures import Picture
 from verify.form.adapter import adapted
 
 MOST = 1000  # cycles of a path
@@ -237,13 +236,9 @@ class LoadPaths(Pulled):
             window=pictures.around_roller(self),
         )
 
-    def tables(self, context: Context) -> Iterator[Table]:
-        """The three paths side by side."""
-        yield from drawn.tables(context)
+    tables = drawn.tables
 
-    def sketch(self) -> Sketch:
-        """One pitch of star, roller and ring."""
-        return sketch(self)
+    sketch = star_sketch.sketch
 
     def warnings(self) -> Iterator[str]:
         """Where the torque alone slips or comes to zero, and where inertia counts."""

@@ -1,6 +1,7 @@
 """What the report shows of a freewheel on the rig's load paths."""
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,10 +25,10 @@ CUT = 4.0  # of mu, beyond which the required friction is not drawn
 DRAWN = 8  # steps of a path's times that a curve is drawn over: 30 points a cycle
 
 
-def tables(context: Context) -> Sequence[Table]:
+def tables(q: Any, context: Context) -> Sequence[Table]:  # noqa: ARG001
     """The three paths side by side."""
     rows = []
-    for case, course in context.inputs.courses.items():
+    for case, course in q.courses.items():
         slip = course.slips_at
         peak = short(course.peak) if np.isfinite(course.peak) else None
         rows.append((

@@ -18,12 +18,10 @@ from verify.case import (
     limit,
     solved,
 )
-from verify.cases.freewheel import over_torque, pictures, statics
+from verify.cases.freewheel import over_torque, pictures, star_sketch, statics
 from verify.cases.freewheel.bounds import TANGENTIAL, known, of_star
 from verify.cases.freewheel.star import Star
-from verify.cases.freewheel.star_sketch import sketch
 from verify.cases.freewheel.steel import FRICTION, pressed
-from verify.core.figures import Picture, Sketch
 from verify.form.adapter import adapted
 
 SHARP = "acceptance of the subject"
@@ -198,13 +196,8 @@ class FreewheelTorque(Star):
         yield over_torque.pressure("star")
         yield over_torque.pressure("ring")
 
-    def pictures(self) -> Iterator[Picture]:
-        """Von Mises stress of the pitch."""
-        yield from pictures.heaviest(self)
-
-    def sketch(self) -> Sketch:
-        """One pitch of star, roller and ring."""
-        return sketch(self)
+    pictures = pictures.heaviest
+    sketch = star_sketch.sketch
 
     def warnings(self) -> Iterator[str]:
         """Where friction or hardness is exceeded."""

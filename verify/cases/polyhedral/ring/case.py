@@ -29,7 +29,7 @@ from verify.cases.polyhedral.ring import sketch as sketched
 from verify.cases.polyhedral.thin_ring import SERIES, PolygonSeries
 from verify.cases.polyhedral.warnings import of_fillets
 from verify.core.case import Portion
-from verify.core.figures import Array, Picture, Sketch
+from verify.core.figures import Array, Picture
 from verify.form.adapter import adapted
 
 STRESS = 30.0  # times the series' residual: stress in the fillet is worse by one or two digits
@@ -216,9 +216,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
             caption = f"{z} flats, where they have taken up the clearance: von Mises stress"
             yield picture(f"z = {z}", "von_mises", caption, share=0.02)
 
-    def sketch(self) -> Sketch:
-        """The ring with pressure on its flats."""
-        return sketched.sketch(self)
+    sketch = sketched.sketch
 
     def warnings(self) -> Iterator[str]:
         """Where the fillets yield, and where the corners do not follow."""

@@ -159,9 +159,7 @@ class AccordionSpring(FreeStage):
         m = bending / self.held(PAPER).k_V - 1
         return Expected(0.9 * m, 1.1 * m, EQ_9_SOURCE)
 
-    def refusal(self) -> str:
-        """Where elements would lose their digits."""
-        return too_slender(self)
+    refusal = too_slender
 
     def figures(self) -> Iterator[Drawn]:
         """Moments along the spring; what the paper leaves open."""

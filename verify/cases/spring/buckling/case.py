@@ -14,15 +14,14 @@ from verify.case import (
     identity,
     underived,
 )
+from verify.cases.spring import sketch as sketched
 from verify.cases.spring.buckling import claims
 from verify.cases.spring.buckling import figures as drawn
 from verify.cases.spring.buckling import reference as beams
 from verify.cases.spring.buckling.formulas import MOST, BucklingFormulas, critical_point
 from verify.cases.spring.buckling.inputs import DRIFT, KEYS, TAILS
 from verify.cases.spring.claims import PaperLimit
-from verify.cases.spring.sketch import sketch
-from verify.core.case import Check, Context
-from verify.core.figures import Sketch, Table
+from verify.core.case import Check
 from verify.form.adapter import adapted
 from verify.judging.checks import Accepted
 from verify.judging.tolerance_checks import Agreement, suites
@@ -113,13 +112,9 @@ class BucklingSpring(BucklingFormulas):
         """Slenderness, error of the column, drift, guide and shapes."""
         yield Drawn(drawn.figures)
 
-    def tables(self, context: Context) -> Iterator[Table]:
-        """What L_0/b says of buckling."""
-        yield from drawn.tables(context)
+    tables = drawn.tables
 
-    def sketch(self) -> Sketch:
-        """The centre line to scale."""
-        return sketch(self)
+    sketch = sketched.sketch
 
 
 def _swept() -> Iterator[Check]:

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -14,8 +15,8 @@ from verify.core.figures import Array, Curve, Curves, Figure, Map, Panel, Shapes
 mm = 1e-3
 
 
-def tables(context: Context) -> Sequence[Table]:
-    q, by_b, ratio = context.inputs, stored(context, "by_b"), stored(context, "same_ratio")
+def tables(q: Any, context: Context) -> Sequence[Table]:
+    by_b, ratio = (stored(context, name) for name in ("by_b", "same_ratio"))
     if by_b is None or ratio is None:
         return ()
     z = q.length / by_b[:, 0]

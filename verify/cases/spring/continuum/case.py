@@ -94,9 +94,7 @@ class PlaneSpring(FreeStage):
         unknown = max(more.next_order(self.b / self.R), DEMAND[0] / 100)  # nothing sharper
         return about(neglected, unknown, SOURCE)._replace(sharp=unknown <= DEMAND[0] / 2)
 
-    def refusal(self) -> str:
-        """Where cells would not fit in memory."""
-        return plane_body.refusal(self)
+    refusal = plane_body.refusal
 
     def figures(self) -> Iterator[Drawn]:
         """How far each frame theory is from the plane body."""

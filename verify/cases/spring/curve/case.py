@@ -13,10 +13,9 @@ from verify.cases.spring.curve import reference as beams
 from verify.cases.spring.curve.inputs import CurveInputs
 from verify.cases.spring.inputs import strip_of
 from verify.cases.spring.limits import too_slender
+from verify.cases.spring.stages import sketch as sketched
 from verify.cases.spring.stages.readings import eq10
-from verify.cases.spring.stages.sketch import sketch
-from verify.core.case import Check, Context
-from verify.core.figures import Sketch, Table
+from verify.core.case import Check
 from verify.form.adapter import adapted
 from verify.judging.published_checks import PrintedMeasurement
 
@@ -132,13 +131,9 @@ class CurveSpring(CurveInputs, Case):
         """Curves, slopes, deformed shapes, readings."""
         yield Drawn(drawn.figures)
 
-    def tables(self, context: Context) -> Iterator[Table]:
-        """Points of the curve, forces and combinations."""
-        yield from drawn.tables(context)
+    tables = drawn.tables
 
-    def sketch(self) -> Sketch:
-        """The centre line with the gaps that the tips close."""
-        return sketch(self)
+    sketch = sketched.sketch
 
     def warnings(self) -> Iterator[str]:
         """Heads that buckle, other width factors, tips that do not touch."""

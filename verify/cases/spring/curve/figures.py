@@ -153,7 +153,7 @@ def _stable(context: Context) -> list[tuple[str, Array]]:
             if factor == f and "free" not in name]  # fmt: skip
 
 
-def tables(context: Context) -> Sequence[Table]:
+def tables(_: Any, context: Context) -> Sequence[Table]:
     if len(context.fem) < len(LEVELS):  # not run, or a curve broke off
         return ()
     if not context.is_paper:

@@ -14,16 +14,16 @@ from verify.case import (
     identity,
     underived,
 )
+from verify.cases.spring import sketch as sketched
 from verify.cases.spring.claims import stored
 from verify.cases.spring.map import claims
 from verify.cases.spring.map import fem as beams
 from verify.cases.spring.map import figures as drawn
 from verify.cases.spring.map.formulas import PARTS, MapFormulas
 from verify.cases.spring.map.inputs import DEEP_ANGLES, DEEP_SEGMENTS, MapInputs, points
-from verify.cases.spring.sketch import sketch
 from verify.core import case as core
 from verify.core.case import Check, Context
-from verify.core.figures import Figure, Sketch, Table
+from verify.core.figures import Figure
 from verify.form.adapter import adapted
 from verify.jobs.deep_results import measured
 from verify.judging.checks import Accepted
@@ -84,13 +84,9 @@ class MapSpring(MapFormulas):
         """The maps, and what their errors follow."""
         yield Drawn(_maps)
 
-    def tables(self, context: Context) -> Iterator[Table]:
-        """The roller's path, taken for straight."""
-        yield from drawn.tables(context)
+    tables = drawn.tables
 
-    def sketch(self) -> Sketch:
-        """The centre line to scale."""
-        return sketch(self)
+    sketch = sketched.sketch
 
 
 def _of_paper() -> Iterator[Comparison]:

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -70,8 +71,7 @@ def radius(over: list[tuple[Array, Array]]) -> Curves:
     )  # fmt: skip
 
 
-def tables(context: Context) -> Sequence[Table]:
-    q = context.inputs
+def tables(q: Any, context: Context) -> Sequence[Table]:  # noqa: ARG001
     if not math.isfinite(q.F_x):
         return ()
     slope = math.degrees(math.atan2(q.y_r, q.x_r))

@@ -19,11 +19,11 @@ from verify.cases.spring.limits import too_slender
 from verify.cases.spring.stages import figures as drawn
 from verify.cases.spring.stages import readings as paper
 from verify.cases.spring.stages import reference as linked_frame
+from verify.cases.spring.stages import sketch as sketched
 from verify.cases.spring.stages.ends import ENDS, LATER, Ends
 from verify.cases.spring.stages.formulas import StageFormulas
-from verify.cases.spring.stages.sketch import sketch
-from verify.core.case import Check, Context
-from verify.core.figures import Picture, Sketch, Table
+from verify.core.case import Check
+from verify.core.figures import Picture
 from verify.form.adapter import adapted
 from verify.judging.checks import Order
 from verify.judging.published_checks import PrintedMeasurement
@@ -142,9 +142,7 @@ class StageSpring(StageFormulas):
                 name = f"{q.symbol} of a guided wide strip against the {what}"
                 yield _beside(q, wide, name, f"{q.name}-{printed}")
 
-    def refusal(self) -> str:
-        """Where elements would lose their digits."""
-        return too_slender(self)
+    refusal = too_slender
 
     def figures(self) -> Iterator[AlongLine | Drawn]:
         """Force over displacement, with the frame and beside Eq. 10."""
@@ -155,13 +153,9 @@ class StageSpring(StageFormulas):
         """Bending stress at A."""
         yield drawn.bending_stress(self)
 
-    def tables(self, context: Context) -> Iterator[Table]:
-        """Every reading beside Eq. 10 and the tests."""
-        yield from paper.tables(context)
+    tables = paper.tables
 
-    def sketch(self) -> Sketch:
-        """The centre line with the gaps that the tips close."""
-        return sketch(self)
+    sketch = sketched.sketch
 
 
 def _beside(q: Quantity, state: State, name: str, printed: str) -> Comparison:

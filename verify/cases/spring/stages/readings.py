@@ -125,9 +125,8 @@ def keeps(key: str, figure: float) -> Margin:
     return margin
 
 
-def tables(context: Context) -> Sequence[Table]:
+def tables(q: StagesInputs, context: Context) -> Sequence[Table]:
     """Every reading beside Eq. 10 and the tests; deviations for the paper's own numbers."""
-    q = context.inputs
     test = {name: published(f"wang2023:{name}-test").value * N_PER_MM for name in ("k1", "k2")}
     rows = []
     for x in readings(q):

@@ -26,8 +26,8 @@ from verify.cases.spring.width import figures as drawn
 from verify.cases.spring.width import reference as shells
 from verify.cases.spring.width.inputs import WidthInputs
 from verify.cases.spring.width.reference import ENDS, RATIOS, WIDE, widths_of_both
-from verify.core.case import Check, Context
-from verify.core.figures import Picture, Sketch, Table
+from verify.core.case import Check
+from verify.core.figures import Picture
 from verify.form.adapter import adapted
 from verify.judging.checks import Limit
 from verify.judging.published_checks import PrintedMeasurement
@@ -191,13 +191,9 @@ class WideSpring(WidthInputs, Case):
         """Bending stress across a loop."""
         yield drawn.ACROSS
 
-    def tables(self, context: Context) -> Iterator[Table]:
-        """Stiffness by ends, factor by width."""
-        yield from drawn.tables(context)
+    tables = drawn.tables
 
-    def sketch(self) -> Sketch:
-        """The spring with its whole end leaves, held as the inputs have it."""
-        return drawn.sketch(self)
+    sketch = drawn.sketch
 
     def warnings(self) -> Iterator[str]:
         """Where a leaf's factor says little of the spring."""

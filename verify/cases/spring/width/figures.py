@@ -29,7 +29,7 @@ def sketch(q: WidthInputs) -> Sketch:
     return stages_sketch(StagesInputs(**q.model_dump()))
 
 
-def tables(context: Context) -> Sequence[Table]:
+def tables(_: WidthInputs, context: Context) -> Sequence[Table]:
     if not context.fem:
         return ()
     return (_readings(context), _widths(context))
