@@ -12,7 +12,7 @@ import math
 import numpy as np
 
 from analytic.bounds.freewheel.parts import Parts, approach, half_roller
-from analytic.freewheel import series
+from analytic.bounds.freewheel.ring_constants import free_ring
 
 
 def expected_approach(cup: Parts, P: float) -> tuple[float, float, float]:
@@ -32,7 +32,8 @@ def expected_approach(cup: Parts, P: float) -> tuple[float, float, float]:
 
 def _as_ring(cup: Parts, P: float, bore: float, column: float) -> float:
     """Approach [length] of roller and a ring, its constant k raised by `column`."""
-    (E, nu), load, a = cup.plane, np.asarray(P), cup.width_on_flat(P)
-    k = series.race_constant(ratio=cup.R_a / bore, n=cup.z, nu=nu, loaded="bore") + column
-    c = series.curvature_term(nu=nu, loaded="bore")
+    E, nu = cup.plane[0], float(cup.plane[1])
+    load, a = np.asarray(P), cup.width_on_flat(P)
+    k = free_ring(ratio=cup.R_a / bore, n=cup.z, nu=nu) + column
+    c = -2 / 3 * (1 - nu)  # of a patch on a bore, by the waves' second order, (1 - nu)/m^2
     return float(half_roller(cup, load, a) + approach(load, a, E=E, l=bore, k=k, c=c))

@@ -21,8 +21,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.bounds.freewheel.parts import Parts, approach, half_roller
+from analytic.bounds.freewheel.ring_constants import clamped_disc
 from analytic.contact.checks import Array, positive
-from analytic.freewheel import series
 
 DEEP = 20.0  # q h beyond which K is 1 to round-off
 
@@ -75,7 +75,7 @@ def _on_layer(star: Parts, P: Array) -> Array:
 
 
 def _on_disc(star: Parts, rim: float, P: Array) -> Array:
-    k = series.star_constant(ratio=rim / star.r_b, n=star.z, nu=star.plane[1])
+    k = clamped_disc(ratio=rim / star.r_b, n=star.z, nu=float(star.plane[1]))
     return _with_roller(star, P, rim, k)
 
 

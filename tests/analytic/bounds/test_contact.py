@@ -109,3 +109,25 @@ def test_the_local_pressure_is_hertz_s_of_a_long_slender_contact():
     low, high = roller.local_pressure(b=1e-6, R=1.0, length=1.0)
     assert (low, high) == (pytest.approx(-1e-3), pytest.approx(1e-3))
     assert roller.local_pressure(b=0.1, R=1.0, length=1.0)[1] > 0.05
+
+
+def test_what_unlike_materials_couple_counts_with_either_sign():
+    """Of equal E' beta = 1/12 by (1 - 2 nu)/(1 - nu) of 2/3 and 1, kappa = 1/4: 1e-3 together."""
+    like = {"E_1": 15 / 16, "nu_1": 0.25, "E_2": 1.0, "nu_2": 0.0}
+    turned = {"E_1": 1.0, "nu_1": 0.0, "E_2": 15 / 16, "nu_2": 0.25}
+    for materials in (like, turned):
+        pair = OfDiscs(a=0.048, R_1=1.0, R_2=2.0, **materials)
+        catalan = 0.9159655941772190
+        both = 1e-3 * (2 * catalan - 1 / 3 + 64 / 45) / np.pi
+        assert pair.coupled == pytest.approx(both, rel=1e-12)
+
+
+def test_the_bound_of_two_discs_does_not_know_which_lies_above():
+    below = {"E_1": UNLIKE["E_2"], "nu_1": UNLIKE["nu_2"], "E_2": UNLIKE["E_1"],
+             "nu_2": UNLIKE["nu_1"]}  # fmt: skip
+    one = OfDiscs(a=0.1, R_1=1.0, R_2=3.0, **UNLIKE).bounded
+    other = OfDiscs(a=0.1, R_1=3.0, R_2=1.0, **below).bounded
+    for estimate, same in zip(one, other, strict=True):
+        assert estimate == pytest.approx(same, rel=1e-12)
+    like = OfDiscs(a=0.1, R_1=1.0, R_2=3.0, **LIKE).bounded
+    assert [estimate.slack for estimate in like] == pytest.approx([0.1**4 / 8] * 2)

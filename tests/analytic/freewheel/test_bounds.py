@@ -63,6 +63,15 @@ def test_tangential_forces_turn_the_ring_further(star):
     assert (1 + most) / (1 + high) - 1 == pytest.approx(tan**2 / 2, rel=1e-9)
 
 
+def test_the_thinner_wall_tilts_the_surface(star):
+    """2 P (1 - nu²)/(pi E h) at the depth h: 3.9 mm of the star, or what is left of the ring."""
+    found = bounds(star)
+    for R_a, wall in ((21e-3, 11.39565e-3 - 7.5e-3), (18e-3, 1.5e-3)):
+        one = StarBounds(replace(found.star, R_a=R_a), found.at)
+        tilt = 2 * found.at.N / 10e-3 * (1 - 0.3**2) / (math.pi * 206e9 * wall)
+        assert one.tilt * math.tan(found.at.alpha) == pytest.approx(tilt, rel=1e-12)
+
+
 def test_a_star_of_thin_wall_is_enclosed_more_widely(star):
     least, most = (float(d) for d in star_bracket.expected_approach(parts(star), 2e5))
     thin = replace(parts(star), r_b=10.5e-3)

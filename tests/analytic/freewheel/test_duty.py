@@ -36,6 +36,20 @@ def test_friction_is_just_enough_at_the_ends_of_the_range(clutch, F_ax):
     assert d.least_torque == low
 
 
+def test_a_softer_clutch_holds_in_the_same_range_of_its_loads(clutch):
+    """All forces and the modulus a millionth: torques from 1e-7 of the largest on are tried."""
+    less = 2.0**-20
+
+    def softer(part):
+        return replace(part, E=part.E * less)
+
+    parts = {name: softer(getattr(clutch, name)) for name in ("roller", "inner", "outer")}
+    d, soft = duty(clutch), duty(replace(clutch, **parts), F_ax=600.0 * less)
+    assert soft.end == pytest.approx(d.end * less, rel=1e-12)
+    for pair, same in zip(soft.friction_holds, d.friction_holds, strict=True):
+        assert pair == pytest.approx([less * T for T in same], rel=1e-9)
+
+
 def test_without_axial_load_any_torque_up_to_the_release_holds(star):
     d = duty(star, F_ax=0.0)
     ((low, high),) = d.friction_holds

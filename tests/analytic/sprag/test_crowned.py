@@ -28,6 +28,17 @@ def test_without_a_crown_the_middle_has_little_less_than_hertz_s_pressure():
     assert mid(outer) < mid(inner)
 
 
+def test_the_outer_flank_lies_in_its_bore():
+    """A circle in a larger one: their curvatures' difference, and Hertz's pressure of it."""
+    now = wedged(ONE.clutch, 3000.0)
+    R = ONE.radii(now)[1]
+    curvature = 1 / float(SPRAG.r_e) - 1 / 19.44e-3
+    assert R * curvature == pytest.approx(1.0, rel=1e-12)
+    hertz = np.sqrt(float(now.N_e) / 9e-3 * float(PARTS.E_star) / (np.pi * R))
+    outer = ONE.pressed(3000.0)[1]
+    assert 0.95 * hertz < mid(outer) < hertz < outer.peak_pressure.max()
+
+
 def test_a_torque_of_a_pressure_has_that_pressure():
     T = ONE.torque_at(2.5e9, 0)
     N = 2e4 * np.linspace(0.01, 1, 400)

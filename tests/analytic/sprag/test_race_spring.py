@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 from analytic.sprag.clutch import Clutch
 from analytic.sprag.geometry import LogSprag
@@ -44,6 +45,23 @@ def test_the_first_peak_without_damping_is_that_of_two_races_in_time(spring):
     driven = Driven(T=T, t_ramp=0.0, w_i=0.0, t_end=1.5 / frequency(spring, T, HELD))
     found = swing(spring, driven, HELD)
     assert found.peak[1] == pytest.approx(float(spring.force()(undamped(spring, T))), rel=1e-3)
+    assert not found.over
+
+
+@pytest.mark.parametrize("w_i", [-8.0, 0.0, 8.0])
+def test_a_race_that_turns_ahead_brings_its_energy_and_one_that_overran_does_not(spring, w_i):
+    """Without damping: the work of the torque and of the race's speed is that of the spring."""
+    stop = HELD.I_bi * max(-w_i, 0.0) / T
+    driven = Driven(T=T, t_ramp=0.0, w_i=w_i, t_end=stop + 1.5 / frequency(spring, T, HELD))
+    work = spring.resistance().antiderivative()
+
+    def left(theta):
+        brought = T * (theta - spring.start) + HELD.I_bi * max(w_i, 0.0) ** 2 / 2
+        return float(work(theta) - work(spring.start)) - brought
+
+    farthest = brentq(left, at_rest(spring, T), spring.theta[-1])
+    found = swing(spring, driven, HELD)
+    assert found.peak[1] == pytest.approx(float(spring.force()(farthest)), rel=1e-3)
     assert not found.over
 
 

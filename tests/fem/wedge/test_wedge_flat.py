@@ -1,6 +1,7 @@
 """A roller between flat and race: its place, and what is read off courses and contacts."""
 
 import math
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -9,6 +10,7 @@ import pytest
 from fem.wedge.flat_balance import balance, over_hertz
 from fem.wedge.flat_course import FlatCourse
 from fem.wedge.flat_place import Names, Pitch, Place
+from fem.wedge.flat_start import overlap
 
 NAMES = Names(*("cam", "race", "flat", "bore", "cam held", "race held"))
 
@@ -75,3 +77,10 @@ def test_the_pressure_of_hertz_is_a_semi_ellipse_of_height_one():
                             half_width=lambda: 2 * math.sqrt(p @ x**2 / p.sum()))  # fmt: skip
     at = np.linspace(-0.95, 0.95, 11)
     assert over_hertz(touch, at) == pytest.approx(np.sqrt(1 - at**2), rel=1e-3)
+
+
+@pytest.mark.parametrize("nu", [0.2, 0.5])
+def test_a_start_overlaps_as_much_in_materials_of_one_plane_strain_modulus(nu):
+    stretchy = replace(pitch(1), E=206e9 * (1 - nu**2), nu=nu)
+    stiff = replace(pitch(1), nu=0.0)
+    assert overlap(stretchy, 2e5) == pytest.approx(overlap(stiff, 2e5), rel=1e-12)
