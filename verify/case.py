@@ -52,6 +52,7 @@ Figures, beside those of convergence
     Drawn           any other figure, from all results; drawn_by: all figures of a case so
     plane_field     a field of a plane solution; picture: its colours
     sketches        the module of shapes of sketches
+    plots           the module of curves
 """
 
 from verify.core.case import FemResult
@@ -61,6 +62,7 @@ from verify.core.inputs import quantity
 from verify.core.inputs import table as table
 from verify.core.inputs import text as text
 from verify.core.inputs import word as word
+from verify.form import plots as plots
 from verify.form import sketches as sketches
 from verify.form.case import Case as Case
 from verify.form.case import solved as solved

@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from verify.core.figures import Shape, Sketch
 
@@ -50,11 +51,21 @@ def radial_loads(count: int, start: float, end: float, label: str) -> list[Shape
     ]
 
 
-def arrow(start: Point, end: Point, label: str = "", style: str = "load") -> Shape:
+def arrow(start: ArrayLike, end: ArrayLike, label: str = "", style: str = "load") -> Shape:
     """A load."""
     return Shape(style=style, points=np.array([start, end]), label=label)
 
 
-def leader(start: Point, end: Point, label: str) -> Shape:
+def leader(start: ArrayLike, end: ArrayLike, label: str) -> Shape:
     """A text with a line to what it names."""
     return arrow(start, end, label, "leader")
+
+
+def text(at: ArrayLike, label: str = "") -> Shape:
+    """A text; without a label space that the drawing includes."""
+    return Shape(style="text", points=np.array([at]), label=label)
+
+
+def shape(style: str, points: ArrayLike, label: str = "") -> Shape:
+    """Any other outline or line."""
+    return Shape(style=style, points=np.asarray(points), label=label)

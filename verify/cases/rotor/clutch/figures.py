@@ -12,7 +12,10 @@ from verify.cases.freewheel.star_sketch import arc, label, ray
 from verify.cases.rotor.clutch.inputs import SpragLink
 from verify.cases.rotor.clutch.reference import OFFSETS, TORQUES
 from verify.core.case import Context
-from verify.core.figures import Curve, Curves, Figure, Shape, Sketch
+from verify.core.figures import Curves, Figure, Sketch
+from verify.form import sketches
+from verify.form.plots import curve, dashes, dots, line, plot
+from verify.form.sketches import arrow, leader, shape, text
 
 um = 1e-6
 THIN = 201  # slices, so that a curve shows no single one leave contact
@@ -38,24 +41,19 @@ def sketch(q: SpragLink) -> Sketch:
         ((0.5, -1.5), 0.6 * q.R_i * ray(2.4), f"T = {q.T:.4g} N m"),
     )
     shapes = (
-        Shape(style="body", points=arc(1.25 * q.R_e, 0, 2 * math.pi)),
-        Shape(style="hole", points=arc(q.R_e, 0, 2 * math.pi)),
-        Shape(style="body", points=arc(q.R_i, 0, 2 * math.pi)),
-        *(Shape(style="line", points=end) for end in ends),
-        Shape(style="axis", points=np.array([[-1.1 * q.R_e, 0.0], [1.45 * q.R_e, 0.0]])),
-        Shape(style="axis", points=np.vstack([np.zeros(2), R * out])),
-        Shape(style="axis", points=np.vstack([first[0], beyond])),
-        Shape(style="text", points=np.array([[1.55 * q.R_e, 0.0]]), label="x"),
-        Shape(style="text", points=np.array([1.55 * q.R_e * out]), label="ψ_j"),
-        Shape(style="load", points=arc(0.6 * q.R_i, 2.4, 0.6)),
-        *(Shape(style="leader", points=np.vstack([q.R_e * np.array(start), tip]), label=said)
-          for start, tip, said in named),
+        shape("body", arc(1.25 * q.R_e, 0, 2 * math.pi)), shape("hole", arc(q.R_e, 0, 2 * math.pi)),
+        shape("body", arc(q.R_i, 0, 2 * math.pi)), *(shape("line", end) for end in ends),
+        arrow((-1.1 * q.R_e, 0.0), (1.45 * q.R_e, 0.0), style="axis"),
+        arrow(np.zeros(2), R * out, style="axis"), arrow(first[0], beyond, style="axis"),
+        text((1.55 * q.R_e, 0.0), "x"), text(1.55 * q.R_e * out, "ψ_j"),
+        shape("load", arc(0.6 * q.R_i, 2.4, 0.6)),
+        *(leader(q.R_e * np.array(start), tip, said) for start, tip, said in named),
     )  # fmt: skip
-    return Sketch(
-        title=f"{q.Z} sprags between the races, to scale, as lines through both their contacts, "
+    return sketches.sketch(
+        f"{q.Z} sprags between the races, to scale, as lines through both their contacts, "
         f"{math.degrees(q.nu):.4g}° off the radius at the inner race",
-        shapes=shapes,
-    )
+        shapes,
+    )  # fmt: skip
 
 
 def figures(context: Context) -> Sequence[Figure]:
@@ -67,16 +65,16 @@ def _over_torque(context: Context) -> Curves:
     T = np.geomspace(0.01, 2.0, 81) * q.T
     k = uniform.contact_stiffness(N=uniform.normal_force(T=T, Z=q.Z, d_t=q.d_t), k_n=q.k_n)
     curves = [
-        Curve(name="K_xx and K_yy, as K_zz and K_tilt: its tenth root", x=T, y=k / q.k),
-        Curve(name="the torque taken here", x=np.array([q.T]), y=np.ones(1), style="dots"),
-    ]
+        line("K_xx and K_yy, as K_zz and K_tilt: its tenth root", T, k / q.k),
+        dots("the torque taken here", q.T, 1.0),
+    ]  # fmt: skip
     if context.fem:
-        dots = np.array(TORQUES) * q.T
+        solved = np.array(TORQUES) * q.T
         for number, key in enumerate(("K_xx", "K_zz"), start=1):
             y = context.fem[-1].arrays[f"{key} over T"] / getattr(q, key)
-            curves.append(Curve(name=f"{key}, struts", x=dots, y=y, style="dots", colour=number))
-    return Curves(
-        title="Stiffness over torque", x_label="T [N m]", y_label="K(T)/K", curves=tuple(curves),
+            curves.append(dots(f"{key}, struts", solved, y, number))
+    return plot(
+        "Stiffness over torque", "T [N m]", "K(T)/K", curves,
         note="Without a torque the clutch has no stiffness; it rises fast and then hardly at all.",
     )  # fmt: skip
 
@@ -89,17 +87,15 @@ def _over_offset(context: Context) -> Curves:
         clutch.stiffness(under_torque(clutch, T=q.T, offset=(one, 0, 0, 0)))[0, 4] for one in dx
     ])  # fmt: skip
     curves = [
-        Curve(name="Eq. 8 in full", x=dx / um, y=K),
-        Curve(name="first order in the offset", x=dx / um, y=q.K_xz_first * dx / q.e,
-              style="dashes", colour=1),
+        line("Eq. 8 in full", dx / um, K),
+        dashes("first order in the offset", dx / um, q.K_xz_first * dx / q.e, 1),
     ]  # fmt: skip
     if context.fem:
         y = context.fem[-1].arrays["K_xz over offset"]
         x = np.array(OFFSETS) * q.e / um
-        curves.append(Curve(name="struts", x=x, y=y, style="dots", colour=2))
-    return Curves(
-        title="Coupling of bending and torsion over a static offset", x_label="Δx [µm]",
-        y_label="K_xz [N]", curves=tuple(curves),
+        curves.append(dots("struts", x, y, 2))
+    return plot(
+        "Coupling of bending and torsion over a static offset", "Δx [µm]", "K_xz [N]", curves,
         note=f"Zero where the load is even. From the yield of {q.delta_0 / um:.4g} µm on sprags "
         "leave contact one after the other: K_xz steps up, as none of them pulls against the rest.",
     )  # fmt: skip
@@ -132,15 +128,11 @@ def _over_crown(context: Context) -> Curves:
     drop = np.linspace(0, max(2 * q.drop, q.delta_0), 31)
     changed = [q.model_copy(update={"drop": float(d)}) for d in drop]
     found = _entries(q, changed, n_s=THIN, crowned=True)
-    curves = (
-        Curve(name="K_xx", x=drop / um, y=found["K_xx"]),
-        Curve(name="K_tilt", x=drop / um, y=found["K_tilt"], colour=1),
+    return plot(
+        "Stiffness over the crown", "drop at the ends [µm]", "K/K(no crown)",
+        line("K_xx", drop / um, found["K_xx"]), line("K_tilt", drop / um, found["K_tilt"], 1),
         # dots, as the curve lies on that of K_xx
-        Curve(name="K_zz", x=drop[::3] / um, y=found["K_zz"][::3], style="dots", colour=2),
-    )
-    return Curves(
-        title="Stiffness over the crown", x_label="drop at the ends [µm]", y_label="K/K(no crown)",
-        curves=curves,
+        dots("K_zz", drop[::3] / um, found["K_zz"][::3], 2),
         note="Under the same torque. A crown takes from the tilting stiffness first, as it takes "
         "load from the ends.",
     )  # fmt: skip
@@ -151,14 +143,10 @@ def _over_gap(context: Context) -> Curves:
     most = min(q.Z - 3, max(q.Z // 2, q.missing))
     counts = np.arange(1, most + 1)
     found = _entries(q, [q.model_copy(update={"missing": int(m)}) for m in counts], gap=True)
-    return Curves(
-        title="Stiffness without some neighbouring sprags", x_label="missing sprags",
-        y_label="K/K(all sprags)",
-        curves=tuple(
-            Curve(name=name, x=counts.astype(float), y=y, colour=number,
-                  # dots, as the curve lies on that of K_xx
-                  style="dots" if name == "K_tilt" else "line")
-            for number, (name, y) in enumerate(found.items())
-        ),
+    return plot(
+        "Stiffness without some neighbouring sprags", "missing sprags", "K/K(all sprags)",
+        # dots, as the curve lies on that of K_xx
+        (curve(name, counts.astype(float), y, "dots" if name == "K_tilt" else "line", number)
+         for number, (name, y) in enumerate(found.items())),
         note="The gap lies on the x-axis, the inner race is held in the middle by its bearings.",
     )  # fmt: skip

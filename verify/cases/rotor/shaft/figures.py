@@ -8,18 +8,10 @@ import numpy as np
 from analytic.rotor.shafts import cowper
 from verify.cases.rotor.shaft.inputs import BEAMS, MODES, RATIOS, THEORIES
 from verify.core.case import Context
-from verify.core.figures import (
-    Campbell,
-    Curve,
-    Curves,
-    Figure,
-    Refinement,
-    Shape,
-    Sketch,
-    Table,
-)
+from verify.core.figures import Campbell, Curves, Figure, Refinement, Sketch, Table
 from verify.form import sketches
-from verify.form.sketches import arrow, leader
+from verify.form.plots import dashes, dots, line, plot
+from verify.form.sketches import arrow, leader, shape
 
 RPM = np.pi / 30
 HZ = 2 * np.pi
@@ -31,10 +23,9 @@ def sketch(q: Any) -> Sketch:
     h, b = q.d_o / q.L / 2, q.d_i / q.L / 2
     box = np.array([[0, -h], [1, -h], [1, h], [0, h]])
     return sketches.sketch(
-        f"shaft at {q.n / RPM:.5g} r/min",
-        Shape(style="body", points=box),
-        [Shape(style="hole", points=box * [1, b / h])] if b else [],
-        Shape(style="modelled", points=np.array([[0, b], [1, b], [1, h], [0, h]])),
+        f"shaft at {q.n / RPM:.5g} r/min", shape("body", box),
+        [shape("hole", box * [1, b / h])] if b else [],
+        shape("modelled", np.array([[0, b], [1, b], [1, h], [0, h]])),
         arrow((-0.08, 0.0), (1.08, 0.0), style="axis"),
         [arrow((x - 0.03, -h), (x + 0.03, -h), style="clamp") for x in (0.0, 1.0)],
         arrow((0.0, -h - 0.12), (1.0, -h - 0.12), f"L = {q.L / mm:.5g} mm", "dimension"),
@@ -77,20 +68,16 @@ def over_slenderness(context: Context) -> Curves:
         found = [q.shaft(L=q.d_o / x, kappa=kappa).whirl(1, theory=theory)[0] for x in ratio]
         return abs(np.array(found) / exact - 1) * 100
 
-    curves = [Curve(name=NAMES[t], x=ratio, y=error(t), colour=k) for k, t in enumerate(THEORIES)]
-    curves.append(
-        Curve(name="Timoshenko, Cowper's κ", x=ratio, style="dashes", colour=3,
-              y=error("timoshenko", cowper(nu=q.nu, m=q.m)))
-    )  # fmt: skip
+    curves = [line(NAMES[t], ratio, error(t), k) for k, t in enumerate(THEORIES)]
+    curves.append(dashes("Timoshenko, Cowper's κ", ratio,
+                         error("timoshenko", cowper(nu=q.nu, m=q.m)), 3))  # fmt: skip
     if context.fem:
         formula = np.array([q.shaft(L=q.d_o / x).whirl(1, theory="euler")[0] for x in RATIOS])
-        curves.append(
-            Curve(name="Euler over the elastic body, FE", x=np.array(RATIOS), style="dots",
-                  y=abs(formula / context.fem[-1].arrays["limit"] - 1) * 100)
-        )  # fmt: skip
-    return Curves(
-        title="Error of mode 1 at rest over the shaft's slenderness", x_label="d_o/L",
-        y_label="|error| [%]", curves=tuple(curves), y_log=True,
+        curves.append(dots("Euler over the elastic body, FE", np.array(RATIOS),
+                           abs(formula / context.fem[-1].arrays["limit"] - 1) * 100))  # fmt: skip
+    return plot(
+        "Error of mode 1 at rest over the shaft's slenderness", "d_o/L", "|error| [%]", curves,
+        y_log=True,
         note=f"Against three-dimensional elasticity, d_i/d_o = {q.m:.3g}. Only Hutchinson's "
         "coefficient makes the error fall with the fourth power.",
     )  # fmt: skip

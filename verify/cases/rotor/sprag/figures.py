@@ -28,7 +28,6 @@ from verify.core.figures import (
     Array,
     Band,
     Campbell,
-    Curve,
     Curves,
     Figure,
     Mode,
@@ -38,6 +37,7 @@ from verify.core.figures import (
     Shapes,
     Whirl,
 )
+from verify.form.plots import line, plot
 
 um, mm = 1e-6, 1e-3
 PEERS = np.array([0, 10_000, 20_000, 30_000, 40_000]) * RPM
@@ -121,11 +121,12 @@ def loads(a: Arrays) -> Curves:
 
 def _banded(title: str, y_label: str, a: Arrays, named: list[tuple[str, Array]]) -> Curves:
     x = a["grid"] / RPM
-    return Curves(
-        title=title, x_label="n [r/min]", y_label=y_label, y_log=True, note=BANDS,
-        curves=tuple(Curve(name=n, x=x, y=v[1], colour=i) for i, (n, v) in enumerate(named)),
+    return plot(
+        title, "n [r/min]", y_label, (line(n, x, v[1], i) for i, (n, v) in enumerate(named)),
+        y_log=True, note=BANDS,
         bands=tuple(
-            Band(name="", x=x, lower=v[0], upper=v[2], colour=i) for i, (_, v) in enumerate(named)
+            Band(name="", x=x, lower=v[0], upper=v[2], colour=i)
+            for i, (_, v) in enumerate(named)
         ),
     )  # fmt: skip
 
@@ -134,15 +135,14 @@ def over_unbalance(context: Context, a: Arrays) -> tuple[Curves, ...]:
     """Medians of nodes 4 and 19 for the three unbalances (Fig. 11)."""
     x = a["grid"] / RPM
     return tuple(
-        Curves(
-            title=f"Response of node {SHOWN_NODES[i]} over unbalance 2 (Fig. 11)",
-            x_label="n [r/min]", y_label="|x| [µm]", y_log=True,
-            note="medians of the sets of parameters",
-            curves=tuple(
-                Curve(name=f"{U * 1e5:.3g}e-5 kg m", x=x, y=a["nodes over speed"][1, k, i] / um,
-                      colour=k)
+        plot(
+            f"Response of node {SHOWN_NODES[i]} over unbalance 2 (Fig. 11)", "n [r/min]",
+            "|x| [µm]",
+            (
+                line(f"{U * 1e5:.3g}e-5 kg m", x, a["nodes over speed"][1, k, i] / um, k)
                 for k, U in enumerate(context.inputs.unbalances_2)
             ),
+            y_log=True, note="medians of the sets of parameters",
         )
         for i in (SHOWN_NODES.index(node) for node in DISCS)
     )  # fmt: skip
@@ -153,19 +153,15 @@ def torsion(context: Context, a: Arrays) -> Curves:
     offsets = np.linspace(SMALL_OFFSETS[0], max(context.inputs.offset, SMALL_OFFSETS[-1]), 12)
     slopes = a["torsion, small offsets"][:, -1, :, DISCS[1] - 1] / SMALL_OFFSETS[-1] / um
     low, middle, high = np.percentile(slopes, (5, 50, 95), axis=0)
-    return Curves(
-        title="Torsion of node 19 at the bending critical speeds",
-        x_label="offset of the clutch Δx/δ_0", y_label="|θ_z| [µrad]",
-        curves=tuple(
-            Curve(name=f"n_{k}", x=offsets, y=middle[i] * offsets, colour=i)
-            for i, k in enumerate(ORDERS)
-        ),
+    return plot(
+        "Torsion of node 19 at the bending critical speeds", "offset of the clutch Δx/δ_0",
+        "|θ_z| [µrad]",
+        (line(f"n_{k}", offsets, middle[i] * offsets, i) for i, k in enumerate(ORDERS)),
         bands=tuple(
             Band(name="", x=offsets, lower=low[i] * offsets, upper=high[i] * offsets, colour=i)
             for i in range(len(ORDERS))
         ),
-        y_log=True,
-        note=f"{BANDS}. Linear in the offset: without it there is none",
+        y_log=True, note=f"{BANDS}. Linear in the offset: without it there is none",
     )  # fmt: skip
 
 

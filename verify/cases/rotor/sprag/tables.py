@@ -19,6 +19,8 @@ from verify.cases.rotor.sprag.layout import (
 )
 from verify.core.case import Context
 from verify.core.figures import Array, Shape, Sketch, Table
+from verify.form import sketches
+from verify.form.sketches import arrow, leader, shape, text
 
 UPPER = 4.2  # where the sketch has the outer rotor's axis, over the inner one's
 
@@ -118,28 +120,26 @@ def sketch(_: SpragRotorInputs) -> Sketch:
     shapes = [_box(x[1], x[7], UPPER, 0.45), *drum, _box(x[13], x[22], 0.0, 0.4)]
     for n in x:
         at = [x[n], up[n] + (1.25 if n <= OUTER else -1.4)]
-        shapes.append(Shape(style="text", points=np.array([at]), label=str(n)))
+        shapes.append(text(at, str(n)))
     for k, n in zip((1, 2, 5), GROUNDED, strict=True):
         away = -1 if n <= OUTER else 1  # from the numbers
         foot, head = up[n] + 1.7 * away, up[n] + 0.5 * away
-        shapes += [Shape(style="leader", points=np.array([[x[n], foot], [x[n], head]]),
-                         label=f"bearing {k}")]  # fmt: skip
+        shapes += [leader((x[n], foot), (x[n], head), f"bearing {k}")]
     for a, b in (*BETWEEN, CLUTCH):
-        shapes.append(Shape(style="dimension", points=np.array([[x[a], UPPER - 1], [x[b], 0.4]])))
+        shapes.append(arrow((x[a], UPPER - 1), (x[b], 0.4), style="dimension"))
     first, high = x[BETWEEN[0][0]], UPPER / 2 - 0.4
     line = np.array([[first - 2.5, high - 0.7], [first - 0.2, high]])
-    shapes.append(Shape(style="leader", points=line, label="bearing 3, clutch, bearing 4"))
+    shapes.append(shape("leader", line, "bearing 3, clutch, bearing 4"))
     for k, n in enumerate(DISCS, 1):
         high = 0.45 if n <= OUTER else 0.4
         shapes += [_box(x[n] - 0.15, x[n] + 0.15, up[n] + side * (high + 0.2), 0.2)
                    for side in (1, -1)]  # fmt: skip
         tip = np.array([[x[n], up[n] + 2.7], [x[n], up[n] + (1.9 if n <= OUTER else 0.9)]])
-        shapes.append(Shape(style="load", points=tip, label=f"unbalance {k}"))
-    return Sketch(title="nodes of Fig. 1, one step each: no length is printed",
-                  shapes=tuple(shapes))  # fmt: skip
+        shapes.append(shape("load", tip, f"unbalance {k}"))
+    return sketches.sketch("nodes of Fig. 1, one step each: no length is printed", shapes)
 
 
 def _box(left: float, right: float, middle: float, half: float) -> Shape:
     low, high = middle - half, middle + half
     corners = [[left, low], [right, low], [right, high], [left, high]]
-    return Shape(style="body", points=np.array(corners))
+    return shape("body", np.array(corners))

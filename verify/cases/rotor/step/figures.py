@@ -7,9 +7,10 @@ import numpy as np
 
 from verify.cases.rotor.step.inputs import MODES, RATIOS, SHARES
 from verify.core.case import Context, Values
-from verify.core.figures import Curve, Curves, Figure, Map, Picture, Shape, Sketch, Table
+from verify.core.figures import Curves, Figure, Map, Picture, Shape, Sketch, Table
 from verify.form import sketches
-from verify.form.sketches import Point, leader
+from verify.form.plots import curve, plot
+from verify.form.sketches import Point, arrow, leader, shape
 
 RPM = np.pi / 30
 HZ = 2 * np.pi
@@ -37,19 +38,18 @@ def sketch(q: Any) -> Sketch:
 
     def size(left: float, right: float, below: float, name: str) -> Shape:
         ends: tuple[Point, Point] = (left, -thick - below), (right, -thick - below)
-        return sketches.arrow(*ends, f"{name} = {getattr(q, name) / mm:.5g} mm", "dimension")
+        return arrow(*ends, f"{name} = {getattr(q, name) / mm:.5g} mm", "dimension")
 
     return sketches.sketch(
         f"stepped shaft at {q.n / RPM:.5g} r/min",
-        Shape(style="body", points=np.vstack([half, half[::-1] * [1, -1]])),
-        Shape(style="modelled", points=np.vstack([half, [[1, 0], [0, 0]]])),
-        sketches.arrow((-0.06, 0.0), (1.06, 0.0), style="axis"),
-        Shape(style="faint", points=cone),
+        shape("body", np.vstack([half, half[::-1] * [1, -1]])),
+        shape("modelled", np.vstack([half, [[1, 0], [0, 0]]])),
+        arrow((-0.06, 0.0), (1.06, 0.0), style="axis"), shape("faint", cone),
         leader((first + 0.1, thick + 0.1), (x, y), "45° rule: stiff within"),
         size(first, last, 0.08, "L_2"), size(0, 1, 0.18, "L"),
         leader((0.12, thick), (0.15, thin), f"d_1 = {q.d_1 / mm:.5g} mm"),
         leader((last + 0.12, thick + 0.04), (last - 0.02, thick), f"d_2 = {q.d_2 / mm:.5g} mm"),
-        [sketches.arrow((x, -thin), (x + b, -thin), style="clamp") for x in (0, 1 - b)],
+        [arrow((x, -thin), (x + b, -thin), style="clamp") for x in (0, 1 - b)],
     )  # fmt: skip
 
 
@@ -101,13 +101,11 @@ def _map(q: Any, title: str, m: Any) -> Map:
 def over_ratio(context: Context) -> Curves:
     m = errors(context) * 100
     curves = [
-        Curve(name=f"{words}, L_2/L = {SHARES[k]:g}", x=np.array(RATIOS), y=m[k, :, which],
-              style=style, colour=colour)
+        curve(f"{words}, L_2/L = {SHARES[k]:g}", np.array(RATIOS), m[k, :, which], style, colour)
         for colour, k in enumerate(DRAWN)
         for which, words, style in ((0, "as drawn", "line"), (1, "45° rule", "dashes"))
     ]  # fmt: skip
-    return Curves(
-        title="Error of mode 1 over the step", x_label="d_2/d_1", y_label="error [%]",
-        curves=tuple(curves),
+    return plot(
+        "Error of mode 1 over the step", "d_2/d_1", "error [%]", curves,
         note="These errors are the beam theory's own: finer beam elements do not remove them.",
     )  # fmt: skip

@@ -11,7 +11,8 @@ from verify.cases.rotor.system.formulas import TransferRotor
 from verify.cases.rotor.system.inputs import CRITICALS, RPM
 from verify.cases.rotor.system.sketch import outlines
 from verify.core.case import Context
-from verify.core.figures import Campbell, Curve, Curves, Figure, Mode, Refinement, Whirl
+from verify.core.figures import Campbell, Curves, Figure, Mode, Refinement, Whirl
+from verify.form.plots import line, plot
 
 Hz, mm, um = 2 * np.pi, 1e-3, 1e-6
 SPEEDS = 400  # of the response
@@ -92,12 +93,9 @@ def _response(q: TransferRotor) -> Curves:
             names = " and ".join(s.name for s in q.shafts if s.ratio == ratio)
             found = unbalance_response(q.rotor, speeds, group, excitation=ratio)
             y = found.amplitude(q.probe - 1) / um
-            curves.append(Curve(name=f"unbalance of {names}", x=speeds / RPM, y=y, colour=k))
-    return Curves(
-        title=f"Amplitude of node {q.probe} over the speed", x_label="n [r/min]",
-        y_label="|r| [µm]", curves=tuple(curves), y_log=True,
-        note="Half the large axis of the orbit.",
-    )  # fmt: skip
+            curves.append(line(f"unbalance of {names}", speeds / RPM, y, k))
+    return plot(f"Amplitude of node {q.probe} over the speed", "n [r/min]", "|r| [µm]", curves,
+                y_log=True, note="Half the large axis of the orbit.")  # fmt: skip
 
 
 def _refinement(context: Context) -> Sequence[Figure]:

@@ -6,6 +6,8 @@ import numpy as np
 
 from verify.cases.rotor.system.transfer import DescribedRotor
 from verify.core.figures import Array, Shape, Sketch
+from verify.form import sketches
+from verify.form.sketches import shape
 
 TALL = 6  # the largest radius is drawn as a part of the length, larger than to scale
 
@@ -31,20 +33,20 @@ def sketch(q: DescribedRotor) -> Sketch:
     tall = length / TALL
     k = tall / max(r.max() for _, r in lines)
     ends = np.array([[low - 0.05 * length, 0.0], [high + 0.05 * length, 0.0]])
-    shapes = [Shape(style="axis", points=ends)]
+    shapes = [shape("axis", ends)]
     for (z, r), shaft in zip(lines, q.shafts, strict=True):
         bore = [s.d_i / 2 for s in q.segments if s.shaft == shaft.name for _ in range(2)]
         points = np.vstack([
             np.column_stack([z, k * r]), np.column_stack([z, k * np.array(bore)])[::-1],
         ])  # fmt: skip
-        shapes += [Shape(style="body", points=points)]
+        shapes += [shape("body", points)]
         # the other half, unfilled: bearings stand on it
-        shapes += [Shape(style="line", points=np.column_stack([z, -k * r]))]
+        shapes += [shape("line", np.column_stack([z, -k * r]))]
     radius = [k * _radius(q, lines, n) for n in range(len(q.rotor.shaft_of))]
     for disc in q.discs:
         z, foot = q.places[disc.node - 1], radius[disc.node - 1]
         line = np.array([[z, foot], [z, 1.45 * tall]])
-        shapes.append(Shape(style="line", points=line, label=str(disc.node)))
+        shapes.append(shape("line", line, str(disc.node)))
     size = 0.03 * length
     for support in q.supports:
         top = np.array([q.places[support.node - 1], -radius[support.node - 1]])
@@ -55,7 +57,7 @@ def sketch(q: DescribedRotor) -> Sketch:
     names = ", ".join(s.name for s in q.shafts)
     title = f"shafts {names}, radii drawn larger; nodes of discs above, of bearings below"
     title += "; diamonds: links between shafts" if q.links else ""
-    return Sketch(title=title, shapes=tuple(shapes))
+    return sketches.sketch(title, shapes)
 
 
 def _radius(q: DescribedRotor, lines: list[tuple[Any, Any]], station: int) -> float:
@@ -69,9 +71,9 @@ def _triangle(top: Array, size: float, number: str) -> list[Shape]:
     """A bearing to the ground with its number below it, clear of its lines."""
     wedge = top + size * np.array([[0.0, 0.0], [-1.0, -1.7], [1.0, -1.7]])
     below = top + size * np.array([[0.0, -3.3]])
-    return [Shape(style="body", points=wedge), Shape(style="text", points=below, label=number)]
+    return [shape("body", wedge), shape("text", below, number)]
 
 
 def _diamond(middle: Array, size: float) -> Shape:
     points = middle + size * np.array([[-1.0, 0.0], [0.0, 1.0], [1.0, 0.0], [0.0, -1.0]])
-    return Shape(style="body", points=points)
+    return shape("body", points)

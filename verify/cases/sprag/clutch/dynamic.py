@@ -17,7 +17,8 @@ from verify.cases.sprag.clutch.formulas import ClutchFormulas
 from verify.cases.sprag.clutch.run_fem import Run, run_fem
 from verify.cases.sprag.engagement import pressures
 from verify.core.case import Dynamic, Output, Values
-from verify.core.figures import Curve, Curves, Density, Figure
+from verify.core.figures import Curves, Density, Figure
+from verify.form.plots import dashes, line, plot
 
 DEGREE = math.degrees(1.0)
 DRAWN, ACROSS = 4000, 240  # points of a curve, moments of p(y, t)
@@ -78,23 +79,23 @@ def figures(q: ClutchFormulas, v: Values) -> Sequence[Figure]:
     e = found.engagement
     thin = slice(None, None, max(1, len(e.t) // DRAWN))
     t = e.t[thin] * 1e3
-    static = [] if not math.isfinite(e.N_static) else [
-        Curve(name="at rest under T (Eq. 14, no springs)", x=t[[0, -1]],
-              y=np.full(2, e.N_static / 1e3), style="dashes", colour=4)
-    ]  # fmt: skip
-    force = Curves(
-        title="Normal force of a sprag", x_label="t [ms]", y_label="N [kN]", y_bottom=0.0,
-        curves=(Curve(name="engagement", x=t, y=e.N[thin] / 1e3), *static),
+    static = (
+        []
+        if not math.isfinite(e.N_static)
+        else [dashes("at rest under T (Eq. 14, no springs)", t[[0, -1]], e.N_static / 1e3, 4)]
+    )
+    force = plot(
+        "Normal force of a sprag", "t [ms]", "N [kN]", line("engagement", t, e.N[thin] / 1e3),
+        static, y_bottom=0.0,
         note=f"Largest {v['N_max'] / 1e3:.4g} kN at {e.peak[0] * 1e3:.4g} ms.",
     )  # fmt: skip
     loaded = e.N[thin] > 0.05 * e.N_max
     asked = np.abs(e.T_i[thin][loaded]) / e.N[thin][loaded]
-    friction = Curves(
-        title="Friction that the inner contacts use", x_label="t [ms]", y_label="T_i/N",
-        curves=(
-            Curve(name="T_i/N, under more than 5 % of N_max", x=t[loaded], y=asked),
-            Curve(name="μ_s", x=t[[0, -1]], y=np.full(2, q.mu_s), style="dashes", colour=2),
-        ), y_bottom=0.0, note="Where it reaches μ_s the contact slides.",
+    friction = plot(
+        "Friction that the inner contacts use", "t [ms]", "T_i/N",
+        line("T_i/N, under more than 5 % of N_max", t[loaded], asked),
+        dashes("μ_s", t[[0, -1]], q.mu_s, 2), y_bottom=0.0,
+        note="Where it reaches μ_s the contact slides.",
     )  # fmt: skip
     return force, along(q, found), *over_time(q, found), friction
 
@@ -123,12 +124,10 @@ def along(q: ClutchFormulas, found: Run) -> Curves:
     for k, share in enumerate((0.05, 0.25, 0.5, 1.0)):
         N = share * found.engagement.N_max
         inner, outer = found.one.pressed(N)
-        curves.append(Curve(name=f"inner, {share:g} N_max", x=y, y=inner.peak_pressure / 1e6,
-                            colour=k))  # fmt: skip
-    curves.append(Curve(name="outer, N_max", x=y, y=outer.peak_pressure / 1e6, colour=3,
-                        style="dashes"))  # fmt: skip
-    return Curves(title="Pressure along the sprags on the way up to the peak", x_label="y [mm]",
-                  y_label="p [MPa]", curves=tuple(curves), y_bottom=0.0)  # fmt: skip
+        curves.append(line(f"inner, {share:g} N_max", y, inner.peak_pressure / 1e6, k))
+    curves.append(dashes("outer, N_max", y, outer.peak_pressure / 1e6, 3))
+    return plot("Pressure along the sprags on the way up to the peak", "y [mm]", "p [MPa]", curves,
+                y_bottom=0.0)  # fmt: skip
 
 
 DYNAMIC = Dynamic(

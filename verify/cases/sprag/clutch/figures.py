@@ -15,7 +15,8 @@ from verify.cases.sprag.clutch.limits import as_torque_grows
 from verify.cases.sprag.clutch.model import built, under
 from verify.cases.sprag.inputs import SpragInputs
 from verify.core.case import Context
-from verify.core.figures import Array, Bars, Curve, Curves, Figure
+from verify.core.figures import Array, Bars, Curves, Figure
+from verify.form.plots import dashes, dots, line, plot
 
 DEGREE = math.degrees(1.0)
 POINTS = 121
@@ -54,18 +55,16 @@ def force(q: SpragInputs) -> Curves:
     top = float(N[-1]) / 1e3
     rigid = wedged(built(q).clutch.rigid_races(), N)
     curves = [
-        Curve(name="sprags of this clutch", x=now.T, y=N / 1e3),
-        Curve(name="rigid races (Liu)", x=rigid.T, y=N / 1e3, style="dashes", colour=4),
-        Curve(name="T", x=np.array([q.T]), y=np.interp([q.T], now.T, N) / 1e3, style="dots",
-              colour=5),
+        line("sprags of this clutch", now.T, N / 1e3),
+        dashes("rigid races (Liu)", rigid.T, N / 1e3, 4),
+        dots("T", [q.T], np.interp([q.T], now.T, N) / 1e3, 5),
     ]  # fmt: skip
     curves += [
-        Curve(name=limit.words, x=np.full(2, limit.at), y=np.array([0.0, top]), style="dashes",
-              colour=1 + k)
+        dashes(limit.words, limit.at, [0.0, top], 1 + k)
         for k, limit in enumerate(x for x in as_torque_grows(q) if x.at <= now.T[-1])
     ]  # fmt: skip
-    return Curves(title="Normal force of a sprag and what ends it", x_label="T [N m]",
-                  y_label="N [kN]", curves=tuple(curves), y_bottom=0.0)  # fmt: skip
+    return plot("Normal force of a sprag and what ends it", "T [N m]", "N [kN]", curves,
+                y_bottom=0.0)  # fmt: skip
 
 
 def pressures(q: SpragInputs, context: Context) -> Curves:
@@ -75,16 +74,13 @@ def pressures(q: SpragInputs, context: Context) -> Curves:
     curves = []
     for k, (contact, race) in enumerate(zip(built(q).pressed(float(now.N)), ("inner", "outer"),
                                             strict=True)):  # fmt: skip
-        curves.append(Curve(name=f"slices, {race} race", x=y, y=contact.peak_pressure / 1e6,
-                            colour=2 * k))  # fmt: skip
+        curves.append(line(f"slices, {race} race", y, contact.peak_pressure / 1e6, 2 * k))
         if context.fem:
             found = context.fem[0].arrays
-            curves.append(Curve(name=f"strips, {race} race", x=found["strips, y"] * 1e3,
-                                y=found[f"strips, {'io'[k]}"] / 1e6, style="dots",
-                                colour=2 * k))  # fmt: skip
-    return Curves(
-        title="Pressure along the sprags under T", x_label="y [mm]", y_label="p [MPa]",
-        curves=tuple(curves), y_bottom=0.0,
+            curves.append(dots(f"strips, {race} race", found["strips, y"] * 1e3,
+                               found[f"strips, {'io'[k]}"] / 1e6, 2 * k))  # fmt: skip
+    return plot(
+        "Pressure along the sprags under T", "y [mm]", "p [MPa]", curves, y_bottom=0.0,
         note="The pressure at a loaded end is unbounded: it grows with the number of parts.",
     )  # fmt: skip
 
@@ -93,16 +89,14 @@ def turned(q: SpragInputs) -> Curves:
     N, now = course(q)
     one = built(q)
     rigid = one.clutch.rigid_races()
-    return Curves(
-        title="Turn of the sprags and of the races", x_label="T [N m]", y_label="[°]",
-        curves=(
-            Curve(name="sprags, α", x=now.T, y=now.alpha_b * DEGREE),
-            Curve(name="sprags, Eqs. 9 and 10 as printed", x=now.T, style="dashes", colour=2,
-                  y=printed.wedged(one.clutch, N).alpha_b * DEGREE),
-            Curve(name="sprags, rigid races (Liu)", x=wedged(rigid, N).T, style="dashes", colour=4,
-                  y=wedged(rigid, N).alpha_b * DEGREE),
-            Curve(name="races, θ", x=now.T, y=rolled(one.clutch, N) * DEGREE, colour=1),
-        ), y_bottom=0.0,
+    return plot(
+        "Turn of the sprags and of the races", "T [N m]", "[°]",
+        line("sprags, α", now.T, now.alpha_b * DEGREE),
+        dashes("sprags, Eqs. 9 and 10 as printed", now.T,
+               printed.wedged(one.clutch, N).alpha_b * DEGREE, 2),
+        dashes("sprags, rigid races (Liu)", wedged(rigid, N).T, wedged(rigid, N).alpha_b * DEGREE,
+               4),
+        line("races, θ", now.T, rolled(one.clutch, N) * DEGREE, 1), y_bottom=0.0,
     )  # fmt: skip
 
 
@@ -120,13 +114,11 @@ def off(q: SpragInputs) -> Curves:
     far = np.linspace(-20e-6, 20e-6, 41)
     found = {name: np.array([first_contact(q.sprag, **{f"d{name}": float(x)}) for x in far])
              for name in ("R_i", "R_e")}  # fmt: skip
-    return Curves(
-        title="Sensitivity to the radii of the races", x_label="radius off by [µm]",
-        y_label="turn of the unloaded sprags [°]", y_bottom=None,
-        curves=tuple(
-            Curve(name=name, x=far * 1e6, y=found[name][:, 1] * DEGREE, colour=2 * k)
-            for k, name in enumerate(found)
-        ),
+    return plot(
+        "Sensitivity to the radii of the races", "radius off by [µm]",
+        "turn of the unloaded sprags [°]",
+        (line(name, far * 1e6, found[name][:, 1] * DEGREE, 2 * k) for k, name in enumerate(found)),
+        y_bottom=None,
         note="The wedge angle itself stays between "
         f"{min(f[:, 0].min() for f in found.values()) * DEGREE:.4g}° and "
         f"{max(f[:, 0].max() for f in found.values()) * DEGREE:.4g}°.",
@@ -136,15 +128,10 @@ def off(q: SpragInputs) -> Curves:
 def counted(context: Context) -> Curves:
     found = context.fem[-1].arrays
     n, p = found["flat, counts"], found["flat, peaks"] / 1e6
-    return Curves(
-        title="Peak of an engagement without a crown, 25 N m", x_label="slices",
-        y_label="p_max [MPa]",
-        curves=(
-            Curve(name="inner race", x=n, y=p),
-            Curve(name="computed", x=n, y=p, style="dots"),
-            Curve(name="printed, about 3500", x=n[[0, -1]], y=np.full(2, 3500.0), style="dashes",
-                  colour=2),
-        ), y_bottom=0.95 * float(p.min()),
+    return plot(
+        "Peak of an engagement without a crown, 25 N m", "slices", "p_max [MPa]",
+        line("inner race", n, p), dots("computed", n, p),
+        dashes("printed, about 3500", n[[0, -1]], 3500.0, 2), y_bottom=0.95 * float(p.min()),
         note="It has no limit; the paper does not print its number of slices.",
     )  # fmt: skip
 
@@ -154,15 +141,11 @@ def pairs(context: Context) -> Curves:
     found = context.fem[-1].arrays
     T = np.array([25.0, 40.0])
     flat, best = np.array([found["pair 25"], found["pair 40"]]).T / 1e6
-    return Curves(
-        title="Calibrated at 25 N m, predicted at 40 N m", x_label="T [N m]",
-        y_label="p_max [MPa]", y_bottom=2500.0,
-        curves=(
-            Curve(name="no crown", x=T, y=flat), Curve(name="best crowns", x=T, y=best, colour=2),
-            Curve(name="printed, no crown", x=T, y=np.array([3500.0, 4700.0]), style="dots"),
-            Curve(name="printed, best crowns", x=T, y=np.array([2980.0, 3400.0]), style="dots",
-                  colour=2),
-        ),
+    return plot(
+        "Calibrated at 25 N m, predicted at 40 N m", "T [N m]", "p_max [MPa]",
+        line("no crown", T, flat), line("best crowns", T, best, 2),
+        dots("printed, no crown", T, [3500.0, 4700.0]),
+        dots("printed, best crowns", T, [2980.0, 3400.0], 2), y_bottom=2500.0,
         note="The printed pairs ask for force ratios of 1.8 and 1.3; the clutch's is "
         f"{float(found['N_max'][1] / found['N_max'][0]):.3g}.",
     )  # fmt: skip

@@ -8,6 +8,8 @@ from scipy.optimize import brentq
 from analytic.sprag.geometry import LogSprag
 from verify.cases.sprag.inputs import SpragInputs
 from verify.core.figures import Array, Shape, Sketch
+from verify.form import sketches
+from verify.form.sketches import arrow, leader, shape
 
 ORIGIN = np.zeros(2)
 SIDE = 0.36  # rad of race to either side
@@ -48,15 +50,11 @@ def sketch(q: SpragInputs) -> Sketch:
             for name in ("nu", "omega", "beta", "eta")}  # fmt: skip
     top, away = q.R_e + 0.12 * height, 0.55 * height
     shapes = (
-        Shape(style="modelled", points=ring(low, q.R_i)),
-        Shape(style="modelled", points=ring(q.R_e, high)),
-        Shape(style="body", points=outline(q, sprag)),
-        Shape(style="axis", points=np.array([low * 0.9 * up, top * up])),
-        Shape(style="axis", points=np.array([low * 0.9 * out, (q.R_i + 0.8 * long) * out])),
-        Shape(style="line", points=np.array([A, B])),
-        Shape(style="faint", points=np.array([A, C])),
-        Shape(style="load", points=np.array([A - 0.3 * height * along, A])),
-        Shape(style="load", points=np.array([B + 0.3 * height * along, B])),
+        shape("modelled", ring(low, q.R_i)), shape("modelled", ring(q.R_e, high)),
+        shape("body", outline(q, sprag)), arrow(low * 0.9 * up, top * up, style="axis"),
+        arrow(low * 0.9 * out, (q.R_i + 0.8 * long) * out, style="axis"), arrow(A, B, style="line"),
+        arrow(A, C, style="faint"), arrow(A - 0.3 * height * along, A),
+        arrow(B + 0.3 * height * along, B),
         *marked(arc(A, 0.72 * long, tilt, beta), f"ν_0 = {true['nu']:.3g}°", away),
         *marked(arc(B, 0.36 * long, math.pi + tilt, math.pi), f"ω_0 = {true['omega']:.3g}°", -away),
         *marked(arc(C, 0.6 * float(sprag.rho_0), math.pi - eta, math.pi),
@@ -65,11 +63,11 @@ def sketch(q: SpragInputs) -> Sketch:
         *named("B", B, -away), *named("C_e", C, -away), *named("A", A, 1.2 * away),
     )  # fmt: skip
     times = float(sprag.nu_0) / q.nu_0
-    return Sketch(
-        title=f"one of {q.z} sprags at first contact, wedge angle drawn {times:.2g} times as "
+    return sketches.sketch(
+        f"one of {q.z} sprags at first contact, wedge angle drawn {times:.2g} times as "
         "large; it carries along AB, and an inner race that drives to the left draws A under B",
-        shapes=tuple(Shape(style=s.style, points=s.points / q.R_e, label=s.label) for s in shapes),
-    )
+        (shape(s.style, s.points / q.R_e, s.label) for s in shapes),
+    )  # fmt: skip
 
 
 def ring(low: float, high: float) -> Array:
@@ -91,9 +89,9 @@ def outline(q: SpragInputs, sprag: LogSprag) -> Array:
 
 def marked(found: Array, label: str, away: float) -> tuple[Shape, ...]:
     """An angle, its label beside it."""
-    return Shape(style="angle", points=found), *named(label, found[len(found) // 2], away)
+    return (shape("angle", found), *named(label, found[len(found) // 2], away))
 
 
 def named(label: str, at: Array, away: float) -> tuple[Shape, ...]:
     beside = at + np.array([away, 0.06 * abs(away)])
-    return (Shape(style="leader", points=np.array([beside, at]), label=label),)
+    return (leader(beside, at, label),)

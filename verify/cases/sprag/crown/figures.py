@@ -15,7 +15,10 @@ from verify.cases.sprag.crown.slices import by_number
 from verify.cases.sprag.engagement.model import crowned_for, gap
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.case import Context
-from verify.core.figures import Array, Curve, Curves, Dots, Figure, Shape, Sketch
+from verify.core.figures import Array, Curves, Dots, Figure, Sketch
+from verify.form import sketches
+from verify.form.plots import curve, dashes, dots, line, plot
+from verify.form.sketches import shape
 
 MPa, mm, um, kN = 1e6, 1e-3, 1e-6, 1e3
 EQ_22 = (2.80, 0.7, 11.8e-6)
@@ -33,17 +36,15 @@ def sketch(q: EngagementInputs) -> Sketch | None:
     body = np.concatenate([top, [[q.l / 2, low], [-q.l / 2, low]]])
     start, above = (1 - q.K_2) * q.l / 2, 0.08 * q.l
     shapes = (
-        Shape(style="body", points=body / mm),
-        Shape(style="faint", points=np.array([[-q.l / 2, 0.0], [q.l / 2, 0.0]]) / mm),
-        Shape(style="dimension", points=np.array([[-start, above], [start, above]]) / mm,
-              label="(1 − K_2) l"),
-        Shape(style="dimension", points=np.array([[q.l / 2, 0.0], [q.l / 2, -z[-1] / q.z_m
-                                                  * DEEPER * q.l]]) / mm, label="z_m"),
-        Shape(style="dimension", points=np.array([[-q.l / 2, low * 1.1], [q.l / 2, low * 1.1]])
-              / mm, label="l"),
+        shape("body", body / mm), shape("faint", np.array([[-q.l / 2, 0.0], [q.l / 2, 0.0]]) / mm),
+        shape("dimension", np.array([[-start, above], [start, above]]) / mm, "(1 − K_2) l"),
+        shape(
+            "dimension", np.array([[q.l / 2, 0.0], [q.l / 2, -z[-1] / q.z_m * DEEPER * q.l]]) / mm,
+            "z_m",
+        ),
+        shape("dimension", np.array([[-q.l / 2, low * 1.1], [q.l / 2, low * 1.1]]) / mm, "l"),
     )  # fmt: skip
-    return Sketch(title="the sprag's profile along its axis, the drop drawn much larger",
-                  shapes=shapes)  # fmt: skip
+    return sketches.sketch("the sprag's profile along its axis, the drop drawn much larger", shapes)
 
 
 def figures(context: Context) -> Sequence[Figure]:
@@ -68,16 +69,11 @@ def shares(q: EngagementInputs) -> Curves:
     printed = np.array([(c[2] / (c[0] * unit(q)), z_m_share(c[0] * unit(q), c[2]))
                         for c in DESIGNS])  # fmt: skip
     own = q.z_m / (q.K_1 * unit(q))
-    return Curves(
-        title="How much of the mean drop is set by z_m, and how much by K_1", x_label="z_m/A",
-        y_label="% more mean drop by 1 % more z_m", y_bottom=0.0,
-        curves=(
-            Curve(name="Eq. 1", x=m, y=np.array([z_m_share(1.0, x) for x in m])),
-            Curve(name="crowns that the paper prints", x=printed[:, 0], y=printed[:, 1],
-                  style="dots", colour=2),
-            Curve(name="this crown", x=np.array([own]), style="dots", colour=4,
-                  y=np.array([z_m_share(1.0, own)])),
-        ),
+    return plot(
+        "How much of the mean drop is set by z_m, and how much by K_1", "z_m/A",
+        "% more mean drop by 1 % more z_m", line("Eq. 1", m, [z_m_share(1.0, x) for x in m]),
+        dots("crowns that the paper prints", printed[:, 0], printed[:, 1], 2),
+        dots("this crown", own, z_m_share(1.0, own), 4), y_bottom=0.0,
         note="A is the depth of Eq. 1's logarithm, in proportion to K_1. At 0.25 on the axis 1 % "
         "more z_m deepens the crown by 0.25 % on average, 1 % more K_1 by the other 0.75 %. Where "
         "z_m is many times A the profile reaches it at the very ends alone, and K_1 sets the mean.",
@@ -91,21 +87,18 @@ def along(context: Context) -> Curves:
     states = [state for state in both if math.isfinite(state[0])]
     y = places(q, q.slices) / mm
     curves = [
-        Curve(name=words, x=y, y=pressed(q, N).peak_pressure / MPa, colour=2 * k)
+        line(words, y, pressed(q, N).peak_pressure / MPa, 2 * k)
         for k, (N, _, words) in enumerate(states)
-    ]
+    ]  # fmt: skip
     if context.fem:
         p = context.fem[-1].arrays["strips"]
-        curves.append(Curve(name="at the first peak, strips", x=places(q, p.size) / mm,
-                            y=p / MPa, style="dashes", colour=2))  # fmt: skip
+        curves.append(dashes("at the first peak, strips", places(q, p.size) / mm, p / MPa, 2))
     curves += [
-        Curve(name=f"if even, {words}", x=y[[0, -1]], y=np.full(2, p / MPa), style="dashes",
-              colour=2 * k + 1)
+        dashes(f"if even, {words}", y[[0, -1]], p / MPa, 2 * k + 1)
         for k, (_, p, words) in enumerate(states)
     ]  # fmt: skip
-    return Curves(
-        title="Pressure along the sprag, inner race", x_label="y [mm]", y_label="p [MPa]",
-        curves=tuple(curves), y_bottom=0.0,
+    return plot(
+        "Pressure along the sprag, inner race", "y [mm]", "p [MPa]", curves, y_bottom=0.0,
         y_top=1.5 * states[-1][1] / MPa,
         note=f"(K_1, K_2, z_m) = {label((q.K_1, q.K_2, q.z_m))}. Ends that carry have no highest "
         "pressure: it grows with the number of parts.",
@@ -118,22 +111,18 @@ def by_force(context: Context) -> Curves:
     N = found["swept"]
     base = np.array([even(q, float(x)) for x in N])
     curves = [
-        Curve(name=f"{label(crown)}, {by}", x=N / kN, y=found[f"swept, {by}"][number(crown)] / base,
-              colour=2 * k, style=style)
+        curve(f"{label(crown)}, {by}", N / kN, found[f"swept, {by}"][number(crown)] / base, style,
+              2 * k)
         for k, crown in enumerate(FIG_12)
         for by, style in (("slices", "line"), ("strips", "dashes"))
     ]  # fmt: skip
     highest = max(float(np.max(curve.y)) for curve in curves)
     marks = (("upright: static load, 25 N m", q.N),
              ("upright: first peak, 25 N m", q.N_max))  # fmt: skip
-    curves += [
-        Curve(name=name, x=np.full(2, at / kN), y=np.array([1.0, highest]), style="dashes",
-              colour=4 + k)
-        for k, (name, at) in enumerate(marks)
-    ]  # fmt: skip
-    return Curves(
-        title="Fig. 12's best and worst crown over the force", x_label="N [kN]",
-        y_label="p_max over an even load's", curves=tuple(curves), y_bottom=1.0,
+    curves += [dashes(name, at / kN, [1.0, highest], 4 + k) for k, (name, at) in enumerate(marks)]
+    return plot(
+        "Fig. 12's best and worst crown over the force", "N [kN]", "p_max over an even load's",
+        curves, y_bottom=1.0,
         note="Of all crowns that the paper prints they are the lowest and the highest "
         f"{window(found, 'slices')}, where the static load is; at the first peak under 25 N m the "
         "order is reversed. Strips are of a half-space, on which ends that carry bear more.",
@@ -144,18 +133,16 @@ def by_torque(found: Mapping[str, Array]) -> Curves:
     """Fig. 14: the band of Eq. 19's crowns, and the two named."""
     T = found["band T"]
     curves = [
-        Curve(name="lowest of Eq. 19's factorial", x=T, y=found["band low"] / MPa, colour=1),
-        Curve(name="highest", x=T, y=found["band high"] / MPa, style="dashes", colour=1),
-    ]
+        line("lowest of Eq. 19's factorial", T, found["band low"] / MPa, 1),
+        dashes("highest", T, found["band high"] / MPa, 1),
+    ]  # fmt: skip
     for k, crown in enumerate(FIG_14):
         n = number(crown)
-        curves.append(Curve(name=label(crown), x=T, y=found["band p"][n] / MPa, colour=2 * k + 2))
-        curves.append(Curve(name="", x=found["torques"], y=found["named p"][n] / MPa, style="dots",
-                            colour=2 * k + 2))  # fmt: skip
-    return Curves(
-        title="Largest pressure over the torque (Fig. 14)", x_label="T [N m]",
-        y_label="p_max [MPa]", curves=tuple(curves), y_bottom=0.0,
-        note="Dots: engagements; lines: contacts under forces between them.",
+        curves.append(line(label(crown), T, found["band p"][n] / MPa, 2 * k + 2))
+        curves.append(dots("", found["torques"], found["named p"][n] / MPa, 2 * k + 2))
+    return plot(
+        "Largest pressure over the torque (Fig. 14)", "T [N m]", "p_max [MPa]", curves,
+        y_bottom=0.0, note="Dots: engagements; lines: contacts under forces between them.",
     )  # fmt: skip
 
 
@@ -163,13 +150,14 @@ def above(found: Mapping[str, Array]) -> Curves:
     """How far above the lowest crown at each torque the printed ones are."""
     T, low = found["band T"], found["band low"]
     names = (*FIG_14, EQ_21, EQ_22)
-    return Curves(
-        title="How far printed crowns are above the lowest", x_label="T [N m]",
-        y_label="p_max above the lowest of 125 [%]", y_bottom=-1.0,
-        curves=tuple(
-            Curve(name=label(c), x=T, y=100 * (found["band p"][number(c)] / low - 1), colour=k)
+    return plot(
+        "How far printed crowns are above the lowest", "T [N m]",
+        "p_max above the lowest of 125 [%]",
+        (
+            line(label(c), T, 100 * (found["band p"][number(c)] / low - 1), k)
             for k, c in enumerate(names)
         ),
+        y_bottom=-1.0,
         note="K_1 = 1 suits light torques, K_1 = 5 heavy ones beyond this range; at 30 N m it is "
         f"{found['named p'][number(FIG_14[1]), AT[30]] / found['many p'][:, AT[30]].min() - 1:.1%} "
         "above.",
@@ -180,16 +168,12 @@ def suits(context: Context) -> Curves:
     """K_1 of the lowest crown over the torque, beside N_max/Q and what is printed."""
     found, Q = context.fem[-1].arrays, crowned_for(context.inputs)
     T = found["band T"]
-    return Curves(
-        title="K_1 of the lowest crown", x_label="T [N m]", y_label="K_1", y_bottom=0.0,
-        curves=(
-            Curve(name="lowest with K_2 = 0.7, z_m = 10 µm", x=T, y=found["band K_1"]),
-            Curve(name="N_max/Q", x=T, y=found["band N"] / Q, style="dashes", colour=4),
-            Curve(name="printed, Eqs. 21 and 22", x=np.array([25.0, 40.0]),
-                  y=np.array([EQ_21[0], EQ_22[0]]), style="dots", colour=2),
-            Curve(name="printed, Fig. 14", x=np.array([10.0, 30.0]),
-                  y=np.array([c[0] for c in FIG_14]), style="dots", colour=1),
-        ),
+    return plot(
+        "K_1 of the lowest crown", "T [N m]", "K_1",
+        line("lowest with K_2 = 0.7, z_m = 10 µm", T, found["band K_1"]),
+        dashes("N_max/Q", T, found["band N"] / Q, 4),
+        dots("printed, Eqs. 21 and 22", [25.0, 40.0], [EQ_21[0], EQ_22[0]], 2),
+        dots("printed, Fig. 14", [10.0, 30.0], [c[0] for c in FIG_14], 1), y_bottom=0.0,
         note="Lundberg's crown makes the load even that it is cut for: K_1 Q. Of the printed ones "
         "5 at 30 N m is out of line with 2.15 at 25 and 2.80 at 40 N m.",
     )  # fmt: skip

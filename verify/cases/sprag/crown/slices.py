@@ -3,7 +3,8 @@
 import numpy as np
 
 from verify.core.case import Context
-from verify.core.figures import Curve, Curves
+from verify.core.figures import Curves
+from verify.form.plots import curve, dashes, plot
 
 MPa = 1e6
 NAMES = ("no crown", "Eq. 21's crown", "(5, 0.7, 15 µm)")
@@ -31,20 +32,21 @@ def by_number(context: Context) -> Curves:
     found = context.fem[-1].arrays
     n = found["counts"]
     curves = [
-        Curve(name=f"{name}, {by}", x=n, y=found[f"counted, {by}"][k] / MPa, colour=2 * k,
-              style=style)
+        curve(f"{name}, {by}", n, found[f"counted, {by}"][k] / MPa, style, 2 * k)
         for k, name in enumerate(NAMES)
         for by, style in (("slices", "line"), ("strips", "dashes"))
     ]  # fmt: skip
     curves += [
-        Curve(name=name, x=n[[0, -1]], y=np.full(2, p), style="dashes", colour=colour)
-        for name, p, colour in (("printed without crown, about 3500", 3500.0, 5),
-                                ("printed for Eq. 21, 2980", 2980.0, 3))
+        dashes(name, n[[0, -1]], p, colour)
+        for name, p, colour in (
+            ("printed without crown, about 3500", 3500.0, 5),
+            ("printed for Eq. 21, 2980", 2980.0, 3),
+        )
     ]  # fmt: skip
     N = float(found["counted N"][0])
-    return Curves(
-        title="What the number of slices makes of p_max", x_label="slices or strips",
-        y_label="p_max [MPa]", curves=tuple(curves), y_bottom=2500.0,
+    return plot(
+        "What the number of slices makes of p_max", "slices or strips", "p_max [MPa]", curves,
+        y_bottom=2500.0,
         note=f"Under {N:.0f} N, the first peak at 25 N m. Where ends carry there is no limit: "
         "without a crown by either model, with Eq. 21's crown by strips, whose half-space does "
         "not end with the sprag. Level lines are what the paper prints.",

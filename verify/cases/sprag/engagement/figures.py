@@ -11,17 +11,10 @@ from verify.cases.sprag.engagement.pressures import pressures
 from verify.cases.sprag.engagement.reference import ORDER
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.case import Context
-from verify.core.figures import (
-    Array,
-    Bars,
-    Curve,
-    Curves,
-    Equation,
-    Figure,
-    Refinement,
-    Shape,
-    Sketch,
-)
+from verify.core.figures import Array, Bars, Equation, Figure, Refinement, Sketch
+from verify.form import sketches
+from verify.form.plots import dashes, dots, line, plot
+from verify.form.sketches import arrow, shape, text
 
 ms, kN, mm = 1e-3, 1e3, 1e-3
 FEW = 45  # dots of a curve
@@ -71,25 +64,19 @@ def sketch(_q: EngagementInputs) -> Sketch:
 
     cup, piston = box(0.22, 2.78, -0.45)
     shapes = (
-        Shape(style="body", points=disc(0)), Shape(style="body", points=disc(3)),
-        Shape(style="line", points=zigzag(0.22, 2.78, 0.45)),
-        Shape(style="line", points=np.array([[0.22, -0.45], [1.3, -0.45]])),
-        Shape(style="line", points=cup), Shape(style="line", points=piston),
-        Shape(style="line", points=np.array([[1.6, -0.45], [2.78, -0.45]])),
-        Shape(style="line", points=zigzag(3.22, 5.0, 0.0)),
-        Shape(style="clamp", points=np.array([[5.0, 0.8], [5.0, -0.8]])),
-        Shape(style="load", points=np.array([[-1.6, 0.0], [-0.25, 0.0]]), label="T"),
-        Shape(style="text", points=np.array([[0.0, 1.25]]), label="I_bi, θ_i"),
-        Shape(style="text", points=np.array([[3.0, 1.25]]), label="I_be, θ_e"),
-        Shape(style="text", points=np.array([[1.5, 0.85]]), label="n_s sprags: N(α)"),
-        Shape(style="text", points=np.array([[1.5, -0.85]]), label="C_rl"),
-        Shape(style="text", points=np.array([[4.1, 0.4]]), label="k_out"),
+        shape("body", disc(0)), shape("body", disc(3)), shape("line", zigzag(0.22, 2.78, 0.45)),
+        arrow((0.22, -0.45), (1.3, -0.45), style="line"), shape("line", cup), shape("line", piston),
+        arrow((1.6, -0.45), (2.78, -0.45), style="line"), shape("line", zigzag(3.22, 5.0, 0.0)),
+        arrow((5.0, 0.8), (5.0, -0.8), style="clamp"), arrow((-1.6, 0.0), (-0.25, 0.0), "T"),
+        text((0.0, 1.25), "I_bi, θ_i"), text((3.0, 1.25), "I_be, θ_e"),
+        text((1.5, 0.85), "n_s sprags: N(α)"), text((1.5, -0.85), "C_rl"),
+        text((4.1, 0.4), "k_out"),
     )  # fmt: skip
-    return Sketch(
-        title="what swings: both races, between them the sprags, whose force grows with the turn, "
+    return sketches.sketch(
+        "what swings: both races, between them the sprags, whose force grows with the turn, "
         "and the support of the outer race",
-        shapes=shapes,
-    )
+        shapes,
+    )  # fmt: skip
 
 
 def figures(context: Context) -> Sequence[Figure]:
@@ -107,20 +94,15 @@ def forces(context: Context) -> Figure:
     q, last = context.inputs, context.fem[-1].arrays
     every = max(len(last["LSODA t"]) // FEW, 1)
     races = swing(q)
-    return Curves(
-        title="Normal force of a sprag (Fig. 8)", x_label="t [ms]", y_label="N [kN]",
-        curves=(
-            Curve(name="Runge-Kutta steps, Eqs. 11-16", x=last["t"] / ms, y=last["N"] / kN),
-            Curve(name="LSODA, contacts that always roll", x=last["LSODA t"][::every] / ms,
-                  y=last["LSODA N"][::every] / kN, style="dots"),
-            Curve(name="at rest, of a strut with springs",
-                  x=races.t / ms, y=np.full_like(races.t, context.analytic["N"] / kN),
-                  style="dashes", colour=2),
-            Curve(name="without damping, outer race held", x=last["undamped t"] / ms,
-                  y=last["undamped N"] / kN, style="dashes", colour=3),
-            Curve(name="rigid races (Liu)", x=last["rigid t"] / ms, y=last["rigid N"] / kN,
-                  style="dashes", colour=1),
-        ),
+    return plot(
+        "Normal force of a sprag (Fig. 8)", "t [ms]", "N [kN]",
+        line("Runge-Kutta steps, Eqs. 11-16", last["t"] / ms, last["N"] / kN),
+        dots("LSODA, contacts that always roll", last["LSODA t"][::every] / ms,
+             last["LSODA N"][::every] / kN),
+        dashes("at rest, of a strut with springs", races.t / ms, context.analytic["N"] / kN, 2),
+        dashes("without damping, outer race held", last["undamped t"] / ms, last["undamped N"] / kN,
+               3),
+        dashes("rigid races (Liu)", last["rigid t"] / ms, last["rigid N"] / kN, 1),
         note="What the paper draws from LS/DYNA was not to be had.",
     )  # fmt: skip
 
@@ -137,13 +119,10 @@ def apart(context: Context) -> Figure:
     def share(d: Array) -> Array:
         return np.asarray(np.log10(np.maximum(np.abs(d) / top, floor)))
 
-    return Curves(
-        title="What the steps differ by", x_label="t [ms]", y_label="lg(|ΔN|/N_max)",
-        curves=(
-            Curve(name="from LSODA with events", x=last.arrays["LSODA t"] / ms, y=share(lsoda)),
-            Curve(name="from two races on a spring", x=t / ms, y=share(spring), colour=1),
-        ),
-        y_bottom=-10.0, y_top=0.0,
+    return plot(
+        "What the steps differ by", "t [ms]", "lg(|ΔN|/N_max)",
+        line("from LSODA with events", last.arrays["LSODA t"] / ms, share(lsoda)),
+        line("from two races on a spring", t / ms, share(spring), 1), y_bottom=-10.0, y_top=0.0,
         note="Two races on a spring have N_e/N_i of a strut and sprags without mass.",
     )  # fmt: skip
 
@@ -154,24 +133,21 @@ def energies(context: Context) -> Figure:
     t, below, curves = last["t"] / ms, np.zeros_like(last["t"]), []
     for colour, (key, words) in enumerate(SAID.items()):
         below = below + last[key]
-        curves.append(Curve(name=f"+ {words}" if colour else words, x=t, y=below, colour=colour))
+        curves.append(line(f"+ {words}" if colour else words, t, below, colour))
     put_in = last["torque"] + last["blades"]
     every = max(len(t) // FEW, 1)
-    curves.append(Curve(name="put in by torque and springs", x=t[::every], y=put_in[::every],
-                        style="dots", colour=5))  # fmt: skip
-    return Curves(
-        title="Energies, one on the other", x_label="t [ms]", y_label="E [J]",
-        curves=tuple(curves), note="The crosses lie on the uppermost line: nothing is missing.",
-    )  # fmt: skip
+    curves.append(dots("put in by torque and springs", t[::every], put_in[::every], 5))
+    return plot("Energies, one on the other", "t [ms]", "E [J]", curves,
+                note="The crosses lie on the uppermost line: nothing is missing.")  # fmt: skip
 
 
 def turns(context: Context) -> Figure:
     last = context.fem[-1].arrays
     t = last["t"] / ms
-    return Curves(
-        title="Turns of races and sprags", x_label="t [ms]", y_label="angle [deg]",
-        curves=tuple(
-            Curve(name=words, x=t, y=np.degrees(last[key]), colour=colour)
+    return plot(
+        "Turns of races and sprags", "t [ms]", "angle [deg]",
+        (
+            line(words, t, np.degrees(last[key]), colour)
             for colour, (key, words) in enumerate((
                 ("theta_i", "θ_i, inner race"), ("theta_e", "θ_e, outer race"),
                 ("alpha", "α, sprags"),

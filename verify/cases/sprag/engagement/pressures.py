@@ -10,7 +10,8 @@ from verify.cases.sprag.engagement.model import gap, parts
 from verify.cases.sprag.engagement.reference import drawn
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.case import Context
-from verify.core.figures import Array, Curve, Curves, Density, Figure
+from verify.core.figures import Array, Density, Figure
+from verify.form.plots import curve, plot
 
 ms, MPa, mm = 1e-3, 1e6, 1e-3
 
@@ -71,11 +72,9 @@ def moments(N: Array, name: str, q: EngagementInputs) -> Figure:
         for colour, (words, one) in enumerate(
             zip(("a 50th of the peak", "first peak", "first trough"), p, strict=True)
         ):
-            curves.append(Curve(name=f"{words}, {race}", x=centres(q) / mm, y=one / MPa,
-                                style=style, colour=colour))  # fmt: skip
-    return Curves(
-        title=f"Pressure at some moments{_part(name)}", x_label="y [mm]", y_label="p [MPa]",
-        curves=tuple(curves),
+            curves.append(curve(f"{words}, {race}", centres(q) / mm, one / MPa, style, colour))
+    return plot(
+        f"Pressure at some moments{_part(name)}", "y [mm]", "p [MPa]", curves,
         note=f"{q.slices} slices, (K_1, K_2, z_m) = {_crown(q)}. At first the straight middle "
         "carries; the paper says the ends.",
     )  # fmt: skip

@@ -10,17 +10,10 @@ from analytic.sprag.sliding import sliding
 from verify.cases.sprag.friction.reference import BANDS, NARROW, STEPS
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.case import Context
-from verify.core.figures import (
-    Array,
-    Curve,
-    Curves,
-    Figure,
-    Map,
-    Shape,
-    Sketch,
-    Zone,
-    Zones,
-)
+from verify.core.figures import Array, Curve, Figure, Map, Sketch, Zone, Zones
+from verify.form import sketches
+from verify.form.plots import dashes, dots, line, plot
+from verify.form.sketches import arrow, shape, text
 
 ms, kN = 1e-3, 1e3
 FASTEST = 5.0  # over gamma_b, the sliding speeds of the law
@@ -44,24 +37,19 @@ def sketch(q: EngagementInputs) -> Sketch:
         return np.array([[-2, y], [2, y], [2, y + 0.5 * way], [-2, y + 0.5 * way]])
 
     shapes = (
-        Shape(style="body", points=race(top, 1)), Shape(style="body", points=race(low, -1)),
-        Shape(style="modelled", points=body),
-        Shape(style="axis", points=np.vstack([above, below])),
-        Shape(style="load", points=np.array([above + 0.9 * up, above]), label="N"),
-        Shape(style="load", points=np.array([below - 0.9 * up, below]), label="N"),
-        Shape(style="load", points=np.array([above + 0.12 * up - 1.1 * right,
-                                             above + 0.12 * up - 0.1 * right]), label="T_e"),
-        Shape(style="load", points=np.array([below - 0.12 * up + 1.1 * right,
-                                             below - 0.12 * up + 0.1 * right]), label="T_i"),
-        Shape(style="text", points=np.array([[-1.3, low - 0.8]]), label="inner race, driven ←"),
-        Shape(style="text", points=np.array([[1.3, top + 0.8]]), label="outer race, held"),
+        shape("body", race(top, 1)), shape("body", race(low, -1)), shape("modelled", body),
+        arrow(above, below, style="axis"), arrow(above + 0.9 * up, above, "N"),
+        arrow(below - 0.9 * up, below, "N"),
+        arrow(above + 0.12 * up - 1.1 * right, above + 0.12 * up - 0.1 * right, "T_e"),
+        arrow(below - 0.12 * up + 1.1 * right, below - 0.12 * up + 0.1 * right, "T_i"),
+        text((-1.3, low - 0.8), "inner race, driven ←"), text((1.3, top + 0.8), "outer race, held"),
     )  # fmt: skip
-    return Sketch(
-        title="forces on a sprag between the races, drawn straight: N along the radius, friction "
+    return sketches.sketch(
+        "forces on a sprag between the races, drawn straight: N along the radius, friction "
         "T_i and T_e up to μN; AB, dash-dotted, leans by ν, "
         f"{math.degrees(q.nu_0):.3g}°, drawn larger, and is the line of the resultant",
-        shapes=shapes,
-    )
+        shapes,
+    )  # fmt: skip
 
 
 def figures(context: Context) -> Sequence[Figure]:
@@ -77,13 +65,10 @@ def law(q: EngagementInputs) -> Figure:
     """Eq. 13, and what the wedge asks for."""
     v = np.linspace(0, FASTEST / q.gamma_b, 201)
     tan = math.tan(q.nu_0)
-    return Curves(
-        title="Friction over the sliding speed (Eq. 13)", x_label="v [m/s]", y_label="μ",
-        curves=(
-            Curve(name="μ_d", x=v, y=coefficient(v, mu_c=q.mu_c, mu_s=q.mu_s, gamma_b=q.gamma_b)),
-            Curve(name="tan ν_0, what the wedge asks for", x=v, y=np.full_like(v, tan),
-                  style="dashes", colour=1),
-        ),
+    return plot(
+        "Friction over the sliding speed (Eq. 13)", "v [m/s]", "μ",
+        line("μ_d", v, coefficient(v, mu_c=q.mu_c, mu_s=q.mu_s, gamma_b=q.gamma_b)),
+        dashes("tan ν_0, what the wedge asks for", v, tan, 1),
         note="Above what the wedge asks for sprags that slide are caught, below they slide on.",
     )  # fmt: skip
 
@@ -97,19 +82,14 @@ def slides(context: Context) -> Figure:
     ):  # fmt: skip
         N = np.array([sliding(w, float(s * q.tan_0)).N for s in share])
         held = np.isfinite(N)
-        curves.append(
-            Curve(name=f"closed form, {words}", x=share[held], y=N[held], colour=len(curves))
-        )
+        curves.append(line(f"closed form, {words}", share[held], N[held], len(curves)))
     if context.fem:
         last = context.fem[-1].values
-        curves.append(
-            Curve(name="Runge-Kutta steps", style="dots", colour=2,
-                  x=np.array([0.9, -q.mu_s / q.tan_0]),
-                  y=np.array([last["N_slides"], last["N_overruns"]]))
-        )  # fmt: skip
-    return Curves(
-        title="Normal force of sprags that slide", x_label="μ/tan ν_0, negative where the race "
-        "overruns", y_label="N [N]", curves=tuple(curves), y_top=float(2 * q.N_slides),
+        curves.append(dots("Runge-Kutta steps", [0.9, -q.mu_s / q.tan_0],
+                           [last["N_slides"], last["N_overruns"]], 2))  # fmt: skip
+    return plot(
+        "Normal force of sprags that slide",
+        "μ/tan ν_0, negative where the race overruns", "N [N]", curves, y_top=float(2 * q.N_slides),
         note="The springs alone press; friction multiplies that by 1/(1 − μ/tan ν), or divides it. "
         "Between the curves neither contact holds.",
     )  # fmt: skip
@@ -122,17 +102,14 @@ def zones(context: Context) -> Figure:
     firm, _, weak, most = (np.interp(T, coarse[0], column) for column in coarse[1:])
     tan = context.inputs.tan
     return Zones(
-        title="Stick and slip with weak springs", x_label="T [N m]", y_label="μ/tan ν",
-        x=T, y_top=HIGH / tan,
+        title="Stick and slip with weak springs", x_label="T [N m]", y_label="μ/tan ν", x=T,
+        y_top=HIGH / tan,
         zones=(
             Zone(name="slips for ever", top=weak / tan, tone="bad"),
             Zone(name="slips first, then locks", top=np.minimum(most, HIGH) / tan, tone="fair"),
             Zone(name="locks without slip", top=np.full_like(T, HIGH / tan), tone="good"),
         ),
-        curves=(
-            Curve(name="locks from here on, springs of the inputs", x=T, y=firm / tan,
-                  style="dashes"),
-        ),
+        curves=(dashes("locks from here on, springs of the inputs", T, firm / tan),),
         note="Springs a 25th as stiff, one coefficient of friction, torque as a step; tan ν under "
         "T. The step throws the race forward before the springs' force has made N. With the "
         "springs of the inputs there is hardly a zone between.",
@@ -142,13 +119,10 @@ def zones(context: Context) -> Figure:
 def wrong(context: Context) -> Figure:
     """N(t) where the guard is off, and where it is on."""
     last = context.fem[-1].arrays
-    return Curves(
-        title="A band too narrow for the step, unguarded", x_label="t [ms]", y_label="N [kN]",
-        curves=(
-            Curve(name="band chosen, as by LSODA", x=last["t"] / ms, y=last["right N"] / kN),
-            Curve(name=f"D_V = {NARROW:g} m/s, guard off", x=last["wrong t"] / ms,
-                  y=last["wrong N"] / kN, colour=1),
-        ),
+    return plot(
+        "A band too narrow for the step, unguarded", "t [ms]", "N [kN]",
+        line("band chosen, as by LSODA", last["t"] / ms, last["right N"] / kN),
+        line(f"D_V = {NARROW:g} m/s, guard off", last["wrong t"] / ms, last["wrong N"] / kN, 1),
         note="1.6 T, weak springs. Nothing in the curve without guard tells that it is wrong; a "
         "machine whose arithmetic rounds otherwise may give quite another one.",
     )  # fmt: skip
@@ -158,15 +132,11 @@ def speeds(context: Context) -> Figure:
     """Sliding speeds of both at the start, with the band."""
     last = context.fem[-1].arrays
     t = last["fine t"][:EARLY] / ms
-    return Curves(
-        title="Why: sliding speed at the start", x_label="t [ms]", y_label="v_i [m/s]",
-        curves=(
-            Curve(name="band chosen", x=t, y=last["right v"][:EARLY]),
-            Curve(name=f"D_V = {NARROW:g} m/s", x=t, y=last["wrong v"][:EARLY], style="dots",
-                  colour=1),
-            Curve(name="the narrow band", x=t, y=np.full_like(t, NARROW), style="dashes", colour=2),
-            Curve(name="", x=t, y=np.full_like(t, -NARROW), style="dashes", colour=2),
-        ),
+    return plot(
+        "Why: sliding speed at the start", "t [ms]", "v_i [m/s]",
+        line("band chosen", t, last["right v"][:EARLY]),
+        dots(f"D_V = {NARROW:g} m/s", t, last["wrong v"][:EARLY], 1),
+        dashes("the narrow band", t, NARROW, 2), dashes("", t, -NARROW, 2),
         y_bottom=float(min(last["wrong v"][:EARLY].min(), 0.0)),
         note="A step changes v_i by several times the band: it is passed again and again, and "
         "friction has either sign by turns.",

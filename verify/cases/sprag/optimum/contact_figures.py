@@ -16,7 +16,8 @@ from verify.cases.sprag.optimum.inputs import OptimumInputs
 from verify.cases.sprag.peaks import with_crown
 from verify.cases.sprag.statements import measured
 from verify.core.case import Context
-from verify.core.figures import Array, Curve, Curves, Figure
+from verify.core.figures import Array, Curves, Figure
+from verify.form.plots import curve, dashes, dots, line, plot
 
 MPa, mm, um = 1e6, 1e-3, 1e-6
 BELOW, ABOVE = 0.6, 1.4  # times the slices' largest pressure: what figures show
@@ -37,17 +38,13 @@ def contact(context: Context) -> Sequence[Figure]:
         p = found[f"{key}: pressures"][0] / MPa
         K_1, K_2, z_m = found[f"{key}: crown"]
         n, cells = STRIPPED[-1], CELLS[-1]
-        figures.append(Curves(
-            title=f"Pressure along the sprag, {name}", x_label="y from mid-length [mm]",
-            y_label="p [MPa]",
-            curves=(
-                Curve(name=f"{cells} cells of a half-space", x=outer(q, cells) / mm,
-                      y=half(found[f"{key}: cells {cells}"]) / MPa, colour=2),
-                Curve(name=f"{n} strips", x=outer(q, n) / mm, style="dashes", colour=4,
-                      y=half(found[f"{key}: strips {n}"]) / MPa),
-                Curve(name=f"{q.slices} slices", x=outer(q, q.slices) / mm, y=half(p), style="dots",
-                      colour=0),
-            ), y_bottom=BELOW * float(p.max()), y_top=ABOVE * float(p.max()),
+        figures.append(plot(
+            f"Pressure along the sprag, {name}", "y from mid-length [mm]", "p [MPa]",
+            line(f"{cells} cells of a half-space", outer(q, cells) / mm,
+                 half(found[f"{key}: cells {cells}"]) / MPa, 2),
+            dashes(f"{n} strips", outer(q, n) / mm, half(found[f"{key}: strips {n}"]) / MPa, 4),
+            dots(f"{q.slices} slices", outer(q, q.slices) / mm, half(p)),
+            y_bottom=BELOW * float(p.max()), y_top=ABOVE * float(p.max()),
             note=f"(K_1, K_2, z_m) = ({K_1:.3g}, {K_2:.3g}, {z_m / um:.3g} µm), N_max = "
             f"{found[f'{key}: N_max'][0]:.0f} N."
             + cut(ABOVE * float(p.max()), *(float(found[f"{key}: {part}"].max()) / MPa
@@ -81,12 +78,10 @@ def at_counts(context: Context) -> Curves:
             ("strips", "dashes", STRIPPED, np.array(series(context, key, "strips", "peak"))),
             ("cells", "dots", CELLS, np.array(series(context, key, "cells", "peak"))),
         ):
-            curves.append(Curve(name=f"{name}, {by}", x=np.log2(counts), y=p / MPa, style=style,
-                                colour=2 * k))  # fmt: skip
+            curves.append(curve(f"{name}, {by}", np.log2(counts), p / MPa, style, 2 * k))
     low = min(float(c.y.min()) for c in curves)
-    return Curves(
-        title="Largest pressure over the number of parts", x_label="parts along the sprag",
-        y_label="p_max [MPa]", curves=tuple(curves),
+    return plot(
+        "Largest pressure over the number of parts", "parts along the sprag", "p_max [MPa]", curves,
         y_bottom=0.97 * low, y_top=ABOVE * low,
         x_names=tuple((float(np.log2(n)), str(n)) for n in (*SLICED, *CELLS)),
         note="Free ends settle; ends that carry do not."
@@ -105,10 +100,9 @@ def apart(context: Context) -> Curves:
             y, K_1=K_1, K_2=K_2, z_m=z_m, load=crowned_for(q), length=q.l,
             E_star=float(built(q).parts.E_star),
         )  # fmt: skip
-        curves.append(Curve(name=name, x=y / mm, y=drop / um, colour=2 * k))
-    return Curves(
-        title="The crowns", x_label="y from mid-length [mm]", y_label="drop [µm]",
-        curves=tuple(curves), y_bottom=0.0,
+        curves.append(line(name, y / mm, drop / um, 2 * k))
+    return plot(
+        "The crowns", "y from mid-length [mm]", "drop [µm]", curves, y_bottom=0.0,
         note="What each takes off the sprag: none in the straight middle, the share 1 − K_2 of the "
         "length, then ever more, z_m at the end.",
     )  # fmt: skip

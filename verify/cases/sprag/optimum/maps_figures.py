@@ -8,7 +8,8 @@ from verify.cases.sprag.optimum.comparisons import FLAT
 from verify.cases.sprag.optimum.study_fem import held
 from verify.cases.sprag.statements import measured
 from verify.core.case import Context
-from verify.core.figures import Curve, Curves, Density, Figure
+from verify.core.figures import Curves, Density, Figure
+from verify.form.plots import dashes, dots, line, plot
 
 MPa, um, PERCENT = 1e6, 1e-6, 100
 ABOVE = 4.0  # % of the lowest pressure that the valley's figure shows
@@ -48,13 +49,12 @@ def lines(context: Context) -> Curves:
     for k, drop in enumerate(z_m[:6]):
         near = int(np.argmin(np.abs(found["z_m"] - drop)))
         curves += [
-            Curve(name=f"z_m = {drop / um:g} µm", x=found["K_1"],
-                  y=found["map K_1, z_m"][:, near] / MPa, colour=k),
-            Curve(name="", x=K_1, y=true[:, k] / MPa, style="dots", colour=k),
+            line(f"z_m = {drop / um:g} µm", found["K_1"], found["map K_1, z_m"][:, near] / MPa, k),
+            dots("", K_1, true[:, k] / MPa, k),
         ]  # fmt: skip
-    return Curves(
-        title=f"Along K_1 at K_2 = {held(q, 1):g}", x_label="K_1", y_label="Pre_max [MPa]",
-        curves=tuple(curves), y_bottom=0.98 * float(true.min()) / MPa,
+    return plot(
+        f"Along K_1 at K_2 = {held(q, 1):g}", "K_1", "Pre_max [MPa]", curves,
+        y_bottom=0.98 * float(true.min()) / MPa,
         note="Lines by the surrogate, which has not seen this K_2; marks are engagements.",
     )  # fmt: skip
 
@@ -63,23 +63,19 @@ def valley(context: Context) -> Curves:
     """How little K_1 matters near the best, all else best for it; where N_max/Q and prints lie."""
     found, q = measured(context), context.inputs
     over = found["whole"].min(axis=(1, 2))
-    curves = [Curve(name=f"{q.T:g} N m", x=found["K_1"], y=PERCENT * (over / over.min() - 1))]
+    curves = [line(f"{q.T:g} N m", found["K_1"], PERCENT * (over / over.min() - 1))]
     if "less over K_1" in found:
         less = found["less over K_1"]
-        curves.append(Curve(name=f"{q.T_less:g} N m", x=found["K_1"],
-                            y=PERCENT * (less / less.min() - 1), colour=2))  # fmt: skip
+        curves.append(line(f"{q.T_less:g} N m", found["K_1"], PERCENT * (less / less.min() - 1), 2))
     p = float(found["at hand: pressures"][0].max())
     best = float(found["best true"][0])
     wide = np.array([found["K_1"][0], found["K_1"][-1]])
     curves += [
-        Curve(name="N_max/Q", x=found["Lundberg"][:1], style="dots", colour=3,
-              y=np.array([PERCENT * (found["Lundberg"][3] / best - 1)])),
-        Curve(name="printed" if context.is_paper else "at hand", x=np.array([q.K_1]),
-              y=np.array([PERCENT * (p / best - 1)]), style="dots", colour=5),
-        Curve(name=f"{FLAT:.1%}", x=wide, y=np.full(2, PERCENT * FLAT), style="dashes", colour=4),
+        dots("N_max/Q", found["Lundberg"][:1], [PERCENT * (found["Lundberg"][3] / best - 1)], 3),
+        dots("printed" if context.is_paper else "at hand", q.K_1, PERCENT * (p / best - 1), 5),
+        dashes(f"{FLAT:.1%}", wide, PERCENT * FLAT, 4),
     ]  # fmt: skip
-    return Curves(
-        title="How flat the optimum is", x_label="K_1",
-        y_label="above the lowest [%]", curves=tuple(curves), y_bottom=-0.2, y_top=ABOVE,
-        note="K_2 and z_m are the best for each K_1, by the surrogate.",
+    return plot(
+        "How flat the optimum is", "K_1", "above the lowest [%]", curves, y_bottom=-0.2,
+        y_top=ABOVE, note="K_2 and z_m are the best for each K_1, by the surrogate.",
     )  # fmt: skip

@@ -9,7 +9,8 @@ from verify.cases.sprag.optimum.inputs import Optimum25Inputs
 from verify.cases.sprag.optimum.surrogate_claims import missed
 from verify.cases.sprag.statements import measured
 from verify.core.case import Context
-from verify.core.figures import Array, Bars, Curve, Curves, Figure, Panel, Shapes, Table
+from verify.core.figures import Array, Bars, Curves, Figure, Panel, Shapes, Table
+from verify.form.plots import dots, line, plot
 from verify.jobs.deep_results import Measured
 from verify.jobs.deep_results import measured as kept
 from verify.papers.ledger import published
@@ -65,15 +66,14 @@ def errors(context: Context) -> Sequence[Figure]:
         x, y = true, PERCENT * missed(found, key)
         if more is not None:
             x, y = np.r_[x, more["true"] / MPa], np.r_[y, PERCENT * more[key]]
-        curves.append(Curve(name=name, x=x, y=y, style="dots", colour=2 * colour))
+        curves.append(dots(name, x, y, 2 * colour))
     if context.is_paper and isinstance(context.inputs, Optimum25Inputs):
         actual, predicted = (
             np.array([published(f"huang2018:table2-row{k + 1}-{which}").value
                       for k in range(TABLE_2)])
             for which in ("actual", "predicted")
         )  # fmt: skip
-        curves.append(Curve(name="Table 2", x=actual, y=PERCENT * (predicted / actual - 1),
-                            style="dots", colour=4))  # fmt: skip
+        curves.append(dots("Table 2", actual, PERCENT * (predicted / actual - 1), 4))
     count = len(curves[0].x)
     note = f"{len(true)} designs that no surrogate had seen" + (
         f", and {DESIGNS} more, measured on {deep.date}." if deep else
@@ -81,10 +81,10 @@ def errors(context: Context) -> Sequence[Figure]:
         else "."
     )  # fmt: skip
     return (
-        Curves(title="What the surrogates miss", x_label="Pre_max [MPa]",
-               y_label="predicted/true − 1 [%]", curves=tuple(curves),
-               y_bottom=min(-0.1, *(float(c.y.min()) for c in curves)) if count else None,
-               note=note),
+        plot(
+            "What the surrogates miss", "Pre_max [MPa]", "predicted/true − 1 [%]", curves,
+            y_bottom=min(-0.1, *(float(c.y.min()) for c in curves)) if count else None, note=note,
+        ),
     )  # fmt: skip
 
 
@@ -121,34 +121,20 @@ def searches(context: Context) -> Curves:
     ):
         history = found[f"{key} history"]
         asked = np.linspace(0, float(found[f"{key} evaluations"][0]), len(history) + 1)[1:]
-        curves.append(Curve(name=name, x=np.log10(asked), y=history / MPa, colour=2 * colour))
+        curves.append(line(name, np.log10(asked), history / MPa, 2 * colour))
     tried = np.minimum.accumulate(found["direct"][:, 3]) / MPa
-    curves.append(
-        Curve(
-            name="simplex, on engagements, from the crown at hand",
-            x=np.log10(np.arange(1, len(tried) + 1)),
-            y=tried,
-            colour=4,
-        )
-    )
+    curves.append(line("simplex, on engagements, from the crown at hand",
+                       np.log10(np.arange(1, len(tried) + 1)), tried, 4))  # fmt: skip
     rounds = found["infill"]
     at = np.log10(len(found["X"]) + np.arange(1, len(rounds) + 1))
     curves += [
-        Curve(
-            name="surrogate's best crowns, true", x=at, y=rounds[:, 4] / MPa, style="dots", colour=5
-        ),
-        Curve(
-            name="surrogate's best crowns, predicted",
-            x=at,
-            y=rounds[:, 3] / MPa,
-            style="dots",
-            colour=1,
-        ),
-    ]
+        dots("surrogate's best crowns, true", at, rounds[:, 4] / MPa, 5),
+        dots("surrogate's best crowns, predicted", at, rounds[:, 3] / MPa, 1),
+    ]  # fmt: skip
     low = min(float(c.y.min()) for c in curves)
-    return Curves(
-        title="Searches for the best crown", x_label="points asked", y_label="Pre_max [MPa]",
-        curves=tuple(curves), y_bottom=0.998 * low, y_top=1.015 * low,
+    return plot(
+        "Searches for the best crown", "points asked", "Pre_max [MPa]", curves,
+        y_bottom=0.998 * low, y_top=1.015 * low,
         x_names=tuple((float(k), f"{10**k:,}") for k in range(5)),
         note="The surrogate's best crowns come after the factorial's engagements.",
     )  # fmt: skip

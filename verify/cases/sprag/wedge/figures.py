@@ -12,16 +12,8 @@ from verify.cases.sprag.wedge.formulas import WedgeFormulas
 from verify.cases.sprag.wedge.reference import GRID
 from verify.cases.sprag.wedge.sketch import outline
 from verify.core.case import Context
-from verify.core.figures import (
-    Array,
-    Bars,
-    Curve,
-    Curves,
-    Figure,
-    Panel,
-    Profile,
-    Shapes,
-)
+from verify.core.figures import Array, Bars, Curve, Curves, Figure, Panel, Profile, Shapes
+from verify.form.plots import curve, dots, line, plot
 from verify.judging.profiles import along
 
 FINE = np.linspace(0.005, 1.88, 94)  # of N_0, where curves are drawn
@@ -89,21 +81,18 @@ def _rotation(context: Context) -> Curves:
     N, palmgren = FINE * q.N_0, context.inputs.bodies.composite
     most = 1.05 * loads[1].max()
 
-    def curve(name: str, at: Wedged, colour: int, style: str = "line") -> Curve:
-        shown = most >= at.T
-        return Curve(name=name, x=at.T[shown], y=at.alpha_b[shown] * DEGREE, style=style,
-                     colour=colour)  # fmt: skip
+    def over_torque(name: str, at: Wedged, colour: int, style: str = "line") -> Curve:
+        within = most >= at.T
+        return curve(name, at.T[within], at.alpha_b[within] * DEGREE, style, colour)
 
-    return Curves(
-        title="Rotation of the sprags over torque", x_label="T [N m]", y_label="α [°]",
-        curves=(
-            curve("elastic", wedged(q.clutch, N), 0),
-            curve("elastic, printed Eqs. 9, 10", printed.wedged(q.clutch, N), 0, "dashes"),
-            curve("Palmgren", wedged(palmgren, N), 1),
-            curve("Palmgren, printed Eqs. 9, 10", printed.wedged(palmgren, N), 1, "dashes"),
-            curve("Palmgren, rigid races (Liu)", wedged(palmgren.rigid_races(), N), 2),
-            Curve(name="FE", x=loads[1], y=loads[4] * DEGREE, style="dots"),
-        ),
+    return plot(
+        "Rotation of the sprags over torque", "T [N m]", "α [°]",
+        over_torque("elastic", wedged(q.clutch, N), 0),
+        over_torque("elastic, printed Eqs. 9, 10", printed.wedged(q.clutch, N), 0, "dashes"),
+        over_torque("Palmgren", wedged(palmgren, N), 1),
+        over_torque("Palmgren, printed Eqs. 9, 10", printed.wedged(palmgren, N), 1, "dashes"),
+        over_torque("Palmgren, rigid races (Liu)", wedged(palmgren.rigid_races(), N), 2),
+        dots("FE", loads[1], loads[4] * DEGREE),
         note="The printed closure turns the sprag too little for the same yields; Palmgren's law "
         "with Eqs. 6 and 7 yields too much. Together they come near to the elastic sector, by "
         "chance.",
@@ -117,13 +106,10 @@ def _force(context: Context, states: Wedged) -> Curves:
     def excess(N: Array, T: Array) -> Array:
         return np.asarray(100 * (N / (rigid * T) - 1))
 
-    return Curves(
-        title="Normal force over a rigid clutch's", x_label="T [N m]", y_label="N/N_0(T) − 1 [%]",
-        curves=(
-            Curve(name="closure", x=states.T, y=excess(states.N, states.T)),
-            Curve(name="FE", x=loads[1], y=excess(loads[0], loads[1]), style="dots"),
-        ),
-        y_bottom=None,
+    return plot(
+        "Normal force over a rigid clutch's", "T [N m]", "N/N_0(T) − 1 [%]",
+        line("closure", states.T, excess(states.N, states.T)),
+        dots("FE", loads[1], excess(loads[0], loads[1])), y_bottom=None,
         note="N_0(T) = T/(n_s R_i tan ν_0). The wedge angle hardly changes: N goes with T "
         "within 1 %; the column's bending adds to it.",
     )  # fmt: skip
@@ -151,18 +137,15 @@ def _yields(context: Context, states: Wedged) -> Curves:
     curves = []
     for k, (name, part) in enumerate(parts_of(q, states.N)):
         total = total + part
-        curves.append(Curve(name=f"+ {name}" if k else name, x=states.N, y=total * 1e6, colour=k))
+        curves.append(line(f"+ {name}" if k else name, states.N, total * 1e6, k))
     if context.fem:
         loads = context.fem[-1].arrays["loads"]
-        curves.append(Curve(name="FE, all", x=loads[0], y=loads[5] * 1e6, style="dots"))
-    return Curves(
-        title="Who yields how much, one on top of the other",
-        x_label="N [N]",
-        y_label="H [µm]",
-        curves=tuple(curves),
+        curves.append(dots("FE, all", loads[0], loads[5] * 1e6))
+    return plot(
+        "Who yields how much, one on top of the other", "N [N]", "H [µm]", curves,
         note="Races as rings under single loads, their mean and what they yield more under a "
         "sprag; the sprag as a column between two forces.",
-    )
+    )  # fmt: skip
 
 
 def _shares(q: WedgeFormulas) -> Bars:

@@ -7,6 +7,8 @@ import numpy as np
 from verify.cases.freewheel.star_sketch import arc, label, ray
 from verify.cases.sprag.wedge.formulas import WedgeFormulas
 from verify.core.figures import Array, Shape, Sketch
+from verify.form import sketches
+from verify.form.sketches import arrow, leader, shape, text
 
 SIDE = 0.42  # of the drawing's height: room for labels on either side
 
@@ -34,25 +36,21 @@ def sketch(q: WedgeFormulas) -> Sketch:
     outer = [arc(q.R_e, -half, half), arc(q.R_ed, half, -half)]
     along = (B - A) / np.hypot(*(B - A))
     shapes = (
-        Shape(style="modelled", points=np.vstack(inner)),
-        Shape(style="modelled", points=np.vstack(outer)),
-        *((Shape(style="body", points=body),) if body.size else ()),
-        Shape(style="axis", points=np.vstack([low * ray(0.0), (q.R_ed + 0.06 * tall) * ray(0.0)])),
-        Shape(style="axis", points=np.vstack([low * ray(beta), (q.R_e + 0.1 * tall) * ray(beta)])),
-        Shape(style="load", points=np.vstack([A - 0.16 * tall * along, A])),
-        Shape(style="load", points=np.vstack([B + 0.16 * tall * along, B])),
-        Shape(style="load", label="T",
-              points=arc(q.R_id + 0.25 * (q.R_i - q.R_id), 0.75 * half, 0.3 * half)),
-        *_named(q, A, B, pole, tall=tall, wide=wide, low=low),
-        Shape(style="text", points=np.array([[wide + SIDE * tall, low]])),
-        Shape(style="text", points=np.array([[-wide - SIDE * tall, low]])),
+        shape("modelled", np.vstack(inner)), shape("modelled", np.vstack(outer)),
+        *((shape("body", body),) if body.size else ()),
+        arrow(low * ray(0.0), (q.R_ed + 0.06 * tall) * ray(0.0), style="axis"),
+        arrow(low * ray(beta), (q.R_e + 0.1 * tall) * ray(beta), style="axis"),
+        arrow(A - 0.16 * tall * along, A), arrow(B + 0.16 * tall * along, B),
+        shape("load", arc(q.R_id + 0.25 * (q.R_i - q.R_id), 0.75 * half, 0.3 * half), "T"),
+        *_named(q, A, B, pole, tall=tall, wide=wide, low=low), text((wide + SIDE * tall, low)),
+        text((-wide - SIDE * tall, low)),
     )  # fmt: skip
-    return Sketch(
-        title=f"one of {q.z} pitches at first contact, to scale, the axis lies below: T turns the "
+    return sketches.sketch(
+        f"one of {q.z} pitches at first contact, to scale, the axis lies below: T turns the "
         "inner race against the sprag, which turns clockwise and wedges; forces act along the line "
         f"through both contacts, {math.degrees(q.nu_0):.4g}° off the radius at the inner one",
-        shapes=shapes,
-    )
+        shapes,
+    )  # fmt: skip
 
 
 def _named(
@@ -67,8 +65,7 @@ def _named(
         ("R_id", q.R_id, 0.06),
     ]
     found = [
-        Shape(style="leader", label=label(name, r),
-              points=np.array([[right, low + height * tall], r * ray(0.85 * half)]))
+        leader((right, low + height * tall), r * ray(0.85 * half), label(name, r))
         for name, r, height in radii
     ]  # fmt: skip
     spots = [
@@ -76,8 +73,5 @@ def _named(
         ("C_e", pole, 0.62),
         (f"A, r_i = {q.r_i * 1e3:.4g} mm", A, 0.3),
     ]
-    found += [
-        Shape(style="leader", label=name, points=np.vstack([[left, low + height * tall], spot]))
-        for name, spot, height in spots
-    ]
+    found += [leader((left, low + height * tall), spot, name) for name, spot, height in spots]
     return tuple(found)

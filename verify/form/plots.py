@@ -1,0 +1,43 @@
+"""Curves of figures in one call each: name, x, y and colour."""
+
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from verify.core.figures import Curve, Curves
+
+
+def curve(name: str, x: ArrayLike, y: ArrayLike, style: str = "line", colour: int = 0) -> Curve:
+    """Points of one style; a single number beside an array is that of all points.
+
+    >>> curve("limit", [0.0, 2.0], 5.0, "dashes").y
+    array([5., 5.])
+    """
+    x_m, y_m = (np.array(a) for a in np.broadcast_arrays(np.atleast_1d(x), np.atleast_1d(y)))
+    return Curve(name=name, x=x_m, y=y_m, style=style, colour=colour)
+
+
+def line(name: str, x: ArrayLike, y: ArrayLike, colour: int = 0) -> Curve:
+    """A full line."""
+    return curve(name, x, y, "line", colour)
+
+
+def dashes(name: str, x: ArrayLike, y: ArrayLike, colour: int = 0) -> Curve:
+    """A dashed line, such as a second theory, a limit or a printed value."""
+    return curve(name, x, y, "dashes", colour)
+
+
+def dots(name: str, x: ArrayLike, y: ArrayLike, colour: int = 0) -> Curve:
+    """Single points, such as those of the reference."""
+    return curve(name, x, y, "dots", colour)
+
+
+def plot(
+    title: str, x_label: str, y_label: str, *parts: Curve | Iterable[Curve], note: str = "",
+    **axes: Any,
+) -> Curves:  # fmt: skip
+    """Curves and groups of curves on the same axes; `axes` are further fields of `Curves`."""
+    curves = tuple(c for part in parts for c in ((part,) if isinstance(part, Curve) else part))
+    return Curves(title=title, x_label=x_label, y_label=y_label, curves=curves, note=note, **axes)
