@@ -106,9 +106,11 @@ class Drawn:
         return tuple(self.draw(context))
 
 
-def drawn_by(draw: Callable[[Context], Iterable[Figure]]) -> Callable[[Case], tuple[Drawn]]:
-    """`figures` of a case, all of them made by one function from all results."""
-    return lambda _case: (Drawn(draw),)
+def drawn_by(
+    *draw: Callable[[Context], Iterable[Figure]],
+) -> Callable[[Case], tuple[Drawn, ...]]:
+    """`figures` of a case, all of them made by functions from all results."""
+    return lambda _case: tuple(map(Drawn, draw))
 
 
 def _label(symbol: str, unit: str) -> str:

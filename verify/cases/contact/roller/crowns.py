@@ -8,7 +8,7 @@ from typing import Any, ClassVar, Self
 import numpy as np
 
 from analytic.contact.crown import johns_gohar, lundberg
-from verify.case import Comparison, Computed, Drawn, Level, Quantity, Scan, State
+from verify.case import Comparison, Computed, Level, Quantity, Scan, State, drawn_by
 from verify.cases.contact.roller import comparisons, figures, half_space, texts
 from verify.cases.contact.roller.crown_claims import (
     AT_ENDS,
@@ -163,9 +163,7 @@ class ComparedCrowns(Divided, StripRoller):
         """A contact that is wide beside the roller."""
         yield from texts.of_width(self.b, self.R_1)
 
-    def figures(self) -> Iterator[Drawn]:
-        """Profiles of Fig. 11, pressures of Fig. 12, and even ones."""
-        yield Drawn(drawn)
+    figures = drawn_by(drawn)
 
     def sketch(self) -> Sketch:
         """The roller with the first of the paper's crowns."""

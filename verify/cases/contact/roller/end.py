@@ -12,12 +12,12 @@ from analytic.contact.edge import edge_exponent
 from analytic.contact.half_space_roller import RollerContact, press_roller
 from verify.case import (
     Comparison,
-    Drawn,
     Expected,
     Level,
     Quantity,
     State,
     approximation,
+    drawn_by,
     given,
     shared,
     underived,
@@ -184,9 +184,7 @@ class EndFace(Crown):
                 yield Comparison(check=check, quantity=q.F_d, state=state)
         yield approximation(q.sharpness, order=2, expected=Expected(-EDGE_LEFT, EDGE_LEFT, TERMS))
 
-    def figures(self) -> Iterator[Drawn]:
-        """Line loads towards the end, and pressure at the edge."""
-        yield Drawn(end_figures.drawn)
+    figures = drawn_by(end_figures.drawn)
 
     def pictures(self) -> Iterator[Picture]:
         """Pressure on the patch."""

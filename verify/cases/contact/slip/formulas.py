@@ -56,11 +56,11 @@ class SlipFormulas(SlipInputs):
     def beyond_chord(self) -> float:
         return self.delta - self.share / CHORD * self.at_share(CHORD).delta
 
-    @Quantity("q(0)", "MPa", "traction in the middle when Q has gone back to 0", source=MINDLIN,
-              tex=r"q_1(x, Q_{max}) - 2\,q_1\left(x, \frac{Q_{max} - Q}{2}\right)"
-              r" = \mu p_0 (2 \sqrt{1 - \frac{k}{2}} - 1 - \frac{c}{a})")  # fmt: skip
-    def q_0(self) -> float:
-        return float(self.cycle_traction(0.0, 0.0))
+    q_0 = Quantity(
+        "q(0)", "MPa", "traction in the middle when Q has gone back to 0", source=MINDLIN,
+        tex=r"q_1(x, Q_{max}) - 2\,q_1\left(x, \frac{Q_{max} - Q}{2}\right)"
+        r" = \mu p_0 (2 \sqrt{1 - \frac{k}{2}} - 1 - \frac{c}{a})",
+    ).reads(lambda q: q.cycle_traction(0.0, 0.0))  # fmt: skip
 
     @Quantity("δ(0)", "nm", "displacement left when Q has gone back to 0", source=MINDLIN,
               tex=r"\delta(Q_{max}) - 2 \frac{\mu P}{\pi E*} "

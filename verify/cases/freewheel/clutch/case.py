@@ -8,7 +8,7 @@ import numpy as np
 
 from analytic.freewheel import state, tilt
 from analytic.freewheel.scatter import PERCENTILES, deviation
-from verify.case import Comparison, Drawn, Level, Quantity, shared
+from verify.case import Comparison, Level, Quantity, drawn_by, shared
 from verify.cases.freewheel.clutch import comparisons as compared
 from verify.cases.freewheel.clutch import figures as drawn
 from verify.cases.freewheel.clutch import messages
@@ -71,53 +71,43 @@ class FreewheelClutch(ClutchInputs):
     def mu_0(self) -> float:
         return math.tan(self.alpha_0)
 
-    @Quantity("α", "deg", "clamping angle under torque", equation="5", form="corrected")
-    def alpha(self) -> float:
-        return self._of_state("alpha")
-
-    @Quantity("F_t", "N", "tangential force of one contact", equation="3", form="corrected",
-              tex=r"\frac{T}{z R}")  # fmt: skip
-    def F_t(self) -> float:
-        return self._of_state("F_t")
-
-    @Quantity("F_n", "N", "normal force of one contact", equation="2",
-              tex=r"\frac{F_t}{\tan\left(\alpha\right)}")  # fmt: skip
-    def N(self) -> float:
-        return self._of_state("N")
+    alpha = Quantity(
+        "α", "deg", "clamping angle under torque", equation="5", form="corrected",
+    ).reads(lambda q: q._of_state("alpha"))  # fmt: skip
+    F_t = Quantity("F_t", "N", "tangential force of one contact", equation="3", form="corrected",
+                   tex=r"\frac{T}{z R}").reads(lambda q: q._of_state("F_t"))  # fmt: skip
+    N = Quantity(
+        "F_n", "N", "normal force of one contact", equation="2",
+        tex=r"\frac{F_t}{\tan\left(\alpha\right)}",
+    ).reads(lambda q: q._of_state("N"))  # fmt: skip
 
     @Quantity("F_a", "N", "axial force of one roller", tex=r"\frac{F_{ax}}{z}")
     def F_a(self) -> float:
         return math.nan if self.duty.under is None else self.F_ax / self.z
 
-    @Quantity("p_i", "MPa", "peak pressure of the inner contacts (Hertz)", safe="too high")
-    def p_i(self) -> float:
-        return self._of_state("p_i")
-
-    @Quantity("p_o", "MPa", "peak pressure of the outer contacts (Hertz)", safe="too high")
-    def p_o(self) -> float:
-        return self._of_state("p_o")
-
-    @Quantity("d_i", "µm", "approach of roller and inner part")
-    def d_i(self) -> float:
-        return self._of_state("d_i")
-
-    @Quantity("d_o", "µm", "approach of roller and outer part")
-    def d_o(self) -> float:
-        return self._of_state("d_o")
-
-    @Quantity("s", "µm", "travel of the rollers along the cam", equation="6")
-    def s(self) -> float:
-        return self._of_state("s")
-
-    @Quantity("φ", "deg", "wind-up angle by exact rolling", equation="7", form="corrected",
-              tex=r"\frac{1}{R} \int \frac{\mathrm{d}d_i + \mathrm{d}d_o}{\tan\alpha}")  # fmt: skip
-    def phi(self) -> float:
-        return self._of_state("phi")
-
-    @Quantity("φ", "deg", "wind-up angle", equation="7", form="as printed", form_of="phi",
-              tex=r"\frac{s}{R} + \frac{s}{X}")  # fmt: skip
-    def phi_printed(self) -> float:
-        return self._of_state("phi_printed")
+    p_i = Quantity(
+        "p_i", "MPa", "peak pressure of the inner contacts (Hertz)", safe="too high",
+    ).reads(lambda q: q._of_state("p_i"))  # fmt: skip
+    p_o = Quantity(
+        "p_o", "MPa", "peak pressure of the outer contacts (Hertz)", safe="too high",
+    ).reads(lambda q: q._of_state("p_o"))  # fmt: skip
+    d_i = Quantity(
+        "d_i", "µm", "approach of roller and inner part",
+    ).reads(lambda q: q._of_state("d_i"))  # fmt: skip
+    d_o = Quantity(
+        "d_o", "µm", "approach of roller and outer part",
+    ).reads(lambda q: q._of_state("d_o"))  # fmt: skip
+    s = Quantity(
+        "s", "µm", "travel of the rollers along the cam", equation="6",
+    ).reads(lambda q: q._of_state("s"))  # fmt: skip
+    phi = Quantity(
+        "φ", "deg", "wind-up angle by exact rolling", equation="7", form="corrected",
+        tex=r"\frac{1}{R} \int \frac{\mathrm{d}d_i + \mathrm{d}d_o}{\tan\alpha}",
+    ).reads(lambda q: q._of_state("phi"))  # fmt: skip
+    phi_printed = Quantity(
+        "φ", "deg", "wind-up angle", equation="7", form="as printed", form_of="phi",
+        tex=r"\frac{s}{R} + \frac{s}{X}",
+    ).reads(lambda q: q._of_state("phi_printed"))  # fmt: skip
 
     @Quantity("μ_req", "1", "required friction coefficient", equation="9", safe="too high",
               source="F_ax on the whole clutch, μ_req has a symbol of its own",
@@ -267,10 +257,7 @@ class FreewheelClutch(ClutchInputs):
         """Under its torque, with the flats moved, and about slip."""
         yield from compared.comparisons(self, FreewheelClutch)
 
-    def figures(self) -> Iterator[Drawn]:
-        """Where it holds, its course, its scatter."""
-        yield Drawn(drawn.figures)
-
+    figures = drawn_by(drawn.figures)
     sketch = drawn.sketch
 
     def warnings(self) -> Iterator[str]:

@@ -9,13 +9,13 @@ from analytic.freewheel import criterion, tilt
 from analytic.freewheel.let_out import let_out
 from verify.case import (
     Comparison,
-    Drawn,
     Expected,
     Level,
     Quantity,
     Scan,
     approximation,
     balance,
+    drawn_by,
     identity,
     underived,
 )
@@ -170,9 +170,7 @@ class FreewheelFriction(Pulled):
                       of={"F_t": self.F_t}, bound=1e-9,
                       because="the solver's balance of a body that only contact holds")  # fmt: skip
 
-    def figures(self) -> Iterator[Drawn]:
-        """Cone, limit over torque, what slips and how."""
-        yield Drawn(drawn.figures)
+    figures = drawn_by(drawn.figures)
 
     def pictures(self) -> Iterator[Picture]:
         """Displacement and shear along the axis."""
@@ -183,7 +181,6 @@ class FreewheelFriction(Pulled):
         )
 
     tables = drawn.tables
-
     sketch = drawn.sketch
 
     def warnings(self) -> Iterator[str]:

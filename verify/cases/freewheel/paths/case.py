@@ -18,7 +18,7 @@ from analytic.bounds.freewheel.slip_times import Rig
 from analytic.freewheel.course import Course, follow
 from analytic.freewheel.load_path import AlternatingAxial, AxialRamp, BothAlternating, LoadPath
 from analytic.freewheel.state import State, loaded
-from verify.case import Comparison, Drawn, Level, Quantity, given, shared
+from verify.case import Comparison, Level, Quantity, drawn_by, given, shared
 from verify.cases.freewheel import pictures, star_sketch
 from verify.cases.freewheel.bounds import of_star
 from verify.cases.freewheel.paths import comparisons as compared
@@ -224,9 +224,7 @@ class LoadPaths(Pulled):
         """Loads and times of slip, required friction on the way, what comes before slip."""
         yield from compared.comparisons(self, LoadPaths)
 
-    def figures(self) -> Iterator[Drawn]:
-        """Loads and required friction over time; friction in its cone; how the ring walks."""
-        yield Drawn(drawn.figures)
+    figures = drawn_by(drawn.figures)
 
     def pictures(self) -> Iterator[Picture]:
         """Displacement and shear along the axis."""
@@ -237,7 +235,6 @@ class LoadPaths(Pulled):
         )
 
     tables = drawn.tables
-
     sketch = star_sketch.sketch
 
     def warnings(self) -> Iterator[str]:

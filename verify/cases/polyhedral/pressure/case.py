@@ -78,15 +78,14 @@ class RingPressure(ThinRing):
     def K(self) -> float:
         return float(expansion.many_corners_factor(d_i=self.d_i, d_e=self.d_e))
 
-    @Quantity("p", "MPa", "pressure that takes up the clearance, plane stress", source="Lamé",
-              tex=r"\frac{E j_D (d_e^2 - d_i^2)}{2 d_i^2 d_e} = K p_1")  # fmt: skip
-    def p(self) -> float:
-        return self.thick_ring("plane stress")
-
-    @Quantity("p_l", "MPa", "pressure that takes up the clearance, plane strain", source="Lamé",
-              tex=r"\frac{p}{1 - \nu^2}")  # fmt: skip
-    def p_strain(self) -> float:
-        return self.thick_ring("plane strain")
+    p = Quantity(
+        "p", "MPa", "pressure that takes up the clearance, plane stress", source="Lamé",
+        tex=r"\frac{E j_D (d_e^2 - d_i^2)}{2 d_i^2 d_e} = K p_1",
+    ).reads(lambda q: q.thick_ring("plane stress"))  # fmt: skip
+    p_strain = Quantity(
+        "p_l", "MPa", "pressure that takes up the clearance, plane strain", source="Lamé",
+        tex=r"\frac{p}{1 - \nu^2}",
+    ).reads(lambda q: q.thick_ring("plane strain"))  # fmt: skip
 
     def thick_ring(self, ends: lame.Ends) -> float:
         """Lamé's pressure [Pa]."""

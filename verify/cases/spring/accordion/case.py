@@ -6,7 +6,6 @@ from typing import Any, ClassVar, Self
 from analytic.spring import frame
 from verify.case import (
     Comparison,
-    Drawn,
     Expected,
     Level,
     Quantity,
@@ -14,6 +13,7 @@ from verify.case import (
     State,
     approximation,
     as_printed,
+    drawn_by,
     errors_of,
     identity,
 )
@@ -81,13 +81,12 @@ class AccordionSpring(FreeStage):
         "narrow strip: E I without 1 − ν²",
     )
 
-    @Quantity("k_N", "N/mm", "stiffness of bending and axial force", source=FRAME)
-    def k_N(self) -> float:
-        return self._stiffness("thin")
-
-    @Quantity("k_V", "N/mm", "stiffness of bending, axial force and shear", source=FRAME)
-    def k_V(self) -> float:
-        return self._stiffness("shear")
+    k_N = Quantity(
+        "k_N", "N/mm", "stiffness of bending and axial force", source=FRAME,
+    ).reads(lambda q: q._stiffness("thin"))  # fmt: skip
+    k_V = Quantity(
+        "k_V", "N/mm", "stiffness of bending, axial force and shear", source=FRAME,
+    ).reads(lambda q: q._stiffness("shear"))  # fmt: skip
 
     @Quantity("σ_n", "MPa", "bending stress at F or the largest test force, as of a straight bar",
               tex=r"\frac{6 F (L_1/2 + r)}{h b^2}")  # fmt: skip
@@ -160,11 +159,7 @@ class AccordionSpring(FreeStage):
         return Expected(0.9 * m, 1.1 * m, EQ_9_SOURCE)
 
     refusal = too_slender
-
-    def figures(self) -> Iterator[Drawn]:
-        """Moments along the spring; what the paper leaves open."""
-        yield Drawn(drawn.moments)
-        yield Drawn(drawn.open_questions)
+    figures = drawn_by(drawn.moments, drawn.open_questions)
 
     def pictures(self) -> Iterator[Picture]:
         """Bending stress of the paper's spring."""

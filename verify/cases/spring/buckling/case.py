@@ -6,11 +6,11 @@ from typing import ClassVar
 
 from verify.case import (
     Comparison,
-    Drawn,
     Level,
     Scan,
     State,
     approximation,
+    drawn_by,
     identity,
     underived,
 )
@@ -108,12 +108,8 @@ class BucklingSpring(BucklingFormulas):
             "to compare, check it without --fem"
         )
 
-    def figures(self) -> Iterator[Drawn]:
-        """Slenderness, error of the column, drift, guide and shapes."""
-        yield Drawn(drawn.figures)
-
+    figures = drawn_by(drawn.figures)
     tables = drawn.tables
-
     sketch = sketched.sketch
 
 

@@ -127,11 +127,10 @@ class BucklingFormulas(BucklingInputs, Case):
     def slenderness(self) -> float:
         return self.C * self.L0**2 / self.B
 
-    @Quantity("ξ", "1", "share of the length at which the column with a free head buckles",
-              role="step", source=HARINGX,
-              tex=r"\frac{\pi^2}{2 \lambda (1 + \sqrt{1 - (1 - C/S) \pi^2/\lambda})}")  # fmt: skip
-    def xi(self) -> float:
-        return self._shortening("free")
+    xi = Quantity(
+        "ξ", "1", "share of the length at which the column with a free head buckles", role="step",
+        source=HARINGX, tex=r"\frac{\pi^2}{2 \lambda (1 + \sqrt{1 - (1 - C/S) \pi^2/\lambda})}",
+    ).reads(lambda q: q._shortening("free"))  # fmt: skip
 
     @Quantity("(kL)^2", "1", "its square of waves by length, π²/4 for a free head", role="step",
               source=HARINGX, tex=r"\lambda \xi (1 - (1 - C/S) \xi)")  # fmt: skip

@@ -56,13 +56,12 @@ class PlaneSpring(FreeStage):
         "force and reaction as the parabolic shear stress of a rectangle",
     )
 
-    @Quantity("k_b", "N/mm", "stiffness, thick curved frame, plane stress", source=FRAME)
-    def k_thick(self) -> float:
-        return self._stiffness("thick", wide=False)
-
-    @Quantity("k_bw", "N/mm", "stiffness, thick curved frame, plane strain", source=FRAME)
-    def k_thick_wide(self) -> float:
-        return self._stiffness("thick", wide=True)
+    k_thick = Quantity(
+        "k_b", "N/mm", "stiffness, thick curved frame, plane stress", source=FRAME,
+    ).reads(lambda q: q._stiffness("thick", wide=False))  # fmt: skip
+    k_thick_wide = Quantity(
+        "k_bw", "N/mm", "stiffness, thick curved frame, plane strain", source=FRAME,
+    ).reads(lambda q: q._stiffness("thick", wide=True))  # fmt: skip
 
     def _stiffness(self, theory: frame.Theory, *, wide: bool) -> float:
         return frame.stiffness(**self.path, **strip_of(self), theory=theory, plane_strain=wide)

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from typing import Any, ClassVar
 
 from analytic.spring.stages import Stages, stages
-from verify.case import Case, Comparison, Drawn, Level, Quantity, identity, shared
+from verify.case import Case, Comparison, Level, Quantity, drawn_by, identity, shared
 from verify.cases.spring.claims import other_width
 from verify.cases.spring.curve import comparisons as stated
 from verify.cases.spring.curve import figures as drawn
@@ -127,12 +127,8 @@ class CurveSpring(CurveInputs, Case):
             )
         return too_slender(self)
 
-    def figures(self) -> Iterator[Drawn]:
-        """Curves, slopes, deformed shapes, readings."""
-        yield Drawn(drawn.figures)
-
+    figures = drawn_by(drawn.figures)
     tables = drawn.tables
-
     sketch = sketched.sketch
 
     def warnings(self) -> Iterator[str]:

@@ -7,10 +7,10 @@ import numpy as np
 
 from verify.case import (
     Comparison,
-    Drawn,
     Level,
     Scan,
     approximation,
+    drawn_by,
     identity,
     underived,
 )
@@ -33,6 +33,25 @@ from verify.judging.tolerance_checks import Agreement, demanded, suites
 WAY = 0.01  # of the force at the end of a straight path
 EXACT = 1e-3, "exact elastica and exact beam"
 SHARED = "narrow strip, E I; no contact of leaves"
+
+
+def _maps(context: Context) -> Iterator[Figure]:
+    """The maps as solved; on the paper's numbers as measured more finely, where that was done."""
+    q, finer = context.inputs, measured(DEEP_MAP) if context.is_paper else None
+    if not context.fem:
+        return
+    over, first = [], 0
+    for name, cells in points(q, deep=finer is not None).items():
+        if finer is None:
+            k = stored(context, name)
+        else:
+            parts = finer.parts[first : first + len(cells)]
+            k = np.array([part.arrays["cells"] for part in parts])
+            first += len(cells)
+        m = claims.errors(q, cells, k)
+        yield from drawn.maps(name, m, finer.date if finer else "")
+        over.append((np.array([[c.b / c.R for c in row] for row in cells]), m[..., 0]))
+    yield drawn.radius(over)
 
 
 class MapSpring(MapFormulas):
@@ -80,12 +99,8 @@ class MapSpring(MapFormulas):
             )  # fmt: skip
         yield from _of_paper()
 
-    def figures(self) -> Iterator[Drawn]:
-        """The maps, and what their errors follow."""
-        yield Drawn(_maps)
-
+    figures = drawn_by(_maps)
     tables = drawn.tables
-
     sketch = sketched.sketch
 
 
@@ -116,25 +131,6 @@ def _of_paper() -> Iterator[Comparison]:
         analytic="error_of_tests", reference="wang2023:theory-fea-error-max",
         erratum="wang2023:theory-error-six-percent",
     ))  # fmt: skip
-
-
-def _maps(context: Context) -> Iterator[Figure]:
-    """The maps as solved; on the paper's numbers as measured more finely, where that was done."""
-    q, finer = context.inputs, measured(DEEP_MAP) if context.is_paper else None
-    if not context.fem:
-        return
-    over, first = [], 0
-    for name, cells in points(q, deep=finer is not None).items():
-        if finer is None:
-            k = stored(context, name)
-        else:
-            parts = finer.parts[first : first + len(cells)]
-            k = np.array([part.arrays["cells"] for part in parts])
-            first += len(cells)
-        m = claims.errors(q, cells, k)
-        yield from drawn.maps(name, m, finer.date if finer else "")
-        over.append((np.array([[c.b / c.R for c in row] for row in cells]), m[..., 0]))
-    yield drawn.radius(over)
 
 
 MAP = adapted(MapSpring)

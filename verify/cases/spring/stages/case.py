@@ -154,7 +154,6 @@ class StageSpring(StageFormulas):
         yield drawn.bending_stress(self)
 
     tables = paper.tables
-
     sketch = sketched.sketch
 
 

@@ -8,13 +8,13 @@ from analytic.spring.wide_leaf import TERMS, width_factor
 from verify.case import (
     Case,
     Comparison,
-    Drawn,
     Expected,
     Level,
     Quantity,
     Scan,
     State,
     approximation,
+    drawn_by,
     identity,
 )
 from verify.cases.spring.claims import PaperLimit
@@ -100,13 +100,12 @@ class WideSpring(WidthInputs, Case):
     def f_wide(self) -> float:
         return self.widest
 
-    @Quantity("k_EI", "N/mm", "stiffness of a narrow strip", source=FRAME)
-    def k_narrow(self) -> float:
-        return self._stiffness(plane_strain=False)
-
-    @Quantity("k_PE", "N/mm", "stiffness of an endless strip", source=FRAME)
-    def k_wide(self) -> float:
-        return self._stiffness(plane_strain=True)
+    k_narrow = Quantity(
+        "k_EI", "N/mm", "stiffness of a narrow strip", source=FRAME,
+    ).reads(lambda q: q._stiffness(plane_strain=False))  # fmt: skip
+    k_wide = Quantity(
+        "k_PE", "N/mm", "stiffness of an endless strip", source=FRAME,
+    ).reads(lambda q: q._stiffness(plane_strain=True))  # fmt: skip
 
     @Quantity("k_1", "N/mm", "stiffness with the factor of one leaf", source=FRAME)
     def k(self) -> float:
@@ -183,16 +182,13 @@ class WideSpring(WidthInputs, Case):
             f"factor does not depend on n, check it with n = {MOST}"
         )
 
-    def figures(self) -> Iterator[Drawn]:
-        """The factor over the width, both kinds of elements, lifted edges."""
-        yield Drawn(drawn.figures)
+    figures = drawn_by(drawn.figures)
 
     def pictures(self) -> Iterator[Picture]:
         """Bending stress across a loop."""
         yield drawn.ACROSS
 
     tables = drawn.tables
-
     sketch = drawn.sketch
 
     def warnings(self) -> Iterator[str]:
