@@ -7,28 +7,27 @@ import pytest
 
 from tests.verify.test_checks import context
 from verify.core.results import Kind, Status
+from verify.judging.claims import rows_of
 from verify.judging.explain.steps import derive, steps
 from verify.judging.tolerance_checks import (
     SUBJECT,
     Agreement,
     Deviation,
     Pair,
-    PaperAgreement,
-    PaperDeviation,
     demanded,
     farthest,
 )
 
 
-def agreement(value, reference=2.0, U=0.0, kind=Agreement, **more):
+def agreement(value, reference=2.0, U=0.0, **more):
     told = {"name": "gap", "symbol": "g", "unit": "mm", "accepted": 0.002, "source": SUBJECT}
-    return kind(**(told | more), pair=lambda _c: Pair(value, reference, U, "off by so much"))
+    return Agreement(**(told | more), pair=lambda _c: Pair(value, reference, U, "off by so much"))
 
 
-def deviation(size, U=0.0, kind=Deviation, **more):
+def deviation(size, U=0.0, **more):
     told = {"name": "field", "symbol": "e", "unit": "1", "accepted": 0.002, "source": SUBJECT}
     told |= {"whole": "largest"}
-    return kind(**(told | more), size=lambda _c: (size, U, "off by so much"))
+    return Deviation(**(told | more), size=lambda _c: (size, U, "off by so much"))
 
 
 def row_of(check, **more):
@@ -105,12 +104,12 @@ def test_at_one_s_own_numbers_the_error_is_told_but_where_the_figure_holds_for_a
 
 
 @pytest.mark.parametrize(
-    "check", [agreement(2.0, kind=PaperAgreement), deviation(0.0, kind=PaperDeviation)]
+    "check", [agreement(2.0, paper_only=True), deviation(0.0, paper_only=True)]
 )
 def test_what_speaks_of_the_paper_alone_has_no_row_of_one_s_own(check):
     where = context([1.0, 1.0, 1.0], is_paper=False)
     assert check.paper_only
-    assert check.rows(where) == []
+    assert rows_of(check, where) == []
     assert row_of(check).status is Status.PASS
 
 

@@ -53,7 +53,8 @@ class Context:
 class Check(Protocol):
     """One claim of a case, judged by `rows`; see `verify.judging.checks`."""
 
-    paper_only: ClassVar[bool]
+    @property
+    def paper_only(self) -> bool: ...
 
     @property
     def needs_fem(self) -> bool: ...

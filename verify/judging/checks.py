@@ -80,7 +80,7 @@ class Order(Claim):
     """Errors against an exact value fall with the order that theory gives (kind trend)."""
 
     kind = Kind.TREND
-    paper_only = True  # of the elements, not of the formula
+    paper_only: bool = True  # of the elements, not of the formula
 
     errors: Callable[[Context], tuple[list[float], list[float]]]
     order: float

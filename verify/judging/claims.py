@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 from verify.core import units
-from verify.core.case import Context
+from verify.core.case import Check, Context
 from verify.core.results import Grid, Kind, Partner, Published, Row, Status
 from verify.judging import judge
 from verify.judging.convergence import (
@@ -31,8 +31,6 @@ class Claim(ABC):
     """
 
     kind: ClassVar[Kind]
-    paper_only: ClassVar[bool] = False  # speaks of the paper's inputs alone
-
     name: str
     symbol: str
     unit: str
@@ -41,6 +39,7 @@ class Claim(ABC):
     printed: tuple[str, ...] = ()
     formula: str = ""
     shares: str = ""
+    paper_only: bool = False  # speaks of the paper's inputs alone, and user inputs have no row
 
     @property
     def needs_fem(self) -> bool:
@@ -62,6 +61,11 @@ class Claim(ABC):
 
     def _printed(self, context: Context) -> tuple[Published, ...]:
         return tuple(beside(r, self.unit) for r in self.printed) if context.is_paper else ()
+
+
+def rows_of(check: Check, context: Context) -> list[Row]:
+    """The rows of a check; none where it speaks of the paper's inputs and these are others."""
+    return [] if check.paper_only and not context.is_paper else check.rows(context)
 
 
 def make_row(

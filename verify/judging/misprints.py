@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import ClassVar
 
 from verify.core.case import Context
 from verify.core.results import Kind, Row, Status
@@ -18,7 +17,7 @@ class Misprint(Claim):
     """
 
     kind = Kind.FACT
-    paper_only: ClassVar[bool] = True
+    paper_only: bool = True
 
     erratum: str
     margin: Callable[[Context], tuple[float, str]]

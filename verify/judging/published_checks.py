@@ -18,7 +18,7 @@ NO_UNCERTAINTY = "scatter, supports and mesh are not stated: compared, not judge
 class PrintedClaim(Claim):
     """A formula value `analytic` beside the printed `reference`: "paper:id" or a value."""
 
-    paper_only = True
+    paper_only: bool = True
 
     analytic: str
     reference: str | Value

@@ -7,7 +7,7 @@ judged like any comparison: it says what it detects.
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -96,16 +96,6 @@ class Agreement(Stated):
 
 
 @dataclass(frozen=True, kw_only=True)
-class PaperAgreement(Agreement):
-    """An agreement of the paper's own numbers, which one's own do not claim."""
-
-    paper_only: ClassVar[bool] = True
-
-    def rows(self, context: Context) -> list[Row]:
-        return super().rows(context) if context.is_paper else []
-
-
-@dataclass(frozen=True, kw_only=True)
 class Deviation(Stated):
     """The size of a difference over a field or a set, over that of the whole: zero is expected.
 
@@ -130,16 +120,6 @@ class Deviation(Stated):
                 published=self._printed(context), **self._beside(size),
             )
         ]  # fmt: skip
-
-
-@dataclass(frozen=True, kw_only=True)
-class PaperDeviation(Deviation):
-    """A deviation of the paper's own numbers, which one's own do not claim."""
-
-    paper_only: ClassVar[bool] = True
-
-    def rows(self, context: Context) -> list[Row]:
-        return super().rows(context) if context.is_paper else []
 
 
 def farthest(values: NDArray[np.float64], references: NDArray[np.float64], u: float) -> Pair:

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 
@@ -43,7 +43,7 @@ def measured(context: Context) -> Measured:
 class OfPaper(Accepted):
     """A statement about the paper's clutch alone."""
 
-    paper_only: ClassVar[bool] = True
+    paper_only: bool = True
 
     def rows(self, context: Context) -> list[Row]:
         return super().rows(context) if context.is_paper else []
@@ -57,7 +57,7 @@ class Noted(Claim):
     """
 
     kind = Kind.FACT
-    paper_only: ClassVar[bool] = True
+    paper_only: bool = True
 
     erratum: str
     margin: Callable[[Context], tuple[float, float, str]]
@@ -84,7 +84,7 @@ class Beside(Claim):
     """
 
     kind = Kind.APPROXIMATION
-    paper_only: ClassVar[bool] = True
+    paper_only: bool = True
 
     value: Callable[[Context], float]
     figure: float

@@ -1,27 +1,14 @@
 """What formulas and comparisons of springs share: limits of the paper, warnings, conditions."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import product
 from typing import Any
 
 from analytic.spring import frame
 from analytic.spring.wide_leaf import width_factor
 from verify.core.case import Context
-from verify.core.results import Row
-from verify.judging.checks import Limit
 
 OTHER_WIDTH = 0.005  # between the factor given and that of a leaf
-
-
-@dataclass(frozen=True, kw_only=True)
-class PaperLimit(Limit):
-    """A limit of the paper's strip, which the user's inputs do not claim."""
-
-    paper_only = True
-
-    def rows(self, context: Context) -> list[Row]:
-        return super().rows(context) if context.is_paper else []
 
 
 def other_width(given: float, *, h: float, leaf: float, nu: float) -> Iterator[str]:

@@ -6,9 +6,8 @@ from typing import Any
 
 from verify.core import units
 from verify.core.case import Context, FemResult
-from verify.core.results import Row
 from verify.judging.checks import Approximation
-from verify.judging.claims import FemClaim
+from verify.judging.claims import FemClaim, rows_of
 from verify.studies.budget.solve import Solution
 from verify.studies.sweep.pairs import Pair
 
@@ -51,7 +50,7 @@ def _by_its_row(pair: Pair, inputs: Any, found: Solution) -> Values:
         claim = replace(claim, interval=None)  # may cost more than the solution
     paper = inputs == type(inputs)()
     try:
-        rows: list[Row] = claim.rows(Context("", inputs, found.formulas, levels, paper))
+        rows = rows_of(claim, Context("", inputs, found.formulas, levels, paper))
     except (LookupError, ValueError, ArithmeticError, TypeError):  # it asks for what is not kept
         return NONE
     row = next((row for row in rows if row.levels and row.analytic is not None), None)

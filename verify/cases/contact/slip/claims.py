@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, fields
-from typing import Any, ClassVar
+from typing import Any
 
 from analytic.bounds.contact import slip
 from verify.cases.contact.slip.inputs import SlipInputs
@@ -11,7 +11,7 @@ from verify.core.case import Context, Values
 from verify.core.results import Kind, Row
 from verify.judging.checks import Approximation, Identity
 from verify.judging.claims import FemClaim
-from verify.judging.profile_checks import Within, l2_error
+from verify.judging.profile_checks import l2_error
 from verify.judging.tolerance_checks import Pair
 
 HALF_PLANES = 2e-4  # share of the half planes' own error below which they and the discs are one
@@ -44,16 +44,6 @@ class HalfPlanes(FemClaim):
 
         source = f"±{slip.MODEL:g} (a/R)², and half of the demand"
         return Approximation(**own, interval=interval, source=source).rows(context)
-
-
-@dataclass(frozen=True, kw_only=True)
-class Traction(Within):
-    """A traction's error in L2 below its acceptance, on the resolution made for it."""
-
-    paper_only: ClassVar[bool] = True
-
-    def rows(self, context: Context) -> list[Row]:
-        return super().rows(context) if context.is_paper else []
 
 
 def l2_margin(

@@ -12,7 +12,6 @@ from verify.case import Comparison, Expected, approximation, balance, fact, iden
 from verify.cases.polyhedral.wedge.formulas import WedgeFormulas
 from verify.cases.polyhedral.wedge.stick import SHARES, small
 from verify.core.case import Check, Context
-from verify.core.results import Row
 from verify.judging.checks import Fact
 from verify.judging.tolerance_checks import Deviation
 
@@ -26,15 +25,6 @@ HALF_PLANES = "argued: (a/(μR))² of the inclined surfaces, 2 (a/R)² of half p
 SOLVER = "the solver's balance of a body that only contact holds"
 LIMIT = "Coulomb's law at every node, to round-off"
 COULOMB = "Coulomb's law of friction"
-
-
-class PaperFact(Fact):
-    """A fact about these inputs: rollers near their limit, or heavily loaded, may differ."""
-
-    paper_only = True
-
-    def rows(self, context: Context) -> list[Row]:
-        return super().rows(context) if context.is_paper else []
 
 
 def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
@@ -76,8 +66,8 @@ def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
         ("below 1 % of N slips", "N_slip", EDGES),
         ("traction within 3 % of tan(α/2) p in L2", "q", L2),
     )):  # fmt: skip
-        yield PaperFact(name=f"{together}: {words}", symbol=symbol, unit="1",
-                        margin=below(bound, "slipping", part))  # fmt: skip
+        yield Fact(name=f"{together}: {words}", symbol=symbol, unit="1", paper_only=True,
+                   margin=below(bound, "slipping", part))  # fmt: skip
     for residual, name in (
         ("along", "balance along the bisector"), ("across", "balance of cut and contact"),
         ("cage", "balance of cage and contact"),

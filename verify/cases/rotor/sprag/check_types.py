@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import ClassVar
 
 import numpy as np
 
@@ -143,7 +142,7 @@ class FittedTo(Claim):
     """
 
     kind = Kind.APPROXIMATION
-    paper_only: ClassVar[bool] = True
+    paper_only: bool = True
 
     analytic: str
 

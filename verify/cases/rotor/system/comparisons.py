@@ -34,7 +34,7 @@ class Present(Identity):
 class Companion(Present):
     """An identity of the companion, which is judged beside the default rotor alone."""
 
-    paper_only = True
+    paper_only: bool = True
 
 
 def rows(q: TransferRotor) -> Iterator[Comparison | Check]:

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 
@@ -65,7 +65,7 @@ def near(q: Any, _values: Any) -> tuple[float, float] | None:
 class OfPaperEstimated(Estimated):
     """An estimate for the paper's clutch alone."""
 
-    paper_only: ClassVar[bool] = True
+    paper_only: bool = True
 
     def rows(self, context: Context) -> list[Row]:
         return super().rows(context) if context.is_paper else []

@@ -1,7 +1,6 @@
 """What is compared of the whole curve: contact, energy, limits, and Eq. 10 beside its readings."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Any
 
 from verify.cases.spring.curve import claims
@@ -20,25 +19,12 @@ ASKED = "the 1 % that rows of slopes are asked for"
 LIMIT = "linear theory is exact where leaves turn by nothing; 0.2 % settles the closed form"
 
 
-@dataclass(frozen=True, kw_only=True)
-class OfThePaper(Accepted):
-    """What sets the paper's spring beside Eq. 10."""
-
-    paper_only = True
-
-
-@dataclass(frozen=True, kw_only=True)
-class Slender(Limit):
-    """Of the closed form and the elements, not of one's own spring."""
-
-    paper_only = True
-
-
-def slender(k: int, symbol: str, words: str) -> Slender:
+def slender(k: int, symbol: str, words: str) -> Limit:
     """The closed form's U_A, F_A or k_2 as a limit of slender leaves."""
-    return Slender(
+    return Limit(
         name=f"{words}, closed form for slender leaves", symbol=f"{symbol}, FE/formula − 1",
         unit="1", points=claims.parallel(k), exponent=None, demand=2e-3, demand_reason=LIMIT,
+        paper_only=True,
     )  # fmt: skip
 
 
@@ -66,16 +52,16 @@ def accepted() -> Iterator[Accepted]:
     """The third stage, and the paper's spring beside Eq. 10."""
     yield Accepted(name="stiffness rises tenfold once loops meet (stage BE)", symbol="dF/dU",
                    unit="1", margin=claims.stiffens)  # fmt: skip
-    fitted: dict[str, Any] = {"unit": "1", "fitted": FITTED}
-    yield OfThePaper(name="the reading is the nearest by k_1 alone", symbol="k_1",
-                     margin=claims.nearest, **fitted)  # fmt: skip
-    yield OfThePaper(name="k_1 of the reading beside Eq. 10", symbol="k_1",
-                     margin=claims.near("k1", K1, lambda: eq10().k1), **fitted,
-                     printed=("wang2023:k1-fea",))  # fmt: skip
-    yield OfThePaper(name="k_2 of the reading beside Eq. 10", symbol="k_2",
-                     margin=claims.near("k2", K2, lambda: eq10().k2), **fitted,
-                     printed=("wang2023:k2-fea",))  # fmt: skip
-    yield OfThePaper(name="where the lines cross, beside Eq. 10", symbol="U",
-                     margin=claims.near("U", CROSSING, lambda: eq10().U), **fitted)  # fmt: skip
-    yield OfThePaper(name="F(U) at 1 ... 17 mm beside Eq. 10", symbol="F", margin=claims.along,
-                     **fitted)  # fmt: skip
+    fitted: dict[str, Any] = {"unit": "1", "fitted": FITTED, "paper_only": True}
+    yield Accepted(name="the reading is the nearest by k_1 alone", symbol="k_1",
+                   margin=claims.nearest, **fitted)  # fmt: skip
+    yield Accepted(name="k_1 of the reading beside Eq. 10", symbol="k_1",
+                   margin=claims.near("k1", K1, lambda: eq10().k1), **fitted,
+                   printed=("wang2023:k1-fea",))  # fmt: skip
+    yield Accepted(name="k_2 of the reading beside Eq. 10", symbol="k_2",
+                   margin=claims.near("k2", K2, lambda: eq10().k2), **fitted,
+                   printed=("wang2023:k2-fea",))  # fmt: skip
+    yield Accepted(name="where the lines cross, beside Eq. 10", symbol="U",
+                   margin=claims.near("U", CROSSING, lambda: eq10().U), **fitted)  # fmt: skip
+    yield Accepted(name="F(U) at 1 ... 17 mm beside Eq. 10", symbol="F", margin=claims.along,
+                   **fitted)  # fmt: skip

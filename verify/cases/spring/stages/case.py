@@ -25,7 +25,7 @@ from verify.cases.spring.stages.formulas import StageFormulas
 from verify.core.case import Check
 from verify.core.figures import Picture
 from verify.form.adapter import adapted
-from verify.judging.checks import Order
+from verify.judging.checks import Accepted, Order
 from verify.judging.published_checks import PrintedMeasurement
 
 CHORDS = 5e-4, "a nodal frame is exact but for the chords of its arcs"
@@ -117,10 +117,10 @@ class StageSpring(StageFormulas):
             (spring.U_A, "U", paper.ACCEPTED, "displacement at A", ()),
             (spring.F_A, "F", paper.ACCEPTED, "force at A", ()),
         ):
-            yield Comparison(quantity=q, state=self._reading, check=paper.PaperReading(
+            yield Comparison(quantity=q, state=self._reading, check=Accepted(
                 name=f"{words} of the reading chosen by k_1 beside Eq. 10", symbol=q.symbol,
                 unit=q.unit, margin=paper.keeps(key, figure), fem_needed=False,
-                fitted=paper.FITTED, printed=printed,
+                fitted=paper.FITTED, printed=printed, paper_only=True,
             ))  # fmt: skip
 
     def _beside_prints(self) -> Iterator[Comparison]:

@@ -19,8 +19,7 @@ from verify.cases.spring.inputs import strip_of
 from verify.cases.spring.stages.inputs import StagesInputs
 from verify.core.case import Context
 from verify.core.figures import Table
-from verify.core.results import Row
-from verify.judging.checks import Accepted, Margin
+from verify.judging.checks import Margin
 from verify.judging.judge import expanded
 from verify.papers.ledger import published
 
@@ -101,15 +100,6 @@ def meeting(q: StagesInputs) -> list[Reading]:
 def chosen(q: StagesInputs) -> Reading:
     """By k_1 alone, among the sixteen that need no factor of one's own."""
     return min(readings(q.model_copy(update={"width_factor": None})), key=lambda x: abs(x.off))
-
-
-class PaperReading(Accepted):
-    """What the chosen reading says of the paper's spring; of one's own it says nothing."""
-
-    paper_only = True
-
-    def rows(self, context: Context) -> list[Row]:
-        return super().rows(context) if context.is_paper else []
 
 
 def keeps(key: str, figure: float) -> Margin:

@@ -17,10 +17,8 @@ from verify.case import (
     drawn_by,
     identity,
 )
-from verify.cases.spring.claims import PaperLimit
 from verify.cases.spring.inputs import strip_of
 from verify.cases.spring.limits import Share
-from verify.cases.spring.stages.readings import PaperReading
 from verify.cases.spring.width import claims
 from verify.cases.spring.width import figures as drawn
 from verify.cases.spring.width import reference as shells
@@ -29,9 +27,9 @@ from verify.cases.spring.width.reference import ENDS, RATIOS, WIDE, widths_of_bo
 from verify.core.case import Check
 from verify.core.figures import Picture
 from verify.form.adapter import adapted
-from verify.judging.checks import Limit
+from verify.judging.checks import Accepted, Limit
 from verify.judging.published_checks import PrintedMeasurement
-from verify.judging.tolerance_checks import BOTH_WAYS, Agreement, PaperAgreement, suites
+from verify.judging.tolerance_checks import BOTH_WAYS, Agreement, suites
 
 MOST = 30  # segments that shells are solved for
 FOIL = 3000  # thicknesses in a leaf's length, beyond which narrow shells are ill-conditioned
@@ -155,9 +153,10 @@ class WideSpring(WidthInputs, Case):
                             sensitivity=(2 * claims.ESTIMATE, BOTH_WAYS), shares=SMALL)  # fmt: skip
         yield from _limits()
         yield from _accepted()
-        yield PaperReading(
+        yield Accepted(
             name="k_1 of the shell, head free, tail held at mid-leaf, beside the paper's",
             symbol="k_1", unit="1", margin=claims.meets("mid-leaf", "free"), fitted=FITTED,
+            paper_only=True,
         )  # fmt: skip
         for (tail, head), state in states.items():
             for printed, what in (("fea", "paper's shell model"), ("test", "paper's test")):
@@ -214,9 +213,9 @@ class WideSpring(WidthInputs, Case):
 def _limits() -> Iterator[Comparison]:
     """Plane stress and plane strain as limits of the width."""
     spring = WideSpring
-    yield Comparison(quantity=spring.k_narrow, check=PaperLimit(
+    yield Comparison(quantity=spring.k_narrow, check=Limit(
         name="a narrow spring is in plane stress", symbol="f", unit="1", points=claims.narrow,
-        exponent=None, demand=1e-3, demand_reason=FIFTH,
+        exponent=None, demand=1e-3, demand_reason=FIFTH, paper_only=True,
     ))  # fmt: skip
     yield Comparison(quantity=spring.k_wide, check=Limit(
         name="a wide spring is in plane strain but for edges as wide as leaves are long",
@@ -247,7 +246,8 @@ def _accepted() -> Iterator[Comparison | Check]:
     yield _agrees("the factor is the same for a head under a uniform force", claims.uniform,
                   claims.UNIFORM, "a tenth of what the ends may do",
                   by="a uniform force")  # fmt: skip
-    yield PaperAgreement(
+    yield Agreement(
+        paper_only=True,
         name="the factor that case spring-curve takes", symbol="f", unit="1", pair=claims.taken,
         accepted=claims.TAKEN, source=suites("a fifth of the 1 % that rows are asked for"),
     )  # fmt: skip
