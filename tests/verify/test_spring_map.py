@@ -7,12 +7,14 @@ import pytest
 
 from analytic.spring import energy
 from fem.beam.pressed import PressedFrame
+from fem.beam.pressed_path import UnstableError, stable_forces
 from verify.cases.spring.map import fem, formulas
 from verify.cases.spring.map.case import DEEP_MAP, MAP, MapSpring
 from verify.cases.spring.map.formulas import pressed
 from verify.cases.spring.map.inputs import (
     DEEP_LEAVES,
     DEEP_SLENDER,
+    SHARES,
     Cell,
     points,
     slender,
@@ -184,8 +186,8 @@ def test_a_cell_whose_spring_becomes_unstable_has_no_forces():
     U_cr = one.critical_displacement(0.6 * cell.length, 0.045 * cell.length)
     assert U_cr == pytest.approx(0.5535 * cell.length, rel=1e-4)
     assert one.critical_displacement(0.55 * cell.length, 0.04 * cell.length) is None
-    with pytest.raises(fem.UnstableError, match=r"point at 55\.4% of the length"):
-        fem.pressed(one, cell)
+    with pytest.raises(UnstableError, match=r"point at 55\.4% of the length"):
+        stable_forces(one, cell.length, SHARES)
     k, *secant = fem.measured(q, cell)
     assert k == pytest.approx(54.9127, rel=1e-5)
     assert secant == [0.0, 0.0]
@@ -201,7 +203,7 @@ def test_a_path_that_is_not_found_is_no_critical_point(monkeypatch):
     monkeypatch.setattr(PressedFrame, "compressed", fails)
     with pytest.raises(ArithmeticError, match="no equilibrium found") as error:
         fem.measured(q, Cell(q.n, q.b, q.r, q.L1, q.alpha))
-    assert not isinstance(error.value, fem.UnstableError)
+    assert not isinstance(error.value, UnstableError)
 
 
 def test_an_arc_that_is_not_followed_proves_nothing(monkeypatch):
@@ -215,7 +217,7 @@ def test_an_arc_that_is_not_followed_proves_nothing(monkeypatch):
         monkeypatch.setattr("fem.beam.large.LargeFrame." + name, fails)
     with pytest.raises(ArithmeticError, match="no step goes on") as error:
         fem.measured(q, cell)
-    assert not isinstance(error.value, fem.UnstableError)
+    assert not isinstance(error.value, UnstableError)
 
 
 def test_forces_of_unstable_equilibria_are_no_result(monkeypatch):
@@ -236,7 +238,7 @@ def test_an_elastica_that_is_not_found_says_nothing_of_stability():
     assert q.refusal() == f"{formulas.NOT_FOUND}: check it without --fem"
     assert list(q.warnings()) == [formulas.NOT_FOUND]
     cell = Cell(q.n, q.b, q.r, q.L1, q.alpha)
-    assert len(fem.pressed(fem.spring(q, cell, 4, 2), cell)) == 2
+    assert len(stable_forces(fem.spring(q, cell, 4, 2), cell.length, SHARES)) == 2
 
 
 def test_the_finer_map_has_a_part_for_each_of_its_rows():

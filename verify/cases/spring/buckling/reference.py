@@ -34,6 +34,7 @@ UNIT_PIECES = slice(2, 5)  # arc, leaf, arc of the first middle unit
 def solve(q: BucklingInputs, level: int) -> Level:
     """One level of a unit and of both tails; on one of them paths and sweeps, too."""
     from fem.beam.pressed import PLACES
+    from fem.beam.pressed_path import both_paths, deflected, drifts
     from fem.beam.released import gives_way, linear_load
 
     values: dict[str, float] = unit_fem(q, level)
@@ -51,15 +52,13 @@ def solve(q: BucklingInputs, level: int) -> Level:
         F_lin, u_lin = linear_load(one)
         k_y, u_y = one.lateral_stiffness(one.guided.rest())
         found = {"U_cr": (U, u), "F_cr": (F, u / U * F), "F_lin": (F_lin, u_lin), "k_y": (k_y, u_y)}
-        for share, moved in zip(DRIFT, drift(one, q.P), strict=True):
-            found[f"drift_{share}"] = moved.u[one.head, 1], PLACES * abs(moved.u[one.head, 1])
+        for share, moved in zip(DRIFT, drifts(one, q.P, DRIFT), strict=True):
+            found[f"drift_{share}"] = moved, PLACES * abs(moved)
         for name, (value, uncertainty) in found.items():
             values[f"{name}{KEYS[tail]}"], u_it[f"{name}{KEYS[tail]}"] = value, uncertainty
         if level == SWEPT:
-            arrays |= {f"{name}{KEYS[tail]}": array for name, array in along(one, q).items()}
-            arrays[f"let_go{KEYS[tail]}"] = (one.points + state.u[:, :2])[
-                one.elements[:, [0, 2, 1]]
-            ]
+            shapes = both_paths(one, q.length, SHOWN) | {"let_go": deflected(one, state.u)}
+            arrays |= {f"{name}{KEYS[tail]}": array for name, array in shapes.items()}
             fields.append(shape(one, state, f"let go, {tail}"))
     if level == SWEPT:
         arrays |= swept(q)
@@ -68,34 +67,6 @@ def solve(q: BucklingInputs, level: int) -> Level:
 
 def spring(q: BucklingInputs, path: dict[str, Any], b: float, level: int) -> "PressedFrame":
     return spring_fem(path, b, q.h, q.E, q.nu, per_arc=level, per_leaf=max(1, level // 2))
-
-
-def drift(one: "PressedFrame", P: float) -> Any:
-    """States of a head that is free from the first moment, at its shares of the load `P`."""
-    path = one.frame("").under_loads({one.head: (P, 0.0, 0.0)}, np.linspace(0.05, 1.1, 22))
-    by_share = {round(float(state.factor), 6): state for state in path.states}
-    return [by_share[share] for share in DRIFT]
-
-
-def along(one: "PressedFrame", q: BucklingInputs) -> dict[str, Any]:
-    """A free head's path and the guided one: forces, drift, and what holds them."""
-    loose, head = one.frame(""), {one.head: {"x": 1.0}}
-    U = np.concatenate([np.linspace(0.01, 0.15, 20), np.linspace(0.18, 0.6, 10)]) * q.length
-    path = loose.displaced(head, U)
-    rest = {way: one.determinant(one.guided.rest(), way) for way in ("free", "hinged")}
-    free = [one.determinant(state, "free") / rest["free"] for state in path.states]
-    u = path.u[:, one.head]
-    shapes = path.u[int(np.argmin(abs(U - SHOWN * q.length))), :, :2]
-    V = np.linspace(0.02, 0.7, 12) * q.length
-    states = one.compressed(V)
-    return {
-        "free": np.column_stack([path.reactions[:, one.head, 0], u[:, 0], u[:, 1], free]),
-        "guided": np.column_stack([
-            V, [one.force(s) for s in states], [one.lateral_stiffness(s)[0] for s in states],
-            [one.determinant(s, "hinged") / rest["hinged"] for s in states],
-        ]),
-        "free_shape": (one.points + shapes)[one.elements[:, [0, 2, 1]]],
-    }  # fmt: skip
 
 
 def swept(q: BucklingInputs) -> dict[str, Any]:

@@ -15,22 +15,18 @@ if TYPE_CHECKING:
 MAPPED = 8  # the level of the maps
 PER_ARC, PER_LEAF = 4, 2  # of the cells of a map
 ON_LINE = (0.25, 0.5, 1.0, 1.5, 2.0)  # of b, on one centre line
-CLOSER = 4  # steps to the smallest share
-
-
-class UnstableError(ArithmeticError):
-    """Proven: the path of the guided spring has a critical point before the largest share."""
 
 
 def solve(q: MapInputs, level: int) -> FemResult:
     """One level of the spring; on one of them the maps, too."""
+    from fem.beam.pressed_path import free_force, slanted_force, stable_forces
+
     here = Cell(q.n, q.b, q.r, q.L1, q.alpha)
     one = spring(q, here, level, max(1, level // 2))
-    values = {
-        f"F_{share}": F for share, F in zip(map(Share, SHARES), pressed(one, here), strict=True)
-    }
-    values["F_free"] = free(one, here)
-    values |= dict(zip(("F_x", "F_y"), aside(q, one), strict=True))
+    forces = stable_forces(one, here.length, SHARES)
+    values = {f"F_{share}": F for share, F in zip(map(Share, SHARES), forces, strict=True)}
+    values["F_free"] = free_force(one, np.linspace(0, SHARES[0], 31)[1:] * here.length)
+    values["F_x"], values["F_y"] = slanted_force(one, q.x_r, q.y_r)
     values["F_x_straight"] = one.force(one.compressed(np.linspace(0.25, 1, 4) * q.x_r)[-1])
     arrays: dict[str, Any] = {}
     if level == MAPPED:
@@ -59,49 +55,17 @@ def measured(q: MapInputs, cell: Cell) -> tuple[float, ...]:
     becomes unstable before the largest share. A path that is not found raises ArithmeticError: it
     says nothing about the spring.
     """
+    from fem.beam.pressed_path import UnstableError, stable_forces
+
     if cell.b >= cell.r:
         return (0.0,) * (1 + len(SHARES))
     one = spring(q, cell, PER_ARC, PER_LEAF)
     try:
-        forces = pressed(one, cell)
+        forces = stable_forces(one, cell.length, SHARES)
     except UnstableError:
         return (one.stiffness, *(0.0,) * len(SHARES))
     secant = (F / (share * cell.length) for share, F in zip(SHARES, forces, strict=True))
     return (one.stiffness, *secant)
-
-
-def pressed(one: "PressedFrame", cell: Cell) -> list[float]:
-    """Forces of the guided head at the shares of its length, all of stable equilibria.
-
-    UnstableError where there is a critical point before, ArithmeticError where nothing is found.
-    """
-    first = np.linspace(0, SHARES[0], CLOSER + 1)[1:]
-    U = np.unique([*first, *SHARES]) * cell.length
-    try:
-        states = one.compressed(U)
-    except ArithmeticError as error:
-        until = float(U[-1])
-        if (U_cr := one.critical_displacement(until, SHARES[0] / CLOSER * until)) is None:
-            raise
-        raise UnstableError(f"critical point at {U_cr / cell.length:.1%} of the length") from error
-    if any(state.negative for state in states):
-        raise UnstableError(f"unstable before {SHARES[-1]:.0%} of the length")
-    return [one.force(states[int(np.argmin(abs(U - s * cell.length)))]) for s in SHARES]
-
-
-def free(one: "PressedFrame", cell: Cell) -> float:
-    """Force of a free head that came as far as the first share, drifting on its way."""
-    U = np.linspace(0, SHARES[0], 31)[1:] * cell.length
-    path = one.frame("").displaced({one.head: {"x": 1.0}}, U)
-    return float(path.reactions[-1, one.head, 0])
-
-
-def aside(q: MapInputs, one: "PressedFrame") -> tuple[float, float]:
-    """Force along and across of a head that went the roller's way, without turning."""
-    way = {one.head: {"x": q.x_r, "y": q.y_r}}
-    state = one.frame("r").displaced(way, np.linspace(0.25, 1, 4)).last
-    x, y, _ = state.reactions[one.head]
-    return float(x), float(y)
 
 
 def on_line(q: MapInputs, b: float) -> tuple[float, float, float]:
