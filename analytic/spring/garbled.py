@@ -4,11 +4,17 @@
 """
 
 import math
+from dataclasses import dataclass
+from itertools import product
 from typing import Any
 
 import numpy as np
 
 SIGNS = ("alternating", "all plus", "M_2 as printed")
+LEAVES = {"L_1/sin α": 1.0, "2 L_1/sin α": 2.0}
+OFFSETS = {"r + b/2": (1.0, "b"), "r + b": (2.0, "b"), "r": (0.0, "b"), "r + h/2": (1.0, "h")}
+RADII = ("r", "r + b/2")
+STARTS = {"F (L_1/2 + r)": 1.0, "F L_1/2": 0.0}
 
 
 def flexibility(
@@ -53,3 +59,45 @@ def flexibility(
         total += over(r * alpha, top + s * r * (np.cos(alpha - angle) - math.cos(alpha)))
         T = top + s * A
     return total + over(r * ends[1], T - r * (1 - np.cos(tail)))
+
+
+@dataclass(frozen=True)
+class Reading:
+    """One reading of the equations and the stiffness [N/m] it gives."""
+
+    leaf: str
+    offset: str
+    radius: str
+    signs: str
+    start: str
+    k: float
+
+    @property
+    def is_adopted(self) -> bool:
+        """The reading of `analytic.spring.energy`."""
+        return (self.leaf, self.offset, self.radius, self.signs, self.start) == (
+            "L_1/sin α", "r + b/2", "r", "alternating", "F (L_1/2 + r)",
+        )  # fmt: skip
+
+
+def readings(
+    *, n: int, b: float, h: float, r: float, L1: float, alpha: float, E: float
+) -> list[Reading]:
+    """All readings of Eqs. 3 and 5, by direct quadrature of the printed moments.
+
+    `n` segments of thickness `b` and width `h`, inner radius `r` of the arcs, straight length `L1`
+    of head and tail, angle `alpha` of the arcs [rad], Young's modulus `E`.
+
+    >>> found = readings(n=10, b=1e-4, h=56e-3, r=4.5e-4, L1=11.6e-3, alpha=1.4, E=206e9)
+    >>> len(found), sum(one.is_adopted for one in found)
+    (96, 1)
+    """
+    found = []
+    for leaf, offset, radius, signs, start in product(LEAVES, OFFSETS, RADII, SIGNS, STARTS):
+        arc = r if radius == "r" else r + b / 2
+        halves, thickness = OFFSETS[offset]
+        inner = r + halves * (b if thickness == "b" else h) / 2
+        L2 = LEAVES[leaf] * L1 / math.sin(alpha) + 2 * inner / math.tan(alpha)
+        f = flexibility(n, L1 / 2, arc, L2, alpha, signs, STARTS[start])
+        found.append(Reading(leaf, offset, radius, signs, start, E * h * b**3 / 12 / f))
+    return found
