@@ -10,7 +10,8 @@ from analytic.freewheel.state import loaded
 from verify.case import AlongLine
 from verify.cases.freewheel.reference import ACROSS, GRID
 from verify.core.case import Context
-from verify.core.figures import Curve, Curves
+from verify.core.figures import Curves
+from verify.form.plots import dashes, dots, line, plot
 
 FINE = np.linspace(0.002, 1.0, 160)  # of T, where curves are drawn
 DEGREE = math.degrees(1.0)
@@ -42,16 +43,11 @@ def torsion(context: Context, *, printed: str, note: str) -> Iterator[Curves]:
         return
     q = context.inputs
     states = loaded(q.clutch, FINE * q.T)
-    yield Curves(
-        title="Torsion over torque: Eq. 7 as printed and exact rolling", x_label="T [N m]",
-        y_label="φ [°]",
-        curves=(
-            Curve(name="exact rolling", x=FINE * q.T, y=states.phi * DEGREE),
-            Curve(name=f"Eq. 7 as printed, {printed}", x=FINE * q.T,
-                  y=states.phi_printed * DEGREE, style="dashes", colour=1),
-            Curve(name="FE, ∫dU/T", x=GRID * q.T,
-                  y=context.fem[-1].arrays["phi_over_T"] * DEGREE, style="dots"),
-        ),
+    yield plot(
+        "Torsion over torque: Eq. 7 as printed and exact rolling", "T [N m]", "φ [°]",
+        line("exact rolling", FINE * q.T, states.phi * DEGREE),
+        dashes(f"Eq. 7 as printed, {printed}", FINE * q.T, states.phi_printed * DEGREE, 1),
+        dots("FE, ∫dU/T", GRID * q.T, context.fem[-1].arrays["phi_over_T"] * DEGREE),
         note=note,
     )  # fmt: skip
 
@@ -63,14 +59,12 @@ def bisector(context: Context, x: str, cam: str, race: str, note: str) -> Iterat
     T, N, psi, *_ = context.fem[-1].arrays["loads"]
     load = T if x.startswith("T") else N / 1e3
     on_cam, on_race = 1e3 * (context.fem[-1].arrays["shares"] / np.tan(psi / 2) - 1)
-    yield Curves(
-        title="How far the line of the forces leaves the bisector", x_label=x,
-        y_label="(F_t/F_n)/tan(ψ/2) − 1 [10⁻³]", y_bottom=None, note=note,
-        curves=(
-            Curve(name=f"FE, on the {cam}", x=load, y=on_cam, style="dots"),
-            Curve(name=f"FE, on the {race}", x=load, y=on_race, style="dots", colour=2),
-            Curve(name="rigid surfaces", x=np.array([0.0, load[-1]]), y=np.zeros(2)),
-        ),
+    yield plot(
+        "How far the line of the forces leaves the bisector", x, "(F_t/F_n)/tan(ψ/2) − 1 [10⁻³]",
+        dots(f"FE, on the {cam}", load, on_cam),
+        dots(f"FE, on the {race}", load, on_race, 2),
+        line("rigid surfaces", [0.0, load[-1]], np.zeros(2)),
+        y_bottom=None, note=note,
     )  # fmt: skip
 
 

@@ -9,7 +9,8 @@ import numpy as np
 from verify.cases.contact.roller import figures
 from verify.cases.contact.roller.inputs import DESIGNS, EVEN, Design, ending
 from verify.core.case import Context
-from verify.core.figures import Curve, Curves, Figure
+from verify.core.figures import Figure
+from verify.form.plots import line, plot
 
 if TYPE_CHECKING:
     from verify.cases.contact.roller.crowns import ComparedCrowns
@@ -37,12 +38,12 @@ def grown(q: "ComparedCrowns", varied: str) -> Figure:
     """Fig. 11: the crown as one of its parameters grows."""
     start = 0.85 if varied == "z_m" else 0.0  # where it shows
     y = np.linspace(start, 1.0, 301) * q.L / 2
-    return Curves(
-        title=f"Profiles as {varied} grows (Fig. 11)", x_label="y [mm]", y_label="z [µm]",
-        curves=tuple(
-            Curve(name=f"{design}", x=y / mm, y=q.designed(design).gap(y) / um, colour=i)
-            for i, design in enumerate(PROFILES[varied])
-        ),
+    return plot(
+        f"Profiles as {varied} grows (Fig. 11)", "y [mm]", "z [µm]",
+        (
+line(f"{design}", y / mm, q.designed(design).gap(y) / um, i)
+for i, design in enumerate(PROFILES[varied])
+),
         note="(K_1, K_2, z_m), the half y > 0, Q = F; the paper's figure was not to be had.",
     )  # fmt: skip
 
@@ -53,12 +54,12 @@ def designs(context: Context) -> Figure:
     curves = []
     for i, design in enumerate(DESIGNS[k] for k in COMPARED):
         along, end = q.designed(design).strips, f"_of_{design!s}"
-        curves.append(Curve(name=f"{design}", x=along.y / mm, y=along.p / MPa, colour=i))
+        curves.append(line(f"{design}", along.y / mm, along.p / MPa, i))
         curves.append(figures.half_space(context, "" if i else "half-space", end, i))
     p_0 = q.p_0 / MPa
-    return Curves(
-        title="Pressure of the paper's designs (Fig. 12)", x_label="y [mm]", y_label="p [MPa]",
-        curves=tuple(curves), y_top=1.25 * p_0, y_bottom=0.5 * p_0,
+    return plot(
+        "Pressure of the paper's designs (Fig. 12)", "y [mm]", "p [MPa]", curves,
+        y_top=1.25 * p_0, y_bottom=0.5 * p_0,
         note="Lines: strips; dots: half-space. (1, 0.7, 10 µm) is the evenest "
         "but for its ends, which carry load: there a half-space has no highest pressure.",
     )  # fmt: skip
@@ -76,9 +77,9 @@ def even(context: Context) -> Figure:
     for i, (name, words) in enumerate(EVEN.items()):
         curve = figures.half_space(context, words, ending(name), 2 * i)
         curves.append(replace(curve, y=curve.y * MPa / context.inputs.p_0))
-    return Curves(
-        title="Crowns for an even pressure", x_label="y [mm]", y_label="p/p_0",
-        curves=tuple(curves), y_bottom=0.9, y_top=1.1,
+    return plot(
+        "Crowns for an even pressure", "y [mm]", "p/p_0", curves,
+        y_bottom=0.9, y_top=1.1,
         note="Half-space, over Hertz's pressure of the load spread evenly.",
     )  # fmt: skip
 
@@ -90,12 +91,9 @@ def ends(context: Context) -> Figure:
     for i, (name, words) in enumerate(EVEN.items()):
         y, p = (context.fem[-1].arrays[f"{key}{ending(name)}"] for key in "yp")
         near = (q.L / 2 - y < 10 * b) & (y < q.L / 2)
-        curves.append(
-            Curve(name=words, x=(q.L / 2 - y[near])[::-1] / b,
-                  y=p[near][::-1] / q.p_0, colour=2 * i)
-        )  # fmt: skip
-    return Curves(
-        title="Their ends", x_label="distance from the end over b", y_label="p/p_0",
-        curves=tuple(curves), note="Half-space. Both rise before they fall: an even load needs a "
+        curves.append(line(words, (q.L / 2 - y[near])[::-1] / b, p[near][::-1] / q.p_0, 2 * i))
+    return plot(
+        "Their ends", "distance from the end over b", "p/p_0", curves,
+        note="Half-space. Both rise before they fall: an even load needs a "
         "little more crown there than either has; Lundberg's has no floor at the very end.",
     )  # fmt: skip

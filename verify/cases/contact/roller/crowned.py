@@ -12,7 +12,8 @@ from verify.cases.contact.roller import comparisons, figures, texts
 from verify.cases.contact.roller.inputs import Crown, Design, Divided
 from verify.cases.contact.roller.shown import OnHalfSpace
 from verify.core.case import Context
-from verify.core.figures import Array, Curve, Curves, Figure
+from verify.core.figures import Array, Figure
+from verify.form.plots import dashes, plot
 
 if TYPE_CHECKING:
     from analytic.contact.best_crown import BestCrown
@@ -133,10 +134,10 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
         curves = figures.over(solved, x, [self.even_pressure(k) for k in loads])
         least = context.fem[-1].arrays.get(f"best_over_{over}") if context.fem else None
         if least is not None:
-            curves.append(Curve(name=best[0], x=best[1], y=least, style="dashes", colour=2))
-        return Curves(
-            title=f"Largest pressure over the {over}", x_label=x_label, y_label="p_max/p_0",
-            curves=tuple(curves), y_top=y_top, y_bottom=0.95,
+            curves.append(dashes(best[0], best[1], least, 2))
+        return plot(
+            f"Largest pressure over the {over}", x_label, "p_max/p_0", curves,
+            y_top=y_top, y_bottom=0.95,
             note=f"p_0: Hertz's pressure of the load spread evenly; ends included, {self.n} "
             f"strips. {note}",
         )  # fmt: skip

@@ -11,8 +11,9 @@ from verify.cases.contact.roller import figures as roller_figures
 from verify.cases.contact.roller.end_fem import EDGE
 from verify.cases.contact.roller.inputs import STRETCH
 from verify.core.case import Context
-from verify.core.figures import Curve, Curves, Figure, Picture, Shape, Sketch
+from verify.core.figures import Figure, Picture, Shape, Sketch
 from verify.form import sketches
+from verify.form.plots import curve, dashes, dots, line, plot
 from verify.form.sketches import arrow, leader
 
 if TYPE_CHECKING:
@@ -35,14 +36,13 @@ def line_loads(context: Context, state: State) -> Figure:
     q, arrays = context.inputs, context.fem[-1].arrays
     on: Any = getattr(state.case, "contact")  # noqa: B009
     half = on.y > 0
-    curves = [Curve(name="half-space", x=on.y[half] / mm, y=on.line_load[half] / 1e3,
-                    style="dashes", colour=4)]  # fmt: skip
+    curves = [dashes("half-space", on.y[half] / mm, on.line_load[half] / 1e3, 4)]  # fmt: skip
     for i, (name, words) in enumerate(BODIES.items()):
         y, line = (arrays[f"{key}_{name}_{state.words}"] for key in "yq")
-        curves.append(Curve(name=f"FE, {words}", x=y / mm, y=line / 1e3, colour=2 * i))
-    return Curves(
-        title=f"Line load towards the end, {state.words}", x_label="y [mm]", y_label="q [N/mm]",
-        curves=tuple(curves), y_top=1.7 * q.F / q.L / 1e3,
+        curves.append(curve(f"FE, {words}", y / mm, line / 1e3, "line", 2 * i))
+    return plot(
+        f"Line load towards the end, {state.words}", "y [mm]", "q [N/mm]", curves,
+        y_top=1.7 * q.F / q.L / 1e3,
         note="Where both bodies go on, the half-space is nearly right; a free end face deflects "
         "more, and the load goes to the middle.",
     )  # fmt: skip
@@ -56,15 +56,11 @@ def edge(context: Context) -> Figure:
     x, y = np.log10(d[near]), np.log10(p[near] / p[np.argmin(np.abs(d - EDGE_DRAWN))])
     at = np.array([x.min(), x.max()])
     k, middle = context.inputs.sharpness, float(np.log10(EDGE_DRAWN))
-    return Curves(
-        title="How sharp the edge of an end face is", x_label="log10 distance/radius",
-        y_label="log10 p/p(0.005)",
-        curves=(
-            Curve(name="FE, ring on a longer shaft", x=x, y=y, style="dots"),
-            Curve(name=f"slope {k:.3f}", x=at, y=k * (at - middle), colour=2),
-            Curve(name="slope −0.5, half-space", x=at, y=-0.5 * (at - middle), style="dashes",
-                  colour=4),
-        ),
+    return plot(
+        "How sharp the edge of an end face is", "log10 distance/radius", "log10 p/p(0.005)",
+        dots("FE, ring on a longer shaft", x, y),
+        line(f"slope {k:.3f}", at, k * (at - middle), 2),
+        dashes("slope −0.5, half-space", at, -0.5 * (at - middle), 4),
         note="Axisymmetric: near its edge a ring is a right angle on a flat, as the section of a "
         "roller along its axis is.",
     )  # fmt: skip

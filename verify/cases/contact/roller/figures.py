@@ -10,8 +10,9 @@ from analytic.contact.strips import Strips
 from verify.cases.contact.roller.formulas import SlicedRoller
 from verify.cases.contact.roller.inputs import STRETCH, Crown, Roller, Tilt
 from verify.core.case import Context
-from verify.core.figures import Array, Curve, Curves, Figure, Picture, Shape, Sketch
+from verify.core.figures import Array, Curve, Figure, Picture, Shape, Sketch
 from verify.form import sketches
+from verify.form.plots import curve, dots, line, plot
 from verify.form.sketches import arrow, leader
 
 MPa, mm, um = 1e6, 1e-3, 1e-6
@@ -65,9 +66,9 @@ def pressures(context: Context, of: Any = None, key: str = "", crown: str = "") 
     curves = [Curve(name=n, x=one.y / mm, y=one.p / MPa, **style) for n, one, style in models]
     if context.fem:
         curves.append(half_space(context, "half-space", key))
-    return Curves(
-        title=f"Pressure along the roller, at x = 0{crown}", x_label="y [mm]", y_label="p [MPa]",
-        curves=tuple(curves), y_top=OVER * max(one.p_max / MPa for _, one, _ in models),
+    return plot(
+        f"Pressure along the roller, at x = 0{crown}", "y [mm]", "p [MPa]", curves,
+        y_top=OVER * max(one.p_max / MPa for _, one, _ in models),
         note=f"{q.n} strips, {q.slices} slices; dots: boundary elements on a half-space, the "
         "finest grid. A loaded end has no highest pressure, and its curve ends where the plot "
         "does.",
@@ -79,7 +80,7 @@ def half_space(context: Context, name: str, key: str = "", colour: int = 4) -> C
     arrays = context.fem[-1].arrays
     y, p = arrays[f"y{key}"], arrays[f"p{key}"]
     some = np.unique(np.round(np.linspace(0, len(y) - 1, DOTS)).astype(int))
-    return Curve(name=name, x=y[some] / mm, y=p[some] / MPa, style="dots", colour=colour)
+    return dots(name, y[some] / mm, p[some] / MPa, colour)
 
 
 def over(found: Sequence[Strips], x: Array, even: Sequence[float]) -> list[Curve]:
@@ -89,18 +90,16 @@ def over(found: Sequence[Strips], x: Array, even: Sequence[float]) -> list[Curve
     parts = (("this crown, its ends free", ~loaded, "line"),
              ("this crown, an end loaded", loaded, "dots"))  # fmt: skip
     return [
-        Curve(name=name, x=x[some], y=p[some], style=style)
-        for name, some, style in parts if some.any()
+        curve(name, x[some], p[some], style) for name, some, style in parts if some.any()
     ]  # fmt: skip
 
 
 def profile(q: Any) -> Figure:
     """The gap along the roller before loading."""
     y = np.linspace(-q.L / 2, q.L / 2, 401)
-    return Curves(
-        title="Gap before loading, at x = 0", x_label="y [mm]", y_label="z [µm]",
-        curves=(Curve(name="crown" + (" and tilt" if isinstance(q, Tilt) else ""),
-                      x=y / mm, y=q.gap(y) / um),),
+    return plot(
+        "Gap before loading, at x = 0", "y [mm]", "z [µm]",
+        line("crown" + (" and tilt" if isinstance(q, Tilt) else ""), y / mm, q.gap(y) / um),
         note=f"The straight middle is (1 − K_2) l = {(1 - q.K_2) * q.L / mm:.4g} mm long.",
     )  # fmt: skip
 
@@ -111,10 +110,10 @@ def loads(context: Context) -> Figure:
     curves = [
         Curve(name=n, x=one.y / mm, y=one.line / 1e3, **style) for n, one, style in modelled(q)
     ]
-    return Curves(
-        title="Line load along the roller", x_label="y [mm]", y_label="q [N/mm]",
-        curves=tuple(curves), note=f"Its mean is {q.F / q.L / 1e3:.4g} N/mm.",
+    return plot(
+        "Line load along the roller", "y [mm]", "q [N/mm]", curves,
         y_top=OVER * max(float(np.sort(c.y)[-5]) for c in curves),
+        note=f"Its mean is {q.F / q.L / 1e3:.4g} N/mm.",
     )  # fmt: skip
 
 

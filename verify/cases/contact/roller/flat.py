@@ -11,9 +11,10 @@ from verify.cases.contact.roller.formulas import MIDDLE, by_strips
 from verify.cases.contact.roller.inputs import FEWEST, MOST
 from verify.cases.contact.roller.shown import OnHalfSpace
 from verify.core.case import Check, Context
-from verify.core.figures import Curve, Curves, Figure, Refinement
+from verify.core.figures import Figure, Refinement
 from verify.core.references import BY_HALF_SPACE
 from verify.form.adapter import adapted
+from verify.form.plots import dashes, line, plot
 from verify.judging.checks import Order
 
 SLOPE = 0.5  # of 1/peak over the cell: pressure grows as 1/sqrt(distance) towards the end
@@ -97,14 +98,13 @@ class FlatRoller(OnHalfSpace):
     def _over_strips(self, context: Context) -> Figure:
         """Strips narrower than the contact is wide make too much of a loaded end."""
         found = [sum(by_strips(self, n)[1].ends) / self.F for n in COUNTS]
-        curves = [Curve(name="strips", x=np.array(COUNTS, float), y=np.array(found))]
+        curves = [line("strips", np.array(COUNTS, float), np.array(found))]
         if context.fem:
             x, share = np.array([COUNTS[0], COUNTS[-1]], float), context.series("F_d")[1][-1]
-            curves.append(Curve(name="half-space", x=x, y=np.full(2, share / self.F),
-                                style="dashes", colour=4))  # fmt: skip
-        return Curves(
-            title="Share of the ends over the number of strips", x_label="n", y_label="F_d/F",
-            curves=tuple(curves), y_bottom=0.9 * min(found),
+            curves.append(dashes("half-space", x, share / self.F, 4))  # fmt: skip
+        return plot(
+            "Share of the ends over the number of strips", "n", "F_d/F", curves,
+            y_bottom=0.9 * min(found),
             note="Strips narrower than the contact is wide no longer settle where an end carries: "
             f"take about l/b = {self.L / self.b:.0f} of them.",
         )  # fmt: skip

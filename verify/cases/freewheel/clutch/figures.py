@@ -14,7 +14,8 @@ from verify.cases.freewheel.clutch.inputs import ClutchInputs
 from verify.cases.freewheel.clutch.reference import GRID
 from verify.cases.freewheel.clutch.sketch import cup
 from verify.core.case import Context
-from verify.core.figures import Array, Bars, Curve, Curves, Figure, Sketch, Zone, Zones
+from verify.core.figures import Array, Bars, Curves, Figure, Sketch, Zone, Zones
+from verify.form.plots import dashes, dots, line, plot
 
 DEGREE = math.degrees(1.0)
 POINTS = 241
@@ -64,20 +65,16 @@ def lights(q: ClutchInputs) -> Zones:
     }  # fmt: skip
     top = max(HIGH * q.F_ax / 1e3, 1.15 * float(F[criterion.RED].max()), 1e-3)
     curves = [
-        Curve(name=f"{limit.words}", x=np.full(2, limit.at), y=np.array([0.0, top]),
-              style="dashes", colour=k)
+        dashes(f"{limit.words}", limit.at, [0.0, top], k)
         for k, limit in enumerate(q.duty.of_torque[:3])
         if limit.key != "slip" and limit.at <= T[-1]
     ]  # fmt: skip
     through = float(q.duty.of_torque_alone.pop_through)
     if through < (1 + AT_END) * T[-1]:
-        curves.append(Curve(name=f"the map ends: {WORDS['pop_through']}", x=np.full(2, T[-1]),
-                            y=np.array([0.0, top]), style="dashes", colour=3))  # fmt: skip
+        curves.append(dashes(f"the map ends: {WORDS['pop_through']}", T[-1], [0.0, top], 3))
     lifted = [x for x in q.duty.of_axial_load if x.key != "slip" and x.at / 1e3 < 0.98 * top]
     curves += [
-        Curve(name=f"{limit.words}, at this torque", x=T[[0, -1]],
-              y=np.full(2, limit.at / 1e3), style="dashes", colour=4)
-        for limit in lifted
+        dashes(f"{limit.words}, at this torque", T[[0, -1]], limit.at / 1e3, 4) for limit in lifted
     ]  # fmt: skip
     free = "torque alone slips" if float(np.tan(q.cam.alpha0)) > q.mu else ""
     return Zones(
@@ -113,15 +110,12 @@ def angles(q: ClutchInputs) -> Curves:
     T, now = _states(q)
     tan = math.atan(q.mu) * DEGREE
     asked = np.arctan(q.duty.required(T, now.alpha))
-    return Curves(
-        title="Clamping angle and required friction", x_label="T [N m]", y_label="[°]",
-        curves=(
-            Curve(name="α", x=T, y=now.alpha * DEGREE),
-            Curve(name="arctan μ_req, with F_ax", x=T, y=asked * DEGREE, colour=2),
-            Curve(name="arctan μ", x=T[[0, -1]], y=np.full(2, tan), style="dashes", colour=1),
-            Curve(name="this clutch", x=np.array([q.T]), style="dots", colour=5,
-                  y=np.interp([q.T], T, now.alpha * DEGREE)),
-        ),
+    return plot(
+        "Clamping angle and required friction", "T [N m]", "[°]",
+        line("α", T, now.alpha * DEGREE),
+        line("arctan μ_req, with F_ax", T, asked * DEGREE, 2),
+        dashes("arctan μ", T[[0, -1]], tan, 1),
+        dots("this clutch", [q.T], np.interp([q.T], T, now.alpha * DEGREE), 5),
         y_bottom=0.0, y_top=1.7 * max(tan, float(now.alpha.max()) * DEGREE),
         note="It holds where the friction asked for lies below μ.",
     )  # fmt: skip
@@ -133,16 +127,12 @@ def flats(q: ClutchInputs, context: Context) -> Curves:
     X = np.linspace(-far, far, 41)
     moved = [q.moved(dX) for dX in X]
     low, own, high = context.fem[-1].arrays["moved"] * DEGREE
-    return Curves(
-        title="Sensitivity to X", x_label="X off by [µm]", y_label="α [°]",
-        curves=(
-            Curve(name="α under T", x=X * 1e6,
-                  y=np.array([float(state.loaded(c, q.T).alpha) for c in moved]) * DEGREE),
-            Curve(name="α_0", x=X * 1e6, style="dashes", colour=4,
-                  y=np.array([float(c.cam.alpha0) for c in moved]) * DEGREE),
-            Curve(name="FE under T", x=np.array([-q.off, 0.0, q.off]) * 1e6, colour=1,
-                  y=np.array([low, own, high]), style="dots"),
-        ),
+    return plot(
+        "Sensitivity to X", "X off by [µm]", "α [°]",
+        line("α under T", X * 1e6,
+             np.array([float(state.loaded(c, q.T).alpha) for c in moved]) * DEGREE),
+        dashes("α_0", X * 1e6, np.array([float(c.cam.alpha0) for c in moved]) * DEGREE, 4),
+        dots("FE under T", np.array([-q.off, 0.0, q.off]) * 1e6, [low, own, high], 1),
         y_bottom=0.97 * float(moved[-1].cam.alpha0) * DEGREE,
         note="Load makes up for a part of it: the angle under torque turns less than α_0.",
     )  # fmt: skip
@@ -151,19 +141,16 @@ def flats(q: ClutchInputs, context: Context) -> Curves:
 def ways(q: ClutchInputs, context: Context) -> Curves:
     T, now = _states(q)
     measured = () if not context.fem else (
-        Curve(name="FE, ∫dU/T", x=GRID * q.T, y=context.fem[-1].arrays["phi_over_T"] * DEGREE,
-              style="dots", colour=1),
+        dots("FE, ∫dU/T", GRID * q.T, context.fem[-1].arrays["phi_over_T"] * DEGREE, 1),
     )  # fmt: skip
-    return Curves(
-        title="Torsion", x_label="T [N m]", y_label="φ [°]",
-        curves=(
-            Curve(name="exact rolling (Eq. 7, corrected)", x=T, y=now.phi * DEGREE),
-            Curve(name="Eq. 7 as printed, s/R + s/X", x=T, y=now.phi_printed * DEGREE,
-                  style="dashes", colour=2),
-            Curve(name="2s/R", x=T, y=now.phi_small * DEGREE, style="dashes", colour=4),
-            *measured,
-        ),
-        note=f"At T the rollers have moved by s = {float(q.duty.under.s) * 1e6:.4g} µm."  # type: ignore[union-attr]
+    assert q.duty.under is not None
+    return plot(
+        "Torsion", "T [N m]", "φ [°]",
+        line("exact rolling (Eq. 7, corrected)", T, now.phi * DEGREE),
+        dashes("Eq. 7 as printed, s/R + s/X", T, now.phi_printed * DEGREE, 2),
+        dashes("2s/R", T, now.phi_small * DEGREE, 4),
+        measured,
+        note=f"At T the rollers have moved by s = {float(q.duty.under.s) * 1e6:.4g} µm.",
     )  # fmt: skip
 
 
@@ -174,13 +161,10 @@ def cumulated(title: str, label: str, x: Array, drawn: float, *, limits: bool = 
     lines = [(drawn, "as drawn", 5)]
     if limits:
         lines += [(criterion.GREEN, "green from here on", 1), (criterion.RED, "red below", 2)]
-    return Curves(
-        title=title, x_label=label, y_label="below it [%]",
-        curves=(
-            Curve(name="clutches", x=ends, y=DRAWN),
-            *(Curve(name=name, x=np.full(2, at), y=full, style="dashes", colour=k)
-              for at, name, k in lines),
-        ),
+    return plot(
+        title, label, "below it [%]",
+        line("clutches", ends, DRAWN),
+        (dashes(name, at, full, k) for at, name, k in lines),
         note=f"{DRAWS:,} draws of the tolerances, always the same ones; all rollers of a clutch "
         "alike.",
     )  # fmt: skip

@@ -12,8 +12,9 @@ from verify.cases.freewheel import over_torque
 from verify.cases.freewheel.cup.inputs import Cup
 from verify.cases.freewheel.over_torque import DEGREE
 from verify.core.case import Context
-from verify.core.figures import Array, Curve, Curves, Shape, Sketch
+from verify.core.figures import Array, Curves, Shape, Sketch
 from verify.form.case import Drawing
+from verify.form.plots import dashes, dots, line, plot
 
 FORCES = np.linspace(1e-4, 1.0, 160)  # of the largest normal force of the states
 
@@ -90,14 +91,12 @@ def _torques(context: Context) -> Curves:
     T, N, *_ = context.fem[-1].arrays["loads"]
     states, q = _course(context), context.inputs
     kept = states.N[q.z * q.R_s * states.N * math.tan(float(q.cam.alpha0)) < 1.25 * states.T.max()]
-    return Curves(
-        title="Torque over normal force: the summit", x_label="F_n [kN]", y_label="T [N m]",
-        curves=(
-            Curve(name="z R_s F_n tan α", x=states.N / 1e3, y=states.T),
-            Curve(name="angle kept at α_0", x=kept / 1e3, style="dashes", colour=1,
-                  y=q.z * q.R_s * kept * math.tan(float(q.cam.alpha0))),
-            Curve(name="FE", x=N / 1e3, y=T, style="dots"),
-        ),
+    return plot(
+        "Torque over normal force: the summit", "F_n [kN]", "T [N m]",
+        line("z R_s F_n tan α", states.N / 1e3, states.T),
+        dashes("angle kept at α_0", kept / 1e3, q.z * q.R_s * kept * math.tan(float(q.cam.alpha0)),
+               1),
+        dots("FE", N / 1e3, T),
         note="Overlaps are given to finite elements, so that they pass the summit: beyond it more "
         "normal force bears less torque, and a clutch under a dead weight lets its rollers "
         "through.",
@@ -107,11 +106,10 @@ def _torques(context: Context) -> Curves:
 def _angles(context: Context) -> Curves:
     _, N, psi, *_ = context.fem[-1].arrays["loads"]
     states = _course(context)
-    return Curves(
-        title="The clamping angle falls", x_label="F_n [kN]", y_label="α [°]", y_bottom=0.0,
-        curves=(
-            Curve(name="Eq. 5 for a cup", x=states.N / 1e3, y=states.alpha * DEGREE),
-            Curve(name="FE", x=N / 1e3, y=psi / 2 * DEGREE, style="dots"),
-        ),
+    return plot(
+        "The clamping angle falls", "F_n [kN]", "α [°]",
+        line("Eq. 5 for a cup", states.N / 1e3, states.alpha * DEGREE),
+        dots("FE", N / 1e3, psi / 2 * DEGREE),
+        y_bottom=0.0,
         note="At α = 0 the roller stands between the flat's middle and the shaft and goes through.",
     )  # fmt: skip

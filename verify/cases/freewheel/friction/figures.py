@@ -10,7 +10,8 @@ from analytic.freewheel import criterion
 from analytic.freewheel.state import loaded
 from fem.wedge.slip_limit import HELD
 from verify.core.case import Context
-from verify.core.figures import Curve, Curves, Figure, Shape, Sketch, Table
+from verify.core.figures import Curves, Figure, Shape, Sketch, Table
+from verify.form.plots import dashes, dots, line, plot
 
 mm, µm = 1e-3, 1e-6
 QUARTER = np.linspace(0.0, np.pi / 2, 91)
@@ -73,17 +74,14 @@ def _cone(q: Any, last: Any) -> Curves:
     angles, creep = last["angles"], last["creep"] / q.mu
     slid = angles[angles[:, 3] > 0] if len(angles) else np.zeros((0, 7))
     N, F_t, F_z = last["loaded"]
-    return Curves(
-        title="Friction of a contact in its cone", x_label="F_t/(μ F_n)", y_label="F_a/(μ F_n)",
-        curves=(
-            Curve(name="cone, Eq. 8 with =", x=np.cos(QUARTER), y=np.sin(QUARTER)),
-            Curve(name="FE, ring driven along the axis", x=creep[:, 2:4].mean(axis=1),
-                  y=np.abs(creep[:, 4:6]).mean(axis=1), style="dashes", colour=1),
-            Curve(name=f"FE, F_ax = {q.F_ax:g} N", x=(F_t / N / q.mu)[1:],
-                  y=np.abs(F_z / N / q.mu)[1:], style="dots", colour=1),
-            Curve(name="FE, slipping, clutches of other angles", x=slid[:, 3::2].ravel(),
-                  y=slid[:, 4::2].ravel(), style="dots", colour=2),
-        ),
+    return plot(
+        "Friction of a contact in its cone", "F_t/(μ F_n)", "F_a/(μ F_n)",
+        line("cone, Eq. 8 with =", np.cos(QUARTER), np.sin(QUARTER)),
+        dashes("FE, ring driven along the axis", creep[:, 2:4].mean(axis=1),
+               np.abs(creep[:, 4:6]).mean(axis=1), 1),
+        dots(f"FE, F_ax = {q.F_ax:g} N", (F_t / N / q.mu)[1:], np.abs(F_z / N / q.mu)[1:], 1),
+        dots("FE, slipping, clutches of other angles", slid[:, 3::2].ravel(), slid[:, 4::2].ravel(),
+             2),
         note="F_t/F_n is tan α whatever F_a is: an axial load goes straight up to the cone.",
     )  # fmt: skip
 
@@ -95,16 +93,12 @@ def _limit(context: Context) -> Curves:
     limits = {k: criterion.largest_axial_load(alpha=alpha, T=T, R=q.R, mu=q.mu / k)
               for k in (criterion.GREEN, criterion.RED)}  # fmt: skip
     fe = context.fem[-1].values
-    return Curves(
-        title="Axial load that a locked clutch bears", x_label="T [N m]", y_label="F_ax [N]",
-        curves=(
-            Curve(name="μ_req = μ: green below", x=T, y=limits[criterion.GREEN]),
-            Curve(name="μ/μ_req = 0.8: red above", x=T, y=limits[criterion.RED], style="dashes",
-                  colour=2),
-            Curve(name="FE, slips", x=np.array([q.T]), y=np.array([fe["F_lim"]]), style="dots"),
-            Curve(name="the load given", x=np.array([q.T]), y=np.array([q.F_ax]), style="dots",
-                  colour=1),
-        ),
+    return plot(
+        "Axial load that a locked clutch bears", "T [N m]", "F_ax [N]",
+        line("μ_req = μ: green below", T, limits[criterion.GREEN]),
+        dashes("μ/μ_req = 0.8: red above", T, limits[criterion.RED], 2),
+        dots("FE, slips", q.T, fe["F_lim"]),
+        dots("the load given", q.T, q.F_ax, 1),
         y_top=ABOVE * max(v.get("F_lim", 0.0), q.F_ax),
         note="The classes 0.8 and 1.0 are the paper's, of its tests; green's is Coulomb's law.",
     )  # fmt: skip
@@ -115,18 +109,14 @@ def _path(q: Any, last: Any) -> Curves:
     tan = creep[0, 2:4].mean()
     full = math.sqrt(q.mu**2 - tan**2)
     turned = creep[-1, 1] + (out[-1, 0] - creep[-1, 0]) * tan / full
-    return Curves(
-        title="Beyond the limit: the ring driven along the axis", x_label="u_z [µm]",
-        y_label="F_a/F_n over its limit, T over T at rest",
-        curves=(
-            Curve(name="F_a/F_n, ring held", x=out[:, 0] / µm,
-                  y=np.abs(out[:, 4:6]).mean(axis=1) / full),
-            Curve(name="T, ring held", x=out[:, 0] / µm, y=out[:, 7], colour=1),
-            Curve(name="F_a/F_n, torque held", x=creep[::2, 0] / µm,
-                  y=np.abs(creep[::2, 4:6]).mean(axis=1) / full, style="dots"),
-            Curve(name="T, torque held", x=creep[1::2, 0] / µm, y=creep[1::2, 7], style="dots",
-                  colour=1),
-        ),
+    return plot(
+        "Beyond the limit: the ring driven along the axis", "u_z [µm]",
+        "F_a/F_n over its limit, T over T at rest",
+        line("F_a/F_n, ring held", out[:, 0] / µm, np.abs(out[:, 4:6]).mean(axis=1) / full),
+        line("T, ring held", out[:, 0] / µm, out[:, 7], 1),
+        dots("F_a/F_n, torque held", creep[::2, 0] / µm,
+             np.abs(creep[::2, 4:6]).mean(axis=1) / full),
+        dots("T, torque held", creep[1::2, 0] / µm, creep[1::2, 7], 1),
         note="A drive that keeps the torque up turns the ring on: by "
         f"{turned / µm:.3g} µm of its bore where it has slid {out[-1, 0] / µm:.3g} µm. "
         "Held, the ring lets the rollers out. Marks of both, which stay at 1, alternate.",
@@ -137,13 +127,11 @@ def _let_out(q: Any, last: Any) -> Curves:
     u, T = q.slipped()
     out = last["let_out"]
     start = np.interp(-STARTED, -out[:, 7], out[:, 0])  # before that the parts only deform
-    return Curves(
-        title="Torque that is left where the ring is held and slides along the axis",
-        x_label="axial slip [µm]", y_label="T/T(at rest)",
-        curves=(
-            Curve(name="Coulomb's law and the state at each F_n", x=u[::-1] / µm, y=T[::-1]),
-            Curve(name="FE", x=(out[:, 0] - start).clip(0) / µm, y=out[:, 7], style="dots"),
-        ),
+    return plot(
+        "Torque that is left where the ring is held and slides along the axis", "axial slip [µm]",
+        "T/T(at rest)",
+        line("Coulomb's law and the state at each F_n", u[::-1] / µm, T[::-1]),
+        dots("FE", (out[:, 0] - start).clip(0) / µm, out[:, 7]),
         note="Finite elements keep the angle of the start, which the formula lets fall.",
     )  # fmt: skip
 
@@ -151,15 +139,12 @@ def _let_out(q: Any, last: Any) -> Curves:
 def _shares(last: Any) -> Curves:
     k, star, ring = last["shares"]
     share = last["onset"][0] if math.isfinite(last["onset"][0]) else 1.0
-    return Curves(
-        title="Part of a contact that slips under torque alone", x_label="tan α/μ",
-        y_label="share of F_n on slipping nodes",
-        curves=(
-            Curve(name="FE, star", x=1 / k, y=star, style="dots"),
-            Curve(name="FE, ring", x=1 / k, y=ring, style="dots", colour=1),
-            Curve(name="all slips: the roller is let out", x=np.array([1.0, 1.0]) / share,
-                  y=np.array([0.0, 1.0]), style="dashes", colour=2),
-        ),
+    return plot(
+        "Part of a contact that slips under torque alone", "tan α/μ",
+        "share of F_n on slipping nodes",
+        dots("FE, star", 1 / k, star),
+        dots("FE, ring", 1 / k, ring, 1),
+        dashes("all slips: the roller is let out", np.array([1.0, 1.0]) / share, [0.0, 1.0], 2),
         note="One node after the other, from the rim inwards, as the roller is put between the "
         "races in one step; a torque that grows from nothing makes less slip.",
     )  # fmt: skip
@@ -168,15 +153,11 @@ def _shares(last: Any) -> Curves:
 def _angles(last: Any) -> Curves:
     k, left, ratio = last["angles"].T[:3]
     stays, unit = left > HELD, np.array([0.0, 1.0])
-    return Curves(
-        title="Clutches of other wedge angles under torque alone", x_label="tan α/μ",
-        y_label="F_t/(μ F_n)",
-        curves=(
-            Curve(name="F_t = F_n tan α", x=unit, y=unit),
-            Curve(name="FE, held", x=k[stays], y=ratio[stays], style="dots"),
-            Curve(name="FE, let out: nothing of F_n is left", x=k[~stays], y=ratio[~stays],
-                  style="dots", colour=2),
-        ),
+    return plot(
+        "Clutches of other wedge angles under torque alone", "tan α/μ", "F_t/(μ F_n)",
+        line("F_t = F_n tan α", unit, unit),
+        dots("FE, held", k[stays], ratio[stays]),
+        dots("FE, let out: nothing of F_n is left", k[~stays], ratio[~stays], 2),
         note="X alone differs, at the same overlap of both contacts.",
     )  # fmt: skip
 

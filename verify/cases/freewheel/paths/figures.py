@@ -11,6 +11,7 @@ from analytic.freewheel.criterion import RED
 from verify.cases.freewheel.paths.reference import LOUD, OTHERS, QUIET
 from verify.core.case import Context
 from verify.core.figures import Curve, Curves, Figure, Table, Zone, Zones
+from verify.form.plots import curve, dashes, dots, line, plot
 
 Array = NDArray[np.float64]
 
@@ -60,15 +61,12 @@ def figures(context: Context) -> Sequence[Figure]:
 
 def loads(context: Context, case: int) -> Curves:
     course, q = context.inputs.courses[case], context.inputs
-    return Curves(
-        title=f"Loads, {NAMES[case]}", x_label="t [s]", y_label="share of T, F_ax at the end",
+    return plot(
+        f"Loads, {NAMES[case]}", "t [s]", "share of T, F_ax at the end",
+        line(f"T/({q.T_peak if case == 3 else q.T:.4g} N m)", course.t[::DRAWN],
+             course.T[::DRAWN] / (q.T_peak if case == 3 else q.T)),
+        line(f"F_ax/({q.F_ax:.4g} N)", course.t[::DRAWN], course.F_ax[::DRAWN] / q.F_ax, 2),
         y_bottom=None,
-        curves=(
-            Curve(name=f"T/({q.T_peak if case == 3 else q.T:.4g} N m)", x=course.t[::DRAWN],
-                  y=course.T[::DRAWN] / (q.T_peak if case == 3 else q.T)),
-            Curve(name=f"F_ax/({q.F_ax:.4g} N)", x=course.t[::DRAWN],
-                  y=course.F_ax[::DRAWN] / q.F_ax, colour=2),
-        ),
     )  # fmt: skip
 
 
@@ -80,7 +78,7 @@ def classes(context: Context, case: int) -> Zones:
     across = np.linspace(0, q.duration, 101)
     flat = np.ones(across.size)
     curves = [
-        Curve(name="μ_req" if first else "", x=t, y=np.minimum(y, 0.999 * top))
+        line("μ_req" if first else "", t, np.minimum(y, 0.999 * top))
         for first, t, y in _pieces(course)
     ]
     slip = course.slips_at
@@ -116,19 +114,17 @@ def plane(context: Context) -> Curves:
     widest = np.arccos(NEAR * np.tan(float(q.cam.alpha0)) / q.mu)
     turn = np.linspace(-widest, widest, 181)
     curves = [
-        Curve(name=f"friction cone, μ = {q.mu:g}", x=q.mu * np.cos(turn), y=q.mu * np.sin(turn),
-              style="dashes", colour=3),
+        dashes(f"friction cone, μ = {q.mu:g}", q.mu * np.cos(turn), q.mu * np.sin(turn), 3),
     ]  # fmt: skip
     for case, colour, drawn in ((2, 2, "line"), (1, 0, "dashes"), (3, 1, "line")):
         curves += _ways(q.courses[case], q.R, f"load case {case}", colour, drawn)
     for name, colour, told in (("growing", 2, "FE, extremes of 2"), ("ramp", 0, "FE, load case 1")):
         table = last[name]
-        curves.append(Curve(
-            name=told, x=table[:, 1:3].mean(axis=1), y=table[:, 3], style="dots", colour=colour,
-        ))  # fmt: skip
-    return Curves(
-        title="Tangential and axial force over the normal force, up to slip", x_label="F_t/F_n",
-        y_label="F_a/F_n", curves=tuple(curves), y_bottom=-q.mu,
+        curves.append(dots(told, table[:, 1:3].mean(axis=1), table[:, 3], colour))  # fmt: skip
+    return plot(
+        "Tangential and axial force over the normal force, up to slip", "F_t/F_n", "F_a/F_n",
+        curves,
+        y_bottom=-q.mu,
         note="Under a steady torque F_t/F_n = tan α stays and the axial load leads to the cone "
         "along a vertical line, load case 1 on the upper half of load case 2; in phase "
         "F_t/F_n swings between tan α_0 and tan α(T).",
@@ -144,11 +140,9 @@ def _ways(course: Course, R: float, name: str, colour: int, drawn: str) -> list[
         if at.size < 2 or not np.all(np.isfinite(mu_req[held])):
             continue
         tan, loaded = np.tan(course.alpha[at]), course.T[at] > 0
-        found.append(Curve(
-            name="" if found else name, x=tan[loaded],
-            y=tan[loaded] * course.F_ax[at][loaded] * R / course.T[at][loaded], colour=colour,
-            style=drawn,
-        ))  # fmt: skip
+        found.append(curve("" if found else name, tan[loaded],
+                           tan[loaded] * course.F_ax[at][loaded] * R / course.T[at][loaded], drawn,
+                           colour))  # fmt: skip
     return found
 
 
@@ -158,14 +152,14 @@ def creeping(context: Context) -> Curves:
     found = [(QUIET, own[0]), (LOUD, own[1]), *zip(OTHERS, others, strict=True)]
     colours = (1, 0, 2, 3)
     curves = [
-        Curve(name=f"{share:g} of the limit" if style == "dots" else "",
-              x=np.arange(1.0, 1 + walk.size), y=walk * 1e9, style=style, colour=colours[k])
+        curve(f"{share:g} of the limit" if style == "dots" else "", np.arange(1.0, 1 + walk.size),
+              walk * 1e9, style, colours[k])
         for k, (share, walk) in enumerate(sorted(found, key=lambda w: w[0]))
         for style in ("dots", "line")
     ]  # fmt: skip
-    return Curves(
-        title="The ring walks under an alternating axial load, finite elements",
-        x_label="cycle", y_label="R Δφ in one cycle [nm]", curves=tuple(curves),
+    return plot(
+        "The ring walks under an alternating axial load, finite elements", "cycle",
+        "R Δφ in one cycle [nm]", curves,
         x_names=tuple((k, f"{k:g}") for k in range(1, own.shape[1] + 1)),
         note="Torque and N stay. Up to 0.6 of the limit the micro-slip settles; at 0.8 of it "
         "no part of the contacts sticks all the time and the ring turns on in every cycle though "
@@ -176,13 +170,10 @@ def creeping(context: Context) -> Curves:
 def walked(context: Context) -> Curves:
     """How much of N lies on nodes that slip at the extremes."""
     last = context.fem[-1].arrays
-    return Curves(
-        title="Micro-slip at the extremes before gross slip, finite elements",
-        x_label="|F_ax|/F_lim", y_label="share of F_n that slips",
-        curves=(
-            Curve(name="load case 1", x=last["ramp"][:, 0], y=last["ramp"][:, 7]),
-            Curve(name="extremes of load case 2", x=np.abs(last["growing"][:, 0]),
-                  y=last["growing"][:, 7], style="dots", colour=2),
-        ),
+    return plot(
+        "Micro-slip at the extremes before gross slip, finite elements", "|F_ax|/F_lim",
+        "share of F_n that slips",
+        line("load case 1", last["ramp"][:, 0], last["ramp"][:, 7]),
+        dots("extremes of load case 2", np.abs(last["growing"][:, 0]), last["growing"][:, 7], 2),
         note="The torque alone takes most of the friction: little of the contacts sticks.",
     )  # fmt: skip

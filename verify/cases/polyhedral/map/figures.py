@@ -7,7 +7,8 @@ import numpy as np
 
 from verify.cases.polyhedral.map.inputs import FLATS, SHARES, WALLS
 from verify.core.case import Context
-from verify.core.figures import Array, Curve, Curves, Figure, Map
+from verify.core.figures import Array, Curves, Figure, Map
+from verify.form.plots import dashes, dots, line, plot
 
 TICKS = (3, 4, 6, 8, 12, 24, 48)
 NAMES = tuple((float(np.log2(z)), str(z)) for z in TICKS)
@@ -55,15 +56,15 @@ def _factors(q: Any, context: Context) -> Curves:
     for k, name in enumerate(names):
         K = 1 / q.flexible_middle[:, k]
         seen = (K > LEAST) & (K < LARGEST)
-        curves.append(Curve(name=name, x=x[seen], y=K[seen], colour=k))
+        curves.append(line(name, x[seen], K[seen], k))
         if context.fem:
             found = 1 / context.fem[-1].arrays["reference"][:, k]
-            curves.append(Curve(name="", x=x[seen], y=found[seen], style="dots", colour=k))
+            curves.append(dots("", x[seen], found[seen], k))
     limit = np.full(2, q.K_many)
-    curves.append(Curve(name="Lamé", x=x[[0, -1]], y=limit, style="dashes", colour=3))
-    return Curves(
-        title="K by three definitions", x_label="flats z", y_label="K",
-        curves=tuple(curves), y_bottom=0.8, y_top=LARGEST, x_names=NAMES,
+    curves.append(dashes("Lamé", x[[0, -1]], limit, 3))
+    return plot(
+        "K by three definitions", "flats z", "K", curves,
+        y_bottom=0.8, y_top=LARGEST, x_names=NAMES,
         note="Lines: series; dots: finite elements. At the corners K is beyond the figure for 3 to "
         "5 flats, and negative for 3.",
     )  # fmt: skip
@@ -73,14 +74,13 @@ def _efficiency(q: Any, context: Context) -> Curves:
     """What reaches the rollers, over the flats."""
     x: Any = np.log2(np.array(FLATS, dtype=float))
     curves = [
-        Curve(name="η, series", x=x, y=q.efficiency, colour=1),
-        Curve(name="Eq. 16", x=x[[0, -1]], y=np.ones(2), style="dashes", colour=0),
+        line("η, series", x, q.efficiency, 1),
+        dashes("Eq. 16", x[[0, -1]], np.ones(2)),
     ]
     if context.fem:
         fem = context.fem[-1].arrays
-        curves.insert(1, Curve(name="η, FE", x=x, y=fem["efficiency"], style="dots", colour=1))
-    return Curves(
-        title="Share of further pressure that reaches the rollers",
-        x_label="flats z", y_label="η", curves=tuple(curves), x_names=NAMES,
-        note="Rigid rollers, half again the pressure that takes up the clearance.",
+        curves.insert(1, dots("η, FE", x, fem["efficiency"], 1))
+    return plot(
+        "Share of further pressure that reaches the rollers", "flats z", "η", curves,
+        x_names=NAMES, note="Rigid rollers, half again the pressure that takes up the clearance.",
     )  # fmt: skip

@@ -11,7 +11,8 @@ from verify.cases.polyhedral.wedge.limit import ANY
 from verify.cases.polyhedral.wedge.reference import ACROSS
 from verify.cases.polyhedral.wedge.stick import GROWTH
 from verify.core.case import Context
-from verify.core.figures import Curve, Curves, Dots, Picture
+from verify.core.figures import Curves, Dots, Picture
+from verify.form.plots import dashes, dots, line, plot
 
 
 def figures(self: WedgeFormulas) -> Iterator[AlongLine | Drawn]:
@@ -37,16 +38,12 @@ def figures(self: WedgeFormulas) -> Iterator[AlongLine | Drawn]:
 def _limit(context: Context) -> Curves:
     share, left, ratio = context.fem[-1].arrays["over angles"]
     stays, unit = left > ANY, np.array([0.0, 1.0])
-    return Curves(
-        title="How much of its friction a roller uses", x_label="tan(α/2)/μ", y_label="T/(μN)",
-        curves=(
-            Curve(name="free roller, T = N tan(α/2)", x=unit, y=unit),
-            Curve(name="caged, at the limit; Eq. 3 as printed", x=1.5 * unit, y=unit**0,
-                  style="dashes", colour=1),
-            Curve(name="FE, free", x=share[stays], y=ratio[stays], style="dots"),
-            Curve(name="FE, squeezed out: nothing of N is left", x=share[~stays], y=ratio[~stays],
-                  style="dots", colour=2),
-        ),
+    return plot(
+        "How much of its friction a roller uses", "tan(α/2)/μ", "T/(μN)",
+        line("free roller, T = N tan(α/2)", unit, unit),
+        dashes("caged, at the limit; Eq. 3 as printed", 1.5 * unit, unit**0, 1),
+        dots("FE, free", share[stays], ratio[stays]),
+        dots("FE, squeezed out: nothing of N is left", share[~stays], ratio[~stays], 2),
         note="One wedge after the other, at the friction given; beyond 1 a free roller leaves.",
     )  # fmt: skip
 

@@ -10,7 +10,8 @@ from analytic.spring import column
 from verify.cases.spring.buckling.inputs import KEYS, MAP_L1, MAP_N, RATIO, SAME_RATIO, TAILS
 from verify.cases.spring.claims import stored
 from verify.core.case import Context
-from verify.core.figures import Array, Curve, Curves, Figure, Map, Panel, Shapes, Table
+from verify.core.figures import Array, Curves, Figure, Map, Panel, Shapes, Table
+from verify.form.plots import dashes, dots, line, plot
 
 mm = 1e-3
 
@@ -63,19 +64,18 @@ def _slender(context: Context, found: Array | None) -> Curves:
         shape = q.path | {"n": n}
         xi = column.critical_shortening(head, **shape, b=q.b, nu=q.nu)
         on = np.isfinite(xi) & (x < 12)
-        curves.append(Curve(name=f"Haringx, {name}", x=x[on], y=100 * xi[on], colour=k))
+        curves.append(line(f"Haringx, {name}", x[on], 100 * xi[on], k))
     if found is not None:
         at = np.array([
             [q.length_of(m, ratio * q.L1) / (ratio * q.L1) for m in MAP_N] for ratio in MAP_L1
         ])  # fmt: skip
         on = np.isfinite(found) & (at < 12)
         curves.append(
-            Curve(name="FE, head free, leaves of half to double length", x=at[on],
-                  y=100 * found[on], style="dots", colour=0)
+            dots("FE, head free, leaves of half to double length", at[on], 100 * found[on])
         )  # fmt: skip
-    return Curves(
-        title="Slenderness at which springs buckle", x_label="L_0/L_1", y_label="U_cr/L_0 [%]",
-        curves=tuple(curves), y_bottom=0.0, y_top=60.0,
+    return plot(
+        "Slenderness at which springs buckle", "L_0/L_1", "U_cr/L_0 [%]", curves,
+        y_bottom=0.0, y_top=60.0,
         note="Left of where a line ends the spring never buckles. All thicknesses fall together.",
     )  # fmt: skip
 
@@ -101,15 +101,12 @@ def _drift(context: Context) -> Curves:
     curves = []
     for k, tail in enumerate(TAILS):
         F, _, y, _ = stored(context, f"free{KEYS[tail]}").T
-        curves.append(Curve(name=f"tail held at {tail}", x=np.abs(y) / mm, y=F, colour=k))
+        curves.append(line(f"tail held at {tail}", np.abs(y) / mm, F, k))
         limit = context.analytic[f"F_cr{KEYS[tail]}"]
-        curves.append(
-            Curve(name=f"let go, {tail}", x=np.array([0, np.abs(y).max() / mm]),
-                  y=np.full(2, limit), style="dashes", colour=k)
-        )  # fmt: skip
-    return Curves(
-        title="A free head drifts", x_label="sideways movement [mm]", y_label="F [N]",
-        curves=tuple(curves), y_bottom=0.0,
+        curves.append(dashes(f"let go, {tail}", [0, np.abs(y).max() / mm], limit, k))
+    return plot(
+        "A free head drifts", "sideways movement [mm]", "F [N]", curves,
+        y_bottom=0.0,
         note="Force of a dead load at O along x. No limit point and no bifurcation: the drift "
         "grows without one where the guided head, let go, would buckle (dashes).",
     )  # fmt: skip
@@ -120,10 +117,10 @@ def _guide(context: Context) -> Curves:
     curves = []
     for k, tail in enumerate(TAILS):
         U, _, k_y, _ = stored(context, f"guided{KEYS[tail]}").T
-        curves.append(Curve(name=f"tail held at {tail}", x=U / mm, y=k_y * mm, colour=k))
-    return Curves(
-        title="Lateral stiffness of the guided head", x_label="U [mm]", y_label="k_y [N/mm]",
-        curves=tuple(curves), y_bottom=min(float(c.y.min()) for c in curves),
+        curves.append(line(f"tail held at {tail}", U / mm, k_y * mm, k))
+    return plot(
+        "Lateral stiffness of the guided head", "U [mm]", "k_y [N/mm]", curves,
+        y_bottom=min(float(c.y.min()) for c in curves),
         note="Below zero the spring pushes its roller off the line, and only a guide holds it.",
     )  # fmt: skip
 

@@ -16,7 +16,8 @@ from verify.cases.spring.curve.claims import (
 from verify.cases.spring.curve.reference import FINE, LEVELS
 from verify.cases.spring.stages.readings import eq10
 from verify.core.case import Context
-from verify.core.figures import Array, Curve, Curves, Figure, Panel, Shapes, Table
+from verify.core.figures import Array, Curves, Figure, Panel, Shapes, Table
+from verify.form.plots import curve, dashes, dots, line, plot
 from verify.papers.ledger import published
 
 mm, N_PER_MM = 1e-3, 1e3
@@ -42,36 +43,34 @@ def _curve(context: Context) -> Curves:
     within = q.stroke * (1 + 1e-9) >= U
     at = np.linspace(0, q.stroke, 200)
     curves = [
-        Curve(name="beams that touch", x=U[within] / mm, y=F[within], colour=1),
-        Curve(name="closed form (linear)", x=at / mm, y=q.linear.force(at), style="dashes"),
+        line("beams that touch", U[within] / mm, F[within], 1),
+        dashes("closed form (linear)", at / mm, q.linear.force(at)),
     ]
     if context.is_paper:
         k1, k2 = (published(f"wang2023:{k}-test").value for k in ("k1", "k2"))
         test = np.where(at < eq10().U, k1 * at / mm, k1 * eq10().U / mm + k2 * (at - eq10().U) / mm)
         curves += [
-            Curve(name="Eq. 10", x=at[::8] / mm, y=eq10().force(at[::8]), style="dots", colour=3),
-            Curve(name="slopes of the tests", x=at / mm, y=test, style="dashes", colour=4),
+            dots("Eq. 10", at[::8] / mm, eq10().force(at[::8]), 3),
+            dashes("slopes of the tests", at / mm, test, 4),
         ]
     kink = (
         "The kink is where the leaves of head and tail touch their neighbours (A)."
         if np.isfinite(lines(context).U_A) else "No leaves touch up to here."
     )  # fmt: skip
     tests = " The paper prints slopes of its tests, no constants: they start at zero here."
-    return Curves(
-        title="Force over displacement until loops meet", x_label="U [mm]", y_label="F [N]",
-        curves=tuple(curves),
+    return plot(
+        "Force over displacement until loops meet", "U [mm]", "F [N]", curves,
         note=kink + tests * context.is_paper,
     )  # fmt: skip
 
 
 def _whole(context: Context) -> Curves:
     U, F = _own(context)
-    return Curves(
-        title="The whole curve", x_label="U [mm]", y_label="F [N]",
-        curves=(Curve(name="beams that touch", x=U / mm, y=F, colour=1),),
+    return plot(
+        "The whole curve", "U [mm]", "F [N]", line("beams that touch", U / mm, F, 1),
         note="Stages OA, AB and BE: free, leaves in touch, loops in touch. It ends where "
         + ("no equilibrium was found: its end is none of the spring's." if ends_early(context) else
-           "the force has doubled after the stroke, or after a quarter of the stroke more."),
+        "the force has doubled after the stroke, or after a quarter of the stroke more."),
     )  # fmt: skip
 
 
@@ -84,16 +83,16 @@ def _slope(context: Context) -> Curves:
     at = np.array([0, kink, kink, q.stroke])
     level = np.array([form.k1, form.k1, form.k2, form.k2], float) / N_PER_MM
     curves = [
-        Curve(name="beams that touch", x=middle / mm, y=k, colour=1),
-        Curve(name="closed form (linear)", x=at / mm, y=level, style="dashes"),
+        line("beams that touch", middle / mm, k, 1),
+        dashes("closed form (linear)", at / mm, level),
     ]
     if context.is_paper:
         steps = np.array([0, eq10().U, eq10().U, q.stroke]) / mm
         printed = np.array([eq10().k1, eq10().k1, eq10().k2, eq10().k2]) / N_PER_MM
-        curves.append(Curve(name="Eq. 10", x=steps, y=printed, style="dashes", colour=3))
-    return Curves(
-        title="Stiffness over displacement", x_label="U [mm]", y_label="dF/dU [N/mm]",
-        curves=tuple(curves), y_bottom=0.9 * float(k.min()), y_top=1.6 * float(k[0]),
+        curves.append(dashes("Eq. 10", steps, printed, 3))
+    return plot(
+        "Stiffness over displacement", "U [mm]", "dF/dU [N/mm]", curves,
+        y_bottom=0.9 * float(k.min()), y_top=1.6 * float(k[0]),
         note="The free stage softens, then stiffens, as the leaves turn; linear theory has two "
         "levels." if np.isfinite(lines(context).U_A) else "No leaves touch up to here.",
     )  # fmt: skip
@@ -136,12 +135,12 @@ def _readings(context: Context) -> Curves:
     for k, (name, found) in enumerate(_stable(context)):
         U, F = found
         curves.append(
-            Curve(name=name, x=U / mm, y=100 * (F / eq10().force(U) - 1), colour=k % 6,
-                  style="line" if k < 6 else "dashes")
+            curve(name, U / mm, 100 * (F / eq10().force(U) - 1), "line" if k < 6 else "dashes",
+                  k % 6)
         )  # fmt: skip
-    return Curves(
-        title="Readings of the paper's spring beside Eq. 10", x_label="U [mm]",
-        y_label="F over Eq. 10, less one [%]", curves=tuple(curves),
+    return plot(
+        "Readings of the paper's spring beside Eq. 10", "U [mm]", "F over Eq. 10, less one [%]",
+        curves,
         note="Tail, head, radius of the arcs' centre line, each with the width factor f. Heads "
         "that are free buckle sideways at 1.5 mm and are not drawn.",
     )  # fmt: skip
@@ -206,11 +205,11 @@ def _combinations(context: Context) -> Table:
     """All readings with their strips."""
     test = {k: published(f"wang2023:{k}-test").value * N_PER_MM for k in ("k1", "k2")}
     rows = []
-    for name, factor, found, curve in read(context):
+    for name, factor, found, forces in read(context):
         if "free" in name:  # it has given way
             rows.append((name, round(factor, 4), None, None, None, None, None, None, None))
             continue
-        rows.append((name, round(factor, 4), *_beside(found, curve, test)))
+        rows.append((name, round(factor, 4), *_beside(found, forces, test)))
     return Table(
         title="Readings of the paper's spring at large displacement", rows=tuple(rows),
         header=("tail, head, arcs", "f", "k_1 [N/mm]", "of Eq. 10", "k_2 [N/mm]", "of Eq. 10",

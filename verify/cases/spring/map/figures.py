@@ -18,7 +18,8 @@ from verify.cases.spring.map.inputs import (
     SLENDER,
 )
 from verify.core.case import Context
-from verify.core.figures import Array, Curve, Curves, Map, Table
+from verify.core.figures import Array, Curves, Map, Table
+from verify.form.plots import dots, plot
 
 mm = 1e-3
 WHAT = (
@@ -58,14 +59,14 @@ def maps(name: str, m: Array, date: str) -> list[Map]:
 def radius(over: list[tuple[Array, Array]]) -> Curves:
     """All cells of both maps at small displacement over b/R."""
     curves = [
-        Curve(name=name, x=x[np.isfinite(m)], y=100 * m[np.isfinite(m)], style="dots", colour=k)
+        dots(name, x[np.isfinite(m)], 100 * m[np.isfinite(m)], k)
         for k, (name, (x, m)) in enumerate(
             zip(("over n and L_0/b", "over α and L_1/r"), over, strict=True)
         )
     ]
-    return Curves(
-        title="What the error at small displacement follows", x_label="b/R",
-        y_label="error of k_1 [%]", curves=tuple(curves), y_bottom=0.0,
+    return plot(
+        "What the error at small displacement follows", "b/R", "error of k_1 [%]", curves,
+        y_bottom=0.0,
         note="The inner radius in place of the centre line's: no other number of the spring "
         "matters as much.",
     )  # fmt: skip

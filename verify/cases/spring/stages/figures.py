@@ -12,6 +12,7 @@ from verify.cases.spring.stages.readings import EQ10_END, eq10, meeting
 from verify.cases.spring.stages.reference import SHARES
 from verify.core.case import Context
 from verify.core.figures import Curve, Curves, Picture
+from verify.form.plots import curve, plot
 from verify.papers.ledger import published
 
 MPa, mm = 1e6, 1e-3
@@ -55,18 +56,19 @@ def _beside_eq_10(q: StagesInputs) -> Iterator[Curves]:
         "To 11 N, where the tests end. The constants of the tests' lines are not printed: their "
         "slopes are drawn from the origin, with Eq. 10's point A."
     )
-    yield Curves(
-        title="Closed form beside Eq. 10: what a reading chosen by k_1 says of A and k_2",
-        x_label="U [mm]", y_label="F [N]", note=note,
-        curves=tuple(_curve(name, U / mm, F, style, c) for name, F, style, c in found),
+    yield plot(
+        "Closed form beside Eq. 10: what a reading chosen by k_1 says of A and k_2", "U [mm]",
+        "F [N]",
+        (_curve(name, U / mm, F, style, c) for name, F, style, c in found),
+        note=note,
     )  # fmt: skip
-    yield Curves(
-        title="The same less Eq. 10's first slope, which shows where the tips touch",
-        x_label="U [mm]", y_label="F − 0.613 N/mm U [N]", note=note,
-        y_bottom=float(min((F - lines.k1 * U).min() for _, F, _, _ in found)),
-        curves=tuple(
-            _curve(name, U / mm, F - lines.k1 * U, style, c) for name, F, style, c in found
-        ),
+    yield plot(
+        "The same less Eq. 10's first slope, which shows where the tips touch", "U [mm]",
+        "F − 0.613 N/mm U [N]",
+        (
+_curve(name, U / mm, F - lines.k1 * U, style, c) for name, F, style, c in found
+),
+        y_bottom=float(min((F - lines.k1 * U).min() for _, F, _, _ in found)), note=note,
     )  # fmt: skip
 
 
@@ -79,14 +81,14 @@ def _bounds(q: StagesInputs) -> Curves:
             s = q.held(head=head, tail=tail)
             U = np.unique(np.clip([0.0, float(s.U_A), float(s.U_B), top], 0.0, top))
             curves.append(_curve(f"head {head}, tail at {tail}", U / mm, s.force(U), style, i))
-    return Curves(
-        title="Force over displacement for every way of holding the ends", x_label="U [mm]",
-        y_label="F [N]", curves=tuple(curves), note="Closed form, linear theory.",
+    return plot(
+        "Force over displacement for every way of holding the ends", "U [mm]", "F [N]", curves,
+        note="Closed form, linear theory.",
     )  # fmt: skip
 
 
 def _curve(name: str, U: Any, F: Any, style: str, colour: int) -> Curve:
-    return Curve(name=name, x=np.asarray(U), y=np.asarray(F), style=style, colour=colour)
+    return curve(name, np.asarray(U), np.asarray(F), style, colour)
 
 
 def bending_stress(q: StagesInputs) -> Picture:

@@ -18,7 +18,8 @@ from verify.cases.spring.width.claims import (
 from verify.cases.spring.width.inputs import WidthInputs
 from verify.cases.spring.width.reference import RATIOS, widths_of_both
 from verify.core.case import Context
-from verify.core.figures import Curve, Curves, Figure, Picture, Profile, Sketch, Table
+from verify.core.figures import Curves, Figure, Picture, Profile, Sketch, Table
+from verify.form.plots import dashes, dots, line, plot
 from verify.papers.ledger import published
 
 mm, MPa = 1e-3, 1e6
@@ -107,24 +108,21 @@ def _elements(context: Context) -> Curves:
     both = dict.fromkeys(widths_of_both(q), context.fem[-1].values)
     x = np.log10([w / q.b for w in widths_of_both(q).values()])
     loops = [
-        Curve(name=f"loop, {what}", x=x, style="dots", colour=colour,
-              y=np.array([high * v[f"{kind}_{name}"] for name, v in both.items()]))
+        dots(f"loop, {what}", x, np.array([high * v[f"{kind}_{name}"] for name, v in both.items()]),
+             colour)
         for kind, what, colour in (("shell", "shell", 2), ("solid", "27-node solids", 3))
     ]  # fmt: skip
-    return Curves(
-        title="Between plane stress and plane strain: spring and loop by shells, loop by solids",
-        x_label="h/b", y_label="f", y_bottom=low - 0.05 * (high - low),
-        curves=(
-            Curve(name="plane stress", x=ends, y=np.full(2, low), style="dashes", colour=4),
-            Curve(name="plane strain", x=ends, y=np.full(2, high), style="dashes", colour=5),
-            Curve(name="spring, shell", x=np.log10(h / q.b), y=f, colour=1),
-            Curve(name="leaf, plate", x=np.log10(h / q.b), y=leaf_factor(q, h), colour=0),
-            *loops,
-        ),
-        x_names=tuple(
-            (float(k), f"{10.0**k:g}") for k in range(int(np.ceil(ends[0])), int(ends[1]) + 1)
-        ),
-        note="Loop: half a leaf, two quarter arcs, half a leaf; its stiffness over its own in "
+    return plot(
+        "Between plane stress and plane strain: spring and loop by shells, loop by solids", "h/b",
+        "f",
+        dashes("plane stress", ends, low, 4),
+        dashes("plane strain", ends, high, 5),
+        line("spring, shell", np.log10(h / q.b), f, 1),
+        line("leaf, plate", np.log10(h / q.b), leaf_factor(q, h)),
+        loops,
+        y_bottom=low - 0.05 * (high - low), x_names=tuple(
+        (float(k), f"{10.0**k:g}") for k in range(int(np.ceil(ends[0])), int(ends[1]) + 1)
+        ), note="Loop: half a leaf, two quarter arcs, half a leaf; its stiffness over its own in "
         "plane strain, times that limit.",
     )  # fmt: skip
 
@@ -133,11 +131,11 @@ def _lifted(context: Context) -> Curves:
     curves = []
     for colour, ratio in enumerate(RATIOS):
         y, lifted = context.fem[-1].arrays[f"lifted_{ratio}"].T
-        curves.append(Curve(name=f"h/l = {ratio:g}", x=y, y=100 * lifted, colour=colour))
-    return Curves(
-        title="How a thin leaf curves across: its edge above its middle",
-        x_label="place along the leaf, over l", y_label="% of the head's movement",
-        curves=tuple(curves), y_bottom=float(min(c.y.min() for c in curves)) * 1.05,
+        curves.append(line(f"h/l = {ratio:g}", y, 100 * lifted, colour))
+    return plot(
+        "How a thin leaf curves across: its edge above its middle", "place along the leaf, over l",
+        "% of the head's movement", curves,
+        y_bottom=float(min(c.y.min() for c in curves)) * 1.05,
         note="The ends are straight lines; wide leaves only curl within a length l of their edges.",
     )  # fmt: skip
 
