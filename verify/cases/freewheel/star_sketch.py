@@ -6,6 +6,8 @@ from typing import Any
 import numpy as np
 
 from verify.core.figures import Array, Shape, Sketch
+from verify.form import sketches
+from verify.form.sketches import arrow, leader, shape, text
 
 mm = 1e-3
 SIDE = 0.62  # of the drawing's height: room for labels on either side
@@ -35,27 +37,23 @@ def sketch(q: Any) -> Sketch:
     circle = arc(q.r, 0.0, 2 * math.pi)
     low, top = q.r_b * math.cos(half), q.R_a
     tall, wide = top - low, max(q.R_a * math.sin(half + psi), q.R * math.sin(half))
-    shapes = (
-        Shape(style="modelled",
-              points=np.vstack([arc(q.r_b, -half, half), corner * ray(half), corner * ray(-half)])),
-        Shape(style="modelled", points=np.vstack(
-            [arc(q.R, psi - half, psi + half), arc(q.R_a, psi + half, psi - half)])),
-        Shape(style="body", points=centre + circle),
-        *(Shape(style="clamp", points=arc(q.r_b, half, -half)[[k, k + 15]])
-          for k in (0, 15, 30, 45)),
-        *_forces(q, centre, psi, tall),
-        *_turning(q, half, psi, tall),
-        *_flat(q, half, low, tall, wide),
-        *_radii(q, centre, half, psi, tall, wide),
-        Shape(style="text", points=np.array([[wide + SIDE * tall, low - 0.1 * tall]])),
-        Shape(style="text", points=np.array([[-wide - 0.5 * SIDE * tall, low]])),
-    )  # fmt: skip
-    return Sketch(
-        title=f"one of {q.z} pitches, to scale, the axis lies below: T on the ring draws the "
+    return sketches.sketch(
+        f"one of {q.z} pitches, to scale, the axis lies below: T on the ring draws the "
         "roller into the gap that narrows to the right; both section planes of star and "
         "ring deform equally",
-        shapes=shapes,
-    )
+        shape("modelled",
+              np.vstack([arc(q.r_b, -half, half), corner * ray(half), corner * ray(-half)])),
+        shape("modelled",
+              np.vstack([arc(q.R, psi - half, psi + half), arc(q.R_a, psi + half, psi - half)])),
+        shape("body", centre + circle),
+        (shape("clamp", arc(q.r_b, half, -half)[[k, k + 15]]) for k in (0, 15, 30, 45)),
+        _forces(q, centre, psi, tall),
+        _turning(q, half, psi, tall),
+        _flat(q, half, low, tall, wide),
+        _radii(q, centre, half, psi, tall, wide),
+        text((wide + SIDE * tall, low - 0.1 * tall)),
+        text((-wide - 0.5 * SIDE * tall, low)),
+    )  # fmt: skip
 
 
 def _forces(q: Any, centre: Array, psi: float, tall: float) -> tuple[Shape, ...]:
@@ -65,9 +63,9 @@ def _forces(q: Any, centre: Array, psi: float, tall: float) -> tuple[Shape, ...]
     short, long = 0.55 * min(0.3 * tall, q.X - q.r_b), 0.8 * min(0.25 * tall, q.R_a - q.R)
     aside = np.array([0.075 * tall, 0.0])
     return (
-        Shape(style="load", points=np.vstack([star - short * up, star])),
-        Shape(style="load", points=np.vstack([ring + long * out, ring])),
-        Shape(style="text", points=(ring + 0.4 * long * out + aside)[None], label="F_n"),
+        arrow(star - short * up, star),
+        arrow(ring + long * out, ring),
+        text(ring + 0.4 * long * out + aside, "F_n"),
     )
 
 
@@ -77,13 +75,13 @@ def _turning(q: Any, half: float, psi: float, tall: float) -> tuple[Shape, ...]:
     far = r + 0.05 * tall
     over = far * ray(psi / 2) + np.array([0.0, 0.06 * tall])
     return (
-        Shape(style="axis", points=np.vstack([q.r_b * ray(0.0), far * ray(0.0)])),
-        Shape(style="axis", points=np.vstack([q.r_b * ray(psi), far * ray(psi)])),
-        Shape(style="angle", points=arc(r, 0.0, psi)),
-        Shape(style="text", points=over[None], label=f"ψ = 2α_0 = {math.degrees(psi):.4g}°"),
-        Shape(style="load", label="T",
-              points=arc(q.R_a + 0.06 * tall, min(0.0, psi - 0.7 * half) - 0.35 * half,
-                         -0.15 * half)),
+        arrow(q.r_b * ray(0.0), far * ray(0.0), style="axis"),
+        arrow(q.r_b * ray(psi), far * ray(psi), style="axis"),
+        shape("angle", arc(r, 0.0, psi)),
+        text(over, f"ψ = 2α_0 = {math.degrees(psi):.4g}°"),
+        shape("load",
+              arc(q.R_a + 0.06 * tall, min(0.0, psi - 0.7 * half) - 0.35 * half, -0.15 * half),
+              "T"),
     )  # fmt: skip
 
 
@@ -91,8 +89,8 @@ def _flat(q: Any, half: float, low: float, tall: float, wide: float) -> tuple[Sh
     """X from the axis: the measure's foot lies beyond the drawing."""
     at, edge = -wide - 0.08 * tall, -q.X * math.tan(half)
     return (
-        Shape(style="faint", points=np.array([[edge, q.X], [at - 0.03 * tall, q.X]])),
-        Shape(style="leader", points=np.array([[at, low], [at, q.X]]), label=label("X", q.X, 7)),
+        arrow((edge, q.X), (at - 0.03 * tall, q.X), style="faint"),
+        leader((at, low), (at, q.X), label("X", q.X, 7)),
     )
 
 
@@ -109,7 +107,4 @@ def _radii(
         ("r_b", q.r_b, q.r_b * ray(0.75 * half), below),
     )
     x = wide + 0.06 * tall
-    return tuple(
-        Shape(style="leader", points=np.vstack([[x, y], tip]), label=label(name, value))
-        for name, value, tip, y in named
-    )
+    return tuple(leader((x, y), tip, label(name, value)) for name, value, tip, y in named)

@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 
 from analytic.spring import frame
-from verify.core.figures import Shape, Sketch
+from verify.core.figures import Sketch
 from verify.form import sketches
-from verify.form.sketches import arrow, leader
+from verify.form.sketches import arrow, leader, shape
 
 mm = 1e-3
 
@@ -28,7 +28,7 @@ def sketch(q: Any) -> Sketch:
         f"centre line of the spring, to scale; strip {q.b / mm:.4g} mm × {q.h / mm:.4g} mm",
         sketches.room(0.6 * tall - left, right + 0.5 * tall),
         arrow((left - 0.1 * tall, 0.0), (right + 0.2 * tall, 0.0), style="axis"),
-        Shape(style="line", points=line),
+        shape("line", line),
         arrow((-0.3 * tall, 0.0), (0.0, 0.0), "F"),
         arrow((x + wall, y), (x - wall, y), style="clamp"),
         leader((x + 0.2 * tall, y + 0.45 * tall), (x, y), "tail clamped"),

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from verify.core.figures import Array, Shape, Sketch
-from verify.form.sketches import arrow, circle, leader, room, sketch
+from verify.form.sketches import arrow, circle, leader, room, shape, sketch
 
 if TYPE_CHECKING:
     from verify.cases.contact.line.inputs import FlatInputs
@@ -22,7 +22,7 @@ def arc(y: float, r: float, start: float, turn: float) -> Array:
 def sector(y: float, r: float, *, below: bool = False) -> Shape:
     """The quarter x >= 0 of a disc about (0, y) next to the origin, closed."""
     edge = arc(y, r, 0.0, 90.0) if below else arc(y, r, -90.0, 90.0)
-    return Shape(style="modelled", points=np.vstack([edge, [[0.0, y]]]))
+    return shape("modelled", np.vstack([edge, [[0.0, y]]]))
 
 
 def flat(q: "FlatInputs") -> Sketch:
@@ -66,7 +66,7 @@ def ring(q: "RollerInRace") -> Sketch:
     return sketch(
         f"roller in a race, to scale, {q.shown('L')} long", room(2.0, 2.2),
         circle(1.0, "body", (0.0, r_i)), circle(r_i, "hole", (0.0, r_i)),
-        Shape(style="modelled", points=half), circle(R, "body", (0.0, R)), sector(R, R),
+        shape("modelled", half), circle(R, "body", (0.0, R)), sector(R, R),
         arrow((0.0, r_i - 1.15), (0.0, force), style="axis"),
         arrow((0.0, force + 0.3), (0.0, r_i + 1.15), style="axis"),
         arrow((0.0, force), (0.0, 2 * R + 0.03), f"F = {q.shown('F')}"),

@@ -8,7 +8,7 @@ from verify.case import AlongLine, sketches
 from verify.cases.contact.press_fit.formulas import FitFormulas
 from verify.cases.contact.press_fit.reference import TURNS, stations
 from verify.core.figures import Shape, Sketch
-from verify.form.sketches import polar
+from verify.form.sketches import polar, shape
 
 LOADED = np.arange(22.5, 360.0, 45.0)  # degrees: arrows of the pressures
 
@@ -22,7 +22,7 @@ def sketch(q: FitFormulas) -> Sketch:
     return sketches.sketch(
         f"inner ring (E = {q.shown('E_i')}) pressed into the outer one ({q.shown('E_o')}), "
         f"{q.shown('p_i')} in the bore, {q.shown('p_o')} outside",
-        sketches.ring(inner, 1.0), Shape(style="modelled", points=np.array(quarter)),
+        sketches.ring(inner, 1.0), shape("modelled", np.array(quarter)),
         sketches.circle(fit, "line"),
         sketches.arrow((-1.12, 0.0), (1.12, 0.0), style="axis"),
         sketches.arrow((0.0, -1.12), (0.0, 1.12), style="axis"),

@@ -10,10 +10,10 @@ from analytic.contact.strips import Strips
 from verify.cases.contact.roller.formulas import SlicedRoller
 from verify.cases.contact.roller.inputs import STRETCH, Crown, Roller, Tilt
 from verify.core.case import Context
-from verify.core.figures import Array, Curve, Figure, Picture, Shape, Sketch
+from verify.core.figures import Array, Curve, Figure, Picture, Sketch
 from verify.form import sketches
 from verify.form.plots import curve, dots, line, plot
-from verify.form.sketches import arrow, leader
+from verify.form.sketches import arrow, leader, shape
 
 MPa, mm, um = 1e6, 1e-3, 1e-6
 NAMES = {"strips": "strips", "slices": "slices, Eqs. 2-5", "lamina": "uncoupled slices"}
@@ -38,8 +38,8 @@ def sketch(q: Roller) -> Sketch:
     return sketches.sketch(
         f"roller{crown}{lean} on a longer race, heights exaggerated",
         sketches.room(5.0, 5.0),
-        Shape(style="body", points=np.array([(-3.0, -0.8), (3.0, -0.8), (3.0, 0.0), (-3.0, 0.0)])),
-        Shape(style="body", points=roller),
+        shape("body", [(-3.0, -0.8), (3.0, -0.8), (3.0, 0.0), (-3.0, 0.0)]),
+        shape("body", roller),
         arrow((-2.4, (z[0] + top[0]) / 2), (2.4, (z[-1] + top[-1]) / 2), style="axis"),
         arrow((0.0, h + 0.9), (0.0, h + 0.25), f"F = {q.shown('F')}"),
         arrow((-end, -1.35), (end, -1.35), f"l = {q.shown('L')}", "dimension"),

@@ -12,7 +12,8 @@ from verify.cases.contact.slip.formulas import SlipFormulas
 from verify.cases.contact.slip.inputs import SHARES, STAGES
 from verify.cases.contact.slip.reference import ACROSS, AROUND, GROWTH
 from verify.core.case import Context
-from verify.core.figures import Dots, Figure, Profile, Shape, Sketch
+from verify.core.figures import Dots, Figure, Profile, Sketch
+from verify.form.sketches import shape
 from verify.judging.profiles import along
 
 nm, uJ = 1e-9, 1e-6
@@ -26,8 +27,8 @@ def sketch(q: SlipFormulas) -> Sketch:
     wall = 0.1
     return sketches.sketch(
         "two equal half discs; the lower cut is fixed, the upper one driven along x and y",
-        Shape(style="modelled", points=lower * (1, -1)),
-        Shape(style="modelled", points=lower),
+        shape("modelled", lower * (1, -1)),
+        shape("modelled", lower),
         sketches.arrow((0.0, -1.3), (0.0, 1.3), style="axis"),
         sketches.arrow((1 + wall, -1.0), (-1 - wall, -1.0), style="clamp"),
         sketches.arrow((0.0, 1.55), (0.0, 1.05), "P"),

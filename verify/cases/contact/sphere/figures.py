@@ -11,7 +11,8 @@ from verify.cases.contact.sphere.formulas import SphereFormulas
 from verify.cases.contact.sphere.inputs import END
 from verify.cases.contact.sphere.reference import ACROSS, DEEP, VIEW
 from verify.core.case import Context
-from verify.core.figures import Array, Dots, Picture, Shape, Sketch
+from verify.core.figures import Array, Dots, Picture, Sketch
+from verify.form.sketches import shape
 
 
 def sketch(q: SphereFormulas) -> Sketch:
@@ -28,9 +29,9 @@ def sketch(q: SphereFormulas) -> Sketch:
     return sketches.sketch(
         f"spheres under {q.shown('P')}, to scale; in a second problem the lower one is a rigid "
         "flat",
-        Shape(style="body", points=lower),
-        Shape(style="body", points=ball),
-        Shape(style="modelled", points=np.vstack([[[0.0, 1.0]], ball[36:73]])),
+        shape("body", lower),
+        shape("body", ball),
+        shape("modelled", np.vstack([[[0.0, 1.0]], ball[36:73]])),
         sketches.arrow((0.0, -deep - 0.2), (0.0, 2.6), style="axis"),
         sketches.arrow((-1.2, 1.0), (1.2, 1.0), style="axis"),
         sketches.arrow((0.0, 2.55), (0.0, 2.0), "P"),

@@ -5,7 +5,9 @@ import math
 import numpy as np
 
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
-from verify.core.figures import Array, Shape, Sketch
+from verify.core.figures import Array, Sketch
+from verify.form import sketches
+from verify.form.sketches import arrow, leader, shape, text
 
 
 def cup(q: ClutchInputs) -> Sketch:
@@ -25,24 +27,18 @@ def cup(q: ClutchInputs) -> Sketch:
     around = np.linspace(0, 2 * np.pi, 91)
     roller = centre + q.r * unit * np.column_stack([np.cos(around), np.sin(around)])
     at_shaft, at_flat = centre - q.r * unit * out, centre + q.r * unit * up
-    shapes = (
-        Shape(style="modelled", points=shaft), Shape(style="modelled", points=outer),
-        Shape(style="body", points=roller),
-        Shape(style="axis", points=np.array([[0.0, 0.4 * q.R * unit], [0.0, 1.07]])),
-        Shape(style="axis", points=np.vstack([0.5 * q.R * unit * out, 1.05 * out])),
-        Shape(style="load", points=np.vstack([at_flat + 0.16 * up, at_flat]), label="F_n"),
-        Shape(style="load", points=np.vstack([at_shaft - 0.16 * out, at_shaft])),
-        Shape(style="leader", points=np.array([[-0.36, 1.02], [-0.2, q.X * unit]]),
-              label=f"X = {q.X * 1e3:.7g} mm"),
-        Shape(style="leader", points=np.vstack([[0.55, 0.5], q.R * unit * np.array(
-            [math.sin(0.6 * half), math.cos(0.6 * half)])]), label=f"R = {q.R * 1e3:.4g} mm"),
-        Shape(style="leader", points=np.vstack([[0.55, 0.72], centre]),
-              label=f"r = {q.r * 1e3:.4g} mm"),
-        Shape(style="text", points=np.array([[0.3, 1.13]]),
-              label=f"ψ = 2α_0 = {math.degrees(psi):.4g}°"),
-    )  # fmt: skip
-    return Sketch(
-        title=f"one of {q.z} pitches, to scale: load draws the roller towards the flat's middle, "
+    return sketches.sketch(
+        f"one of {q.z} pitches, to scale: load draws the roller towards the flat's middle, "
         "where the gap is narrowest and it goes through",
-        shapes=shapes,
-    )
+        shape("modelled", shaft), shape("modelled", outer),
+        shape("body", roller),
+        arrow((0.0, 0.4 * q.R * unit), (0.0, 1.07), style="axis"),
+        arrow(0.5 * q.R * unit * out, 1.05 * out, style="axis"),
+        arrow(at_flat + 0.16 * up, at_flat, "F_n"),
+        arrow(at_shaft - 0.16 * out, at_shaft),
+        leader((-0.36, 1.02), (-0.2, q.X * unit), f"X = {q.X * 1e3:.7g} mm"),
+        leader((0.55, 0.5), q.R * unit * np.array([math.sin(0.6 * half), math.cos(0.6 * half)]),
+               f"R = {q.R * 1e3:.4g} mm"),
+        leader((0.55, 0.72), centre, f"r = {q.r * 1e3:.4g} mm"),
+        text((0.3, 1.13), f"ψ = 2α_0 = {math.degrees(psi):.4g}°"),
+    )  # fmt: skip

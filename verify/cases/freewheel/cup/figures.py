@@ -12,9 +12,11 @@ from verify.cases.freewheel import over_torque
 from verify.cases.freewheel.cup.inputs import Cup
 from verify.cases.freewheel.over_torque import DEGREE
 from verify.core.case import Context
-from verify.core.figures import Array, Curves, Shape, Sketch
+from verify.core.figures import Array, Curves, Sketch
+from verify.form import sketches
 from verify.form.case import Drawing
 from verify.form.plots import dashes, dots, line, plot
+from verify.form.sketches import arrow, leader, shape, text
 
 FORCES = np.linspace(1e-4, 1.0, 160)  # of the largest normal force of the states
 
@@ -41,28 +43,21 @@ def sketch(q: Cup) -> Sketch:
     at_cup, at_shaft = centre + np.array([0, q.r * unit]), centre - q.r * unit * out
     top, low, force = q.R_a * unit, q.r_b * unit, 0.55 * min(q.R_s - q.r_b, q.R_a - q.X_o) * unit
     side = 1.12 * q.corner * unit * math.sin(half)
-    shapes = (
-        Shape(style="modelled", points=cup), Shape(style="modelled", points=shaft),
-        Shape(style="body", points=roller),
-        Shape(style="axis", points=np.array([[0.0, 0.9 * low], [0.0, 1.05 * top]])),
-        Shape(style="axis", points=np.vstack([0.9 * low * out, 1.03 * top * out])),
-        Shape(style="load", points=np.vstack([at_cup + np.array([0, force]), at_cup]), label="F_n"),
-        Shape(style="load", points=np.vstack([at_shaft - force * out, at_shaft])),
-        Shape(style="leader", points=np.vstack([[side, q.R_s * unit * 0.8], arc(q.R_s, psi)[42]]),
-              label=f"R_s = {q.R_s * 1e3:.4g} mm"),
-        Shape(style="leader", points=np.vstack([[side, y * unit * 0.97], centre]),
-              label=f"r = {q.r * 1e3:.4g} mm"),
-        Shape(style="leader", points=np.array([[side, 1.12], [0.7 * right[0], 1.0]]),
-              label=f"X_o = {q.X_o * 1e3:.8g} mm"),
-        Shape(style="text", points=np.array([[0.25, 1.09 * top]]),
-              label=f"ψ = 2α_0 = {psi * DEGREE:.4g}°"),
-    )  # fmt: skip
-    return Sketch(
-        title=f"one of {q.z} pitches, to scale: the shaft turned anticlockwise draws the roller "
+    return sketches.sketch(
+        f"one of {q.z} pitches, to scale: the shaft turned anticlockwise draws the roller "
         "to the left, where the gap narrows down to the flat's middle; both cuts of shaft and cup "
         "move alike",
-        shapes=shapes,
-    )
+        shape("modelled", cup), shape("modelled", shaft),
+        shape("body", roller),
+        arrow((0.0, 0.9 * low), (0.0, 1.05 * top), style="axis"),
+        arrow(0.9 * low * out, 1.03 * top * out, style="axis"),
+        arrow(at_cup + np.array([0, force]), at_cup, "F_n"),
+        arrow(at_shaft - force * out, at_shaft),
+        leader((side, q.R_s * unit * 0.8), arc(q.R_s, psi)[42], f"R_s = {q.R_s * 1e3:.4g} mm"),
+        leader((side, y * unit * 0.97), centre, f"r = {q.r * 1e3:.4g} mm"),
+        leader((side, 1.12), (0.7 * right[0], 1.0), f"X_o = {q.X_o * 1e3:.8g} mm"),
+        text((0.25, 1.09 * top), f"ψ = 2α_0 = {psi * DEGREE:.4g}°"),
+    )  # fmt: skip
 
 
 def figures(q: Cup) -> Iterator[Drawing]:

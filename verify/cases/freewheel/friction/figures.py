@@ -10,8 +10,10 @@ from analytic.freewheel import criterion
 from analytic.freewheel.state import loaded
 from fem.wedge.slip_limit import HELD
 from verify.core.case import Context
-from verify.core.figures import Curves, Figure, Shape, Sketch, Table
+from verify.core.figures import Curves, Figure, Sketch, Table
+from verify.form import sketches
 from verify.form.plots import dashes, dots, line, plot
+from verify.form.sketches import arrow, leader, shape, text
 
 mm, µm = 1e-3, 1e-6
 QUARTER = np.linspace(0.0, np.pi / 2, 91)
@@ -32,32 +34,26 @@ def sketch(q: Any) -> Sketch:
     cone = np.array([WIDE + CIRCLE + 1.2, 0.0])
     used = min(tan * math.hypot(1.0, q.lever) / q.mu, 1.4)
     tip = cone + CIRCLE * used * np.array([1.0, q.lever]) / math.hypot(1.0, q.lever)
-    shapes = (
-        Shape(style="body", points=circle),
-        Shape(style="clamp", points=np.array([[WIDE, -1.0], [-WIDE, -1.0]])),
-        Shape(style="clamp", points=ray + WIDE * np.array([-along, along])),
-        Shape(style="load", points=np.array([-2.2 * up, -up]), label="F_n"),
-        Shape(style="load", points=np.array([2.2 * ray, ray]), label="F_n"),
-        Shape(style="load", points=np.array([-0.7 * up - 1.7 * right, -0.7 * up]), label="F_t"),
-        Shape(style="load", points=np.array([0.7 * ray - 1.7 * along, 0.7 * ray]), label="F_t"),
-        Shape(style="text", points=np.zeros((1, 2)), label="F_a"),
-        Shape(style="faint", points=cone + CIRCLE * circle),
-        *(Shape(style="axis", points=cone + 1.2 * CIRCLE * np.array([-way, way]))
-          for way in (right, up)),
-        Shape(style="load", points=np.array([cone, tip])),
-        Shape(style="leader", points=np.array([cone + 1.45 * CIRCLE * (right + up) / 1.4142, tip]),
-              label="μ_req F_n"),
-        Shape(style="leader", points=np.array([cone + 1.4 * CIRCLE * (right - up) / 1.4142,
-                                               cone + CIRCLE * (right - up) / 1.4142]),
-              label="μ F_n"),
-        Shape(style="text", points=(cone + 1.4 * CIRCLE * right)[None], label="F_t"),
-        Shape(style="text", points=(cone + 1.4 * CIRCLE * up)[None], label="F_a"),
-    )  # fmt: skip
-    return Sketch(
-        title="what star and ring do to a roller under torque, its ring drawn straight; its axial "
+    return sketches.sketch(
+        "what star and ring do to a roller under torque, its ring drawn straight; its axial "
         "forces F_a, at the star and back at the ring, share the circle of friction μ F_n with F_t",
-        shapes=shapes,
-    )
+        shape("body", circle),
+        arrow((WIDE, -1.0), (-WIDE, -1.0), style="clamp"),
+        shape("clamp", ray + WIDE * np.array([-along, along])),
+        arrow(-2.2 * up, -up, "F_n"),
+        arrow(2.2 * ray, ray, "F_n"),
+        arrow(-0.7 * up - 1.7 * right, -0.7 * up, "F_t"),
+        arrow(0.7 * ray - 1.7 * along, 0.7 * ray, "F_t"),
+        text((0.0, 0.0), "F_a"),
+        shape("faint", cone + CIRCLE * circle),
+        (shape("axis", cone + 1.2 * CIRCLE * np.array([-way, way])) for way in (right, up)),
+        arrow(cone, tip),
+        leader(cone + 1.45 * CIRCLE * (right + up) / 1.4142, tip, "μ_req F_n"),
+        leader(cone + 1.4 * CIRCLE * (right - up) / 1.4142, cone + CIRCLE * (right - up) / 1.4142,
+               "μ F_n"),
+        text(cone + 1.4 * CIRCLE * right, "F_t"),
+        text(cone + 1.4 * CIRCLE * up, "F_a"),
+    )  # fmt: skip
 
 
 def figures(context: Context) -> Sequence[Figure]:

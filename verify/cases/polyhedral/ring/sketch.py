@@ -6,7 +6,7 @@ import numpy as np
 
 from verify.core.figures import Array, Shape, Sketch
 from verify.form import sketches
-from verify.form.sketches import circle, polar
+from verify.form.sketches import circle, polar, shape
 
 ARC = 13  # points of a fillet
 
@@ -36,8 +36,8 @@ def body(q: Any, gap: float = 0.05, roller: float = 0.12) -> list[Shape]:
     """Ring, rollers and race, the clearance drawn large; the modelled half sector shaded."""
     shapes = [
         circle(1.0, "body"),
-        Shape(style="hole", points=outline(q)),
-        Shape(style="modelled", points=half(q)),
+        shape("hole", outline(q)),
+        shape("modelled", half(q)),
         circle(1 + gap + 2 * roller),
     ]
     size = min(roller, 0.9 * (1 + gap + roller) * np.sin(q.half_angle))

@@ -8,6 +8,7 @@ import numpy as np
 from verify.cases.polyhedral.wedge.inputs import WedgeInputs
 from verify.core.figures import Shape, Sketch
 from verify.form import sketches
+from verify.form.sketches import arrow, shape
 
 DRAWN = math.radians(12)  # half of the wedge angle in the sketch, at least
 
@@ -19,9 +20,9 @@ def sketch(self: WedgeInputs) -> Sketch:
     return sketches.sketch(
         "free body of a roller, wedge drawn wider than it is: normal forces push it out, "
         "friction pulls it in; finite elements take the half above the bisector",
-        sketches.circle(1.0, "body"), Shape(style="axis", points=np.array([[-1.9, 0], [3.0, 0]])),
+        sketches.circle(1.0, "body"), arrow((-1.9, 0), (3.0, 0), style="axis"),
         _flat(half, 1), _flat(half, -1),
-        Shape(style="faint", points=np.array([[x, -1.9], [x, 1.9]])),
+        arrow((x, -1.9), (x, 1.9), style="faint"),
         sketches.leader((2.1, 1.55), (x, 1.35), "line through both contacts"),
         sketches.leader((-1.5, -0.45), (-0.86, -0.5), f"d = {self.shown('d')}"),
         sketches.leader((2.2, 0.32), (1.7, 0.0),
@@ -36,6 +37,6 @@ def _flat(half: float, side: int) -> Iterator[Shape]:
     n = np.array([math.sin(half), math.cos(half)]) * mirror
     t = np.array([math.cos(half), -math.sin(half)]) * mirror
     inside = 0.8 * n
-    yield Shape(style="clamp", points=np.array([n - 1.7 * t, n + 1.9 * t])[::side])
-    yield Shape(style="load", points=np.array([1.75 * n, n]), label="N")
-    yield Shape(style="load", points=np.array([inside, inside + 0.62 * t]), label="T")
+    yield shape("clamp", np.array([n - 1.7 * t, n + 1.9 * t])[::side])
+    yield arrow(1.75 * n, n, "N")
+    yield arrow(inside, inside + 0.62 * t, "T")

@@ -8,9 +8,9 @@ import numpy as np
 from analytic.spring import frame
 from analytic.spring.stages import stages
 from verify.cases.spring.inputs import strip_of
-from verify.core.figures import Shape, Sketch
+from verify.core.figures import Sketch
 from verify.form import sketches
-from verify.form.sketches import arrow, leader
+from verify.form.sketches import arrow, leader, shape
 
 mm = 1e-3
 
@@ -34,7 +34,7 @@ def sketch(q: Any) -> Sketch:
         f"centre line with whole end leaves, head {q.head}, tail held at {q.tail}, to scale",
         sketches.room(1.1 * tall, right + 1.1 * tall),
         arrow((-0.1 * tall, 0.0), (right + 0.2 * tall, 0.0), style="axis"),
-        Shape(style="line", points=line),
+        shape("line", line),
         arrow((-0.35 * tall, 0.0), (0.0, 0.0), "F"),
         arrow((edge, upper), (edge, lower), style="clamp"),
         (arrow((at, -a), (at, below), style="faint") for at in (0.0, facing)),
