@@ -447,6 +447,7 @@ READINGS = [
         replace(clutch, star="half space")), D_I, id="a half space for the star"),
     pytest.param(series, "race_constant", scaled(0.98), D_O, id="ring's constant 2 % too small"),
     pytest.param(series, "star_constant", scaled(0.95), AT_ANGLE, id="star 5 % of its k too soft"),
+    pytest.param(series, "star_constant", scaled(1.5), D_I, id="star half of its k too stiff"),
     pytest.param(Clutch, "half_widths", lambda right: lambda self, P: tuple(
         2 * a for a in right(self, P)), A_I, id="widths for half-widths"),
     pytest.param(Clutch, "pressures", lambda right: lambda self, P: tuple(

@@ -196,6 +196,7 @@ def test_eq_21_as_printed_is_z_times_too_small():
         p_t=30e6, z=6, **named, E=210e9, mu=0.08, psi=corner.psi, phi_1=PHI_1
     )
     assert float(ours) == pytest.approx(by_statics, rel=1e-9)
+    assert replace(first, parts=corner).M_t == pytest.approx(by_statics, rel=1e-9)
 
 
 def test_the_worked_example_of_eq_21_is_77_as_printed_465_without_the_factor_and_444_with_sides():
