@@ -18,12 +18,12 @@ from typing import Any
 
 import numpy as np
 
+from analytic.sprag.best_crown import answers, fit_regimes, infilled
 from analytic.surrogate.designs import full_factorial
 from analytic.surrogate.evolution import evolve
 from analytic.surrogate.genetic import genetic
 from verify.cases.sprag.optimum.deep import direct_fem
 from verify.cases.sprag.optimum.inputs import Optimum25Inputs
-from verify.cases.sprag.optimum.study_fem import answers, fit_fem, infilled_fem
 from verify.cases.sprag.peaks import peaks_fem
 
 JOBS = 2
@@ -61,11 +61,11 @@ def surrogate() -> tuple[float, float]:
     peaks_fem(q, x[:1], [q.T])  # compiled
     peaks, warm = timed(lambda: peaks_fem(q, x, [q.T], jobs=JOBS))
     known = answers(peaks)
-    first, fitted = timed(lambda: fit_fem(x, known, q.box))
+    first, fitted = timed(lambda: fit_regimes(x, known, q.box))
     ga, bred = timed(lambda: genetic(first.predict, q.box))
     de, evolved = timed(lambda: evolve(first.predict, q.box))
-    last, filled = timed(lambda: infilled_fem(
-        q, x, known, lambda crown: answers(peaks_fem(q, crown[None], [q.T]))[0], first
+    last, filled = timed(lambda: infilled(
+        q.box, x, known, lambda crown: answers(peaks_fem(q, crown[None], [q.T]))[0], first
     ))  # fmt: skip
     whole = warm + fitted + filled
     for words, seconds in (

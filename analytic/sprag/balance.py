@@ -7,6 +7,9 @@ import numpy as np
 from analytic.contact.checks import Array
 from analytic.sprag.history import Engagement
 
+HISTORY = ("t", "N", "T_i", "v_i", "alpha", "theta_i", "theta_e")
+ENERGIES = ("torque", "blades", "kinetic", "elastic", "support", "damping", "friction", "missing")
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Balance:
@@ -47,3 +50,15 @@ def balance(engagement: Engagement) -> Balance:
         elastic=since_start(table.n_s * g["W"]),
         support=since_start(motion.k_out * engagement.theta_e**2 / 2),
     )
+
+
+def sampled(engagement: Engagement, most: int) -> dict[str, Array]:
+    """Time, force, sliding, rotations and energies by name, of less than twice `most` samples.
+
+    Angles [rad], v_i [m/s], energies and works [J] as in `Balance`.
+    """
+    every = max(len(engagement.t) // most, 1)
+    energies = balance(engagement)
+    columns = {name: getattr(engagement, name) for name in HISTORY}
+    columns |= {name: getattr(energies, name) for name in ENERGIES}
+    return {name: np.asarray(column[::every]) for name, column in columns.items()}

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from analytic.contact import crown, slices
+from analytic.sprag import best_crown, crown_surrogate
 from analytic.sprag.peaks import Peaks
 from analytic.surrogate import genetic, kriging, largest
 from analytic.surrogate.infill import NoAgreementError
@@ -42,9 +43,9 @@ def known(q, crowns, torques, **_more):
 @pytest.fixture
 def failed(monkeypatch):
     """The rows of the surrogate's claims that are red, or the error that ended the study."""
-    right = study_fem.infill
+    right = best_crown.infill
     monkeypatch.setattr(study_fem, "peaks_fem", known)
-    monkeypatch.setattr(study_fem, "infill", lambda *a, **k: right(*a, **k, rounds=3))
+    monkeypatch.setattr(best_crown, "infill", lambda *a, **k: right(*a, **k, rounds=3))
 
     def rows():
         try:
@@ -100,7 +101,7 @@ def test_an_end_that_is_not_kriged_is_told(failed, monkeypatch):
     def inside_alone(x, answers, box):
         return largest.fit_largest(x, [np.array([a.inside for a in answers])], box)
 
-    monkeypatch.setattr(study_fem, "fit_fem", inside_alone)
+    monkeypatch.setattr(best_crown, "fit_regimes", inside_alone)
     found = failed()
     assert isinstance(found, str) or FRESH in found
 
@@ -115,22 +116,22 @@ def test_a_surrogate_that_is_off_is_refused_or_told_where_infill_stops_at_once(f
     def off(x, answers, box):
         return largest.fit_largest(x, [np.array([1.02 * a.largest for a in answers])], box)
 
-    monkeypatch.setattr(study_fem, "fit_fem", off)
+    monkeypatch.setattr(best_crown, "fit_regimes", off)
     assert "do not agree within 0.50% after 3 rounds" in failed()
-    right = study_fem.infill
+    right = best_crown.infill
     monkeypatch.setattr(
-        study_fem, "infill",
+        best_crown, "infill",
         lambda *a, **k: right(*a, **k | {"agree": 1.0, "in_a_row": 1}),
     )  # fmt: skip
     assert AT_BEST in failed()
 
 
 def test_a_best_crown_that_is_not_is_told_by_the_search_without_surrogate(failed, monkeypatch):
-    right = study_fem.evolve
-    monkeypatch.setattr(
-        study_fem, "evolve",
-        lambda objective, box: right(lambda x: -objective(x), box),
-    )  # fmt: skip
+    right = best_crown.evolve
+    for module in (best_crown, crown_surrogate):
+        monkeypatch.setattr(
+            module, "evolve", lambda objective, box: right(lambda x: -objective(x), box)
+        )
     found = failed()
     assert isinstance(found, str) or {SEARCHES, DIRECT} & found
 
@@ -155,16 +156,6 @@ def test_the_deep_measurement_has_what_its_table_tells(monkeypatch):
     assert len(seeds["DE"]) == 2
 
 
-def test_without_ends_that_carry_one_regime_is_kriged():
-    box = Q.box
-    x = study_fem.full_factorial(box, 3)
-    u = box.to_unit(x)
-    answers = [study_fem.Answer(0.0, 1e9 * (1 + p), 1.0) for p in u.sum(axis=1)]
-    surrogate = study_fem.fit_fem(x, answers, box)
-    assert len(surrogate.models) == 1
-    assert surrogate.predict(x) == pytest.approx([a.largest for a in answers], rel=1e-6)
-
-
 @pytest.mark.parametrize("error", [NoAgreementError, ArithmeticError])
 def test_a_crown_with_free_ends_is_missing_only_where_all_engagements_are_solved(
     error, monkeypatch
@@ -172,7 +163,7 @@ def test_a_crown_with_free_ends_is_missing_only_where_all_engagements_are_solved
     def fails(*_):
         raise error("no crown")
 
-    monkeypatch.setattr(ends_fem, "infilled_fem", fails)
+    monkeypatch.setattr(ends_fem, "infilled", fails)
     crowns = np.array([[Q.K_1, Q.K_2, Q.z_m]])
     if error is NoAgreementError:
         assert ends_fem.freed_fem(Q, crowns, np.array([N])) == {}

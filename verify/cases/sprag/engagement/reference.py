@@ -10,13 +10,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from analytic.sprag.balance import balance
+from analytic.sprag import oscillation
+from analytic.sprag.balance import sampled
 from analytic.sprag.closure import wedged
 from analytic.sprag.history import Phase
 from analytic.sprag.motion import Motion, Speeds, Torque
+from analytic.sprag.oscillation import Swing
 from analytic.sprag.race_spring import RaceSpring
 from analytic.sprag.readings import asked, highest, later_peak, missing, put_in
-from analytic.sprag.table import INTERVALS, Table, tabulated
+from analytic.sprag.table import INTERVALS
 from verify.cases.contact.roller.inputs import DESIGNS
 from verify.cases.sprag.engagement.formulas import analytic, with_torque
 from verify.cases.sprag.engagement.model import motion, wedge
@@ -31,13 +33,6 @@ if TYPE_CHECKING:
 LEVELS = (1, 2, 4)  # steps in the one of the inputs
 ORDER = (4.0, 2.0, 1.0, 0.5)  # steps of the inputs in one, of which the order is told
 FINEST = 16  # steps in the one of the inputs that those are measured by
-HELD = 1e6  # times its inertia, which holds the outer race
-PACE = 200  # steps in a period, where the period rules
-DAMPED = 0.3  # of critical damping
-RAMP, REST = 4, 12  # periods in which the torque rises, and in which motion dies
-SWUNG = 1.5  # periods about rest, past the first peak without damping
-SLOW, COUNTED = 8, 12  # periods of the ramp and of the free oscillation
-STEP = 0.01  # of the torque, which starts that
 FIRST = 1.3  # of the time of the first peak, which the partner is followed to
 RTOL = 1e-8
 COARSER = 1500  # intervals of the table that says how far its own cubics are off
@@ -47,23 +42,21 @@ CROSSED = 1e-6  # of a frequency: crossings are told on straight lines between s
 STUCK = 0.05  # of a step, within which the time of sticking is known
 SHOWN = 601  # samples that are kept
 ACROSS = 240  # moments in figures of pressure
-ENERGIES = ("torque", "blades", "kinetic", "elastic", "support", "damping", "friction", "missing")
 
 
 def solve(q: EngagementInputs, level: int) -> FemResult:
     """One level: the engagements in steps, statics and oscillation; on the finest LSODA."""
     dt = q.dt / level
     main, rigid, more = (engaged_fem(*which, dt) for which in engagements(q))
-    free = undamped_fem(q, dt)
-    tremor = tremor_fem(q, level)
+    rest = about_rest(q)
+    free, strut = rest.undamped(dt, q.t_end), rest.strut(dt)
     sliced = q.model_copy(update={"slices": max(round(q.slices * level / LEVELS[-1]), 5)})
-    strut = strut_fem(q, dt)
     values = {
         "N_1 strut": strut.first_peak[1], "W_1 strut": put_in(strut),
         "N_max": main.N_max, "t_max": main.peak[0], "N_max rigid": rigid.N_max,
         "N_max more": more.N_max, "ratio": more.N_max / main.N_max,
         "rigid": rigid.N_max / main.N_max, "first peak": main.first_peak[1],
-        "N_undamped": free.first_peak[1], "N": settled_fem(q, level), "f": tremor,
+        "N_undamped": free.first_peak[1], "N": rest.settled(level), "f": rest.frequency(level),
         "missing": missing(main), "missing undamped": missing(free),
         "N_max sliced": engaged_fem(*engagements(sliced)[0], dt).N_max,
         "later peak": later_peak(main), "asked": asked(main), "D_V": main.D_V,
@@ -115,65 +108,18 @@ def engaged_fem(
 
 def held(q: EngagementInputs, **changes: float) -> Motion:
     """The same motion with the outer race held."""
-    return replace(motion(q), I_be=HELD * q.I_be, **changes)
+    return oscillation.held(motion(q), **changes)
 
 
-def undamped_fem(q: EngagementInputs, dt: float) -> "Engagement":
-    """Step of the torque without damping, from rest."""
-    until = max(q.t_end, SWUNG / analytic(q)["f"])
-    return engaged_fem(
-        q, wedge(q), dt, held(q, C_rl=0.0), Torque.step(q.T), duration=until, speeds=None, D_V=None
-    )  # fmt: skip
-
-
-def strut_fem(q: EngagementInputs, dt: float) -> "Engagement":
-    """The same, to behind its first peak, with N_e/N_i of a strut in place of 1."""
-    from analytic.sprag.transient import engage
-
-    until = SWUNG / analytic(q)["f"]
-    return engage(strut_table(q), held(q, C_rl=0.0), Torque.step(q.T), duration=until, dt=dt)
-
-
-def strut_table(q: EngagementInputs) -> Table:
-    w = wedge(q)
-    return tabulated(w.clutch, N_end=w.end, balanced=True)
-
-
-def settled_fem(q: EngagementInputs, level: int) -> float:
-    """N [N] at rest: after a slow rise, with damping."""
+def about_rest(q: EngagementInputs) -> Swing:
+    """The clutch about its state at rest, the outer race held."""
     v = analytic(q)
-    omega = 2 * math.pi * v["f"]
-    damped = held(q, C_rl=2 * DAMPED * v["k"] / omega)
-    course = Torque.step(q.T, t_ramp=RAMP / v["f"])
-    how = {"duration": (RAMP + REST) / v["f"], "speeds": None, "D_V": None}
-    return float(engaged_fem(q, wedge(q), 1 / (PACE * level * v["f"]), damped, course, **how).N[-1])
-
-
-def tremor_fem(q: EngagementInputs, level: int) -> float:
-    """Frequency [Hz] of a small free oscillation about the state at rest."""
-    period = 1 / analytic(q)["f"]
-    dt = period / (PACE * level)
-    ramp = SLOW * period
-    course = Torque(times=np.array([0.0, ramp, ramp + dt]), values=q.T * np.array([0, 1 - STEP, 1]))
-    found = engaged_fem(
-        q, wedge(q), dt, held(q, C_rl=0.0), course, duration=ramp + COUNTED * period, speeds=None,
-        D_V=None,
-    )  # fmt: skip
-    late = found.t > ramp + dt
-    N, t = found.N[late] - found.N[late].mean(), found.t[late]
-    up = np.flatnonzero((N[:-1] < 0) & (N[1:] >= 0))
-    crossings = t[up] - N[up] * dt / (N[up + 1] - N[up])
-    return float(1 / np.diff(crossings).mean())
+    return Swing(wedge(q), motion(q), T=q.T, f=v["f"], k=v["k"])
 
 
 def history(found: "Engagement", name: str) -> dict[str, Array]:
     """Force, sliding and energies, thinned."""
-    every = max(len(found.t) // SHOWN, 1)
-    kept = balance(found)
-    columns = {"t": found.t, "N": found.N, "T_i": found.T_i, "v_i": found.v_i, "alpha": found.alpha,
-               "theta_i": found.theta_i, "theta_e": found.theta_e}  # fmt: skip
-    columns |= {key: getattr(kept, key) for key in ENERGIES}
-    return {name + key: np.asarray(column[::every]) for key, column in columns.items()}
+    return {name + key: column for key, column in sampled(found, SHOWN).items()}
 
 
 def partner_fem(
@@ -256,11 +202,11 @@ def balanced_fem(q: EngagementInputs) -> dict[str, Array]:
     """Largest N [N], and first peak without damping, with N_e/N_i of a strut in place of 1."""
     from analytic.sprag.transient import engage
 
-    speeds = Speeds(inner=q.w_i)
     damped = engage(
-        strut_table(q), motion(q), torque(q), duration=q.t_end, dt=q.dt, speeds=speeds
+        oscillation.strut_table(wedge(q)), motion(q), torque(q), duration=q.t_end, dt=q.dt,
+        speeds=Speeds(inner=q.w_i),
     )  # fmt: skip
-    free = strut_fem(q, q.dt)
+    free = about_rest(q).strut(q.dt)
     return {"balanced": np.array([damped.N_max, free.first_peak[1]])}
 
 

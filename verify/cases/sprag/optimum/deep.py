@@ -9,12 +9,13 @@ from dataclasses import replace
 import numpy as np
 from scipy.optimize import direct
 
+from analytic.sprag.best_crown import answers, fit_regimes, recorded
 from analytic.surrogate.designs import full_factorial, random_designs
 from analytic.surrogate.evolution import evolve
 from analytic.surrogate.genetic import genetic
 from verify.case import Case, Level
 from verify.cases.sprag.optimum.inputs import Optimum25Inputs, Optimum40Inputs, OptimumInputs
-from verify.cases.sprag.optimum.study_fem import answers, fit_fem, recorded_fem, single_fem
+from verify.cases.sprag.optimum.study_fem import largest_fem
 from verify.cases.sprag.peaks import peaks_fem
 from verify.core.figures import Array
 from verify.form.adapter import adapted
@@ -32,18 +33,20 @@ def deep_fem(q: OptimumInputs, level: int) -> Level:
 
 def validated_fem(q: OptimumInputs) -> dict[str, Array]:
     """Relative errors of both surrogates at fresh designs, and the true pressures [Pa]."""
+    from analytic.surrogate.kriging import fit
+
     x = full_factorial(q.box, q.levels)
     peaks = peaks_fem(q, x, [q.T])
     fresh = random_designs(q.box, DESIGNS, SEED)
     true = peaks_fem(q, fresh, [q.T]).largest[:, 0]
-    single = single_fem(x, peaks.largest[:, 0], q.box).predict(fresh)
-    two = fit_fem(x, answers(peaks), q.box).predict(fresh)
+    single = fit(x, peaks.largest[:, 0], q.box).predict(fresh)
+    two = fit_regimes(x, answers(peaks), q.box).predict(fresh)
     return {"true": true, "single": single / true - 1, "two": two / true - 1}
 
 
 def direct_fem(q: OptimumInputs) -> dict[str, Array]:
     """Crowns and pressures [Pa] in the order in which DIRECT asked for them, (n, 4)."""
-    pressure, seen = recorded_fem(q)
+    pressure, seen = recorded(lambda crown: largest_fem(q, crown), q.box)
     direct(pressure, [(0.0, 1.0)] * 3, maxfun=ENGAGEMENTS, maxiter=ENGAGEMENTS)
     return {"direct": np.array(seen)}
 
@@ -51,7 +54,7 @@ def direct_fem(q: OptimumInputs) -> dict[str, Array]:
 def seeds_fem(q: OptimumInputs) -> dict[str, Array]:
     """Smallest values [Pa] of one surrogate by both searches, from several seeds."""
     x = full_factorial(q.box, q.levels)
-    surrogate = fit_fem(x, answers(peaks_fem(q, x, [q.T])), q.box)
+    surrogate = fit_regimes(x, answers(peaks_fem(q, x, [q.T])), q.box)
     ga = [
         genetic(surrogate.predict, q.box, population=q.population, generations=q.generations,
                 crossover=q.crossover, mutation=q.mutation, seed=seed).value

@@ -7,13 +7,13 @@ pressure on a half-space, so that the crown to be made is sought among those tha
 import numpy as np
 
 from analytic.contact import slices, strips
+from analytic.sprag.best_crown import Answer, answers, infilled
 from analytic.sprag.closure import wedged
 from analytic.sprag.peaks import Peaks
 from analytic.surrogate.infill import NoAgreementError
 from verify.cases.sprag.clutch.drawn_fem import crowned
 from verify.cases.sprag.clutch.model import built
 from verify.cases.sprag.optimum.inputs import OptimumInputs
-from verify.cases.sprag.optimum.study_fem import Answer, answers, infilled_fem
 from verify.cases.sprag.peaks import STRIPS, one_fem, peaks_fem, with_crown
 from verify.core.figures import Array
 
@@ -51,7 +51,7 @@ def freed_fem(q: OptimumInputs, x: Array, N: Array) -> dict[str, Array]:
         return answers(peaks_fem(q, crown[None], [q.T], by="strips"))[0]
 
     try:
-        last = infilled_fem(q, x, known, true)
+        last = infilled(q.box, x, known, true)
     except NoAgreementError:
         return {}
     return {"free": last.x, "free infill": np.array([[r.predicted, r.true] for r in last.history])}

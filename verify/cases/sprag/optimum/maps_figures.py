@@ -4,8 +4,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from analytic.sprag.crown_surrogate import held
 from verify.cases.sprag.optimum.comparisons import FLAT
-from verify.cases.sprag.optimum.study_fem import held
 from verify.cases.sprag.statements import measured
 from verify.core.case import Context
 from verify.core.figures import Curves, Density, Figure
@@ -28,7 +28,7 @@ def maps(context: Context) -> Sequence[Figure]:
     both = {"K_2": found["map K_1, K_2"], "z_m": found["map K_1, z_m"]}
     top = (min(float(z.min()) for z in both.values()) / MPa,
            max(float(z.max()) for z in both.values()) / MPa)  # fmt: skip
-    notes = {"K_2": f"z_m = {held(q, 2) / um:g} µm.", "z_m": f"K_2 = {held(q, 1):g}."}
+    notes = {"K_2": f"z_m = {held(q.box, 2) / um:g} µm.", "z_m": f"K_2 = {held(q.box, 1):g}."}
     return tuple(
         Density(
             title="Largest pressure of the engagement" + figure(context).format(part),
@@ -53,7 +53,7 @@ def lines(context: Context) -> Curves:
             dots("", K_1, true[:, k] / MPa, k),
         ]  # fmt: skip
     return plot(
-        f"Along K_1 at K_2 = {held(q, 1):g}", "K_1", "Pre_max [MPa]", curves,
+        f"Along K_1 at K_2 = {held(q.box, 1):g}", "K_1", "Pre_max [MPa]", curves,
         y_bottom=0.98 * float(true.min()) / MPa,
         note="Lines by the surrogate, which has not seen this K_2; marks are engagements.",
     )  # fmt: skip

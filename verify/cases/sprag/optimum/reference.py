@@ -3,6 +3,7 @@
 import numpy as np
 
 from analytic.contact import strips
+from analytic.sprag.crown_surrogate import held
 from verify.case import Level
 from verify.cases.sprag.clutch.drawn_fem import crowned
 from verify.cases.sprag.clutch.model import built, under
@@ -11,7 +12,7 @@ from verify.cases.sprag.clutch.run_fem import run_fem
 from verify.cases.sprag.engagement.model import crowned_for
 from verify.cases.sprag.optimum.ends_fem import STRIPPED, ends_fem
 from verify.cases.sprag.optimum.inputs import OptimumInputs
-from verify.cases.sprag.optimum.study_fem import held, study_fem
+from verify.cases.sprag.optimum.study_fem import study_fem
 from verify.cases.sprag.peaks import peaks_fem, with_crown
 from verify.core.figures import Array
 
@@ -41,7 +42,7 @@ def maps_fem(q: OptimumInputs) -> dict[str, Array]:
     """True pressures [Pa] over K_1 and z_m at the K_2 of Figs. 15 and 17, (torques, K_1, z_m)."""
     low, high = np.array(q.box.low), np.array(q.box.high)
     K_1, z_m = (np.linspace(low[k], high[k], q.levels) for k in (0, 2))
-    grid = np.array([(a, held(q, 1), b) for a in K_1 for b in z_m])
+    grid = np.array([(a, held(q.box, 1), b) for a in K_1 for b in z_m])
     largest = peaks_fem(q, grid, q.torques).largest.T.reshape(-1, q.levels, q.levels)
     return {"true K_1, z_m": largest}
 

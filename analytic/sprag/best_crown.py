@@ -1,0 +1,117 @@
+"""Kriging of the largest pressures over crowns (Eq. 20), and the crown that it ends at.
+
+The end slice and all others are kriged apart: the larger of both has a kink where the ends begin to
+carry.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from scipy.optimize import minimize
+
+from analytic.contact.checks import Array
+from analytic.sprag.peaks import Peaks
+from analytic.surrogate.box import Box
+from analytic.surrogate.evolution import evolve
+from analytic.surrogate.infill import Infilled, infill
+
+if TYPE_CHECKING:
+    from analytic.surrogate.largest import Largest
+
+POWER = 2.0  # a slice's pressure squared goes with its force
+AGREE = 0.005  # of surrogate and true model where the best crown is
+DIRECT = 40  # engagements of the search that knows no surrogate
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What one engagement's end and the rest of it count for [Pa], and its N_max [N].
+
+    >>> Answer(end=3e9, inside=2e9, N_max=6e3).largest
+    3000000000.0
+    """
+
+    end: float
+    inside: float
+    N_max: float
+
+    @property
+    def largest(self) -> float:
+        """What a search makes least [Pa]."""
+        return max(self.end, self.inside)
+
+
+def answers(peaks: Peaks, torque: int = 0) -> list[Answer]:
+    """Of all crowns, under one of the torques, by its number."""
+    columns = (*peaks.regimes, peaks.N_max)
+    return [Answer(*(float(c[k, torque]) for c in columns)) for k in range(len(peaks.crowns))]
+
+
+def fit_regimes(x: Array, known: Sequence[Answer], box: Box) -> "Largest":
+    """Kriging of both regimes: the end slice where it carries, and all others."""
+    from analytic.surrogate.largest import fit_largest
+
+    end, inside = (np.array([getattr(a, name) for a in known]) for name in ("end", "inside"))
+    carries = end > 0
+    try:
+        return fit_largest(
+            x, [end, inside], box, power=POWER, present=[carries, np.ones_like(carries)]
+        )
+    except ValueError:  # too few designs whose ends carry: of all
+        return fit_largest(x, [np.maximum(end, inside)], box, power=POWER)
+
+
+def infilled(
+    box: Box,
+    x: Array,
+    known: list[Answer],
+    true: Callable[[Array], Answer],
+    first: "Largest | None" = None,
+) -> "Infilled[Answer, Largest]":
+    """Designs added at the surrogate's best crown until the true model agrees, twice in a row.
+
+    `known` are the answers of the designs x (n, 3), `first` is their surrogate, where it is known.
+    """
+
+    def fitted(designs: Array, found: Sequence[Answer]) -> "Largest":
+        return first if first and len(designs) == len(x) else fit_regimes(designs, found, box)
+
+    return infill(
+        fitted, true, x, box=box, search=evolve, value=lambda answer: answer.largest,
+        answers=known, agree=AGREE, in_a_row=2,
+    )  # fmt: skip
+
+
+def recorded(
+    true: Callable[[Array], float], box: Box
+) -> tuple[Callable[[Array], float], list[list[float]]]:
+    """The largest pressure [Pa] of a crown of the unit cube, and all that was asked for, in order.
+
+    `true` gives that of crowns (1, 3). The record has rows of K_1, K_2, z_m and the pressure.
+    """
+    seen: list[list[float]] = []
+
+    def pressure(u: Array) -> float:
+        crown = box.from_unit(np.clip(u, 0, 1)[None])
+        p = true(crown)
+        seen.append([*crown[0], p])
+        return p
+
+    return pressure, seen
+
+
+def simplex(true: Callable[[Array], float], box: Box, start: Array) -> Array:
+    """Nelder and Mead's simplex on the true model from a crown (3,), in DIRECT engagements.
+
+    Rows (n, 4) as `recorded` has them.
+    """
+    pressure, seen = recorded(true, box)
+    u = np.clip(box.to_unit(start[None])[0], 0, 1)
+    corners = np.vstack([u, u + np.diag(np.where(u > 0.5, -0.15, 0.15))])
+    minimize(
+        pressure, u, method="Nelder-Mead", bounds=[(0, 1)] * 3,
+        options={"initial_simplex": corners, "maxfev": DIRECT},
+    )  # fmt: skip
+    return np.array(seen)

@@ -1,0 +1,89 @@
+"""A sprag clutch about its state at rest, in steps: slow rises, free oscillations, first peaks.
+
+What is compiled is imported where it runs.
+"""
+
+import math
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from analytic.sprag.motion import Motion, Torque
+from analytic.sprag.race_spring import RaceSpring
+from analytic.sprag.table import Table, tabulated
+
+if TYPE_CHECKING:
+    from analytic.sprag.history import Engagement
+
+HELD = 1e6  # times its inertia, which holds the outer race
+PACE = 200  # steps in a period, where the period rules
+DAMPED = 0.3  # of critical damping
+RAMP, REST = 4, 12  # periods in which the torque rises, and in which motion dies
+SWUNG = 1.5  # periods about rest, past the first peak without damping
+SLOW, COUNTED = 8, 12  # periods of the ramp and of the free oscillation
+STEP = 0.01  # of the torque, which starts that
+
+
+def held(motion: Motion, **changes: float) -> Motion:
+    """The same motion with the outer race held."""
+    return replace(motion, I_be=HELD * motion.I_be, **changes)
+
+
+def strut_table(spring: RaceSpring) -> Table:
+    """The clutch with N_e/N_i of a strut in place of 1."""
+    return tabulated(spring.clutch, N_end=spring.end, balanced=True)
+
+
+@dataclass(frozen=True)
+class Swing:
+    """A clutch with its outer race held that is at rest under the torque T [N m], or comes to it.
+
+    Small oscillations about rest have about the frequency f [Hz] and the stiffness k [N m/rad]:
+    these set times and damping alone. Integrated is `motion`, on the clutch `spring`.
+    """
+
+    spring: RaceSpring
+    motion: Motion
+    T: float
+    f: float
+    k: float
+
+    def undamped(self, dt: float, least: float = 0.0) -> "Engagement":
+        """Step of the torque without damping, past the first peak, for `least` [s] at least."""
+        until = max(least, SWUNG / self.f)
+        return self._run(Torque.step(self.T), until, dt)
+
+    def strut(self, dt: float) -> "Engagement":
+        """The same with N_e/N_i of a strut in place of 1."""
+        return self._run(Torque.step(self.T), SWUNG / self.f, dt, strut_table(self.spring))
+
+    def settled(self, refine: int) -> float:
+        """N [N] at rest, after a slow rise with damping; `refine` shortens the steps."""
+        damping = 2 * DAMPED * self.k / (2 * math.pi * self.f)
+        course = Torque.step(self.T, t_ramp=RAMP / self.f)
+        dt = 1 / (PACE * refine * self.f)
+        return float(self._run(course, (RAMP + REST) / self.f, dt, C_rl=damping).N[-1])
+
+    def frequency(self, refine: int) -> float:
+        """Frequency [Hz] of a small free oscillation about rest, from its crossings of the mean."""
+        period = 1 / self.f
+        dt = period / (PACE * refine)
+        ramp = SLOW * period
+        times, shares = np.array([0.0, ramp, ramp + dt]), np.array([0, 1 - STEP, 1])
+        course = Torque(times=times, values=self.T * shares)
+        found = self._run(course, ramp + COUNTED * period, dt)
+        late = found.t > ramp + dt
+        N, t = found.N[late] - found.N[late].mean(), found.t[late]
+        up = np.flatnonzero((N[:-1] < 0) & (N[1:] >= 0))
+        crossings = t[up] - N[up] * dt / (N[up + 1] - N[up])
+        return float(1 / np.diff(crossings).mean())
+
+    def _run(
+        self, course: Torque, duration: float, dt: float, table: Table | None = None,
+        C_rl: float = 0.0,
+    ) -> "Engagement":  # fmt: skip
+        from analytic.sprag.transient import engage
+
+        moves = held(self.motion, C_rl=C_rl)
+        return engage(table or self.spring.table(), moves, course, duration=duration, dt=dt)
