@@ -201,6 +201,14 @@ class Place:
         b_i, b_e = (before + more for before, more in zip(self.bends, opened, strict=True))
         return replace(moved, shares=(-inner / d_i, outer / d_e), bends=(b_i, b_e))
 
+    def turned(self, alpha: float) -> tuple["Place", float]:
+        """About the same turned by `alpha` [rad], and all that yields there over that here."""
+        far = Place.overlapping(self.q, alpha)
+        share, (b_i, b_e) = far.H / self.H, self.bends
+        # as the overlaps of both contacts share the whole
+        D = far.D + share * self.overlaps[1] - far.overlaps[1]
+        return replace(self, alpha=alpha, D=D, bends=(share * b_i, share * b_e)), share
+
     def mesh(self, zones: tuple[float, float], cells: int) -> "Mesh2D":
         """One pitch with `cells` on half of each fine zone `zones` [m] about the contacts."""
         from meshes.sprag.sector import sprag_sector

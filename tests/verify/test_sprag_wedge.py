@@ -21,7 +21,6 @@ from verify.cases.sprag.wedge.case import WEDGE, WedgedSprag
 from verify.cases.sprag.wedge.figures import parts_of
 from verify.cases.sprag.wedge.model import rigid_force
 from verify.cases.sprag.wedge.sketch import outline
-from verify.cases.sprag.wedge.sweep import Sweep
 from verify.core.case import Context
 from verify.core.results import Status
 from verify.form import quantity
@@ -66,41 +65,6 @@ def broken(monkeypatch):
 @cache
 def red_without_fault():
     return frozenset(names(r for r in solve_anew().rows if r.status is Status.FAIL))
-
-
-# The sweep.
-def synthetic():
-    """A sweep of five states without finite elements: H as N^0.95, T as N, U = int N dH."""
-    made = object.__new__(Sweep)
-    made.q = Q
-    N = np.geomspace(100.0, 6000.0, 5)
-    H = 2e-8 * N**0.95
-    T = Q.z * Q.R_i * 0.055 * N
-    made.at_states = {"N": N, "H": H, "T": T, "U": N * H * 0.95 / 1.95, "tan nu": 0.055 + 0 * N}
-    return made
-
-
-def test_work_on_the_yields_is_the_energy_of_a_power():
-    sweep = synthetic()
-    N = sweep.at_states["N"][[1, 4]]
-    assert sweep.work(N) == pytest.approx(sweep.at_states["U"][[1, 4]], rel=1e-9)
-
-
-def test_the_races_turn_as_far_as_the_energy_over_the_torque_says():
-    sweep = synthetic()
-    N, T = (sweep.at_states[k][[1, 4]] for k in ("N", "T"))
-    exact = Q.z * 2e-8 * N**0.95 * N / T  # n_s int N dH / T, T in proportion to N
-    assert sweep.turn_by_energy(T) == pytest.approx(exact, rel=1e-9)
-
-
-def test_a_sweep_hits_its_states_and_says_nothing_beyond_them():
-    sweep = synthetic()
-    for name in ("H", "tan nu"):
-        for N, value in zip(sweep.at_states["N"][1:-1], sweep.at_states[name][1:-1], strict=True):
-            assert sweep.at(name, N) == pytest.approx(value, rel=1e-12)
-    for N in (99.0, 6001.0):
-        with pytest.raises(ArithmeticError, match="lies beyond the states"):
-            sweep.at("H", N)
 
 
 # Formulas.

@@ -10,7 +10,7 @@ from fem.contact.errors import NotFoundError
 from fem.wedge.races import Sector
 from meshes.sprag.wedged import Place, first_contact
 from verify.cases.sprag.inputs import WedgeInputs
-from verify.cases.sprag.stroke import Start, at_force, at_rotation, races, struts
+from verify.cases.sprag.stroke import at_force, at_rotation, guessed, races, struts
 
 Q = WedgeInputs()
 P = 3407 / Q.l  # [N/m] of a sprag under 25 N m
@@ -231,7 +231,7 @@ def test_a_rotation_gives_the_force_that_gives_the_rotation(start, state):
 
 def test_a_sprag_that_is_not_turned_touches_nothing():
     with pytest.raises(ValueError, match="touches no race"):
-        Start.guessed(Q, 0.0)
+        guessed(Q, 0.0)
 
 
 def test_a_load_that_turns_the_sprag_off_its_profile_is_refused_in_one_line():

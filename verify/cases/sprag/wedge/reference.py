@@ -72,7 +72,7 @@ def statics(sweep: Sweep) -> dict[str, float]:
     force = np.add(*(np.array(touch.force) for touch in state.solution.touches))
     size = np.hypot(*state.solution.touches[0].force)
     return {
-        "column": at["T"] / (sweep.q.z * at["N"] * at["strut nu"] * at["OA"]) - 1,
+        "column": at["T"] / (sweep.z * at["N"] * at["strut nu"] * at["OA"]) - 1,
         "held": at["held"] / at["T"] - 1,
         "forces": float(np.hypot(*force)) / float(size),
         "work": float(sweep.work(at["N"])[0]) / at["U"] - 1,

@@ -8,21 +8,15 @@ import math
 from dataclasses import replace
 from functools import lru_cache
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
-from fem.wedge.course import Course
 from fem.wedge.races import State
+from fem.wedge.start import COARSE, Start
+from fem.wedge.stroke import Stroke, half_width
 from meshes.sprag.wedged import Place
 from verify.cases.sprag.inputs import WedgeInputs
-from verify.cases.sprag.stroke import COARSE, Start, at_force
-
-if TYPE_CHECKING:
-    from fem.contact.solution import Touch
-
-Array = NDArray[np.float64]
+from verify.cases.sprag.stroke import at_force
 
 SHARES = (0.03, 0.22, 0.5, 1.0, 1.86)  # of N_0
 GROWS = 0.965  # power of N with which rotations grow
@@ -35,7 +29,7 @@ def rigid_force(q: WedgeInputs) -> float:
 
 
 @lru_cache(maxsize=16)
-def starts_by_fem(q: WedgeInputs) -> tuple[Start, ...]:
+def starts_by_fem(q: WedgeInputs) -> tuple[Start[Place], ...]:
     """Starts of all states, the least loaded first; ArithmeticError where the sprag has none."""
     now = at_force(q, SHARES[-1] * rigid_force(q) / q.l)
     found = [now]
@@ -51,33 +45,14 @@ def starts_by_fem(q: WedgeInputs) -> tuple[Start, ...]:
     )
 
 
-class Sweep(Course):
+class Sweep(Stroke):
     """States of the sector on meshes of `cells`, and splines between them over ln N."""
 
     def __init__(self, q: WedgeInputs, cells: int) -> None:
-        self.q = q
+        self.z = q.z
         self.states = [start.state(cells) for start in starts_by_fem(q)]
         rows = [read(q, state) for state in self.states]
         self.at_states = {name: np.array([row[name] for row in rows]) for name in rows[0]}
-
-    def turn_by_energy(self, T: Array) -> Array:
-        """Turn of the races [rad] up to torques T [N m]: the integral of n_s dU/T."""
-        U, z = self.logarithm("U", "T"), self.q.z
-        return self.integral(lambda t: z * np.exp(U(t) - t) * U(t, 1), "T", np.log(T))
-
-    def work(self, N: Array) -> Array:
-        """Work [J] on the yields of one sprag up to normal forces N [N]: the integral of N dH."""
-        H = self.logarithm("H", "N")
-        return self.integral(lambda t: np.exp(H(t) + t) * H(t, 1), "N", np.log(N))
-
-
-def half_width(touch: "Touch") -> float:
-    """Half-width [m] of an elliptic pressure with the same mean distance from its centre.
-
-    That of the squares hangs twice as much on where the contact ends in a cell.
-    """
-    load = touch.p * touch.weight
-    return float(3 * math.pi / 4 * (load @ np.abs(touch.along())) / load.sum())
 
 
 def read(q: WedgeInputs, state: State[Place]) -> dict[str, float]:

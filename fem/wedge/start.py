@@ -1,0 +1,74 @@
+"""Where a strut lies between its races before it is meshed finely, from coarse meshes.
+
+Coarse meshes state where the strut lies and how wide its contacts are; states on finer meshes start
+from there, all at the same rotation.
+"""
+
+import math
+from dataclasses import dataclass, replace
+from typing import Generic, Protocol, Self, TypeVar
+
+from fem.contact.errors import NotFoundError
+from fem.wedge.races import Sector, State, Struts
+from fem.wedge.races_place import Place
+from fem.wedge.rest import Drags
+
+COARSE = 3  # cells on the half-width of the meshes that state where contacts lie
+SETTLED = 1e-4  # of both overlaps, what pole and contacts may still move by
+MOST = 20  # steps
+STICKS = 5.0  # friction over tan(nu): well above what the strut needs
+
+
+class TurnedPlace(Place, Protocol):
+    """A place with its rotation [rad], the strut's angles there [rad], and places further on."""
+
+    @property
+    def alpha(self) -> float: ...
+    @property
+    def strut(self) -> tuple[float, float]: ...
+    def turned(self, alpha: float) -> tuple[Self, float]: ...
+
+
+P = TypeVar("P", bound=TurnedPlace)
+
+
+@dataclass(frozen=True)
+class Start(Generic[P]):
+    """Where a state of struts lies: its place, half-widths [m] and drags [m]."""
+
+    struts: Struts
+    place: P
+    widths: tuple[float, float]
+    drags: Drags = (0.0, 0.0)
+
+    @classmethod
+    def after(cls, state: State[P]) -> "Start[P]":
+        """Where `state` came to rest."""
+        return cls(state.sector.q, state.place, state.widths, state.drags)
+
+    def turned(self, alpha: float) -> "Start[P]":
+        """About the same at another rotation [rad]: lengths go with all that yields."""
+        place, share = self.place.turned(alpha)
+        root = math.sqrt(share)
+        return replace(
+            self, place=place, widths=(root * self.widths[0], root * self.widths[1]),
+            drags=(share * self.drags[0], share * self.drags[1]),
+        )  # fmt: skip
+
+    def state(self, cells: int, mu: float | None = None) -> State[P]:
+        """The state at rest; by default friction lets the strut stick."""
+        if mu is None:
+            mu = STICKS * math.tan(self.place.strut[0])
+        return Sector(self.struts, self.place, self.widths, cells, mu=mu).rest(self.drags)
+
+    def settled(self) -> tuple["Start[P]", State[P]]:
+        """Where the strut comes to rest, and the last coarse state; NotFoundError if nowhere."""
+        start = self
+        for _ in range(MOST):
+            state = start.state(COARSE)
+            start, before = Start.after(state), start
+            now, last = start.place, before.place
+            moved = now.D - last.D, now.OA - last.OA, now.OB - last.OB
+            if max(map(abs, moved)) <= SETTLED * now.H:
+                return start, state
+        raise NotFoundError(f"the sprag at {self.place.alpha:.4g} rad finds no place")
