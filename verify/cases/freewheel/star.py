@@ -182,9 +182,8 @@ class Star(Rollers):
         "k_o", "1", "constant of a ring that is free outside", role="step",
         source="series over all loads on the ring",
     ).reads(lambda q: q.bodies.outer.k)  # fmt: skip
-    c_o = Quantity(
-        "c_o", "1", "curvature term of the ring", role="step", source="series",
-    ).reads(lambda q: q.bodies.outer.c)  # fmt: skip
+    c_o = Quantity("c_o", "1", "curvature term of the ring", role="step",
+                   source="series").reads(lambda q: q.bodies.outer.c)  # fmt: skip
     d_i = Quantity(
         "d_i", "µm", "approach of roller and star", source="star clamped in its bore",
         tex=r"\frac{F_n}{\pi L E'} (2 \ln\left(\frac{4 r}{a_i}\right) - 1 + "

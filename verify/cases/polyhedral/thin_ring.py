@@ -36,9 +36,8 @@ class PolygonSeries(ThinRing, PolygonRing):
 
     ends: ClassVar[Assumption] = "plane stress"
 
-    K_mid = Quantity(
-        "K_mid", "1", "K in the middle of the flats", source=SERIES,
-    ).reads(lambda q: q.factors.mid)  # fmt: skip
+    K_mid = Quantity("K_mid", "1", "K in the middle of the flats",
+                     source=SERIES).reads(lambda q: q.factors.mid)  # fmt: skip
 
     @shared
     def sector(self) -> Sector:

@@ -101,15 +101,13 @@ class RollerOnFlat(FlatInputs):
 
     p_0_disc = Quantity("p_0", "MPa", "peak pressure, disc", source=DISC, form_of="p_0",
                         safe="too high").reads(lambda q: q.disc.p_0)  # fmt: skip
-    a_disc = Quantity(
-        "a", "µm", "half-width, disc", source=f"{DISC}, of the moments", form_of="a",
-    ).reads(lambda q: q.disc.moment_width)  # fmt: skip
+    a_disc = Quantity("a", "µm", "half-width, disc", source=f"{DISC}, of the moments",
+                      form_of="a").reads(lambda q: q.disc.moment_width)  # fmt: skip
     approach_disc = Quantity("δ", "µm", "approach of flat and centre, disc", source=DISC,
                              form_of="approach").reads(lambda q: q.disc.approach)  # fmt: skip
-    tau_max_disc = Quantity(
-        "τ_max", "MPa", "largest shear stress, disc", source=DISC, form_of="tau_max",
-        safe="too high",
-    ).reads(lambda q: q.disc_shear[0])  # fmt: skip
+    tau_max_disc = Quantity("τ_max", "MPa", "largest shear stress, disc", source=DISC,
+                            form_of="tau_max",
+                            safe="too high").reads(lambda q: q.disc_shear[0])  # fmt: skip
     z_disc = Quantity("z", "µm", "depth of the largest shear stress, disc", source=DISC,
                       form_of="z").reads(lambda q: q.disc_shear[1])  # fmt: skip
 

@@ -49,16 +49,13 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
     best_K_1 = Quantity("K_1*", "1",
                         "best crown for F whose ends carry nothing, Q = F; a flat optimum",
                         source="search", role="step").reads(lambda q: q._best.K_1)  # fmt: skip
-    best_K_2 = Quantity(
-        "K_2*", "1", "its crowned part", source="search", role="step",
-    ).reads(lambda q: q._best.K_2)  # fmt: skip
-    best_z_m = Quantity(
-        "z_m*", "mm", "its drop at the ends", source="search", role="step",
-    ).reads(lambda q: q._best.z_m)  # fmt: skip
-    p_best = Quantity(
-        "p_max*", "MPa", "largest pressure of the best crown, ends included, strips",
-        source="strips", safe="too high",
-    ).reads(lambda q: q.with_best_crown.strips.p_top)  # fmt: skip
+    best_K_2 = Quantity("K_2*", "1", "its crowned part", source="search",
+                        role="step").reads(lambda q: q._best.K_2)  # fmt: skip
+    best_z_m = Quantity("z_m*", "mm", "its drop at the ends", source="search",
+                        role="step").reads(lambda q: q._best.z_m)  # fmt: skip
+    p_best = Quantity("p_max*", "MPa", "largest pressure of the best crown, ends included, strips",
+                      source="strips",
+                      safe="too high").reads(lambda q: q.with_best_crown.strips.p_top)  # fmt: skip
 
     @shared
     def _best(self) -> "BestCrown":

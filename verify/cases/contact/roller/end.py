@@ -101,9 +101,8 @@ class EndFace(Crown):
     def p_0(self) -> float:
         return math.sqrt(self.F / self.L * self.E_star / (np.pi * self.R))
 
-    p_mid = Quantity(
-        "p", "MPa", f"{MIDDLE}, half-space", source="half-space", safe="too high",
-    ).reads(lambda q: q.contact.mid_pressure)  # fmt: skip
+    p_mid = Quantity("p", "MPa", f"{MIDDLE}, half-space", source="half-space",
+                     safe="too high").reads(lambda q: q.contact.mid_pressure)  # fmt: skip
     p_mid_flat = Quantity("p_f", "MPa", f"{MIDDLE} without crown, half-space", source="half-space",
                           role="step").reads(lambda q: q.flat.p_mid)  # fmt: skip
 

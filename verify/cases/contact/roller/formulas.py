@@ -60,9 +60,8 @@ class StripRoller(Roller):
 
     p_max = Quantity("p_max", "MPa", f"{BEYOND}, strips", source="strips", safe="too high",
                      tex=STRIPS).reads(lambda q: q.strips.p_max)  # fmt: skip
-    q_mid = Quantity(
-        "q", "N/mm", "line load at mid-length, strips", role="step",
-    ).reads(lambda q: q.strips.q_mid)  # fmt: skip
+    q_mid = Quantity("q", "N/mm", "line load at mid-length, strips",
+                     role="step").reads(lambda q: q.strips.q_mid)  # fmt: skip
 
     @Quantity("b_m", "µm", "half-width at mid-length, strips", role="step", source="Hertz",
               tex=r"\sqrt{\frac{4 q R}{\pi E*}}")  # fmt: skip
@@ -162,9 +161,8 @@ class SlicedRoller(StripRoller):
                             safe="too high").reads(lambda q: q.sliced("lamina").p_max)  # fmt: skip
     p_mid_lamina = Quantity("p", "MPa", f"{MIDDLE}, uncoupled slices", form_of="p_mid",
                             safe="too high").reads(lambda q: q.sliced("lamina").p_mid)  # fmt: skip
-    delta_lamina = Quantity(
-        "δ", "µm", "approach, uncoupled slices", form_of="delta", tex=LAMINA,
-    ).reads(lambda q: q.sliced("lamina").delta)  # fmt: skip
+    delta_lamina = Quantity("δ", "µm", "approach, uncoupled slices", form_of="delta",
+                            tex=LAMINA).reads(lambda q: q.sliced("lamina").delta)  # fmt: skip
 
     @shared
     def _sliced(self) -> Mapping[str, Parts]:

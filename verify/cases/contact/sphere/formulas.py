@@ -43,14 +43,12 @@ class SphereFormulas(SphereInputs):
 
     tau_upper = Quantity("τ_1", "MPa", "largest shear stress in the upper body", source=HERTZ,
                          safe="too high").reads(lambda q: q.shear_of("upper")[0])  # fmt: skip
-    z_upper = Quantity(
-        "z_1", "mm", "its depth", source=HERTZ, role="step",
-    ).reads(lambda q: q.shear_of("upper")[1])  # fmt: skip
+    z_upper = Quantity("z_1", "mm", "its depth", source=HERTZ,
+                       role="step").reads(lambda q: q.shear_of("upper")[1])  # fmt: skip
     tau_lower = Quantity("τ_2", "MPa", "largest shear stress in the lower body", source=HERTZ,
                          safe="too high").reads(lambda q: q.shear_of("lower")[0])  # fmt: skip
-    z_lower = Quantity(
-        "z_2", "mm", "its depth", source=HERTZ, role="step",
-    ).reads(lambda q: q.shear_of("lower")[1])  # fmt: skip
+    z_lower = Quantity("z_2", "mm", "its depth", source=HERTZ,
+                       role="step").reads(lambda q: q.shear_of("lower")[1])  # fmt: skip
 
     @Quantity("ε", "1", "strength of the spheres' own logarithm", source=FINITE, role="step",
               tex=r"a E* \left(\frac{(1 - 2 \nu_1)^2 (1 - \nu_1^2)}{2 (1 - \nu_1) E_1 R_1}"

@@ -71,9 +71,8 @@ class FreewheelClutch(ClutchInputs):
     def mu_0(self) -> float:
         return math.tan(self.alpha_0)
 
-    alpha = Quantity(
-        "α", "deg", "clamping angle under torque", equation="5", form="corrected",
-    ).reads(lambda q: q._of_state("alpha"))  # fmt: skip
+    alpha = Quantity("α", "deg", "clamping angle under torque", equation="5",
+                     form="corrected").reads(lambda q: q._of_state("alpha"))  # fmt: skip
     F_t = Quantity("F_t", "N", "tangential force of one contact", equation="3", form="corrected",
                    tex=r"\frac{T}{z R}").reads(lambda q: q._of_state("F_t"))  # fmt: skip
     N = Quantity(
@@ -85,21 +84,18 @@ class FreewheelClutch(ClutchInputs):
     def F_a(self) -> float:
         return math.nan if self.duty.under is None else self.F_ax / self.z
 
-    p_i = Quantity(
-        "p_i", "MPa", "peak pressure of the inner contacts (Hertz)", safe="too high",
-    ).reads(lambda q: q._of_state("p_i"))  # fmt: skip
-    p_o = Quantity(
-        "p_o", "MPa", "peak pressure of the outer contacts (Hertz)", safe="too high",
-    ).reads(lambda q: q._of_state("p_o"))  # fmt: skip
+    p_i = Quantity("p_i", "MPa", "peak pressure of the inner contacts (Hertz)",
+                   safe="too high").reads(lambda q: q._of_state("p_i"))  # fmt: skip
+    p_o = Quantity("p_o", "MPa", "peak pressure of the outer contacts (Hertz)",
+                   safe="too high").reads(lambda q: q._of_state("p_o"))  # fmt: skip
     d_i = Quantity(
         "d_i", "µm", "approach of roller and inner part",
     ).reads(lambda q: q._of_state("d_i"))  # fmt: skip
     d_o = Quantity(
         "d_o", "µm", "approach of roller and outer part",
     ).reads(lambda q: q._of_state("d_o"))  # fmt: skip
-    s = Quantity(
-        "s", "µm", "travel of the rollers along the cam", equation="6",
-    ).reads(lambda q: q._of_state("s"))  # fmt: skip
+    s = Quantity("s", "µm", "travel of the rollers along the cam",
+                 equation="6").reads(lambda q: q._of_state("s"))  # fmt: skip
     phi = Quantity(
         "φ", "deg", "wind-up angle by exact rolling", equation="7", form="corrected",
         tex=r"\frac{1}{R} \int \frac{\mathrm{d}d_i + \mathrm{d}d_o}{\tan\alpha}",
@@ -160,9 +156,8 @@ class FreewheelClutch(ClutchInputs):
     def T_bears(self) -> float:
         return self.duty.least_torque if self.T >= 0 else math.nan
 
-    T_slip = Quantity(
-        "T_μ", "N m", "torque at which the contacts slip", safe="too low",
-    ).reads(lambda q: q._torques.get("slip", math.nan))  # fmt: skip
+    T_slip = Quantity("T_μ", "N m", "torque at which the contacts slip",
+                      safe="too low").reads(lambda q: q._torques.get("slip", math.nan))  # fmt: skip
     T_pressure_inner = Quantity(
         "T_pi", "N m", "torque at which the inner contacts reach p_lim", safe="too low",
     ).reads(lambda q: q._torques.get("pressure_inner", math.nan))  # fmt: skip

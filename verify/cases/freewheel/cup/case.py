@@ -106,16 +106,14 @@ class FreewheelCup(Cup):
     k_i = Quantity(
         "k_i", "1", "constant of a shaft", role="step", source="series over all loads on the shaft",
     ).reads(lambda q: q.bodies.inner.k)  # fmt: skip
-    c_i = Quantity(
-        "c_i", "1", "curvature term of the shaft", role="step", source="series",
-    ).reads(lambda q: q.bodies.inner.c)  # fmt: skip
+    c_i = Quantity("c_i", "1", "curvature term of the shaft", role="step",
+                   source="series").reads(lambda q: q.bodies.inner.c)  # fmt: skip
     k_o = Quantity(
         "k_o", "1", "constant of a ring that is free outside", role="step",
         source="series over all loads on the ring",
     ).reads(lambda q: q.bodies.outer.k)  # fmt: skip
-    c_o = Quantity(
-        "c_o", "1", "curvature term of the ring", role="step", source="series",
-    ).reads(lambda q: q.bodies.outer.c)  # fmt: skip
+    c_o = Quantity("c_o", "1", "curvature term of the ring", role="step",
+                   source="series").reads(lambda q: q.bodies.outer.c)  # fmt: skip
     d_i = Quantity(
         "d_i", "µm", "approach of roller and shaft", source="shaft free in its bore",
         tex=r"\frac{F_n}{\pi L E'} (2 \ln\left(\frac{4 r}{a_i}\right) - 1 + "
@@ -144,10 +142,9 @@ class FreewheelCup(Cup):
         "x", "mm", "distance of the contact on the flat from the flat's middle", role="step",
         tex=r"(R_s + r - d_i) \sin\left(2 \alpha\right)",
     ).reads(lambda q: q.cam.centre(d_i=q.state.d_i, d_o=q.state.d_o)[0])  # fmt: skip
-    torque = Quantity(
-        "T", "N m", "torque of the shaft's tangential forces, Eq. 3 for a cup", form="corrected",
-        form_of="T", tex=r"z R_s F_t", safe="too low",
-    ).reads(lambda q: q.state.T)  # fmt: skip
+    torque = Quantity("T", "N m", "torque of the shaft's tangential forces, Eq. 3 for a cup",
+                      form="corrected", form_of="T", tex=r"z R_s F_t",
+                      safe="too low").reads(lambda q: q.state.T)  # fmt: skip
 
     @Quantity("T", "N m", "torque of the cup's contact forces, Eq. 3 for a cup", form="corrected",
               form_of="T", tex=r"z (F_n x - F_t X_o)")  # fmt: skip
@@ -175,21 +172,18 @@ class FreewheelCup(Cup):
         tex=r"\max_{F_n} z R_s F_n \tan\alpha(F_n) = "
         r"z R_s F_{max} \tan\left(\alpha_{max}\right)",
     ).reads(lambda q: q.at_summit.T)  # fmt: skip
-    N_max = Quantity(
-        "F_max", "N", "normal force at the largest torque", role="step",
-    ).reads(lambda q: q.at_summit.N)  # fmt: skip
-    alpha_max = Quantity(
-        "α_max", "deg", "clamping angle at the largest torque", role="step",
-    ).reads(lambda q: q.at_summit.alpha)  # fmt: skip
+    N_max = Quantity("F_max", "N", "normal force at the largest torque",
+                     role="step").reads(lambda q: q.at_summit.N)  # fmt: skip
+    alpha_max = Quantity("α_max", "deg", "clamping angle at the largest torque",
+                         role="step").reads(lambda q: q.at_summit.alpha)  # fmt: skip
 
     @Quantity("p_max", "MPa", "larger peak pressure at the largest torque (Hertz)", role="step")
     def p_max(self) -> float:
         return float(np.maximum(self.at_summit.p_i, self.at_summit.p_o))
 
-    through = Quantity(
-        "d_through", "µm", "approaches at which rollers go through, α = 0", role="step",
-        tex=r"R_s + 2 r - X_o",
-    ).reads(lambda q: q.cam.pop_through)  # fmt: skip
+    through = Quantity("d_through", "µm", "approaches at which rollers go through, α = 0",
+                       role="step",
+                       tex=r"R_s + 2 r - X_o").reads(lambda q: q.cam.pop_through)  # fmt: skip
 
     @Quantity("d_max", "µm", "approaches at the largest torque", role="step")
     def d_max(self) -> float:

@@ -82,10 +82,9 @@ class FreewheelTorque(Star):
         "x", "mm", "distance of the contact on the flat from the flat's middle", role="step",
         tex=r"(R - r + d_o) \sin\left(2 \alpha\right)",
     ).reads(lambda q: q.cam.centre(d_i=q.state.d_i, d_o=q.state.d_o)[0])  # fmt: skip
-    torque = Quantity(
-        "T", "N m", "torque of the tangential forces", equation="3", form="corrected", form_of="T",
-        tex=r"z R F_t", safe="too low",
-    ).reads(lambda q: q.state.T)  # fmt: skip
+    torque = Quantity("T", "N m", "torque of the tangential forces", equation="3", form="corrected",
+                      form_of="T", tex=r"z R F_t",
+                      safe="too low").reads(lambda q: q.state.T)  # fmt: skip
 
     @Quantity("T", "N m", "torque of the star's contact forces", equation="3", form="corrected",
               form_of="T", tex=r"z (F_n x - F_t X)")  # fmt: skip
@@ -107,10 +106,9 @@ class FreewheelTorque(Star):
         "φ", "deg", "wind-up angle", equation="7", form="as printed", form_of="phi",
         tex=r"\frac{s}{R} + \frac{s}{X}",
     ).reads(lambda q: q.state.phi_printed)  # fmt: skip
-    phi_small = Quantity(
-        "φ", "deg", "wind-up angle for small angles", form="small angles", form_of="phi",
-        role="step", tex=r"\frac{2 s}{R}",
-    ).reads(lambda q: q.state.phi_small)  # fmt: skip
+    phi_small = Quantity("φ", "deg", "wind-up angle for small angles", form="small angles",
+                         form_of="phi", role="step",
+                         tex=r"\frac{2 s}{R}").reads(lambda q: q.state.phi_small)  # fmt: skip
     p_i = Quantity("p_i", "MPa", "peak pressure on the star", source="Hertz", safe="too high",
                    tex=r"\frac{2 F_n}{\pi L a_i}").reads(lambda q: q.state.p_i)  # fmt: skip
     p_o = Quantity("p_o", "MPa", "peak pressure on the ring", source="Hertz", safe="too high",

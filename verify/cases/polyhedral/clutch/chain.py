@@ -20,14 +20,12 @@ class PaperChain(ClutchInputs):
         "r + r_1", "mm", "lever of the hub's contact", source="Eq. 14", role="step",
         tex=r"\frac{a_f}{\cos\left(\psi\right)}",
     ).reads(lambda q: q.full.arm)  # fmt: skip
-    sigma_t = Quantity(
-        "σ_t", "MPa", "hoop stress of the round ring", equation="9", role="step", safe="too high",
-        tex=r"\frac{E j_D}{d_m}",
-    ).reads(lambda q: q.full.sigma_t)  # fmt: skip
-    p_1 = Quantity(
-        "p_1", "MPa", "pressure of the round ring", equation="10", role="step", safe="too high",
-        tex=r"\frac{2 \delta_1 E j_D}{d_i d_m}",
-    ).reads(lambda q: q.full.p_1)  # fmt: skip
+    sigma_t = Quantity("σ_t", "MPa", "hoop stress of the round ring", equation="9", role="step",
+                       safe="too high",
+                       tex=r"\frac{E j_D}{d_m}").reads(lambda q: q.full.sigma_t)  # fmt: skip
+    p_1 = Quantity("p_1", "MPa", "pressure of the round ring", equation="10", role="step",
+                   safe="too high",
+                   tex=r"\frac{2 \delta_1 E j_D}{d_i d_m}").reads(lambda q: q.full.p_1)  # fmt: skip
 
     @Quantity("K", "1", "correction for the polygon, middle of the flats", role="step",
               source="complex potentials")  # fmt: skip
@@ -43,10 +41,9 @@ class PaperChain(ClutchInputs):
         "σ_tr", "MPa", "mean hoop stress in the corners then", equation="12", role="step",
         safe="too high", tex=r"\frac{p_{1r} d_i}{2 \delta_1}",
     ).reads(lambda q: q.full.sigma_tr)  # fmt: skip
-    p_2 = Quantity(
-        "p_2", "MPa", "blocking pressure that is left", equation="19", role="step", safe="too low",
-        tex=r"\max\left(p_t - p_{1r}, 0\right)",
-    ).reads(lambda q: q.full.p_2)  # fmt: skip
+    p_2 = Quantity("p_2", "MPa", "blocking pressure that is left", equation="19", role="step",
+                   safe="too low",
+                   tex=r"\max\left(p_t - p_{1r}, 0\right)").reads(lambda q: q.full.p_2)  # fmt: skip
     F = Quantity(
         "F", "kN", "force of that on a side", equation="13", form="corrected", role="step",
         safe="too low", tex=r"p_2 b d_i \sin\left(\frac{\pi}{z}\right)",
@@ -67,10 +64,9 @@ class PaperChain(ClutchInputs):
         first = self.paper(K=1.0, lever="d_i/2", gamma="radius", rho=0.0)
         return first.M_t
 
-    T = Quantity(
-        "T", "kN", "tangential force of the hub per corner, with M_20", equation="14", role="step",
-        tex=r"\frac{M_{20}}{z (r + r_1)}",
-    ).reads(lambda q: q.full.T)  # fmt: skip
+    T = Quantity("T", "kN", "tangential force of the hub per corner, with M_20", equation="14",
+                 role="step",
+                 tex=r"\frac{M_{20}}{z (r + r_1)}").reads(lambda q: q.full.T)  # fmt: skip
     F_s = Quantity(
         "F_s", "kN", "radial force of the hub", equation="14", role="step",
         tex=r"\frac{T}{\tan\left(\psi + \varphi_1\right)}",

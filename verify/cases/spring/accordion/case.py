@@ -81,12 +81,10 @@ class AccordionSpring(FreeStage):
         "narrow strip: E I without 1 − ν²",
     )
 
-    k_N = Quantity(
-        "k_N", "N/mm", "stiffness of bending and axial force", source=FRAME,
-    ).reads(lambda q: q._stiffness("thin"))  # fmt: skip
-    k_V = Quantity(
-        "k_V", "N/mm", "stiffness of bending, axial force and shear", source=FRAME,
-    ).reads(lambda q: q._stiffness("shear"))  # fmt: skip
+    k_N = Quantity("k_N", "N/mm", "stiffness of bending and axial force",
+                   source=FRAME).reads(lambda q: q._stiffness("thin"))  # fmt: skip
+    k_V = Quantity("k_V", "N/mm", "stiffness of bending, axial force and shear",
+                   source=FRAME).reads(lambda q: q._stiffness("shear"))  # fmt: skip
 
     @Quantity("σ_n", "MPa", "bending stress at F or the largest test force, as of a straight bar",
               tex=r"\frac{6 F (L_1/2 + r)}{h b^2}")  # fmt: skip

@@ -69,12 +69,10 @@ class BucklingFormulas(BucklingInputs, Case):
                     source=EXACT).reads(lambda q: q._critical.get("U_cr", math.nan))  # fmt: skip
     F_cr = Quantity("F_cr", "N", "force at which the spring with a free head buckles", source=EXACT,
                     safe="too low").reads(lambda q: q._critical.get("F_cr", math.nan))  # fmt: skip
-    F_lin = Quantity(
-        "F_lin", "N", "linear buckling load of the undeformed spring", source=EXACT,
-    ).reads(lambda q: q._critical.get("F_lin", math.nan))  # fmt: skip
-    k_y = Quantity(
-        "k_y", "N/mm", "lateral stiffness of the guided head, unloaded", source=EXACT,
-    ).reads(lambda q: q._critical.get("k_y", math.nan))  # fmt: skip
+    F_lin = Quantity("F_lin", "N", "linear buckling load of the undeformed spring",
+                     source=EXACT).reads(lambda q: q._critical.get("F_lin", math.nan))  # fmt: skip
+    k_y = Quantity("k_y", "N/mm", "lateral stiffness of the guided head, unloaded",
+                   source=EXACT).reads(lambda q: q._critical.get("k_y", math.nan))  # fmt: skip
 
     @Quantity("u_y({0:g} P)", "mm", "drift of a free head under {0:g} P", source=EXACT).over(DRIFT)
     def drift(self, share: Share) -> float:
@@ -84,17 +82,14 @@ class BucklingFormulas(BucklingInputs, Case):
     def L0(self) -> float:
         return self.length
 
-    pitch = Quantity(
-        "p", "mm", "pitch of a middle unit", role="step", source=UNIT,
-    ).reads(lambda q: q._unit.pitch)  # fmt: skip
+    pitch = Quantity("p", "mm", "pitch of a middle unit", role="step",
+                     source=UNIT).reads(lambda q: q._unit.pitch)  # fmt: skip
     a_B = Quantity("a_B", "1/N/m", "flexibility of a unit against a couple", role="step",
                    source=UNIT).reads(lambda q: q._unit.turn)  # fmt: skip
-    a_C = Quantity(
-        "a_C", "mm/N", "flexibility of a unit along", role="step", source=UNIT,
-    ).reads(lambda q: q._unit.axial)  # fmt: skip
-    a_S = Quantity(
-        "a_S", "mm/N", "flexibility of a unit across", role="step", source=UNIT,
-    ).reads(lambda q: q._unit.lateral)  # fmt: skip
+    a_C = Quantity("a_C", "mm/N", "flexibility of a unit along", role="step",
+                   source=UNIT).reads(lambda q: q._unit.axial)  # fmt: skip
+    a_S = Quantity("a_S", "mm/N", "flexibility of a unit across", role="step",
+                   source=UNIT).reads(lambda q: q._unit.lateral)  # fmt: skip
 
     @Quantity("1/a_B", "N m", "stiffness of a middle unit, against a couple", source=UNIT,
               tex=r"\frac{1}{a_B}")  # fmt: skip

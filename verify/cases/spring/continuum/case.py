@@ -56,9 +56,8 @@ class PlaneSpring(FreeStage):
         "force and reaction as the parabolic shear stress of a rectangle",
     )
 
-    k_thick = Quantity(
-        "k_b", "N/mm", "stiffness, thick curved frame, plane stress", source=FRAME,
-    ).reads(lambda q: q._stiffness("thick", wide=False))  # fmt: skip
+    k_thick = Quantity("k_b", "N/mm", "stiffness, thick curved frame, plane stress",
+                       source=FRAME).reads(lambda q: q._stiffness("thick", wide=False))  # fmt: skip
     k_thick_wide = Quantity(
         "k_bw", "N/mm", "stiffness, thick curved frame, plane strain", source=FRAME,
     ).reads(lambda q: q._stiffness("thick", wide=True))  # fmt: skip

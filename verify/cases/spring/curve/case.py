@@ -67,12 +67,10 @@ class CurveSpring(CurveInputs, Case):
     ).reads(lambda q: q.linear.k1)  # fmt: skip
     U_A = Quantity("U_A", "mm", "displacement where leaves touch, linear theory", source=LINEAR,
                    tex=r"\frac{F_A}{k_1}").reads(lambda q: q.linear.U_A)  # fmt: skip
-    F_A = Quantity(
-        "F_A", "N", "force where leaves touch, linear theory", source=LINEAR,
-    ).reads(lambda q: q.linear.F_A)  # fmt: skip
-    k2 = Quantity(
-        "k_2", "N/mm", "stiffness beyond, linear theory", source=LINEAR,
-    ).reads(lambda q: q.linear.k2)  # fmt: skip
+    F_A = Quantity("F_A", "N", "force where leaves touch, linear theory",
+                   source=LINEAR).reads(lambda q: q.linear.F_A)  # fmt: skip
+    k2 = Quantity("k_2", "N/mm", "stiffness beyond, linear theory",
+                  source=LINEAR).reads(lambda q: q.linear.k2)  # fmt: skip
 
     @Quantity("U_10", "mm", "displacement where the lines of Eq. 10 cross (N, N/m)", role="step",
               source="Eq. 10", tex=r"\frac{0.0055 + 1.62}{749 - 613}", fitted=True,

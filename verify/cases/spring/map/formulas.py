@@ -89,9 +89,8 @@ class MapFormulas(MapInputs, Case):
         "F_x(x_r)", "N", "force at the end of a straight path of the roller", role="step",
         source=EXACT,
     ).reads(lambda q: q._pressed.get("F_x_straight", math.nan))  # fmt: skip
-    F_x = Quantity(
-        "F_x", "N", "force along, at the end of the roller's slanted path", source=EXACT,
-    ).reads(lambda q: q._pressed.get("F_x", math.nan))  # fmt: skip
+    F_x = Quantity("F_x", "N", "force along, at the end of the roller's slanted path",
+                   source=EXACT).reads(lambda q: q._pressed.get("F_x", math.nan))  # fmt: skip
     F_y = Quantity("F_y", "N", "force across, at the end of the roller's slanted path",
                    source=EXACT).reads(lambda q: q._pressed.get("F_y", math.nan))  # fmt: skip
 

@@ -76,15 +76,12 @@ class StageFormulas(StagesInputs, Case):
     def intercept(self) -> float:
         return self.F_A - self.k2 * self.U_A
 
-    U_B = Quantity(
-        "U_B", "mm", "displacement where the second tip touches", source=TIPS,
-    ).reads(lambda q: q._stages.U_B)  # fmt: skip
-    F_B = Quantity(
-        "F_B", "N", "force where the second tip touches", source=TIPS,
-    ).reads(lambda q: q._stages.F_B)  # fmt: skip
-    k3 = Quantity(
-        "k_3", "N/mm", "stiffness with both tips in touch", source=TIPS,
-    ).reads(lambda q: q._stages.k3)  # fmt: skip
+    U_B = Quantity("U_B", "mm", "displacement where the second tip touches",
+                   source=TIPS).reads(lambda q: q._stages.U_B)  # fmt: skip
+    F_B = Quantity("F_B", "N", "force where the second tip touches",
+                   source=TIPS).reads(lambda q: q._stages.F_B)  # fmt: skip
+    k3 = Quantity("k_3", "N/mm", "stiffness with both tips in touch",
+                  source=TIPS).reads(lambda q: q._stages.k3)  # fmt: skip
 
     @Quantity("L_0", "mm", "free length over all", role="step")
     def L0(self) -> float:
@@ -115,9 +112,8 @@ class StageFormulas(StagesInputs, Case):
     def k2_wide(self) -> float:
         return self.widest * self.k2
 
-    U_w = Quantity(
-        "U_w", "mm", "displacement at F", source=TIPS, when=loaded,
-    ).reads(lambda q: q._stages.displacement(q.F or 0.0))  # fmt: skip
+    U_w = Quantity("U_w", "mm", "displacement at F", source=TIPS,
+                   when=loaded).reads(lambda q: q._stages.displacement(q.F or 0.0))  # fmt: skip
 
     @Quantity("ΔU", "mm", "what is left until a tip touches", role="step", when=loaded)
     def margin(self) -> float:

@@ -98,12 +98,10 @@ class WideSpring(WidthInputs, Case):
     def f_wide(self) -> float:
         return self.widest
 
-    k_narrow = Quantity(
-        "k_EI", "N/mm", "stiffness of a narrow strip", source=FRAME,
-    ).reads(lambda q: q._stiffness(plane_strain=False))  # fmt: skip
-    k_wide = Quantity(
-        "k_PE", "N/mm", "stiffness of an endless strip", source=FRAME,
-    ).reads(lambda q: q._stiffness(plane_strain=True))  # fmt: skip
+    k_narrow = Quantity("k_EI", "N/mm", "stiffness of a narrow strip",
+                        source=FRAME).reads(lambda q: q._stiffness(plane_strain=False))  # fmt: skip
+    k_wide = Quantity("k_PE", "N/mm", "stiffness of an endless strip",
+                      source=FRAME).reads(lambda q: q._stiffness(plane_strain=True))  # fmt: skip
 
     @Quantity("k_1", "N/mm", "stiffness with the factor of one leaf", source=FRAME)
     def k(self) -> float:
