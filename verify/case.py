@@ -49,7 +49,8 @@ Other comparisons
 Figures, beside those of convergence
     AlongLine       a formula and the reference along a line
     Overlay         formulas and the reference over a family of cases
-    Drawn           any other figure, from all results; drawn_by: all figures of a case so
+    Drawn           any other figure, from all results; drawn_by: all figures of a case so;
+                    converged: one where the reference has levels enough
     plane_field     a field of a plane solution; picture: its colours
     sketches        the module of shapes of sketches
     plots           the module of curves
@@ -86,6 +87,7 @@ from verify.form.fields import plane_field as plane_field
 from verify.form.figures import AlongLine as AlongLine
 from verify.form.figures import Drawn as Drawn
 from verify.form.figures import Overlay as Overlay
+from verify.form.figures import converged as converged
 from verify.form.figures import drawn_by as drawn_by
 from verify.form.quantity import CaseError as CaseError
 from verify.form.quantity import Quantity as Quantity

@@ -106,6 +106,11 @@ class Drawn:
         return tuple(self.draw(context))
 
 
+def converged(draw: Callable[[Context], Figure]) -> Drawn:
+    """A figure where there are levels enough to say how uncertain the finest is."""
+    return Drawn(lambda context: (draw(context),) if context.converging else ())
+
+
 def drawn_by(
     *draw: Callable[[Context], Iterable[Figure]],
 ) -> Callable[[Case], tuple[Drawn, ...]]:

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from verify.case import AlongLine, Case, drawn_by, given, sketches, solved
+from verify.case import AlongLine, Case, converged, drawn_by, given, sketches, solved
 from verify.core.case import Context
 from verify.form.adapter import adapted
 from verify.form.plots import dashes, dots, line, plot
@@ -89,3 +89,10 @@ def test_texts_and_outlines_of_a_sketch_are_points_with_their_style():
     label, outline = sketches.text((1.0, 2.0), "A"), sketches.shape("body", [[0, 0], [1, 1]])
     assert (label.style, label.points.tolist(), label.label) == ("text", [[1.0, 2.0]], "A")
     assert (outline.style, outline.points.shape) == ("body", (2, 2))
+
+
+@pytest.mark.parametrize("levels", [2, 3])
+def test_what_needs_an_uncertainty_is_drawn_from_three_levels_on(levels):
+    fem = [solved(1 / level) for level in range(1, 1 + levels)]
+    found = converged(lambda context: len(context.fem)).drawn(Context("", Lines(), {}, fem, True))
+    assert found == ((3,) if levels == 3 else ())

@@ -1,7 +1,6 @@
 """Curves over the torque that star and cup have in common."""
 
 import math
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -37,13 +36,11 @@ def way(q: Any) -> AlongLine:
     )  # fmt: skip
 
 
-def torsion(context: Context, *, printed: str, note: str) -> Iterator[Curves]:
+def torsion(context: Context, *, printed: str, note: str) -> Curves:
     """Exact rolling, Eq. 7 as `printed`, and what the energy of finite elements asks for."""
-    if not context.converging:
-        return
     q = context.inputs
     states = loaded(q.clutch, FINE * q.T)
-    yield plot(
+    return plot(
         "Torsion over torque: Eq. 7 as printed and exact rolling", "T [N m]", "φ [°]",
         line("exact rolling", FINE * q.T, states.phi * DEGREE),
         dashes(f"Eq. 7 as printed, {printed}", FINE * q.T, states.phi_printed * DEGREE, 1),
@@ -52,14 +49,12 @@ def torsion(context: Context, *, printed: str, note: str) -> Iterator[Curves]:
     )  # fmt: skip
 
 
-def bisector(context: Context, x: str, cam: str, race: str, note: str) -> Iterator[Curves]:
+def bisector(context: Context, x: str, cam: str, race: str, note: str) -> Curves:
     """How far both contact forces leave the bisector, over torque or normal force (`x`)."""
-    if not context.converging:
-        return
     T, N, psi, *_ = context.fem[-1].arrays["loads"]
     load = T if x.startswith("T") else N / 1e3
     on_cam, on_race = 1e3 * (context.fem[-1].arrays["shares"] / np.tan(psi / 2) - 1)
-    yield plot(
+    return plot(
         "How far the line of the forces leaves the bisector", x, "(F_t/F_n)/tan(ψ/2) − 1 [10⁻³]",
         dots(f"FE, on the {cam}", load, on_cam),
         dots(f"FE, on the {race}", load, on_race, 2),

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from verify.case import AlongLine, Drawn, Level
+from verify.case import AlongLine, Drawn, Level, converged
 from verify.cases.contact.line.hertz import LineContact
 from verify.cases.contact.line.reference import STATIONS, VIEW
 from verify.core.case import Context
@@ -33,11 +33,10 @@ def extrapolated(h: Sequence[float], v: Sequence[float]) -> float:
 def refinement(limits: Callable[[Context], Mapping[str, float]], note: str) -> Drawn:
     """How p_0, a and the approach go to their `limits`, each beside a line of order 2."""
 
-    def drawn(context: Context) -> Iterator[Refinement]:
-        if not context.converging:
-            return
+    @converged
+    def drawn(context: Context) -> Refinement:
         to, levels = limits(context), {key: context.series(key) for key in SYMBOLS}
-        yield Refinement(
+        return Refinement(
             title="Convergence of p_0, a and δ, each for itself",
             x_label="cells on the half-width", y_label="|FE/limit − 1|",
             cells=4 / np.array(levels["a"][0]),
@@ -48,7 +47,7 @@ def refinement(limits: Callable[[Context], Mapping[str, float]], note: str) -> D
             order=2.0, note=f"Lines: order 2 through the finest mesh; {note}.",
         )  # fmt: skip
 
-    return Drawn(drawn)
+    return drawn
 
 
 def neglected(
@@ -56,12 +55,11 @@ def neglected(
 ) -> Drawn:
     """What Hertz neglects over a/R, beside the derived parabola."""
 
-    def drawn(context: Context) -> Iterator[Profile]:
-        if not context.converging:
-            return
+    @converged
+    def drawn(context: Context) -> Profile:
         eps, d, u = map(np.array, deviations(context.fem))
         x = np.linspace(0.0, eps[-1], 101)
-        yield Profile(
+        return Profile(
             title=f"What Hertz neglects in {symbol}", x_label="a/R",
             y_label=f"{symbol}: Hertz/FE − 1", x=x, y=theory * x**2, x_fem=eps, y_fem=d,
             y_ref=theory * eps**2, u=u, scale=1.0,
@@ -69,7 +67,7 @@ def neglected(
             "meshes, whose band is drawn.",
         )  # fmt: skip
 
-    return Drawn(drawn)
+    return drawn
 
 
 def two_bodies(q: LineContact) -> Iterator[AlongLine | Drawn]:
@@ -77,18 +75,16 @@ def two_bodies(q: LineContact) -> Iterator[AlongLine | Drawn]:
     note = "Line: Hertz; dots: finest mesh, in the band of the whole profile, which ends at 0.85 a."
     yield pressure(q, q.pressure, "Hertz", note)
 
-    def errors(context: Context) -> Iterator[Dots]:
-        if not context.converging:
-            return
+    def errors(context: Context) -> Dots:
         items = tuple(
             (symbol, (getattr(q, key) / context.series(key)[1][-1] - 1) * 1e3, None, "formula")
             for key, symbol in SYMBOLS.items()
         )
-        yield Dots(title="Hertz against finite elements", label="Hertz/FE − 1 [1/1000]",
-                   items=(*items, ("finite elements", 0.0, None, "fe")),
-                   note="The rows above judge these against what is derived.")  # fmt: skip
+        return Dots(title="Hertz against finite elements", label="Hertz/FE − 1 [1/1000]",
+                    items=(*items, ("finite elements", 0.0, None, "fe")),
+                    note="The rows above judge these against what is derived.")  # fmt: skip
 
-    yield Drawn(errors)
+    yield converged(errors)
     yield refinement(
         lambda context: {key: extrapolated(*context.series(key)) for key in SYMBOLS},
         "the limit extrapolates the last two meshes with it, so that the coarser ones tell",

@@ -1,18 +1,18 @@
 """Figures of partial slip: sketch, tractions, the loop, energies."""
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
 
 from analytic.contact import hertz_line, tangential_cycle
-from verify.case import AlongLine, Drawn, sketches
+from verify.case import AlongLine, Drawn, converged, sketches
 from verify.cases.contact.slip.formulas import SlipFormulas
 from verify.cases.contact.slip.inputs import SHARES, STAGES
 from verify.cases.contact.slip.reference import ACROSS, AROUND, GROWTH
 from verify.core.case import Context
-from verify.core.figures import Dots, Figure, Profile, Sketch
+from verify.core.figures import Dots, Profile, Sketch
 from verify.form.sketches import shape
 from verify.judging.profiles import along
 
@@ -42,21 +42,16 @@ def sketch(q: SlipFormulas) -> Sketch:
 
 def figures() -> Iterator[AlongLine | Drawn]:
     """Tractions, growth of the slip strips, the loop of a cycle, energies."""
-    yield _converged(_first_loading)
+    yield converged(_first_loading)
     yield AlongLine(
         title="Stick zone shrinks as Q grows", x=("Q/(μP)", "1"), y=("c/a", "1"),
         curve=lambda k: np.sqrt(1 - k), reference="profile, growth", at=GROWTH,
         points=np.linspace(0.0, 1.0, 201), order=1.0, scale=1.0,
         note="Stick half-width from the moments of the traction.",
     )  # fmt: skip
-    yield _converged(_cycle)
-    yield _converged(_loop)
-    yield _converged(_energies)
-
-
-def _converged(draw: Callable[[Context], Figure]) -> Drawn:
-    """A figure where there are levels enough to state its uncertainty."""
-    return Drawn(lambda context: (draw(context),) if context.converging else ())
+    yield converged(_cycle)
+    yield converged(_loop)
+    yield converged(_energies)
 
 
 def _first_loading(context: Context) -> Profile:

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from analytic.contact import hertz_point
-from verify.case import AlongLine, Drawn, sketches
+from verify.case import AlongLine, Drawn, converged, sketches
 from verify.cases.contact.sphere.formulas import SphereFormulas
 from verify.cases.contact.sphere.inputs import END
 from verify.cases.contact.sphere.reference import ACROSS, DEEP, VIEW
@@ -79,9 +79,8 @@ def stresses(q: SphereFormulas, body: str) -> Iterator[AlongLine]:
 def errors(q: SphereFormulas) -> Drawn:
     """Hertz and the first correction against finite elements."""
 
-    def drawn(context: Context) -> Iterator[Dots]:
-        if not context.converging:
-            return
+    @converged
+    def drawn(context: Context) -> Dots:
         items: list[tuple[str, float, float | None, str]] = []
         for key, words in (("a", "a"), ("p_0", "p_0"), ("approach", "δ")):
             fe = context.series(f"{key}{END[q.pair]}")[1][-1]
@@ -90,13 +89,13 @@ def errors(q: SphereFormulas) -> Drawn:
                 items.append((f"{words}, {label}", error, None, "formula"))
         items.append(("finite elements", 0.0, None, "fe"))
         where = "on a rigid flat" if q.pair == "flat" else "on the lower sphere"
-        yield Dots(
+        return Dots(
             title=f"What Hertz neglects, the upper sphere {where}",
             label="formula / FE − 1 [1/10 000]", items=tuple(items),
             note="The correction is of first order in a/R; what is left is mesh and second order.",
         )  # fmt: skip
 
-    return Drawn(drawn)
+    return drawn
 
 
 def pictures(a: float) -> Iterator[Picture]:

@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 
 from analytic.freewheel.state import State, at_normal_force
-from verify.case import Drawn
+from verify.case import converged
 from verify.cases.freewheel import over_torque
 from verify.cases.freewheel.cup.inputs import Cup
 from verify.cases.freewheel.over_torque import DEGREE
@@ -62,20 +62,16 @@ def sketch(q: Cup) -> Sketch:
 
 def figures(q: Cup) -> Iterator[Drawing]:
     """Torque and angle over the normal force, curves over torque, pressures."""
-    yield Drawn(_over_the_summit)
+    yield converged(_torques)
+    yield converged(_angles)
     yield over_torque.angle(q, ends=" and falls.")
-    yield Drawn(partial(over_torque.torsion, printed="s/R_s + s/X_o", note=ROLLED))
+    yield converged(partial(over_torque.torsion, printed="s/R_s + s/X_o", note=ROLLED))
     yield over_torque.way(q)
-    yield Drawn(partial(over_torque.bisector, x="F_n [kN]", cam="cup", race="shaft", note=TILTS))
+    yield converged(
+        partial(over_torque.bisector, x="F_n [kN]", cam="cup", race="shaft", note=TILTS)
+    )
     yield over_torque.pressure("cup")
     yield over_torque.pressure("shaft")
-
-
-def _over_the_summit(context: Context) -> Iterator[Curves]:
-    """Torque and angle over the normal force."""
-    if context.converging:
-        yield _torques(context)
-        yield _angles(context)
 
 
 def _course(context: Context) -> State:

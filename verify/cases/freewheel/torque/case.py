@@ -15,6 +15,7 @@ from verify.case import (
     Scan,
     State,
     approximation,
+    converged,
     limit,
     solved,
 )
@@ -187,9 +188,9 @@ class FreewheelTorque(Star):
     def figures(self) -> Iterator[AlongLine | Drawn]:
         """Angle, torsion and travel over torque; forces; pressures of both contacts."""
         yield over_torque.angle(self, ends=".")
-        yield Drawn(partial(over_torque.torsion, printed="s/R + s/X", note=ROLLED))
+        yield converged(partial(over_torque.torsion, printed="s/R + s/X", note=ROLLED))
         yield over_torque.way(self)
-        yield Drawn(partial(over_torque.bisector, x="T [N m]", cam="star", race="ring",
+        yield converged(partial(over_torque.bisector, x="T [N m]", cam="star", race="ring",
                             note=LEAVES))  # fmt: skip
         yield over_torque.pressure("star")
         yield over_torque.pressure("ring")

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from verify.case import AlongLine, Drawn
+from verify.case import AlongLine, Drawn, converged
 from verify.cases.polyhedral.wedge.formulas import WedgeFormulas
 from verify.cases.polyhedral.wedge.limit import ANY
 from verify.cases.polyhedral.wedge.reference import ACROSS
@@ -17,8 +17,8 @@ from verify.form.plots import dashes, dots, line, plot
 
 def figures(self: WedgeFormulas) -> Iterator[AlongLine | Drawn]:
     """Curves and profiles, where finite elements are solved."""
-    yield Drawn(lambda context: (_limit(context), _torques(self, context))
-                if context.converging else ())  # fmt: skip
+    yield converged(_limit)
+    yield converged(lambda context: _torques(self, context))
     yield AlongLine(
         title="Where a roller sticks that was pressed first and let go then", x=("T/(μN)", "1"),
         y=("c/a", "1"), curve=lambda k: np.sqrt(1 - k), points=np.linspace(0.0, 1.0, 201),

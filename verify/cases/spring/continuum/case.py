@@ -15,6 +15,7 @@ from verify.case import (
     Scan,
     about,
     approximation,
+    converged,
     picture,
 )
 from verify.cases.spring.continuum import reference as plane_body
@@ -97,11 +98,9 @@ class PlaneSpring(FreeStage):
     def figures(self) -> Iterator[Drawn]:
         """How far each frame theory is from the plane body."""
         for strip, wide in STRIPS:
-            yield Drawn(partial(self._theories, strip, wide))
+            yield converged(partial(self._theories, strip, wide))
 
-    def _theories(self, strip: str, wide: bool, context: Context) -> Iterator[Dots]:
-        if not context.converging:
-            return
+    def _theories(self, strip: str, wide: bool, context: Context) -> Dots:
         body = context.series("k_wide" if wide else "k")[1][-1]
         theories: tuple[tuple[frame.Theory, str], ...] = (
             ("bending", "thin: bending alone"), ("shear", "with axial force and shear"),
@@ -111,7 +110,7 @@ class PlaneSpring(FreeStage):
             (what, (self._stiffness(theory, wide=wide) / body - 1) * 1e4, None, "formula")
             for theory, what in theories
         )
-        yield Dots(
+        return Dots(
             title=f"Frames against the plane body, {strip}",
             label="k of the frame / k of the body − 1 [1/10 000]",
             items=(*items, ("plane body", 0.0, None, "fe")),
