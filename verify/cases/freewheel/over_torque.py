@@ -27,7 +27,7 @@ def angle(q: Any, *, ends: str) -> AlongLine:
     )  # fmt: skip
 
 
-def way(q: Any) -> AlongLine:
+def travel(q: Any) -> AlongLine:
     """Arc s of the roller's centre."""
     return AlongLine(
         title="Way of the roller's centre (Eq. 6)", x=("T", "N m"), y=("s", "µm"),

@@ -44,7 +44,7 @@ SERIES = "derived series of the disc; its next term, taken as 1 × (a/R)⁴"
 SHEAR = (
     "derived: −0.693 a/R from the opposite flat and the circle; the next term, taken as 1 × (a/R)²"
 )
-TELLS = 0.2, "tells the derived term from its parts, of a third and more"
+DERIVED = 0.2, "tells the derived term from its parts, of a third and more"
 
 
 def key(ratio: float) -> str:
@@ -171,7 +171,7 @@ class RollerOnFlat(FlatInputs):
         points = self.deviations(q)
         check = Coefficient(
             name=f"{q.what} over (a/R)²", symbol="c", unit="1", theory=theory,
-            points=lambda context: points(context.fem), demand=TELLS[0], demand_reason=TELLS[1],
+            points=lambda context: points(context.fem), demand=DERIVED[0], demand_reason=DERIVED[1],
         )  # fmt: skip
         return Comparison(check=check, quantity=q)
 

@@ -25,7 +25,7 @@ from verify.form.adapter import adapted
 FAST = 1e-3, "smooth fields on curved quadratic cells: much sharper than 1 % at no cost"
 DIRECT = "direct solve: machine epsilon times the condition of K"
 MOST_CELLS = 400_000
-LOUDEST = 1e-3  # share of the pressure up to which rounded positions may scatter it
+SCATTERED = 1e-3  # share of the pressure up to which rounded positions may scatter it
 AROUND = 150  # about the finest mesh's nodes on a quarter
 THINNEST = 0.04  # wall over r_f that the cells around are short against
 
@@ -109,10 +109,10 @@ class PressFit(FitFormulas):
                 f"a wall of {wall * 1e3:.4g} mm is below {THINNEST:.0%} of r_f: these cells are "
                 "too long for an even pressure on it, check it without --fem"
             )
-        if jitter(self, AROUND) > LOUDEST * min(self.of(fit).p for fit in FITS):
+        if jitter(self, AROUND) > SCATTERED * min(self.of(fit).p for fit in FITS):
             return (
                 f"delta = {self.delta * 1e6:.3g} µm is so little of r_f = {self.r_f * 1e3:.4g} mm "
-                f"that rounded positions make more than {LOUDEST:g} of the pressure: check it "
+                f"that rounded positions make more than {SCATTERED:g} of the pressure: check it "
                 "without --fem"
             )
         thin = np.log(min(2 * self.r_f / (self.r_f + self.r_i),

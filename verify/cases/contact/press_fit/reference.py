@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 EPS = float(np.finfo(np.float64).eps)
 TURNS = np.linspace(0.02, np.pi / 2 - 0.02, 41)  # where the pressure is plotted [rad]
-ASKEW = np.radians(30.0)  # direction of the profile across: on no line of the mesh's symmetry
+PROFILE_ANGLE = np.radians(30.0)  # of the stations across: no line of the mesh's symmetry
 ACROSS = 7  # stations in each wall
 
 
@@ -137,7 +137,7 @@ def profiles(q: FitInputs, fit: "ContactSolution") -> dict[str, Any]:
     """Pressure along the fit, radial and hoop stress across both walls."""
     from fem.contact.round_fit import pressure_at
 
-    across = fit.plane.at(np.outer([np.cos(ASKEW), np.sin(ASKEW)], stations(q)))
+    across = fit.plane.at(np.outer([np.cos(PROFILE_ANGLE), np.sin(PROFILE_ANGLE)], stations(q)))
     _, radial, hoop, _ = across.polar()
     along = pressure_at(fit.touches[0], TURNS)
     return {"p along": along, "profile hoop": hoop, "profile radial": radial}

@@ -69,12 +69,12 @@ def extreme(design: int, *, most: bool) -> Margin:
 
 def _peaks(context: Context, design: int) -> str:
     """The design's largest pressures, and its place among all: it hangs on where one looks."""
-    told = []
+    peaks = []
     for key, where in (("p_max", "beyond d"), ("near", "beyond 0.1 mm")):
         found = _designs(context, key)[-1]
         place = int(np.argsort(np.argsort(found))[design]) + 1
-        told.append(f"{found[design] / 1e6:.0f} MPa {where}, {place} of {len(found)} upwards")
-    return "; ".join(told)
+        peaks.append(f"{found[design] / 1e6:.0f} MPa {where}, {place} of {len(found)} upwards")
+    return "; ".join(peaks)
 
 
 def _designs(context: Context, key: str) -> Array:

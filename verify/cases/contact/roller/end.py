@@ -37,7 +37,7 @@ from verify.judging.checks import Accepted, Approximation, Margin
 mm = 1e-3
 HALF_SPACE = (64, 512)  # cells across and along
 FACE = 0.10  # of the load within d of the ends that the face takes at least
-MOSTLY = 1 / 3  # of what the face takes, which the bodies' size stays below
+SIZE_SHARE = 1 / 3  # of what the face takes, which the bodies' size stays below
 EDGE_LEFT = 5e-3  # of the slope at the edge itself: terms of the order of its distances
 TERMS = "argued: terms of the order of the distance, 1 and 2 thousandths of the radius"
 
@@ -206,10 +206,10 @@ def face(state: State) -> Margin:
     def margin(context: Context) -> tuple[float, float, str]:
         here, on, U = end_loads(context, "end", state)
         beyond, _, _ = end_loads(context, "control", state)
-        told = (
+        words = (
             f"{here / on - 1:+.1%} of the half-space's, {here / beyond - 1:+.1%} of the control's"
         )
-        return 1 - here / on - FACE, U, told
+        return 1 - here / on - FACE, U, words
 
     return margin
 
@@ -220,8 +220,8 @@ def mostly(state: State) -> Margin:
     def margin(context: Context) -> tuple[float, float, str]:
         face_, on, U = end_loads(context, "end", state)
         size, _, U_size = end_loads(context, "control", state)
-        left = MOSTLY * (1 - face_ / on) - abs(1 - size / on)
-        return left, MOSTLY * U + U_size, f"{size / on - 1:+.1%} against {face_ / on - 1:+.1%}"
+        left = SIZE_SHARE * (1 - face_ / on) - abs(1 - size / on)
+        return left, SIZE_SHARE * U + U_size, f"{size / on - 1:+.1%} against {face_ / on - 1:+.1%}"
 
     return margin
 

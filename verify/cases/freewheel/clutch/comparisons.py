@@ -44,7 +44,7 @@ def moved(q: ClutchInputs, dX: float) -> Moved:
     return Moved(replace(parts(q.as_star), flat=q.X + dX), approaches)
 
 
-def lets_go(context: Context) -> tuple[float, float]:
+def slips_below(context: Context) -> tuple[float, float]:
     """With friction a per cent below mu_req the limit of slip is below the axial load."""
     return float(0.5 - context.fem[-1].arrays["around"][0]), 0.0
 
@@ -78,7 +78,7 @@ def comparisons(q: ClutchInputs, case: Any) -> Iterator[Comparison]:
                             shares=SHARED, **more)  # fmt: skip
     for name, margin in (
         ("friction 1 % above μ_req bears torque and axial load (Eqs. 8, 9)", bears),
-        ("friction 1 % below μ_req does not (Eqs. 8, 9)", lets_go),
+        ("friction 1 % below μ_req does not (Eqs. 8, 9)", slips_below),
     ):
         check = Fact(name=name, symbol="μ_req", unit="1", margin=margin)
         yield Comparison(check=check, quantity=case.mu_req, shares=COULOMB)

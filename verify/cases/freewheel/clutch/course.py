@@ -39,9 +39,9 @@ def where_friction_holds(q: ClutchInputs) -> str:
     ranges = q.duty.friction_holds
     if q.F_ax == 0 and ranges and math.isfinite(ranges[0][1]):
         return f"without axial load friction holds up to {newton_metres(ranges[0][1])}"
-    told = [f"{a:.4g} to {newton_metres(b)}" if math.isfinite(b) else f"{newton_metres(a)} on"
+    parts = [f"{a:.4g} to {newton_metres(b)}" if math.isfinite(b) else f"{newton_metres(a)} on"
             for a, b in ranges]  # fmt: skip
-    at = f"from {' and from '.join(told)}" if told else "at no torque"
+    at = f"from {' and from '.join(parts)}" if parts else "at no torque"
     return f"friction would bear F_ax = {newton(q.F_ax)} {at}"
 
 
@@ -73,10 +73,10 @@ def tilted(q: ClutchInputs, v: Values) -> list[str]:
 
 def _listed(limits: Sequence[Limit], now: float, symbol: str) -> str:
     """The first limit and the next, unless that is far off, with their margins over the load."""
-    told, written = [], newton if symbol == "F_ax" else newton_metres
+    parts, written = [], newton if symbol == "F_ax" else newton_metres
     for k, limit in enumerate(limits[:2]):
         if limit.at > FAR * max(limits[0].at, now):
             break
         margin = f", {limit.at / now:.3g} {symbol}" if now > 0 else ""
-        told.append(f"{'first ' if k == 0 else ''}{limit.words} ({written(limit.at)}{margin})")
-    return ", then ".join(told)
+        parts.append(f"{'first ' if k == 0 else ''}{limit.words} ({written(limit.at)}{margin})")
+    return ", then ".join(parts)

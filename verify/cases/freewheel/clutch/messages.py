@@ -97,9 +97,9 @@ def scattered(q: ClutchInputs, v: Values) -> list[str]:
             f"{v['alpha_0_below_95'] * DEGREE:.3f}° and μ/μ_req from {v['safety_below_5']:.3g} to "
             f"{v['safety_below_95']:.3g}"
         )
-    told = ", ".join([*lost, f"{share(v['P_slip'])} slip"])
+    slips = ", ".join([*lost, f"{share(v['P_slip'])} slip"])
     return [
-        f"of {DRAWS:,} clutches of like rollers with {', '.join(given)}: {told} (by friction "
+        f"of {DRAWS:,} clutches of like rollers with {', '.join(given)}: {slips} (by friction "
         f"{shares}){spread}"
     ]
 

@@ -39,18 +39,18 @@ def flats(q: ClutchInputs) -> str:
     needed = [moved_to(q.duty, goal) for goal in GOALS]
     if math.isnan(needed[0]):
         return "to hold at this T and F_ax: no X is enough"
-    told = []
+    parts = []
     for dX in needed:
         if math.isnan(dX):
-            told.append("no X")
+            parts.append("no X")
             continue
         angle = float(q.moved(dX).cam.alpha0) * DEGREE
-        told.append(f"X = {(q.X + dX) * 1e3:.7g} mm ({dX * 1e6:+.3g} µm, α_0 = {angle:.3f}°)")
-    return f"to hold at this T and F_ax with μ/μ_req of {_each(told)}"
+        parts.append(f"X = {(q.X + dX) * 1e3:.7g} mm ({dX * 1e6:+.3g} µm, α_0 = {angle:.3f}°)")
+    return f"to hold at this T and F_ax with μ/μ_req of {_each(parts)}"
 
 
-def _each(told: list[str]) -> str:
-    return ", ".join(f"{goal:.1f}: {text}" for goal, text in zip(GOALS, told, strict=True))
+def _each(parts: list[str]) -> str:
+    return ", ".join(f"{goal:.1f}: {text}" for goal, text in zip(GOALS, parts, strict=True))
 
 
 def stiffer(q: ClutchInputs) -> str:
@@ -73,9 +73,9 @@ def sensitive(q: ClutchInputs, v: Values) -> list[str]:
         for s in by
     )
     shares = [s for s in sorted(by, key=lambda s: -s.share) if s.share > 0]
-    told = ", ".join(f"{s.name} {100 * s.share:.0f} %" for s in shares)
+    parts = ", ".join(f"{s.name} {100 * s.share:.0f} %" for s in shares)
     found = [
-        f"sensitivity of α_0: {turned}" + (f"; of its variance come from {told}" if told else "")
+        f"sensitivity of α_0: {turned}" + (f"; of its variance come from {parts}" if parts else "")
     ]
     if v.get("safety", 0.0) >= 1 and v["mu_0"] <= q.mu:
         found += _ends_of_X(q)
@@ -89,5 +89,5 @@ def _ends_of_X(q: ClutchInputs) -> list[str]:
         (until_pop_through(q.duty), "larger", "the rollers pass through between flat and race"),
     ]
     near = sorted(one for one in limits if math.isfinite(one[0]))
-    told = [f"with X {side} by {dX * 1e6:.3g} µm {what}" for dX, side, what in near]
-    return ["; ".join(told)] if told else []
+    parts = [f"with X {side} by {dX * 1e6:.3g} µm {what}" for dX, side, what in near]
+    return ["; ".join(parts)] if parts else []

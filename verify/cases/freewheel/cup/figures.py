@@ -66,7 +66,7 @@ def figures(q: Cup) -> Iterator[Drawing]:
     yield converged(_angles)
     yield over_torque.angle(q, ends=" and falls.")
     yield converged(partial(over_torque.torsion, printed="s/R_s + s/X_o", note=ROLLED))
-    yield over_torque.way(q)
+    yield over_torque.travel(q)
     yield converged(
         partial(over_torque.bisector, x="F_n [kN]", cam="cup", race="shaft", note=TILTS)
     )

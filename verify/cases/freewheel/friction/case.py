@@ -207,8 +207,8 @@ class FreewheelFriction(Pulled):
         if not self.bears_axial_load:
             yield "slips under the torque alone: friction is less than the wedge asks for"
             return
-        said = "holds" if self.safety >= 1 else "slips"
-        yield f"{said}: μ/μ_req = {self.safety:.4g}, {criterion.traffic_light(self.safety)}"
+        verdict = "holds" if self.safety >= 1 else "slips"
+        yield f"{verdict}: μ/μ_req = {self.safety:.4g}, {criterion.traffic_light(self.safety)}"
         yield (
             f"beyond F_ax = {self.F_lim:.4g} N it slips along the axis and turns by "
             f"{self.creep:.3g} times that, or lets the rollers out within {self.u_out * 1e3:.2g} mm"

@@ -46,7 +46,7 @@ def sketch(q: Any) -> Sketch:
         arrow(0.7 * ray - 1.7 * along, 0.7 * ray, "F_t"),
         text((0.0, 0.0), "F_a"),
         shape("faint", cone + CIRCLE * circle),
-        (shape("axis", cone + 1.2 * CIRCLE * np.array([-way, way])) for way in (right, up)),
+        (shape("axis", cone + 1.2 * CIRCLE * np.array([-axis, axis])) for axis in (right, up)),
         arrow(cone, tip),
         leader(cone + 1.45 * CIRCLE * (right + up) / 1.4142, tip, "μ_req F_n"),
         leader(cone + 1.4 * CIRCLE * (right - up) / 1.4142, cone + CIRCLE * (right - up) / 1.4142,

@@ -118,9 +118,9 @@ def plane(context: Context) -> Curves:
     ]  # fmt: skip
     for case, colour, drawn in ((2, 2, "line"), (1, 0, "dashes"), (3, 1, "line")):
         curves += _ways(q.courses[case], q.R, f"load case {case}", colour, drawn)
-    for name, colour, told in (("growing", 2, "FE, extremes of 2"), ("ramp", 0, "FE, load case 1")):
+    for name, colour, of in (("growing", 2, "extremes of 2"), ("ramp", 0, "load case 1")):
         table = last[name]
-        curves.append(dots(told, table[:, 1:3].mean(axis=1), table[:, 3], colour))  # fmt: skip
+        curves.append(dots(f"FE, {of}", table[:, 1:3].mean(axis=1), table[:, 3], colour))
     return plot(
         "Tangential and axial force over the normal force, up to slip", "F_t/F_n", "F_a/F_n",
         curves,

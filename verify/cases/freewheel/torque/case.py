@@ -27,7 +27,7 @@ from verify.form.adapter import adapted
 
 SHARP = "acceptance of the subject"
 ENCLOSED = "as sharp as three bodies that enclose the star are"
-SHOWS = "a formula 22 % off: three per cent show it"
+PRINTED_ERROR = "a formula 22 % off: three per cent show it"
 ON_FLAT = "rolling on a flat instead of on a circle: (R + X)/(2X)"
 NO_LEVER = "F_n misses the axis by x: X/R of the torque is left"
 ROOM = "small displacements leave room beside the contacts' middles:"
@@ -160,7 +160,7 @@ class FreewheelTorque(Star):
         on_flat = times(torsion, (self.R + self.X) / (2 * self.X), STRAIGHT)
         yield approximation(
             star.phi_printed, name="torsion, Eq. 7 as printed, against ∫dU/T", symbol="φ(T)",
-            expected=known(self, on_flat, ON_FLAT), sensitivity=(0.03, SHOWS), **more,
+            expected=known(self, on_flat, ON_FLAT), sensitivity=(0.03, PRINTED_ERROR), **more,
         )  # fmt: skip
 
     def _at_force(self) -> Iterator[Comparison]:
@@ -189,7 +189,7 @@ class FreewheelTorque(Star):
         """Angle, torsion and travel over torque; forces; pressures of both contacts."""
         yield over_torque.angle(self, ends=".")
         yield converged(partial(over_torque.torsion, printed="s/R + s/X", note=ROLLED))
-        yield over_torque.way(self)
+        yield over_torque.travel(self)
         yield converged(partial(over_torque.bisector, x="T [N m]", cam="star", race="ring",
                             note=LEAVES))  # fmt: skip
         yield over_torque.pressure("star")

@@ -119,11 +119,11 @@ def _of_paper() -> Iterator[Comparison]:
     ))  # fmt: skip
     yield Comparison(quantity=MapSpring.linear_0_3, check=Accepted(
         name="a free head bears less than a third of Eq. 9's force at 30 % of the length",
-        symbol="F", unit="1", margin=claims.let_loose,
+        symbol="F", unit="1", margin=claims.free_head,
     ))  # fmt: skip
     yield Comparison(check=Agreement(
         name="a straight way stands for the roller's within 1 % of the force", symbol="F_x",
-        unit="N", pair=claims.way, accepted=WAY, source=suites("as far off as rows may be"),
+        unit="N", pair=claims.travel, accepted=WAY, source=suites("as far off as rows may be"),
         **demanded(WAY),
     ))  # fmt: skip
     yield Comparison(quantity=MapSpring.error_of_tests, check=Contradiction(

@@ -46,7 +46,7 @@ def falls(context: Context) -> tuple[float, float, str]:
     return float(np.diff(m).min()), NOISE, words
 
 
-def let_loose(context: Context) -> tuple[float, float, str]:
+def free_head(context: Context) -> tuple[float, float, str]:
     """What a third of Eq. 9's force leaves above that of a free head at 0.3 of the length."""
     F = [r.values["F_free"] for r in context.fem]
     promised = context.analytic["linear_0_3"]
@@ -54,7 +54,7 @@ def let_loose(context: Context) -> tuple[float, float, str]:
     return THIRD - F[-1] / promised, 3 * abs(F[-1] - F[-2]) / promised, words
 
 
-def way(context: Context) -> Pair:
+def travel(context: Context) -> Pair:
     """The forces at the end of the straight and the slanted way."""
     v = context.fem[-1].values
     m = v["F_x_straight"] / v["F_x"] - 1

@@ -134,7 +134,7 @@ def tables(q: StagesInputs, context: Context) -> Sequence[Table]:
         return (Table(title=title, header=header, rows=tuple(rows), note=NOTE),)
     header += ("k_1, Eq. 10", "U_A", "F_A", "k_2", "k_1, test", "k_2, test", "k_1 within 1 %")
     return (Table(title=f"{title}, beside Eq. 10 and the tests", header=header, rows=tuple(rows),
-                  note=f"{told(q)} {NOTE}"),)  # fmt: skip
+                  note=f"{predictions(q)} {NOTE}"),)  # fmt: skip
 
 
 NOTE = (
@@ -144,7 +144,7 @@ NOTE = (
 )
 
 
-def told(q: StagesInputs) -> str:
+def predictions(q: StagesInputs) -> str:
     """Which readings meet the printed k_1, and how far their predictions are apart."""
     found = meeting(q)
     if not found:
