@@ -7,12 +7,11 @@ from functools import cache
 import numpy as np
 import pytest
 
-from analytic.rotor import transfer_bending, transfer_model, transfer_torsion
+from analytic.rotor import rotor_study, transfer_bending, transfer_model, transfer_torsion
 from tests.verify.template_text import inputs_of, whole
 from verify.answers.template import template
 from verify.app.cli import run
 from verify.cases.registry import find
-from verify.cases.rotor.system import formulas
 from verify.cases.rotor.system.case import SYSTEM, RotorSystem
 from verify.cases.rotor.system.inputs import RPM
 from verify.cases.rotor.system.reference import solve
@@ -124,13 +123,13 @@ FAULTS = [
                  None, id="another length for phi: no fault"),
     pytest.param(transfer_torsion, "free_turns", lambda f: lambda rotor: f(rotor) - 1,
                  "torsional frequency", id="a free turn counted"),
-    pytest.param(formulas, "unbalance_response",
+    pytest.param(rotor_study, "unbalance_response",
                  lambda f: lambda r, n, u, excitation: f(r, n, u, excitation=1.0),
                  "amplitude at the probe", id="unbalance turns with the first shaft"),
-    pytest.param(formulas, "critical_speeds",
+    pytest.param(rotor_study, "critical_speeds",
                  lambda f: lambda r, **k: f(r, **k | {"excitation": 1.0}),
                  "critical speed 1, unbalance of another speed", id="one excitation for all"),
-    pytest.param(formulas, "critical_speeds",
+    pytest.param(rotor_study, "critical_speeds",
                  lambda f: lambda r, **k: f(r, **k | {"whirl": "backward"}),
                  "critical speed 2, the first shaft's unbalance", id="backward critical speeds"),
 ]  # fmt: skip

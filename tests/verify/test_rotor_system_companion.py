@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from analytic.rotor import transfer_model
-from verify.cases.rotor.system import formulas
+from analytic.rotor import rotor_study, transfer_model
 from verify.cases.rotor.system.case import SYSTEM, RotorSystem
 from verify.cases.rotor.system.companion import companion
 from verify.cases.rotor.system.formulas import TransferRotor
@@ -44,9 +43,9 @@ def kept(name, change):
 
 
 def excited(change):
-    was = formulas.unbalance_response
+    was = rotor_study.unbalance_response
     return (
-        formulas,
+        rotor_study,
         "unbalance_response",
         lambda r, n, u, excitation: was(r, n, change(u, excitation), excitation=excitation),
     )

@@ -4,11 +4,11 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
+from analytic.rotor.rotor_study import opposite_criticals
 from verify.answers.answer import Quantity
 from verify.answers.assessment import Assessment
 from verify.cases.rotor.clutch.advice import open_slices
 from verify.cases.rotor.system.advice import criticals, distance, limits
-from verify.cases.rotor.system.formulas import opposite_criticals
 from verify.core.case import Values
 
 SEPARATION = 0.15
@@ -51,7 +51,7 @@ def system(q: Any, _: Values, part: Assessment) -> None:
     _distance(q.speed_from, q.speed_to, q.margin, nearest.speed, part,
               assumed="margin" in part.assumed)  # fmt: skip
     low, high = limits(q)
-    for speed in opposite_criticals(q):
+    for speed in opposite_criticals(q.rotor):
         text = (
             f"critical speed of {OPPOSITE} whirl at {speed / RPM:.5g} r/min, {{}}: unbalance "
             "excites it unless every bearing is equally stiff in both directions"

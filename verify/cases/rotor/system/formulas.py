@@ -1,84 +1,19 @@
 """A rotor by transfer matrices: frequencies, critical speeds, response, torsion."""
 
-from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from analytic.rotor.transfer_modes import (
-    Modes,
-    critical_speeds,
-    modes,
-    natural_frequencies,
-    whirl_frequencies,
-)
-from analytic.rotor.transfer_response import Response, unbalance_response
-from analytic.rotor.transfer_torsion import torsional_frequencies
+from analytic.rotor.rotor_study import Study, branches, study
 from verify.case import Quantity, shared
 from verify.cases.rotor.system.inputs import CRITICALS, FREQUENCIES, critical_name
 from verify.cases.rotor.system.transfer import DescribedRotor
 
 ORDERS = range(1, FREQUENCIES + 1)
-SEARCHED = 8  # critical speeds of each shaft's unbalance
-CAMPBELL = 20  # speeds
 TURN = 2 * np.pi  # frequencies are handed over in Hz, speeds in rad/s
 
 Array = NDArray[np.float64]
-
-
-@dataclass(frozen=True)
-class Excited:
-    """Critical speeds [rad/s] of the unbalance of shafts with one `ratio`, and their modes."""
-
-    ratio: float
-    shafts: tuple[str, ...]
-    modes: Modes
-
-    @property
-    def speeds(self) -> Array:
-        """Of the rotor, rising."""
-        return self.modes.speeds
-
-
-@dataclass(frozen=True)
-class Study:
-    """What the formulas find of a rotor."""
-
-    modes: Modes
-    excited: tuple[Excited, ...]
-    responses: tuple[Response, ...]
-    torsion: Array
-    slender: Array  # frequencies by Euler's theory
-
-
-def ratios(q: DescribedRotor) -> list[float]:
-    """Ratios of speed that unbalance may turn with, in the order of the shafts."""
-    return list(dict.fromkeys(shaft.ratio for shaft in q.shafts if shaft.ratio))
-
-
-def _excited(q: DescribedRotor, ratio: float) -> Excited:
-    """On bearings alike in x and y unbalance excites whirl in its own sense alone."""
-    names = tuple(shaft.name for shaft in q.shafts if shaft.ratio == ratio)
-    sense = None if not q.rotor.isotropic else "forward" if ratio > 0 else "backward"
-    found = critical_speeds(q.rotor, count=SEARCHED, whirl=sense, excitation=abs(ratio))  # type: ignore[arg-type]
-    return Excited(ratio, names, found)
-
-
-def opposite_criticals(q: DescribedRotor) -> list[float]:
-    """Critical speeds [rad/s] of whirl against the unbalance's turn, which bearings excite.
-
-    Unbalance excites them only where bearings differ in x and y; where they are given so, all
-    critical speeds are among those of `study`.
-    """
-    if not q.rotor.isotropic:
-        return []
-    found: list[float] = []
-    for ratio in ratios(q):
-        sense = "backward" if ratio > 0 else "forward"
-        modes_ = critical_speeds(q.rotor, count=SEARCHED, whirl=sense, excitation=abs(ratio))  # type: ignore[arg-type]
-        found += [float(w) for w in modes_.speeds]
-    return sorted(found)
 
 
 def _found(group: int) -> Any:
@@ -155,17 +90,8 @@ class TransferRotor(DescribedRotor):
     @shared
     def study(self) -> Study:
         """Modes at the speed, critical speeds of each shaft's unbalance, response, torsion."""
-        return Study(
-            modes=modes(self.rotor, self.speed, count=FREQUENCIES),
-            excited=tuple(_excited(self, ratio) for ratio in ratios(self)),
-            responses=tuple(
-                unbalance_response(self.rotor, self.speed, group, excitation=ratio)
-                for ratio, group in self.unbalanced().items()
-                if ratio
-            ),
-            torsion=torsional_frequencies(self.rotor, count=1),
-            slender=modes(replace(self.rotor, theory="euler"), self.speed, count=FREQUENCIES).w,
-        )
+        names = tuple(shaft.name for shaft in self.shafts)
+        return study(self.rotor, names, self.speed, self.unbalanced(), FREQUENCIES)
 
     @property
     def undamped(self) -> dict[str, float]:
@@ -185,17 +111,5 @@ class TransferRotor(DescribedRotor):
 
     @shared
     def campbell(self) -> tuple[Array, Array, tuple[int, ...]]:
-        """Speeds (n,), natural frequencies (n, branches) [rad/s] and the sense of each branch.
-
-        On unlike bearings, where whirl is elliptical, a branch has the sense that it has at the
-        speed that frequencies are told at.
-        """
-        speeds = np.linspace(0, self.speed_axis, CAMPBELL)
-        if not self.rotor.isotropic:
-            told = tuple(int(sense) for sense in self.study.modes.whirl[:FREQUENCIES])
-            return speeds, natural_frequencies(self.rotor, speeds, count=len(told)), told
-        half = FREQUENCIES // 2
-        forward = whirl_frequencies(self.rotor, speeds, count=half, whirl="forward")
-        backward = whirl_frequencies(self.rotor, speeds, count=half, whirl="backward")
-        both = np.concatenate([forward, backward], axis=1)
-        return speeds, both, (1,) * half + (-1,) * half
+        """Speeds (n,), natural frequencies (n, branches) [rad/s] and the sense of each branch."""
+        return branches(self.rotor, self.speed_axis, self.study.modes, FREQUENCIES)

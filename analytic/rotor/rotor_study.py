@@ -1,0 +1,120 @@
+"""What exact transfer matrices find of one rotor: modes, critical speeds, response, torsion."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic.rotor.transfer_model import Rotor
+from analytic.rotor.transfer_modes import (
+    Modes,
+    Whirl,
+    critical_speeds,
+    modes,
+    natural_frequencies,
+    whirl_frequencies,
+)
+from analytic.rotor.transfer_response import Response, unbalance_response
+from analytic.rotor.transfer_torsion import torsional_frequencies
+
+SEARCHED = 8  # critical speeds of each shaft's unbalance
+CAMPBELL = 20  # speeds
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Excited:
+    """Critical speeds [rad/s] of the unbalance of shafts with one `ratio`, and their modes."""
+
+    ratio: float
+    shafts: tuple[str, ...]
+    modes: Modes
+
+    @property
+    def speeds(self) -> Array:
+        """Of the rotor, rising."""
+        return self.modes.speeds
+
+
+@dataclass(frozen=True)
+class Study:
+    """What the formulas find of a rotor."""
+
+    modes: Modes
+    excited: tuple[Excited, ...]
+    responses: tuple[Response, ...]
+    torsion: Array
+    slender: Array  # frequencies by Euler's theory
+
+
+def study(
+    rotor: Rotor, names: Sequence[str], speed: float,
+    unbalances: Mapping[float, Mapping[int, complex]], count: int,
+) -> Study:  # fmt: skip
+    """`count` modes at the speed [rad/s], critical speeds, response, the lowest torsion.
+
+    `names` are those of the shafts, `unbalances` [kg m] lie at stations from 0, by the ratio of
+    their shaft; one that does not turn excites nothing.
+    """
+    return Study(
+        modes=modes(rotor, speed, count=count),
+        excited=tuple(_excited(rotor, names, ratio) for ratio in ratios(rotor)),
+        responses=tuple(
+            unbalance_response(rotor, speed, group, excitation=ratio)
+            for ratio, group in unbalances.items() if ratio
+        ),
+        torsion=torsional_frequencies(rotor, count=1),
+        slender=modes(replace(rotor, theory="euler"), speed, count=count).w,
+    )  # fmt: skip
+
+
+def ratios(rotor: Rotor) -> list[float]:
+    """Ratios of speed that unbalance may turn with, in the order of the shafts."""
+    return list(dict.fromkeys(shaft.ratio for shaft in rotor.shafts if shaft.ratio))
+
+
+def _excited(rotor: Rotor, names: Sequence[str], ratio: float) -> Excited:
+    """On bearings alike in x and y unbalance excites whirl in its own sense alone."""
+    own = tuple(n for n, s in zip(names, rotor.shafts, strict=True) if s.ratio == ratio)
+    sense: Whirl | None = None
+    if rotor.isotropic:
+        sense = "forward" if ratio > 0 else "backward"
+    found = critical_speeds(rotor, count=SEARCHED, whirl=sense, excitation=abs(ratio))
+    return Excited(ratio, own, found)
+
+
+def opposite_criticals(rotor: Rotor) -> list[float]:
+    """Critical speeds [rad/s] of whirl against the unbalance's turn, which bearings excite.
+
+    Unbalance excites them only where bearings differ in x and y; where they are given so, all
+    critical speeds are among those of `study`.
+    """
+    if not rotor.isotropic:
+        return []
+    found: list[float] = []
+    for ratio in ratios(rotor):
+        sense: Whirl = "backward" if ratio > 0 else "forward"
+        opposite = critical_speeds(rotor, count=SEARCHED, whirl=sense, excitation=abs(ratio))
+        found += [float(w) for w in opposite.speeds]
+    return sorted(found)
+
+
+def branches(
+    rotor: Rotor, top: float, at_speed: Modes, count: int
+) -> tuple[Array, Array, tuple[int, ...]]:
+    """Speeds (n,) up to `top`, natural frequencies (n, branches) [rad/s], sense of each branch.
+
+    `count` branches, an even number. On unlike bearings, where whirl is elliptical, a branch has
+    the sense that it has among the modes `at_speed`.
+    """
+    speeds = np.linspace(0, top, CAMPBELL)
+    if not rotor.isotropic:
+        senses = tuple(int(sense) for sense in at_speed.whirl)
+        return speeds, natural_frequencies(rotor, speeds, count=len(senses)), senses
+    half = count // 2
+    forward = whirl_frequencies(rotor, speeds, count=half, whirl="forward")
+    backward = whirl_frequencies(rotor, speeds, count=half, whirl="backward")
+    both = np.concatenate([forward, backward], axis=1)
+    return speeds, both, (1,) * half + (-1,) * half
