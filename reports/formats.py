@@ -15,7 +15,7 @@ MINUS = "−"
 
 _INDEX = re.compile(r"(?<![\w.])([A-Za-zΑ-ωΔ])_(\{[^}]*\}|[A-Za-z0-9Α-ω∞]{1,6})(?![\w])")
 _LEDGER = re.compile(r"ledger ([a-z]+\d*):([a-zA-Z0-9-]+)")
-_POWER = re.compile(r"(?<=[\w)])\^(-?\d+)")
+_POWER = re.compile(r"(?<=[\w)])\^(-?\d+(?:\.\d+)?)")
 _POWER_OF_TEN = re.compile(rf"e({MINUS}?\d+)")
 _MINUS = re.compile(r"(?<![\w./^-])-(?=\d)")
 

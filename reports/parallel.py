@@ -89,7 +89,7 @@ def _short(value: float) -> str:
 
 def _unit(axis: ParallelAxis) -> str:
     """The unit as printed: kg m², and nothing for pure numbers."""
-    raised = re.sub(r"\^(-?\d)", lambda power: power[1].translate(POWERS), axis.unit)
+    raised = re.sub(r"\^(-?\d)(?!\.)", lambda power: power[1].translate(POWERS), axis.unit)
     return raised if raised != "1" else ""
 
 

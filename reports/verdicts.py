@@ -36,10 +36,15 @@ def verdicts(report: Report) -> list[Verdict]:
 def markdown(report: Report) -> str:
     """The same as a table in Markdown."""
     lines = (
-        f"| `{v.case}` | {v.what} | {v.rows} | {v.states} | {v.difference} | {v.seen} |"
+        f"| `{v.case}` | {_cell(v.what)} | {v.rows} | {v.states} | {v.difference} | {v.seen} |"
         for v in verdicts(report)
     )
     return "\n".join([HEAD, *lines])
+
+
+def _cell(text: str) -> str:
+    """Text of a cell, whose bars would end it."""
+    return text.replace("|", r"\|")
 
 
 def first_author(authors: str, year: int | None) -> str:

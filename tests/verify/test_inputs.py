@@ -327,6 +327,10 @@ def test_integers_that_python_does_not_print_are_refused_with_the_file(content, 
 def test_what_is_no_file_is_refused(tmp_path):
     with pytest.raises(InputError, match=r"is a directory, expected a TOML file$"):
         read_parameter_file(tmp_path)
+    bare = tmp_path / "bare.toml"
+    bare.write_text('case = "ring-lame"\n[inputs]\nr_i = 60 mm\n', "utf-8")
+    with pytest.raises(InputError, match=r'quotes are missing, r_i = "60 mm"$'):
+        read_parameter_file(bare)
     with pytest.raises(InputError, match=r"nope\.toml: cannot be read: No such file or directory$"):
         read_parameter_file(tmp_path / "nope.toml")
     with pytest.raises(InputError, match="embedded null"):

@@ -211,8 +211,8 @@ def test_numbers_that_do_not_end_are_written_to_their_last_digit():
     from dataclasses import replace
 
     class Awkward(Inputs):
-        L: float = quantity(0.1 / 3, "mm", "L", "a third of a decimetre")
-        alpha: float = quantity(1.0, "deg", "α", "one radian")
+        L: float = quantity(f"{100 / 3} mm", "mm", "L", "a third of a decimetre")
+        alpha: float = quantity("1 rad", "deg", "α", "one radian")
 
     text = template(replace(CASES[0], inputs=Awkward))
     read = build(Awkward, inputs_of(text), "template").model_dump()

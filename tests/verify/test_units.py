@@ -330,6 +330,19 @@ def test_every_unit_of_an_input_has_words_for_its_dimension():
     assert used - set(units.DIMENSIONS) == set()
 
 
+def test_temperatures_and_stress_intensities_have_units():
+    assert units.parse("293.15 K", "K") == 293.15
+    assert units.parse("2 mK", "K") == pytest.approx(2e-3)
+    assert units.parse("12e-6 1/K", "1/K") == 12e-6
+    assert units.parse("1 MPa m^0.5", "MPa m^0.5") == pytest.approx(1e6, rel=1e-12)
+    assert units.parse("1000 MPa mm^0.5", "MPa m^0.5") == pytest.approx(1e9 * 1e-3**0.5)
+    assert units.factor("MPa mm^0.5") == pytest.approx(1e6 * 1e-3**0.5)
+    with pytest.raises(ValueError, match='"degC" is not a known unit: a temperature takes K or mK'):
+        units.parse("20 degC", "K")  # its zero is another one: the factor of a unit is no answer
+    with pytest.raises(ValueError, match="is not a stress intensity"):
+        units.parse("1 MPa", "MPa m^0.5")
+
+
 @pytest.mark.parametrize("unit", units.TAKEN)
 def test_units_that_a_message_offers_are_taken(unit):
     for offered in re.split(", | or ", units.TAKEN[unit]):

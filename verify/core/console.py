@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from verify.core.console_rows import causes, closing, row_cells, shown_rows, title
 from verify.core.results import Report, Row, Status
 
-_POWER = re.compile(r"(?<=[\w)])\^(-?\d+)")
+_POWER = re.compile(r"(?<=[\w)])\^(-?\d+)(?![\d.]*\.\d)")
 _RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 

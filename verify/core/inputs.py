@@ -11,6 +11,7 @@ An input may be a list of tables, [[inputs.supports]], each entry of which is a 
 """
 
 import math
+import re
 import tomllib
 import types
 from collections.abc import Mapping
@@ -112,10 +113,13 @@ def quantity(
 ) -> Any:
     """A float input in `unit`; bounds gt, ge, lt, le are in that unit too.
 
-    `default` is the paper's number and `claims` the printed value that it repeats ("paper:id").
+    `default` is the paper's number as text with its unit, a number where the unit is "1"; `claims`
+    is the printed value that it repeats ("paper:id").
     `omitted` is what a parameter file means by leaving the input out; without it, it may not.
     An input without a default has an `example` with its unit, for templates.
     """
+    if isinstance(default, int | float) and unit != "1":
+        raise ValueError(f'the default of {symbol} has no unit: write it as "{default} {unit}"')
     value = units.parse(default, unit) if isinstance(default, str) else default
     limits: dict[str, Any] = {k: bound * units.factor(unit) for k, bound in bounds.items()}
     return Field(
@@ -182,13 +186,16 @@ def read_parameter_file(path: Path) -> tuple[str, str, Mapping[str, Any]]:
             raise InputError(f"{path}: is not a regular file, expected a TOML file")
         if path.stat().st_size > MAX_BYTES:
             raise InputError(f"{path}: is larger than {MAX_BYTES:,} bytes, no parameter file is")
-        data = tomllib.loads(path.read_bytes().decode("utf-8-sig"))
+        text = path.read_bytes().decode("utf-8-sig")
+        data = tomllib.loads(text)
     except (OSError, ValueError) as error:
         if isinstance(error, InputError):
             raise
         reason = getattr(error, "strerror", None) or _one_line(str(error))
         if isinstance(error, UnicodeDecodeError):
             reason = f"not UTF-8 text (byte {error.start})"
+        elif isinstance(error, tomllib.TOMLDecodeError):
+            reason += _quotes(error, text)
         raise InputError(f"{path}: cannot be read: {reason}") from error
     except RecursionError as error:
         raise InputError(f"{path}: cannot be read: nested too deeply") from error
@@ -209,6 +216,14 @@ def read_parameter_file(path: Path) -> tuple[str, str, Mapping[str, Any]]:
     if not isinstance(raw, dict):
         raise InputError(f"{path}: inputs: needs a table [inputs], {_got(raw)}")
     return case, name, raw
+
+
+def _quotes(error: tomllib.TOMLDecodeError, text: str) -> str:
+    """How the value with a unit is written that is no TOML for want of quotes; "" for others."""
+    place = re.search(r"at line (\d+)", str(error))
+    line = text.split("\n")[int(place[1]) - 1] if place else ""
+    bare = re.match(r"\s*([\w-]+)\s*=\s*([-+\d.][-+\d.eE]*\s*[A-Za-zµμ°%][^\"'#]*)", line)
+    return f': quotes are missing, {bare[1]} = "{_one_line(bare[2])}"' if bare else ""
 
 
 def build(model: type[Inputs], raw: Mapping[str, Any], where: str) -> Inputs:

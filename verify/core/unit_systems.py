@@ -16,6 +16,7 @@ DISPLAYED: Mapping[System, Mapping[str, str]] = {
         "N/µm": "N/m", "1/mm": "1/m", "deg": "rad", "deg/mm": "rad/m", "ms": "s",
         "r/min": "rad/s", "g mm": "kg m", "µJ/m": "J/m", "mm^2": "m^2", "mm^3": "m^3",
         "mm^4": "m^4", "N mm^2": "N m^2", "µm/MPa": "m/Pa", "mm/N": "m/N",
+        "MPa m^0.5": "Pa m^0.5",
     },
     "inch": {
         "mm": "in", "µm": "mil", "nm": "mil", "MPa": "ksi", "GPa": "ksi", "N": "lbf", "kN": "lbf",
@@ -25,7 +26,7 @@ DISPLAYED: Mapping[System, Mapping[str, str]] = {
         "m/s": "ft/s", "s/m": "s/ft", "1/mm": "1/in", "deg/mm": "deg/in", "J": "lbf in",
         "J/m": "lbf", "µJ/m": "lbf", "1/m": "1/in", "mm^2": "in^2", "mm^3": "in^3",
         "mm^4": "in^4", "N mm^2": "lbf in^2", "µm/MPa": "mil/ksi", "mm/N": "in/lbf",
-        "1/N/m": "1/lbf/in",
+        "1/N/m": "1/lbf/in", "MPa m^0.5": "ksi in^0.5",
     },
 }  # fmt: skip
 INCH_WORDS = frozenset((

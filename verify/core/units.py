@@ -22,6 +22,7 @@ giga- = 1e9 = G-
 meter = [length] = m = metre
 second = [time] = s = sec
 gram = [mass] = g
+kelvin = [temperature] = K
 radian = [angle] = rad
 revolution = 2 * 3.14159265358979323846 * radian = r = rev
 degree = 3.14159265358979323846 / 180 * radian = deg = °
@@ -58,7 +59,8 @@ DIMENSIONS = {
     "GPa": "a pressure or stress", "µm": "a length", "rad": "an angle",
     "N/m": "a stiffness", "N/µm": "a stiffness", "N s/m": "a damping",
     "g mm": "an unbalance, mass times eccentricity",
-    "kg m": "an unbalance, mass times eccentricity", "%": "a share",
+    "kg m": "an unbalance, mass times eccentricity", "%": "a share", "K": "a temperature",
+    "MPa m^0.5": "a stress intensity",
 }  # fmt: skip
 
 # Units that people write for these, for messages; all of them with n, µ, m, c, k, M, G before.
@@ -75,6 +77,7 @@ TAKEN = {
     "N s/m": "N s/m, N s/mm or lbf s/in", "g mm": "g mm, kg m or oz in",
     "kg/m^3": "kg/m^3, g/cm^3 or lb/in^3", "Hz": "Hz, kHz or 1/s",
     "m/s": "m/s, mm/s or ft/s", "s/m": "s/m, s/mm or s/ft", "s": "s, ms or min",
+    "K": "K or mK", "MPa m^0.5": "MPa m^0.5, MPa mm^0.5 or ksi in^0.5",
 }  # fmt: skip
 
 _WORD = "[A-Za-zµμ°%]"
@@ -85,7 +88,7 @@ _TEXT = re.compile(
 _NOT_FINITE = re.compile(r"\s*[-+]?(?:nan|inf(?:inity)?)\b", re.IGNORECASE)
 _POUND = re.compile(r"\blbs?\b")
 _COMMA = re.compile(r"\s*[-+]?\d+,\d")
-_FACTOR = re.compile(rf"\s*([*/·]?)\s*({_WORD}+|1)(?:\s*(?:\^|\*\*)\s*(-?\d))?")
+_FACTOR = re.compile(rf"\s*([*/·]?)\s*({_WORD}+|1)(?:\s*(?:\^|\*\*)\s*(-?\d(?:\.5)?))?")
 
 
 @cache

@@ -5,6 +5,7 @@ instance is the problem with numbers, so that `CurvedBar().sigma_i` is a stress 
 """
 
 from collections.abc import Generator, Iterable, Mapping, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self
 
 import numpy as np
@@ -17,7 +18,7 @@ from verify.core.figures import Equation, Field, Figure, Picture, Sketch, Table
 from verify.core.inputs import Inputs, meta
 from verify.core.references import Method
 from verify.form.comparisons import Comparison
-from verify.form.quantity import MEMO, Declared, Family, Quantity, remembered, shared
+from verify.form.quantity import MEMO, CaseError, Declared, Family, Quantity, remembered, shared
 
 MESHES = (1, 2, 3, 4)
 
@@ -128,7 +129,12 @@ class Case(Inputs):
         """The comparisons of these inputs, made once."""
 
         def made() -> tuple[Comparison, ...]:
-            found = self.comparisons()
+            found: object = self.comparisons()
+            if not isinstance(found, Iterable):
+                code = type(self).comparisons.__code__
+                place = f"{Path(code.co_filename).name}:{code.co_firstlineno}"
+                rule = f"returns {type(found).__name__}, and must yield comparisons"
+                raise CaseError(f"{place}: {type(self).__name__}.comparisons: {rule}")
             return tuple(c if isinstance(c, Comparison) else Comparison(check=c) for c in found)
 
         return remembered(self, "comparisons", made)

@@ -47,7 +47,7 @@ class Dimension:
         if isinstance(exponent, Dimension):
             function(exponent)
             if self.powers:
-                raise ValueError("an exponent without value")
+                raise DimensionFaultError(f"has a variable power of {words(self.powers)}")
             return self
         return Dimension(frozenset((n, p * exponent) for n, p in self.powers))
 

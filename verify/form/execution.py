@@ -5,6 +5,7 @@ import threading
 import traceback
 from collections.abc import Iterator
 from contextlib import contextmanager
+from multiprocessing import parent_process
 from pathlib import Path
 from types import FrameType
 
@@ -21,13 +22,18 @@ def executed(file: str, time_limit: float | None) -> Iterator[None]:
 
     A fault becomes a CaseError with its place in the file. What states that there is no solution,
     or that the machine failed, passes unchanged; so does a ValueError of the suite's cases, which
-    speaks of inputs. In others it may be that of math.sqrt.
+    speaks of inputs. In others it may be that of math.sqrt. Ctrl-C reaches the first process only:
+    elsewhere the code itself has raised KeyboardInterrupt.
     """
     try:
         with limited(time_limit):
             yield
     except (CaseError, OSError, MemoryError):
         raise
+    except (KeyboardInterrupt, SystemExit) as error:
+        if isinstance(error, KeyboardInterrupt) and parent_process() is None:
+            raise
+        raise _located(error, file) from error
     except Exception as error:
         states = ArithmeticError if time_limit is not None else (ArithmeticError, ValueError)
         if isinstance(error, states) and not isinstance(error, ZeroDivisionError | OverflowError):
@@ -35,10 +41,11 @@ def executed(file: str, time_limit: float | None) -> Iterator[None]:
         raise _located(error, file) from error
 
 
-def _located(error: Exception, file: str) -> CaseError:
+def _located(error: BaseException, file: str) -> CaseError:
     frames = [f for f in traceback.extract_tb(error.__traceback__) if f.filename == file]
     place = f"{Path(file).name}:{frames[-1].lineno}: {frames[-1].name}" if frames else file
-    return CaseError(f"{place}: {type(error).__name__}: {' '.join(str(error).split())}")
+    text = " ".join(str(error).split())
+    return CaseError(f"{place}: {type(error).__name__}{f': {text}' if text else ''}")
 
 
 @contextmanager

@@ -1,27 +1,55 @@
-"""Whether an expected error stands by itself: it may not follow the formula that it judges."""
+"""Whether an expected error stands by itself: it may not follow the formula that it judges.
+
+What formula and expected error both read, as steps and shared values, is changed, too: a mistake
+there would move both.
+"""
+
+from contextlib import suppress
+from math import isfinite
 
 from verify.form.case import Case
 from verify.form.comparisons import Comparison, Computed, Expected
-from verify.form.quantity import CHANGE, changed
+from verify.form.quantity import CHANGE, Quantity, changed, read_by
 
 SHARE = 0.1  # of a change of the formula: an interval may depend on its size, as of a mesh over it
+LEAST = 0.25 * CHANGE  # change of a formula by what it reads; a load changes a stiffness less
 
 
 def check(case: Case, one: Comparison) -> None:
     """CaseError where a change of the formula moves its expected error along."""
-    if one.quantity and follows(case, one):
-        rule = "its expected error reads this formula, so that a mistake in it fails no row"
+    if one.quantity and (read := follows(case, one)):
+        both = "this formula" if read == one.quantity.name else f"{read}, as this formula does"
+        rule = f"its expected error reads {both}, so that a mistake in it fails no row"
         raise one.quantity.broken(rule)
 
 
-def follows(case: Case, one: Comparison) -> bool:
-    """Whether the expected error of a comparison moves with a small change of its formula."""
+def follows(case: Case, one: Comparison) -> str:
+    """What moves the expected error of a comparison along with its formula; "" for nothing.
+
+    That is the formula itself, or a formula, step or shared value that it reads.
+    """
     if one.quantity is None or (before := _interval(one)) is None:
-        return False
-    with changed(one.quantity):
-        other = next((o for o in case.stated() if o.name == one.name), one)
-        after = _interval(other) or before
-    return max(a - b for a, b in zip(after, before, strict=True)) > SHARE * CHANGE
+        return ""
+    formula = _value(case, one)
+    for source, name in read_by(lambda: _value(case, one)).items():
+        if isinstance(source, Quantity) and source.role == "geometry":
+            continue
+        with changed(source), suppress(ArithmeticError, ValueError):
+            other = next((o for o in case.stated() if o.name == one.name), one)
+            moved = _value(case, other) / formula - 1
+            if not isfinite(moved) or abs(moved) < LEAST:
+                continue
+            after = _interval(other) or before
+            along = (a - b if moved > 0 else b - a for a, b in zip(after, before, strict=True))
+            if max(along) > SHARE * abs(moved):
+                return name
+    return ""
+
+
+def _value(case: Case, one: Comparison) -> float:
+    """The number that a comparison judges."""
+    own = one.state.case if one.state and one.state.case else case
+    return float(getattr(own, one.quantity.name)) if one.quantity else 0.0
 
 
 def _interval(one: Comparison) -> tuple[float, float] | None:

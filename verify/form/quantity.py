@@ -6,10 +6,12 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import KW_ONLY, dataclass, field, replace
 from functools import partial, wraps
-from itertools import count, product
+from itertools import count, pairwise, product
 from math import isfinite
 from pathlib import Path
 from typing import Any, Generic, Literal, SupportsFloat, TypeVar, get_args, overload
+
+import numpy as np
 
 Side = Literal["too high", "too low", ""]
 Role = Literal["formula", "step", "geometry"]
@@ -20,7 +22,10 @@ MEMO = "="  # before the name of a computed value in an instance's __dict__: no 
 _numbers = count(1)
 _code = [0]  # number of the code that values are computed by
 solving: ContextVar[bool] = ContextVar("solving", default=False)  # whether a reference is at work
-_larger: ContextVar["Quantity | None"] = ContextVar("larger", default=None)  # see `changed`
+# see `changed`, `read_by` and `remembered`
+_larger: ContextVar["Quantity | shared[Any] | None"] = ContextVar("larger", default=None)
+_read: ContextVar["dict[Quantity | shared[Any], str] | None"] = ContextVar("read", default=None)
+_begun: ContextVar[tuple[tuple[int, str], ...]] = ContextVar("begun", default=())
 CHANGE = 1e-3
 
 
@@ -134,6 +139,7 @@ class Declared:
             return q
         if solving.get() and q.role != "geometry":
             raise q.broken("the reference reads this formula, but must share none")
+        _note(q, q.name)
         factor = 1 + CHANGE if _larger.get() is q else 1.0
         return remembered(case, q.name, lambda: factor * float(q.formula(case)))
 
@@ -191,7 +197,14 @@ class shared(Generic[T]):  # noqa: N801 - a decorator, as cached_property is
         name = self.method.__name__
         if solving.get():
             raise CaseError(f"{owner.__name__}.{name}: the reference reads what formulas share")
-        return remembered(case, name, lambda: self.method(case))
+        _note(self, name)
+        return remembered(case, name, lambda: self._computed(case))
+
+    def _computed(self, case: object) -> T:
+        value: Any = self.method(case)
+        larger = _larger.get() is self and isinstance(value, float | np.ndarray)
+        found: T = value * (1 + CHANGE) if larger else value
+        return found
 
 
 def forget() -> None:
@@ -200,8 +213,11 @@ def forget() -> None:
 
 
 @contextmanager
-def changed(q: Quantity) -> Iterator[None]:
-    """Have a quantity larger by CHANGE, and what follows from it; nothing of it is kept."""
+def changed(q: "Quantity | shared[Any] | None") -> Iterator[None]:
+    """Have a quantity larger by CHANGE, and what follows from it; nothing of it is kept.
+
+    Of what is shared numbers and arrays change.
+    """
     before, token = _code[0], _larger.set(q)
     forget()
     try:
@@ -211,10 +227,46 @@ def changed(q: Quantity) -> Iterator[None]:
         _larger.reset(token)
 
 
+def read_by(compute: Callable[[], object]) -> "dict[Quantity | shared[Any], str]":
+    """Quantities and shared values that a computation reads, with their names."""
+    found: dict[Quantity | shared[Any], str] = {}
+    token = _read.set(found)
+    try:
+        with changed(None):
+            compute()
+    finally:
+        _read.reset(token)
+    return found
+
+
+def _note(source: "Quantity | shared[Any]", name: str) -> None:
+    if (found := _read.get()) is not None:
+        found[source] = name
+
+
 def remembered(case: object, name: str, compute: Callable[[], T]) -> T:
-    """A value of an instance, computed once: its inputs never change."""
+    """A value of an instance, computed once: its inputs never change.
+
+    CaseError where computing it reads it.
+    """
     memo, key = case.__dict__, f"{MEMO}{_code[0]} {name}"
     if key not in memo:
-        memo[key] = compute()
+        this, begun = (id(case), name), _begun.get()
+        if this in begun:
+            raise _circular(type(case), [*(n for _, n in begun[begun.index(this) :]), name])
+        token = _begun.set((*begun, this))
+        try:
+            memo[key] = compute()
+        finally:
+            _begun.reset(token)
     found: T = memo[key]
     return found
+
+
+def _circular(owner: type, names: Sequence[str]) -> CaseError:
+    """The error for values of which each reads the next, and the last is the first."""
+    rule = f"circular: {', '.join(f'{one} reads {other}' for one, other in pairwise(names))}"
+    members = (getattr(owner, name) for name in names)
+    if q := next((one for one in members if isinstance(one, Quantity)), None):
+        return q.broken(rule)
+    return CaseError(f"{owner.__name__}.{names[0]}: {rule}")

@@ -52,8 +52,15 @@ def with_raised_stars(tex: str, symbols: Iterable[str]) -> str:
 
 
 def with_unit(value: float, unit: str, digits: int = 6) -> str:
-    """A number in its display unit, as TeX."""
-    return number(value, digits) + ("" if unit == "1" else rf"\,\mathrm{{{unit}}}")
+    r"""A number in its display unit, as TeX.
+
+    >>> with_unit(30.0, "MPa m^0.5"), with_unit(2.0, "mm^2")
+    ('30\\,\\mathrm{MPa m}^{0.5}', '2\\,\\mathrm{mm^2}')
+    """
+    if unit == "1":
+        return number(value, digits)
+    upright = re.sub(r"\^(\d\.\d)", r"}^{\1}\\mathrm{", rf"\mathrm{{{unit}}}")
+    return rf"{number(value, digits)}\,{upright}".removesuffix(r"\mathrm{}")
 
 
 def put_in(tex: str, numbers: Mapping[str, str]) -> str:

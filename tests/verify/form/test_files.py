@@ -170,6 +170,87 @@ def test_a_fault_of_a_formula_is_one_line_with_its_place(change, message, bar, c
     assert re.search(message, line), line
 
 
+@pytest.mark.parametrize("fault", ["KeyboardInterrupt", "SystemExit(3)"])
+def test_a_reference_that_ends_its_process_fails_its_rows(fault, bar, capfd):
+    file = bar(("from fem.plane.material", f"raise {fault}\n        from fem.plane.material"))
+    assert run(["verify", file, "--out", "out", "--jobs", "2"]) == 1
+    out, err = capfd.readouterr()
+    place = rf"level 1: CaseError: {file}:\d+: reference: {re.escape(fault).partition('(')[0]}"
+    assert re.search(place.rstrip("\\"), out), out
+    assert "Traceback" not in out + err
+
+
+def test_ctrl_c_in_a_formula_is_one_line_and_exit_ends_nothing(bar, capsys):
+    file = bar((INNER, "raise KeyboardInterrupt\n        " + INNER))
+    assert run(["verify", file, "--out", "out"]) == 130
+    assert capsys.readouterr().err.splitlines()[-1] == "freewheel: interrupted"
+    assert run(["verify", bar((INNER, "exit(0)\n        " + INNER)), "--out", "out"]) == 1
+    assert re.search(r".py:\d+: sigma_i: SystemExit: 0", capsys.readouterr().out)
+
+
+@pytest.mark.parametrize("body", ["pass", "return CurvedBar.sigma_i"])
+def test_comparisons_that_yield_nothing_are_one_line_with_their_place(body, bar, capsys):
+    file = bar(("        most = ", f"        {body}\n\n    def others(self):\n        most = "))
+    assert run(["verify", file, "--out", "out"]) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert re.match(rf"freewheel: {file}:\d+: CurvedBar.comparisons: returns (None|Quant)", line)
+    assert line.endswith("must yield comparisons")
+
+
+def test_a_formula_that_reads_itself_is_one_line(bar, capsys):
+    file = bar(("return (self.r_o - self.r_i) / log(self.r_o / self.r_i)", "return 2 * self.e"))
+    assert run(["verify", file, "--out", "out"]) == 1
+    rule = r"\d+: CurvedBar.r_n: circular: r_n reads e, e reads r_n\n"
+    assert re.search(rf"CaseError: {file}:{rule}", capsys.readouterr().out)
+
+
+def test_a_sweep_fails_where_a_row_does_not_converge(bar, capsys):
+    off = "sigma_i=inner * (1 + 0.05 * level * (self.r_i > 0.07)),"
+    Path("my.toml").write_text(OWN.format(file=bar(("sigma_i=inner,", off))), "utf-8")
+    assert run(["sweep", "my.toml", "--vary", "r_i=60mm:80mm:3", "--out", "sweep"]) == 1
+    out = capsys.readouterr().out
+    assert "3 of 3 points solved, 1 of them not in every row\n" in out
+    assert "1 point: does not converge in 1 of 2 rows" in out
+
+
+def test_a_sweep_does_not_fail_where_a_formula_has_no_value(bar, capsys):
+    whole = "return (self.r_o - self.r_i) / log(self.r_o / self.r_i)"
+    file = bar((whole, f"{whole} if self.r_i < 0.07 else float('nan')"))
+    Path("my.toml").write_text(OWN.format(file=file), "utf-8")
+    assert run(["sweep", "my.toml", "--vary", "r_i=60mm:80mm:2", "--out", "sweep"]) == 0
+    assert "2 of 2 points solved, 1 of them not in every row" in capsys.readouterr().out
+
+
+def test_a_bar_in_a_source_ends_no_cell_of_a_table(bar):
+    file = bar(("Timoshenko, Strength of Materials", "Timoshenko | Strength"))
+    assert run(["verify", file, "--out", "out"]) == 0
+    assert r"(Timoshenko \| Strength, curved bars) |" in Path("out/verdicts.md").read_text("utf-8")
+
+
+def test_explain_does_not_call_a_small_uncertainty_infinite(bar, capsys):
+    file = bar((INNER, INNER.replace("return", "return 1.05 *")))
+    assert run(["explain", "inner edge", file]) == 1
+    assert "nothing: the row fails as it stands" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("command", "status"),
+    [(["verify", "{file}", "--out", "out"], 1), (["check", "my.toml", "--fem"], 1),
+     (["sweep", "my.toml", "--vary", "r_i=60mm:80mm:2", "--out", "out"], 1),
+     (["explain", "inner edge", "my.toml"], 1),
+     (["check", "my.toml", "--fem", "--out", "out"], 1)],
+    ids=["verify", "check", "sweep", "explain", "report"],
+)  # fmt: skip
+def test_an_endless_reference_ends_in_every_command(command, status, bar, capsys):
+    endless = "while self.M:\n            pass\n        from fem.plane.material"
+    limit = ("    title = ", "    time_limit = 0.3\n    title = ")
+    file = bar(("from fem.plane.material", endless), limit)
+    Path("my.toml").write_text(OWN.format(file=file), "utf-8")
+    assert run([part.format(file=file) for part in command]) == status
+    out = " ".join(capsys.readouterr().out.split())
+    assert re.search(rf"{file}:\d+: reference: TimeLimitError: longer than 0.3 s", out)
+
+
 LOOP = "while True:\n            pass\n        return 0.0"
 
 

@@ -19,7 +19,7 @@ from verify.studies.sweep.axes import changed
 from verify.studies.sweep.console import print_outcome
 from verify.studies.sweep.messages import bare
 from verify.studies.sweep.outcome import Outcome, outcome
-from verify.studies.sweep.pairs import portion, selected
+from verify.studies.sweep.pairs import NO_FORMULA, portion, selected
 from verify.studies.sweep.plan import Plan
 from verify.studies.sweep.records import record
 from verify.studies.sweep.run import solve
@@ -34,8 +34,9 @@ def run_sweep(
 ) -> int:  # fmt: skip
     """Formulas and finite elements over a grid or a sample; 1 where a point failed, else 0.
 
-    A point that the inputs' rules refuse has not failed. Both are told; the rest is there.
-    InputError where all are refused.
+    A point at which a row does not converge has failed, too. One that the inputs' rules refuse, or
+    where a formula has no value, has not. All are counted; the rest is there. InputError where all
+    are refused.
     """
     plan = planned(path, vary=vary, star=star, sample=sample, tolerances=tolerances, only=only)
     _some_possible(plan)
@@ -54,7 +55,12 @@ def run_sweep(
         print_outcome(found)
     told = f"written: {', '.join(str(folder / name) for name in made)}"
     print(told, file=sys.stderr if as_json else sys.stdout)
-    return 1 if any(p and not p.startswith(REFUSED) for p in found.problems) else 0
+    return 1 if any(map(_has_failed, (found.problems, *(c.problems for c in found.courses)))) else 0
+
+
+def _has_failed(problems: Sequence[str]) -> bool:
+    """Whether one is no refusal, nor a state that the formula does not have."""
+    return any(p and p != NO_FORMULA and not p.startswith(REFUSED) for p in problems)
 
 
 def _some_possible(plan: Plan) -> None:

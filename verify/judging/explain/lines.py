@@ -80,7 +80,9 @@ def _share(row: Row) -> str:
 def sharpness(row: Row, verdict: judge.Verdict, how: str) -> Step:
     """The smallest relative change that surely turns the row red, beside the demand on it."""
     if verdict.detects is None or not math.isfinite(verdict.detects):
-        return ("detects", "nothing: the uncertainty is not finite")
+        known = verdict.tolerance is not None and math.isfinite(verdict.tolerance)
+        why = "the row fails as it stands" if known else "the uncertainty is not finite"
+        return ("detects", f"nothing: {why}")
     asked = demand(row)
     word = "meets" if verdict.detects <= asked else "misses"
     reason = row.demand_reason or "the suite's default"

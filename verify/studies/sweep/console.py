@@ -94,6 +94,8 @@ def _points(found: Outcome) -> Iterator[str]:
     counts = Counter(statuses(found))
     whole = len(found.solved.plan.points)
     others = [f"{n:,} {name}" for name, n in counts.most_common() if name != SOLVED]
+    if partly := sum(map(bool, reasons(found))) - whole + counts[SOLVED]:
+        others.append(f"{partly:,} of them not in every row")
     yield f"{counts[SOLVED]:,} of {whole:,} points solved" + "".join(f", {o}" for o in others)
     alike: dict[str, list[str]] = {}
     for reason in filter(None, reasons(found)):

@@ -18,6 +18,8 @@ from verify.judging.convergence import GridConvergence, grid_convergence
 LEVELS = 3  # that an error bar needs
 MOST_NAMES = 5  # that are offered for one that fits nothing
 LIKE = 0.75  # share of letters from which on a word may be another one mistyped
+NO_FORMULA = "the formula has no finite value"  # a state that it does not have
+NO_REFERENCE = "finite elements have no finite value"
 DOUBTFUL = 0.01  # of a value: what a series that doesn't converge may scatter and still count
 
 
@@ -190,8 +192,8 @@ def _judged(
     u_ref: float,
 ) -> Compared:  # fmt: skip
     if not v or not all(map(math.isfinite, (*v, r))):
-        what = "the formula has" if v and all(map(math.isfinite, v)) else "finite elements have"
-        return _none(r, v[-1] if v else math.nan, f"{what} no finite value")
+        problem = NO_FORMULA if v and all(map(math.isfinite, v)) else NO_REFERENCE
+        return _none(r, v[-1] if v else math.nan, problem)
     if not (scale > 0 and math.isfinite(scale)):
         return _none(r, v[-1], "nothing to relate a difference to")
     natural = scale if pair.scale else abs(r)  # as rows have it
