@@ -76,15 +76,9 @@ def balanced(clutch: Any, of_cam: Quantity, words: Named) -> Iterator[Comparison
                    source=BOTH, by="the flat's")  # fmt: skip
     yield accepted(clutch.phi, "∫dU/T against rolling", "rolling", within=5e-3,
                    words=f"tangential forces deform {n.rolling}: rolling is off by")  # fmt: skip
-    yield balance(
-        "forces",
-        "balance of both contact forces on a roller",
-        "ΣF",
-        "1",
-        of={"one": 1.0},
-        bound=1e-9,
-        because="the solver's balance of a free body",
-    )
+    yield balance("forces", "balance of both contact forces on a roller", "ΣF", "1",
+                  of={"one": 1.0}, bound=1e-9,
+                  because="the solver's balance of a free body")  # fmt: skip
 
 
 def no_load(q: OneClutch, alpha_0: float, levels: Sequence[Level]) -> Points:

@@ -139,15 +139,9 @@ class SlicedRoller(StripRoller):
 
     slices: int = count(50, "n_s", "slices of Eqs. 2-5, their number not printed", ge=10, le=401)
 
-    @Quantity(
-        "δ_P",
-        "µm",
-        "approach by Palmgren's law for steel",
-        role="step",
-        source="Palmgren; in N and m",
-        fitted=True,
-        tex=r"3.84 \cdot 10^{-10.4} \frac{F^{0.9}}{l^{0.8}}",
-    )
+    @Quantity("δ_P", "µm", "approach by Palmgren's law for steel", role="step",
+              source="Palmgren; in N and m", fitted=True,
+              tex=r"3.84 \cdot 10^{-10.4} \frac{F^{0.9}}{l^{0.8}}")  # fmt: skip
     def delta_P(self) -> float:
         return float(palmgren.approach(load=self.F, length=self.L))
 
