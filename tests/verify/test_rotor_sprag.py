@@ -7,7 +7,7 @@ import pytest
 
 from analytic.rotor import clutch_uniform
 from fem.fourier.inertia import rigid_inertia
-from fem.rotor import fitted_speeds
+from fem.rotor import ensemble, fitted_speeds
 from fem.rotor.fitted_speeds import fitted, gradients
 from verify.cases.rotor.sprag import ensemble_fem, layout, solid_fem
 from verify.cases.rotor.sprag.case import SPRAG_ROTOR, SpragRotor
@@ -48,14 +48,14 @@ def members(found):
 
 
 def at(x):
-    return systems_fem(ensemble_fem.parameters(x))
+    return systems_fem(ensemble_fem.RANGES.parameters(x))
 
 
 # Layout.
 
 
 def test_the_clutch_and_its_bearings_join_nodes_of_one_place():
-    z = layout.layout(ensemble_fem.parameters(ANYWHERE)).z
+    z = layout.layout(ensemble_fem.RANGES.parameters(ANYWHERE)).z
     for a, b in (*layout.BETWEEN, layout.CLUTCH):
         assert z[:, a - 1] == pytest.approx(z[:, b - 1], rel=1e-14)
 
@@ -83,7 +83,7 @@ def test_a_disc_is_a_steel_ring_on_its_shaft():
 
 
 def test_the_inner_rotor_begins_inside_the_drum_whatever_the_lengths():
-    z = layout.layout(ensemble_fem.parameters(RNG.integers(0, 2, (64, 12)).astype(float))).z
+    z = layout.layout(ensemble_fem.RANGES.parameters(RNG.integers(0, 2, (64, 12)).astype(float))).z
     assert np.all(z[:, 12] > z[:, 7])  # node 13 behind the drum's bottom at node 8
 
 
@@ -117,7 +117,7 @@ def test_an_offset_couples_as_in_first_order():
 def test_matrices_of_all_members_at_once_are_those_of_the_assembled_rotors():
     from fem.rotor.critical import critical_speeds
 
-    p = ensemble_fem.parameters(ANYWHERE)
+    p = ensemble_fem.RANGES.parameters(ANYWHERE)
     at_once, _ = systems_fem(p).critical_speeds(3)
     each = [critical_speeds(rotor_fem(one), 3).speeds for one in p]
     assert at_once == pytest.approx(np.array(each), rel=1e-9)
@@ -133,11 +133,11 @@ def test_gradients_are_those_of_the_speeds():
 
 def test_stiffer_supports_raise_critical_speeds():
     """Rayleigh: stiffness never lowers a frequency, and raises it by its share of the energy."""
-    J = ensemble_fem.elasticities_fem(ensemble_fem.parameters(ANYWHERE))
+    J = ensemble_fem.elasticities_fem(ensemble_fem.RANGES.parameters(ANYWHERE))
     stiffness = J[:, :, [layout.K_G, layout.K_S, layout.K_C]]
     assert np.all(stiffness >= -1e-9)
     assert np.all(stiffness.sum(axis=2) <= 0.5)  # their share of the elastic energy, halved
-    up = ensemble_fem.parameters(ANYWHERE)
+    up = ensemble_fem.RANGES.parameters(ANYWHERE)
     up[:, layout.K_G] *= 1.01
     raised, _ = systems_fem(up).critical_speeds(3)
     before, _ = at(ANYWHERE).critical_speeds(3)
@@ -149,7 +149,7 @@ def test_the_central_system_is_where_the_middle_of_the_ranges_leads_to():
     x, hit = fitted(np.full((1, 12), 0.5), PRINTED, at)
     assert hit.all()
     # six digits of it are kept
-    assert ensemble_fem.parameters(x)[0] == pytest.approx(layout.CENTRAL, rel=5e-6)
+    assert ensemble_fem.RANGES.parameters(x)[0] == pytest.approx(layout.CENTRAL, rel=5e-6)
 
 
 def test_members_hit_all_three_speeds_and_stay_in_the_ranges(members):
@@ -160,7 +160,7 @@ def test_members_hit_all_three_speeds_and_stay_in_the_ranges(members):
     for p in members:
         speeds = critical_speeds(rotor_fem(p), 3).speeds
         assert speeds == pytest.approx(PRINTED, rel=1.1e-8)
-    spread = np.log(members.max(axis=0) / members.min(axis=0)) / ensemble_fem.WIDTH
+    spread = np.log(members.max(axis=0) / members.min(axis=0)) / ensemble_fem.RANGES.width
     assert np.median(spread) > 0.4  # eight systems, and most unknowns over half of their range
 
 
@@ -170,7 +170,7 @@ def test_the_ensemble_is_the_same_every_time(members):
 
 def test_starts_that_miss_are_no_members(monkeypatch):
     monkeypatch.setattr(fitted_speeds, "STEPS", 1)
-    monkeypatch.setattr(ensemble_fem, "MOST_BATCHES", 1)
+    monkeypatch.setattr(ensemble, "MOST_BATCHES", 1)
     found = ensemble_fem.ensemble_fem(8)
     assert not found.kept.any()
     assert found.members.shape == (0, 12)

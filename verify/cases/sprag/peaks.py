@@ -11,13 +11,12 @@ from collections.abc import Callable, Iterable
 
 import numpy as np
 
-from analytic.contact import slices, strips
 from analytic.sprag.closure import wedged
 from analytic.sprag.crowned import Crowned
 from analytic.sprag.peaks import By, Peaks
 from verify.cases.sprag.clutch.model import built
 from verify.cases.sprag.clutch.run_fem import AHEAD, engaged_fem
-from verify.cases.sprag.engagement.model import crowned_for, gap
+from verify.cases.sprag.engagement.model import crowned_for, gap, in_slices, in_strips
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.figures import Array
 from verify.jobs.executor import Drive, Lost, local
@@ -57,11 +56,9 @@ def one_fem(
     one = built(q)
     N, R = np.array([_peak_fem(one, q.model_copy(update={"T": float(T)})) for T in torques]).T
     if by == "slices":
-        return N, slices.press(
-            one.gap, length=q.l, R=R, E_star=one.parts.E_star, load=N
-        ).peak_pressure
+        return N, in_slices(q, one.gap, R, N).peak_pressure
     fine = gap(q.model_copy(update={"slices": STRIPS}))
-    return N, strips.press(fine, length=q.l, R=R, E_star=one.parts.E_star, load=N).pressure
+    return N, in_strips(q, fine, R, N).pressure
 
 
 def _peak_fem(one: Crowned, q: EngagementInputs) -> tuple[float, float]:

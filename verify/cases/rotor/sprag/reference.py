@@ -5,12 +5,9 @@ from typing import Any
 
 import numpy as np
 
+from fem.rotor.ensemble import Ensemble
 from verify.case import Level
-from verify.cases.rotor.sprag.ensemble_fem import (
-    Ensemble,
-    elasticities_fem,
-    ensemble_fem,
-)
+from verify.cases.rotor.sprag.ensemble_fem import elasticities_fem, ensemble_fem
 from verify.cases.rotor.sprag.inputs import RPM, SpragRotorInputs
 from verify.cases.rotor.sprag.layout import CENTRAL, DISCS
 from verify.cases.rotor.sprag.response_fem import responses_fem

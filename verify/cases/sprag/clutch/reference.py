@@ -5,7 +5,6 @@ from typing import Any
 
 import numpy as np
 
-from analytic.contact import strips
 from analytic.contact.strips import Strips
 from analytic.sprag.closure import wedged
 from analytic.sprag.drawn import Touching
@@ -23,6 +22,7 @@ from verify.cases.sprag.clutch.model import (
     under,
 )
 from verify.cases.sprag.clutch.paper_fem import paper_fem
+from verify.cases.sprag.engagement.model import in_strips
 from verify.core.figures import Array
 
 POINTS = 2  # of the drawn spiral on a radian, over the strips' number
@@ -84,5 +84,4 @@ def by_strips(q: Any, n: int, N: float, contact: int) -> Strips:
     one = built(q)
     now = wedged(one.clutch, N)
     load = N if contact == 0 else float(now.N_e)
-    return strips.press(crowned(q, n), length=q.l, R=one.radii(now)[contact],
-                        E_star=float(one.parts.E_star), load=load)  # fmt: skip
+    return in_strips(q, crowned(q, n), one.radii(now)[contact], load)

@@ -7,9 +7,10 @@ import numpy as np
 
 from analytic.sprag.crowned import Crowned
 from analytic.sprag.history import Engagement
-from analytic.sprag.motion import Motion, Speeds, Torque
+from analytic.sprag.motion import Speeds, Torque
 from analytic.sprag.table import tabulated
 from verify.cases.sprag.clutch.model import built, spring_force, under
+from verify.cases.sprag.engagement.model import motion
 from verify.cases.sprag.inputs import EngagementInputs
 
 AHEAD, WIDER = 4.0, 3.0  # of the static force: how far a table reaches, how much farther the next
@@ -42,15 +43,11 @@ def engaged_fem(one: Crowned, q: EngagementInputs, N_end: float) -> Run:
     """The same of a clutch whose contacts are solved, with a table up to N_end [N] at first."""
     from analytic.sprag.transient import engage
 
-    motion = Motion(
-        m_g=q.m_g, I_g=q.I_g, I_bi=q.I_bi, I_be=q.I_be, K_r=q.K_r, alpha_max=q.alpha_max,
-        C_rl=q.C_rl, k_out=q.k_out, mu_s=q.mu_s, mu_c=q.mu_c, gamma_b=q.gamma_b,
-    )  # fmt: skip
     N_end = min(N_end, INSIDE * one.N_top)
     while True:
         table = tabulated(one.clutch, N_end=N_end, theta_max=q.alpha_max)
         found = engage(
-            table, motion, Torque.step(q.T, t_ramp=q.t_ramp), duration=q.t_end, dt=q.dt,
+            table, motion(q), Torque.step(q.T, t_ramp=q.t_ramp), duration=q.t_end, dt=q.dt,
             D_V=q.D_V, speeds=Speeds(inner=q.w_i),
         )  # fmt: skip
         profile_ends = bool(table.values[0, -1] < (1 - 1e-9) * N_end)

@@ -6,11 +6,10 @@ engagements gives it for every other crown, whose contact alone is then solved.
 
 import numpy as np
 
-from analytic.contact import slices
 from analytic.sprag.peaks import Peaks
 from analytic.surrogate.terms import trend_terms
 from verify.cases.sprag.crown.formulas import box, factorial, gaps, radius
-from verify.cases.sprag.engagement.model import parts
+from verify.cases.sprag.engagement.model import in_slices, parts
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.figures import Array
 
@@ -29,19 +28,16 @@ def forces(q: EngagementInputs, engaged: Peaks, crowns: Array) -> Array:
 def largest(q: EngagementInputs, crowns: Array, N: Array) -> Array:
     """Largest pressures [Pa] of the crowns (n, 3) under forces N [N] (n, m), inner race, (n, m)."""
     R = np.array([radius(q, float(x)) for x in N.mean(axis=0)])
-    found = slices.press(gaps(q, crowns)[:, None], length=q.l, R=R, E_star=float(parts(q).E_star),
-                         load=N)  # fmt: skip
-    return np.asarray(found.peak_pressure.max(axis=-1))
+    return np.asarray(in_slices(q, gaps(q, crowns)[:, None], R, N).peak_pressure.max(axis=-1))
 
 
 def inner_over_outer(q: EngagementInputs, crowns: Array, N_max: float) -> Array:
     """Largest pressures of the inner contact over those of the outer, (n, forces)."""
     whole, N = parts(q), N_max * np.array(FORCES)
     inner, outer = (
-        slices.press(gaps(q, crowns)[:, None], length=q.l, R=float(R), E_star=float(whole.E_star),
-                     load=N).peak_pressure.max(axis=-1)
+        in_slices(q, gaps(q, crowns)[:, None], float(R), N).peak_pressure.max(axis=-1)
         for R in (whole.R_contact_i, whole.R_contact_e)
-    )  # fmt: skip
+    )
     return np.asarray(inner / outer)
 
 

@@ -4,11 +4,10 @@ from itertools import product
 
 import numpy as np
 
-from analytic.contact import slices
 from analytic.contact.sliced import SlicedContact
 from analytic.sprag.closure import wedged
 from verify.cases.sprag.clutch.model import built
-from verify.cases.sprag.engagement.model import crowned_for, gap, parts
+from verify.cases.sprag.engagement.model import crowned_for, gap, in_slices, parts
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.cases.sprag.peaks import Crown, with_crown
 from verify.core.figures import Array
@@ -54,7 +53,7 @@ def radius(q: EngagementInputs, N: float) -> float:
 def pressed(q: EngagementInputs, N: float, crown: Crown | None = None) -> SlicedContact:
     """The inner contact under N [N], with the clutch's crown or another for the same load."""
     z = gap(with_crown(q, crown)) if crown else gap(q)
-    return slices.press(z, length=q.l, R=radius(q, N), E_star=float(parts(q).E_star), load=N)
+    return in_slices(q, z, radius(q, N), N)
 
 
 def even(q: EngagementInputs, N: float) -> float:

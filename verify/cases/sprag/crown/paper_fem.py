@@ -2,14 +2,13 @@
 
 import numpy as np
 
-from analytic.contact import slices, strips
 from analytic.sprag.peaks import Peaks
 from analytic.sprag.readings import first_trough
 from verify.cases.contact.roller.inputs import DESIGNS
 from verify.cases.sprag.clutch.run_fem import run_fem
 from verify.cases.sprag.crown.box_fem import MANY, SHARES, forces, largest
 from verify.cases.sprag.crown.formulas import box, factorial, radius
-from verify.cases.sprag.engagement.model import gap, parts
+from verify.cases.sprag.engagement.model import gap, in_slices, in_strips
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.cases.sprag.peaks import Crown, peaks_fem, with_crown
 from verify.core.figures import Array
@@ -45,14 +44,13 @@ def paper_fem(q: EngagementInputs, few: Peaks) -> dict[str, Array]:
 
 def swept(q: EngagementInputs) -> dict[str, Array]:
     """Largest pressures [Pa] of the printed crowns over the force, by slices and by strips."""
-    E_star, R = float(parts(q).E_star), np.array([radius(q, float(N)) for N in SWEPT])
+    R = np.array([radius(q, float(N)) for N in SWEPT])
     by_slices, by_strips = [], []
     for crown in DESIGNS:
         own = with_crown(q, crown)
         fine = gap(own.model_copy(update={"slices": STRIPS}))
-        sliced = slices.press(gap(own), length=q.l, R=R, E_star=E_star, load=SWEPT)
-        by_slices.append(sliced.peak_pressure.max(axis=-1))
-        by_strips.append(strips.press(fine, length=q.l, R=R, E_star=E_star, load=SWEPT).peak)
+        by_slices.append(in_slices(q, gap(own), R, SWEPT).peak_pressure.max(axis=-1))
+        by_strips.append(in_strips(q, fine, R, SWEPT).peak)
     return {
         "swept": SWEPT, "swept, slices": np.array(by_slices), "swept, strips": np.array(by_strips)
     }  # fmt: skip
@@ -74,26 +72,18 @@ def counted(q: EngagementInputs, named: Peaks) -> dict[str, Array]:
     At 25 N m; without a crown by slices at 40 N m too.
     """
     at_25, at_40 = float(named.N_max[0, 1]), float(named.N_max[0, 3])
+    R_25 = radius(q, at_25)
     found: dict[str, list[list[float]]] = {"slices": [], "strips": [], "40": []}
     for crown in (None, EQ_21, FIG_12[1]):
         z = [gap(with_crown(q, crown).model_copy(update={"slices": n})) for n in COUNTS]
-        found["slices"].append([_by_slices(q, x, at_25) for x in z])
-        found["strips"].append([_by_strips(q, x, at_25) for x in z])
+        found["slices"].append([float(in_slices(q, x, R_25, at_25).peak_pressure.max()) for x in z])
+        found["strips"].append([float(in_strips(q, x, R_25, at_25).peak) for x in z])
         if crown is None:
-            found["40"].append([_by_slices(q, x, at_40) for x in z])
+            R_40 = radius(q, at_40)
+            found["40"].append([float(in_slices(q, x, R_40, at_40).peak_pressure.max()) for x in z])
     return {"counts": np.array(COUNTS, dtype=np.float64), "counted N": np.array([at_25, at_40])} | {
         f"counted, {name}": np.array(p) for name, p in found.items()
     }
-
-
-def _by_slices(q: EngagementInputs, z: Array, N: float) -> float:
-    found = slices.press(z, length=q.l, R=radius(q, N), E_star=float(parts(q).E_star), load=N)
-    return float(found.peak_pressure.max())
-
-
-def _by_strips(q: EngagementInputs, z: Array, N: float) -> float:
-    E_star = float(parts(q).E_star)
-    return float(strips.press(z, length=q.l, R=radius(q, N), E_star=E_star, load=N).peak)
 
 
 def over_torque(q: EngagementInputs, many: Array, few: Peaks, T: Array) -> dict[str, Array]:

@@ -7,11 +7,10 @@ from typing import Any
 import numpy as np
 
 from analytic.bounds.sprag.engagement import ENERGY, Bounds, Interval
-from analytic.contact import slices
 from analytic.sprag.work_balance import stored, undamped
 from verify.case import Comparison, Computed, approximation, balance
 from verify.cases.contact.roller.inputs import DESIGNS
-from verify.cases.sprag.engagement.model import gap, parts, wedge
+from verify.cases.sprag.engagement.model import gap, in_slices, parts, wedge
 from verify.cases.sprag.engagement.quantities import EngagementFormulas
 from verify.cases.sprag.engagement.quantities import EngagementFormulas as Of
 from verify.cases.sprag.engagement.reference import ORDER
@@ -150,10 +149,7 @@ def inner(context: Context) -> tuple[float, float]:
     """Least ratio of the inner contact's largest pressure to the outer's, less one."""
     q, v = context.inputs, context.analytic
     whole, N = parts(q), v["N_max"] * np.linspace(0, 1, LOADS)[1:]
-    both = [
-        slices.press(gap(q), length=q.l, R=float(R), E_star=float(whole.E_star), load=N)
-        for R in (whole.R_contact_i, whole.R_contact_e)
-    ]
+    both = [in_slices(q, gap(q), float(R), N) for R in (whole.R_contact_i, whole.R_contact_e)]
     p_i, p_o = (found.peak_pressure.max(axis=-1) for found in both)
     return float((p_i / p_o).min()) - 1, 1e-6
 

@@ -7,8 +7,11 @@ import math
 from functools import lru_cache
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from analytic.contact import crown
+from analytic.contact import crown, slices, strips
+from analytic.contact.sliced import SlicedContact
+from analytic.contact.strips import Strips
 from analytic.sprag.clutch import Clutch
 from analytic.sprag.laws import LOADS, sliced_law
 from analytic.sprag.motion import Motion
@@ -42,6 +45,16 @@ def gap(q: SpragInputs) -> Array:
         y, K_1=q.K_1, K_2=q.K_2, z_m=q.z_m, load=crowned_for(q), length=q.l,
         E_star=float(parts(q).E_star),
     )  # fmt: skip
+
+
+def in_slices(q: SpragInputs, gap: Array, R: ArrayLike, N: ArrayLike) -> SlicedContact:
+    """A contact of relative radius R [m] with the drop `gap` [m] at its slices, under N [N]."""
+    return slices.press(gap, length=q.l, R=R, E_star=float(parts(q).E_star), load=N)
+
+
+def in_strips(q: SpragInputs, gap: Array, R: ArrayLike, N: ArrayLike) -> Strips:
+    """The same in strips on a half-space, `gap` at their centres."""
+    return strips.press(gap, length=q.l, R=R, E_star=float(parts(q).E_star), load=N)
 
 
 def clutch(q: SpragInputs, N_end: float, loads: int = LOADS) -> Clutch:

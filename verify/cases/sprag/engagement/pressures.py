@@ -4,9 +4,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from analytic.contact import slices
 from analytic.sprag.pressure import along
-from verify.cases.sprag.engagement.model import gap, parts
+from verify.cases.sprag.engagement.model import gap, in_slices, parts
 from verify.cases.sprag.engagement.reference import drawn
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.case import Context
@@ -66,9 +65,7 @@ def moments(N: Array, name: str, q: EngagementInputs) -> Figure:
     loads = np.array([0.02 * N[top], N[top], max(N[trough], 1e-3 * N[top])])
     curves = []
     for (race, R), style in zip(radii(q), ("line", "dashes"), strict=True):
-        p = slices.press(
-            gap(q), length=q.l, R=float(R), E_star=float(parts(q).E_star), load=loads
-        ).peak_pressure
+        p = in_slices(q, gap(q), float(R), loads).peak_pressure
         for colour, (words, one) in enumerate(
             zip(("a 50th of the peak", "first peak", "first trough"), p, strict=True)
         ):

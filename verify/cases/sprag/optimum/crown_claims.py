@@ -5,11 +5,9 @@ from typing import Any
 
 import numpy as np
 
-from analytic.contact import slices
 from analytic.sprag.crowned import mid
 from verify.case import Comparison
-from verify.cases.sprag.clutch.model import built
-from verify.cases.sprag.engagement.model import gap
+from verify.cases.sprag.engagement.model import gap, in_slices
 from verify.cases.sprag.optimum.surrogate_claims import Told
 from verify.cases.sprag.peaks import with_crown
 from verify.cases.sprag.statements import (
@@ -49,10 +47,7 @@ def series(context: Context, crown: str, by: str, what: str) -> list[float]:
 def by_slices(context: Context, crown: str, what: str) -> float:
     """The same of the slices."""
     found, q = measured(context), with_crown(context.inputs, measured(context)[f"{crown}: crown"])
-    contact = slices.press(
-        gap(q), length=q.l, R=float(found[f"{crown}: R"]), E_star=float(built(q).parts.E_star),
-        load=float(found[f"{crown}: N_max"][0]),
-    )  # fmt: skip
+    contact = in_slices(q, gap(q), float(found[f"{crown}: R"]), float(found[f"{crown}: N_max"][0]))
     return mid(contact) if what == "mid" else float(contact.peak_pressure.max())
 
 

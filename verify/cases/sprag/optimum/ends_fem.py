@@ -6,13 +6,13 @@ pressure on a half-space, so that the crown to be made is sought among those tha
 
 import numpy as np
 
-from analytic.contact import slices, strips
 from analytic.sprag.best_crown import Answer, answers, infilled
 from analytic.sprag.closure import wedged
 from analytic.sprag.peaks import Peaks
 from analytic.surrogate.infill import NoAgreementError
 from verify.cases.sprag.clutch.drawn_fem import crowned
 from verify.cases.sprag.clutch.model import built
+from verify.cases.sprag.engagement.model import in_slices, in_strips
 from verify.cases.sprag.optimum.inputs import OptimumInputs
 from verify.cases.sprag.peaks import STRIPS, one_fem, peaks_fem, with_crown
 from verify.core.figures import Array
@@ -44,7 +44,7 @@ def freed_fem(q: OptimumInputs, x: Array, N: Array) -> dict[str, Array]:
     one = built(q)
     R = one.radii(wedged(one.clutch, float(np.median(N))))[0]  # which the crowns hardly change
     gaps = np.array([crowned(with_crown(q, crown), STRIPS) for crown in x])
-    by = strips.press(gaps, length=q.l, R=R, E_star=float(one.parts.E_star), load=N)
+    by = in_strips(q, gaps, R, N)
     known = answers(Peaks(x, np.array([q.T]), N[:, None], by.pressure[:, None], "strips"))
 
     def true(crown: Array) -> Answer:
@@ -67,7 +67,7 @@ def pressed_fem(q: OptimumInputs, crown: Array) -> dict[str, Array]:
     R, E_star = one.radii(wedged(one.clutch, load))[0], float(one.parts.E_star)
     found = {"crown": crown, "N_max": N, "pressures": p, "R": R}
     for n in STRIPPED:
-        by = strips.press(crowned(mine, n), length=q.l, R=R, E_star=E_star, load=load)
+        by = in_strips(q, crowned(mine, n), R, load)
         found |= {f"strips {n}": by.pressure, f"strips mid {n}": by.mid}
     width = None  # of the patch, the same for all cells
     for across, along in CELLS:
@@ -81,9 +81,6 @@ def pressed_fem(q: OptimumInputs, crown: Array) -> dict[str, Array]:
 
 def sliced(q: OptimumInputs, crown: Array | None, N: float, R: float) -> Array:
     """Largest pressures [Pa] by each of SLICED slices under N [N]."""
-    E_star = float(built(q).parts.E_star)
-    return np.array([
-        slices.press(crowned(with_crown(q, crown), n), length=q.l, R=R, E_star=E_star, load=N)
-        .peak_pressure.max()
-        for n in SLICED
-    ])  # fmt: skip
+    mine = with_crown(q, crown)
+    contacts = [in_slices(q, crowned(mine, n), R, N) for n in SLICED]
+    return np.array([contact.peak_pressure.max() for contact in contacts])

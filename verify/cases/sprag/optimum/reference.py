@@ -2,14 +2,13 @@
 
 import numpy as np
 
-from analytic.contact import strips
 from analytic.sprag.crown_surrogate import held
 from verify.case import Level
 from verify.cases.sprag.clutch.drawn_fem import crowned
 from verify.cases.sprag.clutch.model import built, under
 from verify.cases.sprag.clutch.paper_fem import fitted_angle_fem, peak_fem
 from verify.cases.sprag.clutch.run_fem import run_fem
-from verify.cases.sprag.engagement.model import crowned_for
+from verify.cases.sprag.engagement.model import crowned_for, in_strips
 from verify.cases.sprag.optimum.ends_fem import STRIPPED, ends_fem
 from verify.cases.sprag.optimum.inputs import OptimumInputs
 from verify.cases.sprag.optimum.study_fem import study_fem
@@ -24,10 +23,7 @@ def solve(q: OptimumInputs, level: int) -> Level:
     """One level: so many strips at the crown at hand; the finest has the optimisation."""
     now, one = under(q), built(q)
     assert now is not None  # refused where there is none
-    found = strips.press(
-        crowned(q, level), length=q.l, R=one.radii(now)[0], E_star=float(one.parts.E_star),
-        load=float(now.N),
-    )  # fmt: skip
+    found = in_strips(q, crowned(q, level), one.radii(now)[0], float(now.N))
     values = {"static_mid": float(found.mid), "static_peak": float(found.peak)}
     arrays: dict[str, Array] = {}
     if level == LEVELS[-1]:

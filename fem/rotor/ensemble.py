@@ -1,0 +1,78 @@
+"""Sets of parameters with given critical speeds: many, as few speeds hold few of the parameters.
+
+Starts are Sobol's points in the ranges (log-uniform). From each, least-norm steps lead to a system
+with those speeds.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import qmc
+
+from fem.rotor.elements import Array
+from fem.rotor.fitted_speeds import fitted, gradients
+from fem.rotor.whirl_systems import WhirlSystems
+
+BATCH = 64  # starts solved together
+MOST_BATCHES = 32
+
+Systems = Callable[[Array], WhirlSystems]  # of parameters (m, k)
+
+
+@dataclass(frozen=True)
+class Ranges:
+    """From `low` (k,) to `high` (k,) by logarithms.
+
+    >>> Ranges(np.array([1.0]), np.array([100.0])).parameters(np.array([[0.5]])).round(9).tolist()
+    [[10.0]]
+    """
+
+    low: Array
+    high: Array
+
+    @property
+    def width(self) -> Array:
+        """In logarithms."""
+        return np.asarray(np.log(self.high / self.low))
+
+    def parameters(self, x: Array) -> Array:
+        """Parameters (m, k) at places x (m, k) in the ranges, from 0 to 1."""
+        return np.asarray(self.low * np.exp(x * self.width))
+
+    def places(self, p: Array) -> Array:
+        """Places (m, k) of parameters (m, k)."""
+        return np.asarray(np.log(p / self.low) / self.width)
+
+
+@dataclass(frozen=True)
+class Ensemble:
+    """Parameters (members, k); which starts met all speeds, and which were kept (starts,)."""
+
+    members: Array
+    met: NDArray[np.bool_]
+    kept: NDArray[np.bool_]
+
+
+def ensemble(
+    ranges: Ranges, speeds: tuple[float, ...], systems: Systems, members: int, *, seed: int
+) -> Ensemble:
+    """At least `members` sets with the speeds [rad/s], unless 32 batches of starts give fewer."""
+    count = len(ranges.low)
+    sobol = qmc.Sobol(count, scramble=True, rng=np.random.default_rng(seed))
+    x = np.zeros((0, count))
+    met = kept = np.zeros(0, bool)
+    while kept.sum() < members and len(x) < BATCH * MOST_BATCHES:
+        found, hit = fitted(sobol.random(BATCH), speeds, lambda x: systems(ranges.parameters(x)))
+        inside = hit & np.all((found >= 0) & (found <= 1), axis=1)
+        x = np.concatenate([x, found])
+        met, kept = np.concatenate([met, hit]), np.concatenate([kept, inside])
+    return Ensemble(ranges.parameters(x[kept]), met, kept)
+
+
+def elasticities(ranges: Ranges, p: Array, systems: Systems, count: int) -> Array:
+    """Relative change (m, count, k) of each critical speed over that of each parameter (m, k)."""
+    _, shapes = systems(p).critical_speeds(count)
+    at_places = gradients(ranges.places(p), shapes, lambda x: systems(ranges.parameters(x)))
+    return np.asarray(at_places / ranges.width)
