@@ -2,9 +2,9 @@
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from importlib import import_module
 from typing import Any
 
-from verify.answers import contacts, freewheels, polyhedral, rings, rotors, sprags, springs
 from verify.answers.answer import Answer, Quantity
 from verify.answers.assessment import Assessment
 from verify.answers.keys import identifier
@@ -12,68 +12,80 @@ from verify.core.case import Case, Values
 from verify.core.inputs import Inputs
 
 NO_PART = "this case maps the error of a formula: it has no part, no load and no limit"
+NO_LIMITS = "this case states no limits, which the part could hold or exceed"
 
 
 @dataclass(frozen=True)
 class Rule:
-    """The output that a case's part is designed with, and how its criteria are collected."""
+    """The output that a case's part is designed with, and the function that collects its criteria.
+
+    The function is named by its module of this package, which is imported for its own cases alone.
+    Without one there are no criteria, for the reason `without`.
+    """
 
     design: str
-    assess: Callable[[Any, Values, Assessment], None]
+    criteria: str = ""
+    without: str = NO_PART
 
-
-def no_part(_q: Any, _v: Values, part: Assessment) -> None:
-    """A map of formulas over a range."""
-    part.unknowns.append(NO_PART)
+    def assess(self, inputs: Any, values: Values, part: Assessment) -> None:
+        """Collect the criteria of a part."""
+        if not self.criteria:
+            part.unknowns.append(self.without)
+            return
+        module, _, name = self.criteria.partition(".")
+        collect: Callable[[Any, Values, Assessment], None] = getattr(
+            import_module(f"verify.answers.{module}"), name
+        )
+        collect(inputs, values, part)
 
 
 RULES: Mapping[str, Rule] = {
-    "ring-lame": Rule("u_bore", rings.under_pressure),
-    "ring-loads-outer": Rule("load", rings.under_sprags),
-    "ring-loads-inner": Rule("load", rings.under_sprags),
-    "ring-loads-map": Rule("", no_part),
-    "ring-rotation": Rule("growth", rings.rotating),
-    "polyhedral-pressure": Rule("p", polyhedral.round_ring),
-    "polyhedral-ring": Rule("p_1r", polyhedral.ring),
-    "polyhedral-map": Rule("", no_part),
-    "polyhedral-locking": Rule("N_elastic", polyhedral.locking),
-    "polyhedral-wedge": Rule("M_free", polyhedral.wedge),
-    "polyhedral-clutch": Rule("M_el", polyhedral.clutch),
-    "freewheel-torque": Rule("phi", freewheels.under_torque),
-    "freewheel-cup": Rule("phi", freewheels.cup),
-    "freewheel-friction": Rule("F_lim", freewheels.with_axial_load),
-    "freewheel-paths": Rule("F_lim", freewheels.load_paths),
-    "freewheel-clutch": Rule("mu_req", freewheels.clutch),
-    "sprag-wedge": Rule("theta", sprags.wedge),
-    "sprag-engagement": Rule("N_max", sprags.engagement),
-    "sprag-friction": Rule("mu_b", sprags.stick_slip),
-    "sprag-clutch": Rule("stiffness", sprags.clutch),
-    "sprag-crown": Rule("p_peak", sprags.crown),
-    "sprag-optimum": Rule("static_peak", sprags.optimum),
-    "sprag-optimum-40": Rule("static_peak", sprags.optimum),
-    "spring-accordion": Rule("k_wide", springs.free_stage),
-    "spring-continuum": Rule("k_wide", springs.free_stage),
-    "spring-stages": Rule("k1", springs.stages),
-    "spring-width": Rule("k", springs.compared),
-    "spring-curve": Rule("k1", springs.curve),
-    "spring-buckling": Rule("F_cr", springs.buckling),
-    "spring-map": Rule("k1", springs.compared),
-    "contact-flat": Rule("p_0", contacts.line),
-    "contact-pair": Rule("p_0", contacts.line),
-    "contact-ring": Rule("p_0", contacts.line),
-    "contact-slip": Rule("c", contacts.slip),
-    "contact-sphere": Rule("p_0_flat", contacts.sphere),
-    "contact-press-fit": Rule("p", rings.pressed_together),
-    "contact-roller": Rule("p_max", contacts.roller),
-    "contact-roller-tilted": Rule("p_max", contacts.roller),
-    "contact-roller-flat": Rule("p_max", contacts.roller),
-    "contact-roller-crowns": Rule("p_mid", contacts.crowns),
-    "contact-roller-end": Rule("p_mid", contacts.end_face),
-    "rotor-clutch": Rule("K_zz", rotors.link),
-    "rotor-shaft": Rule("critical", rotors.shaft),
-    "rotor-step": Rule("critical_cone", rotors.stepped),
-    "rotor-system": Rule("critical_first_1", rotors.system),
-    "rotor-sprag": Rule("critical_forward_1", rotors.sprag_rotor),
+    "ring-lame": Rule("u_bore", "rings.under_pressure"),
+    "ring-loads-outer": Rule("load", "rings.under_sprags"),
+    "ring-loads-inner": Rule("load", "rings.under_sprags"),
+    "ring-loads-map": Rule(""),
+    "ring-rotation": Rule("growth", "rings.rotating"),
+    "polyhedral-pressure": Rule("p", "polyhedral.round_ring"),
+    "polyhedral-ring": Rule("p_1r", "polyhedral.ring"),
+    "polyhedral-map": Rule(""),
+    "polyhedral-locking": Rule("N_elastic", "polyhedral.locking"),
+    "polyhedral-wedge": Rule("M_free", "polyhedral.wedge"),
+    "polyhedral-clutch": Rule("M_el", "polyhedral.clutch"),
+    "freewheel-torque": Rule("phi", "freewheels.under_torque"),
+    "freewheel-cup": Rule("phi", "freewheels.cup"),
+    "freewheel-friction": Rule("F_lim", "freewheels.with_axial_load"),
+    "freewheel-paths": Rule("F_lim", "freewheels.load_paths"),
+    "freewheel-clutch": Rule("mu_req", "freewheels.clutch"),
+    "sprag-wedge": Rule("theta", "sprags.wedge"),
+    "sprag-engagement": Rule("N_max", "sprags.engagement"),
+    "sprag-friction": Rule("mu_b", "sprags.stick_slip"),
+    "sprag-clutch": Rule("stiffness", "sprags.clutch"),
+    "sprag-crown": Rule("p_peak", "sprags.crown"),
+    "sprag-optimum": Rule("static_peak", "sprags.optimum"),
+    "sprag-optimum-40": Rule("static_peak", "sprags.optimum"),
+    "spring-accordion": Rule("k_wide", "springs.free_stage"),
+    "spring-continuum": Rule("k_wide", "springs.free_stage"),
+    "spring-stages": Rule("k1", "springs.stages"),
+    "spring-width": Rule("k", "springs.compared"),
+    "spring-curve": Rule("k1", "springs.curve"),
+    "spring-buckling": Rule("F_cr", "springs.buckling"),
+    "spring-map": Rule("k1", "springs.compared"),
+    "contact-flat": Rule("p_0", "contacts.line"),
+    "contact-pair": Rule("p_0", "contacts.line"),
+    "contact-ring": Rule("p_0", "contacts.line"),
+    "contact-slip": Rule("c", "contacts.slip"),
+    "contact-sphere": Rule("p_0_flat", "contacts.sphere"),
+    "contact-press-fit": Rule("p", "rings.pressed_together"),
+    "contact-roller": Rule("p_max", "contacts.roller"),
+    "contact-roller-tilted": Rule("p_max", "contacts.roller"),
+    "contact-roller-flat": Rule("p_max", "contacts.roller"),
+    "contact-roller-crowns": Rule("p_mid", "contacts.crowns"),
+    "contact-roller-end": Rule("p_mid", "contacts.end_face"),
+    "rotor-clutch": Rule("K_zz", "rotors.link"),
+    "rotor-shaft": Rule("critical", "rotors.shaft"),
+    "rotor-step": Rule("critical_cone", "rotors.stepped"),
+    "rotor-system": Rule("critical_first_1", "rotors.system"),
+    "rotor-sprag": Rule("critical_forward_1", "rotors.sprag_rotor"),
 }
 
 
@@ -94,12 +106,8 @@ def answer(
 
 def _outside(case: Case) -> Rule:
     """The rule of a case outside the suite: its first formula that is compared, and no criteria."""
-    return Rule(next((one.key for one in case.outputs if one.judged), ""), no_criteria)
-
-
-def no_criteria(_q: Any, _v: Values, part: Assessment) -> None:
-    """A case outside the suite has formulas and no limits of a part."""
-    part.unknowns.append("this case states no limits, which the part could hold or exceed")
+    first = next((one.key for one in case.outputs if one.judged), "")
+    return Rule(first, without=NO_LIMITS)
 
 
 def _output(case: Case, key: str, values: Values) -> Quantity | None:

@@ -65,7 +65,7 @@ def template(case: Case, folder: Path = Path()) -> str:
     with these it builds to the paper's inputs. Of another case it does so as it is.
     """
     printed = any(meta(field)["claims"] for field in case.inputs.model_fields.values())
-    outside = not any(case.id == other.id for other in (*CASES, *DEEP))
+    outside = case.id not in (*CASES.ids, *DEEP.ids)
     whose = f"the defaults of {case.named}" if outside \
         else f"the paper's ({cited(case.paper)}) where it prints them" if printed \
         else "this project's own"  # fmt: skip

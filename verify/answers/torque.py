@@ -4,8 +4,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from scipy.optimize import brentq
-
 from verify.answers.answer import Answer, Quantity
 from verify.answers.assessment import Assessment
 from verify.core.case import Values
@@ -78,6 +76,8 @@ def _first(limit: Limit, under: Callable[[float], Answer]) -> Limit | None:
         high = low
     else:
         return None
+    from scipy.optimize import brentq  # half of the time of a check that needs none
+
     at = float(brentq(lambda T: _excess(under(T)), low, high, rtol=TORQUE_TOLERANCE))
     worst = under(low + (at - low) * (1 - TORQUE_TOLERANCE)).limiting
     assert worst is not None

@@ -17,7 +17,7 @@ def case_ids(_context: Any) -> list[str]:
     """What a shell offers where a case is named."""
     from verify.cases.registry import CASES
 
-    return [case.id for case in CASES]
+    return list(CASES.ids)
 
 
 Jobs = Annotated[int, Parameter(name=("--jobs", "-j"), converter=whole)]

@@ -8,9 +8,8 @@ from pathlib import Path
 
 from verify.answers.assumed.registry import ASSUMPTIONS
 from verify.answers.parameter_file import read
-from verify.audit.releases.changes import lines, since
 from verify.cases import files
-from verify.cases.registry import CASES, find
+from verify.cases.registry import CASES, find, ids
 from verify.core import environment
 from verify.core.case import Case, Values
 from verify.core.console import print_verdicts, raised
@@ -21,7 +20,6 @@ from verify.jobs.executor import Where
 from verify.jobs.level import Job
 from verify.jobs.session import solve
 from verify.papers.ledger import cited
-from verify.studies.readings.tried import searches
 
 ROOT = Path(__file__).parents[2]
 BAD = (Status.FAIL, Status.SKIP)
@@ -62,6 +60,8 @@ def run_verify(
     print_verdicts(report)
     page = write_report(report, out, use_cache)
     if report.drift:
+        from verify.audit.releases.changes import lines
+
         print("\n".join(raised(line) for line in lines(report.drift)))
     print(f"report: {page} ({time.perf_counter() - start:.1f} s)")
     if any(case.errors for case in report.cases):
@@ -113,9 +113,11 @@ def make_report(
 ) -> Report:
     """A run with the ledgers and its provenance; `name` is that of a user's own parameters."""
     from verify.app.provenance import provenance
+    from verify.audit.releases.changes import since
     from verify.papers.ledgers import ledgers, sources
+    from verify.studies.readings.tried import searches
 
-    suite = {case.id for case in CASES}
+    suite = ids(CASES)
     own = [result for result in results if result.id in suite]
     return Report(
         cases=tuple(results),

@@ -1,97 +1,137 @@
-"""Every case, in the order of the report."""
+"""Every case by name, in the order of the report; its module is imported when it is read."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from difflib import get_close_matches
+from importlib import import_module
+from typing import overload
 
 from verify.cases import files
-from verify.cases.contact.line.flat import FLAT
-from verify.cases.contact.line.pair import PAIR
-from verify.cases.contact.line.ring import RING
-from verify.cases.contact.press_fit.case import PRESS_FIT
-from verify.cases.contact.roller.case import ROLLER
-from verify.cases.contact.roller.crowns import CROWNS
-from verify.cases.contact.roller.end import END
-from verify.cases.contact.roller.flat import UNCROWNED
-from verify.cases.contact.roller.tilted import TILTED
-from verify.cases.contact.slip.case import SLIP
-from verify.cases.contact.sphere.case import SPHERE
-from verify.cases.freewheel.clutch.case import CLUTCH as FREEWHEEL
-from verify.cases.freewheel.cup.case import CUP
-from verify.cases.freewheel.friction.case import FRICTION
-from verify.cases.freewheel.paths.case import PATHS
-from verify.cases.freewheel.torque.case import TORQUE
-from verify.cases.polyhedral.clutch.case import CLUTCH
-from verify.cases.polyhedral.locking.case import LOCKING
-from verify.cases.polyhedral.map.case import MAP as POLYHEDRAL_MAP
-from verify.cases.polyhedral.pressure.case import PRESSURE
-from verify.cases.polyhedral.ring.case import RING as POLYHEDRAL_RING
-from verify.cases.polyhedral.wedge.case import WEDGE
-from verify.cases.ring.lame.case import LAME
-from verify.cases.ring.loads.case import INNER, OUTER
-from verify.cases.ring.loads_map.case import MAP
-from verify.cases.ring.rotation.case import ROTATION
-from verify.cases.rotor.clutch.case import CLUTCH as ROTOR_CLUTCH
-from verify.cases.rotor.shaft.case import SHAFT
-from verify.cases.rotor.sprag.case import SPRAG_ROTOR
-from verify.cases.rotor.step.case import STEP
-from verify.cases.rotor.system.case import SYSTEM
-from verify.cases.sprag.clutch.case import CLUTCH as SPRAG
-from verify.cases.sprag.crown.case import CROWN
-from verify.cases.sprag.engagement.case import ENGAGEMENT
-from verify.cases.sprag.friction.case import FRICTION as STICK_SLIP
-from verify.cases.sprag.optimum.case import OPTIMUM_25, OPTIMUM_40
-from verify.cases.sprag.optimum.deep import DEEP_25, DEEP_40
-from verify.cases.sprag.wedge.case import WEDGE as SPRAG_WEDGE
-from verify.cases.spring.accordion.case import ACCORDION
-from verify.cases.spring.buckling.case import BUCKLING
-from verify.cases.spring.continuum.case import CONTINUUM
-from verify.cases.spring.curve.case import CURVE
-from verify.cases.spring.map.case import DEEP_MAP
-from verify.cases.spring.map.case import MAP as SPRING_MAP
-from verify.cases.spring.stages.case import STAGES
-from verify.cases.spring.width.case import WIDTH
 from verify.core.case import Case
 from verify.core.suggestions import FEW, nearest
 
-CASES: tuple[Case, ...] = (
-    LAME, OUTER, INNER, MAP, ROTATION,
-    PRESSURE, POLYHEDRAL_RING, POLYHEDRAL_MAP, LOCKING, WEDGE, CLUTCH,
-    TORQUE, CUP, FRICTION, PATHS, FREEWHEEL,
-    SPRAG_WEDGE, ENGAGEMENT, STICK_SLIP, SPRAG, CROWN,
-    OPTIMUM_25, OPTIMUM_40,
-    ACCORDION, CONTINUUM, STAGES, WIDTH, CURVE, BUCKLING, SPRING_MAP,
-    FLAT, PAIR, RING, SLIP, SPHERE, PRESS_FIT,
-    ROLLER, TILTED, UNCROWNED, CROWNS, END,
-    ROTOR_CLUTCH, SHAFT, STEP, SYSTEM, SPRAG_ROTOR,
-)  # fmt: skip
+
+class Listed(Sequence[Case]):
+    """Cases by id, each with the module below `verify.cases` and the name that it has there."""
+
+    def __init__(self, places: Mapping[str, str]) -> None:
+        self._places = places
+
+    @property
+    def ids(self) -> tuple[str, ...]:
+        """Their names, without an import."""
+        return tuple(self._places)
+
+    def named(self, case_id: str) -> Case:
+        """The case of that name; KeyError."""
+        module, _, name = self._places[case_id].partition(":")
+        case: Case = getattr(import_module(f"verify.cases.{module}"), name)
+        return case
+
+    @overload
+    def __getitem__(self, index: int) -> Case: ...
+    @overload
+    def __getitem__(self, index: slice) -> tuple[Case, ...]: ...
+    def __getitem__(self, index: int | slice) -> Case | tuple[Case, ...]:
+        if isinstance(index, slice):
+            return tuple(map(self.named, self.ids[index]))
+        return self.named(self.ids[index])
+
+    def __len__(self) -> int:
+        return len(self._places)
 
 
-DEEP: tuple[Case, ...] = (DEEP_MAP, DEEP_25, DEEP_40)  # measured by `freewheel deep` alone
+CASES = Listed(
+    {
+        "ring-lame": "ring.lame.case:LAME",
+        "ring-loads-outer": "ring.loads.case:OUTER",
+        "ring-loads-inner": "ring.loads.case:INNER",
+        "ring-loads-map": "ring.loads_map.case:MAP",
+        "ring-rotation": "ring.rotation.case:ROTATION",
+        "polyhedral-pressure": "polyhedral.pressure.case:PRESSURE",
+        "polyhedral-ring": "polyhedral.ring.case:RING",
+        "polyhedral-map": "polyhedral.map.case:MAP",
+        "polyhedral-locking": "polyhedral.locking.case:LOCKING",
+        "polyhedral-wedge": "polyhedral.wedge.case:WEDGE",
+        "polyhedral-clutch": "polyhedral.clutch.case:CLUTCH",
+        "freewheel-torque": "freewheel.torque.case:TORQUE",
+        "freewheel-cup": "freewheel.cup.case:CUP",
+        "freewheel-friction": "freewheel.friction.case:FRICTION",
+        "freewheel-paths": "freewheel.paths.case:PATHS",
+        "freewheel-clutch": "freewheel.clutch.case:CLUTCH",
+        "sprag-wedge": "sprag.wedge.case:WEDGE",
+        "sprag-engagement": "sprag.engagement.case:ENGAGEMENT",
+        "sprag-friction": "sprag.friction.case:FRICTION",
+        "sprag-clutch": "sprag.clutch.case:CLUTCH",
+        "sprag-crown": "sprag.crown.case:CROWN",
+        "sprag-optimum": "sprag.optimum.case:OPTIMUM_25",
+        "sprag-optimum-40": "sprag.optimum.case:OPTIMUM_40",
+        "spring-accordion": "spring.accordion.case:ACCORDION",
+        "spring-continuum": "spring.continuum.case:CONTINUUM",
+        "spring-stages": "spring.stages.case:STAGES",
+        "spring-width": "spring.width.case:WIDTH",
+        "spring-curve": "spring.curve.case:CURVE",
+        "spring-buckling": "spring.buckling.case:BUCKLING",
+        "spring-map": "spring.map.case:MAP",
+        "contact-flat": "contact.line.flat:FLAT",
+        "contact-pair": "contact.line.pair:PAIR",
+        "contact-ring": "contact.line.ring:RING",
+        "contact-slip": "contact.slip.case:SLIP",
+        "contact-sphere": "contact.sphere.case:SPHERE",
+        "contact-press-fit": "contact.press_fit.case:PRESS_FIT",
+        "contact-roller": "contact.roller.case:ROLLER",
+        "contact-roller-tilted": "contact.roller.tilted:TILTED",
+        "contact-roller-flat": "contact.roller.flat:UNCROWNED",
+        "contact-roller-crowns": "contact.roller.crowns:CROWNS",
+        "contact-roller-end": "contact.roller.end:END",
+        "rotor-clutch": "rotor.clutch.case:CLUTCH",
+        "rotor-shaft": "rotor.shaft.case:SHAFT",
+        "rotor-step": "rotor.step.case:STEP",
+        "rotor-system": "rotor.system.case:SYSTEM",
+        "rotor-sprag": "rotor.sprag.case:SPRAG_ROTOR",
+    }
+)
+
+# measured by `freewheel deep` alone
+DEEP = Listed(
+    {
+        "spring-map-deep": "spring.map.case:DEEP_MAP",
+        "sprag-optimum-deep": "sprag.optimum.deep:DEEP_25",
+        "sprag-optimum-40-deep": "sprag.optimum.deep:DEEP_40",
+    }
+)
 
 
 def find_any(case_id: str) -> Case:
     """The case named `case_id`, deep ones included."""
-    return find(case_id, (*CASES, *DEEP))
+    return DEEP.named(case_id) if case_id in DEEP.ids else find(case_id)
 
 
-def find(case_id: str, among: Sequence[Case] = CASES) -> Case:
+def find(case_id: str, among: Sequence[Case] | None = None) -> Case:
     """The case named `case_id`, of the suite, a file or a package; ValueError with like names."""
+    cases = CASES if among is None else among
     if files.is_file_name(case_id):
         return _own(files.load(case_id), case_id)
-    for case in (*among, *files.loaded()):
-        if case.id == case_id:
-            return case
+    known = ids(cases)
+    if case_id in known:
+        return cases.named(case_id) if isinstance(cases, Listed) else cases[known.index(case_id)]
+    if own := [case for case in files.loaded() if case.id == case_id]:
+        return own[0]
     if case_id in files.installed():
         return _own(files.of_package(case_id), case_id)
-    known = [*(case.id for case in among), *files.installed()]
+    known = (*known, *files.installed())
     near = get_close_matches(case_id, known, n=1)
     meant = f", did you mean {near[0]}?" if near else ";"
     more = ", see freewheel list" if len(known) > FEW else ""
     raise ValueError(f"unknown case {case_id!r}{meant} there are {nearest(case_id, known)}{more}")
 
 
+def ids(cases: Iterable[Case]) -> tuple[str, ...]:
+    """The names of cases; those of the suite without an import."""
+    return cases.ids if isinstance(cases, Listed) else tuple(case.id for case in cases)
+
+
 def _own(case: Case, file: str) -> Case:
-    if any(case.id == other.id for other in (*CASES, *DEEP)):
+    if case.id in (*CASES.ids, *DEEP.ids):
         raise ValueError(f"{file}: the suite has a case {case.id} already; give it another id")
     return case
 

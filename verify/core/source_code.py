@@ -19,7 +19,9 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from verify.core.plain_code import PROJECT, is_of_project, plain
+from verify.core import module_syntax as syntax
+from verify.core.plain_code import PROJECT, plain
+from verify.core.source_memory import remembered
 
 CASE = "q"  # what a case's modules call the case with its inputs
 SOLVERS = ("analytic.", "fem.", "meshes.")  # take numbers, and no case
@@ -31,6 +33,10 @@ OF_BOTH = re.compile(r"[._](inputs|description)$")  # modules that make what bot
 @cache
 def source_of(function: Any) -> str:
     """Hash of a `fem` function: itself, the names of its module it uses, the modules it reaches."""
+    return remembered("reference", function, lambda: _source_of(function))
+
+
+def _source_of(function: Any) -> str:
     used, reached = parts_of(function)
     return _hash(used, reached, whole=COMPILED in reached)
 
@@ -38,7 +44,13 @@ def source_of(function: Any) -> str:
 @cache
 def whole_source_of(function: Any) -> str:
     """Hash of a function, the names of its module it uses, and all formulas these reach."""
-    return _hash(*whole_parts_of(function), whole=True)
+    return remembered("formulas", function, lambda: _hash(*whole_parts_of(function), whole=True))
+
+
+@cache
+def modules_of(function: Any) -> tuple[str, ...]:
+    """The modules that a `fem` function reaches."""
+    return tuple(remembered("modules", function, lambda: parts_of(function)[1]))
 
 
 def whole_parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
@@ -62,12 +74,21 @@ def parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
 def group_hash(modules: Collection[str]) -> str:
     """Hash of some modules' code, in which names imported from each other stand for their code."""
     group = frozenset(modules)
+    name = f"group of {' '.join(sorted(group))}"
+    return remembered(name, group_hash, lambda: _group_hash(group))
+
+
+def _group_hash(group: frozenset[str]) -> str:
     return _digest("\n".join(sorted(_read(module, group=group)[0] for module in group)))
 
 
 def forget() -> None:
     """Read the sources again: processes read a module once."""
-    for one in (source_of, whole_source_of, is_module, _read, _shallow, _attributes):
+    syntax.forget()
+    for one in (
+        source_of, whole_source_of, modules_of, is_module, _read, _shallow, _borrowed, _bound,
+        _parts, _part,
+    ):  # fmt: skip
         one.cache_clear()
 
 
@@ -109,27 +130,18 @@ def _used_in_class(function: Any, *, whole: bool) -> tuple[dict[str, str], set[s
             found |= {f"{owner}.{name}": code for name, code in more.items()}
             start |= reached
         modules = (m for m in _reached(start, whole=whole) if not m.startswith(SOLVERS))
-        attributes = read.union(*map(_attributes, modules))
+        attributes = read.union(*map(_read_off_a_case, modules))
         if attributes == read:
             return found, start
         read = attributes
 
 
-@cache
-def _attributes(module: str) -> frozenset[str]:
+def _read_off_a_case(module: str) -> frozenset[str]:
     """The attributes that a module reads off a case: in the suite the object called q.
 
     Modules outside the suite may call it anything: all that they read.
     """
-    nodes = [n for n in ast.walk(_tree(module)) if isinstance(n, ast.Attribute)]
-    if module.startswith("verify.cases."):
-        nodes = [n for n in nodes if _name(n.value) == CASE]
-    return frozenset(n.attr for n in nodes)
-
-
-def _name(node: ast.expr) -> str:
-    """The last part of a dotted name."""
-    return node.attr if isinstance(node, ast.Attribute) else getattr(node, "id", "")
+    return syntax.attributes(module, CASE if module.startswith("verify.cases.") else "")
 
 
 def _used_in(
@@ -139,36 +151,56 @@ def _used_in(
 
     Formulas that members use, of which sizes are made, count.
     """
-    tree = ast.parse(Path(module.__file__ or "").read_text("utf-8"))
-    bound = _bound(tree, module.__name__, whole=whole)
-    own = {name: node for node in tree.body for name in _defined(node)}
-    borrowed: dict[str, set[str]] = {}  # names that the module's own imports bind
-    for node in tree.body:
-        if isinstance(node, ast.Import | ast.ImportFrom):
-            for alias in node.names:
-                name = (alias.asname or alias.name).partition(".")[0]
-                alone = copy.copy(node)
-                alone.names = [alias]
-                found = _imported(alone, module.__name__)
-                found = (m for m in found if whole or owner or not _is_formula(m))
-                borrowed.setdefault(name, set()).update(found)
+    borrowed = _borrowed(module.__name__, formulas=whole or bool(owner))
+    parts = _parts(module.__name__, owner)
     used: dict[str, str] = {}
     start: set[str] = set()
-    queue = list(names)
-    if owner:
-        body = next(n.body for n in tree.body if isinstance(n, ast.ClassDef) and n.name == owner)
-        del own[owner]  # its other members do not count
-        members = {f".{name}": node for node in body for name in _defined(node)}
-        own, queue = own | members, [f".{name}" for name in names]
+    queue = [f".{name}" for name in names] if owner else list(names)
     while queue:
         name = queue.pop()
         if name in borrowed:  # a helper of another case module: all of that module
             start |= borrowed[name]
-        elif name in own and name not in used:
-            queue += [n.id for n in ast.walk(own[name]) if isinstance(n, ast.Name)]
-            start.update(_imported(own[name], module.__name__))
-            used[name] = plain(own[name], bound)
+        elif name in parts and name not in used:
+            used[name], reads, imported = _part(module.__name__, owner, name, whole=whole)
+            queue += reads
+            start.update(imported)
     return used, start
+
+
+@cache
+def _parts(module: str, owner: str) -> dict[str, ast.stmt]:
+    """What a module defines by name, and with a point before their names the members of a class."""
+    body = syntax.tree(module).body
+    if not owner:
+        return {name: node for node in body for name in _defined(node)}
+    members = next(n.body for n in body if isinstance(n, ast.ClassDef) and n.name == owner)
+    found = {name: node for node in body for name in _defined(node) if name != owner}
+    return found | {f".{name}": node for node in members for name in _defined(node)}
+
+
+@cache
+def _part(
+    module: str, owner: str, name: str, *, whole: bool
+) -> tuple[str, tuple[str, ...], tuple[str, ...]]:
+    """Code of one of these, the names that it reads, and the modules that it imports."""
+    node = _parts(module, owner)[name]
+    reads = tuple(n.id for n in ast.walk(node) if isinstance(n, ast.Name))
+    imported = tuple(_imported(node, module))
+    return plain(copy.deepcopy(node), _bound(module, whole=whole)), reads, imported
+
+
+@cache
+def _borrowed(module: str, *, formulas: bool) -> dict[str, frozenset[str]]:
+    """Names that a module's own imports bind, with the modules that stand behind each."""
+    found: dict[str, set[str]] = {}
+    for one in syntax.imports(module):
+        for alias in one.node.names if one.at_top else ():
+            alone = copy.copy(one.node)
+            alone.names = [alias]
+            name = (alias.asname or alias.name).partition(".")[0]
+            modules = (m for m in _imported(alone, module) if formulas or not _is_formula(m))
+            found.setdefault(name, set()).update(modules)
+    return {name: frozenset(modules) for name, modules in found.items()}
 
 
 def _defined(node: ast.stmt) -> list[str]:
@@ -179,49 +211,30 @@ def _defined(node: ast.stmt) -> list[str]:
     return [n.id for t in targets for n in ast.walk(t) if isinstance(n, ast.Name)]
 
 
-def _imported(node: ast.AST, importer: str, *, whole: bool = False) -> Iterator[str]:
-    """Modules of analytic, fem, meshes and the cases that `node`, a part of `importer`, imports.
+def _imported(part: ast.AST, importer: str) -> Iterator[str]:
+    """Modules of analytic, fem, meshes and the cases that a part of `importer` imports."""
+    types = syntax.for_types(part)
+    for item in ast.walk(part):
+        if item not in types:
+            yield from filter(_counts, syntax.named(item, importer))
 
-    But for `whole`, without what a module imports of analytic at its top: the other side's. Modules
-    of inputs are both sides': sizes and loads that they compute act on finite elements, too.
+
+def _imported_by(module: str, *, whole: bool) -> Iterator[str]:
+    """The same of a whole module.
+
+    But for `whole`, without what it imports of analytic at its top: the other side's. Modules of
+    inputs are both sides': sizes and loads that they compute act on finite elements, too.
     """
-    formulas = () if whole else _formulas(node, importer)
-    types = _for_types(node)
-    for item in ast.walk(node):
-        if item in types:
-            continue
-        names = list(_names(item, importer))
-        kept = (n for n in names if not (item in formulas and _is_formula(n)))
-        yield from (n for n in kept if _counts(n))
+    for one in syntax.imports(module):
+        if not one.for_types:
+            other = one.at_top and not whole and not _is_of_both(module)
+            names = syntax.named(one.node, module)
+            yield from (n for n in names if not (other and _is_formula(n)) and _counts(n))
 
 
-def _for_types(node: ast.AST) -> set[ast.AST]:
-    """The imports of a part of a module that only type checkers execute."""
-    guarded = (
-        n for n in ast.walk(node) if isinstance(n, ast.If) and _name(n.test) == "TYPE_CHECKING"
-    )
-    return {item for guard in guarded for part in guard.body for item in ast.walk(part)}
-
-
-def _formulas(node: ast.AST, importer: str) -> Collection[ast.AST]:
-    """The statements of a module whose imports of analytic do not count: the other side's."""
-    both = importer.startswith("analytic.") or OF_BOTH.search(importer)
-    return node.body if isinstance(node, ast.Module) and not both else ()
-
-
-def _names(item: ast.AST, importer: str) -> Iterator[str]:
-    """Modules and names inside modules that an import statement names."""
-    if isinstance(item, ast.Import):
-        yield from (alias.name for alias in item.names)
-    elif isinstance(item, ast.ImportFrom):
-        source = _source(item, importer)
-        yield source
-        yield from (f"{source}.{alias.name}" for alias in item.names)
-
-
-def _source(item: ast.ImportFrom, importer: str) -> str:
-    parent = importer.rsplit(".", item.level)[0] if item.level else ""
-    return ".".join(filter(None, (parent, item.module)))
+def _is_of_both(module: str) -> bool:
+    """Whether what a module imports of analytic counts for both sides."""
+    return module.startswith("analytic.") or OF_BOTH.search(module) is not None
 
 
 def _is_formula(name: str) -> bool:
@@ -283,52 +296,42 @@ def _read(
     module: str, *, whole: bool = False, group: frozenset[str] = frozenset()
 ) -> tuple[str, tuple[str, ...]]:
     """Hash of a module's code, and the modules that count among what it imports."""
-    tree = _tree(module)
-    imported = tuple(_imported(tree, module, whole=whole))
-    bound = _bound(tree, module, whole=whole, group=group)
-    exported = _exported(tree, bound)
-    return _digest("\n".join([plain(tree, bound), *exported])), imported
+    bound = _bound(module, whole=whole, group=group)
+    code = plain(syntax.fresh_tree(module), bound)
+    return _digest("\n".join([code, *_exported(module, bound)])), tuple(
+        _imported_by(module, whole=whole)
+    )
 
 
-def _exported(tree: ast.Module, bound: Mapping[str, str]) -> list[str]:
+def _exported(module: str, bound: Mapping[str, str]) -> list[str]:
     """What the names stand for that a module imports only for others to import from it."""
-    used = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
-    imports = [node for node in tree.body if isinstance(node, ast.Import | ast.ImportFrom)]
-    names = {alias.asname or alias.name for node in imports for alias in node.names}
+    used = syntax.names(module)
+    top = (one.node for one in syntax.imports(module) if one.at_top)
+    names = {alias.asname or alias.name for node in top for alias in node.names}
     only = {name for name in names if name.partition(".")[0] not in used}
     return sorted(f"{name} = {bound[name]}" for name in only & bound.keys())
-
-
-def _tree(module: str) -> ast.Module:
-    spec = find_spec(module)
-    assert spec is not None
-    assert spec.origin is not None
-    return ast.parse(Path(spec.origin).read_text("utf-8"))
 
 
 @cache
 def _shallow(module: str) -> str:
     """Hash of a module's code in which imported names stand for themselves, however renamed."""
-    tree = _tree(module)
-    names = {name: full for _, name, full in _aliases(tree, module) if not is_module(full)}
-    return _digest(plain(tree, {name: full.rpartition(".")[2] for name, full in names.items()}))[
-        :16
-    ]
+    names = {name: full for _, name, full in syntax.aliases(module) if not is_module(full)}
+    own = {name: full.rpartition(".")[2] for name, full in names.items()}
+    return _digest(plain(syntax.fresh_tree(module), own))[:16]
 
 
-def _bound(
-    tree: ast.Module, importer: str, *, whole: bool, group: frozenset[str] = frozenset()
-) -> Mapping[str, str]:
+@cache
+def _bound(module: str, *, whole: bool, group: frozenset[str] = frozenset()) -> Mapping[str, str]:
     """What each name that an import of the project's modules binds stands for: their code.
 
     Modules of `group` count besides those of `_counts`. A name of the other side, whose code does
-    not count (`_imported`), and one of any other module stand for themselves alone.
+    not count (`_imported_by`), and one of any other module stand for themselves alone.
     """
     found = {}
-    formulas = () if whole else _formulas(tree, importer)
-    for item, name, full in _aliases(tree, importer):
+    others = not whole and not _is_of_both(module)
+    for one, name, full in syntax.aliases(module):
         source, _, own = full.rpartition(".")
-        if item in formulas and _is_formula(full):
+        if others and one.at_top and _is_formula(full):
             found[name] = f"formula {own}"
         elif _counts(full) or full in group:
             found[name] = _shallow(full)
@@ -337,17 +340,6 @@ def _bound(
         elif not is_module(full):
             found[name] = own
     return found
-
-
-def _aliases(tree: ast.Module, importer: str) -> Iterator[tuple[ast.AST, str, str]]:
-    """Each name that imports of the project's modules bind, with its statement and full name."""
-    for item in ast.walk(tree):
-        if not isinstance(item, ast.Import | ast.ImportFrom):
-            continue
-        source = f"{_source(item, importer)}." if isinstance(item, ast.ImportFrom) else ""
-        for alias in item.names:
-            if is_of_project(full := source + alias.name):
-                yield item, alias.asname or alias.name, full
 
 
 EMPTY = _digest(plain(ast.parse(""), {}))  # of a package without code

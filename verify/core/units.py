@@ -6,10 +6,28 @@ dimension of their own here: a plain number is no angle.
 
 import math
 import re
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import cache
 from typing import cast
 
-import pint
+
+@contextmanager
+def _without(package: str) -> Iterator[None]:
+    """Have imports not find a package that is not imported yet."""
+    if package in sys.modules:
+        yield
+        return
+    sys.modules[package] = None  # type: ignore[assignment]
+    try:
+        yield
+    finally:
+        del sys.modules[package]
+
+
+with _without("dask"):  # pint would import it for arrays that no unit here has: 0.15 s
+    import pint
 
 DEFINITIONS = """
 nano- = 1e-9 = n-

@@ -5,6 +5,7 @@ from collections.abc import Collection, Iterator
 from pathlib import Path
 from sys import modules
 
+from verify.core import module_syntax
 from verify.core.inputs import Inputs
 from verify.form.quantity import CaseError, Declared, Family
 
@@ -70,9 +71,8 @@ def _is_formula(form: type[Inputs], name: str) -> bool:
 
 def _body(cls: type) -> Iterator[tuple[str, ast.stmt]]:
     """The members of a class as its file has them, none of a class inside a function."""
-    file = modules[cls.__module__].__file__
-    tree = ast.parse(Path(file or "").read_text("utf-8"))
-    nodes = (n for n in tree.body if isinstance(n, ast.ClassDef) and n.name == cls.__name__)
+    body = module_syntax.tree(cls.__module__).body
+    nodes = (n for n in body if isinstance(n, ast.ClassDef) and n.name == cls.__name__)
     found = next(nodes, None)
     for node in found.body if found else ():
         if isinstance(node, ast.FunctionDef):

@@ -23,7 +23,7 @@ import numpy as np
 from verify.core.case import Case, FemResult
 from verify.core.figures import Field
 from verify.core.inputs import Inputs
-from verify.core.source_code import COMPILED, parts_of, source_of
+from verify.core.source_code import COMPILED, modules_of, source_of
 from verify.core.store import Store, packed, unpacked
 
 LIBRARIES = ("gmsh", "scikit-fem", "numpy", "scipy")
@@ -108,5 +108,5 @@ def _result(data: dict[str, Any]) -> FemResult:
 @cache
 def libraries_of(function: Any) -> tuple[str, ...]:
     """Libraries whose version may change a result of a `fem` function."""
-    reached = parts_of(function)[1]
+    reached = modules_of(function)
     return (*LIBRARIES, *(library for module, library in ALONE.items() if module in reached))

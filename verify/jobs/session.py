@@ -3,6 +3,7 @@
 import sys
 from pathlib import Path
 
+from verify.core import source_memory
 from verify.core.progress import shown
 from verify.core.results import CaseResult
 from verify.core.store import Store
@@ -30,6 +31,7 @@ def solve(
 def _cache_folder() -> Path | None:
     """The folder of the store; None, with a message, where it can be neither written nor read."""
     folder = cache.default_folder()
+    source_memory.use(folder)
     store = Store(folder)
     try:
         store.check()

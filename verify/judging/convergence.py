@@ -17,7 +17,6 @@ from itertools import pairwise
 from typing import Literal
 
 import numpy as np
-from scipy.optimize import brentq
 
 ROUND_OFF = 1e-10  # of the scale: what round-off may change of a difference of two values
 # Of the scale: an order needs a last difference above this. Round-off then changes the logarithm of
@@ -163,6 +162,8 @@ def observed_order(ratio: float, r21: float, r32: float) -> float:
         return high
     if excess(low) >= 0:
         return low
+    from scipy.optimize import brentq  # slow to import; formulas alone need no order
+
     return float(brentq(excess, low, high, xtol=1e-12))
 
 

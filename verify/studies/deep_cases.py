@@ -25,7 +25,7 @@ class DeepCases(Study):
         try:
             return [registry.find(name, self.cases()) for name in names]
         except ValueError as error:
-            if unknown := [name for name in names if name in {case.id for case in registry.CASES}]:
+            if unknown := [name for name in names if name in registry.ids(registry.CASES)]:
                 one = unknown[0]
                 raise ValueError(
                     f"{one}: name what is measured of it, validity:{one} or budget:{one}"

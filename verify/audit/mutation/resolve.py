@@ -10,7 +10,7 @@ from functools import cache
 
 from verify.audit.mutation.trial import Bench
 from verify.core.case import Case
-from verify.core.source_code import parts_of
+from verify.core.source_code import modules_of
 
 # s of one core for all levels: these are solved with the mutant. What takes longer judges no mutant
 # of a formula that its levels are made with.
@@ -24,7 +24,7 @@ QUICK = 5.0  # s: the others are asked last, after the tests
 @cache
 def formulas_in(case: Case) -> frozenset[str]:
     """The modules of formulas that a case's levels are made with."""
-    return frozenset(name for name in parts_of(case.reference)[1] if name.startswith("analytic."))
+    return frozenset(name for name in modules_of(case.reference) if name.startswith("analytic."))
 
 
 def split(module: str, benches: Sequence[Bench]) -> tuple[list[Bench], list[Bench], list[Bench]]:

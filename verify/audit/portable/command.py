@@ -39,7 +39,7 @@ def run_portable(
 ) -> int:  # fmt: skip
     """Run the variants, print and write what differs; 0 where no row differs without a reason."""
     Where(jobs)  # refuses what is no number of processes
-    cases = tuple(find(name).id for name in dict.fromkeys(names)) or tuple(c.id for c in CASES)
+    cases = tuple(find(name).id for name in dict.fromkeys(names)) or CASES.ids
     stated = reasons.read()
     emulated = _machines(only, seeds)
     folder = out or ROOT / "reports" / "out" / "portable"

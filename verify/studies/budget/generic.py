@@ -30,7 +30,7 @@ INTEGRATED = ("fem.contact.pairing:GAUSS", "fem.fourier.contact:GAUSS")
 
 def reached(case: Case) -> frozenset[str]:
     """Modules that the case's finite elements reach, its own among them."""
-    return frozenset(source_code.parts_of(case.reference)[1]) | {case.reference.__module__}
+    return frozenset(source_code.modules_of(case.reference)) | {case.reference.__module__}
 
 
 def tolerances(case: Case, factor: float) -> tuple[Constant, ...]:

@@ -18,7 +18,7 @@ from verify.studies.crosscheck.comparisons.struts import STRUTS
 from verify.studies.crosscheck.not_compared import ALONE
 from verify.studies.crosscheck.statement import Cross
 
-_ORDER = {case.id: i for i, case in enumerate(CASES)}
+_ORDER = {name: i for i, name in enumerate(CASES.ids)}
 COMPARISONS: tuple[Cross, ...] = tuple(
     sorted(
         (
