@@ -36,7 +36,7 @@ def strut_table(spring: RaceSpring) -> Table:
 
 
 @dataclass(frozen=True)
-class Swing:
+class Oscillation:
     """A clutch with its outer race held that is at rest under the torque T [N m], or comes to it.
 
     Small oscillations about rest have about the frequency f [Hz] and the stiffness k [N m/rad]:

@@ -94,3 +94,27 @@ def slid(found: Engagement) -> tuple[float, float]:
     """Ways [m] that the inner and the outer contact have slid while they bore a load."""
     inner, outer = (float(found.dt * np.abs(v[found.N > 0]).sum()) for v in (found.v_i, found.v_e))
     return inner, outer
+
+
+def steady(found: Engagement) -> tuple[float, float]:
+    """Mean N [N] of the later half, and how far it is from that around the middle.
+
+    In a window at whose ends parts of a period weigh next to nothing.
+    """
+    half = len(found.N) // 2
+    window = np.hanning(half)
+    middle, late = (
+        float(np.average(found.N[start : start + half], weights=window))
+        for start in (half // 2, len(found.N) - half)
+    )
+    return late, abs(late - middle)
+
+
+def first_slip(found: Engagement, mu: float) -> float:
+    """Time [s] at which T/N of the inner contact first reaches the friction `mu` and it slides.
+
+    On the straight line through the steps before.
+    """
+    k = int(np.flatnonzero(found.phases[:, 0] == Phase.SLIP)[0])
+    before, last = found.T_i[k - 2 : k] / found.N[k - 2 : k]
+    return float(found.t[k - 1] + (mu - last) / (last - before) * found.dt)

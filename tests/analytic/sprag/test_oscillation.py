@@ -5,7 +5,7 @@ import math
 import pytest
 
 from analytic.sprag.balance import sampled
-from analytic.sprag.oscillation import Swing, held
+from analytic.sprag.oscillation import Oscillation, held
 from analytic.sprag.race_spring import Blades, reached
 from analytic.sprag.work_balance import at_rest, frequency, undamped
 
@@ -18,7 +18,7 @@ def swing(clutch, motion):
     blades = Blades(K_r=motion.K_r, alpha_max=motion.alpha_max)
     spring = reached(lambda _: clutch, 8500.0, T=T, kinetic=0.0, blades=blades)
     f = frequency(spring, T, motion)
-    return Swing(spring, motion, T=T, f=f, k=motion.I_bi * (2 * math.pi * f) ** 2)
+    return Oscillation(spring, motion, T=T, f=f, k=motion.I_bi * (2 * math.pi * f) ** 2)
 
 
 def test_a_slow_rise_ends_at_the_static_force(swing):

@@ -98,8 +98,8 @@ def peaks_fem(
     """Engagements with each of the crowns (n, 3), made for the same load, under each torque [N m].
 
     Pressures are those of the clutch's slices, or of STRIPS strips on a half-space. `progress` is
-    told how many crowns are done. NoLockError where one does not lock, another ArithmeticError
-    where an engagement is not solved.
+    called with the number of crowns done. NoLockError where one does not lock, another
+    ArithmeticError where an engagement is not solved.
     """
     torques, n = tuple(float(T) for T in torques), len(crowns)
     tasks = [
@@ -109,10 +109,10 @@ def peaks_fem(
     found: dict[tuple[Crown, ...], list[tuple[Array, Array]]] = {}
     done = 0
     with local(0 if jobs == 1 or len(tasks) == 1 else min(jobs, len(tasks))) as engine:
-        for said in Drive(engine, some_fem).answers((q, torques, task, by) for task in tasks):
-            if said is None:
+        for result in Drive(engine, some_fem).answers((q, torques, task, by) for task in tasks):
+            if result is None:
                 continue
-            (_, _, task, _), answer = said
+            (_, _, task, _), answer = result
             if isinstance(answer, Lost):
                 raise ArithmeticError(f"an engagement had no answer: {answer.reason}")
             if isinstance(answer, str):

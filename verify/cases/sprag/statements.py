@@ -68,11 +68,11 @@ class Noted(Claim):
         margin, U, words = self.margin(context)
         verdict = judge.fact(margin, U)
         if verdict.status is Status.PASS:
-            said = f"{words}; ledger {self.erratum}"
-            verdict = replace(verdict, status=Status.NOTE, reason=said)
+            reason = f"{words}; ledger {self.erratum}"
+            verdict = replace(verdict, status=Status.NOTE, reason=reason)
         else:
-            said = f"ledger {self.erratum} says otherwise: {words}"
-            verdict = replace(verdict, reason=said if math.isfinite(margin) else UNFITTED)
+            reason = f"ledger {self.erratum} says otherwise: {words}"
+            verdict = replace(verdict, reason=reason if math.isfinite(margin) else UNFITTED)
         return [self._row(context.case, Kind.FACT, verdict, published=self._printed(context))]
 
 
@@ -102,11 +102,11 @@ class Beside(Claim):
             return [self._row(context.case, Kind.APPROXIMATION, verdict, scale=self.figure,
                               published=self._printed(context))]  # fmt: skip
         error = v / self.figure - 1
-        said, status = f"{error:+.1%}: {self.words}", Status.SHOWN
+        reason, status = f"{error:+.1%}: {self.words}", Status.SHOWN
         if self.fitted:
             status = Status.CALIBRATED if abs(error) < self.bound else Status.FAIL
-            said = f"{said}; {self.fitted}"
-        verdict = judge.Verdict(status, said, v - self.figure)
+            reason = f"{reason}; {self.fitted}"
+        verdict = judge.Verdict(status, reason, v - self.figure)
         return [
             self._row(
                 context.case, Kind.APPROXIMATION, verdict, analytic=v, scale=self.figure,

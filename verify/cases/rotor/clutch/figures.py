@@ -47,7 +47,7 @@ def sketch(q: SpragLink) -> Sketch:
         arrow(np.zeros(2), R * out, style="axis"), arrow(first[0], beyond, style="axis"),
         text((1.55 * q.R_e, 0.0), "x"), text(1.55 * q.R_e * out, "ψ_j"),
         shape("load", arc(0.6 * q.R_i, 2.4, 0.6)),
-        *(leader(q.R_e * np.array(start), tip, said) for start, tip, said in named),
+        *(leader(q.R_e * np.array(start), tip, name) for start, tip, name in named),
     )  # fmt: skip
     return sketches.sketch(
         f"{q.Z} sprags between the races, to scale, as lines through both their contacts, "

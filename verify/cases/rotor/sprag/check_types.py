@@ -102,8 +102,8 @@ class Spread(Claim):
         if not values.size:
             verdict = judge.Verdict(Status.FAIL, NO_SETS)
             return [self._row(context.case, Kind.FACT, verdict)]
-        said = f"5 to 95 % of sets: {band(values, f)} {self.unit}".removesuffix(" 1")
-        verdict = judge.Verdict(Status.CALIBRATED, f"{said}{self.words}; {FITTED}")
+        spread = f"5 to 95 % of sets: {band(values, f)} {self.unit}".removesuffix(" 1")
+        verdict = judge.Verdict(Status.CALIBRATED, f"{spread}{self.words}; {FITTED}")
         return [
             self._row(
                 context.case, Kind.FACT, verdict,

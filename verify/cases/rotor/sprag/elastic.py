@@ -40,11 +40,11 @@ class Bodies(Claim):
         m, U = formula / values[-1] - 1, judge.expanded(u) / values[-1]
         wide = arrays(context)["solid, wide bands"][self.order - 1] / values[0] - 1
         within = "within" if abs(m) + U + abs(wide) < WITHIN_PRINTED else "not surely within"
-        said = (
+        reason = (
             f"beams {m:+.2%} ± {100 * U:.1g} %, bodies {wide:+.2%} where held on 20 mm, not 10: "
             f"{within} the 0.3 % of beam against beam"
         )
-        verdict = judge.Verdict(Status.SHOWN, said, formula - values[-1])
+        verdict = judge.Verdict(Status.SHOWN, reason, formula - values[-1])
         return [
             self._row(
                 context.case, Kind.APPROXIMATION, verdict, analytic=formula, fem=values[-1],

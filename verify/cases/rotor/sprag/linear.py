@@ -103,9 +103,9 @@ def at_two_nodes(context: Context) -> tuple[float, str]:
         f"{highest.name} in {held_of(highest, a)} (unbalance 1 at node 4), in "
         f"{held_of(highest, moved)} (at node 11)"
     )
-    said = [published(f"huang2022:{key}").value
+    nodes = [published(f"huang2022:{key}").value
             for key in ("outer-highest-node-at-critical-3-and-5", "unbalance-1-node")]  # fmt: skip
-    return abs(said[0] - said[1]) - 0.5, words
+    return abs(nodes[0] - nodes[1]) - 0.5, words
 
 
 def ellipses(context: Context) -> tuple[float, str]:

@@ -24,7 +24,7 @@ from verify.case import (
 from verify.cases.rotor.step import figures as drawn
 from verify.cases.rotor.step.inputs import MODES, NEAR_ONE, SteppedShaft
 from verify.core.case import Context
-from verify.core.figures import Picture, Sketch, Table
+from verify.core.figures import Picture, Table
 from verify.form.adapter import adapted
 from verify.judging.checks import Accepted, Exact
 
@@ -122,6 +122,7 @@ class SteppedBeam(SteppedShaft):
         return float(off / self.by_rule.whirl(2, "forward") / 3)
 
     figures = drawn_by(drawn.figures)
+    sketch = drawn.sketch
 
     def reference(self, level: int) -> Level:
         """Closed-form elements, the weak form of both beams, and the elastic body."""
@@ -237,10 +238,6 @@ class SteppedBeam(SteppedShaft):
         """Frequencies of both beams beside the body's."""
         if context.fem:
             yield drawn.frequencies(self, context.fem[-1].values)
-
-    def sketch(self) -> Sketch:
-        """The shaft, its bearings, and what the 45° rule takes as stiff."""
-        return drawn.sketch(self)
 
     def pictures(self) -> Iterator[Picture]:
         """Mode 1 of the body."""

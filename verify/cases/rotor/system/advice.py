@@ -78,10 +78,10 @@ def _neighbours(q: TransferRotor) -> list[str]:
 
 def _frequencies(q: TransferRotor) -> str:
     modes = q.study.modes
-    told = ", ".join(
+    frequencies = ", ".join(
         f"{w / 2 / np.pi:.4g} Hz {SENSE[int(s)]}" for w, s in zip(modes.w, modes.whirl, strict=True)
     )
-    return f"natural frequencies at {q.speed / RPM:.5g} r/min: {told}"
+    return f"natural frequencies at {q.speed / RPM:.5g} r/min: {frequencies}"
 
 
 def _amplitudes(q: TransferRotor) -> list[str]:

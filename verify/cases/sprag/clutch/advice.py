@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from verify.cases.freewheel.clutch.numbers import newton, newton_metres, pascal
-from verify.cases.sprag.clutch.bodies import thrown
+from verify.cases.sprag.clutch.bodies import centrifugal_force
 from verify.cases.sprag.clutch.formulas import ClutchFormulas
 from verify.cases.sprag.clutch.limits import Limit, as_torque_grows
 from verify.cases.sprag.clutch.model import built, under
@@ -17,13 +17,13 @@ UM = 1e-6
 STEEL = (195e9, 220e9)  # Pa, of which Palmgren's law is
 SHORT = 1e-4  # of the law's last load: below it slices are not solved
 HARD = 0.1  # of N, by which springs press
-REACHED = 0.5  # of z_m: an end slice that drops by less is told
+REACHED = 0.5  # of z_m: an end slice that drops by less is stated
 DEEPER = 1.05  # times what it drops, by twice z_m: not worth it
 UNEVEN = 1.5  # over Eq. 6's smeared ring
-THROWN = 0.1  # of N_0, by which centrifugal forces change it
+CENTRIFUGAL = 0.1  # of N_0, by which centrifugal forces change it
 SLOWLY = "; this is of a torque that rises slowly: one that comes at once nearly doubles the " \
     "force (check --dynamic)"  # fmt: skip
-FINEST = 61  # slices that the reference solves anew at each of many loads
+FINEST = 61  # slices that the reference solves at each of many loads
 LOOSE = 0.25  # rad, beyond which a sprag has turned a lot
 
 
@@ -68,11 +68,11 @@ def stiff(q: ClutchFormulas, stands: bool) -> str:
 
 def crowned(q: ClutchFormulas, stands: bool) -> str:
     """Pressures of both races, the crown's peak over the middle's."""
-    told = [
+    pressures = [
         f"{pascal(p)} at the {race} race ({p / mid:.3g} times that at mid-length)"
         for p, mid, race in ((q.p_i, q.p_i_mid, "inner"), (q.p_o, q.p_o_mid, "outer"))
     ]
-    return f"the contacts' slices {'' if stands else 'would '}bear up to {' and '.join(told)}"
+    return f"the contacts' slices {'' if stands else 'would '}bear up to {' and '.join(pressures)}"
 
 
 def dropped(q: ClutchFormulas) -> list[str]:
@@ -143,7 +143,7 @@ def warnings(q: ClutchFormulas) -> Sequence[str]:
         for times, race in zip(q.uneven, ("inner", "outer"), strict=True)
         if times > UNEVEN
     ]
-    if (F := thrown(q)) > THROWN * q.N_0:
+    if (F := centrifugal_force(q)) > CENTRIFUGAL * q.N_0:
         found.append(
             f"at n each sprag feels m_g ω² r = {newton(F)} of centrifugal force, its springs press "
             f"with {newton(q.N_0)}: n counts for the growth of the outer race alone here"

@@ -19,7 +19,7 @@ def uneven(q: SpragInputs, N: float, loaded: Wall) -> float:
     return over_smeared(parts(q), float(a), loaded)
 
 
-def thrown(q: EngagementInputs) -> float:
+def centrifugal_force(q: EngagementInputs) -> float:
     """Centrifugal force [N] of a sprag at the speed n, at the middle between the races."""
     return q.m_g * q.n**2 * (q.R_i + q.R_e) / 2
 

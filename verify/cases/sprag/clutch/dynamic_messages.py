@@ -1,4 +1,4 @@
-"""What is told of an engagement; the verdict of a sprag clutch at rest and in it together."""
+"""What is stated of an engagement; the verdict of a sprag clutch at rest and in it together."""
 
 import math
 from collections.abc import Sequence
@@ -34,7 +34,7 @@ WORDS = {
     "disengages": "the contacts are apart at the end",
     "not followed": "not followed to its peak",
 }
-WELL = 1e-3  # of the work: energies that miss more are told
+WELL = 1e-3  # of the work: energies that miss more are stated
 SPARE = 1.2  # of half a period: stiffness grows with the load
 DECAYS = 5.0  # time constants of a force that creeps
 
@@ -85,7 +85,7 @@ def least_time(q: ClutchFormulas) -> float:
     return math.ceil(t / unit) * unit
 
 
-def told(found: Run) -> str:
+def outcome(found: Run) -> str:
     """The verdict; where the formulas end and not the profile, that."""
     e = found.engagement
     if e.over and not found.end_of_profile:
@@ -97,14 +97,15 @@ def findings(q: ClutchFormulas, v: Values) -> Sequence[str]:
     found = run_fem(q)
     e = found.engagement
     lines = peaks(q, v, found) if e.followed else [
-        f"in time: {told(found)}: {unfollowed(q)}; "
+        f"in time: {outcome(found)}: {unfollowed(q)}; "
         + ("the inner race still overruns" if e.overruns else
            f"the normal force still rises and is {newton(v['N_max'])} at {e.t[-1] * 1e3:.3g} ms")
     ]  # fmt: skip
     if v["t_slip"] > 0:
         lines.append(
-            f"contacts slide for {v['t_slip'] * 1e3:.3g} ms, the inner ones {way(v['slid_i'])} and "
-            f"the outer ones {way(v['slid_o'])}: {v['friction']:.3g} J go into friction"
+            f"contacts slide for {v['t_slip'] * 1e3:.3g} ms, the inner ones "
+            f"{distance(v['slid_i'])} and the outer ones {distance(v['slid_o'])}: "
+            f"{v['friction']:.3g} J go into friction"
         )
     if v["missing"] > WELL:
         lines.append(
@@ -120,7 +121,7 @@ def peaks(q: ClutchFormulas, v: Values, found: Run) -> list[str]:
     factor = f", {v['peak_factor']:.3g} times that at rest" if "peak_factor" in v else ""
     when, reaches = (f" at {e.t[-1] * 1e3:.3g} ms", "has reached") if e.over else ("", "reaches")
     lines = [
-        f"in time: {told(found)}{when}; the normal force {reaches} {newton(v['N_max'])} at "
+        f"in time: {outcome(found)}{when}; the normal force {reaches} {newton(v['N_max'])} at "
         f"{v['t_max'] * 1e3:.3g} ms{factor}",
         f"then the inner contacts bear {pascal(v['p_i_max'])}, the outer ones "
         f"{pascal(v['p_o_max'])}",
@@ -130,6 +131,6 @@ def peaks(q: ClutchFormulas, v: Values, found: Run) -> list[str]:
     return lines
 
 
-def way(s: float) -> str:
-    """A way [m] in words."""
+def distance(s: float) -> str:
+    """A distance [m] in words."""
     return f"{s * 1e6:.3g} µm" if s < 1e-3 else f"{s * 1e3:.3g} mm" if s < 1 else f"{s:.3g} m"

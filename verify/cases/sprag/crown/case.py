@@ -12,7 +12,7 @@ from analytic.contact.crown import straight_length
 from analytic.contact.sliced import SlicedContact
 from analytic.sprag.crowned import mid
 from analytic.sprag.work_balance import at_rest, sprags_inertia
-from verify.case import Case, Comparison, Level, Quantity, Scan, drawn_by, shared
+from verify.case import Case, Level, Quantity, Scan, drawn_by, shared
 from verify.cases.sprag.clutch.advice import refusal as refusal_at_rest
 from verify.cases.sprag.clutch.model import normal_force, under
 from verify.cases.sprag.crown import advice as advised
@@ -24,7 +24,7 @@ from verify.cases.sprag.engagement.formulas import swing
 from verify.cases.sprag.engagement.model import crowned_for, gap, motion, wedge
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.cases.sprag.peaks import Crown
-from verify.core.case import Check, Context
+from verify.core.case import Context
 from verify.core.figures import Table
 from verify.core.references import BY_STRIPS
 from verify.form.adapter import adapted
@@ -189,6 +189,7 @@ class SpragCrown(EngagementInputs, Case):
         w = wedge(self)
         return float(sprags_inertia(w, at_rest(w, self.T), motion(self)) / self.I_bi)
 
+    comparisons = compared.stated
     figures = drawn_by(drawn.figures)
     sketch = drawn.sketch
     warnings = advised.warnings
@@ -200,10 +201,6 @@ class SpragCrown(EngagementInputs, Case):
         from verify.cases.sprag.crown.reference import solve
 
         return solve(self, level)
-
-    def comparisons(self) -> Iterator[Comparison | Check]:
-        """By the drawn profile, by strips, and what the paper states."""
-        return compared.stated(self, SpragCrown)
 
     def tables(self, context: Context) -> Iterator[Table]:
         """Table 2, recomputed."""

@@ -124,11 +124,9 @@ def in_the_box(context: Context) -> tuple[float, float, str]:
     return 1 - p / own, off + 0.01, words
 
 
-def stated(crown: Any, c: Any) -> Iterator[Comparison | Check]:
-    """Profile by drawing, pressures by strips, the paper's figures and its Table 2.
-
-    `c` declares the quantities.
-    """
+def stated(crown: Any) -> Iterator[Comparison | Check]:
+    """Profile by drawing, pressures by strips, the paper's figures and its Table 2."""
+    c = type(crown)
     drawn: dict[str, Any] = {"order": 1, "by": DRAWN}
     yield identity(c.mean, name="mean drop of the crown", symbol="z̄", **drawn)
     yield identity(c.share, name="share of z_m in the mean drop", **drawn)

@@ -18,7 +18,7 @@ from verify.form.sketches import arrow, shape, text
 
 ms, kN, mm = 1e-3, 1e3, 1e-3
 FEW = 45  # dots of a curve
-SAID = {
+ENERGIES = {
     "elastic": "contacts, races and sprags", "kinetic": "in motion", "damping": "damped",
     "support": "support", "friction": "friction",
 }  # fmt: skip
@@ -131,7 +131,7 @@ def energies(context: Context) -> Figure:
     """What became of the work put in, one on the other."""
     last = context.fem[-1].arrays
     t, below, curves = last["t"] / ms, np.zeros_like(last["t"]), []
-    for colour, (key, words) in enumerate(SAID.items()):
+    for colour, (key, words) in enumerate(ENERGIES.items()):
         below = below + last[key]
         curves.append(line(f"+ {words}" if colour else words, t, below, colour))
     put_in = last["torque"] + last["blades"]

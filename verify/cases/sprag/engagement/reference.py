@@ -15,7 +15,7 @@ from analytic.sprag.balance import sampled
 from analytic.sprag.closure import wedged
 from analytic.sprag.history import Phase
 from analytic.sprag.motion import Motion, Speeds, Torque
-from analytic.sprag.oscillation import Swing
+from analytic.sprag.oscillation import Oscillation
 from analytic.sprag.race_spring import RaceSpring
 from analytic.sprag.readings import asked, highest, later_peak, missing, put_in
 from analytic.sprag.table import INTERVALS
@@ -31,14 +31,14 @@ if TYPE_CHECKING:
     from analytic.sprag.history import Engagement
 
 LEVELS = (1, 2, 4)  # steps in the one of the inputs
-ORDER = (4.0, 2.0, 1.0, 0.5)  # steps of the inputs in one, of which the order is told
+ORDER = (4.0, 2.0, 1.0, 0.5)  # steps of the inputs in one, of which the order is fitted
 FINEST = 16  # steps in the one of the inputs that those are measured by
 FIRST = 1.3  # of the time of the first peak, which the partner is followed to
 RTOL = 1e-8
 COARSER = 1500  # intervals of the table that says how far its own cubics are off
 LEAST = 1e-7  # of a value: half of what a table of 500 intervals changes, 4000 change 6e-9
 SPLINES = 1e-6  # of a value, standard: LSODA's force is a spline of its own through the states
-CROSSED = 1e-6  # of a frequency: crossings are told on straight lines between samples
+CROSSED = 1e-6  # of a frequency: crossings are read on straight lines between samples
 STUCK = 0.05  # of a step, within which the time of sticking is known
 SHOWN = 601  # samples that are kept
 ACROSS = 240  # moments in figures of pressure
@@ -111,10 +111,10 @@ def held(q: EngagementInputs, **changes: float) -> Motion:
     return oscillation.held(motion(q), **changes)
 
 
-def about_rest(q: EngagementInputs) -> Swing:
+def about_rest(q: EngagementInputs) -> Oscillation:
     """The clutch about its state at rest, the outer race held."""
     v = analytic(q)
-    return Swing(wedge(q), motion(q), T=q.T, f=v["f"], k=v["k"])
+    return Oscillation(wedge(q), motion(q), T=q.T, f=v["f"], k=v["k"])
 
 
 def history(found: "Engagement", name: str) -> dict[str, Array]:

@@ -33,17 +33,17 @@ UNEQUAL = "N_e = N_i in Eqs. 14-16, where a strut has N_e/N_i = cos ω/cos ν"
 
 @dataclass(frozen=True, kw_only=True)
 class Ended(Partnered):
-    """A time that is told to a time step; of one's own it need not be sharper than three.
+    """A time that is known to a time step; of one's own it need not be sharper than three.
 
-    Told where no contact slides at all.
+    Displayed where no contact slides at all.
     """
 
     def rows(self, context: Context) -> list[Row]:
         if context.fem[-1].values[self.analytic] > 0:
             return super().rows(context)
-        told = judge.Verdict(Status.SHOWN, "no sprag slides at the start")
-        row = self._row(context.case, self.kind, told)
-        return [row, self._convergence_row(context.case, told)]
+        verdict = judge.Verdict(Status.SHOWN, "no sprag slides at the start")
+        row = self._row(context.case, self.kind, verdict)
+        return [row, self._convergence_row(context.case, verdict)]
 
     def demanded(self, context: Context) -> float:
         q, t = context.inputs, context.fem[-1].values[self.analytic]
@@ -53,9 +53,9 @@ class Ended(Partnered):
 def at_tan(context: Context) -> Pair:
     """Friction from which on it locks, over tan(nu) at rest, at three torques."""
     T, ratio, half = context.fem[-1].arrays["boundaries"].T
-    told = ", ".join(f"{r - 1:+.2%} at {t:.4g} N m" for t, r in zip(T, ratio, strict=True))
+    words = ", ".join(f"{r - 1:+.2%} at {t:.4g} N m" for t, r in zip(T, ratio, strict=True))
     found = farthest(np.ones_like(ratio), ratio, 0.0)
-    return replace(found, U=float(half.max()), words=told)
+    return replace(found, U=float(half.max()), words=words)
 
 
 def refused(context: Context) -> tuple[float, float, str]:

@@ -4,13 +4,11 @@ A level halves the time step of the inputs. What is compiled is imported inside 
 """
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from analytic.sprag.history import Phase
 from analytic.sprag.motion import Speeds, Torque
-from analytic.sprag.readings import highest, sticks, swings
+from analytic.sprag.readings import first_slip, highest, steady, sticks, swings
 from verify.cases.sprag.engagement.formulas import MORE, swing, with_torque
 from verify.cases.sprag.engagement.formulas import analytic as engagement_values
 from verify.cases.sprag.engagement.model import motion, wedge
@@ -25,9 +23,6 @@ from verify.cases.sprag.friction.formulas import BELOW, asked, weak
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.case import FemResult
 from verify.core.figures import Array
-
-if TYPE_CHECKING:
-    pass
 
 LEVELS = (1, 2, 4)  # steps in the one of the inputs
 TORQUES = (0.6, 1.0, MORE)  # of T
@@ -116,14 +111,9 @@ def sliding_fem(q: EngagementInputs, dt: float, mu: float, speed: float) -> tupl
         q, wedge(q), dt, moves, Torque.step(0.0), duration=SLIDES / frequency(q),
         speeds=Speeds(inner=speed), D_V=None,
     )  # fmt: skip
-    half = len(found.N) // 2
-    window = np.hanning(half)  # in which parts of a period weigh next to nothing
-    middle, late = (
-        float(np.average(found.N[start : start + half], weights=window))
-        for start in (half // 2, len(found.N) - half)
-    )
+    late, wander = steady(found)
     # the closed form has lines through the clutch's states, the steps cubics
-    return late, max(abs(late - middle), late * max(swings(found, mu), SPLINES))
+    return late, max(wander, late * max(swings(found, mu), SPLINES))
 
 
 def between(q: EngagementInputs) -> float:
@@ -132,16 +122,10 @@ def between(q: EngagementInputs) -> float:
 
 
 def amid_fem(q: EngagementInputs, dt: float, until: float) -> dict[str, float]:
-    """Largest N [N] and time [s] of the first slip with that friction.
-
-    The time is that at which T/N reaches it, on the straight line through the steps before.
-    """
+    """Largest N [N] and time [s] of the first slip with that friction."""
     amid = rough(q, between(q))
     found = engaged_fem(amid, wedge(amid), dt, duration=until, D_V=None)
-    k = int(np.flatnonzero(found.phases[:, 0] == Phase.SLIP)[0])
-    before, last = found.T_i[k - 2 : k] / found.N[k - 2 : k]
-    ahead = (amid.mu_s - last) / (last - before)
-    return {"N_max amid": found.N_max, "slips": float(found.t[k - 1] + ahead * dt)}
+    return {"N_max amid": found.N_max, "slips": first_slip(found, amid.mu_s)}
 
 
 def partners_fem(q: EngagementInputs, until: float) -> dict[str, float]:

@@ -10,14 +10,14 @@ from verify.case import Comparison
 from verify.cases.sprag.clutch.paper_fem import PRINTED
 from verify.cases.sprag.optimum.crown_claims import at_rest, pressed
 from verify.cases.sprag.optimum.ends_fem import SLICED
-from verify.cases.sprag.optimum.surrogate_claims import SURROGATE, Told
+from verify.cases.sprag.optimum.surrogate_claims import SURROGATE, Displayed
 from verify.cases.sprag.statements import FITTED, Beside, OfPaper, measured
 from verify.core.case import Check, Context
 from verify.core.figures import Array
 
 NEAR = 0.01  # of the best crown's pressure: what is as good
 ON_BOUND = 1e-3  # of a range
-FLAT = 0.005  # of it, in which the valley is told
+FLAT = 0.005  # of it, that bounds the valley
 SURE = 1e-3  # of a pressure, which engagements are surely good for
 
 
@@ -194,11 +194,11 @@ def made_for(context: Context) -> tuple[float, float, str]:
 def taken_off(context: Context) -> str:
     """What the best crown takes off, by several numbers of slices under the same forces."""
     best, none = (by_number(context, crown) for crown in ("best", "none"))
-    said = ", ".join(
+    shares = ", ".join(
         f"{1 - p / flat:.1%} by {n} slices ({flat / 1e6:.0f} to {p / 1e6:.0f} MPa)"
         for n, p, flat in zip(SLICED, best, none, strict=True)
     )
-    return f"{said}: without a crown the pressure has no limit, and the best one's end neither"
+    return f"{shares}: without a crown the pressure has no limit, and the best one's end neither"
 
 
 def by_number(context: Context, crown: str) -> Array:
@@ -234,17 +234,17 @@ def checks(T: int) -> tuple[Any, ...]:
         beside(f"best crown at {T} N m, angle fitted", _fitted, T,
                fitted=fitted, bound=NEAR,
                words=f"the angle has the pressure printed at 25 N m with the printed crown{why}"),
-        Told(name="what the best crown takes off", symbol="Pre_max", unit="%",
+        Displayed(name="what the best crown takes off", symbol="Pre_max", unit="%",
              words=taken_off, printed=(f"huang2018:stress-{T}nm-reduction",)),
         OfPaper(name=f"printed crown within {NEAR:.0%} of the best one's pressure",
                 symbol="Pre_max", unit="1", margin=printed_crown, fitted=FITTED, printed=optimum),
-        Told(name="how flat the optimum is", symbol="Pre_max", unit="1", words=flat),
+        Displayed(name="how flat the optimum is", symbol="Pre_max", unit="1", words=flat),
         OfPaper(name=f"K_1 = N_max/Q within {FLAT:.1%} of the best crown's pressure", symbol="K_1",
                 unit="1", margin=lundberg, fitted=FITTED, printed=optimum[:1]),
         OfPaper(name="p_max falls, then rises along K_1", symbol="Pre_max", unit="1",
                 margin=over_K_1, fitted=FITTED,
                 printed=(f"huang2018:fig{15 if T == 25 else 17}a-zm",)),
-        Told(name="p_max along z_m", symbol="Pre_max", unit="1", words=over_z_m,
+        Displayed(name="p_max along z_m", symbol="Pre_max", unit="1", words=over_z_m,
              printed=(f"huang2018:fig{15 if T == 25 else 17}b-k2",)),
     )  # fmt: skip
     return (*found, *(AT_25 if T == 25 else AT_40))
@@ -259,7 +259,7 @@ def stated(q: Any) -> Iterator[Comparison | Check]:
 
 
 AT_25 = (
-    Told(name="p_max along K_2", symbol="Pre_max", unit="1", words=over_K_2,
+    Displayed(name="p_max along K_2", symbol="Pre_max", unit="1", words=over_K_2,
          printed=("huang2018:fig15a-zm",)),
 )  # fmt: skip
 AT_40 = (

@@ -8,7 +8,7 @@ import numpy as np
 from analytic.sprag.crowned import mid
 from verify.case import Comparison
 from verify.cases.sprag.engagement.model import gap, in_slices
-from verify.cases.sprag.optimum.surrogate_claims import Told
+from verify.cases.sprag.optimum.surrogate_claims import Displayed
 from verify.cases.sprag.peaks import with_crown
 from verify.cases.sprag.statements import (
     BY_STRIPS,
@@ -169,7 +169,7 @@ def pressed(T: int) -> tuple[Any, ...]:
         at_crown("pressure at mid-length by slices", "mid", "slices", "strips", both, WIDER),
         at_crown("largest pressure by strips", "peak", "strips", "cells", STRIPS, 2 * STRIPS),
         at_crown("pressure at mid-length by strips", "mid", "strips", "cells", STRIPS, 2 * STRIPS),
-        Told(name="best crown with free ends", symbol="p_max", unit="1", words=to_make),
+        Displayed(name="best crown with free ends", symbol="p_max", unit="1", words=to_make),
         Noted(name="the printed crown bears more on a half-space than by slices", symbol="p_max",
               unit="1", erratum="huang2018:eq-21-22-ends", margin=higher,
               printed=(f"huang2018:stress-{T}nm-optimised",)),

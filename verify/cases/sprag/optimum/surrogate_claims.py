@@ -22,6 +22,9 @@ LEFT_OUT = 7  # designs that are left out one by one
 BOUND = 1e-6  # beyond which a condition number proves nothing
 EPS = float(np.finfo(np.float64).eps)
 
+Named = Callable[[str], Array]  # arrays of a regime by name
+Pairs = tuple[Array, Array, float]  # of both sides, and their scale
+
 
 def agrees(
     name: str, symbol: str, pair: Callable[[Context], Pair], accepted: float, by: str, source: str
@@ -33,7 +36,7 @@ def agrees(
 
 
 @dataclass(frozen=True, kw_only=True)
-class Told(Claim):
+class Displayed(Claim):
     """What is measured and judged by nothing: SHOWN."""
 
     kind = Kind.FACT
@@ -49,17 +52,17 @@ class Told(Claim):
 class Repeated(Claim):
     """A result of the kriging code against the bordered system, within what its condition leaves.
 
-    `pair(array, one)` gives both for one of the regimes, and their scale.
+    `pair(array, one, extra)` gives both for one of the regimes, and their scale.
     """
 
     kind = Kind.EXACT
 
-    pair: Callable[[Context, Callable[[str], Array], Bordered, Array], tuple[Array, Array, float]]
+    pair: Callable[[Named, Bordered, Array], Pairs]
 
     def rows(self, context: Context) -> list[Row]:
         worst, bound = 0.0, 0.0
         for array, one, extra in regimes(context):
-            ours, theirs, scale = self.pair(context, array, one, extra)
+            ours, theirs, scale = self.pair(array, one, extra)
             worst = max(worst, float(np.abs(ours - theirs).max()) / scale)
             bound = max(bound, EPS * one.condition)
         verdict = judge.exact(worst, bound=min(bound, BOUND), scale=1.0, demand=self.demand)
@@ -71,7 +74,7 @@ class Repeated(Claim):
         ]  # fmt: skip
 
 
-def regimes(context: Context) -> Iterator[tuple[Callable[[str], Array], Bordered, Array]]:
+def regimes(context: Context) -> Iterator[tuple[Named, Bordered, Array]]:
     """Of each kriged regime: its arrays by name, its bordered system, the extra designs there."""
     found, box = measured(context), context.inputs.box
     for name in ("end", "inside"):
@@ -83,21 +86,16 @@ def regimes(context: Context) -> Iterator[tuple[Callable[[str], Array], Bordered
             yield lambda key, n=name: found[f"{n} {key}"], one, box.to_unit(found["extra"])  # type: ignore[misc]
 
 
-def predictions(
-    _: Context, array: Callable[[str], Array], one: Bordered, extra: Array
-) -> tuple[Array, Array, float]:
-    return array("predicted"), one.predicted(extra), float(np.abs(one.values).max())
+def at_extra(name: str) -> Callable[[Named, Bordered, Array], Pairs]:
+    """What kriging gives at the extra designs, "predicted" or "deviation"."""
+
+    def pair(array: Named, one: Bordered, extra: Array) -> Pairs:
+        return array(name), getattr(one, name)(extra), float(np.abs(one.values).max())
+
+    return pair
 
 
-def deviations(
-    _: Context, array: Callable[[str], Array], one: Bordered, extra: Array
-) -> tuple[Array, Array, float]:
-    return array("deviation"), one.deviation(extra), float(np.abs(one.values).max())
-
-
-def left_out(
-    _: Context, array: Callable[[str], Array], one: Bordered, _extra: Array
-) -> tuple[Array, Array, float]:
+def left_out(array: Named, one: Bordered, _extra: Array) -> Pairs:
     """Some designs left out one by one, length scales kept."""
     some = np.unique(np.linspace(0, len(one.x) - 1, LEFT_OUT).round().astype(int))
     theirs = np.array([one.left_out(int(k)) for k in some])
@@ -202,9 +200,9 @@ def better(context: Context) -> tuple[float, float, str]:
 
 SURROGATE = (
     Repeated(name="kriging prediction and the bordered system", symbol="Y", unit="1",
-             pair=predictions),
+             pair=at_extra("predicted")),
     Repeated(name="kriging deviation and the bordered system", symbol="s", unit="1",
-             pair=deviations),
+             pair=at_extra("deviation")),
     Repeated(name="designs left out in closed form and one by one", symbol="Y", unit="1",
              pair=left_out),
     Deviation(name=f"surrogate at fresh designs: {MEAN:.1%} in the mean, {LARGEST:.0%} at most",
@@ -220,9 +218,10 @@ SURROGATE = (
     agrees(f"best crown and a search without surrogate within {AGREE:.1%}", "Pre_max", directly,
            AGREE, "search without surrogate",
            suites("as surrogate and true model")),
-    Told(name="engagements with and without kriging", symbol="n", unit="1", words=asked),
-    Told(name="errors of one kriging for all (Eq. 20)", symbol="Y", unit="1", words=single_errors),
-    Told(name="errors of kriging the end and the rest apart", symbol="Y", unit="1",
+    Displayed(name="engagements with and without kriging", symbol="n", unit="1", words=asked),
+    Displayed(name="errors of one kriging for all (Eq. 20)", symbol="Y", unit="1",
+              words=single_errors),
+    Displayed(name="errors of kriging the end and the rest apart", symbol="Y", unit="1",
          words=two_errors),
     OfPaper(name="kriging the end and the rest apart halves the errors", symbol="Y", unit="1",
             margin=better),

@@ -12,7 +12,7 @@ from verify.core.case import Context
 from verify.core.figures import Array, Bars, Curves, Figure, Panel, Shapes, Table
 from verify.form.plots import dots, line, plot
 from verify.jobs.deep_results import Measured
-from verify.jobs.deep_results import measured as kept
+from verify.jobs.deep_results import measured as deep_measured
 from verify.papers.ledger import published
 
 MPa, PERCENT = 1e6, 100
@@ -24,7 +24,7 @@ def deeper(context: Context) -> Measured | None:
     """What was measured beyond a run, of the paper's clutch."""
     if not context.is_paper:
         return None
-    return kept(DEEP_25 if isinstance(context.inputs, Optimum25Inputs) else DEEP_40)
+    return deep_measured(DEEP_25 if isinstance(context.inputs, Optimum25Inputs) else DEEP_40)
 
 
 def oblique(u: Array) -> Array:
@@ -159,7 +159,7 @@ def longer(context: Context) -> Sequence[Table]:
         return f"{e.mean():.2f} % in the mean, {e.max():.2f} % at most"
 
     slower = first is None or first > len(measured(context)["X"])
-    said = (
+    remark = (
         "" if slower else
         f" The factorial alone asks for {len(measured(context)['X'])} engagements: for the best "
         "crown kriging saves none here; it gives the maps."
@@ -176,4 +176,4 @@ def longer(context: Context) -> Sequence[Table]:
          f"{seeds['DE'].min() / MPa:.2f} to {seeds['DE'].max() / MPa:.2f} MPa"),
     )  # fmt: skip
     return (Table(title="Longer searches and more designs", header=("what", "found"), rows=rows,
-                  note=f"Measured on {deep.date}.{said}"),)  # fmt: skip
+                  note=f"Measured on {deep.date}.{remark}"),)  # fmt: skip
