@@ -52,17 +52,17 @@ class Displayed(Claim):
 class Repeated(Claim):
     """A result of the kriging code against the bordered system, within what its condition leaves.
 
-    `pair(array, one, extra)` gives both for one of the regimes, and their scale.
+    `pair(context, array, one, extra)` gives both for one of the regimes, and their scale.
     """
 
     kind = Kind.EXACT
 
-    pair: Callable[[Named, Bordered, Array], Pairs]
+    pair: Callable[[Context, Named, Bordered, Array], Pairs]
 
     def rows(self, context: Context) -> list[Row]:
         worst, bound = 0.0, 0.0
         for array, one, extra in regimes(context):
-            ours, theirs, scale = self.pair(array, one, extra)
+            ours, theirs, scale = self.pair(context, array, one, extra)
             worst = max(worst, float(np.abs(ours - theirs).max()) / scale)
             bound = max(bound, EPS * one.condition)
         verdict = judge.exact(worst, bound=min(bound, BOUND), scale=1.0, demand=self.demand)
@@ -86,16 +86,16 @@ def regimes(context: Context) -> Iterator[tuple[Named, Bordered, Array]]:
             yield lambda key, n=name: found[f"{n} {key}"], one, box.to_unit(found["extra"])  # type: ignore[misc]
 
 
-def at_extra(name: str) -> Callable[[Named, Bordered, Array], Pairs]:
+def at_extra(name: str) -> Callable[[Context, Named, Bordered, Array], Pairs]:
     """What kriging gives at the extra designs, "predicted" or "deviation"."""
 
-    def pair(array: Named, one: Bordered, extra: Array) -> Pairs:
+    def pair(_: Context, array: Named, one: Bordered, extra: Array) -> Pairs:
         return array(name), getattr(one, name)(extra), float(np.abs(one.values).max())
 
     return pair
 
 
-def left_out(array: Named, one: Bordered, _extra: Array) -> Pairs:
+def left_out(_: Context, array: Named, one: Bordered, _extra: Array) -> Pairs:
     """Some designs left out one by one, length scales kept."""
     some = np.unique(np.linspace(0, len(one.x) - 1, LEFT_OUT).round().astype(int))
     theirs = np.array([one.left_out(int(k)) for k in some])
