@@ -43,7 +43,7 @@ class Roller:
     """Roller of diameter d in the gap of ring and race, which is j_D/2 wider than the roller."""
 
     d: float
-    j_D: float  # noqa: N815
+    j_D: float
     E: float = np.inf  # rigid
     nu: float = 0.0
 

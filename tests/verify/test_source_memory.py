@@ -1,4 +1,4 @@
-"""Hashes of sources are stored while no file of the project changes, and for its functions alone."""
+"""Hashes of sources are stored while no file of the project changes, for its functions alone."""
 
 import pytest
 

@@ -8,7 +8,7 @@ from verify.answers.registry import answer as answer_of
 from verify.app.check_console import Checked, print_check
 from verify.app.commands import make_report
 from verify.cases.registry import CASES
-from verify.core.console import print_verdicts, raised
+from verify.core.console import raised, verdict_lines
 from verify.core.results import Status
 
 
@@ -65,7 +65,7 @@ def test_differences_are_formula_less_fe_in_per_cent(ring, capsys):
 def test_one_cause_is_told_once(ring, capsys):
     failed = tuple(replace(r, status=Status.FAIL, reason="ZeroDivisionError") for r in ring.rows)
     report = make_report([replace(ring, rows=failed)], CASES[:1], 0.0)
-    print_verdicts(report)
+    print(*verdict_lines(report), sep="\n")
     said = capsys.readouterr().out
     assert said.count("ZeroDivisionError") == 1
     assert f"and {len(failed) - 1} more" in said

@@ -169,5 +169,5 @@ def _write(checked: Checked, options: Options, system: System, seconds: float) -
                      tables=(limits, *result.tables))  # fmt: skip
     report = make_report([result], [checked.case], seconds, result.name)
     assert options.out is not None
-    page = write_report(report, options.out, options.cache)
-    print(f"report: {page}", file=sys.stderr if options.json else sys.stdout)
+    write_report(report, options.out, options.cache)
+    print(f"report: {options.out / 'report.html'}", file=sys.stderr if options.json else sys.stdout)

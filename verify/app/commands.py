@@ -8,17 +8,18 @@ from pathlib import Path
 
 from verify.answers.assumed.registry import ASSUMPTIONS
 from verify.answers.parameter_file import read
+from verify.app import up_to_date
 from verify.cases import files
 from verify.cases.registry import CASES, find, ids
 from verify.core import environment
 from verify.core.case import Case, Values
-from verify.core.console import print_verdicts, raised
+from verify.core.console import raised, verdict_lines
 from verify.core.inputs import REQUIRED, InputError, Inputs, meta
 from verify.core.results import CaseBudget, CaseResult, Caught, Crosscheck, Report, Status, Validity
 from verify.jobs import cache
 from verify.jobs.executor import Where
 from verify.jobs.level import Job
-from verify.jobs.session import solve
+from verify.jobs.session import solve, stored_levels
 from verify.papers.ledger import cited
 
 ROOT = Path(__file__).parents[2]
@@ -48,30 +49,60 @@ def run_verify(
     names: Sequence[str], *, quick: bool, where: Where, out: Path | None, use_cache: bool
 ) -> int:
     """Run the cases on the paper's numbers, write the report and print the verdicts."""
-    cases = [find(name) for name in dict.fromkeys(names)] or list(CASES)
     out = out or ROOT / "reports" / "out"
     writable(out)
     start = time.perf_counter()
+    key = ""
+    if use_cache and all(name in CASES.ids for name in names):
+        key = up_to_date.key_of(ROOT, names, quick=quick)
+        if (before := up_to_date.found(out, key)) is not None:
+            print("\n".join(before.lines))
+            took = f"{time.perf_counter() - start:.1f} s"
+            print(f"report: {_page(out)} (of {before.made}: nothing has changed since; {took})")
+            return before.status
+    cases = [find(name) for name in dict.fromkeys(names)] or list(CASES)
     work = [
         Job(case, case.inputs(), skip="" if case.quick or not quick else "quick") for case in cases
     ]
     results = solve(work, where, use_cache)
     report = make_report(results, cases, time.perf_counter() - start)
-    print_verdicts(report)
-    page = write_report(report, out, use_cache)
-    if report.drift:
-        from verify.audit.releases.changes import lines
-
-        print("\n".join(raised(line) for line in lines(report.drift)))
-    print(f"report: {page} ({time.perf_counter() - start:.1f} s)")
+    lines = verdict_lines(report)
+    print("\n".join(lines))
+    is_complete = write_report(report, out, use_cache)
+    drift = drift_lines(report)
+    print("".join(f"{line}\n" for line in drift), end="")
+    print(f"report: {_page(out)} ({time.perf_counter() - start:.1f} s)")
+    status = _exit_status(report, quick=quick)
     if any(case.errors for case in report.cases):
         print(f"tracebacks: {out / 'errors.txt'}")
+    elif key and is_complete:
+        made = str(report.provenance["made"])
+        up_to_date.keep(
+            out, key, stored_levels(work), up_to_date.Reported((*lines, *drift), status, made)
+        )
+    return status
+
+
+def _page(out: Path) -> Path:
+    return out / "report.html"
+
+
+def _exit_status(report: Report, *, quick: bool) -> int:
     failed = any(
         row.status is Status.FAIL or (row.status is Status.SKIP and not quick)
         for row in report.rows
     )
     loosened = report.drift is not None and report.drift.unexplained
     return 1 if failed or loosened else 0
+
+
+def drift_lines(report: Report) -> list[str]:
+    """What has moved since the last release."""
+    if not report.drift:
+        return []
+    from verify.audit.releases.changes import lines
+
+    return [raised(line) for line in lines(report.drift)]
 
 
 def writable(out: Path) -> None:
@@ -87,8 +118,8 @@ def writable(out: Path) -> None:
         raise InputError(f"{out}: cannot be written: {error.strerror}") from error
 
 
-def write_report(report: Report, out: Path, use_cache: bool) -> Path:
-    """Write the report into `out` and say what had to be done in another way; the page."""
+def write_report(report: Report, out: Path, use_cache: bool) -> bool:
+    """Write the report into `out`; False where something had to be done in another way, named."""
     from reports.write import write  # only the command line knows reports
 
     drawn = cache.default_folder() if use_cache else None
@@ -96,7 +127,7 @@ def write_report(report: Report, out: Path, use_cache: bool) -> Path:
     written = write(report, out, cache=drawn, hint=hint)
     for remark in written.remarks:
         print(f"freewheel: {remark}", file=sys.stderr)
-    return written.page
+    return not written.remarks
 
 
 def load(path: Path) -> tuple[str, Case, Inputs, Values]:

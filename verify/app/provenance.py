@@ -19,17 +19,24 @@ PACKAGES = (
 
 def provenance(root: Path, results: Sequence[CaseResult], seconds: float) -> dict[str, Any]:
     """A record for the report; an unknown commit or lock reads "unknown"."""
-    lock = root / "requirements.txt"
     return {
         "made": time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime()),
+        **conditions(root),
+        "seconds": {r.id: round(r.seconds, 3) for r in results} | {"total": round(seconds, 3)},
+        "cached": {r.id: r.cached for r in results},
+        "cells": {f"{r.id}, {f.name}": len(f.cells) for r in results for f in r.fields},
+    }
+
+
+def conditions(root: Path) -> dict[str, Any]:
+    """Commit, lock, Python, machine and versions: what a run takes from around it."""
+    lock = root / "requirements.txt"
+    return {
         "commit": _commit(root),
         "lock": hashlib.sha256(lock.read_bytes()).hexdigest()[:12] if lock.is_file() else "unknown",
         "python": platform.python_version(),
         "machine": f"{platform.system()} {platform.machine()}",
         "versions": {name: _version(name) for name in PACKAGES},
-        "seconds": {r.id: round(r.seconds, 3) for r in results} | {"total": round(seconds, 3)},
-        "cached": {r.id: r.cached for r in results},
-        "cells": {f"{r.id}, {f.name}": len(f.cells) for r in results for f in r.fields},
     }
 
 

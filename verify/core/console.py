@@ -10,7 +10,7 @@ _POWER = re.compile(r"(?<=[\w)])\^(-?\d+)(?![\d.]*\.\d)")
 _RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 
-def print_verdicts(report: Report) -> None:
+def verdict_lines(report: Report) -> list[str]:
     """Counts by case, then every row that did not simply pass, each reason once a case."""
     head = ("case", "rows", *(s.value for s in Status))
     lines = [head]
@@ -18,12 +18,11 @@ def print_verdicts(report: Report) -> None:
         states = [row.status for row in case.rows]
         counts = (str(states.count(s) or "·") for s in Status)
         lines.append((case.id, str(len(states)), *counts))
-    for line in aligned(lines):
-        print(line)
+    found = aligned(lines)
     for (status, case_id, reason), rows in causes(report.rows).items():
         more = f" and {len(rows) - 1} more" if len(rows) > 1 else ""
-        print(raised(f"{status.value:10} {case_id}: {rows[0].quantity}{more}: {reason}"))
-    print(f"{len(report.rows)} rows")
+        found.append(raised(f"{status.value:10} {case_id}: {rows[0].quantity}{more}: {reason}"))
+    return [*found, f"{len(report.rows)} rows"]
 
 
 def print_rows(rows: Sequence[Row]) -> None:

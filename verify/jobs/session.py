@@ -28,6 +28,15 @@ def solve(
         return run(work, engine=where.entered(), cache_folder=folder, show=show, warn=_say)
 
 
+def stored_levels(work: list[Job]) -> list[str]:
+    """Keys of the levels in the store that the results of jobs consist of."""
+    return [
+        cache.key(job.case, job.inputs, level)
+        for job in work if job.use_fem and not job.skip
+        for level in job.case.levels
+    ]  # fmt: skip
+
+
 def _cache_folder() -> Path | None:
     """The folder of the store; None, with a message, where it can be neither written nor read."""
     folder = cache.default_folder()

@@ -35,7 +35,7 @@ class RollerOnRing:
 
     d: float
     d_e: float
-    j_D: float  # noqa: N815
+    j_D: float
     apothem: float
     E: float
     nu: float

@@ -1,0 +1,77 @@
+"""Whether a report is still what a run would write: then the run need not be made."""
+
+import hashlib
+import json
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from verify.app.provenance import conditions
+from verify.core.files import write_whole
+from verify.core.source_memory import digest
+from verify.core.store import Store
+from verify.jobs import cache
+
+STAMP = ".up-to-date.json"
+
+
+@dataclass(frozen=True)
+class Reported:
+    """What a run printed, with its exit status and the date of its report."""
+
+    lines: tuple[str, ...]
+    status: int
+    made: str
+
+
+def key_of(root: Path, names: Sequence[str], *, quick: bool) -> str:
+    """Digest of all that a report of the suite's cases follows from, but for stored results.
+
+    These are the files of the project, the libraries, the machine and what was asked for.
+    """
+    parts: dict[str, Any] = {
+        "files": digest(), "conditions": conditions(root), "cases": list(names), "quick": quick,
+    }  # fmt: skip
+    return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()
+
+
+def found(out: Path, key: str) -> Reported | None:
+    """What was printed of the report in a folder, None where something has changed since.
+
+    Stored results that were removed, and files of the report that were changed, count.
+    """
+    try:
+        stamp = json.loads((out / STAMP).read_text("utf-8"))
+        if stamp["key"] != key or not _unchanged(out, stamp["files"]):
+            return None
+        levels = stamp["levels"]
+        if len(Store(cache.default_folder()).dates(cache.KIND, levels)) < len(levels):
+            return None
+        return Reported(tuple(stamp["lines"]), stamp["status"], stamp["made"])
+    except (OSError, ValueError, LookupError, TypeError):  # none, or not whole
+        return None
+
+
+def keep(out: Path, key: str, levels: Sequence[str], reported: Reported) -> None:
+    """Note that the report in a folder is that of a key and of stored results."""
+    stamp = {
+        "key": key, "made": reported.made, "status": reported.status, "lines": reported.lines,
+        "levels": list(levels), "files": _files(out),
+    }  # fmt: skip
+    with suppress(OSError):  # the next run is made in full
+        write_whole(out / STAMP, lambda file: file.write(json.dumps(stamp, indent=1).encode()))
+
+
+def _files(out: Path) -> dict[str, list[int]]:
+    """Size and time of each file of a report."""
+    return {
+        path.name: [path.stat().st_size, path.stat().st_mtime_ns]
+        for path in sorted(out.iterdir()) if path.is_file() and not path.name.startswith(".")
+    }  # fmt: skip
+
+
+def _unchanged(out: Path, files: dict[str, list[int]]) -> bool:
+    now = _files(out)
+    return all(now.get(name) == known for name, known in files.items())
