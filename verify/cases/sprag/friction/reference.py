@@ -9,6 +9,7 @@ import numpy as np
 
 from analytic.sprag.motion import Speeds, Torque
 from analytic.sprag.readings import first_slip, highest, steady, sticks, swings
+from analytic.sprag.work_balance import frequency as small_oscillations
 from verify.cases.sprag.engagement.formulas import MORE, swing, with_torque
 from verify.cases.sprag.engagement.formulas import analytic as engagement_values
 from verify.cases.sprag.engagement.model import motion, wedge
@@ -69,7 +70,7 @@ def solve(q: EngagementInputs, level: int) -> FemResult:
 
 def frequency(q: EngagementInputs) -> float:
     """Small oscillations under the torque [Hz]."""
-    return engagement_values(q)["f"]
+    return small_oscillations(wedge(q), q.T, motion(q))
 
 
 def settled(q: EngagementInputs) -> float:
@@ -86,9 +87,10 @@ def boundary_fem(q: EngagementInputs, dt: float) -> tuple[float, float]:
     """The friction from which on the clutch locks, and half of the bracket."""
     mu, _ = asked(q)
     low, high = (share * mu for share in BRACKET)
+    duration = settled(q)
     for _ in range(HALVINGS):
         middle = (low + high) / 2
-        found = engaged_fem(rough(q, middle), wedge(q), dt, D_V=None, duration=settled(q))
+        found = engaged_fem(rough(q, middle), wedge(q), dt, D_V=None, duration=duration)
         locks = found.verdict == "locks"
         low, high = (low, middle) if locks else (middle, high)
     return (low + high) / 2, (high - low) / 2
