@@ -1,6 +1,7 @@
 """Equations as SVG: drawn once, stored for the next run, their glyphs shared over a page."""
 
 import re
+from collections.abc import Iterable
 from contextlib import suppress
 from importlib.metadata import version
 from pathlib import Path
@@ -15,6 +16,7 @@ _USE = re.compile(
     r'<use href="#([^"]+)" x="([^"]+)" y="([^"]+)" width="[^"]+" height="([^"]+)"[^>]*/>'
 )
 KIND = "equation"  # of entries of the store
+SIZE = 15  # pixels
 UNSEEN = 0.005  # pixels
 _COLOUR = ' fill="currentColor"'
 
@@ -26,7 +28,12 @@ class Glyphs:
         self._names: dict[tuple[str, str], str] = {}
         self._stored = _Stored(cache)
 
-    def maths(self, tex: str, size: int = 15) -> Markup:
+    def prepare(self, equations: Iterable[str]) -> None:
+        """Have equations drawn that will be asked for."""
+        for tex in filter(None, equations):
+            self._stored.drawn(tex, SIZE)
+
+    def maths(self, tex: str, size: int = SIZE) -> Markup:
         """TeX as inline SVG in the colour of the text; read aloud as its source."""
         drawn = self._stored.drawn(tex, size)
         glyphs = {name: (box, outline) for name, box, outline in _SYMBOL.findall(drawn)}

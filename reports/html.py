@@ -75,12 +75,11 @@ WORDS = {
 }
 
 
-def page(report: Report, frames: Mapping[str, Sequence[Frame]], cache: Path | None = None) -> str:
-    """HTML of the whole run; `frames` are the pictures of each case.
-
-    `cache` is a folder that keeps drawn equations for the next run.
-    """
-    glyphs = Glyphs(cache)
+def page(
+    report: Report, frames: Mapping[str, Sequence[Frame]], glyphs: Glyphs | None = None
+) -> str:
+    """HTML of the whole run; `frames` are the pictures of each case, `glyphs` draws equations."""
+    glyphs = glyphs or Glyphs()
     script = _script(report, frames)
     groups = [(case, lines(case.rows)) for case in report.cases]
     checks = crosscheck.of_cases(report)

@@ -3,7 +3,7 @@
 import fcntl
 import json
 import shutil
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -12,7 +12,8 @@ from tempfile import TemporaryDirectory
 
 from reports.budget_table import budget_csv
 from reports.crosscheck_table import crosscheck_csv
-from reports.frames import Frame, frames
+from reports.equations import Glyphs
+from reports.frames import frames
 from reports.html import page
 from reports.junit import junit
 from reports.pdf import NotSet, pdf
@@ -47,10 +48,16 @@ def write(report: Report, folder: Path, *, cache: Path | None = None, hint: str 
     made before the first takes its place; OSError names the one that can't be written.
     """
     try:
-        drawn = frames(report.cases, cache, hint)
-        with ThreadPoolExecutor(1) as beside:  # typst works beside, for it holds no lock
+        # pyvista draws in a process of its own, and typst holds no lock: both work beside
+        with ThreadPoolExecutor(1) as beside:
+            pictures = beside.submit(frames, report.cases, cache, hint)
+            files = dict(_tables(report))
+            glyphs = Glyphs(cache)
+            equations = [e for case in report.cases for e in case.equations]
+            glyphs.prepare(tex for e in equations for tex in (e.tex, e.numbers))
+            drawn = pictures.result()
             paper = beside.submit(pdf, report, drawn)
-            files = dict(_files(report, drawn, cache))
+            files["report.html"] = page(report, drawn, glyphs).encode()
     except OSError as error:  # a temporary file of a drawing
         raise OSError(f"{folder}: no report can be made: {error.strerror or error}") from error
     remarks = dict.fromkeys(frame.why for group in drawn.values() for frame in group if frame.why)
@@ -74,9 +81,8 @@ def write(report: Report, folder: Path, *, cache: Path | None = None, hint: str 
     return Written(folder / "report.html", tuple(remarks))
 
 
-def _files(
-    report: Report, drawn: Mapping[str, list[Frame]], cache: Path | None
-) -> Iterator[tuple[str, bytes]]:
+def _tables(report: Report) -> Iterator[tuple[str, bytes]]:
+    """All that needs no picture."""
     schema = Path(__file__).parent / "results.schema.json"
     record = json.dumps(report_record(report), ensure_ascii=False, indent=1, allow_nan=False)
     yield "results.json", record.encode()
@@ -89,7 +95,6 @@ def _files(
     yield "verdicts.md", f"{markdown(report)}\n".encode()
     yield "junit.xml", junit(report).encode()
     yield "tables.xlsx", xlsx(report)
-    yield "report.html", page(report, drawn, cache).encode()
     yield from vtu_files(report)
     if errors := [f"{case.id}\n{trace}" for case in report.cases for trace in case.errors]:
         yield ERRORS, "\n".join(errors).encode()

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from reports.equations import Glyphs
 from reports.frames import frames
 from reports.html import page
 from tests.reports.browser import DARK, NEEDS_CHROMIUM, browse, looked_at
@@ -23,8 +24,8 @@ def folder(tmp_path_factory, report, hostile) -> Path:
     """The page, the hostile one, and the host that looks at them in frames."""
     place = tmp_path_factory.mktemp("browser")
     drawn = frames(report.cases, default_folder())
-    (place / "report.html").write_text(page(report, drawn, default_folder()), "utf-8")
-    (place / "hostile.html").write_text(page(hostile, drawn, default_folder()), "utf-8")
+    (place / "report.html").write_text(page(report, drawn, Glyphs(default_folder())), "utf-8")
+    (place / "hostile.html").write_text(page(hostile, drawn, Glyphs(default_folder())), "utf-8")
     return place
 
 
@@ -47,7 +48,9 @@ def test_the_rows_of_all_cases_fit_a_wide_page(folder):
 @pytest.fixture(scope="module")
 def wordy_folder(tmp_path_factory, wordy) -> Path:
     place = tmp_path_factory.mktemp("wordy")
-    (place / "wordy.html").write_text(page(replace(wordy, name=""), {}, default_folder()), "utf-8")
+    (place / "wordy.html").write_text(
+        page(replace(wordy, name=""), {}, Glyphs(default_folder())), "utf-8"
+    )
     return place
 
 
@@ -118,7 +121,7 @@ def test_no_label_of_the_overview_lies_on_another(folder, report):
 def test_nor_in_a_report_of_few_cases(folder, report, name):
     cases = tuple(replace(case, name=name) for case in report.cases[:3])
     few = replace(report, name=name, cases=cases, tables=(), validity=(), budgets=())
-    (folder / "few.html").write_text(page(few, {}, default_folder()), "utf-8")
+    (folder / "few.html").write_text(page(few, {}, Glyphs(default_folder())), "utf-8")
     seen = looked_at(folder, "few", 1280)
     assert seen["labels"] == len(cases) + DECADES
     assert seen["overprinted"] == seen["outside"] == []
@@ -127,7 +130,7 @@ def test_nor_in_a_report_of_few_cases(folder, report, name):
 @pytest.fixture(scope="module")
 def turning_folder(tmp_path_factory, turning) -> Path:
     place = tmp_path_factory.mktemp("turning")
-    (place / "turning.html").write_text(page(turning, {}, default_folder()), "utf-8")
+    (place / "turning.html").write_text(page(turning, {}, Glyphs(default_folder())), "utf-8")
     return place
 
 

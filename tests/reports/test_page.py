@@ -8,6 +8,7 @@ from html.parser import HTMLParser
 
 import pytest
 
+from reports.equations import Glyphs
 from reports.formats import concise, values
 from reports.frames import frames
 from reports.html import anchors, causes, page
@@ -72,12 +73,12 @@ def drawn(report):
 
 @pytest.fixture(scope="module")
 def text(report, drawn) -> str:
-    return page(report, drawn, default_folder())
+    return page(report, drawn, Glyphs(default_folder()))
 
 
 @pytest.fixture(scope="module")
 def hostile_text(hostile, drawn) -> str:
-    return page(hostile, drawn, default_folder())
+    return page(hostile, drawn, Glyphs(default_folder()))
 
 
 @pytest.mark.parametrize("which", ["text", "hostile_text"])
@@ -105,7 +106,7 @@ def test_one_script_runs_and_the_policy_names_it(which, request):
 def test_a_page_without_views_runs_no_script(report):
     still = [c for c in report.cases if not any(isinstance(f, Whirl) for f in c.figures)]
     reader = Reader()
-    reader.feed(page(replace(report, cases=tuple(still)), {}, default_folder()))
+    reader.feed(page(replace(report, cases=tuple(still)), {}, Glyphs(default_folder())))
     assert "script-src 'none'" in reader.policy
     assert reader.scripts == []
 
@@ -113,11 +114,11 @@ def test_a_page_without_views_runs_no_script(report):
 def test_what_a_user_typed_is_never_markup(hostile, drawn, hostile_text):
     named = replace(hostile, name="<script>alert(1)</script>")
     cases = tuple(replace(c, name="<img src=x onerror=alert(1)>") for c in hostile.cases)
-    for shown in (hostile_text, page(replace(named, cases=cases), drawn, default_folder())):
+    for shown in (hostile_text, page(replace(named, cases=cases), drawn, Glyphs(default_folder()))):
         assert "<script>alert" not in shown
         assert "<img" not in shown
         assert "<b>_x" not in shown
-    assert "&lt;script&gt;alert(1)" in page(named, drawn, default_folder())
+    assert "&lt;script&gt;alert(1)" in page(named, drawn, Glyphs(default_folder()))
 
 
 def test_every_status_is_on_the_page(hostile_text):
@@ -149,7 +150,7 @@ def test_values_on_every_mesh_are_of_rows_that_have_some(of_paper):
     empty = [r for r in case.rows if r.grid and not r.levels]
     assert empty  # convergence alone, whose values stand with its quantity
     alone = make_report([case], [CROWN], 1.0)
-    at = page(alone, {}, default_folder()).split("Values at every refinement")[1]
+    at = page(alone, {}, Glyphs(default_folder())).split("Values at every refinement")[1]
     shown = at.partition("</table>")[0]
     assert COMPANION not in shown
     assert shown.count('<tr><th scope="row"') == sum(bool(r.levels) for r in case.rows if r.grid)
@@ -158,7 +159,7 @@ def test_values_on_every_mesh_are_of_rows_that_have_some(of_paper):
 
 
 def test_a_report_on_own_parameters_leaves_the_papers_out(report, drawn):
-    own = page(replace(report, name="my clutch"), drawn, default_folder())
+    own = page(replace(report, name="my clutch"), drawn, Glyphs(default_folder()))
     assert "<h1>my clutch</h1>" in own
     assert 'id="errata"' not in own
     assert 'id="provenance"' in own

@@ -10,6 +10,7 @@ from typing import NamedTuple
 import pytest
 
 from reports import formats
+from reports.equations import Glyphs
 from reports.html import page
 from reports.pdf_data import document
 from tests.verify.test_published_tables import PRINTED
@@ -60,7 +61,7 @@ def cells(row: str) -> list[str]:
 @pytest.fixture(scope="module")
 def rendered(report) -> dict[tuple[str, str], tuple[list[str], list[Block]]]:
     """Header and blocks of each table on the page."""
-    text = page(report, {}, default_folder())
+    text = page(report, {}, Glyphs(default_folder()))
     text = text[text.index('<section id="tables">') : text.index('<section id="errata">')]
     found = {}
     for name, table in re.findall(

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import pytest
 
+from reports.equations import Glyphs
 from reports.html import page
 from reports.pdf import pdf
 from verify.jobs.cache import default_folder
@@ -76,7 +77,7 @@ def test_no_word_stands_beyond_the_margin(printed):
 def test_a_run_of_some_cases_says_what_it_cannot_tell(wordy, tmp_path, without):
     whole = replace(wordy, name="", provenance={**wordy.provenance, "left_out": without})
     said = "This run holds 1 of 8 cases"
-    assert (said in page(whole, {}, default_folder())) == bool(without)
+    assert (said in page(whole, {}, Glyphs(default_folder()))) == bool(without)
     assert (said in " ".join(w.text for w in words(whole, tmp_path))) == bool(without)
 
 

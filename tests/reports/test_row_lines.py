@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import pytest
 
+from reports.equations import Glyphs
 from reports.formats import prose
 from reports.html import anchors, page
 from reports.pdf_case import case_data
@@ -66,7 +67,7 @@ def planted(report):
 
 @pytest.fixture(scope="module")
 def text(planted):
-    return page(planted, {}, default_folder())
+    return page(planted, {}, Glyphs(default_folder()))
 
 
 def test_on_the_page_the_table_of_all_rows_begins_with_the_failed_one(planted, text):

@@ -1,8 +1,8 @@
-"""Every row of every quick case is a test of its own."""
+"""Every row of every case is as its claim has it."""
 
 import pytest
 
-from verify.cases.registry import CASES
+from verify.cases.registry import CASES, find
 from verify.core.case import Context
 from verify.core.results import Status
 
@@ -15,30 +15,18 @@ def rows_of(case):
         yield from (row.quantity for row in found)
 
 
-ROWS = [
-    pytest.param(case, name, id=f"{case.id}: {name}", marks=pytest.mark.xdist_group(case.id))
-    for case in CASES
-    if case.quick
-    for name in rows_of(case)
-]
-
-
-@pytest.mark.parametrize(("case", "name"), ROWS)
-def test_row_is_not_red(case, name, of_paper):
-    (row,) = [row for row in of_paper(case).rows if row.quantity == name]
-    assert row.status not in (Status.FAIL, Status.SKIP), row.reason
-
-
-@pytest.mark.parametrize(
-    "case", [pytest.param(c, id=c.id, marks=pytest.mark.xdist_group(c.id)) for c in CASES]
-)
-def test_no_row_is_unknown_beforehand(case, of_paper):
-    names = [row.quantity for row in of_paper(case).rows]
+@pytest.mark.parametrize("case_id", CASES.ids)
+def test_no_row_is_red_and_each_is_known_beforehand(case_id, of_paper):
+    case = find(case_id)
+    rows = of_paper(case).rows
+    red = {row.quantity: row.reason for row in rows if row.status in (Status.FAIL, Status.SKIP)}
+    assert not red
+    names = [row.quantity for row in rows]
     assert names == list(rows_of(case))
     assert len(set(names)) == len(names)
 
 
 def test_a_full_run_compares_printed_numbers_only_with_the_paper_s_inputs(judged):
-    case = next(c for c in CASES if c.id == "spring-accordion")
+    case = find("spring-accordion")
     own = case.inputs(n=12)
     assert not [row for row in judged(case, own).rows if row.published]

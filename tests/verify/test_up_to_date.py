@@ -80,15 +80,14 @@ def test_a_change_is_noticed(report, monkeypatch, capsys, change):
     assert AGAIN in capsys.readouterr().out
 
 
-@pytest.mark.parametrize("option", ["--quick", "--no-cache"])
-def test_another_question_is_another_run(report, capsys, option):
-    assert verified(report, option) == 0
+def test_a_run_that_trusts_no_results_is_made(report, capsys):
+    assert verified(report, "--no-cache") == 0
     assert AGAIN not in capsys.readouterr().out
 
 
 def test_a_failed_row_fails_again(report, monkeypatch, capsys):
     monkeypatch.setattr(up_to_date, "digest", lambda: "of a wrong formula")
-    monkeypatch.setattr(commands, "_exit_status", lambda *_report, **_quick: 1)
+    monkeypatch.setattr(commands, "_exit_status", lambda _report: 1)
     assert verified(report) == 1
     monkeypatch.setattr(commands, "solve", None)
     assert verified(report) == 1

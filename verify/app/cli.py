@@ -60,7 +60,7 @@ def verify(
     cases
         Cases to run, all by default; see `freewheel list`.
     quick
-        Only the cheap cases, at full sharpness; the others are skipped.
+        Cheap cases of every subject alone, at full sharpness.
     jobs
         Processes, 0 for one a core.
     engine

@@ -26,13 +26,13 @@ class Reported:
     made: str
 
 
-def key_of(root: Path, names: Sequence[str], *, quick: bool) -> str:
+def key_of(root: Path, names: Sequence[str]) -> str:
     """Digest of all that a report of the suite's cases follows from, but for stored results.
 
-    These are the files of the project, the libraries, the machine and what was asked for.
+    These are the files of the project, the libraries, the machine and the cases that are named.
     """
     parts: dict[str, Any] = {
-        "files": digest(), "conditions": conditions(root), "cases": list(names), "quick": quick,
+        "files": digest(), "conditions": conditions(root), "cases": list(names),
     }  # fmt: skip
     return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()
 

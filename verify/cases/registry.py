@@ -91,6 +91,13 @@ CASES = Listed(
     }
 )
 
+# what `verify --quick` runs: cheap ones of every subject
+QUICK = (
+    "ring-lame", "ring-rotation", "polyhedral-pressure", "polyhedral-ring", "freewheel-torque",
+    "sprag-clutch", "spring-accordion", "spring-stages", "contact-press-fit",
+    "contact-roller-flat", "rotor-clutch", "rotor-shaft",
+)  # fmt: skip
+
 # measured by `freewheel deep` alone
 DEEP = Listed(
     {

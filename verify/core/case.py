@@ -142,7 +142,7 @@ class Case:
 
     `analytic(inputs)` and `reference(inputs, level)` share no code; `reference` imports meshes and
     fem inside its body, so that formulas alone start fast; `method` says what it is. `levels` run
-    from coarse to fine. `quick` cases run in the quick round at full sharpness.
+    from coarse to fine.
     """
 
     finder: ClassVar[Callable[[str], "Case"]] = staticmethod(_unknown)  # the registry sets it
@@ -160,7 +160,6 @@ class Case:
     outputs: Sequence[Output]
     readings: tuple[str, ...] = ()
     assumptions: tuple[str, ...] = ()
-    quick: bool = True
     method: Method = Method()  # noqa: RUF009 - frozen
     # what follows for the one who asks, in words, the verdict first
     findings: Callable[[Any, Values], Sequence[str]] = lambda _inputs, _values: ()

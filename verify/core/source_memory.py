@@ -47,6 +47,7 @@ class Memory:
         if self._is_new:
             with suppress(OSError):
                 self._store.store(KIND, "project", {self._key: json.dumps(self._found).encode()})
+                self._is_new = False
 
 
 def use(folder: Path) -> None:
@@ -54,6 +55,12 @@ def use(folder: Path) -> None:
     if not _used:
         _used.append(Memory(folder))
         atexit.register(_used[0].keep)
+
+
+def share() -> None:
+    """Write what is new now, for processes that are started."""
+    for memory in _used:
+        memory.keep()
 
 
 def remembered(name: str, function: Any, make: Callable[[], T]) -> T:

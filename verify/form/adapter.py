@@ -43,7 +43,7 @@ def adapted(form: type[Case], *, time_limit: float | None = None) -> core.Case:
         levels=getattr(form, "levels", MESHES),
         checks=Later(lambda: tuple(_check(one, own) for one in default().stated())),
         outputs=Later(lambda: tuple(_outputs(default()))), readings=form.readings,
-        assumptions=form.assumptions, quick=form.quick, scans=form.scans,
+        assumptions=form.assumptions, scans=form.scans,
         portions=form.portions, dynamic=form.dynamic,
         findings=lambda q, _values: tuple(q.advice()),
         summary=lambda q, _values: q.summary(),

@@ -64,7 +64,6 @@ class Case(Inputs):
     scans: ClassVar[tuple[Scan, ...]] = ()  # regions over which sweeps measure the formulas
     portions: ClassVar[tuple[Portion, ...]] = ()  # parts of the reference, solved alone
     dynamic: ClassVar[Dynamic | None] = None  # what `check --dynamic` computes
-    quick: ClassVar[bool] = True  # whether the quick round includes it
     time_limit: ClassVar[float] = 600.0  # s, of a level or the formulas of a case outside the suite
 
     @classmethod

@@ -30,7 +30,6 @@ class Job:
     case: Case
     inputs: Inputs
     use_fem: bool = True
-    skip: str = ""
     values: Values | None = None
     drawn: bool = True
 
@@ -83,8 +82,6 @@ def judge_case(job: Job, levels: Sequence[Solved]) -> CaseResult:
 
 
 def _judged(check: Check, context: Context, job: Job) -> list[Row]:
-    if check.needs_fem and job.skip:
-        return check.skipped(context.case, job.skip)
     if check.needs_fem and not job.use_fem:
         return []
     try:

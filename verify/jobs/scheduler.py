@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from verify.core import source_memory
 from verify.core.case import Case
 from verify.core.environment import require_gmsh
 from verify.core.inputs import Inputs
@@ -43,6 +44,8 @@ def _named_task(find: Callable[[str], Case], case_id: str, *rest: Any) -> Task:
 
 def solve_task(task: Task) -> Solved:
     """One level, in whatever process."""
+    if task.folder is not None:
+        source_memory.use(task.folder)
     return solve_level(task.case, task.inputs, task.level, task.folder)
 
 
@@ -61,7 +64,7 @@ def run(
     follows the state, `warn` takes what the user should know of at once.
     """
     wanted = [
-        (i, level) for i, job in enumerate(jobs) if job.use_fem and not job.skip
+        (i, level) for i, job in enumerate(jobs) if job.use_fem
         for level in job.case.levels
     ]  # fmt: skip
     solved = {n: found for n in wanted if (found := _stored(jobs[n[0]], n[1], cache_folder))}
@@ -72,6 +75,7 @@ def run(
     ]
     if tasks:
         require_gmsh()  # a machine without its libraries is no red row
+        source_memory.share()
         levels = _Levels(tasks, known=len(solved), show=show, warn=warn)
         levels.solve(engine or local(0))
         solved |= {missing[n]: answer for n, answer in levels.solved.items()}

@@ -32,7 +32,7 @@ def stored_levels(work: list[Job]) -> list[str]:
     """Keys of the levels in the store that the results of jobs consist of."""
     return [
         cache.key(job.case, job.inputs, level)
-        for job in work if job.use_fem and not job.skip
+        for job in work if job.use_fem
         for level in job.case.levels
     ]  # fmt: skip
 

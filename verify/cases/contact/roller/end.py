@@ -53,7 +53,6 @@ class EndFace(Crown):
     title = "End face of a roller"
     source = "huang2018"
     place = "Eqs. 2-5, the half-space behind their weights"
-    quick = False
     levels: ClassVar = (2, 3, 4)
     readings: ClassVar = (
         "the race goes on beyond the roller, as those of a clutch do",

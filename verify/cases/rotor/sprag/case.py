@@ -29,7 +29,6 @@ class SpragRotor(CentralSystem):
     source = "huang2022"
     place = "Sec. 1, Fig. 1; Secs. 2.1 to 2.3"
     levels: ClassVar = (1, 2, 4, 8)
-    quick = False
     scans: ClassVar = (
         Scan(
             vary=("speed=2000r/min,5000r/min,10000r/min", "T=8N m,15N m,25N m", "offset=0.1,0.2"),

@@ -51,7 +51,6 @@ class SpragCrown(EngagementInputs, Case):
     place = "Eq. 1, Secs. 4.1 and 4.2, Figs. 11-14, Table 2"
     method = BY_STRIPS
     levels: ClassVar = (41, 81, 161)  # strips along a sprag
-    quick = False
     scans: ClassVar = (Scan(vary=("T=20N m,25N m,30N m",), star=True),)
     readings: ClassVar = (
         "Eq. 1 is clipped and symmetric, its A is the factor before the logarithm (ledger: "

@@ -31,7 +31,6 @@ class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an 
 
     source = "huang2018"
     method = BY_SEARCHES
-    quick = False
     readings: ClassVar = (
         "Pre_max is the largest pressure of the inner contacts' slices at the largest force",
         "z_m is in millimetres; Q is the static load at 25 N m of bodies that don't yield, "
