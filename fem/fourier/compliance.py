@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.sparse import coo_array
 
 from fem.fourier.loads import pull, turn_of
 from fem.fourier.solid import FourierSolid
@@ -102,7 +103,7 @@ def surface_flexibility(
     That of n = 0 is the compliance under pressures that are the same all around. ValueError as for
     `surface_compliance`.
     """
-    return _harmonic(solid, n, _loaded(solid, boundary, stations)[2])
+    return _by_cells(n, solid.flexibility(n, _loaded(solid, boundary, stations)[2]))
 
 
 def _loaded(
@@ -118,10 +119,10 @@ def _loaded(
     return cells, curvature, np.hstack(loads)
 
 
-def _harmonic(solid: FourierSolid, n: int, f: Array) -> Array:
-    """G_n of the unit loads f."""
-    m = f.shape[1] // 2
-    return np.asarray(turn_of(n) * solid.flexibility(n, f)).reshape(2, m, 2, m)
+def _by_cells(n: int, work: Array) -> Array:
+    """G_n (2, cells, 2, cells) from what the unit loads do on each other's displacements."""
+    m = len(work) // 2
+    return np.asarray(turn_of(n) * work).reshape(2, m, 2, m)
 
 
 def _waves(angle: Array, n: Indices, tilt: float) -> Array:
@@ -169,7 +170,10 @@ def surface_compliance(
             f"orders must be 0 and at least four growing multiples of places={places}, got {orders}"
         )
     cells, curvature, f = _loaded(solid, boundary, stations)
-    G = np.array([_harmonic(solid, int(n), f) for n in orders])
+    G = np.array([
+        _by_cells(int(n), work)
+        for n, work in zip(orders, solid.flexibilities(orders, f), strict=True)
+    ])  # fmt: skip
     return SurfaceCompliance(
         curvature, np.asarray(stations, float), places, orders, G, _softness(solid, cells)
     )
@@ -200,13 +204,13 @@ def _unit_loads(
     solid: FourierSolid, cells: Sequence[Indices], traction: tuple[float, float, float]
 ) -> Array:
     """Forces (unknowns, cells) of `traction` on each cell, for one radian."""
-    f = np.zeros((solid.basis.N, len(cells)))
-    for j, facets in enumerate(cells):
-        side = facet_basis(solid.basis, facets)
-        x = np.asarray(side.global_coordinates())
-        t = np.broadcast_to(np.reshape(traction, (3, 1, 1)), (3, *x.shape[1:]))
-        f[:, j] = pull.assemble(side, t=t)
-    return f
+    side = facet_basis(solid.basis, np.concatenate(cells))
+    x = np.asarray(side.global_coordinates())
+    t = np.broadcast_to(np.reshape(traction, (3, 1, 1)), (3, *x.shape[1:]))
+    forces = pull.coo_data(side, t=t)
+    column = np.repeat(np.arange(len(cells)), [facets.size for facets in cells])
+    at = forces.indices[0], np.tile(column, forces.data.size // column.size)
+    return np.asarray(coo_array((forces.data, at), (solid.basis.N, len(cells))).toarray())
 
 
 def _softness(solid: FourierSolid, cells: Sequence[Indices]) -> float:

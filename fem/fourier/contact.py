@@ -16,9 +16,11 @@ from scipy.interpolate import PchipInterpolator
 from fem.fourier.compliance import SurfaceCompliance
 from fem.fourier.unilateral import push_together
 from fem.plane.discretisation import Array
+from fem.plane.recent import Recent
 
 GAUSS = 4  # points a cell for the mean gap
 SAME = 1e-9  # stations of both bodies, of their extent
+PATCHES: Recent[Array] = Recent(most=12, room=1e7)  # entries of their matrices, 80 MB
 
 
 class NarrowPatchError(ValueError):
@@ -94,7 +96,7 @@ def patch_contact(
     M, m = across.size - 1, stations.size - 1
     # the surface between the bodies takes a share of the curvature from each, as each gives way
     curvature, softness = (sum(b.curvature for b in bodies), sum(b.softness for b in bodies))
-    A = np.add(*(body.between(across, curvature * body.softness / softness) for body in bodies))
+    A = np.add(*(_between(body, across, curvature * body.softness / softness) for body in bodies))
     A = A.transpose(0, 2, 1, 3).reshape(M * m, M * m)
     gap = _mean(across, lambda s: np.add(*(body.depth(s) for body in bodies)))[:, None]
     if crown is not None:
@@ -115,6 +117,12 @@ def patch_contact(
             f"the contact is as wide as its patch, |s| <= {across[-1]:g} m, at z={z:g} m: widen it"
         )
     return PatchContact(x, stations, p, load, approach)
+
+
+def _between(body: SurfaceCompliance, across: Array, tilt: float) -> Array:
+    """`body.between`, which other crowns and other bodies against it share."""
+    key = (body.places, np.array([body.curvature, tilt]), across, body.orders, body.G)
+    return PATCHES.get(key, lambda: body.between(across, tilt), lambda found: found.size)
 
 
 def _check(

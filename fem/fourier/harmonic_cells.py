@@ -14,6 +14,7 @@ The strains are linear in n, hence K = K_0 + n K_1 + n^2 K_2 with parts that no 
 The antisymmetric field (U sin n t, V cos n t, W sin n t) has the same strains with -n for n.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -86,20 +87,22 @@ class HarmonicCells:
             dofs=np.asarray(basis.element_dofs).T, lam=lam, mu=mu, count=basis.N,
         )  # fmt: skip
 
-    def stiffness_parts(self) -> tuple[csr_array, csr_array, csr_array]:
-        """K_0, K_1, K_2 of K = K_0 + n K_1 + n^2 K_2, for a turn of one radian."""
+    def stiffness_parts(self, powers: Sequence[int] = (0, 1, 2)) -> tuple[csr_array, ...]:
+        """K_0, K_1, K_2 of K = K_0 + n K_1 + n^2 K_2, for a turn of one radian, on one pattern.
+
+        Or those of the `powers` of n.
+        """
         m, k = self.dofs.shape
-        K = np.empty((3, m, k, k))
+        K = np.empty((len(powers), m, k, k))
         for start in range(0, m, BLOCK):
             block = slice(start, start + BLOCK)
-            K[:, block] = self._parts(block)
+            K[:, block] = self._parts(block, powers)
         at = np.repeat(self.dofs, k, axis=1).ravel(), np.tile(self.dofs, k).ravel()
         shape = (self.count, self.count)
-        first, second, third = (coo_array((part.ravel(), at), shape).tocsr() for part in K)
-        return first, second, third
+        return tuple(coo_array((part.ravel(), at), shape).tocsr() for part in K)
 
-    def _parts(self, block: slice) -> Array:
-        """The three matrices (3, cells, 3 n, 3 n) of the cells in `block`."""
+    def _parts(self, block: slice, powers: Sequence[int]) -> list[Array]:
+        """The matrices (cells, 3 n, 3 n) of the cells in `block` for each of the `powers`."""
         lam, mu = self.lam[block, None, None], self.mu[block, None, None]
         m, q, _, n = self.slope[block].shape
         left, right = [], []
@@ -108,8 +111,11 @@ class HarmonicCells:
             sigma = stress(rows.swapaxes(2, 3), lam, mu).swapaxes(2, 3)
             left.append(rows.reshape(m, 6 * q, 3 * n).swapaxes(1, 2))
             right.append((sigma * self.dx[block, :, None, None]).reshape(m, 6 * q, 3 * n))
-        mixed = left[0] @ right[1]
-        return np.array([left[0] @ right[0], mixed + mixed.swapaxes(1, 2), left[1] @ right[1]])
+        found = []
+        for power in powers:
+            part = left[power // 2] @ right[(power + 1) // 2]
+            found.append(part + part.swapaxes(1, 2) if power == 1 else part)
+        return found
 
     def strain(self, u: Array, n: int) -> Array:
         """Amplitudes (m, q, 6) of the strains of `u` at the quadrature points, `n` signed."""

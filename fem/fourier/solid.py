@@ -4,17 +4,17 @@ FourierSolid(mesh, Elastic(E=210e9, nu=0.3), {"middle": "z"}).solve(
     {0: {"rim": (-p, 0, 0)}, 2: {"rim": (-p, 0, 0)}})       # p (1 + cos 2 t) on the rim
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
-from scipy.linalg import solve_triangular
 from scipy.sparse import csr_array
 from scipy.sparse.linalg import SuperLU, splu
 from skfem import Basis, ElementVector
 from skfem.mesh import Mesh2D
 
+from fem.fourier.condensed import Selected, flexibility
 from fem.fourier.harmonic_cells import HarmonicCells
 from fem.fourier.loads import Tractions, surface_load, turn_of
 from fem.fourier.solution import FourierSolution, HarmonicSolution
@@ -69,9 +69,24 @@ class FourierSolid:
         return HarmonicCells.of(self.basis, lam, mu)
 
     @cached_property
+    def _first(self) -> csr_array:
+        """K_0, all that the harmonic n = 0 needs."""
+        return self.cells.stiffness_parts((0,))[0]
+
+    @cached_property
     def parts(self) -> tuple[csr_array, csr_array, csr_array]:
         """K_0, K_1, K_2 of the stiffness for one radian."""
-        return self.cells.stiffness_parts()
+        second, third = self.cells.stiffness_parts((1, 2))
+        return self._first, second, third
+
+    def stiffness(self, signed: int) -> csr_array:
+        """The stiffness for one radian of n, negative if antisymmetric, without zero entries."""
+        if signed:
+            K_0, K_1, K_2 = self.parts
+            return K_0 + signed * K_1 + signed**2 * K_2
+        K = self._first.copy()
+        K.eliminate_zeros()
+        return K
 
     @cached_property
     def place(self) -> Indices:
@@ -92,9 +107,23 @@ class FourierSolid:
         For forces on few unknowns, such as pressures on one surface: these are eliminated last,
         and the others only factorised. Symmetric harmonics; errors as for `harmonic`.
         """
+        return next(self.flexibilities((n,), f))
+
+    def flexibilities(self, orders: Iterable[int], f: Array) -> Iterator[Array]:
+        """`flexibility` of the harmonics `orders` one after the other, all under loads `f`."""
         place = np.where(np.any(f, axis=1), self.basis.N, 0) + self.place
-        own = Harmonic.of(self, _whole(n), False, place)
-        return own.flexibility(f)
+        higher: Selected | None = None
+        for n in map(_whole, orders):
+            if n < 2:
+                own = Harmonic.of(self, n, False, place)
+                yield flexibility(own.factor, own.T, f)
+                continue
+            # from n = 2 on no rigid motion is left, and the same unknowns are free
+            if higher is None:
+                T = free_unknowns(self.basis, self.supports, n, False, place)
+                higher = Selected.of(self.parts, T)
+            K = turn_of(n) * higher.stiffness(n)
+            yield flexibility(splu(K, **SUPERLU), higher.T, f)
 
     def solve(self, tractions: Mapping[int, Tractions]) -> FourierSolution:
         """The sum of the symmetric harmonics under `tractions`: n -> boundary -> amplitudes."""
@@ -120,9 +149,7 @@ class Harmonic:
         place = solid.place if place is None else place
         T = free_unknowns(solid.basis, solid.supports, n, antisymmetric, place)
         check_held(solid.basis, T, n, antisymmetric)
-        K_0, K_1, K_2 = solid.parts
-        signed = -n if antisymmetric else n
-        K = turn_of(n) * (T.T @ (K_0 + signed * K_1 + signed**2 * K_2) @ T)
+        K = turn_of(n) * (T.T @ solid.stiffness(-n if antisymmetric else n) @ T)
         return cls(solid, n, antisymmetric, T, K, splu(K.tocsc(), **SUPERLU))
 
     def solve(self, tractions: Tractions) -> HarmonicSolution:
@@ -148,20 +175,6 @@ class Harmonic:
                 f"{abs(load).max():.1e}"
             )
         return np.asarray(self.T @ q)
-
-    def flexibility(self, f: Array) -> Array:
-        """The work f_i . u_j (k, k) of loads `f` (unknowns, k), u_j their own displacements.
-
-        With K = L R only the rows of L and R from the first force on take part.
-        """
-        assert np.array_equal(self.factor.perm_r, self.factor.perm_c)  # pivots on the diagonal
-        load = np.empty((self.K.shape[0], f.shape[1]))
-        load[self.factor.perm_r] = self.T.T @ f
-        first = int(np.argmax(np.any(load, axis=1)))
-        L, R = (part[first:, first:].toarray() for part in (self.factor.L, self.factor.U))
-        q = solve_triangular(R, solve_triangular(L, load[first:], lower=True, unit_diagonal=True))
-        work = load[first:].T @ q
-        return np.asarray((work + work.T) / 2)
 
 
 def _whole(n: int) -> int:
