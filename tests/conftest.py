@@ -1,7 +1,11 @@
 """Run cases through the shared cache; every process computes what it misses once."""
 
+import ctypes
+import gc
+import resource
 import signal
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from functools import cache, lru_cache
 from importlib.metadata import version
 from pathlib import Path
@@ -9,12 +13,17 @@ from pathlib import Path
 import pytest
 
 from reports import equations
+from verify.core import source_memory
 from verify.core.case import Case
 from verify.core.inputs import Inputs
+from verify.core.plain_code import PROJECT
 from verify.core.results import CaseResult, Row, Status
 from verify.core.store import Store
 from verify.jobs.cache import default_folder
 from verify.jobs.level import Job, judge_case, solve_level
+
+KEEP = (*PROJECT, "tests")  # packages whose functions have caches
+LARGE = 1_000_000_000  # bytes of a worker, beyond which it keeps nothing for its next file
 
 # A shell starts background jobs deaf to Ctrl-C, and the programs under test would inherit that.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
@@ -36,6 +45,25 @@ def _forgotten(request: pytest.FixtureRequest) -> Iterator[None]:
     for kept in vars(request.module).values():
         if getattr(kept, "__module__", "") == request.module.__name__:
             getattr(kept, "cache_clear", lambda: None)()
+    source_memory.forget()
+    if resident() > LARGE:
+        forget()
+
+
+def resident() -> int:
+    """Bytes of memory that this process occupies; 0 where the system does not say."""
+    pages = Path("/proc/self/statm")
+    return int(pages.read_text().split()[1]) * resource.getpagesize() if pages.exists() else 0
+
+
+def forget() -> None:
+    """Empty the caches of all functions of the project and of these fixtures."""
+    for one in gc.get_objects():
+        if isinstance(one, type(solved)) and one.__module__.partition(".")[0] in KEEP:
+            one.cache_clear()
+    gc.collect()
+    with suppress(OSError, AttributeError):  # of glibc
+        ctypes.CDLL(None).malloc_trim(0)
 
 
 @lru_cache(maxsize=48)

@@ -10,7 +10,7 @@ from meshes.spring import centre_line
 from verify.cases.spring.curve import claims, reference
 from verify.cases.spring.curve import fem as curve_fem
 from verify.cases.spring.curve.case import CURVE, CurveSpring
-from verify.cases.spring.curve.figures import points, tables
+from verify.cases.spring.curve.figures import points
 from verify.cases.spring.stages.readings import eq10
 from verify.core.case import Context, FemResult
 from verify.core.inputs import InputError, build
@@ -295,7 +295,7 @@ def test_what_is_not_reached_is_told_in_words(own):
     assert {row.status for row in rows} == {Status.SHOWN}
     assert not any("nan" in row.reason for row in rows)
     assert "no leaves touch for long enough" in judge(TENFOLD, whole).reason
-    (table,) = tables(seen)
+    (table,) = CURVE.tables(seen)
     assert [row[0] for row in table.rows] == ["E", "A, linear"]
     assert CURVE.figures(seen)
 
@@ -303,7 +303,7 @@ def test_what_is_not_reached_is_told_in_words(own):
 def test_a_curve_that_breaks_off_shows_nothing(own):
     seen = context(own)
     assert not CURVE.figures(replace(seen, fem=seen.fem[:2]))
-    assert not tables(replace(seen, fem=seen.fem[:2]))
+    assert not CURVE.tables(replace(seen, fem=seen.fem[:2]))
 
 
 def test_rows_about_the_paper_are_the_paper_s_alone():

@@ -14,6 +14,7 @@ from verify.cases.spring.width.reference import ENDS, LEVELS, fem_spring
 from verify.core.case import Context
 from verify.core.inputs import InputError, build
 from verify.core.results import Status
+from verify.judging.claims import rows_of
 from verify.judging.judge import fit_limit
 
 pytestmark = pytest.mark.xdist_group("spring-width")
@@ -228,7 +229,7 @@ def test_an_own_narrow_spring_passes_and_its_error_is_told():
     q = own(n=4, h="3 mm", head="hinged", tail="arc")
     levels = [WIDTH.reference(q, level) for level in LEVELS]
     context = Context(WIDTH.id, q, WIDTH.analytic(q), levels, False)
-    rows = [row for check in WIDTH.checks for row in check.rows(context)]
+    rows = [row for check in WIDTH.checks for row in rows_of(check, context)]
     assert {row.status for row in rows} == {Status.PASS, Status.SHOWN}
     assert not {TAKEN, MEETS} & names(rows)
     assert any("one leaf" in row.quantity and "measured: leaf" in row.reason for row in rows)

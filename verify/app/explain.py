@@ -2,16 +2,19 @@
 
 import json
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from difflib import get_close_matches
+from functools import partial
 from pathlib import Path
 
 from verify.app.commands import load
 from verify.cases.files import is_file_name
 from verify.cases.registry import CASES, find
+from verify.core import source_memory
 from verify.core.case import Case, Context
 from verify.core.inputs import InputError, Inputs
 from verify.core.results import Row, Status
+from verify.jobs import cache
 from verify.jobs.executor import Where
 from verify.jobs.level import Job
 from verify.jobs.session import solve
@@ -29,9 +32,11 @@ def run_explain(words: Sequence[str], *, as_json: bool, jobs: int, use_cache: bo
         case, inputs = find(str(path)), find(str(path)).inputs()
         row_id = find_row(wanted, row_ids(case, inputs, paper=True), f" of {path}")
     elif path is None:
-        known = {row: case for case in CASES for row in row_ids(case, case.inputs(), paper=True)}
-        row_id = find_row(wanted, list(known))
-        case, inputs = known[row_id], known[row_id].inputs()
+        if use_cache:
+            source_memory.use(cache.default_folder())
+        row_id = find_row(wanted, list(_ids_of_paper(wanted)))
+        case = find(row_id.partition("/")[0])
+        inputs = case.inputs()
     else:
         _, case, inputs, _ = load(path)
         paper = Job(case, inputs).is_paper
@@ -47,6 +52,18 @@ def _file(word: str) -> Path | None:
     path = Path(word)
     named = word.endswith((".toml", ".py")) or path.is_file() or (os.sep in word and path.is_dir())
     return path if named else None
+
+
+def _ids_of_paper(wanted: str) -> Iterator[str]:
+    """The ids of all rows of the suite; of one case where `wanted` begins with its id, or is empty.
+
+    The latter is an example for a message.
+    """
+    named = wanted.partition("/")[0] if _plain(wanted) else CASES.ids[0]
+    for case_id in [named] if named in CASES.ids else CASES.ids:
+        case = find(case_id)
+        ids = partial(row_ids, case, case.inputs(), paper=True)
+        yield from source_memory.remembered("rows", case.analytic, ids)
 
 
 def row_ids(case: Case, inputs: Inputs, *, paper: bool) -> list[str]:

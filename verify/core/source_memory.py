@@ -9,6 +9,7 @@ import hashlib
 import json
 import os
 import platform
+import sys
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from functools import cache
@@ -54,7 +55,13 @@ def use(folder: Path) -> None:
     """Remember in the store of a folder until the process ends."""
     if not _used:
         _used.append(Memory(folder))
-        atexit.register(_used[0].keep)
+        atexit.register(share)
+
+
+def forget() -> None:
+    """End the memory of this process: what is hashed next is read from the files."""
+    share()
+    _used.clear()
 
 
 def share() -> None:
@@ -66,10 +73,15 @@ def share() -> None:
 def remembered(name: str, function: Any, make: Callable[[], T]) -> T:
     """What `make` returns for a function of the project, from the memory where one is in use."""
     module = str(getattr(function, "__module__", ""))
-    if not _used or module.partition(".")[0] not in PROJECT:
+    if not _used or not _is_of_project(module):
         return make()
     own = getattr(function, "__qualname__", None) or function.__name__
     return _used[0].remembered(f"{name} {module} {own}", make)
+
+
+def _is_of_project(module: str) -> bool:
+    file = getattr(sys.modules.get(module), "__file__", None)
+    return module.partition(".")[0] in PROJECT and Path(file or "/").is_relative_to(ROOT)
 
 
 @cache
