@@ -80,11 +80,14 @@ class StateEquations:
         stick = np.flatnonzero((states == STICK) & (system.partner >= 0))
         slip = np.flatnonzero(SIGN[states] != 0)
         own, at = np.concatenate([closed, system.partner[stick]]), np.searchsorted(closed, slip)
-        drag = SIGN[states[slip]] * system.friction[slip]
-        columns, pull = system.B[np.ix_(own, own)], system.D[own].T.copy()
-        columns[:, at] += drag * system.B[np.ix_(own, system.partner[slip])]
-        pull[:, at] += drag * system.D[system.partner[slip]].T
-        A = np.block([[columns, system.D[own]], [pull, -spring]])
+        drag, n = SIGN[states[slip]] * system.friction[slip], own.size
+        A, D = np.empty((n + len(spring),) * 2), system.D.take(own, axis=0)
+        rows = system.B.take(own, axis=0)
+        A[:n, :n], A[:n, n:] = rows.take(own, axis=1), D
+        A[n:, :n], A[n:, n:] = D.T, -spring
+        if slip.size:
+            A[:n, at] += drag * rows[:, system.partner[slip]]
+            A[n:, at] += drag * system.D[system.partner[slip]].T
         return cls(own, system.partner[slip], at, drag, A)
 
     def unpacked(self, x: Array, n: int) -> tuple[Array, Array]:
@@ -105,8 +108,11 @@ def linear(
     equations = StateEquations.of(system, states, spring)
     scale = np.concatenate([system.scales[0][equations.own], system.scales[1]])
     known = np.concatenate([-w_0[equations.own], -e])
+    A = equations.A
+    A *= scale[:, None]
+    A *= scale
     try:
-        x = scale * np.linalg.solve(scale[:, None] * equations.A * scale, scale * known)
+        x = scale * np.linalg.solve(A, scale * known)
     except np.linalg.LinAlgError:
         raise NotFoundError("the states of the contact leave its forces undetermined") from None
     return equations.unpacked(x, w_0.size)
@@ -123,20 +129,20 @@ def fitting_states(
     m, rough = system.friction.size, system.rough
     w = w_0 + system.B @ multipliers + system.D @ motion
     # of each row's own terms: far from the contact gaps are larger than any slip in it
-    reach = np.sqrt(system.compliance)
+    reach = system.reach
     size = np.abs(w_0) + reach * (reach @ np.abs(multipliers))
-    w_tolerance = finer * STATE_TOLERANCE * (size + np.abs(system.D) @ np.abs(motion))
-    normal, partner = multipliers[:m], system.partner[rough]
+    w_tolerance = finer * STATE_TOLERANCE * (size + system.arms @ np.abs(motion))
+    normal, wanted = multipliers[:m], np.full(m, STICK, np.int8)
     tolerance = finer * STATE_TOLERANCE * np.abs(normal).max(initial=0)
-    tangential, bound = multipliers[partner], system.friction[rough] * normal[rough] + tolerance
-    before = states[rough]
-    along = np.where(before == OPEN, STICK, before)
-    sticks = along == STICK
-    along[sticks & (tangential > bound)] = FORWARD
-    along[sticks & (tangential < -bound)] = BACKWARD
-    along[SIGN[before] * w[partner] > w_tolerance[partner]] = STICK
-    wanted = np.full(m, STICK, np.int8)
-    wanted[rough] = along
+    if rough.size:
+        before, partner = states[rough], system.partner[rough]
+        tangential, bound = multipliers[partner], system.friction[rough] * normal[rough] + tolerance
+        along = np.where(before == OPEN, STICK, before)
+        sticks = along == STICK
+        along[sticks & (tangential > bound)] = FORWARD
+        along[sticks & (tangential < -bound)] = BACKWARD
+        along[SIGN[before] * w[partner] > w_tolerance[partner]] = STICK
+        wanted[rough] = along
     opens = (states != OPEN) & (normal < -tolerance)
     closes = (states == OPEN) & (w[:m] < -w_tolerance[:m])
     wanted[closes] = STICK

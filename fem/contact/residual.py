@@ -51,9 +51,9 @@ def residual(
     missed, size = system.missed(e, multipliers)
     if system.is_unloaded(w_0, e):
         force = max(force, CLOSING_SHARE * float(overlap.max(initial=0.0)))
-        size = max(size, force * float(np.abs(system.D).max(initial=0.0)))
+        size = max(size, force * float(system.arms.max(initial=0.0)))
     force = force or 1.0
-    travel = TRAVEL_SHARE * (np.abs(w_0) + np.abs(system.D) @ np.abs(motion))
+    travel = TRAVEL_SHARE * (np.abs(w_0) + system.arms @ np.abs(motion))
     share = w / np.maximum(B * force, travel)  # of a row's elastic approach
     t, p = system.partner[rough], normal[rough] / force
     bound, traction = system.friction[rough] * p, multipliers[t] / force

@@ -66,9 +66,19 @@ class ContactSystem:
         return np.diag(self.B).copy()
 
     @cached_property
+    def reach(self) -> Array:
+        """Roots (n,) of the compliance: its products bound the entries of B."""
+        return np.sqrt(self.compliance)
+
+    @cached_property
+    def arms(self) -> Array:
+        """How far (n, k) rows move with unit motions, whichever way."""
+        return np.abs(self.D)
+
+    @cached_property
     def scales(self) -> tuple[Array, Array]:
         """Units (n,) of multipliers and (k,) of motions, in which the system is about one."""
-        own = 1 / np.sqrt(self.compliance)
+        own = 1 / self.reach
         felt = np.sqrt(((own[:, None] * self.D) ** 2).sum(axis=0))
         return own, 1 / np.maximum(felt, BARE * felt.max(initial=BARE))
 
@@ -99,7 +109,7 @@ class ContactSystem:
     def loads_at_round_off(self, w_0: Array) -> float:
         """Loads on motions that round-off of `w_0` (n,) makes."""
         closing = float(np.max(np.abs(w_0) / self.compliance, initial=0.0))
-        return LOAD_TOLERANCE * closing * float(np.abs(self.D).max(initial=0.0))
+        return LOAD_TOLERANCE * closing * float(self.arms.max(initial=0.0))
 
     def is_unloaded(self, w_0: Array, e: Array) -> bool:
         """Whether no load beyond round-off acts on the rigid motions, if there are any."""
@@ -152,10 +162,17 @@ class ContactSystem:
 
     def smooth(self, group: int = 1) -> Self:
         """The same without friction, and with `group` rows of a surface at a time in one."""
-        start = np.flatnonzero(np.diff(self.groups(group), prepend=-1))
-        m = self.friction.size
-        return type(self)(
-            B=np.add.reduceat(np.add.reduceat(self.B[:m, :m], start, axis=0), start, axis=1),
-            D=np.add.reduceat(self.D[:m], start, axis=0), friction=np.zeros(start.size),
-            partner=np.full(start.size, -1), part=self.part[start],
-        )  # fmt: skip
+        if group not in self._smoothed:
+            start = np.flatnonzero(np.diff(self.groups(group), prepend=-1))
+            m = self.friction.size
+            self._smoothed[group] = type(self)(
+                B=np.add.reduceat(np.add.reduceat(self.B[:m, :m], start, axis=0), start, axis=1),
+                D=np.add.reduceat(self.D[:m], start, axis=0), friction=np.zeros(start.size),
+                partner=np.full(start.size, -1), part=self.part[start],
+            )  # fmt: skip
+        return self._smoothed[group]
+
+    @cached_property
+    def _smoothed(self) -> dict[int, Self]:
+        """What `smooth` made, by `group`: each load asks for it."""
+        return {}
