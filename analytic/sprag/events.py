@@ -16,10 +16,11 @@ interpolated anew here.
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from scipy.integrate import solve_ivp
-from scipy.interpolate import CubicSpline
+from scipy.interpolate import CubicSpline, PPoly
 from scipy.optimize import brentq
 
 from analytic.contact.checks import Array
@@ -63,6 +64,14 @@ def rolling(mode: Mode) -> list[int]:
     return [k for k in (0, 1) if mode[k] == ROLLS]
 
 
+@lru_cache(maxsize=9)
+def free(mode: Mode) -> tuple[list[int], list[int], list[int]]:
+    """Contacts that roll, speeds that are free, and those that are not: phi', then alpha'."""
+    bound = rolling(mode)
+    kept = ([0, 1, 2, 3], [0, 1, 3], [0, 1])[len(bound)]
+    return bound, kept, [k for k in range(4) if k not in kept]
+
+
 class Sprag:
     """Force and levers over alpha from the closure's `states`, which begin at N = 0 and rise."""
 
@@ -73,13 +82,15 @@ class Sprag:
         outer = np.cos(states.omega) / np.cos(states.nu) if balanced else 1.0
         columns = (states.N, states.OA, states.OB, states.OC_g, states.b_i, states.b_e,
                    states.h_i - outer * states.h_e)  # fmt: skip
-        self._curve = CubicSpline(alpha, np.transpose(columns))
-        self._slope = self._curve.derivative()
+        curve = CubicSpline(alpha, np.transpose(columns))
+        slope = np.zeros_like(curve.c)  # one degree less
+        slope[1:] = curve.derivative().c
+        self._both = PPoly(np.concatenate([curve.c, slope], axis=-1), curve.x)
 
     def at(self, alpha: float) -> tuple[Array, Array]:
         """N, OA, OB, OC_g, b_i, b_e, h and their slopes; the first contact below 0."""
-        slope = self._slope(alpha) if alpha > 0 else np.zeros(7)
-        return self._curve(max(alpha, 0.0)), slope
+        both = self._both(max(alpha, 0.0))
+        return both[:7], both[7:] if alpha > 0 else np.zeros(7)
 
 
 class System:
@@ -88,6 +99,9 @@ class System:
     def __init__(self, sprag: Sprag, motion: Motion, torque: Torque, *, unlimited: bool) -> None:
         self.sprag, self.motion, self.torque, self.unlimited = sprag, motion, torque, unlimited
         self.slack = motion.alpha_max - sprag.origin  # alpha counts from the first contact
+        self.M = np.diag([motion.I_bi, motion.I_be, 0.0, 0.0])  # but for the centroids' own
+        self.M[2:, 2:] += sprag.n_s * motion.I_g * np.array([[1.0, -1.0], [-1.0, 1.0]])
+        self._known: dict[tuple[float, bytes, Mode], tuple[Array, Array, Array, float]] = {}
 
     def rest(self, speeds: Speeds) -> Array:
         """Angles and speeds [rad, rad/s] where the blades alone press and T_i = 0, (8,)."""
@@ -106,52 +120,59 @@ class System:
         _, OA, OB, _, b_i, b_e, _ = g
         return np.array([[OA, 0.0, -OA, -b_i], [0.0, -OB, OB, -b_e]])
 
-    def free(
-        self, J: Array, slope: Array, turn: float, mode: Mode
-    ) -> tuple[list[int], Array, Array]:
-        """The speeds that are free, B and dB/dt; rolling takes phi', then alpha'."""
-        bound = rolling(mode)
-        kept = ([0, 1, 2, 3], [0, 1, 3], [0, 1])[len(bound)]
-        lost = [k for k in range(4) if k not in kept]
+    def bound(self, J: Array, slope: Array, turn: float, mode: Mode) -> tuple[Array, Array]:
+        """B and dB/dt."""
+        bound, kept, lost = free(mode)
         B, dB = np.zeros((4, len(kept))), np.zeros((4, len(kept)))
         B[kept, range(len(kept))] = 1.0
         if bound:
-            J_dot = self.sliding(slope)[bound] * turn
-            inverse = np.linalg.inv(J[bound][:, lost])
-            B[lost] = -inverse @ J[bound][:, kept]
+            J, J_dot = J[bound], self.sliding(slope)[bound] * turn
+            inverse = np.linalg.inv(J[:, lost])
+            B[lost] = -inverse @ J[:, kept]
             dB[lost] = -inverse @ (J_dot[:, kept] + J_dot[:, lost] @ B[lost])
-        return kept, B, dB
+        return B, dB
 
     def accelerations(self, t: float, y: Array, mode: Mode) -> tuple[Array, Array, Array, float]:
-        """q'', T, v and N."""
+        """q'', T, v and N; once for all that ask for them, the events and the answer's rows."""
+        key = t, y.tobytes(), mode
+        if key not in self._known:
+            q_ddot, T, lacking, J, N = self._driven(t, y, mode)
+            if bound := rolling(mode):
+                T[bound] = np.linalg.lstsq(self.sprag.n_s * J[bound].T, lacking, rcond=None)[0]
+            self._known[key] = q_ddot, T, J @ y[4:], N
+        return self._known[key]
+
+    def rates(self, t: float, y: Array, mode: Mode) -> Array:
+        """Derivatives of the state, for which the friction of rolling need not be known."""
+        return np.concatenate([y[4:], self._driven(t, y, mode)[0]])
+
+    def _driven(self, t: float, y: Array, mode: Mode) -> tuple[Array, Array, Array, Array, float]:
+        """q'', T of what slides, forces that the rolling contacts make up for, J and N."""
         motion, n_s = self.motion, self.sprag.n_s
         g, slope = self.sprag.at(y[3])
         N, OC_g, h = g[0], g[3], g[6]
         q_dot = y[4:]
-        J = self.sliding(g)
-        v = J @ q_dot
-        spin = n_s * motion.I_g * np.array([[1.0, -1.0], [-1.0, 1.0]])
-        M = np.diag([motion.I_bi, motion.I_be, n_s * motion.m_g * OC_g**2, 0.0])
-        M[2:, 2:] += spin
+        J, M = self.sliding(g), self.M.copy()
+        M[2, 2] += n_s * motion.m_g * OC_g**2
         between = motion.C_rl * (q_dot[0] - q_dot[1])
         blade = n_s * motion.K_r * (self.slack - y[3])
-        Q = np.array([
+        loads = np.array([
             float(self.torque.at(t)) - between,
             between - motion.k_out * y[1],
             -blade,
             blade - n_s * h * N,
         ])  # fmt: skip
-        drop = motion.mu_s - motion.mu_c
-        mu = motion.mu_c + drop * np.exp(-motion.gamma_b * np.abs(v))
-        T = np.array(mode) * mu * N
-        loads = Q - n_s * J.T @ T  # friction takes from what drives the sliding
-        kept, B, dB = self.free(J, slope, q_dot[3], mode)
-        u = q_dot[kept]
+        T = np.zeros(2)
+        if any(mode):  # friction takes from what drives the sliding
+            drop = motion.mu_s - motion.mu_c
+            mu = motion.mu_c + drop * np.exp(-motion.gamma_b * np.abs(J @ q_dot))
+            T = np.array(mode) * mu * N
+            loads = loads - n_s * J.T @ T
+        B, dB = self.bound(J, slope, q_dot[3], mode)
+        u = q_dot[free(mode)[1]]
         u_dot = np.linalg.solve(B.T @ M @ B, B.T @ (loads - M @ dB @ u))
         q_ddot = B @ u_dot + dB @ u
-        if bound := rolling(mode):
-            T[bound] = np.linalg.lstsq(n_s * J[bound].T, loads - M @ q_ddot, rcond=None)[0]
-        return q_ddot, T, v, float(N)
+        return q_ddot, T, loads - M @ q_ddot, J, float(N)
 
     def mode(self, t: float, y: Array, lost: dict[int, int]) -> Mode:
         """The combination of rolling and sliding whose forces and accelerations agree.
@@ -238,7 +259,7 @@ def engage_by_events(
     for _ in range(EVENTS):
         mode = system.mode(t, y, lost)
         leg = solve_ivp(
-            lambda t, y, mode=mode: np.concatenate([y[4:], system.accelerations(t, y, mode)[0]]),
+            lambda t, y, mode=mode: system.rates(t, y, mode),
             (t, duration), y, method="LSODA", rtol=rtol, atol=rtol * 1e-3,
             events=system.ends(mode), max_step=1e-4,
         )  # fmt: skip
