@@ -21,6 +21,7 @@ from fem.rotor.parts import UNKNOWNS
 Complex = NDArray[np.complex128]
 Indices = NDArray[np.int64]
 
+RIGID = 1e-13  # singular values of K on the scale of its diagonal, below which a motion is free
 NONE = 1e-15  # a coupling, over the unknowns' own stiffness or mass, that is round-off
 _HALF = np.sqrt(0.5)
 # rows: r, conj r, z, phi, conj phi, theta_z; columns: x, y, z, theta_x, theta_y, theta_z
@@ -60,6 +61,12 @@ class Block:
         skew = abs(self.K - self.K.conj().T).max()
         return bool(not self.C.any() and skew <= 1e-14 * abs(self.K).max())
 
+    @cached_property
+    def supported(self) -> bool:
+        """Whether no rigid motion across the axis is left free."""
+        across = np.flatnonzero(self.across)
+        return not (across.size and rigid_motions(self.K[np.ix_(across, across)]).shape[1])
+
     def own(self, q: Complex) -> Complex:
         """Amplitudes (..., n) in this block's coordinates of those of the nodes' unknowns."""
         return (to_whirl(q) if self.turned else q)[..., self.at]
@@ -69,6 +76,14 @@ class Block:
         whole = np.zeros((*v.shape[:-1], unknowns), complex)
         whole[..., self.at] = v
         return from_whirl(whole) if self.turned else whole
+
+
+def rigid_motions(K: NDArray[np.inexact]) -> NDArray[np.inexact]:
+    """Motions (n, k) that a stiffness (n, n) leaves free."""
+    d = np.sqrt(abs(np.diag(K)))
+    d[d == 0] = 1
+    _, sizes, v = np.linalg.svd(K / np.outer(d, d))
+    return np.asarray(v[sizes <= RIGID].conj().T / d[:, None])
 
 
 def to_whirl(q: NDArray[np.inexact]) -> Complex:

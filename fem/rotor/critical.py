@@ -11,12 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import eigh
 
-from fem.rotor.blocks import Block, Complex, blocks
+from fem.rotor.blocks import Block, Complex, rigid_motions
 from fem.rotor.branches import check_count, whirl_sense
 from fem.rotor.elements import Array
 from fem.rotor.model import Rotor
 from fem.rotor.modes import normalised
-from fem.rotor.pencil import rigid_motions
 
 WHIRLS = {"forward": (1,), "backward": (-1,), "both": (1, 0, -1)}
 ABSENT = 1e-13  # 1/omega^2 over the largest, below which no speed is left
@@ -50,7 +49,7 @@ def critical_speeds(
     if rotor.system.varying:
         raise ValueError("supports depend on the speed: take the crossings of `campbell`")
     speeds, shapes = [], []
-    for block in blocks(rotor.system):
+    for block in rotor.blocks:
         if "bending" in block.planes:
             own, v = _of_block(block, excitation)
             speeds.append(own)
@@ -63,8 +62,7 @@ def critical_speeds(
 
 def check_supported(block: Block) -> None:
     """ValueError where a rigid motion of the rotor across its axis is left free."""
-    across = np.flatnonzero(block.across)
-    if across.size and rigid_motions(block.K[np.ix_(across, across)]).shape[1]:
+    if not block.supported:
         raise ValueError("the rotor is not supported: it can move rigidly across its axis")
 
 

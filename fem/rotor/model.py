@@ -21,6 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem.rotor.assemble import System, assemble
+from fem.rotor.blocks import Block, blocks
 from fem.rotor.damping import Damping
 from fem.rotor.elements import Array
 from fem.rotor.parts import STEEL, Disc, Element, Link, Material, Shaft, SpeedSupport, Support
@@ -106,6 +107,11 @@ class Rotor:
     def system(self) -> System:
         """The assembled matrices."""
         return assemble(self)
+
+    @cached_property
+    def blocks(self) -> list[Block]:
+        """Its parts that do not know of each other, with supports as they are at rest."""
+        return blocks(self.system)
 
     @property
     def M(self) -> Array:

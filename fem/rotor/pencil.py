@@ -21,10 +21,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import cholesky, eigh, solve_triangular
 
-from fem.rotor.blocks import Block, Complex, Indices
+from fem.rotor.blocks import Block, Complex, Indices, rigid_motions
 from fem.rotor.elements import Array
 
-RIGID = 1e-13  # singular values of K on the scale of its diagonal, below which a motion is free
 STILL = 1e-6  # of a state, below which it has no motion
 NUDGE = 1e-13  # off an eigenvalue, so that its matrix can be factorised
 ABSENT = 1e-14  # eigenvalues of the second matrix, over the largest, that are zero
@@ -41,14 +40,6 @@ class Spectrum:
 
     values: Complex
     take: Callable[[int, Indices], tuple[NDArray[np.inexact], NDArray[np.inexact]]]
-
-
-def rigid_motions(K: NDArray[np.inexact]) -> NDArray[np.inexact]:
-    """Motions (n, k) that a stiffness (n, n) leaves free."""
-    d = np.sqrt(abs(np.diag(K)))
-    d[d == 0] = 1
-    _, sizes, v = np.linalg.svd(K / np.outer(d, d))
-    return np.asarray(v[sizes <= RIGID].conj().T / d[:, None])
 
 
 def spectrum(block: Block, speeds: Array) -> Spectrum:

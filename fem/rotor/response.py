@@ -138,7 +138,7 @@ def forced_response(
             for block in blocks(rotor.system, float(at[i])):
                 _solve(block, at[own], frequency[own], load[own], q[own])
     else:
-        for block in blocks(rotor.system):
+        for block in rotor.blocks:
             _solve(block, at, frequency, load, q)
     q = np.where(frequency[:, None] < 0, q.conj(), q)  # the same motion, omega > 0
     return Response(rotor, np.asarray(at), abs(frequency), q)
@@ -154,7 +154,10 @@ def _solve(block: Block, speeds: Array, omega: Array, load: Complex, q: Complex)
     step = max(1, CHUNK // n**2)
     for i in range(0, omega.size, step):
         w, W = (v[i : i + step, None, None] for v in (omega, speeds))
-        D = w * (1j * block.C + W * block.H - w * block.M)
+        D = (W * block.H).astype(complex, copy=False)  # in place from here on
+        D += 1j * block.C
+        D -= w * block.M
+        D *= w
         D += block.K
         try:
             own = np.linalg.solve(D, f[i : i + step, :, None])[:, :, 0]

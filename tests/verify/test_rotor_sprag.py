@@ -236,7 +236,8 @@ def test_momentum_of_torsion_is_that_of_rigid_rotors_where_both_are_stiff():
     p = layout.CENTRAL.copy()
     p[[layout.L_1, layout.L_2, layout.L_3, layout.L_4]] /= 4
     p[[layout.D_1, layout.D, layout.D_2]] *= 2
-    one = torsion_fem(Q, p, np.array([1e-4, 1e-4]))  # damping ratios
+    zeta = np.array([1e-4, 1e-4])
+    one = torsion_fem(Q, p, zeta, rotor_fem(p, damping=damped(zeta)))
     J, theta = one["inertia"], one["turned"][:, 0]
     for own in (slice(12), slice(12, None)):
         along = one["torsion"][0, own]

@@ -8,11 +8,11 @@ What slices and strips tell of the ends is in `analytic.sprag.peaks`: 2946 MPa b
 
 import math
 from collections.abc import Callable, Iterable
+from functools import lru_cache
 
 import numpy as np
 
 from analytic.sprag.closure import wedged
-from analytic.sprag.crowned import Crowned
 from analytic.sprag.peaks import By, Peaks
 from verify.cases.sprag.clutch.model import built
 from verify.cases.sprag.clutch.run_fem import AHEAD, engaged_fem
@@ -21,6 +21,7 @@ from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.figures import Array
 from verify.jobs.executor import Drive, Lost, local
 
+ENGAGED = 1024  # engagements kept: those of two optimisations, which share their designs
 CHUNK = 5  # crowns that a process takes at a time
 STRIPS = 81  # along a sprag; where its ends carry nothing 161 of them change the peak by 0.1 %
 HOW = {
@@ -38,12 +39,13 @@ class NoLockError(ArithmeticError):
 
 
 def with_crown(q: EngagementInputs, crown: Crown | Array | None) -> EngagementInputs:
-    """The clutch with another crown for the same load, or with none."""
-    Q = crowned_for(q)
+    """The clutch with another crown for the same load, or with none; of all cases the same."""
+    own = {name: getattr(q, name) for name in EngagementInputs.model_fields}
+    own["Q"] = crowned_for(q)
     if crown is None:
-        return q.model_copy(update={"z_m": 0.0, "Q": Q})
+        return EngagementInputs.model_construct(**own | {"z_m": 0.0})
     K_1, K_2, z_m = (float(x) for x in crown)
-    return q.model_copy(update={"K_1": K_1, "K_2": K_2, "z_m": z_m, "Q": Q})
+    return EngagementInputs.model_construct(**own | {"K_1": K_1, "K_2": K_2, "z_m": z_m})
 
 
 def one_fem(
@@ -54,15 +56,17 @@ def one_fem(
     NoLockError where an engagement does not lock; its own errors where there is none.
     """
     one = built(q)
-    N, R = np.array([_peak_fem(one, q.model_copy(update={"T": float(T)})) for T in torques]).T
+    N, R = np.array([_peak_fem(q.model_copy(update={"T": float(T)})) for T in torques]).T
     if by == "slices":
         return N, in_slices(q, one.gap, R, N).peak_pressure
     fine = gap(q.model_copy(update={"slices": STRIPS}))
     return N, in_strips(q, fine, R, N).pressure
 
 
-def _peak_fem(one: Crowned, q: EngagementInputs) -> tuple[float, float]:
+@lru_cache(maxsize=ENGAGED)
+def _peak_fem(q: EngagementInputs) -> tuple[float, float]:
     """N_max [N] and the inner contact's relative radius [m] under it."""
+    one = built(q)
     run = engaged_fem(one, q, AHEAD * q.T / (q.z * q.R_i * math.tan(q.nu_0)))
     verdict = run.engagement.verdict
     if verdict != "locks":

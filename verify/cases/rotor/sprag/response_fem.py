@@ -53,16 +53,17 @@ def responses_fem(q: SpragRotorInputs, members: Array) -> dict[str, Array]:
 
 
 def _member(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:
-    return bending_fem(q, p, zeta) | torsion_fem(q, p, zeta) | orbits_fem(q, p, zeta)
+    even = rotor_fem(p, damping=damped(zeta))
+    return (bending_fem(q, even, zeta) | torsion_fem(q, p, zeta, even)
+            | orbits_fem(q, p, zeta, even))  # fmt: skip
 
 
-def bending_fem(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:
+def bending_fem(q: SpragRotorInputs, rotor: Any, zeta: Array) -> dict[str, Array]:
     """Amplitudes: peaks (U_2, 3, 22), loads of bearings 3 and 4 (U_2, 3, 2), and over the speed."""
     from fem.rotor.peaks import above_chord
     from fem.rotor.response import unbalance_response
 
     speeds = np.concatenate([GRID, windows(zeta).ravel()])
-    rotor = rotor_fem(p, damping=damped(zeta))
     one, two, moved = (unbalance_response(rotor, speeds, {n - 1: 1.0}) for n in (*DISCS, MOVED))
     x = [
         np.stack([response.at(node)[:, 0] for node in range(OUTER + INNER)])
@@ -102,26 +103,28 @@ def peaks_fem(f: Array) -> Array:
     return peaks(near).swapaxes(1, 2)
 
 
-def torsion_fem(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:
+def torsion_fem(q: SpragRotorInputs, p: Array, zeta: Array, even: Any) -> dict[str, Array]:
     """Amplitudes of theta_z (3, 22) at the critical speeds, with offset and without; momentum."""
     from fem.rotor.response import unbalance_response
 
-    def turned(offset: float, sense: int = 1) -> Any:
-        rotor = rotor_fem(p, damping=damped(zeta), offset=offset)
+    def offset_by(offset: float) -> Any:
+        return rotor_fem(p, damping=damped(zeta), offset=offset)
+
+    def turned(rotor: Any, sense: int = 1) -> Any:
         U = {DISCS[0] - 1: q.U_1, DISCS[1] - 1: sense * q.U_2}
         q_all = unbalance_response(rotor, PRINTED, U).q
-        return rotor, q_all.reshape(3, -1, 6)[:, :, THETA_Z]
+        return q_all.reshape(3, -1, 6)[:, :, THETA_Z]
 
-    rotor, with_offset = turned(q.offset)
-    other = turned(q.offset, -1)[1]
-    small = np.stack([np.abs(turned(offset)[1]) for offset in SMALL_OFFSETS])
+    rotor = offset_by(q.offset)
+    with_offset, other = turned(rotor), turned(rotor, -1)
+    small = np.stack([np.abs(turned(offset_by(offset))) for offset in SMALL_OFFSETS])
     M = rotor.M[THETA_Z::6, THETA_Z::6]
     split = np.arange(OUTER + INNER) < OUTER
     momenta = [with_offset @ M @ part for part in (split, ~split)]
     return {
         "torsion": np.abs(with_offset), "torsion" + OPPOSITE: np.abs(other),
         "torsion, small offsets": small,
-        "torsion, no offset": np.abs(turned(0.0)[1]),
+        "torsion, no offset": np.abs(turned(even)),
         "momenta": np.abs(np.array([momenta[0] + momenta[1], momenta[1]])),
         "turned": np.stack([with_offset[:, n - 1] for n in DISCS]),
         "turned" + OPPOSITE: np.stack([other[:, n - 1] for n in DISCS]),
@@ -129,14 +132,14 @@ def torsion_fem(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:
     }  # fmt: skip
 
 
-def orbits_fem(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:
+def orbits_fem(q: SpragRotorInputs, p: Array, zeta: Array, even: Any) -> dict[str, Array]:
     """X and y (2, 2) of nodes 4 and 19 at the rig's speed, supports alike in x and y and not."""
     from fem.rotor.response import unbalance_response
 
     U = {DISCS[0] - 1: q.u_rig_1, DISCS[1] - 1: q.u_rig_2}
     found = {}
-    for name, anisotropy in (("isotropic", 0.0), ("anisotropic", q.anisotropy)):
-        rotor = rotor_fem(p, damping=damped(zeta), anisotropy=anisotropy)
+    uneven = rotor_fem(p, damping=damped(zeta), anisotropy=q.anisotropy)
+    for name, rotor in (("isotropic", even), ("anisotropic", uneven)):
         response = unbalance_response(rotor, q.rig_speed, U)
         orbits = [response.orbit(node - 1) for node in DISCS]
         found[f"axes, {name}"] = np.array([[o.major, abs(o.minor)] for o in orbits])

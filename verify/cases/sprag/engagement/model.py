@@ -5,6 +5,7 @@ Everything here is formulas: nothing is compiled.
 
 import math
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,13 +14,14 @@ from analytic.contact import crown, slices, strips
 from analytic.contact.sliced import SlicedContact
 from analytic.contact.strips import Strips
 from analytic.sprag.clutch import Clutch
-from analytic.sprag.laws import LOADS, sliced_law
+from analytic.sprag.laws import LOADS, Law, sliced_law
 from analytic.sprag.motion import Motion
 from analytic.sprag.parts import Parts
 from analytic.sprag.race_spring import KEPT, Blades, RaceSpring, reached
 from verify.cases.sprag.inputs import EngagementInputs, SpragInputs
 from verify.core.figures import Array
 
+LAWS = 2048  # of both contacts: the crowns of two factorials and of the searches after them
 HEADROOM = 2.5  # of the static load: a load that comes at once swings to twice, or a little less
 
 
@@ -57,11 +59,18 @@ def in_strips(q: SpragInputs, gap: Array, R: ArrayLike, N: ArrayLike) -> Strips:
     return strips.press(gap, length=q.l, R=R, E_star=float(parts(q).E_star), load=N)
 
 
+@lru_cache(maxsize=LAWS)
+def _law(gap: tuple[float, ...], **contact: Any) -> Law:
+    """`sliced_law`, once for all torques and motions of a clutch."""
+    return sliced_law(gap, **contact)
+
+
 def clutch(q: SpragInputs, N_end: float, loads: int = LOADS) -> Clutch:
     """The clutch with contacts in slices, solved at some loads up to N_end [N]."""
-    whole, E_star = parts(q), float(parts(q).E_star)
+    whole, drop = parts(q), tuple(gap(q).tolist())
+    E_star = float(whole.E_star)
     inner, outer = (
-        sliced_law(gap(q), l=q.l, R=float(R), E_star=E_star, N_max=N_end, loads=loads)
+        _law(drop, l=q.l, R=float(R), E_star=E_star, N_max=float(N_end), loads=loads)
         for R in (whole.R_contact_i, whole.R_contact_e)
     )
     return Clutch(
