@@ -113,11 +113,19 @@ class Elements:
 
         What `tangent_stiffness` times the step is, without the rounding of stiff directions.
         """
+        return self.change_with(S, self.geometric(strain, t, stress), step)
+
+    def geometric(self, strain: Array, t: Array, stress: Array) -> Array:
+        """Densities (m, q, 4, 4) of the geometric stiffness of the `stress` N, V, M."""
+        A = np.zeros((*self.weight.shape, 4, 4))
+        _add_geometric(A, strain, t, stress)
+        return A
+
+    def change_with(self, S: Array, A: Array, step: Extended) -> Array:
+        """`change_of_forces` with the geometric stiffness A."""
         at = step[self.nodes]
         change = (self.slope @ (at - at[:, :1]))[..., [0, 1, 2, 2]]
         change[..., 2] = at[:, :, 2] @ self.shape.T
-        A = np.zeros((*self.weight.shape, 4, 4))
-        _add_geometric(A, strain, t, stress)
         bent = (S @ change[..., None])[..., 0].astype(float)
         local = (S * (self.moduli * bent)[..., None]).sum(axis=2)
         local += (A @ change.astype(float)[..., None])[..., 0]
@@ -143,9 +151,9 @@ class Elements:
         The turn of the stiff axial direction is left out: its first order without the second
         would soften any bent member of large EA.
         """
-        A = np.zeros((*self.weight.shape, 4, 4))
-        _add_geometric(A, np.zeros_like(stress), self.tangent.astype(float), stress)
-        return self._assemble(A)
+        return self._assemble(
+            self.geometric(np.zeros_like(stress), self.tangent.astype(float), stress)
+        )
 
     def _assemble(self, A: Array) -> csc_array:
         """Stiffness (3n, 3n) of densities (m, q, 4, 4)."""

@@ -79,10 +79,11 @@ class PressedFrame:
         moved = np.zeros((3, size), np.longdouble)
         moved[range(3), head] = 1.0
         forces, smallest = np.zeros((3, size)), np.inf
+        A = e.geometric(strain, t, stress)
         while True:
             before = forces[:, head]
             forces = np.array([
-                e.change_of_forces(S, strain, t, stress, u.reshape(-1, 3)) for u in moved
+                e.change_with(S, A, u.reshape(-1, 3)) for u in moved
             ])  # fmt: skip
             step = factor.solve(-forces[:, free].T).T
             change = float(abs(step).max())
@@ -99,9 +100,7 @@ class PressedFrame:
 
     def determinant(self, state: State, head: Freedom) -> float:
         """Of the stiffness that a head of this freedom has under the loads it bears."""
-        S, _ = self.head_stiffness(state)
-        moving = [0, 2] if head == "hinged" else [0, 1, 2]
-        return float(np.linalg.det(S[np.ix_(moving, moving)]))
+        return let_go(self.head_stiffness(state)[0], head)
 
     def lateral_stiffness(self, state: State) -> tuple[float, float]:
         """Of the guided head against a movement along y, and its rounding [force/length]."""
@@ -121,3 +120,9 @@ class PressedFrame:
         )  # fmt: skip
         found = [point.factor for point in self.guided.buckling(path)]
         return min((U for U in found if until > U), default=None)
+
+
+def let_go(S: Array, head: Freedom) -> float:
+    """Determinant of the stiffness S (3, 3) of a head of this freedom."""
+    moving = [0, 2] if head == "hinged" else [0, 1, 2]
+    return float(np.linalg.det(S[np.ix_(moving, moving)]))

@@ -8,7 +8,10 @@ from scipy.optimize import brentq
 
 from fem.beam.at_rest import AtRest
 from fem.beam.large_state import State
-from fem.beam.pressed import PLACES, PressedFrame
+from fem.beam.pressed import PLACES, PressedFrame, let_go
+from fem.beam.section import Array
+
+Held = tuple[State, tuple[Array, Array]]  # with the head's stiffness and its rounding
 
 LOCATED = 1e-13  # of the displacement
 ITERATIONS = 3  # inverse ones from a mode of six digits: each gains two digits and more of its load
@@ -42,33 +45,40 @@ def gives_way(one: PressedFrame, until: float) -> tuple[float, float, State | No
     lower point would be found, since from rest on the determinant changes its sign at the first.
     """
     load, _ = linear_load(one)
-    before, at = one.guided.rest(), 0.0
-    S, _ = one.head_stiffness(before)
-    u = min(NEAR * load * float(np.linalg.inv(S)[0, 0]), until / STEP)
+    rest, at = one.guided.rest(), 0.0
+    before = rest, one.head_stiffness(rest)
+    u = min(NEAR * load * float(np.linalg.inv(before[1][0])[0, 0]), until / STEP)
     while at < until:
-        here = one.compressed([u - at], before)[0]
-        if one.determinant(here, "free") <= 0:
-            return _located(one, before, at, u)
+        here = _held(one, before, u - at)
+        if let_go(here[1][0], "free") <= 0:
+            return _located(one, before, here, at, u)
         before, at, u = here, u, min(STEP * u, until)
     return math.nan, 0.0, None
 
 
-def _located(one: PressedFrame, before: State, at: float, u: float) -> tuple[float, float, State]:
-    """Between the displacement `at` of a state before and `u` beyond.
+def _held(one: PressedFrame, since: Held, step: float) -> Held:
+    """The state of the guided head that far from another, and what holds the head there."""
+    state = one.compressed([step], since[0])[0]
+    return state, one.head_stiffness(state)
+
+
+def _located(
+    one: PressedFrame, before: Held, beyond: Held, at: float, u: float
+) -> tuple[float, float, State]:
+    """Between the displacement `at` of a state before and `u` of one beyond.
 
     The determinant is as good as round-off there, so that its root is one number.
     """
-    found = {0.0: before}
+    found = {0.0: before, u - at: beyond}
 
-    def beyond(step: float) -> float:
+    def determinant(step: float) -> float:
         if step not in found:
             near = min(found, key=lambda known: abs(known - step))
-            found[step] = one.compressed([step - near], found[near])[0]
-        return one.determinant(found[step], "free")
+            found[step] = _held(one, found[near], step - near)
+        return let_go(found[step][1][0], "free")
 
-    step = float(brentq(beyond, 0.0, u - at, xtol=LOCATED * u, rtol=1e-13))
-    here = found[step]
-    slope = one.determinant(before, "free") / step
-    S, rounding = one.head_stiffness(here)
+    step = float(brentq(determinant, 0.0, u - at, xtol=LOCATED * u, rtol=1e-13))
+    slope = determinant(0.0) / step
+    here, (S, rounding) = found[step]
     lost = abs(np.linalg.det(S + rounding) - np.linalg.det(S))
     return at + step, float(lost) / slope + (LOCATED + PLACES) * u, here

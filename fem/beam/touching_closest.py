@@ -23,9 +23,9 @@ def closest(curve: Array, at: Array) -> Array:
     away = at - x0
     xi = np.clip(_dot(away, chord) / _dot(chord, chord), 0.0, 1.0)
     # half the distance squared has the slope p0 + p1 xi + p2 xi^2 + p3 xi^3
-    p0, p1, p2 = -_dot(away, x1), _dot(x1, x1) - 2 * _dot(away, x2), 3 * _dot(x1, x2)
-    p3, stretch_2 = 2 * _dot(x2, x2), 4 * _dot(x2, x2)
-    own = np.stack([p0, p1, p2, p3, p1 + 2 * _dot(away, x2), 4 * _dot(x1, x2), stretch_2])
+    bent, along, squared = 2 * _dot(away, x2), _dot(x1, x2), _dot(x2, x2)
+    p1 = _dot(x1, x1) - bent
+    own = np.stack([-_dot(away, x1), p1, 3 * along, 2 * squared, p1 + bent, 4 * along, 4 * squared])
     rows, place = np.arange(len(xi)), xi.copy()
     for _ in range(ITERATIONS):
         p0, p1, p2, p3, s0, s1, s2 = own

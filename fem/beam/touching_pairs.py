@@ -99,10 +99,12 @@ class Pairs:
 
         def rise(eta: Array, rows: Indices) -> tuple[Array, Array]:
             """Distance and its slope by eta."""
-            met = self._meet(curves, near[rows], eta)
-            _, own = on(curves[p.element[self.probe[near[rows]]]], eta)
-            rise = np.einsum("kd,kd->k", met.n, own) + met.easing
-            return met.distance + met.eased, rise
+            pair = near[rows]
+            probe = self.probe[pair]
+            here, own = on(curves[p.element[probe]], eta)
+            n, distance = self._towards(pair, *_project(curves[self.element[pair]], here)[1:])
+            easing, eased = self._easing(probe, eta)
+            return distance + eased, np.einsum("kd,kd->k", n, own) + easing
 
         cell = self.probe[near]
         eta[near] = least(p.lower[cell], p.upper[cell], rise, NEAR * self.touching)
@@ -111,7 +113,23 @@ class Pairs:
     def _meet(self, curves: Array, pair: Indices, eta: Array) -> Meeting:
         """The nearest place of each pair's element to the place eta of its probe's element."""
         probe, element = self.probe[pair], self.element[pair]
-        xi, d, tangent, across, end = self._project(curves, probe, element, eta)
+        here, _ = on(curves[self.probes.element[probe]], eta)
+        xi, d, tangent, across, end = _project(curves[element], here)
+        n, distance = self._towards(pair, d, tangent, across, end)
+        held = (eta == self.probes.lower[probe]) | (eta == self.probes.upper[probe])
+        easing, eased = self._easing(probe, eta)
+        return Meeting(self.slot[pair], element, eta, xi, n, distance, end, held, eased, easing)
+
+    def _easing(self, probe: Indices, eta: Array) -> tuple[Array, Array]:
+        """Slope by eta of what the gap counts more, and that."""
+        off = eta - self.probes.middle[probe]
+        easing = self.probes.ease[probe] * off
+        return easing, easing * off / 2
+
+    def _towards(
+        self, pair: Indices, d: Array, tangent: Array, across: Array, end: NDArray[np.bool_]
+    ) -> tuple[Array, Array]:
+        """Direction n towards each pair's probe and the distance along it."""
         distance = np.maximum(np.hypot(*d.T), TINY)
         left = np.column_stack([-tangent[:, 1], tangent[:, 0]])
         clear, before = self.clear[pair], self.side[pair]
@@ -121,10 +139,7 @@ class Pairs:
         crossed = clear & (before * across < -CLEAR * distance)
         signed = np.where(corner, np.where(crossed, -distance, distance), side * across)
         n[corner] = d[corner] / signed[corner, None]
-        held = (eta == self.probes.lower[probe]) | (eta == self.probes.upper[probe])
-        easing = self.probes.ease[probe] * (eta - self.probes.middle[probe])
-        eased = easing * (eta - self.probes.middle[probe]) / 2
-        return Meeting(self.slot[pair], element, eta, xi, n, signed, end, held, eased, easing)
+        return n, signed
 
     def _look_round(self, at: Array) -> None:
         """Lists the candidates around the positions `at`, with their sides when last accepted."""
@@ -141,23 +156,21 @@ class Pairs:
         away = np.hypot(*(here[probe] - centre[element]).T)
         keep = (away < radius[element] + self.reach + half[probe]) & self.apart(probe, element)
         probe, element = probe[keep], element[keep]
-        before, middle = powers(self.accepted[self.elements]), p.middle[probe]
-        _, d, _, across, _ = self._project(before, probe, element, middle)
-        _, own = on(before[p.element[probe]], middle)
+        before = powers(self.accepted[self.elements])
+        there, own = on(before[p.element[probe]], p.middle[probe])
+        _, d, _, across, _ = _project(before[element], there)
         slot = 2 * probe + (own[:, 0] * -d[:, 1] + own[:, 1] * d[:, 0] > 0)
         order = np.argsort(slot, kind="stable")
         self.slot, self.probe, self.element = slot[order], probe[order], element[order]
         self.side = np.sign(across)[order]
         self.clear = (np.abs(across) > CLEAR * np.hypot(*d.T))[order]
 
-    def _project(
-        self, curves: Array, probe: Indices, element: Indices, eta: Array
-    ) -> tuple[Array, Array, Array, Array, NDArray[np.bool_]]:
-        """xi, vector to the probe, unit tangent, offset to its left, whether xi is an end."""
-        here, _ = on(curves[self.probes.element[probe]], eta)
-        xi = closest(curves[element], here)
-        there, slope = on(curves[element], xi)
-        d = here - there
-        tangent = slope / np.hypot(*slope.T)[:, None]
-        across = tangent[:, 0] * d[:, 1] - tangent[:, 1] * d[:, 0]
-        return xi, d, tangent, across, (xi == 0.0) | (xi == 1.0)
+
+def _project(curve: Array, here: Array) -> tuple[Array, Array, Array, Array, NDArray[np.bool_]]:
+    """Place xi on curves, vector to `here`, unit tangent, offset to its left, whether at an end."""
+    xi = closest(curve, here)
+    there, slope = on(curve, xi)
+    d = here - there
+    tangent = slope / np.hypot(*slope.T)[:, None]
+    across = tangent[:, 0] * d[:, 1] - tangent[:, 1] * d[:, 0]
+    return xi, d, tangent, across, (xi == 0.0) | (xi == 1.0)

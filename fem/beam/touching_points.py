@@ -4,12 +4,14 @@ from dataclasses import dataclass
 from typing import TypeVar
 
 import numpy as np
+from numpy.polynomial.legendre import leggauss
 
 from fem.beam.large_elements import Extended
 from fem.beam.section import Array, Indices
 
 A = TypeVar("A", Array, Extended)  # of one precision or the other
 
+GAUSS = tuple((float(at + 1) / 2, float(w) / 2) for at, w in zip(*leggauss(5), strict=True))  # 0..1
 EASE = 1e-4  # of the thickness: what a gap at the end of a cell counts more
 
 
@@ -47,9 +49,8 @@ def on(curve: Array, xi: Array) -> tuple[Array, Array]:
 
 def lengths(points: Array, elements: Indices, upto: Array) -> Array:
     """Arc length (m,) of each element from its first end to the place `upto` (m,) in 0..1."""
-    at, weight = np.polynomial.legendre.leggauss(5)
     total = np.zeros(len(elements))
-    for place, share in zip((at + 1) / 2, weight / 2, strict=True):
+    for place, share in GAUSS:
         _, slope, _ = shapes(upto * place, elements.shape[1])
         total += share * upto * np.hypot(*np.einsum("kp,kpd->dk", slope, points[elements]))
     return total

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -99,6 +100,7 @@ def factor(
     return fem_spring(q, h, level, *ends, uniform=uniform) / plane
 
 
+@lru_cache(maxsize=64)
 def fem_spring(
     q: WidthInputs, h: float, level: int, tail: Tail, head: Head, *, held: bool = False,
     narrow: bool = False, uniform: bool = False,
