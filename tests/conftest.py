@@ -22,6 +22,8 @@ from verify.core.store import Store
 from verify.jobs.cache import default_folder
 from verify.jobs.level import Job, judge_case, solve_level
 
+pytest_plugins = ["tests.seconds"]
+
 KEEP = (*PROJECT, "tests")  # packages whose functions have caches
 LARGE = 1_000_000_000  # bytes of a worker, beyond which it keeps nothing for its next file
 
