@@ -9,14 +9,16 @@ from tests import seconds
 
 @pytest.fixture
 def run(tmp_path, monkeypatch):
-    """A whole run of two files, of which the ledger has 20 s and 10 s."""
+    """A whole run of three files, of which the ledger has 20 s, 10 s and 3 s."""
     ledger = tmp_path / "seconds.json"
-    ledger.write_text(json.dumps({"a.py": 20.0, "b.py": 10.0}))
+    ledger.write_text(json.dumps({"a.py": 20.0, "b.py": 10.0, "d.py": 3.0}))
     monkeypatch.setattr(seconds, "LEDGER", ledger)
     monkeypatch.setattr(seconds, "slow", {})
 
-    def made(**spent):
-        monkeypatch.setattr(seconds, "spent", {f"{k}.py::test_{k}": v for k, v in spent.items()})
+    def made(d=3.0, **spent):
+        monkeypatch.setattr(
+            seconds, "spent", {f"{k}.py::test_{k}": v for k, v in (spent | {"d": d}).items()}
+        )
         return seconds.faults()
 
     return made
@@ -25,7 +27,7 @@ def run(tmp_path, monkeypatch):
 def test_a_run_like_the_ledger_has_no_faults(run):
     seconds.slow.update({"a.py::test_a": "a whole case", "b.py::test_b": "a whole case"})
     assert run(a=20.0, b=10.0) == []
-    assert run(a=60.0, b=30.0) == [], "a machine of a third of the speed"
+    assert run(a=60.0, b=30.0, d=9.0) == [], "a machine of a third of the speed"
 
 
 def test_a_file_that_has_grown_is_named(run):
