@@ -23,6 +23,8 @@ PARTS = sorted((Path(__file__).parent / "parts").glob("*.toml"))
 TASKS = {"design-spring": Demands, "design-sprag": Wishes}
 CHECKED = [path for path in PARTS if not path.stem.startswith("design-")]
 DESIGNED = [path for path in PARTS if path.stem.startswith("design-")]
+# Answers that take five seconds and more, once for each assumed input.
+SLOW = ("sprag-clutch-55", "polyhedral-8", "design-sprag-55")
 SOURCES = ("typical:", "numerical:", "Huang 2018", "Wang 2023", "Timoshenko", "EN ", "ISO ")
 RULES = (
     "R_i",
@@ -54,6 +56,14 @@ def of_path(path):
     return path.stem
 
 
+def answered(paths):
+    """The files as parameters, the slow ones for the long suite."""
+    return [
+        pytest.param(path, id=path.stem, marks=pytest.mark.soak if path.stem in SLOW else ())
+        for path in paths
+    ]
+
+
 @pytest.mark.parametrize("path", PARTS, ids=of_path)
 def test_a_file_has_at_most_ten_lines(path):
     lines = [line for line in path.read_text("utf-8").splitlines() if line.strip()]
@@ -64,7 +74,7 @@ def test_every_tool_has_a_file():
     assert {raw_of(path)[0] for path in PARTS} == set(ASSUMPTIONS)
 
 
-@pytest.mark.parametrize("path", CHECKED, ids=of_path)
+@pytest.mark.parametrize("path", answered(CHECKED))
 def test_check_answers_and_lists_every_assumed_input(path, capsys):
     case_id, raw = raw_of(path)
     assert run(["check", str(path), "--json"]) in (0, 1, 3)
@@ -83,7 +93,7 @@ def test_check_answers_and_lists_every_assumed_input(path, capsys):
     assert all(one["source"].split("^")[0] in text for one in listed.values())
 
 
-@pytest.mark.parametrize("path", DESIGNED, ids=of_path)
+@pytest.mark.parametrize("path", answered(DESIGNED))
 def test_design_answers_and_lists_every_assumed_input(path, capsys):
     assert run(["design", "--no-fem", str(path)]) in (0, 1)
     text = capsys.readouterr().out

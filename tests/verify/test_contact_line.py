@@ -136,6 +136,7 @@ def red_without_fault():
     return frozenset(names(r for r in solve_anew(COARSE).rows if r.status is Status.FAIL))
 
 
+@pytest.mark.soak  # finite elements solved anew for every fault
 @pytest.mark.parametrize(
     ("owner", "name", "fault"),
     [
@@ -196,6 +197,7 @@ def test_unlike_rollers_tell_the_curvature_on_which_they_meet(judged, red, patch
     assert names(red(judged(PAIR))) >= UNLIKE_ROWS
 
 
+@pytest.mark.soak  # finite elements solved anew for every fault
 def test_a_direction_of_contact_halfway_between_the_bodies_turns_rows_red(judged, red, monkeypatch):
     assert not red(judged(PAIR))
     monkeypatch.setattr(interface.Interface, "_share", lambda *_: 0.5)

@@ -83,6 +83,7 @@ def test_the_readings_share_one_hooke_s_law():
 
 
 # Faults of the finite elements: solved anew on coarser meshes.
+@pytest.mark.soak  # finite elements solved anew for every fault
 @pytest.mark.parametrize(
     ("owner", "name", "fault"),
     [
@@ -100,6 +101,7 @@ def test_wrong_finite_elements_turn_a_row_red(owner, name, fault, red, monkeypat
     assert names(red(solve_anew(COARSE))) - before
 
 
+@pytest.mark.soak  # finite elements solved anew for every fault
 def test_a_pressure_that_is_not_even_turns_its_row_red(red, monkeypatch):
     """One row's weighted gap a thousandth of the interference too small."""
     right = interface.Interface.__init__

@@ -276,6 +276,7 @@ def periodic(_):
     return lambda self, pressure: self._filter(pressure, 1, 1 / self._inverse)
 
 
+@pytest.mark.soak  # finite elements solved anew for every fault
 @pytest.mark.parametrize(
     ("case", "owner", "name", "fault", "row"),
     [
@@ -301,6 +302,7 @@ def test_a_wrong_half_space_or_wrong_finite_elements_turn_a_row_red(
 
 
 # The best crown is searched for by the formulas: solved anew.
+@pytest.mark.soak  # finite elements solved anew for every fault
 def test_a_best_crown_of_a_wrong_law_turns_its_row_red(red, monkeypatch):
     monkeypatch.setattr(crown, "_scale", times(2.0)(crown._scale))
     assert BEST in names(red(solve_anew(ROLLER)))
@@ -313,6 +315,7 @@ def solve_anew(case):
     return judge_case(Job(PLAIN[case.id], q), solved)
 
 
+@pytest.mark.soak  # finite elements solved anew, for the faults above
 @pytest.mark.parametrize("case", [ROLLER, TILTED], ids=lambda case: case.id)
 def test_solved_anew_no_row_is_red_without_a_fault(case, red):
     assert not red(solve_anew(case))

@@ -170,6 +170,7 @@ FEM_FAULTS = [
 ]  # fmt: skip
 
 
+@pytest.mark.soak  # finite elements solved anew for every fault
 @pytest.mark.parametrize(("owner", "name", "fault", "row"), FEM_FAULTS)
 def test_wrong_finite_elements_turn_a_row_red(owner, name, fault, row, broken, red):
     before = red_without_fault()
@@ -183,6 +184,7 @@ def test_friction_that_drives_finds_no_equilibrium(broken):
     assert "no state of rest was found" in solve_level(SLIP, SLIP.inputs(), 4, None).failure
 
 
+@pytest.mark.soak  # finite elements solved anew, for the faults above
 def test_few_rows_are_red_on_the_coarser_levels():
     # strips of slip are too narrow for them
     assert all("L2" in name or "energy lost" in name for name in red_without_fault())

@@ -112,6 +112,7 @@ def red_without_fault(case):
     return {row.id for row in solve_anew(case).rows if row.status is Status.FAIL}
 
 
+@pytest.mark.soak  # finite elements solved anew for every fault
 @pytest.mark.parametrize(("case", "owner", "name", "fault"), FEM_FAULTS)
 def test_wrong_finite_elements_turn_a_row_red(case, owner, name, fault, broken, red):
     before = red_without_fault(case)
@@ -119,6 +120,7 @@ def test_wrong_finite_elements_turn_a_row_red(case, owner, name, fault, broken, 
     assert {row.id for row in red(solve_anew(case))} - before
 
 
+@pytest.mark.soak  # solves three cases anew, for the faults above
 def test_no_row_is_red_without_a_fault():
     assert not red_without_fault(LAME) | red_without_fault(ACCORDION) | red_without_fault(STRIP)
 

@@ -90,7 +90,17 @@ def excess(case, values, other):
     return beyond
 
 
-@pytest.mark.parametrize("case", [pytest.param(case, id=case.id) for case in CASES])
+# Cases whose formulas take over 0.7 s, four times each.
+SLOW = (
+    "contact-roller", "contact-roller-tilted", "polyhedral-clutch", "sprag-clutch", "sprag-crown",
+    "sprag-engagement", "sprag-wedge", "spring-stages",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "case",
+    [pytest.param(c, id=c.id, marks=pytest.mark.soak if c.id in SLOW else ()) for c in CASES],
+)
 def test_formulas_move_no_further_than_their_inputs_let_them(case):
     inputs, values = case.inputs(), of_paper(case.id)
     for seed in SEEDS:
@@ -101,9 +111,8 @@ def test_formulas_move_no_further_than_their_inputs_let_them(case):
 
 
 def test_every_entry_of_the_tables_speaks_of_a_value():
-    known = [(case.id, key) for case in CASES for key in of_paper(case.id)]
     for entry in (*SCALES, *FURTHER):
-        assert any(found((entry,), *one) for one in known), entry
+        assert any(found((entry,), entry[0], key) for key in of_paper(entry[0])), entry
 
 
 def test_a_value_at_a_tie_is_seen():

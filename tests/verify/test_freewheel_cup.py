@@ -400,6 +400,7 @@ FAULTS = [
 ]  # fmt: skip
 
 
+@pytest.mark.soak  # finite elements solved anew for every fault
 @pytest.mark.parametrize(("owner", "name", "fault", "row"), FAULTS)
 def test_wrong_finite_elements_turn_a_row_red(owner, name, fault, row, broken, few, monkeypatch):
     assert row not in red_without_fault()

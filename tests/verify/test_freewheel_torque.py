@@ -492,6 +492,7 @@ FEM_FAULTS = [
 ]  # fmt: skip
 
 
+@pytest.mark.soak  # finite elements solved anew for every fault
 @pytest.mark.parametrize(("owner", "name", "fault", "row"), FEM_FAULTS)
 def test_wrong_finite_elements_turn_a_row_red(owner, name, fault, row, few, broken, red):
     before = red_without_fault()

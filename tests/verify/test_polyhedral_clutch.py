@@ -145,12 +145,14 @@ FEM_FAULTS = [
 ]  # fmt: skip
 
 
+@pytest.mark.soak  # finite elements solved anew for every fault
 @pytest.mark.parametrize(("owner", "name", "fault", "row"), FEM_FAULTS)
 def test_wrong_finite_elements_turn_a_row_red(owner, name, fault, row, broken, red):
     broken(owner, name, fault)
     assert row in names(red(solve_anew()))
 
 
+@pytest.mark.soak  # finite elements solved anew, for the faults above
 def test_the_coarser_levels_alone_turn_no_row_red(red):
     assert names(red(solve_anew())) <= {FILLET}  # its tolerance is that of the finest mesh
 
@@ -208,16 +210,20 @@ def test_values_of_odd_clutches_are_finite_or_left_out_and_their_state_is_told(
     assert CLUTCH.sketch(q).shapes
 
 
+# Solved anew for seconds each; one set is judged in every run.
+SOAK = pytest.mark.soak
+
+
 @pytest.mark.parametrize(
     ("change", "shown"),
     [
-        pytest.param({"mu": 0.22, "p_t": "29 MPa"}, {EQ_20}, id="locks by Eq. 20"),
-        pytest.param({"mu": 0.32}, {EQ_20, EQ_21}, id="nearly endless"),
+        pytest.param({"mu": 0.22, "p_t": "29 MPa"}, {EQ_20}, id="locks by Eq. 20", marks=SOAK),
+        pytest.param({"mu": 0.32}, {EQ_20, EQ_21}, id="nearly endless", marks=SOAK),
         pytest.param({"z": 24, "delta_1": "0.5 mm", "rho": "0.3 mm", "e": "3 mm", "p_t": "5 MPa"},
-                     set(), id="thin, 24 rollers", marks=pytest.mark.soak),
+                     set(), id="thin, 24 rollers", marks=SOAK),
         pytest.param({"M_t": "110 N m"}, set(), id="a little less wanted than is carried"),
-        pytest.param({"p_t": "20.5 MPa"}, set(), id="far less than is wanted"),
-        pytest.param({"p_t": "200 MPa"}, set(), id="far more than is wanted"),
+        pytest.param({"p_t": "20.5 MPa"}, set(), id="far less than is wanted", marks=SOAK),
+        pytest.param({"p_t": "200 MPa"}, set(), id="far more than is wanted", marks=SOAK),
     ],
 )  # fmt: skip
 def test_no_row_of_an_odd_clutch_fails(change, shown, judged, red):

@@ -75,6 +75,7 @@ FEM_FAULTS = [
 ]  # fmt: skip
 
 
+@pytest.mark.soak  # finite elements solved anew for every fault
 @pytest.mark.parametrize(("owner", "name", "fault", "rows"), FEM_FAULTS)
 def test_wrong_finite_elements_turn_the_rows_of_elastic_rollers_red(
     owner, name, fault, rows, monkeypatch, red
@@ -83,5 +84,6 @@ def test_wrong_finite_elements_turn_the_rows_of_elastic_rollers_red(
     assert rows <= names(red(solve_anew()))
 
 
+@pytest.mark.soak  # finite elements solved anew, for the faults above
 def test_three_levels_turn_no_row_of_elastic_rollers_red(red):
     assert not red(solve_anew())

@@ -76,12 +76,14 @@ def test_another_reading_or_a_wrong_formula_turns_its_row_red(
     assert row in found
 
 
+# Maps that take seconds each; four others are drawn in every run.
+SOAK = pytest.mark.soak
 ODD = [
-    pytest.param({"delta_1": "0.4 mm", "rho": "0.3 mm"}, id="thin"),
-    pytest.param({"delta_1": "11.9 mm"}, id="thick"),
-    pytest.param({"rho": "0.3 mm"}, id="sharp corners"),
-    pytest.param({"rho": "20 mm"}, id="round corners"),
-    pytest.param({"d": "0.1 mm"}, id="needles"),
+    pytest.param({"delta_1": "0.4 mm", "rho": "0.3 mm"}, id="thin", marks=SOAK),
+    pytest.param({"delta_1": "11.9 mm"}, id="thick", marks=SOAK),
+    pytest.param({"rho": "0.3 mm"}, id="sharp corners", marks=SOAK),
+    pytest.param({"rho": "20 mm"}, id="round corners", marks=SOAK),
+    pytest.param({"d": "0.1 mm"}, id="needles", marks=SOAK),
     pytest.param({"d": "1000 mm"}, id="rollers that never fit"),
     pytest.param({"j_D": "1.5 mm"}, id="large clearance"),
     pytest.param({"E": "0.01 GPa", "nu": 0.0}, id="soft"),

@@ -243,6 +243,7 @@ STEPS = [
 ]  # fmt: skip
 
 
+@pytest.mark.soak  # integrated anew for every fault
 @pytest.mark.parametrize(("owner", "name", "fault", "row"), STEPS)
 def test_wrong_steps_turn_a_row_red(owner, name, fault, row, steps_alone, broken, red):
     broken(owner, name, fault)
