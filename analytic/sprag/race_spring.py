@@ -7,7 +7,7 @@ sprags on their races.
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 from scipy.interpolate import CubicSpline
@@ -79,7 +79,7 @@ class RaceSpring:
         """Torque [N m] that the sprags resist with over the turn [rad], less the blades'."""
         return CubicSpline(self.theta, self.states.T - self.pushed)
 
-    @property
+    @cached_property
     def pressed(self) -> Wedged:
         """The state in which the blades alone press the sprags on their races."""
         blades = self.blades

@@ -1,6 +1,6 @@
 """Steady vibration under forces that turn or swing: unbalance above all."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -97,7 +97,27 @@ def unbalance_response(
     ValueError otherwise, for nodes that do not exist and for a rotor that is not supported;
     ArithmeticError at a resonance without damping.
     """
+    return unbalance_responses(rotor, speeds, [unbalances])[0]
+
+
+def unbalance_responses(
+    rotor: Rotor, speeds: ArrayLike, each: Sequence[Mapping[int, complex]]
+) -> list[Response]:
+    """The response to each of several sets of unbalances, all on shafts of one ratio."""
     at = check_speeds(speeds)
+    forces, ratios = [], set()
+    for unbalances in each:
+        force, own = _turning(rotor, unbalances)
+        forces.append(force)
+        ratios |= own
+    if len(ratios) > 1:
+        raise ValueError("unbalances on shafts of different ratios are different responses")
+    omega = ratios.pop() * at
+    return _responses(rotor, at, omega, [omega[:, None] ** 2 * force for force in forces])
+
+
+def _turning(rotor: Rotor, unbalances: Mapping[int, complex]) -> tuple[Complex, set[float]]:
+    """Forces (unknowns,) over omega^2, and the ratios of the shafts that they turn with."""
     if not unbalances:
         raise ValueError("an unbalance response needs an unbalance")
     force = np.zeros(rotor.system.M.shape[0], complex)
@@ -112,10 +132,7 @@ def unbalance_response(
         force[UNKNOWNS * node] += value
         force[UNKNOWNS * node + 1] += -1j * value
         ratios.add(rotor.shafts[rotor.shaft_of[node]].ratio)
-    if len(ratios) > 1:
-        raise ValueError("unbalances on shafts of different ratios are different responses")
-    omega = ratios.pop() * at
-    return forced_response(rotor, at, omega, omega[:, None] ** 2 * force)
+    return force, ratios
 
 
 def forced_response(
@@ -126,28 +143,36 @@ def forced_response(
     `speeds` and `omega` (m,) go together; one of them may be a single number. Forces of a negative
     omega turn the other way; amplitudes are those of the positive one.
     """
+    return _responses(rotor, speeds, omega, [force])[0]
+
+
+def _responses(
+    rotor: Rotor, speeds: ArrayLike, omega: ArrayLike, forces: Sequence[NDArray[np.inexact]]
+) -> list[Response]:
+    """`forced_response` to each of the `forces`, whose matrices are the same."""
     at, frequency = np.broadcast_arrays(check_speeds(speeds), check_speeds(omega))
     n = rotor.system.M.shape[0]
-    if force.shape[-1] != n:
-        raise ValueError(f"forces have {n} unknowns, got {force.shape[-1]}")
-    load = np.broadcast_to(np.asarray(force, complex), (at.size, n))
-    q = np.zeros((at.size, n), complex)
+    for force in forces:
+        if force.shape[-1] != n:
+            raise ValueError(f"forces have {n} unknowns, got {force.shape[-1]}")
+    loads = np.array([np.broadcast_to(force, (at.size, n)) for force in forces], complex)
+    q = np.zeros(loads.shape, complex)
     if rotor.system.varying:
         for i in range(at.size):
             own = slice(i, i + 1)
             for block in blocks(rotor.system, float(at[i])):
-                _solve(block, at[own], frequency[own], load[own], q[own])
+                _solve(block, at[own], frequency[own], loads[:, own], q[:, own])
     else:
         for block in rotor.blocks:
-            _solve(block, at, frequency, load, q)
+            _solve(block, at, frequency, loads, q)
     q = np.where(frequency[:, None] < 0, q.conj(), q)  # the same motion, omega > 0
-    return Response(rotor, np.asarray(at), abs(frequency), q)
+    return [Response(rotor, np.asarray(at), abs(frequency), own) for own in q]
 
 
-def _solve(block: Block, speeds: Array, omega: Array, load: Complex, q: Complex) -> None:
-    """Add the motion of `block` (speeds, unknowns) to `q`."""
-    f = block.own(load)
-    if not f.any():
+def _solve(block: Block, speeds: Array, omega: Array, loads: Complex, q: Complex) -> None:
+    """Add the motions of `block` under `loads` to `q`, both (loads, speeds, unknowns)."""
+    loaded = np.flatnonzero((f := block.own(loads)).any(axis=(1, 2)))
+    if not loaded.size:
         return
     check_supported(block)
     n = block.at.size
@@ -160,12 +185,12 @@ def _solve(block: Block, speeds: Array, omega: Array, load: Complex, q: Complex)
         D *= w
         D += block.K
         try:
-            own = np.linalg.solve(D, f[i : i + step, :, None])[:, :, 0]
+            own = [np.linalg.solve(D, f[k, i : i + step, :, None])[:, :, 0] for k in loaded]
         except np.linalg.LinAlgError:
             raise ArithmeticError(
                 "no bounded response: a resonance without damping, or a free motion at rest"
             ) from None
-        q[i : i + step] += block.real(own, q.shape[1])
+        q[loaded, i : i + step] += block.real(np.array(own), q.shape[-1])
 
 
 def _load(K: Array, C: Array, q: Complex, omega: Array) -> Complex:

@@ -61,10 +61,10 @@ def _member(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:
 def bending_fem(q: SpragRotorInputs, rotor: Any, zeta: Array) -> dict[str, Array]:
     """Amplitudes: peaks (U_2, 3, 22), loads of bearings 3 and 4 (U_2, 3, 2), and over the speed."""
     from fem.rotor.peaks import above_chord
-    from fem.rotor.response import unbalance_response
+    from fem.rotor.response import unbalance_responses
 
     speeds = np.concatenate([GRID, windows(zeta).ravel()])
-    one, two, moved = (unbalance_response(rotor, speeds, {n - 1: 1.0}) for n in (*DISCS, MOVED))
+    one, two, moved = unbalance_responses(rotor, speeds, [{n - 1: 1.0} for n in (*DISCS, MOVED)])
     x = [
         np.stack([response.at(node)[:, 0] for node in range(OUTER + INNER)])
         for response in (one, two, moved)
@@ -88,10 +88,10 @@ def bending_fem(q: SpragRotorInputs, rotor: Any, zeta: Array) -> dict[str, Array
 
 def together_fem(q: SpragRotorInputs, rotor: Any) -> Array:
     """Amplitudes (U_2, 2, speeds) of nodes 4 and 19, each solved with both unbalances acting."""
-    from fem.rotor.response import unbalance_response
+    from fem.rotor.response import unbalance_responses
 
-    solved = [unbalance_response(rotor, NEAR, {DISCS[0] - 1: q.U_1, DISCS[1] - 1: U_2})
-              for U_2 in q.unbalances_2.tolist()]  # fmt: skip
+    acting = [{DISCS[0] - 1: q.U_1, DISCS[1] - 1: U_2} for U_2 in q.unbalances_2.tolist()]
+    solved = unbalance_responses(rotor, NEAR, acting)
     return np.array([[np.abs(r.at(node - 1)[:, 0]) for node in DISCS] for r in solved])
 
 
