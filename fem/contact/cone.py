@@ -69,24 +69,21 @@ class Cone(System):
         m, (c_n, c) = self.friction.size, self.augmentation
         w = w_0 + self.B @ at.multipliers + self.D @ at.motion
         pressure = np.maximum(at.multipliers[:m] - c_n * w[:m], 0.0)
-        tau = np.array([self.t, self.z])
-        return w, pressure, at.multipliers[tau] - c * w[tau]
+        return w, pressure, at.multipliers[self.tau] - c * w[self.tau]
 
     def error(self, task: Task, at: State) -> tuple[float, NDArray[np.int8]]:
         """How far `at` is from its projection, of the pressure, and the states (m,) of that."""
         w, pressure, trial = self.trial(task.w_0, at)
         normal, along, states = self._projected(at, pressure, trial, task.friction)
         balance = task.e + self.D.T @ at.multipliers - task.K @ at.motion
-        reach = np.abs(self.D).sum(axis=0)
         size = self._size(task.w_0, task.e, w, at, pressure)
-        parts = normal.ravel(), along.ravel(), balance / np.where(reach > 0, reach, 1.0)
+        parts = normal.ravel(), along.ravel(), balance / self.reach
         return float(np.linalg.norm(np.concatenate(parts)) / size), states
 
     def _size(self, w_0: Array, e: Array, w: Array, at: State, pressure: Array) -> float:
         """The largest pressure, or what rounding lets the loads and gaps say about pressures."""
-        closing = np.abs(w_0) / np.diag(self.B)
-        reach = np.abs(self.D).sum(axis=0)
-        pulling = np.abs(e) / np.where(reach > 0, reach, 1.0)
+        closing = np.abs(w_0) / self.yields
+        pulling = np.abs(e) / self.reach
         least = EXACT * float(max(closing.max(initial=0.0), pulling.max(initial=0.0))) or 1.0
         largest = float(pressure.max(initial=0.0))
         return max(largest, self._cancelled(w_0, w, at.motion), least)
@@ -96,7 +93,7 @@ class Cone(System):
         m = self.friction.size
         gaps = np.abs(w_0[:m]) + np.abs(self.D[:m]) @ np.abs(motion)
         closed = w[:m] <= CANCELLED * gaps
-        return CANCELLED * float((gaps / np.diag(self.B)[:m])[closed].max(initial=0.0))
+        return CANCELLED * float((gaps / self.yields[:m])[closed].max(initial=0.0))
 
     def _projected(
         self, at: State, pressure: Array, trial: Array, friction: Array
@@ -108,10 +105,8 @@ class Cone(System):
         share = np.where(slips, most / np.where(slips, length, 1.0), 1.0)
         states = np.where(pressure > 0, STICK, OPEN).astype(np.int8)
         states[self.rough[slips & (most > 0)]] = SLIP
-        tau = np.array([self.t, self.z])
-        return (
-            at.multipliers[: pressure.size] - pressure, at.multipliers[tau] - share * trial, states,
-        )  # fmt: skip
+        along = at.multipliers[self.tau] - share * trial
+        return at.multipliers[: pressure.size] - pressure, along, states
 
     def judged(self, w_0: Array, e: Array, at: State) -> tuple[Residual, NDArray[np.int8], Array]:
         """What `at` misses, its states (m,), and its gaps and slips w (n,)."""

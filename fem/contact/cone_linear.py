@@ -2,6 +2,7 @@
 
 Multipliers are l = Q x: pressures with the friction of slipping nodes, then what sticks, then
 friction across the direction of slip. The rows are P' w, with P' l = x, and the balance of forces.
+P and Q (n, unknowns) are never made: they pick rows and combine two or three of them.
 """
 
 from dataclasses import dataclass
@@ -9,7 +10,6 @@ from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import csr_array
 
 from fem.contact.complementarity import OPEN, STICK
 from fem.contact.cone import SLIP, Cone
@@ -39,7 +39,7 @@ class Linearised:
     def newton(self) -> State:
         """Where Newton's step leads; ArithmeticError where the system is singular."""
         x = self.scale * _solved(self._scaled, self.scale * self._known)
-        return State(self._directions[1] @ x[: -self._motions or None], x[x.size - self._motions :])
+        return State(self._multipliers(x[: x.size - self._motions]), x[x.size - self._motions :])
 
     def bordered(self, rate: Rate, row: Array, t: float, to: float) -> tuple[Array, float]:
         """The solution (n + k + 1,) on `row` z = `to`, of z = (l, a, t), and the sign of det.
@@ -48,17 +48,16 @@ class Linearised:
         the right side is zero but for `to`: the result is the tangent, of any length.
         """
         n, k = self.cone.D.shape
-        Q = self._directions[1]
         change = np.zeros(n)
         for i, tau in enumerate((self.cone.t, self.cone.z)):
             slip = self._slip
             pressure = self.at.multipliers[self.cone.rough[slip]]
             change[tau[slip]] = rate.friction[self.cone.rough[slip]] * self._d[i] * pressure
         column = np.concatenate([
-            self._directions[0].T @ (self.cone.B @ change),
+            self._unpushed(self.cone.B @ change),
             self.cone.D.T @ change - rate.K @ self.at.motion,
         ])  # fmt: skip
-        across = np.concatenate([Q.T @ row[:n], row[n : n + k]])
+        across = np.concatenate([self._pushed(row[:n]), row[n : n + k]])
         last = row[-1] + row[:n] @ change
         A = np.block([
             [self._scaled, (self.scale * column)[:, None]],
@@ -75,7 +74,7 @@ class Linearised:
         sign = float(np.linalg.slogdet(A)[0])
         y = np.linalg.solve(A, known) if sign else np.full(known.size, np.nan)
         x = self.scale * y[:-1]
-        multipliers = Q @ x[: x.size - k] + (y[-1] - there) * change
+        multipliers = self._multipliers(x[: x.size - k]) + (y[-1] - there) * change
         return np.concatenate([multipliers, x[x.size - k :], y[-1:]]), sign
 
     @property
@@ -98,47 +97,72 @@ class Linearised:
         return np.asarray(trial / np.hypot(*trial))
 
     @cached_property
-    def _directions(self) -> tuple[csr_array, csr_array]:
-        """P and Q (n, unknowns)."""
-        cone, slip, d = self.cone, self._slip, self._d
+    def _places(self) -> tuple[Indices, Indices, Indices]:
+        """Rows of the pressures and of what sticks; slipping rows (2, slipping); their pressures.
+
+        The last are places among the unknowns.
+        """
+        cone, slip = self.cone, self._slip
         closed = np.flatnonzero(self.states != OPEN)
         stick = np.flatnonzero(self.states[cone.rough] == STICK)
         x = np.concatenate([closed, cone.t[stick], cone.z[stick]])
-        across = x.size + np.arange(slip.size)
-        tau = np.concatenate([cone.t[slip], cone.z[slip]])
-        shape = len(cone.B), x.size + slip.size
-        entries = np.concatenate([np.ones(x.size), -d[1], d[0]])
-        rows = np.concatenate([x, tau])
-        columns = np.concatenate([np.arange(x.size), across, across])
-        P = csr_array((entries, (rows, columns)), shape)
-        dragged = np.tile(np.searchsorted(closed, cone.rough[slip]), 2)
-        drag = (self.task.friction[cone.rough[slip]] * d).ravel()
-        return P, (P + csr_array((drag, (tau, dragged)), shape)).tocsr()
+        tau = np.array([cone.t[slip], cone.z[slip]])
+        return x, tau, np.searchsorted(closed, cone.rough[slip])
+
+    @cached_property
+    def _drag(self) -> Array:
+        """Friction (2, slipping) of slipping nodes under unit pressure."""
+        return np.asarray(self.task.friction[self.cone.rough[self._slip]] * self._d)
+
+    def _unpushed(self, rows: Array) -> Array:
+        """M P (..., unknowns) of `rows` M (..., n)."""
+        x, (t, z), _ = self._places
+        across = rows[..., t] * -self._d[1] + rows[..., z] * self._d[0]
+        return np.concatenate([rows[..., x], across], axis=-1)
+
+    def _pushed(self, rows: Array) -> Array:
+        """M Q (..., unknowns) of `rows` M (..., n)."""
+        _, (t, z), pressed = self._places
+        found = self._unpushed(rows)
+        found[..., pressed] += rows[..., t] * self._drag[0]
+        found[..., pressed] += rows[..., z] * self._drag[1]
+        return found
+
+    def _multipliers(self, unknowns: Array) -> Array:
+        """Q x (n,) of `unknowns` x."""
+        x, (t, z), pressed = self._places
+        found, pressure, across = np.zeros(len(self.cone.B)), unknowns[pressed], unknowns[x.size :]
+        found[x] = unknowns[: x.size]
+        found[t] = self._drag[0] * pressure - self._d[1] * across
+        found[z] = self._drag[1] * pressure + self._d[0] * across
+        return found
 
     @cached_property
     def scale(self) -> Array:
         """Units of the unknowns, in which the system is about one."""
-        P, own = self._directions[0], self.cone.stiffness
-        stiff = np.asarray(P.multiply(P).T @ np.diag(self.cone.B))
+        (x, (t, z), _), own, yields = self._places, self.cone.stiffness, self.cone.yields
+        across = self._d[1] ** 2 * yields[t] + self._d[0] ** 2 * yields[z]
+        stiff = np.concatenate([yields[x], across])
         least = NEGLIGIBLE * own.max(initial=0.0) or 1.0
         return np.asarray(1 / np.sqrt(np.concatenate([stiff, np.maximum(own, least)])))
 
     @cached_property
     def _scaled(self) -> Array:
-        (P, Q), cone, slip = self._directions, self.cone, self._slip
+        cone, slip = self.cone, self._slip
         pressure, trial = self._trial
         limit = (self.task.friction * pressure)[cone.rough[slip]]
         share = limit / np.hypot(*trial[:, slip])
-        A = (Q.T @ (P.T @ cone.B).T).T
+        A = self._pushed(self._unpushed(cone.B.T).T)
         # the friction turns towards what slips across, the more the less has slipped
         across = len(A) - slip.size + np.arange(slip.size)
         A[across, across] += (1 - share) / (share * cone.augmentation[1][slip])
-        A = np.block([[A, P.T @ cone.D], [(Q.T @ cone.D).T, -self.task.K]])
+        D = self._unpushed(cone.D.T).T
+        A = np.block([[A, D], [self._pushed(cone.D.T), -self.task.K]])
         return np.asarray(self.scale[:, None] * A * self.scale)
 
     @cached_property
     def _known(self) -> Array:
-        return -np.concatenate([self._directions[0].T @ self.task.w_0, self.task.e])
+        return -np.concatenate([self._unpushed(self.task.w_0), self.task.e])
 
 
 def _solved(A: Array, known: Array) -> Array:

@@ -55,26 +55,42 @@ class System:
         D[:n, :k], D[n:, k:] = plane.D, D_z
         return cls(B=B, D=D, friction=plane.friction, rough=np.flatnonzero(plane.partner >= 0))
 
-    @property
+    @cached_property
     def t(self) -> Indices:
         """Rows (r,) of friction along the surface."""
         return self.friction.size + np.arange(self.rough.size)
 
-    @property
+    @cached_property
     def z(self) -> Indices:
         """Rows (r,) of friction along z."""
         return self.t + self.rough.size
 
     @cached_property
+    def tau(self) -> Indices:
+        """Rows (2, r) of friction, along the surface and along z."""
+        return np.array([self.t, self.z])
+
+    @cached_property
+    def yields(self) -> Array:
+        """Diagonal (n,) of B."""
+        return np.diag(self.B).copy()
+
+    @cached_property
+    def reach(self) -> Array:
+        """Sums (k,) of what rows move with unit motions; 1 where none moves."""
+        reach = np.abs(self.D).sum(axis=0)
+        return np.where(reach > 0, reach, 1.0)
+
+    @cached_property
     def augmentation(self) -> tuple[Array, Array]:
         """c_n (m,) and c (r,): pressures that close unit weighted gaps and slips."""
-        yields = np.diag(self.B)
+        yields = self.yields
         return 1 / yields[: self.friction.size], 1 / np.sqrt(yields[self.t] * yields[self.z])
 
     @cached_property
     def stiffness(self) -> Array:
         """The contact's stiffness (k,) against motions."""
-        return np.asarray((self.D**2 / np.diag(self.B)[:, None]).sum(axis=0))
+        return np.asarray((self.D**2 / self.yields[:, None]).sum(axis=0))
 
     @cached_property
     def _resisted(self) -> Array:
