@@ -244,12 +244,13 @@ class ContactProblem:
         else:
             before = None if after is None or after.along is None else (after.rest, after.along)
             rest, along = self.along.solve(interface, w, e, pull, before, closing, in_plane)
-        self._check_small(interface, responses, rest, after)
-        return ContactSolution(
+        found = ContactSolution(
             bodies=self.bodies, interface=interface, actions=tuple(actions),
             responses=tuple(responses), rest=rest, slips_before=slips, along=along,
             e=e, w=w + kernel.B @ rest.multipliers + kernel.D @ rest.motion,
         )  # fmt: skip
+        self._check_small(found, after)
+        return found
 
     def _no_gap(self, interface: Interface) -> Array:
         """Weighted gaps (m,) up to which surfaces touch, but for round-off."""
@@ -327,20 +328,18 @@ class ContactProblem:
             self._shifts[key] = interface.shift(response)
         return self._shifts[key]
 
-    def _check_small(
-        self, interface: Interface, responses: Sequence[tuple[float, Response]], rest: Rest,
-        after: ContactSolution | None,
-    ) -> None:  # fmt: skip
+    def _check_small(self, found: ContactSolution, after: ContactSolution | None) -> None:
         """NotFoundError where bodies move by far more than they deform and gaps that they close.
 
         Only the facets of the mesh stop such motions; the assumption of small motions has ended.
         Motions count from the step before, and deformations of both steps.
         """
+        rest = found.rest
         if not (rest.motion.size and np.any(rest.multipliers)):
             return  # where nothing touches, bodies rest in any place
-        size, motion = self._deformation(interface, responses, rest), rest.motion
-        if after is not None and after.interface is interface:
-            size = max(size, self._deformation(interface, after.responses, after.rest))
+        size, motion = self._deformation(found), rest.motion
+        if after is not None and after.interface is found.interface:
+            size = max(size, self._deformation(after))
             motion = motion - after.rest.motion
         moved = float(np.abs(self.bodies.motions @ motion).max())
         if moved > RUNAWAY * size:
@@ -349,14 +348,11 @@ class ContactProblem:
                 f"{self.bodies.named(motion)}, by {moved:.3g} where surfaces deform by {size:.3g}"
             )
 
-    def _deformation(
-        self, interface: Interface, responses: Sequence[tuple[float, Response]], rest: Rest
-    ) -> float:
+    def _deformation(self, found: ContactSolution) -> float:
         """How far surfaces deform and closed gaps were open."""
-        elastic = self.bodies.compliance(interface.C.T @ rest.multipliers)
-        elastic += sum(share * response.at_rest for share, response in responses)
-        closed = np.flatnonzero(rest.states)
-        gaps = interface.gaps[closed] / interface.sizes[closed]
+        elastic = found.yielded + sum(share * one.at_rest for share, one in found.responses)
+        closed = np.flatnonzero(found.rest.states)
+        gaps = found.interface.gaps[closed] / found.interface.sizes[closed]
         size = np.abs(elastic).max() + np.abs(gaps).max(initial=0.0)
         return float(size + ROUND_OFF * np.ptp(self.bodies.basis.mesh.p, axis=1).max())
 

@@ -210,11 +210,16 @@ class ContactSolution:
         return total
 
     @cached_property
+    def yielded(self) -> Array:
+        """How far the surface (s,) gives way to the contact forces, but for rigid motions."""
+        return self.bodies.compliance(self.interface.C.T @ self.rest.multipliers)
+
+    @cached_property
     def displacements(self) -> Array:
         """Of all unknowns: those of the mesh, then x, y and rotation of each obstacle."""
         b, i, rest = self.bodies, self.interface, self.rest
         pushed = i.C.T @ rest.multipliers
-        surface = self.total.at_rest + b.compliance(pushed) + b.motions @ rest.motion
+        surface = self.total.at_rest + self.yielded + b.motions @ rest.motion
         forces = self.total.load.copy()
         forces[b.condensed.surface] += pushed
         q = b.condensed.inside(forces, self.total.on_surface + pushed, surface)
