@@ -125,9 +125,10 @@ class RotatingSolid:
 
         ArithmeticError where a mode misses balance by more than 1e-5 of its elastic forces.
         """
-        K, M, G, size = self.K, self.M, self.G, self.K.shape[0]
+        K, M, size = self.K, self.M, self.K.shape[0]
         if not np.isfinite(speed) or not 1 <= count < size // 2:
             raise ValueError(f"modes need a finite speed and count >= 1, got {speed:g}, {count}")
+        G = self.G if speed else csr_array((size, size))
 
         last = np.zeros(size)
 
