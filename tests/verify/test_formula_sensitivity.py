@@ -90,17 +90,7 @@ def excess(case, values, other):
     return beyond
 
 
-# Cases whose formulas take over 0.7 s, four times each.
-SLOW = (
-    "contact-roller", "contact-roller-tilted", "polyhedral-clutch", "sprag-clutch", "sprag-crown",
-    "sprag-engagement", "sprag-wedge", "spring-stages",
-)  # fmt: skip
-
-
-@pytest.mark.parametrize(
-    "case",
-    [pytest.param(c, id=c.id, marks=pytest.mark.soak if c.id in SLOW else ()) for c in CASES],
-)
+@pytest.mark.parametrize("case", [pytest.param(case, id=case.id) for case in CASES])
 def test_formulas_move_no_further_than_their_inputs_let_them(case):
     inputs, values = case.inputs(), of_paper(case.id)
     for seed in SEEDS:
