@@ -94,6 +94,7 @@ def test_the_sphere_s_own_logarithm_shows_in_the_peak_pressure(judged, red, monk
 
 
 # Faults of the finite elements: solved anew on coarse meshes.
+@pytest.mark.soak  # finite elements solved anew for every fault
 @pytest.mark.parametrize(
     ("owner", "name", "fault"),
     [

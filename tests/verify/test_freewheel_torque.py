@@ -256,7 +256,14 @@ def test_intervals_lie_about_the_formulas_and_are_no_wider_than_what_they_are_fo
     assert -0.05 < low < 0 < high < 0.02
 
 
-@pytest.mark.parametrize("change", KNOWN[1:])
+# A sweep of another clutch takes seconds: one in every run.
+SWEPT = [
+    KNOWN[1],
+    *(pytest.param(*known.values, id=known.id, marks=pytest.mark.soak) for known in KNOWN[2:]),
+]
+
+
+@pytest.mark.parametrize("change", SWEPT)
 def test_intervals_hold_what_finite_elements_say_of_other_clutches(change):
     q = FreewheelTorque(**change)
     sweep, v = Sweep(q, 5), TORQUE.analytic(q)

@@ -76,7 +76,7 @@ def test_another_reading_or_a_wrong_formula_turns_its_row_red(
     assert row in found
 
 
-# Maps that take seconds each; four others are drawn in every run.
+# Maps that take seconds each; two others are drawn in every run.
 SOAK = pytest.mark.soak
 ODD = [
     pytest.param({"delta_1": "0.4 mm", "rho": "0.3 mm"}, id="thin", marks=SOAK),
@@ -85,8 +85,8 @@ ODD = [
     pytest.param({"rho": "20 mm"}, id="round corners", marks=SOAK),
     pytest.param({"d": "0.1 mm"}, id="needles", marks=SOAK),
     pytest.param({"d": "1000 mm"}, id="rollers that never fit"),
-    pytest.param({"j_D": "1.5 mm"}, id="large clearance"),
-    pytest.param({"E": "0.01 GPa", "nu": 0.0}, id="soft"),
+    pytest.param({"j_D": "1.5 mm"}, id="large clearance", marks=SOAK),
+    pytest.param({"E": "0.01 GPa", "nu": 0.0}, id="soft", marks=SOAK),
     pytest.param({"d_e": "0.08 mm", "delta_1": "0.004 mm", "j_D": "6e-5 mm", "rho": "0.002 mm",
                   "d": "0.01 mm"}, id="tiny"),
 ]  # fmt: skip
