@@ -13,10 +13,10 @@ import pytest
 CHROMIUM = next(
     filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), ""
 )
-NEEDS_CHROMIUM = [
-    pytest.mark.skipif(not CHROMIUM, reason="no chromium: the page is not looked at in a browser"),
-    pytest.mark.xdist_group("browser"),
-]
+NO_CHROMIUM = pytest.mark.skipif(
+    not CHROMIUM, reason="no chromium: the page is not looked at in a browser"
+)
+NEEDS_CHROMIUM = [NO_CHROMIUM, pytest.mark.xdist_group("browser")]
 OFFLINE = ("--host-resolver-rules=MAP * ~NOTFOUND", "--disable-background-networking",
            "--disable-component-update", "--disable-sync", "--no-first-run")  # fmt: skip
 DARK = "--blink-settings=preferredColorScheme=0"
@@ -55,3 +55,38 @@ def looked_at(
     result = json.loads(html.unescape(found[1]))
     result["console"] = re.findall(r"CONSOLE.*", done.stderr)
     return result
+
+
+def sheets(folder: Path, name: str) -> int:
+    """Sheets of the page `name` as the browser prints it."""
+    target = folder / f"{name}.pdf"
+    browse(folder, "--no-pdf-header-footer", f"--print-to-pdf={target}",
+           (folder / f"{name}.html").as_uri())  # fmt: skip
+    data = target.read_bytes()
+    assert data.startswith(b"%PDF")
+    return len(re.findall(rb"/Type\s*/Page\b", data))
+
+
+def assert_silent(seen: dict[str, object]) -> None:
+    assert seen["overflow"] <= 0, seen["widest"]
+    assert seen["console"] == []
+    assert seen["requests"] == []
+    assert not seen["alerts"]
+    assert seen["canvases"] == seen["painted"]
+    assert seen["spilled"] == []
+
+
+def assert_legible(seen: dict[str, object], flags: tuple[str, ...]) -> None:
+    assert bool(seen["dark"]) == bool(flags)
+    assert seen["texts"] > 500
+    assert seen["contrast"] >= 4.5, seen["faintest"]  # WCAG 2, level AA
+
+
+def assert_links(seen: dict[str, object], width: int, least: int) -> None:
+    """Every link leads to a place in sight below a menu of one line; there are `least` at least."""
+    assert seen["menu_lines"] == 1
+    assert seen["menu_height"] < 50
+    assert seen["menu_links"] >= 9
+    assert width < 1400 or seen["menu_hidden"] <= 0
+    assert seen["links"] > least
+    assert seen["problems"] == []

@@ -1,4 +1,4 @@
-"""One judged run for all report tests, and the same with hostile texts and every status."""
+"""A judged run of a case of each subject for the report tests, with hostile texts, and of all."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -8,24 +8,45 @@ import pytest
 
 from reports.write import write
 from verify.app.commands import make_report
-from verify.cases.registry import CASES
+from verify.cases.registry import CASES, find
 from verify.core.figures import Band, Campbell, Curve, Curves, Mode, Parallel, ParallelAxis, Whirl
 from verify.core.results import Kind, Partner, Published, Report, Row, Status
 from verify.jobs.cache import default_folder
 
 HOSTILE = "<script>alert(\"1\")</script> & 'x' \x07"
 NAME = " ".join(["word"] * 18)  # 90 letters
+SOME = (
+    "ring-lame", "polyhedral-ring", "freewheel-torque", "sprag-wedge", "spring-accordion",
+    "spring-map", "contact-roller-flat", "rotor-system",
+)  # fmt: skip
 PRINTED = Published(document="d", id="i", place="p", kind="theory", printed="1.97×10^-4",
                     value=1.97e-4, unit="kg m^2")  # fmt: skip
 
 
 @pytest.fixture(scope="session")
 def report(of_paper) -> Report:
+    """A case of each subject and a map; what asks for every case takes `whole`."""
+    cases = [find(name) for name in SOME]
+    return make_report([of_paper(c) for c in cases], cases, 1.0)
+
+
+@pytest.fixture(scope="session")
+def whole(of_paper) -> Report:
+    """Every case of the suite."""
     return make_report([of_paper(c) for c in CASES], CASES, 1.0)
 
 
 @pytest.fixture(scope="session")
 def hostile(report) -> Report:
+    return made_hostile(report)
+
+
+@pytest.fixture(scope="session")
+def hostile_whole(whole) -> Report:
+    return made_hostile(whole)
+
+
+def made_hostile(report: Report) -> Report:
     """The same report with markup in every text that a user may bring, and one row per status."""
     first, *others = report.cases
     rows = tuple(
@@ -43,7 +64,7 @@ def hostile(report) -> Report:
 
 @pytest.fixture(scope="session")
 def written(report, tmp_path_factory) -> Path:
-    """The folder of the whole report, written once for tests that only read it."""
+    """The folder of the report, written once for tests that only read it."""
     folder = tmp_path_factory.mktemp("written")
     write(report, folder, cache=default_folder())
     return folder

@@ -1,4 +1,7 @@
-"""The page in a real browser without network: silent, narrow enough, readable, filterable."""
+"""The page in a real browser without network: silent, narrow enough, readable, filterable.
+
+A case of each subject; test_whole looks at the page of every case.
+"""
 
 import re
 from dataclasses import replace
@@ -10,7 +13,16 @@ import pytest
 from reports.equations import Glyphs
 from reports.frames import frames
 from reports.html import page
-from tests.reports.browser import DARK, NEEDS_CHROMIUM, browse, looked_at
+from tests.reports.browser import (
+    DARK,
+    NEEDS_CHROMIUM,
+    assert_legible,
+    assert_links,
+    assert_silent,
+    browse,
+    looked_at,
+    sheets,
+)
 from tests.reports.conftest import NAME
 from tests.reports.paths import walked
 from verify.jobs.cache import default_folder
@@ -29,20 +41,9 @@ def folder(tmp_path_factory, report, hostile) -> Path:
     return place
 
 
-@pytest.mark.parametrize("name", ["report", "hostile"])
-@pytest.mark.parametrize("width", [390, 1280])
+@pytest.mark.parametrize(("name", "width"), [("hostile", 390), ("hostile", 1280), ("report", 1280)])
 def test_nothing_scrolls_sideways_and_the_console_is_silent(folder, name, width):
-    seen = looked_at(folder, name, width)
-    assert seen["overflow"] <= 0, seen["widest"]
-    assert seen["console"] == []
-    assert seen["requests"] == []
-    assert not seen["alerts"]
-    assert seen["canvases"] == seen["painted"]
-    assert seen["spilled"] == []
-
-
-def test_the_rows_of_all_cases_fit_a_wide_page(folder):
-    assert looked_at(folder, "report", 1400)["wider"] <= 0
+    assert_silent(looked_at(folder, name, width))
 
 
 @pytest.fixture(scope="module")
@@ -64,10 +65,7 @@ def test_the_table_of_rows_fits_its_frame(wordy_folder, width):
 
 @pytest.mark.parametrize("flags", [(), (DARK,)], ids=["light", "dark"])
 def test_every_word_stands_out_from_its_ground(folder, flags):
-    seen = looked_at(folder, "hostile", 1280, *flags)
-    assert bool(seen["dark"]) == bool(flags)
-    assert seen["texts"] > 500
-    assert seen["contrast"] >= 4.5, seen["faintest"]  # WCAG 2, level AA
+    assert_legible(looked_at(folder, "hostile", 1280, *flags), flags)
 
 
 def test_a_tile_shows_the_rows_of_its_status(folder):
@@ -78,47 +76,25 @@ def test_a_tile_shows_the_rows_of_its_status(folder):
         assert seen["hidden"][status] == 0  # rows of another status that stay visible
 
 
-def test_it_opens_in_a_few_seconds(folder):
-    """All cases on one page; the other tests run meanwhile."""
-    assert looked_at(folder, "report", 1280)["milliseconds"] < 10_000
-
-
 def test_it_prints(folder, report):
-    """On fewer than eight sheets a case."""
-    target = folder / "print.pdf"
-    browse(folder, "--no-pdf-header-footer", f"--print-to-pdf={target}",
-           (folder / "report.html").as_uri())  # fmt: skip
-    data = target.read_bytes()
-    assert data.startswith(b"%PDF")
-    assert 10 < len(re.findall(rb"/Type\s*/Page\b", data)) < 8 * len(report.cases)
+    """On fewer than eight sheets a case, and as many again with the ledgers, which are whole."""
+    assert 10 < sheets(folder, "report") < 16 * len(report.cases)
 
 
-@pytest.mark.parametrize(("name", "width"), [("report", 1400), ("report", 400), ("hostile", 1400)])
+@pytest.mark.parametrize(("name", "width"), [("report", 1400), ("hostile", 400)])
 def test_every_link_leads_to_a_place_in_sight_below_a_menu_of_one_line(folder, name, width):
-    seen = looked_at(folder, name, width, host="links_host.html")
-    assert seen["menu_lines"] == 1
-    assert seen["menu_height"] < 50
-    assert seen["menu_links"] >= 9
-    assert width < 1400 or seen["menu_hidden"] <= 0
-    assert seen["links"] > 600
-    assert seen["problems"] == []
+    assert_links(looked_at(folder, name, width, host="links_host.html"), width, 150)
 
 
 @pytest.mark.parametrize("width", [400, 1400])
 def test_a_link_shows_a_row_that_a_filter_hides(folder, width):
     seen = looked_at(folder, "report", width, host="links_host.html", status="skip")
-    assert seen["links"] == 20
+    assert seen["links"] >= 4
     assert seen["problems"] == []
 
 
-def test_no_label_of_the_overview_lies_on_another(folder, report):
-    seen = looked_at(folder, "report", 1280)
-    assert seen["labels"] == len(report.cases) + DECADES
-    assert seen["overprinted"] == seen["outside"] == []
-
-
 @pytest.mark.parametrize("name", ["", NAME])
-def test_nor_in_a_report_of_few_cases(folder, report, name):
+def test_no_label_of_the_overview_lies_on_another(folder, report, name):
     cases = tuple(replace(case, name=name) for case in report.cases[:3])
     few = replace(report, name=name, cases=cases, tables=(), validity=(), budgets=())
     (folder / "few.html").write_text(page(few, {}, Glyphs(default_folder())), "utf-8")

@@ -22,10 +22,12 @@ from reports.budget import (
     waterfall,
 )
 from reports.budget_table import budget_csv
+from reports.equations import Glyphs
 from reports.html import page
 from reports.pdf_budget import budget_data
 from reports.records import report_record
 from verify.core.results import BudgetJoint, BudgetPart, CaseBudget, Kind, Report, RowBudget
+from verify.jobs.cache import default_folder
 
 ROW = RowBudget(
     quantity="K of <the> paper", symbol="K", kind=Kind.APPROXIMATION, total=-0.08, U=1e-3,
@@ -163,16 +165,16 @@ def test_what_is_not_taken_apart_is_one_sentence_with_its_reasons(one):
     )
     assert left(budget) == said
     assert left(BUDGET) == ""
-    assert said in page(replace(one, budgets=(budget,)), {})
+    assert said in page(replace(one, budgets=(budget,)), {}, Glyphs(default_folder()))
     assert "not taken apart: no rerun" in budget_csv([budget])
 
 
 def test_the_lead_says_that_a_closed_chain_is_no_evidence(one):
-    assert "the last one closes the sum by itself" in page(one, {})
+    assert "the last one closes the sum by itself" in page(one, {}, Glyphs(default_folder()))
 
 
 def test_the_page_has_budgets_and_says_what_is_not_measured(one):
-    text = page(one, {})
+    text = page(one, {}, Glyphs(default_folder()))
     assert '<section id="budget">' in text
     assert "measured 2026-11-23" in text
     assert "Not measured for this code: freewheel deep budget:ring-lame does it." in text
@@ -180,7 +182,7 @@ def test_the_page_has_budgets_and_says_what_is_not_measured(one):
 
 
 def test_a_page_without_budgets_has_no_section(one):
-    assert 'id="budget"' not in page(replace(one, budgets=()), {})
+    assert 'id="budget"' not in page(replace(one, budgets=()), {}, Glyphs(default_folder()))
 
 
 def test_the_pdf_has_the_table_of_the_row_that_is_drawn():

@@ -6,10 +6,12 @@ import pytest
 from scipy.stats import binomtest
 
 from reports.caught import in_words, interval, moved, share, survivors
+from reports.equations import Glyphs
 from reports.html import page
 from reports.pdf_data import document
 from reports.records import report_record
 from verify.core.results import Caught, MutantGroup, Report, Survivor
+from verify.jobs.cache import default_folder
 
 GROUP = MutantGroup(
     name="formulas", all=13000, tried=200, rows=150, tests=44, survived=6, apart=9
@@ -43,7 +45,7 @@ def one(wordy) -> Report:
 
 
 def section(report: Report) -> str:
-    text = page(report, {})
+    text = page(report, {}, Glyphs(default_folder()))
     return text[text.index('<section id="caught">') : text.index('<section id="provenance">')]
 
 
@@ -113,7 +115,7 @@ def test_what_is_not_measured_says_so_and_nothing_else(one):
 
 
 def test_a_report_on_one_s_own_parameters_has_no_section(one):
-    text = page(replace(one, caught=None), {})
+    text = page(replace(one, caught=None), {}, Glyphs(default_folder()))
     assert 'id="caught"' not in text
     assert 'href="#caught"' not in text
 

@@ -12,6 +12,7 @@ import pytest
 import reports
 from reports.crosscheck import crosscheck_data, left_out_data, problems, told
 from reports.crosscheck_table import crosscheck_csv
+from reports.equations import Glyphs
 from reports.html import page
 from reports.pdf_data import document
 from reports.records import report_record
@@ -19,6 +20,7 @@ from reports.richtext import _plain
 from reports.rows import rows_csv
 from reports.second import COLUMNS, apart, seconds, value
 from verify.core.results import Crosscheck, CrossState, Report
+from verify.jobs.cache import default_folder
 
 AGREES = Crosscheck(
     case="ring-lame", problem="ring-lame, plane strain", what="a quarter & more",
@@ -48,7 +50,7 @@ def checked(wordy) -> Report:
 
 
 def test_the_page_has_a_table_of_its_own(checked):
-    html = page(checked, {})
+    html = page(checked, {}, Glyphs(default_folder()))
     section = html.partition('<section id="crosscheck">')[2].partition("</section>")[0]
     assert "1 of 2 agree; 1 problem is not measured" in section
     assert "a quarter &amp; more" in section
@@ -59,7 +61,7 @@ def test_the_page_has_a_table_of_its_own(checked):
 
 
 def test_a_case_that_no_solver_takes_says_why(checked):
-    html = page(replace(checked, crosschecks=(AGREES, ALONE)), {})
+    html = page(replace(checked, crosschecks=(AGREES, ALONE)), {}, Glyphs(default_folder()))
     section = html.partition('<section id="crosscheck">')[2].partition("</section>")[0]
     assert "1 case has no second solver, and says why" in section
     assert "Nobody" in section
@@ -69,12 +71,13 @@ def test_a_case_that_no_solver_takes_says_why(checked):
 
 
 def test_a_report_without_comparisons_says_nothing_of_them(checked):
-    assert "Second solvers" not in page(replace(checked, crosschecks=()), {})
+    html = page(replace(checked, crosschecks=()), {}, Glyphs(default_folder()))
+    assert "Second solvers" not in html
 
 
 def test_what_is_of_no_case_of_the_report_is_left_out(checked):
     other = replace(checked, crosschecks=(replace(AGREES, case="rotor-step"),))
-    assert "Second solvers" not in page(other, {})
+    assert "Second solvers" not in page(other, {}, Glyphs(default_folder()))
     assert document(other, {})["crosschecks"] == []
 
 
@@ -119,7 +122,7 @@ def beside(wordy) -> Report:
 
 
 def test_a_row_shows_the_second_solver_and_leads_to_its_line(beside):
-    html = page(beside, {})
+    html = page(beside, {}, Glyphs(default_folder()))
     cell = html.partition('<td role="cell" class="n fe')[2].partition("</td>")[0]
     assert cell.count('href="#cross-') == 1
     assert 'href="#cross-0"' in cell
@@ -130,7 +133,8 @@ def test_a_row_shows_the_second_solver_and_leads_to_its_line(beside):
 
 
 def test_what_belongs_to_no_row_stands_at_the_head_of_its_case(beside):
-    head = page(beside, {}).partition('id="case-ring-lame"')[2].partition("</header>")[0]
+    html = page(beside, {}, Glyphs(default_folder()))
+    head = html.partition('id="case-ring-lame"')[2].partition("</header>")[0]
     assert 'href="#cross-1">rim</a>' in head
     assert 'href="#cross-2">a sum</a>' in head
     assert "#cross-0" not in head
@@ -138,7 +142,7 @@ def test_what_belongs_to_no_row_stands_at_the_head_of_its_case(beside):
 
 
 def test_a_row_without_a_second_solver_says_nothing_of_it(beside):
-    bare = page(replace(beside, crosschecks=(STALE,)), {})
+    bare = page(replace(beside, crosschecks=(STALE,)), {}, Glyphs(default_folder()))
     assert "Second solver," not in bare
     assert "#cross-" not in bare
 

@@ -3,6 +3,7 @@
 import pytest
 
 from reports.mathematics import tree
+from verify.cases.registry import CASES
 
 
 def letters(word):
@@ -58,8 +59,9 @@ def formulas(report):
         yield e["tex"]
     for e in report.errata:
         yield from (e["printed_tex"], e["right_tex"])
-    for case in report.cases:
-        for e in case.equations:
+    for case in CASES:
+        inputs = case.inputs()
+        for e in case.equations(inputs, case.analytic(inputs)):
             yield from (e.tex, e.numbers)
 
 

@@ -14,7 +14,10 @@ from reports.equations import Glyphs
 from reports.html import page
 from reports.pdf_data import document
 from tests.verify.test_published_tables import PRINTED
+from verify.app.commands import make_report
+from verify.cases.registry import find
 from verify.core import units
+from verify.core.results import Report
 from verify.jobs.cache import default_folder
 from verify.papers.ledger import papers, published
 from verify.papers.tables import referred
@@ -38,6 +41,11 @@ PLACES = [
     ("k_2", "Experiment", "k_2 of that reading against the paper's test", "0.7269"),
     ("k_2", "Experiment", "k_2 of the closed form against the paper's test", "0.760666"),
 ]
+CLAIMING = (
+    "ring-lame", "ring-loads-outer", "ring-loads-inner", "ring-rotation", "sprag-wedge",
+    "sprag-engagement", "sprag-clutch", "sprag-crown", "sprag-optimum", "sprag-optimum-40",
+    "spring-accordion", "spring-stages", "spring-width", "spring-curve", "spring-map",
+)  # fmt: skip
 WHICH = pytest.mark.parametrize("which", PRINTED, ids=" ".join)
 
 
@@ -56,6 +64,13 @@ def words(markup: str) -> str:
 
 def cells(row: str) -> list[str]:
     return [words(cell) for cell in re.findall(r"<t[dh][^>]*>(.*?)</t[dh]>", row, re.DOTALL)]
+
+
+@pytest.fixture(scope="module")
+def report(of_paper) -> Report:
+    """The cases whose rows or inputs are numbers of the tables."""
+    cases = [find(name) for name in CLAIMING]
+    return make_report([of_paper(case) for case in cases], cases, 1.0)
 
 
 @pytest.fixture(scope="module")

@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 
 from reports import readings, since
+from reports.equations import Glyphs
 from reports.html import page as with_equations_drawn
 from reports.pdf import pdf
 from reports.records import report_record
@@ -16,7 +17,7 @@ from verify.studies.readings.tried import searches
 
 def page(report, frames):
     """The page, with the equations that earlier runs drew."""
-    return with_equations_drawn(report, frames, default_folder())
+    return with_equations_drawn(report, frames, Glyphs(default_folder()))
 
 
 STILL = Drift(release="0.1.0", date="2026-01-01", commit="abc", compared=89, tightened=0)

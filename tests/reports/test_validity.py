@@ -6,6 +6,7 @@ from dataclasses import replace
 import pytest
 from markupsafe import Markup
 
+from reports.equations import Glyphs
 from reports.html import page
 from reports.pdf_data import document
 from reports.records import report_record
@@ -19,6 +20,7 @@ from verify.core.results import (
     ValidityLimit,
     ValidityRegion,
 )
+from verify.jobs.cache import default_folder
 
 Z = ValidityAxis(name="z", symbol="z", unit="1", values=(3.0, 6.0, 12.0), nominal=6.0)
 D = ValidityAxis(name="d", symbol="δ_1", unit="mm", values=(2.0, 4.0), nominal=4.0)
@@ -69,7 +71,7 @@ def said(runs) -> str:
 
 
 def section(report: Report) -> str:
-    text = page(report, {})
+    text = page(report, {}, Glyphs(default_folder()))
     return text[text.index('<section id="validity">') : text.index('<div id="cases">')]
 
 
@@ -105,7 +107,7 @@ def test_what_is_not_measured_says_so_and_how_to(one):
 
 
 def test_a_report_without_cards_has_no_section(one):
-    text = page(replace(one, validity=()), {})
+    text = page(replace(one, validity=()), {}, Glyphs(default_folder()))
     assert 'id="validity"' not in text
     assert 'href="#validity"' not in text
 

@@ -7,11 +7,15 @@ import sys
 
 import pytest
 
+from verify.cases.registry import find
 from verify.core.inputs import InputError
+from verify.core.results import Status
 from verify.core.store import Store
 from verify.jobs.engine import Engine, GoneError
 from verify.jobs.executor import Drive, Here, Lost, Where, local
+from verify.jobs.level import Job
 from verify.jobs.processes import WorkerDiedError
+from verify.jobs.scheduler import run
 
 
 @pytest.mark.parametrize(
@@ -92,6 +96,19 @@ def test_an_engine_that_is_gone_while_a_task_dies_ends_the_run():
 
 
 def test_a_dask_cluster_judges_as_processes_do(tmp_path):
+    case = find("polyhedral-pressure")  # its levels take tenths of a second
+    rows = []
+    for engine in ("local", "dask"):
+        folder, where = tmp_path / engine, Where(jobs=2, engine=engine)
+        (result,) = run([Job(case, case.inputs())], engine=where.entered(), cache_folder=folder)
+        rows.append(result.rows)
+        assert len(Store(folder).all("level", case.id)) == len(case.levels)
+    assert rows[0] == rows[1]
+    assert {row.status for row in rows[0]} == {Status.PASS}
+
+
+@pytest.mark.soak  # two commands that write whole reports
+def test_the_command_on_a_dask_cluster_judges_as_on_processes(tmp_path):
     rows = []
     for engine in ("local", "dask"):
         done = subprocess.run(

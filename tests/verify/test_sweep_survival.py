@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from tests.verify.sweep_files import RING, points
+from verify.app.cli import run
 
 POINTS = 24
 VARY = ("--vary", "z=3:8:6", "--vary", "delta_1=3mm:5mm:2", "--vary", "rho=1mm:2mm:2")
@@ -19,18 +20,21 @@ ONLY = ("--only", "K in the middle of the flats")
 SECONDS = 120.0
 
 
+def command(folder):
+    return ["sweep", str(folder / "ring.toml"), *VARY, *ONLY, "--out", str(folder / "out")]
+
+
 def client(folder, *options):
     """A sweep as a process of its own, with its cache and its tables in `folder`."""
     (folder / "ring.toml").write_text(RING)
-    command = [
-        sys.executable, "-m", "verify", "sweep", str(folder / "ring.toml"), *VARY, *ONLY,
-        "--out", str(folder / "out"), *options,
-    ]  # fmt: skip
     return subprocess.Popen(
-        command, env=os.environ | {"FREEWHEEL_CACHE": str(folder / "cache")}, text=True,
+        [sys.executable, "-m", "verify", *command(folder), *options],
+        env=os.environ | {"FREEWHEEL_CACHE": str(folder / "cache")},
+        text=True,
         start_new_session=True,
-        stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-    )  # fmt: skip
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    )
 
 
 def ended(process):
@@ -64,7 +68,10 @@ def below(pid):
 @pytest.fixture(scope="module")
 def undisturbed(tmp_path_factory):
     folder = tmp_path_factory.mktemp("undisturbed")
-    assert ended(client(folder, "--jobs", "2"))[0] == 0
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("FREEWHEEL_CACHE", str(folder / "cache"))
+        (folder / "ring.toml").write_text(RING)
+        assert run([*command(folder), "--jobs", "1"]) == 0
     assert points(folder) == POINTS
     return table(folder)
 
@@ -143,6 +150,7 @@ def listening():
             process.wait()
 
 
+@pytest.mark.soak  # two clusters; a killed worker and client are in the other test
 def test_a_killed_scheduler_is_told_and_another_one_goes_on_with_the_same_numbers(
     undisturbed, tmp_path
 ):

@@ -8,19 +8,20 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
+EXAMPLE = ROOT / "examples" / "winkler_bach.py"  # few equations to draw
 SCRIPT = """\
 from pathlib import Path
 from verify.app.commands import run_verify
 from verify.jobs.executor import Where
 
-{guard}run_verify(["ring-lame"], quick=False, where=Where(2, "{engine}"), out=Path("out"),
+{guard}run_verify(["{case}"], quick=False, where=Where(2, "{engine}"), out=Path("out"),
            use_cache=False)
 """
 
 
-def ran(folder, guard, engine):
+def ran(folder, guard, engine, case="ring-lame"):
     script = folder / "mine.py"
-    script.write_text(SCRIPT.format(guard=guard, engine=engine))
+    script.write_text(SCRIPT.format(guard=guard, engine=engine, case=case))
     return subprocess.run(
         [sys.executable, str(script)], cwd=folder, capture_output=True, text=True, check=False,
         env=os.environ | {"PYTHONPATH": str(ROOT)}, timeout=300,
@@ -41,6 +42,6 @@ def test_without_the_guard_the_script_ends_with_one_error_that_names_it(tmp_path
 
 
 def test_with_the_guard_it_runs(tmp_path):
-    done = ran(tmp_path, 'if __name__ == "__main__":\n    ', "local")
+    done = ran(tmp_path, 'if __name__ == "__main__":\n    ', "local", EXAMPLE)
     assert done.returncode == 0, done.stderr
     assert (tmp_path / "out" / "report.html").exists()

@@ -4,11 +4,16 @@ import importlib
 import json
 import os
 import re
+from functools import cache
 from pathlib import Path
 
 import pytest
 
 from verify.app.cli import run
+from verify.cases.registry import find
+from verify.core.results import Status
+from verify.jobs.cache import default_folder
+from verify.jobs.level import Job, Solved, judge_case, solve_level
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 GUIDE = EXAMPLES.parent / "docs" / "own_case.md"
@@ -48,7 +53,17 @@ def test_wrong_formula_fails(tmp_path, monkeypatch, name, factor):
     file = tmp_path / f"{name}_{side}.py"  # a module is read once
     wrong = line.replace("return ", f"return {factor} * ")
     file.write_text(text.replace(line, wrong), encoding="utf-8")
-    assert statuses(tmp_path, monkeypatch, file)[row] == "FAIL"
+    monkeypatch.chdir(tmp_path)
+    case = find(file.name)
+    judged = judge_case(Job(case, case.inputs()), levels(name))
+    assert {r.quantity: r.status for r in judged.rows}[row] is Status.FAIL
+
+
+@cache
+def levels(name: str) -> list[Solved]:
+    """Levels of an example, whose references know nothing of the formula."""
+    case = find(os.path.relpath(EXAMPLES / f"{name}.py"))
+    return [solve_level(case, case.inputs(), level, default_folder()) for level in case.levels]
 
 
 def names_of(guide):

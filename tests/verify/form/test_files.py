@@ -9,9 +9,12 @@ from pathlib import Path
 
 import pytest
 
+from reports import write
+from reports.pdf import NotSet
 from verify.app.cli import run
 from verify.cases import files, registry
 from verify.core import source_code
+from verify.jobs import session
 
 EXAMPLE = Path(__file__).parents[3] / "examples" / "winkler_bach.py"
 OWN = """case = "{file}"
@@ -25,10 +28,16 @@ INNER = "return self.M * (self.r_n - self.r_i)"
 names = iter(range(1000))  # a module is read once: each test has a file of its own
 
 
+@pytest.fixture(scope="module")
+def cache(tmp_path_factory):
+    """Equations and levels of the files of all tests: what a file changes has keys of its own."""
+    return tmp_path_factory.mktemp("cache")
+
+
 @pytest.fixture
-def bar(tmp_path, monkeypatch):
+def printed_bar(tmp_path, monkeypatch, cache):
     """A copy of the example with replacements, and its path as the command line takes it."""
-    monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path / "cache"))
+    monkeypatch.setenv("FREEWHEEL_CACHE", str(cache))
     monkeypatch.setenv(files.FILES, "")
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(source_code, "_outside", set())
@@ -46,8 +55,22 @@ def bar(tmp_path, monkeypatch):
     files._loaded.cache_clear()
 
 
-def test_a_file_is_verified_in_worker_processes(bar, capsys):
-    assert run(["verify", bar(), "--out", "out", "--jobs", "2"]) == 0
+@pytest.fixture
+def bar(printed_bar, monkeypatch):
+    """The same, solved in this process and without a PDF, which few tests are about."""
+    right = session.run
+    here = lambda work, **more: right(work, **more | {"engine": None})  # noqa: E731
+    monkeypatch.setattr(session, "run", here)
+    monkeypatch.setattr(write, "pdf", not_set)
+    return printed_bar
+
+
+def not_set(*_):
+    raise NotSet("it is not asked for")
+
+
+def test_a_file_is_verified_in_worker_processes(printed_bar, capsys):
+    assert run(["verify", printed_bar(), "--out", "out", "--jobs", "2"]) == 0
     data = json.loads(Path("out/results.json").read_text("utf-8"))
     assert {row["status"] for row in data["rows"]} == {"PASS"}
     assert "Timoshenko" in Path("out/report.html").read_text("utf-8")
@@ -79,9 +102,9 @@ def test_a_parameter_file_names_a_case_file_beside_it(bar, capsys):
     assert run(["explain", "inner edge", "my.toml"]) == 0
 
 
-def test_a_report_on_one_s_own_cases_has_their_title_and_no_papers(bar):
+def test_a_report_on_one_s_own_cases_has_their_title_and_no_papers(printed_bar):
     title = "Bending stresses of a curved bar"
-    assert run(["verify", bar(), "--out", "out"]) == 0
+    assert run(["verify", printed_bar(), "--out", "out"]) == 0
     page = Path("out/report.html").read_text("utf-8")
     heads = re.findall(r"<h([1-4])[^>]*>([^<]*)", page)
     assert heads[0] == ("1", title)
@@ -171,8 +194,9 @@ def test_a_fault_of_a_formula_is_one_line_with_its_place(change, message, bar, c
 
 
 @pytest.mark.parametrize("fault", ["KeyboardInterrupt", "SystemExit(3)"])
-def test_a_reference_that_ends_its_process_fails_its_rows(fault, bar, capfd):
-    file = bar(("from fem.plane.material", f"raise {fault}\n        from fem.plane.material"))
+def test_a_reference_that_ends_its_process_fails_its_rows(fault, printed_bar, capfd):
+    first = "from fem.plane.material"
+    file = printed_bar((first, f"raise {fault}\n        {first}"))
     assert run(["verify", file, "--out", "out", "--jobs", "2"]) == 1
     out, err = capfd.readouterr()
     place = rf"level 1: CaseError: {file}:\d+: reference: {re.escape(fault).partition('(')[0]}"
@@ -265,8 +289,8 @@ LOOP = "while True:\n            pass\n        return 0.0"
     ids=["formula", "reference"],
 )  # fmt: skip
 @pytest.mark.parametrize("jobs", ["1", "2"])
-def test_an_endless_loop_ends_at_the_time_limit(change, message, jobs, bar, capsys):
-    file = bar(change, ("    title = ", "    time_limit = 0.5\n    title = "))
+def test_an_endless_loop_ends_at_the_time_limit(change, message, jobs, printed_bar, capsys):
+    file = printed_bar(change, ("    title = ", "    time_limit = 0.5\n    title = "))
     assert run(["verify", file, "--out", "out", "--jobs", jobs]) == 1
     place = f"{file}:{message}TimeLimitError: longer than 0.5 s"
     assert re.search(place, capsys.readouterr().out)
