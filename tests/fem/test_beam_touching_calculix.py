@@ -70,7 +70,13 @@ def loop_pressed_in_calculix(moves, friction, increment, folder):
     return answer.reaction, answer.u[:, 0]
 
 
-@pytest.mark.parametrize(("friction", "moves"), [(0.0, MOVES), (0.15, MOVES[:2])])
+@pytest.mark.parametrize(
+    ("friction", "moves"),
+    [
+        pytest.param(0.0, MOVES, marks=pytest.mark.soak),  # calculix takes seconds
+        (0.15, MOVES[:2]),
+    ],
+)
 def test_a_loop_slides_along_the_leaf_that_it_bends_as_in_calculix(friction, moves, tmp_path):
     # their normals lag by one increment (up to 4 % of the force): order one, so that two sizes of
     # it lead to none, but for where the cells' integration points begin to touch
@@ -122,6 +128,7 @@ def compressed(line, b, moves, per_arc=8):
 SPRING = {"L1": 11.6, "radius": 0.5, "alpha": radians(80)}  # the paper's, with fewer units
 
 
+@pytest.mark.soak  # calculix takes seconds; coils that meet are compared in every run
 def test_a_spring_s_tips_touch_as_in_calculix(tmp_path):
     moves, b = (6.0, 8.0, 8.5, 9.0, 9.5), 0.1
     ours, pairs = compressed(SPRING | {"n": 6}, b, moves)

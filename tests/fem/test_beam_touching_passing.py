@@ -31,6 +31,7 @@ def pressed_loop(moves):
     return path.reactions[-1, ends, 1].sum(), contact.record
 
 
+@pytest.mark.soak  # five seconds, for 40 short steps beside the long one
 def test_a_loop_pressed_in_one_long_step_stays_on_the_leaf():
     force, record = pressed_loop([20.0])
     slowly, _ = pressed_loop(np.arange(0.5, 20.1, 0.5))

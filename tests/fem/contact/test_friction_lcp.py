@@ -1,5 +1,7 @@
 """Friction by active sets and by Lemke's method: both meet the laws, and errors state a proof."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 
@@ -96,22 +98,28 @@ def test_a_wedge_held_by_friction_has_zero_force_as_another_solution():
     assert kernel.is_proven_non_unique(held, w_0, e)
 
 
+@cache
+def path(seed):
+    """Outcomes of the steps of a random problem."""
+    return list(steps(problem(seed)))
+
+
 @pytest.mark.parametrize("seed", range(60))
 def test_random_problems_meet_the_laws_of_contact_on_their_whole_path(seed):
-    found = list(steps(problem(seed)))
+    found = path(seed)
     assert all(outcome in (*METHODS, "proven", "not found") for outcome, _, _ in found)
     assert max(missed for _, _, missed in found) < 1e-9
 
 
 def test_problems_whose_states_repeat_are_solved_by_pivots():
-    methods = {outcome for seed in range(60) for outcome, _, _ in steps(problem(seed))}
+    methods = {outcome for seed in range(60) for outcome, _, _ in path(seed)}
     assert set(METHODS[:2]) <= methods
 
 
 @pytest.mark.parametrize("seed", [4853, 7482, 8562])
 def test_forces_far_below_those_that_close_the_gaps_meet_the_laws(seed):
     # rows whose gaps miss by 1e-12 of them, 1e-7 of the elastic approach
-    found = list(steps(problem(seed)))
+    found = path(seed)
     assert max(missed for _, _, missed in found) < 1e-9
     assert "not found" not in {outcome for outcome, _, _ in found}
 
@@ -119,7 +127,7 @@ def test_forces_far_below_those_that_close_the_gaps_meet_the_laws(seed):
 @pytest.mark.parametrize("seed", [649, 844, 2470, 7004])
 def test_unloaded_bodies_rest_apart_where_only_round_off_presses_them(seed):
     # pivots leave contact forces of 1e-13 there, which no load balances
-    found = list(steps(problem(seed)))
+    found = path(seed)
     assert max(missed for _, _, missed in found) < 1e-9
     assert "not found" not in {outcome for outcome, _, _ in found}
 
