@@ -37,6 +37,7 @@ def sessions():
             yield command, shown
 
 
+@pytest.mark.slow("templates of every tool are checked, as a reader checks them")
 def test_the_examples_print_what_the_readme_shows(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     compared = 0

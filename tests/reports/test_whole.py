@@ -38,6 +38,7 @@ def folder(tmp_path_factory, text) -> Path:
     return place
 
 
+@pytest.mark.slow("every case is judged")
 def test_the_table_of_verdicts_is_that_of_this_code(whole):
     printed = VERIFIED.partition("<!-- verdicts -->\n")[2].partition("\n<!-- /verdicts -->")[0]
     assert printed == markdown(whole), "run make readme"

@@ -95,6 +95,7 @@ def test_an_engine_that_is_gone_while_a_task_dies_ends_the_run():
         list(Drive(engine, sum).answers([(13,)]))
 
 
+@pytest.mark.slow("a cluster of processes starts")
 def test_a_dask_cluster_judges_as_processes_do(tmp_path):
     case = find("polyhedral-pressure")  # its levels take tenths of a second
     rows = []

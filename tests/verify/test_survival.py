@@ -167,6 +167,7 @@ def undisturbed(tmp_path_factory, with_equations):
     return place, time.monotonic() - start
 
 
+@pytest.mark.slow("runs are killed and go on")
 @pytest.mark.parametrize("kills", [FEW_KILLS, pytest.param(KILLS, marks=pytest.mark.soak)])
 def test_kills_lose_and_tear_nothing(kills, place, undisturbed):
     """Seeded moments, from the first levels in an empty cache to the last file of the report."""

@@ -76,6 +76,7 @@ def undisturbed(tmp_path_factory):
     return table(folder)
 
 
+@pytest.mark.slow("runs are killed and go on")
 def test_a_killed_worker_and_a_killed_client_leave_the_table_of_an_undisturbed_run(
     undisturbed, tmp_path
 ):

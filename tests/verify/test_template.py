@@ -144,7 +144,17 @@ def check_line(case, fields, hidden, name, value, comment):
         assert about["claims"].partition(":")[0] in comment
 
 
-@EACH
+# tools whose templates the README checks, which takes seconds: test_documents does it
+TOOLS = ("sprag-clutch", "polyhedral-clutch")
+
+
+@pytest.mark.parametrize(
+    "case",
+    [
+        pytest.param(case, marks=pytest.mark.soak if case.id in TOOLS else (), id=case.id)
+        for case in CASES
+    ],
+)
 def test_check_takes_a_template_as_it_is(case, tmp_path, capsys):
     path = tmp_path / "my.toml"
     assert run(["init", case.id, "--out", str(path)]) == 0

@@ -64,6 +64,7 @@ def verdict(fault: Changed, bench: Bench) -> list[str]:
     return found.value
 
 
+@pytest.mark.soak  # solves an engagement anew for as long as all other tests of the file
 def test_a_race_that_gives_way_more_on_both_sides_is_not_credited_to_rows(engaged):
     assert verdict(planted(*RACE), engaged) == [By.NOTHING, ""]
 

@@ -27,6 +27,7 @@ from verify.core.store import Store
 from verify.jobs import records
 from verify.judging.checks import Fact
 
+LIMIT = 1.0  # s for a judgement, which takes hundredths: endless mutants take all of it
 FORMULA = """
     def width(a, b):
         if b < 0:
@@ -77,7 +78,7 @@ def group(module) -> Group:
     found = mutants(source("measuring_tape"), FORMULAS)
 
     def task(changed):
-        return Task(changed.mutant.id, partial(trial.tried, changed, [bench]), 4.0)
+        return Task(changed.mutant.id, partial(trial.tried, changed, [bench]), LIMIT)
 
     return Group("formulas", found, found, task, lambda _changed: ())
 
@@ -128,7 +129,7 @@ def test_what_takes_long_is_asked_last_and_only_where_no_test_fails(group, tmp_p
         return [By.TESTS.value, "a test"] if noticed else [By.NOTHING.value, ""]
 
     def last(changed):
-        return Task(changed.mutant.id, lambda: [By.ROWS.value, "a slow row"], 4.0)
+        return Task(changed.mutant.id, lambda: [By.ROWS.value, "a slow row"], LIMIT)
 
     monkeypatch.setattr(trial, "tested", tested)
     outcomes = made(tmp_path)
@@ -141,7 +142,7 @@ def test_what_takes_long_is_asked_last_and_only_where_no_test_fails(group, tmp_p
 
 def test_a_mutant_that_no_case_judges_is_still_asked_of_what_takes_long(group, tmp_path):
     def last(changed):
-        return Task(changed.mutant.id, lambda: [By.ROWS.value, "a slow row"], 4.0)
+        return Task(changed.mutant.id, lambda: [By.ROWS.value, "a slow row"], LIMIT)
 
     outcomes = made(tmp_path)
     Campaign(replace(group, last=last), outcomes, 2).run()
