@@ -77,9 +77,9 @@ def solved(case: Case, inputs: Inputs):
 def judged() -> Callable[..., CaseResult]:
     """Judge a case on inputs (the paper's by default), with its finite elements from the cache."""
 
-    def judge(case: Case, inputs: Inputs | None = None) -> CaseResult:
+    def judge(case: Case, inputs: Inputs | None = None, *, drawn: bool = True) -> CaseResult:
         q = case.inputs() if inputs is None else inputs
-        return judge_case(Job(case, q), solved(case, q))
+        return judge_case(Job(case, q, drawn=drawn), solved(case, q))
 
     return judge
 
@@ -88,6 +88,25 @@ def judged() -> Callable[..., CaseResult]:
 def of_paper(judged) -> Callable[[Case], CaseResult]:
     """The same on the paper's inputs, judged once: for tests that break nothing."""
     return cache(judged)
+
+
+@pytest.fixture(scope="module")
+def without_fault(judged) -> Iterator[Callable[[Case], CaseResult]]:
+    """Judge a case on the paper's inputs, once for the tests of a module that break its formulas.
+
+    What functions keep is then that of the right formulas. After the last test it still is.
+    """
+    kept: dict[Case, CaseResult] = {}
+
+    def judge(case: Case) -> CaseResult:
+        if case not in kept:
+            kept[case] = judged(case, drawn=False)
+        return kept[case]
+
+    yield judge
+    for case, first in kept.items():
+        again = judged(case, drawn=False)
+        assert [(r.id, r.status) for r in again.rows] == [(r.id, r.status) for r in first.rows]
 
 
 @pytest.fixture(scope="session")

@@ -71,11 +71,11 @@ def other_assumption(right):
     ],
 )  # fmt: skip
 def test_another_reading_or_a_wrong_formula_turns_its_row_red(
-    owner, name, fault, row, judged, red, monkeypatch
+    owner, name, fault, row, judged, without_fault, red, monkeypatch
 ):
-    assert not red(judged(PRESS_FIT))
+    assert not red(without_fault(PRESS_FIT))
     monkeypatch.setattr(owner, name, fault(getattr(owner, name)))
-    assert row in names(red(judged(PRESS_FIT)))
+    assert row in names(red(judged(PRESS_FIT, drawn=False)))
 
 
 def test_the_readings_share_one_hooke_s_law():

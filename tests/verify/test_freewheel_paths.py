@@ -154,11 +154,11 @@ READINGS = [
 
 @pytest.mark.parametrize(("owner", "name", "fault", "row"), READINGS)
 def test_another_reading_or_a_wrong_formula_turns_a_row_red(
-    owner, name, fault, row, broken, judged, red
+    owner, name, fault, row, broken, judged, without_fault, red
 ):
-    judged(PATHS)
+    without_fault(PATHS)
     broken(owner, name, fault)
-    assert row in names(red(judged(PATHS)))
+    assert row in names(red(judged(PATHS, drawn=False)))
 
 
 WRONG_PATHS = [
@@ -178,10 +178,12 @@ WRONG_PATHS = [
 
 
 @pytest.mark.parametrize(("owner", "name", "fault", "cases"), WRONG_PATHS)
-def test_a_wrong_path_turns_its_time_of_slip_red(owner, name, fault, cases, broken, judged, red):
-    judged(PATHS)
+def test_a_wrong_path_turns_its_time_of_slip_red(
+    owner, name, fault, cases, broken, judged, without_fault, red
+):
+    without_fault(PATHS)
     broken(owner, name, fault)
-    wrong = names(red(judged(PATHS)))
+    wrong = names(red(judged(PATHS, drawn=False)))
     assert {f"time of slip, load case {case}" for case in cases} <= wrong
 
 

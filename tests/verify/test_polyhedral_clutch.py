@@ -104,11 +104,11 @@ FAULTS = [
 
 @pytest.mark.parametrize(("owner", "name", "fault", "row"), FAULTS)
 def test_another_reading_or_a_wrong_formula_turns_its_row_red(
-    owner, name, fault, row, broken, judged, red
+    owner, name, fault, row, broken, judged, without_fault, red
 ):
-    judged(CLUTCH)
+    without_fault(CLUTCH)
     broken(owner, name, fault)
-    assert row in names(red(judged(undrawn())))
+    assert row in names(red(judged(CLUTCH, drawn=False)))
 
 
 @pytest.mark.parametrize(

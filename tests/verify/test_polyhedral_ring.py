@@ -108,11 +108,11 @@ FAULTS = [
 
 @pytest.mark.parametrize(("owner", "name", "fault", "row"), FAULTS)
 def test_another_reading_or_a_wrong_formula_turns_its_row_red(
-    owner, name, fault, row, broken, judged, red
+    owner, name, fault, row, broken, judged, without_fault, red
 ):
-    judged(RING)
+    without_fault(RING)
     broken(owner, name, fault)
-    assert row in names(red(judged(undrawn())))
+    assert row in names(red(judged(RING, drawn=False)))
 
 
 def test_k_of_the_paper_is_judged_against_what_the_series_says(broken, judged, red):

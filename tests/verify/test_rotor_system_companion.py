@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 
 from analytic.rotor import rotor_study, transfer_model
+from tests.conftest import solved
 from verify.cases.rotor.system.case import SYSTEM, RotorSystem
 from verify.cases.rotor.system.companion import companion
 from verify.cases.rotor.system.formulas import TransferRotor
 from verify.cases.rotor.system.inputs import RPM
-from verify.cases.rotor.system.reference import solve
 from verify.core.source_code import parts_of
-from verify.jobs.level import Job, Solved, judge_case
+from verify.jobs.level import Job, judge_case
 
 pytestmark = pytest.mark.xdist_group("rotor-system")
 JUDGED = 11  # four frequencies, two critical speeds of each shaft, an amplitude and two loads
@@ -18,12 +18,11 @@ JUDGED = 11  # four frequencies, two critical speeds of each shaft, an amplitude
 
 @pytest.fixture(scope="module")
 def beams():
-    found = [solve(RotorSystem(), level) for level in SYSTEM.levels]
-    return [Solved(result, "", 0.0, cached=False) for result in found]
+    return solved(SYSTEM, RotorSystem())
 
 
 def rows(beams):
-    found = judge_case(Job(SYSTEM, RotorSystem()), beams).rows
+    found = judge_case(Job(SYSTEM, RotorSystem(), drawn=False), beams).rows
     return [row for row in found if row.quantity.startswith("companion")]
 
 

@@ -62,15 +62,16 @@ def forget():
 
 
 @pytest.fixture
-def faulty(monkeypatch, judged, red):
+def faulty(monkeypatch, judged, without_fault, red):
     """Break one function of the formulas; what of the case's rows turns red."""
+
+    without_fault(CLUTCH)  # the other side stays right
 
     def broken(module, name, wrapper):
         right = getattr(module, name)
-        judged(CLUTCH)  # the other side stays right
         monkeypatch.setattr(module, name, lambda *a, **k: wrapper(right, *a, **k))
         forget()
-        return {row.quantity for row in red(judged(CLUTCH))}
+        return {row.quantity for row in red(judged(CLUTCH, drawn=False))}
 
     yield broken
     monkeypatch.undo()
@@ -358,8 +359,9 @@ def test_odd_clutches_have_words_values_and_figures(changes):
 def test_one_s_own_clutch_is_judged_by_the_drawn_one(changes, judged, red):
     q = own(**changes)
     assert not CLUTCH.too_large(q)
-    assert not red(judged(CLUTCH, q))
-    names = {row.quantity for row in judged(CLUTCH, q).rows}
+    result = judged(CLUTCH, q)
+    assert not red(result)
+    names = {row.quantity for row in result.rows}
     assert FORCE in names
     assert not any("25 N m" in name or "Table 1" in name for name in names)
 

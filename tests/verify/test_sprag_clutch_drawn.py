@@ -42,14 +42,15 @@ def forget():
 
 
 @pytest.fixture
-def broken(monkeypatch, judged, red):
+def broken(monkeypatch, judged, without_fault, red):
     """Put a fault in place of a part of the formulas; the rows that turn red."""
 
+    without_fault(CLUTCH)  # the other side stays right
+
     def break_(owner, name, fault):
-        judged(CLUTCH)  # the other side stays right
         monkeypatch.setattr(owner, name, fault(getattr(owner, name)))
         forget()
-        return {row.quantity for row in red(judged(CLUTCH))}
+        return {row.quantity for row in red(judged(CLUTCH, drawn=False))}
 
     yield break_
     monkeypatch.undo()

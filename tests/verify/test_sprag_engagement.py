@@ -284,11 +284,11 @@ FORMULAS = [
 
 @pytest.mark.parametrize(("owner", "name", "fault", "row"), FORMULAS)
 def test_a_wrong_formula_or_another_reading_turns_a_row_red(
-    owner, name, fault, row, broken, judged, red
+    owner, name, fault, row, broken, judged, without_fault, red
 ):
-    judged(ENGAGEMENT)
+    without_fault(ENGAGEMENT)
     broken(owner, name, fault)
-    assert row in names(red(judged(ENGAGEMENT)))
+    assert row in names(red(judged(ENGAGEMENT, drawn=False)))
 
 
 def lever_of_the_race(clutch, N):
@@ -314,15 +314,15 @@ def test_a_closure_that_loses_work_is_red_though_all_sides_share_it(
     assert {WORK, CONJUGATE} <= names(red(steps_alone()))
 
 
-def test_rolling_without_the_sprag_s_way_outwards_is_red(broken, judged, red):
+def test_rolling_without_the_sprag_s_way_outwards_is_red(broken, judged, without_fault, red):
     def without(clutch, N):
         on_way = course._way(clutch, N)
         per_turn = on_way.OC_e * (np.cos(on_way.beta) / on_way.OA - 1 / on_way.OB)
         return course._integral(per_turn, on_way.alpha_b)
 
-    judged(ENGAGEMENT)
+    without_fault(ENGAGEMENT)
     broken(race_spring, "rolled", lambda _: without)
-    assert CONJUGATE in names(red(judged(ENGAGEMENT)))
+    assert CONJUGATE in names(red(judged(ENGAGEMENT, drawn=False)))
 
 
 @pytest.mark.parametrize(

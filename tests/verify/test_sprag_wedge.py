@@ -329,11 +329,11 @@ READINGS = [
 
 @pytest.mark.parametrize(("owner", "name", "fault", "row"), READINGS)
 def test_another_reading_or_a_wrong_formula_turns_a_row_red(
-    owner, name, fault, row, broken, judged, red
+    owner, name, fault, row, broken, judged, without_fault, red
 ):
-    judged(WEDGE)
+    without_fault(WEDGE)
     broken(owner, name, fault)
-    assert row in names(red(judged(WEDGE)))
+    assert row in names(red(judged(WEDGE, drawn=False)))
 
 
 FEM_FAULTS = [

@@ -66,10 +66,12 @@ FORMULA_FAULTS = [
 
 
 @pytest.mark.parametrize(("owner", "name", "fault", "row"), FORMULA_FAULTS)
-def test_a_wrong_formula_turns_a_row_red(owner, name, fault, row, broken, judged, red):
-    assert not red(judged(STAGES))
+def test_a_wrong_formula_turns_a_row_red(
+    owner, name, fault, row, broken, judged, without_fault, red
+):
+    assert not red(without_fault(STAGES))
     broken(owner, name, fault)
-    assert row in names(red(judged(STAGES)))
+    assert row in names(red(judged(STAGES, drawn=False)))
 
 
 def shorter(opposite):
