@@ -35,6 +35,7 @@ def both(tmp_path_factory):
     return sector.found(solution), asked(SOFT), asked(STIFF)
 
 
+@pytest.mark.slow("a pitch here and twice in calculix, for all tests of this file")
 def test_torque_and_forces_are_those_of_calculix(both):
     here, _, stiff = both
     apart = sector.errors(stiff, here)

@@ -130,6 +130,7 @@ def test_surfaces_drawn_out_of_the_wedge_push_the_roller_out():
 
 
 # The sweep.
+@pytest.mark.slow("the sweep over the torque that the tests of this file read")
 def test_the_torque_falls_beyond_its_summit_and_the_normal_force_grows(sweep):
     T, N = sweep.at_states["T"], sweep.at_states["N"]
     top = int(np.argmax(T))

@@ -165,12 +165,14 @@ FEM_FAULTS = [
 ]  # fmt: skip
 
 
+@pytest.mark.soak  # finite elements solved anew for every fault
 @pytest.mark.parametrize(("owner", "name", "fault", "row"), FEM_FAULTS)
 def test_wrong_finite_elements_turn_a_row_red(owner, name, fault, row, broken, red):
     broken(owner, name, fault)
     assert row in names(red(solve_anew()))
 
 
+@pytest.mark.soak  # finite elements solved anew, for the faults above
 def test_the_coarser_levels_alone_turn_no_row_red(red):
     assert not red(solve_anew())
 

@@ -174,6 +174,7 @@ def red_without_fault():
     return frozenset(names(r for r in solve_anew(COARSE).rows if r.status is Status.FAIL))
 
 
+@pytest.mark.soak  # finite elements solved anew for every fault
 @pytest.mark.parametrize(
     ("owner", "name", "fault"),
     [
@@ -196,6 +197,7 @@ def test_wrong_finite_elements_turn_a_row_red(owner, name, fault, monkeypatch, r
     assert names(red(solve_anew(COARSE))) - before
 
 
+@pytest.mark.soak  # finite elements solved anew for every fault
 def test_a_load_a_thousandth_too_large_turns_a_row_red(monkeypatch, red):
     before = red_without_fault()
     right = loads.push

@@ -86,6 +86,7 @@ def red_without_fault():
     return frozenset(names(r for r in solve_anew(COARSE).rows if r.status is Status.FAIL))
 
 
+@pytest.mark.soak  # finite elements solved anew for every fault
 @pytest.mark.parametrize(
     ("owner", "name", "fault", "row"),
     [

@@ -135,6 +135,7 @@ def near_one(q, level):
     return {}, {"near_one": np.array(found)}
 
 
+@pytest.mark.soak  # finite elements solved anew for every fault
 @pytest.mark.parametrize(
     ("solve", "owner", "name", "fault", "row"),
     [

@@ -64,7 +64,6 @@ def forget():
 @pytest.fixture
 def faulty(monkeypatch, judged, without_fault, red):
     """Break one function of the formulas; what of the case's rows turns red."""
-
     without_fault(CLUTCH)  # the other side stays right
 
     def broken(module, name, wrapper):

@@ -44,7 +44,6 @@ def forget():
 @pytest.fixture
 def broken(monkeypatch, judged, without_fault, red):
     """Put a fault in place of a part of the formulas; the rows that turn red."""
-
     without_fault(CLUTCH)  # the other side stays right
 
     def break_(owner, name, fault):

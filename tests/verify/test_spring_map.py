@@ -124,6 +124,7 @@ FE_FAULTS = [
 ]  # fmt: skip
 
 
+@pytest.mark.soak  # finite elements solved anew for every fault
 @pytest.mark.parametrize(("owner", "name", "fault", "row"), FE_FAULTS)
 def test_wrong_finite_elements_turn_rows_red(owner, name, fault, row, monkeypatch, fresh):
     monkeypatch.setattr(owner, name, fault(vars(owner)[name]))

@@ -122,6 +122,7 @@ SHELL_FAULTS = [
 ]
 
 
+@pytest.mark.soak  # finite elements solved anew for every fault
 @pytest.mark.parametrize("change", SHELL_FAULTS)
 def test_wrong_shells_turn_a_row_red(change, monkeypatch):
     levels = rows_of_a_shell(change, monkeypatch)
@@ -129,6 +130,7 @@ def test_wrong_shells_turn_a_row_red(change, monkeypatch):
     assert judge_row(NARROW, levels) is Status.FAIL
 
 
+@pytest.mark.soak  # finite elements solved anew, for the faults above
 def test_right_shells_turn_none_red(monkeypatch):
     levels = rows_of_a_shell(lambda a: a, monkeypatch)
     assert judge_row(HELD, levels) is Status.PASS
@@ -226,6 +228,7 @@ def test_odd_springs_have_finite_values_within_the_bounds(change):
     assert v["k_narrow"] * (1 - 1e-12) <= v["k"] <= v["k_wide"] * (1 + 1e-3)
 
 
+@pytest.mark.slow("the spring of fewest leaves, whose shells are solved for own inputs")
 def test_an_own_narrow_spring_passes_and_its_error_is_told():
     q = own(n=4, h="3 mm", head="hinged", tail="arc")
     levels = [WIDTH.reference(q, level) for level in LEVELS]
