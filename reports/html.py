@@ -25,6 +25,7 @@ from reports import (
 )
 from reports.bars import bars
 from reports.campbell import campbell
+from reports.compiled import COMPILED
 from reports.curves import curves
 from reports.density import density
 from reports.drawable import drawable, nothing
@@ -207,7 +208,8 @@ def plot(figure: Figure) -> Markup:
 def _environment(glyphs: Glyphs) -> jinja2.Environment:
     env = jinja2.Environment(
         loader=jinja2.FileSystemLoader(HERE), autoescape=True, trim_blocks=True,
-        lstrip_blocks=True, undefined=jinja2.StrictUndefined,
+        lstrip_blocks=True, undefined=jinja2.StrictUndefined, bytecode_cache=COMPILED,
+        optimized=False,  # constants are not filtered by the glyphs of another page
     )  # fmt: skip
     env.filters |= {
         "symbol": formats.symbol, "prose": formats.prose, "power": formats.power,

@@ -109,11 +109,15 @@ def seconds(command, **more):
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
-@pytest.mark.parametrize(("arguments", "share"), [(["--help"], 0.6), (["check", "FILE"], 3.5)])
+@pytest.mark.parametrize(
+    ("arguments", "share"),
+    [(["--help"], 0.6), pytest.param(["check", "FILE"], 3.5, marks=pytest.mark.soak)],
+)
 def test_short_commands_answer_at_once(arguments, share, spring, tmp_path):
     """Beside what the libraries alone take to import, in turns, on a machine that others load.
 
-    The first turn compiles the modules.
+    The first turn compiles the modules. What `check` takes is a benchmark's as well; that it
+    imports nothing heavy is checked in every run.
     """
     environment = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
     environment["PYTHONPYCACHEPREFIX"] = str(tmp_path / "compiled")

@@ -214,6 +214,7 @@ def test_a_stopped_run_ends_at_once_with_one_line(stop, jobs, place):
     assert place.left_over() == []
 
 
+@pytest.mark.soak  # a whole run; test_sweep_survival kills a worker in every run
 def test_a_worker_that_is_killed_once_costs_nothing(place, undisturbed):
     process = place.start("--jobs", "2")
     os.kill(workers_of(process, 2)[0], signal.SIGKILL)
@@ -222,6 +223,7 @@ def test_a_worker_that_is_killed_once_costs_nothing(place, undisturbed):
     assert place.results() == undisturbed[0].results()
 
 
+@pytest.mark.soak  # two whole runs
 def test_two_runs_at_once_with_one_cache_and_one_folder_agree(place, undisturbed):
     both = [place.start("--jobs", "1") for _ in range(2)]
     for process in both:
@@ -240,7 +242,7 @@ def test_torn_entries_are_solved_again_and_what_the_dead_left_goes(place, undist
     (place.out / ".part-dead").mkdir(parents=True)
     (place.out / ".part-dead" / "rows.csv").write_bytes(b"half")
     before = place.stored()
-    status, _, err = place.run()
+    status, _, err = place.run("--jobs", "1")
     assert status == 0, err
     now = place.stored()
     assert {key for key in now if before[key] != now[key]} == {torn, empty}

@@ -14,7 +14,7 @@ from reports.pdf import NotSet
 from verify.app.cli import run
 from verify.cases import files, registry
 from verify.core import source_code
-from verify.jobs import session
+from verify.jobs.executor import Where, local
 
 EXAMPLE = Path(__file__).parents[3] / "examples" / "winkler_bach.py"
 OWN = """case = "{file}"
@@ -58,9 +58,7 @@ def printed_bar(tmp_path, monkeypatch, cache):
 @pytest.fixture
 def bar(printed_bar, monkeypatch):
     """The same, solved in this process and without a PDF, which few tests are about."""
-    right = session.run
-    here = lambda work, **more: right(work, **more | {"engine": None})  # noqa: E731
-    monkeypatch.setattr(session, "run", here)
+    monkeypatch.setattr(Where, "entered", lambda _: local(0))
     monkeypatch.setattr(write, "pdf", not_set)
     return printed_bar
 

@@ -1,0 +1,21 @@
+"""Templates compiled once in a process, for every page that is made of them."""
+
+import jinja2
+from jinja2.bccache import Bucket
+
+
+class Compiled(jinja2.BytecodeCache):
+    """Code of templates in memory, by name and place; jinja2 compares their text."""
+
+    def __init__(self) -> None:
+        self._code: dict[str, bytes] = {}
+
+    def load_bytecode(self, bucket: Bucket) -> None:
+        if code := self._code.get(bucket.key):
+            bucket.bytecode_from_string(code)
+
+    def dump_bytecode(self, bucket: Bucket) -> None:
+        self._code[bucket.key] = bucket.bytecode_to_string()
+
+
+COMPILED = Compiled()
