@@ -37,7 +37,7 @@ def planted(module: str, function: str, before: str, after: str) -> Changed:
 
 
 INERTIA = (
-    "analytic.sprag.events", "System.accelerations", "n_s * motion.m_g * OC_g ** 2",
+    "analytic.sprag.events", "System._driven", "n_s * motion.m_g * OC_g ** 2",
     "n_s * motion.m_g * OC_g ** 2 / 2",
 )  # fmt: skip
 RACE = (

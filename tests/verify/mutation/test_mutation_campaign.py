@@ -27,7 +27,7 @@ from verify.core.store import Store
 from verify.jobs import records
 from verify.judging.checks import Fact
 
-LIMIT = 1.0  # s for a judgement, which takes hundredths: endless mutants take all of it
+LIMIT = 4.0  # s for a judgement, of a child that imports what it needs: endless mutants take all
 FORMULA = """
     def width(a, b):
         if b < 0:
