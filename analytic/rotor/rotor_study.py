@@ -76,7 +76,7 @@ def ratios(rotor: Rotor) -> list[float]:
 
 
 def _excited(rotor: Rotor, names: Sequence[str], ratio: float) -> Excited:
-    """On bearings alike in x and y unbalance excites whirl in its own sense alone."""
+    """On isotropic bearings unbalance excites whirl only in the direction of its rotation."""
     own = tuple(n for n, s in zip(names, rotor.shafts, strict=True) if s.ratio == ratio)
     sense: Whirl | None = None
     if rotor.isotropic:

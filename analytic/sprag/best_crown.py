@@ -1,7 +1,7 @@
 """Kriging of the largest pressures over crowns (Eq. 20), and the crown that it ends at.
 
-The end slice and all others are kriged apart: the larger of both has a kink where the ends begin to
-carry.
+The end slice and all others are interpolated separately: the larger of both has a kink where the
+ends begin to carry.
 """
 
 from collections.abc import Callable, Sequence

@@ -133,7 +133,7 @@ class System:
         return B, dB
 
     def accelerations(self, t: float, y: Array, mode: Mode) -> tuple[Array, Array, Array, float]:
-        """q'', T, v and N; once for all that ask for them, the events and the answer's rows."""
+        """q'', T, v and N, computed once per state for the events and the rows of the answer."""
         key = t, y.tobytes(), mode
         if key not in self._known:
             q_ddot, T, lacking, J, N = self._driven(t, y, mode)

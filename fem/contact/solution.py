@@ -211,7 +211,7 @@ class ContactSolution:
 
     @cached_property
     def yielded(self) -> Array:
-        """How far the surface (s,) gives way to the contact forces, but for rigid motions."""
+        """Displacement (s,) of the surface under the contact forces, without rigid motions."""
         return self.bodies.compliance(self.interface.C.T @ self.rest.multipliers)
 
     @cached_property

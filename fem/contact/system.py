@@ -174,5 +174,5 @@ class ContactSystem:
 
     @cached_property
     def _smoothed(self) -> dict[int, Self]:
-        """What `smooth` made, by `group`: each load asks for it."""
+        """Results of `smooth` by `group`: every load uses them."""
         return {}

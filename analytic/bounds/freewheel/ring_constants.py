@@ -14,7 +14,7 @@ wall by
 .. math:: C_m^\infty = \frac{b}{m - 1} + \frac{2 - b}{m + 1}, \qquad
           b = \frac{1 + \nu}{2} \text{ of a disc}, \quad \frac{3 - \nu}{2} \text{ around a hole}.
 
-Under n loads P the wall gives way by P/(pi E') (2 ln(r/a) + k + ...), m = n, 2n, ..., with
+Under n loads P the wall deflects by P/(pi E') (2 ln(r/a) + k + ...), m = n, 2n, ..., with
 
 .. math:: k = 2\ln\frac{2}{n} + 1 + \frac{n C_0}{2} + n\sum_m (C_m - C_m^\infty)
           - b\,h(-\tfrac 1n) - (2 - b)\,h(\tfrac 1n), \qquad h(x) = \psi(1 + x) - \psi(1),
@@ -44,7 +44,7 @@ def clamped_disc(*, ratio: float, n: int, nu: float) -> float:
     """K of a disc under n loads on its rim, clamped on a bore r_o/`ratio`; nu in the plane.
 
     >>> shallow, deep = (clamped_disc(ratio=s, n=8, nu=0.4) for s in (1.2, 3.0))
-    >>> shallow < deep  # less material gives way less
+    >>> shallow < deep  # less material deflects less
     True
     """
     far = math.log(ratio)

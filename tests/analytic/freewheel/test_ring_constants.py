@@ -16,8 +16,8 @@ RATIOS = (1.1, 1.52, 3.0, 50.0)
 def test_a_clamped_disc_is_the_star_of_the_formulas(n, nu):
     """The series of the star is cut at 400 waves, its rest summed to about 2e-7."""
     star = series.star_constant(ratio=RATIOS, n=n, nu=nu)
-    anew = [ring_constants.clamped_disc(ratio=x, n=n, nu=nu) for x in RATIOS]
-    np.testing.assert_allclose(anew, star, atol=3e-7)
+    again = [ring_constants.clamped_disc(ratio=x, n=n, nu=nu) for x in RATIOS]
+    np.testing.assert_allclose(again, star, atol=3e-7)
 
 
 @pytest.mark.parametrize("n", [3, 8, 14])
@@ -25,8 +25,8 @@ def test_a_clamped_disc_is_the_star_of_the_formulas(n, nu):
 def test_a_free_ring_is_the_ring_of_the_formulas(n, nu):
     """The formulas' constant is read off a patch of a = 2e-3 r; (a/wall)² of it is left out."""
     ring = series.race_constant(ratio=RATIOS, n=n, nu=nu, loaded="bore")
-    anew = [ring_constants.free_ring(ratio=x, n=n, nu=nu) for x in RATIOS]
-    np.testing.assert_allclose(anew, ring, rtol=3e-5)
+    again = [ring_constants.free_ring(ratio=x, n=n, nu=nu) for x in RATIOS]
+    np.testing.assert_allclose(again, ring, rtol=3e-5)
 
 
 def test_a_thin_ring_bends_as_a_curved_beam_that_two_opposite_forces_pull():
