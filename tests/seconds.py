@@ -48,6 +48,7 @@ def processor() -> float:
     return time.process_time() + ended.ru_utime + ended.ru_stime
 
 
+@pytest.hookimpl(optionalhook=True)  # the mutants run without xdist
 def pytest_testnodedown(node: Any) -> None:
     """What a worker has measured."""
     output = getattr(node, "workeroutput", {})

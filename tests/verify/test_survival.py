@@ -128,7 +128,8 @@ def members(session):
     return found
 
 
-def all_gone(session, seconds=2.0):
+def all_gone(session, seconds=20.0):
+    """Whether the processes of a session end: on a loaded machine a killed one takes its time."""
     end = time.monotonic() + seconds
     while members(session) and time.monotonic() < end:
         time.sleep(0.02)

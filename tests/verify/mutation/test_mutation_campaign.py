@@ -165,6 +165,16 @@ def test_of_a_file_that_takes_long_only_its_first_tests_are_known(tmp_path, monk
     assert known_one.endswith("test_one")
 
 
+@pytest.mark.parametrize(
+    ("path", "runs"), [("tests/fem/plane/test_axisymmetric_disc.py", True), ("tests/none", False)]
+)
+def test_the_project_s_own_tests_run_or_the_run_ends(path, runs):
+    """Without xdist, as mutants need it: hooks of a plugin that is missing end a run of pytest."""
+    found = answer(partial(suite.traced, path), 60.0)
+    assert bool(found.value) == runs
+    assert ("pytest ends with" in found.failure) != runs
+
+
 def test_tests_with_solvers_that_not_every_machine_has_are_not_asked():
     asked = suite.files("elements")
     assert "tests/fem/shell/test_shell_patch.py" in asked

@@ -17,6 +17,12 @@ OPTIONS = (
     "--assert=plain", "--capture=fd", "--tb=no",
     "--rootdir", str(ROOT), "-c", str(ROOT / "pyproject.toml"),
 )  # fmt: skip
+RUN = (
+    pytest.ExitCode.OK,
+    pytest.ExitCode.TESTS_FAILED,
+    pytest.ExitCode.INTERRUPTED,  # by the tracer itself
+    pytest.ExitCode.NO_TESTS_COLLECTED,  # a package without doctests
+)
 AT_MOST = 20.0  # s of tests for one mutant, by what they took unchanged
 PER_FILE = 12.0  # s, after which a file's further tests are asked of no mutant
 OTHERS = ("_calculix", "_ross", "_tamaas")  # tests with solvers that not every machine has
@@ -87,10 +93,15 @@ class _Chosen:
 
 
 def traced(path: str) -> dict[str, tuple[float, list[str]]]:
-    """Seconds and called functions of the tests of a file or folder, until PER_FILE is over."""
+    """Seconds and called functions of the tests of a file or folder, until PER_FILE is over.
+
+    RuntimeError where they do not run: a file without tests is one that catches nothing.
+    """
     forget_memoised()
     tracer = _Tracer()
-    pytest.main([*OPTIONS[:1], *OPTIONS[2:], path], plugins=[tracer])
+    status = pytest.main([*OPTIONS[:1], *OPTIONS[2:], path], plugins=[tracer])
+    if status not in RUN:
+        raise RuntimeError(f"pytest ends with {status!r}")
     return tracer.found
 
 
