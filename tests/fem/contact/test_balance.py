@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from fem.contact.errors import NotFoundError
-from fem.contact.pairs import Obstacle, Pair, Rigid
+from fem.contact.pairs import Obstacle, Pair
 from fem.contact.problem import ContactProblem
 from fem.contact.shapes import Circle, Flat
 from fem.plane.material import Elastic
@@ -32,8 +32,7 @@ def tower(cells="quad", order=2, thickness=1.0, friction=0.5):
     )  # fmt: skip
 
 
-@pytest.mark.parametrize("cells", ["quad", "tri"])
-@pytest.mark.parametrize("order", [1, 2])
+@pytest.mark.parametrize(("cells", "order"), [("quad", 2), ("tri", 1)])
 def test_what_is_loaded_above_arrives_below(cells, order):
     load = np.array([1e-3, -8e-3])
     s = tower(cells, order, thickness=0.3).solve(
@@ -65,33 +64,18 @@ def test_friction_stays_within_its_bound_and_sticking_points_do_not_slip():
         assert np.all(touch.traction[slides] * touch.slip[slides] < 0)  # drag, never drive
 
 
-def test_supports_carry_what_the_contact_brings():
-    mesh = join({"a": block(x=(0, 1), y=(0.5, 1), nx=5, ny=3),
-                 "b": block(x=(0, 1), y=(0, 0.5), nx=6, ny=3)})  # fmt: skip
-    s = ContactProblem(
-        mesh, materials={"a": SOFT, "b": HARD}, assumption="plane strain",
-        supports={"b.bottom": "xy", "a.left": "x"},
-        contacts=[Pair(slave="a.bottom", master="b.top", friction=0.3)],
-    ).solve(forces={"a.top": (2e-3, -9e-3)})  # fmt: skip
-    touch = s.touches[0]
-    foot, wall = s.plane.reaction("b.bottom"), s.plane.reaction("a.left")
-    np.testing.assert_allclose(np.add(foot[:2], wall[:2]), (-2e-3, 9e-3), atol=EXACT * 9e-3)
-    np.testing.assert_allclose(np.negative(foot[:2]), touch.force, atol=EXACT * 9e-3)
-    assert -foot[2] == pytest.approx(touch.moment(), abs=EXACT * 9e-3)
-
-
-def rings(share, *, swap=False, shapes=True):
+def rings(share, *, swap=False):
     """A ring turned on another that holds it by a press fit, by `share` of what makes it slide."""
     r, fit, mu = 0.04, 1e-5, 0.2
     mesh = join({"in": full_ring(r_i=0.02, r_o=r, around=32, across=4),
                  "out": full_ring(r_i=r, r_o=0.07, around=24, across=5)})  # fmt: skip
     sides = {"in.rim": Circle((0, 0), r), "out.bore": Circle((0, 0), r, hollow=True)}
     slave, master = list(sides)[::-1] if swap else list(sides)
-    exact = {"slave_shape": sides[slave], "master_shape": sides[master]} if shapes else {}
     problem = ContactProblem(
         mesh, materials=Elastic(E=210e9, nu=0.3), assumption="plane strain",
         supports={"in.bore": "xy"},
-        contacts=[Pair(slave=slave, master=master, friction=mu, interference=fit, **exact)],
+        contacts=[Pair(slave=slave, master=master, friction=mu, interference=fit,
+                       slave_shape=sides[slave], master_shape=sides[master])],
     )  # fmt: skip
     pressed = problem.solve()
     moment = share * mu * r * pressed.touches[0].normal_force
@@ -111,17 +95,6 @@ def test_a_ring_hands_its_torque_to_the_ring_that_it_is_pressed_on(swap):
     assert sign * touch.moment() == pytest.approx(moment, rel=2e-5)
     assert sign * touch.moment(on="slave") == pytest.approx(-moment, rel=2e-5)
     np.testing.assert_allclose(touch.force, 0.0, atol=EXACT * touch.normal_force)
-
-
-def test_moments_on_both_sides_differ_by_friction_across_what_parts_them():
-    # a gap or an overlap between slave and master is the arm of the tangential forces:
-    # without exact shapes that is the distance of the parabolas, 1e-5 of the radius
-    s, moment = rings(0.9, shapes=False)
-    touch = s.touches[0]
-    points = touch.mortar.points
-    apart = (touch.q * points.gap) @ touch.weight
-    assert touch.moment() + touch.moment(on="slave") == pytest.approx(apart, abs=1e-9 * moment)
-    assert abs(apart) < 2e-5 * moment
 
 
 def test_a_press_fit_turns_at_its_friction_and_not_before():
@@ -150,30 +123,3 @@ def test_work_done_slowly_without_friction_is_the_strain_energy():
     errors = [work / energy - 1 for work, energy in (steps(n) for n in (16, 32))]
     assert abs(errors[1]) < 1e-3
     assert errors[0] / errors[1] == pytest.approx(4, rel=0.2)  # of the trapezoidal rule
-
-
-def test_friction_only_takes_energy():
-    R = 10e-3
-    a = 0.02 * R
-    mesh = join({"disc": half_disc(R=R, zone=1.4 * a, refine=1),
-                 "block": block(x=(-R, R), y=(-R, 0), nx=1, ny=1)})  # fmt: skip
-    problem = ContactProblem(
-        mesh, materials={"disc": Elastic(E=210e9, nu=0.3), "block": Rigid()},
-        assumption="plane strain", supports={"disc.middle": "xy", "block.bottom": "xy"},
-        contacts=[Pair(slave="disc.surface", master="block.top", friction=0.3,
-                       slave_shape=Circle((0, R), R), master_shape=Flat())],
-    )  # fmt: skip
-    s, before, lost, path = None, 0.0, [], []
-    for x in 0.6e-6 * np.sin(np.linspace(0, 4 * np.pi, 97)):
-        s = problem.solve(displacements={"disc.middle": {"x": x, "y": -2e-6}}, after=s)
-        touch = s.touches[0]
-        forces = touch.traction * touch.mortar.size
-        lost.append(-float((forces + before) @ touch.slip) / 2)
-        before = forces
-        path.append((x, touch.force[0], s.strain_energy))
-    assert min(lost) > -1e-12 * max(lost)
-    x, force, energy = np.array(path).T
-    work = float(np.trapezoid(force[48:], x[48:]))  # the second turn
-    assert work > 0.005 * np.ptp(x) * np.ptp(force)
-    # linear in a step but for the few points that change their state in it
-    assert work - energy[-1] + energy[48] == pytest.approx(sum(lost[49:]), rel=2e-3)

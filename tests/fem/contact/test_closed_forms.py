@@ -9,7 +9,6 @@ from fem.contact.shapes import Circle, Flat
 from fem.plane.material import Elastic
 from meshes.contact.block import block, full_block, half_block
 from meshes.contact.disc import quarter_disc
-from meshes.contact.race import half_race
 from meshes.contact.round import full_ring
 from meshes.join import join
 
@@ -20,10 +19,9 @@ def plane_modulus(E, nu, assumption):
     return E if assumption == "plane stress" else E / (1 - nu**2)
 
 
-@pytest.mark.parametrize("swap", [False, True], ids=["", "swapped"])
 @pytest.mark.parametrize(
-    ("R_2", "E_2", "assumption"),
-    [(R, E, "plane strain"), (3 * R, 4 * E, "plane strain"), (3 * R, E / 4, "plane stress")],
+    ("R_2", "E_2", "assumption", "swap"),
+    [(3 * R, 4 * E, "plane strain", True), (3 * R, E / 4, "plane stress", False)],
 )
 def test_two_discs_meet_hertz(R_2, E_2, assumption, swap):
     a = 0.01 * R
@@ -46,25 +44,8 @@ def test_two_discs_meet_hertz(R_2, E_2, assumption, swap):
     assert abs(touch.force[1]) == pytest.approx(load / 2, rel=1e-8)
 
 
-def test_a_roller_in_a_bore_meets_hertz():
-    a, r_i = 0.01 * R, 1.3 * R
-    bend = 1 / R - 1 / r_i
-    load = np.pi * a**2 * bend * E / (1 - NU**2) / 8
-    mesh = join({"roller": quarter_disc(R=R, zone=1.4 * a, refine=2),
-                 "race": half_race(r_i=r_i, r_o=3 * R, zone=1.5 * a, refine=2)})  # fmt: skip
-    s = ContactProblem(
-        mesh, materials=Elastic(E=E, nu=NU), assumption="plane strain",
-        supports={"roller.axis": "x", "race.axis": "x", "race.rim": "y"},
-        contacts=[Pair(slave="roller.surface", master="race.bore", slave_shape=Circle((0, R), R),
-                       master_shape=Circle((0, r_i), r_i, hollow=True))],
-    ).solve(forces={"roller.middle": (0, -load / 2)})  # fmt: skip
-    touch = s.touches[0]
-    assert touch.half_width((0, 0)) == pytest.approx(a, rel=2e-3)
-    assert touch.peak == pytest.approx(2 * load / (np.pi * a), rel=2e-3)
-
-
-@pytest.mark.parametrize("refine", [2, 3])  # on the third mesh the axis is prone to open
-@pytest.mark.parametrize("partner", ["flat", "sphere"])
+# on the third mesh the axis is prone to open
+@pytest.mark.parametrize(("partner", "refine"), [("flat", 2), ("sphere", 3)])
 def test_spheres_meet_hertz(partner, refine):
     a = 0.02 * R
     soft = (1 - NU**2) / E * (1 if partner == "flat" else 2)
@@ -93,27 +74,6 @@ def test_spheres_meet_hertz(partner, refine):
     assert -0.65 * a / R < delta - 1 < 0
 
 
-def test_a_flat_rigid_punch_presses_as_sadowsky_has_it():
-    load, errors = 0.01, []
-    for refine in (1, 2):
-        punch = block(x=(0, 1), y=(0, 1), nx=8 * refine, ny=1)
-        low = half_block(width=60, depth=60, zone=1, refine=refine, cells=8)
-        s = ContactProblem(
-            join({"punch": punch, "low": low}), assumption="plane strain",
-            materials={"punch": Rigid(), "low": Elastic(E=1, nu=NU)},
-            supports={"punch.left": "x", "low.axis": "x", "low.bottom": "y"},
-            contacts=[Pair(slave="low.surface", master="punch.bottom")],
-        ).solve(forces={"punch.top": (0, -load / 2)})  # fmt: skip
-        touch = s.touches[0]
-        x = touch.x[0]
-        inner = x < 0.8
-        exact = load / np.pi / np.sqrt(1 - x[inner] ** 2)
-        errors.append(np.abs(touch.pressure[inner] / exact - 1).max())
-    # the corner's singularity leaves half an order or one to pressures nearby
-    assert errors[1] < 0.02
-    assert np.log2(errors[0] / errors[1]) > 0.5, errors
-
-
 def test_a_punch_off_its_middle_tilts_as_the_half_plane_has_it():
     load, off = 0.01, 0.25  # of the half-width; beyond a half it would lift
     punch = block(x=(-1, 1), y=(0, 1), nx=32, ny=1)
@@ -137,9 +97,7 @@ def test_a_punch_off_its_middle_tilts_as_the_half_plane_has_it():
     ("assumption", "overlap", "swap", "friction"),
     [
         ("plane strain", False, False, 0.2),
-        ("plane stress", False, True, 0.0),
-        ("plane strain", True, False, 0.0),
-        ("plane stress", True, True, 0.2),
+        ("plane stress", True, True, 0.0),
     ],
 )
 def test_a_press_fit_meets_lame(assumption, swap, overlap, friction):
@@ -189,20 +147,3 @@ def test_a_layer_recedes_to_one_extent_under_any_load():
     np.testing.assert_allclose(1e12 * light.pressure, heavy.pressure, atol=1e-8 * heavy.peak)
     # Keer, Dundurs and Tsai 1972: 1.35 for a point load on bodies alike, in thicknesses
     assert heavy.x[0, heavy.closed].max() == pytest.approx(1.35, abs=0.06)  # a cell's half, spread
-
-
-@pytest.mark.parametrize("load", [60.0, 100.0, 200.0])
-def test_a_cantilever_meets_a_stop_as_beam_theory_has_it(load):
-    L, h, gap, modulus = 1.0, 0.02, 5e-3, 70e9
-    beam = block(x=(0, L), y=(0, h), nx=50, ny=2)
-    beam = beam.with_boundaries({"tip": lambda x: (x[1] < 1e-9) & (x[0] > L * (1 - 1 / 50))})
-    s = ContactProblem(
-        beam, materials=Elastic(E=modulus, nu=0.0), assumption="plane stress",
-        supports={"left": "xy"}, obstacles={"stop": Obstacle(Flat((0, -gap)))},
-        contacts=[Pair(slave="tip", master="stop")],
-    ).solve(tractions={"top": (0, -load / L)})  # fmt: skip
-    stiff = modulus * h**3 / 12
-    pushed = max(0.0, 3 / 8 * load - 3 * stiff * gap / L**3)
-    # shear takes 0.2 (h/L)^2 of the deflection, the stop's place on the last cell a few per cent
-    assert -s.touches[0].force[1] == pytest.approx(pushed, rel=0.04, abs=1e-9 * load)
-    assert s.plane.reaction("left")[1] == pytest.approx(load + s.touches[0].force[1], rel=1e-7)

@@ -12,14 +12,11 @@ from meshes.contact.block import block
 from meshes.join import join
 
 
-@pytest.fixture(scope="module", params=["one body", "two bodies"])
-def floating(request):
-    """K of bodies that nothing holds, the surface's unknowns last, and their number."""
-    mesh = block(x=(0, 2), y=(0, 1), nx=7, ny=5, cells="tri")
-    names = ["top", "bottom"]
-    if request.param == "two bodies":
-        mesh = join({"a": mesh, "b": block(x=(0, 2), y=(1, 2), nx=6, ny=4, cells="tri")})
-        names = ["a.top", "a.bottom", "b.bottom"]
+def floating():
+    """K of two bodies that nothing holds, the surface's unknowns last, and their number."""
+    mesh = join({"a": block(x=(0, 2), y=(0, 1), nx=7, ny=5, cells="tri"),
+                 "b": block(x=(0, 2), y=(1, 2), nx=6, ny=4, cells="tri")})  # fmt: skip
+    names = ["a.top", "a.bottom", "b.bottom"]
     basis = vector_basis(mesh)
     K = Cells.of(basis, np.full(mesh.nelements, 1.3), np.full(mesh.nelements, 0.8)).stiffness()
     surface = np.unique(np.concatenate([basis.get_dofs(name).all() for name in names]))
@@ -29,32 +26,18 @@ def floating(request):
     return csr_array(K[order][:, order]), surface.size
 
 
-def split(K, count):
+def test_the_surface_s_stiffness_and_loads_are_those_of_the_whole_and_the_inside_follows():
+    K, count = floating()
     n = K.shape[0] - count
     A = K.toarray()
-    return A[:n, :n], A[:n, n:], A[n:, n:]
-
-
-def test_the_stiffness_is_the_schur_complement(floating):
-    K, count = floating
-    inner, coupling, outer = split(K, count)
-    S = outer - coupling.T @ np.linalg.solve(inner, coupling)
-    assert np.abs(condense(K, count).S - S).max() < 1e-12 * np.abs(S).max()
-
-
-def test_loads_inside_act_on_the_surface_as_they_would_through_the_body(floating):
-    K, count = floating
-    inner, coupling, _ = split(K, count)
-    f = np.random.default_rng(1).normal(size=K.shape[0])
-    expected = f[-count:] - coupling.T @ np.linalg.solve(inner, f[:-count])
-    assert condense(K, count).load(f) == pytest.approx(expected, rel=1e-10, abs=1e-10)
-
-
-def test_the_inside_follows_a_surface_that_is_moved(floating):
-    K, count = floating
+    inner, coupling, outer = A[:n, :n], A[:n, n:], A[n:, n:]
     found = condense(K, count)
-    random = np.random.default_rng(2)
-    f, moved = random.normal(size=K.shape[0]), random.normal(size=count)
+    schur = outer - coupling.T @ np.linalg.solve(inner, coupling)
+    assert np.abs(found.S - schur).max() < 1e-12 * np.abs(schur).max()
+    random = np.random.default_rng(1)
+    f, moved = random.normal(size=n + count), random.normal(size=count)
+    expected = f[n:] - coupling.T @ np.linalg.solve(inner, f[:n])
+    assert found.load(f) == pytest.approx(expected, rel=1e-10, abs=1e-10)
     u = found.inside(f, found.load(f), moved)
-    assert u[-count:] == pytest.approx(moved, rel=1e-9, abs=1e-9)
-    assert (K @ u - f)[:-count] == pytest.approx(np.zeros(K.shape[0] - count), abs=1e-9)
+    assert u[n:] == pytest.approx(moved, rel=1e-9, abs=1e-9)
+    assert (K @ u - f)[:n] == pytest.approx(np.zeros(n), abs=1e-9)

@@ -4,8 +4,6 @@ import numpy as np
 import pytest
 
 from fem.contact.along import Along
-from fem.contact.cone import State
-from fem.contact.cone_descent import Descent
 from fem.contact.pairs import Obstacle, Pair
 from fem.contact.problem import ContactProblem
 from fem.contact.shapes import Circle, Flat
@@ -72,55 +70,6 @@ def test_friction_only_takes_energy_and_all_that_is_missing():
     assert work > 0.005 * np.ptp(x) * np.ptp(F_x)
     change = energy[-1] - energy[48]
     assert work - change == pytest.approx(sum(lost[49:]), rel=1e-6)
-
-
-@pytest.mark.parametrize("seed", range(6))
-def test_the_cone_finds_the_same_contact_from_random_starts(seed):
-    R, a = 10e-3, 2e-4
-    problem = ContactProblem(
-        half_disc(R=R, zone=1.4 * a, refine=1), materials=Elastic(E=210e9, nu=0.3),
-        assumption="plane strain", supports={"middle": "x"}, obstacles={"flat": Obstacle(Flat())},
-        along=Along(),
-        contacts=[Pair(slave="surface", master="flat", friction=0.3,
-                       slave_shape=Circle((0, R), R))],
-    )  # fmt: skip
-    P = 8e5
-    s = problem.solve(forces={"middle": (0.0, -P)})
-    s = problem.solve(forces={"middle": (0.0, -P)}, axial_forces={"middle": 0.2 * P}, after=s)
-    cone = s.along.interface.cone
-    n = s.rest.multipliers.size
-    at = State(
-        np.concatenate([s.rest.multipliers, s.along.traction]),
-        np.concatenate([s.rest.motion, s.along.shift]),
-    )
-    w = np.concatenate([s.w, s.along.w]) - cone.B @ at.multipliers - cone.D @ at.motion
-    e = -cone.D.T @ at.multipliers
-    random = np.random.default_rng(seed)
-    start = State(
-        at.multipliers[:n].max() * random.uniform(-1, 1, at.multipliers.size),
-        1e-6 * random.uniform(-1, 1, at.motion.size),
-    )
-    found = Descent(cone, w, e).solve([start])
-    peak = s.touches[0].peak
-    np.testing.assert_allclose(found.multipliers, at.multipliers, atol=1e-7 * peak)
-
-
-@pytest.mark.parametrize("gap", [1e-4, 2e-3])
-def test_what_starts_apart_is_pulled_as_what_touches(gap):
-    R, P, found = 10e-3, 8e5, []
-    for below in (0.0, gap):
-        problem = ContactProblem(
-            half_disc(R=R, zone=2.8e-4, refine=1), materials=Elastic(E=210e9, nu=0.3),
-            assumption="plane strain", supports={"middle": "x"}, along=Along(),
-            obstacles={"flat": Obstacle(Flat((0.0, -below)))},
-            contacts=[Pair(slave="surface", master="flat", friction=0.3,
-                           slave_shape=Circle((0, R), R))],
-        )  # fmt: skip
-        load = {"middle": (0.0, -P)}
-        found.append(problem.solve(forces=load, axial_forces={"middle": 0.2 * P}))
-    near, far = (s.touches[0] for s in found)
-    assert far.force_z == pytest.approx(0.2 * P, rel=EXACT)
-    np.testing.assert_allclose(far.traction_z, near.traction_z, atol=1e-9 * near.peak)
 
 
 def test_slip_along_z_counts_from_where_a_gap_closes():

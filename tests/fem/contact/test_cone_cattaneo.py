@@ -58,7 +58,7 @@ def pulled():
     return problem, pressed
 
 
-@pytest.mark.parametrize("share", [0.2, 0.5, 0.8, 0.95])
+@pytest.mark.parametrize("share", [0.2, 0.8])
 def test_pulled_along_z_the_stick_zone_shrinks_as_cattaneo_has_it(pulled, share):
     problem, pressed = pulled
     P = load(0.3)
@@ -68,8 +68,7 @@ def test_pulled_along_z_the_stick_zone_shrinks_as_cattaneo_has_it(pulled, share)
     assert touch.force_z == pytest.approx(Q, rel=1e-9)
     assert s.along.residual.largest < 1e-9
     a, c = touch.half_width(), touch.half_width() * np.sqrt(1 - share)
-    near = 1e-3 if share < 0.9 else 1e-2  # at 0.95 two cells lie within c
-    assert stick_half_width(touch, touch.q_z) == pytest.approx(c, rel=near)
+    assert stick_half_width(touch, touch.q_z) == pytest.approx(c, rel=1e-3)
     cell = A * 1.2 / 12 / 2
     assert np.ptp(touch.x[0, touch.sticks]) / 2 == pytest.approx(c, abs=1.5 * cell)
     x, p_0 = touch.x[0], 2 * P / (np.pi * a)
@@ -84,15 +83,15 @@ def test_pulled_along_z_the_stick_zone_shrinks_as_cattaneo_has_it(pulled, share)
 
 def test_the_stick_zone_converges_to_cattaneos():
     misses = []
-    for refine in (1, 2, 4):
+    for refine in (1, 4):
         problem, P = rollers(0.3, refine, held="x"), load(0.3)
         s = problem.solve(forces={"up.middle": (0.0, -P)})
         pull = {"up.middle": 0.5 * MU * P}
         s = problem.solve(forces={"up.middle": (0.0, -P)}, axial_forces=pull, after=s)
         c = s.touches[0].half_width() * np.sqrt(0.5)
         misses.append(abs(stick_half_width(s.touches[0], s.touches[0].q_z) / c - 1))
-    assert misses[2] < 2e-4
-    assert misses[2] < misses[0] / 4
+    assert misses[1] < 2e-4
+    assert misses[1] < misses[0] / 4
 
 
 @pytest.fixture(scope="module")
@@ -102,7 +101,7 @@ def oblique():
     return problem, problem.solve(displacements={"up.middle": {"x": 0.0, "y": -5e-6}})
 
 
-@pytest.mark.parametrize("angle", [0.0, 30.0, 45.0, 60.0, 90.0, 120.0])
+@pytest.mark.parametrize("angle", [30.0, 120.0])
 def test_without_poissons_ratio_every_direction_is_cattaneos(oblique, angle):
     problem, pressed = oblique
     x, z = 7e-7 * np.cos(np.radians(angle)), 7e-7 * np.sin(np.radians(angle))
@@ -131,21 +130,6 @@ def test_without_poissons_ratio_every_direction_is_cattaneos(oblique, angle):
     np.testing.assert_allclose(along, -size, atol=1e-8 * size.max())
 
 
-def test_with_poissons_ratio_pushes_lag_behind_pulls():
-    # a push moves the surface by 1 - nu of what a pull does: oblique forces share alike no more
-    problem = rollers(0.45, along={"up.middle": 0.0})
-    pressed = problem.solve(displacements={"up.middle": {"x": 0.0, "y": -5e-6}})
-    s = problem.solve(
-        displacements={"up.middle": {"x": 5e-7, "y": -5e-6}},
-        axial_displacements={"up.middle": 5e-7}, after=pressed,
-    )  # fmt: skip
-    touch = s.touches[0]
-    d = np.array([touch.friction_force, touch.force_z])
-    d /= np.hypot(*d)
-    across = d[0] * touch.q_z - d[1] * touch.q
-    assert np.abs(across).max() > 0.05 * MU * touch.p.max()
-
-
 def test_the_edges_turn_back_at_twice_the_change_of_load(pulled):
     # Mindlin and Deresiewicz, along z: unloading is a loading of twice the friction
     problem, pressed = pulled
@@ -172,21 +156,3 @@ def test_the_edges_turn_back_at_twice_the_change_of_load(pulled):
     np.testing.assert_allclose(
         again.touches[0].traction_z, before.traction_z, atol=1e-3 * MU * touch.peak
     )
-
-
-def test_the_way_there_matters(pulled):
-    problem, pressed = pulled
-    P = load(0.3)
-    half = {"up.middle": 0.5 * MU * P}
-    straight = problem.solve(
-        forces={"up.middle": (0.0, -P)}, axial_forces=half, after=pressed
-    ).touches[0]  # fmt: skip
-    far = problem.solve(
-        forces={"up.middle": (0.0, -P)}, axial_forces={"up.middle": 0.9 * MU * P}, after=pressed
-    )
-    round_about = problem.solve(
-        forces={"up.middle": (0.0, -P)}, axial_forces=half, after=far
-    ).touches[0]  # fmt: skip
-    assert straight.force_z == pytest.approx(round_about.force_z, rel=1e-9)
-    apart = np.abs(straight.traction_z - round_about.traction_z).max()
-    assert apart > 0.1 * MU * straight.peak

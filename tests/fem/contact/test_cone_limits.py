@@ -17,7 +17,6 @@ from meshes.join import join
 SOFT, HARD = Elastic(E=1.0, nu=0.3), Elastic(E=4.0, nu=0.2)
 MU, P = 0.2, 8e-3
 SLOPE = 0.1
-ANGLES = [0.0, 30.0, 60.0, 90.0, 200.0]
 
 
 def on_flat(low=HARD, top=None):
@@ -46,12 +45,13 @@ def pulled(problem, pressed, angle, share):
     )  # fmt: skip
 
 
-@pytest.mark.parametrize("angle", ANGLES)
-@pytest.mark.parametrize("low", [HARD, Rigid()], ids=["elastic", "rigid"])
+@pytest.mark.parametrize(
+    ("low", "angle"), [(HARD, 30.0), (Rigid(), 200.0)], ids=["elastic", "rigid"]
+)
 def test_a_block_holds_what_is_within_the_cone_and_no_more(low, angle):
     problem = on_flat(low)
     pressed = problem.solve(forces={"up.top": (0.0, -P)})
-    for share in (0.3, 0.7, 0.99, 0.9999):
+    for share in (0.3, 0.9999):
         s = pulled(problem, pressed, angle, share)
         touch = s.touches[0]
         x, z = (share * MU * P * d for d in towards(angle))
@@ -61,21 +61,20 @@ def test_a_block_holds_what_is_within_the_cone_and_no_more(low, angle):
         assert np.all(q <= MU * touch.pressure * (1 + 1e-9))
         assert s.along is not None
         assert s.along.residual.largest < 1e-9
-    for share in (1.000001, 1.3, 50.0):
+    for share in (1.000001, 50.0):
         with pytest.raises(ValueError, match="the loads do move it"):
             pulled(problem, pressed, angle, share)
 
 
-@pytest.mark.parametrize("angle", [30.0, 60.0, 90.0])
-def test_what_hardly_holds_slides_far_and_is_refused(angle):
+def test_what_hardly_holds_slides_far_and_is_refused():
     # friction that has turned into the pull all over: it rests after 200 times what it deforms
     problem = on_flat()
     pressed = problem.solve(forces={"up.top": (0.0, -P)})
     with pytest.raises(ArithmeticError, match="within small motions"):
-        pulled(problem, pressed, angle, 1 - 1e-7)
+        pulled(problem, pressed, 30.0, 1 - 1e-7)
 
 
-@pytest.mark.parametrize("angle", ANGLES)
+@pytest.mark.parametrize("angle", [0.0, 60.0])
 def test_a_block_that_is_moved_slides_at_mu_times_the_pressure(angle):
     problem = on_flat(top="moved")
     s = problem.solve(displacements={"up.top": {"x": 0.0, "y": -1e-3}})
@@ -95,26 +94,6 @@ def test_a_block_that_is_moved_slides_at_mu_times_the_pressure(angle):
     np.testing.assert_allclose(q, MU * touch.pressure, rtol=1e-9)
 
 
-def test_what_slides_one_way_turns_to_another():
-    problem = on_flat(top="moved")
-    down = {"x": 0.0, "y": -1e-3}
-    s = problem.solve(displacements={"up.top": down})
-    s = problem.solve(displacements={"up.top": {"x": 0.5, "y": -1e-3}}, after=s)
-    assert s.touches[0].force[0] == pytest.approx(MU * s.touches[0].normal_force, rel=1e-9)
-    assert abs(s.touches[0].force_z) < 1e-12
-    for z in (1e-4, 1e-3, 1e-2, 0.5, 1.0):
-        before = s.touches[0]
-        s = problem.solve(
-            displacements={"up.top": {"x": 0.5, "y": -1e-3}}, axial_displacements={"up.top": z},
-            after=s,
-        )  # fmt: skip
-        touch = s.touches[0]
-        force = np.hypot(touch.force[0], touch.force_z)
-        assert force <= MU * touch.normal_force * (1 + 1e-9)
-        assert touch.force_z > before.force_z - 1e-6 * P  # turning further
-    assert touch.force_z == pytest.approx(MU * touch.normal_force, rel=1e-6)
-
-
 def wedged(free=()):
     """A disc that friction alone holds between flats, each at SLOPE, that close towards +x."""
     mesh, rim = full_disc(R=1.0, around=64), Circle((0.0, 0.0), 1.0)
@@ -130,27 +109,6 @@ def wedged(free=()):
         contacts=[Pair(slave="over", master="above", **fit),
                   Pair(slave="under", master="below", **fit)],
     )  # fmt: skip
-
-
-def test_a_disc_in_a_wedge_sticks_to_flats_that_move_along_z():
-    # two forces balance on it: their angle to the normals is that of the flats, and it follows
-    # both flats, by half of what one is moved
-    problem = wedged()
-    s = problem.solve()
-    for moved in (1e-3, 2e-3, 4e-3):
-        s = problem.solve(axial_displacements={"above": moved}, after=s)
-        above, below = s.touches
-        for touch in (above, below):
-            assert abs(touch.friction_force) == pytest.approx(
-                np.tan(SLOPE) * touch.normal_force, rel=1e-3
-            )
-        assert above.force_z == pytest.approx(-below.force_z, rel=1e-9)
-        assert above.force_z < 0  # the flat above drags the disc along, and is held back
-        assert s.along.reaction("above") == pytest.approx(-above.force_z, rel=1e-9)
-        assert s.u_z[: s.along.interface.bodies.nodes.meshed].mean() == pytest.approx(
-            moved / 2, rel=1e-6
-        )
-    assert abs(above.force_z) > 0.05 * above.normal_force
 
 
 def test_a_disc_in_a_wedge_holds_an_axial_force_within_the_cone():

@@ -8,10 +8,8 @@ from fem.contact.cone import State
 from fem.contact.cone_descent import Descent
 from fem.contact.pairs import Pair
 from fem.contact.problem import ContactProblem
-from fem.contact.shapes import Circle
 from fem.plane.material import Elastic
 from meshes.contact.block import block
-from meshes.contact.disc import half_disc
 from meshes.join import join
 
 SOFT, HARD = Elastic(E=1.0, nu=0.3), Elastic(E=4.0, nu=0.2)
@@ -40,12 +38,11 @@ def test_without_loads_along_z_the_plane_is_what_it_was():
         assert a.u_z.size == b.u_z.size
 
 
-@pytest.mark.parametrize("share", [0.3, 0.75])
-def test_the_cones_own_equations_find_the_planes_friction(share):
+def test_the_cones_own_equations_find_the_planes_friction():
     # the way over Newton's method, from elsewhere: all nodes pulled along z at the start
     problem = tower(Along(supports={"low.bottom": 0.0}))
     pressed = problem.solve(forces={"up.top": (0.0, -8e-3)})
-    load = {"up.top": (share * 0.25 * 8e-3, -8e-3)}
+    load = {"up.top": (0.75 * 0.25 * 8e-3, -8e-3)}
     s = problem.solve(forces=load, after=pressed)
     cone = s.along.interface.cone
     n, k = s.rest.multipliers.size, s.rest.motion.size
@@ -62,66 +59,6 @@ def test_the_cones_own_equations_find_the_planes_friction(share):
     peak = s.touches[0].peak
     np.testing.assert_allclose(found.multipliers[:n], s.rest.multipliers, atol=1e-9 * peak)
     np.testing.assert_allclose(found.multipliers[n:], 0.0, atol=1e-9 * peak)
-
-
-def test_a_push_so_small_along_z_changes_nothing_in_the_plane():
-    problem = tower(Along(supports={"low.bottom": 0.0}))
-    pressed = problem.solve(forces={"up.top": (0.0, -8e-3)})
-    load = {"up.top": (1e-3, -8e-3)}
-    plane = problem.solve(forces=load, after=pressed)
-    both = problem.solve(forces=load, axial_forces={"up.top": 1e-15}, after=pressed)
-    atol = 1e-9 * plane.touches[0].peak
-    np.testing.assert_allclose(both.rest.multipliers, plane.rest.multipliers, atol=atol)
-
-
-def test_the_other_way_along_z_is_the_mirror_image():
-    problem = tower(Along(supports={"low.bottom": 0.0}))
-    pressed = problem.solve(forces={"up.top": (0.0, -8e-3)})
-    load = {"up.top": (8e-4, -8e-3)}
-    there, back = (
-        problem.solve(forces=load, axial_forces={"up.top": z}, after=pressed)
-        for z in (1.1e-3, -1.1e-3)
-    )
-    peak = there.touches[0].peak
-    for name, sign in (("traction", 1), ("pressure", 1), ("traction_z", -1)):
-        a, b = getattr(there.touches[0], name), getattr(back.touches[0], name)
-        np.testing.assert_allclose(a, sign * b, atol=1e-9 * peak)
-    np.testing.assert_allclose(there.u_z, -back.u_z, atol=1e-9 * np.abs(there.u_z).max())
-
-
-def test_slave_and_master_may_change_places():
-    R, a, found = 10e-3, 2e-4, []
-    mesh = join({"up": half_disc(R=R, zone=1.4 * a, refine=2),
-                 "low": half_disc(R=R, zone=1.4 * a, refine=2, below=True)})  # fmt: skip
-    shapes = {"up": Circle((0, R), R), "low": Circle((0, -R), R)}
-    for slave, master in (("up", "low"), ("low", "up")):
-        problem = ContactProblem(
-            mesh, materials=Elastic(E=210e9, nu=0.3), assumption="plane strain",
-            supports={"low.middle": "xy", "up.middle": "xy"},
-            along=Along(supports={"low.middle": 0.0, "up.middle": 0.0}),
-            contacts=[Pair(slave=f"{slave}.surface", master=f"{master}.surface", friction=0.3,
-                           slave_shape=shapes[slave], master_shape=shapes[master])],
-        )  # fmt: skip
-        down = {"up.middle": {"x": 5e-7, "y": -5e-6}}
-        s = problem.solve(displacements={"up.middle": {"x": 0.0, "y": -5e-6}})
-        s = problem.solve(displacements=down, axial_displacements={"up.middle": 5e-7}, after=s)
-        found.append(s)
-    one, other = (np.array([*s.touches[0].force, s.touches[0].force_z]) for s in found)
-    np.testing.assert_allclose(one, -other, atol=1e-6 * abs(one[1]))
-
-
-@pytest.mark.parametrize("steps", [1, 4])
-def test_even_shares_in_one_direction_lead_where_one_step_does(steps):
-    problem = tower(Along(supports={"low.bottom": 0.0}), friction=0.6)
-    pressed = problem.solve(forces={"up.top": (0.0, -8e-3)})
-    load = {"forces": {"up.top": (0.0, -8e-3)}, "axial_forces": {"up.top": 1e-3}}
-    s = problem.solve(**load, after=pressed, steps=steps)
-    one = problem.solve(**load, after=pressed)
-    assert s.touches[0].force_z == pytest.approx(1e-3, rel=1e-9)
-    near = 1e-9 if steps == 1 else 0.02  # nodes that open on the way
-    np.testing.assert_allclose(
-        s.touches[0].traction_z, one.touches[0].traction_z, atol=near * one.touches[0].peak
-    )
 
 
 def test_shares_of_a_step_are_steps_of_their_own():

@@ -27,70 +27,43 @@ def pair(along=HELD, assumption="plane strain", friction=0.3):
     )  # fmt: skip
 
 
-@pytest.mark.parametrize("assumption", ["plane stress"])
-def test_only_plane_strain_moves_along_z(assumption):
-    with pytest.raises(ValueError, match="plane strain, got 'plane stress'"):
-        pair(assumption=assumption)
+DOWN = {"forces": {"up.top": (0.0, -1e-3)}}
+MOVES = "body 'up' can move along z, and the loads do move it"
+UNHELD = r"no support holds 'up\.top' along z; there are: low\.bot"
 
 
-def test_a_body_that_nothing_holds_along_z_is_named():
-    with pytest.raises(ValueError, match="body 'up' can move along z: neither"):
-        pair(friction=0.0)
-    with pytest.raises(ValueError, match=r"body '(up|low)' can move along z, and the loads"):
-        pair(Along()).solve(forces={"up.top": (0.0, -1e-3)}, axial_forces={"up.top": 1e-5})
+@pytest.mark.parametrize(
+    ("changed", "load", "message"),
+    [
+        ({"assumption": "plane stress"}, None, "plane strain, got 'plane stress'"),
+        ({"friction": 0.0}, None, "body 'up' can move along z: neither"),
+        ({"along": Along()}, DOWN | {"axial_forces": {"up.top": 1e-5}},
+         r"body '(up|low)' can move along z, and the loads"),
+        ({"along": Along(supports={"nowhere": 0.0})}, None, "no boundary 'nowhere'"),
+        ({"along": Along(free=("nowhere",))}, None, "got 'nowhere'; there are: wall"),
+        ({"along": Along(supports={"low.bottom": np.nan})}, None,
+         r"displacement along z of 'low\.bottom' is not finite"),
+        ({"along": Along(supports={"low.bottom": 0.0, "low.left": 1e-3})}, None,
+         r"contradict each other at 'low\.left'"),
+        ({"along": Along(supports={"low.bottom": 0.0, "wall": lambda x: x[0]})}, None,
+         "motion along z of obstacle 'wall' is a number"),
+        ({}, DOWN | {"axial_forces": {"nowhere": 0.0}}, "no boundary 'nowhere'"),
+        ({}, DOWN | {"axial_displacements": {"up.top": 1e-6}}, UNHELD),
+        ({}, DOWN | {"axial_forces": {"up.top": np.nan}},
+         r"the force along z on 'up\.top' is a finite number, got"),
+        ({}, DOWN | {"axial_forces": {"wall": 1e-3}}, "obstacle 'wall': it is not free along z"),
+        ({}, {"axial_forces": {"up.top": 1e-5}}, MOVES),
+        ({"along": None}, DOWN | {"axial_forces": {"up.top": 1e-5}}, "need a problem with along="),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_along_z_is_refused(changed, load, message):
+    with pytest.raises(ValueError, match=message):
+        pair(**changed).solve(**load or {})
 
 
-def test_unknown_names_are_refused():
-    with pytest.raises(ValueError, match="no boundary 'nowhere'"):
-        pair(Along(supports={"nowhere": 0.0}))
-    with pytest.raises(ValueError, match="got 'nowhere'; there are: wall"):
-        pair(Along(free=("nowhere",)))
-    problem = pair()
-    down = {"up.top": (0.0, -1e-3)}
-    with pytest.raises(ValueError, match="no boundary 'nowhere'"):
-        problem.solve(forces=down, axial_forces={"nowhere": 0.0})
-    with pytest.raises(
-        ValueError, match=r"no support holds 'up\.top' along z; there are: low\.bot"
-    ):
-        problem.solve(forces=down, axial_displacements={"up.top": 1e-6})
-    with pytest.raises(
-        ValueError, match=r"no support holds 'up\.top' along z; there are: low\.bot"
-    ):
-        problem.solve(forces=down).along.reaction("up.top")
-
-
-@pytest.mark.parametrize("force", [np.nan, np.inf, "1", (1.0, 2.0)])
-def test_a_force_along_z_is_a_finite_number(force):
-    with pytest.raises(ValueError, match=r"the force along z on 'up\.top' is a finite number, got"):
-        pair().solve(forces={"up.top": (0.0, -1e-3)}, axial_forces={"up.top": force})
-
-
-def test_displacements_along_z_are_finite_and_do_not_contradict():
-    with pytest.raises(ValueError, match=r"displacement along z of 'low\.bottom' is not finite"):
-        pair(Along(supports={"low.bottom": np.nan}))
-    with pytest.raises(ValueError, match=r"contradict each other at 'low\.left'"):
-        pair(Along(supports={"low.bottom": 0.0, "low.left": 1e-3}))
-    with pytest.raises(ValueError, match="motion along z of obstacle 'wall' is a number"):
-        pair(Along(supports={"low.bottom": 0.0, "wall": lambda x: x[0]}))
-
-
-def test_an_obstacle_that_is_held_takes_no_force_along_z():
-    with pytest.raises(ValueError, match="obstacle 'wall': it is not free along z"):
-        pair().solve(forces={"up.top": (0.0, -1e-3)}, axial_forces={"wall": 1e-3})
-
-
-def test_loads_along_z_need_a_problem_along_z():
-    problem = pair(None)
-    down = {"up.top": (0.0, -1e-3)}
-    with pytest.raises(ValueError, match="need a problem with along="):
-        problem.solve(forces=down, axial_forces={"up.top": 1e-5})
-    with pytest.raises(ValueError, match="need a problem with along="):
-        problem.solve(forces=down, axial_displacements={"up.top": 1e-5})
-
-
-def test_without_pressure_nothing_holds_along_z():
-    with pytest.raises(ValueError, match="body 'up' can move along z, and the loads do move it"):
-        pair().solve(axial_forces={"up.top": 1e-5})
+def test_only_what_is_held_along_z_has_a_reaction():
+    with pytest.raises(ValueError, match=UNHELD):
+        pair().solve(**DOWN).along.reaction("up.top")
 
 
 def test_a_solution_that_misses_its_laws_is_no_solution(monkeypatch):

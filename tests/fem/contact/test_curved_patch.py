@@ -39,29 +39,17 @@ def stress_error(solution):
     return np.abs(np.array([xx + P, yy + P, xy])).max() / P
 
 
-@pytest.mark.parametrize("swap", [False, True], ids=["", "swapped"])
 @pytest.mark.parametrize(
-    ("shapes", "coarse"),
+    ("shapes", "swap", "coarse"),
     # parabolas miss the circle by R phi^4/384 = 1e-5 R at most, R P/E is 3e-3 R: parts in 300 at
     # the vertices, a tenth of it or less where gaps come from the circles themselves
-    [(False, 3e-2), (True, 1e-4)],
-    ids=["facets", "circles"],
+    [(False, True, 3e-2), (True, False, 1e-4)],
+    ids=["facets, swapped", "circles"],
 )
-def test_parabolic_facets_fall_away_with_the_third_order_at_least(swap, shapes, coarse):
+def test_parabolic_facets_fall_away_with_the_third_order_at_least(shapes, swap, coarse):
     errors = [stress_error(nested(k, swap=swap, shapes=shapes)) for k in (1, 2)]
     assert errors[0] < coarse
     assert np.log2(errors[0] / errors[1]) > 2.7, errors
-
-
-@pytest.mark.parametrize("swap", [False, True], ids=["", "swapped"])
-def test_the_mean_pressure_is_that_on_the_ring(swap):
-    # its error is that of the parabolas' area, which goes with the fourth order
-    errors = [
-        nested(k, swap=swap, shapes=False).touches[0].normal_force / (2 * np.pi * R * P) - 1
-        for k in (1, 2)
-    ]
-    assert abs(errors[0]) < 1e-3
-    assert np.log2(errors[0] / errors[1]) == pytest.approx(4, abs=0.1)
 
 
 def test_straight_cells_with_exact_circles_leave_the_interface_free_of_facets():
@@ -71,9 +59,8 @@ def test_straight_cells_with_exact_circles_leave_the_interface_free_of_facets():
     assert stress_error(nested(1, swap=False, shapes=False, order=1)) > 0.3
 
 
-@pytest.mark.parametrize("friction", [0.1, 2.0])
-def test_no_part_of_the_interface_rubs_or_opens(friction):
-    touch = nested(1, swap=False, shapes=True, friction=friction).touches[0]
+def test_no_part_of_the_interface_rubs_or_opens():
+    touch = nested(1, swap=False, shapes=True, friction=0.1).touches[0]
     assert np.all(touch.closed)
     assert np.all(touch.sticks)
     assert np.abs(touch.traction).max() < 1e-4 * P  # the stresses' own error
@@ -81,3 +68,11 @@ def test_no_part_of_the_interface_rubs_or_opens(friction):
 
 def test_without_friction_the_disc_may_turn_and_the_state_is_as_hydrostatic():
     assert stress_error(nested(1, swap=False, shapes=True, friction=0.0)) < 1e-4
+
+
+def test_around_a_circle_middle_nodes_lie_halfway_between_their_neighbours():
+    touch = nested(1, swap=False, shapes=True).touches[0]
+    half = np.sin(np.pi / 24)  # of a chord of the circle of radius 1
+    assert touch.arc.size == 2 * 24
+    assert touch.arc.min() == 0  # the curve is closed: its last node is its first
+    np.testing.assert_allclose(np.diff(np.sort(touch.arc)), half, rtol=1e-6)

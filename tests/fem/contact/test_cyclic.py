@@ -97,23 +97,6 @@ def test_the_mean_s_moment_is_the_whole_s_share_and_goes_through_the_contacts_to
     assert {s.tolist() for t in part.touches for s in t.sticks[t.closed]} == {True, False}
 
 
-def test_the_rim_s_mean_rotation_is_what_was_prescribed():
-    rim = turned_clutch().plane.on_boundary("rim 1")
-    turn = rim.mean(rim.x[0] * rim.u[1] - rim.x[1] * rim.u[0]) / rim.mean((rim.x**2).sum(axis=0))
-    assert turn == pytest.approx(ANGLE, rel=1e-8)
-
-
-@pytest.mark.parametrize("start", [-2.0, 1.0, 3.1])
-def test_a_sector_turned_as_a_whole_carries_the_same(start):
-    here, there = turned_clutch(), turned_clutch(start)
-    for one, other in zip(here.touches, there.touches, strict=True):
-        assert other.force == pytest.approx(
-            tuple(turned(np.array(one.force)[:, None], start - START).ravel()), rel=1e-8
-        )
-    moments = [s.plane.mean_reaction("rim 1")["r"] for s in (here, there)]
-    assert moments[0] == pytest.approx(moments[1], rel=1e-8)
-
-
 def test_a_ring_without_friction_that_loads_turn_is_told():
     free = clutch(START, friction=0.0, means={})
     with pytest.raises(ValueError, match="rotation\\), and the loads do move it"):

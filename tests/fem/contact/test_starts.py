@@ -6,9 +6,8 @@ import pytest
 from fem.contact.pairs import Obstacle, Pair
 from fem.contact.problem import ContactProblem
 from fem.contact.shapes import Circle, Flat
-from fem.contact.system import OPEN, STICK
 from fem.plane.material import Elastic
-from meshes.contact.disc import quarter_disc
+from meshes.contact.disc import half_disc, quarter_disc
 
 R, STEEL = 10e-3, Elastic(E=210e9, nu=0.3)
 LOAD = np.pi * 210e9 / 0.91 * (1e-4) ** 2 / (4 * R) / 2  # half of what makes a = R/100
@@ -22,32 +21,26 @@ def disc(refine):
     )  # fmt: skip
 
 
-@pytest.mark.parametrize("refine", [1, 2, 4, 6])
+@pytest.mark.parametrize("refine", [1, 6])
 def test_exchanges_do_not_grow_with_the_mesh(refine):
     step = disc(refine).solve(forces={"middle": (0, -LOAD)})
     assert np.count_nonzero(step.changes) <= 4
     assert step.touches[0].normal_force == pytest.approx(LOAD, rel=1e-9)
 
 
-@pytest.mark.parametrize("share", [0.01, 100.0])
-def test_a_step_finds_its_contact_from_that_of_any_other(share):
-    problem = disc(3)
-    far = problem.solve(forces={"middle": (0, -share * LOAD)})
-    near = problem.solve(forces={"middle": (0, -LOAD)})
-    again = problem.solve(forces={"middle": (0, -LOAD)}, after=far)
-    assert again.touches[0].pressure == pytest.approx(near.touches[0].pressure, rel=1e-9)
-
-
-@pytest.mark.parametrize("seed", range(5))
-def test_the_kernel_finds_the_same_contact_from_random_states(seed):
-    problem = disc(2)
-    near = problem.solve(forces={"middle": (0, -LOAD)})
-    kernel = problem.interface.kernel
-    # the system that this step solved, taken back from its solution
-    w_0 = near.w - kernel.B @ near.rest.multipliers - kernel.D @ near.rest.motion
-    e = -kernel.D.T @ near.rest.multipliers
-    start = np.random.default_rng(seed).choice([OPEN, STICK], near.states.size).astype(np.int8)
-    found = kernel.solve(w_0, e, start)
-    assert found.multipliers == pytest.approx(
-        near.rest.multipliers, rel=1e-8, abs=1e-8 * near.touches[0].peak
-    )
+def test_friction_that_makes_the_exchanges_circle_is_solved_all_the_same():
+    # pressed against a rigid flat, a disc's surface creeps inwards: slip outside, stick inside
+    disc = ContactProblem(
+        half_disc(R=R, zone=0.28e-3, refine=2), materials=STEEL, assumption="plane strain",
+        supports={"middle": "xy"}, obstacles={"flat": Obstacle(Flat(), free="xy")},
+        contacts=[
+            Pair(slave="surface", master="flat", slave_shape=Circle((0, R), R), friction=0.5)
+        ],
+    )  # fmt: skip
+    step = disc.solve(forces={"flat": (0, 1e6)})
+    touch = step.touches[0]
+    assert len(step.changes) < 200
+    assert touch.force == pytest.approx((0, -1e6), abs=1e-2)
+    assert touch.sticks.any()
+    assert (touch.closed & ~touch.sticks).any()
+    assert touch.friction_force == pytest.approx(0, abs=1e-2)  # left and right pull alike

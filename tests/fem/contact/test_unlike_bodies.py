@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from scipy.optimize import newton
 
-from fem.contact.interface import Interface
 from fem.contact.pairs import Pair
 from fem.contact.problem import ContactProblem
 from fem.contact.shapes import Circle
@@ -49,16 +48,11 @@ def excesses(discs, a, *, swap=False):
     return peak / (2 * load / (np.pi * a)) - 1, width / a - 1
 
 
-@pytest.mark.parametrize("swap", [False, True], ids=["", "swapped"])
-@pytest.mark.parametrize("solved", [SMALL_STIFF, LARGE_SOFT], ids=["small stiff", "large soft"])
+@pytest.mark.parametrize(
+    ("solved", "swap"),
+    [(SMALL_STIFF, False), (LARGE_SOFT, True)],
+    ids=["small stiff", "large soft"],
+)
 def test_unlike_discs_are_off_hertz_as_another_solver_says(solved, swap):
     discs, a, *excess = solved
     assert excesses(discs, a, swap=swap) == pytest.approx(excess, abs=SHARP)
-
-
-@pytest.mark.parametrize("solved", [SMALL_STIFF, LARGE_SOFT], ids=["small stiff", "large soft"])
-def test_a_direction_halfway_between_both_is_told(solved, monkeypatch):
-    monkeypatch.setattr(Interface, "_share", lambda *_: 0.5)
-    discs, a, *excess = solved
-    off = np.abs(np.subtract(excesses(discs, a), excess))
-    assert np.all(off > 5 * SHARP)
