@@ -1,0 +1,98 @@
+"""Responses at many speeds from one diagonalisation, instead of a factorisation at each.
+
+Where forces turn in a fixed ratio to the shafts, omega = rho Omega, the matrix of a block is
+
+    D = K + i omega C - omega^2 A,  A = M - H / rho.
+
+The modes V of A v = mu K v, with V^H K V = 1, make all of it diagonal but the damping, and that of
+bearings has a low rank, C = P Q^H:
+
+    V^H D V = d + i omega (V^H P) (V^H Q)^H,  d = 1 - omega^2 mu,
+
+so that Woodbury's formula leaves systems as large as that rank. One correction with the residual
+of D itself follows, and its size tells whether the result is as good as that of a direct solution.
+"""
+
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import eigh
+
+from fem.rotor.blocks import Block, Complex
+from fem.rotor.elements import Array
+
+RATIO = 1e-14  # omega / Omega of speeds that are in one ratio differ by less
+SKEW = 1e-14  # of K that counts as symmetric
+RANK = 1e-14  # singular values of C, over the largest, that are round-off
+SPARSE = 4  # times the rank of C may fit into the unknowns: beyond, little is saved
+NEAR = 1e-6  # |d| of an undamped resonance, where the terms of the formula cancel
+GOOD = 1e-8  # of the motion: a larger correction leaves more than round-off behind
+
+
+@dataclass(frozen=True)
+class Diagonal:
+    """Modes `V` (n, n), their `mu` (n,), and C in them, `left` (n, r) times `right` (n, r)^H."""
+
+    block: Block
+    A: NDArray[np.inexact]
+    V: NDArray[np.inexact]
+    mu: Array
+    left: NDArray[np.inexact]
+    right: NDArray[np.inexact]
+
+    @classmethod
+    def of(cls, block: Block, speeds: Array, omega: Array) -> Self | None:
+        """Of `block` at speeds and frequencies (m,); None where the form does not hold."""
+        ratio = _ratio(speeds, omega)
+        skew = abs(block.K - block.K.conj().T).max()
+        if ratio is None or skew > SKEW * abs(block.K).max():
+            return None
+        U, size, W = np.linalg.svd(block.C)
+        rank = int((size > RANK * size[0]).sum()) if size[0] else 0
+        if SPARSE * rank > size.size:
+            return None
+        A = block.M - block.H / ratio
+        try:
+            mu, V = eigh(A, block.K)
+        except np.linalg.LinAlgError:  # a motion that nothing holds
+            return None
+        turned = V.conj().T
+        left, right = turned @ (U[:, :rank] * size[:rank]), turned @ W[:rank].conj().T
+        return cls(block, A, V, mu, left, right)
+
+    def solve(self, omega: Array, f: Complex) -> tuple[Complex, NDArray[np.bool_]]:
+        """Motions (m, n) under `f` (m, n) at `omega` (m,), and which of them are good."""
+        square, C = omega[:, None] ** 2, 1j * omega[:, None]
+        q = self._decoupled(omega, f @ self.V.conj())
+        u = q @ self.V.T
+        D_u = u @ self.block.K.T - square * (u @ self.A.T)
+        if self.left.size:
+            D_u += C * (u @ self.block.C.T)
+        more = self._decoupled(omega, (f - D_u) @ self.V.conj())
+        sizes = np.linalg.norm(more, axis=1), np.linalg.norm(q, axis=1)
+        apart = abs(1 - square * self.mu).min(axis=1) > NEAR
+        return u + more @ self.V.T, apart & (sizes[0] <= GOOD * sizes[1])
+
+    def _decoupled(self, omega: Array, f: Complex) -> Complex:
+        """Amplitudes (m, n) of the modes under `f` (m, n)."""
+        d = 1 - omega[:, None] ** 2 * self.mu
+        d[abs(d) <= NEAR] = NEAR  # not taken
+        q, rank = f / d, self.left.shape[1]
+        if not rank:
+            return np.asarray(q)
+        pairs = self.right.conj()[:, :, None] * self.left[:, None]
+        small = 1j * omega[:, None] * ((1 / d) @ pairs.reshape(-1, rank**2))
+        small = small.reshape(-1, rank, rank) + np.eye(rank)
+        drag = np.linalg.solve(small, (q @ self.right.conj())[..., None])[..., 0]
+        return np.asarray(q - 1j * omega[:, None] * (drag @ self.left.T) / d)
+
+
+def _ratio(speeds: Array, omega: Array) -> float | None:
+    """Omega / speeds where it is one number for all, and not zero."""
+    fastest = int(np.argmax(abs(speeds)))
+    if not speeds[fastest] or not omega[fastest]:
+        return None
+    ratio = float(omega[fastest] / speeds[fastest])
+    return ratio if np.all(abs(omega - ratio * speeds) <= RATIO * abs(omega)) else None
