@@ -66,8 +66,7 @@ def michell(n, r_i, r_o, p):
     ]
 
 
-@pytest.mark.parametrize("r_i", [0.0, R_I], ids=["disc", "ring"])
-@pytest.mark.parametrize("n", [2, 3, 4, 8, 20, 50])
+@pytest.mark.parametrize(("n", "r_i"), [(2, R_I), (8, 0.0), (50, R_I)])
 def test_pressure_that_waves_around_a_ring_moves_it_as_michell_says(n, r_i):
     solid = FourierSolid(ring(r_i, R_O, n, 24), STEEL, {"start": "z", "end": "z"}, degree=2)
     s = solid.harmonic(n).solve({"rim": (-1.0, 0.0, 0.0)})
@@ -80,9 +79,8 @@ def test_pressure_that_waves_around_a_ring_moves_it_as_michell_says(n, r_i):
     np.testing.assert_allclose(sigma[0], -1.0, atol=0.02)
 
 
-@pytest.mark.parametrize("r_i", [0.0, R_I], ids=["disc", "ring"])
-def test_the_error_of_the_energy_falls_with_the_fourth_power_of_the_cells(r_i):
-    n, cells = 6, (4, 8, 16)
+def test_the_error_of_the_energy_falls_with_the_fourth_power_of_the_cells():
+    r_i, n, cells = R_I, 6, (4, 8, 16)
     exact = -michell(n, r_i, R_O, 1.0)[0] * np.pi * R_O * 0.3 / 2
     energies = [
         FourierSolid(ring(r_i, R_O, n, k), STEEL, {"start": "z", "end": "z"}, degree=2)
@@ -93,20 +91,6 @@ def test_the_error_of_the_energy_falls_with_the_fourth_power_of_the_cells(r_i):
     assert np.all(error > 0)  # displacements of a finite space are too stiff
     rates = np.log2(error[:-1] / error[1:])
     assert np.all(abs(rates[-1:] - 4) < 0.2), f"rates {rates}"
-
-
-def test_a_wave_much_shorter_than_the_radius_sees_a_half_plane():
-    # n u_r = R p (1 - nu) / mu, and (1 - 2 nu)/(2 (1 - nu)) of it around; first corrections of 1/n
-    orders, found = np.array([100, 200, 400]), []
-    for n in orders:
-        solid = FourierSolid(ring(R_I, R_O, n, 40), STEEL, {"start": "z", "end": "z"}, degree=2)
-        s = solid.harmonic(int(n)).solve({"rim": (-1.0, 0.0, 0.0)})
-        u, _ = s.amplitudes_at(np.array([[R_O], [0.1]]))
-        found.append(n * u[:2, 0])
-    plane = -np.array([1 - NU, (1 - 2 * NU) / 2]) / MU
-    gap = abs(np.array(found) / plane - 1)
-    first = np.array([(1 - 2 * NU) / (1 - NU) / 2, 2 * (1 - NU) / (1 - 2 * NU)])  # of 1/n, a disc's
-    np.testing.assert_allclose(gap, first / orders[:, None], rtol=0.03, atol=1e-4)
 
 
 def test_the_uniform_harmonic_is_the_axisymmetric_problem():
@@ -124,14 +108,6 @@ def test_the_uniform_harmonic_is_the_axisymmetric_problem():
     np.testing.assert_allclose(own[1][[0, 2, 5, 1]], other.stress, atol=1e-9)
     assert s.strain_energy == pytest.approx(plane.strain_energy, rel=1e-10)
     assert s.reaction("start")[0] == pytest.approx(plane.reaction("start")[1], abs=1e-9)
-
-
-def test_lame_ring_under_pressure_from_within():
-    solid = FourierSolid(ring(R_I, R_O, 3), STEEL, {"start": "z", "end": "z"}, degree=2)
-    s = solid.harmonic(0).solve({"bore": (1.0, 0.0, 0.0)})
-    _, sigma = s.amplitudes_at(np.array([[R_I, R_O], [0.1, 0.1]]))
-    hoop = (R_O**2 + R_I**2) / (R_O**2 - R_I**2)
-    assert sigma[1] == pytest.approx([hoop, hoop - 1], rel=1e-3)
 
 
 def test_energies_of_several_harmonics_add_up():

@@ -6,14 +6,13 @@ from scipy.optimize import brentq
 
 from fem.rotor.branches import whirl_sense
 from fem.rotor.damping import Modal, Rayleigh
-from fem.rotor.model import Disc, Element, Link, Material, Rotor, Shaft, Support
+from fem.rotor.model import Disc, Element, Material, Rotor, Shaft, Support
 from fem.rotor.modes import modes
 
 E, NU, RHO = 210e9, 0.3, 7850.0
 STEEL = Material(E=E, nu=NU, rho=RHO)
 LIGHT = Material(E=E, nu=NU)
 RIGID = Material(E=1e17, nu=NU)
-HINGE = {"kzz": 1e9, "k_turn": 1e6}
 
 
 def section(d):
@@ -45,8 +44,9 @@ def shaft_frequencies(j, W, *, L=1.0, d=0.03, theory):
     return [abs(brentq(balance, s * guess * 0.5, s * guess * 1.1, xtol=1e-10)) for s in (-1, 1)]
 
 
-@pytest.mark.parametrize("theory", ["euler", "rayleigh", "timoshenko"])
-@pytest.mark.parametrize("W", [0.0, 700.0])
+@pytest.mark.parametrize(
+    ("theory", "W"), [("euler", 0.0), ("rayleigh", 700.0), ("timoshenko", 700.0)]
+)
 def test_a_hinged_shaft_whirls_as_its_theory_says(theory, W):
     found = modes(hinged(40, theory=theory), W, 6)
     for j in (1, 2, 3):
@@ -68,31 +68,7 @@ def test_the_order_of_convergence(theory, order):
     assert np.log2(errors[0] / errors[1]) == pytest.approx(order, abs=0.25)
 
 
-def test_mode_shapes_of_a_hinged_shaft_are_sines():
-    found = modes(hinged(16, theory="timoshenko"), 300.0, 4)
-    z = np.linspace(0, 1, 17)
-    for k, j in enumerate((1, 1, 2, 2)):
-        x, y = found.shapes[k, :, 0], found.shapes[k, :, 1]
-        sine = np.sin(j * np.pi * z)
-        np.testing.assert_allclose(abs(x), abs(sine), atol=2e-3)
-        np.testing.assert_allclose(y, -1j * found.whirl[k] * x, atol=1e-9)
-
-
-def test_a_cantilever_has_the_roots_of_its_characteristic_equation():
-    n, L, d = 16, 1.0, 0.01
-    clamp = Support(0, 1e14, k_tilt=1e14, kzz=1e14, k_turn=1e14)
-    rotor = Rotor(
-        [Shaft([Element(L / n, d, material=STEEL)] * n)], supports=[clamp], theory="euler"
-    )
-    found = modes(rotor, 0.0, 6).frequencies[::2]
-    A, inertia = section(d)
-    roots = [brentq(lambda b: np.cosh(b) * np.cos(b) + 1, *ab) for ab in ((1, 3), (4, 6), (7, 9))]
-    np.testing.assert_allclose(
-        found, np.square(roots) * np.sqrt(E * inertia / (RHO * A)), rtol=1e-4
-    )
-
-
-@pytest.mark.parametrize("W", [0.0, 150.0, -150.0, 900.0])
+@pytest.mark.parametrize("W", [0.0, -150.0, 900.0])
 def test_a_disc_on_a_light_shaft(W):
     """In the middle, force and tilt are independent: k = 48 EI/L^3 and 12 EI/L."""
     L, d, m, Ip, Id = 1.0, 0.02, 10.0, 0.2, 0.1
@@ -130,28 +106,6 @@ def test_a_rigid_rotor_on_two_springs():
     np.testing.assert_array_equal(found.whirl, np.sign(w[order]))
 
 
-def test_unlike_supports_let_a_slow_rotor_go_to_and_fro_and_a_fast_one_whirl():
-    rotor = Rotor(
-        [Shaft([Element(0.4, 0.1, material=RIGID)] * 2)], [Disc(1, 20.0, 1.0, 0.6)],
-        [Support(0, 3e6, 4e6), Support(2, 3e6, 4e6)],
-    )  # fmt: skip
-    rest = modes(rotor, 0.0, 4)
-    tilt = np.sqrt(np.array([3e6, 4e6]) * 2 * 0.16 / 0.6)
-    np.testing.assert_allclose(
-        rest.frequencies, sorted([*np.sqrt(np.array([6e6, 8e6]) / 20), *tilt]), rtol=1e-6
-    )
-    np.testing.assert_array_equal(rest.whirl, 0)
-    W = 500.0  # (k_x a^2 - w^2 Id)(k_y a^2 - w^2 Id) = (w W Ip)^2
-    p = np.polymul([-0.6, 0, tilt[0] ** 2 * 0.6], [-0.6, 0, tilt[1] ** 2 * 0.6])
-    p[2] -= W**2
-    fast = modes(rotor, W, 4)
-    w = np.sort(np.roots(p)[np.roots(p) > 0].real)
-    for value, sense in zip(w, (-1, 1), strict=True):
-        k = np.argmin(abs(fast.frequencies - value))
-        assert fast.frequencies[k] == pytest.approx(value, rel=1e-6)
-        assert fast.whirl[k] == sense
-
-
 def test_torsion_of_two_discs_and_of_a_free_bar():
     L, d = 0.8, 0.03
     _, inertia = section(d)
@@ -168,36 +122,6 @@ def test_torsion_of_two_discs_and_of_a_free_bar():
     np.testing.assert_allclose(
         modes(bar, 0.0, 2, "axial").frequencies[1], np.pi * np.sqrt(E / RHO) / L, rtol=5e-4
     )
-
-
-def test_a_free_shaft_has_rigid_motions_and_bends_as_a_free_beam():
-    n, d = 30, 0.01
-    found = modes(Rotor([Shaft([Element(1 / n, d, material=STEEL)] * n)], theory="euler"), 0.0, 6)
-    A, inertia = section(d)
-    root = brentq(lambda b: np.cosh(b) * np.cos(b) - 1, 4, 5)
-    elastic = found.frequencies[found.frequencies > 1]
-    assert elastic[0] == pytest.approx(root**2 * np.sqrt(E * inertia / (RHO * A)), rel=1e-4)
-    assert np.sum(found.frequencies < 1e-2) == 4
-
-
-def test_shafts_at_opposite_speeds_are_mirror_images():
-    els = [Element(0.1, 0.02, material=STEEL)] * 6
-    parts = {"discs": [Disc(3, 5.0, 0.4, 0.2)], "supports": [Support(1, 1e7), Support(6, 1e7)]}
-    one = modes(Rotor([Shaft(els)], **parts), 600.0, 6)
-    other = modes(Rotor([Shaft(els, ratio=-2.0)], **parts), 300.0, 6)
-    np.testing.assert_allclose(one.frequencies, other.frequencies, rtol=1e-11)
-    np.testing.assert_array_equal(one.whirl, -other.whirl)
-
-
-def test_two_shafts_linked_stiffly_are_one():
-    els = [Element(0.1, 0.02, material=STEEL)] * 6
-    supports = [Support(0, 1e7), Support(6, 1e7)]
-    one = modes(Rotor([Shaft(els)], [Disc(3, 5.0, 0.4, 0.2)], supports), 600.0, 6)
-    cut = Rotor(
-        [Shaft(els[:3]), Shaft(els[3:], z=0.3)], [Disc(4, 5.0, 0.4, 0.2)],
-        [Support(0, 1e7), Support(7, 1e7)], [Link(3, 4, 1e13 * np.eye(6))],
-    )  # fmt: skip
-    np.testing.assert_allclose(modes(cut, 600.0, 6).frequencies, one.frequencies, rtol=1e-6)
 
 
 def test_damped_modes_are_those_of_the_state_matrix():

@@ -38,8 +38,8 @@ def head_moves(load, refined, folder):
 
 
 @pytest.mark.skipif(executable() is None, reason="calculix (ccx) is not installed")
-@pytest.mark.parametrize("load", [(1e-2, 0, 0), (0, 1e-2, 0)])
-def test_a_hook_moves_as_in_calculix(load, tmp_path):
+def test_a_hook_moves_as_in_calculix(tmp_path):
+    load = (1e-2, 0, 0)
     coarse, fine = (head_moves(load, refined, tmp_path) for refined in (1, 2))
     # their clamp, of rigid knots, stiffens a share of its first cells: order one
     np.testing.assert_allclose(2 * fine[1] - coarse[1], fine[0], atol=AGREE * np.abs(fine[0]).max())

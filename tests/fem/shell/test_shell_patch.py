@@ -109,8 +109,7 @@ def test_constant_transverse_shear():
     )
 
 
-@pytest.mark.parametrize("name", SURFACES)
-@pytest.mark.parametrize("count", [(1, 1), (2, 1), (2, 2)])
+@pytest.mark.parametrize(("name", "count"), [("flat", (1, 1)), ("saddle", (2, 2))])
 def test_a_free_shell_has_six_motions_without_energy_and_no_more(name, count):
     grid = over(*count, SURFACES[name])
     B, area, _ = operator(grid.points[grid.cells])
@@ -147,7 +146,5 @@ def test_the_answer_turns_with_the_problem():
         )  # fmt: skip
         return rotation.T @ s.u[grid.number[-1, -1]]
 
-    for angle in (0.3, pi / 2):
-        np.testing.assert_allclose(
-            tip(rotation_matrix((cos(2), sin(2), 1), angle)), tip(np.eye(3)), rtol=1e-9
-        )
+    turn = rotation_matrix((cos(2), sin(2), 1), pi / 2)
+    np.testing.assert_allclose(tip(turn), tip(np.eye(3)), rtol=1e-9)

@@ -51,25 +51,6 @@ def test_an_endless_strip_bends_with_the_stiffness_of_a_plate():
     assert moved[5] == pytest.approx(-FORCE * length**2 / (2 * WIDE * t**3 / 12), rel=1e-9)
 
 
-def test_an_endless_strip_stretches_with_the_stiffness_of_a_plate():
-    mesh = rectangle(length=1.0, width=0.3, along=3, across=2)
-    moved = tip(mesh, 1e-2, (-FORCE, 0, 0), **EDGES_HELD)
-    assert moved[0] == pytest.approx(-FORCE / (WIDE * 1e-2), rel=1e-12)
-
-
-def test_a_strip_in_its_own_plane_bends_as_a_deep_beam():
-    length, width, t = 40.0, 0.5, 0.01
-    mesh = rectangle(length=length, width=width, along=20, across=2)
-    s = solve_shell(
-        mesh.points, mesh.cells, thickness=t, materials=STEEL, boundaries=mesh.boundaries,
-        edge_loads={"head": (0, 0, FORCE)},
-        supports={"tail": "xyabc", mesh.nodes["tail"]: "z"},  # sections stay free to narrow
-    )  # fmt: skip
-    bending = FORCE * width * length**3 / (3 * E * t * width**3 / 12)
-    shear = FORCE * width * length / (SHEAR * G * t * width)
-    assert s.average("head")[2] == pytest.approx(bending + shear, rel=1e-4)
-
-
 def quarter(R, EI, EA, GA):
     """Of a quarter clamped at one end: radial movement of the other under a radial force of one.
 
@@ -88,20 +69,8 @@ def error_of_quarter(t, around):
     return curved_tip(t, around) / exact - 1
 
 
-@pytest.mark.parametrize("t", [0.1, 1e-3])
+@pytest.mark.parametrize("t", [0.1, 1e-4])
 def test_a_curved_strip_converges_to_castigliano_with_order_four(t):
     coarse, fine = abs(error_of_quarter(t, 4)), abs(error_of_quarter(t, 8))
     assert fine < 3e-5
     assert np.log2(coarse / fine) == pytest.approx(4, abs=0.2), (coarse, fine)
-
-
-@pytest.mark.parametrize("t", [1e-2, 1e-3, 1e-4])
-def test_a_curved_strip_of_four_cells_does_not_lock(t):
-    assert abs(error_of_quarter(t, 4)) < 1e-3
-
-
-def test_a_narrow_curved_strip_bends_as_a_beam_in_plane_stress():
-    t, width = 0.01, 0.01
-    mesh = cylinder_panel(radius=1.0, angle=pi / 2, width=width, around=16, across=1)
-    exact = FORCE * quarter(1.0, E * t**3 / 12, E * t, SHEAR * G * t)
-    assert tip(mesh, t, (0, FORCE, 0), **MIDDLE)[1] == pytest.approx(exact, rel=2e-3)

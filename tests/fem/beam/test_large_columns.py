@@ -1,0 +1,101 @@
+"""Buckling of columns: Reissner's critical loads, and the elastica beyond them."""
+
+from math import pi
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+from scipy.special import ellipe, ellipk
+
+from fem.beam.large import LargeFrame
+from fem.beam.section import Section
+
+THIN = Section(EA=1e8, EI=1.0, GA=4e7)
+THICK = Section(EA=150.0, EI=1.0, GA=60.0)
+HALF_WAVES = {"hinged": 1.0, "clamped": 2.0, "free": 0.5}
+ENDS = {"hinged": ("xy", "x"), "clamped": ("xyr", "xr"), "free": ("xyr", "")}
+every_end = pytest.mark.parametrize("ends", ENDS)
+
+
+def column(ends, section, count=24):
+    """A column of length 1 along y, loaded on its last node; quadratic elements."""
+    k, y = 2 * np.arange(count), np.linspace(0, 1, 2 * count + 1)
+    foot, head = ENDS[ends]
+    return LargeFrame(
+        np.column_stack([0 * y, y]),
+        np.column_stack([k, k + 2, k + 1]),
+        sections=section,
+        supports={0: foot, 2 * count: head},
+    )
+
+
+def critical(ends, section, mode=1):
+    """Load P at which the compressed column turns aside.
+
+    The column, shortened to lambda = 1 - P/EA, leans by lambda phi + P phi / GA under the dead
+    force: EI phi'' = -P (lambda + P/GA) phi. The smallest root of P (1 - P/EA + P/GA) = P_Euler.
+    """
+    odd = mode if ends == "hinged" else 2 * mode - 1 if ends == "free" else mode
+    euler = (HALF_WAVES[ends] * odd * pi) ** 2 * section.EI
+    return brentq(lambda P: P * (1 - P / section.EA + P / section.GA) - euler, 0, 2 * euler)
+
+
+@pytest.mark.parametrize(
+    ("ends", "section"), [("hinged", THICK), ("clamped", THIN), ("free", THICK)]
+)
+def test_the_bifurcation_is_reissners(ends, section):
+    frame, P = column(ends, section), critical(ends, section)
+    path = frame.under_loads({48: (0, -1, 0)}, [0.5 * P, 0.9 * P, 1.1 * P])
+    assert path.negative.tolist() == [0, 0, 1]
+    (point,) = frame.buckling(path)
+    assert not point.limit
+    assert point.factor == pytest.approx(P, rel=2e-5)
+    np.testing.assert_allclose(path.u[:, :, [0, 2]], 0, atol=1e-12)
+
+
+@every_end
+def test_linearised_buckling_is_eulers(ends):
+    loads, modes = column(ends, THIN).linear_buckling({48: (0, -1, 0)}, count=3)
+    odd = np.array([1, 3, 5]) if ends == "free" else np.arange(1, 4)
+    euler = (HALF_WAVES[ends] * odd * pi) ** 2
+    if ends == "clamped":  # the second mode turns over in the middle: tan x = x, x = 4.4934
+        euler = np.array([2 * pi, 2 * 4.493409458, 4 * pi]) ** 2
+    np.testing.assert_allclose(loads, euler, rtol=4e-4)
+    assert loads[0] == pytest.approx(euler[0], rel=4e-5)
+    assert abs(modes[:, :, :2]).max() == pytest.approx(1.0)
+
+
+def test_a_buckled_column_is_the_elastica():
+    """P / P_Euler = (2 K(k) / pi)^2, middle moves k / K, the ends come 2 (1 - E/K) nearer.
+
+    Also k = sin(rotation of the end / 2): Timoshenko & Gere, Theory of Elastic Stability, 2.7.
+    """
+    share = 1.3
+    m = brentq(lambda m: (2 * ellipk(m) / pi) ** 2 - share, 1e-9, 1 - 1e-9, xtol=1e-15)
+    frame = column("hinged", THIN, 40)
+    _, modes = frame.linear_buckling({80: (0, -1, 0)})
+    bent = frame.imperfect(modes[0], 1e-7)
+    P = share * pi**2
+    path = bent.along_arc({80: (0, -1, 0)}, first=8.0, until=lambda state: state.factor > P)
+    near = path.states[-2]
+    last = bent.under_loads({80: (0, -1, 0)}, [P - near.factor], since=near).last
+    assert last.negative == 0
+    error = 2e-5
+    assert abs(last.u[40, 0]) == pytest.approx(np.sqrt(m) / ellipk(m), rel=error)
+    assert -last.u[80, 1] == pytest.approx(2 * (1 - ellipe(m) / ellipk(m)), rel=error)
+    assert np.sin(abs(last.u[0, 2]) / 2) ** 2 == pytest.approx(m, rel=error)
+
+
+def test_a_thick_buckled_column_keeps_its_first_integral():
+    """M' = -V (1 + N/EA - N/GA) and N' = V M/EI: M^2/(2 EI) + N + N^2 (1/EA - 1/GA)/2 stays."""
+    frame, P = column("hinged", THICK, 40), 1.3 * critical("hinged", THICK)
+    _, modes = frame.linear_buckling({80: (0, -1, 0)})
+    bent = frame.imperfect(modes[0], 1e-7)
+    path = bent.along_arc({80: (0, -1, 0)}, first=4.0, until=lambda state: state.factor > P)
+    _, forces = bent.section_forces(path.last)
+    N, V, M = forces.reshape(-1, 3).T
+    np.testing.assert_allclose(N**2 + V**2, path.last.factor**2, rtol=1e-4)
+    softness = 1 / THICK.EA - 1 / THICK.GA
+    constant = M**2 / 2 / THICK.EI + N + N**2 * softness / 2
+    assert np.ptp(M**2 / 2) > 1.0
+    np.testing.assert_allclose(constant, constant.mean(), rtol=1e-4)

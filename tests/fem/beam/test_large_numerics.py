@@ -1,0 +1,197 @@
+"""What must hold to round-off or by the order of the method, whatever the frame."""
+
+from math import pi
+
+import numpy as np
+import pytest
+
+from fem.beam.curved import solve_curved_frame
+from fem.beam.large import LargeFrame
+from fem.beam.section import Section
+
+SECTION = Section(EA=300.0, EI=20.0, GA=100.0)
+STIFF = Section(EA=2e7, EI=20.0, GA=8e6)
+R, COUNT = 1.5, 12
+
+
+def hook(nodes=3, section=SECTION, unit=1.0, **given):
+    """A quarter arc and a straight leg, built in at its start; the tip is the last node."""
+    phi = np.linspace(0, pi / 2, (nodes - 1) * COUNT + 1)
+    arc = R * np.column_stack([np.sin(phi), 1 - np.cos(phi)])
+    leg = np.linspace(0, 1, (nodes - 1) * COUNT + 1)[1:, None] * [0.3, 1.0] + arc[-1]
+    k = (nodes - 1) * np.arange(2 * COUNT)
+    columns = (k, k + 1) if nodes == 2 else (k, k + 2, k + 1)
+    given = {"supports": {0: "xyr"}} | given
+    points = np.vstack([arc, leg]) * unit
+    return LargeFrame(points, np.column_stack(columns), sections=section, **given)
+
+
+TIP = 4 * COUNT
+LOAD = (3.0, -5.0, 1.0)
+
+
+def test_at_rest_the_tangent_is_that_of_the_linear_curved_beam():
+    frame = hook()
+    small = frame.under_loads({TIP: LOAD}, [1e-7]).last
+    linear = solve_curved_frame(
+        frame.points, frame.elements.nodes, sections=SECTION, supports={0: "xyr"},
+        loads={TIP: LOAD},
+    )  # fmt: skip
+    np.testing.assert_allclose(small.u * 1e7, linear.u, rtol=1e-6, atol=1e-6)
+    stations, forces = frame.section_forces(small)
+    np.testing.assert_allclose(stations, linear.stations, atol=1e-12)
+    np.testing.assert_allclose(forces * 1e7, linear.section_forces, atol=1e-5)
+    S = frame.elements.increments(np.zeros((24, 2, 3)), frame.elements.tangent.astype(float))
+    none = np.zeros((24, 2, 3))
+    K = frame.elements.tangent_stiffness(S, none, frame.elements.tangent.astype(float), none)
+    f = np.zeros_like(linear.u)
+    f[TIP] = LOAD
+    np.testing.assert_allclose(
+        (K @ linear.u.ravel()).reshape(-1, 3), f + linear.reactions, atol=1e-10
+    )
+
+
+@pytest.mark.parametrize("nodes", [2, 3])
+def test_the_change_of_forces_is_the_tangent_times_the_step(nodes):
+    frame, rng = hook(nodes), np.random.default_rng(3)
+    e = frame.elements
+    u, step = (0.3 * rng.normal(size=(2, len(frame.points), 3))).astype(np.longdouble)
+    strain, _, t = e.strains(u)
+    S, stress = e.increments(strain, t), e.moduli * strain
+    expected = e.tangent_stiffness(S, strain, t, stress) @ step.astype(float).ravel()
+    found = e.change_of_forces(S, strain, t, stress, step)
+    np.testing.assert_allclose(found, expected, atol=1e-12 * abs(expected).max())
+
+
+@pytest.mark.parametrize("nodes", [2, 3])
+def test_force_and_tangent_are_derivatives_of_the_energy(nodes):
+    frame, rng = hook(nodes), np.random.default_rng(3)
+    e = frame.elements
+    u, step = rng.normal(size=(2, len(frame.points), 3))
+    u = (0.3 * u).astype(np.longdouble)
+
+    def look(u):
+        strain, _, t = e.strains(u)
+        S, stress = e.increments(strain, t), e.moduli * strain
+        energy = ((stress * strain).sum(axis=-1) * e.weight).sum() / 2
+        return energy, e.forces(S, stress)[0], e.tangent_stiffness(S, strain, t, stress)
+
+    _, f, K = look(u)
+    h = 1e-5
+    ahead, behind = look(u + h * step), look(u - h * step)
+    assert (ahead[0] - behind[0]) / (2 * h) == pytest.approx(f @ step.ravel(), rel=1e-7)
+    slope = (ahead[1] - behind[1]) / (2 * h)
+    np.testing.assert_allclose(slope, K @ step.ravel(), atol=1e-7 * abs(slope).max())
+    assert abs(K - K.T).max() < 1e-12 * abs(K).max()
+
+
+@pytest.mark.parametrize("nodes", [2, 3])
+def test_a_rigid_motion_strains_nothing_and_leaves_forces_as_they_are(nodes):
+    frame, turn = hook(nodes), 40.0
+    x = frame.points
+    c, s = np.cos(turn), np.sin(turn)
+    Q = np.array([[c, -s], [s, c]])
+
+    def moved(u):
+        return np.column_stack([(x + u[:, :2]) @ Q.T + [7, -3] - x, u[:, 2] + turn])
+
+    rest = moved(np.zeros((len(x), 3))).astype(np.longdouble)
+    np.testing.assert_allclose(frame.elements.strains(rest)[0], 0, atol=1e-13)
+    bent = np.random.default_rng(1).normal(size=(len(x), 3)) * 0.2
+    before = frame.elements.strains(bent.astype(np.longdouble))[0]
+    after = frame.elements.strains(moved(bent).astype(np.longdouble))[0]
+    np.testing.assert_allclose(after, before, atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("section", "follower"),
+    [(STIFF, None), (SECTION, {TIP: (1.0, -4.0)})],
+    ids=["dead", "follower"],
+)
+def test_newtons_method_converges_quadratically(section, follower):
+    """Each residual's exponent is near twice that of the one before."""
+    frame = hook(section=section)
+    (history,) = frame.under_loads({TIP: LOAD}, [1.0], follower=follower).residuals
+    e = -np.log10([r for r in history if 1e-13 < r < 1e-1])
+    assert len(e) >= 2, history
+    assert e[-1] > 1.7 * e[-2], history
+    assert len(history) <= 8
+
+
+def test_work_becomes_strain_energy():
+    path = hook().under_loads({TIP: LOAD}, np.linspace(0, 1, 101)[1:])
+    np.testing.assert_allclose(path.work, path.strain_energy, atol=1e-8 * path.work[-1])
+    moved = hook().displaced({TIP: {"x": -0.5, "r": 0.7}}, np.linspace(0, 1, 61)[1:])
+    assert moved.work[-1] == pytest.approx(moved.strain_energy[-1], rel=1e-8)
+    arc = hook().along_arc({TIP: LOAD}, first=0.02, steps=60, largest=0.02)
+    assert arc.work[-1] == pytest.approx(arc.strain_energy[-1], rel=1e-6)
+
+
+def test_the_order_of_loads_and_movement_does_not_matter():
+    frame = hook()
+    first = {TIP: (3.0, 0.0, 1.0)}
+    second = {2 * COUNT: (-4.0, 6.0, 0.0)}
+    one = frame.under_loads(second, [0.5, 1.0], since=frame.under_loads(first, [1.0]).last).last
+    other = frame.under_loads(first, [1.0], since=frame.under_loads(second, [1.0]).last).last
+    both = frame.under_loads(first | second, [0.3, 1.0]).last
+    np.testing.assert_allclose(other.u, one.u, atol=1e-10)
+    np.testing.assert_allclose(both.u, one.u, atol=1e-10)
+    np.testing.assert_allclose(both.reactions, one.reactions, atol=1e-9)
+    moved = frame.displaced({TIP: {"x": 0.4}}, [0.5, 1.0], loads=second).last
+    again = frame.displaced({TIP: {"x": 0.4}}, [1.0])
+    again = frame.under_loads(second, [0.2, 1.0], since=again.last).last
+    np.testing.assert_allclose(again.u, moved.u, atol=1e-10)
+
+
+def test_reactions_balance_loads_and_prescribed_movement_returns_them():
+    frame = hook()
+    loaded = frame.under_loads({TIP: LOAD, 0: (1.0, 2.0, 0.5)}, [1.0]).last
+    assert abs(loaded.reactions[1:]).max() == 0
+    arm = (frame.points + loaded.u[:, :2])[TIP] - frame.points[0]
+    couple = LOAD[2] + arm[0] * LOAD[1] - arm[1] * LOAD[0]
+    total = [LOAD[0] + 1.0, LOAD[1] + 2.0, couple + 0.5]
+    np.testing.assert_allclose(-loaded.reactions[0], total, atol=1e-9)
+    x, y, r = loaded.u[TIP]
+    moved = frame.displaced({TIP: {"x": x, "y": y, "r": r}}, [0.5, 1.0]).last
+    np.testing.assert_allclose(moved.reactions[TIP], LOAD, atol=1e-8)
+    np.testing.assert_allclose(moved.u, loaded.u, atol=1e-10)
+
+
+def test_movement_along_an_arc_passes_the_states_of_given_movement():
+    frame, moved = hook(), {TIP: {"x": -0.5, "y": 0.4}}
+    path = frame.along_arc({2 * COUNT: (0, 0.5, 0)}, first=0.1, steps=6, moved=moved)
+    last = path.last
+    given = frame.displaced(moved, [last.factor / 2, last.factor]).last
+    given = frame.under_loads({2 * COUNT: (0, 0.5, 0)}, [last.factor], since=given).last
+    np.testing.assert_allclose(last.u[TIP, :2], np.array([-0.5, 0.4]) * last.factor, atol=1e-12)
+    np.testing.assert_allclose(last.u, given.u, atol=1e-9)
+    np.testing.assert_allclose(last.reactions, given.reactions, atol=1e-7)
+
+
+def test_units_change_nothing():
+    """Lengths in another unit, forces too: EA, GA times 2, EI times 2 unit^2."""
+    unit = 1e3
+    section = Section(EA=600.0, EI=40.0 * unit**2, GA=200.0)
+    loads = {TIP: (2 * LOAD[0], 2 * LOAD[1], 2 * unit * LOAD[2])}
+    plain, scaled = hook(), hook(section=section, unit=unit)
+    for one, other in (
+        (plain.under_loads({TIP: LOAD}, [0.5, 1.0]), scaled.under_loads(loads, [0.5, 1.0])),
+        (
+            plain.along_arc({TIP: LOAD}, first=0.1, steps=8),
+            scaled.along_arc(loads, first=0.1, steps=8),
+        ),
+    ):
+        scale = np.array([unit, unit, 1.0])
+        np.testing.assert_allclose(other.u, one.u * scale, rtol=1e-9, atol=1e-12 * unit)
+        assert [len(r) for r in other.residuals] == [len(r) for r in one.residuals]
+        np.testing.assert_allclose(other.factors, one.factors, rtol=1e-10)
+
+
+def test_a_stiff_slender_member_keeps_its_forces():
+    """EA L^2 / EI near 1e8: axial forces of round-off would be 1e-6 of the bending's."""
+    frame = hook(section=STIFF)
+    state = frame.under_loads({TIP: LOAD}, [1.0]).last
+    x, y, _ = state.reactions[0]
+    assert (x, y) == (pytest.approx(-3.0, rel=1e-9), pytest.approx(5.0, rel=1e-9))
+    N, V, _ = np.moveaxis(frame.section_forces(state)[1], -1, 0)
+    np.testing.assert_allclose(np.hypot(N, V), np.hypot(3, 5), rtol=2e-2)

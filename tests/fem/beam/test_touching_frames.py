@@ -1,0 +1,173 @@
+"""Frames in contact against closed forms of thin beams at small displacement.
+
+Displacements are some thousandths of the lengths and EA, GA stiff enough that the nonlinear and
+shear parts stay below the tolerances, which count what is left.
+"""
+
+import numpy as np
+import pytest
+
+from fem.beam.large import LargeFrame
+from fem.beam.section import Section
+from fem.beam.touching import Obstacle, SelfContact
+from fem.beam.touching_rigid import Flat
+from tests.fem.beam.touching_shapes import line, ring, together
+
+L, B, EI = 1.0, 0.01, 1.0
+EA = 12 * EI / B**2
+SECTION = Section(EA=EA, EI=EI, GA=EA)
+GAP = 3e-3
+STEPS = [0.24, 0.2495, 0.2505, 0.26, 0.5, 1.0]  # dense where a quarter of the load touches
+
+
+def cantilevers(reach, friction=0.0, height=None, share=0.1, count=8):
+    """An upper cantilever of length L and a lower one of length `reach`, both clamped at x = 0."""
+    lower, cells = line((0, 0), (reach, 0), count)
+    upper, _ = line((0, height or B + GAP), (L, height or B + GAP), count)
+    points, elements, (_, second) = together((lower, cells), (upper, cells))
+    contact = SelfContact(points, elements, thickness=B, EA=EA, friction=friction, share=share)
+    frame = LargeFrame(
+        points, elements, sections=SECTION, supports={0: "xyr", second: "xyr"}, terms=[contact]
+    )
+    return frame, contact, second, len(points) - 1
+
+
+def touching(reach):
+    """Load at the upper tip at which the lower tip touches."""
+    return 6 * EI * GAP / (reach**2 * (3 * L - reach))
+
+
+def test_two_cantilevers_share_a_load_once_they_touch():
+    reach = 0.7
+    # with l = reach, at the lower tip: F l^2 (3L - l)/6EI - N l^3/3EI = gap + N l^3/3EI
+    frame, contact, _, tip = cantilevers(reach)
+    state, before = frame.rest(), 0.0
+    for factor in (0.9, 1.5, 2.0, 3.0):
+        force = factor * touching(reach)
+        state = frame.under_loads({tip: (0.0, before - force, 0.0)}, [1.0], since=state).last
+        before = force
+        exact = max(0.0, (factor - 1) * GAP * 3 * EI / (2 * reach**3))
+        # slopes of some thousandths squared, and where on the round end of b/2 they touch
+        assert contact.record.normal.sum() == pytest.approx(exact, rel=2e-3), factor
+        assert contact.record.penetration < 1e-3 * B
+    lower = state.u[: len(state.u) // 2, 1].min()
+    assert lower == pytest.approx(-exact * reach**3 / (3 * EI), rel=2e-3)
+
+
+def test_results_do_not_depend_on_the_penalty():
+    found = []
+    for share in (0.01, 1.0):
+        frame, contact, _, tip = cantilevers(0.7, share=share)
+        force = 4 * touching(0.7)
+        path = frame.under_loads({tip: (0.0, -force, 0.0)}, [0.25, 0.5, 0.75, 1.0])
+        assert contact.record.penetration < 1e-3 * B
+        found.append([path.last.u[tip, 1], contact.record.normal.sum()])
+    np.testing.assert_allclose(found, np.tile(found[1], (2, 1)), rtol=2e-4)
+
+
+def test_the_work_is_stored_or_rubbed_off():
+    frame, contact, _, tip = cantilevers(0.7, 0.3)
+    last = frame.under_loads({tip: (0.0, -4 * touching(0.7), 0.0)}, STEPS).last
+    assert contact.dissipated > 0
+    total = last.strain_energy + last.term_energy + contact.dissipated
+    # the load's work is integrated over a kink where they touch
+    assert last.work == pytest.approx(total, rel=2e-5)
+
+
+def test_a_heavy_cantilever_lies_down_on_a_flat():
+    # free span s: s^4 = 72 EI gap/q, clamp 2/3 q s and q s^2/6, q s/3 where it lies down
+    q = 72 * GAP * EI / (L / 2) ** 4
+    points, elements = line((0, 0), (L, 0), 40)
+    flat = Obstacle(points, elements, Flat((0, -GAP - B / 2), (0, 1)), thickness=B, EA=EA)
+    frame = LargeFrame(points, elements, sections=SECTION, supports={0: "xyr"}, terms=[flat])
+    load = dict.fromkeys(range(len(elements)), (0.0, -q))
+    last = frame.under_loads(None, np.linspace(0.05, 1, 20), distributed=load).last
+    # shear and the elements' kink where the beam lies down: a few thousandths
+    assert last.reactions[0, 1] == pytest.approx(2 / 3 * q * L / 2, rel=5e-3)
+    assert last.reactions[0, 2] == pytest.approx(q * (L / 2) ** 2 / 6, rel=5e-3)
+    assert flat.record.force[:, 1].sum() == pytest.approx(q * L * 2 / 3, rel=5e-3)
+    lying = flat.record.at[flat.record.normal > 1e-3 * q * L, 0]
+    assert lying.min() == pytest.approx(L / 2, abs=L / 40)
+    assert flat.record.penetration < 1e-3 * B
+
+
+RING = 32
+
+
+def stacked(count):
+    """Rings of radius L on a fixed flat, under a flat that a stub carries."""
+    R, reach = L, B
+    own = [ring((0, R + reach / 2 + k * (2 * R + reach)), R, RING) for k in range(count)]
+    top = count * (2 * R + reach)
+    points, elements, firsts = together(*own, line((3, top), (4, top), 1))
+    stub, rings = firsts[-1], elements[:-1]
+    terms = [
+        SelfContact(points, rings, thickness=B, EA=EA),
+        Obstacle(points, rings, Flat((0, 0), (0, 1)), thickness=B, EA=EA),
+        Obstacle(points, rings, Flat((0, top), (0, -1)), thickness=B, EA=EA, carrier=stub),
+    ]
+    supports = {stub: "xyr"}
+    for first in firsts[:-1]:
+        supports |= {first: "xr", first + RING: "xr"}
+    frame = LargeFrame(points, elements, sections=SECTION, supports=supports, terms=terms)
+    return frame, terms, stub
+
+
+def test_rings_between_flats_give_way_by_timoshenkos_number():
+    count = 2
+    # diametral: delta = (pi/4 - 2/pi) F R^3/EI each
+    frame, (between, ground, top), stub = stacked(count)
+    move = 2e-3 * count * L
+    last = frame.displaced({stub: {"y": -move}}, [0.5, 1.0]).last
+    exact = move / count / (np.pi / 4 - 2 / np.pi) * EI / L**3
+    assert -last.reactions[stub, 1] == pytest.approx(exact, rel=3e-3)
+    for contact in (ground, top):
+        assert contact.record.normal.sum() == pytest.approx(-last.reactions[stub, 1], rel=1e-6)
+    # each ring is probed by the other: both halves push on
+    assert between.record.normal.sum() == pytest.approx(-last.reactions[stub, 1], rel=1e-6)
+
+
+MU, WEIGHT = 0.2, 5.0
+
+
+def lying(support):
+    """A beam on a rough flat, held as `support` says at its left end, under its weight."""
+    points, elements = line((0, B / 2), (L, B / 2), 4)
+    flat = Obstacle(points, elements, Flat((0, 0), (0, 1)), thickness=B, EA=EA, friction=MU)
+    frame = LargeFrame(
+        points, elements, sections=SECTION, supports={0: support} if support else {}, terms=[flat]
+    )
+    weight = dict.fromkeys(range(len(elements)), (0.0, -WEIGHT / L))
+    return frame, flat, frame.under_loads(None, [0.5, 1.0], distributed=weight).last
+
+
+def test_a_beam_is_dragged_by_friction_times_its_weight():
+    frame, flat, pressed = lying("x")
+    assert flat.record.normal.sum() == pytest.approx(WEIGHT, rel=1e-9)
+    path = frame.displaced({0: {"x": 0.3 * L}}, [1e-5, 1e-4, 0.5, 1.0], since=pressed)
+    np.testing.assert_allclose(path.reactions[1:, 0, 0], MU * WEIGHT, rtol=1e-9)
+    assert not flat.record.sticking.any()
+    last = path.last
+    assert flat.dissipated == pytest.approx(MU * WEIGHT * 0.3 * L, rel=1e-4)
+    stored = last.strain_energy - pressed.strain_energy + last.term_energy - pressed.term_energy
+    assert last.work - pressed.work == pytest.approx(stored + flat.dissipated, rel=1e-5)
+
+
+def test_a_dragged_beam_is_dragged_back_as_hard():
+    frame, flat, pressed = lying("x")
+    there = frame.displaced({0: {"x": 0.1 * L}}, [1e-5, 1e-4, 1.0], since=pressed).last
+    back = frame.displaced({0: {"x": -0.2 * L}}, [1e-5, 1e-4, 1.0], since=there)
+    np.testing.assert_allclose(back.reactions[1:, 0, 0], -MU * WEIGHT, rtol=1e-9)
+    assert flat.dissipated == pytest.approx(MU * WEIGHT * 0.3 * L, rel=1e-4)
+
+
+def test_a_pull_below_the_friction_does_not_move_a_beam():
+    frame, flat, pressed = lying("")
+    end = len(frame.points) - 1
+    pull = {end: (MU * WEIGHT, 0.0, 0.0)}
+    held = frame.under_loads(pull, [0.5, 0.95], since=pressed).last
+    moved = held.u[:, 0] - pressed.u[:, 0]
+    assert np.abs(moved).max() < MU * WEIGHT * L / EA  # its own stretch, not a slide
+    assert flat.record.tangential.sum() == pytest.approx(0.95 * MU * WEIGHT, rel=1e-6)
+    with pytest.raises(ArithmeticError, match="no equilibrium"):
+        frame.under_loads(pull, [0.1], since=held)

@@ -1,0 +1,195 @@
+"""Bodies of several materials, weights and smooth walls, where the elements meet closed forms."""
+
+from dataclasses import replace
+from math import cos, radians, sin
+
+import numpy as np
+import pytest
+
+from fem.plane.material import Elastic
+from fem.plane.solve import solve_plane
+from tests.fem.plane.models import every_case, every_element, in_plane, mapped
+
+SOFT, HARD = Elastic(E=10.0, nu=0.35), Elastic(E=70.0, nu=0.2)  # any two
+BODIES = {"west": SOFT, "east": HARD}
+ROUND_OFF = 1e-12  # relative, condition number times 1e-16
+AXIS = np.array([0, 0.15, 0.4, 0.6, 1.0])
+
+
+def strip(kind):
+    """The unit square of two bodies welded at x = 0.4, its cells sheared along the weld."""
+    mesh = mapped(kind, AXIS, AXIS, split=0.4)
+    mesh = mesh.with_boundaries({"weld": lambda x: x[0] == 0.4}, boundaries_only=False)
+    x, y = mesh.doflocs
+    return replace(mesh, doflocs=np.array([x, y + 0.2 * y * (1 - y) * x]))
+
+
+@every_case
+def test_layers_in_series_between_smooth_walls_share_the_stress(kind, assumption):
+    p = 2.0
+    solution = solve_plane(
+        strip(kind), materials=BODIES, assumption=assumption,
+        supports={"left": "x", "bottom": "n", "top": "n"}, tractions={"right": (p, 0)},
+    )  # fmt: skip
+    # no strain across: E' / (1 - nu'^2), and the wall pushes nu' p back
+    (E1, nu1), (E2, nu2) = (in_plane(m, assumption) for m in (SOFT, HARD))
+    stretch = p * (0.4 * (1 - nu1**2) / E1 + 0.6 * (1 - nu2**2) / E2)
+    assert solution.mean_displacement("right", (1, 0)) == pytest.approx(stretch, rel=ROUND_OFF)
+    assert solution.strain_energy == pytest.approx(p * stretch / 2, rel=ROUND_OFF)
+    for body, nu in (("west", nu1), ("east", nu2)):
+        stress = solution.in_body(body).stress
+        np.testing.assert_allclose(stress[0], p, rtol=1e-11)
+        np.testing.assert_allclose(stress[1], nu * p, rtol=1e-11)
+    weld = solution.on_boundary("weld")
+    np.testing.assert_allclose(weld.stress[0], p, rtol=1e-11)
+    np.testing.assert_allclose(weld.stress[1], (nu1 + nu2) / 2 * p, rtol=1e-11)  # mean of both
+
+
+@every_case
+def test_layers_side_by_side_share_the_strain(kind, assumption):
+    eps = 1e-3
+    solution = solve_plane(
+        strip(kind), materials=BODIES, assumption=assumption, thickness=3.0,
+        supports={"bottom": "y", "top": {"y": eps}, "left": "x"},
+    )  # fmt: skip
+    (E1, nu1), (E2, nu2) = (in_plane(m, assumption) for m in (SOFT, HARD))
+    for body, E in (("west", E1), ("east", E2)):
+        stress = solution.in_body(body).stress
+        nu = BODIES[body].nu * (assumption == "plane strain")
+        np.testing.assert_allclose(stress[1], E * eps, rtol=1e-11)
+        np.testing.assert_allclose(stress[[0, 2]], 0.0, atol=1e-11 * E * eps)
+        np.testing.assert_allclose(stress[3], nu * E * eps, rtol=1e-11)
+    side, pull, _ = solution.reaction("top")
+    assert pull == pytest.approx(3.0 * (0.4 * E1 + 0.6 * E2) * eps, rel=ROUND_OFF)
+    assert side == pytest.approx(0.0, abs=ROUND_OFF * pull)
+    narrowed = (0.4 * nu1 + 0.6 * nu2) * eps
+    assert solution.mean_displacement("right", (-1, 0)) == pytest.approx(narrowed, rel=ROUND_OFF)
+
+
+@every_case
+def test_a_traction_on_the_weld_is_shared_by_the_springs_on_both_sides(kind, assumption):
+    t = 1.5
+    s = solve_plane(
+        strip(kind), materials=dict(reversed(BODIES.items())), assumption=assumption,
+        supports={"left": "x", "right": "x", "bottom": "n", "top": "n"},
+        tractions={"weld": (t, 0.0)},
+    )  # fmt: skip
+    (E1, nu1), (E2, nu2) = (in_plane(m, assumption) for m in (SOFT, HARD))
+    soft, hard = E1 / (0.4 * (1 - nu1**2)), E2 / (0.6 * (1 - nu2**2))  # stiffnesses per area
+    assert s.mean_displacement("weld", (1, 0)) == pytest.approx(t / (soft + hard), rel=ROUND_OFF)
+    assert s.reaction("left")[0] == pytest.approx(-t * soft / (soft + hard), rel=1e-11)
+    assert s.reaction("right")[0] == pytest.approx(-t * hard / (soft + hard), rel=1e-11)
+
+
+WIDTH, WEIGHT = 3.0, 7.0  # weight per volume, along x
+
+
+def column(kind):
+    """A bar that hangs along x; its body "east" begins at two thirds of its length."""
+    s = WIDTH * np.array([0, 1 / 6, 2 / 3, 0.8, 1])
+    return mapped(kind, s, np.array([0, 0.3, 1]), split=2 / 3 * WIDTH)
+
+
+def oedometric(assumption):
+    """Modulus of compression without side strain."""
+    E, nu = in_plane(SOFT, assumption)
+    return E / (1 - nu**2)
+
+
+@pytest.mark.parametrize(
+    ("kind", "assumption"), [("tri6", "plane strain"), ("quad9", "plane stress")]
+)
+def test_a_heavy_column_between_smooth_walls_yields_by_a_parabola(kind, assumption):
+    solution = solve_plane(
+        column(kind), materials=SOFT, assumption=assumption, thickness=2.0,
+        supports={"left": "x", "bottom": "n", "top": "n"}, body_forces=(-WEIGHT, 0.0),
+    )  # fmt: skip
+    M = oedometric(assumption)
+    inside = solution.in_body()
+    x = inside.x[0]
+    np.testing.assert_allclose(inside.u[0], -WEIGHT / M * (WIDTH * x - x**2 / 2), atol=1e-11)
+    np.testing.assert_allclose(inside.stress[0], -WEIGHT * (WIDTH - x), atol=1e-11 * WEIGHT)
+    energy = 2.0 * WEIGHT**2 * WIDTH**3 / (6 * M)  # int xx^2 / (2 M)
+    assert solution.strain_energy == pytest.approx(energy, rel=ROUND_OFF)
+    assert solution.potential_energy == pytest.approx(-energy, rel=ROUND_OFF)
+
+
+def test_forces_that_vary_by_body_add_up():
+    # one body is pulled by a force that grows as x, the other pushed by a constant
+    solution = solve_plane(
+        column("quad9"), materials=SOFT, assumption="plane strain",
+        supports={"left": "x", "bottom": "n", "top": "n"},
+        body_forces={"west": lambda x: np.array([-x[0], 0 * x[0]]), "east": (2.0, 0.0)},
+    )  # fmt: skip
+    pull = 2.0 * WIDTH / 3 - (2 / 3 * WIDTH) ** 2 / 2  # by hand
+    assert solution.reaction("left")[0] == pytest.approx(-pull, abs=ROUND_OFF)
+
+
+def block(kind, tilt, mirror=1.0):
+    """2 x 1, turned by `tilt` about the origin at its corner."""
+    turn = np.array([[cos(tilt), -sin(tilt)], [sin(tilt), cos(tilt)]])
+    return mapped(kind, [0, 0.6, 1.3, 2], [0, 0.4, 1], lambda x, y: turn @ [mirror * x, y])
+
+
+@pytest.mark.parametrize("mirror", [1.0, -1.0], ids=["", "mirrored"])
+@every_case
+def test_a_tilted_block_between_two_smooth_walls_is_in_uniaxial_stress(kind, assumption, mirror):
+    # mirrored its cells run clockwise
+    p, tilt = 3.0, radians(135)
+    s = solve_plane(
+        block(kind, tilt, mirror), materials=SOFT, assumption=assumption,
+        supports={"left": "n", "bottom": "n"}, pressures={"right": p},
+    )  # fmt: skip
+    c, n = cos(tilt), sin(tilt)
+    expected = np.reshape([-p * c * c, -p * n * n, -p * c * n], (3, 1))  # -p along the block
+    found = s.in_body().stress[:3]
+    np.testing.assert_allclose(found, np.broadcast_to(expected, found.shape), atol=1e-11 * p)
+    # the far corner moves by the strains -p / E' and nu' p / E' of lengths 2 and 1
+    E, nu = in_plane(SOFT, assumption)
+    along, up = mirror * -2 * p / E, nu * p / E
+    x, y = s.displacement_at((mirror * 2 * c - n, mirror * 2 * n + c))
+    assert (x, y) == pytest.approx((along * c - up * n, along * n + up * c), abs=1e-11)
+    assert s.displacement_at((0, 0)) == pytest.approx((0, 0), abs=1e-15)
+
+
+@every_case
+def test_a_wall_that_runs_round_a_corner_holds_both_of_its_sides(kind, assumption):
+    p, tilt = 3.0, radians(30)
+    mesh = block(kind, tilt)
+    round_corner = np.concatenate([mesh.boundaries["left"], mesh.boundaries["bottom"]])
+    s = solve_plane(
+        mesh.with_boundaries({"left and bottom": round_corner}), materials=SOFT,
+        assumption=assumption, supports={"left and bottom": "n"}, pressures={"right": p},
+    )  # fmt: skip
+    force = p * cos(tilt), p * sin(tilt)
+    assert s.reaction("left and bottom")[:2] == pytest.approx(force, abs=1e-9 * p)
+    c, n = cos(tilt), sin(tilt)
+    np.testing.assert_allclose(s.in_body().stress[2], -p * c * n, atol=1e-11 * p)
+
+
+@every_element
+def test_a_wall_that_moves_along_its_normal_and_tangent_takes_the_block_along(kind):
+    tilt = radians(25)
+    s = solve_plane(
+        block(kind, tilt), materials=SOFT, assumption="plane strain",
+        supports={"right": {"n": 0.2, "t": 0.1}},
+    )  # fmt: skip
+    # outward normal of "right" is (cos, sin), its tangent (-sin, cos)
+    expected = 0.2 * cos(tilt) - 0.1 * sin(tilt), 0.2 * sin(tilt) + 0.1 * cos(tilt)
+    np.testing.assert_allclose(s.in_body().u.T, [expected] * s.in_body().u.shape[1], atol=1e-12)
+
+
+def test_walls_that_turn_a_block_rigidly_strain_nothing():
+    tilt, angle = radians(40), 0.01
+    along, up = np.array([cos(tilt), sin(tilt)]), np.array([-sin(tilt), cos(tilt)])
+    s = solve_plane(
+        block("tri6", tilt), materials=SOFT, assumption="plane stress",
+        supports={
+            "right": {"n": lambda x: -angle * (up @ x)},
+            "left": {"n": lambda x: angle * (up @ x)},
+            "bottom": {"n": lambda x: -angle * (along @ x)},
+        },
+    )  # fmt: skip
+    x = s.in_body().x
+    np.testing.assert_allclose(s.in_body().u, angle * np.array([-x[1], x[0]]), atol=1e-14)
+    assert s.strain_energy < 1e-24

@@ -1,0 +1,134 @@
+"""What is kept between solves is found by its content, changes no result, and stays small."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from skfem import MeshQuad1, MeshQuad2
+
+from fem.plane import discretisation, factors
+from fem.plane.factors import FACTORS
+from fem.plane.material import Elastic
+from fem.plane.recent import Recent
+from fem.plane.solve import solve_plane
+
+STEEL = Elastic(E=210e9, nu=0.3)
+
+
+@pytest.fixture(autouse=True)
+def forgotten():
+    """Nothing kept from other tests."""
+    FACTORS.clear()
+    discretisation.NUMBERS.clear()
+
+
+@pytest.fixture
+def factorisations(monkeypatch):
+    """The matrices that are factorised."""
+    seen = []
+    own = factors.splu
+
+    def counting(A, **options):
+        seen.append(A)
+        return own(A, **options)
+
+    monkeypatch.setattr(factors, "splu", counting)
+    return seen
+
+
+def plate(bend=0.0, n=6):
+    """A plate on curved cells, wavy by `bend`."""
+    grid = MeshQuad1.init_tensor(np.linspace(0, 2, n), np.linspace(0, 1, 4)).with_boundaries({
+        "foot": lambda x: x[1] == 0, "top": lambda x: x[1] == 1
+    })  # fmt: skip
+    mesh = replace(MeshQuad2.from_mesh(grid), _boundaries=grid.boundaries)
+    x, y = mesh.doflocs
+    return replace(mesh, doflocs=np.array([x + bend * y**2, y + bend * np.sin(2 * x)]))
+
+
+def pressed(mesh, material=STEEL, p=1e6, **more):
+    return solve_plane(
+        mesh, materials=material, assumption="plane stress", supports={"foot": "xy"},
+        pressures={"top": p}, **more,
+    )  # fmt: skip
+
+
+def same(one, other):
+    return np.array_equal(one.u, other.u) and np.array_equal(one.internal, other.internal)
+
+
+def test_another_load_factorises_nothing_and_gives_what_it_gives_alone(factorisations):
+    pressed(plate())
+    after = pressed(plate(), p=2.5e6)
+    assert len(factorisations) == 1
+    FACTORS.clear()
+    alone = pressed(plate(), p=2.5e6)
+    assert len(factorisations) == 2
+    assert same(after, alone)
+
+
+def test_another_modulus_or_thickness_factorises_nothing(factorisations):
+    E = 123.4e9
+    pressed(plate())
+    after = pressed(plate(), Elastic(E=E, nu=0.3), thickness=3.0)
+    assert len(factorisations) == 1
+    FACTORS.clear()
+    assert same(after, pressed(plate(), Elastic(E=E, nu=0.3), thickness=3.0))
+    assert after.residual < 1e-20
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        pytest.param(lambda: pressed(plate(), Elastic(E=210e9, nu=0.3 + 1e-9)), id="nu"),
+        pytest.param(lambda: pressed(plate(1e-9)), id="a node that moved"),
+        pytest.param(lambda: pressed(plate(n=7)), id="more cells"),
+        pytest.param(
+            lambda: solve_plane(
+                plate(), materials=STEEL, assumption="plane stress", pressures={"top": 1e6},
+                supports={"foot": "y"}, anchors={(0.0, 0.0): "x"},
+            ),
+            id="supports",
+        ),
+    ],
+)  # fmt: skip
+def test_another_matrix_is_factorised_anew(other, factorisations):
+    pressed(plate())
+    after = other()
+    assert len(factorisations) == 2
+    FACTORS.clear()
+    assert same(after, other())
+
+
+def test_numbers_of_unknowns_are_those_of_the_cells_at_hand():
+    mesh = plate()
+    kept = discretisation.vector_basis(mesh).dofs
+    assert discretisation.vector_basis(plate(0.05)).dofs is kept
+    assert discretisation.vector_basis(mesh, 1).N < kept.N
+    grid = MeshQuad1(mesh.p[:, : mesh.nvertices].copy(), mesh.t)
+    other = MeshQuad1(grid.p, np.ascontiguousarray(grid.t[:, ::-1]))
+    first, second = (discretisation.vector_basis(m).element_dofs for m in (grid, other))
+    assert np.array_equal(first[:, ::-1], second)
+
+
+def test_what_is_used_again_stays():
+    recent = Recent(most=2)
+    made = []
+    for k in (1, 2, 1, 3, 1):
+        recent.get((k,), lambda k=k: made.append(k))
+    assert made == [1, 2, 3]
+
+
+def test_what_takes_too_much_room_is_not_kept_and_drives_out_nothing():
+    recent = Recent(most=9, room=10)
+    for k, size in ((1, 4), (2, 5), (3, 11), (4, 3)):
+        recent.get((k,), lambda k=k: k, lambda _, size=size: size)
+    assert [entry[1] for entry in recent.kept] == [4, 2]
+
+
+def test_a_key_that_changes_in_place_is_another_one():
+    recent, x = Recent(most=3), np.ones(3)
+    assert recent.get((x,), lambda: "ones") == "ones"
+    x[1] = 2.0
+    assert recent.get((x,), lambda: "more") == "more"
+    assert recent.get((np.ones(3),), lambda: "anew") == "ones"
