@@ -12,20 +12,15 @@ from verify.answers.record import answer_record
 from verify.answers.registry import answer
 from verify.cases.registry import find
 from verify.core.results import Status
-from verify.core.units import parse
 
 E_STAR = 206e9 / (2 * (1 - 0.3**2))  # Pa, both bodies of steel
+RPM = math.pi / 30
 
 
 def found(case_id, **changed):
-    """The answer to the paper's inputs with some changed; their texts have units."""
+    """The answer to the paper's inputs with some changed."""
     case = find(case_id)
-    fields = case.inputs.model_fields
-    values = {
-        k: parse(v, fields[k].json_schema_extra["unit"]) if isinstance(v, str) and v[0].isdigit()
-        else v for k, v in changed.items()
-    }  # fmt: skip
-    q = case.inputs(**(case.inputs().model_dump() | values))
+    q = case.inputs(**(case.inputs().model_dump() | changed))
     return answer(case, q, case.analytic(q))
 
 
@@ -43,22 +38,26 @@ def test_two_spheres_of_unlike_size_are_judged_by_the_larger_pressure():
     assert result.verdict is Verdict.FAILS
 
 
-@pytest.mark.parametrize(("case_id", "speed"), [("rotor-shaft", 86000), ("rotor-step", 69766)])
-def test_a_speed_at_a_higher_mode_of_a_shaft_fails(case_id, speed):
-    assert found(case_id, n=speed * math.pi / 30).verdict is Verdict.FAILS
+@pytest.mark.parametrize(
+    ("case_id", "changed"),
+    [
+        pytest.param("rotor-shaft", {"n": 86000 * RPM}, id="speed at a higher mode"),
+        pytest.param("rotor-step", {"n": 69766 * RPM}, id="the same of a stepped shaft"),
+        pytest.param("sprag-engagement", {"T": 70.0}, id="sprags roll over in the first peak"),
+        pytest.param("sprag-friction", {"T": 115.0}, id="sprags roll over at rest"),
+        pytest.param("sprag-crown", {"mu_s": 0.05, "mu_c": 0.04}, id="crowned sprag slips"),
+        pytest.param("spring-buckling", {"F": 0.9}, id="free head beyond its critical force"),
+    ],
+)
+def test_a_part_that_equilibrium_or_stability_rules_out_fails(case_id, changed):
+    result = found(case_id, **changed)
+    assert result.verdict is Verdict.FAILS
+    assert changed.get("T") is None or "roll over" in result.failures[0]
 
 
 @pytest.mark.parametrize("case_id", ["rotor-shaft", "rotor-step"])
 def test_a_speed_beyond_all_computed_modes_is_not_decided(case_id):
-    assert found(case_id, n=3e5 * math.pi / 30).verdict is not Verdict.HOLDS
-
-
-def test_sprags_that_roll_over_in_the_first_peak_fail():
-    assert "roll over" in found("sprag-engagement", T=70.0).failures[0]
-
-
-def test_sprags_that_roll_over_at_rest_fail():
-    assert "roll over" in found("sprag-friction", T=115.0).failures[0]
+    assert found(case_id, n=3e5 * RPM).verdict is not Verdict.HOLDS
 
 
 @pytest.mark.parametrize("case_id", ["sprag-engagement", "sprag-friction"])
@@ -83,16 +82,8 @@ def test_a_roller_clutch_with_enough_friction_fails_by_pressure(case_id, changed
         assert pressure.value == pytest.approx(by_hand, rel=0.02)  # rollers' tilt adds to it
 
 
-def test_a_crowned_sprag_without_enough_friction_fails():
-    assert found("sprag-crown", mu_s=0.05, mu_c=0.04).verdict is Verdict.FAILS
-
-
 def test_the_optimum_under_static_load_is_not_decided():
     assert found("sprag-optimum").verdict is Verdict.CANNOT_SAY
-
-
-def test_a_spring_with_a_free_head_is_judged_by_the_smallest_critical_force():
-    assert found("spring-buckling", F=0.9).verdict is Verdict.FAILS
 
 
 def test_a_spring_beyond_its_critical_force_needs_a_guide():
@@ -128,13 +119,7 @@ def test_a_thin_ring_under_outside_pressure_buckles():
     ("case_id", "changed", "words"),
     [
         ("freewheel-clutch", {"R_a": 18.5e-3, "mu": 0.12, "F_ax": 0.0}, "hoop stress"),
-        (
-            "freewheel-clutch",
-            {"F_ax": 2000.0, "mu": 0.12, "p_lim": 4e9},
-            "largest contact pressure",
-        ),
         ("freewheel-clutch", {"F_ax": 0.0}, "the contacts slip"),
-        ("sprag-clutch", {"R_ed": 20.8e-3, "p_lim": 4e9, "R_p": None}, "Tresca stress"),
         ("sprag-clutch", {"p_lim": 4e9}, "the inner contacts reach p_lim"),
     ],
 )
@@ -149,10 +134,10 @@ def test_the_permissible_torque_as_the_torque_has_a_margin_of_one(case_id, chang
         assert again.design.value == pytest.approx(design.value, rel=1e-3)
 
 
-def test_a_backward_critical_speed_in_the_operating_range_is_not_decided(monkeypatch):
+def test_a_backward_critical_speed_in_the_operating_range_is_not_decided():
     result = found("rotor-system")
     assert any("opposite" in text for text in result.remarks)  # within the margin
-    wider = found("rotor-system", speed_to=9100 * math.pi / 30)
+    wider = found("rotor-system", speed_to=9100 * RPM)
     assert any("opposite" in text for text in wider.unknowns)
     assert wider.verdict is not Verdict.HOLDS
 
@@ -166,20 +151,21 @@ def test_a_part_that_fails_for_another_reason_has_no_margin():
 def test_a_reference_without_a_value_does_not_refute_the_formulas(judged):
     case = find("ring-lame")
     lost = {"fem": None, "partner": None, "status": Status.FAIL, "reason": "not converged: level 4"}
-    rows = [replace(row, **lost) for row in judged(case).rows]
+    right = judged(case, drawn=False).rows
+    rows = [replace(row, **lost) for row in right]
     assert why_not_solved(rows).startswith("not converged")
     q = case.inputs()
     found_ = with_rows(answer(case, q, case.analytic(q)), rows)
     assert found_.verdict is Verdict.CANNOT_SAY
     assert "nothing was compared" in found_.reasons[0]
-    assert not why_not_solved([*rows, replace(judged(case).rows[0], status=Status.FAIL)])
+    assert not why_not_solved([*rows, replace(right[0], status=Status.FAIL)])
 
 
 @pytest.mark.parametrize("system", ["mm", "inch", "si"])
 def test_the_reference_of_the_design_value_is_found_in_each_system(judged, system):
     case = find("ring-lame")
     q = case.inputs()
-    rows = in_units(judged(case), system).rows
+    rows = in_units(judged(case, drawn=False), system).rows
     assert reference_of_design(answer(case, q, case.analytic(q)), rows).startswith(
         "finite elements"
     )
