@@ -4,11 +4,9 @@ from dataclasses import replace
 
 import pytest
 
-from verify.cases.registry import CASES
 from verify.core.console_rows import closing, row_cells, title
-from verify.core.references import Method, reference_name
+from verify.core.references import reference_name
 from verify.core.results import Kind, Partner
-from verify.core.source_code import parts_of
 from verify.judging import judge
 from verify.judging.claims import make_row
 
@@ -75,16 +73,3 @@ def test_rows_of_a_case_without_finite_elements_name_its_method(rows):
 def test_finite_elements_come_first_and_printed_numbers_last_in_the_title(rows):
     others = [row(by, 1.01, (0.0, 0.02), by=by) for by in ("printed 0.6", "printed 0.7", "strips")]
     assert title([*others, *rows]) == "formulas against finite elements; strips; printed values"
-
-
-def test_every_case_whose_reference_uses_no_finite_elements_is_known():
-    """By the modules that its reference runs; struts between rigid hubs are no elements."""
-    bare = {
-        case.id for case in CASES
-        if not any(
-            name.startswith("fem.") and not name.startswith("fem.rotor.struts")
-            for name in parts_of(case.reference)[1]
-        )
-    }  # fmt: skip
-    assert bare
-    assert bare <= {case.id for case in CASES if case.method != Method()}

@@ -5,78 +5,12 @@ from dataclasses import replace
 
 import pytest
 
-from verify.cases.registry import CASES
+from tests.verify.rows_again import assert_the_same
 from verify.core.case import Context, FemResult
-from verify.core.differences import difference, difference_texts
-from verify.core.results import Kind, Status
+from verify.core.results import Status
 from verify.judging.checks import Approximation, Fact, Identity, Limit
-from verify.judging.explain.grid import regrid
 from verify.judging.explain.steps import derive, steps
 from verify.judging.profile_checks import Coefficient
-
-
-def agrees(again, kept, digits):
-    if again is None or kept is None:
-        return again is None and kept is None
-    return again == kept or math.isclose(again, kept, rel_tol=1e-5, abs_tol=digits)
-
-
-def assert_the_same(row):
-    """Equal but for the round-off of values that were converted to the row's unit."""
-    found = derive(row)
-    digits = 1e-14 * max([abs(v) for _, v in row.levels] + [row.scale or 0.0])
-    assert found.verdict.status is row.status, row.id
-    assert agrees(found.verdict.difference, row.difference, digits), row.id
-    assert agrees(found.verdict.tolerance, row.tolerance, digits), row.id
-    assert agrees(found.verdict.detects, row.detects, 1e-14), row.id
-    if found.u_num is not None:
-        assert agrees(found.u_num, row.u_num, digits), row.id
-    if row.grid:
-        again, _ = regrid(row.grid)
-        digits = max(digits, 1e-14 * max(abs(v) for _, v in row.grid.levels))
-        assert again.behaviour == row.grid.behaviour
-        assert agrees(again.gci, row.grid.gci, digits)
-        assert agrees(again.order, row.grid.order, 1e-4)
-        assert agrees(again.used, row.grid.used, 1e-4)
-        assert again.factor == row.grid.factor
-
-
-def assert_index_of(grid):
-    """The grid convergence index follows from the order and the factor that the row names."""
-    (_, _), (h2, v2), (h1, v1) = grid.levels[-3:]
-    index = grid.factor * abs(v1 - v2) / ((h2 / h1) ** grid.used - 1)
-    assert grid.gci == pytest.approx(max(index, 1e-12 * grid.scale), rel=1e-5)
-
-
-def displayed(text):
-    """The number of a difference in a table."""
-    return float(text.partition(" of ")[0].removeprefix("±").removesuffix(" %"))
-
-
-def assert_displayed_inside(row):
-    """What passes lies inside its limits as well with the digits that are displayed."""
-    text, allowed = difference_texts(row)
-    if row.interval is None:
-        assert abs(displayed(text)) <= displayed(allowed), row.id
-    else:
-        low, high = map(displayed, allowed.split(" to "))
-        assert low <= displayed(text) <= high, row.id
-        expected = row.analytic / row.reference - 1
-        assert difference(row).value == pytest.approx(expected, abs=1e-12), row.id
-
-
-@pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
-def test_every_row_of_the_paper_follows_from_what_it_keeps(case, judged):
-    for row in judged(case, drawn=False).rows:
-        assert_the_same(row)
-        if row.grid and row.grid.used is not None:
-            assert_index_of(row.grid)
-        if row.status is Status.PASS and row.kind is not Kind.FACT:
-            assert_displayed_inside(row)
-        label, words = steps(row)[-1]
-        assert label == "verdict"
-        assert words.startswith(row.status.value)
-
 
 # What no case has: series that oscillate, diverge, are noisy, limits, facts.
 

@@ -122,18 +122,14 @@ def test_a_case_without_a_dynamic_part_offers_none_and_refuses_it_in_one_line(
     assert not (tmp_path / "out").exists()
 
 
-@pytest.mark.parametrize("error", [ArithmeticError, ValueError, ZeroDivisionError])
-def test_what_has_no_answer_ends_with_one_line_and_status_two(error, ring, swings, capsys):
-    swings(replace(SWINGS, run=raising(error("dt is 1e-05 s,\ntoo long for D_V"))))
-    said = refused(["check", "--dynamic", ring], capsys)
-    assert "ring.toml: the swing: dt is 1e-05 s, too long for D_V" in said
-
-
-@pytest.mark.parametrize("part", ["findings", "summary", "figures"])
-def test_an_error_in_any_part_is_one_line(part, ring, tmp_path, swings, capsys):
-    swings(replace(SWINGS, **{part: raising(ValueError("too long"))}))
+@pytest.mark.parametrize("error", [ArithmeticError, ValueError])
+@pytest.mark.parametrize("part", ["run", "findings", "figures"])
+def test_what_has_no_answer_ends_with_one_line_and_status_two(
+    part, error, ring, tmp_path, swings, capsys
+):
+    swings(replace(SWINGS, **{part: raising(error("dt is 1e-05 s,\ntoo long for D_V"))}))
     said = refused(["check", "--dynamic", ring, "--out", tmp_path / "out"], capsys)
-    assert "ring.toml: the swing: too long" in said
+    assert "ring.toml: the swing: dt is 1e-05 s, too long for D_V" in said
 
 
 def test_a_value_that_is_not_finite_is_refused_by_name(ring, swings, capsys):
@@ -193,13 +189,6 @@ def test_the_verdict_of_both_parts_together_comes_first(ring, swings, capsys, tm
     assert json.loads(capsys.readouterr().out)["findings"] == ["holds"]
 
 
-def test_finite_elements_and_the_dynamic_part_go_together(ring, swings, capsys):
-    swings()
-    assert run(["check", "--fem", "--dynamic", str(ring)]) == 0
-    out = capsys.readouterr().out
-    assert out.index("the swing\n") < out.index("formulas against finite elements\n")
-
-
 def test_nothing_of_it_is_marked_as_judged_where_finite_elements_refuse(ring, swings, capsys):
     marked = tuple(replace(o, judged=True) for o in SWINGS.outputs)
     swings(replace(SWINGS, outputs=marked))
@@ -217,12 +206,6 @@ def test_a_slow_part_is_reported_while_it_runs(capsys):
     first, second, third = capsys.readouterr().err.splitlines()
     assert (first, second) == ("compiles", "over")
     assert third.startswith("done after 0.")
-
-
-def test_a_quiet_run_is_not_reported(capsys):
-    with progress.told_if_slow("compiles", quiet=True, after=0.02):
-        time.sleep(0.1)
-    assert capsys.readouterr().err == ""
 
 
 def test_outputs_of_every_dynamic_part_have_known_units_and_keys_of_their_own():

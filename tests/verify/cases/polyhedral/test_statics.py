@@ -1,0 +1,71 @@
+"""Finite elements of locked rings and wedged rollers are in balance, on coarse meshes."""
+
+import math
+
+import numpy as np
+import pytest
+
+from fem.contact import active_sets
+from fem.contact.friction_lcp import FrictionLcp
+from fem.contact.wedged import Geometry, Wedge
+from verify.cases.polyhedral.locking.case import LockedPolyhedralRing
+from verify.cases.polyhedral.locking.fem import locked_fem
+from verify.cases.polyhedral.wedge import reference
+from verify.cases.polyhedral.wedge.case import WedgedRoller
+from verify.cases.polyhedral.wedge.limit import least_fem
+from verify.cases.polyhedral.wedge.mesh import fem_mesh
+
+
+def wedge(q, *, mu=None, caged=False):
+    geometry = Geometry(q.R, q.half, q.a)
+    return Wedge(geometry, fem_mesh(geometry, 6), E=q.E, nu=q.nu, mu=mu or q.mu, caged=caged)
+
+
+def test_forces_on_half_a_sector_are_in_balance_with_the_ring_s_hoop_force_alone():
+    q = LockedPolyhedralRing()
+    hub = (2e5, 1e4)
+    ring = locked_fem(q, 1, d=q.d, e=q.e, p=q.p_t, hub=hub)
+    rest_x, rest_y, hoop = ring.balance(q.p_t, hub)
+    side = q.p_t * q.d_i * np.sin(q.half_angle)
+    assert max(abs(rest_x), abs(rest_y)) < 1e-8 * side
+    assert abs(hoop) > 0.1 * side  # what Eq. 16 leaves out
+
+
+@pytest.mark.parametrize(("alpha", "mu"), [(6, 0.5), (25, 0.3)])
+def test_friction_on_a_free_roller_is_that_of_two_forces_in_balance(alpha, mu):
+    q = WedgedRoller(alpha=math.radians(alpha), mu=mu)
+    free = wedge(q)
+    state, _ = free.pressed(q.line_load)
+    N, T = free.forces(state)
+    assert q.line_load == pytest.approx(N, rel=1e-11)
+    assert math.tan(q.half) == pytest.approx(T / N, rel=1e-8)
+
+
+def test_the_roller_leaves_to_the_wide_end_where_friction_is_too_low():
+    q = WedgedRoller()
+    _, down = wedge(q).pressed(q.line_load)
+    slippery = wedge(q, mu=0.5 * math.tan(q.half))
+    gone = slippery.at(down)
+    assert slippery.forces(gone)[0] < 1e-6 * q.line_load
+    x, _ = gone.plane.displacement_at((0.0, 0.0))
+    assert x < -0.5 * down / math.tan(q.half)
+
+
+def test_what_slides_into_the_wedge_is_held_back_by_the_cage(monkeypatch):
+    q = WedgedRoller()
+    held = wedge(q, caged=True)
+    expected = 2 * q.N * (q.mu * math.cos(q.half) - math.sin(q.half))
+    assert reference.held_back(q, held)["C"] == pytest.approx(expected, rel=1e-9)
+    assert expected > 0
+    # friction that drives has no equilibrium
+    monkeypatch.setattr(active_sets, "SIGN", -active_sets.SIGN)
+    monkeypatch.setattr(FrictionLcp, "candidates", lambda _: iter(()))
+    with pytest.raises(ArithmeticError):
+        reference.held_back(q, wedge(q, caged=True))
+
+
+def test_no_limit_of_friction_is_found_in_a_bracket_on_one_side_of_it():
+    q = WedgedRoller()
+    _, down = wedge(q).pressed(q.line_load)
+    value, _ = least_fem(q, down, 1.01 * math.tan(q.half))
+    assert math.isnan(value)

@@ -1,0 +1,144 @@
+"""Races under n sprags and turning races: readings, statements on own inputs, what is refused."""
+
+from dataclasses import replace
+
+import pytest
+
+from analytic.contact import hertz_line
+from analytic.ring import fourier_ring, lame, loaded_race, rotating, smeared
+from tests.verify.cases.own import assert_refused, own, state
+from tests.verify.cases.readings import given
+from verify.cases.ring.loads import figures
+from verify.cases.ring.loads.case import INNER, OUTER, InnerRace, OuterRace
+from verify.cases.ring.loads.formulas import SpragLoads
+from verify.cases.ring.loads_map.case import CHECKED, COUNTS, MAP, RATIOS
+from verify.cases.ring.rotation.case import ROTATION, RotatingRace
+from verify.core.results import Status
+
+AT_LOAD = "bore displacement at a load"
+OTHER = "plane stress"
+
+
+def race(**changes):
+    """The race with other numbers, each made of the inputs."""
+    return lambda f: (
+        lambda q, **k: replace(f(q, **k), **{name: make(q) for name, make in changes.items()})
+    )
+
+
+READINGS = [
+    pytest.param(OUTER, SpragLoads, "race", race(assumption=lambda _: "plane strain"), AT_LOAD,
+                 id="long races"),
+    pytest.param(INNER, lame, "radial_displacement", given(ends=lambda _: "plane strain"),
+                 "rim displacement, mean", id="Eq. 6 in plane strain"),
+    pytest.param(OUTER, hertz_line, "contact_modulus", given(assumption=lambda _: "plane stress"),
+                 AT_LOAD, id="half-width of thin rollers"),
+    pytest.param(OUTER, hertz_line, "relative_radius", given(R_2=lambda k: -k["R_2"]), AT_LOAD,
+                 id="the race's curvature has the other sign"),
+    pytest.param(OUTER, SpragLoads, "race", race(n=lambda q: q.n // 2, P=lambda q: 2 * q.P),
+                 "ripple over the mean", id="N and the force of two sprags each"),
+    pytest.param(INNER, smeared, "race_deflection", given(nu=lambda k: -k["nu"]), "Eq. 6 at a load",
+                 id="sign of Poisson's ratio in Eq. 6"),
+    pytest.param(OUTER, loaded_race, "share", lambda f: lambda x: 1.0 + 0 * f(x),
+                 "hoop force in the cut between loads", id="a point force for the ellipse"),
+    pytest.param(OUTER, SpragLoads, "dent_to", lambda f: lambda q, depth: f(q, 2 * depth),
+                 "Eq. 6 and Hertz's dent to the wall's depth, at a load", id="dent to twice depth"),
+    pytest.param(MAP, fourier_ring, "_wall_tractions", lambda f: lambda *a: 1.01 * f(*a),
+                 "displacement at a load, n = 12, r_o/r_i = 1.35", id="loads 1 % too large"),
+    pytest.param(ROTATION, rotating, "_load", lambda f: lambda rho, w: f(rho, w * 9.549),
+                 "bore growth, plane stress", id="r/min for an angular speed"),
+    pytest.param(ROTATION, rotating, "in_plane", lambda f: lambda E, nu, _: f(E, nu, OTHER),
+                 "bore growth, plane strain", id="plane stress for plane strain"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("case", "owner", "name", "reading", "row"), READINGS)
+def test_another_reading_fails(case, owner, name, reading, row, failures):
+    assert row in failures(case, owner, name, reading)
+
+
+def test_n_is_the_number_of_sprags(failures):
+    """Not the number of slices of Eqs. 3 to 5, of which 6 would be few, nor a speed."""
+    found = failures(OUTER, smeared, "race_deflection", given(n=lambda k: k["n"] / 2))
+    assert {"bore displacement, mean", "Eq. 6 at a load", "Eq. 6 between loads"} <= found
+
+
+def test_smearing_costs_windup_and_hides_force_from_12_sprags_on():
+    races = (OuterRace(), InnerRace())
+    windup, peak = figures.ratios(races, 12)
+    assert 1.04 < windup < 1.05
+    assert 0.97 < peak < 0.98
+    windup, peak = figures.ratios(races, 6)
+    assert windup < 1 < peak
+
+
+def test_a_race_of_another_number_of_sprags_says_how_soft_eq_6_is(judged, red):
+    result = judged(replace(OUTER, levels=(2, 3, 4)), own(OUTER, n=6), drawn=False)
+    assert not [row for row in red(result) if "convergence" not in row.quantity]
+    (row,) = (r for r in result.rows if "too soft" in r.quantity)
+    assert row.status is Status.SHOWN
+    assert "-17.4% off at n = 6" in row.reason
+
+
+def test_inputs_and_formulas_have_the_same_half_width_and_the_map_its_checked_points():
+    """Finite elements do not take it from the formulas: the two share no code."""
+    for q in (OuterRace(), InnerRace()):
+        assert q.half_width == pytest.approx(q.hertz[0], rel=1e-13)
+    assert {n for n, _ in CHECKED} <= set(COUNTS)
+    assert {ratio for _, ratio in CHECKED} <= set(RATIOS)
+
+
+def test_speeds_at_which_growth_counts_are_those_of_one_and_ten_per_cent():
+    v = ROTATION.analytic(RotatingRace())
+    for key, part in (("n_1", 0.01), ("n_10", 0.1)):
+        there = ROTATION.analytic(RotatingRace(omega=v[key]))
+        assert there["ratio"] == pytest.approx(part, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("case", "changes", "words"),
+    [
+        (OUTER, {"r_o": "19 mm"}, "r_i < r_o"),
+        (OUTER, {"r_o": "19.45 mm"}, "a shell"),
+        (OUTER, {"n": 1}, "must be at least 2"),
+        (OUTER, {"R": "19 mm"}, "smaller than 0.9 of the bore"),
+        (OUTER, {"F": "3 MN"}, "flattens a = "),
+        (INNER, {"r_i": "10.8 mm"}, "more than 0.3 of the wall"),
+        (INNER, {"n": 300}, "n = 300 patches of half-width 0.112 mm crowd on a wall"),
+        (ROTATION, {"r_o": "19 mm"}, "R_e < R_ed"),
+        (ROTATION, {"r_o": "19.45 mm"}, "a shell"),
+        (ROTATION, {"omega": "1e6 r/min"}, "flies apart"),
+    ],
+)
+def test_a_race_that_cannot_be_is_refused_in_one_line(case, changes, words):
+    assert_refused(case, changes, words)
+
+
+@pytest.mark.parametrize(
+    ("case", "changes", "words"),
+    [
+        (OUTER, {}, ""),
+        (INNER, {}, ""),
+        (OUTER, {"R_p": "500 MPa"}, "yields below the contact"),
+        (OUTER, {"R_p": "100 MPa"}, "hoop stress"),
+        (OUTER, {"F": "60 kN"}, "no steel bears that"),
+        (OUTER, {"r_o": "20.4 mm", "F": "3407 N"}, "of the wall"),
+        (ROTATION, {}, ""),
+        (ROTATION, {"omega": "6685 r/min"}, "Eq. 8 counts from"),
+        (ROTATION, {"R_p": "0.1 MPa"}, "the race yields"),
+        (ROTATION, {"omega": "114592 r/min"}, "most steels yield"),
+    ],
+)
+def test_the_state_of_a_race_is_warned_of(case, changes, words):
+    *_, warned = state(case, **changes)
+    assert any(words in line for line in warned) if words else not warned
+
+
+@pytest.mark.parametrize(
+    ("more", "said"),
+    [({}, ""), ({"r_o": 300e-3}, "r_o/r_i"), ({"n": 250, "F": 1000.0, "R": 1e-3}, "n = 250"),
+     ({"F": 0.05}, "digits")],
+)  # fmt: skip
+def test_finite_elements_refuse_what_they_cannot_follow(more, said):
+    words = OuterRace(**more).refusal()
+    assert said in words if said else not words

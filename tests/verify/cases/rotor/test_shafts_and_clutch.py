@@ -1,0 +1,162 @@
+"""Turning shafts and the clutch between rotors: values by hand, own inputs, what is refused."""
+
+import re
+
+import numpy as np
+import pytest
+
+from analytic.rotor.transfer_modes import whirl_frequencies
+from tests.verify.cases.own import assert_refused, state
+from verify.cases.rotor.clutch.case import CLUTCH, ClutchLink
+from verify.cases.rotor.shaft.case import SHAFT, UniformShaft
+from verify.cases.rotor.step import reference
+from verify.cases.rotor.step.case import STEP, SteppedBeam
+from verify.core.case import Context
+
+REFUSED = [
+    (CLUTCH, {"R_e": "11 mm"}, "R_i < R_e"),
+    (CLUTCH, {"missing": 10}, "three sprags must remain"),
+    (SHAFT, {"d_i": "60 mm"}, "d_i < 0.98 d_o"),
+    (SHAFT, {"d_i": "1 mm"}, "take the shaft as solid"),
+    (SHAFT, {"L": "100 mm"}, "a block, not a shaft"),
+    (STEP, {"d_2": "40 mm"}, "1.001 d_1 <= d_2"),
+    (STEP, {"L": "150 mm"}, "a block, not a shaft"),
+    (STEP, {"a": "10 mm"}, "do not fit beside"),
+    (STEP, {"a": "295 mm"}, "do not fit beside"),
+    (STEP, {"b": "60 mm"}, "no short bearing"),
+]
+
+
+@pytest.mark.parametrize(("case", "changes", "words"), REFUSED)
+def test_a_part_that_cannot_be_is_refused_in_one_line(case, changes, words):
+    assert_refused(case, changes, words)
+
+
+WARNED = [
+    (CLUTCH, {}, ""),
+    (SHAFT, {}, ""),
+    (STEP, {"d_2": "40.2 mm"}, ""),
+    (CLUTCH, {"T": "0.01 N m"}, "nearly no preload"),
+    (CLUTCH, {"e": "30 µm"}, r"under the offset \d+% of the contacts are open"),
+    (CLUTCH, {"drop": "20 µm"}, "under the crown .* of the contacts are open"),
+    (CLUTCH, {"nu": "0.15 rad"}, "the clutch slips"),
+    (CLUTCH, {"T": "600 N m"}, "farther than sprags roll"),
+    (CLUTCH, {"Z": 18, "R_i": "30 mm", "R_e": "38.33 mm", "T": "150 N m"},
+     "lean .* is 12.* too large"),
+    (SHAFT, {"L": "400 mm"}, "take Timoshenko's"),
+    (SHAFT, {"L": "200 mm", "d_i": "56 mm"}, "too stubby or thin"),
+    (SHAFT, {"n": "21963 r/min"}, "of the critical speed"),
+    (SHAFT, {"n": "238732 r/min"}, "rim runs at 750 m/s"),
+    (STEP, {}, "45° rule lowers the beam's frequencies by up to 3.5%"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("case", "changes", "words"), WARNED)
+def test_the_state_of_a_part_is_warned_of(case, changes, words):
+    *_, warned = state(case, **changes)
+    assert any(re.search(words, line) for line in warned) if words else not warned
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"), [({"T": 600.0}, "no sprag rolls so far"), ({"drop": 20e-6}, "ends open")]
+)
+def test_struts_are_not_compared_where_they_do_not_roll_or_touch(changes, words):
+    assert words in CLUTCH.too_large(ClutchLink(**changes))
+    assert not CLUTCH.too_large(ClutchLink())
+
+
+@pytest.mark.parametrize(
+    ("case", "changes"),
+    [
+        (CLUTCH, {"a": 20e-6, "n_s": 7, "T": 40.0, "missing": 5, "nu": 0.1}),
+        (SHAFT, {"d_i": 0.0, "L": 0.4, "n": 500.0, "nu": 0.25}),
+    ],
+    ids=["clutch", "solid shaft"],
+)
+def test_a_part_of_a_user_s_own_has_no_failure(case, changes, judged, red):
+    result = judged(case, case.inputs(**changes), drawn=False)
+    assert result.rows
+    assert not red(result)
+
+
+def test_values_of_the_clutch_are_those_of_a_pocket_calculator():
+    v = CLUTCH.analytic(ClutchLink())
+    # 15/(12 * 11.11e-3 * 0.0550333) N; twice 3.84e-5 N^0.9/9^0.8 mm
+    assert v["N"] == pytest.approx(2044.4, rel=1e-4)
+    assert v["delta_0"] == pytest.approx(2 * 3.84e-8 * 2044.4**0.9 / 9**0.8, rel=1e-4)
+    k = 10 / 9 * v["N"] / v["delta_0"]
+    assert v["K_xx"] == pytest.approx(6 * k, rel=1e-12)
+    assert v["K_zz"] == pytest.approx(12 * k * (11.11e-3 * 0.0550333) ** 2, rel=1e-5)
+    soft = ClutchLink(a=20e-6)  # own yield in place of Palmgren's: 1 kN by definition of a
+    assert soft.k_n * 20e-6 ** (10 / 9) == pytest.approx(1000, rel=1e-12)
+    assert CLUTCH.analytic(soft)["K_xx"] < v["K_xx"]
+
+
+def test_findings_of_the_clutch_state_couplings_and_what_eq_3_leaves_out():
+    q = ClutchLink()
+    words = " ".join(CLUTCH.findings(q, CLUTCH.analytic(q)))
+    for part in ("2044 N", "12.6 µm", "couples no bending with torsion", "0.62%", "tan²ν = 0.30%",
+                 "tan ν = 5.50%", "x is coupled with y by -1.10% of K_xx",
+                 "keep 21% of the torsional stiffness"):  # fmt: skip
+        assert part in words
+
+
+def test_figures_of_the_clutch_are_drawn_without_struts_too():
+    q = ClutchLink()
+    figures = CLUTCH.figures(Context(CLUTCH.id, q, CLUTCH.analytic(q), (), is_paper=True))
+    assert len(figures) == 4
+    curves = [curve for figure in figures for curve in figure.curves]
+    assert all(np.isfinite(curve.x).all() and np.isfinite(curve.y).all() for curve in curves)
+
+
+def test_an_interval_of_a_stubby_shaft_has_no_series():
+    row = "Euler's beam, mode 1, at rest"
+    for q, sharp in ((UniformShaft(), True), (UniformShaft(L=0.13), False)):
+        check = next(c.check for c in q.stated() if c.name == row)
+        interval = check.interval(None)
+        assert (interval is not None) is sharp
+        assert not sharp or 0.015 < interval[0] < interval[1] < 0.02
+
+
+# The stepped shaft and its 45° rule.
+
+
+def test_pieces_make_up_the_shaft_and_stiffness_grows_from_the_steps():
+    q = SteppedBeam()
+    for cone in (False, True):
+        pieces = q.shape.pieces(cone=cone)
+        assert sum(p.length for p in pieces) == pytest.approx(q.L)
+        assert sum(p.length * p.d**2 for p in pieces) == pytest.approx(
+            sum(length * d**2 for length, d, _ in q.parts)
+        )
+        assert all(p.d_stiff == p.d for p in pieces) is not cone
+    stiff = [p.d_stiff for p in q.shape.pieces(cone=True)]
+    assert stiff == pytest.approx(stiff[::-1])
+    assert sorted(set(np.round(stiff, 9)))[:2] == pytest.approx([0.04, 0.04 + 0.04 / 32])
+    short = SteppedBeam(L_2=0.03, a=0.1)  # the cones meet
+    assert max(p.d_stiff for p in short.shape.pieces(cone=True)) < short.d_1 + 0.03
+    assert sum(p.length for p in short.shape.pieces(cone=True)) == pytest.approx(short.L)
+
+
+def test_cones_of_many_slices_and_the_weak_form_agree():
+    q = SteppedBeam(a=0.1)
+    fine, few = (
+        whirl_frequencies(q.rotor(cone=True, **more), [q.n], count=3)[0]
+        for more in ({"slices": 32}, {})
+    )
+    assert few == pytest.approx(fine, rel=1e-4)
+    found = reference.weak_form(q, 3, cone=True).whirl(q.n)[0]
+    assert found == pytest.approx(fine, rel=1e-4)
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("cone", [False, True])
+def test_cells_are_as_many_where_inputs_differ_by_round_off(seed, cone):
+    """Both cones of a short thick part end in one station, and counts of cells are whole."""
+    q = SteppedBeam().with_middle(3.0, 0.1)
+    noise = 1 + 1e-13 * np.random.default_rng(seed).standard_normal(5)
+    names = ("L", "d_1", "d_2", "L_2", "b")
+    near = q.model_copy(update={n: getattr(q, n) * x for n, x in zip(names, noise, strict=True)})
+    meshes = [reference.weak_form(one, 1, cone=cone).basis.mesh for one in (q, near)]
+    assert meshes[0].nelements == meshes[1].nelements
+    assert np.diff(np.sort(meshes[1].p[0])).min() > 1e-4 * q.L

@@ -1,0 +1,116 @@
+"""Statements of the paper asked of made-up members, for which the answer is seen by eye."""
+
+import numpy as np
+import pytest
+
+from verify.cases.rotor.sprag.assertions import STATEMENTS
+from verify.cases.rotor.sprag.response_fem import GRID, WINDOW, peaks_fem
+
+RISING = np.arange(1.0, 4.0)  # three unbalances, or three peaks
+
+
+def everywhere(peaks):
+    """Peaks (1, 3, 3, 22) that are the same for all three unbalances."""
+    return {"peaks": np.broadcast_to(peaks, (1, 3, *np.shape(peaks))).copy()}
+
+
+def at_nodes(**heights):
+    """Peaks (3, 22) of 1, and of other heights at nodes n4, n11, ..."""
+    peaks = np.ones((3, 22))
+    for node, height in heights.items():
+        peaks[:, int(node[1:]) - 1] = height
+    return everywhere(peaks)
+
+
+def first(height, nodes=slice(12, 19)):
+    peaks = np.ones((3, 22))
+    peaks[0, nodes] = height
+    return everywhere(peaks)
+
+
+def over_unbalance(values, peak, node):
+    """Peaks that rise with unbalance 2 but for one node at one peak."""
+    peaks = np.ones((1, 3, 3, 22)) * RISING[None, :, None, None]
+    peaks[0, :, peak, node - 1] = values
+    return {"peaks": peaks}
+
+
+def twisted(along_outer, along_inner):
+    """Torsion (1, 3, 22) of three peaks: rotors whose ends differ by these shares."""
+    torsion = np.ones((1, 3, 22))
+    torsion[:, :, 11] += along_outer
+    torsion[:, :, 21] += along_inner
+    return {"torsion": torsion}
+
+
+def falling(*heights):
+    return {"torsion": np.array(heights)[None, :, None] * np.ones((1, 1, 22))}
+
+
+def loads(over_u=RISING, over_peaks=RISING, over_bearings=(1.0, 2.0)):
+    u, p, b = (np.asarray(a, float) for a in (over_u, over_peaks, over_bearings))
+    return {"loads": (u[:, None, None] * p[:, None] * b)[None]}
+
+
+def turned(ratio, inertias=(4.0, 1.0)):
+    both = np.array([[[ratio] * 3, [1.0] * 3]], complex)
+    return {"turned": both, "inertia": np.array([inertias])}
+
+
+CASES = [
+    ("node 11 is the highest of nodes 1 to 11 at critical speed 1",
+     at_nodes(n11=2, n12=3), at_nodes(n4=3, n11=2)),
+    ("node 11 is the highest of the outer rotor at critical speed 1, with its free end",
+     at_nodes(n11=2), at_nodes(n11=2, n12=3)),
+    ("node 11 is the highest of nodes 1 to 11 at critical speeds 3 and 5",
+     at_nodes(n11=2), first(2, nodes=10)),
+    ("node 2 stays below half of the others at every peak", at_nodes(n2=0.4), at_nodes(n2=0.6)),
+    ("node 6 stays below half of the others at every peak", at_nodes(n6=0.4), at_nodes(n6=0.6)),
+    ("nodes 13 to 19 are highest at critical speed 1", first(2), first(2, nodes=slice(12, 18))),
+    ("node 19 is the highest of the inner rotor at every peak",
+     at_nodes(n19=2), at_nodes(n18=3, n19=2)),
+    ("torsion is alike along the outer rotor at critical speed 1", twisted(0.05, 9),
+     twisted(0.2, 0)),
+    ("torsion is alike along the inner rotor at critical speed 1", twisted(9, 0.05),
+     twisted(0, 0.2)),
+    ("torsion is alike along both rotors at critical speeds 3 and 5", twisted(0.05, 0.05),
+     twisted(0, 0.2)),
+    ("torsion is highest at critical speed 1", falling(3, 2, 1), falling(2, 1, 3)),
+    ("peaks of node 4 grow with unbalance 2", over_unbalance(RISING, 2, 4),
+     over_unbalance([1, 3, 2], 2, 4)),
+    ("peaks of node 19 at critical speeds 1 and 5 grow with unbalance 2",
+     over_unbalance([3, 2, 1], 1, 19), over_unbalance([3, 2, 1], 2, 19)),
+    ("peak of node 19 at critical speed 3 falls from 3 to 5e-5 kg m",
+     over_unbalance([1, 3, 2], 1, 19), over_unbalance([3, 1, 2], 1, 19)),
+    ("loads of bearings 3 and 4 grow with unbalance 2", loads(), loads(over_u=[1, 3, 2])),
+    ("loads of bearings 3 and 4 are higher at higher critical speeds", loads(over_u=[3, 2, 1]),
+     loads(over_peaks=[2, 1, 3])),
+    ("bearing 4 bears more than bearing 3 at every peak", loads(), loads(over_bearings=(2, 1))),
+    ("torsions of nodes 4 and 19 are as −J_in to J_out within 3 % at critical speed 1",
+     turned(-0.25), turned(-0.27)),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "holds", "fails"), CASES)
+def test_a_statement_is_told_from_its_opposite(name, holds, fails):
+    statement = next(s for s in STATEMENTS if s.name == name)
+    assert statement.holds(holds).tolist() == [True]
+    assert statement.holds(fails).tolist() == [False]
+    assert statement.asked(holds).tolist() == [True]
+    blind = {key: np.full_like(of, np.nan) for key, of in holds.items()}
+    assert statement.asked(blind).tolist() == [False]
+
+
+def windows_of(*rows):
+    """Responses (1, k, speeds) that are zero but in the window of critical speed 1."""
+    f = np.zeros((1, len(rows), GRID.size + 3 * WINDOW.size))
+    f[0, :, GRID.size : GRID.size + WINDOW.size] = rows
+    return f
+
+
+def test_a_peak_is_no_flank_of_another_one():
+    rising = np.linspace(0, 5, WINDOW.size)
+    humped = rising + np.where(np.arange(WINDOW.size) == 10, 1.0, 0.0)
+    found = peaks_fem(windows_of(rising, rising[::-1], humped, np.ones_like(rising)))[0, 0]
+    assert np.isnan(found).tolist() == [True, True, False, True]
+    assert found[2] == pytest.approx(1 + 5 * 10 / 24, rel=1e-14)  # not 5, at the window's edge

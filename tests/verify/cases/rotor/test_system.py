@@ -1,0 +1,231 @@
+"""Rotors of a user's own: formulas against beams, readings, and what is computed of a rotor."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from analytic.rotor import rotor_study, transfer_bending, transfer_model
+from tests.conftest import solved
+from tests.verify.cases.rotor.system_inputs import RAW, built, changed
+from verify.cases.rotor.system.case import SYSTEM, RotorSystem
+from verify.cases.rotor.system.companion import companion
+from verify.cases.rotor.system.formulas import TransferRotor
+from verify.cases.rotor.system.reference import solve
+from verify.cases.rotor.system.transfer import inertia_of
+from verify.core.case import Context
+from verify.jobs.level import Job, Solved, judge_case
+
+# Rotors beside the default one: the formulas against beams.
+
+
+def counter_rotating():
+    return built(changed("shafts", 2, ratio=-1.3))
+
+
+def unlike_bearings():
+    raw = changed("supports", 1, kyy="25 N/µm", kxy="8 N/µm", cyy="300 N s/m")
+    raw["links"][0] |= {"k_tilt": "2e4 N m/rad", "c_tilt": "3 N m s/rad", "kyy": "20 N/µm"}
+    return built(raw)
+
+
+def clutched():
+    raw = changed("shafts", 2, drop=["ratio"])
+    raw["links"][0] |= {"k_turn": "5e3 N m/rad", "k_tilt": "2e4 N m/rad"}
+    return built(raw)
+
+
+@pytest.mark.parametrize("make", [counter_rotating, unlike_bearings, clutched])
+def test_beams_agree_on_other_rotors(make):
+    q = make()
+    v, (coarse, fine) = dict(SYSTEM.analytic(q)), (solve(q, level).values for level in (1, 4))
+    assert v.pop("lowest") == 2 * np.pi * v["frequency_1"]
+    assert set(v) == set(fine)
+    for key, value in v.items():
+        loads = key in ("amplitude", "support_load", "link_load")
+        assert coarse[key] == pytest.approx(value, rel=1e-2 if loads else 2e-4), key
+        assert fine[key] == pytest.approx(value, rel=1e-4 if loads else 2e-5), key
+
+
+def test_a_shaft_that_turns_against_the_rotor_meets_backward_whirl():
+    met = counter_rotating().study.excited
+    assert [set(e.modes.whirl) for e in met] == [{1}, {-1}]
+
+
+def test_a_clutch_couples_the_torsion_of_both_shafts():
+    """Soft, it lets both turn against each other as rigid bodies do."""
+    q = clutched()
+    J = [0.0, 0.0]
+    for disc in q.rotor.discs:
+        J[q.rotor.shaft_of[disc.node]] += disc.polar
+    for k, shaft in enumerate(q.rotor.shafts):
+        J[k] += sum(2 * s.rho * s.I * s.length for s in shaft.segments)
+    rigid = np.sqrt(5e3 * (1 / J[0] + 1 / J[1])) / (2 * np.pi)
+    found = SYSTEM.analytic(q)["torsion"]
+    assert 0.9 * rigid < found < rigid  # Rayleigh: shafts that twist are slower
+    assert found < 0.7 * SYSTEM.analytic(RotorSystem())["torsion"]
+
+
+# Readings, and errors of the reference.
+
+
+def shafts_turn_backwards(right):
+    return lambda rotor, w, Omega: right(rotor, w, -np.asarray(Omega))
+
+
+def unbalances(change):
+    """Other unbalances, made of them and of the excitation's sense."""
+    return lambda f: (
+        lambda r, n, u, excitation: f(
+            r, n, {node: change(v, excitation) for node, v in u.items()}, excitation=excitation
+        )
+    )
+
+
+@pytest.mark.parametrize(
+    ("owner", "name", "reading", "row"),
+    [
+        pytest.param(transfer_bending, "numbers", shafts_turn_backwards,
+                     "natural frequency 1 at the speed", id="shafts turn backwards"),
+        pytest.param(rotor_study, "unbalance_response",
+                     lambda f: lambda r, n, u, excitation: f(r, n, u, excitation=1.0),
+                     "amplitude at the probe", id="unbalance turns with the first shaft"),
+        pytest.param(rotor_study, "critical_speeds",
+                     lambda f: lambda r, **k: f(r, **k | {"whirl": "backward"}),
+                     "critical speed 2, the first shaft's unbalance", id="backward whirl"),
+        pytest.param(rotor_study, "unbalance_response",
+                     unbalances(lambda v, e: v if e > 0 else np.conj(v)),
+                     "companion with unlike bearings: amplitude",
+                     id="conjugate unbalance on the shaft that turns against the other"),
+        pytest.param(transfer_model.Spring, "stiffness", lambda f: property(
+                     lambda s: (f.fget(s)[0], np.conj(f.fget(s)[1]))),
+                     "companion with unlike bearings: load of the link",
+                     id="conjugate deviator of stiffness"),
+    ],
+)  # fmt: skip
+def test_another_reading_fails(owner, name, reading, row, failures):
+    assert row in failures(SYSTEM, owner, name, reading)
+
+
+@pytest.mark.parametrize(
+    ("key", "rows"),
+    [
+        ("frequency_3", {"natural frequency 3 at the speed"}),
+        ("critical_other_1", {"critical speed 1, unbalance of another speed"}),
+        ("torsion", {"torsional frequency"}),
+        ("amplitude", {"amplitude at the probe"}),
+        ("support_load", {"load of the first support"}),
+        ("link_load", {"load of the first link"}),
+        ("sense_2", {"sense of each whirl"}),
+    ],
+)
+def test_an_error_of_beams_fails(key, rows, judged, red):
+    q = RotorSystem()
+    size = 1.0003 if key in ("amplitude", "support_load", "link_load") else 1.00003
+    size = -1.0 if key.startswith("sense") else size
+    levels = [
+        as_solved(replace(found, values={**found.values, key: size * found.values[key]}))
+        for found in (level.result for level in solved(SYSTEM, q))
+    ]
+    result = judge_case(Job(SYSTEM, q, drawn=False), levels)
+    found = {r.quantity for r in red(result)}
+    assert rows <= found
+
+
+def as_solved(result):
+    return Solved(result, "", 0.0, cached=False)
+
+
+@pytest.mark.parametrize(
+    ("table", "name", "change"),
+    [
+        ("supports", "kxy", lambda v: -v),
+        ("links", "c_tilt", lambda _: 0.0),
+        ("unbalances", "angle", lambda v: -v),
+    ],
+)
+def test_every_part_of_the_companion_changes_a_judged_value(table, name, change):
+    """By more than three times what a row lets pass, 1e-4."""
+    base = companion(TransferRotor)
+    given = {field: getattr(base, field) for field in TransferRotor.model_fields}
+    parts, keys = given[table], ("amplitude", "support_load", "link_load")
+    for k, part in enumerate(parts):
+        new = part.model_copy(update={name: change(getattr(part, name))})
+        if new != part:
+            other = TransferRotor(**given | {table: (*parts[:k], new, *parts[k + 1 :])})
+            assert max(abs(getattr(other, k) / getattr(base, k) - 1) for k in keys) > 3e-4
+
+
+# What is computed.
+
+
+def test_a_cylinder_has_its_mass_and_moments_and_what_is_given_counts_instead():
+    _, _, disc, _ = RotorSystem().discs
+    mass, polar, diametral = inertia_of(disc)
+    ring = 0.2**2 + 0.03**2
+    assert mass == pytest.approx(7850 * np.pi / 4 * (0.2**2 - 0.03**2) * 0.02)
+    assert polar == pytest.approx(mass * ring / 8)
+    assert diametral == pytest.approx(mass * (ring / 16 + 0.02**2 / 12))
+    raw = changed("discs", 3, mass="10 kg", polar="0.05 kg m^2")
+    mass, polar, diametral = inertia_of(built(raw).discs[2])
+    assert (mass, polar) == (10.0, 0.05)
+    assert diametral == pytest.approx(10 * (ring / 16 + 0.02**2 / 12))
+    assert solve(built(raw), 1).values["frequency_3"] == pytest.approx(
+        SYSTEM.analytic(built(raw))["frequency_3"], rel=2e-4
+    )
+
+
+def test_a_rotor_without_links_or_unbalances_has_fewer_rows(red):
+    raw = changed(shafts=[{"name": "outer"}], links=[], unbalances=[], discs=RAW["discs"][:2],
+                  segments=RAW["segments"][:4], probe=1)  # fmt: skip
+    raw["supports"] = [{"node": 1, "k": "60 N/µm"}, {"node": 5, "k": "60 N/µm"}]
+    q = built(raw)
+    result = judge_case(Job(SYSTEM, q), [as_solved(solve(q, n)) for n in SYSTEM.levels])
+    assert not red(result)
+    quantities = {row.quantity for row in result.rows}
+    assert "critical speed 1, the first shaft's unbalance" in quantities
+    assert not {"amplitude at the probe", "load of the first link"} & quantities
+
+
+def test_a_shaft_that_stands_still_meets_no_critical_speed():
+    q = built(changed("shafts", 2, ratio=0.0))
+    v = SYSTEM.analytic(q)
+    assert [e.shafts for e in q.study.excited] == [("outer",)]
+    assert not [key for key in v if key.startswith("critical_other")]
+    assert "amplitude" in v
+
+
+def test_axes_of_the_speed_reach_the_nearest_critical_speed_above():
+    """And a fifth beyond the highest speed asked for, where that is further."""
+    q = RotorSystem()
+    above = min(w for e in q.study.excited for w in e.speeds if w > q.speed_to)
+    assert q.speed_axis == pytest.approx(max(1.1 * above, 1.2 * q.speed_to))
+    far = built(changed(speed_to="6000 r/min", speed="6000 r/min"))
+    assert far.speed_axis == pytest.approx(1.1 * above)
+    assert far.campbell[0][-1] == far.speed_axis
+
+
+def test_figures_are_made_without_beams():
+    q = unlike_bearings()
+    figures = SYSTEM.figures(Context(SYSTEM.id, q, SYSTEM.analytic(q), (), is_paper=False))
+    assert [type(f).__name__ for f in figures] == ["Campbell", "Whirl", "Curves"]
+    assert list(figures[0].whirl) == [int(sense) for sense in q.study.modes.whirl]
+    for mode in figures[1].modes:
+        assert len(mode.lines) == 2
+
+
+def test_bearings_stand_at_their_shaft_s_radius_and_links_are_drawn():
+    drawn = SYSTEM.sketch(RotorSystem()).shapes
+    numbers = {s.label: s.points[0] for s in drawn if s.style == "text"}
+    closed = [s.points for s in drawn if s.style == "body"]
+    triangles = [p for p in closed if len(p) == 3]
+    assert set(numbers) == {"1", "6", "14"}
+    length = 0.8  # of the inner shaft, the longer one
+    tops = [p[0] for p in triangles]
+    scale = length / 6 / 0.035  # the largest radius is drawn as a sixth of it
+    expected = [(0.16, 0.035), (0.0, 0.015), (0.8, 0.015)]
+    assert tops == [pytest.approx((z, -scale * r)) for z, r in expected]
+    for number, triangle in zip(numbers.values(), triangles, strict=True):
+        assert number[1] < triangle[:, 1].min() - 0.02 * length
+    (diamond,) = (p for p in closed if len(p) == 4 and p[0, 1] < 0)
+    assert diamond[:, 0].mean() == pytest.approx(0.52)

@@ -1,0 +1,154 @@
+"""Files of rotors: what is refused, what findings and warnings say, what the command prints."""
+
+import json
+
+import pytest
+
+from tests.verify.cases.rotor.system_inputs import RAW, built, changed
+from tests.verify.template_text import whole
+from verify.answers.template import template
+from verify.app.cli import run
+from verify.cases.rotor.system.case import SYSTEM
+from verify.cases.rotor.system.inputs import RPM
+from verify.cases.rotor.system.warnings import warnings
+from verify.core.inputs import InputError
+
+# What is refused, in one line.
+
+
+@pytest.mark.parametrize(
+    ("raw", "message"),
+    [
+        (changed("supports", 2, node=31), "inputs.supports[2].node = 31: there are nodes 1 to 14"),
+        (changed("links", 1, to=15), "inputs.links[1].to = 15: there are nodes 1 to 14"),
+        (changed("segments", 1, d_i="70 mm"),
+         "inputs.segments[1].d_i = 70 mm: must be below d_o = 70 mm"),
+        (changed("supports", 1, kxy="70 N/µm"), "inputs.supports[1]: kxy must not exceed the root"),
+        (changed("links", 1, to=5), "inputs.links[1].to = 5: joins a node with itself"),
+        (changed("links", 1, to=3),
+         "inputs.links[1].to = 3: node 5 is on shaft outer too: a link joins two shafts"),
+        (changed("links", 1, k_turn="1 N m/rad"),
+         "inputs.links[1].k_turn = 1 N m/rad: shafts outer and inner turn at different speeds"),
+        (changed("segments", 7, shaft="middle"),
+         "inputs.segments[7].shaft = middle: there is no such shaft, only outer, inner"),
+        (changed("shafts", 2, name="outer"),
+         "inputs.shafts[2].name = outer: two shafts have this name"),
+        (changed(shafts=[*RAW["shafts"], {"name": "third"}]),
+         "inputs.shafts[3]: shaft third has no segments"),
+        (changed(segments=[]), "inputs: a rotor has at least one shaft with one segment"),
+        (changed(segments=RAW["segments"] * 13), "inputs: segments have 158 nodes, at most 150"),
+        (changed("discs", 4, drop=["width"]),
+         "inputs.discs[4]: needs mass, polar and diametral, or d_o and width of a cylinder"),
+        (changed("discs", 4, d_i="220 mm"), "inputs.discs[4]: needs d_i < d_o, got 220, 220 mm"),
+        (changed("discs", 2, node=3, width="230 mm"), "inputs.discs[2]: overlaps discs[1] by 5 mm"),
+        (changed("discs", 1, polar="0.0102 kg m^2"),
+         "inputs.discs[1].polar = 0.0102 kg m^2: no body has more than twice its diametral "
+         "moment, 0.01 kg m^2"),
+        (changed(supports=RAW["supports"][1:], links=[]),
+         "inputs: an unsupported rotor: shaft outer shifts and tilts freely in x and y"),
+        (changed(supports=[], links=[]), "inputs: an unsupported rotor: no bearing holds it"),
+        (changed(speed_from="9000 r/min"), "inputs: the operating speeds need speed_from < speed"),
+        (changed(probe=15), "inputs: probe = 15: there are nodes 1 to 14"),
+        (changed("shafts", 1, ratio=0.5),
+         "inputs.shafts[1].ratio = 0.5: the first shaft has the ratio 1, as all speeds are its"),
+    ],
+)  # fmt: skip
+def test_a_rotor_that_cannot_be_is_refused_in_one_line(raw, message):
+    with pytest.raises(InputError) as found:
+        built(raw)
+    assert str(found.value).startswith(f"r.toml: {message}")
+    assert "\n" not in str(found.value)
+
+
+# Findings and warnings.
+
+
+def said_of(raw):
+    q = built(raw)
+    v = SYSTEM.analytic(q)
+    return q, SYSTEM.findings(q, v), SYSTEM.summary(q, v), SYSTEM.warnings(q, v)
+
+
+def test_the_verdict_is_followed_by_the_nearest_critical_speeds():
+    q, found, summary, warned = said_of(RAW)
+    below, above = (q.study.excited[k].speeds[j] / RPM for k, j in ((0, 0), (1, 1)))
+    assert found[0] == "clear: no critical speed within 15% of 5600 to 9000 r/min"
+    assert f"critical at {below:.5g} r/min (unbalance of outer, forward): " in found[1]
+    assert f"{1 - below / 5600:.1%} below them" in found[1]
+    assert f"critical at {above:.5g} r/min (unbalance of inner, forward): " in found[2]
+    assert f"{above / 9000 - 1:.1%} above them" in found[2]
+    assert summary["verdict"] == "clear"
+    assert not warned
+
+
+def test_a_critical_speed_too_near_is_not_clear():
+    q, found, summary, _ = said_of(changed(margin=0.25))
+    assert found[0] == "not clear: 2 critical speeds within 25% of 5600 to 9000 r/min"
+    assert summary["verdict"] == "not clear"
+    _, found, _, _ = said_of(changed(speed_from="4000 r/min"))
+    assert found[0].startswith("not clear: 1 critical speed within")
+    assert found[1].endswith("among the operating speeds")
+    distances = {round(c["speed"]): c["distance"] for c in summary["critical_speeds"]}
+    first = q.study.excited[0].speeds[0] / RPM
+    assert distances[round(first)] == pytest.approx(first / 5600 - 1)
+
+
+def test_an_odd_rotor_is_warned_of():
+    *_, warned = said_of(changed("shafts", 1, start="150 mm"))
+    assert warned == ("links[1] joins nodes 10 mm apart along the axis: set the shafts' start",)
+    raw = changed(links=[RAW["links"][0] | {"c": "0 N s/m"}])
+    raw["supports"] = [s | {"c": "0 N s/m"} for s in raw["supports"]]
+    assert any("no bearing is damped" in w for w in said_of(raw)[3])
+    assert any("steps by half" in w for w in said_of(changed("segments", 3, d_o="120 mm"))[3])
+    narrow = changed("segments", 4, length="5 mm", d_o="65 mm")
+    assert any("no beam there" in w for w in said_of(narrow)[3])
+    assert any("is not among the operating" in w for w in said_of(changed(speed="100 r/min"))[3])
+
+
+def test_shafts_that_pass_through_each_other_are_warned_of():
+    """The tube's bore is 50 mm; segment 7 of the core lies in its first two segments."""
+    (warned,) = said_of(changed("segments", 7, d_o="52 mm"))[3]
+    assert warned == (
+        "shafts pass through each other: segments[7], d_o = 52 mm, in the bore of segments[1], "
+        "d_i = 50 mm, over 60 mm; segments[7], d_o = 52 mm, in the bore of segments[2], "
+        "d_i = 50 mm, over 60 mm"
+    )
+    assert not said_of(changed("segments", 7, d_o="50 mm"))[3]  # fits
+
+
+def test_damping_that_holds_a_shaft_is_warned_of():
+    """Half of 60 N/µm over 9000 r/min is 31.8 kN s/m."""
+    assert not said_of(changed("supports", 1, c="31.7 kN s/m"))[3]
+    for name in ("c", "cyy"):
+        (warned,) = said_of(changed("supports", 1, **{name: "32 kN s/m"}))[3]
+        assert warned.startswith("supports[1]: damping times the highest operating speed is above")
+
+
+def test_short_segments_of_one_diameter_are_judged_together():
+    short = changed("segments", 1, length="3 mm")["segments"][0]
+    cut = [short] * 20 + RAW["segments"][1:4]  # 60 mm again
+    alone = {"shafts": RAW["shafts"][:1], "discs": [], "links": [], "unbalances": [], "probe": 1,
+             "supports": [{"node": 1, "k": "60 N/µm"}, {"node": 24, "k": "60 N/µm"}]}  # fmt: skip
+    assert not list(warnings(built(changed(**alone, segments=cut))))
+    cut[:9] = [short | {"d_o": f"{70 + k} mm"} for k in range(9)]
+    (warned,) = warnings(built(changed(**alone, segments=cut)))
+    assert warned == (
+        "segments[1], segments[2], segments[3], segments[4] and 5 more are shorter than a tenth "
+        "of the diameter: no beam there"
+    )
+
+
+def test_check_prints_findings_and_json_has_every_entry(tmp_path, capsys):
+    path = tmp_path / "r.toml"
+    path.write_text(whole(template(SYSTEM)))
+    assert run(["check", str(path)]) == 0
+    assert "clear: no critical speed within" in capsys.readouterr().out
+    assert run(["check", str(path), "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["inputs"]["segments"][3]["d_o"] == {"value": 60.0, "unit": "mm"}
+    assert found["inputs"]["supports"][0]["node"] == {"value": 1, "unit": "1"}
+    assert found["details"]["verdict"] == "clear"
+    speeds = [c["speed"] for c in found["details"]["critical_speeds"]]
+    assert speeds == sorted(speeds)
+    by_key = {v["key"]: v["value"] for v in found["values"]}
+    assert by_key["critical_first_1"] in speeds

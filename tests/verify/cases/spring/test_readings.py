@@ -1,0 +1,139 @@
+"""Readings of the paper on accordion springs: another one fails beside the beams and shells."""
+
+import numpy as np
+import pytest
+
+from analytic.spring import column, energy, frame, stability, stages
+from analytic.spring.elastica import Elastica
+from tests.verify.cases.readings import given
+from verify.cases.spring.buckling import formulas as buckling
+from verify.cases.spring.buckling.case import BUCKLING
+from verify.cases.spring.buckling.formulas import critical_point
+from verify.cases.spring.map import formulas as maps
+from verify.cases.spring.map.case import MAP
+from verify.cases.spring.map.formulas import pressed
+from verify.cases.spring.stages import readings as of_stages
+from verify.cases.spring.stages.case import STAGES, StageSpring
+from verify.cases.spring.stages.readings import chosen, eq10, meeting, readings, uncertainties
+from verify.cases.spring.width.case import WIDTH
+from verify.core.case import Context
+from verify.core.results import Status
+
+GUIDED = "head guided, tail at mid-leaf"
+FREE = "the spring with a free head buckles, tail held at its arc"
+
+
+@pytest.fixture(autouse=True)
+def _forgotten_critical_points():
+    yield
+    critical_point.cache_clear()
+    pressed.cache_clear()
+
+
+def computed_again(function, reading):
+    """The reading where `function` remembers no value of the right formulas."""
+
+    def wrong(right):
+        function.cache_clear()
+        return reading(right)
+
+    return wrong
+
+
+def wide_strip(_):
+    return lambda q, tail: Elastica(
+        buckling.frame.pieces(**q.path, tail=tail), EI=q.E * q.h * q.b**3 / 12 / (1 - q.nu**2)
+    )
+
+
+def inner_radius(right):
+    return lambda q, tail: right(q.model_copy(update={"r": q.r - q.b / 2}), tail)
+
+
+READINGS = [
+    pytest.param(BUCKLING, buckling, "elastica", computed_again(critical_point, wide_strip),
+                 f"force at which {FREE}", id="a wide strip"),
+    pytest.param(BUCKLING, buckling, "elastica", computed_again(critical_point, inner_radius),
+                 f"displacement at which {FREE}", id="the inner radius"),
+    pytest.param(BUCKLING, stability, "FREEDOM",
+                 computed_again(critical_point, lambda f: f | {"free": f["hinged"]}),
+                 f"displacement at which {FREE}", id="a hinge for a free head"),
+    pytest.param(BUCKLING, column, "WAVES", lambda w: w | {"free": np.pi},
+                 "Haringx's column with ever more units, tail held at its arc",
+                 id="a column hinged at both ends"),
+    pytest.param(MAP, maps, "Elastica", computed_again(pressed, given(EI=lambda k: k["EI"] / 0.91)),
+                 "force across, where the roller's way ends", id="a wide strip across"),
+    pytest.param(MAP, energy, "stiffness", given(alpha=lambda k: np.pi / 2 - k["alpha"]),
+                 "Eqs. 1-9 are within 10 % from L_0/b = 240 on, n <= 24, small displacement",
+                 id="sine for cosine"),
+    pytest.param(STAGES, stages, "response", lambda f: lambda A, held, tips: f(A, held, tips[:1]),
+                 f"stiffness k_2, {GUIDED}", id="one tip for two"),
+    pytest.param(STAGES, stages, "line", given(b=lambda k: k["b"] / 2),
+                 f"displacement at A, {GUIDED}", id="gap with half the thickness"),
+    pytest.param(STAGES, stages, "line", given(normal=lambda _: "leaf"), f"force at A, {GUIDED}",
+                 id="the unloaded leaf's normal"),
+    pytest.param(STAGES, stages, "HELD", lambda held: held | {"guided": [1]},
+                 f"stiffness k_1, {GUIDED}", id="a guide that lets the head turn"),
+    pytest.param(STAGES, stages, "HELD", lambda held: held | {"hinged": []},
+                 "stiffness k_1, head hinged, tail at mid-leaf", id="a hinge without side force"),
+    pytest.param(WIDTH, frame, "stiffness", given(plane_strain=lambda _: False),
+                 "shell with held edges, tail held at mid-leaf, head guided",
+                 id="1 - nu² dropped"),
+    pytest.param(WIDTH, frame, "stiffness", given(radius=lambda k: k["radius"] - 5e-5),
+                 "shell with held edges and plane stress", id="inner radius of a narrow spring"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("case", "owner", "name", "reading", "row"), READINGS)
+def test_another_reading_fails(case, owner, name, reading, row, failures):
+    assert row in failures(case, owner, name, reading)
+
+
+def test_one_of_sixteen_readings_meets_the_printed_stiffness():
+    q = StageSpring(width_factor=None)
+    assert len(readings(q)) == 16
+    assert [str(x) for x in meeting(q)] == [str(chosen(q))]
+    x = chosen(q)
+    assert (x.tail, x.head, x.radius, x.strip) == ("mid-leaf", "free", "r + b/2", "E I/(1 − ν²)")
+    assert abs(x.off) < 0.005
+    context = Context("spring-stages", q, STAGES.analytic(q), [], is_paper=True)
+    (table,) = STAGES.tables(context)
+    assert [row[:4] for row in table.rows if row[-1] == "yes"] == [
+        ("mid-leaf", "free", "r + b/2", "E I/(1 − ν²)")
+    ]
+
+
+def test_readings_of_one_stiffness_differ_in_where_tips_touch():
+    """What k_1 leaves open: a guided head touches two millimetres later than a free one."""
+    found = meeting(StageSpring(width_factor=1.09))
+    assert {x.head for x in found} == {"free", "guided"}
+    assert max(x.U_A for x in found) - min(x.U_A for x in found) > 1.5e-3
+
+
+def test_a_prediction_of_the_chosen_reading_is_calibrated_and_fails_beyond_its_figure(
+    judged, monkeypatch
+):
+    name = "displacement at A of the reading chosen by k_1 beside Eq. 10"
+
+    def status():
+        (row,) = (r for r in judged(STAGES, drawn=False).rows if r.quantity == name)
+        return row.status
+
+    assert status() is Status.CALIBRATED
+    guided = [
+        x for x in readings(StageSpring(width_factor=1.09))
+        if x.head == "guided" and x.strip == "1.09 E I"
+    ]  # fmt: skip
+    monkeypatch.setattr(of_stages, "readings", lambda _: guided)
+    assert status() is Status.FAIL
+
+
+def test_the_lines_of_eq_10_cross_where_the_ledger_says():
+    assert pytest.approx((11.952, 7.332), abs=5e-4) == (eq10().U * 1e3, eq10().F)
+    u = uncertainties()
+    rng = np.random.default_rng(1)
+    digits = rng.uniform(-1, 1, (4, 100_000)) * np.array([[0.5], [5e-6], [0.5], [0.005]])
+    k1, c1, k2, c2 = np.array([[613.0], [0.0055], [749.0], [-1.62]]) + digits
+    U = (c1 - c2) / (k2 - k1)
+    assert u["U"] == pytest.approx(U.std(), rel=0.01)
+    assert u["F"] == pytest.approx((k1 * U + c1).std(), rel=0.01)
