@@ -24,9 +24,9 @@ crosscheck: .venv/.ready .venv-crosscheck/.ready
 mutants: .venv/.ready
 	$(BIN)/freewheel mutants $(if $(ALL),--all)
 
-# Every row and its tests on emulated machines: other BLAS kernels, threads, instruction sets, perturbed inputs.
+# Every row on emulated machines: other BLAS kernels, threads, instruction sets, perturbed inputs.
 portable: .venv/.ready
-	$(BIN)/freewheel portable --row-tests
+	$(BIN)/freewheel portable
 
 # One BLAS thread a worker, as `verify` has it: two workers of two threads each wait for each other.
 # A file is one worker's, so that what its tests share is solved once (pytest 9.2 tells xdist 3.8 no groups).

@@ -8,7 +8,7 @@ import pytest
 from verify.audit.portable import reasons
 from verify.audit.portable.compare import Kind, differences, moves
 from verify.audit.portable.moving import Record, move, record
-from verify.audit.portable.store import KIND, MACHINE, ROW_TESTS, CaseRecord, Place, Results
+from verify.audit.portable.store import KIND, MACHINE, CaseRecord, Place, Results
 from verify.core.inputs import InputError
 from verify.core.results import Kind as RowKind
 from verify.core.results import Partner, Row, Status
@@ -241,13 +241,10 @@ def test_results_are_stored_whole_and_count_for_their_key_only(tmp_path):
     place = Place(Store(tmp_path), "there", "key")
     place.keep("ring", case)
     place.keep(MACHINE, {"numba": "host"})
-    place.keep(ROW_TESTS, ["a"])
     again = place.results()
     assert again.cases["ring"].rows[0] == ROW
     assert differences(case.rows[1:], again.cases["ring"].rows[1:], "x", perturbed=False) == []
-    assert (again.cases["ring"].fixed, again.effective, again.row_tests) == (
-        ("ratio",), {"numba": "host"}, ["a"],
-    )  # fmt: skip
+    assert (again.cases["ring"].fixed, again.effective) == (("ratio",), {"numba": "host"})
     for other in (replace(place, key="another"), replace(place, variant="elsewhere")):
         assert other.results() == Results()
     place.store.store(KIND, "there", {"there key ring": b"3", "there key torn": b"{"})

@@ -1,17 +1,24 @@
-"""The band of a profile holds what theory says must lie in it."""
+"""Profiles of finite elements: their band, their distance in L2, and errors that nothing bounds."""
+
+from dataclasses import dataclass
 
 import numpy as np
 import pytest
 
-from verify.cases.registry import CASES
 from verify.core.case import Context, FemResult
-from verify.core.figures import Profile
+from verify.core.results import Status
+from verify.judging.profile_checks import Estimated, Within, l2_error
 from verify.judging.profiles import along
 
 X = np.linspace(0, 1, 7)
 
 
-def context(errors, u_it=0.0):
+@dataclass(frozen=True)
+class Numbers:
+    x: float = 1.0
+
+
+def lines(errors, u_it=0.0):
     """Levels whose values are X plus an error that changes place from mesh to mesh."""
     levels = [
         FemResult(h=1 / 2**i, values={}, u_it={"line": u_it}, arrays={"line": X + e})
@@ -20,28 +27,50 @@ def context(errors, u_it=0.0):
     return Context("c", None, {}, levels, is_paper=True)
 
 
-@pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
-def test_every_point_of_the_paper_profiles_lies_in_its_band(case, judged):
-    for figure in judged(case).figures:
-        if isinstance(figure, Profile) and not figure.neglects:
-            assert np.all(np.abs(figure.y_fem - figure.y_ref) <= 2 * figure.u), figure.title
+def values(*found, paper=True):
+    levels = [FemResult(h=h, values={"x": v}) for h, v in zip((4, 2, 1), found, strict=True)]
+    return Context("some-case", Numbers(), {"x": 1.0}, levels, is_paper=paper)
 
 
-def test_errors_that_change_place_are_covered():
+def test_errors_that_change_place_are_covered_and_not_by_much_more():
     wandering = [0.3 / 4**i * np.sin((5 + 3 * i) * X + i) for i in range(4)]
-    values, u = along(context(wandering), "line", formal=2.0, scale=1.0)
-    assert np.all(np.abs(values - X) <= 2 * u)
-    assert u[0] < 0.02  # and not by much more than they are
+    y, u = along(lines(wandering), "line", formal=2.0, scale=1.0)
+    assert np.all(np.abs(y - X) <= 2 * u)
+    assert u[0] < 0.02
 
 
 def test_round_off_is_covered_by_what_the_solver_states():
     noise = [1e-9 * np.cos(40 * X + i) for i in range(4)]
-    values, u = along(context(noise, u_it=1e-9), "line", formal=2.0, scale=1.0)
-    assert np.all(np.abs(values - X) <= 2 * u)
+    y, u = along(lines(noise, u_it=1e-9), "line", formal=2.0, scale=1.0)
+    assert np.all(np.abs(y - X) <= 2 * u)
 
 
-def test_growing_differences_give_a_wide_band_and_no_number_that_is_none():
-    growing = [0.1 * 2**i * X for i in range(4)]
-    _, u = along(context(growing), "line", formal=2.0, scale=1.0)
+def test_growing_differences_give_a_wide_band_of_finite_numbers():
+    _, u = along(lines([0.1 * 2**i * X for i in range(4)]), "line", formal=2.0, scale=1.0)
     assert np.all(np.isfinite(u))
     assert u[0] > 0.5
+
+
+def test_an_error_in_l2_is_weighed_and_over_its_norm():
+    weight = np.array([1.0, 3.0])
+    assert l2_error(np.array([0.1, 0.1]), np.array([1.0, 1.0]), weight) == pytest.approx(0.1)
+    assert l2_error(np.array([0.2, 0.0]), np.array([1.0, 1.0]), weight) == pytest.approx(0.1)
+
+
+@pytest.mark.parametrize(("error", "status"), [(0.02, Status.PASS), (0.04, Status.FAIL)])
+def test_a_profile_within_its_figure_states_its_error(error, status):
+    check = Within(name="profile", symbol="e", unit="1", accepted=0.03,
+                   margin=lambda _: (0.03 - error, 0.0))  # fmt: skip
+    (row,) = check.rows(values(1, 1, 1))
+    assert row.status is status
+    assert row.reason.endswith(f": {error:.2%}")
+
+
+@pytest.mark.parametrize(("paper", "status"), [(True, Status.FAIL), (False, Status.SHOWN)])
+def test_a_reference_that_stays_open_fails_on_the_paper_s_inputs_alone(paper, status):
+    check = Estimated(name="x", symbol="x", unit="1", analytic="x", fem="x", formal=1,
+                      interval=lambda *_: None, source="none")  # fmt: skip
+    rows = check.rows(values(1.0, 2.0, 1.0, paper=paper))
+    assert {row.status for row in rows} <= {status, Status.SHOWN, Status.PASS}
+    assert any(row.status is status for row in rows)
+    assert paper or any(row.reason.startswith("cannot be judged") for row in rows)

@@ -2,6 +2,8 @@
 
 import pytest
 
+from verify.audit.mutation.tracing import forget_memoised
+
 
 @pytest.fixture
 def failures(judged, without_fault, red, monkeypatch):
@@ -13,3 +15,16 @@ def failures(judged, without_fault, red, monkeypatch):
         return {row.quantity for row in red(judged(case, drawn=False))}
 
     return found
+
+
+@pytest.fixture
+def broken(monkeypatch):
+    """Replace an attribute by what `fault` makes of it; functions forget what they have found."""
+
+    def replace(owner, name, fault):
+        monkeypatch.setattr(owner, name, fault(vars(owner)[name]))
+        forget_memoised()
+
+    yield replace
+    monkeypatch.undo()
+    forget_memoised()

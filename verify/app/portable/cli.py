@@ -10,7 +10,6 @@ def portable(
     only: Texts = (),
     seeds: Number = 10,
     list: bool = False,  # noqa: A002 - the flag's name
-    row_tests: bool = False,
     again: bool = False,
     jobs: Jobs = 0,
     out: Path | None = None,
@@ -34,8 +33,6 @@ def portable(
         How many times the inputs are perturbed.
     list
         Name the machines and why some cannot be emulated here.
-    row_tests
-        Run the tests of every row on each machine, too.
     again
         Remove what earlier runs have found.
     jobs
@@ -47,6 +44,4 @@ def portable(
 
     if list:
         return run_list(seeds)
-    return run_portable(
-        cases, only=only, seeds=seeds, jobs=jobs, again=again, row_tests=row_tests, out=out
-    )
+    return run_portable(cases, only=only, seeds=seeds, jobs=jobs, again=again, out=out)

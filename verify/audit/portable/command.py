@@ -35,7 +35,7 @@ def run_list(seeds: int) -> int:
 
 def run_portable(
     names: Sequence[str], *, only: Sequence[str], seeds: int, jobs: int, again: bool,
-    row_tests: bool, out: Path | None,
+    out: Path | None,
 ) -> int:  # fmt: skip
     """Run the variants, print and write what differs; 0 where no row differs without a reason."""
     Where(jobs)  # refuses what is no number of processes
@@ -43,7 +43,7 @@ def run_portable(
     stated = reasons.read()
     emulated = _machines(only, seeds)
     folder = out or ROOT / "reports" / "out" / "portable"
-    work = [_work(one, emulated, cases, folder, row_tests=row_tests) for one in emulated.variants]
+    work = [_work(one, emulated, cases, folder) for one in emulated.variants]
     if again:
         for one in work:
             one.place.store.clear(KIND, one.name)
@@ -100,9 +100,7 @@ def _machines(only: Sequence[str], seeds: int) -> Machines:
     return machines(chosen, probe, processor_flags())
 
 
-def _work(
-    variant: Variant, emulated: Machines, cases: tuple[str, ...], folder: Path, *, row_tests: bool
-) -> Work:
+def _work(variant: Variant, emulated: Machines, cases: tuple[str, ...], folder: Path) -> Work:
     """What the process of one variant does; its cache is its own, as keys name no processor."""
     place = cache.default_folder()
     environment = variant.applied(os.environ)
@@ -110,7 +108,7 @@ def _work(
     key = key_of(emulated.effective[variant.name], variant.seed)
     return Work(
         place=Place(Store(place), variant.name, key), folder=folder / variant.name,
-        environment=environment, cases=cases, seed=variant.seed, row_tests=row_tests,
+        environment=environment, cases=cases, seed=variant.seed,
     )  # fmt: skip
 
 
@@ -123,5 +121,4 @@ def _machine(one: Work, results: Results, what: str) -> Machine:
         seconds=round(sum(case.seconds for case in cases.values()), 1),
         fixed=tuple(f"{name}: {place}" for name, case in cases.items() for place in case.fixed),
         rejected=tuple(f"{name}: {case.rejected}" for name, case in cases.items() if case.rejected),
-        row_tests=None if results.row_tests is None else tuple(results.row_tests),
     )  # fmt: skip

@@ -24,7 +24,6 @@ class Work:
     environment: Mapping[str, str]
     cases: tuple[str, ...]
     seed: int | None = None
-    row_tests: bool = False
 
     @property
     def name(self) -> str:
@@ -37,9 +36,7 @@ class Work:
 
     def is_done(self) -> bool:
         """Whether all is there, for the present code."""
-        results = self.results()
-        tested = results.row_tests is not None or not self.row_tests
-        return tested and set(self.cases) <= set(results.cases)
+        return set(self.cases) <= set(self.results().cases)
 
 
 def run_all(work: Sequence[Work], processes: int, show: Show) -> dict[str, str]:
@@ -99,7 +96,6 @@ def _start(one: Work) -> subprocess.Popen[bytes]:
     command = [sys.executable, "-m", "verify.audit.portable.worker"]
     command += [str(one.place.store.path.parent), one.place.variant, one.place.key]
     command += ["--seed", str(one.seed)] if one.seed is not None else []
-    command += ["--row-tests"] if one.row_tests else []
     with (one.folder / LOG).open("wb") as log:
         return subprocess.Popen(  # noqa: S603 - this interpreter and this project's module
             [*command, *one.cases], env=dict(one.environment), stdin=subprocess.PIPE, stdout=log,

@@ -16,7 +16,7 @@ from verify.core.store import Store
 from verify.jobs import cache
 
 KIND = "portable"  # of entries: their subject is the variant
-MACHINE, ROW_TESTS = "(machine)", "(row tests)"  # of no case
+MACHINE = "(machine)"  # of no case
 SOURCES = ("analytic", "fem", "meshes", "verify")
 DATA = ("verify/papers", "verify/measured/deep")  # what rows read
 LIBRARIES = (*cache.LIBRARIES, *cache.ALONE.values())
@@ -39,11 +39,10 @@ class CaseRecord:
 
 @dataclass
 class Results:
-    """What one variant has found: its cases, and the row tests that failed, None if not run."""
+    """What one variant has found: its cases, and what took effect on its machine."""
 
     cases: dict[str, CaseRecord] = field(default_factory=dict)
     effective: Mapping[str, Any] = field(default_factory=dict)
-    row_tests: list[str] | None = None
 
 
 @dataclass(frozen=True)
@@ -62,12 +61,12 @@ class Place:
             with suppress(ValueError, LookupError, TypeError, AttributeError):  # of an older form
                 if part != name:
                     data = json.loads(content)
-                    found[part] = data if part in (MACHINE, ROW_TESTS) else _case(data)
-        machine, row_tests = found.pop(MACHINE, {}), found.pop(ROW_TESTS, None)
-        return Results(found, machine, row_tests)
+                    found[part] = data if part == MACHINE else _case(data)
+        machine = found.pop(MACHINE, {})
+        return Results(found, machine)
 
     def keep(self, part: str, data: Any) -> None:
-        """Store one part: the record of a case by its id, MACHINE or ROW_TESTS; OSError."""
+        """Store one part: the record of a case by its id, or MACHINE; OSError."""
         plain = asdict(data) if isinstance(data, CaseRecord) else data
         content = json.dumps(plain, ensure_ascii=False).encode()
         self.store.store(KIND, self.variant, {f"{self.variant} {self.key} {part}": content})

@@ -26,7 +26,6 @@ class Machine:
     rows: int
     fixed: tuple[str, ...] = ()
     rejected: tuple[str, ...] = ()
-    row_tests: tuple[str, ...] | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -53,7 +52,7 @@ class Summary:
     @property
     def is_portable(self) -> bool:
         """Whether every variant ran whole and no row differs without a reason."""
-        broken = any(machine.rejected or machine.row_tests for machine in self.machines)
+        broken = any(machine.rejected for machine in self.machines)
         return not (self.failures or broken or self.first_kind or self.unexplained)
 
 
@@ -72,7 +71,6 @@ def lines(summary: Summary) -> Iterator[str]:
         yield (f"{machine.name}: {machine.rows} rows of {machine.cases} cases, "
                f"{machine.seconds:.0f} s; {_effective(machine.effective)}")  # fmt: skip
         yield from (f"  inputs rejected: {rule}" for rule in machine.rejected)
-        yield from (f"  row test fails: {name}" for name in machine.row_tests or ())
     for text, names in _grouped((place, m.name) for m in summary.machines for place in m.fixed):
         yield f"not perturbed, fixed by a rule: {text} in {names}"
     yield from (f"not emulated: {name}: {why}" for name, why in summary.not_emulated.items())

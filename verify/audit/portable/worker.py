@@ -1,6 +1,6 @@
 """One emulated machine: solves and judges cases and writes their rows, case by case.
 
-`python -m verify.audit.portable.worker FOLDER VARIANT KEY [--seed N] [--row-tests] CASE...` runs in
+`python -m verify.audit.portable.worker FOLDER VARIANT KEY [--seed N] CASE...` runs in
 the environment of its variant and writes to the store in FOLDER. It ends when its standard input
 closes: with the process that began it.
 """
@@ -12,21 +12,17 @@ import threading
 import time
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
-from verify.audit.mutation.tracing import ROOT
 from verify.audit.portable.effective import effective
 from verify.audit.portable.moving import record
 from verify.audit.portable.perturbation import Outcome, perturb_defaults
-from verify.audit.portable.store import MACHINE, ROW_TESTS, CaseRecord, Place
+from verify.audit.portable.store import MACHINE, CaseRecord, Place
 from verify.cases.registry import CASES, find
 from verify.core.case import Case
 from verify.core.store import Store
 from verify.jobs import cache
 from verify.jobs.level import Job
 from verify.jobs.scheduler import run
-
-TESTS = ROOT / "tests" / "verify" / "test_rows.py"
 
 
 def solve_cases(place: Place, cases: Sequence[Case], seed: int | None) -> None:
@@ -55,25 +51,6 @@ def rows_of(case: Case, outcome: Outcome) -> CaseRecord:
     )  # fmt: skip
 
 
-def row_tests(cases: Sequence[Case]) -> list[str]:
-    """The names of the row tests that fail in this process; its cache serves them."""
-    import pytest  # a tool of developers
-
-    failed: list[str] = []
-
-    class Failures:
-        def pytest_runtest_logreport(self, report: Any) -> None:
-            if report.failed:
-                failed.append(report.nodeid.partition("::")[2])
-
-    chosen = [] if len(cases) == len(CASES) else ["-k", " or ".join(case.id for case in cases)]
-    arguments = ["-q", "-p", "no:cacheprovider", *chosen, str(TESTS)]
-    status = pytest.main(arguments, plugins=[Failures()])
-    if status not in (pytest.ExitCode.OK, pytest.ExitCode.TESTS_FAILED):
-        failed.append(f"pytest ends with {pytest.ExitCode(status).name}")
-    return failed
-
-
 def main(arguments: Sequence[str]) -> int:
     """Run the command line; 0 whatever the rows say."""
     parser = argparse.ArgumentParser(prog="verify.audit.portable.worker")
@@ -82,13 +59,10 @@ def main(arguments: Sequence[str]) -> int:
     parser.add_argument("key")
     parser.add_argument("cases", nargs="+")
     parser.add_argument("--seed", type=int)
-    parser.add_argument("--row-tests", action="store_true")
     given = parser.parse_args(arguments)
     cases = [find(name) for name in given.cases]
     place = Place(Store(given.folder), given.variant, given.key)
     solve_cases(place, cases, given.seed)
-    if given.row_tests:
-        place.keep(ROW_TESTS, row_tests(cases))
     return 0
 
 

@@ -1,0 +1,87 @@
+"""The rig's load paths and the clutch that slips along its axis: courses, words, and facts."""
+
+import math
+
+import numpy as np
+import pytest
+
+from tests.verify.cases.rows import context, failed
+from verify.cases.freewheel.friction.case import FRICTION, FreewheelFriction
+from verify.cases.freewheel.paths import reference
+from verify.cases.freewheel.paths.case import PATHS, LoadPaths
+
+EXTREMES = "required friction at the extremes of load case 2"
+
+
+def test_all_three_paths_slip_at_the_load_of_eq_9_an_alternating_one_no_sooner():
+    q = LoadPaths()
+    v = PATHS.analytic(q)
+    steady = q.rise + v["F_lim"] / q.F_ax * (q.duration - q.rise)
+    assert v["slip_1"] == pytest.approx(steady, abs=3e-4)
+    assert v["slip_2"] >= v["slip_1"]
+    for case in (2, 3):
+        along = q.courses[case]
+        at = np.searchsorted(along.t, along.slips_at)
+        assert abs(along.mu_req[at]) > q.mu > abs(along.mu_req[at - 1])
+
+
+def test_a_path_that_ends_below_the_limit_holds_and_is_green():
+    q = LoadPaths(F_ax=900.0)
+    v = PATHS.analytic(q)
+    assert not any(key.startswith("slip") for key in v)
+    assert all("holds to the end" in x and "green" in x for x in PATHS.findings(q, v)[1:4])
+
+
+def test_about_a_mean_torque_the_trough_asks_for_most():
+    q = LoadPaths(T=10.0, T_m=16.0, F_ax=300.0)
+    last = q.courses[3]
+    assert q.T_critical == pytest.approx(last.T[np.nanargmax(last.mu_req)], rel=1e-3)
+
+
+def test_inertia_at_30_hz_is_a_thousandth_of_the_loads():
+    assert PATHS.analytic(LoadPaths())["sway"] < 1e-3
+
+
+@pytest.mark.parametrize("share", [0.3, 0.9])
+def test_between_two_torques_the_angle_is_next_to_a_line(share):
+    q = LoadPaths()
+    v, tan = PATHS.analytic(q), math.tan(q.under(share * q.T).alpha)
+    line = q.rig.tangent(
+        tuple(reference.MU_REQ), tuple(v[key] for key in reference.MU_REQ.values())
+    )
+    assert line(share * q.T) == pytest.approx(tan, rel=2e-3)
+
+
+def test_round_off_of_the_frequency_moves_no_time_of_a_course():
+    """Cycles of the defaults are whole: one time more would move every time of slip."""
+    q = LoadPaths()
+    for off in (-1e-13, 1e-13):
+        for case, along in q.model_copy(update={"f": q.f * (1 + off)}).courses.items():
+            assert np.array_equal(along.t, q.courses[case].t)
+
+
+@pytest.mark.parametrize(
+    ("row", "name", "changed"),
+    [
+        (EXTREMES, "growing", lambda x: x * [1, 1.003, 1.003, 1, 1, 1, 1, 1, 1]),
+        ("a large alternating load makes the ring walk", "cycles", lambda x: x[::-1]),
+        ("axial amplitude at slip, steady torque", "slips", lambda x: x * [[0.98], [1]]),
+        ("torque is kept up to the limit", "ramp", lambda x: x * [1, 1, 1, 1, 1, 1, 0.99, 1, 1]),
+    ],
+)
+def test_finite_elements_that_say_otherwise_fail_a_row(row, name, changed):
+    right = context(PATHS)
+    assert not failed(PATHS, row, right)
+    assert failed(PATHS, row, context(PATHS, arrays={name: changed(right.fem[-1].arrays[name])}))
+
+
+def test_the_torque_that_is_left_falls_to_nothing_over_the_axial_slip():
+    q = FreewheelFriction()
+    slip, torque = q.slipped()
+    assert (slip[-1], torque[-1]) == (0.0, 1.0)
+    assert FRICTION.analytic(q)["u_out"] == pytest.approx(slip[0])
+
+
+def test_a_torque_that_lets_rollers_out_has_no_limit_of_the_axial_load():
+    q = FreewheelFriction(X=14e-3 * math.cos(math.radians(10)) - 2.5e-3)
+    assert "F_lim" not in FRICTION.analytic(q)

@@ -1,0 +1,181 @@
+"""The engineer's sprag clutch at rest: what is stated follows from numbers, limits lie there."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+
+from verify.cases.sprag.clutch import model
+from verify.cases.sprag.clutch.case import CLUTCH, SpragClutch
+from verify.cases.sprag.clutch.drawn_fem import drawn
+from verify.cases.sprag.clutch.dynamic import DYNAMIC
+from verify.cases.sprag.clutch.limits import as_torque_grows
+from verify.cases.sprag.clutch.recommendations import verdict
+from verify.core.case import Context
+
+PAPER = SpragClutch()
+LARGE = {  # ten times the paper's clutch
+    "R_id": 72.1e-3, "R_i": 111.1e-3, "R_e": 194.4e-3, "R_ed": 262.3e-3, "r_i": 40.2e-3,
+    "l": 90e-3, "b": 40e-3, "T": 25e3, "Q": 340.7e3, "z_m": 1e-4,
+}  # fmt: skip
+
+
+def findings(**changes):
+    with np.errstate(over="raise", divide="raise", invalid="raise"):
+        return CLUTCH.findings(SpragClutch(**changes), {})
+
+
+def number(line, before):
+    """The number that follows these words."""
+    return float(line.partition(before)[2].split()[0].strip("°;,"))
+
+
+def limit(key, **changes):
+    return next(x.at for x in as_torque_grows(SpragClutch(**changes)) if x.key == key)
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({}, "holds: torque asks for tan ν = 0.05541 of friction, μ_s is 0.12 (μ_s/tan ν = 2.17)"),
+        ({"mu_s": 0.05, "mu_c": 0.04}, "slips: tan ν_0 = 0.05503 exceeds μ_s = 0.05: the sprags "
+         "do not wedge"),
+        ({"mu_s": 0.0552, "mu_c": 0.05}, "slips: tan ν = 0.05541 under torque exceeds"),
+        ({"T": 115.0}, "rolls over: the sprags reach the end of their profile, α_max = 28.65°, at "
+         "111.5 N m"),
+        ({"T": 500.0, "alpha_max": 3.0}, "no state: no state bears T = 500 N m"),
+        ({"T": 100.0}, "overloaded: friction holds, but the inner contacts bear"),
+        ({"R_p": 2e8}, "overloaded: friction holds, but the inner race bears"),
+        ({"T": 100.0, "p_lim": None}, "holds"),
+    ],
+)  # fmt: skip
+def test_the_verdict_comes_first(changes, words):
+    assert findings(**changes)[0].startswith(words)
+    assert CLUTCH.summary(SpragClutch(**changes), {})["verdict"] == words.partition(":")[0]
+
+
+def test_limits_come_in_their_order_and_what_is_not_met_is_left_out():
+    keys = [x.key for x in as_torque_grows(PAPER)]
+    assert keys == ["pressure_inner", "end", "pressure_outer", "wide"]  # the angle hardly opens
+    assert as_torque_grows(SpragClutch(nu_0=math.radians(6.75)))[0].key == "slip"
+    record = CLUTCH.summary(PAPER, {})
+    assert record["margin"] == pytest.approx(0.12 / 0.05541, rel=1e-3)
+    assert [x["passed"] for x in record["limits"]] == [False] * 4
+    json.dumps(record)
+
+
+def test_at_each_limit_the_clutch_is_at_it():
+    for side in ("inner", "outer"):
+        v = CLUTCH.analytic(SpragClutch(T=limit(f"pressure_{side}")))
+        assert v[f"p_{side[0]}"] == pytest.approx(4500e6, rel=1e-6)
+        q = SpragClutch(T=limit(f"yield_{side}", R_p=8e8))
+        assert q.tresca[side == "outer"] == pytest.approx(8e8, rel=1e-3)
+    end = limit("end")
+    assert SpragClutch(T=end).turned == pytest.approx(0.5, rel=1e-9)
+    for share, state in ((1.001, "rolls over"), (0.999, "holds")):
+        assert verdict(SpragClutch(T=share * end, p_lim=None)) == state
+    for share, state in ((1.001, "holds"), (0.999, "slips")):
+        mu = share * CLUTCH.analytic(PAPER)["mu_req"]
+        assert verdict(SpragClutch(mu_s=mu, mu_c=0.04)) == state
+
+
+@pytest.mark.parametrize(
+    "changes", [{"mu_s": 0.05, "mu_c": 0.04}, {"nu_0": math.radians(7.5), "T": 40.0}], ids=str
+)
+def test_a_wedge_angle_and_a_friction_that_are_advised_hold(changes):
+    first, second, *rest = findings(**changes)
+    assert second.endswith("would have if it held")
+    assert not any(" grows" in x or "passed" in x or "each sprag bears" in x for x in rest)
+    for advised in (
+        {"nu_0": math.radians(number(first, "ν_0 below "))}, {"mu_s": number(first, "μ_s above ")},
+    ):  # fmt: skip
+        assert verdict(SpragClutch(**changes | advised | {"p_lim": None})) == "holds"
+
+
+def test_a_profile_and_longer_sprags_that_are_advised_hold():
+    first, _, third, *_ = findings(T=115.0, p_lim=None)
+    least = math.radians(number(first, "α_max of at least "))
+    assert verdict(SpragClutch(T=115.0, p_lim=None, alpha_max=least)) == "holds"
+    assert third.startswith("passed already: the sprags reach the end of their profile")
+    times = number(findings(T=100.0)[0], "take about ")
+    assert 1 < times < 2
+    assert verdict(SpragClutch(T=100.0, l=9e-3 * times)) == "holds"
+
+
+def test_elastic_bodies_turn_the_clutch_as_finite_elements_of_the_wedge_do():
+    v = CLUTCH.analytic(PAPER)
+    assert math.degrees(v["alpha_elastic"]) == pytest.approx(5.72, abs=0.03)  # of sprag-wedge's
+    (words,) = (x for x in findings() if x.startswith("as elastic bodies"))
+    assert "softer and its period of oscillation about 1.13 times as long" in words
+    fast = SpragClutch(n=2000.0)  # grows the outer race, not the clutch's spring
+    assert fast.theta / fast.theta_elastic == pytest.approx(
+        PAPER.theta / PAPER.theta_elastic, rel=1e-3
+    )
+
+
+def test_a_crown_drops_less_at_the_middle_of_its_end_slices():
+    t = (1 - 1 / 41 - 0.3) / 0.7
+    A = 3407 * (1 - 0.3**2) * 2 / (math.pi * 9e-3 * 206e9)
+    drop = -A * math.log(1 - (1 - math.exp(-1e-5 / A)) * t**2)
+    assert CLUTCH.analytic(PAPER)["z_end"] == pytest.approx(drop)
+    for z_m, stated in ((1e-5, True), (2e-6, False), (0.0, False)):
+        assert any("end slices: z_m" in x for x in findings(z_m=z_m)) == stated
+
+
+def test_stiffness_is_the_slope_of_the_torque_over_the_turn():
+    low, high = (CLUTCH.analytic(SpragClutch(T=T)) for T in (24.9, 25.1))
+    slope = 0.2 / (high["theta"] - low["theta"])
+    assert CLUTCH.analytic(PAPER)["stiffness"] == pytest.approx(slope, rel=1e-4)
+    assert 12 * low["N"] * low["mu_req"] * low["OA"] == pytest.approx(24.9, rel=1e-9)
+
+
+def test_springs_whose_state_is_not_found_have_no_force(broken):
+    def fails(_):
+        def equilibrium(*_args, **_more):
+            raise ArithmeticError("no load for which there is a state")
+
+        return equilibrium
+
+    broken(model, "spring_equilibrium", fails)
+    v = CLUTCH.analytic(SpragClutch())
+    assert "N_0" not in v
+    warned = CLUTCH.warnings(SpragClutch(), v)
+    assert "no state that bears the springs alone was found: N_0 is not known" in warned
+
+
+def test_a_drawn_sprag_tells_a_wrong_width_and_rolls_as_its_arcs_do():
+    one, v = drawn(PAPER, 82), CLUTCH.analytic(PAPER)
+    assert pytest.approx(v["N"], rel=1e-4) == one.at_torque(PAPER.T, 3400.0).N
+    wide = drawn(PAPER.model_copy(update={"b": 2 * PAPER.b}), 82)
+    assert abs(wide.at_torque(PAPER.T, 3400.0).alpha / v["alpha"] - 1) > 0.03
+    # arcs of the unloaded flank on the bore and of the spiral on the rim, but for what yields
+    now, sprag = one.under(3388.0), PAPER.sprag
+    m = float(np.asarray(sprag.m))
+    spiral = float(sprag.rho_0) * math.hypot(1, m) / m * math.expm1(m * now.turned)
+    leans = math.atan2(now.A[0], now.A[1]) - float(sprag.beta_0)
+    turn = spiral / PAPER.R_i + float(sprag.r_e) * now.alpha / PAPER.R_e - leans
+    assert one.rolled(3388.0, 80) == pytest.approx(turn, rel=5e-3)
+
+
+@pytest.mark.parametrize(
+    "changes", [LARGE, {"E": 3e9}, {"z": 3}, {"T": 500.0}, {"Q": None, "p_lim": None, "nu": 0.0}]
+)
+def test_clutches_of_another_kind_have_values_words_and_figures(changes):
+    q = SpragClutch(**changes)
+    with np.errstate(over="raise", divide="raise", invalid="raise"):
+        v = CLUTCH.analytic(q)
+    assert all(map(math.isfinite, v.values()))
+    lines = [*CLUTCH.findings(q, v), *CLUTCH.warnings(q, v), *(o.what for o in DYNAMIC.outputs)]
+    assert not any("blade" in x or "yields" in x for x in lines)  # words of the code alone
+    assert CLUTCH.equations(q, v)
+    assert CLUTCH.sketch(q).shapes
+    CLUTCH.figures(Context("sprag-clutch", q, v, [], False))
+
+
+def test_one_s_own_clutch_is_judged_by_the_drawn_one(judged, red):
+    result = judged(CLUTCH, SpragClutch(n=1000.0, T=15.0))
+    assert not red(result)
+    names = {row.quantity for row in result.rows}
+    assert {"normal force under torque", "turn of the races, finite steps of rolling"} <= names
+    assert not any("25 N m" in x or "Table 1" in x or "20,000 r/min" in x for x in names)

@@ -1,0 +1,134 @@
+"""The engineer's sprag clutch in time: its verdict with that at rest, and how long it takes."""
+
+import json
+
+import numpy as np
+import pytest
+
+from tests.verify.template_text import whole
+from verify.answers.template import template
+from verify.app.cli import run
+from verify.cases.sprag.clutch.case import CLUTCH, SpragClutch
+from verify.cases.sprag.clutch.dynamic import DYNAMIC
+from verify.cases.sprag.clutch.dynamic_messages import least_time
+from verify.cases.sprag.clutch.run_fem import run_fem
+
+SLIPPERY = {"mu_s": 0.05, "mu_c": 0.04}
+
+
+def ran(**changes):
+    q = SpragClutch(**changes)
+    v = CLUTCH.analytic(q)
+    with np.errstate(all="ignore"):
+        return q, {**v, **DYNAMIC.run(q, v)}
+
+
+@pytest.fixture
+def check(tmp_path, capsys):
+    """Exit status, output and error of a check in time of the template with other lines."""
+
+    def checked(*options, **lines):
+        text = whole(template(CLUTCH))
+        for old, new in lines.values():
+            assert old in text
+            text = text.replace(old, new)
+        path = tmp_path / "my.toml"
+        path.write_text(text)
+        return run(["check", str(path), "--dynamic", *options]), *capsys.readouterr()
+
+    return checked
+
+
+def test_the_first_peak_of_an_engagement_is_1_86_times_the_static_force():
+    q, v = ran()
+    assert DYNAMIC.findings(q, v)[0].startswith("in time: the clutch locks; the normal force")
+    assert v["peak_factor"] == pytest.approx(1.857, abs=1e-3)
+    assert v["missing"] < 1e-6
+    assert (v["t_slip"], v["slid_i"], v["slid_o"]) == (0, 0, 0)
+    assert v["p_i_max"] > v["p_o_max"] > 0
+    assert len(DYNAMIC.figures(q, v)) == 5
+
+
+@pytest.mark.parametrize(
+    ("changes", "verdict", "words", "in_time"),
+    [
+        ({}, "holds", "holds at rest and in the first peak", "the clutch locks"),
+        ({"T": 72.0}, "rolls over", "holds at rest, rolls over in the first peak; longer",
+         "the sprags roll over"),
+        ({"T": 115.0}, "rolls over", "rolls over at rest and in the first peak",
+         "the sprags roll over"),
+        ({"T": 600.0, "alpha_max": 3.0}, "no state", "no formula tells of a state at rest, the "
+         "formulas end before", "the contacts become too wide for the formulas"),
+        ({"T": 55.0}, "overloaded", "holds at rest, is overloaded in the first peak",
+         "the clutch locks"),
+        (SLIPPERY, "slips", "slips at rest, slides on as the torque comes", "a contact slides on"),
+        ({"T": 72.0, "t_ramp": 0.05}, "holds", "holds at rest and in the first peak",
+         "the clutch locks"),
+    ],
+)  # fmt: skip
+def test_the_worse_of_rest_and_motion_comes_first(changes, verdict, words, in_time):
+    q, v = ran(**changes)
+    found, lines = DYNAMIC.overall(q, v)
+    assert found == verdict
+    assert lines[0].startswith(words)
+    assert lines[1].startswith("at rest: ")
+    assert "check --dynamic" not in "".join(lines)
+    assert DYNAMIC.findings(q, v)[0].startswith(f"in time: {in_time}")
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [{"t_end": 2e-3}, {"C_rl": 100.0}, {"t_end": 2e-3, "w_i": -50.0}, {"t_ramp": 0.06},
+     {"I_bi": 1.0, "k_out": 1e3, "C_rl": 10.0}],
+    ids=str,
+)  # fmt: skip
+def test_what_ends_before_its_peak_states_how_long_it_takes(changes):
+    q, v = ran(**changes)
+    assert not {"peak_factor", "p_i_max", "p_o_max", "t_max"} & set(v)
+    verdict, lines = DYNAMIC.overall(q, v)
+    assert verdict == "not followed"
+    assert lines[0] == "holds at rest, the engagement is not followed to its peak"
+    (line,) = (x for x in DYNAMIC.findings(q, v) if x.startswith("in time: not followed"))
+    assert f"take t_end of at least {least_time(q) * 1e3:.4g} ms" in line
+    assert run_fem(q.model_copy(update={"t_end": least_time(q)})).engagement.verdict == "locks"
+
+
+def test_energies_that_miss_much_name_a_step_that_does_not():
+    q, v = ran(I_bi=1e-6, I_be=1e-6)
+    assert 1e-3 < v["missing"] < 1e-2
+    (careful,) = (x for x in DYNAMIC.findings(q, v) if x.startswith("careful"))
+    q, v = ran(I_bi=1e-6, I_be=1e-6, dt=float(careful.split()[-2]))
+    assert v["missing"] < 1e-4
+    assert not any(x.startswith("careful") for x in DYNAMIC.findings(q, v))
+
+
+def test_a_table_of_states_that_ends_before_the_peak_is_made_longer():
+    q = SpragClutch(w_i=300.0)
+    assert run_fem(q).engagement.N_max > 4 * CLUTCH.analytic(q)["N"]
+
+
+def test_the_verdict_of_both_reaches_the_reader_and_programs(check):
+    T = ('T = "25 N m"', 'T = "72 N m"')
+    status, out, _ = check(T=T)
+    assert status == 1
+    assert "fails: holds at rest, rolls over" in out.splitlines()[0]
+    status, out, _ = check("--json", T=T)
+    record = json.loads(out)
+    assert (record["answer"]["verdict"], record["details"]["verdict"]) == ("fails", "rolls over")
+    assert record["dynamic"]["verdict"] == "over the end"
+
+
+@pytest.mark.parametrize(
+    ("lines", "words"),
+    [
+        ({"T": ('T = "25 N m"', 'T = "40 N m"'),
+          "profile": ('alpha_max = "0.5 rad"', 'alpha_max = "0.02 rad"'),
+          "band": ('# D_V = "0.05 m/s"', 'D_V = "0.001 m/s"')}, "band of sticking is too narrow"),
+        ({"dt": ('dt = "1e-05 s"', 'dt = "0.001 s"')}, "dt=0.001 s is too long"),
+    ],
+)  # fmt: skip
+def test_a_motion_that_cannot_be_followed_is_refused_in_a_line(lines, words, check):
+    status, out, error = check(**lines)
+    assert (status, out) == (2, "")
+    (line,) = error.strip().splitlines()
+    assert words in line

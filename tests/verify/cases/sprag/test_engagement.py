@@ -1,0 +1,120 @@
+"""Engagement and friction of a sprag clutch: words agree with steps in time, facts with rows."""
+
+import math
+
+import numpy as np
+import pytest
+
+from analytic.sprag.history import Phase
+from tests.verify.cases.rows import context, failed
+from verify.cases.sprag.engagement import model
+from verify.cases.sprag.engagement import reference as steps
+from verify.cases.sprag.engagement.case import ENGAGEMENT, SpragEngagement
+from verify.cases.sprag.friction import formulas, reference
+from verify.cases.sprag.friction.case import FRICTION, SpragFriction
+from verify.jobs.level import solve_level
+
+PAPER, RUBBING = SpragEngagement(), SpragFriction()
+LATE = {"mu_s": 0.056, "mu_c": 0.05, "K_r": 4e-4}  # its sprags are caught late
+
+
+def other(q, **changes):
+    return type(q).model_validate(q.model_dump() | changes)
+
+
+def engaged(q, dt=1e-5, **how):
+    return steps.engaged_fem(q, model.wedge(q), dt, **how)
+
+
+@pytest.mark.parametrize(
+    ("case", "changes", "verdict", "words"),
+    [
+        (ENGAGEMENT, {}, "locks", "locks: N swings to 62"),
+        (ENGAGEMENT, {"mu_s": 0.05, "mu_c": 0.05}, "slips", "slips: friction is less"),
+        (ENGAGEMENT, {"T": 120.0}, "over the end", "rolls over"),
+        (FRICTION, {}, "locks", "locks: μ_s is 2.17 times"),
+        (FRICTION, {"mu_s": 0.05, "mu_c": 0.05}, "slips", "slips for ever"),
+        (FRICTION, LATE, "slips", "locks: μ_s is 1.01"),
+        (FRICTION, {"T": 120.0}, "over the end", "rolls over"),
+    ],
+)
+def test_the_words_of_the_formulas_are_what_the_steps_do(case, changes, verdict, words):
+    q = other(case.inputs(), **changes)
+    assert engaged(q).verdict == verdict
+    assert case.findings(q, case.analytic(q))[0].startswith(words)
+    assert bool(case.too_large(q)) == (verdict != "locks")
+    assert case.equations(q, case.analytic(q))
+
+
+def test_a_slow_rise_swings_less_and_an_overrunning_race_comes_to_rest_first():
+    step, ramp, late = (
+        ENGAGEMENT.analytic(other(PAPER, **c)) for c in ({}, {"t_ramp": 0.02}, {"w_i": -100.0})
+    )
+    assert ramp["factor"] < 1.2 < step["factor"]
+    assert late["t_max"] > step["t_max"] + 4e-3
+    assert late["N_max"] == pytest.approx(step["N_max"], rel=1e-3)
+    assert engaged(other(PAPER, w_i=-100.0)).peak[0] == pytest.approx(late["t_max"], rel=0.05)
+
+
+def test_a_band_too_narrow_for_the_step_is_one_line_and_no_traceback():
+    q = other(PAPER, D_V=1e-3, K_r=4e-4, T=40.0)
+    failure = solve_level(ENGAGEMENT, q, 1, None).failure
+    assert "band of sticking is too narrow" in failure
+    assert "\n" not in failure
+
+
+@pytest.mark.parametrize(
+    ("speed", "mu", "outside"), [(100.0, 0.9 * math.tan(RUBBING.nu_0), False), (-100.0, 0.12, True)]
+)
+def test_driven_it_is_the_inner_contact_that_slides_and_overrunning_the_outer(speed, mu, outside):
+    w = model.wedge(RUBBING)
+    assert formulas.sliding(w, math.copysign(mu, speed)).outside == outside
+    run = steps.engaged_fem(
+        RUBBING, w, 1e-5, moves=reference.held(reference.rough(RUBBING, mu), C_rl=0.0, I_bi=1.0),
+        course=reference.Torque.step(0.0), duration=reference.SLIDES,
+        speeds=reference.Speeds(inner=speed),
+    )  # fmt: skip
+    late = run.phases[len(run.t) // 2 :]
+    assert (late[:, int(outside)] == Phase.SLIP).mean() > 0.9
+    assert (late[:, 1 - int(outside)] == Phase.STICK).mean() > 0.9
+
+
+def test_the_sliding_force_has_its_pole_at_the_wedge_angle():
+    tan, w = math.tan(RUBBING.nu_0), model.wedge(RUBBING)
+    N = [formulas.sliding(w, share * tan).N for share in (0.6, 0.8, 0.9)]
+    assert N[1] / N[0] == pytest.approx(2.0, rel=0.03)
+    assert N[2] / N[0] == pytest.approx(4.0, rel=0.06)
+    assert math.isnan(formulas.sliding(w, 1e-3).N)
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "row"),
+    [
+        ("later peak", 6300.0, "the first peak is the largest"),
+        ("missing", 1e-3, "balance of energies, damping and friction booked"),
+        ("missing undamped", 1e-3, "balance of energies without damping"),
+        ("asked", 0.0559, "friction that rolling asks for, tan ν"),
+    ],
+)
+def test_an_engagement_s_fact_that_does_not_hold_fails(key, value, row):
+    assert not failed(ENGAGEMENT, row)
+    assert failed(ENGAGEMENT, row, context(ENGAGEMENT, values={key: value}))
+
+
+@pytest.mark.parametrize(
+    ("key", "at", "value", "row"),
+    [
+        ("narrow", (0, 0), 0.0, "D_V = 0.001 m/s is refused at 1.6 T with weak springs"),
+        ("unguarded", 0, 9e3, "unguarded, the force hangs on the torque's ninth digit"),
+        ("guard", (3, 3), 0.0, "what the guard lets pass is right to 0.1%"),
+        ("guard", (0, 3), 1.0, "what the guard refuses is wrong"),
+        ("sweep", (1, 2), 6400.0, "chosen bands: N_max within 0.1% of LSODA"),
+        ("boundaries", (0, 1), 0.97, "locks from μ = tan ν on, within 2%"),
+    ],
+)
+def test_a_friction_s_fact_that_does_not_hold_fails(key, at, value, row):
+    right = context(FRICTION)
+    assert not failed(FRICTION, row, right)
+    changed = np.array(right.fem[-1].arrays[key])
+    changed[at if changed.ndim == 2 else slice(None)] = value
+    assert failed(FRICTION, row, context(FRICTION, arrays={key: changed}))

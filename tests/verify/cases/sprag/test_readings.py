@@ -1,0 +1,121 @@
+"""Sprag clutches (Huang 2018): the other reading of an equation fails a row of its case."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from analytic.contact import crown_mean, hertz_line, slices
+from analytic.sprag import closure, parts, printed, race_spring
+from analytic.sprag.clutch import Clutch
+from analytic.sprag.geometry import LogSprag
+from tests.verify.cases.rows import failed
+from verify.cases.sprag.clutch import model
+from verify.cases.sprag.clutch.case import CLUTCH
+from verify.cases.sprag.crown import formulas as crown_formulas
+from verify.cases.sprag.crown.case import CROWN
+from verify.cases.sprag.engagement.case import ENGAGEMENT
+from verify.cases.sprag.friction import formulas as friction_formulas
+from verify.cases.sprag.friction.case import FRICTION
+from verify.cases.sprag.optimum.case import OPTIMUM_25
+from verify.cases.sprag.wedge import formulas as wedge_formulas
+from verify.cases.sprag.wedge.case import WEDGE
+
+TURN, FORCE = "turn of the sprags under torque", "normal force under torque"
+LARGEST = "largest pressure under half of N by slices, inner race"
+LONG = "rotation of the sprags with elastic yields"
+OMEGA = "T_e/N_e against the strut's tan ω (Eq. 10), at N_0"
+
+
+def as_printed(_):
+    return printed.wedged
+
+
+def of_a_closure(change):
+    """Other lever arms of a closure: `OA_s` of the spiral and `OA` of the forces."""
+
+    def fault(right):
+        def closed(clutch, N, yields, *, OA_s, OA):
+            return right(clutch, N, yields, **change(OA_s, OA, yields.contact_i))
+
+        return closed
+
+    return fault
+
+
+def times_sprags(right):
+    return lambda clutch, load: right(clutch, 12 * load)
+
+
+def polar(_):
+    return property(lambda self: np.asarray(self.r_i))
+
+
+def with_sine(right):
+    def wedged(*args, **more):
+        now = right(*args, **more)
+        return replace(now, T=now.T * np.cos(now.nu))
+
+    return wedged
+
+
+def in_micrometres(right):
+    return lambda q: right(q.model_copy(update={"z_m": q.z_m / 1e3}))
+
+
+READINGS = [
+    (WEDGE, LONG, closure, "closed", of_a_closure(lambda OA_s, OA, d: {"OA_s": OA, "OA": OA}),
+     "Eqs. 9 and 10 as printed"),
+    (WEDGE, LONG, closure, "closed", of_a_closure(
+        lambda OA_s, OA, d: {"OA_s": OA_s + d / 2, "OA": OA}), "half of δ_HI left out"),
+    (WEDGE, OMEGA, closure, "closed", of_a_closure(
+        lambda OA_s, OA, d: {"OA_s": OA_s, "OA": OA - d / 2}), "all of δ_HI in the lever arm"),
+    (WEDGE, "torque n_s N tan(ν) OA", wedge_formulas, "wedged", times_sprags, "N of all sprags"),
+    (WEDGE, "rotation with Eqs. 9, 10 as printed", printed, "wedged", lambda _: closure.wedged,
+     "the corrected closure as printed"),
+    (WEDGE, "mean displacement of the inner race (Eq. 6 as printed, thin)", parts,
+     "race_deflection", lambda f: lambda **k: f(**k | {"ends": "plane strain"}), "long rings"),
+    (WEDGE, "peak pressure on the inner race (Hertz)", hertz_line, "contact_modulus",
+     lambda f: lambda **k: f(**k | {"assumption": "plane stress"}), "plane stress"),
+    (ENGAGEMENT, "force at rest after a slow rise", race_spring, "wedged", as_printed,
+     "Eqs. 9 and 10 as printed"),
+    (FRICTION, "friction from which on it locks", friction_formulas, "asked_at",
+     lambda f: lambda w, t: math.tan(2 * math.atan(f(w, t))), "twice the wedge angle"),
+    (FRICTION, "normal force of sprags that slide, driven", friction_formulas, "sliding",
+     lambda f: lambda w, mu: replace(f(w, mu), N=f(w, mu).N / 12), "springs of one for all"),
+    (CLUTCH, TURN, LogSprag, "rho_0", polar, "r_i a polar radius"),
+    (CLUTCH, FORCE, model, "at_torque", times_sprags, "the torque of one sprag"),
+    (CLUTCH, TURN, closure, "wedged", as_printed, "Eqs. 9 and 10 as printed"),
+    (CLUTCH, FORCE, closure, "wedged", with_sine, "sin for tan in Eq. 16"),
+    (CLUTCH, "normal force with rigid races (Liu)", Clutch, "rigid_races",
+     lambda _: lambda self: self, "rigid races that yield"),
+    (CLUTCH, "growth of the outer race at 20,000 r/min", parts.Parts, "d_ce",
+     lambda f: property(lambda self: 2 * f.fget(self)), "the radius's growth for the diameter's"),
+    (CLUTCH, "torque at which the contacts slip at low friction", model, "limits",
+     lambda f: lambda c, mu, **k: f(c, mu=mu / math.sqrt(1 + mu**2), **k), "sin ν for μ_s"),
+    (CROWN, "mean drop of the crown", crown_mean, "mean_drop",
+     lambda f: lambda A, K_2, z: f(A / 2, K_2, z), "Q/(π l E') for 2 Q/(π l E')"),
+    (CROWN, "pressure at mid-length under the largest force", slices, "press",
+     lambda f: lambda *a, **k: f(*a, **k | {"load": 0.9 * np.asarray(k["load"])}), "a tenth off"),
+    (CROWN, "pressure at mid-length under the largest force", crown_formulas, "radius",
+     lambda f: lambda q, N: 1.1 * f(q, N), "another radius"),
+    (OPTIMUM_25, "largest pressure by slices, crown with free ends", slices, "press",
+     lambda f: lambda *a, load, **k: f(*a, load=1.1 * load, **k), "another force"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("case", "row", "owner", "name", "fault"),
+    [pytest.param(*one, id=f"{one[0].id}: {what}") for *one, what in READINGS],
+)
+def test_another_reading_fails_a_row(case, row, owner, name, fault, broken):
+    assert not failed(case, row)
+    broken(owner, name, fault)
+    assert failed(case, row)
+
+
+def test_z_m_is_in_millimetres(broken):
+    assert not failed(CLUTCH, LARGEST)
+    broken(model, "gap", in_micrometres)
+    assert failed(CLUTCH, LARGEST)
