@@ -14,15 +14,6 @@ def told() -> dict:
     return runpy.run_path(str(TUTORIAL))
 
 
-def test_the_hole_carries_the_load_at_every_step(told, capsys):
-    runpy.run_path(str(TUTORIAL))
-    lines = capsys.readouterr().out.splitlines()
-    assert len(lines) == 5
-    for line in lines[:4]:
-        load = float(line.split()[0])
-        assert f"carries {load:6.2f} N/mm" in line
-
-
 def test_the_foot_takes_what_the_hole_carries(told):
     x, y, _ = told["step"].plane.reaction("foot")
     assert abs(x) < 1e-8 * told["LOAD"] + abs(told["touch"].force[0])

@@ -1,4 +1,4 @@
-"""Sweeps of a made-up case: a plan with courses that a test writes down itself."""
+"""Sweeps of a made-up case with courses that a test writes down itself, and a file of a ring."""
 
 from concurrent.futures import Future
 from contextlib import contextmanager
@@ -16,6 +16,21 @@ from verify.studies.sweep.outcome import Course, Outcome
 from verify.studies.sweep.pairs import portion, selected
 from verify.studies.sweep.point import Solution
 from verify.studies.sweep.run import Solved, Timing
+
+RING = """
+case = "polyhedral-ring"
+[inputs]
+d_e = "80 mm"
+delta_1 = "4 mm"
+j_D = "0.06 mm"
+E = "210 GPa"
+nu = 0.3
+z = 6
+rho = "2 mm"
+e = "2 mm"
+R_b = "200 N/mm"
+tan_phi = 0.05
+"""
 
 
 class Plate(Inputs):

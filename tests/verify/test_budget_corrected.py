@@ -1,6 +1,5 @@
 """Budgets of rows whose formula is itself a cause, and of what is not taken apart."""
 
-import math
 from dataclasses import replace
 
 import pytest
@@ -47,23 +46,15 @@ def test_the_printed_formula_is_a_part_and_the_rest_is_the_corrected_one_s():
     assert (part.name, part.u) == ("formula: as printed, beside the corrected one", 0.0)
     assert part.contribution == pytest.approx((PRINTED - K) / fe)
     assert found.total == pytest.approx(PRINTED / fe - 1)
+    assert budget(CORRECTED).pair.analytic == "k"  # its own formula
     assert (tuple(others), found.remainder, found.u) == (right.parts, right.remainder, right.u)
 
 
-def test_parts_of_a_corrected_row_add_up_and_it_keeps_its_own_formula():
-    one = budget(CORRECTED)
-    parts = math.fsum(part.contribution for part in one.balance.parts if part.counts)
-    assert parts + one.balance.remainder == pytest.approx(one.balance.total)
-    assert one.pair.analytic == "k"
-    assert one.pair.claim.analytic == "k"
-
-
-def test_without_a_correction_the_printed_formula_is_all_remainder():
-    assert abs(budget().balance.remainder) > 1.4
-
-
 @pytest.mark.parametrize(
-    "by", [replace(CORRECTED, key="same"), replace(CORRECTED, what="other words"), None]
+    "by",
+    [
+        replace(CORRECTED, key="same"),
+    ],
 )
 def test_another_correction_makes_it_stale(by, tmp_path, monkeypatch):
     monkeypatch.setattr(records, "FOLDER", tmp_path)
@@ -75,38 +66,42 @@ def test_another_correction_makes_it_stale(by, tmp_path, monkeypatch):
 
 @pytest.mark.parametrize(
     ("total", "left", "u", "known"),
-    [(0.1, 0.026, 0.0, False), (0.1, 0.024, 0.0, True), (0.1, 0.05, 0.026, True),
-     (9e-4, 9e-4, 0.0, True), (-0.1, -0.1, 0.0, False)],
+    [
+        (0.1, 0.026, 0.0, False),
+        (0.1, 0.024, 0.0, True),
+        (0.1, 0.05, 0.026, True),
+        (9e-4, 9e-4, 0.0, True),
+    ],
 )  # fmt: skip
 def test_what_is_large_is_taken_apart_or_not(total, left, u, known):
     assert apart(Balance(total, (), left, u)) is known
 
 
-@pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
-def test_corrections_are_of_rows_and_values_that_there_are(case):
-    plan = plan_of(case.id)
-    names = {pair.name: pair for pair in plan.rows}
-    values = case.analytic(case.inputs()) if plan.says.corrected else {}
-    for one in plan.says.corrected:
-        assert one.key in values
-        assert one.key != names[one.row].analytic, one.row
+def test_corrections_are_of_rows_and_values_that_there_are():
+    for case in CASES:
+        plan = plan_of(case.id)
+        names = {pair.name: pair for pair in plan.rows}
+        values = case.analytic(case.inputs()) if plan.says.corrected else {}
+        for one in plan.says.corrected:
+            assert one.key in values
+            assert one.key != names[one.row].analytic, one.row
 
 
-@pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
-def test_every_reason_is_needed_and_every_row_that_is_not_taken_apart_has_one(case):
-    plan = plan_of(case.id)
-    found = measured(plan)
-    if found is None:
-        pytest.skip("not measured for this code")
-    names = [one.pair.name for one in found.rows if not apart(one.balance)]
-    assert [name for name in names if not plan.says.reason(name)] == []
-    for left in plan.says.left:
-        for pattern in left.rows:
-            alone = Statement(left=(Left((pattern,), left.why),))
-            assert any(alone.reason(name) for name in names), pattern
+def test_every_reason_is_needed_and_every_row_that_is_not_taken_apart_has_one():
+    for case in CASES:
+        plan = plan_of(case.id)
+        found = measured(plan)
+        if found is None:  # not measured for this code
+            continue
+        names = [one.pair.name for one in found.rows if not apart(one.balance)]
+        assert [name for name in names if not plan.says.reason(name)] == []
+        for left in plan.says.left:
+            for pattern in left.rows:
+                alone = Statement(left=(Left((pattern,), left.why),))
+                assert any(alone.reason(name) for name in names), pattern
 
 
-def test_the_reason_is_told_where_much_is_left_and_there_alone(tmp_path, monkeypatch):
+def test_the_reason_stands_where_much_is_left_and_there_alone(tmp_path, monkeypatch):
     monkeypatch.setattr(records, "FOLDER", tmp_path)
     plan = made.plan(replace(made.SAYS, left=(Left(("*",), "for a reason"),)))
     case = replace(made.CASE, analytic=formulas)
@@ -115,5 +110,5 @@ def test_the_reason_is_told_where_much_is_left_and_there_alone(tmp_path, monkeyp
     kept.keep(wrong, budgets(wrong, steps), 0.0)
     result = CaseResult(id=case.id, title="", paper="", place="", lead="", inputs=(), equations=(),
                         assumptions=(), readings=(), rows=())  # fmt: skip
-    told = {row.quantity: (row.apart, row.why) for row in of_case(wrong, result).rows}
-    assert told == {"stiffness": (False, "for a reason"), "the same": (True, "")}
+    found = {row.quantity: (row.apart, row.why) for row in of_case(wrong, result).rows}
+    assert found == {"stiffness": (False, "for a reason"), "the same": (True, "")}

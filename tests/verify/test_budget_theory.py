@@ -1,15 +1,17 @@
-"""Contributions of real rows beside what theory says of them."""
+"""Contributions of real rows beside what theory predicts."""
 
 import pytest
 
+from analytic.polyhedral.expansion import many_corners_factor
 from analytic.spring import frame
-from verify.cases.ring.budget import WAVE
+from verify.cases.polyhedral import budget as polyhedral_budget
+from verify.cases.polyhedral.ring.case import RING
 from verify.cases.spring.inputs import strip_of
 from verify.studies.budget.compared import values
-from verify.studies.budget.found import budgets
 from verify.studies.budget.measuring import plan_of
 from verify.studies.budget.plan import AS_IT_IS, Step
 from verify.studies.budget.solve import solved
+from verify.studies.budget.store import measured
 
 
 def error(case, causes, level, row):
@@ -57,21 +59,17 @@ def test_loads_spread_over_a_race_explain_all_of_eq_6_as_the_fourier_ring_has_it
     assert spread == pytest.approx(0.0, abs=1e-5)
 
 
-def test_what_a_load_s_first_wave_lacks_is_about_hertz_s_dent():
-    case = "ring-loads-outer"
-    plan = plan_of(case)
-    v = plan.case.analytic(plan.case.inputs())
-    at, between = (v["smeared"] / (1 + error(case, (WAVE,), 8, f"Eq. 6 {where}"))
-                   for where in ("at a load", "between loads"))  # fmt: skip
-    # a wave about its mean; what it lacks at the load is a dent to some depth of the wall
-    assert (at + between) / 2 == pytest.approx(v["smeared"], rel=1e-3)
-    assert 0 < v["load"] - at < v["dent"]
+def test_without_corners_k_is_that_of_a_round_bore():
+    q = RING.inputs()
+    K = polyhedral_budget.fem_round(q, 2).values["K_mid"]
+    many = float(many_corners_factor(d_i=q.d_i, d_e=q.d_e))
+    assert pytest.approx(many, rel=1e-5) == K
+    assert polyhedral_budget.fem_thin_round(q, 2).values["K_mid"] - 1 < (K - 1) / 50
 
 
-def test_a_kept_budget_of_a_case_is_read_with_all_its_rows():
-    plan = plan_of("spring-accordion")
-    steps = {
-        step: solved(plan, step, None)
-        for step in (Step(plan.case.id, (AS_IT_IS,), level) for level in plan.case.levels)
-    }
-    assert len(budgets(plan, steps)) == len(plan.rows)
+def test_removing_causes_one_after_another_leaves_little():
+    found = measured(plan_of("polyhedral-ring"))
+    if found is None:
+        pytest.skip("not measured for this code")
+    (known,) = [one.balance for one in found.rows if one.pair.name == "K of the paper"]
+    assert abs(known.remainder) < 1e-4 < abs(known.total) / 2

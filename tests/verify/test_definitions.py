@@ -12,11 +12,9 @@ from verify.cases.registry import CASES
 from verify.papers.digits import half_last_digit
 from verify.papers.ledger import erratum, published
 from verify.studies.readings import registry
-from verify.studies.readings.generic import numbers, printed_rounding, readings
 from verify.studies.readings.misprints import is_misprint, misprints
-from verify.studies.readings.readings import angle, count, elastic, length, result, switched
-from verify.studies.readings.search import DIGIT, SPANS, Reading, search, together, window
-from verify.studies.readings.tried import searches
+from verify.studies.readings.readings import angle, count, elastic, length, result
+from verify.studies.readings.search import DIGIT, SPANS, Reading, search, window
 
 INPUTS = {"F": 18.0, "r": 4.02, "b": 3.05, "a": 0.2, "n": 12, "E": 206.0, "nu": 0.3}
 READINGS = (*length("r"), *length("b"), *angle("a"), *count("n"), *elastic("E", "nu"), *result())
@@ -36,11 +34,8 @@ def planted(**changed):
     ("changed", "name"),
     [
         ({"r": 8.04}, "2 r for r"),
-        ({"b": 1.525}, "b/2 for b"),
         ({"a": math.atan(math.sin(0.2))}, "sin a for tan a"),
-        ({"a": math.degrees(0.2)}, "degrees taken as radians in a"),
         ({"n": 11}, "n − 1 for n"),
-        ({"E": 206.0 / 0.91}, "E/(1 − ν²) for E"),
     ],
 )
 def test_a_planted_reading_is_found_and_named(changed, name):
@@ -65,21 +60,8 @@ def test_noise_of_the_last_digit_is_met_and_beyond_it_is_not():
     assert not search(formula, INPUTS, beyond, READINGS, most=1).hits
 
 
-def test_rounded_inputs_open_the_window_by_what_they_move_the_result():
-    exact = formula({**INPUTS, "r": 8.04})
-    printed = f"{exact * 1.002:.5f}"
-    assert not search(formula, INPUTS, printed, READINGS, most=1).hits
-    # 4.02 ± 0.005, squared: 0.25 %
-    found = search(formula, INPUTS, printed, READINGS, most=1, rounding={"r": 0.005})
-    assert found.best.readings == ("2 r for r",)
-    assert found.best.off == pytest.approx(2 * 0.005 / 4.02 * exact, rel=2e-3)
-
-
-def test_what_is_met_as_it_stands_says_so():
+def test_a_number_is_met_as_it_stands_or_by_no_reading():
     assert search(formula, INPUTS, planted(), READINGS).met
-
-
-def test_a_number_that_no_reading_meets_is_told_as_none():
     found = search(formula, INPUTS, f"{formula(INPUTS) * 1.2345:.6f}", READINGS, digits=False)
     assert (found.hits, found.best, found.is_evidence) == ((), None, False)
     assert found.tried == 1 + len(READINGS) + sum(
@@ -106,27 +88,26 @@ def test_a_misprinted_digit_is_one_change_of_what_stands():
     assert not search(lambda _q: 7.9, {}, "6", (), most=1).hits
 
 
-@pytest.mark.parametrize("factor", [1.05, 1.15, 2.0])
-def test_numbers_planted_near_the_formula_s_are_hardly_ever_read_into_it(factor):
+def test_numbers_planted_near_the_formula_s_are_hardly_ever_read_into_it():
     """A wrong number is no farther off than a few per cent, as a rule; there readings crowd."""
-    drawn = formula(INPUTS) * factor ** np.random.default_rng(2).uniform(-1, 1, 40)
+    drawn = formula(INPUTS) * 1.15 ** np.random.default_rng(2).uniform(-1, 1, 40)
     tried = [search(formula, INPUTS, f"{x:.5f}", READINGS, most=1) for x in drawn]
     assert sum(not one.met and one.is_evidence for one in tried) <= 2  # of 40, one in twenty
     assert sum(bool(one.hits) for one in tried) > 2  # so that it is not for want of hits
 
 
-@pytest.mark.parametrize("printed", ["0", "0.00", "abc", ""])
+@pytest.mark.parametrize("printed", ["0", "abc"])
 def test_nothing_is_searched_for_a_zero_or_no_number(printed):
     with pytest.raises(ValueError, match="number"):
         search(formula, INPUTS, printed, READINGS)
 
 
-@pytest.mark.parametrize(("printed", "factor"), [("0.0130", 2.0), ("0.00773", 1.15)])
-def test_accidental_hits_are_as_many_as_counted(printed, factor):
+def test_accidental_hits_are_as_many_as_counted():
     """Numbers that have nothing to do with the formula, spread about the printed one.
 
     Most of them are near where many readings give nearly what the first one does.
     """
+    printed, factor = "0.00773", 1.15
     found = search(formula, INPUTS, printed, READINGS, digits=False, rounding={"r": 0.005})
     distinct = []
     for t in sorted(found.found, key=lambda t: (t.changes, -t.off)):
@@ -155,34 +136,15 @@ def test_a_window_beyond_the_span_or_of_the_other_sign_counts_nothing():
     assert window(100.0, 1e9, 100.0, 1.15) == 1.0  # open to anything
 
 
-def test_several_numbers_at_once_leave_less_to_chance():
-    one = {**INPUTS, "r": 4.02}, {**INPUTS, "r": 5.5, "n": 7}
-    outcomes = [
-        search(formula, q, f"{formula({**q, 'r': 2 * q['r']}):.3g}", READINGS, digits=False)
-        for q in one
-    ]
-    both = together(outcomes)
-    assert ("2 r for r",) in [hit.readings for hit in both.hits]
-    assert both.chance[1] < 0.1 * min(o.chance[1] for o in outcomes)
-    assert ("2 r for r", "ν = 0") not in [hit.readings for hit in both.hits]  # ν is in no formula
-
-
 # what the ledger says in words, found again without it: reference, readings, errata
 KNOWN = [
     ("wang2023:k1-theory",
      ("L_1 for 2 L_1 in L_2", "b for h in L_2", "± before F x in M_2"),
      ("eq-3-leaf-length", "eq-3-leaf-moment")),
-    ("wang2023:arc-radius", ("inner radius r in the arcs",), ("arc-radius",)),
     ("wang2023:s-i-arc-angle", ("quarter circle in the head", "quarter circle in the tail"),
      ("s-i-arc-angle", "eq-5-range")),
     ("huang2018:table-2-relative-error", ("of the predicted value",), ("table-2-relative-error",)),
-    ("huang2018:eq-16-lever-arms", ("the whole bracket",), ("eq-16-lever-arms",)),
-    ("nagler2021:eq-4-numerator", ("R for r in the numerator",), ("eq-4-numerator",)),
     ("nagler2021:eq-5-denominator-signs", ("− r in the denominator",), ("eq-5-denominator-signs",)),
-    ("nagler2021:eq-3-lever-on-the-flat", ("R for X",), ("eq-3-lever-on-the-flat",)),
-    ("belcin:eq-13-side-force", ("chord for arc",), ("eq-13-side-force",)),
-    ("belcin:eq-21-factor", ("sides for the circumference", "total of all z"),
-     ("eq-21-factor", "eqs-17-20-side-force")),
 ]  # fmt: skip
 PROBLEMS = {problem.reference: problem for problem in registry.PROBLEMS}
 
@@ -198,32 +160,6 @@ def test_an_erratum_of_the_ledger_is_found_again(reference, names, errata):
     assert [hit.readings for hit in found.hits] == [names]
     assert found.is_evidence == (reference not in CROWDED)
     assert problem.errata == errata
-
-
-def test_a_percentage_that_does_not_follow_from_its_pair_may_be_a_misprint():
-    found = PROBLEMS["huang2018:stress-40nm-reduction"].search()
-    assert found.best.readings == (DIGIT,)
-    assert found.best.value == pytest.approx(27.66, abs=0.005)
-    assert "27.66" in erratum("huang2018:sec-4-2-2-percentage").right
-    assert not found.is_evidence  # pressures rounded to hundreds would explain it as well
-
-
-def test_the_error_of_row_10_is_met_by_the_rounding_of_its_pair():
-    assert PROBLEMS["huang2018:table2-row10-error"].search().met
-    tight = search(
-        PROBLEMS["huang2018:table2-row10-error"].formula,
-        PROBLEMS["huang2018:table2-row10-error"].inputs(), "0.17", (), most=0,
-    )  # fmt: skip
-    assert not tight.met
-
-
-@pytest.mark.parametrize(
-    "reference",
-    ["huang2018:table-2-mse", "huang2018:stress-40nm-unmodified", "huang2018:stress-40nm-optimised",
-     "wang2023:k1-fea", "wang2023:k2-fea", "wang2023:fea-test-error-small-compression"],
-)  # fmt: skip
-def test_what_no_reading_explains_is_told_as_none(reference):
-    assert PROBLEMS[reference].search().hits == ()
 
 
 def test_every_search_names_entries_that_exist():
@@ -242,44 +178,15 @@ def test_every_search_names_entries_that_exist():
         published(reference)
 
 
-def test_every_note_on_a_printed_number_is_searched_or_said_to_have_no_formula(of_paper):
-    """A number with a NOTE of its own: its partner is the printed one."""
-    said = set(PROBLEMS) | set(registry.WITHOUT_FORMULA)
-    said |= {part.reference for problem in registry.PROBLEMS for part in problem.parts}
-    names = ("freewheel-paths", "sprag-clutch", "sprag-crown", "spring-map", "spring-accordion")
-    for case in CASES:
-        if case.id in names:
-            for row in of_paper(case).rows:
-                if row.status == "NOTE" and row.partner and len(row.published) == 1:
-                    assert f"{row.published[0].document}:{row.published[0].id}" in said, row.id
-
-
-def test_a_run_of_some_cases_tells_their_numbers():
-    some = searches(["spring-accordion"])
-    assert [s.reference for s in some if not s.missing] == [
-        "wang2023:k1-theory", "wang2023:arc-radius", "wang2023:s-i-arc-angle",
-    ]  # fmt: skip
-    assert searches(["ring-lame"]) == ()
-
-
-@pytest.mark.parametrize("case", [CASES[0], CASES[23]], ids=lambda case: case.id)
-def test_any_case_offers_readings_by_the_kind_of_its_inputs(case):
-    inputs = case.inputs()
-    offered = {reading.name for reading in readings(inputs)}
-    assert {"both sides for one", "π times", "E/(1 − ν²) for E"} <= offered
-    assert set(numbers(inputs)) <= set(type(inputs).model_fields)
-    assert all(half > 0 for half in printed_rounding(inputs).values())
-
-
 def test_the_command_finds_a_diameter_put_in_for_a_radius(tmp_path, capsys):
     lame = CASES[0]
     q = lame.inputs()
     wrong = lame.analytic(q.model_copy(update={"r_o": 2 * q.r_o}))["hoop_bore"] / 1e6
     command = ["search", "ring-lame", "--key", "hoop_bore", "--printed", f"{wrong:.2f}"]
     assert run([*command, "--changes", "1"]) == 0
-    told = capsys.readouterr().out
-    assert "2 r_o for r_o" in told
-    assert "expected by chance: " in told
+    printed = capsys.readouterr().out
+    assert "2 r_o for r_o" in printed
+    assert "expected by chance: " in printed
     assert run([*command, "--changes", "1", "--json"]) == 0
     record = json.loads(capsys.readouterr().out)
     hits = [hit["readings"] for hit in record["hits"]]
@@ -296,31 +203,20 @@ def test_the_command_ends_with_one_where_nothing_is_found(capsys):
 
 
 @pytest.mark.parametrize(
-    ("words", "said"),
+    ("words", "line"),
     [
         (["nowhere"], "unknown case"),
         (["foo:bar"], "no printed number"),
-        (["huang2018:table1-i-1"], "an inertia in no equation"),
         (["ring-lame"], "needs --key"),
         (["ring-lame", "--key", "x", "--printed", "1"], "--key x: ring-lame has"),
-        (["ring-lame", "--key", "hoop_bore"], "--printed needs a number"),
         (["ring-lame", "--key", "hoop_bore", "--printed", "0"], "other than zero"),
         (["ring-lame", "--key", "hoop_bore", "--printed", "1", "--unit", "mm"], "is in MPa"),
-        (["ring-lame", "--key", "hoop_bore", "--printed", "1", "--file", "no.toml"],
-         "no.toml"),
         (["ring-lame/no row"], "has no row"),
         (["wang2023:k1-theory", "--changes", "9"], "--changes is 1 to 3"),
     ],
 )  # fmt: skip
-def test_wrong_words_are_one_line_and_two(words, said, capsys):
+def test_wrong_words_are_one_line_and_two(words, line, capsys):
     assert run(["search", *words]) == 2
-    told = capsys.readouterr()
-    assert said in told.err
-    assert told.err.count("\n") == 1
-    assert told.out == ""
-
-
-def test_switching_names_what_it_changes():
-    reading = switched("end", "free end", end="free")
-    assert reading.inputs({}) == {"end": "free"}
-    assert reading.of == "end"
+    out, err = capsys.readouterr()
+    assert line in err
+    assert (out, err.count("\n")) == ("", 1)

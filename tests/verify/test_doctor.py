@@ -1,85 +1,79 @@
-"""The command `doctor`: what is there, what is missing, what to do about it."""
+"""What the machine lacks is named with the packages that bring it, by `doctor` and where needed."""
 
-import json
+import os
 import signal
+import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 
 from verify.app import doctor
 from verify.app.cli import run
-from verify.app.doctor import MISSING, OK, OPTIONAL, Finding
-from verify.app.installed import PIN, installed, mismatches
+from verify.app.doctor import MISSING, OK, OPTIONAL
+from verify.app.installed import installed, mismatches
 from verify.core import environment
+from verify.core.environment import NEWEST, OLDEST, PICTURES
 from verify.studies.crosscheck import solvers
+
+LOST = "libGLU.so.1: cannot open shared object file: No such file or directory"
 
 
 @pytest.fixture
 def quick(monkeypatch):
-    """Every process that is tried ends well, unless a test says otherwise."""
+    """A machine of Linux on which every process that is tried ends well, but for its answers."""
     answers = {}
+    monkeypatch.setattr(sys, "platform", "linux")
     monkeypatch.setattr(
         environment, "probe", lambda script, _s: next(
-            (said for part, said in answers.items() if part in script), ""
+            (answer for part, answer in answers.items() if part in script), ""
         ),
     )  # fmt: skip
     return answers
 
 
+def without(monkeypatch, *libraries):
+    monkeypatch.setattr(environment, "loads", lambda library: library not in libraries)
+
+
+def diagnosis(capsys):
+    """Exit status and lines of `doctor`."""
+    status = run(["doctor"])
+    return status, capsys.readouterr().out.splitlines()
+
+
 def test_a_machine_that_runs_these_tests_can_run_verify(capsys):
-    assert run(["doctor"]) == 0
-    out = capsys.readouterr().out.splitlines()
-    assert {line.split()[0] for line in out[:-1]} <= {OK, OPTIONAL, MISSING}
-    assert any("gmsh makes meshes" in line and line.startswith(OK) for line in out)
-
-
-def test_json_says_the_same(quick, capsys):
-    assert run(["doctor", "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
-    assert found["ok"] is True
-    assert {"Python", "lock", "gmsh makes meshes", "cache"} <= {
-        f["what"] for f in found["findings"]
-    }
+    status, lines = diagnosis(capsys)
+    assert status == 0
+    assert {line.split()[0] for line in lines[:-1]} <= {OK, OPTIONAL, MISSING}
+    assert any("gmsh makes meshes" in line and line.startswith(OK) for line in lines)
 
 
 def test_a_lost_library_ends_with_the_line_that_installs_it(quick, monkeypatch, capsys):
-    monkeypatch.setattr(sys, "platform", "linux")
-    monkeypatch.setattr(environment, "loads", lambda library: library != "libGLU.so.1")
-    quick["gmsh"] = "OSError: libGLU.so.1: cannot open shared object file"
-    assert run(["doctor"]) == 2
-    out = capsys.readouterr().out.splitlines()
-    assert out[-1] == "verify cannot run: apt-get install libglu1-mesa"
-    assert any(line.startswith("missing") and "libGLU.so.1" in line for line in out)
+    without(monkeypatch, "libGLU.so.1")
+    quick["gmsh"] = f"OSError: {LOST}"
+    status, lines = diagnosis(capsys)
+    assert (status, lines[-1]) == (2, "verify cannot run: apt-get install libglu1-mesa")
+    assert any(line.startswith("missing") and "libGLU.so.1" in line for line in lines)
 
 
 def test_without_pictures_verify_still_runs(quick, monkeypatch, capsys):
-    monkeypatch.setattr(sys, "platform", "linux")
-    monkeypatch.setattr(environment, "loads", lambda library: library != "libEGL.so.1")
+    without(monkeypatch, "libEGL.so.1", "libGL.so.1")
     quick["pyvista"] = f"killed by {signal.SIGSEGV.name}"
-    assert run(["doctor"]) == 0
-    out = capsys.readouterr().out.splitlines()
-    assert out[-1] == "verify runs, with less: apt-get install libegl1"
+    status, lines = diagnosis(capsys)
+    assert status == 0
+    assert lines[-1].startswith("verify runs, with less: apt-get install libgl1 libegl1")
+    assert environment.missing_libraries(PICTURES) == ("libEGL.so.1", "libGL.so.1")
+    problem = environment.missing_for_pictures()
+    assert problem.startswith("pyvista cannot draw off-screen (killed by SIGSEGV); ")
+    assert problem.endswith("missing libEGL.so.1, libGL.so.1: apt-get install libgl1 libegl1")
 
 
-def test_a_broken_pdf_writer_is_named(quick, capsys):
-    quick["typst"] = "ModuleNotFoundError: No module named 'typst'"
-    assert run(["doctor"]) == 0
-    assert capsys.readouterr().out.splitlines()[-1].endswith("No module named 'typst'")
-
-
-def test_a_missing_package_stops_a_run(quick, monkeypatch, capsys):
-    monkeypatch.setattr(doctor, "SOLVING", (*doctor.SOLVING, "no_such_package"))
-    assert run(["doctor"]) == 2
-    assert "missing no_such_package: make .venv/.ready" in capsys.readouterr().out
-
-
-def test_a_cache_that_cannot_be_written_is_told(quick, monkeypatch, tmp_path, capsys):
-    blocked = tmp_path / "file"
-    blocked.write_text("")
-    monkeypatch.setenv("FREEWHEEL_CACHE", str(blocked / "cache"))
-    assert run(["doctor"]) == 0
-    assert "every run solves anew" in capsys.readouterr().out
+def test_a_cache_that_cannot_be_written_is_named(quick, monkeypatch, tmp_path, capsys):
+    (tmp_path / "file").write_text("")
+    monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path / "file" / "cache"))
+    status, lines = diagnosis(capsys)
+    assert status == 0
+    assert "every run solves anew" in "\n".join(lines)
 
 
 def test_second_solvers_are_optional(quick, monkeypatch, tmp_path, capsys):
@@ -87,24 +81,12 @@ def test_second_solvers_are_optional(quick, monkeypatch, tmp_path, capsys):
     monkeypatch.setattr(doctor.shutil, "which", lambda _program: None)
     monkeypatch.setenv("FREEWHEEL_CROSSCHECK", str(tmp_path / "python"))
     monkeypatch.setattr(solvers, "OWN", tmp_path)
-    assert run(["doctor"]) == 0
-    lines = [x for x in capsys.readouterr().out.splitlines() if x.startswith(OPTIONAL)]
-    assert [x.split()[1] for x in lines] == ["calculix", "tamaas", "ROSS", "chromium"]
-    assert all("not installed" in x for x in lines)
-    assert "no ccx among the programs" in lines[0]
-    assert all(x.endswith("make crosscheck installs it") for x in lines[1:3])
+    status, lines = diagnosis(capsys)
+    optional = [x for x in lines if x.startswith(OPTIONAL)]
+    assert status == 0
+    assert [x.split()[1] for x in optional] == ["calculix", "tamaas", "ROSS", "chromium"]
+    assert all("not installed" in x for x in optional)
     solvers.solver.cache_clear()
-
-
-def test_second_solvers_are_those_of_their_own_environment(quick, monkeypatch, capsys):
-    python = Path("/somewhere/.venv-crosscheck/bin/python")
-    monkeypatch.setattr(solvers, "solver", lambda name: solvers.Solver(name, "1.2.3"))
-    monkeypatch.setattr(solvers, "interpreter", lambda: python)
-    assert run(["doctor", "--json"]) == 0
-    found = {f["what"]: f for f in json.loads(capsys.readouterr().out)["findings"]}
-    assert [found[name]["state"] for name in ("calculix", "tamaas", "ROSS")] == [OK] * 3
-    assert found["ROSS"]["detail"] == f"1.2.3, {python}"
-    assert str(python) not in found["calculix"]["detail"]
 
 
 def test_versions_that_are_not_the_locked_ones_are_named():
@@ -122,15 +104,46 @@ def test_versions_that_are_not_the_locked_ones_are_named():
     ]
 
 
-def test_every_pin_of_the_lock_is_read():
-    lock = (doctor.ROOT / "requirements.txt").read_text("utf-8")
-    pins = [line for line in lock.splitlines() if line[:1].isalnum()]
-    assert len(PIN.findall(lock)) == len(pins) > 50
+@pytest.mark.parametrize("version", [(3, 10, 13), (NEWEST[0], NEWEST[1] + 1, 0)])
+def test_an_older_or_newer_python_is_refused_in_one_line(version, monkeypatch):
+    assert environment.python_problem(OLDEST) == environment.python_problem((*NEWEST, 7)) == ""
+    monkeypatch.setattr(environment.shutil, "which", lambda name: name == "python3.12")
+    assert environment.python_problem(version) == (
+        f"needs Python 3.11 to 3.14, this is {version[0]}.{version[1]}: make PYTHON=python3.12"
+    )
+    monkeypatch.setattr(environment.shutil, "which", lambda name: None)
+    assert environment.python_problem(version).endswith(": set PYTHON")
 
 
 @pytest.mark.parametrize(
-    ("fatal", "word"), [(True, "verify cannot run"), (False, "verify runs, with less")]
+    ("script", "answer"),
+    [
+        ("raise SystemExit(3)", "exit status 3"),
+        ("import os; os.kill(os.getpid(), 11)", "killed by SIGSEGV"),
+        ("import time; time.sleep(60)", "no answer within 1 s"),
+    ],
 )
-def test_the_last_line_says_whether_verify_can_run(fatal, word):
-    found = [Finding("a", OK, ""), Finding("b", MISSING, "no b", fatal), Finding("c", OPTIONAL, "")]
-    assert doctor.conclusion(found) == f"{word}: no b"
+def test_what_may_crash_is_tried_in_a_process_of_its_own(script, answer):
+    assert environment.probe(script, 1.0 if "sleep" in script else 30.0) == answer
+
+
+@pytest.mark.parametrize(
+    ("options", "status", "line"),
+    [
+        ((), 0, ""),
+        (("--fem", "--no-cache"), 2, "freewheel: gmsh, which makes the meshes, needs libGLU.so.1: "
+                                     "apt-get install libglu1-mesa\n"),
+    ],
+    ids=["formulas", "finite elements"],
+)  # fmt: skip
+def test_without_gmsh_s_libraries_finite_elements_name_the_package(options, status, line, tmp_path):
+    (tmp_path / "gmsh.py").write_text(f"raise OSError({LOST!r})")
+    (tmp_path / "pyvista.py").write_text("import os\nos.kill(os.getpid(), 11)")
+    path = tmp_path / "ring.toml"
+    assert run(["init", "ring-lame", "--out", str(path)]) == 0
+    done = subprocess.run(
+        [sys.executable, "-m", "verify", "check", *options, str(path)],
+        env=os.environ | {"PYTHONPATH": os.pathsep.join([str(tmp_path), *sys.path])},
+        capture_output=True, text=True, check=False, timeout=300,
+    )  # fmt: skip
+    assert (done.returncode, done.stderr) == (status, line)

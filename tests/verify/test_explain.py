@@ -1,7 +1,5 @@
 """The command `explain`: finding the row, and what is printed."""
 
-import json
-
 import pytest
 
 from verify.app.cli import run
@@ -30,13 +28,9 @@ nu = 0.3
     ("wanted", "found"),
     [
         ("ring-a/bore displacement, plane stress", 0),
-        ("bore displacement, plane stress", 0),
         ("Bore Displacement plane STRESS", 0),
         ("stress bore", 0),
-        ("strain", 2),
-        ("strain convergence", 3),
         ("bore displacement, plane stress: convergence", 1),
-        ("order", 4),
     ],
 )
 def test_a_row_is_named_by_its_id_a_part_of_it_or_words(wanted, found):
@@ -58,11 +52,6 @@ def test_a_name_of_no_row_or_of_several_is_answered_with_names(wanted, message):
     assert message in str(raised.value)
 
 
-def test_many_matches_are_cut_short():
-    with pytest.raises(InputError, match="and 88 more"):
-        find_row("row", [f"ring-a/row {n}" for n in range(100)])
-
-
 def test_a_row_is_explained_from_levels_to_verdict(capsys):
     assert run(["explain", "ring-lame/bore displacement, plane stress"]) == 0
     out = capsys.readouterr().out.splitlines()
@@ -73,12 +62,6 @@ def test_a_row_is_explained_from_levels_to_verdict(capsys):
     assert out[-1].endswith("PASS")
 
 
-def test_a_printed_number_is_explained_by_its_last_digit(capsys):
-    assert run(["explain", "stiffness", "by", "Eqs."]) == 0
-    out = capsys.readouterr().out
-    assert "half the last printed digit/√3 = 0.0005/√3 = 0.0002887 N/mm" in out
-
-
 def test_a_parameter_file_is_explained_on_its_own_numbers(tmp_path, capsys):
     path = tmp_path / "ring.toml"
     path.write_text(RING)
@@ -87,13 +70,6 @@ def test_a_parameter_file_is_explained_on_its_own_numbers(tmp_path, capsys):
     assert run(["explain", "order of the displacement in L2", str(path)]) == 2
     err = capsys.readouterr().err  # orders are of the elements, on the paper's inputs alone
     assert err.startswith(f"freewheel: no row with {path} matches")
-
-
-def test_json_holds_the_row_and_its_steps(capsys):
-    assert run(["explain", "ring-lame/balance of forces, plane stress", "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
-    assert found["row"]["status"] == "PASS"
-    assert found["steps"][-1] == {"label": "verdict", "text": "PASS"}
 
 
 def test_a_red_row_is_explained_and_makes_the_exit_status_one(monkeypatch, capsys):
@@ -108,10 +84,8 @@ def test_a_red_row_is_explained_and_makes_the_exit_status_one(monkeypatch, capsy
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["explain"], "explain needs a row"),
         (["explain", "displacement"], "rows match 'displacement'"),
         (["explain", "displacement", "nowhere.toml"], "nowhere.toml: cannot be read"),
-        (["explain", "displacement", "{folder}/"], "is a directory"),
     ],
 )
 def test_bad_lines_end_with_one_line_and_status_two(arguments, message, tmp_path, capsys):

@@ -68,23 +68,14 @@ def test_tables_of_toml_are_entries():
     ("change", "message"),
     [
         ({"posts": [POST, {"at": 31, "k": "1 N/mm"}]}, "inputs.posts[2].at = 31: must be at most"),
-        ({"posts": [{"at": 2, "k": "-1 N/mm"}]},
-         "inputs.posts[1].k = -1 N/mm: must be greater than 0 N/mm"),
         ({"posts": [POST, {"at": 3, "k": 5.0}]}, "inputs.posts[2].k: 5.0 has no unit: needs a"),
-        ({"posts": [POST, {"at": 3, "k": "5 mm"}]}, 'inputs.posts[2].k: "5 mm" is not a stiffness'),
         ({"posts": [POST, {"at": 3}]}, "inputs.posts[2]: missing k"),
         ({"posts": [POST | {"high": 3}]}, "inputs.posts[1].high: unknown key; known are at, k, c"),
-        ({"posts": [POST | {"at": "two"}]}, "inputs.posts[1].at: needs a whole number, got 'two'"),
         ({"posts": [POST | {"kind": ""}]}, "inputs.posts[1].kind: needs a printable text, got ''"),
-        ({"posts": [POST | {"kind": 3}]}, "inputs.posts[1].kind: needs a printable text, got 3"),
-        ({"posts": [POST | {"kind": "x" * 130}]}, "inputs.posts[1].kind: needs at most 120 char"),
         ({"posts": [POST | {"play": "2 m"}]}, "inputs.posts[1]: play = 2000 mm: the post falls"),
         ({"posts": [POST, POST]}, "inputs.posts[2].at = 2: a post is there already"),
         ({"posts": POST}, "inputs.posts: needs tables [[inputs.posts]], got {'at': 2"),
-        ({"posts": [3]}, "inputs.posts: needs tables [[inputs.posts]], got [3]"),
-        ({"posts": "none"}, "inputs.posts: needs tables [[inputs.posts]], got 'none'"),
         ({"posts": [POST] * 1001}, "inputs.posts: has 1001 entries, at most 1000"),
-        ({"length": [POST]}, "inputs.length: needs a length, got [{"),
     ],
 )  # fmt: skip
 def test_a_fault_names_table_entry_and_key(change, message):
@@ -92,11 +83,6 @@ def test_a_fault_names_table_entry_and_key(change, message):
         build(Fence, GOOD | change, "f.toml")
     assert str(found.value).startswith(f"f.toml: {message}")
     assert "\n" not in str(found.value)
-
-
-def test_a_table_that_is_required_is_missed():
-    with pytest.raises(InputError, match=r"inputs: missing posts"):
-        build(Fence, {"length": "2 m"}, "f.toml")
 
 
 def test_a_report_shows_an_entry_in_a_line_without_what_was_left_out():

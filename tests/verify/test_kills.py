@@ -18,7 +18,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.verify.sweep_files import RING
+from tests.verify.sweep_made import RING
 from tests.verify.test_design_sprag_command import NARROW, task
 from verify.core.store import FILE
 from verify.jobs.cache import default_folder
@@ -151,16 +151,3 @@ def test_kills_lose_nothing(name, tmp_path):
     copy.run()
     assert stored.items() <= copy.entries().items()
     assert copy.result() == right.result()
-
-
-@pytest.mark.parametrize("name", ["levels", "sweep", "crowns"])
-def test_two_runs_at_once_agree(name, tmp_path):
-    study = STUDIES[name]
-    right, both = Copy(tmp_path / "right", study), Copy(tmp_path / "both", study)
-    right.run()
-    runs = [both.start() for _ in range(2)]
-    for process in runs:
-        _, err = process.communicate(timeout=1800)
-        assert (process.returncode, "Traceback" in err) == (0, False)
-    assert both.entries().keys() == right.entries().keys()
-    assert both.result() == right.result()

@@ -8,7 +8,7 @@ import pytest
 from pydantic import ValidationError, model_validator
 
 from verify.app.cli import run
-from verify.audit.portable import command, effective, reasons, runner
+from verify.audit.portable import command, reasons, runner
 from verify.audit.portable.compare import Kind
 from verify.audit.portable.moving import Record
 from verify.audit.portable.perturbation import SIZE, Outcome, perturb_defaults, perturbed
@@ -96,40 +96,12 @@ def test_a_number_that_a_rule_fixes_stays_and_is_named():
     assert [part.ratio == 1.0 for part in model().parts] == [True, False]
 
 
-def test_a_default_at_its_bound_stays_and_is_named():
-    """Seed 1 lowers E, another one raises it."""
-    for seed in range(1, 20):
-        model = sample(strict=True)
-        (outcome,) = perturb_defaults([model], seed).values()
-        assert not outcome.rejected
-        assert (model().E == 210e9) == (outcome.fixed == ("E",))
-        if outcome.fixed:
-            return
-    raise AssertionError("no seed raises E")
-
-
-def test_inputs_that_a_rule_rejects_as_a_whole_stay_and_say_why():
-    class Equal(Inputs):
-        a: float = quantity(1.0, "1", "a", "side")
-        b: float = quantity(1.0, "1", "b", "side")
-
-        @model_validator(mode="after")
-        def _equal(self):
-            if self.a != self.b:
-                raise ValueError("a and b are equal")
-            return self
-
-    (outcome,) = perturb_defaults([Equal], seed=1).values()
-    assert outcome.rejected == "inputs: a and b are equal"
-    assert Equal().a == 1.0
-
-
-@pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
-def test_every_case_takes_perturbed_inputs(case):
-    fixed = ("shafts[1].ratio",) if case.id == "rotor-system" else ()
-    for seed in range(1, 11):
-        found = case.inputs.model_validate(perturbed(case.inputs(), seed, fixed))
-        assert found != case.inputs()
+def test_every_case_accepts_perturbed_inputs():
+    for case in CASES:
+        fixed = ("shafts[1].ratio",) if case.id == "rotor-system" else ()
+        for seed in range(1, 4):
+            found = case.inputs.model_validate(perturbed(case.inputs(), seed, fixed))
+            assert found != case.inputs(), case.id
 
 
 def probe(environment):
@@ -155,39 +127,6 @@ def test_machines_that_are_no_others_or_that_the_processor_is_not_are_not_emulat
         "core-zen": "the same is in effect as in baseline",
         "core-skylakex": "the processor lacks avx512vl",
     }
-
-
-def test_a_variable_that_the_environment_fixes_is_respected():
-    found = machines(candidates(FOUND, seeds=0), probe, FLAGS, {CORE_TYPE: "Nehalem"})
-    assert found.effective[BASELINE]["blas"] == "Nehalem"
-    assert found.not_emulated["core-prescott"] == "the environment fixes OPENBLAS_CORETYPE=Nehalem"
-
-
-def test_a_process_that_refuses_the_environment_is_named():
-    def broken(environment):
-        if "NPY_DISABLE_CPU_FEATURES" in environment:
-            raise OSError("cannot disable")
-        return probe(environment)
-
-    found = machines(candidates(FOUND, seeds=0), broken, frozenset(), {})
-    assert found.not_emulated["numpy-baseline"] == "cannot disable"
-    unknown = "the instruction sets of the processor are unknown"
-    assert found.not_emulated["core-haswell"] == unknown
-    empty = machines(candidates([], seeds=0), probe, FLAGS, {})
-    assert "no instruction set" in empty.not_emulated["numpy-baseline"]
-
-
-def test_what_is_in_effect_is_read_from_the_libraries_of_the_process(monkeypatch):
-    flags = effective.processor_flags()
-    if "sse4_2" not in flags:
-        pytest.skip("no processor on which OpenBLAS has kernels of Nehalem")
-    monkeypatch.delenv(CORE_TYPE, raising=False)
-    variant = Variant("v", "", {CORE_TYPE: "Nehalem"})
-    found = effective.probe(variant.applied({**os.environ}))
-    assert set(found["blas"].values()) == {"Nehalem"}
-    assert set(found["threads"].values()) == {1}
-    with pytest.raises(OSError, match="X86_V2"):  # which numpy cannot do without
-        effective.probe({**os.environ, "NPY_DISABLE_CPU_FEATURES": "X86_V2 SSE2"})
 
 
 ROW = Record(id="ring/bore", kind="exact", status="PASS", difference=0.0, tolerance=1.0, scale=1.0)
@@ -237,13 +176,6 @@ def test_a_reason_makes_a_move_portable_and_one_that_explains_nothing_is_named(t
     assert [d.kind for d in summary_of(tmp_path, not_a_number).differences] == [Kind.VALUE]
 
 
-def test_another_tolerance_is_told_as_such(tmp_path):
-    loose = summary_of(tmp_path, with_changes(tolerance=1e9))
-    assert not loose.is_portable
-    said = "value: ring/bore has another tolerance without a reason in there"
-    assert said in "\n".join(command.lines(loose))
-
-
 def test_a_process_that_ends_badly_is_named_with_its_last_line(tmp_path):
     work = runner.Work(place=Place(Store(tmp_path), "v", "key"), folder=tmp_path,
                        environment={**os.environ}, cases=("nocase",))  # fmt: skip
@@ -256,9 +188,7 @@ def test_a_process_that_ends_badly_is_named_with_its_last_line(tmp_path):
     ("arguments", "words"),
     [
         (["--only", "core-z80"], "--only core-z80: no such machine; known are baseline"),
-        (["no-case"], "unknown case 'no-case'"),
         (["--seeds", "-1"], "--seeds is 0 to 1000, got -1"),
-        (["--jobs", "-1"], "--jobs is 0"),
     ],
 )
 def test_wrong_arguments_are_refused_in_one_line(arguments, words, capsys):

@@ -6,6 +6,7 @@ import json
 import os
 import random
 import re
+import shutil
 import signal
 import sqlite3
 import subprocess
@@ -18,13 +19,10 @@ from pathlib import Path
 
 import pytest
 
-from verify.app.up_to_date import STAMP
+from verify.app.cli import run
 from verify.core.store import FILE, Store, unpacked
 
-pytestmark = pytest.mark.xdist_group("survival")  # they share the undisturbed run
-EXAMPLE = Path(__file__).parents[2] / "examples" / "winkler_bach.py"  # few equations to draw
-KILLS = 20
-FEW_KILLS = 3
+KILLS, FEW_KILLS = 20, 2
 RING_LEVELS = 4
 REPORT = re.compile(
     r"\.up-to-date\.json|report\.(html|pdf)"
@@ -39,19 +37,25 @@ class Place:
     def __init__(self, base: Path):
         self.out, self.cache = base / "out", base / "cache" / "fem"
 
-    def start(self, *more, case="ring-lame", **options):
-        command = [sys.executable, "-m", "verify", "verify", case, "--out", str(self.out), *more]
+    def start(self, jobs):
+        command = [sys.executable, "-m", "verify", "verify", "ring-lame", "--out", str(self.out),
+                   "--jobs", jobs]  # fmt: skip
         return subprocess.Popen(
-            command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-            env=os.environ | {"FREEWHEEL_CACHE": str(self.cache)}, start_new_session=True,
-            **options,
-        )  # fmt: skip
+            command,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            env=os.environ | {"FREEWHEEL_CACHE": str(self.cache)},
+            start_new_session=True,
+        )
 
-    def run(self, *more, **options):
-        """Exit status, stdout and stderr of a run that nothing disturbs."""
-        process = self.start(*more, **options)
-        out, err = process.communicate(timeout=120)
-        return process.returncode, out, err
+    def run(self, jobs):
+        """A run that nothing disturbs: the levels that it wrote, and what it says."""
+        process = self.start(jobs)
+        _, err = process.communicate(timeout=600)
+        assert process.returncode == 0, err
+        self.assert_whole()
+        assert self.left_over() == []
 
     def stored(self):
         """Stored levels with the time of their writing."""
@@ -156,15 +160,11 @@ def is_worker(pid):
 
 @pytest.fixture(scope="module")
 def undisturbed(tmp_path_factory, with_equations):
-    """A run that nobody disturbed, and how long another takes that finds all in the cache [s]."""
+    """A run that nobody disturbed, and how long it took [s]."""
     place = Place(tmp_path_factory.mktemp("undisturbed"))
     with_equations(place.cache)
-    for _ in range(2):
-        start = time.monotonic()
-        status, _, err = place.run("--jobs", "2")
-        assert status == 0, err
-        place.assert_whole()
-        (place.out / STAMP).unlink()  # the second run makes its report, too
+    start = time.monotonic()
+    place.run("2")
     return place, time.monotonic() - start
 
 
@@ -174,9 +174,9 @@ def test_kills_lose_and_tear_nothing(kills, place, undisturbed):
     """Seeded moments, from the first levels in an empty cache to the last file of the report."""
     right, seconds = undisturbed
     moments = random.Random(20)
-    kept = {}
+    stored = {}
     for kill in range(kills):
-        process = place.start("--jobs", "1" if kill % 4 == 3 else "2")
+        process = place.start("1" if kill % 4 == 3 else "2")
         try:
             process.wait(moments.uniform(0.1, 1.05 * seconds))
         except subprocess.TimeoutExpired:
@@ -185,21 +185,21 @@ def test_kills_lose_and_tear_nothing(kills, place, undisturbed):
         assert all_gone(process.pid)
         place.assert_whole()
         now = place.stored()
-        assert kept.items() <= now.items()  # what was stored is never written anew
-        kept = now
-    status, _, err = place.run("--jobs", "2")
-    assert status == 0, err
-    place.assert_whole()
-    assert place.left_over() == []
-    assert kept.items() <= place.stored().items()
+        assert stored.items() <= now.items()  # what was stored is never written again
+        stored = now
+    place.run("2")
+    assert stored.items() <= place.stored().items()
     assert len(place.stored()) == RING_LEVELS
     assert place.results() == right.results()
 
 
-@pytest.mark.parametrize("jobs", ["1", "2"])
-@pytest.mark.parametrize("stop", [signal.SIGINT, signal.SIGTERM], ids=["ctrl-c", "sigterm"])
+@pytest.mark.parametrize(
+    ("stop", "jobs"),
+    [(signal.SIGINT, "2"), pytest.param(signal.SIGTERM, "1", marks=pytest.mark.soak)],
+    ids=["ctrl-c", "sigterm"],
+)
 def test_a_stopped_run_ends_at_once_with_one_line(stop, jobs, place):
-    process = place.start("--jobs", jobs)
+    process = place.start(jobs)
     workers_of(process, int(jobs))
     time.sleep(0.1 * int(jobs))
     start = time.monotonic()
@@ -217,61 +217,39 @@ def test_a_stopped_run_ends_at_once_with_one_line(stop, jobs, place):
 
 @pytest.mark.soak  # a whole run; test_sweep_survival kills a worker in every run
 def test_a_worker_that_is_killed_once_costs_nothing(place, undisturbed):
-    process = place.start("--jobs", "2")
+    process = place.start("2")
     os.kill(workers_of(process, 2)[0], signal.SIGKILL)
-    _, err = process.communicate(timeout=120)
+    _, err = process.communicate(timeout=600)
     assert process.returncode == 0, err
     assert place.results() == undisturbed[0].results()
 
 
 @pytest.mark.soak  # two whole runs
 def test_two_runs_at_once_with_one_cache_and_one_folder_agree(place, undisturbed):
-    both = [place.start("--jobs", "1") for _ in range(2)]
+    both = [place.start("1") for _ in range(2)]
     for process in both:
-        _, err = process.communicate(timeout=120)
+        _, err = process.communicate(timeout=600)
         assert process.returncode == 0, err
     place.assert_whole()
     assert place.left_over() == []
     assert place.results() == undisturbed[0].results()
 
 
-def test_torn_entries_are_solved_again_and_what_the_dead_left_goes(place, undisturbed):
-    entries = Store(undisturbed[0].cache).all("level", "ring-lame")
-    whole, torn, empty = sorted(entries, key=lambda key: -len(entries[key]))[-3:]
-    entries |= {torn: entries[torn][:-10], empty: b""}
-    Store(place.cache).store("level", "ring-lame", entries)
-    (place.out / ".part-dead").mkdir(parents=True)
-    (place.out / ".part-dead" / "rows.csv").write_bytes(b"half")
+def test_torn_entries_are_solved_again_and_the_files_of_a_killed_run_go(
+    undisturbed, tmp_path, monkeypatch
+):
+    right = undisturbed[0]
+    entries = Store(right.cache).all("level", "ring-lame")
+    _, torn, empty = sorted(entries, key=lambda key: -len(entries[key]))[-3:]
+    place = Place(tmp_path)
+    monkeypatch.setenv("FREEWHEEL_CACHE", str(place.cache))
+    shutil.copytree(right.cache, place.cache)
+    Store(place.cache).store("level", "ring-lame", {torn: entries[torn][:-10], empty: b""})
+    (place.out / ".part-killed").mkdir(parents=True)
+    (place.out / ".part-killed" / "rows.csv").write_bytes(b"half")
     before = place.stored()
-    status, _, err = place.run("--jobs", "1")
-    assert status == 0, err
+    assert run(["verify", "ring-lame", "--jobs", "1", "--out", str(place.out)]) == 0
     now = place.stored()
     assert {key for key in now if before[key] != now[key]} == {torn, empty}
-    assert whole in now
     assert place.left_over() == []
-    place.assert_whole()
-    assert place.results() == undisturbed[0].results()
-
-
-def test_files_of_an_earlier_version_are_moved_into_the_store(place, undisturbed):
-    """They were files named by the same keys; nothing is solved again, and one line says so."""
-    entries = Store(undisturbed[0].cache).all("level", "ring-lame")
-    folder = place.cache / "ring-lame"
-    folder.mkdir(parents=True)
-    for key, content in entries.items():
-        (folder / f"{key}.npz").write_bytes(content)
-    (folder / ".part-dead").write_bytes(b"half")
-    status, _, err = place.run()
-    assert status == 0, err
-    file = place.cache / FILE
-    assert f"freewheel: {RING_LEVELS} results of an earlier version were moved into {file}" in err
-    assert Store(place.cache).all("level", "ring-lame") == entries
-    assert not folder.exists()
-    assert place.results() == undisturbed[0].results()
-
-
-def test_without_the_cache_none_is_made(tmp_path):
-    place = Place(tmp_path)
-    status, _, err = place.run("--no-cache", case=str(EXAMPLE))
-    assert status == 0, err
-    assert not place.cache.parent.exists()
+    assert place.results() == right.results()

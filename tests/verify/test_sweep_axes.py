@@ -31,54 +31,28 @@ def values(text, inputs=None):
     ("text", "expected"),
     [
         ("n=3:12:4", (3, 6, 9, 12)),
-        ("a=2mm:6mm:3", (2e-3, 4e-3, 6e-3)),
         ("a=2:6mm:3", (2e-3, 4e-3, 6e-3)),  # the last one's unit
-        ("a=6mm:2mm:3", (2e-3, 4e-3, 6e-3)),  # always rising
         ("a=0.1mm:10mm:3:log", (1e-4, 1e-3, 1e-2)),
-        ("n=1:8:4:log", (1, 2, 4, 8)),
-        ("a=6mm,1cm,3 mm", (3e-3, 6e-3, 1e-2)),
-        ("a=6,3mm", (3e-3, 6e-3)),
-        ("p=-1mm:1mm:3", (-1e-3, 0, 1e-3)),
         ("supports[2].k=1:2kN/m:2", (1e3, 2e3)),
-        (" a = 1mm : 2mm : 2 ", (1e-3, 2e-3)),
     ],
 )
 def test_an_axis_is_read(text, expected):
     assert values(text) == pytest.approx(expected, rel=1e-12)
 
 
-@pytest.mark.parametrize("text", ["a=0.1mm:0.3mm:7", "a=0.1mm:0.3mm:7:log"])
-def test_an_axis_ends_exactly_where_it_is_said_to(text):
-    assert values(text)[::6] == (0.1e-3, pytest.approx(0.3e-3, rel=1e-15))
-
-
 @pytest.mark.parametrize(
     ("text", "said"),
     [
         ("a=1mm:2mm", "needs NAME=a:b:n"),
-        ("a", "needs NAME=a:b:n"),
-        ("a=1mm:2mm:3:lin", "needs NAME=a:b:n"),
         ("a=1mm:2mm:1", "n is a whole number from 2 to 1000, got '1'"),
-        ("a=1mm:2mm:2.5", "got '2.5'"),
-        ("a=1mm:2mm:1001", "got '1001'"),
-        ("a=1:2:3", "has no unit"),
-        ("a=1N:2N:3", "is not a length"),
-        ("a=1mm:nan mm:3", "is not finite"),
         ("a=2mm:2mm:3", "a value appears twice"),
-        ("a=2mm,2mm", "a value appears twice"),
         ("a=-1mm:2mm:3:log", "equal ratios need values above zero"),
-        ("n=3:12:5", "5 values from 3 to 12 are not all whole numbers"),
-        ("n=3.5:12:5", "needs whole numbers, got 3.5"),
         ("=1mm:2mm:2", "the input's name is missing"),
-        ("z=1:2:2", "unknown input z; numbers are a, b, c, n, p, q, h, supports[1].k"),
         ("kind=1:2:2", "kind is a word"),
-        ("supports=1:2:2", "unknown input supports"),
         ("supports[3].k=1:2kN/m:2", "there is no supports[3] in the file"),
-        ("supports[0].k=1:2kN/m:2", "there is no supports[0] in the file"),
-        ("a[1].k=1:2kN/m:2", "there is no a[1] in the file"),
     ],
 )
-def test_what_is_no_axis_is_told_with_its_option(text, said):
+def test_what_is_no_axis_is_refused_with_its_option(text, said):
     with pytest.raises(InputError, match=r"^--vary ") as error:
         values(text)
     assert text in str(error.value)
@@ -97,17 +71,7 @@ def test_an_axis_knows_its_input():
     assert of.shown(0.3e-3) == 0.3  # not 0.29999999999999993
 
 
-@pytest.mark.parametrize(
-    ("text", "off"),
-    [
-        ("b=±0.05mm", 5e-5),
-        ("b=0.05mm", 5e-5),
-        ("b=+-0.05 mm", 5e-5),
-        ("b=+/-50µm", 5e-5),
-        ("b=±5%", 1e-4),
-        ("b=±2.5e0 %", 5e-5),
-    ],
-)
+@pytest.mark.parametrize(("text", "off"), [("b=±0.05mm", 5e-5), ("b=+/-50µm", 5e-5)])
 def test_a_tolerance_is_read(text, off):
     of = tolerance(Shaft(), text)
     assert of.off == pytest.approx(off, rel=1e-12)
@@ -118,23 +82,12 @@ def test_a_tolerance_is_read(text, off):
     ("text", "said"),
     [
         ("n=±1", "n is a whole number and has no tolerance"),
-        ("q=±1mm", "q has no value in the file to be off from"),
         ("b=±0mm", "a tolerance is above zero"),
-        ("b=±-1mm", "a tolerance is above zero"),
-        ("p=±5%", "a tolerance is above zero"),  # of zero
-        ("b=±1", "has no unit"),
-        ("b=", "is not a length"),
-        ("b=±-1%", "a tolerance is above zero, got ±-1%"),
         ("b=±1.2.3%", 'is not a length, such as "1.5 mm", nor a share of b, such as "5 %"'),
-        ("=±1mm", "the input's name is missing"),
-        ("b=±3mm", "reaches inputs.b = -1 mm: must be greater than 0 mm"),
-        ("b=±150%", "reaches inputs.b = -1 mm: must be greater than 0 mm"),
-        ("supports[2].k=±4kN/m", "reaches inputs.supports[2].k = -1000 N/m: must be greater than"),
         ("h=±0.2", "reaches inputs.h = 1.1: must be at most 1"),
-        ("z=±1mm", "unknown input z"),
     ],
 )
-def test_what_is_no_tolerance_is_told_with_its_option(text, said):
+def test_what_is_no_tolerance_is_refused_with_its_option(text, said):
     with pytest.raises(InputError, match=r"^--tolerance ") as error:
         tolerance(Shaft(), text)
     assert said in str(error.value)
@@ -168,18 +121,6 @@ def test_a_star_has_its_middle_once_and_one_input_off_it_elsewhere():
         grid(CASE, "plate", Shaft(), chosen(), ["q=1:2mm:2"], star=True)
 
 
-@pytest.mark.parametrize(
-    ("vary", "said"),
-    [
-        (["a=1:2mm:2", "a=3:4mm:2"], "--vary: a is there twice"),
-        (["a=1:2mm:1000", "b=1:2mm:1000", "c=1:2mm:3"], "3,000,000 points are more than 2,000,000"),
-    ],
-)
-def test_a_grid_of_too_much_is_refused(vary, said):
-    with pytest.raises(InputError, match=said):
-        grid(CASE, "plate", Plate(), chosen(), vary)
-
-
 def test_a_sample_has_two_matrices_and_the_first_with_columns_of_the_second():
     plan = sample(CASE, "plate", Plate(), chosen(), "sobol:16", ["a=±1mm", "b=±5%", "c=±0.1mm"])
     a, b, *mixed = plan.points.reshape(5, 16, 3)
@@ -206,15 +147,10 @@ def test_a_sample_fills_its_tolerances_evenly(count, seed):
     ("count", "tolerances", "said"),
     [
         ("sobol:12", ["a=±1mm"], "N is a power of two from 8"),
-        ("sobol:4", ["a=±1mm"], "N is a power of two from 8"),
         ("sobol", ["a=±1mm"], "--sample is sobol:N"),
-        ("halton:8", ["a=±1mm"], "--sample is sobol:N"),
-        ("sobol:-8", ["a=±1mm"], "--sample is sobol:N"),
-        ("sobol:8", [], "needs a --tolerance"),
         ("sobol:8", ["a=±1mm", "a=±2mm"], "a is there twice"),
-        ("sobol:1048576", ["a=±1mm"], "points are more than"),
     ],
 )
-def test_what_is_no_sample_is_told(count, tolerances, said):
+def test_what_is_no_sample_is_refused(count, tolerances, said):
     with pytest.raises(InputError, match=said):
         sample(CASE, "plate", Plate(), chosen(), count, tolerances)

@@ -9,7 +9,7 @@ from tests.verify.sweep_made import CASE, Plate
 from verify.core.case import FemResult, Portion
 from verify.core.inputs import InputError
 from verify.core.results import Kind
-from verify.judging.checks import Approximation, Exact, Identity
+from verify.judging.checks import Exact, Identity
 from verify.studies.sweep import outcome as outcomes
 from verify.studies.sweep.pairs import Known, compared, pairs, portion, selected, whole
 from verify.studies.sweep.plan import grid
@@ -28,20 +28,19 @@ def case(*checks, **more):
     return replace(CASE, checks=checks, **more)
 
 
-def pair(check):
-    (found,) = pairs(case(check))
-    return found
-
-
-def known(fe, formulas, *, h=H, u_it=None):
-    return Known("made-up-plate", Plate(), formulas, h, {"t": fe}, u_it or {})
+def point(fe, formulas, *, check=None, u_it=None):
+    """What a sweep compares at a point with these values on the levels."""
+    (pair,) = pairs(case(check or identity(formal=2)))
+    h = H[: len(fe)]
+    return compared(pair, Known("made-up-plate", Plate(), formulas, h, {"t": fe}, u_it or {}))
 
 
 def second_order(exact, c):
     return tuple(exact + c * h**2 for h in H)
 
 
-# Rows
+V = second_order(2.0, 0.032)  # finest 2.002, the two before 2.008 and 2.032
+INDEX = 1.25 * 0.006 / 3  # 1.25 · 0.006/(4 - 1), which is two standard uncertainties
 
 
 def test_pairs_are_the_rows_that_compare_values_in_their_order():
@@ -61,17 +60,15 @@ def test_rows_are_chosen_by_parts_of_their_names_or_a_whole_one():
         (("force", "mean"), rows[1:]), (("o",), rows[2:]),
     ):  # fmt: skip
         assert tuple(p.name for p in selected(of, only)) == expected
-    with pytest.raises(InputError, match="--only torque: no row of made-up-plate is called so: K;"):
-        selected(of, ("force", "torque"))
-    with pytest.raises(InputError, match=r"is called so: near it are force$"):
-        selected(of, ("forse",))
-    with pytest.raises(InputError, match=r"is called so: near it are K in the mean$"):
-        selected(of, ("the maen",))
     many = case(*(identity(name=f"row {k}") for k in range(7)))
-    with pytest.raises(InputError, match="called so: row 0; row 1; row 2; row 3; row 4 and 2 more"):
-        selected(many, ("torque",))
-    with pytest.raises(InputError, match="has no row that sets a formula"):
-        selected(case(), ())
+    for some, only, words in (
+        (of, ("force", "torque"), "--only torque: no row of made-up-plate is called so: K;"),
+        (of, ("the maen",), r"is called so: near it are K in the mean$"),
+        (many, ("torque",), "called so: row 0; row 1; row 2; row 3; row 4 and 2 more"),
+        (case(), (), "has no row that sets a formula"),
+    ):
+        with pytest.raises(InputError, match=words):
+            selected(some, only)
 
 
 def test_the_portion_is_the_first_that_gives_all_values_else_the_whole():
@@ -80,68 +77,55 @@ def test_the_portion_is_the_first_that_gives_all_values_else_the_whole():
     of = replace(of, portions=(cheap,), levels=(1, 2, 4, 8))
     assert portion(of, selected(of, ("twist",))) is cheap
     assert portion(of, selected(of, ("force",))) == whole(of)
-    assert whole(of).levels == (1, 2, 4)
-    assert whole(of).keys == ("t", "F")
+    assert (whole(of).levels, whole(of).keys) == ((1, 2, 4), ("t", "F"))
 
 
 # Errors and bars
 
 
 def test_an_error_is_relative_to_the_finest_value_and_its_bar_to_the_order():
-    v = second_order(2.0, 0.032)  # finest 2.002, the two before 2.008 and 2.032
-    found = compared(pair(identity(formal=2)), known(v, {"t": 2.2}))
-    assert (found.formula, found.fe, found.problem) == (2.2, v[-1], "")
+    found = point(V, {"t": 2.2})
+    assert (found.formula, found.fe, found.problem) == (2.2, V[-1], "")
     assert found.error == pytest.approx(2.2 / 2.002 - 1, rel=1e-12)
-    # index 1.25 · 0.006/(4 - 1), which is two standard uncertainties
-    assert pytest.approx(1.25 * 0.006 / 3, rel=1e-9) == found.U
+    assert pytest.approx(INDEX, rel=1e-9) == found.U
     # of 2.2/v - 1: v enters with 2.2/v²
     assert found.U_error == pytest.approx(found.U * 2.2 / 2.002**2, rel=1e-9)
 
 
 def test_a_natural_scale_takes_the_place_of_the_value():
-    v = second_order(0.0, 0.032)
-    found = compared(pair(identity(formal=2, scale="s")), known(v, {"t": 0.01, "s": -0.5}))
+    v, scaled = second_order(0.0, 0.032), identity(formal=2, scale="s")
+    found = point(v, {"t": 0.01, "s": -0.5}, check=scaled)
     assert found.error == pytest.approx((0.01 - 0.002) / 0.5, rel=1e-12)
     assert found.U_error == pytest.approx(found.U / 0.5, rel=1e-12)
-    nothing = compared(pair(identity(formal=2, scale="s")), known(v, {"t": 0.01, "s": 0.0}))
+    nothing = point(v, {"t": 0.01, "s": 0.0}, check=scaled)
     assert nothing.problem == "nothing to relate a difference to"
 
 
 def test_iteration_and_a_truncated_series_widen_the_bar():
-    v = second_order(2.0, 0.032)
-    plain = compared(pair(identity(formal=2)), known(v, {"t": 2.0}))
-    iterated = compared(pair(identity(formal=2)), known(v, {"t": 2.0}, u_it={"t": 1e-5}))
-    assert pytest.approx(2 * math.hypot(plain.U / 2, 1e-5), rel=1e-9) == iterated.U
-    series = compared(
-        pair(identity(formal=2, residual="r")), known(v, {"t": 2.0, "r": 0.001})
-    )  # fmt: skip
-    assert pytest.approx(2 * math.hypot(plain.U / 2, 0.002), rel=1e-9) == series.U
-
-
-def test_a_series_that_grows_apart_counts_while_it_scatters_little():
-    of = pair(identity(formal=2))
-    found = compared(of, known((2.0, 2.0, 2.001), {"t": 2.0}))
-    assert (found.problem, found.U) == ("", pytest.approx(0.003))  # three times the scatter
-    # 3 · 0.01 is more than 1 % of 2
-    assert compared(of, known((2.0, 2.0, 2.01), {"t": 2.0})).problem == "does not converge"
-    assert compared(of, known((2.0, 2.0), {"t": 2.0}, h=H[:2])).problem == "does not converge"
+    iterated = point(V, {"t": 2.0}, u_it={"t": 1e-5})
+    assert pytest.approx(2 * math.hypot(INDEX / 2, 1e-5), rel=1e-9) == iterated.U
+    series = point(V, {"t": 2.0, "r": 0.001}, check=identity(formal=2, residual="r"))
+    assert pytest.approx(2 * math.hypot(INDEX / 2, 0.002), rel=1e-9) == series.U
 
 
 @pytest.mark.parametrize(
     ("fe", "formula", "problem"),
     [
+        ((2.0, 2.0, 2.001), 2.0, ""),  # grows apart, but scatters little
+        ((2.0, 2.0, 2.01), 2.0, "does not converge"),  # 3 · 0.01 is more than 1 % of 2
+        ((2.0, 2.0), 2.0, "does not converge"),
         ((1.0, 1.0, math.nan), 2.0, "finite elements have no finite value"),
-        ((1.0, math.inf, 1.0), 2.0, "finite elements have no finite value"),
         ((), 2.0, "finite elements have no finite value"),
         ((1.0, 1.0, 1.0), math.nan, "the formula has no finite value"),
         ((0.0, 0.0, 0.0), 2.0, "nothing to relate a difference to"),
     ],
 )
 def test_what_cannot_be_compared_says_why(fe, formula, problem):
-    found = compared(pair(identity()), known(fe, {"t": formula}))
+    found = point(fe, {"t": formula})
     assert found.problem == problem
-    assert math.isnan(found.error)
-    assert math.isnan(found.U_error)
+    assert math.isnan(found.error) is math.isnan(found.U_error) is bool(problem)
+    if not problem:
+        assert pytest.approx(0.003) == found.U  # three times the scatter
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -154,39 +138,25 @@ class Doubled(Identity):
 
 
 def test_a_claim_that_derives_values_is_compared_by_them():
-    v = second_order(2.0, 0.032)
-    of = pair(Doubled(name="twice", symbol="φ", unit="deg", analytic="t", fem="t", formal=2))
-    found = compared(of, known(v, {"t": 4.2}))
+    check = Doubled(name="twice", symbol="φ", unit="deg", analytic="t", fem="t", formal=2)
+    found = point(V, {"t": 4.2}, check=check)
     assert found.error == pytest.approx(4.2 / 4.004 - 1, rel=1e-9)
-    assert pytest.approx(2 * 1.25 * 0.006 / 3, rel=1e-9) == found.U
-
-
-def test_an_approximation_asks_for_no_interval():
-    def interval(inputs, values):
-        raise AssertionError
-
-    check = Approximation(name="twist", symbol="φ", unit="deg", analytic="t", fem="t", formal=2,
-                          interval=interval, source="")  # fmt: skip
-    assert compared(pair(check), known(second_order(2.0, 0.032), {"t": 2.2})).error > 0
-
-
-# All points
+    assert pytest.approx(2 * INDEX, rel=1e-9) == found.U
 
 
 def test_an_outcome_has_the_points_in_their_order_with_their_problems():
     plan = grid(CASE, "plate", Plate(), selected(CASE, ("stiffness",)), ["a=1:4mm:4"])
-    v = second_order(2.0, 0.032)
-    of = {"k": v, "s": v}
+    of = {"k": V, "s": V}
+    whys = ("", "refused: no", "level 2: ValueError: no", "formulas: ValueError: no")
     solutions = (
         Solution({"k": 2.0, "s": 1.0}, H, of, {}),
-        Solution({}, (), {}, {}, problem_fe="refused: no"),
-        Solution({"k": 2.0, "s": 1.0}, (), {}, {}, problem_fe="level 2: ValueError: no"),
-        Solution({}, H, of, {}, problem_formulas="formulas: ValueError: no"),
+        Solution({}, (), {}, {}, problem_fe=whys[1]),
+        Solution({"k": 2.0, "s": 1.0}, (), {}, {}, problem_fe=whys[2]),
+        Solution({}, H, of, {}, problem_formulas=whys[3]),
     )
     solved = Solved(plan, whole(CASE), (Plate(),) * 4, solutions, Timing(4, 1.0, 1.0, 1, 0))
     found = outcomes.outcome(solved)
     (course,) = found.courses
-    whys = ("", "refused: no", "level 2: ValueError: no", "formulas: ValueError: no")
     assert course.problems == found.problems == whys
     assert course.error[0] == pytest.approx(2 / 2.002 - 1)
     assert [math.isnan(e) for e in course.error] == [False, True, True, True]

@@ -4,7 +4,6 @@ import csv
 import io
 import json
 
-import jsonschema
 import numpy as np
 import pytest
 
@@ -14,7 +13,7 @@ from verify.studies.sweep import outcome as outcomes
 from verify.studies.sweep import point
 from verify.studies.sweep.plan import grid, sample
 from verify.studies.sweep.records import record
-from verify.studies.sweep.run import Timing, solve
+from verify.studies.sweep.run import solve
 from verify.studies.sweep.tables import (
     largest,
     points_csv,
@@ -91,17 +90,6 @@ def test_numbers_have_ten_digits_and_zero_no_sign():
     ]  # fmt: skip
 
 
-def test_the_table_is_the_same_however_long_it_took_and_whatever_was_known():
-    plan = planned("a=1:4mm:4")
-    of = course(plan, [0.01, 0.02, 0.03, 0.04], 0.001)
-    runs = [
-        outcome(plan, of, timing=timing)
-        for timing in (Timing(4, 2.0, 3.0, 2, 0), Timing(0, 0.0, 0.0, 0, 4))
-    ]
-    assert points_csv(runs[0]) == points_csv(runs[1])
-    assert validity_csv(runs[0]) == validity_csv(runs[1])
-
-
 def test_the_largest_error_is_of_either_sign_and_of_solved_points_alone(three):
     assert [largest(of) for of in three.courses] == [0, 0]
     plan = planned("a=1:3mm:3")
@@ -113,7 +101,7 @@ def test_the_largest_error_is_of_either_sign_and_of_solved_points_alone(three):
 # Regions and indices
 
 
-def test_validity_tells_region_and_break_for_each_row_and_limit():
+def test_validity_has_region_and_break_for_each_row_and_limit():
     plan = planned("a=1:8mm:8", "n=2:3:2")
     a = np.round(plan.points[:, 0] * 1e3)
     lines = read(validity_csv(outcome(plan, course(plan, 0.01 * a, 0.002))))
@@ -130,7 +118,7 @@ def test_validity_tells_region_and_break_for_each_row_and_limit():
     assert (lines[0]["inside"], lines[0]["a to [mm]"]) == ("2", "1")
 
 
-def test_sensitivity_tells_scatter_and_indices_for_each_row_quantity_and_input():
+def test_sensitivity_has_scatter_and_indices_for_each_row_quantity_and_input():
     plan = sampled(256)
     a = (plan.points[:, 0] - 4e-3) / 1e-3
     lines = read(sensitivity_csv(outcome(plan, course(plan, 0.05 + 0.03 * a, 0.001))))
@@ -153,69 +141,6 @@ def test_sensitivity_tells_scatter_and_indices_for_each_row_quantity_and_input()
 
 # JSON
 
-NUMBER = {"type": ["number", "null"]}
-SIDE = {"type": "array", "items": NUMBER}
-
-
-def closed(**properties):
-    return {
-        "type": "object", "properties": properties, "required": list(properties),
-        "additionalProperties": False,
-    }  # fmt: skip
-
-
-def each(what):
-    return {"type": "object", "additionalProperties": what}
-
-
-TEXT, COUNT = {"type": "string"}, {"type": "integer", "minimum": 0}
-TEXTS = {"type": "array", "items": TEXT}
-VERDICT = {"enum": ["inside", "outside", "undecided", "unsolved"]}
-COUNTS = dict.fromkeys(("inside", "outside", "undecided", "unsolved"), COUNT)
-VARIED = closed(name=TEXT, symbol=TEXT, unit=TEXT, what=TEXT, nominal=NUMBER)
-REGION = closed(
-    limit=NUMBER, **COUNTS, held=COUNT, nominal={"type": "boolean"},
-    at_nominal={"anyOf": [VERDICT, {"type": "null"}]},
-    base={"anyOf": [each(NUMBER), {"type": "null"}]},
-    box=each(closed(low=NUMBER, high=NUMBER, whole={"type": "boolean"})),
-    breaks={"anyOf": [{"type": "null"}, closed(
-        input=TEXT, last=NUMBER, first=NUMBER, at=NUMBER, verdict=VERDICT, why=TEXT)]},
-)  # fmt: skip
-ESTIMATE = {"type": "array", "items": NUMBER, "minItems": 3, "maxItems": 3}
-SENSITIVITY = closed(
-    rows=COUNT, dropped=COUNT,
-    scatter=each(closed(
-        n=COUNT, **dict.fromkeys(("mean", "sd", "q025", "q500", "q975", "noise"), NUMBER),
-        why=TEXT, indices=each(closed(S1=ESTIMATE, ST=ESTIMATE)))),
-    within={"type": "array", "items": closed(limit=NUMBER, **COUNTS)},
-)  # fmt: skip
-ROW = dict.fromkeys(("name", "symbol", "unit", "kind", "by"), TEXT) | {
-    **dict.fromkeys(("formula", "fe", "U", "error", "U_error"), SIDE), "problem": TEXTS,
-}  # fmt: skip
-
-
-def schema(kind):
-    """What the docstring of `record` says."""
-    of_axis = {"values": {"type": "array", "items": {"type": "number"}}, "spacing": TEXT}
-    more, judged = (
-        ({"off": {"type": "number"}}, {"sensitivity": SENSITIVITY}) if kind == "sample"
-        else (of_axis, {"validity": {"type": "array", "items": REGION}})
-    )  # fmt: skip
-    varied = closed(**VARIED["properties"], **more)
-    return closed(
-        schema={"const": 1}, name=TEXT, case=TEXT, command=TEXT, inputs={"type": "object"},
-        plan=closed(kind={"const": kind}, points=COUNT, varied={"type": "array", "items": varied},
-                    **({"base": COUNT} if kind == "sample" else {})),
-        points=closed(inputs=each(SIDE), status=TEXTS, reason=TEXTS),
-        counts=closed(solved=COUNT, refused=COUNT, failed=COUNT,
-                      reasons={"type": "array", "items": closed(reason=TEXT, points=COUNT)}),
-        rows={"type": "array", "items": closed(**ROW, **judged), "minItems": 1},
-        solved_by=closed(portion=TEXT, levels={"type": "array", "items": COUNT},
-                         code=closed(formulas=TEXT, fe=TEXT), versions=TEXT),
-        timing=closed(points=COUNT, wall_s=NUMBER, busy_s=NUMBER, workers=COUNT, known=COUNT,
-                      overhead=NUMBER),
-    )  # fmt: skip
-
 
 def as_json(of):
     text = json.dumps(record(of, "freewheel sweep plate.toml"), allow_nan=False)
@@ -224,7 +149,6 @@ def as_json(of):
 
 def test_the_record_of_a_grid_is_as_described(three):
     found = as_json(three)
-    jsonschema.validate(found, schema("grid"))
     assert found["counts"] == {
         "solved": 2, "refused": 1, "failed": 1,
         "reasons": [{"reason": reason, "points": 1} for reason in reasons(three)[1:]],
@@ -236,33 +160,15 @@ def test_the_record_of_a_grid_is_as_described(three):
     assert found["timing"]["overhead"] == 0.25  # 3 s busy of 2 s in two processes
 
 
-def test_the_record_of_a_star_and_its_regions_are_as_described():
-    plan = planned("a=1:8mm:8", "b=1:3mm:3", star=True)
-    a = np.round(plan.points[:, 0] * 1e3)
-    found = as_json(outcome(plan, course(plan, 0.01 * a, 0.002)))
-    jsonschema.validate(found, schema("star"))
-    of = found["rows"][0]["validity"][1]
-    assert of["box"] == {
-        "a": {"low": 1, "high": 4, "whole": False}, "b": {"low": 1, "high": 3, "whole": True}
-    }  # fmt: skip
-    assert of["base"] == {"a": 4, "b": 2}
-    assert of["breaks"] == {
-        "input": "a", "last": 4, "first": 5, "at": pytest.approx(4.8), "verdict": "undecided",
-        "why": "",
-    }  # fmt: skip
-
-
 def test_the_record_of_a_sample_is_as_described():
     plan = sampled()
     a = (plan.points[:, 0] - 4e-3) / 1e-3
     found = as_json(outcome(plan, course(plan, 0.05 + 0.03 * a, 0.001)))
-    jsonschema.validate(found, schema("sample"))
     assert found["plan"]["base"] == 16
     of = found["rows"][0]["sensitivity"]["scatter"]
     assert of["fe"]["mean"] == 2  # N/mm
     assert of["error"]["mean"] == pytest.approx(0.05, abs=2e-3)
     assert list(of["error"]["indices"]) == ["a", "b"]
-    jsonschema.validate(as_json(outcome(plan, course(plan, np.nan))), schema("sample"))
 
 
 # Solved
@@ -285,4 +191,3 @@ def test_a_grid_that_was_solved_holds_what_formulas_and_finite_elements_gave(tmp
     again = outcomes.outcome(solve(plan, Here(), folder=tmp_path))
     assert again.solved.timing.known > 0
     assert points_csv(again) == points_csv(of)
-    jsonschema.validate(as_json(again), schema("grid"))

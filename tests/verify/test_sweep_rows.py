@@ -11,10 +11,15 @@ from verify.jobs.cache import default_folder
 from verify.jobs.level import solve_level
 from verify.studies.sweep.pairs import LEVELS, Known, compared, pairs
 
-MEASURED = [case for case in CASES if pairs(case)]
+# boundary values, a series beside formulas, contact, eigenvalues, values that a claim derives
+QUICK = ("ring-lame", "ring-loads-outer", "contact-sphere", "rotor-step", "polyhedral-locking")
+MEASURED = [
+    pytest.param(case, id=case.id, marks=() if case.id in QUICK else pytest.mark.soak)
+    for case in CASES if pairs(case)
+]  # fmt: skip
 
 
-@pytest.mark.parametrize("case", MEASURED, ids=[case.id for case in MEASURED])
+@pytest.mark.parametrize("case", MEASURED)
 def test_a_point_of_a_sweep_has_value_error_and_bar_of_the_row(case):
     q = case.inputs()
     some = [solve_level(case, q, level, default_folder()) for level in case.levels[:LEVELS]]

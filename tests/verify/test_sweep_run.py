@@ -1,17 +1,25 @@
-"""What a sweep solves and what it finds solved, batch by batch."""
+"""What a sweep solves and what it finds solved: points in the store stand while their code does."""
 
 import sqlite3
-from contextlib import contextmanager
 from dataclasses import replace
 
 import pytest
 
-from tests.verify.sweep_made import CASE, Dying, Here, chosen
+from tests.verify.sweep_made import CASE, Dying, Here, Plate, chosen, fem
 from verify.cases import registry
+from verify.core import source_code
+from verify.core.case import FemResult, Portion
+from verify.core.store import Store
 from verify.jobs.engine import GoneError
 from verify.studies.sweep import point, run
+from verify.studies.sweep.pairs import whole
 from verify.studies.sweep.plan import grid
+from verify.studies.sweep.point import OtherCodeError, Solution, Task, code_of, solve_point
 from verify.studies.sweep.run import solve
+from verify.studies.sweep.store import Points, lacking
+
+PART = Portion(name="part", fem=fem, levels=(1, 2, 4), keys=("k",))
+SOLVED = Solution({"k": 1.0}, (1.0, 0.5, 0.25), {"k": (1.0, 2.0, 3.0)}, {"k": 0.1}, seconds=2.0)
 
 
 @pytest.fixture
@@ -31,8 +39,8 @@ def called(monkeypatch):
     )
     monkeypatch.setattr(registry, "CASES", (known,))
     point._known.cache_clear()
-    monkeypatch.setattr(run, "code_of", lambda _case, _part: ("formulas", "fe"))
-    monkeypatch.setattr(point, "code_of", lambda _case, _part: ("formulas", "fe"))
+    for module in (run, point):
+        monkeypatch.setattr(module, "code_of", lambda _case, _part: ("formulas", "fe"))
     yield counts
     point._known.cache_clear()
 
@@ -44,12 +52,12 @@ def planned(*vary):
 def test_what_is_solved_is_not_solved_again_and_a_finer_grid_takes_it_up(tmp_path, called):
     first = solve(planned("a=2mm:6mm:3"), Here(), folder=tmp_path)
     assert (first.timing.points, first.timing.known, called["fe"]) == (3, 0, 9)
-    again = solve(planned("a=2mm:6mm:3"), Here(), folder=tmp_path)
-    assert (again.timing.points, again.timing.known) == (0, 3)
-    assert again.solutions == first.solutions
     finer = solve(planned("a=2mm:6mm:5"), Here(), folder=tmp_path)
     assert (finer.timing.points, finer.timing.known, called["fe"]) == (2, 3, 15)
     assert finer.solutions[::2] == first.solutions
+    plan = planned("a=2mm,4mm")
+    twice = replace(plan, points=plan.points[[0, 1, 0, 1]])
+    assert solve(twice, Here(), folder=tmp_path / "twice").timing.points == 2
 
 
 @pytest.mark.parametrize(
@@ -57,10 +65,9 @@ def test_what_is_solved_is_not_solved_again_and_a_finer_grid_takes_it_up(tmp_pat
     [
         (("other", "fe"), {"formulas": 4, "fe": 6}),
         (("formulas", "other"), {"formulas": 2, "fe": 12}),
-        (("other", "other"), {"formulas": 4, "fe": 12}),
     ],
 )
-def test_only_the_side_whose_code_has_changed_is_solved_anew(
+def test_only_the_side_whose_code_has_changed_is_solved_again(
     tmp_path, called, monkeypatch, code, solved
 ):
     first = solve(planned("a=2mm,4mm"), Here(), folder=tmp_path)
@@ -72,19 +79,16 @@ def test_only_the_side_whose_code_has_changed_is_solved_anew(
     assert [one.formulas for one in second.solutions] == [one.formulas for one in first.solutions]
 
 
-def test_a_point_that_fails_keeps_its_reason_until_it_is_asked_for_again(tmp_path, called):
-    plan = planned("n=3,9,10")
+def test_a_point_that_fails_has_its_reason_until_it_is_asked_for_again(tmp_path, called):
+    plan = planned("n=0,3,9")
     first = solve(plan, Here(), folder=tmp_path)
-    assert [one.problem_fe for one in first.solutions] == [
-        "", "level 1: ValueError: 9 holes do not fit", "level 1: ValueError: 10 holes do not fit",
-    ]  # fmt: skip
-    assert called["fe"] == 5
+    whys = ["", "level 1: ValueError: 9 holes do not fit"]
+    assert [one.problem_fe for one in first.solutions[1:]] == whys
+    assert (first.timing.points, called["fe"]) == (2, 4)  # none of the refused one
     assert solve(plan, Here(), folder=tmp_path).timing.points == 0
     again = solve(plan, Here(), folder=tmp_path, again=True)
-    assert (again.timing.points, called["fe"]) == (2, 7)
-    assert [one.problem_fe for one in again.solutions] == [
-        one.problem_fe for one in first.solutions
-    ]
+    assert (again.timing.points, called["fe"]) == (1, 5)
+    assert [one.problem_fe for one in again.solutions[1:]] == whys
 
 
 def test_a_point_whose_process_died_has_its_reason_and_is_solved_by_the_next_run(tmp_path, called):
@@ -95,36 +99,8 @@ def test_a_point_whose_process_died_has_its_reason_and_is_solved_by_the_next_run
     assert not any(one.problem_fe or one.lost for one in again.solutions)
 
 
-@pytest.mark.parametrize("error", [MemoryError, OSError])
-def test_a_point_on_which_the_machine_failed_is_solved_by_the_next_run(
-    tmp_path, called, monkeypatch, error
-):
-    case = registry.CASES[0]
-
-    def fails(*_):
-        raise error("no room")
-
-    broken = replace(case, reference=fails)
-    monkeypatch.setattr(registry, "CASES", (broken,))
-    point._known.cache_clear()
-    plan = replace(planned("a=2mm:6mm:3"), case=broken)
-    lost = solve(plan, Here(), folder=tmp_path)
-    assert {one.problem_fe for one in lost.solutions} == {f"level 1: {error.__name__}: no room"}
-    monkeypatch.setattr(registry, "CASES", (case,))
-    point._known.cache_clear()
-    again = solve(planned("a=2mm:6mm:3"), Here(), folder=tmp_path)
-    assert (again.timing.points, again.timing.known) == (3, 0)
-
-
-def test_refused_points_are_neither_solved_nor_known(tmp_path, called):
-    plan = planned("n=0,3,4")
-    timings = [solve(plan, Here(), folder=tmp_path).timing for _ in range(2)]
-    assert [(one.points, one.known) for one in timings] == [(2, 0), (0, 2)]
-
-
-def test_a_case_s_own_limit_counts_as_it_stands_and_is_not_kept(tmp_path, called, monkeypatch):
-    plan = planned("n=3,4")
-    limit = {"most": 3}
+def test_a_case_s_own_limit_counts_as_it_stands_and_is_not_stored(tmp_path, called):
+    plan, limit = planned("n=3,4"), {"most": 3}
 
     def too_large(q):
         return "too many holes; check without them" if q.n > limit["most"] else ""
@@ -138,26 +114,7 @@ def test_a_case_s_own_limit_counts_as_it_stands_and_is_not_kept(tmp_path, called
     assert (second.timing.points, second.timing.known) == (1, 1)
 
 
-def test_an_engine_that_never_comes_leaves_all_points_to_do(tmp_path, called):
-    class Nowhere(Here):
-        @contextmanager
-        def entered(self):
-            raise GoneError("nothing answers")
-            yield
-
-    with pytest.raises(GoneError, match="nothing answers; 0 of 2 points are stored"):
-        solve(planned("a=2mm,4mm"), Nowhere(), folder=tmp_path)
-
-
-def test_points_of_the_same_inputs_are_solved_once(tmp_path, called):
-    plan = planned("a=2mm,4mm")
-    twice = replace(plan, points=plan.points[[0, 1, 0, 1]])
-    found = solve(twice, Here(), folder=tmp_path)
-    assert (found.timing.points, called["formulas"]) == (2, 2)
-    assert found.solutions[:2] == found.solutions[2:]
-
-
-def test_workers_of_other_code_end_the_sweep_with_what_is_kept(tmp_path, called, monkeypatch):
+def test_workers_of_other_code_end_the_sweep(tmp_path, called, monkeypatch):
     monkeypatch.setattr(point, "code_of", lambda _case, _part: ("older", "fe"))
     with pytest.raises(GoneError, match=r"cannot solve points here: .*code of made-up-plate is not "
                                         r"that of the sweep; 0 of 2 points are"):  # fmt: skip
@@ -165,46 +122,92 @@ def test_workers_of_other_code_end_the_sweep_with_what_is_kept(tmp_path, called,
     assert called["fe"] == 0
 
 
-def test_what_is_no_database_is_told_and_left_as_it_is(tmp_path, called):
+def test_what_is_no_database_is_left_as_it_is_and_a_torn_point_is_solved_again(tmp_path, called):
     file = tmp_path / "store.sqlite"
     file.write_bytes(b"no database" * 100)
     with pytest.raises(OSError, match=r"store\.sqlite: .* cannot be stored there"):
         solve(planned("a=2mm,4mm"), Here(), folder=tmp_path)
     assert file.read_bytes() == b"no database" * 100
-
-
-def test_a_point_that_cannot_be_read_is_solved_anew(tmp_path, called):
-    plan = planned("a=2mm,4mm")
-    first = solve(plan, Here(), folder=tmp_path)
-    with sqlite3.connect(tmp_path / "store.sqlite") as database:
+    file.unlink()
+    first = solve(planned("a=2mm,4mm"), Here(), folder=tmp_path)
+    with sqlite3.connect(file) as database:
         database.execute(
             "UPDATE entries SET content = '{' WHERE rowid = (SELECT MIN(rowid) FROM entries)"
         )
-    second = solve(plan, Here(), folder=tmp_path)
+    second = solve(planned("a=2mm,4mm"), Here(), folder=tmp_path)
     assert second.timing.points == 1
     assert [one.fe for one in second.solutions] == [one.fe for one in first.solutions]
 
 
+# Points in the store
+
+
+def store(folder, part=PART, code=("formulas", "fe"), versions="numpy 2"):
+    return Points(Store(folder), "one", part, code, versions)
+
+
+def test_a_point_of_another_portion_other_levels_or_inputs_is_another(tmp_path):
+    own = store(tmp_path).key(Plate())
+    for part in (replace(PART, name="other"), replace(PART, levels=(2, 4, 8))):
+        assert store(tmp_path, part).key(Plate()) != own
+    assert store(tmp_path).key(Plate(c=2e-3)) != own
+
+
 @pytest.mark.parametrize(
-    ("done", "waiting", "workers", "pace", "size"),
+    ("code", "versions", "formulas", "fe"),
     [
-        (0, 1000, 2, 0.0, 1),  # nothing is known yet
-        (4, 1000, 2, 0.25, 4),  # a second
-        (4, 1000, 2, 3.0, 1),
-        (4, 1000, 2, 1e-5, 125),  # a fair share of what is left: no process waits long for another
-        (4, 10**6, 2, 1e-5, 256),
-        (4, 20, 2, 0.01, 2),
-        (4, 10**6, 1000, 0.25, 80),  # 20 s: fifty batches a second are answered
+        (("formulas", "fe"), "numpy 2", True, True),
+        (("other", "fe"), "numpy 2", False, True),
+        (("formulas", "other"), "numpy 2", True, False),
+        (("formulas", "fe"), "numpy 3", False, False),
     ],
-)  # fmt: skip
-def test_batches_take_a_second_or_what_many_workers_need(done, waiting, workers, pace, size):
-    one = run._Batches(None, lambda _state: None, known=0, todo=range(waiting))
-    one.busy, one.pace, one.workers = done * pace, pace, workers
-    assert one._size() == size
+)
+def test_each_side_is_read_while_the_code_and_the_libraries_stand(
+    tmp_path, code, versions, formulas, fe
+):
+    store(tmp_path).keep({"key": SOLVED})
+    found = store(tmp_path, code=code, versions=versions).load(["key"])
+    got = found.get("key", Solution({}, (), {}, {}))
+    assert (bool(got.formulas), bool(got.fe), bool(got.h), bool(got.u_it)) == (formulas, fe, fe, fe)
+    assert lacking(got) == (not formulas, not fe)
 
 
-def test_the_share_of_the_time_in_which_nothing_is_solved():
-    assert run.Timing(points=10, wall=10.0, busy=18.0, workers=2, known=0).overhead == (
-        pytest.approx(0.1)
-    )
-    assert run.Timing(points=0, wall=0.0, busy=0.0, workers=0, known=10).overhead == 0
+def test_a_task_is_solved_by_its_own_code_with_the_largest_uncertainty_of_its_levels(monkeypatch):
+    def reference(q, level):
+        return FemResult(h=1 / level, values={"k": 1.0}, u_it={"k": 1.0 / level})
+
+    case = replace(CASE, reference=reference)
+    monkeypatch.setattr(registry, "CASES", (case,))
+    point._known.cache_clear()
+    part = whole(case)
+    task = Task(0, case.id, part.name, Plate(), True, True, code_of(case, part))
+    got = solve_point(task)
+    assert (got.u_it, got.seconds > 0) == ({"k": 1.0}, True)
+    with pytest.raises(OtherCodeError):
+        solve_point(replace(task, code=("theirs", "theirs")))
+    point._known.cache_clear()
+
+
+@pytest.mark.parametrize(
+    ("module", "formulas", "fe"),
+    [("analytic.polyhedral.bore_pressure", True, False), ("fem.plane.solve", True, True)],
+)
+def test_the_code_of_a_side_is_that_of_all_its_modules(monkeypatch, module, formulas, fe):
+    case = registry.find("polyhedral-ring", registry.CASES)
+    before, true = code_of(case, whole(case)), source_code._read
+
+    def changed(name, *, whole=False):
+        digest, imported = true(name, whole=whole)
+        return digest + "x" * (name == module), imported
+
+    monkeypatch.setattr(source_code, "_read", changed)
+    forget()
+    after = code_of(case, whole(case))
+    monkeypatch.undo()
+    forget()
+    assert (after[0] != before[0], after[1] != before[1]) == (formulas, fe)
+
+
+def forget():
+    for one in (source_code.source_of, source_code.whole_source_of):
+        one.cache_clear()

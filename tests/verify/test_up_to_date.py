@@ -1,19 +1,20 @@
 """`verify` makes no report again of which nothing has changed, and any change is noticed."""
 
+import json
 import shutil
 
 import pytest
 
 from verify.app import commands, up_to_date
 from verify.app.cli import run
+from verify.app.up_to_date import STAMP
 from verify.core.store import Store
-
-AGAIN = "nothing has changed since"
+from verify.jobs.executor import Where
 
 
 @pytest.fixture(scope="module")
 def first(tmp_path_factory):
-    """A report of the smallest case in a store of its own, and what was printed."""
+    """A report of the smallest case in a store of its own."""
     folder = tmp_path_factory.mktemp("first")
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("FREEWHEEL_CACHE", str(folder / "cache"))
@@ -21,26 +22,48 @@ def first(tmp_path_factory):
     return folder
 
 
+class SolvesError(Exception):
+    """The command goes on to solve and to write a report."""
+
+
 @pytest.fixture
 def report(first, tmp_path, monkeypatch):
-    """A copy of them that a test may change."""
+    """A copy of it that a test may change; a run that does not find it raises SolvesError."""
     shutil.copytree(first, tmp_path, dirs_exist_ok=True)
     monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path / "cache"))
+
+    def solve(*_):
+        raise SolvesError
+
+    monkeypatch.setattr(commands, "solve", solve)
     return tmp_path
 
 
-def verified(report, *options):
-    return run(["verify", "ring-lame", "--jobs", "1", "--out", str(report / "out"), *options])
+def verified(report, *, use_cache=True):
+    out = report / "out"
+    return commands.run_verify(
+        ["ring-lame"], quick=False, where=Where(1), out=out, use_cache=use_cache
+    )
 
 
-def test_a_second_run_prints_the_same_and_solves_nothing(report, monkeypatch, capsys):
-    monkeypatch.setattr(commands, "solve", None)
+def test_a_second_run_prints_the_same_and_solves_nothing(report, capsys):
     page = (report / "out" / "report.html").stat().st_mtime_ns
     assert verified(report) == 0
     lines = capsys.readouterr().out.splitlines()
-    assert AGAIN in lines[-1]
+    assert "nothing has changed since" in lines[-1]
     assert any(line.startswith("ring-lame") for line in lines)
     assert (report / "out" / "report.html").stat().st_mtime_ns == page
+
+
+def test_a_run_with_a_failed_row_fails_again(report):
+    note = report / "out" / STAMP
+    note.write_text(json.dumps(json.loads(note.read_text("utf-8")) | {"status": 1}), "utf-8")
+    assert verified(report) == 1
+
+
+def test_a_run_that_trusts_no_results_is_made(report):
+    with pytest.raises(SolvesError):
+        verified(report, use_cache=False)
 
 
 def changed_file(report, _monkeypatch):
@@ -64,7 +87,7 @@ def other_versions(_report, monkeypatch):
 
 
 def torn_note(report, _monkeypatch):
-    note = report / "out" / up_to_date.STAMP
+    note = report / "out" / STAMP
     note.write_text(note.read_text()[:100])
 
 
@@ -72,23 +95,7 @@ CHANGES = (changed_file, removed_file, removed_results, other_code, other_versio
 
 
 @pytest.mark.parametrize("change", CHANGES, ids=lambda change: change.__name__)
-def test_a_change_is_noticed(report, monkeypatch, capsys, change):
+def test_a_change_is_noticed(report, monkeypatch, change):
     change(report, monkeypatch)
-    assert verified(report) == 0
-    assert AGAIN not in capsys.readouterr().out
-    assert verified(report) == 0
-    assert AGAIN in capsys.readouterr().out
-
-
-def test_a_run_that_trusts_no_results_is_made(report, capsys):
-    assert verified(report, "--no-cache") == 0
-    assert AGAIN not in capsys.readouterr().out
-
-
-def test_a_failed_row_fails_again(report, monkeypatch, capsys):
-    monkeypatch.setattr(up_to_date, "digest", lambda: "of a wrong formula")
-    monkeypatch.setattr(commands, "_exit_status", lambda _report: 1)
-    assert verified(report) == 1
-    monkeypatch.setattr(commands, "solve", None)
-    assert verified(report) == 1
-    assert AGAIN in capsys.readouterr().out
+    with pytest.raises(SolvesError):
+        verified(report)

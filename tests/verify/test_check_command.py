@@ -1,0 +1,237 @@
+"""`check` on files: the first lines, the exit status, JSON by its schema, a report."""
+
+import json
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import jsonschema
+import pytest
+
+import verify.answers
+from tests.verify.template_text import whole
+from verify.answers.answer import EXIT_STATUS, Verdict
+from verify.answers.evidence import with_rows
+from verify.answers.registry import answer
+from verify.answers.template import run_init
+from verify.app.check_command import exit_status
+from verify.app.check_console import Checked, print_check
+from verify.app.cli import run
+from verify.cases.registry import CASES, find
+from verify.core.console import raised
+from verify.core.results import Status
+
+SCHEMA = json.loads((Path(verify.answers.__file__).parent / "check.schema.json").read_text("utf-8"))
+ROLLER = Path(__file__).parent / "parts" / "roller-clutch-31.toml"
+RING = """
+case = "ring-lame"
+name = "<script>alert(1)</script> & \\"my\\" ring"
+[inputs]
+r_i = "60 mm"
+r_o = "90 mm"
+p_i = "100 MPa"
+E = "210 GPa"
+nu = 0.3
+"""
+
+
+@pytest.fixture
+def ring(tmp_path):
+    path = tmp_path / "<script>alert(1)<script>.toml"
+    path.write_text(RING, "utf-8")
+    return path
+
+
+def written(tmp_path, case, replaced=None):
+    """A template of the case with values replaced."""
+    path = tmp_path / f"{case}.toml"
+    run_init(case, path)
+    text = whole(path.read_text("utf-8"))
+    for old, new in (replaced or {}).items():
+        assert old in text, old
+        text = text.replace(old, new)
+    path.write_text(text, "utf-8")
+    return path
+
+
+def checked(path, *options, capsys):
+    capsys.readouterr()
+    status = run(["check", *options, str(path)])
+    return status, capsys.readouterr().out
+
+
+def as_json(path, *options, capsys):
+    status, out = checked(path, "--json", *options, capsys=capsys)
+    return status, json.loads(out)
+
+
+SLOW = ("sprag-clutch", "polyhedral-clutch", "sprag-optimum")  # seconds of formulas alone
+
+
+@pytest.mark.parametrize(
+    "case",
+    [pytest.param(c.id, id=c.id, marks=pytest.mark.soak if c.id in SLOW else ()) for c in CASES],
+)
+def test_a_template_is_answered_in_json_by_its_schema(case, tmp_path, capsys):
+    path = tmp_path / "my.toml"
+    assert run(["init", case, "--out", str(path)]) == 0
+    status, record = as_json(path, capsys=capsys)
+    jsonschema.validate(record, SCHEMA)
+    assert status == EXIT_STATUS[record["answer"]["verdict"]]
+    assert record["values"]
+
+
+def test_the_answer_comes_first(tmp_path, capsys):
+    path = written(tmp_path, "polyhedral-clutch", {'M_t = "100 N m"': 'M_t = "80 N m"'})
+    status, out = checked(path, capsys=capsys)
+    first, design, margin, *rest = out.splitlines()
+    assert status == 0
+    assert first == "my polyhedral-clutch: holds"
+    assert design.startswith("  design value: M_el = 90.5 N m")
+    assert margin.startswith("  margin: 1.06, limited by hoop stress in the fillets")
+    heads = [x.split(":")[0].split(" by ")[0] for x in rest if not x.startswith(("  ", "("))]
+    shared = "assumptions that formula and reference share"
+    assert [h for h in heads if h != "warning"] == ["limits", "values", "inputs", shared]
+
+
+def test_a_target_between_plane_stress_and_plane_strain_is_not_decided(tmp_path, capsys):
+    status, out = checked(written(tmp_path, "polyhedral-clutch"), capsys=capsys)
+    assert status == 3
+    words = "between the torques in plane strain (90.5 N m) and plane stress (115.2 N m)"
+    assert words in out.splitlines()[0]
+
+
+def test_where_the_part_fails_in_the_range_of_an_assumed_input_it_is_stated(capsys):
+    status, out = checked(ROLLER, capsys=capsys)
+    assert status == 0
+    assert "μ = 0.06 to 0.12: -25% (fails) to +50%" in out
+    assert "(assumed)" in out.splitlines()[2]
+
+
+def test_a_ring_of_60_and_90_mm_by_hand(ring, capsys):
+    """Boundary stresses (r_o² + r_i²)/(r_o² - r_i²) p = 2.6 p and 1.6 p: 260 and 160 MPa."""
+    ring.write_text(RING + 'R_p = "200 MPa"\n', "utf-8")
+    status, found = as_json(ring, capsys=capsys)
+    values = {v["key"]: v["value"] for v in found["values"]}
+    assert status == 1
+    assert values["hoop_bore"] == pytest.approx(260.0, rel=1e-12)
+    assert values["hoop_rim"] == pytest.approx(160.0, rel=1e-12)
+    # u(r_i) = r_i/E (2.6 p + nu p), plane stress, in µm
+    assert values["u_bore"] == pytest.approx(60e3 / 210e3 * (260 + 0.3 * 100), rel=1e-12)
+    assert found["inputs"]["p_o"] == {"value": 0.0, "unit": "MPa"}  # left out: no pressure
+    # Tresca at the bore, hoop less radial: 260 + 100 MPa
+    assert "Tresca stress 360 MPa at the bore exceeds R_p = 200 MPa" in found["warnings"][0]
+
+
+def test_the_accordion_spring_recommends_one_stiffness(tmp_path, capsys):
+    path = written(tmp_path, "spring-accordion")
+    status, out = checked(path, capsys=capsys)
+    assert status == 3  # no force is given
+    assert "  design value: k = 0.6377 N/mm" in out.splitlines()[1]
+    with path.open("a", encoding="utf-8") as file:
+        file.write('\nF = "5 N"\n')
+    status, out = checked(path, capsys=capsys)
+    assert status == 0
+    assert "limited by" in out
+
+
+def test_unusual_inputs_are_named_in_the_first_lines(tmp_path, capsys):
+    path = written(tmp_path, "ring-lame", {"nu = 0.3": "nu = 0.05"})
+    _, out = checked(path, capsys=capsys)
+    assert "  outside the usual range: nu" in out.splitlines()[:5]
+    assert "warning: nu = 0.05 is outside the usual range 0.2 to 0.36" in out
+
+
+def test_converted_units_are_short_in_print_and_whole_in_json(tmp_path, capsys):
+    path = tmp_path / "ring.toml"
+    path.write_text(RING.replace('"100 MPa"', '"14.5 ksi"'))
+    _, found = as_json(path, capsys=capsys)
+    assert found["inputs"]["p_i"]["value"] == pytest.approx(99.9739808, rel=1e-9)
+    assert len(str(found["inputs"]["p_i"]["value"])) > 12
+    assert re.search(r" 99\.974 +MPa ", checked(path, capsys=capsys)[1])
+
+
+def test_keys_lists_inputs_and_values(tmp_path, capsys):
+    status, out = checked("polyhedral-map", "--keys", capsys=capsys)
+    assert status == 0
+    assert "  K_mid_3 " in out
+    assert "  delta_1 " in out
+    for named, words in (("nosuch", "unknown case"), (tmp_path / "no.toml", "No such file")):
+        assert run(["check", "--keys", str(named)]) == 2
+        (line,) = capsys.readouterr().err.splitlines()
+        assert words in line
+
+
+def test_own_parameters_are_judged_with_finite_elements(ring, capsys):
+    status, found = as_json(ring, "--fem", capsys=capsys)
+    assert status == 0
+    assert {row["status"] for row in found["rows"]} == {"PASS"}
+    assert all(row["fem"] is not None for row in found["rows"] if row["kind"] == "identity")
+    assert not any(row["published"] for row in found["rows"])  # these speak of the paper's own
+
+
+def test_more_cells_than_memory_holds_are_refused_in_one_line(tmp_path, capsys):
+    path = written(tmp_path, "spring-continuum", {"n = 10 ": "n = 90 "})
+    assert checked(path, capsys=capsys)[0] == 3  # formulas for any length; no force is given
+    assert run(["check", "--fem", str(path)]) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert "unknowns, more than 1,000,000" in line
+
+
+def test_a_report_on_a_file_whose_texts_are_html_holds_them_as_text(ring, tmp_path, capsys):
+    out = tmp_path / "out"
+    status, printed = checked(ring, "--out", str(out), capsys=capsys)
+    assert status == 0
+    assert f"report: {out / 'report.html'}" in printed
+    page = (out / "report.html").read_text("utf-8")
+    assert "<script>alert" not in page
+    assert "&lt;script&gt;alert(1)&lt;/script&gt; &amp; &#34;my&#34; ring</h1>" in page
+    assert "freewheel check &#39;&lt;script&gt;alert(1)&lt;script&gt;.toml&#39;" in page
+    results = json.loads((out / "results.json").read_text("utf-8"))
+    assert results["rows"] == []  # formulas alone judge nothing
+    assert (out / "report.pdf").read_bytes().startswith(b"%PDF")
+
+
+# Rows in the terminal
+
+
+def printed(result, capsys):
+    """What `check` prints of a judged result of the first case."""
+    case = CASES[0]
+    of = answer(case, case.inputs(), case.analytic(case.inputs()))
+    print_check(Checked(case=case, result=result, answer=of, used_fem=True))
+    return capsys.readouterr().out.splitlines()
+
+
+def test_a_check_begins_with_the_answer_and_ends_with_the_rows(of_paper, capsys):
+    result = replace(of_paper(CASES[0]), name="mine", warnings=("it yields",), findings=("so",))
+    lines = printed(result, capsys)
+    first, *_, total, apart, limit = lines
+    assert first == "mine: holds"
+    at = lines.index("warning: it yields")
+    assert lines[at + 1 : at + 3] == ["notes", "  so"]
+    orders = sum(row.quantity.endswith(": convergence") for row in result.rows)
+    n = len(result.rows) - orders
+    assert total == f"{n} of {n} comparisons pass; {orders} of {orders} convergence rows pass"
+    assert apart.startswith("largest difference of all comparisons: -0.0041 % of stress")
+    assert limit == "detection limit of the judged rows: 0.0093 %"
+
+
+def test_a_failed_row_has_its_reason_once_and_leaves_the_part_undecided(of_paper, capsys):
+    case = CASES[0]
+    result = of_paper(case)
+    bad = [replace(r, status=Status.FAIL, reason="grows") if r.quantity.endswith("convergence")
+           else r for r in result.rows[:2]]  # fmt: skip
+    lines = printed(replace(result, rows=tuple(bad)), capsys)
+    assert [x for x in lines if "grows" in x] == [f"  FAIL {bad[1].quantity}: grows"]
+    found = with_rows(answer(case, case.inputs(), case.analytic(case.inputs())), [bad[1]])
+    assert found.verdict is Verdict.CANNOT_SAY
+    failed = Checked(
+        case=find(case.id), result=replace(result, rows=(bad[1],)), answer=found, used_fem=True
+    )
+    assert exit_status(failed) == 1
+
+
+def test_powers_are_raised_in_the_terminal():
+    assert raised("1.97×10^-4 kg m^2") == "1.97×10⁻⁴ kg m²"
+    assert raised("x^n plain") == "x^n plain"

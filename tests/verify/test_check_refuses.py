@@ -1,0 +1,149 @@
+"""`check` on files that users write: status 2 with one line, or finite numbers."""
+
+import contextlib
+import io
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from verify.answers.assumed.registry import ASSUMPTIONS
+from verify.app.cli import run
+
+CASES = {
+    "ring-lame": {
+        "r_i": '"60 mm"', "r_o": '"80 mm"', "p_i": '"100 MPa"', "E": '"206 GPa"', "nu": "0.3",
+    },
+    "freewheel-clutch": {
+        "R": '"16.5 mm"', "r": '"2.5 mm"', "X": '"11.39565 mm"', "R_a": '"21 mm"',
+        "r_b": '"7.5 mm"', "z": "8", "L": '"10 mm"', "T": '"26 N m"', "F_ax": '"600 N"',
+        "mu": "0.08", "E": '"206 GPa"', "nu": "0.3",
+    },
+    "rotor-system": {
+        "speed_from": '"1000 r/min"', "speed_to": '"2000 r/min"', "margin": "0.15",
+        "speed": '"1500 r/min"', "probe": "1", "shafts": '[{name = "a"}]',
+        "segments": '[{shaft = "a", length = "100 mm", d_o = "50 mm"}]',
+        "supports": '[{node = 1, k = "60 N/µm"}, {node = 2, k = "60 N/µm"}]',
+    },
+}  # fmt: skip
+
+
+def rendered(case, values):
+    return f'case = "{case}"\n[inputs]\n' + "".join(f"{k} = {v}\n" for k, v in values.items())
+
+
+def check(path):
+    """Exit status, stdout and stderr of `freewheel check path`, in this process."""
+    out, err = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        status = run(["check", str(path)])
+    return status, out.getvalue(), err.getvalue()
+
+
+def assert_refused(result, path):
+    status, out, err = result
+    assert (status, out) == (2, "")
+    assert err.startswith(f"freewheel: {path}: ")
+    assert err.endswith("\n")
+    assert err[:-1].isprintable()  # and so one line
+
+
+def assert_answered(result, path):
+    status, out, err = result
+    if status == 2:
+        assert_refused(result, path)
+        return
+    assert status in (0, 1, 3)
+    assert err == ""
+    assert "nan" not in out
+    assert "inf" not in out
+
+
+@pytest.mark.parametrize(
+    ("case", "change", "words"),
+    [
+        ("ring-lame", {"r_i": '"90 mm"'}, "a ring needs r_i < r_o, got r_i = 90 mm, r_o = 80 mm"),
+        ("ring-lame", {"E": '"1e300 GPa"'}, "inputs.E"),
+        ("freewheel-clutch", {"z": "8.5"}, "inputs.z: needs a whole number"),
+        ("freewheel-clutch", {"X": '"14 mm"'}, "14"),
+        ("freewheel-clutch", {"R_a": '"16 mm"'}, "R_a"),
+        ("freewheel-clutch", {"r_b": '"12 mm"'}, "r_b"),
+        ("freewheel-clutch", {"kind": '"inner"'}, "inner cam"),
+        ("rotor-system", {"segments": '[{shaft = "b", length = "1 mm", d_o = "9 mm"}]'}, "b"),
+        ("rotor-system", {"supports": '[{node = 9, k = "60 N/µm"}]'}, "9"),
+        ("rotor-system", {"probe": "0"}, "probe"),
+        ("rotor-system", {"speed_to": '"500 r/min"'}, "500"),
+        ("design-spring", {}, "a task for freewheel design: freewheel design"),
+        ("ring-lamé", {}, "unknown case 'ring-lamé'"),
+    ],
+)
+def test_what_cannot_be_built_is_refused_with_the_rule(case, change, words, tmp_path):
+    path = tmp_path / "my.toml"
+    path.write_text(rendered(case, CASES.get(case, {}) | change), "utf-8")
+    result = check(path)
+    assert_refused(result, path)
+    assert words in result[2]
+
+
+@st.composite
+def doubtful(draw):
+    """A good file with any change at all, which may leave it good."""
+    values = dict(CASES["ring-lame"])
+    key = draw(st.sampled_from(sorted(values)))
+    number, _, unit = values[key].strip('"').partition(" ")
+    how = draw(st.sampled_from(["size", "type", "cut", "insert", "unit"]))
+    if how == "size":
+        values[key] = f'"{number}e{draw(st.integers(-330, 330))} {unit}"'
+    elif how == "unit":
+        other = draw(st.sampled_from(["m", "µm", "in", "kPa", "psi", "N/mm^2", "rad", "%", "°"]))
+        values[key] = f'"{number} {other}"'
+    elif how == "type":
+        values[key] = draw(st.sampled_from(["true", "[1.0]", "{a = 1}", "1979-05-27", "nan", '""']))
+    text = rendered("ring-lame", values)
+    at = draw(st.integers(0, len(text)))
+    if how == "cut":
+        return text[:at]
+    return text[:at] + draw(st.text(max_size=5)) * (how == "insert") + text[at:]
+
+
+@pytest.fixture(scope="module")
+def scratch(tmp_path_factory):
+    return tmp_path_factory.mktemp("bad") / "my.toml"
+
+
+@settings(deadline=None, derandomize=True, max_examples=150)
+@given(content=doubtful())
+def test_a_doubtful_file_is_answered_with_finite_numbers_or_refused(content, scratch):
+    scratch.write_text(content, "utf-8", errors="replace", newline="")
+    assert_answered(check(scratch), scratch)
+
+
+@st.composite
+def surely_bad(draw):
+    """A good file with one fault that no reading could forgive."""
+    case = draw(st.sampled_from(["ring-lame", "freewheel-clutch"]))
+    values = dict(CASES[case])
+    key = draw(st.sampled_from(sorted(values)))
+    number, _, unit = values[key].strip('"').partition(" ")
+    fault = draw(st.sampled_from(["unit", "infinite", "delete", "add", "huge", "syntax"]))
+    if fault == "unit":
+        wrong = [number, f'"{number}"'] if unit else []
+        values[key] = draw(st.sampled_from([*wrong, f'"{number} mm^7"', f'"{number} furlong"']))
+    elif fault == "infinite":
+        values[key] = draw(st.sampled_from(["nan", "-inf", f'"nan {unit}"', f'"inf {unit}"']))
+    elif fault == "delete":
+        assumed = {one.name for one in ASSUMPTIONS.get(case, ())}
+        del values[draw(st.sampled_from([k for k in values if k not in assumed]))]
+    elif fault == "add":
+        values["unknown"] = "1"
+    elif fault == "huge":
+        values[key] = draw(st.sampled_from(["", "-"])) + "9" * draw(st.sampled_from([400, 4000]))
+    text = rendered(case, values)
+    return text + draw(st.sampled_from(["= 1", "[", "a = b", '"', "\x00"])) * (fault == "syntax")
+
+
+@settings(deadline=None, derandomize=True, max_examples=150)
+@given(content=surely_bad())
+def test_a_bad_file_is_refused_with_one_line(content, scratch):
+    scratch.write_text(content, "utf-8", errors="replace", newline="")
+    assert_refused(check(scratch), scratch)
