@@ -2,78 +2,148 @@
 
 import math
 
+import numpy as np
 import pytest
 
 from tests.verify.template_text import inputs_of, whole
+from verify.answers.template import template as case_template
 from verify.app.cli import run
+from verify.cases.registry import find
 from verify.core.inputs import InputError
-from verify.studies.design.inputs import default, load, task
-from verify.studies.design.template import template
+from verify.studies.design import inputs as springs
+from verify.studies.design.template import template as spring_template
+from verify.studies.design_sprag import inputs as crowns
+from verify.studies.design_sprag.corners import corners, reach
+from verify.studies.design_sprag.template import template as crown_template
 
-GOOD = inputs_of(template())
-
-
-def read(**changes):
-    raw = {k: v for k, v in (GOOD | changes).items() if v is not None}
-    return task(raw, "spring", "spring.toml")
+SPRING, CROWN = (inputs_of(text) for text in (spring_template(), crown_template()))
 
 
-def test_the_template_reads_as_the_default_task(tmp_path):
+def spring(**changes):
+    raw = {k: v for k, v in (SPRING | changes).items() if v is not None}
+    return springs.task(raw, "mine", "mine.toml")
+
+
+def crown(**changes):
+    raw = {k: v for k, v in (CROWN | changes).items() if v is not None}
+    return crowns.task(raw, "mine", "mine.toml")
+
+
+def test_a_template_reads_as_the_default_task(tmp_path):
     path = tmp_path / "task.toml"
-    path.write_text(whole(template()), encoding="utf-8")
-    found = load(path)
-    assert found.demands == default().demands
-    assert found.ranges == default().ranges
+    path.write_text(whole(spring_template()), encoding="utf-8")
+    found, meant = springs.load(path), springs.default()
+    assert (found.demands, found.ranges) == (meant.demands, meant.ranges)
+    path.write_text(whole(crown_template()), encoding="utf-8")
+    found, meant = crowns.load(path), crowns.default()
+    assert (found.low, found.high, found.torques) == (meant.low, meant.high, meant.torques)
+    assert (found.clutch, found.wishes) == (meant.clutch, meant.wishes)
 
 
 def test_ranges_lists_and_single_values_are_read():
-    found = read(L1="1 cm : 14 mm : 5", r=["0.5 mm", "0.4 mm", "0.5 mm"], n=6, alpha="80°").ranges
+    found = spring(L1="1 cm : 14 mm : 5", r=["0.5 mm", "0.4 mm", "0.5 mm"], n=6, alpha="80°").ranges
     assert found["L1"] == pytest.approx([0.010, 0.011, 0.012, 0.013, 0.014])
     assert found["r"] == pytest.approx([0.4e-3, 0.5e-3])
     assert found["n"] == (6,)
     assert found["alpha"] == pytest.approx([math.radians(80)])
+    assert crown(torques=["40 N m", "10 N m"]).torques == (10.0, 40.0)
+    assert crown(torques="10 N m : 40 N m : 4").torques == pytest.approx((10, 20, 30, 40))
+    assert crown(torques=None, T="33 N m").torques == (33.0,)
 
 
 WRONG = [
-    ({"L_w": None}, "needs either L_w or U_w, neither is given"),
-    ({"L_w": "30 mm"}, "needs L_w < wedge, got L_w = 30 mm, wedge = 27 mm"),
-    ({"ratio_min": 0.7}, "needs ratio_min < ratio_max, got 0.7 and 0.6"),
-    ({"k_band": None}, "b_tolerance and k_band belong together, k_band is missing"),
-    ({"width_factor": 1.2}, "width_factor = 1.2 is more than 1/(1 - ν²) = 1.0989"),
-    ({"L1": "10 mm : 14 mm"}, 'inputs.L1: a range is "first : last : number"'),
-    ({"L1": "10 mm : 14 mm : 1"}, "inputs.L1: a range ends with how many values it has, 2 to"),
-    ({"b": []}, "inputs.b: the list is empty"),
-    ({"n": 10**5000}, "inputs.n: the number is out of range"),
-    ({"n": 3}, "inputs.n = 3: must be at least 4"),
-    ({"n": "4 : 9 : 3"}, "needs whole numbers"),
-    ({"alpha": "95 deg"}, "inputs.alpha = 95 deg: must be at least 20 deg and at most 90 deg"),
-    ({"L1": "10 mm : 14 mm : 900", "r": "0.3 mm:0.6 mm:90"}, "candidates, at most 300,000"),
+    (spring, {"L_w": None}, "needs either L_w or U_w, neither is given"),
+    (spring, {"L_w": "30 mm"}, "needs L_w < wedge, got L_w = 30 mm, wedge = 27 mm"),
+    (spring, {"ratio_min": 0.7}, "needs ratio_min < ratio_max, got 0.7 and 0.6"),
+    (spring, {"k_band": None}, "b_tolerance and k_band belong together, k_band is missing"),
+    (spring, {"width_factor": 1.2}, "width_factor = 1.2 is more than 1/(1 - ν²) = 1.0989"),
+    (spring, {"L1": "10 mm : 14 mm"}, 'inputs.L1: a range is "first : last : number"'),
+    (spring, {"L1": "10 mm : 14 mm : 1"}, "inputs.L1: a range ends with how many values it has"),
+    (spring, {"b": []}, "inputs.b: the list is empty"),
+    (spring, {"n": 10**5000}, "inputs.n: the number is out of range"),
+    (spring, {"n": 3}, "inputs.n = 3: must be at least 4"),
+    (spring, {"n": "4 : 9 : 3"}, "needs whole numbers"),
+    (spring, {"L1": "10 mm : 14 mm : 900", "r": "0.3 mm:0.6 mm:90"}, "candidates, at most 300,000"),
+    (crown, {"K_1_range": "5 : 1"}, "inputs.K_1_range: a range rises, got 5 to 1"),
+    (crown, {"K_1_range": "0 : 2"}, "inputs.K_1_range = 0 to 2: must be greater than 0 and at"),
+    (crown, {"z_m_range": "5 µm"}, 'inputs.z_m_range: a range is "low : high"'),
+    (crown, {"torques": []}, "inputs.torques: the list is empty"),
+    (crown, {"torques": "1 N m : 13 N m : 13"}, "inputs.torques: 13 torques, at most 12 are taken"),
+    (crown, {"t_z": "3 µm"}, "inputs.t_z = 0.003 mm: is more than half of the smallest drop"),
+    (crown, {"t_y": "1.9 mm"}, "inputs.t_y = 1.9 mm: is K_2 ± 0.422, more than the smallest"),
+    (crown, {"t_y": "5 mm"}, "a crown begins on the sprag: t_y < l/2, got t_y = 5 mm, l = 9 mm"),
+    (crown, {"aim": "best"}, "inputs.aim: needs one of excess, pressure, got 'best'"),
+    (crown, {"R_i": None}, "inputs: missing R_i"),
 ]
 
 
-@pytest.mark.parametrize(("changes", "said"), WRONG, ids=[said for _, said in WRONG])
-def test_wrong_input_is_refused_in_one_line(changes, said):
+@pytest.mark.parametrize(("read", "changes", "words"), WRONG, ids=[words for *_, words in WRONG])
+def test_wrong_input_is_refused_in_one_line(read, changes, words):
     with pytest.raises(InputError) as caught:
         read(**changes)
     message = str(caught.value)
-    assert said in message
-    assert message.startswith("spring.toml: inputs")
+    assert words in message
+    assert message.startswith("mine.toml: inputs")
     assert "\n" not in message
 
 
-@pytest.mark.parametrize("text", ["case = 1\n[inputs]\n", "[inp"])
-def test_another_file_is_refused_with_status_2(tmp_path, capsys, text):
-    path = tmp_path / "other.toml"
-    path.write_text(text)
-    assert run(["design", str(path)]) == 2
-    said = capsys.readouterr().err
-    assert said.count("\n") == 1
-    assert "other.toml" in said
+@pytest.mark.parametrize(
+    ("text", "options", "words"),
+    [
+        ("[inp", (), "mine.toml"),
+        ('case = "ring-lame"\n[inputs]\n', (),
+         "design takes design-spring, design-sprag or sprag-clutch, got 'ring-lame'"),
+        (whole(crown_template()), ("--choose", "2"), "--choose: a crown has one best"),
+    ],
+    ids=["no file", "another case", "a crown has no front"],
+)  # fmt: skip
+def test_what_design_cannot_do_ends_with_2_and_one_line(text, options, words, tmp_path, capsys):
+    path = tmp_path / "mine.toml"
+    path.write_text(text, encoding="utf-8")
+    assert run(["design", *options, str(path)]) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert words in line
 
 
-def test_a_file_of_another_case_names_all_that_design_takes(tmp_path, capsys):
-    path = tmp_path / "ring.toml"
-    path.write_text('case = "ring-lame"\n[inputs]\n', encoding="utf-8")
-    assert run(["design", str(path)]) == 2
-    said = capsys.readouterr().err
-    assert "design takes design-spring, design-sprag or sprag-clutch, got 'ring-lame'" in said
+# Crowns
+
+
+def test_a_file_of_the_case_is_a_task_at_its_own_torque_without_tolerance(tmp_path):
+    path = tmp_path / "clutch.toml"
+    text = whole(case_template(find("sprag-clutch"))).replace('T = "25 N m"', 'T = "31 N m"')
+    path.write_text(text, encoding="utf-8")
+    found = crowns.load(path)
+    assert found.torques == (31.0,)
+    assert (found.wishes.t_z, found.wishes.t_y) == (0.0, 0.0)
+    path.write_text(f"{text}\nt_z = '1 µm'\n", encoding="utf-8")
+    with pytest.raises(InputError, match=r'inputs\.t_z: belongs to case = "design-sprag"'):
+        crowns.load(path)
+
+
+def test_a_clutch_that_slips_or_rolls_over_is_named_with_its_torque():
+    assert "under T = 25 N m it slips: " in crowns.unable(crown(mu_s=0.05, mu_c=0.05))
+    rolls = crowns.unable(crown(torques=["25 N m", "120 N m"]))
+    assert "under T = 120 N m it rolls over: " in rolls
+    assert crowns.unable(crown()) == ""
+
+
+def test_corners_of_a_tolerance_grow_the_profile_and_move_its_beginning():
+    one = np.array([[2.0, 0.5, 10e-6]])
+    found = corners(crown(t_z="1 µm", t_y="0.09 mm"), one)
+    assert found[0, 0].tolist() == [2.0, 0.5, 10e-6]
+    # 0.09 mm of half of 9 mm are 0.02 of K_2; 1 of 10 µm is a tenth of K_1 and z_m
+    rest = sorted(map(tuple, found[0, 1:].round(9).tolist()))
+    assert rest == [(1.8, 0.48, 9e-6), (1.8, 0.52, 9e-6), (2.2, 0.48, 11e-6), (2.2, 0.52, 11e-6)]
+    assert corners(crown(t_z=None, t_y=None), one).shape == (1, 1, 3)
+    assert corners(crown(t_y=None), one).shape == corners(crown(t_z=None), one).shape == (1, 3, 3)
+    assert corners(crown(t_z=None, t_y="0.1 mm"), one * [[1, 2, 1]])[0, :, 1].max() == 1.0
+
+
+def test_kriging_spans_every_corner_of_every_crown_of_the_ranges():
+    one = crown(t_z="1 µm", t_y="0.1 mm")
+    low, high = reach(one)
+    ends = np.array(np.meshgrid(*zip(one.low, one.high, strict=True))).reshape(3, -1).T
+    every = corners(one, ends).reshape(-1, 3)
+    assert low == pytest.approx(every.min(axis=0))
+    # at z_m's lowest the profile grows most, K_1's largest included
+    assert high == pytest.approx(every.max(axis=0))

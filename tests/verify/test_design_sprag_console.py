@@ -4,14 +4,12 @@ from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
-import pytest
 
-from verify.app.design_sprag.page import _torques
 from verify.studies.design_sprag import console
 from verify.studies.design_sprag.inputs import default
 from verify.studies.design_sprag.known import Known
 from verify.studies.design_sprag.outcome import Bound, Outcome
-from verify.studies.design_sprag.records import _torque, crown, record
+from verify.studies.design_sprag.records import _torque, crown
 
 CHOSEN, SHALLOW, BEYOND = (2.6, 0.65, 14e-6), (2.6, 0.7, 8e-6), (2.6, 0.7222, 8e-6)
 
@@ -85,15 +83,6 @@ def test_the_record_has_pressures_as_they_are_in_megapascals():
     assert crown(np.array([2.6, 0.7, 25.000000000000004e-6]))["z_m_um"] == 25.0
 
 
-@pytest.mark.parametrize(
-    ("aim", "value", "unit"), [("pressure", 3245.0, "MPa"), ("excess", 3.245e9, "1")]
-)
-def test_what_is_made_least_is_recorded_with_its_unit(aim, value, unit):
-    one = with_counts(replace(outcome(aim=aim), true=3.245e9, predicted=3.245e9))
-    kriging = record(one)["kriging"]
-    assert (kriging["true"], kriging["predicted"], kriging["unit"]) == (value, value, unit)
-
-
 def with_counts(one):
     one.search.model.counts = (5, 5)
     return one
@@ -105,11 +94,3 @@ def test_a_bound_that_costs_nothing_is_named_without_a_warning():
     assert line.startswith("a wider range of K_2, which is at its edge, gains nothing: 0.73")
     (warning,) = [x for x in console.warnings(one) if "edge" in x]
     assert warning.startswith("z_m is at the edge of its range: 27 µm alone would gain 2 %")
-
-
-def test_a_crown_without_tolerance_at_the_edge_of_its_ends_is_advised_to_have_one():
-    one = replace(outcome(t_z=0.0, t_y=0.0), on_edge=True)
-    assert console.on_edge(one) == ["give t_z, t_y: with z_m 5 % less its ends carry"]
-    assert "Give t_z, t_y: with" in _torques(one).note
-    assert console.on_edge(replace(one, on_edge=False)) == []
-    assert console.on_edge(replace(outcome(), on_edge=True)) == []
