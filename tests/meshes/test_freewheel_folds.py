@@ -37,7 +37,7 @@ def fits(z, psi, centre, r, zone, half_flat, wall):
     )
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=10, deadline=None)
 @example(z=8, psi=7.0, wall=-1.3, bore=0.66, r=-1.5, zone=(-2.8, -2.8), over=(0.0, 0.0), cells=6)
 @example(z=30, psi=2.0, wall=-3.9, bore=0.1, r=-3.5, zone=(-4.8, -4.8), over=(0.0, 0.0), cells=6)
 @example(z=3, psi=30.0, wall=0.6, bore=0.1, r=-0.2, zone=(-1.4, -1.4), over=(0.0, 0.0), cells=6)
@@ -72,7 +72,7 @@ def test_no_cell_of_an_inner_cam_folds(z, psi, wall, bore, r, zone, over, cells)
     )
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=10, deadline=None)
 @example(z=8, psi=7.0, wall=-2.0, bore=0.5, r=-1.9, zone=(-2.8, -2.8), over=(0.0, 0.0), cells=6)
 @given(
     z=pitches, psi=angles, wall=walls, bore=st.floats(0.02, 0.97), r=rollers, zone=zones,
@@ -103,8 +103,7 @@ def test_no_cell_of_an_outer_cam_folds(z, psi, wall, bore, r, zone, over, cells)
     )
 
 
-@pytest.mark.parametrize("psi", [2, 8, 16, 30])
-@pytest.mark.parametrize("share", [0.0075, 0.06, 0.22])
+@pytest.mark.parametrize(("psi", "share"), [(2, 0.22), (8, 0.06), (30, 0.0075)])
 def test_cells_of_usual_clutches_are_neither_slivers_nor_needles(psi, share):
     z, r = (8 if psi < 16 else 4), 0.22
     centre = (X + r) * tan(radians(psi)), X + r
@@ -113,22 +112,6 @@ def test_cells_of_usual_clutches_are_neither_slivers_nor_needles(psi, share):
         R=R, R_a=1.25 * R, X=X, r_b=0.6, r=r, z=z, centre=centre, zones=(share * r, share * r)
     )
     check_shapes(mesh)
-
-
-@pytest.mark.parametrize("wall", [0.03, 0.1])
-@pytest.mark.parametrize("bore", [0.9795, 0.93, 0.6])
-@pytest.mark.parametrize("z", [3, 6])
-def test_cells_of_thin_walls_are_no_needles_either(wall, bore, z):
-    R, r, zone = 1.33, 0.16, (0.02, 0.02)
-    mesh = inner_cam_sector(
-        R=R, R_a=R * (1 + wall), X=1.0, r_b=bore, r=r, z=z, centre=centre_of(R, r), zones=zone
-    )
-    check_shapes(mesh)
-
-
-def centre_of(R, r):
-    """Of the roller that touches both races."""
-    return np.sqrt((R - r) ** 2 - (X + r) ** 2), X + r
 
 
 def check_shapes(mesh):

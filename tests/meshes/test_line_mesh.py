@@ -54,13 +54,6 @@ def test_bodies_share_out_the_elements(mesh):
     np.testing.assert_array_equal(everything, np.arange(len(mesh.elements)))
 
 
-def test_elements_of_a_body_lie_on_its_curves(mesh):
-    bow = mesh.points[mesh.elements[mesh.bodies["bow"]]]
-    np.testing.assert_allclose(np.hypot(bow[..., 0] - 1, bow[..., 1] - 2), 1, rtol=1e-14)
-    x, y = np.moveaxis(mesh.points[mesh.elements[mesh.bodies["straight"]]], -1, 0)
-    assert np.all((np.abs(x) < 1e-14) | (np.abs(y - 2) < 1e-14))
-
-
 def test_nodes_are_numbered_without_gaps_ends_before_middles(mesh):
     # 13 elements in a tree have 14 ends and 13 middles
     assert mesh.points.shape == (27, 2)
@@ -69,41 +62,12 @@ def test_nodes_are_numbered_without_gaps_ends_before_middles(mesh):
     assert mesh.points.max() == 3.0  # the stray point stayed behind
 
 
-def test_members_meet_in_one_node(mesh):
-    knee = np.flatnonzero(np.all(np.isclose(mesh.points, (0, 2), atol=1e-12), axis=1))
-    assert len(knee) == 1
-    assert np.count_nonzero(mesh.elements[:, :2] == knee[0]) == 3  # stem, bow and side
-
-
 def test_middles_lie_half_way_along_their_elements(mesh):
     a, b, middle = np.moveaxis(mesh.points[mesh.elements], 1, 0)
     np.testing.assert_allclose(np.hypot(*(middle - a).T), np.hypot(*(b - middle).T), rtol=SPACING)
     # an eighth of a half circle: the middle stands off its chord by 1 - cos(pi / 16)
     sagitta = np.hypot(*((a + b) / 2 - middle)[mesh.bodies["bow"]].T)
     np.testing.assert_allclose(sagitta, 1 - np.cos(pi / 16), rtol=SPACING)
-
-
-def test_chords_are_the_straight_elements_between_the_ends(mesh):
-    points, pairs = mesh.chords
-    assert points.shape == (14, 2)
-    length = np.hypot(*(points[pairs[:, 1]] - points[pairs[:, 0]]).T)
-    np.testing.assert_allclose(length[mesh.bodies["bow"]], 2 * np.sin(pi / 16), rtol=SPACING)
-    assert length[mesh.bodies["straight"]].sum() == pytest.approx(3, rel=1e-12)
-
-
-def test_a_circle_closes():
-    with gmsh_session():
-        circle = gmsh.model.occ.addCircle(0, 0, 0, 2.0)
-        gmsh.model.occ.synchronize()
-        gmsh.model.mesh.setTransfiniteCurve(circle, 13)
-        gmsh.model.addPhysicalGroup(1, [circle], name="ring")
-        gmsh.model.mesh.generate(1)
-        gmsh.model.mesh.setOrder(2)
-        mesh = line_mesh()
-    assert mesh.elements.shape == (12, 3)
-    assert mesh.points.shape == (24, 2)
-    assert np.all(np.bincount(mesh.elements[:, :2].ravel()) == 2)  # two elements at every end
-    np.testing.assert_allclose(np.hypot(*mesh.points.T), 2, rtol=1e-12)
 
 
 def bar(order, name="bar"):

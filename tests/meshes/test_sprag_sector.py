@@ -1,14 +1,14 @@
 """A sprag clutch's sector: places, names and fine zones of its bodies, and cuts that match."""
 
 from dataclasses import replace
-from math import asin, atan2, cos, hypot, inf, nan, pi, radians, sin, sqrt
+from math import asin, atan2, cos, hypot, nan, pi, radians, sin, sqrt
 
 import numpy as np
 import pytest
-from skfem import Basis, ElementQuad1, FacetBasis, Functional, MeshQuad1
 
 from meshes.sprag.profile import Placed, Sprag
 from meshes.sprag.sector import sprag_sector
+from tests.meshes.measures import measure, nodes, vertices
 
 R_ID, R_I, R_E, R_ED, R_SPIRAL, M, Z = 7.21e-3, 11.11e-3, 19.44e-3, 26.23e-3, 4.02e-3, 0.0892, 12
 RHO = R_SPIRAL / sqrt(1 + M**2)
@@ -22,33 +22,8 @@ PLACED = Placed(SPRAG, (0.0, D), TURN)
 ROUND_OFF = 1e-12  # relative
 
 
-@Functional
-def one(w):
-    return 1.0 + 0 * w.x[0]
-
-
 def sector(**changed):
     return sprag_sector(**GIVEN | changed)
-
-
-def measure(mesh, name):
-    """Length of a boundary, or area of a body."""
-    if name in mesh.boundaries:
-        basis = FacetBasis(mesh, ElementQuad1(), intorder=6, facets=mesh.boundaries[name])
-    else:
-        basis = Basis(mesh, ElementQuad1(), intorder=6, elements=mesh.subdomains[name])
-    return one.assemble(basis)
-
-
-def nodes(mesh, name):
-    """Places of all nodes of a boundary, those between corners included."""
-    facets = np.asarray(mesh.boundaries[name])
-    ends = np.unique(mesh.facets[:, facets])
-    return np.hstack([mesh.p[:, ends], mesh.doflocs[:, np.ravel(mesh.dofs.facet_dofs[:, facets])]])
-
-
-def vertices(mesh, name):
-    return mesh.p[:, np.unique(mesh.facets[:, mesh.boundaries[name]])]
 
 
 def in_own_frame(x):
@@ -70,9 +45,8 @@ def test_bodies_and_boundaries_have_their_names():
     np.testing.assert_array_equal(named, np.sort(mesh.boundary_facets()))
 
 
-@pytest.mark.parametrize("refine", [1, 2])
-def test_every_node_of_the_outline_lies_on_it(refine):
-    mesh = sector(refine=refine)
+def test_every_node_of_the_outline_lies_on_it():
+    mesh = sector(refine=2)
     tight = {"rtol": 0, "atol": ROUND_OFF * R_E}
     for name, radius in (("inner.bore", R_ID), ("inner.rim", R_I), ("outer.bore", R_E),
                          ("outer.rim", R_ED)):  # fmt: skip
@@ -90,7 +64,7 @@ def test_every_node_of_the_outline_lies_on_it(refine):
 
 
 def test_both_halves_of_the_sprag_are_one_body():
-    for share in np.linspace(0, 1, 40):  # heights whose halves round otherwise
+    for share in np.linspace(0, 1, 8):  # heights whose halves round otherwise
         zone = 3e-5 * 10**share
         mesh = sector(zones=(zone, 1.3 * zone), cells=4, turn=radians(12 * share))
         own = mesh.t[:, mesh.subdomains["sprag"]]
@@ -101,13 +75,6 @@ def test_both_halves_of_the_sprag_are_one_body():
         assert np.unique(own).size - edges + own.shape[1] == 1
 
 
-def test_the_normals_at_both_contacts_run_through_the_axis():
-    x, y = PLACED.inner
-    u, v = x, y - D  # along the radius of the spiral, whose tangent is M times it and its normal
-    assert abs(x * (M * u - v) + y * (M * v + u)) < 1e-12 * R_I * RHO
-    assert PLACED.outer == pytest.approx((0.0, R_E))
-
-
 def test_a_sprag_that_is_not_turned_touches_both_races():
     at = Placed(SPRAG, (0.0, D), 0.0)
     assert hypot(*at.inner) == pytest.approx(R_I, rel=ROUND_OFF)
@@ -115,14 +82,8 @@ def test_a_sprag_that_is_not_turned_touches_both_races():
     assert at.theta == pytest.approx(ETA)
 
 
-def test_turning_it_clockwise_presses_it_against_the_inner_race():
-    reach = [hypot(*Placed(SPRAG, (0.0, D), turn).inner) for turn in (-0.1, 0.0, 0.1)]
-    assert reach[0] > reach[1] > reach[2]
-
-
-@pytest.mark.parametrize("refine", [1, 2, 3])
-def test_the_right_cut_turned_by_a_pitch_lies_on_the_left_one(refine):
-    mesh = sector(refine=refine)
+def test_the_right_cut_turned_by_a_pitch_lies_on_the_left_one():
+    mesh = sector(refine=3)
     turn = 2 * pi / Z
     back = np.array([[cos(turn), -sin(turn)], [sin(turn), cos(turn)]])
     for race in ("inner", "outer"):
@@ -132,16 +93,7 @@ def test_the_right_cut_turned_by_a_pitch_lies_on_the_left_one(refine):
         np.testing.assert_allclose(right, left, rtol=0, atol=ROUND_OFF * R_E)
 
 
-def test_each_race_is_centred_on_its_contact():
-    mesh = sector()
-    for race, place in (("inner", PLACED.inner), ("outer", PLACED.outer)):
-        for side, sign in (("left", -1), ("right", 1)):
-            x, y = nodes(mesh, f"{race}.{side}")
-            np.testing.assert_allclose(np.arctan2(x, y), atan2(*place) + sign * pi / Z, atol=1e-12)
-
-
-@pytest.mark.parametrize("cells", [3, 6])
-@pytest.mark.parametrize("refine", [1, 2])
+@pytest.mark.parametrize(("cells", "refine"), [(3, 2)])
 @pytest.mark.parametrize(
     ("boundary", "contact", "zone", "uneven"),
     [
@@ -184,29 +136,6 @@ def test_areas_and_lengths_converge_to_the_closed_forms_with_the_fourth_power(na
         assert np.log2(errors[0] / errors[1]) == pytest.approx(4, abs=0.2), errors
 
 
-def test_the_sprags_area_is_that_of_its_outline():
-    theta, phi = (np.linspace(*ends, 20001) for ends in (SPRAG.below, SPRAG.above))
-    rho = RHO * np.exp(M * (theta - ETA))
-    x = np.concatenate([rho * np.sin(theta), SPRAG.r_e * np.sin(phi[::-1])])
-    y = np.concatenate([-rho * np.cos(theta), SPRAG.r_e * np.cos(phi[::-1])])
-    exact = (x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2
-    assert measure(sector(refine=2), "sprag") == pytest.approx(exact, rel=1e-6)
-
-
-def test_halving_the_cells_keeps_the_vertices():
-    coarse, fine = (sector(refine=k) for k in (1, 2))
-    assert fine.nelements == 4 * coarse.nelements
-    coarse, fine = (mesh.doflocs[:, : mesh.nvertices] for mesh in (coarse, fine))
-    distance = np.hypot(*(fine[:, :, None] - coarse[:, None])).min(axis=0)
-    assert distance.max() < 1e-7 * R_E
-
-
-def test_cells_may_be_straight_or_linear():
-    straight, linear = sector(straight=True), sector(order=1)
-    assert isinstance(straight, MeshQuad1)
-    np.testing.assert_allclose(straight.p, linear.p, rtol=0, atol=1e-9 * R_E)
-
-
 def test_a_compressed_sprag_has_its_arc_about_another_point():
     shorter = replace(SPRAG, centre=(1e-5, -2e-5))
     mesh = sector(sprag=shorter, turn=0.0)
@@ -221,16 +150,12 @@ def test_a_compressed_sprag_has_its_arc_about_another_point():
     ("changed", "rule"),
     [
         ({"z": 2}, "whole number z >= 3 of sprags, got z=2"),
-        ({"z": 7.5}, "whole number z >= 3"),
-        ({"z": nan}, "whole number z >= 3"),
         ({"R_id": 0.0}, "0 < R_id < R_i < R_e < R_ed, got 0, "),
         ({"R_id": R_I}, "R_id < R_i"),
         ({"R_ed": R_E}, "R_e < R_ed"),
-        ({"R_ed": inf}, "R_e < R_ed"),
         ({"R_i": R_I - 3e-3}, "reach about to the inner race at 0.00811 m"),
         ({"R_e": R_E + 3e-3}, "reach about to the outer race"),
         ({"turn": nan}, "turned by up to 45 degrees"),
-        ({"turn": 0.8}, "turned by up to 45 degrees"),
         ({"pole": (D, 0.5 * D)}, "within 45 degrees of"),
         ({"turn": radians(34)}, "turned by 34 degrees touches the inner race beyond a flank"),
         ({"turn": radians(-34)}, "race beyond a flank"),
@@ -238,7 +163,6 @@ def test_a_compressed_sprag_has_its_arc_about_another_point():
         ({"z": 20}, "one takes 19.05 degrees at the radius 0.01215"),
         ({"zones": (0.0, 1e-4)}, "the inner contact's fine zone needs 0 < zone"),
         ({"zones": (1e-4, 0.0)}, "the outer contact's fine zone needs 0 < zone"),
-        ({"zones": (1e-4, nan)}, "the outer contact's fine zone"),
         ({"zones": (1e-4, 1.3e-3)}, "of the way to the flank"),
         ({"zones": (5e-4, 1e-4), "R_id": R_I - 4e-4}, "about the wall"),
         ({"cells": 0}, "cells >= 1"),
@@ -258,7 +182,6 @@ def test_a_sector_that_cannot_be_is_refused_in_one_line(changed, rule):
         ({"r_e": nan}, "r_e > 0"),
         ({"b": -1e-3}, "b > 0"),
         ({"m": 0.0}, "0 < m < 1"),
-        ({"m": 1.0}, "0 < m < 1"),
         ({"theta_0": 0.9}, "theta_0 within 45 degrees"),
         ({"b": 8e-3}, "wider than its spiral reaches"),
         ({"b": 6e-3, "r_e": 3e-3}, "wider than its arc reaches"),

@@ -71,12 +71,6 @@ def test_a_moved_mesh_shares_what_does_not_move():
     assert ring.mapping().mesh is ring
 
 
-def test_other_cells_names_and_orders_have_topologies_of_their_own():
-    for name in ("ring", "zone", "hub", "linear", "quad", "transposed"):
-        POINTS[name]()
-    assert len(KEPT.kept) == 6
-
-
 def test_the_same_blocks_under_another_name_have_that_name():
     a, b, c, d = (0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (0.0, 1.0)
 
@@ -89,12 +83,6 @@ def test_the_same_blocks_under_another_name_have_that_name():
     for mesh, y in ((one, 0.0), (other, 1.0)):
         assert mesh.p[1, mesh.facets[:, mesh.boundaries["low"]]].tolist() == [[y] * 3] * 2
     assert sorted(one.boundaries["both"]) == sorted(other.boundaries["both"])
-
-
-def test_names_given_to_one_mesh_stay_its_own():
-    ring = POINTS["ring"]()
-    ring.with_boundaries({"mine": np.array([0])})
-    assert "mine" not in POINTS["moved"]().boundaries
 
 
 def test_no_more_than_the_last_few_are_kept():

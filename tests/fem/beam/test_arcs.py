@@ -121,20 +121,3 @@ def test_a_ring_pulled_by_two_opposite_forces_grows_along_and_shrinks_across(geo
         return u[count, 1] - along, u[0, 0] - u[2 * count, 0] - across
 
     assert_order(error, geometry)
-
-
-def test_a_polygon_pushed_out_at_its_corners_grows_evenly():
-    # every side carries F / (2 sin(pi / sides)) and nothing bends: similar growth, N R / EA
-    F, sides = 5.0, 7
-    phi = 2 * pi * np.arange(sides) / sides
-    points = R * np.column_stack([np.cos(phi), np.sin(phi)])
-    k = np.arange(sides)
-    s = solve_frame(
-        points, np.column_stack([k, (k + 1) % sides]), sections=THICK,
-        supports={0: {"x": F / (2 * np.sin(pi / sides)) * R / THICK.EA, "y": 0.0, "r": 0.0}},
-        loads={int(i): (F * np.cos(phi[i]), F * np.sin(phi[i]), 0.0) for i in k},
-    )  # fmt: skip
-    growth = F / (2 * np.sin(pi / sides)) * R / THICK.EA
-    np.testing.assert_allclose(s.u[:, :2], growth * points / R, atol=1e-13)
-    np.testing.assert_allclose(s.u[:, 2], 0, atol=1e-13)
-    assert s.reaction(0) == pytest.approx((0, 0, 0), abs=1e-11)

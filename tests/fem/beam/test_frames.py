@@ -109,3 +109,68 @@ def test_neither_the_numbers_nor_the_directions_of_the_elements_matter(solve):
     turn = -P * SPAN**2 / (2 * EI) - P * SPAN * H / EI
     assert f.u[end] == pytest.approx((out, -sink, turn), rel=ROUND_OFF)
     assert f.strain_energy == pytest.approx(P * sink / 2, rel=ROUND_OFF)
+
+
+@both_solvers
+def test_a_built_in_end_that_settles_and_turns(solve):
+    L, EI, s, sink, turn = 2.0, 30.0, 0.05, 0.01, 0.02  # s = EI / (GA L^2)
+    f = solve(
+        [(0, 0), (L / 2, 0), (L, 0)], [(0, 1), (1, 2)],
+        sections=Section(EA=1e3, EI=EI, GA=EI / (s * L**2)),
+        supports={0: "xyr", 2: {"x": 0.0, "y": sink, "r": turn}}, loads={},
+    )  # fmt: skip
+    # slope deflection: 12, 6, 4 + 12 s and 2 - 12 s over 1 + 12 s
+    k = EI / (L * (1 + 12 * s))
+    force = 12 * k * sink / L**2 - 6 * k * turn / L
+    here = -6 * k * sink / L + (4 + 12 * s) * k * turn
+    there = -6 * k * sink / L + (2 - 12 * s) * k * turn
+    assert f.reaction(2) == pytest.approx((0, force, here), rel=ROUND_OFF, abs=1e-11)
+    assert f.reaction(0) == pytest.approx((0, -force, there), rel=ROUND_OFF, abs=1e-11)
+    # the supports' work is stored
+    assert f.strain_energy == pytest.approx((force * sink + here * turn) / 2, rel=ROUND_OFF)
+    assert f.potential_energy == f.strain_energy
+
+
+BRACKET = np.array([(0, 0), (0, 1), (0, 2), (1, 2), (2, 2), (3, 2)], float)
+PAIRS = [(k, k + 1) for k in range(5)]
+
+
+@both_solvers
+def test_a_bracket_sinks_alike_at_every_size_and_place(solve):
+    # a square section of steel, a twentieth of the size thick; far away in units of its size
+    size, away = 1e-6, (1e6, 0)
+    E, d = 210e9, size / 20
+    EA, EI, GA, P = E * d**2, E * d**4 / 12, 5 / 6 * E / 2.6 * d**2, 1e-6 * E * d**2
+    s = solve(
+        size * (BRACKET + away), PAIRS, sections=Section(EA=EA, EI=EI, GA=GA),
+        supports={0: "xyr"}, loads={5: (0.0, -P, 0.0)},
+    )  # fmt: skip
+    # up by 2 sizes, out by 3: bending of both parts, shear and shortening; 6 of 16 digits are lost
+    # to the distance, 3 to EA size^2 / EI = 5e3
+    up, out = 2 * size, 3 * size
+    sink = P * (out**3 / (3 * EI) + out**2 * up / EI + out / GA + up / EA)
+    assert s.u[5, 1] == pytest.approx(-sink, rel=1e-7)
+    assert s.strain_energy == pytest.approx(P * sink / 2, rel=1e-7)
+
+
+@both_solvers
+def test_the_supports_balance_loads_in_force_and_moment(solve):
+    rng = np.random.default_rng(1)
+    loads = {k: tuple(rng.normal(size=3)) for k in range(6)}
+    supports = {0: "xy", 3: "y", 5: "xyr"}
+    s = solve(
+        BRACKET, PAIRS, sections=Section(EA=500.0, EI=10.0, GA=100.0), supports=supports,
+        loads=loads,
+    )  # fmt: skip
+    total = np.zeros(3)
+    for node in range(6):
+        x, y = BRACKET[node]
+        f = np.array(loads[node])
+        if node in supports:
+            f += s.reaction(node)
+        else:  # nothing holds it
+            assert s.reaction(node) == pytest.approx((0, 0, 0), abs=1e-10)
+        total += f[0], f[1], f[2] + x * f[1] - y * f[0]
+    np.testing.assert_allclose(total, 0, atol=1e-9)
+    assert s.reaction(3)[0] == pytest.approx(0, abs=1e-10)  # only held along y
+    assert s.reaction(0)[2] == pytest.approx(0, abs=1e-10)  # free to turn

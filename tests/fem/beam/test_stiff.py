@@ -3,8 +3,6 @@
 Their strains lie EA / EI times below the displacements whose differences they are.
 """
 
-from math import pi
-
 import numpy as np
 import pytest
 
@@ -41,27 +39,6 @@ def cantilever(kind, count, ratio):
     return s, exact, V**2 / (6 * EI) + (N**2 + V**2) / (2 * ratio * EI)
 
 
-def ring(kind, count, ratio):
-    """Radius 1, `count` elements a quarter, foot held and head pulled by F."""
-    phi = np.linspace(0, 2 * pi, 8 * count + 1)[:-1]
-    nodes = np.column_stack([np.cos(phi), np.sin(phi)])
-    head, foot = 2 * count, 6 * count
-    s = solve(kind, nodes, ratio, closed=True, supports={foot: "xyr"}, loads={head: (0.0, F, 0.0)})
-    return s, s.u[head, 1]
-
-
-def tangents(kind, s):
-    """Of the counter-clockwise ring's chords, or of its parabolas at their Gauss points."""
-    n, first, X = len(s.points), np.arange(len(s.stations)), (1 + np.array([-1, 1]) / 3**0.5) / 2
-    if kind == "straight":
-        t = (s.points[(first + 1) % n] - s.points)[:, None]
-    else:
-        a, middle, b = (s.points[(2 * first + k) % n][:, None] for k in range(3))
-        X = X[:, None]
-        t = (4 * X - 3) * a + (4 - 8 * X) * middle + (4 * X - 1) * b
-    return t / np.linalg.norm(t, axis=-1, keepdims=True)
-
-
 @both_kinds
 @stiffnesses
 def test_an_inclined_cantilever_carries_its_load_however_stiff(kind, ratio):
@@ -70,27 +47,6 @@ def test_an_inclined_cantilever_carries_its_load_however_stiff(kind, ratio):
     assert s.strain_energy == pytest.approx(energy, rel=ROUND_OFF)
     assert s.potential_energy == pytest.approx(-energy, rel=ROUND_OFF)
     assert s.reaction(0) == pytest.approx((-F, -0.3 * F, (0.6 - 0.8 * 0.3) * F), abs=ROUND_OFF * F)
-
-
-@both_kinds
-@stiffnesses
-def test_each_half_of_a_ring_carries_half_the_pull_however_stiff(kind, ratio):
-    count = 8
-    s, growth = ring(kind, count, ratio)
-    N, V, M = np.moveaxis(s.section_forces, -1, 0)
-    np.testing.assert_allclose(np.hypot(N, V), F / 2, atol=ROUND_OFF * F)
-    along = np.broadcast_to(abs(tangents(kind, s)[..., 1]), N.shape)
-    np.testing.assert_allclose(N, F / 2 * along, atol=ROUND_OFF * F)
-    # M = M_0 - F/2 |x|, and the ring closes: M_0 is F/2 times the mean |x| of its centre line
-    under = M + F / 2 * abs(s.stations[..., 0])
-    half = pi / 8 / count  # of a chord's angle
-    closed, rel = {"straight": (half / np.tan(half), ROUND_OFF), "curved": (1.0, 1e-6)}[kind]
-    assert under.mean() == pytest.approx(closed * F / pi, rel=rel)
-    np.testing.assert_allclose(under, under.mean(), atol=ROUND_OFF * F)
-    # Castigliano; chords err at second order, curves at fourth
-    exact = F * ((pi / 4 - 2 / pi) / EI + pi / 2 / (ratio * EI))
-    assert growth == pytest.approx(exact, rel={"straight": 2.1e-3, "curved": 4e-5}[kind])
-    assert s.strain_energy == pytest.approx(F * growth / 2, rel=ROUND_OFF)
 
 
 @both_kinds

@@ -145,15 +145,6 @@ def test_turning_together_is_no_slip_and_passing_by_is():
     assert np.abs(np.abs(slip) - 1e-3).max() < 1e-4  # but for its own slope
 
 
-def test_lines_apart_do_not_act():
-    term, x, _ = crossing(3)
-    energy, force, K = term.evaluate(x)
-    assert energy == 0
-    assert not force.any()
-    assert not K.toarray().any()
-    assert term.record.penetration == 0
-
-
 def test_a_line_does_not_touch_its_own_neighbourhood():
     points, elements = ring((0, 0), 1.0, 48)  # elements of 0.13 for a thickness of 0.3
     term = SelfContact(points, elements, thickness=B, EA=1.0)
@@ -199,20 +190,3 @@ def test_impossible_obstacles_are_named():
         Obstacle(points, elements, Flat((0, 0), (0, 1)), thickness=0.1, EA=1.0, carrier=5)
     with pytest.raises(ValueError, match="no node 9: the frame has nodes 0 to 4"):
         Obstacle(points, [[0, 9]], Flat((0, 0), (0, 1)), thickness=0.1, EA=1.0)
-
-
-def test_a_loop_of_eight_elements_rolls_over_a_leaf_smoothly():
-    # half a circle in 8 elements; true circles would keep their gap
-    radius, b = 0.45, 0.1
-    leaf, loop = line((-3, 0), (3, 0), 6), ring((0, radius + b), radius, 16)
-    points, elements, (_, first) = together(leaf, loop)
-    term = SelfContact(points, elements, thickness=b, EA=1.0)
-    x, centre = at_rest(points), np.array([0, radius + b, 0])
-    term.start(x)
-    gaps = []
-    for angle in np.linspace(0, np.pi / 8, 21):
-        y = x.copy()
-        y[first:] = rotated(x[first:] - centre, angle) + centre
-        met = term.pairs.nearest(y)
-        gaps.append((met.distance + met.eased).min() - b)
-    assert np.ptp(gaps) < 1e-3 * b

@@ -3,13 +3,11 @@
 import numpy as np
 import pytest
 
-from fem.contact.errors import NotFoundError
 from fem.contact.pairs import Obstacle, Pair
 from fem.contact.problem import ContactProblem
 from fem.contact.shapes import Circle, Flat
 from fem.plane.material import Elastic
 from meshes.contact.block import block
-from meshes.contact.disc import half_disc
 from meshes.contact.round import full_ring
 from meshes.join import join
 
@@ -95,31 +93,3 @@ def test_a_ring_hands_its_torque_to_the_ring_that_it_is_pressed_on(swap):
     assert sign * touch.moment() == pytest.approx(moment, rel=2e-5)
     assert sign * touch.moment(on="slave") == pytest.approx(-moment, rel=2e-5)
     np.testing.assert_allclose(touch.force, 0.0, atol=EXACT * touch.normal_force)
-
-
-def test_a_press_fit_turns_at_its_friction_and_not_before():
-    s, _ = rings(0.999)
-    assert np.any(s.touches[0].sticks)
-    with pytest.raises(NotFoundError, match="no state of rest was found"):
-        rings(1.001)
-
-
-def test_work_done_slowly_without_friction_is_the_strain_energy():
-    """U(2 F) - U(F) = int F ddelta by Simpson's rule, whose error the finer steps divide by 16."""
-    R = 10e-3
-    mesh = half_disc(R=R, zone=0.5e-3, refine=1)
-    problem = ContactProblem(
-        mesh, materials={"disc": Elastic(E=210e9, nu=0.3)}, assumption="plane strain",
-        supports={"middle": "xy"}, obstacles={"flat": Obstacle(Flat())},
-        contacts=[Pair(slave="surface", master="flat", slave_shape=Circle((0, R), R))],
-    )  # fmt: skip
-
-    def steps(count):
-        down = np.linspace(0, 8e-6, count + 1)
-        s = [problem.solve(displacements={"middle": {"x": 0.0, "y": -d}}) for d in down]
-        force = np.array([-step.touches[0].force[1] for step in s])
-        return np.trapezoid(force, down), s[-1].strain_energy
-
-    errors = [work / energy - 1 for work, energy in (steps(n) for n in (16, 32))]
-    assert abs(errors[1]) < 1e-3
-    assert errors[0] / errors[1] == pytest.approx(4, rel=0.2)  # of the trapezoidal rule

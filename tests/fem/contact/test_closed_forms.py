@@ -7,7 +7,7 @@ from fem.contact.pairs import Obstacle, Pair, Rigid
 from fem.contact.problem import ContactProblem
 from fem.contact.shapes import Circle, Flat
 from fem.plane.material import Elastic
-from meshes.contact.block import block, full_block, half_block
+from meshes.contact.block import block, full_block
 from meshes.contact.disc import quarter_disc
 from meshes.contact.round import full_ring
 from meshes.join import join
@@ -127,23 +127,3 @@ def test_a_press_fit_meets_lame(assumption, swap, overlap, friction):
     # i/r = 2.5e-4 of the radius when bodies overlap, which are of one size here
     assert touch.normal_force / (2 * np.pi * r) == pytest.approx(p, rel=3e-4)
     np.testing.assert_allclose(touch.pressure, p, rtol=2e-2)
-
-
-def layer(load):
-    """A layer pressed on a foundation over a fifth of its thickness; where it lifts off."""
-    mesh = join({"layer": block(x=(0, 4), y=(0, 1), nx=40, ny=6),
-                 "low": half_block(width=40, depth=40, zone=2, refine=1, cells=20)})  # fmt: skip
-    s = ContactProblem(
-        mesh, materials=Elastic(E=1.0, nu=NU), assumption="plane strain",
-        supports={"layer.left": "x", "low.axis": "x", "low.bottom": "y"},
-        contacts=[Pair(slave="layer.bottom", master="low.surface")],
-    ).solve(pressures={"layer.top": lambda x: np.where(x[0] < 0.1, load, 0.0)})  # fmt: skip
-    return s.touches[0]
-
-
-def test_a_layer_recedes_to_one_extent_under_any_load():
-    light, heavy = layer(1e-9), layer(1e3)
-    np.testing.assert_array_equal(light.closed, heavy.closed)
-    np.testing.assert_allclose(1e12 * light.pressure, heavy.pressure, atol=1e-8 * heavy.peak)
-    # Keer, Dundurs and Tsai 1972: 1.35 for a point load on bodies alike, in thicknesses
-    assert heavy.x[0, heavy.closed].max() == pytest.approx(1.35, abs=0.06)  # a cell's half, spread

@@ -1,4 +1,4 @@
-"""Forces along z balance, friction in the cone only takes energy, and random starts end alike."""
+"""Forces along z balance, friction in the cone only takes energy; without them it is the plane."""
 
 import numpy as np
 import pytest
@@ -72,23 +72,44 @@ def test_friction_only_takes_energy_and_all_that_is_missing():
     assert work - change == pytest.approx(sum(lost[49:]), rel=1e-6)
 
 
-def test_slip_along_z_counts_from_where_a_gap_closes():
-    # half-way down the gap closes, and from there on the slave is dragged the other half
-    def step(steps):
-        mesh = block(x=(0, 1), y=(0.01, 0.51), nx=4, ny=3)
-        problem = ContactProblem(
-            mesh, materials=Elastic(E=1.0, nu=0.0), assumption="plane strain",
-            supports={"top": "xy"}, along=Along(supports={"top": 0.0}),
-            obstacles={"floor": Obstacle(Flat())},
-            contacts=[Pair(slave="bottom", master="floor", friction=5.0)],
-        )  # fmt: skip
+def tower(along, friction=0.25):
+    mesh = join({"up": block(x=(0.2, 0.7), y=(0.5, 1.0), nx=6, ny=5),
+                 "low": block(x=(0, 1), y=(0, 0.5), nx=11, ny=5)})  # fmt: skip
+    return ContactProblem(
+        mesh, materials={"up": SOFT, "low": HARD}, assumption="plane strain",
+        supports={"low.bottom": "xy"}, along=along,
+        contacts=[Pair(slave="up.bottom", master="low.top", friction=friction)],
+    )  # fmt: skip
+
+
+def test_without_loads_along_z_the_plane_is_what_it_was():
+    plane, both = tower(None), tower(Along(supports={"low.bottom": 0.0}))
+    a = b = None
+    for x in (0.0, 6e-4, 1.2e-3, -5e-4):
+        load = {"up.top": (x, -8e-3)}
+        a, b = plane.solve(forces=load, after=a), both.solve(forces=load, after=b)
+        np.testing.assert_array_equal(a.rest.multipliers, b.rest.multipliers)
+        np.testing.assert_array_equal(a.displacements, b.displacements)
+        assert not np.any(b.u_z)
+        assert b.touches[0].force_z == 0.0
+        assert a.u_z.size == b.u_z.size
+
+
+def test_shares_of_a_step_are_steps_of_their_own():
+    problem = tower(Along(supports={"low.bottom": 0.0}), friction=0.6)
+
+    def at(share, after, steps=1):
         return problem.solve(
-            displacements={"top": {"x": 0.0, "y": -0.02}}, axial_displacements={"top": 2e-3},
-            steps=steps,
+            forces={"up.top": (share * 1e-3, share * -8e-3)},
+            axial_forces={"up.top": share * 2e-3},
+            axial_displacements={"low.bottom": share * 0.1}, after=after, steps=steps,
         )  # fmt: skip
 
-    G = 0.5
-    for steps in (1, 2, 4):
-        touch = step(steps).touches[0]
-        assert np.all(touch.sticks)
-        np.testing.assert_allclose(touch.traction_z, 1e-3 * G / 0.5, rtol=1e-9)
+    one = at(1.0, at(0.5, None))
+    there = at(1.0, None, 2)
+    back = at(0.25, there, 3)
+    same = at(0.25, at(0.5, at(0.75, one)))
+    for found, expected in ((there, one), (back, same)):
+        a, b = found.touches[0], expected.touches[0]
+        np.testing.assert_allclose(a.traction_z, b.traction_z, atol=1e-9 * b.peak)
+        np.testing.assert_allclose(found.u_z, expected.u_z, atol=1e-9 * np.abs(one.u_z).max())

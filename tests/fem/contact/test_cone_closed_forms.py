@@ -10,11 +10,10 @@ import pytest
 from fem.contact.along import Along
 from fem.contact.pairs import Obstacle, Pair
 from fem.contact.problem import ContactProblem
-from fem.contact.shapes import Circle, Flat
+from fem.contact.shapes import Flat
 from fem.plane.material import Elastic
 from fem.plane.ties import Tie
 from meshes.contact.block import block
-from meshes.contact.round import full_ring
 from meshes.join import join
 
 SOFT, HARD = Elastic(E=1.0, nu=0.3), Elastic(E=4.0, nu=0.2)
@@ -64,31 +63,6 @@ def test_layers_that_stick_shear_evenly(cells, order):
     assert s.strain_energy == pytest.approx(
         s.plane.strain_energy + s.along.strain_energy, rel=EXACT
     )
-
-
-def test_a_line_of_force_along_z_leaves_rings_by_the_logarithm():
-    # u_z = F/(2 pi G) ln(r/r_i) in each ring, and the traction at the fit is F/(2 pi r)
-    r_i, r, r_o, F, L = 0.02, 0.04, 0.07, 5e3, 0.3
-    soft, hard = Elastic(E=70e9, nu=0.3), Elastic(E=210e9, nu=0.3)
-    mesh = join({"in": full_ring(r_i=r_i, r_o=r, around=32, across=6),
-                 "out": full_ring(r_i=r, r_o=r_o, around=24, across=6)})  # fmt: skip
-    problem = ContactProblem(
-        mesh, materials={"in": hard, "out": soft}, assumption="plane strain", thickness=L,
-        supports={"in.bore": "xy"}, along=Along(supports={"in.bore": 0.0}),
-        contacts=[Pair(slave="in.rim", master="out.bore", friction=0.2, interference=1e-5,
-                       slave_shape=Circle((0, 0), r),
-                       master_shape=Circle((0, 0), r, hollow=True))],
-    )  # fmt: skip
-    s = problem.solve(axial_forces={"out.rim": F})
-    touch = s.touches[0]
-    assert np.all(touch.sticks)
-    assert touch.force_z == pytest.approx(-F, rel=EXACT)
-    np.testing.assert_allclose(touch.traction_z, -F / (2 * np.pi * r * L), rtol=2e-3)
-    radius = np.hypot(*s.bodies.basis.doflocs[:, s.along.interface.bodies.nodes.dofs[0]])
-    G_in, G_out = 210e9 / 2.6, 70e9 / 2.6
-    inner = np.log(r / r_i) / G_in
-    outer = F / (2 * np.pi * L) * (inner + np.log(r_o / r) / G_out)
-    np.testing.assert_allclose(s.u_z[np.isclose(radius, r_o)], outer, rtol=2e-4)
 
 
 @pytest.mark.parametrize("free", [(), ("floor",)], ids=["held", "free"])

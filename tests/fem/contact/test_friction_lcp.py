@@ -9,7 +9,7 @@ from fem.contact.errors import NoEquilibriumError
 from fem.contact.friction_lcp import FrictionLcp
 from fem.contact.lemke import lemke
 from fem.contact.residual import residual
-from fem.contact.system import BACKWARD, FORWARD, OPEN, STICK
+from fem.contact.system import BACKWARD, FORWARD, STICK
 
 COUPLED = np.array([[1.0, -0.9], [-0.9, 1.0]])  # pressure and slip of one node
 
@@ -60,18 +60,6 @@ def test_a_wrong_force_violates_its_law(row, factor, law):
     assert getattr(residual(kernel, w_0, none, wrong, none), law) > 2e-4
 
 
-def test_of_three_solutions_the_one_of_index_minus_one_proves_the_others():
-    # open, slipping forward at n = 0.1/0.35, and sticking: by hand
-    kernel, w_0, none = node(), np.array([0.1, -0.3]), np.zeros(0)
-    slipping = Rest(np.array([1.0, 1.5]) * 0.1 / 0.35, none, np.array([FORWARD], np.int8))
-    sticking = Rest(np.linalg.solve(COUPLED, -w_0), none, np.array([STICK], np.int8))
-    lost = Rest(np.zeros(2), none, np.array([OPEN], np.int8))
-    for rest in (slipping, sticking, lost):
-        assert residual(kernel, w_0, none, rest.multipliers, none).largest < 1e-12
-    assert kernel.is_proven_non_unique(slipping, w_0, none)
-    assert not kernel.is_proven_non_unique(lost, w_0, none)
-
-
 def test_a_wedge_held_by_friction_has_zero_force_as_another_solution():
     # a body between two plates at +-5 deg, drawn out of the wedge by neither: tan 5 deg = 0.087
     c, s = np.cos(np.radians(5)), np.sin(np.radians(5))
@@ -118,16 +106,6 @@ def test_a_symmetric_problem_is_solved_without_random_covering():
 
 def test_a_ray_is_no_solution():
     assert lemke(np.array([[-1.0]]), np.array([-1.0]), np.array([1.0])) is None
-
-
-def test_a_soft_body_beside_a_stiff_one_is_in_balance_too():
-    # two bodies on springs of 1 and 5e-8, each pressed by 1
-    kernel = Complementarity(
-        B=np.diag([1.0, 2e7]), D=np.eye(2), friction=np.zeros(2), partner=np.array([-1, -1]),
-        part=np.array([0, 1]),
-    )  # fmt: skip
-    rest = kernel.solve(np.zeros(2), np.array([-1.0, -1.0]))
-    assert rest.multipliers == pytest.approx([1.0, 1.0], rel=1e-9)
 
 
 def test_without_force_a_row_at_the_limit_of_its_state_proves_no_other_solution():

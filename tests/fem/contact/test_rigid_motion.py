@@ -1,6 +1,4 @@
-"""Bodies that nothing but contact holds, bodies that start apart, and bodies that do not deform."""
-
-from dataclasses import replace
+"""Bodies that nothing but contact holds, that start apart, and exchanges that find their rest."""
 
 import numpy as np
 import pytest
@@ -9,18 +7,14 @@ from fem.contact.pairs import Obstacle, Pair
 from fem.contact.problem import ContactProblem
 from fem.contact.shapes import Circle, Flat
 from fem.plane.material import Elastic
-from meshes.contact.block import block
-from meshes.contact.disc import half_disc
+from meshes.contact.block import block, full_block
+from meshes.contact.disc import half_disc, quarter_disc
 from meshes.contact.round import full_disc
 from meshes.join import join
 
 R, LOAD = 10e-3, 1e5
 STEEL = Elastic(E=210e9, nu=0.3)
 EXACT = 1e-8
-
-
-def at(mesh, x, y):
-    return replace(mesh, doflocs=mesh.doflocs + np.reshape((x, y), (2, 1)))
 
 
 @pytest.mark.parametrize(("friction", "gap"), [(0.0, 1e-3), (0.4, 2e-6)])
@@ -61,33 +55,6 @@ def test_a_disc_slips_down_a_groove_as_far_as_friction_lets_it(friction):
         assert abs(touch.friction_force) == pytest.approx(friction * touch.normal_force, rel=1e-6)
 
 
-def upright(mesh, centres):
-    """Anchors sideways at two nodes of each disc, inside it, where no two bodies meet."""
-    x, y = mesh.doflocs
-    nodes = [
-        np.argmin(np.abs(y - c - up) + 10 * np.abs(x)) for _, c in centres for up in (0.0, R / 2)
-    ]
-    return {(float(x[k]), float(y[k])): "x" for k in nodes}
-
-
-def test_discs_stacked_by_their_whole_rims_meet_where_they_face_each_other():
-    centres = {f"disc {k}": (0.0, R + 2 * R * k) for k in range(3)}
-    mesh = join({name: at(full_disc(R=R, around=32), *c) for name, c in centres.items()})
-    rim = {name: Circle(c, R) for name, c in centres.items()}
-    pairs = [("disc 0", "floor"), ("disc 2", "press"), ("disc 1", "disc 0"), ("disc 1", "disc 2")]
-    s = ContactProblem(
-        mesh, materials=STEEL, assumption="plane strain",
-        anchors=upright(mesh, centres.values()),
-        obstacles={"floor": Obstacle(Flat()),
-                   "press": Obstacle(Flat((0.0, 6 * R), (0.0, -1.0)), free="y")},
-        contacts=[Pair(slave=f"{a}.rim", slave_shape=rim[a],
-                       master=f"{b}.rim" if b in rim else b, master_shape=rim.get(b))
-                  for a, b in pairs],
-    ).solve(forces={"press": (0.0, -LOAD)})  # fmt: skip
-    for touch, down in zip(s.touches, (-1, 1, -1, 1), strict=True):
-        np.testing.assert_allclose(touch.force, (0.0, down * LOAD), atol=1e-7 * LOAD)
-
-
 @pytest.mark.parametrize("share", [0.3, 0.999])
 def test_a_block_on_a_rough_floor_holds_below_its_friction(share):
     s = pushed(share)
@@ -123,3 +90,126 @@ def test_contact_opens_and_closes_again_as_often_as_it_is_driven():
         force = s.touches[0].normal_force
         assert force == pytest.approx(pressed.setdefault(down, force), rel=EXACT)
         assert (force > 0) == (down > 0)
+
+
+def on_floor():
+    return ContactProblem(
+        block(x=(-1, 1), y=(0, 1), nx=8, ny=4), materials=Elastic(E=100.0, nu=0.3),
+        assumption="plane strain", obstacles={"floor": Obstacle(Flat())},
+        contacts=[Pair(slave="bottom", master="floor", friction=0.3)],
+    )  # fmt: skip
+
+
+def test_a_free_block_that_friction_holds_aside_stays_there_as_its_load_falls():
+    problem = on_floor()
+    at = problem.solve(forces={"top": (0.0, -1.0)})
+    at = problem.solve(forces={"top": (0.0, -1.0), "bottom": (0.27, 0.0)}, after=at)
+    for load in (1.0, 1e-3):
+        at = problem.solve(forces={"top": (0.0, -load)}, after=at)
+        assert at.touches[0].force == pytest.approx((0.0, -load), abs=1e-8 * load)
+
+
+YIELDING = Elastic(E=1e3, nu=0.3)
+
+
+def punched(start):
+    """A round punch that a force drives into a block from `start` above it."""
+    punch = Obstacle(Circle((0.0, 5.0 + start), 5.0), free="y")
+    problem = ContactProblem(
+        full_block(width=10.0, depth=10.0, zone=1.2, refine=1), materials=YIELDING,
+        assumption="plane strain", supports={"bottom": "xy"}, obstacles={"punch": punch},
+        contacts=[Pair(slave="surface", master="punch")],
+    )  # fmt: skip
+    return problem.solve(forces={"punch": (0, -100.0)}).touches[0]
+
+
+def test_an_obstacle_keeps_its_own_curvature_from_wherever_it_comes():
+    near, far = punched(0.0), punched(15.0)
+    assert far.peak == pytest.approx(near.peak, rel=1e-3)
+    assert far.half_width() == pytest.approx(near.half_width(), rel=1e-3)
+
+
+def column(steps):
+    """A column that is driven down through a gap and aside at once; T of it as it should be.
+
+    Half of the way it does not touch. From there on it sticks: it bends and shears by half of
+    the whole shift.
+    """
+    gap = 1e-4
+    problem = ContactProblem(
+        block(x=(0, 1), y=(0, 4), nx=4, ny=16), materials=Elastic(E=1.0, nu=0.0),
+        assumption="plane strain", supports={"top": "xy"},
+        obstacles={"floor": Obstacle(Flat((0, -gap)))},
+        contacts=[Pair(slave="bottom", master="floor", friction=5.0)],
+    )  # fmt: skip
+    touch = problem.solve(displacements={"top": {"x": gap, "y": -2 * gap}}, steps=steps).touches[0]
+    return touch.normal_force, touch.friction_force
+
+
+def test_what_slides_before_it_touches_costs_nothing():
+    N, T = column(1)
+    many = column(20)
+    assert pytest.approx(1e-4 / 4, rel=1e-9) == N  # E times the strain of what is left of the way
+    assert pytest.approx((N, T), rel=1e-6) == many
+    both = ContactProblem(  # the same column, already down, and aside by the second half alone
+        block(x=(0, 1), y=(0, 4), nx=4, ny=16), materials=Elastic(E=1.0, nu=0.0),
+        assumption="plane strain", supports={"top": "xy"}, obstacles={"floor": Obstacle(Flat())},
+        contacts=[Pair(slave="bottom", master="floor", friction=5.0)],
+    ).solve(displacements={"top": {"x": 0.5e-4, "y": -1e-4}}, steps=20)  # fmt: skip
+    assert pytest.approx(both.touches[0].friction_force, rel=1e-6) == T
+
+
+def test_a_round_punch_that_turns_drags_as_one_that_is_shifted():
+    R, down, aside = 5.0, -0.05, 2e-3
+    punch = ContactProblem(
+        full_block(width=10.0, depth=10.0, zone=1.0, refine=1), materials=YIELDING,
+        assumption="plane strain", supports={"bottom": "xy"},
+        obstacles={"punch": Obstacle(Circle((0.0, R), R))},
+        contacts=[Pair(slave="surface", master="punch", friction=0.9)],
+    )  # fmt: skip
+    pressed = punch.solve(displacements={"punch": {"y": down}})
+    drags = [
+        punch.solve(displacements={"punch": {"y": down, **way}}, after=pressed).touches[0]
+        for way in ({"r": aside / R}, {"x": aside})
+    ]
+    # the point of contact is R below the centre: turning to the left moves it to the right, and
+    # the block with it, which pulls the punch back
+    turned, shifted = (touch.friction_force for touch in drags)
+    assert abs(turned) > 0.3
+    assert turned == pytest.approx(shifted, rel=0.02)  # (a/R)^2, by which the contact is curved
+
+
+HALF_LOAD = np.pi * 210e9 / 0.91 * (1e-4) ** 2 / (4 * R) / 2  # half of what makes a = R/100
+
+
+def quarter(refine):
+    return ContactProblem(
+        quarter_disc(R=R, zone=0.15e-3, refine=refine), materials=STEEL,
+        assumption="plane strain", supports={"axis": "x"}, obstacles={"flat": Obstacle(Flat())},
+        contacts=[Pair(slave="surface", master="flat", slave_shape=Circle((0, R), R))],
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("refine", [1, 6])
+def test_exchanges_do_not_grow_with_the_mesh(refine):
+    step = quarter(refine).solve(forces={"middle": (0, -HALF_LOAD)})
+    assert np.count_nonzero(step.changes) <= 4
+    assert step.touches[0].normal_force == pytest.approx(HALF_LOAD, rel=1e-9)
+
+
+def test_friction_that_makes_the_exchanges_circle_is_solved_all_the_same():
+    # pressed against a rigid flat, a disc's surface creeps inwards: slip outside, stick inside
+    disc = ContactProblem(
+        half_disc(R=R, zone=0.28e-3, refine=2), materials=STEEL, assumption="plane strain",
+        supports={"middle": "xy"}, obstacles={"flat": Obstacle(Flat(), free="xy")},
+        contacts=[
+            Pair(slave="surface", master="flat", slave_shape=Circle((0, R), R), friction=0.5)
+        ],
+    )  # fmt: skip
+    step = disc.solve(forces={"flat": (0, 1e6)})
+    touch = step.touches[0]
+    assert len(step.changes) < 200
+    assert touch.force == pytest.approx((0, -1e6), abs=1e-2)
+    assert touch.sticks.any()
+    assert (touch.closed & ~touch.sticks).any()
+    assert touch.friction_force == pytest.approx(0, abs=1e-2)  # left and right pull alike

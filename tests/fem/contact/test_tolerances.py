@@ -50,15 +50,6 @@ def test_a_gap_of_an_unloaded_body_counts_beyond_round_off_of_the_largest(gap, l
     assert smooth().without_round_off(np.array([1.0, gap])).tolist() == [1.0, left]
 
 
-@pytest.mark.parametrize(("share", "is_held"), [(1 - 1e-6, True), (1 + 1e-6, False)])
-def test_a_body_on_a_slope_is_held_up_to_the_angle_of_friction(share, is_held):
-    D = np.array([[0.0, 1.0], [1.0, 0.0]])  # a point with friction 0.3 that moves along x and y
-    body = Complementarity(
-        B=np.eye(2), D=D, friction=np.array([0.3]), partner=np.array([1]), part=np.array([0])
-    )
-    assert np.any(body.missing(np.array([0.3 * share, -1.0]))) != is_held
-
-
 @pytest.mark.parametrize(("share", "slides"), [(1e-12, True), (1e-6, False)])
 def test_a_contact_slides_where_sticking_nodes_carry_round_off_alone(share, slides):
     one = SimpleNamespace(touches=[SimpleNamespace(sticking_share=share)])

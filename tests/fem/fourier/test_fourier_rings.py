@@ -110,18 +110,6 @@ def test_the_uniform_harmonic_is_the_axisymmetric_problem():
     assert s.reaction("start")[0] == pytest.approx(plane.reaction("start")[1], abs=1e-9)
 
 
-def test_energies_of_several_harmonics_add_up():
-    solid = FourierSolid(ring(R_I, R_O, 3), STEEL, {"start": "z", "end": "z"}, degree=2)
-    loads = {0: {"rim": (-1.0, 0.0, 0.0)}, 2: {"rim": (-0.5, 0.2, 0.0)}}
-    whole = solid.solve(loads)
-    parts = [solid.harmonic(n).solve(load).strain_energy for n, load in loads.items()]
-    assert whole.strain_energy == pytest.approx(sum(parts))
-    at = np.array([[0.8], [0.1]])
-    u, _ = whole.at(at, np.array([0.0]))
-    turned, _ = whole.at(at, np.array([np.pi]))
-    np.testing.assert_allclose(u, turned, atol=1e-12)  # even harmonics alone
-
-
 def test_a_shaft_held_at_one_end_bends_as_a_beam():
     R, length, tau = 0.02, 0.4, 1e6
     shaft = FourierSolid(

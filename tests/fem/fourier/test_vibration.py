@@ -88,17 +88,6 @@ def test_a_rigid_rotor_s_critical_speeds_are_those_of_its_four_unknowns():
     assert backward == pytest.approx(behind**-0.5, rel=1e-5)
 
 
-def test_a_rigid_disc_on_a_boundary_is_the_same_as_its_body():
-    """A light tube that carries the tube's own inertia once more, at twice the speed."""
-    disc = RigidDisc(boundary="rim", mass=MASS, polar=POLAR, diametral=DIAMETRAL, ratio=2.0)
-    a = B / 2
-    K = np.array([[5e7, 1e7 * a], [1e7 * a, 5e7 * a**2 + 1e4]])
-    ahead, behind = whirl(K, 2 * np.diag([MASS, DIAMETRAL]), np.diag([0.0, (1 + 2) * POLAR]), 250.0)
-    found = held(discs=(disc,)).modes(250.0, 2)
-    assert found.forward == pytest.approx(ahead, rel=1e-5)
-    assert found.backward == pytest.approx(behind, rel=1e-5)
-
-
 def test_two_rotors_in_one_another_whirl_as_their_eight_unknowns_do():
     """The inner one against the outer one's turn at 1.5 times its speed, a spring between."""
     inner = {"r_i": 0.0, "r_o": 0.04, "b": 0.1, "start": -0.05}

@@ -152,21 +152,6 @@ def test_a_tilted_block_between_two_smooth_walls_is_in_uniaxial_stress(kind, ass
     assert s.displacement_at((0, 0)) == pytest.approx((0, 0), abs=1e-15)
 
 
-@every_case
-def test_a_wall_that_runs_round_a_corner_holds_both_of_its_sides(kind, assumption):
-    p, tilt = 3.0, radians(30)
-    mesh = block(kind, tilt)
-    round_corner = np.concatenate([mesh.boundaries["left"], mesh.boundaries["bottom"]])
-    s = solve_plane(
-        mesh.with_boundaries({"left and bottom": round_corner}), materials=SOFT,
-        assumption=assumption, supports={"left and bottom": "n"}, pressures={"right": p},
-    )  # fmt: skip
-    force = p * cos(tilt), p * sin(tilt)
-    assert s.reaction("left and bottom")[:2] == pytest.approx(force, abs=1e-9 * p)
-    c, n = cos(tilt), sin(tilt)
-    np.testing.assert_allclose(s.in_body().stress[2], -p * c * n, atol=1e-11 * p)
-
-
 @every_element
 def test_a_wall_that_moves_along_its_normal_and_tangent_takes_the_block_along(kind):
     tilt = radians(25)
@@ -177,19 +162,3 @@ def test_a_wall_that_moves_along_its_normal_and_tangent_takes_the_block_along(ki
     # outward normal of "right" is (cos, sin), its tangent (-sin, cos)
     expected = 0.2 * cos(tilt) - 0.1 * sin(tilt), 0.2 * sin(tilt) + 0.1 * cos(tilt)
     np.testing.assert_allclose(s.in_body().u.T, [expected] * s.in_body().u.shape[1], atol=1e-12)
-
-
-def test_walls_that_turn_a_block_rigidly_strain_nothing():
-    tilt, angle = radians(40), 0.01
-    along, up = np.array([cos(tilt), sin(tilt)]), np.array([-sin(tilt), cos(tilt)])
-    s = solve_plane(
-        block("tri6", tilt), materials=SOFT, assumption="plane stress",
-        supports={
-            "right": {"n": lambda x: -angle * (up @ x)},
-            "left": {"n": lambda x: angle * (up @ x)},
-            "bottom": {"n": lambda x: -angle * (along @ x)},
-        },
-    )  # fmt: skip
-    x = s.in_body().x
-    np.testing.assert_allclose(s.in_body().u, angle * np.array([-x[1], x[0]]), atol=1e-14)
-    assert s.strain_energy < 1e-24

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from scipy.sparse.linalg import splu
-from skfem import BilinearForm, MeshQuad1, MeshQuad2, MeshTri1, MeshTri2
+from skfem import BilinearForm, MeshQuad2, MeshTri1, MeshTri2
 from skfem.helpers import ddot, eye, sym_grad, trace
 
 from fem.plane.cells import Cells
@@ -83,12 +83,6 @@ def test_nested_dissection_numbers_every_unknown_and_keeps_factors_small(kind):
     # 1.04 times here; 0.83 times at 10^5 unknowns
     order = free[np.argsort(place[free])]
     assert entries(order, "NATURAL") < 1.1 * entries(free, "MMD_AT_PLUS_A")
-
-
-@pytest.mark.parametrize("cells", [1, 3])
-def test_meshes_of_few_cells_have_an_order_too(cells):
-    basis = vector_basis(MeshQuad1.init_tensor(np.linspace(0, 1, cells + 1), np.linspace(0, 1, 2)))
-    np.testing.assert_array_equal(np.sort(nested_dissection(basis)), np.arange(basis.N))
 
 
 def square(kind, old=None, new=None):

@@ -77,26 +77,6 @@ def test_a_linear_field_is_exact_at_any_point_of_curved_cells(kind):
     assert found.normal.size == 0
 
 
-@every_element
-def test_small_cells_far_from_the_origin_keep_their_points(kind):
-    far, size = np.array([[[3.0]], [[-7.0]]]), 1e-7
-    mesh = block(kind, lambda x, y: far[..., 0] + size * wavy(x, y))
-    x = anywhere(mesh)
-    found = linear(mesh, about=(3.0, -7.0)).at(x)
-    eps = np.finfo(float).eps * 10 / size  # a point's own rounding, in units of the body
-    np.testing.assert_allclose(found.u / size, GRAD @ (x - far[..., 0]) / size, atol=eps)
-    np.testing.assert_allclose(found.stress[:2].T, [hooke()[:2]] * 500, atol=1e4 * eps)
-
-
-@every_element
-def test_a_point_on_a_shared_edge_or_vertex_has_the_value_of_both_sides(kind):
-    mesh = block(kind, wavy)
-    ends = mesh.p[:, mesh.facets] if kind in ("tri3", "quad4") else None
-    nodes = mesh.doflocs if ends is None else np.hstack([mesh.p, ends.mean(axis=1)])
-    found = linear(mesh).at(nodes)
-    np.testing.assert_allclose(found.u, GRAD @ nodes, atol=1e-14)
-
-
 @curved_element
 def test_points_of_a_true_circle_lie_on_its_wall_of_parabolas(kind):
     mesh = block(kind, arc, y=np.linspace(0, 1, 13))
@@ -116,14 +96,6 @@ def test_the_first_point_outside_is_named(kind):
         solution.at(x)
 
 
-@curved_element
-def test_the_distance_of_a_point_outside_is_that_to_the_curved_wall(kind):
-    mesh = block(kind, arc, y=np.linspace(0, 1, 13))
-    phi = np.pi / 2 * 1.25 / 12
-    with pytest.raises(ValueError, match=r"outside the mesh, 0\.1 from its boundary"):
-        linear(mesh).at(2.1 * np.array([[np.cos(phi)], [np.sin(phi)]]))
-
-
 @pytest.mark.parametrize(("kind", "seed"), [("quad4", 0), ("tri6", 1), ("quad9", 2)])
 def test_distorted_cells_hide_no_point(kind, seed):
     # beside some of the quadratic cells a second point maps to x, where Newton's steps may end
@@ -137,13 +109,6 @@ def test_distorted_cells_hide_no_point(kind, seed):
     x = anywhere(mesh, 5_000, seed)
     cell, X = locate(mesh, x)
     np.testing.assert_allclose(mesh.mapping().F(X[:, :, None], tind=cell)[..., 0], x, atol=1e-14)
-
-
-@every_element
-def test_a_point_in_a_hole_is_outside(kind):
-    mesh = block(kind, lambda x, y: np.array([x, y]), hole=1 / 6)
-    with pytest.raises(ValueError, match="outside"):
-        linear(mesh).at(np.array([[0.5], [0.45]]))
 
 
 @pytest.mark.parametrize(

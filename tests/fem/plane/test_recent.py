@@ -100,35 +100,8 @@ def test_another_matrix_is_factorised_anew(other, factorisations):
     assert same(after, other())
 
 
-def test_numbers_of_unknowns_are_those_of_the_cells_at_hand():
-    mesh = plate()
-    kept = discretisation.vector_basis(mesh).dofs
-    assert discretisation.vector_basis(plate(0.05)).dofs is kept
-    assert discretisation.vector_basis(mesh, 1).N < kept.N
-    grid = MeshQuad1(mesh.p[:, : mesh.nvertices].copy(), mesh.t)
-    other = MeshQuad1(grid.p, np.ascontiguousarray(grid.t[:, ::-1]))
-    first, second = (discretisation.vector_basis(m).element_dofs for m in (grid, other))
-    assert np.array_equal(first[:, ::-1], second)
-
-
-def test_what_is_used_again_stays():
-    recent = Recent(most=2)
-    made = []
-    for k in (1, 2, 1, 3, 1):
-        recent.get((k,), lambda k=k: made.append(k))
-    assert made == [1, 2, 3]
-
-
 def test_what_takes_too_much_room_is_not_kept_and_drives_out_nothing():
     recent = Recent(most=9, room=10)
     for k, size in ((1, 4), (2, 5), (3, 11), (4, 3)):
         recent.get((k,), lambda k=k: k, lambda _, size=size: size)
     assert [entry[1] for entry in recent.kept] == [4, 2]
-
-
-def test_a_key_that_changes_in_place_is_another_one():
-    recent, x = Recent(most=3), np.ones(3)
-    assert recent.get((x,), lambda: "ones") == "ones"
-    x[1] = 2.0
-    assert recent.get((x,), lambda: "more") == "more"
-    assert recent.get((np.ones(3),), lambda: "anew") == "ones"

@@ -90,23 +90,6 @@ def test_shear_coefficients_of_solid_and_thin_sections(nu, solid, thin):
     assert Element(1, 1, 1 - 1e-7, material=material).kappa == pytest.approx(thin, rel=1e-6)
 
 
-def test_refining_keeps_the_numbered_nodes_and_their_static_deflection():
-    coarse, fine = (
-        Rotor([Shaft(STEPPED)], supports=[Support(0, 1e7), Support(3, 1e7)], refine=n)
-        for n in (1, 5)
-    )
-    f = np.zeros(coarse.M.shape[0])
-    f[6], f[13] = 1000.0, -500.0
-    held = [i for i in range(f.size) if i % 6 in (0, 1, 3, 4)]
-    u = np.linalg.solve(coarse.K[np.ix_(held, held)], f[held])
-    held_fine = [i for i in range(fine.M.shape[0]) if i % 6 in (0, 1, 3, 4)]
-    g = np.zeros(fine.M.shape[0])
-    g[: f.size] = f
-    v = np.linalg.solve(fine.K[np.ix_(held_fine, held_fine)], g[held_fine])
-    np.testing.assert_allclose(v[: u.size], u, rtol=1e-9)
-    assert fine.stations == coarse.stations == 4
-
-
 def test_a_link_acts_on_the_difference_alone():
     K = np.arange(36.0).reshape(6, 6)
     K = K + K.T

@@ -77,14 +77,6 @@ def test_critical_speeds_are_where_a_frequency_meets_the_excitation(rotor, excit
         assert abs(crossings - speed).min() < 2e-5 * speed
 
 
-def test_forward_backward_and_both():
-    forward, backward, both = (
-        critical_speeds(ISOTROPIC, 6, whirl).speeds for whirl in ("forward", "backward", "both")
-    )
-    np.testing.assert_allclose(np.sort([*forward, *backward])[:6], both, rtol=1e-12)
-    assert (backward < forward).all()
-
-
 def test_a_thin_overhung_disc_has_no_second_forward_critical_speed():
     """Stodola: with Ip > Id the equation in W^2 has one positive root; backwards it has two."""
     L, d, m, Ip, Id = 0.4, 0.03, 6.0, 0.12, 0.06

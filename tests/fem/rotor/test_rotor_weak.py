@@ -5,8 +5,6 @@ import pytest
 from skfem import MeshLine
 
 from analytic.rotor.shafts import UniformShaft, hutchinson
-from fem.rotor.model import Element, Material, Rotor, Shaft, Support
-from fem.rotor.modes import modes
 from fem.rotor.splitting import Whirl, gyroscopic_splitting
 from fem.rotor.weak import weak_shaft
 
@@ -56,41 +54,6 @@ def test_shapes_that_are_no_pair_leave_the_difference():
         1.0, M, G, Whirl(np.array([5.0]), shapes[:, :1]), Whirl(np.array([3.0]), shapes[:, 1:])
     )
     assert found == pytest.approx([2.0])
-
-
-def test_a_slender_shaft_does_not_lock():
-    s = uniform(1e-4)
-    found = weak(s, 16).whirl(0.0, held=[0, L], count=1)[0]
-    assert found[0] == pytest.approx(s.whirl(1, theory="euler")[0], rel=1e-5)
-
-
-@pytest.mark.parametrize(("theory", "order"), [("euler", 4), ("rayleigh", 4), ("timoshenko", 2)])
-def test_a_stepped_shaft_whirls_as_the_closed_form_elements_do(theory, order):
-    """Held at two stations, free beyond: d 40, 70 and 50 mm, a hollow end."""
-    parts = [(0.1, 0.04, 0.0), (0.2, 0.07, 0.0), (0.15, 0.05, 0.03)]
-    shaft = Shaft([Element(*part, material=Material(E, NU, RHO)) for part in parts])
-    supports = [Support(0, 1e16), Support(2, 1e16)]
-    coarse, fine = (
-        modes(Rotor([shaft], supports=supports, refine=n, theory=theory), SPEED, 4).frequencies
-        for n in (10, 20)
-    )
-    beam = fine + (fine - coarse) / (2**order - 1)
-    sections = [
-        UniformShaft(
-            L=1.0, d_o=d_o, d_i=d_i, E=E, nu=NU, rho=RHO, kappa=hutchinson(nu=NU, m=d_i / d_o)
-        )
-        for _, d_o, d_i in parts
-    ]
-    z = np.cumsum([0.0, *np.repeat([length / 12 for length, _, _ in parts], 12)])
-    found = weak_shaft(
-        MeshLine(z),
-        bending=np.repeat([E * s.I for s in sections], 12),
-        shear=np.repeat([s.S for s in sections], 12),
-        mass=np.repeat([RHO * s.A for s in sections], 12),
-        rotary=np.repeat([RHO * s.I for s in sections], 12),
-        theory=theory,
-    ).whirl(SPEED, held=[0.0, 0.3], count=2)
-    assert np.sort(beam[:4]) == pytest.approx(np.sort(np.ravel(found)), rel=2e-5)
 
 
 def test_a_stout_shaft_on_springs_bounces_and_rocks_as_if_rigid():

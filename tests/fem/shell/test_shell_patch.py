@@ -124,16 +124,6 @@ def test_a_free_shell_has_six_motions_without_energy_and_no_more(name, count):
     assert energies[6] > 1e-4 * T**2 * energies[-1]  # as stiff as bending
 
 
-@pytest.mark.parametrize("name", SURFACES)
-def test_a_rigid_motion_strains_nothing(name):
-    grid = over(3, 2, SURFACES[name])
-    shift, turn = np.array([0.1, -0.2, 0.3]), np.array([0.3, 0.5, -0.7])
-    u = np.hstack([shift + np.cross(turn, grid.points), np.tile(turn, (len(grid.points), 1))])
-    B, _, _ = operator(grid.points[grid.cells])
-    strains = np.einsum("mqsu,mu->mqs", B, u.ravel()[unknowns(grid.cells)])
-    np.testing.assert_allclose(strains, 0, atol=1e-13)
-
-
 def test_the_answer_turns_with_the_problem():
     grid = over(3, 2, SURFACES["saddle"])
     load = np.array([1.0, 2.0, -3.0])

@@ -68,29 +68,6 @@ def test_a_quadratic_displacement_is_met_on_parallelepipeds(points):
     assert solved.displacement == pytest.approx(field(mesh.doflocs).T, abs=ROUND_OFF)
 
 
-@rules
-def test_a_plate_in_pure_bending_curves_the_other_way_across(points):
-    """Saint-Venant: sigma_xx = E c y alone, u = c (xy, -(x^2 + nu (y^2 - z^2))/2, -nu yz)."""
-    c, (L, b, h) = 1e-3, (5.0, 0.2, 3.0)
-    mesh = solid_block(x=(0, L), y=(-b / 2, b / 2), z=(0, h), cells=(3, 2, 2))
-    solved = solve_solid(
-        mesh,
-        materials=STEEL,
-        supports={"x=0": "x", (0.0, 0.0, 0.0): "yz", "z=0": "z"},
-        tractions={"x=1": lambda x: np.array([E * c * x[1], 0 * x[0], 0 * x[0]])},
-        points=points,
-    )
-    x, y, z = mesh.doflocs
-    exact = c * np.array([x * y, -(x**2 + NU * (y**2 - z**2)) / 2, -NU * y * z])
-    assert solved.displacement == pytest.approx(exact.T, abs=1e-8 * c * L**2)
-    stresses = solved.stresses()
-    expected = np.zeros_like(stresses.stress)
-    expected[:, 0, 0] = E * c * stresses.x[:, 1]
-    assert stresses.stress == pytest.approx(expected, abs=1e-8 * E * c * b)
-    moment = E * c * b**3 / 12 * h
-    assert solved.reaction("x=0")[1][2] == pytest.approx(moment)
-
-
 # (2, 2, 2): 8 points bind 48 of 81 unknowns. (2, 3, 2): the three free fields of the nine-node
 # square, P2(x) P2(z) e_x, P2(x) P2(z) e_z and (x (3 z^2 - 1), -z (3 x^2 - 1)), and P2(x) P2(z) e_y,
 # each times 1, y or y^2.

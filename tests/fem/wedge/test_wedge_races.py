@@ -7,9 +7,9 @@ import pytest
 
 from fem.contact.errors import NotFoundError
 from fem.wedge.races import Sector
-from meshes.sprag.wedged import Place, first_contact
+from meshes.sprag.wedged import first_contact
 from verify.cases.sprag.inputs import WedgeInputs
-from verify.cases.sprag.stroke import at_force, guessed, races, struts
+from verify.cases.sprag.stroke import at_force, guessed, struts
 
 Q = WedgeInputs()
 P = 3407 / Q.l  # [N/m] of a sprag under 25 N m
@@ -43,18 +43,6 @@ def test_a_wedge_angle_that_no_spiral_has_is_refused():
         ValueError, match=r"no spiral between the races has the wedge angle 1.4 rad"
     ):
         first_contact(Q.R_i, Q.R_e, Q.r_i, 1.4)
-
-
-def test_the_drawn_contacts_lie_where_forces_act():
-    place = Place(
-        races(Q), 0.1, Place.overlapping(races(Q), 0.1).D, shares=(0.65, 0.75), bends=(1e-6, 2e-6)
-    )
-    drawn, free = place.drawn, place.free
-    assert hypot(*drawn.inner) == pytest.approx(place.OA - 1e-6, rel=1e-12)
-    assert hypot(*drawn.outer) == pytest.approx(place.OB + 2e-6, rel=1e-12)
-    assert drawn.theta == pytest.approx(free.theta, abs=1e-12)
-    assert atan2(*drawn.inner) == pytest.approx(atan2(*free.inner), abs=1e-12)
-    assert atan2(*drawn.outer) == pytest.approx(0, abs=1e-12)
 
 
 def test_forces_of_both_contacts_are_equal_and_opposite(state):
@@ -96,15 +84,6 @@ def test_the_sprag_neither_creeps_nor_turns(state):
     assert abs(outwards) < 5e-4 * H
     found, drawn = (np.array([p.OA, p.OB]) for p in (state.place, state.start))
     np.testing.assert_allclose(found, drawn, rtol=0, atol=1e-3 * H)
-
-
-def test_finer_cells_change_force_energy_and_angle_less_and_less(start, state):
-    states = [start.state(3), state, start.state(9)]
-    for read, least in ((lambda s: s.N[0], 3e-4), (lambda s: s.energy, 1e-4),
-                        (lambda s: tan(s.angles[0]), 5e-5)):  # fmt: skip
-        coarse, middle, fine = (read(s) for s in states)
-        assert abs(middle / fine - 1) < least
-        assert abs(middle - fine) < abs(coarse - fine)
 
 
 def test_the_energy_is_the_work_on_the_overlaps_and_on_the_wind_up(around):

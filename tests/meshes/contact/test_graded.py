@@ -49,12 +49,12 @@ BODIES = {  # with the radius of the touched surface
 }
 every_body = pytest.mark.parametrize(("make", "radius"), BODIES.values(), ids=BODIES)
 EXTREMES = [
-    *[(disc, {"zone": zone}) for zone in (1e-3, 0.1, 0.5)],
-    *[(disc, {"zone": 0.1, "cells": cells}) for cells in (1, 2, 12)],
-    *[(square, {"depth": d, "zone": zone}) for d in (0.6, 1.0, 1.5) for zone in (1e-3, 0.5)],
-    *[(slab, {"depth": d, "zone": zone}) for d in (0.1, 0.6) for zone in (1e-3, 0.1)],
-    *[(column, {"width": w, "zone": zone}) for w in (0.05, 0.6) for zone in (1e-3, 0.025)],
-    *[(race, {"r_o": r_o, "zone": zone}) for r_o in (1.1, 2.0, 4.0) for zone in (1e-3, 0.09)],
+    *[(disc, {"zone": zone}) for zone in (1e-3, 0.5)],
+    *[(disc, {"zone": 0.1, "cells": cells}) for cells in (1, 12)],
+    *[(square, {"depth": d, "zone": 1e-3}) for d in (0.6, 1.5)],
+    *[(slab, {"depth": d, "zone": 0.1}) for d in (0.1, 0.6)],
+    *[(column, {"width": w, "zone": 1e-3}) for w in (0.05, 0.6)],
+    *[(race, {"r_o": r_o, "zone": 1e-3}) for r_o in (1.1, 4.0)],
 ]
 extremes = pytest.mark.parametrize(
     ("make", "changed"), EXTREMES, ids=lambda v: v.__name__ if callable(v) else str(v)
@@ -98,8 +98,8 @@ def slenderness(mesh):
 
 
 @every_body
-@pytest.mark.parametrize("refine", [1, 3])
-def test_the_zone_holds_even_cells_and_as_many_as_asked_for(make, radius, refine):
+def test_the_zone_holds_even_cells_and_as_many_as_asked_for(make, radius):
+    refine = 3
     mesh = make(refine=refine, cells=5)
     facets = np.asarray(mesh.boundaries[touched(mesh)])
     middles = mesh.p[:, mesh.facets[:, facets]].mean(axis=1)
@@ -112,32 +112,14 @@ def test_the_zone_holds_even_cells_and_as_many_as_asked_for(make, radius, refine
     np.testing.assert_allclose(facet_lengths(mesh, inside), size, rtol=1e-8)
 
 
-@every_body
-def test_cells_at_the_origin_are_square(make, radius):
-    mesh = make(refine=2)
-    near = np.hypot(*mesh.p[:, mesh.t].mean(axis=1)) < ZONE / 2
-    assert near.any()
-    # over the depth of the core, half the zone, arcs shorten by 0.5 ZONE of themselves
-    assert slenderness(mesh)[near].max() < 1 + ZONE
-    assert abs(sides_and_angles(mesh)[1][:, near] - 90).max() < 1
-
-
 @extremes
-def test_neighbours_along_the_surface_grow_by_less_than_six_tenths(make, changed):
-    assert growth(make(**changed)) < 1.6 + 1e-3  # chords of long arcs are not their lengths
-
-
-@extremes
-@pytest.mark.parametrize("refine", [1, 2])
-def test_no_cell_is_folded_or_turned_over(make, changed, refine):
-    mesh = make(**changed, refine=refine)
+def test_no_cell_is_folded_slender_or_skewed_and_neighbours_grow_by_less_than_six_tenths(
+    make, changed
+):
+    mesh = make(**changed)
+    assert growth(mesh) < 1.6 + 1e-3  # chords of long arcs are not their lengths
     check_unfolded(mesh, GAUSS)
     assert jacobians(mesh, GAUSS)[1].min() > 0
-
-
-@extremes
-def test_no_cell_is_slender_or_skewed(make, changed):
-    mesh = make(**changed)
     # n cells share half a right angle, pi/4 r / n wide and up to ln(1.6) r long: 3.6 for n = 6, and
     # more by the sides of a rectangle where it is no square
     n = changed.get("cells", 6)
@@ -151,28 +133,8 @@ def test_no_cell_is_slender_or_skewed(make, changed):
 
 
 @every_body
-def test_refining_keeps_corners_and_multiplies_cells(make, radius):
-    coarse, fine = (make(refine=refine, order=1) for refine in (1, 3))
-    assert fine.nelements == 9 * coarse.nelements
-    for name in coarse.boundaries:
-        assert fine.boundaries[name].size == 3 * coarse.boundaries[name].size
-    gap = np.hypot(*(coarse.p[:, :, None] - fine.p[:, None, :])).min(axis=1)
-    # gmsh finds the places of graded nodes by a numerical integral
-    np.testing.assert_array_less(gap / (ZONE + np.hypot(*coarse.p)), 1e-6)
-
-
-@every_body
-def test_a_mesh_repeats_exactly(make, radius):
-    first, second = make(), make()
-    np.testing.assert_array_equal(first.doflocs, second.doflocs)
-    np.testing.assert_array_equal(first.t, second.t)
-    for name, facets in first.boundaries.items():
-        np.testing.assert_array_equal(facets, second.boundaries[name])
-
-
-@every_body
-@pytest.mark.parametrize("size", [1e-7, 1e7])
-def test_the_unit_of_length_is_free(make, radius, size):
+def test_the_unit_of_length_is_free(make, radius):
+    size = 1e-7
     sizes = {
         disc: {"R": 1.0}, halved_disc: {"R": 1.0}, square: {"width": 1.0, "depth": 1.2},
         slab: {"width": 1.0, "depth": 0.2}, column: {"width": 0.2, "depth": 1.0},
@@ -185,32 +147,28 @@ def test_the_unit_of_length_is_free(make, radius, size):
 
 
 @every_body
-@pytest.mark.parametrize(
-    ("order", "straight", "shape"),
-    [(1, False, MeshQuad1), (2, False, MeshQuad2), (2, True, MeshQuad1)],
-    ids=["linear", "quadratic", "quadratic, then straight"],
-)
-def test_order_and_straightness_choose_the_cells(make, radius, order, straight, shape):
-    assert type(make(order=order, straight=straight)) is shape
+def test_order_and_straightness_choose_the_cells(make, radius):
+    kinds = [type(make(**c)) for c in ({"order": 1}, {"order": 2}, {"straight": True})]
+    assert kinds == [MeshQuad1, MeshQuad2, MeshQuad1]
 
 
 @every_body
-@pytest.mark.parametrize("zone", [0.0, -1.0, 3.0, float("nan"), float("inf")])
+@pytest.mark.parametrize("zone", [0.0, 3.0])
 def test_a_zone_that_does_not_fit_is_refused(make, radius, zone):
     with pytest.raises(ValueError, match=rf"0 < zone.* zone={zone:g} m"):
         make(zone=zone)
 
 
-@every_body
-@pytest.mark.parametrize("name", ["cells", "refine"])
-def test_numbers_of_cells_below_one_are_refused(make, radius, name):
-    with pytest.raises(ValueError, match=f"{name} >= 1, got 0"):
-        make(**{name: 0})
-
-
-def test_a_fine_contact_of_a_small_zone_takes_less_than_20000_unknowns():
-    # R = 10 mm, half-width a = 0.1 mm, zone = 1.5 a, sixteen cells over a
-    mesh = quarter_disc(R=10e-3, zone=0.15e-3, refine=4)
-    facets = np.asarray(mesh.boundaries["surface"])
-    assert facet_lengths(mesh, facets).min() == pytest.approx(0.1e-3 / 16, rel=1e-4)
-    assert 2 * mesh.doflocs.shape[1] < 20_000
+@pytest.mark.parametrize(
+    ("make", "changed", "message"),
+    [
+        (disc, {"cells": 0}, "cells >= 1, got 0"),
+        (square, {"refine": 0}, "refine >= 1, got 0"),
+        (disc, {"R": float("nan")}, "zone <= R/2, got zone=0.03 m, R=nan m"),
+        (race, {"r_i": 1.3}, "0 < r_i < r_o"),
+        (race, {"r_o": 1.02}, "zone <= r_i/2 and zone < r_o - r_i"),
+    ],
+)
+def test_sizes_that_do_not_fit_are_refused(make, changed, message):
+    with pytest.raises(ValueError, match=message):
+        make(**changed)

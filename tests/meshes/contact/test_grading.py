@@ -27,19 +27,6 @@ def test_cells_grow_by_no_more_than_asked_and_start_with_their_size(length, firs
     assert many[0] * 10_000 == pytest.approx(first, rel=1e-3)
 
 
-@pytest.mark.parametrize(("length", "first", "growth"), CASES[:3])
-def test_one_cell_less_would_have_to_grow_by_more(length, first, growth):
-    n = cells_along(length=length, first=first, growth=growth) - 1
-    b = beta(length=length, first=first, cells=n)
-    # ln growth is the slope of ln size over the number of cells at the fine end
-    assert np.log((b + 1) / (b - 1)) / (b * n) > np.log(growth)
-
-
-def test_cells_that_need_not_grow_are_even():
-    sizes = np.diff(places(1.0, 4, beta(length=1.0, first=0.5, cells=4)))
-    np.testing.assert_allclose(sizes, 0.25, rtol=1e-5)
-
-
 @cases
 def test_the_last_cell_is_the_last_of_the_map(length, first, growth):
     n = cells_along(length=length, first=first, growth=growth)

@@ -17,7 +17,7 @@ def wall_at_the_middle(*, z, d_i, fillet):
     return 0.5 - d_i / 2 * np.cos(angle) - fillet * (1 - np.cos(angle))
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=15, deadline=None)
 @example(z=3, wall=-3.5, fillet=-0.55, zone=0.1, hub=None, cells=24)  # a thin core
 @example(
     z=3, wall=-2.0, fillet=-0.5, zone=None, hub=(0.5, 0.97), cells=2
@@ -46,8 +46,7 @@ def test_no_cell_folds_whatever_the_ring(z, wall, fillet, zone, hub, cells):
     check_unfolded(mesh, GAUSS)
 
 
-@pytest.mark.parametrize("z", [3, 6, 24, 48])
-@pytest.mark.parametrize("fillet", [0.003, 0.025, 0.1])
+@pytest.mark.parametrize(("z", "fillet"), [(3, 0.1), (48, 0.003)])
 def test_cells_grow_from_the_fillet_and_nowhere_by_more_than_four_times(z, fillet):
     mesh = half_sector(z=z, d_e=1.0, d_i=0.9, fillet=fillet, refine=4)
     arc = lengths(mesh, "fillet")
@@ -59,7 +58,7 @@ def test_cells_grow_from_the_fillet_and_nowhere_by_more_than_four_times(z, fille
     assert max(growth) < 4  # where the fan around the fillet ends
 
 
-@pytest.mark.parametrize("z", [3, 6, 24])
+@pytest.mark.parametrize("z", [3, 24])
 def test_cells_grow_from_the_fine_zone_by_no_more_than_twice(z):
     mesh = half_sector(z=z, d_e=1.0, d_i=0.9, fillet=0.025, refine=2, zone=0.005)
     rim = lengths(mesh, "rim")

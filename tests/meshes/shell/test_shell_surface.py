@@ -56,12 +56,6 @@ def test_corners_and_middles_run_round_the_cell():
     np.testing.assert_allclose(mesh.points[mesh.cells[:, 4:8]], between, atol=1e-12)
 
 
-def test_a_ridge_s_edges_list_their_middle_last():
-    mesh = roof()
-    ends, middle = mesh.boundaries["ridge"][:, :2], mesh.boundaries["ridge"][:, 2]
-    np.testing.assert_allclose(mesh.points[middle], mesh.points[ends].mean(axis=1), atol=1e-12)
-
-
 def test_other_cells_are_refused():
     with pytest.raises(ValueError, match="a shell mesh needs physical surfaces"):
         roof(named=False)

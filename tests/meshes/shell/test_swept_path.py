@@ -7,7 +7,7 @@ import pytest
 
 from meshes.shell.panel import cylinder_panel, rectangle
 from meshes.shell.strip import swept_path
-from meshes.spring.path import Piece, accordion
+from meshes.spring.path import accordion
 
 WIDTH, RADIUS = 28.0, 0.5
 SPRING = {"n": 4, "L1": 11.6, "radius": RADIUS, "alpha": radians(80), "tail": "arc"}
@@ -44,11 +44,6 @@ def test_every_piece_has_its_cells(mesh):
     np.testing.assert_array_equal(everything, np.arange(len(mesh.cells)))
 
 
-def test_nodes_are_shared_between_pieces(mesh):
-    along, over = 2 * (len(mesh.cells) // 5) + 1, 2 * 5 + 1
-    assert len(mesh.points) == along * over
-
-
 def test_the_area_is_the_path_s_length_times_the_width():
     fine = spring(per_arc=24)
     length = sum(piece.length for piece in accordion(**SPRING))
@@ -65,17 +60,6 @@ def test_boundaries_are_where_their_names_say(mesh):
         np.testing.assert_allclose(mesh.points[mesh.boundaries[name], 2], z, atol=1e-12)
 
 
-def test_every_node_of_an_arc_lies_on_it():
-    panel = cylinder_panel(radius=25.0, angle=0.7, width=10.0, around=4, across=3)
-    np.testing.assert_allclose(np.hypot(*panel.points[:, :2].T), 25, rtol=1e-14)
-    head = panel.points[np.unique(panel.boundaries["head"])]
-    np.testing.assert_allclose(head[:, :2], np.broadcast_to((0, 25), (7, 2)), atol=1e-13)
-    tail = panel.points[np.unique(panel.boundaries["tail"])]
-    np.testing.assert_allclose(
-        tail[:, :2], np.broadcast_to((25 * np.sin(0.7), 25 * np.cos(0.7)), (7, 2)), atol=1e-12
-    )
-
-
 def test_middle_nodes_lie_between_their_ends_and_the_centre_between_them():
     flat = rectangle(length=3.0, width=2.0, along=3, across=2)
     corner = flat.points[flat.cells[:, :4]]
@@ -87,17 +71,6 @@ def test_middle_nodes_lie_between_their_ends_and_the_centre_between_them():
     np.testing.assert_allclose(flat.points[middle], flat.points[ends].mean(axis=1), atol=1e-14)
 
 
-def test_normals_keep_to_the_right_of_the_path(mesh):
-    a, b, c, d = mesh.points[mesh.cells[:, :4]].swapaxes(0, 1)
-    normal = np.cross(c - a, d - b)
-    first = mesh.bodies["leaves"][:20]  # the head's leaf, heading along y
-    assert (normal[first, 0] > 0).all()
-    tangent = np.cross(normal, (0, 0, 1))[:, :2]
-    heading = ((b + c) / 2 - (a + d) / 2)[:, :2], ((c + d) / 2 - (a + b) / 2)[:, :2]
-    along = np.where(np.linalg.norm(heading[0], axis=1)[:, None] > 1e-9, *heading)
-    assert len(np.unique(np.sign(np.einsum("mc,mc->m", tangent, along)))) == 1
-
-
 def test_cells_shrink_to_the_finest_at_the_edge_and_leaves_to_their_ends():
     graded = spring(across=12, finest=0.1, per_leaf=12, leaf_ends=0.1)
     over = lengths(graded, "head")[np.argsort(graded.points[graded.boundaries["head"][:, 2], 2])]
@@ -107,28 +80,6 @@ def test_cells_shrink_to_the_finest_at_the_edge_and_leaves_to_their_ends():
     leaf = lengths(graded, "middle")[:12]  # the head's
     assert leaf[0] == pytest.approx(leaf[-1], rel=1e-6)
     assert leaf[0] < 0.2 * leaf.max()
-
-
-def test_the_edge_is_never_finer_than_even_cells_would_be():
-    np.testing.assert_allclose(lengths(spring(finest=9.0), "head"), WIDTH / 5, rtol=1e-12)
-
-
-def test_refined_cells_halve_the_coarse_ones():
-    coarse = spring(finest=0.4, leaf_ends=0.2)
-    fine = spring(per_arc=6, per_leaf=8, across=10, finest=0.2, leaf_ends=0.2)
-    corners = {tuple(p) for p in fine.points[np.unique(fine.cells[:, :4])].round(5)}
-    assert all(tuple(p) in corners for p in coarse.points[np.unique(coarse.cells[:, :4])].round(5))
-
-
-def test_a_path_may_lead_anywhere():
-    hook = [
-        Piece("leaf", 1.0, 2.0, 0.0, 3.0, 0.0, 1),
-        Piece("arc", 4.0, 2.0, 0.0, pi / 2, pi / 2, 1),
-        Piece("arc", 5.0, 3.0, pi / 2, pi / 2, -pi / 2, 1),
-    ]
-    mesh = swept_path(hook, width=2.0, per_arc=4, per_leaf=2, across=1)
-    tail = mesh.points[np.unique(mesh.boundaries["tail"])]
-    np.testing.assert_allclose(tail[:, :2], np.broadcast_to((6, 4), (3, 2)), atol=1e-12)
 
 
 @pytest.mark.parametrize(

@@ -55,23 +55,6 @@ def test_a_block_has_its_volume_its_sides_and_cells_that_follow_the_axes(order):
             assert area(mesh, name) == pytest.approx(30 / (2, 5, 3)[axis])
 
 
-def test_every_node_of_a_straight_cell_stands_where_its_corners_put_it():
-    mesh = solid_block(x=(0, 2), y=(0, 3), z=(0, 1), cells=(2, 3, 1))
-    nodes = mesh.doflocs[:, mesh.dofs.element_dofs]
-    low, high = nodes.min(axis=1, keepdims=True), nodes.max(axis=1, keepdims=True)
-    expected = low + (high - low) * mesh.elem.doflocs.T[:, :, None]
-    assert nodes == pytest.approx(expected, abs=ROUND_OFF)
-
-
-def test_the_nodes_of_an_arc_lie_on_its_circles():
-    mesh = sheet()
-    r = np.hypot(mesh.doflocs[0] - R, mesh.doflocs[1])
-    steps = (r - (R - B / 2)) / (B / 4)  # two cells through, with middle nodes
-    assert steps == pytest.approx(np.round(steps), abs=1e-7)
-    assert r.min() == pytest.approx(R - B / 2)
-    assert r.max() == pytest.approx(R + B / 2)
-
-
 def test_the_volume_of_an_arc_converges_with_order_4_and_with_straight_edges_2():
     exact = R * pi / 2 * B * WIDTH
     for straight, order in ((False, 4), (True, 2)):
@@ -94,17 +77,6 @@ def test_a_spring_has_its_volume_its_walls_and_its_names():
     assert area(mesh, "left") + area(mesh, "right") == pytest.approx(2 * total * WIDTH, rel=1e-6)
     outer = sum(f.size for f in mesh.boundaries.values())
     assert outer == np.count_nonzero(mesh.f2t[1] < 0)
-
-
-def test_the_walls_lie_left_and_right_of_the_head_and_the_ends_where_the_path_ends():
-    mesh = sheet()
-    place = {name: mesh.doflocs[:, nodes_at(mesh, name)] for name in mesh.boundaries}
-    assert np.hypot(place["left"][0] - R, place["left"][1]) == pytest.approx(R + B / 2)
-    assert np.hypot(place["right"][0] - R, place["right"][1]) == pytest.approx(R - B / 2)
-    assert place["head"][1] == pytest.approx(0, abs=ROUND_OFF)
-    assert place["tail"][0] == pytest.approx(R)
-    assert place["middle"][2] == pytest.approx(0, abs=ROUND_OFF)
-    assert place["edge"][2] == pytest.approx(WIDTH)
 
 
 def test_the_first_reference_direction_of_every_cell_runs_along_the_path():

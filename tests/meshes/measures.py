@@ -1,0 +1,36 @@
+"""Lengths, areas, nodes and normals of plane meshes, by quadrature."""
+
+import numpy as np
+from skfem import Basis, ElementQuad1, ElementTriP1, FacetBasis, Functional, MeshTri1
+
+
+@Functional
+def one(w):
+    return 1.0 + 0 * w.x[0]
+
+
+def element(mesh):
+    return ElementTriP1() if isinstance(mesh, MeshTri1) else ElementQuad1()
+
+
+def side(mesh, facets):
+    """Quadrature on facets, or on a boundary by its name."""
+    facets = mesh.boundaries[facets] if isinstance(facets, str) else facets
+    return FacetBasis(mesh, element(mesh), intorder=6, facets=facets)
+
+
+def measure(mesh, name=""):
+    """Length of a boundary, area of a body, or of the whole without a name."""
+    if name in mesh.boundaries:
+        return one.assemble(side(mesh, name))
+    cells = mesh.subdomains[name] if name else None
+    return one.assemble(Basis(mesh, element(mesh), intorder=6, elements=cells))
+
+
+def nodes(mesh, name):
+    """Places of all nodes of a boundary, those between corners included."""
+    return mesh.doflocs[:, mesh.dofs.get_facet_dofs(np.asarray(mesh.boundaries[name])).flatten()]
+
+
+def vertices(mesh, name):
+    return mesh.p[:, np.unique(mesh.facets[:, mesh.boundaries[name]])]

@@ -1,0 +1,132 @@
+"""Every plane mesh has the names, lengths, areas and normals of what it draws, at order four."""
+
+from math import cos, pi, sin, sqrt, tan
+
+import numpy as np
+import pytest
+
+from meshes.contact.block import full_block, half_block
+from meshes.contact.disc import half_disc, quarter_disc
+from meshes.contact.race import half_race
+from meshes.contact.roller import half_roller
+from meshes.contact.round import full_disc, full_ring
+from meshes.contact.tilted import INNER, tilted_half_disc
+from meshes.polyhedral.half_sector import half_sector as polyhedral_sector
+from meshes.ring.quarter import quarter_ring
+from meshes.ring.sector import half_sector
+from tests.meshes.measures import measure, nodes, side
+
+R, R_I, R_O, ZONE = 0.01, 0.02, 0.03, 1e-3  # [m]
+FINE = {"R": R, "zone": ZONE}
+RACE = {"r_i": R_I, "r_o": R_O}
+BLOCK = {"width": 1.0, "depth": 1.4, "zone": 0.1}
+WALL = R_O - R_I
+Z, D_E, D_I, FILLET = 6, 0.08, 0.072, 0.02
+APOTHEM = (D_I / 2 + FILLET * (1 / cos(pi / Z) - 1)) * cos(pi / Z)
+FLAT = APOTHEM * tan(pi / Z) - FILLET * tan(pi / Z)
+HOLE = (APOTHEM * FLAT + FILLET * FLAT + FILLET**2 * pi / Z) / 2
+SHAPES = {  # mesh by refinement; lengths of boundaries and areas; centres and radii of circles
+    "half block": (
+        lambda k: half_block(**BLOCK, refine=k),
+        {"": 1.4, "axis": 1.4, "side": 1.4, "surface": 1.0, "bottom": 1.0}, {},
+    ),
+    "full block above": (
+        lambda k: full_block(**BLOCK, refine=k, above=True),
+        {"block": 2.8, "left": 1.4, "right": 1.4, "axis": 1.4, "surface": 2.0, "bottom": 2.0}, {},
+    ),
+    "quarter disc": (
+        lambda k: quarter_disc(**FINE, refine=k),
+        {"": pi / 4 * R**2, "surface": pi / 2 * R, "axis": R, "middle": R},
+        {"surface": ((0, R), R)},
+    ),
+    "half disc below": (
+        lambda k: half_disc(**FINE, refine=k, below=True),
+        {"disc": pi / 2 * R**2, "surface": pi * R, "axis": R, "middle": 2 * R},
+        {"surface": ((0, -R), R)},
+    ),
+    "half race": (
+        lambda k: half_race(**RACE, zone=ZONE, refine=k),
+        {"race": pi / 2 * (R_O**2 - R_I**2), "bore": pi * R_I, "rim": pi * R_O, "axis": 2 * WALL},
+        {"bore": ((0, R_I), R_I), "rim": ((0, R_I), R_O)},
+    ),
+    "half roller": (
+        lambda k: half_roller(R=R, zones=(1e-4, 3e-4), refine=k),
+        {"roller": pi / 2 * R**2, "near": pi / 2 * R, "far": pi / 2 * R, "cut": 2 * R},
+        {"near": ((0, 0), R), "far": ((0, 0), R)},
+    ),
+    "ring": (
+        lambda k: full_ring(**RACE, around=24 * k, across=3),
+        {"ring": pi * (R_O**2 - R_I**2), "bore": 2 * pi * R_I, "rim": 2 * pi * R_O},
+        {"bore": ((0, 0), R_I), "rim": ((0, 0), R_O)},
+    ),
+    "disc": (
+        lambda k: full_disc(R=R, around=24 * k),
+        {"disc": pi * R**2, "rim": 2 * pi * R}, {"rim": ((0, 0), R)},
+    ),
+    "tilted half disc": (
+        lambda k: tilted_half_disc(**FINE, tilt=-0.2, refine=k),
+        {"disc": pi / 2 * R**2, "surface": pi * R, "inner": 2 * INNER * R,
+         "outer": 2 * (1 - INNER) * R, "axis": None},
+        {"surface": ((0, 0), R)},
+    ),
+    "quarter ring": (
+        lambda k: quarter_ring(**RACE, refine=k),
+        {"inner half": pi / 4 * (0.025**2 - R_I**2), "outer half": pi / 4 * (R_O**2 - 0.025**2),
+         "bore": pi / 2 * R_I, "middle": pi / 2 * 0.025, "rim": pi / 2 * R_O,
+         "x=0": WALL, "y=0": WALL},
+        {"bore": ((0, 0), R_I), "middle": ((0, 0), 0.025), "rim": ((0, 0), R_O)},
+    ),
+    "ring's half sector": (
+        lambda k: half_sector(**RACE, n=12, loaded="bore", patch=ZONE, refine=k),
+        {"ring": pi / 24 * (R_O**2 - R_I**2), "bore": pi / 12 * R_I, "rim": pi / 12 * R_O,
+         "load cut": WALL, "free cut": WALL, "patch": ZONE},
+        {"bore": ((0, 0), R_I), "rim": ((0, 0), R_O), "patch": ((0, 0), R_I)},
+    ),
+    "polyhedral half sector": (
+        lambda k: polyhedral_sector(z=Z, d_e=D_E, d_i=D_I, fillet=FILLET, refine=k),
+        {"ring": D_E**2 / 8 * pi / Z - HOLE, "rim": D_E / 2 * pi / Z, "fillet": FILLET * pi / Z,
+         "flat": FLAT, "bore": FLAT + FILLET * pi / Z, "mid": D_E / 2 - APOTHEM,
+         "corner": (D_E - D_I) / 2},
+        {"rim": ((0, 0), D_E / 2),
+         "fillet": (((D_I / 2 - FILLET) * cos(pi / Z), (D_I / 2 - FILLET) * sin(pi / Z)), FILLET)},
+    ),
+}  # fmt: skip
+every_shape = pytest.mark.parametrize(("make", "exact", "circles"), SHAPES.values(), ids=SHAPES)
+
+
+@every_shape
+def test_lengths_and_areas_converge_with_the_fourth_power_of_the_cells(make, exact, circles):
+    meshes = make(2), make(4)
+    assert set(meshes[0].boundaries) == set(exact) - {""} - set(meshes[0].subdomains)
+    for name, value in exact.items():
+        if value is None:
+            continue
+        coarse, fine = (measure(mesh, name) / value - 1 for mesh in meshes)
+        assert abs(coarse) < 1e-4, name
+        if abs(fine) > 1e-11:  # round-off
+            assert np.log2(coarse / fine) == pytest.approx(4, abs=0.15), (name, coarse, fine)
+
+
+@every_shape
+def test_named_boundaries_close_the_outline_and_nodes_lie_on_their_circles(make, exact, circles):
+    mesh = make(1)
+    outer = mesh.boundary_facets()
+    named = np.unique(np.concatenate(list(mesh.boundaries.values())))
+    np.testing.assert_array_equal(np.intersect1d(named, outer), np.sort(outer))
+    for name, (centre, radius) in circles.items():
+        away = np.hypot(*(nodes(mesh, name) - np.reshape(centre, (2, 1))))
+        np.testing.assert_allclose(away, radius, rtol=1e-12)
+    # int x . n = 2 A and int n = 0 over the outline of outward normals, exact on parabolas
+    edge = side(mesh, outer)
+    flux = (np.asarray(edge.global_coordinates()) * edge.normals).sum(axis=0)
+    assert (flux * edge.dx).sum() == pytest.approx(2 * measure(mesh), rel=1e-10)
+    total = (edge.normals * edge.dx).sum(axis=(1, 2))
+    np.testing.assert_allclose(total, 0, atol=1e-10 * sqrt(measure(mesh)))
+
+
+@every_shape
+def test_refined_cells_keep_the_corners_on_the_outline(make, exact, circles):
+    coarse, fine = (make(k) for k in (1, 2))
+    corners = coarse.p[:, np.unique(coarse.facets[:, coarse.boundary_facets()])]
+    distance = np.hypot(*(fine.p[:, :, None] - corners[:, None])).min(axis=0)
+    assert distance.max() < 1e-6 * np.ptp(coarse.p)
