@@ -89,15 +89,6 @@ def test_curved_bodies_with_inner_boundaries_and_bodies_of_their_own_are_joined(
     assert {"ring.inner half", "ring.outer half", "ring"} <= set(whole.subdomains)
 
 
-def test_joining_a_joined_mesh_nests_the_names():
-    low, high = pair("quad", 2).values()
-    inner = join({"low": low, "high": high})
-    whole = join({"pair": inner, "far": low.translated((9.0, 0.0))})
-    assert "pair.low.top" in whole.boundaries
-    assert {"pair", "pair.low", "pair.low.block", "far", "far.block"} <= set(whole.subdomains)
-    assert measures(whole, body="pair.high") == pytest.approx(measures(high), rel=ROUND_OFF)
-
-
 def test_the_side_of_an_oriented_boundary_is_kept():
     mesh = MeshQuad1.init_tensor(np.arange(4.0), np.arange(4.0))
     middle = mesh.elements_satisfying(lambda x: np.hypot(x[0] - 1.5, x[1] - 1.5) < 0.1)

@@ -40,12 +40,6 @@ def mesh():
     return hook()
 
 
-def test_named_nodes_are_where_their_points_are(mesh):
-    assert set(mesh.nodes) == {"foot", "tip"}
-    np.testing.assert_allclose(mesh.points[mesh.nodes["foot"]], (0, 0), atol=1e-14)
-    np.testing.assert_allclose(mesh.points[mesh.nodes["tip"]], (2, 2), atol=1e-14)
-
-
 def test_bodies_share_out_the_elements(mesh):
     assert set(mesh.bodies) == {"bow", "straight"}
     assert len(mesh.bodies["bow"]) == 8

@@ -11,6 +11,7 @@ from meshes.contact.race import half_race
 from meshes.contact.roller import half_roller
 from meshes.contact.round import full_disc, full_ring
 from meshes.contact.tilted import INNER, tilted_half_disc
+from meshes.freewheel.sector import inner_cam_sector, outer_cam_sector
 from meshes.polyhedral.half_sector import half_sector as polyhedral_sector
 from meshes.ring.quarter import quarter_ring
 from meshes.ring.sector import half_sector
@@ -25,6 +26,10 @@ Z, D_E, D_I, FILLET = 6, 0.08, 0.072, 0.02
 APOTHEM = (D_I / 2 + FILLET * (1 / cos(pi / Z) - 1)) * cos(pi / Z)
 FLAT = APOTHEM * tan(pi / Z) - FILLET * tan(pi / Z)
 HOLE = (APOTHEM * FLAT + FILLET * FLAT + FILLET**2 * pi / Z) / 2
+# rollers between flat and circle [m]
+X, X_O, ROLLER, ZONES = 11.39565e-3, 14.9e-3, 2.5e-3, (1.5e-4, 2e-4)
+IN_RING = sqrt((16.5e-3 - ROLLER) ** 2 - (X + ROLLER) ** 2), X + ROLLER
+ON_SHAFT = sqrt((10e-3 + ROLLER) ** 2 - (X_O - ROLLER) ** 2), X_O - ROLLER
 SHAPES = {  # mesh by refinement; lengths of boundaries and areas; centres and radii of circles
     "half block": (
         lambda k: half_block(**BLOCK, refine=k),
@@ -89,6 +94,32 @@ SHAPES = {  # mesh by refinement; lengths of boundaries and areas; centres and r
          "corner": (D_E - D_I) / 2},
         {"rim": ((0, 0), D_E / 2),
          "fillet": (((D_I / 2 - FILLET) * cos(pi / Z), (D_I / 2 - FILLET) * sin(pi / Z)), FILLET)},
+    ),
+    "freewheel's inner cam": (
+        lambda k: inner_cam_sector(
+            R=16.5e-3, R_a=21e-3, X=X, r_b=7.5e-3, r=ROLLER, z=8, centre=IN_RING, zones=ZONES,
+            refine=k,
+        ),
+        {"star": X**2 * tan(pi / 8) - 7.5e-3**2 * pi / 8, "star.flat": 2 * X * tan(pi / 8),
+         "star.bore": 7.5e-3 * pi / 4, "star.left": X / cos(pi / 8) - 7.5e-3, "star.right": None,
+         "ring": pi / 8 * (21e-3**2 - 16.5e-3**2), "ring.bore": pi / 4 * 16.5e-3,
+         "ring.rim": pi / 4 * 21e-3, "ring.left": 4.5e-3, "ring.right": 4.5e-3,
+         "roller": pi * ROLLER**2, "roller.inner": None, "roller.outer": None},
+        {"star.bore": ((0, 0), 7.5e-3), "ring.bore": ((0, 0), 16.5e-3),
+         "ring.rim": ((0, 0), 21e-3), "roller.inner": (IN_RING, ROLLER),
+         "roller.outer": (IN_RING, ROLLER)},
+    ),
+    "freewheel's outer cam": (
+        lambda k: outer_cam_sector(
+            R_s=10e-3, X_o=X_O, r_b=4e-3, R_a=21e-3, r=ROLLER, z=8, centre=ON_SHAFT, zones=ZONES,
+            refine=k,
+        ),
+        {"shaft": pi / 8 * (100e-6 - 16e-6), "shaft.rim": pi / 4 * 10e-3, "shaft.bore": pi * 1e-3,
+         "shaft.left": 6e-3, "shaft.right": 6e-3, "cup": 21e-3**2 * pi / 8 - X_O**2 * tan(pi / 8),
+         "cup.flat": 2 * X_O * tan(pi / 8), "cup.rim": pi / 4 * 21e-3, "cup.left": None,
+         "cup.right": 21e-3 - X_O / cos(pi / 8), "roller.inner": None, "roller.outer": None},
+        {"shaft.bore": ((0, 0), 4e-3), "shaft.rim": ((0, 0), 10e-3), "cup.rim": ((0, 0), 21e-3),
+         "roller.inner": (ON_SHAFT, ROLLER)},
     ),
 }  # fmt: skip
 every_shape = pytest.mark.parametrize(("make", "exact", "circles"), SHAPES.values(), ids=SHAPES)

@@ -164,15 +164,6 @@ def test_triangles_beside_quadrilaterals_are_refused_by_name():
             plane_mesh()
 
 
-def test_a_model_without_cells_is_refused():
-    with gmsh_session():
-        gmsh.model.occ.addRectangle(0, 0, 0, 1, 1)
-        gmsh.model.occ.synchronize()
-        gmsh.model.mesh.generate(1)
-        with pytest.raises(ValueError, match="one kind, got none"):
-            plane_mesh()
-
-
 def test_a_named_curve_beside_the_cells_is_refused_by_its_name():
     # a line that bounds no surface has no facets, and no other boundary must stand in for it
     with gmsh_session():

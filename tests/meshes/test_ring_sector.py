@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from skfem import MeshQuad1, MeshQuad2
 
 from meshes.ring.quarter import quarter_ring
 from meshes.ring.sector import half_sector
@@ -82,25 +81,6 @@ R_I, R_O = 0.04, 0.06  # [m]
 @pytest.fixture(scope="module")
 def mesh():
     return quarter_ring(r_i=R_I, r_o=R_O, refine=2)
-
-
-@pytest.mark.parametrize(
-    ("order", "straight", "shape"),
-    [(1, False, MeshQuad1), (2, False, MeshQuad2), (2, True, MeshQuad1)],
-    ids=["linear", "quadratic", "quadratic, then straight"],
-)
-def test_order_and_straightness_choose_the_cells(order, straight, shape):
-    mesh = quarter_ring(r_i=R_I, r_o=R_O, refine=1, order=order, straight=straight)
-    assert type(mesh) is shape
-
-
-def test_refining_halves_every_cell():
-    coarse, fine = (quarter_ring(r_i=R_I, r_o=R_O, refine=refine) for refine in (1, 2))
-    assert fine.nelements == 4 * coarse.nelements
-    for name in coarse.boundaries:
-        assert len(fine.boundaries[name]) == 2 * len(coarse.boundaries[name])
-    corners = {tuple(p) for p in fine.doflocs[:, : fine.nvertices].T.round(12)}
-    assert {tuple(p) for p in coarse.doflocs[:, : coarse.nvertices].T.round(12)} <= corners
 
 
 @pytest.mark.parametrize(("r_i", "r_o"), [(0.0, 1.0), (2.0, 1.0), (float("nan"), 1.0)])

@@ -63,18 +63,6 @@ def test_every_node_of_the_outline_lies_on_it():
         np.testing.assert_allclose(along[1] * d[0] - along[0] * d[1], side * 2e-3, **tight)
 
 
-def test_both_halves_of_the_sprag_are_one_body():
-    for share in np.linspace(0, 1, 8):  # heights whose halves round otherwise
-        zone = 3e-5 * 10**share
-        mesh = sector(zones=(zone, 1.3 * zone), cells=4, turn=radians(12 * share))
-        own = mesh.t[:, mesh.subdomains["sprag"]]
-        outline = sum(mesh.boundaries[f"sprag.{side}"].size
-                      for side in ("inner", "outer", "left", "right"))  # fmt: skip
-        # Euler: vertices - edges + cells of a disc
-        edges = (4 * own.shape[1] + outline) / 2
-        assert np.unique(own).size - edges + own.shape[1] == 1
-
-
 def test_a_sprag_that_is_not_turned_touches_both_races():
     at = Placed(SPRAG, (0.0, D), 0.0)
     assert hypot(*at.inner) == pytest.approx(R_I, rel=ROUND_OFF)

@@ -1,4 +1,4 @@
-"""Frames and rings at large displacement: squares by elliptic integrals, rings by shooting."""
+"""Frames at large displacement: squares by elliptic integrals, strips side by side."""
 
 from itertools import pairwise
 from math import pi, sqrt

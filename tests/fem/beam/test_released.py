@@ -1,10 +1,11 @@
-"""Pressed frames whose head is let go: stiffness of the head, loads and places, to rounding."""
+"""Pressed frames: their head let go, to rounding, and paths beside the linear stiffness."""
 
 import numpy as np
 import pytest
 
 from fem.beam import released
 from fem.beam.pressed import PressedFrame
+from fem.beam.pressed_path import both_paths, drifts, free_force, slanted_force, stable_forces
 from fem.beam.released import gives_way, linear_load
 from fem.beam.section import Section
 from meshes.spring.centre_line import centre_line
@@ -55,3 +56,42 @@ def test_the_linear_load_of_a_strut_that_is_hardly_bent_is_euler_s():
     load, rounding = linear_load(strut)
     assert load == pytest.approx(np.pi**2 / 4 * section.EI / L**2, rel=1e-3)
     assert rounding < 1e-8 * load
+
+
+LENGTH = 6.3e-3
+
+
+@pytest.fixture(scope="module")
+def accordion():
+    """A short accordion spring of steel, 0.2 mm thick and 10 mm wide."""
+    line = centre_line(n=6, L1=8e-3, radius=0.8e-3, alpha=1.4, tail="arc", per_arc=4, per_leaf=2)
+    EA = 206e9 * 10e-3 * 0.2e-3
+    section = Section(EA=EA, EI=EA * 0.2e-3**2 / 12, GA=5 / 6 * EA / 2.6)
+    return PressedFrame(
+        line.points, line.elements, section, int(line.nodes["head"]), int(line.nodes["tail"])
+    )
+
+
+def test_a_free_head_that_hardly_moves_has_the_linear_stiffness(accordion):
+    U = 1e-5 * LENGTH
+    assert free_force(accordion, np.array([U])) == pytest.approx(accordion.stiffness * U, rel=1e-3)
+
+
+def test_a_straight_path_is_the_guided_one(accordion):
+    (guided,) = stable_forces(accordion, LENGTH, (0.02,))
+    F_x, _ = slanted_force(accordion, 0.02 * LENGTH, 0.0)
+    assert F_x == pytest.approx(guided, rel=1e-9)
+    assert guided > accordion.stiffness * 0.02 * LENGTH  # the guide stiffens it
+
+
+def test_small_loads_drift_in_proportion(accordion):
+    half, whole = drifts(accordion, 1e-6 * accordion.stiffness * LENGTH, (0.5, 1.0))
+    assert whole == pytest.approx(2 * half, rel=1e-4)
+
+
+def test_paths_begin_with_the_determinants_at_rest(accordion):
+    paths = both_paths(accordion, LENGTH, 0.1)
+    assert paths["free"][0, 3] == pytest.approx(1.0, abs=0.1)
+    assert paths["guided"][0, 3] == pytest.approx(1.0, abs=0.1)
+    assert paths["free"][0, 1] == pytest.approx(0.01 * LENGTH)
+    assert paths["free_shape"].shape == (len(accordion.elements), 3, 2)

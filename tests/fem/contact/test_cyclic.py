@@ -106,6 +106,11 @@ def test_a_ring_without_friction_that_loads_turn_is_told():
         )
 
 
+def test_mean_motions_are_of_boundaries_without_contact():
+    with pytest.raises(ValueError, match="whose mean motion is held cannot be in contact as well"):
+        clutch(START, means={"bore 1": Mean({"r": 0.0})})
+
+
 def shrunk(whole, interference):
     """A ring shrunk on a hub of eight sectors: the contact goes on across the cuts."""
     make = ring if whole else sector

@@ -55,6 +55,7 @@ def problem(mesh=None, **changes):
           "obstacles": {"lid": replace(LID, free="x")}}, "around a turn only y is free"),
         ({"materials": {"a": STEEL, "b": Rigid()},
           "supports": {"b.bottom": {"x": 0.0, "y": lambda x: x[0] ** 2}}}, "contradict"),
+        ({"anchors": {(0.0, 1.0): "x"}}, r"several nodes at \(0.0, 1.0\)"),
         ({"materials": {"a": STEEL, "b": 3.0}}, "material of 'b' is Elastic or Rigid, got 3.0"),
         ({"materials": Rigid()}, "materials are Elastic, or a mapping"),
         ({"contacts": [TOUCH, Pair(slave="b.top", master="a.bottom")]}, "paired twice"),

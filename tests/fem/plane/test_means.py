@@ -89,6 +89,14 @@ def test_means_on_guided_tied_boundaries_are_those_of_the_ring(kind, where):
     assert moment == pytest.approx(-float(x @ whole.f[1::2] - y @ whole.f[::2]), rel=SAME)
 
 
+def test_two_mean_motions_hold_each_other():
+    held = {"bore": Mean({"x": 0.0, "y": 0.0, "r": 0.0}), "rim": Mean({"r": 1e-3})}
+    s = solved(ring("tri6", 4), supports={}, means=held)
+    moment = s.mean_reaction("rim")["r"]
+    assert moment > 0
+    assert s.mean_reaction("bore")["r"] == pytest.approx(-moment, rel=1e-8)
+
+
 def test_means_hold_a_body_in_any_unit_of_length():
     unit = 1e-7
     mesh = ring("tri6", 4).scaled(unit)

@@ -43,6 +43,13 @@ def test_a_weight_stands_on_its_support():
     assert moment[0] == pytest.approx(-0.5 * weight, rel=1e-4)
 
 
+def test_a_force_at_a_node_does_the_work_of_its_movement():
+    solved = bent(tractions={}, forces={(0.0, 0.0, 1.0): (1.0, 0.0, 0.0)})
+    work = solved.displacement_at((0.0, 0.0, 1.0))[0]
+    assert work > 0
+    assert -2 * solved.potential_energy == pytest.approx(work)
+
+
 def test_a_small_rotation_strains_nothing_and_a_turned_body_acts_alike():
     mesh, axis = hook(), np.array([0.3, -0.5, 0.8])
     solved = bent(mesh, tractions={}, supports={

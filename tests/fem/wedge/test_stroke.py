@@ -1,10 +1,14 @@
-"""Energy, work and widths of contacts over a stroke, of states without finite elements."""
+"""Courses of states, work and widths over a stroke, and steps to rest, without finite elements."""
 
+from dataclasses import dataclass
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from fem.contact.errors import NotFoundError
+from fem.wedge.course import Course
+from fem.wedge.rest import STILL, Unrest, at_rest, core_motion
 from fem.wedge.stroke import Stroke, half_width
 
 z, LEVER = 12, 11e-3  # struts, m
@@ -47,3 +51,81 @@ def test_an_elliptic_pressure_has_its_half_width():
     p = np.sqrt(1 - (x / 50e-6) ** 2)
     touch = SimpleNamespace(p=p, weight=np.full_like(x, x[1] - x[0]), along=lambda: x)
     assert half_width(touch) == pytest.approx(50e-6, rel=1e-4)
+
+
+def course(**powers):
+    """Ten states whose quantities are powers of N."""
+    made = Course()
+    N = np.geomspace(2.0, 800.0, 10)
+    made.at_states = {"N": N} | {name: 3.0 * N**power for name, power in powers.items()}
+    return made
+
+
+@pytest.mark.parametrize("N", [2.0, 31.0, 799.0])
+def test_a_power_is_met_between_the_states(N):
+    one = course(T=1.2, d=0.9)
+    assert one.at("T", N) == pytest.approx(3 * N**1.2, rel=1e-12)
+    assert one.at("d", 3 * N**1.2, "T") == pytest.approx(3 * N**0.9, rel=1e-12)
+
+
+def test_what_hardly_changes_or_falls_is_splined_itself():
+    one = course(T=1.0)
+    one.at_states["tan"] = 0.05 - 1e-3 * np.log(one.at_states["N"])
+    assert one.at("tan", 40.0) == pytest.approx(0.05 - 1e-3 * np.log(40.0), rel=1e-12)
+
+
+def test_nothing_is_said_beyond_the_states():
+    for N in (1.99, 801.0):
+        with pytest.raises(ArithmeticError, match="lies beyond the states from 2 on"):
+            course(T=1.0).at("T", N)
+
+
+def test_an_integral_of_a_power_begins_without_load():
+    N = np.array([5.0, 700.0])
+    found = course().integral(lambda t: 4 * np.exp(1.9 * t), "N", np.log(N))
+    assert found == pytest.approx(4 / 1.9 * N**1.9, rel=1e-12)
+
+
+@dataclass
+class Turned:
+    """A body that moves by a share of how far both surfaces are off 3 and -2 mm."""
+
+    drags: tuple[float, float]
+    slides: bool = False
+
+    @property
+    def solution(self):
+        return SimpleNamespace(slides=self.slides)
+
+    def unrest(self, undone=0.9):
+        off = self.drags[0] - 3e-3, self.drags[1] + 2e-3
+        drags = tuple(d - undone * o for d, o in zip(self.drags, off, strict=True))
+        return Unrest(max(map(abs, off)), 1e-3, drags)
+
+
+def test_drags_are_improved_until_the_body_moves_by_next_to_nothing():
+    state = at_rest(Turned, (0.0, 0.0), Turned.unrest, body="roller", most=12)
+    assert state.drags == pytest.approx((3e-3, -2e-3), abs=STILL * 1e-3)
+
+
+def test_a_body_that_never_rests_has_no_state():
+    with pytest.raises(NotFoundError, match=r"the roller still moves by 3\.0e-03 m after 4 steps$"):
+        at_rest(Turned, (0.0, 0.0), lambda s: s.unrest(0.0), body="roller", most=4)
+
+
+def test_where_every_node_slips_the_error_says_so():
+    def slides(drags):
+        return Turned(drags, slides=True)
+
+    with pytest.raises(NotFoundError, match="every node of a contact slips"):
+        at_rest(slides, (0.0, 0.0), lambda s: s.unrest(0.0), body="roller", most=1)
+
+
+def test_the_core_of_a_rigid_motion_says_its_shift_and_turn():
+    def at(x):
+        return SimpleNamespace(u=np.array([[1e-6], [-2e-6]]) + 1e-4 * np.array([-x[1], x[0]]))
+
+    solution = SimpleNamespace(plane=SimpleNamespace(at=at))
+    u, turn = core_motion(solution, (0.02, 0.01), 5e-3)
+    assert turn == pytest.approx(1e-4, rel=1e-9)
+    assert u.mean(axis=1) == pytest.approx([1e-6 - 1e-6, -2e-6 + 2e-6], abs=1e-18)

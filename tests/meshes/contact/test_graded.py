@@ -133,20 +133,6 @@ def test_no_cell_is_folded_slender_or_skewed_and_neighbours_grow_by_less_than_si
 
 
 @every_body
-def test_the_unit_of_length_is_free(make, radius):
-    size = 1e-7
-    sizes = {
-        disc: {"R": 1.0}, halved_disc: {"R": 1.0}, square: {"width": 1.0, "depth": 1.2},
-        slab: {"width": 1.0, "depth": 0.2}, column: {"width": 0.2, "depth": 1.0},
-        race: {"r_i": 1.0, "r_o": 1.3},
-    }[make]  # fmt: skip
-    scaled = make(**{name: size * value for name, value in sizes.items()}, zone=size * ZONE)
-    mesh = make()
-    np.testing.assert_array_equal(scaled.t, mesh.t)
-    np.testing.assert_allclose(scaled.doflocs / size, mesh.doflocs, atol=1e-9)
-
-
-@every_body
 def test_order_and_straightness_choose_the_cells(make, radius):
     kinds = [type(make(**c)) for c in ({"order": 1}, {"order": 2}, {"straight": True})]
     assert kinds == [MeshQuad1, MeshQuad2, MeshQuad1]

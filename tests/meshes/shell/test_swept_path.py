@@ -60,17 +60,6 @@ def test_boundaries_are_where_their_names_say(mesh):
         np.testing.assert_allclose(mesh.points[mesh.boundaries[name], 2], z, atol=1e-12)
 
 
-def test_middle_nodes_lie_between_their_ends_and_the_centre_between_them():
-    flat = rectangle(length=3.0, width=2.0, along=3, across=2)
-    corner = flat.points[flat.cells[:, :4]]
-    np.testing.assert_allclose(
-        flat.points[flat.cells[:, 4:8]], (corner + np.roll(corner, -1, axis=1)) / 2, atol=1e-14
-    )
-    np.testing.assert_allclose(flat.points[flat.cells[:, 8]], corner.mean(axis=1), atol=1e-14)
-    ends, middle = flat.boundaries["head"][:, :2], flat.boundaries["head"][:, 2]
-    np.testing.assert_allclose(flat.points[middle], flat.points[ends].mean(axis=1), atol=1e-14)
-
-
 def test_cells_shrink_to_the_finest_at_the_edge_and_leaves_to_their_ends():
     graded = spring(across=12, finest=0.1, per_leaf=12, leaf_ends=0.1)
     over = lengths(graded, "head")[np.argsort(graded.points[graded.boundaries["head"][:, 2], 2])]
