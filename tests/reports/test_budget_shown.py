@@ -24,7 +24,6 @@ from reports.budget import (
 from reports.budget_table import budget_csv
 from reports.equations import Glyphs
 from reports.html import page
-from reports.pdf_budget import budget_data
 from reports.records import report_record
 from verify.core.results import BudgetJoint, BudgetPart, CaseBudget, Kind, Report, RowBudget
 from verify.jobs.cache import default_folder
@@ -76,23 +75,6 @@ def test_bars_take_the_difference_on_from_one_to_the_next():
     assert (rest.start, rest.end) == (0.0, pytest.approx(parts[-1].end))
 
 
-def test_bars_of_one_cause_have_words_of_their_own():
-    wall = replace(
-        ROW.parts[2], what="a wall four times as thick: no bending of it", contribution=0.01
-    )
-    row = replace(ROW, parts=(*ROW.parts, wall))
-    names = [bar.name for bar in steps(row)]
-    assert names[2:4] == ["four times as many flats", "a wall four times as thick"]
-    drawn = str(waterfall(row))  # in two lines
-    assert drawn.index(">four times as many<") < drawn.index(">flats<")
-
-
-def test_a_part_that_nobody_could_see_has_no_bar():
-    tiny = replace(ROW.parts[0], contribution=1e-6, u=1e-7)
-    bars = steps(replace(ROW, parts=(tiny, *ROW.parts[1:])))
-    assert [bar.name for bar in bars] == ["difference", "finite geometry", "remainder"]
-
-
 def test_bars_are_where_and_as_long_as_their_numbers_say():
     svg = str(waterfall(ROW))
     found = re.findall(r'<rect class="(\w+)" x="([\d.]+)" y="[\d.]+" width="([\d.]+)"', svg)
@@ -141,13 +123,6 @@ def test_the_others_stand_side_by_side():
     assert compact(MISSING) is None
 
 
-def test_of_very_many_rows_those_with_the_largest_remainders_stand_there():
-    many = [replace(OTHER, quantity=f"row {n}", remainder=n / 1000) for n in range(14)]
-    found = compact(replace(BUDGET, rows=tuple(many)))
-    assert found.of == 14
-    assert [row.quantity for row, _ in found.rows] == [f"row {n}" for n in range(4, 14)]
-
-
 def test_identities_are_one_sentence_and_what_is_not_explained_is_named():
     assert identities(BUDGET).startswith("1 of 1 identities")
     assert outside(BUDGET) == []
@@ -169,32 +144,12 @@ def test_what_is_not_taken_apart_is_one_sentence_with_its_reasons(one):
     assert "not taken apart: no rerun" in budget_csv([budget])
 
 
-def test_the_lead_says_that_a_closed_chain_is_no_evidence(one):
-    assert "the last one closes the sum by itself" in page(one, {}, Glyphs(default_folder()))
-
-
 def test_the_page_has_budgets_and_says_what_is_not_measured(one):
     text = page(one, {}, Glyphs(default_folder()))
     assert '<section id="budget">' in text
     assert "measured 2026-11-23" in text
     assert "Not measured for this code: freewheel deep budget:ring-lame does it." in text
     assert text.count("chart waterfall") == 1
-
-
-def test_a_page_without_budgets_has_no_section(one):
-    assert 'id="budget"' not in page(replace(one, budgets=()), {}, Glyphs(default_folder()))
-
-
-def test_the_pdf_has_the_table_of_the_row_that_is_drawn():
-    first, second = budget_data(BUDGETS, {"polyhedral-ring", "ring-lame"})
-    assert len(first["rows"]) == len(lines(ROW))
-    assert len(first["others"]) == 1
-    assert (second["rows"], second["others"]) == ([], [])
-    json.dumps([first, second])
-
-
-def test_the_pdf_has_no_budget_of_a_case_that_it_does_not_have():
-    assert [one["id"] for one in budget_data(BUDGETS, {"ring-lame"})] == ["ring-lame"]
 
 
 def test_the_table_has_a_line_for_each_part():

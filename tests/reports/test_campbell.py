@@ -41,12 +41,6 @@ def test_branches_have_the_style_of_their_whirl_and_all_is_named():
     assert page.count('class="mark"') == 1
 
 
-def test_only_what_is_there_is_in_the_key():
-    page = drawn(whirl=(1, 1, 1), range=None, peers=None, names=())
-    for name in ("backward", "neither", "paper", "speeds of operation", "1F"):
-        assert f">{name}<" not in page
-
-
 def test_a_dot_lies_where_the_line_of_excitation_meets_the_branch():
     """Backward 100 - n/200 = n/60 at n = 100/(1/60 + 1/200) = 4615.4 r/min."""
     page = drawn()
@@ -57,31 +51,12 @@ def test_a_dot_lies_where_the_line_of_excitation_meets_the_branch():
         assert np.interp(float(u), x, y) == pytest.approx(float(v), abs=0.2)
 
 
-def test_a_steep_line_is_named_above_the_plot_and_a_flat_one_beside_it():
-    page = drawn(y_top=150.0)
-    assert text(page, "4×")[1] < 44
-    assert text(page, "1×")[0] > 300
-
-
 def test_names_of_branches_that_meet_keep_their_lines_apart():
     names = tuple(f"{k}F" for k in range(12))
     page = drawn(frequencies=100 + 0.1 * np.arange(12) + 0 * SPEEDS[:, None], whirl=(1,) * 12,
                  names=names)  # fmt: skip
     heights = sorted(text(page, name)[1] for name in names)
     assert np.diff(heights).min() >= 12
-
-
-def test_branches_may_have_gaps_and_leave_the_plot():
-    lost = SPLIT.copy()
-    lost[4:6, 1] = np.nan
-    page = drawn(frequencies=lost, y_top=110.0)
-    assert page.count('class="fit s0 strokes"') == 2  # of two parts the second is above the plot
-    assert "nan" not in page
-
-
-@pytest.mark.parametrize("changes", [{"frequencies": SPLIT * np.nan}, {"speeds": SPEEDS[:1]}])
-def test_without_branches_it_says_so(changes):
-    assert "nothing to draw" in drawn(**changes)
 
 
 def test_a_branch_without_a_whirl_or_a_name_is_a_mistake():

@@ -64,12 +64,6 @@ def test_the_interval_of_a_share_is_wilson_s():
     assert interval(30, 37) == f"{100 * found.low:.0f} to {100 * found.high:.0f}\u202f%"
 
 
-def test_what_is_not_measured_for_this_code_is_named(one):
-    text = section(replace(one, caught=replace(CAUGHT, stale=("judging", "finite-elements"))))
-    assert "Not measured for this code: judging, finite elements." in text
-    assert "Not measured" not in section(one)
-
-
 def test_survivors_are_listed_with_their_reasons_those_without_first(one):
     text = section(one)
     assert text.index("no reason known") < text.index("only ")
@@ -106,18 +100,6 @@ def test_what_is_asked_of_no_row_and_what_is_red_anyway_is_said_in_words(one):
     assert "10 are not; 0 hide the change" in section(one)
     assert "10 are not; 0 hide the change" in str(document(one, {})["caught"]["moved"]["listed"])
     assert in_words(Caught()) == []
-
-
-def test_what_is_not_measured_says_so_and_nothing_else(one):
-    text = section(replace(one, caught=Caught(missing="not measured for this code: do it")))
-    assert "Not measured for this code: do it." in text
-    assert "<table" not in text
-
-
-def test_a_report_on_one_s_own_parameters_has_no_section(one):
-    text = page(replace(one, caught=None), {}, Glyphs(default_folder()))
-    assert 'id="caught"' not in text
-    assert 'href="#caught"' not in text
 
 
 def test_the_pdf_and_the_records_have_the_same(one):

@@ -10,7 +10,7 @@ import jsonschema
 import pytest
 
 import reports
-from reports.crosscheck import crosscheck_data, left_out_data, problems, told
+from reports.crosscheck import crosscheck_data, told
 from reports.crosscheck_table import crosscheck_csv
 from reports.equations import Glyphs
 from reports.html import page
@@ -18,7 +18,7 @@ from reports.pdf_data import document
 from reports.records import report_record
 from reports.richtext import _plain
 from reports.rows import rows_csv
-from reports.second import COLUMNS, apart, seconds, value
+from reports.second import COLUMNS, seconds
 from verify.core.results import Crosscheck, CrossState, Report
 from verify.jobs.cache import default_folder
 
@@ -34,10 +34,6 @@ STALE = Crosscheck(
     case="ring-lame", problem="ring-lame, plane stress", what="another", quantity="", row="",
     symbol="", unit="1", solver="calculix", state=CrossState.MISSING,
     why="not measured for this code: make crosscheck does it",
-)  # fmt: skip
-ALONE = replace(
-    STALE, problem="ring-lame", what="no second solver", solver="", state=CrossState.ALONE,
-    why="nobody's",
 )  # fmt: skip
 
 
@@ -58,34 +54,6 @@ def test_the_page_has_a_table_of_its_own(checked):
     assert section.count('class="is-fail"') == 1
     assert "Not measured for this code" in section
     assert '<a href="#crosscheck">' in html
-
-
-def test_a_case_that_no_solver_takes_says_why(checked):
-    html = page(replace(checked, crosschecks=(AGREES, ALONE)), {}, Glyphs(default_folder()))
-    section = html.partition('<section id="crosscheck">')[2].partition("</section>")[0]
-    assert "1 case has no second solver, and says why" in section
-    assert "Nobody" in section
-    assert "()" not in section
-    (sentence,) = left_out_data([ALONE])
-    assert "".join(map(str, sentence)) == "Nobody's: ring-lame, no second solver."
-
-
-def test_a_report_without_comparisons_says_nothing_of_them(checked):
-    html = page(replace(checked, crosschecks=()), {}, Glyphs(default_folder()))
-    assert "Second solvers" not in html
-
-
-def test_what_is_of_no_case_of_the_report_is_left_out(checked):
-    other = replace(checked, crosschecks=(replace(AGREES, case="rotor-step"),))
-    assert "Second solvers" not in page(other, {}, Glyphs(default_folder()))
-    assert document(other, {})["crosschecks"] == []
-
-
-def test_problems_are_grouped_in_their_order():
-    first, second = problems([AGREES, OUTSIDE, STALE])
-    assert [len(first.lines), first.missing] == [2, ""]
-    assert second.missing.startswith("not measured")
-    assert told([STALE, STALE]) == "1 problem is not measured"
 
 
 def test_the_pdf_marks_what_is_outside(checked):
@@ -141,12 +109,6 @@ def test_what_belongs_to_no_row_stands_at_the_head_of_its_case(beside):
     assert head.count("more than allowed") == 1
 
 
-def test_a_row_without_a_second_solver_says_nothing_of_it(beside):
-    bare = page(replace(beside, crosschecks=(STALE,)), {}, Glyphs(default_folder()))
-    assert "Second solver," not in bare
-    assert "#cross-" not in bare
-
-
 def test_tables_and_records_have_the_second_solver_beside_the_row(beside):
     found = seconds(beside.crosschecks)
     (line,) = csv.DictReader(io.StringIO(rows_csv(beside.rows, found.rows).lstrip("\ufeff")))
@@ -159,19 +121,6 @@ def test_tables_and_records_have_the_second_solver_beside_the_row(beside):
     (one,) = record["second_solvers"]
     jsonschema.validate([one], schema["$defs"]["row"]["properties"]["second_solvers"])
     assert one["difference"] == 4.6e-6
-
-
-def test_the_pdf_has_it_too(beside):
-    (case,) = document(beside, {})["cases"]
-    assert case["lines"][0]["second"][0][:2] == ["calculix ", "21.7673"]
-    assert len(case["second"]) == 1
-
-
-def test_numbers_of_another_unit_tell_it(beside):
-    (row,) = beside.rows
-    assert value(AGREES, row) == "21.7673"
-    assert value(AGREES, replace(row, unit="1")) == "21.7673 µm"
-    assert apart(replace(AGREES, difference=0.0)) == "alike, 0.52 s"
 
 
 def test_the_table_has_a_line_each():

@@ -5,12 +5,10 @@ import io
 import re
 
 import numpy as np
-import pytest
 from PIL import Image
 
 from reports.density import density
 from reports.ramps import UNSIGNED
-from reports.standalone import standalone
 from verify.core.figures import Density
 
 X, Y = np.linspace(0.0, 60.0, 61), np.linspace(-4.5, 4.5, 41)
@@ -39,26 +37,9 @@ def test_the_first_row_is_at_the_bottom_and_the_first_column_at_the_left():
     assert near(seen[-3, -3], UNSIGNED[0])
 
 
-def test_figures_that_are_compared_span_the_same_values():
-    z = np.full((41, 61), 50.0)
-    page = drawn(z, range=(0.0, 100.0))
-    assert all(f">{tick}<" in page for tick in (0, 50, 100))
-    middle = (
-        np.array(list(bytes.fromhex(UNSIGNED[2][1:])))
-        + np.array(list(bytes.fromhex(UNSIGNED[3][1:])))
-    ) / 2
-    assert pixels(page)[100, 100, :3] == pytest.approx(middle, abs=6)
-
-
 def test_where_there_is_no_value_nothing_is_drawn():
     z = np.ones((41, 61))
     z[20:, :] = np.nan
     seen = pixels(drawn(z, range=(0.0, 2.0)))
     assert seen[10, 100, 3] == 0
     assert seen[-10, 100, 3] == 255
-
-
-def test_a_page_of_paper_takes_it():
-    assert standalone(density(Density(
-        title="t", x_label="x", y_label="y", z_label="z", x=X, y=Y, z=np.add.outer(Y, X),
-    )))  # fmt: skip

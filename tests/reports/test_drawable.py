@@ -57,9 +57,3 @@ def test_curves_keep_their_finite_points(gap):
     assert "inf" not in drawn
     assert ">held<" in drawn
     assert ">lost<" not in drawn
-
-
-def test_a_single_point_is_drawn():
-    drawn = str(plot(Curves(**NAMES, curves=(curve(X[:1], X[:1]),))))
-    assert "nan" not in drawn
-    assert SAID not in drawn

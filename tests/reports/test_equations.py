@@ -48,16 +48,6 @@ def test_every_glyph_that_is_used_is_there_and_each_once():
     assert "<symbol" not in page
 
 
-def test_a_glyph_of_several_pieces_is_kept_whole():
-    """A brace of many lines, which no font holds in one piece."""
-    glyphs = Glyphs()
-    rows = r" \\ ".join("abcdefgh")
-    shown = str(glyphs.maths(rf"\begin{{cases}} {rows} \end{{cases}}"))
-    assert shown.count("<use") == 9
-    pieces = [g.count("<path") for g in glyphs.symbols().split("<g id=")[1:]]
-    assert max(pieces) > 2
-
-
 def test_glyphs_stand_where_they_were_drawn():
     """Corners of ziamath's boxes and of the glyphs put in their place, of one size and of two."""
     tex = r"A^2 + \frac{a}{b}\ \mathrm{mm}"
@@ -76,10 +66,3 @@ def test_glyphs_stand_where_they_were_drawn():
         x, y, k = *(float(v or 0) for v in at), float(scales[name])
         shown = x + k * left, y + k * top, k * wide, k * high
         assert shown == pytest.approx([float(v) for v in box], abs=0.02)
-
-
-def test_a_place_that_cannot_be_written_costs_no_equation(tmp_path):
-    (tmp_path / "file").write_text("")
-    glyphs = Glyphs(tmp_path / "file")
-    assert "<use" in glyphs.maths(TEX)
-    glyphs.symbols()

@@ -11,12 +11,8 @@ import pytest
 from reports.equations import Glyphs
 from reports.formats import concise, values
 from reports.frames import frames
-from reports.html import anchors, causes, page
-from reports.pdf_case import case_data
-from reports.row_lines import COMPANION, lines
-from verify.app.commands import make_report
-from verify.cases.sprag.crown.case import CROWN
-from verify.core.figures import Whirl
+from reports.html import causes, page
+from reports.row_lines import lines
 from verify.core.results import Kind, Row, Status
 from verify.jobs.cache import default_folder
 
@@ -103,14 +99,6 @@ def test_one_script_runs_and_the_policy_names_it(which, request):
     assert "default-src 'none'" in reader.policy
 
 
-def test_a_page_without_views_runs_no_script(report):
-    still = [c for c in report.cases if not any(isinstance(f, Whirl) for f in c.figures)]
-    reader = Reader()
-    reader.feed(page(replace(report, cases=tuple(still)), {}, Glyphs(default_folder())))
-    assert "script-src 'none'" in reader.policy
-    assert reader.scripts == []
-
-
 def test_what_a_user_typed_is_never_markup(hostile, drawn, hostile_text):
     named = replace(hostile, name="<script>alert(1)</script>")
     cases = tuple(replace(c, name="<img src=x onerror=alert(1)>") for c in hostile.cases)
@@ -140,35 +128,11 @@ def test_convergence_shares_the_line_of_its_quantity_unless_it_failed():
     assert [x.row for x in lines([good])] == [good]  # alone, it is a line of its own
 
 
-def test_values_on_every_mesh_are_of_rows_that_have_some(of_paper):
-    case = of_paper(CROWN)
-    empty = [r for r in case.rows if r.grid and not r.levels]
-    assert empty  # convergence alone, whose values stand with its quantity
-    alone = make_report([case], [CROWN], 1.0)
-    at = page(alone, {}, Glyphs(default_folder())).split("Values at every refinement")[1]
-    shown = at.partition("</table>")[0]
-    assert COMPANION not in shown
-    assert shown.count('<tr><th scope="row"') == sum(bool(r.levels) for r in case.rows if r.grid)
-    printed = case_data(case, (), anchors(case.rows), ["s"] * len(case.tables), "p")["levels"]
-    assert all(len(cells) == len(t["header"]) > 1 for t in printed for cells in t["rows"])
-
-
 def test_a_report_on_own_parameters_leaves_the_papers_out(report, drawn):
     own = page(replace(report, name="my clutch"), drawn, Glyphs(default_folder()))
     assert "<h1>my clutch</h1>" in own
     assert 'id="errata"' not in own
     assert 'id="provenance"' in own
-
-
-def test_steps_of_formulas_are_closed_and_follow_the_results(report, text):
-    steps = [e for c in report.cases for e in c.equations if e.is_step]
-    assert steps
-    for section in re.findall(r'<section class="case".*?</section>', text, re.DOTALL):
-        results, summary, closed = section.partition("<summary>Steps of the formulas")
-        if summary:
-            assert "Formula, with numbers" in results
-            listed = int(re.match(r" <small>(\d+)", closed)[1])
-            assert closed.partition("</details>")[0].count("<p>") == listed
 
 
 def test_nothing_that_is_not_known_is_told(text):

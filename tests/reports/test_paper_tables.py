@@ -30,22 +30,7 @@ HEADERS = {
 }  # fmt: skip
 OURS = ["FE (u)", "What this suite does"]
 # Values of the suite, with the printed row and column that each is to reproduce.
-PLACES = [
-    ("k_1", "Theory", "stiffness by Eqs. 1-9", "0.600957"),
-    ("k_1", "Theory", "Eqs. 1-9 against the curved beam", "0.600957"),
-    ("k_1", "FEA", "Eqs. 1-9 against the paper's shell model", "0.600957"),
-    ("k_1", "FEA", "k_1 of a guided wide strip against the paper's shell model", "0.619184"),
-    ("k_1", "Experiment", "k_1 of a guided wide strip against the paper's test", "0.619184"),
-    ("k_1", "Experiment", "k_1 of that reading against the paper's test", "0.615353"),
-    ("k_2", "FEA", "k_2 of a guided wide strip against the paper's shell model", "0.736278"),
-    ("k_2", "Experiment", "k_2 of that reading against the paper's test", "0.7269"),
-    ("k_2", "Experiment", "k_2 of the closed form against the paper's test", "0.760666"),
-]
-CLAIMING = (
-    "ring-lame", "ring-loads-outer", "ring-loads-inner", "ring-rotation", "sprag-wedge",
-    "sprag-engagement", "sprag-clutch", "sprag-crown", "sprag-optimum", "sprag-optimum-40",
-    "spring-accordion", "spring-stages", "spring-width", "spring-curve", "spring-map",
-)  # fmt: skip
+CLAIMING = ("ring-loads-outer", "sprag-wedge", "sprag-optimum", "spring-accordion", "spring-width")
 WHICH = pytest.mark.parametrize("which", PRINTED, ids=" ".join)
 
 
@@ -132,34 +117,13 @@ def plain(quantity: str) -> str:
     return words(str(formats.prose(quantity)))
 
 
-@pytest.mark.parametrize(("row", "column", "name", "value"), PLACES)
-def test_the_spring_constants_of_the_suite_stand_where_they_belong(
-    rendered, row, column, name, value
-):
-    header, blocks = rendered["wang2023", "Table 1"]
-    (block,) = [b for b in blocks if b.printed[0] == row]
-    (line,) = [x for x in block.below if x[-1].partition(" ")[2] == name]
-    assert line[header.index(column)] == value
-
-
 # Row 4 is a fitted point, row 10 misprinted: the suite has no value of their errors.
-@pytest.mark.parametrize("row", [1, 2, 3, 5, 6, 7, 8, 9])
-def test_an_error_of_the_kriging_model_stands_below_the_printed_one(rendered, row):
-    """|predicted - actual| / predicted of the printed pair, in %, which the paper means."""
-    header, blocks = rendered["huang2018", "Table 2"]
-    printed = blocks[row - 1].printed
-    actual, predicted = map(float, printed[:2])
-    (line,) = [x for x in blocks[row - 1].below if "error of the printed pair" in x[-1]]
-    shown = line[header.index("Relative error")]
-    assert float(shown) == pytest.approx(100 * abs(predicted - actual) / predicted, rel=1e-5)
-    assert float(shown) == pytest.approx(float(printed[2]), abs=0.006)
 
 
 def test_an_input_stands_below_the_number_that_it_repeats(report, rendered):
     _, blocks = rendered["huang2018", "Table 1"]
     below = {line.index("input"): line[-1] for line in blocks[0].below if "input" in line}
-    assert below[1].startswith("n of ring-loads-outer, ring-loads-inner, ring-rotation; z of sprag")
-    assert below[3].startswith("m_g of sprag-engagement")
+    assert below[1].startswith("n of ring-loads-outer; z of sprag")
 
 
 def test_the_pdf_has_the_same_columns(report, rendered):

@@ -46,32 +46,6 @@ def test_axes_have_names_ends_and_units():
     assert page.count(">1</text>") == 1
 
 
-def test_long_names_take_rows_of_their_own():
-    many = tuple(ParallelAxis(name=f"a rather long name {k}", unit="N s/m", low=0, high=1)
-                 for k in range(9))  # fmt: skip
-    page = drawn(axes=many, members=np.full((2, 9), 0.5), highlighted=())
-    places = [
-        (float(y), float(x) - 3 * len(w), float(x) + 3 * len(w))
-        for x, y, w in re.findall(r'<text class="[^"]*" x="([\d.]+)" y="([\d.]+)"[^>]*>([^<]+)<',
-                                  page)
-    ]  # fmt: skip
-    for i, a in enumerate(places):
-        for b in places[i + 1 :]:
-            assert abs(a[0] - b[0]) > 8 or a[2] < b[1] or b[2] < a[1]
-
-
 def test_what_lies_beyond_an_axis_stops_at_its_end():
     page = drawn(members=MEMBERS * [[10.0, 1, 1]], highlighted=())
     assert lines(page, "member")[2][0, 1] == lines(drawn(), "member")[1][0, 1]
-
-
-@pytest.mark.parametrize("lost", [np.empty((0, 3)), MEMBERS * np.nan])
-def test_without_numbers_it_says_so(lost):
-    page = drawn(members=lost, highlighted=())
-    assert "nothing to draw" in page
-
-
-def test_one_axis_and_one_member_are_drawn():
-    page = drawn(axes=AXES[1:2], members=MEMBERS[:1, 1:2], highlighted=())
-    assert "nan" not in page
-    assert ">κ<" in page

@@ -8,10 +8,7 @@ from typing import NamedTuple
 
 import pytest
 
-from reports.equations import Glyphs
-from reports.html import page
 from reports.pdf import pdf
-from verify.jobs.cache import default_folder
 
 pytestmark = pytest.mark.skipif(not shutil.which("pdftotext"), reason="needs poppler-utils")
 
@@ -71,14 +68,6 @@ def test_many_printed_values_and_long_reasons_leave_names_their_room(wordy, tmp_
 def test_no_word_stands_beyond_the_margin(printed):
     assert "CALIBRATED" in {w.text for w in printed}
     assert max(w.right for w in printed) <= RIGHT + 0.5
-
-
-@pytest.mark.parametrize("without", [0, 7])
-def test_a_run_of_some_cases_says_what_it_cannot_tell(wordy, tmp_path, without):
-    whole = replace(wordy, name="", provenance={**wordy.provenance, "left_out": without})
-    said = "This run holds 1 of 8 cases"
-    assert (said in page(whole, {}, Glyphs(default_folder()))) == bool(without)
-    assert (said in " ".join(w.text for w in words(whole, tmp_path))) == bool(without)
 
 
 def test_printed_powers_are_raised(printed):

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from reports import picture_cache, pictures
-from reports.bitmaps import FINER, flaw, webp
+from reports.bitmaps import flaw
 from reports.pictures import draw
 from verify.core.figures import Field, Picture
 from verify.core.store import Store
@@ -63,12 +63,6 @@ def test_a_renderer_that_hangs_is_ended(stub):
     assert "not done after 1 s" in drawn.why
 
 
-def test_what_a_failing_import_says_is_the_reason(stub):
-    stub("raise ImportError('libGL.so.1: cannot open shared object file')")
-    [drawn] = draw([(sheet(), WORDS)], None)
-    assert "exit status 1: ImportError: libGL.so.1" in drawn.why
-
-
 BLANK = """
 import numpy as np
 class Plotter:
@@ -95,15 +89,6 @@ def test_a_blank_picture_or_one_of_another_size_is_drawn_again(stub, size, alpha
     [drawn] = draw([(sheet(), WORDS)], None)
     assert reason in drawn.why
     assert not flaw(drawn.image, drawn.width, drawn.height)
-
-
-def test_what_one_process_drew_before_it_died_is_kept(stub, monkeypatch):
-    good = webp(np.full((FINER, FINER, 4), 200, dtype=np.uint8))
-    monkeypatch.setattr(pictures, "_by_pyvista", lambda scenes, _: ([good, b""], "signal 11"))
-    monkeypatch.setattr(pictures, "flaw", lambda image, *_: "" if image == good else "blank")
-    first, second = draw([(sheet(), WORDS), (sheet(), replace(WORDS, factor=1.0))], None)
-    assert first.image == good
-    assert "signal 11" in second.why
 
 
 def stored(folder):

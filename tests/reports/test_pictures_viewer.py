@@ -53,11 +53,6 @@ def test_more_points_than_16_bits_count_take_wider_indices():
     assert array(data["cells"], "<u4").max() == count - 1
 
 
-def test_the_slider_starts_at_the_exaggeration_of_the_flat_picture():
-    by = compose(SPRING, RIBBON).exaggeration
-    assert f'max="{2 * by:g}" step="{by / 20:g}" value="{by:g}"' in viewer(SPRING, RIBBON)
-
-
 def test_words_of_users_cannot_become_markup():
     html = viewer(SPRING, replace(RIBBON, caption='<script>alert(1)</script>" onload="x'))
     assert "<script>" not in html

@@ -6,12 +6,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from reports.html import plot
-from reports.plots import Axes, convergence, distances, profile
+from reports.plots import Axes, convergence, profile
 from reports.refinement import refinement
-from verify.cases.registry import CASES
-from verify.core.figures import Dots, Profile, Refinement
-from verify.core.results import Grid, Kind, Partner, Row, Status
+from verify.core.figures import Profile, Refinement
+from verify.core.results import Grid, Kind, Row, Status
 
 X = np.linspace(0.0, 1.0, 5)
 PROFILE = Profile(
@@ -70,13 +68,6 @@ def test_errors_of_theory_lie_on_their_lines_and_the_line_has_the_order():
     assert len(set(y)) == 3
 
 
-def test_names_of_equal_errors_do_not_cover_each_other():
-    at = [float(y) for y in re.findall(r'class="direct s\d" x="[\d.]+" y="([\d.]+)"',
-                                       refinement(FINER))]  # fmt: skip
-    assert len(at) == 2
-    assert abs(at[0] - at[1]) >= 12  # the letters' height
-
-
 def test_an_error_of_zero_is_left_out_and_zeros_alone_draw_nothing():
     some = replace(FINER, errors=(("a", np.array([1e-2, 0.0, 1e-4])),))
     assert refinement(some).count("<circle") == 2
@@ -92,18 +83,3 @@ def test_rows_whose_levels_show_no_order_are_not_drawn_as_if_they_had_one():
     assert convergence([row])
     noisy = replace(grid, behaviour="noisy", order=None, used=None, factor=None)
     assert not convergence([replace(row, grid=noisy, order="noisy")])
-
-
-def test_every_dot_is_of_a_colour_that_the_page_has(report):
-    figures = [f for case in report.cases for f in case.figures]
-    whose = {item[3] for f in figures if isinstance(f, Dots) for item in f.items}
-    assert whose
-    assert whose <= {"formula", "fe", "paper"}
-    assert all(plot(f) for f in figures)
-
-
-@pytest.mark.parametrize(("by", "told"), [("FE", "mesh size"), ("steps", "refinement")])
-def test_levels_of_another_method_are_no_meshes(judged, by, told):
-    row = next(row for row in judged(CASES[0]).rows if row.grid and row.fem and distances(row))
-    other = replace(row, fem=None, partner=Partner(by=by, value=row.fem))
-    assert f"{told}, relative" in words(convergence([other]))

@@ -8,7 +8,6 @@ from dataclasses import replace
 import pytest
 
 from reports.equations import Glyphs
-from reports.formats import prose
 from reports.html import anchors, page
 from reports.pdf_case import case_data
 from reports.records import report_record
@@ -38,11 +37,6 @@ def test_failed_rows_come_first_then_those_not_run_each_in_their_order():
     ]
     assert [r.quantity for r in failed_first(given)] == ["d", "e", "b", "f", "a", "c"]
     assert [line.row.quantity for line in lines(given)] == ["d", "e", "b", "f", "a", "c"]
-
-
-def test_a_line_whose_convergence_was_not_run_comes_before_those_that_passed():
-    given = [row("a"), row("b"), row("b: convergence", SKIP)]
-    assert [line.row.quantity for line in lines(given)] == ["b", "a"]
 
 
 def test_over_all_cases_no_line_stands_before_a_failed_one():
@@ -84,16 +78,6 @@ def test_on_the_page_the_table_of_all_rows_begins_with_the_failed_one(planted, t
 def failed(planted):
     (row,) = [row for row in planted.rows if row.status is FAIL]
     return row
-
-
-@pytest.mark.parametrize("title", ["How tolerances came about", "Values on every mesh"])
-def test_in_its_case_too(planted, text, title):
-    case = planted.cases[1]
-    section = text[text.index(f'<section class="case" id="case-{case.id}"') :]
-    quantities = re.findall(
-        r'<tr><th scope="row">(.*?) <span', section.split(f"<summary>{title}")[1]
-    )
-    assert quantities[0] == str(prose(failed(planted).quantity))
 
 
 def test_in_the_pdf_too(planted):

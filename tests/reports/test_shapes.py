@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from reports.plots import WIDTH
-from reports.shapes import LETTER, shapes
+from reports.shapes import shapes
 from verify.core.figures import Panel, Shapes
 
 LONG = np.array([[0.0, 0.0], [20.0, 0.0], [20.0, 5.0]])
@@ -36,8 +36,8 @@ def test_up_is_up():
     assert line[2, 1] < line[0, 1]
 
 
-@pytest.mark.parametrize("count", [1, 2, 5, 9])
-@pytest.mark.parametrize("size", [(1, 1), (60, 1), (1, 60)])
+@pytest.mark.parametrize("count", [1, 9])
+@pytest.mark.parametrize("size", [(60, 1), (1, 60)])
 def test_nothing_leaves_the_picture_and_panels_do_not_overlap(count, size):
     line = np.array([[0.0, 0.0], size])
     page = drawn(*(Panel(name=f"state {k}", lines=(line,)) for k in range(count)))
@@ -66,18 +66,3 @@ def test_contacts_are_dots_that_the_key_explains():
     assert ">contact<" in page
     assert len(paths(page, "fit faint")) == 1
     assert "contact" not in drawn(Panel(name="A", lines=(LONG,)), dots_name="contact")
-
-
-def test_a_long_key_stays_in_the_picture():
-    name = "contacts, and the strut between them, as loaded"
-    page = drawn(Panel(name="A", lines=(LONG,), dots=LONG[:1]), dots_name=name)
-    left = float(re.search(rf'<text class="tick" x="([\d.]+)"[^>]*>{name}<', page)[1])
-    assert left + LETTER * len(name) <= WIDTH
-
-
-def test_strips_are_as_thick_as_they_are_drawn_long():
-    page = drawn(Panel(name="O", lines=(LONG,)), thickness=1.0)
-    (line,) = paths(page, "strip")
-    assert float(re.search(r'stroke-width="([\d.]+)"', page)[1]) == pytest.approx(
-        np.ptp(line[:, 0]) / 20, rel=0.01
-    )

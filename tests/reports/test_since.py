@@ -4,15 +4,13 @@ from dataclasses import replace
 
 import pytest
 
-from reports import readings, since
+from reports import readings
 from reports.equations import Glyphs
 from reports.html import page as with_equations_drawn
 from reports.pdf import pdf
 from reports.records import report_record
-from verify.cases.registry import CASES
 from verify.core.results import Change, Drift, ReadingsTried
 from verify.jobs.cache import default_folder
-from verify.studies.readings.tried import searches
 
 
 def page(report, frames):
@@ -58,12 +56,6 @@ def test_nothing_moved_is_one_line_and_no_table(wordy):
     assert "loosened without a reason" not in html
 
 
-def test_a_first_version_and_own_parameters_have_no_such_section(wordy):
-    html = page(replace(wordy, name="", drift=None), {})
-    assert 'id="since"' not in html
-    assert 'id="readings"' not in html
-
-
 def test_what_was_loosened_without_a_reason_stands_first_and_in_a_banner(shown):
     html = page(shown, {})
     assert "1 tolerance loosened without a reason" in html
@@ -72,28 +64,6 @@ def test_what_was_loosened_without_a_reason_stands_first_and_in_a_banner(shown):
     assert places == sorted(places)
     assert "<b>x" not in section
     assert "Reasons that nothing asks for" in section
-
-
-def test_what_was_tightened_is_counted_and_listed(shown):
-    section = page(shown, {}).partition('<section id="since">')[2].partition("</section>")[0]
-    folded = section.partition("<details><summary>Tightened")[2].partition("</details>")[0]
-    assert "1 row<" in folded
-    assert "<td>bound</td><td>2\u202f%</td><td>1\u202f%</td>".replace("\u202f", " ") in folded
-    assert since.since_data(DRIFT)["tighter"][0][1:4] == [["bound"], ["2 %"], ["1 %"]]
-    assert "Tightened" not in page(replace(shown, drift=replace(DRIFT, tighter=())), {})
-
-
-def test_a_number_without_a_unit_has_none_on_paper():
-    (said,) = readings.readings_data((replace(MISSING, unit="1"),))["missing"]
-    assert "".join(map(str, said)).startswith("wang2023:b (0.1): ")
-
-
-def test_many_changes_are_cut_and_said_to_be():
-    many = replace(STILL, changes=(*(MOVED,) * 500, LOOSE))
-    assert len(since.shown(many)) == since.MOST
-    assert since.shown(many)[0] == LOOSE
-    assert since.left_out(many) == f"{501 - since.MOST} more stand in results.json, drift."
-    assert since.left_out(STILL) == ""
 
 
 @pytest.mark.parametrize(
@@ -126,11 +96,3 @@ def test_paper_and_records_have_both(shown):
     assert [c["aspect"] for c in record["drift"]["changes"]] == ["formula", "interval", "demand"]
     assert record["readings_tried"][0]["readings"] == ["b for h", "one side"]
     assert report_record(replace(shown, drift=None))["drift"] is None
-
-
-def test_all_of_it_takes_little_room_in_a_whole_report(wordy):
-    every = searches([case.id for case in CASES])
-    html = page(replace(wordy, name="", drift=STILL, searches=every), {})
-    for name in ("since", "readings"):
-        section = html.partition(f'<section id="{name}">')[2].partition("</section>")[0]
-        assert 0 < len(section.encode()) < 40_000

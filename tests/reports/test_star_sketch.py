@@ -8,12 +8,10 @@ import pytest
 from reports.sketch import WIDTH, sketch
 from verify.cases.freewheel import star_sketch
 from verify.cases.freewheel.star import Star
-from verify.cases.registry import find
 
 LETTER, TALL, BESIDE = 6.6, 13.0, 44.0  # of a label; room beside a sketch on the page
-SIZES = [  # m: as given, few rollers, many on thin walls, thick walls, another scale
-    {}, {"z": 5}, {"z": 14, "R_a": 18.5e-3, "r_b": 10e-3}, {"R_a": 40e-3, "r_b": 3e-3},
-    {"R": 50e-3, "r": 10e-3, "X": 29.8e-3, "R_a": 65e-3, "r_b": 20e-3, "z": 12},
+SIZES = [  # m: as given, many rollers on thin walls, thick walls
+    {}, {"z": 14, "R_a": 18.5e-3, "r_b": 10e-3}, {"R_a": 40e-3, "r_b": 3e-3},
 ]  # fmt: skip
 
 
@@ -44,20 +42,3 @@ def test_all_lengths_the_angle_and_the_torque_are_named():
     for name in ("X = 11.39565 mm", "R = 16.5 mm", "r = 2.5 mm", "Ra = 21 mm", "rb = 7.5 mm",
                  "ψ = 2α0 = 7°", "T", "Fn"):  # fmt: skip
         assert name in words
-
-
-def test_the_torque_turns_clockwise_and_the_flat_is_measured_upwards():
-    shapes = star_sketch.sketch(Star()).shapes
-    (torque,) = (s.points for s in shapes if s.label == "T")
-    assert torque[-1, 0] > torque[0, 0]  # along the top, to the right
-    (flat,) = (s.points for s in shapes if s.label.startswith("X"))
-    assert flat[-1, 1] == Star().X
-    assert flat[0, 1] < flat[-1, 1]
-
-
-@pytest.mark.parametrize("case", ["contact-roller", "contact-sphere", "ring-lame"])
-def test_a_label_is_within_the_drawing(case):
-    known = find(case)
-    drawn = str(sketch(known.sketch(known.inputs())))
-    left, _, width, _ = map(float, re.search(r'viewBox="([^"]*)"', drawn)[1].split())
-    assert all(left <= a and b <= left + width for _, (a, _, b, _) in labels(drawn))

@@ -6,12 +6,10 @@ import numpy as np
 import pytest
 
 from reports import svg
-from reports.curves import curves
 from reports.error_cells import Cells, isoline
-from reports.error_scale import UNSOLVED, classes, css, edges, scale
+from reports.error_scale import UNSOLVED, classes, css, edges
 from reports.measured import LIMITS, Measured, all_within, undecided
-from reports.validity_map import measured, scale_key, validity_map
-from verify.core.figures import Curve, Curves
+from reports.validity_map import measured, validity_map
 
 X, Y = np.array([3.0, 6.0, 12.0]), np.array([1.0, 2.0])
 ERROR = np.array([[0.03, -0.3], [0.0, 0.0], [0.0, np.nan]])
@@ -43,19 +41,6 @@ def test_limits_are_edges_of_classes():
     assert [css(k) for k in (3, -3, 0, UNSOLVED)] == ["over3", "under3", "exact", "unsolved"]
 
 
-def test_the_scale_names_a_limit_where_its_class_ends():
-    drawn = [str(part) for part in scale(0.0, 0.0, 170.0, LIMITS)]
-    starts = {re.search(r'class="(\w+)"', p)[1]: float(re.search(r' x="([-\d.]+)"', p)[1])
-              for p in drawn if p.startswith("<rect")}  # fmt: skip
-    named = {re.sub("<.*?>", "", p): float(re.search(r' x="([-\d.]+)"', p)[1])
-             for p in drawn if p.startswith("<text")}  # fmt: skip
-    assert named["+2"] == starts["over3"]
-    assert named["+5"] == starts["over5"]
-    assert named["+10"] == starts["over7"]
-    assert named["−2"] == starts["under2"]
-    assert named["−10"] == starts["under6"]
-
-
 def test_columns_are_x_and_rows_are_y_from_the_bottom():
     page = measured(grid())
     (over,) = paths(page, "over3")  # error[0, 0]: the first x, the first y
@@ -63,13 +48,6 @@ def test_columns_are_x_and_rows_are_y_from_the_bottom():
     (none,) = paths(page, "unsolved")[:1]  # error[2, 1]
     assert float(over[0]) == float(under[0]) < float(none[0])
     assert float(under[1]) == float(none[1]) < float(over[1])
-
-
-def test_neighbours_of_one_class_are_one_piece():
-    cells = Cells((0.0, 0.0, 30.0, 20.0), 3, 2)
-    member = np.array([[True, False], [True, False], [False, True]])
-    d = re.search(r'd="([^"]*)"', str(cells.filled(member, "s")))[1]
-    assert d == "M0,10H20V20H0zM20,0H30V10H20z"
 
 
 def test_cells_whose_bar_reaches_across_a_limit_are_hatched():
@@ -89,21 +67,6 @@ def test_a_level_is_passed_where_a_plane_has_it():
     assert (pieces @ [1.0, 2.0]).ravel() == pytest.approx(np.full(2 * len(pieces), 3.3))
     lengths = np.hypot(*(pieces[:, 0] - pieces[:, 1]).T)  # from (3.3, 0) to (0, 1.65)
     assert lengths.sum() == pytest.approx(np.hypot(3.3, 1.65))
-
-
-def test_no_line_of_equal_error_passes_what_is_not_solved():
-    x, _ = np.meshgrid(np.arange(5.0), np.arange(4.0), indexing="ij")
-    x[2, 1] = np.nan
-    pieces = isoline(x, 1.5)
-    assert (pieces[..., 1] >= 2).all()
-    assert not len(isoline(x[:1], 0.5))
-
-
-def test_the_inputs_of_the_file_are_marked_between_cells_and_not_outside():
-    at = re.search(r'class="at" cx="([\d.]+)"', str(validity_map(grid(nominal=(4.5, 1.0)))))
-    cells = Cells((52.0, 0.0, 312.0, 1.0), 3, 2)
-    assert float(at[1]) == pytest.approx(cells.X(1.0), abs=0.1)  # halfway from 3 to 6
-    assert "circle" not in validity_map(grid(nominal=(2.0, 1.0)))
 
 
 def test_the_region_takes_its_cells_whole():
@@ -129,22 +92,6 @@ def test_errors_too_small_for_a_picture_are_told_in_words(largest, words):
     assert not re.search(r'"(over|under)\d"', str(validity_map(grid(error=error))))
 
 
-def test_bars_count_among_errors_too_small_for_a_picture():
-    error, U = np.array([2e-6, np.nan]), np.array([5e-6, np.nan])
-    assert all_within(error, U) == "all within 0.0007 %"
-    assert not all_within(error, np.array([0.03, np.nan]))
-    assert not all_within(error, np.array([np.nan, np.nan]))
-
-
-def test_the_value_in_the_file_is_marked_on_the_axis_of_a_curve():
-    error = [0.0, 0.01, np.nan]
-    inner, outer = (measured(line(error, nominal=(v,))) for v in (1.5, 2.5))
-    x, y = re.search(r'<circle class="at" cx="([\d.]+)" cy="([\d.]+)"', str(inner)).groups()
-    assert float(x) == pytest.approx(46 + 0.75 * (400 - 46 - 10), abs=0.1)
-    assert float(y) == pytest.approx(330 - 38 - 30, abs=0.1)  # not on the curve
-    assert 'class="at"' not in outer
-
-
 def test_a_place_between_equal_ratios_is_told_by_ratio():
     where = grid(x=np.array([1.0, 10.0, 100.0]), log=(True, False), nominal=(10**0.5, 1.0))
     at = re.search(r'class="at" cx="([\d.]+)"', str(validity_map(where)))
@@ -158,14 +105,6 @@ def test_a_place_between_equal_ratios_is_told_by_ratio():
 )  # fmt: skip
 def test_ticks_of_a_logarithmic_axis(low, high, values):
     assert svg.log_ticks(low, high) == pytest.approx(values)
-
-
-def test_points_of_equal_ratios_are_evenly_apart():
-    x = np.array([1.0, 10.0, 100.0])
-    page = str(curves(Curves(title="", x_label="F", y_label="", x_log=True,
-                             curves=(Curve(name="", x=x, y=x, style="dots"),))))  # fmt: skip
-    places = [float(v) for v in re.findall(r'<circle class="dot s0" cx="([\d.]+)"', page)]
-    assert places == pytest.approx([52, 221, 390], abs=0.1)
 
 
 def test_strips_are_filled_where_the_whole_band_is_within():
@@ -183,20 +122,3 @@ def test_a_curve_breaks_where_nothing_is_solved():
     assert len(paths(page, "error")) == 2
     assert len(paths(page, "bar")) == 2
     assert len(paths(page, "none")) == 1
-
-
-def test_small_errors_stay_small_beside_the_first_limit():
-    heights = [float(y) for y in paths(measured(line([1e-6, -1e-6, 1e-6])), "error")[0][1::2]]
-    assert max(heights) - min(heights) < 0.2
-
-
-def test_large_errors_do_not_hide_the_limits():
-    page = str(measured(line([0.01, 5.0, 30.0])))
-    assert "NaN" not in page
-    assert all(f">{words}<" in page for words in ("5", "100", "1000"))
-
-
-def test_nothing_solved_is_drawn_as_such():
-    for m in (line([np.nan] * 3), grid(error=np.full((3, 2), np.nan))):
-        assert "nan" not in str(measured(m)) + str(validity_map(m))
-    assert len(str(scale_key())) < 4000

@@ -4,13 +4,12 @@ import json
 from dataclasses import replace
 
 import pytest
-from markupsafe import Markup
 
 from reports.equations import Glyphs
 from reports.html import page
 from reports.pdf_data import document
 from reports.records import report_record
-from reports.validity import common, figure, limits, mapped, signed, subjects
+from reports.validity import figure, signed
 from verify.core.results import (
     Report,
     Validity,
@@ -106,23 +105,6 @@ def test_what_is_not_measured_says_so_and_how_to(one):
     assert "K of the paper" not in text
 
 
-def test_a_report_without_cards_has_no_section(one):
-    text = page(replace(one, validity=()), {}, Glyphs(default_folder()))
-    assert 'id="validity"' not in text
-    assert 'href="#validity"' not in text
-
-
-def test_a_figure_is_drawn_where_a_limit_is_left():
-    assert "<svg" in figure(REGION, "K")
-    assert figure(EVERYWHERE, "K") == Markup("")
-    nowhere = tuple(replace(one, inside=0, outside=6, undecided=0) for one in LIMITS)
-    assert figure(replace(REGION, unsolved=0, limits=nowhere), "K") == Markup("")
-    assert figure(replace(REGION, axes=(), error=(), U=()), "K") == Markup("")
-    assert figure(replace(REGION, unsolved=6), "K") == Markup("")
-    line = replace(REGION, axes=(Z,), error=(0.01, 0.03, 0.3), U=(1e-3,) * 3, unsolved=0)
-    assert "<svg" in figure(line, "K")
-
-
 def test_a_map_has_each_error_in_its_own_cell():
     """30 % is at z = 6 and δ_1 = 2 mm: the middle column, the lower row."""
     places = {}
@@ -134,11 +116,6 @@ def test_a_map_has_each_error_in_its_own_cell():
     assert places["1.0"][0] < places["30"][0] < places["15"][0]
     assert places["1.0"][1] == places["30"][1] > places["3.0"][1]
     assert places["1.0"][0] == places["3.0"][0]
-
-
-def test_limits_that_hold_the_same_points_stand_in_one_line():
-    assert [name for name, _ in limits(REGION)] == ["2", "5, 10"]
-    assert [name for name, _ in limits(EVERYWHERE)] == ["2, 5, 10"]
 
 
 @pytest.mark.parametrize(
@@ -153,37 +130,6 @@ def test_limits_that_hold_the_same_points_stand_in_one_line():
 )  # fmt: skip
 def test_errors_in_per_cent(error, U, words):
     assert signed(error, U) == words
-
-
-def test_the_colours_have_a_key_where_there_is_a_map(one):
-    line = replace(REGION, axes=(Z,), error=(0.01, 0.03, 0.3), U=(1e-3,) * 3)
-    curve = replace(KNOWN, cards=(replace(CARD, regions=(line,)),))
-    even = replace(KNOWN, cards=(replace(CARD, regions=(EVERYWHERE,)),))
-    assert mapped([curve, KNOWN])
-    assert 'class="scale"' in section(one)
-    for none in (curve, even, MISSING):
-        assert not mapped([none])
-        assert 'class="scale"' not in section(replace(one, validity=(none,)))
-
-
-def test_what_all_cards_were_measured_over_is_said_once(one):
-    first = replace(CARD, regions=(REGION,))
-    both = replace(KNOWN, cards=(first, replace(first, quantity="K of others")))
-    assert common(both) == REGION.over
-    assert common(KNOWN) == ""
-    text = section(replace(one, validity=(both,)))
-    assert text.count("3 to 12 (3 values), <") == text.count("Measured over") == 1
-    (subject,) = document(replace(one, validity=(both,)), {})["validity"]
-    (case,) = subject["cases"]
-    assert said(case["over"]) == f"Measured over {OVER}."
-    assert [said(row[0]) for row in case["rows"]] == ["K of the paper", "K of others"]
-
-
-def test_cases_stand_under_their_subjects():
-    other = replace(KNOWN, case="ring-lame", subject="Rings")
-    assert subjects([KNOWN, other, MISSING]) == [
-        ("Polyhedral rings", [KNOWN, MISSING]), ("Rings", [other]),
-    ]  # fmt: skip
 
 
 def test_the_pdf_has_a_line_for_each_region(one):

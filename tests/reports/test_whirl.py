@@ -8,7 +8,6 @@ import pytest
 
 from reports.html import anchors, page, plot
 from reports.pdf_case import case_data
-from reports.standalone import standalone
 from reports.whirl import ALONG, RIGHT, UP, whirl
 from verify.core.figures import Mode, Whirl
 
@@ -30,14 +29,6 @@ def rows(drawn, kind="line"):
     """What moves each line: place, and parts of the displacement at the phases 0 and 90 degrees."""
     found = re.findall(rf'data-{kind}="([^"]*)"', str(drawn))
     return [np.array([r.split(",") for r in text.split(" ")], float) for text in found]
-
-
-def test_the_view_is_a_right_handed_turn():
-    """The image's two rows of a rotation: orthonormal, with a third row that points to the eye."""
-    image = np.column_stack([RIGHT, UP, ALONG]) * [[1], [-1]]  # right and up
-    assert image @ image.T == pytest.approx(np.eye(2))
-    towards = np.cross(*image)
-    assert towards[0] < 0 < towards[1]  # from beside and above
 
 
 @pytest.mark.parametrize(("shown", "sense"), [(FORWARD, 1), (BACKWARD, -1)])
@@ -68,15 +59,6 @@ def test_the_arrow_lies_on_the_orbit_and_points_along_it():
         assert near[k] < 0.3
         assert 30 < np.degrees(angles[k]) < 70  # ahead of what is drawn
         assert (tip - np.mean(back, axis=0)) @ (orbit[k + 1] - orbit[k]) > 0
-
-
-def test_lines_and_dots_stand_at_the_phase_zero():
-    drawn = str(whirl(BOTH))
-    for kind, joint in (("line", "L"), ("dots", "M")):
-        for d, moved in zip(re.findall(rf'd="M([^"]*)" data-{kind}', drawn), rows(drawn, kind),
-                            strict=True):  # fmt: skip
-            points = np.array([p.removesuffix("h0").split(",") for p in d.split(joint)], float)
-            assert points == pytest.approx(moved[:, :2] + moved[:, 2:4], abs=0.11)
 
 
 def test_the_drawing_holds_names_steps_bearings_and_a_bar():
@@ -118,18 +100,6 @@ def test_a_mode_without_an_orbit_has_no_arrow(x, y):
     assert drawn.count("data-line") == 1
 
 
-def test_numbers_that_are_none_draw_nothing():
-    for lost in (replace(BOTH, modes=()), replace(BOTH, modes=(mode("m", BOW * np.nan, BOW),))):
-        assert "nothing to draw" in plot(lost)
-
-
-def test_it_stands_alone_with_its_colours():
-    drawn = standalone(plot(BOTH))
-    assert drawn["alt"] == "Modes"
-    assert "var(--" not in drawn["svg"]
-    assert drawn["ratio"] < 1.1
-
-
 def test_page_and_pdf_take_it_and_only_then_its_script(wordy):
     case = replace(wordy.cases[0], figures=(BOTH,))
     shown, without = (page(replace(wordy, cases=(c,)), {}) for c in (case, wordy.cases[0]))
@@ -142,10 +112,3 @@ def test_page_and_pdf_take_it_and_only_then_its_script(wordy):
         if f["title"] == ["Modes"]
     ]
     assert "1F 169.2 Hz" in figure["drawing"]["svg"]
-
-
-def test_shafts_are_named_in_their_colours():
-    plain, named = whirl(BOTH), whirl(replace(BOTH, names=("outer", "inner")))
-    assert "outer" not in plain
-    for name, colour in (("outer", "s0"), ("inner", "s2")):
-        assert re.search(rf'class="fit {colour} strokes"[^>]*/><text[^>]*>{name}<', named)

@@ -48,29 +48,6 @@ def test_names_stand_inside_their_zones():
         assert top < float(y) - 4 < bottom
 
 
-def test_a_zone_without_room_is_not_named_and_one_that_is_not_there_not_drawn():
-    thin = Zone(name="hardly", top=3.1 + 0.2 * X, tone="fair")
-    page = drawn(HOLDS, thin, SLIPS)
-    assert ">hardly<" not in page
-    assert 'class="fair"' in page
-    assert 'class="fair"' not in drawn(HOLDS, Zone(name="none", top=0 * X, tone="fair"), SLIPS)
-
-
-def test_where_a_limit_is_not_a_number_the_zone_is_not_there():
-    top = np.where(X < 5, 4.0, np.nan)
-    box = area(drawn(Zone(name="holds", top=top, tone="good"), SLIPS), "good")
-    base = box[:, 1].max()
-    assert np.all(box[box[:, 0] > 230, 1] == base)
-
-
-@pytest.mark.parametrize("x", [2.0, 9.0, 30.0])
-def test_a_point_is_named_within_the_picture(x):
-    page = drawn(HOLDS, SLIPS, point=(x, 5.0, "26 N m, 5 kN"))
-    ((u, anchor),) = re.findall(r'class="named" x="([\d.]+)"[^>]*anchor="(\w+)"', page)
-    assert anchor == ("start" if x < 5 else "end")
-    assert float(u) <= 390
-
-
 @pytest.mark.parametrize("slope", [1.0, -1.0])
 def test_a_point_s_name_keeps_off_the_curve_through_it(slope):
     curve = Curve(name="asked", x=X, y=3.0 + slope * (X - 3.0))

@@ -71,13 +71,6 @@ def test_a_stored_result_comes_back_bit_for_bit(tmp_path):
     assert_same(cache.load(tmp_path, CASE, Beam(), 2), RESULT)
 
 
-def test_a_later_result_replaces_an_earlier_one(tmp_path):
-    cache.store(tmp_path, CASE, Beam(), 2, RESULT)
-    cache.store(tmp_path, CASE, Beam(), 2, replace(RESULT, h=0.7))
-    assert cache.load(tmp_path, CASE, Beam(), 2).h == 0.7
-    assert entries(tmp_path) == 1
-
-
 @pytest.mark.parametrize(
     ("case", "inputs", "level"),
     [
@@ -93,17 +86,7 @@ def test_a_result_is_found_for_nothing_but_what_it_is_of(case, inputs, level, tm
     assert cache.load(tmp_path, case, inputs, level) is None
 
 
-def test_cases_with_the_same_fem_function_have_keys_of_their_own():
-    other = replace(CASE, id="ring-other")
-    assert cache.key(CASE, Beam(), 2) != cache.key(other, Beam(), 2)
-
-
-def test_equal_inputs_find_the_same_result(tmp_path):
-    cache.store(tmp_path, CASE, Beam(L=2.0), 2, RESULT)
-    assert cache.load(tmp_path, CASE, Beam(b=Beam().b, L=2.0), 2) is not None
-
-
-@pytest.mark.parametrize("library", ["gmsh", "scikit-fem", "numpy", "scipy"])
+@pytest.mark.parametrize("library", ["gmsh", "scipy"])
 def test_another_version_of_a_library_finds_nothing(library, tmp_path, monkeypatch):
     cache.store(tmp_path, CASE, Beam(), 2, RESULT)
     right = cache.version
@@ -144,24 +127,11 @@ def test_a_torn_entry_is_ignored_wherever_it_is_torn(damaged):
     assert not [n for n in lengths if load(whole[:n]) is not None]
 
 
-def test_an_entry_with_a_wrong_bit_is_ignored_or_still_right(damaged):
-    """Members of a zip carry a checksum, its directory does not."""
-    whole, load = damaged
-    for at in range(0, len(whole), 3):
-        wrong = bytearray(whole)
-        wrong[at] ^= 1  # flags: a password, methods: another compression, and so on
-        found = load(bytes(wrong))
-        if found is not None:
-            assert_same(found, SMALL)
-
-
 @pytest.mark.parametrize(
     "content",
     [
         pytest.param(b"", id="empty"),
         pytest.param(b"no zip at all", id="text"),
-        pytest.param(b"\x93NUMPY\x01\x00", id="start of an array"),
-        pytest.param(b"PK\x05\x06" + bytes(18), id="a zip without members"),
         pytest.param(b"\x80\x04K\x01.", id="a pickle"),
     ],
 )
@@ -170,7 +140,7 @@ def test_what_is_no_stored_result_is_ignored(content, damaged):
     assert load(content) is None
 
 
-@pytest.mark.parametrize("error", [KeyboardInterrupt, OSError, MemoryError])
+@pytest.mark.parametrize("error", [KeyboardInterrupt, OSError])
 def test_an_interrupted_store_leaves_the_earlier_result(error, tmp_path, monkeypatch):
     def half(file, **_):
         file.write(b"PK\x03\x04 half of it")
@@ -184,12 +154,6 @@ def test_an_interrupted_store_leaves_the_earlier_result(error, tmp_path, monkeyp
         cache.store(tmp_path, CASE, Beam(), 4, RESULT)
     assert_same(cache.load(tmp_path, CASE, Beam(), 2), RESULT)
     assert entries(tmp_path) == 1
-
-
-def test_objects_are_never_pickled(tmp_path):
-    with pytest.raises(ValueError, match=r"[Oo]bject arrays"):
-        cache.store(tmp_path, CASE, Beam(), 2, replace(RESULT, arrays={"o": np.array([{}])}))
-    assert entries(tmp_path) == 0
 
 
 def test_the_environment_may_name_another_place(tmp_path, monkeypatch):

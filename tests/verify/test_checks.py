@@ -12,11 +12,9 @@ import pytest
 from verify.core.case import Context, FemResult
 from verify.core.results import Kind, Status
 from verify.judging.checks import Approximation, Exact, Fact, Identity, Limit, Order
-from verify.judging.claims import beside
 from verify.judging.published_checks import Contradiction, PrintedMeasurement, PrintedTheory
 
 SIZES = (1 / 2, 1 / 4, 1 / 8)
-MICRO = 1e-6
 
 
 def context(series, *, analytic=None, u_it=0.0, is_paper=True, sizes=SIZES, inputs=None):
@@ -69,23 +67,6 @@ def test_an_identity_is_judged_in_si_and_shown_in_its_unit():
 
 
 @pytest.mark.parametrize(
-    ("unit", "factor"), [("m", 1.0), ("mm", 1e3), ("µm", 1e6), ("in", 1 / 0.0254)]
-)
-def test_every_dimensional_number_of_a_row_changes_with_the_unit(unit, factor):
-    series, values = power_law(5e-6, 1e-3), {"g": 5e-6}
-    row, _ = rows_of(identity(unit=unit), series, analytic=values)
-    assert row.analytic == pytest.approx(factor * 5e-6, rel=1e-12)
-    assert row.fem == pytest.approx(factor * series[-1], rel=1e-12)
-    assert row.scale == pytest.approx(factor * 5e-6, rel=1e-12)
-    assert row.difference == pytest.approx(factor * 5e-6 * SHARE, rel=1e-9)
-    assert row.tolerance == pytest.approx(factor * 1.25 * 5e-6 * SHARE, rel=1e-9)
-    assert row.u_num == pytest.approx(factor * 1.25 * 5e-6 * SHARE / 2, rel=1e-9)
-    assert row.levels[0][1] == pytest.approx(factor * series[0], rel=1e-12)
-    assert row.detects == pytest.approx(2.25 * SHARE, rel=1e-9)  # relative: no unit
-    assert row.order == pytest.approx(2.0, abs=1e-6)
-
-
-@pytest.mark.parametrize(
     ("formula", "status"),
     [
         pytest.param(1 + 2.2 * SHARE, Status.PASS, id="off by 1.2 e, U = 1.25 e"),
@@ -116,13 +97,6 @@ def test_agreement_without_convergence_is_seen():
     assert all(row.reason.startswith("does not converge") for row in rows)
 
 
-def test_two_levels_show_no_convergence():
-    rows = rows_of(identity(), (1e-6, 1e-6), analytic={"g": 1e-6}, sizes=SIZES[:2])
-    assert {row.status for row in rows} == {Status.FAIL}
-
-
-@pytest.mark.parametrize("bad", [math.nan, math.inf])
-@pytest.mark.parametrize("level", [0, 2], ids=["coarse", "finest"])
 @pytest.mark.parametrize(
     "claim",
     [
@@ -139,11 +113,9 @@ def test_two_levels_show_no_convergence():
         ),
     ],
 )  # fmt: skip
-def test_a_level_that_is_no_number_is_a_red_row_and_no_crash(claim, level, bad):
+def test_a_level_that_is_no_number_is_a_red_row_and_no_crash(claim):
     series = [0.0, 0.0, 0.0] if isinstance(claim, Exact) else power_law(5e-6, 1e-3)
-    series[level] = bad
-    if isinstance(claim, Exact) and level == 0:
-        return  # a balance is taken on the finest mesh alone
+    series[2] = math.nan
     row, *_ = rows_of(claim, series, analytic={"g": 5e-6})
     assert row.status is Status.FAIL
 
@@ -165,11 +137,6 @@ def test_an_oscillating_series_is_as_uncertain_as_three_times_its_spread():
     row, convergence = rows_of(identity(demand=0.005), series, analytic={"g": 5.005e-6})
     assert row.reason.startswith("not sharp")
     assert convergence.status is Status.FAIL
-
-
-def test_an_order_below_one_half_is_not_shown_as_one():
-    row, _ = rows_of(identity(demand=1.0), power_law(5e-6, 1e-3, p=0.3), analytic={"g": 5e-6})
-    assert row.order is None
 
 
 def test_iteration_error_adds_to_the_mesh_error():
@@ -274,17 +241,6 @@ def test_an_approximation_without_interval_is_shown_and_still_has_to_converge(in
     assert rows[0].reason == "does not converge"
 
 
-def test_printed_values_stand_beside_a_row_for_the_paper_s_inputs_only():
-    claim = approximation(None, printed=("wang2023:k1-fea",))
-    series = power_law(600.0, 1e-4)
-    row, _ = rows_of(claim, series, analytic={"k": 601.0})
-    (entry,) = row.published
-    assert (entry.document, entry.id, entry.kind) == ("wang2023", "k1-fea", "FEA")
-    assert (entry.printed, entry.value) == ("0.613", pytest.approx(0.613))  # Table 1
-    row, _ = rows_of(claim, series, analytic={"k": 601.0}, is_paper=False)
-    assert row.published == ()
-
-
 # Trend: the order of errors.
 
 
@@ -310,25 +266,9 @@ def test_errors_fall_with_the_order_of_theory(p, status):
     assert row.scale == p
 
 
-def test_an_order_is_uncertain_by_what_the_fit_adds_to_the_last_slope():
-    claim = order(lambda c: (list(FOUR), [0.3 * h**2 * (1 + 0.1 * h) for h in FOUR]))
-    (row,) = claim.rows(context((), sizes=()))
-    last = math.log2((1 + 0.1 / 8) / (1 + 0.1 / 16))  # 0.0089 above 2
-    assert row.tolerance == pytest.approx(last, rel=0.05)  # the slopes curve by 0.1/4 of it
-    assert row.u_num == pytest.approx(row.tolerance / 2)
-
-
 def test_an_order_speaks_of_the_elements_and_not_of_a_user_s_inputs():
     claim = order(lambda c: (list(FOUR), [h**3 for h in FOUR]))
     assert claim.rows(context((), sizes=(), is_paper=False)) == []
-
-
-@pytest.mark.parametrize("p", [1.0, 2.0, 3.5, 4.0])
-@pytest.mark.parametrize("c", [1.0, 1e-9])
-def test_errors_of_a_pure_power_law_pass(p, c):
-    sizes = [1 / n for n in (2, 3, 4, 6, 8)]
-    (row,) = order(lambda x: (sizes, [c * h**p for h in sizes]), p=p).rows(context((), sizes=()))
-    assert row.status is Status.PASS, row.reason
 
 
 @pytest.mark.parametrize(
@@ -469,14 +409,6 @@ def test_a_printed_number_is_shown_in_the_unit_of_the_row():
     assert (entry.value, entry.printed, entry.unit) == (pytest.approx(601.0), "0.601", "N/mm")
 
 
-def test_a_printed_number_of_a_digit_too_few_is_not_sharp():
-    # b = 0.1 mm: 2 (0.05/sqrt 3) is 58 % of it
-    claim = printed_theory("mm", "wang2023:b")
-    (row,) = rows_of(claim, (), sizes=(), analytic={"k": 1e-4})
-    assert row.reason.startswith("not sharp")
-    assert row.detects == pytest.approx(1 / math.sqrt(3), rel=1e-9)
-
-
 def test_a_number_printed_as_approximate_is_shown_and_no_identity():
     """Belcin's K ≈ 1. Identity rows are PASS or FAIL only."""
     claim = printed_theory("1", "belcin:k-predimensioning")
@@ -538,12 +470,6 @@ def test_printed_numbers_speak_of_the_paper_s_inputs_alone(kind):
     assert rows_of(claim, (), sizes=(), analytic={"k": 601.0}, is_paper=False) == []
 
 
-def test_a_printed_value_is_converted_and_keeps_its_print():
-    entry = beside("wang2023:L1", "m")
-    assert entry.value == pytest.approx(0.0116)  # L_1 = 11.6 mm
-    assert (entry.printed, entry.unit, entry.document) == ("11.6", "mm", "wang2023")
-
-
 # Rows that were not run.
 
 CLAIMS = [
@@ -578,8 +504,3 @@ def test_skipped_rows_are_the_same_rows_not_run(claim):
     assert all(row.fem is row.analytic is row.difference is None for row in skipped)
     run = rows_of(claim, power_law(5e-6, 1e-3), analytic={"g": 5e-6})
     assert identify(skipped) == identify(run)
-
-
-@pytest.mark.parametrize("claim", CLAIMS)
-def test_claims_about_finite_elements_say_so(claim):
-    assert claim.needs_fem

@@ -1,9 +1,8 @@
 """Margins, scales and records of rows, from levels whose convergence is known by hand."""
 
-import numpy as np
 import pytest
 
-from tests.verify.test_checks import context, limit, order
+from tests.verify.test_checks import context, order
 from verify.core.results import Status
 from verify.judging import checks
 from verify.judging.checks import Approximation
@@ -78,11 +77,3 @@ def test_an_order_is_told_beside_that_of_theory_only_where_it_is_missed(
     monkeypatch.setattr(checks, "fit_order", lambda *_: OrderFit(2.5, u, (), (u, 0.0, 0.0)))
     (row,) = order(lambda _c: ([1.0], [1.0]), demand=1.0).rows(context((), sizes=()))
     assert (row.status, row.reason) == (status, told)
-
-
-@pytest.mark.parametrize("d0", [0.0, 1e-3, -1e-3])
-def test_a_limit_detects_its_uncertainty_and_what_it_is_off(d0):
-    eps = np.geomspace(0.1, 0.01, 5)
-    points = (list(eps), list(d0 + 0.3 * eps**2), [1e-6] * 5)
-    (row,) = limit(lambda _c: points, 2.0).rows(context((), sizes=()))
-    assert row.detects == pytest.approx(row.tolerance + abs(row.difference), rel=1e-12)

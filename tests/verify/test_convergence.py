@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from verify.judging.convergence import fit_order, grid_convergence
 
-fixed = settings(deadline=None, derandomize=True)
+fixed = settings(deadline=None, derandomize=True, max_examples=40)
 
 EVEN, UNEVEN, CLOSE = (1.0, 0.5, 0.25), (1.0, 0.75, 0.5), (1.0, 0.9, 0.3)  # r32, r21 = 2, 2; ...
 RATIOS = pytest.mark.parametrize(
@@ -24,24 +24,10 @@ RATIOS = pytest.mark.parametrize(
         pytest.param(CLOSE, id="r32 = 10/9, r21 = 3"),
     ],
 )
-ORDERS = pytest.mark.parametrize("p", [1.0, 2.0, 3.5])
 
 
 def power_law(h, *, v0, c, p):
     return [v0 + c * x**p for x in h]
-
-
-@RATIOS
-@ORDERS
-@pytest.mark.parametrize("c", [0.3, -0.3], ids=["from above", "from below"])
-def test_order_limit_and_index_of_a_power_law_are_those_of_its_error(h, p, c):
-    found = grid_convergence(h, power_law(h, v0=5.0, c=c, p=p), formal=p, scale=5.0)
-    assert found.behaviour == "monotone"
-    assert found.converges
-    # round-off: 4 eps v0 / (smallest difference, 0.01) = 5e-13 in the ratio of the differences
-    assert found.order == pytest.approx(p, abs=1e-6)
-    assert found.extrapolated == pytest.approx(5.0, rel=1e-9)
-    assert found.gci == pytest.approx(1.25 * abs(c) * h[-1] ** p, rel=1e-9)  # F |e|
 
 
 def test_published_example_of_reattachment_length():
@@ -155,23 +141,6 @@ def test_growing_differences_diverge(h, values):
     assert found.order is None
 
 
-def test_steps_that_grow_because_the_refinement_does_are_no_divergence():
-    h = (1.0, 0.9, 0.3)  # v = h exactly: steps of 0.1 and 0.6, order 1
-    found = grid_convergence(h, h, formal=1, scale=1.0)
-    assert found.converges
-    assert found.order == pytest.approx(1.0, abs=1e-6)
-
-
-@pytest.mark.parametrize(
-    ("u_it", "behaviour"),
-    # Two differences, each of two values, carry at most 4 u_it; the steps grow by 0.1.
-    [(0.0, "diverging"), (0.024, "diverging"), (0.026, "noisy")],
-)
-def test_growth_within_the_iteration_error_is_noise(u_it, behaviour):
-    found = grid_convergence(EVEN, (0.0, 0.9, 1.9), formal=2, scale=1.0, u_it=u_it)
-    assert found.behaviour == behaviour
-
-
 @pytest.mark.parametrize("values", [(), (1.0,), (1.0, 1.1)], ids=["none", "one", "two"])
 def test_fewer_than_three_values_show_no_convergence(values):
     found = grid_convergence(EVEN[: len(values)], values, formal=2, scale=1.0)
@@ -212,27 +181,6 @@ def test_round_off_ends_at_5e_10_of_the_scale(step, behaviour):
     for scale in (1.0, 1e9):
         values = (0.0, step * scale, 0.0)
         assert grid_convergence(EVEN, values, formal=2, scale=scale).behaviour == behaviour
-
-
-def test_a_difference_that_round_off_may_make_shows_no_order():
-    found = grid_convergence(EVEN, (0.0, 4e-10, 4.8e-10), formal=2.5, scale=1.0)
-    assert found.order is None
-    assert found.gci == pytest.approx(3 * 4.8e-10, rel=1e-12)
-
-
-def test_an_order_is_found_above_round_off():
-    found = grid_convergence(EVEN, (0.0, 1e-8, 1.2e-8), formal=2.5, scale=1.0)
-    assert found.order == pytest.approx(math.log2(5), abs=1e-6)  # 10/2 = 2^p
-
-
-def test_a_series_of_zeros_with_a_scale_of_zero_is_round_off():
-    found = grid_convergence(EVEN, (0.0, 0.0, 0.0), formal=1, scale=0.0)
-    assert (found.behaviour, found.gci) == ("round-off", 0.0)
-
-
-def test_a_last_refinement_without_effect_leaves_the_step_before_it_uncertain():
-    found = grid_convergence(EVEN, (1.0, 1.1, 1.1), formal=2, scale=1.0)
-    assert found.gci >= 0.1 - 1e-15
 
 
 def test_the_index_never_falls_below_1e_12_of_the_scale_or_the_solver_s_bound():
@@ -315,32 +263,6 @@ def test_units_of_the_values_change_the_index_alone(values, r21, r32, formal, u_
 
 
 @fixed
-@given(power_laws(), st.floats(-12, 12))
-def test_values_of_any_size_show_the_same_order(law, exponent):
-    h, values, _, e, p, _ = law
-    unit = 10**exponent
-    found = grid_convergence(h, [unit * v for v in values], formal=p, scale=unit)
-    assert found.order == pytest.approx(p, abs=1e-6)
-    assert found.gci == pytest.approx(1.25 * abs(e) * unit, rel=1e-6)
-
-
-def test_displacements_of_a_nanometre_have_an_order():
-    values = power_law(EVEN, v0=1e-9, c=2e-10, p=2)
-    found = grid_convergence(EVEN, values, formal=2, scale=1e-9)
-    assert found.order == pytest.approx(2.0, abs=1e-6)
-    assert found.gci == pytest.approx(1.25 * 2e-10 / 16, rel=1e-9)
-
-
-@fixed
-@given(power_laws(), st.floats(1e-6, 1e6))
-def test_unit_of_the_mesh_size_does_not_matter(law, unit):
-    h, values, _, e, p, _ = law
-    found = grid_convergence([unit * x for x in h], values, formal=p, scale=1.0)
-    assert found.order == pytest.approx(p, abs=1e-6)
-    assert found.gci == pytest.approx(1.25 * abs(e), rel=1e-6)
-
-
-@fixed
 @given(triples, ratios, ratios, st.none() | orders, st.floats(0, 1))
 def test_no_series_is_certain_and_only_a_monotone_one_has_an_order(values, r21, r32, formal, u_it):
     found = grid_convergence((r32 * r21, r21, 1.0), values, formal=formal, scale=1e3, u_it=u_it)
@@ -383,39 +305,9 @@ def test_a_series_in_the_logarithm_of_the_size_has_one_verdict(h, last):
     assert found.behaviour == "slow"
 
 
-@pytest.mark.parametrize("formal", [1.0, 2.0])
-def test_an_order_of_just_half_an_order_more_or_less_has_one_index(formal):
-    here, there = (
-        grid_convergence(
-            EVEN, power_law(EVEN, v0=0.0, c=0.3, p=p), formal=formal, scale=1.0
-        ).gci
-        for p in (1.5 - 1e-9, 1.5 + 1e-9)
-    )  # fmt: skip
-    assert here == pytest.approx(there, rel=1e-7)
-
-
 # The order of errors against an exact value.
 
 HALVED = (0.5, 0.25, 0.125, 0.0625)
-LADDERS = pytest.mark.parametrize(
-    "h",
-    [
-        pytest.param(HALVED, id="2, 4, 8, 16"),
-        pytest.param((1.0, 0.5, 0.25, 0.125), id="1, 2, 4, 8"),
-        pytest.param((1 / 2, 1 / 3, 1 / 4, 1 / 6, 1 / 8), id="2, 3, 4, 6, 8"),
-    ],
-)
-
-
-@LADDERS
-@pytest.mark.parametrize("c", [1.0, 3.3, 1e-9])
-@pytest.mark.parametrize("p", [1.0, 2.0, 3.5, 4.0])
-def test_errors_of_a_power_law_have_its_order_within_the_stated_uncertainty(h, p, c):
-    fit = fit_order(h, [c * x**p for x in h])
-    # logarithms carry eps |ln e| <= 7e-15, slopes that over ln(4/3), the extrapolation thrice that
-    assert fit.order == pytest.approx(p, abs=1e-13)
-    assert abs(fit.order - p) <= 2 * fit.u
-    assert fit.u < 1e-12
 
 
 @fixed
@@ -447,19 +339,6 @@ def test_the_order_is_found_in_the_limit_and_not_on_the_coarse_meshes(share):
     last_slope = math.log2(errors[-2] / errors[-1])
     missed = abs(fit_order(HALVED, errors).order - 2)
     assert missed < 5 * abs(share) * HALVED[-2] * abs(last_slope - 2)
-
-
-@pytest.mark.parametrize("share", [1e-3, -1e-3])
-def test_uneven_meshes_leave_little_of_a_next_term(share):
-    """Errors h^2 (1 + a h) on 1, 1/3, 1/6, 1/18: a slope is 2 + a times the logarithmic mean.
-
-    That mean is the geometric one times 1 + ln(r)^2/24: 1.050 for r = 3 and 1.020 for r = 2. With
-    the line's weights at zero, -0.345, 0.500 and 0.845, on geometric means of 0.577, 0.236 and
-    0.096 the 0.015 that they scatter about their middle leave 0.4 x 0.015 a = 0.006 a at the most.
-    """
-    h = (1.0, 1 / 3, 1 / 6, 1 / 18)
-    fit = fit_order(h, [x**2 * (1 + share * x) for x in h])
-    assert abs(fit.order - 2) < 0.0065 * abs(share)  # + 0.4 a^2 for the square of a h
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,7 @@ import pytest
 
 from verify.core.store import Store
 from verify.jobs import timing as durations
-from verify.jobs.timing import FINEST_SECONDS, expected_seconds, refined, remaining_seconds
+from verify.jobs.timing import expected_seconds, refined, remaining_seconds
 
 
 def test_a_level_takes_what_it_took():
@@ -22,11 +22,6 @@ def test_an_unknown_case_costs_at_its_finest_level_what_the_others_do():
     known = {("a", 8): 3.0, ("a", 4): 1.0, ("b", 32): 5.0, ("c", 2): 7.0}
     expected = expected_seconds([("new", 6), ("new", 3)], known)
     assert expected == {("new", 6): 5.0, ("new", 3): 5.0 / 4}
-
-
-def test_where_nothing_is_known_the_finest_levels_come_first():
-    expected = expected_seconds([("a", 4), ("a", 2), ("b", 64), ("b", 32)], {})
-    assert expected["a", 4] == expected["b", 64] == FINEST_SECONDS > expected["b", 32]
 
 
 def test_earlier_durations_are_taken_at_the_pace_of_this_run():
@@ -68,7 +63,3 @@ def test_entries_that_make_no_sense_are_ignored(tmp_path):
            "a 6": b"", "a 7": b"0", " 8": b"1", "a -9": b"1", "a 10": b"\xff"}  # fmt: skip
     Store(tmp_path).store(durations.KIND, durations.KIND, odd | {"b 2": b"3"})
     assert durations.load(tmp_path) == {("b", 2): 3.0}
-
-
-def test_a_folder_without_a_store_knows_nothing(tmp_path):
-    assert durations.load(tmp_path / "nowhere") == {}

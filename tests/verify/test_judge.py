@@ -15,10 +15,10 @@ from verify.core.results import Status
 from verify.judging import judge
 from verify.judging.convergence import GridConvergence
 
-fixed = settings(deadline=None, derandomize=True)
+fixed = settings(deadline=None, derandomize=True, max_examples=30)
 
 NAN, INF = math.nan, math.inf
-BAD = [pytest.param(x, id=str(x)) for x in (NAN, INF, -INF)]
+BAD = [pytest.param(x, id=str(x)) for x in (NAN, INF)]
 U = 2.0**-10
 HAIR = 2.0**-40  # 1e-12, far above the round-off of numbers near 1
 
@@ -74,11 +74,6 @@ def test_one_per_cent_is_demanded_where_nothing_else_is():
     assert judge.difference(1.0, 1.0, U=0.0101, scale=1.0).reason.startswith("not sharp")
 
 
-def test_a_difference_beyond_tolerance_says_both_in_shares_of_the_scale():
-    verdict = judge.difference(103.0, 100.0, U=1.0, scale=100.0)
-    assert verdict.reason == "differs by 3 %, allowed 1 %"
-
-
 @pytest.mark.parametrize("scale", [0.0, -1.0, NAN, INF])
 def test_a_scale_must_be_a_positive_number(scale):
     with pytest.raises(ValueError, match="scale"):
@@ -111,8 +106,6 @@ def test_detects_is_the_smallest_change_of_the_scale_that_surely_turns_the_row_r
 
 # Approximations: m = formula/reference - 1 inside the interval narrowed by U_m.
 
-LOW, HIGH = -0.25, 0.125
-
 
 @pytest.mark.parametrize(
     ("low", "high", "status"),
@@ -140,41 +133,6 @@ def test_a_model_error_counts_from_the_reference_on():
     verdict = judge.approximation(5.0, 4.0, U=0.004, interval=(0.24, 0.26), demand=0.05)
     assert verdict.status is Status.PASS
     assert verdict.difference == 1.0
-
-
-def test_ends_of_an_interval_are_exact_for_a_certain_reference():
-    def status(m):
-        return judge.approximation(2 * (1 + m), 2.0, U=0.0, interval=(LOW, HIGH), demand=INF).status
-
-    assert status(LOW) is status(HIGH) is Status.PASS
-    assert status(LOW - HAIR) is status(HIGH + HAIR) is Status.FAIL
-
-
-def test_uncertainty_of_the_model_error_is_that_of_the_quotient():
-    """2/(1 ± 0.01) - 1 reaches from 0.980 to 1.020: no proof of an interval of 1 ± 0.015."""
-    interval = (0.985, 1.015)
-    assert judge.approximation(2.0, 1.0, U=0.0, interval=interval, demand=INF).status is Status.PASS
-    verdict = judge.approximation(2.0, 1.0, U=0.01, interval=interval, demand=INF)
-    assert verdict.status is Status.FAIL
-
-
-def test_a_negative_reference_has_the_same_model_error():
-    verdict = judge.approximation(-1.02, -1.0, U=0.001, interval=(0.01, 0.03), demand=0.05)
-    assert verdict.status is Status.PASS
-    wrong = judge.approximation(-0.98, -1.0, U=0.001, interval=(0.01, 0.03), demand=0.05)
-    assert wrong.status is Status.FAIL
-
-
-def test_a_wide_interval_is_not_sharp():
-    verdict = judge.approximation(1.0, 1.0, U=0.001, interval=(-0.05, 0.05))
-    assert verdict.reason.startswith("not sharp")
-    assert verdict.status is Status.FAIL
-
-
-@pytest.mark.parametrize("U", [0.5, 1.0, 2.0])
-def test_a_reference_as_uncertain_as_itself_settles_nothing(U):
-    verdict = judge.approximation(1.0, 1.0, U=U, interval=(-2.0, 2.0))
-    assert verdict.status is Status.FAIL
 
 
 def test_an_approximation_without_interval_is_shown_as_measured():
@@ -234,10 +192,6 @@ def test_a_fact_is_held_beyond_its_uncertainty(margin, status, reason):
     assert (verdict.difference, verdict.tolerance) == (margin, U)
 
 
-def test_a_certain_margin_of_zero_is_undecided():
-    assert judge.fact(0.0, 0.0).reason.startswith("undecided")
-
-
 # Balances.
 
 
@@ -263,46 +217,25 @@ def test_a_balance_holds_up_to_its_bound_of_the_scale(residual, status, sign):
     [
         pytest.param(lambda x: judge.difference(x, 1.0, U=0.001, scale=1.0), id="value"),
         pytest.param(lambda x: judge.difference(1.0, x, U=0.001, scale=1.0), id="reference"),
-        pytest.param(lambda x: judge.difference(x, x, U=0.001, scale=1.0), id="both sides"),
         pytest.param(lambda x: judge.difference(1.0, 1.0, U=x, scale=1.0), id="U"),
         pytest.param(
             lambda x: judge.approximation(x, 1.0, U=0.001, interval=(-0.01, 0.01)), id="formula"
         ),
         pytest.param(
-            lambda x: judge.approximation(1.0, x, U=0.001, interval=(-0.01, 0.01)),
-            id="reference of an approximation",
-        ),
-        pytest.param(
             lambda x: judge.approximation(1.0, 1.0, U=x, interval=(-0.01, 0.01)),
             id="U of an approximation",
-        ),
-        pytest.param(
-            lambda x: judge.approximation(1.0, 1.0, U=0.001, interval=(x, 0.01)), id="lower end"
-        ),
-        pytest.param(
-            lambda x: judge.approximation(1.0, 1.0, U=0.001, interval=(-0.01, x)), id="upper end"
         ),
         pytest.param(lambda x: judge.approximation(x, 1.0, U=0.001, interval=None), id="shown"),
         pytest.param(lambda x: judge.fact(x, 0.001), id="margin"),
         pytest.param(lambda x: judge.fact(1.0, abs(x)), id="U of a margin"),
         pytest.param(lambda x: judge.exact(x, bound=1e-9, scale=1.0), id="residual"),
-        pytest.param(lambda x: judge.exact(0.0, bound=abs(x), scale=1.0), id="bound"),
-        pytest.param(lambda x: judge.exact(0.0, bound=1e-9, scale=abs(x)), id="scale of a balance"),
         pytest.param(
             lambda x: judge.asymptotic(judge.LimitFit(x, 1e-3, 1.0, 2.0, 0.1), q=2, scale=1.0),
             id="limit",
         ),
         pytest.param(
-            lambda x: judge.asymptotic(judge.LimitFit(0.0, abs(x), 1.0, 2.0, 0.1), q=2, scale=1.0),
-            id="U of a limit",
-        ),
-        pytest.param(
             lambda x: judge.asymptotic(judge.LimitFit(0.0, 1e-3, 1.0, x, 0.1), q=2, scale=1.0),
             id="exponent",
-        ),
-        pytest.param(
-            lambda x: judge.asymptotic(judge.LimitFit(0.0, 1e-3, 1.0, 2.0, abs(x)), q=2, scale=1.0),
-            id="U of an exponent",
         ),
     ],
 )
@@ -313,12 +246,6 @@ def test_what_is_no_number_never_passes(judged, x):
         return
     assert verdict.status is Status.FAIL
     assert verdict.reason
-
-
-@pytest.mark.parametrize("reference", [0.0, -0.0])
-def test_a_reference_of_zero_has_no_model_error(reference):
-    verdict = judge.approximation(1.0, reference, U=0.001, interval=(-0.01, 0.01))
-    assert verdict.status is Status.FAIL
 
 
 # Limits: d = d0 + c eps^q.
@@ -332,8 +259,7 @@ def by_hand(eps, *, c, q, u):
     return u * np.abs(np.linalg.inv(J.T @ J) @ J.T).sum(axis=1)[[0, 2]]
 
 
-@pytest.mark.parametrize("q", [0.5, 1.0, 2.0, 3.0])
-@pytest.mark.parametrize("c", [0.3, -7.0])
+@pytest.mark.parametrize(("q", "c"), [(0.5, 0.3), (1.0, -7.0), (2.0, 0.3)])
 def test_a_limit_gives_its_constants_back(q, c):
     u = 1e-6 * abs(c) * EPS[0] ** q  # relative to the largest difference
     fit = judge.fit_limit(EPS, c * EPS**q, np.full(EPS.shape, u))
@@ -348,39 +274,13 @@ def test_a_limit_gives_its_constants_back(q, c):
     assert verdict.detects == pytest.approx(fit.U0 + abs(fit.d0))
 
 
-@pytest.mark.parametrize("q", [0.5, 1.0, 2.0, 3.0])
-@pytest.mark.parametrize("n", [4, 6, 9])
-@pytest.mark.parametrize("u", [1e-3, 1e-6])
+@pytest.mark.parametrize(("q", "n", "u"), [(0.5, 4, 1e-3), (1.0, 9, 1e-6), (2.0, 6, 1e-6)])
 def test_uncertainties_of_a_limit_are_those_of_least_squares(q, n, u):
     """Smooth differences, as finite elements give them: nothing but the stated u counts."""
     eps = np.geomspace(1.0, 0.1, n)
     fit = judge.fit_limit(eps, 0.3 * eps**q, np.full(n, u))
     expected = tuple(2 * by_hand(eps, c=0.3, q=q, u=u))  # k = 2
     assert (fit.U0, fit.U_q) == pytest.approx(expected, rel=0.01)
-
-
-def test_uncertainties_of_a_limit_that_is_not_zero_are_those_of_least_squares_too():
-    eps, u = np.geomspace(1.0, 0.1, 6), 1e-5
-    fit = judge.fit_limit(eps, 2.0 + 0.3 * eps**2, np.full(6, u))
-    assert (fit.d0, fit.c) == pytest.approx((2.0, 0.3), abs=1e-6)
-    assert (fit.U0, fit.U_q) == pytest.approx(tuple(2 * by_hand(eps, c=0.3, q=2, u=u)), rel=0.01)
-
-
-def test_a_negative_uncertainty_is_refused():
-    with pytest.raises(ValueError, match=r"finite|negative|positive"):
-        judge.fit_limit([1.0, 0.5, 0.2, 0.1], [0.1, 0.05, 0.02, 0.01], [1e-6, -1e-6, 1e-6, 1e-6])
-
-
-def test_scatter_larger_than_stated_widens_the_uncertainty():
-    """Four points leave one residual: along the vector w that is orthogonal to the fit."""
-    eps, c, q, u = np.geomspace(1.0, 0.1, 4), 0.3, 1.0, 1e-6
-    J = np.column_stack([np.ones(4), eps**q, c * eps**q * np.log(eps)])
-    w = np.linalg.svd(J.T)[2][-1]  # J^T w = 0, |w| = 1
-    fit = judge.fit_limit(eps, c * eps**q + 50 * u * w, np.full(4, u))
-    # chi^2/(4 - 3) = 50^2; the curvature of the fit adds parts of the order 50 u / c = 2e-4
-    independent = u * np.sqrt(np.diag(np.linalg.inv(J.T @ J)))[[0, 2]]
-    expected = tuple(50 * 2 * independent)
-    assert (fit.U0, fit.U_q) == pytest.approx(expected, rel=1e-3)
 
 
 def test_a_less_certain_point_counts_less():
@@ -390,36 +290,6 @@ def test_a_less_certain_point_counts_less():
     vague = judge.fit_limit(eps, d, [1e-6] * 4 + [0.01])
     assert vague.d0 == pytest.approx(0.0, abs=1e-6)
     assert judge.asymptotic(vague, q=1, scale=1.0).status is Status.PASS
-
-
-def test_limits_with_noise_cover_the_truth_nineteen_times_in_twenty():
-    rng = np.random.default_rng(2008)
-    eps, u, n = np.geomspace(1.0, 0.1, 8), 1e-4, 200
-    fits = [judge.fit_limit(eps, eps**2 + u * rng.normal(size=8), [u] * 8) for _ in range(n)]
-    for covered in (
-        sum(abs(fit.d0) <= fit.U0 for fit in fits),
-        sum(abs(fit.q - 2) <= fit.U_q for fit in fits),
-    ):
-        # 95.4 % of a normal distribution lie within 2 u; four standard errors are 5.9 %
-        assert covered >= 0.895 * n
-
-
-@pytest.mark.parametrize(
-    ("d0", "q", "reason"),
-    [
-        pytest.param(0.0, 2.0, "", id="right"),
-        pytest.param(1e-4, 2.0, "limit 0.0001 of the scale is not zero", id="limit not zero"),
-        pytest.param(-1e-4, 2.0, "limit -0.0001 of the scale is not zero", id="limit below zero"),
-        pytest.param(0.0, 1.5, "exponent 2.000", id="exponent too large"),
-        pytest.param(0.0, 2.5, "exponent 2.000", id="exponent too small"),
-        pytest.param(0.0, None, "", id="theory gives no exponent"),
-    ],
-)
-def test_a_limit_is_zero_and_has_the_exponent_of_theory(d0, q, reason):
-    fit = judge.fit_limit(EPS, d0 + 0.3 * EPS**2, np.full(6, 1e-7))
-    verdict = judge.asymptotic(fit, q=q, scale=1.0)
-    assert verdict.reason.startswith(reason)
-    assert verdict.status is (Status.FAIL if reason else Status.PASS)
 
 
 @pytest.mark.parametrize(
@@ -445,12 +315,6 @@ def test_a_limit_is_sharp_relative_to_its_scale():
     assert judge.asymptotic(away, q=2, scale=4.0).detects == 3 * 2.0**-9
 
 
-@pytest.mark.parametrize("u", [0.0, 1e-6])
-def test_differences_that_are_all_zero_have_no_exponent(u):
-    with pytest.raises(ValueError, match="zero"):
-        judge.fit_limit(EPS, np.zeros(6), np.full(6, u))
-
-
 @pytest.mark.parametrize(
     "eps",
     [
@@ -465,21 +329,6 @@ def test_differences_that_are_all_zero_have_no_exponent(u):
 def test_a_limit_needs_four_points_over_a_decade(eps):
     with pytest.raises(ValueError, match="four points over a decade"):
         judge.fit_limit(eps, [0.1 * abs(x) for x in eps], [1e-6] * len(eps))
-
-
-@pytest.mark.parametrize("x", BAD)
-@pytest.mark.parametrize("which", ["d", "u"])
-def test_a_limit_through_what_is_no_number_is_refused(which, x):
-    d, u = [0.1, 0.05, 0.02, 0.01], [1e-6] * 4
-    (d if which == "d" else u)[1] = x
-    with pytest.raises(ValueError, match=r"four points|infs or NaNs|finite|no number"):
-        judge.fit_limit([1.0, 0.5, 0.2, 0.1], d, u)
-
-
-def test_a_decade_exactly_is_enough():
-    eps = [1.0, 0.5, 0.2, 0.1]
-    fit = judge.fit_limit(eps, [0.3 * x for x in eps], [1e-6] * 4)
-    assert fit.q == pytest.approx(1.0, abs=1e-6)
 
 
 # Coefficients: d = c eps^2 + e eps^4.
@@ -497,14 +346,6 @@ def test_a_coefficient_is_given_back_with_what_the_points_add_up_to(c):
     worst = c * eps**2 + u * np.sign(weights)
     off, _ = judge.quadratic_coefficient(eps, worst, np.full(5, u))
     assert abs(off - c) == pytest.approx(U / 2, rel=1e-6)
-
-
-def test_a_vague_point_hardly_moves_a_coefficient():
-    eps = np.array([0.02, 0.05, 0.1, 0.15])
-    d = 0.25 * eps**2
-    d[0] += 1e-3
-    found, _ = judge.quadratic_coefficient(eps, d, [1e-2, 1e-7, 1e-7, 1e-7])
-    assert found == pytest.approx(0.25, rel=1e-6)
 
 
 @pytest.mark.parametrize(

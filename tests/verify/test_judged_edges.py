@@ -5,11 +5,11 @@ import math
 import numpy as np
 import pytest
 
-from tests.verify.test_checks import context, limit, order, power_law
+from tests.verify.test_checks import context, limit, power_law
 from verify.core.results import Status
 from verify.judging import convergence, judge
 from verify.judging.checks import Accepted, Approximation
-from verify.judging.convergence import fit_order, grid_convergence, observed_order
+from verify.judging.convergence import fit_order, grid_convergence
 
 FOUR = (1 / 2, 1 / 4, 1 / 8, 1 / 16)
 
@@ -49,20 +49,6 @@ def test_a_limit_is_over_a_scale_of_one():
     assert (row.scale, row.analytic) == (1.0, 0.0)
 
 
-def test_an_order_that_is_missed_is_told_beside_that_of_theory():
-    errors = [0.3 * h**2 * (1 + 0.1 * h) for h in FOUR]
-    (row,) = order(lambda _c: (list(FOUR), errors), p=3.0).rows(context((), sizes=()))
-    assert row.status is Status.FAIL
-    assert row.reason == "order 2.00 ± 0.009, theory 3"
-
-
-def test_one_that_is_met_has_nothing_to_tell():
-    errors = [0.3 * h**2 * (1 + 0.1 * h) for h in FOUR]
-    (row,) = order(lambda _c: (list(FOUR), errors)).rows(context((), sizes=()))
-    assert abs(row.difference) > 1e-6
-    assert (row.status, row.reason) == (Status.PASS, "")
-
-
 @pytest.mark.parametrize("share", [0.03, -0.03])
 def test_parts_of_an_order_s_uncertainty_are_sizes(share):
     """Slopes grow or fall towards the limit, and half of what the last is off counts."""
@@ -70,21 +56,6 @@ def test_parts_of_an_order_s_uncertainty_are_sizes(share):
     assert min(fit.parts) >= 0
     # the slope between h and h/2 is off by log2((1 + a h)/(1 + a h/2)) = a h/(2 ln 2)
     assert fit.parts[1] == pytest.approx(abs(share) * FOUR[2] / (4 * math.log(2)), rel=0.05)
-
-
-@pytest.mark.parametrize("p", [-3.0, -1.0, -1e-3, 1e-3, 0.5, 2.0])
-@pytest.mark.parametrize("ratios", [(2.0, 2.0), (1.5, 4 / 3), (4.0, 2.0)])
-def test_an_order_is_found_of_differences_that_grow_as_well(p, ratios):
-    r21, r32 = ratios
-    ratio = r21**p * (r32**p - 1) / (r21**p - 1)
-    assert observed_order(ratio, r21, r32) == pytest.approx(p, abs=1e-9)
-
-
-@pytest.mark.parametrize(
-    ("ratio", "end"), [(1e30, convergence.ORDER_LIMITS[1]), (1e-30, convergence.ORDER_LIMITS[0])]
-)
-def test_orders_beyond_all_sense_end_at_the_limits(ratio, end):
-    assert observed_order(ratio, 2.0, 2.0) == end
 
 
 def test_half_an_order_apart_still_has_the_smaller_factor(monkeypatch):

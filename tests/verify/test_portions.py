@@ -2,11 +2,8 @@
 
 import pytest
 
-from verify.cases.polyhedral.inputs import HubRing
-from verify.cases.polyhedral.ring import reference as polyhedral_ring
 from verify.cases.polyhedral.ring.case import RING
-from verify.cases.spring.accordion import case as spring_accordion
-from verify.cases.spring.accordion.case import ACCORDION, AccordionSpring
+from verify.cases.spring.accordion.case import ACCORDION
 
 PORTIONS = [pytest.param(case, part, id=case.id) for case in (RING, ACCORDION)
             for part in case.portions]  # fmt: skip
@@ -28,27 +25,3 @@ def test_what_a_portion_gives_is_what_rows_of_its_case_ask_for(case, portion):
     assert set(portion.keys) <= judged
     assert len(portion.levels) >= 3
     assert list(portion.levels) == sorted(portion.levels)
-
-
-def test_a_ring_s_portion_solves_one_problem_and_a_spring_s_too(monkeypatch):
-    solved = counted(monkeypatch, "fem.plane.solve.solve_plane")
-    stiff = polyhedral_ring.stiffness_fem(HubRing(), 1)
-    assert len(solved) == 1
-    assert stiff.values["K_mid"] == pytest.approx(1.1, rel=1e-3)
-    solved = counted(monkeypatch, "fem.beam.curved.solve_curved_frame")
-    spring_accordion.solve_paper(AccordionSpring(), 4)
-    assert len(solved) == 1
-
-
-def counted(monkeypatch, name):
-    """Calls of the function `name`, from here on."""
-    module, _, function = name.rpartition(".")
-    calls = []
-    own = getattr(__import__(module, fromlist=[function]), function)
-
-    def counting(*args, **more):
-        calls.append(args)
-        return own(*args, **more)
-
-    monkeypatch.setattr(name, counting)
-    return calls

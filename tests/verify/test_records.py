@@ -2,7 +2,6 @@
 
 import json
 import re
-import threading
 import time
 
 import pytest
@@ -52,12 +51,6 @@ def test_what_something_else_made_is_stored_and_not_current(other):
     assert RECORDS.stored("plate").content == CONTENT
 
 
-def test_a_changed_digit_of_what_made_it_is_noticed():
-    RECORDS.keep("plate", MADE_BY, CONTENT)
-    assert current(MADE_BY | {"inputs": MADE_BY["inputs"] | {"n": 4}}) is None
-    assert current(MADE_BY | {"inputs": MADE_BY["inputs"] | {"n": 3.0}}) == CONTENT
-
-
 def test_an_edited_content_is_no_record():
     path = RECORDS.keep("plate", MADE_BY, CONTENT)
     text = path.read_text("utf-8")
@@ -73,7 +66,7 @@ def test_an_edited_content_is_no_record():
 
 
 @pytest.mark.parametrize(
-    "text", ["", "{", "[]", "7", '{"made by": 1}', "\xff", "[" * 100_000], ids=lambda t: t[:9]
+    "text", ["", "{", "7", '{"made by": 1}', "\xff", "[" * 100_000], ids=lambda t: t[:9]
 )
 def test_a_torn_file_is_no_record(text):
     path = RECORDS.keep("plate", MADE_BY, CONTENT)
@@ -90,15 +83,6 @@ def test_a_file_with_nonsense_is_no_record(key, value):
     data = json.loads(path.read_text("utf-8"))
     path.write_text(json.dumps(data | {key: value}), "utf-8")
     assert RECORDS.stored("plate") is None
-
-
-@pytest.mark.parametrize("read", [
-    lambda record: record.content["nothing"], lambda record: float(record.content["rows"]),
-    lambda record: int("x"), lambda record: record.content.nothing,
-])  # fmt: skip
-def test_a_content_that_cannot_be_read_is_no_record(read):
-    RECORDS.keep("plate", MADE_BY, CONTENT)
-    assert RECORDS.current("plate", MADE_BY, read) is None
 
 
 def test_every_entry_has_a_line_of_its_own():
@@ -124,27 +108,3 @@ def test_a_folder_that_cannot_be_written_is_one_line(folder):
         RECORDS.keep("plate", MADE_BY, CONTENT)
     assert "None" not in str(caught.value)
     assert current() is None
-
-
-def test_two_writers_leave_one_whole_record_at_any_moment():
-    contents = [{"values": [n] * 20_000} for n in range(2)]
-    RECORDS.keep("plate", MADE_BY, contents[0])
-    writers = [
-        threading.Thread(
-            target=lambda one=one: [RECORDS.keep("plate", MADE_BY, one) for _ in range(9)]
-        )
-        for one in contents
-    ]
-    for writer in writers:
-        writer.start()
-    found = []
-    while any(writer.is_alive() for writer in writers):
-        found.append(current())
-    assert all(one in contents for one in found)
-    assert len(found) > 1
-
-
-def test_records_of_other_subjects_stay():
-    RECORDS.keep("plate", MADE_BY, CONTENT)
-    RECORDS.keep("ring", MADE_BY, {"rows": {}})
-    assert (current(), current(subject="ring")) == (CONTENT, {"rows": {}})

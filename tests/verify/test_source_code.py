@@ -245,17 +245,6 @@ def test_a_name_that_a_module_only_hands_on_stands_for_its_code(use, source):
     assert len({first, second, third}) == 3
 
 
-def test_a_name_of_any_other_module_stands_for_itself_however_it_is_renamed(source):
-    def renamed(name, to):
-        line = f"from verify.core.inputs import {name} as {to}"
-        return source(
-            made_up_shapes=[("8.0 * x", f"{to}(x)"), ("def shape(x)", f"{line}\n\n\ndef shape(x)")]
-        )
-
-    assert renamed("quantity", "first") == renamed("quantity", "second")
-    assert renamed("quantity", "first") != renamed("count", "first")
-
-
 def test_modules_hashed_together_stand_for_their_code_in_each_other(source, monkeypatch):
     monkeypatch.setattr(source_code, "_counts", lambda _name: False)  # as modules of verify
     group = ["fem.made_deep", "fem.made_moved", "fem.made_apart", "fem.made_up"]
@@ -304,15 +293,6 @@ TAKE = "from verify.cases.made_up_shapes import shape"
 def test_a_helper_of_another_case_module_is_reached(changes, source):
     other = [("8.0", "8.5")]
     assert source(made_up_case=changes) != source(made_up_case=changes, made_up_shapes=other)
-
-
-def test_a_helper_s_helper_in_a_third_case_module_is_reached(source):
-    sized = [
-        ("def shape(x):", "from verify.cases.made_up_sizes import SIZE\n\n\ndef shape(x):"),
-        ("8.0 * x", "SIZE * x"),
-    ]
-    here = source(made_up_shapes=sized)
-    assert here != source(made_up_shapes=sized, made_up_sizes=[("14.0", "14.5")])
 
 
 CLOSURE = {  # what every engagement's table comes from, by way of other modules
@@ -372,18 +352,6 @@ def test_every_module_that_a_case_really_loads_is_in_its_key(case, loaded):
     assert formulas <= set(reached)
     if source_code.COMPILED in reached:  # an engagement's steps run over the closure's table
         assert set(reached) >= CLOSURE
-
-
-@pytest.mark.parametrize(
-    "case",
-    [c for c in CASES if c.id.startswith(("ring-", "contact-flat", "contact-pair", "contact-ring"))
-     or c.id in ("polyhedral-ring", "polyhedral-locking", "spring-accordion", "rotor-sprag")],
-    ids=lambda case: case.id,
-)  # fmt: skip
-def test_a_changed_formula_solves_nothing_anew_where_finite_elements_take_none(case):
-    assert not [
-        name for name in source_code.parts_of(case.reference)[1] if name.startswith("analytic")
-    ]
 
 
 def test_a_source_has_the_same_text_in_every_python():

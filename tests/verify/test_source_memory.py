@@ -3,7 +3,6 @@
 import pytest
 
 from analytic.ring import lame
-from verify.cases.registry import CASES, DEEP
 from verify.core import source_memory
 
 
@@ -45,13 +44,6 @@ def test_nothing_is_remembered_after_a_file_has_changed(memory, monkeypatch):
     assert source_memory.remembered("x", lame.stresses, make) == 2
 
 
-def test_functions_outside_the_project_are_hashed_each_time(memory):
-    make = counted()
-    memory()
-    assert source_memory.remembered("x", counted, make) == 1
-    assert source_memory.remembered("x", counted, make) == 2
-
-
 @pytest.mark.parametrize("change", ["content", "name", "new"])
 def test_the_digest_follows_every_file(tmp_path, monkeypatch, change):
     monkeypatch.setattr(source_memory, "ROOT", tmp_path)
@@ -78,8 +70,3 @@ def test_what_a_run_writes_does_not_count(tmp_path, monkeypatch):
         (tmp_path / name).mkdir(parents=True)
         (tmp_path / name / "file").write_text("x")
     assert digest() == before
-
-
-def test_the_registry_names_each_case_as_it_calls_itself():
-    for cases in (CASES, DEEP):
-        assert [case.id for case in cases] == list(cases.ids)

@@ -30,8 +30,6 @@ from verify.case import (
     solved,
 )
 from verify.core.case import Context
-from verify.core.figures import Equation
-from verify.core.inputs import Inputs, count
 from verify.form import equations
 from verify.form.adapter import adapted
 from verify.form.members import reached
@@ -188,16 +186,6 @@ def test_equations_come_from_the_code_or_are_checked_against_it():
         equations.stated(Wrong())
 
 
-def test_equations_that_no_quantity_solves_come_first():
-    class Swinging(Rod):
-        def laws(self):
-            yield Equation(tex=r"m \ddot x = -k x", place="Eq. 3")
-
-    found = adapted(Swinging).equations(Swinging(), {})
-    assert found[0].place == "Eq. 3"
-    assert found[1:] == adapted(Rod).equations(Rod(), {})
-
-
 def test_a_quantity_that_the_inputs_do_not_have_is_left_out():
     class Loaded(Rod):
         M: float | None = given(None, "N m", "M", "couple", omitted=None)
@@ -211,21 +199,6 @@ def test_a_quantity_that_the_inputs_do_not_have_is_left_out():
     assert "tau" not in case.analytic(Loaded())
     assert case.analytic(Loaded(M=2.0))["tau"] == pytest.approx(2e6)
     assert [len(equations.stated(Loaded(M=M))) for M in (None, 2.0)] == [3, 4]
-
-
-def test_a_constant_has_no_equation():
-    class Even(Rod):
-        @Quantity("Δσ", "MPa", "scatter of the stress")
-        def scatter(self):
-            return 0.0
-
-    assert len(equations.stated(Even())) == len(equations.stated(Rod()))
-
-
-def test_a_check_stated_as_it_is_has_the_number_of_its_state():
-    state = State(Rod(F=2e3), "twice", "2 F")
-    one = Comparison(check=adapted(Rod).checks[0], quantity=Rod.sigma, state=state)
-    assert one.evaluated() == {"sigma_twice": pytest.approx(2 * Rod().sigma)}
 
 
 @pytest.mark.parametrize("displayed", [True, False])
@@ -287,29 +260,6 @@ def test_the_reference_consists_of_what_it_uses_and_of_no_formula():
     assert set(members) == {"reference", "area", "d", "F", "E"}
     ((*_, members),) = reached(Rod, ["strain"], formulas=True)
     assert set(members) == {"strain", "sigma", "area", "d", "F", "E"}
-
-
-class Tie(Rod):
-    """A rod with numbers that are read from a state."""
-
-    stress = Quantity("σ_s", "MPa", "stress of the state", equation="3").reads(lambda q: q.state[0])
-
-    def reference(self, level: int) -> Level:
-        return solved(1 / level, stress=self.stress)
-
-
-def test_a_number_that_is_read_is_a_quantity_without_an_equation():
-    tie = Tie()
-    assert tie.stress == tie.sigma
-    assert (Tie.stress.name, Tie.stress.owner, Tie.stress.label) == (
-        "stress", "Tie", "stress of the state, Eq. 3",
-    )  # fmt: skip
-    assert "stress" in [q.name for q in Tie.quantities()]
-    assert len(equations.stated(tie)) == len(equations.stated(Rod()))
-    ((*_, members), (*_, inherited)) = reached(Tie, ["stress"], formulas=True)
-    assert (set(members), {"state", "sigma"} <= set(inherited)) == ({"stress"}, True)
-    with pytest.raises(CaseError, match=r"test_declared.py:\d+: Tie.stress: the reference reads"):
-        adapted(Tie).reference(tie, 1)
 
 
 class Column(Case):
@@ -433,34 +383,12 @@ def test_the_last_digit_of_another_source_s_number_decides(printed, status):
     assert not rows_of(adapted(Book), Book(d=20e-3))  # speaks of its own inputs alone
 
 
-def test_functions_of_a_check_are_those_of_the_inputs_at_hand():
-    class Margin(Pair):
-        def comparisons(self):
-            yield fact("strength", "σ", lambda _: (self.sigma / 1e6 - 5, 0.0), solves=False)
-
-    case = adapted(Margin)
-    (check,) = case.checks
-    for q, status in ((Margin(), "PASS"), (Margin(d=20e-3), "FAIL")):
-        (row,) = check.rows(Context(case.id, q, case.analytic(q), [], False))
-        assert row.status == status
-
-
 def test_figures_along_a_line_have_the_unit_of_their_axes():
     (profile,) = adapted(Pair).figures(context_of(adapted(Pair), Pair()))
     assert (profile.x_label, profile.y_label) == ("x [mm]", "σ [MPa]")
     assert profile.x[-1] == 1.0
     assert profile.y[0] == pytest.approx(12.732, rel=1e-4)
     assert (profile.u > 0).all()
-
-
-def test_numbers_of_an_equation_that_cancels_elsewhere_are_left_out():
-    class Odd(Rod):
-        @Quantity("G", "GPa", "shear modulus", tex=r"\frac{E}{2 \cdot 1.3}")
-        def G(self):
-            return self.E / 2.6 * (1 if self.is_default else 1 + 1e-8)
-
-    assert r"\cdot" in equations.stated(Odd())[-1].numbers
-    assert equations.stated(Odd(d=20e-3))[-1].numbers == r"= 76.9231\,\mathrm{GPa}"
 
 
 def test_equal_inputs_are_equal_whatever_was_computed_from_them():
@@ -475,18 +403,6 @@ def test_equal_inputs_are_equal_whatever_was_computed_from_them():
     assert hash(one) == hash(other)
     assert one != Arrays(d=20e-3)
     assert one != one.model_copy(update={"ends": "plane strain"})
-
-
-def test_an_input_may_be_called_levels():
-    class Given(Inputs):
-        n: float = given("1 m", "m", "n", "length")
-        levels: int = count(5, "", "levels of a factorial", ge=1, le=9)
-
-    class Factorial(Given, Case):
-        title = "Factorial"
-
-    assert list(Factorial.model_fields) == ["n", "levels"]
-    assert (Factorial().levels, adapted(Factorial).levels) == (5, (1, 2, 3, 4))
 
 
 def test_a_variant_has_other_class_attributes_also_at_other_inputs():

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from verify.case import AlongLine, Case, converged, drawn_by, given, sketches, solved
+from verify.case import AlongLine, Case, converged, given, solved
 from verify.core.case import Context
 from verify.form.adapter import adapted
-from verify.form.plots import dashes, dots, line, plot
+from verify.form.plots import dashes, dots
 
 STATIONS = np.linspace(0.0, 1e-3, 5)
 
@@ -54,41 +54,12 @@ def test_a_line_without_levels_enough_for_its_uncertainty_is_not_drawn():
     assert profiles(2) == ()
 
 
-def test_labels_have_room_on_both_sides():
-    drawn = sketches.sketch("Ring", sketches.ring(1.0, 2.0), sketches.room(3.0, 5.0))
-    x = np.concatenate([shape.points[:, 0] for shape in drawn.shapes])
-    assert (x.min(), x.max()) == (-3.0, 5.0)
-    assert [shape.label for shape in drawn.shapes if shape.style == "text"] == ["", ""]
-
-
-def test_one_function_draws_all_figures_of_a_case_from_all_results():
-    class Drawing(Lines):
-        figures = drawn_by(lambda context: [context.case, len(context.fem)])
-
-    found = adapted(Drawing).figures(Context("drawing", Drawing(), {}, [], True))
-    assert found == ("drawing", 0)
-
-
 def test_a_number_in_a_curve_stands_for_all_points():
     level, upright = dashes("p_lim", [0.0, 3.0], 7.0), dashes("T", 2.0, [0.0, 1.0], 4)
     assert level.y.tolist() == [7.0, 7.0]
     assert upright.x.tolist() == [2.0, 2.0]
     assert (upright.colour, upright.style) == (4, "dashes")
     assert dots("T", 2.0, 1.0).x.shape == (1,)
-
-
-def test_a_plot_takes_curves_and_groups_of_them_in_their_order():
-    x = np.linspace(0, 1, 3)
-    groups = (line(name, x, x) for name in "bc")
-    drawn = plot("N(t)", "t [s]", "N [N]", line("a", x, x), groups, y_bottom=0.0)
-    assert [curve.name for curve in drawn.curves] == ["a", "b", "c"]
-    assert (drawn.y_label, drawn.y_bottom) == ("N [N]", 0.0)
-
-
-def test_texts_and_outlines_of_a_sketch_are_points_with_their_style():
-    label, outline = sketches.text((1.0, 2.0), "A"), sketches.shape("body", [[0, 0], [1, 1]])
-    assert (label.style, label.points.tolist(), label.label) == ("text", [[1.0, 2.0]], "A")
-    assert (outline.style, outline.points.shape) == ("body", (2, 2))
 
 
 @pytest.mark.parametrize("levels", [2, 3])

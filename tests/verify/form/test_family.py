@@ -78,15 +78,6 @@ def test_a_broken_rule_of_a_member_names_its_method_s_line():
                 return j
 
 
-def test_members_may_be_absent():
-    class Some(Beam):
-        @Quantity("a_{0}", "1", "{0}", when=lambda _, j: j > 1).over((1, 2))
-        def some(self, j):
-            return j
-
-    assert [q.name for q in Some().present()][-1:] == ["some_2"]
-
-
 def test_the_code_of_a_member_is_its_method_s():
     ((*_, members),) = reached(Beam, ["whirl_1_forward"], formulas=True)
     assert set(members) == {"whirl", "_gyroscopic", "k", "m"}
@@ -100,13 +91,6 @@ def test_symbols_of_a_state_and_the_smaller_of_two_are_in_equations():
     assert found["k_m"].tex == r"k_m = \min\left(k, 2 k\right)"
     assert found["k_m"].numbers.endswith(r"= 4\,\mathrm{N/mm}")
     assert r"\min" in found["k_m"].numbers
-
-
-def test_an_uncertainty_may_be_zero_for_some_inputs():
-    (name,) = identity(Beam.ratio, uncertainty=0.0).numbers
-    assert identity(Beam.ratio, uncertainty=0.0).check.residual == name
-    assert not identity(Beam.ratio).check.residual
-    assert identity(Beam.ratio, uncertainty=lambda: 0.1).evaluated() == {name: 0.1}
 
 
 def test_a_row_has_its_own_unit_and_an_error_without_interval_says_why():

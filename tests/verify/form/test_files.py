@@ -67,28 +67,23 @@ def not_set(*_):
     raise NotSet("it is not asked for")
 
 
-def test_a_file_is_verified_in_worker_processes(printed_bar, capsys):
-    assert run(["verify", printed_bar(), "--out", "out", "--jobs", "2"]) == 0
+def test_a_file_is_verified_with_a_report_of_its_own(printed_bar, capsys):
+    """In worker processes; the report has the title of the case, and nothing of the papers."""
+    file = printed_bar(("Timoshenko, Strength of Materials", "Timoshenko | Strength"))
+    assert run(["verify", file, "--out", "out", "--jobs", "2"]) == 0
+    assert "since 0.1.0" not in capsys.readouterr().out  # no release has these rows
     data = json.loads(Path("out/results.json").read_text("utf-8"))
     assert {row["status"] for row in data["rows"]} == {"PASS"}
-    assert "Timoshenko" in Path("out/report.html").read_text("utf-8")
-    assert "since 0.1.0" not in capsys.readouterr().out  # no release has these rows
-
-
-@pytest.mark.parametrize(
-    ("source", "place"),
-    [("Pilkey 2008, Peterson's Stress Concentration Factors, 3rd edition", ""),
-     ("Roark 7th edition, Table 6.1", ""), ("Textbook on pressure vessels", "Barlow's formula")],
-)  # fmt: skip
-def test_a_source_is_printed_as_it_is_stated(source, place, bar, capsys):
-    stated = 'source = "Timoshenko, Strength of Materials"\n    place = "curved bars"'
-    file = bar((stated, f'source = "{source}"\n    place = "{place}"'))
-    assert run(["verify", file, "--out", "out"]) == 0
-    whole = f"{source}, {place}" if place else source
-    assert f"({whole}) |" in Path("out/verdicts.md").read_text("utf-8")
+    assert [p["key"] for p in data["papers"]] == ["Timoshenko | Strength"]
+    assert not data["errata"] + data["equations"] + data["published"] + data["paper_tables"]
     page = html.unescape(Path("out/report.html").read_text("utf-8"))
-    assert f"· {whole}</p>" in page
-    assert f"({whole})</td>" in page
+    heads = re.findall(r"<h([1-4])[^>]*>([^<]*)", page)
+    assert heads[0] == ("1", "Bending stresses of a curved bar")
+    assert not {"Tables of the papers", "Errata", "Readings", "Assumptions"} & {h for _, h in heads}
+    assert "· Timoshenko | Strength, curved bars</p>" in page
+    assert f"freewheel verify {file}\nfreewheel init {file} > my.toml" in page
+    assert r"(Timoshenko \| Strength, curved bars) |" in Path("out/verdicts.md").read_text("utf-8")
+    assert len(re.findall(rb"/Type\s*/Page\b", Path("out/report.pdf").read_bytes())) < 8
 
 
 def test_a_parameter_file_names_a_case_file_beside_it(bar, capsys):
@@ -98,20 +93,6 @@ def test_a_parameter_file_names_a_case_file_beside_it(bar, capsys):
     assert run(["sweep", "my.toml", "--vary", "r_i=60mm:80mm:2", "--out", "sweep"]) == 0
     assert "2 of 2 points solved" in capsys.readouterr().out
     assert run(["explain", "inner edge", "my.toml"]) == 0
-
-
-def test_a_report_on_one_s_own_cases_has_their_title_and_no_papers(printed_bar):
-    title = "Bending stresses of a curved bar"
-    assert run(["verify", printed_bar(), "--out", "out"]) == 0
-    page = Path("out/report.html").read_text("utf-8")
-    heads = re.findall(r"<h([1-4])[^>]*>([^<]*)", page)
-    assert heads[0] == ("1", title)
-    assert not {"Tables of the papers", "Errata", "Readings", "Assumptions"} & {h for _, h in heads}
-    assert "Error budgets" not in page
-    data = json.loads(Path("out/results.json").read_text("utf-8"))
-    assert [p["key"] for p in data["papers"]] == ["Timoshenko, Strength of Materials"]
-    assert not data["errata"] + data["equations"] + data["published"] + data["paper_tables"]
-    assert len(re.findall(rb"/Type\s*/Page\b", Path("out/report.pdf").read_bytes())) < 8
 
 
 def test_a_template_of_a_case_file_is_a_parameter_file_of_it(bar, capsys):
@@ -128,29 +109,12 @@ def test_a_template_of_a_case_file_is_a_parameter_file_of_it(bar, capsys):
     assert 'r_i = "100 mm"  # inner radius; greater than 0 mm\n' in text
 
 
-def test_a_page_says_how_to_run_the_case_of_a_file_again(bar):
-    file = bar()
-    assert run(["verify", file, "--out", "out"]) == 0
-    page = Path("out/report.html").read_text("utf-8")
-    assert f"freewheel verify {file}\nfreewheel init {file} &gt; my.toml" in page
-
-
-def test_a_formula_that_is_off_fails_its_row(bar, capsys):
-    file = bar(
-        ("return self.M * (self.r_n - self.r_i)", "return 1.02 * self.M * (self.r_n - self.r_i)")
-    )
-    assert run(["verify", file, "--out", "out"]) == 1
-    assert "FAIL" in capsys.readouterr().out
-
-
 @pytest.mark.parametrize(
     ("change", "message"),
     [
         (('"MPa", "stress at the inner', '"MPx", "stress at the inner'),
          r".py:\d+: CurvedBar.sigma_i: .*MPx"),
         (("def e(self) -> float:", "def e(self) -> float"), r".py:\d+: expected ':'"),
-        (('@Quantity("e", "mm"', '@Quantity("r_n", "mm"'),
-         r".py:\d+: CurvedBar.e: the symbol r_n is that of r_n already"),
         (('given("100 mm", "mm"', 'given("100 m m", "mm"'), r'.py:\d+: ValueError: "100 m m"'),
         (("def e(self) -> float:", "def r_n(self) -> float:"),
          r".py:\d+: CurvedBar.r_n: line \d+ declares that name already"),
@@ -177,8 +141,6 @@ def test_a_wrong_declaration_is_one_line(change, message, bar, capsys):
          r".py:\d+: sigma_i: ZeroDivisionError: float division by zero"),
         (("return self.M * (self.r_n - self.r_i)", "return self.moment * (self.r_n - self.r_i)"),
          r".py:\d+: sigma_i: AttributeError: .*'moment'"),
-        (("/ log(self.r_o / self.r_i)", "/ log(-self.r_o / self.r_i)"),
-         r".py:\d+: r_n: ValueError: math domain error"),
     ],
 )  # fmt: skip
 def test_a_fault_of_a_formula_is_one_line_with_its_place(change, message, bar, capsys):
@@ -191,14 +153,12 @@ def test_a_fault_of_a_formula_is_one_line_with_its_place(change, message, bar, c
     assert re.search(message, line), line
 
 
-@pytest.mark.parametrize("fault", ["KeyboardInterrupt", "SystemExit(3)"])
-def test_a_reference_that_ends_its_process_fails_its_rows(fault, printed_bar, capfd):
+def test_a_reference_that_ends_its_process_fails_its_rows(bar, capfd):
     first = "from fem.plane.material"
-    file = printed_bar((first, f"raise {fault}\n        {first}"))
+    file = bar((first, f"raise SystemExit(3)\n        {first}"))
     assert run(["verify", file, "--out", "out", "--jobs", "2"]) == 1
     out, err = capfd.readouterr()
-    place = rf"level 1: CaseError: {file}:\d+: reference: {re.escape(fault).partition('(')[0]}"
-    assert re.search(place.rstrip("\\"), out), out
+    assert re.search(rf"level 1: CaseError: {file}:\d+: reference: SystemExit", out), out
     assert "Traceback" not in out + err
 
 
@@ -210,20 +170,12 @@ def test_ctrl_c_in_a_formula_is_one_line_and_exit_ends_nothing(bar, capsys):
     assert re.search(r".py:\d+: sigma_i: SystemExit: 0", capsys.readouterr().out)
 
 
-@pytest.mark.parametrize("body", ["pass", "return CurvedBar.sigma_i"])
-def test_comparisons_that_yield_nothing_are_one_line_with_their_place(body, bar, capsys):
-    file = bar(("        most = ", f"        {body}\n\n    def others(self):\n        most = "))
+def test_comparisons_that_yield_nothing_are_one_line_with_their_place(bar, capsys):
+    file = bar(("        most = ", "        pass\n\n    def others(self):\n        most = "))
     assert run(["verify", file, "--out", "out"]) == 2
     (line,) = capsys.readouterr().err.splitlines()
-    assert re.match(rf"freewheel: {file}:\d+: CurvedBar.comparisons: returns (None|Quant)", line)
+    assert re.match(rf"freewheel: {file}:\d+: CurvedBar.comparisons: returns None", line)
     assert line.endswith("must yield comparisons")
-
-
-def test_a_formula_that_reads_itself_is_one_line(bar, capsys):
-    file = bar(("return (self.r_o - self.r_i) / log(self.r_o / self.r_i)", "return 2 * self.e"))
-    assert run(["verify", file, "--out", "out"]) == 1
-    rule = r"\d+: CurvedBar.r_n: circular: r_n reads e, e reads r_n\n"
-    assert re.search(rf"CaseError: {file}:{rule}", capsys.readouterr().out)
 
 
 def test_a_sweep_fails_where_a_row_does_not_converge(bar, capsys):
@@ -233,44 +185,6 @@ def test_a_sweep_fails_where_a_row_does_not_converge(bar, capsys):
     out = capsys.readouterr().out
     assert "3 of 3 points solved, 1 of them not in every row\n" in out
     assert "1 point: does not converge in 1 of 2 rows" in out
-
-
-def test_a_sweep_does_not_fail_where_a_formula_has_no_value(bar, capsys):
-    whole = "return (self.r_o - self.r_i) / log(self.r_o / self.r_i)"
-    file = bar((whole, f"{whole} if self.r_i < 0.07 else float('nan')"))
-    Path("my.toml").write_text(OWN.format(file=file), "utf-8")
-    assert run(["sweep", "my.toml", "--vary", "r_i=60mm:80mm:2", "--out", "sweep"]) == 0
-    assert "2 of 2 points solved, 1 of them not in every row" in capsys.readouterr().out
-
-
-def test_a_bar_in_a_source_ends_no_cell_of_a_table(bar):
-    file = bar(("Timoshenko, Strength of Materials", "Timoshenko | Strength"))
-    assert run(["verify", file, "--out", "out"]) == 0
-    assert r"(Timoshenko \| Strength, curved bars) |" in Path("out/verdicts.md").read_text("utf-8")
-
-
-def test_explain_does_not_call_a_small_uncertainty_infinite(bar, capsys):
-    file = bar((INNER, INNER.replace("return", "return 1.05 *")))
-    assert run(["explain", "inner edge", file]) == 1
-    assert "nothing: the row fails as it stands" in capsys.readouterr().out
-
-
-@pytest.mark.parametrize(
-    ("command", "status"),
-    [(["verify", "{file}", "--out", "out"], 1), (["check", "my.toml", "--fem"], 1),
-     (["sweep", "my.toml", "--vary", "r_i=60mm:80mm:2", "--out", "out"], 1),
-     (["explain", "inner edge", "my.toml"], 1),
-     (["check", "my.toml", "--fem", "--out", "out"], 1)],
-    ids=["verify", "check", "sweep", "explain", "report"],
-)  # fmt: skip
-def test_an_endless_reference_ends_in_every_command(command, status, bar, capsys):
-    endless = "while self.M:\n            pass\n        from fem.plane.material"
-    limit = ("    title = ", "    time_limit = 0.3\n    title = ")
-    file = bar(("from fem.plane.material", endless), limit)
-    Path("my.toml").write_text(OWN.format(file=file), "utf-8")
-    assert run([part.format(file=file) for part in command]) == status
-    out = " ".join(capsys.readouterr().out.split())
-    assert re.search(rf"{file}:\d+: reference: TimeLimitError: longer than 0.3 s", out)
 
 
 LOOP = "while True:\n            pass\n        return 0.0"
@@ -286,18 +200,11 @@ LOOP = "while True:\n            pass\n        return 0.0"
     ],
     ids=["formula", "reference"],
 )  # fmt: skip
-@pytest.mark.parametrize("jobs", ["1", "2"])
-def test_an_endless_loop_ends_at_the_time_limit(change, message, jobs, printed_bar, capsys):
-    file = printed_bar(change, ("    title = ", "    time_limit = 0.5\n    title = "))
-    assert run(["verify", file, "--out", "out", "--jobs", jobs]) == 1
-    place = f"{file}:{message}TimeLimitError: longer than 0.5 s"
-    assert re.search(place, capsys.readouterr().out)
-
-
-def test_a_reference_that_does_not_converge_fails_its_row(bar, capsys):
-    file = bar(("sigma_i=inner,", "sigma_i=inner * (1 + 0.05 * level),"))
+def test_an_endless_loop_ends_at_the_time_limit(change, message, bar, capsys):
+    file = bar(change, ("    title = ", "    time_limit = 0.3\n    title = "))
     assert run(["verify", file, "--out", "out"]) == 1
-    assert "stress at the inner edge and 1 more: does not converge" in capsys.readouterr().out
+    place = f"{file}:{message}TimeLimitError: longer than 0.3 s"
+    assert re.search(place, capsys.readouterr().out)
 
 
 def test_a_case_of_an_installed_package_has_a_name(bar, capsys, monkeypatch):

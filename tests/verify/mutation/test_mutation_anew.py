@@ -76,24 +76,15 @@ def test_half_the_inertia_is_red_in_the_levels_that_alone_know_of_it(engaged):
     assert what.startswith("sprag-engagement/")
 
 
-def test_stored_levels_are_judged_where_the_mutant_leaves_them(engaged):
+def test_a_mutant_is_judged_on_stored_levels_or_on_levels_solved_with_it(engaged):
+    """On those of a case that takes long it is not judged at all."""
+    quick = bench_of("rotor-clutch")
+    both = [engaged, quick]
     assert anew.split("analytic.polyhedral.wedging", [engaged]) == ([engaged], [], [])
-
-
-def test_a_case_that_takes_long_does_not_judge_what_its_levels_are_made_with():
+    assert anew.split("analytic.contact.palmgren", both) == ([], [quick], [engaged])
+    assert anew.split("analytic.sprag.events", both) == ([quick], [], [engaged])
     case = find("spring-width", CASES)
     assert "analytic.spring.frame" in anew.formulas_in(case)
     bench = Bench(Load(case, case.inputs(), ()), Noted(1.0, (), {}))
     assert anew.split("analytic.spring.frame", [bench]) == ([], [], [])
-    assert anew.split("analytic.freewheel.series", [bench]) == ([bench], [], [])
-
-
-def test_what_takes_long_to_solve_anew_is_asked_after_what_does_not(engaged):
-    quick = bench_of("rotor-clutch")
-    assert anew.split("analytic.contact.palmgren", [engaged, quick]) == ([], [quick], [engaged])
-    assert anew.split("analytic.sprag.events", [engaged, quick]) == ([quick], [], [engaged])
-
-
-@pytest.mark.parametrize("name", anew.SOLVED)
-def test_each_case_that_is_solved_anew_has_formulas_in_its_levels(name):
-    assert anew.formulas_in(find(name, CASES))
+    assert all(anew.formulas_in(find(name, CASES)) for name in anew.SOLVED)

@@ -3,14 +3,12 @@
 import os
 import signal
 import time
-from collections import deque
 from functools import partial
 
 import pytest
 
 from tests.verify.mutation.forked import answer, answers
-from verify.audit.mutation.sandbox import LATE, Task, forks, perform
-from verify.jobs.dispatch import Dispatch, queue
+from verify.audit.mutation.sandbox import LATE, Task
 
 
 def test_answers_come_as_json_from_other_processes():
@@ -34,17 +32,6 @@ def test_one_that_never_ends_is_ended_and_the_others_answer():
     assert time.monotonic() - start < 15
 
 
-def test_an_answer_in_time_counts_though_the_parent_was_busy():
-    with forks(1) as engine:
-        future = engine.executor.submit(perform, Task(0, lambda: "x" * 200_000, 0.2))
-        large = engine.executor.submit(perform, Task(1, lambda: 7, 0.2))
-        time.sleep(0.5)
-        engine.wait([future, large], 0.1)
-        while not (future.done() and large.done()):
-            engine.wait([future, large], 0.1)
-        assert (future.result().value, large.result().value) == ("x" * 200_000, 7)
-
-
 def test_what_a_child_started_does_not_keep_its_answer():
     def leaves():
         if os.fork() == 0:
@@ -54,10 +41,6 @@ def test_what_a_child_started_does_not_keep_its_answer():
     start = time.monotonic()
     assert answer(leaves, 20.0).value == 7
     assert time.monotonic() - start < 10
-
-
-def test_an_answer_that_is_no_json_is_told():
-    assert answer(lambda: {1, 2}, 20.0).failure.startswith("TypeError")
 
 
 def killed():
@@ -75,20 +58,6 @@ def killed():
 def test_one_that_dies_is_told(end, failure):
     found = answer(end, 20.0)
     assert (found.value, found.failure) == (None, failure)
-
-
-def test_an_answer_may_bring_further_work():
-    waiting = deque([Task("first", lambda: 1, 20.0)])
-    found = []
-
-    def receive(task, answer):
-        found.append((task.key, answer.value))
-        if task.key == "first":
-            waiting.append(Task("second", lambda: 2, 20.0))
-        return 1
-
-    Dispatch("answers", 2).run(forks(2), perform, queue(waiting), receive)
-    assert found == [("first", 1), ("second", 2)]
 
 
 def test_children_are_gone_when_the_parent_stops():

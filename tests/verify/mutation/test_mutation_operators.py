@@ -4,7 +4,6 @@ import ast
 
 import pytest
 
-from verify.audit.mutation.operators import Around
 from verify.audit.mutation.sites import Source, mutants, owners
 from verify.audit.mutation.subject_operators import FINITE_ELEMENTS, FORMULAS, JUDGING
 
@@ -113,13 +112,3 @@ def test_ids_are_one_s_own_and_outlast_changes_elsewhere():
 def test_functions_methods_and_constants_are_found_by_their_names():
     text = "X: int = 1\nx = 2\n\ndef f():\n    def g(): pass\n\nclass A:\n    def m(self): pass\n"
     assert [name for name, _ in owners(ast.parse(text))] == ["X", "f", "A.m"]
-
-
-def test_a_mutant_tells_its_line_as_it_is_and_as_it_becomes():
-    (one,) = mutants(source("def f(a, b):\n\n    return a * b\n"), FORMULAS)
-    assert (one.mutant.number, one.mutant.before, one.mutant.after) == (3, "a * b", "a / b")
-
-
-def test_an_unknown_node_has_no_changes():
-    nothing = Around(frozenset(), frozenset())
-    assert not [n for change in EVERY.values() for n in change(ast.parse("pass").body[0], nothing)]

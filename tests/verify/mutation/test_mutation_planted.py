@@ -10,7 +10,7 @@ from verify.audit.mutation import trial
 from verify.audit.mutation.baseline import Noted
 from verify.audit.mutation.outcomes import By
 from verify.audit.mutation.sites import mutants, source
-from verify.audit.mutation.subject_operators import FINITE_ELEMENTS, FORMULAS, JUDGING
+from verify.audit.mutation.subject_operators import FINITE_ELEMENTS, FORMULAS
 from verify.audit.mutation.trial import Bench
 from verify.audit.mutation.workload import Load
 from verify.cases.ring.lame.case import LAME
@@ -59,20 +59,6 @@ def test_a_weak_form_with_a_sign_mistaken_is_named_by_what_it_strains(bench):
     assert by == By.ROWS
     assert what.startswith("ring-lame/")
     assert "displacement" in what or "stress" in what
-
-
-def test_a_grid_index_that_is_too_small_is_named_where_the_mesh_makes_the_difference(bench):
-    fault = planted(
-        "verify.judging.convergence",
-        JUDGING,
-        "grid_convergence",
-        "max(gci, floor)",
-        "min(gci, floor)",
-    )
-    by, what = verdict(partial(trial.tried, fault, [bench]))
-    assert by == By.ROWS
-    assert what.startswith("ring-lame/")
-    assert "convergence" not in what  # agreement, whose error bar is too short
 
 
 def test_code_that_stays_as_it_is_turns_no_row_red(bench):
