@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 from scipy.stats import binomtest
 
-from reports.caught import in_words, interval, moved, share, survivors
+from reports.caught import in_words, interval, moved, share
 from reports.equations import Glyphs
 from reports.html import page
 from reports.pdf_data import document
@@ -62,15 +62,6 @@ def test_shares_stand_beside_their_counts(one):
 def test_the_interval_of_a_share_is_wilson_s():
     found = binomtest(30, 37).proportion_ci(0.95, method="wilson")
     assert interval(30, 37) == f"{100 * found.low:.0f} to {100 * found.high:.0f}\u202f%"
-
-
-def test_survivors_are_listed_with_their_reasons_those_without_first(one):
-    text = section(one)
-    assert text.index("no reason known") < text.index("only ")
-    assert "a &lt; &lt;b&gt;" in text
-    assert "Survivors among formulas: 2" in text
-    (group,) = survivors(CAUGHT)
-    assert [survivor.reason for survivor in group[1]] == ["", ARGUED.reason]
 
 
 def test_references_that_were_moved_have_a_line_for_each_kind(one):

@@ -100,15 +100,6 @@ def test_a_row_shows_the_second_solver_and_leads_to_its_line(beside):
     assert [f'<tr id="cross-{i}"' in section for i in range(4)] == [True, True, True, False]
 
 
-def test_what_belongs_to_no_row_stands_at_the_head_of_its_case(beside):
-    html = page(beside, {}, Glyphs(default_folder()))
-    head = html.partition('id="case-ring-lame"')[2].partition("</header>")[0]
-    assert 'href="#cross-1">rim</a>' in head
-    assert 'href="#cross-2">a sum</a>' in head
-    assert "#cross-0" not in head
-    assert head.count("more than allowed") == 1
-
-
 def test_tables_and_records_have_the_second_solver_beside_the_row(beside):
     found = seconds(beside.crosschecks)
     (line,) = csv.DictReader(io.StringIO(rows_csv(beside.rows, found.rows).lstrip("\ufeff")))

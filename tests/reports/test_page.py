@@ -11,7 +11,7 @@ import pytest
 from reports.equations import Glyphs
 from reports.formats import concise, values
 from reports.frames import frames
-from reports.html import causes, page
+from reports.html import page
 from reports.row_lines import lines
 from verify.core.results import Kind, Row, Status
 from verify.jobs.cache import default_folder
@@ -128,20 +128,8 @@ def test_convergence_shares_the_line_of_its_quantity_unless_it_failed():
     assert [x.row for x in lines([good])] == [good]  # alone, it is a line of its own
 
 
-def test_a_report_on_own_parameters_leaves_the_papers_out(report, drawn):
-    own = page(replace(report, name="my clutch"), drawn, Glyphs(default_folder()))
-    assert "<h1>my clutch</h1>" in own
-    assert 'id="errata"' not in own
-    assert 'id="provenance"' in own
-
-
 def test_nothing_that_is_not_known_is_told(text):
     assert not re.search(r">[^<]*\b(None|nan|inf)\b[^<]*<", text)
-
-
-def test_failures_of_one_cause_are_told_once(hostile):
-    rows = [replace(hostile.rows[0], quantity=f"q{i}", reason="the same") for i in range(5)]
-    assert [(c.reason, len(c.rows)) for c in causes(rows, Status.FAIL)] == [("the same", 5)]
 
 
 def test_what_was_judged_can_be_read_off_the_page(report, text):

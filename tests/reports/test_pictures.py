@@ -164,20 +164,6 @@ def test_a_field_that_cannot_be_drawn_is_refused_in_words(change, message):
         draw([(replace(sheet(), **change), WORDS)], None)
 
 
-def test_values_at_nodes_run_evenly_through_a_large_cell():
-    points = np.array([[0.0, 0], [4, 0], [4, 2], [0, 2]])
-    field = Field(name="cell", points=points, cells=np.array([[0, 1, 2, 3]]),
-                  point_data={"s": 1e6 * points[:, 0]})  # fmt: skip
-    scene = compose(field, WORDS)
-    filled = scene.vertices[scene.faces][:-4]  # the last four are the cell's edges
-    left, right = filled[..., 0].min(), filled[..., 0].max()
-    share = (filled[..., 0].mean(axis=1) - left) / (right - left)
-    assert (scene.scale.low, scene.scale.high) == (0.0, 4.0)
-    drawn, wanted = scene.colours[:-4].astype(int), scene.scale.colours(4 * share).astype(int)
-    assert np.abs(drawn - wanted).max() <= 1  # rounding
-    assert len(np.unique(drawn, axis=0)) > 10
-
-
 def test_pieces_of_cells_cover_them_and_no_more():
     corners = np.array([[[0.0, 0, 0], [60, 0, 0], [70, 30, 0], [0, 20, 0]]])
     cut, values = pieces(corners, np.array([[0.0, 1, 1, 0]]))

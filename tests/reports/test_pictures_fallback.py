@@ -154,8 +154,3 @@ def test_pyvista_is_tried_anew_once_the_machine_changed(tmp_path, no_pyvista, mo
     assert draw([(sheet(), WORDS)], tmp_path)[0].why == first.why  # not tried in vain every time
     monkeypatch.setattr(picture_cache, "_opengl", lambda: "libEGL.so.1 is there now")
     assert draw([(sheet(), WORDS)], tmp_path)[0].by.startswith("pyvista")
-
-
-def test_a_cache_that_cannot_be_written_costs_no_picture(tmp_path, no_pyvista):
-    (tmp_path / "file").touch()
-    assert draw([(sheet(), WORDS)], tmp_path / "file")[0].image

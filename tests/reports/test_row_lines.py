@@ -11,7 +11,7 @@ from reports.equations import Glyphs
 from reports.html import anchors, page
 from reports.pdf_case import case_data
 from reports.records import report_record
-from reports.row_lines import failed_first, groups_failed_first, lines
+from reports.row_lines import failed_first, lines
 from reports.rows import rows_csv
 from verify.core.results import Kind, Row, Status
 from verify.jobs.cache import default_folder
@@ -37,15 +37,6 @@ def test_failed_rows_come_first_then_those_not_run_each_in_their_order():
     ]
     assert [r.quantity for r in failed_first(given)] == ["d", "e", "b", "f", "a", "c"]
     assert [line.row.quantity for line in lines(given)] == ["d", "e", "b", "f", "a", "c"]
-
-
-def test_over_all_cases_no_line_stands_before_a_failed_one():
-    one = lines([row("a"), row("b", FAIL)])
-    two = lines([row("c", SKIP), row("d", FAIL), row("e")])
-    found = groups_failed_first([("one", one), ("two", two)])
-    assert [(case, [line.row.quantity for line in group]) for case, group in found] == [
-        ("one", ["b"]), ("two", ["d"]), ("two", ["c"]), ("one", ["a"]), ("two", ["e"]),
-    ]  # fmt: skip
 
 
 @pytest.fixture(scope="module")

@@ -92,12 +92,6 @@ def test_errors_too_small_for_a_picture_are_told_in_words(largest, words):
     assert not re.search(r'"(over|under)\d"', str(validity_map(grid(error=error))))
 
 
-def test_a_place_between_equal_ratios_is_told_by_ratio():
-    where = grid(x=np.array([1.0, 10.0, 100.0]), log=(True, False), nominal=(10**0.5, 1.0))
-    at = re.search(r'class="at" cx="([\d.]+)"', str(validity_map(where)))
-    assert float(at[1]) == pytest.approx(Cells((52.0, 0.0, 312.0, 1.0), 3, 2).X(1.0), abs=0.1)
-
-
 @pytest.mark.parametrize(
     ("low", "high", "values"),
     [(1, 1000, [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000]), (35, 60, [35, 40, 45, 50, 55, 60]),
@@ -105,16 +99,6 @@ def test_a_place_between_equal_ratios_is_told_by_ratio():
 )  # fmt: skip
 def test_ticks_of_a_logarithmic_axis(low, high, values):
     assert svg.log_ticks(low, high) == pytest.approx(values)
-
-
-def test_strips_are_filled_where_the_whole_band_is_within():
-    page = str(measured(line([0.0, 0.03, 0.06, 0.2], U=0.001)))
-    lengths = [float(d[2]) - float(d[0]) for d in paths(page, "held")]
-    whole = 400.0 - 46.0 - 10.0
-    # halfway to the neighbours: half a step, one, one and a half a step, of three
-    assert lengths == pytest.approx(
-        [whole / 6, *[whole / 6, whole / 3], *[whole / 6, whole / 3, whole / 3]], abs=0.11
-    )
 
 
 def test_a_curve_breaks_where_nothing_is_solved():

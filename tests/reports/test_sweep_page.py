@@ -101,14 +101,6 @@ def test_the_map_has_the_errors_of_its_places(of_two):
     assert len(found.courses) == 1
 
 
-def test_a_star_gives_a_curve_for_each_input():
-    found = swept(["z=3:12:4", "delta_1=2mm:8mm:4"], over_z, star=True)
-    first, second = page(found, COMMAND).formulas[0].figures
-    assert first.x.tolist() == [3, 6, 9, 12]
-    assert second.x == pytest.approx([2, 4, 6, 8])
-    assert second.error == pytest.approx(np.zeros(4))
-
-
 def test_three_axes_give_cuts_and_the_worst_over_the_third():
     def error(columns):
         z, wall, fillet = columns
@@ -146,16 +138,6 @@ def test_a_sample_tells_how_the_error_scatters_and_through_what():
     html = page_html(page(found, COMMAND))
     assert "sensitivity.csv" in html
     assert "nan" not in text(html).lower()
-
-
-@pytest.mark.parametrize(
-    ("vary", "error", "U", "words"),
-    [("z=3:12:2", 0.25, 0.001, "Outside 10 % at both solved points"),
-     ("z=3:12:4", 0.25, 0.001, "Outside 10 % at all 4 solved points"),
-     ("z=3:12:2", 0.25, 0.2, "Not known to be within 10 % at any point")],
-)  # fmt: skip
-def test_outside_everywhere_is_said_where_it_is_known(vary, error, U, words):
-    assert page(swept([vary], lambda c: (error, U)), COMMAND).formulas[0].verdict.startswith(words)
 
 
 def test_the_worst_row_comes_first_and_alone_is_open():

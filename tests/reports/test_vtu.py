@@ -1,7 +1,5 @@
 """Every VTU of a run is read back by meshio and by VTK itself, which ParaView reads with."""
 
-from dataclasses import replace
-
 import meshio
 import numpy as np
 import pytest
@@ -79,10 +77,3 @@ def test_triangles_and_a_number_without_unit(triangle, tmp_path):
     assert grid.area == pytest.approx(0.5)
     assert grid.cell_data["stress [Pa]"].tolist() == [[1, 2, 4, 3, 0, 0]]
     assert "share" in grid.cell_data
-
-
-def test_names_that_differ_in_signs_alone_get_two_files(report, triangle):
-    fields = (triangle, replace(triangle, name="one-triangle!"))
-    case = replace(report.cases[0], fields=fields)
-    names = [name for name, _ in vtu_files(replace(report, cases=(case,)))]
-    assert names == ["ring-lame-one-triangle.vtu", "ring-lame-one-triangle-2.vtu"]

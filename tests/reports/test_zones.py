@@ -48,19 +48,6 @@ def test_names_stand_inside_their_zones():
         assert top < float(y) - 4 < bottom
 
 
-@pytest.mark.parametrize("slope", [1.0, -1.0])
-def test_a_point_s_name_keeps_off_the_curve_through_it(slope):
-    curve = Curve(name="asked", x=X, y=3.0 + slope * (X - 3.0))
-    page = drawn(HOLDS, SLIPS, curves=(curve,), point=(3.0, 3.0, "slips at 3 s"))
-    ((x, y, anchor),) = re.findall(
-        r'class="named" x="([\d.]+)" y="([\d.]+)" text-anchor="(\w+)"', page
-    )
-    ((u, v),) = re.findall(r'class="mark" cx="([\d.]+)" cy="([\d.]+)"', page)
-    right, above = float(x) > float(u), float(y) < float(v)
-    assert anchor == ("start" if right else "end")
-    assert (right != above) == (slope > 0)  # below right or above left of what rises
-
-
 def test_curves_are_cut_at_the_plot_and_named_in_the_key():
     far = Curve(name="limit", x=X, y=2 * X)
     page = drawn(HOLDS, SLIPS, curves=(far,))

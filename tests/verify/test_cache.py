@@ -94,12 +94,6 @@ def test_another_version_of_a_library_finds_nothing(library, tmp_path, monkeypat
     assert cache.load(tmp_path, CASE, Beam(), 2) is None
 
 
-def test_formulas_checks_and_words_of_a_case_find_the_same_result(tmp_path):
-    cache.store(tmp_path, CASE, Beam(), 2, RESULT)
-    other = replace(CASE, title="new", analytic=lambda q: {"g": 1.0}, readings=("r",), levels=(2,))
-    assert cache.load(tmp_path, other, Beam(), 2) is not None
-
-
 # Damaged files, interrupted writers.
 
 
@@ -154,10 +148,3 @@ def test_an_interrupted_store_leaves_the_earlier_result(error, tmp_path, monkeyp
         cache.store(tmp_path, CASE, Beam(), 4, RESULT)
     assert_same(cache.load(tmp_path, CASE, Beam(), 2), RESULT)
     assert entries(tmp_path) == 1
-
-
-def test_the_environment_may_name_another_place(tmp_path, monkeypatch):
-    monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path))
-    assert cache.default_folder() == tmp_path
-    monkeypatch.delenv("FREEWHEEL_CACHE")
-    assert cache.default_folder().parts[-2:] == (".cache", "fem")

@@ -37,13 +37,6 @@ def test_a_series_without_an_order_is_recorded_with_what_it_was_judged_by(sign):
         assert told == pytest.approx((5.0, 0.25, 0.03, 2e-5), rel=1e-9)
 
 
-@SIGNS
-def test_levels_alike_are_round_off_of_a_scale_of_either_sign(sign):
-    row, convergence = near([sign * 5e-6] * 3, sign * 5e-6)
-    assert (row.status, row.order) == (Status.PASS, "round-off")
-    assert (convergence.status, convergence.difference) == (Status.PASS, 1.0)
-
-
 @pytest.mark.parametrize(
     ("allowed", "margin", "status"),
     [

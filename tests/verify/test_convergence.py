@@ -16,14 +16,6 @@ from verify.judging.convergence import fit_order, grid_convergence
 fixed = settings(deadline=None, derandomize=True, max_examples=40)
 
 EVEN, UNEVEN, CLOSE = (1.0, 0.5, 0.25), (1.0, 0.75, 0.5), (1.0, 0.9, 0.3)  # r32, r21 = 2, 2; ...
-RATIOS = pytest.mark.parametrize(
-    "h",
-    [
-        pytest.param(EVEN, id="halved twice"),
-        pytest.param(UNEVEN, id="r32 = 4/3, r21 = 3/2"),
-        pytest.param(CLOSE, id="r32 = 10/9, r21 = 3"),
-    ],
-)
 
 
 def power_law(h, *, v0, c, p):
@@ -104,13 +96,6 @@ def test_without_an_order_three_times_the_spread_is_uncertain(values, u_it, beha
     assert found.converges
 
 
-@RATIOS
-@pytest.mark.parametrize(("p", "behaviour"), [(0.499, "slow"), (0.501, "monotone")])
-def test_an_order_below_one_half_is_none(h, p, behaviour):
-    found = grid_convergence(h, power_law(h, v0=5.0, c=0.3, p=p), formal=1, scale=5.0)
-    assert found.behaviour == behaviour
-
-
 def test_iteration_error_of_one_per_cent_of_the_last_difference_leaves_the_order():
     found = grid_convergence(EVEN, (1.0, 1.4, 1.5), formal=2, scale=1.0, u_it=0.00099)
     assert found.order == pytest.approx(2.0, abs=1e-6)  # 0.4/0.1 = 2^2
@@ -139,6 +124,16 @@ def test_growing_differences_diverge(h, values):
     assert not found.converges
     assert found.gci == math.inf
     assert found.order is None
+
+
+@pytest.mark.parametrize(
+    ("u_it", "behaviour"),
+    # Two differences, each of two values, carry at most 4 u_it; the steps grow by 0.1.
+    [(0.0, "diverging"), (0.024, "diverging"), (0.026, "noisy")],
+)
+def test_growth_within_the_iteration_error_is_noise(u_it, behaviour):
+    found = grid_convergence(EVEN, (0.0, 0.9, 1.9), formal=2, scale=1.0, u_it=u_it)
+    assert found.behaviour == behaviour
 
 
 @pytest.mark.parametrize("values", [(), (1.0,), (1.0, 1.1)], ids=["none", "one", "two"])
@@ -183,6 +178,11 @@ def test_round_off_ends_at_5e_10_of_the_scale(step, behaviour):
         assert grid_convergence(EVEN, values, formal=2, scale=scale).behaviour == behaviour
 
 
+def test_a_series_of_zeros_with_a_scale_of_zero_is_round_off():
+    found = grid_convergence(EVEN, (0.0, 0.0, 0.0), formal=1, scale=0.0)
+    assert (found.behaviour, found.gci) == ("round-off", 0.0)
+
+
 def test_the_index_never_falls_below_1e_12_of_the_scale_or_the_solver_s_bound():
     values = power_law(EVEN, v0=0.0, c=1.0, p=2)
     assert grid_convergence(EVEN, values, formal=2, scale=1e12).gci >= 1.0
@@ -222,17 +222,6 @@ def power_laws(draw):
     p, r21, r32, e, v0 = (draw(s) for s in (orders, ratios, ratios, errors, limits))
     h = (r32 * r21, r21, 1.0)
     return h, [v0 + e * x**p for x in h], v0, e, p, r21
-
-
-@fixed
-@given(power_laws())
-def test_every_power_law_shows_its_order_limit_and_error(law):
-    h, values, v0, e, p, _ = law
-    found = grid_convergence(h, values, formal=p, scale=1.0)
-    assert found.behaviour == "monotone"
-    assert found.order == pytest.approx(p, abs=1e-6)
-    assert found.extrapolated == pytest.approx(v0, abs=1e-6 * abs(e) + 1e-12)
-    assert found.gci == pytest.approx(1.25 * abs(e), rel=1e-6)
 
 
 @fixed
@@ -325,20 +314,6 @@ def test_a_next_term_of_half_the_leading_one_stays_within_the_uncertainty(
     h = list(accumulate([1.0, first, *more], lambda size, ratio: size / ratio))
     fit = fit_order(h, [x**p * (1 + share * x**step) for x in h])
     assert abs(fit.order - p) <= 2 * fit.u + 1e-12  # + round-off, as above
-
-
-@pytest.mark.parametrize("share", [0.1, 0.5, -0.5])
-def test_the_order_is_found_in_the_limit_and_not_on_the_coarse_meshes(share):
-    """Errors h^2 (1 + a h): the next term leaves the extrapolated order in its first power.
-
-    With x = a h on the last mesh but one a slope is 2 + (x/2 - 3 x^2/8 + ...)/ln 2. A straight
-    line through slopes at 4x, 2x, x turns x^2 into -5 x^2 at zero: what is left over what the
-    last slope misses is 5 (3/8) x^2/(x/2) = 3.75 x, and 5 x with a third for higher powers.
-    """
-    errors = [h**2 * (1 + share * h) for h in HALVED]
-    last_slope = math.log2(errors[-2] / errors[-1])
-    missed = abs(fit_order(HALVED, errors).order - 2)
-    assert missed < 5 * abs(share) * HALVED[-2] * abs(last_slope - 2)
 
 
 @pytest.mark.parametrize(

@@ -90,6 +90,14 @@ def test_slope_of_the_ratio_by_hand(p):
     assert slope_of_ratio(p, 2.0, 4.0) == pytest.approx(LN2 * (2 * X + 1) / (X + 1), rel=1e-12)
 
 
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize(("p", "share"), [(0.7e-6, 0), (0.99e-6, 0), (1e-6, 1), (1.005e-6, 1)])
+def test_orders_below_1e_6_have_the_slope_of_zero(p, share, sign):
+    """From there on p (b^2 - a^2)/12 = p (ln 2)^2/4 is added, 1.2e-7: round-off is 1e-9."""
+    slope = 1.5 * LN2 + share * sign * p * LN2**2 / 4
+    assert slope_of_ratio(sign * p, 2.0, 4.0) == pytest.approx(slope, abs=5e-9)
+
+
 @pytest.mark.parametrize(
     ("u", "least"),
     [

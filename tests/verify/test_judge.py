@@ -13,7 +13,6 @@ from hypothesis import strategies as st
 
 from verify.core.results import Status
 from verify.judging import judge
-from verify.judging.convergence import GridConvergence
 
 fixed = settings(deadline=None, derandomize=True, max_examples=30)
 
@@ -26,12 +25,6 @@ HAIR = 2.0**-40  # 1e-12, far above the round-off of numbers near 1
 def test_uncertainties_add_in_squares_and_count_twice():
     assert judge.expanded(3.0, 4.0, 12.0) == 26.0  # 2 sqrt(9 + 16 + 144)
     assert judge.expanded(0.5) == 1.0
-
-
-def test_numerical_uncertainty_is_half_the_index_and_the_iteration_error():
-    grid = GridConvergence("monotone", 6.0, 2.0)
-    assert judge.numerical_uncertainty(grid, u_it=4.0) == 5.0  # sqrt((6/2)^2 + 4^2)
-    assert judge.numerical_uncertainty(grid) == 3.0
 
 
 # Differences: |d| <= U, and detects = (U + |d|)/scale <= demand.
@@ -67,11 +60,6 @@ def test_a_row_that_detects_less_than_demanded_is_not_sharp(demand, status):
     assert verdict.detects == 3 * 2.0**-12
     assert verdict.status is status
     assert verdict.reason.startswith("not sharp") == (status is Status.FAIL)
-
-
-def test_one_per_cent_is_demanded_where_nothing_else_is():
-    assert judge.difference(1.0, 1.0, U=0.0099, scale=1.0).status is Status.PASS
-    assert judge.difference(1.0, 1.0, U=0.0101, scale=1.0).reason.startswith("not sharp")
 
 
 @pytest.mark.parametrize("scale", [0.0, -1.0, NAN, INF])
@@ -126,13 +114,6 @@ def test_a_model_error_is_inside_its_interval_by_its_uncertainty(low, high, stat
     assert verdict.status is status
     assert verdict.difference == 0.0
     assert verdict.tolerance == 4 * U
-
-
-def test_a_model_error_counts_from_the_reference_on():
-    """Here 5/4 - 1 = 0.25, not 1 - 4/5 = 0.2 and not 4/5 - 1."""
-    verdict = judge.approximation(5.0, 4.0, U=0.004, interval=(0.24, 0.26), demand=0.05)
-    assert verdict.status is Status.PASS
-    assert verdict.difference == 1.0
 
 
 def test_an_approximation_without_interval_is_shown_as_measured():
@@ -315,6 +296,12 @@ def test_a_limit_is_sharp_relative_to_its_scale():
     assert judge.asymptotic(away, q=2, scale=4.0).detects == 3 * 2.0**-9
 
 
+@pytest.mark.parametrize("u", [0.0, 1e-6])
+def test_differences_that_are_all_zero_have_no_exponent(u):
+    with pytest.raises(ValueError, match="zero"):
+        judge.fit_limit(EPS, np.zeros(6), np.full(6, u))
+
+
 @pytest.mark.parametrize(
     "eps",
     [
@@ -346,6 +333,14 @@ def test_a_coefficient_is_given_back_with_what_the_points_add_up_to(c):
     worst = c * eps**2 + u * np.sign(weights)
     off, _ = judge.quadratic_coefficient(eps, worst, np.full(5, u))
     assert abs(off - c) == pytest.approx(U / 2, rel=1e-6)
+
+
+def test_a_vague_point_hardly_moves_a_coefficient():
+    eps = np.array([0.02, 0.05, 0.1, 0.15])
+    d = 0.25 * eps**2
+    d[0] += 1e-3
+    found, _ = judge.quadratic_coefficient(eps, d, [1e-2, 1e-7, 1e-7, 1e-7])
+    assert found == pytest.approx(0.25, rel=1e-6)
 
 
 @pytest.mark.parametrize(

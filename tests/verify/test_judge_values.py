@@ -36,11 +36,6 @@ def test_an_interval_is_narrowed_whatever_the_signs(formula, reference, m, half,
     assert verdict.status is status
 
 
-def test_what_is_only_shown_has_its_difference():
-    verdict = judge.approximation(3.0, 2.0, U=0.125, interval=None)
-    assert (verdict.difference, verdict.tolerance) == (1.0, 0.125)
-
-
 # Limits.
 
 
@@ -55,19 +50,7 @@ def test_scatter_counts_by_the_points_beyond_three(n):
     assert (fit.U0, fit.U_q) == pytest.approx(tuple(2 * independent), rel=0.01)
 
 
-def test_a_limit_is_as_uncertain_as_the_only_point_near_it():
-    """At eps = 0.1 eps^8 is 1e-8; what the vague points further off add is 1e-3 of U0."""
-    eps = np.array([1.0, 0.9, 0.8, 0.7, 0.1])
-    fit = judge.fit_limit(eps, 0.3 * eps**8, [1e-3] * 4 + [1e-6])
-    assert pytest.approx(2e-6, rel=2e-3) == fit.U0  # k = 2
-
-
 # The search for an exponent.
-
-
-@pytest.mark.parametrize("q", [0.0731, 0.5, 1.0, 2.34567, 9.99])
-def test_a_least_value_is_found_to_the_last_digits(q):
-    assert judge._least(lambda x: abs(x - q)) == pytest.approx(q, abs=2e-14)
 
 
 @pytest.mark.parametrize(("sign", "end"), [(1, 0.05), (-1, 10.0)])

@@ -2,12 +2,11 @@
 
 import math
 
-import numpy as np
 import pytest
 
-from tests.verify.test_checks import context, limit, power_law
+from tests.verify.test_checks import context, power_law
 from verify.core.results import Status
-from verify.judging import convergence, judge
+from verify.judging import convergence
 from verify.judging.checks import Accepted, Approximation
 from verify.judging.convergence import fit_order, grid_convergence
 
@@ -42,13 +41,6 @@ def test_at_one_s_own_numbers_it_is_told(margin):
     assert (row.status, row.reason) == (Status.SHOWN, "measured: 3 apart")
 
 
-def test_a_limit_is_over_a_scale_of_one():
-    eps = np.geomspace(0.1, 0.01, 5)
-    points = (list(eps), list(0.3 * eps**2), [1e-6] * 5)
-    (row,) = limit(lambda _c: points, 2.0).rows(context((), sizes=()))
-    assert (row.scale, row.analytic) == (1.0, 0.0)
-
-
 @pytest.mark.parametrize("share", [0.03, -0.03])
 def test_parts_of_an_order_s_uncertainty_are_sizes(share):
     """Slopes grow or fall towards the limit, and half of what the last is off counts."""
@@ -56,22 +48,6 @@ def test_parts_of_an_order_s_uncertainty_are_sizes(share):
     assert min(fit.parts) >= 0
     # the slope between h and h/2 is off by log2((1 + a h)/(1 + a h/2)) = a h/(2 ln 2)
     assert fit.parts[1] == pytest.approx(abs(share) * FOUR[2] / (4 * math.log(2)), rel=0.05)
-
-
-def test_half_an_order_apart_still_has_the_smaller_factor(monkeypatch):
-    monkeypatch.setattr(convergence, "observed_order", lambda *_: 2.5)
-    found = grid_convergence((1.0, 0.5, 0.25), (1.0, 0.1, 0.0), formal=2.0, scale=1.0)
-    assert found.factor == 1.25
-
-
-def test_a_point_without_a_difference_is_a_point_of_a_limit():
-    """D = 0.3 eps^2 is exactly zero at one of the points but for what it is uncertain by."""
-    eps = np.array([0.1, 0.05, 0.02, 0.01, 0.005])
-    d = 0.3 * eps**2
-    d[-1] = 0.0
-    fit = judge.fit_limit(eps, d, np.full(5, 1e-5))
-    assert abs(fit.d0) < fit.U0
-    assert fit.q == pytest.approx(2.0, abs=fit.U_q)
 
 
 def test_half_an_order_is_one(monkeypatch):

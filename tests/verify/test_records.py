@@ -85,16 +85,6 @@ def test_a_file_with_nonsense_is_no_record(key, value):
     assert RECORDS.stored("plate") is None
 
 
-def test_every_entry_has_a_line_of_its_own():
-    lines = RECORDS.keep("plate", MADE_BY, CONTENT).read_text("utf-8").splitlines()
-    assert '   "k": {"U": [0.001, null]},' in lines
-    assert '  "seconds": 1.5' in lines
-    assert '   "box": [1.0, 2.0]' in lines
-    before = set(lines)
-    after = RECORDS.keep("plate", MADE_BY, CONTENT | {"seconds": 2.5}).read_text("utf-8")
-    assert len(set(after.splitlines()) - before) == 2  # with its checksum
-
-
 def test_numbers_that_json_lacks_are_refused(folder):
     with pytest.raises(ValueError, match="not JSON compliant"):
         RECORDS.keep("plate", MADE_BY, {"k": float("nan")})

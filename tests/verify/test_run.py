@@ -124,11 +124,6 @@ def test_finite_elements_that_raise_turn_the_rows_that_need_them_red(error, reas
     assert len(result.errors) == traced
 
 
-def test_finite_elements_that_no_row_needs_still_turn_the_case_red():
-    result = here(replace(CASE, reference=boom, checks=CASE.checks[1:]))
-    assert rows_of(result)["finite elements"][0] == "FAIL"
-
-
 def test_ctrl_c_is_no_fault_of_a_case():
     def stop(*_):
         raise KeyboardInterrupt
@@ -182,18 +177,6 @@ def test_what_is_stored_is_not_solved_again(tmp_path):
     assert solved == [("ring-made-up", 4), ("ring-made-up", 1)]
     run([Job(case, Beam())], cache_folder=tmp_path)
     assert solved[2:] == [("ring-made-up", 2)]
-
-
-def test_the_longest_levels_come_first_as_measured_in_earlier_runs(tmp_path):
-    from verify.jobs import timing as durations
-
-    durations.store(tmp_path, {("ring-made-up", 4): 1.0, ("ring-other", 4): 9.0})
-    solved = []
-    jobs = [Job(counting(case, solved), Beam()) for case in (CASE, OTHER)]
-    run(jobs, cache_folder=tmp_path)
-    short, long = "ring-made-up", "ring-other"  # 9, 9/4, 1, 9/16, 1/4, 1/16
-    assert solved == [(long, 4), (long, 2), (short, 4), (long, 1), (short, 2), (short, 1)]
-    assert set(durations.load(tmp_path)) == set(solved)
 
 
 def test_a_disk_that_fills_is_mentioned_once_and_the_run_goes_on(tmp_path, monkeypatch):

@@ -30,14 +30,6 @@ def test_what_is_stored_is_read_by_kind_and_key(store):
     assert store.one("budget", "b") is None
 
 
-def test_an_entry_is_replaced_and_never_twice(store):
-    store.store("sweep", "ring", {"a": b"1"})
-    store.store("sweep", "ring", {"a": b"2"})
-    assert store.one("sweep", "a") == b"2"
-    (group,) = store.groups()
-    assert (group.entries, group.size) == (1, 1)
-
-
 def test_nothing_is_made_by_reading(store, tmp_path):
     assert store.load("sweep", ["a"]) == {}
     assert store.groups() == []
@@ -69,25 +61,6 @@ def test_what_was_used_least_recently_goes_first_where_the_file_grows_too_large(
     store.store("sweep", "ring", {"10": bytes(50_000)})
     left = store.load("sweep", [f"{n}" for n in range(11)])
     assert sorted(left) == ["0", "10", "4", "5", "6", "7", "8", "9"]
-
-
-def test_a_reading_is_noted_once_a_day(store):
-    store.store("sweep", "ring", {"a": b"1", "b": b"1"})
-    assert readings(store) == {}
-    with sqlite3.connect(store.path) as database:
-        database.execute("UPDATE entries SET made = made - 2 * 86400")
-    assert store.one("sweep", "a")
-    first = readings(store)
-    assert list(first) == ["a"]
-    assert store.one("sweep", "a")
-    assert readings(store) == first
-    store.clear("sweep")
-    assert readings(store) == {}
-
-
-def readings(store):
-    with sqlite3.connect(store.path) as database:
-        return dict(database.execute("SELECT key, used FROM readings").fetchall())
 
 
 def test_a_store_of_a_later_format_is_refused_and_stays(store):
@@ -189,13 +162,6 @@ def test_a_full_disk_is_named_with_what_to_do(store, monkeypatch):
     monkeypatch.setattr("verify.core.database._write_ahead", full)
     with pytest.raises(OSError, match=r"make room on its disk, or remove it to begin again$"):
         store.store("sweep", "ring", {"a": b"1"})
-
-
-def test_a_folder_in_the_place_of_the_file_is_named(store):
-    store.path.mkdir()
-    for action in (store.groups, store.check, store.clear, lambda: store.load("sweep", ["a"])):
-        with pytest.raises(OSError, match=r"results cannot be stored there$"):
-            action()
 
 
 def test_arrays_survive():

@@ -13,7 +13,6 @@ from verify.case import (
     Case,
     CaseError,
     Comparison,
-    Computed,
     Drawn,
     Expected,
     Level,
@@ -105,38 +104,6 @@ def test_an_interval_is_that_of_the_inputs_at_hand():
     assert check.interval(Rod(d=5e-3), {}) == (LOW, HIGH / 2)
 
 
-def test_what_takes_long_is_computed_where_it_is_judged():
-    asked = []
-
-    class Slow(Rod):
-        title = "Slow"
-
-        @Quantity("l", "mm", "length", role="step")
-        def length(self):
-            asked.append("length")
-            return 1.0
-
-        def comparisons(self):
-            state = State(self.at(F=2e3), "twice", "twice the force")
-            interval = Computed(lambda: asked.append("interval"), "too wide to judge by")
-            yield approximation(Slow.length, state=state, expected=interval)
-
-    case = adapted(Slow)
-    assert not asked
-    assert case.checks[0].source == "too wide to judge by"
-    assert case.checks[0].interval(Slow(), {}) is None
-    assert case.analytic(Slow())["length_twice"] == 1.0
-    assert asked == ["interval", "length", "length"]
-
-
-def test_rows_follow_from_the_comparisons():
-    case, rod = adapted(Rod), Rod()
-    levels = [case.reference(rod, level) for level in case.levels]
-    context = Context(case.id, rod, case.analytic(rod), levels, True)
-    rows = [row for check in case.checks for row in check.rows(context)]
-    assert {row.status for row in rows} == {"PASS"}
-
-
 @pytest.mark.parametrize("formula", ["sigma", "state"])
 def test_a_reference_that_reads_a_formula_is_an_error(formula):
     class Reads(Rod):
@@ -199,19 +166,6 @@ def test_a_quantity_that_the_inputs_do_not_have_is_left_out():
     assert "tau" not in case.analytic(Loaded())
     assert case.analytic(Loaded(M=2.0))["tau"] == pytest.approx(2e6)
     assert [len(equations.stated(Loaded(M=M))) for M in (None, 2.0)] == [3, 4]
-
-
-@pytest.mark.parametrize("displayed", [True, False])
-def test_numbers_of_a_state_that_is_not_displayed_are_no_values(displayed):
-    class Twice(Rod):
-        def comparisons(self):
-            state = State(self.at(F=2 * self.F), "twice", "2 F", displayed=displayed)
-            yield identity(Rod.sigma, state=state)
-
-    case = adapted(Twice)
-    assert case.analytic(Twice())["sigma_twice"] == 2 * Rod().sigma
-    judged = {one.key for one in case.outputs if one.judged}
-    assert judged == ({"sigma_twice"} if displayed else {"sigma"})
 
 
 def declare(symbol, unit):

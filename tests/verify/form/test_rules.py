@@ -255,15 +255,6 @@ def test_a_number_without_a_unit_has_the_unit_1():
     assert given("0.3", "1", "ν", "Poisson's ratio").default == 0.3
 
 
-def test_words_of_a_declaration_are_known():
-    with pytest.raises(CaseError, match=r"test_rules.py:\d+: .*safe is 'to high'"):
-
-        class Mistyped(Rod):
-            @Quantity("τ", "MPa", "shear", safe="to high")
-            def tau(self) -> float:
-                return 0.0
-
-
 @pytest.mark.parametrize(
     ("stated_as", "message"),
     [
@@ -274,14 +265,6 @@ def test_words_of_a_declaration_are_known():
 def test_a_comparison_that_is_stated_wrongly_is_an_error(stated_as, message):
     with pytest.raises(CaseError, match=rf"test_rules.py:\d+: Rod.sigma: {message}"):
         approximation(Rod.sigma, **stated_as)
-
-
-def test_a_default_outside_its_bounds_is_an_error():
-    class Negative(Rod):
-        d: float = given("-20 mm", "mm", "d", "diameter", gt=0)
-
-    with pytest.raises(CaseError, match=r"test_rules.py: Negative: the default of d: .* greater"):
-        len(adapted(Negative).checks)
 
 
 @pytest.mark.parametrize(

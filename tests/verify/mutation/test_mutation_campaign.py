@@ -11,14 +11,13 @@ from tests.verify.mutation.forked import answer
 from verify.audit.mutation import baseline as known
 from verify.audit.mutation import score, suite, trial, workload
 from verify.audit.mutation.campaign import Campaign
-from verify.audit.mutation.console import told
 from verify.audit.mutation.groups import Group, functions_of
 from verify.audit.mutation.outcomes import KIND, By, Outcome, Outcomes
 from verify.audit.mutation.sample import sample
 from verify.audit.mutation.sandbox import Task
 from verify.audit.mutation.sites import mutants, source
 from verify.audit.mutation.subject_operators import FORMULAS
-from verify.audit.mutation.trial import Bench, Shift
+from verify.audit.mutation.trial import Bench
 from verify.audit.mutation.workload import Load
 from verify.core.case import Case, FemResult
 from verify.core.inputs import Inputs, quantity
@@ -149,15 +148,6 @@ def test_what_takes_long_is_asked_last_and_only_where_no_test_fails(brief, tmp_p
     assert found["b * 1e-09", "b / 1e-09"].what != "a slow row"
 
 
-def test_of_a_file_that_takes_long_only_its_first_tests_are_known(tmp_path, monkeypatch):
-    file = tmp_path / "test_long.py"
-    file.write_text("def test_one():\n    pass\n\n\ndef test_two():\n    pass\n", "utf-8")
-    monkeypatch.setattr(suite, "PER_FILE", 0.0)
-    found = answer(partial(suite.traced, str(file)), 60.0)
-    (known_one,) = found.value
-    assert known_one.endswith("test_one")
-
-
 @pytest.mark.parametrize(
     ("path", "runs"), [("tests/verify/test_durations.py", True), ("tests/none", False)]
 )
@@ -198,14 +188,6 @@ def test_a_sample_tries_each_operator_and_each_place_once(module):
     assert len({id(one.place.node) for one in some}) == 6
     others = [sample(found, 6, seed) for seed in (1, 2, 3)]
     assert any(one != some for one in others)
-
-
-def test_stored_levels_move_with_the_one_that_is_solved_anew():
-    before = FemResult(h=1.0, values={"v": 2.0, "w": 1.0})
-    after = FemResult(h=1.0, values={"v": 2.5})
-    moved = Shift(before, after).of(FemResult(h=0.5, values={"v": 3.0, "w": 1.0, "x": 7.0}))
-    assert moved.values == {"v": 3.5, "w": 1.0, "x": 7.0}
-    assert moved.h == 0.5
 
 
 @pytest.fixture
@@ -271,14 +253,6 @@ def test_the_gate_asks_for_95_percent_and_a_reason_for_the_rest():
     bare = of(99, 1)
     bare = replace(bare, survivors=(replace(bare.survivors[0], reason=""),))
     assert score.complaints(bare) == ["formulas: 1 survivors without a reason in argued.json"]
-
-
-def test_what_was_caught_is_told_in_lines(capsys):
-    told(of(94, 1))
-    said = capsys.readouterr().out
-    assert "formulas: 95 of 900 mutants tried, caught by rows 0 (0.0%), tests 94 (98.9%)" in said
-    assert "nothing 1 (1.1%); 1 more crashed or did not end" in said
-    assert "survives: a.f line 1: -a -> a (as the root is squared)" in said
 
 
 def test_every_argued_survivor_has_a_reason_in_words():

@@ -4,7 +4,7 @@ import ast
 
 import pytest
 
-from verify.audit.mutation.sites import Source, mutants, owners
+from verify.audit.mutation.sites import Source, mutants
 from verify.audit.mutation.subject_operators import FINITE_ELEMENTS, FORMULAS, JUDGING
 
 EVERY = FORMULAS | JUDGING | FINITE_ELEMENTS
@@ -107,8 +107,3 @@ def test_ids_are_one_s_own_and_outlast_changes_elsewhere():
     assert len(set(before)) == len(before) == 2
     assert after[-2:] == before
     assert all(key.startswith("made.up:A.f:arithmetic:") for key in before)
-
-
-def test_functions_methods_and_constants_are_found_by_their_names():
-    text = "X: int = 1\nx = 2\n\ndef f():\n    def g(): pass\n\nclass A:\n    def m(self): pass\n"
-    assert [name for name, _ in owners(ast.parse(text))] == ["X", "f", "A.m"]
