@@ -38,15 +38,6 @@ def whole(of_paper) -> Report:
 
 @pytest.fixture(scope="session")
 def hostile(report) -> Report:
-    return made_hostile(report)
-
-
-@pytest.fixture(scope="session")
-def hostile_whole(whole) -> Report:
-    return made_hostile(whole)
-
-
-def made_hostile(report: Report) -> Report:
     """The same report with markup in every text that a user may bring, and one row per status."""
     first, *others = report.cases
     rows = tuple(

@@ -109,7 +109,7 @@ def test_lines_tell_each_cause_and_what_is_not_subtracted_last():
         (-0.1596, 0.0, "−16.0 %"),
     ],
 )  # fmt: skip
-def test_shares_are_told_with_the_digits_that_they_have(value, u, said):
+def test_shares_have_as_many_digits_as_their_uncertainty_allows(value, u, said):
     assert percent(value, u) == said
 
 

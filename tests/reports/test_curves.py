@@ -51,7 +51,7 @@ def test_what_runs_off_is_cut_at_the_top_and_at_the_bottom():
     assert plot(y_bottom=4.0).count('class="dot s4"') == 3 + 1
 
 
-def test_axes_start_at_zero_unless_values_are_negative_or_told_otherwise():
+def test_axes_start_at_zero_unless_values_are_negative_or_stated_otherwise():
     assert ">0<" in plot()
     assert ">0<" not in plot(y_bottom=2.5, curves=(Curve(name="a", x=X + 1, y=X + 3),))
 

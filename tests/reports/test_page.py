@@ -128,7 +128,7 @@ def test_convergence_shares_the_line_of_its_quantity_unless_it_failed():
     assert [x.row for x in lines([good])] == [good]  # alone, it is a line of its own
 
 
-def test_nothing_that_is_not_known_is_told(text):
+def test_unknown_values_are_not_printed(text):
     assert not re.search(r">[^<]*\b(None|nan|inf)\b[^<]*<", text)
 
 

@@ -147,7 +147,7 @@ def test_the_key_covers_every_module_that_draws():
     assert set(picture_cache.CODE) == reached
 
 
-def test_pyvista_is_tried_anew_once_the_machine_changed(tmp_path, no_pyvista, monkeypatch):
+def test_pyvista_is_tried_again_once_the_machine_changed(tmp_path, no_pyvista, monkeypatch):
     [first] = draw([(sheet(), WORDS)], tmp_path)
     assert first.why
     monkeypatch.setattr(pictures, "_by_pyvista", lambda *_: ([first.image], ""))

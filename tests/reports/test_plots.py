@@ -42,7 +42,7 @@ def test_a_difference_is_named_by_what_divides_it(changed, told):
     assert ("/" in drawn) == ("/" in told)
 
 
-def test_a_line_of_many_points_is_told_by_few_and_looks_the_same():
+def test_a_line_of_many_points_is_drawn_by_few_and_looks_the_same():
     """Four hundred points of a bend and of two straight parts."""
     axes = Axes((52, 28, 390, 262), (0.0, 4.0), (0.0, 1.0))
     x = np.linspace(0.0, 4.0, 400)

@@ -83,7 +83,7 @@ def test_the_region_takes_its_cells_whole():
     [(2.3e-8, "all within 0.000003 %"), (-4e-4, "all within 0.04 %"), (0.0, "no difference"),
      (6e-4, ""), (9.5e-7, "all within 0.0001 %")],
 )  # fmt: skip
-def test_errors_too_small_for_a_picture_are_told_in_words(largest, words):
+def test_errors_too_small_for_a_picture_are_stated_in_words(largest, words):
     error = np.zeros((3, 2))
     error[1, 1] = largest
     assert all_within(error, NONE) == words

@@ -93,7 +93,7 @@ def test_a_deviation_is_an_identity_with_zero():
 
 
 @pytest.mark.parametrize("make", [agreement, deviation])
-def test_at_one_s_own_numbers_the_error_is_told_but_where_the_figure_holds_for_any(make):
+def test_a_user_s_own_numbers_are_judged_only_where_the_figure_holds_for_any(make):
     own = row_of(make(0.5), is_paper=False)
     assert (own.kind, own.status, own.reason) == (
         Kind.FACT,

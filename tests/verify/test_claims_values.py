@@ -64,7 +64,7 @@ def test_an_order_that_iteration_may_take_away_is_replaced_by_the_spread(allowed
         pytest.param(0.0, Status.FAIL, "order 2.50 ± 0, theory 2", id="nothing allowed"),
     ],
 )
-def test_an_order_is_told_beside_that_of_theory_only_where_it_is_missed(
+def test_the_reason_compares_an_order_with_theory_only_where_it_is_missed(
     monkeypatch, u, status, told
 ):
     monkeypatch.setattr(checks, "fit_order", lambda *_: OrderFit(2.5, u, (), (u, 0.0, 0.0)))

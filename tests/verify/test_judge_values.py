@@ -36,6 +36,20 @@ def test_an_interval_is_narrowed_whatever_the_signs(formula, reference, m, half,
     assert verdict.status is status
 
 
+@pytest.mark.parametrize(
+    ("U", "status", "reason"),
+    [
+        pytest.param(0.5, Status.PASS, "", id="by half"),
+        pytest.param(0.75, Status.PASS, "", id="by three quarters"),
+        pytest.param(1.0, Status.FAIL, "as uncertain as itself", id="by all of it"),
+    ],
+)
+def test_a_reference_decides_as_long_as_it_is_more_than_its_uncertainty(U, status, reason):
+    verdict = judge.approximation(1.0, 1.0, U=U, interval=(-1.0, 1.0), demand=INF)
+    assert verdict.status is status
+    assert reason in verdict.reason
+
+
 # Limits.
 
 

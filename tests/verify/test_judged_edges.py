@@ -2,11 +2,12 @@
 
 import math
 
+import numpy as np
 import pytest
 
 from tests.verify.test_checks import context, power_law
 from verify.core.results import Status
-from verify.judging import convergence
+from verify.judging import convergence, judge
 from verify.judging.checks import Accepted, Approximation
 from verify.judging.convergence import fit_order, grid_convergence
 
@@ -36,7 +37,7 @@ def test_an_acceptance_figure_is_judged_on_the_paper_s_numbers(margin, fitted, s
 
 
 @pytest.mark.parametrize("margin", [0.1, -0.1])
-def test_at_one_s_own_numbers_it_is_told(margin):
+def test_at_a_user_s_own_numbers_it_is_shown(margin):
     (row,) = accepted(margin).rows(context((), sizes=(), is_paper=False))
     assert (row.status, row.reason) == (Status.SHOWN, "measured: 3 apart")
 
@@ -48,6 +49,16 @@ def test_parts_of_an_order_s_uncertainty_are_sizes(share):
     assert min(fit.parts) >= 0
     # the slope between h and h/2 is off by log2((1 + a h)/(1 + a h/2)) = a h/(2 ln 2)
     assert fit.parts[1] == pytest.approx(abs(share) * FOUR[2] / (4 * math.log(2)), rel=0.05)
+
+
+def test_a_point_without_a_difference_is_a_point_of_a_limit():
+    """D = 0.3 eps^2 is exactly zero at one of the points but for what it is uncertain by."""
+    eps = np.array([0.1, 0.05, 0.02, 0.01, 0.005])
+    d = 0.3 * eps**2
+    d[-1] = 0.0
+    fit = judge.fit_limit(eps, d, np.full(5, 1e-5))
+    assert abs(fit.d0) < fit.U0
+    assert fit.q == pytest.approx(2.0, abs=fit.U_q)
 
 
 def test_half_an_order_is_one(monkeypatch):

@@ -152,7 +152,7 @@ def test_a_level_whose_process_died_is_a_red_row_of_its_case_alone():
     assert {row.status for row in good.rows} == {Status.PASS}
 
 
-def test_an_engine_that_is_gone_ends_the_run_and_what_was_solved_is_kept(tmp_path):
+def test_an_engine_that_is_gone_ends_the_run_and_what_was_solved_is_stored(tmp_path):
     engine = nullcontext(Engine(Dying(), lambda: 1, gone=lambda: "it is gone"))
     with pytest.raises(GoneError, match="it is gone"):
         run([Job(CASE, Beam())], engine=engine, cache_folder=tmp_path)

@@ -231,7 +231,7 @@ def test_an_expected_error_may_depend_on_inputs_and_on_the_size_of_the_formula()
     assert (low, high) == (0.01, 0.01 * log(form().sigma))
 
 
-def test_what_is_computed_from_a_changed_formula_is_not_kept():
+def test_what_is_computed_from_a_changed_formula_is_computed_again_afterwards():
     case = Rod()
     with changed(Rod.sigma):
         assert case.p == 0

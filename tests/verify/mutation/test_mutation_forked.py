@@ -55,7 +55,7 @@ def killed():
         (lambda: 1 / 0, "ZeroDivisionError: division by zero"),
     ],
 )
-def test_one_that_dies_is_told(end, failure):
+def test_a_process_that_dies_is_named(end, failure):
     found = answer(end, 20.0)
     assert (found.value, found.failure) == (None, failure)
 

@@ -99,7 +99,7 @@ def test_names_that_others_imported_are_reached(modules):
     assert user.used() == (24.0, 15, 7.5)  # nothing comes back from the child
 
 
-def test_defaults_are_made_anew(modules):
+def test_defaults_are_replaced(modules):
     formulas, _ = modules
     assert after(lambda: formulas.area(3.0, 4.0), "area", "2.0", "4.0") == 48.0
     assert formulas.area(3.0, 4.0) == 24.0
