@@ -154,13 +154,6 @@ def test_wrong_input_gets_one_line(change, message, of_file, capsys):
     assert message in error
 
 
-def test_several_shafts_need_their_table():
-    case_id, model, raw = raw_of(FOLDER / "fan-rotor-inch.toml")
-    raw["segments"][1]["shaft"] = "other"
-    with pytest.raises(InputError, match="several shafts need a table of their speed ratios"):
-        build_completed(case_id, model, raw, "file")
-
-
 @pytest.mark.parametrize("path", PARTS, ids=lambda path: path.stem)
 def test_whatever_is_wrong_in_a_short_file_ends_with_one_line_or_an_answer(path, recwarn):
     case_id, model, raw = raw_of(path)

@@ -1,13 +1,10 @@
 """The rig's load paths and the clutch that slips along its axis: courses, words, and facts."""
 
-import math
-
 import numpy as np
 import pytest
 
 from tests.verify.cases.rows import context, failed
 from verify.cases.freewheel.friction.case import FRICTION, FreewheelFriction
-from verify.cases.freewheel.paths import reference
 from verify.cases.freewheel.paths.case import PATHS, LoadPaths
 
 EXTREMES = "required friction at the extremes of load case 2"
@@ -38,20 +35,6 @@ def test_about_a_mean_torque_the_trough_asks_for_most():
     assert q.T_critical == pytest.approx(last.T[np.nanargmax(last.mu_req)], rel=1e-3)
 
 
-def test_inertia_at_30_hz_is_a_thousandth_of_the_loads():
-    assert PATHS.analytic(LoadPaths())["sway"] < 1e-3
-
-
-@pytest.mark.parametrize("share", [0.3, 0.9])
-def test_between_two_torques_the_angle_is_next_to_a_line(share):
-    q = LoadPaths()
-    v, tan = PATHS.analytic(q), math.tan(q.under(share * q.T).alpha)
-    line = q.rig.tangent(
-        tuple(reference.MU_REQ), tuple(v[key] for key in reference.MU_REQ.values())
-    )
-    assert line(share * q.T) == pytest.approx(tan, rel=2e-3)
-
-
 def test_round_off_of_the_frequency_moves_no_time_of_a_course():
     """Cycles of the defaults are whole: one time more would move every time of slip."""
     q = LoadPaths()
@@ -80,8 +63,3 @@ def test_the_torque_that_is_left_falls_to_nothing_over_the_axial_slip():
     slip, torque = q.slipped()
     assert (slip[-1], torque[-1]) == (0.0, 1.0)
     assert FRICTION.analytic(q)["u_out"] == pytest.approx(slip[0])
-
-
-def test_a_torque_that_lets_rollers_out_has_no_limit_of_the_axial_load():
-    q = FreewheelFriction(X=14e-3 * math.cos(math.radians(10)) - 2.5e-3)
-    assert "F_lim" not in FRICTION.analytic(q)

@@ -15,7 +15,6 @@ from verify.cases.freewheel.clutch.case import CLUTCH
 from verify.cases.freewheel.cup.case import CUP
 from verify.cases.freewheel.friction.case import FRICTION
 from verify.cases.freewheel.paths.case import PATHS
-from verify.cases.freewheel.star import Star
 from verify.cases.freewheel.torque.case import TORQUE
 
 ANGLE = "clamping angle under torque"
@@ -38,10 +37,6 @@ def given(**factors):
 
 def by_flat(_):
     return lambda self, *, F_t: self.count * self.flat * F_t
-
-
-def on_one(_):
-    return lambda self, *, F_t: self.race * F_t
 
 
 def opening(sign_i, sign_o):
@@ -96,8 +91,6 @@ READINGS = [
     (FRICTION, LIMIT, criterion, "largest_axial_load", scaled(1 / 8), "limit of one roller"),
     (FRICTION, WEDGES, criterion, "self_releasing",
      lambda _: lambda *, alpha, mu: np.tan(2 * alpha) > mu, "half of the wedge's limit"),
-    (FRICTION, "tangential force of a roller", Cam, "torque_on_race", on_one, "T of one roller"),
-    (FRICTION, ALONE, Star, "under", lambda f: lambda q, T: f(q, T / 2), "half of the torque"),
     (PATHS, "axial load at slip, torque first", criterion, "largest_axial_load", scaled(8),
      "F_ax of one roller"),
     (PATHS, "required friction at the extremes of load case 2", criterion,
@@ -105,7 +98,6 @@ READINGS = [
         np.tan(alpha) * (1 + np.abs(ratio) * R)), "forces added without their right angle"),
     (PATHS, SLIP, load_path.BothAlternating, "_turn", scaled(2), "twice the frequency"),
     (PATHS, SLIP, load_path.AxialRamp, "axial_load", scaled(0.5), "a ramp to half of the load"),
-    (PATHS, SLIP, load_path, "_growth", lambda f: lambda *a: f(*a) ** 2, "growth by the square"),
     (PATHS, SLIP, course.Course, "slips_at", lambda f: property(
         lambda self: f.fget(self) + 3e-3), "slip three milliseconds late"),
 ]  # fmt: skip

@@ -144,7 +144,7 @@ def test_springs_whose_state_is_not_found_have_no_force(broken):
     assert "no state that bears the springs alone was found: N_0 is not known" in warned
 
 
-def test_a_drawn_sprag_tells_a_wrong_width_and_rolls_as_its_arcs_do():
+def test_a_drawn_sprag_shows_a_wrong_width_and_rolls_as_its_arcs_do():
     one, v = drawn(PAPER, 82), CLUTCH.analytic(PAPER)
     assert pytest.approx(v["N"], rel=1e-4) == one.at_torque(PAPER.T, 3400.0).N
     wide = drawn(PAPER.model_copy(update={"b": 2 * PAPER.b}), 82)

@@ -46,16 +46,6 @@ def test_the_words_of_the_formulas_are_what_the_steps_do(case, changes, verdict,
     assert case.equations(q, case.analytic(q))
 
 
-def test_a_slow_rise_swings_less_and_an_overrunning_race_comes_to_rest_first():
-    step, ramp, late = (
-        ENGAGEMENT.analytic(other(PAPER, **c)) for c in ({}, {"t_ramp": 0.02}, {"w_i": -100.0})
-    )
-    assert ramp["factor"] < 1.2 < step["factor"]
-    assert late["t_max"] > step["t_max"] + 4e-3
-    assert late["N_max"] == pytest.approx(step["N_max"], rel=1e-3)
-    assert engaged(other(PAPER, w_i=-100.0)).peak[0] == pytest.approx(late["t_max"], rel=0.05)
-
-
 def test_a_band_too_narrow_for_the_step_is_one_line_and_no_traceback():
     q = other(PAPER, D_V=1e-3, K_r=4e-4, T=40.0)
     failure = solve_level(ENGAGEMENT, q, 1, None).failure
@@ -77,14 +67,6 @@ def test_driven_it_is_the_inner_contact_that_slides_and_overrunning_the_outer(sp
     late = run.phases[len(run.t) // 2 :]
     assert (late[:, int(outside)] == Phase.SLIP).mean() > 0.9
     assert (late[:, 1 - int(outside)] == Phase.STICK).mean() > 0.9
-
-
-def test_the_sliding_force_has_its_pole_at_the_wedge_angle():
-    tan, w = math.tan(RUBBING.nu_0), model.wedge(RUBBING)
-    N = [formulas.sliding(w, share * tan).N for share in (0.6, 0.8, 0.9)]
-    assert N[1] / N[0] == pytest.approx(2.0, rel=0.03)
-    assert N[2] / N[0] == pytest.approx(4.0, rel=0.06)
-    assert math.isnan(formulas.sliding(w, 1e-3).N)
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,6 @@ from verify.cases.sprag.wedge.case import WEDGE, WedgedSprag
 from verify.cases.sprag.wedge.figures import parts_of
 from verify.cases.sprag.wedge.model import rigid_force
 from verify.cases.sprag.wedge.sketch import outline
-from verify.core.case import Context
 
 Q = WedgedSprag()
 
@@ -61,15 +60,6 @@ def test_a_sprag_rolls_over_where_its_flank_comes_to_the_race():
             else "holds with friction above"
         )
     assert WEDGE.summary(q, own)["verdict"] == "rolls over"
-
-
-def test_a_clutch_of_another_kind_has_values_words_and_figures():
-    q = WedgedSprag(z=40, b=1.5e-3, nu=0.0)
-    v = WEDGE.analytic(q)
-    assert {output.key for output in WEDGE.outputs} <= {*v, "T_roll"}
-    assert WEDGE.findings(q, v)
-    assert WEDGE.equations(q, v)
-    assert WEDGE.figures(Context(WEDGE.id, q, v, (), is_paper=False))
 
 
 def test_the_drawn_sprag_touches_both_races():
