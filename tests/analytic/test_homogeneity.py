@@ -1,84 +1,116 @@
 """A formula must not notice whether lengths are in m or mm, stresses in Pa or MPa."""
 
-import math
+from typing import NamedTuple
 
+import numpy as np
 import pytest
 
+from analytic.contact import (
+    crown,
+    disc_series,
+    hertz_line,
+    hertz_line_approach,
+    hertz_point,
+    partial_slip,
+    tangential_cycle,
+)
+from analytic.freewheel import criterion, tilt
+from analytic.polyhedral import expansion, forces, torque, wedging
 from analytic.ring import lame, rotating, smeared
-from analytic.ring.loaded_race import LoadedRace
 from analytic.spring import energy, frame
 
-MM, MPA, N_PER_MM = 1e3, 1e-6, 1e-3  # from SI
-RING = {"r_i": 0.04, "r_o": 0.06}
-SPRING = {"b": 1e-4, "h": 0.056, "L1": 0.0116}
-TURN = {"n": 10, "alpha": math.radians(80)}
+
+class Size(NamedTuple):
+    """A number in SI, and its powers of length and stress (time stays in s)."""
+
+    value: float
+    length: float
+    stress: float
+
+    def scaled(self, k: float, s: float) -> float:
+        return self.value * k**self.length * s**self.stress
 
 
-def scaled(values, factor):
-    return {name: value * factor for name, value in values.items()}
+def m(value=1.0):
+    return Size(value, 1, 0)
 
 
-CASES = [
-    pytest.param(
-        lambda k, s: lame.stresses(0.05 * k, **scaled(RING, k), p_i=1e8 * s, p_o=1e7 * s)[1],
-        MPA, id="hoop stress"),
-    pytest.param(
-        lambda k, s: lame.radial_displacement(
-            0.05 * k, **scaled(RING, k), p_i=1e8 * s, E=2e11 * s, nu=0.3, ends="plane strain"),
-        MM, id="radial displacement"),
-    pytest.param(
-        lambda k, s: lame.axial_stress(**scaled(RING, k), p_i=1e8 * s, nu=0.3, ends="closed ends"),
-        MPA, id="axial stress"),
-    pytest.param(
-        lambda k, s: lame.strain_energy(
-            **scaled(RING, k), p_i=1e8 * s, E=2e11 * s, nu=0.3, ends="plane stress"),
-        1.0, id="strain energy per length (J/m is N)"),
-    *(
-        pytest.param(  # density is stress times time² over length²
-            lambda k, s, part=part: part(
-                **scaled(RING, k), rho=7850 * s / k**2, omega=600.0, E=2e11 * s, nu=0.3,
-                assumption="plane strain"), factor, id=f"rotating ring, {name}")
-        for part, factor, name in (
-            (lambda **more: rotating.radial_displacement(more["r_i"], **more), MM, "growth"),
-            (rotating.strain_energy, 1.0, "strain energy per length"),
-        )
-    ),
-    *(
-        pytest.param(
-            lambda k, s, name=name: getattr(
-                LoadedRace(**scaled(RING, k), E=2e11 * s, nu=0.3, assumption="plane stress",
-                           loaded="bore", n=12, P=4e5 * s * k, a=2e-4 * k).at(0.04 * k, 1e-3),
-                name),
-            factor, id=f"race under loads, {name}")
-        for name, factor in (("u_r", MM), ("u_theta", MM), ("sigma_theta", MPA))
-    ),
-    pytest.param(
-        lambda k, s: smeared.race_deflection(
-            P=4e5 * s * k, n=12, **scaled(RING, k), E=2e11 * s, nu=0.3, loaded="rim"),
-        MM, id="Eq. 6"),
-    pytest.param(
-        lambda k, s: energy.stiffness(
-            **scaled(SPRING, k), r=4.5e-4 * k, E=2e11 * s, **TURN), N_PER_MM, id="k_1"),
-    pytest.param(
-        lambda k, s: energy.deflection(
-            F=3.0, **scaled(SPRING, k), r=4.5e-4 * k, E=2e11 * s, **TURN), MM, id="deflection"),
-    pytest.param(
-        lambda k, s: energy.bending_stress(F=3.0, **scaled(SPRING, k), r=4.5e-4 * k),
-        MPA, id="bending stress"),
-    *(
-        pytest.param(
-            lambda k, s, theory=theory: frame.stiffness(
-                **scaled(SPRING, k), radius=5e-4 * k, E=2e11 * s, nu=0.3, theory=theory,
-                head="guided", **TURN),
-            N_PER_MM, id=f"frame, {theory}")
-        for theory in ("bending", "thin", "shear", "thick")
-    ),
-    pytest.param(
-        lambda k, s: frame.free_length(**{n: v for n, v in scaled(SPRING, k).items() if n != "h"},
-                                       r=4.5e-4 * k, **TURN), MM, id="free length"),
+def Pa(value=1.0):
+    return Size(value, 0, 1)
+
+
+def N(value=1.0):
+    return Size(value, 2, 1)
+
+
+def per_m(value=1.0):  # N/m
+    return Size(value, 1, 1)
+
+
+def N_m(value=1.0):
+    return Size(value, 3, 1)
+
+
+PURE = Size(1.0, 0, 0)
+LINE = {"P": per_m(1e5), "R": m(0.01), "E_star": Pa(1.1e11)}
+POINT = {"P": N(1e3), "R": m(0.01), "E_star": Pa(1.1e11)}
+SLIDING = {"P": per_m(1e5), "mu": 0.1, "E_star": Pa(1e11)}
+SWING = {"Q_max": per_m(5e3), **SLIDING}
+RING = {"r_i": m(0.04), "r_o": m(0.06)}
+STEEL = {"E": Pa(2e11), "nu": 0.3}
+DESIGN = {"load": N(3400.0), "length": m(9e-3), "E_star": Pa(1.13e11)}
+SPRING = {"n": 10, "alpha": 1.4, "b": m(1e-4), "h": m(0.056), "L1": m(0.0116), "E": Pa(2e11)}
+BORE = {"d_i": m(0.072), "d_e": m(0.08)}
+HUB = {"z": 6, "lever": m(0.03), "psi": 0.28, "phi_1": 0.05}
+
+FORMULAS = [
+    (hertz_line.half_width, LINE, m()),
+    (hertz_line.peak_pressure, LINE, Pa()),
+    (hertz_line_approach.approach_to_depth,
+     {"d": m(0.01), "P": per_m(1e5), "a": m(1e-4), **STEEL, "assumption": "plane strain"}, m()),
+    (disc_series.approach, {"P": per_m(1e5), "a": m(1e-3), "R": m(0.01), "E_plane": Pa(2e11)}, m()),
+    (hertz_point.radius, POINT, m()),
+    (hertz_point.peak_pressure, POINT, Pa()),
+    (hertz_point.approach, POINT, m()),
+    (partial_slip.slip, {"x": m(9e-5), "a": m(1e-4), "Q": per_m(5e3), **SLIDING}, m()),
+    (partial_slip.rigid_displacement_beyond_stick, {"Q": per_m(5e3), **SLIDING}, m()),
+    (tangential_cycle.dissipation, SWING, N()),
+    (crown.lundberg, {"y": m(4e-3), **DESIGN}, m()),
+    (crown.johns_gohar, {"y": m(4e-3), "half_width": m(1e-4), **DESIGN}, m()),
+    (crown.logarithmic, {"y": m(4e-3), "K_1": 2.0, "K_2": 0.7, "z_m": m(1e-5), **DESIGN}, m()),
+    (lame.radial_displacement,
+     {"r": m(0.05), **RING, "p_i": Pa(1e8), **STEEL, "ends": "plane strain"}, m()),
+    (lame.strain_energy, {**RING, "p_i": Pa(1e8), **STEEL, "ends": "plane stress"}, N()),
+    (rotating.radial_displacement,
+     {"r": m(0.04), **RING, "rho": Size(7850.0, -2, 1), "omega": 600.0, **STEEL,
+      "assumption": "plane strain"}, m()),
+    (smeared.race_deflection,
+     {"P": per_m(4e5), "n": 12, **RING, **STEEL, "loaded": "rim"}, m()),
+    (energy.stiffness, {**SPRING, "r": m(4.5e-4)}, per_m()),
+    (frame.stiffness, {**SPRING, "radius": m(5e-4), "nu": 0.3, "theory": "thick"}, per_m()),
+    (criterion.required_friction,
+     {"alpha": 0.06, "T": N_m(9.0), "F_ax": N(50.0), "R": m(0.0165)}, PURE),
+    (criterion.largest_axial_load, {"alpha": 0.06, "T": N_m(9.0), "R": m(0.0165), "mu": 0.1}, N()),
+    (tilt.offset, {"F_a": N(3.0), "F_n": N(90.0), "r": m(2.5e-3), "alpha": 0.06}, m()),
+    (wedging.torque, {"N": N(1e4), "alpha": 0.1, "z": 6, "D_i": m(0.1)}, N_m()),
+    (expansion.touching_pressure, {"j_D": m(6e-5), **BORE, "E": Pa(2.1e11), "K": 1.1}, Pa()),
+    (forces.radial_force, {"M_t": N_m(400.0), **HUB}, N()),
+    (forces.pressure_force, {"p_2": Pa(1e7), "b": m(0.03), "d_i": m(0.072), "z": 6}, N()),
+    (torque.first_torque,
+     {"p_t": Pa(3e7), "z": 6, "mu": 0.08, "b": m(0.03), "D_i": m(0.1), "j_D": m(6e-5), **BORE,
+      "E": Pa(2.1e11), "psi": 0.28, "phi_1": 0.05}, N_m()),
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("formula", "factor"), CASES)
-def test_formula_is_dimensionally_homogeneous(formula, factor):
-    assert float(formula(MM, MPA)) == pytest.approx(factor * float(formula(1.0, 1.0)), rel=1e-12)
+@pytest.mark.parametrize(
+    ("formula", "given", "found"), FORMULAS,
+    ids=[f"{row[0].__module__}.{row[0].__name__}" for row in FORMULAS],
+)  # fmt: skip
+def test_formula_is_dimensionally_homogeneous(formula, given, found):
+    def value(k, s):
+        arguments = {
+            name: one.scaled(k, s) if isinstance(one, Size) else one for name, one in given.items()
+        }
+        return float(np.asarray(formula(**arguments)))
+
+    assert value(1e3, 1e-6) == pytest.approx(value(1.0, 1.0) * found.scaled(1e3, 1e-6), rel=1e-11)

@@ -1,11 +1,16 @@
-"""Races under Hertz patches: the series' rest, the load borne, and Eq. 6 beside it."""
+"""Rings under waves and Hertz patches: equilibrium, thin rings, discs, Betti, the smeared ring."""
+
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from scipy.integrate import quad
 
 from analytic.ring import loaded_race, smeared
+from analytic.ring.fourier_ring import FourierRing
 from analytic.ring.loaded_race import LoadedRace
+from analytic.ring.race_work import cut_force, strain_energy
+from analytic.ring.windup import compliances, ratios
 
 RACE = {"r_i": 19.44e-3, "r_o": 26.23e-3, "E": 206e9, "nu": 0.3, "assumption": "plane stress",
         "n": 12, "P": 378.6e3, "a": 0.154e-3}  # fmt: skip
@@ -31,15 +36,6 @@ def test_more_waves_change_nothing_on_the_loaded_wall(loaded, a, monkeypatch):
 
 
 @WALLS
-def test_the_closed_sums_are_those_of_the_waves(loaded):
-    """Without them the wall's displacement would still miss 1e-4 of itself."""
-    race = LoadedRace(loaded=loaded, **RACE)
-    closed, summed = race.at(race.r, ANGLES), race.ring.at(race.r, ANGLES)
-    missed = np.abs(closed.u_r - summed.u_r).max() / np.abs(closed.u_r).max()
-    assert 1e-7 < missed < 1e-3
-
-
-@WALLS
 def test_the_loaded_wall_bears_hertz_s_pressure_and_the_other_nothing(loaded):
     race = LoadedRace(loaded=loaded, **RACE)
     near = race.at(race.r, ANGLES)
@@ -49,27 +45,6 @@ def test_the_loaded_wall_bears_hertz_s_pressure_and_the_other_nothing(loaded):
     ellipse = peak * np.sqrt(np.maximum(1 - s**2, 0))
     np.testing.assert_allclose(near.sigma_r, -ellipse, rtol=0, atol=1e-10 * peak)
     np.testing.assert_allclose([near.tau, far.tau, far.sigma_r], 0, atol=1e-10 * peak)
-
-
-@WALLS
-def test_the_cut_between_loads_carries_what_statics_says(loaded):
-    race = LoadedRace(loaded=loaded, **RACE)
-    r, w = np.polynomial.legendre.leggauss(40)
-    half = (race.r_o - race.r_i) / 2
-    hoop = race.at(race.r_i + half * (1 + r), np.pi / 12).sigma_theta
-    along, _ = quad(lambda t: 2 / np.pi * np.sqrt(1 - t**2) * np.cos(race.alpha * t), -1, 1)
-    push = race.P * along / (2 * np.sin(np.pi / 12))
-    assert half * (w @ hoop) == pytest.approx(
-        push if loaded == "bore" else -push,
-        rel=1e-6,  # points of the rule nearer to the wall than a
-    )
-
-
-def test_the_displacement_is_even_and_periodic():
-    race = LoadedRace(loaded="bore", **RACE)
-    one, other = race.at(race.r, [0.1, 0.003]), race.at(race.r, [-0.1, np.pi / 6 + 0.003])
-    np.testing.assert_allclose(one.u_r, other.u_r, rtol=1e-12)
-    assert float(one.u_theta[0]) == pytest.approx(-float(other.u_theta[0]), rel=1e-9)
 
 
 def test_betti_s_theorem_links_a_load_with_the_far_wall():
@@ -103,17 +78,6 @@ def test_eq_6_by_hand(loaded, radii, printed):
     assert float(given) * 1e6 == pytest.approx(printed, abs=1e-3)
 
 
-@WALLS
-def test_the_smeared_ring_is_the_mean_of_the_loaded_one(loaded):
-    race = LoadedRace(loaded=loaded, **RACE | {"a": 1e-3})
-    x, w = np.polynomial.legendre.leggauss(400)
-    u = race.at(race.r, np.pi / 24 * (1 + x)).u_r
-    given = smeared.race_deflection(
-        loaded=loaded, **{k: RACE[k] for k in ("P", "n", "r_i", "r_o", "E", "nu")}
-    )
-    assert abs(w @ u) / 2 == pytest.approx(float(given), rel=1e-7)
-
-
 def test_the_smeared_race_is_too_soft_from_12_sprags_on_and_too_stiff_with_6():
     """Walls of the paper's races, the dent to the wall's depth taken out."""
     for loaded, ratio in (("bore", 26.23 / 19.44), ("rim", 11.11 / 7.21)):
@@ -128,12 +92,114 @@ def test_the_smeared_race_is_too_soft_from_12_sprags_on_and_too_stiff_with_6():
         assert error[12].between > 0
 
 
-@pytest.mark.parametrize(
-    ("wrong", "said"),
-    [({"P": 0.0}, "load per length"), ({"n": -1}, "number of loads"),
-     ({"loaded": "side"}, "'bore' or 'rim'")],
-)  # fmt: skip
-def test_a_race_without_sense_is_refused(wrong, said):
-    right = {"P": 1.0, "n": 12, "r_i": 1.0, "r_o": 2.0, "E": 1.0, "nu": 0.3, "loaded": "bore"}
-    with pytest.raises(ValueError, match=said):
-        smeared.race_deflection(**right | wrong)
+UNIT = {"E": 1.0, "nu": 0.3, "assumption": "plane strain"}
+WAVES = np.array([1.0, -0.4, 0.7, 0.2, -0.1])
+
+
+def waves(n, theta):
+    return WAVES @ np.cos(np.outer(np.arange(WAVES.size), n * np.asarray(theta)))
+
+
+@pytest.mark.parametrize("loaded", ["bore", "rim"])
+@pytest.mark.parametrize("ratio", [1.02, 1e3])
+@pytest.mark.parametrize("n", [2, 100_000])
+def test_walls_carry_the_pressure_and_nothing_else(loaded, ratio, n):
+    ring = FourierRing(r_i=1.0, r_o=ratio, loaded=loaded, n=n, p=WAVES, **UNIT)
+    theta = np.linspace(0, 2.2 / n, 9)
+    bore, rim = ring.at(1.0, theta), ring.at(ratio, theta)
+    near, far = (bore, rim) if loaded == "bore" else (rim, bore)
+    size = np.abs(bore.sigma_theta).max() + np.abs(rim.sigma_theta).max()
+    exact = {"rtol": 0, "atol": 1e-13 * size * (ratio / (ratio - 1)) ** 1.5}
+    np.testing.assert_allclose(near.sigma_r, -waves(n, theta), **exact)
+    np.testing.assert_allclose([near.tau, far.sigma_r, far.tau], 0.0, **exact)
+
+
+@pytest.mark.parametrize("loaded", ["bore", "rim"])
+@pytest.mark.parametrize("assumption", ["plane stress", "plane strain"])
+def test_the_field_is_in_equilibrium_and_obeys_hooke(loaded, assumption):
+    ring = FourierRing(
+        r_i=1.0, r_o=1.5, loaded=loaded, n=3, p=WAVES, E=1.0, nu=0.3, assumption=assumption
+    )
+    r, t, h = 1.2, 0.37, 1e-5
+    E, nu = (1.0, 0.3) if assumption == "plane stress" else (1 / 0.91, 0.3 / 0.7)
+    here = ring.at(r, t)
+
+    def across(name):
+        high, low = (getattr(ring.at(r + k, t), name) for k in (h, -h))
+        return float(high - low) / (2 * h)
+
+    def along(name):
+        high, low = (getattr(ring.at(r, t + k), name) for k in (h, -h))
+        return float(high - low) / (2 * h * r)
+
+    size, near = float(abs(here.sigma_theta) + abs(here.tau)), {"abs": 1e-8}
+    balance = (
+        across("sigma_r") + along("tau") + float(here.sigma_r - here.sigma_theta) / r,
+        across("tau") + along("sigma_theta") + 2 * float(here.tau) / r,
+    )
+    assert balance == pytest.approx((0, 0), abs=1e-7 * size)
+    strains = (
+        across("u_r"),
+        float(here.u_r) / r + along("u_theta"),
+        along("u_r") + across("u_theta") - float(here.u_theta) / r,
+    )
+    hooke = (
+        float(here.sigma_r - nu * here.sigma_theta) / E,
+        float(here.sigma_theta - nu * here.sigma_r) / E,
+        float(here.tau) * 2 * 1.3,
+    )
+    assert strains == pytest.approx(hooke, **near)
+
+
+@pytest.mark.parametrize("n", [2, 3, 4])
+@pytest.mark.parametrize("loaded", ["bore", "rim"])
+def test_a_thin_ring_bends_as_timoshenko_has_it(n, loaded):
+    """Inextensible ring under n radial forces: each wave of the load bends it by itself.
+
+    The wave P n/(pi R) cos(m theta) of the load bends it by P n R³/(pi E I)/(m² - 1)².
+    """
+    h, R, P = 1e-3, 1.0, 1.0
+    ring = LoadedRace(
+        r_i=R - h / 2, r_o=R + h / 2, E=1.0, nu=0.3, assumption="plane stress", loaded=loaded,
+        n=n, P=P, a=1e-3,
+    )  # fmt: skip
+    m = n * np.arange(1, 400)
+    bend = P * n * R**3 / (np.pi * h**3 / 12)
+    sign = 1.0 if loaded == "bore" else -1.0
+    for theta in (0.0, np.pi / n):
+        thin = sign * bend * np.sum(np.cos(m * theta) / (m**2 - 1) ** 2)
+        assert float(ring.at(R, theta).u_r) == pytest.approx(thin, rel=2e-3)  # of the order h/R
+
+
+F, L, R = 3407.0, 9e-3, 4.02e-3
+WINDUP_RACE = LoadedRace(r_i=19.44e-3, r_o=26.23e-3, E=206e9, nu=0.3, assumption="plane stress",
+                  loaded="bore", n=12, P=F / L, a=0.154e-3)  # fmt: skip
+
+
+def test_the_peak_force_is_that_of_equal_energies():
+    """Energies by summing N d delta in steps, of both models, at the forces of the table."""
+    parts = compliances(WINDUP_RACE, R=R, F=F, L=L)
+    smeared_c, fourier_c, g = parts
+    _, peak = ratios([parts])
+
+    def energy(c, N):
+        forces = np.linspace(1e-6 * N, N, 200_001)
+        delta = forces * (c + g * np.log(F / forces))
+        return float(((forces[1:] + forces[:-1]) / 2) @ np.diff(delta))
+
+    assert energy(smeared_c, F) == pytest.approx(energy(fourier_c, F / peak), rel=1e-7)
+
+
+@pytest.mark.parametrize("loaded", ["bore", "rim"])
+def test_the_cut_carries_the_hoop_stress_between_two_loads(loaded):
+    race = replace(WINDUP_RACE, loaded=loaded)
+    carried, _ = quad(lambda r: float(race.at(r, np.pi / race.n).sigma_theta), race.r_i, race.r_o)
+    assert cut_force(race) == pytest.approx(carried, rel=1e-6)
+
+
+def test_the_energy_is_the_integral_of_stress_and_strain():
+    """In the wall beyond some half-widths from the patches, and of the mean where they are many."""
+    race = replace(WINDUP_RACE, n=200, P=WINDUP_RACE.P / 10, a=WINDUP_RACE.a / 2)
+    mean = race.ring.mean_displacement(race.r) * race.n * race.P / 2
+    assert strain_energy(race) > mean
+    assert strain_energy(race) == pytest.approx(mean, rel=0.2)

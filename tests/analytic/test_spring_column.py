@@ -1,12 +1,13 @@
-"""The equivalent column: integrals of a unit, Haringx's equation, and the elastica behind them."""
+"""The equivalent column and the elastica: Haringx, elliptic integrals, the force method."""
 
 import math
 
 import numpy as np
 import pytest
+from scipy.special import ellipe, ellipk
 
 from analytic.spring import column, frame
-from analytic.spring.elastica import Elastica
+from analytic.spring.elastica import HELD_OFF, Elastica
 from analytic.spring.stability import critical, determinant, lateral_stiffness
 
 SHAPE = {"L1": 11.6, "radius": 0.5, "alpha": math.radians(80)}
@@ -29,11 +30,6 @@ def test_a_unit_s_flexibilities_are_the_unit_load_integrals(alpha):
     C = frame.flexibility(line, **STRIP, theory="shear")
     unit = column.unit(**shape, **STRIP)
     assert [unit.axial, unit.lateral, unit.turn] == pytest.approx(np.diag(C), rel=1e-6)
-
-
-def test_the_pitch_adds_up_to_the_free_length():
-    whole = frame.end_point(n=10, **SHAPE)[0]
-    assert column.free_length(n=10, **SHAPE) == pytest.approx(whole, rel=1e-12)
 
 
 @pytest.mark.parametrize(("head", "waves"), [("free", math.pi / 2), ("guided", 2 * math.pi)])
@@ -61,29 +57,6 @@ def wave(n, xi):
     return float(np.sqrt(P / B * (1 + P / S)) * L), float(1 + P / S)
 
 
-def test_a_short_spring_never_buckles():
-    xi = column.critical_shortening("guided", n=np.array([4, 10, 60]), b=0.1, **SHAPE)
-    assert np.isnan(xi).tolist() == [True, True, False]
-
-
-def test_ever_more_units_make_euler_s_column():
-    xi = column.critical_shortening("free", n=4000, b=0.1, **SHAPE)
-    u, L0 = column.unit(**SHAPE, **STRIP), column.free_length(n=4000, **SHAPE)
-    P = column.critical_force("free", n=4000, **SHAPE, **STRIP)
-    assert pytest.approx(math.pi**2 / 4 * u.pitch / u.turn / L0**2, rel=1e-5) == P
-    assert pytest.approx(u.pitch / u.axial * xi, rel=1e-12) == P
-
-
-def test_the_force_has_the_cube_of_the_thickness_and_the_shortening_none_of_it():
-    thin, thick = (
-        (column.critical_force("free", n=10, **SHAPE, **STRIP | {"b": b}),
-         column.critical_shortening("free", n=10, b=b, **SHAPE))
-        for b in (0.05, 0.1)
-    )  # fmt: skip
-    assert thick[0] / thin[0] == pytest.approx(8, rel=1e-3)
-    assert thick[1] == pytest.approx(thin[1], rel=1e-3)
-
-
 @pytest.mark.parametrize(
     ("n", "tail", "within"),
     [(6, "arc", 0.24), (10, "arc", 0.07), (20, "arc", 0.03), (10, "mid-leaf", 0.01)],
@@ -96,18 +69,6 @@ def test_the_column_comes_nearer_to_the_elastica_with_more_units(n, tail, within
     assert determinant(state, "free") == pytest.approx(0, abs=1e-8)
 
 
-def test_a_slender_spring_s_hinged_head_buckles_near_haringx_s_load():
-    shape = {"L1": 2.9, "radius": 0.5, "alpha": math.radians(80)}
-    xi, L0 = column.critical_shortening("hinged", n=20, b=0.1, **shape), 28.5
-    state = critical(spring(20, L1=2.9), "hinged", np.linspace(0.1, 1.3, 12) * xi * L0)
-    L0 = column.free_length(n=20, **shape)
-    assert pytest.approx(xi, rel=0.05) == state.U / L0
-
-
-def test_the_paper_s_spring_does_not_buckle_with_a_hinged_head():
-    assert critical(spring(10), "hinged", np.arange(1.0, 19.0)) is None
-
-
 def test_the_lateral_stiffness_is_that_of_the_force_method_at_first():
     line = frame.sections(frame.pieces(n=10, **SHAPE))
     C = frame.flexibility(line, **STRIP, theory="shear")
@@ -116,10 +77,45 @@ def test_the_lateral_stiffness_is_that_of_the_force_method_at_first():
     )
 
 
-def test_wrong_geometry_gets_one_line():
-    with pytest.raises(ValueError, match="must be positive"):
-        column.unit(**SHAPE | {"L1": 0.0}, **STRIP)
-    with pytest.raises(ValueError, match=r"alpha must lie in \(0, 90\] deg"):
-        column.unit(**SHAPE | {"alpha": 2.0}, **STRIP)
-    with pytest.raises(ValueError, match="at least 3 segments"):
-        column.free_length(n=2, **SHAPE)
+ELASTICA_SHAPE = {"n": 10, "L1": 11.6, "radius": 0.5, "alpha": math.radians(80)}
+E_I, E_A = 206e3 * 56 * 0.1**3 / 12, 206e3 * 56 * 0.1
+STIFF = {"EI": E_I, "EA": E_A, "GA": 5 / 6 * E_A / 2.6}
+
+
+def spring_elastica(tail="arc", **changes):
+    return Elastica(frame.pieces(**ELASTICA_SHAPE, tail=tail), **STIFF | changes)
+
+
+@pytest.mark.parametrize("tail", ["arc", "mid-leaf"])
+@pytest.mark.parametrize("head", ["free", "hinged", "guided"])
+def test_a_small_push_meets_the_stiffness_of_the_force_method(head, tail):
+    k = frame.stiffness(**ELASTICA_SHAPE, **STRIP, head=head, tail=tail, theory="shear")
+    error = [spring_elastica(tail).path(head, [U])[0].F / U / k - 1 for U in (2e-4, 1e-4)]
+    assert 2 * error[1] - error[0] == pytest.approx(0, abs=1e-9)
+
+
+def test_a_straight_column_bends_as_the_elastica_of_elliptic_integrals():
+    """T. & G., art. 2.7: a cantilever whose end has turned by 60 deg."""
+    line, k = Elastica([(1.0, 0.0)] * 4, EI=1.0), math.sin(math.radians(30))
+    K, E = ellipk(k**2), ellipe(k**2)
+    P = (K / 4) ** 2
+    state = line.unloaded()
+    for share in np.linspace(0.2, 1, 9):  # round the bifurcation, pushed a little aside
+        state = line.pushed((2e-2 * P, share * P), state)
+    for aside in (5e-3, 0.0):
+        state = line.pushed((aside * P, P), state)
+    assert abs(state.head[0]) == pytest.approx(math.radians(60), rel=1e-8)
+    assert 4 - state.drift == pytest.approx(4 * (2 * E / K - 1), rel=1e-8)
+    assert abs(state.U) == pytest.approx(4 * 2 * k / K, rel=1e-8)
+
+
+@pytest.mark.parametrize("head", ["free", "hinged", "guided"])
+def test_derivatives_are_those_of_the_path(head):
+    line = spring_elastica()
+    before, here, after = line.path(head, [4.98, 5.0, 5.02])
+    columns = list(HELD_OFF[head])
+    rows = [0, 1] if head == "free" else [0, 1, 2]
+    back = np.array([0.0, -1.0, 0.0])[rows]
+    slope = np.linalg.solve(here.J[np.ix_(rows, columns)], back)
+    measured = (after.head - before.head)[columns] / 0.04
+    assert slope == pytest.approx(measured, rel=2e-5, abs=1e-8)

@@ -1,18 +1,22 @@
-"""Bounds of the polyhedral ring beside what they are independent of, where both can be asked."""
+"""Bounds of polyhedral rings, loaded races and thick frames beside what they are independent of."""
 
-from dataclasses import replace
+import math
 from math import atan, radians
 
 import numpy as np
 import pytest
 
-from analytic.bounds.polyhedral import contacts, flat, thin_ring, wedge
+from analytic.bounds.polyhedral import flat, thin_ring, wedge
 from analytic.bounds.polyhedral.contacts import RollerOnRing
+from analytic.bounds.ring import integrated_dent
+from analytic.bounds.spring.thick_frame import added
 from analytic.contact import pair_series
+from analytic.contact.hertz_line_approach import approach_to_depth
 from analytic.contact.partial_slip import dundurs_beta
 from analytic.polyhedral import expansion, wedging
 from analytic.polyhedral.design import Clutch
 from analytic.polyhedral.parts import Parts
+from analytic.spring import frame
 
 ROLLER = RollerOnRing(d=0.01, d_e=0.08, j_D=6e-5, apothem=0.03145, E=210e9, nu=0.3)
 PARTS = Parts(z=6, d_i=0.072, d_e=0.08, D_i=0.10006, d=0.01, b=0.03, e=0.009)
@@ -26,18 +30,6 @@ def test_materials_couple_as_dundurs_beta_and_the_meeting_curvature_say(E_1, E_2
     expected = 1e-4 * kappa * float(dundurs_beta(**bodies))
     found = ROLLER.coupled(1e-4, R_2=0.04, E_1=E_1, E_2=E_2)
     assert found == pytest.approx(expected, rel=1e-13, abs=1e-18)
-
-
-def test_errors_of_contacts_grow_with_their_width():
-    narrow, wide = ROLLER.reach(1e-6), ROLLER.reach(1e-4, 1e-4)
-    assert narrow == pytest.approx(contacts.BLUNT, rel=1e-3)
-    assert wide > narrow
-    assert ROLLER.closure(1e-4, 1e-4) == pytest.approx(wide, rel=1e-13)
-    low, high = ROLLER.on_ring(contacts.WIDTH, 1e-4)
-    assert low < high < 0.005
-    even = replace(ROLLER, j_D=0.0)
-    assert even.on_ring(contacts.WIDTH, 1e-4, elastic=True)[1] == pytest.approx(even.reach(1e-4))
-    assert ROLLER.bent(R_b=2e5, e=0.018) == pytest.approx(2 * ROLLER.bent(R_b=2e5, e=0.009))
 
 
 @pytest.mark.parametrize("alpha", [None, radians(6.0)])
@@ -84,3 +76,37 @@ def test_a_free_roller_is_missed_by_friction_s_limit_as_wedging_says():
 def test_the_relative_radius_is_that_of_roller_and_ring():
     assert ROLLER.relative_radius == pytest.approx(5e-3 * 40e-3 / 45e-3)
     assert ROLLER.wall == pytest.approx(8.55e-3)
+
+
+@pytest.mark.parametrize("depth", [0.3, 1.0, 20.0])
+@pytest.mark.parametrize("nu", [0.0, 0.3])
+def test_the_dent_by_integration_is_that_in_closed_form(depth, nu):
+    load = {"P": 2.0, "a": 0.7, "E": 3.0, "nu": nu}
+    closed = approach_to_depth(depth, **load, assumption="plane stress")
+    assert integrated_dent(depth, **load) == pytest.approx(float(closed), rel=1e-9)
+
+
+SHAPE = {"n": 10, "L1": 11.6e-3, "radius": 0.45e-3, "alpha": math.radians(80)}
+
+
+def by_frame(shape, *, b, wide):
+    """Shares of the thin frame's flexibility that shear and curvature add."""
+    k = [
+        frame.stiffness(**shape, b=b, h=0.056, E=206e9, nu=0.3, theory=theory, plane_strain=wide)
+        for theory in ("bending", "shear", "thick")
+    ]
+    return k[0] / k[1] - 1, k[0] / k[2] - k[0] / k[1]
+
+
+@pytest.mark.parametrize("wide", [False, True])
+@pytest.mark.parametrize("change", [{}, {"alpha": math.radians(45), "n": 5}, {"L1": 0.03}])
+def test_shear_is_the_frame_s_and_curvature_up_to_the_next_power_of_thickness(wide, change):
+    shape, off, shares = SHAPE | change, [], []
+    for b in (1e-4, 5e-5):
+        shear, curvature = by_frame(shape, b=b, wide=wide)
+        found = added(**shape, b=b, nu=0.3, wide=wide)
+        assert found.shear == pytest.approx(shear, rel=1e-8)
+        off.append(found.curvature - curvature)
+        shares.append(curvature)
+    assert abs(off[0]) < 0.03 * abs(shares[0])
+    assert off[0] / off[1] == pytest.approx(16, rel=0.05)  # (b/R)^4

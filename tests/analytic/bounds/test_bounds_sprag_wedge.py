@@ -1,4 +1,4 @@
-"""Expected errors of a wedged sprag: what vanishes with what, a second way to the same number."""
+"""Expected errors of wedged sprags and of engagements: what vanishes with what."""
 
 import math
 from dataclasses import replace
@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from analytic.bounds.sprag import engagement
 from analytic.bounds.sprag.wedge import ELASTIC, SHARP, Bounds, times
 from analytic.bounds.sprag.wedge_sizes import Race, Sizes
 from analytic.sprag.closure import wedged
@@ -55,11 +56,6 @@ def test_a_force_is_as_wrong_as_the_torque_that_it_has_at_an_angle():
     assert (1 + high) * (1 + less) == pytest.approx(1.0, rel=1e-12)
 
 
-def test_a_sprag_without_flanks_has_no_bending():
-    with pytest.raises(ValueError, match="stand between its flanks"):
-        _ = replace(bounds(), column=None).bending
-
-
 def test_a_ratio_of_formulas_moves_the_interval_along():
     assert times((-0.01, 0.02), 1.5, spread=0.1) == pytest.approx((0.3365, 0.683), abs=1e-12)
 
@@ -71,3 +67,21 @@ def test_the_wider_contact_is_that_over_its_smaller_radius(r_i, R_i):
     inner, outer = (replace(one, sizes=q, a=a) for a in ((4e-5, 1e-5), (1e-5, 1e-4)))
     assert inner.wide == pytest.approx(1e-4)
     assert outer.wide == pytest.approx(4e-4)
+
+
+def bounds_engagement(**changes):
+    sizes = {"unequal": 1e-3, "passed_on": 1.2, "inertia": 5e-4, "left_out": 2e-4, "turns": False}
+    return engagement.Bounds(**(sizes | changes))
+
+
+def test_equal_forces_and_massless_sprags_leave_nothing():
+    one = bounds_engagement(unequal=0.0, inertia=0.0, left_out=0.0)
+    for interval in (one.statics(), one.energy(), one.spring(), one.both(), one.either_way(2)):
+        assert interval == (0.0, 0.0)
+    assert one.radially() == (-engagement.BOOKED, engagement.BOOKED)
+
+
+def test_the_mass_of_sprags_widens_what_unequal_forces_take_on_both_sides():
+    low, high = bounds_engagement().spring()
+    assert (low, high) == pytest.approx((-1.2e-3 - 5e-4, 5e-4))
+    assert bounds_engagement().both() == pytest.approx((low - high, high - low))

@@ -1,15 +1,16 @@
-"""Expected errors of a clutch's equations: couplings summed anew, and limits of the intervals."""
+"""Expected errors of clutches between shafts and of beam theories."""
 
 import math
-from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from analytic.bounds.rotor import clutch as bounds
-from analytic.bounds.rotor.clutch_tilted import left_out, summed
+from analytic.bounds.rotor import shaft
+from analytic.bounds.rotor.clutch_tilted import summed
 from analytic.rotor.clutch import Clutch, even_angles
 from analytic.rotor.clutch_tilted import aside, couplings
+from analytic.rotor.shafts import UniformShaft, hutchinson
 
 SPRAGS = {"Z": 12, "nu": math.radians(3.15), "n_s": 41}
 T = 15.0
@@ -36,24 +37,6 @@ def test_couplings_are_those_of_eqs_3_to_11(change, torque, offset):
         assert value == pytest.approx(by_formula[entry], rel=1e-7), entry
 
 
-@pytest.mark.parametrize("entry", ["K_y_tilt_x", "K_x_tilt_y"])
-def test_less_is_left_out_of_flatter_wedges(entry):
-    """A quarter of the angle under the same normal forces leaves a sixteenth of tan^2 nu."""
-    middles = []
-    for nu in (0.2, 0.05):
-        of = clutch(**SPRAGS | {"nu": nu, "n_s": 401})
-        low, high = left_out(entry, of, n_s=401, **held(of, T * math.tan(nu), 1e-8))
-        middles.append((low + high) / 2)
-    assert middles[0] / middles[1] == pytest.approx(16, rel=0.1)
-
-
-def test_the_summed_couplings_take_no_angles_or_slices_of_the_clutch():
-    of = clutch(**SPRAGS)
-    at = held(of, T, 1e-6)
-    turned = replace(of, psi=of.psi + 0.3, n_s=7)
-    assert summed(turned, n_s=41, **at) == summed(of, n_s=41, **at)
-
-
 def test_intervals_without_offset_or_yield_are_those_of_an_even_clutch():
     low, high = bounds.first_order(0.05, 1e-9, 12)
     assert (low + high) / 2 == pytest.approx(-(math.tan(0.05) ** 2))
@@ -68,3 +51,25 @@ def test_an_even_clutch_without_load_lies_in_the_middle_of_what_leads():
     low, high = bounds.leading(nu)
     assert (np.cos(psi) ** 2).sum() / struts - 1 == pytest.approx((low + high) / 2, rel=2e-4)
     assert low < high < 0
+
+
+STEEL = {"E": 206e9, "nu": 0.3, "rho": 7850.0}
+
+
+@pytest.mark.parametrize("j", [1, 2, 3])
+@pytest.mark.parametrize("size", [(0.6, 0.06, 0.03), (0.6, 0.06, 0.0), (0.2, 0.06, 0.05)])
+def test_frequencies_are_timoshenko_s(j, size):
+    shape = dict(zip(("L", "d_o", "d_i"), size, strict=True)) | STEEL
+    kappa = hutchinson(nu=0.3, m=shape["d_i"] / shape["d_o"])
+    exact = UniformShaft(**shape, kappa=kappa).whirl(j, theory="timoshenko")[0]
+    assert shaft.frequency(j, **shape) == pytest.approx(exact, rel=1e-11)
+
+
+@pytest.mark.parametrize("theory", ["euler", "rayleigh"])
+def test_the_interval_has_what_timoshenko_s_equation_adds_to_a_slender_shaft(theory):
+    shape = {"L": 0.6, "d_o": 0.06, "d_i": 0.03} | STEEL
+    own = UniformShaft(**shape, kappa=hutchinson(nu=0.3, m=0.5))
+    e = (math.pi / 0.6) ** 2 * own.I / own.A
+    low, high = shaft.neglected(theory, e, own.E * own.A / own.S)
+    exact = own.whirl(1, theory=theory)[0] / shaft.frequency(1, **shape) - 1
+    assert low < exact < high

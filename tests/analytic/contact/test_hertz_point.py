@@ -1,10 +1,11 @@
-"""Hertz's point contact against its integral, superposed point forces and printed values."""
+"""Hertz's point contact and the first correction of spheres, against integrals and series."""
 
 import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from analytic.contact import hertz_point
+from analytic.contact import hertz_line, hertz_point
+from analytic.contact.sphere_series import Sphere, _rest, pressed_spheres
 
 PAIR = {"P": 3.0, "R": 0.7, "E_star": 400.0}
 CONTACT = {"a": 0.5, "p_0": 3.0}
@@ -41,11 +42,6 @@ def test_beyond_the_contact_the_surface_sinks_as_under_point_forces(r):
     assert float(u) == pytest.approx(0.91 / (np.pi * 2.0) * total, rel=1e-8)
 
 
-def test_the_surface_is_continuous_where_the_contact_ends():
-    u = hertz_point.surface_displacement([0.5 - 1e-9, 0.5 + 1e-9], **CONTACT, E=1.0, nu=0.3)
-    np.testing.assert_allclose(u[0], u[1], rtol=1e-7)
-
-
 @pytest.mark.parametrize("z", [0.05, 0.3, 2.0])
 def test_axis_stresses_are_the_sum_over_point_forces(z):
     """Boussinesq, at the distance s from the force's axis and d from the force.
@@ -73,35 +69,42 @@ def test_largest_shear_stress_is_the_printed_one():
     assert round(float(depth) / 0.5, 3) == 0.481
 
 
-def test_load_undoes_approach():
-    delta = hertz_point.approach(**PAIR)
-    again = hertz_point.load(delta=delta, R=0.7, E_star=400.0)
-    assert float(again) == pytest.approx(PAIR["P"], rel=1e-14)
-    assert float(hertz_point.load(delta=0.0, R=1.0, E_star=1.0)) == 0
+STEEL = {"E": 206e9, "nu": 0.3}
 
 
-def test_the_work_of_the_load_is_two_fifths_of_load_and_approach():
-    delta = float(hertz_point.approach(**PAIR))
-    work, _ = quad(lambda d: float(hertz_point.load(delta=d, R=0.7, E_star=400.0)), 0, delta)
-    assert work == pytest.approx(0.4 * 3.0 * delta, rel=1e-9)
+def degree(n, nu):
+    """c_n of the series."""
+    below = (n - 1) * (n**2 + (1 + 2 * nu) * n + 1 + nu)
+    return (2 * (1 - nu) * n**2 + nu * n - 1 + 2 * nu) / below
 
 
-@pytest.mark.parametrize(
-    ("call", "message"),
-    [
-        (lambda: hertz_point.radius(**PAIR | {"P": 0.0}), "load must be .* N"),
-        (lambda: hertz_point.peak_pressure(**PAIR | {"R": np.nan}), "relative radius"),
-        (lambda: hertz_point.approach(**PAIR | {"E_star": np.inf}), "contact modulus"),
-        (lambda: hertz_point.load(delta=-1.0, R=1.0, E_star=1.0), "approach"),
-        (lambda: hertz_point.axis_stresses(-1.0, **CONTACT, nu=0.3), "depth"),
-        (lambda: hertz_point.axis_stresses(1.0, **CONTACT, nu=0.5), "Poisson's ratio"),
-        (lambda: hertz_point.pressure(np.nan, **CONTACT), "radius must be finite"),
-        (
-            lambda: hertz_point.surface_displacement(0.0, a=-1.0, p_0=1.0, E=1.0, nu=0.0),
-            "contact radius",
-        ),
-    ],
-)
-def test_input_that_makes_no_sense_is_refused(call, message):
-    with pytest.raises(ValueError, match=message):
-        call()
+@pytest.mark.parametrize("nu", [-0.5, 0.3])
+def test_the_rest_of_the_series_is_its_sum(nu):
+    n = np.arange(0.0, 400001.0, 2.0)
+    terms = (2 * n + 1) * degree(n, nu) - 4 * (1 - nu)
+    terms[1:] -= 2 * (1 - 2 * nu) ** 2 / n[1:]
+    beyond = terms[-1] * n[-1] / 2  # terms fall as 1/n²
+    images = 2 * (1 - nu) - 2 * (1 - 2 * nu) ** 2 * np.log(2)
+    assert _rest(nu) == pytest.approx(images + 2 * (terms.sum() + beyond), abs=1e-7)
+
+
+@pytest.mark.parametrize("nu", [-0.5, 0.3])
+def test_the_logarithm_is_what_the_series_leaves_of_the_order_of_its_degree_s_inverse(nu):
+    """A force P moves R by P/(8 pi mu R) of (2n + 1) c_n P_n, where P_n/n sums to -ln(d/2R)."""
+    n, R, E = 1e6, 0.7, 3.0
+    inverse = ((2 * n + 1) * degree(n, nu) - 4 * (1 - nu)) * n
+    mu = E / (2 * (1 + nu))
+    assert Sphere(R=R, E=E, nu=nu).logarithm == pytest.approx(inverse / (8 * mu * R), rel=1e-4)
+
+
+def test_small_contacts_are_hertz_s():
+    one, other = Sphere(R=4e-3, **STEEL), Sphere(R=0.011, E=110e9, nu=0.34)
+    R = float(hertz_line.relative_radius(R_1=4e-3, R_2=0.011))
+    E = hertz_line.contact_modulus(
+        E_1=206e9, nu_1=0.3, E_2=110e9, nu_2=0.34, assumption="plane strain"
+    )
+    hertz = {"R": R, "E_star": float(E), "P": 1e-6}
+    pressed = pressed_spheres(one, other, P=1e-6)
+    assert pressed.a == pytest.approx(float(hertz_point.radius(**hertz)), rel=1e-5)
+    assert pressed.p_0 == pytest.approx(float(hertz_point.peak_pressure(**hertz)), rel=1e-5)
+    assert pressed.approach == pytest.approx(float(hertz_point.approach(**hertz)), rel=1e-4)

@@ -1,9 +1,11 @@
-"""Required friction, Eqs. 8 to 10, and the couple that they leave out."""
+"""Required friction, the couple that it leaves out, and the rig's load paths."""
 
 import numpy as np
 import pytest
 
-from analytic.freewheel import criterion, tilt
+from analytic.freewheel import criterion, state, tilt
+from analytic.freewheel.course import follow
+from analytic.freewheel.load_path import AxialRamp, BothAlternating
 
 ALPHA = np.radians(3.5)
 CLUTCH = {"alpha": ALPHA, "R": 16.5e-3}
@@ -21,38 +23,6 @@ def test_the_clamping_angle_is_not_the_quotient_of_the_forces_but_its_arctangent
     assert quotient == pytest.approx(0.06116, abs=5e-6)
     assert np.arctan(quotient) == pytest.approx(ALPHA, rel=1e-12)
     assert quotient != pytest.approx(ALPHA, rel=1e-3)
-
-
-def test_without_axial_load_the_old_criterion_is_left():
-    assert float(criterion.required_friction(T=20.0, F_ax=0.0, **CLUTCH)) == pytest.approx(
-        np.tan(ALPHA), rel=1e-15
-    )
-
-
-def test_eq_8_with_a_symbol_of_its_own_agrees_with_eq_9():
-    """As printed its left side is tan(alpha), which the axial load does not change."""
-    told = float(criterion.required_friction_of_contact(**forces(20.0, 600.0)))
-    assert told == pytest.approx(
-        float(criterion.required_friction(T=20.0, F_ax=600.0, **CLUTCH)), rel=1e-13
-    )
-    assert told > 1.1 * np.tan(ALPHA)
-
-
-def test_eq_8_is_of_one_roller_and_eq_9_of_the_whole_clutch():
-    """600 N on the clutch need 0.0682, on each roller 0.250: one symbol cannot be both."""
-    whole = float(criterion.required_friction(T=20.0, F_ax=600.0, **CLUTCH))
-    each = float(criterion.required_friction(T=20.0, F_ax=8 * 600.0, **CLUTCH))
-    printed = forces(20.0, 600.0) | {"F_a": 600.0}
-    assert whole == pytest.approx(0.0682, abs=5e-5)
-    assert each == pytest.approx(0.250, abs=5e-4)
-    assert float(criterion.required_friction_of_contact(**printed)) == pytest.approx(each)
-
-
-def test_at_the_largest_axial_load_the_required_friction_is_the_available():
-    F = criterion.largest_axial_load(T=[5.0, 20.0], mu=0.1, **CLUTCH)
-    asked = criterion.required_friction(T=[5.0, 20.0], F_ax=F, **CLUTCH)
-    np.testing.assert_allclose(asked, 0.1, rtol=1e-13)
-    assert np.isnan(criterion.largest_axial_load(T=5.0, mu=0.06, **CLUTCH))
 
 
 def test_at_equality_the_clutch_holds_and_is_green():
@@ -82,8 +52,8 @@ def test_without_locking_torque_the_criterion_is_infinite_or_silent(T, F_ax, exp
 
 def test_classes_have_the_paper_s_limits_unless_others_are_given():
     ratios = [np.nan, 0.0, 0.7999, 0.8, 0.9999, 1.0, np.inf]
-    told = ["free", "red", "red", "yellow", "yellow", "green", "green"]
-    assert criterion.traffic_light(ratios).tolist() == told
+    lights = ["free", "red", "red", "yellow", "yellow", "green", "green"]
+    assert criterion.traffic_light(ratios).tolist() == lights
     assert criterion.traffic_light(1.1, red=1.0, green=1.2) == "yellow"
     with pytest.raises(ValueError, match="red <= green"):
         criterion.traffic_light(1.0, red=1.2, green=1.0)
@@ -109,18 +79,36 @@ def test_the_linear_line_load_carries_force_and_moment(e):
     assert np.trapezoid(q * z, z) == pytest.approx(e * L, abs=1e-3)
 
 
-def test_hertz_s_pressure_rises_with_the_root_of_the_line_load():
-    assert float(tilt.pressure_factor(e=0.5, L=10.0)) == pytest.approx(np.sqrt(1.3), rel=1e-14)
+RAMP = AxialRamp(T=20.0, F=3000.0, rise=1.0, duration=3.0)
 
 
-def test_one_end_lifts_off_at_a_sixth_of_the_length():
-    F_a = tilt.axial_force_at_lift_off(F_n=900.0, r=2.5, alpha=ALPHA, L=10.0)
-    e = tilt.offset(F_a=F_a, F_n=900.0, r=2.5, alpha=ALPHA)
-    assert float(e) == pytest.approx(10 / 6, rel=1e-14)
-    assert float(tilt.peak_factor(e=5.0, L=10.0)) == np.inf
+def test_the_ramp_asks_most_at_its_end_and_slips_where_the_axial_load_is_the_largest(star):
+    course = follow(star, RAMP, mu=0.1)
+    now = state.loaded(star, 20.0)
+    worst = criterion.required_friction(alpha=now.alpha, T=20.0, F_ax=3000.0, R=16.5e-3)
+    assert course.when == 3
+    assert course.peak == pytest.approx(float(worst), rel=1e-12)
+    held = criterion.largest_axial_load(alpha=now.alpha, T=20.0, R=16.5e-3, mu=0.1)
+    assert RAMP.axial_load(course.slips_at) == pytest.approx(float(held), abs=2.0)
+    assert course.light == "red"
 
 
-def test_within_the_friction_cone_the_offset_stays_below_mu_r():
-    mu, F_n = 0.1, 900.0
-    F_a = F_n * np.sqrt(mu**2 - np.tan(ALPHA) ** 2)
-    assert float(tilt.offset(F_a=F_a, F_n=F_n, r=2.5, alpha=ALPHA)) < mu * 2.5
+def test_torque_that_crosses_zero_under_axial_load_asks_for_infinite_friction(star):
+    crossing = BothAlternating(T=20.0, F=3000.0, frequency=3.0, duration=10.0, T_m=10.0)
+    lifted = BothAlternating(T=20.0, F=3000.0, frequency=3.0, duration=10.0, T_m=21.0)
+    course = follow(star, crossing, mu=0.1)
+    assert course.peak == np.inf
+    assert course.light == "red"
+    assert np.all(course.T[np.isinf(course.mu_req)] > 0)  # of locked times alone
+    assert np.isfinite(follow(star, lifted, mu=0.1).peak)
+
+
+@pytest.mark.parametrize("ulp", [-4, 0, 4])
+def test_the_end_of_a_half_cycle_is_locked_whatever_the_last_bits_of_its_time(cup, ulp):
+    """The torque of an outer cam's most demanding time is zero but for the sine of half a turn."""
+    path = BothAlternating(T=10.0, F=500.0, frequency=1.0, duration=1e3)
+    t = 500 + np.array([0.25, 0.49, 0.5 + ulp * np.spacing(500.5)])
+    course = follow(cup, path, mu=0.1, t=t)
+    limit = np.tan(float(cup.cam.alpha0)) * np.hypot(1, 50.0 * 0.5005 * cup.cam.race)
+    assert course.when == t[-1]
+    assert course.peak == pytest.approx(float(limit), rel=1e-9)

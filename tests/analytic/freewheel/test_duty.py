@@ -1,13 +1,14 @@
-"""Limits of a clutch's loads, remedies and scatter, on the synthetic star and cup."""
+"""Limits of a clutch's loads, remedies, sensitivities and scatter."""
 
 import math
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.stats import norm
 
-from analytic.freewheel import remedies, state
-from analytic.freewheel.duty import Duty, uneven
+from analytic.freewheel import remedies, state, tolerance
+from analytic.freewheel.duty import Duty
 from analytic.freewheel.scatter import deviation, scatter, slopes
 
 SIGMA = {"X": 5e-6 / 3, "r": 2e-6 / 3, "R": 5e-6 / 3, "mu": 0.004}
@@ -36,48 +37,11 @@ def test_friction_is_just_enough_at_the_ends_of_the_range(clutch, F_ax):
     assert d.least_torque == low
 
 
-def test_a_softer_clutch_holds_in_the_same_range_of_its_loads(clutch):
-    """All forces and the modulus a millionth: torques from 1e-7 of the largest on are tried."""
-    less = 2.0**-20
-
-    def softer(part):
-        return replace(part, E=part.E * less)
-
-    parts = {name: softer(getattr(clutch, name)) for name in ("roller", "inner", "outer")}
-    d, soft = duty(clutch), duty(replace(clutch, **parts), F_ax=600.0 * less)
-    assert soft.end == pytest.approx(d.end * less, rel=1e-12)
-    for pair, same in zip(soft.friction_holds, d.friction_holds, strict=True):
-        assert pair == pytest.approx([less * T for T in same], rel=1e-9)
-
-
-def test_without_axial_load_any_torque_up_to_the_release_holds(star):
-    d = duty(star, F_ax=0.0)
-    ((low, high),) = d.friction_holds
-    assert low == 0
-    assert math.tan(float(state.loaded(star, high).alpha)) == pytest.approx(d.mu, rel=1e-6)
-
-
-def test_the_limit_of_the_axial_load_is_where_friction_is_just_enough(star):
-    d = duty(star)
-    (F,) = (limit.at for limit in d.of_axial_load if limit.key == "slip")
-    assert required(d, F_ax=F) == pytest.approx(d.mu, rel=1e-12)
-
-
 @pytest.mark.parametrize("p_lim", [None, 2.2e9, 4e9])
 def test_the_least_axial_load_of_ends_and_tilt_is_that_over_the_torque(clutch, p_lim):
     d = duty(clutch, p_lim=p_lim)
     least = min(limit.at for limit in d.of_axial_load if limit.key != "slip")
     assert float(d.largest_axial_load(np.array([d.T]))[0]) == pytest.approx(least, rel=1e-12)
-
-
-def test_pressure_beyond_the_limit_without_any_tilt_leaves_no_axial_load():
-    assert uneven(0.99) == 0
-    assert uneven(math.sqrt(2)) == pytest.approx(1 / 6)
-
-
-def test_limits_come_in_order(clutch):
-    for found in (duty(clutch).of_torque, duty(clutch).of_axial_load):
-        assert [x.at for x in found] == sorted(x.at for x in found)
 
 
 @pytest.mark.parametrize("T", [-1.0, 0.0, 1e6])
@@ -96,12 +60,6 @@ def test_flats_moved_as_advised_have_the_ratio(star, goal):
     assert float(remedies.ratios(d, moved)) == pytest.approx(goal, rel=2e-4)
 
 
-def test_a_clutch_that_holds_need_not_move_and_one_that_slips_has_nothing_to_spare(star):
-    assert remedies.moved_to(duty(star), 1.0) == 0
-    assert math.isnan(remedies.to_spare(duty(star, mu=0.065)))
-    assert math.isnan(remedies.until_pop_through(duty(star)))  # of an inner cam there is none
-
-
 def test_a_wider_clutch_that_is_advised_just_bears_the_torque(cup):
     d = duty(cup, T=60.0)
     found = dict(remedies.bearing(d))
@@ -118,3 +76,65 @@ def test_the_scatter_is_the_same_every_time_and_that_of_first_order(star):
     assert np.std(again) == pytest.approx(deviation(star.cam, sigma), rel=0.03)
     assert sum(s.share for s in slopes(star.cam, sigma)) == pytest.approx(1)
     assert scatter(duty(star), {}, "normal") is None
+
+
+TOLERANCE_SIGMA = {
+    "star": {"X": 3e-6, "r": 1e-6, "R": 2e-6},
+    "cup": {"X_o": 3e-6, "r": 1e-6, "R_s": 2e-6},
+}
+LOAD = {"T": 10.0, "F_ax": 300.0, "mu": 0.08}
+
+
+def test_sensitivities_are_derivatives_of_the_clamping_angle(clutch):
+    cam, h = clutch.cam, 1e-9
+    for name, slope in tolerance.sensitivities(cam).items():
+        value = getattr(cam, name)
+        up, down = (replace(cam, **{name: value + s * h}).alpha0 for s in (1, -1))
+        assert float(slope) == pytest.approx(float(up - down) / (2 * h), rel=1e-5)
+
+
+@pytest.mark.parametrize("kind", ["normal", "uniform"])
+@pytest.mark.parametrize("name", ["star", "cup"])
+def test_first_order_meets_monte_carlo(name, kind, request):
+    clutch, n = request.getfixturevalue(name), 40000
+    sigma, shares = tolerance.first_order(clutch.cam, TOLERANCE_SIGMA[name])
+    drawn = tolerance.draw(clutch, TOLERANCE_SIGMA[name], n=n, seed=7, kind=kind, **LOAD)
+    assert np.all(drawn.wedging)
+    assert drawn.alpha0.std() == pytest.approx(sigma, rel=0.02)
+    assert sum(shares.values()) == pytest.approx(1, rel=1e-12)
+    for field, share in shares.items():
+        seen = np.corrcoef(drawn.drawn[field], drawn.alpha0)[0, 1] ** 2
+        assert seen == pytest.approx(share, abs=0.02)
+
+
+def test_clutches_without_wedge_are_counted_apart_from_those_that_slip(star):
+    drawn = tolerance.draw(star, {"X": 5e-5}, n=4000, seed=3, **LOAD)
+    lost = np.count_nonzero(drawn.drawn["X"] >= star.cam.R - 2 * star.cam.r)
+    assert lost > 0
+    assert drawn.share("no wedge") == lost / 4000
+    assert drawn.share("slips") == np.count_nonzero(drawn.mu_req > 0.08) / 4000
+    assert drawn.share("holds") == np.count_nonzero(drawn.mu_req <= 0.08) / 4000
+
+
+@pytest.mark.parametrize("kind", ["normal", "uniform"])
+def test_friction_keeps_the_tails_of_a_normal_one_whatever_dimensions_do(star, kind):
+    """P(mu < mean - 2 s): 2.28 % of a normal one, none of a uniform one."""
+    drawn = tolerance.draw(star, {"X": 3e-6, "mu": 0.004}, n=20000, seed=5, kind=kind, **LOAD)
+    share = np.mean(drawn.drawn["mu"] < LOAD["mu"] - 2 * 0.004)
+    assert share == pytest.approx(norm.cdf(-2), abs=4 * np.sqrt(norm.cdf(-2) / 20000))
+    inside = np.abs(drawn.drawn["X"] - star.cam.X) <= 3e-6 * np.sqrt(3)
+    assert bool(inside.all()) == (kind == "uniform")
+
+
+def test_a_softer_clutch_holds_in_the_same_range_of_its_loads(clutch):
+    """All forces and the modulus a millionth: torques from 1e-7 of the largest on are tried."""
+    less = 2.0**-20
+
+    def softer(part):
+        return replace(part, E=part.E * less)
+
+    parts = {name: softer(getattr(clutch, name)) for name in ("roller", "inner", "outer")}
+    d, soft = duty(clutch), duty(replace(clutch, **parts), F_ax=600.0 * less)
+    assert soft.end == pytest.approx(d.end * less, rel=1e-12)
+    for pair, same in zip(soft.friction_holds, d.friction_holds, strict=True):
+        assert pair == pytest.approx([less * T for T in same], rel=1e-9)

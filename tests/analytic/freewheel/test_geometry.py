@@ -1,9 +1,10 @@
-"""Wedge of both kinds of cams against drawn circles and lines; Eqs. 3 to 6 as printed fail."""
+"""Wedges of both cams against drawn circles; torsion by the rolling condition; Eqs. 3 to 7."""
 
 import numpy as np
 import pytest
+from scipy.integrate import quad
 
-from analytic.freewheel import printed
+from analytic.freewheel import printed, rolling
 from analytic.freewheel.geometry import InnerCam, OuterCam
 
 UM = 1e-3  # lengths in mm here
@@ -99,34 +100,45 @@ def test_an_outer_cam_s_roller_moves_between_flat_and_shaft_until_it_goes_throug
     )
 
 
-def test_fields_and_approaches_broadcast():
-    cam = InnerCam(R=16.5, r=2.5, X=np.array([11.38, 11.39])[:, None], z=8)
-    assert cam.alpha(d_i=np.zeros(3), d_o=0.0).shape == (2, 3)
+D_I, D_O = 4e-3, 6e-3
 
 
-@pytest.mark.parametrize(
-    ("make", "rule"),
-    [
-        (lambda: InnerCam(R=16.5, r=2.5, X=11.5, z=8), "no wedge"),
-        (lambda: InnerCam(R=16.5, r=17.0, X=1.0, z=8), "roller too large"),
-        (lambda: InnerCam(R=16.5, r=2.5, X=-2.6, z=8), "flat beyond"),
-        (lambda: InnerCam(R=16.5, r=2.5, X=11.39, z=20), "touch each other"),
-        (lambda: InnerCam(R=16.5, r=2.5, X=9.0, z=8), "corner"),
-        (lambda: InnerCam(R=16.5, r=2.5, X=11.39, z=7.5), "whole"),
-        (lambda: InnerCam(R=16.5, r=np.nan, X=11.39, z=8), "positive and finite"),
-        (lambda: OuterCam(R_s=10.0, r=2.0, X_o=9.0, z=8), "cuts the shaft"),
-        (lambda: OuterCam(R_s=10.0, r=2.0, X_o=14.1, z=8), "no wedge"),
-        (lambda: OuterCam(R_s=1.0, r=2.0, X_o=1.5, z=8), "roller too large"),
-        (lambda: OuterCam(R_s=10.0, r=2.0, X_o=13.9, z=20), "touch each other"),
-        (lambda: OuterCam(R_s=10.0, r=2.0, X_o=12.0, z=8), "corner"),
-    ],
-)
-def test_what_cannot_wedge_is_refused_in_one_line(make, rule):
-    with pytest.raises(ValueError, match=rule) as refused:
-        make()
-    assert "\n" not in str(refused.value)
+def rolled(cam, d_i, d_o):
+    """Integral of the rolling condition over a straight path, from numerical derivatives."""
+
+    def rate(u, h=1e-5):
+        places = [cam.centre(d_i=d_i * v, d_o=d_o * v) for v in (u - h, u + h)]
+        dx, dy = (np.array(places[1]) - np.array(places[0])) / (2 * h)
+        psi = 2 * cam.alpha(d_i=d_i * u, d_o=d_o * u)
+        return float(cam.sense * (dx * (1 + np.cos(psi)) - dy * np.sin(psi)))
+
+    return quad(rate, 0, 1, epsrel=1e-11)[0] / float(cam.race)
 
 
-def test_of_many_clutches_the_first_that_cannot_wedge_is_named():
-    with pytest.raises(ValueError, match=r"X=11\.6 m"):
-        InnerCam(R=16.5, r=2.5, X=[11.39, 11.6, 11.7], z=8)
+def worked(cam, d_i, d_o):
+    """The same from T dphi = dU: R dphi = (dd_i + dd_o)/tan(alpha)."""
+    whole = quad(
+        lambda u: float((d_i + d_o) / np.tan(cam.alpha(d_i=d_i * u, d_o=d_o * u))), 0, 1,
+        epsrel=1e-13,
+    )[0]  # fmt: skip
+    return whole / float(cam.race)
+
+
+@pytest.mark.parametrize("cam", [STAR, CUP], ids=["star", "cup"])
+def test_torsion_is_the_rolling_condition_integrated(cam):
+    u = np.linspace(0, 1, 2001)
+    phi = rolling.torsion(cam, d_i=D_I * u, d_o=D_O * u)
+    assert phi[0] == 0
+    assert phi[-1] == pytest.approx(rolled(cam, D_I, D_O), rel=1e-7)
+    assert phi[-1] == pytest.approx(worked(cam, D_I, D_O), rel=1e-10)
+
+
+def test_eq_7_as_printed_is_high_by_r_plus_x_over_2_x():
+    right = np.degrees(worked(STAR, D_I, D_O))
+    assert right == pytest.approx(0.5548, abs=5e-5)
+    factor = (16.5 + 11.39565) / (2 * 11.39565)
+    for scale in (0.5, 1.0, 4.0):
+        d_i, d_o = scale * D_I, scale * D_O
+        high = float(printed.torsion(STAR, d_i=d_i, d_o=d_o)) / worked(STAR, d_i, d_o)
+        assert high == pytest.approx(factor, rel=1.2e-3)
+        assert high > 1.2

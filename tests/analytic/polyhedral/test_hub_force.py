@@ -1,12 +1,21 @@
-"""Point forces of the hub: free walls, reciprocity with pressure and rollers, a force's limits."""
+"""Forces of the hub, stresses and slopes of the walls, loads in the cuts."""
 
 import numpy as np
 import pytest
 
 from analytic.polyhedral.bore_pressure import pressed
+from analytic.polyhedral.capacity import Driven
+from analytic.polyhedral.cut_loads import cut_loads
+from analytic.polyhedral.fillet_stress import driven_fillet_stress, loaded_fillet_stress
 from analytic.polyhedral.hub_force import hub_force
+from analytic.polyhedral.locking import Roller, RollerContact
+from analytic.polyhedral.rim_slope import rim_slope
 from analytic.polyhedral.roller_load import roller_load
 from analytic.polyhedral.sector import Sector
+from analytic.polyhedral.wall_stress import (
+    bore_stress,
+    rim_stress,
+)
 
 RING = {"d_e": 80.0, "d_i": 72.0, "rho": 2.0}
 PLACES = [(3, 9.0), (6, 9.0), (6, 17.3), (12, 8.0), (24, 2.0)]  # 17.3 mm: on the fillet
@@ -54,32 +63,82 @@ def test_the_bore_is_free_but_for_the_forces_and_the_rim_is_free(z, e):
     assert np.abs(hub(rim).force(rim)).max() < 1e-12
 
 
-def test_a_force_spread_evenly_over_the_bore_is_a_pressure():
-    ring = Sector(z=6, **RING)
-    nodes, w = np.polynomial.legendre.leggauss(24)
-    total = np.zeros(3)
-    theta = np.array([0.0, 0.2, np.pi / 6])
-    for low, high in ((0, ring.straight), (ring.straight, ring.half_bore)):
-        for x, share in zip(nodes, w * (high - low) / 2, strict=True):
-            e = (low + high) / 2 + (high - low) / 2 * x
-            hub = hub_force(sector=ring, e=e, normal=2 * share)
-            total += hub.rim_displacement(theta).real
-    np.testing.assert_allclose(total, pressed(ring).rim_displacement(theta).real, rtol=1e-6)
+HEXAGON = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)
 
 
-def test_in_the_corner_itself_only_the_radial_part_is_left():
-    ring = Sector(z=6, **RING)
-    theta = [0.0, np.pi / 6]
-    corner = hub_force(sector=ring, e=ring.half_bore, normal=1.0)
-    beside = hub_force(sector=ring, e=ring.half_bore - 1e-3, normal=1.0)
-    both = hub_force(sector=ring, e=ring.half_bore, normal=1.0, along=5.0)
-    u = corner.rim_displacement(theta).real
-    np.testing.assert_allclose(beside.rim_displacement(theta).real, u, rtol=1e-4)
-    np.testing.assert_allclose(both.rim_displacement(theta).real, u, rtol=1e-9)
-    assert both.resultant == pytest.approx(np.sqrt(26))
+def pushed(ring):
+    return hub_force(sector=ring, e=9.0, normal=1.0)
 
 
-@pytest.mark.parametrize("e", [-1.0, 0.0, 18.1, np.nan])
-def test_forces_off_the_flat_are_refused(e):
-    with pytest.raises(ValueError, match=r"lever e must be|pushes between mid-flat and corner"):
-        hub_force(sector=Sector(z=6, **RING), e=e, normal=1.0)
+@pytest.mark.parametrize("load", [pressed, pushed])
+def test_the_rims_stress_is_its_stretch(load):
+    field = load(HEXAGON)
+    theta, h = np.linspace(0.05, 0.5, 7), 1e-5
+    u = field.rim_displacement(theta)
+    d_u = (field.rim_displacement(theta + h) - field.rim_displacement(theta - h)) / (2 * h)
+    stretch = (u.real + d_u.imag) / 40  # times E'
+    stress = rim_stress(theta, sector=HEXAGON, field=field)
+    np.testing.assert_allclose(stress, stretch, rtol=1e-7)
+
+
+@pytest.mark.parametrize("load", [pressed, pushed])
+def test_the_slope_is_the_difference_quotient_of_the_radial_displacement(load):
+    field = load(HEXAGON)
+    theta, h = np.linspace(0.05, 0.5, 7), 1e-5
+    u = [field.rim_displacement(theta + step).real for step in (h, -h)]
+    slope = rim_slope(theta, sector=HEXAGON, field=field)
+    np.testing.assert_allclose(slope, (u[0] - u[1]) / (2 * h) / 40, rtol=1e-6)
+
+
+@pytest.mark.parametrize("nu", [0.0, 0.3])
+def test_the_bores_stress_is_the_stretch_of_its_points(nu):
+    s, h = np.array([3.0, 16.0, 17.5, 17.9]), 1e-5
+
+    def move(at):
+        zeta = HEXAGON.bore(at)
+        phi, dphi, psi = pressed(HEXAGON)(zeta)
+        return (1 + nu) * ((3 - nu) / (1 + nu) * phi - zeta * dphi.conj() - psi.conj())
+
+    tangent = 1j * HEXAGON.normal(s)
+    stretch = ((move(s + h) - move(s - h)) / (2 * h) * tangent.conj()).real
+    stress = bore_stress(s, sector=HEXAGON, field=pressed(HEXAGON), p=1.0)
+    np.testing.assert_allclose(stretch, stress + nu, rtol=1e-5)  # sigma_t - nu (-p)
+
+
+@pytest.mark.parametrize("z", [3, 6, 12, 48])
+def test_the_cuts_balance_the_pressure(z):
+    ring = Sector(z=z, d_e=80.0, d_i=72.0, rho=2.0)
+    mid, corner = cut_loads(sector=ring, field=pressed(ring))
+    assert mid.force == pytest.approx(ring.apothem, rel=1e-8)
+    assert corner.force == pytest.approx(36.0, rel=1e-8)
+    turned = (36.0**2 - ring.apothem**2) / 2  # of the pressure, about the centre
+    assert corner.moment - mid.moment == pytest.approx(turned, abs=1e-7 * mid.moment)
+
+
+@pytest.mark.parametrize(("normal", "along"), [(1.0, 0.0), (0.0, 1.0)])
+def test_the_cuts_balance_the_hub(normal, along):
+    hub = hub_force(sector=HEXAGON, e=9.0, normal=normal, along=along)
+    mid, corner = cut_loads(sector=HEXAGON, field=hub)
+    across, up = normal / 2, along / 2  # along x and y, on the half sector
+    assert corner.force * np.sin(np.pi / 6) == pytest.approx(across, abs=1e-8)
+    assert corner.force * np.cos(np.pi / 6) - mid.force == pytest.approx(-up, abs=1e-8)
+    turned = HEXAGON.apothem * up - 9.0 * across
+    assert corner.moment - mid.moment == pytest.approx(-turned, abs=1e-6)
+
+
+FILLET_RING = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)
+CONTACT = RollerContact(FILLET_RING, Roller(d=10.0, j_D=0.06), 210e3, 0.3, "plane stress")
+
+
+@pytest.mark.parametrize("tan_phi", [0.0, 0.05, 0.6])
+def test_the_hub_pushes_as_hard_as_the_rollers_torque_asks_of_it(tan_phi):
+    N, p = 150.0, 30.0
+    hub = Driven(CONTACT, grip=0.08, D_i=100.06, e=9.0, tan_phi=tan_phi)
+    phi, at = np.arctan(tan_phi), np.array([FILLET_RING.apothem, 9.0])
+    leaning = np.array([np.cos(phi), -np.sin(phi)])  # off the flat's normal, to its middle
+    R = 0.08 * N * 100.06 / 2 / (at[1] * leaning[0] - at[0] * leaning[1])
+    normal, along = R * leaning
+    push = hub_force(sector=FILLET_RING, e=9.0, normal=normal, along=along)
+    expected = loaded_fillet_stress(FILLET_RING, p=p, hub=push, N=N, a=CONTACT.half_width(N))
+    assert driven_fillet_stress(hub, N, p) == pytest.approx(expected, rel=1e-12)
+    assert driven_fillet_stress(hub, 0.0, p) == loaded_fillet_stress(FILLET_RING, p=p)

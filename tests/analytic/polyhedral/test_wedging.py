@@ -78,30 +78,3 @@ def test_torque_and_normal_force_are_inverse_free_and_caged():
     caged = wedging.largest_torque(N=1e4, mu=0.08, **race)
     assert float(caged) == pytest.approx(240.0)  # 0.08 of 1e4 N, six times, at 50 mm
     assert float(wedging.least_normal_force(M_t=caged, mu=0.08, **race)) == pytest.approx(1e4)
-
-
-def test_an_expelled_roller_is_a_state_in_a_sweep():
-    alpha = np.radians([[4.0], [10.0]])
-    assert wedging.holds(alpha=alpha, mu=[0.03, 0.08]).tolist() == [[False, True], [False, False]]
-
-
-@pytest.mark.parametrize(
-    ("change", "message"),
-    [
-        ({"alpha": 0.0}, r"wedge angle must lie in \(0, 180\) deg, got 0.0 deg"),
-        ({"alpha": np.nan}, "wedge angle must lie in .* got nan deg"),
-        ({"mu": 0.0}, r"coefficient of friction must lie in \(0, 1\), got mu=0.0"),
-        ({"mu": 1.2}, "coefficient of friction must lie in .* got mu=1.2"),
-        ({"N": -1.0}, "normal force must be finite and not negative, got -1.0 N"),
-    ],
-)
-def test_a_wedge_that_makes_no_sense_is_refused(change, message):
-    with pytest.raises(ValueError, match=message):
-        wedging.cage_force(**{"N": 1.0, "alpha": 0.1, "mu": 0.1, **change})
-
-
-def test_rollers_or_a_race_that_cannot_be_are_refused():
-    with pytest.raises(ValueError, match="number of rollers must be positive and finite, got 0"):
-        wedging.largest_torque(N=1.0, mu=0.1, z=0, D_i=0.1)
-    with pytest.raises(ValueError, match=r"race's inner diameter D_i must be positive .* -0.1 m"):
-        wedging.torque(N=1.0, alpha=0.1, z=6, D_i=-0.1)

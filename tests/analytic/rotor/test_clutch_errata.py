@@ -92,17 +92,3 @@ def test_a_uniform_preload_couples_nothing_with_or_without_a_crown():
     for one in (ONE, crowned):
         K = one.stiffness(under_torque(one, T=T)) / np.outer(size, size)
         assert np.abs(K - np.diag(K.diagonal())).max() < 1e-12 * K[0, 0]
-
-
-def test_an_offset_couples_as_its_first_order_says():
-    K = ONE.stiffness(under_torque(ONE, T=T, offset=(DELTA / 1000, 0, 0, 0)))
-    assert K[0, 4] == pytest.approx(Z / 2 * K_T / 9 * 1e-3 * ONE.d_t, rel=1e-6)
-
-
-def test_three_even_sprags_are_isotropic_and_two_are_refused():
-    three = Clutch(psi=even_angles(Z=3), R_i=40e-3, nu=math.radians(4), L=10e-3, k_n=6e8)
-    K = three.stiffness(under_torque(three, T=T))
-    assert K[0, 0] == pytest.approx(K[1, 1], rel=1e-13)
-    assert abs(K[0, 1]) < 1e-13 * K[0, 0]
-    with pytest.raises(ValueError, match="two sprags hold nothing across"):
-        even_angles(Z=2)

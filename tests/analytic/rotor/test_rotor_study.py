@@ -44,11 +44,6 @@ def test_each_shaft_meets_its_own_critical_speeds_and_standing_ones_none(rotor):
     assert ratios(replace(rotor, shafts=(shaft(1.0), shaft(0.0)))) == [1.0]
 
 
-def test_euler_s_frequencies_are_the_higher_ones(rotor):
-    found = study(rotor, NAMES, 0.0, {}, 4)
-    assert (found.slender > found.modes.w).all()
-
-
 def test_whirl_against_the_unbalance_is_met_where_bearings_are_alike_alone(rotor):
     found = opposite_criticals(rotor)
     assert found == sorted(found)

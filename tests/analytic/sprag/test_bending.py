@@ -1,49 +1,22 @@
-"""Bending of a wedged sprag: beams, discs, rolling, a spiral's cubic gap."""
+"""Elastic columns of a sprag: discs, bars, beams, rolling ends, scales of the whole clutch."""
 
 import numpy as np
 import pytest
 
-from analytic.sprag.bending import Ends, ends, shift
+from analytic.contact.hertz_line_approach import approach_to_centre
+from analytic.sprag.bending import Ends, shift
 from analytic.sprag.closure import wedged
 from analytic.sprag.clutch import Clutch
-from analytic.sprag.column import Column
+from analytic.sprag.column import Column, Outline, approach
 from analytic.sprag.compliance import Compliance
+from analytic.sprag.elastic import Elastic
 from analytic.sprag.geometry import LogSprag
+from analytic.sprag.parts import Parts
 
 SPRAG = LogSprag.from_wedge_angle(nu_0=np.radians(3.15), R_i=11.11e-3, R_e=19.44e-3, r_i=4.02e-3)
-A = (1e-4, 1e-4)
 RIGID = Clutch(sprag=SPRAG, n_s=12, compliance=Compliance(
     contact_i=np.zeros_like, contact_e=np.zeros_like, race_i=0.0, race_e=0.0, sprag=0.0,
 ))  # fmt: skip
-
-
-def bent(b, turned, a=A):
-    return ends(Column(sprag=SPRAG, b=b), turned=turned, alpha_b=turned, a=a, nu=0.3)
-
-
-def beam(b, turned):
-    """Psi over P/E' of the ends of a beam under forces e beside its middle, P e h/(4 E' I)."""
-    h, e = 8.33e-3, 4.16e-3 * turned
-    return e * h / 4 / (b**3 / 12)
-
-
-def test_the_ends_of_a_slender_column_turn_as_those_of_a_beam():
-    """Shorter by a part of its width at either end; the turn goes with the length squared."""
-    turned, widths = 0.04, np.array([0.8e-3, 1.2e-3, 1.6e-3])
-    roots = [
-        np.sqrt(np.mean(np.subtract(bent(b, turned).turned, bent(b, 0.0).turned)) / beam(b, turned))
-        for b in widths
-    ]
-    _, shorter, slender = np.polyfit(widths, roots, 2)
-    assert slender == pytest.approx(1.0, abs=0.1)
-    assert -1.5 < shorter * 8.33e-3 / 2 < 0
-
-
-def test_ends_turn_as_far_as_their_contacts_leave_the_middle_and_not_beyond_a_flank():
-    once, twice, none = (np.array(bent(4e-3, t).turned) for t in (0.05, 0.1, 0.0))
-    assert np.all(twice > once)
-    assert twice - none == pytest.approx(2 * (once - none), rel=0.25)
-    assert bent(4e-3, 0.6) is None
 
 
 def test_a_column_that_turns_about_the_axis_as_a_whole_changes_no_force():
@@ -51,13 +24,6 @@ def test_a_column_that_turns_about_the_axis_as_a_whole_changes_no_force():
     OA, OB = float(at.OA), float(at.OB)
     whole = Ends(moved=(-OA, -OB), turned=(1.0, 1.0))
     got = shift(at, whole, column=column, a=(0.0, 0.0), P=1e-3, races=(0.0, 0.0))
-    assert abs(got.whole) < 1e-12 * got.size
-
-
-def test_a_race_that_moves_along_with_its_end_leaves_the_contact_where_it_is():
-    at, column = wedged(RIGID, 1.0), Column(sprag=SPRAG, b=4e-3)
-    moved = Ends(moved=(1.0, -1.0), turned=(0.0, 0.0))
-    got = shift(at, moved, column=column, a=(0.0, 0.0), P=1e-6, races=(1e-6, 1e-6))
     assert abs(got.whole) < 1e-12 * got.size
 
 
@@ -103,3 +69,69 @@ def test_an_end_that_rolls_is_touched_on_the_line_through_the_axis_and_its_centr
     sign = -1.0 if end == 0 else 1.0
     assert got.turned * float(at.beta) == pytest.approx(-turned, rel=1e-12)
     assert got.moved * float(at.beta) == pytest.approx(-sign * moved, rel=1e-12)
+
+
+PATCHES = (112e-6, 154e-6)
+
+
+def column(b=4e-3):
+    return Column(sprag=SPRAG, b=b)
+
+
+def at_first_contact(b=4e-3):
+    outline = column(b).outline(turned=0.0, alpha_b=0.0)
+    assert outline is not None
+    return outline
+
+
+@pytest.mark.parametrize("nu", [0.0, 0.3, 0.45])
+def test_a_disc_of_any_size_and_place_yields_as_in_closed_form(nu):
+    R, turn = 4e-3, np.linspace(-1.5, 1.5, 101)
+    right = 0.02 + R * np.exp(1j * (turn + 0.3))
+    left = 0.02 - R * np.exp(1j * (0.3 - turn))
+    A, B = 0.02 - 1j * R * np.exp(0.3j), 0.02 + 1j * R * np.exp(0.3j)
+    disc = Outline(A=A, B=B, left=left, right=right)
+    exact = sum(float(approach_to_centre(P=1.0, a=a, R=R, E_plane=1.0)) for a in PATCHES)
+    assert approach(disc, a=PATCHES, nu=nu) == pytest.approx(exact, rel=1e-9)
+
+
+def test_a_narrow_column_yields_as_a_bar_between_its_ends():
+    b, h = 1e-3, 8.33e-3
+    thin, thinner = (approach(at_first_contact(x), a=PATCHES, nu=0.3) for x in (b, 0.8e-3))
+    bar = h / 0.8e-3 - h / b
+    assert thinner - thin == pytest.approx(bar, rel=0.15)  # the ends' cones go with ln b
+
+
+def test_beyond_a_flank_there_is_no_outline():
+    whole = column()
+    assert 0.4 < whole.turned < 0.6
+    assert 0.4 < whole.alpha_b < 0.6
+    assert whole.stands(turned=0.999 * whole.turned, alpha_b=0.0)
+    assert whole.outline(turned=1.001 * whole.turned, alpha_b=0.0) is None
+    assert whole.outline(turned=0.0, alpha_b=1.001 * whole.alpha_b) is None
+
+
+def made(size=1.0, R_ed=26.23e-3, b=4e-3, r_i=4.02e-3):
+    sprag = LogSprag.from_wedge_angle(
+        nu_0=0.055, R_i=size * 11.11e-3, R_e=size * 19.44e-3, r_i=size * r_i
+    )
+    return Elastic(
+        Parts(sprag=sprag, n_s=12, l=size * 9e-3, b=size * b, R_id=size * 7.21e-3,
+              R_ed=size * R_ed, E=206e9, nu=0.3)
+    )  # fmt: skip
+
+
+def test_a_clutch_twice_as_large_under_four_times_the_force_is_strained_alike():
+    small, large = made(), made(size=2.0)
+    for kind in ("clutch", "plane"):
+        one, other = wedged(getattr(small, kind), 3000.0), wedged(getattr(large, kind), 12000.0)
+        assert float(other.yields.H) == pytest.approx(2 * float(one.yields.H), rel=1e-6)
+        assert float(other.alpha_b) == pytest.approx(float(one.alpha_b), rel=1e-6)
+    assert large.rolls_over_at == pytest.approx(8 * small.rolls_over_at, rel=1e-5)
+
+
+def test_a_sprag_wider_than_it_is_round_stands_for_a_disc_and_never_rolls_over():
+    wide = made(r_i=6e-3, b=5e-3)
+    assert wide.column is None
+    assert wide.rolls_over_at == np.inf
+    assert np.isfinite(float(wedged(wide.clutch, 3000.0).yields.H))

@@ -1,10 +1,16 @@
-"""Kriging of crowns' pressures in two regimes, and the search that knows no surrogate."""
+"""Best crowns by two regimes, their peaks, and a sprag drawn point by point."""
 
 import numpy as np
 import pytest
 
-from analytic.sprag.best_crown import Answer, fit_regimes, recorded, simplex
+from analytic.sprag.best_crown import Answer, fit_regimes, simplex
+from analytic.sprag.closure import wedged
+from analytic.sprag.clutch import Clutch
+from analytic.sprag.compliance import Compliance
 from analytic.sprag.crown_surrogate import axes, held, over_box
+from analytic.sprag.drawn import Drawn, Sizes
+from analytic.sprag.geometry import LogSprag
+from analytic.sprag.peaks import END, Peaks
 from analytic.surrogate.box import Box
 from analytic.surrogate.designs import full_factorial
 
@@ -33,13 +39,48 @@ def test_the_simplex_goes_down_and_every_engagement_is_recorded():
     assert seen[:, 3].min() < 0.05 * seen[0, 3]
 
 
-def test_crowns_outside_the_box_are_asked_on_its_side():
-    pressure, seen = recorded(bowl, BOX)
-    pressure(np.array([2.0, -1.0, 0.5]))
-    assert seen[0][:3] == pytest.approx([5.0, 0.4, 15e-6])
-
-
 def test_a_map_holds_the_paper_s_values_where_the_box_has_them():
     assert (held(BOX, 1), held(BOX, 2)) == (0.5, 10e-6)
     assert held(Box((1.0, 0.6, 5e-6), (5.0, 0.7, 25e-6)), 1) == pytest.approx(0.65)
     assert [(a[0], a[-1]) for a in axes(BOX)] == [(1.0, 5.0), (0.4, 0.7), (5e-6, 25e-6)]
+
+
+PRESSURE = np.array([[[2.0, 1.0, 2.5, 1.0, 2.0], [0.0, 3.0, 2.0, 3.0, 0.0]]])  # 1 crown, 2 torques
+
+
+def peaks(by):
+    return Peaks(np.ones((1, 3)), np.array([10.0, 25.0]), np.ones((1, 2)), PRESSURE, by)
+
+
+def test_strips_count_ends_that_carry_for_more():
+    assert peaks("strips").objective == pytest.approx(np.array([[END * 2.0, 3.0]]))
+    assert peaks("strips").largest.tolist() == [[2.5, 3.0]]
+
+
+RADII = {"R_i": 11.11e-3, "R_e": 19.44e-3, "r_i": 4.02e-3}
+SPRAG = LogSprag.from_wedge_angle(nu_0=0.055, **RADII)
+SIZES = Sizes(
+    R_id=7.21e-3, R_ed=26.23e-3, m=float(np.asarray(SPRAG.m)), z=12, l=9e-3, b=4e-3, E=206e9,
+    nu=0.3, density=7850.0, omega=0.0, gap=np.zeros(21), **RADII,
+)  # fmt: skip
+
+
+def test_a_drawn_sprag_lies_where_the_triangle_has_it():
+    found, d = Drawn(SIZES, 400).under(3000.0), Drawn(SIZES, 400).yields(3000.0)
+    compliance = Compliance(
+        contact_i=lambda N: 0 * N + d["HI"], contact_e=lambda N: 0 * N + d["HE"],
+        race_i=d["BI"] / 3000, race_e=d["BE"] / 3000, sprag=d["g"] / 3000,
+    )  # fmt: skip
+    at = wedged(Clutch(sprag=SPRAG, n_s=12, compliance=compliance), 3000.0)
+    assert found.nu == pytest.approx(float(at.nu), rel=2e-5)
+    assert found.alpha == pytest.approx(float(at.alpha_b), rel=1e-5)
+    assert pytest.approx(float(at.T), rel=2e-5) == found.T
+
+
+def test_rigid_races_and_the_printed_loss_turn_the_sprag_less():
+    whole, rigid, printed = (
+        Drawn(SIZES, 80, **how).under(3000.0).alpha
+        for how in ({}, {"rigid": True}, {"printed": True})
+    )
+    assert 0 < rigid < whole
+    assert 0 < printed < whole

@@ -1,13 +1,13 @@
-"""The explicit closure against sprags drawn point by point, and against an iteration."""
+"""The explicit closure against drawn sprags, its compliances, and Eqs. 9 to 16 as printed."""
 
 import numpy as np
 import pytest
 from scipy.optimize import brentq, minimize_scalar
 
+from analytic.sprag import printed
 from analytic.sprag.closure import at_rotation, at_torque, wedged
 from analytic.sprag.clutch import Clutch
-from analytic.sprag.compliance import Compliance
-from analytic.sprag.geometry import LogSprag
+from analytic.sprag.compression import sprag_compression
 from analytic.sprag.parts import Parts
 
 N = np.array([50.0, 500.0, 3407.0, 8000.0])
@@ -36,15 +36,6 @@ def test_the_turned_spiral_reaches_into_the_inner_race_by_all_that_yields_there(
         assert angle == pytest.approx(float(now.turned), abs=1e-5)
 
 
-def test_forces_act_where_eq_9_has_a_and_b(clutch):
-    now, y = wedged(clutch, N), clutch.compliance.yields(N)
-    inner, outer = now.OA, now.OB
-    assert inner == pytest.approx(11.11e-3 - y.race_i - y.contact_i / 2, rel=1e-14)
-    assert outer == pytest.approx(19.44e-3 + y.race_e + y.contact_e / 2, rel=1e-14)
-    whole = y.race_e + y.contact_e + y.sprag / 2
-    assert now.OC_e == pytest.approx(float(clutch.sprag.OC_e) + whole, rel=1e-14)
-
-
 def test_explicit_and_iterated_closure_agree(clutch):
     """Eq. 11 as an iteration: the load under which the drawn sprag yields as far as it overlaps."""
     for load in (500.0, 3407.0):
@@ -56,22 +47,6 @@ def test_explicit_and_iterated_closure_agree(clutch):
             return float(11.11e-3 - y.inner - OA_s)
 
         assert brentq(lack, 10.0, 2e4, xtol=1e-9) == pytest.approx(load, rel=1e-6)
-
-
-def test_two_forces_in_one_line_hold_the_sprag(clutch):
-    """Balance of forces and moments from vectors at A and B."""
-    now = wedged(clutch, N)
-    zero = np.zeros_like(N)
-    A = np.array([now.OA * np.sin(now.beta), now.OA * np.cos(now.beta)])
-    B = np.array([zero, now.OB])
-    inward_A, drive_A = A / now.OA, np.array([-np.cos(now.beta), np.sin(now.beta)])
-    at_A = now.N * inward_A + now.T_i * drive_A
-    at_B = np.array([now.T_e, -now.N_e])  # the outer race holds back, to the right
-    assert np.abs(at_A + at_B).max() < 1e-9
-    moment = A[0] * at_A[1] - A[1] * at_A[0] + B[0] * at_B[1] - B[1] * at_B[0]
-    assert np.abs(moment).max() < 1e-12
-    on_race = A[0] * at_A[1] - A[1] * at_A[0]
-    assert pytest.approx(12 * on_race, rel=1e-12) == now.T
 
 
 def test_eq_14_s_statics_hold_with_the_lever_arms_of_eq_15(clutch):
@@ -107,74 +82,81 @@ def test_torque_and_rotation_lead_back_to_the_load(clutch, plane_clutch):
         assert pytest.approx(N, rel=1e-11) == at_rotation(some, now.alpha).N
 
 
-def test_without_torque_or_before_contact_there_is_no_load(clutch):
-    assert float(at_torque(clutch, 0.0).N) == 0.0
-    assert at_rotation(clutch, [-0.1, 0.0]).N.tolist() == [0.0, 0.0]
-    assert float(wedged(clutch, 0.0).alpha) == pytest.approx(0.0, abs=1e-13)
-
-
-def test_a_race_that_rotates_makes_the_sprag_follow_before_it_bears(parts):
-    stiff = parts.palmgren()
-    grown = Clutch(
-        sprag=parts.sprag, n_s=12,
-        compliance=Compliance(
-            contact_i=stiff.contact_i, contact_e=stiff.contact_e, race_i=0.0, race_e=0.0,
-            sprag=0.0, d_ce=5e-6,
-        ),
-    )  # fmt: skip
-    first = float(wedged(grown, 0.0).alpha)
-    assert first > 0.01
-    assert at_rotation(grown, [0.9 * first, 1.1 * first]).N.tolist()[0] == 0.0
-    assert float(at_rotation(grown, 1.1 * first).N) > 0
-
-
-def test_a_rigid_clutch_does_not_turn(sprag):
-    def rigid(N):
-        return 0.0 * N
-
-    hard = Compliance(contact_i=rigid, contact_e=rigid, race_i=0.0, race_e=0.0, sprag=0.0)
-    now = wedged(Clutch(sprag=sprag, n_s=12, compliance=hard), N)
-    assert np.abs(now.alpha).max() < 1e-12
-    assert now.nu == pytest.approx(float(sprag.nu_0), rel=1e-12)
-
-
-def test_rigid_races_need_more_force_at_the_same_rotation(clutch):
-    stiff = at_rotation(clutch.rigid_races(), 0.1).N
-    assert float(stiff / at_rotation(clutch, 0.1).N) > 1.5
-
-
-def test_the_less_the_spiral_grows_the_further_it_turns():
-    """Alpha times m becomes constant: ln(rho/rho_0) is what the yields ask for."""
-    turns = []
-    for m in (0.02, 0.01, 0.005):
-        sprag = LogSprag(R_i=11.11e-3, R_e=19.44e-3, r_i=4.02e-3, m=m)
-        parts = Parts(
-            sprag=sprag, n_s=12, l=9e-3, b=4e-3, R_id=7.21e-3, R_ed=26.23e-3, E=206e9, nu=0.3
-        )  # fmt: skip
-        some = Clutch(sprag=sprag, n_s=12, compliance=parts.palmgren())
-        turns.append(m * float(wedged(some, 1000.0).alpha_b))
-    assert turns[1:] == pytest.approx(turns[:-1], rel=2e-3)
-
-
 def test_yields_beyond_the_clutch_s_size_have_no_state(clutch):
     assert np.isnan(wedged(clutch, 1e8).T)
     assert np.isnan(at_torque(clutch, 1e9).N)
 
 
-def test_many_sprags_and_loads_are_solved_at_once(parts):
-    nu_0 = np.radians([2.5, 3.0, 3.5])
-    sprags = LogSprag.from_wedge_angle(nu_0=nu_0, R_i=11.11e-3, R_e=19.44e-3, r_i=4.02e-3)
-    law = parts.palmgren()
-    swept = at_torque(Clutch(sprag=sprags, n_s=12, compliance=law), [[10.0], [25.0]]).N
-    one = LogSprag.from_wedge_angle(nu_0=nu_0[1], R_i=11.11e-3, R_e=19.44e-3, r_i=4.02e-3)
-    alone = at_torque(Clutch(sprag=one, n_s=12, compliance=law), 25.0).N
-    assert swept.shape == (2, 3)
-    assert swept[1, 1] == pytest.approx(float(alone), rel=1e-12)
+def test_eq_7_by_hand():
+    """A bar of 8.33 mm and 4 x 9 mm² under 3407 N: 3407 x 8.33/(36 x 206 000) mm."""
+    d = sprag_compression(N=3407.0, R_i=11.11e-3, R_e=19.44e-3, b=4e-3, l=9e-3, E=206e9)
+    assert float(d) == pytest.approx(3.8269026e-6, rel=1e-7)
 
 
-def test_wrong_loads_are_refused(clutch):
-    for call, told in ((wedged, "normal force"), (at_torque, "torque")):
-        with pytest.raises(ValueError, match=told):
-            call(clutch, -1.0)
-    with pytest.raises(ValueError, match="rotation alpha"):
-        at_rotation(clutch, np.nan)
+def test_the_compliance_has_eqs_6_and_7(parts):
+    found = parts.palmgren().yields(np.array([0.0, 3407.0]))
+    assert found.sprag.tolist() == pytest.approx([0.0, 3.8269026e-6], rel=1e-7)
+    scale = 3407 * 12 / (2 * np.pi * 9e-3 * 206e9)
+    i, e = (
+        (11.11**2 + 7.21**2) / (11.11**2 - 7.21**2),
+        (26.23**2 + 19.44**2) / (26.23**2 - 19.44**2),
+    )
+    assert found.race_i[1] == pytest.approx(scale * (i - 0.3), rel=1e-12)
+    assert found.race_e[1] == pytest.approx(scale * (e + 0.3), rel=1e-12)
+    assert found.contact_i[1] == pytest.approx(3.84e-8 * 3407**0.9 / 9**0.8, rel=1e-12)
+    five = found.contact_i + found.contact_e + found.race_i + found.race_e + found.sprag
+    assert pytest.approx(five, rel=1e-14) == found.H
+
+
+def test_long_bodies_yield_in_plane_strain_and_their_dents_hold_the_bar(parts):
+    """Rings by Lamé in plane strain: Eq. 6 with E/(1 - nu²) and nu/(1 - nu); no Eq. 7."""
+    found, scale = parts.plane().yields(3407.0), 3407 * 12 / (2 * np.pi * 9e-3 * 206e9 / 0.91)
+    i = (11.11**2 + 7.21**2) / (11.11**2 - 7.21**2)
+    e = (26.23**2 + 19.44**2) / (26.23**2 - 19.44**2)
+    assert float(found.race_i) == pytest.approx(scale * (i - 3 / 7), rel=1e-12)
+    assert float(found.race_e) == pytest.approx(scale * (e + 3 / 7), rel=1e-12)
+    assert float(found.sprag) == 0.0
+
+
+@pytest.fixture
+def fast(sprag):
+    """The clutch at 1000 rad/s."""
+    parts = Parts(
+        sprag=sprag, n_s=12, l=9e-3, b=4e-3, R_id=7.21e-3, R_ed=26.23e-3, E=206e9, nu=0.3,
+        omega=1000.0,
+    )  # fmt: skip
+    return Clutch(sprag=sprag, n_s=12, compliance=parts.palmgren())
+
+
+def test_the_printed_pole_lets_the_sprag_grow_with_the_outer_race(fast):
+    """Erratum eq-9-centrifugal: C_eB is the sprag's own radius less its own flattening."""
+    now = wedged(fast, 2000.0)
+    y = now.yields
+    own = fast.sprag.r_e - y.contact_e / 2 - y.sprag / 2
+    assert float(now.OB - now.OC_e) == pytest.approx(float(own), rel=1e-12)
+    grown = now.OB - printed.pole_distance(fast.sprag, y) - own
+    assert float(grown) == pytest.approx(float(y.d_ce), rel=1e-9)
+    assert float(y.d_ce) > 4e-7
+
+
+def test_the_printed_theta_is_no_angle_of_the_spiral():
+    """Erratum eq-10-theta: rho grows by m rho a radian; log((rho/a)/m) grows by rho'/rho = m."""
+    a, m, theta = 3.5, 0.0892, np.array([0.5, 1.5])
+    rho = a * np.exp(m * theta)
+    assert np.log(rho / a) / m == pytest.approx(theta, rel=1e-12)
+    printed_angle = printed.polar_angle(rho=rho, a=a, m=m)
+    assert printed_angle[1] - printed_angle[0] == pytest.approx(
+        m * (theta[1] - theta[0]), rel=1e-12
+    )
+
+
+def test_the_printed_lever_arms_are_halves(clutch):
+    """Erratum eq-16-lever-arms: 5.6 for 11.1 mm and 9.7 for 19.4 mm double the contact force."""
+    now = wedged(clutch, 3407.0)
+    inner, outer = printed.lever_arms(clutch.sprag, now.yields)
+    assert float(inner / now.OA) == pytest.approx(0.5, abs=1e-3)
+    assert float(outer / now.OB) == pytest.approx(0.5, abs=1e-3)
+    assert float(inner) == pytest.approx(5.55e-3, abs=5e-5)
+    assert float(outer) == pytest.approx(9.73e-3, abs=5e-5)
+    moment = now.OA * now.T_i - now.OB * now.T_e
+    assert float(moment) == pytest.approx(0.0, abs=1e-12)

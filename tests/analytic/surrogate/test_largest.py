@@ -47,12 +47,6 @@ def test_the_largest_of_two_roots_is_met_where_one_process_sees_a_kink() -> None
     assert quality(single.predict(FRESH), true).largest > 0.01
 
 
-def test_a_regime_below_zero_counts_as_zero() -> None:
-    model = Kriging(box=BOX, designs=X, values=X[:, 0] - 3, length_scales=np.ones(2))
-    predicted = Largest((model,), 0.5).predict(np.array([[2.0, 0.5], [4.0, 0.5]]))
-    np.testing.assert_allclose(predicted, [0, 1], atol=1e-9)  # (4 - 3)²
-
-
 def test_left_out_is_what_refits_of_every_regime_say(rough: Largest) -> None:
     true = np.max(roughs(X), axis=0)
     expected = []
@@ -99,15 +93,6 @@ def test_a_kink_along_a_level_is_hidden_from_one_left_out_but_not_from_a_level()
             gate(seen, what="a kink")
 
 
-def test_noise_is_refused_and_a_smooth_function_passes(rough: Largest) -> None:
-    noise = 1 + 0.1 * np.random.default_rng(0).standard_normal(25)
-    model = fit(X, noise, BOX)
-    left = quality(noise - model.left_out(), noise)
-    with pytest.raises(PoorSurrogateError):
-        gate(left, what="noise")
-    gate(quality(rough.predict(FRESH), np.max(roughs(FRESH), axis=0)), what="two regimes")
-
-
 def test_the_gate_says_what_is_missed_by_how_much() -> None:
     measured = quality(np.array([1.01, 0.96, 2.0]), np.array([1.0, 1.0, 2.0]))
     assert (measured.mean, measured.largest) == pytest.approx((0.05 / 3, 0.04))
@@ -122,28 +107,3 @@ def test_the_gate_says_what_is_missed_by_how_much() -> None:
         with pytest.raises(PoorSurrogateError):
             gate(measured, **limits, what="pressure")
     gate(measured, mean=0.02, largest=0.05, what="pressure")
-
-
-def test_no_quality_of_nothing_or_of_no_number() -> None:
-    with pytest.raises(ValueError, match=r"as many predicted values as true, got \(2,\), \(3,\)"):
-        quality(np.ones(2), np.ones(3))
-    for predicted, true in (([np.nan], [1.0]), ([1.0], [0.0])):
-        with pytest.raises(ValueError, match="relative errors need finite values"):
-            quality(np.array(predicted), np.array(true))
-    model = fit(FRESH[:20], kinked(FRESH[:20]), BOX)
-    with pytest.raises(ValueError, match="a level can be left out only between others"):
-        left_level_out(model, FRESH[:2], kinked(FRESH[:2]))
-
-
-def test_no_largest_of_nothing_of_negative_values_or_of_an_odd_number_of_masks() -> None:
-    ones = np.ones(25)
-    with pytest.raises(ValueError, match="the largest of no regimes is not defined"):
-        fit_largest(X, [], BOX)
-    with pytest.raises(ValueError, match=r"must not be negative, got -1.0"):
-        fit_largest(X, [ones, -ones], BOX)
-    with pytest.raises(ValueError, match="2 regimes, but 1 say where they are present"):
-        fit_largest(X, [ones, ones], BOX, present=[ones > 0])
-    with pytest.raises(ValueError, match="a value for each of the 25 designs"):
-        fit_largest(X, [ones[:-1]], BOX)
-    with pytest.raises(ValueError, match=r"power must be positive and finite, got 0.0"):
-        fit_largest(X, [ones], BOX, power=0.0)

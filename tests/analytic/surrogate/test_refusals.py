@@ -1,0 +1,67 @@
+"""Boxes, designs, surrogates and searches that make no sense are refused."""
+
+import re
+
+import numpy as np
+import pytest
+
+from analytic.surrogate.box import Box
+from analytic.surrogate.designs import full_factorial, random_designs
+from analytic.surrogate.evolution import evolve
+from analytic.surrogate.gate import left_level_out, quality
+from analytic.surrogate.genetic import genetic
+from analytic.surrogate.kriging import fit
+from analytic.surrogate.largest import fit_largest
+
+BOX = Box((1.0, 0.4), (5.0, 0.7))
+X = random_designs(BOX, 30, 1)
+ONES = np.ones(30)
+
+
+def smooth(x):
+    return np.asarray(1 + x[:, 0] + x[:, 1] ** 2)
+
+
+REFUSED = [
+    (lambda: Box((2.0,), (1.0,)), "bounds must be finite, low below high, got 2.0 and 1.0"),
+    (lambda: Box((0.0,), (np.inf,)), "bounds must be finite, low below high, got 0.0 and inf"),
+    (lambda: Box((0.0, 0.0), (1.0,)), "as many low bounds as high, got 2 and 1"),
+    (lambda: BOX.to_unit(np.ones((1, 3))), "points must be of shape (n, 2), got (1, 3)"),
+    (lambda: BOX.to_unit(np.array([[1.0, np.nan]])), "points must be finite"),
+    (lambda: full_factorial(BOX, 1), "at least 2 levels, got 1"),
+    (lambda: random_designs(BOX, 0, 0), "count must be at least 1, got 0"),
+    (lambda: fit(X[:7], ONES[:7], BOX), "a quadratic trend needs at least 8 designs, got 7"),
+    (lambda: fit(np.vstack([X, X[4]]), np.ones(31), BOX), "designs 4 and 30 are one point, ["),
+    (lambda: fit(np.where([True, False], X, 0.5), smooth(X), BOX), "do not settle a quadratic"),
+    (lambda: fit_largest(X, [], BOX), "the largest of no regimes is not defined"),
+    (lambda: fit_largest(X, [ONES, -ONES], BOX), "must not be negative, got -1.0"),
+    (lambda: fit_largest(X, [ONES, ONES], BOX, present=[ONES > 0]), "2 regimes, but 1 say where"),
+    (lambda: fit_largest(X, [ONES[:-1]], BOX), "a value for each of the 30 designs"),
+    (lambda: fit_largest(X, [ONES], BOX, power=0.0), "power must be positive and finite, got 0.0"),
+    (lambda: quality(ONES, ONES[:3]), "as many predicted values as true, got (30,), (3,)"),
+    (lambda: quality(ONES, 0 * ONES), "relative errors need finite values"),
+    (lambda: left_level_out(fit(X, smooth(X), BOX), X[:2], ONES[:2]), "only between others"),
+    (lambda: genetic(smooth, BOX, population=5), "even and at least 2, got 5"),
+    (lambda: genetic(smooth, BOX, generations=0), "generations must be at least 1, got 0"),
+    (lambda: genetic(smooth, BOX, bits=0), "bits must lie between 1 and 52, got 0"),
+    (lambda: genetic(smooth, BOX, crossover=1.1), "crossover must lie in [0, 1], got 1.1"),
+    (lambda: genetic(smooth, BOX, mutation=-0.1), "mutation must lie in [0, 1], got -0.1"),
+]
+
+
+@pytest.mark.parametrize(("call", "message"), REFUSED, ids=[message for _, message in REFUSED])
+def test_what_makes_no_sense_is_refused_in_words(call, message):
+    with pytest.raises(ValueError, match=re.escape(message)):
+        call()
+
+
+@pytest.mark.parametrize("search", [genetic, evolve])
+def test_an_objective_that_is_not_finite_is_named(search):
+    with pytest.raises(ArithmeticError, match="the objective is not finite at"):
+        search(lambda x: np.where(x[:, 0] > 4, np.nan, 1.0), BOX)
+
+
+def test_evolution_that_does_not_settle_says_so():
+    rng = np.random.default_rng(6)
+    with pytest.raises(ArithmeticError, match="differential evolution has not settled"):
+        evolve(lambda x: rng.random(len(x)) - 0.5, BOX)
