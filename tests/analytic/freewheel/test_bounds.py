@@ -108,6 +108,12 @@ def test_there_is_no_interval_where_the_torque_alone_may_slip(star):
     assert close.limit_creep() is None
 
 
+def test_along_its_axis_a_contact_is_less_sure_than_both_together(star):
+    found = FrictionBounds(bounds(star), mu=0.08, lever=0.4)
+    (low, high), (least, most) = found.both_contacts(), found.one_contact()
+    assert least < low < 0 < high < most
+
+
 # The turn by the flats.
 def test_the_turn_by_the_flats_is_the_formulas(star):
     off, T, cam = 5e-6, 26.0, star.cam
