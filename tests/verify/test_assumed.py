@@ -37,19 +37,6 @@ def raw_of(path):
     return case_id, TASKS.get(case_id) or find(case_id).inputs, data["inputs"]
 
 
-@pytest.fixture
-def of_file(tmp_path):
-    """A parameter file of a case with these inputs."""
-
-    def written(case, inputs):
-        path = tmp_path / "my.toml"
-        lines = [f"{k} = {json.dumps(v)}\n" for k, v in inputs.items()]
-        path.write_text(f'case = "{case}"\n[inputs]\n' + "".join(lines), encoding="utf-8")
-        return path
-
-    return written
-
-
 def test_every_tool_has_a_short_file_and_every_assumption_a_source():
     assert {raw_of(path)[0] for path in PARTS} == set(ASSUMPTIONS)
     for path in PARTS:
@@ -146,9 +133,16 @@ def test_flats_of_both_cams_have_the_wedge_angle(kind):
         ({"mu_s": True}, "inputs.mu_s: needs a number"),
     ],
 )
-def test_wrong_input_gets_one_line(change, message, of_file, capsys):
+def test_wrong_input_gets_one_line(change, message, tmp_path, capsys):
     raw = {k: v for k, v in (PAPER | change).items() if v is not None}
-    assert run(["check", str(of_file("sprag-clutch", raw))]) == 2
+    lines = [
+        'case = "sprag-clutch"',
+        "[inputs]",
+        *(f"{k} = {json.dumps(v)}" for k, v in raw.items()),
+    ]
+    path = tmp_path / "my.toml"
+    path.write_text("\n".join(lines), encoding="utf-8")
+    assert run(["check", str(path)]) == 2
     error = capsys.readouterr().err
     assert error.count("\n") == 1
     assert message in error

@@ -6,19 +6,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from analytic.contact import crown_mean, hertz_line, slices
+from analytic.contact import crown_mean, hertz_line
 from analytic.sprag import closure, parts, printed, race_spring
 from analytic.sprag.clutch import Clutch
 from analytic.sprag.geometry import LogSprag
 from tests.verify.cases.rows import failed
 from verify.cases.sprag.clutch import model
 from verify.cases.sprag.clutch.case import CLUTCH
-from verify.cases.sprag.crown import formulas as crown_formulas
 from verify.cases.sprag.crown.case import CROWN
 from verify.cases.sprag.engagement.case import ENGAGEMENT
 from verify.cases.sprag.friction import formulas as friction_formulas
 from verify.cases.sprag.friction.case import FRICTION
-from verify.cases.sprag.optimum.case import OPTIMUM_25
 from verify.cases.sprag.wedge import formulas as wedge_formulas
 from verify.cases.sprag.wedge.case import WEDGE
 
@@ -90,18 +88,8 @@ READINGS = [
     (CLUTCH, FORCE, closure, "wedged", with_sine, "sin for tan in Eq. 16"),
     (CLUTCH, "normal force with rigid races (Liu)", Clutch, "rigid_races",
      lambda _: lambda self: self, "rigid races that yield"),
-    (CLUTCH, "growth of the outer race at 20,000 r/min", parts.Parts, "d_ce",
-     lambda f: property(lambda self: 2 * f.fget(self)), "the radius's growth for the diameter's"),
-    (CLUTCH, "torque at which the contacts slip at low friction", model, "limits",
-     lambda f: lambda c, mu, **k: f(c, mu=mu / math.sqrt(1 + mu**2), **k), "sin ν for μ_s"),
     (CROWN, "mean drop of the crown", crown_mean, "mean_drop",
      lambda f: lambda A, K_2, z: f(A / 2, K_2, z), "Q/(π l E') for 2 Q/(π l E')"),
-    (CROWN, "pressure at mid-length under the largest force", slices, "press",
-     lambda f: lambda *a, **k: f(*a, **k | {"load": 0.9 * np.asarray(k["load"])}), "a tenth off"),
-    (CROWN, "pressure at mid-length under the largest force", crown_formulas, "radius",
-     lambda f: lambda q, N: 1.1 * f(q, N), "another radius"),
-    (OPTIMUM_25, "largest pressure by slices, crown with free ends", slices, "press",
-     lambda f: lambda *a, load, **k: f(*a, load=1.1 * load, **k), "another force"),
 ]  # fmt: skip
 
 
