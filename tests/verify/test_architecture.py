@@ -5,8 +5,6 @@ from graphlib import TopologicalSorter
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
-
-
 # a half-space, and what it and finite elements take of formulas: crowns, a load
 REFERENCE = {"reference", "pressed", "gap", "even_crowns", "plane_at_middle", "best", "grip"}
 

@@ -64,6 +64,13 @@ def test_scatter_counts_by_the_points_beyond_three(n):
     assert (fit.U0, fit.U_q) == pytest.approx(tuple(2 * independent), rel=0.01)
 
 
+def test_a_limit_is_as_uncertain_as_the_only_point_near_it():
+    """At eps = 0.1 eps^8 is 1e-8; what the vague points further off add is 1e-3 of U0."""
+    eps = np.array([1.0, 0.9, 0.8, 0.7, 0.1])
+    fit = judge.fit_limit(eps, 0.3 * eps**8, [1e-3] * 4 + [1e-6])
+    assert pytest.approx(2e-6, rel=2e-3) == fit.U0  # k = 2
+
+
 # The search for an exponent.
 
 
