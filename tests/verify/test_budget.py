@@ -1,4 +1,4 @@
-"""Error budgets: known parts are found again, add up, are kept, and other code makes them stale."""
+"""Error budgets: known parts are found again, add up and are stale for other code."""
 
 import math
 import re

@@ -8,9 +8,7 @@ from skfem import MeshQuad
 
 from fem.plane.material import Elastic
 from fem.plane.solve import solve_plane
-from fem.plane.ties import Tie
 from verify.studies.crosscheck.calculix import reading
-from verify.studies.crosscheck.calculix.numbering import Numbering
 from verify.studies.crosscheck.calculix.obstacles import strip_of
 from verify.studies.crosscheck.calculix.plane import PlaneDeck, Spin
 from verify.studies.crosscheck.calculix.running import executable, run_deck
@@ -61,13 +59,6 @@ def test_a_deck_has_nodes_cells_material_supports_and_loads(tmp_path):
     assert {line.split(",")[1] for line in forces} == {"1"}
 
 
-def test_inclined_guides_are_equations(tmp_path):
-    assert "*EQUATION" not in text(told(pulled()), tmp_path)
-    said = text(told(pulled(turn=0.3)), tmp_path)
-    # both guides hold 5 nodes each
-    assert said.count("*EQUATION") == 10
-
-
 def test_pressures_and_spins_are_left_to_calculix(tmp_path):
     said = text(told(pulled(), pressures={"right": -1e6}), tmp_path)
     assert "*CLOAD" not in said
@@ -75,28 +66,6 @@ def test_pressures_and_spins_are_left_to_calculix(tmp_path):
     said = text(told(pulled(), spin=Spin(rho=7850.0, omega=100.0)), tmp_path)
     assert f"EVERY,CENTRIF,{1e4:.12e}" in said
     assert "*DENSITY" in said
-
-
-def test_followers_of_a_tie_are_eliminated(tmp_path):
-    solution = solve_plane(
-        square(), materials=STEEL, assumption="plane strain", degree=2,
-        supports={"bottom": "xy"}, tractions={"top": (1e6, 0.0)},
-        ties=[Tie(leader="left", follower="right", shift=(1.0, 0.0))],
-    )  # fmt: skip
-    said = text(told(solution), tmp_path)
-    assert said.count("*EQUATION") == 2 * 4  # five nodes less the one that is held
-
-
-def test_cells_that_run_clockwise_are_turned_about():
-    mesh = square()
-    mirrored = replace(mesh, doflocs=mesh.doflocs * [[-1.0], [1.0]])
-    solution = solve_plane(mirrored, materials=STEEL, assumption="plane strain", degree=2,
-                           supports={"bottom": "xy"}, pressures={"top": 1e6})  # fmt: skip
-    numbering = Numbering(solution.basis)
-    x = numbering.x[:, numbering.cells - 1]
-    (a, b), (c, d) = x[:, 1] - x[:, 0], x[:, 2] - x[:, 0]
-    assert np.all(a * d - b * c > 0)
-    np.testing.assert_allclose(x[:, 4], (x[:, 0] + x[:, 1]) / 2, atol=1e-14)
 
 
 @pytest.mark.parametrize("hollow", [False, True])
@@ -127,13 +96,7 @@ def test_readers_find_the_last_increment(tmp_path):
 
 
 @installed
-@pytest.mark.parametrize(
-    "assumption",
-    [
-        "plane strain",
-        "plane stress",
-    ],
-)
+@pytest.mark.parametrize("assumption", ["plane strain", "plane stress"])
 def test_a_patch_under_an_even_pull_is_stressed_evenly_in_calculix(assumption, tmp_path):
     solution = pulled(turn=0.3, assumption=assumption, thickness=0.5)
     told_of = told(solution, assumption)
@@ -146,15 +109,3 @@ def test_a_patch_under_an_even_pull_is_stressed_evenly_in_calculix(assumption, t
     assert energy == pytest.approx(solution.strain_energy, rel=1e-6)
     sigma = reading.nodal(deck.with_suffix(".frd"), "STRESS")[: len(here), :2].sum(axis=1)
     np.testing.assert_allclose(sigma, 1e6, rtol=1e-4)  # from single precision
-
-
-@installed
-def test_an_inclined_guide_moves_by_what_is_prescribed(tmp_path):
-    solution = solve_plane(
-        square(0.3), materials=STEEL, assumption="plane strain", degree=2,
-        supports={"left": "n", "bottom": "n", "right": {"n": 1e-4}},
-    )  # fmt: skip
-    told_of = told(solution)
-    run = run_deck(told_of.write(tmp_path / "deck.inp"))
-    here = solution.u[told_of.numbering.dofs].T
-    np.testing.assert_allclose(run.u[: len(here)], here, atol=PRINTED * np.abs(here).max())

@@ -1,7 +1,6 @@
 """`freewheel design` of a crown as a user meets it: statuses, files, a half-space's verdict."""
 
 import contextlib
-import hashlib
 import io
 import json
 import re
@@ -15,7 +14,7 @@ from verify.app.cli import run
 from verify.app.commands import load as load_check
 from verify.cases.registry import find
 from verify.cases.sprag.peaks import peaks_fem
-from verify.studies.design_sprag import model, outcome, search
+from verify.studies.design_sprag import outcome, search
 from verify.studies.design_sprag.inputs import default
 from verify.studies.design_sprag.model import Model
 from verify.studies.design_sprag.verified import LIMIT, _check, ends_carry, unloading
@@ -131,34 +130,6 @@ def test_a_task_by_slices_as_in_the_paper_ends_with_1_where_ends_carry(
     assert abs(float(re.search(r"at most ([+-][\d.]+) %", line)[1])) < 100 * LIMIT
     page = (tmp_path / "o" / "design.html").read_text(encoding="utf-8")
     assert "off a half-space at most; its ends carry" in page
-
-
-@pytest.mark.soak
-def test_an_interrupted_search_keeps_its_crowns_and_goes_on(small, tmp_path, capsys, monkeypatch):
-    monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path / "cache"))
-    count = []
-
-    def stopped(work):
-        if len(count) == 3:
-            raise KeyboardInterrupt
-        count.append(work)
-        return true(work)
-
-    true = model.some_fem
-    monkeypatch.setattr(model, "some_fem", stopped)
-    monkeypatch.setattr(model, "key", lambda work: kept(work[:3]))
-    path = task(tmp_path, **NARROW)
-    assert run(["design", "--no-fem", str(path)]) == 130
-    said = capsys.readouterr().err
-    assert re.search(r"interrupted; \d+ of \d+ crowns are stored: the same command", said)
-    done, count[:] = list(count), [None] * 4
-    monkeypatch.setattr(model, "some_fem", lambda work: count.append(work) or true(work))
-    assert run(["design", "--no-fem", str(path)]) == 0
-    assert not [work for work in count[4:] if work in done]
-
-
-def kept(work):
-    return hashlib.sha256(repr(work).encode()).hexdigest()
 
 
 @pytest.mark.parametrize(

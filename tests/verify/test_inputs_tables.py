@@ -119,7 +119,7 @@ def test_a_template_has_every_table_with_its_comments_once():
     assert '\n# # c = "0 N s/m"' in written
 
 
-def test_a_key_of_the_cache_tells_entries_apart():
+def test_other_entries_have_another_key_of_the_cache():
     case = fenced()
     one, other = (Fence(posts=(Post(at=2, k=k),)) for k in (1e3, 1e3 + 1e-6))
     assert cache.key(case, one, 1) == cache.key(case, Fence(posts=(Post(at=2, k=1e3),)), 1)

@@ -1,7 +1,6 @@
 """The papers' tables: as printed, every number a value of the ledger, and what is said of it."""
 
 import re
-from dataclasses import replace
 
 import pytest
 from pydantic import ValidationError
@@ -11,7 +10,7 @@ from verify.core import units
 from verify.core.results import Status
 from verify.papers.ledger import Paper, papers
 from verify.papers.paper_tables import paper_tables
-from verify.papers.tables import PrintedTable, named_tables
+from verify.papers.tables import PrintedTable
 
 SPRING = next(case for case in CASES if case.id == "spring-accordion")
 
@@ -135,18 +134,6 @@ def test_tables_and_values_that_differ_are_refused(raw, message):
         Paper.model_validate(raw)
 
 
-@pytest.mark.parametrize(
-    ("place", "names"),
-    [
-        ("Eqs. 3 to 6, 8, 16, Table 1", {"Table 1"}),
-        ("Sec. 4, text before Table 1", set()),
-        ("Table 1 and Table 12", {"Table 1", "Table 12"}),
-    ],
-)
-def test_a_place_is_about_the_tables_that_it_names(place, names):
-    assert named_tables(place) == names
-
-
 # What the project says of a cell.
 
 
@@ -163,15 +150,3 @@ def test_the_theory_of_the_spring_constant_is_claimed_by_its_judged_rows(tables,
     assert beam.u is not None
     assert beam.u < 1e-6
     assert "eq-3-leaf-length" in cell.errata
-
-
-def test_a_row_in_another_unit_is_shown_in_the_printed_one(spring, tables):
-    rows = tuple(
-        replace(row, unit="N/m", analytic=row.analytic * 1e3) if row.published else row
-        for row in spring.rows
-        if row.analytic is not None
-    )
-    changed = paper_tables([replace(spring, rows=rows)], CASES)[-1].rows[0][1]
-    assert changed.rows[0].analytic == pytest.approx(
-        tables["wang2023", "Table 1"].rows[0][1].rows[0].analytic, rel=1e-12
-    )

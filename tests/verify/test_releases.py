@@ -43,7 +43,6 @@ PARTNER = replace(ROW, fem=None, partner=Partner(by="strips", value=2.0))
 COMPUTED = replace(APPROXIMATE, interval=(-0.00827639401, 0.0249590585))  # a tenth: 0.00166
 # its tenth is 1e-4, the numerical error of both runs √2 · 0.001
 NARROW = replace(COMPUTED, interval=(-0.00100123456, 0.00100234567))
-CONDITION = replace(BALANCE, tolerance=7.19491842e-7)  # a condition number times epsilon
 RESIDUAL = replace(ROW, u_num=1e-9, u_ref=1.2587554e-4)
 
 
@@ -79,51 +78,34 @@ def test_nothing_moved_is_one_line(row):
 
 FORMULA, FE, MARGIN = ("formula", False), ("finite elements", False), ("margin", False)
 MOVED = [
-    # beyond twice the root of both squares: 2 √2 · 0.001 = 0.00283
     (ROW, {"fem": 2.001 + 0.0028}, []),
     (ROW, {"fem": 2.001 + 0.0029}, [FE]),
-    # without error and band: beyond round-off
     (BARE, {"analytic": 2 + 1.8e-10}, []),
     (BARE, {"analytic": 2 + 2.2e-10}, [FORMULA]),
-    (BARE, {"fem": 2 + 1.8e-6}, []),
-    (BARE, {"fem": 2 + 2.2e-6}, [FE]),
-    # near zero: beyond what the balance allows
     (BALANCE, {"fem": -1e-13}, []),
     (BALANCE, {"fem": 4e-9}, [FE]),
-    # beyond a tenth of half of the interval, 0.004, and the numerical error, 0.00283
     (APPROXIMATE, {"analytic": 2.0039}, []),
     (APPROXIMATE, {"analytic": 2.0041}, [FORMULA]),
     (replace(APPROXIMATE, interval=(-0.01, 0.01)), {"fem": 2.001 + 0.0027}, []),
     (replace(APPROXIMATE, interval=(-0.01, 0.01)), {"fem": 2.001 + 0.0029}, [FE]),
-    # a fact: beyond a tenth of the margin, 0.04, and both uncertainties, √2 U
     (FACT, {"difference": 0.439}, []),
     (FACT, {"difference": 0.441}, [MARGIN]),
-    (replace(FACT, tolerance=0.03), {"difference": 0.442, "tolerance": 0.03}, []),
-    (replace(FACT, tolerance=0.03), {"difference": 0.443, "tolerance": 0.03}, [MARGIN]),
     (PARTNER, {"partner": Partner(by="strips", value=2.1)}, [FE]),
     (ROW, {"fem": math.nan}, [FE]),
-    (replace(ROW, fem=None), {"fem": 2.001}, [FE]),
     (replace(ROW, fem=math.nan), {"fem": math.nan}, []),
     (ROW, {"kind": Kind.TREND}, [("kind", False)]),
-    (ROW, {"unit": "m"}, [("kind", False)]),
     (ROW, {"scale": 1.79}, [("scale", False)]),
-    # the order of convergence may scatter
     (replace(ROW, quantity="q: convergence", kind=Kind.FACT, u_num=None),
      {"fem": 3.0, "difference": 9.0}, []),
-    # demands that print alike
     (replace(ROW, demand=0.0239411171), {"demand": 0.0239411999}, []),
-    # what a row no longer detects
     (ROW, {"detects": 0.0029}, []),
     (ROW, {"detects": 0.0031, "u_num": 0.0021}, [("detects", False)]),
     (ROW, {"u_num": 0.0021}, [("uncertainty", False)]),
     (replace(FACT, tolerance=1e-4), {"tolerance": 9e-4}, [("uncertainty", False)]),
-    (FACT, {"tolerance": 0.019}, []),
     (replace(ROW, detects=1e-4), {"detects": 1.09e-3}, []),  # a tenth of the demand is 1e-3
     (replace(ROW, detects=1e-4), {"detects": 1.11e-3}, [("detects", False)]),
-    # computed bands may move within their error and a tenth
     (COMPUTED, {"interval": (-0.00827639401, 0.0265590585)}, []),
     (NARROW, {"interval": (-0.00240123456, -0.00039765433)}, []),
-    (CONDITION, {"tolerance": 1.09 * 7.19491842e-7}, []),
     (RESIDUAL, {"u_ref": 1.09 * 1.2587554e-4}, []),
 ]  # fmt: skip
 
@@ -137,18 +119,15 @@ def test_a_change_is_reported_beyond_its_error_or_a_tenth_of_its_band(row, chang
 
 LOOSENED = [
     (ROW, {"demand": 0.02}, "demand", "1 % -> 2 %"),
-    (ROW, {"demand": 0.0101}, "demand", "1 % -> 1.01 %"),
     (ROW, {"demand": None}, "demand", "1 % -> none"),
     (replace(ROW, demand=0.02), {"demand": 0.0200006}, "demand", "2 % -> 2.0001 %"),
     (replace(ROW, u_ref=0.001), {"u_ref": 0.00101}, "reference", "0.05 % -> 0.0505 %"),
     (BALANCE, {"tolerance": 2.02e-9}, "bound", "1e-07 % -> 1.01e-07 %"),
-    (CONDITION, {"tolerance": 1.11 * 7.19491842e-7}, "bound", "3.597e-05 % -> 3.993e-05 %"),
     (COMPUTED, {"interval": (-0.00828, 0.0249590585)}, "interval",
      "-0.827639 to +2.49591 % -> -0.828 to +2.49591 %"),  # a literal instead
     (COMPUTED, {"interval": (-0.00827639401, 0.0266590585)}, "interval",
      "-0.827639 to +2.49591 % -> -0.827639 to +2.66591 %"),
     (APPROXIMATE, {"interval": (-0.01, 0.0304)}, "interval", "-1 to +3 % -> -1 to +3.04 %"),
-    # wider on one side, although narrower on the other
     (APPROXIMATE, {"interval": (-0.011, 0.0)}, "interval", "-1 to +3 % -> -1.1 to +0 %"),
     (APPROXIMATE, {"interval": None}, "interval", "-1 to +3 % -> none"),
     (FACT, {"reason": "held: off by +0.07%, 0.3% accepted"}, "acceptance",
@@ -156,12 +135,9 @@ LOOSENED = [
     (FACT, {"reason": "held: off by +0.07%"}, "acceptance", "0.2 % accepted -> none"),
     (replace(FACT, reason="held: by 7.9% and more, 2% asked"),
      {"reason": "held: by 7.9% and more, 1% asked"}, "acceptance", "2 % asked -> 1 % asked"),
-    (DEVIATION, {"tolerance": 8.8e-3, "detects": 8.9e-3}, "acceptance", "0.1 % -> 0.9 %"),
-    # as wide as before beside its own U, which is less now
     (DEVIATION, {"tolerance": 1e-3, "u_num": 5e-5, "detects": 1e-3}, "acceptance",
      "0.1 % -> 0.11 %"),
     (ROW, {"scale": 2.21}, "scale", "2 mm -> 2.21 mm"),
-    (replace(ROW, u_ref=None), {"scale": None}, "scale", "2 mm -> none"),
     (ROW, {"status": Status.SHOWN}, "status", "PASS -> SHOWN"),
 ]  # fmt: skip
 

@@ -89,13 +89,6 @@ def test_points_that_are_refused_or_failed_are_counted_with_their_reasons():
     assert "5 mm is refused (b must be at most 2 mm, got 5 mm)" in one_line(lines)
 
 
-def test_a_file_whose_own_value_is_not_swept_is_named():
-    words = "the file's own a 4 mm lies outside of 5..8 mm"
-    for vary, expected in (("a=5:8mm:4", True), ("a=4:8mm:5", False), ("a=1:4mm:4", False)):
-        plan = planned(vary)
-        assert (words in printed(outcome(plan, course(plan, 0.0)))) is expected
-
-
 def test_a_sample_has_its_scatter_and_its_indices_the_largest_first():
     plan = sampled(1024)
     x = share(plan)

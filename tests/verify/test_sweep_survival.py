@@ -18,7 +18,7 @@ from verify.app.cli import run
 POINTS = 24
 VARY = ("--vary", "z=3:8:6", "--vary", "delta_1=3mm:5mm:2", "--vary", "rho=1mm:2mm:2")
 ONLY = ("--only", "K in the middle of the flats")
-SECONDS = 120.0
+SECONDS = 600.0
 
 
 def command(folder):

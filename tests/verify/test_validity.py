@@ -117,21 +117,6 @@ def test_inputs_varied_one_at_a_time_are_no_box(folder):
     assert found.breaks == "smaller a takes it beyond 5 % between 1 and 2 mm (about 1.8)"
 
 
-@pytest.mark.parametrize(
-    ("errors", "words"),
-    [
-        ({(1e-3, 9): 0.2, (4e-3, 6): NAN},
-         "from the case's own inputs, which are not in that box, larger n: within 5 % to 3, "
-         "no answer at n = 6; elsewhere 1 point is not within it"),
-        ({(1e-3, 9): 0.2}, "no input alone takes it beyond 5 %, several together do"),
-    ],
-)  # fmt: skip
-def test_a_break_where_two_inputs_meet_is_described(folder, errors, words):
-    plan = kept.plans(PLATE)[0]  # from a = 4 mm and n = 3
-    values = [errors.get((v[0], v[1]), 0.01) for v in plan.points]
-    assert region(plan, course(plan, values, [1e-4] * 12)).breaks.endswith(words)
-
-
 def test_the_row_of_the_run_gives_the_error_at_the_case_s_own_inputs(folder, known):
     row = Row(
         case=PLATE.id, quantity="stiffness", symbol="k", unit="N/mm", kind=Kind.APPROXIMATION,
