@@ -27,7 +27,7 @@ def test_nothing_heavy_is_imported_before_it_is_needed(tmp_path):
     assert run(["init", "ring-lame", "--out", str(tmp_path / "my.toml")]) == 0
     done = subprocess.run(
         [sys.executable, "-c", COLD.format(heavy=HEAVY)], cwd=tmp_path,
-        capture_output=True, text=True, check=False, timeout=60,
+        capture_output=True, text=True, check=False, timeout=300,
     )  # fmt: skip
     assert done.stderr.splitlines()[-1] == "[]"
     for word in ("verify", "check", "list", "init", "explain", "doctor", "completion"):

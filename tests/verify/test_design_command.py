@@ -12,9 +12,11 @@ from tests.verify.template_text import whole
 from verify.app.cli import run
 from verify.app.commands import load as load_check
 from verify.cases.spring.stages.inputs import StagesInputs
-from verify.studies.design.console import verdict
+from verify.studies.design.console import rounded, verdict
 from verify.studies.design.fem import Verified, verified_by_fem
 from verify.studies.design.inputs import default
+from verify.studies.design.limits import Limit
+from verify.studies.design.nearest import relaxation
 from verify.studies.design.outcome import Outcome
 from verify.studies.design.search import search
 from verify.studies.design.template import template
@@ -113,6 +115,18 @@ def test_an_impossible_task_ends_with_1_says_what_to_relax_and_clears_the_old_sp
     page = (out / "design.html").read_text(encoding="utf-8")
     assert "No candidate keeps every limit" in page
     assert "One of these alone would admit a spring" in page
+    # what is to be relaxed suffices as it is printed, rounded up
+    needed = re.search(r"relax sigma from 100 MPa to (\S+ MPa)", printed)[1]
+    assert run(["design", "--no-fem", str(task(tmp_path, sigma=f'"{needed}"'))]) == 0
+
+
+@pytest.mark.parametrize("off", [-1e-14, 1e-14])
+def test_a_bound_that_is_whole_but_for_round_off_is_printed_as_it_is(off):
+    limit = Limit(
+        key="room", what="", symbol="", unit="m", value=np.array([0.012 * (1 + off)]), bound=0.01,
+        source="",
+    )  # fmt: skip
+    assert rounded(relaxation(limit, 0)) == "0.012 m"
 
 
 def test_a_member_that_is_not_there_cannot_be_chosen(tmp_path, capsys):

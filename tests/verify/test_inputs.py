@@ -91,8 +91,10 @@ def test_a_wrong_value_is_named_with_its_rule(change, message):
 
 
 @pytest.mark.parametrize("key", ["L", "n"])
-@pytest.mark.parametrize("value", [16**5000, "9" * 5000, "x\ny\u2028z", [[[[[[]]]]]] * 100],
-                         ids=["large", "digits", "lines", "nested"])  # fmt: skip
+@pytest.mark.parametrize(
+    "value", [16**5000, -(16**5000), "9" * 5000, "x\ny\u2028z", [[[[[[]]]]]] * 100],
+    ids=["large", "negative", "digits", "lines", "nested"],
+)  # fmt: skip
 def test_any_wrong_value_is_refused_in_one_short_line(key, value):
     with pytest.raises(InputError) as caught:
         build(Beam, GOOD | {key: value}, "my.toml")

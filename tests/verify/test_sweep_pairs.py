@@ -142,6 +142,8 @@ def test_a_claim_that_derives_values_is_compared_by_them():
     found = point(V, {"t": 4.2}, check=check)
     assert found.error == pytest.approx(4.2 / 4.004 - 1, rel=1e-9)
     assert pytest.approx(2 * INDEX, rel=1e-9) == found.U
+    mirrored = point(tuple(-v for v in V), {"t": -4.2}, check=check)
+    assert mirrored.error == pytest.approx(-found.error, rel=1e-9)
 
 
 def test_an_outcome_has_the_points_in_their_order_with_their_problems():

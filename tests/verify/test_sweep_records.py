@@ -150,6 +150,29 @@ def test_the_record_of_a_grid_is_as_described(three):
     assert found["rows"][1]["error"] == [-0.5, None, None, 0.07]
     assert found["inputs"]["b"] == {"value": 2, "unit": "mm"}
     assert found["timing"]["overhead"] == 0.25  # 3 s busy of 2 s in two processes
+    assert {name: list(found[name]) for name in ("plan", "points", "counts", "solved_by")} == {
+        "plan": ["kind", "points", "varied"], "points": ["inputs", "status", "reason"],
+        "counts": ["solved", "refused", "failed", "reasons"],
+        "solved_by": ["portion", "levels", "code", "versions"],
+    }  # fmt: skip
+    assert list(found["rows"][0]) == [
+        "name", "symbol", "unit", "kind", "by", "formula", "fe", "U", "error", "U_error",
+        "problem", "validity",
+    ]  # fmt: skip
+
+
+def test_the_record_of_a_star_has_its_regions():
+    plan = planned("a=1:8mm:8", "b=1:3mm:3", star=True)
+    a = np.round(plan.points[:, 0] * 1e3)
+    of = as_json(outcome(plan, course(plan, 0.01 * a, 0.002)))["rows"][0]["validity"][1]
+    assert of["box"] == {
+        "a": {"low": 1, "high": 4, "whole": False}, "b": {"low": 1, "high": 3, "whole": True}
+    }  # fmt: skip
+    assert of["base"] == {"a": 4, "b": 2}
+    assert of["breaks"] == {
+        "input": "a", "last": 4, "first": 5, "at": pytest.approx(4.8), "verdict": "undecided",
+        "why": "",
+    }  # fmt: skip
 
 
 def test_the_record_of_a_sample_is_as_described():
@@ -161,6 +184,9 @@ def test_the_record_of_a_sample_is_as_described():
     assert of["fe"]["mean"] == 2  # N/mm
     assert of["error"]["mean"] == pytest.approx(0.05, abs=2e-3)
     assert list(of["error"]["indices"]) == ["a", "b"]
+    assert set(of["error"]) == {
+        "n", "mean", "sd", "q025", "q500", "q975", "noise", "why", "indices",
+    }  # fmt: skip
 
 
 # Solved
