@@ -106,6 +106,12 @@ def test_even_cells_lie_on_both_sides_of_each_contact(
     assert side.sum() == 0
 
 
+def test_cells_may_be_straight_or_linear():
+    straight, linear = inner(straight=True), inner(order=1)
+    np.testing.assert_allclose(straight.p, linear.p, rtol=0, atol=1e-9 * R)
+    assert measure(straight, "roller") < pi * R_R**2 * (1 - 1e-4)
+
+
 def beside(angle, radius=R - R_R):
     return tuple(radius * ray(radians(angle)))
 

@@ -64,6 +64,14 @@ def test_middles_lie_half_way_along_their_elements(mesh):
     np.testing.assert_allclose(sagitta, 1 - np.cos(pi / 16), rtol=SPACING)
 
 
+def test_chords_are_the_straight_elements_between_the_ends(mesh):
+    points, pairs = mesh.chords
+    assert points.shape == (14, 2)
+    length = np.hypot(*(points[pairs[:, 1]] - points[pairs[:, 0]]).T)
+    np.testing.assert_allclose(length[mesh.bodies["bow"]], 2 * np.sin(pi / 16), rtol=SPACING)
+    assert length[mesh.bodies["straight"]].sum() == pytest.approx(3, rel=1e-12)
+
+
 def bar(order, name="bar"):
     """A straight line of three elements; without a name if that is None."""
     with gmsh_session():

@@ -58,6 +58,12 @@ def test_boundaries_lie_where_their_names_say(loaded):
     assert mesh.subdomains["ring"].size == mesh.nelements
 
 
+def test_straight_cells_have_their_corners_only():
+    flat = half_sector(**RACE, refine=1, straight=True)
+    assert flat.doflocs.shape[1] == flat.nvertices
+    assert np.all(areas(flat) > 0)
+
+
 @pytest.mark.parametrize(
     ("wrong", "said"),
     [

@@ -85,7 +85,7 @@ def test_the_same_blocks_under_another_name_have_that_name():
     assert sorted(one.boundaries["both"]) == sorted(other.boundaries["both"])
 
 
-def test_no_more_than_the_last_few_are_kept():
+def test_no_more_than_the_last_few_are_stored():
     few, made = Topologies(most=2, nodes=100), []
 
     def get(key, nodes=1):

@@ -127,6 +127,14 @@ def test_work_becomes_strain_energy():
     assert arc.work[-1] == pytest.approx(arc.strain_energy[-1], rel=1e-6)
 
 
+def test_the_order_of_loads_and_movement_does_not_matter():
+    frame, load = hook(), {2 * COUNT: (-4.0, 6.0, 0.0)}
+    moved = frame.displaced({TIP: {"x": 0.4}}, [0.5, 1.0], loads=load).last
+    again = frame.displaced({TIP: {"x": 0.4}}, [1.0])
+    again = frame.under_loads(load, [0.2, 1.0], since=again.last).last
+    np.testing.assert_allclose(again.u, moved.u, atol=1e-10)
+
+
 def test_reactions_balance_loads_and_prescribed_movement_returns_them():
     frame = hook()
     loaded = frame.under_loads({TIP: LOAD, 0: (1.0, 2.0, 0.5)}, [1.0]).last

@@ -90,7 +90,7 @@ def test_a_slider_loses_the_area_of_its_loop():
     stored = path.strain_energy + path.term_energy + path.dissipated
     assert path.work[9] == pytest.approx(stored[9], rel=0.15)  # kinks within steps of 0.02
     again = bar(slider).displaced({1: {"x": amplitude}}, [0.1])
-    assert again.dissipated[0] == 0  # a path from rest starts the history anew
+    assert again.dissipated[0] == 0  # a path from rest starts a new history
 
 
 def test_a_state_that_the_terms_have_forgotten_is_refused():

@@ -128,6 +128,16 @@ def test_links_that_prescribe_nothing_are_refused():
         solve_frame(ABOVE, PAIR, **more, links=[Link(first=0, second=2, direction=(0, 1))])
 
 
+def test_a_frame_that_its_links_leave_loose_is_refused():
+    """A hinge and a link through the hinge: the beam turns about it."""
+    points = [[0, 0], [L, 0], [L, 0.0], [L + 1, 0.0]]
+    with pytest.raises(ValueError, match="can move rigidly in spite of its links"):
+        solve_frame(
+            points, [[0, 1], [2, 3]], sections=THIN, supports={0: "xyr", 3: "xy"},
+            loads={2: (0, -1, 0)}, links=[Link(first=2, second=1, direction=(1, 0))],
+        )  # fmt: skip
+
+
 def test_curved_elements_say_that_they_are_linked_at_nodes():
     with pytest.raises(ValueError, match=r"linked at their nodes, got place \(0, 0.5\)"):
         solve_curved_frame(

@@ -36,7 +36,7 @@ def test_the_head_s_stiffness_is_symmetric_though_nothing_makes_it_so(thin):
     assert (rounding / np.sqrt(abs(np.outer(np.diag(S), np.diag(S))))).max() < 1e-11
 
 
-def test_where_a_head_gives_way_does_not_depend_on_where_the_search_began(thin, monkeypatch):
+def test_where_a_head_buckles_does_not_depend_on_where_the_search_began(thin, monkeypatch):
     found = []
     for near in (0.8, 0.85, 0.9):
         monkeypatch.setattr(released, "NEAR", near)

@@ -145,6 +145,14 @@ def test_turning_together_is_no_slip_and_passing_by_is():
     assert np.abs(np.abs(slip) - 1e-3).max() < 1e-4  # but for its own slope
 
 
+def test_lines_apart_do_not_act():
+    term, x, _ = crossing(3)
+    energy, force, K = term.evaluate(x)
+    assert energy == 0
+    assert not force.any()
+    assert not K.toarray().any()
+
+
 def test_a_line_does_not_touch_its_own_neighbourhood():
     points, elements = ring((0, 0), 1.0, 48)  # elements of 0.13 for a thickness of 0.3
     term = SelfContact(points, elements, thickness=B, EA=1.0)

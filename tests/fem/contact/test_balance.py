@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from fem.contact.errors import NotFoundError
 from fem.contact.pairs import Obstacle, Pair
 from fem.contact.problem import ContactProblem
 from fem.contact.shapes import Circle, Flat
@@ -93,3 +94,10 @@ def test_a_ring_hands_its_torque_to_the_ring_that_it_is_pressed_on(swap):
     assert sign * touch.moment() == pytest.approx(moment, rel=2e-5)
     assert sign * touch.moment(on="slave") == pytest.approx(-moment, rel=2e-5)
     np.testing.assert_allclose(touch.force, 0.0, atol=EXACT * touch.normal_force)
+
+
+def test_a_press_fit_turns_at_its_friction_and_not_before():
+    s, _ = rings(0.999)
+    assert np.any(s.touches[0].sticks)
+    with pytest.raises(NotFoundError, match="no state of rest was found"):
+        rings(1.001)

@@ -65,7 +65,7 @@ def test_both_discs_move_alike(ours, theirs):
     assert np.abs(theirs.u - moved).max() < overlap(STIFF) + misplaced + cells
 
 
-def test_a_softer_penalty_gives_way_as_an_elastic_layer_does(theirs, ask_calculix):
+def test_a_softer_penalty_yields_as_an_elastic_layer_does(theirs, ask_calculix):
     # a layer's energy int p^2/(2 slope) is 2/3 p_0^2 a/slope, as P^1.5; its slope over P is the
     # layer's share of the approach, 2/pi p_0/slope, up to the overlap over the gap a^2/R
     soft = replace(STIFF, slope=20)

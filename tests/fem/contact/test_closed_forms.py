@@ -1,4 +1,4 @@
-"""Contacts whose answers are closed formulas, written anew here."""
+"""Contacts whose answers are closed formulas."""
 
 import numpy as np
 import pytest
@@ -68,6 +68,7 @@ def test_spheres_meet_hertz(partner, refine):
     inner = r < 0.5  # nearer to the edge a mesh that does not end there shows
     np.testing.assert_allclose(p[inner], np.sqrt(1 - r[inner] ** 2), rtol=2e-3)
     assert touch.normal_force == pytest.approx(load, rel=1e-6)
+    assert touch.half_width((0, 0)) == pytest.approx(a, rel=5e-3)
     # the centre comes nearer by less than delta = a^2 bend: what lies beyond it does not count,
     # and of a half-space's approach the part beyond the depth R is 0.4 a/R to 0.6 a/R
     delta = -s.plane.displacement_at((0, R))[1] / (a**2 * bend)

@@ -58,29 +58,6 @@ def pulled():
     return problem, pressed
 
 
-@pytest.mark.parametrize("share", [0.2, 0.8])
-def test_pulled_along_z_the_stick_zone_shrinks_as_cattaneo_has_it(pulled, share):
-    problem, pressed = pulled
-    P = load(0.3)
-    Q = share * MU * P
-    s = problem.solve(forces={"up.middle": (0.0, -P)}, axial_forces={"up.middle": Q}, after=pressed)
-    touch = s.touches[0]
-    assert touch.force_z == pytest.approx(Q, rel=1e-9)
-    assert s.along.residual.largest < 1e-9
-    a, c = touch.half_width(), touch.half_width() * np.sqrt(1 - share)
-    assert stick_half_width(touch, touch.q_z) == pytest.approx(c, rel=1e-3)
-    cell = A * 1.2 / 12 / 2
-    assert np.ptp(touch.x[0, touch.sticks]) / 2 == pytest.approx(c, abs=1.5 * cell)
-    x, p_0 = touch.x[0], 2 * P / (np.pi * a)
-    full, less = (np.sqrt(np.maximum(1 - (x / w) ** 2, 0.0)) for w in (a, c))
-    inner = (np.abs(x) < 0.9 * a) & (np.abs(np.abs(x) - c) > 2 * cell)
-    expected = MU * p_0 * (full - c / a * less)
-    np.testing.assert_allclose(touch.traction_z[inner], expected[inner], atol=0.03 * MU * p_0)
-    # slips backwards against what drags the master forward, and nowhere inside
-    assert np.all(touch.slip_z[touch.closed & ~touch.sticks] < 0)
-    assert np.abs(touch.slip_z[touch.sticks]).max() < 1e-9 * np.abs(touch.slip_z).max()
-
-
 @pytest.fixture(scope="module")
 def oblique():
     """Without Poisson's ratio, and moved: what is pushed above would tilt."""

@@ -66,7 +66,7 @@ def test_layers_that_stick_shear_evenly(cells, order):
 
 
 @pytest.mark.parametrize("free", [(), ("floor",)], ids=["held", "free"])
-def test_an_obstacle_pulls_along_z_or_gives_way_to_a_force(free):
+def test_an_obstacle_pulls_along_z_or_follows_a_force(free):
     problem = ContactProblem(
         block(x=(0, 1), y=(0, 0.5), nx=5, ny=3), materials=SOFT, assumption="plane strain",
         supports={"top": "xy"}, along=Along(supports={"top": 0.0}, free=free),

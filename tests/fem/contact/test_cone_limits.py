@@ -65,6 +65,14 @@ def test_a_block_holds_what_is_within_the_cone_and_no_more(low, angle):
             pulled(problem, pressed, angle, share)
 
 
+def test_what_hardly_holds_slides_far_and_is_refused():
+    # friction that has turned into the pull all over: it rests after 200 times what it deforms
+    problem = on_flat()
+    pressed = problem.solve(forces={"up.top": (0.0, -P)})
+    with pytest.raises(ArithmeticError, match="within small motions"):
+        pulled(problem, pressed, 30.0, 1 - 1e-7)
+
+
 @pytest.mark.parametrize("angle", [0.0, 60.0])
 def test_a_block_that_is_moved_slides_at_mu_times_the_pressure(angle):
     problem = on_flat(top="moved")
@@ -127,7 +135,7 @@ def test_a_disc_in_a_wedge_holds_an_axial_force_within_the_cone():
     [(0.5, 0.5), (1.0, 0.0), (1.5, 0.5)],
     ids=["bodies overlap", "bodies touch", "a gap carries pressure"],
 )
-def test_a_pressure_that_its_gap_contradicts_is_told_either_way(pressure, missed):
+def test_a_pressure_that_its_gap_contradicts_counts_as_a_miss_on_both_sides(pressure, missed):
     cone = Cone(
         B=np.eye(3), D=np.zeros((3, 0)), friction=np.array([0.5]), rough=np.array([0])
     )  # a node that overlaps by 1 and yields 1 per unit pressure

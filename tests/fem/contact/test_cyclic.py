@@ -97,7 +97,7 @@ def test_the_mean_s_moment_is_the_whole_s_share_and_goes_through_the_contacts_to
     assert {s.tolist() for t in part.touches for s in t.sticks[t.closed]} == {True, False}
 
 
-def test_a_ring_without_friction_that_loads_turn_is_told():
+def test_a_ring_without_friction_that_loads_turn_is_refused():
     free = clutch(START, friction=0.0, means={})
     with pytest.raises(ValueError, match="rotation\\), and the loads do move it"):
         free.solve(

@@ -9,7 +9,7 @@ from fem.contact.errors import NoEquilibriumError
 from fem.contact.friction_lcp import FrictionLcp
 from fem.contact.lemke import lemke
 from fem.contact.residual import residual
-from fem.contact.system import BACKWARD, FORWARD, STICK
+from fem.contact.system import BACKWARD, FORWARD, OPEN, STICK
 
 COUPLED = np.array([[1.0, -0.9], [-0.9, 1.0]])  # pressure and slip of one node
 
@@ -60,6 +60,18 @@ def test_a_wrong_force_violates_its_law(row, factor, law):
     assert getattr(residual(kernel, w_0, none, wrong, none), law) > 2e-4
 
 
+def test_of_three_solutions_the_one_of_index_minus_one_proves_the_others():
+    # open, slipping forward at n = 0.1/0.35, and sticking: by hand
+    kernel, w_0, none = node(), np.array([0.1, -0.3]), np.zeros(0)
+    slipping = Rest(np.array([1.0, 1.5]) * 0.1 / 0.35, none, np.array([FORWARD], np.int8))
+    sticking = Rest(np.linalg.solve(COUPLED, -w_0), none, np.array([STICK], np.int8))
+    lost = Rest(np.zeros(2), none, np.array([OPEN], np.int8))
+    for rest in (slipping, sticking, lost):
+        assert residual(kernel, w_0, none, rest.multipliers, none).largest < 1e-12
+    assert kernel.is_proven_non_unique(slipping, w_0, none)
+    assert not kernel.is_proven_non_unique(lost, w_0, none)
+
+
 def test_a_wedge_held_by_friction_has_zero_force_as_another_solution():
     # a body between two plates at +-5 deg, drawn out of the wedge by neither: tan 5 deg = 0.087
     c, s = np.cos(np.radians(5)), np.sin(np.radians(5))
@@ -75,18 +87,24 @@ def test_a_wedge_held_by_friction_has_zero_force_as_another_solution():
     assert kernel.is_proven_non_unique(held, w_0, e)
 
 
-@pytest.mark.parametrize(
-    "seed",
-    [
-        *range(8),
-        8562,  # forces far below those that close the gaps: rows whose gaps miss by 1e-12 of them
-        2470,  # unloaded bodies that rest apart, where only round-off presses them
-    ],
-)
+@pytest.mark.parametrize("seed", range(5))
 def test_random_problems_meet_the_laws_of_contact_on_their_whole_path(seed):
     found = list(steps(problem(seed)))
     assert all(outcome in (*METHODS, "proven", "not found") for outcome, _, _ in found)
     assert max(missed for _, _, missed in found) < 1e-9
+
+
+@pytest.mark.parametrize(
+    "seed",
+    [
+        7482,  # forces far below those that close the gaps, which rows miss by 1e-12 of them
+        7004,  # bodies without load rest apart: pivots leave forces of 1e-13 that nothing balances
+    ],
+)
+def test_problems_near_round_off_have_their_solutions(seed):
+    found = list(steps(problem(seed)))
+    assert max(missed for _, _, missed in found) < 1e-9
+    assert "not found" not in {outcome for outcome, _, _ in found}
 
 
 def test_loads_outside_the_cone_of_forces_are_proven_to_have_no_equilibrium():

@@ -1,4 +1,4 @@
-"""Nitsche's method beside the mortar: two ways to press, one answer, nearer with every mesh."""
+"""Nitsche's method beside the mortar: one answer, nearer with every mesh."""
 
 import numpy as np
 import pytest

@@ -95,7 +95,7 @@ def test_the_area_of_a_loop_is_positive_and_exact_for_parabolas():
     assert loop_area(*loop(8)) == pytest.approx(8 / 3, rel=1e-14)
 
 
-def test_a_loop_is_shown_beyond_the_line_between_its_reversals():
+def test_a_loop_bends_beyond_the_line_between_its_reversals():
     x = np.concatenate([np.linspace(1, -1, 33), np.linspace(-1, 1, 33)[1:]])
     bend = np.where(np.arange(x.size) <= 32, 1.0, -1.0) * (1 - x**2)
     at = np.linspace(-1.0, 1.0, 17)

@@ -120,19 +120,32 @@ def punched(start):
         assumption="plane strain", supports={"bottom": "xy"}, obstacles={"punch": punch},
         contacts=[Pair(slave="surface", master="punch")],
     )  # fmt: skip
-    return problem.solve(forces={"punch": (0, -100.0)}).touches[0]
+    return problem.solve(forces={"punch": (0, -100.0)})
 
 
 def test_an_obstacle_keeps_its_own_curvature_from_wherever_it_comes():
     near, far = punched(0.0), punched(15.0)
-    assert far.peak == pytest.approx(near.peak, rel=1e-3)
-    assert far.half_width() == pytest.approx(near.half_width(), rel=1e-3)
+    one, other = near.touches[0], far.touches[0]
+    assert other.peak == pytest.approx(one.peak, rel=1e-3)
+    assert other.half_width() == pytest.approx(one.half_width(), rel=1e-3)
+    assert far.motion("punch")[1] + 15 == pytest.approx(near.motion("punch")[1], rel=1e-3)
+
+
+def test_a_floor_that_turns_about_its_point_presses_one_half_of_a_block():
+    problem = ContactProblem(
+        block(x=(-1, 1), y=(0, 1), nx=8, ny=4), materials=YIELDING, assumption="plane strain",
+        supports={"top": "xy"}, obstacles={"floor": Obstacle(Flat())},
+        contacts=[Pair(slave="bottom", master="floor")],
+    )  # fmt: skip
+    touch = problem.solve(displacements={"floor": {"r": 1e-4}}).touches[0]
+    assert np.all(touch.x[0, touch.closed & (touch.pressure > 0)] > -0.3)
+    assert touch.x[0] @ touch.pressure > 0
 
 
 def column(steps):
     """A column that is driven down through a gap and aside at once; T of it as it should be.
 
-    Half of the way it does not touch. From there on it sticks: it bends and shears by half of
+    In the first half it does not touch. From there on it sticks: it bends and shears by half of
     the whole shift.
     """
     gap = 1e-4
@@ -149,7 +162,7 @@ def column(steps):
 def test_what_slides_before_it_touches_costs_nothing():
     N, T = column(1)
     many = column(20)
-    assert pytest.approx(1e-4 / 4, rel=1e-9) == N  # E times the strain of what is left of the way
+    assert pytest.approx(1e-4 / 4, rel=1e-9) == N  # E times the strain of the second half
     assert pytest.approx((N, T), rel=1e-6) == many
     both = ContactProblem(  # the same column, already down, and aside by the second half alone
         block(x=(0, 1), y=(0, 4), nx=4, ny=16), materials=Elastic(E=1.0, nu=0.0),
@@ -169,8 +182,8 @@ def test_a_round_punch_that_turns_drags_as_one_that_is_shifted():
     )  # fmt: skip
     pressed = punch.solve(displacements={"punch": {"y": down}})
     drags = [
-        punch.solve(displacements={"punch": {"y": down, **way}}, after=pressed).touches[0]
-        for way in ({"r": aside / R}, {"x": aside})
+        punch.solve(displacements={"punch": {"y": down, **motion}}, after=pressed).touches[0]
+        for motion in ({"r": aside / R}, {"x": aside})
     ]
     # the point of contact is R below the centre: turning to the left moves it to the right, and
     # the block with it, which pulls the punch back

@@ -80,15 +80,15 @@ def beside_an_obstacle():
 @pytest.mark.parametrize(
     ("left", "state"),
     [
-        pytest.param(1e-14, OPEN, id="round-off of the way"),
-        pytest.param(-1e-13, OPEN, id="round-off the other way"),
+        pytest.param(1e-14, OPEN, id="round-off of the path"),
+        pytest.param(-1e-13, OPEN, id="round-off of the other sign"),
         pytest.param(-1e-9, STICK, id="an overlap"),
     ],
 )
 def test_a_gap_counts_against_the_path_whichever_direction_a_body_goes(left, state):
     # it went by 1e3 to where the gap is `left` of that
-    way = np.array([1e3])
+    path = np.array([1e3])
     w_0 = np.array([1e3 * (1 + left)])
     system, none = beside_an_obstacle(), np.zeros(1, np.int8)
-    found = fitting_states(system, w_0, np.zeros(1), way, none)
+    found = fitting_states(system, w_0, np.zeros(1), path, none)
     assert found.tolist() == [state]

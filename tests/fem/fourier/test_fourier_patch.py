@@ -91,6 +91,7 @@ def test_a_shear_in_x_and_z_is_exact(kind, bore):
     c, s = np.cos(ANGLES), np.sin(ANGLES)
     np.testing.assert_allclose(sigma, [none, none, none, none, -s, c], atol=ROUND_OFF)
     area = np.pi * (4 - bore**2)
+    assert solution.strain_energy == pytest.approx(solution.work / 2, rel=1e-9)
     force, moment = solution.reaction("bottom")
     assert force == pytest.approx(-area, rel=1e-9)
     assert moment == pytest.approx(0.0, abs=1e-9 * area)

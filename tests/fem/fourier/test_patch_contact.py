@@ -103,7 +103,7 @@ def roller(overhang=0.0, R=1.0, nu=0.3, E=206.0, refine=1, length=1.0):
 ACROSS = np.linspace(0, 0.06, 13)
 
 
-def test_the_same_bodies_the_other_way_round_press_alike():
+def test_the_same_bodies_in_reverse_order_press_alike():
     pair = roller(0.5, R=2.0, E=70.0, nu=0.2), roller()
     here = patch_contact(pair, across=ACROSS, load=0.15)
     there = patch_contact(pair[::-1], across=ACROSS, load=0.15)
@@ -150,11 +150,11 @@ def test_short_contacts_of_bodies_that_go_on_are_those_of_a_half_space():
     q = 2 * np.diff(across) @ p.reshape(c.p.shape)
     share = np.cumsum((c.line_load - q) * np.diff(z)) / load
     assert abs(share).max() < bound
-    # the last two cells carry what is singular, each side in its own way
+    # the last two cells carry what is singular, each side as it can
     np.testing.assert_allclose(c.p[0, :-2] / p.reshape(c.p.shape)[0, :-2], 1, atol=bound)
 
 
-def test_a_patch_gives_way_symmetrically_and_costs_energy():
+def test_the_compliance_of_a_patch_is_symmetric_and_positive():
     A = roller().between(ACROSS, 2.0)
     M, m = ACROSS.size - 1, roller().stations.size - 1
     A = A.transpose(0, 2, 1, 3).reshape(M * m, M * m)

@@ -20,9 +20,9 @@ def both(mesh, assumption, folder):
         mesh, materials=STEEL, assumption=assumption, supports={"x=0": "x", "y=0": "y"},
         pressures={"bore": 100e6}, thickness=0.3,
     )  # fmt: skip
-    told = PlaneDeck(solution=ring, materials=STEEL, assumption=assumption)
-    deck = told.write(folder / "ring.inp")
-    return ring.u[told.numbering.dofs].T, run_deck(deck).u
+    deck_of_ring = PlaneDeck(solution=ring, materials=STEEL, assumption=assumption)
+    deck = deck_of_ring.write(folder / "ring.inp")
+    return ring.u[deck_of_ring.numbering.dofs].T, run_deck(deck).u
 
 
 @installed

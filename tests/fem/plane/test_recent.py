@@ -92,7 +92,7 @@ def test_another_modulus_or_thickness_factorises_nothing(factorisations):
         ),
     ],
 )  # fmt: skip
-def test_another_matrix_is_factorised_anew(other, factorisations):
+def test_another_matrix_is_factorised_again(other, factorisations):
     pressed(plate())
     after = other()
     assert len(factorisations) == 2
@@ -100,7 +100,7 @@ def test_another_matrix_is_factorised_anew(other, factorisations):
     assert same(after, other())
 
 
-def test_what_takes_too_much_room_is_not_kept_and_drives_out_nothing():
+def test_what_takes_too_much_room_is_not_stored_and_displaces_nothing():
     recent = Recent(most=9, room=10)
     for k, size in ((1, 4), (2, 5), (3, 11), (4, 3)):
         recent.get((k,), lambda k=k: k, lambda _, size=size: size)

@@ -25,6 +25,8 @@ LIGHT = Material(E=210e9, nu=0.3)
         (lambda: Element(0.1, 0.03, shear=0.0), "shear coefficient must be positive"),
         (lambda: Material(E=-1.0), "Young's modulus must be positive, got E=-1 Pa"),
         (lambda: Material(E=1.0, nu=0.6), "Poisson's ratio"),
+        (lambda: Material(E=1.0, rho=-1.0), "a density is not negative, got rho=-1 kg/m"),
+        (lambda: Disc.cylinder(0, 0.1, 0.2, 0.05, 7800.0), "0 <= d_i < d_o"),
         (lambda: Shaft([]), "at least one element"),
         (lambda: Shaft(SHAFT.elements, ratio=float("inf")), "ratio and z are finite"),
         (lambda: Disc(0, -1.0), "a disc's mass is not negative, got -1 kg"),

@@ -1,4 +1,4 @@
-"""Campbell diagrams and critical speeds: branches that cross, speeds found both ways."""
+"""Campbell diagrams and critical speeds: branches that cross, speeds by both methods."""
 
 import numpy as np
 import pytest

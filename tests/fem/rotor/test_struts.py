@@ -109,6 +109,12 @@ def test_loads_of_a_known_place_lead_back_to_it(struts):
     assert found.loads()[list(free)] == pytest.approx(loads[list(free)], rel=1e-10)
 
 
+def test_each_strut_may_have_its_own_stiffness():
+    k = np.arange(1.0, 8.0)
+    joint = Joint.at_rest(pinned(s_0=0.1), power_law(k, 1.0))
+    assert joint.forces() == pytest.approx(0.1 * k, rel=1e-14)
+
+
 def test_no_equilibrium_is_refused_not_returned():
     # seven struts push outwards; none of them pulls the hub upwards
     joint = Joint.at_rest(rolling(), LAW)

@@ -77,7 +77,7 @@ def test_a_node_holds_those_that_are_tied_to_it():
     np.testing.assert_allclose(one.u, every.u, atol=1e-12 * np.abs(every.u).max())
 
 
-def test_normals_may_point_either_way():
+def test_normals_may_point_to_either_side():
     mesh = panel()
     turned = mesh.cells[:, [0, 3, 2, 1, 7, 6, 5, 4, 8]]
     load = {"head": (0.0, -1e3, 500.0)}

@@ -29,7 +29,7 @@ def test_the_barrel_roof_sinks_between_its_published_values():
     assert 0.3006 < -roof(8) < 0.3024
 
 
-def test_the_pinched_hemisphere_gives_way_as_published():
+def test_the_pinched_hemisphere_yields_as_published():
     """0.0935 (Simo, Fox, Rifai 1989) with a hole of 18 deg; its rigid turns cost nothing."""
 
     def sphere(u, v):

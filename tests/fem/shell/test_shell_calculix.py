@@ -31,10 +31,10 @@ def head_moves(load, refined, folder):
         mesh.points, mesh.cells, thickness=T, materials=STEEL, boundaries=mesh.boundaries,
         supports={"tail": "xyzabc"}, edge_loads={"head": load},
     )  # fmt: skip
-    told = ShellDeck(solution=s, material=STEEL, thickness=T, clamped=["tail"])
-    deck, node = told.write(folder / "hook.inp"), mesh.nodes["head"]
+    shells = ShellDeck(solution=s, material=STEEL, thickness=T, clamped=["tail"])
+    deck, node = shells.write(folder / "hook.inp"), mesh.nodes["head"]
     run_deck(deck)
-    return s.u[node], told.moved(deck, node)
+    return s.u[node], shells.moved(deck, node)
 
 
 @pytest.mark.skipif(executable() is None, reason="calculix (ccx) is not installed")

@@ -35,11 +35,11 @@ def shell_stiffness(mesh, h, edge):
 
 def solid_stiffness(path, levels, edge, deck):
     """The same by bricks between the planes z = `levels`, whose odd ones hold middle nodes."""
-    told = SweptDeck(
+    swept = SweptDeck(
         pieces=path, counts=[PER_ARC if piece.turn else PER_LEAF for piece in path], b=B,
         levels=levels, material=STEEL, move=UNIT, held=bool(edge),
     )  # fmt: skip
-    run_deck(told.write(deck))
+    run_deck(swept.write(deck))
     return 4 * strain_energy(deck.with_suffix(".dat")) / UNIT**2
 
 

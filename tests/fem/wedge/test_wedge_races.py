@@ -9,7 +9,7 @@ from fem.contact.errors import NotFoundError
 from fem.wedge.races import Sector
 from meshes.sprag.wedged import first_contact
 from verify.cases.sprag.inputs import WedgeInputs
-from verify.cases.sprag.stroke import at_force, guessed, struts
+from verify.cases.sprag.stroke import at_force, guessed, races, struts
 
 Q = WedgeInputs()
 P = 3407 / Q.l  # [N/m] of a sprag under 25 N m
@@ -119,6 +119,15 @@ def test_odd_clutches_come_to_rest(changed, T):
     state = at_force(q, T / (q.z * q.R_i * tan(q.nu_0) * q.l)).state(4)
     assert state.torque * q.l == pytest.approx(T, rel=0.02)
     assert tan(state.angles[0]) == pytest.approx(tan(state.start.strut[0]), rel=0.01)
+
+
+def test_the_inner_contact_is_narrower_and_pressed_harder(state):
+    assert state.widths[0] < state.widths[1]
+    assert state.peaks[0] > state.peaks[1]
+    for i, bends in enumerate((1 / Q.r_i + 1 / Q.R_i, 1 / races(Q).sprag.r_e - 1 / Q.R_e)):
+        a = (8 * state.N[i] * (1 - Q.nu**2) / (pi * Q.E * bends)) ** 0.5  # Hertz
+        assert state.widths[i] == pytest.approx(a, rel=0.01)
+        assert state.peaks[i] == pytest.approx(2 * state.N[i] / (pi * a), rel=0.01)
 
 
 def test_a_sprag_that_is_not_turned_touches_nothing():
