@@ -109,6 +109,7 @@ def test_what_makes_no_sense_is_refused_in_words(call, message):
         (rotor(), "no bearing holds it"),
         (rotor(Support(node=0, kxx=1e8)), "shaft 1 .*tilts freely in x and y"),
         (rotor(HELD[0], Support(node=3, kxx=1e8, kyy=0.0)), "freely in y"),
+        (rotor(HELD[0], Support(node=3, kxx=0.0, kyy=1e8)), "freely in x"),
         (rotor(Support(node=0, kxx=0.0, k_tilt=1e5)), "shaft 1 shifts freely"),
         (rotor(*HELD, shafts=(THREE, THREE), links=(Link(a=1, b=5, kxx=1e8),)),
          "shaft 2 .*tilts freely"),

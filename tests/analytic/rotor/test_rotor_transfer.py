@@ -109,6 +109,7 @@ def test_a_mode_is_carried_into_the_segments():
     found = modes(supported(d=0.05, k=1e13), 400.0, count=3)
     for k, half_waves in ((0, 1), (2, 2)):
         (line,) = mode_lines(found, k, points=11)
+        assert len(line.z) % 11 == 0  # eleven to a piece
         r = line.plus + line.minus
         sine = np.sin(half_waves * np.pi * line.z)
         fitted = (r.real * sine).sum() / (sine**2).sum()  # places do not meet every peak

