@@ -1,0 +1,37 @@
+"""What the table of solvers is made of."""
+
+import sys
+
+import pytest
+
+from benchmarks import rotor
+from benchmarks.processes import measured
+from benchmarks.solvers import Run, line
+from fem.rotor.response import unbalance_response
+
+
+def test_a_process_tells_what_it_takes():
+    idle = measured([sys.executable, "-c", "import time; time.sleep(0.3); print('done')"])
+    assert idle.said == "done\n"
+    assert idle.wall > 0.3 > idle.cpu
+    large = measured([sys.executable, "-c", "x = bytearray(200 << 20); x[::4096] = x[::4096]"])
+    assert large.peak > idle.peak + 190
+
+
+def test_a_process_that_fails_says_why():
+    with pytest.raises(RuntimeError, match="of itself"):
+        measured([sys.executable, "-c", "raise SystemExit('of itself')"])
+
+
+def test_a_row_tells_ratios_of_processor_seconds_and_the_limit():
+    here = [Run(1e-5, 9.0, cpu, 80.0, 0.5) for cpu in (1.0, 2.0, 4.0)]
+    there = [Run(2e-5, 9.0, 8.0, 300.0)] * 3
+    cells = [cell.strip() for cell in line("ring", "calculix", 100, here, there).split("|")]
+    assert cells[3:7] == ["1.0e-05, calculix 2.0e-05", "1, 2, 4", "8, 8, 8", "2, 4, 8"]
+    assert cells[9] == "0.5 (25 %), at most 16.0"
+
+
+def test_the_refined_amplitudes_are_nearer_than_any_solver_s():
+    own, _ = rotor.pair(unlike=True, damped=True)
+    found = unbalance_response(own, rotor.FINE, rotor.UNBALANCES).q.T
+    assert 1e-15 < rotor.apart(found, rotor.refined(own)) < 1e-12
