@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -11,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"), "1")
+STEP = 0.01  # s between looks at the memory
 
 
 @dataclass(frozen=True)
@@ -25,21 +27,34 @@ class Used:
 
 def measured(command: list[str], folder: Path | None = None) -> Used:
     """A command run in `folder`; RuntimeError with its own words where it fails."""
-    with tempfile.TemporaryFile() as out:
-        start = time.perf_counter()
+    with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
+        start, peak, ended = time.perf_counter(), 0.0, 0
         process = subprocess.Popen(  # noqa: S603
-            command, cwd=folder, env=os.environ | ONE_THREAD, stdout=out, stderr=subprocess.PIPE
+            command, cwd=folder, env=os.environ | ONE_THREAD, stdout=out, stderr=err
         )
-        assert process.stderr is not None
-        words = process.stderr.read().decode("utf-8", "replace")
-        _, status, used = os.wait4(process.pid, 0)
+        while not ended:
+            # what the system counts for the process begins with the memory of its parent
+            peak = max(peak, _most(process.pid))
+            ended, status, used = os.wait4(process.pid, os.WNOHANG)
+            time.sleep(0.0 if ended else STEP)
         wall = time.perf_counter() - start
         process.returncode = os.waitstatus_to_exitcode(status)
-        if process.returncode:
-            raise RuntimeError(f"{' '.join(command)} failed: {words[-500:]}")
-        out.seek(0)
-        said = out.read().decode("utf-8", "replace")
-    return Used(wall, used.ru_utime + used.ru_stime, used.ru_maxrss / 1024, said)
+        said, words = (_read(file) for file in (out, err))
+    if process.returncode:
+        raise RuntimeError(f"{' '.join(command)} failed: {words[-500:]}")
+    return Used(wall, used.ru_utime + used.ru_stime, peak, said)
+
+
+def _most(process: int) -> float:
+    """The most memory [MB] that a running process has had; 0 where the system does not say."""
+    status = Path(f"/proc/{process}/status")
+    found = re.search(r"VmHWM:\s+(\d+)", status.read_text()) if status.exists() else None
+    return int(found[1]) / 1024 if found else 0.0
+
+
+def _read(file: Any) -> str:
+    file.seek(0)
+    return str(file.read().decode("utf-8", "replace"))
 
 
 def run_module(name: str, *words: object) -> dict[str, Any]:
