@@ -10,7 +10,7 @@ import jsonschema
 import pytest
 
 import reports
-from reports.crosscheck import crosscheck_data, told
+from reports.crosscheck import crosscheck_data, left_out_data, told
 from reports.crosscheck_table import crosscheck_csv
 from reports.equations import Glyphs
 from reports.html import page
@@ -35,6 +35,10 @@ STALE = Crosscheck(
     symbol="", unit="1", solver="calculix", state=CrossState.MISSING,
     why="not measured for this code: make crosscheck does it",
 )  # fmt: skip
+ALONE = replace(
+    STALE, problem="ring-lame", what="no second solver", solver="", state=CrossState.ALONE,
+    why="nobody's",
+)  # fmt: skip
 
 
 @pytest.fixture(scope="module")
@@ -54,6 +58,16 @@ def test_the_page_has_a_table_of_its_own(checked):
     assert section.count('class="is-fail"') == 1
     assert "Not measured for this code" in section
     assert '<a href="#crosscheck">' in html
+
+
+def test_a_case_that_no_solver_takes_says_why(checked):
+    html = page(replace(checked, crosschecks=(AGREES, ALONE)), {}, Glyphs(default_folder()))
+    section = html.partition('<section id="crosscheck">')[2].partition("</section>")[0]
+    assert "1 case has no second solver, and says why" in section
+    assert "Nobody" in section
+    assert "()" not in section
+    (sentence,) = left_out_data([ALONE])
+    assert "".join(map(str, sentence)) == "Nobody's: ring-lame, no second solver."
 
 
 def test_the_pdf_marks_what_is_outside(checked):

@@ -97,3 +97,10 @@ def test_page_and_pdf_take_it_and_only_then_its_script(wordy):
         if f["title"] == ["Modes"]
     ]
     assert "1F 169.2 Hz" in figure["drawing"]["svg"]
+
+
+def test_shafts_are_named_in_their_colours():
+    plain, named = whirl(BOTH), whirl(replace(BOTH, names=("outer", "inner")))
+    assert "outer" not in plain
+    for name, colour in (("outer", "s0"), ("inner", "s2")):
+        assert re.search(rf'class="fit {colour} strokes"[^>]*/><text[^>]*>{name}<', named)

@@ -48,6 +48,14 @@ def test_names_stand_inside_their_zones():
         assert top < float(y) - 4 < bottom
 
 
+@pytest.mark.parametrize("x", [2.0, 9.0, 30.0])
+def test_a_point_is_named_within_the_picture(x):
+    page = drawn(HOLDS, SLIPS, point=(x, 5.0, "26 N m, 5 kN"))
+    ((u, anchor),) = re.findall(r'class="named" x="([\d.]+)"[^>]*anchor="(\w+)"', page)
+    assert anchor == ("start" if x < 5 else "end")
+    assert float(u) <= 390
+
+
 def test_curves_are_cut_at_the_plot_and_named_in_the_key():
     far = Curve(name="limit", x=X, y=2 * X)
     page = drawn(HOLDS, SLIPS, curves=(far,))

@@ -23,18 +23,20 @@ def test_only_what_makes_the_reference_or_is_compiled_imports_below_the_top_of_a
                 assert not inner, f"{path.name}: {node.name}"
 
 
-def without_types(tree):
-    """All nodes but those under `if TYPE_CHECKING`, whose imports never run."""
-    for node in ast.iter_child_nodes(tree):
-        if not (isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING"):
-            yield node
-            yield from without_types(node)
+def statements(body):
+    """All statements but those under `if TYPE_CHECKING`, whose imports never run."""
+    for one in body:
+        if isinstance(one, ast.If) and ast.unparse(one.test) == "TYPE_CHECKING":
+            continue
+        yield one
+        for inner in ("body", "orelse", "finalbody", "handlers", "cases"):
+            yield from statements(getattr(one, inner, []))
 
 
 def imports_of(path, modules):
     """Modules of the project that a file imports, inside functions too."""
     found = set()
-    for node in without_types(ast.parse(path.read_text("utf-8"))):
+    for node in statements(ast.parse(path.read_text("utf-8")).body):
         if isinstance(node, ast.ImportFrom):
             names = [f"{node.module}.{alias.name}" for alias in node.names] + [node.module or ""]
         elif isinstance(node, ast.Import):
