@@ -53,6 +53,7 @@ def check(tmp_path, monkeypatch, capsys):
     return checked
 
 
+@pytest.mark.slow("a run with finite elements")
 def test_a_full_cache_is_one_line_and_the_run_goes_on(tiny, check):
     (tiny / "ballast").write_bytes(bytes(200_000))
     status, _, lines = check("--fem", cache=tiny / "fem")
