@@ -118,6 +118,11 @@ def test_shear_changes_sign_in_each_image_and_normal_stress_does_not():
         assert {scene.scale.low, scene.scale.high} == values
 
 
+def test_a_component_of_a_vector_is_odd_in_its_own_mirror():
+    picture = replace(WORDS, data="displacement", factor=1, component=0, mirror=("x",))
+    assert compose(sheet(), picture).scale.low == pytest.approx(-0.1, rel=0.05)
+
+
 @pytest.mark.parametrize(
     ("share", "factor"),
     [(0.065, 1.0), (0.2, 1.0), (0.5, 0.1), (1e-3, 50.0), (6.5e-7, 1e5), (0.0, 0.0), (3.0, 0.02)],
@@ -162,6 +167,20 @@ def test_a_window_shows_its_part_larger():
 def test_a_field_that_cannot_be_drawn_is_refused_in_words(change, message):
     with pytest.raises(ValueError, match=message):
         draw([(replace(sheet(), **change), WORDS)], None)
+
+
+def test_values_at_nodes_run_evenly_through_a_large_cell():
+    points = np.array([[0.0, 0], [4, 0], [4, 2], [0, 2]])
+    field = Field(name="cell", points=points, cells=np.array([[0, 1, 2, 3]]),
+                  point_data={"s": 1e6 * points[:, 0]})  # fmt: skip
+    scene = compose(field, WORDS)
+    filled = scene.vertices[scene.faces][:-4]  # the last four are the cell's edges
+    left, right = filled[..., 0].min(), filled[..., 0].max()
+    share = (filled[..., 0].mean(axis=1) - left) / (right - left)
+    assert (scene.scale.low, scene.scale.high) == (0.0, 4.0)
+    drawn, wanted = scene.colours[:-4].astype(int), scene.scale.colours(4 * share).astype(int)
+    assert np.abs(drawn - wanted).max() <= 1  # rounding
+    assert len(np.unique(drawn, axis=0)) > 10
 
 
 def test_pieces_of_cells_cover_them_and_no_more():
