@@ -108,12 +108,7 @@ def test_a_record_stays_where_processes_die(measured_here, tmp_path, capsys):
     assert kept.RECORDS.stored(made.CASE.id) == before
 
 
-@pytest.mark.parametrize(
-    "source",
-    [
-        "whole_source_of",
-    ],
-)
+@pytest.mark.parametrize("source", ["whole_source_of"])
 def test_a_record_of_other_code_does_not_count(measured_here, monkeypatch, source):
     plan, _ = measured_here()
     monkeypatch.setattr(source_code, source, lambda _code: "other")
@@ -127,11 +122,7 @@ def test_a_record_of_other_code_does_not_count(measured_here, monkeypatch, sourc
 
 
 @pytest.mark.parametrize(
-    "says",
-    [
-        replace(made.SAYS, finer=16),
-        replace(made.SAYS, reruns=made.SAYS.reruns[:-1]),
-    ],
+    "says", [replace(made.SAYS, finer=16), replace(made.SAYS, reruns=made.SAYS.reruns[:-1])]
 )
 def test_another_statement_makes_it_stale(measured_here, says):
     measured_here()
@@ -147,13 +138,7 @@ def test_measuring_goes_on_where_it_was(measured_here, capsys):
     assert "measured already" in capsys.readouterr().out
 
 
-@pytest.mark.parametrize(
-    "fails",
-    [
-        "nothing",
-        "tight",
-    ],
-)
+@pytest.mark.parametrize("fails", ["nothing", "tight"])
 def test_tolerances_are_tightened_and_loosened_where_that_fails(measured_here, monkeypatch, fails):
     monkeypatch.setattr(generic, "TOLERANCES", (f"{made.HERE}:SLACK",))
     monkeypatch.setattr(generic, "reached", lambda _case: frozenset({made.HERE}))
@@ -203,6 +188,16 @@ def test_changes_hold_for_a_while_and_whatever_happens():
 def test_a_change_that_changes_nothing_is_an_error(change, error):
     with pytest.raises(error), changed([change]):
         pass
+
+
+def test_one_mesh_alone_is_as_uncertain_as_it_is_coarse():
+    part = balance.removed("x", [(0.05, 0.02)], finest=0.041, shared=False)
+    assert (part.contribution, part.u) == (pytest.approx(0.03), pytest.approx(0.009))
+
+
+def test_two_meshes_say_how_uncertain_a_part_is():
+    part = balance.removed("x", [(0.05, 0.02), (0.045, 0.02)], finest=0.0, shared=False)
+    assert (part.contribution, part.u) == (pytest.approx(0.025), pytest.approx(0.005))
 
 
 def test_a_value_on_the_finest_mesh_alone_has_no_discretisation():

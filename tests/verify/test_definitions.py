@@ -60,6 +60,16 @@ def test_noise_of_the_last_digit_is_met_and_beyond_it_is_not():
     assert not search(formula, INPUTS, beyond, READINGS, most=1).hits
 
 
+def test_rounded_inputs_open_the_window_by_what_they_move_the_result():
+    exact = formula({**INPUTS, "r": 8.04})
+    printed = f"{exact * 1.002:.5f}"
+    assert not search(formula, INPUTS, printed, READINGS, most=1).hits
+    # 4.02 ± 0.005, squared: 0.25 %
+    found = search(formula, INPUTS, printed, READINGS, most=1, rounding={"r": 0.005})
+    assert found.best.readings == ("2 r for r",)
+    assert found.best.off == pytest.approx(2 * 0.005 / 4.02 * exact, rel=2e-3)
+
+
 def test_a_number_is_met_as_it_stands_or_by_no_reading():
     assert search(formula, INPUTS, planted(), READINGS).met
     found = search(formula, INPUTS, f"{formula(INPUTS) * 1.2345:.6f}", READINGS, digits=False)

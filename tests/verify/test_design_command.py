@@ -170,6 +170,21 @@ def test_limits_of_finite_elements_hold_on_their_boundary():
     assert not made(delta=float("nan")).fits
 
 
+def test_leaves_that_touch_before_the_working_displacement_reject_a_spring():
+    early = replace(made().curve, touches=8e-3)
+    assert not made(curve=early).fits
+    assert made(curve=replace(early, touches=8.1e-3)).fits
+
+
+def test_a_pressed_spring_needs_its_room_and_its_strength():
+    """Leaves straighten and the spring grows across: what counts is its height when pressed."""
+    high = replace(made().curve, height=15.1e-3)
+    assert not made(curve=high, room=15e-3).fits
+    assert made(curve=high, room=15.2e-3).fits
+    assert not made(stress=501e6, sigma=500e6).fits
+    assert made(stress=499e6, sigma=500e6).fits
+
+
 def test_a_curve_that_ends_without_an_equilibrium_is_no_verdict_on_the_spring():
     """Neither fitting nor rejected for its displacement: what comes after is not known."""
     broken = replace(made().curve, U=np.array([0.0, 7e-3, 7.9e-3]), whole=False)

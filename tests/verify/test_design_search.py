@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from analytic.spring import energy, frame
+from analytic.spring.wide_leaf import width_factor
 from verify.studies.design.front import distance_to_ideal, pareto, scaled, thinned
 from verify.studies.design.inputs import Task, default
 from verify.studies.design.limits import limits
@@ -57,6 +58,25 @@ def test_arrays_give_what_one_spring_gives(n, head, tail):
         assert f.U_w[i] == f.L0[i] - q.L_w
         eqs = energy.stiffness(**one, r=s.r[i], b=s.b[i], h=q.h, E=q.E)
         assert f.k1_eqs_1_9[i] == pytest.approx(float(eqs), rel=1e-12)
+
+
+def test_the_stress_of_a_free_head_is_that_at_the_apex_of_a_loop():
+    task = asked(PAPER, **(AS_PRINTED | {"arcs": "centre line"}), F_w=5.0)
+    f = formulas(candidates(PAPER), task.demands)
+    straight = 6 * 5.0 * (5.8e-3 + 0.5e-3) / (0.056 * 1e-4**2)
+    kappa = float(energy.curvature_factor(b=1e-4, r=0.45e-3))
+    assert f.stress[0] == pytest.approx(kappa * straight, rel=1e-9)
+
+
+def test_without_a_width_factor_every_leaf_is_a_plate():
+    task = asked(some(3), width_factor=None)
+    s = candidates(task.ranges)
+    f = formulas(s, task.demands)
+    for i in np.flatnonzero(s.possible)[::40]:
+        leaf = energy.leaf_length(L1=s.L1[i], r=s.r[i], b=s.b[i], alpha=s.alpha[i])
+        assert f.f[i] == pytest.approx(float(width_factor(task.demands.h, leaf)), abs=2e-5)
+    narrow = formulas(s, asked(width_factor=1.0).demands)
+    assert f.k1[s.possible] == pytest.approx((f.f * narrow.k1)[s.possible], rel=1e-12)
 
 
 def test_a_strip_that_cannot_be_bent_is_no_spring():
