@@ -205,6 +205,7 @@ def test_a_value_on_the_finest_mesh_alone_has_no_discretisation():
     assert (part.contribution, part.u, part.note) == (None, None, "values on the finest mesh alone")
 
 
+@pytest.mark.slow("the rows of all cases")
 def test_reruns_are_about_rows_and_levels_that_there_are():
     for case in registry.CASES:
         plan = measuring.plan_of(case.id)
