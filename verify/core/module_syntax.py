@@ -2,7 +2,7 @@
 
 import ast
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cache
 from importlib.util import find_spec
@@ -20,11 +20,6 @@ class Imported:
     for_types: bool
 
 
-def fresh_tree(module: str) -> ast.Module:
-    """The syntax tree of a module, which the caller may change."""
-    return ast.parse(file_of(module).read_text("utf-8"))
-
-
 def file_of(module: str) -> Path:
     """The file of a module, imported or not."""
     file = getattr(sys.modules.get(module), "__file__", None)
@@ -38,39 +33,43 @@ def file_of(module: str) -> Path:
 
 @cache
 def tree(module: str) -> ast.Module:
-    """The same, which nobody may change."""
-    return fresh_tree(module)
+    """The syntax tree of a module, which nobody may change."""
+    return ast.parse(file_of(module).read_text("utf-8"))
+
+
+@cache
+def nodes(module: str) -> tuple[ast.AST, ...]:
+    """All nodes of that tree, in the order of `ast.walk`."""
+    return tuple(ast.walk(tree(module)))
 
 
 @cache
 def imports(module: str) -> tuple[Imported, ...]:
     """All import statements of a module, also those inside functions."""
     top = tree(module)
-    types = for_types(top)
+    types = for_types(nodes(module))
     return tuple(
         Imported(node, node in top.body, node in types)
-        for node in ast.walk(top) if isinstance(node, ast.Import | ast.ImportFrom)
+        for node in nodes(module) if isinstance(node, ast.Import | ast.ImportFrom)
     )  # fmt: skip
 
 
 @cache
 def names(module: str) -> frozenset[str]:
     """The names that a module's code reads or binds, apart from its imports."""
-    return frozenset(n.id for n in ast.walk(tree(module)) if isinstance(n, ast.Name))
+    return frozenset(n.id for n in nodes(module) if isinstance(n, ast.Name))
 
 
 @cache
 def attributes(module: str, owner: str) -> frozenset[str]:
     """The attributes that a module reads off objects called `owner`, off any where it is empty."""
-    nodes = [n for n in ast.walk(tree(module)) if isinstance(n, ast.Attribute)]
-    return frozenset(n.attr for n in nodes if not owner or last_name(n.value) == owner)
+    read = [n for n in nodes(module) if isinstance(n, ast.Attribute)]
+    return frozenset(n.attr for n in read if not owner or last_name(n.value) == owner)
 
 
-def for_types(node: ast.AST) -> set[ast.AST]:
-    """What only type checkers execute of a part of a module."""
-    guarded = (
-        n for n in ast.walk(node) if isinstance(n, ast.If) and last_name(n.test) == "TYPE_CHECKING"
-    )
+def for_types(among: Iterable[ast.AST]) -> set[ast.AST]:
+    """What only type checkers execute of some nodes of a module."""
+    guarded = (n for n in among if isinstance(n, ast.If) and last_name(n.test) == "TYPE_CHECKING")
     return {item for guard in guarded for part in guard.body for item in ast.walk(part)}
 
 
@@ -113,5 +112,5 @@ def _full_name(node: ast.Import | ast.ImportFrom, alias: ast.alias, importer: st
 
 def forget() -> None:
     """Read the files again."""
-    for one in (tree, imports, names, attributes, aliases):
+    for one in (tree, nodes, imports, names, attributes, aliases):
         one.cache_clear()

@@ -5,14 +5,15 @@ project's own modules do not count.
 """
 
 import ast
-import sys
-from collections.abc import Mapping
+import copy
+from collections.abc import Callable, Mapping
 from typing import Any
 
 PROJECT = ("analytic", "fem", "meshes", "verify", "reports")
 FIELDS = ("quantity", "given", "count", "word", "text", "table")  # functions that declare an input
 DECLARATION = "Quantity"  # of a formula: its words, and the unit of its display
 FIELD_VALUES = 2  # of their arguments, which are values: default and unit
+DECLARED = ("role", "when")  # what remains of a declaration
 FIELD_WORDS = ("claims", "example", "what", "symbol")
 
 
@@ -21,51 +22,78 @@ def is_of_project(name: str) -> bool:
     return name.partition(".")[0] in PROJECT
 
 
-class _Plain(ast.NodeTransformer):
-    """Removes words and places: docstrings, messages, descriptions, the project's imports."""
+Bound = Mapping[str, str]  # what the names that imports bind stand for
 
-    def __init__(self, bound: Mapping[str, str]) -> None:
-        self.bound = bound
 
-    def visit(self, node: ast.AST) -> Any:
-        body = getattr(node, "body", None)
-        if isinstance(body, list):
-            node.body = _without_docstring(body)  # type: ignore[attr-defined]
-        return super().visit(node)
+def plain(node: ast.AST, bound: Bound) -> str:
+    """Text of a syntax tree without words and places, which stays as it is.
 
-    def visit_Import(self, node: ast.Import) -> Any:
-        node.names = [a for a in node.names if not is_of_project(a.name)]
-        return node if node.names else None
+    It is the text of `ast.dump` in Python 3.11: with empty lists, which 3.13 leaves out, and
+    without `type_params`, which 3.12 added.
+    """
+    kind = type(node)
+    changed = _CHANGED[kind](node, bound) if kind in _CHANGED else {}
+    fields = []
+    for name in kind._fields:
+        value = changed[name] if name in changed else getattr(node, name, None)
+        if name == "type_params" or (value is None and getattr(kind, name, ...) is None):
+            continue
+        if isinstance(value, list):
+            items = _without_docstring(value) if name == "body" else value
+            text = f"[{', '.join([_text(item, bound) for item in items if not _is_ours(item)])}]"
+        else:
+            text = _text(value, bound)
+        fields.append(f"{name}={text}")
+    return f"{kind.__name__}({', '.join(fields)})"
 
-    def visit_ImportFrom(self, node: ast.ImportFrom) -> Any:
-        if node.level or is_of_project(node.module or ""):
-            return None
-        return node
 
-    def visit_Name(self, node: ast.Name) -> Any:
-        node.id = self.bound.get(node.id, node.id)
-        return node
+def _text(value: object, bound: Bound) -> str:
+    return plain(value, bound) if isinstance(value, ast.AST) else repr(value)
 
-    def visit_Raise(self, node: ast.Raise) -> Any:
-        self.generic_visit(node)
-        if isinstance(node.exc, ast.Call):
-            node.exc.args = [a for a in node.exc.args if not _is_text(a)]
-        return node
 
-    def visit_Assert(self, node: ast.Assert) -> Any:
-        self.generic_visit(node)
-        node.msg = None
-        return node
+def _is_ours(node: object) -> bool:
+    """Whether a statement imports modules of the project and nothing else."""
+    if isinstance(node, ast.ImportFrom):
+        return bool(node.level) or is_of_project(node.module or "")
+    return isinstance(node, ast.Import) and all(is_of_project(a.name) for a in node.names)
 
-    def visit_Call(self, node: ast.Call) -> Any:
-        self.generic_visit(node)
-        name = node.func.id.rpartition(".")[2] if isinstance(node.func, ast.Name) else ""
-        if name == DECLARATION:
-            node.args, node.keywords = [], [k for k in node.keywords if k.arg in ("role", "when")]
-        elif name in FIELDS:
-            node.args = [a for i, a in enumerate(node.args) if i < FIELD_VALUES or not _is_text(a)]
-            node.keywords = [k for k in node.keywords if k.arg not in FIELD_WORDS]
-        return node
+
+def _import(node: Any, _bound: Bound) -> dict[str, object]:
+    return {"names": [alias for alias in node.names if not is_of_project(alias.name)]}
+
+
+def _name(node: Any, bound: Bound) -> dict[str, object]:
+    return {"id": bound.get(node.id, node.id)}
+
+
+def _raise(node: Any, _bound: Bound) -> dict[str, object]:
+    if not isinstance(node.exc, ast.Call):
+        return {}
+    raised = copy.copy(node.exc)
+    raised.args = [argument for argument in raised.args if not _is_text(argument)]
+    return {"exc": raised}
+
+
+def _assert(_node: Any, _bound: Bound) -> dict[str, object]:
+    return {"msg": None}
+
+
+def _call(node: Any, bound: Bound) -> dict[str, object]:
+    """A declaration without its words; any other call as it is."""
+    called = node.func.id if isinstance(node.func, ast.Name) else ""
+    name = bound.get(called, called).rpartition(".")[2]
+    if name == DECLARATION:
+        return {"args": [], "keywords": [k for k in node.keywords if k.arg in DECLARED]}
+    if name not in FIELDS:
+        return {}
+    values = [a for i, a in enumerate(node.args) if i < FIELD_VALUES or not _is_text(a)]
+    return {"args": values, "keywords": [k for k in node.keywords if k.arg not in FIELD_WORDS]}
+
+
+# what takes the place of fields of these nodes
+_CHANGED: dict[type[ast.AST], Callable[[Any, Bound], dict[str, object]]] = {
+    ast.Import: _import, ast.Name: _name, ast.Raise: _raise, ast.Assert: _assert, ast.Call: _call,
+}  # fmt: skip
 
 
 def _without_docstring(body: list[ast.stmt]) -> list[ast.stmt]:
@@ -84,17 +112,3 @@ def _is_text(node: ast.expr) -> bool:
     return isinstance(node, ast.JoinedStr) or (
         isinstance(node, ast.Constant) and isinstance(node.value, str)
     )
-
-
-def plain(node: ast.AST, bound: Mapping[str, str]) -> str:
-    """Text of a syntax tree without words and places; `bound` maps names of imports. Changes it."""
-    return dump(_Plain(bound).visit(node))
-
-
-def dump(node: ast.AST) -> str:
-    """Text of a syntax tree, the same in every version of Python from 3.11 on.
-
-    Python 3.12 added `type_params`, and 3.13 leaves empty fields out unless `show_empty` is set.
-    """
-    whole: dict[str, Any] = {"show_empty": True} if sys.version_info >= (3, 13) else {}
-    return ast.dump(node, **whole).replace(", type_params=[]", "")

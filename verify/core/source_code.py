@@ -186,7 +186,7 @@ def _part(
     node = _parts(module, owner)[name]
     reads = tuple(n.id for n in ast.walk(node) if isinstance(n, ast.Name))
     imported = tuple(_imported(node, module))
-    return plain(copy.deepcopy(node), _bound(module, whole=whole)), reads, imported
+    return plain(node, _bound(module, whole=whole)), reads, imported
 
 
 @cache
@@ -213,8 +213,9 @@ def _defined(node: ast.stmt) -> list[str]:
 
 def _imported(part: ast.AST, importer: str) -> Iterator[str]:
     """Modules of analytic, fem, meshes and the cases that a part of `importer` imports."""
-    types = syntax.for_types(part)
-    for item in ast.walk(part):
+    nodes = list(ast.walk(part))
+    types = syntax.for_types(nodes)
+    for item in nodes:
         if item not in types:
             yield from filter(_counts, syntax.named(item, importer))
 
@@ -297,7 +298,7 @@ def _read(
 ) -> tuple[str, tuple[str, ...]]:
     """Hash of a module's code, and the modules that count among what it imports."""
     bound = _bound(module, whole=whole, group=group)
-    code = plain(syntax.fresh_tree(module), bound)
+    code = plain(syntax.tree(module), bound)
     return _digest("\n".join([code, *_exported(module, bound)])), tuple(
         _imported_by(module, whole=whole)
     )
@@ -317,7 +318,7 @@ def _shallow(module: str) -> str:
     """Hash of a module's code in which imported names stand for themselves, however renamed."""
     names = {name: full for _, name, full in syntax.aliases(module) if not is_module(full)}
     own = {name: full.rpartition(".")[2] for name, full in names.items()}
-    return _digest(plain(syntax.fresh_tree(module), own))[:16]
+    return _digest(plain(syntax.tree(module), own))[:16]
 
 
 @cache
