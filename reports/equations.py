@@ -33,6 +33,10 @@ class Glyphs:
         for tex in filter(None, equations):
             self._stored.drawn(tex, SIZE)
 
+    def store(self) -> None:
+        """Have what was drawn stored for the next run."""
+        self._stored.store()
+
     def maths(self, tex: str, size: int = SIZE) -> Markup:
         """TeX as inline SVG in the colour of the text; read aloud as its source."""
         drawn = self._stored.drawn(tex, size)
@@ -62,7 +66,7 @@ class Glyphs:
 
     def symbols(self) -> str:
         """The shared glyphs, for one hidden SVG; keeps what is new."""
-        self._stored.store()
+        self.store()
         paths = (
             f'<g id="{name}" transform="scale({k})">{_tight(outline)}</g>'
             for (outline, k), name in self._names.items()

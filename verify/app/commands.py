@@ -20,6 +20,7 @@ from verify.jobs import cache
 from verify.jobs.executor import Where
 from verify.jobs.level import Job
 from verify.jobs.session import solve, stored_levels
+from verify.jobs.tasks import Prepared
 from verify.papers.ledger import cited
 
 ROOT = Path(__file__).parents[2]
@@ -65,7 +66,7 @@ def run_verify(
             return before.status
     cases = [find(name) for name in dict.fromkeys(names)] or list(CASES)
     work = [Job(case, case.inputs()) for case in cases]
-    results = solve(work, where, use_cache)
+    results = _solved_for_report(work, where) if use_cache else solve(work, where, use_cache)
     report = make_report(results, cases, time.perf_counter() - start)
     lines = verdict_lines(report)
     print("\n".join(lines))
@@ -82,6 +83,31 @@ def run_verify(
             out, key, stored_levels(work), up_to_date.Reported((*lines, *drift), status, made)
         )
     return status
+
+
+def _solved_for_report(work: list[Job], where: Where) -> list[CaseResult]:
+    """The judged cases; meanwhile what their report needs is drawn into the store."""
+    from reports.ahead import Ahead, draw_equations
+
+    cases = [job.case for job in work]
+    ahead = Ahead(cache.default_folder(), _hint(), lambda: _read_records(cases))
+    results = solve(work, where, True, prepared=Prepared(draw_equations, ahead.add))
+    ahead.end()
+    return results
+
+
+def _read_records(cases: Sequence[Case]) -> None:
+    """Hash all code that stored results of studies hold for, which takes seconds the first time."""
+    from verify.studies.budget.measuring import plan_of
+    from verify.studies.budget.store import measured as budget
+    from verify.studies.crosscheck.judged import reported
+    from verify.studies.validity.store import measured as region
+
+    for case in cases:
+        if case.scans:
+            region(case)
+        budget(plan_of(case.id))
+    reported([case.id for case in cases])
 
 
 def _page(out: Path) -> Path:
@@ -121,11 +147,15 @@ def write_report(report: Report, out: Path, use_cache: bool) -> bool:
     from reports.write import write  # only the command line knows reports
 
     drawn = cache.default_folder() if use_cache else None
-    hint = environment.remedy_for_pictures().removeprefix("; ")
-    written = write(report, out, cache=drawn, hint=hint)
+    written = write(report, out, cache=drawn, hint=_hint())
     for remark in written.remarks:
         print(f"freewheel: {remark}", file=sys.stderr)
     return not written.remarks
+
+
+def _hint() -> str:
+    """What to install where pyvista cannot draw."""
+    return environment.remedy_for_pictures().removeprefix("; ")
 
 
 def load(path: Path) -> tuple[str, Case, Inputs, Values]:

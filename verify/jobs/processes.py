@@ -24,6 +24,10 @@ from typing import Any
 
 SPAWN = get_context("spawn")  # a forked child would share gmsh's state
 THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
+# glibc gives every large array back to the system at once, and the next one costs its pages again:
+# up to a fifth of the time of a solver with many of them. Processes hold as much as this.
+MEMORY = ("MALLOC_MMAP_THRESHOLD_", "MALLOC_TRIM_THRESHOLD_")
+HELD = 2**30  # bytes
 
 UNGUARDED = 97  # exit status of a process whose script starts processes while it is imported
 GUARD = (
@@ -61,6 +65,8 @@ class Processes(ThreadPoolExecutor):
         refuse_reimport()
         for name in THREADS:  # inherited: two processes of two threads each wait for each other
             os.environ.setdefault(name, "1")
+        for name in MEMORY:
+            os.environ.setdefault(name, str(HELD))
         resource_tracker.ensure_running()  # started by a thread it would let Ctrl-C through there
         super().__init__(count, initializer=_without_interrupts)
         self._own = threading.local()

@@ -1,17 +1,14 @@
-"""The levels of all jobs: from the cache, or on processes with the longest first, then judged."""
+"""All jobs: levels from the cache or solved on processes, then cases judged."""
 
 import time
-from collections import deque
+from collections import Counter, deque
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 from verify.core import source_memory
-from verify.core.case import Case
 from verify.core.environment import require_gmsh
-from verify.core.inputs import Inputs
 from verify.core.progress import Show
 from verify.core.results import CaseResult
 from verify.jobs import cache
@@ -19,34 +16,11 @@ from verify.jobs import timing as durations
 from verify.jobs.dispatch import Dispatch
 from verify.jobs.engine import Engine
 from verify.jobs.executor import Lost, local
-from verify.jobs.level import Job, Solved, judge_case, keep_level, solve_level
+from verify.jobs.level import Job, Solved, judge_case, keep_level
+from verify.jobs.tasks import Judging, Prepared, Task, do
 
-
-@dataclass(frozen=True)
-class Task:
-    """One level to solve, the `number`th; it reaches another process by the name of its case."""
-
-    case: Case
-    inputs: Inputs
-    level: int
-    folder: Path | None
-    number: int = 0
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        rest = self.inputs, self.level, self.folder, self.number
-        return _named_task, (Case.finder, self.case.id, *rest)
-
-
-def _named_task(find: Callable[[str], Case], case_id: str, *rest: Any) -> Task:
-    """The task of a case that another process finds by its id: its functions do not pickle."""
-    return Task(find(case_id), *rest)
-
-
-def solve_task(task: Task) -> Solved:
-    """One level, in whatever process."""
-    if task.folder is not None:
-        source_memory.use(task.folder)
-    return solve_level(task.case, task.inputs, task.level, task.folder)
+FEW = 3  # cases without a level to solve that this process judges: others take a second to start
+JUDGED = 1.0  # s that a case takes to be judged and its equations to be drawn
 
 
 def run(
@@ -54,6 +28,7 @@ def run(
     *,
     engine: AbstractContextManager[Engine] | None = None,
     cache_folder: Path | None = None,
+    prepared: Prepared | None = None,
     show: Show = lambda _state: None,
     warn: Callable[[str], None] = lambda _message: None,
 ) -> list[CaseResult]:
@@ -61,7 +36,8 @@ def run(
 
     OSError names what is missing where gmsh cannot start and something is to be solved.
     `engine` is entered where something is to be solved; without one this process does. `show`
-    follows the state, `warn` takes what the user should know of at once.
+    follows the state, `warn` takes what the user should know of at once. With `prepared` cases are
+    judged on the engine, too, each as soon as its levels are stored.
     """
     wanted = [
         (i, level) for i, job in enumerate(jobs) if job.use_fem
@@ -70,19 +46,15 @@ def run(
     solved = {n: found for n in wanted if (found := _stored(jobs[n[0]], n[1], cache_folder))}
     missing = [n for n in wanted if n not in solved]
     tasks = [
-        Task(jobs[i].case, jobs[i].inputs, level, cache_folder, n)
-        for n, (i, level) in enumerate(missing)
-    ]
-    if tasks:
-        require_gmsh()  # a machine without its libraries is no red row
+        Task(jobs[i].case, jobs[i].inputs, level, cache_folder, i) for i, level in missing
+    ]  # fmt: skip
+    work = _Work(jobs, tasks, solved, cache_folder, prepared, show=show, warn=warn)
+    if tasks or (prepared and cache_folder and len(jobs) > FEW):
+        if tasks:
+            require_gmsh()  # a machine without its libraries is no red row
         source_memory.share()
-        levels = _Levels(tasks, known=len(solved), show=show, warn=warn)
-        levels.solve(engine or local(0))
-        solved |= {missing[n]: answer for n, answer in levels.solved.items()}
-    return [
-        judge_case(job, [solved[i, level] for level in job.case.levels if (i, level) in solved])
-        for i, job in enumerate(jobs)
-    ]
+        work.do(engine or local(0))
+    return [work.judged.get(i) or judge_case(job, work.levels(i)) for i, job in enumerate(jobs)]
 
 
 def _stored(job: Job, level: int, folder: Path | None) -> Solved | None:
@@ -95,51 +67,97 @@ def _stored(job: Job, level: int, folder: Path | None) -> Solved | None:
     return Solved(found, "", time.perf_counter() - start, cached=True)
 
 
-class _Levels:
-    """Tasks, solved longest first; each tells how long the others will take."""
+class _Work:
+    """Levels that are solved and cases that are judged, with an estimate of the time left."""
 
     def __init__(
-        self, tasks: Sequence[Task], *, known: int, show: Show, warn: Callable[[str], None]
-    ) -> None:
-        self.tasks, self.warn = tasks, warn
-        self.folder = tasks[0].folder
-        self.earlier = durations.load(self.folder) if self.folder else {}
+        self, jobs: Sequence[Job], tasks: Sequence[Task], solved: dict[tuple[int, int], Solved],
+        folder: Path | None, prepared: Prepared | None, *, show: Show, warn: Callable[[str], None],
+    ) -> None:  # fmt: skip
+        self.jobs, self.tasks, self.solved = jobs, tasks, solved
+        self.folder, self.prepared, self.warn = folder, prepared, warn
+        self.judged: dict[int, CaseResult] = {}
+        self.earlier = durations.load(folder) if folder else {}
         self.measured: dict[durations.Level, float] = {}
-        self.solved: dict[int, Solved] = {}
-        seconds = self._expected()
-        self.waiting = deque(sorted(tasks, key=lambda task: -seconds[_level(task)]))
+        self.left = Counter(task.job for task in tasks)
+        self.waiting: deque[Task | Judging] = deque(self._by_case())
         self.dispatch = Dispatch(
-            "refinement levels", known + len(tasks), known, show,
-            title=lambda task: "{} level {}".format(*_level(task)), remaining=self._remaining,
+            "refinement levels", len(solved) + len(tasks), len(solved), show, title=str,
+            remaining=self._remaining,
         )  # fmt: skip
 
-    def solve(self, engine: AbstractContextManager[Engine]) -> None:
-        """Solve all, into `solved` by their numbers."""
-        self.dispatch.run(engine, solve_task, self._take, self._receive)
+    def do(self, engine: AbstractContextManager[Engine]) -> None:
+        """Solve all levels; judge the cases whose levels are stored."""
+        for i in range(len(self.jobs)):
+            self._judge_if_solved(i)
+        self.dispatch.run(engine, do, self._take, self._receive)
 
-    def _take(self) -> Task | None:
+    def levels(self, job: int) -> list[Solved]:
+        """The solved levels of a job, coarse to fine."""
+        known = ((job, level) for level in self.jobs[job].case.levels)
+        return [self.solved[one] for one in known if one in self.solved]
+
+    def _by_case(self) -> list[Task]:
+        """Cases with the longest levels first, so that pictures of some are drawn meanwhile."""
+        seconds = self._expected()
+        longest: dict[int, float] = {}
+        for task in self.tasks:
+            longest[task.job] = max(longest.get(task.job, 0.0), seconds[_level(task)])
+        return sorted(
+            self.tasks, key=lambda task: (-longest[task.job], task.job, -seconds[_level(task)])
+        )
+
+    def _take(self) -> Task | Judging | None:
         if not self.waiting:
             return None
-        remote = self.dispatch.drive.engine.remote
-        return replace(self.waiting.popleft(), folder=None if remote else self.folder)
+        task = self.waiting.popleft()
+        if isinstance(task, Judging):
+            return task
+        return replace(task, folder=None if self._is_remote else self.folder)
 
-    def _receive(self, task: Task, answer: Solved | Lost) -> int:
+    @property
+    def _is_remote(self) -> bool:
+        return self.dispatch.drive.engine.remote
+
+    def _receive(self, task: Task | Judging, answer: Solved | CaseResult | Lost | None) -> int:
+        if isinstance(task, Judging):
+            if isinstance(answer, CaseResult):  # else it is judged here, with the same outcome
+                self.judged[task.job] = answer
+                assert self.prepared is not None
+                self.prepared.done(answer)
+            return 0
         if isinstance(answer, Lost):
             failure = f"level {task.level}: {answer.reason}"
             answer = Solved(None, failure, 0.0, cached=False, trace=answer.trace)
-        self.solved[task.number] = answer
+        assert isinstance(answer, Solved)
+        self.solved[task.job, task.level] = answer
+        self.left[task.job] -= 1
         if answer.result is not None and not answer.cached:
             self.measured[_level(task)] = answer.seconds
         if not self._keep(task, answer):
             self.dispatch.unstored += 1
+        self._judge_if_solved(task.job)
         return 1
+
+    def _judge_if_solved(self, i: int) -> None:
+        """Have a case judged next whose levels are all there, if other processes can read them."""
+        job, known = self.jobs[i], self.levels(i)
+        if self.prepared is None or self.folder is None or self.left[i]:
+            return
+        if any(one.unstored for one in known):
+            return
+        levels = tuple(
+            (n, replace(one, result=None)) for n, one in zip(job.case.levels, known, strict=True)
+        )
+        judging = Judging(job.case, job.inputs, self.folder, i, levels, self.prepared.prepare)
+        self.waiting.appendleft(judging)
 
     def _keep(self, task: Task, answer: Solved) -> bool:
         """See that the result of a task is in the store; where there is no room, warn once."""
         if answer.result is None or self.folder is None:
             return False
         unstored = answer.unstored
-        if self.dispatch.drive.engine.remote:
+        if self._is_remote:
             unstored = keep_level(self.folder, task.case, task.inputs, task.level, answer.result)
         if not answer.cached:
             with suppress(OSError):  # an estimate is no reason to stop
@@ -154,9 +172,15 @@ class _Levels:
         return durations.expected_seconds(map(_level, self.tasks), known)
 
     def _remaining(self, dispatch: Dispatch) -> float:
-        seconds, now = self._expected(), time.monotonic()
-        under_way = [(seconds[_level(task)], now - start) for task, start in dispatch.under_way]
-        waiting = [seconds[_level(task)] for task in self.waiting]
+        expected, now = self._expected(), time.monotonic()
+
+        def seconds(task: Task | Judging) -> float:
+            return JUDGED if isinstance(task, Judging) else expected[_level(task)]
+
+        under_way = [(seconds(task), now - start) for task, start in dispatch.under_way]
+        waiting = [seconds(task) for task in self.waiting]
+        if self.prepared is not None:
+            waiting += [JUDGED for count in self.left.values() if count]
         return durations.remaining_seconds(under_way, waiting, dispatch.workers)
 
 

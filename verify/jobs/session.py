@@ -13,19 +13,30 @@ from verify.jobs.executor import Where
 from verify.jobs.level import Job
 from verify.jobs.processes import refuse_reimport
 from verify.jobs.scheduler import run
+from verify.jobs.tasks import Prepared
 
 
 def solve(
-    work: list[Job], where: Where, use_cache: bool, *, quiet: bool = False
+    work: list[Job],
+    where: Where,
+    use_cache: bool,
+    *,
+    quiet: bool = False,
+    prepared: Prepared | None = None,
 ) -> list[CaseResult]:
     """Run the jobs where it is said, with the cache and progress on stderr.
+
+    `prepared` is what the report needs of each case; machines elsewhere have no store for it.
 
     KeyboardInterrupt and GoneError say what is stored for the next run.
     """
     refuse_reimport()
     folder = _cache_folder() if use_cache and any(job.use_fem for job in work) else None
     with shown(quiet=quiet) as show:
-        return run(work, engine=where.entered(), cache_folder=folder, show=show, warn=_say)
+        return run(
+            work, engine=where.entered(), cache_folder=folder, show=show, warn=_say,
+            prepared=prepared if where.engine == "local" else None,
+        )  # fmt: skip
 
 
 def stored_levels(work: list[Job]) -> list[str]:

@@ -1,0 +1,91 @@
+"""What is done on an engine: levels are solved, and cases judged once their levels are stored."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from verify.core import source_memory
+from verify.core.case import Case
+from verify.core.inputs import Inputs
+from verify.core.results import CaseResult
+from verify.jobs import cache
+from verify.jobs.level import Job, Solved, judge_case, solve_level
+
+Prepare = Callable[[CaseResult, Path], None]
+
+
+@dataclass(frozen=True)
+class Prepared:
+    """What is done for the report while other cases are solved.
+
+    `prepare`, a function of a module, draws parts of a case's report into the store, in the process
+    that has judged it; `done` takes the judged case in this one.
+    """
+
+    prepare: Prepare
+    done: Callable[[CaseResult], None]
+
+
+@dataclass(frozen=True)
+class Task:
+    """One level of a job, given by its number; another process finds the case by its name."""
+
+    case: Case
+    inputs: Inputs
+    level: int
+    folder: Path | None
+    job: int = 0
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        rest = self.inputs, self.level, self.folder, self.job
+        return named, (Task, Case.finder, self.case.id, *rest)
+
+    def __str__(self) -> str:
+        return f"{self.case.id} level {self.level}"
+
+
+@dataclass(frozen=True)
+class Judging:
+    """A job, given by its number, whose levels are solved; those with a result are stored."""
+
+    case: Case
+    inputs: Inputs
+    folder: Path
+    job: int
+    levels: tuple[tuple[int, Solved], ...]
+    prepare: Prepare
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        rest = self.inputs, self.folder, self.job, self.levels, self.prepare
+        return named, (Judging, Case.finder, self.case.id, *rest)
+
+    def __str__(self) -> str:
+        return f"{self.case.id} rows"
+
+
+def named(kind: Callable[..., Any], find: Callable[[str], Case], case_id: str, *rest: Any) -> Any:
+    """The task of a case that another process finds by its id: its functions do not pickle."""
+    return kind(find(case_id), *rest)
+
+
+def do(task: Task | Judging) -> Solved | CaseResult | None:
+    """One level solved, or one case judged, in whatever process."""
+    if task.folder is not None:
+        source_memory.use(task.folder)
+    if isinstance(task, Judging):
+        return _judge(task)
+    return solve_level(task.case, task.inputs, task.level, task.folder)
+
+
+def _judge(task: Judging) -> CaseResult | None:
+    """The judged case; None where the store has lost a level."""
+    levels = []
+    for level, solved in task.levels:
+        found = cache.load(task.folder, task.case, task.inputs, level)
+        if found is None and not solved.failure:
+            return None
+        levels.append(solved if solved.failure else replace(solved, result=found))
+    result = judge_case(Job(task.case, task.inputs), levels)
+    task.prepare(result, task.folder)
+    return result
