@@ -5,6 +5,7 @@ from contextlib import suppress
 from pathlib import Path
 from queue import SimpleQueue
 from threading import Thread
+from typing import Self
 
 from reports.equations import Glyphs
 from reports.frames import frames
@@ -21,7 +22,7 @@ def draw_equations(case: CaseResult, folder: Path) -> None:
 
 
 class Ahead:
-    """A thread that draws pictures of cases into the store as they are added.
+    """A context with a thread that draws pictures of cases into the store as they are added.
 
     What fails here is drawn again, and then reported, where the report is written. `hint` goes
     to a reader who lacks pyvista; `first` is other work that the report needs.
@@ -30,17 +31,20 @@ class Ahead:
     def __init__(self, folder: Path, hint: str, first: Callable[[], object]) -> None:
         self._folder, self._hint, self._first = folder, hint, first
         self._cases: SimpleQueue[CaseResult | None] = SimpleQueue()
-        self._thread = Thread(target=self._work, daemon=True)  # an interrupted run does not wait
+        self._thread = Thread(target=self._work, daemon=True)
+
+    def __enter__(self) -> Self:
         self._thread.start()
+        return self
+
+    def __exit__(self, error: object, *_rest: object) -> None:
+        self._cases.put(None)
+        if error is None:  # an interrupted run does not wait for a picture
+            self._thread.join()
 
     def add(self, case: CaseResult) -> None:
         """Have the pictures of a case drawn."""
         self._cases.put(case)
-
-    def end(self) -> None:
-        """Wait for what is being drawn."""
-        self._cases.put(None)
-        self._thread.join()
 
     def _work(self) -> None:
         with suppress(Exception):

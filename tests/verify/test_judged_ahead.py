@@ -22,7 +22,7 @@ def not_drawn(_result, _folder):
 
 
 def cleared(_result, folder):
-    """A store that loses its levels once a case is judged: the other case that was stored has none."""
+    """A store that loses its levels once a case is judged."""
     Store(folder).clear("level")
 
 

@@ -32,7 +32,7 @@ def report(first, tmp_path, monkeypatch):
     shutil.copytree(first, tmp_path, dirs_exist_ok=True)
     monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path / "cache"))
 
-    def solve(*_):
+    def solve(*_, **_options):
         raise SolvesError
 
     monkeypatch.setattr(commands, "solve", solve)

@@ -66,7 +66,7 @@ def run_verify(
             return before.status
     cases = [find(name) for name in dict.fromkeys(names)] or list(CASES)
     work = [Job(case, case.inputs()) for case in cases]
-    results = _solved_for_report(work, where) if use_cache else solve(work, where, use_cache)
+    results = _solved_for_report(work, where) if use_cache else solve(work, where, False)
     report = make_report(results, cases, time.perf_counter() - start)
     lines = verdict_lines(report)
     print("\n".join(lines))
@@ -90,10 +90,8 @@ def _solved_for_report(work: list[Job], where: Where) -> list[CaseResult]:
     from reports.ahead import Ahead, draw_equations
 
     cases = [job.case for job in work]
-    ahead = Ahead(cache.default_folder(), _hint(), lambda: _read_records(cases))
-    results = solve(work, where, True, prepared=Prepared(draw_equations, ahead.add))
-    ahead.end()
-    return results
+    with Ahead(cache.default_folder(), _hint(), lambda: _read_records(cases)) as ahead:
+        return solve(work, where, True, prepared=Prepared(draw_equations, ahead.add))
 
 
 def _read_records(cases: Sequence[Case]) -> None:
