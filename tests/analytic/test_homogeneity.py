@@ -88,6 +88,8 @@ FORMULAS = [
      {"P": per_m(4e5), "n": 12, **RING, **STEEL, "loaded": "rim"}, m()),
     (energy.stiffness, {**SPRING, "r": m(4.5e-4)}, per_m()),
     (frame.stiffness, {**SPRING, "radius": m(5e-4), "nu": 0.3, "theory": "thick"}, per_m()),
+    (frame.free_length,
+     {"n": 10, "alpha": 1.4, "L1": m(0.0116), "b": m(1e-4), "r": m(4.5e-4)}, m()),
     (criterion.required_friction,
      {"alpha": 0.06, "T": N_m(9.0), "F_ax": N(50.0), "R": m(0.0165)}, PURE),
     (criterion.largest_axial_load, {"alpha": 0.06, "T": N_m(9.0), "R": m(0.0165), "mu": 0.1}, N()),

@@ -119,3 +119,11 @@ def test_derivatives_are_those_of_the_path(head):
     slope = np.linalg.solve(here.J[np.ix_(rows, columns)], back)
     measured = (after.head - before.head)[columns] / 0.04
     assert slope == pytest.approx(measured, rel=2e-5, abs=1e-8)
+
+
+def test_ever_more_units_make_euler_s_column():
+    xi = column.critical_shortening("free", n=4000, b=0.1, **SHAPE)
+    u, L0 = column.unit(**SHAPE, **STRIP), column.free_length(n=4000, **SHAPE)
+    P = column.critical_force("free", n=4000, **SHAPE, **STRIP)
+    assert pytest.approx(math.pi**2 / 4 * u.pitch / u.turn / L0**2, rel=1e-5) == P
+    assert pytest.approx(u.pitch / u.axial * xi, rel=1e-12) == P

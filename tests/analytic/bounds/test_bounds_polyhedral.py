@@ -1,12 +1,13 @@
 """Bounds of polyhedral rings, loaded races and thick frames beside what they are independent of."""
 
 import math
+from dataclasses import replace
 from math import atan, radians
 
 import numpy as np
 import pytest
 
-from analytic.bounds.polyhedral import flat, thin_ring, wedge
+from analytic.bounds.polyhedral import contacts, flat, thin_ring, wedge
 from analytic.bounds.polyhedral.contacts import RollerOnRing
 from analytic.bounds.ring import integrated_dent
 from analytic.bounds.spring.thick_frame import added
@@ -110,3 +111,15 @@ def test_shear_is_the_frame_s_and_curvature_up_to_the_next_power_of_thickness(wi
         shares.append(curvature)
     assert abs(off[0]) < 0.03 * abs(shares[0])
     assert off[0] / off[1] == pytest.approx(16, rel=0.05)  # (b/R)^4
+
+
+def test_errors_of_contacts_grow_with_their_width():
+    narrow, wide = ROLLER.reach(1e-6), ROLLER.reach(1e-4, 1e-4)
+    assert narrow == pytest.approx(contacts.BLUNT, rel=1e-3)
+    assert wide > narrow
+    assert ROLLER.closure(1e-4, 1e-4) == pytest.approx(wide, rel=1e-13)
+    low, high = ROLLER.on_ring(contacts.WIDTH, 1e-4)
+    assert low < high < 0.005
+    even = replace(ROLLER, j_D=0.0)
+    assert even.on_ring(contacts.WIDTH, 1e-4, elastic=True)[1] == pytest.approx(even.reach(1e-4))
+    assert ROLLER.bent(R_b=2e5, e=0.018) == pytest.approx(2 * ROLLER.bent(R_b=2e5, e=0.009))

@@ -94,3 +94,19 @@ def test_the_bound_of_two_discs_does_not_know_which_lies_above():
         assert estimate == pytest.approx(same, rel=1e-12)
     like = OfDiscs(a=0.1, R_1=1.0, R_2=3.0, **LIKE).bounded
     assert [estimate.slack for estimate in like] == pytest.approx([0.1**4 / 8] * 2)
+
+
+def test_equal_discs_of_like_material_are_discs_on_a_flat():
+    pair, flat = OfDiscs(a=0.01, R_1=1.0, R_2=1.0, **LIKE), OnFlat(0.01)
+    assert pair.coupled == 0
+    for one, other in ((pair.pressure, flat.pressure), (pair.width, flat.width)):
+        assert one.error == pytest.approx(other.error, abs=other.slack)
+    assert pair.shear.error == pytest.approx(flat.shear.error, rel=1e-12)
+
+
+def test_unlike_materials_couple_with_opposite_signs_in_a_race():
+    race = InRace(a=0.01, R_1=1.0, R_2=-3.0, wall=5.0, **UNLIKE)
+    assert race.coupled != 0
+    assert race.pressure.error * race.width.error < 0
+    like = InRace(a=0.01, R_1=1.0, R_2=-3.0, wall=5.0, **LIKE)
+    assert like.pressure == (0.0, like.small)

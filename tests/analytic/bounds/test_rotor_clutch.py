@@ -7,7 +7,7 @@ import pytest
 
 from analytic.bounds.rotor import clutch as bounds
 from analytic.bounds.rotor import shaft
-from analytic.bounds.rotor.clutch_tilted import summed
+from analytic.bounds.rotor.clutch_tilted import left_out, summed
 from analytic.rotor.clutch import Clutch, even_angles
 from analytic.rotor.clutch_tilted import aside, couplings
 from analytic.rotor.shafts import UniformShaft, hutchinson
@@ -73,3 +73,14 @@ def test_the_interval_has_what_timoshenko_s_equation_adds_to_a_slender_shaft(the
     low, high = shaft.neglected(theory, e, own.E * own.A / own.S)
     exact = own.whirl(1, theory=theory)[0] / shaft.frequency(1, **shape) - 1
     assert low < exact < high
+
+
+@pytest.mark.parametrize("entry", ["K_y_tilt_x", "K_x_tilt_y"])
+def test_less_is_left_out_of_flatter_wedges(entry):
+    """A quarter of the angle under the same normal forces leaves a sixteenth of tan^2 nu."""
+    middles = []
+    for nu in (0.2, 0.05):
+        of = clutch(**SPRAGS | {"nu": nu, "n_s": 401})
+        low, high = left_out(entry, of, n_s=401, **held(of, T * math.tan(nu), 1e-8))
+        middles.append((low + high) / 2)
+    assert middles[0] / middles[1] == pytest.approx(16, rel=0.1)

@@ -8,7 +8,7 @@ from scipy.integrate import quad
 from scipy.special import ellipe, ellipkm1
 
 from analytic.contact import hertz_line, strip_newton
-from analytic.contact.roller_parts import load_elsewhere, vertex
+from analytic.contact.roller_parts import Parts, load_elsewhere, vertex
 from analytic.contact.strip_error import discretisation, neglected
 from analytic.contact.strip_influence import excess, log_part
 from analytic.contact.strips import press
@@ -204,3 +204,18 @@ def test_loads_that_agree_put_nothing_elsewhere_however_they_are_divided():
     assert max(share, error) < 1e-12
     share, _ = load_elsewhere(coarse[::-1], fine, 3.0)
     assert share == pytest.approx(np.abs(coarse - coarse[::-1]).sum() / coarse.sum() / 2)
+
+
+def parts(p, line=None, d=0.0, length=1.0):
+    n = len(p)
+    y = ((np.arange(n) + 0.5) / n - 0.5) * length
+    return Parts(y=y, p=np.asarray(p, float), line=np.asarray(p if line is None else line, float),
+                 delta=0.0, length=length, d=d)  # fmt: skip
+
+
+@pytest.mark.parametrize("n", [40, 41])
+def test_a_peak_at_the_end_counts_only_with_ends_included(n):
+    one = parts(np.where(np.arange(n) == n - 1, 5.0, 1.0), d=0.2)
+    assert one.p_max == 1.0
+    assert one.p_top == 5.0
+    assert one.p_mid == one.q_mid == 1.0

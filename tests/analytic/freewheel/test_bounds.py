@@ -6,8 +6,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from analytic.bounds.freewheel import intervals
-from analytic.bounds.freewheel.cup import Approaches, Course
+from analytic.bounds.freewheel import cup_bracket, intervals
+from analytic.bounds.freewheel.cup import Approaches, Course, CupBounds
 from analytic.bounds.freewheel.friction import FrictionBounds, at_limit, limit_load
 from analytic.bounds.freewheel.parts import Loaded, Parts
 from analytic.bounds.freewheel.slip_times import Rig
@@ -169,3 +169,26 @@ def test_the_line_through_two_frictions_has_their_angles():
     lever = RIG.R * RIG.F_ax / RIG.T
     tan = RIG.tangent((1.0, 0.5), (0.07 * math.hypot(1, lever), 0.06 * math.hypot(1, lever)))
     assert [tan(T) for T in (26.0, 13.0, 19.5)] == pytest.approx([0.07, 0.06, 0.065], rel=1e-12)
+
+
+def test_a_softer_cup_has_a_lower_summit(cup):
+    assert course(cup, (1.0, 1.1, 1.0)).summit < course(cup).summit
+    at = sizes(state.loaded(cup, 10.0))
+    low, high = CupBounds(parts(cup), at, course(cup).approaches).summit()
+    assert low < 0 < high
+
+
+def test_a_cup_is_stiffer_than_the_ring_outside_its_corners_and_the_more_flats_the_less(cup):
+    P = 2e5
+    found = [cup_bracket.expected_approach(replace(parts(cup), z=z), P) for z in (8, 16)]
+    for low, middle, high in found:
+        assert low < middle < high
+    assert found[0][1] / found[0][0] > found[1][1] / found[1][0]
+
+
+def test_tangential_forces_turn_the_ring_further(star):
+    found = bounds(star)
+    (low, high), (least, most) = found.torsion(), found.travel()
+    tan = math.tan(found.at.alpha)
+    assert (1 + least) / (1 + low) - 1 == pytest.approx(tan**2, rel=1e-9)
+    assert (1 + most) / (1 + high) - 1 == pytest.approx(tan**2 / 2, rel=1e-9)

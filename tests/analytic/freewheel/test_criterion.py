@@ -112,3 +112,7 @@ def test_the_end_of_a_half_cycle_is_locked_whatever_the_last_bits_of_its_time(cu
     limit = np.tan(float(cup.cam.alpha0)) * np.hypot(1, 50.0 * 0.5005 * cup.cam.race)
     assert course.when == t[-1]
     assert course.peak == pytest.approx(float(limit), rel=1e-9)
+
+
+def test_hertz_s_pressure_rises_with_the_root_of_the_line_load():
+    assert float(tilt.pressure_factor(e=0.5, L=10.0)) == pytest.approx(np.sqrt(1.3), rel=1e-14)

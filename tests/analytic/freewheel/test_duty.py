@@ -138,3 +138,14 @@ def test_a_softer_clutch_holds_in_the_same_range_of_its_loads(clutch):
     assert soft.end == pytest.approx(d.end * less, rel=1e-12)
     for pair, same in zip(soft.friction_holds, d.friction_holds, strict=True):
         assert pair == pytest.approx([less * T for T in same], rel=1e-9)
+
+
+def test_a_clutch_that_holds_need_not_move_and_one_that_slips_has_nothing_to_spare(star):
+    assert remedies.moved_to(duty(star), 1.0) == 0
+    assert math.isnan(remedies.to_spare(duty(star, mu=0.065)))
+    assert math.isnan(remedies.until_pop_through(duty(star)))  # of an inner cam there is none
+
+
+def test_limits_come_in_order(clutch):
+    for found in (duty(clutch).of_torque, duty(clutch).of_axial_load):
+        assert [x.at for x in found] == sorted(x.at for x in found)

@@ -154,3 +154,11 @@ def test_the_fillet_touches_the_flats_and_reaches_to_the_corner_diameter(z):
     np.testing.assert_allclose(np.abs(ring.bore(s) - ring.fillet_centre * corner), ring.rho)
     mirrored = corner**2 * ring.bore(s).conj()
     assert np.abs(mirrored - ring.fillet_centre * corner) == pytest.approx(ring.rho)
+
+
+def test_the_mean_is_lames_in_a_round_ring():
+    mean = roller_load(sector=round_ring(6, 72.0), a=0.1).mean_rim_displacement(**UNIT)
+    exact = lame.radial_displacement(
+        40.0, r_i=36.0, r_o=40.0, p_i=0.0, p_o=6 / (2 * np.pi * 40), E=1.0, nu=0.3,
+        ends="plane stress")  # fmt: skip
+    assert mean == pytest.approx(float(exact), rel=1e-8)

@@ -9,7 +9,7 @@ from analytic.polyhedral.cut_loads import cut_loads
 from analytic.polyhedral.fillet_stress import driven_fillet_stress, loaded_fillet_stress
 from analytic.polyhedral.hub_force import hub_force
 from analytic.polyhedral.locking import Roller, RollerContact
-from analytic.polyhedral.rim_slope import rim_slope
+from analytic.polyhedral.rim_slope import rim_slope, steepest
 from analytic.polyhedral.roller_load import roller_load
 from analytic.polyhedral.sector import Sector
 from analytic.polyhedral.wall_stress import (
@@ -142,3 +142,10 @@ def test_the_hub_pushes_as_hard_as_the_rollers_torque_asks_of_it(tan_phi):
     expected = loaded_fillet_stress(FILLET_RING, p=p, hub=push, N=N, a=CONTACT.half_width(N))
     assert driven_fillet_stress(hub, N, p) == pytest.approx(expected, rel=1e-12)
     assert driven_fillet_stress(hub, 0.0, p) == loaded_fillet_stress(FILLET_RING, p=p)
+
+
+def test_the_steepest_place_is_steeper_than_any_other():
+    slope, theta = steepest(sector=HEXAGON, field=pressed(HEXAGON))
+    everywhere = rim_slope(np.linspace(0, np.pi / 6, 5001), sector=HEXAGON, field=pressed(HEXAGON))
+    assert slope == pytest.approx(np.abs(everywhere).max(), rel=1e-6)
+    assert 0 < theta < np.pi / 6

@@ -1,14 +1,17 @@
 """Best crowns by two regimes, their peaks, and a sprag drawn point by point."""
 
+import math
+
 import numpy as np
 import pytest
 
+from analytic.contact import crown
 from analytic.sprag.best_crown import Answer, fit_regimes, simplex
 from analytic.sprag.closure import wedged
 from analytic.sprag.clutch import Clutch
 from analytic.sprag.compliance import Compliance
 from analytic.sprag.crown_surrogate import axes, held, over_box
-from analytic.sprag.drawn import Drawn, Sizes
+from analytic.sprag.drawn import Drawn, Sizes, crown_drop, middles
 from analytic.sprag.geometry import LogSprag
 from analytic.sprag.peaks import END, Peaks
 from analytic.surrogate.box import Box
@@ -84,3 +87,15 @@ def test_rigid_races_and_the_printed_loss_turn_the_sprag_less():
     )
     assert 0 < rigid < whole
     assert 0 < printed < whole
+
+
+def test_the_crown_is_eq_1_in_its_range_and_flat_in_the_middle():
+    y, A = middles(9e-3, 41), 2 * 3407.0 / (math.pi * 9e-3 * 226e9)
+    z = crown_drop(y, length=9e-3, A=A, K_2=0.7, z_m=1e-5)
+    other = crown.logarithmic(
+        crown.slice_centres(length=9e-3, slices=41), K_1=1.0, K_2=0.7, z_m=1e-5, load=3407.0,
+        length=9e-3, E_star=113e9,
+    )  # fmt: skip
+    assert z == pytest.approx(np.asarray(other), abs=1e-12)
+    assert z[20] == 0
+    assert z[0] == z[-1] == z.max()

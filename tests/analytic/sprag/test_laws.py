@@ -8,11 +8,12 @@ from analytic.contact.hertz_line_approach import approach_to_depth
 from analytic.sprag import pressure
 from analytic.sprag.closure import wedged
 from analytic.sprag.clutch import Clutch
-from analytic.sprag.crowned import Crowned, mid
+from analytic.sprag.crowned import Crowned, mid, stiffness
 from analytic.sprag.geometry import LogSprag
 from analytic.sprag.laws import plane_law, sliced_law
 from analytic.sprag.parts import Parts
-from analytic.sprag.race_stress import hoop
+from analytic.sprag.race_stress import hoop, over_smeared
+from analytic.sprag.tolerance import sensitivities, slope
 
 N = np.geomspace(1.0, 1e4, 60)
 
@@ -105,3 +106,21 @@ def test_hoop_stresses_balance_the_pressure_on_a_race():
     mean = 12 * 3000.0 / (2 * np.pi * 9e-3) / (26.23e-3 - 19.44e-3)
     assert found["s_e"] > mean > 0 > found["s_i"] > found["s_id"]
     assert found["Tresca_i"] == -found["s_id"]
+
+
+def test_stiffness_grows_as_contacts_grow():
+    assert stiffness(ONE.clutch, 6000.0) > stiffness(ONE.clutch, 1000.0) > 0
+
+
+def test_slopes_of_the_wedge_angle_are_its_derivatives():
+    exact = sensitivities(SPRAG)
+    assert slope(SPRAG, "dR_i")[0] == pytest.approx(float(exact.R_i), rel=1e-5)
+
+
+def test_a_race_of_many_sprags_deflects_as_a_smeared_one():
+    many = Parts(
+        sprag=SPRAG, n_s=60, l=9e-3, b=0.5e-3, R_id=7.21e-3, R_ed=26.23e-3, E=206e9, nu=0.3
+    )  # fmt: skip
+    for loaded in ("rim", "bore"):
+        few, more = (abs(over_smeared(p, 1e-4, loaded) - 1) for p in (PARTS, many))
+        assert more < few

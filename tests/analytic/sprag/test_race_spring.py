@@ -7,6 +7,7 @@ import pytest
 from scipy.optimize import brentq
 
 from analytic.sprag import printed
+from analytic.sprag.balance import sampled
 from analytic.sprag.closure import wedged
 from analytic.sprag.clutch import Clutch
 from analytic.sprag.course import energy, rolled
@@ -17,7 +18,7 @@ from analytic.sprag.parts import Parts
 from analytic.sprag.race_spring import Blades, reached
 from analytic.sprag.sliding import sliding
 from analytic.sprag.swing import Driven, swing, time_to_rest
-from analytic.sprag.work_balance import at_rest, by_turning, frequency, undamped
+from analytic.sprag.work_balance import at_rest, by_turning, frequency, left_out, undamped
 
 T = 25.0
 SPRAG = LogSprag.from_wedge_angle(nu_0=0.055, R_i=11.11e-3, R_e=19.44e-3, r_i=4.02e-3)
@@ -141,3 +142,18 @@ def test_a_strut_reaches_the_peak_of_the_work_balance_and_equal_forces_nearly(os
     assert oscillation.strut(1e-5).first_peak[1] == pytest.approx(peak, rel=2e-4)
     assert oscillation.undamped(1e-5).first_peak[1] == pytest.approx(peak, rel=OUTER)
     assert oscillation.undamped(1e-5).first_peak[1] != pytest.approx(peak, rel=2e-4)
+
+
+def test_the_centroid_takes_a_small_part_of_the_work(spring):
+    assert abs(left_out(spring, 3000.0)) < 0.05
+
+
+def test_samples_are_of_all_histories_and_balance(engaged):
+    run = engaged(T)
+    found = sampled(run, 100)
+    assert 100 <= len(found["t"]) < 202
+    assert {len(column) for column in found.values()} == {len(found["t"])}
+    kept = found["kinetic"] + found["elastic"] + found["support"] + found["damping"]
+    assert found["torque"] + found["blades"] == pytest.approx(
+        kept + found["friction"] + found["missing"]
+    )
