@@ -135,3 +135,9 @@ def test_a_sprag_wider_than_it_is_round_stands_for_a_disc_and_never_rolls_over()
     assert wide.column is None
     assert wide.rolls_over_at == np.inf
     assert np.isfinite(float(wedged(wide.clutch, 3000.0).yields.H))
+
+
+def test_a_thicker_outer_wall_yields_less_and_the_inner_race_as_before():
+    thin, thick = made(R_ed=23e-3).races, made(R_ed=40e-3).races
+    assert thick[1].mean < 0.6 * thin[1].mean
+    assert thick[0] == thin[0]

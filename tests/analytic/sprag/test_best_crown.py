@@ -99,3 +99,10 @@ def test_the_crown_is_eq_1_in_its_range_and_flat_in_the_middle():
     assert z == pytest.approx(np.asarray(other), abs=1e-12)
     assert z[20] == 0
     assert z[0] == z[-1] == z.max()
+
+
+def test_one_torque_of_several_has_its_numbers():
+    alone = peaks("strips").of(1)
+    assert alone.torques.tolist() == [25.0]
+    assert alone.end.tolist() == [[0.0]]
+    assert alone.inside.tolist() == [[3.0]]
