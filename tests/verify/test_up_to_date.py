@@ -46,6 +46,7 @@ def verified(report, *, use_cache=True):
     )
 
 
+@pytest.mark.slow("a report to begin with, from an empty store")
 def test_a_second_run_prints_the_same_and_solves_nothing(report, capsys):
     page = (report / "out" / "report.html").stat().st_mtime_ns
     assert verified(report) == 0
