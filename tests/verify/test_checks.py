@@ -219,6 +219,17 @@ def test_an_approximation_without_interval_is_shown_and_still_has_to_converge(in
     assert rows[0].reason == "does not converge"
 
 
+def test_printed_values_stand_beside_a_row_for_the_paper_s_inputs_only():
+    claim = approximation(None, printed=("wang2023:k1-fea",))
+    series = power_law(600.0, 1e-4)
+    row, _ = rows_of(claim, series, analytic={"k": 601.0})
+    (entry,) = row.published
+    assert (entry.document, entry.id, entry.kind) == ("wang2023", "k1-fea", "FEA")
+    assert (entry.printed, entry.value) == ("0.613", pytest.approx(0.613))  # Table 1
+    row, _ = rows_of(claim, series, analytic={"k": 601.0}, is_paper=False)
+    assert row.published == ()
+
+
 # Trend: the order of errors.
 
 

@@ -1,8 +1,9 @@
 """Margins, scales and records of rows, from levels whose convergence is known by hand."""
 
+import numpy as np
 import pytest
 
-from tests.verify.test_checks import context, order
+from tests.verify.test_checks import context, limit, order
 from verify.core.results import Status
 from verify.judging import checks
 from verify.judging.checks import Approximation
@@ -37,6 +38,13 @@ def test_a_series_without_an_order_is_recorded_with_what_it_was_judged_by(sign):
         assert told == pytest.approx((5.0, 0.25, 0.03, 2e-5), rel=1e-9)
 
 
+@SIGNS
+def test_levels_alike_are_round_off_of_a_scale_of_either_sign(sign):
+    row, convergence = near([sign * 5e-6] * 3, sign * 5e-6)
+    assert (row.status, row.order) == (Status.PASS, "round-off")
+    assert (convergence.status, convergence.difference) == (Status.PASS, 1.0)
+
+
 @pytest.mark.parametrize(
     ("allowed", "margin", "status"),
     [
@@ -51,6 +59,14 @@ def test_an_order_that_iteration_may_take_away_is_replaced_by_the_spread(allowed
     grid = GridConvergence("monotone", 1e-3, order=0.625)
     verdict = convergence_verdict(grid, (4.0, 2.0, 1.0), (1.5, 1.25, 1.0), 0.25, allowed)
     assert (verdict.status, verdict.difference) == (status, margin)
+
+
+@pytest.mark.parametrize("d0", [0.0, 1e-3, -1e-3])
+def test_a_limit_detects_its_uncertainty_and_what_it_is_off(d0):
+    eps = np.geomspace(0.1, 0.01, 5)
+    points = (list(eps), list(d0 + 0.3 * eps**2), [1e-6] * 5)
+    (row,) = limit(lambda _c: points, 2.0).rows(context((), sizes=()))
+    assert row.detects == pytest.approx(row.tolerance + abs(row.difference), rel=1e-12)
 
 
 # What trends and limits are judged by.

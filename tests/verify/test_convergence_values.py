@@ -64,6 +64,10 @@ def test_the_larger_step_makes_the_multiple_of_the_spread(step, multiple, sign):
     assert unresolved_multiple(0.0, sign * step, 1.0) == pytest.approx(multiple, rel=1e-12)
 
 
+def test_zeros_of_no_scale_count_once():
+    assert unresolved_multiple(0.0, 0.0, 0.0) == 1.0
+
+
 # Orders: on halved meshes the ratio of differences is 2^p.
 
 
