@@ -70,7 +70,9 @@ def assert_displayed_inside(row):
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
 def test_every_row_of_the_paper_follows_from_what_it_keeps(case, judged):
-    for row in judged(case, drawn=False).rows:
+    result = judged(case)
+    assert not result.errors  # of figures, tables and texts too
+    for row in result.rows:
         assert_the_same(row)
         if row.grid and row.grid.used is not None:
             assert_index_of(row.grid)
