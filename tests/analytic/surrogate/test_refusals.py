@@ -10,6 +10,7 @@ from analytic.surrogate.designs import full_factorial, random_designs
 from analytic.surrogate.evolution import evolve
 from analytic.surrogate.gate import left_level_out, quality
 from analytic.surrogate.genetic import genetic
+from analytic.surrogate.infill import infill
 from analytic.surrogate.kriging import fit
 from analytic.surrogate.largest import fit_largest
 
@@ -20,6 +21,10 @@ ONES = np.ones(30)
 
 def smooth(x):
     return np.asarray(1 + x[:, 0] + x[:, 1] ** 2)
+
+
+def filled(**options):
+    return infill(None, smooth, X, box=BOX, search=evolve, value=float, **options)
 
 
 REFUSED = [
@@ -41,6 +46,8 @@ REFUSED = [
     (lambda: quality(ONES, ONES[:3]), "as many predicted values as true, got (30,), (3,)"),
     (lambda: quality(ONES, 0 * ONES), "relative errors need finite values"),
     (lambda: left_level_out(fit(X, smooth(X), BOX), X[:2], ONES[:2]), "only between others"),
+    (lambda: filled(rounds=0), "in_a_row must lie between 1 and rounds, got"),
+    (lambda: filled(answers=[1.0]), "as many answers as designs, got 1 and 30"),
     (lambda: genetic(smooth, BOX, population=5), "even and at least 2, got 5"),
     (lambda: genetic(smooth, BOX, generations=0), "generations must be at least 1, got 0"),
     (lambda: genetic(smooth, BOX, bits=0), "bits must lie between 1 and 52, got 0"),
