@@ -46,7 +46,7 @@ REFUSED = [
     (lambda: quality(ONES, ONES[:3]), "as many predicted values as true, got (30,), (3,)"),
     (lambda: quality(ONES, 0 * ONES), "relative errors need finite values"),
     (lambda: left_level_out(fit(X, smooth(X), BOX), X[:2], ONES[:2]), "only between others"),
-    (lambda: filled(rounds=0), "in_a_row must lie between 1 and rounds, got"),
+    (lambda: filled(answers=list(ONES), rounds=0), "in_a_row must lie between 1 and rounds, got"),
     (lambda: filled(answers=[1.0]), "as many answers as designs, got 1 and 30"),
     (lambda: genetic(smooth, BOX, population=5), "even and at least 2, got 5"),
     (lambda: genetic(smooth, BOX, generations=0), "generations must be at least 1, got 0"),
