@@ -16,7 +16,7 @@ CHROMIUM = next(
 NO_CHROMIUM = pytest.mark.skipif(
     not CHROMIUM, reason="no chromium: the page is not looked at in a browser"
 )
-NEEDS_CHROMIUM = [NO_CHROMIUM, pytest.mark.xdist_group("browser")]
+NEEDS_CHROMIUM = [NO_CHROMIUM]
 OFFLINE = ("--host-resolver-rules=MAP * ~NOTFOUND", "--disable-background-networking",
            "--disable-component-update", "--disable-sync", "--no-first-run")  # fmt: skip
 DARK = "--blink-settings=preferredColorScheme=0"

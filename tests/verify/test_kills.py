@@ -23,7 +23,7 @@ from tests.verify.test_design_sprag_command import NARROW, task
 from verify.core.store import FILE
 from verify.jobs.cache import default_folder
 
-pytestmark = [pytest.mark.soak, pytest.mark.xdist_group("kills")]
+pytestmark = pytest.mark.soak
 KILLS = int(os.environ.get("FREEWHEEL_KILLS", "6"))  # of each study
 ROOT = Path(__file__).parents[2]
 PARTS = ("analytic", "fem", "meshes", "verify", "reports", "tests", "pyproject.toml")

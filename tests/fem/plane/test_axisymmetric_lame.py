@@ -16,7 +16,7 @@ R_I, R_O, LENGTH = 0.04, 0.06, 0.03  # [m], the radii of the spheres, too
 P_I, P_O = 90e6, 20e6  # [Pa]
 STEEL = Elastic(E=210e9, nu=0.3)
 E, NU = STEEL.E, STEEL.nu
-SPREAD = 0.3  # of an observed order over two halvings
+SPREAD = 0.25  # of an observed order over two halvings
 NAMES = ("bore", "rim", "bottom", "top")
 
 

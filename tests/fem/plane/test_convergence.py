@@ -15,7 +15,8 @@ from tests.fem.plane.models import degree, every_case, every_element, in_plane, 
 
 R_I, R_O, P_I, P_O = 0.04, 0.06, 90e6, 20e6  # a sleeve [m, Pa]
 STEEL = Elastic(E=210e9, nu=0.3)
-SPREAD = 0.3  # of an observed order
+# of observed orders between the meshes of a test
+SLEEVE_SPREAD, PLATE_SPREAD, ANNULUS_SPREAD = 0.25, 0.3, 0.2
 A, B = 1.0, 3.0  # hole and outer circle of a plate under the tension 1 along x
 MATERIAL = Elastic(E=1000.0, nu=0.3)
 
@@ -56,13 +57,17 @@ def test_a_sleeve_under_pressure_moves_as_lame_has_it(kind, assumption, rate):
     )
     for error in errors:
         found = order(error, lambda n: sleeve(kind, assumption, n), (2, 4, 8))
-        assert found == pytest.approx(rate, abs=SPREAD)
-    inside = sleeve(kind, assumption, 2).in_body()
-    if assumption == "plane strain":  # radial + hoop = 2 a; the mean is the pressures' virial
-        virial = STEEL.nu * 2 * a
-        assert inside.mean(inside.stress[3]) == pytest.approx(virial, rel=1e-2)
-    else:
-        assert not inside.stress[3].any()
+        assert found == pytest.approx(rate, abs=SLEEVE_SPREAD)
+    if assumption == "plane stress":
+        assert not sleeve(kind, assumption, 2).in_body().stress[3].any()
+
+
+@pytest.mark.parametrize("kind", ["tri6", "quad9"])
+def test_the_mean_stress_out_of_the_plane_is_the_virial_of_the_pressures(kind):
+    """Radial and hoop stress add up to the same everywhere; their mean is exact on any mesh."""
+    inside = sleeve(kind, "plane strain", 8).in_body()
+    virial = 2 * STEEL.nu * (P_I * R_I**2 - P_O * R_O**2) / (R_O**2 - R_I**2)
+    assert inside.mean(inside.stress[3]) == pytest.approx(virial, rel=1e-12)
 
 
 def stress(x):
@@ -119,7 +124,7 @@ def test_a_plate_with_a_hole_moves_and_is_stressed_as_kirsch_has_it(kind, assump
 
     for error, rate in ((moved, degree(kind) + 1), (stressed, degree(kind))):
         found = order(error, lambda n: plate(kind, assumption, n), (4, 8))
-        assert found == pytest.approx(rate, abs=SPREAD)
+        assert found == pytest.approx(rate, abs=PLATE_SPREAD)
 
 
 @every_element
@@ -140,7 +145,7 @@ def test_both_walls_of_a_spinning_annulus_move_out_as_the_closed_form_says(kind)
             lambda s, wall=wall, exact=exact: s.mean_displacement(wall, outward) / exact - 1,
             annulus, (6, 12),
         )  # fmt: skip
-        assert found == pytest.approx(2 * degree(kind), abs=SPREAD)
+        assert found == pytest.approx(2 * degree(kind), abs=ANNULUS_SPREAD)
 
 
 @pytest.mark.parametrize("kind", ["tri6", "quad9"])

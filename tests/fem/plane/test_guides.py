@@ -11,7 +11,7 @@ from tests.fem.plane.models import degree, every_case, every_element, ring
 
 MATERIAL = Elastic(E=1000.0, nu=0.3)
 R_I, R_O = 1.0, 1.5
-SPREAD = 0.25  # of an order observed between two meshes
+SPREAD = 0.2  # of an order observed between two meshes
 
 
 def quarter(kind, start, through):

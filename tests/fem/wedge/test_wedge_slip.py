@@ -15,8 +15,6 @@ from fem.wedge.slip_limit import Limit
 from verify.cases.freewheel.paths.case import LoadPaths
 from verify.cases.freewheel.pulled_sector import one_pulled
 
-pytestmark = pytest.mark.xdist_group("freewheel-paths")
-
 
 @cache
 def start():
