@@ -57,11 +57,11 @@ def unbalance(*, unlike: bool, damped: bool, runs: int) -> tuple[int, list[Run],
     own, other = pair(unlike=unlike, damped=damped)
     exact, found = refined(own), ([], [])
     for k in range(runs + 1):
-        if k:  # anew, for ROSS keeps what a run has found of a rotor; a tenth is left of the next
+        if k:  # a new rotor: ROSS stores what it finds of one, and its next run takes a tenth
             own, other = pair(unlike=unlike, damped=damped)
         sides = partial(here, own), partial(there, other)
         if not k:
-            facts = [(apart(side(), exact), peak(side)) for side in sides]
+            facts = [(deviation(side(), exact), peak(side)) for side in sides]
             continue
         for (error, most), side, rows in zip(facts, sides, found, strict=True):
             rows.append((error, *seconds(side), most, least(own)))
@@ -86,7 +86,7 @@ def refined(rotor: Any) -> Any:
     return np.array(found).T
 
 
-def apart(q: Any, exact: Any) -> float:
+def deviation(q: Any, exact: Any) -> float:
     """The error over the size of a sample's motion, the median of the samples."""
     q = q[bending(len(q))][:, SAMPLES]
     exact = exact[bending(len(exact))]

@@ -72,8 +72,8 @@ class Diagonal:
             D_u += C * (u @ self.block.C.T)
         more = self._decoupled(omega, (f - D_u) @ self.V.conj())
         sizes = np.linalg.norm(more, axis=1), np.linalg.norm(q, axis=1)
-        apart = abs(1 - square * self.mu).min(axis=1) > NEAR
-        return u + more @ self.V.T, apart & (sizes[0] <= GOOD * sizes[1])
+        is_regular = abs(1 - square * self.mu).min(axis=1) > NEAR
+        return u + more @ self.V.T, is_regular & (sizes[0] <= GOOD * sizes[1])
 
     def _decoupled(self, omega: Array, f: Complex) -> Complex:
         """Amplitudes (m, n) of the modes under `f` (m, n)."""
