@@ -34,4 +34,4 @@ def test_a_row_tells_ratios_of_processor_seconds_and_the_limit():
 def test_the_refined_amplitudes_are_nearer_than_any_solver_s():
     own, _ = rotor.pair(unlike=True, damped=True)
     found = unbalance_response(own, rotor.FINE, rotor.UNBALANCES).q.T
-    assert 1e-15 < rotor.apart(found, rotor.refined(own)) < 1e-12
+    assert 1e-15 < rotor.deviation(found, rotor.refined(own)) < 1e-12

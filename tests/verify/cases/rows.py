@@ -2,8 +2,6 @@
 
 from dataclasses import replace
 
-import pytest
-
 from tests.conftest import solved
 from verify.core.case import Context
 from verify.core.results import Status
@@ -29,22 +27,3 @@ def rows(case, name="", of=None):
 def failed(case, name="", of=None):
     """The quantities of those rows that fail."""
     return {row.quantity for row in rows(case, name, of) if row.status is Status.FAIL}
-
-
-def each_fails_a_row(readings):
-    """A test: a row passes, and fails where a formula is replaced by another reading of the text.
-
-    A reading is a case, the start of the row's name, the formula's owner and name, what makes the
-    other formula of it, and what that one takes the text to say.
-    """
-
-    @pytest.mark.parametrize(
-        ("case", "row", "owner", "name", "fault"),
-        [pytest.param(*one, id=f"{one[0].id}: {what}") for *one, what in readings],
-    )
-    def test(case, row, owner, name, fault, broken):
-        assert not failed(case, row)
-        broken(owner, name, fault)
-        assert failed(case, row)
-
-    return test

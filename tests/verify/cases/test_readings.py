@@ -6,7 +6,7 @@ import pytest
 
 from analytic.ring import lame
 from analytic.spring import energy, frame
-from tests.verify.cases.rows import each_fails_a_row
+from tests.verify.cases.rows import failed
 from verify.cases.ring.lame.case import LAME
 from verify.cases.spring.accordion.case import ACCORDION
 from verify.cases.spring.continuum.case import CONTINUUM
@@ -68,7 +68,14 @@ READINGS = [
 ]  # fmt: skip
 
 
-test_another_reading_fails_a_row = each_fails_a_row(READINGS)
+@pytest.mark.parametrize(
+    ("case", "row", "owner", "name", "fault"),
+    [pytest.param(*one, id=f"{one[0].id}: {what}") for *one, what in READINGS],
+)
+def test_another_reading_fails_a_row(case, row, owner, name, fault, broken):
+    assert not failed(case, row)
+    broken(owner, name, fault)
+    assert failed(case, row)
 
 
 def test_one_reading_alone_gives_the_printed_stiffness():

@@ -9,7 +9,7 @@ from analytic.freewheel import compliance, course, criterion, load_path, printed
 from analytic.freewheel.cam import Cam
 from analytic.freewheel.clutch import hertz_line
 from analytic.freewheel.state import State
-from tests.verify.cases.rows import context, each_fails_a_row, failed
+from tests.verify.cases.rows import context, failed
 from verify.cases.freewheel import star
 from verify.cases.freewheel.clutch.case import CLUTCH
 from verify.cases.freewheel.cup.case import CUP
@@ -103,7 +103,14 @@ READINGS = [
 ]  # fmt: skip
 
 
-test_another_reading_fails_a_row = each_fails_a_row(READINGS)
+@pytest.mark.parametrize(
+    ("case", "row", "owner", "name", "fault"),
+    [pytest.param(*one, id=f"{one[0].id}: {what}") for *one, what in READINGS],
+)
+def test_another_reading_fails_a_row(case, row, owner, name, fault, broken):
+    assert not failed(case, row)
+    broken(owner, name, fault)
+    assert failed(case, row)
 
 
 @pytest.mark.parametrize(

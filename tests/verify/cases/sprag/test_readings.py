@@ -4,12 +4,13 @@ import math
 from dataclasses import replace
 
 import numpy as np
+import pytest
 
 from analytic.contact import crown_mean, hertz_line
 from analytic.sprag import closure, parts, printed, race_spring
 from analytic.sprag.clutch import Clutch
 from analytic.sprag.geometry import LogSprag
-from tests.verify.cases.rows import each_fails_a_row, failed
+from tests.verify.cases.rows import failed
 from verify.cases.sprag.clutch import model
 from verify.cases.sprag.clutch.case import CLUTCH
 from verify.cases.sprag.crown.case import CROWN
@@ -92,7 +93,14 @@ READINGS = [
 ]  # fmt: skip
 
 
-test_another_reading_fails_a_row = each_fails_a_row(READINGS)
+@pytest.mark.parametrize(
+    ("case", "row", "owner", "name", "fault"),
+    [pytest.param(*one, id=f"{one[0].id}: {what}") for *one, what in READINGS],
+)
+def test_another_reading_fails_a_row(case, row, owner, name, fault, broken):
+    assert not failed(case, row)
+    broken(owner, name, fault)
+    assert failed(case, row)
 
 
 def test_z_m_is_in_millimetres(broken):
