@@ -203,3 +203,10 @@ def test_the_energy_is_the_integral_of_stress_and_strain():
     mean = race.ring.mean_displacement(race.r) * race.n * race.P / 2
     assert strain_energy(race) > mean
     assert strain_energy(race) == pytest.approx(mean, rel=0.2)
+
+
+def test_the_displacement_is_even_and_periodic():
+    race = LoadedRace(loaded="bore", **RACE)
+    one, other = race.at(race.r, [0.1, 0.003]), race.at(race.r, [-0.1, np.pi / 6 + 0.003])
+    np.testing.assert_allclose(one.u_r, other.u_r, rtol=1e-12)
+    assert float(one.u_theta[0]) == pytest.approx(-float(other.u_theta[0]), rel=1e-9)

@@ -205,3 +205,9 @@ def test_no_equilibrium_is_refused_not_returned():
     most = 15.0 / clutch_state().d_t
     with pytest.raises(ArithmeticError, match="no equilibrium under F"):
         under_loads(clutch_state(), np.array([1.1 * most, 0, 0, 0, 15.0]))
+
+
+def test_the_stiffness_grows_with_the_tenth_root_of_the_torque():
+    one = clutch()
+    K = one.stiffness(under_torque(one, T=np.array([1.5, 15.0])))
+    assert K[1, 0, 0] / K[0, 0, 0] == pytest.approx(10**0.1, rel=1e-12)

@@ -7,6 +7,7 @@ import pytest
 
 from fem.beam.curved import solve_curved_frame
 from fem.beam.large import LargeFrame
+from fem.beam.large_balance import Balance
 from fem.beam.section import Section
 
 SECTION = Section(EA=300.0, EI=20.0, GA=100.0)
@@ -177,3 +178,12 @@ def test_units_change_nothing():
         np.testing.assert_allclose(other.u, one.u * scale, rtol=1e-9, atol=1e-12 * unit)
         assert [len(r) for r in other.residuals] == [len(r) for r in one.residuals]
         np.testing.assert_allclose(other.factors, one.factors, rtol=1e-10)
+
+
+@pytest.mark.parametrize("unit", [1.0, 1e3])
+def test_a_couple_counts_as_the_pair_of_forces_across_the_frame(unit):
+    # across 5: a couple of 10 is as large as a force of 2, in any unit of length
+    points = np.array([[0.0, 0.0], [3.0, 4.0]]) * unit
+    balance = Balance(points, None, (), None, None, None)
+    f = np.array([[0.0, 0.0, 10.0 * unit], [1.0, -2.0, 0.0]])
+    assert balance.measure(f) == pytest.approx(np.sqrt(1 + 4 + 4), rel=1e-14)
