@@ -1,13 +1,14 @@
 """Stages of the accordion spring, and a leaf's width factor."""
 
 import math
+from dataclasses import fields
 from itertools import product
 
 import numpy as np
 import pytest
 
 from analytic.spring import frame
-from analytic.spring.stages import gap, stages
+from analytic.spring.stages import Stages, gap, stages
 from analytic.spring.wide_leaf import width_factor
 
 STRIP = {"b": 0.1, "h": 56.0, "E": 206e3}
@@ -168,3 +169,20 @@ def test_no_other_deflection_has_less_energy():
     slope = np.array(ones) - e0 - np.diag(K) / 2
     best = e0 - slope @ np.linalg.solve(K, slope) / 2
     assert least < best < least + 3e-3
+
+
+def test_arrays_broadcast_and_are_the_same_one_by_one():
+    rng = np.random.default_rng(3)
+    many = {
+        "b": rng.uniform(0.05, 0.15, 6), "radius": rng.uniform(0.4, 0.8, 6),
+        "L1": rng.uniform(8, 14, 6), "alpha": np.radians(rng.uniform(60, 90, 6)),
+        "nu": rng.uniform(0.1, 0.4, 6),
+    }  # fmt: skip
+    fixed = {"n": 9, "h": 56.0, "E": 206e3, "head": "hinged", "theory": "shear"}
+    together = stages(**many, **fixed)
+    for i in range(6):
+        alone = stages(**{k: v[i] for k, v in many.items()}, **fixed)
+        for f in fields(Stages):
+            assert getattr(together, f.name)[i] == pytest.approx(getattr(alone, f.name), rel=1e-10)
+    grid = stages(**PAPER | {"L1": np.array([[10.0], [12.0]]), "b": np.array([0.1, 0.11, 0.12])})
+    assert grid.k2.shape == (2, 3)

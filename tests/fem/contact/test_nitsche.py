@@ -7,7 +7,9 @@ from fem.contact.nitsche import solve_nitsche
 from fem.contact.pairs import Obstacle, Pair
 from fem.contact.problem import ContactProblem
 from fem.contact.shapes import Circle, Flat
+from fem.contact.traction import traction_rows
 from fem.plane.material import Elastic
+from fem.plane.solve import solve_plane
 from meshes.contact.block import block
 from meshes.contact.disc import quarter_disc
 from meshes.join import join
@@ -125,3 +127,25 @@ def test_contact_and_reactions_balance_the_load(assumption):
     assert found.touches[0].force[1] == pytest.approx(-force, rel=BALANCE)
     assert found.plane.reaction("low.middle")[1] == pytest.approx(force, rel=BALANCE)
     assert found.plane.residual < BALANCE
+
+
+@pytest.mark.parametrize("assumption", ["plane strain", "axisymmetric"])
+def test_tractions_are_those_of_the_stresses_on_curved_cells(assumption):
+    disc = quarter_disc(R=1.0, zone=0.3, refine=1, cells=3)
+    problem = ContactProblem(
+        disc, materials=STEEL, assumption=assumption, supports={"axis": "x", "middle": "y"},
+        obstacles={"flat": Obstacle(Flat())}, contacts=[Pair(slave="surface", master="flat")],
+    )  # fmt: skip
+    solved = solve_plane(
+        disc, materials=STEEL, assumption=assumption, supports={"axis": "x", "middle": "y"},
+        pressures={"surface": lambda x: 1e6 * (1 + 3 * x[0] - 2 * x[1] ** 2)},
+    )  # fmt: skip
+    points, side = problem.interface.mortars[0].points, solved.on_boundary("surface")
+    distance = np.hypot(*(points.x[:, :, None] - side.x[:, None, :]))
+    same = distance.argmin(axis=1)
+    assert distance.min(axis=1).max() < 1e-12
+    traction, u = side.traction()[:, same], np.pad(solved.u, (0, 3))  # the obstacle's
+    for direction in (points.n, np.array([-points.n[1], points.n[0]])):
+        own = traction_rows(problem.bodies, problem.surfaces.slaves[0], points, direction)
+        expected = -(direction * traction).sum(axis=0)
+        np.testing.assert_allclose(own @ u, expected, atol=1e-11 * abs(traction).max())

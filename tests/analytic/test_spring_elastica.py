@@ -1,0 +1,95 @@
+"""Large bending of springs: small displacements, textbook columns, derivatives, no scale."""
+
+import math
+
+import numpy as np
+import pytest
+from scipy.special import ellipe, ellipk
+
+from analytic.spring import frame
+from analytic.spring.elastica import COUPLE, F_X, F_Y, HELD_OFF, Elastica
+
+SHAPE = {"n": 10, "L1": 11.6, "radius": 0.5, "alpha": math.radians(80)}
+STRIP = {"b": 0.1, "h": 56.0, "E": 206e3, "nu": 0.3}
+E_I, E_A = 206e3 * 56 * 0.1**3 / 12, 206e3 * 56 * 0.1
+STIFF = {"EI": E_I, "EA": E_A, "GA": 5 / 6 * E_A / 2.6}
+
+
+def spring(tail="arc", **changes):
+    return Elastica(frame.pieces(**SHAPE, tail=tail), **STIFF | changes)
+
+
+@pytest.mark.parametrize("tail", ["arc", "mid-leaf"])
+@pytest.mark.parametrize("head", ["free", "hinged", "guided"])
+def test_a_small_push_meets_the_stiffness_of_the_force_method(head, tail):
+    k = frame.stiffness(**SHAPE, **STRIP, head=head, tail=tail, theory="shear")
+    error = [spring(tail).path(head, [U])[0].F / U / k - 1 for U in (2e-4, 1e-4)]
+    assert 2 * error[1] - error[0] == pytest.approx(0, abs=1e-9)
+
+
+def test_a_straight_column_bends_as_the_elastica_of_elliptic_integrals():
+    """T. & G., art. 2.7: a cantilever whose end has turned by 60 deg."""
+    line, k = Elastica([(1.0, 0.0)] * 4, EI=1.0), math.sin(math.radians(30))
+    K, E = ellipk(k**2), ellipe(k**2)
+    P = (K / 4) ** 2
+    state = line.unloaded()
+    for share in np.linspace(0.2, 1, 9):  # round the bifurcation, pushed a little aside
+        state = line.pushed((2e-2 * P, share * P), state)
+    for aside in (5e-3, 0.0):
+        state = line.pushed((aside * P, P), state)
+    assert abs(state.head[0]) == pytest.approx(math.radians(60), rel=1e-8)
+    assert 4 - state.drift == pytest.approx(4 * (2 * E / K - 1), rel=1e-8)
+    assert abs(state.U) == pytest.approx(4 * 2 * k / K, rel=1e-8)
+
+
+def test_stretch_and_shear_are_those_of_reissner_s_beam():
+    """A short straight bar pushed along itself and across: closed forms of a small load."""
+    bar = Elastica([(2.0, 0.0)], EI=3.0, EA=50.0, GA=20.0)
+    along, across = (bar.pushed(F, bar.unloaded()) for F in ((0.0, 1e-6), (1e-6, 0.0)))
+    assert along.drift == pytest.approx(1e-6 * 2 / 50, rel=1e-6)
+    assert pytest.approx(1e-6 * (8 / 9 + 2 / 20), rel=1e-6) == across.U
+
+
+@pytest.mark.parametrize("head", ["free", "hinged", "guided"])
+def test_derivatives_are_those_of_the_path(head):
+    line = spring()
+    before, here, after = line.path(head, [4.98, 5.0, 5.02])
+    columns = list(HELD_OFF[head])
+    rows = [0, 1] if head == "free" else [0, 1, 2]
+    back = np.array([0.0, -1.0, 0.0])[rows]
+    slope = np.linalg.solve(here.J[np.ix_(rows, columns)], back)
+    measured = (after.head - before.head)[columns] / 0.04
+    assert slope == pytest.approx(measured, rel=2e-5, abs=1e-8)
+
+
+def test_derivatives_are_symmetric_where_work_has_a_potential():
+    """What head and tail exchange is conservative: the guided head's stiffness is symmetric."""
+    state = spring().path("guided", [6.0])[0]
+    exerted = np.linalg.solve(state.J[:, [COUPLE, F_X, F_Y]], np.eye(3)[:, 1:])
+    assert exerted[2, 0] == pytest.approx(exerted[1, 1], rel=1e-9)
+
+
+def test_lengths_scale_and_the_thickness_leaves_the_shape():
+    thin = Elastica(frame.pieces(**SHAPE), EI=E_I).path("guided", [5.0])[0]
+    other = SHAPE | {"L1": 1.16, "radius": 0.05}
+    small = Elastica(frame.pieces(**other), EI=8 * E_I).path("guided", [0.5])[0]
+    assert pytest.approx(thin.F, rel=1e-10) == small.F * 0.1**2 / 8
+    assert small.psi == pytest.approx(thin.psi, rel=1e-9, abs=1e-10)
+
+
+def test_points_on_every_piece_are_enough():
+    few = spring().path("guided", [5.0, 15.0])[-1].F
+    halved = [(s / 2, turn / 2) for s, turn in frame.pieces(**SHAPE) for _ in "ab"]
+    assert (
+        pytest.approx(few, rel=1e-9) == Elastica(halved, **STIFF).path("guided", [5.0, 15.0])[-1].F
+    )
+
+
+def test_a_path_that_leaps_is_no_number():
+    with pytest.raises(ArithmeticError, match="take smaller steps"):
+        spring().path("guided", [200.0])
+
+
+def test_rigidities_are_positive():
+    with pytest.raises(ValueError, match="EI, EA and GA must be positive"):
+        Elastica([(1.0, 0.0)], EI=0.0)
