@@ -1,4 +1,4 @@
-"""What a report needs of a case, drawn while other cases are solved."""
+"""Figures and pictures of cases, drawn while other cases are solved."""
 
 from collections.abc import Callable, Iterable
 from contextlib import suppress
@@ -7,29 +7,23 @@ from queue import SimpleQueue
 from threading import Thread
 from typing import Self
 
-from reports.equations import Glyphs
 from reports.frames import frames
+from reports.html import plot
 from verify.core.results import CaseResult
 
 TOGETHER = 8  # pictures or more for one process of pyvista, which takes a second to start
-
-
-def draw_equations(case: CaseResult, folder: Path) -> None:
-    """Draw the equations of a case into the store of a folder."""
-    glyphs = Glyphs(folder)
-    glyphs.prepare(tex for e in case.equations for tex in (e.tex, e.numbers))
-    glyphs.store()
+LAST = 2  # cases left to judge, from which on every picture is drawn at once
 
 
 class Ahead:
-    """A context with a thread that draws pictures of cases into the store as they are added.
+    """A context with a thread that draws what the report shows of `count` cases as they come.
 
-    What fails here is drawn again, and then reported, where the report is written. `hint` goes
+    Pictures go into the store. What fails here is drawn again, and then reported, where the report is written. `hint` goes
     to a reader who lacks pyvista; `first` is other work that the report needs.
     """
 
-    def __init__(self, folder: Path, hint: str, first: Callable[[], object]) -> None:
-        self._folder, self._hint, self._first = folder, hint, first
+    def __init__(self, count: int, folder: Path, hint: str, first: Callable[[], object]) -> None:
+        self._count, self._folder, self._hint, self._first = count, folder, hint, first
         self._cases: SimpleQueue[CaseResult | None] = SimpleQueue()
         self._thread = Thread(target=self._work, daemon=True)
 
@@ -43,20 +37,24 @@ class Ahead:
             self._thread.join()
 
     def add(self, case: CaseResult) -> None:
-        """Have the pictures of a case drawn."""
+        """Have a case drawn."""
         self._cases.put(case)
 
     def _work(self) -> None:
         with suppress(Exception):
             self._first()
         waiting: list[CaseResult] = []
+        left = self._count
         for case in iter(self._cases.get, None):
+            left -= 1
             waiting.append(case)
-            if _count(waiting) >= TOGETHER:
+            with suppress(Exception):
+                _ = [plot(figure) for figure in case.figures]
+            if _pictures(waiting) >= (1 if left <= LAST else TOGETHER):
                 with suppress(Exception):
                     frames(waiting, self._folder, self._hint)
                 waiting = []
 
 
-def _count(cases: Iterable[CaseResult]) -> int:
+def _pictures(cases: Iterable[CaseResult]) -> int:
     return sum(len(case.pictures) for case in cases)

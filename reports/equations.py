@@ -1,114 +1,118 @@
-"""Equations as SVG: drawn once, stored for the next run, their glyphs shared over a page."""
+"""Equations of a page as SVG: typst draws them all at once, and the page holds each glyph once."""
 
+import json
 import re
-from collections.abc import Iterable
-from contextlib import suppress
-from importlib.metadata import version
-from pathlib import Path
+from collections.abc import Iterable, Iterator, Sequence
+from xml.etree import ElementTree as ET
 
 from markupsafe import Markup, escape
 
-from verify.core.store import Store
+from reports.mathematics import Node, tree
+from reports.standalone import HERE
 
-# a glyph with its outlines, or an empty one (a space), which closes itself
-_SYMBOL = re.compile(r'<symbol id="([^"]+)" viewBox="([^"]+)"(?:\s*/>|>(.*?)</symbol>)', re.DOTALL)
-_USE = re.compile(
-    r'<use href="#([^"]+)" x="([^"]+)" y="([^"]+)" width="[^"]+" height="([^"]+)"[^>]*/>'
-)
-KIND = "equation"  # of entries of the store
-SIZE = 15  # pixels
-UNSEEN = 0.005  # pixels
-_COLOUR = ' fill="currentColor"'
+SYMBOLS = "<!--glyphs-->"  # where a page wants the glyphs that its equations share
+SVG = "{http://www.w3.org/2000/svg}"
+LINK = "{http://www.w3.org/1999/xlink}href"
+PIXELS = 4 / 3  # of a point
+_NUMBER = re.compile(r"-?[\d.]+")
+_PLACE = re.compile(r"<!--equation (\d+)-->")
 
 
-class Glyphs:
-    """Equations of one page; `cache` is the folder of the store that has what ziamath drew."""
+class Equations:
+    """The equations of one page: asked for by `maths`, drawn by `placed`."""
 
-    def __init__(self, cache: Path | None = None) -> None:
-        self._names: dict[tuple[str, str], str] = {}
-        self._stored = _Stored(cache)
+    def __init__(self) -> None:
+        self._numbers: dict[str, int] = {}
+        self._names: dict[str, str] = {}  # of glyphs, by typst's own
+        self._outlines: list[str] = []
 
-    def prepare(self, equations: Iterable[str]) -> None:
-        """Have equations drawn that will be asked for."""
-        for tex in filter(None, equations):
-            self._stored.drawn(tex, SIZE)
+    def maths(self, tex: str) -> Markup:
+        """The place of an equation in a page."""
+        number = self._numbers.setdefault(tex, len(self._numbers))
+        return Markup(f"<!--equation {number}-->")  # noqa: S704 - a number
 
-    def store(self) -> None:
-        """Have what was drawn stored for the next run."""
-        self._stored.store()
+    def placed(self, page: str) -> str:
+        """The page with its equations in the colour of the text, read aloud as their source."""
+        drawn = self._drawn()
+        page = _PLACE.sub(lambda place: drawn[int(place[1])], page)
+        return page.replace(SYMBOLS, f"<defs>{''.join(self._outlines)}</defs>")
 
-    def maths(self, tex: str, size: int = SIZE) -> Markup:
-        """TeX as inline SVG in the colour of the text; read aloud as its source."""
-        drawn = self._stored.drawn(tex, size)
-        glyphs = {name: (box, outline) for name, box, outline in _SYMBOL.findall(drawn)}
-        drawn = _USE.sub(lambda use: self._placed(use, *glyphs[use[1]]), _SYMBOL.sub("", drawn))
-        box = re.search(r'viewBox="([^"]+)"', drawn)
-        assert box is not None
-        _, top, _, height = map(float, box[1].split())
-        start = (
+    def _drawn(self) -> list[str]:
+        """Every equation, in the order of asking; as source where nothing can draw it."""
+        trees = [_tree_or_none(tex) for tex in self._numbers]
+        pages = iter(_pages([found for found in trees if found]))
+        return [
+            self._svg(tex, page) if found and (page := next(pages, None))
+            else f"<code>{escape(tex)}</code>"
+            for tex, found in zip(self._numbers, trees, strict=True)
+        ]  # fmt: skip
+
+    def _svg(self, tex: str, page: bytes) -> str:
+        root = ET.fromstring(page)  # noqa: S314 - typst's own
+        square, *parts = (part for part in root if part.tag != f"{SVG}defs")
+        outlines = {one.attrib["id"]: one[0].attrib["d"] for one in root.iter(f"{SVG}symbol")}
+        wide, high = _numbers(root.attrib["viewBox"])[2:]
+        below = high - _numbers(square.attrib["transform"])[1]
+        return (
             f'<svg class="maths" role="img" aria-label="{escape(tex)}" '
-            f'style="vertical-align:{-(height + top):.1f}px" '
+            f'style="vertical-align:{-below * PIXELS:.1f}px" viewBox="0 0 {wide:.1f} {high:.1f}" '
+            f'width="{wide * PIXELS:.1f}" height="{high * PIXELS:.1f}">'
+            f"{''.join(self._shapes(parts, outlines))}</svg>"
         )
-        drawn = drawn.replace(_COLOUR, "").replace("<svg ", start, 1)
-        return Markup(drawn)  # noqa: S704 - ziamath's own output
 
-    def _placed(self, use: re.Match[str], box: str, outline: str) -> str:
-        """A glyph in its place: of its size already, so that only the place need be told."""
-        if not outline:
-            return ""
-        left, top, _, height = map(float, box.split())
-        k = float(use[4]) / height
-        # ziamath reuses one id for different glyphs: they are told apart by content
-        name = self._names.setdefault((outline, f"{k:.4g}"), f"g{len(self._names)}")
-        corner = (("x", float(use[2]) - k * left), ("y", float(use[3]) - k * top))
-        place = "".join(f' {axis}="{v:.2f}"' for axis, v in corner if abs(v) > UNSEEN)
-        return f'<use href="#{name}"{place}/>'
+    def _shapes(self, parts: Iterable[ET.Element], outlines: dict[str, str]) -> Iterator[str]:
+        """Rules of fractions and roots, and glyphs, each in its place [pt]."""
+        for part in parts:
+            *_, left, top = _numbers(part.attrib["transform"])
+            if part.tag == f"{SVG}path":
+                length = part.attrib["d"].removeprefix("M 0 0")
+                width = part.attrib["stroke-width"]
+                yield (
+                    f'<path d="M{left:.2f} {top:.2f}{_tight(length)}" '
+                    f'stroke="currentColor" stroke-width="{width}"/>'
+                )
+            for use in part:
+                x, y = left + float(use.attrib["x"]), top - float(use.attrib["y"])
+                name = use.attrib[LINK].removeprefix("#")
+                yield f'<use href="#{self._name(name, outlines[name])}" x="{x:.2f}" y="{y:.2f}"/>'
 
-    def symbols(self) -> str:
-        """The shared glyphs, for one hidden SVG; keeps what is new."""
-        self.store()
-        paths = (
-            f'<g id="{name}" transform="scale({k})">{_tight(outline)}</g>'
-            for (outline, k), name in self._names.items()
-        )
-        return f"<defs>{''.join(paths)}</defs>"
-
-
-def _tight(outline: str) -> str:
-    """Outlines without the blanks that no reader needs."""
-
-    def data(path: re.Match[str]) -> str:
-        letters = re.sub(r" ?([A-Za-z]) ?", r"\1", path[1])
-        return f' d="{letters.replace(" -", "-").strip()}"'
-
-    return re.sub(r' d="([^"]*)"', data, outline)
+    def _name(self, glyph: str, outline: str) -> str:
+        """The page's name of a glyph, whose outline joins the others where it is new."""
+        if glyph not in self._names:
+            name = self._names[glyph] = f"g{len(self._names)}"
+            path = f'<path d="{_tight(outline)}"/>' if outline else ""
+            self._outlines.append(f'<g id="{name}" transform="scale(1 -1)">{path}</g>')
+        return self._names[glyph]
 
 
-class _Stored:
-    """What ziamath drew, by its TeX: drawing takes tens of milliseconds each."""
+def _tree_or_none(tex: str) -> Node | None:
+    try:
+        return tree(tex)
+    except (ValueError, LookupError):  # of one's own case: what the converter does not know
+        return None
 
-    def __init__(self, folder: Path | None) -> None:
-        self._store = Store(folder) if folder else None
-        self._subject = f"ziamath {version('ziamath')}"
-        self._all: dict[str, str] = {}
-        self._new: dict[str, bytes] = {}
-        with suppress(OSError, ValueError):  # what cannot be read is drawn again
-            if self._store:
-                stored = self._store.all(KIND, self._subject)
-                self._all = {name: content.decode() for name, content in stored.items()}
 
-    def drawn(self, tex: str, size: int) -> str:
-        name = f"{self._subject} {size} {tex}"
-        if name not in self._all:
-            import ziamath  # its font takes a fifth of a second to load
+def _pages(trees: Sequence[Node]) -> list[bytes]:
+    """A drawing of each tree; none where typst is missing or fails, as for the PDF."""
+    if not trees:
+        return []
+    try:
+        import typst
 
-            self._all[name] = ziamath.Latex(tex, size=size, color="currentColor").svg()
-            self._new[name] = self._all[name].encode()
-        return self._all[name]
+        drawn = typst.compile(
+            HERE / "equations.typ", root=HERE, sys_inputs={"trees": json.dumps(trees)},
+            ignore_system_fonts=True, format="svg",
+        )  # fmt: skip
+    except (ImportError, RuntimeError):
+        return []
+    return drawn if isinstance(drawn, list) else [drawn]
 
-    def store(self) -> None:
-        """Add what is new; a full disk costs the time to draw again, no equation."""
-        if self._store and self._new:
-            with suppress(OSError):
-                self._store.store(KIND, self._subject, self._new)
-                self._new = {}
+
+def _numbers(text: str) -> list[float]:
+    return [float(number) for number in _NUMBER.findall(text)]
+
+
+def _tight(path: str) -> str:
+    """A path in hundredths of a point, without the blanks that no reader needs."""
+    short = _NUMBER.sub(lambda number: f"{float(number[0]):.2f}".rstrip("0").rstrip("."), path)
+    return re.sub(r" ?([A-Za-z]) ?", r"\1", short).replace(" -", "-").strip()

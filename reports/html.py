@@ -2,6 +2,7 @@
 
 import base64
 import hashlib
+import weakref
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -29,7 +30,7 @@ from reports.compiled import COMPILED
 from reports.curves import curves
 from reports.density import density
 from reports.drawable import drawable, nothing
-from reports.equations import Glyphs
+from reports.equations import Equations
 from reports.error_map import error_map
 from reports.frames import Frame
 from reports.paper_rows import printed_row
@@ -76,15 +77,13 @@ WORDS = {
 }
 
 
-def page(
-    report: Report, frames: Mapping[str, Sequence[Frame]], glyphs: Glyphs | None = None
-) -> str:
-    """HTML of the whole run; `frames` are the pictures of each case, `glyphs` draws equations."""
-    glyphs = glyphs or Glyphs()
+def page(report: Report, frames: Mapping[str, Sequence[Frame]]) -> str:
+    """HTML of the whole run; `frames` are the pictures of each case."""
+    equations = Equations()
     script = _script(report, frames)
     groups = [(case, lines(case.rows)) for case in report.cases]
     checks = crosscheck.of_cases(report)
-    body = _environment(glyphs).get_template("report.html.j2").render(
+    body = _environment(equations).get_template("report.html.j2").render(
         report=report, crosschecks=checks, seconds=second.seconds(checks), rows=report.rows,
         groups=groups, listed=groups_failed_first(groups), statuses=tuple(Status), words=WORDS,
         title=title(report), partly=partly(report),
@@ -104,7 +103,7 @@ def page(
         published=_by_paper(report), script=Markup(script),  # noqa: S704 - the project's own file
         script_source=_source(script), css=Markup(styles()),  # noqa: S704 - likewise
     )  # fmt: skip
-    return slim(body.replace("<!--glyphs-->", glyphs.symbols()))
+    return slim(equations.placed(body))
 
 
 @dataclass(frozen=True)
@@ -174,8 +173,19 @@ def anchors(rows: Sequence[Row]) -> Mapping[str, str]:
     return {row.id: f"row-{i}" for i, row in enumerate(rows)}
 
 
+_plots: dict[int, Markup] = {}  # of the figures that are in use, by their identity
+
+
 def plot(figure: Figure) -> Markup:
-    """The drawing of a figure, or a note where it has no points."""
+    """The drawing of a figure, or a note where it has no points; made once for page and PDF."""
+    key = id(figure)
+    if key not in _plots:
+        _plots[key] = _plot(figure)
+        weakref.finalize(figure, _plots.pop, key).atexit = False
+    return _plots[key]
+
+
+def _plot(figure: Figure) -> Markup:
     if not drawable(figure):
         return nothing(figure.title)
     match figure:
@@ -205,15 +215,15 @@ def plot(figure: Figure) -> Markup:
             return parallel(figure)
 
 
-def _environment(glyphs: Glyphs) -> jinja2.Environment:
+def _environment(equations: Equations) -> jinja2.Environment:
     env = jinja2.Environment(
         loader=jinja2.FileSystemLoader(HERE), autoescape=True, trim_blocks=True,
         lstrip_blocks=True, undefined=jinja2.StrictUndefined, bytecode_cache=COMPILED,
-        optimized=False,  # constants are not filtered by the glyphs of another page
+        optimized=False,  # constants are not filtered by the equations of another page
     )  # fmt: skip
     env.filters |= {
         "symbol": formats.symbol, "prose": formats.prose, "power": formats.power,
-        "maths": glyphs.maths, "number": formats.number, "written": formats.written,
+        "maths": equations.maths, "number": formats.number, "written": formats.written,
         "values": formats.values, "difference": formats.difference, "tolerance": formats.tolerance,
         "relative": formats.relative, "fraction": formats.fraction, "percents": formats.percents,
         "order": formats.order, "signature": signature.signature,

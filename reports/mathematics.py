@@ -27,7 +27,8 @@ DELIMITERS = {"(": ")", "[": "]", "{": "}", "|": "|", "‖": "‖", "⟨": "⟩"
 @lru_cache(maxsize=1024)
 def tree(tex: str) -> Node:
     """TeX as nested lists; raises ValueError where it holds what this module does not know."""
-    return _row(list(convert_to_element(tex)))
+    spaced = tex.replace(r"\mathrm{", r"\mathrm {")  # or one letter is read as an italic one
+    return _row(list(convert_to_element(spaced)))
 
 
 def _node(e: Element) -> Node:

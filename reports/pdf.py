@@ -21,7 +21,20 @@ class NotSet(Exception):  # noqa: N818 - says what did not happen
 
 
 def pdf(report: Report, frames: Mapping[str, Sequence[Frame]]) -> bytes:
-    """The whole report as PDF, the same bytes for the same report; raises NotSet.
+    """The whole report as PDF, the same bytes for the same report; raises NotSet."""
+    return typeset(content(report, frames), made(report))
+
+
+def content(report: Report, frames: Mapping[str, Sequence[Frame]]) -> str:
+    """All that the PDF of a report prints, as JSON; raises NotSet for mathematics unknown here."""
+    try:
+        return json.dumps(_cleaned(document(report, frames)), ensure_ascii=False)
+    except ValueError as error:
+        raise NotSet(" ".join(str(error).split())) from error
+
+
+def typeset(data: str, stamp: datetime) -> bytes:
+    """The PDF of such a content, dated; raises NotSet.
 
     Fonts of the system are searched only for scripts that typst brings no font for.
     """
@@ -30,12 +43,11 @@ def pdf(report: Report, frames: Mapping[str, Sequence[Frame]]) -> bytes:
     except ImportError as error:
         raise NotSet(f"typst cannot be imported: {error}") from error
     try:
-        data = json.dumps(_cleaned(document(report, frames)), ensure_ascii=False)
         return typst.compile(
             HERE / "report.typ", root=HERE, sys_inputs={"document": data},
-            ignore_system_fonts=not _FOREIGN.search(data), timestamp=made(report),
+            ignore_system_fonts=not _FOREIGN.search(data), timestamp=stamp,
         )  # fmt: skip
-    except (ValueError, RuntimeError) as error:  # of mathematics, of typst
+    except RuntimeError as error:
         raise NotSet(" ".join(str(error).split())) from error
     except BaseException as error:
         if type(error).__name__ != "PanicException":  # how a fault inside typst arrives

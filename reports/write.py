@@ -3,8 +3,8 @@
 import fcntl
 import json
 import shutil
-from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,11 +12,10 @@ from tempfile import TemporaryDirectory
 
 from reports.budget_table import budget_csv
 from reports.crosscheck_table import crosscheck_csv
-from reports.equations import Glyphs
-from reports.frames import frames
+from reports.frames import Frame, frames
 from reports.html import page
 from reports.junit import junit
-from reports.pdf import NotSet, pdf
+from reports.pdf import NotSet, content, made, typeset
 from reports.records import report_record
 from reports.rows import rows_csv
 from reports.second import seconds
@@ -48,22 +47,12 @@ def write(report: Report, folder: Path, *, cache: Path | None = None, hint: str 
     made before the first takes its place; OSError names the one that can't be written.
     """
     try:
-        # pyvista draws in a process of its own, and typst holds no lock: both work beside
-        with ThreadPoolExecutor(1) as beside:
-            pictures = beside.submit(frames, report.cases, cache, hint)
-            files = dict(_tables(report))
-            glyphs = Glyphs(cache)
-            equations = [e for case in report.cases for e in case.equations]
-            glyphs.prepare(tex for e in equations for tex in (e.tex, e.numbers))
-            drawn = pictures.result()
-            paper = beside.submit(pdf, report, drawn)
-            files["report.html"] = page(report, drawn, glyphs).encode()
+        drawn = frames(report.cases, cache, hint)
+        files, why = _files(report, drawn)
     except OSError as error:  # a temporary file of a drawing
         raise OSError(f"{folder}: no report can be made: {error.strerror or error}") from error
     remarks = dict.fromkeys(frame.why for group in drawn.values() for frame in group if frame.why)
-    try:
-        files[PAPER] = paper.result()
-    except NotSet as why:
+    if why:
         remarks[f"{PAPER} is not written: {why}"] = None
     with _alone_in(folder), _staging(folder) as staging:
         for name, content in files.items():
@@ -79,6 +68,25 @@ def write(report: Report, folder: Path, *, cache: Path | None = None, hint: str 
             if stale.name not in files:
                 stale.unlink(missing_ok=True)
     return Written(folder / "report.html", tuple(remarks))
+
+
+def _files(report: Report, drawn: Mapping[str, Sequence[Frame]]) -> tuple[dict[str, bytes], str]:
+    """All files by name, and why there is no PDF, or ""."""
+    why = ""
+    # typst takes longer than all the rest and holds no lock: it works beside
+    with ThreadPoolExecutor(1) as beside:
+        paper: Future[bytes] = Future()
+        try:
+            paper = beside.submit(typeset, content(report, drawn), made(report))
+        except NotSet as error:
+            paper.set_exception(error)
+        files = dict(_tables(report))
+        files["report.html"] = page(report, drawn).encode()
+    try:
+        files[PAPER] = paper.result()
+    except NotSet as error:
+        why = str(error)
+    return files, why
 
 
 def _tables(report: Report) -> Iterator[tuple[str, bytes]]:

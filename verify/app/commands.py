@@ -1,5 +1,6 @@
 """What the commands do, apart from reading the command line."""
 
+import gc
 import sys
 import tempfile
 import time
@@ -20,11 +21,11 @@ from verify.jobs import cache
 from verify.jobs.executor import Where
 from verify.jobs.level import Job
 from verify.jobs.session import solve, stored_levels
-from verify.jobs.tasks import Prepared
 from verify.papers.ledger import cited
 
 ROOT = Path(__file__).parents[2]
 BAD = (Status.FAIL, Status.SKIP)
+GARBAGE_AFTER = 20_000  # new objects: syntax trees and pages are many that stay in use
 
 
 def run_list() -> int:
@@ -56,6 +57,7 @@ def run_verify(
     out = out or ROOT / "reports" / "out"
     writable(out)
     start = time.perf_counter()
+    gc.set_threshold(GARBAGE_AFTER)
     key = ""
     if use_cache and all(name in CASES.ids for name in names):
         key = up_to_date.key_of(ROOT, names)
@@ -86,12 +88,12 @@ def run_verify(
 
 
 def _solved_for_report(work: list[Job], where: Where) -> list[CaseResult]:
-    """The judged cases; meanwhile what their report needs is drawn into the store."""
-    from reports.ahead import Ahead, draw_equations
+    """The judged cases; meanwhile the pictures of their report are drawn into the store."""
+    from reports.ahead import Ahead
 
     cases = [job.case for job in work]
-    with Ahead(cache.default_folder(), _hint(), lambda: _read_records(cases)) as ahead:
-        return solve(work, where, True, prepared=Prepared(draw_equations, ahead.add))
+    with Ahead(len(cases), cache.default_folder(), _hint(), lambda: _read_records(cases)) as ahead:
+        return solve(work, where, True, judged=ahead.add)
 
 
 def _read_records(cases: Sequence[Case]) -> None:

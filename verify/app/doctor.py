@@ -29,7 +29,7 @@ SHOWN = (
     "pyvista", "typst",
 )  # fmt: skip
 SOLVING = (
-    "numpy", "scipy", "skfem", "gmsh", "numba", "sklearn", "pydantic", "pint", "jinja2", "ziamath",
+    "numpy", "scipy", "skfem", "gmsh", "numba", "sklearn", "pydantic", "pint", "jinja2",
     "meshio",
 )  # fmt: skip
 TYPST = 'import typst\nassert typst.compile(b"Hello")'

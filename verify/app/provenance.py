@@ -13,7 +13,7 @@ from verify.core.results import CaseResult
 
 PACKAGES = (
     "cyclopts", "gmsh", "jinja2", "matplotlib", "meshio", "numpy", "pint", "pydantic", "pyvista",
-    "scikit-fem", "scipy", "typst", "xlsxwriter", "ziamath",
+    "scikit-fem", "scipy", "typst", "xlsxwriter",
 )  # fmt: skip
 
 

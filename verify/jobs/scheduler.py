@@ -17,10 +17,10 @@ from verify.jobs.dispatch import Dispatch
 from verify.jobs.engine import Engine
 from verify.jobs.executor import Lost, local
 from verify.jobs.level import Job, Solved, judge_case, keep_level
-from verify.jobs.tasks import Judging, Prepared, Task, do
+from verify.jobs.tasks import Judging, Task, do
 
 FEW = 3  # cases without a level to solve that this process judges: others take a second to start
-JUDGED = 1.0  # s that a case takes to be judged and its equations to be drawn
+JUDGED = 0.3  # s that a case takes to be judged
 
 
 def run(
@@ -28,7 +28,7 @@ def run(
     *,
     engine: AbstractContextManager[Engine] | None = None,
     cache_folder: Path | None = None,
-    prepared: Prepared | None = None,
+    judged: Callable[[CaseResult], None] | None = None,
     show: Show = lambda _state: None,
     warn: Callable[[str], None] = lambda _message: None,
 ) -> list[CaseResult]:
@@ -36,8 +36,8 @@ def run(
 
     OSError names what is missing where gmsh cannot start and something is to be solved.
     `engine` is entered where something is to be solved; without one this process does. `show`
-    follows the state, `warn` takes what the user should know of at once. With `prepared` cases are
-    judged on the engine, too, each as soon as its levels are stored.
+    follows the state, `warn` takes what the user should know of at once. With `judged` cases are
+    judged on the engine, too, each as soon as its levels are stored, and handed to it.
     """
     wanted = [
         (i, level) for i, job in enumerate(jobs) if job.use_fem
@@ -48,8 +48,8 @@ def run(
     tasks = [
         Task(jobs[i].case, jobs[i].inputs, level, cache_folder, i) for i, level in missing
     ]  # fmt: skip
-    work = _Work(jobs, tasks, solved, cache_folder, prepared, show=show, warn=warn)
-    if tasks or (prepared and cache_folder and len(jobs) > FEW):
+    work = _Work(jobs, tasks, solved, cache_folder, judged, show=show, warn=warn)
+    if tasks or (judged and cache_folder and len(jobs) > FEW):
         if tasks:
             require_gmsh()  # a machine without its libraries is no red row
         source_memory.share()
@@ -72,10 +72,11 @@ class _Work:
 
     def __init__(
         self, jobs: Sequence[Job], tasks: Sequence[Task], solved: dict[tuple[int, int], Solved],
-        folder: Path | None, prepared: Prepared | None, *, show: Show, warn: Callable[[str], None],
+        folder: Path | None, hand_over: Callable[[CaseResult], None] | None, *, show: Show,
+        warn: Callable[[str], None],
     ) -> None:  # fmt: skip
         self.jobs, self.tasks, self.solved = jobs, tasks, solved
-        self.folder, self.prepared, self.warn = folder, prepared, warn
+        self.folder, self.hand_over, self.warn = folder, hand_over, warn
         self.judged: dict[int, CaseResult] = {}
         self.earlier = durations.load(folder) if folder else {}
         self.measured: dict[durations.Level, float] = {}
@@ -123,8 +124,8 @@ class _Work:
         if isinstance(task, Judging):
             if isinstance(answer, CaseResult):  # else it is judged here, with the same outcome
                 self.judged[task.job] = answer
-                assert self.prepared is not None
-                self.prepared.done(answer)
+                assert self.hand_over is not None
+                self.hand_over(answer)
             return 0
         if isinstance(answer, Lost):
             failure = f"level {task.level}: {answer.reason}"
@@ -142,15 +143,14 @@ class _Work:
     def _judge_if_solved(self, i: int) -> None:
         """Have a case judged next whose levels are all there, if other processes can read them."""
         job, known = self.jobs[i], self.levels(i)
-        if self.prepared is None or self.folder is None or self.left[i]:
+        if self.hand_over is None or self.folder is None or self.left[i]:
             return
         if any(one.unstored for one in known):
             return
         levels = tuple(
             (n, replace(one, result=None)) for n, one in zip(job.case.levels, known, strict=True)
         )
-        judging = Judging(job.case, job.inputs, self.folder, i, levels, self.prepared.prepare)
-        self.waiting.appendleft(judging)
+        self.waiting.appendleft(Judging(job.case, job.inputs, self.folder, i, levels))
 
     def _keep(self, task: Task, answer: Solved) -> bool:
         """See that the result of a task is in the store; where there is no room, warn once."""
@@ -179,7 +179,7 @@ class _Work:
 
         under_way = [(seconds(task), now - start) for task, start in dispatch.under_way]
         waiting = [seconds(task) for task in self.waiting]
-        if self.prepared is not None:
+        if self.hand_over is not None:
             waiting += [JUDGED for count in self.left.values() if count]
         return durations.remaining_seconds(under_way, waiting, dispatch.workers)
 

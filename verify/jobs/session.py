@@ -1,6 +1,7 @@
 """Run jobs for a command: cache, processes, progress, and a clean end when stopped."""
 
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 from verify.core import source_memory
@@ -13,7 +14,6 @@ from verify.jobs.executor import Where
 from verify.jobs.level import Job
 from verify.jobs.processes import refuse_reimport
 from verify.jobs.scheduler import run
-from verify.jobs.tasks import Prepared
 
 
 def solve(
@@ -22,11 +22,11 @@ def solve(
     use_cache: bool,
     *,
     quiet: bool = False,
-    prepared: Prepared | None = None,
+    judged: Callable[[CaseResult], None] | None = None,
 ) -> list[CaseResult]:
     """Run the jobs where it is said, with the cache and progress on stderr.
 
-    `prepared` is what the report needs of each case; machines elsewhere have no store for it.
+    `judged` takes each case that is judged while others are solved, on this machine alone.
 
     KeyboardInterrupt and GoneError say what is stored for the next run.
     """
@@ -35,7 +35,7 @@ def solve(
     with shown(quiet=quiet) as show:
         return run(
             work, engine=where.entered(), cache_folder=folder, show=show, warn=_say,
-            prepared=prepared if where.engine == "local" else None,
+            judged=judged if where.engine == "local" else None,
         )  # fmt: skip
 
 

@@ -12,20 +12,6 @@ from verify.core.results import CaseResult
 from verify.jobs import cache
 from verify.jobs.level import Job, Solved, judge_case, solve_level
 
-Prepare = Callable[[CaseResult, Path], None]
-
-
-@dataclass(frozen=True)
-class Prepared:
-    """What is done for the report while other cases are solved.
-
-    `prepare`, a function of a module, draws parts of a case's report into the store, in the process
-    that has judged it; `done` takes the judged case in this one.
-    """
-
-    prepare: Prepare
-    done: Callable[[CaseResult], None]
-
 
 @dataclass(frozen=True)
 class Task:
@@ -54,10 +40,9 @@ class Judging:
     folder: Path
     job: int
     levels: tuple[tuple[int, Solved], ...]
-    prepare: Prepare
 
     def __reduce__(self) -> tuple[Any, ...]:
-        rest = self.inputs, self.folder, self.job, self.levels, self.prepare
+        rest = self.inputs, self.folder, self.job, self.levels
         return named, (Judging, Case.finder, self.case.id, *rest)
 
     def __str__(self) -> str:
@@ -86,6 +71,4 @@ def _judge(task: Judging) -> CaseResult | None:
         if found is None and not solved.failure:
             return None
         levels.append(solved if solved.failure else replace(solved, result=found))
-    result = judge_case(Job(task.case, task.inputs), levels)
-    task.prepare(result, task.folder)
-    return result
+    return judge_case(Job(task.case, task.inputs), levels)

@@ -1,9 +1,10 @@
-"""How long levels take: measured in earlier runs, else from a cost model; what is left of a run.
+"""How long levels take, from earlier runs or a cost model, and what is left of a run.
 
 A level is named by its case and number; durations are wall-clock seconds of one process.
 """
 
 import heapq
+import json
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
@@ -18,6 +19,7 @@ COST_EXPONENT = 2.0  # plane meshes: cells grow with the square of the level
 FINEST_SECONDS = 5.0  # of a case's finest level where nothing was ever measured
 OVERRUN = 0.5  # a level beyond its expectation takes another half of what it took
 KIND = "duration"  # of entries
+USUAL = Path(__file__).with_name("seconds.json")  # by case and level, on one machine
 
 
 def expected_seconds(levels: Iterable[Level], known: Mapping[Level, float]) -> dict[Level, float]:
@@ -67,8 +69,15 @@ def remaining_seconds(
 
 
 def load(folder: Path) -> dict[Level, float]:
-    """Durations that are stored in `folder`; entries that make no sense are ignored."""
-    found = {}
+    """Durations that are stored in `folder`, the usual ones of levels that never ran here.
+
+    Entries that make no sense are ignored.
+    """
+    found = {
+        (case, int(level)): seconds
+        for case, levels in json.loads(USUAL.read_text("utf-8")).items()
+        for level, seconds in levels.items()
+    }
     with suppress(OSError):
         for name, content in Store(folder).all(KIND, KIND).items():
             case, _, level = name.rpartition(" ")

@@ -1,0 +1,27 @@
+"""Write verify/jobs/seconds.json from what the store knows: run `make verify` from empty before."""
+
+import json
+
+from verify.cases.registry import CASES
+from verify.jobs.cache import default_folder
+from verify.jobs.timing import USUAL, load
+
+SHORTEST = 0.01  # s
+
+
+def main() -> None:
+    """Seconds of every level of every case, to two digits."""
+    known = load(default_folder())
+    seconds = {
+        case.id: {
+            str(level): float(f"{max(known[case.id, level], SHORTEST):.2g}")
+            for level in case.levels if (case.id, level) in known
+        }
+        for case in CASES
+    }  # fmt: skip
+    lines = ",\n".join(f'  "{case}": {json.dumps(levels)}' for case, levels in seconds.items())
+    USUAL.write_text(f"{{\n{lines}\n}}\n", "utf-8")
+
+
+if __name__ == "__main__":
+    main()
