@@ -18,8 +18,9 @@ LAST = 2  # cases left to judge, from which on every picture is drawn at once
 class Ahead:
     """A context with a thread that draws what the report shows of `count` cases as they come.
 
-    Pictures go into the store. What fails here is drawn again, and then reported, where the report is written. `hint` goes
-    to a reader who lacks pyvista; `first` is other work that the report needs.
+    Pictures go into the store. What fails here is drawn again, and then reported, where the
+    report is written. `hint` goes to a reader who lacks pyvista; `first` is other work that the
+    report needs.
     """
 
     def __init__(self, count: int, folder: Path, hint: str, first: Callable[[], object]) -> None:
