@@ -7,18 +7,15 @@ import signal
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from functools import cache, lru_cache
-from importlib.metadata import version
 from pathlib import Path
 
 import pytest
 
-from reports import equations
 from verify.core import source_memory
 from verify.core.case import Case
 from verify.core.inputs import Inputs
 from verify.core.plain_code import PROJECT
 from verify.core.results import CaseResult, Row, Status
-from verify.core.store import Store
 from verify.jobs.cache import default_folder
 from verify.jobs.level import Job, judge_case, solve_level
 
@@ -108,23 +105,6 @@ def without_fault(judged) -> Iterator[Callable[[Case], CaseResult]]:
     for case, first in kept.items():
         again = judged(case, drawn=False)
         assert [(r.id, r.status) for r in again.rows] == [(r.id, r.status) for r in first.rows]
-
-
-@pytest.fixture(scope="session")
-def with_equations() -> Callable[[Path], Path]:
-    """A cache, new but for the equations of earlier reports: drawing all takes ten seconds.
-
-    Every twentieth is missing, so that a report still draws some and keeps them.
-    """
-
-    def laid(folder: Path) -> Path:
-        subject = f"ziamath {version('ziamath')}"
-        drawn = Store(default_folder()).all(equations.KIND, subject)
-        some = {tex: svg for i, (tex, svg) in enumerate(drawn.items()) if i % 20}
-        Store(folder).store(equations.KIND, subject, some)
-        return folder
-
-    return laid
 
 
 @pytest.fixture(scope="session")

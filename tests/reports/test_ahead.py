@@ -1,4 +1,4 @@
-"""Pictures are drawn while cases are solved, some together, and a failure stops nothing."""
+"""Figures and pictures are drawn while cases are solved, and a failure stops nothing."""
 
 from types import SimpleNamespace
 
@@ -9,7 +9,7 @@ from reports.ahead import Ahead
 
 
 def case(name, pictures):
-    return SimpleNamespace(id=name, pictures=range(pictures))
+    return SimpleNamespace(id=name, pictures=range(pictures), figures=())
 
 
 @pytest.fixture
@@ -26,18 +26,19 @@ def drawn(monkeypatch):
     return found
 
 
-def test_cases_are_drawn_together_and_a_few_are_left_to_the_report(drawn, tmp_path):
+def test_pictures_are_drawn_together_and_those_of_the_last_cases_at_once(drawn, tmp_path):
     done = []
 
     def first():
         done.append("read")
         raise ValueError("of other work")
 
-    with Ahead(tmp_path, "", first) as pictures:
-        for n, count in enumerate((5, 3, 9, 1)):
+    counts = (5, 3, 9, 1, 0, 2)
+    with Ahead(len(counts) + 1, tmp_path, "", first) as pictures:
+        for n, count in enumerate(counts):
             pictures.add(case(f"case {n}", count))
     assert done == ["read"]
-    assert drawn == [["case 0", "case 1"], ["case 2"]]
+    assert drawn == [["case 0", "case 1"], ["case 2"], ["case 3", "case 4"], ["case 5"]]
 
 
 def test_an_interrupted_run_does_not_wait(drawn, tmp_path):
@@ -47,7 +48,7 @@ def test_an_interrupted_run_does_not_wait(drawn, tmp_path):
         while not waiting.is_over:
             pass
 
-    with pytest.raises(KeyboardInterrupt), Ahead(tmp_path, "", first):
+    with pytest.raises(KeyboardInterrupt), Ahead(1, tmp_path, "", first):
         raise KeyboardInterrupt
     waiting.is_over = True
     assert drawn == []

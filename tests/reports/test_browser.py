@@ -10,7 +10,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from reports.equations import Glyphs
 from reports.frames import frames
 from reports.html import page
 from tests.reports.browser import (
@@ -35,8 +34,8 @@ def folder(tmp_path_factory, report, hostile) -> Path:
     """The page, the hostile one, and the host that looks at them in frames."""
     place = tmp_path_factory.mktemp("browser")
     drawn = frames(report.cases, default_folder())
-    (place / "report.html").write_text(page(report, drawn, Glyphs(default_folder())), "utf-8")
-    (place / "hostile.html").write_text(page(hostile, drawn, Glyphs(default_folder())), "utf-8")
+    (place / "report.html").write_text(page(report, drawn), "utf-8")
+    (place / "hostile.html").write_text(page(hostile, drawn), "utf-8")
     return place
 
 
@@ -48,9 +47,7 @@ def test_nothing_scrolls_sideways_and_the_console_is_silent(folder, name, width)
 @pytest.fixture(scope="module")
 def wordy_folder(tmp_path_factory, wordy) -> Path:
     place = tmp_path_factory.mktemp("wordy")
-    (place / "wordy.html").write_text(
-        page(replace(wordy, name=""), {}, Glyphs(default_folder())), "utf-8"
-    )
+    (place / "wordy.html").write_text(page(replace(wordy, name=""), {}), "utf-8")
     return place
 
 
@@ -88,7 +85,7 @@ def test_a_link_shows_a_row_that_a_filter_hides(folder):
 def test_no_label_of_the_overview_lies_on_another(folder, report):
     cases = tuple(replace(case, name=NAME) for case in report.cases[:3])
     few = replace(report, name=NAME, cases=cases, tables=(), validity=(), budgets=())
-    (folder / "few.html").write_text(page(few, {}, Glyphs(default_folder())), "utf-8")
+    (folder / "few.html").write_text(page(few, {}), "utf-8")
     seen = looked_at(folder, "few", 1280)
     assert seen["labels"] == len(cases) + DECADES
     assert seen["overprinted"] == seen["outside"] == []
@@ -97,7 +94,7 @@ def test_no_label_of_the_overview_lies_on_another(folder, report):
 @pytest.fixture(scope="module")
 def turning_folder(tmp_path_factory, turning) -> Path:
     place = tmp_path_factory.mktemp("turning")
-    (place / "turning.html").write_text(page(turning, {}, Glyphs(default_folder())), "utf-8")
+    (place / "turning.html").write_text(page(turning, {}), "utf-8")
     return place
 
 

@@ -22,11 +22,9 @@ from reports.budget import (
     waterfall,
 )
 from reports.budget_table import budget_csv
-from reports.equations import Glyphs
 from reports.html import page
 from reports.records import report_record
 from verify.core.results import BudgetJoint, BudgetPart, CaseBudget, Kind, Report, RowBudget
-from verify.jobs.cache import default_folder
 
 ROW = RowBudget(
     quantity="K of <the> paper", symbol="K", kind=Kind.APPROXIMATION, total=-0.08, U=1e-3,
@@ -140,12 +138,12 @@ def test_what_is_not_taken_apart_is_one_sentence_with_its_reasons(one):
     )
     assert left(budget) == said
     assert left(BUDGET) == ""
-    assert said in page(replace(one, budgets=(budget,)), {}, Glyphs(default_folder()))
+    assert said in page(replace(one, budgets=(budget,)), {})
     assert "not taken apart: no rerun" in budget_csv([budget])
 
 
 def test_the_page_has_budgets_and_says_what_is_not_measured(one):
-    text = page(one, {}, Glyphs(default_folder()))
+    text = page(one, {})
     assert '<section id="budget">' in text
     assert "measured 2026-11-23" in text
     assert "Not measured for this code: freewheel deep budget:ring-lame does it." in text

@@ -6,12 +6,10 @@ import pytest
 from scipy.stats import binomtest
 
 from reports.caught import in_words, interval, moved, share
-from reports.equations import Glyphs
 from reports.html import page
 from reports.pdf_data import document
 from reports.records import report_record
 from verify.core.results import Caught, MutantGroup, Report, Survivor
-from verify.jobs.cache import default_folder
 
 GROUP = MutantGroup(
     name="formulas", all=13000, tried=200, rows=150, tests=44, survived=6, apart=9
@@ -45,7 +43,7 @@ def one(wordy) -> Report:
 
 
 def section(report: Report) -> str:
-    text = page(report, {}, Glyphs(default_folder()))
+    text = page(report, {})
     return text[text.index('<section id="caught">') : text.index('<section id="provenance">')]
 
 

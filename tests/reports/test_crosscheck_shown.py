@@ -12,7 +12,6 @@ import pytest
 import reports
 from reports.crosscheck import crosscheck_data, left_out_data, told
 from reports.crosscheck_table import crosscheck_csv
-from reports.equations import Glyphs
 from reports.html import page
 from reports.pdf_data import document
 from reports.records import report_record
@@ -20,7 +19,6 @@ from reports.richtext import _plain
 from reports.rows import rows_csv
 from reports.second import COLUMNS, seconds
 from verify.core.results import Crosscheck, CrossState, Report
-from verify.jobs.cache import default_folder
 
 AGREES = Crosscheck(
     case="ring-lame", problem="ring-lame, plane strain", what="a quarter & more",
@@ -50,7 +48,7 @@ def checked(wordy) -> Report:
 
 
 def test_the_page_has_a_table_of_its_own(checked):
-    html = page(checked, {}, Glyphs(default_folder()))
+    html = page(checked, {})
     section = html.partition('<section id="crosscheck">')[2].partition("</section>")[0]
     assert "1 of 2 agree; 1 problem is not measured" in section
     assert "a quarter &amp; more" in section
@@ -61,7 +59,7 @@ def test_the_page_has_a_table_of_its_own(checked):
 
 
 def test_a_case_that_no_solver_takes_says_why(checked):
-    html = page(replace(checked, crosschecks=(AGREES, ALONE)), {}, Glyphs(default_folder()))
+    html = page(replace(checked, crosschecks=(AGREES, ALONE)), {})
     section = html.partition('<section id="crosscheck">')[2].partition("</section>")[0]
     assert "1 case has no second solver, and says why" in section
     assert "Nobody" in section
@@ -104,7 +102,7 @@ def beside(wordy) -> Report:
 
 
 def test_a_row_shows_the_second_solver_and_leads_to_its_line(beside):
-    html = page(beside, {}, Glyphs(default_folder()))
+    html = page(beside, {})
     cell = html.partition('<td role="cell" class="n fe')[2].partition("</td>")[0]
     assert cell.count('href="#cross-') == 1
     assert 'href="#cross-0"' in cell

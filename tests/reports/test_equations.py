@@ -1,68 +1,53 @@
-"""Equations are drawn once, and nothing on disk changes how they look."""
+"""Equations of a page: drawn at their places, each glyph once, as source where nothing draws."""
 
 import re
+import sys
 
 import pytest
-import ziamath
 
-from reports.equations import Glyphs
-from verify.core.store import Store
-
-TEX = r"\frac{a}{b}\ \mathrm{mm}"
+from reports import equations
+from reports.equations import SYMBOLS, Equations
+from reports.mathematics import tree
 
 
-@pytest.fixture
-def no_drawing(monkeypatch):
-    def stop() -> None:
-        monkeypatch.setattr(ziamath, "Latex", lambda *_, **__: pytest.fail("drawn again"))
-
-    return stop
-
-
-def test_what_was_drawn_is_not_drawn_again(tmp_path, no_drawing):
-    first = Glyphs(tmp_path)
-    shown = first.maths(TEX)
-    symbols = first.symbols()
-    no_drawing()
-    second = Glyphs(tmp_path)
-    assert second.maths(TEX) == shown
-    assert second.symbols() == symbols
-
-
-def test_a_store_that_cannot_be_read_costs_no_equation(tmp_path):
-    whole = Glyphs(tmp_path)
-    shown = whole.maths(TEX)
-    whole.symbols()
-    Store(tmp_path).path.write_bytes(b"no database")
-    again = Glyphs(tmp_path)
-    assert again.maths(TEX) == shown
-    assert again.symbols() == whole.symbols()
+def page(*texs):
+    drawn = Equations()
+    return drawn.placed("".join(f"<p>{drawn.maths(tex)}</p>" for tex in texs) + SYMBOLS)
 
 
 def test_every_glyph_that_is_used_is_there_and_each_once():
-    glyphs = Glyphs()
-    page = "".join(map(str, (glyphs.maths(TEX), glyphs.maths(r"a + \quad b"), glyphs.symbols())))
-    defined = re.findall(r'<g id="([^"]+)"', page)
-    assert len(set(defined)) == len(defined) == 4
-    assert set(re.findall(r'href="#([^"]+)"', page)) == set(defined)
-    assert "<symbol" not in page
+    drawn = page(r"\frac{a}{b}\ \mathrm{m}", "a + m", r"\frac{a}{b}\ \mathrm{m}")
+    defined = re.findall(r'<g id="([^"]+)"', drawn)
+    assert len(set(defined)) == len(defined) == 5  # an italic and an upright m
+    assert set(re.findall(r'href="#([^"]+)"', drawn)) == set(defined)
+    assert drawn.count(' role="img"') == 3
+    assert drawn.count("<path d=") == 5 + 2  # and the rules of two fractions
+    assert "equation 0" not in drawn
 
 
-def test_glyphs_stand_where_they_were_drawn():
-    """Corners of ziamath's boxes and of the glyphs put in their place, of one size and of two."""
-    tex = r"A^2 + \frac{a}{b}\ \mathrm{mm}"
-    drawn = ziamath.Latex(tex, size=15, color="currentColor").svg()
-    boxes = dict(re.findall(r'<symbol id="([^"]+)" viewBox="([^"]+)">', drawn))  # of one equation
-    glyphs = Glyphs()
-    page = str(glyphs.maths(tex)) + glyphs.symbols()
-    scales = dict(re.findall(r'<g id="([^"]+)" transform="scale\(([^)]+)\)"', page))
-    uses = re.findall(r'<use href="#([^"]+)"(?: x="([^"]+)")?(?: y="([^"]+)")?/>', page)
-    drawn_use = re.compile(r'<use href="#(\S+)" x="(\S+)" y="(\S+)" width="(\S+)" height="(\S+)"')
-    wanted = [use for use in drawn_use.findall(drawn) if use[0] in boxes]
-    assert len(uses) == len(wanted) == 7
-    assert len(set(scales.values())) == 2
-    for (name, *at), (symbol, *box) in zip(uses, wanted, strict=True):
-        left, top, wide, high = map(float, boxes[symbol].split())
-        x, y, k = *(float(v or 0) for v in at), float(scales[name])
-        shown = x + k * left, y + k * top, k * wide, k * high
-        assert shown == pytest.approx([float(v) for v in box], abs=0.02)
+def test_letters_stand_on_the_line_of_the_text():
+    """A fraction reaches below the base line by its denominator; a letter without tail does not."""
+    below = [
+        float(d) for d in re.findall(r"vertical-align:-?([\d.]+)px", page("a", r"\frac{a}{b}"))
+    ]
+    assert below[0] == pytest.approx(0.2, abs=0.15)  # the bowl of an a
+    assert 8 < below[1] < 12
+    places = re.findall(r'<use href="#\S+" x="\S+" y="([\d.]+)"', page(r"a + \frac{a}{b}"))
+    base, _, above, under = map(float, places)
+    assert above < base < under
+
+
+def test_what_the_text_may_hold_does_not_end_the_drawing():
+    assert 'aria-label="a &lt; &#34;b&#34;"' in page('a < "b"')
+
+
+@pytest.mark.parametrize("missing", ["typst", "rule"])
+def test_the_source_stands_where_nothing_draws(missing, monkeypatch):
+    if missing == "typst":
+        monkeypatch.setitem(sys.modules, "typst", None)
+    else:
+        monkeypatch.setattr(equations, "tree", lambda tex: {"<b": tree(tex)}[tex])
+    drawn = page("a", "<b")
+    assert "<code>a</code>" in drawn
+    assert ("<code>&lt;b</code>" in drawn) is (missing == "typst")
+    assert drawn.count("<svg") == (missing == "rule")

@@ -8,7 +8,6 @@ from html.parser import HTMLParser
 
 import pytest
 
-from reports.equations import Glyphs
 from reports.formats import concise, values
 from reports.frames import frames
 from reports.html import page
@@ -69,12 +68,12 @@ def drawn(report):
 
 @pytest.fixture(scope="module")
 def text(report, drawn) -> str:
-    return page(report, drawn, Glyphs(default_folder()))
+    return page(report, drawn)
 
 
 @pytest.fixture(scope="module")
 def hostile_text(hostile, drawn) -> str:
-    return page(hostile, drawn, Glyphs(default_folder()))
+    return page(hostile, drawn)
 
 
 @pytest.mark.parametrize("which", ["text", "hostile_text"])
@@ -102,11 +101,11 @@ def test_one_script_runs_and_the_policy_names_it(which, request):
 def test_what_a_user_typed_is_never_markup(hostile, drawn, hostile_text):
     named = replace(hostile, name="<script>alert(1)</script>")
     cases = tuple(replace(c, name="<img src=x onerror=alert(1)>") for c in hostile.cases)
-    for shown in (hostile_text, page(replace(named, cases=cases), drawn, Glyphs(default_folder()))):
+    for shown in (hostile_text, page(replace(named, cases=cases), drawn)):
         assert "<script>alert" not in shown
         assert "<img" not in shown
         assert "<b>_x" not in shown
-    assert "&lt;script&gt;alert(1)" in page(named, drawn, Glyphs(default_folder()))
+    assert "&lt;script&gt;alert(1)" in page(named, drawn)
 
 
 def test_every_status_is_on_the_page(hostile_text):

@@ -10,7 +10,6 @@ from typing import NamedTuple
 import pytest
 
 from reports import formats
-from reports.equations import Glyphs
 from reports.html import page
 from reports.pdf_data import document
 from tests.verify.test_published_tables import PRINTED
@@ -18,7 +17,6 @@ from verify.app.commands import make_report
 from verify.cases.registry import find
 from verify.core import units
 from verify.core.results import Report
-from verify.jobs.cache import default_folder
 from verify.papers.ledger import papers, published
 from verify.papers.tables import referred
 
@@ -61,7 +59,7 @@ def report(of_paper) -> Report:
 @pytest.fixture(scope="module")
 def rendered(report) -> dict[tuple[str, str], tuple[list[str], list[Block]]]:
     """Header and blocks of each table on the page."""
-    text = page(report, {}, Glyphs(default_folder()))
+    text = page(report, {})
     text = text[text.index('<section id="tables">') : text.index('<section id="errata">')]
     found = {}
     for name, table in re.findall(

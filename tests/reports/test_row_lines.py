@@ -7,14 +7,12 @@ from dataclasses import replace
 
 import pytest
 
-from reports.equations import Glyphs
 from reports.html import anchors, page
 from reports.pdf_case import case_data
 from reports.records import report_record
 from reports.row_lines import failed_first, lines
 from reports.rows import rows_csv
 from verify.core.results import Kind, Row, Status
-from verify.jobs.cache import default_folder
 
 
 def row(quantity: str, status: Status = Status.PASS, case: str = "c") -> Row:
@@ -52,7 +50,7 @@ def planted(report):
 
 @pytest.fixture(scope="module")
 def text(planted):
-    return page(planted, {}, Glyphs(default_folder()))
+    return page(planted, {})
 
 
 def test_on_the_page_the_table_of_all_rows_begins_with_the_failed_one(planted, text):

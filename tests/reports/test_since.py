@@ -5,18 +5,10 @@ from dataclasses import replace
 import pytest
 
 from reports import readings
-from reports.equations import Glyphs
-from reports.html import page as with_equations_drawn
+from reports.html import page
 from reports.pdf import pdf
 from reports.records import report_record
 from verify.core.results import Change, Drift, ReadingsTried
-from verify.jobs.cache import default_folder
-
-
-def page(report, frames):
-    """The page, with the equations that earlier runs drew."""
-    return with_equations_drawn(report, frames, Glyphs(default_folder()))
-
 
 STILL = Drift(release="0.1.0", date="2026-01-01", commit="abc", compared=89, tightened=0)
 LOOSE = Change(row="ring-lame/bore displacement, plane stress", aspect="demand", was="1 %",

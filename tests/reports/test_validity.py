@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import pytest
 
-from reports.equations import Glyphs
 from reports.html import page
 from reports.pdf_data import document
 from reports.validity import figure, signed
@@ -17,7 +16,6 @@ from verify.core.results import (
     ValidityLimit,
     ValidityRegion,
 )
-from verify.jobs.cache import default_folder
 
 Z = ValidityAxis(name="z", symbol="z", unit="1", values=(3.0, 6.0, 12.0), nominal=6.0)
 D = ValidityAxis(name="d", symbol="δ_1", unit="mm", values=(2.0, 4.0), nominal=4.0)
@@ -68,7 +66,7 @@ def said(runs) -> str:
 
 
 def section(report: Report) -> str:
-    text = page(report, {}, Glyphs(default_folder()))
+    text = page(report, {})
     return text[text.index('<section id="validity">') : text.index('<div id="cases">')]
 
 

@@ -6,7 +6,6 @@ from pathlib import Path
 
 import pytest
 
-from reports.equations import Glyphs
 from reports.frames import frames
 from reports.html import page
 from reports.verdicts import markdown
@@ -20,7 +19,7 @@ DECADES = 7  # of the overview's scale
 
 @pytest.fixture(scope="module")
 def text(whole) -> str:
-    return page(whole, frames(whole.cases, default_folder()), Glyphs(default_folder()))
+    return page(whole, frames(whole.cases, default_folder()))
 
 
 @pytest.fixture(scope="module")

@@ -112,10 +112,8 @@ class Place:
 
 
 @pytest.fixture
-def place(tmp_path, with_equations):
-    made = Place(tmp_path)
-    with_equations(made.cache)
-    return made
+def place(tmp_path):
+    return Place(tmp_path)
 
 
 def members(session):
@@ -159,10 +157,9 @@ def is_worker(pid):
 
 
 @pytest.fixture(scope="module")
-def undisturbed(tmp_path_factory, with_equations):
+def undisturbed(tmp_path_factory):
     """A run that nobody disturbed, and how long it took [s]."""
     place = Place(tmp_path_factory.mktemp("undisturbed"))
-    with_equations(place.cache)
     start = time.monotonic()
     place.run("2")
     return place, time.monotonic() - start
