@@ -16,15 +16,10 @@ class Bearing(Inputs):
 
 
 class Shaft(Plate):
-    p: float = quantity("0 mm", "mm", "p", "shift")
     q: float | None = quantity(None, "mm", "q", "gap")
     h: float = quantity(0.9, "1", "h", "share", ge=0, le=1)
     kind: str = word("plain", "kind")
     supports: tuple[Bearing, ...] = table((Bearing(), Bearing(k=3e3)), "bearings")
-
-
-def values(text, inputs=None):
-    return axis(inputs or Shaft(), text).values
 
 
 @pytest.mark.parametrize(
@@ -37,60 +32,47 @@ def values(text, inputs=None):
     ],
 )
 def test_an_axis_is_read(text, expected):
-    assert values(text) == pytest.approx(expected, rel=1e-12)
+    assert axis(Shaft(), text).values == pytest.approx(expected, rel=1e-12)
 
 
 @pytest.mark.parametrize(
-    ("text", "said"),
+    ("read", "text", "said"),
     [
-        ("a=1mm:2mm", "needs NAME=a:b:n"),
-        ("a=1mm:2mm:1", "n is a whole number from 2 to 1000, got '1'"),
-        ("a=2mm:2mm:3", "a value appears twice"),
-        ("a=-1mm:2mm:3:log", "equal ratios need values above zero"),
-        ("=1mm:2mm:2", "the input's name is missing"),
-        ("kind=1:2:2", "kind is a word"),
-        ("supports[3].k=1:2kN/m:2", "there is no supports[3] in the file"),
+        (axis, "a=1mm:2mm", "needs NAME=a:b:n"),
+        (axis, "a=1mm:2mm:1", "n is a whole number from 2 to 1000, got '1'"),
+        (axis, "a=2mm:2mm:3", "a value appears twice"),
+        (axis, "a=-1mm:2mm:3:log", "equal ratios need values above zero"),
+        (axis, "=1mm:2mm:2", "the input's name is missing"),
+        (axis, "kind=1:2:2", "kind is a word"),
+        (axis, "supports[3].k=1:2kN/m:2", "there is no supports[3] in the file"),
+        (tolerance, "n=±1", "n is a whole number and has no tolerance"),
+        (tolerance, "b=±0mm", "a tolerance is above zero"),
+        (tolerance, "b=±1.2.3%", 'not a length, such as "1.5 mm", nor a share of b, such as "5 %"'),
+        (tolerance, "h=±0.2", "reaches inputs.h = 1.1: must be at most 1"),
     ],
 )
-def test_what_is_no_axis_is_refused_with_its_option(text, said):
-    with pytest.raises(InputError, match=r"^--vary ") as error:
-        values(text)
+def test_what_is_no_axis_and_no_tolerance_is_refused_with_its_option(read, text, said):
+    option = "--vary" if read is axis else "--tolerance"
+    with pytest.raises(InputError, match=rf"^{option} ") as error:
+        read(Shaft(), text)
     assert text in str(error.value)
     assert said in str(error.value)
     assert "\n" not in str(error.value)
 
 
-def test_an_axis_knows_its_input():
+def test_an_axis_and_a_tolerance_know_their_input():
     of = axis(Shaft(a=7e-3), "a=2:6mm:3")
     assert (of.symbol, of.unit, of.what, of.nominal) == ("a", "mm", "length", 7e-3)
     assert (of.spacing, of.whole) == ("even", False)
+    assert of.shown(0.3e-3) == 0.3  # not 0.29999999999999993
     assert axis(Shaft(), "n=1:2:2").whole
     assert axis(Shaft(), "q=1:2mm:2").nominal is None
-    assert axis(Shaft(), "supports[2].k=1:2kN/m:2").nominal == 3e3
-    assert axis(Shaft(), "supports[2].k=1:2kN/m:2").symbol == "k of supports[2]"
-    assert of.shown(0.3e-3) == 0.3  # not 0.29999999999999993
-
-
-@pytest.mark.parametrize(("text", "off"), [("b=±0.05mm", 5e-5), ("b=+/-50µm", 5e-5)])
-def test_a_tolerance_is_read(text, off):
-    of = tolerance(Shaft(), text)
-    assert of.off == pytest.approx(off, rel=1e-12)
-    assert (of.name, of.nominal, of.unit) == ("b", 2e-3, "mm")
-
-
-@pytest.mark.parametrize(
-    ("text", "said"),
-    [
-        ("n=±1", "n is a whole number and has no tolerance"),
-        ("b=±0mm", "a tolerance is above zero"),
-        ("b=±1.2.3%", 'is not a length, such as "1.5 mm", nor a share of b, such as "5 %"'),
-        ("h=±0.2", "reaches inputs.h = 1.1: must be at most 1"),
-    ],
-)
-def test_what_is_no_tolerance_is_refused_with_its_option(text, said):
-    with pytest.raises(InputError, match=r"^--tolerance ") as error:
-        tolerance(Shaft(), text)
-    assert said in str(error.value)
+    entry = axis(Shaft(), "supports[2].k=1:2kN/m:2")
+    assert (entry.symbol, entry.nominal) == ("k of supports[2]", 3e3)
+    for text in ("b=±0.05mm", "b=+/-50µm"):
+        off = tolerance(Shaft(), text)
+        assert off.off == pytest.approx(5e-5, rel=1e-12)
+        assert (off.name, off.nominal, off.unit) == ("b", 2e-3, "mm")
 
 
 def test_inputs_are_changed_by_name_in_tables_too():
@@ -100,23 +82,19 @@ def test_inputs_are_changed_by_name_in_tables_too():
     assert [entry.k for entry in of.supports] == [1e3, 7.0]
     with pytest.raises(InputError, match=r"^inputs\.a = -1 mm"):
         changed(Shaft(), {"a": -1e-3})
-    assert names(Shaft()) == ["a", "b", "c", "n", "p", "q", "h", "supports[1].k"]
+    assert names(Shaft()) == ["a", "b", "c", "n", "q", "h", "supports[1].k"]
 
 
 # Points
 
 
-def test_a_grid_has_all_combinations_the_last_axis_fastest():
+def test_a_grid_has_all_combinations_and_a_star_one_input_off_its_middle():
     plan = grid(CASE, "plate", Plate(), chosen(), ["a=1:2mm:2", "n=1:3:3"])
     assert plan.points.tolist() == [[a, n] for a in (1e-3, 2e-3) for n in (1, 2, 3)]
-    assert plan.shape == (2, 3)
-    assert plan.names == ("a", "n")
-
-
-def test_a_star_has_its_middle_once_and_one_input_off_it_elsewhere():
-    plan = grid(CASE, "plate", Plate(), chosen(), ["a=4:6mm:2", "b=1:3mm:2"], star=True)
+    assert (plan.shape, plan.names) == ((2, 3), ("a", "n"))
+    star = grid(CASE, "plate", Plate(), chosen(), ["a=4:6mm:2", "b=1:3mm:2"], star=True)
     rows = [[4e-3, 2e-3], [6e-3, 2e-3], [4e-3, 1e-3], [4e-3, 3e-3]]
-    assert plan.points == pytest.approx(np.array(rows))
+    assert star.points == pytest.approx(np.array(rows))
     with pytest.raises(InputError, match="q has no value"):
         grid(CASE, "plate", Shaft(), chosen(), ["q=1:2mm:2"], star=True)
 

@@ -20,17 +20,17 @@ H = (1.0, 0.5, 0.25)
 
 
 def identity(**more):
-    given = {"name": "twist", "symbol": "φ", "unit": "deg", "analytic": "t", "fem": "t"} | more
-    return Identity(**given)
+    stated = {"name": "twist", "symbol": "φ", "unit": "deg", "analytic": "t", "fem": "t"} | more
+    return Identity(**stated)
 
 
-def case(*checks, **more):
-    return replace(CASE, checks=checks, **more)
+def case(*checks):
+    return replace(CASE, checks=checks)
 
 
-def point(fe, formulas, *, check=None, u_it=None):
+def point(fe, formulas, *, u_it=None, check=None, **more):
     """What a sweep compares at a point with these values on the levels."""
-    (pair,) = pairs(case(check or identity(formal=2)))
+    (pair,) = pairs(case(check or identity(formal=2, **more)))
     h = H[: len(fe)]
     return compared(pair, Known("made-up-plate", Plate(), formulas, h, {"t": fe}, u_it or {}))
 
@@ -83,28 +83,23 @@ def test_the_portion_is_the_first_that_gives_all_values_else_the_whole():
 # Errors and bars
 
 
-def test_an_error_is_relative_to_the_finest_value_and_its_bar_to_the_order():
+def test_an_error_is_relative_to_the_finest_value_or_its_scale_and_its_bar_to_the_order():
     found = point(V, {"t": 2.2})
     assert (found.formula, found.fe, found.problem) == (2.2, V[-1], "")
     assert found.error == pytest.approx(2.2 / 2.002 - 1, rel=1e-12)
     assert pytest.approx(INDEX, rel=1e-9) == found.U
     # of 2.2/v - 1: v enters with 2.2/v²
     assert found.U_error == pytest.approx(found.U * 2.2 / 2.002**2, rel=1e-9)
-
-
-def test_a_natural_scale_takes_the_place_of_the_value():
-    v, scaled = second_order(0.0, 0.032), identity(formal=2, scale="s")
-    found = point(v, {"t": 0.01, "s": -0.5}, check=scaled)
-    assert found.error == pytest.approx((0.01 - 0.002) / 0.5, rel=1e-12)
-    assert found.U_error == pytest.approx(found.U / 0.5, rel=1e-12)
-    nothing = point(v, {"t": 0.01, "s": 0.0}, check=scaled)
-    assert nothing.problem == "nothing to relate a difference to"
+    scaled = point(second_order(0.0, 0.032), {"t": 0.01, "s": -0.5}, scale="s")
+    assert scaled.error == pytest.approx((0.01 - 0.002) / 0.5, rel=1e-12)
+    assert scaled.U_error == pytest.approx(scaled.U / 0.5, rel=1e-12)
+    assert point(V, {"t": 0.01, "s": 0.0}, scale="s").problem.startswith("nothing to relate a")
 
 
 def test_iteration_and_a_truncated_series_widen_the_bar():
     iterated = point(V, {"t": 2.0}, u_it={"t": 1e-5})
     assert pytest.approx(2 * math.hypot(INDEX / 2, 1e-5), rel=1e-9) == iterated.U
-    series = point(V, {"t": 2.0, "r": 0.001}, check=identity(formal=2, residual="r"))
+    series = point(V, {"t": 2.0, "r": 0.001}, residual="r")
     assert pytest.approx(2 * math.hypot(INDEX / 2, 0.002), rel=1e-9) == series.U
 
 
@@ -148,12 +143,12 @@ def test_a_claim_that_derives_values_is_compared_by_them():
 
 def test_an_outcome_has_the_points_in_their_order_with_their_problems():
     plan = grid(CASE, "plate", Plate(), selected(CASE, ("stiffness",)), ["a=1:4mm:4"])
-    of = {"k": V, "s": V}
+    of, values = {"k": V, "s": V}, {"k": 2.0, "s": 1.0}
     whys = ("", "refused: no", "level 2: ValueError: no", "formulas: ValueError: no")
     solutions = (
-        Solution({"k": 2.0, "s": 1.0}, H, of, {}),
+        Solution(values, H, of, {}),
         Solution({}, (), {}, {}, problem_fe=whys[1]),
-        Solution({"k": 2.0, "s": 1.0}, (), {}, {}, problem_fe=whys[2]),
+        Solution(values, (), {}, {}, problem_fe=whys[2]),
         Solution({}, H, of, {}, problem_formulas=whys[3]),
     )
     solved = Solved(plan, whole(CASE), (Plate(),) * 4, solutions, Timing(4, 1.0, 1.0, 1, 0))

@@ -58,6 +58,14 @@ def test_what_is_solved_is_not_solved_again_and_a_finer_grid_takes_it_up(tmp_pat
     plan = planned("a=2mm,4mm")
     twice = replace(plan, points=plan.points[[0, 1, 0, 1]])
     assert solve(twice, Here(), folder=tmp_path / "twice").timing.points == 2
+    # a point that is torn in the store is solved again
+    with sqlite3.connect(tmp_path / "store.sqlite") as database:
+        database.execute(
+            "UPDATE entries SET content = '{' WHERE rowid = (SELECT MIN(rowid) FROM entries)"
+        )
+    again = solve(planned("a=2mm:6mm:5"), Here(), folder=tmp_path)
+    assert again.timing.points == 1
+    assert [one.fe for one in again.solutions] == [one.fe for one in finer.solutions]
 
 
 @pytest.mark.parametrize(
@@ -122,35 +130,11 @@ def test_workers_of_other_code_end_the_sweep(tmp_path, called, monkeypatch):
     assert called["fe"] == 0
 
 
-def test_what_is_no_database_is_left_as_it_is_and_a_torn_point_is_solved_again(tmp_path, called):
-    file = tmp_path / "store.sqlite"
-    file.write_bytes(b"no database" * 100)
-    with pytest.raises(OSError, match=r"store\.sqlite: .* cannot be stored there"):
-        solve(planned("a=2mm,4mm"), Here(), folder=tmp_path)
-    assert file.read_bytes() == b"no database" * 100
-    file.unlink()
-    first = solve(planned("a=2mm,4mm"), Here(), folder=tmp_path)
-    with sqlite3.connect(file) as database:
-        database.execute(
-            "UPDATE entries SET content = '{' WHERE rowid = (SELECT MIN(rowid) FROM entries)"
-        )
-    second = solve(planned("a=2mm,4mm"), Here(), folder=tmp_path)
-    assert second.timing.points == 1
-    assert [one.fe for one in second.solutions] == [one.fe for one in first.solutions]
-
-
 # Points in the store
 
 
 def store(folder, part=PART, code=("formulas", "fe"), versions="numpy 2"):
     return Points(Store(folder), "one", part, code, versions)
-
-
-def test_a_point_of_another_portion_other_levels_or_inputs_is_another(tmp_path):
-    own = store(tmp_path).key(Plate())
-    for part in (replace(PART, name="other"), replace(PART, levels=(2, 4, 8))):
-        assert store(tmp_path, part).key(Plate()) != own
-    assert store(tmp_path).key(Plate(c=2e-3)) != own
 
 
 @pytest.mark.parametrize(
@@ -162,7 +146,7 @@ def test_a_point_of_another_portion_other_levels_or_inputs_is_another(tmp_path):
         (("formulas", "fe"), "numpy 3", False, False),
     ],
 )
-def test_each_side_is_read_while_the_code_and_the_libraries_stand(
+def test_each_side_is_read_while_its_code_and_the_libraries_stand(
     tmp_path, code, versions, formulas, fe
 ):
     store(tmp_path).keep({"key": SOLVED})
@@ -170,6 +154,10 @@ def test_each_side_is_read_while_the_code_and_the_libraries_stand(
     got = found.get("key", Solution({}, (), {}, {}))
     assert (bool(got.formulas), bool(got.fe), bool(got.h), bool(got.u_it)) == (formulas, fe, fe, fe)
     assert lacking(got) == (not formulas, not fe)
+    own = store(tmp_path).key(Plate())
+    for part in (replace(PART, name="other"), replace(PART, levels=(2, 4, 8))):
+        assert store(tmp_path, part).key(Plate()) != own
+    assert store(tmp_path).key(Plate(c=2e-3)) != own
 
 
 def test_a_task_is_solved_by_its_own_code_with_the_largest_uncertainty_of_its_levels(monkeypatch):
@@ -193,6 +181,10 @@ def test_a_task_is_solved_by_its_own_code_with_the_largest_uncertainty_of_its_le
     [("analytic.polyhedral.bore_pressure", True, False), ("fem.plane.solve", True, True)],
 )
 def test_the_code_of_a_side_is_that_of_all_its_modules(monkeypatch, module, formulas, fe):
+    def forget():
+        for one in (source_code.source_of, source_code.whole_source_of):
+            one.cache_clear()
+
     case = registry.find("polyhedral-ring", registry.CASES)
     before, true = code_of(case, whole(case)), source_code._read
 
@@ -206,8 +198,3 @@ def test_the_code_of_a_side_is_that_of_all_its_modules(monkeypatch, module, form
     monkeypatch.undo()
     forget()
     assert (after[0] != before[0], after[1] != before[1]) == (formulas, fe)
-
-
-def forget():
-    for one in (source_code.source_of, source_code.whole_source_of):
-        one.cache_clear()

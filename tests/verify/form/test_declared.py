@@ -21,6 +21,7 @@ from verify.case import (
     approximation,
     as_printed,
     balance,
+    converged,
     errors_of,
     fact,
     given,
@@ -32,6 +33,7 @@ from verify.core.case import Context
 from verify.form import equations
 from verify.form.adapter import adapted
 from verify.form.members import reached
+from verify.form.plots import dashes, dots
 from verify.form.quantity import forget
 from verify.jobs.level import Job, judge_case, solve_level
 from verify.judging.checks import Order
@@ -44,6 +46,7 @@ class Rod(Case):
 
     title = "Rod"
     source = "belcin"
+    ends: ClassVar[str] = "plane stress"
 
     d: float = given("10 mm", "mm", "d", "diameter", gt=0)
     F: float = given("1 kN", "kN", "F", "force")
@@ -62,13 +65,13 @@ class Rod(Case):
         return self.sigma / self.E
 
     @shared
-    def state(self) -> list[float]:
-        return [self.sigma]
+    def state(self) -> np.ndarray:
+        return np.full(3, self.sigma)
 
     def reference(self, level: int) -> Level:
-        stress = self.F / self.area
-        return solved(1 / level, sigma=stress * (1 + 1e-3 / level**2), strain=stress / self.E,
-                      rest=0.0)  # fmt: skip
+        stress = self.F / self.area * (1 + 1e-3 / level**2)
+        return solved(1 / level, sigma=stress, strain=self.F / self.area / self.E, rest=0.0,
+                      sigma_more=2 * stress, both=np.repeat([stress, 10 * stress], 5))  # fmt: skip
 
     def comparisons(self) -> Iterator[Comparison]:
         wide = Expected(LOW, HIGH * self.d / 10e-3, "book")
@@ -77,31 +80,32 @@ class Rod(Case):
         yield balance("rest", "balance", "ΣF", "N", of={"force": self.F}, bound=1e-9, because="sum")
 
 
-def test_an_instance_has_numbers_and_the_class_declarations():
-    rod = Rod(d=20e-3)
+def context_of(case, inputs, levels=4):
+    solutions = [case.reference(inputs, level) for level in case.levels[:levels]]
+    return Context(case.id, inputs, case.analytic(inputs), solutions, inputs == case.inputs())
+
+
+def rows_of(case, inputs):
+    context = context_of(case, inputs)
+    return {r.quantity: r for c in case.checks for r in c.rows(context)}
+
+
+def test_a_class_becomes_a_case_with_names_outputs_numbers_and_intervals():
+    rod, case = Rod(d=20e-3), adapted(Rod)
     assert rod.sigma == pytest.approx(1e3 / (pi * 1e-4))
     assert (Rod.sigma.name, Rod.sigma.label) == ("sigma", "stress, Eq. 1")
     assert [q.name for q in Rod.quantities()] == ["area", "sigma", "strain"]
     assert rod.at(F=2e3).sigma == pytest.approx(2 * rod.sigma)
     assert rod.shown("sigma") == "3.183 MPa"
-
-
-def test_the_adapted_case_has_names_outputs_and_numbers():
-    case = adapted(Rod)
     assert [check.name for check in case.checks] == [
         "strain, Eq. 2, against the mesh", "stress, Eq. 1", "balance",
     ]  # fmt: skip
-    assert {one.key: one.judged for one in case.outputs} == {
-        "area": False, "sigma": True, "strain": True,
-    }  # fmt: skip
+    judged = {one.key: one.judged for one in case.outputs}
+    assert judged == {"area": False, "sigma": True, "strain": True}
     assert case.analytic(Rod())["force"] == 1e3
     assert case.lead == "A rod in tension."
-
-
-def test_an_interval_is_that_of_the_inputs_at_hand():
-    check = adapted(Rod).checks[1]
-    assert check.interval(Rod(), {}) == (LOW, HIGH)
-    assert check.interval(Rod(d=5e-3), {}) == (LOW, HIGH / 2)
+    for d, high in ((10e-3, HIGH), (5e-3, HIGH / 2)):  # at the inputs at hand
+        assert case.checks[1].interval(Rod(d=d), {}) == (LOW, high)
 
 
 @pytest.mark.parametrize("formula", ["sigma", "state"])
@@ -115,24 +119,30 @@ def test_a_reference_that_reads_a_formula_is_an_error(formula):
     assert Reads().sigma > 0  # formulas are there again
 
 
-def test_computed_values_stay_behind_in_copies_and_other_processes():
+def test_computed_values_are_no_part_of_the_inputs(monkeypatch):
     rod = Rod()
-    stress = rod.sigma
+    stress = rod.state[0]
     other = rod.model_copy(update={"F": 2e3})
     assert other.sigma == pytest.approx(2 * stress)
     assert dict(rod) == {"d": 10e-3, "F": 1e3, "E": 200e9}
     sent = pickle.loads(pickle.dumps(rod))
-    assert sent == rod
     assert not [key for key in sent.__dict__ if key.startswith("=")]
-
-
-def test_replaced_code_is_computed_again(monkeypatch):
-    rod = Rod()
-    before = rod.sigma
+    assert sent == rod == Rod()
+    assert hash(rod) == hash(Rod())
+    assert rod != Rod(d=20e-3)
+    assert rod != rod.model_copy(update={"ends": "plane strain"})
+    # replaced code is computed again
     monkeypatch.setattr(Rod.sigma, "formula", lambda self: 7.0)
-    assert rod.sigma == before
+    assert rod.sigma == stress
     forget()
     assert rod.sigma == 7.0
+
+
+def test_a_variant_has_other_class_attributes_also_at_other_inputs():
+    strained = Rod().variant(ends="plane strain").at(d=20e-3)
+    assert (Rod().ends, strained.ends, strained.d) == ("plane stress", "plane strain", 20e-3)
+    with pytest.raises(ValueError, match=r"Rod has no class attribute end$"):
+        Rod().variant(end="plane strain")
 
 
 def test_equations_come_from_the_code_or_are_checked_against_it():
@@ -153,30 +163,6 @@ def test_equations_come_from_the_code_or_are_checked_against_it():
         equations.stated(Wrong())
 
 
-def test_a_quantity_that_the_inputs_do_not_have_is_left_out():
-    class Loaded(Rod):
-        M: float | None = given(None, "N m", "M", "couple", omitted=None)
-
-        @Quantity("τ", "MPa", "shear stress", when=lambda q: q.M is not None)
-        def tau(self):
-            return self.M / self.d**3
-
-    case = adapted(Loaded)
-    assert "tau" in {one.key for one in case.outputs}
-    assert "tau" not in case.analytic(Loaded())
-    assert case.analytic(Loaded(M=2.0))["tau"] == pytest.approx(2e6)
-    assert [len(equations.stated(Loaded(M=M))) for M in (None, 2.0)] == [3, 4]
-
-
-def declare(symbol, unit):
-    class Broken(Rod):
-        @Quantity(symbol, unit, "something else")
-        def other(self):
-            return 1.0
-
-    return Broken
-
-
 @pytest.mark.parametrize(
     ("symbol", "unit", "rule"),
     [
@@ -187,7 +173,11 @@ def declare(symbol, unit):
 )
 def test_a_broken_rule_is_found_where_the_class_is_made(symbol, unit, rule):
     with pytest.raises(CaseError, match=rf"^test_declared.py:\d+: {rule}"):
-        declare(symbol, unit)
+
+        class Broken(Rod):
+            @Quantity(symbol, unit, "something else")
+            def other(self):
+                return 1.0
 
 
 @pytest.mark.parametrize(
@@ -200,9 +190,7 @@ def test_a_broken_rule_is_found_where_the_class_is_made(symbol, unit, rule):
 def test_two_comparisons_of_one_name_are_refused(stated, message):
     class Twice(Rod):
         def comparisons(self):
-            yield stated()
-            yield identity(Rod.sigma)
-            yield stated()
+            yield from (stated(), identity(Rod.sigma), stated())
 
     with pytest.raises(CaseError, match=rf"^test_declared.{message}"):
         len(adapted(Twice).checks)
@@ -214,6 +202,9 @@ def test_the_reference_consists_of_what_it_uses_and_of_no_formula():
     assert set(members) == {"reference", "area", "d", "F", "E"}
     ((*_, members),) = reached(Rod, ["strain"], formulas=True)
     assert set(members) == {"strain", "sigma", "area", "d", "F", "E"}
+
+
+# Quantities and states that some inputs do not have
 
 
 class Column(Case):
@@ -267,12 +258,13 @@ def test_a_number_that_a_side_does_not_give_is_named(solution, F, reason):
     assert (row.status, row.reason) == ("FAIL", f"ValueError: {reason}")
 
 
-class Pair(Rod):
-    """A rod and a longer one under twice its force."""
+# Options of comparisons and figures
 
-    def reference(self, level):
-        stress = self.F / self.area * (1 + 1e-3 / level**2)
-        return solved(1 / level, sigma=stress, sigma_more=2 * stress, sides=np.full(5, stress))
+
+class Pair(Rod):
+    """A rod and the same one under twice its force."""
+
+    printed: ClassVar[str] = "12.732 MPa"
 
     def comparisons(self):
         more = State(self.at(F=2 * self.F), "more", "under 2 F", "{}(2F)")
@@ -280,93 +272,67 @@ class Pair(Rod):
         yield identity(Pair.sigma, order=2, state=more, scale={"twice": 2 * self.sigma})
         yield Order(name="order", symbol="p", unit="1", order=2,
                     errors=errors_of(Pair.sigma, state=more))  # fmt: skip
-        yield as_printed(Pair.sigma, "12.732 MPa")
+        yield as_printed(Pair.sigma, self.printed)
 
     def figures(self):
-        yield AlongLine(
-            title="Stress", x=("x", "mm"), y=("σ", "MPa"), at=np.linspace(0, 1e-3, 5), order=2,
-            curve=lambda x: np.full_like(x, self.sigma), reference="sides", scale=self.sigma,
-        )  # fmt: skip
+        for part, factor in (((None, 5), 1), ((5, None), 10)):
+            yield AlongLine(
+                title="Stress", x=("x", "mm"), y=("σ", "MPa"), at=np.linspace(0, 1e-3, 5), order=2,
+                curve=lambda x, factor=factor: np.full_like(x, factor * self.sigma), part=part,
+                reference="both", scale=self.sigma,
+            )  # fmt: skip
         yield Drawn(lambda _: [])
 
 
-def context_of(case, inputs):
-    levels = [case.reference(inputs, level) for level in case.levels]
-    return Context(case.id, inputs, case.analytic(inputs), levels, inputs == case.inputs())
-
-
-def rows_of(case, inputs):
-    context = context_of(case, inputs)
-    return {r.quantity: r for c in case.checks for r in c.rows(context)}
-
-
-def test_another_state_has_rows_values_and_outputs_of_its_own():
+def test_states_and_options_reach_their_rows():
     case = adapted(Pair)
-    rows = rows_of(case, Pair())
-    row = rows["stress, Eq. 1, under 2 F"]
-    assert (row.symbol, row.formula, row.scale_name) == ("σ(2F)", "sigma_more", "twice")
-    assert row.analytic == pytest.approx(2 * rows["stress, Eq. 1"].analytic)
-    assert row.scale == row.analytic
+    rows, own = rows_of(case, Pair()), rows_of(case, Pair(d=20e-3))
+    first, more = rows["stress, Eq. 1"], rows["stress, Eq. 1, under 2 F"]
+    assert (more.symbol, more.formula, more.scale_name) == ("σ(2F)", "sigma_more", "twice")
+    assert more.analytic == more.scale == pytest.approx(2 * first.analytic)
     output = {one.key: one for one in case.outputs}["sigma_more"]
-    assert (output.what, output.symbol, output.safe) == (
-        "stress, Eq. 1, under 2 F", "σ(2F)", "too high",
-    )  # fmt: skip
-
-
-def test_options_reach_the_row():
-    case = adapted(Pair)
-    row, own = (rows_of(case, q)["stress, Eq. 1"] for q in (Pair(), Pair(d=20e-3)))
-    assert (row.formula, row.shares, row.u_ref) == (
-        "sigma",
-        "area",
-        pytest.approx(1e-5 * row.scale),
-    )
-    assert row.demand == 0.01
-    assert (own.demand, own.demand_reason) == (0.05, "coarse")
-    assert rows_of(case, Pair())["order"].fem == pytest.approx(2)
+    assert (output.what, output.symbol, output.safe) == (more.quantity, "σ(2F)", "too high")
+    assert (first.formula, first.shares, first.demand) == ("sigma", "area", 0.01)
+    assert first.u_ref == pytest.approx(1e-5 * first.scale)
+    own_first = own["stress, Eq. 1"]
+    assert (own_first.demand, own_first.demand_reason) == (0.05, "coarse")
+    assert rows["order"].fem == pytest.approx(2)
+    assert "stress, Eq. 1, as printed" not in own  # it speaks of the paper's inputs alone
 
 
 @pytest.mark.parametrize(("printed", "status"), [("12.732 MPa", "PASS"), ("12.74 MPa", "FAIL")])
 def test_the_last_digit_of_another_source_s_number_decides(printed, status):
     class Book(Pair):
-        def comparisons(self):
-            yield as_printed(Pair.sigma, printed)
+        pass
 
+    Book.printed = printed
     row = rows_of(adapted(Book), Book())["stress, Eq. 1, as printed"]
     assert (row.status, row.partner.by) == (status, f"printed {printed.split()[0]}")
-    assert not rows_of(adapted(Book), Book(d=20e-3))  # speaks of its own inputs alone
 
 
-def test_figures_along_a_line_have_the_unit_of_their_axes():
-    (profile,) = adapted(Pair).figures(context_of(adapted(Pair), Pair()))
-    assert (profile.x_label, profile.y_label) == ("x [mm]", "σ [MPa]")
-    assert profile.x[-1] == 1.0
-    assert profile.y[0] == pytest.approx(12.732, rel=1e-4)
-    assert (profile.u > 0).all()
+def test_figures_along_a_line_take_their_part_of_an_array_in_their_units():
+    case = adapted(Pair)
+    first, second = case.figures(context_of(case, Pair()))
+    assert (first.x_label, first.y_label) == ("x [mm]", "σ [MPa]")
+    assert first.x[-1] == 1.0
+    assert first.y[0] == pytest.approx(12.732, rel=1e-4)
+    assert (first.u > 0).all()
+    assert second.y_fem == pytest.approx(10 * first.y_fem)
+    assert len(first.x_fem) == len(first.y_fem) == len(first.u) == 5
+    # without levels enough for its uncertainty it is not drawn
+    assert case.figures(context_of(case, Pair(), levels=2)) == ()
 
 
-def test_equal_inputs_are_equal_whatever_was_computed_from_them():
-    class Arrays(Rod):
-        @shared
-        def stations(self):
-            return np.linspace(0, self.d, 3)
-
-    one, other = Arrays(), Arrays()
-    assert one.stations.sum() == other.stations.sum()
-    assert one == other
-    assert hash(one) == hash(other)
-    assert one != Arrays(d=20e-3)
-    assert one != one.model_copy(update={"ends": "plane strain"})
+def test_a_number_in_a_curve_stands_for_all_points():
+    level, upright = dashes("p_lim", [0.0, 3.0], 7.0), dashes("T", 2.0, [0.0, 1.0], 4)
+    assert level.y.tolist() == [7.0, 7.0]
+    assert upright.x.tolist() == [2.0, 2.0]
+    assert (upright.colour, upright.style) == (4, "dashes")
+    assert dots("T", 2.0, 1.0).x.shape == (1,)
 
 
-def test_a_variant_has_other_class_attributes_also_at_other_inputs():
-    class Ended(Rod):
-        ends: ClassVar[str] = "plane stress"
-
-    strained = Ended().variant(ends="plane strain")
-    assert (Ended().ends, strained.ends, strained.at(d=20e-3).ends) == (
-        "plane stress", "plane strain", "plane strain",
-    )  # fmt: skip
-    assert strained.at(d=20e-3).d == 20e-3
-    with pytest.raises(ValueError, match=r"Ended has no class attribute end$"):
-        Ended().variant(end="plane strain")
+@pytest.mark.parametrize("levels", [2, 3])
+def test_what_needs_an_uncertainty_is_drawn_from_three_levels_on(levels):
+    context = context_of(adapted(Rod), Rod(), levels)
+    found = converged(lambda context: len(context.fem)).drawn(context)
+    assert found == ((3,) if levels == 3 else ())

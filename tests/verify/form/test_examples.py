@@ -13,7 +13,6 @@ from verify.jobs.cache import default_folder
 from verify.jobs.level import Job, judge_case, solve_level
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
-GUIDE = EXAMPLES.parent / "docs" / "own_case.md"
 FORMULAS = {  # file without .py: row, the formula's last line, factors that the row must notice
     "curved_bar": ("stress at the inside", "return self.M * (self.r_n - self.r_i)", (0.98, 1.02)),
     "dunkerley": ("critical speed by Dunkerley", "return 1 / sqrt(terms)", (0.98, 1.02)),
@@ -45,13 +44,9 @@ def test_an_example_of_sixty_lines_passes_and_its_formula_off_by_a_few_per_cent_
         assert {r.quantity: r.status for r in judged.rows}[row] is Status.FAIL
 
 
-def names_of(guide):
-    """Modules and what is inside them, as the guide names them."""
-    return set(re.findall(r"[`(]((?:verify|fem|meshes)\.[\w.]*\w)", guide))
-
-
 def test_what_the_guide_names_exists():
-    for name in names_of(GUIDE.read_text(encoding="utf-8")):
+    guide = (EXAMPLES.parent / "docs" / "own_case.md").read_text(encoding="utf-8")
+    for name in set(re.findall(r"[`(]((?:verify|fem|meshes)\.[\w.]*\w)", guide)):
         module, _, own = name.rpartition(".")
         try:
             importlib.import_module(name)

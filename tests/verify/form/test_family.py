@@ -2,18 +2,7 @@
 
 import pytest
 
-from verify.case import (
-    Case,
-    CaseError,
-    Level,
-    Quantity,
-    State,
-    count,
-    given,
-    identity,
-    solved,
-    underived,
-)
+from verify.case import Case, CaseError, Quantity, State, count, given, identity, solved, underived
 from verify.case import approximation as approximated
 from verify.core.case import Context
 from verify.form import equations
@@ -50,7 +39,7 @@ class Beam(Case):
     def heavy(self):
         return self.at(m=4 * self.m)
 
-    def reference(self, level: int) -> Level:
+    def reference(self, level):
         return solved(1 / level, whirl_1_forward=1.0, whirl_1_forward_heavy=1.0)
 
     def comparisons(self):
@@ -59,7 +48,7 @@ class Beam(Case):
         yield approximated(Beam.whirl(1, "forward"), state=heavy, expected=underived("measured"))
 
 
-def test_members_are_quantities_with_names_and_numbers():
+def test_members_are_quantities_with_names_numbers_and_the_code_of_their_method():
     names = ["whirl_1_forward", "whirl_1_backward", "whirl_2_forward", "whirl_2_backward"]
     assert [q.name for q in Beam.quantities()] == [*names, "ratio", "softest"]
     q = Beam.whirl(2, "backward")
@@ -67,9 +56,8 @@ def test_members_are_quantities_with_names_and_numbers():
     beam = Beam()
     assert beam.whirl(2, "backward") == beam.whirl_2_backward == pytest.approx(2 * 0.9 * 4000**0.5)
     assert adapted(Beam).analytic(beam)["whirl_1_forward"] == beam.whirl(1, "forward")
-
-
-def test_a_broken_rule_of_a_member_names_its_method_s_line():
+    ((*_, members),) = reached(Beam, ["whirl_1_forward"], formulas=True)
+    assert set(members) == {"whirl", "_gyroscopic", "k", "m"}
     with pytest.raises(CaseError, match=r"^test_family.py:\d+: Same.any_1: the symbol k"):
 
         class Same(Beam):
@@ -78,19 +66,12 @@ def test_a_broken_rule_of_a_member_names_its_method_s_line():
                 return j
 
 
-def test_the_code_of_a_member_is_its_method_s():
-    ((*_, members),) = reached(Beam, ["whirl_1_forward"], formulas=True)
-    assert set(members) == {"whirl", "_gyroscopic", "k", "m"}
-    assert reached(Beam, ["whirl_1_forward"], formulas=False) == ()
-
-
 def test_symbols_of_a_state_and_the_smaller_of_two_are_in_equations():
     found = {one.tex.partition(" = ")[0]: one for one in equations.stated(Beam())}
     assert found["q"].numbers.endswith(r" = 0.5")
     assert r"34.7851\,\mathrm{rad/s}" in found["q"].numbers
     assert found["k_m"].tex == r"k_m = \min\left(k, 2 k\right)"
     assert found["k_m"].numbers.endswith(r"= 4\,\mathrm{N/mm}")
-    assert r"\min" in found["k_m"].numbers
 
 
 def test_a_row_has_its_own_unit_and_an_error_without_interval_says_why():

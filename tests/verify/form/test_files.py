@@ -25,6 +25,9 @@ b = "20 mm"
 M = "300 N m"
 """
 INNER = "return self.M * (self.r_n - self.r_i)"
+NEUTRAL = "return (self.r_o - self.r_i) / log(self.r_o / self.r_i)"
+ELASTIC = "from fem.plane.material"
+TITLE = "    title = "
 names = iter(range(1000))  # a module is read once: each test has a file of its own
 
 
@@ -58,19 +61,23 @@ def printed_bar(tmp_path, monkeypatch, cache):
 @pytest.fixture
 def bar(printed_bar, monkeypatch):
     """The same, solved in this process and without a PDF, which few tests are about."""
+
+    def not_set(*_):
+        raise NotSet("it is not asked for")
+
     monkeypatch.setattr(Where, "entered", lambda _: local(0))
     monkeypatch.setattr(write, "pdf", not_set)
     return printed_bar
 
 
-def not_set(*_):
-    raise NotSet("it is not asked for")
+def verify(file, *more):
+    return run(["verify", file, "--out", "out", *more])
 
 
 def test_a_file_is_verified_with_a_report_of_its_own(printed_bar, capsys):
     """In worker processes; the report has the title of the case, and nothing of the papers."""
     file = printed_bar(("Timoshenko, Strength of Materials", "Timoshenko | Strength"))
-    assert run(["verify", file, "--out", "out", "--jobs", "2"]) == 0
+    assert verify(file, "--jobs", "2") == 0
     assert "since 0.1.0" not in capsys.readouterr().out  # no release has these rows
     data = json.loads(Path("out/results.json").read_text("utf-8"))
     assert {row["status"] for row in data["rows"]} == {"PASS"}
@@ -80,32 +87,28 @@ def test_a_file_is_verified_with_a_report_of_its_own(printed_bar, capsys):
     heads = re.findall(r"<h([1-4])[^>]*>([^<]*)", page)
     assert heads[0] == ("1", "Bending stresses of a curved bar")
     assert not {"Tables of the papers", "Errata", "Readings", "Assumptions"} & {h for _, h in heads}
-    assert "· Timoshenko | Strength, curved bars</p>" in page
     assert f"freewheel verify {file}\nfreewheel init {file} > my.toml" in page
     assert r"(Timoshenko \| Strength, curved bars) |" in Path("out/verdicts.md").read_text("utf-8")
-    assert len(re.findall(rb"/Type\s*/Page\b", Path("out/report.pdf").read_bytes())) < 8
+    assert Path("out/report.pdf").is_file()
 
 
-def test_a_parameter_file_names_a_case_file_beside_it(bar, capsys):
-    Path("my.toml").write_text(OWN.format(file=bar()), "utf-8")
+def test_a_parameter_file_and_a_template_name_a_case_file_beside_them(bar, capsys):
+    off = "sigma_i=inner * (1 + 0.05 * level * (self.r_i > 0.07)),"
+    file = bar(("sigma_i=inner,", off))
+    Path("my.toml").write_text(OWN.format(file=file), "utf-8")
     assert run(["check", "my.toml"]) == 3  # no limits, so that nothing holds or fails
     assert "σ_i  69.4981   MPa" in capsys.readouterr().out
-    assert run(["sweep", "my.toml", "--vary", "r_i=60mm:80mm:2", "--out", "sweep"]) == 0
-    assert "2 of 2 points solved" in capsys.readouterr().out
     assert run(["explain", "inner edge", "my.toml"]) == 0
-
-
-def test_a_template_of_a_case_file_is_a_parameter_file_of_it(bar, capsys):
-    file = bar()
+    # a sweep fails where a row does not converge
+    assert run(["sweep", "my.toml", "--vary", "r_i=60mm:80mm:3", "--out", "sweep"]) == 1
+    assert "1 point: does not converge in 1 of 2 rows" in capsys.readouterr().out
     Path("parts").mkdir()
-    for out in ("my.toml", "parts/my.toml"):
-        assert run(["init", file, "--out", out]) == 0
-        assert run(["check", out]) == 3
+    assert run(["init", file, "--out", "parts/my.toml"]) == 0
+    assert run(["check", "parts/my.toml"]) == 3
     assert run(["init", file]) == 0
     text = capsys.readouterr().out
     assert f'case = "{file}"' in text
     assert f"The numbers are the defaults of {file}" in text
-    assert "not printed" not in text
     assert 'r_i = "100 mm"  # inner radius; greater than 0 mm\n' in text
 
 
@@ -118,17 +121,19 @@ def test_a_template_of_a_case_file_is_a_parameter_file_of_it(bar, capsys):
         (('given("100 mm", "mm"', 'given("100 m m", "mm"'), r'.py:\d+: ValueError: "100 m m"'),
         (("def e(self) -> float:", "def r_n(self) -> float:"),
          r".py:\d+: CurvedBar.r_n: line \d+ declares that name already"),
-        (("    title = ", "    ends = 3\n    title = "),
+        ((TITLE, "    ends = 3\n    title = "),
          ".py: ends: annotate it, an input as float = given"),
         (("import log", "import logarithm"), r".py:\d+: ImportError: cannot import name"),
         (('    title = "Bending stresses of a curved bar"\n', ""),
          ": declares no subclass of Case with a title"),
-        (('    title = ', '    id = "ring-lame"\n    title = '),
+        ((TITLE, '    id = "ring-lame"\n    title = '),
          ": the suite has a case ring-lame already; give it another id"),
+        (("        most = ", "        pass\n\n    def others(self):\n        most = "),
+         r".py:\d+: CurvedBar.comparisons: returns None.*must yield comparisons"),
     ],
 )  # fmt: skip
 def test_a_wrong_declaration_is_one_line(change, message, bar, capsys):
-    assert run(["verify", bar(change), "--out", "out"]) == 2
+    assert verify(bar(change)) == 2
     (line,) = capsys.readouterr().err.splitlines()
     assert re.search(message, line), line
     assert line.startswith("freewheel: ")
@@ -138,80 +143,49 @@ def test_a_wrong_declaration_is_one_line(change, message, bar, capsys):
     ("change", "message"),
     [
         ((INNER, "return self.M * self.r_i**2 / (self.r_i - self.r_i)"),
-         r".py:\d+: sigma_i: ZeroDivisionError: float division by zero"),
-        (("return self.M * (self.r_n - self.r_i)", "return self.moment * (self.r_n - self.r_i)"),
-         r".py:\d+: sigma_i: AttributeError: .*'moment'"),
+         "sigma_i: ZeroDivisionError: float division by zero"),
+        ((INNER, f"exit(0)\n        {INNER}"), "sigma_i: SystemExit: 0"),
+        ((NEUTRAL, "while True:\n            pass\n        return 0.0"),
+         "r_n: TimeLimitError: longer than 0.3 s"),
+        (("force, _, moment = bar.reaction", "force, moment = bar.reaction"),
+         "reference: ValueError: too many values"),
+        ((ELASTIC, f"while self.M:\n            pass\n        {ELASTIC}"),
+         "reference: TimeLimitError: longer than 0.3 s"),
     ],
 )  # fmt: skip
-def test_a_fault_of_a_formula_is_one_line_with_its_place(change, message, bar, capsys):
-    file = bar(change)
-    assert run(["verify", file, "--out", "out"]) == 1
-    assert re.search(message, capsys.readouterr().out)
-    Path("my.toml").write_text(OWN.format(file=file), "utf-8")
-    assert run(["check", "my.toml"]) == 2
-    (line,) = capsys.readouterr().err.splitlines()
-    assert re.search(message, line), line
+def test_a_fault_of_a_formula_or_reference_fails_its_rows_with_its_place(
+    change, message, bar, capsys
+):
+    limited = "TimeLimit" in message
+    file = bar(change, (TITLE, "    time_limit = 0.3\n    title = " if limited else TITLE))
+    assert verify(file) == 1
+    assert re.search(rf"{file}:\d+: {message}", capsys.readouterr().out)
+    assert file in Path("out/errors.txt").read_text("utf-8")
+    if message.startswith("sigma_i: Zero"):
+        Path("my.toml").write_text(OWN.format(file=file), "utf-8")
+        assert run(["check", "my.toml"]) == 2
+        (line,) = capsys.readouterr().err.splitlines()
+        assert re.search(rf"{file}:\d+: {message}", line)
+
+
+def test_ctrl_c_in_a_formula_ends_the_run_with_one_line(bar, capsys):
+    assert verify(bar((INNER, "raise KeyboardInterrupt\n        " + INNER))) == 130
+    assert capsys.readouterr().err.splitlines()[-1].startswith("freewheel: interrupted")
 
 
 def test_a_reference_that_ends_its_process_fails_its_rows(bar, capfd):
-    first = "from fem.plane.material"
-    file = bar((first, f"raise SystemExit(3)\n        {first}"))
-    assert run(["verify", file, "--out", "out", "--jobs", "2"]) == 1
+    file = bar((ELASTIC, f"raise SystemExit(3)\n        {ELASTIC}"))
+    assert verify(file, "--jobs", "2") == 1
     out, err = capfd.readouterr()
     assert re.search(rf"level 1: CaseError: {file}:\d+: reference: SystemExit", out), out
     assert "Traceback" not in out + err
-
-
-def test_ctrl_c_in_a_formula_is_one_line_and_exit_ends_nothing(bar, capsys):
-    file = bar((INNER, "raise KeyboardInterrupt\n        " + INNER))
-    assert run(["verify", file, "--out", "out"]) == 130
-    assert capsys.readouterr().err.splitlines()[-1].startswith("freewheel: interrupted")
-    assert run(["verify", bar((INNER, "exit(0)\n        " + INNER)), "--out", "out"]) == 1
-    assert re.search(r".py:\d+: sigma_i: SystemExit: 0", capsys.readouterr().out)
-
-
-def test_comparisons_that_yield_nothing_are_one_line_with_their_place(bar, capsys):
-    file = bar(("        most = ", "        pass\n\n    def others(self):\n        most = "))
-    assert run(["verify", file, "--out", "out"]) == 2
-    (line,) = capsys.readouterr().err.splitlines()
-    assert re.match(rf"freewheel: {file}:\d+: CurvedBar.comparisons: returns None", line)
-    assert line.endswith("must yield comparisons")
-
-
-def test_a_sweep_fails_where_a_row_does_not_converge(bar, capsys):
-    off = "sigma_i=inner * (1 + 0.05 * level * (self.r_i > 0.07)),"
-    Path("my.toml").write_text(OWN.format(file=bar(("sigma_i=inner,", off))), "utf-8")
-    assert run(["sweep", "my.toml", "--vary", "r_i=60mm:80mm:3", "--out", "sweep"]) == 1
-    out = capsys.readouterr().out
-    assert "3 of 3 points solved, 1 of them not in every row\n" in out
-    assert "1 point: does not converge in 1 of 2 rows" in out
-
-
-LOOP = "while True:\n            pass\n        return 0.0"
-
-
-@pytest.mark.parametrize(
-    ("change", "message"),
-    [
-        (("return (self.r_o - self.r_i) / log(self.r_o / self.r_i)", LOOP), r"\d+: r_n: "),
-        (("from fem.plane.material import Elastic\n        from fem.plane.solve",
-          "while self.M:\n            pass\n        from fem.plane.material import Elastic\n"
-          "        from fem.plane.solve"), r"\d+: reference: "),
-    ],
-    ids=["formula", "reference"],
-)  # fmt: skip
-def test_an_endless_loop_ends_at_the_time_limit(change, message, bar, capsys):
-    file = bar(change, ("    title = ", "    time_limit = 0.3\n    title = "))
-    assert run(["verify", file, "--out", "out"]) == 1
-    place = f"{file}:{message}TimeLimitError: longer than 0.3 s"
-    assert re.search(place, capsys.readouterr().out)
 
 
 def test_a_case_of_an_installed_package_has_a_name(bar, capsys, monkeypatch):
     package = Path("curved_bars")
     package.mkdir()
     (package / "__init__.py").touch()
-    shutil.copy(bar(("    title = ", '    id = "curved-bar"\n    title = ')), package / "bar.py")
+    shutil.copy(bar((TITLE, '    id = "curved-bar"\n    title = ')), package / "bar.py")
     info = Path("curved_bars-1.0.dist-info")
     info.mkdir()
     (info / "METADATA").write_text("Name: curved-bars\nVersion: 1.0\n", "utf-8")
@@ -223,18 +197,9 @@ def test_a_case_of_an_installed_package_has_a_name(bar, capsys, monkeypatch):
     Path("my.toml").write_text(OWN.format(file="curved-bar"), "utf-8")
     assert run(["check", "my.toml", "--fem"]) == 3
     assert "σ_i" in capsys.readouterr().out
-    case = registry.find("curved-bar")
-    assert source_code.source_of(case.reference)
-    assert run(["verify", "other", "--out", "out"]) == 2
+    assert source_code.source_of(registry.find("curved-bar").reference)
+    assert verify("other") == 2
     assert "curved_bars.bar:ART_29: is no subclass of Case" in capsys.readouterr().err
-
-
-def test_a_fault_of_the_reference_has_its_place(bar, capsys):
-    file = bar(("force, _, moment = bar.reaction", "force, moment = bar.reaction"))
-    assert run(["verify", file, "--out", "out"]) == 1
-    place = rf"level 1: CaseError: {file}:\d+: reference: ValueError: too many values"
-    assert re.search(place, capsys.readouterr().out)
-    assert file in Path("out/errors.txt").read_text("utf-8")
 
 
 @pytest.mark.parametrize(
@@ -246,7 +211,7 @@ def test_a_fault_of_the_reference_has_its_place(bar, capsys):
 def test_a_file_that_cannot_be_a_module_is_one_line(name, message, bar, capsys):
     if name != "nosuch.py":
         shutil.copy(bar(), name)
-    assert run(["verify", name, "--out", "out"]) == 2
+    assert verify(name) == 2
     assert message in capsys.readouterr().err
 
 
@@ -254,17 +219,15 @@ def test_a_helper_beside_the_file_counts_in_the_key(bar):
     imported = ("from math import log", "from math import log\nfrom helper_of_bar import twice")
     file = bar(imported, ("-self.M / moment", "-twice(self.M) / moment / 2"))
     Path("helper_of_bar.py").write_text("def twice(x):\n    return 2 * x\n", "utf-8")
-    case = registry.find(file)
-    assert "helper_of_bar" in source_code.parts_of(case.reference)[1]
+    assert "helper_of_bar" in source_code.parts_of(registry.find(file).reference)[1]
 
 
 def test_a_new_case_runs_as_it_stands(bar, capsys):
     name = bar()
     Path(name).unlink()
     assert run(["new-case", name]) == 0
-    assert run(["verify", name, "--out", "out"]) == 0
+    assert verify(name) == 0
     assert "3 rows" in capsys.readouterr().out
-    assert run(["new-case", name]) == 2
-    assert "exists already" in capsys.readouterr().err
-    assert run(["new-case", "my-bar.py"]) == 2
-    assert "letters, digits and _" in capsys.readouterr().err
+    for wrong, message in ((name, "exists already"), ("my-bar.py", "letters, digits and _")):
+        assert run(["new-case", wrong]) == 2
+        assert message in capsys.readouterr().err

@@ -17,10 +17,12 @@ from verify.case import (
     shared,
     solved,
 )
+from verify.cases.contact.roller.case import ROLLER
 from verify.cases.registry import CASES
 from verify.form import dimensions, equations, independence
 from verify.form.adapter import adapted
 from verify.form.quantity import changed
+from verify.form.tex import evaluate, with_raised_stars
 
 
 class Rod(Case):
@@ -42,7 +44,7 @@ class Rod(Case):
     def sigma(self) -> float:
         return self.F / self.area
 
-    @Quantity("p", "MPa", "no less than nothing")
+    @Quantity("p", "MPa", "no less than nothing: a number has any dimension")
     def p(self) -> float:
         return max(self.sigma - 2 * self.sigma, 0)
 
@@ -51,9 +53,9 @@ class Rod(Case):
         return self.n * self.d / 2
 
 
-def stated(form):
-    """The checks of a case outside the suite."""
-    return len(adapted(form, time_limit=60.0).checks)
+def limited(form):
+    """The case outside the suite, whose checks are made at its start."""
+    return adapted(form, time_limit=60.0)
 
 
 def test_equations_give_what_units_state():
@@ -61,48 +63,62 @@ def test_equations_give_what_units_state():
         dimensions.check(case.inputs())
 
 
-def test_numbers_and_angles_have_no_dimension():
-    assert stated(Rod) == 0
-
-
-def declared(unit, tex, **more):
+@pytest.mark.parametrize(
+    ("unit", "tex", "more", "rule"),
+    [
+        ("mm", r"\frac{F}{A}", {}, "the unit mm is a length, the equation F/A a pressure or stre"),
+        ("mm", "n d", {}, "the unit mm is a length, the equation n d a speed"),
+        ("mm^4", "d^3", {}, r"the unit mm\^4 is \[length\]\^4, the equation d\^3 \[length\]\^3"),
+        ("mm", "d + A", {}, r"the equation d \+ A adds a length and \[length\]\^2"),
+        ("1", "2^d", {}, r"the equation 2\^d has a function of a length"),
+        ("mm", "A^k", {}, r"the equation A\^k has a variable power of \[length\]\^2"),
+        ("mm", r"\min(d, F)", {}, r"the equation min\(d, F\) compares a length and a force"),
+        ("MPa", r"\frac{F}{A} = F A", {}, "the unit MPa is a pressure or stress, the equation F A"),
+        # what is fitted, or no arithmetic, has no dimension
+        ("mm", "3.84 F^{0.9}", {"fitted": True}, ""),
+        ("mm", r"\int_0^d y dy", {}, ""),
+        ("mm", "A^k", {"fitted": True}, ""),
+    ],
+)
+def test_a_unit_that_the_equation_does_not_give_is_an_error(unit, tex, more, rule):
     class Wrong(Rod):
         @Quantity("x", unit, "something", tex=tex, **more)
         def x(self):
             return 1.0
 
-    return Wrong
-
-
-@pytest.mark.parametrize(
-    ("unit", "tex", "rule"),
-    [
-        ("mm", r"\frac{F}{A}", "the unit mm is a length, the equation F/A a pressure or stress"),
-        ("mm", "n d", "the unit mm is a length, the equation n d a speed"),
-        ("mm^4", "d^3", r"the unit mm\^4 is \[length\]\^4, the equation d\^3 \[length\]\^3"),
-        ("mm", "d + A", r"the equation d \+ A adds a length and \[length\]\^2"),
-        ("1", "2^d", r"the equation 2\^d has a function of a length"),
-        ("mm", "A^k", r"the equation A\^k has a variable power of \[length\]\^2"),
-        ("mm", r"\min(d, F)", r"the equation min\(d, F\) compares a length and a force"),
-        ("MPa", r"\frac{F}{A} = F A", "the unit MPa is a pressure or stress, the equation F A"),
-    ],
-)
-def test_a_unit_that_the_equation_does_not_give_is_an_error(unit, tex, rule):
+    if not rule:
+        assert len(limited(Wrong).checks) == 0
+        return
     with pytest.raises(CaseError, match=rf"^test_rules.py:\d+: Wrong.x: {rule}"):
-        stated(declared(unit, tex))
+        len(limited(Wrong).checks)
 
 
-@pytest.mark.parametrize(
-    ("tex", "more"),
-    [("3.84 F^{0.9}", {"fitted": True}), (r"\int_0^d y dy", {}), ("A^k", {"fitted": True})],
-    ids=["fitted", "no arithmetic", "a fitted exponent"],
-)  # fmt: skip
-def test_other_equations_have_no_dimension(tex, more):
-    assert stated(declared("mm", tex, **more)) == 0
+def test_a_formula_that_reads_itself_is_named_with_what_it_reads():
+    class Circle(Rod):
+        @Quantity("a", "mm", "first")
+        def a(self):
+            return self.b + self.d
+
+        @Quantity("b", "mm", "second")
+        def b(self):
+            return self.middle
+
+        @shared
+        def middle(self):
+            return 2 * self.a
+
+    case = Circle()
+    rule = "circular: a reads b, b reads middle, middle reads a$"
+    for _ in range(2):  # nothing of the first attempt is stored
+        with pytest.raises(CaseError, match=rf"^test_rules.py:\d+: Circle.a: {rule}"):
+            _ = case.a
+    with pytest.raises(CaseError, match=r"Circle\.a: circular: middle reads a, a reads b, b"):
+        _ = case.middle
 
 
-# Identities to 1e-9 and differences judge that tangent as well, without any interval.
-SHARED = {"rotor-clutch": {"tangent"}}
+# An expected error may not follow the formula that it judges
+
+SHARED = {"rotor-clutch": {"tangent"}}  # identities to 1e-9 judge that tangent as well
 
 
 @pytest.mark.soak  # the same by the values of all cases: mutation/test_own_slips
@@ -113,43 +129,18 @@ def test_no_expected_error_follows_the_formula_that_it_judges():
         assert read == SHARED.get(case.id, set()), case.id
 
 
-class Circle(Rod):
-    @Quantity("a", "mm", "first")
-    def a(self):
-        return self.b + self.d
-
-    @Quantity("b", "mm", "second")
-    def b(self):
-        return self.middle
-
-    @shared
-    def middle(self):
-        return 2 * self.a
-
-
-def test_a_formula_that_reads_itself_is_named_with_what_it_reads():
-    case = Circle()
-    rule = "circular: a reads b, b reads middle, middle reads a$"
-    for _ in range(2):  # nothing of the first attempt is kept
-        with pytest.raises(CaseError, match=rf"^test_rules.py:\d+: Circle.a: {rule}"):
-            _ = case.a
-    with pytest.raises(CaseError, match=r"Circle\.a: circular: middle reads a, a reads b, b"):
-        _ = case.middle
-
-
 def expecting(low, high, *, computed=False):
     """A case whose stress is expected to err by what two functions give of it."""
 
     class Judged(Rod):
         def comparisons(self):
-            double = self.at(F=2 * self.F)
             interval = Expected(low(self), high(self), "book")
             if computed:
                 interval = Computed(lambda: (low(self), high(self)), "book")
             yield identity(Judged.area, scale={"of its stress": self.sigma * self.d**4})
             yield approximation(Judged.sigma, expected=interval)
             yield approximation(Judged.sigma, expected=Expected(-0.1, 0.1, "wide"),
-                                state=State(double, "double", "2 F"))  # fmt: skip
+                                state=State(self.at(F=2 * self.F), "double", "2 F"))  # fmt: skip
 
     return Judged
 
@@ -169,7 +160,7 @@ FOLLOWS = {
 @pytest.mark.parametrize("computed", [False, True])
 def test_an_expected_error_that_reads_its_formula_is_an_error(ends, computed):
     form = expecting(*ends, computed=computed)
-    _, check, other = adapted(form, time_limit=60.0).checks
+    _, check, other = limited(form).checks
     rule = r"Rod.sigma: its expected error reads this formula"
     with pytest.raises(CaseError, match=rf"^test_rules.py:\d+: {rule}"):
         check.interval(form(), {})
@@ -210,7 +201,7 @@ class Steps(Rod):
         (Steps.of_step, lambda s: s.F / s.bore / exact(s) - 1.01, ""),
         (Steps.of_step, lambda s: s.step / s.d**2 - 1, ""),
     ],
-    ids=["step", "shared", "formula", "what the formula does not read", "the other way"],
+    ids=["step", "shared", "formula", "what the formula does not read", "the inverse"],
 )  # fmt: skip
 def test_an_expected_error_may_not_follow_what_its_formula_reads(q, low, reads):
     class Judged(Steps):
@@ -225,10 +216,14 @@ def test_an_expected_error_may_not_follow_what_its_formula_reads(q, low, reads):
 
 
 def test_an_expected_error_may_depend_on_inputs_and_on_the_size_of_the_formula():
-    """As the size of a cell over a width that the formula gives."""
+    """As the size of a cell over a width that the formula gives; low must not be above high."""
     form = expecting(lambda q: q.d, lambda q: 0.01 * log(q.sigma))
-    low, high = adapted(form, time_limit=60.0).checks[1].interval(form(), {})
-    assert (low, high) == (0.01, 0.01 * log(form().sigma))
+    found = limited(form).checks[1].interval(form(), {})
+    assert found == (0.01, 0.01 * log(form().sigma))
+    for ends in ((0.01, -0.01), (float("nan"), 0.01)):
+        rule = "its error is expected from .* to .*, and low must not be above high"
+        with pytest.raises(CaseError, match=rf"^test_rules.py:\d+: Rod.sigma: {rule}"):
+            len(limited(expecting(lambda _: ends[0], lambda _: ends[1])).checks)  # noqa: B023
 
 
 def test_what_is_computed_from_a_changed_formula_is_computed_again_afterwards():
@@ -239,11 +234,7 @@ def test_what_is_computed_from_a_changed_formula_is_computed_again_afterwards():
     assert case.sigma == pytest.approx(exact(case), rel=1e-12)
 
 
-@pytest.mark.parametrize("ends", [(0.01, -0.01), (float("nan"), 0.01)])
-def test_an_expected_error_has_a_lower_and_an_upper_end(ends):
-    rule = "its error is expected from (0.01 to -0.01|nan to 0.01), and low must not be above high"
-    with pytest.raises(CaseError, match=rf"^test_rules.py:\d+: Rod.sigma: {rule}"):
-        stated(expecting(lambda _: ends[0], lambda _: ends[1]))
+# What is stated wrongly
 
 
 def test_a_number_without_a_unit_has_the_unit_1():
@@ -280,7 +271,10 @@ def test_a_reference_without_numbers_is_an_error(result, message):
             return result
 
     with pytest.raises(CaseError, match=f"test_rules.py: Faulty.reference: level 1:? {message}"):
-        adapted(Faulty, time_limit=60.0).reference(Faulty(), 1)
+        limited(Faulty).reference(Faulty(), 1)
+
+
+# Equations as they are written
 
 
 def test_constants_and_powers_of_code_are_those_of_the_equation():
@@ -303,3 +297,16 @@ def test_constants_and_powers_of_code_are_those_of_the_equation():
         r"y = d \left(10^{6}\right)^{k}",
         r"z = d \left(3^{k}\right)^{2}",
     ]
+
+
+@pytest.mark.parametrize(("t", "value"), [(3.0, 4 / 3), (10.0, None), (0.0, None)])
+def test_a_root_is_evaluated_where_it_has_a_value(t, value):
+    found = evaluate(r"\sqrt{(\frac{\mu}{t})^2 - 1}", {r"\mu": 5.0, "t": t})
+    assert found == (value if value is None else pytest.approx(value))
+
+
+def test_the_star_of_a_symbol_is_raised_and_no_product():
+    found = {e.tex for e in equations.stated(ROLLER.inputs())}
+    assert r"p_0 = \sqrt{\frac{F E^*}{\pi l R}}" in found
+    assert with_raised_stars("E*^2 a*^{1/3}", ["E*", "a*"]) == "E^{*2} a^{*1/3}"
+    assert with_raised_stars("a * b", ["a", "b"]) == "a * b"

@@ -1,68 +1,114 @@
-"""Faults of three depths, each caught and named by a row that is about it."""
+"""Faults of a formula, of a weak form and of what both sides share, each named by its rows."""
 
+import ast
+from collections.abc import Iterator
 from functools import partial
 
 import pytest
 
 from tests.conftest import solved
 from tests.verify.mutation.forked import answer
-from verify.audit.mutation import trial
+from verify.audit.mutation import resolve, trial
 from verify.audit.mutation.baseline import Noted
 from verify.audit.mutation.outcomes import By
-from verify.audit.mutation.sites import mutants, source
-from verify.audit.mutation.subject_operators import FINITE_ELEMENTS, FORMULAS
+from verify.audit.mutation.sites import Changed, mutants, source
 from verify.audit.mutation.trial import Bench
 from verify.audit.mutation.workload import Load
-from verify.cases.ring.lame.case import LAME
+from verify.cases.registry import CASES, find
+
+
+def bench_of(name: str, seconds: float) -> Bench:
+    case = find(name, CASES)
+    inputs = case.inputs()
+    load = Load(case, inputs, tuple(one.result for one in solved(case, inputs))).with_values()
+    judged = load.judged()
+    assert not judged.errors
+    return Bench(load, Noted(seconds, (), judged.states))
 
 
 @pytest.fixture(scope="module")
-def bench() -> Bench:
-    inputs = LAME.inputs()
-    load = Load(LAME, inputs, tuple(one.result for one in solved(LAME, inputs))).with_values()
-    judged = load.judged()
-    assert not judged.errors
-    return Bench(load, Noted(1.0, (), judged.states))
+def ring() -> Bench:
+    return bench_of("ring-lame", 1.0)
 
 
-def planted(module, operators, function, before, becomes):
-    of = source(module)
-    return next(
-        one for one in mutants(of, operators)
-        if one.mutant.function == function
-        and (one.mutant.before, one.mutant.after) == (before, becomes)
-    )  # fmt: skip
+@pytest.fixture(scope="module")
+def engaged() -> Bench:
+    return bench_of("sprag-engagement", 4.0)
 
 
-def verdict(work):
-    found = answer(work, 120.0)
+def planted(module: str, function: str, before: str, after: str) -> Changed:
+    """One expression of a function in the place of another."""
+
+    def put(node: ast.AST, _around: object) -> Iterator[ast.AST]:
+        if isinstance(node, ast.expr) and ast.unparse(node) == before:
+            yield ast.parse(after, mode="eval").body
+
+    found = mutants(source(module), {"planted": put})
+    return next(one for one in found if one.mutant.function == function)
+
+
+def verdict(work) -> list[str]:
+    found = answer(work, 200.0)
     assert not found.failure
     return found.value
 
 
-def test_a_formula_with_the_other_radius_is_named_by_the_rows_it_feeds(bench):
-    fault = planted("analytic.ring.lame", FORMULAS, "_constants", "r_o ** 2", "r_o")
-    load = Load(LAME, bench.load.inputs, bench.load.levels)  # the formulas' values made anew
-    by, what = verdict(partial(trial.tried, fault, [Bench(load, bench.before)]))
+def test_a_formula_with_the_other_radius_is_named_by_the_rows_it_feeds(ring):
+    fault = planted("analytic.ring.lame", "_constants", "r_o ** 2", "r_o")
+    load = Load(ring.load.case, ring.load.inputs, ring.load.levels)  # formulas computed again
+    by, what = verdict(partial(trial.tried, fault, [Bench(load, ring.before)]))
     assert by == By.ROWS
     assert what.startswith("ring-lame/")
     assert "stress" in what
 
 
-def test_a_weak_form_with_a_sign_mistaken_is_named_by_what_it_strains(bench):
-    fault = planted(
-        "fem.plane.cells", FINITE_ELEMENTS, "Cells._stiffness",
-        "lam * M[:, :, i, :, j] + mu * M[:, :, j, :, i]",
-        "lam * M[:, :, i, :, j] - mu * M[:, :, j, :, i]",
-    )  # fmt: skip
-    by, what = verdict(partial(trial.solved, fault, [(bench, LAME.levels[:1])]))
+def test_a_weak_form_with_a_sign_mistaken_is_named_by_what_it_strains(ring):
+    term = "lam * M[:, :, i, :, j] {} mu * M[:, :, j, :, i]"
+    fault = planted("fem.plane.cells", "Cells._stiffness", term.format("+"), term.format("-"))
+    by, what = verdict(partial(trial.solved, fault, [(ring, ring.load.case.levels[:1])]))
     assert by == By.ROWS
-    assert what.startswith("ring-lame/")
     assert "displacement" in what or "stress" in what
 
 
-def test_code_that_stays_as_it_is_turns_no_row_red(bench):
-    assert verdict(lambda: trial.told(bench.judged(), bench)) is None
-    fault = planted("fem.plane.cells", FINITE_ELEMENTS, "Cells.strain_energy", "2", "3")
-    unused = Bench(bench.load, bench.before)
-    assert verdict(partial(trial.tried, fault, [unused])) == [By.NOTHING, ""]  # it calls none of it
+def test_code_that_stays_as_it_is_turns_no_row_red(ring):
+    assert verdict(lambda: trial.told(ring.judged(), ring)) is None
+    unused = planted("fem.plane.cells", "Cells.strain_energy", "2", "3")  # the case calls none
+    assert verdict(partial(trial.tried, unused, [ring])) == [By.NOTHING, ""]
+
+
+@pytest.mark.parametrize(
+    ("fault", "by"),
+    [
+        pytest.param(
+            ("analytic.sprag.compliance", "Compliance.yields", "N * self.race_i",
+             "1.1 * N * self.race_i"), By.NOTHING, id="of both sides",
+            marks=pytest.mark.soak,  # solves an engagement for as long as all others
+        ),
+        pytest.param(
+            ("analytic.sprag.events", "System._driven", "n_s * motion.m_g * OC_g ** 2",
+             "n_s * motion.m_g * OC_g ** 2 / 2"), By.ROWS, id="of the levels alone",
+        ),
+    ],
+)  # fmt: skip
+def test_a_fault_of_what_levels_are_made_with_is_judged_on_levels_solved_with_it(
+    fault, by, engaged
+):
+    """What changes both sides alike is not credited to rows; half an inertia of one side is."""
+    fault = planted(*fault)
+    stored, quick, slow = resolve.split(fault.mutant.module, [engaged])
+    found, what = verdict(partial(trial.tried, fault, stored, [*quick, *slow]))
+    assert found == by
+    assert what.startswith("sprag-engagement/" if by == By.ROWS else "")
+
+
+def test_a_mutant_is_judged_on_stored_levels_or_on_levels_solved_with_it(engaged):
+    """On those of a case that takes long it is not judged at all."""
+    quick = bench_of("rotor-clutch", 1.0)
+    both = [engaged, quick]
+    assert resolve.split("analytic.polyhedral.wedging", [engaged]) == ([engaged], [], [])
+    assert resolve.split("analytic.contact.palmgren", both) == ([], [quick], [engaged])
+    assert resolve.split("analytic.sprag.events", both) == ([quick], [], [engaged])
+    case = find("spring-width", CASES)
+    assert "analytic.spring.frame" in resolve.formulas_in(case)
+    bench = Bench(Load(case, case.inputs(), ()), Noted(1.0, (), {}))
+    assert resolve.split("analytic.spring.frame", [bench]) == ([], [], [])
