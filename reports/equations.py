@@ -8,7 +8,7 @@ from xml.etree import ElementTree as ET
 from markupsafe import Markup, escape
 
 from reports.mathematics import Node, tree
-from reports.standalone import HERE
+from reports.typesetting import NotSet, typeset
 
 SYMBOLS = "<!--glyphs-->"  # where a page wants the glyphs that its equations share
 SVG = "{http://www.w3.org/2000/svg}"
@@ -97,13 +97,10 @@ def _pages(trees: Sequence[Node]) -> list[bytes]:
     if not trees:
         return []
     try:
-        import typst
-
-        drawn = typst.compile(
-            HERE / "equations.typ", root=HERE, sys_inputs={"trees": json.dumps(trees)},
-            ignore_system_fonts=True, format="svg",
-        )  # fmt: skip
-    except (ImportError, RuntimeError):
+        drawn = typeset(
+            "equations.typ", {"trees": json.dumps(trees)}, ignore_system_fonts=True, format="svg"
+        )
+    except NotSet:
         return []
     return drawn if isinstance(drawn, list) else [drawn]
 

@@ -8,7 +8,7 @@ from typing import Any
 
 from reports.frames import Frame
 from reports.pdf_data import document
-from reports.standalone import HERE
+from reports.typesetting import NotSet, typeset
 from reports.xml_text import clean
 from verify.core.results import Report
 
@@ -16,13 +16,9 @@ from verify.core.results import Report
 _FOREIGN = re.compile("[^\\x00-\u05ff\u1d00-\u2e7f\ufb00-\ufb4f\ufffd\U0001d400-\U0001d7ff]")
 
 
-class NotSet(Exception):  # noqa: N818 - says what did not happen
-    """The PDF could not be made; the message says why in one line."""
-
-
 def pdf(report: Report, frames: Mapping[str, Sequence[Frame]]) -> bytes:
     """The whole report as PDF, the same bytes for the same report; raises NotSet."""
-    return typeset(content(report, frames), made(report))
+    return printed(content(report, frames), made(report))
 
 
 def content(report: Report, frames: Mapping[str, Sequence[Frame]]) -> str:
@@ -33,26 +29,16 @@ def content(report: Report, frames: Mapping[str, Sequence[Frame]]) -> str:
         raise NotSet(" ".join(str(error).split())) from error
 
 
-def typeset(data: str, stamp: datetime) -> bytes:
+def printed(data: str, stamp: datetime) -> bytes:
     """The PDF of such a content, dated; raises NotSet.
 
     Fonts of the system are searched only for scripts that typst brings no font for.
     """
-    try:
-        import typst  # its absence is no reason to write no report
-    except ImportError as error:
-        raise NotSet(f"typst cannot be imported: {error}") from error
-    try:
-        return typst.compile(
-            HERE / "report.typ", root=HERE, sys_inputs={"document": data},
-            ignore_system_fonts=not _FOREIGN.search(data), timestamp=stamp,
-        )  # fmt: skip
-    except RuntimeError as error:
-        raise NotSet(" ".join(str(error).split())) from error
-    except BaseException as error:
-        if type(error).__name__ != "PanicException":  # how a fault inside typst arrives
-            raise
-        raise NotSet(f"typst broke off: {' '.join(str(error).split())}") from error
+    paper: bytes = typeset(
+        "report.typ", {"document": data}, ignore_system_fonts=not _FOREIGN.search(data),
+        timestamp=stamp,
+    )  # fmt: skip
+    return paper
 
 
 def made(report: Report) -> datetime:

@@ -15,10 +15,11 @@ from reports.crosscheck_table import crosscheck_csv
 from reports.frames import Frame, frames
 from reports.html import page
 from reports.junit import junit
-from reports.pdf import NotSet, content, made, typeset
+from reports.pdf import content, made, printed
 from reports.records import report_record
 from reports.rows import rows_csv
 from reports.second import seconds
+from reports.typesetting import NotSet
 from reports.verdicts import markdown
 from reports.vtu import vtu_files
 from reports.xlsx import xlsx
@@ -77,7 +78,7 @@ def _files(report: Report, drawn: Mapping[str, Sequence[Frame]]) -> tuple[dict[s
     with ThreadPoolExecutor(1) as beside:
         paper: Future[bytes] = Future()
         try:
-            paper = beside.submit(typeset, content(report, drawn), made(report))
+            paper = beside.submit(printed, content(report, drawn), made(report))
         except NotSet as error:
             paper.set_exception(error)
         files = dict(_tables(report))

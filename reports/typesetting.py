@@ -1,0 +1,25 @@
+"""Templates set by typst, whose faults are one line."""
+
+from typing import Any
+
+from reports.standalone import HERE
+
+
+class NotSet(Exception):  # noqa: N818 - says what did not happen
+    """typst could not set a template; the message says why in one line."""
+
+
+def typeset(template: str, inputs: dict[str, str], **options: Any) -> Any:
+    """What typst makes of a template with `inputs`, by its own `options`; raises NotSet."""
+    try:
+        import typst  # its absence is no reason to write no report
+    except ImportError as error:
+        raise NotSet(f"typst cannot be imported: {error}") from error
+    try:
+        return typst.compile(HERE / template, root=HERE, sys_inputs=inputs, **options)
+    except RuntimeError as error:
+        raise NotSet(" ".join(str(error).split())) from error
+    except BaseException as error:
+        if type(error).__name__ != "PanicException":  # how a fault inside typst arrives
+            raise
+        raise NotSet(f"typst broke off: {' '.join(str(error).split())}") from error
