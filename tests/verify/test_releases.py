@@ -43,13 +43,13 @@ PARTNER = replace(ROW, fem=None, partner=Partner(by="strips", value=2.0))
 COMPUTED = replace(APPROXIMATE, interval=(-0.00827639401, 0.0249590585))  # a tenth: 0.00166
 # its tenth is 1e-4, the numerical error of both runs √2 · 0.001
 NARROW = replace(COMPUTED, interval=(-0.00100123456, 0.00100234567))
-RESIDUAL = replace(ROW, u_num=1e-9, u_ref=1.2587554e-4)
+SHARP = replace(ROW, detects=1e-4)
 
 
-def result(*rows, case="c", **more):
+def result(*rows, case="c"):
     return CaseResult(
         id=case, title="", paper="", place="", lead="", inputs=(), equations=(), assumptions=(),
-        readings=(), rows=rows, **more,
+        readings=(), rows=rows,
     )  # fmt: skip
 
 
@@ -60,24 +60,19 @@ def release(*rows):
     )  # fmt: skip
 
 
-def found(before, after, why=()):
+def found(before, change, why=()):
     """What is reported of one row's change."""
-    return drift(release(before), [result(after)], why)
+    return drift(release(before), [result(replace(before, **change))], why)
 
 
 def aspects(changed):
     return [(c.aspect, c.loosened) for c in changed.changes]
 
 
-@pytest.mark.parametrize("row", [ROW, APPROXIMATE, BALANCE, FACT, DEVIATION])
-def test_nothing_moved_is_one_line(row):
-    same = found(row, row)
-    assert (same.compared, same.changes, same.tightened) == (1, (), 0)
-    assert since.lines(same) == ["since 0.1.0: 1 rows compared, nothing moved"]
-
-
 FORMULA, FE, MARGIN = ("formula", False), ("finite elements", False), ("margin", False)
 MOVED = [
+    (BALANCE, {}, []),
+    (FACT, {}, []),
     # beyond twice the root of both squares: 2 √2 · 0.001 = 0.00283
     (ROW, {"fem": 2.001 + 0.0028}, []),
     (ROW, {"fem": 2.001 + 0.0029}, [FE]),
@@ -85,13 +80,10 @@ MOVED = [
     (BARE, {"analytic": 2 + 1.8e-10}, []),
     (BARE, {"analytic": 2 + 2.2e-10}, [FORMULA]),
     # near zero: beyond what the balance allows
-    (BALANCE, {"fem": -1e-13}, []),
     (BALANCE, {"fem": 4e-9}, [FE]),
     # beyond a tenth of half of the interval, 0.004, and the numerical error, 0.00283
     (APPROXIMATE, {"analytic": 2.0039}, []),
     (APPROXIMATE, {"analytic": 2.0041}, [FORMULA]),
-    (replace(APPROXIMATE, interval=(-0.01, 0.01)), {"fem": 2.001 + 0.0027}, []),
-    (replace(APPROXIMATE, interval=(-0.01, 0.01)), {"fem": 2.001 + 0.0029}, [FE]),
     # a fact: beyond a tenth of the margin, 0.04
     (FACT, {"difference": 0.439}, []),
     (FACT, {"difference": 0.441}, [MARGIN]),
@@ -108,14 +100,13 @@ MOVED = [
     # what a row no longer detects
     (ROW, {"detects": 0.0029}, []),
     (ROW, {"detects": 0.0031, "u_num": 0.0021}, [("detects", False)]),
+    (SHARP, {"detects": 1.09e-3}, []),  # a tenth of the demand is 1e-3
+    (SHARP, {"detects": 1.11e-3}, [("detects", False)]),
     (ROW, {"u_num": 0.0021}, [("uncertainty", False)]),
-    (replace(FACT, tolerance=1e-4), {"tolerance": 9e-4}, [("uncertainty", False)]),
-    (replace(ROW, detects=1e-4), {"detects": 1.09e-3}, []),  # a tenth of the demand is 1e-3
-    (replace(ROW, detects=1e-4), {"detects": 1.11e-3}, [("detects", False)]),
     # computed bands may move within their error and a tenth
     (COMPUTED, {"interval": (-0.00827639401, 0.0265590585)}, []),
     (NARROW, {"interval": (-0.00240123456, -0.00039765433)}, []),
-    (RESIDUAL, {"u_ref": 1.09 * 1.2587554e-4}, []),
+    (replace(ROW, u_num=1e-9, u_ref=1.2587554e-4), {"u_ref": 1.09 * 1.2587554e-4}, []),
     # an accepted figure is the same whatever the uncertainty leaves of it
     (DEVIATION, {"u_num": 5e-5, "tolerance": 9e-4, "detects": 1e-3}, []),
     (FACT, {"reason": "held: off by +0.07%, 0.2% accepted, 1% asked"}, [("acceptance", False)]),
@@ -124,9 +115,11 @@ MOVED = [
 
 @pytest.mark.parametrize(("row", "change", "reported"), MOVED)
 def test_a_change_is_reported_beyond_its_error_or_a_tenth_of_its_band(row, change, reported):
-    changed = found(row, replace(row, **change))
+    changed = found(row, change)
     assert aspects(changed) == reported
     assert not changed.unexplained
+    if not reported:
+        assert since.lines(changed) == ["since 0.1.0: 1 rows compared, nothing moved"]
 
 
 LOOSENED = [
@@ -139,7 +132,6 @@ LOOSENED = [
      "-0.827639 to +2.49591 % -> -0.828 to +2.49591 %"),  # a literal instead
     (COMPUTED, {"interval": (-0.00827639401, 0.0266590585)}, "interval",
      "-0.827639 to +2.49591 % -> -0.827639 to +2.66591 %"),
-    (APPROXIMATE, {"interval": (-0.01, 0.0304)}, "interval", "-1 to +3 % -> -1 to +3.04 %"),
     # wider on one side, although narrower on the other
     (APPROXIMATE, {"interval": (-0.011, 0.0)}, "interval", "-1 to +3 % -> -1.1 to +0 %"),
     (APPROXIMATE, {"interval": None}, "interval", "-1 to +3 % -> none"),
@@ -156,14 +148,17 @@ LOOSENED = [
 ]  # fmt: skip
 
 
+def reason(**more):
+    return Reason(**{"rows": "c/*", "aspect": "demand", "what": "w", "since": "0.1.0",
+                     "why": "a reason of some length"} | more)  # fmt: skip
+
+
 @pytest.mark.parametrize(("row", "change", "aspect", "words"), LOOSENED)
 def test_what_lets_more_pass_is_red_without_a_reason(row, change, aspect, words):
-    changed = found(row, replace(row, **change))
+    changed = found(row, change)
     assert [c.aspect for c in changed.unexplained] == [aspect]
     assert f"{since.WITHOUT}: {row.id}: {aspect} {words}" in since.lines(changed)
-    why = Reason(rows="c/*", aspect=aspect, what="wider", why="a reason of some length",
-                 since="0.1.0")  # fmt: skip
-    explained = found(row, replace(row, **change), [why])
+    explained = found(row, change, [reason(aspect=aspect)])
     assert not explained.unexplained
     assert not explained.unused
     assert f"  {row.id}: {aspect} {words}; a reason of some length" in since.lines(explained)
@@ -171,14 +166,10 @@ def test_what_lets_more_pass_is_red_without_a_reason(row, change, aspect, words)
 
 @pytest.mark.parametrize("change", [{"rows": "d/*"}, {"aspect": "interval"}, {"since": "0.0.9"}])
 def test_a_reason_for_something_else_explains_nothing_and_is_named(change):
-    why = Reason(
-        **{"rows": "c/q", "aspect": "demand", "what": "w", "why": "a reason of some length",
-           "since": "0.1.0"} | change
-    )  # fmt: skip
-    changed = found(ROW, replace(ROW, demand=0.02), [why])
+    changed = found(ROW, {"demand": 0.02}, [reason(**change)])
     assert changed.unexplained
     # of rows that were compared, since the release
-    assert changed.unused == (("c/q: interval: w",) if "aspect" in change else ())
+    assert changed.unused == (("c/*: interval: w",) if "aspect" in change else ())
 
 
 @pytest.mark.parametrize(
@@ -190,7 +181,7 @@ def test_a_reason_for_something_else_explains_nothing_and_is_named(change):
     ],
 )
 def test_what_lets_less_pass_is_counted(row, change):
-    changed = found(row, replace(row, **change))
+    changed = found(row, change)
     assert (changed.tightened, changed.changes) == (1, ())
     assert since.summary(changed) == "1 rows compared, 1 tightened"
     assert [one.row for one in changed.tighter] == [row.id]
@@ -198,20 +189,11 @@ def test_what_lets_less_pass_is_counted(row, change):
 
 @pytest.mark.parametrize(("key", "aspect"), [("analytic", "formula"), ("fem", "finite elements")])
 def test_a_row_that_turned_red_says_which_side_moved_and_by_how_much(key, aspect):
-    moved = replace(ROW, status=Status.FAIL, **{key: 1.1 * getattr(ROW, key)})
-    status, value = found(ROW, moved).changes
+    change = {"status": Status.FAIL, key: 1.1 * getattr(ROW, key)}
+    status, value = found(ROW, change).changes
     assert (status.aspect, status.now) == ("status", "FAIL")
     assert value.aspect == aspect
     assert value.size.startswith("+0.1 of the scale")
-
-
-@pytest.mark.parametrize(
-    ("row", "change", "aspect"),
-    [(ROW, {"demand": 0.5}, "demand"), (APPROXIMATE, {"interval": None}, "interval")],
-)
-def test_a_row_that_holds_again_by_a_looser_band_is_red(row, change, aspect):
-    failed = replace(row, status=Status.FAIL)
-    assert [c.aspect for c in found(failed, replace(row, **change)).unexplained] == [aspect]
 
 
 # Names
@@ -227,8 +209,7 @@ def test_a_row_that_holds_again_by_a_looser_band_is_red(row, change, aspect):
     ],
 )
 def test_a_row_with_a_new_name_and_the_old_numbers_is_the_same_row(change, reported):
-    changed = found(ROW, replace(ROW, **{"quantity": "p"} | change))
-    assert aspects(changed) == reported
+    assert aspects(found(ROW, {"quantity": "p"} | change)) == reported
 
 
 def test_a_row_that_is_gone_needs_a_reason_and_new_ones_are_counted():
@@ -239,12 +220,9 @@ def test_a_row_that_is_gone_needs_a_reason_and_new_ones_are_counted():
     ]  # fmt: skip
     shown = replace(ROW, status=Status.SHOWN)
     assert not drift(release(shown), [result(FACT)], ()).unexplained  # it judged nothing
-
-
-def test_cases_not_run_and_rows_skipped_are_not_compared():
-    other = replace(ROW, case="d")
+    # cases that were not run and rows that were skipped are not compared
     skipped = replace(ROW, status=Status.SKIP, analytic=None, fem=None, demand=None)
-    changed = drift(release(ROW, FACT, other), [result(skipped)], ())
+    changed = drift(release(ROW, FACT, replace(ROW, case="d")), [result(skipped)], ())
     assert (changed.compared, changed.changes) == (0, ())
 
 
@@ -310,13 +288,13 @@ def test_a_run_with_a_loosened_demand_ends_with_one(loosened, tmp_path, capsys):
 
 def test_a_release_refuses_red_rows_and_what_is_not_committed(loosened, tmp_path, of_paper):
     report = commands.make_report([of_paper(LAME)], [LAME], 1.0)
-    with pytest.raises(InputError, match=since.WITHOUT):
-        making.refuse_red(report)
     failed = replace(report, cases=(result(replace(ROW, status=Status.FAIL)),))
-    with pytest.raises(InputError, match="c/q: FAIL"):
-        making.refuse_red(failed)
     making.refuse_red(replace(report, drift=None))
-    with pytest.raises(InputError, match="needs git"):
-        making.refuse_uncommitted(tmp_path)  # no repository
-    with pytest.raises(InputError, match="is there already"):
-        making.release(kept.ROOT, tmp_path)
+    for refuse, words in (
+        (lambda: making.refuse_red(report), since.WITHOUT),
+        (lambda: making.refuse_red(failed), "c/q: FAIL"),
+        (lambda: making.refuse_uncommitted(tmp_path), "needs git"),  # no repository
+        (lambda: making.release(kept.ROOT, tmp_path), "is there already"),
+    ):
+        with pytest.raises(InputError, match=words):
+            refuse()

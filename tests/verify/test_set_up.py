@@ -1,7 +1,4 @@
-"""The set-up: system libraries where that is allowed, packages in groups, continued where it was.
-
-Else the one line to run is printed.
-"""
+"""The set-up: system libraries where that is allowed, packages in groups, continued as it was."""
 
 import fcntl
 import hashlib
@@ -17,7 +14,6 @@ from types import SimpleNamespace
 import pytest
 
 from verify.core import environment, system_packages, virtual_environment
-from verify.core.environment import LIBRARIES
 from verify.core.system_packages import Machine, check, line_to_run
 from verify.core.virtual_environment import (
     DOWNLOADS,
@@ -34,17 +30,6 @@ from verify.core.virtual_environment import (
 )
 
 ROOT = Path(__file__).parents[2]
-
-
-def wait_until(condition):
-    end = time.monotonic() + 60
-    while not condition():
-        assert time.monotonic() < end
-        time.sleep(0.02)
-
-
-# System libraries
-
 GLU, EGL = "libGLU.so.1", "libEGL.so.1"
 DEBIAN_ROOT = Machine(root=True, apt=True)
 UPDATE = "apt-get update"
@@ -54,17 +39,17 @@ UPDATE = "apt-get update"
 def machine(monkeypatch):
     """A machine without `lost` libraries; apt-get is recorded, with these statuses and texts."""
 
-    def make(*lost, outputs=(), ensurepip=True):
+    def make(*lost, outputs=()):
         commands, answers = [], list(outputs)
-        monkeypatch.setattr(sys, "platform", "linux")
-        monkeypatch.setattr(environment, "loads", lambda name: name not in lost)
-        monkeypatch.setattr(system_packages, "_without_venv", lambda: not ensurepip)
-        monkeypatch.setattr(system_packages.time, "sleep", lambda seconds: None)
 
         def run(words):
             commands.append(" ".join(words))
             return answers.pop(0) if answers else (0, "")
 
+        monkeypatch.setattr(sys, "platform", "linux")
+        monkeypatch.setattr(environment, "loads", lambda name: name not in lost)
+        monkeypatch.setattr(system_packages, "_without_venv", lambda: False)
+        monkeypatch.setattr(system_packages.time, "sleep", lambda seconds: None)
         monkeypatch.setattr(system_packages, "_run", run)
         return commands
 
@@ -76,10 +61,19 @@ def test_root_on_debian_names_and_installs_what_is_missing(machine, capsys):
     assert check(DEBIAN_ROOT) == ""
     update, install = commands
     assert update.endswith(" update")
-    assert "DPkg::Lock::Timeout=120" in install
     assert install.endswith(" install -y --no-install-recommends libglu1-mesa libegl1")
     (line,) = capsys.readouterr().err.splitlines()
     assert line.endswith("apt-get (FREEWHEEL_NO_APT=1 forbids it): libglu1-mesa libegl1")
+    # package lists in use are waited for
+    locked = (100, "E: Could not get lock /var/lib/apt/lists/lock. It is held by process 1\n")
+    commands = machine(GLU, outputs=[locked, locked])
+    assert check(DEBIAN_ROOT) == ""
+    assert [words.split()[-1] for words in commands] == ["update"] * 3 + ["libglu1-mesa"]
+    # an interrupted dpkg is repaired
+    asked = f"E: dpkg was interrupted, you must manually run '{system_packages.REPAIR}'\n"
+    commands = machine(GLU, outputs=[(0, ""), (100, asked)])
+    assert check(DEBIAN_ROOT) == ""
+    assert commands[2:] == [system_packages.REPAIR, commands[1]]
 
 
 @pytest.mark.parametrize(
@@ -110,56 +104,56 @@ def test_a_failed_installation_gives_the_reason_of_the_first_step_and_the_line(m
         assert check(DEBIAN_ROOT) == f"apt-get failed ({why}); run: {line}"
 
 
-def test_package_lists_in_use_are_waited_for_and_an_interrupted_dpkg_is_repaired(machine):
-    locked = (100, "E: Could not get lock /var/lib/apt/lists/lock. It is held by process 1\n")
-    commands = machine(GLU, outputs=[locked, locked])
-    assert check(DEBIAN_ROOT) == ""
-    assert [words.split()[-1] for words in commands] == ["update"] * 3 + ["libglu1-mesa"]
-    asked = f"E: dpkg was interrupted, you must manually run '{system_packages.REPAIR}'\n"
-    commands = machine(GLU, outputs=[(0, ""), (100, asked)])
-    assert check(DEBIAN_ROOT) == ""
-    assert commands[2] == system_packages.REPAIR
-    assert commands[3] == commands[1]
+# Programs that the set-up starts
 
-
-APT_GET = """
+SLOW = """
     import pathlib, sys, time
     pathlib.Path(sys.argv[1]).touch()
     try:
-        time.sleep(60)
-    except KeyboardInterrupt:  # dpkg is at work
+        time.sleep(3)
+    except KeyboardInterrupt:
         time.sleep(1)
-        pathlib.Path(sys.argv[1]).write_text("ended by itself")
+    pathlib.Path(sys.argv[1]).write_text("ended by itself")
+"""
+APT = "from verify.core.system_packages import _run; _run(words)"
+PIP = f"""
+    import pathlib
+    from verify.core import virtual_environment
+    with virtual_environment.alone():
+        virtual_environment.run(words, pathlib.Path(sys.argv[2]).parent / {LOG!r})
 """
 
 
-def test_ctrl_c_lets_apt_get_end_by_itself(tmp_path):
-    script, mark = tmp_path / "apt-get.py", tmp_path / "mark"
-    script.write_text(textwrap.dedent(APT_GET))
-    code = (
-        "import sys; from verify.core.system_packages import _run; "
-        "_run([sys.executable, *sys.argv[1:]])"
-    )
-    words = [sys.executable, "-c", code, str(script), str(mark)]
+def wait_until(condition):
+    end = time.monotonic() + 60
+    while not condition():
+        assert time.monotonic() < end
+        time.sleep(0.02)
+
+
+@pytest.mark.parametrize("text", [APT, PIP], ids=["ctrl-c of apt-get", "a kill of the set-up"])
+def test_a_program_that_is_installing_ends_by_itself(text, tmp_path):
+    """Dpkg may be at work; and a pip that outlives its set-up makes the next one wait."""
+    script, mark = tmp_path / "slow.py", tmp_path / "mark"
+    script.write_text(textwrap.dedent(SLOW))
+    code = f"import sys; words = [sys.executable, *sys.argv[1:]]\n{textwrap.dedent(text)}"
     with subprocess.Popen(
-        words, cwd=ROOT, start_new_session=True, stderr=subprocess.DEVNULL
-    ) as process:
+        [sys.executable, "-c", code, str(script), str(mark)],
+        cwd=ROOT, start_new_session=True, stderr=subprocess.DEVNULL,
+    ) as process:  # fmt: skip
         wait_until(mark.exists)
-        os.killpg(process.pid, signal.SIGINT)
+        if text == APT:
+            os.killpg(process.pid, signal.SIGINT)
+        else:
+            process.kill()
         process.wait(timeout=60)
+    if text == PIP:
+        handle = os.open(ROOT, os.O_RDONLY)
+        with pytest.raises(BlockingIOError):
+            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        fcntl.flock(handle, fcntl.LOCK_EX)
+        os.close(handle)
     assert mark.read_text() == "ended by itself"
-
-
-def test_a_python_without_packages_runs_the_check():
-    """As before there is a virtual environment."""
-    missing = [name for name, _, _ in LIBRARIES if not environment.loads(name)]
-    done = subprocess.run(
-        [sys.executable, "-S", "-m", "verify.core.system_packages"],
-        capture_output=True, text=True, check=False, timeout=60, cwd=ROOT,
-        env={"PATH": os.environ["PATH"], "FREEWHEEL_NO_APT": "1"},
-    )  # fmt: skip
-    assert done.stdout == ""
-    assert (done.returncode, done.stderr) == (0, "") or all(name in done.stderr for name in missing)
 
 
 # The virtual environment
@@ -186,27 +180,25 @@ def project(tmp_path, monkeypatch):
         site_packages(folder).mkdir(parents=True)
 
     def pip(folder, *words):
-        group = Path(words[-1])
-        wanted = dict(pin.split("==") for pin in pins(group.read_text("utf-8")))
+        wanted = dict(pin.split("==") for pin in pins(Path(words[-1]).read_text("utf-8")))
         here.asked += wanted
         if here.broken.intersection(wanted):
             raise SetUpError("no connection to the package index")
         for name, version in wanted.items():
             add_package(folder, name, version=version)
 
-    monkeypatch.setattr(virtual_environment, "ROOT", tmp_path)
-    monkeypatch.setattr(virtual_environment, "create", create)
-    monkeypatch.setattr(virtual_environment, "usable", Path.is_dir)
-    monkeypatch.setattr(virtual_environment, "pip", pip)
+    for name, replacement in {"ROOT": tmp_path, "create": create, "usable": Path.is_dir,
+                              "pip": pip}.items():  # fmt: skip
+        monkeypatch.setattr(virtual_environment, name, replacement)
     return here
 
 
-def complete(project, shared=None, lock=LOCK):
+def complete(project, lock=LOCK):
     """The packages that pip is asked for."""
     path = project.folder.parent / "lock.txt"
     path.write_text(lock, "utf-8")
     project.asked = []
-    set_up(project.folder, path, project=False, shared=shared)
+    set_up(project.folder, path, project=False, shared=None)
     return project.asked
 
 
@@ -219,6 +211,9 @@ def test_every_entry_of_the_lock_is_installed_once(project, capsys):
     assert complete(project, lock=LOCK.replace("package-7==1.0", "package-7==2.0")) == ["package-7"]
     (site_packages(project.folder) / "package_3-1.0.dist-info" / "RECORD").unlink()
     assert "package-3" in complete(project)
+    lock = (ROOT / "requirements.txt").read_text("utf-8")
+    assert "".join(pins(lock).values()) == lock
+    assert all("--hash=sha256:" in entry for entry in pins(lock).values())
 
 
 def test_an_interrupted_set_up_is_continued(project, monkeypatch, capsys):
@@ -249,47 +244,6 @@ def test_what_a_killed_pip_had_downloaded_whole_is_installed_from_there(tmp_path
     install_downloaded(tmp_path, lock)
     assert calls == [("--no-index", str(place / "whole-1.0-py3-none-any.whl"))]
     assert not (tmp_path / DOWNLOADS).exists()
-
-
-PIP = """
-    import os, pathlib, sys, time
-    try:
-        pathlib.Path(os.environ["TMPDIR"], "a.whl").touch()
-        time.sleep(3)
-    finally:
-        pathlib.Path(os.environ["TMPDIR"], "a.whl").unlink()
-"""
-SET_UP = """
-    import pathlib, sys
-    from verify.core import virtual_environment
-    with virtual_environment.alone():
-        words = [sys.executable, sys.argv[1]]
-        virtual_environment.run(words, pathlib.Path(sys.argv[2]), TMPDIR=sys.argv[3])
-"""
-
-
-def test_a_pip_that_outlives_its_set_up_keeps_the_next_one_waiting(tmp_path):
-    script, place = tmp_path / "pip.py", tmp_path / DOWNLOADS
-    script.write_text(textwrap.dedent(PIP))
-    place.mkdir()
-    words = [sys.executable, "-c", textwrap.dedent(SET_UP), script, tmp_path / LOG, place]
-    with subprocess.Popen(
-        list(map(str, words)), cwd=ROOT, start_new_session=True, stderr=subprocess.DEVNULL
-    ) as process:
-        wait_until((place / "a.whl").exists)
-        process.kill()
-    handle = os.open(ROOT, os.O_RDONLY)
-    with pytest.raises(BlockingIOError):
-        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    wait_until(lambda: not (place / "a.whl").exists())
-    fcntl.flock(handle, fcntl.LOCK_EX)
-    os.close(handle)
-
-
-def test_the_lock_is_split_without_a_loss():
-    lock = (ROOT / "requirements.txt").read_text("utf-8")
-    assert "".join(pins(lock).values()) == lock
-    assert all("--hash=sha256:" in entry for entry in pins(lock).values())
 
 
 def is_ready(folder, *pythons):
