@@ -8,7 +8,34 @@ from pydantic import model_validator
 
 from verify.answers import parameter_file
 from verify.cases.ring.lame.case import LAME
-from verify.core.inputs import InputError, Inputs, build, count, quantity, read_parameter_file
+from verify.core.inputs import (
+    EntryError,
+    InputError,
+    Inputs,
+    build,
+    count,
+    quantity,
+    read_parameter_file,
+    table,
+    text,
+)
+from verify.jobs import cache
+
+
+class Post(Inputs):
+    """An entry of a table."""
+
+    at: int = count(1, "", "place", ge=1, le=9)
+    k: float = quantity("2 N/mm", "N/mm", "k", "stiffness", gt=0)
+    c: float = quantity("0 N s/m", "N s/m", "c", "damping", omitted=0.0, ge=0)
+    play: float | None = quantity(None, "mm", "s", "play", omitted=None, example="0.1 mm")
+    kind: str = text("wood", "what it is of", omitted="wood")
+
+    @model_validator(mode="after")
+    def _firm(self):
+        if self.play is not None and self.play > 1:
+            raise ValueError(f"play = {self.play * 1e3:g} mm: the post falls out")
+        return self
 
 
 class Beam(Inputs):
@@ -20,27 +47,49 @@ class Beam(Inputs):
     n: int = count(3, "n", "number of supports", ge=2, le=10)
     q: float = quantity("2 N/mm", "N/mm", "q", "load per length", omitted=0.0)
     F: float | None = quantity(None, "N", "", "force", omitted=None, gt=0)
+    posts: tuple[Post, ...] = table((Post(at=1), Post(at=3, k=5e3)), "Posts.", required=True)
+    rails: tuple[Post, ...] = table((), "Rails.")
 
     @model_validator(mode="after")
-    def _loaded(self):
+    def _rules(self):
         if self.q == 0 and self.F is None:
             raise ValueError("q is 0 N/mm and\nF missing: there is no load")
+        places = [post.at for post in self.posts]
+        for k, at in enumerate(places, start=1):
+            if at in places[: k - 1]:
+                raise EntryError("posts", k, f"at = {at}", "a post is there already")
         return self
 
 
-GOOD = {"L": "2 m", "alpha": "45°", "nu": 0.25, "n": 4, "q": "3 N/mm", "F": "5 kN"}
+POST = {"at": 2, "k": "3 kN/m"}
+GOOD = {"L": "2 m", "alpha": "45°", "nu": 0.25, "n": 4, "q": "3 N/mm", "F": "5 kN",
+        "posts": [POST, {"at": 4, "k": "1 N/mm", "c": "5 N s/mm"}]}  # fmt: skip
 
 
-def test_a_file_s_values_are_read_in_si_and_displayed_in_their_own_units():
+def test_values_are_read_in_si_and_displayed_and_recorded_in_their_own_units():
     beam = build(Beam, GOOD, "beam.toml")
     assert (beam.L, beam.nu, beam.n) == (2.0, 0.25, 4)
     assert beam.alpha == pytest.approx(math.pi / 4, rel=1e-15)
     assert (beam.q, beam.F) == (pytest.approx(3000.0), pytest.approx(5000.0))
-    assert {i.name: (i.symbol, i.value, i.unit) for i in beam.display()} == {
+    assert build(Beam, GOOD | {"nu": "25 %"}, "beam.toml") == beam
+    assert [(post.at, post.k, post.c) for post in beam.posts] == [
+        (2, pytest.approx(3e3), 0.0), (4, pytest.approx(1e3), pytest.approx(5e3)),
+    ]  # fmt: skip
+    assert beam.rails == ()
+    assert {i.name: (i.symbol, i.value, i.unit) for i in beam.display()[:6]} == {
         "L": ("L", 2000.0, "mm"), "alpha": ("α", 45.0, "deg"), "nu": ("ν", 0.25, "1"),
         "n": ("n", 4, "1"), "q": ("q", 3.0, "N/mm"), "F": ("F", 5000.0, "N"),
     }  # fmt: skip
-    assert build(Beam, GOOD | {"nu": "25 %"}, "beam.toml") == beam
+    # an entry in a line, without what was left out
+    assert [(i.symbol, i.what) for i in beam.display()[6:]] == [
+        ("posts[1]", "at 2, k 3 N/mm"), ("posts[2]", "at 4, k 1 N/mm, c 5000 N s/m"),
+    ]  # fmt: skip
+    found = beam.record()
+    assert found["L"] == {"value": 2000.0, "unit": "mm"}
+    assert found["posts"][0]["k"] == {"value": 3.0, "unit": "N/mm"}
+    assert found["posts"][1]["kind"] == {"value": "wood", "unit": "1"}
+    assert "play" not in found["posts"][1]
+    assert found["rails"] == []
 
 
 def test_what_may_be_left_out_is_what_the_model_says_and_not_the_paper_s_number():
@@ -48,7 +97,7 @@ def test_what_may_be_left_out_is_what_the_model_says_and_not_the_paper_s_number(
     assert beam.q == 0.0  # not the default of 2 N/mm
     beam = build(Beam, {k: v for k, v in GOOD.items() if k != "F"}, "beam.toml")
     assert beam.F is None
-    assert [i.name for i in beam.display()] == ["L", "alpha", "nu", "n", "q"]
+    assert "F" not in {i.name for i in beam.display()}
 
 
 def test_bounds_are_in_the_unit_of_the_input_and_may_be_met_exactly():
@@ -57,16 +106,14 @@ def test_bounds_are_in_the_unit_of_the_input_and_may_be_met_exactly():
         build(Beam, GOOD | {key: value}, "beam.toml")
 
 
+KNOWN = "unknown key; known are L, alpha, nu, n, q, F, posts, rails"
 WRONG_VALUES = [
     ({"L": "2"}, 'inputs.L: "2" has no unit: needs a length, such as "1.5 mm"'),
     ({"L": 2}, 'inputs.L: 2 has no unit: needs a length, such as "2 mm"'),
     ({"L": "2 N"}, 'inputs.L: "2 N" is not a length, such as "1.5 mm"'),
-    ({"nu": "0.3 mm"}, 'inputs.nu: "0.3 mm" is not a number'),
     ({"nu": math.nan}, "inputs.nu: nan is not finite"),
-    ({"L": "1e999 mm"}, 'inputs.L: "1e999 mm" is not finite'),
     ({"nu": True}, "inputs.nu: needs a number, got True"),
     ({"L": ["2 m"]}, "inputs.L: needs a length, got ['2 m']"),
-    ({"L": {"m": 2}}, "inputs.L: needs a length, got {'m': 2}"),
     ({"n": True}, "inputs.n: needs a whole number, got True"),
     ({"n": 4.0}, "inputs.n: needs a whole number, got 4.0"),
     ({"L": "10.001 m"}, "inputs.L = 10001 mm: must be at most 10000 mm"),
@@ -74,12 +121,19 @@ WRONG_VALUES = [
     ({"alpha": "-91 deg"}, "inputs.alpha = -91 deg: must be at least -90 deg"),
     ({"alpha": "90 deg"}, "inputs.alpha = 90 deg: must be less than 90 deg"),
     ({"n": 11}, "inputs.n = 11: must be at most 10"),
-    ({"n": 1}, "inputs.n = 1: must be at least 2"),
     ({"q": "0 N/m", "F": None}, "inputs: q is 0 N/mm and F missing: there is no load"),
     ({"L": None, "n": None}, "inputs: missing L, n"),
-    ({"l": "2 m"}, "inputs.l: unknown key; known are L, alpha, nu, n, q, F"),
-    ({"a\n\x1b[31m\u2028b": 1}, "inputs.a [31m b: unknown key; known are L, alpha, nu, n, q, F"),
-]
+    ({"a\n\x1b[31m\u2028b": 1}, f"inputs.a [31m b: {KNOWN}"),
+    ({"posts": [POST, {"at": 31, "k": "1 N/mm"}]}, "inputs.posts[2].at = 31: must be at most 9"),
+    ({"posts": [POST, {"at": 3}]}, "inputs.posts[2]: missing k"),
+    ({"posts": [POST | {"high": 3}]},
+     "inputs.posts[1].high: unknown key; known are at, k, c, play, kind"),
+    ({"posts": [POST | {"kind": ""}]}, "inputs.posts[1].kind: needs a printable text, got ''"),
+    ({"posts": [POST | {"play": "2 m"}]}, "inputs.posts[1]: play = 2000 mm: the post falls out"),
+    ({"posts": [POST, POST]}, "inputs.posts[2].at = 2: a post is there already"),
+    ({"posts": 3}, "inputs.posts: needs tables [[inputs.posts]], got 3"),
+    ({"posts": [POST] * 1001}, "inputs.posts: has 1001 entries, at most 1000"),
+]  # fmt: skip
 
 
 @pytest.mark.parametrize(("change", "message"), WRONG_VALUES, ids=[m for _, m in WRONG_VALUES])
@@ -92,8 +146,8 @@ def test_a_wrong_value_is_named_with_its_rule(change, message):
 
 @pytest.mark.parametrize("key", ["L", "n"])
 @pytest.mark.parametrize(
-    "value", [16**5000, -(16**5000), "9" * 5000, "x\ny\u2028z", [[[[[[]]]]]] * 100],
-    ids=["large", "negative", "digits", "lines", "nested"],
+    "value", [16**5000, "9" * 5000, "x\ny\u2028z", [[[[[[]]]]]] * 100],
+    ids=["large", "digits", "lines", "nested"],
 )  # fmt: skip
 def test_any_wrong_value_is_refused_in_one_short_line(key, value):
     with pytest.raises(InputError) as caught:
@@ -102,6 +156,13 @@ def test_any_wrong_value_is_refused_in_one_short_line(key, value):
     assert said.startswith(f"my.toml: inputs.{key}")
     assert said.isprintable()
     assert len(said) < 250
+
+
+def test_other_entries_have_another_key_of_the_cache():
+    one, same, other = (Beam(posts=(Post(at=2, k=k),)) for k in (1e3, 1e3, 1e3 + 1e-6))
+    case = replace(LAME, inputs=Beam)
+    assert cache.key(case, one, 1) == cache.key(case, same, 1)
+    assert len({cache.key(case, q, 1) for q in (one, other, Beam())}) == 3
 
 
 # Files
@@ -143,15 +204,11 @@ NAME = "name: needs 1 to 120 printable characters"
 OUTSIDE = "unknown key; known are case, name, inputs (inputs belong under [inputs])"
 WRONG_FILES = {
     "empty": ("", CASE + "it is missing"),
-    "case: 3": ("case = 3", CASE + "got 3"),
     "an integer too large to print": ("case = 0x1" + "0" * 5000, CASE),
     "name: 3": ('case = "a"\nname = 3\n[inputs]', "name: needs a text, got 3"),
-    "name: empty": ('case = "a"\nname = ""\n[inputs]', NAME),
     "name: two lines": ('case = "a"\nname = "two\\nlines"\n[inputs]', NAME),
     "no inputs": ('case = "a"', "inputs: needs a table [inputs], it is missing"),
-    "inputs: 3": ('case = "a"\ninputs = 3', "inputs: needs a table [inputs], got 3"),
     "an input outside the table": ('case = "a"\nr_i = "60 mm"', "r_i: " + OUTSIDE),
-    "a table misspelt": ('case = "a"\n[input]', "input: " + OUTSIDE),
     "not UTF-8": (b"\xff\xfe", CANNOT + "not UTF-8 text (byte 0)"),
     "a key twice": (RING + "nu = 0.3\n",
                     CANNOT + "Cannot overwrite a value (at line 10, column 9)"),
@@ -166,8 +223,11 @@ def test_a_wrong_file_is_named_with_its_fault(content, message, written):
     path = written(content)
     with pytest.raises(InputError) as caught:
         read_parameter_file(path)
-    assert str(caught.value).startswith(f"{path}: {message}")
-    assert str(caught.value).isprintable()
+    said = str(caught.value)
+    assert said.startswith(f"{path}: {message}")
+    assert said.isprintable()
+    if b"60 mm\n" in path.read_bytes():  # a value without quotes is repeated with them
+        assert said.endswith('quotes are missing, r_i = "60 mm"')
 
 
 def test_what_is_no_file_is_refused(tmp_path):
@@ -180,11 +240,6 @@ def test_what_is_no_file_is_refused(tmp_path):
     ):
         with pytest.raises(InputError, match=said):
             read_parameter_file(path)
-
-
-def test_a_value_without_quotes_is_repeated_with_them(written):
-    with pytest.raises(InputError, match=r'quotes are missing, r_i = "60 mm"$'):
-        read_parameter_file(written(RING.replace('"60 mm"', "60 mm")))
 
 
 def test_a_formula_that_gives_no_number_is_refused(written, monkeypatch):

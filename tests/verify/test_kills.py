@@ -23,19 +23,12 @@ from tests.verify.test_design_sprag_command import NARROW, task
 from verify.core.store import FILE
 from verify.jobs.cache import default_folder
 
-pytestmark = pytest.mark.soak
 KILLS = int(os.environ.get("FREEWHEEL_KILLS", "6"))  # of each study
 ROOT = Path(__file__).parents[2]
 PARTS = ("analytic", "fem", "meshes", "verify", "reports", "tests", "pyproject.toml")
-SWEEP = (
-    "--vary",
-    "z=3:8:6",
-    "--vary",
-    "delta_1=3mm:5mm:2",
-    "--only",
-    "K in the middle of the flats",
-)
+SWEEP = ("--vary", "z=3:8:6", "--vary", "delta_1=3mm:5mm:2", "--only", "K in the middle of the fl")
 MEASURED = "verify/measured"
+GROWING = ("duration", "sources")  # kinds of entries that each run may write again
 # differ between any two runs
 UNLIKE = {"date", "seconds", "made", "commit", "cached", "spent", "checksum"}
 
@@ -46,11 +39,14 @@ class Study:
 
     arguments: tuple[str, ...]
     result: str
+    kills: int = KILLS
     starts_full: bool = False  # it takes the levels that the usual store has
 
 
+LEVELS = ("verify", "ring-lame", "--jobs", "2", "--out", "out")
 STUDIES = {
-    "levels": Study(("verify", "ring-lame", "--jobs", "2", "--out", "out"), "out/results.json"),
+    "levels, twice": Study(LEVELS, "out/results.json", kills=2),
+    "levels": Study(LEVELS, "out/results.json"),
     "sweep": Study(("sweep", "ring.toml", *SWEEP, "--jobs", "2", "--out", "out"), "out/points.csv"),
     "region": Study(("deep", "validity:ring-lame"), f"{MEASURED}/validity/ring-lame.json"),
     "budget": Study(("deep", "budget:ring-lame"), f"{MEASURED}/budget/ring-lame.json"),
@@ -59,6 +55,7 @@ STUDIES = {
         ("mutants", "--only", "judging", "--seed", "7"), "stdout", starts_full=True
     ),
 }  # fmt: skip
+IN_EVERY_RUN = {"levels, twice": pytest.mark.slow("runs are killed and continue")}
 
 
 class Copy:
@@ -101,6 +98,7 @@ class Copy:
         _, err = process.communicate(timeout=1800)
         assert process.returncode in (0, 1), err
         assert "Traceback" not in err
+        assert not list(self.folder.glob("out/**/.part-*"))
         return time.monotonic() - start
 
     def entries(self) -> dict[tuple[str, str], float]:
@@ -112,7 +110,7 @@ class Copy:
             if not database.execute("SELECT 1 FROM sqlite_master").fetchone():
                 return {}
             lines = database.execute("SELECT kind, key, made FROM entries").fetchall()
-        return {(kind, key): made for kind, key, made in lines if kind != "duration"}
+        return {(kind, key): made for kind, key, made in lines if kind not in GROWING}
 
     def result(self) -> object:
         text = (self.folder / self.study.result).read_text("utf-8")
@@ -136,14 +134,17 @@ def killed(copy: Copy, moment: float) -> None:
     process.communicate()
 
 
-@pytest.mark.parametrize("name", STUDIES)
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(name, marks=IN_EVERY_RUN.get(name, pytest.mark.soak)) for name in STUDIES],
+)
 def test_kills_lose_nothing(name, tmp_path):
     study = STUDIES[name]
     right = Copy(tmp_path / "right", study)
     seconds = right.run()
     copy, moments = Copy(tmp_path / "killed", study), random.Random(20)
     stored = copy.entries()
-    for _ in range(KILLS):
+    for _ in range(study.kills):
         killed(copy, moments.uniform(0.1, 1.05 * seconds))
         now = copy.entries()
         assert stored.items() <= now.items()  # nothing is lost, nothing is made twice

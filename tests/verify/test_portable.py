@@ -1,16 +1,17 @@
-"""Emulated machines and perturbed inputs, and a sample of rows on some of them."""
+"""Emulated machines and perturbed inputs, what differs between them, and a sample of rows there."""
 
 import json
 import math
 import os
+from dataclasses import replace
 
 import pytest
 from pydantic import ValidationError, model_validator
 
 from verify.app.cli import run
 from verify.audit.portable import command, reasons, runner
-from verify.audit.portable.compare import Kind
-from verify.audit.portable.moving import Record
+from verify.audit.portable.compare import Kind, differences
+from verify.audit.portable.moving import Record, move
 from verify.audit.portable.perturbation import SIZE, Outcome, perturb_defaults, perturbed
 from verify.audit.portable.store import CaseRecord, Place
 from verify.audit.portable.variants import (
@@ -22,15 +23,17 @@ from verify.audit.portable.variants import (
     machines,
 )
 from verify.cases.registry import CASES, find
-from verify.core.inputs import EntryError, Inputs, count, quantity, table, word
+from verify.core.inputs import EntryError, InputError, Inputs, count, quantity, table, word
 from verify.core.store import Store
 from verify.jobs.level import Job
 
-FLAGS = frozenset({"pni", "sse4_2", "avx", "avx2"})
 FOUND = ["X86_V3", "X86_V4"]
 # cheap cases with eigenvalues, series, contact and plane elements, of which none moves by chance
 SAMPLE = ("rotor-clutch", "rotor-shaft", "ring-rotation", "polyhedral-pressure", "spring-stages",
           "ring-lame", "contact-pair")  # fmt: skip
+
+
+# Perturbed inputs
 
 
 class Part(Inputs):
@@ -39,11 +42,11 @@ class Part(Inputs):
     node: int = count(3, "", "node")
 
 
-def sample(*, fixed=False, strict=False):
+def sample(*, fixed=False):
     """A new model with a number, a bound that its default meets, words and a table."""
 
     class Sample(Inputs):
-        E: float = quantity("210 GPa", "GPa", "E", "modulus", le=210 if strict else 1e6)
+        E: float = quantity("210 GPa", "GPa", "E", "modulus", le=1e6)
         z: int = count(12, "z", "number")
         R_p: float | None = quantity(None, "MPa", "R_p", "strength", omitted=None, example="1 MPa")
         head: str = word("free", "head")
@@ -74,7 +77,6 @@ def test_each_number_moves_by_some_1e_13_and_nothing_else_does():
     assert all(0 < abs(step) < 5 * SIZE for step in steps)
     assert len({round(step / SIZE, 3) for step in steps}) == len(steps) == 5
     assert (after["z"], after["R_p"], after["head"]) == (12, None, "free")
-    assert [part["node"] for part in after["parts"]] == [3, 3]
     assert perturbed(inputs, seed=1) == after
     assert perturbed(inputs, seed=2) != after
 
@@ -88,56 +90,135 @@ def test_perturbed_defaults_are_the_paper_s_inputs_and_still_obey_their_bounds()
     assert Job(find("ring-lame"), model()).is_paper
     with pytest.raises(ValidationError):
         model(E=1e99)
-
-
-def test_a_number_that_a_rule_fixes_stays_and_is_named():
-    model = sample(fixed=True)
-    assert perturb_defaults([model], seed=1) == {model: Outcome(fixed=("parts[1].ratio",))}
-    assert [part.ratio == 1.0 for part in model().parts] == [True, False]
-
-
-def test_every_case_accepts_perturbed_inputs():
+    fixed = sample(fixed=True)  # a number that a rule fixes stays and is named
+    assert perturb_defaults([fixed], seed=1) == {fixed: Outcome(fixed=("parts[1].ratio",))}
+    assert [part.ratio == 1.0 for part in fixed().parts] == [True, False]
     for case in CASES:
         fixed = ("shafts[1].ratio",) if case.id == "rotor-system" else ()
-        for seed in range(1, 4):
-            found = case.inputs.model_validate(perturbed(case.inputs(), seed, fixed))
-            assert found != case.inputs(), case.id
-
-
-def probe(environment):
-    """A machine whose OpenBLAS has kernels of Haswell for whatever is newer than Nehalem."""
-    core = environment.get(CORE_TYPE, "Haswell")
-    return {
-        "blas": core if core in ("Prescott", "Nehalem") else "Haswell",
-        "threads": environment["OMP_NUM_THREADS"],
-        "numpy": [] if "NPY_DISABLE_CPU_FEATURES" in environment else FOUND,
-        "numba": environment.get("NUMBA_CPU_NAME", "host"),
-    }
+        found = case.inputs.model_validate(perturbed(case.inputs(), 1, fixed))
+        assert found != case.inputs(), case.id
 
 
 def test_machines_that_are_no_others_or_that_the_processor_is_not_are_not_emulated():
-    found = machines(candidates(FOUND, seeds=2), probe, FLAGS, {})
+    def probe(environment):
+        """OpenBLAS has kernels of Haswell for whatever is newer than Nehalem."""
+        core = environment.get(CORE_TYPE, "Haswell")
+        return {
+            "blas": core if core in ("Prescott", "Nehalem") else "Haswell",
+            "threads": environment["OMP_NUM_THREADS"],
+            "numpy": [] if "NPY_DISABLE_CPU_FEATURES" in environment else FOUND,
+            "numba": environment.get("NUMBA_CPU_NAME", "host"),
+        }
+
+    flags = frozenset({"pni", "sse4_2", "avx", "avx2"})
+    found = machines(candidates(FOUND, seeds=2), probe, flags, {})
     assert [one.name for one in found.variants] == [
         "baseline", "threads-2", "core-prescott", "core-nehalem", "numpy-baseline",
         "numba-generic", "perturbed-1", "perturbed-2",
     ]  # fmt: skip
+    same = "the same is in effect as in baseline"
     assert found.not_emulated == {
-        "core-sandybridge": "the same is in effect as in baseline",
-        "core-haswell": "the same is in effect as in baseline",
-        "core-zen": "the same is in effect as in baseline",
+        "core-sandybridge": same, "core-haswell": same, "core-zen": same,
         "core-skylakex": "the processor lacks avx512vl",
-    }
+    }  # fmt: skip
 
 
-ROW = Record(id="ring/bore", kind="exact", status="PASS", difference=0.0, tolerance=1.0, scale=1.0)
+# Differences of a row
+
+VALUES = {"formula": 2.0, "reference": 2.001}
+ROW = Record(
+    id="ring/bore", kind="identity", status="PASS", values=VALUES, difference=-0.001,
+    tolerance=0.01, scale=2.0,
+)  # fmt: skip
+OTHERS = tuple(replace(ROW, id=f"ring/{name}") for name in ("rim", "hoop"))
+ROWS = (ROW, *OTHERS)
+# an order of 2 against 0.5, of which 1e-9 is uncertain: the margin is 1.5
+FACT = replace(ROW, kind="fact", values={"reference": 2.0}, difference=1.5, tolerance=1e-9)
+NAN = math.nan
 
 
-def summary_of(tmp_path, row, stated=()):
-    """The comparison of a baseline with a variant that has this row, both as stored."""
+@pytest.mark.parametrize(
+    ("was", "now", "size"),
+    [
+        # its reference moves by shares of the tolerance
+        (ROW, {"values": {**VALUES, "reference": 2.003}, "difference": -0.003}, 0.2),
+        (ROW, {"values": {**VALUES, "reference": 1.971}, "difference": 0.029}, 3.0),
+        # both sides move alike, on the same inputs
+        (ROW, {"values": {"formula": 2.002, "reference": 2.003}}, 0.2),
+        # without a finite tolerance: shares of 1e-5 of the scale
+        (replace(ROW, tolerance=NAN), {"values": {**VALUES, "reference": 7.0}}, 249950),
+        (replace(ROW, values={}), {"difference": 0.001}, 0.2),
+        (FACT, {"values": {"reference": 1.85}, "difference": 1.35}, 0.1),
+        (FACT, {"values": {"reference": 0.5}, "difference": 0.0}, 1.0),
+        (replace(ROW, values={"formula": NAN}), {"values": {"formula": 2.0}}, math.inf),
+        (replace(ROW, tolerance=None, scale=None, difference=None, values={"formula": 50.0}),
+         {"values": {"formula": 50.0005}}, 1.0),
+    ],
+)  # fmt: skip
+def test_the_size_of_a_move(was, now, size):
+    assert move(was, replace(was, **now), perturbed=False) == pytest.approx(size, rel=1e-4)
+
+
+def compared(before=ROW, *, perturbed=False, **change):
+    now = replace(before, **change)
+    return differences((before, *OTHERS), (now, *OTHERS), "there", perturbed=perturbed)
+
+
+@pytest.mark.parametrize(
+    ("change", "kind", "words"),
+    [
+        ({"status": "FAIL", "reason": "sharp"}, Kind.STATUS, ("PASS", "FAIL (sharp)")),
+        # by more than a tenth of the tolerance
+        ({"difference": -0.0021, "values": {**VALUES, "reference": 2.0021}}, Kind.VALUE, None),
+        ({"difference": -0.0019, "values": {**VALUES, "reference": 2.0019}}, None, None),
+        ({"difference": NAN, "values": {**VALUES, "reference": NAN}}, Kind.VALUE, None),
+        # a tolerance is estimated and may differ by a factor of two
+        ({"tolerance": 0.0199}, None, None),
+        ({"tolerance": 0.0201}, Kind.VALUE, ("tolerance 0.01", "tolerance 0.0201")),
+        ({"tolerance": 0.0051}, None, None),
+        ({"tolerance": None}, Kind.VALUE, ("tolerance 0.01", "tolerance none")),
+    ],
+)
+def test_a_status_a_value_or_a_tolerance_that_differs_is_reported(change, kind, words):
+    found = compared(**change)
+    assert [(one.row, one.kind, one.variant) for one in found] == (
+        [(ROW.id, kind, "there")] if kind else []
+    )
+    if words:
+        assert found[0].was.endswith(words[0])
+        assert found[0].now.endswith(words[1])
+
+
+def test_of_a_fact_a_tenth_of_its_margin_counts_and_perturbed_sides_may_move_alike():
+    assert [compared(FACT, tolerance=U) == [] for U in (0.14, 0.16)] == [True, False]
+    alike = {name: value * (1 + 1e-7) for name, value in VALUES.items()}
+    assert compared(values=alike, perturbed=True) == []
+    apart = {"difference": -0.003, "values": {**VALUES, "reference": 2.003}}
+    assert [one.kind for one in compared(perturbed=True, **apart)] == [Kind.VALUE]
+
+
+@pytest.mark.parametrize(
+    ("here", "there", "kind"),
+    [
+        (ROWS, ROWS[1:], Kind.MISSING),
+        (ROWS[1:], ROWS, Kind.ADDED),
+        (ROWS, (ROWS[1], ROWS[0], *ROWS[2:]), Kind.ORDER),
+        (ROWS, (ROW, *ROWS), Kind.DUPLICATE),
+    ],
+)
+def test_other_rows_are_reported(here, there, kind):
+    assert kind in {one.kind for one in differences(here, there, "x", perturbed=False)}
+
+
+# What is printed and written
+
+
+def summary_of(tmp_path, stated=(), **change):
+    """The comparison of a baseline with a variant that has a changed row, both as stored."""
     variants = (Variant(BASELINE, "here"), Variant("there", "elsewhere"))
     emulated = Machines(variants, {BASELINE: {}, "there": {}}, {})
     work = []
-    for name, one in ((BASELINE, ROW), ("there", row)):
+    for name, one in ((BASELINE, ROW), ("there", replace(ROW, **change))):
         place = Place(Store(tmp_path), name, "key")
         place.keep("ring", CaseRecord(rows=(one,), seconds=1.0))
         work.append(runner.Work(place=place, folder=tmp_path / name, environment={},
@@ -145,17 +226,15 @@ def summary_of(tmp_path, row, stated=()):
     return command.summarized(work, emulated, {}, stated, is_full=True)
 
 
-def with_changes(**changes):
-    return Record(**{**vars(ROW), **changes})
+MOVED = {"difference": -0.003, "values": {**VALUES, "reference": 2.003}}
 
 
-def test_a_planted_flip_or_move_is_printed_and_written_and_decides(tmp_path):
-    assert summary_of(tmp_path, ROW).is_portable
-    flipped = summary_of(tmp_path, with_changes(status="FAIL", reason="not sharp"))
+def test_a_flip_or_move_is_printed_and_written_and_decides(tmp_path):
+    assert summary_of(tmp_path).is_portable
+    flipped = summary_of(tmp_path, status="FAIL", reason="not sharp")
     assert not flipped.is_portable
-    text = "\n".join(command.lines(flipped))
-    assert "status: ring/bore: PASS here, FAIL in there" in text
-    moved = summary_of(tmp_path, with_changes(difference=0.2))
+    assert "status: ring/bore: PASS here, FAIL in there" in "\n".join(command.lines(flipped))
+    moved = summary_of(tmp_path, **MOVED)
     assert not moved.is_portable
     assert "value: ring/bore moves without a reason in there" in "\n".join(command.lines(moved))
     command.write(moved, tmp_path)
@@ -166,14 +245,24 @@ def test_a_planted_flip_or_move_is_printed_and_written_and_decides(tmp_path):
 
 
 def test_a_reason_makes_a_move_portable_and_one_that_explains_nothing_is_named(tmp_path):
-    why = "the residual is round-off, which differs"
-    used, unused = (reasons.Reason(rows=f"{name}/*", why=why) for name in ("ring", "roller"))
-    found = summary_of(tmp_path, with_changes(difference=0.2), (used, unused))
+    path = tmp_path / "reasons.toml"
+    entry = '[[moves]]\nrows = "{}/*"\nwhy = "the residual is round-off, which differs"\n'
+    path.write_text(entry.format("ring") + entry.format("roller"), "utf-8")
+    stated = reasons.read(path)
+    found = summary_of(tmp_path, stated, **MOVED)
     assert found.is_portable
     assert found.unused == ("roller/*",)
-    assert not summary_of(tmp_path, with_changes(status="FAIL"), (used,)).is_portable
-    not_a_number = with_changes(difference=math.nan)
-    assert [d.kind for d in summary_of(tmp_path, not_a_number).differences] == [Kind.VALUE]
+    assert not summary_of(tmp_path, stated, status="FAIL").is_portable
+    path.write_text(entry.format("ring") + 'kind = "exact"\n', "utf-8")  # of other rows
+    assert not summary_of(tmp_path, reasons.read(path), **MOVED).is_portable
+    for text, words in (
+        ("[[moves]]\nrows = 'a'\nwhy = 'short'\n", r"moves\[1\]\.why"),
+        ("moves = 1\n", r"needs tables \[\[moves\]\]"),
+        ("[[moves", "cannot be read"),
+    ):
+        path.write_text(text, "utf-8")
+        with pytest.raises(InputError, match=words):
+            reasons.read(path)
 
 
 def test_a_process_that_ends_badly_is_named_with_its_last_line(tmp_path):

@@ -26,47 +26,47 @@ from verify.papers.entries import Value
 from verify.papers.ledger import Paper, erratum, papers, published
 
 ROOT = Path(verify.__file__).parent.parent
-# How many equations each paper numbers, counted in the papers.
+# How many equations and tables each paper numbers, counted in the papers.
 EQUATIONS = {"huang2018": 22, "huang2022": 11, "nagler2021": 10, "wang2023": 13, "belcin": 21}
+TABLES = {"huang2018": 2, "huang2022": 1, "nagler2021": 2, "wang2023": 1, "belcin": 0}
 RAW = {
     key: tomllib.loads((Path(ledger.__file__).parent / f"{key}.toml").read_text("utf-8"))
     for key in EQUATIONS
 }
-KEYS = pytest.mark.parametrize("key", RAW)
+DECIMALS, INTEGERS = r"\d+\.\d+", r"\b\d{2,}\b"
 
 
-def test_every_numbered_equation_of_every_paper_has_an_entry():
+def test_every_numbered_equation_and_table_of_every_paper_has_an_entry():
     assert {path.stem for path in Path(ledger.__file__).parent.glob("*.toml")} == set(EQUATIONS)
     for paper in papers():
-        numbers = [e.number for e in paper.equations]
-        assert numbers == list(range(1, EQUATIONS[paper.key] + 1)), paper.key
+        assert [e.number for e in paper.equations] == [*range(1, EQUATIONS[paper.key] + 1)]
+        assert [t.name for t in paper.tables] == [
+            f"Table {i + 1}" for i in range(TABLES[paper.key])
+        ]
 
 
-def assert_drawn(tex):
-    set_as = json.dumps(tree(tex), ensure_ascii=False)
-    assert "\\" not in set_as, tex  # a command unknown to the converter stays as text
-
-
-@KEYS
-def test_formulas_are_drawn_and_have_the_numbers_of_their_entries(key):
+def test_formulas_can_be_set_and_have_the_numbers_of_their_entries():
     """Decimals are those of the text; larger integers of an erratum those of its entry."""
-    printed = {value["printed"].lstrip("-") for value in RAW[key]["values"]}
-    for entry in RAW[key]["equations"]:
-        assert_drawn(entry["tex"])
-        assert set(re.findall(r"\d+\.\d+", entry["tex"])) <= printed, entry["number"]
-    for entry in RAW[key]["errata"]:
-        assert entry["printed"] != entry["right"], entry["id"]
-        both = f"{entry['printed']} {entry['right']}"
-        for side in ("printed", "right"):
-            if tex := entry.get(f"{side}_tex"):
-                assert_drawn(tex)
-                assert set(re.findall(r"\d+\.\d+", tex)) <= set(re.findall(r"\d+\.\d+", both))
-                assert set(re.findall(r"\b\d{2,}\b", tex)) <= set(re.findall(r"\d+", both)), tex
+
+    def numbers(pattern, tex):
+        set_as = json.dumps(tree(tex), ensure_ascii=False)
+        assert "\\" not in set_as, tex  # a command unknown to the converter stays as text
+        return set(re.findall(pattern, tex))
+
+    for raw in RAW.values():
+        printed = {value["printed"].lstrip("-") for value in raw["values"]}
+        for entry in raw["equations"]:
+            assert numbers(DECIMALS, entry["tex"]) <= printed, entry["number"]
+        for entry in raw["errata"]:
+            assert entry["printed"] != entry["right"], entry["id"]
+            both = f"{entry['printed']} {entry['right']}"
+            for tex in filter(None, (entry.get("printed_tex"), entry.get("right_tex"))):
+                assert numbers(DECIMALS, tex) <= set(re.findall(DECIMALS, both)), tex
+                assert numbers(INTEGERS, tex) <= set(re.findall(r"\d+", both)), tex
 
 
-@KEYS
-def test_a_printed_value_is_its_number_in_a_known_unit(key):
-    for entry in RAW[key]["values"]:
+def test_a_printed_value_is_its_number_in_a_known_unit():
+    for entry in (value for raw in RAW.values() for value in raw["values"]):
         # the string as it stands, read without the ledger's own parser
         printed = entry["printed"].replace("−", "-").replace("×10^", "e").replace(" ", "")
         assert float(printed) == pytest.approx(entry["value"], rel=1e-12), entry["id"]
@@ -77,10 +77,9 @@ def test_a_printed_value_is_its_number_in_a_known_unit(key):
 
 @pytest.mark.parametrize("reference", ["wang2023:nothing", "nobody:b", "b"])
 def test_a_value_or_erratum_that_is_not_there_is_refused(reference):
-    with pytest.raises(KeyError):
-        published(reference)
-    with pytest.raises(KeyError):
-        erratum(reference)
+    for lookup in (published, erratum):
+        with pytest.raises(KeyError):
+            lookup(reference)
 
 
 def test_a_default_that_claims_a_printed_value_is_that_value():
@@ -119,9 +118,8 @@ def rows(case_id):
     return {row.id for every in found for row in every}
 
 
-@KEYS
-def test_tests_rows_and_code_that_a_ledger_names_exist(key):
-    for entry in [*RAW[key]["equations"], *RAW[key]["errata"]]:
+def test_tests_rows_and_code_that_a_ledger_names_exist():
+    for entry in (e for raw in RAW.values() for e in [*raw["equations"], *raw["errata"]]):
         if test := entry.get("test"):
             path, _, name = test.partition("::")
             if name:
@@ -172,11 +170,6 @@ VALUE = {
 }  # fmt: skip
 
 
-def test_uncertainty_of_a_printed_value_is_half_its_last_digit_over_root_three():
-    assert Value(**VALUE).standard_uncertainty == pytest.approx(0.0005 / math.sqrt(3), rel=1e-15)
-    assert Value(**VALUE, approximate=True).standard_uncertainty is None
-
-
 @pytest.mark.parametrize(
     ("change", "message"),
     [
@@ -189,12 +182,15 @@ def test_uncertainty_of_a_printed_value_is_half_its_last_digit_over_root_three()
     ],
 )
 def test_a_value_that_is_not_what_it_says_is_refused(change, message):
+    # its uncertainty is half its last digit over the root of three
+    assert Value(**VALUE).standard_uncertainty == pytest.approx(0.0005 / math.sqrt(3), rel=1e-15)
+    assert Value(**VALUE, approximate=True).standard_uncertainty is None
     with pytest.raises(ValidationError, match=message):
         Value(**VALUE | change)
 
 
 def changed(kind, index, **change):
-    """Belcin's file with one entry changed; None removes it."""
+    """Belcin's file with one entry changed; without a change the entry is removed."""
     raw = RAW["belcin"] | {kind: list(RAW["belcin"][kind])}
     if change:
         raw[kind][index] = raw[kind][index] | change
@@ -203,7 +199,7 @@ def changed(kind, index, **change):
     return raw
 
 
-FIRST = RAW["belcin"]["errata"][0]["id"]
+EMPTY = {"code": "", "test": "", "note": ""}
 
 
 @pytest.mark.parametrize(
@@ -211,12 +207,12 @@ FIRST = RAW["belcin"]["errata"][0]["id"]
     [
         (changed("equations", -1), "needs Eqs. 1 to 21"),
         (changed("equations", 1, number=1), "needs Eqs. 1 to 21"),
-        (changed("equations", 0, status="implemented", code="", test=""), "its code and its test"),
-        (changed("equations", 0, status="argued", code="", test="", note=""), "give the argument"),
-        (changed("equations", 0, status="missing", code="analytic", test=""),
+        (changed("equations", 0, **EMPTY | {"status": "implemented"}), "its code and its test"),
+        (changed("equations", 0, **EMPTY | {"status": "argued"}), "give the argument"),
+        (changed("equations", 0, **EMPTY | {"status": "missing", "code": "analytic"}),
          "yet names code or a test"),
         (changed("equations", 0, status="done"), "status"),
-        (changed("errata", 1, id=FIRST), "used twice"),
+        (changed("errata", 1, id=RAW["belcin"]["errata"][0]["id"]), "used twice"),
         (changed("errata", 0, evidence=""), "evidence"),
         (RAW["belcin"] | {"values": RAW["belcin"]["values"] * 2}, "used twice"),
     ],

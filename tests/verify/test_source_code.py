@@ -12,11 +12,13 @@ import pytest
 
 import analytic
 import fem
+import verify.cases
 from verify.cases.registry import CASES
-from verify.core import plain_code, source_code
+from verify.core import plain_code, source_code, source_memory
+from verify.form.adapter import adapted
 
 # What a key is made of: a made-up case module, which reaches fem.made_up, which reaches
-# fem.made_deep. Each variant is written to a folder of its own.
+# fem.made_deep; and a case that is one class, with a reference in another file.
 
 SOURCES = {
     "made_up_case": '''
@@ -55,13 +57,6 @@ def solve(q, level, start=7.0):
 def shape(x):
     """Where it is."""
     return 8.0 * x
-
-
-def unused(x):
-    return 9.0
-''',
-    "made_up_sizes": '''
-SIZE = 14.0
 ''',
     "made_up": '''
 """A solver."""
@@ -115,120 +110,175 @@ def formula(x):
     "made_modulus": '''
 MODULUS = 15.0
 ''',
+    "made_bar": '''
+from verify.case import Case, Quantity, approximation, given
+from verify.case import Expected
+
+EXPECTED = Expected(-0.01, 0.03, "book")
+
+
+class Bar(Case):
+    """A bar in tension."""
+
+    title = "Bar"
+    source = "belcin"
+
+    d: float = given("10 mm", "mm", "d", "diameter", gt=0)
+    F: float = given("1 kN", "kN", "F", "force")
+
+    @Quantity("r", "mm", "radius", role="geometry")
+    def radius(self) -> float:
+        return self.d / 2.0
+
+    @Quantity("A", "mm^2", "area", role="geometry")
+    def area(self) -> float:
+        return 3.14 * self.radius**2
+
+    @Quantity("V", "mm^3", "volume of a cube", role="geometry")
+    def unread(self) -> float:
+        return self.d**3.0
+
+    @Quantity("σ", "MPa", "stress", equation="1", when=lambda q: q.F > 0)
+    def sigma(self) -> float:
+        return self.F / self.area * 1.0
+
+    def reference(self, level):
+        from verify.cases.made_bar_reference import solve
+
+        return solve(self, level)
+
+    def comparisons(self):
+        yield approximation(Bar.sigma, order=2, expected=EXPECTED)
+''',
+    "made_bar_reference": """
+from verify.case import solved
+
+
+def solve(q, level):
+    return solved(1 / level, sigma=q.F / q.area)
+
+
+def error(q, stress):
+    # of the formula; no part of a solution, in which reading it is an error
+    return q.sigma / stress - 1
+""",
 }  # fmt: skip
 
 
 @pytest.fixture
-def source(tmp_path_factory, monkeypatch):
-    """Source hash of the made-up case's fem function, after replacements in its modules."""
-    import verify.cases
-
+def module(tmp_path_factory, monkeypatch):
+    """A module of the made-up cases, after replacements in the sources."""
     packages = [(package, package.__path__) for package in (analytic, fem, verify.cases)]
 
-    def hashed(**changes):
+    def gone():
+        for name in SOURCES:
+            for package, _ in packages:
+                sys.modules.pop(f"{package.__name__}.{name}", None)
+                vars(package).pop(name, None)
+        source_code.forget()
+
+    def written(name, changes):
         folder = tmp_path_factory.mktemp("variant")
-        for name, text in SOURCES.items():
-            for old, new in changes.get(name, ()):
+        for one, text in SOURCES.items():
+            for old, new in changes.get(one, ()):
                 assert old in text
                 text = text.replace(old, new)
-            (folder / f"{name}.py").write_text(text, "utf-8")
+            (folder / f"{one}.py").write_text(text, "utf-8")
         for package, path in packages:
             monkeypatch.setattr(package, "__path__", [*path, str(folder)])
-        for name in SOURCES:
-            for package in ("analytic", "fem", "verify.cases"):
-                monkeypatch.delitem(sys.modules, f"{package}.{name}", raising=False)
+        gone()
         importlib.invalidate_caches()
-        source_code.forget()
-        module = importlib.import_module("verify.cases.made_up_case")
-        return source_code.source_of(module.solve)
+        return importlib.import_module(f"verify.cases.{name}")
 
-    yield hashed
-    for name in SOURCES:
-        for package in ("analytic", "fem", "verify.cases"):
-            sys.modules.pop(f"{package}.{name}", None)
-            vars(sys.modules[package]).pop(name, None)
-    source_code.forget()
+    yield written
+    gone()
+
+
+@pytest.fixture
+def source(module):
+    """Source hash of the made-up case's fem function, after replacements in its modules."""
+    return lambda **changes: source_code.source_of(module("made_up_case", changes).solve)
 
 
 CASE_MODULE, SOLVER = "made_up_case", "made_up"
 
 
 @pytest.mark.parametrize(
-    ("module", "old", "new"),
+    ("module_name", "old", "new"),
     [
-        pytest.param(CASE_MODULE, '"""Solve."""', '"""Solves it."""', id="docstring"),
-        pytest.param(CASE_MODULE, '"""A section."""', "", id="docstring of a class"),
-        pytest.param(CASE_MODULE, "FACTOR * PAIR", "(FACTOR  *  PAIR)", id="layout"),
-        pytest.param(CASE_MODULE, "return 6.0", "return 6.5", id="formula"),
-        pytest.param(CASE_MODULE, "UNUSED = 4.0", "UNUSED = 4.5", id="a name it does not use"),
-        pytest.param("made_apart", "12.0", "12.5", id="a solver that it does not reach"),
-        pytest.param(SOLVER, '"needs x > 0, got"', '"x must be positive, got"', id="a message"),
-        pytest.param(SOLVER, 'f" {x}"', 'f" {x} mm"', id="a formatted message"),
-        pytest.param(SOLVER, "from fem.made_deep import deep", "from fem.made_moved import deep",
-                     id="a module that was moved"),
-        pytest.param(CASE_MODULE, "# and more", "# and less", id="another comment"),
-        pytest.param("made_up_inputs", '"width of the part"', '"breadth"', id="description"),
+        (CASE_MODULE, '"""Solve."""', '"""Solves it."""'),
+        (CASE_MODULE, '"""A section."""', ""),
+        (CASE_MODULE, "FACTOR * PAIR", "(FACTOR  *  PAIR)"),
+        (CASE_MODULE, "return 6.0", "return 6.5"),  # the formula
+        (CASE_MODULE, "UNUSED = 4.0", "UNUSED = 4.5"),
+        ("made_apart", "12.0", "12.5"),  # a solver that it does not reach
+        (SOLVER, '"needs x > 0, got"', '"x must be positive, got"'),
+        (SOLVER, 'f" {x}"', 'f" {x} mm"'),
+        (SOLVER, "from fem.made_deep import deep", "from fem.made_moved import deep"),
+        (CASE_MODULE, "# and more", "# and less"),
+        ("made_up_inputs", '"width of the part"', '"breadth"'),
     ],
-)  # fmt: skip
-def test_what_changes_no_result_changes_no_key(module, old, new, source):
-    assert source() == source(**{module: [(old, new)]})
+)
+def test_what_changes_no_result_changes_no_key(module_name, old, new, source):
+    assert source() == source(**{module_name: [(old, new)]})
 
 
 @pytest.mark.parametrize(
-    ("module", "old", "new"),
+    ("module_name", "old", "new"),
     [
-        pytest.param(CASE_MODULE, "solved(helper(level))", "solved(helper(-level))", id="itself"),
-        pytest.param(CASE_MODULE, "start=7.0", "start=7.5", id="its default"),
-        pytest.param(CASE_MODULE, "def solve(q", "@(lambda f: f)\ndef solve(q", id="its decorator"),
-        pytest.param(CASE_MODULE, "FACTOR = 2.0", "FACTOR = 2.5", id="a helper's constant"),
-        pytest.param(CASE_MODULE, "= 1.0, 3.0", "= 1.0, 3.5", id="a constant of a pair"),
-        pytest.param(CASE_MODULE, "area = 5.0", "area = 5.5", id="a class"),
-        pytest.param("made_up_shapes", "8.0", "8.5", id="a helper of another case module"),
-        pytest.param("made_deep", "11.0", "11.5", id="what its solver reaches"),
-        pytest.param(SOLVER, "made_deep", "made_apart", id="another module with that name"),
-        pytest.param(SOLVER, "raise ValueError", "raise KeyError", id="another exception"),
-        pytest.param("made_up_inputs", '"1 mm"', '"2 mm"', id="default of an input"),
+        (CASE_MODULE, "solved(helper(level))", "solved(helper(-level))"),
+        (CASE_MODULE, "start=7.0", "start=7.5"),
+        (CASE_MODULE, "def solve(q", "@(lambda f: f)\ndef solve(q"),
+        (CASE_MODULE, "FACTOR = 2.0", "FACTOR = 2.5"),
+        (CASE_MODULE, "= 1.0, 3.0", "= 1.0, 3.5"),
+        (CASE_MODULE, "area = 5.0", "area = 5.5"),
+        ("made_up_shapes", "8.0", "8.5"),
+        ("made_deep", "11.0", "11.5"),
+        (SOLVER, "made_deep", "made_apart"),  # another module with that name
+        (SOLVER, "raise ValueError", "raise KeyError"),
+        ("made_up_inputs", '"1 mm"', '"2 mm"'),
     ],
 )
-def test_what_may_change_a_result_changes_the_key(module, old, new, source):
-    assert source() != source(**{module: [(old, new)]})
+def test_what_may_change_a_result_changes_the_key(module_name, old, new, source):
+    assert source() != source(**{module_name: [(old, new)]})
 
 
 IMPORT = "from fem.made_deep import deep"
+TAKE = "from verify.cases.made_up_shapes import shape"
+
+
+DEEP, SHAPE = "made_deep.deep(x)", "made_up_shapes.shape(x)"
 
 
 @pytest.mark.parametrize(
-    "changes",
+    ("name", "changes"),
     [
-        pytest.param([(IMPORT, "from fem import made_deep"), ("deep(x)", "made_deep.deep(x)")],
-                     id="from fem import module"),
-        pytest.param([(IMPORT, "import fem.made_deep"), ("deep(x)", "fem.made_deep.deep(x)")],
-                     id="import fem.module"),
-        pytest.param([(IMPORT, "import fem.made_deep as m"), ("deep(x)", "m.deep(x)")],
-                     id="import as"),
-        pytest.param([(IMPORT, "from . import made_deep"), ("deep(x)", "made_deep.deep(x)")],
-                     id="from . import module"),
-        pytest.param([(IMPORT, ""), ("    return 10", f"    {IMPORT}\n    return 10")],
-                     id="inside a function"),
+        (SOLVER, [(IMPORT, "from fem import made_deep"), ("deep(x)", DEEP)]),
+        (SOLVER, [(IMPORT, "import fem.made_deep"), ("deep(x)", f"fem.{DEEP}")]),
+        (SOLVER, [(IMPORT, "import fem.made_deep as m"), ("deep(x)", "m.deep(x)")]),
+        (SOLVER, [(IMPORT, "from . import made_deep"), ("deep(x)", DEEP)]),
+        (SOLVER, [(IMPORT, ""), ("    return 10", f"    {IMPORT}\n    return 10")]),
+        (CASE_MODULE, [(TAKE, f"{TAKE} as shape_"), ("shape(x)", "shape_(x)")]),
+        (CASE_MODULE, [(TAKE, "from verify.cases import made_up_shapes"), ("shape(x)", SHAPE)]),
+        (CASE_MODULE, [(TAKE, "import verify.cases.made_up_shapes as m"),
+                       ("shape(x)", "m.shape(x)")]),
     ],
 )  # fmt: skip
-def test_a_module_is_reached_by_every_form_of_import(changes, source):
-    deep = [("11.0", "11.5")]
-    assert source(made_up=changes) != source(made_up=changes, made_deep=deep)
+def test_a_module_is_reached_by_every_form_of_import(name, changes, source):
+    other = {"made_deep": [("11.0", "11.5")]}
+    if name == CASE_MODULE:
+        other = {"made_up_shapes": [("8.0", "8.5")]}
+    assert source(**{name: changes}) != source(**{name: changes}, **other)
 
 
 @pytest.mark.parametrize("use", ["from fem.made_up import passed", "from fem import made_up"])
 def test_a_name_that_a_module_only_hands_on_stands_for_its_code(use, source):
     used = [("    from fem.made_up", f"    {use}\n    from fem.made_up")]
-    first, second = (
+    hashes = {
         source(made_up_case=used, made_up=[(IMPORT, f"{IMPORT}\nfrom fem.{name} as passed")])
-        for name in ("made_deep import deep", "made_deep import other")
-    )
-    third = source(
-        made_up_case=used,
-        made_up=[(IMPORT, f"{IMPORT}\nfrom fem.made_apart import deep as passed")],
-    )
-    assert len({first, second, third}) == 3
+        for name in ("made_deep import deep", "made_deep import other", "made_apart import deep")
+    }
+    assert len(hashes) == 3
 
 
 def test_modules_hashed_together_stand_for_their_code_in_each_other(source, monkeypatch):
@@ -260,28 +310,43 @@ def test_a_formula_counts_only_where_the_function_itself_imports_it_as_its_refer
         assert source(**sides) == source(**sides, **new)
 
 
-TAKE = "from verify.cases.made_up_shapes import shape"
+# A case that is one class
+
+BOTH = {"formulas", "reference"}
 
 
 @pytest.mark.parametrize(
-    "changes",
+    ("name", "old", "new", "changed"),
     [
-        pytest.param([], id="from module import name"),
-        pytest.param([(TAKE, f"{TAKE} as shape_"), ("shape(x)", "shape_(x)")], id="import as"),
-        pytest.param([(TAKE, "from verify.cases import made_up_shapes"),
-                      ("shape(x)", "made_up_shapes.shape(x)")], id="from package import module"),
-        pytest.param([(TAKE, "import verify.cases.made_up_shapes as m"),
-                      ("shape(x)", "m.shape(x)")], id="import module as"),
-        pytest.param([(TAKE, ""), ("    return FACTOR", f"    {TAKE}\n\n    return FACTOR")],
-                     id="inside a function"),
+        ("made_bar", "3.14 *", "3.15 *", BOTH),  # geometry that the reference reads
+        ("made_bar", "d / 2.0", "d / 2.5", BOTH),  # geometry under that
+        ("made_bar", "lambda q: q.F", "lambda q: -q.F", {"formulas"}),
+        ("made_bar", "d**3.0", "d**3.5", {"formulas"}),  # geometry that it does not read
+        ("made_bar", "area * 1.0", "area * 1.5", {"formulas"}),
+        ("made_bar", "0.03", "0.04", {"formulas"}),  # bound of a comparison
+        ("made_bar", "order=2", "order=3", {"formulas"}),
+        ("made_bar", '"10 mm"', '"11 mm"', BOTH),
+        ("made_bar", "in tension", "under a pull", set()),
+        ("made_bar_reference", "q.F / q.area", "2 * q.F / q.area", {"reference"}),
     ],
-)  # fmt: skip
-def test_a_helper_of_another_case_module_is_reached(changes, source):
-    other = [("8.0", "8.5")]
-    assert source(made_up_case=changes) != source(made_up_case=changes, made_up_shapes=other)
+)
+def test_a_change_of_a_class_changes_the_keys_of_the_sides_that_read_it(
+    name, old, new, changed, module
+):
+    def keys(**changes):
+        case = adapted(module("made_bar", changes).Bar)
+        return {
+            "formulas": source_code.whole_source_of(case.analytic),
+            "reference": source_code.source_of(case.reference),
+        }
+
+    before, after = keys(), keys(**{name: [(old, new)]})
+    assert {side for side in before if before[side] != after[side]} == changed
 
 
-CLOSURE = {  # what every engagement's table comes from, by way of other modules
+# The cases of the suite
+
+CLOSURE = {  # what every engagement's table comes from, by other modules
     "analytic.contact.crown", "analytic.contact.slices", "analytic.ring.rotating",
     "analytic.ring.smeared", "analytic.sprag.closure", "analytic.sprag.compression",
     "analytic.sprag.laws", "analytic.sprag.parts", "analytic.sprag.table",
@@ -315,29 +380,24 @@ for name in sys.argv[1:]:
 """
 
 
-@pytest.fixture(scope="module")
-def loaded():
+@pytest.mark.soak
+def test_every_module_that_a_case_really_loads_is_in_its_key():
     """What the coarsest level of each case loads of fem and meshes, and calls of analytic."""
     done = subprocess.run(
         [sys.executable, "-c", LOADED, *(case.id for case in CASES)],
         stdout=subprocess.PIPE, text=True, timeout=900, check=True, env=os.environ,
     )  # fmt: skip
-    told = map(json.loads, done.stdout.splitlines())
-    return {name: (set(modules), files) for name, modules, files in told}
-
-
-@pytest.mark.soak
-@pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
-def test_every_module_that_a_case_really_loads_is_in_its_key(case, loaded):
-    loaded, called = loaded[case.id]
-    _, reached = source_code.parts_of(case.reference)
-    packages = {name.rpartition(".")[0] for name in loaded}  # they import nothing
-    assert loaded - packages - {"fem", "meshes"} <= set(reached)
+    found = {name: more for name, *more in map(json.loads, done.stdout.splitlines())}
     root = Path(source_code.__file__).parents[2]
-    formulas = {".".join(Path(f).relative_to(root).with_suffix("").parts) for f in called}
-    assert formulas <= set(reached)
-    if source_code.COMPILED in reached:  # an engagement's steps run over the closure's table
-        assert set(reached) >= CLOSURE
+    for case in CASES:
+        loaded, called = map(set, found[case.id])
+        reached = set(source_code.parts_of(case.reference)[1])
+        packages = {name.rpartition(".")[0] for name in loaded}  # they import nothing
+        assert loaded - packages - {"fem", "meshes"} <= reached, case.id
+        formulas = {".".join(Path(f).relative_to(root).with_suffix("").parts) for f in called}
+        assert formulas <= reached, case.id
+        if source_code.COMPILED in reached:  # an engagement's steps run over the closure's table
+            assert reached >= CLOSURE, case.id
 
 
 def test_a_source_has_the_same_text_in_every_python():
@@ -349,3 +409,47 @@ def test_a_source_has_the_same_text_in_every_python():
         "func=Name(id='g', ctx=Load()), args=[Name(id='x', ctx=Load())], keywords=[]))], "
         "decorator_list=[])], type_ignores=[])"
     )
+
+
+# Hashes are remembered while no file of the project changes
+
+
+def test_what_was_found_is_found_by_the_next_process_until_a_file_changes(tmp_path, monkeypatch):
+    monkeypatch.setattr(source_memory, "_used", [])
+    calls = []
+
+    def begun():
+        source_memory._used[:] = [source_memory.Memory(tmp_path)]
+
+    def remembered(name):
+        return source_memory.remembered(name, adapted, lambda: calls.append(1) or len(calls))
+
+    begun()
+    assert remembered("x") == 1
+    source_memory.share()
+    begun()
+    assert (remembered("x"), remembered("y")) == (1, 2)
+    monkeypatch.setattr(source_memory, "digest", lambda: "of other files")
+    begun()
+    assert remembered("x") == 3
+
+
+def test_the_digest_follows_every_file_but_what_a_run_writes(tmp_path, monkeypatch):
+    monkeypatch.setattr(source_memory, "ROOT", tmp_path)
+    digest = source_memory.digest.__wrapped__
+    folder = tmp_path / "fem" / "plane"
+    for name in ("fem/plane", "reports/out", "fem/__pycache__"):
+        (tmp_path / name).mkdir(parents=True)
+    file = folder / "solve.py"
+    file.write_text("a = 1\n")
+    seen = [digest()]
+    for name in ("reports/out", "fem/__pycache__"):
+        (tmp_path / name / "file").write_text("x")
+    assert digest() == seen[0]
+    file.write_text("a = 2\n")
+    seen.append(digest())
+    file.rename(folder / "solves.py")
+    seen.append(digest())
+    (folder / "data.toml").write_text("")
+    seen.append(digest())
+    assert len(set(seen)) == 4
