@@ -2,8 +2,8 @@
 
 import time
 from collections import Counter, deque
-from collections.abc import Callable, Sequence
-from contextlib import AbstractContextManager, suppress
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
 from dataclasses import replace
 from pathlib import Path
 
@@ -17,7 +17,7 @@ from verify.jobs.dispatch import Dispatch
 from verify.jobs.engine import Engine
 from verify.jobs.executor import Lost, local
 from verify.jobs.level import Job, Solved, judge_case, keep_level
-from verify.jobs.tasks import Judging, Task, do
+from verify.jobs.tasks import Judging, Task, do, load
 
 FEW = 3  # cases without a level to solve that this process judges: others take a second to start
 JUDGED = 0.3  # s that a case takes to be judged
@@ -39,22 +39,35 @@ def run(
     follows the state, `warn` takes what the user should know of at once. With `judged` cases are
     judged on the engine, too, each as soon as its levels are stored, and handed to it.
     """
-    wanted = [
-        (i, level) for i, job in enumerate(jobs) if job.use_fem
-        for level in job.case.levels
-    ]  # fmt: skip
-    solved = {n: found for n in wanted if (found := _stored(jobs[n[0]], n[1], cache_folder))}
-    missing = [n for n in wanted if n not in solved]
-    tasks = [
-        Task(jobs[i].case, jobs[i].inputs, level, cache_folder, i) for i, level in missing
-    ]  # fmt: skip
-    work = _Work(jobs, tasks, solved, cache_folder, judged, show=show, warn=warn)
-    if tasks or (judged and cache_folder and len(jobs) > FEW):
+    many = bool(judged and cache_folder and len(jobs) > FEW)
+    with _begun(engine or local(0), jobs) if many else nullcontext(engine or local(0)) as place:
+        wanted = [
+            (i, level) for i, job in enumerate(jobs) if job.use_fem
+            for level in job.case.levels
+        ]  # fmt: skip
+        solved = {n: found for n in wanted if (found := _stored(jobs[n[0]], n[1], cache_folder))}
+        tasks = [
+            Task(jobs[i].case, jobs[i].inputs, level, cache_folder, i)
+            for i, level in wanted if (i, level) not in solved
+        ]  # fmt: skip
+        work = _Work(jobs, tasks, solved, cache_folder, judged, show=show, warn=warn)
         if tasks:
             require_gmsh()  # a machine without its libraries is no red row
-        source_memory.share()
-        work.do(engine or local(0))
+        if tasks or many:
+            source_memory.share()
+            work.do(place)
     return [work.judged.get(i) or judge_case(job, work.levels(i)) for i, job in enumerate(jobs)]
+
+
+@contextmanager
+def _begun(
+    engine: AbstractContextManager[Engine], jobs: Sequence[Job]
+) -> Iterator[AbstractContextManager[Engine]]:
+    """The engine entered, importing the cases while this process looks for what is stored."""
+    with engine as entered:
+        for _ in range(entered.workers()):
+            entered.executor.submit(load, [job.case.id for job in jobs])
+        yield nullcontext(entered)
 
 
 def _stored(job: Job, level: int, folder: Path | None) -> Solved | None:

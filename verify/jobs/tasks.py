@@ -1,6 +1,6 @@
 """What is done on an engine: levels are solved, and cases judged once their levels are stored."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -52,6 +52,12 @@ class Judging:
 def named(kind: Callable[..., Any], find: Callable[[str], Case], case_id: str, *rest: Any) -> Any:
     """The task of a case that another process finds by its id: its functions do not pickle."""
     return kind(find(case_id), *rest)
+
+
+def load(case_ids: Sequence[str]) -> None:
+    """Import cases, with all that their references need."""
+    for one in case_ids:
+        Case.finder(one)
 
 
 def do(task: Task | Judging) -> Solved | CaseResult | None:
