@@ -28,10 +28,8 @@ WRONG = {
         lambda: frame(sections=Section(EA=1, EI=1)),
     "elements have 2 or 3 nodes each, got an array (1, 4)": lambda: frame(elements=[(0, 1, 2, 3)]),
     "no node 7: the frame has nodes 0 to 2": lambda: path(loads={7: (0, 1, 0)}),
-    "no node -1: the frame has nodes 0 to 2": lambda: path(follower={-1: (0, 1)}),
     "node 2 belongs to no element": lambda: frame(elements=[(0, 1)]),
     "element 1 is folded or has no length": lambda: frame([(0, 0), (1, 0), (1, 0)]),
-    "element 0 is folded": lambda: frame([(0, 0), (1, 0), (2, 0)], [(0, 1, 2)]),
     "no body 'arc'; bodies: none": lambda: frame(sections={"arc": SECTION}),
     "node 0: components are x, y, r, got 'z'": lambda: frame(supports={0: "xyz"}),
     "node 0: supports hold at zero; move it with displaced()":
@@ -41,7 +39,6 @@ WRONG = {
     "prescribed displacements must be finite numbers":
         lambda: frame().displaced({2: {"x": np.nan}}, [1.0]),
     "loads must be finite numbers": lambda: path(loads={2: (np.inf, 0, 0)}),
-    "factors must be finite numbers, got [0.5, nan]": lambda: path(factors=[0.5, np.nan]),
     "no element 5: the frame has 2 elements": lambda: path(distributed={5: (0, 1)}),
     "the frame can move rigidly (":
         lambda: path(supports={0: "xr"}),

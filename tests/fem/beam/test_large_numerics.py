@@ -128,14 +128,6 @@ def test_work_becomes_strain_energy():
     assert arc.work[-1] == pytest.approx(arc.strain_energy[-1], rel=1e-6)
 
 
-def test_the_order_of_loads_and_movement_does_not_matter():
-    frame, load = hook(), {2 * COUNT: (-4.0, 6.0, 0.0)}
-    moved = frame.displaced({TIP: {"x": 0.4}}, [0.5, 1.0], loads=load).last
-    again = frame.displaced({TIP: {"x": 0.4}}, [1.0])
-    again = frame.under_loads(load, [0.2, 1.0], since=again.last).last
-    np.testing.assert_allclose(again.u, moved.u, atol=1e-10)
-
-
 def test_reactions_balance_loads_and_prescribed_movement_returns_them():
     frame = hook()
     loaded = frame.under_loads({TIP: LOAD, 0: (1.0, 2.0, 0.5)}, [1.0]).last
@@ -161,25 +153,6 @@ def test_movement_along_an_arc_passes_the_states_of_given_movement():
     np.testing.assert_allclose(last.reactions, given.reactions, atol=1e-7)
 
 
-def test_units_change_nothing():
-    """Lengths in another unit, forces too: EA, GA times 2, EI times 2 unit^2."""
-    unit = 1e3
-    section = Section(EA=600.0, EI=40.0 * unit**2, GA=200.0)
-    loads = {TIP: (2 * LOAD[0], 2 * LOAD[1], 2 * unit * LOAD[2])}
-    plain, scaled = hook(), hook(section=section, unit=unit)
-    for one, other in (
-        (plain.under_loads({TIP: LOAD}, [0.5, 1.0]), scaled.under_loads(loads, [0.5, 1.0])),
-        (
-            plain.along_arc({TIP: LOAD}, first=0.1, steps=8),
-            scaled.along_arc(loads, first=0.1, steps=8),
-        ),
-    ):
-        scale = np.array([unit, unit, 1.0])
-        np.testing.assert_allclose(other.u, one.u * scale, rtol=1e-9, atol=1e-12 * unit)
-        assert [len(r) for r in other.residuals] == [len(r) for r in one.residuals]
-        np.testing.assert_allclose(other.factors, one.factors, rtol=1e-10)
-
-
 @pytest.mark.parametrize("unit", [1.0, 1e3])
 def test_a_couple_counts_as_the_pair_of_forces_across_the_frame(unit):
     # across 5: a couple of 10 is as large as a force of 2, in any unit of length
@@ -187,3 +160,23 @@ def test_a_couple_counts_as_the_pair_of_forces_across_the_frame(unit):
     balance = Balance(points, None, (), None, None, None)
     f = np.array([[0.0, 0.0, 10.0 * unit], [1.0, -2.0, 0.0]])
     assert balance.measure(f) == pytest.approx(np.sqrt(1 + 4 + 4), rel=1e-14)
+
+
+def test_sections_and_bodies_share_the_load():
+    """Two parallel guided strips of EI and 2 EI: forces 1 : 2 at every deflection."""
+    count = 8
+    x = np.linspace(0, 1, 2 * count + 1)
+    lower, upper = np.column_stack([x, 0 * x]), np.column_stack([x, 0 * x + 1])
+    k = 2 * np.arange(count)
+    one = np.column_stack([k, k + 2, k + 1])
+    two = one + 2 * count + 1
+    frame = LargeFrame(
+        np.vstack([lower, upper]), np.vstack([one, two]),
+        sections={"soft": Section(EA=1e8, EI=1.0, GA=4e7),
+                  "stiff": Section(EA=2e8, EI=2.0, GA=8e7)},
+        bodies={"soft": np.arange(count), "stiff": np.arange(count, 2 * count)},
+        supports={0: "xyr", 2 * count + 1: "xyr", 2 * count: "r", 4 * count + 1: "r"},
+    )  # fmt: skip
+    path = frame.displaced({2 * count: {"y": 0.6}, 4 * count + 1: {"y": 0.6}}, [0.5, 1.0])
+    soft, stiff = path.reactions[:, 2 * count, 1], path.reactions[:, 4 * count + 1, 1]
+    np.testing.assert_allclose(stiff, 2 * soft, rtol=1e-9)

@@ -87,21 +87,6 @@ def test_loads_along_an_element_stay_when_a_link_cuts_it():
     assert middle.link_forces == pytest.approx([17 * L / 32], rel=1e-12)
 
 
-def test_curved_elements_are_linked_as_straight_ones_are():
-    section = Section(EA=1e6, EI=EI, GA=1e5)
-    x = np.linspace(0, L, 9)
-    points = np.concatenate([np.column_stack([x, 0 * x]), np.column_stack([x, 0 * x + 0.1])])
-    thirds = [[i, i + 2, i + 1] for i in (*range(0, 8, 2), *range(9, 17, 2))]
-    pairs = [[i, i + 1] for i in (*range(8), *range(9, 17))]
-    more = {
-        "sections": section, "supports": {0: "xyr", 9: "xyr"}, "loads": {17: (0, -1, 0)},
-        "links": [Link(first=13, second=4, direction=(0.2, -1), value=-0.01)],
-    }  # fmt: skip
-    curved = solve_curved_frame(points, thirds, **more)
-    straight = solve_frame(points, pairs, **more)
-    assert curved.link_forces == pytest.approx(straight.link_forces, rel=2e-3)
-
-
 @pytest.mark.parametrize(
     ("more", "message"),
     [
@@ -118,29 +103,38 @@ def test_impossible_links_are_named_in_one_line(more, message):
         pressed(Link(**({"first": 3, "direction": (0, -1)} | more)))
 
 
-def test_links_that_prescribe_nothing_are_refused():
-    link = Link(first=3, second=1, direction=(0, -1))
-    repeated = "links repeat each other or join points that the supports hold already"
-    more = {"sections": THIN, "supports": CLAMPS, "loads": PUSH}
-    with pytest.raises(ValueError, match=repeated):
-        solve_frame(ABOVE, PAIR, **more, links=[link, link])
-    with pytest.raises(ValueError, match=repeated):
-        solve_frame(ABOVE, PAIR, **more, links=[Link(first=0, second=2, direction=(0, 1))])
+LINK, TWICE = Link(first=3, second=1, direction=(0, -1)), "links repeat each other or join points"
 
 
-def test_a_frame_that_its_links_leave_loose_is_refused():
-    """A hinge and a link through the hinge: the beam turns about it."""
-    points = [[0, 0], [L, 0], [L, 0.0], [L + 1, 0.0]]
-    with pytest.raises(ValueError, match="can move rigidly in spite of its links"):
-        solve_frame(
-            points, [[0, 1], [2, 3]], sections=THIN, supports={0: "xyr", 3: "xy"},
-            loads={2: (0, -1, 0)}, links=[Link(first=2, second=1, direction=(1, 0))],
+@pytest.mark.parametrize(
+    ("points", "elements", "supports", "loads", "links", "message"),
+    [
+        (ABOVE, PAIR, CLAMPS, PUSH, [LINK, LINK], TWICE),
+        (ABOVE, PAIR, CLAMPS, PUSH, [Link(first=0, second=2, direction=(0, 1))], TWICE),
+        # a hinge and a link through the hinge: the beam turns about it
+        ([[0, 0], [L, 0], [L, 0.0], [L + 1, 0.0]], [[0, 1], [2, 3]], {0: "xyr", 3: "xy"},
+         {2: (0, -1, 0)}, [Link(first=2, second=1, direction=(1, 0))],
+         "can move rigidly in spite of its links"),
+    ],
+)  # fmt: skip
+def test_links_that_hold_nothing_are_refused(points, elements, supports, loads, links, message):
+    with pytest.raises(ValueError, match=message):
+        solve_frame(points, elements, sections=THIN, supports=supports, loads=loads, links=links)
+
+
+def test_curved_elements_are_linked_at_nodes():
+    def bent(link):
+        section = Section(EA=1e6, EI=EI, GA=1e5)
+        x = np.linspace(0, L, 9)
+        points = np.concatenate([np.column_stack([x, 0 * x]), np.column_stack([x, 0 * x + 0.1])])
+        thirds = [[i, i + 2, i + 1] for i in (*range(0, 8, 2), *range(9, 17, 2))]
+        return solve_curved_frame(
+            points, thirds, sections=section, supports={0: "xyr", 9: "xyr"},
+            loads={17: (0, -1, 0)}, links=[link],
         )  # fmt: skip
 
-
-def test_curved_elements_say_that_they_are_linked_at_nodes():
+    # tip on tip of two cantilevers alike
+    tips = bent(Link(first=17, second=8, direction=(0, -1)))
+    assert tips.link_forces == pytest.approx([0.5], rel=1e-9)
     with pytest.raises(ValueError, match=r"linked at their nodes, got place \(0, 0.5\)"):
-        solve_curved_frame(
-            [[0, 0], [1, 0], [0.5, 0]], [[0, 1, 2]], sections=Section(EA=1, EI=1, GA=1),
-            supports={0: "xyr"}, loads={}, links=[Link(first=1, second=(0, 0.5), direction=(0, 1))],
-        )  # fmt: skip
+        bent(Link(first=17, second=(0, 0.5), direction=(0, 1)))

@@ -68,76 +68,54 @@ def on_obstacle(shape, friction=0.0, carrier=None):
     return term, x0, y
 
 
-@pytest.mark.parametrize("nodes", [2, 3], ids=["straight", "quadratic"])
-def test_the_force_of_lines_is_the_slope_of_their_energy(nodes):
-    term, _, y = crossing(nodes)
-    _, force, _ = term.evaluate(y)
-    energy, _ = differences(term, y)
-    assert np.abs(force).max() > 0
-    np.testing.assert_allclose(energy, force, atol=1e-7 * np.abs(force).max())
+def check_slopes(term, y, friction):
+    """Force and tangent by differences; friction alone has no energy."""
+    _, force, K = term.evaluate(y)
+    energy, slope = differences(term, y)
+    largest = np.abs(force).max()
+    assert largest > 0
+    if not friction:
+        np.testing.assert_allclose(energy, force, atol=1e-7 * largest)
+    np.testing.assert_allclose(K.toarray(), slope, atol=1e-7 * largest)
+    return force
 
 
 @pytest.mark.parametrize(
-    ("nodes", "friction", "slide"), [(2, 0.0, 0.02), (3, 0.3, 0.0002), (3, 0.3, 0.02)],
-    ids=["smooth", "sticks", "slides"],
-)  # fmt: skip
-def test_the_tangent_of_lines_is_the_slope_of_their_force(nodes, friction, slide):
-    term, _, y = crossing(nodes, friction, slide=slide)
-    _, _, K = term.evaluate(y)
-    _, force = differences(term, y)
-    np.testing.assert_allclose(K.toarray(), force, atol=1e-7 * np.abs(force).max())
-
-
-@pytest.mark.parametrize("shape", SHAPES.values(), ids=SHAPES)
-def test_the_force_of_an_obstacle_is_the_slope_of_its_energy(shape):
-    term, _, y = on_obstacle(shape, carrier=10)
-    _, force, _ = term.evaluate(y)
-    energy, _ = differences(term, y)
-    assert np.abs(force).max() > 0
-    np.testing.assert_allclose(energy, force, atol=1e-7 * np.abs(force).max())
+    ("nodes", "friction", "slide"),
+    [(2, 0.0, 0.02), (3, 0.0, 0.002), (3, 0.3, 0.0002), (3, 0.3, 0.02)],
+    ids=["straight", "quadratic", "sticks", "slides"],
+)
+def test_lines_push_each_other_with_the_slope_of_their_energy(nodes, friction, slide):
+    term, x, y = crossing(nodes, friction, slide=slide)
+    force = check_slopes(term, y, friction)
+    np.testing.assert_allclose(couples(y, force), 0, atol=1e-13 * np.abs(force).max())
+    energy, force, K = term.evaluate(x)  # apart
+    assert energy == 0
+    assert not force.any()
+    assert not K.toarray().any()
 
 
 @pytest.mark.parametrize(
     ("shape", "friction", "carrier"),
-    [("flat", 0.3, 10), ("disc", 0.0, 10), ("disc", 0.3, None), ("bore", 0.3, 10)],
-)
-def test_the_tangent_of_an_obstacle_is_the_slope_of_its_force(shape, carrier, friction):
+    [("flat", 0.0, 10), ("flat", 0.3, 10), ("disc", 0.0, 10), ("disc", 0.3, None),
+     ("bore", 0.0, 10), ("bore", 0.3, 10)],
+)  # fmt: skip
+def test_an_obstacle_pushes_with_the_slope_of_its_energy(shape, friction, carrier):
     term, _, y = on_obstacle(SHAPES[shape], friction, carrier)
-    _, _, K = term.evaluate(y)
-    _, force = differences(term, y)
-    np.testing.assert_allclose(K.toarray(), force, atol=1e-7 * np.abs(force).max())
+    force = check_slopes(term, y, friction)
+    if carrier:  # which takes what the line gives
+        np.testing.assert_allclose(couples(y, force), 0, atol=1e-12 * np.abs(force).max())
 
 
-def test_lines_act_on_each_other_without_resultant():
-    term, _, y = crossing(3, 0.3)
-    _, force, _ = term.evaluate(y)
-    assert np.abs(force).max() > 0
-    np.testing.assert_allclose(couples(y, force), 0, atol=1e-13 * np.abs(force).max())
-
-
-@pytest.mark.parametrize("shape", SHAPES.values(), ids=SHAPES)
-def test_a_carried_obstacle_takes_what_the_line_gives(shape):
-    term, _, y = on_obstacle(shape, 0.3, carrier=10)
-    _, force, _ = term.evaluate(y)
-    assert np.abs(force).max() > 0
-    np.testing.assert_allclose(couples(y, force), 0, atol=1e-12 * np.abs(force).max())
-
-
-def test_contact_is_the_same_after_a_rigid_rotation():
-    angle = -2.5
-    term, _, y = crossing(3, 0.3)
-    energy, force, _ = term.evaluate(y)
-    turned_energy, turned, _ = term.evaluate(rotated(y, angle))
-    there = rotated(force.reshape(-1, 3), angle) - [0, 0, angle]
-    assert turned_energy == pytest.approx(energy, rel=1e-9)
-    np.testing.assert_allclose(turned.reshape(-1, 3), there, atol=1e-9 * np.abs(force).max())
-
-
-def test_turning_together_is_no_slip_and_passing_by_is():
+def test_lines_that_turn_together_push_alike_and_do_not_slip():
     term, _, y = crossing(3, friction=10.0, slide=0.0)
-    term.evaluate(y)
+    energy, force, _ = term.evaluate(y)
     term.accept(y)
     for angle in np.linspace(0, 1, 6)[1:]:
+        turned_energy, turned, _ = term.evaluate(rotated(y, angle))
+        there = rotated(force.reshape(-1, 3), angle) - [0, 0, angle]
+        assert turned_energy == pytest.approx(energy, rel=1e-9)
+        np.testing.assert_allclose(turned.reshape(-1, 3), there, atol=1e-9 * np.abs(force).max())
         term.accept(rotated(y, angle))
     assert np.abs(term._touch(rotated(y, 1.0)).slip).max() < 1e-13
     y[: len(y) // 2, 0] += 1e-3  # the lower line goes to the right, under the upper
@@ -145,56 +123,43 @@ def test_turning_together_is_no_slip_and_passing_by_is():
     assert np.abs(np.abs(slip) - 1e-3).max() < 1e-4  # but for its own slope
 
 
-def test_lines_apart_do_not_act():
-    term, x, _ = crossing(3)
-    energy, force, K = term.evaluate(x)
-    assert energy == 0
-    assert not force.any()
-    assert not K.toarray().any()
-
-
-def test_a_line_does_not_touch_its_own_neighbourhood():
+def test_a_line_does_not_touch_its_own_neighbourhood_and_its_free_end_is_round():
     points, elements = ring((0, 0), 1.0, 48)  # elements of 0.13 for a thickness of 0.3
     term = SelfContact(points, elements, thickness=B, EA=1.0)
     term.start(at_rest(points))
     assert not len(term.record.gap)
-    assert term.pairs.nearest(at_rest(points)).distance.min(initial=9.0) > B
-
-
-def test_the_free_end_is_round():
     # a line that ends at height h above another touches it when h is a thickness
-    base, tip = line((-1, 0), (1, 0), 4), lambda h: line((0.1, h), (0.1, 1.0), 2)
     for h, touching in ((1.001 * B, False), (0.999 * B, True)):
-        points, elements, _ = together(base, tip(h))
+        points, elements, _ = together(line((-1, 0), (1, 0), 4), line((0.1, h), (0.1, 1.0), 2))
         term = SelfContact(points, elements, thickness=B, EA=1.0)
         term.start(at_rest(points))
         assert bool(len(term.record.gap)) is touching, h
 
 
+LINE = line((0, 0), (1, 0), 2)
+
+
+def contact(**wrong):
+    return SelfContact(*LINE, **({"thickness": 0.1, "EA": 1.0} | wrong))
+
+
 @pytest.mark.parametrize(
-    ("wrong", "words"),
+    ("make", "words"),
     [
-        ({"thickness": 0.0}, "thickness must be positive and finite, got 0.0"),
-        ({"EA": float("inf")}, "EA must be positive and finite, got inf"),
-        ({"friction": -0.1}, "friction must be 0 or more, got -0.1"),
-        ({"share": 0.0}, "share must be positive and finite, got 0.0"),
-        ({"per_element": 0}, "an element needs 1 probe or more, got per_element = 0"),
-        ({"apart": -1.0}, "apart must be a length of 0 or more, got -1.0"),
+        (lambda: contact(thickness=0.0), "thickness must be positive and finite, got 0.0"),
+        (lambda: contact(EA=float("inf")), "EA must be positive and finite, got inf"),
+        (lambda: contact(friction=-0.1), "friction must be 0 or more, got -0.1"),
+        (lambda: contact(share=0.0), "share must be positive and finite, got 0.0"),
+        (lambda: contact(per_element=0), "an element needs 1 probe or more, got per_element = 0"),
+        (lambda: contact(apart=-1.0), "apart must be a length of 0 or more, got -1.0"),
+        (lambda: Flat((0, 0), (0, 0)), "the normal of a flat has a length"),
+        (lambda: Disc((0, 0), -1.0), "a disc's radius is positive, got -1"),
+        (lambda: Obstacle(*LINE, SHAPES["flat"], thickness=0.1, EA=1.0, carrier=5),
+         "no node 5: the frame has nodes 0 to 4"),
+        (lambda: Obstacle(LINE[0], [[0, 9]], SHAPES["flat"], thickness=0.1, EA=1.0),
+         "no node 9: the frame has nodes 0 to 4"),
     ],
-)
-def test_impossible_input_is_named(wrong, words):
-    points, elements = line((0, 0), (1, 0), 2)
-    with pytest.raises(ValueError, match=words.replace("(", r"\(")):
-        SelfContact(points, elements, **({"thickness": 0.1, "EA": 1.0} | wrong))
-
-
-def test_impossible_obstacles_are_named():
-    points, elements = line((0, 0), (1, 0), 2)
-    with pytest.raises(ValueError, match="the normal of a flat has a length"):
-        Flat((0, 0), (0, 0))
-    with pytest.raises(ValueError, match="a disc's radius is positive, got -1"):
-        Disc((0, 0), -1.0)
-    with pytest.raises(ValueError, match="no node 5: the frame has nodes 0 to 4"):
-        Obstacle(points, elements, Flat((0, 0), (0, 1)), thickness=0.1, EA=1.0, carrier=5)
-    with pytest.raises(ValueError, match="no node 9: the frame has nodes 0 to 4"):
-        Obstacle(points, [[0, 9]], Flat((0, 0), (0, 1)), thickness=0.1, EA=1.0)
+)  # fmt: skip
+def test_impossible_input_is_named(make, words):
+    with pytest.raises(ValueError, match=words):
+        make()

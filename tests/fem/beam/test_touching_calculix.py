@@ -3,17 +3,15 @@
 Its contact turns with the surfaces from one increment to the next only.
 """
 
-from math import pi, radians
+from math import pi
 
 import numpy as np
 import pytest
 
 from fem.beam.large import LargeFrame
 from fem.beam.touching import SelfContact
-from meshes.spring.centre_line import centre_line
 from meshes.spring.path import Piece
 from tests.fem.beam.touching_shapes import together
-from verify.studies.crosscheck.calculix.compressed import compressed as strip_compressed
 from verify.studies.crosscheck.calculix.large import (
     LEFT,
     RIGHT,
@@ -101,38 +99,3 @@ def test_a_loop_slides_along_the_leaf_that_it_bends_as_in_calculix(friction, mov
     u, own = path.u[4::5, first - 1, :2], path.reactions[4::5, ends, :2].sum(axis=1)
     np.testing.assert_allclose(force, own, atol=5e-3 * np.abs(own).max())
     np.testing.assert_allclose(moved, u, atol=5e-4 * moves[-1])
-
-
-def compressed_in_calculix(line, b, moves, per_arc, per_leaf, folder):
-    """Force along x on the guided head at each movement of it; the tail is held at mid-leaf."""
-    problem = strip_compressed(line, b, moves, per_arc=per_arc, per_leaf=per_leaf)
-    return run(problem, folder / "spring.inp").reaction[:, 0]
-
-
-def compressed(line, b, moves, per_arc=8):
-    """The same by beams, and between which units there is force in the last state."""
-    mesh = centre_line(**line, tail="mid-leaf", tips=True, per_arc=per_arc, per_leaf=per_arc)
-    straight, bent = plane_strain_section(b), plane_strain_section(b, line["radius"])
-    contact = SelfContact(mesh.points, mesh.elements, thickness=b, EA=straight.EA)
-    head, tail = mesh.nodes["head"], mesh.nodes["tail"]
-    frame = LargeFrame(
-        mesh.points, mesh.elements, bodies=mesh.bodies, terms=[contact],
-        sections={"arcs": bent, "leaves": straight, "tips": straight},
-        supports={tail: "xyr", head: "yr"},
-    )  # fmt: skip
-    path = frame.displaced({head: {"x": 1.0}}, moves)
-    units = {f"unit {i}": mesh.bodies[f"unit {i}"] for i in range(1, line["n"] + 1)}
-    return path.reactions[:, head, 0], set(contact.record.pressing(units))
-
-
-SPRING = {"L1": 11.6, "radius": 0.5, "alpha": radians(80)}  # the paper's, with fewer units
-
-
-def test_a_spring_s_coils_meet_as_in_calculix(tmp_path):
-    moves, b = (4.0, 4.5, 5.0, 5.5), 0.1
-    ours, pairs = compressed(SPRING | {"n": 4}, b, moves)
-    assert pairs == {("unit 2", "unit 3")}
-    theirs = compressed_in_calculix(SPRING | {"n": 4}, b, moves, 6, 20, tmp_path)
-    np.testing.assert_allclose(theirs, ours, rtol=3e-3)
-    assert np.diff(ours)[-1] > 5 * np.diff(ours)[0]
-    np.testing.assert_allclose(np.diff(theirs), np.diff(ours), rtol=1e-2)

@@ -28,11 +28,8 @@ def test_a_line_beyond_another_did_not_get_there(nodes):
     with refused:
         term.settle(x)
     assert not term.evaluate(x)[1].any()
-
-
-def test_a_line_half_through_another_passed_it():
-    # beside probes that are near enough to be pushed back
-    term, x, upper = two_lines()
+    # half through: beside probes that are near enough to be pushed back
+    term, x, upper = two_lines(nodes)
     x[upper:, 1] -= 1.5 * (x[upper:, 0] - 5)
     assert term.passing.passed(x)
 
