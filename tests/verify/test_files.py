@@ -8,7 +8,7 @@ import pytest
 from verify.core.files import PREFIX, write_whole
 
 WRITING = """
-import os, sys, time
+import sys
 from pathlib import Path
 from verify.core.files import write_whole
 def slowly(file):
@@ -19,36 +19,23 @@ write_whole(Path(sys.argv[1]) / "entry", slowly)
 """
 
 
-@pytest.fixture
-def writer(tmp_path):
-    """A process in the middle of writing `entry`."""
+@pytest.mark.parametrize("end", ["written", "killed"])
+def test_a_file_being_written_is_not_there_and_a_killed_writer_leaves_the_earlier_one(
+    end, tmp_path
+):
+    (tmp_path / "entry").write_bytes(b"earlier")
     with subprocess.Popen(
         [sys.executable, "-c", WRITING, tmp_path],
         stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
     ) as process:  # fmt: skip
         assert process.stdout.readline() == "writing\n"
-        yield process
-        process.kill()
-
-
-def parts(folder):
-    return [p.name for p in folder.iterdir() if p.name.startswith(PREFIX)]
-
-
-def test_a_file_being_written_is_not_there(writer, tmp_path):
-    assert len(parts(tmp_path)) == 1
-    assert not (tmp_path / "entry").exists()
-    writer.communicate("go on\n")
-    assert writer.returncode == 0
-    assert (tmp_path / "entry").read_bytes() == b"half"
-    assert parts(tmp_path) == []
-
-
-def test_a_killed_writer_leaves_the_earlier_file(writer, tmp_path):
-    (tmp_path / "entry").write_bytes(b"earlier")
-    writer.kill()
-    writer.wait()
-    assert (tmp_path / "entry").read_bytes() == b"earlier"
+        assert len([p for p in tmp_path.iterdir() if p.name.startswith(PREFIX)]) == 1
+        assert (tmp_path / "entry").read_bytes() == b"earlier"
+        if end == "killed":
+            process.kill()
+        process.communicate("" if end == "killed" else "continue\n")
+    assert (tmp_path / "entry").read_bytes() == (b"earlier" if end == "killed" else b"half")
+    assert end == "killed" or len([*tmp_path.iterdir()]) == 1
 
 
 @pytest.mark.parametrize("error", [OSError, KeyboardInterrupt])

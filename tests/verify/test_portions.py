@@ -17,11 +17,7 @@ def test_a_portion_has_the_values_of_its_case_on_the_same_mesh(case, portion):
     assert part.h == whole.h
     assert part.values == {key: whole.values[key] for key in portion.keys}
     assert part.u_it == {key: whole.u_it[key] for key in portion.keys}
-
-
-@pytest.mark.parametrize(("case", "portion"), PORTIONS)
-def test_what_a_portion_gives_is_what_rows_of_its_case_ask_for(case, portion):
-    judged = {getattr(check, "fem", None) for check in case.checks}
-    assert set(portion.keys) <= judged
+    # rows of the case ask for it, on levels enough for its convergence
+    assert set(portion.keys) <= {getattr(check, "fem", None) for check in case.checks}
     assert len(portion.levels) >= 3
     assert list(portion.levels) == sorted(portion.levels)

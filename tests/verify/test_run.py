@@ -7,11 +7,14 @@ from dataclasses import replace
 
 import pytest
 
+from verify.cases.registry import find
 from verify.core.case import Case, FemResult
 from verify.core.inputs import Inputs, quantity
 from verify.core.results import Status
+from verify.core.store import Store
+from verify.jobs import cache
 from verify.jobs.engine import Engine, GoneError
-from verify.jobs.executor import Here
+from verify.jobs.executor import Here, local
 from verify.jobs.level import Job
 from verify.jobs.processes import WorkerDiedError
 from verify.jobs.scheduler import run
@@ -35,6 +38,10 @@ def late(*_):
     raise RuntimeError("in the middle")
 
 
+BOOM = ("FAIL", "KeyError: 'no such\\n key'")
+HELD = ("PASS", "held")
+
+
 def holds(name, margin=lambda _context: (1.0, 0.0), **more):
     return Fact(name=name, symbol="x", unit="1", margin=margin, **more)
 
@@ -51,8 +58,8 @@ def rows_of(result):
     return {row.quantity: (row.status.value, row.reason) for row in result.rows}
 
 
-def here(case, **more):
-    """The case beside a healthy one, solved in this process."""
+def beside(case, **more):
+    """The case beside a healthy one."""
     bad, good = run([Job(case, Beam()), Job(OTHER, Beam())], **more)
     assert {row.status for row in good.rows} == {Status.PASS}
     assert good.errors == ()
@@ -60,44 +67,35 @@ def here(case, **more):
 
 
 @pytest.mark.parametrize(
-    ("part", "fault", "reason"),
+    ("part", "fault", "row"),
     [
-        ("sketch", boom, "KeyError: 'no such\\n key'"),
-        ("tables", boom, "KeyError: 'no such\\n key'"),
-        ("figures", late, "RuntimeError: in the middle"),
+        ("sketch", boom, BOOM),
+        ("tables", boom, BOOM),
+        ("figures", late, ("FAIL", "RuntimeError: in the middle")),
     ],
 )
-def test_a_part_that_raises_is_a_red_row_and_the_rest_is_judged(part, fault, reason):
-    result = here(replace(CASE, **{part: fault}))
-    rows = rows_of(result)
-    assert rows.pop(part) == ("FAIL", reason)
-    assert set(rows.values()) == {("PASS", "held")}
+def test_a_part_that_raises_is_a_red_row_and_the_rest_is_judged(part, fault, row):
+    result = beside(replace(CASE, **{part: fault}))
+    assert rows_of(result) == {part: row, "with elements": HELD, "formula alone": HELD}
     assert not getattr(result, part)
     assert len(result.errors) == 1
     assert f"in {fault.__name__}\n" in result.errors[0]
 
 
-def test_formulas_that_raise_turn_every_row_red_by_its_name():
-    result = here(replace(CASE, analytic=boom, equations=lambda _q, values: values["v"]))
-    reason = ("FAIL", "KeyError: 'no such\\n key'")
-    assert rows_of(result) == dict.fromkeys(("with elements", "formula alone", "formulas"), reason)
+def test_formulas_and_checks_that_raise_turn_their_rows_red_by_their_names():
+    result = beside(replace(CASE, analytic=boom, equations=lambda _q, values: values["v"]))
+    assert rows_of(result) == dict.fromkeys(("with elements", "formula alone", "formulas"), BOOM)
     assert len(result.errors) == 1  # no second one about equations without values
-
-
-def test_a_check_that_raises_turns_its_own_rows_red():
     bad = holds("with elements", boom)
-    rows = rows_of(here(replace(CASE, checks=(bad, CASE.checks[1]))))
-    assert rows["with elements"] == ("FAIL", "KeyError: 'no such\\n key'")
-    assert rows["formula alone"] == ("PASS", "held")
+    rows = rows_of(beside(replace(CASE, checks=(bad, CASE.checks[1]))))
+    assert rows == {"with elements": BOOM, "formula alone": HELD}
 
-
-def test_a_check_that_cannot_even_name_its_rows_turns_one_red():
     class Broken(Fact):
         rows = skipped = boom
 
-    broken = Broken(name="beyond help", symbol="", unit="1", margin=boom)
-    result = here(replace(CASE, checks=(broken,)))
-    assert rows_of(result) == {"beyond help": ("FAIL", "KeyError: 'no such\\n key'")}
+    broken = Broken(name="beyond help", symbol="", unit="1", margin=boom)  # it names no rows
+    result = beside(replace(CASE, checks=(broken,)))
+    assert rows_of(result) == {"beyond help": BOOM}
     assert len(result.errors) == 2
 
 
@@ -117,10 +115,8 @@ def test_finite_elements_that_raise_turn_the_rows_that_need_them_red(error, reas
             raise error
         return made_up(inputs, level)
 
-    result = here(replace(CASE, reference=fem))
-    assert rows_of(result) == {
-        "with elements": ("FAIL", reason), "formula alone": ("PASS", "held")
-    }  # fmt: skip
+    result = beside(replace(CASE, reference=fem))
+    assert rows_of(result) == {"with elements": ("FAIL", reason), "formula alone": HELD}
     assert len(result.errors) == traced
 
 
@@ -145,63 +141,82 @@ class Dying(Here):
 
 
 def test_a_level_whose_process_died_is_a_red_row_of_its_case_alone():
-    engine = nullcontext(Engine(Dying(), lambda: 2))
-    bad, good = run([Job(CASE, Beam()), Job(OTHER, Beam())], engine=engine)
-    assert rows_of(bad)["with elements"] == ("FAIL", "level 4: the process died (signal 9)")
-    assert rows_of(bad)["formula alone"] == ("PASS", "held")
-    assert {row.status for row in good.rows} == {Status.PASS}
-
-
-def test_an_engine_that_is_gone_ends_the_run_and_what_was_solved_is_stored(tmp_path):
-    engine = nullcontext(Engine(Dying(), lambda: 1, gone=lambda: "it is gone"))
+    bad = beside(CASE, engine=nullcontext(Engine(Dying(), lambda: 2)))
+    died = ("FAIL", "level 4: the process died (signal 9)")
+    assert rows_of(bad) == {"with elements": died, "formula alone": HELD}
+    gone = nullcontext(Engine(Dying(), lambda: 1, gone=lambda: "it is gone"))
     with pytest.raises(GoneError, match="it is gone"):
-        run([Job(CASE, Beam())], engine=engine, cache_folder=tmp_path)
+        run([Job(CASE, Beam())], engine=gone)
 
 
 # The cache and the order of levels.
 
 
-def counting(case, solved):
+def test_what_is_stored_is_not_solved_again(tmp_path):
+    solved = []
+
     def fem(inputs, level):
-        solved.append((case.id, level))
+        solved.append(level)
         return made_up(inputs, level)
 
     # the cache knows a function by its source: that of `fem` above
-    return replace(case, reference=fem)
-
-
-def test_what_is_stored_is_not_solved_again(tmp_path):
-    solved = []
-    case = counting(CASE, solved)
+    case = replace(CASE, reference=fem)
     run([Job(replace(case, levels=(1, 4)), Beam())], cache_folder=tmp_path)
-    assert solved == [("ring-made-up", 4), ("ring-made-up", 1)]
-    run([Job(case, Beam())], cache_folder=tmp_path)
-    assert solved[2:] == [("ring-made-up", 2)]
+    assert solved == [4, 1]
+    states = []
+    for _ in range(2):  # the second time there is nothing to say
+        run([Job(case, Beam())], cache_folder=tmp_path, show=states.append)
+        assert solved == [4, 1, 2]
+        assert {(s.done, s.total) for s in states} == {(2, 3), (3, 3)}
 
 
-def test_a_disk_that_fills_is_mentioned_once_and_the_run_goes_on(tmp_path, monkeypatch):
-    from verify.jobs import cache
-
-    tried = []
+def test_a_disk_that_fills_is_mentioned_once_and_the_run_continues(tmp_path, monkeypatch):
+    tried, said = [], []
 
     def full(*_):
         tried.append(1)
         raise OSError(28, os.strerror(28), "somewhere")
 
     monkeypatch.setattr(cache, "store", full)
-    said = []
-    result = here(CASE, cache_folder=tmp_path, warn=said.append)
+    result = beside(CASE, cache_folder=tmp_path, warn=said.append)
     assert {row.status for row in result.rows} == {Status.PASS}
-    assert len(said) == 1
-    assert "No space left on device" in said[0]
+    (line,) = said
+    assert "No space left on device" in line
     assert len(tried) == 1  # and nothing is tried again
 
 
-def test_the_state_counts_what_the_cache_held(tmp_path):
-    run([Job(replace(CASE, levels=(1, 4)), Beam())], cache_folder=tmp_path)
-    states = []
-    run([Job(CASE, Beam())], cache_folder=tmp_path, show=states.append)
-    assert {(s.done, s.total) for s in states} == {(2, 3), (3, 3)}  # before the last level, after
-    states.clear()
-    run([Job(CASE, Beam())], cache_folder=tmp_path, show=states.append)
-    assert states == []  # nothing to say when all is there
+# Cases are judged on the engine while others are solved
+
+
+def compared(result):
+    return replace(result, seconds=0.0, cached=False).rows, result.equations, result.command
+
+
+def test_processes_judge_as_this_process_does(tmp_path):
+    case, done = find("polyhedral-pressure"), []
+    job = Job(case, case.inputs())
+    (there,) = run([job], engine=local(1), cache_folder=tmp_path, judged=done.append)
+    (here,) = run([job], cache_folder=tmp_path)
+    assert compared(there) == compared(here)
+    assert done == [there]
+
+
+def test_stored_cases_are_judged_on_the_engine_where_there_are_many(tmp_path):
+    jobs = [Job(replace(CASE, id=f"ring-{n}"), Beam()) for n in range(4)]
+    first = run(jobs, cache_folder=tmp_path)
+    for count, judged in ((3, 0), (4, 4)):
+        done = []
+        run(jobs[:count], cache_folder=tmp_path, judged=done.append)
+        assert len(done) == judged
+    done = []
+
+    def cleared(result):
+        done.append(result)
+        Store(tmp_path).clear("level")
+
+    # what the store has lost meanwhile is judged here
+    results = run(jobs, cache_folder=tmp_path, judged=cleared)
+    assert [compared(one) for one in results] == [compared(one) for one in first]
+    assert len(done) == 1
+    run(jobs, judged=done.append)  # without a store this process judges
+    assert len(done) == 1

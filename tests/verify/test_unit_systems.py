@@ -14,8 +14,6 @@ from verify.core.inputs import entry_model, is_table, meta
 from verify.core.unit_systems import DISPLAYED, converted, system_of, text_in
 
 PARTS = Path(__file__).parent / "parts"
-ROLLER = PARTS / "roller-clutch-31.toml"
-FAN = PARTS / "fan-rotor-inch.toml"
 
 
 def test_every_unit_of_the_tools_is_converted_once_into_the_same_quantity():
@@ -67,10 +65,10 @@ def test_the_system_of_a_file_is_that_of_most_lengths(raw, system):
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("first the contacts slip (764.4 N m, 4.25 T)", "first the contacts slip (6766 lbf in, "
-         "4.25 T)"),
-        ("up to 3094 MPa at one, 2670 MPa at another", "up to 448.7 ksi at one, 387.3 ksi at "
-         "another"),
+        ("first the contacts slip (764.4 N m, 4.25 T)",
+         "first the contacts slip (6766 lbf in, 4.25 T)"),
+        ("up to 3094 MPa at one, 2670 MPa at another",
+         "up to 448.7 ksi at one, 387.3 ksi at another"),
         ("sprag-wedge turns by 12.1°, 41 slices", "sprag-wedge turns by 12.1°, 41 slices"),
         ("5 N m s/rad, 3 kg m^2", "44.3 lbf in s/rad, 10252 lb in^2"),
     ],
@@ -80,28 +78,35 @@ def test_sentences_are_converted_number_by_number(text, expected):
     assert text_in(text, "mm") == text
 
 
-def check(path, capsys, *more):
-    assert run(["check", str(path), "--json", *more]) in (0, 1)
-    found = json.loads(capsys.readouterr().out)
-    return found | found["details"] | {"criteria": found["answer"]["criteria"]}
+def answered(capsys, *command):
+    assert run([*command, "--json"]) in (0, 1)
+    return json.loads(capsys.readouterr().out)
+
+
+def assert_the_same(one, key, other):
+    si = [found[key] * units.factor(found["unit"]) for found in (one, other)]
+    assert si[1] == pytest.approx(si[0], rel=1e-12)
 
 
 def test_json_has_the_same_quantities_in_each_system(capsys):
-    found = {system: check(ROLLER, capsys, "--units", system) for system in DISPLAYED}
+    found = {}
+    for system in DISPLAYED:
+        file = str(PARTS / "roller-clutch-31.toml")
+        answer = answered(capsys, "check", file, "--units", system)
+        found[system] = answer | answer["details"] | {"criteria": answer["answer"]["criteria"]}
     parts = {"values": "value", "limits": "at", "assumed": "value", "criteria": "limit"}
     for part, key in parts.items():
         for k, metric in enumerate(found["mm"][part]):
             for system in ("si", "inch"):
-                other = found[system][part][k]
-                si = [one[key] * units.factor(one["unit"]) for one in (metric, other)]
-                assert si[1] == pytest.approx(si[0], rel=1e-12)
+                assert_the_same(metric, key, found[system][part][k])
     assert found["inch"]["inputs"]["T"]["unit"] == "lbf in"
 
 
 def test_a_file_in_inches_is_answered_in_inches_unless_another_system_is_asked_for(capsys):
-    metric = {v["key"]: v for v in check(FAN, capsys, "--units", "mm")["values"]}
-    assert not {v["unit"] for v in metric.values()} & {"mil", "lbf"}
-    assert run(["check", str(FAN)]) == 0
+    fan = str(PARTS / "fan-rotor-inch.toml")
+    metric = answered(capsys, "check", fan, "--units", "mm")["values"]
+    assert not {v["unit"] for v in metric} & {"mil", "lbf"}
+    assert run(["check", fan]) == 0
     printed = capsys.readouterr().out
     assert "lbf" in printed
     assert " µm" not in printed
@@ -124,19 +129,15 @@ def test_rows_are_converted_and_their_relative_numbers_are_not(of_paper):
 
 @pytest.mark.slow("a design is searched in each system")
 def test_a_design_is_answered_in_the_units_of_its_file(capsys):
-    task = [str(PARTS / "design-spring-30.toml"), "--no-fem"]
-    answers = {}
-    for system in ("mm", "inch"):
-        assert run(["design", *task, "--units", system, "--json"]) == 0
-        found = json.loads(capsys.readouterr().out)
-        answers[system] = found["answer"]["design"]
-    assert answers["mm"]["unit"] == "N/mm"
-    assert answers["inch"]["unit"] == "lbf/in"
-    si = [one["value"] * units.factor(one["unit"]) for one in answers.values()]
+    task = ("design", str(PARTS / "design-spring-30.toml"), "--no-fem")
+    mm, inch = (answered(capsys, *task, "--units", system) for system in ("mm", "inch"))
+    stiffness = [found["answer"]["design"] for found in (mm, inch)]
+    assert [one["unit"] for one in stiffness] == ["N/mm", "lbf/in"]
+    si = [one["value"] * units.factor(one["unit"]) for one in stiffness]
     assert si[0] == pytest.approx(si[1])
-    assert run(["design", *task, "--units", "inch"]) == 0
+    assert run([*task, "--units", "inch"]) == 0
     printed = capsys.readouterr().out
     lines = [x.partition("typical")[0] for x in printed.splitlines() if "for 6 N at 24 mm" not in x]
     assert not [x for x in lines if " mm" in x or " MPa" in x]
     (row,) = (line for line in printed.splitlines() if re.match(r"  \d+\*", line))
-    assert f"{found['members'][found['chosen'] - 1]['L0']['value']:.4f}" in row
+    assert f"{inch['members'][inch['chosen'] - 1]['L0']['value']:.4f}" in row

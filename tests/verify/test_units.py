@@ -18,29 +18,22 @@ PSI = 4.4482216152605 / 0.0254**2
 
 READ = [
     ("11.6 mm", "mm", 0.0116),
-    ("  11.6   mm  ", "mm", 0.0116),
     ("11600 µm", "mm", 0.0116),  # micro sign, U+00B5
     ("11600 μm", "mm", 0.0116),  # Greek mu, U+03BC
     ("1 in", "mm", 0.0254),
     ("10 mil", "mm", 2.54e-4),
-    ("-3 mm", "mm", -0.003),
     (".5 mm", "mm", 0.0005),
     ("5E+1mm", "mm", 0.05),
     ("206e3 N/mm^2", "MPa", 206e9),
-    ("206e3 N mm^-2", "MPa", 206e9),
     ("1 psi", "MPa", PSI),
-    ("1 kg/m/s^2", "MPa", 1.0),
-    ("0.601 kN/m", "N/mm", 601.0),
     ("40 N·m", "N m", 40.0),
     ("1 kg m^2 / s^2 / rad", "N m/rad", 1.0),
     ("7850 kg/m³", "kg/m^3", 7850.0),
     ("1 slug", "kg", 4.4482216152605 / 0.3048),
     ("1 lb in^2", "kg m^2", 0.45359237 * 0.0254**2),
     ("180°", "deg", math.pi),
-    ("2 min", "s", 120.0),
     ("60 rpm", "r/min", 2 * math.pi),
     ("0.012 1/mm", "1/mm", 12.0),
-    ("293.15 K", "K", 293.15),
     ("1000 MPa mm^0.5", "MPa m^0.5", 1e9 * 1e-3**0.5),
     ("30 %", "1", 0.3),
     ("-1e-3", "1", -0.001),
@@ -54,24 +47,18 @@ def test_a_quantity_is_read_in_si(text, unit, value):
 
 REFUSED = [
     ("60", "mm", "has no unit: needs a length"),
-    ("60", "deg", "has no unit: needs an angle"),
     ("60 N", "mm", r'^"60 N" is not a length, such as "1\.5 mm"$'),
-    ("60 N/mm", "MPa", "is not a pressure"),
     ("60 mm", "1", "is not a number"),
     ("1 N m/rad", "N m", "is not a torque"),
     ("60 mpa", "MPa", "is not a known unit"),
-    ("60 None", "mm", "is not a known unit"),
     ("3 furlong", "mm", r"not a known unit: a length takes mm, m, in, ft or mil"),
     ("20 degC", "K", "a temperature takes K or mK"),  # its zero is another one
     ("60 mm^2^2", "mm", "is not a unit"),
-    ("60 mm**", "mm", "is not a unit"),
     ("60 __import__('os')", "mm", "is not"),
-    ("sixty mm", "mm", "is not a length"),
     ("", "mm", "is not a length"),
     ("60,5 mm", "mm", "has a comma: decimals follow a point"),
     ("60 ± 1 mm", "mm", "is not a length"),
     ("nan mm", "mm", "is not finite"),
-    ("1e999 mm", "mm", "is not finite"),
     ("1e308 km", "mm", "is not finite"),
     ("60\nmm\x00", "mm", "is not a"),
     ("6 " + "m" * 10_000, "mm", "is not a"),
@@ -121,28 +108,19 @@ def test_a_product_of_powers_has_the_product_of_the_factors(parts, dot):
     assert units.factor(text) == pytest.approx(expected, rel=1e-14)  # some twenty roundings
 
 
-def outcome(text, unit):
-    try:
-        return units.parse(text, unit)
-    except ValueError as error:
-        return str(error)
-
-
 @fixed
 @given(st.text(max_size=40), st.sampled_from(["mm", "1", "deg"]))
 def test_any_text_is_a_finite_number_or_one_line(text, unit):
-    found = outcome(text, unit)
-    assert math.isfinite(found) if isinstance(found, float) else found.isprintable()
+    try:
+        assert math.isfinite(units.parse(text, unit))
+    except ValueError as error:
+        assert str(error).isprintable()
 
 
 @pytest.mark.parametrize("unit", ["", "furlong", "mm^", "/mm", "mm 1"])
 def test_what_is_no_unit_has_no_factor(unit):
     with pytest.raises(ValueError, match="is not a"):
         units.factor(unit)
-
-
-def test_an_angle_is_no_plain_number():
-    assert units.dimensions("rad") == units.dimensions("deg") != units.dimensions("1")
 
 
 def test_units_that_a_message_offers_are_accepted():

@@ -23,7 +23,7 @@ def first(tmp_path_factory):
 
 
 class SolvesError(Exception):
-    """The command goes on to solve and to write a report."""
+    """The command continues with solving and with a report."""
 
 
 @pytest.fixture
@@ -47,47 +47,41 @@ def verified(report, *, use_cache=True):
 
 
 @pytest.mark.slow("a report to begin with, from an empty store")
-def test_a_second_run_prints_the_same_and_solves_nothing(report, capsys):
+def test_a_second_run_prints_the_same_with_the_same_status_and_solves_nothing(report, capsys):
     page = (report / "out" / "report.html").stat().st_mtime_ns
     assert verified(report) == 0
     lines = capsys.readouterr().out.splitlines()
     assert "nothing has changed since" in lines[-1]
     assert any(line.startswith("ring-lame") for line in lines)
     assert (report / "out" / "report.html").stat().st_mtime_ns == page
-
-
-def test_a_run_with_a_failed_row_fails_again(report):
     note = report / "out" / STAMP
     note.write_text(json.dumps(json.loads(note.read_text("utf-8")) | {"status": 1}), "utf-8")
     assert verified(report) == 1
-
-
-def test_a_run_that_trusts_no_results_is_made(report):
-    with pytest.raises(SolvesError):
+    with pytest.raises(SolvesError):  # a run that trusts no results
         verified(report, use_cache=False)
 
 
-def changed_file(report, _monkeypatch):
+def changed_file(report, _patch):
     (report / "out" / "rows.csv").write_text("")
 
 
-def removed_file(report, _monkeypatch):
+def removed_file(report, _patch):
     (report / "out" / "tables.xlsx").unlink()
 
 
-def removed_results(report, _monkeypatch):
+def removed_results(report, _patch):
     Store(report / "cache").clear("level")
 
 
-def other_code(_report, monkeypatch):
-    monkeypatch.setattr(up_to_date, "digest", lambda: "of other files")
+def other_code(_report, patch):
+    patch.setattr(up_to_date, "digest", lambda: "of other files")
 
 
-def other_versions(_report, monkeypatch):
-    monkeypatch.setattr(up_to_date, "conditions", lambda _root: {"versions": {"numpy": "9"}})
+def other_versions(_report, patch):
+    patch.setattr(up_to_date, "conditions", lambda _root: {"versions": {"numpy": "9"}})
 
 
-def torn_note(report, _monkeypatch):
+def torn_note(report, _patch):
     note = report / "out" / STAMP
     note.write_text(note.read_text()[:100])
 

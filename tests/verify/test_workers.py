@@ -32,14 +32,19 @@ def answers(tasks, processes=2):
     return {tasks.index(task): answer for task, answer in events}
 
 
-def test_a_task_that_kills_its_process_or_cannot_answer_is_lost_alone():
-    found = answers(["1 + 1", KILLED, EXIT, "1 / 0", "lambda: 0", "2 + 2"])
-    assert (found[0], found[5]) == (2, 4)
+def test_a_task_that_kills_its_process_or_cannot_answer_is_lost_alone(tmp_path):
+    file = tmp_path / "attempts"
+    own = f"[open({str(file)!r}, 'a').write('.'), (_ for _ in ()).throw(EOFError('no room'))]"
+    found = answers(["1 + 1", KILLED, EXIT, "1 / 0", "lambda: 0", own, "2 + 2"])
+    assert (found[0], found[6]) == (2, 4)
     assert found[1] == Lost("the process died (signal 9)")
     assert found[2] == Lost("the process died (exit status 3)")
     assert found[3].reason == "ZeroDivisionError: division by zero"
     assert found[3].trace.startswith("Traceback")
     assert "pickle" in found[4].reason
+    assert found[5].reason == "EOFError: no room"
+    assert file.read_text() == "."  # a task's own error: it is not done once more
+    assert answers(["0 + 1", "1 + 1", PID], processes=0) == {0: 1, 1: 2, 2: os.getpid()}
 
 
 def test_a_task_that_is_killed_once_is_done_again_alone(tmp_path):
@@ -56,14 +61,6 @@ if not mark.exists():
     assert found[0] not in (found[1], found[2], found[3])
 
 
-def test_a_task_s_own_error_is_no_death_of_its_process(tmp_path):
-    file = tmp_path / "attempts"
-    write = f"open({str(file)!r}, 'a').write('.')"
-    lost = answers([f"[{write}, (_ for _ in ()).throw(EOFError('no room'))]"], 1)[0]
-    assert lost.reason == "EOFError: no room"
-    assert file.read_text() == "."  # it is not done once more
-
-
 def test_the_caller_is_woken_while_nothing_happens_and_knows_what_runs():
     seen, woken = set(), 0
     with local(2) as engine:
@@ -74,10 +71,6 @@ def test_the_caller_is_woken_while_nothing_happens_and_knows_what_runs():
     assert woken >= 4
     assert (0, 1) in seen
     assert not drive.running
-
-
-def test_in_this_process_tasks_follow_one_another():
-    assert answers(["0 + 1", "1 + 1", PID], processes=0) == {0: 1, 1: 2, 2: os.getpid()}
 
 
 SLEEPING = """
@@ -158,10 +151,8 @@ def test_a_process_has_one_blas_thread_unless_the_environment_sets_more(monkeypa
     monkeypatch.setenv("OMP_NUM_THREADS", "3")
     monkeypatch.delenv("OPENBLAS_NUM_THREADS", raising=False)
     with local(1) as engine:
-        asked = [
-            engine.executor.submit(os.getenv, f"{name}_NUM_THREADS").result()
-            for name in ("OMP", "OPENBLAS")
-        ]
+        names = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS")
+        asked = [engine.executor.submit(os.getenv, name).result() for name in names]
     assert asked == ["3", "1"]
 
 
@@ -179,12 +170,14 @@ def died():
 
 
 def test_a_batch_that_kills_its_process_is_split_and_its_culprit_alone_is_lost():
-    engine = Engine(Deadly(), lambda: 1)
-    drive = Drive(engine, sum, split=lambda batch: [(one,) for one in batch])
+    drive = Drive(Engine(Deadly(), lambda: 1), sum, split=lambda batch: [(one,) for one in batch])
     found = dict(e for e in drive.answers([(1, 2), (12, 13, 14), (5,)]) if e is not None)
     assert found == {
         (1, 2): 3, (5,): 5, (12,): 12, (13,): Lost("the process died (signal 9)"), (14,): 14,
     }  # fmt: skip
+    engine = Engine(Deadly(), lambda: 1, gone=lambda: "it is gone")
+    with pytest.raises(GoneError, match="it is gone"):
+        list(Drive(engine, sum).answers([(13,)]))
 
 
 def test_no_more_tasks_are_taken_than_are_solved_and_wait():
@@ -198,12 +191,6 @@ def test_no_more_tasks_are_taken_than_are_solved_and_wait():
     drive = Drive(Engine(Here(), lambda: 2, ahead=1), sum)
     next(event for event in drive.answers(tasks()) if event is not None)
     assert len(taken) == 4
-
-
-def test_an_engine_that_is_gone_while_a_task_dies_ends_the_run():
-    engine = Engine(Deadly(), lambda: 1, gone=lambda: "it is gone")
-    with pytest.raises(GoneError, match="it is gone"):
-        list(Drive(engine, sum).answers([(13,)]))
 
 
 @pytest.mark.slow("a cluster of processes starts")

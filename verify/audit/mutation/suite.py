@@ -30,8 +30,7 @@ JUDGING = tuple(
     f"tests/verify/{name}.py"
     for name in (
         "test_judge", "test_convergence", "test_convergence_verdict", "test_checks",
-        "test_judged_edges", "test_agreement", "test_convergence_values", "test_judge_values",
-        "test_claims_values",
+        "test_agreement", "test_convergence_values", "test_claims_values",
     )
 )  # fmt: skip
 
