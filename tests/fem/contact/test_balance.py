@@ -1,40 +1,24 @@
-"""Loads, supports and contact forces balance; work and energy do."""
+"""Loads, supports and contact forces balance; friction stays within its bound and takes energy."""
 
 import numpy as np
 import pytest
 
+from fem.contact.along import Along
 from fem.contact.errors import NotFoundError
-from fem.contact.pairs import Obstacle, Pair
+from fem.contact.pairs import Pair
 from fem.contact.problem import ContactProblem
-from fem.contact.shapes import Circle, Flat
-from fem.plane.material import Elastic
-from meshes.contact.block import block
+from fem.contact.shapes import Circle
+from meshes.contact.disc import half_disc
 from meshes.contact.round import full_ring
 from meshes.join import join
+from tests.fem.contact.models import STEEL, on_flat, tower
 
 EXACT = 1e-8  # of the load
-SOFT, HARD = Elastic(E=1.0, nu=0.3), Elastic(E=4.0, nu=0.2)
 
 
-def tower(cells="quad", order=2, thickness=1.0, friction=0.5):
-    """A narrow block on a wide one on a rigid floor, held by friction alone."""
-    make = {"cells": cells, "order": order}
-    mesh = join({
-        "up": block(x=(0.2, 0.7), y=(0.5, 1.0), nx=6, ny=5, **make),
-        "low": block(x=(0, 1), y=(0, 0.5), nx=11, ny=5, **make),
-    })  # fmt: skip
-    return ContactProblem(
-        mesh, materials={"up": SOFT, "low": HARD}, assumption="plane stress", thickness=thickness,
-        obstacles={"floor": Obstacle(Flat())},
-        contacts=[Pair(slave="up.bottom", master="low.top", friction=friction),
-                  Pair(slave="low.bottom", master="floor", friction=friction)],
-    )  # fmt: skip
-
-
-@pytest.mark.parametrize(("cells", "order"), [("quad", 2), ("tri", 1)])
-def test_what_is_loaded_above_arrives_below(cells, order):
+def test_what_is_loaded_above_arrives_below():
     load = np.array([1e-3, -8e-3])
-    s = tower(cells, order, thickness=0.3).solve(
+    s = tower(0.5, on_floor=True, assumption="plane stress", thickness=0.3).solve(
         forces={"up.top": tuple(load)}, body_forces={"low": (0.0, -0.02)}
     )
     upper, lower = s.touches
@@ -50,7 +34,7 @@ def test_what_is_loaded_above_arrives_below(cells, order):
 
 
 def test_friction_stays_within_its_bound_and_sticking_points_do_not_slip():
-    problem = tower(friction=0.2)
+    problem = tower(0.2, on_floor=True)
     s = problem.solve(forces={"up.top": (0.0, -8e-3)})
     s = problem.solve(forces={"up.top": (1.4e-3, -8e-3)}, after=s)
     for touch in s.touches:
@@ -63,18 +47,15 @@ def test_friction_stays_within_its_bound_and_sticking_points_do_not_slip():
         assert np.all(touch.traction[slides] * touch.slip[slides] < 0)  # drag, never drive
 
 
-def rings(share, *, swap=False):
+def rings(share):
     """A ring turned on another that holds it by a press fit, by `share` of what makes it slide."""
-    r, fit, mu = 0.04, 1e-5, 0.2
+    r, mu = 0.04, 0.2
     mesh = join({"in": full_ring(r_i=0.02, r_o=r, around=32, across=4),
                  "out": full_ring(r_i=r, r_o=0.07, around=24, across=5)})  # fmt: skip
-    sides = {"in.rim": Circle((0, 0), r), "out.bore": Circle((0, 0), r, hollow=True)}
-    slave, master = list(sides)[::-1] if swap else list(sides)
     problem = ContactProblem(
-        mesh, materials=Elastic(E=210e9, nu=0.3), assumption="plane strain",
-        supports={"in.bore": "xy"},
-        contacts=[Pair(slave=slave, master=master, friction=mu, interference=fit,
-                       slave_shape=sides[slave], master_shape=sides[master])],
+        mesh, materials=STEEL, assumption="plane strain", supports={"in.bore": "xy"},
+        contacts=[Pair(slave="out.bore", master="in.rim", friction=mu, interference=1e-5,
+                       slave_shape=Circle((0, 0), r, hollow=True), master_shape=Circle((0, 0), r))],
     )  # fmt: skip
     pressed = problem.solve()
     moment = share * mu * r * pressed.touches[0].normal_force
@@ -85,19 +66,93 @@ def rings(share, *, swap=False):
     return problem.solve(tractions={"out.rim": around}, after=pressed), moment
 
 
-@pytest.mark.parametrize("swap", [False, True], ids=["", "swapped"])
-def test_a_ring_hands_its_torque_to_the_ring_that_it_is_pressed_on(swap):
+def test_a_press_fit_hands_on_its_torque_and_turns_at_its_friction():
     # the load itself acts on parabolas, 1e-5 of the moment off the circle
-    s, moment = rings(0.9, swap=swap)
-    touch, sign = s.touches[0], 1 if swap else -1
+    s, moment = rings(0.999)
+    touch = s.touches[0]
     assert s.plane.reaction("in.bore")[2] == pytest.approx(-moment, rel=2e-5)
-    assert sign * touch.moment() == pytest.approx(moment, rel=2e-5)
-    assert sign * touch.moment(on="slave") == pytest.approx(-moment, rel=2e-5)
+    assert touch.moment() == pytest.approx(moment, rel=2e-5)
+    assert touch.moment(on="slave") == pytest.approx(-moment, rel=2e-5)
     np.testing.assert_allclose(touch.force, 0.0, atol=EXACT * touch.normal_force)
-
-
-def test_a_press_fit_turns_at_its_friction_and_not_before():
-    s, _ = rings(0.999)
-    assert np.any(s.touches[0].sticks)
     with pytest.raises(NotFoundError, match="no state of rest was found"):
         rings(1.001)
+
+
+def test_what_pulls_above_along_z_arrives_below():
+    problem = tower(0.5, on_floor=True, thickness=0.3, along=Along())
+    s = problem.solve(
+        forces={"up.top": (1e-3, -8e-3)}, axial_forces={"up.top": 1.5e-3, "low.left": -4e-4}
+    )
+    upper, lower = s.touches
+    assert upper.force_z == pytest.approx(1.5e-3, rel=EXACT)
+    assert lower.force_z == pytest.approx(1.1e-3, rel=EXACT)
+    assert s.along.reaction("floor") == pytest.approx(-1.1e-3, rel=EXACT)
+    np.testing.assert_allclose(lower.force, (1e-3, -8e-3), atol=EXACT * 8e-3)
+    internal = s.along.interface.bodies.internal_forces(s.u_z)
+    rest = internal - s.along.pull.f - s.along.interface.rows.T @ s.along.traction
+    assert np.abs(rest[:-1]).max() < EXACT * 1.5e-3  # every node but the floor, which is held
+
+
+def test_friction_only_takes_energy_and_all_that_is_missing():
+    # a roller on a flat swings in x and z out of phase; the trapezoidal rule loses nothing, for
+    # each step is linear but for nodes that open or close in it, and here none does
+    problem = on_flat(
+        half_disc(R=10e-3, zone=0.28e-3, refine=1), friction=0.3, supports={"middle": "xy"},
+        along=Along(supports={"middle": 0.0}),
+    )  # fmt: skip
+    s, before, lost, path = None, np.zeros((2, 1)), [], []
+    for t in np.linspace(0, 4 * np.pi, 97):
+        x, z = 6e-7 * np.sin(t), 6e-7 * np.sin(t - np.pi / 3)
+        s = problem.solve(
+            displacements={"middle": {"x": x, "y": -2e-6}}, axial_displacements={"middle": z},
+            after=s,
+        )  # fmt: skip
+        touch = s.touches[0]
+        forces = np.array([touch.traction, touch.traction_z]) * touch.mortar.size
+        slips = np.array([touch.slip, touch.slip_z])
+        lost.append(-float(((forces + before) * slips).sum()) / 2)
+        before = forces
+        path.append((x, z, touch.force[0], touch.force_z, s.strain_energy))
+    x, z, F_x, F_z, energy = np.array(path).T
+    assert min(lost) > -1e-12 * max(lost)
+    second = slice(48, None)
+    work = float(np.trapezoid(F_x[second], x[second]) + np.trapezoid(F_z[second], z[second]))
+    assert work > 0.005 * np.ptp(x) * np.ptp(F_x)
+    assert work - (energy[-1] - energy[48]) == pytest.approx(sum(lost[49:]), rel=1e-6)
+
+
+HELD = {"supports": {"low.bottom": "xy"}}
+
+
+def test_without_loads_along_z_the_plane_is_what_it_was():
+    plane = tower(0.25, **HELD)
+    both = tower(0.25, **HELD, along=Along(supports={"low.bottom": 0.0}))
+    a = b = None
+    for x in (0.0, 6e-4, 1.2e-3, -5e-4):
+        load = {"up.top": (x, -8e-3)}
+        a, b = plane.solve(forces=load, after=a), both.solve(forces=load, after=b)
+        np.testing.assert_array_equal(a.rest.multipliers, b.rest.multipliers)
+        np.testing.assert_array_equal(a.displacements, b.displacements)
+        assert not np.any(b.u_z)
+        assert b.touches[0].force_z == 0.0
+        assert a.u_z.size == b.u_z.size
+
+
+def test_shares_of_a_step_are_steps_of_their_own():
+    problem = tower(0.6, **HELD, along=Along(supports={"low.bottom": 0.0}))
+
+    def at(share, after, steps=1):
+        return problem.solve(
+            forces={"up.top": (share * 1e-3, share * -8e-3)},
+            axial_forces={"up.top": share * 2e-3},
+            axial_displacements={"low.bottom": share * 0.1}, after=after, steps=steps,
+        )  # fmt: skip
+
+    one = at(1.0, at(0.5, None))
+    there = at(1.0, None, 2)
+    back = at(0.25, there, 3)
+    same = at(0.25, at(0.5, at(0.75, one)))
+    for found, expected in ((there, one), (back, same)):
+        a, b = found.touches[0], expected.touches[0]
+        np.testing.assert_allclose(a.traction_z, b.traction_z, atol=1e-9 * b.peak)
+        np.testing.assert_allclose(found.u_z, expected.u_z, atol=1e-9 * np.abs(one.u_z).max())

@@ -11,32 +11,11 @@ import numpy as np
 import pytest
 
 from fem.contact.along import Along
-from fem.contact.pairs import Pair
-from fem.contact.problem import ContactProblem
-from fem.contact.shapes import Circle
 from fem.plane.material import Elastic
-from meshes.contact.disc import half_disc
-from meshes.join import join
+from tests.fem.contact.models import rollers
 
 R, MU, E = 10e-3, 0.3, 210e9
 A = 0.01 * R
-
-
-def load(nu):
-    """Of two discs whose contact is A wide: half the modulus, half the radius."""
-    return np.pi * E / (1 - nu**2) * A**2 / (4 * R)
-
-
-def rollers(nu, refine=2, held="xy", along=None):
-    mesh = join({"up": half_disc(R=R, zone=1.2 * A, refine=refine),
-                 "low": half_disc(R=R, zone=1.2 * A, refine=refine, below=True)})  # fmt: skip
-    return ContactProblem(
-        mesh, materials=Elastic(E=E, nu=nu), assumption="plane strain",
-        supports={"low.middle": "xy", "up.middle": held},
-        along=Along(supports={"low.middle": 0.0} | (along or {})),
-        contacts=[Pair(slave="up.surface", master="low.surface", friction=MU,
-                       slave_shape=Circle((0, R), R), master_shape=Circle((0, -R), R))],
-    )  # fmt: skip
 
 
 def stick_half_width(touch, q):
@@ -50,27 +29,17 @@ def stick_half_width(touch, q):
     return 2 * np.sqrt(moment / left)
 
 
-@pytest.fixture(scope="module")
-def pulled():
-    """Pressed, then pulled by shares of the friction, each from the pressed state."""
-    problem, P = rollers(0.3, held="x"), load(0.3)
-    pressed = problem.solve(forces={"up.middle": (0.0, -P)})
-    return problem, pressed
-
-
-@pytest.fixture(scope="module")
-def oblique():
-    """Without Poisson's ratio, and moved: what is pushed above would tilt."""
-    problem = rollers(0.0, along={"up.middle": 0.0})
-    return problem, problem.solve(displacements={"up.middle": {"x": 0.0, "y": -5e-6}})
-
-
 @pytest.mark.parametrize("angle", [30.0, 120.0])
-def test_without_poissons_ratio_every_direction_is_cattaneos(oblique, angle):
-    problem, pressed = oblique
+def test_without_poissons_ratio_every_direction_is_cattaneos(angle):
+    # moved: what is pushed above would tilt
+    problem = rollers(
+        MU, materials=Elastic(E=E, nu=0.0),
+        along=Along(supports={"lower.middle": 0.0, "upper.middle": 0.0}),
+    )  # fmt: skip
+    pressed = problem.solve(displacements={"upper.middle": {"x": 0.0, "y": -5e-6}})
     x, z = 7e-7 * np.cos(np.radians(angle)), 7e-7 * np.sin(np.radians(angle))
     s = problem.solve(
-        displacements={"up.middle": {"x": x, "y": -5e-6}}, axial_displacements={"up.middle": z},
+        displacements={"upper.middle": {"x": x, "y": -5e-6}}, axial_displacements={"upper.middle": z},
         after=pressed,
     )  # fmt: skip
     touch = s.touches[0]
@@ -94,14 +63,18 @@ def test_without_poissons_ratio_every_direction_is_cattaneos(oblique, angle):
     np.testing.assert_allclose(along, -size, atol=1e-8 * size.max())
 
 
-def test_the_edges_turn_back_at_twice_the_change_of_load(pulled):
+def test_the_edges_turn_back_at_twice_the_change_of_load():
     # Mindlin and Deresiewicz, along z: unloading is a loading of twice the friction
-    problem, pressed = pulled
-    P = load(0.3)
+    problem = rollers(
+        MU, supports={"lower.middle": "xy", "upper.middle": "x"},
+        along=Along(supports={"lower.middle": 0.0}),
+    )  # fmt: skip
+    P = np.pi * E / (1 - 0.3**2) * A**2 / (4 * R)  # half the modulus, half the radius
+    pressed = problem.solve(forces={"upper.middle": (0.0, -P)})
 
     def at(share, after):
         return problem.solve(
-            forces={"up.middle": (0.0, -P)}, axial_forces={"up.middle": share * MU * P},
+            forces={"upper.middle": (0.0, -P)}, axial_forces={"upper.middle": share * MU * P},
             after=after,
         )  # fmt: skip
 

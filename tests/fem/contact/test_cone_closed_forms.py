@@ -11,33 +11,27 @@ from fem.contact.along import Along
 from fem.contact.pairs import Obstacle, Pair
 from fem.contact.problem import ContactProblem
 from fem.contact.shapes import Flat
-from fem.plane.material import Elastic
 from fem.plane.ties import Tie
 from meshes.contact.block import block
 from meshes.join import join
+from tests.fem.contact.models import HARD, SOFT
 
-SOFT, HARD = Elastic(E=1.0, nu=0.3), Elastic(E=4.0, nu=0.2)
 G_SOFT, G_HARD = 1.0 / 2.6, 4.0 / 2.4
 EXACT = 1e-9
 
 
-def layers(cells, order, thickness):
-    """A soft layer on a hard one, of heights 0.5, pressed together so that all of it sticks."""
-    make = {"cells": cells, "order": order}
+@pytest.mark.parametrize(("cells", "order"), [("quad", 2), ("tri", 1)])
+def test_layers_that_stick_shear_evenly(cells, order):
+    # a soft layer on a hard one, of heights 0.5, pressed together so that all of it sticks
+    make, moved = {"cells": cells, "order": order}, 1e-3
     mesh = join({"up": block(x=(0, 1), y=(0.5, 1), nx=5, ny=3, **make),
                  "low": block(x=(0, 1), y=(0, 0.5), nx=7, ny=2, **make)})  # fmt: skip
-    return ContactProblem(
-        mesh, materials={"up": SOFT, "low": HARD}, assumption="plane strain", thickness=thickness,
+    problem = ContactProblem(
+        mesh, materials={"up": SOFT, "low": HARD}, assumption="plane strain", thickness=0.3,
         supports={"low.bottom": "xy", "up.top": "xy"},
         along=Along(supports={"low.bottom": 0.0, "up.top": 0.0}),
         contacts=[Pair(slave="up.bottom", master="low.top", friction=10.0)],
     )  # fmt: skip
-
-
-@pytest.mark.parametrize(("cells", "order"), [("quad", 2), ("tri", 1)])
-def test_layers_that_stick_shear_evenly(cells, order):
-    moved = 1e-3
-    problem = layers(cells, order, thickness=0.3)
     s = problem.solve(
         displacements={"up.top": {"x": 0.0, "y": -0.01}}, axial_displacements={"up.top": moved}
     )

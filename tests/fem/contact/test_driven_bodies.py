@@ -1,6 +1,7 @@
 """Loads that are met by the movement of cuts: a disc on a flat, two discs, a sector and its hub."""
 
 from dataclasses import dataclass
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -9,67 +10,46 @@ from fem.contact.driven import DrivenSector
 from fem.contact.driven_discs import HIT, DrivenDiscs
 from fem.contact.errors import NotFoundError
 from fem.contact.locked import FlatSector, LockedSector, rigid_roller
-from fem.contact.pairs import Obstacle, Pair
 from fem.contact.pressed_line import PressedLine
-from fem.contact.problem import ContactProblem
-from fem.contact.shapes import Circle, Flat
 from fem.plane.material import Elastic
-from meshes.contact.disc import half_disc, quarter_disc
+from meshes.contact.disc import quarter_disc
 from meshes.join import join
 from meshes.polyhedral.half_sector import half_sector
+from tests.fem.contact.models import on_flat, rollers
 
 STEEL = Elastic(E=2.0, nu=0.3)
 SOFT = (1 - 0.3**2) / 2.0
 
 
-def on_flat(zone, cells, refine):
-    return ContactProblem(
-        quarter_disc(R=1.0, zone=zone, cells=cells, refine=refine), materials=STEEL,
-        assumption="plane strain", supports={"axis": "x", "middle": "y"},
-        obstacles={"flat": Obstacle(Flat())},
-        contacts=[Pair(slave="surface", master="flat", slave_shape=Circle((0.0, 1.0), 1.0))],
-    )  # fmt: skip
+def pressed(a):
+    """A disc on a flat under Hertz's load for the half-width `a`."""
+
+    def mesh(zone, cells, refine):
+        disc = quarter_disc(R=1.0, zone=zone, cells=cells, refine=refine)
+        return on_flat(disc, materials=STEEL, supports={"axis": "x", "middle": "y"})
+
+    P = np.pi / 4 * a**2 / SOFT
+    return PressedLine(mesh, 2, P=P, guess=a, arc=1.0, softness=SOFT, cut="middle")
 
 
-@pytest.fixture(scope="module")
-def pressed():
-    P = np.pi / 4 * 0.02**2 / SOFT
-    return PressedLine(on_flat, 2, P=P, guess=0.02, arc=1.0, softness=SOFT, cut="middle")
-
-
-def test_a_disc_on_a_flat_carries_its_load_with_hertz_s_pressure(pressed):
-    assert 2 * abs(pressed.touch.force[1]) == pytest.approx(pressed.P, rel=1e-11)
-    assert pressed.half_width == pytest.approx(0.02, rel=5e-3)
-    assert pressed.peak == pytest.approx(2 * pressed.P / (np.pi * 0.02), rel=5e-3)
-    shear, depth = pressed.shear()
-    assert shear / pressed.peak == pytest.approx(0.3003, rel=0.05)
-    assert depth / pressed.half_width == pytest.approx(0.786, rel=0.05)
-
-
-def test_its_forces_and_moments_balance(pressed):
-    left = pressed.balance(("axis", "middle"))
-    assert max(map(abs, left.values())) < 1e-9 * pressed.P
-
-
-def test_round_off_grows_as_the_contact_shrinks(pressed):
-    P = pressed.P / 100
-    narrow = PressedLine(on_flat, 2, P=P, guess=0.002, arc=1.0, softness=SOFT, cut="middle")
-    shares = [one.rounding("p_0", one.peak) / one.peak for one in (pressed, narrow)]
+def test_a_disc_on_a_flat_carries_its_load_with_hertz_s_pressure():
+    one, narrow = pressed(0.02), pressed(0.002)
+    assert 2 * abs(one.touch.force[1]) == pytest.approx(one.P, rel=1e-11)
+    assert one.half_width == pytest.approx(0.02, rel=5e-3)
+    assert one.peak == pytest.approx(2 * one.P / (np.pi * 0.02), rel=5e-3)
+    shear, depth = one.shear()
+    assert shear / one.peak == pytest.approx(0.3003, rel=0.05)
+    assert depth / one.half_width == pytest.approx(0.786, rel=0.05)
+    assert max(map(abs, one.balance(("axis", "middle")).values())) < 1e-9 * one.P
+    # round-off grows as the contact shrinks
+    shares = [some.rounding("p_0", some.peak) / some.peak for some in (one, narrow)]
     assert shares[1] > 5 * shares[0]
-    assert pressed.rounding("a", 1.0) < pressed.rounding("p_0", 1.0)
+    assert one.rounding("a", 1.0) < one.rounding("p_0", 1.0)
 
 
 def test_two_discs_are_driven_until_both_loads_are_met():
-    fine = {"R": 1.0, "zone": 0.06, "cells": 8, "refine": 1}
-    problem = ContactProblem(
-        join({side: half_disc(**fine, below=side == "lower") for side in ("upper", "lower")}),
-        materials=STEEL, assumption="plane strain",
-        supports={"lower.middle": "xy", "upper.middle": "xy"},
-        contacts=[
-            Pair(slave="upper.surface", master="lower.surface", friction=0.3,
-                 slave_shape=Circle((0.0, 1.0), 1.0), master_shape=Circle((0.0, -1.0), 1.0))
-        ],
-    )  # fmt: skip
+    fine = {"zone": 0.06, "cells": 8, "refine": 1}
+    problem = rollers(0.3, R=1.0, fine=fine, materials=STEEL)
     P = np.pi / 4 * 0.05**2 / SOFT
     discs = DrivenDiscs(problem, P=P, approach=0.05**2)
     state, cut = discs.pressed
@@ -108,19 +88,13 @@ def test_roller_and_hub_share_what_pressure_brings():
     assert meshes[1][2] == pytest.approx(one.push(one.N), rel=1e-9)
     assert one.pressure(8.0) == pytest.approx(1 + 4.0 * (1 - share), rel=1e-9)
     assert one.push(2.0) == pytest.approx((0.8 * np.cos(0.1), -0.8 * np.sin(0.1)))
-
-
-def test_a_hub_that_lifts_more_than_its_roller_bears_has_no_limit():
-    assert np.inf == driven(3.0).N
+    assert np.inf == driven(3.0).N  # a hub that lifts more than its roller bears
 
 
 def test_a_pressure_that_is_not_found_is_no_result():
-    class Bent(Linear):
-        def force(self, p, hub=(0.0, 0.0)):
-            return 1 + p**2  # never as little as is asked for
-
+    never = SimpleNamespace(force=lambda p, hub=(0.0, 0.0): 1 + p**2)  # as little as is asked for
     with pytest.raises(NotFoundError, match="missed by"):
-        DrivenSector(lambda *_: Bent(0.0), kappa=0.1, phi_1=0.0, p=1.0).pressure(0.5)
+        DrivenSector(lambda *_: never, kappa=0.1, phi_1=0.0, p=1.0).pressure(0.5)
 
 
 def test_forces_on_half_a_sector_are_in_balance():

@@ -20,12 +20,6 @@ def node(B=COUPLED, mu=1.5):
     )
 
 
-def pressed(kind):
-    """The first random problem of a kind, with `w_0` and `e` of its fifth step."""
-    one = next(one for one in map(problem, range(1000)) if one.kind == kind)
-    return one, one.ground[4] + np.concatenate([one.gaps, 0 * one.gaps]), one.loads[4]
-
-
 @pytest.mark.parametrize(
     ("push", "state", "friction"),
     [(0.1, STICK, -0.1), (-0.1, STICK, 0.1), (3.0, BACKWARD, -0.6), (-3.0, FORWARD, 0.6)],
@@ -70,6 +64,10 @@ def test_of_three_solutions_the_one_of_index_minus_one_proves_the_others():
         assert residual(kernel, w_0, none, rest.multipliers, none).largest < 1e-12
     assert kernel.is_proven_non_unique(slipping, w_0, none)
     assert not kernel.is_proven_non_unique(lost, w_0, none)
+    # without force a row at the limit of its state proves no other solution
+    rest = kernel.solve(np.zeros(2), none, np.array([FORWARD], np.int8))
+    assert not np.any(rest.multipliers)
+    assert not kernel.is_proven_non_unique(rest, np.zeros(2), none)
 
 
 def test_a_wedge_held_by_friction_has_zero_force_as_another_solution():
@@ -87,50 +85,27 @@ def test_a_wedge_held_by_friction_has_zero_force_as_another_solution():
     assert kernel.is_proven_non_unique(held, w_0, e)
 
 
-@pytest.mark.parametrize("seed", range(5))
-def test_random_problems_meet_the_laws_of_contact_on_their_whole_path(seed):
-    found = list(steps(problem(seed)))
-    assert all(outcome in (*METHODS, "proven", "not found") for outcome, _, _ in found)
-    assert max(missed for _, _, missed in found) < 1e-9
-
-
 @pytest.mark.parametrize(
     "seed",
     [
+        *range(3),
         7482,  # forces far below those that close the gaps, which rows miss by 1e-12 of them
         7004,  # bodies without load rest apart: pivots leave forces of 1e-13 that nothing balances
     ],
 )
-def test_problems_near_round_off_have_their_solutions(seed):
+def test_random_problems_meet_the_laws_of_contact_on_their_whole_path(seed):
     found = list(steps(problem(seed)))
+    allowed = (*METHODS, "proven") + (("not found",) if seed < 3 else ())
+    assert {outcome for outcome, _, _ in found} <= set(allowed)
     assert max(missed for _, _, missed in found) < 1e-9
-    assert "not found" not in {outcome for outcome, _, _ in found}
 
 
 def test_loads_outside_the_cone_of_forces_are_proven_to_have_no_equilibrium():
-    one, w_0, e = pressed(PULLED)
+    one = next(one for one in map(problem, range(1000)) if one.kind == PULLED)
+    w_0, e = one.ground[4] + np.concatenate([one.gaps, 0 * one.gaps]), one.loads[4]
     with pytest.raises(NoEquilibriumError, match="no admissible contact forces"):
         one.kernel.solve(w_0, e)
     assert issubclass(NoEquilibriumError, ValueError)
-
-
-def test_a_symmetric_problem_is_solved_without_random_covering():
-    # n equal nodes tie at every pivot
-    n = 40
-    M = np.eye(n) + 0.5 * np.ones((n, n))
-    z = lemke(M, -np.ones(n), np.ones(n))
-    assert z == pytest.approx(np.full(n, 1 / (1 + 0.5 * n)))
-
-
-def test_a_ray_is_no_solution():
-    assert lemke(np.array([[-1.0]]), np.array([-1.0]), np.array([1.0])) is None
-
-
-def test_without_force_a_row_at_the_limit_of_its_state_proves_no_other_solution():
-    kernel, none = node(), np.zeros(0)
-    rest = kernel.solve(np.zeros(2), none, np.array([FORWARD], np.int8))
-    assert not np.any(rest.multipliers)
-    assert not kernel.is_proven_non_unique(rest, np.zeros(2), none)
 
 
 @pytest.mark.parametrize(("rows", "is_solved"), [(4, True), (5, False)])
@@ -142,3 +117,10 @@ def test_pivots_end_at_four_a_row(rows, is_solved):
         assert z == pytest.approx(np.eye(rows)[0])  # w = M z + q = (0, 1, 1, 1)
     else:
         assert z is None
+
+
+def test_lemke_solves_ties_at_every_pivot_and_gives_up_on_a_ray():
+    n = 40
+    z = lemke(np.eye(n) + 0.5 * np.ones((n, n)), -np.ones(n), np.ones(n))
+    assert z == pytest.approx(np.full(n, 1 / (1 + 0.5 * n)))
+    assert lemke(np.array([[-1.0]]), np.array([-1.0]), np.array([1.0])) is None

@@ -1,4 +1,4 @@
-"""What must not change a contact's answer: its place, its units, its start, half a model."""
+"""What must not change a contact's answer: its place, its units, its start."""
 
 from dataclasses import replace
 
@@ -7,10 +7,10 @@ import pytest
 
 from fem.contact.pairs import Obstacle, Pair
 from fem.contact.problem import ContactProblem
-from fem.contact.shapes import Circle, Flat, Motion
+from fem.contact.shapes import Circle, Flat
 from fem.plane.material import Elastic
 from meshes.contact.block import full_block
-from meshes.contact.disc import half_disc, quarter_disc
+from meshes.contact.disc import half_disc
 from meshes.join import join
 from meshes.polyhedral.half_sector import half_sector
 
@@ -67,43 +67,8 @@ def test_place_units_and_thickness_change_nothing():
     assert s.strain_energy == pytest.approx(0.04 * upright.strain_energy, rel=SOLVED)
 
 
-def on_flat(make):
-    """A disc pressed on a rigid flat by Hertz's load for the half-width 0.02 R."""
-    a = 0.02 * R
-    load = np.pi * E / (1 - NU**2) * a**2 / (4 * R)
-    half = make is quarter_disc
-    return ContactProblem(
-        make(R=R, zone=1.4 * a, refine=1), materials=Elastic(E=E, nu=NU),
-        assumption="plane strain", supports={"axis": "x"}, obstacles={"flat": Obstacle(Flat())},
-        contacts=[Pair(slave="surface", master="flat", slave_shape=Circle((0, R), R))],
-    ).solve(forces={"middle": (0, -load / 2 if half else -load)})  # fmt: skip
-
-
-def test_a_symmetric_half_is_half_of_the_whole():
-    half, whole = on_flat(quarter_disc), on_flat(half_disc)
-    one, two = half.touches[0], whole.touches[0]
-    assert two.normal_force == pytest.approx(2 * one.normal_force, rel=SOLVED)
-    assert two.peak == pytest.approx(one.peak, rel=1e-6)
-    assert two.half_width((0, 0)) == pytest.approx(one.half_width((0, 0)), rel=1e-6)
-    assert whole.strain_energy == pytest.approx(2 * half.strain_energy, rel=1e-7)
-
-
 R_E, ROLLER, THICKNESS = 0.04, 0.005, 0.03  # [m]
 CLEARANCE = 3e-5  # [m] one side's, which the ring takes up at 20 MPa of 30
-
-
-def test_a_circle_that_turns_about_one_of_its_points_still_goes_through_it():
-    about = (0.3 + 40 * np.cos(0.2), 40 * np.sin(0.2))
-    motion = Motion((0.5, -0.25), 0.1, about)
-    moved = Circle((0.3, 0.0), 40.0, hollow=True).moved(motion)
-    assert np.hypot(*np.subtract(motion.of(about), moved.centre)) == pytest.approx(40, rel=1e-14)
-
-
-@pytest.mark.parametrize("angle", [1e-12, -2.0])
-def test_a_rigid_motion_is_found_from_what_it_does_to_points(angle):
-    x = np.random.default_rng(6).normal(size=(2, 7))
-    motion = Motion((0.1, -0.2), angle, tuple(x.mean(axis=1)))
-    assert Motion.fitted(x, motion.displacement(x)).angle == pytest.approx(angle, abs=1e-15)
 
 
 def pressed(start, interference):

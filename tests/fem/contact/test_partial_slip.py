@@ -6,12 +6,7 @@ Both bodies are of one material, so that normal and tangential problem do not mi
 import numpy as np
 import pytest
 
-from fem.contact.pairs import Pair
-from fem.contact.problem import ContactProblem
-from fem.contact.shapes import Circle
-from fem.plane.material import Elastic
-from meshes.contact.disc import half_disc
-from meshes.join import join
+from tests.fem.contact.models import rollers
 
 R, MU = 10e-3, 0.3
 E, NU = 210e9, 0.3
@@ -22,17 +17,10 @@ PUSHES = (0.2, 0.8, 0.5, 0.0)  # over the friction of full sliding
 
 @pytest.fixture(scope="module")
 def steps():
-    mesh = join({"up": half_disc(R=R, zone=1.2 * A, refine=2),
-                 "low": half_disc(R=R, zone=1.2 * A, refine=2, below=True)})  # fmt: skip
-    problem = ContactProblem(
-        mesh, materials=Elastic(E=E, nu=NU), assumption="plane strain",
-        supports={"low.middle": "xy", "up.middle": "xy"},
-        contacts=[Pair(slave="up.surface", master="low.surface", friction=MU,
-                       slave_shape=Circle((0, R), R), master_shape=Circle((0, -R), R))],
-    )  # fmt: skip
+    problem = rollers(MU)
 
     def moved(x, y, after):
-        return problem.solve(displacements={"up.middle": {"x": x, "y": y}}, after=after)
+        return problem.solve(displacements={"upper.middle": {"x": x, "y": y}}, after=after)
 
     # as far down as gives about the load, and then sideways as gives about each push
     y = -1e-6
@@ -55,15 +43,12 @@ def steps():
     return found
 
 
-def test_pressing_alone_makes_no_friction_between_bodies_alike(steps):
-    touch = steps[0].touches[0]
-    assert np.abs(touch.traction).max() < 1e-3 * touch.peak
-    assert touch.half_width() == pytest.approx(A, rel=2e-3)
-
-
 @pytest.mark.parametrize("step", [1, 2])
 def test_the_stick_zone_shrinks_as_cattaneo_has_it(steps, step):
-    touch = steps[step].touches[0]
+    pressed, touch = steps[0].touches[0], steps[step].touches[0]
+    # pressing alone makes no friction between bodies alike
+    assert np.abs(pressed.traction).max() < 1e-3 * pressed.peak
+    assert pressed.half_width() == pytest.approx(A, rel=2e-3)
     load, a = touch.normal_force, touch.half_width()
     c = a * np.sqrt(1 - abs(touch.friction_force) / (MU * load))
     cell = A * 1.2 / 12 / 2  # between two vertices that carry the traction
@@ -86,9 +71,6 @@ def test_the_edges_turn_back_at_twice_the_change_of_load(steps):
     c = a * np.sqrt(1 - change / (2 * MU * load))
     assert np.ptp(turned.x[0, turned.sticks]) / 2 == pytest.approx(c, abs=0.1 * A)
     assert turned.traction[np.argmin(np.abs(turned.x[0]))] * turned.friction_force > 0
-
-
-def test_a_push_taken_back_leaves_friction_locked_in(steps):
-    touch = steps[4].touches[0]
-    assert abs(touch.friction_force) < 5e-3 * MU * touch.normal_force
-    assert np.abs(touch.traction).max() > 0.1 * MU * touch.peak
+    back = steps[4].touches[0]  # taken back altogether: friction stays locked in
+    assert abs(back.friction_force) < 5e-3 * MU * back.normal_force
+    assert np.abs(back.traction).max() > 0.1 * MU * back.peak

@@ -30,31 +30,6 @@ def test_the_largest_shear_stress_of_exact_stresses_is_hertz_s():
     assert found == pytest.approx((0.310, 0.481), abs=6e-4)
 
 
-def test_scatter_is_weighed_and_none_of_an_even_pressure():
-    weight = np.array([1.0, 1.0, 2.0])
-    even = SimpleNamespace(p=np.full(3, 5.0), weight=weight)
-    assert mean_and_scatter(even) == (5.0, 0.0)
-    uneven = SimpleNamespace(p=np.array([4.0, 4.0, 6.0]), weight=weight)
-    assert mean_and_scatter(uneven) == (5.0, 1.0)
-
-
-def test_pressures_are_taken_by_angle_whatever_the_order_of_the_nodes():
-    turn = np.radians([50.0, 10.0, 30.0])
-    touch = SimpleNamespace(x=2 * np.array([np.cos(turn), np.sin(turn)]), pressure=10 * turn)
-    at = np.radians([20.0, 45.0])
-    assert pressure_at(touch, at) == pytest.approx(10 * at)
-
-
-def test_a_ring_under_pressure_has_lame_s_means():
-    ring = solve_plane(
-        quarter_ring(r_i=1.0, r_o=2.0, refine=8), materials=Elastic(E=3.0, nu=0.3),
-        assumption="plane stress", supports={"x=0": "x", "y=0": "y"}, pressures={"bore": 0.6},
-    )  # fmt: skip
-    moved, hoop = means_on(ring, "bore")
-    assert hoop == pytest.approx(0.6 * 5 / 3, rel=1e-3)
-    assert moved == pytest.approx(0.6 / 3 * (5 / 3 + 0.3), rel=1e-4)
-
-
 def touching(a, c, mu_p=1.0, shift=0.0):
     """Two ellipses of traction, and of pressure, at many points."""
     x = np.linspace(-a, a, 200_001)
@@ -83,6 +58,22 @@ def test_a_cubic_passes_smoothing_unchanged_and_jitter_is_stated():
     assert 0.5e-3 < scatter < 2e-3
 
 
+def test_pressures_of_a_ring_are_read_by_weight_and_by_angle():
+    uneven = SimpleNamespace(p=np.array([4.0, 4.0, 6.0]), weight=np.array([1.0, 1.0, 2.0]))
+    assert mean_and_scatter(uneven) == (5.0, 1.0)
+    turn = np.radians([50.0, 10.0, 30.0])  # in any order
+    touch = SimpleNamespace(x=2 * np.array([np.cos(turn), np.sin(turn)]), pressure=10 * turn)
+    at = np.radians([20.0, 45.0])
+    assert pressure_at(touch, at) == pytest.approx(10 * at)
+    ring = solve_plane(
+        quarter_ring(r_i=1.0, r_o=2.0, refine=8), materials=Elastic(E=3.0, nu=0.3),
+        assumption="plane stress", supports={"x=0": "x", "y=0": "y"}, pressures={"bore": 0.6},
+    )  # fmt: skip
+    moved, hoop = means_on(ring, "bore")  # Lamé's
+    assert hoop == pytest.approx(0.6 * 5 / 3, rel=1e-3)
+    assert moved == pytest.approx(0.6 / 3 * (5 / 3 + 0.3), rel=1e-4)
+
+
 def loop(n):
     """A loop of even steps in x, Q = x ± (1 - x²): area 2 * 4/3."""
     down = np.linspace(1.0, -1.0, n + 1)
@@ -91,51 +82,33 @@ def loop(n):
     return x, x + swing * (1 - x**2)
 
 
-def test_the_area_of_a_loop_is_positive_and_exact_for_parabolas():
+def test_a_loop_of_parabolas_has_its_area_its_order_in_steps_and_its_bend():
     assert loop_area(*loop(8)) == pytest.approx(8 / 3, rel=1e-14)
-
-
-def test_a_loop_bends_beyond_the_line_between_its_reversals():
-    x = np.concatenate([np.linspace(1, -1, 33), np.linspace(-1, 1, 33)[1:]])
-    bend = np.where(np.arange(x.size) <= 32, 1.0, -1.0) * (1 - x**2)
-    at = np.linspace(-1.0, 1.0, 17)
-    found = beyond_chord(2 * x + 0.1 * bend, x, at)
-    down, up = np.split(found, 2)
-    assert down == pytest.approx(0.1 * (1 - at**2), abs=1e-4)
-    assert up == pytest.approx(-0.1 * (1 - at**2), abs=1e-4)
-
-
-def test_straight_lines_between_the_steps_of_a_smooth_loop_err_with_their_square():
     x, Q = loop(64)
     order, error = order_in_steps(x, Q, 8 / 3)
     assert order == pytest.approx(2, abs=1e-3)
     assert error == pytest.approx(8 / 3 - abs(np.trapezoid(Q[::2], x[::2])), rel=1e-12)
+    at = np.linspace(-1.0, 1.0, 17)
+    down, up = np.split(beyond_chord(2 * x + 0.1 * (x - Q), x, at), 2)
+    assert down == pytest.approx(0.1 * (1 - at**2), abs=1e-4)
+    assert up == pytest.approx(-0.1 * (1 - at**2), abs=1e-4)
 
 
-K = np.linspace(0.01, 0.9, 90)
-PUSH = Push(K, 1 - K, 1 - np.sqrt(1 - K))  # c/a = sqrt(1 - K), and a displacement that bends
-
-
-@pytest.mark.parametrize("share", [0.2, 0.5, 0.8])
-def test_the_stick_zone_is_read_off_between_steps(share):
-    c, u = PUSH.stick_half_width(share, 2.0)
-    assert c == pytest.approx(2 * np.sqrt(1 - share), rel=1e-12)
-    assert u < 1e-12
-    assert PUSH.growth(np.array([share]))[0] == pytest.approx(c / 2, rel=1e-12)
-
-
-def test_displacements_beyond_the_chord_vanish_at_its_ends_and_bend_below_it():
-    at_end, _ = PUSH.beyond_chord(0.8, 0.8)
-    between, u = PUSH.beyond_chord(0.4, 0.8)
+def test_a_push_is_read_off_between_its_steps():
+    k = np.linspace(0.01, 0.9, 90)
+    push = Push(k, 1 - k, 1 - np.sqrt(1 - k))  # c/a = sqrt(1 - k), and a displacement that bends
+    for share in (0.2, 0.5, 0.8):
+        c, u = push.stick_half_width(share, 2.0)
+        assert c == pytest.approx(2 * np.sqrt(1 - share), rel=1e-12)
+        assert u < 1e-12
+        assert push.growth(np.array([share]))[0] == pytest.approx(c / 2, rel=1e-12)
+    at_end, _ = push.beyond_chord(0.8, 0.8)
+    between, u = push.beyond_chord(0.4, 0.8)
     assert abs(at_end) < 1e-15
-    exact = 1 - np.sqrt(0.6) - (1 - np.sqrt(0.2)) / 2
-    assert between == pytest.approx(exact, abs=1e-5)
+    assert between == pytest.approx(1 - np.sqrt(0.6) - (1 - np.sqrt(0.2)) / 2, abs=1e-5)
     assert 0 <= u < 1e-4
-
-
-def test_a_smooth_push_leaves_no_jitter_in_the_loop_and_a_rough_one_does():
-    rough = Push(K, PUSH.stick, PUSH.x + 1e-4 * (-1.0) ** np.arange(K.size))
-    assert PUSH.loop_jitter(0.6) < 1e-5 < rough.loop_jitter(0.6)
+    rough = Push(k, push.stick, push.x + 1e-4 * (-1.0) ** np.arange(k.size))
+    assert push.loop_jitter(0.6) < 1e-5 < rough.loop_jitter(0.6)
 
 
 class Sliding:

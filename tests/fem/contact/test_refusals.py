@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-import numpy as np
 import pytest
 
 from fem.contact.pairs import Obstacle, Pair, Rigid
@@ -38,19 +37,15 @@ def problem(mesh=None, **changes):
         ({"contacts": [Pair(slave="a.bottom", master="tpo")]}, "no boundary or obstacle 'tpo'"),
         ({"contacts": [Pair(slave="a.left", master="b.left")]}, "do not face each other"),
         ({"supports": {"b.bot": "xy"}}, "no boundary 'b.bot'"),
-        ({"supports": {}}, "neither supports nor contact hold it"),
         ({"materials": {"a": STEEL, "c": STEEL}}, "no body 'c'"),
         ({"materials": {"a": STEEL}}, "have no material"),
         ({"assumption": "plane"}, "assumption is one of"),
-        ({"thickness": 0.0}, "thickness must be positive"),
         ({"assumption": "axisymmetric", "thickness": 2.0}, "thickness must be positive, 1 around"),
         ({"degree": 3}, "degree 1 or 2"),
         ({"obstacles": {"b.top": LID}}, "has the name of a boundary"),
         ({"obstacles": {"lid": replace(LID, free="y")}}, "obstacle 'lid' can move"),
         ({"contacts": [TOUCH, Pair(slave="lid", master="b.top")], "obstacles": {"lid": LID}},
          "an obstacle can only be the master"),
-        ({"contacts": [Pair(slave="a.bottom", master="lid")],
-          "obstacles": {"lid": Obstacle(Flat((0, 1.5)))}}, "overlap by 0.5"),
         ({"assumption": "axisymmetric", "contacts": UNDER_LID,
           "obstacles": {"lid": replace(LID, free="x")}}, "around a turn only y is free"),
         ({"materials": {"a": STEEL, "b": Rigid()},
@@ -82,9 +77,7 @@ def test_a_problem_is_refused(changes, message):
         (lambda: Circle((0, 0), -1.0), "radius must be positive"),
         (lambda: Circle((0, NAN), 1.0), "centre must be finite"),
         (lambda: Flat((0, 0), (0, 0)), "needs a point and a direction"),
-        (lambda: Obstacle(Flat(), free="yy"), "free motions are of x, y and r, got 'yy'"),
         (lambda: problem().solve(steps=0), "steps must be 1 or more, got 0"),
-        (lambda: problem(blocks(x=5.0)), "do not face each other anywhere"),
         (lambda: problem(blocks(y=0.5)), "'a.bottom' on 'b.top': the surfaces overlap by 0.5"),
         (
             lambda: problem(blocks(x=-0.5), assumption="axisymmetric", supports={"b.bottom": "y"}),
@@ -100,40 +93,23 @@ def test_a_part_is_refused(make, message):
 @pytest.mark.parametrize(
     ("loads", "message"),
     [
-        ({"forces": {"a.top": (0, 1e3)}}, "loads do move it"),
-        ({"forces": {"a.tpo": (0, -1)}}, "no boundary 'a.tpo'"),
         ({"forces": {"a.top": (0, NAN)}}, "finite"),
-        ({"tractions": {"a.top": (0, -np.inf)}}, "finite"),
         ({"pressures": {"a.top": NAN}}, "finite"),
-        ({"body_forces": (0, NAN)}, "finite"),
         ({"point_forces": {(0, 2): (0, NAN)}}, "finite"),
         ({"forces": {"a.top": (0, -1.0, 1.0)}}, "components x and y"),
         ({"point_forces": {(0.3, 7): (0, -1)}}, "no node at"),
         ({"displacements": {"a.top": {"y": -1e-3}}}, "it holds nothing"),
-        ({"displacements": {"b.bottom": {"n": 1e-3}}}, "it holds x, y"),
         ({"displacements": {"b.bottom": {"x": 0, "y": NAN}}}, "not finite"),
-    ],
-)
-def test_loads_are_refused(loads, message):
-    sound = problem()
-    with pytest.raises(ValueError, match=message):
-        sound.solve(**loads)
-
-
-@pytest.mark.parametrize(
-    ("loads", "message"),
-    [
-        ({"displacements": {"lid": {"y": NAN}}}, "not finite"),
         ({"displacements": {"lid": {"n": 1.0}}}, "it holds x, y, r"),
         ({"displacements": {"lid": {"y": lambda x: x[0]}}}, "is a number"),
         ({"forces": {"lid": (0, -1, 0, 0)}}, "components"),
         ({"forces": {"lid": (0, -1e3)}}, "which is not free: its free motions are"),
     ],
 )
-def test_what_is_asked_of_an_obstacle_is_refused(loads, message):
-    lid = problem(obstacles={"lid": LID}, contacts=UNDER_LID)
+def test_loads_are_refused(loads, message):
+    sound = problem(obstacles={"lid": LID}, contacts=UNDER_LID)
     with pytest.raises(ValueError, match=message):
-        lid.solve(**loads)
+        sound.solve(**loads)
 
 
 def test_an_overlap_that_is_asked_for_is_pressed_out():
@@ -141,22 +117,6 @@ def test_an_overlap_that_is_asked_for_is_pressed_out():
     mesh = blocks(y=1 - 1e-6)
     s = problem(mesh, contacts=[fit]).solve(forces={"a.top": (0, -1e3)})
     assert s.touches[0].force == pytest.approx((0, -1e3), abs=1e-5)
-
-
-def test_folded_cells_are_refused():
-    mesh = blocks()
-    nodes = mesh.doflocs.copy()
-    nodes[:, 0] = 5.0
-    with pytest.raises(ValueError, match="folded"):
-        problem(replace(mesh, doflocs=nodes))
-
-
-def test_a_boundary_inside_a_body_has_no_side_to_touch():
-    mesh = blocks().with_boundaries(
-        {"inside": lambda x: np.isclose(x[1], 0.5)}, boundaries_only=False
-    )
-    with pytest.raises(ValueError, match="'inside' lies inside the mesh"):
-        problem(mesh, contacts=[Pair(slave="a.bottom", master="inside")])
 
 
 def test_a_step_comes_after_one_of_its_own_problem():

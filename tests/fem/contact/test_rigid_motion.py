@@ -11,9 +11,9 @@ from meshes.contact.block import block, full_block
 from meshes.contact.disc import half_disc, quarter_disc
 from meshes.contact.round import full_disc
 from meshes.join import join
+from tests.fem.contact.models import STEEL, on_flat
 
 R, LOAD = 10e-3, 1e5
-STEEL = Elastic(E=210e9, nu=0.3)
 EXACT = 1e-8
 
 
@@ -55,49 +55,37 @@ def test_a_disc_slips_down_a_groove_as_far_as_friction_lets_it(friction):
         assert abs(touch.friction_force) == pytest.approx(friction * touch.normal_force, rel=1e-6)
 
 
-@pytest.mark.parametrize("share", [0.3, 0.999])
-def test_a_block_on_a_rough_floor_holds_below_its_friction(share):
-    s = pushed(share)
-    np.testing.assert_allclose(s.touches[0].force, (0.3 * share, -1.0), atol=EXACT)
-    assert np.any(s.touches[0].sticks)
+def on_floor(**problem):
+    """A block that friction holds on a rigid floor."""
+    given = {
+        "friction": 0.3,
+        "x": (-1, 1),
+        "y": (0, 1),
+        "nx": 8,
+        "ny": 4,
+        "floor": Flat(),
+    } | problem
+    friction, floor = given.pop("friction"), given.pop("floor")
+    cells = {key: given.pop(key) for key in ("x", "y", "nx", "ny")}
+    return ContactProblem(
+        block(**cells), **{"materials": Elastic(E=100.0, nu=0.3), "assumption": "plane strain"}
+        | given, obstacles={"floor": Obstacle(floor)},
+        contacts=[Pair(slave="bottom", master="floor", friction=friction)],
+    )  # fmt: skip
 
 
-def test_a_block_pushed_beyond_its_friction_is_refused():
+def test_a_block_on_a_rough_floor_holds_up_to_its_friction():
+    problem = on_floor()
+    down = problem.solve(forces={"top": (0.0, -1.0)})
+
+    def pushed(share):
+        load = {"top": (0.0, -1.0), "right": (0.3 * share, 0.0)}
+        return problem.solve(forces=load, after=down).touches[0]
+
+    np.testing.assert_allclose(pushed(0.999).force, (0.3 * 0.999, -1.0), atol=EXACT)
+    assert np.any(pushed(0.999).sticks)
     with pytest.raises(ValueError, match="loads do move it"):
         pushed(1.001)
-
-
-def pushed(share):
-    problem = ContactProblem(
-        block(x=(-1, 1), y=(0, 1), nx=8, ny=4), materials=Elastic(E=100.0, nu=0.3),
-        assumption="plane strain", obstacles={"floor": Obstacle(Flat())},
-        contacts=[Pair(slave="bottom", master="floor", friction=0.3)],
-    )  # fmt: skip
-    down = problem.solve(forces={"top": (0.0, -1.0)})
-    return problem.solve(forces={"top": (0.0, -1.0), "right": (0.3 * share, 0.0)}, after=down)
-
-
-def test_contact_opens_and_closes_again_as_often_as_it_is_driven():
-    disc = half_disc(R=R, zone=0.3e-3, refine=1)
-    problem = ContactProblem(
-        disc, materials=STEEL, assumption="plane strain", supports={"middle": "xy"},
-        obstacles={"anvil": Obstacle(Flat())},
-        contacts=[Pair(slave="surface", master="anvil", slave_shape=Circle((0.0, R), R))],
-    )  # fmt: skip
-    s, pressed = None, {}
-    for down in (1e-6, 2e-6, -1e-6, 2e-6, 0.0, -1e-3, 1e-6):
-        s = problem.solve(displacements={"middle": {"x": 0.0, "y": -down}}, after=s)
-        force = s.touches[0].normal_force
-        assert force == pytest.approx(pressed.setdefault(down, force), rel=EXACT)
-        assert (force > 0) == (down > 0)
-
-
-def on_floor():
-    return ContactProblem(
-        block(x=(-1, 1), y=(0, 1), nx=8, ny=4), materials=Elastic(E=100.0, nu=0.3),
-        assumption="plane strain", obstacles={"floor": Obstacle(Flat())},
-        contacts=[Pair(slave="bottom", master="floor", friction=0.3)],
-    )  # fmt: skip
 
 
 def test_a_free_block_that_friction_holds_aside_stays_there_as_its_load_falls():
@@ -109,117 +97,84 @@ def test_a_free_block_that_friction_holds_aside_stays_there_as_its_load_falls():
         assert at.touches[0].force == pytest.approx((0.0, -load), abs=1e-8 * load)
 
 
-YIELDING = Elastic(E=1e3, nu=0.3)
+def test_what_slides_before_it_touches_costs_nothing():
+    # a column of E = 1 is driven down through a gap and aside at once: in the first half it does
+    # not touch, from there on it sticks, and bends and shears by half of the whole shift
+    def column(gap, aside, steps):
+        touch = on_floor(
+            x=(0, 1), y=(0, 4), nx=4, ny=16, friction=5.0, floor=Flat((0, -gap)),
+            materials=Elastic(E=1.0, nu=0.0), supports={"top": "xy"},
+        ).solve(
+            displacements={"top": {"x": aside, "y": -gap - 1e-4}}, steps=steps
+        ).touches[0]  # fmt: skip
+        return touch.normal_force, touch.friction_force
+
+    N, T = column(1e-4, 1e-4, 1)
+    assert pytest.approx(1e-4 / 4, rel=1e-9) == N  # E times the strain of the second half
+    assert pytest.approx((N, T), rel=1e-6) == column(1e-4, 1e-4, 20)
+    _, already_down = column(0.0, 0.5e-4, 20)
+    assert pytest.approx(already_down, rel=1e-6) == T
 
 
-def punched(start):
-    """A round punch that a force drives into a block from `start` above it."""
-    punch = Obstacle(Circle((0.0, 5.0 + start), 5.0), free="y")
-    problem = ContactProblem(
-        full_block(width=10.0, depth=10.0, zone=1.2, refine=1), materials=YIELDING,
-        assumption="plane strain", supports={"bottom": "xy"}, obstacles={"punch": punch},
-        contacts=[Pair(slave="surface", master="punch")],
+def test_contact_opens_and_closes_again_as_often_as_it_is_driven():
+    problem = on_flat(half_disc(R=R, zone=0.3e-3, refine=1), supports={"middle": "xy"})
+    s, pressed = None, {}
+    for down in (1e-6, 2e-6, -1e-6, 2e-6, 0.0, -1e-3, 1e-6):
+        s = problem.solve(displacements={"middle": {"x": 0.0, "y": -down}}, after=s)
+        force = s.touches[0].normal_force
+        assert force == pytest.approx(pressed.setdefault(down, force), rel=EXACT)
+        assert (force > 0) == (down > 0)
+
+
+def punch(start=0.0, zone=1.2, friction=0.0, free=""):
+    """A round punch of radius 5 over a block, from `start` above it."""
+    return ContactProblem(
+        full_block(width=10.0, depth=10.0, zone=zone, refine=1), materials=Elastic(E=1e3, nu=0.3),
+        assumption="plane strain", supports={"bottom": "xy"},
+        obstacles={"punch": Obstacle(Circle((0.0, 5.0 + start), 5.0), free=free)},
+        contacts=[Pair(slave="surface", master="punch", friction=friction)],
     )  # fmt: skip
-    return problem.solve(forces={"punch": (0, -100.0)})
 
 
 def test_an_obstacle_keeps_its_own_curvature_from_wherever_it_comes():
-    near, far = punched(0.0), punched(15.0)
+    near, far = (punch(s, free="y").solve(forces={"punch": (0, -100.0)}) for s in (0.0, 15.0))
     one, other = near.touches[0], far.touches[0]
     assert other.peak == pytest.approx(one.peak, rel=1e-3)
     assert other.half_width() == pytest.approx(one.half_width(), rel=1e-3)
     assert far.motion("punch")[1] + 15 == pytest.approx(near.motion("punch")[1], rel=1e-3)
 
 
-def test_a_floor_that_turns_about_its_point_presses_one_half_of_a_block():
-    problem = ContactProblem(
-        block(x=(-1, 1), y=(0, 1), nx=8, ny=4), materials=YIELDING, assumption="plane strain",
-        supports={"top": "xy"}, obstacles={"floor": Obstacle(Flat())},
-        contacts=[Pair(slave="bottom", master="floor")],
-    )  # fmt: skip
-    touch = problem.solve(displacements={"floor": {"r": 1e-4}}).touches[0]
-    assert np.all(touch.x[0, touch.closed & (touch.pressure > 0)] > -0.3)
-    assert touch.x[0] @ touch.pressure > 0
-
-
-def column(steps):
-    """A column that is driven down through a gap and aside at once; T of it as it should be.
-
-    In the first half it does not touch. From there on it sticks: it bends and shears by half of
-    the whole shift.
-    """
-    gap = 1e-4
-    problem = ContactProblem(
-        block(x=(0, 1), y=(0, 4), nx=4, ny=16), materials=Elastic(E=1.0, nu=0.0),
-        assumption="plane strain", supports={"top": "xy"},
-        obstacles={"floor": Obstacle(Flat((0, -gap)))},
-        contacts=[Pair(slave="bottom", master="floor", friction=5.0)],
-    )  # fmt: skip
-    touch = problem.solve(displacements={"top": {"x": gap, "y": -2 * gap}}, steps=steps).touches[0]
-    return touch.normal_force, touch.friction_force
-
-
-def test_what_slides_before_it_touches_costs_nothing():
-    N, T = column(1)
-    many = column(20)
-    assert pytest.approx(1e-4 / 4, rel=1e-9) == N  # E times the strain of the second half
-    assert pytest.approx((N, T), rel=1e-6) == many
-    both = ContactProblem(  # the same column, already down, and aside by the second half alone
-        block(x=(0, 1), y=(0, 4), nx=4, ny=16), materials=Elastic(E=1.0, nu=0.0),
-        assumption="plane strain", supports={"top": "xy"}, obstacles={"floor": Obstacle(Flat())},
-        contacts=[Pair(slave="bottom", master="floor", friction=5.0)],
-    ).solve(displacements={"top": {"x": 0.5e-4, "y": -1e-4}}, steps=20)  # fmt: skip
-    assert pytest.approx(both.touches[0].friction_force, rel=1e-6) == T
-
-
 def test_a_round_punch_that_turns_drags_as_one_that_is_shifted():
-    R, down, aside = 5.0, -0.05, 2e-3
-    punch = ContactProblem(
-        full_block(width=10.0, depth=10.0, zone=1.0, refine=1), materials=YIELDING,
-        assumption="plane strain", supports={"bottom": "xy"},
-        obstacles={"punch": Obstacle(Circle((0.0, R), R))},
-        contacts=[Pair(slave="surface", master="punch", friction=0.9)],
-    )  # fmt: skip
-    pressed = punch.solve(displacements={"punch": {"y": down}})
-    drags = [
-        punch.solve(displacements={"punch": {"y": down, **motion}}, after=pressed).touches[0]
-        for motion in ({"r": aside / R}, {"x": aside})
-    ]
-    # the point of contact is R below the centre: turning to the left moves it to the right, and
+    down, aside = -0.05, 2e-3
+    problem = punch(zone=1.0, friction=0.9)
+    pressed = problem.solve(displacements={"punch": {"y": down}})
+    # the point of contact is 5 below the centre: turning to the left moves it to the right, and
     # the block with it, which pulls the punch back
-    turned, shifted = (touch.friction_force for touch in drags)
+    turned, shifted = (
+        problem.solve(displacements={"punch": {"y": down, **motion}}, after=pressed)
+        .touches[0].friction_force
+        for motion in ({"r": aside / 5}, {"x": aside})
+    )  # fmt: skip
     assert abs(turned) > 0.3
     assert turned == pytest.approx(shifted, rel=0.02)  # (a/R)^2, by which the contact is curved
 
 
-HALF_LOAD = np.pi * 210e9 / 0.91 * (1e-4) ** 2 / (4 * R) / 2  # half of what makes a = R/100
-
-
-def quarter(refine):
-    return ContactProblem(
-        quarter_disc(R=R, zone=0.15e-3, refine=refine), materials=STEEL,
-        assumption="plane strain", supports={"axis": "x"}, obstacles={"flat": Obstacle(Flat())},
-        contacts=[Pair(slave="surface", master="flat", slave_shape=Circle((0, R), R))],
-    )  # fmt: skip
-
-
 @pytest.mark.parametrize("refine", [1, 6])
 def test_exchanges_do_not_grow_with_the_mesh(refine):
-    step = quarter(refine).solve(forces={"middle": (0, -HALF_LOAD)})
+    disc = quarter_disc(R=R, zone=0.15e-3, refine=refine)
+    half = np.pi * 210e9 / 0.91 * (1e-4) ** 2 / (4 * R) / 2  # of the load that makes a = R/100
+    step = on_flat(disc, supports={"axis": "x"}).solve(forces={"middle": (0, -half)})
     assert np.count_nonzero(step.changes) <= 4
-    assert step.touches[0].normal_force == pytest.approx(HALF_LOAD, rel=1e-9)
+    assert step.touches[0].normal_force == pytest.approx(half, rel=1e-9)
 
 
 def test_friction_that_makes_the_exchanges_circle_is_solved_all_the_same():
     # pressed against a rigid flat, a disc's surface creeps inwards: slip outside, stick inside
-    disc = ContactProblem(
-        half_disc(R=R, zone=0.28e-3, refine=2), materials=STEEL, assumption="plane strain",
-        supports={"middle": "xy"}, obstacles={"flat": Obstacle(Flat(), free="xy")},
-        contacts=[
-            Pair(slave="surface", master="flat", slave_shape=Circle((0, R), R), friction=0.5)
-        ],
-    )  # fmt: skip
-    step = disc.solve(forces={"flat": (0, 1e6)})
+    disc = half_disc(R=R, zone=0.28e-3, refine=2)
+    flat = {"flat": Obstacle(Flat(), free="xy")}
+    step = on_flat(disc, friction=0.5, supports={"middle": "xy"}, obstacles=flat).solve(
+        forces={"flat": (0, 1e6)}
+    )
     touch = step.touches[0]
     assert len(step.changes) < 200
     assert touch.force == pytest.approx((0, -1e6), abs=1e-2)

@@ -80,14 +80,11 @@ def slid(normal, along=0.02):
     return problem.solve(displacements={"disc.middle": {"x": along, "y": -0.004}}, after=pressed)
 
 
-def test_along_a_flat_master_pressure_keeps_one_direction():
+def test_pressure_keeps_one_direction_along_a_flat_master_and_turns_between_two_bodies():
     touch = slid("master").touches[0]
     np.testing.assert_allclose(touch.mortar.points.n, -UP * np.ones(touch.p.size), atol=1e-14)
     x, y = touch.force
     assert x == pytest.approx(-MU * y, rel=1e-12)
-
-
-def test_between_two_bodies_it_turns_with_the_surface_on_which_they_meet():
     touch = slid("between").touches[0]
     # half of the disc's slope, both moduli being alike
     near = np.abs(touch.mortar.points.x[0]) < 0.1 * R
@@ -96,8 +93,5 @@ def test_between_two_bodies_it_turns_with_the_surface_on_which_they_meet():
     np.testing.assert_allclose(n[0] / -n[1], expected, rtol=0.01, atol=1e-6)
     x, y = touch.force
     assert abs(x / (MU * y) + 1) > 1e-4  # the contact has moved to where the surface is inclined
-
-
-def test_an_unknown_normal_is_refused():
     with pytest.raises(ValueError, match="'between' or that of the 'master', got 'slave'"):
         Pair(slave="a", master="b", normal="slave")
