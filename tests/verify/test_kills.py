@@ -1,4 +1,4 @@
-"""Every study killed at random moments: nothing stored is lost or torn, and the result is the same.
+"""Studies that are killed, stopped or torn: nothing stored is lost, and the result is the same.
 
 The studies run in a copy of the project, since some of them write its measured files.
 """
@@ -6,6 +6,7 @@ The studies run in a copy of the project, since some of them write its measured 
 import json
 import os
 import random
+import re
 import shutil
 import signal
 import sqlite3
@@ -20,7 +21,7 @@ import pytest
 
 from tests.verify.sweep_made import RING
 from tests.verify.test_design_sprag_command import NARROW, task
-from verify.core.store import FILE
+from verify.core.store import FILE, Store
 from verify.jobs.cache import default_folder
 
 KILLS = int(os.environ.get("FREEWHEEL_KILLS", "6"))  # of each study
@@ -152,3 +153,84 @@ def test_kills_lose_nothing(name, tmp_path):
     copy.run()
     assert stored.items() <= copy.entries().items()
     assert copy.result() == right.result()
+
+
+def members(session: int) -> dict[int, bytes]:
+    """Living processes of a session, with their command lines."""
+    found = {}
+    for entry in Path("/proc").glob("[0-9]*"):
+        try:
+            state, _, _, sid = (entry / "stat").read_text().rpartition(")")[2].split()[:4]
+            if int(sid) == session and state != "Z":
+                found[int(entry.name)] = (entry / "cmdline").read_bytes()
+        except OSError:
+            continue
+    return found
+
+
+def wait_until(condition) -> None:
+    end = time.monotonic() + 20
+    while not condition():
+        assert time.monotonic() < end
+        time.sleep(0.02)
+
+
+@pytest.mark.parametrize(
+    ("stop", "name", "words"),
+    [
+        (signal.SIGINT, "levels", ".*"),
+        pytest.param(signal.SIGTERM, "levels", ".*", marks=pytest.mark.soak),
+        pytest.param(
+            signal.SIGINT, "sweep", r"\d+ of 12 points are stored: the same command continues with "
+            "the others", marks=pytest.mark.soak,
+        ),
+    ],
+)  # fmt: skip
+def test_a_stopped_run_ends_at_once_with_one_line(stop, name, words, tmp_path):
+    process = Copy(tmp_path, STUDIES[name]).start()
+    wait_until(lambda: sum(b"spawn_main" in c for c in members(process.pid).values()) == 2)
+    time.sleep(0.2)
+    start = time.monotonic()
+    if stop is signal.SIGINT:
+        os.killpg(process.pid, stop)  # as a terminal does
+    else:
+        process.send_signal(stop)
+    _, err = process.communicate(timeout=20)
+    assert time.monotonic() - start < 2  # the level under way takes longer
+    assert process.returncode == 130
+    assert "Traceback" not in err
+    assert re.fullmatch(f"freewheel: interrupted; {words}", err.splitlines()[-1])
+    wait_until(lambda: not members(process.pid))
+    assert not list(tmp_path.glob("out/**/.part-*"))
+
+
+def test_torn_entries_are_solved_again_and_the_files_of_a_killed_run_go(tmp_path):
+    copy = Copy(tmp_path, STUDIES["levels"])
+    copy.run()
+    right, before = copy.result(), copy.entries()
+    levels = Store(copy.store.parent).all("level", "ring-lame")
+    torn, empty = sorted(levels, key=lambda key: len(levels[key]))[:2]
+    torn_levels = {torn: levels[torn][:-10], empty: b""}
+    Store(copy.store.parent).store("level", "ring-lame", torn_levels)
+    (tmp_path / "out" / ".part-killed").mkdir()
+    (tmp_path / "out" / ".part-killed" / "rows.csv").write_bytes(b"half")
+    (tmp_path / "out" / "rows.csv").unlink()  # or it is up to date
+    copy.run()
+    now = copy.entries()
+    changed = {
+        key for kind, key in before if kind == "level" and before[kind, key] != now[kind, key]
+    }
+    assert changed == set(torn_levels)
+    assert copy.result() == right
+
+
+@pytest.mark.soak  # two whole runs
+def test_two_runs_at_once_with_one_cache_and_one_folder_agree(tmp_path):
+    copy = Copy(tmp_path, STUDIES["levels"])
+    both, results = [copy.start() for _ in range(2)], []
+    for process in both:
+        _, err = process.communicate(timeout=600)
+        assert process.returncode == 0, err
+        results.append(copy.result())
+    assert not list(tmp_path.glob("out/**/.part-*"))
+    assert results[0] == results[1]

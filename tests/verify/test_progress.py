@@ -14,15 +14,10 @@ BUSY = State(12, 48, ("spring-continuum level 8",), 14.2)
 
 def test_a_line_says_what_is_solved_and_how_long_it_takes():
     assert line(BUSY) == "refinement levels 12 of 48, spring-continuum level 8, about 14 s left"
+    seconds = {0.0: "1 s", 89.0: "89 s", 90.0: "2 min", 4800.0: "1 h 20 min"}
+    assert {number: duration(number) for number in seconds} == seconds
     names = ("a level 8", "b level 4", "c level 2", "d level 1")
     assert "a level 8, b level 4 and 2 more, about" in line(State(0, 4, names, 1.0))
-
-
-@pytest.mark.parametrize(
-    ("seconds", "words"), [(0.0, "1 s"), (89.0, "89 s"), (90.0, "2 min"), (4800.0, "1 h 20 min")]
-)
-def test_durations_are_rounded(seconds, words):
-    assert duration(seconds) == words
 
 
 def lines_of(times, state=BUSY):

@@ -41,23 +41,6 @@ def test_a_grid_says_where_the_formula_holds_and_what_breaks_it():
     ]
 
 
-@pytest.mark.parametrize(
-    ("vary", "error", "U", "last"),
-    [
-        (("a=1:4mm:4",), 1e-6, 0, "  within 2, 5 and 10 %: all 4 points: a 1..4 mm"),
-        (("a=1:4mm:4",), 0.3, 0.3, "  within 2, 5 and 10 %: nowhere, 4 undecided"),
-        (("a=1:4mm:4",), NAN, 0, "  within 2, 5 and 10 %: nothing is solved"),
-        (("a=1:4mm:4",), [NAN, NAN, 0, 0], 0,
-         "    no answer beyond a = 3 mm: 2 mm is not solved (does not converge)"),
-        (("a=4:5mm:2", "b=2:3mm:2"), [0, 0, 0, 0.3], 0,
-         "    nothing breaks it along one axis, several inputs together do"),
-    ],
-)  # fmt: skip
-def test_limits_alike_are_one_line(vary, error, U, last):
-    plan = planned(*vary)
-    assert printed(outcome(plan, course(plan, error, U)))[-1] == last
-
-
 def test_points_that_are_refused_or_failed_are_counted_with_their_reasons():
     plan = planned("a=1:7mm:7")
     whys = ("", "", "", "", "refused: inputs: b must be at most 2 mm, got 5 mm",

@@ -46,14 +46,6 @@ def test_the_indices_of_ishigamis_function():
     assert [index.tolerance.name for index in of.ranked] == ["a", "b", "c"]
 
 
-def test_means_over_some_rows_have_the_variance_of_those_rows():
-    a, b, c = np.random.default_rng(5).exponential(size=(3, 16))
-    some = a > 1  # whose mean is not that of all
-    mean = estimates(terms(a, b, c[None])[some].mean(axis=0))
-    both = np.concatenate([a[some], b[some]])
-    assert mean[1, 0] == pytest.approx(np.mean((a - c)[some] ** 2) / 2 / both.var(), rel=1e-12)
-
-
 def test_intervals_hold_the_true_index_about_as_often_as_they_say():
     hits = trials = 0
     for seed in range(30):

@@ -1,4 +1,4 @@
-"""Sweeps that are stopped, or whose workers or scheduler are killed, end as undisturbed ones."""
+"""Sweeps on a cluster whose workers or scheduler are killed end as undisturbed ones."""
 
 import os
 import signal
@@ -12,7 +12,6 @@ from contextlib import closing, contextmanager, suppress
 import pytest
 
 from tests.verify.sweep_made import RING
-from verify.app.cli import run
 
 pytestmark = pytest.mark.soak  # a killed client is in test_kills, killed tasks in test_workers
 POINTS = 24
@@ -77,31 +76,6 @@ def below(pid):
     return found[1:]
 
 
-@pytest.fixture(scope="module")
-def undisturbed(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("undisturbed")
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("FREEWHEEL_CACHE", str(folder / "cache"))
-        (folder / "ring.toml").write_text(RING)
-        assert run([*command(folder), "--jobs", "1"]) == 0
-    assert points(folder) == POINTS
-    return table(folder)
-
-
-def test_ctrl_c_says_what_is_stored_and_the_same_command_continues(undisturbed, tmp_path):
-    process = client(tmp_path, "--jobs", "2")
-    wait_for_points(tmp_path, 2)
-    os.kill(below(process.pid)[-1], signal.SIGKILL)  # a worker, with what it is at
-    wait_for_points(tmp_path, points(tmp_path) + 2)
-    os.killpg(process.pid, signal.SIGINT)  # as a terminal sends it: to workers, too
-    status, said = ended(process)
-    assert status == 130
-    stored = points(tmp_path)
-    assert said.splitlines()[-1] == f"freewheel: interrupted; {CONTINUES.format(stored)}"
-    assert ended(client(tmp_path, "--jobs", "2"))[0] == 0
-    assert table(tmp_path) == undisturbed
-
-
 @contextmanager
 def listening():
     """A dask scheduler with two workers, as an engineer starts them: its process and address."""
@@ -130,9 +104,7 @@ def listening():
             process.wait()
 
 
-def test_a_killed_scheduler_is_named_and_another_one_continues_with_the_same_numbers(
-    undisturbed, tmp_path
-):
+def test_a_killed_scheduler_is_named_and_another_one_continues_with_the_same_numbers(tmp_path):
     with listening() as (scheduler, workers, address):
         process = client(tmp_path, "--engine", "dask", "--scheduler", address)
         wait_for_points(tmp_path, 2)
@@ -147,4 +119,8 @@ def test_a_killed_scheduler_is_named_and_another_one_continues_with_the_same_num
     assert stored < POINTS
     with listening() as (_, _, address):
         assert ended(client(tmp_path, "--engine", "dask", "--scheduler", address))[0] == 0
-    assert table(tmp_path) == undisturbed
+    undisturbed = tmp_path / "undisturbed"
+    undisturbed.mkdir()
+    assert ended(client(undisturbed, "--jobs", "1"))[0] == 0
+    assert points(undisturbed) == POINTS
+    assert table(tmp_path) == table(undisturbed)

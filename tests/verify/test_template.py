@@ -130,14 +130,6 @@ def test_wrong_words_are_one_line_and_two(arguments, message, tmp_path, capsys, 
     assert path.read_text() == "mine"
 
 
-def test_an_input_without_default_or_example_is_a_mistake_of_the_case():
-    class Nameless(Inputs):
-        F: float | None = quantity(None, "N", "F", "force", omitted=None)
-
-    with pytest.raises(ValueError, match="input F has no default"):
-        template(replace(CASES[0], inputs=Nameless))
-
-
 def test_numbers_that_do_not_end_are_written_to_their_last_digit():
     class Awkward(Inputs):
         L: float = quantity(f"{100 / 3} mm", "mm", "L", "a third of a decimetre")

@@ -83,17 +83,6 @@ def test_a_mistyped_quantity_is_refused_at_once(text):
     assert time.perf_counter() - start < 0.2
 
 
-LENGTHS = {"m": 1.0, "mm": 1e-3, "µm": 1e-6, "km": 1e3, "in": 0.0254}
-numbers = st.floats(1e-30, 1e30) | st.floats(-1e30, -1e-30) | st.just(0.0)
-
-
-@fixed
-@given(numbers, st.sampled_from(sorted(LENGTHS)), st.sampled_from(["", " ", "  "]))
-def test_what_python_prints_is_read_again(number, unit, gap):
-    value = units.parse(f"{number!r}{gap}{unit}", "mm")
-    assert value == pytest.approx(number * LENGTHS[unit], rel=4e-16)
-
-
 BASES = {"mm": 1e-3, "N": 1, "MPa": 1e6, "s": 1, "deg": math.pi / 180, "kg": 1, "J": 1}
 powers = st.dictionaries(
     st.sampled_from(sorted(BASES)), st.integers(-3, 3).filter(bool), min_size=1, max_size=3
@@ -108,19 +97,18 @@ def test_a_product_of_powers_has_the_product_of_the_factors(parts, dot):
     assert units.factor(text) == pytest.approx(expected, rel=1e-14)  # some twenty roundings
 
 
+def outcome(text, unit):
+    try:
+        return units.parse(text, unit)
+    except ValueError as error:
+        return str(error)
+
+
 @fixed
 @given(st.text(max_size=40), st.sampled_from(["mm", "1", "deg"]))
 def test_any_text_is_a_finite_number_or_one_line(text, unit):
-    try:
-        assert math.isfinite(units.parse(text, unit))
-    except ValueError as error:
-        assert str(error).isprintable()
-
-
-@pytest.mark.parametrize("unit", ["", "furlong", "mm^", "/mm", "mm 1"])
-def test_what_is_no_unit_has_no_factor(unit):
-    with pytest.raises(ValueError, match="is not a"):
-        units.factor(unit)
+    found = outcome(text, unit)
+    assert math.isfinite(found) if isinstance(found, float) else found.isprintable()
 
 
 def test_units_that_a_message_offers_are_accepted():

@@ -180,19 +180,6 @@ def test_a_batch_that_kills_its_process_is_split_and_its_culprit_alone_is_lost()
         list(Drive(engine, sum).answers([(13,)]))
 
 
-def test_no_more_tasks_are_taken_than_are_solved_and_wait():
-    taken = []
-
-    def tasks():
-        for n in range(8):
-            taken.append(n)
-            yield (n,)
-
-    drive = Drive(Engine(Here(), lambda: 2, ahead=1), sum)
-    next(event for event in drive.answers(tasks()) if event is not None)
-    assert len(taken) == 4
-
-
 @pytest.mark.slow("a cluster of processes starts")
 def test_one_or_two_processes_and_a_dask_cluster_judge_alike(tmp_path):
     case = find("polyhedral-pressure")  # its levels take tenths of a second

@@ -8,11 +8,10 @@ from textwrap import dedent
 
 import pytest
 
-from tests.verify.mutation.forked import answer
 from verify.audit.mutation import baseline as known
 from verify.audit.mutation import score, suite, trial, workload
 from verify.audit.mutation.campaign import Campaign
-from verify.audit.mutation.groups import Group, functions_of
+from verify.audit.mutation.groups import Group
 from verify.audit.mutation.outcomes import KIND, By, Outcome, Outcomes
 from verify.audit.mutation.sample import sample
 from verify.audit.mutation.sandbox import Task
@@ -138,16 +137,6 @@ def test_tests_come_after_the_rows_and_what_takes_long_last(brief, tmp_path, mon
     assert found["b * 1e-09", "b / 1e-09"].what == "ring-tape/length"
 
 
-@pytest.mark.parametrize(
-    ("path", "runs"), [("tests/verify/test_durations.py", True), ("tests/none", False)]
-)
-def test_the_project_s_own_tests_run_or_the_run_ends(path, runs):
-    """Without xdist, as mutants need it: hooks of a plugin that is missing end a run of pytest."""
-    found = answer(partial(suite.traced, path), 60.0)
-    assert bool(found.value) == runs
-    assert ("pytest ends with" in found.failure) != runs
-
-
 def test_a_run_continues_where_it_was_stopped(brief, tmp_path):
     def stopped(state):
         if state.done == 3:
@@ -233,22 +222,3 @@ def test_tests_of_a_function_come_before_those_that_share_its_file():
     ]  # fmt: skip
     assert suite.covering({"m:g", "m:h"}, TRACES) == ["tests/b.py::quick", "tests/c.py::other"]
     assert suite.covering({"m:none"}, TRACES) == []
-
-
-def test_a_constant_is_tested_by_the_functions_that_read_it(tmp_path, monkeypatch):
-    monkeypatch.syspath_prepend(tmp_path)
-    text = """
-        LONG = 3.0
-
-        def width(a):
-            return a * LONG
-
-        def twice(a):
-            return width(a) * 2
-    """
-    (tmp_path / "folding_rule.py").write_text(dedent(text), "utf-8")
-    found = mutants(source("folding_rule"), FORMULAS)
-    assert {one.mutant.function: functions_of(one) for one in found} == {
-        "LONG": {"folding_rule:width"}, "width": {"folding_rule:width"},
-        "twice": {"folding_rule:twice"},
-    }  # fmt: skip

@@ -25,17 +25,6 @@ def test_answers_come_from_other_processes_and_one_that_never_ends_is_ended():
     assert time.monotonic() - start < 15
 
 
-def test_what_a_child_started_does_not_delay_its_answer():
-    def leaves():
-        if os.fork() == 0:
-            time.sleep(30)
-        return 7
-
-    start = time.monotonic()
-    assert answer(leaves, 20.0).value == 7
-    assert time.monotonic() - start < 10
-
-
 @pytest.mark.parametrize(
     ("end", "failure"),
     [

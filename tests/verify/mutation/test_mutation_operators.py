@@ -60,12 +60,6 @@ def test_an_operator_changes_what_it_says(operator, line, after):
     assert changed(operator, line) == after
 
 
-def test_linear_elements_replace_quadratic_ones_wherever_the_class_comes_from():
-    (line,) = changed("element", "ElementTriP2()")
-    element = eval(line)
-    assert type(element).__name__ == "ElementTriP1"
-
-
 GUARDED = '''
 """Words 1 + 2."""
 

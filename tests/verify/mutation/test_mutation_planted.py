@@ -53,27 +53,12 @@ def verdict(work) -> list[str]:
     return found.value
 
 
-def test_a_formula_with_the_other_radius_is_named_by_the_rows_it_feeds(ring):
-    fault = planted("analytic.ring.lame", "_constants", "r_o ** 2", "r_o")
-    load = Load(ring.load.case, ring.load.inputs, ring.load.levels)  # formulas computed again
-    by, what = verdict(partial(trial.tried, fault, [Bench(load, ring.before)]))
-    assert by == By.ROWS
-    assert what.startswith("ring-lame/")
-    assert "stress" in what
-
-
 def test_a_weak_form_with_a_sign_mistaken_is_named_by_what_it_strains(ring):
     term = "lam * M[:, :, i, :, j] {} mu * M[:, :, j, :, i]"
     fault = planted("fem.plane.cells", "Cells._stiffness", term.format("+"), term.format("-"))
     by, what = verdict(partial(trial.solved, fault, [(ring, ring.load.case.levels[:1])]))
     assert by == By.ROWS
     assert "displacement" in what or "stress" in what
-
-
-def test_code_that_stays_as_it_is_turns_no_row_red(ring):
-    assert verdict(lambda: trial.told(ring.judged(), ring)) is None
-    unused = planted("fem.plane.cells", "Cells.strain_energy", "2", "3")  # the case calls none
-    assert verdict(partial(trial.tried, unused, [ring])) == [By.NOTHING, ""]
 
 
 @pytest.mark.parametrize(

@@ -16,7 +16,6 @@ from verify.jobs.cache import default_folder
 from verify.jobs.level import solve_level
 from verify.judging import judge
 from verify.judging.checks import Approximation, Exact, Limit
-from verify.judging.tolerance_checks import Agreement, Pair
 
 ALL = frozenset(PERTURBATIONS)
 SERIES = power_law(2.0, 1e-3)
@@ -89,22 +88,6 @@ def test_an_interval_that_moves_along_with_its_formula_hides_errors():
     ]
 
 
-def test_rows_that_are_red_whatever_a_formula_says_are_counted_apart():
-    fem = Agreement(name="fem", symbol="g", unit="1", accepted=1e-3, source="made up",
-                    pair=lambda c: Pair(2.0, c.series("v")[1][-1], 0.0, "off"))  # fmt: skip
-    zero = identity(name="zero", analytic="zero", scale="one")
-    near = made([1e-4 * h**2 for h in (0.5, 0.25, 0.125)])
-    rows = [*both_ways([identity(), fem], made()), *both_ways([zero], near),
-            *both_ways([balance()], made([0.0, 0.0, 1e-12]))]  # fmt: skip
-    found = score(rows)
-    assert found["gate"]["rows"] == 4
-    assert found["apart"] == {
-        "exact balances": 1, "deviations from zero": 1,
-        "rows that no value of the formulas reaches": 1,
-    }  # fmt: skip
-    assert (found["the rest"]["rows"], found["the rest"]["red"]["+1 %"]) == (1, 1)
-
-
 def test_the_gate_is_red_where_the_tolerance_of_one_row_is_widened(monkeypatch):
     """One row of 21 with U of 6 %, where judging no longer asks rows to be sharp."""
     blunt = identity(name="blunt")
@@ -116,19 +99,6 @@ def test_the_gate_is_red_where_the_tolerance_of_one_row_is_widened(monkeypatch):
     assert rows[-2].row.status is Status.PASS
     found = gate.failures(rows)
     assert any(text.startswith("+5% turns 95.24% of 21 rows red") for text in found)
-
-
-def test_rows_are_listed_by_the_reason_and_convergence_is_neither():
-    wide = identity(name="wide", demand=0.02, demand_reason="made up")
-    shown = approximation(lambda _q, _v: None)
-    found = score(both_ways([identity(), wide, shown], made()))
-    assert found["convergence"] == 3
-    assert found["gate"]["rows"] == 1
-    assert found["listed"]["rows"] == 2
-    names = {why: [name for name, _ in rows] for why, rows in found["listed"]["because"].items()}
-    assert names["a wider demand: made up"] == ["ring-made-up/wide"]
-    assert found["listed"]["share"] == pytest.approx(2 / 6, rel=1e-3)
-    assert found["listed"]["share without convergence"] == pytest.approx(2 / 3, rel=1e-3)
 
 
 def test_a_case_of_the_suite_passes_the_gate_but_for_what_is_listed():
