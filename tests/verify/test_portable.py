@@ -2,7 +2,6 @@
 
 import json
 import math
-import os
 from dataclasses import replace
 
 import pytest
@@ -189,14 +188,6 @@ def test_a_status_a_value_or_a_tolerance_that_differs_is_reported(change, kind, 
         assert found[0].now.endswith(words[1])
 
 
-def test_of_a_fact_a_tenth_of_its_margin_counts_and_perturbed_sides_may_move_alike():
-    assert [compared(FACT, tolerance=U) == [] for U in (0.14, 0.16)] == [True, False]
-    alike = {name: value * (1 + 1e-7) for name, value in VALUES.items()}
-    assert compared(values=alike, perturbed=True) == []
-    apart = {"difference": -0.003, "values": {**VALUES, "reference": 2.003}}
-    assert [one.kind for one in compared(perturbed=True, **apart)] == [Kind.VALUE]
-
-
 @pytest.mark.parametrize(
     ("here", "there", "kind"),
     [
@@ -263,14 +254,6 @@ def test_a_reason_makes_a_move_portable_and_one_that_explains_nothing_is_named(t
         path.write_text(text, "utf-8")
         with pytest.raises(InputError, match=words):
             reasons.read(path)
-
-
-def test_a_process_that_ends_badly_is_named_with_its_last_line(tmp_path):
-    work = runner.Work(place=Place(Store(tmp_path), "v", "key"), folder=tmp_path,
-                       environment={**os.environ}, cases=("nocase",))  # fmt: skip
-    (how,) = runner.run_all([work], 1, lambda _state: None).values()
-    assert how.startswith("exit status 1: ValueError: unknown case 'nocase'")
-    assert str(tmp_path / runner.LOG) in how
 
 
 @pytest.mark.parametrize(

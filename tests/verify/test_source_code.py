@@ -271,16 +271,6 @@ def test_a_module_is_reached_by_every_form_of_import(name, changes, source):
     assert source(**{name: changes}) != source(**{name: changes}, **other)
 
 
-@pytest.mark.parametrize("use", ["from fem.made_up import passed", "from fem import made_up"])
-def test_a_name_that_a_module_only_hands_on_stands_for_its_code(use, source):
-    used = [("    from fem.made_up", f"    {use}\n    from fem.made_up")]
-    hashes = {
-        source(made_up_case=used, made_up=[(IMPORT, f"{IMPORT}\nfrom fem.{name} as passed")])
-        for name in ("made_deep import deep", "made_deep import other", "made_apart import deep")
-    }
-    assert len(hashes) == 3
-
-
 def test_modules_hashed_together_stand_for_their_code_in_each_other(source, monkeypatch):
     monkeypatch.setattr(source_code, "_counts", lambda _name: False)  # as modules of verify
     group = ["fem.made_deep", "fem.made_moved", "fem.made_apart", "fem.made_up"]

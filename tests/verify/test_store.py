@@ -78,16 +78,6 @@ def test_processes_that_begin_a_file_at_once_lose_nothing(store, tmp_path):
     assert [(group.kind, group.entries) for group in store.groups()] == [(n, 40) for n in names]
 
 
-def test_a_locked_file_is_waited_for_and_then_named(store, monkeypatch):
-    store.store("sweep", "ring", {"a": b"1"})
-    monkeypatch.setattr(database, "PATIENCE", 0.01)
-    other = sqlite3.connect(store.path, isolation_level=None)
-    other.execute("BEGIN EXCLUSIVE")
-    with pytest.raises(OSError, match=r"locked: results cannot be stored there$"):
-        store.store("sweep", "ring", {"b": b"1"})
-    other.close()
-
-
 # Files that cannot be read or written
 
 

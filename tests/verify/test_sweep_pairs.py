@@ -1,12 +1,12 @@
 """What a sweep compares at a point, and how uncertain that is."""
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import pytest
 
 from tests.verify.sweep_made import CASE, Plate
-from verify.core.case import FemResult, Portion
+from verify.core.case import Portion
 from verify.core.inputs import InputError
 from verify.core.results import Kind
 from verify.judging.checks import Exact, Identity
@@ -96,13 +96,6 @@ def test_an_error_is_relative_to_the_finest_value_or_its_scale_and_its_bar_to_th
     assert point(V, {"t": 0.01, "s": 0.0}, scale="s").problem.startswith("nothing to relate a")
 
 
-def test_iteration_and_a_truncated_series_widen_the_bar():
-    iterated = point(V, {"t": 2.0}, u_it={"t": 1e-5})
-    assert pytest.approx(2 * math.hypot(INDEX / 2, 1e-5), rel=1e-9) == iterated.U
-    series = point(V, {"t": 2.0, "r": 0.001}, residual="r")
-    assert pytest.approx(2 * math.hypot(INDEX / 2, 0.002), rel=1e-9) == series.U
-
-
 @pytest.mark.parametrize(
     ("fe", "formula", "problem"),
     [
@@ -121,24 +114,6 @@ def test_what_cannot_be_compared_says_why(fe, formula, problem):
     assert math.isnan(found.error) is math.isnan(found.U_error) is bool(problem)
     if not problem:
         assert pytest.approx(0.003) == found.U  # three times the scatter
-
-
-@dataclass(frozen=True, kw_only=True)
-class Doubled(Identity):
-    """A claim about twice the value."""
-
-    def rows(self, context):
-        levels = [FemResult(h=r.h, values={"t": 2 * r.values["t"]}) for r in context.fem]
-        return super().rows(replace(context, fem=levels))
-
-
-def test_a_claim_that_derives_values_is_compared_by_them():
-    check = Doubled(name="twice", symbol="φ", unit="deg", analytic="t", fem="t", formal=2)
-    found = point(V, {"t": 4.2}, check=check)
-    assert found.error == pytest.approx(4.2 / 4.004 - 1, rel=1e-9)
-    assert pytest.approx(2 * INDEX, rel=1e-9) == found.U
-    mirrored = point(tuple(-v for v in V), {"t": -4.2}, check=check)
-    assert mirrored.error == pytest.approx(-found.error, rel=1e-9)
 
 
 def test_an_outcome_has_the_points_in_their_order_with_their_problems():

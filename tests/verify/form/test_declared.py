@@ -33,7 +33,6 @@ from verify.core.case import Context
 from verify.form import equations
 from verify.form.adapter import adapted
 from verify.form.members import reached
-from verify.form.plots import dashes, dots
 from verify.form.quantity import forget
 from verify.jobs.level import Job, judge_case, solve_level
 from verify.judging.checks import Order
@@ -321,14 +320,6 @@ def test_figures_along_a_line_take_their_part_of_an_array_in_their_units():
     assert len(first.x_fem) == len(first.y_fem) == len(first.u) == 5
     # without levels enough for its uncertainty it is not drawn
     assert case.figures(context_of(case, Pair(), levels=2)) == ()
-
-
-def test_a_number_in_a_curve_stands_for_all_points():
-    level, upright = dashes("p_lim", [0.0, 3.0], 7.0), dashes("T", 2.0, [0.0, 1.0], 4)
-    assert level.y.tolist() == [7.0, 7.0]
-    assert upright.x.tolist() == [2.0, 2.0]
-    assert (upright.colour, upright.style) == (4, "dashes")
-    assert dots("T", 2.0, 1.0).x.shape == (1,)
 
 
 @pytest.mark.parametrize("levels", [2, 3])

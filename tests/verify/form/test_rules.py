@@ -17,12 +17,11 @@ from verify.case import (
     shared,
     solved,
 )
-from verify.cases.contact.roller.case import ROLLER
 from verify.cases.registry import CASES
-from verify.form import dimensions, equations, independence
+from verify.form import dimensions, independence
 from verify.form.adapter import adapted
 from verify.form.quantity import changed
-from verify.form.tex import evaluate, with_raised_stars
+from verify.form.tex import evaluate
 
 
 class Rod(Case):
@@ -277,36 +276,7 @@ def test_a_reference_without_numbers_is_an_error(result, message):
 # Equations as they are written
 
 
-def test_constants_and_powers_of_code_are_those_of_the_equation():
-    class Powers(Rod):
-        @Quantity("x", "mm", "constant of many digits")
-        def x(self) -> float:
-            return 0.31830988618 * self.d
-
-        @Quantity("y", "mm", "power of a power of ten")
-        def y(self) -> float:
-            return self.d * 1e6**self.k
-
-        @Quantity("z", "mm", "power of a power")
-        def z(self) -> float:
-            return self.d * (3**self.k) ** 2
-
-    found = [e.tex for e in equations.stated(Powers()) if e.numbers.count("=") == 2]
-    assert found[-3:] == [
-        r"x = 0.31830988618 d",
-        r"y = d \left(10^{6}\right)^{k}",
-        r"z = d \left(3^{k}\right)^{2}",
-    ]
-
-
 @pytest.mark.parametrize(("t", "value"), [(3.0, 4 / 3), (10.0, None), (0.0, None)])
 def test_a_root_is_evaluated_where_it_has_a_value(t, value):
     found = evaluate(r"\sqrt{(\frac{\mu}{t})^2 - 1}", {r"\mu": 5.0, "t": t})
     assert found == (value if value is None else pytest.approx(value))
-
-
-def test_the_star_of_a_symbol_is_raised_and_no_product():
-    found = {e.tex for e in equations.stated(ROLLER.inputs())}
-    assert r"p_0 = \sqrt{\frac{F E^*}{\pi l R}}" in found
-    assert with_raised_stars("E*^2 a*^{1/3}", ["E*", "a*"]) == "E^{*2} a^{*1/3}"
-    assert with_raised_stars("a * b", ["a", "b"]) == "a * b"
