@@ -61,19 +61,16 @@ def test_a_weak_form_with_a_sign_mistaken_is_named_by_what_it_strains(ring):
     assert "displacement" in what or "stress" in what
 
 
+@pytest.mark.soak  # solves an engagement
 @pytest.mark.parametrize(
     ("fault", "by"),
     [
-        pytest.param(
-            ("analytic.sprag.compliance", "Compliance.yields", "N * self.race_i",
-             "1.1 * N * self.race_i"), By.NOTHING, id="of both sides",
-            marks=pytest.mark.soak,  # solves an engagement for as long as all others
-        ),
-        pytest.param(
-            ("analytic.sprag.events", "System._driven", "n_s * motion.m_g * OC_g ** 2",
-             "n_s * motion.m_g * OC_g ** 2 / 2"), By.ROWS, id="of the levels alone",
-        ),
+        (("analytic.sprag.compliance", "Compliance.yields", "N * self.race_i",
+          "1.1 * N * self.race_i"), By.NOTHING),
+        (("analytic.sprag.events", "System._driven", "n_s * motion.m_g * OC_g ** 2",
+          "n_s * motion.m_g * OC_g ** 2 / 2"), By.ROWS),
     ],
+    ids=["of both sides", "of the levels alone"],
 )  # fmt: skip
 def test_a_fault_of_what_levels_are_made_with_is_judged_on_levels_solved_with_it(
     fault, by, engaged
