@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from reports import write
-from reports.pdf import NotSet
+from reports.typesetting import NotSet
 from verify.app.cli import run
 from verify.cases import files, registry
 from verify.core import source_code
@@ -66,7 +66,7 @@ def bar(printed_bar, monkeypatch):
         raise NotSet("it is not asked for")
 
     monkeypatch.setattr(Where, "entered", lambda _: local(0))
-    monkeypatch.setattr(write, "pdf", not_set)
+    monkeypatch.setattr(write, "printed", not_set)
     return printed_bar
 
 
