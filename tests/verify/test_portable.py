@@ -2,6 +2,7 @@
 
 import json
 import math
+import os
 from dataclasses import replace
 
 import pytest
@@ -150,6 +151,7 @@ NAN = math.nan
         (FACT, {"values": {"reference": 1.85}, "difference": 1.35}, 0.1),
         (FACT, {"values": {"reference": 0.5}, "difference": 0.0}, 1.0),
         (replace(ROW, values={"formula": NAN}), {"values": {"formula": 2.0}}, math.inf),
+        (replace(ROW, difference=NAN, values={"formula": NAN}), {}, 0.0),
         (replace(ROW, tolerance=None, scale=None, difference=None, values={"formula": 50.0}),
          {"values": {"formula": 50.0005}}, 1.0),
     ],
@@ -286,3 +288,11 @@ def test_a_sample_of_rows_has_the_same_verdicts_on_other_machines(tmp_path, monk
     stored = Store(tmp_path / "cache").groups()
     assert run([*arguments, "--out", str(tmp_path)]) == status
     assert Store(tmp_path / "cache").groups() == stored
+
+
+def test_a_process_that_ends_badly_is_named_with_its_last_line(tmp_path):
+    work = runner.Work(place=Place(Store(tmp_path), "v", "key"), folder=tmp_path,
+                       environment={**os.environ}, cases=("nocase",))  # fmt: skip
+    (how,) = runner.run_all([work], 1, lambda _state: None).values()
+    assert how.startswith("exit status 1: ValueError: unknown case 'nocase'")
+    assert str(tmp_path / runner.LOG) in how

@@ -63,16 +63,6 @@ def test_formulas_can_be_set_and_have_the_numbers_of_their_entries():
                 assert numbers(INTEGERS, tex) <= set(re.findall(r"\d+", both)), tex
 
 
-def test_a_printed_value_is_its_number_in_a_known_unit():
-    for entry in (value for raw in RAW.values() for value in raw["values"]):
-        # the string as it stands, read without the ledger's own parser
-        printed = entry["printed"].replace("−", "-").replace("×10^", "e").replace(" ", "")
-        assert float(printed) == pytest.approx(entry["value"], rel=1e-12), entry["id"]
-        assert units.factor(entry["unit"]) > 0
-        if entry["role"] == "limit":  # a bound, whose last digit says nothing
-            assert Value(**entry).standard_uncertainty is None
-
-
 @pytest.mark.parametrize("reference", ["wang2023:nothing", "nobody:b", "b"])
 def test_a_value_or_erratum_that_is_not_there_is_refused(reference):
     for lookup in (published, erratum):

@@ -78,7 +78,10 @@ def test_a_torn_file_is_no_record(text):
         assert RECORDS.stored("plate") is None
 
 
-def test_numbers_that_json_lacks_are_refused(folder):
+def test_numbers_that_json_lacks_and_a_folder_that_cannot_be_written_are_refused(folder):
     with pytest.raises(ValueError, match="not JSON compliant"):
         RECORDS.keep("plate", MADE_BY, {"k": float("nan")})
     assert not list(folder.iterdir())
+    (folder / "made-up").write_text("a file", "utf-8")
+    with pytest.raises(OSError, match=r"made-up/plate.json: cannot be written: .+"):
+        RECORDS.keep("plate", MADE_BY, CONTENT)

@@ -187,15 +187,6 @@ def test_what_lets_less_pass_is_counted(row, change):
     assert [one.row for one in changed.tighter] == [row.id]
 
 
-@pytest.mark.parametrize(("key", "aspect"), [("analytic", "formula"), ("fem", "finite elements")])
-def test_a_row_that_turned_red_says_which_side_moved_and_by_how_much(key, aspect):
-    change = {"status": Status.FAIL, key: 1.1 * getattr(ROW, key)}
-    status, value = found(ROW, change).changes
-    assert (status.aspect, status.now) == ("status", "FAIL")
-    assert value.aspect == aspect
-    assert value.size.startswith("+0.1 of the scale")
-
-
 # Names
 
 

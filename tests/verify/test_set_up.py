@@ -1,6 +1,7 @@
 """The set-up: system libraries where that is allowed, packages in groups, continued as it was."""
 
 import fcntl
+import hashlib
 import os
 import signal
 import subprocess
@@ -15,11 +16,13 @@ import pytest
 from verify.core import environment, system_packages, virtual_environment
 from verify.core.system_packages import Machine, check, line_to_run
 from verify.core.virtual_environment import (
+    DOWNLOADS,
     FAILED,
     GROUP,
     LOG,
     READY,
     SetUpError,
+    install_downloaded,
     pins,
     set_up,
     site_packages,
@@ -259,3 +262,17 @@ def test_an_environment_is_used_where_it_is_whole_and_of_this_python_and_place(
     assert not usable(folder)
     (folder / READY).write_text(f"{folder.parent} 3.1\n")
     assert not is_ready(folder)
+
+
+def test_what_a_killed_pip_had_downloaded_whole_is_installed_from_there(tmp_path, monkeypatch):
+    calls = []
+    monkeypatch.setattr(virtual_environment, "pip", lambda folder, *words: calls.append(words))
+    place = tmp_path / DOWNLOADS / "pip-unpack-x"
+    place.mkdir(parents=True)
+    (place / "whole-1.0-py3-none-any.whl").write_bytes(b"whole")
+    (place / "part-1.0-py3-none-any.whl").write_bytes(b"who")
+    digest = hashlib.sha256(b"whole").hexdigest()
+    lock = f"whole==1.0 --hash=sha256:{digest}\npart==1.0 --hash=sha256:{'0' * 64}\n"
+    install_downloaded(tmp_path, lock)
+    assert calls == [("--no-index", str(place / "whole-1.0-py3-none-any.whl"))]
+    assert not (tmp_path / DOWNLOADS).exists()

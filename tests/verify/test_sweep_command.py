@@ -2,7 +2,6 @@
 
 import json
 
-import numpy as np
 import pytest
 
 from tests.verify.sweep_made import RING
@@ -64,15 +63,6 @@ def test_a_sweep_with_a_point_that_failed_ends_with_one_and_has_its_files(
     assert json.loads(out) == {}
     # what is being done is on the other stream
     assert err.startswith("ring: 2 points of polyhedral-ring, 1 row\n")
-
-
-def test_a_star_varies_one_input_at_a_time_and_its_command_says_so(ring):
-    vary = ("z=3:5:3", "rho=1mm:2mm:2")
-    plan = command.planned(ring, vary=vary, star=True, sample="", tolerances=(), only=())
-    assert (plan.star, len(plan.points)) == (True, 5)  # the file's z = 6, rho = 2 mm and 3 + 1
-    assert (np.sum(plan.points != plan.points[0], axis=1) <= 1).all()
-    repeat = command.command(ring, vary, True, "", (), ())
-    assert repeat == "freewheel sweep ring.toml --vary z=3:5:3 --vary rho=1mm:2mm:2 --star"
 
 
 @pytest.mark.parametrize(

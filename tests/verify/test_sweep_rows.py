@@ -11,8 +11,8 @@ from verify.jobs.cache import default_folder
 from verify.jobs.level import solve_level
 from verify.studies.sweep.pairs import LEVELS, Known, compared, pairs
 
-# boundary values, contact, values that a claim derives
-QUICK = ("ring-lame", "contact-sphere", "polyhedral-locking")
+# boundary values, a series beside formulas, contact, values that a claim derives
+QUICK = ("ring-lame", "ring-loads-outer", "contact-sphere", "polyhedral-locking")
 MEASURED = [
     pytest.param(case, id=case.id, marks=() if case.id in QUICK else pytest.mark.soak)
     for case in CASES if pairs(case)

@@ -7,7 +7,6 @@ import pytest
 
 from tests.verify.sweep_made import CASE, Dying, Here, Plate, chosen, fem
 from verify.cases import registry
-from verify.core import source_code
 from verify.core.case import FemResult, Portion
 from verify.core.store import Store
 from verify.jobs.engine import GoneError
@@ -174,27 +173,3 @@ def test_a_task_is_solved_by_its_own_code_with_the_largest_uncertainty_of_its_le
     with pytest.raises(OtherCodeError):
         solve_point(replace(task, code=("theirs", "theirs")))
     point._known.cache_clear()
-
-
-@pytest.mark.parametrize(
-    ("module", "formulas", "fe"),
-    [("analytic.polyhedral.bore_pressure", True, False), ("fem.plane.solve", True, True)],
-)
-def test_the_code_of_a_side_is_that_of_all_its_modules(monkeypatch, module, formulas, fe):
-    def forget():
-        for one in (source_code.source_of, source_code.whole_source_of):
-            one.cache_clear()
-
-    case = registry.find("polyhedral-ring", registry.CASES)
-    before, true = code_of(case, whole(case)), source_code._read
-
-    def changed(name, *, whole=False):
-        digest, imported = true(name, whole=whole)
-        return digest + "x" * (name == module), imported
-
-    monkeypatch.setattr(source_code, "_read", changed)
-    forget()
-    after = code_of(case, whole(case))
-    monkeypatch.undo()
-    forget()
-    assert (after[0] != before[0], after[1] != before[1]) == (formulas, fe)

@@ -138,3 +138,11 @@ def test_numbers_that_do_not_end_are_written_to_their_last_digit():
     raw = tomllib.loads(template(replace(CASES[0], inputs=Awkward)))["inputs"]
     read = build(Awkward, raw, "template").model_dump()
     assert read == pytest.approx(Awkward().model_dump(), rel=3e-16)
+
+
+def test_an_input_without_default_or_example_is_a_mistake_of_the_case():
+    class Nameless(Inputs):
+        F: float | None = quantity(None, "N", "F", "force", omitted=None)
+
+    with pytest.raises(ValueError, match="input F has no default"):
+        template(replace(CASES[0], inputs=Nameless))

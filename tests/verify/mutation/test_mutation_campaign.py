@@ -9,9 +9,9 @@ from textwrap import dedent
 import pytest
 
 from verify.audit.mutation import baseline as known
-from verify.audit.mutation import score, suite, trial, workload
+from verify.audit.mutation import score, trial, workload
 from verify.audit.mutation.campaign import Campaign
-from verify.audit.mutation.groups import Group
+from verify.audit.mutation.groups import Group, functions_of
 from verify.audit.mutation.outcomes import KIND, By, Outcome, Outcomes
 from verify.audit.mutation.sample import sample
 from verify.audit.mutation.sandbox import Task
@@ -207,18 +207,20 @@ def test_the_gate_asks_for_95_percent_and_a_reason_for_the_rest():
     assert all(len(reason.split()) > 3 for reason in score.argued().values())
 
 
-TRACES = {
-    "tests/a.py::direct": (3.0, frozenset({"m:f"})),
-    "tests/a.py::shared": (0.5, frozenset()),
-    "tests/a.py::long": (2.0, frozenset()),
-    "tests/b.py::quick": (0.1, frozenset({"m:f", "m:g"})),
-    "tests/c.py::other": (0.1, frozenset({"m:h"})),
-}
+def test_a_constant_is_tested_by_the_functions_that_read_it(tmp_path, monkeypatch):
+    monkeypatch.syspath_prepend(tmp_path)
+    text = """
+        LONG = 3.0
 
+        def width(a):
+            return a * LONG
 
-def test_tests_of_a_function_come_before_those_that_share_its_file():
-    assert suite.covering({"m:f"}, TRACES) == [
-        "tests/b.py::quick", "tests/a.py::direct", "tests/a.py::shared",
-    ]  # fmt: skip
-    assert suite.covering({"m:g", "m:h"}, TRACES) == ["tests/b.py::quick", "tests/c.py::other"]
-    assert suite.covering({"m:none"}, TRACES) == []
+        def twice(a):
+            return width(a) * 2
+    """
+    (tmp_path / "folding_rule.py").write_text(dedent(text), "utf-8")
+    found = mutants(source("folding_rule"), FORMULAS)
+    assert {one.mutant.function: functions_of(one) for one in found} == {
+        "LONG": {"folding_rule:width"}, "width": {"folding_rule:width"},
+        "twice": {"folding_rule:twice"},
+    }  # fmt: skip

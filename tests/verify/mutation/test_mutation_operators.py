@@ -41,6 +41,7 @@ def changed(operator: str, line: str) -> set[str]:
         ("boundary", "a < b <= nu", {"a <= b <= nu", "a < b < nu"}),
         ("function", "np.sin(a) + math.cos(b)", {"np.cos(a) + math.cos(b)",
                                                   "np.sin(a) + math.sin(b)"}),
+        ("extreme", "max(a, b)", {"min(a, b)"}),
         ("extreme", "np.minimum(a, b)", {"np.maximum(a, b)"}),
         ("dropped", "np.sqrt(a + b)", {"a + b"}),
         ("condition", "a and not b", {"a or not b", "a and b"}),
@@ -48,6 +49,7 @@ def changed(operator: str, line: str) -> set[str]:
         ("diameter", "self.d_w + a", {"self.d_w / 2 + a"}),
         ("assumption", "f('plane stress')", {"f('plane strain')"}),
         ("alike", "r_i * a", {"r_o * a"}),
+        ("alike", "self.r_i * self.r_o", {"self.r_o * self.r_o", "self.r_i * self.r_i"}),
         ("alike", "x_1 * a", set()),  # no x_2 is at hand
         ("contact-sign", "gap * a", {"-gap * a"}),
         ("component", "{'bore': 'x'}", {"{'bore': 'y'}"}),
@@ -92,3 +94,9 @@ def test_ids_are_one_s_own_and_outlast_changes_elsewhere():
     assert len(set(before)) == len(before) == 2
     assert after[-2:] == before
     assert all(key.startswith("made.up:A.f:arithmetic:") for key in before)
+
+
+def test_linear_elements_replace_quadratic_ones_wherever_the_class_comes_from():
+    (line,) = changed("element", "ElementTriP2()")
+    element = eval(line)
+    assert type(element).__name__ == "ElementTriP1"

@@ -112,3 +112,16 @@ def test_a_case_of_the_suite_passes_the_gate_but_for_what_is_listed():
     assert held["rows"] >= 10
     for p in ("+1 %", "-1 %", "+5 %", "-5 %", "-9 %"):
         assert held["red"][p] == held["rows"]
+
+
+def test_rows_are_listed_by_the_reason_and_convergence_is_neither():
+    wide = identity(name="wide", demand=0.02, demand_reason="made up")
+    shown = approximation(lambda _q, _v: None)
+    found = score(both_ways([identity(), wide, shown], made()))
+    assert found["convergence"] == 3
+    assert found["gate"]["rows"] == 1
+    assert found["listed"]["rows"] == 2
+    names = {why: [name for name, _ in rows] for why, rows in found["listed"]["because"].items()}
+    assert names["a wider demand: made up"] == ["ring-made-up/wide"]
+    assert found["listed"]["share"] == pytest.approx(2 / 6, rel=1e-3)
+    assert found["listed"]["share without convergence"] == pytest.approx(2 / 3, rel=1e-3)
