@@ -61,35 +61,19 @@ def test_a_second_run_prints_the_same_with_the_same_status_and_solves_nothing(re
         verified(report, use_cache=False)
 
 
-def changed_file(report, _patch):
-    (report / "out" / "rows.csv").write_text("")
+CHANGES = {
+    "a changed file": lambda report, _: (report / "out" / "rows.csv").write_text(""),
+    "a removed file": lambda report, _: (report / "out" / "tables.xlsx").unlink(),
+    "a torn note": lambda report, _: (report / "out" / STAMP).write_text("{"),
+    "removed results": lambda report, _: Store(report / "cache").clear("level"),
+    "other code": lambda _, patch: patch.setattr(up_to_date, "digest", lambda: "of other files"),
+    "other versions": lambda _, patch: patch.setattr(
+        up_to_date, "conditions", lambda _root: {"versions": {"numpy": "9"}}
+    ),
+}
 
 
-def removed_file(report, _patch):
-    (report / "out" / "tables.xlsx").unlink()
-
-
-def removed_results(report, _patch):
-    Store(report / "cache").clear("level")
-
-
-def other_code(_report, patch):
-    patch.setattr(up_to_date, "digest", lambda: "of other files")
-
-
-def other_versions(_report, patch):
-    patch.setattr(up_to_date, "conditions", lambda _root: {"versions": {"numpy": "9"}})
-
-
-def torn_note(report, _patch):
-    note = report / "out" / STAMP
-    note.write_text(note.read_text()[:100])
-
-
-CHANGES = (changed_file, removed_file, removed_results, other_code, other_versions, torn_note)
-
-
-@pytest.mark.parametrize("change", CHANGES, ids=lambda change: change.__name__)
+@pytest.mark.parametrize("change", CHANGES.values(), ids=CHANGES)
 def test_a_change_is_noticed(report, monkeypatch, change):
     change(report, monkeypatch)
     with pytest.raises(SolvesError):
