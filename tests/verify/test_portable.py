@@ -296,3 +296,11 @@ def test_a_process_that_ends_badly_is_named_with_its_last_line(tmp_path):
     (how,) = runner.run_all([work], 1, lambda _state: None).values()
     assert how.startswith("exit status 1: ValueError: unknown case 'nocase'")
     assert str(tmp_path / runner.LOG) in how
+
+
+def test_of_a_fact_a_tenth_of_its_margin_counts_and_perturbed_sides_may_move_alike():
+    assert [compared(FACT, tolerance=U) == [] for U in (0.14, 0.16)] == [True, False]
+    alike = {name: value * (1 + 1e-7) for name, value in VALUES.items()}
+    assert compared(values=alike, perturbed=True) == []
+    apart = {"difference": -0.003, "values": {**VALUES, "reference": 2.003}}
+    assert [one.kind for one in compared(perturbed=True, **apart)] == [Kind.VALUE]
