@@ -4,7 +4,7 @@ import sys
 
 import pytest
 
-from benchmarks import rotor
+from benchmarks import ours, ours_contact, rotor
 from benchmarks.processes import measured
 from benchmarks.solvers import Run, line
 from fem.rotor.response import unbalance_response
@@ -16,9 +16,6 @@ def test_a_process_tells_what_it_takes():
     assert idle.wall > 0.3 > idle.cpu
     large = measured([sys.executable, "-c", "x = bytearray(200 << 20); x[::4096] = x[::4096]"])
     assert large.peak > idle.peak + 190
-
-
-def test_a_process_that_fails_says_why():
     with pytest.raises(RuntimeError, match="of itself"):
         measured([sys.executable, "-c", "raise SystemExit('of itself')"])
 
@@ -35,3 +32,17 @@ def test_the_refined_amplitudes_are_nearer_than_any_solver_s():
     own, _ = rotor.pair(unlike=True, damped=True)
     found = unbalance_response(own, rotor.FINE, rotor.UNBALANCES).q.T
     assert 1e-15 < rotor.deviation(found, rotor.refined(own)) < 1e-12
+
+
+@pytest.mark.parametrize("table", [ours.STAGES, ours_contact.SET_UP, ours_contact.STEP])
+def test_what_is_timed_is_there(table):
+    for stage, (owner, names) in table.items():
+        for name in names:
+            assert callable(getattr(owner, name)), stage
+
+
+def test_stages_of_a_ring_are_timed():
+    stages: dict[str, float] = {}
+    with ours.timed(stages, ours.STAGES):
+        ours.solve_ring(ours.ring_mesh("triangles", 28))
+    assert set(stages) == set(ours.STAGES)

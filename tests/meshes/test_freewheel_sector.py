@@ -1,6 +1,6 @@
 """A freewheel's sector: places, names and fine zones of its bodies, and cuts that match."""
 
-from math import acos, atan, atan2, cos, pi, radians, sin, sqrt
+from math import acos, atan, atan2, cos, pi, radians, sin, sqrt, tan
 
 import numpy as np
 import pytest
@@ -42,23 +42,13 @@ def test_a_tip_that_reaches_the_ring_is_cut_by_the_circle_that_leaves_the_cleara
         assert np.abs(nodes(mesh, "star.flat")[0]).max() == pytest.approx(sqrt(tip**2 - X**2))
     reach = np.hypot(*mesh.p[:, np.unique(mesh.t[:, mesh.subdomains["star"]])]).max()
     assert reach == pytest.approx(min(corner, tip) if z < 5 else corner, rel=ROUND_OFF)
-
-
-def star_with_tips():
-    tip = R - 0.2 * R_R
-    flat = sqrt(tip**2 - X**2)
-    turn = pi / 3 - atan(flat / X)
-    area = X * flat + tip**2 * turn - R_B**2 * pi / 3
-    return {"star": area, "star.flat": 2 * flat, "star.tip": 2 * tip * turn}
-
-
-def test_three_stars_with_cut_tips_converge_to_their_closed_forms_with_the_fourth_power():
-    coarse, fine = (inner(z=3, refine=refine) for refine in (2, 4))
-    for name, value in star_with_tips().items():
-        errors = [measure(mesh, name) / value - 1 for mesh in (coarse, fine)]
-        assert abs(errors[0]) < 3e-6, (name, errors)
-        if abs(errors[1]) > 1e-11:  # round-off
-            assert np.log2(errors[0] / errors[1]) == pytest.approx(4, abs=0.15), (name, errors)
+    flat = sqrt(tip**2 - X**2) if z < 5 else X * tan(pi / z)
+    turn = pi / z - atan(flat / X)  # from the flat's end to the cut
+    assert measure(mesh, "star.flat") == pytest.approx(2 * flat, rel=1e-6)
+    area = X * flat + tip**2 * turn - R_B**2 * pi / z
+    assert measure(mesh, "star") == pytest.approx(area, rel=1e-4)
+    if z < 5:
+        assert measure(mesh, "star.tip") == pytest.approx(2 * tip * turn, rel=1e-4)
 
 
 @pytest.mark.parametrize("refine", [3])
@@ -154,3 +144,22 @@ def test_a_sector_that_cannot_be_is_refused_in_one_line(sector, changed, rule):
     with pytest.raises(ValueError, match=rule) as refused:
         sector(**changed)
     assert "\n" not in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("sector", "body", "contact", "zone"),
+    [
+        (inner, "star", (CENTRE[0], X), ZONES[0]),
+        (inner, "ring", R * ray(PSI), ZONES[1]),
+        (outer, "shaft", R_S * ray(atan2(*AT_SHAFT)), ZONES[0]),
+        (outer, "cup", (AT_SHAFT[0], X_O), ZONES[1]),
+    ],
+)
+def test_cells_at_a_contact_are_as_deep_as_they_are_wide(sector, body, contact, zone):
+    mesh = sector(cells=4, refine=2)
+    cells = mesh.t[:, mesh.subdomains[body]]
+    own = np.unique(cells)
+    node = own[np.argmin(np.hypot(*(mesh.p[:, own] - np.reshape(contact, (2, 1)))))]
+    column, cell = np.nonzero(cells == node)
+    sides = [mesh.p[:, cells[(column + k) % 4, cell]] - mesh.p[:, [node]] for k in (1, 3)]
+    np.testing.assert_allclose([np.hypot(*side) for side in sides], zone / 8, rtol=2e-3)

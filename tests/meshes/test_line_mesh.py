@@ -35,28 +35,11 @@ def hook():
         return line_mesh()
 
 
-@pytest.fixture(scope="module")
-def mesh():
-    return hook()
-
-
-def test_bodies_share_out_the_elements(mesh):
-    assert set(mesh.bodies) == {"bow", "straight"}
-    assert len(mesh.bodies["bow"]) == 8
-    assert len(mesh.bodies["straight"]) == 5
+def test_bodies_share_out_the_elements_and_middles_lie_half_way_along_them():
+    mesh = hook()
+    assert {name: len(own) for name, own in mesh.bodies.items()} == {"bow": 8, "straight": 5}
     everything = np.sort(np.concatenate(list(mesh.bodies.values())))
     np.testing.assert_array_equal(everything, np.arange(len(mesh.elements)))
-
-
-def test_nodes_are_numbered_without_gaps_ends_before_middles(mesh):
-    # 13 elements in a tree have 14 ends and 13 middles
-    assert mesh.points.shape == (27, 2)
-    np.testing.assert_array_equal(np.unique(mesh.elements[:, :2]), np.arange(14))
-    np.testing.assert_array_equal(np.sort(mesh.elements[:, 2]), np.arange(14, 27))
-    assert mesh.points.max() == 3.0  # the stray point stayed behind
-
-
-def test_middles_lie_half_way_along_their_elements(mesh):
     a, b, middle = np.moveaxis(mesh.points[mesh.elements], 1, 0)
     np.testing.assert_allclose(np.hypot(*(middle - a).T), np.hypot(*(b - middle).T), rtol=SPACING)
     # an eighth of a half circle: the middle stands off its chord by 1 - cos(pi / 16)
@@ -64,15 +47,21 @@ def test_middles_lie_half_way_along_their_elements(mesh):
     np.testing.assert_allclose(sagitta, 1 - np.cos(pi / 16), rtol=SPACING)
 
 
-def test_chords_are_the_straight_elements_between_the_ends(mesh):
-    points, pairs = mesh.chords
+def test_nodes_are_numbered_without_gaps_ends_before_middles():
+    mesh = hook()
+    # 13 elements in a tree have 14 ends and 13 middles
+    assert mesh.points.shape == (27, 2)
+    np.testing.assert_array_equal(np.unique(mesh.elements[:, :2]), np.arange(14))
+    np.testing.assert_array_equal(np.sort(mesh.elements[:, 2]), np.arange(14, 27))
+    assert mesh.points.max() == 3.0  # the stray point stayed behind
+    points, pairs = mesh.chords  # the straight elements between the ends
     assert points.shape == (14, 2)
     length = np.hypot(*(points[pairs[:, 1]] - points[pairs[:, 0]]).T)
     np.testing.assert_allclose(length[mesh.bodies["bow"]], 2 * np.sin(pi / 16), rtol=SPACING)
     assert length[mesh.bodies["straight"]].sum() == pytest.approx(3, rel=1e-12)
 
 
-def bar(order, name="bar"):
+def bar(order, name):
     """A straight line of three elements; without a name if that is None."""
     with gmsh_session():
         geo = gmsh.model.geo
@@ -86,12 +75,14 @@ def bar(order, name="bar"):
         return line_mesh()
 
 
-@pytest.mark.parametrize("order", [1, 3])
-def test_elements_without_one_middle_node_are_refused(order):
-    with pytest.raises(ValueError, match="quadratic line elements"):
-        bar(order)
-
-
-def test_a_model_without_named_curves_is_refused():
-    with pytest.raises(ValueError, match="physical curves"):
-        bar(2, name=None)
+@pytest.mark.parametrize(
+    ("order", "name", "message"),
+    [
+        (1, "bar", "quadratic line elements"),
+        (3, "bar", "quadratic line elements"),
+        (2, None, "physical curves"),
+    ],
+)
+def test_elements_without_one_middle_node_or_a_name_are_refused(order, name, message):
+    with pytest.raises(ValueError, match=message):
+        bar(order, name)

@@ -5,7 +5,7 @@ from math import cos, pi, sin, sqrt, tan
 import numpy as np
 import pytest
 
-from meshes.contact.block import full_block, half_block
+from meshes.contact.block import block, full_block, half_block
 from meshes.contact.disc import half_disc, quarter_disc
 from meshes.contact.race import half_race
 from meshes.contact.roller import half_roller
@@ -31,6 +31,10 @@ X, X_O, ROLLER, ZONES = 11.39565e-3, 14.9e-3, 2.5e-3, (1.5e-4, 2e-4)
 IN_RING = sqrt((16.5e-3 - ROLLER) ** 2 - (X + ROLLER) ** 2), X + ROLLER
 ON_SHAFT = sqrt((10e-3 + ROLLER) ** 2 - (X_O - ROLLER) ** 2), X_O - ROLLER
 SHAPES = {  # mesh by refinement; lengths of boundaries and areas; centres and radii of circles
+    "even block of triangles": (
+        lambda k: block(x=(-1.0, 2.0), y=(0.5, 1.0), nx=3 * k, ny=2 * k, cells="tri", order=1),
+        {"block": 1.5, "left": 0.5, "right": 0.5, "bottom": 3.0, "top": 3.0}, {},
+    ),
     "half block": (
         lambda k: half_block(**BLOCK, refine=k),
         {"": 1.4, "axis": 1.4, "side": 1.4, "surface": 1.0, "bottom": 1.0}, {},

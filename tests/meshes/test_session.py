@@ -41,12 +41,6 @@ def test_options_of_one_session_do_not_reach_the_next():
         assert gmsh.option.getNumber("General.NumThreads") == 1
 
 
-def test_gmsh_prints_nothing(capfd):
-    disc()
-    captured = capfd.readouterr()
-    assert captured.out == captured.err == ""
-
-
 @pytest.mark.parametrize(
     "make",
     [
@@ -55,18 +49,17 @@ def test_gmsh_prints_nothing(capfd):
         pytest.param(lambda: strip(b=0.1, through=2, **SPRING), id="strip"),
     ],
 )
-def test_a_plane_mesh_repeats_to_the_last_digit(make):
+def test_a_mesh_repeats_to_the_last_digit_and_gmsh_prints_nothing(make, capfd):
     first, second = make(), make()
+    captured = capfd.readouterr()
+    assert captured.out == captured.err == ""
     np.testing.assert_array_equal(first.doflocs, second.doflocs)
     np.testing.assert_array_equal(first.t, second.t)
     for name, facets in (first.boundaries or {}).items():
         np.testing.assert_array_equal(facets, second.boundaries[name])
     for name, cells in (first.subdomains or {}).items():
         np.testing.assert_array_equal(cells, second.subdomains[name])
-
-
-def test_a_line_mesh_repeats_to_the_last_digit():
-    first, second = centre_line(**SPRING), centre_line(**SPRING)
-    np.testing.assert_array_equal(first.points, second.points)
-    np.testing.assert_array_equal(first.elements, second.elements)
-    assert first.nodes == second.nodes
+    line, again = centre_line(**SPRING), centre_line(**SPRING)
+    np.testing.assert_array_equal(line.points, again.points)
+    np.testing.assert_array_equal(line.elements, again.elements)
+    assert line.nodes == again.nodes

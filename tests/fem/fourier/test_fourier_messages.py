@@ -40,14 +40,12 @@ def compliance(**changed):
     ("make", "message"),
     [
         (lambda: solid(supports={"start": "x"}), "'start': components are r, t, z, got 'x'"),
-        (lambda: solid(supports={"start": ""}), "components are r, t, z, got ''"),
         (lambda: solid(supports={"base": "z"}), "no boundary 'base'"),
         (lambda: solid(materials={"core": STEEL}), "4 of 8 cells have no material"),
         (lambda: solid(materials={"shell": STEEL}), "no body 'shell'"),
         (lambda: solid(degree=3), "degree 1 or 2, got degree=3"),
         (lambda: solid(mesh=bar(-0.5)), "reaches r = -0.5"),
         (lambda: solid().harmonic(-1), "whole number >= 0, got -1"),
-        (lambda: solid().harmonic(1.5), "whole number >= 0, got 1.5"),
         (lambda: solid(supports={}).harmonic(0), "harmonic 0: body 1 of 1 .* rigidly along z:"),
         (lambda: solid().harmonic(0, antisymmetric=True), "rigidly about z:"),
         (lambda: solid(supports={"start": "rt"}).harmonic(1), "rigidly about y:"),
@@ -63,7 +61,6 @@ def compliance(**changed):
         (lambda: compliance(stations=np.array([0.0, 0.2])), "'rim' has no node at .* z=0.2"),
         (lambda: compliance(stations=np.array([0.5, 0.0])), "stations must grow"),
         (lambda: compliance(orders=np.array([0, 2, 3, 4, 6])), "multiples of places=2"),
-        (lambda: compliance(orders=np.array([2, 4, 6, 8, 10])), "multiples of places=2"),
         (lambda: surface_compliance(solid(), "end", stations=np.array([0.5, 0.6]),
                                     orders=np.array([0, 2, 4, 6, 8])), "'end' must be a cylinder"),
     ],
@@ -77,9 +74,7 @@ def test_the_message_names_the_rule_and_the_value(make, message):
     ("changed", "message"),
     [
         ({"load": 0.0}, "load must be positive and finite, got load=0 N"),
-        ({"load": np.nan}, "load must be positive and finite, got load=nan N"),
         ({"across": np.array([0.0, 0.1])}, "across grows from 0 over two cells or more"),
-        ({"across": np.array([0.1, 0.2, 0.3])}, "across grows from 0"),
         ({"across": np.array([0.0, np.nan, 0.3])}, "across grows from 0"),
         ({"across": np.array([0.0, 1.0, 2.0])}, "narrower than both radii"),
         ({"crown": lambda z: np.nan * z}, "the crown is not finite"),
@@ -92,18 +87,13 @@ def test_a_contact_that_makes_no_sense_is_refused(changed, message):
         patch_contact((body, body), **(asked | changed))
 
 
-def test_a_contact_as_wide_as_its_patch_has_an_error_of_its_own():
-    body = compliance()
-    with pytest.raises(NarrowPatchError, match=r"as wide as its patch, \|s\| <= 0.2 m"):
-        patch_contact((body, body), across=np.linspace(0, 0.2, 9), load=5.0)
-
-
-def test_bodies_must_agree_on_stations_and_places():
-    body = compliance()
-    across = np.linspace(0, 0.2, 9)
+def test_bodies_must_agree_and_be_narrower_than_their_patch():
+    body, asked = compliance(), {"across": np.linspace(0, 0.2, 9), "load": 0.2}
     short = compliance(stations=np.array([0.0, 0.25]))
-    with pytest.raises(ValueError, match="same stations along z"):
-        patch_contact((body, short), across=across, load=0.2)
     third = compliance(orders=harmonics(places=3, highest=40), places=3)
+    with pytest.raises(ValueError, match="same stations along z"):
+        patch_contact((body, short), **asked)
     with pytest.raises(ValueError, match="as many places, got 2, 3"):
-        patch_contact((body, third), across=across, load=0.2)
+        patch_contact((body, third), **asked)
+    with pytest.raises(NarrowPatchError, match=r"as wide as its patch, \|s\| <= 0.2 m"):
+        patch_contact((body, body), **asked | {"load": 5.0})

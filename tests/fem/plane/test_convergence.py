@@ -11,12 +11,12 @@ import pytest
 
 from fem.plane.material import Elastic
 from fem.plane.solve import solve_plane
-from tests.fem.plane.models import degree, every_case, every_element, in_plane, mapped, order, ring
+from tests.fem.plane.models import degree, every_case, in_plane, mapped, order, ring
 
 R_I, R_O, P_I, P_O = 0.04, 0.06, 90e6, 20e6  # a sleeve [m, Pa]
 STEEL = Elastic(E=210e9, nu=0.3)
 # of observed orders between the meshes of a test
-SLEEVE_SPREAD, PLATE_SPREAD, ANNULUS_SPREAD = 0.25, 0.3, 0.2
+SLEEVE_SPREAD, PLATE_SPREAD = 0.25, 0.3
 A, B = 1.0, 3.0  # hole and outer circle of a plate under the tension 1 along x
 MATERIAL = Elastic(E=1000.0, nu=0.3)
 
@@ -58,16 +58,11 @@ def test_a_sleeve_under_pressure_moves_as_lame_has_it(kind, assumption, rate):
     for error in errors:
         found = order(error, lambda n: sleeve(kind, assumption, n), (2, 4, 8))
         assert found == pytest.approx(rate, abs=SLEEVE_SPREAD)
-    if assumption == "plane stress":
-        assert not sleeve(kind, assumption, 2).in_body().stress[3].any()
-
-
-@pytest.mark.parametrize("kind", ["tri6", "quad9"])
-def test_the_mean_stress_out_of_the_plane_is_the_virial_of_the_pressures(kind):
-    """Radial and hoop stress add up to the same everywhere; their mean is exact on any mesh."""
-    inside = sleeve(kind, "plane strain", 8).in_body()
-    virial = 2 * STEEL.nu * (P_I * R_I**2 - P_O * R_O**2) / (R_O**2 - R_I**2)
-    assert inside.mean(inside.stress[3]) == pytest.approx(virial, rel=1e-12)
+    # radial and hoop stress add up to the same everywhere; the mean of zz is exact on any mesh
+    inside = sleeve(kind, assumption, 8).in_body()
+    zz = STEEL.nu * 2 * a * (assumption == "plane strain")
+    if "straight" not in kind and degree(kind) == 2:
+        assert inside.mean(inside.stress[3]) == pytest.approx(zz, rel=1e-12)
 
 
 def stress(x):
@@ -125,27 +120,6 @@ def test_a_plate_with_a_hole_moves_and_is_stressed_as_kirsch_has_it(kind, assump
     for error, rate in ((moved, degree(kind) + 1), (stressed, degree(kind))):
         found = order(error, lambda n: plate(kind, assumption, n), (4, 8))
         assert found == pytest.approx(rate, abs=PLATE_SPREAD)
-
-
-@every_element
-def test_both_walls_of_a_spinning_annulus_move_out_as_the_closed_form_says(kind):
-    r_i, r_o, load = 0.1, 0.3, 7850 * 1000.0**2  # rho omega^2 [N/m^4]
-    E, nu = in_plane(STEEL, "plane strain")
-
-    def annulus(through):
-        r, phi = np.linspace(r_i, r_o, through + 1), np.linspace(0, np.pi / 2, 2 * through + 1)
-        return solve_plane(
-            ring(kind, r, phi), materials=STEEL, assumption="plane strain",
-            supports={"last cut": "x", "first cut": "y"}, body_forces=lambda x: load * x,
-        )  # fmt: skip
-
-    for wall, r, other in (("bore", r_i, r_o), ("rim", r_o, r_i)):
-        exact = load * r / (4 * E) * ((1 - nu) * r**2 + (3 + nu) * other**2)
-        found = order(
-            lambda s, wall=wall, exact=exact: s.mean_displacement(wall, outward) / exact - 1,
-            annulus, (6, 12),
-        )  # fmt: skip
-        assert found == pytest.approx(2 * degree(kind), abs=ANNULUS_SPREAD)
 
 
 @pytest.mark.parametrize("kind", ["tri6", "quad9"])

@@ -57,23 +57,23 @@ def same(one, other):
     return np.array_equal(one.u, other.u) and np.array_equal(one.internal, other.internal)
 
 
-def test_another_load_factorises_nothing_and_gives_what_it_gives_alone(factorisations):
+@pytest.mark.parametrize(
+    "other",
+    [
+        lambda: pressed(plate(), p=2.5e6),
+        lambda: pressed(plate(), Elastic(E=123.4e9, nu=0.3), thickness=3.0),
+    ],
+    ids=["load", "modulus and thickness"],
+)
+def test_another_load_or_modulus_factorises_nothing_and_gives_what_it_gives_alone(
+    other, factorisations
+):
     pressed(plate())
-    after = pressed(plate(), p=2.5e6)
+    after = other()
     assert len(factorisations) == 1
     FACTORS.clear()
-    alone = pressed(plate(), p=2.5e6)
+    assert same(after, other())
     assert len(factorisations) == 2
-    assert same(after, alone)
-
-
-def test_another_modulus_or_thickness_factorises_nothing(factorisations):
-    E = 123.4e9
-    pressed(plate())
-    after = pressed(plate(), Elastic(E=E, nu=0.3), thickness=3.0)
-    assert len(factorisations) == 1
-    FACTORS.clear()
-    assert same(after, pressed(plate(), Elastic(E=E, nu=0.3), thickness=3.0))
     assert after.residual < 1e-20
 
 

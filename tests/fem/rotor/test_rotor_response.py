@@ -3,8 +3,6 @@
 import numpy as np
 import pytest
 
-from fem.rotor.critical import critical_speeds
-from fem.rotor.damping import Rayleigh
 from fem.rotor.model import Disc, Element, Link, Material, Rotor, Shaft, SpeedSupport, Support
 from fem.rotor.response import forced_response, unbalance_response
 
@@ -64,19 +62,6 @@ def test_the_orbit_is_the_path_of_the_node():
     assert area == pytest.approx(np.pi * orbit.major * orbit.minor, rel=1e-4)
     assert found.major(5)[index] == pytest.approx(orbit.major, rel=1e-12)
     np.testing.assert_allclose(orbit.points(4)[0], [orbit.x.real, orbit.y.real])
-
-
-def test_peaks_are_at_the_forward_critical_speeds_alone():
-    rotor = Rotor(
-        [Shaft(ELS)], [Disc(3, 8.0, 0.4, 0.2)], [Support(0, 1e7), Support(8, 2e7)],
-        damping=Rayleigh(0.2, 1e-7),
-    )  # fmt: skip
-    first = critical_speeds(rotor, 2).speeds
-    backward = critical_speeds(rotor, 1, "backward").speeds[0]
-    W = np.linspace(0.5 * backward, 1.1 * first[1], 20001)
-    a = unbalance_response(rotor, W, {2: 1e-4}).major(3)
-    peaks = W[1:-1][(a[1:-1] > a[2:]) & (a[1:-1] > a[:-2])]
-    np.testing.assert_allclose(peaks, first, rtol=2e-4)
 
 
 def test_each_shaft_turns_its_own_unbalance():

@@ -22,16 +22,6 @@ TWIN = Rotor(
 )  # fmt: skip
 
 
-@pytest.mark.parametrize("rotor", [UNLIKE, TWIN])
-def test_each_speed_of_the_diagram_has_the_modes_of_that_speed(rotor):
-    speeds = np.linspace(0, 1500, 31)
-    found = campbell(rotor, speeds, 12)
-    for i in (0, 11, 30):
-        own = modes(rotor, speeds[i], 14).frequencies
-        for value in found.frequencies[i, :6]:
-            assert abs(own - value).min() < 1e-9 * own[5]
-
-
 def test_rising_and_falling_branches_cross():
     """Two shafts that hardly see each other: by frequencies alone branches would bounce off."""
     count, els = 9, [Element(0.25, 0.03, material=LIGHT)] * 4

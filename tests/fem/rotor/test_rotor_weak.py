@@ -5,7 +5,6 @@ import pytest
 from skfem import MeshLine
 
 from analytic.rotor.shafts import UniformShaft, hutchinson
-from fem.rotor.splitting import Whirl, gyroscopic_splitting
 from fem.rotor.weak import weak_shaft
 
 E, NU, RHO, L = 210e9, 0.3, 7850.0, 0.6
@@ -47,15 +46,6 @@ def test_splitting_has_as_many_digits_at_a_low_speed_where_a_difference_has_four
     assert abs((forward - backward) / expected - 1).max() > 1e-7
 
 
-def test_shapes_that_are_no_pair_leave_the_difference():
-    """Mode 1 forward beside mode 2 backward: their shapes share no mass."""
-    M, G, shapes = np.eye(2), np.diag([1.0, 2.0]), np.eye(2)
-    found = gyroscopic_splitting(
-        1.0, M, G, Whirl(np.array([5.0]), shapes[:, :1]), Whirl(np.array([3.0]), shapes[:, 1:])
-    )
-    assert found == pytest.approx([2.0])
-
-
 def test_a_stout_shaft_on_springs_bounces_and_rocks_as_if_rigid():
     """Two springs k at the ends: w^2 = 2 k/m, and k L^2/2 over m L^2/12 + rho I L."""
     s, k = uniform(0.2), 1e3
@@ -77,8 +67,5 @@ def test_what_makes_no_sense_is_refused(wrong, said):
     right = {"bending": 1.0, "shear": 1.0, "mass": 1.0, "rotary": 1.0}
     with pytest.raises(ValueError, match=said):
         weak_shaft(MeshLine(np.linspace(0, 1, 3)), **(right | wrong))
-
-
-def test_a_place_between_nodes_can_not_be_held():
     with pytest.raises(ValueError, match=r"no node at z=0\.31"):
         weak(uniform(0.05), 4).whirl(0.0, held=[0.31])

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from fem.rotor.sprag_struts import SpragStruts
 from fem.rotor.struts import Joint, power_law, rotation
 from fem.rotor.struts_kinds import Pinned, Rolling
 
@@ -35,35 +36,24 @@ def test_a_rotation_vector_turns_as_scipy_s_does():
 
 
 @KINDS
-def test_first_derivatives_are_those_of_the_shortening(struts):
-    now, h = Joint.at_rest(struts, LAW).moved(SOMEWHERE), 1e-5
+def test_derivatives_are_those_of_the_shortening(struts):
+    now = Joint.at_rest(struts, LAW).moved(SOMEWHERE)
 
     def shortening(step):
         there = now.moved(step)
         return struts.state(there.d, there.R).s
 
+    state, h = struts.state(now.d, now.R), 1e-5
     found = [(shortening(v) - shortening(-v)) / (2 * h) for v in h * np.eye(6)]
-    gradient = struts.state(now.d, now.R).J
-    assert gradient == pytest.approx(np.array(found).T, abs=1e-9)
-
-
-@KINDS
-def test_second_derivatives_are_those_of_the_shortening(struts):
-    now, h = Joint.at_rest(struts, LAW).moved(SOMEWHERE), 1e-3
-    steps = h * np.eye(6)
-
-    def shortening(step):
-        there = now.moved(step)
-        return struts.state(there.d, there.R).s
-
+    assert pytest.approx(np.array(found).T, abs=1e-9) == state.J
+    h = 1e-3
     found = [
         [(shortening(u + v) - shortening(u - v) - shortening(v - u) + shortening(-u - v))
-         / (4 * h**2) for v in steps]
-        for u in steps
+         / (4 * h**2) for v in h * np.eye(6)]
+        for u in h * np.eye(6)
     ]  # fmt: skip
     expected = np.moveaxis(np.array(found), -1, 0)
-    curvature = struts.state(now.d, now.R).H
-    assert curvature == pytest.approx(expected, abs=1e-5)  # differences err by h^2 and more
+    assert pytest.approx(expected, abs=1e-5) == state.H  # differences err by h^2 and more
 
 
 def test_a_radial_strut_presses_with_what_its_law_says():
@@ -74,17 +64,11 @@ def test_a_radial_strut_presses_with_what_its_law_says():
     K = now.tangent()
     assert K[0, 0] == pytest.approx(0.6, rel=1e-13)
     assert K[1, 1] == pytest.approx(-0.03 / 0.9, rel=1e-13)
+    k = np.arange(1.0, 8.0)  # each strut may have its own stiffness
+    joint = Joint.at_rest(pinned(s_0=0.1), power_law(k, 1.0))
+    assert joint.forces() == pytest.approx(0.1 * k, rel=1e-14)
     # lengthened, it bears nothing
     assert not Joint.at_rest(one, LAW).moved(np.array([-0.1, 0, 0, 0, 0, 0])).loads().any()
-
-
-def test_a_rolling_strut_keeps_its_lever_at_any_turn_of_the_hub():
-    one = rolling()
-    for turn in (-1.0, 0.3, 2.0):
-        state = one.state(np.zeros(3), rotation(np.array([0, 0, turn])))
-        assert state.s == pytest.approx(0.05 + 0.2 * turn, rel=1e-13)
-        assert state.J[:, 5] == pytest.approx(0.2, rel=1e-13)
-        assert state.H[:, 5, 5] == pytest.approx(0, abs=1e-14)
 
 
 def test_a_shortening_keeps_its_digits_where_it_is_tiny():
@@ -107,19 +91,9 @@ def test_loads_of_a_known_place_lead_back_to_it(struts):
     start = Joint.at_rest(struts, law).moved(0.1 * SOMEWHERE * [0, 0, 1, 1, 1, 0.5])
     found = start.under(loads, free)
     assert found.loads()[list(free)] == pytest.approx(loads[list(free)], rel=1e-10)
-
-
-def test_each_strut_may_have_its_own_stiffness():
-    k = np.arange(1.0, 8.0)
-    joint = Joint.at_rest(pinned(s_0=0.1), power_law(k, 1.0))
-    assert joint.forces() == pytest.approx(0.1 * k, rel=1e-14)
-
-
-def test_no_equilibrium_is_refused_not_returned():
     # seven struts push outwards; none of them pulls the hub upwards
-    joint = Joint.at_rest(rolling(), LAW)
     with pytest.raises(ArithmeticError, match="no equilibrium of the struts"):
-        joint.under(np.array([0, 0, 5.0, 0, 0, 0]), (2,))
+        Joint.at_rest(rolling(), LAW).under(np.array([0, 0, 5.0, 0, 0, 0]), (2,))
 
 
 @pytest.mark.parametrize(
@@ -133,3 +107,25 @@ def test_no_equilibrium_is_refused_not_returned():
 def test_struts_without_sense_are_refused_in_words(call, said):
     with pytest.raises(ValueError, match=said):
         call()
+
+
+SPRAGS = SpragStruts(T=25.0, Z=12, R_i=0.011, R_e=0.0194, nu=0.055, L=0.008)
+
+
+def test_sprags_carry_their_torque_with_equal_forces():
+    force = SPRAGS.T / (SPRAGS.Z * SPRAGS.R_i * math.sin(SPRAGS.nu))  # along a sprag
+    even = SPRAGS.rolling(3)
+    assert even.forces() == pytest.approx(force / 3, rel=1e-9)
+    assert even.loads()[5] == pytest.approx(SPRAGS.T, rel=1e-9)
+    # all sprags yield alike: the inner race turns by the yield over R_i tan(nu), about
+    turn = math.asin(even.R[1, 0])
+    assert turn == pytest.approx(SPRAGS.yields / (SPRAGS.R_i * math.tan(SPRAGS.nu)), rel=1e-2)
+
+
+@pytest.mark.parametrize(("offset", "aside"), [(1e-7, 1e-7), (1.0, SPRAGS.yields / 4)])
+def test_a_tilted_race_is_aside_in_its_middle_and_twice_as_far_at_one_end(offset, aside):
+    held = SPRAGS.tilted(4, offset)
+    assert held.loads()[5] == pytest.approx(SPRAGS.T, rel=1e-9)
+    x = [(held.d + held.R @ [0, 0, z])[0] for z in (-SPRAGS.L / 2, 0.0, SPRAGS.L / 2)]
+    assert x == pytest.approx([0.0, aside, 2 * aside], abs=1e-3 * aside)
+    assert np.all(held.forces() > 0)

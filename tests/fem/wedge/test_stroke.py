@@ -26,15 +26,11 @@ def stroke():
     return made
 
 
-def test_work_on_the_yields_is_the_energy_of_a_power(stroke):
-    N = stroke.at_states["N"][[1, 4]]
-    assert stroke.work(N) == pytest.approx(stroke.at_states["U"][[1, 4]], rel=1e-9)
-
-
-def test_the_races_turn_as_far_as_the_energy_over_the_torque_says(stroke):
+def test_work_on_the_yields_is_the_energy_of_a_power_and_turns_the_races(stroke):
     N, T = (stroke.at_states[k][[1, 4]] for k in ("N", "T"))
     exact = z * 2e-8 * N**0.95 * N / T  # n_s int N dH / T, T in proportion to N
     assert stroke.turn_by_energy(T) == pytest.approx(exact, rel=1e-9)
+    assert stroke.work(N) == pytest.approx(stroke.at_states["U"][[1, 4]], rel=1e-9)
 
 
 def test_a_stroke_hits_its_states_and_says_nothing_beyond_them(stroke):
@@ -61,23 +57,16 @@ def course(**powers):
     return made
 
 
-@pytest.mark.parametrize("N", [2.0, 31.0, 799.0])
-def test_a_power_is_met_between_the_states(N):
+def test_powers_and_what_hardly_changes_are_met_between_the_states_and_nothing_beyond():
     one = course(T=1.2, d=0.9)
-    assert one.at("T", N) == pytest.approx(3 * N**1.2, rel=1e-12)
-    assert one.at("d", 3 * N**1.2, "T") == pytest.approx(3 * N**0.9, rel=1e-12)
-
-
-def test_what_hardly_changes_or_falls_is_splined_itself():
-    one = course(T=1.0)
     one.at_states["tan"] = 0.05 - 1e-3 * np.log(one.at_states["N"])
-    assert one.at("tan", 40.0) == pytest.approx(0.05 - 1e-3 * np.log(40.0), rel=1e-12)
-
-
-def test_nothing_is_said_beyond_the_states():
+    for N in (2.0, 31.0, 799.0):
+        assert one.at("T", N) == pytest.approx(3 * N**1.2, rel=1e-12)
+        assert one.at("d", 3 * N**1.2, "T") == pytest.approx(3 * N**0.9, rel=1e-12)
+        assert one.at("tan", N) == pytest.approx(0.05 - 1e-3 * np.log(N), rel=1e-12)
     for N in (1.99, 801.0):
         with pytest.raises(ArithmeticError, match="lies beyond the states from 2 on"):
-            course(T=1.0).at("T", N)
+            one.at("T", N)
 
 
 def test_an_integral_of_a_power_begins_without_load():
@@ -108,17 +97,17 @@ def test_drags_are_improved_until_the_body_moves_by_next_to_nothing():
     assert state.drags == pytest.approx((3e-3, -2e-3), abs=STILL * 1e-3)
 
 
-def test_a_body_that_never_rests_has_no_state():
-    with pytest.raises(NotFoundError, match=r"the roller still moves by 3\.0e-03 m after 4 steps$"):
-        at_rest(Turned, (0.0, 0.0), lambda s: s.unrest(0.0), body="roller", most=4)
-
-
-def test_where_every_node_slips_the_error_says_so():
-    def slides(drags):
-        return Turned(drags, slides=True)
-
-    with pytest.raises(NotFoundError, match="every node of a contact slips"):
-        at_rest(slides, (0.0, 0.0), lambda s: s.unrest(0.0), body="roller", most=1)
+@pytest.mark.parametrize(
+    ("slides", "most", "words"),
+    [
+        (False, 4, r"the roller still moves by 3\.0e-03 m after 4 steps$"),
+        (True, 1, "every node of a contact slips"),
+    ],
+)
+def test_a_body_that_never_rests_has_no_state(slides, most, words):
+    with pytest.raises(NotFoundError, match=words):
+        at_rest(lambda d: Turned(d, slides), (0.0, 0.0), lambda s: s.unrest(0.0), body="roller",
+                most=most)  # fmt: skip
 
 
 def test_the_core_of_a_rigid_motion_says_its_shift_and_turn():

@@ -7,10 +7,18 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from fem.contact.errors import NotFoundError
 from fem.wedge.flat_balance import balance, over_hertz
 from fem.wedge.flat_course import FlatCourse
 from fem.wedge.flat_place import Names, Pitch, Place
-from fem.wedge.flat_start import overlap
+from fem.wedge.flat_start import (
+    Start,
+    after,
+    guessed_inside,
+    loaded,
+    overlap,
+    rigid_force,
+)
 
 NAMES = Names(*("cam", "race", "flat", "bore", "cam held", "race held"))
 
@@ -84,3 +92,40 @@ def test_a_start_overlaps_as_much_in_materials_of_one_plane_strain_modulus():
     stretchy = replace(pitch(1), E=206e9 * (1 - nu**2), nu=nu)
     stiff = replace(pitch(1), nu=0.0)
     assert overlap(stretchy, 2e5) == pytest.approx(overlap(stiff, 2e5), rel=1e-12)
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+def test_a_rigid_clutch_presses_by_its_torque_over_the_tangent_of_half_its_angle(sense):
+    q = pitch(sense)
+    exact = 25.0 / (q.z * q.race * math.tan(q.rigid_angle / 2))
+    assert rigid_force(q, 25.0) == pytest.approx(exact, rel=1e-12)
+
+
+def test_a_start_is_guessed_from_its_overlap_and_grows_with_it():
+    q = pitch(1)
+    start = Start.guessed(q, 9e-6, inner=1 / 3, flatter=2)
+    assert start.d == pytest.approx((3e-6, 6e-6), rel=1e-12)
+    flatter = [q.r * d / a**2 for d, a in zip(start.d, start.widths, strict=True)]
+    assert flatter == pytest.approx([2, 3], rel=1e-12)
+    inside = guessed_inside(q, 2e5)
+    assert sum(inside.d) == pytest.approx(overlap(q, 2e5), rel=1e-12)
+    assert inside.d[0] == pytest.approx(0.33 * sum(inside.d), rel=1e-12)
+    assert overlap(q, 2e5) * q.E / (2e5 * (1 - q.nu**2)) == pytest.approx(16, rel=1e-12)
+    larger = Start((1.0, 2.0), (3.0, 4.0), (5.0, 6.0)).scaled(4.0)
+    assert larger == Start((4.0, 8.0), (6.0, 8.0), (20.0, 24.0))
+
+
+def test_a_load_is_searched_by_states_that_share_their_overlap_as_they_rest(monkeypatch):
+    state = SimpleNamespace(
+        start=SimpleNamespace(d_i=1e-6, d_o=3e-6), place=SimpleNamespace(d_i=3e-6, d_o=5e-6),
+        widths=(2e-5, 4e-5), drags=(1e-7, -1e-7),
+    )  # fmt: skip
+    rest = after(state)
+    assert rest.d == pytest.approx((1.5e-6, 2.5e-6), rel=1e-12)
+    assert (rest.widths, rest.drags) == (state.widths, state.drags)
+    monkeypatch.setattr(Start, "state", lambda *_: state)
+    given = {"power": 0.5, "near": 0.02, "what": "the torque"}
+    found = loaded(pitch(1), rest, lambda _: 1.01, **given)
+    assert found.d == pytest.approx(rest.scaled(1.01**0.5).d, rel=1e-12)
+    with pytest.raises(NotFoundError, match=r"the torque is missed by -50\.0%"):
+        loaded(pitch(1), rest, lambda _: 0.5, **given)

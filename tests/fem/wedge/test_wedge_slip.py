@@ -26,21 +26,19 @@ def drive():
     return Drive.at(one_pulled(LoadPaths()), start(), COARSE)
 
 
-@cache
-def limit():
-    return drive().lever(drive().along((0.95,)))
-
-
 def bound(mu=0.08):
     return Limit(one_pulled(LoadPaths(mu=mu, F_ax=600.0)), start(), start().drags)
 
 
-def test_the_limit_is_what_the_cone_leaves_for_the_axis():
+def test_the_limit_is_what_the_cone_leaves_for_the_axis(monkeypatch):
     """All of mu N, at the angle of the mesh, which micro-slip changes by next to nothing."""
-    lever, doubt = limit()
+    lever, doubt = drive().lever(drive().along((0.95,)))
     law = math.sqrt((0.08 / math.tan(drive().rest.start.psi / 2)) ** 2 - 1)
     assert lever == pytest.approx(law, rel=2e-3)
     assert 0 < doubt < 3e-3 * law
+    monkeypatch.setattr(slip, "MOST", 2)
+    with pytest.raises(NotFoundError, match="no slip was found: 2 steps"):
+        drive().lever(Driven(drive().rest, 0.0))
 
 
 def test_a_path_ends_at_its_last_load_and_short_of_slip():
@@ -51,13 +49,6 @@ def test_a_path_ends_at_its_last_load_and_short_of_slip():
     assert drive().left(back) > 1
 
 
-def test_a_drive_that_ends_before_slip_has_no_limit(monkeypatch):
-    monkeypatch.setattr(slip, "MOST", 2)
-    with pytest.raises(NotFoundError, match="no slip was found: 2 steps"):
-        drive().lever(Driven(drive().rest, 0.0))
-
-
-# Decisions.
 def not_found(*_a, **_k):
     raise NotFoundError("no state of rest was found")
 
@@ -71,23 +62,18 @@ def test_a_solve_that_finds_nothing_is_no_slip(monkeypatch):
             ask()
 
 
-def test_where_every_node_slips_under_torque_alone_no_axial_load_is_borne(monkeypatch):
-    monkeypatch.setattr(Limit, "sticks", lambda *_: False)
-    monkeypatch.setattr(Limit, "_lever", not_found)  # is not asked
-    assert not bound().bears(0.05)
-
-
-@pytest.mark.parametrize(("off", "held"), [(-0.01, False), (0.01, True)])
-def test_a_load_is_borne_below_its_limit_and_not_above(off, held, monkeypatch):
-    monkeypatch.setattr(Limit, "_lever", lambda self, _mu: ((1 + off) * self.asked, 1e-3))
-    assert bound().bears(0.08) is held
-
-
-@pytest.mark.parametrize("off", [1e-3])
-def test_within_its_uncertainty_of_the_limit_nothing_is_decided(off, monkeypatch):
-    monkeypatch.setattr(Limit, "_lever", lambda self, _mu: (self.asked + off, 2e-3))
+def test_a_load_is_borne_below_its_limit_and_nothing_is_decided_within_its_uncertainty(monkeypatch):
+    for off, held in ((-0.01, False), (0.01, True)):
+        lever = lambda self, _mu, off=off: ((1 + off) * self.asked, 1e-3)  # noqa: E731
+        monkeypatch.setattr(Limit, "_lever", lever)
+        assert bound().bears(0.08) is held
+    monkeypatch.setattr(Limit, "_lever", lambda self, _mu: (self.asked + 1e-3, 2e-3))
     with pytest.raises(NotFoundError, match="not decided"):
         bound().bears(0.08)
+    # where every node slips under torque alone, none is borne, and its lever is not asked for
+    monkeypatch.setattr(Limit, "sticks", lambda *_: False)
+    monkeypatch.setattr(Limit, "_lever", not_found)
+    assert not bound().bears(0.05)
 
 
 def test_the_friction_of_a_load_is_that_of_eq_8_where_slip_is_the_cone_s(monkeypatch):

@@ -136,25 +136,3 @@ def test_no_cell_is_folded_slender_or_skewed_and_neighbours_grow_by_less_than_si
 def test_order_and_straightness_choose_the_cells(make, radius):
     kinds = [type(make(**c)) for c in ({"order": 1}, {"order": 2}, {"straight": True})]
     assert kinds == [MeshQuad1, MeshQuad2, MeshQuad1]
-
-
-@every_body
-@pytest.mark.parametrize("zone", [0.0, 3.0])
-def test_a_zone_that_does_not_fit_is_refused(make, radius, zone):
-    with pytest.raises(ValueError, match=rf"0 < zone.* zone={zone:g} m"):
-        make(zone=zone)
-
-
-@pytest.mark.parametrize(
-    ("make", "changed", "message"),
-    [
-        (disc, {"cells": 0}, "cells >= 1, got 0"),
-        (square, {"refine": 0}, "refine >= 1, got 0"),
-        (disc, {"R": float("nan")}, "zone <= R/2, got zone=0.03 m, R=nan m"),
-        (race, {"r_i": 1.3}, "0 < r_i < r_o"),
-        (race, {"r_o": 1.02}, "zone <= r_i/2 and zone < r_o - r_i"),
-    ],
-)
-def test_sizes_that_do_not_fit_are_refused(make, changed, message):
-    with pytest.raises(ValueError, match=message):
-        make(**changed)

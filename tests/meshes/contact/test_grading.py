@@ -25,14 +25,7 @@ def test_cells_grow_by_no_more_than_asked_and_start_with_their_size(length, firs
     # the size at the very start, where a map of many more cells has it
     many = np.diff(places(length, 10_000 * n, b))
     assert many[0] * 10_000 == pytest.approx(first, rel=1e-3)
-
-
-@cases
-def test_the_last_cell_is_the_last_of_the_map(length, first, growth):
-    n = cells_along(length=length, first=first, growth=growth)
-    b = beta(length=length, first=first, cells=n)
-    expected = np.diff(places(length, n, b))[-1]
-    assert last_cell(length=length, cells=n, beta=b) == pytest.approx(expected, rel=1e-9)
+    assert last_cell(length=length, cells=n, beta=b) == pytest.approx(sizes[-1], rel=1e-9)
 
 
 @pytest.mark.parametrize("backwards", [False, True])
@@ -49,14 +42,3 @@ def test_gmsh_lays_the_cells_where_the_map_has_them(backwards):
     x = np.sort(mesh.p[0, np.unique(mesh.facets[:, mesh.boundaries["graded"]])])
     found = np.sort(1 - x) if backwards else x
     np.testing.assert_allclose(found, places(1.0, n, b), atol=1e-6)
-
-
-@pytest.mark.parametrize("clockwise", [False, True])
-def test_cells_have_positive_determinants_whatever_the_sense_of_a_block(clockwise):
-    corners = [(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (0.0, 1.0)]
-    corners = corners[::-1] if clockwise else corners
-    a, b, c, d = (Edge(corners[k], corners[(k + 1) % 4], 2) for k in range(4))
-    mesh = mesh_blocks([Block((a, b, c, d), "block")], order=1)
-    ax, bx, _, dx = mesh.p[:, mesh.t].swapaxes(0, 1)
-    u, v = bx - ax, dx - ax
-    assert (u[0] * v[1] - u[1] * v[0] > 0).all()

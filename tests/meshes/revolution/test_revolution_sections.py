@@ -31,18 +31,8 @@ def test_stations_are_fine_at_their_start_and_grow_by_no_more_than_asked(start, 
     assert np.all(size > 0)
     assert np.all(size[1:] <= 1.6 * size[:-1])
     assert 0.8 * 0.05 < size[0] < 1.6 * 0.05
-
-
-def test_refined_stations_hold_the_coarse_ones():
-    coarse = stations(start=4.5, end=0.0, first=0.05, growth=1.6)
-    fine = stations(start=4.5, end=0.0, first=0.05, growth=1.6, refine=3)
-    np.testing.assert_allclose(fine[::3], coarse, atol=1e-12)
-
-
-def test_a_chain_goes_on_where_it_ended():
-    np.testing.assert_array_equal(chain([np.array([0.0, 1.0]), np.array([1.0, 3.0])]), [0, 1, 3])
-    with pytest.raises(ValueError, match="end at 1 m and go on at 2 m"):
-        chain([np.array([0.0, 1.0]), np.array([2.0, 3.0])])
+    fine = stations(start=start, end=end, first=0.05, growth=1.6, refine=3)
+    np.testing.assert_allclose(fine[::3], s, atol=1e-12)
 
 
 def test_a_cylinder_keeps_the_stations_of_contact_and_goes_on_beyond():
@@ -70,6 +60,10 @@ def test_a_cylinder_keeps_the_stations_of_contact_and_goes_on_beyond():
         (lambda: half_cylinder(R=1.0, contact=[0, 1], bore=1.0, first=0.1), "0 <= bore < R"),
         (lambda: half_cylinder(R=1.0, contact=[0, 1], overhang=-1.0, first=0.1), "not negative"),
         (lambda: half_cylinder(R=1.0, contact=[1, 2], first=0.1), "grow from 0"),
+        (
+            lambda: chain([np.array([0.0, 1.0]), np.array([2.0, 3.0])]),
+            "end at 1 m and go on at 2 m",
+        ),
     ],
 )
 def test_what_makes_no_sense_is_refused(make, message):

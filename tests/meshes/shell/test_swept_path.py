@@ -30,27 +30,15 @@ def area(mesh):
     return np.linalg.norm(np.cross(c - a, d - b), axis=1).sum() / 2
 
 
-@pytest.fixture(scope="module")
-def mesh():
-    return spring()
-
-
-def test_every_piece_has_its_cells(mesh):
-    pieces = list(accordion(**SPRING))
+def test_cells_area_and_boundaries_are_those_of_the_path():
+    mesh, pieces = spring(per_arc=24), list(accordion(**SPRING))
     arcs = sum(piece.kind == "arc" for piece in pieces)
-    assert len(mesh.bodies["arcs"]) == arcs * 3 * 5
+    assert len(mesh.bodies["arcs"]) == arcs * 24 * 5
     assert len(mesh.bodies["leaves"]) == (len(pieces) - arcs) * 4 * 5
     everything = np.sort(np.concatenate(list(mesh.bodies.values())))
     np.testing.assert_array_equal(everything, np.arange(len(mesh.cells)))
-
-
-def test_the_area_is_the_path_s_length_times_the_width():
-    fine = spring(per_arc=24)
-    length = sum(piece.length for piece in accordion(**SPRING))
-    assert area(fine) == pytest.approx(length * WIDTH, rel=1e-4)
-
-
-def test_boundaries_are_where_their_names_say(mesh):
+    length = sum(piece.length for piece in pieces)
+    assert area(mesh) == pytest.approx(length * WIDTH, rel=1e-4)
     last = list(accordion(**SPRING))[-1]
     for name, x, y in (("head", 0, 0), ("tail", *last.end)):
         at = mesh.points[np.unique(mesh.boundaries[name])]
@@ -72,23 +60,19 @@ def test_cells_shrink_to_the_finest_at_the_edge_and_leaves_to_their_ends():
 
 
 @pytest.mark.parametrize(
-    ("change", "message"),
+    ("make", "message"),
     [
-        ({"width": 0.0}, "width must be positive, got 0"),
-        ({"across": 0}, "needs one cell or more along each piece and across, got 0"),
-        ({"finest": -1.0}, "finest must be positive, got -1"),
-        ({"leaf_ends": 2.0}, r"leaf_ends must lie in \(0, 1\], got 2"),
+        (lambda: spring(width=0.0), "width must be positive, got 0"),
+        (lambda: spring(across=0), "needs one cell or more along each piece and across, got 0"),
+        (lambda: spring(finest=-1.0), "finest must be positive, got -1"),
+        (lambda: spring(leaf_ends=2.0), r"leaf_ends must lie in \(0, 1\], got 2"),
+        (lambda: swept_path([], **CELLS), "a path needs a leaf or an arc"),
+        (lambda: rectangle(length=0.0, width=1.0, along=1, across=1),
+         "length must be positive, got 0"),
+        (lambda: cylinder_panel(radius=-1.0, angle=pi / 2, width=1.0, around=1, across=1),
+         "got radius=-1, angle=90 deg"),
     ],
-)
-def test_wrong_numbers_are_refused(change, message):
+)  # fmt: skip
+def test_wrong_numbers_are_refused(make, message):
     with pytest.raises(ValueError, match=message):
-        spring(**change)
-
-
-def test_panels_without_extent_are_refused():
-    with pytest.raises(ValueError, match="a path needs a leaf or an arc"):
-        swept_path([], **CELLS)
-    with pytest.raises(ValueError, match="length must be positive, got 0"):
-        rectangle(length=0.0, width=1.0, along=1, across=1)
-    with pytest.raises(ValueError, match="got radius=-1, angle=90 deg"):
-        cylinder_panel(radius=-1.0, angle=pi / 2, width=1.0, around=1, across=1)
+        make()
