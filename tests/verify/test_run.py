@@ -5,10 +5,12 @@ from concurrent.futures import Future
 from contextlib import nullcontext
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from verify.cases.registry import find
 from verify.core.case import Case, FemResult
+from verify.core.figures import Field
 from verify.core.inputs import Inputs, quantity
 from verify.core.results import Status
 from verify.core.store import Store
@@ -168,6 +170,28 @@ def test_what_is_stored_is_not_solved_again(tmp_path):
         run([Job(case, Beam())], cache_folder=tmp_path, show=states.append)
         assert solved == [4, 1, 2]
         assert {(s.done, s.total) for s in states} == {(2, 3), (3, 3)}
+
+
+def test_a_level_is_read_as_it_was_stored_and_a_torn_one_is_none(tmp_path):
+    data = {"u": np.arange(6.0).reshape(3, 2), "T": np.arange(3.0)}
+    field = Field(
+        name="strip", points=np.eye(3), cells=np.array([[0, 1, 2]]), point_data=data,
+        cell_data={"p": np.array([1.0]), "q": np.array([2.0])}, units={"u": "mm"},
+    )  # fmt: skip
+    made = FemResult(h=0.5, values={"v": 1.0}, u_it={"v": 1e-9}, arrays=data, fields=(field,))
+    cache.store(tmp_path, CASE, Beam(), 1, made)
+    read = cache.load(tmp_path, CASE, Beam(), 1)
+    assert (read.h, read.values, read.u_it) == (made.h, made.values, made.u_it)
+    pairs = [(read.arrays, data), *((getattr(read.fields[0], part), getattr(field, part))
+                                    for part in ("point_data", "cell_data"))]  # fmt: skip
+    for again, first in pairs:
+        assert list(again) == list(first)
+        assert all((again[name] == first[name]).all() for name in first)
+    assert (read.fields[0].points == field.points).all()
+    assert (read.fields[0].cells == field.cells).all()
+    (stored,) = Store(tmp_path).all("level", CASE.id).items()
+    Store(tmp_path).store("level", CASE.id, {stored[0]: stored[1][:-10]})
+    assert cache.load(tmp_path, CASE, Beam(), 1) is None
 
 
 def test_a_disk_that_fills_is_mentioned_once_and_the_run_continues(tmp_path, monkeypatch):

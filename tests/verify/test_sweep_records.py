@@ -123,6 +123,9 @@ def test_sensitivity_has_scatter_and_indices_for_each_row_quantity_and_input():
     assert scatter["fe"]["mean"] == 2  # N/mm
     assert scatter["error"]["mean"] == pytest.approx(0.05, abs=2e-3)
     assert list(scatter["error"]["indices"]) == ["a", "b"]
+    assert set(scatter["error"]) == {
+        "n", "mean", "sd", "q025", "q500", "q975", "noise", "why", "indices",
+    }  # fmt: skip
 
 
 def test_a_grid_that_was_solved_holds_what_formulas_and_finite_elements_gave(tmp_path, monkeypatch):

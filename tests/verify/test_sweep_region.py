@@ -124,6 +124,9 @@ def test_the_break_is_the_one_next_to_the_nominal_point_as_a_share_of_the_axis()
     by = region(plan, np.where(a > 3, 0.051, np.where(b < 4, 0.09, 0.04))).breaks
     assert (by.axis.name, by.up) == ("b", False)
     assert [by.last, by.first, by.at] == mm(4, 3, 3.8)
+    # a at 3.2 mm, 5 %, b at 3.52 mm, 18 %
+    by = region(plan, np.where(a > 3, 0.09, np.where(b < 4, 0.061, 0.04))).breaks
+    assert (by.axis.name, by.at) == ("a", pytest.approx(3.2e-3))
     # an axis in equal ratios is measured in ratios:
     # up from 10 mm to 46 mm is a third of two decades, b = 2 to 2.8 mm two fifths of its axis
     plan = planned("a=1:100mm:3:log", "b=1:3mm:3", a=10e-3)

@@ -20,7 +20,7 @@ from verify.cases.registry import CASES, find
 def bench_of(name: str, seconds: float) -> Bench:
     case = find(name, CASES)
     inputs = case.inputs()
-    load = Load(case, inputs, tuple(one.result for one in solved(case, inputs))).with_values()
+    load = Load(case, inputs, tuple(one.result for one in solved(case, inputs)))
     judged = load.judged()
     assert not judged.errors
     return Bench(load, Noted(seconds, (), judged.states))
