@@ -15,7 +15,7 @@ from verify.judging.convergence import fit_order, grid_convergence
 
 fixed = settings(deadline=None, derandomize=True, max_examples=40)
 
-EVEN, UNEVEN, CLOSE = (1.0, 0.5, 0.25), (1.0, 0.75, 0.5), (1.0, 0.9, 0.3)  # r32, r21 = 2, 2; ...
+EVEN, CLOSE = (1.0, 0.5, 0.25), (1.0, 0.9, 0.3)
 
 
 def power_law(h, *, v0, c, p):
@@ -47,20 +47,14 @@ E2 = 0.3 / 16  # c h1^2
     ("formal", "gci"),
     [
         pytest.param(2.0, 1.25 * E2, id="orders agree"),
-        pytest.param(2.5 - 1e-6, 1.25 * E2, id="observed just less than half an order below"),
-        pytest.param(2.55 + 1e-6, 3 * E2, id="observed more than half an order below"),
-        pytest.param(2.525, (1.25 + 3) / 2 * E2, id="in between: the mean factor"),
-        pytest.param(4.0, 3 * E2, id="observed far below: p is the observed order"),
-        pytest.param(1.5 + 1e-6, 1.25 * 3 * E2 / (2**1.5 - 1), id="observed just within above"),
-        pytest.param(1.45 - 1e-6, 3 * 3 * E2 / (2**1.45 - 1), id="observed too far above"),
-        pytest.param(1.0, 3 * 3 * E2 / (2**1 - 1), id="observed far above: p is the formal order"),
+        pytest.param(2.525, (1.25 + 3) / 2 * E2, id="half an order below: the mean factor"),
+        pytest.param(1.475, (1.25 + 3) / 2 * 3 * E2 / (2**1.475 - 1), id="half an order above"),
     ],
 )
 def test_index_takes_the_smaller_order_and_the_factor_of_their_distance(formal, gci):
     values = power_law(EVEN, v0=5.0, c=0.3, p=2)
     found = grid_convergence(EVEN, values, formal=formal, scale=5.0)
-    # 2 eps v0 / |v1 - v2| = 4e-14; the 1e-6 beside a half changes 2^p - 1 by 1e-6
-    assert found.gci == pytest.approx(gci, rel=3e-6)
+    assert found.gci == pytest.approx(gci, rel=1e-9)
     assert found.order == pytest.approx(2.0, abs=1e-6)
 
 
@@ -77,10 +71,8 @@ def test_observed_order_decides_alone_where_theory_gives_none():
 @pytest.mark.parametrize(
     ("values", "u_it", "behaviour", "spread"),
     [
-        pytest.param((1.0, 1.2, 1.1), 0.0, "oscillating", 0.2, id="turns back"),
-        pytest.param((1.0, 0.8, 0.9), 0.0, "oscillating", 0.2, id="turns back from below"),
-        pytest.param((1.0, 1.4, 1.5), 0.00101, "noisy", 0.5, id="u_it above 1 % of |v3 - v2|"),
-        pytest.param((1.5, 1.1, 1.0), 0.00101, "noisy", 0.5, id="u_it above 1 %, falling"),
+        pytest.param((1.0, 0.8, 0.9), 0.0, "oscillating", 0.2, id="turns back"),
+        pytest.param((1.5, 1.1, 1.0), 0.00101, "noisy", 0.5, id="u_it above 1 % of |v3 - v2|"),
         pytest.param((1.0, 2.0, 3.0), 0.0, "slow", 2.0, id="equal steps: order 0, a logarithm"),
         pytest.param((1.0, 2.0, 2.9), 0.0, "slow", 1.9, id="order log2(1/0.9) = 0.15"),
         pytest.param((9e6, 1.0, 1.2, 1.1), 0.0, "oscillating", 0.2, id="only the last three count"),
@@ -108,13 +100,10 @@ def test_iteration_error_of_one_per_cent_of_the_last_difference_leaves_the_order
 @pytest.mark.parametrize(
     ("h", "values"),
     [
-        pytest.param(EVEN, (1.0, 1.1, 1.3), id="growing steps"),
-        pytest.param(EVEN, (1.3, 1.2, 1.0), id="growing steps downwards"),
+        pytest.param(EVEN, (1.3, 1.2, 1.0), id="growing steps"),
         pytest.param(EVEN, (1.0, 1.1, 0.9), id="growing oscillation"),
         pytest.param(EVEN, (1.0, 1.0, 1.3), id="nothing, then a step"),
         pytest.param(EVEN, (1.0, 1.0 + 1e-9, 1.0 + 3e-9), id="growing steps, however small"),
-        pytest.param(EVEN, (1.0, 2**0.2, 4**0.2), id="v = h^-0.2"),
-        pytest.param(UNEVEN, (1.0, 0.75**-0.2, 0.5**-0.2), id="v = h^-0.2, uneven"),
         pytest.param(CLOSE, (1.0, 0.9**-0.2, 0.3**-0.2), id="v = h^-0.2, very uneven"),
     ],
 )
@@ -136,12 +125,10 @@ def test_growth_within_the_iteration_error_is_noise(u_it, behaviour):
     assert found.behaviour == behaviour
 
 
-@pytest.mark.parametrize("values", [(), (1.0,), (1.0, 1.1)], ids=["none", "one", "two"])
-def test_fewer_than_three_values_show_no_convergence(values):
-    found = grid_convergence(EVEN[: len(values)], values, formal=2, scale=1.0)
-    assert found.behaviour == "short"
-    assert not found.converges
-    assert found.gci == math.inf
+@pytest.mark.parametrize("count", [0, 2])
+def test_fewer_than_three_values_show_no_convergence(count):
+    found = grid_convergence(EVEN[:count], (1.0, 1.1)[:count], formal=2, scale=1.0)
+    assert (found.behaviour, found.gci, found.converges) == ("short", math.inf, False)
 
 
 # Round-off: no order from a last difference below 5e-10 of the scale.
@@ -151,11 +138,9 @@ def test_fewer_than_three_values_show_no_convergence(values):
     ("values", "residual", "gci"),
     [
         pytest.param((1.0, 1.0 + 3e-11, 1.0 - 1e-11), 0.0, 4e-11, id="max - min"),
-        pytest.param((1.0, 1.0 + 1e-11, 1.0 + 5e-11), 0.0, 5e-11, id="growing, and yet nothing"),
         pytest.param((1.0, 1.0, 1.0 + 7.5e-11), 0.0, 15e-11, id="nearly 1e-10: twice as much"),
         pytest.param((1.0, 1.0, 1.0 + 2e-10), 0.0, 6e-10, id="above 1e-10: three times"),
         pytest.param((1.0, 1.0 + 4e-10, 1.0), 0.0, 12e-10, id="which turns back"),
-        pytest.param((1.0, 1.0 + 1e-8, 1.0 + 1.04e-8), 0.0, 3.12e-8, id="the last one alone"),
         pytest.param((1.0, 1.0, 1.0), 0.0, 1e-12, id="equal: 1e-12 of the scale"),
         pytest.param((1.0, 1.0, 1.0), 1e-9, 1e-9, id="the solver's bound where larger"),
         pytest.param((1.0, 1.0 + 5e-11, 1.0), 1e-11, 5e-11, id="the solver's bound is smaller"),
@@ -178,15 +163,12 @@ def test_round_off_ends_at_5e_10_of_the_scale(step, behaviour):
         assert grid_convergence(EVEN, values, formal=2, scale=scale).behaviour == behaviour
 
 
-def test_a_series_of_zeros_with_a_scale_of_zero_is_round_off():
-    found = grid_convergence(EVEN, (0.0, 0.0, 0.0), formal=1, scale=0.0)
-    assert (found.behaviour, found.gci) == ("round-off", 0.0)
-
-
 def test_the_index_never_falls_below_1e_12_of_the_scale_or_the_solver_s_bound():
     values = power_law(EVEN, v0=0.0, c=1.0, p=2)
     assert grid_convergence(EVEN, values, formal=2, scale=1e12).gci >= 1.0
     assert grid_convergence(EVEN, values, formal=2, scale=1.0, residual=0.5).gci >= 0.5
+    found = grid_convergence(EVEN, (0.0, 0.0, 0.0), formal=1, scale=0.0)
+    assert (found.behaviour, found.gci) == ("round-off", 0.0)
 
 
 @pytest.mark.parametrize(
@@ -194,13 +176,9 @@ def test_the_index_never_falls_below_1e_12_of_the_scale_or_the_solver_s_bound():
     [
         pytest.param((1.0, 0.5), (1.0, 2.0, 3.0), "2 mesh sizes for 3 values", id="lengths"),
         pytest.param((1.0, 1.0, 0.5), (1.0, 2.0, 3.0), "decrease", id="a mesh twice"),
-        pytest.param((0.25, 0.5, 1.0), (1.0, 2.0, 3.0), "decrease", id="fine to coarse"),
         pytest.param((1.0, 0.5, 0.0), (1.0, 2.0, 3.0), "positive", id="no size"),
-        pytest.param((1.0, 0.5, -0.5), (1.0, 2.0, 3.0), "positive", id="negative size"),
-        pytest.param((1.0, math.nan, 0.5), (1.0, 2.0, 3.0), "positive", id="size NaN"),
         pytest.param((math.inf, 0.5, 0.2), (1.0, 2.0, 3.0), "positive", id="size infinite"),
         pytest.param(EVEN, (1.0, 2.0, math.nan), "no number", id="value NaN"),
-        pytest.param(EVEN, (math.inf, 2.0, 3.0), "no number", id="value infinite"),
     ],
 )
 def test_what_is_no_series_is_refused(h, values, message):
@@ -251,42 +229,8 @@ def test_units_of_the_values_change_the_index_alone(values, r21, r32, formal, u_
     assert there.gci == unit * here.gci
 
 
-@fixed
-@given(triples, ratios, ratios, st.none() | orders, st.floats(0, 1))
-def test_no_series_is_certain_and_only_a_monotone_one_has_an_order(values, r21, r32, formal, u_it):
-    found = grid_convergence((r32 * r21, r21, 1.0), values, formal=formal, scale=1e3, u_it=u_it)
-    assert found.gci >= 1e-12 * 1e3
-    assert (found.order is not None) == (found.behaviour == "monotone")
-    assert found.converges == (found.gci < math.inf)
-    if found.order is not None:
-        assert found.order >= 0.5
-
-
-# Decisions at a limit: what one processor's last bits put on one side, another's put on the other.
-
-
-@fixed
-@given(
-    st.floats(-1.1e-10, 1.1e-10), st.floats(-1.1e-10, 1.1e-10), ratios, ratios,
-    st.lists(st.floats(-1e-12, 1e-12), min_size=3, max_size=3),
-)  # fmt: skip
-def test_differences_about_the_size_of_round_off_have_one_verdict(fine, coarse, r21, r32, noise):
-    """Errors e = 1e-12 of the values change the index by 22 e at most.
-
-    Below the limit it is k s: s the spread, 2e-10 at most, k = 1 + 4 (d/1e-10 - 0.5) <= 3 with the
-    larger difference d. Both s and d change by 2 e: 3 x 2 e + 4 x 2 x 2 e.
-    """
-    h, values = (r32 * r21, r21, 1.0), (0.0, coarse, coarse + fine)
-    here = grid_convergence(h, values, formal=2, scale=1.0)
-    there = grid_convergence(
-        h, [v + e for v, e in zip(values, noise, strict=True)], formal=2, scale=1.0
-    )
-    assert here.behaviour == there.behaviour == "round-off"
-    assert abs(here.gci - there.gci) <= 22e-12
-
-
 @pytest.mark.parametrize("last", [1e-16, -1e-16])
-@pytest.mark.parametrize("h", [EVEN, UNEVEN, CLOSE])
+@pytest.mark.parametrize("h", [EVEN, CLOSE])
 def test_a_series_in_the_logarithm_of_the_size_has_one_verdict(h, last):
     """Its differences neither grow nor shrink: the limit of divergence is met exactly."""
     values = [-math.log(x) for x in h]
@@ -319,12 +263,10 @@ def test_a_next_term_of_half_the_leading_one_stays_within_the_uncertainty(
 @pytest.mark.parametrize(
     ("h", "errors", "message"),
     [
-        pytest.param(HALVED[:3], (4.0, 2.0, 1.0), "four positive errors", id="three meshes"),
-        pytest.param(HALVED, (4.0, 2.0, 1.0, 0.0), "four positive errors", id="an error of zero"),
-        pytest.param(HALVED, (4.0, 2.0, 1.0, -1.0), "four positive errors", id="negative error"),
-        pytest.param(HALVED, (4.0, 2.0, 1.0, math.nan), "no number", id="error NaN"),
-        pytest.param(HALVED, (math.inf, 2.0, 1.0, 0.5), "no number", id="error infinite"),
-        pytest.param(HALVED[::-1], (4.0, 2.0, 1.0, 0.5), "decrease", id="fine to coarse"),
+        (HALVED[:3], (4.0, 2.0, 1.0), "four positive errors"),
+        (HALVED, (4.0, 2.0, 1.0, 0.0), "four positive errors"),
+        (HALVED, (4.0, 2.0, 1.0, math.nan), "no number"),
+        (HALVED[::-1], (4.0, 2.0, 1.0, 0.5), "decrease"),
     ],
 )
 def test_what_has_no_order_is_refused(h, errors, message):

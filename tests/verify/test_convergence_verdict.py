@@ -14,7 +14,7 @@ from verify.judging.convergence import (
     order_from_iteration,
 )
 
-H = [0.4, 0.2, 0.05]  # ratios 2 and 4
+H = (0.4, 0.2, 0.1)
 
 
 def worst_order(h, v, u):
@@ -25,20 +25,8 @@ def worst_order(h, v, u):
     )
 
 
-RATIOS = pytest.mark.parametrize(
-    "h",
-    [
-        pytest.param((0.4, 0.2, 0.1), id="halved"),
-        pytest.param((0.4, 0.2, 0.05), id="2, then 4"),
-        pytest.param((0.4, 0.1, 0.05), id="4, then 2"),
-        pytest.param((0.4, 0.3, 0.25), id="4/3, then 6/5"),
-        pytest.param((0.9, 0.3, 0.1), id="thirds"),
-    ],
-)
-
-
-@RATIOS
-@pytest.mark.parametrize("p", [0.6, 1.0, 2.0, 4.0])
+@pytest.mark.parametrize("h", [H, (0.4, 0.2, 0.05), (0.4, 0.1, 0.05), (0.4, 0.3, 0.25)])
+@pytest.mark.parametrize("p", [0.6, 2.0])
 @pytest.mark.parametrize("share", [1e-2, 1e-4])
 def test_iteration_explains_what_the_worst_signs_take_from_an_order(h, p, share):
     v = [1 + x**p for x in h]
@@ -46,21 +34,30 @@ def test_iteration_explains_what_the_worst_signs_take_from_an_order(h, p, share)
     grid = grid_convergence(h, v, formal=p, scale=1.0)
     noise = convergence_verdict(grid, h, v, u, 0.01).tolerance
     worst = p - worst_order(h, v, u)
-    # on uneven meshes the smallest slope on the way counts all along
+    # on uneven meshes the smallest slope between both orders counts
     assert worst <= noise * (1 + 1e-7)
     assert worst == pytest.approx(noise, rel=share)
 
 
 def test_a_step_as_large_as_both_errors_may_be_none():
-    h, v = (0.4, 0.2, 0.1), (1.25, 1.125, 1.0625)  # order 1, the first step 2/16
-    assert order_from_iteration(h, v, 1 / 16) == pytest.approx(1 - ORDER_LIMITS[0])
+    v = (1.25, 1.125, 1.0625)  # order 1, the first step 2/16
+    assert order_from_iteration(H, v, 1 / 16) == pytest.approx(1 - ORDER_LIMITS[0])
 
 
-def test_an_order_within_the_noise_of_a_half_is_undecided():
-    grid = GridConvergence("monotone", 1e-3, order=0.6)
-    verdict = convergence_verdict(grid, H, [1.4, 1.2, 1.1], 0.01, 0.01)
-    assert verdict.status is Status.FAIL
-    assert verdict.reason.startswith("undecided")
+@pytest.mark.parametrize(
+    ("allowed", "margin", "status"),
+    [
+        pytest.param(1.0, 0.125, Status.FAIL, id="less than three times the spread"),
+        pytest.param(1.5, 0.125, Status.FAIL, id="three times the spread"),
+        pytest.param(2.0, 0.25, Status.PASS, id="four times the spread"),
+    ],
+)
+def test_an_order_that_iteration_may_take_away_is_replaced_by_the_spread(allowed, margin, status):
+    """The spread is 0.5; the order's own margin over a half is 0.125, and u_it is as the steps."""
+    grid = GridConvergence("monotone", 1e-3, order=0.625)
+    verdict = convergence_verdict(grid, (4.0, 2.0, 1.0), (1.5, 1.25, 1.0), 0.25, allowed)
+    assert (verdict.status, verdict.difference) == (status, margin)
+    assert verdict.reason.startswith("undecided") == (status is Status.FAIL)
 
 
 def test_a_series_that_is_slow_is_judged_by_its_spread_though_it_has_an_order():
@@ -73,11 +70,10 @@ def test_a_series_that_is_slow_is_judged_by_its_spread_though_it_has_an_order():
 @pytest.mark.parametrize("p", [0.5 - 1e-3, 0.5 + 1e-3])
 def test_an_order_of_about_a_half_has_one_verdict(p):
     """Iteration may take it to either side: the spread decides on both."""
-    h = (0.4, 0.2, 0.1)
-    v = [1 + 1e-4 * x**p for x in h]
+    v = [1 + 1e-4 * x**p for x in H]
     u = 1e-3 * (v[1] - v[2])
     spread = v[0] - v[2]
-    grid = grid_convergence(h, v, formal=2, scale=1.0, u_it=u)
+    grid = grid_convergence(H, v, formal=2, scale=1.0, u_it=u)
     assert grid.behaviour == ("slow" if p < 0.5 else "monotone")
-    assert convergence_verdict(grid, h, v, u, 3.01 * spread).status is Status.PASS
-    assert convergence_verdict(grid, h, v, u, 2.99 * spread).status is Status.FAIL
+    assert convergence_verdict(grid, H, v, u, 3.01 * spread).status is Status.PASS
+    assert convergence_verdict(grid, H, v, u, 2.99 * spread).status is Status.FAIL

@@ -30,7 +30,7 @@ JUDGING = tuple(
     f"tests/verify/{name}.py"
     for name in (
         "test_judge", "test_convergence", "test_convergence_verdict", "test_checks",
-        "test_agreement", "test_convergence_values", "test_claims_values",
+        "test_agreement", "test_convergence_values", "test_checks_printed",
     )
 )  # fmt: skip
 
