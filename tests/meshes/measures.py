@@ -34,3 +34,12 @@ def nodes(mesh, name):
 
 def vertices(mesh, name):
     return mesh.p[:, np.unique(mesh.facets[:, mesh.boundaries[name]])]
+
+
+def cuts_apart(mesh, body, z):
+    """Largest distance of nodes on the right cut, turned by 2 pi/z, from those on the left."""
+    c, s = np.cos(2 * np.pi / z), np.sin(2 * np.pi / z)
+    left = nodes(mesh, f"{body}.left")
+    right = np.array([[c, -s], [s, c]]) @ nodes(mesh, f"{body}.right")
+    left, right = (x[:, np.argsort(np.hypot(*x))] for x in (left, right))
+    return np.hypot(*(right - left)).max()

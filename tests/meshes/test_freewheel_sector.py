@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from meshes.freewheel.sector import inner_cam_sector, outer_cam_sector
-from tests.meshes.measures import measure, nodes, vertices
+from tests.meshes.measures import cuts_apart, measure, nodes, vertices
 
 R, R_A, X, R_B, R_R, Z, ZONES = 16.5e-3, 21e-3, 11.39565e-3, 7.5e-3, 2.5e-3, 8, (1.5e-4, 2e-4)
 CENTRE = sqrt((R - R_R) ** 2 - (X + R_R) ** 2), X + R_R  # just touching, [m]
@@ -17,7 +17,6 @@ AT_SHAFT = sqrt((R_S + R_R) ** 2 - (X_O - R_R) ** 2), X_O - R_R
 OUTER = {"R_s": R_S, "X_o": X_O, "r_b": 4e-3, "R_a": R_A, "r": R_R, "z": Z, "centre": AT_SHAFT}
 THIN_SHAFT = {"R_s": 1e-3, "r_b": 2e-4, "z": 3, "X_o": 6e-3, "centre": (2e-4, 3.5e-3)}
 ROUND_OFF = 1e-12  # relative
-BOTH = [(inner_cam_sector, INNER), (outer_cam_sector, OUTER)]
 
 
 def inner(**changed):
@@ -49,51 +48,6 @@ def test_a_tip_that_reaches_the_ring_is_cut_by_the_circle_that_leaves_the_cleara
     assert measure(mesh, "star") == pytest.approx(area, rel=1e-4)
     if z < 5:
         assert measure(mesh, "star.tip") == pytest.approx(2 * tip * turn, rel=1e-4)
-
-
-@pytest.mark.parametrize("refine", [3])
-@pytest.mark.parametrize(
-    ("sector", "given", "flat", "circle"),
-    [(*BOTH[0], "star", "ring"), (*BOTH[1], "cup", "shaft"),
-     (inner_cam_sector, INNER | {"z": 3}, "star", "ring")],
-)  # fmt: skip
-def test_the_right_cut_turned_by_a_pitch_lies_on_the_left_one(sector, given, flat, circle, refine):
-    mesh = sector(**given, zones=ZONES, refine=refine)
-    turn = 2 * pi / given["z"]
-    back = np.array([[cos(turn), -sin(turn)], [sin(turn), cos(turn)]])
-    for body in (flat, circle):
-        left, right = nodes(mesh, f"{body}.left"), back @ nodes(mesh, f"{body}.right")
-        for places in (left, right):
-            places[:] = places[:, np.argsort(np.hypot(*places))]
-        np.testing.assert_allclose(right, left, rtol=0, atol=ROUND_OFF * R)
-
-
-@pytest.mark.parametrize(("cells", "refine"), [(3, 2)])
-@pytest.mark.parametrize(
-    ("sector", "given", "boundary", "contact", "zone", "uneven"),
-    [
-        # the roller's cells are even but for the fourth power of the zone over its radius
-        (*BOTH[0], "star.flat", (CENTRE[0], X), ZONES[0], 1e-9),
-        (*BOTH[0], "roller.inner", (CENTRE[0], X), ZONES[0], 1e-3),
-        (*BOTH[0], "roller.outer", R * ray(PSI), ZONES[1], 2e-3),
-        (*BOTH[0], "ring.bore", R * ray(PSI), ZONES[1], 1e-4),
-        (*BOTH[1], "shaft.rim", R_S * ray(atan2(*AT_SHAFT)), ZONES[0], 1e-4),
-        (*BOTH[1], "roller.inner", R_S * ray(atan2(*AT_SHAFT)), ZONES[0], 1e-3),
-        (*BOTH[1], "roller.outer", (AT_SHAFT[0], X_O), ZONES[1], 2e-3),
-        (*BOTH[1], "cup.flat", (AT_SHAFT[0], X_O), ZONES[1], 1e-9),
-    ],
-)
-def test_even_cells_lie_on_both_sides_of_each_contact(
-    sector, given, boundary, contact, zone, uneven, refine, cells
-):
-    mesh = sector(**given, zones=ZONES, refine=refine, cells=cells)
-    away = vertices(mesh, boundary) - np.reshape(contact, (2, 1))
-    n = cells * refine
-    expected = zone / n * np.repeat(np.arange(n + 1), [1] + [2] * n)
-    found = np.sort(np.hypot(*away))[: 2 * n + 1]
-    np.testing.assert_allclose(found, expected, rtol=uneven, atol=1e-9 * zone)
-    side = np.sign(away[0][np.argsort(np.hypot(*away))[1 : 2 * n + 1]])
-    assert side.sum() == 0
 
 
 def test_cells_may_be_straight_or_linear():
@@ -147,19 +101,43 @@ def test_a_sector_that_cannot_be_is_refused_in_one_line(sector, changed, rule):
 
 
 @pytest.mark.parametrize(
-    ("sector", "body", "contact", "zone"),
+    ("sector", "boundary", "contact", "zone", "uneven"),
     [
-        (inner, "star", (CENTRE[0], X), ZONES[0]),
-        (inner, "ring", R * ray(PSI), ZONES[1]),
-        (outer, "shaft", R_S * ray(atan2(*AT_SHAFT)), ZONES[0]),
-        (outer, "cup", (AT_SHAFT[0], X_O), ZONES[1]),
+        # the roller's cells are even but for the fourth power of the zone over its radius
+        (inner, "star.flat", (CENTRE[0], X), ZONES[0], 1e-9),
+        (inner, "roller.inner", (CENTRE[0], X), ZONES[0], 1e-3),
+        (inner, "roller.outer", R * ray(PSI), ZONES[1], 2e-3),
+        (inner, "ring.bore", R * ray(PSI), ZONES[1], 1e-4),
+        (outer, "shaft.rim", R_S * ray(atan2(*AT_SHAFT)), ZONES[0], 1e-4),
+        (outer, "roller.inner", R_S * ray(atan2(*AT_SHAFT)), ZONES[0], 1e-3),
+        (outer, "roller.outer", (AT_SHAFT[0], X_O), ZONES[1], 2e-3),
+        (outer, "cup.flat", (AT_SHAFT[0], X_O), ZONES[1], 1e-9),
     ],
 )
-def test_cells_at_a_contact_are_as_deep_as_they_are_wide(sector, body, contact, zone):
-    mesh = sector(cells=4, refine=2)
-    cells = mesh.t[:, mesh.subdomains[body]]
-    own = np.unique(cells)
-    node = own[np.argmin(np.hypot(*(mesh.p[:, own] - np.reshape(contact, (2, 1)))))]
-    column, cell = np.nonzero(cells == node)
-    sides = [mesh.p[:, cells[(column + k) % 4, cell]] - mesh.p[:, [node]] for k in (1, 3)]
-    np.testing.assert_allclose([np.hypot(*side) for side in sides], zone / 8, rtol=2e-3)
+def test_even_cells_as_deep_as_wide_lie_on_both_sides_of_each_contact(
+    sector, boundary, contact, zone, uneven
+):
+    n, body = 6, boundary.partition(".")[0]
+    mesh = sector(cells=3, refine=2)
+    away = vertices(mesh, boundary) - np.reshape(contact, (2, 1))
+    order = np.argsort(np.hypot(*away))[: 2 * n + 1]
+    expected = zone / n * np.repeat(np.arange(n + 1), [1] + [2] * n)
+    found = np.hypot(*away)[order]
+    np.testing.assert_allclose(found, expected, rtol=uneven, atol=1e-9 * zone)
+    assert np.sign(away[0][order[1:]]).sum() == 0
+    if body != "roller":
+        cells = mesh.t[:, mesh.subdomains[body]]
+        node = cells.flat[np.argmin(np.hypot(*(mesh.p[:, cells.ravel()].T - contact).T))]
+        corner, cell = np.nonzero(cells == node)
+        sides = [mesh.p[:, cells[(corner + k) % 4, cell]] - mesh.p[:, [node]] for k in (1, 3)]
+        np.testing.assert_allclose([np.hypot(*side) for side in sides], zone / n, rtol=3e-3)
+
+
+@pytest.mark.parametrize(
+    ("sector", "z", "bodies"),
+    [(inner, Z, ("star", "ring")), (inner, 3, ("star", "ring")), (outer, Z, ("cup", "shaft"))],
+)
+def test_the_right_cut_turned_by_a_pitch_lies_on_the_left_one(sector, z, bodies):
+    mesh = sector(z=z, refine=3)
+    for body in bodies:
+        assert cuts_apart(mesh, body, z) < ROUND_OFF * R

@@ -8,7 +8,7 @@ import pytest
 
 from meshes.sprag.profile import Placed, Sprag
 from meshes.sprag.sector import sprag_sector
-from tests.meshes.measures import measure, nodes, vertices
+from tests.meshes.measures import cuts_apart, measure, nodes, vertices
 
 R_ID, R_I, R_E, R_ED, R_SPIRAL, M, Z = 7.21e-3, 11.11e-3, 19.44e-3, 26.23e-3, 4.02e-3, 0.0892, 12
 RHO = R_SPIRAL / sqrt(1 + M**2)
@@ -33,20 +33,16 @@ def in_own_frame(x):
     return np.array([c * d[0] - s * d[1], s * d[0] + c * d[1]])
 
 
-def test_bodies_and_boundaries_have_their_names():
-    mesh = sector()
+def test_every_node_of_the_outline_lies_on_it():
+    mesh = sector(refine=2)
     races = {f"{race}.{name}" for race in ("inner", "outer")
              for name in ("bore", "rim", "left", "right")}  # fmt: skip
     assert set(mesh.boundaries) == races | {
-        "sprag.inner", "sprag.outer", "sprag.left", "sprag.right",
-    }  # fmt: skip
-    assert {"inner", "sprag", "outer"} <= set(mesh.subdomains)
+        f"sprag.{n}" for n in ("inner", "outer", "left", "right")
+    }
     named = np.sort(np.concatenate(list(mesh.boundaries.values())))
     np.testing.assert_array_equal(named, np.sort(mesh.boundary_facets()))
-
-
-def test_every_node_of_the_outline_lies_on_it():
-    mesh = sector(refine=2)
+    assert max(cuts_apart(mesh, race, Z) for race in ("inner", "outer")) < ROUND_OFF * R_E
     tight = {"rtol": 0, "atol": ROUND_OFF * R_E}
     for name, radius in (("inner.bore", R_ID), ("inner.rim", R_I), ("outer.bore", R_E),
                          ("outer.rim", R_ED)):  # fmt: skip
@@ -63,25 +59,6 @@ def test_every_node_of_the_outline_lies_on_it():
         np.testing.assert_allclose(along[1] * d[0] - along[0] * d[1], side * 2e-3, **tight)
 
 
-def test_a_sprag_that_is_not_turned_touches_both_races():
-    at = Placed(SPRAG, (0.0, D), 0.0)
-    assert hypot(*at.inner) == pytest.approx(R_I, rel=ROUND_OFF)
-    assert hypot(*at.outer) == pytest.approx(R_E, rel=ROUND_OFF)
-    assert at.theta == pytest.approx(ETA)
-
-
-def test_the_right_cut_turned_by_a_pitch_lies_on_the_left_one():
-    mesh = sector(refine=3)
-    turn = 2 * pi / Z
-    back = np.array([[cos(turn), -sin(turn)], [sin(turn), cos(turn)]])
-    for race in ("inner", "outer"):
-        left, right = nodes(mesh, f"{race}.left"), back @ nodes(mesh, f"{race}.right")
-        for places in (left, right):
-            places[:] = places[:, np.argsort(np.hypot(*places))]
-        np.testing.assert_allclose(right, left, rtol=0, atol=ROUND_OFF * R_E)
-
-
-@pytest.mark.parametrize(("cells", "refine"), [(3, 2)])
 @pytest.mark.parametrize(
     ("boundary", "contact", "zone", "uneven"),
     [
@@ -92,39 +69,35 @@ def test_the_right_cut_turned_by_a_pitch_lies_on_the_left_one():
         ("outer.bore", PLACED.outer, ZONES[1], 1e-4),
     ],
 )
-def test_even_cells_lie_on_both_sides_of_each_contact(
-    boundary, contact, zone, uneven, refine, cells
-):
-    mesh = sector(refine=refine, cells=cells)
+def test_even_cells_lie_on_both_sides_of_each_contact(boundary, contact, zone, uneven):
+    n = 6
+    mesh = sector(refine=2, cells=3)
     away = vertices(mesh, boundary)
     azimuth = np.arctan2(*away) - atan2(*contact)
     # of the race where the sprag overlaps it
-    along = np.sort(np.abs(azimuth * np.hypot(*away)))[: 2 * cells * refine + 1]
-    n = cells * refine
+    along = np.sort(np.abs(azimuth * np.hypot(*away)))[: 2 * n + 1]
     expected = zone / n * np.repeat(np.arange(n + 1), [1] + [2] * n)
     np.testing.assert_allclose(along, expected, rtol=uneven, atol=1e-9 * zone)
 
 
-@pytest.mark.parametrize(
-    ("name", "exact"),
-    [
-        ("inner", pi / Z * (R_I**2 - R_ID**2)),
-        ("outer", pi / Z * (R_ED**2 - R_E**2)),
-        ("inner.rim", 2 * pi / Z * R_I),
-        ("outer.bore", 2 * pi / Z * R_E),
-        ("outer.left", R_ED - R_E),
-        ("sprag.inner", SPRAG.spiral_length(*SPRAG.below)),
-        ("sprag.outer", SPRAG.r_e * (SPRAG.above[1] - SPRAG.above[0])),
-    ],
-)
-def test_areas_and_lengths_converge_to_the_closed_forms_with_the_fourth_power(name, exact):
-    errors = [measure(sector(refine=refine), name) / exact - 1 for refine in (2, 4)]
-    assert abs(errors[0]) < 3e-6, errors
-    if abs(errors[1]) > 1e-11:  # round-off
-        assert np.log2(errors[0] / errors[1]) == pytest.approx(4, abs=0.2), errors
+def test_areas_and_lengths_converge_to_the_closed_forms_with_the_fourth_power():
+    coarse, fine = sector(refine=2), sector(refine=4)
+    for name, exact in {
+        "inner": pi / Z * (R_I**2 - R_ID**2), "outer": pi / Z * (R_ED**2 - R_E**2),
+        "inner.rim": 2 * pi / Z * R_I, "outer.bore": 2 * pi / Z * R_E, "outer.left": R_ED - R_E,
+        "sprag.inner": SPRAG.spiral_length(*SPRAG.below),
+        "sprag.outer": SPRAG.r_e * (SPRAG.above[1] - SPRAG.above[0]),
+    }.items():  # fmt: skip
+        errors = [measure(mesh, name) / exact - 1 for mesh in (coarse, fine)]
+        assert abs(errors[0]) < 3e-6, (name, errors)
+        if abs(errors[1]) > 1e-11:  # round-off
+            assert np.log2(errors[0] / errors[1]) == pytest.approx(4, abs=0.2), (name, errors)
 
 
 def test_a_compressed_sprag_has_its_arc_about_another_point():
+    at = Placed(SPRAG, (0.0, D), 0.0)  # not turned it touches both races
+    assert (hypot(*at.inner), hypot(*at.outer)) == pytest.approx((R_I, R_E), rel=ROUND_OFF)
+    assert at.theta == pytest.approx(ETA)
     shorter = replace(SPRAG, centre=(1e-5, -2e-5))
     mesh = sector(sprag=shorter, turn=0.0)
     x, y = nodes(mesh, "sprag.outer") - np.array([[1e-5], [D - 2e-5]])

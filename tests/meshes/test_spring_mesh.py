@@ -15,7 +15,6 @@ from tests.meshes.measures import measure
 
 L1, R, ALPHA, B = 11.6, 0.5, 80 * pi / 180, 0.1  # the paper's spring [mm], R the centre line's
 LEAF = (L1 + 2 * R * cos(ALPHA)) / sin(ALPHA)  # from level a + R cos(alpha) to minus that
-springs = pytest.mark.parametrize("n", [3, 10], ids=lambda n: f"{n} segments")
 every = pytest.mark.parametrize(("n", "tail"), [(3, "arc"), (4, "mid-leaf"), (10, "arc")])
 
 
@@ -49,25 +48,15 @@ def polyline_length(mesh, body):
 
 
 @every
-def test_the_line_leads_from_the_head_to_where_the_tail_is_held(n, tail):
+def test_the_line_is_one_chain_of_arcs_and_leaves_from_head_to_tail(n, tail):
     mesh = line(n, tail)
     assert set(mesh.nodes) == {"head", "tail"}
     np.testing.assert_allclose(mesh.points[mesh.nodes["head"]], (0, 0), atol=1e-12)
     np.testing.assert_allclose(mesh.points[mesh.nodes["tail"]], tail_place(n, tail), atol=1e-12)
-
-
-@every
-def test_the_line_is_one_chain(n, tail):
-    mesh = line(n, tail)
     uses = np.bincount(mesh.elements[:, :2].ravel())
     assert sorted(np.flatnonzero(uses == 1)) == sorted(mesh.nodes.values())
     assert np.all(uses <= 2)
     assert len(mesh.points) == 2 * len(mesh.elements) + 1
-
-
-@every
-def test_arcs_and_leaves_of_the_line_have_their_numbers_lengths_and_radius(n, tail):
-    mesh = line(n, tail)
     count = {"arcs": 2 + 2 * (n - 2), "leaves": n - 1 + (tail == "mid-leaf")}
     assert len(mesh.bodies["arcs"]) == 4 * count["arcs"]
     assert len(mesh.bodies["leaves"]) == 3 * count["leaves"]
@@ -102,7 +91,7 @@ def test_free_tips_make_the_end_leaves_whole(n, tail):
     assert polyline_length(mesh, "leaves") == pytest.approx(leaves(n, tail), rel=1e-12)
 
 
-@springs
+@pytest.mark.parametrize("n", [3, 10])
 def test_units_share_the_elements_of_a_line_with_tips_out(n):
     mesh = line(n, "mid-leaf", tips=True)
     units = [mesh.bodies[f"unit {i}"] for i in range(1, n + 1)]
@@ -117,26 +106,18 @@ def test_units_share_the_elements_of_a_line_with_tips_out(n):
 
 
 @every
-def test_the_strip_has_the_names_of_its_faces_and_bodies(n, tail):
-    mesh = sheet(n, tail)
-    assert set(mesh.boundaries) == {"head", "tail", "left", "right"}
-    assert set(mesh.subdomains) == {"arcs", "leaves"}
-    outline = np.concatenate(list(mesh.boundaries.values()))
-    np.testing.assert_array_equal(np.sort(outline), np.flatnonzero(mesh.f2t[1] < 0))
-
-
-@every
-def test_the_strip_covers_its_line_times_its_thickness(n, tail):
+def test_the_strip_covers_its_line_and_its_faces_are_as_long_as_their_turns_make_them(n, tail):
     # Pappus: the area of a bent strip is the length of its middle times b
-    assert measure(sheet(n, tail), "leaves") == pytest.approx(B * leaves(n, tail), rel=1e-12)
+    mesh = sheet(n, tail)
+    assert measure(mesh, "leaves") == pytest.approx(B * leaves(n, tail), rel=1e-12)
     coarse, fine = (
         measure(sheet(n, tail, per_arc=cells), "arcs") / (B * arcs(n)) - 1 for cells in (4, 8)
     )
     assert np.log2(coarse / fine) == pytest.approx(4, abs=0.05), (coarse, fine)
-
-
-@every
-def test_the_faces_of_the_strip_are_as_long_as_their_turns_make_them(n, tail):
+    assert set(mesh.boundaries) == {"head", "tail", "left", "right"}
+    assert set(mesh.subdomains) == {"arcs", "leaves"}
+    outline = np.concatenate(list(mesh.boundaries.values()))
+    np.testing.assert_array_equal(np.sort(outline), np.flatnonzero(mesh.f2t[1] < 0))
     # an arc turned right by t is longer by t b/2 on the left; the quarters at both ends turn right
     # together for even n and cancel for odd n, the others cancel within their unit
     mesh, total = sheet(n, tail, per_arc=16), arcs(n) + leaves(n, tail)

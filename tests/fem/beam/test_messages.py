@@ -54,6 +54,7 @@ RIGID = r"frame can move rigidly \(.*"
          "node 2 belongs to no element"),
         ({"supports": {0: "xyr", 9: "x"}}, r"no node 9: the frame has nodes 0 to [24]"),
         ({"loads": {9: (1.0, 0.0, 0.0)}}, r"no node 9: the frame has nodes 0 to [24]"),
+        ({"loads": {-1: (0.0, 1.0, 0.0)}}, "no node -1"),
         ({"supports": {0: "z"}}, "node 0: components are x, y, r, got 'z'"),
         ({"sections": {"leaf": SECTION}, "bodies": {"arm": [0], "stem": [1]}},
          "no body 'leaf'; bodies: arm, stem"),

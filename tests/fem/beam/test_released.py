@@ -1,9 +1,10 @@
-"""Pressed frames: their head let go, to rounding, and paths beside the linear stiffness."""
+"""Pressed frames: their head let go, paths beside the linear stiffness, and parts of them."""
 
 import numpy as np
 import pytest
 
 from fem.beam import released
+from fem.beam.part import part_stiffness
 from fem.beam.pressed import PressedFrame
 from fem.beam.pressed_path import both_paths, drifts, free_force, slanted_force, stable_forces
 from fem.beam.released import gives_way, linear_load
@@ -84,3 +85,24 @@ def test_paths_begin_with_the_determinants_at_rest(accordion):
     assert paths["guided"][0, 3] == pytest.approx(1.0, abs=0.1)
     assert paths["free"][0, 1] == pytest.approx(0.01 * LENGTH)
     assert paths["free_shape"].shape == (len(accordion.elements), 3, 2)
+
+
+def strip(cells, L):
+    x = np.linspace(0.0, L, 2 * cells + 1)
+    ends = 2 * np.arange(cells)
+    points = np.column_stack([x, 0.0 * x])
+    return points, np.column_stack([ends, ends + 2, ends + 1])
+
+
+def test_a_straight_strip_has_the_stiffnesses_of_its_ends_about_its_middle():
+    """Across, the moment changes its sign in the middle: L^3/(12 E I) and shear."""
+    L, STRIP = 2.0, Section(EA=300.0, EI=5.0, GA=70.0)
+    points, elements = strip(4, L)
+    found = part_stiffness(points, elements, STRIP, (0.0, 0.0), (L, 0.0))
+    assert found["turn"] == pytest.approx(STRIP.EI / L, rel=1e-9)
+    assert found["axial"] == pytest.approx(STRIP.EA / L, rel=1e-9)
+    across = L**3 / (12 * STRIP.EI) + L / STRIP.GA
+    assert found["lateral"] == pytest.approx(1 / across, rel=1e-6)
+    # elements outside the part do not count
+    half = part_stiffness(points, elements[:2], STRIP, (0.0, 0.0), (L / 2, 0.0))
+    assert half["turn"] == pytest.approx(2 * STRIP.EI / L, rel=1e-9)

@@ -1,10 +1,13 @@
-"""The half sector of a polyhedral ring has the places, names, lengths and area of its outline."""
+"""The half sector of a polyhedral ring: its outline, fine zones, growth, and no fold."""
 
 from math import cos, pi, sin, tan
 
 import numpy as np
 import pytest
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
 
+from fem.plane.geometry import check_unfolded
 from meshes.polyhedral.half_sector import half_sector
 from tests.meshes.measures import nodes
 
@@ -68,3 +71,70 @@ def test_the_fine_zone_and_the_hub_are_where_they_were_asked_for():
 def test_a_ring_that_cannot_be_is_refused_with_its_rule(changed, rule):
     with pytest.raises(ValueError, match=rule):
         ring(**changed)
+
+
+GAUSS = np.stack(np.meshgrid(*[(0.5 + np.array([-1, 0, 1]) * np.sqrt(0.15))] * 2)).reshape(2, -1)
+
+
+share = st.floats(0.02, 0.98)
+
+
+def wall_at_the_middle(*, z, d_i, fillet):
+    angle = np.pi / z
+    return 0.5 - d_i / 2 * np.cos(angle) - fillet * (1 - np.cos(angle))
+
+
+@settings(max_examples=15, deadline=None)
+@example(z=3, wall=-3.5, fillet=-0.55, zone=0.1, hub=None, cells=24)  # a thin core
+@example(
+    z=3, wall=-2.0, fillet=-0.5, zone=None, hub=(0.5, 0.97), cells=2
+)  # a hub beside the fillet
+@example(z=17, wall=-1.4, fillet=-5.0, zone=None, hub=(0.3, 0.95), cells=6)  # a narrow sector
+@example(z=3, wall=-1.2, fillet=-1.5, zone=2e-3, hub=None, cells=12)  # wide lines
+@given(
+    z=st.sampled_from([3, 4, 5, 6, 8, 12, 17, 24, 48]),
+    wall=st.floats(np.log(0.005), np.log(0.3)),
+    fillet=st.floats(np.log(1e-3), np.log(0.9)),
+    zone=st.none() | st.floats(1e-3, 0.4),
+    hub=st.none() | st.tuples(share, share).filter(lambda ends: abs(ends[1] - ends[0]) > 0.01),
+    cells=st.sampled_from([2, 6, 24]),
+)
+def test_no_cell_folds_whatever_the_ring(z, wall, fillet, zone, hub, cells):
+    d_i = 1 - 2 * np.exp(wall)
+    fillet = d_i / 2 * np.exp(fillet)
+    flat = (d_i / 2 - fillet) * np.sin(np.pi / z)
+    if zone is not None:
+        room = min(wall_at_the_middle(z=z, d_i=d_i, fillet=fillet), flat * min(hub or (0.3,)))
+        zone *= room
+    hub = hub and tuple(sorted(flat * s for s in hub))
+    mesh = half_sector(
+        z=z, d_e=1.0, d_i=d_i, fillet=fillet, refine=1, zone=zone, hub=hub, cells=cells
+    )
+    check_unfolded(mesh, GAUSS)
+
+
+def lengths(mesh, name):
+    """Of the facets along a boundary, from the middle of the side to the corner."""
+    ends = mesh.p[:, mesh.facets[:, np.asarray(mesh.boundaries[name])]]
+    middle = ends.mean(axis=1)
+    order = np.argsort(np.arctan2(middle[1], middle[0]))
+    return np.hypot(*(ends[:, 1] - ends[:, 0]))[order]
+
+
+@pytest.mark.parametrize(("z", "fillet"), [(3, 0.1), (48, 0.003)])
+def test_cells_grow_from_the_fillet_and_nowhere_by_more_than_four_times(z, fillet):
+    mesh = half_sector(z=z, d_e=1.0, d_i=0.9, fillet=fillet, refine=4)
+    arc = lengths(mesh, "fillet")
+    np.testing.assert_allclose(arc, arc.mean(), rtol=1e-3)
+    flat = lengths(mesh, "flat")
+    assert flat[-1] < 1.1 * arc.mean()
+    growth = flat[:-1] / flat[1:]
+    assert max(growth[-7:]) < 1.15  # the fourth root of 1.6
+    assert max(growth) < 4  # where the fan around the fillet ends
+
+
+@pytest.mark.parametrize("z", [3, 24])
+def test_cells_grow_from_the_fine_zone_by_no_more_than_twice(z):
+    mesh = half_sector(z=z, d_e=1.0, d_i=0.9, fillet=0.025, refine=2, zone=0.005)
+    near = lengths(mesh, "rim")[: 2 * len(mesh.boundaries["zone"])]
+    assert max(near[1:] / near[:-1]) < 2
