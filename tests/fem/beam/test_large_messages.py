@@ -39,6 +39,7 @@ WRONG = {
     "prescribed displacements must be finite numbers":
         lambda: frame().displaced({2: {"x": np.nan}}, [1.0]),
     "loads must be finite numbers": lambda: path(loads={2: (np.inf, 0, 0)}),
+    "factors must be finite numbers, got [0.5, nan]": lambda: path(factors=[0.5, np.nan]),
     "no element 5: the frame has 2 elements": lambda: path(distributed={5: (0, 1)}),
     "the frame can move rigidly (":
         lambda: path(supports={0: "xr"}),

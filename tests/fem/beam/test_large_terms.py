@@ -119,31 +119,3 @@ def test_steps_that_are_taken_back_leave_no_history():
     assert slider.accepted == coarse.steps
     np.testing.assert_allclose(coarse.u, fine.u, atol=1e-9)
     assert coarse.dissipated == pytest.approx(fine.dissipated, rel=1e-9)
-
-
-def test_terms_that_settle_are_asked_until_they_are_content():
-    """An augmented wall at x = 2.05: its multiplier grows until the bar's end stands there."""
-
-    class Wall(Term):
-        def start(self, x):
-            self.multiplier = self.kept = 0.0
-
-        def evaluate(self, x):
-            push = max(0.0, self.multiplier + 2e3 * (x[1, 0] - 2.05))
-            f = np.zeros(6)
-            f[3] = push
-            return 0.0, f, csc_array(([2e3 * (push > 0)], ([3], [3])), shape=(6, 6))
-
-        def settle(self, x):
-            before, gap = self.multiplier, 2.05 - x[1, 0]
-            self.multiplier = max(0.0, before - 2e3 * gap)
-            return abs(self.multiplier - before) > 1e-9
-
-        def accept(self, x):
-            self.kept = self.multiplier
-
-        def reject(self):
-            self.multiplier = self.kept
-
-    path = bar(Wall()).under_loads({1: (8.0, 0, 0)}, [0.25, 0.5, 1.0])
-    np.testing.assert_allclose(path.u[:, 1, 0], [0.04, 0.05, 0.05], atol=1e-10)

@@ -60,23 +60,6 @@ def test_an_element_may_be_linked_at_several_places(shares):
     np.testing.assert_allclose(cut.u[3], whole.u[7], rtol=1e-10)
 
 
-def test_supports_and_links_carry_the_loads_together():
-    solved = pressed(Link(first=3, second=(0, 0.7), direction=(0.3, -1), value=-0.05))
-    assert solved.reactions.sum(axis=0)[:2] == pytest.approx([0.0, 1.0], abs=1e-10)
-    couple = (
-        solved.reactions[:, 2].sum()
-        + (
-            solved.points[:, 0] * solved.reactions[:, 1]
-            - solved.points[:, 1] * solved.reactions[:, 0]
-        ).sum()
-    )
-    # the force at the upper tip, and the link's, whose ends are 0.1 and 0.6 apart
-    (p,), (x, y) = solved.link_forces, np.array([0.3, -1.0]) / math.hypot(0.3, 1)
-    apart = solved.points[4] - solved.points[3]
-    assert couple + p * (apart[0] * y - apart[1] * x) == pytest.approx(L, rel=1e-10)
-    assert abs(solved.reactions[[1, 3, 4]]).max() < 1e-10
-
-
 def test_loads_along_an_element_stay_when_a_link_cuts_it():
     """A uniform load on a cantilever whose tip a second one props: 3 q L/8 is shared by two."""
     q = {0: (0.0, 1.0)}

@@ -136,23 +136,3 @@ def test_without_loads_along_z_the_plane_is_what_it_was():
         assert not np.any(b.u_z)
         assert b.touches[0].force_z == 0.0
         assert a.u_z.size == b.u_z.size
-
-
-def test_shares_of_a_step_are_steps_of_their_own():
-    problem = tower(0.6, **HELD, along=Along(supports={"low.bottom": 0.0}))
-
-    def at(share, after, steps=1):
-        return problem.solve(
-            forces={"up.top": (share * 1e-3, share * -8e-3)},
-            axial_forces={"up.top": share * 2e-3},
-            axial_displacements={"low.bottom": share * 0.1}, after=after, steps=steps,
-        )  # fmt: skip
-
-    one = at(1.0, at(0.5, None))
-    there = at(1.0, None, 2)
-    back = at(0.25, there, 3)
-    same = at(0.25, at(0.5, at(0.75, one)))
-    for found, expected in ((there, one), (back, same)):
-        a, b = found.touches[0], expected.touches[0]
-        np.testing.assert_allclose(a.traction_z, b.traction_z, atol=1e-9 * b.peak)
-        np.testing.assert_allclose(found.u_z, expected.u_z, atol=1e-9 * np.abs(one.u_z).max())

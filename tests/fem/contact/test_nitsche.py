@@ -63,32 +63,6 @@ def test_constant_pressure_passes_between_meshes_that_do_not_match(
     np.testing.assert_allclose(stress[[0, 2]], 0.0, atol=0.01 * PATCH)
 
 
-def thin_blocks(**loads):
-    """One layer each, held below and above, interfering by 2e-3."""
-    meshes = {
-        "up": block(x=(0, 1), y=(1, 1.6), nx=7, ny=1),
-        "low": block(x=(0, 1), y=(0, 1), nx=5, ny=1),
-    }
-    problem = ContactProblem(
-        join(meshes), materials={"up": Elastic(E=3.0, nu=0.3), "low": Elastic(E=1.0, nu=0.1)},
-        assumption="plane stress", supports={"low.bottom": "y", "up.top": "y"},
-        anchors={(0.0, 0.0): "x", (0.0, 1.6): "x"},
-        contacts=[Pair(slave="up.bottom", master="low.top", interference=2e-3)],
-    )  # fmt: skip
-    return solve_nitsche(problem, **loads).touches[0]
-
-
-def test_interference_and_a_prescribed_displacement_press_single_layers_or_part_them():
-    touch = thin_blocks(displacements={"up.top": {"y": -5e-3}})
-    np.testing.assert_allclose(touch.p, (5e-3 + 2e-3) / (0.6 / 3.0 + 1.0 / 1.0), rtol=PATCH)
-    np.testing.assert_allclose(touch.gap, 0.0, atol=2e-3 * PATCH)
-    touch = thin_blocks(displacements={"up.top": {"y": 5e-3}})
-    np.testing.assert_array_equal(touch.p, 0.0)
-    np.testing.assert_allclose(touch.gap, 5e-3 - 2e-3, rtol=PATCH)
-    assert touch.force == (0.0, 0.0)
-    assert not touch.closed.any()
-
-
 def test_hertz_on_a_flat_is_the_mortars_to_second_order():
     values = []
     for refine in (1, 2, 4):

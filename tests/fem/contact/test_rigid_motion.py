@@ -10,29 +10,10 @@ from fem.plane.material import Elastic
 from meshes.contact.block import block, full_block
 from meshes.contact.disc import half_disc
 from meshes.contact.round import full_disc
-from meshes.join import join
 from tests.fem.contact.models import STEEL, on_flat
 
 R, LOAD = 10e-3, 1e5
 EXACT = 1e-8
-
-
-@pytest.mark.parametrize(("friction", "gap"), [(0.0, 1e-3), (0.4, 2e-6)])
-def test_three_blocks_fall_on_each_other(friction, gap):
-    mesh = join({
-        name: block(x=(0.0, 1.0), y=(k * (0.5 + gap), k * (0.5 + gap) + 0.5), nx=5 + k, ny=3)
-        for k, name in enumerate(("low", "middle", "top"))
-    })  # fmt: skip
-    sides = {} if friction else {"supports": {f"{b}.left": "x" for b in ("low", "middle", "top")}}
-    s = ContactProblem(
-        mesh, materials=Elastic(E=1e6, nu=0.3), assumption="plane stress",
-        obstacles={"floor": Obstacle(Flat())}, **sides,
-        contacts=[Pair(slave="low.bottom", master="floor", friction=friction),
-                  Pair(slave="middle.bottom", master="low.top", friction=friction),
-                  Pair(slave="top.bottom", master="middle.top", friction=friction)],
-    ).solve(body_forces=(0.0, -10.0))  # fmt: skip
-    for touch, share in zip(s.touches, (3, 2, 1), strict=True):
-        np.testing.assert_allclose(touch.force, (0.0, -5.0 * share), atol=EXACT * 15)
 
 
 def in_groove(friction):

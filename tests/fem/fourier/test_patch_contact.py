@@ -1,4 +1,4 @@
-"""Contact of two bodies of revolution against Hertz, a half-space and exact symmetries."""
+"""Contact of two bodies of revolution against Hertz, Lamé, a half-space and symmetries."""
 
 from functools import cache
 
@@ -8,7 +8,7 @@ from skfem import MeshQuad1
 
 from fem.fourier.compliance import harmonics, surface_compliance
 from fem.fourier.contact import PatchContact, patch_contact
-from fem.fourier.loads import turn_of
+from fem.fourier.shrunk import edge_slope, shrink_pressure
 from fem.fourier.solid import FourierSolid
 from fem.fourier.unilateral import push_together
 from fem.plane.material import Elastic
@@ -144,18 +144,6 @@ def test_short_contacts_of_bodies_that_go_on_are_those_of_a_half_space():
     np.testing.assert_allclose(c.p[0, :-2] / p.reshape(c.p.shape)[0, :-2], 1, atol=bound)
 
 
-@pytest.mark.parametrize("n", [0, 2, 14])
-def test_what_is_eliminated_last_gives_the_same_displacements(n):
-    mesh = half_cylinder(R=1.0, contact=[0.0, 0.5, 1.0], first=0.1)
-    solid = FourierSolid(mesh, STEEL, HALF, degree=2)
-    f = np.zeros((solid.basis.N, 3))
-    rim = np.unique(solid.basis.nodal_dofs[0, mesh.facets[:, mesh.boundaries["rim"]]])
-    f[rim] = np.random.default_rng(5).standard_normal((rim.size, 3))
-    solved = f.T @ solid.harmonic(n).displacements(f)
-    np.testing.assert_allclose(solid.flexibility(n, f), solved, atol=1e-10 * abs(solved).max())
-    assert turn_of(n) == pytest.approx(np.pi * (2 if n == 0 else 1))
-
-
 def test_a_crown_takes_load_from_the_end_to_the_middle():
     pair = roller(), roller(0.5)
     flat = patch_contact(pair, across=ACROSS, load=0.1)
@@ -196,3 +184,24 @@ def test_cells_press_where_they_touch_and_nowhere_else(seed):
     assert opening.min() > -1e-9
     assert abs(p @ opening) < 1e-9
     assert area @ p == pytest.approx(0.5)
+
+
+def test_the_slope_at_the_edge_is_extrapolated_over_the_distance():
+    r = np.geomspace(1e-5, 0.1, 60)
+    p = r**-0.226 * np.exp(3 * r)  # a slope of -0.226 + 3 r
+    assert edge_slope(r[::-1], p[::-1], 1e-3) == pytest.approx(-0.226, abs=1e-6)
+
+
+def test_a_ring_as_long_as_its_shaft_presses_evenly_as_lame_s_does():
+    fine = {"first": 0.2, "growth": 1.2, "refine": 2}
+    nodes = stations(start=1.0, end=0.0, **fine)
+    shaft = half_cylinder(R=1.0, contact=nodes, overhang=0.0, first=0.2, refine=2)
+    ring = MeshQuad1.init_tensor(stations(start=1.0, end=2.0, **fine), nodes)
+    ring = ring.with_boundaries({"bore": lambda x: x[0] == 1, "start": lambda x: x[1] == 0})
+    bodies = [
+        (FourierSolid(mesh, Elastic(E=3.0, nu=0.3), {"start": "z"}, degree=2), name)
+        for mesh, name in ((shaft, "rim"), (ring, "bore"))
+    ]
+    pressure = shrink_pressure(bodies, nodes[::2])
+    # E / ((r_o² + r_f²)/(r_o² - r_f²) + 1), both free to change their length
+    assert pressure == pytest.approx(3.0 / (5 / 3 + 1), rel=1e-3)

@@ -59,15 +59,3 @@ def test_anchors_answer_like_a_beam_on_two_supports(kind, assumption):
     # moments about (0, 0): 4 R - 1 * 2 = 0, as the force is 2 along x at a height of 1
     assert s.reaction_at((4, 0)) == pytest.approx((0, 2 / 4), abs=10 * BALANCE)
     assert s.reaction_at((0, 0)) == pytest.approx((-2, 10 - 2 / 4), abs=10 * BALANCE)
-
-
-@every_case
-def test_the_work_of_a_prescribed_movement_is_stored(kind, assumption):
-    delta = 0.01
-    s = solve_plane(
-        trapezoid(kind), materials=MATERIAL, assumption=assumption,
-        supports={"left": "xy", "right": {"x": delta, "y": 0.0}},
-    )  # fmt: skip
-    # Clapeyron: the force rises in proportion to delta
-    assert s.strain_energy == pytest.approx(s.reaction("right")[0] * delta / 2, rel=BALANCE)
-    assert s.potential_energy == s.strain_energy  # no loads

@@ -88,18 +88,6 @@ def test_imposed_tractions_give_constant_stress_and_its_energy(kind):
     assert solution.displacement_at((1, 1)) == pytest.approx((e_xx + 2 * e_xy, e_yy), abs=ROUND_OFF)
 
 
-@every_case
-def test_pressure_all_round_a_body_with_curved_sides_is_hydrostatic(kind, assumption):
-    solution = solve_plane(
-        patch(kind, bulge), materials=MATERIAL, assumption=assumption, supports={},
-        anchors={tuple(bulge(0, 0)): "xy", tuple(bulge(1, 0)): "y"},
-        pressures=dict.fromkeys(SIDES, 4.0),
-    )  # fmt: skip
-    xx, yy, xy, _ = solution.in_body().stress
-    np.testing.assert_allclose([xx, yy], -4.0, rtol=1e-11)
-    np.testing.assert_allclose(xy, 0.0, atol=1e-11 * 4.0)
-
-
 @every_element
 def test_one_cell_resists_every_motion_but_the_three_rigid_ones(kind):
     straight, shape, own = KINDS[kind]

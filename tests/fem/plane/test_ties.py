@@ -11,7 +11,6 @@ from fem.plane.material import Elastic
 from fem.plane.solve import solve_plane
 from fem.plane.ties import Tie
 from tests.fem.cyclic_rings import KINDS, apart, arc, beside, ring, sector, turned
-from tests.fem.plane.models import mapped
 
 MATERIAL = Elastic(E=1000.0, nu=0.3)
 START = 0.3
@@ -99,30 +98,6 @@ def disc_sector(kind, z, cells=6):
         found[name] = np.all((np.abs(y) < 1e-9) & (x > -1e-9), axis=0)
     mesh = shape.from_mesh(grid) if shape is not straight else grid
     return mesh.with_boundaries({name: np.flatnonzero(on) for name, on in found.items()})
-
-
-def test_a_periodic_cell_of_layers_has_their_moduli():
-    # across layers stresses agree, along them strains; nu = 0, so that they do not mix:
-    # E = 2 / (1/E1 + 1/E2) across, (E1 + E2)/2 along, G = 1 / (1/E1 + 1/E2) in shear
-    axis, names = np.linspace(0, 1, 5), ("left", "right", "below", "above")
-    mesh = mapped("tri6", axis, axis, names=names, split=0.5)
-    ties = [
-        Tie(leader="left", follower="right", shift=(1.0, 0.0)),
-        Tie(leader="below", follower="above", shift=(0.0, 1.0)),
-    ]
-    # periodic displacements under unlike body forces of zero mean: the corner is one node
-    s = solve_plane(
-        mesh, materials={"west": Elastic(E=1.0, nu=0.0), "east": Elastic(E=4.0, nu=0.0)},
-        assumption="plane stress", supports={}, anchors={(0.0, 0.0): "xy"}, ties=ties,
-        body_forces={"west": (1.0, 1.0), "east": (-1.0, -1.0)},
-    )  # fmt: skip
-    for x, y in ((1.0, 0.0), (0.0, 1.0), (1.0, 1.0)):
-        assert s.displacement_at((x, y)) == (0.0, 0.0)
-    # E u'' = -b between the layers' middles, where stress is zero by symmetry of each:
-    # energy = int sigma^2 / (2 E) = 2 * (1/2)^3 / 24 * (1/E1 + 1/E2) / 2, and twice that in shear
-    energy = 0.125 / 24 * (1 + 1 / 4) * (1 + 2)
-    assert s.strain_energy == pytest.approx(energy, rel=1e-9)
-    assert s.reaction_at((0.0, 0.0)) == pytest.approx((0, 0), abs=1e-12)
 
 
 @pytest.mark.parametrize(

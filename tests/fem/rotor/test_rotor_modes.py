@@ -119,21 +119,6 @@ def test_damped_modes_are_those_of_the_state_matrix():
         assert abs(force).max() < 1e-8 * abs(K @ v).max()
 
 
-def test_circulation_makes_a_rotor_unstable_where_it_overcomes_the_damping():
-    """In m r'' + c r' + (k - i q) r: grows for q > c sqrt(k/m)."""
-    m, k, c = 10.0, 4e6, 800.0
-    limit = c * np.sqrt(k / m)
-    for q, grows in ((0.9 * limit, False), (1.1 * limit, True)):
-        rotor = Rotor(
-            [Shaft([Element(0.4, 0.1, material=RIGID)] * 2)], [Disc(1, m, 0.2, 0.2)],
-            [Support(n, k / 2, kxy=q / 2, kyx=-q / 2, cxx=c / 2) for n in (0, 2)],
-        )  # fmt: skip
-        found = modes(rotor, 0.0, 4)
-        forward = found.damping[found.whirl == 1]
-        assert (forward.min() < 0) == grows
-        assert (found.damping[found.whirl == -1] > 0).all()
-
-
 def test_modal_and_rayleigh_damping_give_the_ratios_asked_for():
     els = [Element(0.1, 0.03, material=STEEL)] * 6
     parts = {"supports": [Support(n, 1e7, kzz=1e7, k_turn=1e4) for n in (0, 6)]}

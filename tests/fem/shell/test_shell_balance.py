@@ -64,18 +64,6 @@ def test_prescribed_movements_are_answered_by_the_forces_of_the_same_loads():
     np.testing.assert_allclose(pushed.u, loaded.u, atol=1e-9 * abs(moved))
 
 
-def test_normals_may_point_to_either_side():
-    mesh = panel()
-    turned = mesh.cells[:, [0, 3, 2, 1, 7, 6, 5, 4, 8]]
-    load = {"head": (0.0, -1e3, 500.0)}
-    one = solve(mesh, edge_loads=load)
-    other = solve_shell(
-        mesh.points, turned, thickness=T, materials=STEEL, boundaries=mesh.boundaries,
-        supports=CLAMP, edge_loads=load,
-    )  # fmt: skip
-    np.testing.assert_allclose(other.u, one.u, atol=1e-10 * np.abs(one.u).max())
-
-
 def test_bodies_have_their_own_thickness_and_material():
     grid = over(2, 1, lambda u, v: (2 * u, 0 * u, v))
     s = solve_shell(

@@ -52,6 +52,7 @@ LOST = np.vstack([GRID.points, [9.0, 9.0, 9.0]])
         ),
         ({"ties": {"u=2": "x"}}, "no boundary 'u=2'"),
         ({"edge_loads": {"u=1": (0, 1)}}, "'u=1': a load has three components"),
+        ({"pressures": {"middle": 1.0}}, "no body 'middle'"),
         ({"loads": {3: (0, 0, 1)}}, "node 3: a load has three forces and three couples"),
     ],
 )
