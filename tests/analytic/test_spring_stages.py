@@ -108,9 +108,7 @@ def test_the_unloaded_leaf_s_normal_moves_point_a_by_a_per_cent():
 
 def test_a_guide_moves_point_a_as_worked_out_by_hand():
     """Another derivation: the guide takes a couple of -0.36 mm F."""
-    paper = {"n": 10, "b": 0.1, "h": 56.0, "radius": 0.5, "L1": 11.6, "alpha": np.radians(80),
-             "E": 206e3}  # fmt: skip
-    free, guided = (stages(**paper, head=head) for head in ("free", "guided"))
+    free, guided = (stages(**PAPER, head=head) for head in ("free", "guided"))
     assert [float(v) for v in (free.k1, free.U_A, free.F_A)] == pytest.approx(
         [0.55997, 12.3828, 6.9340], rel=2e-5
     )

@@ -58,13 +58,9 @@ def test_a_patch_too_narrow_is_made_wider() -> None:
 RIDGE_ROLLER = {"load": 3407.0, "R": 2.95e-3, "length": 9e-3, "E_star": 113e9, "d": 0.5e-3}
 
 
-@pytest.fixture(scope="module")
-def even():
+def test_an_even_load_is_symmetric_and_has_hertz_s_pressure_and_width() -> None:
     law = {key: RIDGE_ROLLER[key] for key in ("load", "length", "E_star")}
-    return press_ridge(lundberg(**law), across=8, along=128, **RIDGE_ROLLER)
-
-
-def test_an_even_load_has_hertz_s_pressure_and_width(even):
+    even = press_ridge(lundberg(**law), across=8, along=128, **RIDGE_ROLLER)
     q = RIDGE_ROLLER["load"] / RIDGE_ROLLER["length"]
     p_0 = np.sqrt(q * RIDGE_ROLLER["E_star"] / (np.pi * RIDGE_ROLLER["R"]))
     b = np.sqrt(4 * q * RIDGE_ROLLER["R"] / (np.pi * RIDGE_ROLLER["E_star"]))
@@ -73,10 +69,6 @@ def test_an_even_load_has_hertz_s_pressure_and_width(even):
     assert found["b_mid"] == pytest.approx(b, rel=0.01)
     assert found["q_mid"] == pytest.approx(q, rel=0.01)
     assert even.unevenness < 0.02
-
-
-def test_loads_and_places_are_those_of_a_roller_that_is_symmetric(even):
-    found = even.values
     assert abs(found["balance"]) < 1e-8 * RIDGE_ROLLER["load"]
     assert found["F_low"] == pytest.approx(found["F_high"], rel=1e-6)
     assert found["F_d"] == found["F_low"] + found["F_high"]

@@ -159,9 +159,7 @@ def test_a_path_reaches_a_load_no_sooner_than_it_grows_to_it(at):
 )
 def test_of_one_angle_the_path_in_phase_slips_as_its_amplitude_has_grown_and_it_locks(F, t):
     assert RIG.time_of_slip(3, F, alike) == pytest.approx(t, abs=1e-9)
-
-
-def test_a_path_that_never_reaches_the_load_has_no_time_of_slip():
+    # a load that no path reaches has no time
     assert all(RIG.time_of_slip(path, 1.1 * RIG.F_ax, alike) == math.inf for path in (1, 2, 3))
 
 

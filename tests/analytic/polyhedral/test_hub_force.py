@@ -63,7 +63,7 @@ def test_the_bore_is_free_but_for_the_forces_and_the_rim_is_free(z, e):
     assert np.abs(hub(rim).force(rim)).max() < 1e-12
 
 
-HEXAGON = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)
+HEXAGON = Sector(z=6, **RING)
 
 
 def pushed(ring):
@@ -71,7 +71,7 @@ def pushed(ring):
 
 
 @pytest.mark.parametrize("load", [pressed, pushed])
-def test_the_rims_stress_is_its_stretch(load):
+def test_the_rims_stress_and_slope_are_the_differences_of_its_displacement(load):
     field = load(HEXAGON)
     theta, h = np.linspace(0.05, 0.5, 7), 1e-5
     u = field.rim_displacement(theta)
@@ -79,15 +79,8 @@ def test_the_rims_stress_is_its_stretch(load):
     stretch = (u.real + d_u.imag) / 40  # times E'
     stress = rim_stress(theta, sector=HEXAGON, field=field)
     np.testing.assert_allclose(stress, stretch, rtol=1e-7)
-
-
-@pytest.mark.parametrize("load", [pressed, pushed])
-def test_the_slope_is_the_difference_quotient_of_the_radial_displacement(load):
-    field = load(HEXAGON)
-    theta, h = np.linspace(0.05, 0.5, 7), 1e-5
-    u = [field.rim_displacement(theta + step).real for step in (h, -h)]
     slope = rim_slope(theta, sector=HEXAGON, field=field)
-    np.testing.assert_allclose(slope, (u[0] - u[1]) / (2 * h) / 40, rtol=1e-6)
+    np.testing.assert_allclose(slope, d_u.real / 40, rtol=1e-6)
 
 
 @pytest.mark.parametrize("nu", [0.0, 0.3])
@@ -95,9 +88,7 @@ def test_the_bores_stress_is_the_stretch_of_its_points(nu):
     s, h = np.array([3.0, 16.0, 17.5, 17.9]), 1e-5
 
     def move(at):
-        zeta = HEXAGON.bore(at)
-        phi, dphi, psi = pressed(HEXAGON)(zeta)
-        return (1 + nu) * ((3 - nu) / (1 + nu) * phi - zeta * dphi.conj() - psi.conj())
+        return bore_move(pressed(HEXAGON), HEXAGON.bore(at), nu)
 
     tangent = 1j * HEXAGON.normal(s)
     stretch = ((move(s + h) - move(s - h)) / (2 * h) * tangent.conj()).real
@@ -107,7 +98,7 @@ def test_the_bores_stress_is_the_stretch_of_its_points(nu):
 
 @pytest.mark.parametrize("z", [3, 6, 12, 48])
 def test_the_cuts_balance_the_pressure(z):
-    ring = Sector(z=z, d_e=80.0, d_i=72.0, rho=2.0)
+    ring = Sector(z=z, **RING)
     mid, corner = cut_loads(sector=ring, field=pressed(ring))
     assert mid.force == pytest.approx(ring.apothem, rel=1e-8)
     assert corner.force == pytest.approx(36.0, rel=1e-8)
@@ -126,22 +117,21 @@ def test_the_cuts_balance_the_hub(normal, along):
     assert corner.moment - mid.moment == pytest.approx(-turned, abs=1e-6)
 
 
-FILLET_RING = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)
-CONTACT = RollerContact(FILLET_RING, Roller(d=10.0, j_D=0.06), 210e3, 0.3, "plane stress")
+CONTACT = RollerContact(HEXAGON, Roller(d=10.0, j_D=0.06), 210e3, 0.3, "plane stress")
 
 
 @pytest.mark.parametrize("tan_phi", [0.0, 0.05, 0.6])
 def test_the_hub_pushes_as_hard_as_the_rollers_torque_asks_of_it(tan_phi):
     N, p = 150.0, 30.0
     hub = Driven(CONTACT, grip=0.08, D_i=100.06, e=9.0, tan_phi=tan_phi)
-    phi, at = np.arctan(tan_phi), np.array([FILLET_RING.apothem, 9.0])
+    phi, at = np.arctan(tan_phi), np.array([HEXAGON.apothem, 9.0])
     leaning = np.array([np.cos(phi), -np.sin(phi)])  # off the flat's normal, to its middle
     R = 0.08 * N * 100.06 / 2 / (at[1] * leaning[0] - at[0] * leaning[1])
     normal, along = R * leaning
-    push = hub_force(sector=FILLET_RING, e=9.0, normal=normal, along=along)
-    expected = loaded_fillet_stress(FILLET_RING, p=p, hub=push, N=N, a=CONTACT.half_width(N))
+    push = hub_force(sector=HEXAGON, e=9.0, normal=normal, along=along)
+    expected = loaded_fillet_stress(HEXAGON, p=p, hub=push, N=N, a=CONTACT.half_width(N))
     assert driven_fillet_stress(hub, N, p) == pytest.approx(expected, rel=1e-12)
-    assert driven_fillet_stress(hub, 0.0, p) == loaded_fillet_stress(FILLET_RING, p=p)
+    assert driven_fillet_stress(hub, 0.0, p) == loaded_fillet_stress(HEXAGON, p=p)
 
 
 def test_the_steepest_place_is_steeper_than_any_other():

@@ -170,10 +170,6 @@ def test_a_missing_sprag_takes_its_share(missing):
     assert K[4, 4] == pytest.approx(11 * k * one.d_t**2, rel=1e-11)
 
 
-def clutch_state(Z=12, *, missing=(), n_s=7, **more):
-    return Clutch(psi=even_angles(Z=Z, missing=missing), n_s=n_s, **SPRAG | more)
-
-
 @fixed
 @given(
     st.floats(-2, 3).map(lambda p: 10.0**p),
@@ -181,20 +177,20 @@ def clutch_state(Z=12, *, missing=(), n_s=7, **more):
     st.floats(0, 20e-6),
 )
 def test_the_torque_is_met_at_any_offset_with_any_crown(T, offset, drop):
-    one = clutch_state(missing=(2, 3), crown=lambda x: drop * (x / 4.5e-3) ** 2)
+    one = clutch(n_s=7, missing=(2, 3), crown=lambda x: drop * (x / 4.5e-3) ** 2)
     q = under_torque(one, T=T, offset=offset)
     assert one.loads(q)[4] == pytest.approx(T, rel=1e-9)
     assert tuple(q[:4]) == offset
 
 
 def test_a_gap_all_around_is_twisted_away_first():
-    one = clutch_state(interference=-50e-6)
+    one = clutch(n_s=7, interference=-50e-6)
     g = preload_twist(one, T=15.0)
-    assert g == pytest.approx(preload_twist(clutch_state(), T=15.0) + 50e-6 / one.d_t, rel=1e-12)
+    assert g == pytest.approx(preload_twist(clutch(n_s=7), T=15.0) + 50e-6 / one.d_t, rel=1e-12)
 
 
 def test_loads_of_a_known_place_lead_back_to_it():
-    one = clutch_state(missing=(1,), crown=lambda x: 1e-6 * (x / 4.5e-3) ** 2)
+    one = clutch(n_s=7, missing=(1,), crown=lambda x: 1e-6 * (x / 4.5e-3) ** 2)
     q = np.array([3e-6, -2e-6, 2e-4, 3e-4, 0.021])
     found = under_loads(one, one.loads(q))
     assert found == pytest.approx(q, rel=1e-8)
@@ -202,9 +198,9 @@ def test_loads_of_a_known_place_lead_back_to_it():
 
 def test_no_equilibrium_is_refused_not_returned():
     # sprags push outwards with N in all, T = Z N d_t: no radial load can be larger than all of N
-    most = 15.0 / clutch_state().d_t
+    most = 15.0 / clutch(n_s=7).d_t
     with pytest.raises(ArithmeticError, match="no equilibrium under F"):
-        under_loads(clutch_state(), np.array([1.1 * most, 0, 0, 0, 15.0]))
+        under_loads(clutch(n_s=7), np.array([1.1 * most, 0, 0, 0, 15.0]))
 
 
 def test_the_stiffness_grows_with_the_tenth_root_of_the_torque():

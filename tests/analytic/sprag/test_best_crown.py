@@ -58,6 +58,10 @@ def peaks(by):
 def test_strips_count_ends_that_carry_for_more():
     assert peaks("strips").objective == pytest.approx(np.array([[END * 2.0, 3.0]]))
     assert peaks("strips").largest.tolist() == [[2.5, 3.0]]
+    alone = peaks("strips").of(1)  # of several torques
+    assert alone.torques.tolist() == [25.0]
+    assert alone.end.tolist() == [[0.0]]
+    assert alone.inside.tolist() == [[3.0]]
 
 
 RADII = {"R_i": 11.11e-3, "R_e": 19.44e-3, "r_i": 4.02e-3}
@@ -99,10 +103,3 @@ def test_the_crown_is_eq_1_in_its_range_and_flat_in_the_middle():
     assert z == pytest.approx(np.asarray(other), abs=1e-12)
     assert z[20] == 0
     assert z[0] == z[-1] == z.max()
-
-
-def test_one_torque_of_several_has_its_numbers():
-    alone = peaks("strips").of(1)
-    assert alone.torques.tolist() == [25.0]
-    assert alone.end.tolist() == [[0.0]]
-    assert alone.inside.tolist() == [[3.0]]
