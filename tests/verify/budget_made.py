@@ -2,6 +2,7 @@
 
 from verify.core.case import Case, FemResult
 from verify.core.inputs import Inputs, quantity
+from verify.core.results import CaseResult
 from verify.judging.budget_statement import Argument, Cause, Constant, Rerun, Statement
 from verify.judging.checks import Approximation, Identity
 from verify.studies.budget.plan import Plan, rows
@@ -51,10 +52,6 @@ def fem_near(q, level):
     return fem(q.model_copy(update={"s": 0.0}), level)
 
 
-def fem_broken(_q, _level):
-    raise ValueError("no mesh\nfits")
-
-
 NARROW = Rerun(cause=Cause.GEOMETRY, what="narrow", inputs=narrow, rows=("stiffness",))
 NEAR = Rerun(cause=Cause.DISPLACEMENT, what="near", fem=fem_near, rows=("stiffness",))
 STRAIN = Rerun(
@@ -73,6 +70,10 @@ CASE = Case(
                       interval=None, source=""),
         Identity(name="the same", symbol="s", unit="1", analytic="same", fem="same", formal=2),
     ),
+)  # fmt: skip
+RESULT = CaseResult(
+    id=CASE.id, title="", paper="", place="", lead="", inputs=(), equations=(), assumptions=(),
+    readings=(), rows=(),
 )  # fmt: skip
 SAYS = Statement(reruns=(NARROW, NEAR, STRAIN, TIGHT), finer=8)
 

@@ -6,12 +6,11 @@ import pytest
 
 from verify.answers.answer import Answer, Criterion, Verdict
 from verify.answers.assessment import Assessment
-from verify.answers.console import headline, limits, number
+from verify.answers.console import limits, number
 from verify.answers.keys import identifier
-from verify.answers.registry import RULES, answer
 from verify.answers.strengths import contact_pressure, strip_strength, yield_strength
 from verify.answers.usual import unusual
-from verify.cases.registry import CASES, find
+from verify.cases.registry import find
 
 STEEL = 206e9
 
@@ -60,40 +59,27 @@ def test_steel_has_limits_with_a_source_and_another_material_has_none():
     assert yield_strength(300e6, 70e9, wall=1.0).value == 300e6
 
 
-def test_a_pressure_beyond_the_standard_and_within_the_given_limit_is_not_decided():
-    part = Assessment()
-    part.pressure("p", "pressure", 4300e6, STEEL, given=4500e6)
-    assert part.answer().verdict is Verdict.CANNOT_SAY
-    assert "ISO 76" in part.answer().reasons[0]
-    assert limits(part.answer())[0][0] == "undecided"
-    part = Assessment()
-    part.pressure("p", "pressure", 3900e6, STEEL, given=4500e6)
-    assert part.answer().verdict is Verdict.HOLDS
-    part = Assessment()
-    part.pressure("p", "pressure", 4300e6, STEEL)
-    assert part.answer().verdict is Verdict.FAILS
-
-
-def test_every_case_answers_with_sources_reasons_and_keys_on_usual_inputs():
-    for case in CASES:
-        q = case.inputs()
-        assert unusual(q) == {}, case.id
-        found = answer(case, q, case.analytic(q))
-        assert all(c.source and c.what for c in found.criteria)
-        assert found.verdict is Verdict.HOLDS or found.reasons or found.limiting.margin < 1
-        assert headline(case.id, found, ())[0].startswith(f"{case.id}: {found.verdict}")
-        assert (found.design is None) == (RULES[case.id].design == "")
-        assert len(limits(found)) == len(found.criteria)
-        keys = [identifier(o.key) for o in case.outputs]
-        assert all(key.isidentifier() and key.isascii() for key in keys)
-        assert len(set(keys)) == len(keys)
-
-
 @pytest.mark.parametrize(
-    ("key", "expected"), [("a/R", "a_per_R"), ("1 %", "_1_percent"), ("45° x", "_45_deg_x")]
-)
-def test_a_key_is_an_identifier(key, expected):
-    assert identifier(key) == expected
+    ("pressure", "given", "verdict"),
+    [(4300e6, 4500e6, Verdict.CANNOT_SAY), (3900e6, 4500e6, Verdict.HOLDS),
+     (4300e6, None, Verdict.FAILS)],
+)  # fmt: skip
+def test_a_pressure_beyond_the_standard_and_within_the_given_limit_is_not_decided(
+    pressure, given, verdict
+):
+    part = Assessment()
+    part.pressure("p", "pressure", pressure, STEEL, given=given)
+    assert part.answer().verdict is verdict
+    if verdict is Verdict.CANNOT_SAY:
+        assert "ISO 76" in part.answer().reasons[0]
+        assert limits(part.answer())[0][0] == "undecided"
+
+
+def test_keys_are_identifiers_and_numbers_have_four_digits():
+    assert identifier("a/R") == "a_per_R"
+    assert identifier("1 %") == "_1_percent"
+    assert number(22236.8 * math.pi / 30, "r/min") == "22237 r/min"
+    assert number(1.2345678e-3, "1") == "0.001235"
 
 
 @pytest.mark.parametrize(
@@ -103,8 +89,3 @@ def test_a_key_is_an_identifier(key, expected):
 def test_an_unusual_input_is_named_with_its_range(name, value, part):
     q = find("sprag-clutch").inputs().model_copy(update={name: value})
     assert part in unusual(q)[name]
-
-
-def test_numbers_have_four_digits_and_no_power_of_ten_where_they_are_read():
-    assert number(22236.8 * math.pi / 30, "r/min") == "22237 r/min"
-    assert number(1.2345678e-3, "1") == "0.001235"

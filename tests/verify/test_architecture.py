@@ -23,28 +23,18 @@ def test_only_what_makes_the_reference_or_is_compiled_imports_below_the_top_of_a
                 assert not inner, f"{path.name}: {node.name}"
 
 
-def statements(body):
-    """All statements but those under `if TYPE_CHECKING`, whose imports never run."""
-    for one in body:
-        if isinstance(one, ast.If) and ast.unparse(one.test) == "TYPE_CHECKING":
+def imported(body):
+    """Names that statements import, inside functions too, but for those of type checking alone."""
+    for node in body:
+        if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING":
             continue
-        yield one
-        for inner in ("body", "orelse", "finalbody", "handlers", "cases"):
-            yield from statements(getattr(one, inner, []))
-
-
-def imports_of(path, modules):
-    """Modules of the project that a file imports, inside functions too."""
-    found = set()
-    for node in statements(ast.parse(path.read_text("utf-8")).body):
         if isinstance(node, ast.ImportFrom):
-            names = [f"{node.module}.{alias.name}" for alias in node.names] + [node.module or ""]
+            yield from (f"{node.module}.{alias.name}" for alias in node.names)
+            yield node.module or ""
         elif isinstance(node, ast.Import):
-            names = [alias.name for alias in node.names]
-        else:
-            continue
-        found |= modules & set(names)
-    return found
+            yield from (alias.name for alias in node.names)
+        for inner in ("body", "orelse", "finalbody", "handlers", "cases"):
+            yield from imported(getattr(node, inner, []))
 
 
 def test_no_module_imports_itself_by_way_of_others():
@@ -54,5 +44,8 @@ def test_no_module_imports_itself_by_way_of_others():
         for path in (ROOT / package).rglob("*.py")
         if path.name != "__init__.py"
     }
-    graph = {name: imports_of(path, set(paths)) for name, path in paths.items()}
+    graph = {
+        name: paths.keys() & set(imported(ast.parse(path.read_text("utf-8")).body))
+        for name, path in paths.items()
+    }
     TopologicalSorter(graph).prepare()  # CycleError names the circle

@@ -22,9 +22,6 @@ from verify.studies.design_sprag.inputs import Wishes
 FOLDER = Path(__file__).parent / "parts"
 PARTS = sorted(FOLDER.glob("*.toml"))
 TASKS = {"design-spring": Demands, "design-sprag": Wishes}
-# Answers that take five seconds and more, once for each assumed input.
-SLOW = ("sprag-clutch-55", "polyhedral-8")
-CHECKED = ("accordion-spring-20", *(pytest.param(one, marks=pytest.mark.soak) for one in SLOW))
 SOURCES = ("typical:", "numerical:", "Huang 2018", "Wang 2023", "Timoshenko", "EN ", "ISO ")
 RULES = ("R_i", "under T", "R_e", "L_max", "L_0", "b/(2 r_i)", "segments name", "is given",
          "speed", "node of")  # fmt: skip
@@ -35,6 +32,12 @@ def raw_of(path):
     data = tomllib.loads(path.read_text("utf-8"))
     case_id = data["case"]
     return case_id, TASKS.get(case_id) or find(case_id).inputs, data["inputs"]
+
+
+def clutch(**changes):
+    """The paper's clutch from its main sizes with changes; None leaves one out."""
+    raw = {k: v for k, v in (PAPER | changes).items() if v is not None}
+    return build_completed("sprag-clutch", EngagementInputs, raw, "file")
 
 
 def test_every_tool_has_a_short_file_and_every_assumption_a_source():
@@ -57,9 +60,8 @@ def test_a_given_value_is_not_replaced(path):
         assert again[one.name] == whole[one.name]
 
 
-@pytest.mark.parametrize("name", CHECKED)
-def test_check_answers_and_lists_every_assumed_input(name, tmp_path, capsys):
-    path = FOLDER / f"{name}.toml"
+def test_check_and_design_answer_and_list_every_assumed_input(tmp_path, capsys):
+    path = FOLDER / "accordion-spring-20.toml"
     _, model, raw = raw_of(path)
     assert run(["check", str(path), "--json"]) in (0, 1, 3)
     found = json.loads(capsys.readouterr().out)
@@ -73,15 +75,11 @@ def test_check_answers_and_lists_every_assumed_input(name, tmp_path, capsys):
     text = capsys.readouterr().out
     assert all(one["source"].split("^")[0] in text for one in listed.values())
     assert "assumed, typical: steel" in (tmp_path / "report.html").read_text("utf-8")
-
-
-def test_design_answers_and_lists_every_assumed_input(capsys):
     path = FOLDER / "design-spring-30.toml"
     assert run(["design", "--no-fem", str(path)]) in (0, 1)
     text = capsys.readouterr().out
     assert "assumed, because the file does not give them" in text
-    for one in assumed_inputs(*raw_of(path)):
-        assert one.source.split("^")[0] in text
+    assert all(one.source.split("^")[0] in text for one in assumed_inputs(*raw_of(path)))
 
 
 def test_list_names_what_is_needed_apart_from_what_is_assumed(capsys):
@@ -93,7 +91,7 @@ def test_list_names_what_is_needed_apart_from_what_is_assumed(capsys):
 
 
 def test_the_paper_s_clutch_is_assumed_from_its_main_sizes():
-    q, assumed = build_completed("sprag-clutch", EngagementInputs, PAPER, "file")
+    q, assumed = clutch()
     paper = EngagementInputs()
     same = ("R_id", "R_ed", "r_i", "nu_0", "z", "E", "nu", "mu_s", "mu_c", "I_bi", "I_be", "K_r")
     for name in same:
@@ -104,8 +102,7 @@ def test_the_paper_s_clutch_is_assumed_from_its_main_sizes():
 
 
 def test_derived_values_follow_the_given_ones():
-    raw = PAPER | {"b": "5 mm", "density": "8000 kg/m^3", "z": 10}
-    q, assumed = build_completed("sprag-clutch", EngagementInputs, raw, "file")
+    q, assumed = clutch(b="5 mm", density="8000 kg/m^3", z=10)
     assert not {"b", "density", "z"} & {one.name for one in assumed}
     assert q.m_g == pytest.approx(8000 * 9e-3 * 0.7625 * 5e-3 * 8.33e-3, rel=1e-5)
     assert q.alpha_max == pytest.approx(5 / 8.04, rel=1e-5)
@@ -123,29 +120,16 @@ def test_flats_of_both_cams_have_the_wedge_angle(kind):
     ("change", "message"),
     [
         ({"R_i": None, "T": None}, "inputs: missing R_i, T"),
-        ({"T": "25"}, 'inputs.T: "25" has no unit'),
-        ({"R_i": "-1 mm"}, "inputs.R_i = -1 mm: must be greater than"),
         ({"R_i": 10**30}, "inputs.R_i: an integer of 100 bits is out of range"),
         ({"R_i": "20 mm"}, "inputs: needs R_e > R_i > 0, got R_e = 19.44 mm, R_i = 20 mm"),
-        ({"R_k": "20 mm"}, "inputs.R_k: unknown key"),
         ({"z": 60}, "b = 3.9984 mm; assumed: b = 3.9984 mm (typical: 0.48 (R_e - R_i))"),
         ({"R_ed": "19 mm"}, "the outer race needs a wall"),
-        ({"mu_s": True}, "inputs.mu_s: needs a number"),
     ],
 )
-def test_wrong_input_gets_one_line(change, message, tmp_path, capsys):
-    raw = {k: v for k, v in (PAPER | change).items() if v is not None}
-    lines = [
-        'case = "sprag-clutch"',
-        "[inputs]",
-        *(f"{k} = {json.dumps(v)}" for k, v in raw.items()),
-    ]
-    path = tmp_path / "my.toml"
-    path.write_text("\n".join(lines), encoding="utf-8")
-    assert run(["check", str(path)]) == 2
-    error = capsys.readouterr().err
-    assert error.count("\n") == 1
-    assert message in error
+def test_wrong_input_gets_one_line(change, message):
+    with pytest.raises(InputError, match=r"^file: inputs[^\n]*$") as caught:
+        clutch(**change)
+    assert message in str(caught.value)
 
 
 @pytest.mark.parametrize("path", PARTS, ids=lambda path: path.stem)

@@ -10,46 +10,33 @@ from tests.verify import budget_made as made
 from tests.verify.sweep_made import Dying, Here
 from verify.cases import registry
 from verify.core import source_code
-from verify.core.results import CaseResult
 from verify.jobs import records
-from verify.judging.budget_statement import Argument, Constant, Statement
+from verify.judging.budget_statement import Argument, Constant, Corrected
 from verify.studies.budget import balance, generic, measuring
 from verify.studies.budget import store as kept
-from verify.studies.budget.balance import Balance, Part
 from verify.studies.budget.changes import changed
 from verify.studies.budget.console import of_case
-from verify.studies.budget.found import RowBudget
-from verify.studies.budget.messages import in_words
-from verify.studies.budget.plan import first, inputs_of
 
 ORIGINAL = made.Solver
-RESULT = CaseResult(
-    id=made.CASE.id, title="", paper="", place="", lead="", inputs=(), equations=(),
-    assumptions=(), readings=(), rows=(),
-)  # fmt: skip
 
 
 @pytest.fixture
 def measured_here(tmp_path, monkeypatch):
-    """Measures the made-up case as its statement says it, and gives its plan."""
+    """Measures the made-up case as its statement says it, and gives its plan and its rows."""
     monkeypatch.setattr(records, "FOLDER", tmp_path / "measured")
     monkeypatch.setattr(registry, "CASES", (made.CASE,))
     monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path / "cache"))
 
-    def measure(says=made.SAYS, *, again=False):
+    def measure(*reruns, again=False, finer=8):
+        says = replace(made.SAYS, finer=finer, **({"reruns": reruns} if reruns else {}))
         monkeypatch.setattr("verify.cases.budgets.STATEMENTS", {made.CASE.id: says})
         measuring.plan_of.cache_clear()
-        good = measuring.BUDGET.measure_missing([made.CASE], Here(1), again=again)
-        return measuring.plan_of(made.CASE.id), good
+        assert measuring.BUDGET.measure_missing([made.CASE], Here(1), again=again)
+        plan = measuring.plan_of(made.CASE.id)
+        return plan, {one.pair.name: one for one in kept.measured(plan).rows}
 
     yield measure
     measuring.plan_of.cache_clear()
-
-
-def rows_of(plan):
-    found = kept.measured(plan)
-    assert found is not None
-    return {one.pair.name: one for one in found.rows}
 
 
 def contributions(row):
@@ -60,7 +47,7 @@ def contributions(row):
 
 
 def test_each_part_is_what_goes_with_its_cause_and_all_add_up_to_the_difference(measured_here):
-    row = rows_of(measured_here()[0])["stiffness"]
+    row = measured_here()[1]["stiffness"]
     parts = contributions(row)
     # by the made-up formula at the nominal inputs, whose joint part goes with either cause
     assert parts == pytest.approx({
@@ -79,23 +66,28 @@ def test_each_part_is_what_goes_with_its_cause_and_all_add_up_to_the_difference(
 
 
 def test_what_both_sides_assume_is_no_part_of_the_difference(measured_here):
-    alone = measured_here(Statement(reruns=(made.STRAIN,), finer=8))[0]
-    counted = rows_of(alone)["stiffness"].balance.remainder
-    says = Statement(reruns=(replace(made.STRAIN, shared=True),), finer=8)
-    row = rows_of(measured_here(says)[0])["stiffness"]
+    counted = measured_here(made.STRAIN)[1]["stiffness"].balance.remainder
+    row = measured_here(replace(made.STRAIN, shared=True))[1]["stiffness"]
     assert row.balance.remainder - counted == pytest.approx(made.PLANE, abs=1e-8)
     assert "plane assumption" not in contributions(row)
 
 
 def test_a_cause_after_another_is_read_without_both(measured_here):
     both = replace(made.NARROW, fem=made.fem_near, after="near")
-    row = rows_of(measured_here(Statement(reruns=(made.NEAR, both), finer=8))[0])["stiffness"]
-    found = contributions(row)
-    assert found["finite geometry"] == pytest.approx(made.WIDE, rel=1e-5)
+    row = measured_here(made.NEAR, both)[1]["stiffness"]
+    assert contributions(row)["finite geometry"] == pytest.approx(made.WIDE, rel=1e-5)
     assert row.joints == ()
-    assert row.balance.remainder == pytest.approx(
-        made.SELF + made.MESH / 64 + made.SLACK + made.PLANE, abs=1e-6
-    )
+    left = made.SELF + made.MESH / 64 + made.SLACK + made.PLANE
+    assert row.balance.remainder == pytest.approx(left, abs=1e-6)
+
+
+def test_measuring_goes_on_where_it_was(measured_here, capsys):
+    measured_here()
+    made.calls.clear()
+    measured_here(again=True)  # every solution is in the cache
+    assert made.calls == []
+    measured_here()
+    assert "measured already" in capsys.readouterr().out
 
 
 def test_a_record_stays_where_processes_die(measured_here, tmp_path, capsys):
@@ -108,57 +100,37 @@ def test_a_record_stays_where_processes_die(measured_here, tmp_path, capsys):
     assert kept.RECORDS.stored(made.CASE.id) == before
 
 
-@pytest.mark.parametrize("source", ["whole_source_of"])
-def test_a_record_of_other_code_does_not_count(measured_here, monkeypatch, source):
+def test_a_record_of_other_code_or_of_another_statement_does_not_count(measured_here, monkeypatch):
     plan, _ = measured_here()
-    monkeypatch.setattr(source_code, source, lambda _code: "other")
+    corrected = (Corrected("stiffness", "same"),)
+    for says in (replace(made.SAYS, finer=16), replace(made.SAYS, reruns=made.SAYS.reruns[:-1]),
+                 replace(made.SAYS, corrected=corrected)):  # fmt: skip
+        assert kept.measured(made.plan(says)) is None
+    monkeypatch.setattr(source_code, "whole_source_of", lambda _code: "other")
     kept._hash.cache_clear()
-    told = of_case(plan, RESULT)
+    shown = of_case(plan, made.RESULT)
     kept._hash.cache_clear()
-    assert told.missing == (
+    assert shown.missing == (
         "not measured for this code: freewheel deep budget:made-up-leaf does it"
     )
-    assert told.rows == ()
+    assert shown.rows == ()
 
 
-@pytest.mark.parametrize(
-    "says", [replace(made.SAYS, finer=16), replace(made.SAYS, reruns=made.SAYS.reruns[:-1])]
-)
-def test_another_statement_makes_it_stale(measured_here, says):
-    measured_here()
-    assert kept.measured(made.plan(says)) is None
-
-
-def test_measuring_goes_on_where_it_was(measured_here, capsys):
-    measured_here()
-    made.calls.clear()
-    measured_here(again=True)  # every solution is in the cache
-    assert made.calls == []
-    measured_here()
-    assert "measured already" in capsys.readouterr().out
-
-
-@pytest.mark.parametrize("fails", ["nothing", "tight"])
+@pytest.mark.parametrize("fails", [False, True])
 def test_tolerances_are_tightened_and_loosened_where_that_fails(measured_here, monkeypatch, fails):
     monkeypatch.setattr(generic, "TOLERANCES", (f"{made.HERE}:SLACK",))
     monkeypatch.setattr(generic, "reached", lambda _case: frozenset({made.HERE}))
 
     def difficult(q, level):
-        if (fails != "nothing" and made.SLACK < 5e-5) or (fails == "both" and made.SLACK > 5e-4):
+        if fails and made.SLACK < 5e-5:
             raise ArithmeticError("rounding")
         return made.fem(q, level)
 
     monkeypatch.setattr(registry, "CASES", (replace(made.CASE, reference=difficult),))
-    says = Statement(reruns=(made.NARROW,))
-    measured_here(says)
-    row = rows_of(measuring.plan_of(made.CASE.id))["stiffness"]
+    row = measured_here(made.NARROW, finer=0)[1]["stiffness"]
     (part,) = [p for p in row.balance.parts if p.name.startswith("iteration")]
-    name, factor = {
-        "nothing": ("iteration: tolerances / 100", 0.01),
-        "tight": ("iteration: tolerances x 100", 100.0),
-        "both": ("iteration: neither tighter nor looser tolerances: rounding", 1.0),
-    }[fails]
-    assert part.name == name
+    words, factor = ("x 100", 100.0) if fails else ("/ 100", 0.01)
+    assert part.name == f"iteration: tolerances {words}"
     assert part.contribution == pytest.approx(made.SLACK * (1 - factor), abs=1e-8)
 
 
@@ -178,58 +150,16 @@ def test_changes_hold_for_a_while_and_whatever_happens():
     assert (made.Solver, made.SLACK) == (ORIGINAL, 1e-4)
 
 
-@pytest.mark.parametrize(
-    ("change", "error"),
-    [
-        (Argument("tests.verify.budget_made:narrow", {"x": 1}), RuntimeError),  # never called
-        (Argument("tests.verify.budget_made:nobody", {}), LookupError),
-    ],
-)
-def test_a_change_that_changes_nothing_is_an_error(change, error):
-    with pytest.raises(error), changed([change]):
-        pass
+@pytest.mark.parametrize(("name", "error"), [("narrow", RuntimeError), ("nobody", LookupError)])
+def test_a_change_that_changes_nothing_is_an_error(name, error):
+    with pytest.raises(error), changed([Argument(f"{made.HERE}:{name}", {"x": 1})]):
+        pass  # never called
 
 
-def test_one_mesh_alone_is_as_uncertain_as_it_is_coarse():
-    part = balance.removed("x", [(0.05, 0.02)], finest=0.041, shared=False)
-    assert (part.contribution, part.u) == (pytest.approx(0.03), pytest.approx(0.009))
-
-
-def test_two_meshes_say_how_uncertain_a_part_is():
-    part = balance.removed("x", [(0.05, 0.02), (0.045, 0.02)], finest=0.0, shared=False)
-    assert (part.contribution, part.u) == (pytest.approx(0.025), pytest.approx(0.005))
-
-
-def test_a_value_on_the_finest_mesh_alone_has_no_discretisation():
-    part = balance.extrapolated("x", [math.nan, math.nan, 0.1], [1.0, 0.5, 0.25], math.nan)
-    assert (part.contribution, part.u, part.note) == (None, None, "values on the finest mesh alone")
-
-
-@pytest.mark.slow("the rows of all cases")
-def test_reruns_are_about_rows_and_levels_that_there_are():
-    for case in registry.CASES:
-        plan = measuring.plan_of(case.id)
-        names = [pair.name for pair in plan.rows]
-        for rerun in plan.says.reruns:
-            assert any(rerun.about(name) for name in names), rerun.what
-            plan.before(rerun)
-        assert plan.says.headline in ("", *names)
-        assert plan.says.finer == 0 or plan.says.finer > case.levels[-1]
-        for step in first(plan):
-            inputs_of(plan, step)
-
-
-@pytest.mark.parametrize(
-    ("case", "name", "words"),
-    [
-        ("ring-lame", "level 20 after 16", "the next finer mesh"),
-        ("sprag-clutch", "level 321 after 161", "more and narrower strips"),
-        ("sprag-engagement", "Richardson from the three finest meshes (no finer one: too long)",
-         "Richardson from the three finest time steps (no finer one: too long)"),
-    ],
-)  # fmt: skip
-def test_discretisation_has_the_words_of_the_case(case, name, words):
-    part = Part(f"discretisation: {name}", 1.0, 0.0)
-    row = RowBudget(measuring.plan_of("ring-lame").rows[0], Balance(1.0, (part,), 0.0, 0.0))
-    (found,) = in_words(case, (row,))
-    assert found.balance.parts[0].name == f"discretisation: {words}"
+def test_a_part_is_as_uncertain_as_its_meshes_differ_or_one_is_coarse():
+    alone = balance.removed("x", [(0.05, 0.02)], finest=0.041, shared=False)
+    assert (alone.contribution, alone.u) == (pytest.approx(0.03), pytest.approx(0.009))
+    two = balance.removed("x", [(0.05, 0.02), (0.045, 0.02)], finest=0.0, shared=False)
+    assert (two.contribution, two.u) == (pytest.approx(0.025), pytest.approx(0.005))
+    none = balance.extrapolated("x", [math.nan, math.nan, 0.1], [1.0, 0.5, 0.25], math.nan)
+    assert (none.contribution, none.u, none.note) == (None, None, "values on the finest mesh alone")

@@ -1,4 +1,4 @@
-"""Budgets of rows whose formula is itself a cause, and of what is not taken apart."""
+"""Budgets of rows whose formula is itself a cause, and what the statements of cases are about."""
 
 from dataclasses import replace
 
@@ -6,109 +6,111 @@ import pytest
 
 from tests.verify import budget_made as made
 from verify.cases.registry import CASES
-from verify.core.results import CaseResult
 from verify.jobs import records
 from verify.judging.budget_statement import Corrected, Left, Statement
 from verify.studies.budget import store as kept
-from verify.studies.budget.balance import Balance
+from verify.studies.budget.balance import Balance, Part
 from verify.studies.budget.console import apart, of_case
 from verify.studies.budget.corrected import budgets
+from verify.studies.budget.found import RowBudget
 from verify.studies.budget.measuring import plan_of
-from verify.studies.budget.plan import Plan, first, rows
+from verify.studies.budget.messages import in_words
+from verify.studies.budget.plan import Plan, first, inputs_of, rows
 from verify.studies.budget.solve import solved
 from verify.studies.budget.store import measured
 
 K, PRINTED = 100.0, 250.0
-CORRECTED = Corrected("stiffness", "k corrected")
+CASE = replace(made.CASE, analytic=lambda _q: {"k": PRINTED, "k corrected": K, "same": 7.0})
 
 
-def formulas(_q):
-    return {"k": PRINTED, "k corrected": K, "same": 7.0}
-
-
-def budget(*corrected):
-    """The stiffness' budget with a printed formula, and the plan."""
-    case = replace(made.CASE, analytic=formulas)
-    plan = Plan(case, replace(made.SAYS, corrected=corrected), rows(case))
-    return next(
-        one for one in budgets(plan, {step: solved(plan, step, None) for step in first(plan)})
-        if one.pair.name == "stiffness"
-    )  # fmt: skip
+def budgets_of(plan):
+    return budgets(plan, {step: solved(plan, step, None) for step in first(plan)})
 
 
 def test_the_printed_formula_is_a_part_and_the_rest_is_the_corrected_one_s():
-    plan = made.plan()
-    steps = {step: solved(plan, step, None) for step in first(plan)}
-    right = budgets(plan, steps)[0].balance
-    found = budget(CORRECTED).balance
-    part, *others = found.parts
+    right = budgets_of(made.plan())[0].balance
+    says = replace(made.SAYS, corrected=(Corrected("stiffness", "k corrected"),))
+    row = budgets_of(Plan(CASE, says, rows(CASE)))[0]
+    part, *others = row.balance.parts
     fe = K / (1 + right.total)
     assert (part.name, part.u) == ("formula: as printed, beside the corrected one", 0.0)
     assert part.contribution == pytest.approx((PRINTED - K) / fe)
-    assert found.total == pytest.approx(PRINTED / fe - 1)
-    assert budget(CORRECTED).pair.analytic == "k"  # its own formula
-    assert (tuple(others), found.remainder, found.u) == (right.parts, right.remainder, right.u)
-
-
-@pytest.mark.parametrize(
-    "by",
-    [
-        replace(CORRECTED, key="same"),
-    ],
-)
-def test_another_correction_makes_it_stale(by, tmp_path, monkeypatch):
-    monkeypatch.setattr(records, "FOLDER", tmp_path)
-    plan = made.plan(replace(made.SAYS, corrected=(CORRECTED,)))
-    kept.keep(plan, (), 12.34)
-    assert kept.measured(plan).seconds == 12.3
-    assert kept.measured(made.plan(replace(made.SAYS, corrected=(by,) if by else ()))) is None
+    assert row.balance.total == pytest.approx(PRINTED / fe - 1)
+    assert (row.pair.name, row.pair.analytic) == ("stiffness", "k")  # its own formula
+    rest = (tuple(others), row.balance.remainder, row.balance.u)
+    assert rest == (right.parts, right.remainder, right.u)
 
 
 @pytest.mark.parametrize(
     ("total", "left", "u", "known"),
-    [
-        (0.1, 0.026, 0.0, False),
-        (0.1, 0.024, 0.0, True),
-        (0.1, 0.05, 0.026, True),
-        (9e-4, 9e-4, 0.0, True),
-    ],
+    [(0.1, 0.026, 0.0, False), (0.1, 0.024, 0.0, True), (0.1, 0.05, 0.026, True),
+     (9e-4, 9e-4, 0.0, True)],
 )  # fmt: skip
 def test_what_is_large_is_taken_apart_or_not(total, left, u, known):
     assert apart(Balance(total, (), left, u)) is known
 
 
-def test_corrections_are_of_rows_and_values_that_there_are():
+def test_the_reason_stands_where_much_is_left_and_there_alone(tmp_path, monkeypatch):
+    monkeypatch.setattr(records, "FOLDER", tmp_path)
+    says = replace(made.SAYS, left=(Left(("*",), "for a reason"),))
+    wrong = Plan(CASE, says, rows(CASE))
+    kept.keep(wrong, budgets_of(wrong), 12.34)
+    assert kept.measured(wrong).seconds == 12.3
+    found = {row.quantity: (row.apart, row.why) for row in of_case(wrong, made.RESULT).rows}
+    assert found == {"stiffness": (False, "for a reason"), "the same": (True, "")}
+
+
+@pytest.mark.parametrize(
+    ("case", "name", "words"),
+    [
+        ("ring-lame", "level 20 after 16", "the next finer mesh"),
+        ("sprag-clutch", "level 321 after 161", "more and narrower strips"),
+        ("sprag-engagement", "Richardson from the three finest meshes (no finer one: too long)",
+         "Richardson from the three finest time steps (no finer one: too long)"),
+    ],
+)  # fmt: skip
+def test_discretisation_has_the_words_of_the_case(case, name, words):
+    part = Part(f"discretisation: {name}", 1.0, 0.0)
+    row = RowBudget(plan_of("ring-lame").rows[0], Balance(1.0, (part,), 0.0, 0.0))
+    (found,) = in_words(case, (row,))
+    assert found.balance.parts[0].name == f"discretisation: {words}"
+
+
+def check_reruns(case, plan, names):
+    """Reruns are about rows and levels that there are."""
+    for rerun in plan.says.reruns:
+        assert any(rerun.about(name) for name in names), rerun.what
+        plan.before(rerun)
+    assert plan.says.headline in ("", *names)
+    assert plan.says.finer == 0 or plan.says.finer > case.levels[-1]
+    for step in first(plan):
+        inputs_of(plan, step)
+
+
+def check_corrections(case, plan, names):
+    """Corrections are of rows, and other values than theirs."""
+    values = case.analytic(case.inputs()) if plan.says.corrected else {}
+    for one in plan.says.corrected:
+        assert one.key in values
+        assert one.key != names[one.row].analytic, one.row
+
+
+def check_reasons(plan, found):
+    """Every row that is not taken apart has a reason, and every reason such a row."""
+    names = [one.pair.name for one in found.rows if not apart(one.balance)]
+    assert [name for name in names if not plan.says.reason(name)] == []
+    for left in plan.says.left:
+        for pattern in left.rows:
+            alone = Statement(left=(Left((pattern,), left.why),))
+            assert any(alone.reason(name) for name in names), pattern
+
+
+@pytest.mark.slow("the rows of all cases")
+def test_statements_of_all_cases_are_about_what_there_is():
     for case in CASES:
         plan = plan_of(case.id)
         names = {pair.name: pair for pair in plan.rows}
-        values = case.analytic(case.inputs()) if plan.says.corrected else {}
-        for one in plan.says.corrected:
-            assert one.key in values
-            assert one.key != names[one.row].analytic, one.row
-
-
-def test_every_reason_is_needed_and_every_row_that_is_not_taken_apart_has_one():
-    for case in CASES:
-        plan = plan_of(case.id)
-        found = measured(plan)
-        if found is None:  # not measured for this code
-            continue
-        names = [one.pair.name for one in found.rows if not apart(one.balance)]
-        assert [name for name in names if not plan.says.reason(name)] == []
-        for left in plan.says.left:
-            for pattern in left.rows:
-                alone = Statement(left=(Left((pattern,), left.why),))
-                assert any(alone.reason(name) for name in names), pattern
-
-
-def test_the_reason_stands_where_much_is_left_and_there_alone(tmp_path, monkeypatch):
-    monkeypatch.setattr(records, "FOLDER", tmp_path)
-    plan = made.plan(replace(made.SAYS, left=(Left(("*",), "for a reason"),)))
-    case = replace(made.CASE, analytic=formulas)
-    wrong = Plan(case, plan.says, rows(case))
-    steps = {step: solved(wrong, step, None) for step in first(wrong)}
-    kept.keep(wrong, budgets(wrong, steps), 0.0)
-    result = CaseResult(id=case.id, title="", paper="", place="", lead="", inputs=(), equations=(),
-                        assumptions=(), readings=(), rows=())  # fmt: skip
-    found = {row.quantity: (row.apart, row.why) for row in of_case(wrong, result).rows}
-    assert found == {"stiffness": (False, "for a reason"), "the same": (True, "")}
+        check_reruns(case, plan, names)
+        check_corrections(case, plan, names)
+        if found := measured(plan):  # for this code
+            check_reasons(plan, found)
