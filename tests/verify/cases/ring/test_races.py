@@ -6,7 +6,7 @@ import pytest
 
 from analytic.contact import hertz_line
 from analytic.ring import fourier_ring, lame, loaded_race, rotating, smeared
-from tests.verify.cases.own import assert_refused, own, state
+from tests.verify.cases.own import own
 from tests.verify.cases.readings import given
 from verify.cases.ring.loads import figures
 from verify.cases.ring.loads.case import INNER, OUTER, InnerRace, OuterRace
@@ -93,52 +93,3 @@ def test_speeds_at_which_growth_counts_are_those_of_one_and_ten_per_cent():
     for key, part in (("n_1", 0.01), ("n_10", 0.1)):
         there = ROTATION.analytic(RotatingRace(omega=v[key]))
         assert there["ratio"] == pytest.approx(part, rel=1e-12)
-
-
-@pytest.mark.parametrize(
-    ("case", "changes", "words"),
-    [
-        (OUTER, {"r_o": "19 mm"}, "r_i < r_o"),
-        (OUTER, {"r_o": "19.45 mm"}, "a shell"),
-        (OUTER, {"n": 1}, "must be at least 2"),
-        (OUTER, {"R": "19 mm"}, "smaller than 0.9 of the bore"),
-        (OUTER, {"F": "3 MN"}, "flattens a = "),
-        (INNER, {"r_i": "10.8 mm"}, "more than 0.3 of the wall"),
-        (INNER, {"n": 300}, "n = 300 patches of half-width 0.112 mm crowd on a wall"),
-        (ROTATION, {"r_o": "19 mm"}, "R_e < R_ed"),
-        (ROTATION, {"r_o": "19.45 mm"}, "a shell"),
-        (ROTATION, {"omega": "1e6 r/min"}, "flies apart"),
-    ],
-)
-def test_a_race_that_cannot_be_is_refused_in_one_line(case, changes, words):
-    assert_refused(case, changes, words)
-
-
-@pytest.mark.parametrize(
-    ("case", "changes", "words"),
-    [
-        (OUTER, {}, ""),
-        (INNER, {}, ""),
-        (OUTER, {"R_p": "500 MPa"}, "yields below the contact"),
-        (OUTER, {"R_p": "100 MPa"}, "hoop stress"),
-        (OUTER, {"F": "60 kN"}, "no steel bears that"),
-        (OUTER, {"r_o": "20.4 mm", "F": "3407 N"}, "of the wall"),
-        (ROTATION, {}, ""),
-        (ROTATION, {"omega": "6685 r/min"}, "Eq. 8 counts from"),
-        (ROTATION, {"R_p": "0.1 MPa"}, "the race yields"),
-        (ROTATION, {"omega": "114592 r/min"}, "most steels yield"),
-    ],
-)
-def test_the_state_of_a_race_is_warned_of(case, changes, words):
-    *_, warned = state(case, **changes)
-    assert any(words in line for line in warned) if words else not warned
-
-
-@pytest.mark.parametrize(
-    ("more", "said"),
-    [({}, ""), ({"r_o": 300e-3}, "r_o/r_i"), ({"n": 250, "F": 1000.0, "R": 1e-3}, "n = 250"),
-     ({"F": 0.05}, "digits")],
-)  # fmt: skip
-def test_finite_elements_refuse_what_they_cannot_follow(more, said):
-    words = OuterRace(**more).refusal()
-    assert said in words if said else not words

@@ -9,7 +9,6 @@ from analytic.rotor import clutch_uniform
 from fem.rotor.critical import critical_speeds
 from fem.rotor.fitted_speeds import gradients
 from fem.rotor.response import unbalance_response
-from tests.verify.cases.own import assert_refused
 from verify.cases.rotor.sprag import ensemble_fem, layout, solid_fem
 from verify.cases.rotor.sprag.case import SPRAG_ROTOR, SpragRotor
 from verify.cases.rotor.sprag.check_types import FittedTo, Share
@@ -246,15 +245,3 @@ def test_figures_and_tables_are_made_without_finite_elements_too(context):
     bare = replace(context, fem=())
     assert SPRAG_ROTOR.figures(bare) == ()
     assert [t.title[:20] for t in SPRAG_ROTOR.tables(bare)] == ["What the paper lacks"]
-
-
-@pytest.mark.parametrize(
-    ("change", "message"),
-    [
-        ({"zeta_low": "4 %"}, "zeta_low <= zeta_high"),
-        ({"U_2": "4e-5 kg m"}, "unbalances 2 rise"),
-        ({"members": 4}, "at least 8"),
-    ],
-)
-def test_inputs_that_make_no_sense_are_refused(change, message):
-    assert_refused(SPRAG_ROTOR, change, message)

@@ -1,19 +1,13 @@
 """Rotors of a user's own: formulas against beams, readings, and what is computed of a rotor."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
 from analytic.rotor import rotor_study, transfer_bending, transfer_model
-from tests.conftest import solved
 from tests.verify.cases.rotor.system_inputs import RAW, built, changed
 from verify.cases.rotor.system.case import SYSTEM, RotorSystem
-from verify.cases.rotor.system.companion import companion
-from verify.cases.rotor.system.formulas import TransferRotor
 from verify.cases.rotor.system.reference import solve
 from verify.cases.rotor.system.transfer import inertia_of
-from verify.core.case import Context
 from verify.jobs.level import Job, Solved, judge_case
 
 # Rotors beside the default one: the formulas against beams.
@@ -107,53 +101,8 @@ def test_another_reading_fails(owner, name, reading, row, failures):
     assert row in failures(SYSTEM, owner, name, reading)
 
 
-@pytest.mark.parametrize(
-    ("key", "rows"),
-    [
-        ("frequency_3", {"natural frequency 3 at the speed"}),
-        ("critical_other_1", {"critical speed 1, unbalance of another speed"}),
-        ("torsion", {"torsional frequency"}),
-        ("amplitude", {"amplitude at the probe"}),
-        ("support_load", {"load of the first support"}),
-        ("link_load", {"load of the first link"}),
-        ("sense_2", {"sense of each whirl"}),
-    ],
-)
-def test_an_error_of_beams_fails(key, rows, judged, red):
-    q = RotorSystem()
-    size = 1.0003 if key in ("amplitude", "support_load", "link_load") else 1.00003
-    size = -1.0 if key.startswith("sense") else size
-    levels = [
-        as_solved(replace(found, values={**found.values, key: size * found.values[key]}))
-        for found in (level.result for level in solved(SYSTEM, q))
-    ]
-    result = judge_case(Job(SYSTEM, q, drawn=False), levels)
-    found = {r.quantity for r in red(result)}
-    assert rows <= found
-
-
 def as_solved(result):
     return Solved(result, "", 0.0, cached=False)
-
-
-@pytest.mark.parametrize(
-    ("table", "name", "change"),
-    [
-        ("supports", "kxy", lambda v: -v),
-        ("links", "c_tilt", lambda _: 0.0),
-        ("unbalances", "angle", lambda v: -v),
-    ],
-)
-def test_every_part_of_the_companion_changes_a_judged_value(table, name, change):
-    """By more than three times what a row lets pass, 1e-4."""
-    base = companion(TransferRotor)
-    given = {field: getattr(base, field) for field in TransferRotor.model_fields}
-    parts, keys = given[table], ("amplitude", "support_load", "link_load")
-    for k, part in enumerate(parts):
-        new = part.model_copy(update={name: change(getattr(part, name))})
-        if new != part:
-            other = TransferRotor(**given | {table: (*parts[:k], new, *parts[k + 1 :])})
-            assert max(abs(getattr(other, k) / getattr(base, k) - 1) for k in keys) > 3e-4
 
 
 # What is computed.
@@ -203,15 +152,6 @@ def test_axes_of_the_speed_reach_the_nearest_critical_speed_above():
     far = built(changed(speed_to="6000 r/min", speed="6000 r/min"))
     assert far.speed_axis == pytest.approx(1.1 * above)
     assert far.campbell[0][-1] == far.speed_axis
-
-
-def test_figures_are_made_without_beams():
-    q = unlike_bearings()
-    figures = SYSTEM.figures(Context(SYSTEM.id, q, SYSTEM.analytic(q), (), is_paper=False))
-    assert [type(f).__name__ for f in figures] == ["Campbell", "Whirl", "Curves"]
-    assert list(figures[0].whirl) == [int(sense) for sense in q.study.modes.whirl]
-    for mode in figures[1].modes:
-        assert len(mode.lines) == 2
 
 
 def test_bearings_stand_at_their_shaft_s_radius_and_links_are_drawn():

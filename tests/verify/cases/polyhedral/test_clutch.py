@@ -1,0 +1,67 @@
+"""Polyhedral clutches that lock, expel their rollers or are not touched: values and warnings."""
+
+import json
+import math
+
+import pytest
+
+from tests.verify.cases.own import printed, state
+from verify.app.cli import main
+from verify.cases.polyhedral.clutch.case import CLUTCH
+from verify.cases.polyhedral.wedge.case import WEDGE
+from verify.core.case import Context
+
+LOCKS = {"M_20", "T", "F_s", "R", "N_16"}
+ENDLESS = LOCKS | {"M_21", "N_el", "M_el", "M_rigid", "M_wide", "margin"}
+
+
+@pytest.mark.parametrize(
+    ("change", "left_out", "words"),
+    [
+        pytest.param({"z": 12, "e": "5 mm"}, set(), "", id="twelve rollers"),
+        pytest.param({"mu": 0.22}, LOCKS, "Eqs. 17 to 20 set no limit", id="locks by Eq. 20"),
+        pytest.param({"mu": 0.3}, LOCKS | {"M_21"}, "share of N is 1.42", id="and by Eq. 21"),
+        pytest.param({"mu": 0.6}, ENDLESS, "strength limits", id="all lock"),
+        pytest.param({"alpha": "10 deg"}, {"p_20", "p_need", "N_need", "fillet_need"},
+                     "expelled", id="expelled rollers"),
+        pytest.param({"p_t": "15 MPa"}, set(), "no torque", id="not touched"),
+        pytest.param({"p_t": "20.4 MPa"}, set(), "p_t must be ", id="hardly touched"),
+        pytest.param({"p_t": "100 MPa", "R_p": "900 MPa"}, set(), "the ring yields", id="crushed"),
+        pytest.param({"M_t": "5000 N m"}, set(), "ISO 76", id="too much required"),
+    ],
+)  # fmt: skip
+def test_a_clutch_leaves_out_what_has_no_value_and_warns_of_its_state(change, left_out, words):
+    q, v, warned = state(CLUTCH, **change)
+    assert {output.key for output in CLUTCH.outputs} - set(v) == left_out
+    always = ("a wedge angle is required", "b/δ_1 = ")  # true of nearly every clutch of this kind
+    others = [line for line in warned if not any(part in line for part in always)]
+    assert any(words in line for line in others) if words else not others
+    known = {"M_el", "M_20", "M_21", "M_rigid"} & set(v)
+    assert bool(CLUTCH.figures(Context(CLUTCH.id, q, v, [], False))) == bool(known)
+
+
+def test_a_narrow_ring_bears_little_of_the_torque_and_asks_for_a_wedge_angle():
+    q, v, warned = state(CLUTCH, b="5 mm")
+    assert v["alpha_need"] == pytest.approx(2 * math.atan(q.mu))
+    assert v["M_ring"] < 0.02 * v["M_el"]
+    assert any("a wedge angle is required of 9.15°" in line for line in warned)
+    assert not any("b/δ_1" in line for line in warned)
+    *_, warned = state(CLUTCH)
+    assert any("b/δ_1" in line for line in warned)
+
+
+def test_a_roller_that_is_squeezed_out_has_no_torque():
+    _, v, _ = state(WEDGE, alpha="12 deg")
+    assert not {"M_free", "T"} & set(v)
+    assert v["C"] < 0
+
+
+def test_json_of_a_clutch_without_a_torque_has_numbers_alone(tmp_path, capsys):
+    given = printed(CLUTCH) | {"mu": 0.6}
+    lines = [f"{k} = {json.dumps(v)}" for k, v in given.items()]
+    file = tmp_path / "my.toml"
+    file.write_text("\n".join(['case = "polyhedral-clutch"', "[inputs]", *lines]), "utf-8")
+    with pytest.raises(SystemExit) as ended:
+        main(["check", "--json", str(file)])
+    assert ended.value.code == 1  # the clutch fails: pressure does not decide
+    assert json.loads(capsys.readouterr().out, parse_constant=pytest.fail)["values"]

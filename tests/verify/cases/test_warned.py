@@ -1,0 +1,137 @@
+"""States that a part is warned of, of every subject: one input for each warning."""
+
+import math
+
+import pytest
+
+from tests.verify.cases.own import state
+from tests.verify.cases.test_refused import CUP
+from verify.cases.registry import find
+
+
+def flats(angle):
+    """Distance of a star's flats that makes the clamping angle [deg]."""
+    return f"{14 * math.cos(2 * math.radians(angle)) - 2.5!r} mm"
+
+
+def cup_flats(angle):
+    """The same of a cup's."""
+    return f"{12 * math.cos(2 * math.radians(angle)) + 2!r} mm"
+
+
+RIM = {"F": "1 N", "Q": "1 N", "z_m": "0.1 µm"}
+SLIPPERY = {"mu_s": 0.05, "mu_c": 0.05}
+THIN = {"z": 24, "delta_1": "0.5 mm", "rho": "0.3 mm", "e": "2 mm"}
+WARNED = [
+    ("ring-loads-outer", {"R_p": "500 MPa"}, "yields below the contact"),
+    ("ring-loads-outer", {"R_p": "100 MPa"}, "hoop stress"),
+    ("ring-loads-outer", {"F": "60 kN"}, "no steel bears that"),
+    ("ring-loads-outer", {"r_o": "20.4 mm", "F": "3407 N"}, "of the wall"),
+    ("ring-rotation", {"omega": "6685 r/min"}, "Eq. 8 counts from"),
+    ("ring-rotation", {"R_p": "0.1 MPa"}, "the race yields"),
+    ("ring-rotation", {"omega": "114592 r/min"}, "most steels yield"),
+    ("polyhedral-pressure", {"j_D": "1.6 mm"}, "give R_p"),
+    ("polyhedral-pressure", {"R_p": "1 MPa"}, "exceeds R_p = 1 MPa"),
+    ("polyhedral-ring", {"z": 3}, "draw in"),
+    ("polyhedral-ring", {"rho": "0.1 mm", "R_p": "900 MPa"}, "exceeds R_p"),
+    ("polyhedral-ring", THIN, ""),
+    ("polyhedral-locking", {"p_t": "20 MPa"}, "pressure alone does not lock"),
+    ("polyhedral-locking", {"d": "1 mm"}, "ISO 76"),
+    ("polyhedral-locking", {"p_t": "200 MPa", "R_p": "900 MPa"}, "exceeds R_p"),
+    ("polyhedral-locking", THIN | {"p_t": "5 MPa"}, ""),
+    ("polyhedral-wedge", {"alpha": "9 deg"}, "friction a tenth lower"),
+    ("polyhedral-wedge", {"alpha": "12 deg"}, "squeezed out of the wedge"),
+    ("polyhedral-wedge", {"N": "3e5 N"}, "give p_lim"),
+    ("polyhedral-wedge", {"p_lim": "500 MPa"}, "exceeds p_lim = 500 MPa"),
+    ("freewheel-torque", {"X": flats(6)}, "that oiled steel hardly exceeds: the clutch slips"),
+    ("freewheel-torque", {"T": "400 N m"}, "exceeds the 4000 MPa"),
+    ("freewheel-cup", {"R_a": "17 mm", "T": "5 N m"}, "bends: rings that enclose it"),
+    ("freewheel-cup", {"X_o": cup_flats(6)}, "do not grip"),
+    ("freewheel-friction", {"F_ax": "1.1 kN"}, "the clutch slips along its axis; it bears F_ax"),
+    ("freewheel-friction", {"F_ax": "2.5 kN"}, "red: the clutch slips"),
+    ("freewheel-friction", {"F_ax": "16 kN", "mu": 1}, "one end lifts off"),
+    ("freewheel-friction", {"X": flats(5)}, "the torque alone lets the rollers out"),
+    ("freewheel-paths", {"f": "500 Hz"}, "inertia adds some"),
+    ("freewheel-clutch", {"E_r": "310 GPa"}, "E_r is given without ν_r: ν = 0.3 is used for it"),
+    ("freewheel-clutch", {"X": "11.499 mm", "F_ax": "0 N"}, "reach R - 2 r - X = 1 µm: X_tol"),
+    ("freewheel-clutch", CUP | {"X": "13.998 mm", "T": "0.1 N m", "F_ax": "0 N"},
+     "R + 2 r - X = 2 µm"),
+    ("freewheel-clutch", {"T": "4000 N m", "mu": 1.0}, "15.3 GPa at the rollers' ends"),
+    ("freewheel-clutch", {"e_lim": 0.005}, "the rollers tilt"),
+    ("sprag-wedge", {"nu_0": "6.3 deg"}, "that oiled steel hardly exceeds: the clutch slips"),
+    ("sprag-wedge", {"T": "110 N m"}, "exceeds the 4000 MPa"),
+    ("sprag-wedge", {"r_i": "6 mm", "b": "5 mm"}, "wider than they are round"),
+    ("sprag-wedge", {"T": "200 N m"}, "the sprags roll over"),
+    ("sprag-engagement", SLIPPERY, "the sprags slip"),
+    ("sprag-engagement", {"K_r": "4e-4 N m/rad"}, "slide at the start"),
+    ("sprag-friction", {"T": "120 N m"}, "the sprags roll over"),
+    ("sprag-friction", {"mu_s": 0.056, "mu_c": 0.05, "K_r": "4e-4 N m/rad"},
+     "it locks only where it does not slip first"),
+    ("sprag-clutch", {"z": 3}, "the inner race deflects 3.8"),
+    ("sprag-clutch", {"R_id": "10.9 mm", "R_ed": "19.65 mm", "T": "1 N m"}, "outer race deflects"),
+    ("sprag-clutch", {"n": "2e4 r/min"}, "at n each sprag feels m_g ω² r = 120."),
+    ("sprag-clutch", {"K_r": "10 N m/rad"}, "the springs alone press with"),
+    ("sprag-clutch", {"E": "3 GPa"}, "slices follow Palmgren's law, which is steel's"),
+    ("sprag-clutch", {"l": "3 mm"}, "sprags are shorter than wide"),
+    ("sprag-crown", {}, "z_m = 10 µm is reached at the very ends alone"),
+    ("spring-buckling", {"n": 9, "F": "0.5 N"}, ""),
+    ("spring-buckling", {"F": "2 N"}, "with a free head the spring buckles at 1.46 mm"),
+    ("spring-stages", {"width_factor": 1.09}, "U_A is 55% of the free length"),
+    ("spring-stages", {"F": "10 N", "tail": "mid-leaf"}, "F = 10 N is beyond A"),
+    ("spring-stages", {"F": "9.5 N", "tail": "arc"}, "a tip touches"),
+    ("spring-stages", {"R_p": "500 MPa"}, "at A exceeds R_p = 500 MPa: the loops yield before"),
+    ("spring-stages", {"alpha": "20 deg", "L1": "5 mm"}, "° from parallel to the tip"),
+    ("spring-width", {"h": "0.2 mm"}, "a strip 2 times as wide as thick is no plate"),
+    ("spring-width", {"h": "3 mm"}, "a strip 0.25 times as wide as a leaf is long: its arcs"),
+    ("spring-width", {"r": "4 mm", "L1": "8.1 mm"}, "as long as leaves: a leaf's factor says"),
+    ("contact-flat", {"F": "60 kN"}, "of the smallest body"),
+    ("contact-flat", {"R_p": "600 MPa"}, "yields"),
+    ("contact-flat", {"F": "20 kN"}, "ISO 76"),
+    ("contact-flat", {"L": "0.3 mm", "F": "21.4 N"}, "times a"),
+    ("contact-ring", {"r_o": "20 mm"}, "the race's wall of 0.56 mm"),
+    ("contact-press-fit", {"R_p": "20 MPa"}, "loses pressure"),
+    ("contact-press-fit", {"delta": "120 µm"}, "most metals yield before"),
+    ("contact-slip", {"P": "1500 N/mm"}, "no half planes"),
+    ("contact-slip", {"hardness": "1000 MPa"}, "exceeds p_lim = 1000 MPa"),
+    ("contact-slip", {"mu": 0.6}, "friction this high"),
+    ("contact-sphere", {"P": "2 kN"}, "Hertz's approach is off"),
+    ("contact-sphere", {"R_p": "100 MPa"}, "it yields below the surface"),
+    ("contact-roller", {"F": "1 N"}, "are in contact"),
+    ("contact-roller", {"F": "30 kN"}, "ISO 76"),
+    ("contact-roller", {"R_2": "-4.3 mm"}, "of the roller's radius"),
+    ("contact-roller", {"E_1": "70 GPa", "nu_1": 0.0, "nu_2": 0.49}, "steel on steel"),
+    ("contact-roller", {"z_m": "1e-6 mm"}, "an end carries"),
+    ("contact-roller", {"n": 41, "slices": 10}, ""),
+    ("contact-roller-tilted", {"theta": "0.3 deg"}, "only 5.087 mm"),
+    ("contact-roller-tilted", RIM, "are in contact"),
+    ("contact-roller-crowns", {"L": "100 mm", "F": "30 kN"}, ""),
+    ("contact-roller-flat", {"L": "1 mm", "F": "150 N", "d": "0.25 mm"}, "an end"),
+    ("rotor-clutch", {"T": "0.01 N m"}, "nearly no preload"),
+    ("rotor-clutch", {"e": "30 µm"}, "under the offset "),
+    ("rotor-clutch", {"drop": "20 µm"}, "under the crown "),
+    ("rotor-clutch", {"nu": "0.15 rad"}, "the clutch slips"),
+    ("rotor-clutch", {"T": "600 N m"}, "farther than sprags roll"),
+    ("rotor-clutch", {"Z": 18, "R_i": "30 mm", "R_e": "38.33 mm", "T": "150 N m"}, "too large"),
+    ("rotor-shaft", {"L": "400 mm"}, "take Timoshenko's"),
+    ("rotor-shaft", {"L": "200 mm", "d_i": "56 mm"}, "too stubby or thin"),
+    ("rotor-shaft", {"n": "21963 r/min"}, "of the critical speed"),
+    ("rotor-shaft", {"n": "238732 r/min"}, "rim runs at 750 m/s"),
+    ("rotor-step", {}, "45° rule lowers the beam's frequencies by up to 3.5%"),
+    ("rotor-step", {"d_2": "40.2 mm"}, ""),
+]  # fmt: skip
+ALWAYS = {
+    "sprag-crown", "spring-stages", "spring-buckling", "rotor-step", "contact-roller-flat",
+    "polyhedral-locking", "polyhedral-ring",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("case_id", "changes", "words"), WARNED)
+def test_a_part_at_an_end_of_its_range_is_warned_of(case_id, changes, words):
+    *_, warned = state(find(case_id), **changes)
+    assert any(words in line for line in warned) if words else not warned
+
+
+@pytest.mark.parametrize("case_id", sorted({case_id for case_id, *_ in WARNED} - ALWAYS))
+def test_the_paper_s_part_has_no_warning(case_id):
+    *_, warned = state(find(case_id))
+    assert not warned
