@@ -10,7 +10,6 @@ from analytic.contact import disc_stress, hertz_line_stress, hertz_point, sphere
 from analytic.contact.disc import disc_in_contact
 
 LIKE = {"E_1": 2.0, "nu_1": 0.3, "E_2": 2.0, "nu_2": 0.3}
-
 UNLIKE = LIKE | {"E_2": 5.0, "nu_2": 0.2}
 
 

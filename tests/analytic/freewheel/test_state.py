@@ -97,16 +97,13 @@ def test_no_state_has_a_contact_wider_than_half_the_roller_s_radius(star):
     assert np.isnan(now.alpha[1])
 
 
-def test_no_state_near_the_summit_bears_more(cup):
+def test_no_state_near_the_summit_bears_more_and_an_inner_cam_has_none(cup, star):
     top = summit(cup)
     near = at_normal_force(cup, float(top.N) * np.linspace(0.9, 1.1, 201)).T
     assert near.max() <= float(top.T)
     assert np.isfinite(loaded(cup, 0.9999 * top.T).N)
     assert np.isnan(loaded(cup, 1.0001 * top.T).N)
-
-
-def test_an_inner_cam_has_none(star):
-    assert pop_through(star) == np.inf
+    assert pop_through(star) == np.inf  # of an inner cam there is none
     assert summit(star) is None
 
 

@@ -17,23 +17,23 @@ SPRAG = LogSprag.from_wedge_angle(nu_0=np.radians(3.15), R_i=11.11e-3, R_e=19.44
 RIGID = Clutch(sprag=SPRAG, n_s=12, compliance=Compliance(
     contact_i=np.zeros_like, contact_e=np.zeros_like, race_i=0.0, race_e=0.0, sprag=0.0,
 ))  # fmt: skip
+AT, COLUMN = wedged(RIGID, 1.0), Column(sprag=SPRAG, b=4e-3)
+NONE = (0.0, 0.0)
 
 
 def test_a_column_that_turns_about_the_axis_as_a_whole_changes_no_force():
-    at, column = wedged(RIGID, 1.0), Column(sprag=SPRAG, b=4e-3)
-    OA, OB = float(at.OA), float(at.OB)
+    OA, OB = float(AT.OA), float(AT.OB)
     whole = Ends(moved=(-OA, -OB), turned=(1.0, 1.0))
-    got = shift(at, whole, column=column, a=(0.0, 0.0), P=1e-3, races=(0.0, 0.0))
+    got = shift(AT, whole, column=COLUMN, a=NONE, P=1e-3, races=NONE)
     assert abs(got.whole) < 1e-12 * got.size
 
 
 def test_the_centre_of_pressure_of_a_cubic_gap_is_that_of_its_integral_equation():
     """Slope s/R - m s²/(2 r²) on a patch about c, pressure by the finite Hilbert transform."""
-    at, column = wedged(RIGID, 1.0), Column(sprag=SPRAG, b=4e-3)
-    none = Ends(moved=(0.0, 0.0), turned=(0.0, 0.0))
+    none = Ends(moved=NONE, turned=NONE)
     a, m = 5e-5, float(SPRAG.m)
-    got = shift(at, none, column=column, a=(a, a), P=0.0, races=(0.0, 0.0))
-    r, OA = float(at.rho) * np.hypot(1, m), float(at.OA)
+    got = shift(AT, none, column=COLUMN, a=(a, a), P=0.0, races=NONE)
+    r, OA = float(AT.rho) * np.hypot(1, m), float(AT.OA)
     R = 1 / (1 / r + 1 / OA)
     turn = (np.arange(400) + 0.5) * np.pi / 400
     x = a * np.cos(turn)
@@ -47,7 +47,7 @@ def test_the_centre_of_pressure_of_a_cubic_gap_is_that_of_its_integral_equation(
         c -= slope(c).mean() * R
     waves = [2 * np.mean(slope(c) * np.cos(n * turn)) for n in (1, 2)]
     centre = c + a * waves[1] / (2 * waves[0])  # U_0 and U_1 times sqrt(1 - x²/a²)
-    assert got.spiral == pytest.approx(centre / OA / float(at.beta), rel=1e-4)
+    assert got.spiral == pytest.approx(centre / OA / float(AT.beta), rel=1e-4)
 
 
 @pytest.mark.parametrize("end", [0, 1])
@@ -56,30 +56,25 @@ def test_an_end_that_rolls_is_touched_on_the_line_through_the_axis_and_its_centr
 
     Turned by psi where it touches, its centre moves by r psi; moved by u, by u.
     """
-    at, column = wedged(RIGID, 1.0), Column(sprag=SPRAG, b=4e-3)
     psi, u, P = 2.0, 0.3, 1e-6
     one = np.eye(2)[end]
     bent_end = Ends(moved=tuple(u * one), turned=tuple(psi * one))
-    got = shift(at, bent_end, column=column, a=(0.0, 0.0), P=P, races=(0.0, 0.0))
-    race = float((at.OA, at.OB)[end])
-    r = float((np.asarray(at.rho * np.hypot(1, SPRAG.m)), np.asarray(SPRAG.r_e))[end])
+    got = shift(AT, bent_end, column=COLUMN, a=NONE, P=P, races=NONE)
+    race = float((AT.OA, AT.OB)[end])
+    r = float((np.asarray(AT.rho * np.hypot(1, SPRAG.m)), np.asarray(SPRAG.r_e))[end])
     centre = race + r if end == 0 else race - r  # its distance from the axis
     turned = P * psi * r / centre
     moved = P * u / centre - P * u / race  # of the contact, but for the point itself
     sign = -1.0 if end == 0 else 1.0
-    assert got.turned * float(at.beta) == pytest.approx(-turned, rel=1e-12)
-    assert got.moved * float(at.beta) == pytest.approx(-sign * moved, rel=1e-12)
+    assert got.turned * float(AT.beta) == pytest.approx(-turned, rel=1e-12)
+    assert got.moved * float(AT.beta) == pytest.approx(-sign * moved, rel=1e-12)
 
 
 PATCHES = (112e-6, 154e-6)
 
 
-def column(b=4e-3):
-    return Column(sprag=SPRAG, b=b)
-
-
-def at_first_contact(b=4e-3):
-    outline = column(b).outline(turned=0.0, alpha_b=0.0)
+def at_first_contact(b):
+    outline = Column(sprag=SPRAG, b=b).outline(turned=0.0, alpha_b=0.0)
     assert outline is not None
     return outline
 
@@ -103,7 +98,7 @@ def test_a_narrow_column_yields_as_a_bar_between_its_ends():
 
 
 def test_beyond_a_flank_there_is_no_outline():
-    whole = column()
+    whole = COLUMN
     assert 0.4 < whole.turned < 0.6
     assert 0.4 < whole.alpha_b < 0.6
     assert whole.stands(turned=0.999 * whole.turned, alpha_b=0.0)

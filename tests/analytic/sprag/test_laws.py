@@ -32,17 +32,13 @@ def contact(parts):
     return gap, {"R": float(parts.R_contact_i), "E_star": E_star}
 
 
-def test_slices_are_met_between_their_loads(contact):
+def test_slices_are_met_between_their_loads_from_none_to_the_largest(contact):
     gap, body = contact
     law = sliced_law(gap, l=9e-3, N_max=1e4, **body)
     exact = slices.press(gap - gap.min(), length=9e-3, load=N, **body).approach
     assert law(N) == pytest.approx(exact, rel=2e-3)
     assert law(np.array(1e4)) == pytest.approx(exact[-1], rel=1e-12)
-
-
-def test_sliced_laws_grow_from_nothing_and_end_at_their_largest_load(contact):
-    gap, body = contact
-    law = sliced_law(gap, l=9e-3, N_max=1e4, **body)
+    # they grow from nothing and end at their largest load
     assert law(np.array([0.0, np.nan, 1.01e4])).tolist() == pytest.approx(
         [0.0, np.nan, np.nan], nan_ok=True
     )

@@ -50,10 +50,9 @@ def test_a_power_is_inverted_to_round_off_from_any_first_guess():
 
 
 def test_a_goal_beyond_the_last_value_is_never_reached():
-    def ends(N):
-        return np.where(N <= 7.0, N, np.nan)
-
-    found = first_reach(ends, np.array([6.99, 7.01]), start=np.ones(2))
+    found = first_reach(
+        lambda N: np.where(N <= 7.0, N, np.nan), np.array([6.99, 7.01]), start=np.ones(2)
+    )
     assert found[0] == pytest.approx(6.99, rel=1e-12)
     assert np.isnan(found[1])
 

@@ -91,13 +91,10 @@ def test_the_best_of_all_answers_is_returned_and_whether_it_is_the_last() -> Non
     assert (late.true, late.best_is_last, late.history[-1].on_design) == (1.001, True, False)
 
 
-def test_agreement_on_a_design_already_there_adds_none() -> None:
+def test_agreement_is_asked_for_as_often_as_given_and_on_a_design_already_there_adds_none() -> None:
     ended = played([(1.0, 20.0)], {1.0: 1.002})
     assert ended.history[-1].on_design
     assert len(ended.designs) == len(ended.answers) == len(X)
-
-
-def test_agreement_is_asked_for_as_often_as_given() -> None:
     points = [(0.1, 15.0), (0.2, 15.0), (0.3, 15.0), (0.4, 15.0), (0.5, 15.0)]
     values = {0.1: 1.001, 0.2: 1.2, 0.3: 1.002, 0.4: 1.003}
     assert len(played(points, values, in_a_row=2).history) == 4  # a miss between starts again
