@@ -1,4 +1,4 @@
-"""The equivalent column and the elastica: Haringx, elliptic integrals, the force method."""
+"""The equivalent column beside the elastica: Haringx, Euler, the force method."""
 
 import math
 

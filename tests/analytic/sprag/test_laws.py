@@ -12,11 +12,10 @@ from analytic.sprag import pressure
 from analytic.sprag.closure import wedged
 from analytic.sprag.clutch import Clutch
 from analytic.sprag.crowned import Crowned, mid, stiffness
-from analytic.sprag.geometry import LogSprag
 from analytic.sprag.laws import plane_law, sliced_law
-from analytic.sprag.parts import Parts
 from analytic.sprag.race_stress import hoop, over_smeared
 from analytic.sprag.tolerance import sensitivities, slope
+from tests.analytic.sprag.models import PARTS, SPRAG
 
 N = np.geomspace(1.0, 1e4, 60)
 
@@ -71,10 +70,6 @@ def test_the_largest_pressure_is_that_of_slices_solved_at_each_load():
     assert np.abs(p[1:] - exact).max() < 0.05 * exact.max()
 
 
-SPRAG = LogSprag.from_wedge_angle(nu_0=0.055, R_i=11.11e-3, R_e=19.44e-3, r_i=4.02e-3)
-PARTS = Parts(
-    sprag=SPRAG, n_s=12, l=9e-3, b=4e-3, R_id=7.21e-3, R_ed=26.23e-3, E=206e9, nu=0.3
-)  # fmt: skip
 ONE = Crowned(
     PARTS, Clutch(sprag=SPRAG, n_s=12, compliance=PARTS.plane()), np.zeros(21), N_top=2e4
 )  # fmt: skip
@@ -117,9 +112,7 @@ def test_slopes_of_the_wedge_angle_are_its_derivatives():
 
 
 def test_a_race_of_many_sprags_deflects_as_a_smeared_one():
-    many = Parts(
-        sprag=SPRAG, n_s=60, l=9e-3, b=0.5e-3, R_id=7.21e-3, R_ed=26.23e-3, E=206e9, nu=0.3
-    )  # fmt: skip
+    many = replace(PARTS, n_s=60, b=0.5e-3)
     for loaded in ("rim", "bore"):
         few, more = (abs(over_smeared(p, 1e-4, loaded) - 1) for p in (PARTS, many))
         assert more < few

@@ -11,20 +11,15 @@ from analytic.sprag.balance import sampled
 from analytic.sprag.closure import wedged
 from analytic.sprag.clutch import Clutch
 from analytic.sprag.course import energy, rolled
-from analytic.sprag.geometry import LogSprag
 from analytic.sprag.motion import Motion
 from analytic.sprag.oscillation import Oscillation
-from analytic.sprag.parts import Parts
 from analytic.sprag.race_spring import Blades, reached
 from analytic.sprag.sliding import sliding
 from analytic.sprag.swing import Driven, swing, time_to_rest
 from analytic.sprag.work_balance import at_rest, by_turning, frequency, left_out, undamped
+from tests.analytic.sprag.models import PARTS, SPRAG
 
 T = 25.0
-SPRAG = LogSprag.from_wedge_angle(nu_0=0.055, R_i=11.11e-3, R_e=19.44e-3, r_i=4.02e-3)
-PARTS = Parts(
-    sprag=SPRAG, n_s=12, l=9e-3, b=4e-3, R_id=7.21e-3, R_ed=26.23e-3, E=206e9, nu=0.3
-)  # fmt: skip
 CLUTCH = Clutch(sprag=SPRAG, n_s=12, compliance=PARTS.plane())
 HELD = Motion(m_g=2e-3, I_g=2e-8, I_bi=5e-3, I_be=5e3, K_r=0.05, alpha_max=0.3, C_rl=0.0,
               k_out=1e7, mu_s=0.12, mu_c=0.08, gamma_b=1.0)  # fmt: skip
