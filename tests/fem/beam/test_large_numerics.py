@@ -103,6 +103,15 @@ def test_a_rigid_motion_strains_nothing_and_leaves_forces_as_they_are(nodes):
     np.testing.assert_allclose(after, before, atol=1e-12)
 
 
+def test_newtons_method_converges_quadratically():
+    path = hook().under_loads({TIP: LOAD}, [1.0], follower={TIP: (1.0, -4.0)})
+    (history,) = path.residuals
+    e = -np.log10([r for r in history if 1e-13 < r < 1e-1])
+    assert len(e) >= 2, history
+    assert e[-1] > 1.7 * e[-2], history
+    assert len(history) <= 8
+
+
 def test_work_becomes_strain_energy():
     path = hook().under_loads({TIP: LOAD}, np.linspace(0, 1, 101)[1:])
     np.testing.assert_allclose(path.work, path.strain_energy, atol=1e-8 * path.work[-1])
