@@ -2,6 +2,7 @@
 
 import pytest
 
+from verify.cases.registry import CASES
 from verify.core.store import Store
 from verify.jobs import timing as durations
 from verify.jobs.timing import expected_seconds, refined, remaining_seconds
@@ -50,6 +51,12 @@ def test_without_a_level_in_common_the_pace_is_the_earlier_one(measured):
 )
 def test_what_is_left_by_hand(running, waiting, processes, left):
     assert remaining_seconds(running, waiting, processes) == pytest.approx(left)
+
+
+def test_the_usual_seconds_are_of_levels_of_the_suite():
+    levels = {(case.id, level) for case in CASES for level in case.levels}
+    assert durations.usual().keys() <= levels
+    assert len(durations.usual()) > 0.9 * len(levels)
 
 
 def test_durations_are_stored_and_added_to(tmp_path):

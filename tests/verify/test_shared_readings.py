@@ -80,6 +80,7 @@ def test_the_wedge_angle_is_that_of_the_case():
     )
 
 
+@pytest.mark.soak  # the roller with two ends is solved on all levels
 def test_effects_that_were_measured_are_those_of_their_case_s_inputs_alone():
     assert effect("contact-roller", "half-spaces", F=3000.0) is None
     case = find("contact-roller-end")

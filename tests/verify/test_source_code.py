@@ -14,8 +14,9 @@ import analytic
 import fem
 import verify.cases
 from verify.cases.registry import CASES
-from verify.core import plain_code, source_code, source_memory
+from verify.core import module_syntax, plain_code, source_code, source_memory
 from verify.form.adapter import adapted
+from verify.form.code_tex import tex_of
 
 # What a key is made of: a made-up case module, which reaches fem.made_up, which reaches
 # fem.made_deep; and a case that is one class, with a reference in another file.
@@ -384,6 +385,23 @@ def test_every_module_that_a_case_really_loads_is_in_its_key():
         assert formulas <= reached, case.id
         if source_code.COMPILED in reached:  # an engagement's steps run over the closure's table
             assert reached >= CLOSURE, case.id
+
+
+def test_one_thread_at_a_time_makes_syntax_trees(monkeypatch):
+    """Two at once end a run of `verify`, now and then, in a SystemError of Python 3.11."""
+    alone, parse = [], ast.parse
+
+    def watched(source):
+        alone.append(module_syntax._PARSING.locked())
+        return parse(source)
+
+    def mean(q):
+        return (q.a + q.b) / 2
+
+    monkeypatch.setattr(ast, "parse", watched)
+    module_syntax.tree.__wrapped__("analytic.ring.lame")
+    tex_of(mean, {"q.a": "a", "q.b": "b"})
+    assert alone == [True] * 2
 
 
 def test_a_source_has_the_same_text_in_every_python():

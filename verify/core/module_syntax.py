@@ -7,8 +7,11 @@ from dataclasses import dataclass
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
+from threading import Lock
 
 from verify.core.plain_code import is_of_project
+
+_PARSING = Lock()
 
 
 @dataclass(frozen=True)
@@ -31,10 +34,20 @@ def file_of(module: str) -> Path:
     return Path(file)
 
 
+def parsed(source: str) -> ast.Module:
+    """The syntax tree of a source, in one thread at a time.
+
+    Python 3.11 counts the depth of all trees that it makes together: where threads take turns
+    within two of them it raises SystemError.
+    """
+    with _PARSING:
+        return ast.parse(source)
+
+
 @cache
 def tree(module: str) -> ast.Module:
     """The syntax tree of a module, which nobody may change."""
-    return ast.parse(file_of(module).read_text("utf-8"))
+    return parsed(file_of(module).read_text("utf-8"))
 
 
 @cache

@@ -6,6 +6,7 @@ import textwrap
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from verify.core.module_syntax import parsed
 from verify.core.tex import tex as number
 from verify.form.tex import EXTREMES, FUNCTIONS
 
@@ -17,7 +18,7 @@ def tex_of(formula: Callable[..., Any], symbols: Mapping[str, str]) -> str:
     """
     if formula.__code__.co_name == "<lambda>":
         return ""
-    body = ast.parse(textwrap.dedent(inspect.getsource(formula))).body[0]
+    body = parsed(textwrap.dedent(inspect.getsource(formula))).body[0]
     assert isinstance(body, ast.FunctionDef)
     last = body.body[-1]
     documented = ast.get_docstring(body) is not None

@@ -91,7 +91,7 @@ class _Work:
         self.jobs, self.tasks, self.solved = jobs, tasks, solved
         self.folder, self.hand_over, self.warn = folder, hand_over, warn
         self.judged: dict[int, CaseResult] = {}
-        self.earlier = durations.load(folder) if folder else {}
+        self.earlier = durations.usual() | (durations.load(folder) if folder else {})
         self.measured: dict[durations.Level, float] = {}
         self.left = Counter(task.job for task in tasks)
         self.waiting: deque[Task | Judging] = deque(self._by_case())

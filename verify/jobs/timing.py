@@ -68,16 +68,18 @@ def remaining_seconds(
     return max(free, default=0.0)
 
 
-def load(folder: Path) -> dict[Level, float]:
-    """Durations that are stored in `folder`, the usual ones of levels that never ran here.
-
-    Entries that make no sense are ignored.
-    """
-    found = {
+def usual() -> dict[Level, float]:
+    """What levels took on another machine."""
+    return {
         (case, int(level)): seconds
         for case, levels in json.loads(USUAL.read_text("utf-8")).items()
         for level, seconds in levels.items()
     }
+
+
+def load(folder: Path) -> dict[Level, float]:
+    """Durations that are stored in `folder`; entries that make no sense are ignored."""
+    found = {}
     with suppress(OSError):
         for name, content in Store(folder).all(KIND, KIND).items():
             case, _, level = name.rpartition(" ")
