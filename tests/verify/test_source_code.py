@@ -391,9 +391,9 @@ def test_one_thread_at_a_time_makes_syntax_trees(monkeypatch):
     """Two at once end a run of `verify`, now and then, in a SystemError of Python 3.11."""
     alone, parse = [], ast.parse
 
-    def watched(source):
+    def watched(*source, **more):
         alone.append(module_syntax._PARSING.locked())
-        return parse(source)
+        return parse(*source, **more)
 
     def mean(q):
         return (q.a + q.b) / 2
@@ -401,6 +401,7 @@ def test_one_thread_at_a_time_makes_syntax_trees(monkeypatch):
     monkeypatch.setattr(ast, "parse", watched)
     module_syntax.tree.__wrapped__("analytic.ring.lame")
     tex_of(mean, {"q.a": "a", "q.b": "b"})
+    monkeypatch.undo()  # pytest makes trees, too
     assert alone == [True] * 2
 
 
