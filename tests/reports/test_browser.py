@@ -39,6 +39,7 @@ def folder(tmp_path_factory, report, hostile) -> Path:
     return place
 
 
+@pytest.mark.slow("pages are written and a browser starts")
 @pytest.mark.parametrize(("name", "width"), [("hostile", 390), ("hostile", 1280)])
 def test_nothing_scrolls_sideways_and_the_console_is_silent(folder, name, width):
     assert_silent(looked_at(folder, name, width))

@@ -81,6 +81,7 @@ def test_a_red_row_is_explained_and_makes_the_exit_status_one(monkeypatch, capsy
     assert "does not hold" in capsys.readouterr().out
 
 
+@pytest.mark.slow("rows of all cases are looked for")
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [

@@ -204,6 +204,7 @@ def test_a_stopped_run_ends_at_once_with_one_line(stop, name, words, tmp_path):
     assert not list(tmp_path.glob("out/**/.part-*"))
 
 
+@pytest.mark.slow("a whole run is made and killed")
 def test_torn_entries_are_solved_again_and_the_files_of_a_killed_run_go(tmp_path):
     copy = Copy(tmp_path, STUDIES["levels"])
     copy.run()

@@ -26,6 +26,7 @@ def effect(case_id, word, **changes):
     return record.effect
 
 
+@pytest.mark.slow("the formulas of all cases")
 def test_every_case_states_what_it_assumes_in_sentences_with_a_source():
     assert set(SHARED) == {case.id for case in CASES}
     for case in CASES:

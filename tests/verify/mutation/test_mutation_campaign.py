@@ -96,6 +96,7 @@ def by(group: Group, outcomes: Outcomes) -> dict[tuple[str, str], Outcome]:
     return {(m.mutant.before, m.mutant.after): outcomes.found[m.mutant.id] for m in group.chosen}
 
 
+@pytest.mark.slow("pytest starts for each mutant")
 def test_each_mutant_meets_what_notices_it(group, tmp_path):
     outcomes = made(tmp_path)
     Campaign(group, outcomes, 2).run()
