@@ -88,25 +88,6 @@ def of_paper(judged) -> Callable[[Case], CaseResult]:
     return cache(judged)
 
 
-@pytest.fixture(scope="module")
-def without_fault(judged) -> Iterator[Callable[[Case], CaseResult]]:
-    """Judge a case on the paper's inputs, once for the tests of a module that break its formulas.
-
-    What functions keep is then that of the right formulas. After the last test it still is.
-    """
-    kept: dict[Case, CaseResult] = {}
-
-    def judge(case: Case) -> CaseResult:
-        if case not in kept:
-            kept[case] = judged(case, drawn=False)
-        return kept[case]
-
-    yield judge
-    for case, first in kept.items():
-        again = judged(case, drawn=False)
-        assert [(r.id, r.status) for r in again.rows] == [(r.id, r.status) for r in first.rows]
-
-
 @pytest.fixture(scope="session")
 def red() -> Callable[[CaseResult], list[Row]]:
     """The rows of a result that failed."""

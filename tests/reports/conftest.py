@@ -1,11 +1,14 @@
 """A judged run of a case of each subject for the report tests, with hostile texts, and of all."""
 
+import json
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+import reports
+from reports.html import page
 from reports.write import write
 from verify.app.commands import make_report
 from verify.cases.registry import CASES, find
@@ -73,6 +76,29 @@ def wordy(of_paper) -> Report:
     rows = tuple(replace(other, quantity=f"{NAME} {s}", status=s) for s in Status)
     case = replace(result, rows=rows, name="mine", figures=(), tables=())
     return replace(make_report([case], CASES[:1], 1.0), name="mine")
+
+
+@pytest.fixture(scope="session")
+def alone(wordy) -> Report:
+    """A report of the suite on one case without rows."""
+    case = replace(wordy.cases[0], id="polyhedral-ring", name="", rows=(), title="Ring")
+    return replace(wordy, name="", cases=(case,), tables=(), errata=(), validity=(), budgets=())
+
+
+@pytest.fixture(scope="session")
+def schema() -> dict:
+    """That of results.json."""
+    return json.loads((Path(reports.__file__).parent / "results.schema.json").read_text("utf-8"))
+
+
+def section(report: Report, name: str) -> str:
+    """The section of the report's page with this id."""
+    return page(report, {}).partition(f'<section id="{name}">')[2].partition("</section>")[0]
+
+
+def said(runs) -> str:
+    """The words of a cell of the PDF, without its marks."""
+    return "".join(run if isinstance(run, str) else said(run[1:]) for run in runs)
 
 
 @pytest.fixture(scope="session")

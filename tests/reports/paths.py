@@ -2,6 +2,8 @@
 
 import re
 
+import numpy as np
+
 COMMAND = re.compile(r"([MlhvLz])([^MlhvLz]*)")
 NUMBER = re.compile(r"-?(?:\d+\.?\d*|\.\d+)")
 TAKES = {"M": 2, "l": 2, "h": 1, "v": 1, "z": 0}
@@ -24,3 +26,9 @@ def walked(path: str) -> list[list[tuple[int, int]]]:
                 x, y = x + dx, y + dy
             pieces[-1].append((x, y))
     return pieces
+
+
+def corners(drawing: object, css: str) -> list[np.ndarray]:
+    """Points (n, 2) of every path of these classes, as drawings have them before they are slim."""
+    found = re.findall(rf'class="{css}" d="M([^"z]*)', str(drawing))
+    return [np.array([p.split(",") for p in path.split("L")], float) for path in found]

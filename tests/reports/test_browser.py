@@ -30,32 +30,27 @@ DECADES = 7  # of the overview's scale
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory, report, hostile) -> Path:
+def folder(tmp_path_factory, report, hostile, turning) -> Path:
     """The page, the hostile one, and the host that looks at them in frames."""
     place = tmp_path_factory.mktemp("browser")
     drawn = frames(report.cases, default_folder())
     (place / "report.html").write_text(page(report, drawn), "utf-8")
     (place / "hostile.html").write_text(page(hostile, drawn), "utf-8")
+    (place / "turning.html").write_text(page(turning, {}), "utf-8")
     return place
 
 
 @pytest.mark.slow("pages are written and a browser starts")
-@pytest.mark.parametrize(("name", "width"), [("hostile", 390), ("hostile", 1280)])
-def test_nothing_scrolls_sideways_and_the_console_is_silent(folder, name, width):
-    assert_silent(looked_at(folder, name, width))
-
-
-@pytest.fixture(scope="module")
-def wordy_folder(tmp_path_factory, wordy) -> Path:
-    place = tmp_path_factory.mktemp("wordy")
-    (place / "wordy.html").write_text(page(replace(wordy, name=""), {}), "utf-8")
-    return place
+@pytest.mark.parametrize("width", [390, 1280])
+def test_nothing_scrolls_sideways_and_the_console_is_silent(folder, width):
+    assert_silent(looked_at(folder, "hostile", width))
 
 
 @pytest.mark.parametrize("width", [390, 1280])
-def test_the_table_of_rows_fits_its_frame(wordy_folder, width):
+def test_the_table_of_rows_fits_its_frame(folder, wordy, width):
     """With the papers' columns, long names and the longest status."""
-    seen = looked_at(wordy_folder, "wordy", width)
+    (folder / "wordy.html").write_text(page(replace(wordy, name=""), {}), "utf-8")
+    seen = looked_at(folder, "wordy", width)
     assert seen["wider"] <= 0
     assert seen["covered"] == 0
 
@@ -73,11 +68,8 @@ def test_a_tile_shows_the_rows_of_its_status(folder):
         assert seen["hidden"][status] == 0  # rows of another status that stay visible
 
 
-def test_every_link_leads_to_a_place_in_sight_below_a_menu_of_one_line(folder):
+def test_every_link_leads_to_a_place_in_sight_and_shows_a_row_that_a_filter_hides(folder):
     assert_links(looked_at(folder, "hostile", 400, host="links_host.html"), 400, 150)
-
-
-def test_a_link_shows_a_row_that_a_filter_hides(folder):
     seen = looked_at(folder, "hostile", 400, host="links_host.html", status="skip")
     assert seen["links"] >= 4
     assert seen["problems"] == []
@@ -92,16 +84,9 @@ def test_no_label_of_the_overview_lies_on_another(folder, report):
     assert seen["overprinted"] == seen["outside"] == []
 
 
-@pytest.fixture(scope="module")
-def turning_folder(tmp_path_factory, turning) -> Path:
-    place = tmp_path_factory.mktemp("turning")
-    (place / "turning.html").write_text(page(turning, {}), "utf-8")
-    return place
-
-
 @pytest.mark.parametrize(("width", "flags"), [(390, ()), (1280, (DARK,))])
-def test_shafts_in_motion_stay_in_their_frames_and_stand_out(turning_folder, width, flags):
-    seen = looked_at(turning_folder, "turning", width, *flags)
+def test_shafts_in_motion_stay_in_their_frames_and_stand_out(folder, width, flags):
+    seen = looked_at(folder, "turning", width, *flags)
     assert seen["overflow"] <= 0, seen["widest"]
     assert seen["console"] == seen["spilled"] == seen["requests"] == []
     assert seen["contrast"] >= 4.5, seen["faintest"]
@@ -127,13 +112,13 @@ def corners(path: str) -> np.ndarray:
     ("flags", "offers", "phase"),
     [((), "Pause", 0.1), (("--force-prefers-reduced-motion",), "Play", 0.0)],
 )
-def test_shafts_whirl_unless_motion_is_unwanted(turning_folder, flags, offers, phase):
+def test_shafts_whirl_unless_motion_is_unwanted(folder, flags, offers, phase):
     """The line after 260 ms, beside what its data say: x + a cos + e sin, y + b cos + f sin."""
-    drawn = (turning_folder / "turning.html").read_text("utf-8")
+    drawn = (folder / "turning.html").read_text("utf-8")
     free = re.sub('<meta http-equiv="Content-Security-Policy"[^>]*>', FIVE_FRAMES, drawn)
-    (turning_folder / "frames.html").write_text(free, "utf-8")
-    address = (turning_folder / "frames.html").as_uri()
-    shown = browse(turning_folder, *flags, "--dump-dom", address).stdout
+    (folder / "frames.html").write_text(free, "utf-8")
+    address = (folder / "frames.html").as_uri()
+    shown = browse(folder, *flags, "--dump-dom", address).stdout
     assert f'<button type="button">{offers}</button>' in shown
     line, data = re.search(r'd="M([^"]*)" data-line="([^"]*)"', shown).groups()
     points = corners(line)

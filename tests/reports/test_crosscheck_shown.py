@@ -4,20 +4,18 @@ import csv
 import io
 import json
 from dataclasses import replace
-from pathlib import Path
 
 import jsonschema
 import pytest
 
-import reports
 from reports.crosscheck import crosscheck_data, left_out_data, told
 from reports.crosscheck_table import crosscheck_csv
 from reports.html import page
 from reports.pdf_data import document
 from reports.records import report_record
-from reports.richtext import _plain
 from reports.rows import rows_csv
 from reports.second import COLUMNS, seconds
+from tests.reports.conftest import said, section
 from verify.core.results import Crosscheck, CrossState, Report
 
 AGREES = Crosscheck(
@@ -41,92 +39,60 @@ ALONE = replace(
 
 @pytest.fixture(scope="module")
 def checked(wordy) -> Report:
-    """A report on one case without rows, with two comparisons and one that is stale."""
-    case = replace(wordy.cases[0], id="ring-lame", name="", rows=(), title="Ring")
-    return replace(wordy, name="", cases=(case,), tables=(), errata=(),
-                   crosschecks=(AGREES, OUTSIDE, STALE))  # fmt: skip
-
-
-def test_the_page_has_a_table_of_its_own(checked):
-    html = page(checked, {})
-    section = html.partition('<section id="crosscheck">')[2].partition("</section>")[0]
-    assert "1 of 2 agree; 1 problem is not measured" in section
-    assert "a quarter &amp; more" in section
-    assert "5522 unknowns, 0.11 s in the project, 0.52 s there" in section
-    assert section.count('class="is-fail"') == 1
-    assert "Not measured for this code" in section
-    assert '<a href="#crosscheck">' in html
-
-
-def test_a_case_that_no_solver_takes_says_why(checked):
-    html = page(replace(checked, crosschecks=(AGREES, ALONE)), {})
-    section = html.partition('<section id="crosscheck">')[2].partition("</section>")[0]
-    assert "1 case has no second solver, and says why" in section
-    assert "Nobody" in section
-    assert "()" not in section
-    (sentence,) = left_out_data([ALONE])
-    assert "".join(map(str, sentence)) == "Nobody's: ring-lame, no second solver."
-
-
-def test_the_pdf_marks_what_is_outside(checked):
-    (first,) = crosscheck_data(checked.crosschecks)
-    said = [_flat(row[-1]) for row in first["rows"]]
-    assert said == ["+0.00046\u202f% (0.0050\u202f%)", "+10\u202f% (0.0050\u202f%) !"]
-    (sentence,) = document(checked, {})["crosschecks_left"]
-    assert "".join(map(str, sentence)).startswith("Not measured for this code")
-    assert document(checked, {})["crosschecks_told"] == told(checked.crosschecks)
-
-
-def _flat(found):
-    """Runs as one string."""
-    return "".join(_plain(run) for run in found)
-
-
-def test_results_json_is_as_its_schema_says(checked):
-    schema = json.loads((Path(reports.__file__).parent / "results.schema.json").read_text("utf-8"))
-    record = json.loads(json.dumps(report_record(checked)))["crosschecks"]
-    own = {"$ref": "#/$defs/crosscheck", "$defs": schema["$defs"]}
-    for one in record:
-        jsonschema.validate(one, own)
-    assert record[2]["ours"] is None
-
-
-@pytest.fixture(scope="module")
-def beside(wordy) -> Report:
     """A case with a row that a second solver took too, and problems that belong to no row."""
     row = replace(wordy.rows[0], case="ring-lame", quantity="bore displacement", unit="µm")
     case = replace(wordy.cases[0], id="ring-lame", name="", rows=(row,), title="Ring")
-    other = replace(AGREES, quantity="a sum", row="ring-lame/bore displacement")  # not that row's
+    other = replace(AGREES, quantity="a sum")  # not that row's
     return replace(wordy, name="", cases=(case,), tables=(), errata=(),
                    crosschecks=(AGREES, OUTSIDE, other, STALE))  # fmt: skip
 
 
-def test_a_row_shows_the_second_solver_and_leads_to_its_line(beside):
-    html = page(beside, {})
+def test_the_page_has_a_table_of_its_own_and_a_row_leads_to_its_line(checked):
+    html, text = page(checked, {}), section(checked, "crosscheck")
+    assert "2 of 3 agree; 1 problem is not measured" in text
+    assert "a quarter &amp; more" in text
+    assert "5522 unknowns, 0.11 s in the project, 0.52 s there" in text
+    assert text.count('class="is-fail"') == 1
+    assert "Not measured for this code" in text
+    assert '<a href="#crosscheck">' in html
     cell = html.partition('<td role="cell" class="n fe')[2].partition("</td>")[0]
-    assert cell.count('href="#cross-') == 1
-    assert 'href="#cross-0"' in cell
+    assert cell.count('href="#cross-') == cell.count('href="#cross-0"') == 1
     assert "21.7673, +0.00046\u202f%, 0.52 s<" in cell
     assert "5522 unknowns: 21.7673 µm; here 21.7672 µm" in cell
-    section = html.partition('<section id="crosscheck">')[2]
-    assert [f'<tr id="cross-{i}"' in section for i in range(4)] == [True, True, True, False]
+    assert [f'<tr id="cross-{i}"' in text for i in range(4)] == [True, True, True, False]
 
 
-def test_tables_and_records_have_the_second_solver_beside_the_row(beside):
-    found = seconds(beside.crosschecks)
-    (line,) = csv.DictReader(io.StringIO(rows_csv(beside.rows, found.rows).lstrip("\ufeff")))
-    shown = [line[name] for name in COLUMNS]
-    assert shown == ["calculix", "21.7673", "4.6e-06", "0.52"]
-    (line,) = csv.DictReader(io.StringIO(rows_csv(beside.rows).lstrip("\ufeff")))
-    assert [line[name] for name in COLUMNS] == [""] * 4
-    schema = json.loads((Path(reports.__file__).parent / "results.schema.json").read_text("utf-8"))
-    (record,) = report_record(beside)["rows"]
-    (one,) = record["second_solvers"]
+def test_a_case_that_no_solver_takes_has_its_reason(checked):
+    text = section(replace(checked, crosschecks=(AGREES, ALONE)), "crosscheck")
+    assert "1 case has no second solver, and says why" in text
+    assert "()" not in text
+    (sentence,) = left_out_data([ALONE])
+    assert said(sentence) == "Nobody's: ring-lame, no second solver."
+
+
+def test_the_pdf_marks_what_is_outside(checked):
+    (first,) = crosscheck_data((AGREES, OUTSIDE))
+    assert [said(row[-1]) for row in first["rows"]] == [
+        "+0.00046\u202f% (0.0050\u202f%)", "+10\u202f% (0.0050\u202f%) !",
+    ]  # fmt: skip
+    (sentence,) = document(checked, {})["crosschecks_left"]
+    assert said(sentence).startswith("Not measured for this code")
+    assert document(checked, {})["crosschecks_told"] == told(checked.crosschecks)
+
+
+def test_tables_and_records_have_the_second_solver_beside_the_row(checked, schema):
+    record = json.loads(json.dumps(report_record(checked)))
+    for one in record["crosschecks"]:
+        jsonschema.validate(one, {"$ref": "#/$defs/crosscheck", "$defs": schema["$defs"]})
+    assert record["crosschecks"][3]["ours"] is None
+    (row,) = record["rows"]
+    (one,) = row["second_solvers"]
     jsonschema.validate([one], schema["$defs"]["row"]["properties"]["second_solvers"])
     assert one["difference"] == 4.6e-6
-
-
-def test_the_table_has_a_line_each():
+    found = seconds(checked.crosschecks).rows
+    for given, expected in (((found,), ["calculix", "21.7673", "4.6e-06", "0.52"]), ((), [""] * 4)):
+        (line,) = csv.DictReader(io.StringIO(rows_csv(checked.rows, *given).lstrip("\ufeff")))
+        assert [line[name] for name in COLUMNS] == expected
     text = crosscheck_csv([replace(AGREES, why="=1+1"), OUTSIDE, STALE])
     assert text.startswith("\ufeff")  # as rows.csv and budget.csv
     head, first, _, last = csv.reader(io.StringIO(text.removeprefix("\ufeff")))

@@ -1,99 +1,217 @@
-"""Plots of several curves, and rows whose reference is another method than finite elements."""
+"""Plots of curves, profiles, refinements and states: where they lie and how they are named."""
 
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from reports import formats
 from reports.curves import curves
-from reports.rows import HEADER, cells
+from reports.html import plot
+from reports.plots import WIDTH, Axes, convergence, profile
+from reports.refinement import refinement
+from reports.shapes import shapes
 from reports.standalone import HERE
-from verify.core.figures import Band, Curve, Curves
+from tests.reports.paths import corners
+from verify.core.figures import (
+    Band,
+    Bars,
+    Curve,
+    Curves,
+    Density,
+    Dots,
+    Map,
+    Panel,
+    Profile,
+    Refinement,
+    Shapes,
+    Zone,
+    Zones,
+)
+from verify.core.results import Grid, Kind, Row, Status
 
 X = np.linspace(0.0, 4.0, 5)
+NAMES = {"title": "T", "x_label": "y [mm]", "y_label": "p [MPa]"}
+THREE = (
+    Curve(name="strips", x=X, y=X + 1),
+    Curve(name="half-space", x=X, y=X + 2, style="dots", colour=4),
+    Curve(name="", x=X, y=X + 3, style="dashes", colour=2),
+)
 
 
-def plot(**changes):
-    given = {
-        "title": "T", "x_label": "y [mm]", "y_label": "p [MPa]",
-        "curves": (
-            Curve(name="strips", x=X, y=X + 1),
-            Curve(name="half-space", x=X, y=X + 2, style="dots", colour=4),
-            Curve(name="", x=X, y=X + 3, style="dashes", colour=2),
-        ),
-    }  # fmt: skip
-    return str(curves(Curves(**given | changes)))
+def drawn(*lines, **changes):
+    return str(curves(Curves(**NAMES, curves=lines or THREE, **changes)))
 
 
-def test_curves_have_their_styles_and_names_and_one_without_a_name_has_none():
-    drawn = plot()
-    assert drawn.count(">strips<") == drawn.count(">half-space<") == 1
-    assert drawn.count('class="fit s0 strokes"') == 2  # the curve and its swatch
-    assert drawn.count('class="fit s2 dashes"') == 1
-    assert drawn.count('class="dot s4"') == X.size + 1
-    assert "<title>" not in drawn
-    assert 'aria-label="T"' in drawn
+def test_curves_have_their_styles_and_names_and_are_cut_at_the_frame():
+    page = drawn()
+    assert page.count(">strips<") == page.count(">half-space<") == 1
+    assert page.count('class="fit s0 strokes"') == 2  # the curve and its swatch
+    assert page.count('class="fit s2 dashes"') == 1  # no name, no swatch
+    assert page.count('class="dot s4"') == X.size + 1
+    assert drawn(y_top=3.0).count('class="dot s4"') == 2 + 1  # 2 and 3 of 2 to 6
+    assert drawn(y_bottom=4.0).count('class="dot s4"') == 3 + 1
+    # an axis starts at zero unless something else is stated
+    assert ">0<" in page
+    assert ">0<" not in drawn(Curve(name="a", x=X + 1, y=X + 3), y_bottom=2.5)
 
 
 @pytest.mark.parametrize("style", ["line", "dashes"])
 def test_every_colour_has_its_own_pattern_of_strokes(style):
-    drawn = plot(curves=tuple(Curve(name="a", x=X, y=X, style=style, colour=k) for k in range(6)))
+    page = drawn(*(Curve(name="a", x=X, y=X, style=style, colour=k) for k in range(6)))
     css = (HERE / "figures.css").read_text("utf-8")
     rules = dict(re.findall(r"\.chart \.([\w.]+) \{ stroke-dasharray: ([^;]+);", css))
-    classes = re.findall(r'class="fit (s\d) (\w+)"', drawn)
-    patterns = {rules.get(f"{kind}.{colour}", "plain") for colour, kind in classes}
-    assert len(patterns) == 6
+    classes = re.findall(r'class="fit (s\d) (\w+)"', page)
+    assert len({rules.get(f"{kind}.{colour}", "plain") for colour, kind in classes}) == 6
 
 
-def test_what_runs_off_is_cut_at_the_top_and_at_the_bottom():
-    assert plot(y_top=3.0).count('class="dot s4"') == 2 + 1  # 2 and 3 of 2 to 6
-    assert plot(y_bottom=4.0).count('class="dot s4"') == 3 + 1
-
-
-def test_axes_start_at_zero_unless_values_are_negative_or_stated_otherwise():
-    assert ">0<" in plot()
-    assert ">0<" not in plot(y_bottom=2.5, curves=(Curve(name="a", x=X + 1, y=X + 3),))
-
-
-@pytest.fixture(scope="module")
-def by_half_space(report):
-    return next(
-        row for case in report.cases for row in case.rows
-        if row.grid is not None and row.by == "half-space" and row.analytic and row.interval
-    )  # fmt: skip
-
-
-def test_another_method_stands_where_finite_elements_do_with_its_name(by_half_space):
-    row = by_half_space
-    assert row.fem is None
-    assert row.reference == row.partner.value == row.grid.levels[-1][1]
-    shown = formats.values(row)
-    assert shown.by == "half-space"
-    assert "(" in shown.fem
-    found = dict(zip(HEADER, cells(row), strict=True))
-    assert (found["by"], found["fem"], found["reference"]) == ("half-space", None, row.reference)
-
-
-BAND = Band(name="ensemble", x=X, lower=X + 1, upper=X + 3, colour=1)
-
-
-def test_a_band_lies_between_its_curves_and_is_named():
-    drawn = plot(bands=(BAND,))
-    assert drawn.count('class="area s1"') == 2  # and in the key
-    assert ">ensemble<" in drawn
-    assert drawn.index('class="area s1"') < drawn.index('class="fit s0 strokes"')  # behind
-    (area,) = re.findall(r'<path class="area s1" d="M([^"]*)z"', drawn)
-    line = re.search(r'class="fit s0 strokes" d="M([^"]*)"', drawn)[1]
-    points = {tuple(p.split(",")) for p in area.split("L")}
-    assert {tuple(p.split(",")) for p in line.split("L")} <= points  # x + 1 is its lower edge
+def test_a_band_lies_behind_between_its_curves_and_is_named():
+    page = drawn(bands=(Band(name="ensemble", x=X, lower=X + 1, upper=X + 3, colour=1),))
+    assert page.count('class="area s1"') == 2  # and in the key
+    assert ">ensemble<" in page
+    assert page.index('class="area s1"') < page.index('class="fit s0 strokes"')
+    area, line = corners(page, "area s1")[0], corners(page, "fit s0 strokes")[0]
+    assert set(map(tuple, line)) <= set(map(tuple, area))  # x + 1 is its lower edge
 
 
 def test_on_a_logarithmic_axis_decades_are_equally_far_and_zero_is_left_out():
     y = np.array([0.0, 1.0, 10.0, 100.0, 1000.0])
-    drawn = plot(curves=(Curve(name="a", x=X, y=y, style="dots", colour=0),), y_log=True)
-    at = [float(v) for v in re.findall(r'class="dot s0" cx="[\d.]+" cy="([\d.]+)"', drawn)[:-1]]
+    page = drawn(Curve(name="a", x=X, y=y, style="dots", colour=0), y_log=True)
+    at = [float(v) for v in re.findall(r'class="dot s0" cx="[\d.]+" cy="([\d.]+)"', page)[:-1]]
     assert len(at) == 4
     assert np.ptp(np.diff(at)) < 0.21
     assert np.diff(at).max() < -40  # upwards
-    assert drawn.count("</tspan></text>") == 4  # 1 to 1000 as powers of ten
+    assert page.count("</tspan></text>") == 4  # 1 to 1000 as powers of ten
+
+
+def test_a_line_of_many_points_is_drawn_by_few_and_looks_the_same():
+    """Four hundred points of a bend and of two straight parts; x is drawn to a tenth."""
+    axes = Axes((52, 28, 390, 262), (0.0, 4.0), (0.0, 1.0))
+    x = np.linspace(0.0, 4.0, 400)
+    y = np.clip(x - 1, 0, 1) ** 2
+    axes.curve(x, y, "fit")
+    (line,) = corners(axes.body[0], "fit")
+    assert len(line) < 40
+    assert np.interp(52 + x * 338 / 4, *line.T) == pytest.approx(262 - 234 * y, abs=0.4)
+
+
+PROFILE = Profile(**NAMES, x=X, y=X, x_fem=X, y_fem=X - 1.0, y_ref=X, u=np.full(5, 0.02), scale=2.0)
+
+
+@pytest.mark.parametrize(
+    ("changed", "named"),
+    [
+        ({}, "(formula − reference)/(2 MPa), in 10"),
+        ({"scale_name": "p"}, "(formula − reference)/p, in 10"),
+        ({"scale": 1.0}, "formula − reference, in 10"),
+        ({"y_label": "p"}, "(formula − reference)/2, in 10"),
+    ],
+)
+def test_the_difference_of_a_profile_is_named_by_what_divides_it(changed, named):
+    page = str(profile(replace(PROFILE, **changed)))
+    assert named in re.sub("<[^>]*>", "", re.sub('aria-label="[^"]*"', "", page))
+    # the formula is larger: above the line of zero, in the middle of 204 and 262
+    dots = [float(y) for y in re.findall(r'cy="([\d.]+)"', page)][-5:]
+    assert max(dots) < 233
+
+
+CELLS = np.array([8.0, 12.0, 24.0])
+FINER = Refinement(
+    **NAMES, cells=CELLS, errors=(("a", 1 / CELLS**2), ("b", 1 / CELLS**2)), order=2.0
+)
+
+
+def test_errors_of_theory_lie_on_their_lines_and_those_of_zero_are_left_out():
+    page = refinement(FINER)
+    x, y = np.array(
+        re.findall(r'circle class="s0" cx="([\d.]+)" cy="([\d.]+)"', page), float
+    )[:3].T  # fmt: skip
+    ends = corners(page, "fit s0")[0]
+    assert np.interp(x, *ends[np.argsort(ends[:, 0])].T) == pytest.approx(y, abs=0.15)
+    assert len(set(y)) == 3
+    some = replace(FINER, errors=(("a", np.array([1e-2, 0.0, 1e-4])),))
+    assert refinement(some).count("<circle") == 2
+    assert not refinement(replace(FINER, errors=(("a", np.zeros(3)),)))
+
+
+def test_rows_whose_levels_show_no_order_are_not_drawn_as_if_they_had_one():
+    levels = ((1.0, 4.0), (0.5, 1.0), (0.25, 0.25))
+    grid = Grid(unit="1", levels=levels, scale=1.0, allowed=1.0, behaviour="monotone", gci=0.1,
+                u_it=0.0, order=2.0, formal=2.0, used=2.0, factor=1.25)  # fmt: skip
+    row = Row(case="c", quantity="q", symbol="q", unit="1", kind=Kind.IDENTITY, status=Status.PASS,
+              levels=levels, grid=grid, order=2.0, formal_order=2.0)  # fmt: skip
+    assert convergence([row])
+    noisy = replace(grid, behaviour="noisy", order=None, used=None, factor=None)
+    assert not convergence([replace(row, grid=noisy, order="noisy")])
+
+
+LONG = np.array([[0.0, 0.0], [20.0, 0.0], [20.0, 5.0]])
+SHORT = np.array([[0.0, 0.0], [8.0, 0.0], [8.0, 5.0]])
+
+
+def states(*panels, **changes):
+    return str(shapes(Shapes(title="States", unit="mm", panels=panels, thickness=0.1, **changes)))
+
+
+def test_all_states_have_one_scale_that_a_bar_names_and_contacts_are_dots():
+    dots = np.array([[4.0, 0.0]])
+    bent = Panel(name="A", lines=(SHORT,), faint=(LONG,), dots=dots)
+    page = states(Panel(name="O", lines=(LONG,)), bent, dots_name="contact")
+    free, bent = corners(page, "strip")
+    assert np.ptp(free[:, 0]) / np.ptp(bent[:, 0]) == pytest.approx(20 / 8, rel=0.01)
+    assert np.ptp(free[:, 1]) == pytest.approx(np.ptp(bent[:, 1]), abs=0.11)
+    assert np.ptp(free[:, 0]) / np.ptp(free[:, 1]) == pytest.approx(4, rel=0.01)
+    assert free[2, 1] < free[0, 1]  # up is up
+    named = float(re.search(r">([\d.]+) mm<", page)[1])
+    length = np.ptp(corners(page, "base")[0][:, 0]) / named
+    assert length == pytest.approx(np.ptp(free[:, 0]) / 20, rel=0.01)
+    assert page.count('<circle class="fe"') == 1 + 1  # and in the key
+    assert len(corners(page, "fit faint")) == 1
+
+
+@pytest.mark.parametrize(("count", "size"), [(1, (60, 1)), (9, (1, 60)), (9, (60, 1))])
+def test_no_state_leaves_the_picture_or_lies_on_another(count, size):
+    line = np.array([[0.0, 0.0], size])
+    page = states(*(Panel(name=f"state {k}", lines=(line,)) for k in range(count)))
+    height = float(re.search(rf'viewBox="0 0 {WIDTH:g} ([\d.]+)"', page)[1])
+    boxes = [(p.min(axis=0), p.max(axis=0)) for p in corners(page, "strip")]
+    for i, (low, high) in enumerate(boxes):
+        assert (low >= 0).all()
+        assert (high <= (WIDTH, height)).all()
+        for other_low, other_high in boxes[:i]:
+            assert (low > other_high).any() or (other_low > high).any()
+
+
+def curve(x, y, name="c"):
+    return Curve(name=name, x=x, y=y)
+
+
+@pytest.mark.parametrize("lost", [np.array([]), np.full(3, np.nan)], ids=["no points", "nan"])
+def test_a_figure_without_points_says_so(lost):
+    z = np.full((lost.size, lost.size), np.nan)
+    points = dict.fromkeys(("x", "y", "x_fem", "y_fem", "y_ref", "u"), lost)
+    items = tuple(("a", float(v)) for v in lost)
+    for figure in (
+        Curves(**NAMES, curves=(curve(lost, lost),)), Curves(**NAMES, curves=()),
+        Profile(**NAMES, **points, scale=1.0),
+        Refinement(**NAMES, cells=lost, errors=(("e", lost),), order=2.0),
+        Dots(title="T", label="l", items=tuple((*i, None, "fe") for i in items)),
+        Bars(title="T", label="l", items=tuple((*i, "words") for i in items)),
+        Shapes(title="T", unit="mm", panels=(Panel(name="p", lines=(lost[:, None] * (1, 1),)),)),
+        Zones(**NAMES, x=lost, zones=(Zone(name="z", top=lost, tone="good"),), y_top=1.0),
+        Density(**NAMES, z_label="z", x=lost, y=lost, z=z),
+        Map(**NAMES, columns=(), rows=(), error=z),
+    ):  # fmt: skip
+        page = str(plot(figure))
+        assert "nothing to draw" in page, type(figure)
+        assert "nan" not in page
+
+
+@pytest.mark.parametrize("gap", [np.nan, np.inf])
+def test_curves_keep_their_finite_points_and_lose_those_without_any(gap):
+    held = curve(X[:3], np.array([1.0, gap, 3.0]), "held")
+    page = drawn(held, curve(X, np.full(5, np.nan), "lost"))
+    assert "nan" not in page
+    assert "inf" not in page
+    assert ">held<" in page
+    assert ">lost<" not in page

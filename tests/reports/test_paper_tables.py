@@ -73,25 +73,17 @@ def rendered(report) -> dict[tuple[str, str], tuple[list[str], list[Block]]]:
     return found
 
 
-def test_the_tables_of_the_page_are_those_with_rows(rendered):
-    assert set(rendered) == set(PRINTED) == set(HEADERS)
-
-
 @WHICH
-def test_every_printed_cell_stands_in_its_row_and_column(which, rendered):
+def test_every_printed_cell_and_every_value_below_it_stand_in_their_column(which, report, rendered):
+    """Values below no other; the whole table is put together again from the rows of the run."""
     header, blocks = rendered[which]
     copied = [[c.strip() for c in line.split("|")] for line in PRINTED[which].strip().split("\n")]
     assert header == HEADERS[which] + OURS
     assert [block.printed[: len(copied[0])] for block in blocks] == copied
-
-
-@WHICH
-def test_every_value_stands_below_the_number_that_its_row_claims(which, report, rendered):
-    """And below no other; the whole table is put together again from the rows of the run."""
     ledger = next(p for p in papers() if p.key == which[0])
     table = next(t for t in ledger.tables if t.name == which[1])
     columns = len(table.header)
-    for printed, block in zip(table.rows, rendered[which][1], strict=True):
+    for printed, block in zip(table.rows, blocks, strict=True):
         ids = [referred(cell) for cell in printed]
         expected = {}
         for k, id_ in enumerate(ids):
@@ -115,10 +107,8 @@ def plain(quantity: str) -> str:
     return words(str(formats.prose(quantity)))
 
 
-# Row 4 is a fitted point, row 10 misprinted: the suite has no value of their errors.
-
-
-def test_an_input_stands_below_the_number_that_it_repeats(report, rendered):
+def test_an_input_stands_below_the_number_that_it_repeats(rendered):
+    assert set(rendered) == set(PRINTED) == set(HEADERS)
     _, blocks = rendered["huang2018", "Table 1"]
     below = {line.index("input"): line[-1] for line in blocks[0].below if "input" in line}
     assert below[1].startswith("n of ring-loads-outer; z of sprag")

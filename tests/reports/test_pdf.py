@@ -1,4 +1,4 @@
-"""report.pdf: everything is on it, literally; without typst the rest is written."""
+"""report.pdf: everything is on it, literally, within its margins; without typst the rest exists."""
 
 import json
 import re
@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import sys
 from dataclasses import replace
+from typing import NamedTuple
 
 import pytest
 import typst
@@ -21,6 +22,9 @@ from verify.core.results import Status
 from verify.jobs.cache import default_folder
 
 NASTY = '#panic("x") <script> $x$ @y *b* _i_ // \\ [z] `r` "q"'
+NEEDS_POPPLER = pytest.mark.skipif(not shutil.which("pdftotext"), reason="needs poppler-utils")
+MM = 72 / 25.4
+RIGHT = (210 - 17) * MM  # edge of the text
 
 
 def query(data, selector):
@@ -35,16 +39,13 @@ def text_of(content):
     if isinstance(content, dict):
         own = content.get("text", "") if isinstance(content.get("text"), str) else ""
         inner = [content.get("body"), content.get("child"), *content.get("children", [])]
-        return (
-            own
-            + "".join(text_of(part) for part in inner if part)
-            + (" " if content.get("func") == "space" else "")
-        )
+        space = " " if content.get("func") == "space" else ""
+        return own + "".join(text_of(part) for part in inner if part) + space
     return content if isinstance(content, str) else ""
 
 
-def words(data):
-    return [text_of(h).replace("\u200b", "") for h in query(data, "heading")]
+def headings(report):
+    return [text_of(h).replace("\u200b", "") for h in query(document(report, {}), "heading")]
 
 
 @pytest.fixture
@@ -55,36 +56,29 @@ def own(report):
     return replace(report, cases=(case,), name=NASTY, validity=cards)
 
 
-@pytest.mark.skipif(not shutil.which("pdftotext"), reason="needs poppler-utils")
+def read(report, folder, option) -> str:
+    """What pdftotext reads of the report."""
+    (folder / "r.pdf").write_bytes(pdf(report, {}))
+    run = ["pdftotext", option, str(folder / "r.pdf"), "-"]
+    return subprocess.run(run, capture_output=True, text=True, check=True).stdout
+
+
+@NEEDS_POPPLER
 def test_the_pages_hold_the_hostile_text(own, tmp_path):
-    (tmp_path / "own.pdf").write_bytes(pdf(own, {}))
-    run = ["pdftotext", "-layout", str(tmp_path / "own.pdf"), "-"]
-    printed = subprocess.run(run, capture_output=True, text=True, check=True).stdout
-    squeezed = re.sub(r"\s+", "", printed).replace("\u200b", "")
+    squeezed = re.sub(r"\s+", "", read(own, tmp_path, "-layout")).replace("\u200b", "")
     assert squeezed.count(re.sub(r"\s+", "", NASTY)) >= 3
 
 
-def test_every_row_and_erratum_can_be_linked_to(report):
+def test_every_row_erratum_case_and_ledger_can_be_found(report, own):
     found = query(document(report, {}), "metadata")
     labels = [m["label"].strip("<>") for m in found]
     assert len(labels) == len(set(labels))
     rows = [label for label in labels if label.startswith("row-")]
     assert sorted(rows) == sorted(anchors(report.rows).values())
     assert len(labels) - len(rows) == len(report.errata)
-
-
-def test_every_case_and_ledger_has_a_heading(report):
-    headings = words(document(report, {}))
-    for case in report.cases:
-        assert case.title in headings
-    for name in ("Summary", "Tables of the papers", "Errata ledger", "Provenance"):
-        assert name in headings
-
-
-def test_a_report_of_ones_own_has_no_ledgers(own):
-    headings = words(document(own, {}))
-    assert "Errata ledger" not in headings
-    assert "Summary" in headings
+    names = {"Summary", "Tables of the papers", "Errata ledger", "Provenance"}
+    assert {case.title for case in report.cases} | names <= set(headings(report))
+    assert {"Summary", "Errata ledger"} & set(headings(own)) == {"Summary"}
 
 
 def test_every_status_and_control_characters_make_a_pdf(hostile):
@@ -101,25 +95,19 @@ def test_the_same_report_gives_the_same_bytes(own):
     assert b"(D:20010203040500Z)" in first
 
 
-def test_a_long_table_is_shortened_and_says_where_the_rest_is(own):
+def test_a_long_table_is_shortened_and_a_wide_one_keeps_all_its_columns(own):
     rows = tuple((f"r{i}", float(i)) for i in range(LONGEST + 1))
     table = Table(title="many: rows", header=("name", "value"), rows=rows)
-    case = replace(own.cases[0], tables=(table, replace(table, rows=rows[:LONGEST])))
-    long, short = document(replace(own, cases=(case,)), {})["cases"][0]["tables"]
+    header = tuple(f"c{i}" for i in range(30))
+    other = Table(title="wide", header=header, rows=(tuple(map(float, range(30))),))
+    case = replace(own.cases[0], tables=(table, replace(table, rows=rows[:LONGEST]), other))
+    long, short, wide = document(replace(own, cases=(case,)), {})["cases"][0]["tables"]
     assert len(long["parts"][0]["rows"]) == SHOWN
     assert long["shortened"].endswith(f"of {LONGEST + 1} rows; all stand in tables.xlsx, "
                                       "sheet many rows.")  # fmt: skip
     assert len(short["parts"][0]["rows"]) == LONGEST
     assert not short["shortened"]
-
-
-def test_a_wide_table_keeps_all_its_columns(own):
-    header = tuple(f"c{i}" for i in range(30))
-    table = Table(title="wide", header=header, rows=(tuple(map(float, range(30))),))
-    case = replace(own.cases[0], tables=(table,))
-    (wide,) = document(replace(own, cases=(case,)), {})["cases"][0]["tables"]
-    shown = [cell[0] for part in wide["parts"] for cell in part["header"]]
-    assert set(shown) == set(header)
+    assert {cell[0] for part in wide["parts"] for cell in part["header"]} == set(header)
     assert all(part["header"][0] == ["c0"] for part in wide["parts"])
     assert max(len(part["header"]) for part in wide["parts"]) <= 12
 
@@ -140,9 +128,42 @@ def test_a_fault_of_typst_is_one_line_and_the_rest_is_written(own, tmp_path, mon
     assert not any("\n" in remark for remark in written.remarks)
     assert written.page.is_file()
     assert not (tmp_path / PAPER).exists()
-
-
-def test_without_typst_the_rest_is_written(own, monkeypatch):
     monkeypatch.setitem(sys.modules, "typst", None)
     with pytest.raises(NotSet, match="typst cannot be imported"):
         pdf(own, {})
+
+
+class Word(NamedTuple):
+    """A printed word: left, top, right, bottom [pt], and its letters."""
+
+    left: float
+    top: float
+    right: float
+    bottom: float
+    text: str
+
+
+@NEEDS_POPPLER
+@pytest.mark.parametrize(("printed", "reason", "room"), [(1, "", 35), (10, "why " * 80, 33)])
+def test_names_have_room_and_no_word_stands_beyond_the_margin(
+    printed, reason, room, wordy, tmp_path
+):
+    """Beside one printed value and beside many with long reasons; a word is 5 mm wide."""
+    (case,) = wordy.cases
+    rows = tuple(
+        replace(r, published=r.published * printed, reason=reason or r.reason) for r in case.rows
+    )
+    found = [
+        Word(*map(float, numbers), text) for *numbers, text in re.findall(
+            r'xMin="([\d.]+)" yMin="([\d.]+)" xMax="([\d.]+)" yMax="([\d.]+)">([^<]*)<',
+            read(replace(wordy, cases=(replace(case, rows=rows),)), tmp_path, "-bbox"),
+        )
+    ]  # fmt: skip
+    texts = [w.text for w in found]
+    summary = found[texts.index("Quantity") : texts.index("tolerances")]
+    at = [w for w in summary if w.text == "word"]
+    assert len(at) >= 18 * 3
+    assert max(w.right for w in at) - min(w.left for w in at) > room * MM
+    assert "CALIBRATED" in texts
+    assert max(w.right for w in found) <= RIGHT + 0.5
+    assert not any("^" in w.text for w in found)  # powers are raised

@@ -4,9 +4,9 @@ from dataclasses import replace
 
 import pytest
 
-from reports.html import page
 from reports.pdf_data import document
 from reports.validity import figure, signed
+from tests.reports.conftest import said, section
 from verify.core.results import (
     Report,
     Validity,
@@ -60,42 +60,23 @@ MISSING = Validity(
 OVER = REGION.over.replace("_", "")
 
 
-def said(runs) -> str:
-    """The words of a cell of the PDF, without its marks."""
-    return "".join(run if isinstance(run, str) else said(run[1:]) for run in runs)
-
-
-def section(report: Report) -> str:
-    text = page(report, {})
-    return text[text.index('<section id="validity">') : text.index('<div id="cases">')]
-
-
 @pytest.fixture(scope="module")
-def one(wordy) -> Report:
-    """A report on one case with a card, and none of a user's own."""
-    case = replace(wordy.cases[0], id="polyhedral-ring", name="", rows=(), title="Ring")
-    return replace(wordy, name="", cases=(case,), validity=(KNOWN,), tables=(), errata=())
+def one(alone) -> Report:
+    return replace(alone, validity=(KNOWN,))
 
 
-def test_a_card_stands_on_the_page(one):
-    text = section(one)
-    assert "K of the paper" in text
-    assert "Eq. 11, Belcin; −1.2 ± 0.04 % at the case's own inputs" in text
-    assert "1/6, 1 undecided" in text
-    assert ">5, 10 %<" in text
-    assert "Larger z: within 5" in text
-    assert "1 of 6 points without an answer</summary>1 × refused: &lt;b&gt;too thin" in text
+def test_a_card_stands_on_the_page_and_what_is_not_measured_is_named(one):
+    text = section(one, "validity")
+    for words in (
+        "K of the paper", "Eq. 11, Belcin; −1.2 ± 0.04 % at the case's own inputs",
+        "1/6, 1 undecided", ">5, 10 %<", "Larger z: within 5", "2, 5, 10 %",
+        "1 of 6 points without an answer</summary>1 × refused: &lt;b&gt;too thin",
+        "Exact in its model: 1 formula ", "−0.00029 ± 0.00001 %", "5 of 6",
+        "Not measured over its inputs: hub at e.", 'href="#case-polyhedral-ring"',
+    ):  # fmt: skip
+        assert words in text
     assert text.count("all that was measured") == 1  # one line for all three limits
-    assert "2, 5, 10 %" in text
-    assert "Exact in its model: 1 formula " in text
-    assert "−0.00029 ± 0.00001 %" in text
-    assert "5 of 6" in text
-    assert "Not measured over its inputs: hub at e." in text
-    assert 'href="#case-polyhedral-ring"' in text
-
-
-def test_what_is_not_measured_says_so_and_how_to(one):
-    text = section(replace(one, validity=(MISSING,)))
+    text = section(replace(one, validity=(MISSING,)), "validity")
     assert "Not measured for this code: freewheel deep validity:polyhedral-ring does it." in text
     assert "holds" not in text.replace("thresholds", "")
     assert "K of the paper" not in text

@@ -37,7 +37,7 @@ def book(report):
     return opened(xlsx(report))
 
 
-def test_rows_are_those_of_the_run_with_their_values(report, book):
+def test_rows_are_those_of_the_run_with_their_values_and_links_to_errata(report, book):
     sheet = book["Rows"]
     head, *lines = sheet.iter_rows(values_only=True)
     assert head == (*HEADER, "ledger")
@@ -48,19 +48,15 @@ def test_rows_are_those_of_the_run_with_their_values(report, book):
         assert line[:5] == tuple(cell or None for cell in expected[:5])
         assert [line[i] for i in numbers] == [near(expected[i]) for i in numbers]
         assert line[HEADER.index("status")] == row.status.value
-
-
-def test_a_row_with_an_erratum_links_to_it(report, book):
-    sheet, errata = book["Rows"], book["Errata"]
     linked = [c for (c,) in sheet.iter_rows(min_row=2, min_col=len(HEADER) + 1) if c.value]
     assert len(linked) == sum("ledger " in row.reason for row in report.rows) > 0
     for cell in linked:
-        line = int(cell.hyperlink.location.removeprefix("'Errata'!A"))
-        paper, entry = (errata.cell(line, k).value for k in (1, 2))
+        at = int(cell.hyperlink.location.removeprefix("'Errata'!A"))
+        paper, entry = (book["Errata"].cell(at, k).value for k in (1, 2))
         assert cell.value == f"{paper}:{entry}"
 
 
-def test_every_table_has_a_sheet(report, book):
+def test_every_table_has_a_sheet_and_those_of_papers_none_in_a_user_s_own(report, book):
     assert book.sheetnames[:4] == ["Summary", "Rows", "Inputs and values", "Levels"]
     sheets = Sheets(report)
     for case, names in zip(report.cases, sheets.of_case, strict=True):
@@ -76,9 +72,6 @@ def test_every_table_has_a_sheet(report, book):
     for name in ("Errata", "Equations", "Printed numbers"):
         records = {"Errata": report.errata, "Equations": report.equations}
         assert book[name].max_row == 1 + len(records.get(name, report.published))
-
-
-def test_a_report_of_ones_own_has_no_sheets_of_the_papers(report):
     names = opened(xlsx(replace(report, name="mine"))).sheetnames
     assert "Rows" in names
     assert not {"Errata", "Equations", "Printed numbers", "wang2023 Table 1"} & set(names)
@@ -109,17 +102,8 @@ def test_a_printed_number_keeps_its_digits(text, value, shown):
 
 
 def test_sheet_names_are_short_lawful_and_each_once(report):
-    titles = [
-        "x" * 40,
-        "X" * 40,
-        "a/b\\c:d*e?f[g]",
-        "History",
-        "rows",
-        "''",
-        "",
-        "Summary",
-        "é\x07",
-    ]
+    odd = ["a/b\\c:d*e?f[g]", "History", "rows", "''", "", "Summary", "é\x07"]
+    titles = ["x" * 40, "X" * 40, *odd]
     tables = tuple(Table(title=t, header=("a",), rows=()) for t in titles)
     case = replace(report.cases[0], tables=tables)
     changed = replace(report, cases=(case,))

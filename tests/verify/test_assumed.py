@@ -82,14 +82,6 @@ def test_check_and_design_answer_and_list_every_assumed_input(tmp_path, capsys):
     assert all(one.source.split("^")[0] in text for one in assumed_inputs(*raw_of(path)))
 
 
-def test_list_names_what_is_needed_apart_from_what_is_assumed(capsys):
-    assert run(["list"]) == 0
-    lines = capsys.readouterr().out.splitlines()
-    at = next(k for k, line in enumerate(lines) if line.startswith("sprag-clutch "))
-    assert lines[at + 1].strip() == "inputs: R_i [mm], R_e [mm], l [mm], T [N m]"
-    assert "R_id [mm]" in lines[at + 2]
-
-
 def test_the_paper_s_clutch_is_assumed_from_its_main_sizes():
     q, assumed = clutch()
     paper = EngagementInputs()

@@ -17,8 +17,7 @@ from verify.answers.template import run_init
 from verify.app.check_command import exit_status
 from verify.app.check_console import Checked, print_check
 from verify.app.cli import run
-from verify.cases.registry import CASES, find
-from verify.core.console import raised
+from verify.cases.registry import CASES
 from verify.core.results import Status
 
 SCHEMA = json.loads((Path(verify.answers.__file__).parent / "check.schema.json").read_text("utf-8"))
@@ -42,15 +41,14 @@ def ring(tmp_path):
     return path
 
 
-def written(tmp_path, case, replaced=None):
-    """A template of the case with values replaced."""
+def written(tmp_path, case, old="", new=""):
+    """A template of the case with a value replaced."""
     path = tmp_path / f"{case}.toml"
+    path.unlink(missing_ok=True)
     run_init(case, path)
     text = whole(path.read_text("utf-8"))
-    for old, new in (replaced or {}).items():
-        assert old in text, old
-        text = text.replace(old, new)
-    path.write_text(text, "utf-8")
+    assert old in text
+    path.write_text(text.replace(old, new) if old else text, "utf-8")
     return path
 
 
@@ -82,19 +80,16 @@ def test_a_template_is_answered_in_json_by_its_schema(case, tmp_path, capsys):
 
 
 def test_the_answer_comes_first(tmp_path, capsys):
-    path = written(tmp_path, "polyhedral-clutch", {'M_t = "100 N m"': 'M_t = "80 N m"'})
+    path = written(tmp_path, "polyhedral-clutch", 'M_t = "100 N m"', 'M_t = "80 N m"')
     status, out = checked(path, capsys=capsys)
     first, design, margin, *rest = out.splitlines()
-    assert status == 0
-    assert first == "my polyhedral-clutch: holds"
+    assert (status, first) == (0, "my polyhedral-clutch: holds")
     assert design.startswith("  design value: M_el = 90.5 N m")
     assert margin.startswith("  margin: 1.06, limited by hoop stress in the fillets")
     heads = [x.split(":")[0].split(" by ")[0] for x in rest if not x.startswith(("  ", "("))]
     shared = "assumptions that formula and reference share"
     assert [h for h in heads if h != "warning"] == ["limits", "values", "inputs", shared]
-
-
-def test_a_target_between_plane_stress_and_plane_strain_is_not_decided(tmp_path, capsys):
+    # the target as printed lies between what plane strain and plane stress bear
     status, out = checked(written(tmp_path, "polyhedral-clutch"), capsys=capsys)
     assert status == 3
     words = "between the torques in plane strain (90.5 N m) and plane stress (115.2 N m)"
@@ -123,32 +118,16 @@ def test_a_ring_of_60_and_90_mm_by_hand(ring, capsys):
     assert "Tresca stress 360 MPa at the bore exceeds R_p = 200 MPa" in found["warnings"][0]
 
 
-def test_the_accordion_spring_recommends_one_stiffness(tmp_path, capsys):
-    path = written(tmp_path, "spring-accordion")
-    status, out = checked(path, capsys=capsys)
-    assert status == 3  # no force is given
-    assert "  design value: k = 0.6377 N/mm" in out.splitlines()[1]
-    with path.open("a", encoding="utf-8") as file:
-        file.write('\nF = "5 N"\n')
-    status, out = checked(path, capsys=capsys)
-    assert status == 0
-    assert "limited by" in out
-
-
-def test_unusual_inputs_are_named_in_the_first_lines(tmp_path, capsys):
-    path = written(tmp_path, "ring-lame", {"nu = 0.3": "nu = 0.05"})
-    _, out = checked(path, capsys=capsys)
-    assert "  outside the usual range: nu" in out.splitlines()[:5]
-    assert "warning: nu = 0.05 is outside the usual range 0.2 to 0.36" in out
-
-
-def test_converted_units_are_short_in_print_and_whole_in_json(tmp_path, capsys):
-    path = tmp_path / "ring.toml"
-    path.write_text(RING.replace('"100 MPa"', '"14.5 ksi"'))
-    _, found = as_json(path, capsys=capsys)
+def test_units_and_unusual_inputs(ring, capsys):
+    """Converted numbers are short in print and whole in JSON; unusual ones come first."""
+    ring.write_text(RING.replace('"100 MPa"', '"14.5 ksi"').replace("nu = 0.3", "nu = 0.05"))
+    _, found = as_json(ring, capsys=capsys)
     assert found["inputs"]["p_i"]["value"] == pytest.approx(99.9739808, rel=1e-9)
     assert len(str(found["inputs"]["p_i"]["value"])) > 12
-    assert re.search(r" 99\.974 +MPa ", checked(path, capsys=capsys)[1])
+    _, out = checked(ring, capsys=capsys)
+    assert re.search(r" 99\.974 +MPa ", out)
+    assert "  outside the usual range: nu" in out.splitlines()[:5]
+    assert "warning: nu = 0.05 is outside the usual range 0.2 to 0.36" in out
 
 
 def test_keys_lists_inputs_and_values(tmp_path, capsys):
@@ -171,7 +150,7 @@ def test_own_parameters_are_judged_with_finite_elements(ring, capsys):
 
 
 def test_more_cells_than_memory_holds_are_refused_in_one_line(tmp_path, capsys):
-    path = written(tmp_path, "spring-continuum", {"n = 10 ": "n = 90 "})
+    path = written(tmp_path, "spring-continuum", "n = 10 ", "n = 90 ")
     assert checked(path, capsys=capsys)[0] == 0  # formulas for any length
     assert run(["check", "--fem", str(path)]) == 2
     (line,) = capsys.readouterr().err.splitlines()
@@ -192,20 +171,18 @@ def test_a_report_on_a_file_whose_texts_are_html_holds_them_as_text(ring, tmp_pa
     assert (out / "report.pdf").read_bytes().startswith(b"%PDF")
 
 
-# Rows in the terminal
-
-
-def printed(result, capsys):
-    """What `check` prints of a judged result of the first case."""
+def test_a_check_begins_with_the_answer_and_a_failed_row_leaves_the_part_undecided(
+    of_paper, capsys
+):
     case = CASES[0]
+    result = replace(of_paper(case), name="mine", warnings=("it yields",), findings=("so",))
     of = answer(case, case.inputs(), case.analytic(case.inputs()))
-    print_check(Checked(case=case, result=result, answer=of, used_fem=True))
-    return capsys.readouterr().out.splitlines()
 
+    def printed(result):
+        print_check(Checked(case=case, result=result, answer=of, used_fem=True))
+        return capsys.readouterr().out.splitlines()
 
-def test_a_check_begins_with_the_answer_and_ends_with_the_rows(of_paper, capsys):
-    result = replace(of_paper(CASES[0]), name="mine", warnings=("it yields",), findings=("so",))
-    lines = printed(result, capsys)
+    lines = printed(result)
     first, *_, total, apart, limit = lines
     assert first == "mine: holds"
     at = lines.index("warning: it yields")
@@ -215,23 +192,11 @@ def test_a_check_begins_with_the_answer_and_ends_with_the_rows(of_paper, capsys)
     assert total == f"{n} of {n} comparisons pass; {orders} of {orders} convergence rows pass"
     assert apart.startswith("largest difference of all comparisons: -0.0041 % of stress")
     assert limit == "detection limit of the judged rows: 0.0093 %"
-
-
-def test_a_failed_row_has_its_reason_once_and_leaves_the_part_undecided(of_paper, capsys):
-    case = CASES[0]
-    result = of_paper(case)
-    bad = [replace(r, status=Status.FAIL, reason="grows") if r.quantity.endswith("convergence")
-           else r for r in result.rows[:2]]  # fmt: skip
-    lines = printed(replace(result, rows=tuple(bad)), capsys)
-    assert [x for x in lines if "grows" in x] == [f"FAIL {bad[1].quantity}: grows"]
-    found = with_rows(answer(case, case.inputs(), case.analytic(case.inputs())), [bad[1]])
-    assert found.verdict is Verdict.CANNOT_SAY
-    failed = Checked(
-        case=find(case.id), result=replace(result, rows=(bad[1],)), answer=found, used_fem=True
-    )
-    assert exit_status(failed) == 1
-
-
-def test_powers_are_raised_in_the_terminal():
-    assert raised("1.97×10^-4 kg m^2") == "1.97×10⁻⁴ kg m²"
-    assert raised("x^n plain") == "x^n plain"
+    good, convergence, *_ = result.rows
+    bad = replace(convergence, status=Status.FAIL, reason="grows")
+    lines = printed(replace(result, rows=(good, bad)))
+    assert [x for x in lines if "grows" in x] == [f"FAIL {bad.quantity}: grows"]  # once
+    undecided = with_rows(of, [bad])
+    assert undecided.verdict is Verdict.CANNOT_SAY
+    failed = replace(result, rows=(bad,))
+    assert exit_status(Checked(case=case, result=failed, answer=undecided, used_fem=True)) == 1

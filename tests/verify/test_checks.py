@@ -11,9 +11,7 @@ import pytest
 
 from verify.core.case import Context, FemResult
 from verify.core.results import Kind, Status
-from verify.judging import checks
 from verify.judging.checks import Approximation, Exact, Fact, Identity, Limit, Order
-from verify.judging.convergence import OrderFit
 
 SIZES = (1 / 2, 1 / 4, 1 / 8)
 FOUR = (*SIZES, 1 / 16)
@@ -107,21 +105,13 @@ def test_an_identity_fails_where_the_formula_is_off_by_more_than_the_mesh(off, s
     assert convergence.status is Status.PASS  # another matter
 
 
-def test_agreement_without_convergence_fails():
-    series = (1.3e-6, 1.2e-6, 1.0e-6)  # hits the formula and runs away from it
-    rows = rows_of(identity(), series, analytic={"g": 1e-6})
+@pytest.mark.parametrize("claim", [identity(), approximation(lambda q, v: (-0.01, 0.01))])
+@pytest.mark.parametrize("finest", [1.0, math.nan])
+def test_agreement_without_convergence_fails(claim, finest):
+    """A series that hits the formula and runs away from it, or ends with no number."""
+    rows = rows_of(claim, (1.3, 1.2, finest), analytic={"g": 1.0, "k": 1.0})
     assert [row.status for row in rows] == [Status.FAIL, Status.FAIL]
     assert all(row.reason.startswith("does not converge") for row in rows)
-
-
-@pytest.mark.parametrize(
-    "claim", [identity(), approximation(lambda q, v: (-0.01, 0.01)), BALANCE],
-    ids=["identity", "approximation", "balance"],
-)  # fmt: skip
-def test_a_level_that_is_no_number_fails(claim):
-    values = {"g": 1.0, "k": 1.0, "load": 1.0}
-    row, *_ = rows_of(claim, (1.0, 1.0, math.nan), analytic=values)
-    assert row.status is Status.FAIL
 
 
 def test_iteration_error_adds_to_the_mesh_error():
@@ -188,14 +178,6 @@ def test_a_series_without_an_order_is_as_uncertain_as_three_times_its_spread(kin
     assert row.reason.startswith("not sharp")
 
 
-@SIGNS
-def test_equal_levels_are_round_off_of_a_scale_of_either_sign(sign):
-    claim = approximation(lambda q, v: (-0.02, 0.02), demand=0.05)
-    row, convergence = rows_of(claim, [sign * 5e-6] * 3, analytic={"k": sign * 5e-6})
-    assert (row.status, row.order) == (Status.PASS, "round-off")
-    assert (convergence.status, convergence.difference) == (Status.PASS, 1.0)
-
-
 # Approximation: formula 3 % above the finite elements.
 
 
@@ -232,7 +214,6 @@ def test_an_approximation_without_interval_is_shown_and_still_has_to_converge(in
     assert rows[0].reason.startswith("measured")
     rows = rows_of(claim, (700.0, 710.0, 730.0), analytic={"k": 720.0})
     assert [row.status for row in rows] == [Status.FAIL, Status.FAIL]
-    assert rows[0].reason == "does not converge"
 
 
 # Trend: the order of errors.
@@ -249,31 +230,22 @@ def test_errors_fall_with_the_order_of_theory(p, status):
     assert row.analytic == row.formal_order == row.scale == p
     # a tenth of h: slopes from 2 + 0.1 h/ln 4, of which the fit leaves half of the last, 0.003
     assert row.fem == pytest.approx(2.0, abs=0.003)
+    assert row.reason.startswith("order 2.00 ± ") == (status is Status.FAIL)
     assert rows_of(claim, is_paper=False) == []  # of the elements, not of a user's inputs
-
-
-@pytest.mark.parametrize(
-    ("u", "status", "reason"),
-    [(0.25, Status.PASS, ""), (0.125, Status.FAIL, "order 2.50 ± 0.2, theory 2"),
-     (0.0, Status.FAIL, "order 2.50 ± 0, theory 2")],
-)  # fmt: skip
-def test_the_reason_compares_an_order_with_theory_only_where_it_is_missed(
-    monkeypatch, u, status, reason
-):
-    monkeypatch.setattr(checks, "fit_order", lambda *_: OrderFit(2.5, u, (), (u, 0.0, 0.0)))
-    (row,) = rows_of(order(lambda _c: ([1.0], [1.0]), demand=1.0))
-    assert (row.status, row.reason) == (status, reason)
 
 
 # Balances, limits and facts.
 
 
 @pytest.mark.parametrize(
-    ("residual", "status"), [(1e-6, Status.PASS), (3e-6, Status.FAIL), (-3e-6, Status.FAIL)]
+    ("residual", "status"),
+    [(1e-6, Status.PASS), (-3e-6, Status.FAIL), (math.nan, Status.FAIL)],
 )
 def test_a_balance_is_taken_on_the_finest_mesh_in_its_own_unit(residual, status):
     (row,) = rows_of(BALANCE, (5.0, 1.0, residual), analytic={"load": -2e3})
     assert (row.kind, row.status) == (Kind.EXACT, status)
+    if math.isnan(residual):
+        return
     assert row.tolerance == pytest.approx(1e-9 * 2.0)  # of 2 kN
     assert row.fem == pytest.approx(residual / 1e3)
     assert row.detects == pytest.approx(1e-9 + abs(residual) / 2e3)

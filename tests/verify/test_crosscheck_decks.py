@@ -37,35 +37,32 @@ def pulled(turn=0.0, assumption="plane strain", **more):
     )  # fmt: skip
 
 
-def text(deck, folder):
-    return deck.write(folder / "deck.inp").read_text("ascii")
-
-
-def told(solution, assumption="plane strain", **more):
+def deck_of(solution, assumption="plane strain", **more):
     return PlaneDeck(solution=solution, materials=STEEL, assumption=assumption, **more)
 
 
 def test_a_deck_has_nodes_cells_material_supports_and_loads(tmp_path):
-    said = text(told(pulled()), tmp_path)
-    lines = said.splitlines()
+    def text(**more):
+        return deck_of(pulled(), **more).write(tmp_path / "deck.inp").read_text("ascii")
+
+    deck = text()
+    lines = deck.splitlines()
     assert lines.count("*ELEMENT, TYPE=CPE8, ELSET=BODY") == 1
     first = lines.index("*NODE, NSET=ALL")
     assert lines[first + 1].split(",")[0] == "1"
     # 9 vertices and 12 middles of edges: centres of cells are none
     assert lines.index("*ELEMENT, TYPE=CPE8, ELSET=BODY") - first - 1 == 21
-    assert f"*ELASTIC\n{200e9:.12e},{0.25:.12e}\n" in said
-    forces = said.partition("*CLOAD\n")[2].partition("*")[0].splitlines()
+    assert f"*ELASTIC\n{200e9:.12e},{0.25:.12e}\n" in deck
+    forces = deck.partition("*CLOAD\n")[2].partition("*")[0].splitlines()
     assert sum(float(line.split(",")[2]) for line in forces) == pytest.approx(1e6)
     assert {line.split(",")[1] for line in forces} == {"1"}
-
-
-def test_pressures_and_spins_are_left_to_calculix(tmp_path):
-    said = text(told(pulled(), pressures={"right": -1e6}), tmp_path)
-    assert "*CLOAD" not in said
-    assert said.partition("*DLOAD\n")[2].count(",P") == 2
-    said = text(told(pulled(), spin=Spin(rho=7850.0, omega=100.0)), tmp_path)
-    assert f"EVERY,CENTRIF,{1e4:.12e}" in said
-    assert "*DENSITY" in said
+    # pressures and spins are left to calculix
+    deck = text(pressures={"right": -1e6})
+    assert "*CLOAD" not in deck
+    assert deck.partition("*DLOAD\n")[2].count(",P") == 2
+    deck = text(spin=Spin(rho=7850.0, omega=100.0))
+    assert f"EVERY,CENTRIF,{1e4:.12e}" in deck
+    assert "*DENSITY" in deck
 
 
 @pytest.mark.parametrize("hollow", [False, True])
@@ -99,12 +96,12 @@ def test_readers_find_the_last_increment(tmp_path):
 @pytest.mark.parametrize("assumption", ["plane strain", "plane stress"])
 def test_a_patch_under_an_even_pull_is_stressed_evenly_in_calculix(assumption, tmp_path):
     solution = pulled(turn=0.3, assumption=assumption, thickness=0.5)
-    told_of = told(solution, assumption)
-    deck = told_of.write(tmp_path / "deck.inp")
+    posed = deck_of(solution, assumption)
+    deck = posed.write(tmp_path / "deck.inp")
     run = run_deck(deck)
-    here = solution.u[told_of.numbering.dofs].T
+    here = solution.u[posed.numbering.dofs].T
     np.testing.assert_allclose(run.u[: len(here)], here, atol=PRINTED * np.abs(here).max())
-    share = told_of.depth / solution.thickness
+    share = posed.depth / solution.thickness
     energy = reading.strain_energy(deck.with_suffix(".dat")) / share
     assert energy == pytest.approx(solution.strain_energy, rel=1e-6)
     sigma = reading.nodal(deck.with_suffix(".frd"), "STRESS")[: len(here), :2].sum(axis=1)

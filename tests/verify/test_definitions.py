@@ -14,7 +14,7 @@ from verify.papers.ledger import erratum, published
 from verify.studies.readings import registry
 from verify.studies.readings.misprints import is_misprint, misprints
 from verify.studies.readings.readings import angle, count, elastic, length, result
-from verify.studies.readings.search import DIGIT, SPANS, Reading, search, window
+from verify.studies.readings.search import DIGIT, SPANS, Reading, search
 
 INPUTS = {"F": 18.0, "r": 4.02, "b": 3.05, "a": 0.2, "n": 12, "E": 206.0, "nu": 0.3}
 READINGS = (*length("r"), *length("b"), *angle("a"), *count("n"), *elastic("E", "nu"), *result())
@@ -23,6 +23,9 @@ READINGS = (*length("r"), *length("b"), *angle("a"), *count("n"), *elastic("E", 
 def formula(q):
     """Something with a radius, a width, an angle, a count and an elasticity."""
     return q["F"] * q["r"] ** 2 / (q["b"] * q["n"]) * math.sin(q["a"]) / q["E"]
+
+
+EXACT = formula(INPUTS | {"r": 8.04})  # with a diameter for the radius
 
 
 def planted(**changed):
@@ -35,39 +38,27 @@ def planted(**changed):
     [
         ({"r": 8.04}, "2 r for r"),
         ({"a": math.atan(math.sin(0.2))}, "sin a for tan a"),
-        ({"n": 11}, "n − 1 for n"),
+        ({"r": 8.04, "n": 11}, "2 r for r + n − 1 for n"),
     ],
 )
 def test_a_planted_reading_is_found_and_named(changed, name):
-    found = search(formula, INPUTS, planted(**changed), READINGS, most=1, digits=False)
+    most = len(changed)
+    found = search(formula, INPUTS, planted(**changed), READINGS, most=most, digits=False)
     assert not found.met
-    assert (name,) in [hit.readings for hit in found.hits]
-    assert len({f"{hit.value:.9g}" for hit in found.hits}) == 1  # what else has the same value
-    assert found.is_evidence
+    assert tuple(name.split(" + ")) in [hit.readings for hit in found.hits]
+    assert found.best.value == pytest.approx(formula({**INPUTS, **changed}))
+    assert found.is_evidence or most > 1
 
 
-def test_two_readings_at_once_are_found():
-    found = search(formula, INPUTS, planted(r=8.04, n=11), READINGS, digits=False)
-    assert found.best.readings == ("2 r for r", "n − 1 for n")
-    assert found.best.value == pytest.approx(formula({**INPUTS, "r": 8.04, "n": 11}))
-
-
-def test_noise_of_the_last_digit_is_met_and_beyond_it_is_not():
-    exact = formula({**INPUTS, "r": 8.04})
-    half = 0.5e-5
-    near, beyond = (f"{exact + x * half:.5f}" for x in (0.0, 4.0))
-    assert search(formula, INPUTS, near, READINGS, most=1).hits
+def test_the_window_is_half_a_last_digit_and_what_rounded_inputs_move_the_result():
+    beyond = f"{EXACT + 2e-5:.5f}"
     assert not search(formula, INPUTS, beyond, READINGS, most=1).hits
-
-
-def test_rounded_inputs_open_the_window_by_what_they_move_the_result():
-    exact = formula({**INPUTS, "r": 8.04})
-    printed = f"{exact * 1.002:.5f}"
+    printed = f"{EXACT * 1.002:.5f}"
     assert not search(formula, INPUTS, printed, READINGS, most=1).hits
     # 4.02 ± 0.005, squared: 0.25 %
     found = search(formula, INPUTS, printed, READINGS, most=1, rounding={"r": 0.005})
     assert found.best.readings == ("2 r for r",)
-    assert found.best.off == pytest.approx(2 * 0.005 / 4.02 * exact, rel=2e-3)
+    assert found.best.off == pytest.approx(2 * 0.005 / 4.02 * EXACT, rel=2e-3)
 
 
 def test_a_number_is_met_as_it_stands_or_by_no_reading():
@@ -85,6 +76,10 @@ def test_readings_without_a_value_are_counted_and_no_hit():
     found = search(formula, INPUTS, planted(r=8.04), (broken, raising, *length("r")), most=1)
     assert (found.without_value, found.tried) == (2, 5)
     assert found.best.readings == ("2 r for r",)
+    with pytest.raises(ValueError, match="number"):
+        search(formula, INPUTS, "0", READINGS)
+    with pytest.raises(ValueError, match="number"):
+        search(formula, INPUTS, "abc", READINGS)
 
 
 def test_a_misprinted_digit_is_one_change_of_what_stands():
@@ -96,20 +91,6 @@ def test_a_misprinted_digit_is_one_change_of_what_stands():
     assert sum(math.isclose(x, float(wrong)) for x in misprints(float(text), wrong)) == 1
     # of fewer than three digits any number is a misprint of any other
     assert not search(lambda _q: 7.9, {}, "6", (), most=1).hits
-
-
-def test_numbers_planted_near_the_formula_s_are_hardly_ever_read_into_it():
-    """A wrong number is no farther off than a few per cent, as a rule; there readings crowd."""
-    drawn = formula(INPUTS) * 1.15 ** np.random.default_rng(2).uniform(-1, 1, 40)
-    tried = [search(formula, INPUTS, f"{x:.5f}", READINGS, most=1) for x in drawn]
-    assert sum(not one.met and one.is_evidence for one in tried) <= 2  # of 40, one in twenty
-    assert sum(bool(one.hits) for one in tried) > 2  # so that it is not for want of hits
-
-
-@pytest.mark.parametrize("printed", ["0", "abc"])
-def test_nothing_is_searched_for_a_zero_or_no_number(printed):
-    with pytest.raises(ValueError, match="number"):
-        search(formula, INPUTS, printed, READINGS)
 
 
 def test_accidental_hits_are_as_many_as_counted():
@@ -139,28 +120,14 @@ def test_accidental_hits_are_as_many_as_counted():
     assert found.chance[1] < found.chance[2]
 
 
-def test_a_window_beyond_the_span_or_of_the_other_sign_counts_nothing():
-    assert window(1.0, 0.1, 100.0, 2.0) == window(-100.0, 1.0, 100.0, 2.0) == 0.0
-    assert window(-100.0, 1.0, -100.0, 2.0) == pytest.approx(0.02 / math.log(4), rel=1e-3)
-    assert window(120.0, 1.0, 100.0, 2.0) > 0.0 == window(120.0, 1.0, 100.0, 1.15)
-    assert window(100.0, 1e9, 100.0, 1.15) == 1.0  # open to anything
-
-
 # what the ledger says in words, found again without it: reference, readings, errata
 KNOWN = [
     ("wang2023:k1-theory",
      ("L_1 for 2 L_1 in L_2", "b for h in L_2", "± before F x in M_2"),
      ("eq-3-leaf-length", "eq-3-leaf-moment")),
-    ("wang2023:s-i-arc-angle", ("quarter circle in the head", "quarter circle in the tail"),
-     ("s-i-arc-angle", "eq-5-range")),
     ("huang2018:table-2-relative-error", ("of the predicted value",), ("table-2-relative-error",)),
-    ("nagler2021:eq-5-denominator-signs", ("− r in the denominator",), ("eq-5-denominator-signs",)),
 ]  # fmt: skip
 PROBLEMS = {problem.reference: problem for problem in registry.PROBLEMS}
-
-
-# with two or three changes so many other combinations are near that the hit says nothing
-CROWDED = {"wang2023:k1-theory", "wang2023:s-i-arc-angle"}
 
 
 @pytest.mark.parametrize(("reference", "names", "errata"), KNOWN)
@@ -168,7 +135,8 @@ def test_an_erratum_of_the_ledger_is_found_again(reference, names, errata):
     problem = PROBLEMS[reference]
     found = problem.search()
     assert [hit.readings for hit in found.hits] == [names]
-    assert found.is_evidence == (reference not in CROWDED)
+    # with three changes so many other combinations are near that the hit says nothing
+    assert found.is_evidence == (len(names) == 1)
     assert problem.errata == errata
 
 
@@ -203,13 +171,11 @@ def test_the_command_finds_a_diameter_put_in_for_a_radius(tmp_path, capsys):
     assert sorted(hits) == [["2 r_o for r_o"], ["r_i/2 for r_i"]]  # a stress knows their ratio
     assert run(["init", "ring-lame", "--out", str(tmp_path / "my.toml")]) == 0
     assert run([*command, "--changes", "1", "--file", str(tmp_path / "my.toml")]) == 0
-
-
-def test_the_command_ends_with_one_where_nothing_is_found(capsys):
+    # without a reading that gives the number the status is one
     assert run(["search", "wang2023:k1-fea"]) == 1
     assert "none reproduces the number" in capsys.readouterr().out
     assert run(["search", "huang2018:table-2-relative-error"]) == 0
-    assert "of the predicted value" in capsys.readouterr().out
+    assert "ledger: table-2-relative-error" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(

@@ -67,35 +67,29 @@ WRONG = [
     (crown, {"K_1_range": "5 : 1"}, "inputs.K_1_range: a range rises, got 5 to 1"),
     (crown, {"K_1_range": "0 : 2"}, "inputs.K_1_range = 0 to 2: must be greater than 0 and at"),
     (crown, {"z_m_range": "5 µm"}, 'inputs.z_m_range: a range is "low : high"'),
-    (crown, {"torques": []}, "inputs.torques: the list is empty"),
     (crown, {"torques": "1 N m : 13 N m : 13"}, "inputs.torques: 13 torques, at most 12 are taken"),
     (crown, {"t_z": "3 µm"}, "inputs.t_z = 0.003 mm: is more than half of the smallest drop"),
     (crown, {"t_y": "1.9 mm"}, "inputs.t_y = 1.9 mm: is K_2 ± 0.422, more than the smallest"),
     (crown, {"t_y": "5 mm"}, "a crown begins on the sprag: t_y < l/2, got t_y = 5 mm, l = 9 mm"),
     (crown, {"aim": "best"}, "inputs.aim: needs one of excess, pressure, got 'best'"),
-    (crown, {"R_i": None}, "inputs: missing R_i"),
 ]
 
 
 @pytest.mark.parametrize(("read", "changes", "words"), WRONG, ids=[words for *_, words in WRONG])
 def test_wrong_input_is_refused_in_one_line(read, changes, words):
-    with pytest.raises(InputError) as caught:
+    with pytest.raises(InputError, match=r"^mine.toml: inputs[^\n]*$") as caught:
         read(**changes)
-    message = str(caught.value)
-    assert words in message
-    assert message.startswith("mine.toml: inputs")
-    assert "\n" not in message
+    assert words in str(caught.value)
 
 
 @pytest.mark.parametrize(
     ("text", "options", "words"),
     [
-        ("[inp", (), "mine.toml"),
         ('case = "ring-lame"\n[inputs]\n', (),
          "design takes design-spring, design-sprag or sprag-clutch, got 'ring-lame'"),
         (whole(crown_template()), ("--choose", "2"), "--choose: a crown has one best"),
     ],
-    ids=["no file", "another case", "a crown has no front"],
+    ids=["another case", "a crown has no front"],
 )  # fmt: skip
 def test_what_design_cannot_do_ends_with_2_and_one_line(text, options, words, tmp_path, capsys):
     path = tmp_path / "mine.toml"
@@ -137,9 +131,7 @@ def test_corners_of_a_tolerance_grow_the_profile_and_move_its_beginning():
     assert corners(crown(t_z=None, t_y=None), one).shape == (1, 1, 3)
     assert corners(crown(t_y=None), one).shape == corners(crown(t_z=None), one).shape == (1, 3, 3)
     assert corners(crown(t_z=None, t_y="0.1 mm"), one * [[1, 2, 1]])[0, :, 1].max() == 1.0
-
-
-def test_kriging_spans_every_corner_of_every_crown_of_the_ranges():
+    # kriging spans every corner of every crown of the ranges
     one = crown(t_z="1 µm", t_y="0.1 mm")
     low, high = reach(one)
     ends = np.array(np.meshgrid(*zip(one.low, one.high, strict=True))).reshape(3, -1).T

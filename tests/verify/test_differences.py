@@ -12,20 +12,23 @@ from verify.judging.claims import make_row
 from verify.judging.explain.steps import steps
 
 
+def made(kind, verdict, formula, reference, scale, **more):
+    return make_row(
+        "case", kind, verdict, "row", "x", "1", analytic=formula, fem=reference, scale=scale, **more
+    )
+
+
 def approximation(formula, reference, interval):
     verdict = judge.approximation(formula, reference, U=1e-4, interval=interval, demand=0.1)
-    return make_row(
-        "case", Kind.APPROXIMATION, verdict, "row", "x", "1", analytic=formula, fem=reference,
-        scale=abs(reference), interval=interval, interval_source="theory",
+    return made(
+        Kind.APPROXIMATION, verdict, formula, reference, abs(reference), interval=interval,
+        interval_source="theory",
     )  # fmt: skip
 
 
 def identity(formula, reference, scale, scale_name="", U=0.02):
     verdict = judge.difference(reference, formula, U=U, scale=scale, demand=0.1)
-    return make_row(
-        "case", Kind.IDENTITY, verdict, "row", "x", "1", analytic=formula, fem=reference,
-        scale=scale, scale_name=scale_name,
-    )  # fmt: skip
+    return made(Kind.IDENTITY, verdict, formula, reference, scale, scale_name=scale_name)
 
 
 @pytest.mark.parametrize("sign", [1, -1])
@@ -44,15 +47,11 @@ def test_a_scale_is_named_unless_it_is_the_formula_itself():
     assert difference_texts(identity(-1.01, -1.0, 1.01, "load"))[0] == "+1.0 %"
 
 
-def test_limits_have_the_digits_that_tell_on_which_side_a_difference_lies():
+def test_numbers_have_the_digits_that_show_on_which_side_of_a_limit_a_difference_lies():
     text, allowed = difference_texts(identity(1.0100004, 1.0, 1.0100004, U=0.01))
     assert float(text.removesuffix(" %")) > float(allowed.strip("± %"))
-
-
-def test_what_is_not_judged_allows_nothing():
-    row = approximation(0.7, 1.0, None)
-    assert row.status is Status.SHOWN
-    assert difference_texts(row) == ("-30 %", "")
+    numbers = {2.0: "2.0", 259.3: "259", 1.25e-8: "1.2e-8", 0.0: "0", 1e7: "1.0e7"}
+    assert {value: significant(value, 2) for value in numbers} == numbers
 
 
 def test_balances_orders_and_facts_have_no_per_cent(judged):
@@ -64,14 +63,7 @@ def test_balances_orders_and_facts_have_no_per_cent(judged):
 
 
 def test_the_largest_difference_is_taken_over_rows_that_are_not_judged_too():
-    judged_row, not_judged = identity(1.01, 1.0, 1.01), approximation(0.7, 1.0, None)
-    assert largest([judged_row, not_judged]) is not_judged
+    not_judged = approximation(0.7, 1.0, None)
+    assert (not_judged.status, difference_texts(not_judged)) == (Status.SHOWN, ("-30 %", ""))
+    assert largest([identity(1.01, 1.0, 1.01), not_judged]) is not_judged
     assert largest([]) is None
-
-
-@pytest.mark.parametrize(
-    ("value", "text"),
-    [(2.0, "2.0"), (259.3, "259"), (1.25e-8, "1.2e-8"), (0.0, "0"), (1e7, "1.0e7")],
-)
-def test_numbers_have_two_significant_digits(value, text):
-    assert significant(value, 2) == text

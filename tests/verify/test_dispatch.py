@@ -17,48 +17,33 @@ def fail(task):
     raise ArithmeticError(f"no answer to {task}")
 
 
-def run(tasks, *, function=double, receive=None, processes=0, **options):
-    """The answers of a run by task, and the run."""
-    waiting, found = deque(tasks), {}
+@pytest.mark.parametrize("processes", [0, 2])
+def test_every_task_is_answered_once_also_one_that_the_last_answer_adds(processes):
+    waiting, found = deque(range(7)), {}
+    dispatch = Dispatch("points", 7)
 
-    def keep(task, answer):
+    def receive(task, answer):
         found[task] = answer
-        return receive(task, waiting, dispatch) if receive else 1
-
-    dispatch = Dispatch("points", len(waiting), **options)
-    dispatch.run(local(processes), function, queue(waiting), keep)
-    return found, dispatch
-
-
-@pytest.mark.parametrize("processes", [0, 2])
-def test_every_task_is_answered_once(processes):
-    found, dispatch = run(range(7), processes=processes)
-    assert found == {n: 2 * n for n in range(7)}
-    assert dispatch.done == 7
-
-
-@pytest.mark.parametrize("processes", [0, 2])
-def test_an_answer_may_add_tasks_also_the_last_one(processes):
-    def add(task, waiting, dispatch):
-        if task < 4:
+        if 6 <= task < 9:
             waiting.append(task + 1)
             dispatch.total += 1
         return 1
 
-    found, dispatch = run([1], receive=add, processes=processes)
-    assert sorted(found) == [1, 2, 3, 4]
-    assert (dispatch.done, dispatch.total) == (4, 4)
+    dispatch.run(local(processes), double, queue(waiting), receive)
+    assert found == {n: 2 * n for n in range(10)}
+    assert (dispatch.done, dispatch.total) == (10, 10)
 
 
 def test_a_task_that_fails_is_an_answer_and_the_others_go_on():
-    found, _ = run([1, 2], function=fail)
-    assert [one.reason for one in found.values()] == [
-        "ArithmeticError: no answer to 1", "ArithmeticError: no answer to 2",
-    ]  # fmt: skip
-    assert all(isinstance(one, Lost) and "Traceback" in one.trace for one in found.values())
+    answers = []
+    dispatch = Dispatch("points", 2)
+    dispatch.run(local(0), fail, queue(deque([1, 2])), lambda _task, one: answers.append(one) or 1)
+    reasons = [f"ArithmeticError: no answer to {task}" for task in (1, 2)]
+    assert [one.reason for one in answers] == reasons
+    assert all(isinstance(one, Lost) and "Traceback" in one.trace for one in answers)
 
 
-def test_the_state_counts_what_was_known_and_names_what_is_under_way():
+def test_the_state_counts_what_was_known_and_names_what_is_under_way(monkeypatch):
     states = []
     waiting = deque(["a", "b"])
     dispatch = Dispatch("points", 5, 3, states.append, title=lambda task: f"point {task}")
@@ -66,9 +51,7 @@ def test_the_state_counts_what_was_known_and_names_what_is_under_way():
     first, last = states[0], states[-1]
     assert (first.done, first.total, first.running, first.what) == (3, 5, ("point a",), "points")
     assert (last.done, last.running, last.remaining) == (5, (), 0.0)
-
-
-def test_the_time_left_follows_the_pace_of_this_run(monkeypatch):
+    # the time left follows the pace of this run
     now = [100.0]
     monkeypatch.setattr("verify.jobs.dispatch.time.monotonic", lambda: now[0])
     dispatch = Dispatch("points", 50, 30)
@@ -78,14 +61,16 @@ def test_the_time_left_follows_the_pace_of_this_run(monkeypatch):
 
 
 @pytest.mark.parametrize(
-    ("unstored", "words"),
-    [(0, "4 of 5 points are stored: the same command continues with the others"),
-     (1, "3 of 5 points are stored: the same command continues with the others"),
-     (4, "4 of 5 points are done, and not stored")],
+    ("error", "unstored", "words"),
+    [
+        (KeyboardInterrupt, 0,
+         "interrupted; 4 of 5 points are stored: the same command continues with the others"),
+        (GoneError, 1,
+         "no answer; 3 of 5 points are stored: the same command continues with the others"),
+        (GoneError, 4, "no answer; 4 of 5 points are done, and not stored"),
+    ],
 )  # fmt: skip
-@pytest.mark.parametrize("error", [KeyboardInterrupt, GoneError])
 def test_an_interrupted_run_says_what_is_stored(error, unstored, words):
-    waiting = deque([1, 2, 3])
     seen = []
 
     def receive(task, _answer):
@@ -96,6 +81,5 @@ def test_an_interrupted_run_says_what_is_stored(error, unstored, words):
 
     dispatch = Dispatch("points", 5, 3, unstored=unstored)
     with pytest.raises(error) as stopped:
-        dispatch.run(local(0), double, queue(waiting), receive)
-    before = "interrupted" if error is KeyboardInterrupt else "no answer"
-    assert str(stopped.value) == f"{before}; {words}"
+        dispatch.run(local(0), double, queue(deque([1, 2, 3])), receive)
+    assert str(stopped.value) == words

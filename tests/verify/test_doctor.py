@@ -12,81 +12,61 @@ from verify.app.cli import run
 from verify.app.doctor import MISSING, OK, OPTIONAL
 from verify.app.installed import installed, mismatches
 from verify.core import environment
-from verify.core.environment import NEWEST, OLDEST, PICTURES
+from verify.core.environment import NEWEST, OLDEST
 from verify.studies.crosscheck import solvers
 
 LOST = "libGLU.so.1: cannot open shared object file: No such file or directory"
 
 
 @pytest.fixture
-def quick(monkeypatch):
-    """A machine of Linux on which every process that is tried ends well, but for its answers."""
-    answers = {}
-    monkeypatch.setattr(sys, "platform", "linux")
-    monkeypatch.setattr(
-        environment, "probe", lambda script, _s: next(
-            (answer for part, answer in answers.items() if part in script), ""
-        ),
-    )  # fmt: skip
-    return answers
+def broken(monkeypatch, capsys):
+    """What `doctor` says on a machine of Linux without libraries, whose processes answer."""
 
+    def diagnosis(libraries=(), answers=None):
+        monkeypatch.setattr(sys, "platform", "linux")
+        monkeypatch.setattr(environment, "loads", lambda library: library not in libraries)
+        monkeypatch.setattr(
+            environment, "probe", lambda script, _s: next(
+                (answer for part, answer in (answers or {}).items() if part in script), ""
+            ),
+        )  # fmt: skip
+        status = run(["doctor"])
+        return status, capsys.readouterr().out.splitlines()
 
-def without(monkeypatch, *libraries):
-    monkeypatch.setattr(environment, "loads", lambda library: library not in libraries)
-
-
-def diagnosis(capsys):
-    """Exit status and lines of `doctor`."""
-    status = run(["doctor"])
-    return status, capsys.readouterr().out.splitlines()
+    return diagnosis
 
 
 def test_a_machine_that_runs_these_tests_can_run_verify(capsys):
-    status, lines = diagnosis(capsys)
-    assert status == 0
+    assert run(["doctor"]) == 0
+    lines = capsys.readouterr().out.splitlines()
     assert {line.split()[0] for line in lines[:-1]} <= {OK, OPTIONAL, MISSING}
     assert any("gmsh makes meshes" in line and line.startswith(OK) for line in lines)
 
 
-def test_a_lost_library_ends_with_the_line_that_installs_it(quick, monkeypatch, capsys):
-    without(monkeypatch, "libGLU.so.1")
-    quick["gmsh"] = f"OSError: {LOST}"
-    status, lines = diagnosis(capsys)
+def test_a_lost_library_ends_with_the_line_that_installs_it(broken):
+    status, lines = broken(("libGLU.so.1",), {"gmsh": f"OSError: {LOST}"})
     assert (status, lines[-1]) == (2, "verify cannot run: apt-get install libglu1-mesa")
     assert any(line.startswith("missing") and "libGLU.so.1" in line for line in lines)
 
 
-def test_without_pictures_verify_still_runs(quick, monkeypatch, capsys):
-    without(monkeypatch, "libEGL.so.1")
-    quick["pyvista"] = f"killed by {signal.SIGSEGV.name}"
-    status, lines = diagnosis(capsys)
-    assert status == 0
-    assert lines[-1] == "verify runs, with less: apt-get install libegl1"
-    assert environment.missing_libraries(PICTURES) == ("libEGL.so.1",)
-    problem = environment.missing_for_pictures()
-    assert problem.startswith("pyvista cannot draw off-screen (killed by SIGSEGV); ")
-    assert problem.endswith("missing libEGL.so.1: apt-get install libegl1")
-
-
-def test_a_cache_that_cannot_be_written_is_named(quick, monkeypatch, tmp_path, capsys):
+def test_without_pictures_a_cache_or_second_solvers_verify_still_runs(
+    broken, monkeypatch, tmp_path
+):
     (tmp_path / "file").write_text("")
     monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path / "file" / "cache"))
-    status, lines = diagnosis(capsys)
-    assert status == 0
-    assert "every run solves anew" in "\n".join(lines)
-
-
-def test_second_solvers_are_optional(quick, monkeypatch, tmp_path, capsys):
-    solvers.solver.cache_clear()
     monkeypatch.setattr(doctor.shutil, "which", lambda _program: None)
     monkeypatch.setenv("FREEWHEEL_CROSSCHECK", str(tmp_path / "python"))
     monkeypatch.setattr(solvers, "OWN", tmp_path)
-    status, lines = diagnosis(capsys)
-    optional = [x for x in lines if x.startswith(OPTIONAL)]
-    assert status == 0
-    assert [x.split()[1] for x in optional] == ["calculix", "tamaas", "ROSS", "chromium"]
-    assert all("not installed" in x for x in optional)
     solvers.solver.cache_clear()
+    status, lines = broken(("libEGL.so.1",), {"pyvista": f"killed by {signal.SIGSEGV.name}"})
+    solvers.solver.cache_clear()
+    assert (status, lines[-1]) == (0, "verify runs, with less: apt-get install libegl1")
+    problem = environment.missing_for_pictures()
+    assert problem.startswith("pyvista cannot draw off-screen (killed by SIGSEGV); ")
+    assert problem.endswith("missing libEGL.so.1: apt-get install libegl1")
+    assert "every run solves anew" in "\n".join(lines)
+    optional = [x.split()[1] for x in lines if x.startswith(OPTIONAL) and "not installed" in x]
+    assert optional == ["calculix", "tamaas", "ROSS", "chromium"]
 
 
 def test_versions_that_are_not_the_locked_ones_are_named():
@@ -127,23 +107,18 @@ def test_what_may_crash_is_tried_in_a_process_of_its_own(script, answer):
     assert environment.probe(script, 1.0 if "sleep" in script else 30.0) == answer
 
 
-@pytest.mark.parametrize(
-    ("options", "status", "line"),
-    [
-        ((), 0, ""),
-        (("--fem", "--no-cache"), 2, "freewheel: gmsh, which makes the meshes, needs libGLU.so.1: "
-                                     "apt-get install libglu1-mesa\n"),
-    ],
-    ids=["formulas", "finite elements"],
-)  # fmt: skip
-def test_without_gmsh_s_libraries_finite_elements_name_the_package(options, status, line, tmp_path):
+def test_without_gmsh_s_libraries_finite_elements_name_the_package(tmp_path):
     (tmp_path / "gmsh.py").write_text(f"raise OSError({LOST!r})")
     (tmp_path / "pyvista.py").write_text("import os\nos.kill(os.getpid(), 11)")
     path = tmp_path / "ring.toml"
     assert run(["init", "ring-lame", "--out", str(path)]) == 0
-    done = subprocess.run(
-        [sys.executable, "-m", "verify", "check", *options, str(path)],
-        env=os.environ | {"PYTHONPATH": os.pathsep.join([str(tmp_path), *sys.path])},
-        capture_output=True, text=True, check=False, timeout=300,
-    )  # fmt: skip
-    assert (done.returncode, done.stderr) == (status, line)
+    line = "gmsh, which makes the meshes, needs libGLU.so.1: apt-get install libglu1-mesa\n"
+    for options, expected in (
+        ((), (0, "")), (("--fem", "--no-cache"), (2, f"freewheel: {line}")),
+    ):  # fmt: skip
+        done = subprocess.run(
+            [sys.executable, "-m", "verify", "check", *options, str(path)],
+            env=os.environ | {"PYTHONPATH": os.pathsep.join([str(tmp_path), *sys.path])},
+            capture_output=True, text=True, check=False, timeout=300,
+        )  # fmt: skip
+        assert (done.returncode, done.stderr) == expected

@@ -29,6 +29,7 @@ p_i = "100 MPa"
 E = "210 GPa"
 nu = 0.3
 """
+BY_HAND = 2 * 60e3 / 210e3 * 290  # µm, twice r_i/E (2.6 + nu) p at the bore
 
 
 def swing(inputs, values):
@@ -56,22 +57,18 @@ SWINGS = Dynamic(
 
 
 @pytest.fixture
-def ring(tmp_path):
+def check(monkeypatch, tmp_path, capsys):
+    """Exit status, stdout and stderr of `check` on a ring with a dynamic part."""
     path = tmp_path / "ring.toml"
     path.write_text(RING)
-    return path
 
-
-@pytest.fixture
-def swings(monkeypatch):
-    """Give the ring's case a dynamic part."""
-
-    def give(part=SWINGS, **more):
+    def checked(*options, part=SWINGS, **more):
         case = replace(LAME, dynamic=part, findings=lambda q, v: ("holds",), **more)
         monkeypatch.setattr(parameter_file, "find", lambda _id: case)
-        return case
+        status = run(["check", *map(str, options), str(path)])
+        return status, *capsys.readouterr()
 
-    return give
+    return checked
 
 
 def raising(error):
@@ -81,122 +78,84 @@ def raising(error):
     return fails
 
 
-def refused(arguments, capsys):
-    """The one line that a command ends with."""
-    assert run(list(map(str, arguments))) == 2
-    said = capsys.readouterr()
-    assert said.out == ""
-    assert said.err.count("\n") == 1
-    return said.err
-
-
-def test_its_findings_and_values_stand_after_the_static_ones(ring, swings, capsys):
-    swings()
-    assert run(["check", "--dynamic", str(ring)]) == 0
-    lines = capsys.readouterr().out.splitlines()
-    notes = lines.index("notes")
+def test_its_findings_and_values_stand_after_the_static_ones(check):
+    status, out, _ = check("--dynamic")
+    lines = out.splitlines()
+    notes, at = lines.index("notes"), lines.index("the swing")
+    assert status == 0
     assert lines[notes + 1 : notes + 3] == ["  holds", "  swings to 2 times"]
-    at = lines.index("the swing")
     assert lines[notes + 3].startswith("values by the formulas")
     assert notes + 3 < at
-    # r_i/E (2.6 + nu) p by hand is 82.857 µm at the bore
-    assert lines[at + 1].split() == ["u_max", "165.714", "µm", "largest", "displacement"]
+    assert lines[at + 1].split() == ["u_max", f"{BY_HAND:.3f}", "µm", "largest", "displacement"]
     assert lines[at + 2].split()[:3] == ["t", "0.003", "s"]
     assert lines[-1] == "(check --fem compares the values marked * with: finite elements)"
 
 
-def test_without_being_asked_it_is_offered_and_does_not_run(ring, swings, capsys):
-    swings(replace(SWINGS, run=raising(AssertionError("ran"))))
-    assert run(["check", str(ring)]) == 0
-    out = capsys.readouterr().out
+def test_without_being_asked_it_is_offered_and_does_not_run_and_is_refused_where_there_is_none(
+    check,
+):
+    status, out, _ = check(part=replace(SWINGS, run=raising(AssertionError("ran"))))
+    assert status == 0
     assert out.count("(check --dynamic adds the swing)") == 1
+    assert "--dynamic" not in check(part=None)[1]
+    status, out, error = check("--dynamic", part=None)
+    assert (status, out) == (2, "")
+    assert error.endswith("ring.toml: case ring-lame has no dynamic part: leave out --dynamic\n")
 
 
-def test_a_case_without_a_dynamic_part_offers_none_and_refuses_it_in_one_line(
-    ring, tmp_path, capsys
-):
-    assert run(["check", str(ring)]) == 0
-    assert "--dynamic" not in capsys.readouterr().out
-    said = refused(["check", "--dynamic", ring, "--out", tmp_path / "out"], capsys)
-    assert said.endswith("ring.toml: case ring-lame has no dynamic part: leave out --dynamic\n")
-    assert not (tmp_path / "out").exists()
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"run": raising(ArithmeticError("dt is 1e-05 s,\ntoo long"))}, "dt is 1e-05 s, too long"),
+        ({"findings": raising(ValueError("no peak"))}, "no peak"),
+        ({"figures": raising(ValueError("no path"))}, "no path"),
+        ({"run": lambda q, v: {"peak": float("nan"), "time": 1.0}}, "peak is not finite"),
+    ],
+    ids=["run", "findings", "figures", "not finite"],
+)
+def test_what_has_no_answer_ends_with_one_line_and_status_two(changes, words, check, tmp_path):
+    out = ("--out", tmp_path / "out")
+    status, said, error = check("--dynamic", *out, part=replace(SWINGS, **changes))
+    assert (status, said, error.count("\n")) == (2, "", 1)
+    assert f"ring.toml: the swing: {words}" in error
 
 
-@pytest.mark.parametrize("error", [ArithmeticError, ValueError])
-@pytest.mark.parametrize("part", ["run", "findings", "figures"])
-def test_what_has_no_answer_ends_with_one_line_and_status_two(
-    part, error, ring, tmp_path, swings, capsys
-):
-    swings(replace(SWINGS, **{part: raising(error("dt is 1e-05 s,\ntoo long for D_V"))}))
-    said = refused(["check", "--dynamic", ring, "--out", tmp_path / "out"], capsys)
-    assert "ring.toml: the swing: dt is 1e-05 s, too long for D_V" in said
-
-
-def test_a_value_that_is_not_finite_is_refused_by_name(ring, swings, capsys):
-    swings(replace(SWINGS, run=lambda q, v: {"peak": float("nan"), "time": 1.0}))
-    assert "the swing: peak is not finite" in refused(["check", "--dynamic", ring], capsys)
-
-
-def test_a_fault_of_the_program_in_it_is_no_traceback_either(
-    ring, swings, capsys, monkeypatch, tmp_path
-):
-    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
-    swings(replace(SWINGS, run=raising(KeyError("N"))))
-    assert "this is a fault of the program" in refused(["check", "--dynamic", ring], capsys)
-
-
-def test_json_has_it_under_its_own_key(ring, swings, capsys):
-    swings()
-    assert run(["check", "--json", "--dynamic", str(ring)]) == 0
-    found = json.loads(capsys.readouterr().out)
+def test_json_and_the_report_have_its_values_findings_and_figures(check, tmp_path):
+    found = json.loads(check("--json", "--dynamic")[1])
     static, dynamic = found["findings"], found["dynamic"]
-    assert static == ["holds"]
-    assert dynamic["findings"] == ["swings to 2 times"]
+    assert (static, dynamic["findings"]) == (["holds"], ["swings to 2 times"])
     assert (dynamic["what"], dynamic["verdict"]) == ("the swing", "swings")
     assert [v["key"] for v in dynamic["values"]] == ["peak", "time"]
-    assert dynamic["values"][0]["value"] == pytest.approx(2 * 60e3 / 210e3 * 290, rel=1e-12)
+    assert dynamic["values"][0]["value"] == pytest.approx(BY_HAND, rel=1e-12)
     assert "peak" not in {v["key"] for v in found["values"]}
-    assert run(["check", "--json", str(ring)]) == 0
-    assert json.loads(capsys.readouterr().out)["dynamic"] is None
-
-
-def test_a_report_has_its_figures_values_and_findings(ring, swings, tmp_path):
-    swings()
+    assert json.loads(check("--json")[1])["dynamic"] is None
     out = tmp_path / "out"
-    assert run(["check", "--dynamic", str(ring), "--out", str(out)]) == 0
+    assert check("--dynamic", "--out", out)[0] == 0
     page = (out / "report.html").read_text("utf-8")
-    for words in ("A ring swings", "largest displacement", "swings to 2 times"):
+    for words in ("A ring swings", "largest displacement", "swings to 2 times",
+                  "freewheel check --dynamic ring.toml"):  # fmt: skip
         assert words in page
-    assert "freewheel check --dynamic ring.toml" in page
-    assert run(["check", str(ring), "--out", str(out)]) == 0
-    assert "A ring swings" not in (out / "report.html").read_text("utf-8")
 
 
-def test_the_verdict_of_both_parts_together_comes_first(ring, swings, capsys, tmp_path):
+def test_the_verdict_of_both_parts_together_comes_first(check):
     said = ("holds at rest, breaks as it swings", "at rest: holds")
-    swings(replace(SWINGS, overall=lambda q, v: ("breaks", said)))
-    assert run(["check", "--dynamic", str(ring), "--out", str(tmp_path / "out")]) == 1
-    lines = capsys.readouterr().out.splitlines()
-    assert lines[0] == f"ring: fails: {said[0]}"
+    part = replace(SWINGS, overall=lambda q, v: ("breaks", said))
+    status, out, _ = check("--dynamic", part=part)
+    lines = out.splitlines()
     at = lines.index("notes")
+    assert (status, lines[0]) == (1, f"ring: fails: {said[0]}")
     assert lines[at + 1 : at + 4] == [*(f"  {words}" for words in said), "  swings to 2 times"]
-    assert said[0] in (tmp_path / "out" / "report.html").read_text("utf-8")
-    assert run(["check", "--json", "--dynamic", str(ring)]) == 1
-    found = json.loads(capsys.readouterr().out)
-    assert found["details"]["verdict"] == "breaks"
-    assert found["findings"] == list(said)
-    assert run(["check", "--json", str(ring)]) == 0
-    assert json.loads(capsys.readouterr().out)["findings"] == ["holds"]
+    status, out, _ = check("--json", "--dynamic", part=part)
+    found = json.loads(out)
+    assert (status, found["details"]["verdict"], found["findings"]) == (1, "breaks", list(said))
+    status, out, _ = check("--json", part=part)
+    assert (status, json.loads(out)["findings"]) == (0, ["holds"])
 
 
-def test_nothing_of_it_is_marked_as_judged_where_finite_elements_refuse(ring, swings, capsys):
-    marked = tuple(replace(o, judged=True) for o in SWINGS.outputs)
-    swings(replace(SWINGS, outputs=marked))
-    assert run(["check", "--dynamic", str(ring)]) == 0
-    assert "largest displacement *" in capsys.readouterr().out
-    swings(replace(SWINGS, outputs=marked), too_large=lambda q: "too many cells")
-    assert run(["check", "--dynamic", str(ring)]) == 0
-    assert "*" not in capsys.readouterr().out
+def test_nothing_of_it_is_marked_as_judged_where_finite_elements_refuse(check):
+    marked = replace(SWINGS, outputs=tuple(replace(o, judged=True) for o in SWINGS.outputs))
+    assert "largest displacement *" in check("--dynamic", part=marked)[1]
+    assert "*" not in check("--dynamic", part=marked, too_large=lambda q: "too many cells")[1]
 
 
 def test_a_slow_part_is_reported_while_it_runs(capsys):
@@ -208,21 +167,16 @@ def test_a_slow_part_is_reported_while_it_runs(capsys):
     assert third.startswith("done after 0.")
 
 
-def test_outputs_of_every_dynamic_part_have_known_units_and_keys_of_their_own():
-    for case in registry.CASES:
-        if case.dynamic is not None:
-            assert all(units.factor(output.unit) for output in case.dynamic.outputs)
-            ours = [output.key for output in case.dynamic.outputs]
-            assert len(ours) == len(set(ours))
-            assert not set(ours) & {output.key for output in case.outputs}
-
-
-def test_cases_with_a_dynamic_part_compile_nothing_before_they_are_asked_to(tmp_path):
+def test_cases_with_a_dynamic_part_have_their_own_keys_and_compile_nothing_before_they_are_asked(
+    tmp_path,
+):
     paths = []
-    for case in registry.CASES:
-        if case.dynamic is not None:
-            paths.append(str(tmp_path / f"{case.id}.toml"))
-            Path(paths[-1]).write_text(whole(template(case)), "utf-8")
+    for case in (case for case in registry.CASES if case.dynamic is not None):
+        assert all(units.factor(output.unit) for output in case.dynamic.outputs)
+        ours = [output.key for output in case.dynamic.outputs]
+        assert len(ours) == len({*ours} - {output.key for output in case.outputs})
+        paths.append(str(tmp_path / f"{case.id}.toml"))
+        Path(paths[-1]).write_text(whole(template(case)), "utf-8")
     assert paths
     script = (
         "import sys\nfrom pathlib import Path\nfrom verify.app.cli import run\n"

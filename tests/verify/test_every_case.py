@@ -1,4 +1,4 @@
-"""Every case on the printed inputs: its rows follow from what they keep, its formulas have no tie.
+"""Every case on the printed inputs: rows follow from what they hold, formulas have no tie.
 
 No formula decides anything by the last bits of its inputs: every input is moved by 1e-13 of itself,
 up or down as drawn. Values follow by as much as they are ill-conditioned, the difference of two
@@ -8,12 +8,18 @@ count that another processor decides otherwise.
 
 import math
 import re
+from functools import cache
 
 import numpy as np
 import pytest
 from pydantic import ValidationError
 
 from tests.verify.rows_again import assert_the_same
+from verify.answers.answer import Verdict
+from verify.answers.console import headline, limits
+from verify.answers.keys import identifier
+from verify.answers.registry import RULES, answer
+from verify.answers.usual import unusual
 from verify.cases.registry import CASES, QUICK
 from verify.core.differences import difference, difference_texts
 from verify.core.references import Method
@@ -49,11 +55,12 @@ SOLVED = [
 ]
 
 
-def assert_index_of(grid):
-    """The grid convergence index follows from the order and the factor that the row names."""
-    (_, _), (h2, v2), (h1, v1) = grid.levels[-3:]
-    index = grid.factor * abs(v1 - v2) / ((h2 / h1) ** grid.used - 1)
-    assert grid.gci == pytest.approx(max(index, 1e-12 * grid.scale), rel=1e-5)
+EVERY = pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
+
+
+@cache
+def values_of(case):
+    return dict(case.analytic(case.inputs()))
 
 
 def displayed(text):
@@ -79,13 +86,31 @@ def test_every_row_of_the_paper_follows_from_what_it_keeps(case, judged):
     assert not result.errors  # of figures, tables and texts too
     for row in result.rows:
         assert_the_same(row)
-        if row.grid and row.grid.used is not None:
-            assert_index_of(row.grid)
+        if (grid := row.grid) and grid.used is not None:
+            # the index follows from the order and the factor that the row names
+            (_, _), (h2, v2), (h1, v1) = grid.levels[-3:]
+            index = grid.factor * abs(v1 - v2) / ((h2 / h1) ** grid.used - 1)
+            assert grid.gci == pytest.approx(max(index, 1e-12 * grid.scale), rel=1e-5)
         if row.status is Status.PASS and row.kind is not Kind.FACT:
             assert_displayed_inside(row)
         label, words = steps(row)[-1]
         assert label == "verdict"
         assert words.startswith(row.status.value)
+
+
+@EVERY
+def test_every_case_answers_with_sources_reasons_and_keys_on_usual_inputs(case):
+    q = case.inputs()
+    assert unusual(q) == {}
+    found = answer(case, q, values_of(case))
+    assert all(c.source and c.what for c in found.criteria)
+    assert found.verdict is Verdict.HOLDS or found.reasons or found.limiting.margin < 1
+    assert headline(case.id, found, ())[0].startswith(f"{case.id}: {found.verdict}")
+    assert (found.design is None) == (RULES[case.id].design == "")
+    assert len(limits(found)) == len(found.criteria)
+    keys = [identifier(o.key) for o in case.outputs]
+    assert all(key.isidentifier() and key.isascii() for key in keys)
+    assert len(set(keys)) == len(keys)
 
 
 def moved(inputs, rng):
@@ -133,12 +158,10 @@ def excess(case, values, other):
     return beyond
 
 
-@pytest.mark.parametrize("seed", [0, *(pytest.param(n, marks=pytest.mark.soak) for n in (1, 2))])
-@pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
-def test_formulas_move_no_further_than_their_inputs_let_them(case, seed):
-    inputs = case.inputs()
-    values = dict(case.analytic(inputs))
-    other = dict(case.analytic(moved(inputs, np.random.default_rng(seed))))
+@EVERY
+def test_formulas_move_no_further_than_their_inputs_let_them(case):
+    values = values_of(case)
+    other = dict(case.analytic(moved(case.inputs(), np.random.default_rng(0))))
     assert other.keys() <= values.keys()
     assert other.keys() == values.keys() or case.id in PAPER_ONLY
     assert excess(case.id, values, other) == {}

@@ -1,9 +1,9 @@
-"""Figures of freewheels, sprag clutches and slip: finite numbers, profiles within their bands."""
+"""Freewheels, sprag clutches and slip: no row fails, and figures have finite numbers."""
 
 import numpy as np
 import pytest
 
-from tests.verify.cases.rows import context
+from tests.verify.cases.rows import context, failed
 from verify.cases.registry import CASES
 from verify.core.figures import Profile
 
@@ -11,8 +11,9 @@ DRAWN = [case for case in CASES if case.id.startswith(("freewheel-", "sprag-", "
 
 
 @pytest.mark.parametrize("case", DRAWN, ids=lambda case: case.id)
-def test_figures_have_finite_numbers_and_profiles_lie_within_their_bands(case):
+def test_no_row_fails_figures_are_finite_and_profiles_lie_within_their_bands(case):
     of = context(case)
+    assert not failed(case, of=of)
     figures = case.figures(of)
     assert figures
     for figure in figures:

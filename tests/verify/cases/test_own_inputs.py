@@ -63,7 +63,9 @@ ODD = [
     ("polyhedral-map", HUNDREDTH),
     ("sprag-clutch", TEN_TIMES),
     ("sprag-clutch", {"T": "500 N m"}),
+    ("sprag-clutch", {"z": 3}),
     ("rotor-clutch", {}),
+    ("rotor-system", {}),
 ]
 
 

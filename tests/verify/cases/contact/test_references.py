@@ -51,16 +51,6 @@ def test_the_half_space_takes_neither_the_formulas_crowns_nor_their_tilt(monkeyp
     assert found() == right
 
 
-def test_the_reference_s_crown_is_that_of_the_inputs():
-    q = Crown()
-    A = q.K_1 * q.Q / (np.pi * q.L * q.E_star)
-    y = along(q)
-    assert np.abs(profiles.gap(q)(y) - q.gap(y)).max() <= 1e-9 * A
-    again = profiles.gap(Roller(F=q.Q), Design(q.K_1, q.K_2, q.z_m))(y)
-    assert np.abs(again - q.gap(y)).max() <= 1e-9 * A
-    assert not profiles.gap(Roller())(y).any()
-
-
 def test_crowns_of_an_even_pressure_are_made_for_the_load():
     q, more = Roller(), Roller(F=2 * 3407.0)
     y = along(q)[1:-1]
@@ -68,42 +58,6 @@ def test_crowns_of_an_even_pressure_are_made_for_the_load():
     assert other["Lundberg"](y) == pytest.approx(2 * one["Lundberg"](y), rel=1e-12)
     low, high = (crowns["Johns"](np.array([q.L / 2]))[0] for crowns in (one, other))
     assert 1.5 < high / low < 2  # the wider contact needs less of a drop at its end
-
-
-def test_the_reference_s_tilt_is_that_of_the_inputs_as_small_angles_are():
-    theta = np.pi / 180
-    q = Tilt(theta=theta)
-    y = along(q)
-    lean = Crown.gap(q, y) - q.gap(y)
-    design = Design(q.K_1, q.K_2, q.z_m)
-    other = profiles.gap(Roller(F=q.Q), design)(y) - profiles.gap(q)(y)
-    assert np.abs(other - lean).max() <= theta**3 / 2 * q.L / 2 + 1e-15
-    assert np.all(np.diff(lean) >= 0)
-    assert lean[0] == -lean[-1] == pytest.approx(-theta * q.L / 2, abs=1e-15)
-
-
-def test_the_half_space_states_what_neighbouring_grids_differ_by():
-    q = TILTED.inputs()
-    found = TILTED.reference(q, LEVEL)
-    beside = [pressed(q, LEVEL + step).values for step in (-1, 1)]
-    for key in ("p_max", "p_mid", "delta", "F_low", "F_high", "F_d", "M"):
-        apart = max(abs(values[key] - found.values[key]) for values in beside)
-        assert found.u_it[key] >= apart, key
-    assert 0 < found.u_it["p_best"] < 1e-3 * found.values["p_best"]
-    for key in ("p_max", "p_mid", "delta"):
-        assert found.u_it[key] < SHARP * found.values[key], key
-
-
-def test_the_same_holds_for_crowns_of_an_even_pressure():
-    q = CROWNS.inputs()
-    found = CROWNS.reference(q, LEVEL)
-    for name, even in even_crowns(q).items():
-        beside = [pressed(q, LEVEL + step, crown=even).values for step in (-1, 1)]
-        for key in ("p_mid", "delta", "F_d"):
-            named = f"{key}{ending(name)}"
-            value, stated = found.values[named], found.u_it[named]
-            assert stated >= max(abs(values[key] - value) for values in beside), key
-            assert key == "F_d" or stated < SHARP * value, key
 
 
 def test_the_peak_of_a_narrow_contact_is_rounded_as_stated():
@@ -135,3 +89,40 @@ def test_friction_that_drives_has_no_equilibrium(monkeypatch):
     monkeypatch.setattr(active_sets, "SIGN", -active_sets.SIGN)
     monkeypatch.setattr(FrictionLcp, "candidates", lambda _: iter(()))
     assert "no state of rest was found" in solve_level(SLIP, SLIP.inputs(), 4, None).failure
+
+
+def test_the_reference_s_crown_and_tilt_are_those_of_the_inputs_as_small_angles_are():
+    q = Crown()
+    A = q.K_1 * q.Q / (np.pi * q.L * q.E_star)
+    y = along(q)
+    for made in (profiles.gap(q), profiles.gap(Roller(F=q.Q), Design(q.K_1, q.K_2, q.z_m))):
+        assert np.abs(made(y) - q.gap(y)).max() <= 1e-9 * A
+    assert not profiles.gap(Roller())(y).any()
+    theta = np.pi / 180
+    q = Tilt(theta=theta)
+    lean = Crown.gap(q, y) - q.gap(y)
+    straight = profiles.gap(Roller(F=q.Q), Design(q.K_1, q.K_2, q.z_m))(y)
+    assert np.abs(straight - profiles.gap(q)(y) - lean).max() <= theta**3 / 2 * q.L / 2 + 1e-15
+    assert np.all(np.diff(lean) >= 0)
+    assert lean[0] == -lean[-1] == pytest.approx(-theta * q.L / 2, abs=1e-15)
+
+
+def test_the_half_space_states_what_neighbouring_grids_differ_by():
+    q = TILTED.inputs()
+    found = TILTED.reference(q, LEVEL)
+    beside = [pressed(q, LEVEL + step).values for step in (-1, 1)]
+    for key in ("p_max", "p_mid", "delta", "F_low", "F_high", "F_d", "M"):
+        apart = max(abs(values[key] - found.values[key]) for values in beside)
+        assert found.u_it[key] >= apart, key
+        sharp = key in ("p_max", "p_mid", "delta")
+        assert not sharp or found.u_it[key] < SHARP * found.values[key], key
+    assert 0 < found.u_it["p_best"] < 1e-3 * found.values["p_best"]
+    q = CROWNS.inputs()
+    found = CROWNS.reference(q, LEVEL)
+    for name, even in even_crowns(q).items():
+        beside = [pressed(q, LEVEL + step, crown=even).values for step in (-1, 1)]
+        for key in ("p_mid", "delta", "F_d"):
+            named = f"{key}{ending(name)}"
+            value, stated = found.values[named], found.u_it[named]
+            assert stated >= max(abs(values[key] - value) for values in beside), key
+            assert key == "F_d" or stated < SHARP * value, key

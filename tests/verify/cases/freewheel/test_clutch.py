@@ -2,6 +2,7 @@
 
 import json
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -64,37 +65,23 @@ def test_the_verdict_comes_first(changes, verdict):
     ("changes", "words"),
     [
         ({}, "rollers' ends: first the contacts slip (110.5 N m, 4.25 T)"),
-        ({}, "as the axial load grows: first the contacts slip (1008 N, 1.68 F_ax)"),
         ({"e_lim": 0.01}, "first the tilting couple moves the contact forces by (e/L)_lim"),
         (CUP, "first the inner contacts reach p_lim (29.21 N m"),
         ({"T": 140.0, "mu": 0.5}, "the inner contacts bear 42"),
-        ({"p_lim": 2.06e9}, "the rollers' ends bear 20"),
         ({"e_lim": 0.005}, "the rollers tilt: e/L = 0.00"),
         ({"T": 200.0, "F_ax": 0.0}, "without axial load friction holds up to 113.3 N m"),
         ({"T": 130.0, "F_ax": 0.0}, "already beyond a limit of the torque: the inner contacts"),
         ({"F_ax": 1100.0}, "friction would bear F_ax = 1100 N from 29.35 to 102.7 N m"),
-        ({"F_ax": 3000.0}, "friction would bear F_ax = 3000 N at no torque"),
         (CUP | {"T": 40.0}, "R_a is that of the housing that stiffens a drawn cup"),
         ({"T": 1e9}, "no R_a, X or L near these bears the torque: the clutch is too small"),
-        ({"T": 3e4}, "17.72 kN m"),
         ({"mu": 0.065}, "are those it would have if it held"),
         (TIGHT, "of 20,000 clutches of like rollers with ±5 µm on X"),
-        (TIGHT, "have no wedge, none slip"),
         (CUP | {"T": 30.0, "X_tol": 5e-5}, "let the rollers through"),
         ({"X": 11.49999e-3} | SHARP, "(μ/μ_req by "),
     ],
 )
 def test_limits_and_advice_are_stated(changes, words):
     assert words in "; ".join(findings(**changes))
-
-
-def test_limits_far_beyond_the_first_and_passed_ones_do_not_come_next():
-    assert "then" not in findings()[3]  # 15.66 kN, where the contacts slip at 1008 N
-    assert "first the inner" not in "; ".join(findings(T=130.0, F_ax=0.0))
-    assert "(0 N" not in "; ".join(findings(T=140.0, mu=0.5))
-    passed = [x for x in findings(T=4000.0, mu=1.0) if x.startswith("already")]
-    assert ["ends of the cam flats" in x for x in passed] == [True, False, False]
-    assert not any("if it held" in x for x in [*findings(), *findings(T=1e6), *findings(T=-1.0)])
 
 
 @pytest.mark.parametrize("changes", [{"mu": 0.065}, CUP | {"mu": 0.055, "T": 5.0}])
@@ -108,15 +95,6 @@ def test_flats_and_friction_that_are_advised_hold_and_less_does_not(changes):
     mu = number(advice, "1.0: μ = ")
     assert values(**changes | {"mu": 1.001 * mu})["safety"] >= 1
     assert values(**changes | {"mu": 0.998 * mu})["safety"] < 1
-
-
-@pytest.mark.parametrize("changes", [{}, CUP])
-def test_with_flats_nearer_by_what_is_to_spare_the_contacts_slip(changes):
-    spare = number("; ".join(findings(**changes)), "with X smaller by ") * 1e-6
-    X = FreewheelClutch(**changes).X
-    for share, holds in ((0.98, True), (1.02, False)):
-        v = values(**changes | {"X": X - share * spare})
-        assert (v["safety"] >= 1 and v["mu_0"] <= 0.08) == holds
 
 
 def test_a_micrometre_changes_ratio_and_angle_as_stated():
@@ -145,36 +123,6 @@ def test_the_map_is_green_where_the_class_is():
     )
 
 
-def test_shares_of_the_classes_add_up_and_what_does_not_wedge_is_red():
-    v = values(mu=0.06)
-    assert sum(v[f"share_{c}"] for c in ("green", "yellow", "red")) == pytest.approx(1)
-    assert v["share_red"] > 0.5  # tan α_0 = 0.0612
-    tight = values(**TIGHT)
-    assert tight["share_red"] == pytest.approx(tight["P_no_wedge"])
-    assert tight["P_slip"] == 0
-    assert "P_slip" not in values(**SHARP)
-
-
-@pytest.mark.parametrize(
-    ("changes", "passed"),
-    [
-        ({}, set()),
-        ({"F_ax": 1100.0}, {"slip"}),
-        ({"T": 4000.0, "mu": 1.0}, {"pressure_inner", "pressure_outer", "corner", "pressure"}),
-        ({"T": -3.0}, set()),
-    ],
-)
-def test_programs_read_the_verdict_the_ratio_and_the_limits(changes, passed):
-    q = FreewheelClutch(**changes)
-    v = dict(q.values)
-    record = json.loads(json.dumps(CLUTCH.summary(q, v)))
-    assert (record["verdict"], record["ratio"]) == (light(q, v), v.get("safety"))
-    assert {x["key"] for x in record["limits"] if x["passed"]} == passed
-    if not changes:
-        slip = next(x for x in record["limits"] if x["key"] == "slip")
-        assert (slip["of"], slip["unit"], slip["at"]) == ("T", "N m", v["T_slip"])
-
-
 def test_check_answers_in_words_in_json_and_in_a_report_that_offers_no_finite_elements(
     tmp_path, capsys
 ):
@@ -192,6 +140,18 @@ def test_check_answers_in_words_in_json_and_in_a_report_that_offers_no_finite_el
     assert reason in (tmp_path / "out" / "report.html").read_text("utf-8")
 
 
+def test_friction_that_is_not_needed_or_not_enough_fails_a_fact():
+    """mu_req of F_ax on each roller would hold the whole load, 1 % below it too."""
+    right = context(CLUTCH)
+    assert list(right.fem[-1].arrays["around"]) == [0.0, 1.0]
+    for around, name in (([1.0, 1.0], "friction 1 % below"), ([0.0, 0.0], "friction 1 % above")):
+        wrong = replace(right.fem[-1], arrays={"around": np.array(around)})
+        (row,) = failed(CLUTCH, "friction 1 %", replace(right, fem=[wrong]))
+        assert row.startswith(name)
+    one, whole_load = (values(F_ax=F)["mu_req"] for F in (600.0, 8 * 600.0))
+    assert 0.99 * whole_load > reference.AROUND[1] * one
+
+
 def test_the_template_s_outer_cam_is_a_clutch(tmp_path, capsys):
     head, other = template(CLUTCH).split("\n# Or an outer cam")
     lines = [line.removeprefix("#   ") for line in other.splitlines()[1:]]
@@ -203,11 +163,31 @@ def test_the_template_s_outer_cam_is_a_clutch(tmp_path, capsys):
     assert "green: " in capsys.readouterr().out
 
 
-def test_friction_that_is_not_needed_or_not_enough_fails_a_fact():
-    """mu_req of F_ax on each roller would hold the whole load, 1 % below it too."""
-    assert list(context(CLUTCH).fem[-1].arrays["around"]) == [0.0, 1.0]
-    for around, fact in (([1.0, 1.0], "below"), ([0.0, 0.0], "above")):
-        (row,) = failed(CLUTCH, of=context(CLUTCH, arrays={"around": np.array(around)}))
-        assert f"1 % {fact}" in row
-    one, whole_load = (values(F_ax=F)["mu_req"] for F in (600.0, 8 * 600.0))
-    assert 0.99 * whole_load > reference.AROUND[1] * one
+def test_with_flats_nearer_by_what_is_to_spare_the_contacts_slip():
+    spare = number("; ".join(findings(**CUP)), "with X smaller by ") * 1e-6
+    for share, holds in ((0.98, True), (1.02, False)):
+        v = values(**CUP | {"X": CUP["X"] - share * spare})
+        assert (v["safety"] >= 1 and v["mu_0"] <= 0.08) == holds
+
+
+def test_shares_of_the_classes_add_up_and_what_does_not_wedge_is_red():
+    v = values(mu=0.06)
+    assert sum(v[f"share_{c}"] for c in ("green", "yellow", "red")) == pytest.approx(1)
+    assert v["share_red"] > 0.5  # tan α_0 = 0.0612
+    tight = values(**TIGHT)
+    assert tight["share_red"] == pytest.approx(tight["P_no_wedge"])
+    assert tight["P_slip"] == 0
+    assert "P_slip" not in values(**SHARP)
+
+
+@pytest.mark.parametrize(
+    ("changes", "passed"),
+    [({}, set()), ({"T": 4000.0, "mu": 1.0}, {"pressure_inner", "pressure_outer", "corner",
+                                              "pressure"})],
+)  # fmt: skip
+def test_programs_read_the_verdict_the_ratio_and_the_limits(changes, passed):
+    q = FreewheelClutch(**changes)
+    v = dict(q.values)
+    record = json.loads(json.dumps(CLUTCH.summary(q, v)))
+    assert (record["verdict"], record["ratio"]) == (light(q, v), v.get("safety"))
+    assert {x["key"] for x in record["limits"] if x["passed"]} == passed

@@ -40,7 +40,7 @@ def test_round_off_of_the_frequency_moves_no_time_of_a_course():
             assert np.array_equal(along.t, q.courses[case].t)
 
 
-def test_the_torque_that_is_left_falls_to_nothing_over_the_axial_slip():
+def test_the_torque_that_is_left_falls_to_zero_over_the_axial_slip():
     q = FreewheelFriction()
     slip, torque = q.slipped()
     assert (slip[-1], torque[-1]) == (0.0, 1.0)

@@ -7,6 +7,7 @@ import pytest
 
 from analytic.rotor import clutch, clutch_inclined, clutch_uniform, shafts, stepped
 from tests.verify.cases.readings import given, times
+from tests.verify.cases.rows import failed
 from verify.cases.rotor.clutch.case import CLUTCH
 from verify.cases.rotor.clutch.inputs import SpragLink
 from verify.cases.rotor.shaft import inputs
@@ -90,5 +91,6 @@ READINGS = [
 
 
 @pytest.mark.parametrize(("case", "owner", "name", "reading", "row"), READINGS)
-def test_another_reading_fails(case, owner, name, reading, row, failures):
-    assert row in failures(case, owner, name, reading)
+def test_another_reading_fails(case, owner, name, reading, row, broken):
+    broken(owner, name, reading)
+    assert row in failed(case, row)

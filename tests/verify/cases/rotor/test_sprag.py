@@ -16,10 +16,7 @@ from verify.cases.rotor.sprag.claims import IDENTITIES
 from verify.cases.rotor.sprag.formulas import ORDERS
 from verify.cases.rotor.sprag.inputs import PRINTED, RPM
 from verify.cases.rotor.sprag.reference import beams_fem, drawn_fem, ensemble_arrays_fem
-from verify.cases.rotor.sprag.response_fem import (
-    damped,
-    responses_fem,
-)
+from verify.cases.rotor.sprag.response_fem import damped, responses_fem
 from verify.cases.rotor.sprag.system_fem import rotor_fem, systems_fem, uneven_clutch_fem
 from verify.core import units
 from verify.core.case import Context, FemResult
@@ -45,17 +42,12 @@ def at(x):
     return systems_fem(ensemble_fem.RANGES.parameters(x))
 
 
-# Layout.
-
-
-def test_the_clutch_and_its_bearings_join_nodes_of_one_place():
+def test_the_clutch_and_its_bearings_join_nodes_of_one_place_and_discs_are_steel_rings():
     z = layout.layout(ensemble_fem.RANGES.parameters(ANYWHERE)).z
     assert [len(rotor) for rotor in layout.ELEMENT_LENGTHS] == [11, 9]  # Sec. 1
     for a, b in (*layout.BETWEEN, layout.CLUTCH):
         assert z[:, a - 1] == pytest.approx(z[:, b - 1], rel=1e-14)
-
-
-def test_a_disc_is_a_steel_ring_on_its_shaft():
+    # a disc is a steel ring on its shaft
     s = layout.layout(layout.CENTRAL)
     bore = layout.CENTRAL[layout.D_1]
     rim = np.sqrt(4 * layout.CENTRAL[layout.M_4] / (np.pi * 7850 * 0.02) + bore**2)
@@ -65,10 +57,7 @@ def test_a_disc_is_a_steel_ring_on_its_shaft():
     assert s.diametral[0, 0] == pytest.approx(s.polar[0, 0] / 2 + m * 0.02**2 / 12, rel=1e-12)
 
 
-# Clutch.
-
-
-def test_an_even_clutch_is_that_of_the_closed_forms():
+def test_an_even_clutch_is_that_of_the_closed_forms_and_an_offset_couples_in_first_order():
     K = uneven_clutch_fem(layout.CENTRAL, 0.0)
     s = layout.layout(layout.CENTRAL)
     k = 2 * layout.CENTRAL[layout.K_C] / 12
@@ -77,19 +66,11 @@ def test_an_even_clutch_is_that_of_the_closed_forms():
     across = float(clutch_uniform.radial_stiffness(Z=12, k=k))
     assert np.diag(K) == pytest.approx([across, across, 0, tilt, tilt, turn], rel=1e-12)
     size = np.sqrt(np.outer(np.diag(K), np.diag(K)))
-    off = K - np.diag(np.diag(K))
-    assert np.all(np.abs(off) <= 1e-13 * size)
+    assert np.all(np.abs(K - np.diag(np.diag(K))) <= 1e-13 * size)
     assert (s.k_tilt[0], s.k_turn[0]) == pytest.approx((tilt, turn), rel=1e-12)
-
-
-def test_an_offset_couples_as_in_first_order():
     eps = 1e-3
-    s = layout.layout(layout.CENTRAL)
     first = (10 / 9 - 1) * layout.CENTRAL[layout.K_C] * s.d_t[0] * eps  # (Z/2) k (n-1) dx d_t/delta
     assert uneven_clutch_fem(layout.CENTRAL, eps)[0, 5] == pytest.approx(first, rel=eps**2)
-
-
-# Ensemble.
 
 
 def test_matrices_of_all_members_at_once_are_those_of_the_assembled_rotors():
@@ -117,9 +98,6 @@ def test_members_hit_all_three_speeds_and_stay_in_the_ranges(members):
     assert np.median(spread) > 0.4  # eight systems, and most unknowns over half of their range
 
 
-# Responses.
-
-
 @pytest.fixture(scope="module")
 def responses(members):
     return responses_fem(Q, members)
@@ -134,9 +112,6 @@ def test_unbalances_are_superposed_as_if_they_acted_together(members):
     x, F = np.abs(together.at(10)[:, 0]), np.abs(together.link_load(1)[:, 0])
     assert one["nodes over speed"][1, 1, 2] == pytest.approx(x, rel=1e-9)
     assert one["bearings over speed"][1, 1, 1] == pytest.approx(F, rel=1e-9)
-
-
-# The case.
 
 
 @pytest.fixture(scope="module")
@@ -172,37 +147,6 @@ def named(name):
     return next(c for c in SPRAG_ROTOR.checks if c.name == name)
 
 
-def larger(array, at, by):
-    array = array.copy()
-    array[at] *= by
-    return array
-
-
-@pytest.mark.parametrize(
-    ("name", "key", "change"),
-    [
-        ("every set of parameters has the three printed speeds", "critical, forward",
-         lambda a: larger(a, (0, 1), 1 + 2e-8)),
-        ("orbits are circles on isotropic supports", "axes, isotropic",
-         lambda a: larger(a, (0, 0, 1), 1 - 1e-8)),
-        ("no torsion without offset", "torsion, no offset", lambda a: a + 1e-9),
-        ("angular momenta of both rotors balance", "momenta", lambda a: larger(a, (0, 0), 300)),
-        ("diametral moment of inertia about node 1 of the elastic bodies with discs",
-         "solid, inertia", lambda a: larger(a, 2, 1 + 1e-10)),
-        ("peak 3 of node 19 over unbalance 2", "peaks",
-         lambda a: larger(a, (slice(None), 2, 1, 18), 0.1)),
-        ("elliptical orbits", "axes, isotropic", lambda a: larger(a, (..., 1), 0.9)),
-        ("torsional resonance at bending critical speeds", "torsion, no offset",
-         lambda a: a + 1e-6),
-    ],
-)  # fmt: skip
-def test_a_claim_fails_where_what_it_says_is_not_so(context, name, key, change):
-    check = named(name)
-    broken = changed(context, **{key: change(context.fem[0].arrays[key])})
-    assert check.rows(context)[0].status in (Status.PASS, Status.NOTE)
-    assert check.rows(broken)[0].status is Status.FAIL
-
-
 def test_unbalance_is_mass_times_length_and_no_mass():
     """The ledger's unbalanced-mass-unit: its force at 10149 r/min is 1.4e-5 kg m omega^2."""
     printed = published("huang2022:unbalance-1")
@@ -234,14 +178,11 @@ def test_a_small_ensemble_contradicts_no_statement_with_own_loads_neither(contex
     assert "node of unbalance 1" not in {row.quantity for row in found}  # of the paper's words
 
 
-def test_figures_and_tables_are_made_without_finite_elements_too(context):
-    assert {type(f).__name__ for f in SPRAG_ROTOR.figures(context)} == {
-        "Campbell", "Whirl", "Curves", "Shapes", "Parallel",
-    }  # fmt: skip
+def test_tables_state_what_the_paper_lacks_without_finite_elements_too(context):
     table_1, facts, unknowns, slopes = SPRAG_ROTOR.tables(context)
-    assert len(table_1.rows) == 6
-    assert len(unknowns.rows) == len(slopes.rows) == 12
+    assert [len(table.rows) for table in (table_1, unknowns, slopes)] == [6, 12, 12]
     assert all(" of " in str(row[2]) for row in facts.rows)
+    assert len(SPRAG_ROTOR.figures(context)) >= 5
     bare = replace(context, fem=())
     assert SPRAG_ROTOR.figures(bare) == ()
     assert [t.title[:20] for t in SPRAG_ROTOR.tables(bare)] == ["What the paper lacks"]

@@ -8,7 +8,7 @@ from analytic.sprag import best_crown
 from analytic.sprag.peaks import Peaks
 from analytic.surrogate import largest
 from analytic.surrogate.infill import NoAgreementError
-from verify.cases.sprag.optimum import deep, ends_fem, study_fem
+from verify.cases.sprag.optimum import ends_fem, study_fem
 from verify.cases.sprag.optimum.case import SpragOptimum
 from verify.cases.sprag.optimum.surrogate_claims import SURROGATE
 from verify.core.case import Context, FemResult
@@ -34,8 +34,7 @@ def known(q, crowns, torques, **_more):
 
 @pytest.fixture(autouse=True)
 def known_forces(monkeypatch):
-    for module in (study_fem, deep):
-        monkeypatch.setattr(module, "peaks_fem", known)
+    monkeypatch.setattr(study_fem, "peaks_fem", known)
 
 
 def test_nothing_fails_but_what_this_small_study_cannot_have_and_a_seed_repeats_it():
@@ -60,16 +59,6 @@ def test_a_surrogate_that_is_off_by_2_per_cent_finds_no_agreement(monkeypatch):
     monkeypatch.setattr(best_crown, "fit_regimes", off)
     with pytest.raises(ArithmeticError, match=r"do not agree within 0\.50% after 3 rounds"):
         study_fem.study_fem(Q)
-
-
-def test_the_long_measurement_has_what_its_table_states(monkeypatch):
-    for name, value in {"DESIGNS": 15, "ENGAGEMENTS": 30, "SEEDS": 2}.items():
-        monkeypatch.setattr(deep, name, value)
-    errors, direct, seeds = (deep.deep_fem(Q, k).arrays for k in range(3))
-    assert np.abs(errors["two"]).mean() < np.abs(errors["single"]).mean()
-    assert direct["direct"].shape[1] == 4
-    assert len(direct["direct"]) >= 25
-    assert seeds["GA"] == pytest.approx(seeds["DE"], rel=0.01)
 
 
 @pytest.mark.parametrize("error", [NoAgreementError, ArithmeticError])

@@ -26,9 +26,7 @@ def test_peaks_are_those_of_a_whole_engagement_in_the_order_of_the_torques(found
     assert found.of(0).largest[0] == pytest.approx(alone.largest[0], rel=1e-7)
     assert found.of(0).torques.tolist() == [10.0]
     assert found.pressure.shape == (3, 2, Q.slices)
-
-
-def test_the_end_and_the_rest_make_up_the_largest(found):
+    # the end and the rest make up the largest
     assert np.maximum(found.end, found.inside).tolist() == found.largest.tolist()
     assert found.end[1, 1] > found.inside[1, 1]
     assert found.end[2, 1] == 0

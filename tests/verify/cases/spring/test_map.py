@@ -34,16 +34,6 @@ def deep_rows():
     return [row for grid in points(MapSpring(), deep=True).values() for row in grid]
 
 
-def test_the_cells_of_a_column_have_its_slenderness():
-    for n, ratio in ((4, 60.0), (24, 480.0)):
-        cell = slender(MapSpring(), n, ratio)
-        assert cell.length / cell.b == pytest.approx(ratio, rel=1e-9)
-
-
-def test_a_cell_that_is_no_leaf_spring_is_left_out():
-    assert fem.measured(MapSpring(), Cell(24, 2e-3, 0.45e-3, 11.6e-3, 1.4)) == (0, 0, 0)
-
-
 def test_a_cell_whose_spring_becomes_unstable_has_a_stiffness_but_no_forces():
     """Before 60 % of its length the pivots' sign changes between two equilibria."""
     q = MapSpring()
@@ -122,3 +112,10 @@ def test_the_finer_map_has_a_part_for_each_of_its_rows():
     assert part.shape == (len(DEEP_SLENDER), 3)
     assert len(rows[-1]) == len(DEEP_LEAVES)
     assert (part > 0).all()
+
+
+def test_the_cells_of_a_column_have_its_slenderness_and_what_is_no_leaf_spring_is_left_out():
+    for n, ratio in ((4, 60.0), (24, 480.0)):
+        cell = slender(MapSpring(), n, ratio)
+        assert cell.length / cell.b == pytest.approx(ratio, rel=1e-9)
+    assert fem.measured(MapSpring(), Cell(24, 2e-3, 0.45e-3, 11.6e-3, 1.4)) == (0, 0, 0)

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from tests.verify.cases.rows import context
+from tests.verify.cases.rows import context, failed
 from verify.cases.spring.width import claims
 from verify.cases.spring.width.case import WIDTH, WideSpring
 from verify.cases.spring.width.reference import ENDS, fem_spring
@@ -26,8 +26,9 @@ def test_what_a_wide_spring_lacks_of_plane_strain_is_as_wide_as_its_leaves():
     assert abs(fit.d0) < 1e-4
 
 
-def test_tables_hold_the_printed_stiffness_for_the_paper_s_spring_alone():
+def test_no_row_fails_and_tables_hold_the_printed_stiffness_for_the_paper_s_spring_alone():
     of = context(WIDTH)
+    assert not failed(WIDTH, of=of)
     readings, widths = WIDTH.tables(of)
     assert [row[:2] for row in readings.rows] == list(ENDS)
     assert readings.rows[2][-2:] == ("+0.1 %", "+0.6 %")

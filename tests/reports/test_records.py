@@ -1,0 +1,152 @@
+"""What a run leaves behind is read back by the programs that will read it."""
+
+import csv
+import io
+import json
+import re
+import xml.etree.ElementTree as ET
+from dataclasses import replace
+
+import jsonschema
+import pytest
+
+from reports.html import anchors, page
+from reports.junit import junit
+from reports.pdf_case import case_data
+from reports.records import report_record
+from reports.row_lines import failed_first, lines
+from reports.rows import rows_csv
+from reports.write import write
+from verify.core.results import Kind, Row, Status
+from verify.jobs.cache import default_folder
+
+
+def test_results_obey_the_schema_with_odd_texts_too(report, hostile, written):
+    schema = json.loads((written / "results.schema.json").read_text())
+    results = json.loads((written / "results.json").read_text())
+    jsonschema.Draft202012Validator.check_schema(schema)
+    jsonschema.validate(results, schema)
+    assert len(results["rows"]) == len(report.rows)
+    for case, record in zip(report.cases, results["cases"], strict=True):
+        assert [v["what"] for v in record["values"]] == [v.what for v in case.values]
+    few = replace(hostile, cases=hostile.cases[:1])
+    jsonschema.validate(json.loads(json.dumps(report_record(few))), schema)
+
+
+def test_a_value_that_is_no_number_becomes_null(report):
+    row = replace(report.rows[0], tolerance=float("inf"), difference=float("nan"))
+    case = replace(report.cases[0], rows=(row,))
+    record = report_record(replace(report, cases=(case,)))
+    assert record["rows"][0]["tolerance"] is record["rows"][0]["difference"] is None
+    json.dumps(record, allow_nan=False)
+
+
+def test_an_interrupted_write_leaves_the_old_file(report, tmp_path, monkeypatch):
+    from reports import write as module
+
+    before = b"the old page"
+    (tmp_path / "report.html").write_bytes(before)
+    monkeypatch.setattr(module.Path, "replace", lambda *_: (_ for _ in ()).throw(KeyboardInterrupt))
+    with pytest.raises(KeyboardInterrupt):
+        write(report, tmp_path, cache=default_folder())
+    assert (tmp_path / "report.html").read_bytes() == before
+    assert not list(tmp_path.glob(".part-*"))
+
+
+# junit.xml
+
+
+def test_junit_counts_failures_and_skips_and_holds_no_markup(hostile):
+    text = junit(hostile)
+    suites = ET.fromstring(text)
+    own = suites.find("testsuite")
+    assert (suites.get("failures"), suites.get("skipped")) == ("1", "1")
+    assert (own.get("tests"), own.get("errors")) == (str(len(Status)), "0")
+    failure = own.find("testcase/failure")
+    assert failure.get("message").startswith("<script>")
+    assert failure.text == failure.get("message")
+    assert "\x07" not in text
+
+
+def test_every_row_is_a_junit_test_with_a_name_of_its_own_and_a_share_of_the_time(report):
+    suites = ET.fromstring(junit(report))
+    tests = suites.findall("testsuite/testcase")
+    assert len({(t.get("classname"), t.get("name")) for t in tests}) == len(report.rows)
+    assert tests[0].get("classname") == "freewheel.ring-lame"
+    for suite, case in zip(suites, report.cases, strict=True):
+        assert float(suite.get("time")) == pytest.approx(case.seconds, abs=1e-3)
+        total = sum(float(t.get("time")) for t in suite)
+        assert total == pytest.approx(case.seconds, abs=1e-6 * len(case.rows))
+
+
+# rows.csv, and the order of rows
+
+
+def read(text):
+    return list(csv.DictReader(io.StringIO(text.removeprefix("\ufeff"))))
+
+
+@pytest.mark.parametrize("start", ["=1+1", "-2+3", "@SUM(A1)"])
+def test_no_text_of_a_table_is_a_formula_and_no_carriage_return_ends_a_line(report, start):
+    row = replace(report.rows[0], quantity=start, reason=f"{start}\rtwo\nthree\x07")
+    (cells,) = read(rows_csv([row]))
+    assert cells["quantity"] == f"'{start}"
+    assert cells["reason"] == f"'{start} two\nthree\ufffd"
+
+
+def test_negative_numbers_of_a_table_remain_numbers(report):
+    row = replace(report.rows[0], analytic=-1.5, fem=-1.0, scale_name="")
+    (cells,) = read(rows_csv([row]))
+    assert float(cells["analytic"]) == -1.5
+    assert float(cells["difference"]) == -0.5  # formula less reference
+    assert float(cells["difference_percent"]) == 50.0  # the formula has the larger magnitude
+    assert cells["percent_of"] == "reference"
+
+
+PASS, NOTE, SKIP, FAIL = Status.PASS, Status.NOTE, Status.SKIP, Status.FAIL
+
+
+def row(quantity, status=PASS):
+    return Row(case="c", quantity=quantity, symbol="x", unit="1", kind=Kind.IDENTITY, status=status)
+
+
+def test_failed_rows_come_first_then_those_not_run_each_in_their_order():
+    states = {"a": PASS, "b": SKIP, "c": NOTE, "d": FAIL, "e": FAIL, "f": SKIP}
+    given = [row(*item) for item in states.items()]
+    assert [r.quantity for r in failed_first(given)] == ["d", "e", "b", "f", "a", "c"]
+    assert [line.row.quantity for line in lines(given)] == ["d", "e", "b", "f", "a", "c"]
+
+
+def test_convergence_shares_the_line_of_its_quantity_unless_it_failed():
+    a, good, b = row("a"), row("a: convergence"), row("b")
+    bad = row("b: convergence", FAIL)
+    assert [(x.row, x.convergence) for x in lines([a, good, b, bad])] == [
+        (bad, None), (a, good), (b, None),
+    ]  # fmt: skip
+    assert [x.row for x in lines([good])] == [good]  # alone, it is a line of its own
+
+
+def test_page_and_pdf_begin_with_failed_rows_and_files_of_data_keep_the_order(report):
+    """The last row of the second case fails, one of the third is not run."""
+    first, second, third = report.cases[:3]
+    last = max(i for i, r in enumerate(second.rows) if r.grid and r.levels)
+    rows = [replace(r, status=FAIL) if i == last else r for i, r in enumerate(second.rows)]
+    broken = replace(second, rows=tuple(rows))
+    left_out = replace(third, rows=(*third.rows[:-1], replace(third.rows[-1], status=SKIP)))
+    cases = (first, broken, left_out)
+    planted = replace(report, cases=cases, tables=(), validity=(), budgets=())
+
+    text, where = page(planted, {}), anchors(planted.rows)
+    table = text[text.index('<table class="rows') :]
+    found = re.findall(r'<tr role="row" id="(row-\d+)" class="row is-(\w+)"', table)
+    assert found[:2] == [(where[rows[last].id], "fail"), (where[left_out.rows[-1].id], "skip")]
+    assert {status for _, status in found[2:]}.isdisjoint({"fail", "skip"})
+    rest = [int(name.removeprefix("row-")) for name, _ in found[2:]]
+    assert rest == sorted(rest)
+    data = case_data(broken, (), where, ["s"] * len(broken.tables), "p")
+    assert [line["status"] for line in data["lines"]].index("FAIL") == 0
+    ids = [row.id for row in planted.rows]
+    assert [r["id"] for r in report_record(planted)["rows"]] == ids
+    table = read(rows_csv(planted.rows))
+    assert [f"{r['case']}/{r['quantity']}" for r in table] == ids
+    assert float(table[0]["analytic"]) == planted.rows[0].analytic

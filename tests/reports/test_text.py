@@ -1,0 +1,185 @@
+"""Marked-up text, numbers and equations as they are printed."""
+
+import re
+import sys
+from dataclasses import replace
+from math import inf
+
+import pytest
+from markupsafe import Markup
+
+from reports import equations, formats, svg
+from reports.equations import SYMBOLS, Equations
+from reports.formats import concise, difference, fraction, tolerance, values
+from reports.mathematics import tree
+from reports.richtext import digits, plain, runs
+from reports.rows import HEADER, cells
+from reports.signature import position
+from verify.cases.registry import find
+from verify.core.references import reference_name
+from verify.core.results import Kind
+
+
+def test_only_markup_has_tags_and_escaped_text_comes_back_as_it_was():
+    assert runs("<b>x</b>") == ["<b>x</b>"]
+    assert runs("") == []
+    assert runs(Markup("a <var>u<sub>r</sub></var><br>x")) == [
+        "a ", ["var", "u", ["sub", "r"]], ["br"], "x",
+    ]  # fmt: skip
+    text = '<script>alert("1")</script> & x < y'
+    assert plain(formats.prose(text)) == text
+    assert plain(formats.power(2.1e-8)) == "2.1×10⁻⁸"
+    assert plain(formats.symbol("u_r(r_i)")) == "u_r(r_i)"
+    assert formats.symbol("K_1*") == "<var>K<sub>1</sub>*</var>"  # the star is above the index
+    assert ">1</tspan>" in svg.lowered("K_1*")
+
+
+@pytest.mark.parametrize(
+    ("written", "expected"),
+    [
+        ("1.2e-08", ["1.2", ["small", "×10", ["sup", "−8"]]]),
+        ("−5e+07", ["−5", ["small", "×10", ["sup", "7"]]]),
+        ("12.5", ["12.5"]),
+        ("1e5 runs", ["1e5 runs"]),
+    ],
+)
+def test_a_power_of_ten_is_raised(written, expected):
+    assert digits(written) == expected
+
+
+@pytest.mark.parametrize(
+    ("value", "u", "said"),
+    [
+        (0.58178958, 3.9e-7, "0.58178958(39)"), (210.6194, 2.1e-3, "210.6194(21)"),
+        (-57.245, 4.4e-3, "−57.2450(44)"), (1234.5, 25.0, "1234(25)"),
+        (1.0, 9.97e-6, "1.000000(10)"), (0.1, 1e-20, "0.100000000(1)"), (0.0, 2e-3, "0.0000(20)"),
+    ],
+)  # fmt: skip
+def test_an_uncertainty_stands_in_brackets_in_units_of_the_last_digit(value, u, said):
+    assert concise(value, u)[0] == said
+
+
+def without_tags(markup):
+    return re.sub("<[^>]*>", "", str(markup)).replace("−", "-").replace("\u202f", " ")
+
+
+def test_a_row_of_negative_values_lies_in_its_interval_on_the_page(of_paper):
+    """Formula and reference are negative, the formula being the smaller magnitude."""
+    rows = of_paper(find("contact-roller-end")).rows
+    row = next(r for r in rows if r.quantity.startswith("sharpness of a right-angled edge"))
+    assert row.reference < row.analytic < 0
+    assert without_tags(difference(row)) == "-0.063 %"
+    low, high = (float(end.removesuffix(" %")) for end in without_tags(tolerance(row)).split(" to"))
+    assert low < -0.063 < high
+    assert -1 < position(row) < 1
+
+
+def test_another_reference_than_finite_elements_is_named_beside_its_value(of_paper):
+    rows = [r for r in of_paper(find("rotor-clutch")).rows if r.kind is Kind.APPROXIMATION]
+    for row in rows:
+        name = reference_name(row)
+        shown = values(row)
+        assert shown.by == ("" if name == "FE" or name.startswith("printed") else name), row.id
+    assert any(values(row).by for row in rows)
+    row = next(
+        r for r in of_paper(find("contact-roller-flat")).rows
+        if r.grid is not None and r.by == "half-space" and r.analytic and r.interval
+    )  # fmt: skip
+    assert row.fem is None
+    assert row.reference == row.partner.value == row.grid.levels[-1][1]
+    assert values(row).by == "half-space"
+    found = dict(zip(HEADER, cells(row), strict=True))
+    assert (found["by"], found["fem"], found["reference"]) == ("half-space", None, row.reference)
+
+
+def test_fractions_are_percents_and_balances_are_numbers(report):
+    identity = next(row for row in report.rows if row.kind is Kind.IDENTITY)
+    balance = replace(identity, kind=Kind.EXACT)
+    for row, value, said in (
+        (identity, 0.0123, "1.2 %"), (identity, 1.23e-9, "1.2×10-7 %"), (identity, inf, "–"),
+        (balance, 1.23e-9, "1.2×10-9"),
+    ):  # fmt: skip
+        assert without_tags(fraction(row, value)) == said
+
+
+def letters(word):
+    return ["row", *(["letter", c] for c in word)]
+
+
+@pytest.mark.parametrize(
+    ("tex", "expected"),
+    [
+        ("x", ["letter", "x"]),
+        ("E'", ["scripts", ["letter", "E"], None, ["letter", "′"]]),
+        (r"\frac{a}{b}", ["fraction", ["letter", "a"], ["letter", "b"]]),
+        ("x_{rs}^2", ["scripts", ["letter", "x"], letters("rs"), ["words", "2"]]),
+        (r"\sum_i^n", ["limits", ["sign", "∑"], ["letter", "i"], ["letter", "n"]]),
+        (r"\int_0^l", ["scripts", ["sign", "∫"], ["words", "0"], ["letter", "l"]]),
+        (r"\mathrm{mm}", ["upright", "mm"]),
+        (r"\cos", ["function", "cos"]),
+        (r"\dot{q}", ["accent", ["letter", "q"], "\u0307"]),
+        (r"\sqrt{x}", ["root", ["letter", "x"], None]),
+        (r"\sqrt[3]{x}", ["root", ["letter", "x"], ["words", "3"]]),
+        (r"\left(x\right)", ["fenced", "(", ["letter", "x"], ")"]),
+        (r"\left. x\right|", ["fenced", "", ["letter", "x"], "|"]),
+        (r"\text{if it}", ["words", "if\u00a0it"]),
+        (r"\,", ["space", 0.167]),
+        (r"\begin{bmatrix} a & b \\ c & d\end{bmatrix}",
+         ["fenced", "[", ["table", "center", [
+             [["letter", "a"], ["letter", "b"]], [["letter", "c"], ["letter", "d"]]]], "]"]),
+        (r"a\begin{pmatrix} b\end{pmatrix}\begin{pmatrix} c\end{pmatrix}",
+         ["row", ["letter", "a"],
+          ["fenced", "(", ["table", "center", [[["letter", "b"]]]], ")"],
+          ["fenced", "(", ["table", "center", [[["letter", "c"]]]], ")"]]),
+        (r"\begin{cases} a & b \end{cases}",
+         ["fenced", "{", ["table", "left", [[["letter", "a"], ["letter", "b"]]]], ""]),
+    ],
+)  # fmt: skip
+def test_a_formula_becomes_the_tree_that_one_writes_by_hand(tex, expected):
+    assert tree(tex) == expected
+
+
+def test_every_formula_of_a_report_has_a_tree_and_others_are_refused(report):
+    texs = [e["tex"] for e in report.equations]
+    texs += [e[key] for e in report.errata for key in ("printed_tex", "right_tex")]
+    texs += [tex for c in report.cases for e in c.equations for tex in (e.tex, e.numbers)]
+    assert len([tree(tex) for tex in texs if tex]) > 100
+    with pytest.raises(ValueError, match="mathematics: no rule for menclose"):
+        tree(r"\boxed{x}")
+
+
+def page(*texs):
+    drawn = Equations()
+    return drawn.placed("".join(f"<p>{drawn.maths(tex)}</p>" for tex in texs) + SYMBOLS)
+
+
+def test_every_glyph_that_is_used_is_there_and_each_once():
+    drawn = page(r"\frac{a}{b}\ \mathrm{m}", "a + m", r"\frac{a}{b}\ \mathrm{m}", 'a < "b"')
+    defined = re.findall(r'<g id="([^"]+)"', drawn)
+    assert len(set(defined)) == len(defined)
+    assert set(re.findall(r'href="#([^"]+)"', drawn)) == set(defined)
+    assert drawn.count(' role="img"') == 4
+    assert drawn.count("<path d=") == len(defined) + 2  # and the rules of two fractions
+    assert 'aria-label="a &lt; &#34;b&#34;"' in drawn
+
+
+def test_letters_stand_on_the_line_of_the_text():
+    """A fraction reaches below the base line by its denominator; a letter without tail does not."""
+    below = re.findall(r"vertical-align:-?([\d.]+)px", page("a", r"\frac{a}{b}"))
+    assert float(below[0]) == pytest.approx(0.2, abs=0.15)  # the bowl of an a
+    assert 8 < float(below[1]) < 12
+    places = re.findall(r'<use href="#\S+" x="\S+" y="([\d.]+)"', page(r"a + \frac{a}{b}"))
+    base, _, above, under = map(float, places)
+    assert above < base < under
+
+
+@pytest.mark.parametrize("missing", ["typst", "rule"])
+def test_the_source_of_an_equation_stands_where_nothing_draws(missing, monkeypatch):
+    if missing == "typst":
+        monkeypatch.setitem(sys.modules, "typst", None)
+    else:
+        monkeypatch.setattr(equations, "tree", lambda tex: {"<b": tree(tex)}[tex])
+    drawn = page("a", "<b")
+    assert "<code>a</code>" in drawn
+    assert ("<code>&lt;b</code>" in drawn) is (missing == "typst")
+    assert drawn.count("<svg") == (missing == "rule")
