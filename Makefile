@@ -54,8 +54,9 @@ bench: .venv/.ready
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/python -m benchmarks.points
 	$(BIN)/python -m benchmarks.sweep
 
-# The table of verdicts in docs/verified.md, from the last run of `make verify`.
-readme: verify
+# Tables of the documents and the verdicts of record, from a run of `make verify`.
+readme:
+	-$(MAKE) verify
 	$(BIN)/python tools/readme.py
 
 # System libraries, then packages, in groups: what an interrupted set-up had downloaded is not downloaded again.

@@ -20,7 +20,7 @@ class Ahead:
 
     Pictures go into the store. What fails here is drawn again, and then reported, where the
     report is written. `hint` goes to a reader who lacks pyvista; `first` is other work that the
-    report needs.
+    report needs: it waits for the first case, by when every core solves.
     """
 
     def __init__(self, count: int, folder: Path, hint: str, first: Callable[[], object]) -> None:
@@ -42,11 +42,12 @@ class Ahead:
         self._cases.put(case)
 
     def _work(self) -> None:
-        with suppress(Exception):
-            self._first()
         waiting: list[CaseResult] = []
         left = self._count
         for case in iter(self._cases.get, None):
+            if left == self._count:
+                with suppress(Exception):
+                    self._first()
             left -= 1
             waiting.append(case)
             with suppress(Exception):

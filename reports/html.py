@@ -33,6 +33,7 @@ from reports.drawable import drawable, nothing
 from reports.equations import Equations
 from reports.error_map import error_map
 from reports.frames import Frame
+from reports.in_short import cases_in_short, named, where
 from reports.paper_rows import printed_row
 from reports.parallel import parallel
 from reports.refinement import refinement
@@ -41,7 +42,7 @@ from reports.shapes import shapes
 from reports.sketch import sketch
 from reports.slim import slim
 from reports.validity_map import scale_key
-from reports.verdicts import named, verdicts, where
+from reports.verdicts import MEANING, at_paper, by_paper, given, sides
 from reports.whirl import whirl
 from reports.zones import zones
 from verify.core.figures import (
@@ -94,7 +95,8 @@ def page(report: Report, frames: Mapping[str, Sequence[Frame]]) -> str:
         scale_key=scale_key if validity.mapped(report.validity) else None,
         paired=sum(line.convergence is not None for _, group in groups for line in group),
         relaxed=sum(row.demand is not None and row.demand > 0.01 for row in report.rows),
-        warnings=warnings(report.cases), verdicts=verdicts(report),
+        warnings=warnings(report.cases), in_short=cases_in_short(report),
+        verdicts_by_paper=by_paper(report), verdicts_given=given(report), meaning=MEANING,
         overview=signature.overview(report.cases, anchors(report.rows)),
         drawn={case.id: [f for f in frames.get(case.id, ()) if f.svg] for case in report.cases},
         viewers={case.id: [f for f in frames.get(case.id, ()) if f.view] for case in report.cases},
@@ -247,7 +249,7 @@ def _environment(equations: Equations) -> jinja2.Environment:
         "cross_left": crosscheck.left_out, "second_value": second.value,
         "second_apart": second.apart, "second_meshes": second.meshes, "linked": formats.linked,
         "printed": printed, "counts": lambda case: present(case.rows), "anchor": _anchor,
-        "reproduce": reproduce, "where": where,
+        "reproduce": reproduce, "where": where, "at_paper": at_paper, "sides": sides,
     }  # fmt: skip
     env.globals |= {
         "LONG_LIST": LONG_LIST,

@@ -12,6 +12,7 @@ from reports import signature
 from reports.crosscheck import crosscheck_data, left_out_data, of_cases, told
 from reports.frames import Frame
 from reports.html import WORDS, anchors, causes, cited, drawn_by, partly, title, warnings
+from reports.in_short import cases_in_short, named, where
 from reports.paper_rows import printed_row
 from reports.pdf_budget import budget_data
 from reports.pdf_case import case_data, maths, value_cells
@@ -24,7 +25,6 @@ from reports.second import seconds
 from reports.sheets import Sheets
 from reports.since import since_data
 from reports.standalone import HERE, standalone
-from reports.verdicts import named, verdicts, where
 from verify.core.results import PaperCell, PaperTable, Report, Row, Status
 
 
@@ -50,7 +50,7 @@ def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
         "warnings": [prose(text) for text in warnings(report.cases)],
         "findings": [prose(text) for case in report.cases for text in case.findings],
         "values": [value_cells(v) for case in report.cases if own for v in case.values],
-        "verdicts": [asdict(v) for v in verdicts(report)] if report.rows else [],
+        "in_short": [asdict(line) for line in cases_in_short(report)] if report.rows else [],
         "overview": standalone(signature.overview(report.cases, places)),
         "key": standalone(_key(report)),
         "cases": [

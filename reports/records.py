@@ -29,6 +29,7 @@ def report_record(report: Report) -> dict[str, Any]:
         "readings_tried": [_plain(asdict(one)) for one in report.searches],
         "budgets": [_plain(asdict(one)) for one in report.budgets],
         "crosschecks": [_plain(asdict(one)) for one in report.crosschecks],
+        "verdicts": [_plain(asdict(one)) for one in report.verdicts],
         "caught": None if report.caught is None else _plain(asdict(report.caught)),
         "provenance": report.provenance,
     }

@@ -1,90 +1,96 @@
-"""What is verified, one line a case: for the head of the page and as a table for a README."""
+"""Verdicts of the formulas: how many of each by paper, and each with its error and evidence."""
 
-import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
-from verify.core.results import CaseResult, Kind, Report, Row, Status
+from reports.formats import MINUS
+from reports.in_short import named
+from verify.core.results import Report
+from verify.core.verdicts import FormulaVerdict, Verdict
 
-HEAD = (
-    "| case | what is compared | rows | verdicts | largest difference | detection limit |\n"
-    "|---|---|---|---|---|---|"
-)
-JUDGED = (Kind.IDENTITY, Kind.APPROXIMATION)
+HEAD = "| paper | equation | form | what it gives | verdict | in words |\n|---|---|---|---|---|---|"
+SMALLEST = 1e-4  # relative: what is shown of an error or of its bar
+MEANING = {
+    Verdict.EXACT: "solves its stated idealisation, shown with a detection limit of 1 % or better",
+    Verdict.ACCURATE: "error and uncertainty stay within 1, 2, 5 or 10 % over the range compared",
+    Verdict.PART: "as accurate, inside a stated range alone",
+    Verdict.CONSERVATIVE: "larger errors, all on the safe side",
+    Verdict.UNSAFE: "errors beyond 10 % on the unsafe side",
+    Verdict.WRONG: "an erratum changes the number; the corrected form has its own verdict",
+    Verdict.DEFINITION: "nothing to verify",
+    Verdict.UNVERIFIABLE: "a datum that is not printed, or a reference, is missing",
+    Verdict.NONE: "the evidence has failed or was not run",
+}
 
 
 @dataclass(frozen=True)
-class Verdict:
-    """A case in one line; the last two are over its identities and approximations."""
+class PaperVerdicts:
+    """The verdicts of one paper's formulas and how many there are of each."""
 
-    case: str
-    what: str
-    rows: int
-    states: str
-    difference: str
-    seen: str
+    cited: str
+    verdicts: tuple[FormulaVerdict, ...]
+
+    @property
+    def counts(self) -> Mapping[Verdict, int]:
+        """Formulas, each form of an equation by itself, by their verdict."""
+        return Counter(one.verdict for one in self.verdicts)
 
 
-def verdicts(report: Report) -> list[Verdict]:
-    """One line a case."""
+def by_paper(report: Report) -> list[PaperVerdicts]:
+    """The verdicts of each paper, in the order of the ledgers."""
     short = named(report.papers)
-    return [_verdict(case, where(case, short)) for case in report.cases]
+    return [
+        PaperVerdicts(short[key], tuple(v for v in report.verdicts if v.paper == key))
+        for key in dict.fromkeys(v.paper for v in report.verdicts)
+    ]
+
+
+def given(report: Report) -> list[Verdict]:
+    """The verdicts that occur; "no verdict" among them where a formula has none."""
+    found = {one.verdict for one in report.verdicts}
+    return [verdict for verdict in Verdict if verdict in found or verdict is not Verdict.NONE]
+
+
+def at_paper(one: FormulaVerdict) -> str:
+    """The error at the paper's inputs and its uncertainty: "+24 ± 0.03 %"; a dash for none."""
+    if one.error is None or one.U is None:
+        return "–"
+    if abs(one.error) + one.U < SMALLEST:
+        return "< 0.01 %"
+    bar = f" ± {100 * one.U:.1g}" if one.U >= SMALLEST else ""
+    return f"{100 * one.error:+.2g}{bar} %".replace("-", MINUS)
+
+
+def sides(one: FormulaVerdict) -> str:
+    """The largest errors above and below over all points: "+5 / −34 %"; a dash for none."""
+    if one.above is None or one.below is None:
+        return "–"
+    high, low = (
+        f"{sign}{100 * size:.2g}" if size >= SMALLEST else "0"
+        for sign, size in (("+", one.above), (MINUS, one.below))
+    )
+    return f"{high} / {low} %"
+
+
+def counts_in_markdown(report: Report) -> str:
+    """How many verdicts of each kind by paper, as a table in Markdown."""
+    kinds, papers = given(report), by_paper(report)
+    lines = [f"| formulas of | {' | '.join(kinds)} |", f"|---|{'---|' * len(kinds)}"]
+    lines += [_counted(paper.cited, [paper.counts[kind] for kind in kinds]) for paper in papers]
+    lines.append(_counted("all", [sum(p.counts[kind] for p in papers) for kind in kinds]))
+    return "\n".join(lines)
 
 
 def markdown(report: Report) -> str:
-    """The same as a table in Markdown."""
+    """All verdicts as a table in Markdown."""
     lines = (
-        f"| `{v.case}` | {_cell(v.what)} | {v.rows} | {v.states} | {v.difference} | {v.seen} |"
-        for v in verdicts(report)
+        f"| {paper.cited} | {v.name} | {v.form} | {v.what} | **{v.verdict}** | {v.words} |"
+        for paper in by_paper(report)
+        for v in paper.verdicts
     )
     return "\n".join([HEAD, *lines])
 
 
-def _cell(text: str) -> str:
-    """Text of a cell, whose bars would end it."""
-    return text.replace("|", r"\|")
-
-
-def first_author(authors: str, year: int | None) -> str:
-    """The first author's name and the year."""
-    return f"{authors.split(',')[0].split()[-1]} {year or ''}".strip()
-
-
-def named(papers: Sequence[Mapping[str, Any]]) -> Mapping[str, str]:
-    """Papers by key as first author and year; sources without a ledger as they are stated."""
-    return {
-        p["key"]: first_author(p["authors"], p["year"]) if p["title"] else p["authors"]
-        for p in papers
-    }
-
-
-def where(case: CaseResult, short: Mapping[str, str]) -> str:
-    """Source and place of a case's formulas, as far as they are stated."""
-    return ", ".join(filter(None, (short.get(case.paper, case.paper), case.place)))
-
-
-def _verdict(case: CaseResult, source: str) -> Verdict:
-    count = Counter(row.status for row in case.rows)
-    states = ", ".join(f"{count[s]} {s.value}" for s in reversed(Status) if count[s])
-    judged = [row for row in case.rows if row.kind in JUDGED and row.detects is not None]
-    return Verdict(
-        case.id, f"{case.title} ({source})" if source else case.title, len(case.rows), states,
-        _largest([abs(_relative(row)) for row in judged]),
-        _largest([row.detects for row in judged if row.detects is not None]),
-    )  # fmt: skip
-
-
-def _relative(row: Row) -> float:
-    return (row.difference or 0.0) / (row.scale or 1.0)
-
-
-def _largest(values: Sequence[float]) -> str:
-    """The largest with two digits, rounded up, in per cent; a dash for none."""
-    if not values or max(values) <= 0:
-        return "–" if not values else "0 %"
-    percent = 100 * max(values)
-    last = 10.0 ** (math.floor(math.log10(percent)) - 1)
-    shown = math.ceil(percent / last * (1 - 1e-12)) * last
-    return f"{shown:.0f} %" if shown >= 99.5 else f"{shown:.2g} %"
+def _counted(name: str, numbers: Sequence[int]) -> str:
+    return f"| {name} | {' | '.join(str(n or '') for n in numbers)} |"

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from reports import in_short, verdicts
 from reports.budget_table import budget_csv
 from reports.crosscheck_table import crosscheck_csv
 from reports.frames import Frame, frames
@@ -20,7 +21,6 @@ from reports.records import report_record
 from reports.rows import rows_csv
 from reports.second import seconds
 from reports.typesetting import NotSet
-from reports.verdicts import markdown
 from reports.vtu import vtu_files
 from reports.xlsx import xlsx
 from verify.core.results import Report
@@ -101,7 +101,10 @@ def _tables(report: Report) -> Iterator[tuple[str, bytes]]:
         yield BUDGET, budget_csv(report.budgets).encode()
     if report.crosschecks:
         yield CROSSCHECK, crosscheck_csv(report.crosschecks).encode()
-    yield "verdicts.md", f"{markdown(report)}\n".encode()
+    yield "cases.md", f"{in_short.markdown(report)}\n".encode()
+    if report.verdicts:
+        yield "verdict-counts.md", f"{verdicts.counts_in_markdown(report)}\n".encode()
+        yield "verdicts.md", f"{verdicts.markdown(report)}\n".encode()
     yield "junit.xml", junit(report).encode()
     yield "tables.xlsx", xlsx(report)
     yield from vtu_files(report)

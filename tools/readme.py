@@ -1,20 +1,36 @@
-"""Put the table of verdicts that `make verify` wrote into docs/verified.md, between its marks."""
+"""Put what `make verify` found into the documents, between their marks, and on record."""
 
+import json
 import re
 from pathlib import Path
 
+from pydantic import TypeAdapter
+
+from verify.core.verdicts import FormulaVerdict
+from verify.verdicts.record import keep
+
 ROOT = Path(__file__).parents[1]
-MARKS = re.compile(r"(<!-- verdicts -->\n).*?(<!-- /verdicts -->)", re.DOTALL)
+OUT = ROOT / "reports" / "out"
+TABLES = {  # mark: what `make verify` wrote, and the document
+    "cases": ("cases.md", "docs/verified.md"),
+    "verdicts": ("verdicts.md", "docs/verdicts.md"),
+    "counts": ("verdict-counts.md", "README.md"),
+}
 
 
 def main() -> None:
-    table = (ROOT / "reports" / "out" / "verdicts.md").read_text("utf-8")
-    page = ROOT / "docs" / "verified.md"
-    text, found = MARKS.subn(lambda m: m[1] + table + m[2], page.read_text("utf-8"))
+    for mark, (written, document) in TABLES.items():
+        _put(mark, (OUT / written).read_text("utf-8"), ROOT / document)
+    found = json.loads((OUT / "results.json").read_text("utf-8"))["verdicts"]
+    keep(TypeAdapter(tuple[FormulaVerdict, ...]).validate_python(found))
+
+
+def _put(mark: str, table: str, page: Path) -> None:
+    start, end = f"<!-- {mark} -->\n", f"<!-- /{mark} -->"
+    marks = re.compile(f"({start}).*?({end})", re.DOTALL)
+    text, found = marks.subn(lambda m: m[1] + table + m[2], page.read_text("utf-8"))
     if found != 1:
-        raise SystemExit(
-            "docs/verified.md has no place for the table: <!-- verdicts --> <!-- /verdicts -->"
-        )
+        raise SystemExit(f"{page.name} has no place for a table: {start.strip()} {end}")
     page.write_text(text, "utf-8")
 
 

@@ -8,7 +8,7 @@ import pytest
 
 from reports.frames import frames
 from reports.html import page
-from reports.verdicts import markdown
+from reports.in_short import markdown
 from tests.reports.browser import NO_CHROMIUM, assert_links, assert_silent, looked_at, sheets
 from tests.test_documents import VERIFIED
 from verify.jobs.cache import default_folder
@@ -29,8 +29,8 @@ def folder(tmp_path_factory, text) -> Path:
     return place
 
 
-def test_the_table_of_verdicts_is_that_of_this_code(whole):
-    printed = VERIFIED.partition("<!-- verdicts -->\n")[2].partition("\n<!-- /verdicts -->")[0]
+def test_the_table_of_cases_is_that_of_this_code(whole):
+    printed = VERIFIED.partition("<!-- cases -->\n")[2].partition("\n<!-- /cases -->")[0]
     assert printed == markdown(whole), "run make readme"
 
 

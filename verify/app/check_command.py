@@ -30,6 +30,7 @@ from verify.jobs.dynamic import asked_for, run_dynamic, with_dynamic
 from verify.jobs.executor import Where
 from verify.jobs.level import Job
 from verify.jobs.session import solve
+from verify.verdicts.console import of_part
 
 GIVE_STRENGTH = "give R_p"
 DRAWN_IN_MM = "equations, figures and further tables of this page are in mm, N and MPa"
@@ -88,7 +89,7 @@ def run_check(path: Path, options: Options) -> int:
     notes += part.notes
     checked = Checked(case=case, result=result, answer=answer, used_fem=options.fem,
                       dynamic=dynamic, notes=notes, assumed=file.assumed,
-                      shared=part.shared)  # fmt: skip
+                      shared=part.shared, verdicts=tuple(of_part(case.id, inputs)))  # fmt: skip
     if options.json:
         record = check_record(in_system(checked, system), inputs, values)
         print(json.dumps(record_in_units(record, system), ensure_ascii=False))

@@ -32,6 +32,7 @@ class Checked:
     notes: tuple[str, ...] = ()
     assumed: tuple[Assumed, ...] = ()
     shared: tuple[SharedReading, ...] = ()
+    verdicts: tuple[tuple[str, ...], ...] = ()
 
 
 def is_notable(one: SharedReading) -> bool:
@@ -74,6 +75,9 @@ def print_check(checked: Checked, system: System = "mm") -> None:
                  [_value(v) for v in result.values])  # fmt: skip
     if dynamic:
         _print_table(dynamic.what, [_value(v) for v in dynamic.values])
+    _print_table(
+        "verdicts of the formulas (freewheel explain EQUATION has the evidence)", checked.verdicts
+    )
     _print_table("inputs", [(i.symbol, number(i.value), unit_of(i.unit), i.what)
                             for i in result.inputs])  # fmt: skip
     print_assumed(checked.assumed)

@@ -167,12 +167,13 @@ def explain(
     jobs: Jobs = 0,
     cache: bool = True,
 ) -> int:
-    """Show how a row was judged, number by number; a parameter file may stand last.
+    """Show how a row was judged, number by number, or the verdict of a formula.
 
     Parameters
     ----------
     row
-        The row's name, a part of it, or words that it contains.
+        The row's name, a part of it, or words that it contains; a parameter file may stand last.
+        An equation of a paper, such as Belcin Eq. 20, for the verdict of record.
     json
         Print JSON instead of text.
     jobs

@@ -17,11 +17,14 @@ from verify.core.case import Case, Values
 from verify.core.console import raised, verdict_lines
 from verify.core.inputs import REQUIRED, InputError, Inputs, meta
 from verify.core.results import CaseBudget, CaseResult, Caught, Crosscheck, Report, Status, Validity
+from verify.core.verdicts import FormulaVerdict
 from verify.jobs import cache
 from verify.jobs.executor import Where
 from verify.jobs.level import Job
 from verify.jobs.session import solve, stored_levels
 from verify.papers.ledger import cited
+from verify.verdicts.console import in_list
+from verify.verdicts.record import moved
 
 ROOT = Path(__file__).parents[2]
 BAD = (Status.FAIL, Status.SKIP)
@@ -29,7 +32,7 @@ GARBAGE_AFTER = 20_000  # new objects: syntax trees and pages are many that stay
 
 
 def run_list() -> int:
-    """Print each case with its subject and its inputs, their units, and which may be left out."""
+    """Print each case with its subject, its inputs, which may be left out, and its verdicts."""
     for case in (*CASES, *map(find, files.installed())):
         assumable = {one.name for one in ASSUMPTIONS.get(case.id, ())}
         needed: list[str] = []
@@ -44,6 +47,8 @@ def run_list() -> int:
         print(f"{'':20} inputs: {', '.join(needed)}")
         if optional:
             print(f"{'':20} optional: {', '.join(optional)}")
+        if found := in_list(case.id):
+            print(f"{'':20} verdicts: {found}")
     return 0
 
 
@@ -73,7 +78,7 @@ def run_verify(
     lines = verdict_lines(report)
     print("\n".join(lines))
     is_complete = write_report(report, out, use_cache)
-    drift = drift_lines(report)
+    drift = [*drift_lines(report), *_moved_verdicts(report)]
     print("".join(f"{line}\n" for line in drift), end="")
     print(f"report: {_page(out)} ({time.perf_counter() - start:.1f} s)")
     status = _exit_status(report)
@@ -117,7 +122,12 @@ def _page(out: Path) -> Path:
 def _exit_status(report: Report) -> int:
     failed = any(row.status in BAD for row in report.rows)
     loosened = report.drift is not None and report.drift.unexplained
-    return 1 if failed or loosened else 0
+    return 1 if failed or loosened or _moved_verdicts(report) else 0
+
+
+def _moved_verdicts(report: Report) -> list[str]:
+    """Formulas whose verdict is not that of record; nothing is said of a run of some cases."""
+    return moved(report.verdicts) if report.verdicts else []
 
 
 def drift_lines(report: Report) -> list[str]:
@@ -188,6 +198,7 @@ def make_report(
         budgets=() if name or not own else _budgets(results, cases),
         crosschecks=() if name else _crosschecks(results),
         caught=None if name or not own else _caught(),
+        verdicts=() if name or len(own) < len(CASES) else _verdicts(results),
         **(ledgers(results, cases) if own else sources(cases)),
     )
 
@@ -197,6 +208,13 @@ def _caught() -> Caught:
     from verify.audit.mutation.score import measured  # what judges anew, which `check` does without
 
     return measured()
+
+
+def _verdicts(results: Sequence[CaseResult]) -> tuple[FormulaVerdict, ...]:
+    """The verdicts of the papers' formulas, which rest on all cases."""
+    from verify.verdicts.found import verdicts
+
+    return verdicts([row for result in results for row in result.rows])
 
 
 def _validity(results: Sequence[CaseResult], cases: Sequence[Case]) -> tuple[Validity, ...]:

@@ -1,8 +1,9 @@
-"""The command `explain`: find a row by its name and print how it was judged."""
+"""The command `explain`: a row by its name, how it was judged; an equation, its verdict."""
 
 import json
 import os
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import asdict
 from difflib import get_close_matches
 from functools import partial
 from pathlib import Path
@@ -14,11 +15,13 @@ from verify.core import source_memory
 from verify.core.case import Case, Context
 from verify.core.inputs import InputError, Inputs
 from verify.core.results import Row, Status
+from verify.core.verdicts import FormulaVerdict, Verdict
 from verify.jobs import cache
 from verify.jobs.executor import Where
 from verify.jobs.level import Job
 from verify.jobs.session import solve
 from verify.judging.explain.steps import derive
+from verify.verdicts.console import explained, named
 
 BESIDE = ": convergence"  # the row that every finite-element row has beside it
 LISTED = 12
@@ -28,6 +31,8 @@ def run_explain(words: Sequence[str], *, as_json: bool, jobs: int, use_cache: bo
     """Explain the row that `words` name, on the parameters of the file if the last word is one."""
     path = _file(words[-1]) if words else None
     wanted = " ".join(words[:-1] if path else words)
+    if not path and (found := named(wanted)):
+        return _verdicts(found, as_json=as_json)
     if path is not None and is_file_name(path.name):
         case, inputs = find(str(path)), find(str(path)).inputs()
         row_id = find_row(wanted, row_ids(case, inputs, paper=True), f" of {path}")
@@ -45,6 +50,15 @@ def run_explain(words: Sequence[str], *, as_json: bool, jobs: int, use_cache: bo
     row = next(row for row in result.rows if row.id == row_id)
     print(_json(row) if as_json else _text(row))
     return 1 if row.status in (Status.FAIL, Status.SKIP) else 0
+
+
+def _verdicts(found: Sequence[FormulaVerdict], *, as_json: bool) -> int:
+    """Print the verdicts of record of an equation, in each of its forms."""
+    if as_json:
+        print(json.dumps([asdict(one) for one in found], ensure_ascii=False))
+    else:
+        print("\n".join(line for one in found for line in explained(one)))
+    return 1 if any(one.verdict is Verdict.NONE for one in found) else 0
 
 
 def _file(word: str) -> Path | None:

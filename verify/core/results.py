@@ -15,6 +15,7 @@ from verify.core.figures import (
     Sketch,
     Table,
 )
+from verify.core.verdicts import FormulaVerdict
 
 SCHEMA_VERSION = 1
 
@@ -558,6 +559,7 @@ class Report:
     budgets: tuple[CaseBudget, ...] = ()
     crosschecks: tuple[Crosscheck, ...] = ()
     caught: Caught | None = None
+    verdicts: tuple[FormulaVerdict, ...] = ()
 
     @property
     def has_ledgers(self) -> bool:

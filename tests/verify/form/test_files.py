@@ -88,7 +88,7 @@ def test_a_file_is_verified_with_a_report_of_its_own(printed_bar, capsys):
     assert heads[0] == ("1", "Bending stresses of a curved bar")
     assert not {"Tables of the papers", "Errata", "Readings", "Assumptions"} & {h for _, h in heads}
     assert f"freewheel verify {file}\nfreewheel init {file} > my.toml" in page
-    assert r"(Timoshenko \| Strength, curved bars) |" in Path("out/verdicts.md").read_text("utf-8")
+    assert r"(Timoshenko \| Strength, curved bars) |" in Path("out/cases.md").read_text("utf-8")
     assert Path("out/report.pdf").is_file()
 
 

@@ -1,0 +1,96 @@
+"""Verdicts of record: kept, compared, placed against a user's inputs, and printed."""
+
+import json
+from dataclasses import replace
+
+import pytest
+
+from verify.app.cli import run
+from verify.cases.registry import find
+from verify.core.verdicts import Form, FormulaVerdict, Safe, Side, Verdict, VerdictRange
+from verify.verdicts import record
+from verify.verdicts.declared import declared
+from verify.verdicts.place import Where, place
+
+
+def test_the_verdicts_of_record_are_of_all_declared_formulas():
+    names = [f"{key}/{f.name}, {f.form}" for key, d in declared().items() for f in d.formulas]
+    assert [one.id for one in record.kept()] == names
+    assert not [one.id for one in record.kept() if one.verdict is Verdict.NONE]
+
+
+def test_evidence_and_errata_of_the_record_are_those_declared():
+    for one in record.kept():
+        forms = declared()[one.paper].formulas
+        f = next(f for f in forms if (f.name, f.form) == (one.name, one.form))
+        assert (one.rows, one.model_rows, one.errata) == (f.part, f.model, f.errata)
+        assert one.safe == f.safe
+
+
+def test_what_is_kept_is_read_again(tmp_path, monkeypatch):
+    file = tmp_path / "verdicts.json"
+    record.keep(record.kept(), file)
+    assert file.read_text("utf-8") == record.FILE.read_text("utf-8")
+
+
+def test_a_verdict_that_is_not_the_one_of_record_is_named():
+    kept = record.kept()
+    assert record.moved(kept) == []
+    wider = next(one for one in kept if one.verdict is Verdict.PART)
+    changed = tuple(
+        replace(one, verdict=Verdict.ACCURATE, words="accurate") if one is wider else one
+        for one in kept
+    )
+    assert record.moved(changed) == [f"verdict of {wider.id}: accurate; {wider.words} on record"]
+    assert record.moved(kept[1:]) == [f"verdict of {kept[0].id}: on record only"]
+
+
+def sides(*, star):
+    box = (Side(name="r_i", symbol="r_i", unit="mm", low=5.0, high=24.0),
+           Side(name="nu", symbol="ν", unit="1", low=0.1, high=0.4))  # fmt: skip
+    return VerdictRange(case="ring-lame", limit=0.05, words="", over="", box=box, is_star=star,
+                        inside=4, points=5)  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("star", "changes", "where"),
+    [
+        (True, {}, Where.INSIDE),
+        (True, {"r_i": 6e-3}, Where.INSIDE),
+        (True, {"r_i": 4e-3}, Where.OUTSIDE),
+        (True, {"r_i": 6e-3, "nu": 0.2}, Where.NOT_COMPARED),
+        (False, {"r_i": 6e-3, "nu": 0.2}, Where.INSIDE),
+        (False, {"r_i": 6e-3, "nu": 0.45}, Where.OUTSIDE),
+        (False, {"E": 1e11}, Where.NOT_COMPARED),
+    ],
+)
+def test_a_user_s_inputs_lie_inside_outside_or_were_not_compared(star, changes, where):
+    one = FormulaVerdict(
+        id="x", paper="huang2018", source="", name="Eq. 6", form=Form.PRINTED, what="", words="",
+        verdict=Verdict.PART, safe=Safe.ABOVE, ranges=(sides(star=star),),
+    )  # fmt: skip
+    inputs = find("ring-lame").inputs(**changes)
+    assert place(one, "ring-lame", inputs).where is where
+
+
+@pytest.mark.parametrize("words", [["Belcin", "Eq.", "20"], ["belcin", "20"], ["Belcin Eq. 20"]])
+def test_an_equation_is_explained_in_both_forms(words, capsys):
+    assert run(["explain", *words]) == 0
+    out = capsys.readouterr().out
+    assert "Belcin, Eq. 20, printed" in out
+    assert "verdict      unsafe" in out
+    assert "polyhedral-clutch/torque, Eq. 20" in out
+
+
+def test_an_equation_as_json(capsys):
+    assert run(["explain", "--json", "huang2018", "Eq. 8"]) == 0
+    (one,) = json.loads(capsys.readouterr().out)
+    assert (one["verdict"], one["form"]) == ("exact", "printed")
+
+
+def test_check_prints_the_verdicts_of_its_formulas(tmp_path, capsys):
+    assert run(["init", "polyhedral-clutch"]) == 0
+    file = tmp_path / "mine.toml"
+    file.write_text(capsys.readouterr().out, "utf-8")
+    run(["check", str(file)])
+    assert "Belcin, Eq. 20 corrected  unsafe  up to 325 % above" in capsys.readouterr().out

@@ -1,0 +1,103 @@
+"""Value types of the verdicts of formulas. Nothing here computes."""
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+
+class Form(StrEnum):
+    """Which form of a formula a verdict is about."""
+
+    PRINTED = "printed"
+    CORRECTED = "corrected"
+
+
+class Safe(StrEnum):
+    """Which estimate of a quantity leads to a safe design."""
+
+    ABOVE = "above"  # a value above the true one
+    BELOW = "below"  # a value below the true one
+    NEITHER = "neither"
+
+
+class Verdict(StrEnum):
+    """May a formula be used? `verify.verdicts.rule` derives it from errors, never a person."""
+
+    EXACT = "exact"
+    ACCURATE = "accurate"
+    PART = "accurate in part of the range"
+    CONSERVATIVE = "conservative"
+    UNSAFE = "unsafe"
+    WRONG = "wrong as printed"
+    DEFINITION = "definition"
+    UNVERIFIABLE = "cannot be verified"
+    NONE = "no verdict"  # the evidence has failed, or was not run
+
+
+@dataclass(frozen=True, kw_only=True)
+class Side:
+    """From which to which value, in `unit`, an input was varied."""
+
+    name: str
+    symbol: str
+    unit: str
+    low: float
+    high: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class VerdictRange:
+    """Where the error of a formula stays within `limit`, in words, and how many points do.
+
+    `over` says what was varied in the study of a case; `box` holds the ranges that keep the limit,
+    one at a time where `is_star`, and is empty where no point does.
+    """
+
+    case: str
+    limit: float
+    words: str
+    over: str
+    box: tuple[Side, ...] = ()
+    is_star: bool = False
+    inside: int
+    points: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class FormulaVerdict:
+    """The verdict of one formula in one form, and what it rests on. Errors are relative.
+
+    `source` cites the paper, by its first author and year.
+
+    `error`, `U` belong to the paper's inputs, at the row of the largest error there; `above` and
+    `below` are the largest errors on both sides over all points, bars included. `within` is the
+    accuracy class of ACCURATE and of PART. `is_of_part` tells whether the errors are against the
+    part itself, or against its own idealisation alone; `model` states how well the formula solves
+    that where `rows` set it beside the part. `points` counts inputs beside the paper's.
+    """
+
+    id: str
+    paper: str
+    source: str
+    name: str
+    form: Form
+    what: str
+    verdict: Verdict
+    words: str
+    safe: Safe
+    safe_reason: str = ""
+    is_of_part: bool = False
+    within: float | None = None
+    error: float | None = None
+    U: float | None = None
+    above: float | None = None
+    below: float | None = None
+    ranges: tuple[VerdictRange, ...] = ()
+    points: int = 0
+    model: str = ""
+    shares: tuple[str, ...] = ()
+    methods: tuple[str, ...] = ()
+    limited_by: str = ""
+    instead: str = ""
+    rows: tuple[str, ...] = ()
+    model_rows: tuple[str, ...] = ()
+    errata: tuple[str, ...] = ()

@@ -1,0 +1,72 @@
+"""Verdicts of record as lines of the commands."""
+
+import re
+
+from verify.core.inputs import Inputs
+from verify.core.verdicts import Form, FormulaVerdict, Verdict
+from verify.verdicts.place import place
+from verify.verdicts.record import kept, of_case
+
+_NAMED = re.compile(
+    r"(?P<paper>[a-z]+(?: ?20\d\d)?)[ /,:]*(?:eqs?\.?|equation)? *(?P<number>\d{1,2})"
+)
+
+
+def named(words: str) -> tuple[FormulaVerdict, ...]:
+    """The forms of the equation that words name, "Belcin Eq. 20"; empty where they name none."""
+    match = _NAMED.fullmatch(" ".join(words.lower().split()))
+    if match is None:
+        return ()
+    paper = match["paper"].replace(" ", "")
+    return tuple(
+        one for one in kept()
+        if one.paper.startswith(paper) and one.name == f"Eq. {match['number']}"
+    )  # fmt: skip
+
+
+def explained(one: FormulaVerdict) -> list[str]:
+    """A verdict with all that it rests on, a line each."""
+    head = f"{one.source}, {one.name}, {one.form}: {one.what}"
+    parts = [
+        ("verdict", one.verdict.value), ("in words", one.words), ("model", one.model),
+        ("safe side", _safe(one)), ("limited by", one.limited_by), ("use instead", one.instead),
+        *_ranges(one),
+        ("shared", "; ".join(one.shares)), ("against", ", ".join(one.methods)),
+        *(("row", row) for row in one.rows),
+        *(("row, own model", row) for row in one.model_rows),
+        *(("erratum", erratum) for erratum in one.errata),
+    ]  # fmt: skip
+    width = max(len(label) for label, text in parts if text)
+    return [head, *(f"  {label:{width}}  {text}" for label, text in parts if text)]
+
+
+def _ranges(one: FormulaVerdict) -> list[tuple[str, str]]:
+    return [
+        (f"within {100 * r.limit:g} %", f"{r.case}: {r.words} (of {r.over})") for r in one.ranges
+    ]
+
+
+def of_part(case: str, inputs: Inputs) -> list[tuple[str, ...]]:
+    """Equation, verdict, what it says and where these inputs lie, for each formula of a case."""
+    return [
+        (f"{one.source}, {_short(one)}", one.verdict.value, _said(one),
+         place(one, case, inputs).words)
+        for one in of_case(case) if one.form is Form.CORRECTED or one.verdict is not Verdict.WRONG
+    ]  # fmt: skip
+
+
+def in_list(case: str) -> str:
+    """The verdicts of a case in one line: "Eq. 6 unsafe, Eq. 8 exact"."""
+    return ", ".join(f"{_short(one)} {one.verdict}" for one in of_case(case))
+
+
+def _short(one: FormulaVerdict) -> str:
+    return f"{one.name} {one.form}" if one.form is Form.CORRECTED else one.name
+
+
+def _said(one: FormulaVerdict) -> str:
+    return one.words.removeprefix(f"{one.verdict}: ").partition(";")[0]
+
+
+def _safe(one: FormulaVerdict) -> str:
+    return f"{one.safe}: {one.safe_reason}" if one.safe_reason else ""

@@ -1,0 +1,110 @@
+"""What a formula's verdict rests on: errors of judged rows, and of the studies of the same rows."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from verify.cases.registry import find
+from verify.core.results import Kind, Row, Status
+from verify.studies.sweep.outcome import Course
+from verify.studies.sweep.plan import Plan
+from verify.studies.validity.store import measured
+from verify.verdicts.rule import Point
+
+Study = tuple[Plan, Course]
+BESIDE = ": convergence"  # ends the name of the row that judges the meshes of another
+COMPARING = (Kind.IDENTITY, Kind.APPROXIMATION, Kind.ASYMPTOTIC)  # rows that carry an error
+
+
+class NoEvidenceError(ValueError):
+    """A row that a verdict needs has failed, was not run, or carries no judged error."""
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """Rows with their errors at the paper's inputs, and studies of the same comparisons."""
+
+    rows: tuple[Row, ...]
+    studies: tuple[Study, ...]
+
+    @property
+    def points(self) -> tuple[Point, ...]:
+        """All errors: of the rows, then of the solved points of the studies."""
+        solved = (
+            Point(float(e), float(U), is_paper=False)
+            for _, course in self.studies
+            for e, U in zip(course.error, course.U_error, strict=True)
+            if np.isfinite(e) and np.isfinite(U)
+        )
+        return (*(point_of(row) for row in self.rows), *solved)
+
+    @property
+    def is_studied(self) -> bool:
+        """Whether any row was compared at other inputs than the paper's too."""
+        return any(len(plan.points) > 1 for plan, _ in self.studies)
+
+
+def evidence(ids: Sequence[str], rows: Mapping[str, Row]) -> Evidence:
+    """The evidence that the rows of these ids give; NoEvidenceError names what is missing."""
+    found = tuple(_judged(row_id, rows) for row_id in ids)
+    return Evidence(found, tuple(study for row in found for study in _studies(row)))
+
+
+def point_of(row: Row) -> Point:
+    """The error of a row and its expanded uncertainty, relative; NoEvidenceError without one."""
+    if row.difference is None or not row.scale or row.tolerance is None:
+        raise NoEvidenceError(f"{row.id} has no error with an uncertainty")
+    return Point(row.difference / row.scale, row.tolerance / row.scale)
+
+
+def _judged(row_id: str, rows: Mapping[str, Row]) -> Row:
+    if row_id not in rows:
+        raise NoEvidenceError(f"{row_id} is no row of this run")
+    row = rows[row_id]
+    if row.status is not Status.PASS and not _is_measured(row, rows):
+        raise NoEvidenceError(f"{row_id} is {row.status.value}")
+    if row.kind not in COMPARING:
+        raise NoEvidenceError(f"{row_id} compares no formula with a reference ({row.kind.value})")
+    point_of(row)
+    return row
+
+
+def _is_measured(row: Row, rows: Mapping[str, Row]) -> bool:
+    """Whether a model error that nobody predicts was measured on meshes that converge."""
+    beside = rows.get(f"{row.id}{BESIDE}")
+    converges = beside is not None and beside.status is Status.PASS
+    return row.status is Status.SHOWN and row.kind is Kind.APPROXIMATION and converges
+
+
+def _studies(row: Row) -> list[Study]:
+    case = find(row.case)
+    record = measured(case) if case.scans else None
+    return [
+        (plan, course)
+        for plan, courses in (record.scans if record else ())
+        for course in courses if course.pair.name == row.quantity
+    ]  # fmt: skip
+
+
+def joined(studies: Sequence[Study]) -> list[Study]:
+    """Studies over the same points as one, with the largest error of all at each point."""
+    found: dict[tuple[str, str], Study] = {}
+    for plan, course in studies:
+        key = (plan.case.id, str((plan.names, plan.points.tolist())))
+        found[key] = (plan, _worse(found[key][1], course) if key in found else course)
+    return list(found.values())
+
+
+def _worse(one: Course, other: Course) -> Course:
+    """At each point the error of larger size, an unsolved one before any other."""
+    size, next_size = (abs(c.error) + c.U_error for c in (one, other))
+    takes_other = np.isnan(next_size) | (next_size > size)
+    return replace(
+        one,
+        error=np.where(takes_other, other.error, one.error),
+        U_error=np.where(takes_other, other.U_error, one.U_error),
+        problems=tuple(
+            b if t else a for a, b, t in zip(one.problems, other.problems, takes_other, strict=True)
+        ),
+    )

@@ -1,0 +1,86 @@
+"""Where a user's inputs lie in what a verdict was compared over."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+
+from verify.core.inputs import Inputs
+from verify.core.verdicts import FormulaVerdict, Side, Verdict, VerdictRange
+from verify.verdicts.words import percent
+
+SAME = 1e-9  # relative: inputs that differ by less are equal
+MOST_NAMED = 3  # inputs that a line names
+WITHOUT_RANGE = (Verdict.DEFINITION, Verdict.UNVERIFIABLE, Verdict.WRONG, Verdict.NONE)
+
+
+class Where(StrEnum):
+    """Whether a formula was compared at such inputs, and kept a limit there."""
+
+    INSIDE = "inside"
+    OUTSIDE = "outside"
+    NOT_COMPARED = "not compared"
+    NONE = ""
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where the inputs lie, and a sentence that says so."""
+
+    where: Where
+    words: str
+
+
+def place(found: FormulaVerdict, case: str, inputs: Inputs) -> Place:
+    """Where inputs of a case lie in the ranges of a verdict."""
+    if found.verdict in WITHOUT_RANGE:
+        return Place(Where.NONE, "")
+    mine, paper = _values(inputs), _values(type(inputs)())
+    changed = [name for name in mine if not _equal(mine[name], paper.get(name))]
+    if not changed:
+        return Place(Where.INSIDE, "these are the paper's inputs")
+    ranges = sorted((r for r in found.ranges if r.case == case), key=lambda r: r.limit)
+    symbols = {shown.name: shown.symbol for shown in inputs.display()}
+    if kept := next((r for r in ranges if _holds(r, mine, changed)), None):
+        return Place(Where.INSIDE, f"inside the range with errors within {percent(kept.limit)}")
+    varied = {side.name for r in ranges for side in r.box}
+    if other := [symbols[name] for name in changed if name not in varied]:
+        return Place(Where.NOT_COMPARED, f"not compared with another {_named(other)}")
+    if len(changed) > 1 and all(r.is_star for r in ranges):
+        both = _named([symbols[name] for name in changed])
+        return Place(Where.NOT_COMPARED, f"not compared with {both} changed at once")
+    return Place(Where.OUTSIDE, f"outside the range with errors within {percent(_last(ranges))}")
+
+
+def _values(inputs: Inputs) -> Mapping[str, object]:
+    return {shown.name: shown.value for shown in inputs.display()}
+
+
+def _equal(one: object, other: object) -> bool:
+    if isinstance(one, int | float) and isinstance(other, int | float):
+        return math.isclose(one, other, rel_tol=SAME)
+    return one == other
+
+
+def _holds(found: VerdictRange, mine: Mapping[str, object], changed: list[str]) -> bool:
+    """Whether a range was compared with these inputs changed, and holds their values."""
+    sides = {side.name: side for side in found.box}
+    if found.is_star and len(changed) > 1:
+        return False
+    return bool(sides) and all(n in sides and _inside(sides[n], mine[n]) for n in changed)
+
+
+def _inside(side: Side, value: object) -> bool:
+    if not isinstance(value, int | float):
+        return False
+    room = SAME * max(abs(side.low), abs(side.high))
+    return side.low - room <= value <= side.high + room
+
+
+def _named(symbols: list[str]) -> str:
+    more = len(symbols) - MOST_NAMED
+    return ", ".join(symbols[:MOST_NAMED]) + (f" and {more} more" if more > 0 else "")
+
+
+def _last(ranges: list[VerdictRange]) -> float | None:
+    return ranges[-1].limit if ranges else None

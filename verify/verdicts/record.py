@@ -1,0 +1,68 @@
+"""The verdicts of record: those of the last full run that a maintainer accepted.
+
+`check`, `list` and `explain` read them, for a verdict rests on all cases and takes minutes.
+"""
+
+import json
+import math
+from collections.abc import Sequence
+from dataclasses import asdict
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from pydantic import TypeAdapter
+
+from verify.core.files import write_whole
+from verify.core.verdicts import FormulaVerdict
+
+FILE = Path(__file__).parents[1] / "measured" / "verdicts.json"
+DIGITS = 3  # significant, of errors
+
+
+@cache
+def kept() -> tuple[FormulaVerdict, ...]:
+    """The verdicts of record; empty where there are none."""
+    try:
+        text = FILE.read_bytes()
+    except OSError:
+        return ()
+    return TypeAdapter(tuple[FormulaVerdict, ...]).validate_json(text)
+
+
+def keep(verdicts: Sequence[FormulaVerdict], file: Path = FILE) -> None:
+    """Make these the verdicts of record; OSError."""
+    records = [_short(asdict(one)) for one in verdicts]
+    text = json.dumps(records, ensure_ascii=False, indent=1) + "\n"
+    write_whole(file, lambda target: target.write(text.encode()))
+
+
+def moved(verdicts: Sequence[FormulaVerdict]) -> list[str]:
+    """A line for each formula whose verdict or accuracy class is not that of record."""
+    before = {one.id: one for one in kept()}
+    lines = []
+    for one in verdicts:
+        was = before.pop(one.id, None)
+        if was is None or (was.verdict, was.within) != (one.verdict, one.within):
+            known = "not on record" if was is None else f"{was.words} on record"
+            lines.append(f"verdict of {one.id}: {one.words}; {known}")
+    return lines + [f"verdict of {name}: on record only" for name in before]
+
+
+def of_case(case: str) -> tuple[FormulaVerdict, ...]:
+    """The verdicts of record that rest on rows of a case."""
+    return tuple(
+        one for one in kept()
+        if any(row.partition("/")[0] == case for row in one.rows + one.model_rows)
+    )  # fmt: skip
+
+
+def _short(value: Any) -> Any:
+    """Numbers with DIGITS significant digits, so that a record is the same on every machine."""
+    if isinstance(value, float):
+        return float(f"{value:.{DIGITS}g}") if math.isfinite(value) else None
+    if isinstance(value, dict):
+        return {k: v if k in ("low", "high") else _short(v) for k, v in value.items()}
+    if isinstance(value, list | tuple):
+        return [_short(v) for v in value]
+    return value

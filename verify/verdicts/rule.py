@@ -1,0 +1,63 @@
+"""The rule that makes a verdict of errors; docs/verdicts.md derives it."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from verify.core.verdicts import Safe, Verdict
+
+CLASSES = (0.01, 0.02, 0.05, 0.10)  # of accuracy, relative
+SHARP = 0.01  # largest detection limit of rows that show a formula to be exact
+SAFE_SIDE_TOLERANCE = 0.02  # largest error on the unsafe side of a conservative formula
+
+
+@dataclass(frozen=True)
+class Point:
+    """A relative error, formula over reference less one, with its expanded uncertainty."""
+
+    error: float
+    U: float
+    is_paper: bool = True  # at the inputs of the paper, not of a study
+
+    @property
+    def size(self) -> float:
+        """The largest error that the bar allows, on either side."""
+        return abs(self.error) + self.U
+
+
+def above(points: Sequence[Point]) -> float:
+    """The largest error above the reference, bars included; 0 where there is none."""
+    return max(0.0, *(p.error + p.U for p in points))
+
+
+def below(points: Sequence[Point]) -> float:
+    """The largest error below the reference as a positive number, bars included."""
+    return max(0.0, *(p.U - p.error for p in points))
+
+
+def on_unsafe_side(points: Sequence[Point], safe: Safe) -> float:
+    """The largest error on the unsafe side, which is both sides where neither is safe."""
+    high, low = above(points), below(points)
+    return {Safe.ABOVE: low, Safe.BELOW: high, Safe.NEITHER: max(high, low)}[safe]
+
+
+def accuracy(points: Sequence[Point]) -> float | None:
+    """The least accuracy class that holds all points, bars included; None beyond the last."""
+    largest = max(p.size for p in points)
+    return next((limit for limit in CLASSES if largest <= limit), None)
+
+
+def judged(points: Sequence[Point], safe: Safe, *, has_range: bool) -> Verdict:
+    """The verdict of a formula whose errors are known; at least one point.
+
+    `has_range` tells whether a study covers the design range beside the paper's inputs.
+    """
+    if accuracy(points) is not None:
+        return Verdict.ACCURATE if has_range else Verdict.PART
+    unsafe = on_unsafe_side(points, safe)
+    if unsafe <= SAFE_SIDE_TOLERANCE:
+        return Verdict.CONSERVATIVE
+    paper = [p for p in points if p.is_paper]
+    holds_there = accuracy(paper) is not None
+    if holds_there or unsafe <= CLASSES[-1]:
+        return Verdict.PART
+    return Verdict.UNSAFE
