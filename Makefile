@@ -35,7 +35,7 @@ test: .venv/.ready
 
 # Tests that take minutes each: kills at random moments, full disks, whole cases, other machines.
 soak: .venv/.ready
-	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/pytest -n 2 --dist loadfile -m soak
+	HYPOTHESIS_PROFILE=default OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/pytest -n 2 --dist loadfile -m "soak or not soak"
 
 check: .venv/.ready
 	$(BIN)/ruff check .

@@ -2,6 +2,7 @@
 
 import ctypes
 import gc
+import os
 import resource
 import signal
 from collections.abc import Callable, Iterator
@@ -10,6 +11,7 @@ from functools import cache, lru_cache
 from pathlib import Path
 
 import pytest
+from hypothesis import settings
 
 from verify.core import source_memory
 from verify.core.case import Case
@@ -18,6 +20,10 @@ from verify.core.plain_code import PROJECT
 from verify.core.results import CaseResult, Row, Status
 from verify.jobs.cache import default_folder
 from verify.jobs.level import Job, judge_case, solve_level
+
+# `make test` tries the same examples on every machine; HYPOTHESIS_PROFILE=default tries new ones
+settings.register_profile("repeatable", derandomize=True)
+settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "repeatable"))
 
 pytest_plugins = ["tests.seconds"]
 

@@ -21,6 +21,7 @@ from verify.core.results import Kind, Row, Status
 from verify.jobs.cache import default_folder
 
 
+@pytest.mark.slow("a whole report is written and validated")
 def test_results_obey_the_schema_with_odd_texts_too(report, hostile, written):
     schema = json.loads((written / "results.schema.json").read_text())
     results = json.loads((written / "results.json").read_text())

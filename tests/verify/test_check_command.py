@@ -88,7 +88,8 @@ def test_the_answer_comes_first(tmp_path, capsys):
     assert margin.startswith("  margin: 1.06, limited by hoop stress in the fillets")
     heads = [x.split(":")[0].split(" by ")[0] for x in rest if not x.startswith(("  ", "("))]
     shared = "assumptions that formula and reference share"
-    assert [h for h in heads if h != "warning"] == ["limits", "values", "inputs", shared]
+    verdicts = "verdicts of the formulas (freewheel explain EQUATION has the evidence)"
+    assert [h for h in heads if h != "warning"] == ["limits", "values", verdicts, "inputs", shared]
     # the target as printed lies between what plane strain and plane stress bear
     status, out = checked(written(tmp_path, "polyhedral-clutch"), capsys=capsys)
     assert status == 3

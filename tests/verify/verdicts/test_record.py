@@ -88,6 +88,7 @@ def test_an_equation_as_json(capsys):
     assert (one["verdict"], one["form"]) == ("exact", "printed")
 
 
+@pytest.mark.slow("ranges of ten assumed inputs are gone through")
 def test_check_prints_the_verdicts_of_its_formulas(tmp_path, capsys):
     assert run(["init", "polyhedral-clutch"]) == 0
     file = tmp_path / "mine.toml"
