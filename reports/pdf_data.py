@@ -19,6 +19,7 @@ from reports.pdf_case import case_data, maths, value_cells
 from reports.pdf_caught import caught_data
 from reports.pdf_tables import Data, prose
 from reports.pdf_validity import validity_data
+from reports.pdf_verdicts import verdict_data
 from reports.readings import readings_data
 from reports.richtext import runs
 from reports.second import seconds
@@ -51,6 +52,7 @@ def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
         "findings": [prose(text) for case in report.cases for text in case.findings],
         "values": [value_cells(v) for case in report.cases if own for v in case.values],
         "in_short": [asdict(line) for line in cases_in_short(report)] if report.rows else [],
+        "verdicts": verdict_data(report),
         "overview": standalone(signature.overview(report.cases, places)),
         "key": standalone(_key(report)),
         "cases": [

@@ -43,7 +43,8 @@ def _drift(drift: Drift) -> dict[str, Any]:
 def row_record(row: Row) -> dict[str, Any]:
     """One row; numbers that are not finite become null, for JSON knows none."""
     record = {"id": row.id} | {k: _plain(v) for k, v in asdict(row).items()}
-    return record | {"kind": row.kind.value, "status": row.status.value}
+    error = row.difference / row.scale if row.difference is not None and row.scale else None
+    return record | {"kind": row.kind.value, "status": row.status.value, "error": _plain(error)}
 
 
 def _case(case: CaseResult) -> dict[str, Any]:

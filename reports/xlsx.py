@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import asdict
 from typing import Any
 
 from reports.html import title
@@ -12,6 +13,7 @@ from reports.second import seconds
 from reports.sheets import Sheets
 from reports.workbook import Book, Cell, Link, Printed
 from verify.core.results import CaseResult, Crosscheck, PaperTable, Report, Row, Status
+from verify.core.verdicts import FormulaVerdict
 
 RELATIVE_FORMAT = "0.0E+00"
 LEDGER = re.compile(r"ledger (\w+):([\w-]+)")
@@ -126,9 +128,17 @@ def _paper_table(book: Book, name: str, table: PaperTable) -> None:
 
 
 def _ledgers(book: Book, report: Report) -> None:
+    if report.verdicts:
+        _records(book, "Verdicts", [_verdict(one) for one in report.verdicts])
     _records(book, "Errata", report.errata)
     _records(book, "Equations", report.equations)
     _records(book, "Printed numbers", report.published)
+
+
+def _verdict(one: FormulaVerdict) -> dict[str, Any]:
+    """A verdict in one line; its ranges in words."""
+    ranges = [f"{100 * r.limit:g} % in {r.case}: {r.words}" for r in one.ranges]
+    return asdict(one) | {"ranges": ranges}
 
 
 def _records(book: Book, name: str, records: Sequence[Mapping[str, Any]]) -> None:

@@ -47,7 +47,7 @@ def run_list() -> int:
         print(f"{'':20} inputs: {', '.join(needed)}")
         if optional:
             print(f"{'':20} optional: {', '.join(optional)}")
-        if found := in_list(case.id):
+        if found := in_list(case):
             print(f"{'':20} verdicts: {found}")
     return 0
 

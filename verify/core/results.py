@@ -94,8 +94,9 @@ class Row:
     `method` is that of the reference `fem`; `difference` is value minus reference; `interval` holds
     the expected signed model error of an approximation; `levels` the reference's values by mesh
     size, coarse to fine, and `levels_u` their standard uncertainties where a limit is fitted.
-    `formula` is the key of the case's value that is judged, and `shares` what both sides have in
-    common beside the inputs.
+    `formula` is the key of the case's value that is judged, `equation` its number in the paper or
+    its source, `form` which form of it, `safe` the side on which an error of it does no harm, and
+    `shares` what both sides have in common beside the inputs.
     """
 
     case: str
@@ -128,6 +129,9 @@ class Row:
     grid: Grid | None = None
     levels_u: tuple[float, ...] = ()
     formula: str = ""
+    equation: str = ""
+    form: str = ""
+    safe: str = ""
     shares: str = ""
 
     @property

@@ -101,3 +101,9 @@ class FormulaVerdict:
     rows: tuple[str, ...] = ()
     model_rows: tuple[str, ...] = ()
     errata: tuple[str, ...] = ()
+
+    @property
+    def cases(self) -> tuple[str, ...]:
+        """The cases whose rows it rests on."""
+        rows = self.rows + self.model_rows
+        return tuple(dict.fromkeys(row.partition("/")[0] for row in rows))

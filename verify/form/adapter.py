@@ -186,9 +186,16 @@ def _check(one: Comparison, own: bool) -> Check:
         if callable(value := getattr(check, f.name)) and not isinstance(value, type)
     ]  # fmt: skip
     found = {name: _of_inputs(one.name, name, own) for name in functions}
-    judged = one.key if one.quantity else check.formula
-    made: Check = replace(check, **found, formula=judged, shares=one.shares or check.shares)
+    made: Check = replace(check, **found, **_stated(one), shares=one.shares or check.shares)
     return made
+
+
+def _stated(one: Comparison) -> dict[str, str]:
+    """What a comparison states of its formula."""
+    q = one.quantity
+    if q is None:
+        return {}
+    return {"formula": one.key, "equation": q.equation or q.source, "form": q.form, "safe": q.safe}
 
 
 def _of_inputs(name: str, function: str, own: bool) -> Callable[..., Any]:

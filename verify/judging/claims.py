@@ -22,12 +22,16 @@ from verify.judging.convergence import (
 from verify.papers.ledger import published
 
 
+STATED = ("formula", "equation", "form", "safe", "shares")  # of the formula, in every row
+
+
 @dataclass(frozen=True, kw_only=True)
 class Claim(ABC):
     """What all claims have. `printed` lists published values ("paper:id") shown beside the row.
 
-    `formula` is the key of the analytic value that is judged; `shares` states what both sides have
-    in common beside the inputs.
+    `formula` is the key of the analytic value that is judged, `equation` its number or source, in
+    which `form`, and `safe` the side on which an error of it does no harm; `shares` states what
+    both sides have in common beside the inputs.
     """
 
     kind: ClassVar[Kind]
@@ -38,6 +42,9 @@ class Claim(ABC):
     demand_reason: str = ""
     printed: tuple[str, ...] = ()
     formula: str = ""
+    equation: str = ""
+    form: str = ""
+    safe: str = ""
     shares: str = ""
     paper_only: bool = False  # speaks of the paper's inputs alone, and user inputs have no row
 
@@ -56,7 +63,7 @@ class Claim(ABC):
 
     def _row(self, case: str, kind: Kind, verdict: judge.Verdict, **more: Any) -> Row:
         own = {"demand": self.demand, "demand_reason": self.demand_reason}
-        more = own | {"formula": self.formula, "shares": self.shares} | more
+        more = own | {name: getattr(self, name) for name in STATED} | more
         return make_row(case, kind, verdict, self.name, self.symbol, self.unit, **more)
 
     def _printed(self, context: Context) -> tuple[Published, ...]:

@@ -2,6 +2,7 @@
 
 import re
 
+from verify.core.case import Case
 from verify.core.inputs import Inputs
 from verify.core.verdicts import Form, FormulaVerdict, Verdict
 from verify.verdicts.place import place
@@ -46,16 +47,16 @@ def _ranges(one: FormulaVerdict) -> list[tuple[str, str]]:
     ]
 
 
-def of_part(case: str, inputs: Inputs) -> list[tuple[str, ...]]:
+def of_part(case: Case, inputs: Inputs) -> list[tuple[str, ...]]:
     """Equation, verdict, what it says and where these inputs lie, for each formula of a case."""
     return [
         (f"{one.source}, {_short(one)}", one.verdict.value, _said(one),
-         place(one, case, inputs).words)
+         place(one, case.id, inputs).words)
         for one in of_case(case) if one.form is Form.CORRECTED or one.verdict is not Verdict.WRONG
     ]  # fmt: skip
 
 
-def in_list(case: str) -> str:
+def in_list(case: Case) -> str:
     """The verdicts of a case in one line: "Eq. 6 unsafe, Eq. 8 exact"."""
     return ", ".join(f"{_short(one)} {one.verdict}" for one in of_case(case))
 

@@ -35,6 +35,8 @@ def place(found: FormulaVerdict, case: str, inputs: Inputs) -> Place:
     """Where inputs of a case lie in the ranges of a verdict."""
     if found.verdict in WITHOUT_RANGE:
         return Place(Where.NONE, "")
+    if case not in found.cases:
+        return Place(Where.NOT_COMPARED, f"compared in {', '.join(found.cases)}")
     mine, paper = _values(inputs), _values(type(inputs)())
     changed = [name for name in mine if not _equal(mine[name], paper.get(name))]
     if not changed:

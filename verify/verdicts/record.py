@@ -13,8 +13,10 @@ from typing import Any
 
 from pydantic import TypeAdapter
 
+from verify.core.case import Case
 from verify.core.files import write_whole
 from verify.core.verdicts import FormulaVerdict
+from verify.papers.numbers import numbers
 
 FILE = Path(__file__).parents[1] / "measured" / "verdicts.json"
 DIGITS = 3  # significant, of errors
@@ -49,12 +51,20 @@ def moved(verdicts: Sequence[FormulaVerdict]) -> list[str]:
     return lines + [f"verdict of {name}: on record only" for name in before]
 
 
-def of_case(case: str) -> tuple[FormulaVerdict, ...]:
-    """The verdicts of record that rest on rows of a case."""
+def of_case(case: Case) -> tuple[FormulaVerdict, ...]:
+    """The verdicts of record of the equations that a case has, or that rest on its rows."""
+    names = {f"Eq. {number}" for number in equations(case)}
     return tuple(
         one for one in kept()
-        if any(row.partition("/")[0] == case for row in one.rows + one.model_rows)
+        if (one.paper == case.paper and one.name in names) or case.id in one.cases
     )  # fmt: skip
+
+
+def equations(case: Case) -> frozenset[int]:
+    """The numbered equations of its paper that the quantities of a case state."""
+    declared: Sequence[Any] = getattr(case.inputs, "quantities", tuple)()
+    texts = [f"Eqs. {q.equation}" for q in declared if q.equation]
+    return frozenset().union(*map(numbers, texts))
 
 
 def _short(value: Any) -> Any:

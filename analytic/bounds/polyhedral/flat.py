@@ -36,6 +36,11 @@ class FlatParts:
         """Friction over normal force of a roller."""
         return self.mu if self.alpha is None else tan(self.alpha / 2)
 
+    @property
+    def arc(self) -> float:
+        """Arc of a side over its chord."""
+        return arc_of_side(self.d_i, self.z)
+
 
 @dataclass(frozen=True)
 class Flat:
@@ -96,6 +101,15 @@ def chord(d_i: float, z: int) -> float:
     turn = 1j * np.pi / z
     corners = d_i / 2 * np.exp(np.array([-turn, turn]))
     return float(abs(corners[1] - corners[0]))
+
+
+def arc_of_side(d_i: float, z: int) -> float:
+    """Arc over chord between two neighbours of z corners on the diameter d_i.
+
+    >>> round(arc_of_side(2.0, 6), 6)
+    1.047198
+    """
+    return float(np.pi * d_i / z / chord(d_i, z))
 
 
 def roller_force(

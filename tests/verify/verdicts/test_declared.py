@@ -6,7 +6,7 @@ from verify.app.explain import row_ids
 from verify.cases.registry import find
 from verify.core.verdicts import Form, Safe
 from verify.papers.ledger import papers
-from verify.studies.validity.equations import numbers
+from verify.papers.numbers import numbers
 from verify.verdicts.declared import declared
 
 SIDES = {Safe.ABOVE: "too high", Safe.BELOW: "too low"}

@@ -67,7 +67,7 @@ def sides(*, star):
 def test_a_user_s_inputs_lie_inside_outside_or_were_not_compared(star, changes, where):
     one = FormulaVerdict(
         id="x", paper="huang2018", source="", name="Eq. 6", form=Form.PRINTED, what="", words="",
-        verdict=Verdict.PART, safe=Safe.ABOVE, ranges=(sides(star=star),),
+        verdict=Verdict.PART, safe=Safe.ABOVE, ranges=(sides(star=star),), rows=("ring-lame/x",),
     )  # fmt: skip
     inputs = find("ring-lame").inputs(**changes)
     assert place(one, "ring-lame", inputs).where is where

@@ -7,6 +7,7 @@ from verify.core.case import Case
 from verify.core.figures import Equation
 from verify.core.results import Kind
 from verify.papers.ledger import cited, papers
+from verify.papers.numbers import numbers
 from verify.studies.sweep.pairs import Pair, pairs
 
 _NUMBERS = re.compile(r"Eqs?\. ([\d, and-]*\d)")
@@ -15,17 +16,6 @@ _GREEK = {
     "theta": "θ", "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν", "rho": "ρ", "sigma": "σ",
     "tau": "τ", "varphi": "φ", "psi": "ψ", "omega": "ω", "Delta": "Δ", "Omega": "Ω",
 }  # fmt: skip
-
-
-def numbers(text: str) -> frozenset[int]:
-    """The equations that a text names: "Eqs. 6, 8-10" are 6, 8, 9 and 10."""
-    found: set[int] = set()
-    for given in _NUMBERS.findall(text):
-        for part in re.split(r", | and ", given):
-            first, _, last = part.strip(" ,").partition("-")
-            if first.isdecimal():
-                found.update(range(int(first), int(last or first) + 1))
-    return frozenset(found)
 
 
 def place(case: Case, pair: Pair) -> str:

@@ -29,6 +29,9 @@ SHARP = "acceptance of the subject"
 ENCLOSED = "as sharp as three bodies that enclose the star are"
 PRINTED_ERROR = "a formula 22 % off: three per cent show it"
 ON_FLAT = "rolling on a flat instead of on a circle: (R + X)/(2X)"
+NOT_LOADED = "the angle without load over that under torque, by Eq. 5, corrected"
+NOT_RIGHT = "the printed angle over the corrected one"
+MANY_TIMES = "a formula tens of per cent off and more: five per cent of it show that"
 NO_LEVER = "F_n misses the axis by x: X/R of the torque is left"
 ROOM = "small displacements leave room beside the contacts' middles:"
 NAMED = statics.Named(
@@ -97,6 +100,20 @@ class FreewheelTorque(Star):
     def torque_printed(self) -> float:
         return float(printed.torque_on_cam(self.cam, F_t=self.state.F_t))
 
+    alpha_rigid = Quantity(
+        "α", "deg", "clamping angle, taken as that without load", equation="4", form="corrected",
+        form_of="alpha", safe="too high", tex=r"\alpha_0",
+    ).reads(lambda q: q.alpha_0)  # fmt: skip
+    alpha_0_printed = Quantity(
+        "α", "deg", "clamping angle, taken as that without load", equation="4", form="as printed",
+        form_of="alpha", safe="too high",
+        tex=r"\arccos\left(\sqrt{\frac{r + X}{2 (R - r)}}\right)",
+    ).reads(lambda q: printed.alpha0(q.cam))  # fmt: skip
+    alpha_printed = Quantity(
+        "α", "deg", "clamping angle under torque", equation="5", form="as printed",
+        form_of="alpha", safe="too high",
+        tex=r"\frac{1}{2} \arccos\left(\frac{X - d_i + r}{R - d_o + r}\right)",
+    ).reads(lambda q: printed.alpha_1(q.cam, d_i=q.state.d_i, d_o=q.state.d_o))  # fmt: skip
     s = Quantity("s", "µm", "travel of the rollers' centres about the axis", equation="6",
                  tex=r"(R - r + d_o) 2 (\alpha - \alpha_0)").reads(lambda q: q.state.s)  # fmt: skip
     phi = Quantity(
@@ -148,6 +165,15 @@ class FreewheelTorque(Star):
         yield approximation(star.alpha, name="clamping angle under torque (Eqs. 4, 5)",
                             symbol="α(T)", expected=known(self, bounds.angle()),
                             sensitivity=(0.002, SHARP), **more)  # fmt: skip
+        for q, name, why in (
+            (star.alpha_rigid, "clamping angle under torque, taken as α_0 (Eq. 4)", NOT_LOADED),
+            (star.alpha_0_printed, "clamping angle under torque, Eq. 4 as printed", NOT_RIGHT),
+            (star.alpha_printed, "clamping angle under torque, Eq. 5 as printed", NOT_RIGHT),
+        ):
+            ratio = float(getattr(self, q.name) / self.alpha)
+            yield approximation(q, name=name, symbol="α", sensitivity=(0.05, MANY_TIMES),
+                                expected=known(self, times(bounds.angle(), ratio), why),
+                                **more)  # fmt: skip
         yield approximation(star.N, name="normal force under torque (Eqs. 2, 3)", symbol="F_n(T)",
                             expected=known(self, bounds.force()), **more)  # fmt: skip
         yield approximation(star.s, name="way of the rollers (Eq. 6)", symbol="s(T)",

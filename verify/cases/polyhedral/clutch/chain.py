@@ -3,7 +3,7 @@
 from math import atan
 from typing import Any
 
-from analytic.polyhedral import bore_pressure
+from analytic.polyhedral import bore_pressure, printed
 from analytic.polyhedral.design import Clutch
 from analytic.polyhedral.parts import Parts
 from analytic.polyhedral.sector import Sector
@@ -64,6 +64,17 @@ class PaperChain(ClutchInputs):
         first = self.paper(K=1.0, lever="d_i/2", gamma="radius", rho=0.0)
         return first.M_t
 
+    @Quantity("M_20", "N m", "torque", equation="20", form="as printed", form_of="M_20",
+              safe="too low",
+              tex=r"\frac{\mu_g D_i}{2} \frac{\pi d_i b p_2}{1 - s}")  # fmt: skip
+    def M_20_printed(self) -> float:
+        return float(self.M_20 * printed.arc_over_chord(self.z))
+
+    @Quantity("M_21", "N m", "torque of the first design", equation="21", form="as printed",
+              form_of="M_21", safe="too low")  # fmt: skip
+    def M_21_printed(self) -> float:
+        return float(printed.first_torque(M_t=self.M_21, z=self.z))
+
     T = Quantity("T", "kN", "tangential force of the hub per corner, with M_20", equation="14",
                  role="step",
                  tex=r"\frac{M_{20}}{z (r + r_1)}").reads(lambda q: q.full.T)  # fmt: skip
@@ -85,6 +96,11 @@ class PaperChain(ClutchInputs):
         found = self.full.p_required
         assert found is not None
         return found
+
+    @Quantity("p_20", "MPa", "pressure for the target torque", equation="17", form="as printed",
+              form_of="p_20", safe="too high")  # fmt: skip
+    def p_17_printed(self) -> float:
+        return float(printed.required_pressure(p_t=self.p_20, p_1r=self.p_1r, z=self.z))
 
     @shared
     def sector(self) -> Sector:

@@ -70,6 +70,12 @@ class ClutchFormulas(PaperChain, ElasticClutch):
         ring = {"d_m": self.ring.d_m, "wall": self.delta_1, "j_D": self.j_D, "E": self.E}
         return first_design(self.flat, **ring).torque(self.p_t)
 
+    def pressure_over_the_arc(self) -> float:
+        """Pressure [Pa] for the target torque where each side's force acts on its arc."""
+        touch = self.touch
+        rest = filleted(self.flat, touch).pressure(self.M_t) - touch
+        return touch + rest / self.flat.arc
+
     @property
     def from_rollers(self) -> float:
         """Share of the stress in the fillets that rollers and hub make."""
@@ -116,7 +122,7 @@ def _claimed(
 
 def comparisons(self: ClutchFormulas) -> Iterator[Comparison]:
     """Series, the paper's chain, stress and balances; intervals are computed where rows are."""
-    case = ClutchFormulas
+    case, arc = ClutchFormulas, self.flat.arc
     slack = ("slack", lambda: self.slack)
     rigid, p = ("slack rigid", lambda: self.slack_rigid), ("slack p", lambda: self.slack_p)
     for q, name, symbol, give in (
@@ -133,6 +139,12 @@ def comparisons(self: ClutchFormulas) -> Iterator[Comparison]:
          self.torque_of_first_design),
         (case.p_20, "pressure for the torque that is wanted, Eqs. 17 to 20", "p_t", p, case.p_need,
          lambda: filleted(self.flat, self.touch).pressure(self.M_t)),
+        (case.M_20_printed, "torque, Eq. 20 as printed", "M_t", slack, case.M_el,
+         lambda: arc * filleted(self.flat, self.touch).torque(self.p_t)),
+        (case.M_21_printed, "torque of the first design, Eq. 21 as printed", "M_t", slack,
+         case.M_el, lambda: arc / self.z * self.torque_of_first_design()),
+        (case.p_17_printed, "pressure for the torque that is wanted, Eq. 17 as printed", "p_t", p,
+         case.p_need, self.pressure_over_the_arc),
     ):  # fmt: skip
         yield _claimed(q, name, symbol, give, _around(self, series, give[1], statics),
                        source=STATICS, reference=series.name)  # fmt: skip

@@ -4,14 +4,26 @@ from collections.abc import Iterator
 from typing import Any
 
 from analytic.bounds.polyhedral import flat
-from analytic.bounds.polyhedral.contacts import PEAK, WIDTH, RollerOnRing, about, over_series
-from verify.case import Comparison, Expected, Quantity, State, balance, fact, identity
+from analytic.bounds.polyhedral.contacts import PEAK, WIDTH, RollerOnRing, over_series
+from analytic.bounds.polyhedral.contacts import about as around
+from verify.case import (
+    Comparison,
+    Expected,
+    Quantity,
+    State,
+    about,
+    approximation,
+    balance,
+    fact,
+    identity,
+)
 from verify.cases.polyhedral.locking import figures
 from verify.cases.polyhedral.locking.formulas import LockedFormulas
 from verify.core.case import Check, Context
 from verify.form.comparisons import key_of
 from verify.judging.bands import OwnFillet, OwnFormula
 
+NEAR, ARC = 1e-4, "the arc of a side over its chord, by vectors"
 CHORD = 1e-3, "statics: pressure on the chord between two corners"
 FILLET = 5e-3, "a peak stress: half a per cent tells fillets apart"
 BALANCE = "acceptance figure; contact met to round-off"
@@ -34,6 +46,11 @@ def comparisons(self: LockedFormulas) -> Iterator[Comparison | Check]:
     case = LockedFormulas
     blur = {"fillet blur": _roller(self).fillet_blur(self.from_rollers, self.a)}
     yield identity(case.side, symbol="F/b", order=4, sensitivity=CHORD)
+    arc = flat.arc_of_side(self.d_i, self.z)
+    yield approximation(
+        case.side_printed, "side", name="resultant of the pressure on a side, Eq. 13 as printed",
+        symbol="F/b", order=4, expected=about(arc - 1, NEAR, ARC),
+    )  # fmt: skip
     q = case.fillet
     check = OwnFillet(name=q.label, symbol=q.symbol, unit=q.unit, fem=q.name, analytic=q.name,
                       formal=2, demand=FILLET[0], demand_reason=FILLET[1],
@@ -55,8 +72,8 @@ def _series(self: LockedFormulas) -> Iterator[Comparison]:
     alone = State(self.alone, "alone", "under pressure alone")
     elastic = State(soft, "elastic", "elastic rollers under pressure alone")
     roller = _roller(self)
-    rigid = Expected(*about(0.0, roller.reach(self.a)), FORCES)
-    both = Expected(*about(0.0, roller.reach(soft.a, soft.a_race)), FORCES)
+    rigid = Expected(*around(0.0, roller.reach(self.a)), FORCES)
+    both = Expected(*around(0.0, roller.reach(soft.a, soft.a_race)), FORCES)
     hertz = Expected(*roller.on_ring(WIDTH, self.a), CONTACT)
     peak = Expected(*roller.on_ring(PEAK, self.a), CONTACT)
     bent = {"bent": roller.bent(R_b=self.R_b, e=self.e), "shares": HALVES}

@@ -5,7 +5,7 @@ from typing import Any, ClassVar, Self
 
 import numpy as np
 
-from analytic.polyhedral import expansion, forces
+from analytic.polyhedral import expansion, forces, printed
 from analytic.polyhedral.fillet_stress import loaded_fillet_stress
 from analytic.polyhedral.hub_force import HubForce, hub_force
 from analytic.polyhedral.locking import Locked, Roller, locked
@@ -46,9 +46,16 @@ class LockedFormulas(PolygonSeries, LockingInputs):
         return float(forces.normal_force(F=self.F, R=self.R_b, phi_1=self.phi_1, gamma=0.0))
 
     @Quantity("F_t/b", "N/mm", "resultant of the pressure on a side", equation="13",
+              form="corrected", safe="too low",
               tex=r"p_t d_i \sin\left(\frac{\pi}{z}\right)")  # fmt: skip
     def side(self) -> float:
         return self._on_a_side(self.p_t)
+
+    @Quantity("F_t/b", "N/mm", "resultant of the pressure on a side", equation="13",
+              form="as printed", form_of="side", safe="too low",
+              tex=r"\frac{\pi d_i}{z} p_t")  # fmt: skip
+    def side_printed(self) -> float:
+        return float(self.side * printed.arc_over_chord(self.z))
 
     N = Quantity(
         "N/b", "N/mm", "force of a roller", safe="too low",

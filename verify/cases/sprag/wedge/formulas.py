@@ -180,10 +180,23 @@ class WedgeFormulas(WedgeInputs, Case):
     def theta(self) -> float:
         return float(rolled(self.clutch, np.asarray(self.N)))
 
+    @Quantity("θ", "deg", "turn of rigid races, contacts by Palmgren's law", form_of="theta",
+              source="Huang 2022, Eqs. 2 and 4")  # fmt: skip
+    def theta_rigid_races(self) -> float:
+        found = self.bodies.composite.compliance.yields(self.N)
+        lever = self.T / (self.z * self.N_0)  # R_i tan(nu_0)
+        return float((found.contact_i + found.contact_e) / lever)
+
     @Quantity("H", "µm", "all that yields under a sprag, elastic bodies", source="Eqs. 6, 9",
               tex=r"\delta_{BI} + \delta_{HI} + \delta_g + \delta_{HE} + \delta_{BE}")  # fmt: skip
     def H(self) -> float:
         return float(self.state.yields.H)
+
+    @Quantity("H", "µm", "all that yields, the sprag compressed as a bar", form_of="H",
+              source="Eq. 7")  # fmt: skip
+    def H_bar(self) -> float:
+        elastic, paper = self.state.yields, self.bodies.composite.compliance.yields(self.N)
+        return float(elastic.H - elastic.sprag + paper.sprag)
 
     @Quantity("H", "µm", "all that yields by Palmgren's law, Eqs. 6 and 7", form_of="H",
               role="step", source="Eqs. 6, 7")  # fmt: skip

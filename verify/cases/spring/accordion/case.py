@@ -11,6 +11,7 @@ from verify.case import (
     Quantity,
     Scan,
     State,
+    about,
     approximation,
     as_printed,
     drawn_by,
@@ -32,6 +33,8 @@ from verify.judging.published_checks import Contradiction, PrintedMeasurement
 
 TEST_FORCE = 11.0  # N, the largest of Sec. 4
 EQ_9_SOURCE = "axial and shear energy of the force method, within a tenth of itself"
+CENTRE_LINE = 0.02  # of the error by the radius: what elements and shear may move
+RADIUS_SOURCE = "force method on the centre line, axial force and shear included"
 PRINTED = ("wang2023:k1-theory", "wang2023:k1-fea", "wang2023:k1-test")
 SHARED = "beam theory, small displacements, E I of a narrow strip"
 EXACT = 5e-4, "a nodal frame is exact but for the chords of its arcs"
@@ -129,6 +132,11 @@ class AccordionSpring(FreeStage):
             expected=self._neglected(), sensitivity=(5e-4, "frame elements are to settle 0.05 %"),
             printed=PRINTED, shares=SHARED,
         )  # fmt: skip
+        yield approximation(
+            spring.k1, COMBINED[0].named("k_V"), order=4, expected=self._of_inner_radius(),
+            name="Eqs. 1-9 with the inner radius, against the curved beam on its centre line",
+            shares=SHARED,
+        )  # fmt: skip
         yield Comparison(quantity=spring.nominal_stress, check=Contradiction(
             name="yield strength against the largest test force", symbol="σ", unit="MPa",
             analytic="nominal_stress", reference="wang2023:yield-strength",
@@ -155,6 +163,11 @@ class AccordionSpring(FreeStage):
         bending = frame.stiffness(**self.paper_path, **strip_of(self), theory="bending")
         m = bending / self.held(PAPER).k_V - 1
         return Expected(0.9 * m, 1.1 * m, EQ_9_SOURCE)
+
+    def _of_inner_radius(self) -> Expected:
+        """What the inner radius in place of the centre line's adds to the stiffness."""
+        m = self.k1 / self.held(COMBINED[0]).k_V - 1
+        return about(m, CENTRE_LINE * abs(m), RADIUS_SOURCE)
 
     refusal = too_slender
     figures = drawn_by(drawn.moments, drawn.open_questions)
