@@ -33,9 +33,9 @@ def kept() -> tuple[FormulaVerdict, ...]:
 
 
 def keep(verdicts: Sequence[FormulaVerdict], file: Path = FILE) -> None:
-    """Make these the verdicts of record; OSError."""
-    records = [_short(asdict(one)) for one in verdicts]
-    text = json.dumps(records, ensure_ascii=False, indent=1) + "\n"
+    """Make these the verdicts of record, a line each; OSError."""
+    lines = [json.dumps(_short(asdict(one)), ensure_ascii=False) for one in verdicts]
+    text = "[\n" + ",\n".join(lines) + "\n]\n"
     write_whole(file, lambda target: target.write(text.encode()))
 
 

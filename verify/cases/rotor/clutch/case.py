@@ -43,6 +43,8 @@ class ClutchLink(ClutchStiffness):
     )
     assumptions: ClassVar = (
         "rigid races; sprags are forces along lines that yield as line contacts do",
+        "elastic races let the same clutch twist almost twice as far: the row of sprag-wedge about "
+        "the turn of rigid races has the number, and the verdicts of Eqs. 2, 4 and 11 rest on it",
         "sprags roll, so that their lines keep their distance from the axis",
         "an offset and a gap are held by the bearings; the torque stays the same",
         "the crown is a parabola; Eq. 6 takes any",

@@ -49,6 +49,8 @@ class SpragRotor(CentralSystem):
         "even over their range in the sets of parameters",
         "both unbalances in phase (no angle is printed); shares with them opposite stand beside",
         "a clutch load uneven in space (offset of the rings), all sprags on one contact law",
+        "rigid races: the clutch's torsional stiffness is that of rotor-clutch, too high by what "
+        "sprag-wedge finds of the turn of rigid races",
     )
 
     tables = staticmethod(tabulated.tables)
