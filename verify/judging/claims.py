@@ -21,7 +21,6 @@ from verify.judging.convergence import (
 )
 from verify.papers.ledger import published
 
-
 STATED = ("formula", "equation", "form", "safe", "shares")  # of the formula, in every row
 
 
