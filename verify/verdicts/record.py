@@ -40,14 +40,17 @@ def keep(verdicts: Sequence[FormulaVerdict], file: Path = FILE) -> None:
 
 
 def moved(verdicts: Sequence[FormulaVerdict]) -> list[str]:
-    """A line for each formula whose verdict or accuracy class is not that of record."""
+    """A line for each formula whose verdict, accuracy class or ranges are not those of record."""
     before = {one.id: one for one in kept()}
     lines = []
     for one in verdicts:
         was = before.pop(one.id, None)
-        if was is None or (was.verdict, was.within) != (one.verdict, one.within):
-            known = "not on record" if was is None else f"{was.words} on record"
-            lines.append(f"verdict of {one.id}: {one.words}; {known}")
+        if was is None:
+            lines.append(f"verdict of {one.id}: {one.words}; not on record")
+        elif (was.verdict, was.within) != (one.verdict, one.within):
+            lines.append(f"verdict of {one.id}: {one.words}; {was.words} on record")
+        elif was.ranges != one.ranges:
+            lines.append(f"verdict of {one.id}: its ranges are not those of record")
     return lines + [f"verdict of {name}: on record only" for name in before]
 
 

@@ -42,6 +42,10 @@ def test_a_verdict_that_is_not_the_one_of_record_is_named():
         for one in kept
     )
     assert record.moved(changed) == [f"verdict of {wider.id}: accurate; {wider.words} on record"]
+    region = next(one for one in kept if one.ranges)
+    wider_region = replace(region, ranges=(replace(region.ranges[0], words="all"),))
+    (line,) = record.moved(tuple(wider_region if one is region else one for one in kept))
+    assert line == f"verdict of {region.id}: its ranges are not those of record"
     assert record.moved(kept[1:]) == [f"verdict of {kept[0].id}: on record only"]
 
 
