@@ -89,7 +89,7 @@ def run_check(path: Path, options: Options) -> int:
     notes += part.notes
     checked = Checked(case=case, result=result, answer=answer, used_fem=options.fem,
                       dynamic=dynamic, notes=notes, assumed=file.assumed,
-                      shared=part.shared, verdicts=tuple(of_part(case, inputs)))  # fmt: skip
+                      shared=part.shared, verdicts=of_part(case, inputs))  # fmt: skip
     if options.json:
         record = check_record(in_system(checked, system), inputs, values)
         print(json.dumps(record_in_units(record, system), ensure_ascii=False))

@@ -16,6 +16,7 @@ from verify.core.figures import LIMITS_TITLE, FormulaValue, Table
 from verify.core.results import CaseResult
 from verify.core.unit_systems import System
 from verify.jobs.dynamic import DynamicResult
+from verify.verdicts.console import Placed
 
 NOTABLE = 0.01  # relative error that formula and reference share
 
@@ -32,7 +33,7 @@ class Checked:
     notes: tuple[str, ...] = ()
     assumed: tuple[Assumed, ...] = ()
     shared: tuple[SharedReading, ...] = ()
-    verdicts: tuple[tuple[str, ...], ...] = ()
+    verdicts: tuple[Placed, ...] = ()
 
 
 def is_notable(one: SharedReading) -> bool:
@@ -76,7 +77,8 @@ def print_check(checked: Checked, system: System = "mm") -> None:
     if dynamic:
         _print_table(dynamic.what, [_value(v) for v in dynamic.values])
     _print_table(
-        "verdicts of the formulas (freewheel explain EQUATION has the evidence)", checked.verdicts
+        "verdicts of the formulas (freewheel explain EQUATION has the evidence)",
+        [one.line for one in checked.verdicts],
     )
     _print_table("inputs", [(i.symbol, number(i.value), unit_of(i.unit), i.what)
                             for i in result.inputs])  # fmt: skip

@@ -13,7 +13,7 @@ from verify.core.inputs import Inputs
 from verify.core.results import CaseResult
 from verify.jobs.dynamic import DynamicResult
 
-SCHEMA_VERSION = 2  # 1 had no answer, and keys with spaces
+SCHEMA_VERSION = 3  # 1 had no answer, and keys with spaces; 2 no verdicts
 
 
 def check_record(checked: Checked, inputs: Inputs, values: Values) -> dict[str, Any]:
@@ -32,6 +32,7 @@ def check_record(checked: Checked, inputs: Inputs, values: Values) -> dict[str, 
         "notes": list(checked.notes),
         "assumed": [one.record() for one in checked.assumed],
         "shared": [asdict(one) for one in checked.shared],
+        "verdicts": [one.record() for one in checked.verdicts],
         "details": {
             **case.summary(inputs, values),
             **({"verdict": dynamic.verdict} if dynamic and dynamic.verdict else {}),

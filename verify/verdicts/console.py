@@ -1,16 +1,39 @@
 """Verdicts of record as lines of the commands."""
 
 import re
+from dataclasses import dataclass
 
 from verify.core.case import Case
 from verify.core.inputs import Inputs
 from verify.core.verdicts import Form, FormulaVerdict, Verdict
-from verify.verdicts.place import place
+from verify.verdicts.place import Place, place
 from verify.verdicts.record import kept, of_case
 
 _NAMED = re.compile(
     r"(?P<paper>[a-z]+(?: ?20\d\d)?)[ /,:]*(?:eqs?\.?|equation)? *(?P<number>\d{1,2})"
 )
+
+
+@dataclass(frozen=True)
+class Placed:
+    """A verdict, and where a user's inputs lie in what it was compared over."""
+
+    verdict: FormulaVerdict
+    place: Place
+
+    @property
+    def line(self) -> tuple[str, ...]:
+        """Equation, verdict, what it says and where the inputs lie."""
+        one = self.verdict
+        return f"{one.source}, {_short(one)}", one.verdict.value, _said(one), self.place.words
+
+    def record(self) -> dict[str, str]:
+        """The same for other programs."""
+        one = self.verdict
+        return {
+            "id": one.id, "verdict": one.verdict.value, "words": one.words, "safe": one.safe.value,
+            "instead": one.instead, "where": self.place.where.value, "place": self.place.words,
+        }  # fmt: skip
 
 
 def named(words: str) -> tuple[FormulaVerdict, ...]:
@@ -47,13 +70,12 @@ def _ranges(one: FormulaVerdict) -> list[tuple[str, str]]:
     ]
 
 
-def of_part(case: Case, inputs: Inputs) -> list[tuple[str, ...]]:
-    """Equation, verdict, what it says and where these inputs lie, for each formula of a case."""
-    return [
-        (f"{one.source}, {_short(one)}", one.verdict.value, _said(one),
-         place(one, case.id, inputs).words)
-        for one in of_case(case) if one.form is Form.CORRECTED or one.verdict is not Verdict.WRONG
-    ]  # fmt: skip
+def of_part(case: Case, inputs: Inputs) -> tuple[Placed, ...]:
+    """The verdict of each formula of a case, in the form to use, and where these inputs lie."""
+    return tuple(
+        Placed(one, place(one, case.id, inputs)) for one in of_case(case)
+        if one.form is Form.CORRECTED or one.verdict is not Verdict.WRONG
+    )  # fmt: skip
 
 
 def in_list(case: Case) -> str:
