@@ -26,9 +26,12 @@ def arc_over_chord(z: ArrayLike) -> Array:
 
 
 def required_pressure(*, p_t: ArrayLike, p_1r: ArrayLike, z: ArrayLike) -> Array:
-    """Total pressure [stress] by Eqs. 17 and 18, from the right one `p_t` and that of touching."""
-    p_t, p_1r = positive(p_t, "pressure p_t", "Pa"), positive(p_1r, "pressure p_1r", "Pa")
-    return np.asarray(p_1r + (p_t - p_1r) / arc_over_chord(z))
+    """Total pressure [stress] by Eqs. 17 and 18, from the right one `p_t` and that of touching.
+
+    Infinite where the right one is.
+    """
+    touching = positive(p_1r, "pressure p_1r", "Pa")
+    return np.asarray(touching + (np.asarray(p_t) - touching) / arc_over_chord(z))
 
 
 def first_torque(*, M_t: ArrayLike, z: ArrayLike) -> Array:

@@ -22,6 +22,7 @@ from analytic.bounds.freewheel.intervals import (
     of_contact,
     of_round_bodies,
     tilting,
+    times,
     winding,
 )
 from analytic.bounds.freewheel.parts import Loaded, Parts
@@ -58,6 +59,25 @@ class StarBounds:
     def angle(self) -> Interval:
         """Of alpha."""
         return self._of(lambda **d: float(self.star.alpha(**d)))
+
+    def unloaded(self) -> Interval:
+        """Of the angle without load, taken for alpha."""
+        return self._instead(float(self.star.alpha(d_i=0.0, d_o=0.0)))
+
+    def unloaded_as_printed(self) -> Interval:
+        """Of Eq. 4 with r for R in its numerator, by cos 2a = 2 cos² a - 1, taken for alpha."""
+        s = self.star
+        return self._instead(math.acos((s.r + s.flat) / (s.race - s.r) - 1) / 2)
+
+    def as_printed(self) -> Interval:
+        """Of Eq. 5 with the signs of its denominator reversed, by the cosine's half angle."""
+        s, d = self.star, self.own
+        cos = (s.flat - d["d_i"] + s.r) / (s.race - d["d_o"] + s.r)
+        return self._instead(math.atan(math.sqrt((1 - cos) / (1 + cos))))
+
+    def _instead(self, angle: float) -> Interval:
+        """Of an `angle` [rad] in place of alpha."""
+        return times(self.angle(), angle / float(self.star.alpha(**self.own)))
 
     def travel(self) -> Interval:
         """Of s."""

@@ -165,15 +165,15 @@ class FreewheelTorque(Star):
         yield approximation(star.alpha, name="clamping angle under torque (Eqs. 4, 5)",
                             symbol="α(T)", expected=known(self, bounds.angle()),
                             sensitivity=(0.002, SHARP), **more)  # fmt: skip
-        for q, name, why in (
-            (star.alpha_rigid, "clamping angle under torque, taken as α_0 (Eq. 4)", NOT_LOADED),
-            (star.alpha_0_printed, "clamping angle under torque, Eq. 4 as printed", NOT_RIGHT),
-            (star.alpha_printed, "clamping angle under torque, Eq. 5 as printed", NOT_RIGHT),
+        for q, name, interval, why in (
+            (star.alpha_rigid, "taken as α_0 (Eq. 4)", bounds.unloaded(), NOT_LOADED),
+            (star.alpha_0_printed, "Eq. 4 as printed", bounds.unloaded_as_printed(), NOT_RIGHT),
+            (star.alpha_printed, "Eq. 5 as printed", bounds.as_printed(), NOT_RIGHT),
         ):
-            ratio = float(getattr(self, q.name) / self.alpha)
-            yield approximation(q, name=name, symbol="α", sensitivity=(0.05, MANY_TIMES),
-                                expected=known(self, times(bounds.angle(), ratio), why),
-                                **more)  # fmt: skip
+            yield approximation(
+                q, name=f"clamping angle under torque, {name}", symbol="α",
+                sensitivity=(0.05, MANY_TIMES), expected=known(self, interval, why), **more,
+            )  # fmt: skip
         yield approximation(star.N, name="normal force under torque (Eqs. 2, 3)", symbol="F_n(T)",
                             expected=known(self, bounds.force()), **more)  # fmt: skip
         yield approximation(star.s, name="way of the rollers (Eq. 6)", symbol="s(T)",

@@ -195,11 +195,13 @@ class PolyhedralRing(PolygonSeries, HubRing):
         yield approximation(ring.sigma_tr_printed, "sigma_tr", order=4, expected=twice,
                             name="mean hoop stress in the corners, Eq. 12 as printed",
                             shares="plane stress")  # fmt: skip
-        for q, name in (
-            (ring.sigma_t, "hoop stress, Eq. 9, against the largest in the fillets"),
-            (ring.sigma_tr, "mean hoop stress, Eq. 12, against the largest in the fillets"),
-        ):
-            share = getattr(self, q.name) / self.fillet
+        hoop = self.E * self.j_D / (self.d_e - self.delta_1)  # of a thin ring as wide in the mean
+        for q, stress, name in (
+            (ring.sigma_t, hoop, "hoop stress, Eq. 9, against the largest in the fillets"),
+            (ring.sigma_tr, self.K_mid * hoop,
+             "mean hoop stress, Eq. 12, against the largest in the fillets"),
+        ):  # fmt: skip
+            share = stress / self.fillet
             yield approximation(q, "fillet", name=name, order=2, shares="plane stress",
                                 expected=about(share - 1, FILLET[0] * share, LARGEST))  # fmt: skip
         peak = {"order": 2, "sensitivity": FILLET, "uncertainty": max(PEAK, STRESS * residual)}

@@ -166,7 +166,8 @@ class AccordionSpring(FreeStage):
 
     def _of_inner_radius(self) -> Expected:
         """What the inner radius in place of the centre line's adds to the stiffness."""
-        m = self.k1 / self.held(COMBINED[0]).k_V - 1
+        bending = frame.stiffness(**self.paper_path, **strip_of(self), theory="bending")
+        m = bending / self.held(COMBINED[0]).k_V - 1
         return about(m, CENTRE_LINE * abs(m), RADIUS_SOURCE)
 
     refusal = too_slender
