@@ -88,5 +88,5 @@ def assert_links(seen: dict[str, object], width: int, least: int) -> None:
     assert seen["menu_height"] < 50
     assert seen["menu_links"] >= 9
     assert width < 1400 or seen["menu_hidden"] <= 0
-    assert seen["links"] > least
+    assert seen["links"] > least, seen["links"]
     assert seen["problems"] == []

@@ -63,6 +63,13 @@ STATEMENTS: Mapping[str, Statement] = {
         left=(TURNED, STAR),
         headline="normal force under torque (Eqs. 2, 3)",
         corrected=(
+            Corrected(
+                "clamping angle under torque, taken as α_0 (Eq. 4)",
+                "alpha",
+                "the angle without load, beside that under torque",
+            ),
+            Corrected("clamping angle under torque, Eq. 4 as printed", "alpha"),
+            Corrected("clamping angle under torque, Eq. 5 as printed", "alpha"),
             Corrected("torsion, Eq. 7 as printed, against ∫dU/T", "phi"),
             Corrected(
                 "torque z X F_t of the star, Eq. 3 as printed, at N = T/(z R tan α_0)",

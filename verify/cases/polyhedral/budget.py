@@ -98,6 +98,14 @@ STATEMENTS: Mapping[str, Statement] = {
             Rerun(cause=Cause.PLANE, what="plane strain instead of plane stress", rows=K,
                   changes=plane_strain(), shared=True),
         ),
+        corrected=(
+            Corrected("mean hoop stress in the corners, Eq. 12 as printed", "sigma_tr"),
+            *(
+                Corrected(f"{row}, against the largest in the fillets", "fillet",
+                          "a mean over the wall, beside the largest stress by the series")
+                for row in ("hoop stress, Eq. 9", "mean hoop stress, Eq. 12")
+            ),
+        ),
         finer=8,
     ),
     "polyhedral-map": Statement(finer=4),
@@ -108,6 +116,7 @@ STATEMENTS: Mapping[str, Statement] = {
             LIMITED,
         ),
         corrected=(
+            Corrected("resultant of the pressure on a side, Eq. 13 as printed", "side"),
             Corrected("force of a roller, Eqs. 13 and 16 without the hub", "N_alone", BY_SERIES),
             Corrected("force of a roller, Eqs. 13 and 16 with the hub", "N", BY_SERIES),
         ),
@@ -136,6 +145,10 @@ STATEMENTS: Mapping[str, Statement] = {
             Corrected("torque, Eq. 20", "M_el", BY_SERIES),
             Corrected("torque of the first design, Eq. 21", "M_el", BY_SERIES),
             Corrected("pressure for the torque that is wanted, Eqs. 17 to 20", "p_need",
+                      BY_SERIES),
+            Corrected("torque, Eq. 20 as printed", "M_el", BY_SERIES),
+            Corrected("torque of the first design, Eq. 21 as printed", "M_el", BY_SERIES),
+            Corrected("pressure for the torque that is wanted, Eq. 17 as printed", "p_need",
                       BY_SERIES),
         ),
         finer=5, headline="torque of the elastic ring, series",

@@ -10,6 +10,7 @@ from verify.core.case import FemResult
 from verify.judging.budget_statement import (
     Argument,
     Cause,
+    Corrected,
     Left,
     Rerun,
     Statement,
@@ -102,6 +103,10 @@ STATEMENTS: Mapping[str, Statement] = {
                   changes=(Argument(SECTION, {"EA": RIGID}),)),
         ),
         without=(NO_PLANE, Without(Cause.DISPLACEMENT, "small on both sides")),
+        corrected=(
+            Corrected("Eqs. 1-9 with the inner radius, against the curved beam on its centre line",
+                      "k_V", "arcs of the inner radius, beside the centre line's"),
+        ),
         finer=48,
     ),
     "spring-continuum": Statement(
