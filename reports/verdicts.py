@@ -53,7 +53,7 @@ def given(report: Report) -> list[Verdict]:
 
 
 def at_paper(one: FormulaVerdict) -> str:
-    """The error at the paper's inputs and its uncertainty: "+24 ± 0.03 %"; a dash for none."""
+    """The error at the case's own inputs and its uncertainty: "+24 ± 0.03 %"; a dash for none."""
     if one.error is None or one.U is None:
         return "–"
     if abs(one.error) + one.U < SMALLEST:

@@ -41,8 +41,9 @@ class Evidence:
 
     @property
     def is_studied(self) -> bool:
-        """Whether any row was compared at other inputs than the paper's too."""
-        return any(len(plan.points) > 1 for plan, _ in self.studies)
+        """Whether any row was compared at other inputs than the case's own, and solved at all."""
+        solved = all(np.isfinite(course.error).all() for _, course in self.studies)
+        return solved and any(len(plan.points) > 1 for plan, _ in self.studies)
 
 
 def evidence(ids: Sequence[str], rows: Mapping[str, Row]) -> Evidence:

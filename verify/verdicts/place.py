@@ -40,7 +40,7 @@ def place(found: FormulaVerdict, case: str, inputs: Inputs) -> Place:
     mine, paper = _values(inputs), _values(type(inputs)())
     changed = [name for name in mine if not _equal(mine[name], paper.get(name))]
     if not changed:
-        return Place(Where.INSIDE, "these are the paper's inputs")
+        return Place(Where.INSIDE, "these are the case's own inputs")
     ranges = sorted((r for r in found.ranges if r.case == case), key=lambda r: r.limit)
     symbols = {shown.name: shown.symbol for shown in inputs.display()}
     if kept := next((r for r in ranges if _holds(r, mine, changed)), None):

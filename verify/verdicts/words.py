@@ -5,7 +5,10 @@ from verify.core.verdicts import FormulaVerdict, Safe, Verdict
 SIDE = {Safe.ABOVE: "a higher value is safe", Safe.BELOW: "a lower value is safe",
         Safe.NEITHER: "neither side is safe"}  # fmt: skip
 SMALLEST = 1e-4  # relative: what is shown of an error or of its bar
-SHARED = "compared with a model of the same idealisation, for want of a better reference"
+SHARED = (
+    "compared with a model that makes the same simplifications: the error against the real part is "
+    "not known"
+)
 
 
 def sentence(found: FormulaVerdict) -> str:
@@ -24,7 +27,7 @@ def _head(found: FormulaVerdict) -> str:
         case Verdict.PART:
             return f"{_part(found)}; {_error(found)}"
         case Verdict.WRONG if found.error is None:
-            return "wrong as printed; no usable number follows"
+            return "wrong as printed; the size of the error was not computed"
         case Verdict.WRONG:
             return f"wrong as printed; {_error(found)}"
         case _:
@@ -51,7 +54,7 @@ def _error(found: FormulaVerdict) -> str:
     size = percent(abs(found.error))
     shown = size if abs(found.error) < SMALLEST else f"{sign}{size}"
     bar = f" ± {percent(found.U)}" if found.U >= SMALLEST else ""
-    return f"{shown}{bar} at the paper's inputs"
+    return f"{shown}{bar} at the case's own inputs"
 
 
 def _sides(found: FormulaVerdict) -> str:
@@ -67,8 +70,8 @@ def _sides(found: FormulaVerdict) -> str:
 def _part(found: FormulaVerdict) -> str:
     if not found.points:
         limit = percent(found.within)
-        return f"accurate within {limit} at the paper's inputs, the only ones compared"
+        return f"accurate within {limit} at the case's own inputs, the only ones compared"
     best = next((one for one in reversed(found.ranges) if one.inside), None)
     if best is None:
-        return "accurate at the paper's inputs alone"
+        return "accurate at the case's own inputs alone"
     return f"accurate within {percent(best.limit)} in {best.case} for {best.words}"

@@ -50,7 +50,9 @@ def test_a_measured_error_counts_where_its_meshes_converge(row):
     beside = row("x: convergence", 0.0, kind=Kind.FACT)
     got = verdict(formula(), shown, beside)
     assert got.verdict is Verdict.UNSAFE
-    assert got.words.startswith("unsafe: up to 20 % below; −20 % at the paper's inputs; a higher")
+    assert got.words.startswith(
+        "unsafe: up to 20 % below; −20 % at the case's own inputs; a higher"
+    )
 
 
 def test_an_identity_alone_is_exact_and_beside_the_part_a_second_statement(row):

@@ -89,8 +89,6 @@ STATEMENTS: Mapping[str, Statement] = {
                       "alpha_rigid"),
             Corrected("rotation with Palmgren's law, Eqs. 6 and 7, at N_0", "alpha_rigid",
                       "Palmgren's law, beside the yields of elastic bodies"),
-            Corrected("all yields, the sprag compressed as a bar (Eq. 7), at N_0", "H_rigid",
-                      "a bar, beside an elastic column with rounded ends"),
             Corrected("turn of rigid races by Palmgren's law (Huang 2022, Eqs. 2, 4), at N_0",
                       "theta_rigid", "rigid races and Palmgren's law, beside elastic bodies"),
             Corrected("rotation as the paper has it, Palmgren's law in Eqs. 9, 10 as printed, "

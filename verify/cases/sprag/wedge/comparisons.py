@@ -23,7 +23,6 @@ TANGENTIAL = f"{YIELDS}; tangential deformation of 0.4 to 1.2 tan²ν"
 HERTZ = "2e-3, and 2 (a/h)² of the smallest of radii, walls and width"
 BETTI = "reciprocity: the mean is Lamé's wherever forces act; 1e-3 for what is of second order"
 PALMGREN = "Palmgren's law is of rollers of finite length"
-BAR = "a sprag is no bar of constant width"
 RIGID = "races and sprag do not yield"
 PAPER = "too soft by a quarter, an eighth lost on the inner side"
 FULL, MOST = "N_0", "1.8 N_0"
@@ -72,7 +71,7 @@ def comparisons(q: Wedge) -> Iterator[Comparison]:
     yield from _angles(q)
     yield from _forces(q)
     yield from _rotations(q)
-    yield from _of_other_laws(q)
+    yield from _of_rigid_races(q)
     yield from _races(q)
     yield from _contacts(q)
     yield from _statics()
@@ -131,15 +130,11 @@ def _rotations(q: Wedge) -> Iterator[Comparison]:
     )  # fmt: skip
 
 
-def _of_other_laws(q: Wedge) -> Iterator[Comparison]:
-    """Yields and twist by laws of the papers in place of elastic bodies."""
-    for formula, name, symbol, reason in (
-        (Wedge.H_bar, "all yields, the sprag compressed as a bar (Eq. 7)", "H(N)", BAR),
-        (Wedge.theta_rigid_races, "turn of rigid races by Palmgren's law (Huang 2022, Eqs. 2, 4)",
-         "θ(N)", RIGID),
-    ):  # fmt: skip
-        yield approximation(formula, expected=underived(reason), state=q.stroke[FULL], order=2,
-                            name=f"{name}, at N_0", symbol=symbol)  # fmt: skip
+def _of_rigid_races(q: Wedge) -> Iterator[Comparison]:
+    yield approximation(
+        Wedge.theta_rigid_races, expected=underived(RIGID), state=q.stroke[FULL], order=2,
+        name="turn of rigid races by Palmgren's law (Huang 2022, Eqs. 2, 4), at N_0", symbol="θ(N)",
+    )  # fmt: skip
 
 
 def _races(q: Wedge) -> Iterator[Comparison]:

@@ -192,12 +192,6 @@ class WedgeFormulas(WedgeInputs, Case):
     def H(self) -> float:
         return float(self.state.yields.H)
 
-    @Quantity("H", "µm", "all that yields, the sprag compressed as a bar", form_of="H",
-              source="Eq. 7")  # fmt: skip
-    def H_bar(self) -> float:
-        elastic, paper = self.state.yields, self.bodies.composite.compliance.yields(self.N)
-        return float(elastic.H - elastic.sprag + paper.sprag)
-
     @Quantity("H", "µm", "all that yields by Palmgren's law, Eqs. 6 and 7", form_of="H",
               role="step", source="Eqs. 6, 7")  # fmt: skip
     def H_composite(self) -> float:
