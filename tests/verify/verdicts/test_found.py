@@ -67,7 +67,7 @@ def test_an_identity_that_is_not_sharp_is_not_exact(row):
     blunt = row("same", 1e-6, kind=Kind.IDENTITY, detects=0.02)
     got = verdict(formula(part=(), model=("ring-lame/same",)), blunt)
     assert got.verdict is Verdict.PART
-    assert "same idealisation" in got.words
+    assert "same simplifications" in got.words
 
 
 def test_a_misprint_is_wrong_where_its_error_leaves_the_bar(row):
