@@ -49,7 +49,7 @@ def accuracy(points: Sequence[Point]) -> float | None:
 def judged(points: Sequence[Point], safe: Safe, *, has_range: bool) -> Verdict:
     """The verdict of a formula whose errors are known; at least one point.
 
-    `has_range` tells whether a study covers the design range beside the case's own inputs.
+    `has_range` tells whether a study compares other inputs than the case's own, all of them solved.
     """
     if accuracy(points) is not None:
         return Verdict.ACCURATE if has_range else Verdict.PART
