@@ -1,6 +1,6 @@
 """Value types of the verdicts of formulas. Nothing here computes."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 
 
@@ -35,13 +35,32 @@ class Verdict(StrEnum):
 
 @dataclass(frozen=True, kw_only=True)
 class Side:
-    """From which to which value, in `unit`, an input was varied."""
+    """From which to which value, in `unit`, an input was varied.
+
+    `ratio_ends` are both values divided by powers of other inputs, as the dimensionless `ratio`.
+    """
 
     name: str
     symbol: str
     unit: str
     low: float
     high: float
+    ratio: str = ""
+    ratio_ends: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class DesignRange:
+    """A range of an input over which engineers use a formula, and by which `source`.
+
+    `spanned` tells whether a study of the case compares the formula from end to end.
+    """
+
+    case: str
+    words: str
+    source: str
+    side: Side
+    spanned: bool
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -49,7 +68,9 @@ class VerdictRange:
     """Where the error of a formula stays within `limit`, in words, and how many points do.
 
     `over` says what was varied in the study of a case; `box` holds the ranges that keep the limit,
-    one at a time where `is_star`, and is empty where no point does.
+    one at a time where `is_star`, and is empty where no point does. `interpolation` is by how much
+    the error at a point differs at most from a straight line between its neighbours, None where no
+    point has two.
     """
 
     case: str
@@ -60,6 +81,7 @@ class VerdictRange:
     is_star: bool = False
     inside: int
     points: int
+    interpolation: float | None = field(default=None, compare=False)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -72,7 +94,9 @@ class FormulaVerdict:
     `below` are the largest errors on both sides over all points, bars included. `within` is the
     accuracy class of ACCURATE and of PART. `is_of_part` tells whether the errors are against the
     part itself, or against its own idealisation alone; `model` states how well the formula solves
-    that where `rows` set it beside the part. `points` counts inputs beside the paper's.
+    that where `rows` set it beside the part. `points` counts inputs beside the paper's. `caution`
+    is a failure beside the errors, shown by the row `caution_row`; `readings` states how far the
+    value moves with what the paper leaves open.
     """
 
     id: str
@@ -92,8 +116,12 @@ class FormulaVerdict:
     above: float | None = None
     below: float | None = None
     ranges: tuple[VerdictRange, ...] = ()
+    design: tuple[DesignRange, ...] = ()
     points: int = 0
     model: str = ""
+    caution: str = ""
+    caution_row: str = ""
+    readings: str = ""
     shares: tuple[str, ...] = ()
     methods: tuple[str, ...] = ()
     limited_by: str = ""

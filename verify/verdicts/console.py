@@ -5,9 +5,10 @@ from dataclasses import dataclass
 
 from verify.core.case import Case
 from verify.core.inputs import Inputs
-from verify.core.verdicts import Form, FormulaVerdict, Verdict
+from verify.core.verdicts import Form, FormulaVerdict, Verdict, VerdictRange
 from verify.verdicts.place import Place, place
 from verify.verdicts.record import kept, of_case
+from verify.verdicts.words import percent
 
 _NAMED = re.compile(
     r"(?P<paper>[a-z]+(?: ?20\d\d)?)[ /,:]*(?:eqs?\.?|equation)? *(?P<number>\d{1,2})"
@@ -54,10 +55,11 @@ def explained(one: FormulaVerdict) -> list[str]:
     parts = [
         ("verdict", one.verdict.value), ("in words", one.words), ("model", one.model),
         ("safe side", _safe(one)), ("limited by", one.limited_by), ("use instead", one.instead),
-        *_ranges(one),
+        *_ranges(one), *_design(one),
         ("shared", "; ".join(one.shares)), ("against", ", ".join(one.methods)),
         *(("row", row) for row in one.rows),
         *(("row, own model", row) for row in one.model_rows),
+        ("row of caution", one.caution_row),
         *(("erratum", erratum) for erratum in one.errata),
     ]  # fmt: skip
     width = max(len(label) for label, text in parts if text)
@@ -66,7 +68,23 @@ def explained(one: FormulaVerdict) -> list[str]:
 
 def _ranges(one: FormulaVerdict) -> list[tuple[str, str]]:
     return [
-        (f"within {100 * r.limit:g} %", f"{r.case}: {r.words} (of {r.over})") for r in one.ranges
+        (f"within {100 * r.limit:g} %", f"{r.case}: {r.words} (of {r.over}){_straight(r)}")
+        for r in one.ranges
+    ]
+
+
+def _straight(one: VerdictRange) -> str:
+    """How far errors between points may be off a straight line."""
+    if one.interpolation is None:
+        return ""
+    return f"; between points the error is within {percent(one.interpolation)} of a straight line"
+
+
+def _design(one: FormulaVerdict) -> list[tuple[str, str]]:
+    spanned = {True: "compared from end to end", False: "not compared from end to end"}
+    return [
+        ("design range", f"{d.case}: {d.words}, {d.source}; {spanned[d.spanned]}")
+        for d in one.design
     ]
 
 

@@ -23,7 +23,9 @@ class Formula(Entry):
     """A numbered equation in one form, or a design rule that has a name in place of a number.
 
     `errata` change the number of this form, `notation` lists those that do not. A definition names
-    what it `defines`; a formula that cannot be verified names the `missing` datum.
+    what it `defines`; a formula that cannot be verified names the `missing` datum. `caution` names
+    a failure that no error of the formula shows, and the row that does; `readings` are rows whose
+    formulas read what the paper leaves open in other ways.
     """
 
     equation: int = Field(default=0, ge=0)
@@ -40,6 +42,9 @@ class Formula(Entry):
     missing: str = ""
     limited_by: str = ""
     instead: str = ""
+    caution: str = ""
+    caution_row: str = ""
+    readings: tuple[RowId, ...] = ()
 
     @property
     def rows(self) -> tuple[str, ...]:
@@ -61,6 +66,8 @@ class Formula(Entry):
             raise ValueError(f"{where}: give one of defines, missing, or evidence (rows, errata)")
         if self.rows and self.safe is not Safe.NEITHER and not self.safe_reason:
             raise ValueError(f"{where}: say why the safe side is safe in safe_reason")
+        if bool(self.caution) != bool(self.caution_row):
+            raise ValueError(f"{where}: give caution and caution_row together")
         if self.errata and self.form is Form.CORRECTED:
             raise ValueError(f"{where}: errata belong to the printed form")
         return self

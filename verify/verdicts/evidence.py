@@ -59,12 +59,22 @@ def point_of(row: Row) -> Point:
     return Point(row.difference / row.scale, row.tolerance / row.scale)
 
 
-def _judged(row_id: str, rows: Mapping[str, Row]) -> Row:
+def require(row_id: str, rows: Mapping[str, Row], *, may_be_note: bool = False) -> Row:
+    """The row of this id; NoEvidenceError unless it passed, or was measured and only shown.
+
+    A row that states a contradiction of the paper (NOTE) is enough for a caution.
+    """
     if row_id not in rows:
         raise NoEvidenceError(f"{row_id} is no row of this run")
     row = rows[row_id]
-    if row.status is not Status.PASS and not _is_measured(row, rows):
+    stands = row.status is Status.PASS or (may_be_note and row.status is Status.NOTE)
+    if not stands and not _is_measured(row, rows):
         raise NoEvidenceError(f"{row_id} is {row.status.value}")
+    return row
+
+
+def _judged(row_id: str, rows: Mapping[str, Row]) -> Row:
+    row = require(row_id, rows)
     if row.kind not in COMPARING:
         raise NoEvidenceError(f"{row_id} compares no formula with a reference ({row.kind.value})")
     point_of(row)

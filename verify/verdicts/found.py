@@ -4,17 +4,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from verify.core.results import Kind, Row
-from verify.core.verdicts import FormulaVerdict, Side, Verdict, VerdictRange
+from verify.core.verdicts import DesignRange, FormulaVerdict, Verdict
 from verify.papers.ledger import papers
-from verify.studies.sweep.region import Range, regions
-from verify.studies.validity.messages import over
-from verify.studies.validity.regions import box_words
 from verify.verdicts.declared import Formula, declared, errata_of
-from verify.verdicts.evidence import Evidence, NoEvidenceError, evidence, joined, point_of
-from verify.verdicts.rule import CLASSES, SHARP, Point, above, accuracy, below, judged
+from verify.verdicts.design import design
+from verify.verdicts.evidence import Evidence, NoEvidenceError, evidence, point_of, require
+from verify.verdicts.regions import ranges
+from verify.verdicts.rule import SHARP, Point, above, accuracy, below, judged
 from verify.verdicts.words import sentence
-
-LIMITS = CLASSES[1:]  # for which a range is stated: 2, 5 and 10 %
 
 
 def verdicts(rows: Sequence[Row]) -> tuple[FormulaVerdict, ...]:
@@ -34,19 +31,23 @@ def _verdict(paper: str, source: str, formula: Formula, rows: Mapping[str, Row])
         verdict=Verdict.DEFINITION, words=formula.defines,
         safe=formula.safe, safe_reason=formula.safe_reason, limited_by=formula.limited_by,
         instead=formula.instead, rows=formula.part, model_rows=formula.model,
-        errata=formula.errata,
+        errata=formula.errata, caution=formula.caution, caution_row=formula.caution_row,
     )  # fmt: skip
     if formula.defines:
         return head
-    if formula.missing:
-        return replace(head, verdict=Verdict.UNVERIFIABLE, words=formula.missing)
     try:
+        if formula.caution_row:
+            require(formula.caution_row, rows, may_be_note=True)
+        if formula.missing:
+            words = "; ".join(filter(None, (formula.missing, formula.caution)))
+            return replace(head, verdict=Verdict.UNVERIFIABLE, words=words)
         part, model = evidence(formula.part, rows), evidence(formula.model, rows)
         verdict = _of(paper, formula, part, model)
+        readings = _spread([require(row, rows) for row in formula.readings])
     except NoEvidenceError as error:
         return replace(head, verdict=Verdict.NONE, words=str(error))
     judged_on = part if part.rows else model
-    head = replace(head, verdict=verdict, is_of_part=bool(part.rows))
+    head = replace(head, verdict=verdict, is_of_part=bool(part.rows), readings=readings)
     described = _described(head, judged_on)
     return replace(described, model=_model(model) if part.rows else "", words=sentence(described))
 
@@ -62,7 +63,9 @@ def _of(paper: str, formula: Formula, part: Evidence, model: Evidence) -> Verdic
     if not part.rows and all(_is_sharp_identity(row) for row in rows):
         return Verdict.EXACT
     judged_on = part if part.rows else model
-    return judged(judged_on.points, formula.safe, has_range=judged_on.is_studied)
+    spans_design = all(one.spanned for one in _design(judged_on))
+    has_range = judged_on.is_studied and spans_design
+    return judged(judged_on.points, formula.safe, has_range=has_range)
 
 
 def _is_sharp_identity(row: Row) -> bool:
@@ -86,7 +89,8 @@ def _described(head: FormulaVerdict, found: Evidence) -> FormulaVerdict:
     worst = max((p for p in points if p.is_paper), key=lambda p: p.size)
     return replace(
         head, error=worst.error, U=worst.U, above=above(points), below=below(points),
-        within=accuracy(points), ranges=_ranges(found), points=len(points) - len(found.rows),
+        within=accuracy(points), ranges=ranges(found.studies), design=_design(found),
+        points=len(points) - len(found.rows),
         methods=tuple(dict.fromkeys(map(_method, found.rows))),
         shares=tuple(dict.fromkeys(row.shares for row in found.rows if row.shares)),
     )  # fmt: skip
@@ -97,25 +101,19 @@ def _method(row: Row) -> str:
     return row.partner.by if row.partner is not None and row.fem is None else row.method
 
 
-def _ranges(found: Evidence) -> tuple[VerdictRange, ...]:
-    """Within which ranges of the inputs all rows keep each limit, for each study."""
-    return tuple(
-        VerdictRange(
-            case=plan.case.id, limit=one.limit, words=box_words(one, star=plan.star),
-            over=over(plan), box=tuple(map(_side, one.box)), is_star=plan.star,
-            inside=one.inside, points=one.points,
-        )
-        for plan, course in joined(found.studies)
-        for one in regions(plan, course, LIMITS)
-    )  # fmt: skip
+def _design(found: Evidence) -> tuple[DesignRange, ...]:
+    cases = tuple(dict.fromkeys(row.case for row in found.rows))
+    return design(cases, [plan for plan, _ in found.studies])
 
 
-def _side(found: Range) -> Side:
-    axis = found.axis
-    return Side(
-        name=axis.name, symbol=axis.symbol, unit=axis.unit,
-        low=axis.shown(found.low), high=axis.shown(found.high),
-    )  # fmt: skip
+def _spread(rows: Sequence[Row]) -> str:
+    """From which to which value the readings of what a paper leaves open lead."""
+    values = [row.analytic for row in rows if row.analytic is not None]
+    if not values:
+        return ""
+    low, high = min(values), max(values)
+    half = 100 * (high - low) / (high + low)
+    return f"{rows[0].symbol} {low:.3g} to {high:.3g} {rows[0].unit} (±{half:.2g} %)"
 
 
 def _model(found: Evidence) -> str:

@@ -1,9 +1,13 @@
 """A verdict as one sentence."""
 
-from verify.core.verdicts import FormulaVerdict, Safe, Verdict
+import re
+
+from verify.core.verdicts import FormulaVerdict, Safe, Side, Verdict, VerdictRange
+from verify.studies.validity.messages import number
 
 SIDE = {Safe.ABOVE: "a higher value is safe", Safe.BELOW: "a lower value is safe",
         Safe.NEITHER: "neither side is safe"}  # fmt: skip
+VALUES = re.compile(r" \(\d+ values\)")  # how many, which the ranges state
 SMALLEST = 1e-4  # relative: what is shown of an error or of its bar
 SHARED = (
     "compared with a model that makes the same simplifications: the error against the real part is "
@@ -14,7 +18,11 @@ SHARED = (
 def sentence(found: FormulaVerdict) -> str:
     """What an engineer needs first: the accuracy or the error, where, and on which side."""
     has_better = found.is_of_part or found.error is None or found.verdict is Verdict.EXACT
-    return _head(found) if has_better else f"{_head(found)}; {SHARED}"
+    parts = (
+        _head(found), "" if has_better else SHARED, found.caution,
+        f"readings that the paper leaves open: {found.readings}" if found.readings else "",
+    )  # fmt: skip
+    return "; ".join(filter(None, parts))
 
 
 def _head(found: FormulaVerdict) -> str:
@@ -31,7 +39,9 @@ def _head(found: FormulaVerdict) -> str:
         case Verdict.WRONG:
             return f"wrong as printed; {_error(found)}"
         case _:
-            return f"{found.verdict.value}: {_sides(found)}; {_error(found)}; {SIDE[found.safe]}"
+            only = "" if found.points else ", the only ones compared"
+            said = f"{_sides(found)}; {_error(found)}{only}"
+            return f"{found.verdict.value}: {said}; {SIDE[found.safe]}"
 
 
 def percent(value: float | None) -> str:
@@ -44,7 +54,12 @@ def percent(value: float | None) -> str:
 
 
 def _studied(found: FormulaVerdict) -> str:
-    return "; ".join(dict.fromkeys(one.over for one in found.ranges))
+    """What was varied, study by study."""
+    over = dict.fromkeys((one.case, one.over) for one in found.ranges)
+    cases = {case for case, _ in over}
+    return "; ".join(
+        f"{VALUES.sub('', text)}{f' ({case})' if len(cases) > 1 else ''}" for case, text in over
+    )
 
 
 def _error(found: FormulaVerdict) -> str:
@@ -71,7 +86,28 @@ def _part(found: FormulaVerdict) -> str:
     if not found.points:
         limit = percent(found.within)
         return f"accurate within {limit} at the case's own inputs, the only ones compared"
-    best = next((one for one in reversed(found.ranges) if one.inside), None)
-    if best is None:
+    if found.within is not None:
+        missing = ", ".join(one.words for one in found.design if not one.spanned)
+        beyond = f", not compared over {missing}" if missing else ", some of them without an answer"
+        return f"accurate within {percent(found.within)} over {_studied(found)}{beyond}"
+    kept = [one for one in found.ranges if one.limit == found.ranges[-1].limit and one.inside]
+    if not kept:
         return "accurate at the case's own inputs alone"
-    return f"accurate within {percent(best.limit)} in {best.case} for {best.words}"
+    where = "; ".join(map(_kept, kept))
+    return f"accurate within {percent(kept[0].limit)} for {where}"
+
+
+def _kept(one: VerdictRange) -> str:
+    """Where one study keeps a limit, its inputs also as dimensionless quantities."""
+    box = ", ".join(map(_side, one.box))
+    alone = "" if not one.is_star or len(one.box) < 2 else " (one at a time)"
+    return f"{box}{alone} in {one.case}, {one.inside} of {one.points} points"
+
+
+def _side(one: Side) -> str:
+    ends = f"{one.symbol} {_span(one.low, one.high)}{'' if one.unit == '1' else f' {one.unit}'}"
+    return f"{ends} ({one.ratio} {_span(*one.ratio_ends)})" if one.ratio else ends
+
+
+def _span(low: float, high: float) -> str:
+    return number(low) if low == high else f"{number(low)} to {number(high)}"

@@ -99,6 +99,10 @@ STATEMENTS: Mapping[str, Statement] = {
                   changes=plane_strain(), shared=True),
         ),
         corrected=(
+            Corrected("K of the paper, against the growth in the mean", "K_mean",
+                      "bending of the flats by the series"),
+            Corrected("K of the paper, against a long ring in plane strain", "K_mid_strain",
+                      "bending of the flats by the series"),
             Corrected("mean hoop stress in the corners, Eq. 12 as printed", "sigma_tr"),
             *(
                 Corrected(f"{row}, against the largest in the fillets", "fillet",
@@ -119,6 +123,10 @@ STATEMENTS: Mapping[str, Statement] = {
             Corrected("resultant of the pressure on a side, Eq. 13 as printed", "side"),
             Corrected("force of a roller, Eqs. 13 and 16 without the hub", "N_alone", BY_SERIES),
             Corrected("force of a roller, Eqs. 13 and 16 with the hub", "N", BY_SERIES),
+            Corrected("force of an elastic roller, Eqs. 13 and 16 without the hub", "N_elastic",
+                      BY_SERIES),
+            Corrected("blocking pressure, Eq. 19 with K = 1", "p_2",
+                      "bending of the flats by the series"),
         ),
         finer=5, headline="force of a roller under pressure, series",
     ),

@@ -69,6 +69,8 @@ WEDGE = Left(
     ("T_*tan*1.8 N_0", "excess of N_e*", "torque n_s N*1.8 N_0"),
     "a quarter of the torque and thicker races take more away than there is",
 )
+STIFF = Left(("torsional stiffness of rigid races*",), "the reciprocal of the turn of rigid races, "
+             "whose row has the parts")  # fmt: skip
 TURNED = Left(
     ("turn of the races by rolling*",),
     "neither the torque nor the races explain it, nothing else was rerun",
@@ -81,7 +83,7 @@ STATEMENTS: Mapping[str, Statement] = {
                   inputs=light, levels=(9,)),
             Rerun(cause=Cause.GEOMETRY, what="races with thicker walls", inputs=thick, levels=(9,)),
         ),
-        without=(BOTH,), left=(WEDGE, TURNED),
+        without=(BOTH,), left=(WEDGE, TURNED, STIFF),
         corrected=(
             Corrected("rotation with half planes and Eq. 6, long, at N_0", "alpha_rigid",
                       "half planes and Eq. 6, beside the yields of elastic bodies"),

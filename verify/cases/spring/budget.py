@@ -106,6 +106,8 @@ STATEMENTS: Mapping[str, Statement] = {
         corrected=(
             Corrected("Eqs. 1-9 with the inner radius, against the curved beam on its centre line",
                       "k_V", "arcs of the inner radius, beside the centre line's"),
+            Corrected("Eqs. 1-9 with the leaf length of Eq. 3 as printed", "k1",
+                      "leaves of the length that the geometry gives"),
         ),
         finer=48,
     ),
@@ -129,6 +131,10 @@ STATEMENTS: Mapping[str, Statement] = {
                   rows=("factor of the spring by one leaf's",), inputs=long_leaf),
         ),
         without=(Without(Cause.PLANE, "shells and solids with their width"),),
+        corrected=(
+            Corrected("k_1 by E I of a narrow strip, against the shell", "k",
+                      "E I times the factor of a leaf as a plate"),
+        ),
     ),
     "spring-curve": Statement(
         reruns=(

@@ -34,7 +34,12 @@ class PolyhedralClutch(ClutchFormulas):
     levels: ClassVar = fem.LEVELS
     scans: ClassVar = (
         Scan(
-            vary=("p_t=25MPa,30MPa,45MPa,60MPa", "delta_1=3mm,4mm,5mm", "mu=0.06,0.08,0.1"),
+            vary=(
+                "p_t=25MPa,30MPa,45MPa,60MPa",
+                "delta_1=3mm,4mm,5mm",
+                "mu=0.06,0.08,0.1",
+                "z=4,6,8",
+            ),
             star=True,
         ),
     )

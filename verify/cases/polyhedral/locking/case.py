@@ -29,7 +29,15 @@ class LockedPolyhedralRing(LockedFormulas):
     place = "Eqs. 7, 13, 16, 19"
     levels: ClassVar = fem.LEVELS
     scans: ClassVar = (
-        Scan(vary=("p_t=15MPa,30MPa,60MPa,100MPa", "delta_1=3mm,4mm,6mm", "z=4,6,8"), star=True),
+        Scan(
+            vary=(
+                "p_t=15MPa,30MPa,60MPa,100MPa",
+                "delta_1=3mm,4mm,6mm",
+                "z=4,6,8",
+                "rho=1mm,2mm,4mm",
+            ),
+            star=True,
+        ),
     )
     readings: ClassVar = (
         "rollers and race are rigid, the ring is in plane stress: all of the ring's own compliance",

@@ -36,6 +36,7 @@ CONTACT = (
     "once: (2 a/d)², (a/wall)², 1e-3, and what the ring strains and bends, j_D/d_e (1 + R/wall)"
 )
 RACE = "derived: the first order in βκa; argued: (2 a/d)² and 1e-3, each once"
+ROUND = "(K_mid − 1) p_1 over what is left, K_mid of the series"
 WIDE = "what Hertz or a straight wall neglects is no longer small"
 
 
@@ -100,21 +101,35 @@ def _series(self: LockedFormulas) -> Iterator[Comparison]:
 
 
 def _flat(self: LockedFormulas) -> Iterator[Comparison]:
-    """The paper's forces, which leave out the ring's hoop force."""
-    case, touch = LockedFormulas, self.alone.locked.touch
-    for q, where, reference, series, R_b in (
-        (case.F, "without the hub", "N_alone", self.alone.N, 0.0),
-        (case.N_16, "with the hub", "N", self.N, self.R_b),
-    ):
+    """The paper's pressure and forces, which leave out the flats' bending and the hoop force."""
+    case, soft = LockedFormulas, self.soft
+    yield approximation(case.p_2_round, "p_2", name="blocking pressure, Eq. 19 with K = 1", order=4,
+                        expected=_of_round_ring(self), shares="plane stress")  # fmt: skip
+    reach = _roller(self).reach
+    rigid, elastic = reach(self.a), reach(soft.a, soft.a_race)
+    for q, words, reference, locked, R_b, slack in (
+        (case.F, "a roller, Eqs. 13 and 16 without the hub", "N_alone", self.alone, 0.0, rigid),
+        (case.N_16, "a roller, Eqs. 13 and 16 with the hub", "N", self, self.R_b, rigid),
+        (case.F, "an elastic roller, Eqs. 13 and 16 without the hub", "N_elastic", soft, 0.0,
+         elastic),
+    ):  # fmt: skip
         statics = flat.roller_force(
-            p=self.p_t, touch=touch, d_i=self.d_i, z=self.z, R_b=R_b, tan_phi=self.tan_phi
-        )
-        slack = _roller(self).reach(self.a)
-        interval = over_series(statics, series, slack) if series > 0 else (0.0, 0.0)
-        yield within_band(
-            q, f"force of a roller, Eqs. 13 and 16 {where}", reference=reference, symbol="N/b",
-            expected=Expected(*interval, SERIES, sharp=series > 0),
+            p=self.p_t, touch=self.alone.locked.touch, d_i=self.d_i, z=self.z, R_b=R_b,
+            tan_phi=self.tan_phi,
         )  # fmt: skip
+        interval = over_series(statics, locked.N, slack) if locked.N > 0 else (0.0, 0.0)
+        yield within_band(
+            q, f"force of {words}", reference=reference, symbol="N/b",
+            expected=Expected(*interval, SERIES, sharp=locked.N > 0),
+        )  # fmt: skip
+
+
+def _of_round_ring(self: LockedFormulas) -> Expected:
+    """The error of Eq. 19 with the pressure p_1 of the round ring."""
+    left = self.p_t - self.p_1r
+    if left <= 0:
+        return Expected(0.0, 0.0, ROUND, sharp=False)
+    return about((self.p_1r - self.p_1) / left, NEAR, ROUND)
 
 
 def _roller(self: LockedFormulas) -> RollerOnRing:

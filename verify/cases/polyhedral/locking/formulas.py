@@ -30,6 +30,11 @@ class LockedFormulas(PolygonSeries, LockingInputs):
     def p_2(self) -> float:
         return max(self.p_t - self.p_1r, 0.0)
 
+    @Quantity("p_2", "MPa", "blocking pressure with K = 1", equation="19", form_of="p_2",
+              safe="too low", tex=r"p_t - p_1")  # fmt: skip
+    def p_2_round(self) -> float:
+        return max(self.p_t - self.p_1, 0.0)
+
     @Quantity("F/b", "N/mm", "force of a roller, all of the pressure's", source="Eqs. 13 and 16",
               safe="too low", tex=r"p_2 d_i \sin\left(\frac{\pi}{z}\right)")  # fmt: skip
     def F(self) -> float:

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from verify.case import Level
-from verify.cases.polyhedral.fem import in_fillet_fem, pressed_fem, whole_fem
+from verify.cases.polyhedral.fem import UNIT, factors_fem, in_fillet_fem, pressed_fem, whole_fem
 from verify.cases.polyhedral.locking.fem import held_fem, locked_fem
 from verify.cases.polyhedral.locking.inputs import LockingInputs
 from verify.core.figures import Array, Field
@@ -44,6 +44,7 @@ def solve(q: LockingInputs, level: int) -> Level:
         "balance_x": rest[0], "balance_y": rest[1],
         "side": -2 * (free.reaction("mid")[0] + free.reaction("corner")[0]) * q.p_t / 1e6,
         "fillet": in_fillet_fem(q, both.plane, q.p_t, name="ring.fillet"),
+        "p_2": q.p_t - UNIT * q.j_D / 2 / factors_fem(q, free)["mid"],
     }  # fmt: skip
     values |= elastic_rollers(q, soft)
     arrays: dict[str, Array] = {}

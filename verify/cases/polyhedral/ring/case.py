@@ -185,11 +185,18 @@ class PolyhedralRing(PolygonSeries, HubRing):
         yield identity(ring.K_mid, **same)
         yield identity(ring.K_mean, **same)
         yield identity(ring.flexibility, scale={"1/K mid": 1 / self.K_mid}, **same)
-        wide = State(self.as_wide(), "strain", "plane strain")
+        long = self.as_wide()
+        wide = State(long, "strain", "plane strain")
         yield identity(ring.K_mid, state=wide, **same | {"shares": "plane strain"})
         yield approximation(ring.K, "K_mid", order=4, expected=of_one(self.K_mid),
                             printed=("belcin:k-predimensioning",),
                             shares="plane stress")  # fmt: skip
+        yield approximation(ring.K, "K_mean", order=4, shares="plane stress",
+                            expected=of_one(self.K_mean),
+                            name="K of the paper, against the growth in the mean")  # fmt: skip
+        yield approximation(ring.K, "K_mid_strain", order=4, shares="plane strain",
+                            expected=of_one(long.K_mid),
+                            name="K of the paper, against a long ring in plane strain")  # fmt: skip
         yield identity(ring.sigma_tr, **same)
         twice = about(self.K_mid - 1, NEAR, "K_mid of the series, which enters once too often")
         yield approximation(ring.sigma_tr_printed, "sigma_tr", order=4, expected=twice,
@@ -246,9 +253,9 @@ class PolyhedralRing(PolygonSeries, HubRing):
             yield "the corners draw in under pressure: only the flats reach their rollers"
 
 
-def of_one(K_mid: float) -> Expected:
-    """The error of K = 1 by the series."""
-    return about(1 / K_mid - 1, NEAR, "1/K_mid of the series (complex potentials)")
+def of_one(K: float) -> Expected:
+    """The error of K = 1 where the series has `K`."""
+    return about(1 / K - 1, NEAR, "1/K of the series (complex potentials)")
 
 
 RING = adapted(PolyhedralRing)

@@ -30,7 +30,7 @@ class WedgedSprag(WedgeSteps):
     levels: ClassVar = (9, 12, 15)  # cells on half a fine zone, of which contacts take 6, 8, 10
     scans: ClassVar = (
         Scan(
-            vary=("T=12.5N m,25N m,37.5N m", "R_ed=23mm,26.23mm,32mm"),
+            vary=("T=12.5N m,25N m,40N m", "R_ed=23mm,26.23mm,32mm", "z=8,12,20"),
             only=(
                 "T_i/N_i against the strut's tan ν (Eq. 10), at N_0",
                 "normal force (Eq. 10), at T", "rotation of the sprags, at T",
@@ -39,6 +39,9 @@ class WedgedSprag(WedgeSteps):
                 "mean displacement of the outer race (Eq. 6 as printed",
                 "peak pressure on the inner race (Hertz), at N_0",
                 "peak pressure on the outer race (Hertz), at N_0", "excess of N_e over N_i",
+                "rotation with Palmgren's law",
+                "rotation of the sprags with elastic yields, at N_0",
+                "turn of rigid races", "torsional stiffness of rigid races",
             ),
             star=True,
         ),

@@ -135,6 +135,10 @@ def _of_rigid_races(q: Wedge) -> Iterator[Comparison]:
         Wedge.theta_rigid_races, expected=underived(RIGID), state=q.stroke[FULL], order=2,
         name="turn of rigid races by Palmgren's law (Huang 2022, Eqs. 2, 4), at N_0", symbol="θ(N)",
     )  # fmt: skip
+    yield approximation(
+        Wedge.secant, expected=underived(RIGID), state=q.stroke[FULL], order=2, symbol="T/θ",
+        name="torsional stiffness of rigid races by Palmgren's law (Huang 2022, Eq. 11), at N_0",
+    )  # fmt: skip
 
 
 def _races(q: Wedge) -> Iterator[Comparison]:

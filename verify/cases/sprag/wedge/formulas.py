@@ -187,6 +187,11 @@ class WedgeFormulas(WedgeInputs, Case):
         lever = self.T / (self.z * self.N_0)  # R_i tan(nu_0)
         return float((found.contact_i + found.contact_e) / lever)
 
+    @Quantity("T/θ", "N m/rad", "torsional secant stiffness of rigid races, by Palmgren's law",
+              source="Huang 2022, Eq. 11", tex=r"\frac{n_s N R_i \tan \nu_0}{\theta}")  # fmt: skip
+    def secant(self) -> float:
+        return self.T * self.N / self.N_0 / self.theta_rigid_races
+
     @Quantity("H", "µm", "all that yields under a sprag, elastic bodies", source="Eqs. 6, 9",
               tex=r"\delta_{BI} + \delta_{HI} + \delta_g + \delta_{HE} + \delta_{BE}")  # fmt: skip
     def H(self) -> float:

@@ -38,6 +38,7 @@ def solve(q: WedgeInputs, level: int) -> FemResult:
         values[f"excess_{name}"] = sweep.at("N_e", N) / N - 1
         at = np.array([sweep.at("T", N)])
         values[f"theta_{name}"] = float(sweep.turn_by_energy(at)[0])
+    values["secant_rigid"] = values["T_rigid"] / values["theta_rigid"]
     values |= statics(sweep)
     if level <= LEVELS[0]:  # on coarse meshes all the same
         values |= onset(sweep)

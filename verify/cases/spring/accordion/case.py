@@ -1,9 +1,11 @@
 """Accordion spring, linear part: Eqs. 1-9 of Wang et al. 2023 and the curved frame behind them."""
 
+import math
 from collections.abc import Iterator
 from typing import Any, ClassVar, Self
 
 from analytic.spring import frame
+from analytic.spring.garbled import flexibility
 from verify.case import (
     Comparison,
     Expected,
@@ -17,6 +19,7 @@ from verify.case import (
     drawn_by,
     errors_of,
     identity,
+    underived,
 )
 from verify.cases.spring import readings as definitions
 from verify.cases.spring.accordion import figures as drawn
@@ -89,6 +92,13 @@ class AccordionSpring(FreeStage):
     k_V = Quantity("k_V", "N/mm", "stiffness of bending, axial force and shear",
                    source=FRAME).reads(lambda q: q._stiffness("shear"))  # fmt: skip
 
+    @Quantity("k_1", "N/mm", "stiffness with leaves of the length that Eq. 3 prints",
+              equation="3", form="as printed", form_of="k1")  # fmt: skip
+    def k1_printed_leaves(self) -> float:
+        leaf = 2 * self.L1 / math.sin(self.alpha) + (2 * self.r + self.h) / math.tan(self.alpha)
+        J = flexibility(self.n, self.L1 / 2, self.r, leaf, self.alpha, "alternating", 1.0)
+        return self.E * self.h * self.b**3 / 12 / J
+
     @Quantity("σ_n", "MPa", "bending stress at F or the largest test force, as of a straight bar",
               tex=r"\frac{6 F (L_1/2 + r)}{h b^2}")  # fmt: skip
     def nominal_stress(self) -> float:
@@ -136,6 +146,11 @@ class AccordionSpring(FreeStage):
             spring.k1, COMBINED[0].named("k_V"), order=4, expected=self._of_inner_radius(),
             name="Eqs. 1-9 with the inner radius, against the curved beam on its centre line",
             shares=SHARED,
+        )  # fmt: skip
+        yield approximation(
+            spring.k1_printed_leaves, PAPER.named("k_V"), order=4, shares=SHARED,
+            name="Eqs. 1-9 with the leaf length of Eq. 3 as printed",
+            expected=underived("the width stands for the thickness, and a factor 2"),
         )  # fmt: skip
         yield Comparison(quantity=spring.nominal_stress, check=Contradiction(
             name="yield strength against the largest test force", symbol="σ", unit="MPa",

@@ -13,6 +13,7 @@ from verify.case import (
     Quantity,
     Scan,
     State,
+    about,
     approximation,
     drawn_by,
     identity,
@@ -149,6 +150,10 @@ class WideSpring(WidthInputs, Case):
         figure = Expected(-claims.ESTIMATE, claims.ESTIMATE, suites(CURVE), sharp=self.is_default)
         yield approximation(spring.f, name="factor of the spring by one leaf's", expected=figure,
                             sensitivity=(2 * claims.ESTIMATE, BOTH_WAYS), shares=SMALL)  # fmt: skip
+        yield approximation(
+            spring.k_narrow, "k", name="k_1 by E I of a narrow strip, against the shell", order=2,
+            expected=about(1 / self.f - 1, claims.SWEEP, f"1/f − 1; {RITZ}"), shares=SMALL,
+        )  # fmt: skip
         yield from _limits()
         yield from _accepted()
         yield Accepted(

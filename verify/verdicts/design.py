@@ -1,0 +1,94 @@
+"""Design ranges: over which values of the inputs engineers use a formula, and by which source.
+
+`ranges.toml` holds them. A verdict over a range needs a study of each of them from end to end.
+"""
+
+import tomllib
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import cache
+from math import prod
+from pathlib import Path
+
+from pydantic import Field
+
+from verify.cases.registry import find
+from verify.core.inputs import Inputs
+from verify.core.verdicts import DesignRange, Side
+from verify.papers.entries import Entry, Words
+from verify.studies.sweep.axes import Axis, axis
+from verify.studies.sweep.plan import Plan
+from verify.studies.validity.messages import span
+
+FILE = Path(__file__).parent / "ranges.toml"
+SAME = 1e-9  # relative: ends of ranges that differ by less are equal
+
+
+class Declared(Entry):
+    """The ends of a design range, "T=6.5N m,52N m", and its source.
+
+    `per` makes it dimensionless, as `ratio`: powers of the case's own inputs that it is divided by.
+    """
+
+    case: str
+    ends: Words
+    source: Words
+    ratio: str = ""
+    per: dict[str, float] = Field(default_factory=dict)
+
+
+class Table(Entry):
+    """All of them."""
+
+    ranges: tuple[Declared, ...]
+
+
+@cache
+def declared() -> tuple[Declared, ...]:
+    """The entries of the file; ValueError where one is not complete."""
+    return Table.model_validate(tomllib.loads(FILE.read_text("utf-8"))).ranges
+
+
+def design(cases: Sequence[str], plans: Sequence[Plan]) -> tuple[DesignRange, ...]:
+    """The design ranges of cases, and whether studies span them."""
+    return tuple(_one(entry, plans) for entry in declared() if entry.case in cases)
+
+
+def _one(entry: Declared, plans: Sequence[Plan]) -> DesignRange:
+    wanted = axis_of(entry)
+    low, high = wanted.values[0], wanted.values[-1]
+    room = SAME * max(abs(low), abs(high))
+    spanned = any(
+        one.values[0] <= low + room and one.values[-1] >= high - room
+        for plan in plans if plan.case.id == entry.case
+        for one in plan.axes if one.name == wanted.name
+    )  # fmt: skip
+    return DesignRange(
+        case=entry.case, words=span(wanted, low, high), source=entry.source, spanned=spanned,
+        side=side(entry.case, wanted, low, high),
+    )  # fmt: skip
+
+
+def axis_of(entry: Declared) -> Axis:
+    """The two ends as an axis of the case's own inputs; InputError where there is no such input."""
+    return axis(find(entry.case).inputs(), entry.ends)
+
+
+def side(case: str, of: Axis, low: float, high: float) -> Side:
+    """A range [SI] of an input, with its dimensionless ends where these are declared."""
+    scale = next(
+        (e for e in declared() if e.case == case and e.ratio and e.ends.startswith(f"{of.name}=")),
+        None,
+    )
+    found = Side(name=of.name, symbol=of.symbol, unit=of.unit, low=of.shown(low),
+                 high=of.shown(high))  # fmt: skip
+    if scale is None:
+        return found
+    ends = (float(f"{x / divisor(scale):.3g}") for x in (low, high))
+    return replace(found, ratio=scale.ratio, ratio_ends=tuple(ends))
+
+
+def divisor(entry: Declared) -> float:
+    """What the input is divided by, of the case's own inputs [SI]."""
+    inputs: Inputs = find(entry.case).inputs()
+    return float(prod(getattr(inputs, name) ** power for name, power in entry.per.items()))

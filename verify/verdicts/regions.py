@@ -1,0 +1,63 @@
+"""Within which ranges of the inputs a formula keeps each limit, by the stored studies."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from verify.core.figures import Array
+from verify.core.verdicts import VerdictRange
+from verify.studies.sweep.outcome import Course
+from verify.studies.sweep.plan import Plan
+from verify.studies.sweep.region import lines, regions
+from verify.studies.validity.messages import over
+from verify.studies.validity.regions import box_words
+from verify.verdicts.design import side
+from verify.verdicts.evidence import Study, joined
+from verify.verdicts.rule import CLASSES
+
+LIMITS = CLASSES[1:]  # 2, 5 and 10 %
+DIGITS = 1  # significant, of an estimate
+
+
+def ranges(studies: Sequence[Study]) -> tuple[VerdictRange, ...]:
+    """The ranges in which all rows keep each limit, for each study."""
+    return tuple(
+        VerdictRange(
+            case=plan.case.id, limit=one.limit, words=box_words(one, star=plan.star),
+            over=over(plan), is_star=plan.star, inside=one.inside, points=one.points,
+            box=tuple(side(plan.case.id, of.axis, of.low, of.high) for of in one.box),
+            interpolation=interpolation(plan, course),
+        )
+        for plan, course in joined(studies)
+        for one in regions(plan, course, LIMITS)
+    )  # fmt: skip
+
+
+def interpolation(plan: Plan, course: Course) -> float | None:
+    """By how much an error differs from a line between its neighbours on an axis, at most.
+
+    At the points of a study this overestimates what interpolation between them leaves out, some
+    four times where the error is smooth. None where no point has two solved neighbours.
+    """
+    largest = [
+        float(np.max(off))
+        for row in _rows(plan)
+        for line in lines(plan, row)
+        if (off := _off(line.x, course.error[line.points], log=line.axis.spacing == "log")).size
+    ]
+    return float(f"{max(largest):.{DIGITS}g}") if largest else None
+
+
+def _rows(plan: Plan) -> Sequence[int]:
+    """A point on each line of the study: the middle of a star, all of a grid."""
+    return range(1) if plan.star else range(len(plan.points))
+
+
+def _off(x: Array, error: Array, *, log: bool) -> Array:
+    known = np.isfinite(error)
+    x, error = np.log(x[known]) if log else x[known], error[known]
+    if x.size <= 2:
+        return np.zeros(0)
+    share = (x[1:-1] - x[:-2]) / (x[2:] - x[:-2])
+    straight = (1 - share) * error[:-2] + share * error[2:]
+    return np.asarray(np.abs(error[1:-1] - straight))
