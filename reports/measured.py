@@ -21,7 +21,7 @@ class Measured:
     solved; without `y` both are (n,). `nominal` is where the inputs of the file are, None where
     inputs that are not shown differ from them; `box` are the first and last x and y of the region
     that `box_name` names. `log` says of x and y whether they
-    are spaced in equal ratios.
+    are spaced in equal ratios. `unsafe_sign` is that of errors on the unsafe side, 0 for both.
     """
 
     title: str
@@ -37,6 +37,15 @@ class Measured:
     box_name: str = ""
     log: tuple[bool, ...] = (False, False)
     note: str = ""
+    unsafe_sign: int | None = None
+
+    @property
+    def unsafe(self) -> NDArray[np.bool_]:
+        """Where an error is beyond the last limit on the unsafe side."""
+        if self.unsafe_sign is None:
+            return np.zeros(self.error.shape, dtype=bool)
+        size = self.unsafe_sign * self.error if self.unsafe_sign else np.abs(self.error)
+        return np.asarray(size > self.limits[-1])
 
 
 def all_within(error: Array, U: Array) -> str:

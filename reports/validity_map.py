@@ -63,6 +63,7 @@ def _drawn(m: Measured, y: Array, cells: Cells) -> list[Markup]:
     left, top, right, bottom = cells.box
     number = classes(m.error, m.limits)
     body = [cells.filled(number == k, css(int(k))) for k in np.unique(number)]
+    body.append(cells.filled(m.unsafe, "unsafe"))
     body.append(cells.hatched(undecided(m.error, m.U, m.limits)))
     body.append(cells.crossed(number == UNSOLVED))
     if min(m.error.shape) >= LEAST:
@@ -172,6 +173,8 @@ def _key(
     said += [(f"iso i{k}", f"{name} %") for k, name in enumerate(names) if lines[k] or every]
     if every or undecided(m.error, m.U, m.limits).any():
         said.append(("hatch", "error bar across a limit"))
+    if m.unsafe.any():
+        said.append(("unsafe", f"unsafe: beyond {100 * m.limits[-1]:.4g} % on that side"))
     if every or not np.isfinite(m.error).all():
         said.append(("unsolved", "no solution"))
     if m.box is not None:

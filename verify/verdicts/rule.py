@@ -57,7 +57,7 @@ def judged(points: Sequence[Point], safe: Safe, *, has_range: bool) -> Verdict:
     if unsafe <= SAFE_SIDE_TOLERANCE:
         return Verdict.CONSERVATIVE
     paper = [p for p in points if p.is_paper]
-    holds_there = accuracy(paper) is not None
+    holds_there = bool(paper) and accuracy(paper) is not None
     if holds_there or unsafe <= CLASSES[-1]:
         return Verdict.PART
     return Verdict.UNSAFE

@@ -40,7 +40,7 @@ def _head(found: FormulaVerdict) -> str:
             return f"wrong as printed; {_error(found)}"
         case _:
             only = "" if found.points else ", the only ones compared"
-            said = f"{_sides(found)}; {_error(found)}{only}"
+            said = f"{sides(found.above or 0.0, found.below or 0.0)}; {_error(found)}{only}"
             return f"{found.verdict.value}: {said}; {SIDE[found.safe]}"
 
 
@@ -72,14 +72,10 @@ def _error(found: FormulaVerdict) -> str:
     return f"{shown}{bar} at the case's own inputs"
 
 
-def _sides(found: FormulaVerdict) -> str:
-    """The largest errors, that of the larger side first."""
-    sides = [(found.above or 0.0, "above"), (found.below or 0.0, "below")]
-    told = [
-        f"up to {percent(size)} {side}"
-        for size, side in sorted(sides, reverse=True) if size >= SMALLEST
-    ]  # fmt: skip
-    return " and ".join(told)
+def sides(high: float, low: float) -> str:
+    """The largest errors above and below, the larger one first: "up to 34 % below"."""
+    both = sorted([(high, "above"), (low, "below")], reverse=True)
+    return " and ".join(f"up to {percent(size)} {side}" for size, side in both if size >= SMALLEST)
 
 
 def _part(found: FormulaVerdict) -> str:

@@ -24,6 +24,7 @@ from verify.studies.sweep.plan import Plan
 from verify.studies.sweep.records import record
 from verify.studies.sweep.run import solve
 from verify.studies.sweep.tables import REFUSED, points_csv, sensitivity_csv, validity_csv
+from verify.verdicts.of_sweep import verdict_in_words
 
 PAGE = "sweep.html"
 
@@ -52,7 +53,7 @@ def run_sweep(
     if as_json:
         print(made["sweep.json"].decode(), end="")
     else:
-        print_outcome(found)
+        print_outcome(found, verdict_in_words)
     told = f"written: {', '.join(str(folder / name) for name in made)}"
     print(told, file=sys.stderr if as_json else sys.stdout)
     return 1 if any(map(_has_failed, (found.problems, *(c.problems for c in found.courses)))) else 0

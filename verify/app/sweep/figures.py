@@ -13,13 +13,16 @@ from reports.sweep_plots import Causes, Histogram, reach
 from reports.validity_map import LEAST
 from verify.core import units
 from verify.core.figures import Array, Band, Curve, Curves
+from verify.core.verdicts import Safe
 from verify.studies.sweep.axes import Axis, Tolerance
 from verify.studies.sweep.indices import Indices, Scatter
 from verify.studies.sweep.outcome import Course
 from verify.studies.sweep.plan import Plan
 from verify.studies.sweep.region import Region, lines
 from verify.studies.sweep.tables import quantities, with_unit
+from verify.verdicts.of_sweep import safe_side
 
+UNSAFE = {Safe.ABOVE: -1, Safe.BELOW: 1, Safe.NEITHER: 0}  # sign of errors on the unsafe side
 MIDDLE = LIMITS[1]  # whose region maps outline
 MOST_PANELS, MOST_PAIRS, MOST_CURVES, MOST_DOTS = 12, 6, 4, 500
 ERROR = "Formula less finite elements, in %."
@@ -44,6 +47,7 @@ def of_grid(plan: Plan, course: Course, regions: Sequence[Region]) -> Sequence[P
         _map((x, y), error, U, title="Error of the formula",
             note=f"{ERROR} Each cell stands for the point in its middle." + LINES * lined, own=True,
             box=tuple((r.axis.shown(r.low), r.axis.shown(r.high)) for r in box),
+            unsafe=UNSAFE[safe_side(plan, course)],
         ),
         _values_2d(plan, course),
     ]  # fmt: skip
@@ -64,20 +68,22 @@ def panels(plan: Plan, course: Course) -> Sequence[Panels]:
     shape = plan.shape
     error, U = (v.reshape(shape) for v in (course.error, course.U_error))
     others, last = plan.axes[:-2], plan.axes[-2:]
+    unsafe = UNSAFE[safe_side(plan, course)]
     places = list(product(*(range(n) for n in shape[:-2])))
     some = _evenly(len(places), MOST_PANELS)
     cuts = tuple(
         _map(last, error[places[k]], U[places[k]], title=", ".join(
             f"{a.symbol} = {_valued(a, a.values[i])}"
             for a, i in zip(others, places[k], strict=True)
-        ), own=all(_at_nominal(a, a.values[i]) for a, i in zip(others, places[k], strict=True)))
+        ), own=all(_at_nominal(a, a.values[i]) for a, i in zip(others, places[k], strict=True)),
+        unsafe=unsafe)
         for k in some
     )  # fmt: skip
     left_out = "" if len(some) == len(places) else (
         f" {len(some)} of {len(places)} cuts, evenly chosen; the rest is in points.csv."
     )  # fmt: skip
     pairs = list(combinations(range(len(shape)), 2))[:MOST_PAIRS]
-    worst = tuple(_worst(plan.axes, error, U, pair) for pair in pairs)
+    worst = tuple(_worst(plan.axes, error, U, pair, unsafe) for pair in pairs)
     return (
         Panels(title="The largest error over all other axes", maps=worst,
                note="Each cell stands for all points with these two values: where it is within a "
@@ -118,7 +124,7 @@ def of_sample(plan: Plan, course: Course, found: Indices) -> Sequence[Picture]:
 
 def _map(
     axes: Sequence[Axis], error: Array, U: Array, *, title: str, note: str = "",
-    box: tuple[tuple[float, float], ...] = (), own: bool = False,
+    box: tuple[tuple[float, float], ...] = (), own: bool = False, unsafe: int | None = None,
 ) -> Measured:  # fmt: skip
     """A map over two axes; `own` says that all other inputs are as in the file."""
     x, y = axes
@@ -127,7 +133,7 @@ def _map(
         U=U, nominal=_nominal(axes) if own else None,
         box=(box[0], box[1]) if len(box) == 2 else None,
         box_name=f"largest region within {100 * MIDDLE:g} %", note=note,
-        log=(x.spacing == "log", y.spacing == "log"),
+        log=(x.spacing == "log", y.spacing == "log"), unsafe_sign=unsafe,
     )  # fmt: skip
 
 
@@ -185,7 +191,9 @@ def _curves(
     )  # fmt: skip
 
 
-def _worst(axes: Sequence[Axis], error: Array, U: Array, pair: tuple[int, int]) -> Measured:
+def _worst(
+    axes: Sequence[Axis], error: Array, U: Array, pair: tuple[int, int], unsafe: int
+) -> Measured:
     """The error that is largest in size, bar included, over all axes but two."""
     seen = [axes[k] for k in pair]
     rest = tuple(k for k in range(error.ndim) if k not in pair)
@@ -194,7 +202,7 @@ def _worst(axes: Sequence[Axis], error: Array, U: Array, pair: tuple[int, int]) 
     size = np.where(np.isfinite(flat + bars), np.abs(flat) + bars, -1.0)
     at = size.argmax(axis=-1)[..., None]
     e, b = (np.take_along_axis(v, at, axis=-1)[..., 0] for v in (flat, bars))
-    return _map(seen, e, b, title=f"{seen[0].symbol} and {seen[1].symbol}")
+    return _map(seen, e, b, title=f"{seen[0].symbol} and {seen[1].symbol}", unsafe=unsafe)
 
 
 def _histogram(

@@ -29,6 +29,7 @@ from verify.studies.sweep.point import code_of
 from verify.studies.sweep.region import regions
 from verify.studies.sweep.run import versions
 from verify.studies.sweep.tables import FAILED, REFUSED, SOLVED, largest, reasons, statuses
+from verify.verdicts.of_sweep import verdict_in_words
 
 MOST_REASONS = 6
 MOST_DRAWN, ROOM = 20, 40_000  # rows with pictures, and points in all of them: a page has its size
@@ -72,7 +73,9 @@ def _said(plan: Plan, course: Course) -> tuple[About, str]:
         about = indices(plan, course)
         return about, sample_in_words(about)
     found = regions(plan, course)
-    return found, grid_in_words(plan, course, found)
+    verdict = verdict_in_words(plan, course)
+    said = grid_in_words(plan, course, found)
+    return found, f"Verdict over this sweep: {verdict}. {said}" if verdict else said
 
 
 def _tiles(found: Outcome) -> Sequence[Tile]:

@@ -4,7 +4,7 @@ import math
 import re
 import textwrap
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from verify.core import units
 from verify.core.console import aligned, raised
@@ -25,6 +25,7 @@ from verify.studies.sweep.plan import Plan
 from verify.studies.sweep.region import regions
 from verify.studies.sweep.tables import SOLVED, largest, quantities, reasons, statuses
 
+Verdict = Callable[[Plan, Course], str]
 LINES = 30  # from which on no further row is told in full
 MOST_REASONS = 3
 MOST_INPUTS = 6
@@ -36,13 +37,16 @@ INDICES = (
 )
 
 
-def print_outcome(found: Outcome) -> None:
-    """Points and what became of them, the rows that are furthest off, regions or indices."""
-    for line in told(found):
+def print_outcome(found: Outcome, verdict: Verdict = lambda *_: "") -> None:
+    """Points and what became of them, the rows that are furthest off, regions or indices.
+
+    `verdict` gives the verdict of a row over a grid in words.
+    """
+    for line in told(found, verdict):
         print(line)
 
 
-def told(found: Outcome) -> list[str]:
+def told(found: Outcome, verdict: Verdict = lambda *_: "") -> list[str]:
     """The lines of `print_outcome`, no wider than WIDE; rows in full until there are LINES."""
     lines_of_table, placed = table(found)
     plan, detailed = found.solved.plan, 0
@@ -51,7 +55,10 @@ def told(found: Outcome) -> list[str]:
     explained = [part for line in _explained(found) for part in _wrapped(line)]
     for course in worst(found):
         at = "" if placed else _furthest(plan, course)
-        of = _of_sample(plan, course, at) if plan.base else _of_grid(plan, course, at)
+        of = (
+            _of_sample(plan, course, at) if plan.base
+            else _of_grid(plan, course, at, verdict(plan, course))
+        )  # fmt: skip
         more = [part for line in of for part in _wrapped(line)]
         if detailed and len(lines) + len(more) + len(explained) >= LINES:
             break
@@ -114,9 +121,11 @@ def _furthest(plan: Plan, course: Course) -> str:
     return "" if n is None else f", furthest off at {place(varied, plan.points[n])}"
 
 
-def _of_grid(plan: Plan, course: Course, at: str) -> Iterator[str]:
-    """The regions in words, limits alike together."""
+def _of_grid(plan: Plan, course: Course, at: str, verdict: str) -> Iterator[str]:
+    """The verdict and the regions in words, limits alike together."""
     yield f"{course.pair.name}{at}"
+    if verdict:
+        yield f"  verdict over this sweep: {verdict}"
     alike: dict[tuple[str, str], list[str]] = {}
     for one in regions(plan, course):
         words = box_in_words(plan, one), break_in_words(plan, one)

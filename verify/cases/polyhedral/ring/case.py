@@ -86,7 +86,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
         "that is the same for all flats and their mirror images",
     )
 
-    @Quantity("K", "1", "K of the paper", source="before Eq. 11", tex="1")
+    @Quantity("K", "1", "K of the paper", source="before Eq. 11", tex="1", safe="too high")
     def K(self) -> float:
         return 1.0
 

@@ -1,0 +1,39 @@
+"""The verdict of a formula over the points of a user's sweep, by the rule of `rule`."""
+
+from typing import Any
+
+import numpy as np
+
+from verify.core.verdicts import Safe
+from verify.studies.sweep.outcome import Course
+from verify.studies.sweep.plan import Plan
+from verify.studies.sweep.region import nominal_point
+from verify.verdicts.rule import Point, above, accuracy, below, judged
+from verify.verdicts.words import SIDE, percent, sides
+
+SAFE = {"too high": Safe.ABOVE, "too low": Safe.BELOW}
+
+
+def safe_side(plan: Plan, course: Course) -> Safe:
+    """Which estimate of the compared quantity is safe, as its case states it."""
+    quantities: Any = getattr(plan.case.inputs, "quantities", tuple)
+    stated = {q.name: q.safe for q in quantities()}
+    return SAFE.get(stated.get(course.pair.analytic, ""), Safe.NEITHER)
+
+
+def verdict_in_words(plan: Plan, course: Course) -> str:
+    """Verdict, largest error on either side and the safe side; empty where nothing is compared."""
+    known = np.isfinite(course.error + course.U_error)
+    if not known.any():
+        return ""
+    own = nominal_point(plan)
+    points = [
+        Point(float(course.error[k]), float(course.U_error[k]), is_paper=k == own)
+        for k in np.flatnonzero(known)
+    ]
+    safe = safe_side(plan, course)
+    verdict = judged(points, safe, has_range=bool(known.all()))
+    limit = accuracy(points)
+    if limit is not None:
+        return f"{verdict}: within {percent(limit)}"
+    return f"{verdict}: {sides(above(points), below(points))}; {SIDE[safe]}"
