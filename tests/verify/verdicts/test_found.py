@@ -1,10 +1,13 @@
 """Verdicts from rows, errata and declarations; evidence that does not stand gives none."""
 
+from types import SimpleNamespace
+
+import numpy as np
 import pytest
 
 from verify.core.results import Kind, Status
-from verify.core.verdicts import Form, Safe, Verdict
-from verify.verdicts import found
+from verify.core.verdicts import DesignRange, Form, Safe, Side, Verdict
+from verify.verdicts import evidence, found
 from verify.verdicts.declared import Formula
 
 ID = "ring-lame/x"
@@ -51,7 +54,7 @@ def test_a_measured_error_counts_where_its_meshes_converge(row):
     got = verdict(formula(), shown, beside)
     assert got.verdict is Verdict.UNSAFE
     assert got.words.startswith(
-        "unsafe: up to 20 % below; −20 % at the case's own inputs; a higher"
+        "unsafe: up to 20 % below; −20 % at the case's own inputs, the only ones compared; a higher"
     )
 
 
@@ -97,3 +100,41 @@ def test_what_has_no_evidence_says_why(changes, kind):
 def test_a_corrected_form_has_no_errata():
     with pytest.raises(ValueError, match="errata belong to the printed form"):
         formula(form=Form.CORRECTED, errata=("eq-9-centrifugal",))
+
+
+def test_a_caution_needs_a_row_that_stands_and_joins_the_sentence(row):
+    warned = formula(caution="but it buckles", caution_row="ring-lame/c")
+    stands = row("c", 0.0, kind=Kind.FACT)
+    assert verdict(warned, row("x", 0.001), stands).words.endswith("; but it buckles")
+    contradiction = row("c", 0.0, kind=Kind.FACT, status=Status.NOTE)
+    assert verdict(warned, row("x", 0.001), contradiction).verdict is Verdict.PART
+    failed = row("c", 0.0, kind=Kind.FACT, status=Status.FAIL)
+    assert verdict(warned, row("x", 0.001), failed).words == "ring-lame/c is FAIL"
+    with pytest.raises(ValueError, match="give caution and caution_row together"):
+        formula(caution="but it buckles")
+
+
+def test_a_missing_datum_may_have_a_caution_too(row):
+    warned = formula(part=(), missing="no data", caution="it slips", caution_row="ring-lame/c")
+    assert verdict(warned, row("c", 0.0, kind=Kind.FACT)).words == "no data; it slips"
+    assert verdict(warned).verdict is Verdict.NONE
+
+
+def test_readings_state_how_far_the_value_moves(row):
+    read = formula(readings=("ring-lame/a", "ring-lame/b"))
+    rows = (row("x", 0.001), row("a", 0.0, analytic=0.9), row("b", 0.0, analytic=1.1))
+    assert verdict(read, *rows).readings == "x 0.9 to 1.1 1 (±10 %)"
+
+
+def test_a_design_range_that_no_study_spans_leaves_a_part(row, monkeypatch):
+    plan = SimpleNamespace(points=np.zeros((2, 1)), case=SimpleNamespace(id="ring-lame"))
+    course = SimpleNamespace(error=np.array([0.001, 0.002]), U_error=np.zeros(2))
+    side = Side(name="T", symbol="T", unit="N", low=1.0, high=9.0)
+    monkeypatch.setattr(found, "ranges", lambda _: ())
+    monkeypatch.setattr(evidence, "_studies", lambda _: [(plan, course)])
+    for spanned, expected in ((True, Verdict.ACCURATE), (False, Verdict.PART)):
+        one = DesignRange(case="ring-lame", words="T 1 to 9 N", source="", side=side,
+                          spanned=spanned)  # fmt: skip
+        monkeypatch.setattr(found, "design", lambda *_, one=one: (one,))
+        assert verdict(formula(), row("x", 0.001)).verdict is expected
+    assert "not compared over T 1 to 9 N" in verdict(formula(), row("x", 0.001)).words

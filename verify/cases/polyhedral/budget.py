@@ -99,9 +99,9 @@ STATEMENTS: Mapping[str, Statement] = {
                   changes=plane_strain(), shared=True),
         ),
         corrected=(
-            Corrected("K of the paper, against the growth in the mean", "K_mean",
+            Corrected("K = 1 against the growth in the mean", "K_mean",
                       "bending of the flats by the series"),
-            Corrected("K of the paper, against a long ring in plane strain", "K_mid_strain",
+            Corrected("K = 1 against a long ring in plane strain", "K_mid_strain",
                       "bending of the flats by the series"),
             Corrected("mean hoop stress in the corners, Eq. 12 as printed", "sigma_tr"),
             *(

@@ -89,6 +89,8 @@ STATEMENTS: Mapping[str, Statement] = {
                       "half planes and Eq. 6, beside the yields of elastic bodies"),
             Corrected("rotation with Eqs. 9, 10 as printed and elastic yields, at N_0",
                       "alpha_rigid"),
+            Corrected("torque with the lever arm of Eq. 16 as printed, at N_0", "torque_rigid",
+                      "half of the arms of Eq. 9"),
             Corrected("rotation with Palmgren's law, Eqs. 6 and 7, at N_0", "alpha_rigid",
                       "Palmgren's law, beside the yields of elastic bodies"),
             Corrected("turn of rigid races by Palmgren's law (Huang 2022, Eqs. 2, 4), at N_0",

@@ -63,8 +63,8 @@ class FreewheelTorque(Star):
     place = "Eqs. 2-7"
     levels: ClassVar = (4, 7, 10)  # cells on the half-width of the fine zones
     scans: ClassVar = (
-        Scan(vary=("T=6.5N m,13N m,26N m,39N m,52N m", "R_a=19mm,21mm,30mm",
-                   "X=11.33mm,11.39565mm,11.44mm", "z=6,8,12"), star=True),
+        Scan(vary=("T=6.5N m,13N m,26N m,32N m,39N m,52N m", "R_a=19mm,20mm,21mm,30mm",
+                   "X=11.33mm,11.39565mm,11.42mm,11.44mm", "z=6,7,8,12"), star=True),
     )  # fmt: skip
     readings: ClassVar = (
         "α is half the angle ψ between the flat's normal and the roller's centre: half the wedge",

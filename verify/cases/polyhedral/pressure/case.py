@@ -58,7 +58,7 @@ class RingPressure(ThinRing):
     source = "belcin"
     place = "Eqs. 6, 8-10"
     scans: ClassVar = (
-        Scan(vary=("delta_1=1mm,2mm,4mm,6mm,8mm,12mm", "nu=0.2,0.3,0.4"), star=True),
+        Scan(vary=("delta_1=1mm,2mm,4mm,6mm,7mm,8mm,12mm", "nu=0.2,0.3,0.4"), star=True),
     )
     readings: ClassVar = (
         "the clearance j_D is on the diameter and closes outside, where the rollers are",

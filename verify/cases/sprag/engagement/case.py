@@ -30,7 +30,7 @@ class SpragEngagement(EngagementFormulas):
     method = BY_INTEGRATION
     levels: ClassVar = LEVELS
     scans: ClassVar = (
-        Scan(vary=("T=15N m,25N m,40N m", "k_out=30000N m/rad,100000N m/rad"), star=True),
+        Scan(vary=("T=15N m,25N m,32N m,40N m", "k_out=30000N m/rad,100000N m/rad"), star=True),
     )
     readings: ClassVar = (
         "driving is positive and locks at α > 0: the mirror image of Eq. 11, with the sign of the "

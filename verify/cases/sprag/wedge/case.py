@@ -30,7 +30,7 @@ class WedgedSprag(WedgeSteps):
     levels: ClassVar = (9, 12, 15)  # cells on half a fine zone, of which contacts take 6, 8, 10
     scans: ClassVar = (
         Scan(
-            vary=("T=12.5N m,25N m,40N m", "R_ed=23mm,26.23mm,32mm", "z=8,12,20"),
+            vary=("T=12.5N m,25N m,40N m", "R_ed=23mm,26.23mm,32mm", "z=8,12,16"),
             only=(
                 "T_i/N_i against the strut's tan ν (Eq. 10), at N_0",
                 "normal force (Eq. 10), at T", "rotation of the sprags, at T",

@@ -24,6 +24,7 @@ HERTZ = "2e-3, and 2 (a/h)² of the smallest of radii, walls and width"
 BETTI = "reciprocity: the mean is Lamé's wherever forces act; 1e-3 for what is of second order"
 PALMGREN = "Palmgren's law is of rollers of finite length"
 RIGID = "races and sprag do not yield"
+HALF_ARMS = "the printed arms are half of the radii"
 PAPER = "too soft by a quarter, an eighth lost on the inner side"
 FULL, MOST = "N_0", "1.8 N_0"
 WIDTH = f"{HERTZ}, no less than the 1 % that is accepted"
@@ -95,6 +96,11 @@ def _angles(q: Wedge) -> Iterator[Comparison]:
 def _forces(q: Wedge) -> Iterator[Comparison]:
     yield from through(q, Wedge.torque, "torque n_s N tan(ν) OA", "T(N)", Bounds.torque, BENDS,
                        points=(FULL, MOST))  # fmt: skip
+    yield approximation(
+        Wedge.torque_printed, "T_rigid", state=q.stroke[FULL], expected=underived(HALF_ARMS),
+        name="torque with the lever arm of Eq. 16 as printed, at N_0", symbol="T(N)", order=2,
+        shares=COLUMN,
+    )  # fmt: skip
     yield approximation(
         Wedge.N, expected=expected(q, Bounds.force, BENDS, DEMAND), order=2, symbol="N(T)",
         name="normal force (Eq. 10), at T", shares=COLUMN,

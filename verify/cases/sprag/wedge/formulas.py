@@ -133,6 +133,12 @@ class WedgeFormulas(WedgeInputs, Case):
     def torque(self) -> float:
         return float(self.state.T)
 
+    @Quantity("T", "N m", "torque with the lever arm of Eq. 16 as printed", equation="16",
+              form="as printed", form_of="T")  # fmt: skip
+    def torque_printed(self) -> float:
+        inner, _ = printed.lever_arms(self.clutch.sprag, self.state.yields)
+        return float(self.z * self.N * np.tan(self.state.nu) * inner)
+
     @Quantity("T_i", "N", "tangential force of a sprag on the inner race", role="step",
               tex=r"N \mu_i")  # fmt: skip
     def T_i(self) -> float:
@@ -187,8 +193,12 @@ class WedgeFormulas(WedgeInputs, Case):
         lever = self.T / (self.z * self.N_0)  # R_i tan(nu_0)
         return float((found.contact_i + found.contact_e) / lever)
 
-    @Quantity("T/θ", "N m/rad", "torsional secant stiffness of rigid races, by Palmgren's law",
-              source="Huang 2022, Eq. 11", tex=r"\frac{n_s N R_i \tan \nu_0}{\theta}")  # fmt: skip
+    @Quantity(
+        "T/θ",
+        "N m/rad",
+        "torsional secant stiffness of rigid races, by Palmgren's law",
+        source="Huang 2022, Eq. 11",
+    )
     def secant(self) -> float:
         return self.T * self.N / self.N_0 / self.theta_rigid_races
 
