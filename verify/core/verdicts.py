@@ -67,7 +67,8 @@ class DesignRange:
 class VerdictRange:
     """Where the error of a formula stays within `limit`, in words, and how many points do.
 
-    `over` says what was varied in the study of a case; `box` holds the ranges that keep the limit,
+    `over` says what was varied in the study of a case, `studied` from which to which value; `box`
+    holds the ranges that keep the limit,
     one at a time where `is_star`, and is empty where no point does. `interpolation` is by how much
     the error at a point differs at most from a straight line between its neighbours, None where no
     point has two.
@@ -78,6 +79,7 @@ class VerdictRange:
     words: str
     over: str
     box: tuple[Side, ...] = ()
+    studied: tuple[Side, ...] = ()
     is_star: bool = False
     inside: int
     points: int

@@ -67,10 +67,11 @@ def explained(one: FormulaVerdict) -> list[str]:
 
 
 def _ranges(one: FormulaVerdict) -> list[tuple[str, str]]:
-    return [
-        (f"within {100 * r.limit:g} %", f"{r.case}: {r.words} (of {r.over}){_straight(r)}")
-        for r in one.ranges
-    ]
+    alike: dict[str, list[str]] = {}
+    for r in one.ranges:
+        text = f"{r.case}: {r.words} (of {r.over}){_straight(r)}"
+        alike.setdefault(text, []).append(f"{100 * r.limit:g}")
+    return [(f"within {', '.join(limits)} %", text) for text, limits in alike.items()]
 
 
 def _straight(one: VerdictRange) -> str:

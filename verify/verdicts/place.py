@@ -2,12 +2,12 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 
 from verify.core.inputs import Inputs
 from verify.core.verdicts import FormulaVerdict, Side, Verdict, VerdictRange
-from verify.verdicts.words import percent
+from verify.verdicts.words import percent, side_in_words
 
 SAME = 1e-9  # relative: inputs that differ by less are equal
 MOST_NAMED = 3  # inputs that a line names
@@ -45,9 +45,12 @@ def place(found: FormulaVerdict, case: str, inputs: Inputs) -> Place:
     symbols = {shown.name: shown.symbol for shown in inputs.display()}
     if kept := next((r for r in ranges if _holds(r, mine, changed)), None):
         return Place(Where.INSIDE, f"inside the range with errors within {percent(kept.limit)}")
-    varied = {side.name for r in ranges for side in r.box}
-    if other := [symbols[name] for name in changed if name not in varied]:
+    studied = {n: [s for r in ranges for s in r.studied if s.name == n] for n in changed}
+    if other := [symbols[name] for name in changed if not studied[name]]:
         return Place(Where.NOT_COMPARED, f"not compared with another {_named(other)}")
+    for name, sides in studied.items():
+        if not any(_inside(side, mine[name]) for side in sides):
+            return Place(Where.NOT_COMPARED, f"beyond what was compared: {_spans(sides)}")
     if len(changed) > 1 and all(r.is_star for r in ranges):
         both = _named([symbols[name] for name in changed])
         return Place(Where.NOT_COMPARED, f"not compared with {both} changed at once")
@@ -82,6 +85,12 @@ def _inside(side: Side, value: object) -> bool:
 def _named(symbols: list[str]) -> str:
     more = len(symbols) - MOST_NAMED
     return ", ".join(symbols[:MOST_NAMED]) + (f" and {more} more" if more > 0 else "")
+
+
+def _spans(sides: list[Side]) -> str:
+    """The range of one input over all studies: "T 6.5 to 52 N m"."""
+    low, high = min(side.low for side in sides), max(side.high for side in sides)
+    return side_in_words(replace(sides[0], low=low, high=high, ratio=""))
 
 
 def _last(ranges: list[VerdictRange]) -> float | None:

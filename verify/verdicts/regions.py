@@ -26,6 +26,9 @@ def ranges(studies: Sequence[Study]) -> tuple[VerdictRange, ...]:
             case=plan.case.id, limit=one.limit, words=box_words(one, star=plan.star),
             over=over(plan), is_star=plan.star, inside=one.inside, points=one.points,
             box=tuple(side(plan.case.id, of.axis, of.low, of.high) for of in one.box),
+            studied=tuple(
+                side(plan.case.id, axis, axis.values[0], axis.values[-1]) for axis in plan.axes
+            ),
             interpolation=interpolation(plan, course),
         )
         for plan, course in joined(studies)

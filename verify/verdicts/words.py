@@ -95,12 +95,13 @@ def _part(found: FormulaVerdict) -> str:
 
 def _kept(one: VerdictRange) -> str:
     """Where one study keeps a limit, its inputs also as dimensionless quantities."""
-    box = ", ".join(map(_side, one.box))
+    box = ", ".join(map(side_in_words, one.box))
     alone = "" if not one.is_star or len(one.box) < 2 else " (one at a time)"
     return f"{box}{alone} in {one.case}, {one.inside} of {one.points} points"
 
 
-def _side(one: Side) -> str:
+def side_in_words(one: Side) -> str:
+    """A range with its unit, and as a dimensionless quantity where one is declared."""
     ends = f"{one.symbol} {_span(one.low, one.high)}{'' if one.unit == '1' else f' {one.unit}'}"
     return f"{ends} ({one.ratio} {_span(*one.ratio_ends)})" if one.ratio else ends
 
