@@ -15,6 +15,7 @@ SVG = "{http://www.w3.org/2000/svg}"
 LINK = "{http://www.w3.org/1999/xlink}href"
 PIXELS = 4 / 3  # of a point
 _NUMBER = re.compile(r"-?[\d.]+")
+_GLYPH = re.compile(r'<use href="#(g\d+)"')
 _PLACE = re.compile(r"<!--equation (\d+)-->")
 
 
@@ -24,18 +25,25 @@ class Equations:
     def __init__(self) -> None:
         self._numbers: dict[str, int] = {}
         self._names: dict[str, str] = {}  # of glyphs, by typst's own
-        self._outlines: list[str] = []
+        self._outlines: dict[str, str] = {}  # by name
 
     def maths(self, tex: str) -> Markup:
         """The place of an equation in a page."""
         number = self._numbers.setdefault(tex, len(self._numbers))
         return Markup(f"<!--equation {number}-->")  # noqa: S704 - a number
 
-    def placed(self, page: str) -> str:
-        """The page with its equations in the colour of the text, read aloud as their source."""
+    def placed(self, pages: Sequence[str]) -> list[str]:
+        """Pages with their equations in the colour of the text, read aloud as their source.
+
+        Each page holds the glyphs that it uses.
+        """
         drawn = self._drawn()
-        page = _PLACE.sub(lambda place: drawn[int(place[1])], page)
-        return page.replace(SYMBOLS, f"<defs>{''.join(self._outlines)}</defs>")
+        return [self._with(_PLACE.sub(lambda place: drawn[int(place[1])], page)) for page in pages]
+
+    def _with(self, page: str) -> str:
+        used = set(_GLYPH.findall(page))
+        glyphs = (outline for name, outline in self._outlines.items() if name in used)
+        return page.replace(SYMBOLS, f"<defs>{''.join(glyphs)}</defs>")
 
     def _drawn(self) -> list[str]:
         """Every equation, in the order of asking; as source where nothing can draw it."""
@@ -81,7 +89,7 @@ class Equations:
         if glyph not in self._names:
             name = self._names[glyph] = f"g{len(self._names)}"
             path = f'<path d="{_tight(outline)}"/>' if outline else ""
-            self._outlines.append(f'<g id="{name}" transform="scale(1 -1)">{path}</g>')
+            self._outlines[name] = f'<g id="{name}" transform="scale(1 -1)">{path}</g>'
         return self._names[glyph]
 
 

@@ -32,6 +32,7 @@ from reports.density import density
 from reports.drawable import drawable, nothing
 from reports.equations import Equations
 from reports.error_map import error_map
+from reports.first_page import MOST_CLAIMS, groups
 from reports.frames import Frame
 from reports.in_short import cases_in_short, named, where
 from reports.paper_rows import printed_row
@@ -42,7 +43,16 @@ from reports.shapes import shapes
 from reports.sketch import sketch
 from reports.slim import slim
 from reports.validity_map import scale_key
-from reports.verdicts import MEANING, at_paper, by_paper, given, sides
+from reports.verdicts import (
+    MEANING,
+    at_paper,
+    by_paper,
+    given,
+    not_to_be_used,
+    short_words,
+    sides,
+    slug,
+)
 from reports.whirl import whirl
 from reports.zones import zones
 from verify.core.figures import (
@@ -79,33 +89,40 @@ WORDS = {
 
 
 def page(report: Report, frames: Mapping[str, Sequence[Frame]]) -> str:
-    """HTML of the whole run; `frames` are the pictures of each case."""
+    """HTML of the whole run as one page; `frames` are the pictures of each case."""
     equations = Equations()
-    script = _script(report, frames)
+    script = script_of(report.cases, frames)
+    body = environment(equations).get_template("report.html.j2").render(
+        **context(report, frames), script=Markup(script),  # noqa: S704 - the project's own file
+        script_source=script_source(script),
+    )  # fmt: skip
+    return slim(equations.placed([body])[0])
+
+
+def context(report: Report, frames: Mapping[str, Sequence[Frame]]) -> dict[str, Any]:
+    """What the templates of all pages read."""
     groups = [(case, lines(case.rows)) for case in report.cases]
     checks = crosscheck.of_cases(report)
-    body = _environment(equations).get_template("report.html.j2").render(
-        report=report, crosschecks=checks, seconds=second.seconds(checks), rows=report.rows,
-        groups=groups, listed=groups_failed_first(groups), statuses=tuple(Status), words=WORDS,
-        title=title(report), partly=partly(report),
-        counts=_counts(report.rows), anchors=anchors(report.rows),
-        subjects=validity.subjects(report.validity),
-        budgets=report.budgets,
-        caught=report.caught,
-        scale_key=scale_key if validity.mapped(report.validity) else None,
-        paired=sum(line.convergence is not None for _, group in groups for line in group),
-        relaxed=sum(row.demand is not None and row.demand > 0.01 for row in report.rows),
-        warnings=warnings(report.cases), in_short=cases_in_short(report),
-        verdicts_by_paper=by_paper(report), verdicts_given=given(report), meaning=MEANING,
-        overview=signature.overview(report.cases, anchors(report.rows)),
-        drawn={case.id: [f for f in frames.get(case.id, ()) if f.svg] for case in report.cases},
-        viewers={case.id: [f for f in frames.get(case.id, ()) if f.view] for case in report.cases},
-        drawn_by=drawn_by(frames), names={p["key"]: cited(p) for p in report.papers},
-        short=named(report.papers),
-        published=_by_paper(report), script=Markup(script),  # noqa: S704 - the project's own file
-        script_source=_source(script), css=Markup(styles()),  # noqa: S704 - likewise
-    )  # fmt: skip
-    return slim(equations.placed(body))
+    placed = anchors(report.rows)
+    return {
+        "report": report, "crosschecks": checks, "seconds": second.seconds(checks),
+        "rows": report.rows, "groups": groups, "listed": groups_failed_first(groups),
+        "statuses": tuple(Status), "words": WORDS, "title": title(report),
+        "partly": partly(report), "counts": _counts(report.rows), "anchors": placed,
+        "subjects": validity.subjects(report.validity), "budgets": report.budgets,
+        "caught": report.caught,
+        "scale_key": scale_key if validity.mapped(report.validity) else None,
+        "paired": sum(line.convergence is not None for _, group in groups for line in group),
+        "relaxed": sum(row.demand is not None and row.demand > 0.01 for row in report.rows),
+        "warnings": warnings(report.cases), "in_short": cases_in_short(report),
+        "verdicts_by_paper": by_paper(report), "verdicts_given": given(report),
+        "meaning": MEANING, "overview": signature.overview(report.cases, placed),
+        "drawn": {c.id: [f for f in frames.get(c.id, ()) if f.svg] for c in report.cases},
+        "viewers": {c.id: [f for f in frames.get(c.id, ()) if f.view] for c in report.cases},
+        "drawn_by": drawn_by(frames), "names": {p["key"]: cited(p) for p in report.papers},
+        "short": named(report.papers), "published": _by_paper(report),
+        "css": Markup(styles()),  # noqa: S704 - the project's own file
+    }  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -217,7 +234,8 @@ def _plot(figure: Figure) -> Markup:
             return parallel(figure)
 
 
-def _environment(equations: Equations) -> jinja2.Environment:
+def environment(equations: Equations) -> jinja2.Environment:
+    """The templates of the pages, whose formulas `equations` places."""
     env = jinja2.Environment(
         loader=jinja2.FileSystemLoader(HERE), autoescape=True, trim_blocks=True,
         lstrip_blocks=True, undefined=jinja2.StrictUndefined, bytecode_cache=COMPILED,
@@ -250,11 +268,14 @@ def _environment(equations: Equations) -> jinja2.Environment:
         "second_apart": second.apart, "second_meshes": second.meshes, "linked": formats.linked,
         "printed": printed, "counts": lambda case: present(case.rows), "anchor": _anchor,
         "reproduce": reproduce, "where": where, "at_paper": at_paper, "sides": sides,
+        "short_words": short_words, "slug": slug, "not_to_be_used": not_to_be_used,
+        "grouped": groups,
     }  # fmt: skip
     env.globals |= {
         "LONG_LIST": LONG_LIST,
         "limits_title": LIMITS_TITLE,
         "NAMED_IN_MENU": NAMED_IN_MENU,
+        "MOST_CLAIMS": MOST_CLAIMS,
         "CHANGED": caught.NAMES,
     }
     return env
@@ -300,10 +321,10 @@ def _by_paper(report: Report) -> Mapping[str, list[Mapping[str, Any]]]:
     return found
 
 
-def _script(report: Report, frames: Mapping[str, Sequence[Frame]]) -> str:
-    """What moves the views and the modes of shafts, where there are some."""
-    views = any(frame.view for group in frames.values() for frame in group)
-    modes = any(isinstance(f, Whirl) and drawable(f) for c in report.cases for f in c.figures)
+def script_of(cases: Sequence[CaseResult], frames: Mapping[str, Sequence[Frame]]) -> str:
+    """What moves the views and the modes of shafts of these cases, where there are some."""
+    views = any(frame.view for case in cases for frame in frames.get(case.id, ()))
+    modes = any(isinstance(f, Whirl) and drawable(f) for case in cases for f in case.figures)
     names = ["viewer.js"] * views + ["whirl.js"] * modes
     return "\n".join((HERE / name).read_text("utf-8") for name in names)
 
@@ -313,7 +334,7 @@ def drawn_by(frames: Mapping[str, Sequence[Frame]]) -> str:
     return f"Pictures: {'; '.join(by)}." if by else ""
 
 
-def _source(script: str) -> str:
+def script_source(script: str) -> str:
     """What the content security policy lets run: this script or none."""
     if not script:
         return "'none'"

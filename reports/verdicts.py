@@ -1,5 +1,6 @@
 """Verdicts of the formulas: how many of each by paper, and each with its error and evidence."""
 
+import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -7,7 +8,7 @@ from dataclasses import dataclass
 from reports.formats import MINUS
 from reports.in_short import named
 from verify.core.results import Report
-from verify.core.verdicts import FormulaVerdict, Verdict
+from verify.core.verdicts import SHARED, FormulaVerdict, Verdict
 
 HEAD = "| paper | equation | form | what it gives | verdict | in words |\n|---|---|---|---|---|---|"
 SMALLEST = 1e-4  # relative: what is shown of an error or of its bar
@@ -59,7 +60,8 @@ def at_paper(one: FormulaVerdict) -> str:
     if abs(one.error) + one.U < SMALLEST:
         return "< 0.01 %"
     bar = f" ± {100 * one.U:.1g}" if one.U >= SMALLEST else ""
-    return f"{100 * one.error:+.2g}{bar} %".replace("-", MINUS)
+    sign = "+" if one.error >= 0 else MINUS
+    return f"{sign}{_percents(abs(one.error))}{bar} %"
 
 
 def sides(one: FormulaVerdict) -> str:
@@ -67,10 +69,32 @@ def sides(one: FormulaVerdict) -> str:
     if one.above is None or one.below is None:
         return "–"
     high, low = (
-        f"{sign}{100 * size:.2g}" if size >= SMALLEST else "0"
+        f"{sign}{_percents(size)}" if size >= SMALLEST else "0"
         for sign, size in (("+", one.above), (MINUS, one.below))
     )
     return f"{high} / {low} %"
+
+
+def _percents(size: float) -> str:
+    """Two digits, or whole per cent from a hundred on."""
+    return f"{100 * size:.0f}" if size >= 1 else f"{100 * size:.2g}"
+
+
+def short_words(one: FormulaVerdict) -> str:
+    """The sentence of a verdict without the verdict itself, which stands beside it."""
+    text = one.words.replace(f"; {SHARED}", "")
+    text = text.removeprefix(f"{one.verdict}: ").removeprefix(f"{one.verdict}; ")
+    return f"{text[0].upper()}{text[1:]}."
+
+
+def slug(name: str) -> str:
+    """A name as an anchor: letters and digits, the rest as hyphens."""
+    return re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")
+
+
+def not_to_be_used(verdicts: Sequence[FormulaVerdict]) -> list[FormulaVerdict]:
+    """Formulas that are unsafe or wrong in this form."""
+    return [v for v in verdicts if v.verdict in (Verdict.UNSAFE, Verdict.WRONG)]
 
 
 def counts_in_markdown(report: Report) -> str:

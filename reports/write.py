@@ -16,7 +16,9 @@ from reports.crosscheck_table import crosscheck_csv
 from reports.frames import Frame, frames
 from reports.html import page
 from reports.junit import junit
-from reports.pdf import content, made, printed
+from reports.pages import FIRST, FOLDER, is_paged, pages
+from reports.pdf import content, printed
+from reports.pdf import made as made_at
 from reports.records import report_record
 from reports.rows import rows_csv
 from reports.second import seconds
@@ -58,17 +60,20 @@ def write(report: Report, folder: Path, *, cache: Path | None = None, hint: str 
     with _alone_in(folder), _staging(folder) as staging:
         for name, content in files.items():
             try:
+                (staging / name).parent.mkdir(exist_ok=True)
                 (staging / name).write_bytes(content)
             except OSError as error:
                 raise OSError(f"{folder / name} cannot be written: {error.strerror}") from error
         for name in files:
+            (folder / name).parent.mkdir(exist_ok=True)
             (staging / name).replace(folder / name)
         # of a run over other cases, or of one that could do more
         made = (ERRORS, PAPER, BUDGET, CROSSCHECK)
-        for stale in (*folder.glob("*.vtu"), *(folder / name for name in made)):
-            if stale.name not in files:
+        others = (*folder.glob("*.vtu"), *folder.glob(f"{FOLDER}/*.html"))
+        for stale in (*others, *(folder / name for name in made)):
+            if stale.relative_to(folder).as_posix() not in files:
                 stale.unlink(missing_ok=True)
-    return Written(folder / "report.html", tuple(remarks))
+    return Written(folder / FIRST, tuple(remarks))
 
 
 def _files(report: Report, drawn: Mapping[str, Sequence[Frame]]) -> tuple[dict[str, bytes], str]:
@@ -78,11 +83,12 @@ def _files(report: Report, drawn: Mapping[str, Sequence[Frame]]) -> tuple[dict[s
     with ThreadPoolExecutor(1) as beside:
         paper: Future[bytes] = Future()
         try:
-            paper = beside.submit(printed, content(report, drawn), made(report))
+            paper = beside.submit(printed, content(report, drawn), made_at(report))
         except NotSet as error:
             paper.set_exception(error)
         files = dict(_tables(report))
-        files["report.html"] = page(report, drawn).encode()
+        made = pages(report, drawn) if is_paged(report) else {FIRST: page(report, drawn)}
+        files |= {name: text.encode() for name, text in made.items()}
     try:
         files[PAPER] = paper.result()
     except NotSet as error:

@@ -150,7 +150,7 @@ def test_every_formula_of_a_report_has_a_tree_and_others_are_refused(report):
 
 def page(*texs):
     drawn = Equations()
-    return drawn.placed("".join(f"<p>{drawn.maths(tex)}</p>" for tex in texs) + SYMBOLS)
+    return drawn.placed(["".join(f"<p>{drawn.maths(tex)}</p>" for tex in texs) + SYMBOLS])[0]
 
 
 def test_every_glyph_that_is_used_is_there_and_each_once():

@@ -3,6 +3,12 @@
 from dataclasses import dataclass, field
 from enum import StrEnum
 
+# what a sentence says of errors against the formula's own idealisation alone
+SHARED = (
+    "compared with a model that makes the same simplifications: the error against the real part is "
+    "not known"
+)
+
 
 class Form(StrEnum):
     """Which form of a formula a verdict is about."""

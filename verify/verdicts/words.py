@@ -2,17 +2,13 @@
 
 import re
 
-from verify.core.verdicts import FormulaVerdict, Safe, Side, Verdict, VerdictRange
+from verify.core.verdicts import SHARED, FormulaVerdict, Safe, Side, Verdict, VerdictRange
 from verify.studies.validity.messages import number
 
 SIDE = {Safe.ABOVE: "a higher value is safe", Safe.BELOW: "a lower value is safe",
         Safe.NEITHER: "neither side is safe"}  # fmt: skip
 VALUES = re.compile(r" \(\d+ values\)")  # how many, which the ranges state
 SMALLEST = 1e-4  # relative: what is shown of an error or of its bar
-SHARED = (
-    "compared with a model that makes the same simplifications: the error against the real part is "
-    "not known"
-)
 
 
 def sentence(found: FormulaVerdict) -> str:

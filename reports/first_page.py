@@ -1,0 +1,125 @@
+"""What the first page shows of each paper, and of each task of a designer."""
+
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from reports.in_short import named
+from verify.core.results import CaseResult, PaperTable, Report
+from verify.core.verdicts import FormulaVerdict, Verdict
+
+MOST_NAMED = 2  # quantities of a line
+MOST_CLAIMS = 3  # rows of the suite below a printed row
+FILE = Path(__file__).parent / "first_page.toml"
+
+
+@dataclass(frozen=True)
+class PaperPart:
+    """A paper with what it claims, its verdicts, its tables with numbers, errata and cases."""
+
+    key: str
+    cited: str
+    title: str
+    part: str
+    claim: str
+    place: str
+    verdicts: Sequence[FormulaVerdict]
+    tables: Sequence[PaperTable]
+    errata: Sequence[Mapping[str, Any]]
+    cases: Sequence[CaseResult]
+
+
+@dataclass(frozen=True)
+class Group:
+    """Formulas of one form with the same verdict, errors and evidence: one line of a table."""
+
+    formulas: Sequence[FormulaVerdict]
+
+    @property
+    def first(self) -> FormulaVerdict:
+        """The one whose verdict and evidence the line shows."""
+        return self.formulas[0]
+
+    @property
+    def name(self) -> str:
+        """The equations: "Eqs. 1, 2, 4"."""
+        numbers = [v.name.removeprefix("Eq. ") for v in self.formulas]
+        if len(numbers) == 1:
+            return self.first.name
+        return f"Eqs. {', '.join(numbers)}"
+
+    @property
+    def what(self) -> str:
+        """What they give, the first MOST_NAMED."""
+        each = list(dict.fromkeys(v.what for v in self.formulas))
+        more = len(each) - MOST_NAMED
+        return "; ".join(each[:MOST_NAMED]) + (f"; and {more} more" if more > 0 else "")
+
+
+def groups(verdicts: Sequence[FormulaVerdict]) -> list[Group]:
+    """The formulas with something to verify, alike ones together, in the order of the first."""
+    found: dict[tuple[object, ...], list[FormulaVerdict]] = {}
+    for v in verdicts:
+        if v.verdict is Verdict.DEFINITION:
+            continue
+        alike = v.form, v.verdict, v.words, v.error, v.instead, v.rows, v.model_rows
+        is_equation = v.name.startswith("Eq. ") and (v.rows or v.model_rows)
+        found.setdefault(alike if is_equation else (v.id,), []).append(v)
+    return [Group(one) for one in found.values()]
+
+
+@dataclass(frozen=True)
+class Task:
+    """A question of a designer, the formulas that answer it, and the command."""
+
+    what: str
+    formulas: Sequence[FormulaVerdict]
+    tool: str
+
+
+@cache
+def stated() -> Mapping[str, Any]:
+    """The file of claims and tasks."""
+    return tomllib.loads(FILE.read_text("utf-8"))
+
+
+def paper_parts(report: Report) -> list[PaperPart]:
+    """The papers of a run in the order of the file."""
+    papers, short = {p["key"]: p for p in report.papers}, named(report.papers)
+    return [
+        _part(report, one, papers[one["key"]], short[one["key"]])
+        for one in stated()["papers"] if one["key"] in papers
+    ]  # fmt: skip
+
+
+def _part(
+    report: Report, one: Mapping[str, str], paper: Mapping[str, Any], cited: str
+) -> PaperPart:
+    key = one["key"]
+    verdicts = [v for v in report.verdicts if v.paper == key]
+    changed = {e for v in verdicts for e in v.errata}
+    return PaperPart(
+        key=key, cited=cited, title=paper["title"], part=one["part"], claim=one["claim"],
+        place=one["place"], verdicts=verdicts,
+        tables=[t for t in report.tables if t.paper == key and compared(t)],
+        errata=[e for e in report.errata if e["paper"] == key and e["id"] in changed],
+        cases=[c for c in report.cases if c.paper == key],
+    )  # fmt: skip
+
+
+def compared(table: PaperTable) -> bool:
+    """Whether rows of the suite are compared with a number of the table."""
+    return any(cell.rows for cells in table.rows for cell in cells)
+
+
+def tasks(report: Report) -> Mapping[str, list[Task]]:
+    """The tasks by part, with the verdicts of their formulas."""
+    known = {v.id: v for v in report.verdicts}
+    found: dict[str, list[Task]] = {}
+    for one in stated()["tasks"]:
+        formulas = [known[name] for name in one["formulas"] if name in known]
+        found.setdefault(one["part"], []).append(Task(one["what"], formulas, one["tool"]))
+    return found

@@ -1,0 +1,120 @@
+"""The report as pages: links between them, their size, the first one and those of cases."""
+
+import re
+from dataclasses import replace
+
+import pytest
+
+from reports.first_page import groups, paper_parts, stated, tasks
+from reports.pages import FIRST, FOLDER, SECTIONS, is_paged, linked, pages
+from reports.write import write
+from verify.cases.registry import CASES
+from verify.core.results import Kind, Status
+from verify.core.verdicts import Verdict
+from verify.verdicts.record import kept
+
+MOST = 470_000  # bytes of a page of a case or of the first one
+IDS = re.compile(r'\bid="([^"]+)"')
+LINKS = re.compile(r'href="([^"]+)"')
+
+
+@pytest.fixture(scope="module")
+def made(report):
+    return pages(replace(report, verdicts=kept()), {})
+
+
+def test_there_is_a_first_page_one_for_each_case_and_those_of_records(made, report):
+    names = {name.removeprefix(f"{FOLDER}/").removesuffix(".html") for name in made}
+    assert {case.id for case in report.cases} <= names
+    assert names - {case.id for case in report.cases} <= {*SECTIONS, "report"}
+
+
+def test_each_link_leads_to_a_place_on_a_page(made):
+    places = {name: set(IDS.findall(page)) for name, page in made.items()}
+    for name, page in made.items():
+        for link in LINKS.findall(page):
+            path, _, place = link.partition("#")
+            if link.startswith("data:"):
+                continue
+            folder = "" if name == FIRST else f"{FOLDER}/"
+            target = (folder + path).replace(f"{FOLDER}/../", "") if path else name
+            assert target in places, (name, link)
+            assert not place or place in places[target], (name, link)
+
+
+def test_a_page_has_each_place_once_and_needs_no_network(made):
+    for page in made.values():
+        found = IDS.findall(page)
+        assert len(found) == len(set(found))
+        assert not re.search(r"""(src|href)=["']https?:""", page)
+        assert "default-src 'none'" in page
+
+
+def test_pages_stay_small(made, report):
+    sized = {FIRST, *(f"{FOLDER}/{case.id}.html" for case in report.cases)}
+    large = {name: len(made[name].encode()) for name in sized if len(made[name].encode()) > MOST}
+    assert not large
+
+
+def test_links_to_rows_lead_to_the_page_of_their_case():
+    row, whole = '<i id="row-1"></i>', '<a href="#row-1">x</a>'
+    found = linked({FIRST: whole, f"{FOLDER}/rows.html": row, f"{FOLDER}/ring-lame.html": row})
+    assert found[FIRST] == f'<a href="{FOLDER}/ring-lame.html#row-1">x</a>'
+
+
+def test_links_back_go_up_one_folder():
+    found = linked({FIRST: '<i id="a"></i>', f"{FOLDER}/x.html": '<a href="#a"></a>#a'})
+    assert found[f"{FOLDER}/x.html"] == '<a href="../report.html#a"></a>#a'
+
+
+def test_the_first_page_shows_each_verdict_once(made):
+    shown = [v for v in kept() if v.verdict is not Verdict.DEFINITION]
+    assert made[FIRST].count('id="verdict-') == len(shown)
+
+
+def test_alike_formulas_stand_in_one_line():
+    found = groups([v for v in kept() if v.paper == "wang2023"])
+    names = [one.name for one in found]
+    assert "Eqs. 1, 2, 3, 4, 5, 6" in names  # corrected
+    assert sum(len(one.formulas) for one in found) == sum(
+        v.paper == "wang2023" and v.verdict is not Verdict.DEFINITION for v in kept()
+    )
+
+
+def test_claims_and_tasks_are_of_papers_formulas_and_cases_that_exist(report):
+    known = {v.id for v in kept()}
+    assert {one["key"] for one in stated()["papers"]} == {v.paper for v in kept()}
+    for task in stated()["tasks"]:
+        assert set(task["formulas"]) <= known
+        init = re.match(r"freewheel init ([a-z-]+)", task["tool"])
+        assert init[1] in {*CASES.ids, "design-spring", "design-sprag"}
+    assert sum(map(len, tasks(report).values())) == len(stated()["tasks"])
+    parts = paper_parts(report)
+    assert [c.id for part in parts for c in part.cases if c.paper != part.key] == []
+
+
+def test_rows_that_hold_and_say_no_more_stand_in_the_appendix(made, report):
+    case = next(c for c in report.cases if c.id == "freewheel-torque")
+    page = made[f"{FOLDER}/{case.id}.html"]
+    main, _, rest = page.partition('id="more-rows"')
+    settled = [r for r in case.rows if r.kind is Kind.EXACT and r.status is Status.PASS]
+    assert settled
+    for row in settled:
+        number = report.rows.index(row)
+        assert f'id="row-{number}"' in rest
+        assert f'id="row-{number}"' not in main
+
+
+def test_a_run_of_one_s_own_part_or_of_one_case_is_one_page(report):
+    assert is_paged(report)
+    assert not is_paged(replace(report, name="mine"))
+    assert not is_paged(replace(report, cases=report.cases[:1]))
+
+
+def test_pages_of_a_run_before_go(report, tmp_path):
+    old = tmp_path / FOLDER / "gone.html"
+    old.parent.mkdir()
+    old.write_text("", "utf-8")
+    write(report, tmp_path)
+    assert not old.exists()
+    assert {p.stem for p in old.parent.glob("*.html")} >= {case.id for case in report.cases}
