@@ -10,7 +10,7 @@ from markupsafe import Markup
 from reports.equations import Equations
 from reports.first_page import paper_parts, tasks
 from reports.frames import Frame
-from reports.html import context, environment, script_of, script_source
+from reports.html import HERE, context, environment, script_of, script_source
 from reports.row_lines import Line
 from reports.slim import slim
 from verify.core.results import CaseBudget, CaseResult, Kind, Report, Row, Status, Validity
@@ -30,6 +30,7 @@ PLACES = {
     "faults": "caught", "since": "since", "provenance": "provenance",
 }  # fmt: skip
 _RECORDS = frozenset(f"{FOLDER}/{name}.html" for name in SECTIONS)
+SEARCH = HERE / "search.js"
 _LINK = re.compile(r'href="#([^"]+)"')
 _ID = re.compile(r'\bid="([^"]+)"')
 
@@ -72,24 +73,29 @@ def _templates(
     sections = [name for name in SECTIONS if _has(report, shared, name)]
     menu = [("first", "Papers"), ("design", "Designer's index"), ("cases", "Cases"),
             *((PLACES[name], SECTIONS[name]) for name in sections)]  # fmt: skip
-    still: dict[str, Any] = {"menu": menu, "script": "", "script_source": "'none'"}
+    still: dict[str, Any] = {"menu": menu} | _scripted("")
     own = {"heading": shared["title"], "parts": paper_parts(report), "tasks": tasks(report)}
     yield FIRST, "first.html.j2", still | own
     for name in sections:
+        script = SEARCH.read_text("utf-8") if name == "rows" else ""
         yield (
             f"{FOLDER}/{name}.html", "section.html.j2",
-            still | {"heading": SECTIONS[name], "name": name},
+            still | {"heading": SECTIONS[name], "name": name} | _scripted(script),
         )  # fmt: skip
     for case, lines in shared["groups"]:
-        script = script_of([case], frames)
         yield (
             f"{FOLDER}/{case.id}.html", "paged_case.html.j2",
-            still | {
-                "heading": case.title, "mine": _of_case(report, case, lines),
-                "script": Markup(script),  # noqa: S704 - the project's own file
-                "script_source": script_source(script),
-            },
+            still | {"heading": case.title, "mine": _of_case(report, case, lines)}
+            | _scripted(script_of([case], frames)),
         )  # fmt: skip
+
+
+def _scripted(script: str) -> dict[str, Any]:
+    """A script of the project and what lets it run."""
+    return {
+        "script": Markup(script),  # noqa: S704 - the project's own files
+        "script_source": script_source(script),
+    }
 
 
 def _has(report: Report, shared: Mapping[str, Any], name: str) -> bool:

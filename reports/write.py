@@ -42,16 +42,20 @@ class Written:
     remarks: tuple[str, ...]
 
 
-def write(report: Report, folder: Path, *, cache: Path | None = None, hint: str = "") -> Written:
-    """The report as page, PDF and tables (XLSX, CSV), for programs (JSON, JUnit), fields as VTU.
+def write(
+    report: Report, folder: Path, *, cache: Path | None = None, hint: str = "",
+    single_file: bool = False,
+) -> Written:  # fmt: skip
+    """The report as pages, PDF and tables (XLSX, CSV), for programs (JSON, JUnit), fields as VTU.
 
     `cache` is a folder that keeps what was drawn for the next run; `hint` says what to install
-    where pyvista can't draw. errors.txt holds the tracebacks of cases that failed. All files are
-    made before the first takes its place; OSError names the one that can't be written.
+    where pyvista can't draw; with `single_file` all cases stand on one page. errors.txt holds the
+    tracebacks of cases that failed. All files are made before the first takes its place; OSError
+    names the one that can't be written.
     """
     try:
         drawn = frames(report.cases, cache, hint)
-        files, why = _files(report, drawn)
+        files, why = _files(report, drawn, single_file=single_file)
     except OSError as error:  # a temporary file of a drawing
         raise OSError(f"{folder}: no report can be made: {error.strerror or error}") from error
     remarks = dict.fromkeys(frame.why for group in drawn.values() for frame in group if frame.why)
@@ -76,7 +80,9 @@ def write(report: Report, folder: Path, *, cache: Path | None = None, hint: str 
     return Written(folder / FIRST, tuple(remarks))
 
 
-def _files(report: Report, drawn: Mapping[str, Sequence[Frame]]) -> tuple[dict[str, bytes], str]:
+def _files(
+    report: Report, drawn: Mapping[str, Sequence[Frame]], *, single_file: bool
+) -> tuple[dict[str, bytes], str]:
     """All files by name, and why there is no PDF, or ""."""
     why = ""
     # typst takes longer than all the rest and holds no lock: it works beside
@@ -87,7 +93,8 @@ def _files(report: Report, drawn: Mapping[str, Sequence[Frame]]) -> tuple[dict[s
         except NotSet as error:
             paper.set_exception(error)
         files = dict(_tables(report))
-        made = pages(report, drawn) if is_paged(report) else {FIRST: page(report, drawn)}
+        has_pages = is_paged(report) and not single_file
+        made = pages(report, drawn) if has_pages else {FIRST: page(report, drawn)}
         files |= {name: text.encode() for name, text in made.items()}
     try:
         files[PAPER] = paper.result()

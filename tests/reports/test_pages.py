@@ -118,3 +118,10 @@ def test_pages_of_a_run_before_go(report, tmp_path):
     write(report, tmp_path)
     assert not old.exists()
     assert {p.stem for p in old.parent.glob("*.html")} >= {case.id for case in report.cases}
+
+
+def test_one_file_for_mail_has_all_cases(report, tmp_path):
+    write(report, tmp_path, single_file=True)
+    page = (tmp_path / FIRST).read_text("utf-8")
+    assert all(f'id="case-{case.id}"' in page for case in report.cases)
+    assert not (tmp_path / FOLDER).exists()

@@ -52,6 +52,7 @@ def verify(
     scheduler: str = "",
     out: Path | None = None,
     cache: bool = True,
+    single_file: bool = False,
 ) -> int:
     """Pair every formula with finite elements, judge the rows and write the report.
 
@@ -71,12 +72,16 @@ def verify(
         Folder for the report, by default reports/out of this checkout.
     cache
         Reuse finite-element results of earlier runs.
+    single_file
+        Write the report as one page, for mail, in place of a first page and one for each case.
     """
     from verify.app.commands import run_verify
     from verify.jobs.executor import Where
 
     where = Where(jobs, engine, scheduler)
-    return run_verify(cases, quick=quick, where=where, out=out, use_cache=cache)
+    return run_verify(
+        cases, quick=quick, where=where, out=out, use_cache=cache, single_file=single_file
+    )
 
 
 @app.command

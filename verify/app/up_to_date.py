@@ -26,13 +26,14 @@ class Reported:
     made: str
 
 
-def key_of(root: Path, names: Sequence[str]) -> str:
+def key_of(root: Path, names: Sequence[str], form: str = "") -> str:
     """Digest of all that a report of the suite's cases follows from, but for stored results.
 
-    These are the files of the project, the libraries, the machine and the cases that are named.
+    These are the files of the project, the libraries, the machine, the cases that are named and the
+    `form` of the report.
     """
     parts: dict[str, Any] = {
-        "files": digest(), "conditions": conditions(root), "cases": list(names),
+        "files": digest(), "conditions": conditions(root), "cases": list(names), "form": form,
     }  # fmt: skip
     return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()
 
@@ -67,8 +68,9 @@ def keep(out: Path, key: str, levels: Sequence[str], reported: Reported) -> None
 def _files(out: Path) -> dict[str, list[int]]:
     """Size and time of each file of a report."""
     return {
-        path.name: [path.stat().st_size, path.stat().st_mtime_ns]
-        for path in sorted(out.iterdir()) if path.is_file() and not path.name.startswith(".")
+        path.relative_to(out).as_posix(): [path.stat().st_size, path.stat().st_mtime_ns]
+        for path in sorted((*out.iterdir(), *out.glob("report/*.html")))
+        if path.is_file() and not path.name.startswith(".")
     }  # fmt: skip
 
 
