@@ -8,6 +8,7 @@ import pytest
 from reports.first_page import groups, paper_parts, stated, tasks
 from reports.pages import FIRST, FOLDER, SECTIONS, is_paged, linked, pages
 from reports.write import write
+from tests.reports.browser import DARK, NO_CHROMIUM, assert_silent, looked_at
 from verify.cases.registry import CASES
 from verify.core.results import Kind, Status
 from verify.core.verdicts import Verdict
@@ -125,3 +126,43 @@ def test_one_file_for_mail_has_all_cases(report, tmp_path):
     page = (tmp_path / FIRST).read_text("utf-8")
     assert all(f'id="case-{case.id}"' in page for case in report.cases)
     assert not (tmp_path / FOLDER).exists()
+
+
+@pytest.fixture(scope="module")
+def folder(made, tmp_path_factory):
+    """The pages as files."""
+    place = tmp_path_factory.mktemp("pages")
+    for name, page in made.items():
+        (place / name).parent.mkdir(exist_ok=True)
+        (place / name).write_text(page, "utf-8")
+    return place
+
+
+@NO_CHROMIUM
+@pytest.mark.slow("a browser opens pages at two widths and in dark colours")
+@pytest.mark.parametrize(
+    ("name", "width", "flags"),
+    [
+        (FIRST, 390, ()), (FIRST, 1320, (DARK,)), (f"{FOLDER}/spring-accordion.html", 390, ()),
+        (f"{FOLDER}/rows.html", 390, ()), (f"{FOLDER}/papers.html", 1320, ()),
+    ],
+)  # fmt: skip
+def test_pages_are_silent_and_legible_at_every_width(folder, name, width, flags):
+    path = folder / name
+    seen = looked_at(path.parent, path.stem, width, *flags)
+    assert_silent(seen)
+    assert bool(seen["dark"]) == bool(flags)
+    assert seen["contrast"] >= 4.5, seen["faintest"]
+    assert seen["covered"] == 0
+
+
+@NO_CHROMIUM
+@pytest.mark.slow("a browser types into the search")
+def test_the_search_shows_rows_with_all_words(folder):
+    seen = looked_at(folder / FOLDER, "rows", 1320, host="search_host.html", status="peak star")
+    assert len(seen["all"]["rows"]) > 200
+    assert seen["all"]["said"] == ""
+    assert seen["none"] == {"rows": [], "said": "0 rows"}
+    found = seen["some"]["rows"]
+    assert seen["some"]["said"] == f"{len(found)} rows"
+    assert 0 < len(found) < len(seen["all"]["rows"])
