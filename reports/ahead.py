@@ -1,30 +1,28 @@
 """Figures and pictures of cases, drawn while other cases are solved."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 from queue import SimpleQueue
 from threading import Thread
 from typing import Self
 
+from reports.drawing_process import DrawingProcess
 from reports.frames import frames
 from reports.html import plot
 from verify.core.results import CaseResult
 
-TOGETHER = 8  # pictures or more for one process of pyvista, which takes a second to start
-LAST = 2  # cases left to judge, from which on every picture is drawn at once
-
 
 class Ahead:
-    """A context with a thread that draws what the report shows of `count` cases as they come.
+    """A context with a thread that draws what the report shows of cases as they come.
 
     Pictures go into the store. What fails here is drawn again, and then reported, where the
     report is written. `hint` goes to a reader who lacks pyvista; `first` is other work that the
     report needs: it waits for the first case, by when every core solves.
     """
 
-    def __init__(self, count: int, folder: Path, hint: str, first: Callable[[], object]) -> None:
-        self._count, self._folder, self._hint, self._first = count, folder, hint, first
+    def __init__(self, folder: Path, hint: str, first: Callable[[], object]) -> None:
+        self._folder, self._hint, self._first = folder, hint, first
         self._cases: SimpleQueue[CaseResult | None] = SimpleQueue()
         self._thread = Thread(target=self._work, daemon=True)
 
@@ -42,21 +40,14 @@ class Ahead:
         self._cases.put(case)
 
     def _work(self) -> None:
-        waiting: list[CaseResult] = []
-        left = self._count
-        for case in iter(self._cases.get, None):
-            if left == self._count:
+        first: Callable[[], object] | None = self._first
+        with DrawingProcess() as process:
+            for case in iter(self._cases.get, None):
+                if first:
+                    with suppress(Exception):
+                        first()
+                    first = None
                 with suppress(Exception):
-                    self._first()
-            left -= 1
-            waiting.append(case)
-            with suppress(Exception):
-                _ = [plot(figure) for figure in case.figures]
-            if _pictures(waiting) >= (1 if left <= LAST else TOGETHER):
+                    _ = [plot(figure) for figure in case.figures]
                 with suppress(Exception):
-                    frames(waiting, self._folder, self._hint)
-                waiting = []
-
-
-def _pictures(cases: Iterable[CaseResult]) -> int:
-    return sum(len(case.pictures) for case in cases)
+                    frames([case], self._folder, self._hint, process)

@@ -10,6 +10,7 @@ from pathlib import Path
 from markupsafe import Markup
 
 from reports import svg
+from reports.drawing_process import DrawingProcess
 from reports.picture_cache import Drawn
 from reports.pictures import draw
 from reports.viewer import viewer
@@ -35,8 +36,9 @@ class Frame:
 
 
 def frames(
-    cases: Sequence[CaseResult], cache: Path | None, hint: str = ""
-) -> Mapping[str, list[Frame]]:
+    cases: Sequence[CaseResult], cache: Path | None, hint: str = "",
+    process: DrawingProcess | None = None,
+) -> Mapping[str, list[Frame]]:  # fmt: skip
     """The pictures that each case asks for and has the field of, by case id."""
     wanted = [
         (case.id, field, picture)
@@ -45,7 +47,8 @@ def frames(
         for field in case.fields
         if field.name == picture.field
     ]
-    drawn = draw([(field, picture) for _, field, picture in wanted], cache, hint=hint)
+    requests = [(field, picture) for _, field, picture in wanted]
+    drawn = draw(requests, cache, hint=hint, process=process)
     found: dict[str, list[Frame]] = {case.id: [] for case in cases}
     for (case_id, field, picture), result in zip(wanted, drawn, strict=True):
         found[case_id].append(frame(picture, result))

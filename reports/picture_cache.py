@@ -19,8 +19,8 @@ from verify.core.figures import Array, Field, Picture
 from verify.core.store import Store, packed, unpacked
 
 CODE = (
-    "bitmaps", "bodies", "outlines", "picture_cache", "pictures", "polygons", "ramps", "raster",
-    "render", "scene",
+    "bitmaps", "bodies", "drawing_process", "outlines", "picture_cache", "pictures", "polygons",
+    "ramps", "raster", "render", "scene",
 )  # fmt: skip
 KIND, SUBJECT = "picture", "report"  # of entries of the store
 LIBRARIES = ("numpy", "matplotlib", "pillow", "pyvista", "vtk")

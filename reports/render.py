@@ -1,6 +1,7 @@
-"""Scenes by pyvista, in a process of its own: `python -P -m reports.render FOLDER`.
+"""Scenes by pyvista, in the process of `reports.drawing_process`.
 
-Without a working OpenGL, VTK may end the process by a signal or hang.
+Each line of the input names a folder, and an empty line answers when its scenes are drawn. Without
+a working OpenGL, VTK may end the process by a signal or hang.
 """
 
 import sys
@@ -15,7 +16,14 @@ from reports.bitmaps import FINER, webp
 FAR = 1e5  # pixels from the camera, more than any body is deep
 
 
-def main(folder: Path) -> None:
+def main() -> None:
+    """Draw what the lines of the input name."""
+    for line in sys.stdin:
+        draw(Path(line.removesuffix("\n")))
+        print(flush=True)
+
+
+def draw(folder: Path) -> None:
     """Draw every scene of `scenes.npz` to a numbered WebP beside it."""
     with np.load(folder / "scenes.npz", allow_pickle=False) as data:
         for i in range(int(data["count"])):
@@ -56,4 +64,4 @@ def pixels(
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]))
+    main()

@@ -8,17 +8,17 @@ from reports import ahead
 from reports.ahead import Ahead
 
 
-def case(name, pictures):
-    return SimpleNamespace(id=name, pictures=range(pictures), figures=())
+def case(name):
+    return SimpleNamespace(id=name, figures=())
 
 
 @pytest.fixture
 def drawn(monkeypatch):
-    """The cases of each process of pyvista, of which the first fails."""
+    """The cases that were drawn, each with the process; the first fails."""
     found = []
 
-    def frames(cases, _folder, _hint):
-        found.append([one.id for one in cases])
+    def frames(cases, _folder, _hint, process):
+        found.append(([one.id for one in cases], process))
         if len(found) == 1:
             raise OSError("no room")
 
@@ -26,19 +26,19 @@ def drawn(monkeypatch):
     return found
 
 
-def test_pictures_are_drawn_together_and_those_of_the_last_cases_at_once(drawn, tmp_path):
+def test_each_case_is_drawn_as_it_comes_by_one_process(drawn, tmp_path):
     done = []
 
     def first():
         done.append("read")
         raise ValueError("of other work")
 
-    counts = (5, 3, 9, 1, 0, 2)
-    with Ahead(len(counts) + 1, tmp_path, "", first) as pictures:
-        for n, count in enumerate(counts):
-            pictures.add(case(f"case {n}", count))
+    with Ahead(tmp_path, "", first) as pictures:
+        for n in range(3):
+            pictures.add(case(f"case {n}"))
     assert done == ["read"]
-    assert drawn == [["case 0", "case 1"], ["case 2"], ["case 3", "case 4"], ["case 5"]]
+    assert [names for names, _ in drawn] == [["case 0"], ["case 1"], ["case 2"]]
+    assert len({id(process) for _, process in drawn}) == 1
 
 
 def test_an_interrupted_run_does_not_wait(drawn, tmp_path):
@@ -48,7 +48,7 @@ def test_an_interrupted_run_does_not_wait(drawn, tmp_path):
         while not waiting.is_over:
             pass
 
-    with pytest.raises(KeyboardInterrupt), Ahead(1, tmp_path, "", first):
+    with pytest.raises(KeyboardInterrupt), Ahead(tmp_path, "", first):
         raise KeyboardInterrupt
     waiting.is_over = True
     assert drawn == []

@@ -5,6 +5,7 @@ Where pyvista fails, hangs or draws nothing, matplotlib draws them.
 
 import ast
 import io
+import os
 import re
 import subprocess
 import sys
@@ -16,8 +17,9 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from reports import picture_cache, pictures
+from reports import drawing_process, picture_cache, pictures
 from reports.bitmaps import flaw
+from reports.drawing_process import DrawingProcess
 from reports.frames import frame as framed
 from reports.pictures import draw
 from reports.polygons import pieces
@@ -80,7 +82,7 @@ def drawn_by(program: str) -> dict[str, pictures.Drawn]:
     }  # fmt: skip
     with pytest.MonkeyPatch.context() as patch:
         if program == "matplotlib":
-            patch.setattr(pictures, "PYVISTA", "reports.no_such_module")
+            patch.setattr(drawing_process, "PYVISTA", "reports.no_such_module")
         drawn = draw(list(requests.values()), None)
     if program == "pyvista" and drawn[0].why:
         bare = "import pyvista; pyvista.Plotter(off_screen=True).screenshot(return_img=True)"
@@ -198,7 +200,7 @@ def stub(tmp_path, monkeypatch):
 
     def place(source: str) -> None:
         (tmp_path / "pyvista.py").write_text(source)
-        monkeypatch.setenv("PYTHONPATH", str(tmp_path))
+        monkeypatch.setenv("PYTHONPATH", str(tmp_path), prepend=os.pathsep)
 
     return place
 
@@ -238,6 +240,39 @@ def test_where_pyvista_fails_matplotlib_draws(stub, source, reason):
     assert not flaw(drawn.image, drawn.width, drawn.height)
 
 
+COUNTED = """
+with open(__file__ + ".starts", "a") as starts:
+    starts.write("x")
+"""
+FULL = f"""{BLANK}
+def screenshot(self, **k):
+    if self.size == SIZE:
+        raise MemoryError("too large")
+    image = np.zeros((*self.size[::-1], 4), np.uint8)
+    image[::2] = 255
+    return image
+Plotter.screenshot = screenshot
+"""
+
+
+@pytest.mark.parametrize(
+    ("source", "starts", "by"),
+    [
+        (FULL.replace("SIZE", "None"), 1, ["pyvista"] * 3),
+        (FULL.replace("SIZE", "[3 * 860, 3 * 860]"), 2, ["pyvista", "matplotlib", "pyvista"]),
+        ("raise ImportError('libEGL.so.1')", 1, ["matplotlib"] * 3),
+    ],
+    ids=["drawn", "the second fails", "none"],
+)
+def test_one_process_draws_what_comes_one_after_the_other(tmp_path, stub, source, starts, by):
+    stub(COUNTED + source)
+    looks = (WORDS, replace(WORDS, window=(0, 0, 1, 1)), replace(WORDS, mirror=("y",)))
+    with DrawingProcess() as process:
+        drawn = [draw([(SMALL, look)], None, process=process)[0] for look in looks]
+    assert [one.by.split()[0] for one in drawn] == by
+    assert len((tmp_path / "pyvista.py.starts").read_text()) == starts
+
+
 @pytest.fixture
 def no_pyvista(stub):
     """Spare the seconds that pyvista takes to start."""
@@ -253,7 +288,7 @@ def test_what_the_cache_holds_is_not_drawn_again(tmp_path, monkeypatch, no_pyvis
     first = draw(requests, tmp_path)
     assert len(stored(tmp_path)) == 2
     monkeypatch.setattr(pictures, "compose", None)
-    monkeypatch.setattr(pictures, "_by_pyvista", None)
+    monkeypatch.setattr(DrawingProcess, "draw", None)
     for old, new in zip(first, draw(requests, tmp_path), strict=True):
         assert all(np.array_equal(a, b) for a, b in zip(old.outline, new.outline, strict=True))
         assert replace(old, outline=()) == replace(new, outline=())
@@ -288,7 +323,7 @@ def test_anything_that_changes_the_look_changes_the_key_and_words_do_not():
 
 def test_pyvista_is_tried_again_once_the_machine_changed(tmp_path, no_pyvista, monkeypatch):
     [first] = draw([(SMALL, WORDS)], tmp_path)
-    monkeypatch.setattr(pictures, "_by_pyvista", lambda *_: ([first.image], ""))
+    monkeypatch.setattr(DrawingProcess, "draw", lambda *_: ([first.image], ""))
     assert draw([(SMALL, WORDS)], tmp_path)[0].why == first.why  # not tried in vain every time
     monkeypatch.setattr(picture_cache, "_opengl", lambda: "libEGL.so.1 is there now")
     assert draw([(SMALL, WORDS)], tmp_path)[0].by.startswith("pyvista")

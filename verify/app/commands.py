@@ -98,7 +98,7 @@ def _solved_for_report(work: list[Job], where: Where) -> list[CaseResult]:
     from reports.ahead import Ahead
 
     cases = [job.case for job in work]
-    with Ahead(len(cases), cache.default_folder(), _hint(), lambda: _read_records(cases)) as ahead:
+    with Ahead(cache.default_folder(), _hint(), lambda: _read_records(cases)) as ahead:
         return solve(work, where, True, judged=ahead.add)
 
 
