@@ -8,6 +8,7 @@ from functools import lru_cache
 
 from fem.wedge import flat_start
 from fem.wedge.flat_course import FlatCourse
+from fem.wedge.flat_place import Pitch
 from fem.wedge.flat_start import COARSE, Start, after, guessed_inside, loaded
 from verify.cases.freewheel.bodies import OneClutch
 from verify.cases.freewheel.fem import overlapping, pitch
@@ -28,10 +29,20 @@ def given_angle(q: OneClutch) -> float:
     return overlapping(q, d / 2, d / 2).psi
 
 
+def sweep(q: OneClutch, cells: int) -> FlatCourse:
+    """States of the sector on meshes of `cells`; cases of the same clutch share them."""
+    return _sweep(pitch(q), q.L, rigid_force(q), cells)
+
+
+@lru_cache(maxsize=4)
+def _sweep(one: Pitch, L: float, N_0: float, cells: int) -> FlatCourse:
+    states = [start.state(one, cells) for start in reversed(starts(one, N_0 / L))]
+    return FlatCourse(one, L, states)
+
+
 @lru_cache(maxsize=16)
-def starts(q: OneClutch) -> tuple[Start, ...]:
-    """Starts of all states of the sweep, from coarse meshes."""
-    one, P = pitch(q), rigid_force(q) / q.L
+def starts(one: Pitch, P: float) -> tuple[Start, ...]:
+    """Starts of all states of the sweep up to `P` = N_0/L [N/m], from coarse meshes."""
     now = loaded(
         one, guessed_inside(one, P), lambda state: P / state.on_flat[0],
         power=0.95,  # approaches grow a little slower than forces
@@ -43,11 +54,3 @@ def starts(q: OneClutch) -> tuple[Start, ...]:
         found.append(now)
         before = share
     return tuple(found)
-
-
-class Sweep(FlatCourse):
-    """States of the sector on meshes of `cells`, and splines between them."""
-
-    def __init__(self, q: OneClutch, cells: int) -> None:
-        one = pitch(q)
-        super().__init__(one, q.L, [start.state(one, cells) for start in reversed(starts(q))])

@@ -12,7 +12,7 @@ from fem.wedge.pulled import Borne
 from fem.wedge.slip_limit import Limit
 from verify.cases.freewheel import sweep
 from verify.cases.freewheel.cup.case import FreewheelCup
-from verify.cases.freewheel.fem import overlapping
+from verify.cases.freewheel.fem import overlapping, pitch
 from verify.cases.freewheel.friction.case import FRICTION, FreewheelFriction
 from verify.cases.freewheel.paths import reference as paths
 from verify.cases.freewheel.paths.case import LoadPaths
@@ -71,7 +71,7 @@ def test_star_and_ring_turned_alike_turn_the_state_and_nothing_else(star):
 def test_rollers_with_less_friction_than_they_need_find_no_state(monkeypatch):
     monkeypatch.setattr("fem.wedge.flat_start.STICKS", 0.9)
     with pytest.raises(ArithmeticError):
-        sweep.starts.__wrapped__(STAR)
+        sweep.starts.__wrapped__(pitch(STAR), sweep.rigid_force(STAR) / STAR.L)
 
 
 def test_a_pull_within_the_cone_leaves_torque_and_normal_force_and_one_beyond_finds_no_rest(start):

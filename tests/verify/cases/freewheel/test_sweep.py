@@ -9,11 +9,13 @@ from analytic.bounds.freewheel.cup import Course
 from analytic.bounds.freewheel.cup_bracket import expected_approach
 from analytic.freewheel import compliance
 from analytic.freewheel.state import at_normal_force, loaded
+from fem.wedge.flat_course import FlatCourse
 from tests.conftest import solved
 from verify.cases.freewheel.bounds import of_star, parts
+from verify.cases.freewheel.clutch.inputs import ClutchInputs
 from verify.cases.freewheel.cup.case import CUP, FreewheelCup
 from verify.cases.freewheel.cup.sweep import ONWARD, SHARES, CupSweep, through
-from verify.cases.freewheel.sweep import Sweep, given_angle, rigid_force
+from verify.cases.freewheel.sweep import given_angle, rigid_force, sweep
 from verify.cases.freewheel.torque.case import TORQUE, FreewheelTorque
 
 STAR, Q = FreewheelTorque(), FreewheelCup()
@@ -34,7 +36,7 @@ def along_powers():
     d_i, d_o = 3e-9 * N**0.95, 7e-9 * N**0.95
     T = STAR.z * STAR.R * N * np.tan(STAR.cam.alpha(d_i=d_i, d_o=d_o))
     U = STAR.z * N * (d_i + d_o) * 0.95 / 1.95
-    return synthetic(Sweep, STAR, {"T": T, "N": N, "d_i": d_i, "d_o": d_o, "U": U})
+    return synthetic(FlatCourse, STAR, {"T": T, "N": N, "d_i": d_i, "d_o": d_o, "U": U})
 
 
 @pytest.fixture(scope="module")
@@ -77,20 +79,21 @@ def test_a_sweep_has_no_values_beyond_its_summit_or_below_its_states(cup):
 
 def test_the_interval_holds_finite_elements_of_another_clutch():
     q = FreewheelTorque(z=12, T=35.0)
-    sweep, v = Sweep(q, 5), TORQUE.analytic(q)
+    states, v = sweep(q, 5), TORQUE.analytic(q)
     T, N = q.T, rigid_force(q)
     torque, force = of_star(q, q.state), of_star(q, q.loaded_by("N_0").state)
     for formula, fem, (low, high) in (
-        (v["alpha"], sweep.place(T).psi / 2, torque.angle()),
-        (v["N"], sweep.at("N", T), torque.force()),
-        (v["phi"], sweep.torsion_by_energy(np.array([T]))[0], torque.torsion()),
-        (v["d_i_rigid"], sweep.at("d_i", N, "N"), force.approach("d_i")),
-        (v["d_o_rigid"], sweep.at("d_o", N, "N"), force.approach("d_o")),
-        (v["a_i_rigid"], sweep.at("a_i", N, "N"), force.contact()),
-        (v["torque_rigid"], sweep.at("T", N, "N"), force.slope(tilted=True)),
-        (v["N_angle"], sweep.force_at_angle(given_angle(q)), force.force_at_angle()),
+        (v["alpha"], states.place(T).psi / 2, torque.angle()),
+        (v["N"], states.at("N", T), torque.force()),
+        (v["phi"], states.torsion_by_energy(np.array([T]))[0], torque.torsion()),
+        (v["d_i_rigid"], states.at("d_i", N, "N"), force.approach("d_i")),
+        (v["d_o_rigid"], states.at("d_o", N, "N"), force.approach("d_o")),
+        (v["a_i_rigid"], states.at("a_i", N, "N"), force.contact()),
+        (v["torque_rigid"], states.at("T", N, "N"), force.slope(tilted=True)),
+        (v["N_angle"], states.force_at_angle(given_angle(q)), force.force_at_angle()),
     ):
         assert low < formula / fem - 1 < high
+    assert sweep(ClutchInputs(z=12, T=35.0).as_star, 5) is states
 
 
 def test_intervals_of_a_cup_hold_the_formulas_and_widen_towards_the_summit():

@@ -14,7 +14,7 @@ from verify.cases.freewheel.clutch.inputs import ClutchInputs
 from verify.cases.freewheel.fem import pitch
 from verify.cases.freewheel.reference import LEVELS, SPLINE, field
 from verify.cases.freewheel.star import Star
-from verify.cases.freewheel.sweep import Sweep
+from verify.cases.freewheel.sweep import sweep
 
 Array = NDArray[np.float64]
 
@@ -26,22 +26,22 @@ AROUND = (0.99, 1.01)  # of mu_req: friction that does not hold, and that does
 def solve(q: ClutchInputs, level: int) -> Level:
     """One level: the sweep over the torque, the flats moved; on the finest slip about mu_req."""
     one, T = q.as_star, q.T
-    sweep = Sweep(one, level)
-    place = sweep.place(T)
-    start = sweep.start(T)
+    states = sweep(one, level)
+    place = states.place(T)
+    start = states.start(T)
     low, high = (
         angle_with_flats(pitch(one), start, one.X + dX, level, T=T, L=one.L)
         for dX in (-q.off, q.off)
     )
     grid = GRID * T
-    places = [sweep.place(t) for t in grid]
+    places = [states.place(t) for t in grid]
     values = {
-        "alpha": place.psi / 2, "N": sweep.at("N", T),
-        "phi": sweep.torsion_by_energy(np.array([T]))[0], "dalpha_dX": (high - low) / (2 * q.off),
+        "alpha": place.psi / 2, "N": states.at("N", T),
+        "phi": states.torsion_by_energy(np.array([T]))[0], "dalpha_dX": (high - low) / (2 * q.off),
     }  # fmt: skip
     arrays = {
         "alpha_over_T": np.array([p.psi / 2 for p in places]),
-        "phi_over_T": sweep.torsion_by_energy(grid),
+        "phi_over_T": states.torsion_by_energy(grid),
         "moved": np.array([low, place.psi / 2, high]),
     }
     if level == LEVELS[-1]:
@@ -50,7 +50,7 @@ def solve(q: ClutchInputs, level: int) -> Level:
     u_it["dalpha_dX"] = LEFT * abs(values["dalpha_dX"])
     return Level(
         h=1 / level, values={k: float(v) for k, v in values.items()},
-        u_it={k: float(v) for k, v in u_it.items()}, arrays=arrays, fields=(field(sweep.last),),
+        u_it={k: float(v) for k, v in u_it.items()}, arrays=arrays, fields=(field(states.last),),
     )  # fmt: skip
 
 

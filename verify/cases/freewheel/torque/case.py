@@ -138,14 +138,14 @@ class FreewheelTorque(Star):
     def reference(self, level: int) -> Level:
         """All states of a pitch on meshes of `level` cells on the half-widths."""
         from verify.cases.freewheel import reference
-        from verify.cases.freewheel.sweep import Sweep, given_angle
+        from verify.cases.freewheel.sweep import given_angle, sweep
 
-        sweep = Sweep(self, level)
-        values = reference.under_torque(self, sweep)
-        values["N_angle"] = sweep.force_at_angle(given_angle(self))
+        states = sweep(self, level)
+        values = reference.under_torque(self, states)
+        values["N_angle"] = states.force_at_angle(given_angle(self))
         unsure = dict.fromkeys(values, reference.SPLINE) | {"phi": 2 * reference.SPLINE}
-        return solved(1 / level, reference.field(sweep.last), iteration=unsure, **values,
-                      **reference.over_torque(self, sweep))  # fmt: skip
+        return solved(1 / level, reference.field(states.last), iteration=unsure, **values,
+                      **reference.over_torque(self, states))  # fmt: skip
 
     def comparisons(self) -> Iterator[Comparison]:
         """At equal torque, force and angle; without load; forces in balance."""
