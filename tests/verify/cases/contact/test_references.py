@@ -126,3 +126,9 @@ def test_the_half_space_states_what_neighbouring_grids_differ_by():
             value, stated = found.values[named], found.u_it[named]
             assert stated >= max(abs(values[key] - value) for values in beside), key
             assert key == "F_d" or stated < SHARP * value, key
+
+
+def test_a_best_crown_is_searched_once():
+    upright = TILTED.inputs().best(tilt=0.0)
+    assert upright is ROLLER.inputs().best()
+    assert TILTED.inputs().best() is not upright

@@ -1,6 +1,7 @@
 """Crowned rollers: the crown of Eq. 1, and the best crown for the load."""
 
 from collections.abc import Iterator
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
@@ -17,6 +18,16 @@ from verify.form.plots import dashes, plot
 
 if TYPE_CHECKING:
     from analytic.contact.best_crown import BestCrown
+
+
+@lru_cache(maxsize=64)
+def _best_crown(
+    load: float, length: float, R: float, E_star: float, tilts: tuple[float, float]
+) -> "BestCrown":
+    """Kept: formulas, every level and every share of the load or tilt ask for some of the same."""
+    from analytic.contact.best_crown import best_crown  # of both sides: what they press
+
+    return best_crown(load=load, length=length, R=R, E_star=E_star, tilt=tilts)
 
 
 class CrownedRoller(Crown, Divided, OnHalfSpace):
@@ -70,11 +81,8 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
 
     def best(self, load: float = 1.0, tilt: float | None = None) -> "BestCrown":
         """The best crown for a load [of F] and a tilt to either side, by default the roller's."""
-        from analytic.contact.best_crown import best_crown  # of both sides: what they press
-
         tilts = (0.0, self.lean if tilt is None else tilt)
-        return best_crown(load=load * self.F, length=self.L, R=self.R, E_star=self.E_star,
-                          tilt=tilts)  # fmt: skip
+        return _best_crown(load * self.F, self.L, self.R, self.E_star, tilts)
 
     @property
     def best_design(self) -> Design:
