@@ -22,7 +22,7 @@ STAGES = {
     "hand-over": (solve, ("vector_basis",)),
     "assembly": (Cells, ("of", "stiffness")),
     "ordering": (solve, ("nested_dissection",)),
-    "factorisation": (factors, ("splu",)),
+    "factorisation": (factors, ("Cholesky",)),
     "corrections": (Cells, ("internal_forces",)),
 }
 

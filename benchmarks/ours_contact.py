@@ -26,7 +26,7 @@ SET_UP = {  # everything else is supports, motions, the Schur complement and loa
     "hand-over": (bodies, ("vector_basis",)),
     "assembly": (Cells, ("of", "stiffness")),
     "ordering": (unknowns, ("nested_dissection",)),
-    "factorisation": (condensation, ("splu",)),
+    "factorisation": (condensation, ("Cholesky",)),
     "pairing": (interface, ("pair",)),
     "compliance": (bodies.Bodies, ("compliance",)),
     "active sets": (Complementarity, ("solve",)),

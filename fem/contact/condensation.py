@@ -9,24 +9,23 @@ S exactly afterwards.
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import csc_array, csr_array, diags_array
-from scipy.sparse.linalg import SuperLU, splu
+from scipy.sparse import csr_array, diags_array
 
-from fem.plane.discretisation import Array, Indices
-from fem.plane.factors import SUPERLU
+from fem.cholesky import Cholesky
+from fem.plane.discretisation import Array
 
 
 @dataclass(frozen=True)
 class Condensed:
     """Stiffness `S` (s, s) of the last s unknowns, and what leads back to the others."""
 
-    factor: SuperLU
+    factor: Cholesky
     S: Array
     springs: Array
 
     @property
     def surface(self) -> slice:
-        return slice(self.factor.shape[0] - self.springs.size, None)
+        return slice(self.factor.n - self.springs.size, None)
 
     def load(self, f: Array) -> Array:
         """The forces (s,) on the surface that replace `f` (unknowns,) on everything."""
@@ -54,19 +53,8 @@ def condense(K: csr_array, count: int) -> Condensed:
         K = K + diags_array(np.concatenate([np.zeros(n - count), springs]))
     else:
         K.setdiag(K.diagonal() + np.concatenate([np.zeros(n - count), springs]))
-    # K is symmetric: its rows are its columns
-    factor = splu(csc_array((K.data, K.indices, K.indptr), K.shape), **SUPERLU)
-    # SuperLU reorders whole branches of the elimination tree; the factors are the same
-    place = factor.perm_c[n - count :]
-    order = np.argsort(place)
-    lower = _block(factor.L, place[order])
-    upper = _block(factor.U, place[order])
-    S = np.empty((count, count))
-    S[np.ix_(order, order)] = lower @ upper
-    S = (S + S.T) / 2
+    factor = Cholesky(K)
+    block = factor.last_block(count)
+    S = block @ block.T
     S[np.diag_indices(count)] -= springs
     return Condensed(factor, S, springs)
-
-
-def _block(factor: csr_array, rows: Indices) -> Array:
-    return factor[:, rows][rows].toarray()

@@ -9,15 +9,18 @@ from typing import Self
 
 import numpy as np
 from scipy.linalg import solve_triangular
-from scipy.sparse import csc_array, csr_array
-from scipy.sparse.linalg import SuperLU
+from scipy.sparse import csc_array, csr_array, tril
 
+from fem.cholesky import Cholesky
 from fem.plane.discretisation import Array, Indices
 
 
 @dataclass(frozen=True)
 class Selected:
-    """Parts `data` (3, entries) of T' (K_0 + n K_1 + n^2 K_2) T on one pattern, T a selection."""
+    """Parts `data` (3, entries) of the lower triangle of T' (K_0 + n K_1 + n^2 K_2) T.
+
+    T is a selection; zero entries are kept, so that all harmonics have theirs in the same places.
+    """
 
     T: csr_array
     data: Array
@@ -29,32 +32,27 @@ class Selected:
         """Of three matrices with one pattern, such as the parts of a stiffness; T holds ones."""
         first = parts[0]
         number = np.arange(1.0, first.nnz + 1)
-        chosen = (T.T @ csr_array((number, first.indices, first.indptr), first.shape) @ T).tocsc()
+        chosen = tril(T.T @ csr_array((number, first.indices, first.indptr), first.shape) @ T)
+        chosen = chosen.tocsc()
         chosen.sort_indices()
         data = np.array([part.data for part in parts])[:, chosen.data.astype(int) - 1]
         return cls(T, data, chosen.indices, chosen.indptr)
 
     def stiffness(self, n: int) -> csc_array:
-        """The matrix of harmonic `n`, for a turn of one radian, without zero entries."""
+        """The lower triangle of harmonic `n`, for a turn of one radian."""
         K_0, K_1, K_2 = self.data
-        K = csc_array(
-            (K_0 + n * K_1 + n**2 * K_2, self.indices.copy(), self.indptr.copy()),
+        return csc_array(
+            (K_0 + n * K_1 + n**2 * K_2, self.indices, self.indptr),
             (self.T.shape[1], self.T.shape[1]),
         )
-        K.eliminate_zeros()
-        return K
 
 
-def flexibility(factor: SuperLU, T: csr_array, f: Array) -> Array:
+def flexibility(factor: Cholesky, T: csr_array, f: Array) -> Array:
     """The work f_i . u_j (k, k) of loads `f` (unknowns, k) on u_j = T q, by the factors of K.
 
-    With K = L R only the rows of L and R from the first force on take part.
+    With K = L L' only the last rows of L, from the first force on, take part.
     """
-    assert np.array_equal(factor.perm_r, factor.perm_c)  # pivots on the diagonal
-    load = np.empty((factor.shape[0], f.shape[1]))
-    load[factor.perm_r] = T.T @ f
+    load = T.T @ f
     first = int(np.argmax(np.any(load, axis=1)))
-    L, R = (part[first:, first:].toarray() for part in (factor.L, factor.U))
-    q = solve_triangular(R, solve_triangular(L, load[first:], lower=True, unit_diagonal=True))
-    work = load[first:].T @ q
-    return np.asarray((work + work.T) / 2)
+    half = solve_triangular(factor.last_block(factor.n - first), load[first:], lower=True)
+    return np.asarray(half.T @ half)

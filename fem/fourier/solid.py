@@ -10,10 +10,10 @@ from functools import cached_property
 
 import numpy as np
 from scipy.sparse import csr_array
-from scipy.sparse.linalg import SuperLU, splu
 from skfem import Basis, ElementVector
 from skfem.mesh import Mesh2D
 
+from fem.cholesky import Cholesky
 from fem.fourier.condensed import Selected, flexibility
 from fem.fourier.harmonic_cells import HarmonicCells
 from fem.fourier.loads import Tractions, surface_load, turn_of
@@ -26,11 +26,6 @@ from fem.plane.ordering import nested_dissection
 
 AMPLITUDES = 3  # along r, t and z
 RESIDUAL_LIMIT = 1e-8  # of the load's forces, after the correction
-# symmetric, positive definite and handed over in its order of elimination
-SUPERLU = {
-    "permc_spec": "NATURAL", "diag_pivot_thresh": 0.0, "relax": 10, "panel_size": 10,
-    "options": {"SymmetricMode": True},
-}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -113,6 +108,7 @@ class FourierSolid:
         """`flexibility` of the harmonics `orders` one after the other, all under loads `f`."""
         place = np.where(np.any(f, axis=1), self.basis.N, 0) + self.place
         higher: Selected | None = None
+        factor: Cholesky | None = None
         for n in map(_whole, orders):
             if n < 2:
                 own = Harmonic.of(self, n, False, place)
@@ -123,7 +119,11 @@ class FourierSolid:
                 T = free_unknowns(self.basis, self.supports, n, False, place)
                 higher = Selected.of(self.parts, T)
             K = turn_of(n) * higher.stiffness(n)
-            yield flexibility(splu(K, **SUPERLU), higher.T, f)
+            if factor is None:
+                factor = Cholesky(K)
+            else:
+                factor.renew(K)
+            yield flexibility(factor, higher.T, f)
 
     def solve(self, tractions: Mapping[int, Tractions]) -> FourierSolution:
         """The sum of the symmetric harmonics under `tractions`: n -> boundary -> amplitudes."""
@@ -139,7 +139,7 @@ class Harmonic:
     antisymmetric: bool
     T: csr_array
     K: csr_array
-    factor: SuperLU
+    factor: Cholesky
 
     @classmethod
     def of(
@@ -150,7 +150,7 @@ class Harmonic:
         T = free_unknowns(solid.basis, solid.supports, n, antisymmetric, place)
         check_held(solid.basis, T, n, antisymmetric)
         K = turn_of(n) * (T.T @ solid.stiffness(-n if antisymmetric else n) @ T)
-        return cls(solid, n, antisymmetric, T, K, splu(K.tocsc(), **SUPERLU))
+        return cls(solid, n, antisymmetric, T, K, Cholesky(K))
 
     def solve(self, tractions: Tractions) -> HarmonicSolution:
         """Amplitudes (t_r, t_t, t_z) [stress] of tractions by boundary, numbers or f(x)."""

@@ -17,11 +17,12 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.sparse import csc_array, csr_array
-from scipy.sparse.linalg import LinearOperator, SuperLU, eigsh, splu
+from scipy.sparse import csr_array
+from scipy.sparse.linalg import LinearOperator, eigsh
 
+from fem.cholesky import Cholesky
 from fem.fourier.loads import turn_of
-from fem.fourier.solid import SUPERLU, FourierSolid
+from fem.fourier.solid import FourierSolid
 from fem.fourier.supports import free_unknowns
 from fem.fourier.vibration_held import check_held_or_sprung
 from fem.fourier.vibration_mounts import (
@@ -116,9 +117,9 @@ class RotatingSolid:
         )
 
     @cached_property
-    def factor(self) -> SuperLU:
+    def factor(self) -> Cholesky:
         """Factors of K, which serve all speeds."""
-        return splu(csc_array(self.K), **SUPERLU)
+        return Cholesky(self.K)
 
     def modes(self, speed: float, count: int = 4) -> WhirlModes:
         """The `count` lowest modes that run forward and backward at `speed` [rad/time].

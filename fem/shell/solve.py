@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 from scipy.sparse import coo_array, csc_array
-from scipy.sparse.linalg import splu
 
+from fem.cholesky import Cholesky
 from fem.plane.material import Elastic
 from fem.shell.loads import Pressure, Vector, area_forces, edge_forces, node_forces
 from fem.shell.reference import NODES, Array, Indices
@@ -183,10 +183,7 @@ def _factor(K):
     """Solver of the symmetric, positive definite K."""
     if not K.shape[0]:
         return lambda residual: residual
-    factor = splu(
-        K, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
-    )
-    return factor.solve
+    return Cholesky(K, ordered=False).solve
 
 
 def _strains(B, u, dofs):

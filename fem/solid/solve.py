@@ -7,10 +7,9 @@ solve_solid(mesh, materials=Elastic(E=210e9, nu=0.3), supports={"tail": "xyz", "
 from collections.abc import Mapping
 
 import numpy as np
-from scipy.sparse.linalg import splu
 from skfem.mesh import Mesh3D
 
-from fem.plane.factors import SUPERLU
+from fem.cholesky import Cholesky
 from fem.plane.material import Elastic
 from fem.plane.solve import CONVERGED, MAX_CORRECTIONS, RESIDUAL_LIMIT, ROUND_OFF
 from fem.solid.cells import Cells
@@ -99,7 +98,7 @@ def _solve(cells, f, T, u0):
     their large rigid motion, would exceed it. K only steers the corrections.
     """
     K = cells.stiffness()
-    factor = splu((T.T @ K @ T).tocsc(), **SUPERLU)
+    factor = Cholesky(T.T @ K @ T)
     u, change, stiff, internal = u0.copy(), np.inf, abs(K), cells.internal_forces(u0)
     for _ in range(MAX_CORRECTIONS):
         residual = T.T @ (f - internal)
