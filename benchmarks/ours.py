@@ -21,7 +21,6 @@ from verify.studies.crosscheck.calculix.plane import PlaneDeck
 STAGES = {
     "hand-over": (solve, ("vector_basis",)),
     "assembly": (Cells, ("of", "stiffness")),
-    "ordering": (solve, ("nested_dissection",)),
     "factorisation": (factors, ("Cholesky",)),
     "corrections": (Cells, ("internal_forces",)),
 }

@@ -7,18 +7,18 @@ whose members have been the same from CHOLMOD 1.7 to 5.
 
 import ctypes
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from cvxopt import cholmod, matrix, spmatrix
 from scipy.sparse import csc_array, csr_array
 
-from fem.plane.geometry import Array, Indices
+from fem.plane.geometry import Array
 
-_CAPSULE = b"CHOLMOD FACTOR D L"
-_capsule_pointer = ctypes.pythonapi.PyCapsule_GetPointer
-_capsule_pointer.restype, _capsule_pointer.argtypes = ctypes.c_void_p, (
-    ctypes.py_object, ctypes.c_char_p,
-)  # fmt: skip
+_NAME = b"CHOLMOD FACTOR D L"  # of capsules with factors of real numbers, from lower triangles
+_pointer_in = ctypes.PYFUNCTYPE(ctypes.c_void_p, ctypes.py_object, ctypes.c_char_p)(
+    ("PyCapsule_GetPointer", ctypes.pythonapi)
+)
 
 
 class Cholesky:
@@ -66,7 +66,7 @@ class Cholesky:
         """A^-1 b of `b` (n,) or (n, k)."""
         x = matrix(np.asarray(b, float))
         cholmod.solve(self._factor, x)
-        return np.array(x).reshape(b.shape)
+        return np.asarray(x).reshape(b.shape)
 
     @property
     def entries(self) -> int:
@@ -94,7 +94,7 @@ class Cholesky:
 
     @cached_property
     def _stored(self) -> "_Stored":
-        stored = _Stored.from_address(_capsule_pointer(self._factor, _CAPSULE))
+        stored = _Stored.from_address(_pointer_in(self._factor, _NAME))
         kind = stored.n, stored.minor, stored.is_ll, stored.is_super, stored.itype, stored.xtype
         if kind != (self.n, self.n, 1, 1, 2, 1):  # of 64-bit indices and real numbers
             raise RuntimeError("CHOLMOD stores its factors in a way that is not known here")
@@ -116,7 +116,7 @@ class _Stored(ctypes.Structure):
     )
 
 
-def _read(address: int, size: int, kind: type[ctypes.c_ssize_t] | type[ctypes.c_double]) -> Indices:
+def _read(address: int, size: int, kind: Any) -> Any:
     return np.ctypeslib.as_array((kind * size).from_address(address))
 
 
