@@ -7,6 +7,7 @@ whose members have been the same from CHOLMOD 1.7 to 5.
 
 import ctypes
 from functools import cached_property
+from threading import Lock
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,7 @@ from scipy.sparse import csc_array, csr_array
 
 from fem.plane.geometry import Array
 
+_OPTIONS = Lock()  # `cholmod.options` are those of the whole process
 _NAME = b"CHOLMOD FACTOR D L"  # of capsules with factors of real numbers, from lower triangles
 _pointer_in = ctypes.PYFUNCTYPE(ctypes.c_void_p, ctypes.py_object, ctypes.c_char_p)(
     ("PyCapsule_GetPointer", ctypes.pythonapi)
@@ -40,12 +42,10 @@ class Cholesky:
     def __init__(self, A: csc_array | csr_array, *, ordered: bool = True) -> None:
         self.n: int = A.shape[0]
         self._lower = spmatrix(*_lower(A), A.shape)
-        # of all callers in the process: each sets what it needs
-        cholmod.options.update(
-            supernodal=2, nmethods=1 if ordered else 0, postorder=not ordered, dbound=0.0, print=0
-        )
         order = (matrix(np.arange(self.n, dtype=np.intc)),) if ordered else ()
-        self._factor = cholmod.symbolic(self._lower, *order)
+        with _OPTIONS:
+            cholmod.options.update(supernodal=2, nmethods=len(order), postorder=not ordered)
+            self._factor = cholmod.symbolic(self._lower, *order)
         self._factorise()
 
     def renew(self, A: csc_array | csr_array) -> None:

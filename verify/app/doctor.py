@@ -25,11 +25,11 @@ from verify.studies.crosscheck.statement import CALCULIX, SOLVERS
 ROOT = Path(__file__).parents[2]
 OK, MISSING, OPTIONAL = "ok", "missing", "optional"
 SHOWN = (
-    "numpy", "scipy", "scikit-fem", "gmsh", "numba", "scikit-learn", "pydantic", "pint", "cyclopts",
-    "pyvista", "typst",
+    "numpy", "scipy", "scikit-fem", "gmsh", "numba", "scikit-learn", "cvxopt", "pydantic", "pint",
+    "cyclopts", "pyvista", "typst",
 )  # fmt: skip
 SOLVING = (
-    "numpy", "scipy", "skfem", "gmsh", "numba", "sklearn", "pydantic", "pint", "jinja2",
+    "numpy", "scipy", "skfem", "gmsh", "numba", "sklearn", "cvxopt", "pydantic", "pint", "jinja2",
     "meshio",
 )  # fmt: skip
 TYPST = 'import typst\nassert typst.compile(b"Hello")'

@@ -27,7 +27,9 @@ from verify.core.source_code import COMPILED, modules_of, source_of
 from verify.core.store import Store, packed, unpacked
 
 LIBRARIES = ("gmsh", "scikit-fem", "numpy", "scipy")
-ALONE = {COMPILED: "numba", "analytic.surrogate.length_scales": "scikit-learn"}  # who imports them
+ALONE = {  # who imports them
+    COMPILED: "numba", "analytic.surrogate.length_scales": "scikit-learn", "fem.cholesky": "cvxopt",
+}  # fmt: skip
 FORMAT = 1
 KIND = "level"  # of entries: a case's result on one mesh
 # what numpy and zipfile raise on files that were torn or changed
