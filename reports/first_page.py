@@ -87,11 +87,11 @@ def stated() -> Mapping[str, Any]:
 
 
 def paper_parts(report: Report) -> list[PaperPart]:
-    """The papers of a run in the order of the file."""
-    papers, short = {p["key"]: p for p in report.papers}, named(report.papers)
+    """The papers of a run in the order of their ledgers."""
+    about, short = {one["key"]: one for one in stated()["papers"]}, named(report.papers)
     return [
-        _part(report, one, papers[one["key"]], short[one["key"]])
-        for one in stated()["papers"] if one["key"] in papers
+        _part(report, about[paper["key"]], paper, short[paper["key"]])
+        for paper in report.papers if paper["key"] in about
     ]  # fmt: skip
 
 

@@ -20,7 +20,7 @@ FIRST = "report.html"
 LEAST = 3  # rows of a main table; with fewer all rows stand in it
 FOLDER = "report"  # of all other pages, beside the first one
 SECTIONS = {
-    "rows": "All rows", "papers": "Tables and equations of the papers", "errata": "Errata",
+    "rows": "All rows", "papers": "Papers' tables", "errata": "Errata",
     "solvers": "Second solvers", "faults": "Fault detection", "since": "Since the last release",
     "provenance": "Provenance",
 }  # fmt: skip

@@ -84,7 +84,8 @@ def short_words(one: FormulaVerdict) -> str:
     """The sentence of a verdict without the verdict itself, which stands beside it."""
     text = one.words.replace(f"; {SHARED}", "")
     text = text.removeprefix(f"{one.verdict}: ").removeprefix(f"{one.verdict}; ")
-    return f"{text[0].upper()}{text[1:]}."
+    first = text[0].upper() if text[0].isascii() else text[0]  # a symbol stays as it is
+    return f"{first}{text[1:]}."
 
 
 def slug(name: str) -> str:

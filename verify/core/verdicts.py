@@ -102,7 +102,8 @@ class FormulaVerdict:
     `below` are the largest errors on both sides over all points, bars included. `within` is the
     accuracy class of ACCURATE and of PART. `is_of_part` tells whether the errors are against the
     part itself, or against its own idealisation alone; `model` states how well the formula solves
-    that where `rows` set it beside the part. `points` counts inputs beside the paper's. `caution`
+    that where `rows` set it beside the part. `points` counts inputs beside the paper's,
+    `unsolved` those without an answer; `own_only` are cases without a study. `caution`
     is a failure beside the errors, shown by the row `caution_row`; `readings` states how far the
     value moves with what the paper leaves open.
     """
@@ -126,6 +127,8 @@ class FormulaVerdict:
     ranges: tuple[VerdictRange, ...] = ()
     design: tuple[DesignRange, ...] = ()
     points: int = 0
+    unsolved: int = 0
+    own_only: tuple[str, ...] = ()
     model: str = ""
     caution: str = ""
     caution_row: str = ""

@@ -10,6 +10,7 @@ from functools import cache
 from math import prod
 from pathlib import Path
 
+import numpy as np
 from pydantic import Field
 
 from verify.cases.registry import find
@@ -17,8 +18,8 @@ from verify.core.inputs import Inputs
 from verify.core.verdicts import DesignRange, Side
 from verify.papers.entries import Entry, Words
 from verify.studies.sweep.axes import Axis, axis
-from verify.studies.sweep.plan import Plan
 from verify.studies.validity.messages import span
+from verify.verdicts.evidence import Study
 
 FILE = Path(__file__).parent / "ranges.toml"
 SAME = 1e-9  # relative: ends of ranges that differ by less are equal
@@ -49,19 +50,20 @@ def declared() -> tuple[Declared, ...]:
     return Table.model_validate(tomllib.loads(FILE.read_text("utf-8"))).ranges
 
 
-def design(cases: Sequence[str], plans: Sequence[Plan]) -> tuple[DesignRange, ...]:
-    """The design ranges of cases, and whether studies span them."""
-    return tuple(_one(entry, plans) for entry in declared() if entry.case in cases)
+def design(cases: Sequence[str], studies: Sequence[Study]) -> tuple[DesignRange, ...]:
+    """The design ranges of cases, and whether the solved points of studies span them."""
+    return tuple(_one(entry, studies) for entry in declared() if entry.case in cases)
 
 
-def _one(entry: Declared, plans: Sequence[Plan]) -> DesignRange:
+def _one(entry: Declared, studies: Sequence[Study]) -> DesignRange:
     wanted = axis_of(entry)
     low, high = wanted.values[0], wanted.values[-1]
     room = SAME * max(abs(low), abs(high))
     spanned = any(
-        one.values[0] <= low + room and one.values[-1] >= high - room
-        for plan in plans if plan.case.id == entry.case
-        for one in plan.axes if one.name == wanted.name
+        values.size and values.min() <= low + room and values.max() >= high - room
+        for plan, course in studies if plan.case.id == entry.case
+        for k, one in enumerate(plan.axes) if one.name == wanted.name
+        for values in [plan.points[np.isfinite(course.error + course.U_error), k]]
     )  # fmt: skip
     return DesignRange(
         case=entry.case, words=span(wanted, low, high), source=entry.source, spanned=spanned,

@@ -1,5 +1,6 @@
 """What a formula's verdict rests on: errors of judged rows, and of the studies of the same rows."""
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -40,10 +41,22 @@ class Evidence:
         return (*(point_of(row) for row in self.rows), *solved)
 
     @property
+    def cases(self) -> tuple[str, ...]:
+        """The cases of its rows."""
+        return tuple(dict.fromkeys(row.case for row in self.rows))
+
+    @property
+    def unsolved(self) -> int:
+        """Points of studies without an answer."""
+        return sum(
+            int((~np.isfinite(course.error + course.U_error)).sum()) for _, course in self.studies
+        )
+
+    @property
     def is_studied(self) -> bool:
-        """Whether any row was compared at other inputs than the case's own, and solved at all."""
-        solved = all(np.isfinite(course.error).all() for _, course in self.studies)
-        return solved and any(len(plan.points) > 1 for plan, _ in self.studies)
+        """Whether each case was compared at other inputs than its own, with an answer at all."""
+        studied = {plan.case.id for plan, _ in self.studies if len(plan.points) > 1}
+        return not self.unsolved and set(self.cases) <= studied
 
 
 def evidence(ids: Sequence[str], rows: Mapping[str, Row]) -> Evidence:
@@ -56,6 +69,8 @@ def point_of(row: Row) -> Point:
     """The error of a row and its expanded uncertainty, relative; NoEvidenceError without one."""
     if row.difference is None or not row.scale or row.tolerance is None:
         raise NoEvidenceError(f"{row.id} has no error with an uncertainty")
+    if not math.isfinite(row.difference + row.tolerance):
+        raise NoEvidenceError(f"{row.id} has an error that is no number")
     return Point(row.difference / row.scale, row.tolerance / row.scale)
 
 

@@ -11,7 +11,7 @@ from verify.verdicts.design import design
 from verify.verdicts.evidence import Evidence, NoEvidenceError, evidence, point_of, require
 from verify.verdicts.regions import ranges
 from verify.verdicts.rule import SHARP, Point, above, accuracy, below, judged
-from verify.verdicts.words import sentence
+from verify.verdicts.words import SMALLEST, sentence
 
 
 def verdicts(rows: Sequence[Row]) -> tuple[FormulaVerdict, ...]:
@@ -63,8 +63,11 @@ def _of(paper: str, formula: Formula, part: Evidence, model: Evidence) -> Verdic
     if not part.rows and all(_is_sharp_identity(row) for row in rows):
         return Verdict.EXACT
     judged_on = part if part.rows else model
-    spans_design = all(one.spanned for one in _design(judged_on))
-    has_range = judged_on.is_studied and spans_design
+    ranges_of = _design(judged_on)
+    spans_design = all(one.spanned for one in ranges_of)
+    has_ranges = set(judged_on.cases) <= {one.case for one in ranges_of}
+    # a failure that no error shows keeps a formula from being accurate over its range
+    has_range = judged_on.is_studied and has_ranges and spans_design and not formula.caution
     return judged(judged_on.points, formula.safe, has_range=has_range)
 
 
@@ -90,7 +93,9 @@ def _described(head: FormulaVerdict, found: Evidence) -> FormulaVerdict:
     return replace(
         head, error=worst.error, U=worst.U, above=above(points), below=below(points),
         within=accuracy(points), ranges=ranges(found.studies), design=_design(found),
-        points=len(points) - len(found.rows),
+        points=len(points) - len(found.rows), unsolved=found.unsolved,
+        own_only=tuple(case for case in found.cases
+                       if case not in {plan.case.id for plan, _ in found.studies}),
         methods=tuple(dict.fromkeys(map(_method, found.rows))),
         shares=tuple(dict.fromkeys(row.shares for row in found.rows if row.shares)),
     )  # fmt: skip
@@ -102,8 +107,7 @@ def _method(row: Row) -> str:
 
 
 def _design(found: Evidence) -> tuple[DesignRange, ...]:
-    cases = tuple(dict.fromkeys(row.case for row in found.rows))
-    return design(cases, [plan for plan, _ in found.studies])
+    return design(found.cases, found.studies)
 
 
 def _spread(rows: Sequence[Row]) -> str:
@@ -121,7 +125,9 @@ def _model(found: Evidence) -> str:
     if not found.rows:
         return ""
     points = [point_of(row) for row in found.rows]
-    if all(_is_sharp_identity(row) for row in found.rows):
-        return f"solves its own idealisation within {100 * max(p.size for p in points):.2g} %"
     worst = max(points, key=lambda p: p.size)
+    if worst.size < SMALLEST:
+        return "solves its own idealisation to rounding"
+    if all(_is_sharp_identity(row) for row in found.rows):
+        return f"solves its own idealisation within {100 * worst.size:.2g} %"
     return f"differs from its own idealisation by {100 * worst.error:+.2g} ± {100 * worst.U:.2g} %"

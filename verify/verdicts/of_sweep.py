@@ -1,5 +1,6 @@
 """The verdict of a formula over the points of a user's sweep, by the rule of `rule`."""
 
+import math
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,7 @@ from verify.studies.sweep.region import nominal_point
 from verify.verdicts.rule import Point, above, accuracy, below, judged
 from verify.verdicts.words import SIDE, percent, sides
 
+SAME = 1e-9  # relative: values that differ by less are equal
 SAFE = {"too high": Safe.ABOVE, "too low": Safe.BELOW}
 
 
@@ -26,7 +28,7 @@ def verdict_in_words(plan: Plan, course: Course) -> str:
     known = np.isfinite(course.error + course.U_error)
     if not known.any():
         return ""
-    own = nominal_point(plan)
+    own = _own(plan)
     points = [
         Point(float(course.error[k]), float(course.U_error[k]), is_paper=k == own)
         for k in np.flatnonzero(known)
@@ -37,3 +39,15 @@ def verdict_in_words(plan: Plan, course: Course) -> str:
     if limit is not None:
         return f"{verdict}: within {percent(limit)}"
     return f"{verdict}: {sides(above(points), below(points))}; {SIDE[safe]}"
+
+
+def _own(plan: Plan) -> int | None:
+    """The row of the inputs' own values; None where no point of the sweep has them."""
+    own = nominal_point(plan)
+    if own is None:
+        return None
+    values = [axis.nominal for axis in plan.axes]
+    at = plan.points[own]
+    same = all(v is not None and math.isclose(v, x, rel_tol=SAME)
+               for v, x in zip(values, at, strict=True))  # fmt: skip
+    return own if same else None

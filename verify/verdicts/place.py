@@ -43,8 +43,10 @@ def place(found: FormulaVerdict, case: str, inputs: Inputs) -> Place:
         return Place(Where.INSIDE, "these are the case's own inputs")
     ranges = sorted((r for r in found.ranges if r.case == case), key=lambda r: r.limit)
     symbols = {shown.name: shown.symbol for shown in inputs.display()}
-    if kept := next((r for r in ranges if _holds(r, mine, changed)), None):
-        return Place(Where.INSIDE, f"inside the range with errors within {percent(kept.limit)}")
+    for limit in dict.fromkeys(r.limit for r in ranges):
+        of_limit = [r for r in ranges if r.limit == limit and _compares(r, mine, changed)]
+        if of_limit and all(_holds(r, mine, changed) for r in of_limit):
+            return Place(Where.INSIDE, f"inside the range with errors within {percent(limit)}")
     studied = {n: [s for r in ranges for s in r.studied if s.name == n] for n in changed}
     if other := [symbols[name] for name in changed if not studied[name]]:
         return Place(Where.NOT_COMPARED, f"not compared with another {_named(other)}")
@@ -65,6 +67,14 @@ def _equal(one: object, other: object) -> bool:
     if isinstance(one, int | float) and isinstance(other, int | float):
         return math.isclose(one, other, rel_tol=SAME)
     return one == other
+
+
+def _compares(found: VerdictRange, mine: Mapping[str, object], changed: list[str]) -> bool:
+    """Whether a study has such inputs between its ends."""
+    if found.is_star and len(changed) > 1:
+        return False
+    sides = {side.name: side for side in found.studied}
+    return all(n in sides and _inside(sides[n], mine[n]) for n in changed)
 
 
 def _holds(found: VerdictRange, mine: Mapping[str, object], changed: list[str]) -> bool:

@@ -35,7 +35,8 @@ def _head(found: FormulaVerdict) -> str:
         case Verdict.WRONG:
             return f"wrong as printed; {_error(found)}"
         case _:
-            only = "" if found.points else ", the only ones compared"
+            left = f" ({found.unsolved} points without an answer)" if found.unsolved else ""
+            only = left if found.points else ", the only ones compared"
             said = f"{sides(found.above or 0.0, found.below or 0.0)}; {_error(found)}{only}"
             return f"{found.verdict.value}: {said}; {SIDE[found.safe]}"
 
@@ -79,9 +80,15 @@ def _part(found: FormulaVerdict) -> str:
         limit = percent(found.within)
         return f"accurate within {limit} at the case's own inputs, the only ones compared"
     if found.within is not None:
-        missing = ", ".join(one.words for one in found.design if not one.spanned)
-        beyond = f", not compared over {missing}" if missing else ", some of them without an answer"
-        return f"accurate within {percent(found.within)} over {_studied(found)}{beyond}"
+        missing = [one.words for one in found.design if not one.spanned]
+        parts = (
+            f"accurate within {percent(found.within)} over {_studied(found)}",
+            f"{found.unsolved} points without an answer" if found.unsolved else "",
+            f"not compared over all of {', '.join(missing)}" if missing else "",
+            f"in {', '.join(found.own_only)} at the case's own inputs alone"
+            if found.own_only else "",
+        )  # fmt: skip
+        return "; ".join(filter(None, parts))
     kept = [one for one in found.ranges if one.limit == found.ranges[-1].limit and one.inside]
     if not kept:
         return "accurate at the case's own inputs alone"

@@ -2,6 +2,7 @@
 
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
 from verify.cases.registry import find
@@ -36,22 +37,28 @@ def test_a_ratio_has_no_dimension(entry):
     assert all(abs(exponent) < 1e-12 for exponent in left.values()), left
 
 
-def plan(case, *axes):
-    """A study of a case that varies inputs, each between two values [SI]."""
-    return SimpleNamespace(
-        case=SimpleNamespace(id=case),
-        axes=[SimpleNamespace(name=name, values=values) for name, *values in axes],
-    )
+def study(case, name, values, solved=True):
+    """A study of a case over one input [SI], with an answer at all values or at the first."""
+    error = np.where([solved or k == 0 for k in range(len(values))], 0.01, np.nan)
+    plan = SimpleNamespace(
+        case=SimpleNamespace(id=case), axes=[SimpleNamespace(name=name)],
+        points=np.array(values)[:, None],
+    )  # fmt: skip
+    return plan, SimpleNamespace(error=error, U_error=np.zeros(len(values)))
 
 
 @pytest.mark.parametrize(
-    ("low", "high", "spanned"),
-    [(0.02, 0.02623, False), (0.022, 0.045, True), (0.0221, 0.045, False), (0.022, 0.0449, False)],
-)
-def test_a_study_spans_a_range_from_end_to_end(low, high, spanned):
-    found = design.design(["ring-loads-outer"], [plan("ring-loads-outer", ("r_o", low, high))])
+    ("values", "solved", "spanned"),
+    [
+        ((0.02, 0.02623), True, False), ((0.022, 0.045), True, True),
+        ((0.022, 0.045), False, False), ((0.0221, 0.045), True, False),
+        ((0.022, 0.0449), True, False),
+    ],
+)  # fmt: skip
+def test_the_solved_points_of_a_study_span_a_range_from_end_to_end(values, solved, spanned):
+    found = design.design(["ring-loads-outer"], [study("ring-loads-outer", "r_o", values, solved)])
     assert [one.spanned for one in found] == [False, spanned]  # n was not varied
-    (other,) = design.design(["sprag-wedge"], [plan("x", ("T", 0, 100))])[:1]
+    (other,) = design.design(["sprag-wedge"], [study("x", "T", (0, 100))])[:1]
     assert not other.spanned
 
 

@@ -63,7 +63,7 @@ def test_an_identity_alone_is_exact_and_beside_the_part_a_second_statement(row):
     assert verdict(formula(part=(), model=("ring-lame/same",)), same).verdict is Verdict.EXACT
     got = verdict(formula(model=("ring-lame/same",)), same, row("x", 0.3))
     assert got.verdict is Verdict.CONSERVATIVE
-    assert got.model == "solves its own idealisation within 0.0001 %"
+    assert got.model == "solves its own idealisation to rounding"
 
 
 def test_an_identity_that_is_not_sharp_is_not_exact(row):
@@ -137,4 +137,20 @@ def test_a_design_range_that_no_study_spans_leaves_a_part(row, monkeypatch):
                           spanned=spanned)  # fmt: skip
         monkeypatch.setattr(found, "design", lambda *_, one=one: (one,))
         assert verdict(formula(), row("x", 0.001)).verdict is expected
-    assert "not compared over T 1 to 9 N" in verdict(formula(), row("x", 0.001)).words
+    assert "not compared over all of T 1 to 9 N" in verdict(formula(), row("x", 0.001)).words
+    monkeypatch.setattr(found, "design", lambda *_: ())
+    assert verdict(formula(), row("x", 0.001)).verdict is Verdict.PART  # no range is declared
+
+
+def test_a_caution_keeps_a_formula_from_being_accurate(row, monkeypatch):
+    plan = SimpleNamespace(points=np.zeros((2, 1)), case=SimpleNamespace(id="ring-lame"))
+    course = SimpleNamespace(error=np.array([0.001, 0.002]), U_error=np.zeros(2))
+    side = Side(name="T", symbol="T", unit="N", low=1.0, high=9.0)
+    one = DesignRange(case="ring-lame", words="", source="", side=side, spanned=True)
+    monkeypatch.setattr(found, "ranges", lambda _: ())
+    monkeypatch.setattr(found, "design", lambda *_: (one,))
+    monkeypatch.setattr(evidence, "_studies", lambda _: [(plan, course)])
+    assert verdict(formula(), row("x", 0.001)).verdict is Verdict.ACCURATE
+    warned = formula(caution="but it buckles", caution_row="ring-lame/c")
+    rows = row("x", 0.001), row("c", 0.0, kind=Kind.FACT)
+    assert verdict(warned, *rows).verdict is Verdict.PART

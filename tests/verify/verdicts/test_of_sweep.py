@@ -34,12 +34,12 @@ def found(errors, safe, own=0):
     ],
 )  # fmt: skip
 def test_the_words_are_those_of_the_rule(monkeypatch, errors, safe, words):
-    monkeypatch.setattr(of_sweep, "nominal_point", lambda plan: plan.own)
+    monkeypatch.setattr(of_sweep, "_own", lambda plan: plan.own)
     assert of_sweep.verdict_in_words(*found(errors, safe)) == words
 
 
 def test_a_sweep_that_leaves_out_the_own_inputs_cannot_be_accurate_in_part(monkeypatch):
-    monkeypatch.setattr(of_sweep, "nominal_point", lambda plan: plan.own)
+    monkeypatch.setattr(of_sweep, "_own", lambda plan: plan.own)
     plan, course = found((0.05, -0.3), "", own=None)
     assert of_sweep.verdict_in_words(plan, course).startswith("unsafe")
 
@@ -47,3 +47,11 @@ def test_a_sweep_that_leaves_out_the_own_inputs_cannot_be_accurate_in_part(monke
 def test_the_safe_side_is_that_of_the_quantity():
     assert of_sweep.safe_side(*found((0.0,), "too low")) is Safe.BELOW
     assert of_sweep.safe_side(*found((0.0,), "")) is Safe.NEITHER
+
+
+@pytest.mark.parametrize(("nominal", "own"), [(2.0, 1), (2.1, None), (None, None)])
+def test_own_inputs_are_a_point_only_where_the_sweep_has_them(nominal, own):
+    axis = SimpleNamespace(name="x", values=(1.0, 2.0, 3.0), nominal=nominal, spacing="even")
+    plan = SimpleNamespace(star=False, axes=(axis,), shape=(3,),
+                           points=np.array([[1.0], [2.0], [3.0]]))  # fmt: skip
+    assert of_sweep._own(plan) == own

@@ -31,8 +31,8 @@ class LockedPolyhedralRing(LockedFormulas):
     scans: ClassVar = (
         Scan(
             vary=(
-                "p_t=15MPa,30MPa,60MPa,100MPa",
-                "delta_1=3mm,4mm,6mm",
+                "p_t=25MPa,30MPa,60MPa,100MPa",
+                "delta_1=3mm,4mm,5mm",
                 "z=4,6,8",
                 "rho=1mm,2mm,4mm",
             ),
