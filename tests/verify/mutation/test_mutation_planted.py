@@ -53,12 +53,21 @@ def verdict(work) -> list[str]:
     return found.value
 
 
-def test_a_weak_form_with_a_sign_mistaken_is_named_by_what_it_strains(ring):
-    term = "lam * M[:, :, i, :, j] {} mu * M[:, :, j, :, i]"
-    fault = planted("fem.plane.cells", "Cells._stiffness", term.format("+"), term.format("-"))
+def test_a_modulus_with_a_wrong_factor_is_named_by_what_it_strains(ring):
+    term = "self.E / ({} * (1 + self.nu))"
+    fault = planted(
+        "fem.plane.material", "Elastic.lame_constants", term.format("2"), term.format("2.1")
+    )
     by, what = verdict(partial(trial.solved, fault, [(ring, ring.load.case.levels[:1])]))
     assert by == By.ROWS
     assert "displacement" in what or "stress" in what
+
+
+def test_a_stiffness_that_is_not_positive_definite_is_refused(ring):
+    term = "lam * M[:, :, i, :, j] {} mu * M[:, :, j, :, i]"
+    fault = planted("fem.plane.cells", "Cells._stiffness", term.format("+"), term.format("-"))
+    by, _ = verdict(partial(trial.solved, fault, [(ring, ring.load.case.levels[:1])]))
+    assert by == By.REFUSED
 
 
 @pytest.mark.soak  # solves an engagement
