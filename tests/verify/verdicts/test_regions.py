@@ -5,7 +5,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from verify.verdicts import regions
+from verify.studies.validity.messages import over
+from verify.verdicts import evidence, regions
 
 
 def line(x, spacing="even"):
@@ -33,3 +34,31 @@ def test_interpolation_is_tried_at_each_point_between_two_others(
     assert regions.interpolation(plan, course) == (
         None if off is None else pytest.approx(off, rel=0.3, abs=1e-12)
     )
+
+
+@pytest.mark.parametrize(
+    "row",
+    [
+        "polyhedral-pressure/hoop stress, Eq. 9, against that of the outside",
+        "polyhedral-ring/K of the paper",
+    ],
+)
+def test_each_point_inside_a_range_keeps_its_limit(row):
+    """Of stored studies; the ends of a range are values that were compared."""
+    case, _, quantity = row.partition("/")
+    studies = evidence._studies(SimpleNamespace(case=case, quantity=quantity))
+    assert studies
+    for found in (one for one in regions.ranges(studies) if one.box):
+        plan, course = next(s for s in studies if over(s[0]) == found.over)
+        inside = np.ones(len(plan.points), bool)
+        for k, axis in enumerate(plan.axes):
+            side = next((one for one in found.box if one.name == axis.name), None)
+            if side is None:
+                continue
+            shown = np.array([axis.shown(x) for x in plan.points[:, k]])
+            assert side.low in shown
+            assert side.high in shown
+            own = np.ones(len(shown), bool) if not found.is_star else shown != shown[0]
+            inside &= ~own | ((shown >= side.low) & (shown <= side.high))
+        size = np.abs(course.error) + course.U_error
+        assert (size[inside] <= found.limit).all()
