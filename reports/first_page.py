@@ -60,14 +60,14 @@ class Group:
 
 
 def groups(verdicts: Sequence[FormulaVerdict]) -> list[Group]:
-    """The formulas with something to verify, alike ones together, in the order of the first."""
+    """The formulas with something to verify; those with one verdict and evidence are one group."""
     found: dict[tuple[object, ...], list[FormulaVerdict]] = {}
     for v in verdicts:
         if v.verdict is Verdict.DEFINITION:
             continue
-        alike = v.form, v.verdict, v.words, v.error, v.instead, v.rows, v.model_rows
+        same = v.form, v.verdict, v.words, v.error, v.instead, v.rows, v.model_rows
         is_equation = v.name.startswith("Eq. ") and (v.rows or v.model_rows)
-        found.setdefault(alike if is_equation else (v.id,), []).append(v)
+        found.setdefault(same if is_equation else (v.id,), []).append(v)
     return [Group(one) for one in found.values()]
 
 
