@@ -149,7 +149,7 @@ def _linked(name: str, page: str, home: Mapping[str, str]) -> str:
 
 
 def _path(here: str, there: str) -> str:
-    """The way from one page to another, both in the folder of the report."""
+    """The relative path from one page to another, both in the folder of the report."""
     if here == FIRST:
         return there
     return there.removeprefix(f"{FOLDER}/") if there.startswith(f"{FOLDER}/") else f"../{there}"

@@ -1,5 +1,6 @@
 """Error budgets: known parts are found again, add up and are stale for other code."""
 
+import functools
 import math
 import re
 from dataclasses import replace
@@ -163,3 +164,15 @@ def test_a_part_is_as_uncertain_as_its_meshes_differ_or_one_is_coarse():
     assert (two.contribution, two.u) == (pytest.approx(0.025), pytest.approx(0.005))
     none = balance.extrapolated("x", [math.nan, math.nan, 0.1], [1.0, 0.5, 0.25], math.nan)
     assert (none.contribution, none.u, none.note) == (None, None, "values on the finest mesh alone")
+
+
+def test_what_was_memoised_does_not_stand_for_what_is_changed():
+    def slack():
+        return made.SLACK
+
+    slack.__module__ = "verify.cases.made"
+    kept = functools.lru_cache(slack)
+    assert kept() == 1e-4
+    with changed([Constant(f"{made.HERE}:SLACK", 10)]):
+        assert kept() == 1e-3
+    assert kept() == 1e-4

@@ -2,7 +2,7 @@
 
 import pytest
 
-from verify.audit.mutation.tracing import forget_memoised
+from verify.form.memoised import forget_memoised
 
 
 @pytest.fixture

@@ -15,7 +15,7 @@ from importlib import import_module
 from types import CodeType, FunctionType, ModuleType
 
 from verify.audit.mutation.sites import Changed, Source, constant_of, owners
-from verify.audit.mutation.tracing import forget_memoised
+from verify.form.memoised import forget_memoised
 
 
 class NotPatchedError(RuntimeError):

@@ -10,7 +10,8 @@ from dataclasses import dataclass, field
 import pytest
 from hypothesis import Phase, settings
 
-from verify.audit.mutation.tracing import ROOT, Calls, forget_memoised
+from verify.audit.mutation.tracing import ROOT, Calls
+from verify.form.memoised import forget_memoised
 
 OPTIONS = (
     "-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist", "-p", "no:hypothesispytest",

@@ -1,18 +1,16 @@
 """Which functions of the project a piece of work calls."""
 
-import gc
 import sys
 from collections.abc import Callable
-from functools import _lru_cache_wrapper, cache
+from functools import cache
 from pathlib import Path
 from types import CodeType, FrameType
 from typing import Any, Self
 
-from verify.form import quantity
+from verify.form.memoised import forget_memoised
 
 ROOT = Path(__file__).parents[3]
 PACKAGES = ("analytic", "fem", "meshes", "verify")
-MEMOISED = ("analytic.", "fem.", "meshes.", "verify.cases.")  # who may hold results
 
 
 class Calls:
@@ -55,14 +53,6 @@ def called(work: Callable[[], Any]) -> tuple[Any, list[str]]:
     with calls:
         found = work()
     return found, calls.names()
-
-
-def forget_memoised() -> None:
-    """Empty what the project's functions have memoised: it is computed again, as it is by now."""
-    for item in gc.get_objects():
-        if type(item) is _lru_cache_wrapper and str(item.__module__).startswith(MEMOISED):
-            item.cache_clear()
-    quantity.forget()
 
 
 def name_of(code: CodeType) -> str:

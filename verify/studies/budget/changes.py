@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from typing import Any
 
+from verify.form.memoised import forget_memoised
 from verify.judging.budget_statement import Argument, Change, Constant
 
 
@@ -18,7 +19,9 @@ def changed(changes: Sequence[Change]) -> Iterator[None]:
     other arguments was not called.
     """
     calls: dict[str, int] = {}
+    forget_memoised()  # or a result of before would stand for the changed one
     with ExitStack() as stack:
+        stack.callback(forget_memoised)
         for change in changes:
             if isinstance(change, Argument):
                 calls[change.target] = 0

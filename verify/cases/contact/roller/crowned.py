@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 def _best_crown(
     load: float, length: float, R: float, E_star: float, tilts: tuple[float, float]
 ) -> "BestCrown":
-    """Kept: formulas, every level and every share of the load or tilt ask for some of the same."""
+    """The best crown, kept: formulas and levels need it for the same loads and tilts."""
     from analytic.contact.best_crown import best_crown  # of both sides: what they press
 
     return best_crown(load=load, length=length, R=R, E_star=E_star, tilt=tilts)

@@ -1,0 +1,16 @@
+"""What functions of the project have memoised, which hides a change of what they call."""
+
+import gc
+from functools import _lru_cache_wrapper
+
+from verify.form import quantity
+
+MEMOISED = ("analytic.", "fem.", "meshes.", "verify.cases.")  # who may hold results
+
+
+def forget_memoised() -> None:
+    """Empty what the project's functions have memoised: it is computed again, as it is by now."""
+    for item in gc.get_objects():
+        if type(item) is _lru_cache_wrapper and str(item.__module__).startswith(MEMOISED):
+            item.cache_clear()
+    quantity.forget()
