@@ -7,6 +7,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from reports.advice import advised
 from reports.in_short import named
 from verify.core.results import CaseResult, PaperTable, Report
 from verify.core.verdicts import FormulaVerdict, Verdict
@@ -99,7 +100,7 @@ def _part(
     report: Report, one: Mapping[str, str], paper: Mapping[str, Any], cited: str
 ) -> PaperPart:
     key = one["key"]
-    verdicts = [v for v in report.verdicts if v.paper == key]
+    verdicts = [v for v in advised(report.verdicts) if v.paper == key]
     changed = {e for v in verdicts for e in v.errata}
     return PaperPart(
         key=key, cited=cited, title=paper["title"], part=one["part"], claim=one["claim"],
@@ -117,7 +118,7 @@ def compared(table: PaperTable) -> bool:
 
 def tasks(report: Report) -> Mapping[str, list[Task]]:
     """The tasks by part, with the verdicts of their formulas."""
-    known = {v.id: v for v in report.verdicts}
+    known = {v.id: v for v in advised(report.verdicts)}
     found: dict[str, list[Task]] = {}
     for one in stated()["tasks"]:
         formulas = [known[name] for name in one["formulas"] if name in known]

@@ -35,7 +35,8 @@ from reports.error_map import error_map
 from reports.first_page import MOST_CLAIMS, groups
 from reports.frames import Frame
 from reports.in_short import cases_in_short, named, where
-from reports.paper_rows import printed_row
+from reports.overview import overview
+from reports.paper_rows import is_compared, printed_row, used_as_inputs
 from reports.parallel import parallel
 from reports.refinement import refinement
 from reports.row_lines import failed_first, groups_failed_first, lines
@@ -116,7 +117,7 @@ def context(report: Report, frames: Mapping[str, Sequence[Frame]]) -> dict[str, 
         "relaxed": sum(row.demand is not None and row.demand > 0.01 for row in report.rows),
         "warnings": warnings(report.cases), "in_short": cases_in_short(report),
         "verdicts_by_paper": by_paper(report), "verdicts_given": given(report),
-        "meaning": MEANING, "overview": signature.overview(report.cases, placed),
+        "meaning": MEANING, "overview": overview(report.cases),
         "drawn": {c.id: [f for f in frames.get(c.id, ()) if f.svg] for c in report.cases},
         "viewers": {c.id: [f for f in frames.get(c.id, ()) if f.view] for c in report.cases},
         "drawn_by": drawn_by(frames), "names": {p["key"]: cited(p) for p in report.papers},
@@ -188,8 +189,14 @@ def styles() -> str:
 
 
 def anchors(rows: Sequence[Row]) -> Mapping[str, str]:
-    """Where each row stands on the page, by its id."""
-    return {row.id: f"row-{i}" for i, row in enumerate(rows)}
+    """Where each row stands, by its id: numbered by case and row, of one case alike in any run."""
+    count: dict[str, int] = {}
+    cases = {case: i for i, case in enumerate(dict.fromkeys(row.case for row in rows))}
+    found: dict[str, str] = {}
+    for row in rows:
+        count[row.case] = count.get(row.case, -1) + 1
+        found[row.id] = f"row-{cases[row.case]}-{count[row.case]}"
+    return found
 
 
 _plots: dict[int, Markup] = {}  # of the figures that are in use, by their identity
@@ -249,6 +256,7 @@ def environment(equations: Equations) -> jinja2.Environment:
         "order": formats.order, "signature": signature.signature,
         "convergence": plots.convergence, "on_meshes": plots.on_meshes,
         "sketch": sketch, "plot": plot, "printed_row": printed_row,
+        "used_as_inputs": used_as_inputs, "is_compared": is_compared,
         "causes": causes, "failed_first": failed_first,
         "columns": columns,
         "validity_figure": validity.figure, "validity_limits": validity.limits,

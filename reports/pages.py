@@ -7,6 +7,7 @@ from typing import Any
 
 from markupsafe import Markup
 
+from reports.advice import advised, of_case
 from reports.equations import Equations
 from reports.first_page import paper_parts, tasks
 from reports.frames import Frame
@@ -113,7 +114,7 @@ def _of_case(report: Report, case: CaseResult, lines: Sequence[Line]) -> OfCase:
         main = list(lines)
     return OfCase(
         case, lines, main=main, rest=[line for line in lines if line not in main],
-        verdicts=[v for v in report.verdicts if case.id in v.cases],
+        verdicts=of_case(advised(report.verdicts), case.id, case.rows),
         validity=next((v for v in report.validity if v.case == case.id), None),
         budget=next((b for b in report.budgets if b.case == case.id), None),
     )  # fmt: skip

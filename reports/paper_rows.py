@@ -10,7 +10,7 @@ from markupsafe import Markup
 
 from reports import formats
 from reports.row_lines import rank
-from verify.core.results import PaperCell, PaperClaim, Status
+from verify.core.results import PaperCell, PaperClaim, PaperTable, Status
 
 
 @dataclass(frozen=True)
@@ -52,6 +52,29 @@ class PrintedRow:
     claims: Sequence[Claim]
     inputs: Sequence[Uses]
     errata: Sequence[str]
+
+
+@dataclass(frozen=True)
+class UsedNumber:
+    """A printed number that cases take as an input, by the first cell of its row and its column."""
+
+    row: str
+    column: str
+    printed: str
+    words: str
+
+
+def used_as_inputs(table: PaperTable) -> list[UsedNumber]:
+    """The numbers of a table that cases take as inputs."""
+    return [
+        UsedNumber(cells[0].text, table.header[use.column], cells[use.column].text, use.words)
+        for cells in table.rows for use in printed_row(cells).inputs
+    ]  # fmt: skip
+
+
+def is_compared(table: PaperTable) -> bool:
+    """Whether rows of the suite, or errata, stand beside numbers of a table."""
+    return any(cell.rows or cell.errata for cells in table.rows for cell in cells)
 
 
 def printed_row(cells: Sequence[PaperCell]) -> PrintedRow:

@@ -8,11 +8,11 @@ from typing import Any
 from jinja2 import Template
 from markupsafe import Markup
 
-from reports import signature
 from reports.crosscheck import crosscheck_data, left_out_data, of_cases, told
 from reports.frames import Frame
 from reports.html import WORDS, anchors, causes, cited, drawn_by, partly, title, warnings
 from reports.in_short import cases_in_short, named, where
+from reports.overview import overview
 from reports.paper_rows import printed_row
 from reports.pdf_budget import budget_data
 from reports.pdf_case import case_data, maths, value_cells
@@ -53,7 +53,7 @@ def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
         "values": [value_cells(v) for case in report.cases if own for v in case.values],
         "in_short": [asdict(line) for line in cases_in_short(report)] if report.rows else [],
         "verdicts": verdict_data(report),
-        "overview": standalone(signature.overview(report.cases, places)),
+        "overview": standalone(overview(report.cases)),
         "key": standalone(_key(report)),
         "cases": [
             case_data(

@@ -1,20 +1,15 @@
-"""The graphic of a row: its difference in units of its own tolerance, and all rows at a glance."""
+"""The graphic of a row: its difference in units of its own tolerance."""
 
 import math
-from collections.abc import Mapping, Sequence
 
 from markupsafe import Markup
 
 from reports import svg
 from verify.core.differences import difference, sense
-from verify.core.results import CaseResult, Kind, Published, Row, Status
+from verify.core.results import Published, Row, Status
 
 HALF = 36.0  # half the tolerance band in the signature's units
 CENTRE = 66.0
-WIDE = 1216.0
-LETTER = 8.0  # room for a letter of a name
-NAME = 40  # letters of a name that are shown
-LEAST = -12  # decades of the strip
 FAR = 1.7  # tolerances from which a dot becomes an arrow
 MARKS = {
     "theory": "M{x:.1f},5v8",
@@ -83,90 +78,3 @@ def _mark(row: Row, entry: Published) -> Markup:
         return Markup("")
     x = CENTRE + HALF * at
     return Markup('<path class="pub" d="{}"/>').format(MARKS[entry.kind].format(x=x, a=x - 3))
-
-
-def overview(cases: Sequence[CaseResult], anchors: Mapping[str, str]) -> Markup:
-    """Every row with a difference on a logarithmic scale; a row not run is a hole.
-
-    Names stand level below their groups where all fit, else upright.
-
-    A dot is how far apart the two sides are, a tick its detection limit.
-    """
-    shown = [(case, drawn) for case in cases if (drawn := [r for r in case.rows if _drawn(r)])]
-    total = sum(len(rows) for _, rows in shown) or 1
-    gap, left, top, bottom = 18.0, 50.0, 10.0, 130.0
-    room = WIDE - left - gap * max(len(shown) - 1, 0)
-    parts = [_decade(e, left, top, bottom) for e in range(LEAST, 1, 2)]
-    demand = _height(0.01, top, bottom)
-    parts += [svg.line(left, demand, WIDE, demand, "demand")]
-    widths = [room * len(rows) / total for _, rows in shown]
-    names = [_short(case.name or case.id) for case, _ in shown]
-    lengths = [LETTER * len(name) for name in names]
-    upright = any(n > w for n, w in zip(lengths, widths, strict=True))
-    x = left
-    for (_, rows), name, wide in zip(shown, names, widths, strict=True):
-        step = wide / len(rows)
-        parts += [
-            _upright(name, x + wide / 2, bottom + 10) if upright
-            else svg.text(x, bottom + 24, name, "part"),
-            svg.line(x, bottom, x + wide, bottom, "zero"),
-            *(_bar(row, anchors[row.id], x + step * (i + 0.5), top, bottom)
-              for i, row in enumerate(rows)),
-        ]  # fmt: skip
-        x += wide + gap
-    words = "relative difference of every row, and its detection limit"
-    below = 10 + max(lengths) if upright else 32
-    return svg.drawing(WIDE, bottom + below, parts, words, "overview")
-
-
-def _height(value: float, top: float, bottom: float) -> float:
-    """Where a relative number is, from 10^LEAST at the bottom to 1 at the top."""
-    share = (math.log10(max(value, 1e-300)) - LEAST) / -LEAST
-    return bottom - (bottom - top) * min(max(share, 0.0), 1.0)
-
-
-def _decade(exponent: int, left: float, top: float, bottom: float) -> Markup:
-    y = _height(10.0**exponent, top, bottom)
-    words = {0: "100 %", -2: "1 %"}.get(exponent)
-    label = Markup('<text class="tick" x="{:.1f}" y="{:.1f}" text-anchor="end">{}</text>').format(
-        left - 8, y + 4, words or svg.decade(exponent)
-    )
-    return svg.line(left, y, WIDE, y, "grid") + label
-
-
-def _short(name: str) -> str:
-    return name if len(name) <= NAME else f"{name[: NAME - 1]}…"
-
-
-def _upright(name: str, x: float, y: float) -> Markup:
-    """The name of a case from the bottom up, ending at (x, y): a narrow group has room for it."""
-    return Markup('<g transform="translate({} {}) rotate(-90)">{}</g>').format(
-        svg.short(x), svg.short(y), svg.text(0, 4, name, "part", "end")
-    )
-
-
-def _drawn(row: Row) -> bool:
-    return _relative(row) is not None or row.status is Status.SKIP
-
-
-def _relative(row: Row) -> tuple[float, float] | None:
-    """Size of the difference and what the row detects, both on its scale."""
-    if row.kind is Kind.FACT or row.difference is None or not row.scale:
-        return None
-    if not (math.isfinite(row.difference) and math.isfinite(row.scale)):
-        return None
-    size = abs(row.difference / row.scale)
-    return size, size if row.detects is None else row.detects
-
-
-def _bar(row: Row, anchor: str, x: float, top: float, bottom: float) -> Markup:
-    found = _relative(row)
-    if found is None:
-        shape = svg.rectangle(x - 3, top, 6, bottom - top, "none")
-    else:
-        low, high = (_height(value, top, bottom) for value in found)
-        shape = svg.line(x, low, x, high, "bar") + svg.line(x - 4, high, x + 4, high, "bar")
-        shape += svg.circle(x, low, 3.2, "dot")
-    return Markup('<a href="#{}" tabindex="-1" class="is-{}"><title>{}: {}</title>{}</a>').format(
-        anchor, row.status.value.lower(), row.id, row.status.value, shape
-    )

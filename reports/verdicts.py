@@ -5,6 +5,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from reports.advice import advised
 from reports.formats import MINUS
 from reports.in_short import named
 from verify.core.results import Report
@@ -42,7 +43,7 @@ def by_paper(report: Report) -> list[PaperVerdicts]:
     """The verdicts of each paper, in the order of the ledgers."""
     short = named(report.papers)
     return [
-        PaperVerdicts(short[key], tuple(v for v in report.verdicts if v.paper == key))
+        PaperVerdicts(short[key], tuple(v for v in advised(report.verdicts) if v.paper == key))
         for key in dict.fromkeys(v.paper for v in report.verdicts)
     ]
 

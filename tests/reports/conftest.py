@@ -10,7 +10,7 @@ import pytest
 import reports
 from reports.html import page
 from reports.write import write
-from verify.app.commands import make_report
+from verify.app.report import make_report
 from verify.cases.registry import CASES, find
 from verify.core.figures import Band, Campbell, Curve, Curves, Mode, Parallel, ParallelAxis, Whirl
 from verify.core.results import Kind, Partner, Published, Report, Row, Status

@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 from markupsafe import Markup
 
 from reports import plots, signature, svg
-from reports.html import anchors, plot
+from reports.html import plot
+from reports.overview import overview
 from reports.sketch import WIDTH, sketch
 from reports.slim import slim, steps
 from reports.standalone import standalone
@@ -81,7 +82,7 @@ def test_a_repeated_equation_refers_to_its_first_drawing():
 
 
 def test_every_drawing_alone_is_xml_with_a_rule_for_each_class_and_no_variable(report):
-    found = [signature.overview(report.cases, anchors(report.rows))]
+    found = [overview(report.cases)]
     found += [signature.signature(row) for row in report.rows]
     for case in report.cases:
         found += [sketch(case.sketch), plots.convergence([r for r in case.rows if r.levels])]

@@ -13,7 +13,7 @@ from reports import formats
 from reports.html import page
 from reports.pdf_data import document
 from tests.verify.test_published_tables import PRINTED
-from verify.app.commands import make_report
+from verify.app.report import make_report
 from verify.cases.registry import find
 from verify.core import units
 from verify.core.results import Report

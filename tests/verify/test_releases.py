@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import pytest
 
-from verify.app import commands
 from verify.app import release as making
 from verify.app.cli import run
+from verify.app.report import make_report
 from verify.app.up_to_date import STAMP
 from verify.audit.releases import changes as since
 from verify.audit.releases import reasons
@@ -278,7 +278,7 @@ def test_a_run_with_a_loosened_demand_ends_with_one(loosened, tmp_path, capsys):
 
 
 def test_a_release_refuses_red_rows_and_what_is_not_committed(loosened, tmp_path, of_paper):
-    report = commands.make_report([of_paper(LAME)], [LAME], 1.0)
+    report = make_report([of_paper(LAME)], [LAME], 1.0)
     failed = replace(report, cases=(result(replace(ROW, status=Status.FAIL)),))
     making.refuse_red(replace(report, drift=None))
     for refuse, words in (

@@ -416,7 +416,7 @@ def test_a_source_has_the_same_text_in_every_python():
     )
 
 
-# Hashes are remembered while no file of the project changes
+# Hashes are remembered while no file changes that they may depend on
 
 
 def test_what_was_found_is_found_by_the_next_process_until_a_file_changes(tmp_path, monkeypatch):
@@ -434,27 +434,6 @@ def test_what_was_found_is_found_by_the_next_process_until_a_file_changes(tmp_pa
     source_memory.share()
     begun()
     assert (remembered("x"), remembered("y")) == (1, 2)
-    monkeypatch.setattr(source_memory, "digest", lambda: "of other files")
+    monkeypatch.setattr(source_memory, "digest_of", lambda *_modules: "of other files")
     begun()
     assert remembered("x") == 3
-
-
-def test_the_digest_follows_every_file_but_what_a_run_writes(tmp_path, monkeypatch):
-    monkeypatch.setattr(source_memory, "ROOT", tmp_path)
-    digest = source_memory.digest.__wrapped__
-    folder = tmp_path / "fem" / "plane"
-    for name in ("fem/plane", "reports/out", "fem/__pycache__"):
-        (tmp_path / name).mkdir(parents=True)
-    file = folder / "solve.py"
-    file.write_text("a = 1\n")
-    seen = [digest()]
-    for name in ("reports/out", "fem/__pycache__"):
-        (tmp_path / name / "file").write_text("x")
-    assert digest() == seen[0]
-    file.write_text("a = 2\n")
-    seen.append(digest())
-    file.rename(folder / "solves.py")
-    seen.append(digest())
-    (folder / "data.toml").write_text("")
-    seen.append(digest())
-    assert len(set(seen)) == 4

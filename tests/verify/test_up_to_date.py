@@ -22,20 +22,21 @@ def first(tmp_path_factory):
     return folder
 
 
-class SolvesError(Exception):
-    """The command continues with solving and with a report."""
+class MakesError(Exception):
+    """The command continues with solving, or with a report."""
 
 
 @pytest.fixture
 def report(first, tmp_path, monkeypatch):
-    """A copy of it that a test may change; a run that does not find it raises SolvesError."""
+    """A copy of it that a test may change; a run that does not find it raises MakesError."""
     shutil.copytree(first, tmp_path, dirs_exist_ok=True)
     monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path / "cache"))
 
-    def solve(*_, **_options):
-        raise SolvesError
+    def make(*_, **_options):
+        raise MakesError
 
-    monkeypatch.setattr(commands, "solve", solve)
+    monkeypatch.setattr(commands, "solve", make)
+    monkeypatch.setattr(commands, "make_report", make)
     return tmp_path
 
 
@@ -57,7 +58,7 @@ def test_a_second_run_prints_the_same_with_the_same_status_and_solves_nothing(re
     note = report / "out" / STAMP
     note.write_text(json.dumps(json.loads(note.read_text("utf-8")) | {"status": 1}), "utf-8")
     assert verified(report) == 1
-    with pytest.raises(SolvesError):  # a run that trusts no results
+    with pytest.raises(MakesError):  # a run that trusts no results
         verified(report, use_cache=False)
 
 
@@ -76,5 +77,5 @@ CHANGES = {
 @pytest.mark.parametrize("change", CHANGES.values(), ids=CHANGES)
 def test_a_change_is_noticed(report, monkeypatch, change):
     change(report, monkeypatch)
-    with pytest.raises(SolvesError):
+    with pytest.raises(MakesError):
         verified(report)

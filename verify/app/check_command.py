@@ -21,7 +21,8 @@ from verify.answers.shared_readings import SharedReading, shared_readings
 from verify.answers.usual import unusual
 from verify.app.check_console import Checked, answer_lines, limits_table, print_check
 from verify.app.check_record import check_record
-from verify.app.commands import make_report, writable, write_report
+from verify.app.commands import writable, write_report
+from verify.app.report import make_report
 from verify.core.case import Case
 from verify.core.inputs import InputError, Inputs
 from verify.core.results import CaseResult, Status

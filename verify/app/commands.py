@@ -4,21 +4,22 @@ import gc
 import sys
 import tempfile
 import time
-from collections.abc import Sequence
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 
 from verify.answers.assumed.registry import ASSUMPTIONS
 from verify.answers.parameter_file import read
 from verify.app import up_to_date
+from verify.app.parts import Parts
+from verify.app.report import make_report
 from verify.cases import files
 from verify.cases.registry import CASES, QUICK, find, ids
-from verify.core import environment
+from verify.core import environment, source_memory
 from verify.core.case import Case, Values
 from verify.core.console import raised, verdict_lines
 from verify.core.inputs import REQUIRED, InputError, Inputs, meta
-from verify.core.results import CaseBudget, CaseResult, Caught, Crosscheck, Report, Status, Validity
-from verify.core.verdicts import FormulaVerdict
-from verify.jobs import cache
+from verify.core.results import CaseResult, Report, Status
+from verify.jobs import cache, judged
 from verify.jobs.executor import Where
 from verify.jobs.level import Job
 from verify.jobs.session import solve, stored_levels
@@ -72,10 +73,18 @@ def run_verify(
             took = f"{time.perf_counter() - start:.1f} s"
             print(f"report: {_page(out)} (of {before.made}: nothing has changed since; {took})")
             return before.status
-    cases = [find(name) for name in dict.fromkeys(names)] or list(CASES)
-    work = [Job(case, case.inputs()) for case in cases]
-    results = _solved_for_report(work, where) if use_cache else solve(work, where, False)
-    report = make_report(results, cases, time.perf_counter() - start)
+    cases = _chosen(names)
+    folder = cache.default_folder() if use_cache else None
+    if folder:
+        source_memory.use(folder)
+    keys = judged.keys({name: CASES.module_of(name) for name in ids(cases) if name in CASES.ids})
+    known = judged.load(folder, keys) if folder else {}
+    work = [Job(case, case.inputs()) for case in _others(cases, known)]
+    new = _solved_for_report(work, where, keys) if folder else solve(work, where, False)
+    by_name = {result.id: result for result in new} | {n: one.result for n, one in known.items()}
+    results = [by_name[name] for name in ids(cases)]
+    parts = Parts(folder, keys)
+    report = make_report(results, cases, time.perf_counter() - start, parts=parts)
     lines = verdict_lines(report)
     print("\n".join(lines))
     is_complete = write_report(report, out, use_cache, single_file=single_file)
@@ -87,19 +96,38 @@ def run_verify(
         print(f"tracebacks: {out / 'errors.txt'}")
     elif key and is_complete:
         made = str(report.provenance["made"])
-        up_to_date.keep(
-            out, key, stored_levels(work), up_to_date.Reported((*lines, *drift), status, made)
-        )
+        levels = [*stored_levels(work), *(level for one in known.values() for level in one.levels)]
+        up_to_date.keep(out, key, levels, up_to_date.Reported((*lines, *drift), status, made))
     return status
 
 
-def _solved_for_report(work: list[Job], where: Where) -> list[CaseResult]:
-    """The judged cases; meanwhile the pictures of their report are drawn into the store."""
+def _chosen(names: Sequence[str]) -> Sequence[Case]:
+    """The cases of these names, by default all; those of the suite are imported when needed."""
+    if all(name in CASES.ids for name in names):
+        return CASES.only(names or CASES.ids)
+    return [find(name) for name in dict.fromkeys(names)]
+
+
+def _others(cases: Sequence[Case], known: Collection[str]) -> list[Case]:
+    """The cases that are not known."""
+    return [find(name, cases) for name in ids(cases) if name not in known]
+
+
+def _solved_for_report(
+    work: list[Job], where: Where, keys: Mapping[str, str]
+) -> list[CaseResult]:  # fmt: skip
+    """The judged cases, stored; meanwhile the pictures of their report are drawn."""
     from reports.ahead import Ahead
 
-    cases = [job.case for job in work]
-    with Ahead(cache.default_folder(), _hint(), lambda: _read_records(cases)) as ahead:
-        return solve(work, where, True, judged=ahead.add)
+    if not work:
+        return []
+    folder, cases = cache.default_folder(), [job.case for job in work]
+    with Ahead(folder, _hint(), lambda: _read_records(cases)) as ahead:
+        results = solve(work, where, True, judged=ahead.add)
+    for job, result in zip(work, results, strict=True):
+        if result.id in keys:
+            judged.keep(folder, job, result, keys[result.id])
+    return results
 
 
 def _read_records(cases: Sequence[Case]) -> None:
@@ -176,68 +204,3 @@ def load(path: Path) -> tuple[str, Case, Inputs, Values]:
     """
     file = read(path)
     return file.name, file.case, file.inputs, file.values
-
-
-def make_report(
-    results: list[CaseResult], cases: Sequence[Case], seconds: float, name: str = ""
-) -> Report:
-    """A run with the ledgers and its provenance; `name` is that of a user's own parameters."""
-    from verify.app.provenance import provenance
-    from verify.audit.releases.changes import since
-    from verify.papers.ledgers import ledgers, sources
-    from verify.studies.readings.tried import searches
-
-    suite = ids(CASES)
-    own = [result for result in results if result.id in suite]
-    return Report(
-        cases=tuple(results),
-        provenance={**provenance(ROOT, results, seconds), "left_out": len(CASES) - len(own)},
-        name=name,
-        validity=() if name or not own else _validity(results, cases),
-        drift=None if name or not own else since(own),
-        searches=() if name or not own else searches([case.id for case in cases]),
-        budgets=() if name or not own else _budgets(results, cases),
-        crosschecks=() if name else _crosschecks(results),
-        caught=None if name or not own else _caught(),
-        verdicts=() if name or len(own) < len(CASES) else _verdicts(results),
-        **(ledgers(results, cases) if own else sources(cases)),
-    )
-
-
-def _caught() -> Caught:
-    """What is kept of mistakes made on purpose, as far as it counts for the present code."""
-    from verify.audit.mutation.score import measured  # what judges anew, which `check` does without
-
-    return measured()
-
-
-def _verdicts(results: Sequence[CaseResult]) -> tuple[FormulaVerdict, ...]:
-    """The verdicts of the papers' formulas, which rest on all cases."""
-    from verify.verdicts.found import verdicts
-
-    return verdicts([row for result in results for row in result.rows])
-
-
-def _validity(results: Sequence[CaseResult], cases: Sequence[Case]) -> tuple[Validity, ...]:
-    """The cards, which are about the papers' own inputs."""
-    from verify.studies.validity.cards import (
-        validity,  # scipy's statistics, which `check` does without
-    )
-
-    return validity(results, cases)
-
-
-def _budgets(results: Sequence[CaseResult], cases: Sequence[Case]) -> tuple[CaseBudget, ...]:
-    """The error budgets, which are about the papers' own inputs too."""
-    from verify.studies.budget.console import told  # reads sources of all that they depend on
-
-    return told(results, cases)
-
-
-def _crosschecks(results: Sequence[CaseResult]) -> tuple[Crosscheck, ...]:
-    """What second solvers found of the cases' problems."""
-    from verify.studies.crosscheck.judged import (
-        reported,  # reads the sources of all that it compares
-    )
-
-    return reported([result.id for result in results])

@@ -24,7 +24,7 @@ def provenance(root: Path, results: Sequence[CaseResult], seconds: float) -> dic
         **conditions(root),
         "seconds": {r.id: round(r.seconds, 3) for r in results} | {"total": round(seconds, 3)},
         "cached": {r.id: r.cached for r in results},
-        "cells": {f"{r.id}, {f.name}": len(f.cells) for r in results for f in r.fields},
+        "cells": {f"{r.id}, {f}": n for r in results for f, n in r.cells.items()},
     }
 
 

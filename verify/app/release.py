@@ -4,7 +4,7 @@ import subprocess
 import time
 from pathlib import Path
 
-from verify.app.commands import make_report
+from verify.app.report import make_report
 from verify.audit.releases.changes import WITHOUT
 from verify.audit.releases.store import path_of, store, version
 from verify.cases.registry import CASES

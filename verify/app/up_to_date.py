@@ -10,7 +10,7 @@ from typing import Any
 
 from verify.app.provenance import conditions
 from verify.core.files import write_whole
-from verify.core.source_memory import digest
+from verify.core.source_files import digest
 from verify.core.store import Store
 from verify.jobs import cache
 

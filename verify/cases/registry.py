@@ -23,9 +23,17 @@ class Listed(Sequence[Case]):
 
     def named(self, case_id: str) -> Case:
         """The case of that name; KeyError."""
-        module, _, name = self._places[case_id].partition(":")
-        case: Case = getattr(import_module(f"verify.cases.{module}"), name)
+        name = self._places[case_id].partition(":")[2]
+        case: Case = getattr(import_module(self.module_of(case_id)), name)
         return case
+
+    def only(self, names: Iterable[str]) -> "Listed":
+        """The cases of these names, each once; KeyError."""
+        return Listed({name: self._places[name] for name in names})
+
+    def module_of(self, case_id: str) -> str:
+        """The dotted name of the module that declares a case; KeyError."""
+        return f"verify.cases.{self._places[case_id].partition(':')[0]}"
 
     @overload
     def __getitem__(self, index: int) -> Case: ...

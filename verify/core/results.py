@@ -1,6 +1,6 @@
 """Value types that a run produces and reports read. Nothing here computes or draws."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
@@ -156,7 +156,8 @@ class CaseResult:
 
     `refused` says why finite elements do not take these inputs, where they were not asked to.
     `findings` say in words what follows from the formulas, the verdict first.
-    `errors` are the tracebacks of what went wrong inside the case.
+    `errors` are the tracebacks of what went wrong inside the case. `cells` are the numbers of
+    cells of the `fields` by name.
     """
 
     id: str
@@ -170,7 +171,7 @@ class CaseResult:
     readings: tuple[str, ...]
     rows: tuple[Row, ...]
     tables: tuple[Table, ...] = ()
-    fields: tuple[Field, ...] = ()
+    fields: Sequence[Field] = ()
     warnings: tuple[str, ...] = ()
     sketch: Sketch | None = None
     values: tuple[FormulaValue, ...] = ()
@@ -183,6 +184,7 @@ class CaseResult:
     cached: bool = False
     command: str = ""
     errors: tuple[str, ...] = ()
+    cells: Mapping[str, int] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -75,7 +75,7 @@ def group_hash(modules: Collection[str]) -> str:
     """Hash of some modules' code, in which names imported from each other stand for their code."""
     group = frozenset(modules)
     name = f"group of {' '.join(sorted(group))}"
-    return remembered(name, group_hash, lambda: _group_hash(group))
+    return remembered(name, group_hash, lambda: _group_hash(group), group)
 
 
 def _group_hash(group: frozenset[str]) -> str:

@@ -14,6 +14,7 @@ from verify.form.code_tex import tex_of
 from verify.form.quantity import Quantity
 
 SAME = 1e-9  # relative difference of an equation and the code of its formula
+_OTHER = {"as printed": "corrected", "corrected": "as printed"}  # the form beside one
 DIGITS, INPUT_DIGITS = 6, 10  # significant: inputs are displayed as they are given
 
 
@@ -92,6 +93,14 @@ def equation(case: Case, q: Quantity, symbols: Symbols) -> Equation | None:
     return Equation(
         tex=equations.with_raised_stars(f"{symbol} = {tex}", (symbol, *symbols.values)),
         numbers=f"= {number}" if found is None else f"= {put_in} = {number}",
-        place=f"Eq. {q.equation}" if q.equation else q.source,
+        place=_place(case, q),
         is_step=q.role == "step",
     )
+
+
+def _place(case: Case, q: Quantity) -> str:
+    """Where the equation stands, and which form of it where the case has several."""
+    place = f"Eq. {q.equation}" if q.equation else q.source
+    beside = next((one.form for one in case.present() if one.form_of == q.name), "")
+    form = q.form or _OTHER.get(beside, "")
+    return ", ".join(filter(None, (place, "" if form in place else form)))

@@ -64,6 +64,14 @@ def load(folder: Path, case: Case, inputs: Inputs, level: int) -> FemResult | No
         return None
 
 
+def fields_of(folder: Path, name: str) -> tuple[Field, ...]:
+    """The fields of the result of a key; OSError where it is not there or cannot be read."""
+    content = Store(folder).load(KIND, [name]).get(name)
+    if content is None:
+        raise OSError(f"{folder}: a level is no longer stored: run again")
+    return _result(unpacked(content)).fields
+
+
 def store(folder: Path, case: Case, inputs: Inputs, level: int, result: FemResult) -> None:
     """Write the result; OSError where the store takes none."""
     content = packed(_arrays(result))

@@ -77,6 +77,7 @@ def judge_case(job: Job, levels: Sequence[Solved]) -> CaseResult:
     return CaseResult(
         **shown, rows=(*rows, *guard.rows), seconds=sum(s.seconds for s in levels),
         cached=all(s.cached for s in levels), errors=traces,
+        cells={f.name: len(f.cells) for f in shown["fields"]},
         command=f"freewheel verify {shlex.quote(job.case.named)}",
     )  # fmt: skip
 

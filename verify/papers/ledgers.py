@@ -3,17 +3,19 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from verify.core.case import Case
 from verify.core.results import CaseResult
 from verify.papers.ledger import papers
-from verify.papers.paper_tables import claiming_inputs, claiming_rows, paper_tables
+from verify.papers.paper_tables import claiming_rows, paper_tables
 
 
-def ledgers(results: Sequence[CaseResult], cases: Sequence[Case]) -> dict[str, Any]:
-    """Records of the ledgers and the papers' tables for `verify.core.results.Report`."""
-    used = claimed(results, cases)
+def ledgers(results: Sequence[CaseResult], inputs: Mapping[str, Sequence[str]]) -> dict[str, Any]:
+    """Records of the ledgers and the papers' tables for `verify.core.results.Report`.
+
+    `inputs` are those of the cases that repeat a printed value, by "paper:id".
+    """
+    used = claimed(results, inputs)
     return {
-        "papers": (*(_paper(p, used) for p in papers()), *_other_sources(cases)),
+        "papers": (*(_paper(p, used) for p in papers()), *_other_sources(results)),
         "equations": tuple(
             {"paper": p.key, **e.model_dump()} for p in papers() for e in p.equations
         ),
@@ -23,30 +25,32 @@ def ledgers(results: Sequence[CaseResult], cases: Sequence[Case]) -> dict[str, A
             for p in papers()
             for v in p.values
         ),
-        "tables": paper_tables(results, cases),
+        "tables": paper_tables(results, inputs),
     }
 
 
-def sources(cases: Sequence[Case]) -> dict[str, Any]:
+def sources(results: Sequence[CaseResult]) -> dict[str, Any]:
     """The same for a report on cases outside the suite alone: their sources, and no paper."""
-    found = tuple(_other_sources(cases))
+    found = tuple(_other_sources(results))
     return {"papers": found} | dict.fromkeys(("equations", "errata", "published", "tables"), ())
 
 
-def _other_sources(cases: Sequence[Case]) -> list[dict[str, Any]]:
+def _other_sources(results: Sequence[CaseResult]) -> list[dict[str, Any]]:
     """Books and papers of cases outside the suite, which have no ledger."""
     keys = {paper.key for paper in papers()}
     none = ("values", "claimed", "equations", "errata", "implemented", "argued", "missing")
     return [
         {"key": source, "authors": source, "title": "", "source": "", "year": None, "doi": ""}
         | dict.fromkeys(none, 0)
-        for source in dict.fromkeys(case.paper for case in cases) if source not in keys
+        for source in dict.fromkeys(result.paper for result in results) if source not in keys
     ]  # fmt: skip
 
 
-def claimed(results: Sequence[CaseResult], cases: Sequence[Case]) -> Mapping[str, list[str]]:
+def claimed(
+    results: Sequence[CaseResult], inputs: Mapping[str, Sequence[str]]
+) -> Mapping[str, list[str]]:
     """Published values in use ("paper:id") and by what: inputs of cases and judged rows."""
-    used = claiming_inputs(cases)
+    used = {reference: list(names) for reference, names in inputs.items()}
     for reference, rows in claiming_rows(results).items():
         used.setdefault(reference, []).extend(row.id for row in rows)
     return used

@@ -12,9 +12,11 @@ from verify.papers.ledger import Paper, papers
 from verify.papers.tables import PrintedTable, named_tables, referred
 
 
-def paper_tables(results: Sequence[CaseResult], cases: Sequence[Case]) -> tuple[PaperTable, ...]:
+def paper_tables(
+    results: Sequence[CaseResult], inputs: Mapping[str, Sequence[str]]
+) -> tuple[PaperTable, ...]:
     """All tables of all papers, with the inputs and judged rows that use their numbers."""
-    inputs, rows = claiming_inputs(cases), claiming_rows(results)
+    rows = claiming_rows(results)
     return tuple(_table(paper, table, inputs, rows) for paper in papers() for table in paper.tables)
 
 

@@ -94,6 +94,17 @@ def declared() -> dict[str, Declarations]:
     return found
 
 
+def cases_by_paper() -> dict[str, tuple[str, ...]]:
+    """The cases whose rows the formulas of each paper name, by the key of the paper."""
+    return {
+        key: tuple(dict.fromkeys(
+            row.partition("/")[0] for f in one.formulas
+            for row in (*f.rows, *f.readings, f.caution_row) if row
+        ))
+        for key, one in declared().items()
+    }  # fmt: skip
+
+
 def _check(paper: Paper, declarations: Declarations) -> None:
     """Each equation has a verdict, a misprinted one also that of its corrected form."""
     known = {erratum.id for erratum in paper.errata}

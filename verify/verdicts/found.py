@@ -14,14 +14,14 @@ from verify.verdicts.rule import SHARP, Point, above, accuracy, below, judged
 from verify.verdicts.words import SMALLEST, sentence
 
 
-def verdicts(rows: Sequence[Row]) -> tuple[FormulaVerdict, ...]:
-    """The verdict of each declared formula, in the order of the papers."""
+def verdicts(rows: Sequence[Row], key: str = "") -> tuple[FormulaVerdict, ...]:
+    """The verdict of each declared formula of a paper, or of all in the order of the papers."""
     known = {row.id: row for row in rows}
     return tuple(
         _verdict(paper.key, paper.cited, formula, known)
-        for paper in papers()
+        for paper in papers() if key in ("", paper.key)
         for formula in declared()[paper.key].formulas
-    )
+    )  # fmt: skip
 
 
 def _verdict(paper: str, source: str, formula: Formula, rows: Mapping[str, Row]) -> FormulaVerdict:

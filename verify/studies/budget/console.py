@@ -3,7 +3,6 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from verify.core.case import Case
 from verify.core.results import (
     BudgetJoint,
     BudgetPart,
@@ -25,14 +24,10 @@ LARGE, LEFT = 1e-3, 0.25  # a difference that is to be taken apart, and the shar
 STALE = "not measured for this code: freewheel deep budget:{} does it"
 
 
-def told(results: Sequence[CaseResult], cases: Sequence[Case]) -> tuple[CaseBudget, ...]:
-    """What is known of each case with rows that have a budget, in their order."""
-    known = {case.id for case in cases}
-    plans = {result.id: plan_of(result.id) for result in results if result.id in known}
-    return tuple(
-        of_case(plans[result.id], result)
-        for result in results if result.id in plans and plans[result.id].rows
-    )  # fmt: skip
+def of_result(result: CaseResult) -> CaseBudget | None:
+    """What is known of a case of the suite; None where no row of it has a budget."""
+    plan = plan_of(result.id)
+    return of_case(plan, result) if plan.rows else None
 
 
 def of_case(plan: Plan, result: CaseResult) -> CaseBudget:

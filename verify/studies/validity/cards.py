@@ -21,19 +21,9 @@ ALIKE = 1e-9  # of the largest error: round-off of where an input does not matte
 STALE = "not measured for this code: freewheel deep validity:{} does it"
 
 
-def validity(results: Sequence[CaseResult], cases: Sequence[Case]) -> tuple[Validity, ...]:
-    """What is known of each case that sets formulas beside finite elements, in their order."""
-    known = {case.id: case for case in cases}
-    told = {result.id for result in results}
-    found = [
-        of_case(known[result.id], result)
-        for result in results
-        if result.id in known and pairs(known[result.id])
-    ]
-    # a run of some cases has no place for the maps of others
-    return tuple(
-        replace(one, maps=tuple(name for name in one.maps if name in told)) for one in found
-    )
+def of_result(case: Case, result: CaseResult) -> Validity | None:
+    """What is known of a case; None where it sets no formula beside finite elements."""
+    return of_case(case, result) if pairs(case) else None
 
 
 def of_case(case: Case, result: CaseResult) -> Validity:

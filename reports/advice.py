@@ -1,0 +1,62 @@
+"""What a verdict says beside one case, and what to use in place of a formula."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from verify.core.results import Row
+from verify.core.verdicts import Form, FormulaVerdict, Verdict
+
+UNUSABLE = (Verdict.WRONG, Verdict.UNVERIFIABLE, Verdict.NONE)  # a corrected form may serve
+REFUSED = (Verdict.UNSAFE, *UNUSABLE)  # no corrected form of such a verdict is advised
+
+
+def advised(verdicts: Sequence[FormulaVerdict]) -> tuple[FormulaVerdict, ...]:
+    """The verdicts; a printed form without another advice refers to its corrected form."""
+    corrected = {(v.paper, v.name): v for v in verdicts if v.form is Form.CORRECTED}
+    return tuple(_advised(v, corrected.get((v.paper, v.name))) for v in verdicts)
+
+
+def _advised(one: FormulaVerdict, corrected: FormulaVerdict | None) -> FormulaVerdict:
+    is_open = one.form is Form.PRINTED and one.verdict in UNUSABLE and not one.instead
+    return replace(one, instead=_of_corrected(corrected)) if is_open and corrected else one
+
+
+def _of_corrected(one: FormulaVerdict) -> str:
+    """The corrected form where it may be used, and what is advised in its place."""
+    form = "" if one.verdict in REFUSED else f"the corrected form{_quality(one)}"
+    return "; or ".join(filter(None, (form, one.instead)))
+
+
+def _quality(one: FormulaVerdict) -> str:
+    if one.verdict is Verdict.DEFINITION:
+        return ""
+    if one.verdict in (Verdict.ACCURATE, Verdict.PART) and one.within:
+        part = " in part of the range" if one.verdict is Verdict.PART else ""
+        return f", accurate within {100 * one.within:g} %{part}"
+    return f", {one.verdict}"
+
+
+def of_case(
+    verdicts: Sequence[FormulaVerdict], case: str, rows: Sequence[Row]
+) -> list[FormulaVerdict]:
+    """The verdicts that rest on a case, with the largest error of its own rows."""
+    known = {row.id: row for row in rows}
+    return [_at_case(v, known) for v in verdicts if case in v.cases]
+
+
+def _at_case(one: FormulaVerdict, rows: Mapping[str, Row]) -> FormulaVerdict:
+    """With the error of these rows: against the part where one of them is, else the model."""
+    part = _errors(one.rows if one.is_of_part else (), rows)
+    found = part or _errors(one.rows + one.model_rows, rows)
+    if one.error is None or not found:
+        return replace(one, error=None, U=None)
+    error, U = max(found, key=lambda pair: abs(pair[0]) + pair[1])
+    return replace(one, error=error, U=U, is_of_part=bool(part))
+
+
+def _errors(names: Sequence[str], rows: Mapping[str, Row]) -> list[tuple[float, float]]:
+    return [
+        (row.difference / row.scale, row.tolerance / row.scale)
+        for row in map(rows.get, names)
+        if row and row.difference is not None and row.scale and row.tolerance is not None
+    ]

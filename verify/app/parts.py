@@ -1,0 +1,70 @@
+"""Parts of a report in the store, each by all that it follows from: made where there is none."""
+
+import hashlib
+import json
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from pathlib import Path
+from typing import Any, TypeVar
+
+from verify.core import pickled
+from verify.core.source_files import digest_of
+from verify.core.store import Store
+
+KIND = "report part"
+FORMAT = 1
+T = TypeVar("T")
+
+
+class Parts:
+    """The parts of one report: `keys` are those of its judged cases, by name.
+
+    A case without a key, or a report without a folder of a store, has every part made.
+    """
+
+    def __init__(self, folder: Path | None = None, keys: Mapping[str, str] | None = None) -> None:
+        self._folder, self.keys = folder, keys or {}
+
+    def of_cases(
+        self, name: str, module: str, cases: Sequence[str], make: Callable[[str], T]
+    ) -> dict[str, T]:
+        """What code of a module makes of each case by itself."""
+        return self.by_group(name, module, {case: [case] for case in cases}, make)
+
+    def by_group(
+        self, name: str, module: str, groups: Mapping[str, Sequence[str]], make: Callable[[str], T]
+    ) -> dict[str, T]:
+        """What code of a module makes of groups of cases, by the name of the group."""
+        keys = {group: self._key(name, module, group, cases) for group, cases in groups.items()}
+        found = dict(self._stored(keys))
+        new: dict[str, bytes] = {}
+        for group, key in keys.items():
+            if group not in found:
+                found[group] = make(group)
+                if key:
+                    new[key] = pickled.to_bytes(found[group])
+        if new and self._folder:
+            with suppress(OSError):  # a full disk costs the time to make them again
+                Store(self._folder).store(KIND, name, new)
+        return {group: found[group] for group in groups}
+
+    def of_all(self, name: str, module: str, cases: Sequence[str], make: Callable[[], T]) -> T:
+        """What code of a module makes of all cases together."""
+        return self.by_group(name, module, {"all": cases}, lambda _: make())["all"]
+
+    def _key(self, name: str, module: str, group: str, cases: Sequence[str]) -> str:
+        """The key of a part; "" where it cannot be stored."""
+        if self._folder is None or any(case not in self.keys for case in cases):
+            return ""
+        made_of = [FORMAT, name, digest_of(module), group, *(self.keys[case] for case in cases)]
+        return hashlib.sha256(json.dumps(made_of).encode()).hexdigest()[:32]
+
+    def _stored(self, keys: Mapping[str, str]) -> Iterator[tuple[str, Any]]:
+        wanted = [key for key in keys.values() if key]
+        if not wanted or self._folder is None:
+            return
+        with suppress(OSError):
+            contents = Store(self._folder).load(KIND, wanted)
+            for group, key in keys.items():
+                with suppress(KeyError, *pickled.UNREADABLE):
+                    yield group, pickled.from_bytes(contents[key])

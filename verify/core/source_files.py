@@ -1,0 +1,123 @@
+"""The project's files by content, and digests of all that a module may depend on.
+
+A module depends on itself, on the modules that its import statements name, also those inside
+functions, on theirs, and on data in the folder of any of these. Statements are found in the text,
+which takes a thousandth of the time of syntax trees; one in a docstring counts as well.
+"""
+
+import hashlib
+import os
+import platform
+import re
+from collections.abc import Iterator, Mapping
+from functools import cache
+from pathlib import Path
+
+from verify.core.plain_code import PROJECT
+
+ROOT = Path(__file__).parents[2]
+NOT_READ = ("__pycache__", "out")  # folders: compiled code, and reports that were written
+MEASURED, READER = "verify/measured", "verify/jobs/records.py"  # who reads the data of a folder
+_COMMENT = re.compile(rb"#[^\n]*|\\\n")
+_IMPORT = re.compile(
+    r"^[ \t]*(?:from[ \t]+([\w.]+)[ \t]+import[ \t]*(\([^)]*\)|[^\n]*)|import[ \t]+([^\n]*))",
+    re.MULTILINE,
+)
+
+
+@cache
+def digest() -> str:
+    """Digest of the content of all files of the project's packages and of the Python version."""
+    return _combined(_contents())
+
+
+@cache
+def digest_of(*modules: str) -> str:
+    """Digest of all that some modules of the project may depend on, as files, and of Python."""
+    contents = _contents()
+    return _combined({file: contents[file] for file in _files_of(*modules)})
+
+
+def _files_of(*modules: str) -> set[str]:
+    known = _modules()
+    found: set[str] = set()
+    queue = list(modules)
+    while queue:
+        name = queue.pop()
+        file = known.get(name)
+        if file and file not in found:
+            found |= {file, *_data().get(file, ()), *_data().get(_folder(file), ())}
+            queue += _imported(file)
+        if parent := name.rpartition(".")[0]:
+            queue.append(parent)
+    return found
+
+
+def forget() -> None:
+    """Read the files again."""
+    for one in (digest, digest_of, _sources, _contents, _modules, _data, _imported):
+        one.cache_clear()
+
+
+def _combined(files: Mapping[str, bytes]) -> str:
+    found = hashlib.sha256(platform.python_version().encode())
+    for path in sorted(files):
+        found.update(f"\0{path}\0".encode() + files[path])
+    return found.hexdigest()
+
+
+@cache
+def _contents() -> Mapping[str, bytes]:
+    return {path: hashlib.sha256(text).digest() for path, text in _sources().items()}
+
+
+@cache
+def _sources() -> Mapping[str, bytes]:
+    """All files of the packages by their path from the root."""
+    return {path.relative_to(ROOT).as_posix(): path.read_bytes() for path in _files()}
+
+
+def _files() -> Iterator[Path]:
+    for package in PROJECT:
+        for folder, below, names in os.walk(ROOT / package):
+            below[:] = sorted(name for name in below if name not in NOT_READ)
+            yield from (Path(folder) / name for name in sorted(names))
+
+
+@cache
+def _modules() -> Mapping[str, str]:
+    """Files of modules by dotted name."""
+    python = (path for path in _sources() if path.endswith(".py"))
+    return {path[:-3].removesuffix("/__init__").replace("/", "."): path for path in python}
+
+
+@cache
+def _data() -> Mapping[str, list[str]]:
+    """Files that are no modules, by the nearest folder above that has some, or by their reader."""
+    packages = {_folder(path) for path in _modules().values()}
+    found: dict[str, list[str]] = {}
+    for path in _sources():
+        if path.endswith(".py"):
+            continue
+        place = _folder(path)
+        while place and place not in packages:
+            place = _folder(place)
+        found.setdefault(READER if path.startswith(f"{MEASURED}/") else place, []).append(path)
+    return found
+
+
+def _folder(path: str) -> str:
+    return path.rpartition("/")[0]
+
+
+@cache
+def _imported(file: str) -> frozenset[str]:
+    """Modules of the project that statements of a file name, and names inside modules."""
+    text = _COMMENT.sub(b" ", _sources()[file]).decode()
+    return frozenset(name for found in _IMPORT.finditer(text) for name in _named(*found.groups()))
+
+
+def _named(source: str | None, names: str | None, modules: str | None) -> Iterator[str]:
+    words = [word.split() for word in (names or modules or "").strip("() \n").split(",")]
+    given = [word[0] for word in words if word]
+    yield from (f"{source}.{name}" if source else name for name in given)

@@ -1,0 +1,97 @@
+"""Judged cases of the suite in the store, by all that they follow from.
+
+A key covers the files that the module of a case and the judging may depend on, and the versions of
+the libraries under them. An entry names the levels that it was judged from, and counts while these
+are stored. Fields of the finest level stay in the entry of that level, and are read when asked for.
+"""
+
+import hashlib
+import json
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from importlib.metadata import version
+from pathlib import Path
+from typing import overload
+
+from verify.core import pickled
+from verify.core.figures import Field
+from verify.core.results import CaseResult
+from verify.core.source_files import digest_of
+from verify.core.store import Store
+from verify.jobs import cache
+from verify.jobs.level import Job
+
+KIND = "judged"
+FORMAT = 1
+JUDGING = "verify.jobs.level"
+LIBRARIES = (*cache.LIBRARIES, *cache.ALONE.values(), "pint", "pydantic")
+
+
+@dataclass
+class StoredFields(Sequence[Field]):
+    """The fields of a level in a store."""
+
+    folder: Path
+    level: str
+    _read: Sequence[Field] | None = None
+
+    @overload
+    def __getitem__(self, index: int) -> Field: ...
+    @overload
+    def __getitem__(self, index: slice) -> Sequence[Field]: ...
+    def __getitem__(self, index: int | slice) -> Field | Sequence[Field]:
+        return self._fields()[index]
+
+    def __len__(self) -> int:
+        return len(self._fields())
+
+    def _fields(self) -> Sequence[Field]:
+        if self._read is None:
+            self._read = cache.fields_of(self.folder, self.level)
+        return self._read
+
+
+@dataclass(frozen=True)
+class Judged:
+    """A stored result, and the keys of the levels that it was judged from."""
+
+    result: CaseResult
+    levels: Sequence[str]
+
+
+def keys(modules: Mapping[str, str]) -> dict[str, str]:
+    """What each case of the suite is stored by; `modules` are those that declare them."""
+    libraries = [f"{name} {version(name)}" for name in LIBRARIES]
+    return {
+        name: hashlib.sha256(json.dumps([
+            FORMAT, name, digest_of(module, JUDGING), *libraries
+        ]).encode()).hexdigest()[:32]
+        for name, module in modules.items()
+    }  # fmt: skip
+
+
+def load(folder: Path, wanted: Mapping[str, str]) -> dict[str, Judged]:
+    """The stored results of cases by name, whose levels are stored as well."""
+    store = Store(folder)
+    found: dict[str, Judged] = {}
+    with suppress(OSError):
+        contents = store.load(KIND, list(wanted.values()))
+        for name, key in wanted.items():
+            with suppress(KeyError, *pickled.UNREADABLE):
+                levels, result = pickled.from_bytes(contents[key])
+                if len(store.dates(cache.KIND, levels)) == len(levels):
+                    fields = StoredFields(folder, levels[-1]) if result.cells else ()
+                    whole = replace(result, fields=fields, seconds=0.0, cached=True)
+                    found[name] = Judged(whole, levels)
+    return found
+
+
+def keep(folder: Path, job: Job, result: CaseResult, key: str) -> None:
+    """Store a result all of whose levels are stored; nothing where something went wrong."""
+    levels = [cache.key(job.case, job.inputs, level) for level in job.case.levels]
+    store = Store(folder)
+    with suppress(OSError):  # a full disk costs the time to judge again
+        if not result.errors and len(store.dates(cache.KIND, levels)) == len(levels):
+            content = pickled.to_bytes((levels, replace(result, fields=())))
+            store.store(KIND, result.id, {key: content})
