@@ -1,7 +1,6 @@
 """The report as pages: a first page, one for each case, and those of rows, papers and records."""
 
-import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,28 +11,21 @@ from reports.equations import Equations
 from reports.first_page import paper_parts, tasks
 from reports.frames import Frame
 from reports.html import HERE, context, environment, script_of, script_source
+from reports.links import FIRST, PLACES, Places, linked, path_of
+from reports.origins import page_of, section
 from reports.row_lines import Line
 from reports.slim import slim
 from verify.core.results import CaseBudget, CaseResult, Kind, Report, Row, Status, Validity
 from verify.core.verdicts import FormulaVerdict
 
-FIRST = "report.html"
 LEAST = 3  # rows of a main table; with fewer all rows stand in it
-FOLDER = "report"  # of all other pages, beside the first one
 SECTIONS = {
     "rows": "All rows", "papers": "Papers' tables", "errata": "Errata",
     "solvers": "Second solvers", "faults": "Fault detection", "since": "Since the last release",
     "provenance": "Provenance",
 }  # fmt: skip
-# a place on the page of a section, to which the menu leads
-PLACES = {
-    "rows": "summary", "papers": "tables", "errata": "errata", "solvers": "crosscheck",
-    "faults": "caught", "since": "since", "provenance": "provenance",
-}  # fmt: skip
-_RECORDS = frozenset(f"{FOLDER}/{name}.html" for name in SECTIONS)
 SEARCH = HERE / "search.js"
-_LINK = re.compile(r'href="#([^"]+)"')
-_ID = re.compile(r'\bid="([^"]+)"')
+Frames = Mapping[str, Sequence[Frame]]
 
 
 @dataclass(frozen=True)
@@ -54,23 +46,28 @@ def is_paged(report: Report) -> bool:
     return not report.name and len(report.cases) > 1
 
 
-def pages(report: Report, frames: Mapping[str, Sequence[Frame]]) -> dict[str, str]:
-    """HTML of each page by its path; links between them work in a folder without a server."""
+def pages(report: Report, frames: Frames, kept: Container[str] = ()) -> dict[str, str]:
+    """HTML of each page by its path; links between them work in a folder without a server.
+
+    Parts that are `kept` (see `reports.origins`) have no page here. `frames` are the pictures of
+    the cases that have one.
+    """
     equations = Equations()
     env = environment(equations)
     shared = context(report, frames)
     made = {
         name: env.get_template(template).render(**shared, **own)
-        for name, template, own in _templates(report, shared, frames)
+        for name, template, own in _templates(report, shared, frames, kept)
     }
+    places = Places(report)
     bodies = equations.placed(list(made.values()))
-    return linked({name: slim(body) for name, body in zip(made, bodies, strict=True)})
+    return {name: slim(linked(name, body, places)) for name, body in zip(made, bodies, strict=True)}
 
 
 def _templates(
-    report: Report, shared: Mapping[str, Any], frames: Mapping[str, Sequence[Frame]]
+    report: Report, shared: Mapping[str, Any], frames: Frames, kept: Container[str]
 ) -> Iterator[tuple[str, str, dict[str, Any]]]:
-    """Path, template and own values of each page."""
+    """Path, template and own values of each page that is to be made."""
     sections = [name for name in SECTIONS if _has(report, shared, name)]
     menu = [("first", "Papers"), ("design", "Designer's index"), ("cases", "Cases"),
             *((PLACES[name], SECTIONS[name]) for name in sections)]  # fmt: skip
@@ -78,17 +75,19 @@ def _templates(
     own = {"heading": shared["title"], "parts": paper_parts(report), "tasks": tasks(report)}
     yield FIRST, "first.html.j2", still | own
     for name in sections:
-        script = SEARCH.read_text("utf-8") if name == "rows" else ""
-        yield (
-            f"{FOLDER}/{name}.html", "section.html.j2",
-            still | {"heading": SECTIONS[name], "name": name} | _scripted(script),
-        )  # fmt: skip
+        if section(name) not in kept:
+            script = SEARCH.read_text("utf-8") if name == "rows" else ""
+            yield (
+                path_of(name), "section.html.j2",
+                still | {"heading": SECTIONS[name], "name": name} | _scripted(script),
+            )  # fmt: skip
     for case, lines in shared["groups"]:
-        yield (
-            f"{FOLDER}/{case.id}.html", "paged_case.html.j2",
-            still | {"heading": case.title, "mine": _of_case(report, case, lines)}
-            | _scripted(script_of([case], frames)),
-        )  # fmt: skip
+        if page_of(case.id) not in kept:
+            yield (
+                path_of(case.id), "paged_case.html.j2",
+                still | {"heading": case.title, "mine": _of_case(report, case, lines)}
+                | _scripted(script_of([case], frames)),
+            )  # fmt: skip
 
 
 def _scripted(script: str) -> dict[str, Any]:
@@ -123,34 +122,3 @@ def _of_case(report: Report, case: CaseResult, lines: Sequence[Line]) -> OfCase:
 def _is_settled(row: Row) -> bool:
     """A balance, an identity or a statement that holds."""
     return row.status is Status.PASS and row.kind in (Kind.EXACT, Kind.IDENTITY, Kind.FACT)
-
-
-def linked(made: Mapping[str, str]) -> dict[str, str]:
-    """Pages whose links to places on others name the page, as it is reached from here."""
-    home = {"first": FIRST}
-    # a row stands on the page of its case and among all rows: links lead to its case
-    for name in sorted(made, key=lambda name: (name != FIRST, name in _RECORDS)):
-        for place in _ID.findall(made[name]):
-            home.setdefault(place, name)
-    return {name: _linked(name, page, home) for name, page in made.items()}
-
-
-def _linked(name: str, page: str, home: Mapping[str, str]) -> str:
-    here = set(_ID.findall(page))
-
-    def link(found: re.Match[str]) -> str:
-        place = found[1]
-        if place in here or place not in home:
-            return found[0]
-        target = home[place]
-        path = _path(name, target)
-        return f'href="{path}"' if place == "first" else f'href="{path}#{place}"'
-
-    return _LINK.sub(link, page)
-
-
-def _path(here: str, there: str) -> str:
-    """The relative path from one page to another, both in the folder of the report."""
-    if here == FIRST:
-        return there
-    return there.removeprefix(f"{FOLDER}/") if there.startswith(f"{FOLDER}/") else f"../{there}"

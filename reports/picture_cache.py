@@ -101,7 +101,7 @@ def load(folder: Path, name: str) -> Drawn | None:
     try:
         data = unpacked(content)
         head = json.loads(str(data["head"]))
-        current = head.pop("opengl") == _opengl() or not head["why"]
+        current = head.pop("opengl") == opengl() or not head["why"]
         outline = tuple(data[f"outline {i}"] for i in range(head.pop("lines")))
         head |= {name: tuple(head[name]) for name in ("rectangle", "ramp")}
         drawn = Drawn(image=data["image"].tobytes(), outline=outline, **head)
@@ -112,7 +112,7 @@ def load(folder: Path, name: str) -> Drawn | None:
 
 def store(folder: Path, name: str, drawn: Drawn) -> None:
     """Write the picture; OSError where the store takes none."""
-    head = {**vars(drawn), "lines": len(drawn.outline), "opengl": _opengl()}
+    head = {**vars(drawn), "lines": len(drawn.outline), "opengl": opengl()}
     del head["image"], head["outline"]
     arrays: dict[str, Any] = {f"outline {i}": line for i, line in enumerate(drawn.outline)}
     image = np.frombuffer(drawn.image, dtype=np.uint8)
@@ -127,7 +127,7 @@ def _code() -> str:
     return "\0".join([*sources, *(f"{name} {version(name)}" for name in LIBRARIES)])
 
 
-def _opengl() -> str:
+def opengl() -> str:
     """Which OpenGL libraries and display there are."""
     found = sorted(
         path.name for place in OPENGL for path in Path("/usr").glob(f"{place}/lib*GL*.so*")

@@ -1,8 +1,9 @@
 """A run as plain records: what results.json holds and `results.schema.json` describes."""
 
+import json
 import math
 from collections.abc import Mapping
-from dataclasses import asdict
+from dataclasses import is_dataclass
 from typing import Any
 
 from reports.second import records, seconds
@@ -23,26 +24,26 @@ def report_record(report: Report) -> dict[str, Any]:
         "equations": list(report.equations),
         "errata": list(report.errata),
         "published": list(report.published),
-        "paper_tables": [_plain(asdict(table)) for table in report.tables],
+        "paper_tables": [_plain(table) for table in report.tables],
         "validity": [_validity(one) for one in report.validity],
         "drift": None if report.drift is None else _drift(report.drift),
-        "readings_tried": [_plain(asdict(one)) for one in report.searches],
-        "budgets": [_plain(asdict(one)) for one in report.budgets],
-        "crosschecks": [_plain(asdict(one)) for one in report.crosschecks],
-        "verdicts": [_plain(asdict(one)) for one in report.verdicts],
-        "caught": None if report.caught is None else _plain(asdict(report.caught)),
+        "readings_tried": [_plain(one) for one in report.searches],
+        "budgets": [_plain(one) for one in report.budgets],
+        "crosschecks": [_plain(one) for one in report.crosschecks],
+        "verdicts": [_plain(one) for one in report.verdicts],
+        "caught": None if report.caught is None else _plain(report.caught),
         "provenance": report.provenance,
     }
 
 
 def _drift(drift: Drift) -> dict[str, Any]:
     """What moved since a release, and how many loosened demands lack a reason."""
-    return {"unexplained": len(drift.unexplained), **_plain(asdict(drift))}
+    return dict(_plain(drift), unexplained=len(drift.unexplained))
 
 
 def row_record(row: Row) -> dict[str, Any]:
     """One row; numbers that are not finite become null, for JSON knows none."""
-    record = {"id": row.id} | {k: _plain(v) for k, v in asdict(row).items()}
+    record = {"id": row.id, **_plain(row)}
     error = row.difference / row.scale if row.difference is not None and row.scale else None
     return record | {"kind": row.kind.value, "status": row.status.value, "error": _plain(error)}
 
@@ -50,17 +51,17 @@ def row_record(row: Row) -> dict[str, Any]:
 def _case(case: CaseResult) -> dict[str, Any]:
     return {
         "id": case.id, "title": case.title, "paper": case.paper, "place": case.place,
-        "inputs": [asdict(i) for i in case.inputs],
-        "values": [_plain(asdict(v)) for v in case.values], "assumptions": list(case.assumptions),
+        "inputs": _plain(case.inputs),
+        "values": _plain(case.values), "assumptions": list(case.assumptions),
         "readings": list(case.readings), "findings": list(case.findings),
         "warnings": list(case.warnings),
-        "tables": [asdict(t) for t in case.tables], "command": case.command,
+        "tables": _plain(case.tables), "command": case.command,
     }  # fmt: skip
 
 
 def _validity(one: Validity) -> dict[str, Any]:
     """What is said of a case's formulas; the measured errors stay in their own files."""
-    record: dict[str, Any] = _plain(asdict(one))
+    record: dict[str, Any] = _plain(one)
     for card in record["cards"]:
         for region in card["regions"]:
             for drawn in ("axes", "error", "U"):
@@ -71,8 +72,26 @@ def _validity(one: Validity) -> dict[str, Any]:
 def _plain(value: Any) -> Any:
     if isinstance(value, float):
         return value if math.isfinite(value) else None
-    if isinstance(value, Mapping):
-        return {k: _plain(v) for k, v in value.items()}
+    if isinstance(value, str) or value is None:
+        return value
     if isinstance(value, list | tuple):
         return [_plain(v) for v in value]
-    return value
+    if isinstance(value, Mapping):
+        return {k: _plain(v) for k, v in value.items()}
+    return _plain(vars(value)) if is_dataclass(value) else value
+
+
+def text_of(record: Mapping[str, Any]) -> str:
+    """A record as JSON, with a line for each entry of its lists."""
+    parts = [f"{_json(key)}: {_lines(value)}" for key, value in record.items()]
+    return "{\n" + ",\n".join(parts) + "\n}"
+
+
+def _lines(value: Any) -> str:
+    if not isinstance(value, list) or not value:
+        return _json(value)
+    return "[\n" + ",\n".join(map(_json, value)) + "\n]"
+
+
+def _json(value: Any) -> str:
+    return json.dumps(value, ensure_ascii=False, allow_nan=False)

@@ -14,23 +14,22 @@ import meshio
 import numpy as np
 
 from verify.core.figures import Array, Field
-from verify.core.results import Report
+from verify.core.results import CaseResult
 
 CELLS = {2: "line", 3: "triangle", 4: "quad"}
 
 
-def vtu_files(report: Report) -> Iterator[tuple[str, bytes]]:
-    """File name and content for every field of every case."""
+def vtu_files(case: CaseResult) -> Iterator[tuple[str, bytes]]:
+    """File name and content for every field of a case."""
     taken: set[str] = set()
-    for case in report.cases:
-        for field in case.fields:
-            slug = re.sub(r"[^a-z0-9]+", "-", f"{case.id}-{field.name}".lower()).strip("-")
-            name, count = f"{slug}.vtu", 1
-            while name in taken:  # names that differ in signs alone
-                count += 1
-                name = f"{slug}-{count}.vtu"
-            taken.add(name)
-            yield name, vtu(field)
+    for field in case.fields:
+        slug = re.sub(r"[^a-z0-9]+", "-", f"{case.id}-{field.name}".lower()).strip("-")
+        name, count = f"{slug}.vtu", 1
+        while name in taken:  # names that differ in signs alone
+            count += 1
+            name = f"{slug}-{count}.vtu"
+        taken.add(name)
+        yield name, vtu(field)
 
 
 def vtu(field: Field) -> bytes:

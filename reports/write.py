@@ -1,9 +1,8 @@
 """Write everything of a run into one folder, each file whole or not at all."""
 
 import fcntl
-import json
 import shutil
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -11,15 +10,19 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from reports import in_short, verdicts
+from reports.before import Before
 from reports.budget_table import budget_csv
 from reports.crosscheck_table import crosscheck_csv
 from reports.frames import Frame, frames
 from reports.html import page
 from reports.junit import junit
-from reports.pages import FIRST, FOLDER, is_paged, pages
+from reports.links import FIRST, FOLDER
+from reports.origins import BOOK, Origins, digests, fields_of, page_of, part_of
+from reports.origins import PAPER as PAPER_PART
+from reports.pages import is_paged, pages
 from reports.pdf import content, printed
 from reports.pdf import made as made_at
-from reports.records import report_record
+from reports.records import report_record, text_of
 from reports.rows import rows_csv
 from reports.second import seconds
 from reports.typesetting import NotSet
@@ -44,24 +47,50 @@ class Written:
 
 def write(
     report: Report, folder: Path, *, cache: Path | None = None, hint: str = "",
-    single_file: bool = False,
+    single_file: bool = False, origins: Origins | None = None,
 ) -> Written:  # fmt: skip
     """The report as pages, PDF and tables (XLSX, CSV), for programs (JSON, JUnit), fields as VTU.
 
     `cache` is a folder that keeps what was drawn for the next run; `hint` says what to install
-    where pyvista can't draw; with `single_file` all cases stand on one page. errors.txt holds the
-    tracebacks of cases that failed. All files are made before the first takes its place; OSError
-    names the one that can't be written.
+    where pyvista can't draw; with `single_file` all cases stand on one page. What follows from the
+    same `origins` as in the run before is not written again. errors.txt holds the tracebacks of
+    cases that failed. All files are made before the first takes its place; OSError names the one
+    that can't be written.
     """
-    try:
-        drawn = frames(report.cases, cache, hint)
-        files, why = _files(report, drawn, single_file=single_file)
-    except OSError as error:  # a temporary file of a drawing
-        raise OSError(f"{folder}: no report can be made: {error.strerror or error}") from error
-    remarks = dict.fromkeys(frame.why for group in drawn.values() for frame in group if frame.why)
-    if why:
-        remarks[f"{PAPER} is not written: {why}"] = None
-    with _alone_in(folder), _staging(folder) as staging:
+    with _alone_in(folder):
+        before = Before(folder, digests(report, origins, "one page" if single_file else "pages"))
+        try:
+            drawn = _frames(report, before, cache, hint)
+            parts, why = _made(report, drawn, before, single_file=single_file)
+        except OSError as error:  # a temporary file of a drawing
+            raise OSError(f"{folder}: no report can be made: {error.strerror or error}") from error
+        remarks = dict.fromkeys(f.why for group in drawn.values() for f in group if f.why)
+        if why:
+            remarks[f"{PAPER} is not written: {why}"] = None
+        _replace(folder, {name: text for files in parts.values() for name, text in files.items()})
+        _remove_stale(folder, before.files.union(*parts.values()))
+        bad = {page_of(case) for case, group in drawn.items() if any(f.why for f in group)}
+        by = {page_of(case): sorted({f.by for f in group if f.by}) for case, group in drawn.items()}
+        before.note({name: files for name, files in parts.items() if name not in bad}, by)
+    return Written(folder / FIRST, tuple(remarks))
+
+
+def _frames(
+    report: Report, before: Before, cache: Path | None, hint: str
+) -> dict[str, Sequence[Frame]]:  # fmt: skip
+    """The pictures of the cases that need them; of others who drew them."""
+    needed = [
+        case for case in report.cases
+        if PAPER_PART not in before or page_of(case.id) not in before
+    ]  # fmt: skip
+    others = [case.id for case in report.cases if case not in needed]
+    known = {name: [Frame("", "", by=by) for by in before.about(page_of(name))] for name in others}
+    return {**known, **frames(needed, cache, hint)}
+
+
+def _replace(folder: Path, files: Mapping[str, bytes]) -> None:
+    """Put files into the folder, after all of them are on its disk."""
+    with _staging(folder) as staging:
         for name, content in files.items():
             try:
                 (staging / name).parent.mkdir(exist_ok=True)
@@ -71,43 +100,52 @@ def write(
         for name in files:
             (folder / name).parent.mkdir(exist_ok=True)
             (staging / name).replace(folder / name)
-        # of a run over other cases, or of one that could do more
-        made = (ERRORS, PAPER, BUDGET, CROSSCHECK)
-        others = (*folder.glob("*.vtu"), *folder.glob(f"{FOLDER}/*.html"))
-        for stale in (*others, *(folder / name for name in made)):
-            if stale.relative_to(folder).as_posix() not in files:
-                stale.unlink(missing_ok=True)
-    return Written(folder / FIRST, tuple(remarks))
 
 
-def _files(
-    report: Report, drawn: Mapping[str, Sequence[Frame]], *, single_file: bool
-) -> tuple[dict[str, bytes], str]:
-    """All files by name, and why there is no PDF, or ""."""
+def _remove_stale(folder: Path, files: Container[str]) -> None:
+    """Remove what is of a run over other cases, or of one that could do more."""
+    made = (ERRORS, PAPER, BUDGET, CROSSCHECK)
+    others = (*folder.glob("*.vtu"), *folder.glob(f"{FOLDER}/*.html"))
+    for stale in (*others, *(folder / name for name in made)):
+        if stale.relative_to(folder).as_posix() not in files:
+            stale.unlink(missing_ok=True)
+
+
+def _made(
+    report: Report, drawn: Mapping[str, Sequence[Frame]], before: Before, *, single_file: bool
+) -> tuple[dict[str, dict[str, bytes]], str]:
+    """The files of each part by name, and why there is no PDF, or ""."""
     why = ""
     # typst takes longer than all the rest and holds no lock: it works beside
     with ThreadPoolExecutor(1) as beside:
         paper: Future[bytes] = Future()
         try:
-            paper = beside.submit(printed, content(report, drawn), made_at(report))
+            if PAPER_PART not in before:
+                paper = beside.submit(printed, content(report, drawn), made_at(report))
         except NotSet as error:
             paper.set_exception(error)
-        files = dict(_tables(report))
+        parts: dict[str, dict[str, bytes]] = {"tables": dict(_tables(report))}
+        if BOOK not in before:
+            parts[BOOK] = {"tables.xlsx": xlsx(report)}
+        for case in report.cases:
+            if fields_of(case.id) not in before:
+                parts[fields_of(case.id)] = dict(vtu_files(case))
         has_pages = is_paged(report) and not single_file
-        made = pages(report, drawn) if has_pages else {FIRST: page(report, drawn)}
-        files |= {name: text.encode() for name, text in made.items()}
+        made = pages(report, drawn, before) if has_pages else {FIRST: page(report, drawn)}
+        for name, text in made.items():
+            parts.setdefault(part_of(name), {})[name] = text.encode()
     try:
-        files[PAPER] = paper.result()
+        if PAPER_PART not in before:
+            parts[PAPER_PART] = {PAPER: paper.result()}
     except NotSet as error:
         why = str(error)
-    return files, why
+    return parts, why
 
 
 def _tables(report: Report) -> Iterator[tuple[str, bytes]]:
-    """All that needs no picture."""
+    """What takes no time to make."""
     schema = Path(__file__).parent / "results.schema.json"
-    record = json.dumps(report_record(report), ensure_ascii=False, indent=1, allow_nan=False)
-    yield "results.json", record.encode()
+    yield "results.json", text_of(report_record(report)).encode()
     yield schema.name, schema.read_bytes()
     yield "rows.csv", rows_csv(report.rows, seconds(report.crosschecks).rows).encode()
     if report.budgets:
@@ -119,8 +157,6 @@ def _tables(report: Report) -> Iterator[tuple[str, bytes]]:
         yield "verdict-counts.md", f"{verdicts.counts_in_markdown(report)}\n".encode()
         yield "verdicts.md", f"{verdicts.markdown(report)}\n".encode()
     yield "junit.xml", junit(report).encode()
-    yield "tables.xlsx", xlsx(report)
-    yield from vtu_files(report)
     if errors := [f"{case.id}\n{trace}" for case in report.cases for trace in case.errors]:
         yield ERRORS, "\n".join(errors).encode()
 

@@ -5,6 +5,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Collection, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 
 from verify.answers.assumed.registry import ASSUMPTIONS
@@ -19,6 +20,7 @@ from verify.core.case import Case, Values
 from verify.core.console import raised, verdict_lines
 from verify.core.inputs import REQUIRED, InputError, Inputs, meta
 from verify.core.results import CaseResult, Report, Status
+from verify.core.source_files import code_of
 from verify.jobs import cache, judged
 from verify.jobs.executor import Where
 from verify.jobs.level import Job
@@ -87,7 +89,7 @@ def run_verify(
     report = make_report(results, cases, time.perf_counter() - start, parts=parts)
     lines = verdict_lines(report)
     print("\n".join(lines))
-    is_complete = write_report(report, out, use_cache, single_file=single_file)
+    is_complete = write_report(report, out, use_cache, single_file=single_file, keys=keys)
     drift = [*drift_lines(report), *_moved_verdicts(report)]
     print("".join(f"{line}\n" for line in drift), end="")
     print(f"report: {_page(out)} ({time.perf_counter() - start:.1f} s)")
@@ -181,12 +183,25 @@ def writable(out: Path) -> None:
         raise InputError(f"{out}: cannot be written: {error.strerror}") from error
 
 
-def write_report(report: Report, out: Path, use_cache: bool, *, single_file: bool = False) -> bool:
-    """Write the report into `out`; False where something had to be done in another way, named."""
-    from reports.write import write  # only the command line knows reports
+def write_report(
+    report: Report, out: Path, use_cache: bool, *, single_file: bool = False,
+    keys: Mapping[str, str] | None = None,
+) -> bool:  # fmt: skip
+    """Write the report into `out`; False where something had to be done in another way, named.
 
+    With the `keys` of all judged cases only what has changed is written.
+    """
+    from reports.origins import Origins  # only the command line knows reports
+    from reports.write import write
+
+    code = partial(code_of, write.__module__)
     drawn = cache.default_folder() if use_cache else None
-    written = write(report, out, cache=drawn, hint=_hint(), single_file=single_file)
+    origins = (
+        Origins(source_memory.remembered("code", write, code), keys) if use_cache and keys else None
+    )
+    written = write(
+        report, out, cache=drawn, hint=_hint(), single_file=single_file, origins=origins
+    )  # fmt: skip
     for remark in written.remarks:
         print(f"freewheel: {remark}", file=sys.stderr)
     return not written.remarks

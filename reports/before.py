@@ -1,0 +1,65 @@
+"""What a run before wrote into a folder, and which of it is still what a run would write."""
+
+import json
+from collections.abc import Iterable, Mapping
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+FILE = ".written.json"
+
+
+class Before:
+    """The parts of a report in a folder: files that follow from the same, by a digest of it.
+
+    A part counts while none of its files was changed since.
+    """
+
+    def __init__(self, folder: Path, digests: Mapping[str, str]) -> None:
+        self._folder, self._digests = folder, digests
+        known = self._read()
+        self._kept = {
+            part: known[part] for part, digest in digests.items()
+            if part in known and known[part]["of"] == digest and self._is_whole(known[part])
+        }  # fmt: skip
+
+    def __contains__(self, part: object) -> bool:
+        return part in self._kept
+
+    @property
+    def files(self) -> set[str]:
+        """The files that need not be written."""
+        return {name for part in self._kept.values() for name in part["files"]}
+
+    def about(self, part: str) -> Any:
+        """What was noted of a part."""
+        return self._kept[part]["about"]
+
+    def note(self, written: Mapping[str, Iterable[str]], about: Mapping[str, Any]) -> None:
+        """Remember the files of parts that were written now, beside those that were kept."""
+        new = {
+            part: {
+                "of": self._digests[part], "about": about.get(part),
+                "files": {name: self._state(name) for name in files},
+            }
+            for part, files in written.items() if part in self._digests
+        }  # fmt: skip
+        with suppress(OSError):  # the next run writes all
+            (self._folder / FILE).write_text(json.dumps(self._kept | new), "utf-8")
+
+    def _read(self) -> dict[str, Any]:
+        try:
+            return dict(json.loads((self._folder / FILE).read_text("utf-8")))
+        except (OSError, ValueError, TypeError):  # none, or not whole
+            return {}
+
+    def _is_whole(self, part: Mapping[str, Any]) -> bool:
+        try:
+            return all(self._state(name) == state for name, state in part["files"].items())
+        except OSError:
+            return False
+
+    def _state(self, name: str) -> list[int]:
+        """Size and time of a file."""
+        found = (self._folder / name).stat()
+        return [found.st_size, found.st_mtime_ns]
