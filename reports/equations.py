@@ -2,7 +2,7 @@
 
 import json
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from xml.etree import ElementTree as ET
 
 from markupsafe import Markup, escape
@@ -14,6 +14,7 @@ SYMBOLS = "<!--glyphs-->"  # where a page wants the glyphs that its equations sh
 SVG = "{http://www.w3.org/2000/svg}"
 LINK = "{http://www.w3.org/1999/xlink}href"
 PIXELS = 4 / 3  # of a point
+FEW = 5  # glyphs, whose heights are shorter than a group
 _NUMBER = re.compile(r"-?[\d.]+")
 _GLYPH = re.compile(r'<use href="#(g\d+)"')
 _PLACE = re.compile(r"<!--equation (\d+)-->")
@@ -41,9 +42,14 @@ class Equations:
         return [self._with(_PLACE.sub(lambda place: drawn[int(place[1])], page)) for page in pages]
 
     def _with(self, page: str) -> str:
-        used = set(_GLYPH.findall(page))
-        glyphs = (outline for name, outline in self._outlines.items() if name in used)
-        return page.replace(SYMBOLS, f"<defs>{''.join(glyphs)}</defs>")
+        """A page with its glyphs, numbered by their first use: whatever stands on other pages."""
+        names = {name: f"g{i}" for i, name in enumerate(dict.fromkeys(_GLYPH.findall(page)))}
+        glyphs = (
+            f'<path id="{own}" transform="scale(1 -1)" d="{self._outlines[name]}"/>'
+            for name, own in names.items()
+        )
+        used = _GLYPH.sub(lambda use: f'<use href="#{names[use[1]]}"', page)
+        return used.replace(SYMBOLS, f"<defs>{''.join(glyphs)}</defs>")
 
     def _drawn(self) -> list[str]:
         """Every equation, in the order of asking; as source where nothing can draw it."""
@@ -65,31 +71,36 @@ class Equations:
             f'<svg class="maths" role="img" aria-label="{escape(tex)}" '
             f'style="vertical-align:{-below * PIXELS:.1f}px" viewBox="0 0 {wide:.1f} {high:.1f}" '
             f'width="{wide * PIXELS:.1f}" height="{high * PIXELS:.1f}">'
-            f"{''.join(self._shapes(parts, outlines))}</svg>"
+            f"{self._shapes(parts, outlines)}</svg>"
         )
 
-    def _shapes(self, parts: Iterable[ET.Element], outlines: dict[str, str]) -> Iterator[str]:
-        """Rules of fractions and roots, and glyphs, each in its place [pt]."""
+    def _shapes(self, parts: Iterable[ET.Element], outlines: dict[str, str]) -> str:
+        """Rules of fractions and roots, and glyphs, each in its place [pt].
+
+        Glyphs on one line have its height once.
+        """
+        rules, glyphs = "", []
         for part in parts:
             *_, left, top = _numbers(part.attrib["transform"])
             if part.tag == f"{SVG}path":
                 length = part.attrib["d"].removeprefix("M 0 0")
                 width = part.attrib["stroke-width"]
-                yield (
+                rules += (
                     f'<path d="M{left:.2f} {top:.2f}{_tight(length)}" '
                     f'stroke="currentColor" stroke-width="{width}"/>'
                 )
             for use in part:
                 x, y = left + float(use.attrib["x"]), top - float(use.attrib["y"])
                 name = use.attrib[LINK].removeprefix("#")
-                yield f'<use href="#{self._name(name, outlines[name])}" x="{x:.2f}" y="{y:.2f}"/>'
+                glyphs.append((self._name(name, outlines[name]), x, round(y, 1)))
+        lines = dict.fromkeys(y for *_, y in glyphs)
+        return rules + "".join(_line(y, [g for g in glyphs if g[2] == y]) for y in lines)
 
     def _name(self, glyph: str, outline: str) -> str:
-        """The page's name of a glyph, whose outline joins the others where it is new."""
+        """The name of a glyph, whose outline joins the others where it is new."""
         if glyph not in self._names:
             name = self._names[glyph] = f"g{len(self._names)}"
-            path = f'<path d="{_tight(outline)}"/>' if outline else ""
-            self._outlines[name] = f'<g id="{name}" transform="scale(1 -1)">{path}</g>'
+            self._outlines[name] = _tight(outline)
         return self._names[glyph]
 
 
@@ -119,5 +130,26 @@ def _numbers(text: str) -> list[float]:
 
 def _tight(path: str) -> str:
     """A path in hundredths of a point, without the blanks that no reader needs."""
-    short = _NUMBER.sub(lambda number: f"{float(number[0]):.2f}".rstrip("0").rstrip("."), path)
-    return re.sub(r" ?([A-Za-z]) ?", r"\1", short).replace(" -", "-").strip()
+    short = _NUMBER.sub(lambda number: _short(float(number[0]), 2), path)
+    tight = re.sub(r" ?([A-Za-z]) ?", r"\1", short).replace(" -", "-").strip()
+    return re.sub(r"(\.\d+) (?=\.)", r"\1", tight.replace("M0 0m", "M", 1))
+
+
+def _line(y: float, glyphs: Sequence[tuple[str, float, float]]) -> str:
+    """Glyphs of one height: in a group where that is shorter."""
+    if len(glyphs) < FEW:
+        return "".join(f'<use href="#{name}"{_at("x", x)}{_at("y", y)}/>' for name, x, _ in glyphs)
+    uses = "".join(f'<use href="#{name}"{_at("x", x)}/>' for name, x, _ in glyphs)
+    return f'<g transform="translate(0 {_short(y, 1)})">{uses}</g>'
+
+
+def _at(name: str, value: float) -> str:
+    """A coordinate as an attribute; none at zero."""
+    text = _short(value, 1)
+    return "" if text == "0" else f' {name}="{text}"'
+
+
+def _short(number: float, decimals: int) -> str:
+    """2.5, 3, .4 and -.4."""
+    text = f"{number:.{decimals}f}".rstrip("0").rstrip(".")
+    return re.sub(r"^(-?)0\.", r"\1.", text) if text not in ("-0", "") else "0"

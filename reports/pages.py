@@ -15,6 +15,7 @@ from reports.links import FIRST, PLACES, Places, linked, path_of
 from reports.origins import page_of, section
 from reports.row_lines import Line
 from reports.slim import slim
+from reports.used_rules import used_rules
 from verify.core.results import CaseBudget, CaseResult, Kind, Report, Row, Status, Validity
 from verify.core.verdicts import FormulaVerdict
 
@@ -61,7 +62,10 @@ def pages(report: Report, frames: Frames, kept: Container[str] = ()) -> dict[str
     }
     places = Places(report)
     bodies = equations.placed(list(made.values()))
-    return {name: slim(linked(name, body, places)) for name, body in zip(made, bodies, strict=True)}
+    return {
+        name: used_rules(slim(linked(name, body, places)))
+        for name, body in zip(made, bodies, strict=True)
+    }
 
 
 def _templates(

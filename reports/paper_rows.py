@@ -56,7 +56,7 @@ class PrintedRow:
 
 @dataclass(frozen=True)
 class UsedNumber:
-    """A printed number that cases take as an input, by the first cell of its row and its column."""
+    """A printed number that cases take as an input, by the name in its row and its column."""
 
     row: str
     column: str
@@ -67,9 +67,16 @@ class UsedNumber:
 def used_as_inputs(table: PaperTable) -> list[UsedNumber]:
     """The numbers of a table that cases take as inputs."""
     return [
-        UsedNumber(cells[0].text, table.header[use.column], cells[use.column].text, use.words)
+        UsedNumber(_name(cells, use.column), table.header[use.column],
+                   cells[use.column].text, use.words)
         for cells in table.rows for use in printed_row(cells).inputs
     ]  # fmt: skip
+
+
+def _name(cells: Sequence[PaperCell], column: int) -> str:
+    """The last text before a number; the first cell where all are numbers."""
+    texts = [cell.text for cell in cells[:column] if cell.value is None]
+    return texts[-1] if texts else cells[0].text
 
 
 def is_compared(table: PaperTable) -> bool:

@@ -7,6 +7,11 @@ from itertools import pairwise
 
 # a page knows the name space of its drawings; words begin at their place where nothing is said
 NEEDLESS = (' xmlns="http://www.w3.org/2000/svg"', ' text-anchor="start"', ' class=""')
+# of most rows' graphic
+BAND = (
+    '<rect class="band" x="30" y="2" width="72" height="14"/><path class="zero" d="M66,0L66,18"/>'
+)
+SEVERAL = 2
 _STRAIGHT = re.compile(r'(?<= d=")M-?\d[-\d.,LMz]*(?=")')
 _POINT = re.compile(r"-?\d+(\.\d)?,-?\d+(\.\d)?")
 _EQUATION = re.compile(r'(<svg class="maths"[^>]*>)(.*?)(</svg>)', re.DOTALL)
@@ -18,7 +23,17 @@ def slim(page: str) -> str:
     """The page without what a browser does not need to draw the same."""
     for said in NEEDLESS:
         page = page.replace(said, "")
+    page = _once(page, BAND, "band")
     return _STRAIGHT.sub(lambda path: steps(path[0]), _equations_once(page))
+
+
+def _once(page: str, drawing: str, name: str) -> str:
+    """The page in which a part of drawings refers to its first place, where there are several."""
+    first, *others = page.split(drawing)
+    if len(others) < SEVERAL:
+        return page
+    again = f'<use href="#{name}"/>'
+    return f'{first}<g id="{name}">{drawing}</g>{again.join(others)}'
 
 
 def _equations_once(page: str) -> str:

@@ -1,0 +1,46 @@
+"""A style sheet without the rules that no element of its page can match."""
+
+import re
+from collections.abc import Iterator
+
+_STYLE = re.compile(r"<style>(.*?)</style>", re.DOTALL)
+_RULE = re.compile(r"([^{}]+)\{([^{}]*)\}")
+_CLASS = re.compile(r"\.([A-Za-z][\w-]*)")
+_INSIDE = re.compile(r"\([^()]*\)")
+_GIVEN = re.compile(r'\bclass(?:Name)? ?= ?"([^"]*)"')  # of elements, also those that a script adds
+
+
+def used_rules(page: str) -> str:
+    """The page with the rules of its style sheet whose classes all occur in it.
+
+    Classes within brackets, as of :is(), do not count: such a rule stays.
+    """
+    given = {name for names in _GIVEN.findall(page) for name in names.split()}
+
+    def kept(rule: re.Match[str]) -> str:
+        selectors = [one for one in _parts(rule[1]) if _required(one) <= given]
+        return f"{','.join(selectors)}{{{rule[2]}}}" if selectors else ""
+
+    def shorter(style: re.Match[str]) -> str:
+        return f"<style>{_RULE.sub(kept, style[1])}</style>"
+
+    return _STYLE.sub(shorter, page, count=1)
+
+
+def _required(selector: str) -> set[str]:
+    """The classes that an element of a selector must have, or one above it."""
+    bare, before = selector, ""
+    while bare != before:
+        before, bare = bare, _INSIDE.sub("", bare)
+    return set(_CLASS.findall(bare))
+
+
+def _parts(selectors: str) -> Iterator[str]:
+    """Selectors of a list, whose commas within brackets part none."""
+    depth, start = 0, 0
+    for i, letter in enumerate(selectors):
+        depth += (letter == "(") - (letter == ")")
+        if letter == "," and depth == 0:
+            yield selectors[start:i]
+            start = i + 1
+    yield selectors[start:]
