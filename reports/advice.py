@@ -1,11 +1,14 @@
 """What a verdict says beside one case, and what to use in place of a formula."""
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from verify.core.results import Row
 from verify.core.verdicts import Form, FormulaVerdict, Verdict
 
+# the error that a sentence states, where it is that of another case
+_STATED = re.compile(r"((?:[+−-][\d.]+|under [\d.]+) %(?: ± [\d.]+ %)?) at the case's own inputs")
 UNUSABLE = (Verdict.WRONG, Verdict.UNVERIFIABLE, Verdict.NONE)  # a corrected form may serve
 REFUSED = (Verdict.UNSAFE, *UNUSABLE)  # no corrected form of such a verdict is advised
 
@@ -51,7 +54,9 @@ def _at_case(one: FormulaVerdict, rows: Mapping[str, Row]) -> FormulaVerdict:
     if one.error is None or not found:
         return replace(one, error=None, U=None)
     error, U = max(found, key=lambda pair: abs(pair[0]) + pair[1])
-    return replace(one, error=error, U=U, is_of_part=bool(part))
+    elsewhere = _STATED.sub(r"\1 at the inputs of another case", one.words)
+    words = one.words if error == one.error else elsewhere
+    return replace(one, error=error, U=U, is_of_part=bool(part), words=words)
 
 
 def _errors(names: Sequence[str], rows: Mapping[str, Row]) -> list[tuple[float, float]]:

@@ -45,9 +45,16 @@ def interval(count: int, total: int) -> str:
 
 
 def stale(caught: Caught) -> str:
-    """What was not measured for this code, in words."""
-    names = [SHORT[name] for name in caught.stale]
-    return f"Not measured for this code: {', '.join(names)}." if names else ""
+    """What was not measured for this code, in words, and what of it was for earlier code."""
+    known = {group.name for group in caught.groups}
+    if caught.references:
+        known.add("references")
+    heads = {True: "Measured for earlier code, not for this", False: "Not measured for this code"}
+    found = {
+        head: [SHORT[name] for name in caught.stale if (name in known) is is_known]
+        for is_known, head in heads.items()
+    }
+    return " ".join(f"{head}: {', '.join(names)}." for head, names in found.items() if names)
 
 
 def moved(caught: Caught) -> tuple[list[str], list[Moved]]:

@@ -112,7 +112,7 @@ def _part(
 
 
 def compared(table: PaperTable) -> bool:
-    """Whether rows of the suite are compared with a number of the table."""
+    """Whether rows of the suite are compared with numbers of the table."""
     return any(cell.rows for cells in table.rows for cell in cells)
 
 

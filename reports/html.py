@@ -37,7 +37,7 @@ from reports.first_page import MOST_CLAIMS, groups
 from reports.frames import Frame
 from reports.in_short import cases_in_short, named, where
 from reports.overview import overview
-from reports.paper_rows import is_compared, printed_row, used_as_inputs
+from reports.paper_rows import printed_table, used_as_inputs
 from reports.parallel import parallel
 from reports.refinement import refinement
 from reports.row_lines import failed_first, groups_failed_first, lines
@@ -49,6 +49,7 @@ from reports.verdicts import (
     MEANING,
     at_paper,
     by_paper,
+    errata_in_verdicts,
     given,
     not_to_be_used,
     short_words,
@@ -259,8 +260,8 @@ def environment(equations: Equations) -> jinja2.Environment:
         "relative": formats.relative, "fraction": formats.fraction, "percents": formats.percents,
         "order": formats.order, "signature": signature.signature,
         "convergence": plots.convergence, "on_meshes": plots.on_meshes,
-        "sketch": sketch, "plot": plot, "printed_row": printed_row,
-        "used_as_inputs": used_as_inputs, "is_compared": is_compared,
+        "sketch": sketch, "plot": plot, "printed_table": printed_table,
+        "used_as_inputs": used_as_inputs,
         "causes": causes, "failed_first": failed_first,
         "columns": columns,
         "validity_figure": validity.figure, "validity_limits": validity.limits,
@@ -281,7 +282,7 @@ def environment(equations: Equations) -> jinja2.Environment:
         "printed": printed, "counts": lambda case: present(case.rows), "anchor": _anchor,
         "reproduce": reproduce, "where": where, "at_paper": at_paper, "sides": sides,
         "short_words": short_words, "slug": slug, "not_to_be_used": not_to_be_used,
-        "grouped": groups,
+        "grouped": groups, "errata_in_verdicts": errata_in_verdicts,
     }  # fmt: skip
     env.globals |= {
         "LONG_LIST": LONG_LIST,

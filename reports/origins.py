@@ -66,8 +66,13 @@ def _parts(report: Report, origins: Origins) -> Iterator[tuple[str, Any]]:
     """What each part has beside the code of reports."""
     cases = [(case.id, origins.cases[case.id]) for case in report.cases]
     places, rows = anchors(report.rows), _digest(report.rows)
-    ledgers = [report.papers, report.errata, report.searches]
-    frame = [report.papers, bool(report.caught), bool(report.drift), bool(report.crosschecks)]
+    ledgers = [report.papers, report.errata, report.searches, report.verdicts]
+    frame = [
+        report.papers,
+        bool(report.caught and not report.caught.missing),
+        bool(report.drift),
+        bool(report.crosschecks),
+    ]
     for i, (case, key) in enumerate(cases):
         yield fields_of(case), key
         own = [
@@ -76,7 +81,8 @@ def _parts(report: Report, origins: Origins) -> Iterator[tuple[str, Any]]:
         verdicts = [v for v in report.verdicts if case in v.cases]
         linked = [places.get(row) for v in verdicts for row in (*v.rows, *v.model_rows)]
         checks = [(k, c) for k, c in enumerate(report.crosschecks) if c.case == case]
-        yield page_of(case), [i, key, own, verdicts, linked, checks, frame]
+        near = [name for name, _ in cases[max(i - 1, 0) : i + 2]]
+        yield page_of(case), [i, near, key, own, verdicts, linked, checks, frame]
     tables = [report.tables, report.equations, report.published, report.errata, report.papers]
     yield section("rows"), [rows, [(c.id, c.title) for c in report.cases], frame]
     yield section("papers"), [tables, places, frame]

@@ -40,6 +40,8 @@ class OfCase:
     verdicts: Sequence[FormulaVerdict]
     validity: Validity | None
     budget: CaseBudget | None
+    before: str  # and after it: neighbours in the list of cases
+    after: str
 
 
 def is_paged(report: Report) -> bool:
@@ -106,8 +108,8 @@ def _has(report: Report, shared: Mapping[str, Any], name: str) -> bool:
     """Whether a run has something for a section."""
     return bool({
         "rows": report.rows, "papers": report.has_ledgers, "errata": report.has_ledgers,
-        "solvers": shared["crosschecks"], "faults": report.caught, "since": report.drift,
-        "provenance": True,
+        "solvers": shared["crosschecks"], "since": report.drift, "provenance": True,
+        "faults": report.caught and not report.caught.missing,
     }[name])  # fmt: skip
 
 
@@ -115,11 +117,14 @@ def _of_case(report: Report, case: CaseResult, lines: Sequence[Line]) -> OfCase:
     main = [line for line in lines if not _is_settled(line.row)]
     if len(main) < LEAST:
         main = list(lines)
+    names = ["", *(one.id for one in report.cases), ""]
+    at = names.index(case.id)
     return OfCase(
         case, lines, main=main, rest=[line for line in lines if line not in main],
         verdicts=of_case(advised(report.verdicts), case.id, case.rows),
         validity=next((v for v in report.validity if v.case == case.id), None),
         budget=next((b for b in report.budgets if b.case == case.id), None),
+        before=names[at - 1], after=names[at + 1],
     )  # fmt: skip
 
 

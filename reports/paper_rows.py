@@ -3,8 +3,9 @@
 Each compared row is a line of its own: its value stands in the column of the printed number.
 """
 
+from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from markupsafe import Markup
 
@@ -79,9 +80,42 @@ def _name(cells: Sequence[PaperCell], column: int) -> str:
     return texts[-1] if texts else cells[0].text
 
 
-def is_compared(table: PaperTable) -> bool:
-    """Whether rows of the suite, or errata, stand beside numbers of a table."""
-    return any(cell.rows or cell.errata for cells in table.rows for cell in cells)
+@dataclass(frozen=True)
+class PrintedTable:
+    """A printed table: its rows with what is about each alone, and what is about several.
+
+    `columns` are those in which the rows of `common` have numbers.
+    """
+
+    rows: Sequence[tuple[Sequence[PaperCell], PrintedRow]]
+    common: Sequence[Claim]
+    has_references: bool
+
+    @property
+    def is_compared(self) -> bool:
+        """Whether rows of the suite, or errata, stand beside a printed row."""
+        return any(row.claims or row.errata for _, row in self.rows)
+
+
+def printed_table(table: PaperTable) -> PrintedTable:
+    """The table as the page shows it: rows of the suite on several printed rows stand once."""
+    rows = [printed_row(cells) for cells in table.rows]
+    times = Counter(claim.row for row in rows for claim in row.claims)
+    errata = Counter(erratum for row in rows for erratum in row.errata)
+    common = {c.row: c for row in rows for c in row.claims if times[c.row] > 1}
+    own = [
+        replace(
+            row, claims=[c for c in row.claims if times[c.row] == 1],
+            errata=[e for e in row.errata if errata[e] == 1],
+        )
+        for row in rows
+    ]  # fmt: skip
+    claims = [claim for row in own for claim in row.claims]
+    return PrintedTable(
+        list(zip(table.rows, own, strict=True)),
+        sorted(common.values(), key=lambda claim: rank(claim.status)),
+        has_references=any(claim.numbers.fem is not None for claim in claims),
+    )
 
 
 def printed_row(cells: Sequence[PaperCell]) -> PrintedRow:

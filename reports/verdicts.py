@@ -4,6 +4,7 @@ import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from reports.advice import advised
 from reports.formats import MINUS
@@ -30,6 +31,7 @@ MEANING = {
 class PaperVerdicts:
     """The verdicts of one paper's formulas and how many there are of each."""
 
+    key: str
     cited: str
     verdicts: tuple[FormulaVerdict, ...]
 
@@ -43,7 +45,7 @@ def by_paper(report: Report) -> list[PaperVerdicts]:
     """The verdicts of each paper, in the order of the ledgers."""
     short = named(report.papers)
     return [
-        PaperVerdicts(short[key], tuple(v for v in advised(report.verdicts) if v.paper == key))
+        PaperVerdicts(key, short[key], tuple(v for v in advised(report.verdicts) if v.paper == key))
         for key in dict.fromkeys(v.paper for v in report.verdicts)
     ]
 
@@ -97,6 +99,18 @@ def slug(name: str) -> str:
 def not_to_be_used(verdicts: Sequence[FormulaVerdict]) -> list[FormulaVerdict]:
     """Formulas that are unsafe or wrong in this form."""
     return [v for v in verdicts if v.verdict in (Verdict.UNSAFE, Verdict.WRONG)]
+
+
+def errata_in_verdicts(
+    report: Report,
+) -> list[tuple[str, Mapping[str, Any], list[FormulaVerdict]]]:
+    """The errata that change the number of a formula, with their paper and these formulas."""
+    short = named(report.papers)
+    found = (
+        (e, [v for v in report.verdicts if v.paper == e["paper"] and e["id"] in v.errata])
+        for e in report.errata
+    )
+    return [(short[e["paper"]], e, verdicts) for e, verdicts in found if verdicts]
 
 
 def counts_in_markdown(report: Report) -> str:

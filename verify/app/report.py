@@ -134,10 +134,10 @@ def _searches(names: Sequence[str]) -> tuple[ReadingsTried, ...]:
 
 
 def _caught() -> Caught:
-    """What is kept of mistakes made on purpose, as far as it counts for the present code."""
-    from verify.audit.mutation.score import measured  # what judges anew, which `check` does without
+    """What is stored of mistakes made on purpose."""
+    from verify.audit.mutation.score import latest  # what judges anew, which `check` does without
 
-    return measured()
+    return latest()
 
 
 def _verdicts(results: Sequence[CaseResult], parts: Parts) -> tuple[FormulaVerdict, ...]:
