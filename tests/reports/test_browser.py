@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 
 from reports.frames import frames
-from reports.html import page
+from reports.html import page, styles
+from reports.overview import overview
 from tests.reports.browser import (
     DARK,
     NEEDS_CHROMIUM,
@@ -26,7 +27,7 @@ from tests.reports.paths import walked
 from verify.jobs.cache import default_folder
 
 pytestmark = NEEDS_CHROMIUM
-DECADES = 7  # of the overview's scale
+TICKS = 5  # of a strip of the overview
 
 
 @pytest.fixture(scope="module")
@@ -69,7 +70,7 @@ def test_a_tile_shows_the_rows_of_its_status(folder):
 
 
 def test_every_link_leads_to_a_place_in_sight_and_shows_a_row_that_a_filter_hides(folder):
-    assert_links(looked_at(folder, "hostile", 400, host="links_host.html"), 400, 150)
+    assert_links(looked_at(folder, "hostile", 400, host="links_host.html"), 400, 100)
     seen = looked_at(folder, "hostile", 400, host="links_host.html", status="skip")
     assert seen["links"] >= 4
     assert seen["problems"] == []
@@ -80,8 +81,20 @@ def test_no_label_of_the_overview_lies_on_another(folder, report):
     few = replace(report, name=NAME, cases=cases, tables=(), validity=(), budgets=())
     (folder / "few.html").write_text(page(few, {}), "utf-8")
     seen = looked_at(folder, "few", 1280)
-    assert seen["labels"] == len(cases) + DECADES
+    assert seen["labels"] == len(cases) + TICKS
     assert seen["overprinted"] == seen["outside"] == []
+
+
+@pytest.mark.parametrize("count", [46, 100])
+def test_any_number_of_cases_has_room_for_its_names(folder, report, count):
+    """As many as the suite has, and twice as many."""
+    several = -(-count // len(report.cases))
+    cases = [replace(case, id=f"{case.id}-{i}") for i in range(several) for case in report.cases]
+    drawn = f"<style>{styles()}</style><main><figure class='all-rows'>{overview(cases[:count])}"
+    (folder / f"overview-{count}.html").write_text(f"<!doctype html><body>{drawn}", "utf-8")
+    seen = looked_at(folder, f"overview-{count}", 1320)
+    assert (seen["labels"] - count) % TICKS == 0
+    assert seen["overprinted"] == seen["outside"] == seen["spilled"] == []
 
 
 @pytest.mark.parametrize(("width", "flags"), [(390, ()), (1280, (DARK,))])
