@@ -12,8 +12,12 @@ from verify.core.figures import Array, Sketch
 
 WIDTH, HEIGHT = 400.0, 300.0
 MARGIN = 34.0  # for labels around the drawing
-LETTER = 7.0  # width of one in a label, on average
+LETTER, LINE = 7.0, 14.0  # width of one in a label, on average, and from line to line
 _LABEL = re.compile(r'<text class="[^"]*" x="(\S+)" y="\S+" text-anchor="(\w+)">(.*?)</text>')
+_PLACED = re.compile(
+    r'(<text class="[^"]*" x="(\S+)" y=")(\S+)(" text-anchor="(\w+)">(.*?)</text>)'
+)
+SHARE = {"start": 0.0, "middle": 0.5, "end": 1.0}  # of a label that is left of its point
 _TAG = re.compile("<[^>]*>|&#?\\w+;")
 
 Points = list[tuple[float, float]]
@@ -37,8 +41,27 @@ def sketch(data: Sketch | None) -> Markup:
         ]
 
     body = [DRAW[s.style](at(s.points), s.label) for s in data.shapes]
-    drawn = svg.drawing(WIDTH, 2 * MARGIN + k * size[1], body, data.title, "sketch")
-    return _widened(drawn)
+    height = 2 * MARGIN + k * size[1]
+    return _widened(_apart(svg.drawing(WIDTH, height, body, data.title, "sketch"), height))
+
+
+def _apart(drawn: Markup, height: float) -> Markup:
+    """The drawing with labels moved away from its middle that would lie on another."""
+    taken: list[tuple[float, float, float]] = []
+
+    def placed(label: re.Match[str]) -> str:
+        x, y, anchor, inner = float(label[2]), float(label[3]), label[5], label[6]
+        wide = LETTER * len(_TAG.sub("", inner))
+        left = x - wide * SHARE[anchor]
+        while any(
+            abs(y - base) < LINE and left < right and start < left + wide
+            for start, right, base in taken
+        ):
+            y += math.copysign(LINE, y - height / 2)
+        taken.append((left, left + wide, y))
+        return f"{label[1]}{svg.short(y)}{label[4]}"
+
+    return Markup(_PLACED.sub(placed, str(drawn)))  # noqa: S704 - numbers alone are changed
 
 
 def _widened(drawn: Markup) -> Markup:
@@ -46,7 +69,7 @@ def _widened(drawn: Markup) -> Markup:
     left, right = 0.0, WIDTH
     for x, anchor, inner in _LABEL.findall(drawn):
         wide = LETTER * len(_TAG.sub("", inner))
-        start = float(x) - wide * {"start": 0.0, "middle": 0.5, "end": 1.0}[anchor]
+        start = float(x) - wide * SHARE[anchor]
         left, right = min(left, start), max(right, start + wide)
     box = f'viewBox="{math.floor(left)} 0 {math.ceil(right) - math.floor(left)} '
     return Markup(str(drawn).replace(f'viewBox="0 0 {WIDTH:g} ', box, 1))  # noqa: S704 - numbers alone

@@ -81,6 +81,18 @@ def test_a_repeated_equation_refers_to_its_first_drawing():
     )
 
 
+def test_no_label_of_a_sketch_lies_on_another(report):
+    place = re.compile(r'<text class="[^"]*" x="(\S+)" y="(\S+)" text-anchor="(\w+)">(.*?)</text>')
+    share = {"start": 0.0, "middle": 0.5, "end": 1.0}
+    for case in report.cases:
+        boxes = []
+        for x, y, anchor, inner in place.findall(sketch(case.sketch)):
+            wide = 7.0 * len(re.sub("<[^>]*>|&#?\\w+;", "", inner))
+            boxes.append((float(x) - wide * share[anchor], wide, float(y)))
+        for (a, wide, y), (b, other, z) in itertools.combinations(boxes, 2):
+            assert abs(y - z) > 10 or a + wide <= b or b + other <= a, (case.id, a, b)
+
+
 def test_every_drawing_alone_is_xml_with_a_rule_for_each_class_and_no_variable(report):
     found = [overview(report.cases)]
     found += [signature.signature(row) for row in report.rows]

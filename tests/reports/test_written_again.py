@@ -76,9 +76,7 @@ def test_of_a_changed_case_its_page_its_fields_and_the_pdf_are_written(some, fol
     assert written(some, folder, other) - ALWAYS == {path_of(case.id), PAPER, *fields}
 
 
-def test_a_changed_row_is_written_to_the_tables_of_rows_and_to_the_workbook(
-    some, folder, origins
-):
+def test_a_changed_row_is_written_to_the_tables_of_rows_and_to_the_workbook(some, folder, origins):
     first, *others = some.cases
     row = replace(first.rows[0], difference=0.123456 * first.rows[0].scale)
     changed = replace(some, cases=(replace(first, rows=(row, *first.rows[1:])), *others))

@@ -82,7 +82,7 @@ def load(folder: Path, wanted: Mapping[str, str]) -> dict[str, Judged]:
                 levels, result = pickled.from_bytes(contents[key])
                 if len(store.dates(cache.KIND, levels)) == len(levels):
                     fields = StoredFields(folder, levels[-1]) if result.cells else ()
-                    whole = replace(result, fields=fields, seconds=0.0, cached=True)
+                    whole = replace(result, fields=fields, cached=True)
                     found[name] = Judged(whole, levels)
     return found
 
