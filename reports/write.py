@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -19,6 +20,8 @@ from reports.junit import junit
 from reports.pages import FIRST, FOLDER, is_paged, pages
 from reports.pdf import content, printed
 from reports.pdf import made as made_at
+from reports.pdf_data import document
+from reports.pdf_record import record
 from reports.records import report_record
 from reports.rows import rows_csv
 from reports.second import seconds
@@ -44,18 +47,19 @@ class Written:
 
 def write(
     report: Report, folder: Path, *, cache: Path | None = None, hint: str = "",
-    single_file: bool = False,
+    single_file: bool = False, full_pdf: bool = False,
 ) -> Written:  # fmt: skip
     """The report as pages, PDF and tables (XLSX, CSV), for programs (JSON, JUnit), fields as VTU.
 
     `cache` is a folder that keeps what was drawn for the next run; `hint` says what to install
-    where pyvista can't draw; with `single_file` all cases stand on one page. errors.txt holds the
+    where pyvista can't draw; with `single_file` all cases stand on one page. The PDF of
+    several cases is the record, with `full_pdf` the whole. errors.txt holds the
     tracebacks of cases that failed. All files are made before the first takes its place; OSError
     names the one that can't be written.
     """
     try:
         drawn = frames(report.cases, cache, hint)
-        files, why = _files(report, drawn, single_file=single_file)
+        files, why = _files(report, drawn, single_file=single_file, full_pdf=full_pdf)
     except OSError as error:  # a temporary file of a drawing
         raise OSError(f"{folder}: no report can be made: {error.strerror or error}") from error
     remarks = dict.fromkeys(frame.why for group in drawn.values() for frame in group if frame.why)
@@ -81,15 +85,17 @@ def write(
 
 
 def _files(
-    report: Report, drawn: Mapping[str, Sequence[Frame]], *, single_file: bool
+    report: Report, drawn: Mapping[str, Sequence[Frame]], *, single_file: bool, full_pdf: bool
 ) -> tuple[dict[str, bytes], str]:
     """All files by name, and why there is no PDF, or ""."""
     why = ""
+    is_record = is_paged(report) and not full_pdf
+    make = partial(record, single_file=single_file) if is_record else document
     # typst takes longer than all the rest and holds no lock: it works beside
     with ThreadPoolExecutor(1) as beside:
         paper: Future[bytes] = Future()
         try:
-            paper = beside.submit(printed, content(report, drawn), made_at(report))
+            paper = beside.submit(printed, content(report, drawn, make), made_at(report))
         except NotSet as error:
             paper.set_exception(error)
         files = dict(_tables(report))
