@@ -53,8 +53,8 @@ def record(
 
 
 def _has(part: PaperPart) -> bool:
-    """Whether a run of some cases has something of a paper."""
-    return bool(part.verdicts or part.cases)
+    """Whether a run of some cases has a verdict or a compared number of a paper."""
+    return bool(part.verdicts or part.tables)
 
 
 def _paper(part: PaperPart, report: Report, places: Mapping[str, str], errata: Labels) -> Data:
