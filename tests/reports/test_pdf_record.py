@@ -139,6 +139,7 @@ def test_a_run_without_verdicts_states_why(report, hostile):
     assert pdf(hostile, {}, record).startswith(b"%PDF")
 
 
+@pytest.mark.slow("a report is written twice")
 def test_the_record_is_the_default_of_several_cases(of_paper, tmp_path):
     cases = [find("ring-lame"), find("contact-roller-flat")]
     two = make_report([of_paper(case) for case in cases], cases, 1.0)
