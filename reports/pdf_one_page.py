@@ -42,6 +42,7 @@ def one_page(
         "lead": prose(case.lead),
         "counts": [[status.value, count] for status, count in present(case.rows)],
         "findings": [prose(text) for text in case.findings[:MOST_FINDINGS]],
+        "more_findings": len(case.findings[MOST_FINDINGS:]),
         "warnings": [prose(text) for text in case.warnings],
         "verdicts": found[:MOST_VERDICTS], "more_verdicts": len(found[MOST_VERDICTS:]),
         "drawings": [
