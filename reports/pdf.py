@@ -2,12 +2,13 @@
 
 import json
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from datetime import UTC, datetime
 from typing import Any
 
 from reports.frames import Frame
 from reports.pdf_data import document
+from reports.pdf_tables import Data
 from reports.typesetting import NotSet, typeset
 from reports.xml_text import clean
 from verify.core.results import Report
@@ -15,16 +16,19 @@ from verify.core.results import Report
 # Scripts that typst's own fonts hold: Latin, Greek, Cyrillic, Hebrew, punctuation, mathematics.
 _FOREIGN = re.compile("[^\\x00-\u05ff\u1d00-\u2e7f\ufb00-\ufb4f\ufffd\U0001d400-\U0001d7ff]")
 
-
-def pdf(report: Report, frames: Mapping[str, Sequence[Frame]]) -> bytes:
-    """The whole report as PDF, the same bytes for the same report; raises NotSet."""
-    return printed(content(report, frames), made(report))
+Frames = Mapping[str, Sequence[Frame]]
+Make = Callable[[Report, Frames], Data]
 
 
-def content(report: Report, frames: Mapping[str, Sequence[Frame]]) -> str:
+def pdf(report: Report, frames: Frames, make: Make = document) -> bytes:
+    """The report as PDF, by default all of it; equal bytes for equal reports. Raises NotSet."""
+    return printed(content(report, frames, make), made(report))
+
+
+def content(report: Report, frames: Frames, make: Make = document) -> str:
     """All that the PDF of a report prints, as JSON; raises NotSet for mathematics unknown here."""
     try:
-        return json.dumps(_cleaned(document(report, frames)), ensure_ascii=False)
+        return json.dumps(_cleaned(make(report, frames)), ensure_ascii=False)
     except ValueError as error:
         raise NotSet(" ".join(str(error).split())) from error
 

@@ -1,28 +1,35 @@
 """Verdicts of the formulas in the PDF: how many of each, then a table for each paper."""
 
+from reports.first_page import Group
 from reports.pdf_tables import Data, prose
-from reports.verdicts import MEANING, at_paper, by_paper, given, sides
+from reports.verdicts import MEANING, at_paper, by_paper, given, short_words, sides
 from verify.core.results import Report
-from verify.core.verdicts import FormulaVerdict
+from verify.core.verdicts import FormulaVerdict, Verdict
 
 
-def verdict_data(report: Report) -> Data | None:
-    """Counts and lines of each paper; None where a run has no verdicts."""
+def counts_data(report: Report) -> Data | None:
+    """How many verdicts of each kind a paper has; None where a run has no verdicts."""
     if not report.verdicts:
         return None
-    kinds, papers = given(report), by_paper(report)
+    kinds = given(report)
     return {
         "kinds": [kind.value for kind in kinds],
         "meaning": [[kind.value, MEANING[kind]] for kind in kinds],
         "papers": [
-            {
-                "cited": paper.cited,
-                "counts": [str(paper.counts[kind] or "") for kind in kinds],
-                "lines": [_line(one) for one in paper.verdicts],
-            }
-            for paper in papers
+            {"cited": paper.cited, "counts": [str(paper.counts[kind] or "") for kind in kinds]}
+            for paper in by_paper(report)
         ],
     }
+
+
+def verdict_data(report: Report) -> Data | None:
+    """The same with a line for each form of each equation."""
+    counted = counts_data(report)
+    if counted is None:
+        return None
+    papers = zip(counted["papers"], by_paper(report), strict=True)
+    listed = [data | {"lines": [_line(v) for v in paper.verdicts]} for data, paper in papers]
+    return counted | {"papers": listed}
 
 
 def _line(one: FormulaVerdict) -> Data:
@@ -35,3 +42,25 @@ def _line(one: FormulaVerdict) -> Data:
         "verdict": one.verdict.value, "error": at_paper(one), "sides": sides(one),
         "words": prose("; ".join(filter(None, parts))),
     }  # fmt: skip
+
+
+def group_data(group: Group, here: set[str]) -> Data:
+    """Equations of one form with the same verdict; `here` are the cases of the report."""
+    one = group.first
+    return {
+        "name": group.name, "form": one.form.value, "what": prose(group.what),
+        "verdict": one.verdict.value, "is_of_model": _is_of_model(one),
+        "error": at_paper(one), "sides": sides(one), "words": prose(short_words(one)),
+        "instead": prose(one.instead or _corrected(one)),
+        "cases": [case for case in one.cases if case in here],
+    }  # fmt: skip
+
+
+def _is_of_model(one: FormulaVerdict) -> bool:
+    """Whether the error is against the formula's own idealisation alone."""
+    return one.error is not None and not one.is_of_part and one.verdict is not Verdict.EXACT
+
+
+def _corrected(one: FormulaVerdict) -> str:
+    is_misprint = one.verdict is Verdict.WRONG and one.name.startswith("Eq.")
+    return "the corrected form" if is_misprint else ""

@@ -6,6 +6,7 @@ from collections.abc import Container, Iterator, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -20,8 +21,10 @@ from reports.links import FIRST, FOLDER
 from reports.origins import BOOK, Origins, digests, fields_of, page_of, part_of
 from reports.origins import PAPER as PAPER_PART
 from reports.pages import is_paged, pages
-from reports.pdf import content, printed
+from reports.pdf import Make, content, printed
 from reports.pdf import made as made_at
+from reports.pdf_data import document
+from reports.pdf_record import record
 from reports.records import report_record, text_of
 from reports.rows import rows_csv
 from reports.second import seconds
@@ -47,21 +50,23 @@ class Written:
 
 def write(
     report: Report, folder: Path, *, cache: Path | None = None, hint: str = "",
-    single_file: bool = False, origins: Origins | None = None,
+    single_file: bool = False, full_pdf: bool = False, origins: Origins | None = None,
 ) -> Written:  # fmt: skip
     """The report as pages, PDF and tables (XLSX, CSV), for programs (JSON, JUnit), fields as VTU.
 
     `cache` is a folder that keeps what was drawn for the next run; `hint` says what to install
-    where pyvista can't draw; with `single_file` all cases stand on one page. What follows from the
-    same `origins` as in the run before is not written again. errors.txt holds the tracebacks of
-    cases that failed. All files are made before the first takes its place; OSError names the one
-    that can't be written.
+    where pyvista can't draw; with `single_file` all cases stand on one page. The PDF of several
+    cases is the record, with `full_pdf` the whole. What follows from the same `origins` as in the
+    run before is not written again. errors.txt holds the tracebacks of cases that failed. All files
+    are made before the first takes its place; OSError names the one that can't be written.
     """
     with _alone_in(folder):
-        before = Before(folder, digests(report, origins, "one page" if single_file else "pages"))
+        before = Before(folder, digests(report, origins, f"{single_file} {full_pdf}"))
         try:
             drawn = _frames(report, before, cache, hint)
-            parts, why = _made(report, drawn, before, single_file=single_file)
+            is_record = is_paged(report) and not full_pdf
+            make = partial(record, single_file=single_file) if is_record else document
+            parts, why = _made(report, drawn, before, make, single_file=single_file)
         except OSError as error:  # a temporary file of a drawing
             raise OSError(f"{folder}: no report can be made: {error.strerror or error}") from error
         remarks = dict.fromkeys(f.why for group in drawn.values() for f in group if f.why)
@@ -112,8 +117,9 @@ def _remove_stale(folder: Path, files: Container[str]) -> None:
 
 
 def _made(
-    report: Report, drawn: Mapping[str, Sequence[Frame]], before: Before, *, single_file: bool
-) -> tuple[dict[str, dict[str, bytes]], str]:
+    report: Report, drawn: Mapping[str, Sequence[Frame]], before: Before, make: Make, *,
+    single_file: bool,
+) -> tuple[dict[str, dict[str, bytes]], str]:  # fmt: skip
     """The files of each part by name, and why there is no PDF, or ""."""
     why = ""
     # typst takes longer than all the rest and holds no lock: it works beside
@@ -121,7 +127,7 @@ def _made(
         paper: Future[bytes] = Future()
         try:
             if PAPER_PART not in before:
-                paper = beside.submit(printed, content(report, drawn), made_at(report))
+                paper = beside.submit(printed, content(report, drawn, make), made_at(report))
         except NotSet as error:
             paper.set_exception(error)
         parts: dict[str, dict[str, bytes]] = {"tables": dict(_tables(report))}

@@ -1,6 +1,7 @@
 """A judged run of a case of each subject for the report tests, with hostile texts, and of all."""
 
 import json
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -94,6 +95,11 @@ def schema() -> dict:
 def section(report: Report, name: str) -> str:
     """The section of the report's page with this id."""
     return page(report, {}).partition(f'<section id="{name}">')[2].partition("</section>")[0]
+
+
+def sheets_of(paper: bytes) -> int:
+    """How many pages a PDF has."""
+    return int(re.search(rb"/Type/Pages/Count (\d+)", paper)[1])
 
 
 def said(runs) -> str:

@@ -11,7 +11,10 @@ from reports.frames import frames
 from reports.html import anchors, page
 from reports.in_short import markdown
 from reports.pages import pages
+from reports.pdf import pdf
+from reports.pdf_record import BYTES, PAGES, record
 from tests.reports.browser import NO_CHROMIUM, assert_links, assert_silent, looked_at, sheets
+from tests.reports.conftest import sheets_of
 from tests.reports.test_pages import MOST
 from tests.test_documents import VERIFIED
 from verify.jobs.cache import default_folder
@@ -60,6 +63,12 @@ def test_it_opens_in_seconds_is_silent_and_no_label_lies_on_another(folder, whol
     assert width < 1400 or seen["wider"] <= 0
     assert width < 1280 or (seen["labels"] - len(whole.cases)) % TICKS == 0
     assert width < 1280 or seen["overprinted"] == seen["outside"] == []
+
+
+def test_the_record_has_a_page_for_each_case_and_fits_a_file(whole):
+    paper = pdf(whole, frames(whole.cases, default_folder()), record)
+    assert len(whole.cases) < sheets_of(paper) <= PAGES
+    assert len(paper) <= BYTES
 
 
 @NO_CHROMIUM

@@ -102,6 +102,7 @@ def test_the_quick_round_has_cases_of_every_subject():
     [
         ("verify ring-lam", "unknown case 'ring-lam', did you mean ring-lame?"),
         ("verify ring-lame --quick", "name no case beside it"),
+        ("verify --pdf short", 'Invalid value "short" for --pdf. Choose from: "record", "full"'),
         ("verify --jobs many", "--jobs: needs a whole number, got 'many'"),
         ("verify --jobs -1", "--jobs is 0 (one a core) to 256, got -1"),
         ("verify ring-lame --out file/out", "file: is a file, expected a folder"),

@@ -40,10 +40,10 @@ def report(first, tmp_path, monkeypatch):
     return tmp_path
 
 
-def verified(report, *, use_cache=True):
+def verified(report, *, use_cache=True, **form):
     out = report / "out"
     return commands.run_verify(
-        ["ring-lame"], quick=False, where=Where(1), out=out, use_cache=use_cache
+        ["ring-lame"], quick=False, where=Where(1), out=out, use_cache=use_cache, **form
     )
 
 
@@ -79,3 +79,9 @@ def test_a_change_is_noticed(report, monkeypatch, change):
     change(report, monkeypatch)
     with pytest.raises(MakesError):
         verified(report)
+
+
+@pytest.mark.parametrize("form", ["single_file", "full_pdf"])
+def test_another_form_of_the_report_is_made(report, form):
+    with pytest.raises(MakesError):
+        verified(report, **{form: True})

@@ -53,6 +53,7 @@ def verify(
     out: Path | None = None,
     cache: bool = True,
     single_file: bool = False,
+    pdf: Literal["record", "full"] = "record",
 ) -> int:
     """Pair every formula with finite elements, judge the rows and write the report.
 
@@ -74,14 +75,18 @@ def verify(
         Reuse finite-element results of earlier runs.
     single_file
         Write the report as one page, for mail, in place of a first page and one for each case.
+    pdf
+        What report.pdf holds: record (verdicts, tables and errata of the papers, one page for each
+        case) or full (everything). The PDF of a single case holds everything.
     """
     from verify.app.commands import run_verify
     from verify.jobs.executor import Where
 
     where = Where(jobs, engine, scheduler)
     return run_verify(
-        cases, quick=quick, where=where, out=out, use_cache=cache, single_file=single_file
-    )
+        cases, quick=quick, where=where, out=out, use_cache=cache, single_file=single_file,
+        full_pdf=pdf == "full",
+    )  # fmt: skip
 
 
 @app.command

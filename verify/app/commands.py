@@ -57,7 +57,7 @@ def run_list() -> int:
 
 def run_verify(
     names: Sequence[str], *, quick: bool, where: Where, out: Path | None, use_cache: bool,
-    single_file: bool = False,
+    single_file: bool = False, full_pdf: bool = False,
 ) -> int:  # fmt: skip
     """Run the cases on the paper's numbers, write the report and print the verdicts."""
     if quick and names:
@@ -69,7 +69,8 @@ def run_verify(
     gc.set_threshold(GARBAGE_AFTER)
     key = ""
     if use_cache and all(name in CASES.ids for name in names):
-        key = up_to_date.key_of(ROOT, names, "one page" if single_file else "")
+        form = "one page" * single_file + "full PDF" * full_pdf
+        key = up_to_date.key_of(ROOT, names, form)
         if (before := up_to_date.found(out, key)) is not None:
             print("\n".join(before.lines))
             took = f"{time.perf_counter() - start:.1f} s"
@@ -89,7 +90,9 @@ def run_verify(
     report = make_report(results, cases, time.perf_counter() - start, parts=parts)
     lines = verdict_lines(report)
     print("\n".join(lines))
-    is_complete = write_report(report, out, use_cache, single_file=single_file, keys=keys)
+    is_complete = write_report(
+        report, out, use_cache, single_file=single_file, full_pdf=full_pdf, keys=keys
+    )  # fmt: skip
     drift = [*drift_lines(report), *_moved_verdicts(report)]
     print("".join(f"{line}\n" for line in drift), end="")
     print(f"report: {_page(out)} ({time.perf_counter() - start:.1f} s)")
@@ -185,7 +188,7 @@ def writable(out: Path) -> None:
 
 def write_report(
     report: Report, out: Path, use_cache: bool, *, single_file: bool = False,
-    keys: Mapping[str, str] | None = None,
+    full_pdf: bool = False, keys: Mapping[str, str] | None = None,
 ) -> bool:  # fmt: skip
     """Write the report into `out`; False where something had to be done in another way, named.
 
@@ -200,7 +203,8 @@ def write_report(
         Origins(source_memory.remembered("code", write, code), keys) if use_cache and keys else None
     )
     written = write(
-        report, out, cache=drawn, hint=_hint(), single_file=single_file, origins=origins
+        report, out, cache=drawn, hint=_hint(), single_file=single_file, full_pdf=full_pdf,
+        origins=origins,
     )  # fmt: skip
     for remark in written.remarks:
         print(f"freewheel: {remark}", file=sys.stderr)
