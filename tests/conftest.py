@@ -40,6 +40,12 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     items.sort(key=lambda item: not item.nodeid.startswith("tests/verify/"))
 
 
+@pytest.fixture(autouse=True)
+def without_judged(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Commands neither read nor store judged cases: their keys don't follow what a test patches."""
+    monkeypatch.setattr("verify.jobs.judged.keys", lambda _modules: {})
+
+
 @pytest.fixture(autouse=True, scope="module")
 def _forgotten(request: pytest.FixtureRequest) -> Iterator[None]:
     """What a module's own functions keep for its tests goes with its last one.

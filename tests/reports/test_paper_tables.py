@@ -10,15 +10,14 @@ from typing import NamedTuple
 import pytest
 
 from reports import formats
-from reports.html import anchors, page
+from reports.html import page
 from reports.paper_rows import printed_table, used_as_inputs
 from reports.pdf_data import document
-from tests.reports.conftest import section
 from tests.verify.test_published_tables import PRINTED
 from verify.app.report import make_report
 from verify.cases.registry import find
 from verify.core import units
-from verify.core.results import Report
+from verify.core.results import PaperCell, PaperClaim, PaperTable, Report, Status
 from verify.papers.ledger import papers, published
 from verify.papers.tables import referred
 
@@ -113,12 +112,21 @@ def test_every_printed_cell_and_every_value_below_it_stand_in_their_column(which
             assert line[:columns] in [expected[r.id] for r in told]
 
 
-def test_a_row_on_a_whole_column_stands_once_below_the_table(report):
-    table = next(t for t in report.tables if (t.paper, t.name) == ("huang2018", "Table 2"))
-    common = {claim.row: claim.columns for claim in printed_table(table).common}
-    assert {len(columns) for columns in common.values()} == {1}
-    for name in common:
-        assert section(report, "tables").count(f'#{anchors(report.rows)[name]}"') == 1
+def test_a_row_on_a_whole_column_stands_once_below_the_table():
+    column, own = (
+        PaperClaim(row=row, status=Status.PASS, analytic=1.0, fem=None, u=None)
+        for row in ("a/column", "a/own")
+    )
+    cells = [PaperCell(text="1", rows=(column,), errata=("both",)),
+             PaperCell(text="2", rows=(column, own), errata=("both", "alone"))]  # fmt: skip
+    table = PaperTable(paper="p", name="Table 1", caption="", header=("x",),
+                       rows=tuple((cell,) for cell in cells))  # fmt: skip
+    shown = printed_table(table)
+    assert [claim.row for claim in shown.common] == ["a/column"]
+    assert [[claim.row for claim in row.claims] for _, row in shown.rows] == [[], ["a/own"]]
+    assert [list(row.errata) for _, row in shown.rows] == [[], ["alone"]]
+    assert shown.is_compared
+    assert not shown.has_references
 
 
 def plain(quantity: str) -> str:

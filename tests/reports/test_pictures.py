@@ -325,7 +325,7 @@ def test_pyvista_is_tried_again_once_the_machine_changed(tmp_path, no_pyvista, m
     [first] = draw([(SMALL, WORDS)], tmp_path)
     monkeypatch.setattr(DrawingProcess, "draw", lambda *_: ([first.image], ""))
     assert draw([(SMALL, WORDS)], tmp_path)[0].why == first.why  # not tried in vain every time
-    monkeypatch.setattr(picture_cache, "_opengl", lambda: "libEGL.so.1 is there now")
+    monkeypatch.setattr(picture_cache, "opengl", lambda: "libEGL.so.1 is there now")
     assert draw([(SMALL, WORDS)], tmp_path)[0].by.startswith("pyvista")
 
 

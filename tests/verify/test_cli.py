@@ -62,7 +62,11 @@ def test_verify_writes_the_report_and_a_red_row_makes_the_exit_status_one(
     written = {p.name for p in out.iterdir()}
     assert {"report.html", "report.pdf", "tables.xlsx", "results.json", "results.schema.json",
             "rows.csv", "junit.xml"} <= written  # fmt: skip
-    assert {name for name in written if name.startswith(".")} <= {".lock", ".up-to-date.json"}
+    assert {name for name in written if name.startswith(".")} <= {
+        ".lock",
+        ".up-to-date.json",
+        ".written.json",
+    }
     assert str(out / "report.html") in capsys.readouterr().out.replace("\n", "")
     right = lame.strain_energy
     monkeypatch.setattr(lame, "strain_energy", lambda **k: 1.001 * right(**k))
