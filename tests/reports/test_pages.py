@@ -9,6 +9,7 @@ from reports.first_page import groups, paper_parts, stated, tasks
 from reports.html import anchors
 from reports.links import FIRST, FOLDER, Places, linked
 from reports.pages import SECTIONS, is_paged, pages
+from reports.row_lines import lines
 from reports.write import write
 from tests.reports.browser import DARK, NO_CHROMIUM, assert_silent, looked_at
 from verify.cases.registry import CASES
@@ -170,3 +171,19 @@ def test_the_search_shows_rows_with_all_words(folder):
     found = seen["some"]["rows"]
     assert seen["some"]["said"] == f"{len(found)} rows"
     assert 0 < len(found) < len(seen["all"]["rows"])
+
+
+@NO_CHROMIUM
+@pytest.mark.slow("a browser types into the search")
+def test_the_search_finds_symbols_and_leaves_out_a_status(folder, report):
+    seen = looked_at(folder / FOLDER, "rows", 1320, host="search_host.html", status="peak star")
+    alone = [line.row for case in report.cases for line in lines(case.rows)]
+    quantities = {
+        "mu": [r.quantity for r in alone if r.symbol.startswith("μ")],
+        "indexed": [r.quantity for r in alone if r.symbol.replace("_", "").lower()[:2] == "ur"],
+        "capital": [r.quantity for r in alone if r.symbol.startswith("U")],
+        "failed": [r.quantity for r in alone if r.status is not Status.PASS],
+    }
+    for name, expected in quantities.items():
+        assert expected
+        assert sorted(seen[name]["rows"]) == sorted(expected), name

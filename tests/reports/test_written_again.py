@@ -11,6 +11,7 @@ from reports.links import FIRST, path_of
 from reports.origins import Origins, digests, part_of
 from reports.write import PAPER, write
 
+pytestmark = pytest.mark.slow("a report is written several times")
 ALWAYS = {FIRST, "results.json", "rows.csv", "cases.md", "junit.xml", "results.schema.json",
           "budget.csv", "crosscheck.csv", path_of("provenance")}  # fmt: skip
 

@@ -58,6 +58,18 @@ def test_a_module_depends_on_what_it_imports_anywhere_and_on_data_beside(root, n
     assert of_module == (name not in APART | NEVER)
 
 
+def test_comments_and_layout_count_for_no_code_but_for_data(root):
+    before = source_files.code_of("fem.plane.solve")
+    for name, text, is_seen in (
+        ("fem/last.py", "# more\n\n", False), ("fem/last.py", "a = 1\n", True),
+        ("fem/plane/data.toml", "# more\n", True),
+    ):  # fmt: skip
+        (root / name).write_text(text)
+        source_files.forget()
+        assert (source_files.code_of("fem.plane.solve") != before) == is_seen
+        before = source_files.code_of("fem.plane.solve")
+
+
 def test_records_count_for_what_reads_records(root):
     name = "verify/measured/kind/case.json"
     assert seen(root, name, lambda: source_files.digest_of("verify.reader"))
