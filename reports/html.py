@@ -16,6 +16,7 @@ from reports import (
     budget,
     caught,
     crosscheck,
+    explorer_tables,
     formats,
     plots,
     readings,
@@ -269,7 +270,7 @@ def environment(equations: Equations) -> jinja2.Environment:
         "printed": printed, "counts": lambda case: present(case.rows), "anchor": _anchor,
         "reproduce": reproduce, "where": where, "at_paper": at_paper, "sides": sides,
         "short_words": short_words, "slug": slug, "not_to_be_used": not_to_be_used,
-        "grouped": groups,
+        "grouped": groups, "study_head": explorer_tables.head, "study_lines": explorer_tables.lines,
     }  # fmt: skip
     env.globals |= {
         "LONG_LIST": LONG_LIST,
@@ -277,6 +278,7 @@ def environment(equations: Equations) -> jinja2.Environment:
         "NAMED_IN_MENU": NAMED_IN_MENU,
         "MOST_CLAIMS": MOST_CLAIMS,
         "CHANGED": caught.NAMES,
+        "explored": {},  # places on the page of the explorer, which a run of one page has not
     }
     return env
 

@@ -7,6 +7,7 @@ from typing import Any
 
 from markupsafe import Markup
 
+from reports import explorer
 from reports.equations import Equations
 from reports.first_page import paper_parts, tasks
 from reports.frames import Frame
@@ -20,17 +21,19 @@ FIRST = "report.html"
 LEAST = 3  # rows of a main table; with fewer all rows stand in it
 FOLDER = "report"  # of all other pages, beside the first one
 SECTIONS = {
+    "explorer": "Validity explorer",
     "rows": "All rows", "papers": "Papers' tables", "errata": "Errata",
     "solvers": "Second solvers", "faults": "Fault detection", "since": "Since the last release",
     "provenance": "Provenance",
 }  # fmt: skip
 # a place on the page of a section, to which the menu leads
 PLACES = {
+    "explorer": "explorer",
     "rows": "summary", "papers": "tables", "errata": "errata", "solvers": "crosscheck",
     "faults": "caught", "since": "since", "provenance": "provenance",
 }  # fmt: skip
 _RECORDS = frozenset(f"{FOLDER}/{name}.html" for name in SECTIONS)
-SEARCH = HERE / "search.js"
+SCRIPTS = {"rows": ("search.js",), "explorer": ("interpolation.js", "explorer.js")}  # of sections
 _LINK = re.compile(r'href="#([^"]+)"')
 _ID = re.compile(r'\bid="([^"]+)"')
 
@@ -58,6 +61,7 @@ def pages(report: Report, frames: Mapping[str, Sequence[Frame]]) -> dict[str, st
     equations = Equations()
     env = environment(equations)
     shared = context(report, frames)
+    env.globals["explored"] = explorer.places(report, shared["anchors"])
     made = {
         name: env.get_template(template).render(**shared, **own)
         for name, template, own in _templates(report, shared, frames)
@@ -77,10 +81,11 @@ def _templates(
     own = {"heading": shared["title"], "parts": paper_parts(report), "tasks": tasks(report)}
     yield FIRST, "first.html.j2", still | own
     for name in sections:
-        script = SEARCH.read_text("utf-8") if name == "rows" else ""
+        script = "\n".join((HERE / file).read_text("utf-8") for file in SCRIPTS.get(name, ()))
+        more = _explored(report, shared) if name == "explorer" else {}
         yield (
             f"{FOLDER}/{name}.html", "section.html.j2",
-            still | {"heading": SECTIONS[name], "name": name} | _scripted(script),
+            still | {"heading": SECTIONS[name], "name": name} | more | _scripted(script),
         )  # fmt: skip
     for case, lines in shared["groups"]:
         yield (
@@ -88,6 +93,15 @@ def _templates(
             still | {"heading": case.title, "mine": _of_case(report, case, lines)}
             | _scripted(script_of([case], frames)),
         )  # fmt: skip
+
+
+def _explored(report: Report, shared: Mapping[str, Any]) -> dict[str, Any]:
+    """Tables and data of the validity explorer, and the cases that it leaves out."""
+    return {
+        "studied": explorer.of_cases(report),
+        "points": explorer.data(report, shared["anchors"]),
+        "unstudied": [v for v in report.validity if v.missing and not v.cards and not v.exact],
+    }
 
 
 def _scripted(script: str) -> dict[str, Any]:
@@ -101,6 +115,7 @@ def _scripted(script: str) -> dict[str, Any]:
 def _has(report: Report, shared: Mapping[str, Any], name: str) -> bool:
     """Whether a run has something for a section."""
     return bool({
+        "explorer": report.studies,
         "rows": report.rows, "papers": report.has_ledgers, "errata": report.has_ledgers,
         "solvers": shared["crosschecks"], "faults": report.caught, "since": report.drift,
         "provenance": True,

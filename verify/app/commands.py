@@ -16,7 +16,16 @@ from verify.core import environment
 from verify.core.case import Case, Values
 from verify.core.console import raised, verdict_lines
 from verify.core.inputs import REQUIRED, InputError, Inputs, meta
-from verify.core.results import CaseBudget, CaseResult, Caught, Crosscheck, Report, Status, Validity
+from verify.core.results import (
+    CaseBudget,
+    CaseResult,
+    Caught,
+    Crosscheck,
+    Report,
+    Status,
+    StoredStudy,
+    Validity,
+)
 from verify.core.verdicts import FormulaVerdict
 from verify.jobs import cache
 from verify.jobs.executor import Where
@@ -194,6 +203,7 @@ def make_report(
         provenance={**provenance(ROOT, results, seconds), "left_out": len(CASES) - len(own)},
         name=name,
         validity=() if name or not own else _validity(results, cases),
+        studies=() if name or len(results) < 2 else _studies(results),
         drift=None if name or not own else since(own),
         searches=() if name or not own else searches([case.id for case in cases]),
         budgets=() if name or not own else _budgets(results, cases),
@@ -225,6 +235,13 @@ def _validity(results: Sequence[CaseResult], cases: Sequence[Case]) -> tuple[Val
     )
 
     return validity(results, cases)
+
+
+def _studies(results: Sequence[CaseResult]) -> tuple[StoredStudy, ...]:
+    """The stored points of the cases, which pages of several cases show at a user's inputs."""
+    from verify.verdicts.stored_points import studies
+
+    return studies(results)
 
 
 def _budgets(results: Sequence[CaseResult], cases: Sequence[Case]) -> tuple[CaseBudget, ...]:
