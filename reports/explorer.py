@@ -86,7 +86,8 @@ def _axis(axis: StudyAxis) -> dict[str, Any]:
     return {
         "name": axis.name, "symbol": symbol(axis.symbol), "unit": unit(axis),
         "what": axis.what, "own": axis.own, "log": axis.log, "whole": axis.whole,
-        "ratio": prose(axis.ratio), "factor": axis.factor, "scales": axis.scales,
+        "ratio": symbol(axis.ratio) if axis.ratio else "", "factor": axis.factor,
+        "scales": axis.scales,
         "per": [
             {"name": one.name, "symbol": symbol(one.symbol), "unit": unit(one), "own": one.own,
              "power": one.power}

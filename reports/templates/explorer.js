@@ -1,11 +1,13 @@
 // The error of a formula at the inputs of a part: form, sentence, charts, address.
 const DATA = JSON.parse(document.getElementById("explorer-data").textContent);
-const LIMITS = [0.01, 0.02, 0.05, 0.1], STEPS = 500, SNAP = 4; // SNAP: steps of a slider to a stored value
+const LIMITS = [0.01, 0.02, 0.05, 0.1], SMALL = 0.02; // an error on the unsafe side that a conservative formula may have
+const STEPS = 500, SNAP = 4; // SNAP: steps of a slider to a stored value
 const HEIGHT = 196, LEFT = 54, RIGHT = 36, TOP = 12; // of a chart, in pixels
 const $ = (name) => document.getElementById(`explorer-${name}`);
 const plain = (text) => text.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
-const percent = (x) => (Math.abs(x) >= 1e-6 ? digits(100 * Math.abs(x), 3) : x ? "< 0.0001" : "0");
-const signed = (x) => (x < 0 ? "−" : "+") + percent(x);
+const percent = (x) => (Math.abs(x) >= 1e-6 ? digits(100 * Math.abs(x), 2) : x ? "< 0.0001" : "0");
+const signed = (x) => (x < 0 ? "−" : "+") + digits(100 * Math.abs(x), 3);
+const link = (target, words) => `<a href=${JSON.stringify(target)}>${plain(words)}</a>`;
 let one, formula, axes, sizes, values; // case, its formula and inputs, what ratios divide by, numbers by name
 
 // ---------- the part: numbers that a user types, and where they lie on the axes of the case
@@ -47,9 +49,16 @@ function judged(q) { // class, side and words of an error
   const head = limit ? `Within ${100 * limit} %` : Math.abs(q.e) - q.u > 0.1 ? "Beyond 10 %" : "Not certain to be within 10 %";
   const way = `the formula is too ${q.e > 0 ? "high" : "low"}, ${side ? `the ${side} side` : "and neither side is safe"}`;
   return {
-    css: limit <= 0.05 ? "good" : limit || side === "safe" ? "fair" : "bad", head: head + (side && `, on the ${side} side`),
+    css: limit <= 0.05 ? "good" : limit || side === "safe" ? "fair" : "bad", head: head + (side && size > SMALL ? `, on the ${side} side` : ""),
     words: decided ? way : "whether it is too high or too low is within the bar",
   };
+}
+
+function with_bar(e, u) { // no more decimals than the bar has with two digits, nor than three digits of the error
+  const decimals = (x, n) => n - 1 - Math.floor(Math.log10(Math.max(100 * Math.abs(x), 1e-4)));
+  const count = Math.min(6, Math.max(0, Math.min(decimals(u, 2), Math.max(decimals(e, 3), decimals(u, 1)))));
+  const bar = (100 * u).toFixed(count);
+  return `${e < 0 ? "−" : "+"}${(100 * Math.abs(e)).toFixed(count)} % ± ${+bar ? bar : `< ${(10 ** -count).toFixed(count)}`} %`;
 }
 
 function answer(q) {
@@ -62,9 +71,9 @@ function answer(q) {
   }
   const { head, words } = judged(q), held = one.studies[q.course.study].held;
   const from = q.stored ? "a stored point" : `between stored points; ±${percent(q.bent)} % of the bar is interpolation`;
-  const error = `error ${signed(q.e)} % ± ${percent(q.u)} %${formula.of ? ` of ${plain(formula.of)}` : ""} (${from}); ${words}`;
+  const error = `error ${with_bar(q.e, q.u)}${formula.of ? ` of ${plain(formula.of)}` : ""} (${from}); ${words}`;
   const factor = `Reference = formula × <strong>${digits(1 / (1 + q.e))}</strong> (${digits(1 / (1 + q.e + q.u))} to ${digits(1 / (1 + q.e - q.u))}).`;
-  const verdict = (v) => `<p>Verdict of <a href="../report.html#${v.place}">${plain(v.name)}</a>: <span class="state verdict-${v.css}">${v.verdict}</span>${v.instead && `. Use instead: ${v.instead}`}.</p>`;
+  const verdict = (v) => `<p>Verdict of ${link(`../report.html#${v.place}`, v.name)}: <span class="state verdict-${v.css}">${v.verdict}</span>${v.instead && `. Use instead: ${v.instead}`}.</p>`;
   box.innerHTML = `<b>${head}</b><p>At ${where}${held && `, stored for ${plain(held)}`}: ${error}.</p>` +
     (!formula.no_factor && q.e - q.u > -1 ? `<p>${factor}</p>` : "") + (formula.verdicts ?? []).map((n) => verdict(DATA.verdicts[n])).join("");
 }
@@ -172,7 +181,7 @@ function show(typed) {
   answer(q);
   $("charts").innerHTML = axes.map((a) => chart(a, q, range)).join("");
   const shaded = formula.safe ? ` Shaded: the unsafe side, too ${formula.safe > 0 ? "low" : "high"}.` : "";
-  $("source").innerHTML = `Reference: ${plain(formula.by ?? "finite elements")}; measured ${dates}. Row <a href="${one.id}.html#${formula.row}">${one.id}/${plain(formula.name)}</a>.${shaded} Hatched: nothing is stored. The address of this page holds the inputs.`;
+  $("source").innerHTML = `Reference: ${plain(formula.by ?? "finite elements")}; measured ${dates}. Row ${link(`${one.id}.html#${formula.row}`, `${one.id}/${formula.name}`)}.${shaded} Hatched: nothing is stored. The address of this page holds the inputs.`;
   const state = new URLSearchParams({ case: one.id, formula: formula.name });
   for (const [name, value] of Object.entries(values)) state.set(name, +value.toPrecision(8));
   history.replaceState(null, "", `#${state}`);

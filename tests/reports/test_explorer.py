@@ -3,6 +3,7 @@
 import json
 import re
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -12,7 +13,9 @@ from reports.explorer import of_cases
 from reports.explorer_tables import in_percent
 from reports.pages import FOLDER, pages
 from tests.reports.browser import DARK, NO_CHROMIUM, assert_silent, looked_at
+from verify.cases.registry import find
 from verify.verdicts.record import kept
+from verify.verdicts.stored_points import studies
 
 PAGE = f"{FOLDER}/explorer.html"
 MOST = 400_000  # bytes
@@ -203,6 +206,28 @@ def test_nearly_every_stored_point_lies_within_the_bar_that_the_others_give(expl
 
 
 BEAM = "Eqs. 1-9 against the curved beam"
+
+
+@pytest.mark.slow("two parts are solved by finite elements")
+@pytest.mark.parametrize(
+    ("case", "quantity", "given", "at"),
+    [
+        ("spring-accordion", BEAM, {"n": 9, "b": 0.15e-3}, (9, 0.15)),
+        ("polyhedral-pressure", "hoop stress, Eq. 9, against that of the outside",
+         {"delta_1": 5e-3}, ("delta_1", 5.0)),
+    ],
+)  # fmt: skip
+def test_finite_elements_between_stored_points_lie_within_the_bar(
+    judged, case, quantity, given, at
+):
+    inputs = find(case).inputs(**given)
+    row = next(r for r in judged(find(case), inputs, drawn=False).rows if r.quantity == quantity)
+    stored = SimpleNamespace(studies=studies([SimpleNamespace(id=case, rows=())]))
+    interpolated = on_grid if "n" in given else on_line
+    error, bar = interpolated(stored, case, quantity, *((at,) if "n" in given else at))
+    assert abs(row.difference / row.scale - error) <= bar
+
+
 GRID = (  # case, row, what is typed, and the point of the study
     (RING, K, (("value", "z", 7), ("value", "delta_1", 4.5)), (7, 4.5)),
     (RING, K, (("value", "z", 12), ("value", "delta_1", 8)), (12, 8)),

@@ -48,7 +48,7 @@ def _study(result: CaseResult, date: str, plan: Plan, courses: Sequence[Course])
         for point in plan.points
     ]
     # a value of an axis may differ from the case's own in the last bit alone
-    kept = list({point: n for n, point in reversed([*enumerate(shown)])}.values())[::-1]
+    kept = [n for n, point in enumerate(shown) if point not in shown[:n]]
     rows = {row.quantity: row for row in result.rows}
     return StoredStudy(
         case=result.id, date=date, is_star=plan.star, over=over(plan), held=held(plan),

@@ -57,3 +57,4 @@ def test_the_safe_side_is_that_of_the_case_or_of_the_formula_that_rests_on_the_r
 def test_a_value_that_differs_from_the_case_s_own_in_the_last_bit_is_one_point():
     study = next(s for s in of("spring-accordion") if "α" in s.over and "r " in s.over)
     assert len(study.points) == 1 + 3 + 4 + 3
+    assert study.points[0] == tuple(axis.own for axis in study.axes)
