@@ -233,6 +233,7 @@ GRID = (  # case, row, what is typed, and the point of the study
     (RING, K, (("value", "z", 12), ("value", "delta_1", 8)), (12, 8)),
     (RING, K, (("ratio", "delta_1", 0.0333),), (6, 0.0333 * 80)),
     (RING, K, (("value", "d_e", 100), ("value", "delta_1", 5.5), ("value", "rho", 2.5)), (6, 4.4)),
+    (RING, K, (("slide", "z", 9), ("slide", "delta_1", 250)), (9, 5)),
     ("spring-accordion", BEAM, (("value", "n", 9), ("value", "b", 0.15)), (9, 0.15)),
     ("spring-accordion", BEAM, (("value", "n", 16), ("value", "b", 0.37)), (16, 0.37)),
 )  # fmt: skip
@@ -291,6 +292,20 @@ def test_answers_are_those_of_an_interpolation_in_python(answers, explored):
     for (case, q, _, at), found in zip(LINE, answers[len(GRID) :], strict=False):
         wanted = on_line(explored, case, named(explored, case, q), *at)
         assert (found["error"], found["bar"]) == pytest.approx(wanted, rel=1e-6, abs=2e-8), found
+
+
+@NO_CHROMIUM
+@pytest.mark.slow("a browser fills in the form")
+def test_an_answer_states_class_side_bar_factor_and_verdict(answers):
+    for words in (
+        "Beyond 10 %, on the unsafe side", "error −11.9 % ± 0.5 % (between stored points; ±0.5 %",
+        "the formula is too low, the unsafe side", "formula × 1.136 (1.129 to 1.142)",
+        "Belcin, Eq. 11: unsafe. Use instead: the series", "(δ1/de = 0.05625)",
+        "stored for e = 2 mm",
+    ):  # fmt: skip
+        assert words in answers[0]["text"]
+    assert "Within 1 %" in answers[len(GRID) + 2]["text"]
+    assert "whether it is too high or too low" in answers[len(GRID) + 2]["text"]
 
 
 @NO_CHROMIUM

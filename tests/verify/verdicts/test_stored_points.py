@@ -7,6 +7,7 @@ import pytest
 
 from verify.cases.registry import CASES, find
 from verify.core import units
+from verify.core.inputs import meta
 from verify.core.verdicts import Safe
 from verify.studies.validity.store import measured
 from verify.verdicts.stored_points import studies
@@ -58,3 +59,20 @@ def test_a_value_that_differs_from_the_case_s_own_in_the_last_bit_is_one_point()
     study = next(s for s in of("spring-accordion") if "α" in s.over and "r " in s.over)
     assert len(study.points) == 1 + 3 + 4 + 3
     assert study.points[0] == tuple(axis.own for axis in study.axes)
+
+
+def test_a_part_of_another_size_all_in_proportion_has_the_same_errors(judged, of_paper):
+    """As the explorer supposes where every axis is a ratio, an angle, a number or a pressure."""
+    case, own = find("polyhedral-pressure"), find("polyhedral-pressure").inputs()
+    (study,) = of(case.id)
+    assert all(axis.scales for axis in study.axes)
+    lengths = {
+        name: 1.25 * getattr(own, name) for name, field in type(own).model_fields.items()
+        if meta(field)["unit"] == "mm"
+    }  # fmt: skip
+    assert "d_e" in lengths
+    larger = judged(case, type(own)(**own.model_dump() | lengths), drawn=False)
+    for row, known in zip(larger.rows, of_paper(case).rows, strict=True):
+        if row.difference is not None and row.scale:
+            error = known.difference / known.scale
+            assert row.difference / row.scale == pytest.approx(error, abs=1e-9)
