@@ -9,6 +9,7 @@ import pytest
 from reports.frames import frames
 from reports.html import page
 from reports.in_short import markdown
+from reports.pages import FOLDER, pages
 from tests.reports.browser import NO_CHROMIUM, assert_links, assert_silent, looked_at, sheets
 from tests.test_documents import VERIFIED
 from verify.jobs.cache import default_folder
@@ -38,6 +39,16 @@ def test_every_row_is_once_on_a_page_small_enough_to_mail(whole, text):
     ids = Counter(re.findall(r'id="(row-\d+)"', text))
     assert ids == {f"row-{i}": 1 for i in range(len(whole.rows))}
     assert len(text.encode()) < 9e6  # what most mail takes, with room to spare
+
+
+@NO_CHROMIUM
+def test_the_explorer_of_all_cases_is_small_and_opens_in_a_second(tmp_path, whole):
+    made = pages(whole, {})[f"{FOLDER}/explorer.html"]
+    (tmp_path / "explorer.html").write_text(made, "utf-8")
+    assert len(made.encode()) < 400_000
+    seen = looked_at(tmp_path, "explorer", 1320)
+    assert_silent(seen)
+    assert seen["milliseconds"] < 1000
 
 
 @NO_CHROMIUM
