@@ -33,7 +33,10 @@ PLACES = {
     "faults": "caught", "since": "since", "provenance": "provenance",
 }  # fmt: skip
 _RECORDS = frozenset(f"{FOLDER}/{name}.html" for name in SECTIONS)
-SCRIPTS = {"rows": ("search.js",), "explorer": ("interpolation.js", "explorer.js")}  # of sections
+SCRIPTS = {  # of sections
+    "rows": ("search.js",),
+    "explorer": ("interpolation.js", "explorer_charts.js", "explorer.js"),
+}
 _LINK = re.compile(r'href="#([^"]+)"')
 _ID = re.compile(r'\bid="([^"]+)"')
 

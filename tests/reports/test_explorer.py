@@ -304,6 +304,9 @@ def test_an_answer_states_class_side_bar_factor_and_verdict(answers):
         "stored for e = 2 mm",
     ):  # fmt: skip
         assert words in answers[0]["text"]
+    stored = answers[1]["text"]
+    assert "error −9.07 % ± < 0.01 % (a stored point)" in stored
+    assert "formula × 1.100." in stored
     assert "Within 1 %" in answers[len(GRID) + 2]["text"]
     assert "whether it is too high or too low" in answers[len(GRID) + 2]["text"]
 
