@@ -23,7 +23,7 @@ _MINUS = re.compile(r"(?<![\w./^-])-(?=\d)")
 def symbol(text: str) -> Markup:
     """u_r(r_i) as italic letters with lowered indices."""
     return Markup("<var>{}</var>").format(
-        Markup(re.sub(r"_([^\s()/|^*]+)", r"<sub>\1</sub>", str(escape(text))))  # noqa: S704
+        Markup(re.sub(r"_([^\s()/|^*²³]+)", r"<sub>\1</sub>", str(escape(text))))  # noqa: S704
     )
 
 

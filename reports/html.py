@@ -17,6 +17,7 @@ from reports import (
     budget,
     caught,
     crosscheck,
+    explorer_tables,
     formats,
     plots,
     readings,
@@ -283,6 +284,7 @@ def environment(equations: Equations) -> jinja2.Environment:
         "reproduce": reproduce, "where": where, "at_paper": at_paper, "sides": sides,
         "short_words": short_words, "slug": slug, "not_to_be_used": not_to_be_used,
         "grouped": groups, "errata_in_verdicts": errata_in_verdicts,
+        "study_head": explorer_tables.head, "study_lines": explorer_tables.lines,
     }  # fmt: skip
     env.globals |= {
         "LONG_LIST": LONG_LIST,
@@ -290,6 +292,7 @@ def environment(equations: Equations) -> jinja2.Environment:
         "NAMED_IN_MENU": NAMED_IN_MENU,
         "MOST_CLAIMS": MOST_CLAIMS,
         "CHANGED": caught.NAMES,
+        "explored": {},  # places on the page of the explorer, which a run of one page has not
     }
     return env
 

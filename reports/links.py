@@ -8,12 +8,14 @@ FIRST = "report.html"
 FOLDER = "report"  # of all other pages, beside the first one
 # a place on the page of a section, to which the menu leads
 PLACES = {
+    "explorer": "explorer",
     "rows": "summary", "papers": "tables", "errata": "errata", "solvers": "crosscheck",
     "faults": "caught", "since": "since", "provenance": "provenance",
 }  # fmt: skip
 # places on the first page, and kinds of places on the first page and others, by their beginning
 HOMES = {
     "first": FIRST, "design": FIRST, "cases": FIRST, "paper": FIRST, "verdict": FIRST,
+    "explore": f"{FOLDER}/explorer.html",
     "erratum": f"{FOLDER}/errata.html", "cross": f"{FOLDER}/solvers.html",
 }  # fmt: skip
 OTHERS = {place: name for name, place in PLACES.items()} | {

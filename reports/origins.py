@@ -10,6 +10,7 @@ from hashlib import sha256
 from importlib.metadata import version
 from typing import Any
 
+from reports import explorer
 from reports.html import anchors
 from reports.links import FOLDER, OTHERS, path_of
 from reports.picture_cache import LIBRARIES as DRAWING
@@ -66,11 +67,13 @@ def _parts(report: Report, origins: Origins) -> Iterator[tuple[str, Any]]:
     """What each part has beside the code of reports."""
     cases = [(case.id, origins.cases[case.id]) for case in report.cases]
     places, rows = anchors(report.rows), _digest(report.rows)
+    explored = explorer.places(report, places)
     ledgers = [report.papers, report.errata, report.searches, report.verdicts]
     frame = [
         report.papers,
         bool(report.caught and not report.caught.missing),
         bool(report.drift),
+        bool(report.studies),
         bool(report.crosschecks),
     ]
     for i, (case, key) in enumerate(cases):
@@ -79,11 +82,17 @@ def _parts(report: Report, origins: Origins) -> Iterator[tuple[str, Any]]:
             [one for one in kind if one.case == case] for kind in (report.validity, report.budgets)
         ]
         verdicts = [v for v in report.verdicts if case in v.cases]
-        linked = [places.get(row) for v in verdicts for row in (*v.rows, *v.model_rows)]
+        linked = [
+            (places.get(row), explored.get(row))
+            for v in verdicts
+            for row in (*v.rows, *v.model_rows)
+        ]
         checks = [(k, c) for k, c in enumerate(report.crosschecks) if c.case == case]
         near = [name for name, _ in cases[max(i - 1, 0) : i + 2]]
+        linked += [(name, at) for name, at in explored.items() if name.partition("/")[0] == case]
         yield page_of(case), [i, near, key, own, verdicts, linked, checks, frame]
     tables = [report.tables, report.equations, report.published, report.errata, report.papers]
+    yield section("explorer"), [report.studies, report.validity, report.verdicts, places, frame]
     yield section("rows"), [rows, [(c.id, c.title) for c in report.cases], frame]
     yield section("papers"), [tables, places, frame]
     yield section("errata"), [ledgers, frame]

@@ -6,6 +6,7 @@ from typing import Any
 
 from markupsafe import Markup
 
+from reports import explorer
 from reports.advice import advised, of_case
 from reports.equations import Equations
 from reports.first_page import paper_parts, tasks
@@ -21,11 +22,15 @@ from verify.core.verdicts import FormulaVerdict
 
 LEAST = 3  # rows of a main table; with fewer all rows stand in it
 SECTIONS = {
+    "explorer": "Validity explorer",
     "rows": "All rows", "papers": "Papers' tables", "errata": "Errata",
     "solvers": "Second solvers", "faults": "Fault detection", "since": "Since the last release",
     "provenance": "Provenance",
 }  # fmt: skip
-SEARCH = HERE / "search.js"
+SCRIPTS = {  # of sections
+    "rows": ("search.js",),
+    "explorer": ("interpolation.js", "explorer_charts.js", "explorer.js"),
+}
 Frames = Mapping[str, Sequence[Frame]]
 
 
@@ -58,6 +63,7 @@ def pages(report: Report, frames: Frames, kept: Container[str] = ()) -> dict[str
     equations = Equations()
     env = environment(equations)
     shared = context(report, frames)
+    env.globals["explored"] = explorer.places(report, shared["anchors"])
     made = {
         name: env.get_template(template).render(**shared, **own)
         for name, template, own in _templates(report, shared, frames, kept)
@@ -82,10 +88,11 @@ def _templates(
     yield FIRST, "first.html.j2", still | own
     for name in sections:
         if section(name) not in kept:
-            script = SEARCH.read_text("utf-8") if name == "rows" else ""
+            script = "\n".join((HERE / file).read_text("utf-8") for file in SCRIPTS.get(name, ()))
+            more = _explored(report, shared) if name == "explorer" else {}
             yield (
                 path_of(name), "section.html.j2",
-                still | {"heading": SECTIONS[name], "name": name} | _scripted(script),
+                still | {"heading": SECTIONS[name], "name": name} | more | _scripted(script),
             )  # fmt: skip
     for case, lines in shared["groups"]:
         if page_of(case.id) not in kept:
@@ -94,6 +101,15 @@ def _templates(
                 still | {"heading": case.title, "mine": _of_case(report, case, lines)}
                 | _scripted(script_of([case], frames)),
             )  # fmt: skip
+
+
+def _explored(report: Report, shared: Mapping[str, Any]) -> dict[str, Any]:
+    """Tables and data of the validity explorer, and the cases that it leaves out."""
+    return {
+        "studied": explorer.of_cases(report),
+        "points": explorer.data(report, shared["anchors"]),
+        "unstudied": [v for v in report.validity if v.missing and not v.cards and not v.exact],
+    }
 
 
 def _scripted(script: str) -> dict[str, Any]:
@@ -107,6 +123,7 @@ def _scripted(script: str) -> dict[str, Any]:
 def _has(report: Report, shared: Mapping[str, Any], name: str) -> bool:
     """Whether a run has something for a section."""
     return bool({
+        "explorer": report.studies,
         "rows": report.rows, "papers": report.has_ledgers, "errata": report.has_ledgers,
         "solvers": shared["crosschecks"], "since": report.drift, "provenance": True,
         "faults": report.caught and not report.caught.missing,

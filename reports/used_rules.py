@@ -7,15 +7,17 @@ _STYLE = re.compile(r"<style>(.*?)</style>", re.DOTALL)
 _RULE = re.compile(r"([^{}]+)\{([^{}]*)\}")
 _CLASS = re.compile(r"\.([A-Za-z][\w-]*)")
 _INSIDE = re.compile(r"\([^()]*\)")
-_GIVEN = re.compile(r'\bclass(?:Name)? ?= ?"([^"]*)"')  # of elements, also those that a script adds
+_GIVEN = re.compile(r'\bclass="([^"]*)"')
+_SCRIPT = re.compile(r"<script>(.*?)</script>", re.DOTALL)  # whose words may be classes
 
 
 def used_rules(page: str) -> str:
-    """The page with the rules of its style sheet whose classes all occur in it.
+    """The page with the rules of its style sheet whose classes all occur in it or in its scripts.
 
     Classes within brackets, as of :is(), do not count: such a rule stays.
     """
     given = {name for names in _GIVEN.findall(page) for name in names.split()}
+    given |= {word for script in _SCRIPT.findall(page) for word in re.findall(r"[\w-]+", script)}
 
     def kept(rule: re.Match[str]) -> str:
         selectors = [one for one in _parts(rule[1]) if _required(one) <= given]

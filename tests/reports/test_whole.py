@@ -10,6 +10,7 @@ import pytest
 from reports.frames import frames
 from reports.html import anchors, page
 from reports.in_short import markdown
+from reports.links import FOLDER
 from reports.pages import pages
 from reports.pdf import pdf
 from reports.pdf_record import BYTES, PAGES, record
@@ -51,6 +52,16 @@ def test_every_row_is_once_on_a_page_small_enough_to_mail(whole, text):
     ids = Counter(re.findall(r'id="(row-[\d-]+)"', text))
     assert ids == dict.fromkeys(anchors(whole.rows).values(), 1)
     assert len(text.encode()) < 9e6  # what most mail takes, with room to spare
+
+
+@NO_CHROMIUM
+def test_the_explorer_of_all_cases_is_small_and_opens_in_a_second(tmp_path, whole):
+    made = pages(whole, {})[f"{FOLDER}/explorer.html"]
+    (tmp_path / "explorer.html").write_text(made, "utf-8")
+    assert len(made.encode()) < 400_000
+    seen = looked_at(tmp_path, "explorer", 1320)
+    assert_silent(seen)
+    assert seen["milliseconds"] < 1000
 
 
 @NO_CHROMIUM

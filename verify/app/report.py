@@ -17,6 +17,7 @@ from verify.core.results import (
     Drift,
     ReadingsTried,
     Report,
+    StoredStudy,
     Validity,
 )
 from verify.core.verdicts import FormulaVerdict
@@ -54,6 +55,7 @@ def make_report(
         validity=_validity(results, cases, parts), budgets=_budgets(own, parts),
         drift=_drift(own),
         searches=parts.of_all("searches", _READINGS, names, lambda: _searches(names)),
+        studies=_studies(results, parts) if len(results) > 1 else (),
         verdicts=() if left_out else _verdicts(results, parts),
     )  # fmt: skip
 
@@ -104,6 +106,19 @@ def _validity(
         replace(one, maps=tuple(name for name in one.maps if name in by_name))
         for one in made.values() if one
     )  # fmt: skip
+
+
+def _studies(results: Sequence[CaseResult], parts: Parts) -> tuple[StoredStudy, ...]:
+    """The stored points of the cases, which pages of several cases show at a user's inputs."""
+    by_name = {result.id: result for result in results}
+
+    def of_case(name: str) -> tuple[StoredStudy, ...]:
+        from verify.verdicts.stored_points import studies
+
+        return studies([by_name[name]])
+
+    made = parts.of_cases("studies", "verify.verdicts.stored_points", list(by_name), of_case)
+    return tuple(one for found in made.values() for one in found)
 
 
 def _budgets(results: Sequence[CaseResult], parts: Parts) -> tuple[CaseBudget, ...]:

@@ -15,7 +15,7 @@ from verify.core.figures import (
     Sketch,
     Table,
 )
-from verify.core.verdicts import FormulaVerdict
+from verify.core.verdicts import FormulaVerdict, Safe
 
 SCHEMA_VERSION = 1
 
@@ -327,6 +327,76 @@ class Validity:
     maps: tuple[str, ...] = ()
 
 
+@dataclass(frozen=True, kw_only=True)
+class ScaleInput:
+    """An input that a ratio divides by, to a `power`, with its `own` value in `unit`."""
+
+    name: str
+    symbol: str
+    unit: str
+    own: float
+    power: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class StudyAxis:
+    """An input that a study varies, its `own` value in `unit`; `log` where in equal ratios.
+
+    `ratio` is `factor` times its value over the product of the inputs `per`; empty where none is
+    declared. `scales` tells whether a part of another size, all in proportion, has the same error
+    at the same ratios.
+    """
+
+    name: str
+    symbol: str
+    unit: str
+    what: str
+    own: float
+    log: bool = False
+    whole: bool = False
+    ratio: str = ""
+    factor: float = 1.0
+    per: tuple[ScaleInput, ...] = ()
+    scales: bool = False
+
+
+@dataclass(frozen=True, kw_only=True)
+class StudiedFormula:
+    """A formula at the points of a study: relative errors with bars, NaN where `problems` says why.
+
+    `by` names the reference, `of` the magnitude that errors are related to, empty for the reference
+    itself. `is_positive` tells whether the reference is above zero at the case's own inputs.
+    """
+
+    quantity: str
+    symbol: str
+    by: str
+    of: str
+    safe: Safe
+    is_positive: bool
+    error: tuple[float, ...]
+    U: tuple[float, ...]
+    problems: tuple[str, ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class StoredStudy:
+    """A stored study: `points` of values in the units of the axes, and formulas compared there.
+
+    A star varies one input at a time, from the case's own values in its first point; a grid all
+    combinations. `held` says which other inputs are not the case's own.
+    """
+
+    case: str
+    date: str
+    is_star: bool
+    over: str
+    held: str
+    axes: tuple[StudyAxis, ...]
+    points: tuple[tuple[float, ...], ...]
+    formulas: tuple[StudiedFormula, ...]
+
+
 class CrossState(StrEnum):
     """How a comparison with a second solver came out."""
 
@@ -560,6 +630,7 @@ class Report:
     tables: tuple[PaperTable, ...] = ()
     name: str = ""
     validity: tuple[Validity, ...] = ()
+    studies: tuple[StoredStudy, ...] = ()
     drift: Drift | None = None
     searches: tuple[ReadingsTried, ...] = ()
     budgets: tuple[CaseBudget, ...] = ()

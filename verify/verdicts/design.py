@@ -78,16 +78,21 @@ def axis_of(entry: Declared) -> Axis:
 
 def side(case: str, of: Axis, low: float, high: float) -> Side:
     """A range [SI] of an input, with its dimensionless ends where these are declared."""
-    scale = next(
-        (e for e in declared() if e.case == case and e.ratio and e.ends.startswith(f"{of.name}=")),
-        None,
-    )
+    scale = ratio_of(case, of.name)
     found = Side(name=of.name, symbol=of.symbol, unit=of.unit, low=of.shown(low),
                  high=of.shown(high))  # fmt: skip
     if scale is None:
         return found
     ends = (float(f"{x / divisor(scale):.3g}") for x in (low, high))
     return replace(found, ratio=scale.ratio, ratio_ends=tuple(ends))
+
+
+def ratio_of(case: str, name: str) -> Declared | None:
+    """The entry that makes an input dimensionless, if one does."""
+    return next(
+        (e for e in declared() if e.case == case and e.ratio and e.ends.startswith(f"{name}=")),
+        None,
+    )
 
 
 def divisor(entry: Declared) -> float:

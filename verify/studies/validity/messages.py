@@ -44,18 +44,23 @@ def near(axis: Axis, last: float, first: float, at: float) -> str:
 def over(plan: Plan) -> str:
     """What was varied, over which ranges and with how many values each, and what was held where."""
     parts = [f"{span(a, a.values[0], a.values[-1])} ({len(a.values)} values)" for a in plan.axes]
+    elsewhere = held(plan)
+    return (
+        ", ".join(parts) + ", one at a time" * (plan.star and len(parts) > 1)
+        + f", at {elsewhere}" * bool(elsewhere)
+    )  # fmt: skip
+
+
+def held(plan: Plan) -> str:
+    """The inputs that are not the case's own at any point: "e = 2 mm"."""
     own, varied = plan.case.inputs(), {axis.name for axis in plan.axes}
-    held = [
+    return ", ".join(
         f"{shown.symbol or shown.name} = {number(float(shown.value))} {shown.unit}".removesuffix(
             " 1"
         )
         for shown, usual in zip(plan.inputs.display(), own.display(), strict=True)
         if shown.value != usual.value and shown.name not in varied
-    ]
-    return (
-        ", ".join(parts) + ", one at a time" * (plan.star and len(parts) > 1)
-        + f", at {', '.join(held)}" * bool(held)
-    )  # fmt: skip
+    )
 
 
 def _ends(axis: Axis, low: float, high: float) -> str:

@@ -1,0 +1,95 @@
+"""Stored points as tables, which are read without a script."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from markupsafe import Markup
+
+from reports.explorer import unit
+from reports.formats import MINUS, number, symbol
+from verify.core.results import StoredStudy, StudyAxis
+
+LEAST = 0.001  # per cent: what is shown
+TINY = f"<{LEAST}"
+NO_DIGIT = 0.005  # of an error: a bar below changes none of its three digits
+
+
+@dataclass(frozen=True)
+class Line:
+    """A formula with errors in per cent, of a grid those at one `value` of its first axis.
+
+    `lines` is how many the formula has, on the first of them, and zero on the others. One error
+    may stand for all points.
+    """
+
+    quantity: str
+    lines: int
+    value: Markup
+    errors: tuple[str, ...]
+
+
+def head(study: StoredStudy) -> list[Markup]:
+    """The columns: the points of a star, or the values of a grid's last axis."""
+    if not study.is_star:
+        return [_value(study.axes[-1], v) for v in _values(study, -1)]
+    own = study.points[0]
+    return [Markup("case’s own")] + [
+        Markup(", ").join(
+            _value(axis, v) for axis, v, o in zip(study.axes, point, own, strict=True) if v != o
+        )
+        for point in study.points[1:]
+    ]
+
+
+def lines(study: StoredStudy) -> Iterator[Line]:
+    """The lines, of a grid one for each value of the first axis."""
+    for f in study.formulas:
+        errors = tuple(in_percent(e, U) for e, U in zip(f.error, f.U, strict=True))
+        if set(errors) == {TINY}:
+            yield Line(f.quantity, 1, Markup(""), (f"all within {LEAST} %",))
+        elif study.is_star:
+            yield Line(f.quantity, 1, Markup(""), errors)
+        else:
+            yield from _of_grid(study, f.quantity, errors)
+
+
+def _of_grid(study: StoredStudy, quantity: str, errors: tuple[str, ...]) -> Iterator[Line]:
+    values, width = _values(study, 0), len(_values(study, -1))
+    for k, value in enumerate(values):
+        yield Line(
+            quantity, 0 if k else len(values), _value(study.axes[0], value),
+            errors[k * width : (k + 1) * width],
+        )  # fmt: skip
+
+
+def in_percent(error: float, U: float) -> str:
+    """An error with its bar, "−17.2 ± 0.3"; a bar that changes no digit is left out."""
+    if not math.isfinite(error + U):
+        return "–"
+    size = 100 * abs(error)
+    if size + 100 * U < LEAST:
+        return TINY
+    sign = "" if size < LEAST / 10 else "+" if error > 0 else MINUS
+    bar = f" ± {_digits(100 * U, 1)}" if abs(error) * NO_DIGIT < U else ""
+    return f"{sign}{_digits(size, 3)}{bar}"
+
+
+def _digits(value: float, count: int) -> str:
+    """So many significant digits of a number, or all of its whole part; 0 far below LEAST."""
+    if value < LEAST / 10:
+        return "0"
+    if value >= 10**count:
+        return f"{value:.0f}"
+    return np.format_float_positional(value, precision=count, fractional=False, trim="-")
+
+
+def _values(study: StoredStudy, axis: int) -> list[float]:
+    return sorted({point[axis] for point in study.points})
+
+
+def _value(axis: StudyAxis, value: float) -> Markup:
+    return Markup("{} = {}{}").format(
+        symbol(axis.symbol), number(value), f" {unit(axis)}" if unit(axis) else ""
+    )
