@@ -127,6 +127,12 @@ class Elastic:
         p = self.parts
         return Clutch(sprag=p.sprag, n_s=p.n_s, compliance=p.palmgren())
 
+    @cached_property
+    def by_contacts_and_races(self) -> Clutch:
+        """With Palmgren's law and Eq. 6: Eq. 7 would count the sprag's body a second time."""
+        compliance = replace(self.parts.palmgren(), sprag=0.0)
+        return replace(self.composite, compliance=compliance)
+
     @property
     def rolls_over_at(self) -> float:
         """Torque [N m] at which a contact reaches a flank; infinite where none does."""

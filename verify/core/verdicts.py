@@ -103,7 +103,8 @@ class FormulaVerdict:
     accuracy class of ACCURATE and of PART. `is_of_part` tells whether the errors are against the
     part itself, or against its own idealisation alone; `model` states how well the formula solves
     that where `rows` set it beside the part. `points` counts inputs beside the paper's,
-    `unsolved` those without an answer; `own_only` are cases without a study. `caution`
+    `unsolved` those without an answer; `own_only` are cases without a study. `misprint` is the
+    change from the corrected to the printed value, None where no row has both. `caution`
     is a failure beside the errors, shown by the row `caution_row`; `readings` states how far the
     value moves with what the paper leaves open.
     """
@@ -124,6 +125,7 @@ class FormulaVerdict:
     U: float | None = None
     above: float | None = None
     below: float | None = None
+    misprint: float | None = None
     ranges: tuple[VerdictRange, ...] = ()
     design: tuple[DesignRange, ...] = ()
     points: int = 0

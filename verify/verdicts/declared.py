@@ -68,6 +68,8 @@ class Formula(Entry):
             raise ValueError(f"{where}: say why the safe side is safe in safe_reason")
         if bool(self.caution) != bool(self.caution_row):
             raise ValueError(f"{where}: give caution and caution_row together")
+        if self.errata and not self.rows and not self.limited_by:
+            raise ValueError(f"{where}: say in limited_by what is wrong")
         if self.errata and self.form is Form.CORRECTED:
             raise ValueError(f"{where}: errata belong to the printed form")
         return self
@@ -132,3 +134,22 @@ def errata_of(paper: str, formula: Formula) -> tuple[Erratum, ...]:
     """The errata that change the number of a printed form."""
     ledger = next(p for p in papers() if p.key == paper)
     return tuple(e for e in ledger.errata if e.id in formula.errata)
+
+
+def rows_of_corrected(paper: str, formula: Formula) -> tuple[str, ...]:
+    """The rows of the corrected form of a printed equation that has errata."""
+    if not formula.errata:
+        return ()
+    forms = declared()[paper].of(formula.equation) if formula.equation else ()
+    return tuple(row for one in forms if one.form is Form.CORRECTED for row in one.rows)
+
+
+@cache
+def safe_sides() -> dict[str, Safe]:
+    """The safe side of each row that is evidence of a formula with one."""
+    return {
+        row: formula.safe
+        for paper in declared().values()
+        for formula in paper.formulas if formula.safe is not Safe.NEITHER
+        for row in formula.rows
+    }  # fmt: skip

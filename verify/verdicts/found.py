@@ -6,9 +6,10 @@ from dataclasses import replace
 from verify.core.results import Kind, Row
 from verify.core.verdicts import DesignRange, FormulaVerdict, Verdict
 from verify.papers.ledger import papers
-from verify.verdicts.declared import Formula, declared, errata_of
+from verify.verdicts.declared import Formula, declared, errata_of, rows_of_corrected
 from verify.verdicts.design import design
 from verify.verdicts.evidence import Evidence, NoEvidenceError, evidence, point_of, require
+from verify.verdicts.misprint import misprint
 from verify.verdicts.regions import ranges
 from verify.verdicts.rule import SHARP, Point, above, accuracy, below, judged
 from verify.verdicts.words import SMALLEST, sentence
@@ -18,13 +19,17 @@ def verdicts(rows: Sequence[Row], key: str = "") -> tuple[FormulaVerdict, ...]:
     """The verdict of each declared formula of a paper, or of all in the order of the papers."""
     known = {row.id: row for row in rows}
     return tuple(
-        _verdict(paper.key, paper.cited, formula, known)
+        _verdict(paper.key, paper.cited, formula, known, rows_of_corrected(paper.key, formula))
         for paper in papers() if key in ("", paper.key)
         for formula in declared()[paper.key].formulas
     )  # fmt: skip
 
 
-def _verdict(paper: str, source: str, formula: Formula, rows: Mapping[str, Row]) -> FormulaVerdict:
+def _verdict(
+    paper: str, source: str, formula: Formula, rows: Mapping[str, Row],
+    corrected: Sequence[str] = (),
+) -> FormulaVerdict:  # fmt: skip
+    """The verdict of a formula; `corrected` are ids of the rows of its corrected form."""
     head = FormulaVerdict(
         id=f"{paper}/{formula.name}, {formula.form}", paper=paper, source=source,
         name=formula.name, form=formula.form, what=formula.what,
@@ -42,21 +47,25 @@ def _verdict(paper: str, source: str, formula: Formula, rows: Mapping[str, Row])
             words = "; ".join(filter(None, (formula.missing, formula.caution)))
             return replace(head, verdict=Verdict.UNVERIFIABLE, words=words)
         part, model = evidence(formula.part, rows), evidence(formula.model, rows)
-        verdict = _of(paper, formula, part, model)
+        changed = misprint(part.rows + model.rows, [rows[i] for i in corrected if i in rows])
+        verdict = _of(paper, formula, part, model, changed)
         readings = _spread([require(row, rows) for row in formula.readings])
     except NoEvidenceError as error:
         return replace(head, verdict=Verdict.NONE, words=str(error))
     judged_on = part if part.rows else model
-    head = replace(head, verdict=verdict, is_of_part=bool(part.rows), readings=readings)
+    head = replace(head, verdict=verdict, is_of_part=bool(part.rows), readings=readings,
+                   misprint=changed if formula.errata else None)  # fmt: skip
     described = _described(head, judged_on)
     return replace(described, model=_model(model) if part.rows else "", words=sentence(described))
 
 
-def _of(paper: str, formula: Formula, part: Evidence, model: Evidence) -> Verdict:
+def _of(
+    paper: str, formula: Formula, part: Evidence, model: Evidence, changed: float | None
+) -> Verdict:
     """The verdict of evidence that stands; NoEvidenceError where there is none."""
     rows = (*part.rows, *model.rows)
     if formula.errata:
-        _require_shown(paper, formula, [point_of(row) for row in rows])
+        _require_shown(paper, formula, [point_of(row) for row in rows], changed)
         return Verdict.WRONG
     if not rows:
         raise NoEvidenceError("nothing is declared that it could be judged by")
@@ -75,9 +84,12 @@ def _is_sharp_identity(row: Row) -> bool:
     return row.kind is Kind.IDENTITY and row.detects is not None and row.detects <= SHARP
 
 
-def _require_shown(paper: str, formula: Formula, points: Sequence[Point]) -> None:
-    """An erratum changes the number where an error leaves its bar, or where a test shows it."""
-    if points and not any(abs(p.error) > p.U for p in points):
+def _require_shown(
+    paper: str, formula: Formula, points: Sequence[Point], changed: float | None
+) -> None:
+    """An erratum changes the number: beside the corrected form, beyond its bar, or in a test."""
+    has_error = any(abs(p.error) > p.U for p in points)
+    if points and not (has_error if changed is None else abs(changed) > SMALLEST):
         raise NoEvidenceError(f"errata {', '.join(formula.errata)}: the printed form has no error")
     for erratum in errata_of(paper, formula):
         if not points and not erratum.test:

@@ -9,6 +9,7 @@ from verify.core.verdicts import Safe
 from verify.studies.sweep.outcome import Course
 from verify.studies.sweep.plan import Plan
 from verify.studies.sweep.region import nominal_point
+from verify.verdicts.declared import safe_sides
 from verify.verdicts.rule import Point, above, accuracy, below, judged
 from verify.verdicts.words import SIDE, percent, sides
 
@@ -17,7 +18,10 @@ SAFE = {"too high": Safe.ABOVE, "too low": Safe.BELOW}
 
 
 def safe_side(plan: Plan, course: Course) -> Safe:
-    """Which estimate of the compared quantity is safe, as its case states it."""
+    """Which estimate is safe: as the formula of the row declares it, else as its case states it."""
+    declared = safe_sides().get(f"{plan.case.id}/{course.pair.name}")
+    if declared is not None:
+        return declared
     quantities: Any = getattr(plan.case.inputs, "quantities", tuple)
     stated = {q.name: q.safe for q in quantities()}
     return SAFE.get(stated.get(course.pair.analytic, ""), Safe.NEITHER)

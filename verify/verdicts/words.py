@@ -27,18 +27,42 @@ def _head(found: FormulaVerdict) -> str:
             largest = percent(max(found.above or 0.0, found.below or 0.0))
             return f"exact in its own idealisation; difference found: {largest}"
         case Verdict.ACCURATE:
-            return f"accurate within {percent(found.within)} over {_studied(found)}"
+            return f"accurate within {percent(found.within)} over {_studied(found)}{_unsafe(found)}"
         case Verdict.PART:
-            return f"{_part(found)}; {_error(found)}"
-        case Verdict.WRONG if found.error is None:
-            return "wrong as printed; the size of the error was not computed"
+            return f"{_part(found)}; {_error(found)}{_unsafe(found)}"
         case Verdict.WRONG:
-            return f"wrong as printed; {_error(found)}"
+            return _wrong(found)
         case _:
             left = f" ({found.unsolved} points without an answer)" if found.unsolved else ""
             only = left if found.points else ", the only ones compared"
             said = f"{sides(found.above or 0.0, found.below or 0.0)}; {_error(found)}{only}"
             return f"{found.verdict.value}: {said}; {SIDE[found.safe]}"
+
+
+def _unsafe(found: FormulaVerdict) -> str:
+    """By how much the formula errs on the unsafe side, over all points; empty without one."""
+    if found.safe is Safe.NEITHER:
+        return ""
+    largest = (found.below if found.safe is Safe.ABOVE else found.above) or 0.0
+    if largest < SMALLEST:
+        return "; all errors on the safe side"
+    return f"; at most {percent(largest)} on the unsafe side"
+
+
+def _wrong(found: FormulaVerdict) -> str:
+    """What the misprint changes, by itself and together with the error of the formula."""
+    if found.error is None:
+        return f"wrong as printed: {found.limited_by}"
+    if found.misprint is None or signed(found.misprint) == signed(found.error):
+        return f"wrong as printed; {_error(found)}"
+    alone = signed(found.misprint)
+    return f"wrong as printed; by the misprint alone {alone}, in all {_error(found)}"
+
+
+def signed(value: float) -> str:
+    """A relative number in per cent with its sign: "+4.7 %", "−31 %", "under 0.01 %"."""
+    size = percent(abs(value))
+    return size if abs(value) < SMALLEST else f"{'+' if value > 0 else '−'}{size}"
 
 
 def percent(value: float | None) -> str:
@@ -62,11 +86,8 @@ def _studied(found: FormulaVerdict) -> str:
 def _error(found: FormulaVerdict) -> str:
     if found.error is None or found.U is None:
         return "no error is known"
-    sign = "+" if found.error > 0 else "−"
-    size = percent(abs(found.error))
-    shown = size if abs(found.error) < SMALLEST else f"{sign}{size}"
     bar = f" ± {percent(found.U)}" if found.U >= SMALLEST else ""
-    return f"{shown}{bar} at the case's own inputs"
+    return f"{signed(found.error)}{bar} at the case's own inputs"
 
 
 def sides(high: float, low: float) -> str:

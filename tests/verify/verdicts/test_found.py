@@ -82,9 +82,9 @@ def test_a_misprint_is_wrong_where_its_error_leaves_the_bar(row):
 
 
 def test_a_misprint_without_a_row_needs_a_test_of_its_own():
-    shown = formula(part=(), errata=("eq-9-centrifugal",))
+    shown = formula(part=(), errata=("eq-9-centrifugal",), limited_by="no growth")
     assert verdict(shown).verdict is Verdict.WRONG
-    untested = formula(part=(), errata=("fig-2-3-captions",))
+    untested = formula(part=(), errata=("fig-2-3-captions",), limited_by="x")
     assert verdict(untested).words == "erratum fig-2-3-captions is shown by no row and no test"
 
 

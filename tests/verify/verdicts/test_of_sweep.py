@@ -9,12 +9,14 @@ from verify.core.verdicts import Safe
 from verify.verdicts import of_sweep
 
 
-def found(errors, safe, own=0):
+def found(errors, safe, own=0, name="k"):
     quantity = SimpleNamespace(name="k", safe=safe)
-    case = SimpleNamespace(inputs=SimpleNamespace(quantities=lambda: (quantity,)))
+    case = SimpleNamespace(id="ring-lame", inputs=SimpleNamespace(quantities=lambda: (quantity,)))
     plan = SimpleNamespace(case=case, own=own)
     course = SimpleNamespace(
-        pair=SimpleNamespace(analytic="k"), error=np.array(errors), U_error=np.zeros(len(errors))
+        pair=SimpleNamespace(analytic="k", name=name),
+        error=np.array(errors),
+        U_error=np.zeros(len(errors)),
     )
     return plan, course
 
@@ -44,7 +46,9 @@ def test_a_sweep_that_leaves_out_the_own_inputs_cannot_be_accurate_in_part(monke
     assert of_sweep.verdict_in_words(plan, course).startswith("unsafe")
 
 
-def test_the_safe_side_is_that_of_the_quantity():
+def test_the_safe_side_is_that_of_the_formula_or_else_of_the_quantity(monkeypatch):
+    monkeypatch.setattr(of_sweep, "safe_sides", lambda: {"ring-lame/row": Safe.ABOVE})
+    assert of_sweep.safe_side(*found((0.0,), "too low", name="row")) is Safe.ABOVE
     assert of_sweep.safe_side(*found((0.0,), "too low")) is Safe.BELOW
     assert of_sweep.safe_side(*found((0.0,), "")) is Safe.NEITHER
 

@@ -93,6 +93,8 @@ STATEMENTS: Mapping[str, Statement] = {
                       "half of the arms of Eq. 9"),
             Corrected("rotation with Palmgren's law, Eqs. 6 and 7, at N_0", "alpha_rigid",
                       "Palmgren's law, beside the yields of elastic bodies"),
+            Corrected("rotation with Palmgren's law and Eq. 6, without Eq. 7, at N_0",
+                      "alpha_rigid", "Palmgren's law, beside the yields of elastic bodies"),
             Corrected("turn of rigid races by Palmgren's law (Huang 2022, Eqs. 2, 4), at N_0",
                       "theta_rigid", "rigid races and Palmgren's law, beside elastic bodies"),
             Corrected("rotation as the paper has it, Palmgren's law in Eqs. 9, 10 as printed, "

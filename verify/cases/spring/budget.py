@@ -108,6 +108,8 @@ STATEMENTS: Mapping[str, Statement] = {
                       "k_V", "arcs of the inner radius, beside the centre line's"),
             Corrected("Eqs. 1-9 with the leaf length of Eq. 3 as printed", "k1",
                       "leaves of the length that the geometry gives"),
+            Corrected("stiffness of five segments with the tail of Eq. 5 as printed", "k1_five",
+                      "the sign of an odd number of segments"),
         ),
         finer=48,
     ),

@@ -15,6 +15,7 @@ from verify.case import (
     Expected,
     Level,
     Quantity,
+    Scan,
     State,
     approximation,
     fact,
@@ -65,6 +66,9 @@ class FreewheelCup(Cup):
     source = "nagler2021"
     place = "Eqs. 2-7, for an outer cam"
     levels: ClassVar = (4, 7, 10)  # cells on the half-width of the fine zones
+    scans: ClassVar = (
+        Scan(vary=("T=6N m,12N m,18N m,24N m", "R_a=20mm,30mm", "z=6,8,12"), star=True),
+    )
     readings: ClassVar = (
         "ψ is the angle between the cup's flat's normal and the roller's centre, α its half; load "
         "lowers it",

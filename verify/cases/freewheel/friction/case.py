@@ -49,7 +49,9 @@ class FreewheelFriction(Pulled):
     source = "nagler2021"
     place = "Eqs. 1, 2, 8-10"
     levels: ClassVar = (4, 6, 8)  # cells on the half-width of the fine zones
-    scans: ClassVar = (Scan(vary=("T=13N m,26N m", "F_ax=300N,600N,1200N"), star=True),)
+    scans: ClassVar = (
+        Scan(vary=("T=13N m,26N m", "F_ax=300N,600N,1200N", "mu=0.07,0.08,0.1"), star=True),
+    )
     readings: ClassVar = (
         "T and F_ax are of the whole clutch, F_n, F_t and F_a of one contact of one roller: Eq. 8 "
         "has F_a = F_ax/z where Eq. 9 has F_ax",

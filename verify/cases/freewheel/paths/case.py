@@ -18,7 +18,7 @@ from analytic.bounds.freewheel.slip_times import Rig
 from analytic.freewheel.course import Course, follow
 from analytic.freewheel.load_path import AlternatingAxial, AxialRamp, BothAlternating, LoadPath
 from analytic.freewheel.state import State, loaded
-from verify.case import Comparison, Level, Quantity, drawn_by, given, shared
+from verify.case import Comparison, Level, Quantity, Scan, drawn_by, given, shared
 from verify.cases.freewheel import pictures, star_sketch
 from verify.cases.freewheel.bounds import of_star
 from verify.cases.freewheel.paths import comparisons as compared
@@ -56,6 +56,10 @@ class LoadPaths(Pulled):
     source = "nagler2021"
     place = "Secs. 6 and 7, Eqs. 8-10"
     levels: ClassVar = (3, 4, 5)  # cells on the half-width of the fine zones
+    scans: ClassVar = (
+        Scan(vary=("T=13N m,26N m", "mu=0.07,0.08,0.1"), only=("required friction, load case 3",),
+             star=True),
+    )  # fmt: skip
     readings: ClassVar = (
         "load case 2: the axial load alternates about zero, load case 3: torque and axial load "
         "are in phase; Fig. 7 is not in the text",

@@ -30,13 +30,15 @@ class WedgedSprag(WedgeSteps):
     levels: ClassVar = (9, 12, 15)  # cells on half a fine zone, of which contacts take 6, 8, 10
     scans: ClassVar = (
         Scan(
-            vary=("T=12.5N m,25N m,40N m", "R_ed=23mm,26.23mm,32mm", "z=8,12,16"),
+            vary=("T=12.5N m,25N m,40N m", "R_ed=23mm,26.23mm,32mm",
+                  "R_id=4mm,7.21mm,9.5mm", "z=8,12,16"),
             only=(
                 "T_i/N_i against the strut's tan ν (Eq. 10), at N_0",
                 "normal force (Eq. 10), at T", "rotation of the sprags, at T",
                 "rotation as the paper has it", "torque n_s N tan(ν) OA, at N_0",
                 "all yields of elastic bodies, at N_0", "Eq. 6 alone for the outer race",
                 "mean displacement of the outer race (Eq. 6 as printed",
+                "mean displacement of the inner race (Eq. 6 as printed",
                 "peak pressure on the inner race (Hertz), at N_0",
                 "peak pressure on the outer race (Hertz), at N_0", "excess of N_e over N_i",
                 "rotation with Palmgren's law",

@@ -131,6 +131,11 @@ def _rotations(q: Wedge) -> Iterator[Comparison]:
         name="rotation with Palmgren's law, Eqs. 6 and 7, at N_0", symbol="α(N)", order=2,
     )  # fmt: skip
     yield approximation(
+        Wedge.alpha_contacts, expected=underived(PALMGREN), state=q.stroke[FULL],
+        name="rotation with Palmgren's law and Eq. 6, without Eq. 7, at N_0", symbol="α(N)",
+        order=2,
+    )  # fmt: skip
+    yield approximation(
         Wedge.alpha_paper, expected=underived(PAPER), symbol="α(T)", order=2,
         name="rotation as the paper has it, Palmgren's law in Eqs. 9, 10 as printed, at T",
     )  # fmt: skip

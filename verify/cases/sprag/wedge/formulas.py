@@ -175,6 +175,11 @@ class WedgeFormulas(WedgeInputs, Case):
     def alpha_composite(self) -> float:
         return float(self.state_of(self.bodies.composite).alpha_b)
 
+    @Quantity("α", "deg", "rotation with Palmgren's law and Eq. 6", form_of="alpha",
+              source="Eqs. 6, 10")  # fmt: skip
+    def alpha_contacts(self) -> float:
+        return float(self.state_of(self.bodies.by_contacts_and_races).alpha_b)
+
     @Quantity("α", "deg", "rotation with Palmgren's law, Eqs. 6 and 7 and Eqs. 9, 10 as printed",
               form_of="alpha", form="as printed", source="Eqs. 6, 7, 9, 10")  # fmt: skip
     def alpha_paper(self) -> float:

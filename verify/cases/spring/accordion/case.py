@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 from typing import Any, ClassVar, Self
 
-from analytic.spring import frame
+from analytic.spring import energy, frame
 from analytic.spring.garbled import flexibility
 from verify.case import (
     Comparison,
@@ -24,7 +24,7 @@ from verify.case import (
 from verify.cases.spring import readings as definitions
 from verify.cases.spring.accordion import figures as drawn
 from verify.cases.spring.accordion import reference as frames
-from verify.cases.spring.accordion.ends import COMBINED, PAPER, Ends
+from verify.cases.spring.accordion.ends import COMBINED, FIVE, PAPER, Ends
 from verify.cases.spring.free_stage import FRAME, FreeStage
 from verify.cases.spring.inputs import strip_of
 from verify.cases.spring.limits import too_slender
@@ -99,6 +99,13 @@ class AccordionSpring(FreeStage):
         J = flexibility(self.n, self.L1 / 2, self.r, leaf, self.alpha, "alternating", 1.0)
         return self.E * self.h * self.b**3 / 12 / J
 
+    @Quantity("k_1", "N/mm", "stiffness with the tail as Eq. 5 prints it", equation="5",
+              form="as printed", form_of="k1", when=lambda q: q.n % 2)  # fmt: skip
+    def k1_printed_tail(self) -> float:
+        T = energy.apex_moments(**self._printed)[-1]
+        printed, right = (energy.tail_flexibility(n, T, r=self.r) for n in (self.n + 1, self.n))
+        return self.E * self.h * self.b**3 / 12 / (self.J + float(printed - right))
+
     @Quantity("σ_n", "MPa", "bending stress at F or the largest test force, as of a straight bar",
               tex=r"\frac{6 F (L_1/2 + r)}{h b^2}")  # fmt: skip
     def nominal_stress(self) -> float:
@@ -124,9 +131,15 @@ class AccordionSpring(FreeStage):
         """The same spring with other ends."""
         return self.variant(ends=ends)
 
+    @property
+    def of_five(self) -> Self:
+        """The same spring with five segments."""
+        return self.at(n=5).variant(ends=FIVE)
+
     def reference(self, level: int) -> Level:
-        """Frames of straight and of curved elements with all ends."""
-        return frames.solve((self.held(ends) for ends in (PAPER, *COMBINED)), level)
+        """Frames of straight and of curved elements with all ends, and of five segments."""
+        held = (self.held(ends) for ends in (PAPER, *COMBINED))
+        return frames.solve((*held, self.of_five), level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
         """Eqs. 1-9 as printed and against curved elements; the force method with all ends."""
@@ -152,6 +165,7 @@ class AccordionSpring(FreeStage):
             name="Eqs. 1-9 with the leaf length of Eq. 3 as printed",
             expected=underived("the width stands for the thickness, and a factor 2"),
         )  # fmt: skip
+        yield from self._odd()
         yield Comparison(quantity=spring.nominal_stress, check=Contradiction(
             name="yield strength against the largest test force", symbol="σ", unit="MPa",
             analytic="nominal_stress", reference="wang2023:yield-strength",
@@ -172,6 +186,20 @@ class AccordionSpring(FreeStage):
                 )  # fmt: skip
         yield Order(name="order of the straight elements", symbol="p", unit="1", order=2,
                     errors=errors_of(spring.k_N))  # fmt: skip
+
+    def _odd(self) -> Iterator[Comparison]:
+        """Eqs. 1-9 for an odd number of segments, which Eq. 5 as printed does not hold for."""
+        five = State(self.of_five, FIVE.key, "five segments", displayed=False)
+        more: dict[str, Any] = {"order": 4, "shares": SHARED, "state": five}
+        yield approximation(
+            AccordionSpring.k1, FIVE.named("k_V"), expected=self.of_five._neglected(),
+            name="stiffness of five segments by Eqs. 1-9", **more,
+        )  # fmt: skip
+        yield approximation(
+            AccordionSpring.k1_printed_tail, FIVE.named("k_V"),
+            name="stiffness of five segments with the tail of Eq. 5 as printed",
+            expected=underived("the sign of the tail's arc is that of an even number"), **more,
+        )  # fmt: skip
 
     def _neglected(self) -> Expected:
         """What axial force and shear add to the compliance, known to a tenth of itself."""

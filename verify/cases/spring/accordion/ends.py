@@ -39,4 +39,5 @@ def _combined() -> Iterator[Ends]:
 
 
 PAPER = Ends("paper", "paper's lengths", inner=True)  # the shape that Eqs. 1-9 speak of
+FIVE = Ends("five", "paper's lengths, five segments", inner=True)  # an odd number of them
 COMBINED = tuple(_combined())  # on the true centre line, the free head with its arc held first
