@@ -3,9 +3,6 @@
 from collections.abc import Mapping
 
 LEFT_OUT: Mapping[str, str] = {
-    "freewheel-cup": "a point takes a minute: its figures follow the same formulas over the torque",
-    "freewheel-paths": "a point takes a minute, a course in time: freewheel-friction measures the "
-    "same formulas",
     "freewheel-clutch": "the same formulas as freewheel-torque, which measures them",
     "sprag-friction": "a point takes five minutes, courses in time: its rows alone compare them",
     "sprag-optimum": "its first level is the search itself: its own maps show pressures over the "
