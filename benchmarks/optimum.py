@@ -1,4 +1,4 @@
-"""How long the best crown of a sprag clutch takes, by kriging and without it.
+"""How long the optimal crown of a sprag clutch takes, by kriging and without it.
 
     python -m benchmarks.optimum
 

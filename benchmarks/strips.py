@@ -1,4 +1,4 @@
-"""How long many finite line contacts take: coupled strips and uncoupled slices, in one run.
+"""How long many finite line contacts take: coupled strips and independent slices, in one run.
 
     python -m benchmarks.strips [cases]
 
@@ -19,7 +19,7 @@ from analytic.contact.crown import logarithmic, slice_centres
 
 SLICES, REPEATS = 50, 3
 ROLLER = {"length": 9e-3, "R": 2.952e-3, "E_star": 113.2e9}
-ALLOWED = {"coupled strips": 5.0, "uncoupled slices": 0.5}  # s for 1e5 cases
+ALLOWED = {"coupled strips": 5.0, "independent slices": 0.5}  # s for 1e5 cases
 
 
 def main() -> None:
@@ -28,7 +28,7 @@ def main() -> None:
     roller = rollers(cases)
     runs: dict[str, Callable[[], Any]] = {
         "coupled strips": lambda: strips.press(**roller, tolerance=1e-8, workers=workers),
-        "uncoupled slices": lambda: lamina.press(**roller),
+        "independent slices": lambda: lamina.press(**roller),
     }
     print(f"{cases} rollers of {SLICES} slices, {workers} cores, median of {REPEATS}")
     for name, run in runs.items():

@@ -1,4 +1,4 @@
-r"""Finite line contact as uncoupled slices, each with Palmgren's law (the lamina model).
+r"""Finite line contact as independent slices, each with Palmgren's law (the lamina model).
 
 .. math:: s\, q_k = \max(0,\ \delta - z_k)^{10/9}, \qquad \sum_k q_k = W
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from analytic.surrogate.largest import Largest
 
 POWER = 2.0  # a slice's pressure squared goes with its force
-AGREE = 0.005  # of surrogate and true model where the best crown is
+AGREE = 0.005  # of surrogate and true model where the optimal crown is
 DIRECT = 40  # engagements of the search that knows no surrogate
 
 
@@ -70,7 +70,7 @@ def infilled(
     true: Callable[[Array], Answer],
     first: "Largest | None" = None,
 ) -> "Infilled[Answer, Largest]":
-    """Designs added at the surrogate's best crown until the true model agrees, twice in a row.
+    """Designs added at the surrogate's optimal crown until the true model agrees, twice in a row.
 
     `known` are the answers of the designs x (n, 3), `first` is their surrogate, where it is known.
     """

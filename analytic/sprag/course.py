@@ -1,4 +1,4 @@
-r"""Along the load path: turn of the races by rolling, elastic energy of a sprag.
+r"""Along the load path: wind-up of the races by rolling, elastic energy of a sprag.
 
 .. math::
     \theta_i = \int OC_e\left[\frac{\cos\beta}{OA} - \frac{1}{OB}\right] d\alpha_B

@@ -1,6 +1,6 @@
 """What a surrogate of crowns' pressures is worth: its errors, the searches on it, its maps.
 
-Arrays by name, as the study of the best crown keeps them; crowns are rows of K_1, K_2, z_m.
+Arrays by name, as the study of the optimal crown keeps them; crowns are rows of K_1, K_2, z_m.
 """
 
 from collections.abc import Mapping
@@ -69,7 +69,7 @@ def searched(
 
 
 def mapped(last: "Infilled[Answer, Largest]", box: Box, at_hand: Array) -> Mapping[str, Array]:
-    """The best crown, how surrogate and true model came together, and the surrogate's maps.
+    """The optimal crown, how surrogate and true model came together, and the surrogate's maps.
 
     Also its value at the crown `at_hand` (3,), or at the nearest of the box.
     """

@@ -79,7 +79,7 @@ def test_eq_6_by_hand(loaded, radii, printed):
 
 
 def test_the_smeared_race_is_too_soft_from_12_sprags_on_and_too_stiff_with_6():
-    """Walls of the paper's races, the dent to the wall's depth taken out."""
+    """Walls of the paper's races, the local indentation to the wall's depth subtracted."""
     for loaded, ratio in (("bore", 26.23 / 19.44), ("rim", 11.11 / 7.21)):
         error = {
             n: smeared.smeared_error(n=n, ratio=ratio, a_r=0.0079, loaded=loaded)

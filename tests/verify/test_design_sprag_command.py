@@ -19,7 +19,7 @@ from verify.studies.design_sprag.verified import LIMIT, _check, ends_carry, unlo
 
 
 def task(folder, **changes):
-    """The paper's clutch with few slices and a narrow box about its best crown."""
+    """The paper's clutch with few slices and a narrow box about its optimal crown."""
     lines = {"slices": "11", "t_end": '"0.02 s"'} | changes
     text = whole(template(find("sprag-clutch"))).replace(
         'case = "sprag-clutch"', 'case = "design-sprag"'

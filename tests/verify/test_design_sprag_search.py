@@ -1,4 +1,4 @@
-"""The search for a crown on an invented clutch whose best crown is known without a search."""
+"""The search for a crown on an invented clutch whose optimal crown is known without a search."""
 
 import math
 from copy import deepcopy

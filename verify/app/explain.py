@@ -6,10 +6,12 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict
 from difflib import get_close_matches
 from functools import partial
+from itertools import product
 from pathlib import Path
 
 from verify.app.commands import load
 from verify.cases.files import is_file_name
+from verify.cases.names import former_name
 from verify.cases.registry import CASES, find
 from verify.core import source_memory
 from verify.core.case import Case, Context
@@ -94,7 +96,8 @@ def row_ids(case: Case, inputs: Inputs, *, paper: bool) -> list[str]:
 def find_row(wanted: str, ids: Sequence[str], where: str = "") -> str:
     """The one id that `wanted` names: all of it, its end, a part of it, or words it contains.
 
-    A row stands before the one on its convergence. InputError lists what is found if not one.
+    A row stands before the one on its convergence. Names of earlier versions are sought after the
+    present ones. InputError lists what is found if not one.
     """
     text = _plain(wanted)
     if not text:
@@ -104,8 +107,9 @@ def find_row(wanted: str, ids: Sequence[str], where: str = "") -> str:
         lambda i: text in i,
         lambda i: all(word in i for word in text.split()),
     )
-    for matches in ways:
-        found = [i for i in ids if matches(_plain(i))]
+    versions: tuple[Callable[[str], str], ...] = (str, former_name)
+    for version, matches in product(versions, ways):
+        found = [i for i in ids if matches(_plain(version(i)))]
         main = [i for i in found if not i.endswith(BESIDE)] if BESIDE[2:] not in text else []
         found = main or found
         if len(found) == 1:

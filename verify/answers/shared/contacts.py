@@ -22,7 +22,7 @@ RIM = SharedReading(
 )
 PARALLEL = SharedReading(
     assumption="the axis of the roller is parallel to the race", part="it is tilted",
-    quantity="the largest pressure beyond d of the ends",
+    quantity="the largest pressure outside the end zones d",
     source="not quantified here; -7 % at 0.03° (case contact-roller-tilted)",
 )  # fmt: skip
 

@@ -28,7 +28,7 @@ def figures(outcome: Outcome) -> list[Picture]:
 
 
 def profiles(outcome: Outcome) -> Curves:
-    """Drop along the sprag now and of the best crown, with its tolerance."""
+    """Drop along the sprag now and of the optimal crown, with its tolerance."""
     model, q = outcome.search.model, outcome.task.clutch
     y = np.linspace(-0.5, 0.5, POINTS) * q.l
     drops = model.drop(outcome.chosen.crowns, y) / um
@@ -76,7 +76,7 @@ def _thinned(values: Array, most: int) -> Array:
 
 
 def plane(outcome: Outcome, i: int, j: int) -> Density:
-    """What is made least over two of the parameters, the third as in the best crown."""
+    """What is made least over two of the parameters, the third as in the optimal crown."""
     search, task = outcome.search, outcome.task
     x, y = (np.linspace(task.low[k], task.high[k], CELLS) for k in (i, j))
     crowns = np.tile(outcome.crown, (CELLS * CELLS, 1))
@@ -92,11 +92,11 @@ def plane(outcome: Outcome, i: int, j: int) -> Density:
         span = (least, SHADED * least)
     kept = 3 - i - j
     return Density(
-        title=f"{_bare(i)} and {_bare(j)} about the best crown", x_label=NAMES[i],
+        title=f"{_bare(i)} and {_bare(j)} about the optimal crown", x_label=NAMES[i],
         y_label=NAMES[j], z_label=unit, x=x / UNITS[i], y=y / UNITS[j], z=z.reshape(CELLS, CELLS),
         range=span, point=(float(outcome.crown[i] / UNITS[i]),
                              float(outcome.crown[j] / UNITS[j]), "best"),
-        note=f"By kriging, {_bare(kept)} as in the best crown"
+        note=f"By kriging, {_bare(kept)} as in the optimal crown"
         + ("" if search.single else ", the worst within the tolerance")
         + "; what is worse than the colours span has their last.",
     )  # fmt: skip
@@ -127,7 +127,7 @@ def parity(outcome: Outcome) -> Curves:
 
 
 def over_torques(outcome: Outcome) -> Curves:
-    """Largest pressures over the torque: now, chosen, and the best crown of each."""
+    """Largest pressures over the torque: now, chosen, and the optimal crown of each."""
     T = np.array(outcome.task.torques)
     now = outcome.largest(outcome.now)[0] / MPa
     limit = outcome.task.wishes.p_lim

@@ -33,11 +33,11 @@ STEPS = (
     "Under that force the inner contacts, which always bear more than the outer ones, are pressed "
     "by strips on a half-space, a third of the contact's half-width wide. An end that carries has "
     "no largest pressure there, so that its strip counts three times. Slices (Eqs. 2-5) hardly "
-    "know that a sprag ends: their best crown lets its ends carry.",
+    "know that a sprag ends: their optimal crown lets its ends carry.",
     "Kriging with a quadratic trend (Eq. 20) learns the square of the pressure, the end, the "
     "strips beside it and all others each for itself, as the largest of them has kinks. Fresh "
     "random crowns judge it; where it misses them it learns from them and meets others.",
-    "A search on kriging finds the best crown of each torque, then the one that is sought; the "
+    "A search on kriging finds the optimal crown of each torque, then the one that is sought; the "
     "true model answers there, and kriging learns from it until both agree within 0.5 % twice in a "
     "row. With tolerances every crown stands for the worst of itself and its corners: the drop "
     "larger or smaller all along, the crown longer or shorter.",
@@ -106,7 +106,7 @@ def _failure(outcome: Outcome) -> Sequence[str]:
 
 def _lead(outcome: Outcome) -> str:
     aim = (
-        "the largest excess over the best crown of each torque is least"
+        "the largest excess over the optimal crown of each torque is least"
         if outcome.relative
         else "the largest pressure is least"
     )

@@ -1,4 +1,4 @@
-"""Rows that have another name than in a release, found by their numbers."""
+"""Rows that have another name than in a release: by the list of names, else by their numbers."""
 
 import math
 import re
@@ -7,6 +7,7 @@ from collections.abc import Collection, Mapping, Sequence
 from verify.audit.releases.row_changes import CONVERGENCE
 from verify.audit.releases.store import Kept
 from verify.audit.releases.thresholds import SOLVE_TOL
+from verify.cases.names import present_name
 from verify.core.results import Change
 
 SAME_RUN = 1e-9  # relative, of all numbers of a row on the same processor
@@ -17,9 +18,12 @@ Numbers = Sequence[float | None]
 def renamed_rows(
     before: Mapping[str, Kept], now: Mapping[str, Kept], whole: Collection[str]
 ) -> dict[str, str]:
-    """New ids by the old one of the same case, kind, unit and values, where only one fits."""
+    """Old ids by the new one: listed, or of the same case, kind, unit and values if one fits."""
     gone = [i for i in before if i not in now and case_of(i) in whole]
-    found: dict[str, str] = {}
+    found = {
+        new: old for old in gone
+        if (new := present_name(old)) in now and _may_be(old, new, before[old], now[new])
+    }  # fmt: skip
     for is_same in (_same_run, _same_value):
         for new in (i for i in now if i not in before and i not in found):
             fits = [

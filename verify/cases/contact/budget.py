@@ -103,7 +103,9 @@ def line_contact(more: Rerun) -> Statement:
 
 STATEMENTS: Mapping[str, Statement] = {
     "contact-flat": line_contact(in_proportion("*, a/R = 0.15, Hertz", fem_narrow_disc)),
-    "contact-pair": line_contact(in_proportion("*, unlike, a/R = 0.1, Hertz", fem_narrow_unlike)),
+    "contact-pair": line_contact(
+        in_proportion("*, different materials, a/R = 0.1, Hertz", fem_narrow_unlike)
+    ),
     "contact-ring": line_contact(
         Rerun(cause=Cause.GEOMETRY, what="a wall four times as thick", rows=OWN_LOAD, inputs=thick)
     ),

@@ -46,12 +46,12 @@ PLANE = Rerun(cause=Cause.PLANE, what="plane stress instead of plane strain", sh
 BOTH = Without(Cause.PLANE, "plane strain on both sides")
 ALONG = Without(Cause.PLANE, "plane strain and movement along the axis")
 
-ROLLED = ("torsion by exact rolling*",)
+ROLLED = ("wind-up by exact rolling*",)
 UNTURNED = "neither the load nor the wall changes it, nothing else was rerun"
 TURNED = Left(ROLLED, UNTURNED)
 THIN = Left(
-    (*ROLLED, "way of the rollers*", "approach of roller and cup*", "normal force at a given angle",
-     "largest torque*"), "of cups only one twice as thick was run"
+    (*ROLLED, "travel of the rollers*", "approach of roller and cup*",
+     "normal force at a given angle", "largest torque*"), "of cups only one twice as thick was run"
 )  # fmt: skip
 
 STAR = Left(("approach of roller and star*",), "the size of the star was not rerun")  # fmt: skip
@@ -70,7 +70,7 @@ STATEMENTS: Mapping[str, Statement] = {
             ),
             Corrected("clamping angle under torque, Eq. 4 as printed", "alpha"),
             Corrected("clamping angle under torque, Eq. 5 as printed", "alpha"),
-            Corrected("torsion, Eq. 7 as printed, against ∫dU/T", "phi"),
+            Corrected("wind-up, Eq. 7 as printed, against ∫dU/T", "phi"),
             Corrected(
                 "torque z X F_t of the star, Eq. 3 as printed, at N = T/(z R tan α_0)",
                 "torque_rigid",
@@ -81,7 +81,7 @@ STATEMENTS: Mapping[str, Statement] = {
         reruns=(LIGHT, rerun(what="a cup twice as thick", inputs=thick_cup, levels=(4,))),
         without=(BOTH,),
         left=(THIN,),
-        corrected=(Corrected("torsion, Eq. 7 as printed, with R_s and X_o, against ∫dU/T", "phi"),),
+        corrected=(Corrected("wind-up, Eq. 7 as printed, with R_s and X_o, against ∫dU/T", "phi"),),
     ),
     "freewheel-friction": Statement(
         reruns=(LIGHT, WALL),

@@ -69,9 +69,9 @@ def balanced(clutch: Any, of_cam: Quantity, words: Named) -> Iterator[Comparison
                    within=1e-3)  # fmt: skip
     yield accepted(of_cam, f"torque against {on_cam}", "torque_cam", "off by", within=1e-3,
                    source=OTHER)  # fmt: skip
-    yield accepted(clutch.N, "normal forces of both contacts alike (Eq. 2)", "unlike_N", "apart by",
+    yield accepted(clutch.N, "equal normal forces of both contacts (Eq. 2)", "unlike_N", "apart by",
                    within=1e-3, source=ALIKE, by="the flat's")  # fmt: skip
-    yield accepted(clutch.F_t, "tangential forces of both contacts alike (Eq. 2)", "unlike_F_t",
+    yield accepted(clutch.F_t, "equal tangential forces of both contacts (Eq. 2)", "unlike_F_t",
                    f"{n.unlike_forces} to either side of the bisector: apart by", within=4e-3,
                    source=BOTH, by="the flat's")  # fmt: skip
     yield accepted(clutch.phi, "∫dU/T against rolling", "rolling", within=5e-3,

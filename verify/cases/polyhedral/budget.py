@@ -141,7 +141,7 @@ STATEMENTS: Mapping[str, Statement] = {
             Corrected("torque of free rollers, Eq. 3 as printed", "M_free"),
             Corrected("normal force per torque, free, Eq. 4 as printed", "N_per_M"),
         ),
-        finer=32, headline="stick half-width of a roller let go, T/(μN) = 0.6",
+        finer=32, headline="stick half-width of a released roller, T/(μN) = 0.6",
     ),
     "polyhedral-clutch": Statement(
         reruns=(
@@ -152,11 +152,11 @@ STATEMENTS: Mapping[str, Statement] = {
         corrected=(
             Corrected("torque, Eq. 20", "M_el", BY_SERIES),
             Corrected("torque of the first design, Eq. 21", "M_el", BY_SERIES),
-            Corrected("pressure for the torque that is wanted, Eqs. 17 to 20", "p_need",
+            Corrected("pressure for the target torque, Eqs. 17 to 20", "p_need",
                       BY_SERIES),
             Corrected("torque, Eq. 20 as printed", "M_el", BY_SERIES),
             Corrected("torque of the first design, Eq. 21 as printed", "M_el", BY_SERIES),
-            Corrected("pressure for the torque that is wanted, Eq. 17 as printed", "p_need",
+            Corrected("pressure for the target torque, Eq. 17 as printed", "p_need",
                       BY_SERIES),
         ),
         finer=5, headline="torque of the elastic ring, series",

@@ -63,7 +63,7 @@ LOADS = Statement(
         ),
         Rerun(
             cause=Cause.GEOMETRY, what="four times as many sprags, each with a quarter of the load",
-            rows=("Eq. 6 *dent*",), inputs=closer,
+            rows=("Eq. 6 *indentation*",), inputs=closer,
         ),
         Rerun(
             cause=Cause.PLANE, what="plane strain instead of plane stress", rows=("Eq. 6*",),
@@ -71,8 +71,8 @@ LOADS = Statement(
         ),
     ),
     left=(
-        Left(("Eq. 6 *dent*",), "the half plane's dent is cut off at a depth that is chosen, which "
-             "no body has that could be rerun"),
+        Left(("Eq. 6 *indentation*",), "the half plane's indentation ends at a depth that is "
+             "chosen, which no body has that could be rerun"),
     ),
     finer=20, headline="Eq. 6 at a load",
 )  # fmt: skip

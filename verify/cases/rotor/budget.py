@@ -48,7 +48,7 @@ def uncrowned(q: Any) -> Any:
 
 
 LOW = "a step a tenth as high"
-BEAM = ("Timoshenko*", "Euler*", "Rayleigh*", "beam*")
+BEAM = ("Timoshenko*", "Euler*", "Rayleigh*", "beam with*", "beam by*")
 SOLID = (Without(Cause.PLANE, "a body of revolution"), Without(Cause.CONTACT, "none"))
 
 STATEMENTS: Mapping[str, Statement] = {

@@ -69,10 +69,10 @@ WEDGE = Left(
     ("T_*tan*1.8 N_0", "excess of N_e*", "torque n_s N*1.8 N_0"),
     "a quarter of the torque and thicker races take more away than there is",
 )
-STIFF = Left(("torsional stiffness of rigid races*",), "the reciprocal of the turn of rigid races, "
-             "whose row has the parts")  # fmt: skip
+STIFF = Left(("torsional stiffness of rigid races*",), "the reciprocal of the wind-up of rigid "
+             "races, whose row has the parts")  # fmt: skip
 TURNED = Left(
-    ("turn of the races by rolling*",),
+    ("wind-up of the races by rolling*",),
     "neither the torque nor the races explain it, nothing else was rerun",
 )
 
@@ -87,7 +87,7 @@ STATEMENTS: Mapping[str, Statement] = {
         corrected=(
             Corrected("rotation with half planes and Eq. 6, long, at N_0", "alpha_rigid",
                       "half planes and Eq. 6, beside the yields of elastic bodies"),
-            Corrected("rotation with Eqs. 9, 10 as printed and elastic yields, at N_0",
+            Corrected("rotation with Eqs. 9, 10 as printed and elastic deflections, at N_0",
                       "alpha_rigid"),
             Corrected("torque with the lever arm of Eq. 16 as printed, at N_0", "torque_rigid",
                       "half of the arms of Eq. 9"),
@@ -95,7 +95,7 @@ STATEMENTS: Mapping[str, Statement] = {
                       "Palmgren's law, beside the yields of elastic bodies"),
             Corrected("rotation with Palmgren's law and Eq. 6, without Eq. 7, at N_0",
                       "alpha_rigid", "Palmgren's law, beside the yields of elastic bodies"),
-            Corrected("turn of rigid races by Palmgren's law (Huang 2022, Eqs. 2, 4), at N_0",
+            Corrected("wind-up of rigid races by Palmgren's law (Huang 2022, Eqs. 2, 4), at N_0",
                       "theta_rigid", "rigid races and Palmgren's law, beside elastic bodies"),
             Corrected("rotation as the paper has it, Palmgren's law in Eqs. 9, 10 as printed, "
                       "at T", "alpha", "both as printed, beside Eqs. 9, 10 corrected with the "

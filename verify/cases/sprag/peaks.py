@@ -3,7 +3,7 @@
 A crown changes the laws of the contacts and little else: they are solved once for all torques.
 
 What slices and strips tell of the ends is in `analytic.sprag.peaks`: 2946 MPa by 41 slices are
-3255 MPa by 81 strips, 3766 by 161, for the best crown of Eq. 19 at 25 N m.
+3255 MPa by 81 strips, 3766 by 161, for the optimal crown of Eq. 19 at 25 N m.
 """
 
 import math

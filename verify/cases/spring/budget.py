@@ -153,7 +153,7 @@ STATEMENTS: Mapping[str, Statement] = {
                   inputs=thin, levels=(4,)),
         ),
         left=(
-            Left(("Haringx's column, tail held*",), "neither thickness nor segments "
+            Left(("Haringx's column, tail clamped*",), "neither thickness nor segments "
                  "explain it, its ends were not rerun"),
         ),
         without=(NO_PLANE,), finer=24,

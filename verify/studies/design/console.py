@@ -117,7 +117,7 @@ def warnings(outcome: Outcome) -> list[str]:
     if abs(f.k1_eqs_1_9[i] / f.k1[i] - 1) > q.e_max:
         found.append(
             f"Eqs. 1-9 as printed give k_1 = {f.k1_eqs_1_9[i] / 1e3:.4g} N/mm, "
-            f"{f.k1_eqs_1_9[i] / f.k1[i] - 1:+.1%}: inner radius, head free, tail held at its arc"
+            f"{f.k1_eqs_1_9[i] / f.k1[i] - 1:+.1%}: inner radius, head free, tail clamped at arc"
         )
     if outcome.verified and (said := verdict(v := outcome.verified[outcome.chosen or 0])) != "kept":
         what = "do not verify" if v.unsolved else "reject"

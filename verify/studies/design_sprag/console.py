@@ -21,10 +21,10 @@ ROUNDING = 1e-9  # by which a crown on a bound may be beyond it
 
 
 def print_outcome(outcome: Outcome, system: System = "mm") -> None:
-    """The best crown, its pressures by torque, how flat, how sure, and a half-space's verdict."""
+    """The optimal crown, its pressures by torque, flatness, and a half-space's verdict."""
     task = outcome.task
     print(f"{task.name}: {len(outcome.search.model.known):,} crowns engaged under {torques(task)}")
-    best = f"best crown: {named(outcome.crown)}, for Q = {outcome.search.model.Q:.5g} N"
+    best = f"optimal crown: {named(outcome.crown)}, for Q = {outcome.search.model.Q:.5g} N"
     print(text_in(best, system))
     for line in aligned(cells_in([("", *HEAD_CROWN), *crown_table(outcome)], system)):
         print(f"  {line}")
@@ -107,7 +107,7 @@ def torque_heads(outcome: Outcome) -> list[tuple[str, ...]]:
 
 
 def torque_table(outcome: Outcome) -> list[tuple[str, ...]]:
-    """Largest pressures now, without a crown, of the best crown of the torque, and chosen."""
+    """Largest pressures now, without a crown, of the optimal crown of the torque, and chosen."""
     lines = []
     tolerance = not outcome.search.single
     for k, T in enumerate(outcome.task.torques):
@@ -156,7 +156,7 @@ def remarks(outcome: Outcome) -> list[str]:
 
 
 def at_bounds(outcome: Outcome) -> list[str]:
-    """Bounds that the best crown is at and that cost nothing."""
+    """Bounds that the optimal crown is at and that cost nothing."""
     return [
         f"a wider range of {SYMBOLS[b.parameter]}, which is at its edge, gains nothing: "
         f"{shown(b.parameter, b.beyond)} alone was tried"
@@ -186,7 +186,7 @@ def surely(outcome: Outcome) -> str:
     """How good kriging is, and how far it was from the true model at the end."""
     near, whole = outcome.search.judged[-1]
     return (
-        f"kriging: at the best crown {percent(outcome.predicted / outcome.true - 1)} off the "
+        f"kriging: at the optimal crown {percent(outcome.predicted / outcome.true - 1)} off the "
         f"true model ({100 * AGREE:g} % asked for), {outcome.rounds} rounds; on {near.count} fresh "
         f"random crowns near the best {100 * near.mean:.2f} % in the mean and "
         f"{100 * near.largest:.2f} % at most (all {whole.count}: {100 * whole.mean:.2f} %, "
@@ -261,7 +261,7 @@ def _limits(outcome: Outcome) -> list[str]:
     if not outcome.exceeded or limit is None:
         return []
     at = ", ".join(f"{T:g}" for T in outcome.exceeded)
-    return [f"p_lim = {limit / MPa:.5g} MPa is exceeded at {at} N m, with the best crown too"]
+    return [f"p_lim = {limit / MPa:.5g} MPa is exceeded at {at} N m, with the optimal crown too"]
 
 
 def _ends(outcome: Outcome) -> list[str]:

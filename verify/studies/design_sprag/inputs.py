@@ -32,11 +32,11 @@ Method = Literal["evolution", "genetic"]
 
 
 class Wishes(EngagementInputs):
-    """The clutch, with the crown that it has now, and what the best crown is to be."""
+    """The clutch, with the crown that it has now, and what the optimal crown is to be."""
 
     aim: Aim = word(
-        "excess", "what is made least: the largest excess over the best crown of each torque, or "
-        "the largest pressure of all, so that the largest torque decides; alike for one torque",
+        "excess", "what is made least: the largest excess over the optimal crown of each torque, "
+        "or the largest pressure of all, so that the largest torque decides; alike for one torque",
     )  # fmt: skip
     contacts: Contacts = word(
         "strips", "pressures: by strips on a half-space or, as in the paper, by slices, which let "

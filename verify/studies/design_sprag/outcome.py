@@ -1,4 +1,4 @@
-"""What a task came to: the best crown, what stands beside it, and what a half-space says."""
+"""What a task came to: the optimal crown, what stands beside it, and what a half-space says."""
 
 import os
 from collections.abc import Sequence
@@ -29,7 +29,7 @@ MOST_JOBS = 2
 
 @dataclass(frozen=True)
 class Bound:
-    """A bound that the best crown is at: the number of its parameter, and what `beyond` gains."""
+    """A bound that the optimal crown is at: its parameter's number, and what `beyond` gains."""
 
     parameter: int
     beyond: float
@@ -42,7 +42,7 @@ class Bound:
 
 @dataclass(frozen=True, eq=False)
 class Outcome:
-    """The chosen crown (3,); of m torques: the best crown of each (m, 3), its pressure (m,).
+    """The chosen crown (3,); of m torques: the optimal crown of each (m, 3), its pressure (m,).
 
     `worst` (m,) [Pa] is the chosen crown's within its tolerance, as it is counted; `chosen`, `now`
     and `without` are the true model's answers for it, the clutch's own crown and none; `predicted`
@@ -107,7 +107,7 @@ class Outcome:
 
 
 def carry_out(task: Task, where: str, *, use_half_space: bool, quiet: bool) -> Outcome:
-    """The best crown of a task; InputError, in a line, where there is none to be trusted.
+    """The optimal crown of a task; InputError, in a line, where there is none to be trusted.
 
     The line says whether engagements do not lock, or were not solved, which says nothing about the
     clutch.

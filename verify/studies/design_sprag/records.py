@@ -144,13 +144,13 @@ def _csv(heads: Sequence[str], rows: Sequence[tuple[str, ...]]) -> str:
 
 
 def chosen_file(outcome: Outcome) -> str:
-    """A parameter file of the clutch with the best crown, for `freewheel check --dynamic`."""
+    """A parameter file of the clutch with the optimal crown, for `freewheel check --dynamic`."""
     K_1, K_2, z_m = map(_digits, outcome.crown)
     q = outcome.task.clutch.model_copy(
         update={"K_1": K_1, "K_2": K_2, "z_m": z_m, "Q": outcome.search.model.Q}
     )
     lines = [
-        "# The clutch of a design task with its best crown; to go on with:",
+        "# The clutch of a design task with its optimal crown; to go on with:",
         f"#   freewheel check --dynamic {CHOSEN}",
         "",
         'case = "sprag-clutch"',

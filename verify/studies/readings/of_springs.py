@@ -110,7 +110,7 @@ def staged(key: str, q: Mapping[str, Any]) -> float:
 def _stage_readings() -> tuple[Reading, ...]:
     """How head and tail are held, which radius arcs have, and how wide the strip is."""
     return (
-        switched("tail", "tail held at mid-leaf", tail="mid-leaf"),
+        switched("tail", "tail clamped at mid-leaf", tail="mid-leaf"),
         switched("head", "head guided", head="guided"),
         switched("arcs", "arcs with r + b/2", arcs=1.0),
         switched("wide", "E I/(1 − ν²) for E I", wide=1.0),

@@ -33,7 +33,7 @@ from verify.cases.contact.roller.tilted import TILTED
 from verify.cases.contact.slip.case import SLIP
 from verify.cases.contact.sphere.case import SPHERE
 
-PEAK, MID = "largest pressure beyond d of the ends", "pressure at mid-length"
+PEAK, MID = "largest pressure outside the end zones d", "pressure at mid-length"
 FIT = "contact pressure, mean, rings, plane stress"
 
 

@@ -17,11 +17,11 @@ from verify.cases.freewheel.paths.case import PATHS
 from verify.cases.freewheel.torque.case import TORQUE
 
 ANGLE = "clamping angle under torque"
-FORCE, WAY = "normal force under torque", "way of the rollers (Eq. 6)"
-TORSION = "torsion by exact rolling, against ∫dU/T (Eq. 7, corrected)"
+FORCE, WAY = "normal force under torque", "travel of the rollers (Eq. 6)"
+TORSION = "wind-up by exact rolling, against ∫dU/T (Eq. 7, corrected)"
 REQUIRED, LIMIT = "required friction (Eqs. 8, 9)", "limit of the axial load (Eq. 9)"
 ALONE = "required friction, torque alone (Eqs. 1, 2)"
-WEDGES = "wedge angles: held below tan α = μ, let out above"
+WEDGES = "rollers hold below tan α = μ and are released above"
 SLIP = "time of slip, load case"
 
 
@@ -75,9 +75,9 @@ READINGS = [
     (TORQUE, "torque z X F_t of the star, Eq. 3 as printed", printed, "torque_on_cam",
      lambda _: lambda cam, *, F_t: cam.torque_on_race(F_t=F_t), "Eq. 3 corrected as printed"),
     (CUP, WAY, Cam, "arc", scaled(0.5), "way of alpha for 2 alpha"),
-    (CUP, "torsion, Eq. 7 as printed", printed, "torsion",
+    (CUP, "wind-up, Eq. 7 as printed", printed, "torsion",
      lambda _: lambda cam, **d: 2 * cam.arc(**d) / cam.race, "Eq. 7 corrected as printed"),
-    (CUP, "torsion by exact rolling", State, "phi", only_race(10e-3), "the shaft's part alone"),
+    (CUP, "wind-up by exact rolling", State, "phi", only_race(10e-3), "the shaft's part alone"),
     (FRICTION, REQUIRED, criterion, "required_friction", given(alpha=2), "the wedge's angle"),
     (FRICTION, REQUIRED, criterion, "required_friction", given(F_ax=8), "F_ax of one roller"),
     (FRICTION, REQUIRED, criterion, "required_friction", given(R=11.39565 / 16.5), "X for R"),

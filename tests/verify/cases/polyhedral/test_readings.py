@@ -93,7 +93,7 @@ READINGS = [
     pytest.param(WEDGE, wedging, "normal_force", times(0.99999),
                  "normal force per torque, free (Eq. 5, corrected)", id="< in Eq. 5"),
     pytest.param(WEDGE, partial_slip, "stick_half_width", lambda _: lambda *, Q, P, mu, a: a * (
-        1 - Q / (mu * P)), "stick half-width of a roller let go, T/(μN) = 0.4",
+        1 - Q / (mu * P)), "stick half-width of a released roller, T/(μN) = 0.4",
                  id="c/a = 1 - T/(μN)"),
 ]  # fmt: skip
 

@@ -73,20 +73,20 @@ READINGS = [
     pytest.param(SHAFT, inputs, "hutchinson", lambda _: shafts.cowper,
                  "Timoshenko's beam as d/L goes to 0", id="Cowper's coefficient"),
     pytest.param(SHAFT, shafts.UniformShaft, "whirl", turning(0.0),
-                 "what turning splits mode 1 by, elements", id="no gyroscopic term"),
+                 "gyroscopic splitting of mode 1, elements", id="no gyroscopic term"),
     pytest.param(SHAFT, shafts.UniformShaft, "whirl", turning(-1.0),
                  "elements of Rayleigh, mode 1 forward", id="forward for backward"),
     pytest.param(SHAFT, shafts.UniformShaft, "whirl", turning(0.5),
                  "weak form of Rayleigh, mode 1 backward", id="polar for diametral inertia"),
     pytest.param(STEP, SteppedBeam, "rotor", lambda f: lambda s, **_: f(s),
-                 "the 45° rule takes off more than half of the error of mode 1", id="no 45° rule"),
+                 "the 45° rule removes more than half of the error of mode 1", id="no 45° rule"),
     pytest.param(STEP, SteppedBeam, "rotor",
                  lambda f: lambda s, **k: f(s.model_copy(update={"k": s.k / 2}), **k),
                  "weak form, mode 1 forward", id="k of both bearings"),
     pytest.param(STEP, stepped.SteppedShape, "pieces", stiff(lambda q, p: (p.d_stiff + q.d_1) / 2),
                  f"{RULE} mode 1 forward", id="half the cones' slope"),
     pytest.param(STEP, stepped, "Disc", given(polar=lambda k: k["polar"] / 2),
-                 f"{RULE} what turning splits mode 2 by", id="half the lumps' polar moment"),
+                 f"{RULE} gyroscopic splitting of mode 2", id="half the lumps' polar moment"),
 ]  # fmt: skip
 
 

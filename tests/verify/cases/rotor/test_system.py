@@ -84,11 +84,11 @@ def unbalances(change):
                      "critical speed 2, the first shaft's unbalance", id="backward whirl"),
         pytest.param(rotor_study, "unbalance_response",
                      unbalances(lambda v, e: v if e > 0 else np.conj(v)),
-                     "companion with unlike bearings: amplitude",
+                     "companion with anisotropic bearings: amplitude",
                      id="conjugate unbalance on the shaft that turns against the other"),
         pytest.param(transfer_model.Spring, "stiffness", lambda f: property(
                      lambda s: (f.fget(s)[0], np.conj(f.fget(s)[1]))),
-                     "companion with unlike bearings: load of the link",
+                     "companion with anisotropic bearings: load of the link",
                      id="conjugate deviator of stiffness"),
     ],
 )  # fmt: skip

@@ -1,4 +1,4 @@
-"""The best crown: how its maps are described, and from when on a pressure has no largest value."""
+"""The optimal crown: how its maps are described, and from when on a pressure is unbounded."""
 
 import tomllib
 

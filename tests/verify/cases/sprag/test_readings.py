@@ -20,9 +20,9 @@ from verify.cases.sprag.friction.case import FRICTION
 from verify.cases.sprag.wedge import formulas as wedge_formulas
 from verify.cases.sprag.wedge.case import WEDGE
 
-TURN, FORCE = "turn of the sprags under torque", "normal force under torque"
+TURN, FORCE = "rotation of the sprags under torque", "normal force under torque"
 LARGEST = "largest pressure under half of N by slices, inner race"
-LONG = "rotation of the sprags with elastic yields"
+LONG = "rotation of the sprags with elastic deflections"
 OMEGA = "T_e/N_e against the strut's tan ω (Eq. 10), at N_0"
 
 

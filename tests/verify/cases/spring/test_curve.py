@@ -17,10 +17,10 @@ from verify.core.results import Status
 mm = 1e-3
 Q = CurveSpring()
 STATES, CELLS = 17, 2  # of the runs here: every millimetre of the stroke
-TENFOLD = "stiffness rises tenfold once loops meet (stage BE)"
-JUDGED = ("leaves do not enter each other", "slopes do not depend on the contact's stiffness",
+TENFOLD = "stiffness rises tenfold after the loops touch (stage BE)"
+JUDGED = ("no interpenetration of leaves", "slopes do not depend on the contact's stiffness",
           "slopes stay under halving of the mesh", "work is stored or lost in friction",
-          "the way back is the way there without friction", TENFOLD)  # fmt: skip
+          "loading and unloading coincide without friction", TENFOLD)  # fmt: skip
 THIN = tuple(
     f"{what}, closed form for slender leaves"
     for what in ("displacement where tips touch", "force where tips touch", "stiffness beyond")
@@ -67,7 +67,7 @@ def judge(name, context):
         pytest.param({"line": Q.path | {"radius": Q.r + Q.b / 2}},
                      "k_1 of the reading beside Eq. 10", id="arcs of r + b/2"),
         pytest.param({"tail": "arc"}, "F(U) at 1 ... 17 mm beside Eq. 10",
-                     id="a tail held at its arc"),
+                     id="a tail clamped at its arc"),
     ],
 )  # fmt: skip
 def test_another_reading_of_the_spring_fails(changed, name, own):

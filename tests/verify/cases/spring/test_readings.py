@@ -19,7 +19,7 @@ from verify.core.case import Context
 from verify.core.results import Status
 
 GUIDED = "head guided, tail at mid-leaf"
-FREE = "the spring with a free head buckles, tail held at its arc"
+FREE = "the spring with a free head buckles, tail clamped at its arc"
 
 
 def wide_strip(_):
@@ -41,10 +41,10 @@ READINGS = [
                  lambda f: f | {"free": f["hinged"]},
                  f"displacement at which {FREE}", id="a hinge for a free head"),
     pytest.param(BUCKLING, column, "WAVES", lambda w: w | {"free": np.pi},
-                 "Haringx's column with ever more units, tail held at its arc",
+                 "Haringx's column with ever more units, tail clamped at its arc",
                  id="a column hinged at both ends"),
     pytest.param(MAP, maps, "Elastica", given(EI=lambda k: k["EI"] / 0.91),
-                 "force across, where the roller's way ends", id="a wide strip across"),
+                 "transverse force at the end of the roller's travel", id="a wide strip across"),
     pytest.param(MAP, energy, "stiffness", given(alpha=lambda k: np.pi / 2 - k["alpha"]),
                  "Eqs. 1-9 are within 10 % from L_0/b = 240 on, n <= 24, small displacement",
                  id="sine for cosine"),
@@ -59,7 +59,7 @@ READINGS = [
     pytest.param(STAGES, stages, "HELD", lambda held: held | {"hinged": []},
                  "stiffness k_1, head hinged, tail at mid-leaf", id="a hinge without side force"),
     pytest.param(WIDTH, frame, "stiffness", given(plane_strain=lambda _: False),
-                 "shell with held edges, tail held at mid-leaf, head guided",
+                 "shell with held edges, tail clamped at mid-leaf, head guided",
                  id="1 - nu² dropped"),
     pytest.param(WIDTH, frame, "stiffness", given(radius=lambda k: k["radius"] - 5e-5),
                  "shell with held edges and plane stress", id="inner radius of a narrow spring"),

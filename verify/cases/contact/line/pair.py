@@ -22,7 +22,7 @@ from verify.form.adapter import adapted
 
 RATIO = 0.1  # of unlike rollers: Hertz's a over the smaller radius
 SOFT, NU = 1 / 3, 0.1  # the lower roller's modulus over the upper one's, and its Poisson's ratio
-WHERE = f"unlike, a/R = {RATIO:g}"
+WHERE = f"different materials, a/R = {RATIO:g}"
 SECOND = 1e-3, "well below the second order, 2.6e-3, which must show"
 SERIES = "derived series of two discs; its next terms count once, 3e-4 at least"
 BOUNDED = "derived series of two discs; its next terms are bounded, 3e-4 at least"

@@ -66,7 +66,7 @@ class RollerOnRace(CrownedRoller):
         return {"p_plane": found.peak, "b_plane": found.half_width}
 
     def _best_over_load(self) -> Array:
-        """Peak of the best crown at each load over Hertz's pressure of it."""
+        """Peak of the optimal crown at each load over Hertz's pressure of it."""
         return np.array([self.best(k).peak / self.even_pressure(k) for k in BEST_AT])
 
     def comparisons(self) -> Iterator[Comparison]:
@@ -100,8 +100,8 @@ class RollerOnRace(CrownedRoller):
     def _over_load(self, context: Context) -> Iterator[Figure]:
         yield self.peaks_over(
             context, "load", "load/F", gaps=np.tile(self.gap(self.centres), (len(FINE_AT), 1)),
-            loads=FINE_AT, x=FINE_AT, best=("best crown for each load", BEST_AT), y_top=1.6,
-            note="The best crown of a load just spares the ends under it. Dots: this crown's ends "
+            loads=FINE_AT, x=FINE_AT, best=("optimal crown for each load", BEST_AT), y_top=1.6,
+            note="The optimal crown of a load leaves the ends unloaded. Dots: this crown's ends "
             "carry, and the pressure there has no limit.",
         )  # fmt: skip
 

@@ -78,7 +78,7 @@ def strips_rows(q: StripRoller, *judged: Quantity) -> Iterator[Comparison]:
 def sliced_rows(
     q: SlicedRoller, sliced: Sequence[Quantity], uncoupled: Sequence[Quantity]
 ) -> Iterator[Comparison]:
-    """Slices beside the half-space and beside uncoupled slices; their approach is shown."""
+    """Slices beside the half-space and beside independent slices; their approach is shown."""
     accepted = Expected(-SLICED, SLICED, ACCEPTED, sharp=q.is_default)
     for one in (*sliced, *uncoupled):
         judged = one in sliced and one is not SlicedRoller.delta_slices
@@ -88,9 +88,9 @@ def sliced_rows(
         )  # fmt: skip
     load: dict[str, Any] = {"symbol": "ΔF/F", "unit": "1"}
     for check in (
-        Accepted(name=f"load that slices put elsewhere than the half-space, below {SHARE:.0%}",
+        Accepted(name=f"load that slices misplace against the half-space, below {SHARE:.0%}",
                  margin=elsewhere, **load),
-        Accepted(name="slices put less load elsewhere than uncoupled slices", margin=nearer,
+        Accepted(name="slices misplace less load than independent slices", margin=nearer,
                  **load),
     ):  # fmt: skip
         yield Comparison(check=check, quantity=SlicedRoller.p_max_slices, shares=SHARED)

@@ -36,9 +36,11 @@ def uneven(key: str, crown: str, far: float) -> Accepted:
 def printed_designs() -> Iterator[Check]:
     """Which designs of Fig. 12 are the most and the least even."""
     shared: dict[str, Any] = {"symbol": "q", "unit": "1", "fitted": FITTED}
-    yield Accepted(name="Fig. 12: (1, 0.7, 0.01) is the evenest of the designs printed",
+    yield Accepted(name="Fig. 12: (1, 0.7, 0.01) has the most uniform pressure "
+                   "of the printed designs",
                    margin=extreme(0, most=False), printed=BEST, **shared)  # fmt: skip
-    yield Accepted(name="Fig. 12: (5, 0.7, 0.015) is the least even of the designs printed",
+    yield Accepted(name="Fig. 12: (5, 0.7, 0.015) has the least uniform pressure "
+                   "of the printed designs",
                    margin=extreme(1, most=True), **shared)  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""Crowned rollers: the crown of Eq. 1, and the best crown for the load."""
+"""Crowned rollers: the crown of Eq. 1, and the optimal crown for the load."""
 
 from collections.abc import Iterator
 from functools import lru_cache
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 def _best_crown(
     load: float, length: float, R: float, E_star: float, tilts: tuple[float, float]
 ) -> "BestCrown":
-    """The best crown, kept: formulas and levels need it for the same loads and tilts."""
+    """The optimal crown, kept: formulas and levels need it for the same loads and tilts."""
     from analytic.contact.best_crown import best_crown  # of both sides: what they press
 
     return best_crown(load=load, length=length, R=R, E_star=E_star, tilt=tilts)
@@ -58,13 +58,14 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
         return float(Crown.gap(self, np.array(self.L / 2 - self.d)))
 
     best_K_1 = Quantity("K_1*", "1",
-                        "best crown for F whose ends carry nothing, Q = F; a flat optimum",
+                        "optimal crown for F whose ends carry nothing, Q = F; a flat optimum",
                         source="search", role="step").reads(lambda q: q._best.K_1)  # fmt: skip
     best_K_2 = Quantity("K_2*", "1", "its crowned part", source="search",
                         role="step").reads(lambda q: q._best.K_2)  # fmt: skip
     best_z_m = Quantity("z_m*", "mm", "its drop at the ends", source="search",
                         role="step").reads(lambda q: q._best.z_m)  # fmt: skip
-    p_best = Quantity("p_max*", "MPa", "largest pressure of the best crown, ends included, strips",
+    p_best = Quantity("p_max*", "MPa", "largest pressure of the optimal crown, ends "
+                      "included, strips",
                       source="strips",
                       safe="too high").reads(lambda q: q.with_best_crown.strips.p_top)  # fmt: skip
 
@@ -74,19 +75,19 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
 
     @shared
     def with_best_crown(self) -> Self:
-        """The roller with the best crown, which is made for F."""
+        """The roller with the optimal crown, which is made for F."""
         best = self._best
         sizes = {"K_1": best.K_1, "K_2": best.K_2, "z_m": best.z_m}
         return self.model_copy(update=sizes | {"Q": self.F})
 
     def best(self, load: float = 1.0, tilt: float | None = None) -> "BestCrown":
-        """The best crown for a load [of F] and a tilt to either side, by default the roller's."""
+        """The optimal crown for a load [of F] and a tilt to either side, or the roller's."""
         tilts = (0.0, self.lean if tilt is None else tilt)
         return _best_crown(load * self.F, self.L, self.R, self.E_star, tilts)
 
     @property
     def best_design(self) -> Design:
-        """The best crown as the reference takes it."""
+        """The optimal crown as the reference takes it."""
         best = self.best()
         return Design(best.K_1, best.K_2, best.z_m)
 
@@ -100,7 +101,7 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
         return float(np.sqrt(share * self.F / self.L * self.E_star / (np.pi * self.R)))
 
     def best_row(self) -> Comparison:
-        """The best crown's pressure by strips, beside the half-space."""
+        """The optimal crown's pressure by strips, beside the half-space."""
 
         def interval() -> tuple[float, float] | None:
             return comparisons.of_strips(self.with_best_crown, "p_top", own=not self.is_default)
@@ -129,7 +130,7 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
         self, context: Context, over: str, x_label: str, *, gaps: Array, loads: Array, x: Array,
         best: tuple[str, Array], y_top: float, note: str,
     ) -> Figure:  # fmt: skip
-        """Peaks over Hertz's pressure at `x` for gaps and loads [of F], and those of best crowns.
+        """Peaks over Hertz's pressure at `x` for gaps and loads [of F], and of optimal crowns.
 
         The latter at places of their own, from the reference.
         """

@@ -46,7 +46,8 @@ class EndFace(Crown):
     """Slices, strips and boundary elements take the roller for a half-space beyond its end.
 
     Finite elements of whole bodies, a Fourier series around the axes, say what that costs at a free
-    end face; a control in which both bodies go on tells the face from the bodies' finite size.
+    end face; a control in which both bodies continue beyond the ends tells the face from the
+    bodies' finite size.
     """
 
     id = "contact-roller-end"
@@ -173,8 +174,8 @@ class EndFace(Crown):
                     expected=cost,
                 )  # fmt: skip
         for what, margin in (
-            (f"the end face takes {FACE:.0%} or more off the load near it", face),
-            ("most of it is the face: the bodies' size costs less than a third", mostly),
+            (f"the end face reduces the load near it by {FACE:.0%} or more", face),
+            ("the face dominates: the bodies' size contributes less than a third", mostly),
         ):  # fmt: skip
             for state in self.states:
                 check = Accepted(name=f"{what}, {state.words}", symbol="F_d", unit="1",

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from verify.cases.contact.roller.end import EndFace
 
 MPa, mm = roller_figures.MPa, roller_figures.mm
-BODIES = {"end": "end face", "control": "both bodies go on"}
+BODIES = {"end": "end face", "control": "both bodies continue beyond the ends"}
 EDGE_DRAWN = 5e-3
 
 
@@ -43,8 +43,8 @@ def line_loads(context: Context, state: State) -> Figure:
     return plot(
         f"Line load towards the end, {state.words}", "y [mm]", "q [N/mm]", curves,
         y_top=1.7 * q.F / q.L / 1e3,
-        note="Where both bodies go on, the half-space is nearly right; a free end face deflects "
-        "more, and the load goes to the middle.",
+        note="Where both bodies continue beyond the ends, the half-space is nearly right; a free "
+        "end face deflects more, and the load goes to the middle.",
     )  # fmt: skip
 
 

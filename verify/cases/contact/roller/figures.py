@@ -16,7 +16,7 @@ from verify.form.plots import curve, dots, line, plot
 from verify.form.sketches import arrow, leader, shape
 
 MPa, mm, um = 1e6, 1e-3, 1e-6
-NAMES = {"strips": "strips", "slices": "slices, Eqs. 2-5", "lamina": "uncoupled slices"}
+NAMES = {"strips": "strips", "slices": "slices, Eqs. 2-5", "lamina": "independent slices"}
 STYLES = {"strips": ("line", 0), "slices": ("dashes", 1), "lamina": ("dashes", 3)}
 DOTS = 60  # of the half-space along the roller
 OVER = 1.35  # of the strips' largest pressure beyond the ends, where the plot is cut

@@ -1,4 +1,4 @@
-"""Formulas of a finite line contact: strips, the paper's slices, uncoupled slices."""
+"""Formulas of a finite line contact: strips, the paper's slices, independent slices."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
@@ -14,7 +14,7 @@ from verify.case import Quantity, count, shared
 from verify.cases.contact.roller.inputs import Roller
 from verify.core.figures import Array
 
-BEYOND, MIDDLE = "largest pressure beyond d of the ends", "pressure at mid-length"
+BEYOND, MIDDLE = "largest pressure outside the end zones d", "pressure at mid-length"
 STRIPS = (
     r"\max_{|y_k| \le l/2 - d} p_k,\quad p_k = \frac{2 q_k}{\pi b_k},\quad "
     r"b_k = \sqrt{\frac{4 q_k R}{\pi E*}},\quad \sum_k C_{jk}(b_k) q_k = \delta - z_j"
@@ -151,11 +151,11 @@ class SlicedRoller(StripRoller):
                             safe="too high").reads(lambda q: q.sliced("slices").p_mid)  # fmt: skip
     delta_slices = Quantity("δ", "µm", "approach, slices", source="Eqs. 2-5", form_of="delta",
                             tex=SLICES).reads(lambda q: q.sliced("slices").delta)  # fmt: skip
-    p_max_lamina = Quantity("p_max", "MPa", f"{BEYOND}, uncoupled slices", form_of="p_max",
+    p_max_lamina = Quantity("p_max", "MPa", f"{BEYOND}, independent slices", form_of="p_max",
                             safe="too high").reads(lambda q: q.sliced("lamina").p_max)  # fmt: skip
-    p_mid_lamina = Quantity("p", "MPa", f"{MIDDLE}, uncoupled slices", form_of="p_mid",
+    p_mid_lamina = Quantity("p", "MPa", f"{MIDDLE}, independent slices", form_of="p_mid",
                             safe="too high").reads(lambda q: q.sliced("lamina").p_mid)  # fmt: skip
-    delta_lamina = Quantity("δ", "µm", "approach, uncoupled slices", form_of="delta",
+    delta_lamina = Quantity("δ", "µm", "approach, independent slices", form_of="delta",
                             tex=LAMINA).reads(lambda q: q.sliced("lamina").delta)  # fmt: skip
 
     @shared

@@ -69,7 +69,7 @@ def result(
 def solve_crowns(
     q: Roller, level: int, best: Design, *, more: Mapping[str, float], arrays: Mapping[str, Array]
 ) -> FemResult:  # fmt: skip
-    """One level, with `more` values and `arrays`; the best crown is made for F."""
+    """One level, with `more` values and `arrays`; the optimal crown is made for F."""
     found = pressed(q, level)
     crown = profiles.gap(q, best)
     other = pressed(q, level, crown=crown)

@@ -62,7 +62,7 @@ class TiltedRoller(Tilt, CrownedRoller):
         return solve_crowns(self, level, self.best_design, more={}, arrays=best)
 
     def _best_over_tilt(self) -> Array:
-        """Peak of the best crown for each tilt over Hertz's pressure of an even load."""
+        """Peak of the optimal crown for each tilt over Hertz's pressure of an even load."""
         angles = BEST_TILTS * (self.theta or LEAN)
         return np.array([self.best(tilt=a).peak / self.even_pressure() for a in angles])
 
@@ -94,7 +94,7 @@ class TiltedRoller(Tilt, CrownedRoller):
         yield self.peaks_over(
             context, "tilt", "θ [°]", gaps=Crown.gap(self, y) - (TILTS * unit)[:, None] * y,
             loads=np.ones(len(TILTS)), x=np.degrees(TILTS * unit),
-            best=("best crown for ±θ", np.degrees(BEST_TILTS * unit)), y_top=2.2,
+            best=("optimal crown for ±θ", np.degrees(BEST_TILTS * unit)), y_top=2.2,
             note="A crown for tilt is deeper than one for a straight roller.",
         )  # fmt: skip
 

@@ -67,9 +67,9 @@ def comparisons(q: ClutchInputs, case: Any) -> Iterator[Comparison]:
          lambda: expected(q).angle(), BRACKET),
         (case.N, "normal force under torque (Eqs. 2, 3)", "F_n(T)", lambda: expected(q).force(),
          BRACKET),
-        (case.phi, "torsion by exact rolling, against ∫dU/T (Eq. 7, corrected)", "φ",
+        (case.phi, "wind-up by exact rolling, against ∫dU/T (Eq. 7, corrected)", "φ",
          lambda: expected(q).torsion(), TANGENTIAL),
-        (case.dalpha_dX, "turn of the loaded angle by X", "dα(T)/dX", lambda: turn(q), BRACKET),
+        (case.dalpha_dX, "change of the loaded angle with X", "dα(T)/dX", lambda: turn(q), BRACKET),
     )  # fmt: skip
     for quantity, name, symbol, of, source in judged:
         more: Any = {"sensitivity": (0.002, SHARP)} if quantity is case.alpha else {}

@@ -230,7 +230,7 @@ class FreewheelCup(Cup):
         yield limit(cup.alpha_0, "F_t/F_n becomes tan α_0 without load (Eq. 4 for a cup)", "α_0",
                     points=partial(statics.no_load, self, self.alpha_0), exponent=1.0)  # fmt: skip
         yield fact("the clamping angle falls from state to state", "α", margin("falls"))
-        yield fact("the torque falls beyond its summit, the normal force growing", "T",
+        yield fact("the torque falls beyond its maximum while the normal force grows", "T",
                    margin("past_summit"))  # fmt: skip
         yield from statics.balanced(cup, cup.torque_cup, NAMED)
 
@@ -269,16 +269,16 @@ class FreewheelCup(Cup):
         yield self._judged(cup.mu_T, bounds.slope(), FINE, symbol="F_t/F_n",
                            name="F_t/F_n, mean of both contacts (Eqs. 1, 2)")  # fmt: skip
         yield self._judged(cup.s, bounds.under_torque("s"), COARSE, symbol="s(T)",
-                           name="way of the rollers (Eq. 6)")  # fmt: skip
+                           name="travel of the rollers (Eq. 6)")  # fmt: skip
         torsion = bounds.torsion()
         yield self._judged(
             cup.phi, torsion, COARSE, TANGENTIAL, symbol="φ(T)",
-            name="torsion by exact rolling, against ∫dU/T (Eq. 7, corrected)",
+            name="wind-up by exact rolling, against ∫dU/T (Eq. 7, corrected)",
         )  # fmt: skip
         on_flat = times(torsion, (self.R_s + self.X_o) / (2 * self.X_o), STRAIGHT)
         yield self._judged(
             cup.phi_printed, on_flat, COARSE, ON_FLAT, symbol="φ(T)",
-            name="torsion, Eq. 7 as printed, with R_s and X_o, against ∫dU/T",
+            name="wind-up, Eq. 7 as printed, with R_s and X_o, against ∫dU/T",
         )  # fmt: skip
 
     def _at_force(self, rigid: State, bounds: CupBounds) -> Iterator[Comparison]:
@@ -298,7 +298,7 @@ class FreewheelCup(Cup):
         wide = max(float(top.a_i), float(top.a_o)) / self.r > WIDE
         interval = (-math.inf, math.inf) if wide else self.within(top).summit()
         return self._judged(FreewheelCup.T_max, interval, COARSE,
-                            name="largest torque, before the rollers go through")  # fmt: skip
+                            name="largest torque, at pop-through of the rollers")  # fmt: skip
 
     figures = drawn.figures
     pictures = pictures.heaviest

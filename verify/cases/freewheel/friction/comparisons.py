@@ -36,13 +36,14 @@ def at_slip(mu_T: Quantity, mu_req: Quantity) -> Iterator[Comparison]:
                   unit="1", pair=onset, accepted=ONSET, source=SUBJECT), mu_T,
     )  # fmt: skip
     yield judged(
-        Agreement(name="friction below which the axial load finds no rest (Eqs. 8-10)",
+        Agreement(name="friction below which no equilibrium exists under the axial load "
+                       "(Eqs. 8-10)",
                   symbol="μ/μ_req", unit="1", pair=axial_onset, accepted=CONE, source=SUBJECT),
         mu_req,
     )  # fmt: skip
     for where, part in enumerate(("star", "ring")):
         yield judged(
-            Agreement(name=f"required friction on the {part}, at its own angle (Eqs. 8, 9)",
+            Agreement(name=f"required friction on the {part}, at the computed angle (Eqs. 8, 9)",
                       symbol="μ_req", unit="1", pair=partial(of_contact, where=where),
                       accepted=OWN, source=suites(ALONE)), mu_req,
         )  # fmt: skip
@@ -51,7 +52,7 @@ def at_slip(mu_T: Quantity, mu_req: Quantity) -> Iterator[Comparison]:
                   unit="1", size=on_the_cone, accepted=CONE, source=SUBJECT, whole="μF_n"), mu_req,
     )  # fmt: skip
     yield judged(
-        Deviation(name="wedge angles: held below tan α = μ, let out above", paper_only=True,
+        Deviation(name="rollers hold below tan α = μ and are released above", paper_only=True,
                   symbol="ΔF_t/(μF_n)", unit="1", size=over_angles, accepted=SHARE,
                   source=suites("as sharp as the onset of slip"), whole="μF_n"), mu_T,
     )  # fmt: skip

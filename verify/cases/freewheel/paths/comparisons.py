@@ -178,16 +178,16 @@ def comparisons(q: Any, path: Any) -> Iterator[Comparison | Check]:
     yield from in_phase(q, path.mu_req)
     yield fact("load case 3: required friction is largest at the largest torque", "μ_req", falls)
     yield agrees(
-        path.mu_req, "required friction along load case 1, at its own angle (Eqs. 8, 9)",
+        path.mu_req, "required friction along load case 1, at the computed angle (Eqs. 8, 9)",
         lambda c: own(c, "ramp"), OWN, STATICS, "1",
     )  # fmt: skip
     yield agrees(
-        path.mu_req, "required friction at the extremes of load case 2, at its own angle "
+        path.mu_req, "required friction at the extremes of load case 2, at the computed angle "
         "(Eqs. 8, 9)", lambda c: own(c, "growing"), OWN, STATICS, "1",
     )  # fmt: skip
     for case in (1, 2, 3):
         yield slips_in_time(path.slip(case), case)
-    yield Deviation(name="torque is kept up to the limit", symbol="T/T_0 − 1", unit="1",
+    yield Deviation(name="torque is constant up to the limit", symbol="T/T_0 − 1", unit="1",
                     size=torque, accepted=KEPT, whole="torque at rest",
                     source=suites("half of the 1 % that rows are asked for"))  # fmt: skip
     yield accepted("a small alternating load settles: shakedown", "RΔφ", settles)
@@ -223,7 +223,7 @@ def _adopted(path: Any) -> Iterator[Comparison | Check]:
                         )  # fmt: skip
         yield Comparison(check=check, numbers={"coulomb": 1.0})
     yield Comparison(
-        check=Adopted(name="torsion that the rig allows", symbol="φ", unit="deg", analytic="phi",
+        check=Adopted(name="wind-up that the rig allows", symbol="φ", unit="deg", analytic="phi",
                       reference="nagler2021:rig-torsion-angle",
                       why="range of the rig, beside the torsion under the largest torque"),
         quantity=path.phi,

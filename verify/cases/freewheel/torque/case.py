@@ -179,16 +179,16 @@ class FreewheelTorque(Star):
             )  # fmt: skip
         yield approximation(star.N, name="normal force under torque (Eqs. 2, 3)", symbol="F_n(T)",
                             expected=known(self, bounds.force()), **more)  # fmt: skip
-        yield approximation(star.s, name="way of the rollers (Eq. 6)", symbol="s(T)",
+        yield approximation(star.s, name="travel of the rollers (Eq. 6)", symbol="s(T)",
                             expected=known(self, bounds.travel()), **more)  # fmt: skip
         torsion = bounds.torsion()
         yield approximation(
-            star.phi, name="torsion by exact rolling, against ∫dU/T (Eq. 7, corrected)",
+            star.phi, name="wind-up by exact rolling, against ∫dU/T (Eq. 7, corrected)",
             symbol="φ(T)", expected=known(self, torsion, TANGENTIAL), **more,
         )  # fmt: skip
         on_flat = times(torsion, (self.R + self.X) / (2 * self.X), STRAIGHT)
         yield approximation(
-            star.phi_printed, name="torsion, Eq. 7 as printed, against ∫dU/T", symbol="φ(T)",
+            star.phi_printed, name="wind-up, Eq. 7 as printed, against ∫dU/T", symbol="φ(T)",
             expected=known(self, on_flat, ON_FLAT), sensitivity=(0.03, PRINTED_ERROR), **more,
         )  # fmt: skip
 

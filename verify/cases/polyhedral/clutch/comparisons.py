@@ -129,7 +129,7 @@ def comparisons(self: ClutchFormulas) -> Iterator[Comparison]:
         (case.M_el, "torque of the elastic ring, series", "M_t", slack),
         (case.M_rigid, "torque with rigid rollers, series", "M_t", rigid),
         (case.N_el, "force of a roller, series", "N", slack),
-        (case.p_need, "pressure for the torque that is wanted, series", "p_t", p),
+        (case.p_need, "pressure for the target torque, series", "p_t", p),
     ):
         yield _claimed(q, name, symbol, give, _around(self, q, give[1], None))
     for q, name, symbol, give, series, statics in (
@@ -137,13 +137,13 @@ def comparisons(self: ClutchFormulas) -> Iterator[Comparison]:
          lambda: filleted(self.flat, self.touch).torque(self.p_t)),
         (case.M_21, "torque of the first design, Eq. 21", "M_t", slack, case.M_el,
          self.torque_of_first_design),
-        (case.p_20, "pressure for the torque that is wanted, Eqs. 17 to 20", "p_t", p, case.p_need,
+        (case.p_20, "pressure for the target torque, Eqs. 17 to 20", "p_t", p, case.p_need,
          lambda: filleted(self.flat, self.touch).pressure(self.M_t)),
         (case.M_20_printed, "torque, Eq. 20 as printed", "M_t", slack, case.M_el,
          lambda: arc * filleted(self.flat, self.touch).torque(self.p_t)),
         (case.M_21_printed, "torque of the first design, Eq. 21 as printed", "M_t", slack,
          case.M_el, lambda: arc / self.z * self.torque_of_first_design()),
-        (case.p_17_printed, "pressure for the torque that is wanted, Eq. 17 as printed", "p_t", p,
+        (case.p_17_printed, "pressure for the target torque, Eq. 17 as printed", "p_t", p,
          case.p_need, self.pressure_over_the_arc),
     ):  # fmt: skip
         yield _claimed(q, name, symbol, give, _around(self, series, give[1], statics),

@@ -71,7 +71,7 @@ class LockedFormulas(PolygonSeries, LockingInputs):
         "η", "1", "share of a further pressure that reaches the rollers",
         source="1 would be Eq. 16", tex=r"\frac{1}{d_i \sin(\pi/z)} \frac{dN}{b\,dp}",
     ).reads(lambda q: q.locked.efficiency)  # fmt: skip
-    hub_share = Quantity("η_h", "1", "share of a further hub force that reaches the rollers",
+    hub_share = Quantity("η_h", "1", "incremental load-transfer ratio, hub to rollers",
                          source=SERIES,
                          when=lambda q: q.pushed).reads(lambda q: q.locked.hub_share)  # fmt: skip
     a = Quantity("a", "µm", "half-width of the contact on the ring",

@@ -114,7 +114,7 @@ class PolyhedralMap(MapInputs):
                             symbol="1/K_mid", pair=over_map(name), accepted=TRUE,
                             source=suites(AS_MESH), **more)  # fmt: skip
         yield Agreement(
-            name="series and FE agree to 1 % in the share that reaches the rollers", symbol="η",
+            name="series and FE agree to 1 % in the load-transfer ratio", symbol="η",
             pair=shares, accepted=ETA, source=suites("as far off as rows may be"),
             **demanded(ETA), **more,
         )  # fmt: skip

@@ -52,7 +52,7 @@ def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
     yield identity(case.mu_c, name="least friction of a free roller (Eq. 2)", shares=COULOMB,
                    sensitivity=(1e-4, "bisection to five digits"))  # fmt: skip
     yield fact("friction 1 % above tan(α/2) holds the roller (Eq. 2)", "N", held)
-    yield fact("friction 1 % below tan(α/2) lets it out (Eq. 2)", "N",
+    yield fact("friction 1 % below tan(α/2) releases it (Eq. 2)", "N",
                below(REST, "around", 0))  # fmt: skip
     yield Comparison(check=Deviation(
         name="T/(μN) over wedge angles, to the limit and beyond", symbol="ΔT/(μN)", unit="1",

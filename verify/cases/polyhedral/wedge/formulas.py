@@ -73,7 +73,7 @@ class WedgeFormulas(WedgeInputs):
         load = {"Q": self.T, "P": self.N, "mu": self.mu, "a": self.a}
         return float(partial_slip.stick_half_width(**load) / self.a)
 
-    @Quantity("c/a({0:g})", "1", "stick half-width of a roller let go, T/(μN) = {0:g}",
+    @Quantity("c/a({0:g})", "1", "stick half-width of a released roller, T/(μN) = {0:g}",
               source="Cattaneo").over(SHARES)  # fmt: skip
     def stick(self, k: Share) -> float:
         a = small(self)

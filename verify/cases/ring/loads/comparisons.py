@@ -74,16 +74,16 @@ def comparisons(self: SpragLoads) -> Iterator[Comparison | Check]:
     for q, at, less, name in (
         (race.smeared, race.load, None, "Eq. 6 at a load"),
         (race.smeared, race.load, race.dent,
-         "Eq. 6 at a load, dent to the wall's depth taken out"),
+         "Eq. 6 at a load, local indentation to the wall's depth subtracted"),
         (race.smeared, race.load, race.dent_half,
-         "Eq. 6 at a load, dent to half the wall taken out"),
+         "Eq. 6 at a load, local indentation to half the wall subtracted"),
         (race.smeared, race.between, None, "Eq. 6 between loads"),
         (race.with_dent, race.load, None,
-         "Eq. 6 and Hertz's dent to the wall's depth, at a load"),
+         "Eq. 6 and Hertz's indentation to the wall's depth, at a load"),
     ):  # fmt: skip
         yield _smeared(self, q, at, less, name)
-    check = Accepted(name="the smeared race is too soft, the dent taken out", symbol="m", unit="1",
-                     margin=too_soft, fitted=FITTED)  # fmt: skip
+    check = Accepted(name="a uniformly loaded race is too soft, local indentation subtracted",
+                     symbol="m", unit="1", margin=too_soft, fitted=FITTED)  # fmt: skip
     yield Comparison(check=check, quantity=race.smeared, shares=RADII)
 
 

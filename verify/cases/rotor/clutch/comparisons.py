@@ -160,7 +160,7 @@ def _limits(q: ClutchStiffness) -> Iterator[Comparison]:
     fine = (1e-8, SAME)
     yield limit(link.K_xx, "stiffness along x as the wedge angle vanishes", "d_0",
                 points=over_angle, exponent=2, sensitivity=fine)  # fmt: skip
-    yield limit(link.K_zz, f"torsional stiffness as yields vanish, {HELD}", "d_0",
+    yield limit(link.K_zz, f"torsional stiffness as deflections vanish, {HELD}", "d_0",
                 points=over_yield, exponent=1, sensitivity=fine)  # fmt: skip
     yield limit(link.K_xz_first, "coupling linear in a small offset", "d_0", points=over_offset,
                 exponent=2, sensitivity=(1e-6, "the next term of the series"))  # fmt: skip

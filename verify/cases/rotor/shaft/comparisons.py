@@ -59,7 +59,7 @@ def rows(beam: BeamTheories) -> Iterator[Comparison | Check]:
     fine = Agreement(name="32 elements are within 1e-5 at d/L = 0.03, mode 1",
                      pair=partial(_fine, beam), accepted=FINE, **stated)  # fmt: skip
     yield Comparison(check=fine, quantity=first, shares=BEAM)
-    sense = Accepted(name="turning speeds forward whirl up and slows backward whirl down",
+    sense = Accepted(name="rotation raises forward and lowers backward whirl frequencies",
                      symbol="ω", unit="1", margin=_sense)  # fmt: skip
     yield sense
 
@@ -104,7 +104,7 @@ def _bodies(beam: BeamTheories) -> Iterator[Comparison]:
     modes = ((1, "forward"), (1, "backward"), (2, "forward"), (3, "forward"))
     for q, words in _named(modes):
         yield _whirl(q, f"solid_{q.name}", f"elastic body, {words}", order=4, state=exact)
-    name = "what turning splits mode 1 by"
+    name = "gyroscopic splitting of mode 1"
     yield _whirl(shaft.split, "beam_timoshenko_split", f"{name}, elements", order=2,
                  state=_theories(beam)[-1])  # fmt: skip
     yield _whirl(shaft.split, "solid_split", f"{name}, elastic body", order=4, state=exact)

@@ -186,7 +186,7 @@ LINEAR_ROWS: tuple[Check, ...] = (
     *(Spread(name=f"backward critical speed beside {k}", symbol=f"Δn_{k}/n_{k}", unit="%",
              values=of_speed("backward", i), words=" below the forward one")
       for i, k in enumerate(ORDERS)),
-    *(Spread(name=f"ratio of the orbit's axes at node {n}, supports unlike in x and y",
+    *(Spread(name=f"ratio of the orbit's axes at node {n}, supports that differ in x and y",
              symbol="a/b", unit="1", values=ratio_of_axes(i))
       for i, n in enumerate(DISCS)),
     Misprint(name="peak 3 of node 19 over unbalance 2", symbol="x_19", unit="1",

@@ -139,9 +139,9 @@ class SteppedBeam(SteppedShaft):
         yield limit(first, "the beam's error as d_2 goes to d_1", "ω", exponent=None,
                     points=self._without_step)  # fmt: skip
         for name, margin, more in (
-            ("a step makes the beam too fast in modes 1 to 3", self._too_fast, {}),
-            ("the 45° rule takes off more than half of the error of mode 1", self._helps, {}),
-            ("a step's error exceeds what beams differ by from other beams", self._beyond_claim,
+            ("beam theory overestimates modes 1 to 3 at a step", self._too_fast, {}),
+            ("the 45° rule removes more than half of the error of mode 1", self._helps, {}),
+            ("the error at a step exceeds the difference between beam theories", self._beyond_claim,
              {"printed": ("huang2022:frequency-deviation-bound",)}),
         ):  # fmt: skip
             check = Accepted(name=name, symbol="ω", unit="1", margin=margin, **more)  # type: ignore[arg-type]
@@ -169,7 +169,7 @@ class SteppedBeam(SteppedShaft):
         yield identity(
             beam.split, "weak_cone_split", uncertainty=self._slice_error_of_split,
             scale={"45° 2 forward": lambda: self.by_rule.whirl(2, "forward")},
-            name="weak form, 45° rule, what turning splits mode 2 by", sensitivity=(1e-4, fast),
+            name="weak form, 45° rule, gyroscopic splitting of mode 2", sensitivity=(1e-4, fast),
             **options,
         )  # fmt: skip
 
@@ -193,7 +193,7 @@ class SteppedBeam(SteppedShaft):
     @property
     def _states(self) -> tuple[State, State]:
         rule = State(self.by_rule, "cone", "beam by the 45° rule", "{}'")
-        return State(self, "", "beam as drawn"), rule
+        return State(self, "", "beam with nominal diameters"), rule
 
     @staticmethod
     def _named(*modes: tuple[int, str]) -> Iterator[tuple[Quantity, str]]:
@@ -217,7 +217,11 @@ class SteppedBeam(SteppedShaft):
         """By how much more than half the 45° rule reduces the error of mode 1, over it."""
         (m, *_), U = self._errors(context, self)
         (left, *_), _ = self._errors(context, self.by_rule)
-        return 0.5 - abs(left / m), U / m, f"{m:+.2%} as drawn, {left:+.2%} by the rule"
+        return (
+            0.5 - abs(left / m),
+            U / m,
+            f"{m:+.2%} with nominal diameters, {left:+.2%} by the rule",
+        )
 
     def _beyond_claim(self, context: Context) -> tuple[float, float, str]:
         """By how much a step's error exceeds 0.3 %."""
@@ -244,13 +248,13 @@ class SteppedBeam(SteppedShaft):
         yield drawn.MODE
 
     def warnings(self) -> Iterator[str]:
-        """Where the 45° rule differs from the beam as drawn."""
+        """Where the 45° rule differs from the beam with nominal diameters."""
         off = max(self.whirl(j, "forward") / self.by_rule.whirl(j, "forward") - 1 for j in MODES)
         if off >= 0.002:
             yield (
-                f"the 45° rule lowers the beam's frequencies by up to {off:.1%}: the beam as drawn "
-                "overestimates them at the steps by about as much or more; compare with the "
-                "elastic body"
+                f"the 45° rule lowers the beam's frequencies by up to {off:.1%}: the beam with "
+                "nominal diameters overestimates them at the steps by about as much or more; "
+                "compare with the elastic body"
             )
 
 

@@ -119,7 +119,7 @@ def _half_at_rest(q: SteppedShaft, ratio: float, share: float, level: int, first
 
 
 def _errors(q: SteppedShaft, ratio: float, share: float) -> tuple[float, float]:
-    """Errors of mode 1 at rest: of the beam as drawn, and by the 45° rule."""
+    """Errors of mode 1 at rest: of the beam with nominal diameters, and by the 45° rule."""
     exact = _half_at_rest(q, ratio, share, 1, MAP_FIRST)
     own = q.with_middle(ratio, share)
     drawn, cone = (weak_form(own, MAPPED, cone=c).whirl(0.0, count=1)[0][0] for c in (False, True))

@@ -16,7 +16,7 @@ T = TypeVar("T", bound=CoaxialRotor)
 
 
 def companion(form: type[T]) -> T:
-    """The companion with unlike bearings: for the formulas, or for the reference as described."""
+    """The companion with anisotropic bearings: for formulas, or for the reference."""
     turned = np.deg2rad
     return form(
         speed=5200 * RPM,

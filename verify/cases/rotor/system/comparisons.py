@@ -77,7 +77,10 @@ def _identical(
 def _of_companion() -> Iterator[Comparison]:
     """Every judged value of the companion."""
     own = State(
-        companion(TransferRotor), "companion", "companion with unlike bearings", displayed=False
+        companion(TransferRotor),
+        "companion",
+        "companion with anisotropic bearings",
+        displayed=False,
     )
     for k in (1, 2, 3, 4):
         yield _identical(rotor.frequency(k), own, name=f"{own.words}: frequency {k}")

@@ -55,11 +55,11 @@ def by_drawn(
 def drawn_states(clutch: Any) -> Iterator[Comparison]:
     """Rolling, rigid races, Eqs. 9 and 10 as printed, and two variants of the paper's clutch."""
     c, paper = ClutchFormulas, clutch.is_default
-    yield by_drawn(c.theta, "turn of the races, finite steps of rolling", "θ(T)")
+    yield by_drawn(c.theta, "wind-up of the races, finite steps of rolling", "θ(T)")
     yield by_drawn(c.N_Liu, "normal force with rigid races (Liu)", "N_L", LAW)
-    yield by_drawn(c.alpha_Liu, "turn of the sprags with rigid races (Liu)", "α_L")
-    yield by_drawn(c.theta_Liu, "turn of the races, rigid (Liu), finite steps of rolling", "θ_L")
-    yield by_drawn(c.alpha_printed, "turn of the sprags, Eqs. 9 and 10 as printed", "α_9,10")
+    yield by_drawn(c.alpha_Liu, "rotation of the sprags with rigid races (Liu)", "α_L")
+    yield by_drawn(c.theta_Liu, "wind-up of the races, rigid (Liu), finite steps of rolling", "θ_L")
+    yield by_drawn(c.alpha_printed, "rotation of the sprags, Eqs. 9 and 10 as printed", "α_9,10")
     mu = low_friction(clutch) if paper else math.nan
     weak = clutch.model_copy(update={"mu_s": mu}) if paper else None
     yield by_drawn(c.T_slip, "torque at which the contacts slip at low friction", "T_μ",
@@ -68,8 +68,8 @@ def drawn_states(clutch: Any) -> Iterator[Comparison]:
                    demand_reason="the spiral hardly changes its wedge angle")  # fmt: skip
     quick = State(fast(clutch) if paper else None, "fast", "at 20,000 r/min")
     yield by_drawn(c.d_ce, "growth of the outer race at 20,000 r/min", "δ_ce", 0.0, quick)
-    yield by_drawn(c.alpha, "turn of the sprags at 20,000 r/min", "α(n)", state=quick)
-    yield by_drawn(c.theta, "turn of the races at 20,000 r/min, by rolling", "θ(n)", state=quick)
+    yield by_drawn(c.alpha, "rotation of the sprags at 20,000 r/min", "α(n)", state=quick)
+    yield by_drawn(c.theta, "wind-up of the races at 20,000 r/min, by rolling", "θ(n)", state=quick)
 
 
 def pressures(clutch: Any) -> Iterator[Comparison]:
@@ -96,9 +96,9 @@ def stated(clutch: Any) -> Iterator[Comparison | Check]:
     common: dict[str, Any] = {"order": 2, "by": DRAWN, "shares": SAME_LAWS}
     yield identity(c.N, name="normal force under torque", symbol="N(T)", uncertainty=LAW,
                    sensitivity=FROM_DRAWN, **common)  # fmt: skip
-    yield identity(c.mu_req, name="friction that torque asks for, tan ν", uncertainty=LAW,
-                   sensitivity=FROM_DRAWN, **common)  # fmt: skip
-    yield identity(c.alpha, name="turn of the sprags under torque", uncertainty=LAW_ALPHA,
+    yield identity(c.mu_req, name="required friction coefficient under torque, tan ν",
+                   uncertainty=LAW, sensitivity=FROM_DRAWN, **common)  # fmt: skip
+    yield identity(c.alpha, name="rotation of the sprags under torque", uncertainty=LAW_ALPHA,
                    **common)  # fmt: skip
     yield identity(c.H, name="sum of the five deflections", uncertainty=LAW_ALPHA, **common)
     yield from drawn_states(clutch)

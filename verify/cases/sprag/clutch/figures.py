@@ -143,9 +143,9 @@ def pairs(context: Context) -> Curves:
     flat, best = np.array([found["pair 25"], found["pair 40"]]).T / 1e6
     return plot(
         "Calibrated at 25 N m, predicted at 40 N m", "T [N m]", "p_max [MPa]",
-        line("no crown", T, flat), line("best crowns", T, best, 2),
+        line("no crown", T, flat), line("optimal crowns", T, best, 2),
         dots("printed, no crown", T, [3500.0, 4700.0]),
-        dots("printed, best crowns", T, [2980.0, 3400.0], 2), y_bottom=2500.0,
+        dots("printed, optimal crowns", T, [2980.0, 3400.0], 2), y_bottom=2500.0,
         note="The printed pairs ask for force ratios of 1.8 and 1.3; the clutch's is "
         f"{float(found['N_max'][1] / found['N_max'][0]):.3g}.",
     )  # fmt: skip

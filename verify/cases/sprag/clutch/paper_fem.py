@@ -16,7 +16,7 @@ from verify.core.figures import Array
 
 TORQUES = (25.0, 40.0)
 BEST = {25.0: (2.1507, 0.6763, 0.0121e-3), 40.0: (2.80, 0.7, 0.0118e-3)}  # Eqs. 21, 22
-PRINTED = {25.0: (3500e6, 2980e6), 40.0: (4700e6, 3400e6)}  # without and with the best crown
+PRINTED = {25.0: (3500e6, 2980e6), 40.0: (4700e6, 3400e6)}  # without and with the optimal crown
 FIG_13 = ((1.0, 0.4, 0.01e-3), (3.0, 0.4, 0.01e-3))
 COUNTS = (11, 15, 19, 21, 23, 25, 27, 31, 41, 81, 161)  # slices
 ANGLES = np.radians([2.9, 3.3])
@@ -65,7 +65,7 @@ def paper_fem() -> dict[str, Array]:
 
 
 def fitted_angle_fem() -> float | None:
-    """Wedge angle [rad] with the pressure printed at 25 N m, best crown.
+    """Wedge angle [rad] with the pressure printed at 25 N m, optimal crown.
 
     None where both ends of ANGLES have more than that, or both less. An engagement that is not
     found raises its own error.

@@ -130,7 +130,7 @@ def ratios(context: Context) -> tuple[float, float, str]:
 
 
 def _peak(T: int, crown: int, name: str, words: str, **more: Any) -> Beside:
-    """The largest pressure without (0) and with (1) the best crown, calibrated at 25 N m."""
+    """The largest pressure without (0) and with (1) the optimal crown, calibrated at 25 N m."""
     kind = ("unmodified", "optimised")[crown]
     return Beside(name=name, symbol="p_max", unit="MPa", words=words,
                   value=lambda c: float(measured(c)[f"pair {T}"][crown]),
@@ -155,25 +155,25 @@ OF_THE_PAPER: tuple[Check, ...] = (
              unit="1", margin=length, fem_needed=False, fitted=FITTED),
     OfPaper(name="width of the sprags changes N_max by less than 0.5 %", symbol="b", unit="1",
              margin=width, fitted=FITTED),
-    Beside(name="wedge angle that the optimum at 25 N m asks for", symbol="ν_0", unit="deg",
+    Beside(name="wedge angle required by the optimum at 25 N m", symbol="ν_0", unit="deg",
            value=lambda c: float(measured(c)["fitted"][0]), figure=EngagementInputs().nu_0,
            figure_is="input", bound=0.03, words="against the input's angle", fitted=FITTED),
-    _peak(25, 1, "25 N m, best crown, angle fitted", "the angle is fitted to it", **ON_FIT),
+    _peak(25, 1, "25 N m, optimal crown, angle fitted", "the angle is fitted to it", **ON_FIT),
     _peak(25, 0, "25 N m, no crown, slices fitted", "the number of slices is fitted to it",
           **ON_FIT),
-    _peak(40, 1, "40 N m, best crown, predicted from 25 N m",
+    _peak(40, 1, "40 N m, optimal crown, predicted from 25 N m",
           "predicted, not judged: the printed pairs contradict each other"),
     _peak(40, 0, "40 N m, no crown, predicted from 25 N m",
           "predicted with the slices fitted at 25 N m, not judged"),
     Noted(name="both printed pairs have no common ratio of forces", symbol="p_max", unit="MPa",
           erratum="huang2018:sec-4-2-force-ratio", margin=ratios,
           printed=("huang2018:stress-25nm-optimised", "huang2018:stress-40nm-optimised")),
-    Noted(name="the peak without a crown grows with the slices", symbol="p_max", unit="MPa",
-          erratum="huang2018:sec-4-2-unmodified-peak", margin=grows,
+    Noted(name="the peak without a crown grows with the number of slices",
+          symbol="p_max", unit="MPa", erratum="huang2018:sec-4-2-unmodified-peak", margin=grows,
           printed=("huang2018:stress-25nm-unmodified",)),
     OfPaper(name="the first peak is the largest, 25 and 40 N m (Figs. 8, 13)", symbol="N_max",
          unit="1", margin=first_is_largest, fitted=FITTED),
-    OfPaper(name="without a crown the ends carry the largest pressure (Fig. 16)", symbol="p_max",
+    OfPaper(name="without a crown the largest pressure is at the ends (Fig. 16)", symbol="p_max",
          unit="1", margin=ends_carry, fitted=FITTED),
     OfPaper(name="K_1 from 1 to 3 lowers the peak (Fig. 13)", symbol="p_max", unit="1",
          margin=deeper_is_lower, fitted=FITTED,

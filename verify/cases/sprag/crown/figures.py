@@ -192,7 +192,7 @@ def ratios(found: Mapping[str, Array]) -> Dots:
         ("even load: √(N_40/N_25)", float(np.sqrt(N_40 / N_25)), None, "formula"),
         ("Eq. 22's crown over Eq. 21's", float(best), None, "formula"),
         ("Eq. 21's crown at both", float(kept[AT[40]] / kept[AT[25]]), None, "formula"),
-        ("printed, best crowns: 3400/2980", 3400 / 2980, None, "paper"),
+        ("printed, optimal crowns: 3400/2980", 3400 / 2980, None, "paper"),
     ]  # fmt: skip
     return Dots(
         title="From 25 to 40 N m", label="p_max at 40 N m over that at 25 N m", items=tuple(items),

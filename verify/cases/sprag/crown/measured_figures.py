@@ -28,7 +28,7 @@ def number(crown: tuple[float, float, float]) -> int:
 
 
 def ordered(found: Mapping[str, Array], by: str) -> Array:
-    """At each force, whether Fig. 12's best crown is the lowest and its worst the highest."""
+    """At each force, whether Fig. 12's optimal crown is the lowest and its worst the highest."""
     p = found[f"swept, {by}"]
     best, worst = map(number, FIG_12)
     return np.asarray((p.argmin(axis=0) == best) & (p.argmax(axis=0) == worst))
@@ -48,7 +48,7 @@ def first_peaks(found: Mapping[str, Array]) -> str:
 
 
 def highest_and_lowest(context: Context) -> tuple[float, float, str]:
-    """Under the static load the best crown is the lowest and the worst the highest, by a share.
+    """Under the static load the optimal crown is the lowest and the worst the highest, by a share.
 
     By slices and by strips.
     """
@@ -69,7 +69,7 @@ def highest_and_lowest(context: Context) -> tuple[float, float, str]:
 
 
 def in_other_order(context: Context) -> tuple[float, float, str]:
-    """How far the best crown of Fig. 12 is above the worst at the first peak under 25 N m."""
+    """How far the optimal crown of Fig. 12 is above the worst at the first peak under 25 N m."""
     found = arrays(context)
     best, worst = (float(found["named p"][number(c), AT[25]]) for c in FIG_12)
     N = float(found["named N"][number(FIG_12[0]), AT[25]])

@@ -180,7 +180,7 @@ def comparisons(q: EngagementFormulas) -> Iterator[Comparison | Check]:
 def _partners() -> Iterator[Check]:
     yield partnered("largest force", "N_max", "N", "N_max", printed=("huang2018:time-step",))
     yield partnered("time of the largest force", "t_max", "ms", "t_max")
-    yield partnered("largest force without yielding races (Liu)", "N_max", "N", "N_max rigid")
+    yield partnered("largest force with rigid races (Liu)", "N_max", "N", "N_max rigid")
     yield partnered("largest force under 1.6 T", "N_max", "N", "N_max more",
                     printed=("huang2018:torque-40",))  # fmt: skip
     yield partnered("ratio of the largest forces under 1.6 T and T", "r", "1", "ratio")
@@ -208,7 +208,7 @@ def _energies(q: EngagementFormulas) -> Iterator[Comparison]:
                       source=suites("as half the time step"), by=BY)  # fmt: skip
     yield Comparison(check=strut, quantity=Of.N_undamped, shares=CLOSURE)
     work = AtPeak(
-        name="work till that peak, T θ = n_s ∫(N dH_i + N_e dH_e)", symbol="W_1", unit="J",
+        name="work up to that peak, T θ = n_s ∫(N dH_i + N_e dH_e)", symbol="W_1", unit="J",
         fem="W_1 strut", analytic="stored", formal=2, by=BY,
         interval=lambda *_: bounds(q).radially(),
         demand=1e-3, demand_reason="a closure that loses work is off by far more",
@@ -242,7 +242,7 @@ def _models(q: EngagementFormulas) -> Iterator[Comparison]:
     asked = f"{UNEQUAL}; either contact's share"
     yield approximation(
         Of.mu_asked, "asked", expected=expected(q, lambda b: b.either_way(2), asked), order=4,
-        name="friction that rolling asks for, tan ν", symbol="μ", **more,
+        name="required friction coefficient of rolling, tan ν", symbol="μ", **more,
     )  # fmt: skip
 
 

@@ -79,7 +79,13 @@ class EngagementFormulas(EngagementInputs, Case):
     def ratio(self) -> float:
         return self.number("ratio")
 
-    @Quantity("μ_r", "1", "friction that rolling asks for, tan ν", equation="10", safe="too high")
+    @Quantity(
+        "μ_r",
+        "1",
+        "required friction coefficient of rolling, tan ν",
+        equation="10",
+        safe="too high",
+    )
     def mu_asked(self) -> float:
         return self.number("mu_asked")
 

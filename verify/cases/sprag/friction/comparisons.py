@@ -112,7 +112,7 @@ def _limits(q: FrictionFormulas) -> Iterator[Comparison]:
 
     yield approximation(
         FrictionFormulas.mu_b, expected=Computed(boundary, f"{UNEQUAL}; either contact's share"),
-        name="friction from which on it locks, T/(n_s OA N)", by=BY, shares=CLOSURE,
+        name="friction above which it locks, T/(n_s OA N)", by=BY, shares=CLOSURE,
     )  # fmt: skip
     locks = Agreement(name=f"locks from μ = tan ν on, within {BOUNDARY:.0%}", symbol="μ_b/tan ν",
                       unit="1", pair=at_tan, accepted=BOUNDARY, source=SUBJECT, by=BY,
@@ -141,7 +141,7 @@ def _partners() -> Iterator[Check]:
                 own_reason="a band ends slip, LSODA an event", **time)  # fmt: skip
     yield Partnered(name="time at which slip begins, μ between rest and peak: steps and LSODA",
                     fem="slips", analytic="LSODA slips", **time)  # fmt: skip
-    yield Partnered(name="largest force with slip amid: steps and LSODA", fem="N_max amid",
+    yield Partnered(name="largest force with intermediate slip: steps and LSODA", fem="N_max amid",
                     analytic="LSODA N_max amid", demand_reason="acceptance of the subject",
                     **force)  # fmt: skip
 
@@ -151,11 +151,11 @@ def _guard() -> Iterator[Check]:
                     unit="N", pair=by_default, accepted=GUARDED, source=SUBJECT, by=BY)  # fmt: skip
     yield Accepted(name=f"D_V = {NARROW:g} m/s is refused at 1.6 T with weak springs", symbol="D_V",
                    unit="1", margin=refused)  # fmt: skip
-    yield Accepted(name="unguarded, the force hangs on the torque's ninth digit", symbol="N_max",
+    yield Accepted(name="without the step guard the force is ill-conditioned", symbol="N_max",
                    unit="1", margin=unguarded)  # fmt: skip
-    yield Deviation(name=f"what the guard lets pass is right to {GUARDED:.1%}",
+    yield Deviation(name=f"time steps that the guard accepts are right to {GUARDED:.1%}",
                     symbol="ΔN_max/N_max", unit="1", size=never_wrong, accepted=GUARDED,
                     source=suites("as the steps beside LSODA"), whole="right force",
                     by=BY)  # fmt: skip
-    yield Accepted(name="what the guard refuses is wrong", symbol="N_max", unit="1",
+    yield Accepted(name="time steps that the guard rejects are wrong", symbol="N_max", unit="1",
                    margin=never_idle)  # fmt: skip

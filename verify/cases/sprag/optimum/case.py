@@ -1,4 +1,4 @@
-"""The best crown of a sprag clutch: the paper's optimisation by kriging, at both its torques."""
+"""The optimal crown of a sprag clutch: the paper's optimisation by kriging, at both its torques."""
 
 from dataclasses import replace
 from typing import ClassVar

@@ -1,4 +1,4 @@
-"""What is compared of the best crown: with what is printed, its valley, its maps, torques."""
+"""What is compared of the optimal crown: with what is printed, its valley, its maps, torques."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -15,7 +15,7 @@ from verify.cases.sprag.statements import FITTED, Beside, OfPaper, measured
 from verify.core.case import Check, Context
 from verify.core.figures import Array
 
-NEAR = 0.01  # of the best crown's pressure: what is as good
+NEAR = 0.01  # of the optimal crown's pressure: what is as good
 ON_BOUND = 1e-3  # of a range
 FLAT = 0.005  # of it, that bounds the valley
 SURE = 1e-3  # of a pressure, which engagements are surely good for
@@ -63,7 +63,7 @@ def flat(context: Context) -> str:
 
 
 def bound(context: Context) -> str:
-    """The bounds that the best crown lies on."""
+    """The bounds that the optimal crown lies on."""
     box = context.inputs.box
     u = box.to_unit(measured(context)["best"][None])[0]
     on = [
@@ -121,7 +121,7 @@ def over_z_m(context: Context) -> str:
 
 
 def counted(context: Context, lines: Array) -> str:
-    """How many lines of constant K_1 turn, and what that of the best crown's K_1 does."""
+    """How many lines of constant K_1 turn, and what that of the optimal crown's K_1 does."""
     found, q = turns(lines), context.inputs
     K_1 = np.linspace(q.K_1_low, q.K_1_high, q.levels)
     near = int(np.argmin(np.abs(K_1 - measured(context)["best"][0])))
@@ -168,7 +168,7 @@ def steeper_z_m(context: Context) -> tuple[float, float, str]:
 
 
 def reductions(found: Any) -> Array:
-    """What the best crowns take off the pressure without one, under each torque."""
+    """What the optimal crowns take off the pressure without one, under each torque."""
     crowns = [float(found["best: pressures"][0].max())]
     crowns += [float(found["less"][4])] if "less" in found else []
     flat_ones = found["none: pressures"].max(axis=1)
@@ -186,13 +186,13 @@ def improves(context: Context) -> tuple[float, float, str]:
 
 
 def made_for(context: Context) -> tuple[float, float, str]:
-    """What the other torque's best crown bears above the best."""
+    """What the other torque's optimal crown bears above the best."""
     p = float(measured(context)["less"][3])
     return p / best(context) - 1, SURE, f"{p / best(context) - 1:+.1%}"
 
 
 def taken_off(context: Context) -> str:
-    """What the best crown takes off, by several numbers of slices under the same forces."""
+    """What the optimal crown takes off, by several numbers of slices under the same forces."""
     best, none = (by_number(context, crown) for crown in ("best", "none"))
     shares = ", ".join(
         f"{1 - p / flat:.1%} by {n} slices ({flat / 1e6:.0f} to {p / 1e6:.0f} MPa)"
@@ -229,18 +229,18 @@ def checks(T: int) -> tuple[Any, ...]:
     why = "" if T == 25 else ": predicted, the printed pairs contradict each other"
     found = (
         *SURROGATE,
-        beside(f"best crown at {T} N m", _best, T, fitted=fitted,
+        beside(f"optimal crown at {T} N m", _best, T, fitted=fitted,
                bound=2 * NEAR, words=f"with the input's wedge angle{why}"),
-        beside(f"best crown at {T} N m, angle fitted", _fitted, T,
+        beside(f"optimal crown at {T} N m, angle fitted", _fitted, T,
                fitted=fitted, bound=NEAR,
                words=f"the angle has the pressure printed at 25 N m with the printed crown{why}"),
-        Displayed(name="what the best crown takes off", symbol="Pre_max", unit="%",
+        Displayed(name="reduction of pressure by the optimal crown", symbol="Pre_max", unit="%",
              words=taken_off, printed=(f"huang2018:stress-{T}nm-reduction",)),
-        OfPaper(name=f"printed crown within {NEAR:.0%} of the best one's pressure",
+        OfPaper(name=f"printed crown within {NEAR:.0%} of the optimal one's pressure",
                 symbol="Pre_max", unit="1", margin=printed_crown, fitted=FITTED, printed=optimum),
         Displayed(name="how flat the optimum is", symbol="Pre_max", unit="1", words=flat),
-        OfPaper(name=f"K_1 = N_max/Q within {FLAT:.1%} of the best crown's pressure", symbol="K_1",
-                unit="1", margin=lundberg, fitted=FITTED, printed=optimum[:1]),
+        OfPaper(name=f"K_1 = N_max/Q within {FLAT:.1%} of the optimal crown's pressure",
+                symbol="K_1", unit="1", margin=lundberg, fitted=FITTED, printed=optimum[:1]),
         OfPaper(name="p_max falls, then rises along K_1", symbol="Pre_max", unit="1",
                 margin=over_K_1, fitted=FITTED,
                 printed=(f"huang2018:fig{15 if T == 25 else 17}a-zm",)),
@@ -267,8 +267,8 @@ AT_40 = (
             margin=larger_K_1, fitted=FITTED, printed=("huang2018:optimum-40nm-k1",)),
     OfPaper(name="z_m changes more than at 25 N m", symbol="Pre_max", unit="1",
             margin=steeper_z_m, fitted=FITTED, printed=("huang2018:fig17b-k2",)),
-    OfPaper(name="the best crown takes off more than at 25 N m", symbol="Pre_max", unit="1",
-            margin=improves, fitted=FITTED, printed=("huang2018:stress-40nm-reduction",)),
-    OfPaper(name="the best crown for 25 N m is not the best for 40 N m", symbol="Pre_max",
+    OfPaper(name="the optimal crown reduces the pressure more than at 25 N m", symbol="Pre_max",
+            unit="1", margin=improves, fitted=FITTED, printed=("huang2018:stress-40nm-reduction",)),
+    OfPaper(name="the optimal crown for 25 N m is not optimal for 40 N m", symbol="Pre_max",
             unit="1", margin=made_for, fitted=FITTED),
 )  # fmt: skip

@@ -26,7 +26,11 @@ BELOW, ABOVE = 0.6, 1.4  # times the slices' largest pressure: what figures show
 def names(context: Context) -> dict[str, str]:
     """The crowns whose contacts are known, in words."""
     hand = "printed crown" if context.is_paper else "crown at hand"
-    found = {"best": "best crown by slices", "at hand": hand, "free": "best crown with free ends"}
+    found = {
+        "best": "optimal crown by slices",
+        "at hand": hand,
+        "free": "optimal crown with unloaded ends",
+    }
     return {key: name for key, name in found.items() if f"{key}: R" in measured(context)}
 
 
@@ -125,7 +129,7 @@ def before_and_after(context: Context) -> Sequence[Figure]:
     return tuple(
         over_time(
             found[f"{name} t"], p, q, top,
-            title=("Without a crown" if name == "before" else "With the best crown by slices")
+            title=("Without a crown" if name == "before" else "With the optimal crown by slices")
             + printed.format(part),
             note=f"{q.slices} slices; {peaks[name].max() / MPa:.0f} MPa at most. Both "
             "figures have one range of colours.",

@@ -32,7 +32,7 @@ HALF_SPACE = "half-space"
 EDGE = 1e-4  # of a pressure: what it hangs on how cells lie on the edge of the contact
 SPREAD = 3.0  # times the last difference: uncertainty of what is refined
 GROWS = 0.02  # at each refinement, of a pressure that has no largest
-NONE_FREE = "no crown with free ends was found: surrogate and strips do not agree on one"
+NONE_FREE = "no crown with unloaded ends was found: surrogate and strips do not agree on one"
 
 
 def series(context: Context, crown: str, by: str, what: str) -> list[float]:
@@ -53,7 +53,7 @@ def by_slices(context: Context, crown: str, what: str) -> float:
 
 @dataclass(frozen=True, kw_only=True)
 class AtCrown(Estimated):
-    """A pressure at the crown with free ends under N_max, refined where the study had found it."""
+    """A pressure at the crown with unloaded ends under N_max, refined where the study found it."""
 
     what: str
     beside: str  # "slices" or "strips"
@@ -88,7 +88,7 @@ def within(share: float) -> Any:
 
 def at_crown(name: str, what: str, beside: str, against: str, share: float, demand: float) -> Any:
     return AtCrown(
-        name=f"{name}, crown with free ends", symbol="p", unit="MPa", analytic=what, fem=what,
+        name=f"{name}, crown with unloaded ends", symbol="p", unit="MPa", analytic=what, fem=what,
         what=what, beside=beside, against=against, by=BY_STRIPS if against == "strips"
         else HALF_SPACE, interval=within(share), source=PLACE, demand=demand,
         demand_reason="acceptance figures",
@@ -114,7 +114,7 @@ def higher(context: Context) -> tuple[float, float, str]:
 
 
 def endless(context: Context) -> tuple[float, float, str]:
-    """How much every refinement raises the pressure at the ends of the best crown by slices."""
+    """How much every refinement raises the pressure at the ends of the optimal crown by slices."""
     v = [series(context, "best", by, "peak") for by in ("strips", "cells")]
     grows = min(float(np.min(np.diff(one) / one[:-1])) for one in v)
     words = "; ".join(
@@ -125,7 +125,7 @@ def endless(context: Context) -> tuple[float, float, str]:
 
 
 def to_make(context: Context) -> str:
-    """The crown with free ends and what it bears on a half-space, beside that at hand."""
+    """The crown with unloaded ends and what it bears on a half-space, beside that at hand."""
     if "free: R" not in measured(context):
         return NONE_FREE
     K_1, K_2, z_m = measured(context)["free"]
@@ -138,7 +138,7 @@ def to_make(context: Context) -> str:
 
 
 def lower(context: Context) -> tuple[float, float, str]:
-    """What the crown with free ends takes off the printed one's pressure on a half-space."""
+    """What the crown with unloaded ends takes off the printed one's pressure on a half-space."""
     free, u = refined(context, "free")
     hand, U = refined(context, "at hand")
     paper = by_slices(context, "free", "peak") / float(measured(context)["best true"][0]) - 1
@@ -169,12 +169,13 @@ def pressed(T: int) -> tuple[Any, ...]:
         at_crown("pressure at mid-length by slices", "mid", "slices", "strips", both, WIDER),
         at_crown("largest pressure by strips", "peak", "strips", "cells", STRIPS, 2 * STRIPS),
         at_crown("pressure at mid-length by strips", "mid", "strips", "cells", STRIPS, 2 * STRIPS),
-        Displayed(name="best crown with free ends", symbol="p_max", unit="1", words=to_make),
-        Noted(name="the printed crown bears more on a half-space than by slices", symbol="p_max",
-              unit="1", erratum="huang2018:eq-21-22-ends", margin=higher,
+        Displayed(name="optimal crown with unloaded ends", symbol="p_max", unit="1", words=to_make),
+        Noted(name="the printed crown has a higher pressure on a half-space than by slices",
+              symbol="p_max", unit="1", erratum="huang2018:eq-21-22-ends", margin=higher,
               printed=(f"huang2018:stress-{T}nm-optimised",)),
-        OfPaper(name="the best crown by slices has no largest pressure on a half-space",
+        OfPaper(name="the optimal crown by slices has no finite largest pressure on a half-space",
                 symbol="p_max", unit="1", margin=endless, fitted=FITTED),
-        OfPaper(name="a crown with free ends bears less than the printed one on a half-space",
+        OfPaper(name="a crown with unloaded ends has a lower pressure than the printed one "
+                "on a half-space",
                 symbol="p_max", unit="1", margin=lower, fitted=FITTED),
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""What the best crown's ends bear: slices, strips and the half-space under the same forces.
+"""What the optimal crown's ends bear: slices, strips and the half-space under the same forces.
 
 Slices hardly know that a sprag ends. A contact that reaches the end under load has no largest
 pressure on a half-space, so that the crown to be made is sought among those that free the ends.
@@ -23,7 +23,7 @@ CELLS = ((40, 384), (48, 512), (64, 768))  # across and along, narrow at the end
 
 
 def ends_fem(q: OptimumInputs, found: dict[str, Array]) -> dict[str, Array]:
-    """Of the best crown by slices, of that at hand, of the best by strips, and of none."""
+    """Of the optimal crown by slices, of that at hand, of the best by strips, and of none."""
     crowns = {"best": found["best"], "at hand": np.array([q.K_1, q.K_2, q.z_m])}
     own = freed_fem(q, found["X"], found["N_max"][:, 0])
     if "free" in own:
@@ -36,7 +36,7 @@ def ends_fem(q: OptimumInputs, found: dict[str, Array]) -> dict[str, Array]:
 
 
 def freed_fem(q: OptimumInputs, x: Array, N: Array) -> dict[str, Array]:
-    """The best crown by strips, whose ends have to be free; the same kriging, infill and search.
+    """The optimal crown by strips, whose ends have to be free; the same kriging, infill and search.
 
     N (n,) are the known forces with the crowns x (n, 3). Empty where surrogate and strips do not
     agree on a crown. Engagements and contacts that are not solved raise their own errors.

@@ -1,4 +1,4 @@
-"""What the report shows of the best crown: tables, which figures."""
+"""What the report shows of the optimal crown: tables, which figures."""
 
 from collections.abc import Sequence
 

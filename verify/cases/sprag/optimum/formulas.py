@@ -27,7 +27,7 @@ MOST_STEPS = 50_000  # of an engagement, of which a study has hundreds
 
 
 class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an input
-    """The crown at hand at rest; what the best crown has in common under all torques."""
+    """The crown at hand at rest; what the optimal crown has in common under all torques."""
 
     source = "huang2018"
     method = BY_SEARCHES

@@ -1,4 +1,4 @@
-"""Inputs of the search for the best crown: a sprag clutch, its crown at hand, the box, the search.
+"""Inputs of the search for the optimal crown: sprag clutch, its crown, the box, the search.
 
 The crowns at hand are those that the paper prints as the best (Eqs. 21, 22).
 """
@@ -42,7 +42,7 @@ class OptimumInputs(EngagementInputs):
     mutation: float = quantity(0.01, "1", "", "its probability of mutation, of a bit",
                                omitted=0.01, ge=0, le=1,
                                claims="huang2018:ga-mutation")  # fmt: skip
-    T_less: float | None = quantity(None, "N m", "T'", "another torque, whose best crown is set "
+    T_less: float | None = quantity(None, "N m", "T'", "another torque, whose optimal crown is set "
                                     "beside", omitted=None, gt=0, le=1e9,
                                     example="15 N m")  # fmt: skip
 
@@ -98,6 +98,6 @@ class Optimum40Inputs(OptimumInputs):
                           gt=0, le=1, claims="huang2018:optimum-40nm-k2")  # fmt: skip
     z_m: float = quantity("0.0118 mm", "mm", "z_m", "drop at the ends, of the crown at hand",
                           gt=0, le=10, claims="huang2018:optimum-40nm-zm")  # fmt: skip
-    T_less: float | None = quantity("25 N m", "N m", "T'", "another torque, whose best crown is "
+    T_less: float | None = quantity("25 N m", "N m", "T'", "another torque, whose optimal crown is "
                                     "set beside", omitted=None, gt=0, le=1e9,
                                     claims="huang2018:torque-25")  # fmt: skip

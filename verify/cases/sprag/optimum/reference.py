@@ -64,7 +64,7 @@ def courses_fem(q: OptimumInputs, best: Array) -> dict[str, Array]:
 
 
 def calibrated_fem(q: OptimumInputs, found: dict[str, Array]) -> dict[str, Array]:
-    """Peaks of the best crown where the wedge angle has the pressure printed for 25 N m.
+    """Peaks of the optimal crown where the wedge angle has the pressure printed for 25 N m.
 
     Without a crown and with the best one, slices as given; only of the paper's clutch.
     """

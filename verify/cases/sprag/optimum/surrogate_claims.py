@@ -16,7 +16,7 @@ from verify.judging.tolerance_checks import SUBJECT, Agreement, Deviation, Pair,
 
 MEAN, LARGEST, AGREE = 0.005, 0.03, 0.005  # accepted errors of a surrogate
 SEARCHES = 1e-3  # by which searches of one surrogate may differ
-NEAR = 1e-3  # of the best crown's pressure: where a search has found it
+NEAR = 1e-3  # of the optimal crown's pressure: where a search has found it
 BLIND = 0.1  # of the error at fresh designs
 LEFT_OUT = 7  # designs that are left out one by one
 BOUND = 1e-6  # beyond which a condition number proves nothing
@@ -145,7 +145,7 @@ def searched(context: Context) -> Pair:
 
 
 def directly(context: Context) -> Pair:
-    """The best crown against a search on engagements alone, from the crown at hand."""
+    """The optimal crown against a search on engagements alone, from the crown at hand."""
     found = measured(context)
     tried, best = found["direct"][:, 3], float(found["best true"][0])
     low = float(tried.min())
@@ -164,7 +164,7 @@ def asked(context: Context) -> str:
     first = f"{int(np.argmax(near)) + 1}" if near.any() else f"not within {len(tried)}"
     return (
         f"{len(found['X'])} of the factorial and {len(found['infill'])} of infill with kriging; "
-        f"within {NEAR:.1%} of its best crown without it, from the crown at hand: {first}"
+        f"within {NEAR:.1%} of its optimal crown without it, from the crown at hand: {first}"
     )
 
 
@@ -207,15 +207,15 @@ SURROGATE = (
              pair=left_out),
     Deviation(name=f"surrogate at fresh designs: {MEAN:.1%} in the mean, {LARGEST:.0%} at most",
               symbol="ΔY/Y", unit="1", size=fresh, accepted=MEAN,
-              source=suites("the mean as at the best crown, single designs six times that"),
+              source=suites("the mean as at the optimal crown, single designs six times that"),
               whole="pressure of an engagement",
               by="surrogate", everywhere=True),
-    agrees(f"surrogate and true model within {AGREE:.1%} at the best crown", "Y", at_best, AGREE,
+    agrees(f"surrogate and true model within {AGREE:.1%} at the optimal crown", "Y", at_best, AGREE,
            "engagement", SUBJECT),
     agrees(f"genetic algorithm and differential evolution within {SEARCHES:.1%}", "Y", searched,
            SEARCHES, "differential evolution",
            suites("a fifth of what surrogate and true model may differ by")),
-    agrees(f"best crown and a search without surrogate within {AGREE:.1%}", "Pre_max", directly,
+    agrees(f"optimal crown and a search without surrogate within {AGREE:.1%}", "Pre_max", directly,
            AGREE, "search without surrogate",
            suites("as surrogate and true model")),
     Displayed(name="engagements with and without kriging", symbol="n", unit="1", words=asked),

@@ -128,15 +128,15 @@ def searches(context: Context) -> Curves:
     rounds = found["infill"]
     at = np.log10(len(found["X"]) + np.arange(1, len(rounds) + 1))
     curves += [
-        dots("surrogate's best crowns, true", at, rounds[:, 4] / MPa, 5),
-        dots("surrogate's best crowns, predicted", at, rounds[:, 3] / MPa, 1),
+        dots("surrogate's optimal crowns, true", at, rounds[:, 4] / MPa, 5),
+        dots("surrogate's optimal crowns, predicted", at, rounds[:, 3] / MPa, 1),
     ]  # fmt: skip
     low = min(float(c.y.min()) for c in curves)
     return plot(
-        "Searches for the best crown", "points asked", "Pre_max [MPa]", curves,
+        "Searches for the optimal crown", "points asked", "Pre_max [MPa]", curves,
         y_bottom=0.998 * low, y_top=1.015 * low,
         x_names=tuple((float(k), f"{10**k:,}") for k in range(5)),
-        note="The surrogate's best crowns come after the factorial's engagements.",
+        note="The surrogate's optimal crowns come after the factorial's engagements.",
     )  # fmt: skip
 
 
@@ -168,7 +168,7 @@ def longer(context: Context) -> Sequence[Table]:
         (f"one kriging at {DESIGNS} designs", size("single")),
         (f"end and rest apart at {DESIGNS} designs", size("two")),
         (f"DIRECT on engagements, {ENGAGEMENTS} allowed",
-         f"{low.min() / MPa:.1f} MPa, {low.min() / best - 1:+.2%} beside the best crown"),
+         f"{low.min() / MPa:.1f} MPa, {low.min() / best - 1:+.2%} beside the optimal crown"),
         ("engagements until within 0.1 % of it", str(first or "never")),
         (f"genetic algorithm, {SEEDS} seeds",
          f"{seeds['GA'].min() / MPa:.2f} to {seeds['GA'].max() / MPa:.2f} MPa"),

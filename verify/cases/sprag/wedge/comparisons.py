@@ -113,17 +113,17 @@ def _forces(q: Wedge) -> Iterator[Comparison]:
 
 def _rotations(q: Wedge) -> Iterator[Comparison]:
     at_full: dict[str, Any] = {"reference": "alpha", "points": (FULL,)}
-    yield from through(q, Wedge.H, "all yields of elastic bodies", "H(N)", Bounds.elastic, YIELDS,
-                       points=(FULL, MOST))  # fmt: skip
-    yield from through(q, Wedge.alpha, "rotation of the sprags with elastic yields", "α(N)",
+    yield from through(q, Wedge.H, "total deflection of elastic bodies", "H(N)",
+                       Bounds.elastic, YIELDS, points=(FULL, MOST))  # fmt: skip
+    yield from through(q, Wedge.alpha, "rotation of the sprags with elastic deflections", "α(N)",
                        Bounds.elastic, YIELDS)  # fmt: skip
-    yield from through(q, Wedge.theta, "turn of the races by rolling, against n_s ∫dU/T", "θ(N)",
+    yield from through(q, Wedge.theta, "wind-up of the races by rolling, against n_s ∫dU/T", "θ(N)",
                        Bounds.turn, TANGENTIAL, own=SLIPPING)  # fmt: skip
     yield from through(q, Wedge.alpha_plane, "rotation with half planes and Eq. 6, long", "α(N)",
                        Bounds.plane, "elastic solutions of the same parts", **at_full,
                        shares=PLANE)  # fmt: skip
     yield from through(q, Wedge.alpha_printed,
-                       "rotation with Eqs. 9, 10 as printed and elastic yields", "α(N)",
+                       "rotation with Eqs. 9, 10 as printed and elastic deflections", "α(N)",
                        Bounds.lost, "half of δ_HI and of δ_g left out of H", own=EIGHTH,
                        **at_full)  # fmt: skip
     yield approximation(
@@ -144,7 +144,8 @@ def _rotations(q: Wedge) -> Iterator[Comparison]:
 def _of_rigid_races(q: Wedge) -> Iterator[Comparison]:
     yield approximation(
         Wedge.theta_rigid_races, expected=underived(RIGID), state=q.stroke[FULL], order=2,
-        name="turn of rigid races by Palmgren's law (Huang 2022, Eqs. 2, 4), at N_0", symbol="θ(N)",
+        name="wind-up of rigid races by Palmgren's law (Huang 2022, Eqs. 2, 4), at N_0",
+        symbol="θ(N)",
     )  # fmt: skip
     yield approximation(
         Wedge.secant, expected=underived(RIGID), state=q.stroke[FULL], order=2, symbol="T/θ",
@@ -194,13 +195,13 @@ def _contacts(q: Wedge) -> Iterator[Comparison]:
 
 
 def _statics() -> Iterator[Comparison]:
-    yield fact("the inner contact is pressed more than the outer, through the stroke", "p_i",
+    yield fact("pressure on the inner race exceeds that on the outer, over the stroke", "p_i",
                found.inner_above_outer)  # fmt: skip
     yield agrees("T_i/N_i becomes tan ν_0 without load (Eq. 10)", "ν_0", found.no_load,
                  found.LIGHT, Wedge.mu_i)  # fmt: skip
     yield Comparison(check=Accepted(name="the logarithmic spiral keeps its wedge angle", symbol="ν",
                                     unit="1", margin=found.keeps_its_angle))  # fmt: skip
-    yield agrees("friction at which the sprag slides out against tan ν", "μ", found.onset,
+    yield agrees("friction at which the sprag slips against tan ν", "μ", found.onset,
                  found.SLIDES, Wedge.mu_i)  # fmt: skip
     yield agrees("torque against n_s N tan(ν) OA of the strut where the sprag lies", "T",
                  found.ratio("column", found.RATIO, "the column bends: off by", of_fem=True),

@@ -165,7 +165,7 @@ class WedgeFormulas(WedgeInputs, Case):
     def alpha_plane(self) -> float:
         return float(self.state_of(self.bodies.plane).alpha_b)
 
-    @Quantity("α", "deg", "rotation with elastic yields and Eqs. 9, 10 as printed",
+    @Quantity("α", "deg", "rotation with elastic deflections and Eqs. 9, 10 as printed",
               form_of="alpha", form="as printed", source="Eqs. 9, 10")  # fmt: skip
     def alpha_printed(self) -> float:
         return float(self.printed_state_of(self.clutch).alpha_b)

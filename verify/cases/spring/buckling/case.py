@@ -32,7 +32,7 @@ NOT_FOUND = "no equilibrium of the elastica was found on the way to a critical p
 FEW = 5e-4, "one unit, a few curved elements"
 EXACT = 1e-3, "exact elastica and exact beam"
 SHARED = "narrow strip, E I; no contact of leaves"
-WHERE = {"arc": "tail held at its arc", "mid-leaf": "tail held at mid-leaf"}
+WHERE = {"arc": "tail clamped at its arc", "mid-leaf": "tail clamped at mid-leaf"}
 
 
 class BucklingSpring(BucklingFormulas):
@@ -84,7 +84,7 @@ class BucklingSpring(BucklingFormulas):
                 expected=underived("measured: ends that are no units"),
             )  # fmt: skip
         yield Comparison(quantity=spring.column_U, check=Limit(
-            name="Haringx's column with ever more units, tail held at its arc", symbol="U_cr",
+            name="Haringx's column with ever more units, tail clamped at its arc", symbol="U_cr",
             unit="1", points=claims.many_units, exponent=0.5, paper_only=True,
         ))  # fmt: skip
         yield from _swept()

@@ -36,7 +36,8 @@ def tables(q: Any, context: Context) -> Sequence[Table]:
             header=("n", "b [mm]", "L_0/b", "U_cr/L_0 [%]", "F_cr [N]"),
             rows=(*same_line, *same_ratio),
             note="Above: one centre line, the thickness varied: L_0/b follows it, U_cr does not. "
-            "Below: springs that Eq. 13 puts on its limit. Finite elements, tail held at its arc.",
+            "Below: springs that Eq. 13 puts on its limit. Finite elements, tail clamped "
+            "at its arc.",
         ),
     )
 
@@ -92,7 +93,7 @@ def _error(context: Context, found: Array) -> Map:
         y_label="leaf L_1 [mm]", columns=tuple(map(str, MAP_N)),
         rows=tuple(f"{k * q.L1 / mm:.3g}" for k in MAP_L1), error=xi / found - 1,
         checked=np.isfinite(found), without="never buckles",
-        note="Error of U_cr in per cent, head free, tail held at its arc: the ends are no units.",
+        note="Error of U_cr in per cent, head free, tail clamped at its arc: ends are no units.",
     )  # fmt: skip
 
 
@@ -101,7 +102,7 @@ def _drift(context: Context) -> Curves:
     curves = []
     for k, tail in enumerate(TAILS):
         F, _, y, _ = stored(context, f"free{KEYS[tail]}").T
-        curves.append(line(f"tail held at {tail}", np.abs(y) / mm, F, k))
+        curves.append(line(f"tail clamped at {tail}", np.abs(y) / mm, F, k))
         limit = context.analytic[f"F_cr{KEYS[tail]}"]
         curves.append(dashes(f"let go, {tail}", [0, np.abs(y).max() / mm], limit, k))
     return plot(
@@ -117,7 +118,7 @@ def _guide(context: Context) -> Curves:
     curves = []
     for k, tail in enumerate(TAILS):
         U, _, k_y, _ = stored(context, f"guided{KEYS[tail]}").T
-        curves.append(line(f"tail held at {tail}", U / mm, k_y * mm, k))
+        curves.append(line(f"tail clamped at {tail}", U / mm, k_y * mm, k))
     return plot(
         "Lateral stiffness of the guided head", "U [mm]", "k_y [N/mm]", curves,
         y_bottom=min(float(c.y.min()) for c in curves),

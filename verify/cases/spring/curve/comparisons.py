@@ -31,7 +31,7 @@ def slender(k: int, symbol: str, words: str) -> Limit:
 def deviations() -> Iterator[Deviation]:
     """Contact, mesh, energy and reversal of the beams."""
     slopes: dict[str, Any] = {"symbol": "Δk/k", "unit": "1", "whole": "slopes k_1, k_2"}
-    yield Deviation(name="leaves do not enter each other", symbol="δ/b", unit="1",
+    yield Deviation(name="no interpenetration of leaves", symbol="δ/b", unit="1",
                     size=claims.depth, accepted=PENETRATION, whole="thickness",
                     source="what contact is settled to")  # fmt: skip
     yield Deviation(name="slopes do not depend on the contact's stiffness", **slopes,
@@ -43,14 +43,14 @@ def deviations() -> Iterator[Deviation]:
     yield Deviation(name="work is stored or lost in friction", symbol="W − V − D", unit="1",
                     size=claims.balance, accepted=BALANCE, whole="work",
                     source=suites("no more than contact that is settled to 1e-4 b"))  # fmt: skip
-    yield Deviation(name="the way back is the way there without friction", symbol="ΔF/F",
+    yield Deviation(name="loading and unloading coincide without friction", symbol="ΔF/F",
                     unit="1", size=claims.retraced, accepted=RETRACED, whole="force there",
                     source=suites("contact is settled to 1e-4 b"))  # fmt: skip
 
 
 def accepted() -> Iterator[Accepted]:
     """The third stage, and the paper's spring beside Eq. 10."""
-    yield Accepted(name="stiffness rises tenfold once loops meet (stage BE)", symbol="dF/dU",
+    yield Accepted(name="stiffness rises tenfold after the loops touch (stage BE)", symbol="dF/dU",
                    unit="1", margin=claims.stiffens)  # fmt: skip
     fitted: dict[str, Any] = {"unit": "1", "fitted": FITTED, "paper_only": True}
     yield Accepted(name="the reading is the nearest by k_1 alone", symbol="k_1",

@@ -87,10 +87,10 @@ class MapSpring(MapFormulas):
         exact: dict[str, Any] = {"order": 4, "sensitivity": EXACT, "shares": SHARED}
         for share in PARTS:
             yield identity(spring.F(share), symbol="F", **exact)
-        for q, words in ((spring.F_x, "along"), (spring.F_y, "across")):
+        for q, words in ((spring.F_x, "axial"), (spring.F_y, "transverse")):
             scale = {"F_x, aside": self.F_x} if q is spring.F_y else None
-            yield identity(q, name=f"force {words}, where the roller's way ends", scale=scale,
-                           **exact)  # fmt: skip
+            yield identity(q, scale=scale, **exact,
+                           name=f"{words} force at the end of the roller's travel")  # fmt: skip
         for share, q in zip(PARTS, (spring.linear_0_3, spring.linear_0_6), strict=True):
             yield approximation(
                 q, f"F_{share}", name=f"Eq. 9 at {share:.0%} of the length, head guided",
@@ -118,11 +118,11 @@ def _of_paper() -> Iterator[Comparison]:
         printed=("wang2023:k1-error-large-z", "wang2023:rule-length-thickness-max"),
     ))  # fmt: skip
     yield Comparison(quantity=MapSpring.linear_0_3, check=Accepted(
-        name="a free head bears less than a third of Eq. 9's force at 30 % of the length",
+        name="a free head carries less than a third of Eq. 9's force at 30 % of the length",
         symbol="F", unit="1", margin=claims.free_head,
     ))  # fmt: skip
     yield Comparison(check=Agreement(
-        name="a straight way stands for the roller's within 1 % of the force", symbol="F_x",
+        name="a straight path replaces the roller's within 1 % of the force", symbol="F_x",
         unit="N", pair=claims.travel, accepted=WAY, source=suites("as far off as rows may be"),
         **demanded(WAY),
     ))  # fmt: skip

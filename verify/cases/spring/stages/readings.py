@@ -139,7 +139,7 @@ def tables(q: StagesInputs, context: Context) -> Sequence[Table]:
 
 NOTE = (
     "Linear theory; point A is where the first tip touches, k_2 the slope from there on (both "
-    "tips for a tail held at mid-leaf, the head's alone for one held at its arc). U_A does not "
+    "tips for a tail clamped at mid-leaf, the head's alone for one held at its arc). U_A does not "
     "depend on the strip's factor; k_1, F_A and k_2 go with it."
 )
 

@@ -138,7 +138,7 @@ class WideSpring(WidthInputs, Case):
         states = {ends: State(self.held(*ends), shells.key_of(*ends), "", displayed=False)
                   for ends in ENDS}  # fmt: skip
         for (tail, head), state in states.items():
-            name = f"shell with held edges, tail held at {tail}, head {head}"
+            name = f"shell with held edges, tail clamped at {tail}, head {head}"
             yield identity(spring.k_wide, state=state, name=name, symbol="k", order=4,
                            sensitivity=HELD, shares=SMALL)  # fmt: skip
         yield identity(spring.k_narrow, name="shell with held edges and plane stress", order=4,
@@ -157,14 +157,14 @@ class WideSpring(WidthInputs, Case):
         yield from _limits()
         yield from _accepted()
         yield Accepted(
-            name="k_1 of the shell, head free, tail held at mid-leaf, beside the paper's",
+            name="k_1 of the shell, head free, tail clamped at mid-leaf, beside the paper's",
             symbol="k_1", unit="1", margin=claims.meets("mid-leaf", "free"), fitted=FITTED,
             paper_only=True,
         )  # fmt: skip
         for (tail, head), state in states.items():
             for printed, what in (("fea", "paper's shell model"), ("test", "paper's test")):
                 yield Comparison(quantity=spring.k, state=state, check=PrintedMeasurement(
-                    name=f"k_1, head {head}, tail held at {tail}, against the {what}",
+                    name=f"k_1, head {head}, tail clamped at {tail}, against the {what}",
                     symbol="k_1", unit="N/mm", analytic=f"k_{state.key}",
                     reference=f"wang2023:k1-{printed}",
                 ))  # fmt: skip

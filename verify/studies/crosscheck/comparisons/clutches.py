@@ -125,7 +125,7 @@ def quantities(
 
 
 NORMAL = (
-    "normal force under torque (Eqs. 2, 3)", "normal forces of both contacts alike (Eq. 2)"
+    "normal force under torque (Eqs. 2, 3)", "equal normal forces of both contacts (Eq. 2)"
 )  # fmt: skip
 CLUTCHES = (
     Cross(

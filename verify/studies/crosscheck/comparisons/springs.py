@@ -252,7 +252,7 @@ SPRINGS = (
         what="the strip's guided head moved aside", pose=aside,
         quantities=(
             Quantity(name="k_y", symbol="k_y", unit="N/mm", **SLENDER, row="lateral stiffness of "
-                     "the guided head, unloaded, tail held at its arc"),
+                     "the guided head, unloaded, tail clamped at its arc"),
         ),
     ),
     *(
@@ -275,7 +275,7 @@ SPRINGS = (
             quantities=(
                 Quantity(name="u_x", symbol="u_x", unit="mm", **SLENDER),
                 Quantity(name="u_y", symbol="u_y", unit="mm", allowed=5e-3, why=why,
-                         row=f"drift of a free head under {share:g} P, tail held at its arc"),
+                         row=f"drift of a free head under {share:g} P, tail clamped at its arc"),
             ),
         )
         for share, near, why in ((0.5, "", TWO_SIDES), (0.9, " near P", f"{TWO_SIDES}; {STEEP}"))
@@ -288,7 +288,7 @@ SPRINGS = (
                      beside=True, row="stiffness at rest"),
             Quantity(name=TOUCHING, symbol="F", unit="N/mm", allowed=5e-3,
                      why=f"{STRIP}; tips press by a penalty",
-                     beside=True, row="leaves do not enter each other"),
+                     beside=True, row="no interpenetration of leaves"),
         ),
     ),
 )  # fmt: skip
