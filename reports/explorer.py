@@ -23,7 +23,7 @@ from verify.core.verdicts import FormulaVerdict, Safe
 
 SIGN = {Safe.ABOVE: 1, Safe.BELOW: -1, Safe.NEITHER: 0}  # of errors on the safe side
 
-DECIMALS = 9  # of errors, which are relative
+DECIMALS = 7  # of errors, which are relative
 
 
 @dataclass(frozen=True)

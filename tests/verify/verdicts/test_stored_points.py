@@ -34,7 +34,7 @@ def test_all_stored_points_are_there_with_their_errors(name):
 
 
 def test_a_case_that_has_no_study_or_is_a_user_s_own_has_none():
-    results = [SimpleNamespace(id=name, rows=()) for name in ("freewheel-cup", "own-case")]
+    results = [SimpleNamespace(id=name, rows=()) for name in ("freewheel-clutch", "own-case")]
     assert studies(results) == ()
 
 
