@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from analytic.spring import energy
+from analytic.spring import energy, garbled
 from analytic.spring.energy import flexibility
 from analytic.spring.moments import moment_diagram
 
@@ -45,6 +45,19 @@ def test_tail_integrates_the_moment_of_eq_5(n, sign):
     T, r = -sign * 6.25, 0.45
     expected = squared(math.pi / 2, lambda t: T + sign * r * (1 - np.cos(t)), scale=r)
     assert float(energy.tail_flexibility(n, T, r=r)) == pytest.approx(expected, rel=1e-13)
+
+
+@pytest.mark.parametrize("n", [3, 6, 10])
+def test_the_adopted_reading_by_quadrature_is_the_closed_form(n):
+    a, r, alpha = SHAPE["L1"] / 2, SHAPE["r"], SHAPE["alpha"]
+    L2 = float(energy.leaf_length(**SHAPE))
+    if n % 2:  # the quadrature has the tail of Eq. 5, which is that of an even number
+        T = energy.apex_moments(n=n, **SHAPE)[-1]
+        change = energy.tail_flexibility(n + 1, T, r=r) - energy.tail_flexibility(n, T, r=r)
+    else:
+        change = 0.0
+    found = garbled.flexibility(n, a, r, L2, alpha, "alternating", 1.0)
+    assert found == pytest.approx(float(flexibility(n=n, **SHAPE) + change), rel=1e-13)
 
 
 @pytest.mark.parametrize("n", [9, 10], ids=["odd n", "even n"])
