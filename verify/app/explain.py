@@ -50,7 +50,7 @@ def run_explain(words: Sequence[str], *, as_json: bool, jobs: int, use_cache: bo
         row_id = find_row(wanted, row_ids(case, inputs, paper=paper), f" with {path}")
     (result,) = solve([Job(case, inputs)], Where(jobs), use_cache, quiet=as_json)
     row = next(row for row in result.rows if row.id == row_id)
-    print(_json(row) if as_json else _text(row))
+    print(_json(row) if as_json else row_in_words(row))
     return 1 if row.status in (Status.FAIL, Status.SKIP) else 0
 
 
@@ -84,9 +84,14 @@ def _ids_of_paper(wanted: str) -> Iterator[str]:
 
 def row_ids(case: Case, inputs: Inputs, *, paper: bool) -> list[str]:
     """The ids of all rows of a case, known without any finite elements."""
+    return [row.id for row in unsolved_rows(case, inputs, paper=paper)]
+
+
+def unsolved_rows(case: Case, inputs: Inputs, *, paper: bool) -> list[Row]:
+    """All rows of a case without finite elements: those that need them are skipped."""
     context = Context(case.id, inputs, case.analytic(inputs), (), paper)
     return [
-        row.id
+        row
         for check in case.checks
         if paper or not check.paper_only
         for row in (check.skipped(case.id, "") if check.needs_fem else check.rows(context))
@@ -133,7 +138,8 @@ def _listed(ids: Sequence[str]) -> str:
     return "; ".join(ids[:LISTED]) + more
 
 
-def _text(row: Row) -> str:
+def row_in_words(row: Row) -> str:
+    """A row with each step of its judgement, on lines of their own."""
     steps = derive(row).steps
     width = max(len(label) for label, _ in steps)
     head = f"{row.id} ({row.symbol}, {row.kind.value})"

@@ -1,0 +1,78 @@
+"""pytest plugin: rows of case files and answers to parameter files as tests.
+
+`pytest --freewheel my_case.py part.toml` runs the files that are named. With `freewheel = true` in
+the configuration it runs without the option, and takes the files whose names match the patterns of
+`freewheel_cases` (by default `case_*.py`) and `freewheel_parts` (none by default) as it meets them.
+"""
+
+from pathlib import Path
+
+import pytest
+
+from verify.core.results import Kind
+
+CASES, PARTS, ON = "freewheel_cases", "freewheel_parts", "freewheel"
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """The option and the settings."""
+    parser.getgroup("freewheel").addoption(
+        "--freewheel", action="store_true", help="collect case files and parameter files as tests"
+    )
+    parser.addini(ON, "collect them without the option", type="bool", default=False)
+    parser.addini(CASES, "patterns of case files", type="args", default=["case_*.py"])
+    parser.addini(PARTS, "patterns of parameter files", type="args", default=[])
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """The markers of tests: freewheel, and the kind of a row."""
+    config.addinivalue_line("markers", "freewheel: a row of a case, or a part")
+    for kind in Kind:
+        config.addinivalue_line("markers", f"{kind.value}: a row of this kind")
+
+
+def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Collector | None:
+    """A case file or a parameter file: one that is named, or that a pattern fits."""
+    if not _is_ours(file_path, parent.config):
+        return None
+    from verify.plugin.cases import CaseFile  # half a second, of every run of pytest
+    from verify.plugin.parts import PartFile
+
+    collector = CaseFile if file_path.suffix == ".py" else PartFile
+    return collector.from_parent(parent, path=file_path)
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_pycollect_makemodule(
+    module_path: Path, parent: pytest.Collector
+) -> pytest.Collector | None:
+    """Nothing in place of the module that pytest makes of each Python file that is named."""
+    if not _is_ours(module_path, parent.config):
+        return None
+    return NoModule.from_parent(parent, path=module_path)
+
+
+class NoModule(pytest.File):
+    """A case file, whose functions are no tests."""
+
+    def collect(self) -> list[pytest.Item]:
+        """No test."""
+        return []
+
+
+def _is_ours(file_path: Path, config: pytest.Config) -> bool:
+    """Whether a file is a case file or a parameter file that is to be run."""
+    if not (config.getoption("--freewheel") or config.getini(ON)):
+        return False
+    setting = {".py": CASES, ".toml": PARTS}.get(file_path.suffix)
+    if setting is None:
+        return False
+    fits = any(file_path.match(pattern) for pattern in config.getini(setting))
+    return fits or (config.getoption("--freewheel") and _is_named(file_path, config))
+
+
+def _is_named(file_path: Path, config: pytest.Config) -> bool:
+    """Whether the command line names the file itself, which has no name of a file of tests."""
+    named = (Path(config.invocation_params.dir, arg.partition("::")[0]) for arg in config.args)
+    is_of_tests = file_path.match("test_*.py") or file_path.match("*_test.py")
+    return file_path in {path.resolve() for path in named} and not is_of_tests
