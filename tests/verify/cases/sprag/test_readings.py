@@ -78,7 +78,7 @@ READINGS = [
      lambda f: lambda **k: f(**k | {"assumption": "plane stress"}), "plane stress"),
     (ENGAGEMENT, "force at rest after a slow rise", race_spring, "wedged", as_printed,
      "Eqs. 9 and 10 as printed"),
-    (FRICTION, "friction from which on it locks", friction_formulas, "asked_at",
+    (FRICTION, "friction above which it locks", friction_formulas, "asked_at",
      lambda f: lambda w, t: math.tan(2 * math.atan(f(w, t))), "twice the wedge angle"),
     (FRICTION, "normal force of sprags that slide, driven", friction_formulas, "sliding",
      lambda f: lambda w, mu: replace(f(w, mu), N=f(w, mu).N / 12), "springs of one for all"),
