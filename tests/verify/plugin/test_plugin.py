@@ -34,7 +34,7 @@ FILES = {
 def pytest_in(folder, *words):
     """Status and output of pytest in a folder."""
     environment = {**os.environ, "FREEWHEEL_CACHE": str(folder / "cache"), "PYTEST_ADDOPTS": ""}
-    command = (sys.executable, "-m", "pytest", "-p", "verify.plugin", "-p", "no:cacheprovider",
+    command = (sys.executable, "-m", "pytest", "-p", "no:cacheprovider",
                "-q", "-rs", *words)  # fmt: skip
     done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True,
                           check=False)  # fmt: skip
