@@ -15,7 +15,7 @@ from reports.html import HERE, context, environment, script_of, script_source
 from reports.links import FIRST, PLACES, Places, linked, path_of
 from reports.origins import page_of, section
 from reports.row_lines import Line
-from reports.slim import slim
+from reports.slim import cells, slim
 from reports.used_rules import used_rules
 from verify.core.results import CaseBudget, CaseResult, Kind, Report, Row, Status, Validity
 from verify.core.verdicts import FormulaVerdict
@@ -71,7 +71,7 @@ def pages(report: Report, frames: Frames, kept: Container[str] = ()) -> dict[str
     places = Places(report)
     bodies = equations.placed(list(made.values()))
     return {
-        name: used_rules(slim(linked(name, body, places)))
+        name: used_rules(cells(slim(linked(name, body, places))))
         for name, body in zip(made, bodies, strict=True)
     }
 

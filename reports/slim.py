@@ -14,6 +14,7 @@ BAND = (
 SEVERAL = 2
 _STRAIGHT = re.compile(r'(?<= d=")M-?\d[-\d.,LMz]*(?=")')
 _POINT = re.compile(r"-?\d+(\.\d)?,-?\d+(\.\d)?")
+_CELL_END = re.compile(r"</t[dh]>\s*(?=<t[dh][ >]|</tr>)")  # which HTML leaves out
 _EQUATION = re.compile(r'(<svg class="maths"[^>]*>)(.*?)(</svg>)', re.DOTALL)
 
 Point = tuple[int, int]  # in tenths of a pixel
@@ -25,6 +26,11 @@ def slim(page: str) -> str:
         page = page.replace(said, "")
     page = _once(page, BAND, "band")
     return _STRAIGHT.sub(lambda path: steps(path[0]), _equations_once(page))
+
+
+def cells(page: str) -> str:
+    """The page without the ends of cells before the next cell or the end of a row."""
+    return _CELL_END.sub("", page)
 
 
 def _once(page: str, drawing: str, name: str) -> str:

@@ -13,7 +13,7 @@ from reports import plots, signature, svg
 from reports.html import plot
 from reports.overview import overview
 from reports.sketch import WIDTH, sketch
-from reports.slim import slim, steps
+from reports.slim import cells, slim, steps
 from reports.standalone import standalone
 from tests.reports.paths import walked
 from verify.cases.freewheel import star_sketch
@@ -150,3 +150,9 @@ def test_all_labels_of_a_star_s_sketch_are_there_and_none_lies_on_another(size):
         for name in ("X = 11.39565 mm", "R = 16.5 mm", "r = 2.5 mm", "Ra = 21 mm", "rb = 7.5 mm",
                      "ψ = 2α0 = 7°", "T", "Fn"):  # fmt: skip
             assert name in words
+
+
+def test_ends_of_cells_go_where_html_leaves_them_out():
+    row = '<tr><th scope="row">a</th> <td class="n">1</td><td>2</td></tr></tbody>'
+    assert cells(row) == '<tr><th scope="row">a<td class="n">1<td>2</tr></tbody>'
+    assert cells("<td>1</td>, then words") == "<td>1</td>, then words"
