@@ -53,15 +53,16 @@ def _at_case(one: FormulaVerdict, rows: Mapping[str, Row]) -> FormulaVerdict:
     found = part or _errors(one.rows + one.model_rows, rows)
     if one.error is None or not found:
         return replace(one, error=None, U=None)
-    error, U = max(found, key=lambda pair: abs(pair[0]) + pair[1])
+    error, U, row = max(found, key=lambda one: abs(one[0]) + one[1])
     elsewhere = _STATED.sub(r"\1 at the inputs of another case", one.words)
     words = one.words if error == one.error else elsewhere
-    return replace(one, error=error, U=U, is_of_part=bool(part), words=words)
+    return replace(one, error=error, U=U, worst_row=row, is_of_part=bool(part), words=words)
 
 
-def _errors(names: Sequence[str], rows: Mapping[str, Row]) -> list[tuple[float, float]]:
+def _errors(names: Sequence[str], rows: Mapping[str, Row]) -> list[tuple[float, float, str]]:
+    """Error, bar and id of each row that has both."""
     return [
-        (row.difference / row.scale, row.tolerance / row.scale)
+        (row.difference / row.scale, row.tolerance / row.scale, row.id)
         for row in map(rows.get, names)
         if row and row.difference is not None and row.scale and row.tolerance is not None
     ]

@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 from itertools import islice
 
 from reports import formats
+from reports.advice import advised, of_case
 from reports.drawable import drawable
 from reports.first_page import groups
 from reports.frames import Frame
@@ -34,7 +35,7 @@ def one_page(
 
     `source` is where the case's formulas stand, `page` the file that has everything of it.
     """
-    verdicts = [v for v in report.verdicts if case.id in v.cases]
+    verdicts = of_case(advised(report.verdicts), case.id, case.rows)
     found = [group_data(group, set()) for group in groups(sorted(verdicts, key=_badness))]
     ordered = by_weight(case, verdicts)
     return {

@@ -45,7 +45,7 @@ function show() {
     count += some;
   }
   const all = !asked.length && !wanted && statuses.length === boxes.length;
-  document.getElementById("found").textContent = all ? "" : `${count} rows`;
+  document.getElementById("found").textContent = all ? "" : `${count} row${count === 1 ? "" : "s"}`;
 }
 for (const field of [words, symbol, ...boxes]) field.addEventListener("input", show);
 show(); // a browser may keep what was typed

@@ -169,7 +169,7 @@ def test_the_search_shows_rows_with_all_words(folder):
     assert seen["all"]["said"] == ""
     assert seen["none"] == {"rows": [], "said": "0 rows"}
     found = seen["some"]["rows"]
-    assert seen["some"]["said"] == f"{len(found)} rows"
+    assert seen["some"]["said"] == f"{len(found)} row{'s' if len(found) > 1 else ''}"
     assert 0 < len(found) < len(seen["all"]["rows"])
 
 

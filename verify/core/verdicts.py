@@ -98,7 +98,7 @@ class FormulaVerdict:
 
     `source` cites the paper, by its first author and year.
 
-    `error`, `U` belong to the paper's inputs, at the row of the largest error there; `above` and
+    `error`, `U` belong to the case's own inputs, at `worst_row`, of the largest error; `above` and
     `below` are the largest errors on both sides over all points, bars included. `within` is the
     accuracy class of ACCURATE and of PART. `is_of_part` tells whether the errors are against the
     part itself, or against its own idealisation alone; `model` states how well the formula solves
@@ -123,6 +123,7 @@ class FormulaVerdict:
     within: float | None = None
     error: float | None = None
     U: float | None = None
+    worst_row: str = ""
     above: float | None = None
     below: float | None = None
     misprint: float | None = None

@@ -1,8 +1,8 @@
 """pytest plugin: rows of case files and answers to parameter files as tests.
 
-`pytest --freewheel my_case.py part.toml` runs the files that are named. With `freewheel = true` in
-the configuration it runs without the option, and takes the files whose names match the patterns of
-`freewheel_cases` (by default `case_*.py`) and `freewheel_parts` (none by default) as it meets them.
+`pytest --freewheel my_case.py part.toml` runs the files that are named. With
+`freewheel_collect = true` in the configuration pytest also collects, without the option, the files
+whose names match `freewheel_cases` (by default `case_*.py`) and `freewheel_parts` (none).
 """
 
 from pathlib import Path
@@ -11,7 +11,7 @@ import pytest
 
 from verify.core.results import Kind
 
-CASES, PARTS, ON = "freewheel_cases", "freewheel_parts", "freewheel"
+CASES, PARTS, ON = "freewheel_cases", "freewheel_parts", "freewheel_collect"
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

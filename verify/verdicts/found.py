@@ -101,10 +101,12 @@ def _described(head: FormulaVerdict, found: Evidence) -> FormulaVerdict:
     if not found.rows:
         return head
     points = found.points
-    worst = max((p for p in points if p.is_paper), key=lambda p: p.size)
+    row = max(found.rows, key=lambda one: point_of(one).size)
+    worst = point_of(row)
     return replace(
-        head, error=worst.error, U=worst.U, above=above(points), below=below(points),
-        within=accuracy(points), ranges=ranges(found.studies), design=_design(found),
+        head, error=worst.error, U=worst.U, worst_row=row.id,
+        above=above(points), below=below(points), within=accuracy(points),
+        ranges=ranges(found.studies), design=_design(found),
         points=len(points) - len(found.rows), unsolved=found.unsolved,
         own_only=tuple(case for case in found.cases
                        if case not in {plan.case.id for plan, _ in found.studies}),

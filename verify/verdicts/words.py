@@ -43,10 +43,11 @@ def _unsafe(found: FormulaVerdict) -> str:
     """By how much the formula errs on the unsafe side, over all points; empty without one."""
     if found.safe is Safe.NEITHER:
         return ""
-    largest = (found.below if found.safe is Safe.ABOVE else found.above) or 0.0
+    is_low = found.safe is Safe.ABOVE
+    largest = (found.below if is_low else found.above) or 0.0
     if largest < SMALLEST:
         return "; all errors on the safe side"
-    return f"; at most {percent(largest)} on the unsafe side"
+    return f"; at most {percent(largest)} too {'low' if is_low else 'high'}, the unsafe side"
 
 
 def _wrong(found: FormulaVerdict) -> str:

@@ -84,7 +84,7 @@ def test_what_is_right_passes(output):
 
 
 def test_files_of_patterns_run_by_configuration_side_by_side_with_junit(project):
-    settings = "[pytest]\nfreewheel = true\nfreewheel_parts = holds.toml\n"
+    settings = "[pytest]\nfreewheel_collect = true\nfreewheel_parts = holds.toml\n"
     (project / "settings.ini").write_text(settings, "utf-8")
     status, text = pytest_in(
         project, "-c", "settings.ini", "-n", "2", "--dist", "loadfile", "--junit-xml", "junit.xml",

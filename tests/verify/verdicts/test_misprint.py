@@ -62,7 +62,10 @@ def test_a_misprint_without_a_row_says_what_is_wrong(row):
 
 @pytest.mark.parametrize(
     ("error", "says"),
-    [(-0.004, "; at most 0.5 % on the unsafe side"), (0.004, "; all errors on the safe side")],
+    [
+        (-0.004, "; at most 0.5 % too low, the unsafe side"),
+        (0.004, "; all errors on the safe side"),
+    ],
 )
 def test_an_accurate_formula_states_its_unsafe_side(row, error, says):
     formula = Formula(equation=6, what="x", safe=Safe.ABOVE, safe_reason="a margin",

@@ -132,11 +132,11 @@ STATEMENTS: Mapping[str, Statement] = {
     "contact-roller-end": Statement(
         reruns=(
             Rerun(cause=Cause.GEOMETRY, what="races that go on four times as far",
-                  rows=("*, end face", "*go on"), inputs=long_races, levels=(2,)),
+                  rows=("*, end face", "*beyond the ends"), inputs=long_races, levels=(2,)),
         ),
         left=(
-            Left(("*end face", "*go on"), "only how far the races go on was rerun, not the "
-                 "free end that a half-space has none of"),
+            Left(("*end face", "*beyond the ends"), "only how far the races go on was rerun, not "
+                 "the free end that a half-space has none of"),
         ),
         without=(Without(Cause.PLANE, "bodies of revolution"),),
     ),
