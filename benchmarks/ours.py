@@ -19,7 +19,7 @@ from verify.studies.crosscheck.calculix.plane import PlaneDeck
 
 # Everything else is loads, supports and the checks of them.
 STAGES = {
-    "hand-over": (solve, ("vector_basis",)),
+    "hand-over": (solve, ("basis_for",)),
     "assembly": (Cells, ("of", "stiffness")),
     "factorisation": (factors, ("Cholesky",)),
     "corrections": (Cells, ("internal_forces",)),

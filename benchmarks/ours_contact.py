@@ -23,7 +23,7 @@ PARTS = ("set-up", "first", "fields")  # in processor seconds
 STEPS = 20
 FARTHEST = 1.8e-6  # m, where three quarters of the contact's friction are used up
 SET_UP = {  # everything else is supports, motions, the Schur complement and loads
-    "hand-over": (bodies, ("vector_basis",)),
+    "hand-over": (bodies, ("basis_for",)),
     "assembly": (Cells, ("of", "stiffness")),
     "ordering": (unknowns, ("nested_dissection",)),
     "factorisation": (condensation, ("Cholesky",)),

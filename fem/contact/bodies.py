@@ -14,11 +14,11 @@ from skfem.mesh import Mesh2D
 from fem.contact.condensation import Condensed, condense
 from fem.contact.pairs import Obstacle, Rigid
 from fem.contact.unknowns import Unknowns, unknowns
-from fem.plane.cells import Cells
-from fem.plane.discretisation import Array, Indices, named_cells, vector_basis
+from fem.plane.discretisation import Array, Indices, named_cells
 from fem.plane.loads import moduli
 from fem.plane.material import Assumption, Elastic
 from fem.plane.means import Mean, mean_rows
+from fem.plane.mixed import basis_for, cells_of
 from fem.plane.rigid import free_motions
 from fem.plane.supports import Conditions
 from fem.plane.ties import Tie, tied
@@ -77,11 +77,11 @@ class Bodies:
             if self.turn and set(obstacle.free) - {"y"}:
                 raise ValueError(f"obstacle {name!r}: around a turn only y is free")
         self.obstacles, self.thickness = dict(obstacles), thickness
-        self.basis: Basis = vector_basis(mesh, degree, turn=self.turn)
+        self.lam, self.mu, self.ratio, self.rigid = _moduli(mesh, materials, assumption)
+        self.basis: Basis = basis_for(mesh, self.lam, self.mu, degree, turn=self.turn)
         self.tied, self.means = tied(self.basis, ties, turn=self.turn), dict(means or {})
         self.mean_rows = mean_rows(self.basis, self.means, turn=self.turn)
-        self.lam, self.mu, self.ratio, self.rigid = _moduli(mesh, materials, assumption)
-        self.cells = Cells.of(self.basis, thickness * self.lam, thickness * self.mu, turn=self.turn)
+        self.cells = cells_of(self.basis, thickness * self.lam, thickness * self.mu, turn=self.turn)
 
     @property
     def free_obstacles(self) -> int:

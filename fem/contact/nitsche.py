@@ -27,6 +27,7 @@ from fem.contact.nitsche_rows import Rows, rows
 from fem.contact.nitsche_solution import NitscheSolution, PointTouch, touches_of
 from fem.contact.problem import ContactProblem
 from fem.plane.discretisation import Array, named_facets
+from fem.plane.incompressible import refuse
 from fem.plane.loads import Pressure, Vector
 from fem.plane.supports import Support
 
@@ -71,6 +72,7 @@ def solve_nitsche(
         raise ValueError(f"alpha must be positive and finite, got {alpha:g}")
     _check_slaves(problem, {*(pressures or {}), *(tractions or {}), *(forces or {})})
     bodies = problem.bodies
+    refuse(bodies.basis.mesh, bodies.lam, bodies.mu, "Nitsche's method needs compressible bodies")
     actions = [
         *problem.loads.actions(
             pressures or {}, tractions or {}, forces or {}, body_forces, point_forces or {}

@@ -20,6 +20,7 @@ from fem.fourier.loads import Tractions, surface_load, turn_of
 from fem.fourier.solution import FourierSolution, HarmonicSolution
 from fem.fourier.supports import check_components, check_held, free_unknowns
 from fem.plane.discretisation import Array, Indices, named_facets, vector_basis
+from fem.plane.incompressible import refuse
 from fem.plane.loads import moduli
 from fem.plane.material import Elastic
 from fem.plane.ordering import nested_dissection
@@ -61,6 +62,7 @@ class FourierSolid:
     def cells(self) -> HarmonicCells:
         """The cells with their moduli."""
         lam, mu, _ = moduli(self.mesh, self.materials, "axisymmetric")
+        refuse(self.mesh, lam, mu, "harmonics of nearly incompressible bodies are not covered")
         return HarmonicCells.of(self.basis, lam, mu)
 
     @cached_property

@@ -145,12 +145,16 @@ class Cells:
             return 0.0
         return np.asarray((self.around @ u[self.dofs[..., 0], None])[..., 0])
 
+    def dilatation(self, grad: Array, hoop: Array | float) -> Array:
+        """Trace of the strain (m, points) at the quadrature points."""
+        return np.asarray(grad[..., 0, 0] + grad[..., 1, 1] + hoop)
+
     def strain_energy(self, u: Array) -> float:
         """Half of a(u, u), from the strains of each cell."""
         grad = self.gradient(u)
         strain = (grad + grad.swapaxes(2, 3)) / 2
         hoop = self.hoop_strain(u)
-        density = self.lam[:, None] * (grad[..., 0, 0] + grad[..., 1, 1] + hoop) ** 2
+        density = self.lam[:, None] * self.dilatation(grad, hoop) ** 2
         density += 2 * self.mu[:, None] * ((strain**2).sum(axis=(2, 3)) + hoop**2)
         return float(np.sum(density * self.dx)) / 2
 
@@ -164,7 +168,7 @@ class Cells:
         grad = self.gradient(u)
         stress = self.mu[:, None, None, None] * (grad + grad.swapaxes(2, 3))
         hoop = self.hoop_strain(u)
-        pressure = self.lam[:, None] * (grad[..., 0, 0] + grad[..., 1, 1] + hoop)
+        pressure = self.lam[:, None] * self.dilatation(grad, hoop)
         stress += pressure[:, :, None, None] * np.eye(2)
         stress *= self.dx[:, :, None, None]
         force = self.slope.swapaxes(1, 2) @ stress.reshape(m, rows, 2)

@@ -23,6 +23,7 @@ from skfem.quadrature import get_quadrature
 
 from fem.plane.axis import check_radii
 from fem.plane.geometry import check_unfolded, jacobians
+from fem.plane.incompressible import ElementTriP2Plus
 from fem.plane.recent import Recent
 from fem.plane.traces import Trace
 
@@ -65,26 +66,36 @@ class LateBasis(Basis):
         return np.abs(jacobians(self.mesh, self.X)[1]) * self.W
 
 
-def vector_basis(mesh: Mesh2D, degree: int | None = None, *, turn: bool = False) -> Basis:
+def degree_on(mesh: Mesh2D, degree: int | None) -> int:
+    """`degree`, or by default the degree of the mesh itself."""
+    return degree if degree is not None else 2 if is_curved(mesh) else 1
+
+
+def vector_basis(
+    mesh: Mesh2D, degree: int | None = None, *, turn: bool = False, mixed: bool = False
+) -> Basis:
     """Displacements of the given degree; by default the degree of the mesh itself.
 
-    With `turn`, x is a radius. ValueError for other degrees, and where a cell of the mesh is folded
-    or, with `turn`, lies beyond the axis.
+    With `turn`, x is a radius. `mixed` are those of cells with a projected dilatation. ValueError
+    for other degrees, and where a cell of the mesh is folded or, with `turn`, lies beyond the axis.
     """
-    degree = degree if degree is not None else 2 if is_curved(mesh) else 1
+    degree = degree_on(mesh, degree)
     shape = MeshTri1 if isinstance(mesh, MeshTri1) else MeshQuad1
     if (shape, degree) not in ELEMENTS:
         raise ValueError(f"displacements have degree 1 or 2, got degree={degree}")
     # Triangles: exact stiffness on straight cells, one order to spare on curved ones.
     # Quadrilaterals: 2 or 3 Gauss points each way, the full rule of Q1 and Q2.
     order = 2 * degree if shape is MeshQuad1 or is_curved(mesh) else 2 * (degree - 1)
+    element = ELEMENTS[shape, degree]
+    if mixed and element is ElementTriP2:
+        element, order = ElementTriP2Plus, order + 2  # its slopes are of degree 2, not 1
     # The weight 2 pi r has the degree of the edges, at most 2. Without these two orders the rule's
     # own error is a quarter of the energy's on straight six-node triangles, with them 2e-4.
     quadrature = get_quadrature(mesh.elem.refdom, order + 2 if turn else order)
     check_unfolded(mesh, quadrature[0])
     if turn:
         check_radii(mesh)
-    return LateBasis(mesh, ElementVector(ELEMENTS[shape, degree]()), quadrature)
+    return LateBasis(mesh, ElementVector(element()), quadrature)
 
 
 def facet_basis(

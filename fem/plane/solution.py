@@ -17,8 +17,10 @@ from fem.plane.axis import depth, has_area, hoop_strain, on_axis
 from fem.plane.cells import Cells
 from fem.plane.discretisation import Array, Indices, facet_basis, named_cells, named_facets
 from fem.plane.geometry import shapes, shapes_in
+from fem.plane.incompressible import nearly_incompressible
 from fem.plane.locate import locate
 from fem.plane.means import Mean
+from fem.plane.mixed import MixedCells, cells_of
 from fem.plane.samples import Samples
 from fem.plane.supports import Conditions, nearest_node
 from fem.plane.ties import Tied
@@ -197,7 +199,14 @@ class PlaneSolution:
         }
 
     def _cells(self) -> Cells:
-        return Cells.of(self.basis, self.lam, self.mu, turn=self.turn)
+        return cells_of(self.basis, self.lam, self.mu, turn=self.turn)
+
+    @cached_property
+    def _mixed(self) -> MixedCells | None:
+        """The cells, where materials are nearly incompressible."""
+        if not nearly_incompressible(self.lam, self.mu):
+            return None
+        return MixedCells.of(self.basis, self.lam, self.mu, turn=self.turn)
 
     def _along(self, side: Trace) -> Samples:
         """Samples of the cells on one side of facets."""
@@ -221,9 +230,13 @@ class PlaneSolution:
             reach = self.basis.mesh.p[0, self.basis.mesh.t[:, cells]].max(axis=0)
             hoop = hoop_strain(u[0], grad[0, 0], x[0], reach.reshape(column))
             trace = trace + hoop
+        if self._mixed is not None:
+            trace = self._mixed.dilatation_at(self.u, x, cells)
         dilation = lam * trace
         xx, yy = dilation + 2 * mu * grad[0, 0], dilation + 2 * mu * grad[1, 1]
-        zz = dilation + 2 * mu * hoop if self.turn else ratio * (xx + yy)
+        zz = ratio * (xx + yy)
+        if self.turn or self._mixed is not None:  # in plane strain without hoop strain
+            zz = dilation + 2 * mu * hoop
         return np.array([xx, yy, mu * (grad[0, 1] + grad[1, 0]), zz])
 
     @cached_property

@@ -11,8 +11,6 @@ from typing import get_args
 import numpy as np
 from skfem.mesh import Mesh2D
 
-from fem.plane.cells import Cells
-from fem.plane.discretisation import vector_basis
 from fem.plane.factors import factorised, short
 from fem.plane.loads import (
     Pressure,
@@ -25,6 +23,7 @@ from fem.plane.loads import (
 )
 from fem.plane.material import Assumption, Elastic
 from fem.plane.means import Mean, held_means, mean_rows
+from fem.plane.mixed import basis_for, cells_of
 from fem.plane.rigid import check_rigid_motions
 from fem.plane.solution import Held, PlaneSolution
 from fem.plane.supports import Anchors, Support, collect
@@ -106,9 +105,9 @@ def solve_plane(
     turn = assumption == "axisymmetric"
     if turn and thickness != 1:
         raise ValueError(f"a body of revolution has no thickness but its turn, got {thickness:g}")
-    basis = vector_basis(mesh, degree, turn=turn)
     lam, mu, ratio = moduli(mesh, materials, assumption)
-    cells = Cells.of(basis, thickness * lam, thickness * mu, turn=turn)
+    basis = basis_for(mesh, lam, mu, degree, turn=turn)
+    cells = cells_of(basis, thickness * lam, thickness * mu, turn=turn)
     f = thickness * (
         surface_load(basis, pressures or {}, tractions or {}, turn=turn)
         + body_load(basis, body_forces, turn=turn)
