@@ -63,7 +63,8 @@ def solve_nitsche(
     Raises
     ------
     ValueError
-        For slaves and loads as above, wrong names, and bodies that start too far apart.
+        For slaves and loads as above, wrong names, nu > 0.45 except in plane stress, and bodies
+        that start too far apart.
     ArithmeticError
         Where `alpha` is too large, where loads move a body that nothing holds, and where the
         iteration does not converge.

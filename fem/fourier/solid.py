@@ -36,7 +36,7 @@ class FourierSolid:
     `materials` is one material or one for each body named in `mesh.subdomains`; `supports` names
     boundaries and the components "r", "t", "z" that vanish there in every harmonic. `degree` of
     the displacements is 1 or 2, by default that of the mesh. ValueError for unknown names, cells
-    without material, folded or beyond the axis.
+    without material, of nu > 0.45, folded or beyond the axis.
     """
 
     mesh: Mesh2D

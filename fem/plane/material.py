@@ -9,7 +9,10 @@ Assumption = Literal["plane strain", "plane stress", "axisymmetric"]
 
 @dataclass(frozen=True, kw_only=True)
 class Elastic:
-    """Young's modulus `E` [stress] and Poisson's ratio `nu` [1] of one body."""
+    """Young's modulus `E` [stress] and Poisson's ratio `nu` [1] of one body.
+
+    Plane strain and bodies of revolution above nu = 0.45: see `fem.plane.mixed`.
+    """
 
     E: float
     nu: float

@@ -234,9 +234,7 @@ class PlaneSolution:
             trace = self._mixed.dilatation_at(self.u, x, cells)
         dilation = lam * trace
         xx, yy = dilation + 2 * mu * grad[0, 0], dilation + 2 * mu * grad[1, 1]
-        zz = ratio * (xx + yy)
-        if self.turn or self._mixed is not None:  # in plane strain without hoop strain
-            zz = dilation + 2 * mu * hoop
+        zz = dilation + 2 * mu * hoop if self.turn else ratio * (xx + yy)
         return np.array([xx, yy, mu * (grad[0, 1] + grad[1, 0]), zz])
 
     @cached_property

@@ -92,8 +92,9 @@ def solve_plane(
     Raises
     ------
     ValueError
-        For unknown names, missing materials, contradicting supports, unsupported bodies, and in
-        a body of revolution for r < 0, a thickness and radial forces on the axis.
+        For unknown names, missing materials, displacements of degree 1 where nu > 0.45,
+        contradicting supports, unsupported bodies, and in a body of revolution for r < 0, a
+        thickness and radial forces on the axis.
     ArithmeticError
         Where the last correction of the linear solve holds more than 1e-12 of the energy.
     """
