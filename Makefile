@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: setup verify quick deep crosscheck mutants test soak check portable bench readme lock clean
+.PHONY: setup verify quick deep crosscheck mutants test soak check portable docs bench readme lock clean
 
 setup: .venv/.ready
 
@@ -43,6 +43,12 @@ check: .venv/.ready
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 
+# Pages for a browser in docs/_build/html, without a network; a warning is an error.
+docs: .venv/.ready .venv-docs/.ready
+	rm -rf docs/_build docs/*/_generated
+	.venv-docs/bin/python -m sphinx -W --keep-going -q -j 2 docs docs/_build/html
+	@echo "docs/_build/html/index.html"
+
 bench: .venv/.ready
 	$(BIN)/python -m benchmarks.plane
 	$(BIN)/python -m benchmarks.contact
@@ -74,12 +80,17 @@ endif
 	@.venv/bin/python -m verify.core.virtual_environment .venv-crosscheck requirements-crosscheck.txt --shared .venv \
 		|| echo "without tamaas and ROSS"
 
+.venv-docs/.ready: requirements-docs.txt .venv/.ready
+	@.venv/bin/python -m verify.core.virtual_environment .venv-docs requirements-docs.txt --shared .venv
+
 # Needs uv, which the project itself does not.
 lock:
 	uv pip compile --universal --python-version 3.11 --generate-hashes --no-emit-index-url \
 		--no-header --group build --group dev pyproject.toml -o requirements.txt
 	uv pip compile --universal --python-version 3.11 --generate-hashes --no-emit-index-url \
 		--no-header requirements-crosscheck.in -o requirements-crosscheck.txt
+	uv pip compile --universal --python-version 3.11 --generate-hashes --no-emit-index-url \
+		--no-header --group docs -c requirements.txt -o requirements-docs.txt
 
 clean:
-	rm -rf .venv .venv-crosscheck .cache reports/out
+	rm -rf .venv .venv-crosscheck .venv-docs .cache reports/out docs/_build docs/*/_generated
