@@ -1,4 +1,4 @@
-"""The gallery: every script runs, prints its key number beside what is expected, draws a picture."""
+"""The gallery: every script runs, prints its key number beside the expected one, and draws."""
 
 import re
 import runpy

@@ -49,7 +49,7 @@ def write(_app: Any) -> None:
 def run(script: Path) -> str:
     """What a script prints; its picture is in the folder of the pages then."""
     environment = {**os.environ, "PYTHONPATH": str(ROOT), "MPLBACKEND": "agg"}
-    done = subprocess.run(
+    done = subprocess.run(  # noqa: S603 - our own words
         [sys.executable, str(script)], cwd=PAGES, env=environment, capture_output=True, text=True,
         check=False,
     )  # fmt: skip

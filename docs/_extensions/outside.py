@@ -1,4 +1,4 @@
-"""Links of the documents to what is no page: the README is the first page here, folders are names."""
+"""Links of the documents to what is no page: the README is the first page, folders are names."""
 
 import re
 from pathlib import Path
