@@ -14,7 +14,7 @@ release = _project["version"]
 extensions = [
     "myst_parser", "sphinx.ext.autodoc", "sphinx.ext.autosummary", "sphinx.ext.napoleon",
     "docstrings", "equations", "gallery", "theory",
-    "console", "figures", "outside",
+    "console", "figures", "navigation", "outside",
 ]  # fmt: skip
 templates_path = ["_templates"]
 exclude_patterns = ["_build", "theory/_generated"]

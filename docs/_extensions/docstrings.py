@@ -16,17 +16,20 @@ from typing import Any
 CODE = re.compile(r"(``[^`]*``|(?::[a-z]+:)?`[^`]*`)")
 ITEM = re.compile(r'("[^"]+")  +(\S.*)')
 INDENT = "    "
+VALUES = ("attribute", "data", "property")
 PACKAGES = ("analytic", "fem", "meshes", "verify")
+_values: dict[str, list[str]] = {}
 
 
 def setup(app: Any) -> dict[str, bool]:
     app.connect("autodoc-process-docstring", mark, priority=100)  # before napoleon
+    app.connect("autodoc-process-docstring", restore, priority=900)
     app.connect("autodoc-process-signature", signature)
     app.connect("doctree-read", exact)
     return {"parallel_read_safe": True}
 
 
-def mark(_app: Any, _what: str, _name: str, _thing: Any, _options: Any, lines: list[str]) -> None:
+def mark(_app: Any, what: str, name: str, _thing: Any, _options: Any, lines: list[str]) -> None:
     """Mark up the lines of a docstring in place."""
     lines[:] = with_examples(with_items(lines))
     marked: list[str] = []
@@ -44,6 +47,15 @@ def mark(_app: Any, _what: str, _name: str, _thing: Any, _options: Any, lines: l
         in_block = verbatim or line.startswith((INDENT, ">>>", ".. math"))
         marked.append(line if in_block else _plain(line))
     lines[:] = marked
+    if what in VALUES:
+        _values[name] = marked
+        lines.clear()
+
+
+def restore(_app: Any, what: str, name: str, _thing: Any, _options: Any, lines: list[str]) -> None:
+    """The text of a property, which napoleon would split into type and text at a colon."""
+    if what in VALUES:
+        lines[:] = _values.pop(name)
 
 
 def with_items(lines: list[str]) -> list[str]:

@@ -58,7 +58,7 @@ def _paper(paper: Paper, verdicts: Mapping[str, Any]) -> Iterator[str]:
             if equation.number in about[erratum.id]:
                 yield from _erratum(erratum)
         if right := verdicts.get(f"{paper.key}/Eq. {equation.number}, corrected"):
-            yield f"Verdict of the corrected form: {_verdict(right)}\n"
+            yield f"**Verdict of the corrected form:** {_verdict(right)}\n"
     others = [erratum for erratum in paper.errata if not about[erratum.id]]
     if others:
         yield "### Further errata\n"
@@ -71,7 +71,7 @@ def _equation(equation: Equation, verdict: Mapping[str, Any] | None) -> Iterator
     yield f"### Eq. {equation.number}: {_text(equation.what)}\n"
     yield _math(equation.tex)
     if verdict:
-        yield f"Verdict as printed: {_verdict(verdict)}\n"
+        yield f"**Verdict as printed:** {_verdict(verdict)}\n"
     if equation.note:
         yield f"{_text(equation.note)}.\n"
     if equation.code.startswith(API):
@@ -80,8 +80,8 @@ def _equation(equation: Equation, verdict: Mapping[str, Any] | None) -> Iterator
 
 def _erratum(erratum: Erratum) -> Iterator[str]:
     yield f":::{{admonition}} Erratum: {_text(erratum.place)}\n:class: erratum\n"
-    yield f"Printed: {_text(erratum.printed)}\n"
-    yield f"Right: {_text(erratum.right)}\n"
+    yield f"**Printed:** {_text(erratum.printed)}\n"
+    yield f"**Right:** {_text(erratum.right)}\n"
     if erratum.right_tex:
         yield _math(erratum.right_tex)
     yield f"{_text(erratum.evidence)}\n"

@@ -1,4 +1,4 @@
-"""Campbell diagram of a rotor with two discs, with critical speeds by two independent models.
+"""Campbell diagram: a rotor with two discs, with critical speeds by two independent models.
 
 Beam elements give the diagram; exact transfer matrices give the critical speeds.
 """

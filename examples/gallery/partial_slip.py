@@ -1,4 +1,4 @@
-"""Partial slip of a line contact (Cattaneo, Mindlin): traction under a tangential force."""
+"""Partial slip (Cattaneo, Mindlin): the traction of a line contact under a tangential force."""
 
 import matplotlib.pyplot as plt
 import numpy as np

@@ -1,4 +1,4 @@
-"""Engagement of a sprag clutch in time under a torque that is applied suddenly.
+"""Engagement of a sprag clutch: the forces in time under a torque that is applied suddenly.
 
 The largest normal force of a sprag is nearly twice that at rest: an undamped linear spring under a
 sudden load would have the factor 2. The first call compiles the time integration.
