@@ -37,5 +37,6 @@ html_static_path = ["_static"]
 html_css_files = ["site.css"]
 html_math_renderer = "typeset"
 html_show_sphinx = False
+html_show_copyright = False
 html_copy_source = False
 html_show_sourcelink = False
