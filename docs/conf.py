@@ -16,6 +16,8 @@ extensions = [
     "docstrings", "equations", "gallery", "theory",
     "console", "figures", "navigation", "outside",
 ]  # fmt: skip
+nitpicky = True  # a reference that leads nowhere is a warning
+nitpick_ignore_regex = [("py:(class|exc|data)", ".*"), ("py:obj", "None|True|False")]  # types
 templates_path = ["_templates"]
 exclude_patterns = ["_build", "theory/_generated"]
 default_role = "code"
