@@ -9,6 +9,7 @@ from verify.core.verdicts import Form, FormulaVerdict, Verdict
 
 # the error that a sentence states, where it is that of another case
 _STATED = re.compile(r"((?:[+−-][\d.]+|under [\d.]+) %(?: ± [\d.]+ %)?) at the case's own inputs")
+CORRECTED = "the corrected form"
 UNUSABLE = (Verdict.WRONG, Verdict.UNVERIFIABLE, Verdict.NONE)  # a corrected form may serve
 REFUSED = (Verdict.UNSAFE, *UNUSABLE)  # no corrected form of such a verdict is advised
 
@@ -26,7 +27,7 @@ def _advised(one: FormulaVerdict, corrected: FormulaVerdict | None) -> FormulaVe
 
 def _of_corrected(one: FormulaVerdict) -> str:
     """The corrected form where it may be used, and what is advised in its place."""
-    form = "" if one.verdict in REFUSED else f"the corrected form{_quality(one)}"
+    form = "" if one.verdict in REFUSED else f"{CORRECTED}{_quality(one)}"
     return "; or ".join(filter(None, (form, one.instead)))
 
 

@@ -26,6 +26,7 @@ from reports import (
     since,
     validity,
 )
+from reports.advice import CORRECTED
 from reports.bars import bars
 from reports.campbell import campbell
 from reports.compiled import COMPILED
@@ -41,7 +42,7 @@ from reports.overview import overview
 from reports.paper_rows import printed_table, used_as_inputs
 from reports.parallel import parallel
 from reports.refinement import refinement
-from reports.row_lines import failed_first, groups_failed_first, lines
+from reports.row_lines import COMPANION, failed_first, groups_failed_first, lines
 from reports.shapes import shapes
 from reports.sketch import sketch
 from reports.slim import slim
@@ -52,6 +53,7 @@ from reports.verdicts import (
     by_paper,
     errata_in_verdicts,
     given,
+    may_be_used,
     not_to_be_used,
     short_words,
     sides,
@@ -113,6 +115,7 @@ def context(report: Report, frames: Mapping[str, Sequence[Frame]]) -> dict[str, 
         "rows": report.rows, "groups": groups, "listed": groups_failed_first(groups),
         "statuses": tuple(Status), "words": WORDS, "title": title(report),
         "partly": partly(report), "counts": _counts(report.rows), "anchors": placed,
+        "beside": sum(row.quantity.endswith(COMPANION) for row in report.rows),
         "subjects": validity.subjects(report.validity), "budgets": report.budgets,
         "caught": report.caught,
         "scale_key": scale_key if validity.mapped(report.validity) else None,
@@ -283,6 +286,7 @@ def environment(equations: Equations) -> jinja2.Environment:
         "printed": printed, "counts": lambda case: present(case.rows), "anchor": _anchor,
         "reproduce": reproduce, "where": where, "at_paper": at_paper, "sides": sides,
         "short_words": short_words, "slug": slug, "not_to_be_used": not_to_be_used,
+        "may_be_used": may_be_used,
         "grouped": groups, "errata_in_verdicts": errata_in_verdicts,
         "study_head": explorer_tables.head, "study_lines": explorer_tables.lines,
     }  # fmt: skip
@@ -291,6 +295,7 @@ def environment(equations: Equations) -> jinja2.Environment:
         "limits_title": LIMITS_TITLE,
         "NAMED_IN_MENU": NAMED_IN_MENU,
         "MOST_CLAIMS": MOST_CLAIMS,
+        "CORRECTED": CORRECTED,
         "CHANGED": caught.NAMES,
         "explored": {},  # places on the page of the explorer, which a run of one page has not
     }

@@ -96,6 +96,11 @@ def slug(name: str) -> str:
     return re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")
 
 
+def may_be_used(verdicts: Sequence[FormulaVerdict]) -> list[FormulaVerdict]:
+    """Formulas that are exact, or accurate over their design range."""
+    return [v for v in verdicts if v.verdict in (Verdict.EXACT, Verdict.ACCURATE)]
+
+
 def not_to_be_used(verdicts: Sequence[FormulaVerdict]) -> list[FormulaVerdict]:
     """Formulas that are unsafe or wrong in this form."""
     return [v for v in verdicts if v.verdict in (Verdict.UNSAFE, Verdict.WRONG)]
