@@ -198,7 +198,7 @@ def styles() -> str:
 
 
 def anchors(rows: Sequence[Row]) -> Mapping[str, str]:
-    """Where each row stands, by its id: numbered by case and row, of one case alike in any run."""
+    """The anchor of each row by its id: case and number, the same in every run of the case."""
     count: dict[str, int] = {}
     cases = {case: i for i, case in enumerate(dict.fromkeys(row.case for row in rows))}
     found: dict[str, str] = {}
