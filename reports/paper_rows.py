@@ -29,6 +29,19 @@ class Claim:
         """The formula's value in the printed unit; a dash where the row has none."""
         return formats.small(self.numbers.analytic)
 
+    def beside(self, printed: PaperCell) -> Markup:
+        """The formula's value and its difference from the printed number that it stands below."""
+        value = self.numbers.analytic
+        try:
+            number = float(printed.text)
+        except ValueError:  # a range, a text with a unit
+            number = 0.0
+        if value is None or not number:
+            return Markup("{}").format(self.formula)
+        return Markup('{} <span class="unit">({})</span>').format(
+            self.formula, formats.percents(value / number - 1, signed=True)
+        )
+
     @property
     def fem(self) -> str | Markup:
         """The finite elements' value with its standard uncertainty; empty where there is none."""

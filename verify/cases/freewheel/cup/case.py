@@ -68,6 +68,7 @@ class FreewheelCup(Cup):
     levels: ClassVar = (4, 7, 10)  # cells on the half-width of the fine zones
     scans: ClassVar = (
         Scan(vary=("T=6N m,12N m,18N m,24N m", "R_a=20mm,30mm", "z=6,8,12"), star=True),
+        Scan(vary=("R_a=16.5mm,18mm,20mm,25mm,30mm",), at=("T=9.8N m",), star=True),
     )
     readings: ClassVar = (
         "ψ is the angle between the cup's flat's normal and the roller's centre, α its half; load "
