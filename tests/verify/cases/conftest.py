@@ -2,6 +2,8 @@
 
 import pytest
 
+from tests.conftest import solved
+from tests.verify.cases.rows import failed
 from verify.form.memoised import forget_memoised
 
 
@@ -16,3 +18,15 @@ def broken(monkeypatch):
     yield replace
     monkeypatch.undo()
     forget_memoised()
+
+
+@pytest.fixture
+def fails(broken):
+    """Rows of a case that fail where an attribute is read in another sense."""
+
+    def found(case, owner, name, fault, row):
+        solved(case, case.inputs())  # with the right one: levels are stored
+        broken(owner, name, fault)
+        return failed(case, row)
+
+    return found

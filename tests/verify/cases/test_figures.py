@@ -1,4 +1,4 @@
-"""Freewheels, sprag clutches and slip: no row fails, and figures have finite numbers."""
+"""Cases of clutches, slip and wide springs: no row fails, and figures have finite numbers."""
 
 import numpy as np
 import pytest
@@ -7,7 +7,8 @@ from tests.verify.cases.rows import context, failed
 from verify.cases.registry import CASES
 from verify.core.figures import Profile
 
-DRAWN = [case for case in CASES if case.id.startswith(("freewheel-", "sprag-", "contact-slip"))]
+BEGIN = ("freewheel-", "sprag-", "contact-slip", "spring-width")
+DRAWN = [case for case in CASES if case.id.startswith(BEGIN)]
 
 
 @pytest.mark.parametrize("case", DRAWN, ids=lambda case: case.id)

@@ -5,12 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.verify.cases.own import own, printed, state
+from tests.verify.cases.own import own, state
 from tests.verify.cases.test_left_to_formulas import NANOMETRE
 from tests.verify.cases.test_warned import RIM
 from verify.cases.registry import find
 from verify.core.case import Context
-from verify.core.inputs import build
 from verify.core.results import Status
 
 SOAK = pytest.mark.soak
@@ -78,9 +77,3 @@ def test_figures_of_odd_parts_are_drawn_by_formulas_alone(case_id, changes):
     for curve in (c for figure in figures for c in getattr(figure, "curves", ())):
         assert np.isfinite(curve.x).all()
         assert not np.isinf(curve.y).any()
-
-
-def test_the_length_of_a_roller_s_ends_may_be_left_out():
-    tilted = find("contact-roller-tilted")
-    known = {k: v for k, v in printed(tilted).items() if k != "d"}
-    assert build(tilted.inputs, known, "my.toml").d == tilted.inputs().d

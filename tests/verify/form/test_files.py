@@ -118,12 +118,10 @@ def test_a_parameter_file_and_a_template_name_a_case_file_beside_them(bar, capsy
         (('"MPa", "stress at the inner', '"MPx", "stress at the inner'),
          r".py:\d+: CurvedBar.sigma_i: .*MPx"),
         (("def e(self) -> float:", "def e(self) -> float"), r".py:\d+: expected ':'"),
-        (('given("100 mm", "mm"', 'given("100 m m", "mm"'), r'.py:\d+: ValueError: "100 m m"'),
         (("def e(self) -> float:", "def r_n(self) -> float:"),
          r".py:\d+: CurvedBar.r_n: line \d+ declares that name already"),
         ((TITLE, "    ends = 3\n    title = "),
          ".py: ends: annotate it, an input as float = given"),
-        (("import log", "import logarithm"), r".py:\d+: ImportError: cannot import name"),
         (('    title = "Bending stresses of a curved bar"\n', ""),
          ": declares no subclass of Case with a title"),
         ((TITLE, '    id = "ring-lame"\n    title = '),
@@ -144,11 +142,8 @@ def test_a_wrong_declaration_is_one_line(change, message, bar, capsys):
     [
         ((INNER, "return self.M * self.r_i**2 / (self.r_i - self.r_i)"),
          "sigma_i: ZeroDivisionError: float division by zero"),
-        ((INNER, f"exit(0)\n        {INNER}"), "sigma_i: SystemExit: 0"),
         ((NEUTRAL, "while True:\n            pass\n        return 0.0"),
          "r_n: TimeLimitError: longer than 0.3 s"),
-        (("force, _, moment = bar.reaction", "force, moment = bar.reaction"),
-         "reference: ValueError: too many values"),
         ((ELASTIC, f"while self.M:\n            pass\n        {ELASTIC}"),
          "reference: TimeLimitError: longer than 0.3 s"),
     ],
@@ -171,14 +166,6 @@ def test_a_fault_of_a_formula_or_reference_fails_its_rows_with_its_place(
 def test_ctrl_c_in_a_formula_ends_the_run_with_one_line(bar, capsys):
     assert verify(bar((INNER, "raise KeyboardInterrupt\n        " + INNER))) == 130
     assert capsys.readouterr().err.splitlines()[-1].startswith("freewheel: interrupted")
-
-
-def test_a_reference_that_ends_its_process_fails_its_rows(bar, capfd):
-    file = bar((ELASTIC, f"raise SystemExit(3)\n        {ELASTIC}"))
-    assert verify(file, "--jobs", "2") == 1
-    out, err = capfd.readouterr()
-    assert re.search(rf"level 1: CaseError: {file}:\d+: reference: SystemExit", out), out
-    assert "Traceback" not in out + err
 
 
 def test_a_case_of_an_installed_package_has_a_name(bar, capsys, monkeypatch):
@@ -213,13 +200,6 @@ def test_a_file_that_cannot_be_a_module_is_one_line(name, message, bar, capsys):
         shutil.copy(bar(), name)
     assert verify(name) == 2
     assert message in capsys.readouterr().err
-
-
-def test_a_helper_beside_the_file_counts_in_the_key(bar):
-    imported = ("from math import log", "from math import log\nfrom helper_of_bar import twice")
-    file = bar(imported, ("-self.M / moment", "-twice(self.M) / moment / 2"))
-    Path("helper_of_bar.py").write_text("def twice(x):\n    return 2 * x\n", "utf-8")
-    assert "helper_of_bar" in source_code.parts_of(registry.find(file).reference)[1]
 
 
 def test_a_new_case_runs_as_it_stands(bar, capsys):

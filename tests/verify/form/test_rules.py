@@ -17,12 +17,9 @@ from verify.case import (
     shared,
     solved,
 )
-from verify.cases.contact.roller.case import ROLLER
 from verify.cases.registry import CASES
-from verify.form import dimensions, equations, independence
+from verify.form import dimensions, independence
 from verify.form.adapter import adapted
-from verify.form.quantity import changed
-from verify.form.tex import evaluate, with_raised_stars
 
 
 class Rod(Case):
@@ -67,16 +64,11 @@ def test_equations_give_what_units_state():
     ("unit", "tex", "more", "rule"),
     [
         ("mm", r"\frac{F}{A}", {}, "the unit mm is a length, the equation F/A a pressure or stre"),
-        ("mm", "n d", {}, "the unit mm is a length, the equation n d a speed"),
         ("mm^4", "d^3", {}, r"the unit mm\^4 is \[length\]\^4, the equation d\^3 \[length\]\^3"),
-        ("mm", "d + A", {}, r"the equation d \+ A adds a length and \[length\]\^2"),
-        ("1", "2^d", {}, r"the equation 2\^d has a function of a length"),
         ("mm", "A^k", {}, r"the equation A\^k has a variable power of \[length\]\^2"),
         ("mm", r"\min(d, F)", {}, r"the equation min\(d, F\) compares a length and a force"),
         ("MPa", r"\frac{F}{A} = F A", {}, "the unit MPa is a pressure or stress, the equation F A"),
         # what is fitted, or no arithmetic, has no dimension
-        ("mm", "3.84 F^{0.9}", {"fitted": True}, ""),
-        ("mm", r"\int_0^d y dy", {}, ""),
         ("mm", "A^k", {"fitted": True}, ""),
     ],
 )
@@ -112,8 +104,6 @@ def test_a_formula_that_reads_itself_is_named_with_what_it_reads():
     for _ in range(2):  # nothing of the first attempt is stored
         with pytest.raises(CaseError, match=rf"^test_rules.py:\d+: Circle.a: {rule}"):
             _ = case.a
-    with pytest.raises(CaseError, match=r"Circle\.a: circular: middle reads a, a reads b, b"):
-        _ = case.middle
 
 
 # An expected error may not follow the formula that it judges
@@ -142,7 +132,6 @@ def exact(q):
 FOLLOWS = {
     "an error": (lambda q: q.sigma / exact(q) - 1.01, lambda q: q.sigma / exact(q) - 0.99),
     "one end": (lambda _: -0.01, lambda q: q.sigma / exact(q) - 0.99),
-    "a state": (lambda q: q.at(F=3.0).sigma / 3 / exact(q.at(F=1.0)) - 1, lambda _: 0.1),
 }
 
 
@@ -189,9 +178,8 @@ class Steps(Rod):
         (Steps.of_shared, lambda s: s.F / s.bore / exact(s) - 1.01, "bore, as this formula does"),
         (Steps.of_formula, lambda s: s.of_step / exact(s) - 1.01, "of_step, as this formula does"),
         (Steps.of_step, lambda s: s.F / s.bore / exact(s) - 1.01, ""),
-        (Steps.of_step, lambda s: s.step / s.d**2 - 1, ""),
     ],
-    ids=["step", "shared", "formula", "what the formula does not read", "the inverse"],
+    ids=["step", "shared", "formula", "what the formula does not read"],
 )  # fmt: skip
 def test_an_expected_error_may_not_follow_what_its_formula_reads(q, low, reads):
     class Judged(Steps):
@@ -216,65 +204,36 @@ def test_an_expected_error_may_depend_on_inputs_and_on_the_size_of_the_formula()
             len(limited(expecting(lambda _: ends[0], lambda _: ends[1])).checks)  # noqa: B023
 
 
-def test_what_is_computed_from_a_changed_formula_is_computed_again_afterwards():
-    case = Rod()
-    with changed(Rod.sigma):
-        assert case.p == 0
-        assert case.sigma == pytest.approx(1.001 * exact(case), rel=1e-12)
-    assert case.sigma == pytest.approx(exact(case), rel=1e-12)
-
-
 # What is stated wrongly
 
 
 def test_a_number_without_a_unit_has_the_unit_1():
     with pytest.raises(ValueError, match=r'is not a unit; that of a plain number is "1"$'):
         given("0.3", "", "ν", "Poisson's ratio")
-    for number in 20, 20.0:
-        with pytest.raises(ValueError, match=r'of l has no unit: write it as "20(.0)? mm"$'):
-            given(number, "mm", "l", "length")
-    assert given("0.3", "1", "ν", "Poisson's ratio").default == 0.3
+    with pytest.raises(ValueError, match=r'of l has no unit: write it as "20.0 mm"$'):
+        given(20.0, "mm", "l", "length")
 
 
-@pytest.mark.parametrize(
-    ("stated_as", "message"),
-    [
+def test_a_comparison_that_is_stated_wrongly_is_an_error():
+    for stated_as, message in (
         ({"expected": Expected(-0.01, 0.01, "s"), "ordr": 2}, "comparisons have no argument ordr"),
         ({"expected": Expected(-0.01, 0.01, "")}, "its expected error states no source"),
-    ],
-)
-def test_a_comparison_that_is_stated_wrongly_is_an_error(stated_as, message):
-    with pytest.raises(CaseError, match=rf"test_rules.py:\d+: Rod.sigma: {message}"):
-        approximation(Rod.sigma, **stated_as)
+    ):
+        with pytest.raises(CaseError, match=rf"test_rules.py:\d+: Rod.sigma: {message}"):
+            approximation(Rod.sigma, **stated_as)
 
 
-@pytest.mark.parametrize(
-    ("result", "message"),
-    [
+def test_a_reference_without_numbers_is_an_error():
+    for result, message in (
         (None, r"returns NoneType, not solved\(...\)"),
         (solved(1.0, sigma=float("nan")), "sigma is nan"),
-    ],
-)
-def test_a_reference_without_numbers_is_an_error(result, message):
-    class Faulty(Rod):
-        def reference(self, level):
-            return result
+    ):
 
-    with pytest.raises(CaseError, match=f"test_rules.py: Faulty.reference: level 1:? {message}"):
-        limited(Faulty).reference(Faulty(), 1)
+        class Faulty(Rod):
+            def reference(self, level, result=result):
+                return result
 
-
-# Equations as they are written
-
-
-@pytest.mark.parametrize(("t", "value"), [(3.0, 4 / 3), (10.0, None), (0.0, None)])
-def test_a_root_is_evaluated_where_it_has_a_value(t, value):
-    found = evaluate(r"\sqrt{(\frac{\mu}{t})^2 - 1}", {r"\mu": 5.0, "t": t})
-    assert found == (value if value is None else pytest.approx(value))
-
-
-def test_the_star_of_a_symbol_is_raised_and_no_product():
-    found = {e.tex for e in equations.stated(ROLLER.inputs())}
-    assert r"p_0 = \sqrt{\frac{F E^*}{\pi l R}}" in found
-    assert with_raised_stars("E*^2 a*^{1/3}", ["E*", "a*"]) == "E^{*2} a^{*1/3}"
-    assert with_raised_stars("a * b", ["a", "b"]) == "a * b"
+        with pytest.raises(
+            CaseError, match=f"test_rules.py: Faulty.reference: level 1:? {message}"
+        ):
+            limited(Faulty).reference(Faulty(), 1)

@@ -28,6 +28,9 @@ from verify.judging.checks import Fact
 
 LIMIT = 4.0  # s for a judgement, of a child that imports what it needs: endless mutants take all
 FORMULA = """
+    FAR = 2.0
+
+
     def width(a, b):
         if b < 0:
             raise ValueError("needs a width of at least 0")
@@ -35,7 +38,7 @@ FORMULA = """
 
 
     def length(a):
-        return width(a, a - 2.0)
+        return width(a, a - FAR)
 
 
     def count(a):
@@ -102,9 +105,8 @@ def test_each_mutant_meets_what_notices_it(group, tmp_path):
     Campaign(group, outcomes, 2).run()
     found = by(group, outcomes)
     assert found["a + b * 1e-09", "a - b * 1e-09"].by is By.NOTHING  # the tolerance is too wide
-    red = found["b * 1e-09", "b / 1e-09"]
+    red, refused = found["b * 1e-09", "b / 1e-09"], found["2.0", "4.0"]
     assert (red.by, red.what) == (By.ROWS, "ring-tape/length")
-    refused = found["2.0", "4.0"]
     assert refused.by is By.REFUSED
     assert "needs a width of at least 0" in refused.what
     assert found["a - 1", "a + 1"].by is By.TIME
@@ -159,36 +161,39 @@ def test_a_run_continues_where_it_was_stopped(brief, tmp_path):
 
 def test_a_sample_tries_each_operator_and_each_place_once(module):
     found = mutants(source("measuring_tape"), FORMULAS)
-    some = sample(found, 6, 0)
-    assert [one.mutant.id for one in some] == [one.mutant.id for one in sample(found, 6, 0)]
+    some, again = (sample(found, 6, 0) for _ in range(2))
+    assert [one.mutant.id for one in some] == [one.mutant.id for one in again]
     assert {one.mutant.operator for one in some} == {one.mutant.operator for one in found}
     assert len({id(one.place.node) for one in some}) == 6
     assert any(one != some for one in (sample(found, 6, seed) for seed in (1, 2, 3)))
 
 
+def test_a_constant_is_tested_by_the_functions_that_read_it(module):
+    found = mutants(source("measuring_tape"), FORMULAS)
+    assert {one.mutant.function: functions_of(one) for one in found} == {
+        name: {f"measuring_tape:{read}"}
+        for name, read in {
+            "FAR": "length", "width": "width", "length": "length", "count": "count",
+        }.items()
+    }  # fmt: skip
+
+
 def test_each_group_counts_for_the_code_that_it_was_measured_on(group, tmp_path, monkeypatch):
     monkeypatch.setattr(records, "FOLDER", tmp_path)
-    outcomes = {
-        key: Outcome(key, By.NOTHING if n % 2 else By.ROWS, "", 0.1)
-        for n, key in enumerate(m.mutant.id for m in group.chosen)
-    }
+    outcomes = {m.mutant.id: Outcome(m.mutant.id, By.ROWS, "", 0.1) for m in group.chosen}
     found = score.scored(group, outcomes, 12.3)
     score.keep("formulas", found, "this code")
-    now = score.measured(lambda: "this code")
-    assert (now.missing, [g.name for g in now.groups]) == ("", ["formulas"])
-    other = score.measured(lambda: "other code")
-    assert other.missing == "not measured for this code: freewheel mutants does it"
-    assert not other.groups
     score.keep("finite-elements", found, "other code")
-    now = score.measured(lambda: "other code")
-    assert [g.name for g in now.groups] == ["finite-elements"]
-    assert now.stale == ("references", "formulas", "judging")
     # nonsense in a file is no score and spoils no other
     score.keep("references", 7, "this code")
     score.keep("judging", {"all": 3, "operators": {}, "survivors": [7]}, "this code")
-    now = score.measured(lambda: "this code")
-    assert [g.name for g in now.groups] == ["formulas"]
-    assert {"references", "judging"} <= set(now.stale)
+    for code, name in (("this code", "formulas"), ("other code", "finite-elements")):
+        now = score.measured(lambda code=code: code)
+        assert (now.missing, [g.name for g in now.groups]) == ("", [name])
+        assert {"references", "judging"} <= set(now.stale)
+    none = score.measured(lambda: "a third")
+    assert none.missing == "not measured for this code: freewheel mutants does it"
+    assert not none.groups
 
 
 def of(tests: int, survived: int, reason: str = "as the root is squared") -> Caught:
@@ -206,22 +211,3 @@ def test_the_gate_asks_for_95_percent_and_a_reason_for_the_rest():
     (bare,) = score.complaints(of(99, 1, reason=""))
     assert bare == "formulas: 1 survivors without a reason in argued.json"
     assert all(len(reason.split()) > 3 for reason in score.argued().values())
-
-
-def test_a_constant_is_tested_by_the_functions_that_read_it(tmp_path, monkeypatch):
-    monkeypatch.syspath_prepend(tmp_path)
-    text = """
-        LONG = 3.0
-
-        def width(a):
-            return a * LONG
-
-        def twice(a):
-            return width(a) * 2
-    """
-    (tmp_path / "folding_rule.py").write_text(dedent(text), "utf-8")
-    found = mutants(source("folding_rule"), FORMULAS)
-    assert {one.mutant.function: functions_of(one) for one in found} == {
-        "LONG": {"folding_rule:width"}, "width": {"folding_rule:width"},
-        "twice": {"folding_rule:twice"},
-    }  # fmt: skip

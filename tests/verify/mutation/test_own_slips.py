@@ -5,35 +5,31 @@ elements that know everything: the row must turn red, whatever its interval make
 """
 
 from verify.cases.registry import CASES
-from verify.core.case import Case
 from verify.core.results import Status
 from verify.judging import judge
 from verify.judging.checks import Approximation
 
 
-def hiding(case: Case) -> dict[str, Status]:
+def hiding(case):
     """Rows that a slip of their own formula leaves in another state than red."""
     q, checks = case.inputs(), [c for c in case.checks if isinstance(c, Approximation)]
     values = case.analytic(q) if checks else {}
-    found = {}
     for check in checks:
-        key = check.analytic
-        if key not in values or check.interval is None:  # taken from stored arrays, or shown
+        value = values.get(check.analytic)
+        if value is None or check.interval is None:  # taken from stored arrays, or shown
             continue
-        value, expected = values[key], check.interval(q, values)
-        if expected is None:
+        if (expected := check.interval(q, values)) is None:
             continue
-        reference = value / (1 + sum(expected) / 2)
         for p in (check.demand, -check.demand):
-            slipped = dict(values) | {key: value * (1 + p)}
+            slipped = value * (1 + p)
+            interval = check.interval(q, dict(values) | {check.analytic: slipped})
             verdict = judge.approximation(
-                slipped[key], reference, U=0.0, interval=check.interval(q, slipped),
+                slipped, value / (1 + sum(expected) / 2), U=0.0, interval=interval,
                 demand=check.demand,
             )  # fmt: skip
             if verdict.status is not Status.FAIL:
-                found[f"{check.name}, {p:+.1%}"] = verdict.status
-    return found
+                yield check.name, p
 
 
 def test_no_interval_moves_along_with_its_own_formula():
-    assert {case.id: found for case in CASES if (found := hiding(case))} == {}
+    assert {case.id: found for case in CASES if (found := list(hiding(case)))} == {}

@@ -3,23 +3,15 @@
 import numpy as np
 import pytest
 
-from analytic.contact import crown
-from fem.contact import active_sets
-from fem.contact.friction_lcp import FrictionLcp
 from verify.cases.contact.line.flat import FLAT
 from verify.cases.contact.line.reference import disc_fem
-from verify.cases.contact.roller import inputs, profiles
-from verify.cases.contact.roller.case import ROLLER
-from verify.cases.contact.roller.crowns import CROWNS
-from verify.cases.contact.roller.flat import UNCROWNED
+from verify.cases.contact.roller import profiles
 from verify.cases.contact.roller.half_space import pressed
-from verify.cases.contact.roller.inputs import Crown, Design, Roller, Tilt, ending
+from verify.cases.contact.roller.inputs import Crown, Design, Roller, Tilt
 from verify.cases.contact.roller.profiles import even_crowns
 from verify.cases.contact.roller.tilted import TILTED
-from verify.cases.contact.slip.case import SLIP
 from verify.cases.contact.sphere import reference
 from verify.cases.contact.sphere.case import Spheres
-from verify.jobs.level import solve_level
 
 LEVEL = 20
 SHARP = 1e-4  # of the value, that a row of the acceptance's 0.3 % can use
@@ -27,28 +19,6 @@ SHARP = 1e-4  # of the value, that a row of the acceptance's 0.3 % can use
 
 def along(q, count=4001):
     return np.linspace(-q.L / 2, q.L / 2, count)
-
-
-def test_the_half_space_takes_neither_the_formulas_crowns_nor_their_tilt(monkeypatch):
-    def found():
-        return [
-            *(pressed(case.inputs(), 4).values for case in (ROLLER, TILTED, UNCROWNED)),
-            *(
-                pressed(CROWNS.inputs(), 4, crown=crown).values
-                for crown in even_crowns(CROWNS.inputs()).values()
-            ),
-        ]
-
-    def refused(*_, **__):
-        raise AssertionError("the formulas' gap")
-
-    right = found()
-    for name in ("logarithmic", "lundberg", "johns_gohar", "_scale", "_position"):
-        monkeypatch.setattr(crown, name, refused)
-    monkeypatch.setattr(inputs, "logarithmic", refused)
-    for owner in (Roller, Crown, Tilt):
-        monkeypatch.setattr(owner, "gap", refused)
-    assert found() == right
 
 
 def test_crowns_of_an_even_pressure_are_made_for_the_load():
@@ -85,12 +55,6 @@ def test_pressures_next_to_the_axis_of_a_sphere_are_even_however_small_the_conta
     assert np.ptp(p) < 2e-3 * p.mean()
 
 
-def test_friction_that_drives_has_no_equilibrium(monkeypatch):
-    monkeypatch.setattr(active_sets, "SIGN", -active_sets.SIGN)
-    monkeypatch.setattr(FrictionLcp, "candidates", lambda _: iter(()))
-    assert "no state of rest was found" in solve_level(SLIP, SLIP.inputs(), 4, None).failure
-
-
 def test_the_reference_s_crown_and_tilt_are_those_of_the_inputs_as_small_angles_are():
     q = Crown()
     A = q.K_1 * q.Q / (np.pi * q.L * q.E_star)
@@ -117,18 +81,3 @@ def test_the_half_space_states_what_neighbouring_grids_differ_by():
         sharp = key in ("p_max", "p_mid", "delta")
         assert not sharp or found.u_it[key] < SHARP * found.values[key], key
     assert 0 < found.u_it["p_best"] < 1e-3 * found.values["p_best"]
-    q = CROWNS.inputs()
-    found = CROWNS.reference(q, LEVEL)
-    for name, even in even_crowns(q).items():
-        beside = [pressed(q, LEVEL + step, crown=even).values for step in (-1, 1)]
-        for key in ("p_mid", "delta", "F_d"):
-            named = f"{key}{ending(name)}"
-            value, stated = found.values[named], found.u_it[named]
-            assert stated >= max(abs(values[key] - value) for values in beside), key
-            assert key == "F_d" or stated < SHARP * value, key
-
-
-def test_a_best_crown_is_searched_once():
-    upright = TILTED.inputs().best(tilt=0.0)
-    assert upright is ROLLER.inputs().best()
-    assert TILTED.inputs().best() is not upright

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from verify.cases.freewheel.friction.case import FRICTION, FreewheelFriction
 from verify.cases.freewheel.paths.case import PATHS, LoadPaths
 
 
@@ -26,22 +25,9 @@ def test_a_path_that_ends_below_the_limit_holds_and_is_green():
     assert all("holds to the end" in x and "green" in x for x in PATHS.findings(q, v)[1:4])
 
 
-def test_about_a_mean_torque_the_trough_asks_for_most():
-    q = LoadPaths(T=10.0, T_m=16.0, F_ax=300.0)
-    last = q.courses[3]
-    assert q.T_critical == pytest.approx(last.T[np.nanargmax(last.mu_req)], rel=1e-3)
-
-
 def test_round_off_of_the_frequency_moves_no_time_of_a_course():
     """Cycles of the defaults are whole: one time more would move every time of slip."""
     q = LoadPaths()
     for off in (-1e-13, 1e-13):
         for case, along in q.model_copy(update={"f": q.f * (1 + off)}).courses.items():
             assert np.array_equal(along.t, q.courses[case].t)
-
-
-def test_the_torque_that_is_left_falls_to_zero_over_the_axial_slip():
-    q = FreewheelFriction()
-    slip, torque = q.slipped()
-    assert (slip[-1], torque[-1]) == (0.0, 1.0)
-    assert FRICTION.analytic(q)["u_out"] == pytest.approx(slip[0])

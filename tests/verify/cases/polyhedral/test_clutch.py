@@ -1,14 +1,11 @@
 """Polyhedral clutches that lock, expel their rollers or are not touched: values and warnings."""
 
-import json
 import math
 
 import pytest
 
-from tests.verify.cases.own import printed, state
-from verify.app.cli import main
+from tests.verify.cases.own import state
 from verify.cases.polyhedral.clutch.case import CLUTCH
-from verify.cases.polyhedral.wedge.case import WEDGE
 from verify.core.case import Context
 
 LOCKS = {"M_20", "M_20_printed", "T", "F_s", "R", "N_16"}
@@ -49,20 +46,3 @@ def test_a_narrow_ring_bears_little_of_the_torque_and_asks_for_a_wedge_angle():
     assert not any("b/δ_1" in line for line in warned)
     *_, warned = state(CLUTCH)
     assert any("b/δ_1" in line for line in warned)
-
-
-def test_a_roller_that_is_squeezed_out_has_no_torque():
-    _, v, _ = state(WEDGE, alpha="12 deg")
-    assert not {"M_free", "T"} & set(v)
-    assert v["C"] < 0
-
-
-def test_json_of_a_clutch_without_a_torque_has_numbers_alone(tmp_path, capsys):
-    given = printed(CLUTCH) | {"mu": 0.6}
-    lines = [f"{k} = {json.dumps(v)}" for k, v in given.items()]
-    file = tmp_path / "my.toml"
-    file.write_text("\n".join(['case = "polyhedral-clutch"', "[inputs]", *lines]), "utf-8")
-    with pytest.raises(SystemExit) as ended:
-        main(["check", "--json", str(file)])
-    assert ended.value.code == 1  # the clutch fails: pressure does not decide
-    assert json.loads(capsys.readouterr().out, parse_constant=pytest.fail)["values"]

@@ -1,22 +1,19 @@
 """Readings of the papers on polyhedral rings: another one fails beside the finite elements."""
 
 import math
-from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from analytic.bounds.polyhedral.flat import filleted
 from analytic.contact import partial_slip
-from analytic.polyhedral import bore_pressure, expansion, forces, torque, wedging
-from analytic.polyhedral.locking import RollerContact
+from analytic.polyhedral import expansion, forces, torque, wedging
 from analytic.polyhedral.sector import Sector
 from tests.verify.cases.own import own
 from tests.verify.cases.readings import given, times
 from verify.cases.polyhedral import thin_ring
 from verify.cases.polyhedral.clutch.case import CLUTCH
 from verify.cases.polyhedral.locking.case import LOCKING
-from verify.cases.polyhedral.pressure.case import PRESSURE
 from verify.cases.polyhedral.ring import case as polyhedral_ring
 from verify.cases.polyhedral.ring.case import RING
 from verify.cases.polyhedral.wedge.case import WEDGE, WedgedRoller
@@ -24,14 +21,6 @@ from verify.cases.polyhedral.wedge.case import WEDGE, WedgedRoller
 OTHER = {"plane stress": "plane strain", "plane strain": "plane stress"}
 EQ_16, EQ_20 = "force of a roller, Eqs. 13 and 16 with the hub", "torque, Eq. 20"
 EQ_21, EQ_3 = "torque of the first design, Eq. 21", "torque of free rollers (Eq. 3, corrected)"
-
-
-def middle_is_mean(right):
-    def wrong(**k):
-        K = right(**k)
-        return replace(K, mid=K.mean)
-
-    return wrong
 
 
 def corners_without_fillets(_):
@@ -48,30 +37,14 @@ def over_arc(right):
 
 
 READINGS = [
-    pytest.param(PRESSURE, expansion, "touching_pressure", given(j_D=lambda k: 2 * k["j_D"]),
-                 "pressure of the thin ring, Eq. 10", id="clearance on the radius"),
-    pytest.param(PRESSURE, expansion, "mean_diameter", lambda _: lambda *, d_i, d_e: d_i,
-                 "hoop stress, Eq. 9, against that of the outside", id="inner for mean diameter"),
-    pytest.param(PRESSURE, expansion, "round_ring_pressure", given(ends=lambda k: OTHER[k["ends"]]),
-                 "pressure that takes up the clearance, plane strain", id="the other plane state"),
     pytest.param(RING, thin_ring, "Sector", corners_without_fillets, "K in the middle of the flats",
                  id="d_i through corners without fillets"),
-    pytest.param(RING, bore_pressure, "stiffness_factors", middle_is_mean,
-                 "K in the middle of the flats", id="K of the mean"),
     pytest.param(RING, expansion, "mean_hoop_stress", given(p=lambda k: 1.0999 * k["p"]),
                  "mean hoop stress in the corners, Eq. 12", id="Eq. 12 as printed"),
     pytest.param(RING, polyhedral_ring, "hub_force", given(along=lambda k: -k["along"]),
                  "hub at e: middle of the flats", id="the hub's friction the other way"),
     pytest.param(LOCKING, forces, "pressure_force", over_arc,
                  "resultant of the pressure on a side, Eq. 13", id="arc for the side"),
-    pytest.param(LOCKING, forces, "normal_force", given(R=lambda k: k["R"] / 2), EQ_16,
-                 id="half of the hub's force"),
-    pytest.param(LOCKING, forces, "normal_force", given(gamma=lambda _: 0.28), EQ_16,
-                 id="gamma = psi in Eq. 16"),
-    pytest.param(LOCKING, RollerContact, "_roller_modulus",
-                 lambda f: property(lambda self: f.fget(self) / (1 - self.roller.nu**2)),
-                 "force of an elastic roller under pressure, series",
-                 id="plane strain of the roller"),
     pytest.param(CLUTCH, torque, "torque", times(1 / 6), EQ_21,
                  id="Eq. 21 as printed, with beta/360"),
     pytest.param(CLUTCH, torque, "hub_share", given(gamma=lambda _: 0.0), EQ_21,
@@ -80,18 +53,9 @@ READINGS = [
                  id="gamma = psi in Eq. 20"),
     pytest.param(CLUTCH, forces, "contact_radius", lambda _: lambda **_k: np.asarray(0.036), EQ_20,
                  id="lever d_i/2 in Eq. 20"),
-    pytest.param(CLUTCH, wedging, "largest_torque", times(2), EQ_20, id="D_i for a radius"),
-    pytest.param(WEDGE, wedging, "_wedge", lambda f: lambda alpha: 2 * f(alpha),
-                 "friction force of a free roller", id="alpha is the half angle"),
-    pytest.param(WEDGE, wedging, "tangential_force", lambda _: lambda *, N, alpha: 0.08 * N, EQ_3,
-                 id="mu N for a free roller"),
-    pytest.param(WEDGE, wedging, "cage_force", times(0.5), "cage force (Eq. 1)",
-                 id="cage force of one contact"),
     pytest.param(WEDGE, wedging, "least_normal_force", lambda _: lambda *, M_t, mu, z, D_i: M_t / (
         z * D_i / 2 * math.tan(WedgedRoller().half)), "normal force per torque, caged (Eq. 4)",
                  id="a free roller's force in Eq. 4"),
-    pytest.param(WEDGE, wedging, "normal_force", times(0.99999),
-                 "normal force per torque, free (Eq. 5, corrected)", id="< in Eq. 5"),
     pytest.param(WEDGE, partial_slip, "stick_half_width", lambda _: lambda *, Q, P, mu, a: a * (
         1 - Q / (mu * P)), "stick half-width of a released roller, T/(μN) = 0.4",
                  id="c/a = 1 - T/(μN)"),
@@ -99,9 +63,8 @@ READINGS = [
 
 
 @pytest.mark.parametrize(("case", "owner", "name", "reading", "row"), READINGS)
-def test_another_reading_fails(case, owner, name, reading, row, broken, judged, red):
-    broken(owner, name, reading)  # some give no value at all: the whole case is judged
-    assert row in {failed.quantity for failed in red(judged(case, drawn=False))}
+def test_another_reading_fails(case, owner, name, reading, row, fails):
+    assert row in fails(case, owner, name, reading, row)
 
 
 @pytest.mark.parametrize("change", [{}, {"tan_phi": 0.2, "mu": 0.05}])

@@ -8,9 +8,7 @@ import pytest
 from fem.contact.wedged import Geometry, Wedge
 from verify.cases.polyhedral.locking.case import LockedPolyhedralRing
 from verify.cases.polyhedral.locking.fem import locked_fem
-from verify.cases.polyhedral.wedge import reference
 from verify.cases.polyhedral.wedge.case import WedgedRoller
-from verify.cases.polyhedral.wedge.limit import least_fem
 from verify.cases.polyhedral.wedge.mesh import fem_mesh
 
 
@@ -47,18 +45,3 @@ def test_the_roller_leaves_to_the_wide_end_where_friction_is_too_low():
     assert slippery.forces(gone)[0] < 1e-6 * q.line_load
     x, _ = gone.plane.displacement_at((0.0, 0.0))
     assert x < -0.5 * down / math.tan(q.half)
-
-
-def test_what_slides_into_the_wedge_is_held_back_by_the_cage():
-    q = WedgedRoller()
-    held = wedge(q, caged=True)
-    expected = 2 * q.N * (q.mu * math.cos(q.half) - math.sin(q.half))
-    assert reference.held_back(q, held)["C"] == pytest.approx(expected, rel=1e-9)
-    assert expected > 0
-
-
-def test_no_limit_of_friction_is_found_in_a_bracket_on_one_side_of_it():
-    q = WedgedRoller()
-    _, down = wedge(q).pressed(q.line_load)
-    value, _ = least_fem(q, down, 1.01 * math.tan(q.half))
-    assert math.isnan(value)

@@ -35,23 +35,6 @@ def test_an_interval_of_a_stubby_shaft_has_no_series():
 # The stepped shaft and its 45° rule.
 
 
-def test_pieces_make_up_the_shaft_and_stiffness_grows_from_the_steps():
-    q = SteppedBeam()
-    for cone in (False, True):
-        pieces = q.shape.pieces(cone=cone)
-        assert sum(p.length for p in pieces) == pytest.approx(q.L)
-        assert sum(p.length * p.d**2 for p in pieces) == pytest.approx(
-            sum(length * d**2 for length, d, _ in q.parts)
-        )
-        assert all(p.d_stiff == p.d for p in pieces) is not cone
-    stiff = [p.d_stiff for p in q.shape.pieces(cone=True)]
-    assert stiff == pytest.approx(stiff[::-1])
-    assert sorted(set(np.round(stiff, 9)))[:2] == pytest.approx([0.04, 0.04 + 0.04 / 32])
-    short = SteppedBeam(L_2=0.03, a=0.1)  # the cones meet
-    assert max(p.d_stiff for p in short.shape.pieces(cone=True)) < short.d_1 + 0.03
-    assert sum(p.length for p in short.shape.pieces(cone=True)) == pytest.approx(short.L)
-
-
 def test_cones_of_many_slices_and_the_weak_form_agree():
     q = SteppedBeam(a=0.1)
     fine, few = (
@@ -74,11 +57,3 @@ def test_cells_are_as_many_where_inputs_differ_by_round_off(seed, cone):
     meshes = [reference.weak_form(one, 1, cone=cone).basis.mesh for one in (q, near)]
     assert meshes[0].nelements == meshes[1].nelements
     assert np.diff(np.sort(meshes[1].p[0])).min() > 1e-4 * q.L
-
-
-def test_findings_of_the_clutch_state_couplings_and_what_eq_3_leaves_out():
-    q = ClutchLink()
-    words = " ".join(CLUTCH.findings(q, CLUTCH.analytic(q)))
-    for part in ("12.6 µm", "couples no bending with torsion", "0.62%", "tan²ν = 0.30%",
-                 "x is coupled with y by -1.10% of K_xx", "keep 21% of the torsional"):  # fmt: skip
-        assert part in words

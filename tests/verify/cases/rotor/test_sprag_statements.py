@@ -9,30 +9,24 @@ from verify.cases.rotor.sprag.response_fem import GRID, WINDOW, peaks_fem
 RISING = np.arange(1.0, 4.0)  # three unbalances, or three peaks
 
 
-def everywhere(peaks):
-    """Peaks (1, 3, 3, 22) that are the same for all three unbalances."""
-    return {"peaks": np.broadcast_to(peaks, (1, 3, *np.shape(peaks))).copy()}
+def peaks(nodes, at=slice(None)):
+    """Peaks (1, 3, 3, 22) of 1 for all three unbalances, and of other heights at these nodes."""
+    found = np.ones((1, 3, 3, 22))
+    for node, height in nodes.items():
+        found[:, :, at, node - 1] = height
+    return {"peaks": found}
 
 
-def at_nodes(**heights):
-    """Peaks (3, 22) of 1, and of other heights at nodes n4, n11, ..."""
-    peaks = np.ones((3, 22))
-    for node, height in heights.items():
-        peaks[:, int(node[1:]) - 1] = height
-    return everywhere(peaks)
-
-
-def first(height, nodes=slice(12, 19)):
-    peaks = np.ones((3, 22))
-    peaks[0, nodes] = height
-    return everywhere(peaks)
+def first(*nodes):
+    """Nodes of height 2 at critical speed 1 alone."""
+    return peaks(dict.fromkeys(nodes, 2), at=0)
 
 
 def over_unbalance(values, peak, node):
     """Peaks that rise with unbalance 2 but for one node at one peak."""
-    peaks = np.ones((1, 3, 3, 22)) * RISING[None, :, None, None]
-    peaks[0, :, peak, node - 1] = values
-    return {"peaks": peaks}
+    found = np.ones((1, 3, 3, 22)) * RISING[None, :, None, None]
+    found[0, :, peak, node - 1] = values
+    return {"peaks": found}
 
 
 def twisted(along_outer, along_inner):
@@ -59,15 +53,16 @@ def turned(ratio, inertias=(4.0, 1.0)):
 
 CASES = [
     ("node 11 is the highest of nodes 1 to 11 at critical speed 1",
-     at_nodes(n11=2, n12=3), at_nodes(n4=3, n11=2)),
+     peaks({11: 2, 12: 3}), peaks({4: 3, 11: 2})),
     ("node 11 is the highest of the outer rotor at critical speed 1, with its free end",
-     at_nodes(n11=2), at_nodes(n11=2, n12=3)),
+     peaks({11: 2}), peaks({11: 2, 12: 3})),
     ("node 11 is the highest of nodes 1 to 11 at critical speeds 3 and 5",
-     at_nodes(n11=2), first(2, nodes=10)),
-    ("node 2 stays below half of the others at every peak", at_nodes(n2=0.4), at_nodes(n2=0.6)),
-    ("nodes 13 to 19 are highest at critical speed 1", first(2), first(2, nodes=slice(12, 18))),
+     peaks({11: 2}), first(11)),
+    ("node 2 stays below half of the others at every peak", peaks({2: 0.4}), peaks({2: 0.6})),
+    ("nodes 13 to 19 are highest at critical speed 1", first(*range(13, 20)),
+     first(*range(13, 19))),
     ("node 19 is the highest of the inner rotor at every peak",
-     at_nodes(n19=2), at_nodes(n18=3, n19=2)),
+     peaks({19: 2}), peaks({18: 3, 19: 2})),
     ("torsion is uniform along the outer rotor at critical speed 1", twisted(0.05, 9),
      twisted(0.2, 0)),
     ("torsion is uniform along both rotors at critical speeds 3 and 5", twisted(0.05, 0.05),

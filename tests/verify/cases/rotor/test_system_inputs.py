@@ -1,16 +1,10 @@
 """Files of rotors: what is refused, what findings and warnings say, what the command prints."""
 
-import json
-
 import pytest
 
 from tests.verify.cases.rotor.system_inputs import RAW, built, changed
-from tests.verify.template_text import whole
-from verify.answers.template import template
-from verify.app.cli import run
 from verify.cases.rotor.system.case import SYSTEM
 from verify.cases.rotor.system.inputs import RPM
-from verify.cases.rotor.system.warnings import warnings
 from verify.core.inputs import InputError
 
 # What is refused, in one line.
@@ -119,33 +113,3 @@ UNDAMPED = changed(
 def test_an_odd_rotor_is_warned_of(raw, words):
     warned = said_of(raw)[3]
     assert any(words in line for line in warned) if words else not warned
-
-
-def test_short_segments_of_one_diameter_are_judged_together():
-    short = changed("segments", 1, length="3 mm")["segments"][0]
-    cut = [short] * 20 + RAW["segments"][1:4]  # 60 mm again
-    alone = {"shafts": RAW["shafts"][:1], "discs": [], "links": [], "unbalances": [], "probe": 1,
-             "supports": [{"node": 1, "k": "60 N/µm"}, {"node": 24, "k": "60 N/µm"}]}  # fmt: skip
-    assert not list(warnings(built(changed(**alone, segments=cut))))
-    cut[:9] = [short | {"d_o": f"{70 + k} mm"} for k in range(9)]
-    (warned,) = warnings(built(changed(**alone, segments=cut)))
-    assert warned == (
-        "segments[1], segments[2], segments[3], segments[4] and 5 more are shorter than a tenth "
-        "of the diameter: no beam there"
-    )
-
-
-def test_check_prints_findings_and_json_has_every_entry(tmp_path, capsys):
-    path = tmp_path / "r.toml"
-    path.write_text(whole(template(SYSTEM)))
-    assert run(["check", str(path)]) == 0
-    assert "clear: no critical speed within" in capsys.readouterr().out
-    assert run(["check", str(path), "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
-    assert found["inputs"]["segments"][3]["d_o"] == {"value": 60.0, "unit": "mm"}
-    assert found["inputs"]["supports"][0]["node"] == {"value": 1, "unit": "1"}
-    assert found["details"]["verdict"] == "clear"
-    speeds = [c["speed"] for c in found["details"]["critical_speeds"]]
-    assert speeds == sorted(speeds)
-    by_key = {v["key"]: v["value"] for v in found["values"]}
-    assert by_key["critical_first_1"] in speeds

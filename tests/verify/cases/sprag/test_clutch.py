@@ -8,7 +8,6 @@ import pytest
 
 from verify.cases.sprag.clutch import model
 from verify.cases.sprag.clutch.case import CLUTCH, SpragClutch
-from verify.cases.sprag.clutch.drawn_fem import drawn
 from verify.cases.sprag.clutch.limits import as_torque_grows
 from verify.cases.sprag.clutch.recommendations import verdict
 
@@ -105,27 +104,6 @@ def test_a_crown_drops_less_at_the_middle_of_its_end_slices():
     assert CLUTCH.analytic(PAPER)["z_end"] == pytest.approx(drop)
     for z_m, stated in ((1e-5, True), (2e-6, False), (0.0, False)):
         assert any("end slices: z_m" in x for x in findings(z_m=z_m)) == stated
-
-
-def test_stiffness_is_the_slope_of_the_torque_over_the_turn():
-    low, high = (CLUTCH.analytic(SpragClutch(T=T)) for T in (24.9, 25.1))
-    slope = 0.2 / (high["theta"] - low["theta"])
-    assert CLUTCH.analytic(PAPER)["stiffness"] == pytest.approx(slope, rel=1e-4)
-    assert 12 * low["N"] * low["mu_req"] * low["OA"] == pytest.approx(24.9, rel=1e-9)
-
-
-def test_a_drawn_sprag_shows_a_wrong_width_and_rolls_as_its_arcs_do():
-    one, v = drawn(PAPER, 82), CLUTCH.analytic(PAPER)
-    assert pytest.approx(v["N"], rel=1e-4) == one.at_torque(PAPER.T, 3400.0).N
-    wide = drawn(PAPER.model_copy(update={"b": 2 * PAPER.b}), 82)
-    assert abs(wide.at_torque(PAPER.T, 3400.0).alpha / v["alpha"] - 1) > 0.03
-    # arcs of the unloaded flank on the bore and of the spiral on the rim, but for what yields
-    now, sprag = one.under(3388.0), PAPER.sprag
-    m = float(np.asarray(sprag.m))
-    spiral = float(sprag.rho_0) * math.hypot(1, m) / m * math.expm1(m * now.turned)
-    leans = math.atan2(now.A[0], now.A[1]) - float(sprag.beta_0)
-    turn = spiral / PAPER.R_i + float(sprag.r_e) * now.alpha / PAPER.R_e - leans
-    assert one.rolled(3388.0, 80) == pytest.approx(turn, rel=5e-3)
 
 
 def test_springs_whose_state_is_not_found_have_no_force(broken):

@@ -1,13 +1,8 @@
 """The engineer's sprag clutch in time: its verdict with that at rest, and how long it takes."""
 
-import json
-
 import numpy as np
 import pytest
 
-from tests.verify.template_text import whole
-from verify.answers.template import template
-from verify.app.cli import run
 from verify.cases.sprag.clutch.case import CLUTCH, SpragClutch
 from verify.cases.sprag.clutch.dynamic import DYNAMIC
 from verify.cases.sprag.clutch.dynamic_messages import least_time
@@ -21,22 +16,6 @@ def ran(**changes):
     v = CLUTCH.analytic(q)
     with np.errstate(all="ignore"):
         return q, {**v, **DYNAMIC.run(q, v)}
-
-
-@pytest.fixture
-def check(tmp_path, capsys):
-    """Exit status, output and error of a check in time of the template with other lines."""
-
-    def checked(*options, **lines):
-        text = whole(template(CLUTCH))
-        for old, new in lines.values():
-            assert old in text
-            text = text.replace(old, new)
-        path = tmp_path / "my.toml"
-        path.write_text(text)
-        return run(["check", str(path), "--dynamic", *options]), *capsys.readouterr()
-
-    return checked
 
 
 def test_the_first_peak_of_an_engagement_is_1_86_times_the_static_force():
@@ -97,18 +76,3 @@ def test_energies_that_miss_much_name_a_step_that_does_not():
     q, v = ran(I_bi=1e-6, I_be=1e-6, dt=float(careful.split()[-2]))
     assert v["missing"] < 1e-4
     assert not any(x.startswith("careful") for x in DYNAMIC.findings(q, v))
-
-
-def test_the_verdict_of_both_reaches_the_reader_and_programs(check):
-    T = ('T = "25 N m"', 'T = "72 N m"')
-    status, out, _ = check(T=T)
-    assert status == 1
-    assert "fails: holds at rest, rolls over" in out.splitlines()[0]
-    status, out, _ = check("--json", T=T)
-    record = json.loads(out)
-    assert (record["answer"]["verdict"], record["details"]["verdict"]) == ("fails", "rolls over")
-    assert record["dynamic"]["verdict"] == "over the end"
-    status, out, error = check(dt=('dt = "1e-05 s"', 'dt = "0.001 s"'))
-    assert (status, out) == (2, "")
-    (line,) = error.strip().splitlines()
-    assert "dt=0.001 s is too long" in line

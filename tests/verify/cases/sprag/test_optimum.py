@@ -1,20 +1,16 @@
 """The optimal crown: how its maps are described, and from when on a pressure is unbounded."""
 
-import tomllib
-
 import numpy as np
 import pytest
 
 from tests.verify.cases.rows import context
-from verify.answers.template import template
 from verify.cases.sprag.engagement.model import gap
-from verify.cases.sprag.optimum.case import OPTIMUM_25, OPTIMUM_40, SpragOptimum, SpragOptimum40
-from verify.cases.sprag.optimum.comparisons import band, counted, course, over_K_1
+from verify.cases.sprag.optimum.case import OPTIMUM_25, SpragOptimum, SpragOptimum40
+from verify.cases.sprag.optimum.comparisons import band, counted, over_K_1
 from verify.cases.sprag.optimum.crown_claims import CELLS, STRIPPED, endless
 from verify.cases.sprag.optimum.surrogate_claims import asked
 from verify.cases.sprag.peaks import with_crown
 from verify.core.case import Context, FemResult
-from verify.core.inputs import build
 from verify.core.results import Status
 from verify.judging import judge
 
@@ -36,18 +32,6 @@ def test_every_line_along_k_1_must_fall_and_rise_but_for_the_shallowest():
         expected = Status.PASS if line == 0 else Status.FAIL
         assert judge.fact(margin, U).status is expected
         assert "left out: z_m = 5 µm" in words
-
-
-@pytest.mark.parametrize(
-    ("line", "words"),
-    [
-        ([3.0, 2.0, 2.5], "falls, then rises by 25.00%"),
-        ([3.0, 2.0, 2.001], "only falls, but for 0.1% at most"),
-        ([1.0, 2.0, 3.0], "only rises, but for 0.1% at most"),
-    ],
-)
-def test_the_course_of_a_line_is_described(line, words):
-    assert course(np.array(line)) == words
 
 
 def test_lines_that_turn_and_engagements_are_counted_and_a_flat_part_is_a_band():
@@ -85,16 +69,3 @@ def test_the_design_variables_are_the_crown_s_three():
     less, more = (with_crown(p, (2.0, 0.5, 1e-5)) for p in (q, SpragOptimum40()))
     assert less.T != more.T
     assert gap(less) == pytest.approx(gap(more), rel=1e-12)
-
-
-@pytest.mark.parametrize("case", [OPTIMUM_25, OPTIMUM_40], ids=lambda case: case.id)
-def test_its_template_is_the_paper_s_clutch_and_without_levels_nothing_is_drawn(case):
-    raw = tomllib.loads(template(case))["inputs"]
-    assert build(case.inputs, raw, "t").box == case.inputs().box
-    q = case.inputs()
-    first, second = case.findings(q, case.analytic(q))
-    assert first.startswith(f"the crown at hand is Lundberg's for {q.K_1 * q.Q:.4g} N")
-    assert second.startswith("at rest under T a sprag bears")
-    empty = Context(case.id, q, case.analytic(q), [], True)
-    assert not case.figures(empty)
-    assert not case.tables(empty)

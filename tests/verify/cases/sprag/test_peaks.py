@@ -49,14 +49,6 @@ def test_strips_are_pressed_by_the_same_forces_and_let_no_crown_count_whose_ends
     assert fine.objective[1, 0] == 1.5 * fine.pressure[1, 0, 0]
 
 
-def test_without_a_given_load_a_crown_is_made_for_the_static_one():
-    heavier = Q.model_copy(update={"T": 40.0, "Q": None})
-    static = 40 / (12 * heavier.R_i * np.tan(heavier.nu_0))
-    assert pytest.approx(static) == with_crown(heavier, None).Q
-    assert with_crown(Q, FREE).Q == 3407.0
-    assert with_crown(Q, None).z_m == 0
-
-
 def test_what_does_not_lock_has_no_peak():
     slippery = Q.model_copy(update={"mu_s": 0.05, "mu_c": 0.05})
     with pytest.raises(NoLockError, match=r"T = 25 N m .*no crown mends that"):

@@ -1,7 +1,5 @@
 """Case spring-map: what its cells measure, and what is no result of the map."""
 
-from dataclasses import replace
-
 import pytest
 
 from analytic.spring import stability
@@ -13,31 +11,24 @@ from verify.cases.spring.buckling import reference
 from verify.cases.spring.buckling.case import BUCKLING, NOT_FOUND
 from verify.cases.spring.buckling.formulas import critical_point
 from verify.cases.spring.map import fem, formulas
-from verify.cases.spring.map.case import DEEP_MAP, MAP, MapSpring
+from verify.cases.spring.map.case import MAP, MapSpring
 from verify.cases.spring.map.inputs import (
-    DEEP_LEAVES,
-    DEEP_SLENDER,
     SHARES,
     Cell,
     points,
     slender,
 )
 
-LONG_LEAVES = 18, 8  # of the finer maps: alpha = 70 deg, L_1/r = 60
-
 
 def cell_of(q):
     return Cell(q.n, q.b, q.r, q.L1, q.alpha)
 
 
-def deep_rows():
-    return [row for grid in points(MapSpring(), deep=True).values() for row in grid]
-
-
 def test_a_cell_whose_spring_becomes_unstable_has_a_stiffness_but_no_forces():
     """Before 60 % of its length the pivots' sign changes between two equilibria."""
     q = MapSpring()
-    cell = deep_rows()[LONG_LEAVES[0]][LONG_LEAVES[1]]
+    rows = [row for grid in points(q, deep=True).values() for row in grid]
+    cell = rows[18][8]  # alpha = 70 deg, L_1/r = 60
     one = fem.spring(q, cell, 4, 2)
     U_cr = one.critical_displacement(0.6 * cell.length, 0.045 * cell.length)
     assert U_cr == pytest.approx(0.5535 * cell.length, rel=1e-4)
@@ -67,17 +58,6 @@ def test_a_path_that_is_not_found_is_no_critical_point(broken, monkeypatch):
     assert not isinstance(error.value, UnstableError)
 
 
-def test_forces_of_unstable_equilibria_are_no_result(monkeypatch):
-    q, right = MapSpring(), PressedFrame.compressed
-
-    def crossed(self, U, since=None):
-        *before, last = right(self, U, since)
-        return [*before, replace(last, negative=1)]
-
-    monkeypatch.setattr(PressedFrame, "compressed", crossed)
-    assert fem.measured(q, cell_of(q))[1:] == (0, 0)
-
-
 def test_an_elastica_that_is_not_found_says_nothing_of_stability():
     """Flat leaves: Newton's method fails at these steps, beams are stable to the end."""
     q = own(MAP, alpha="30 deg", x_r="2 mm", y_r="0.1 mm")
@@ -103,15 +83,6 @@ def test_a_critical_point_that_is_not_found_is_no_spring_without_one(monkeypatch
     monkeypatch.setattr(reference, "LAST", 0.01)
     with pytest.raises(ArithmeticError, match="no critical point of the free head up to 1%"):
         reference.solve(q, 2)
-
-
-def test_the_finer_map_has_a_part_for_each_of_its_rows():
-    rows = deep_rows()
-    assert len(DEEP_MAP.levels) == len(rows)
-    part = DEEP_MAP.reference(MapSpring(), 0).arrays["cells"]
-    assert part.shape == (len(DEEP_SLENDER), 3)
-    assert len(rows[-1]) == len(DEEP_LEAVES)
-    assert (part > 0).all()
 
 
 def test_the_cells_of_a_column_have_its_slenderness_and_what_is_no_leaf_spring_is_left_out():

@@ -3,14 +3,12 @@
 import numpy as np
 import pytest
 
-from analytic.spring import column, energy, frame, stability, stages
+from analytic.spring import frame, stages
 from analytic.spring.elastica import Elastica
 from tests.verify.cases.readings import given
 from tests.verify.cases.rows import rows
 from verify.cases.spring.buckling import formulas as buckling
 from verify.cases.spring.buckling.case import BUCKLING
-from verify.cases.spring.map import formulas as maps
-from verify.cases.spring.map.case import MAP
 from verify.cases.spring.stages import readings as of_stages
 from verify.cases.spring.stages.case import STAGES, StageSpring
 from verify.cases.spring.stages.readings import chosen, eq10, meeting, readings, uncertainties
@@ -28,48 +26,24 @@ def wide_strip(_):
     )
 
 
-def inner_radius(right):
-    return lambda q, tail: right(q.model_copy(update={"r": q.r - q.b / 2}), tail)
-
-
 READINGS = [
     pytest.param(BUCKLING, buckling, "elastica", wide_strip,
                  f"force at which {FREE}", id="a wide strip"),
-    pytest.param(BUCKLING, buckling, "elastica", inner_radius,
-                 f"displacement at which {FREE}", id="the inner radius"),
-    pytest.param(BUCKLING, stability, "FREEDOM",
-                 lambda f: f | {"free": f["hinged"]},
-                 f"displacement at which {FREE}", id="a hinge for a free head"),
-    pytest.param(BUCKLING, column, "WAVES", lambda w: w | {"free": np.pi},
-                 "Haringx's column with ever more units, tail clamped at its arc",
-                 id="a column hinged at both ends"),
-    pytest.param(MAP, maps, "Elastica", given(EI=lambda k: k["EI"] / 0.91),
-                 "transverse force at the end of the roller's travel", id="a wide strip across"),
-    pytest.param(MAP, energy, "stiffness", given(alpha=lambda k: np.pi / 2 - k["alpha"]),
-                 "Eqs. 1-9 are within 10 % from L_0/b = 240 on, n <= 24, small displacement",
-                 id="sine for cosine"),
     pytest.param(STAGES, stages, "response", lambda f: lambda A, held, tips: f(A, held, tips[:1]),
                  f"stiffness k_2, {GUIDED}", id="one tip for two"),
-    pytest.param(STAGES, stages, "line", given(b=lambda k: k["b"] / 2),
-                 f"displacement at A, {GUIDED}", id="gap with half the thickness"),
     pytest.param(STAGES, stages, "line", given(normal=lambda _: "leaf"), f"force at A, {GUIDED}",
                  id="the unloaded leaf's normal"),
-    pytest.param(STAGES, stages, "HELD", lambda held: held | {"guided": [1]},
-                 f"stiffness k_1, {GUIDED}", id="a guide that lets the head turn"),
     pytest.param(STAGES, stages, "HELD", lambda held: held | {"hinged": []},
                  "stiffness k_1, head hinged, tail at mid-leaf", id="a hinge without side force"),
     pytest.param(WIDTH, frame, "stiffness", given(plane_strain=lambda _: False),
                  "shell with held edges, tail clamped at mid-leaf, head guided",
                  id="1 - nu² dropped"),
-    pytest.param(WIDTH, frame, "stiffness", given(radius=lambda k: k["radius"] - 5e-5),
-                 "shell with held edges and plane stress", id="inner radius of a narrow spring"),
 ]  # fmt: skip
 
 
 @pytest.mark.parametrize(("case", "owner", "name", "reading", "row"), READINGS)
-def test_another_reading_fails(case, owner, name, reading, row, broken, judged, red):
-    broken(owner, name, reading)  # some give no value at all: the whole case is judged
-    assert row in {failed.quantity for failed in red(judged(case, drawn=False))}
+def test_another_reading_fails(case, owner, name, reading, row, fails):
+    assert row in fails(case, owner, name, reading, row)
 
 
 def test_one_of_sixteen_readings_meets_the_printed_stiffness():
