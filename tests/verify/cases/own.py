@@ -3,11 +3,10 @@
 from functools import cache
 
 import numpy as np
-import pytest
 
 from tests.verify.template_text import inputs_of
 from verify.answers.template import template
-from verify.core.inputs import InputError, build
+from verify.core.inputs import build
 
 
 @cache
@@ -20,13 +19,6 @@ def printed(case):
 
 def own(case, **changes):
     return build(case.inputs, printed(case) | changes, "my.toml")
-
-
-def assert_refused(case, changes, message):
-    """The inputs are refused in one line that matches the message."""
-    with pytest.raises(InputError, match=message) as caught:
-        own(case, **changes)
-    assert "\n" not in str(caught.value)
 
 
 def state(case, **changes):

@@ -4,7 +4,7 @@ import pytest
 
 from tests.verify.cases.own import own
 from tests.verify.cases.test_refused import CUP
-from tests.verify.cases.test_warned import cup_flats, flats
+from tests.verify.cases.test_warned import cup_flats
 from verify.cases.registry import find
 
 NANOMETRE = {"delta": "1 nm", "E_o": "2 GPa", "p_i": "0 MPa", "p_o": "0 MPa"}
@@ -14,40 +14,29 @@ LEFT = [
     ("ring-loads-outer", {"F": "0.05 N"}, "digits"),
     ("polyhedral-locking", {"p_t": "20.5 MPa"}, "reaches them at 20.26 MPa and is compared from"),
     ("polyhedral-clutch", {"mu": 0.6}, "pressure does not limit the torque"),
-    ("polyhedral-clutch", {"alpha": "10 deg"}, "the rollers are expelled"),
     ("polyhedral-clutch", {"p_t": "15 MPa"}, "p_t = 15 MPa hardly reaches the rollers"),
     ("polyhedral-wedge", {"alpha": "12 deg"}, "no equilibrium to compute; check it without --fem"),
     ("freewheel-torque", {"T": "500 N m"}, "wide under"),
     ("freewheel-torque", {"R_a": "17 mm", "T": "10 N m"}, "more than 0.1 of its wall of 0.5 mm"),
     ("freewheel-torque", {"z": 17, "T": "52 N m"}, "mm of the flats' corners"),
     ("freewheel-cup", {"T": "29 N m"}, "of the largest torque 30.04 N m"),
-    ("freewheel-cup", {"T": "0.1 N m"}, "of the largest torque 30.04 N m"),
     ("freewheel-cup", {"X_o": cup_flats(9), "T": "90 N m"}, "r wide at the largest"),
-    ("freewheel-friction", {"X": flats(5)}, "check it without --fem"),
     ("freewheel-paths", {"T_m": "10 N m"}, "axial load while its torque is next to zero"),
     ("freewheel-paths", {"mu": 0.05}, "tan α = 0.0674 is not below μ = 0.05"),
     ("freewheel-paths", {"F_ax": "100 kN"}, "asks for friction of"),
     ("freewheel-clutch", CUP, "inner cams only"),
-    ("freewheel-clutch", {"T": "-1 N m"}, "a torque that locks"),
     ("freewheel-clutch", {"E_r": "310 GPa"}, "one material"),
     ("freewheel-clutch", {"T": "9000 N m"}, "past the corners of their flats"),
     ("freewheel-clutch", {"X": "9 mm", "z": 3, "mu": 1.0}, "beyond friction"),
     ("sprag-wedge", {"T": "60 N m"}, "their contacts come to the flanks"),
-    ("sprag-wedge", {"r_i": "6 mm", "b": "5 mm"}, "wider than they are round"),
     ("sprag-wedge", {"nu_0": "0.2 rad", "T": "600 N m"}, "r wide under"),
     ("sprag-wedge", {"R_id": "10.8 mm", "T": "20 N m", "nu_0": "0.2 rad"}, "are not small"),
     ("sprag-engagement", {"dt": "1e-7 s"}, "steps"),
-    ("sprag-engagement", {"K_r": "4e-4 N m/rad"}, "slide at the start"),
-    ("sprag-friction", {"T": "120 N m"}, "roll over"),
     ("sprag-clutch", {"T": "500 N m"}, "no state within the profile bears this torque"),
     ("sprag-clutch", {"T": "0.01 N m"}, "below the least load that slices are solved for"),
     ("sprag-clutch", {"slices": 81}, "81 slices are solved anew"),
     ("sprag-crown", {"z_m": "0 mm"}, "without a crown"),
-    ("sprag-crown", {"T": "80 N m"}, "roll over"),
-    ("sprag-crown", {"slices": 81}, "81 slices"),
     ("sprag-optimum", {"mu_s": 0.05, "mu_c": 0.04}, "the sprags slip: no crown mends that"),
-    ("sprag-optimum", {"T": "5000 N m"}, "no state within the profile bears this torque"),
-    ("sprag-optimum", {"slices": 101}, "101 slices are solved anew at each load"),
     ("sprag-optimum", {"t_end": "1 s"}, "t_end/dt = 1e+05 is above 50000 steps"),
     ("spring-buckling", {"n": 30}, "n = 30 segments are more than 24"),
     ("spring-buckling", {"n": 4}, "too short to buckle sideways"),
@@ -58,11 +47,9 @@ LEFT = [
     ("contact-press-fit", {"r_i": "25.8 mm", "r_f": "26 mm", "delta": "1 µm"}, "without --fem"),
     ("contact-press-fit", NANOMETRE | {"delta": "0.001 nm"}, "rounded positions"),
     ("contact-slip", {"share": 0.49}, "check it without --fem"),
-    ("contact-slip", {"share": 0.91}, "check it without --fem"),
     ("contact-sphere", {"P": "4e-8 N"}, "round-off"),
     ("contact-roller", {"d": "0.1 mm"}, "d = 0.1 mm is shorter than 0.141 mm"),
     ("rotor-clutch", {"T": "600 N m"}, "no sprag rolls so far"),
-    ("rotor-clutch", {"drop": "20 µm"}, "ends open"),
 ]
 
 

@@ -136,13 +136,6 @@ def test_computed_values_are_no_part_of_the_inputs(monkeypatch):
     assert rod.sigma == 7.0
 
 
-def test_a_variant_has_other_class_attributes_also_at_other_inputs():
-    strained = Rod().variant(ends="plane strain").at(d=20e-3)
-    assert (Rod().ends, strained.ends, strained.d) == ("plane stress", "plane strain", 20e-3)
-    with pytest.raises(ValueError, match=r"Rod has no class attribute end$"):
-        Rod().variant(end="plane strain")
-
-
 def test_equations_come_from_the_code_or_are_checked_against_it():
     found = {one.tex: one for one in equations.stated(Rod())}
     assert list(found) == [

@@ -13,7 +13,6 @@ from verify.cases.freewheel.clutch.figures import lights
 
 CUP = {"kind": "outer cam", "R": 10e-3, "r": 2e-3, "X": 13.8832168e-3, "R_a": 17.5e-3, "r_b": 0.0}
 TIGHT = {"X": 11.499e-3, "F_ax": 0.0}
-SHARP = {"X_tol": 0.0, "r_tol": 0.0, "R_tol": 0.0, "s_mu": 0.0}
 
 
 def values(**changes):
@@ -56,14 +55,12 @@ def test_the_verdict_comes_first(changes, verdict):
         ({}, "rollers' ends: first the contacts slip (110.5 N m, 4.25 T)"),
         ({"e_lim": 0.01}, "first the tilting couple moves the contact forces by (e/L)_lim"),
         (CUP, "first the inner contacts reach p_lim (29.21 N m"),
-        ({"T": 200.0, "F_ax": 0.0}, "without axial load friction holds up to 113.3 N m"),
         ({"T": 130.0, "F_ax": 0.0}, "already beyond a limit of the torque: the inner contacts"),
         ({"F_ax": 1100.0}, "friction would bear F_ax = 1100 N from 29.35 to 102.7 N m"),
         (CUP | {"T": 40.0}, "R_a is that of the housing that stiffens a drawn cup"),
         ({"T": 1e9}, "no R_a, X or L near these bears the torque: the clutch is too small"),
         (TIGHT, "of 20,000 clutches of like rollers with ±5 µm on X"),
         (CUP | {"T": 30.0, "X_tol": 5e-5}, "let the rollers through"),
-        ({"X": 11.49999e-3} | SHARP, "(μ/μ_req by "),
     ],
 )
 def test_limits_and_advice_are_stated(changes, words):

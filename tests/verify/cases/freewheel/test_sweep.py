@@ -1,14 +1,16 @@
-"""Sweeps over the torque, and the intervals that are derived for a formula beforehand."""
+"""Sweeps over the torque, the rig's load paths, and intervals that are derived beforehand."""
 
 import numpy as np
 import pytest
 
 from analytic.freewheel import compliance
 from analytic.freewheel.state import at_normal_force, loaded
+from tests.conftest import solved
 from verify.cases.freewheel.bounds import of_star
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
 from verify.cases.freewheel.cup.case import CUP, FreewheelCup
 from verify.cases.freewheel.cup.sweep import ONWARD, SHARES, CupSweep, through
+from verify.cases.freewheel.paths.case import PATHS, LoadPaths
 from verify.cases.freewheel.sweep import given_angle, rigid_force, sweep
 from verify.cases.freewheel.torque.case import TORQUE, FreewheelTorque
 
@@ -73,3 +75,37 @@ def test_the_interval_holds_finite_elements_of_another_clutch():
     ):
         assert low < formula / fem - 1 < high
     assert sweep(ClutchInputs(z=12, T=35.0).as_star, 5) is states
+
+
+def test_approaches_are_those_of_an_elastic_solution_without_contact():
+    """In plane strain: finite elements of star, roller and ring apart, Hertz's pressures given."""
+    for key, d in {"d_i_rigid": 7.7807e-6, "d_o_rigid": 16.7671e-6}.items():
+        assert TORQUE.analytic(STAR)[key] == pytest.approx(d, rel=6e-3)
+        assert solved(TORQUE, STAR)[-1].result.values[key] == pytest.approx(d, rel=2e-3)
+
+
+def test_all_three_paths_slip_at_the_load_of_eq_9_an_alternating_one_no_sooner():
+    q = LoadPaths()
+    v = PATHS.analytic(q)
+    steady = q.rise + v["F_lim"] / q.F_ax * (q.duration - q.rise)
+    assert v["slip_1"] == pytest.approx(steady, abs=3e-4)
+    assert v["slip_2"] >= v["slip_1"]
+    for case in (2, 3):
+        along = q.courses[case]
+        at = np.searchsorted(along.t, along.slips_at)
+        assert abs(along.mu_req[at]) > q.mu > abs(along.mu_req[at - 1])
+
+
+def test_a_path_that_ends_below_the_limit_holds_and_is_green():
+    q = LoadPaths(F_ax=900.0)
+    v = PATHS.analytic(q)
+    assert not any(key.startswith("slip") for key in v)
+    assert all("holds to the end" in x and "green" in x for x in PATHS.findings(q, v)[1:4])
+
+
+def test_round_off_of_the_frequency_moves_no_time_of_a_course():
+    """Cycles of the defaults are whole: one time more would move every time of slip."""
+    q = LoadPaths()
+    for off in (-1e-13, 1e-13):
+        for case, along in q.model_copy(update={"f": q.f * (1 + off)}).courses.items():
+            assert np.array_equal(along.t, q.courses[case].t)

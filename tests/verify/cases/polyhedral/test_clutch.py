@@ -1,11 +1,17 @@
-"""Polyhedral clutches that lock, expel their rollers or are not touched: values and warnings."""
+"""Polyhedral clutches: values, warnings, and finite elements in balance on coarse meshes."""
 
 import math
 
+import numpy as np
 import pytest
 
+from fem.contact.wedged import Geometry, Wedge
 from tests.verify.cases.own import state
 from verify.cases.polyhedral.clutch.case import CLUTCH
+from verify.cases.polyhedral.locking.case import LockedPolyhedralRing
+from verify.cases.polyhedral.locking.fem import locked_fem
+from verify.cases.polyhedral.wedge.case import WedgedRoller
+from verify.cases.polyhedral.wedge.mesh import fem_mesh
 from verify.core.case import Context
 
 LOCKS = {"M_20", "M_20_printed", "T", "F_s", "R", "N_16"}
@@ -46,3 +52,28 @@ def test_a_narrow_ring_bears_little_of_the_torque_and_asks_for_a_wedge_angle():
     assert not any("b/δ_1" in line for line in warned)
     *_, warned = state(CLUTCH)
     assert any("b/δ_1" in line for line in warned)
+
+
+def wedge(q, mu):
+    geometry = Geometry(q.R, q.half, q.a)
+    return Wedge(geometry, fem_mesh(geometry, 6), E=q.E, nu=q.nu, mu=mu, caged=False)
+
+
+def test_forces_on_half_a_sector_are_in_balance_with_the_ring_s_hoop_force_alone():
+    q = LockedPolyhedralRing()
+    hub = (2e5, 1e4)
+    ring = locked_fem(q, 1, d=q.d, e=q.e, p=q.p_t, hub=hub)
+    rest_x, rest_y, hoop = ring.balance(q.p_t, hub)
+    side = q.p_t * q.d_i * np.sin(q.half_angle)
+    assert max(abs(rest_x), abs(rest_y)) < 1e-8 * side
+    assert abs(hoop) > 0.1 * side  # what Eq. 16 leaves out
+
+
+def test_the_roller_leaves_to_the_wide_end_where_friction_is_too_low():
+    q = WedgedRoller()
+    _, down = wedge(q, q.mu).pressed(q.line_load)
+    slippery = wedge(q, 0.5 * math.tan(q.half))
+    gone = slippery.at(down)
+    assert slippery.forces(gone)[0] < 1e-6 * q.line_load
+    x, _ = gone.plane.displacement_at((0.0, 0.0))
+    assert x < -0.5 * down / math.tan(q.half)

@@ -6,14 +6,12 @@ import pytest
 
 from analytic.contact import hertz_line
 from analytic.ring import fourier_ring, loaded_race, rotating, smeared
-from tests.verify.cases.own import own
 from tests.verify.cases.readings import given
 from verify.cases.ring.loads import figures
 from verify.cases.ring.loads.case import OUTER, InnerRace, OuterRace
 from verify.cases.ring.loads.formulas import SpragLoads
-from verify.cases.ring.loads_map.case import CHECKED, COUNTS, MAP, RATIOS
+from verify.cases.ring.loads_map.case import MAP
 from verify.cases.ring.rotation.case import ROTATION, RotatingRace
-from verify.core.results import Status
 
 AT_LOAD = "bore displacement at a load"
 
@@ -58,22 +56,6 @@ def test_smearing_costs_windup_and_hides_force_from_12_sprags_on():
     assert 0.97 < peak < 0.98
     windup, peak = figures.ratios(races, 6)
     assert windup < 1 < peak
-
-
-def test_a_race_of_another_number_of_sprags_says_how_soft_eq_6_is(judged, red):
-    result = judged(replace(OUTER, levels=(2, 3, 4)), own(OUTER, n=6), drawn=False)
-    assert not [row for row in red(result) if "convergence" not in row.quantity]
-    (row,) = (r for r in result.rows if "too soft" in r.quantity)
-    assert row.status is Status.SHOWN
-    assert "-17.4% off at n = 6" in row.reason
-
-
-def test_inputs_and_formulas_have_the_same_half_width_and_the_map_its_checked_points():
-    """Finite elements do not take it from the formulas: the two share no code."""
-    for q in (OuterRace(), InnerRace()):
-        assert q.half_width == pytest.approx(q.hertz[0], rel=1e-13)
-    assert {n for n, _ in CHECKED} <= set(COUNTS)
-    assert {ratio for _, ratio in CHECKED} <= set(RATIOS)
 
 
 def test_speeds_at_which_growth_counts_are_those_of_one_and_ten_per_cent():

@@ -5,7 +5,6 @@ import pytest
 
 from analytic.rotor.transfer_modes import whirl_frequencies
 from verify.cases.rotor.clutch.case import CLUTCH, ClutchLink
-from verify.cases.rotor.shaft.case import UniformShaft
 from verify.cases.rotor.step import reference
 from verify.cases.rotor.step.case import SteppedBeam
 
@@ -23,16 +22,22 @@ def test_values_of_the_clutch_are_those_of_a_pocket_calculator():
     assert CLUTCH.analytic(soft)["K_xx"] < v["K_xx"]
 
 
-def test_an_interval_of_a_stubby_shaft_has_no_series():
-    row = "Euler's beam, mode 1, at rest"
-    for q, sharp in ((UniformShaft(), True), (UniformShaft(L=0.13), False)):
-        check = next(c.check for c in q.stated() if c.name == row)
-        interval = check.interval(None)
-        assert (interval is not None) is sharp
-        assert not sharp or 0.015 < interval[0] < interval[1] < 0.02
-
-
 # The stepped shaft and its 45° rule.
+
+
+def test_pieces_make_up_the_shaft_and_stiffness_grows_from_the_steps():
+    q, short = SteppedBeam(), SteppedBeam(L_2=0.03, a=0.1)  # whose cones meet
+    for one, cone in ((q, False), (q, True), (short, True)):
+        pieces = one.shape.pieces(cone=cone)
+        assert sum(p.length for p in pieces) == pytest.approx(one.L)
+        assert sum(p.length * p.d**2 for p in pieces) == pytest.approx(
+            sum(length * d**2 for length, d, _ in one.parts)
+        )
+        assert all(p.d_stiff == p.d for p in pieces) is not cone
+    assert max(p.d_stiff for p in short.shape.pieces(cone=True)) < short.d_1 + 0.03
+    stiff = [p.d_stiff for p in q.shape.pieces(cone=True)]
+    assert stiff == pytest.approx(stiff[::-1])
+    assert sorted(set(np.round(stiff, 9)))[:2] == pytest.approx([0.04, 0.04 + 0.04 / 32])
 
 
 def test_cones_of_many_slices_and_the_weak_form_agree():

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 from verify.cases.rotor.sprag.assertions import STATEMENTS
-from verify.cases.rotor.sprag.response_fem import GRID, WINDOW, peaks_fem
 
 RISING = np.arange(1.0, 4.0)  # three unbalances, or three peaks
 
@@ -54,24 +53,14 @@ def turned(ratio, inertias=(4.0, 1.0)):
 CASES = [
     ("node 11 is the highest of nodes 1 to 11 at critical speed 1",
      peaks({11: 2, 12: 3}), peaks({4: 3, 11: 2})),
-    ("node 11 is the highest of the outer rotor at critical speed 1, with its free end",
-     peaks({11: 2}), peaks({11: 2, 12: 3})),
-    ("node 11 is the highest of nodes 1 to 11 at critical speeds 3 and 5",
-     peaks({11: 2}), first(11)),
     ("node 2 stays below half of the others at every peak", peaks({2: 0.4}), peaks({2: 0.6})),
     ("nodes 13 to 19 are highest at critical speed 1", first(*range(13, 20)),
      first(*range(13, 19))),
-    ("node 19 is the highest of the inner rotor at every peak",
-     peaks({19: 2}), peaks({18: 3, 19: 2})),
     ("torsion is uniform along the outer rotor at critical speed 1", twisted(0.05, 9),
      twisted(0.2, 0)),
-    ("torsion is uniform along both rotors at critical speeds 3 and 5", twisted(0.05, 0.05),
-     twisted(0, 0.2)),
     ("torsion is highest at critical speed 1", falling(3, 2, 1), falling(2, 1, 3)),
     ("peaks of node 4 grow with unbalance 2", over_unbalance(RISING, 2, 4),
      over_unbalance([1, 3, 2], 2, 4)),
-    ("peaks of node 19 at critical speeds 1 and 5 grow with unbalance 2",
-     over_unbalance([3, 2, 1], 1, 19), over_unbalance([3, 2, 1], 2, 19)),
     ("peak of node 19 at critical speed 3 falls from 3 to 5e-5 kg m",
      over_unbalance([1, 3, 2], 1, 19), over_unbalance([3, 1, 2], 1, 19)),
     ("loads of bearings 3 and 4 grow with unbalance 2", loads(), loads(over_u=[1, 3, 2])),
@@ -91,18 +80,3 @@ def test_a_statement_is_told_from_its_opposite(name, holds, fails):
     assert statement.asked(holds).tolist() == [True]
     blind = {key: np.full_like(of, np.nan) for key, of in holds.items()}
     assert statement.asked(blind).tolist() == [False]
-
-
-def windows_of(*rows):
-    """Responses (1, k, speeds) that are zero but in the window of critical speed 1."""
-    f = np.zeros((1, len(rows), GRID.size + 3 * WINDOW.size))
-    f[0, :, GRID.size : GRID.size + WINDOW.size] = rows
-    return f
-
-
-def test_a_peak_is_no_flank_of_another_one():
-    rising = np.linspace(0, 5, WINDOW.size)
-    humped = rising + np.where(np.arange(WINDOW.size) == 10, 1.0, 0.0)
-    found = peaks_fem(windows_of(rising, rising[::-1], humped, np.ones_like(rising)))[0, 0]
-    assert np.isnan(found).tolist() == [True, True, False, True]
-    assert found[2] == pytest.approx(1 + 5 * 10 / 24, rel=1e-14)  # not 5, at the window's edge

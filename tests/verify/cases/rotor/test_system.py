@@ -109,13 +109,3 @@ def test_a_rotor_without_links_or_unbalances_has_fewer_rows(red):
     quantities = {row.quantity for row in result.rows}
     assert "critical speed 1, the first shaft's unbalance" in quantities
     assert not {"amplitude at the probe", "load of the first link"} & quantities
-
-
-def test_a_shaft_that_stands_still_meets_no_critical_speed():
-    q = built(changed("shafts", 2, ratio=0.0))
-    v = SYSTEM.analytic(q)
-    assert [e.shafts for e in q.study.excited] == [("outer",)]
-    assert not [key for key in v if key.startswith("critical_other")]
-    assert "amplitude" in v
-    met = counter_rotating().study.excited  # a shaft that turns against it meets backward whirl
-    assert [set(e.modes.whirl) for e in met] == [{1}, {-1}]

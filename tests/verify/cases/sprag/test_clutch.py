@@ -118,3 +118,9 @@ def test_springs_whose_state_is_not_found_have_no_force(broken):
     assert "N_0" not in v
     warned = CLUTCH.warnings(SpragClutch(), v)
     assert "no state that bears the springs alone was found: N_0 is not known" in warned
+
+
+def test_stiffness_is_the_slope_of_the_torque_over_the_turn():
+    low, high = (CLUTCH.analytic(SpragClutch(T=T)) for T in (24.9, 25.1))
+    slope = 0.2 / (high["theta"] - low["theta"])
+    assert CLUTCH.analytic(PAPER)["stiffness"] == pytest.approx(slope, rel=1e-4)

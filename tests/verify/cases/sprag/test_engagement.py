@@ -1,15 +1,20 @@
-"""Engagement and friction of a sprag clutch: words agree with steps in time, facts with rows."""
+"""Wedge, engagement and friction of sprags: words agree with steps in time, yields with rings."""
 
 import math
 
+import numpy as np
 import pytest
 
+from analytic.sprag import elastic
 from analytic.sprag.history import Phase
 from verify.cases.sprag.engagement import model
 from verify.cases.sprag.engagement import reference as steps
 from verify.cases.sprag.engagement.case import ENGAGEMENT, SpragEngagement
 from verify.cases.sprag.friction import formulas, reference
 from verify.cases.sprag.friction.case import FRICTION, SpragFriction
+from verify.cases.sprag.wedge.case import WEDGE, WedgedSprag
+from verify.cases.sprag.wedge.figures import parts_of
+from verify.cases.sprag.wedge.model import rigid_force
 from verify.jobs.level import solve_level
 
 PAPER, RUBBING = SpragEngagement(), SpragFriction()
@@ -65,3 +70,37 @@ def test_driven_it_is_the_inner_contact_that_slides_and_overrunning_the_outer(sp
     late = run.phases[len(run.t) // 2 :]
     assert (late[:, int(outside)] == Phase.SLIP).mean() > 0.9
     assert (late[:, 1 - int(outside)] == Phase.STICK).mean() > 0.9
+
+
+SPRAG = WedgedSprag()
+
+
+def test_elastic_yields_are_those_of_rings_under_single_loads_and_of_the_column():
+    yields = dict(parts_of(SPRAG, np.array([rigid_force(SPRAG)])))
+    assert sum(float(p[0]) for p in yields.values()) == pytest.approx(
+        SPRAG.at_share(1.0).H, rel=1e-12
+    )
+    P = rigid_force(SPRAG) / SPRAG.l
+    a_i, a_e = (float(a) for a in SPRAG.bodies.half_widths(np.array(rigid_force(SPRAG))))
+    for name, r_i, r_o, loaded, a in (
+        ("inner", SPRAG.R_id, SPRAG.R_i, "rim", a_i), ("outer", SPRAG.R_e, SPRAG.R_ed, "bore", a_e),
+    ):  # fmt: skip
+        ring = elastic.LoadedRace(
+            r_i=r_i, r_o=r_o, E=SPRAG.E, nu=SPRAG.nu, assumption="plane strain", loaded=loaded,
+            n=SPRAG.z, P=P, a=a,
+        )  # fmt: skip
+        both = float(yields[f"{name} mean"][0] + yields[f"{name} dent"][0])
+        assert both == pytest.approx(abs(ring.displacement(ring.r, 0.0)), rel=2e-4)
+
+
+def test_a_sprag_rolls_over_where_its_flank_comes_to_the_race():
+    v = WEDGE.analytic(SPRAG)
+    for share, verdict in ((0.99, "holds"), (1.01, "rolls over")):
+        q = WedgedSprag(T=share * v["T_roll"])
+        own = WEDGE.analytic(q)
+        assert WEDGE.findings(q, own)[0].startswith(
+            "rolls over: a contact reaches the sprag's flank"
+            if verdict == "rolls over"
+            else "holds with friction above"
+        )
+    assert WEDGE.summary(q, own)["verdict"] == "rolls over"

@@ -41,14 +41,6 @@ def test_processes_change_nothing(found):
     assert seen[-1] == 10
 
 
-def test_strips_are_pressed_by_the_same_forces_and_let_no_crown_count_whose_ends_carry(found):
-    fine = peaks_fem(Q, CROWNS[:2], [25.0], by="strips")
-    assert fine.N_max == pytest.approx(found.N_max[:2, 1:], rel=1e-7)
-    assert fine.largest[0, 0] == pytest.approx(found.largest[0, 1], rel=0.02)
-    assert fine.objective[0] == fine.largest[0]
-    assert fine.objective[1, 0] == 1.5 * fine.pressure[1, 0, 0]
-
-
 def test_what_does_not_lock_has_no_peak():
     slippery = Q.model_copy(update={"mu_s": 0.05, "mu_c": 0.05})
     with pytest.raises(NoLockError, match=r"T = 25 N m .*no crown mends that"):

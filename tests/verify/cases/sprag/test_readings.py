@@ -1,7 +1,5 @@
 """Sprag clutches (Huang 2018): the other reading of an equation fails a row of its case."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
@@ -36,20 +34,8 @@ def of_a_closure(change):
     return fault
 
 
-def times_sprags(right):
-    return lambda clutch, load: right(clutch, 12 * load)
-
-
 def polar(_):
     return property(lambda self: np.asarray(self.r_i))
-
-
-def with_sine(right):
-    def wedged(*args, **more):
-        now = right(*args, **more)
-        return replace(now, T=now.T * np.cos(now.nu))
-
-    return wedged
 
 
 def in_micrometres(right):
@@ -66,7 +52,6 @@ READINGS = [
     (ENGAGEMENT, "force at rest after a slow rise", race_spring, "wedged", as_printed,
      "Eqs. 9 and 10 as printed"),
     (CLUTCH, TURN, LogSprag, "rho_0", polar, "r_i a polar radius"),
-    (CLUTCH, FORCE, closure, "wedged", with_sine, "sin for tan in Eq. 16"),
     (CLUTCH, "normal force with rigid races (Liu)", Clutch, "rigid_races",
      lambda _: lambda self: self, "rigid races that yield"),
 ]  # fmt: skip
