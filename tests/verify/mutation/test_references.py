@@ -8,9 +8,12 @@ import pytest
 
 from tests.verify.test_checks import context, identity, power_law
 from verify.audit.mutation import gate
-from verify.audit.mutation.references import both_ways, score
+from verify.audit.mutation.references import both_ways, measured, score
 from verify.audit.mutation.references_moved import PERTURBATIONS, moved, tried
+from verify.cases.registry import CASES, find
 from verify.core.results import Status
+from verify.jobs.cache import default_folder
+from verify.jobs.level import solve_level
 from verify.judging import judge
 from verify.judging.checks import Approximation, Exact, Limit
 
@@ -96,6 +99,19 @@ def test_the_gate_is_red_where_the_tolerance_of_one_row_is_widened(monkeypatch):
     assert rows[-2].row.status is Status.PASS
     found = gate.failures(rows)
     assert any(text.startswith("+5% turns 95.24% of 21 rows red") for text in found)
+
+
+def test_a_case_of_the_suite_passes_the_gate_but_for_what_is_listed():
+    case = find("polyhedral-ring", CASES)
+    for level in case.levels:
+        solve_level(case, case.inputs(), level, default_folder())
+    seen = []
+    found = measured([case], show=lambda *state: seen.append(state))
+    assert seen == [(0, 1, case.id), (1, 1, "")]
+    held = found["gate"]
+    assert held["rows"] >= 10
+    for p in ("+1 %", "-1 %", "+5 %", "-5 %", "-9 %"):
+        assert held["red"][p] == held["rows"]
 
 
 def test_rows_are_listed_by_the_reason_and_convergence_is_neither():

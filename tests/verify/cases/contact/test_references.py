@@ -9,11 +9,12 @@ from analytic.bounds.contact.roller import local_pressure
 from tests.verify.cases.own import own
 from verify.cases.contact.line.flat import FLAT
 from verify.cases.contact.line.reference import disc_fem
-from verify.cases.contact.roller import end_fem
+from verify.cases.contact.roller import end_fem, profiles
 from verify.cases.contact.roller.crown_claims import RESOLVED, straight
 from verify.cases.contact.roller.crowns import CROWNS
 from verify.cases.contact.roller.end import END, EndFace
 from verify.cases.contact.roller.half_space import pressed
+from verify.cases.contact.roller.inputs import Crown, Tilt
 from verify.cases.contact.roller.tilted import TILTED
 from verify.cases.contact.slip.case import SLIP
 from verify.cases.contact.slip.claims import HALF_PLANES, neglected
@@ -49,6 +50,14 @@ def test_pressures_next_to_the_axis_of_a_sphere_are_even_however_small_the_conta
     near = touch.x[0] < a / 3
     p = touch.pressure[near] / np.sqrt(1 - (touch.x[0][near] / a) ** 2)
     assert np.ptp(p) < 2e-3 * p.mean()
+
+
+def test_the_reference_s_crown_and_tilt_are_those_of_the_inputs_as_small_angles_are():
+    theta = np.pi / 180
+    for q, bound in ((Crown(), 0.0), (Tilt(theta=theta), theta**3 / 4)):
+        y = np.linspace(-q.L / 2, q.L / 2, 4001)
+        A = q.K_1 * q.Q / (np.pi * q.L * q.E_star)
+        assert np.abs(profiles.gap(q)(y) - q.gap(y)).max() <= bound * q.L + 1e-9 * A
 
 
 def test_the_half_space_states_what_neighbouring_grids_differ_by():

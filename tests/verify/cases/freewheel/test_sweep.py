@@ -17,15 +17,6 @@ from verify.cases.freewheel.torque.case import TORQUE, FreewheelTorque
 STAR, Q = FreewheelTorque(), FreewheelCup()
 
 
-def synthetic(kind, q, states, psi=None):
-    """A sweep whose states are given, without finite elements."""
-    made = object.__new__(kind)
-    made.q, made.at_states = q, states
-    if psi is not None:
-        made.psi = psi
-    return made
-
-
 @pytest.fixture(scope="module")
 def cup():
     """The formulas' states where a sweep of the cup has its own."""
@@ -38,8 +29,10 @@ def cup():
     P = np.linspace(0, 1, 20001)[:, None] ** 2 * N
     d = compliance.compliance(whole).approaches(P / Q.L)
     U = Q.z * np.trapezoid(P, d.d_i + d.d_o, axis=0)
-    found = {"T": states.T, "N": N, "d_i": states.d_i, "d_o": states.d_o, "U": U}
-    return synthetic(CupSweep, Q, found, states.psi)
+    made = object.__new__(CupSweep)
+    made.q, made.psi = Q, states.psi
+    made.at_states = {"T": states.T, "N": N, "d_i": states.d_i, "d_o": states.d_o, "U": U}
+    return made
 
 
 def test_splines_over_so_few_states_have_the_course_and_its_summit(cup):

@@ -126,11 +126,3 @@ class WholeRing:
             f[self.at(x * self.hub)] += (x * push).real, (x * push).imag
         moment = -(self.hub.conjugate() * push).imag
         return f + self.rolled(0.1, turning=moment / self.r_e), moment
-
-    def largest_in_fillets(self, u):
-        """Largest hoop stress [MPa] on the fillets."""
-        x, y = np.asarray(self.bore.normals)
-        stress = np.asarray(self.stress(self.bore.interpolate(u)))
-        hoop = y**2 * stress[0, 0] + x**2 * stress[1, 1] - 2 * x * y * stress[0, 1]
-        fillets = np.hypot(*np.asarray(self.bore.global_coordinates())) > abs(self.end)
-        return hoop[fillets].max()

@@ -10,6 +10,8 @@ from verify.cases.sprag.clutch.paper_fem import BEST, PRINTED, designed
 from verify.cases.sprag.clutch.paper_statements import corners, rectangle
 from verify.cases.sprag.clutch.run_fem import run_fem
 from verify.cases.sprag.inputs import ASSUMED, IDENTIFIED, EngagementInputs
+from verify.cases.sprag.optimum import reference as optimum
+from verify.cases.sprag.optimum.case import SpragOptimum
 from verify.cases.sprag.statements import FITTED, UNFITTED
 from verify.core.results import Status
 from verify.papers.ledger import published
@@ -106,3 +108,14 @@ def test_a_wedge_angle_is_fitted_only_between_pressures_on_both_sides(monkeypatc
     assert fitted(low - 1e-4) is None
     assert fitted(high + 1e-4) is None
     assert fitted(low + 1e-4) == pytest.approx(low + 1e-4, abs=2e-5)
+
+
+def test_an_engagement_that_is_not_solved_is_no_failed_calibration(monkeypatch):
+    def fails(*_, **__):
+        raise ArithmeticError("the engagement is not followed")
+
+    monkeypatch.setattr(paper_fem, "peak_fem", fails)
+    with pytest.raises(ArithmeticError, match="not followed"):
+        paper_fem.calibrated_fem()
+    with pytest.raises(ArithmeticError, match="not followed"):
+        optimum.calibrated_fem(SpragOptimum(), {})

@@ -7,7 +7,8 @@ from analytic.contact import crown, slices
 from analytic.sprag import best_crown
 from analytic.sprag.peaks import Peaks
 from analytic.surrogate import largest
-from verify.cases.sprag.optimum import study_fem
+from analytic.surrogate.infill import NoAgreementError
+from verify.cases.sprag.optimum import ends_fem, study_fem
 from verify.cases.sprag.optimum.case import SpragOptimum
 from verify.cases.sprag.optimum.surrogate_claims import SURROGATE
 from verify.core.case import Context, FemResult
@@ -58,3 +59,16 @@ def test_a_surrogate_that_is_off_by_2_per_cent_finds_no_agreement(monkeypatch):
     monkeypatch.setattr(best_crown, "fit_regimes", off)
     with pytest.raises(ArithmeticError, match=r"do not agree within 0\.50% after 3 rounds"):
         study_fem.study_fem(Q)
+
+
+def test_a_crown_with_free_ends_is_missing_only_where_all_engagements_are_solved(monkeypatch):
+    def fails(*_):
+        raise error("no crown")
+
+    monkeypatch.setattr(ends_fem, "infilled", fails)
+    crowns = np.array([[Q.K_1, Q.K_2, Q.z_m]])
+    error = NoAgreementError
+    assert ends_fem.freed_fem(Q, crowns, np.array([N])) == {}
+    error = ArithmeticError
+    with pytest.raises(ArithmeticError, match="no crown"):
+        ends_fem.freed_fem(Q, crowns, np.array([N]))

@@ -1,5 +1,7 @@
 """Case spring-map: what its cells measure, and what is no result of the map."""
 
+from dataclasses import replace
+
 import pytest
 
 from analytic.spring import stability
@@ -56,6 +58,17 @@ def test_a_path_that_is_not_found_is_no_critical_point(broken, monkeypatch):
     with pytest.raises(ArithmeticError, match="no equilibrium found") as error:
         fem.measured(MapSpring(), cell_of(MapSpring()))
     assert not isinstance(error.value, UnstableError)
+
+
+def test_forces_of_unstable_equilibria_are_no_result(monkeypatch):
+    q, right = MapSpring(), PressedFrame.compressed
+
+    def crossed(self, U, since=None):
+        *before, last = right(self, U, since)
+        return [*before, replace(last, negative=1)]
+
+    monkeypatch.setattr(PressedFrame, "compressed", crossed)
+    assert fem.measured(q, cell_of(q))[1:] == (0, 0)
 
 
 def test_an_elastica_that_is_not_found_says_nothing_of_stability():
