@@ -9,6 +9,7 @@ from fem.wedge import pulled as model
 from fem.wedge.flat import Sector
 from fem.wedge.held import Held
 from fem.wedge.pulled import Borne
+from fem.wedge.slip_limit import Limit
 from verify.cases.freewheel.cup.case import FreewheelCup
 from verify.cases.freewheel.fem import overlapping
 from verify.cases.freewheel.friction.case import FRICTION, FreewheelFriction
@@ -53,6 +54,14 @@ def test_roller_race_and_flat_are_in_balance_under_the_torque(at_rest):
     assert F_t / N == pytest.approx(math.tan(state.place.psi / 2), rel=2e-3)
 
 
+def test_star_and_ring_turned_alike_turn_the_state_and_nothing_else():
+    angle, star = 1e-4, sector("star").rest()
+    turned = sector("star").at((star.drags[0] + angle * STAR.X, star.drags[1] + angle * STAR.R))
+    assert turned.torque == pytest.approx(star.torque, rel=1e-4)
+    assert turned.tilt == pytest.approx(star.tilt + angle, rel=1e-9)
+    assert turned.place.psi == pytest.approx(star.place.psi, rel=1e-4)
+
+
 def test_a_pull_within_the_cone_leaves_torque_and_normal_force_and_one_beyond_finds_no_rest(start):
     there = model.sector(ONE.q, start, 4, PULLED.mu, driven=False)
     rest = there.rest(start.drags)
@@ -81,6 +90,12 @@ def test_a_ring_driven_on_keeps_its_torque_as_it_slips_and_a_held_one_loses_appr
     tan = math.tan(rest.start.psi / 2)
     assert lost / 3e-6 == pytest.approx(tan / math.sqrt((PULLED.mu / tan) ** 2 - 1), rel=0.02)
     assert held.torque < rest.torque
+
+
+def test_where_friction_is_below_the_angle_s_tangent_every_node_slips(start):
+    limit = Limit(ONE, start, start.drags)
+    assert limit.slipping(0.9 * limit.tan).tolist() == [1.0, 1.0]
+    assert limit.slipping(2.0 * limit.tan).max() < 0.5
 
 
 def test_after_a_load_along_the_axis_has_come_and_gone_the_roller_is_still_in_balance():
