@@ -8,7 +8,7 @@ import pytest
 from analytic.ring import lame, rotating, smeared
 from analytic.ring.fourier_ring import FourierRing
 from analytic.ring.loaded_race import LoadedRace
-from analytic.spring import column, energy, frame
+from analytic.spring import column, frame
 from analytic.spring.elastica import Elastica
 from analytic.spring.stages import stages
 from analytic.spring.wide_leaf import width_factor
@@ -41,41 +41,26 @@ def jumping():
 REFUSED = [
     (lambda: lame.stresses(**LAME | {"r_i": 2.0}), "0 < r_i < r_o"),
     (lambda: lame.stresses(**LAME | {"r": 2.5}), r"wall \[1.0, 2.0\] m, got 2.5 m"),
-    (lambda: lame.stresses(**LAME | {"p_i": np.inf}), "pressures must be finite"),
-    (lambda: lame.radial_displacement(**LAME, **SOLID | {"E": -1.0}), "Young's modulus"),
     (lambda: lame.radial_displacement(**LAME, **SOLID | {"nu": 0.5}), "Poisson's ratio"),
     (lambda: lame.radial_displacement(**LAME, **SOLID | {"ends": "open"}), "ends"),
-    (lambda: rotating.stresses(0.02, assumption="plane stress", **TURNING | {"rho": 0.0}),
-     "density must be positive"),
     (lambda: rotating.stresses(0.02, assumption="plane stress", **TURNING | {"omega": nan}),
      "angular speed must be positive"),
     (lambda: rotating.stresses(0.03, assumption="plane stress", **TURNING), "r must lie in the wa"),
     (lambda: FourierRing(**WAVES | {"n": 1}), "from n = 2 on, got n=1"),
-    (lambda: FourierRing(**WAVES | {"r_o": 0.5}), "0 < r_i < r_o"),
     (lambda: FourierRing(**WAVES | {"loaded": "side"}), "'bore' or 'rim'"),
-    (lambda: FourierRing(**WAVES | {"p": np.array([1.0, nan])}), "finite"),
     (lambda: patches(n=12, a=0.3), "12 patches of half-width"),
     (lambda: smeared.race_deflection(**RACE | {"P": 0.0}), "load per length"),
-    (lambda: smeared.race_deflection(**RACE | {"n": -1}), "number of loads"),
     (lambda: column.unit(**SHAPE | {"L1": 0.0}, **STRIP, nu=0.3), "must be positive"),
     (lambda: column.unit(**SHAPE | {"alpha": 2.0}, **STRIP, nu=0.3), r"alpha .* in \(0, 90\] deg"),
     (lambda: column.free_length(n=2, **SHAPE), "at least 3 segments"),
     (lambda: Elastica([(1.0, 0.0)], EI=0.0), "EI, EA and GA must be positive"),
-    (lambda: energy.stiffness(**ENERGY | {"n": 2}), "at least 3 segments"),
-    (lambda: energy.stiffness(**ENERGY | {"alpha": 0.0}), "alpha must lie in"),
-    (lambda: energy.stiffness(**ENERGY | {"b": -0.1}), "must be positive"),
     (lambda: frame.stiffness(**PIECES | {"n": 2}), "at least 3 segments"),
-    (lambda: frame.stiffness(**PIECES | {"radius": 0.0}), "must be positive"),
-    (lambda: frame.stiffness(**PIECES | {"alpha": 2.0}), "alpha must lie in"),
-    (lambda: frame.stiffness(**PIECES | {"b": 0.0}), "needs b, h, E > 0"),
     (lambda: frame.stiffness(**PIECES | {"b": 1.0}, theory="thick"), "cannot have the radius"),
     (lambda: frame.stiffness(**PIECES, head="free", hold="hinged"), "swings freely"),
     (lambda: stages(**SPRING | {"n": 3}), "needs n >= 4 segments, got n=3"),
-    (lambda: stages(**SPRING | {"L1": -1.0}), "L1 must be positive and finite, got -1.0 m"),
     (lambda: stages(**SPRING | {"alpha": 2.0}), r"alpha must lie in \(0, 90\] deg, got 114.59"),
     (lambda: stages(**SPRING, nu=0.7), r"Poisson's ratio must lie in \(-1, 0.5\], got nu=0.7"),
     (lambda: stages(**SPRING | {"b": 1.2}), "arcs need b < 2 R, got b=1.2 m, radius=0.5 m"),
-    (lambda: width_factor(0.0, 1.0), "width and length must be positive"),
     (lambda: width_factor(1.0, 1.0, nu=0.6), r"Poisson's ratio must lie in \[0, 0.5\], got nu=0.6"),
     (lambda: width_factor(1.0, 1.0, terms=0), "needs a term or more, got 0"),
 ]  # fmt: skip

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from analytic.spring import frame
-from analytic.spring.wire import arc, leaf
+from analytic.spring.wire import arc
 
 STRIP = {"b": 0.1, "h": 56.0, "E": 206e3, "nu": 0.3}
 EI, EA = 206e3 * 56.0 * 0.1**3 / 12, 206e3 * 5.6
@@ -41,12 +41,6 @@ def test_a_quarter_ring_under_a_radial_force_deflects_as_in_plane_elasticity(b, 
     quarter = frame.sections(iter([(R * math.pi / 2, -math.pi / 2)]))
     C = frame.flexibility(quarter, b=b, h=h, E=E, nu=nu, theory="thick")
     assert C[0, 0] == pytest.approx(exact, rel=0.1 * (b / R) ** 4)
-
-
-def test_a_wide_strip_is_stiffer_by_the_plate_factor():
-    narrow = frame.stiffness(**PAPER, **STRIP)
-    wide = frame.stiffness(**PAPER, **STRIP, plane_strain=True)
-    assert wide / narrow == pytest.approx(1 / (1 - 0.09), rel=1e-13)
 
 
 @pytest.mark.parametrize("n", [3, 4, 9, 10])
@@ -85,12 +79,3 @@ def test_an_arc_s_moments_are_those_of_its_points(turn, heading):
     chord = 2 * R * math.sin(abs(turn) / 2)
     towards = heading + turn / 2
     np.testing.assert_allclose(end - start, [chord * math.cos(towards), chord * math.sin(towards)])
-
-
-def test_a_leaf_s_moments_are_those_of_its_points():
-    start = np.array([1.0, 4.0])
-    wire, end = leaf(start, -1.1, 3.0)
-    G, D = quadrature(start, -1.1, 3.0, 0.0)
-    np.testing.assert_allclose(wire.G, G, rtol=1e-12)
-    np.testing.assert_allclose(wire.D, D, rtol=1e-12)
-    np.testing.assert_allclose(end, start + 3 * np.array([math.cos(1.1), -math.sin(1.1)]))

@@ -75,21 +75,6 @@ def test_the_first_stage_is_the_force_method_s_frame(spring, theory, head, tail)
     )
 
 
-@pytest.mark.parametrize("n", [4, 7, 10, 11])
-@pytest.mark.parametrize("head", ["free", "guided"])
-def test_tips_of_a_symmetric_spring_touch_at_once(n, head):
-    s = stages(**PAPER | {"n": n}, head=head)
-    assert (s.U_B, s.F_B, s.k3) == (s.U_A, s.F_A, s.k2)
-
-
-@pytest.mark.parametrize(("head", "tail"), [("hinged", "mid-leaf"), ("free", "arc"),
-                                            ("guided", "arc")])  # fmt: skip
-def test_other_ends_let_one_tip_touch_after_the_other(head, tail):
-    s = stages(**PAPER, head=head, tail=tail)
-    assert s.U_B > 1.1 * s.U_A
-    assert s.k1 < s.k2 < s.k3
-
-
 def test_force_and_displacement_are_each_other_s_inverse_and_have_no_jump():
     s = stages(**PAPER, head="hinged")
     U = np.linspace(0, 20, 41)

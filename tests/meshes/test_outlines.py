@@ -157,11 +157,3 @@ def test_named_boundaries_close_the_outline_and_nodes_lie_on_their_circles(make,
     assert (flux * edge.dx).sum() == pytest.approx(2 * measure(mesh), rel=1e-10)
     total = (edge.normals * edge.dx).sum(axis=(1, 2))
     np.testing.assert_allclose(total, 0, atol=1e-10 * sqrt(measure(mesh)))
-
-
-@every_shape
-def test_refined_cells_keep_the_corners_on_the_outline(make, exact, circles):
-    coarse, fine = (make(k) for k in (1, 2))
-    corners = coarse.p[:, np.unique(coarse.facets[:, coarse.boundary_facets()])]
-    distance = np.hypot(*(fine.p[:, :, None] - corners[:, None])).min(axis=0)
-    assert distance.max() < 1e-6 * np.ptp(coarse.p)

@@ -51,7 +51,6 @@ def test_cells_fill_the_sector_without_folds(n, ratio, alpha, loaded):
         ({"n": 1}, "from n = 2 on, got n=1"),
         ({"loaded": "side"}, "'bore' or 'rim'"),
         ({"patch": 0.2}, "half of half a pitch"),
-        ({"patch": 0.0}, "0 < patch"),
         ({"r_o": 1.005}, "and <= the wall"),
         ({"refine": 0}, "refine >= 1"),
     ],

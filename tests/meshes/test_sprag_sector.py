@@ -1,16 +1,14 @@
 """A sprag clutch's sector: places, names and fine zones of its bodies, and cuts that match."""
 
 from dataclasses import replace
-from math import asin, atan2, cos, hypot, nan, pi, radians, sin, sqrt
-from types import SimpleNamespace
+from math import asin, atan2, cos, hypot, nan, radians, sin, sqrt
 
 import numpy as np
 import pytest
 
 from meshes.sprag.profile import Placed, Sprag
 from meshes.sprag.sector import sprag_sector
-from meshes.sprag.wedged import Place
-from tests.meshes.measures import cuts_apart, measure, nodes, vertices
+from tests.meshes.measures import cuts_apart, nodes, vertices
 
 R_ID, R_I, R_E, R_ED, R_SPIRAL, M, Z = 7.21e-3, 11.11e-3, 19.44e-3, 26.23e-3, 4.02e-3, 0.0892, 12
 RHO = R_SPIRAL / sqrt(1 + M**2)
@@ -33,13 +31,6 @@ def in_own_frame(x):
     d = x - np.array([[0.0], [D]])
     c, s = cos(TURN), sin(TURN)
     return np.array([c * d[0] - s * d[1], s * d[0] + c * d[1]])
-
-
-def test_beta_is_the_angle_between_the_contacts_seen_from_the_axis():
-    place = Place(SimpleNamespace(sprag=SPRAG, R_i=R_I, R_e=R_E), TURN, D)
-    inner, outer = (atan2(x, y) for x, y in (place.free.inner, place.free.outer))
-    assert abs(inner) > 1e-3  # the contacts stand beside the middle of the pitch
-    assert place.beta == pytest.approx(inner - outer, rel=1e-12)
 
 
 def test_every_node_of_the_outline_lies_on_it():
@@ -89,20 +80,6 @@ def test_even_cells_lie_on_both_sides_of_each_contact(boundary, contact, zone, u
     np.testing.assert_allclose(along, expected, rtol=uneven, atol=1e-9 * zone)
 
 
-def test_areas_and_lengths_converge_to_the_closed_forms_with_the_fourth_power():
-    coarse, fine = sector(refine=2), sector(refine=4)
-    for name, exact in {
-        "inner": pi / Z * (R_I**2 - R_ID**2), "outer": pi / Z * (R_ED**2 - R_E**2),
-        "inner.rim": 2 * pi / Z * R_I, "outer.bore": 2 * pi / Z * R_E, "outer.left": R_ED - R_E,
-        "sprag.inner": SPRAG.spiral_length(*SPRAG.below),
-        "sprag.outer": SPRAG.r_e * (SPRAG.above[1] - SPRAG.above[0]),
-    }.items():  # fmt: skip
-        errors = [measure(mesh, name) / exact - 1 for mesh in (coarse, fine)]
-        assert abs(errors[0]) < 3e-6, (name, errors)
-        if abs(errors[1]) > 1e-11:  # round-off
-            assert np.log2(errors[0] / errors[1]) == pytest.approx(4, abs=0.2), (name, errors)
-
-
 def test_a_compressed_sprag_has_its_arc_about_another_point():
     at = Placed(SPRAG, (0.0, D), 0.0)  # not turned it touches both races
     assert (hypot(*at.inner), hypot(*at.outer)) == pytest.approx((R_I, R_E), rel=ROUND_OFF)
@@ -120,19 +97,13 @@ def test_a_compressed_sprag_has_its_arc_about_another_point():
     ("changed", "rule"),
     [
         ({"z": 2}, "whole number z >= 3 of sprags, got z=2"),
-        ({"R_id": 0.0}, "0 < R_id < R_i < R_e < R_ed, got 0, "),
         ({"R_id": R_I}, "R_id < R_i"),
-        ({"R_ed": R_E}, "R_e < R_ed"),
         ({"R_i": R_I - 3e-3}, "reach about to the inner race at 0.00811 m"),
-        ({"R_e": R_E + 3e-3}, "reach about to the outer race"),
         ({"turn": nan}, "turned by up to 45 degrees"),
         ({"pole": (D, 0.5 * D)}, "within 45 degrees of"),
         ({"turn": radians(34)}, "turned by 34 degrees touches the inner race beyond a flank"),
-        ({"turn": radians(-34)}, "race beyond a flank"),
         ({"turn": radians(24)}, "from a flank: its contact needs"),
         ({"z": 20}, "one takes 19.05 degrees at the radius 0.01215"),
-        ({"zones": (0.0, 1e-4)}, "the inner contact's fine zone needs 0 < zone"),
-        ({"zones": (1e-4, 0.0)}, "the outer contact's fine zone needs 0 < zone"),
         ({"zones": (1e-4, 1.3e-3)}, "of the way to the flank"),
         ({"zones": (5e-4, 1e-4), "R_id": R_I - 4e-4}, "about the wall"),
         ({"cells": 0}, "cells >= 1"),
@@ -149,8 +120,6 @@ def test_a_sector_that_cannot_be_is_refused_in_one_line(changed, rule):
     ("changed", "rule"),
     [
         ({"rho_0": 0.0}, "rho_0 > 0"),
-        ({"r_e": nan}, "r_e > 0"),
-        ({"b": -1e-3}, "b > 0"),
         ({"m": 0.0}, "0 < m < 1"),
         ({"theta_0": 0.9}, "theta_0 within 45 degrees"),
         ({"b": 8e-3}, "wider than its spiral reaches"),

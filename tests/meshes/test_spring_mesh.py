@@ -91,20 +91,6 @@ def test_free_tips_make_the_end_leaves_whole(n, tail):
     assert polyline_length(mesh, "leaves") == pytest.approx(leaves(n, tail), rel=1e-12)
 
 
-@pytest.mark.parametrize("n", [3, 10])
-def test_units_share_the_elements_of_a_line_with_tips_out(n):
-    mesh = line(n, "mid-leaf", tips=True)
-    units = [mesh.bodies[f"unit {i}"] for i in range(1, n + 1)]
-    kinds = [mesh.bodies[kind] for kind in ("arcs", "leaves", "tips")]
-    for groups in (units, kinds):
-        numbers = np.sort(np.concatenate(groups))
-        np.testing.assert_array_equal(numbers, np.arange(len(mesh.elements)))
-    # each end: two half leaves and a quarter arc; a middle unit: two arcs and a leaf
-    lengths = [polyline_length(mesh, f"unit {i}") for i in range(1, n + 1)]
-    exact = [L1 + pi * R / 2, *[LEAF + 2 * R * ALPHA] * (n - 2), L1 + pi * R / 2]
-    np.testing.assert_allclose(lengths, exact, rtol=(pi / 16) ** 2 / 24)
-
-
 @every
 def test_the_strip_covers_its_line_and_its_faces_are_as_long_as_their_turns_make_them(n, tail):
     # Pappus: the area of a bent strip is the length of its middle times b

@@ -74,11 +74,6 @@ def test_a_free_roller_is_missed_by_friction_s_limit_as_wedging_says():
     assert high == -low == pytest.approx(0.0102)
 
 
-def test_the_relative_radius_is_that_of_roller_and_ring():
-    assert ROLLER.relative_radius == pytest.approx(5e-3 * 40e-3 / 45e-3)
-    assert ROLLER.wall == pytest.approx(8.55e-3)
-
-
 @pytest.mark.parametrize("depth", [0.3, 1.0, 20.0])
 @pytest.mark.parametrize("nu", [0.0, 0.3])
 def test_the_dent_by_integration_is_that_in_closed_form(depth, nu):

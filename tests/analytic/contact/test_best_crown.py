@@ -89,16 +89,6 @@ def test_no_crown_drawn_at_random_is_better_under_tilt(load, tilt):
     assert best.peak <= (1 + BETTER) * lowest_of_free(gaps, load, (0.0, tilt))
 
 
-def test_the_peak_is_that_of_the_crown():
-    tilt = 1e-3
-    best = best_crown(load=3407.0, tilt=tilt, **ROLLER)
-    gap = logarithmic(centres(3407.0), best.K_1, best.K_2, best.z_m, 3407.0)
-    peak, end = pressed(gap, 3407.0, (tilt,))
-    assert peak == pytest.approx(best.peak, rel=1e-6)
-    assert best.free
-    assert not end > 0
-
-
 def test_under_a_tilt_that_no_crown_can_free_the_end_is_loaded_least():
     best = best_crown(**STEEP, **ROLLER)
     assert not best.free

@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy.integrate import quad
 
 from analytic.contact import crown, crown_again
 from analytic.contact.crown_mean import mean_drop, z_m_share
@@ -54,29 +53,6 @@ def test_k_1_multiplies_the_design_load_and_the_papers_modulus_is_twice_e_star()
     t = (y[-1] - 4.5e-3) / (PAPER["K_2"] * 4.5e-3) + 1
     expected = -A * np.log(1 - (1 - np.exp(-PAPER["z_m"] / A)) * t**2)
     assert float(crown.logarithmic(y[-1], **PAPER)) == pytest.approx(expected, rel=1e-13)
-
-
-def line_load_displacement(y, *, length, half_width):
-    """Displacement on the axis of a uniform line load, in units of W/(pi l E*), by quadrature.
-
-    Hertz's ellipse across: 2/pi int sqrt(1 - x²) [asinh((l/2 - y)/(b x)) + asinh(...)] dx, with
-    x = s², which takes the logarithm out of the corner.
-    """
-
-    def across(s):
-        x = s**2
-        arms = np.arcsinh(np.array([length / 2 - y, length / 2 + y]) / (half_width * x))
-        return 2 * 2 / np.pi * np.sqrt(1 - x**2) * arms.sum() * 2 * s
-
-    return quad(across, 0, 1, epsabs=1e-12)[0]
-
-
-def test_johns_and_gohars_constant_is_the_uniform_loads_own_end():
-    """At the end the drop is what the end sinks less than the middle, but for (b/l)²."""
-    b = 0.01
-    middle, end = (line_load_displacement(y, length=2.0, half_width=b) for y in (0.0, 1.0))
-    z = crown.johns_gohar(1.0, half_width=b, **UNIT)
-    assert float(z) == pytest.approx(middle - end, rel=2e-5)
 
 
 def test_as_printed_the_straight_middle_is_crowned_and_one_end_is_not_like_the_other():

@@ -140,10 +140,3 @@ def test_the_table_holds_the_displacement_at_every_distance(cell: tuple[float, f
     ]  # in extended precision, where corners that cancel leave enough
     exact = sum(corners) / (np.longdouble(np.pi) * 2)
     assert np.abs(table / exact - 1).max() < 2e-11
-
-
-def test_each_load_of_a_series_starts_from_the_solution_before() -> None:
-    grid = HalfSpace((24, 20), cell=(1e-6, 2e-6), E_star=E_STAR)
-    found = grid.press_each(rough(4), [5.0, 50.0, 50.5])
-    assert found[2].iterations < found[1].iterations - 2
-    assert grid.press(rough(4), load=50.0, start=found[1].pressure).iterations == 0

@@ -129,11 +129,3 @@ def test_largest_shear_stress_is_johnson_s_and_where_a_search_finds_it():
     found = minimize_scalar(lambda z: -shear(z), bounds=(0, 2), method="bounded")
     assert shear(found.x) == pytest.approx(tau, rel=1e-9)
     assert found.x == pytest.approx(depth, rel=1e-4)
-
-
-def test_transverse_stress_stops_the_strain_across_the_plane():
-    sx, sz, _ = field(0.1, 0.2)
-    held = below.transverse_stress(0.1, 0.2, **CONTACT, nu=0.3, assumption="plane strain")
-    assert float(held) == pytest.approx(0.3 * (sx + sz), rel=1e-14)
-    free = below.transverse_stress(0.1, 0.2, **CONTACT, nu=0.3, assumption="plane stress")
-    assert float(free) == 0

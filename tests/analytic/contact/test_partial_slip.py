@@ -93,19 +93,6 @@ def test_the_cycle_closes_and_starts_where_the_first_loading_ends():
             np.testing.assert_allclose(slip, sign * end, atol=1e-15)
 
 
-def test_dissipation_is_friction_times_slip_over_the_strips():
-    """Every point of a strip slides by twice its slip under mu p, there and back."""
-    c = float(partial_slip.stick_half_width(Q=0.6, P=2.0, mu=0.4, a=0.5))
-
-    def work(x):
-        slip = partial_slip.slip(x, Q=0.6, P=2.0, mu=0.4, a=0.5, E_star=E_STAR)
-        limit = partial_slip.traction(x, Q=0.6, P=2.0, mu=0.4, a=0.5)
-        return 4 * float(limit * slip)
-
-    lost, _ = quad(work, c, 0.5, epsabs=1e-14)
-    assert float(tangential_cycle.dissipation(**NO_WIDTH)) == pytest.approx(2 * lost, rel=1e-8)
-
-
 def test_dissipation_is_the_area_of_the_loop():
     def width(Q):
         down, up = (

@@ -65,21 +65,6 @@ def test_a_contact_opens_at_its_opening_interference_and_not_above(interface):
         contact_pressures(STACK, delta, **loads)
 
 
-@pytest.mark.parametrize("size", [1e-6, 1.0, 1e6])
-def test_radii_may_differ_by_round_off_of_their_own_size_only(size):
-    """A shared radius by 1e-6 of itself, a point by 1e-12 of the rim."""
-    steel, free = {"E": 1.0, "nu": 0.3}, {"assumption": "plane stress"}
-    shaft = Wall(r_i=0.0, r_o=size, **steel)
-    near, far = (Wall(r_i=size * (1 + by), r_o=2 * size, **steel) for by in (9e-7, 2e-6))
-    assert contact_pressures([shaft, near], 1e-3 * size, **free).shape == (1,)
-    with pytest.raises(ValueError, match="share a nominal radius"):
-        contact_pressures([shaft, far], 1e-3 * size, **free)
-    radial, _ = shaft.stresses(size * (1 + 1e-13), p_i=0.0, p_o=1.0)
-    assert float(radial) == pytest.approx(-1.0)
-    with pytest.raises(ValueError, match="must lie in the wall"):
-        shaft.stresses(size * (1 + 1e-11), p_i=0.0, p_o=1.0)
-
-
 @pytest.mark.parametrize("assumption", ASSUMPTIONS)
 def test_the_strain_energy_is_the_work_of_the_interference(assumption):
     """Without other loads both walls together store pi r p delta."""

@@ -136,13 +136,6 @@ def test_pressures_and_widths_are_hertzs_for_each_slice():
     np.testing.assert_allclose(contact.half_width, hertz_line.half_width(**on), rtol=1e-13)
 
 
-def test_palmgrens_constant_in_si_is_his_in_millimetres():
-    """By hand for 9 mm and 3400 N: 3.84e-5 x 1507.8 / 5.7995 = 9.983e-3 mm."""
-    in_mm = 3.84e-5 * 3400**0.9 / 9**0.8
-    assert in_mm == pytest.approx(9.983e-3, rel=1e-4)
-    assert float(palmgren.approach(load=3400, length=9e-3)) == pytest.approx(1e-3 * in_mm)
-
-
 def test_loves_weight_is_the_integral_of_the_inverse_distance():
     b, D = 0.3, 0.2
     for d in (0.25, 0.6, 3.0):

@@ -8,7 +8,7 @@ from scipy.integrate import quad
 from scipy.special import ellipe, ellipkm1
 
 from analytic.contact import hertz_line, strip_newton
-from analytic.contact.roller_parts import Parts, load_elsewhere, vertex
+from analytic.contact.roller_parts import Parts, load_elsewhere
 from analytic.contact.strip_error import discretisation, neglected
 from analytic.contact.strip_influence import excess, log_part
 from analytic.contact.strips import press
@@ -168,17 +168,6 @@ def test_the_estimate_meets_the_deviation_from_hertz_ellipse(b):
     assert float(estimate.mid) == pytest.approx(float(estimate.peak), rel=1e-6)
 
 
-def test_a_flat_roller_has_no_estimate_at_its_ends_and_nearly_nothing_in_the_middle():
-    roller = press(np.zeros(81), length=9e-3, R=3e-3, E_star=1e11, load=3000.0)
-    estimate = neglected(roller)
-    from_end = (np.arange(81) + 0.5) * 9e-3 / 81
-    near = np.minimum(from_end, from_end[::-1]) < 3 * roller.half_width
-    assert near.sum() > 2
-    np.testing.assert_array_equal(np.isnan(estimate.pressure), near)
-    assert np.isnan(estimate.peak)
-    assert abs(float(estimate.mid)) < 1e-3
-
-
 def test_the_discretisation_estimate_covers_what_more_strips_change():
     coarse, fine, exact = (ellipse(0.1, count)[0] for count in (20, 40, 320))
     for estimate, left in zip(
@@ -187,14 +176,6 @@ def test_the_discretisation_estimate_covers_what_more_strips_change():
         strict=True,
     ):
         assert abs(float(left)) <= float(estimate) < 5e-3
-
-
-def test_the_top_of_a_parabola_is_found_between_its_parts():
-    y = np.linspace(-1, 1, 9)
-    p = 3 - 2 * (y - 0.07) ** 2
-    assert vertex(p, int(np.argmax(p))) == pytest.approx(3, rel=1e-12)
-    rising = np.array([1.0, 2.0, 3.0])
-    assert vertex(rising, 2) == 3.0  # at an end nothing says where it stops
 
 
 def test_loads_that_agree_put_nothing_elsewhere_however_they_are_divided():

@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-import numpy as np
 import pytest
 
 from analytic.freewheel import criterion, state, tolerance
@@ -20,20 +19,15 @@ REFUSED = [
     (lambda _: InnerCam(**STAR | {"z": 20}), "touch each other"),
     (lambda _: InnerCam(**STAR | {"X": 9.0}), "corner"),
     (lambda _: InnerCam(**STAR | {"z": 7.5}), "whole"),
-    (lambda _: InnerCam(**STAR | {"r": np.nan}), "positive and finite"),
     (lambda _: OuterCam(**CUP | {"X_o": 9.0}), "cuts the shaft"),
     (lambda _: OuterCam(**CUP | {"X_o": 14.1}), "no wedge"),
-    (lambda _: OuterCam(**CUP | {"R_s": 1.0, "X_o": 1.5}), "roller too large"),
-    (lambda _: OuterCam(**CUP | {"z": 20}), "touch each other"),
     (lambda _: OuterCam(**CUP | {"X_o": 12.0}), "corner"),
-    (lambda star: replace(star, L=0.0), "length"),
     (lambda star: replace(star, r_b=12e-3), "r_b below"),
     (lambda star: replace(star, r_b=0.0), "clamped"),
     (lambda star: replace(star, R_a=16e-3), "R_a above"),
     (lambda star: replace(star, star="disc"), "star is one of"),
     (lambda star: state.loaded(star, -1.0), "torque"),
     (lambda _: criterion.traffic_light(1.0, red=1.2, green=1.0), "red <= green"),
-    (lambda _: AxialRamp(T=0.0, F=1.0, rise=1.0, duration=2.0), "torque"),
     (lambda _: AxialRamp(T=1.0, F=1.0, rise=2.0, duration=1.0), "rise"),
     (lambda _: AlternatingAxial(T=1.0, F=1.0, rise=1.0, duration=2.0, frequency=0.0), "freq"),
     (lambda _: BothAlternating(T=1.0, F=-1.0, frequency=1.0, duration=2.0), "axial load"),

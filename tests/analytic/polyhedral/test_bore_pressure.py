@@ -9,7 +9,6 @@ from analytic.polyhedral.bore_pressure import (
     pressed,
     rim_displacement,
 )
-from analytic.polyhedral.patch_series import slow_sums, weights
 from analytic.polyhedral.roller_load import roller_load
 from analytic.polyhedral.sector import Sector
 from analytic.ring import lame
@@ -122,18 +121,6 @@ def test_the_bore_stays_free_of_the_rollers_forces(z):
     force = load(zeta).force(zeta)
     assert np.abs(force).max() < 2e-8  # N = 1
     assert load.correction.residual < 1e-7
-
-
-@pytest.mark.parametrize(("z", "alpha"), [(3, 0.2), (6, 0.05), (24, 0.01)])
-def test_the_sums_are_those_of_a_million_terms(z, alpha):
-    theta = np.array([0.0, 0.4 * alpha, 1.5 * alpha, np.pi / z])
-    m = z * np.arange(1.0, 1e6)
-    J = weights(m, alpha)
-    first, second = slow_sums(theta, z=z, alpha=alpha)
-    for i, t in enumerate(theta):
-        waves = J * np.cos(m * t)
-        assert first[i] == pytest.approx((waves / (m + 1)).sum(), abs=2e-9)
-        assert second[i] == pytest.approx((waves / (m**2 - 1)).sum(), abs=1e-12)
 
 
 HEXAGON = {"z": 6, "d_e": 80.0, "d_i": 72.0, "rho": 2.0}

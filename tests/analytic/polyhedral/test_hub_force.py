@@ -47,22 +47,6 @@ def test_hub_and_rollers_do_the_same_work_on_each_other(z, e, normal, along):
     assert theirs == pytest.approx(rollers, rel=1e-7)
 
 
-@pytest.mark.parametrize(("z", "e"), PLACES)
-def test_the_bore_is_free_but_for_the_forces_and_the_rim_is_free(z, e):
-    ring = Sector(z=z, **RING)
-    hub = hub_force(sector=ring, e=e, normal=2.0, along=0.7)
-    s = np.concatenate([np.linspace(0, e - 0.01, 200), np.linspace(e + 0.01, ring.half_bore, 200)])
-    zeta = ring.bore(s)
-    force = hub(zeta).force(zeta)
-    before, after = force[:200], force[200:]
-    assert np.ptp(before.real) + np.ptp(before.imag) < 1e-7
-    assert np.ptp(after.real) + np.ptp(after.imag) < 1e-7
-    push = complex(ring.normal(np.array([e]))[0]) * (2.0 + 0.7j) / 2
-    assert after[0] - before[0] == pytest.approx(-1j * push, abs=1e-7)
-    rim = 40 * np.exp(1j * np.linspace(0, np.pi / z, 50))
-    assert np.abs(hub(rim).force(rim)).max() < 1e-12
-
-
 HEXAGON = Sector(z=6, **RING)
 
 

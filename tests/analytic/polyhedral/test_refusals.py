@@ -6,12 +6,12 @@ from math import atan
 import numpy as np
 import pytest
 
-from analytic.polyhedral import expansion, forces, wedging
+from analytic.polyhedral import forces, wedging
 from analytic.polyhedral.bore_pressure import rim_displacement
 from analytic.polyhedral.capacity import Driven
 from analytic.polyhedral.design import Clutch
 from analytic.polyhedral.hub_force import hub_force
-from analytic.polyhedral.locking import Roller, RollerContact, locked
+from analytic.polyhedral.locking import Roller, RollerContact
 from analytic.polyhedral.parts import Parts
 from analytic.polyhedral.roller_load import roller_load
 from analytic.polyhedral.sector import Sector
@@ -48,16 +48,12 @@ REFUSED = [
         ({"d": 0.01003}, r"do not fit: d must be below \(D_i - d_e\)/2=0.01003 m, got"),
         ({"z": 29}, r"overlap: d must be below \(D_i - d\) sin\(pi/z\)=0.0097\d* m with z=29"),
         ({"e": 0.0181}, "hub must touch the flat: e must be at most 0.018 m, half its length"),
-        ({"e": 0.0}, "distance e of the hub's contact .* must be positive .* got 0.0 m"),
         ({"D": 0.1}, "race needs D above D_i=0.10006 m, got D=0.1 m"),
     )],
     *[(lambda change=change: Clutch(PARTS, **LOADS | change), message) for change, message in (
         ({"p_t": -1.0}, "total pressure p_t must be finite and not negative, got -1.0 Pa"),
-        ({"nu": 0.5}, "Poisson's ratio must lie in"),
-        ({"K": -1.0}, "correction K must be positive and finite, got -1.0"),
         ({"phi_1": 0.29}, "hub locks: psi must exceed the angle of friction, got psi=16.10"),
         ({"alpha": 0.0}, "wedge angle must lie in"),
-        ({"M_wanted": 0.0}, "torque wanted must be positive and finite, got 0.0 N m"),
         ({"lever": "long"}, "lever is one of exact, d_i/2, got 'long'"),
         ({"gamma": "up"}, "gamma is one of normal, radius, got 'up'"),
     )],
@@ -65,25 +61,14 @@ REFUSED = [
         ({"z": 6.5}, "whole number"),
         ({"d_i": 80.0}, "the wall vanishes: d_i must be below d_e, got d_i=80.0 m, d_e=80.0 m"),
         ({"rho": 36.0}, "rho must be below d_i/2, got rho=36.0 m, d_i=72.0 m"),
-        ({"rho": 0.0}, "the fillet radius rho must be positive"),
     )],
-    (lambda: expansion.touching_pressure(**GROWTH | {"d_i": 0.08}), "a ring needs 0 < d_i < d_e"),
-    (lambda: expansion.touching_pressure(**GROWTH | {"j_D": 0.0}), "clearance j_D must be p"),
     (lambda: forces.pressure_force(p_2=1.0, b=1.0, d_i=1.0, z=3.5), "3 or more, got z="),
-    (lambda: forces.pressure_force(p_2=nan, b=1.0, d_i=1.0, z=6), "p_2 must be finite"),
     (lambda: forces.apothem(d_i=0.072, z=6, rho=0.036), "rho must be below d_i/2=0.036 m, got 0.0"),
-    (lambda: forces.contact_angle(e=0.0, apothem=0.03), "distance e of the hub's contact must"),
     (lambda: forces.contact_radius(apothem=0.03, psi=0.0), r"psi > 0, .* got psi=0.0 deg"),
     (lambda: radial(psi=1.5), r"psi \+ phi_1 < 90 deg, got psi=85.9\d* deg, phi_1=5.7\d* deg"),
-    (lambda: radial(lever=0.0), "lever of the hub's contact must be positive and finite, got 0.0"),
     (lambda: forces.contact_force(F_s=1.0, psi=0.3, phi_1=-0.1), "phi_1 >= 0 and"),
     (lambda: wedging.cage_force(N=1.0, alpha=0.0, mu=0.1), r"\(0, 180\) deg, got 0.0 deg"),
     (lambda: wedging.cage_force(N=1.0, alpha=0.1, mu=1.2), r"in \(0, 1\), got mu=1.2"),
-    (lambda: wedging.cage_force(N=-1.0, alpha=0.1, mu=0.1), "normal force must be finite and not"),
-    (lambda: wedging.largest_torque(N=1.0, mu=0.1, z=0, D_i=0.1), "rollers must be positive .* 0"),
-    (lambda: wedging.torque(N=1.0, alpha=0.1, z=6, D_i=-0.1), "diameter D_i must be .* -0.1 m"),
-    (lambda: rim_displacement(0.0, sector=HEXAGON, p=nan, **STEEL), "pressure p must be finite"),
-    (lambda: rim_displacement(np.inf, sector=HEXAGON, p=1.0, **STEEL), "angle must be finite"),
     (lambda: rim_displacement(0.0, sector=HEXAGON, p=1.0, **STEEL | {"assumption": "thin"}),
      "assumption is one of"),
     (lambda: roller_load(sector=HEXAGON, a=21.0), "the patches overlap: a must be below"),
@@ -93,15 +78,8 @@ REFUSED = [
      "arc lengths reach from 0 to"),
     (lambda: bore_stress(9.0, sector=HEXAGON, field=hub_force(sector=HEXAGON, e=9.0, normal=1.0)),
      "infinite at the hub's point force itself"),
-    (lambda: hub_force(sector=HEXAGON, e=nan, normal=1.0), "lever e must be"),
     (lambda: hub_force(sector=HEXAGON, e=18.1, normal=1.0), "between mid-flat and corner"),
-    (lambda: Roller(d=0.0, j_D=0.06), "the roller's diameter d must be positive"),
-    (lambda: Roller(d=10.0, j_D=-0.06), "the play j_D must be positive"),
-    (lambda: locked(sector=HEXAGON, roller=ROLLER, p=np.inf, **STEEL), "pressure p must be finite"),
-    (lambda: driven(grip=0.0), "the grip of the rollers must be positive"),
-    (lambda: driven(tan_phi=-0.1), "the hub's friction must be finite and not negative"),
     (lambda: driven().pressure(0.0), "the roller's force N must be positive"),
-    (lambda: driven().force(-1.0), "the pressure p must be positive"),
     (lambda: driven(SOFT).pressure(1e6), "presses a roller of d=10 m flat"),
 ]  # fmt: skip
 

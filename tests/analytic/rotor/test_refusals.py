@@ -9,13 +9,11 @@ from analytic.rotor import clutch_uniform as uniform
 from analytic.rotor.clutch import Clutch, even_angles, with_axial
 from analytic.rotor.clutch_state import preload_twist, under_loads
 from analytic.rotor.cylinder import Cylinder
-from analytic.rotor.pochhammer import bending_frequency
 from analytic.rotor.shafts import UniformShaft, hutchinson
 from analytic.rotor.transfer_model import Disc, Link, Rotor, Segment, Shaft, Support
 from analytic.rotor.transfer_modes import critical_speeds, natural_frequencies, whirl_frequencies
 from analytic.rotor.transfer_response import unbalance_response
 from analytic.rotor.transfer_supported import check_supported
-from analytic.rotor.transfer_torsion import torsional_frequencies
 
 SPRAG = {"R_i": 11.11e-3, "nu": math.radians(3.15), "L": 9e-3, "k_n": 5.7e8}
 SHAFT = {"L": 0.5, "d_o": 0.06, "d_i": 0.0, "E": 210e9, "nu": 0.3, "rho": 7850.0, "kappa": 0.9}
@@ -38,12 +36,10 @@ def clutch(**change):
 
 REFUSED = [
     *[(lambda change=change: clutch(**change), message) for change, message in (
-        ({"R_i": 0.0}, "R_i must be positive and finite, got 0 m"),
         ({"nu": 1.6}, "nu must lie between 0 and pi/2"),
         ({"n": 0.5}, "n must be at least 1"),
         ({"n_s": 0}, "n_s must be at least 1 slice, got 0"),
         ({"psi": np.array([0.0, 1.0, 1.0 + 2 * math.pi])}, "two sprags hold nothing across"),
-        ({"psi": np.array([0.0, 1.0, math.nan])}, "one finite angle"),
         ({"crown": lambda x: np.zeros(7)}, "a finite drop"),
         ({"interference": np.zeros(5)}, "for each of 12 sprags"),
     )],
@@ -51,44 +47,31 @@ REFUSED = [
     (lambda: even_angles(Z=5, missing=(5,)), "counted from 0 to 4, got 5"),
     (lambda: clutch().loads([0.0] * 6), "q needs 5 displacements"),
     (lambda: with_axial(np.eye(6)), "5 x 5"),
-    (lambda: uniform.normal_force(T=0.0, Z=12, d_t=1e-3), "T must be positive"),
     (lambda: uniform.radial_stiffness(Z=2, k=1.0), "Z must be at least 3, got 2"),
     (lambda: uniform.tilting_stiffness(Z=3, k=1.0, L=1.0, n_s=0.5), "n_s must be"),
-    (lambda: uniform.approach(N=1.0, k_n=-1.0), "k_n must be positive"),
     (lambda: preload_twist(clutch(), T=[1.0, -2.0]), "T must be positive and finite, got -2 N m"),
     (lambda: preload_twist(clutch(), T=1.0, offset=(0, 0, 0)), "four finite numbers"),
     (lambda: under_loads(clutch(), [0, 0, 0, 0, -1.0]), "the torque positive"),
-    (lambda: under_loads(clutch(), [0, 0, 0, 1.0]), "five finite numbers"),
     (lambda: under_loads(clutch(n_s=1), [0, 0, 1.0, 0, 1.0]), "no bending moment"),
-    (lambda: UniformShaft(**SHAFT | {"L": -1.0}), "L must be positive"),
     (lambda: UniformShaft(**SHAFT | {"d_i": 0.06}), "r_i/r_o < 1|0 <= d_i < d_o"),
     (lambda: UniformShaft(**SHAFT).whirl(0, theory="euler"), "numbered from 1, got j=0"),
     (lambda: Cylinder(**CYLINDER | {"r_i": 0.03}), "0 <= r_i < r_o"),
-    (lambda: Cylinder(**CYLINDER | {"nu": 0.5}), "nu < 0.5"),
     (lambda: Cylinder(**CYLINDER, powers=1), "two powers"),
-    (lambda: Cylinder(**CYLINDER).whirl(0.0), "positive, got k=0"),
-    (lambda: bending_frequency(k=-1.0, r_o=1.0, E=1.0, nu=0.3, rho=1.0), "k > 0"),
     (lambda: hutchinson(nu=0.6), "nu=0.6"),
     (lambda: Segment(length=0.0, d_o=0.05), "length of a segment must be positive, got 0 m"),
     (lambda: Segment(length=0.1, d_o=0.05, d_i=0.05), "0 <= d_i < d_o, got d_i = 0.05 m"),
-    (lambda: Segment(length=0.1, d_o=0.05, E=-1.0), "Young's modulus must be positive"),
-    (lambda: Segment(length=0.1, d_o=0.05, rho=0.0), "density must be positive"),
     (lambda: Segment(length=0.1, d_o=0.05, nu=0.6), "Poisson's ratio must be above -1"),
-    (lambda: Segment(length=0.1, d_o=0.05, kappa=0.0), "shear coefficient must be positive"),
     (lambda: Shaft(segments=()), "a shaft needs a segment"),
     (lambda: Shaft(segments=(SEGMENT,), ratio=math.inf), "ratio of speed must be finite"),
     (lambda: Disc(node=0, mass=-1.0, polar=0, diametral=0), "mass of a disc must not be neg"),
     (lambda: Support(node=0, kxx=-1.0), "stiffness must not be negative, got kxx = -1"),
-    (lambda: Support(node=0, kxx=1.0, cyy=-1.0), "damping must not be negative, got cyy = -1"),
     (lambda: Support(node=0, kxx=1e8, kxy=2e8), "kxy must not exceed the root of kxx kyy"),
     (lambda: Link(a=1, b=1, kxx=1e8), "a link joins two stations, got 1 twice"),
     (lambda: Rotor(shafts=()), "a rotor needs a shaft"),
     (lambda: rotor(Support(node=4, kxx=1e8)), "support is at station 4, there are 0 to 3"),
     (lambda: rotor(links=(Link(a=0, b=9, kxx=1e8),)), "link is at station 9"),
-    (lambda: rotor(discs=(Disc(node=-1, mass=1, polar=0, diametral=0),)), "disc is at station -1"),
     (lambda: rotor(theory="saint-venant"), "theory is one of timoshenko, rayleigh, euler"),
     (lambda: natural_frequencies(rotor(*HELD), 0.0, count=0), "count must be at least 1"),
-    (lambda: torsional_frequencies(rotor(*HELD), count=0), "count must be at least 1"),
     (lambda: critical_speeds(rotor(*HELD), excitation=0.0), "must be a number other than 0"),
     (lambda: unbalance_response(rotor(*HELD), -1.0, {0: 1e-5}), "speeds must be finite and not"),
     (lambda: unbalance_response(rotor(*HELD), 100.0, {}), "needs an unbalance"),

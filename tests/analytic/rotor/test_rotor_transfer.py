@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from scipy.linalg import expm
 
 from analytic.rotor.shafts import UniformShaft, hutchinson
 from analytic.rotor.transfer_model import Disc, Rotor, Segment, Shaft, Support
@@ -12,7 +11,6 @@ from analytic.rotor.transfer_modes import (
     whirl_frequencies,
 )
 from analytic.rotor.transfer_roots import roots_below
-from analytic.rotor.transfer_segment import transfer
 from analytic.rotor.transfer_shapes import mode_lines
 
 E, NU, RHO = 210e9, 0.3, 7850.0
@@ -32,13 +30,6 @@ def supported(theory="timoshenko", *, n=1, d=0.1, k=1e8, kyy=None):
 def on_rigid(value):
     """What `value(k)` of a stiffness k goes to: its error falls with 1/k."""
     return (value(RIGID) - 6 * value(2 * RIGID) + 8 * value(4 * RIGID)) / 3
-
-
-@pytest.mark.parametrize("at", [0.3, 1.0])
-def test_the_transfer_matrix_is_the_exponential_of_the_state_s_equation(at):
-    s, b, t = 0.3, 9.0, -1.2
-    A = np.array([[0, 1, s, 0], [0, 0, 0, 1], [-b, 0, 0, 0], [0, -t, -1, 0]])  # r, phi, Q, M
-    assert transfer(s=s, b=b, t=t, at=at) == pytest.approx(expm(A * at), rel=1e-12, abs=1e-12)
 
 
 @pytest.mark.parametrize("theory", ["euler", "rayleigh", "timoshenko"])

@@ -43,16 +43,6 @@ def test_the_spiral_s_radius_of_curvature_at_first_contact_is_r_i():
     assert a * b * c / (2 * abs(ux * vy - uy * vx)) == pytest.approx(4.02, rel=1e-6)
 
 
-@pytest.mark.parametrize(
-    ("nu_0", "m"), [(2.5, 0.0707), (3.0, 0.0849), (3.5, 0.0993), (4.0, 0.1138)]
-)
-def test_wedge_angle_and_growth_of_the_spiral_belong_together(nu_0, m):
-    sprag = LogSprag.from_wedge_angle(nu_0=np.radians(nu_0), **TABLE)
-    assert float(sprag.m) == pytest.approx(m, abs=5e-5)
-    back = LogSprag(m=sprag.m, **TABLE)
-    assert float(np.degrees(back.nu_0)) == pytest.approx(nu_0, rel=1e-12)
-
-
 def test_eq_10_s_eta_is_the_angle_at_the_pole_and_not_that_between_ab_and_ac_e():
     """Erratum eq-10-eta: with m = 0.0892 the one is 3.75 deg, the other 1.95."""
     sprag = LogSprag(m=0.0892, **TABLE)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.integrate import cumulative_trapezoid
 
-from analytic.sprag.closure import at_rotation, wedged
+from analytic.sprag.closure import wedged
 from analytic.sprag.motion import Speeds
 from analytic.sprag.rest import at_rest
 from analytic.sprag.start import spring_equilibrium
@@ -113,19 +113,6 @@ def test_the_table_has_the_closures_states_between_its_knots(table, clutch):
     for name, value in expected.items():
         scale = np.maximum(np.abs(value), 1e-3 * np.abs(value).max())
         np.testing.assert_allclose(found[name] / scale, value / scale, rtol=0, atol=3e-7)
-
-
-def test_beyond_its_end_the_table_has_no_state_and_before_contact_no_force(table):
-    assert np.isnan(table.at(table.end * 1.001)["N"])
-    before, first = table.at(-0.1), table.at(0.0)
-    assert before["N"] == 0
-    assert before["OA"] == first["OA"]
-
-
-def test_the_table_ends_with_the_spiral(clutch):
-    short = tabulated(clutch, N_end=20e3, theta_max=0.2)
-    end = at_rotation(clutch, short.end)
-    assert float(end.turned) == pytest.approx(0.2, rel=1e-9)
 
 
 def test_with_balanced_normal_forces_the_motion_rests_exactly_as_the_strut(clutch):

@@ -10,13 +10,12 @@ from analytic.sprag import printed
 from analytic.sprag.balance import sampled
 from analytic.sprag.closure import wedged
 from analytic.sprag.clutch import Clutch
-from analytic.sprag.course import energy, rolled
+from analytic.sprag.course import energy
 from analytic.sprag.motion import Motion
 from analytic.sprag.oscillation import Oscillation
 from analytic.sprag.race_spring import Blades, reached
-from analytic.sprag.sliding import sliding
 from analytic.sprag.swing import Driven, swing, time_to_rest
-from analytic.sprag.work_balance import at_rest, by_turning, frequency, left_out, undamped
+from analytic.sprag.work_balance import at_rest, by_turning, frequency, undamped
 from tests.analytic.sprag.models import PARTS, SPRAG
 
 T = 25.0
@@ -57,13 +56,6 @@ def test_a_race_that_turns_ahead_brings_its_energy_and_one_that_overran_does_not
     assert not found.over
 
 
-def test_sprags_that_slide_bear_more_as_friction_comes_near_the_wedge(spring):
-    tan = math.tan(0.055)
-    N = [sliding(spring, share * tan).N for share in (0.5, 0.7, 0.9)]
-    assert N[0] < N[1] < N[2]
-    assert sliding(spring, -0.1).outside
-
-
 def test_an_overrunning_race_stops_when_its_momentum_is_used_up():
     step = Driven(T=T, t_ramp=0.0, w_i=-50.0, t_end=1.0)
     assert time_to_rest(step, HELD) == pytest.approx(HELD.I_bi * 50.0 / T)
@@ -96,12 +88,6 @@ def test_torque_on_turn_is_force_on_yield(name, request):
     assert now.T * turn == pytest.approx(12 * now.N * (inner + outer), rel=1e-3)
 
 
-def test_the_races_turn_is_the_integral_of_its_rate(plane_clutch):
-    _, _, _, turn = rates(plane_clutch)
-    found = rolled(plane_clutch, N * (1 + STEP)) - rolled(plane_clutch, N * (1 - STEP))
-    assert found == pytest.approx(turn, rel=1e-6)
-
-
 def test_eqs_9_and_10_as_printed_lose_a_seventh_of_the_work(clutch):
     """OA with half of delta_HI and without delta_g/2 stands where the whole inner yield must."""
     now, inner, outer, turn = rates(clutch, printed.wedged)
@@ -128,19 +114,11 @@ def oscillation(clutch, motion):
     return Oscillation(spring, motion, T=T, f=f, k=motion.I_bi * (2 * math.pi * f) ** 2)
 
 
-def test_a_small_oscillation_has_the_frequency_of_stiffness_and_inertia(oscillation):
-    assert oscillation.frequency(1) == pytest.approx(oscillation.f, rel=OUTER)
-
-
 def test_a_strut_reaches_the_peak_of_the_work_balance_and_equal_forces_nearly(oscillation):
     peak = float(oscillation.spring.force()(undamped(oscillation.spring, T)))
     assert oscillation.strut(1e-5).first_peak[1] == pytest.approx(peak, rel=2e-4)
     assert oscillation.undamped(1e-5).first_peak[1] == pytest.approx(peak, rel=OUTER)
     assert oscillation.undamped(1e-5).first_peak[1] != pytest.approx(peak, rel=2e-4)
-
-
-def test_the_centroid_takes_a_small_part_of_the_work(spring):
-    assert abs(left_out(spring, 3000.0)) < 0.05
 
 
 def test_samples_are_of_all_histories_and_balance(engaged):

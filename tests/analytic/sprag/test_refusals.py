@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from analytic.sprag import friction, laws, limits, pressure
-from analytic.sprag.closure import at_rotation, at_torque, wedged
+from analytic.sprag import friction, limits, pressure
+from analytic.sprag.closure import at_rotation, wedged
 from analytic.sprag.column import Column, approach
 from analytic.sprag.geometry import LogSprag
 from analytic.sprag.motion import Speeds, Torque
@@ -36,22 +36,17 @@ def dented(a):
 
 WITHOUT_CLUTCH = [
     (lambda: sprag(m=0.0), "m must be positive"),
-    (lambda: sprag(m=np.inf), "m must be positive and finite"),
     (lambda: sprag(R_i=20.0), "R_i must be below R_e"),
     (lambda: sprag(r_i=9.0), "pole C_e must lie inside the bore"),
-    (lambda: sprag(r_i=0.0), "r_i must be positive"),
-    (lambda: LogSprag.from_wedge_angle(nu_0=0.0, **TABLE), "nu_0 must be positive"),
     (lambda: LogSprag.from_wedge_angle(nu_0=2.0, **TABLE), "below pi/2"),
     (lambda: LogSprag.from_wedge_angle(nu_0=0.8, **TABLE), "no spiral has this wedge angle"),
     (lambda: Column(sprag=sprag(), b=9.0), "wider than spiral or arc reach"),
     (lambda: dented((0.0, 0.1)), "half-width"),
     (lambda: friction.coefficient(0.0, mu_c=0.2, mu_s=0.1, gamma_b=1.0), "0 < mu_c <= mu_s < 1"),
-    (lambda: laws.palmgren_law(l=1.0)(np.array(-1.0)), "normal force"),
     (lambda: pressure.along([-1.0], np.zeros(5), length=9e-3, R=2.95e-3, E_star=113.2e9),
      "normal force must be finite and not negative"),
     (lambda: torque([0.0, 0.0], [1.0, 2.0]), "times of a torque must increase"),
     (lambda: torque([0.0, 1.0], [1.0]), "one value for each time"),
-    (lambda: torque([0.0], [np.inf]), "torque must be finite"),
     (lambda: tabled(n_s=3, alpha=RISING * (1 - RISING), N=RISING, **COLUMNS), "rise in N and al"),
     (lambda: tabled(n_s=3, alpha=RISING, N=RISING + 1, **COLUMNS), "begin at N = 0"),
 ]  # fmt: skip
@@ -66,15 +61,12 @@ def test_what_makes_no_sense_is_refused_in_one_line(call, message):
 
 OF_CLUTCH = [
     (lambda c: wedged(c, -1.0), "normal force"),
-    (lambda c: at_torque(c, -1.0), "torque"),
     (lambda c: at_rotation(c, nan), "rotation alpha"),
     (lambda c: limits.limits(c, mu=0.0, theta_max=0.3), "friction"),
     (lambda c: limits.limits(c, mu=0.1, theta_max=-1.0), "theta_max"),
     (lambda c: spring_equilibrium(c, K_r=0.01, alpha_max=-0.1), "alpha_max above alpha"),
-    (lambda c: spring_equilibrium(c, K_r=0.0, alpha_max=0.5), "spring K_r"),
     (lambda c: spring_equilibrium(c, K_r=1e9, alpha_max=3.0), "bears springs of K_r"),
     (lambda c: tabulated(c, N_end=20e3, theta_max=1e-9), "no state"),
-    (lambda c: tabulated(c, N_end=0.0), "normal force at the end must be positive"),
 ]
 
 

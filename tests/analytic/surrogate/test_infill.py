@@ -12,7 +12,6 @@ from analytic.surrogate.evolution import evolve
 from analytic.surrogate.found import Found
 from analytic.surrogate.infill import Infilled, NoAgreementError, infill
 from analytic.surrogate.kriging import Kriging, fit
-from analytic.surrogate.largest import Largest, fit_largest
 
 Array = NDArray[np.float64]
 BOX = Box((0.0, 10.0), (1.0, 20.0))
@@ -110,18 +109,3 @@ def test_no_agreement_on_a_design_or_in_the_rounds_given_says_so() -> None:
     with pytest.raises(ArithmeticError, match=r"the true model answers inf at \[ *0.1 +15") as own:
         played([(0.1, 15.0)], {0.1: np.inf})
     assert not isinstance(own.value, NoAgreementError)
-
-
-def test_regimes_without_a_kink_lead_to_the_smallest_value_itself() -> None:
-    def two(x: Array) -> Array:
-        """Roots of no polynomial, equal at their largest's smallest: 1 at (0.55, 14)."""
-        u, v = x[0] - 0.55, (x[1] - 14) / 10
-        return np.array([np.exp(3 * u), np.exp(-2 * u)]) * np.sqrt(1 + 3 * v**2)
-
-    def largest(x: Array, answers: Sequence[Array]) -> Largest:
-        return fit_largest(x, list(np.array(answers).T), BOX, power=2.0)
-
-    filled = infill(largest, two, X, box=BOX, search=evolve, value=max)
-    assert filled.history[0].error > 0.005
-    assert filled.true == pytest.approx(1, abs=0.005)
-    assert BOX.to_unit(filled.x[None])[0] == pytest.approx([0.55, 0.4], abs=0.03)

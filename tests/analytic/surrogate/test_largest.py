@@ -76,23 +76,6 @@ def test_levels_are_left_out_one_by_one_of_every_parameter(rough: Largest) -> No
     assert np.all(np.abs(errors) > 0)  # what is predicted was indeed not known
 
 
-def kinked(x: Array) -> Array:
-    return np.asarray(1 + np.abs(BOX.to_unit(x)[:, 0] - 0.37))
-
-
-def test_a_kink_along_a_level_is_hidden_from_one_left_out_but_not_from_a_level() -> None:
-    model, true = fit(X, kinked(X), BOX), kinked(FRESH)
-    real = quality(model.predict(FRESH), true)
-    alone = quality(kinked(X) - model.left_out(), kinked(X))
-    assert real.mean > 0.01
-    assert alone.mean < real.mean / 20
-    gate(alone, what="a kink, one left out")
-    level = quality(1 + left_level_out(model, X, kinked(X)), np.ones(30))
-    for seen in (level, real):
-        with pytest.raises(PoorSurrogateError, match="surrogate of a kink misses"):
-            gate(seen, what="a kink")
-
-
 def test_the_gate_says_what_is_missed_by_how_much() -> None:
     measured = quality(np.array([1.01, 0.96, 2.0]), np.array([1.0, 1.0, 2.0]))
     assert (measured.mean, measured.largest) == pytest.approx((0.05 / 3, 0.04))
