@@ -35,18 +35,6 @@ def test_more_waves_change_nothing_on_the_loaded_wall(loaded, a, monkeypatch):
     np.testing.assert_allclose(found.sigma_theta, exact.sigma_theta, rtol=0, atol=1e-12 * stress)
 
 
-@WALLS
-def test_the_loaded_wall_bears_hertz_s_pressure_and_the_other_nothing(loaded):
-    race = LoadedRace(loaded=loaded, **RACE)
-    near = race.at(race.r, ANGLES)
-    far = race.at(race.r_o if loaded == "bore" else race.r_i, ANGLES)
-    peak = 2 * race.P / (np.pi * race.a)
-    s = race.r * ANGLES / race.a
-    ellipse = peak * np.sqrt(np.maximum(1 - s**2, 0))
-    np.testing.assert_allclose(near.sigma_r, -ellipse, rtol=0, atol=1e-10 * peak)
-    np.testing.assert_allclose([near.tau, far.tau, far.sigma_r], 0, atol=1e-10 * peak)
-
-
 @pytest.mark.parametrize(
     ("loaded", "radii", "printed"),
     [("bore", (19.44, 26.23), 13.117), ("rim", (7.21, 11.11), 7.564)],

@@ -6,11 +6,9 @@ import numpy as np
 import pytest
 
 from analytic.spring import frame
-from analytic.spring.wire import arc
 
 STRIP = {"b": 0.1, "h": 56.0, "E": 206e3, "nu": 0.3}
 EI, EA = 206e3 * 56.0 * 0.1**3 / 12, 206e3 * 5.6
-PAPER = {"n": 10, "L1": 11.6, "radius": 0.5, "alpha": math.radians(80)}
 
 
 def compliance(parts, theory="bending"):
@@ -41,41 +39,3 @@ def test_a_quarter_ring_under_a_radial_force_deflects_as_in_plane_elasticity(b, 
     quarter = frame.sections(iter([(R * math.pi / 2, -math.pi / 2)]))
     C = frame.flexibility(quarter, b=b, h=h, E=E, nu=nu, theory="thick")
     assert C[0, 0] == pytest.approx(exact, rel=0.1 * (b / R) ** 4)
-
-
-@pytest.mark.parametrize("n", [3, 4, 9, 10])
-def test_the_held_mid_leaf_lies_on_the_line_of_force(n):
-    x, y = frame.end_point(**PAPER | {"n": n}, tail="mid-leaf")
-    assert y == pytest.approx(0.0, abs=1e-12)
-    # n - 1 loops, each as long as its two half pitches: 2 R sin α + L2 cos α, quarter arcs R
-    a = PAPER["alpha"]
-    L2 = 11.6 / math.sin(a) + 1.0 / math.tan(a)
-    assert x == pytest.approx((n - 2) * (math.sin(a) + L2 * math.cos(a)) + 1.0, rel=1e-13)
-
-
-def quadrature(start, heading, length, turn):
-    """G and D by Gauss points along a piece, from its curvature alone."""
-    t, w = np.polynomial.legendre.leggauss(40)
-    s, w = (t + 1) / 2 * length, w / 2 * length
-    angle = heading + turn * s / length
-    if turn:
-        k = turn / length
-        x = start[0] + (np.sin(angle) - math.sin(heading)) / k
-        y = start[1] - (np.cos(angle) - math.cos(heading)) / k
-    else:
-        x, y = start[0] + s * math.cos(heading), start[1] + s * math.sin(heading)
-    v, tangent = np.array([np.ones_like(x), x, y]), np.array([np.cos(angle), np.sin(angle)])
-    return (v * w) @ v.T, (tangent * w) @ tangent.T
-
-
-@pytest.mark.parametrize("turn", [-0.5 * math.pi, -1.2, 0.3, 1.4, 0.5 * math.pi])
-@pytest.mark.parametrize("heading", [0.0, 0.5 * math.pi, -1.4])
-def test_an_arc_s_moments_are_those_of_its_points(turn, heading):
-    start, R = np.array([2.0, -3.0]), 0.7
-    wire, end = arc(start, heading, R, turn)
-    G, D = quadrature(start, heading, R * abs(turn), turn)
-    np.testing.assert_allclose(wire.G, G, rtol=1e-12)
-    np.testing.assert_allclose(wire.D, D, atol=1e-14)
-    chord = 2 * R * math.sin(abs(turn) / 2)
-    towards = heading + turn / 2
-    np.testing.assert_allclose(end - start, [chord * math.cos(towards), chord * math.sin(towards)])

@@ -85,12 +85,6 @@ def test_force_and_displacement_are_each_other_s_inverse_and_have_no_jump():
     assert s.intercept == pytest.approx(s.F_A - s.k2 * s.U_A)
 
 
-def test_the_unloaded_leaf_s_normal_moves_point_a_by_a_per_cent():
-    along, across = (stages(**PAPER, normal=normal) for normal in ("force", "leaf"))
-    assert pytest.approx(-0.011, abs=5e-4) == across.U_A / along.U_A - 1
-    assert across.k2 / along.k2 - 1 == pytest.approx(0.009, abs=5e-4)
-
-
 def test_a_guide_moves_point_a_as_worked_out_by_hand():
     """Another derivation: the guide takes a couple of -0.36 mm F."""
     free, guided = (stages(**PAPER, head=head) for head in ("free", "guided"))

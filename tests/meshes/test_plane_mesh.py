@@ -107,17 +107,6 @@ def test_names_areas_lengths_and_nodes_come_over(kind):
     assert mesh.doflocs.max() == 3.0  # the stray point at (9, 9) stayed behind
 
 
-@pytest.mark.parametrize(("kind", "reverse"), [("tri6", True), ("quad4", False)])
-def test_normals_point_outwards_however_the_surface_was_drawn(kind, reverse):
-    mesh = two_rooms(kind, reverse)
-    assert measure(mesh) == pytest.approx(4.5, rel=ROUND_OFF)
-    for name, outwards in {"floor": (0, -1), "east": (1, 0), "west": (-1, 0)}.items():
-        normal = side(mesh, name).normals
-        np.testing.assert_allclose(normal[0], outwards[0], atol=ROUND_OFF)
-        np.testing.assert_allclose(normal[1], outwards[1], atol=ROUND_OFF)
-    assert (side(mesh, "roof").normals[1] > 0).all()
-
-
 @curved_kinds
 def test_curved_cells_follow_the_circle_at_order_four_and_chords_at_order_two(kind):
     exact = {"area": 1 - pi * 0.3**2, "length": 2 * pi * 0.3}

@@ -71,20 +71,6 @@ def test_a_moved_mesh_shares_what_does_not_move():
     assert ring.mapping().mesh is ring
 
 
-def test_the_same_blocks_under_another_name_have_that_name():
-    a, b, c, d = (0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (0.0, 1.0)
-
-    def named(low, high):
-        edges = (blocks.Edge(a, b, 3, name=low), blocks.Edge(b, c, 2),
-                 blocks.Edge(d, c, 3, name=high), blocks.Edge(a, d, 2))  # fmt: skip
-        return blocks.mesh_blocks([blocks.Block(edges, "body")], whole={"both": ("low", "high")})
-
-    one, other = named("low", "high"), named("high", "low")
-    for mesh, y in ((one, 0.0), (other, 1.0)):
-        assert mesh.p[1, mesh.facets[:, mesh.boundaries["low"]]].tolist() == [[y] * 3] * 2
-    assert sorted(one.boundaries["both"]) == sorted(other.boundaries["both"])
-
-
 def test_no_more_than_the_last_few_are_stored():
     few, made = Topologies(most=2, nodes=100), []
 

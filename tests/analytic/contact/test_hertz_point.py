@@ -88,15 +88,6 @@ def test_the_rest_of_the_series_is_its_sum(nu):
     assert _rest(nu) == pytest.approx(images + 2 * (terms.sum() + beyond), abs=1e-7)
 
 
-@pytest.mark.parametrize("nu", [-0.5, 0.3])
-def test_the_logarithm_is_what_the_series_leaves_of_the_order_of_its_degree_s_inverse(nu):
-    """A force P moves R by P/(8 pi mu R) of (2n + 1) c_n P_n, where P_n/n sums to -ln(d/2R)."""
-    n, R, E = 1e6, 0.7, 3.0
-    inverse = ((2 * n + 1) * degree(n, nu) - 4 * (1 - nu)) * n
-    mu = E / (2 * (1 + nu))
-    assert Sphere(R=R, E=E, nu=nu).logarithm == pytest.approx(inverse / (8 * mu * R), rel=1e-4)
-
-
 def test_small_contacts_are_hertz_s():
     one, other = Sphere(R=4e-3, **STEEL), Sphere(R=0.011, E=110e9, nu=0.34)
     R = float(hertz_line.relative_radius(R_1=4e-3, R_2=0.011))

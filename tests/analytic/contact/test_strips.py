@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from scipy.integrate import quad
 from scipy.special import ellipe, ellipkm1
 
-from analytic.contact import hertz_line, strip_newton
+from analytic.contact import hertz_line
 from analytic.contact.roller_parts import Parts, load_elsewhere
 from analytic.contact.strip_error import discretisation, neglected
 from analytic.contact.strip_influence import excess, log_part
@@ -89,15 +89,6 @@ def test_nothing_pulls_and_nothing_overlaps(radius, tilt, load, n):
     assert left.min() > -1e-9 * deepest
 
 
-@pytest.mark.parametrize("n", [1, 2, 51])
-def test_load_and_approach_lead_back_to_each_other(n):
-    gap = barrel(n, tilt=3e-4)
-    by_load = press(gap, **SPRAG, load=3400.0)
-    by_approach = press(gap, **SPRAG, approach=by_load.approach)
-    assert float(by_approach.load) == pytest.approx(3400.0, rel=1e-8)
-    np.testing.assert_allclose(by_approach.q, by_load.q, atol=1e-8 * by_load.q.max())
-
-
 def test_a_batch_says_what_its_cases_say_alone_and_workers_change_nothing(monkeypatch):
     """In parts of 100 cases, the last one smaller."""
     monkeypatch.setattr("analytic.contact.strips.AT_ONCE", 5000)
@@ -122,16 +113,6 @@ def test_cases_that_do_not_converge_say_so(monkeypatch):
         press(barrel(30), **SPRAG, load=3400.0)
 
 
-def test_what_overlaps_without_a_load_is_no_solution():
-    """A strip that carries nothing must not be entered: by 0.1 of the 2 that bodies approach."""
-    s, h, level = np.array([[1.0, 0.0]]), np.array([[0.0, 1.0]]), np.array([2.0])
-    apart, within = np.array([[0.0, 0.1]]), np.array([[0.0, -0.1]])
-    assert strip_newton._residual(s, apart, h, level, None).tolist() == [0.0]
-    assert strip_newton._residual(s, within, h, level, None) == pytest.approx(0.05)
-    lifted = np.array([[0.1, 0.1]])  # nor may one that carries be apart
-    assert strip_newton._residual(s, lifted, h, level, None) == pytest.approx(0.05)
-
-
 def F(v):
     v = np.atleast_1d(v)
     return np.squeeze(excess(np.log(v))[0] + log_part(v))
@@ -147,13 +128,6 @@ def test_the_table_meets_the_defining_integral(v):
 
     exact, _ = quad(integrand, 0, 60, epsabs=1e-14, epsrel=1e-12, limit=500)
     assert float(F(v)) == pytest.approx(exact, rel=2e-11)
-
-
-def test_its_slope_is_the_derivative():
-    log_v = np.linspace(-9, 9, 1001) + 0.0003
-    step = 1e-4
-    numerical = (excess(log_v + step)[0] - excess(log_v - step)[0]) / (2 * step)
-    np.testing.assert_allclose(excess(log_v)[1], numerical, atol=2e-7)
 
 
 @pytest.mark.parametrize("b", [0.02, 0.3])

@@ -100,3 +100,13 @@ def test_the_end_of_a_half_cycle_is_locked_whatever_the_last_bits_of_its_time(cu
     limit = np.tan(float(cup.cam.alpha0)) * np.hypot(1, 50.0 * 0.5005 * cup.cam.race)
     assert course.when == t[-1]
     assert course.peak == pytest.approx(float(limit), rel=1e-9)
+
+
+def test_torque_that_crosses_zero_under_axial_load_asks_for_infinite_friction(star):
+    crossing = BothAlternating(T=20.0, F=3000.0, frequency=3.0, duration=10.0, T_m=10.0)
+    lifted = BothAlternating(T=20.0, F=3000.0, frequency=3.0, duration=10.0, T_m=21.0)
+    course = follow(star, crossing, mu=0.1)
+    assert course.peak == np.inf
+    assert course.light == "red"
+    assert np.all(course.T[np.isinf(course.mu_req)] > 0)  # of locked times alone
+    assert np.isfinite(follow(star, lifted, mu=0.1).peak)

@@ -113,34 +113,6 @@ def test_a_round_ring_moves_as_michells_harmonics_do(z, a):
     np.testing.assert_allclose(load.rim_displacement(theta, **UNIT), partner, rtol=3e-7)
 
 
-@pytest.mark.parametrize("z", [3, 6, 24])
-def test_the_bore_stays_free_of_the_rollers_forces(z):
-    ring = Sector(z=z, d_e=80.0, d_i=72.0, rho=2.0)
-    zeta = ring.bore(np.linspace(0, ring.half_bore, 777))
-    load = roller_load(sector=ring, a=0.1)
-    force = load(zeta).force(zeta)
-    assert np.abs(force).max() < 2e-8  # N = 1
-    assert load.correction.residual < 1e-7
-
-
-HEXAGON = {"z": 6, "d_e": 80.0, "d_i": 72.0, "rho": 2.0}
-
-
-@pytest.mark.parametrize("z", [3, 4, 6, 12, 48])
-def test_the_fillet_touches_the_flats_and_reaches_to_the_corner_diameter(z):
-    ring = Sector(**HEXAGON | {"z": z})
-    corner = np.exp(1j * np.pi / z)
-    assert ring.bore(np.array([ring.half_bore]))[0] == pytest.approx(36 * corner)
-    assert ring.fillet_centre == pytest.approx(ring.R_u - ring.rho / np.cos(np.pi / z))
-    assert ring.straight == pytest.approx(
-        ring.R_u * np.sin(np.pi / z) - ring.rho * np.tan(np.pi / z)
-    )
-    s = np.linspace(ring.straight, ring.half_bore, 9)
-    np.testing.assert_allclose(np.abs(ring.bore(s) - ring.fillet_centre * corner), ring.rho)
-    mirrored = corner**2 * ring.bore(s).conj()
-    assert np.abs(mirrored - ring.fillet_centre * corner) == pytest.approx(ring.rho)
-
-
 def test_the_mean_is_lames_in_a_round_ring():
     mean = roller_load(sector=round_ring(6, 72.0), a=0.1).mean_rim_displacement(**UNIT)
     exact = lame.radial_displacement(

@@ -7,7 +7,6 @@ from scipy.optimize import brentq
 from analytic.contact.hertz_line_approach import approach_to_centre
 from analytic.polyhedral.bore_pressure import rim_displacement
 from analytic.polyhedral.capacity import Driven
-from analytic.polyhedral.hub_force import hub_force
 from analytic.polyhedral.locking import Roller, RollerContact, locked
 from analytic.polyhedral.roller_load import roller_load
 from analytic.polyhedral.sector import Sector
@@ -28,15 +27,6 @@ def test_the_pressure_of_the_force_of_a_pressure_is_that_pressure(z, E_roller):
     for p in (35.0, 60.0):
         assert hub.pressure(hub.force(p)) == pytest.approx(p, rel=1e-10)
         assert hub.required_pressure(hub.force(p)) == pytest.approx(p, rel=1e-10)
-
-
-def test_the_driven_ring_is_the_locked_ring_under_the_hub_that_goes_with_it():
-    hub = driven()
-    N = hub.force(30.0)
-    normal = hub.kappa * N / np.hypot(1, 0.05)
-    push = hub_force(sector=hub.contact.sector, e=9.0, normal=normal, along=-0.05 * normal)
-    state = locked(sector=hub.contact.sector, roller=hub.contact.roller, p=30.0, hub=push, **STEEL)
-    assert pytest.approx(N, rel=1e-9) == state.N
 
 
 def test_sensitivities_are_the_slopes_under_another_closure(monkeypatch):

@@ -44,13 +44,6 @@ def test_each_shaft_meets_its_own_critical_speeds_and_standing_ones_none(rotor):
     assert ratios(replace(rotor, shafts=(shaft(1.0), shaft(0.0)))) == [1.0]
 
 
-def test_whirl_against_the_unbalance_is_met_where_bearings_are_alike_alone(rotor):
-    found = opposite_criticals(rotor)
-    assert found == sorted(found)
-    assert len(found) > 2
-    assert opposite_criticals(unlike(rotor)) == []
-
-
 def test_branches_begin_in_pairs_and_part_with_the_speed(rotor):
     at_speed = study(rotor, NAMES, 100.0, {}, 6).modes
     speeds, w, sense = branches(rotor, 500.0, at_speed, 6)
@@ -60,3 +53,10 @@ def test_branches_begin_in_pairs_and_part_with_the_speed(rotor):
     other = unlike(rotor)
     at_speed = study(other, NAMES, 100.0, {}, 6).modes
     assert branches(other, 500.0, at_speed, 6)[2] == tuple(at_speed.whirl)
+
+
+def test_whirl_against_the_unbalance_is_met_where_bearings_are_alike_alone(rotor):
+    found = opposite_criticals(rotor)
+    assert found == sorted(found)
+    assert len(found) > 2
+    assert opposite_criticals(unlike(rotor)) == []

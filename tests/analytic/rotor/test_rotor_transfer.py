@@ -10,7 +10,6 @@ from analytic.rotor.transfer_modes import (
     modes,
     whirl_frequencies,
 )
-from analytic.rotor.transfer_roots import roots_below
 from analytic.rotor.transfer_shapes import mode_lines
 
 E, NU, RHO = 210e9, 0.3, 7850.0
@@ -47,13 +46,6 @@ def test_turning_simply_supported_shafts_have_their_closed_form(theory, whirl):
         assert row == pytest.approx([pair[whirl == "backward"] for pair in both], rel=1e-8)
 
 
-def test_roots_of_two_equal_shafts_come_twice():
-    ends = tuple(Support(node=k, kxx=1e8) for k in range(4))
-    twice = Rotor(shafts=(shaft(), shaft()), supports=ends)
-    once = whirl_frequencies(supported(k=1e8), 500.0, count=3)[0]
-    assert whirl_frequencies(twice, 500.0, count=6)[0] == pytest.approx(np.repeat(once, 2))
-
-
 @pytest.mark.parametrize("Ip", [0.0, 0.05, 0.2])
 def test_an_overhung_disc_has_stodola_s_critical_speeds(Ip):
     L, d, m, Id = 0.4, 0.03, 10.0, 0.1
@@ -71,15 +63,6 @@ def test_an_overhung_disc_has_stodola_s_critical_speeds(Ip):
     found = critical_speeds(rotor, count=2, whirl="forward").w
     assert found[: len(exact)] == pytest.approx(exact, rel=1e-6)
     assert len(exact) == 2 or len(found) == 1 or found[1] > 100 * exact[0]
-
-
-def test_critical_speeds_meet_the_campbell_diagram():
-    rotor = supported(k=5e7, d=0.08)
-    for whirl in ("forward", "backward"):
-        found = critical_speeds(rotor, count=2, whirl=whirl, excitation=2.0)
-        for k, speed in enumerate(found.speeds):
-            w = whirl_frequencies(rotor, speed, count=2, whirl=whirl)[0, k]
-            assert w == pytest.approx(2 * speed, rel=1e-9)
 
 
 def test_a_top_on_unlike_springs_has_its_closed_form_and_sense():
@@ -107,20 +90,3 @@ def test_a_mode_is_carried_into_the_segments():
         assert r.real == pytest.approx(fitted * sine, abs=1e-4)
         assert abs(fitted) == pytest.approx(1, abs=5e-3)
         assert abs(r.imag).max() < 1e-9
-
-
-def test_items_without_the_roots_that_are_asked_for_have_none():
-    """A spring of 4 N/m under 1 kg: one root at 2 rad/s, above what is searched or below it."""
-
-    def stiffness(w, _item):
-        return (4 - w**2)[:, None, None] * np.eye(1)
-
-    none = roots_below(stiffness, np.array([1.0, 1.5]), np.arange(1))
-    assert none.shape == (2, 1)
-    assert np.isnan(none).all()
-    stiff = roots_below(lambda w, _: np.ones_like(w)[:, None, None] * np.eye(3), np.ones(2),
-                        np.arange(3))  # fmt: skip
-    assert stiff.shape == (2, 3)
-    one = roots_below(stiffness, np.array([1.0, 3.0]), np.arange(1))
-    assert np.isnan(one[0, 0])
-    assert one[1, 0] == pytest.approx(2, rel=1e-12)

@@ -21,13 +21,6 @@ AT, COLUMN = wedged(RIGID, 1.0), Column(sprag=SPRAG, b=4e-3)
 NONE = (0.0, 0.0)
 
 
-def test_a_column_that_turns_about_the_axis_as_a_whole_changes_no_force():
-    OA, OB = float(AT.OA), float(AT.OB)
-    whole = Ends(moved=(-OA, -OB), turned=(1.0, 1.0))
-    got = shift(AT, whole, column=COLUMN, a=NONE, P=1e-3, races=NONE)
-    assert abs(got.whole) < 1e-12 * got.size
-
-
 def test_the_centre_of_pressure_of_a_cubic_gap_is_that_of_its_integral_equation():
     """Slope s/R - m s²/(2 r²) on a patch about c, pressure by the finite Hilbert transform."""
     none = Ends(moved=NONE, turned=NONE)
@@ -110,10 +103,3 @@ def test_a_clutch_twice_as_large_under_four_times_the_force_is_strained_alike():
         assert float(other.yields.H) == pytest.approx(2 * float(one.yields.H), rel=1e-6)
         assert float(other.alpha_b) == pytest.approx(float(one.alpha_b), rel=1e-6)
     assert large.rolls_over_at == pytest.approx(8 * small.rolls_over_at, rel=1e-5)
-
-
-def test_a_sprag_wider_than_it_is_round_stands_for_a_disc_and_never_rolls_over():
-    wide = made(r_i=6e-3, b=5e-3)
-    assert wide.column is None
-    assert wide.rolls_over_at == np.inf
-    assert np.isfinite(float(wedged(wide.clutch, 3000.0).yields.H))

@@ -82,11 +82,6 @@ def test_torque_and_rotation_lead_back_to_the_load(clutch, plane_clutch):
         assert pytest.approx(N, rel=1e-11) == at_rotation(some, now.alpha).N
 
 
-def test_yields_beyond_the_clutch_s_size_have_no_state(clutch):
-    assert np.isnan(wedged(clutch, 1e8).T)
-    assert np.isnan(at_torque(clutch, 1e9).N)
-
-
 def test_eq_7_by_hand():
     """A bar of 8.33 mm and 4 x 9 mm² under 3407 N: 3407 x 8.33/(36 x 206 000) mm."""
     d = sprag_compression(N=3407.0, R_i=11.11e-3, R_e=19.44e-3, b=4e-3, l=9e-3, E=206e9)

@@ -69,10 +69,6 @@ def test_eq_10_as_printed_gives_the_same_triangle():
     assert omega == pytest.approx(nu - beta)
 
 
-def test_a_circle_that_holds_the_pole_meets_no_spiral():
-    assert np.isnan(triangle(OA=2.0, OC_e=1.0, m=0.1).rho)
-
-
 STEP = 1e-5
 
 

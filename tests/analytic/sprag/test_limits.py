@@ -6,7 +6,6 @@ import pytest
 from analytic.sprag.closure import at_torque
 from analytic.sprag.limits import limits, slips
 from analytic.sprag.search import first_reach
-from analytic.sprag.start import drag, spring_equilibrium
 
 
 def test_at_the_slip_torque_nu_is_the_angle_of_friction(clutch):
@@ -14,12 +13,6 @@ def test_at_the_slip_torque_nu_is_the_angle_of_friction(clutch):
     T = float(limits(clutch, mu=mu, theta_max=0.5).slip)
     assert float(np.tan(at_torque(clutch, T).nu)) == pytest.approx(mu, rel=1e-10)
     assert slips(at_torque(clutch, [0.99 * T, 1.01 * T]), mu=mu).tolist() == [False, True]
-
-
-def test_limits_are_met_without_load_or_never(clutch):
-    found = limits(clutch, mu=[0.05, 0.3], theta_max=0.5)
-    assert found.slip.tolist() == [0.0, np.inf]
-    assert found.torque.tolist() == [0.0, float(found.end_of_cam)]
 
 
 def test_at_the_end_of_the_cam_the_contact_has_walked_the_whole_spiral(clutch):
@@ -32,9 +25,3 @@ def test_a_power_is_inverted_to_round_off_from_any_first_guess():
     for start in (1e-8, 1.0, 1e8):
         found = first_reach(lambda N: N**0.9, goal, start=np.full(3, start))
         assert found == pytest.approx(goal ** (1 / 0.9), rel=1e-12)
-
-
-@pytest.mark.parametrize("K_r", [1e-4, 1.0, 10.0, 100.0])
-def test_springs_of_any_stiffness_come_to_rest(clutch, K_r):
-    now, _ = spring_equilibrium(clutch, K_r=K_r, alpha_max=0.5)
-    assert float(now.N * now.OB * drag(now)) == pytest.approx(K_r * (0.5 - now.alpha), rel=1e-9)

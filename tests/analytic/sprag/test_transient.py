@@ -10,7 +10,7 @@ from scipy.optimize import brentq
 from analytic.sprag.balance import balance
 from analytic.sprag.closure import at_torque
 from analytic.sprag.history import Phase
-from analytic.sprag.readings import first_slip, steady
+from analytic.sprag.readings import first_slip
 from analytic.sprag.steps import missing
 
 QUIET = {"C_rl": 0.0, "k_out": 1e7}  # an outer race that hardly moves
@@ -93,13 +93,6 @@ def test_an_engagement_ends_where_the_profile_does(engaged, table):
     assert run.t[-1] < 0.02
 
 
-def test_without_blades_or_with_blades_that_hold_off_nothing_engages(engaged):
-    assert engaged(25.0, K_r=0.0).verdict == "disengages"
-    held_off = engaged(25.0, alpha_max=-0.1)
-    assert held_off.verdict == "disengages"
-    assert held_off.N_max == 0.0
-
-
 def test_rolling_engagements_agree_to_1e_7(engaged, by_events):
     run, partner = engaged(25.0), by_events(25.0)
     assert run.N_max == pytest.approx(partner.N_max, rel=1e-7)
@@ -125,15 +118,6 @@ def test_engagements_that_slip_at_the_start_agree_to_1e_4(engaged, by_events, to
     slid = run.t[np.flatnonzero(run.phases[:, 0] == Phase.SLIP)[-1]]
     freed = partner.t[np.flatnonzero(~partner.rolls[:, 0])[-1]]
     assert slid == pytest.approx(freed, abs=3e-5)
-
-
-@pytest.mark.parametrize("periods", [20.0, 20.5])
-def test_the_mean_of_a_swing_does_not_depend_on_parts_of_a_period(periods):
-    t = np.linspace(0, 1, 4001)
-    found = SimpleNamespace(N=100 + 30 * np.sin(2 * np.pi * periods * t))
-    late, wander = steady(found)
-    assert late == pytest.approx(100, abs=0.01)
-    assert wander < 0.02
 
 
 def test_a_slip_begins_between_the_steps_where_friction_is_reached():

@@ -81,15 +81,6 @@ def played(points: list[tuple[float, float]], values: dict[float, float], **opti
     )
 
 
-def test_the_best_of_all_answers_is_returned_and_whether_it_is_the_last() -> None:
-    early = played([(0.1, 15.0), (0.2, 15.0)], {0.1: 0.8, 0.2: 1.001})
-    assert (early.true, early.predicted, early.x.tolist()) == (0.8, 1.0, [0.1, 15.0])
-    assert not early.best_is_last
-    assert [(step.predicted, step.true) for step in early.history] == [(1, 0.8), (1, 1.001)]
-    late = played([(0.1, 15.0), (0.2, 15.0)], {0.1: 2.0, 0.2: 1.001})
-    assert (late.true, late.best_is_last, late.history[-1].on_design) == (1.001, True, False)
-
-
 def test_agreement_is_asked_for_as_often_as_given_and_on_a_design_already_there_adds_none() -> None:
     ended = played([(1.0, 20.0)], {1.0: 1.002})
     assert ended.history[-1].on_design

@@ -58,13 +58,6 @@ def test_left_out_residuals_are_those_of_the_bordered_system_without_them(model)
         assert residual == pytest.approx(partner.left_out(i), rel=1e-4, abs=1e-8)
 
 
-def test_designs_taken_away_are_not_remembered():
-    rest = Bordered(U[7:], wavy(X)[7:], np.array([0.3, 0.5]))
-    less = with_scales([0.3, 0.5]).without(np.vstack([X[:7], FRESH[:2]]))
-    assert len(less.designs) == len(X) - 7
-    np.testing.assert_allclose(less.predict(X[:7]), rest.predicted(U[:7]), rtol=1e-9)
-
-
 def likelihood(scales):
     """Logarithm of the largest likelihood over trend and variance, less a constant."""
     system, n = Bordered(U, wavy(X), np.asarray(scales)).system, len(X)
@@ -87,13 +80,3 @@ def test_five_levels_of_three_parameters_are_125_designs_the_last_fastest():
     np.testing.assert_allclose(x[::25, 0], [1, 2, 3, 4, 5], rtol=1e-14)
     assert CUBE.contains(x).all()
     assert not CUBE.contains(np.add(x, [0, 0.31, 0])).any()
-
-
-def test_random_designs_fill_the_box_evenly_and_repeat_by_seed():
-    x = random_designs(CUBE, 4000, 7)
-    u = CUBE.to_unit(x)
-    # a uniform variable: mean 1/2, variance 1/12, no correlation; 4 deviations of the sample's
-    np.testing.assert_allclose(u.mean(axis=0), 0.5, atol=4 / np.sqrt(12 * 4000))
-    np.testing.assert_allclose(np.cov(u.T), np.eye(3) / 12, atol=4 * 0.1 / np.sqrt(4000))
-    np.testing.assert_array_equal(x, random_designs(CUBE, 4000, 7))
-    assert not np.any(x == random_designs(CUBE, 4000, 8))

@@ -66,16 +66,6 @@ def test_left_out_is_what_refits_of_every_regime_say(rough: Largest) -> None:
     assert np.max(np.abs(expected)) > 1e-4
 
 
-def test_levels_are_left_out_one_by_one_of_every_parameter(rough: Largest) -> None:
-    true = np.max(roughs(X), axis=0)
-    errors = left_level_out(rough, X, true)
-    assert errors.shape == (2 * 3 * 5,)  # parameters, inner levels, designs on each
-    first = X[:, 0] == 2.0
-    predicted = rough.without(X[first]).predict(X[first])
-    np.testing.assert_allclose(errors[:5], predicted / true[first] - 1, rtol=1e-12)
-    assert np.all(np.abs(errors) > 0)  # what is predicted was indeed not known
-
-
 def test_the_gate_says_what_is_missed_by_how_much() -> None:
     measured = quality(np.array([1.01, 0.96, 2.0]), np.array([1.0, 1.0, 2.0]))
     assert (measured.mean, measured.largest) == pytest.approx((0.05 / 3, 0.04))
@@ -90,3 +80,13 @@ def test_the_gate_says_what_is_missed_by_how_much() -> None:
         with pytest.raises(PoorSurrogateError):
             gate(measured, **limits, what="pressure")
     gate(measured, mean=0.02, largest=0.05, what="pressure")
+
+
+def test_levels_are_left_out_one_by_one_of_every_parameter(rough: Largest) -> None:
+    true = np.max(roughs(X), axis=0)
+    errors = left_level_out(rough, X, true)
+    assert errors.shape == (2 * 3 * 5,)  # parameters, inner levels, designs on each
+    first = X[:, 0] == 2.0
+    predicted = rough.without(X[first]).predict(X[first])
+    np.testing.assert_allclose(errors[:5], predicted / true[first] - 1, rtol=1e-12)
+    assert np.all(np.abs(errors) > 0)  # what is predicted was indeed not known

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from analytic.surrogate.box import Box
 from analytic.surrogate.evolution import evolve
-from analytic.surrogate.genetic import crossed, decoded, genetic, mutated, selected
+from analytic.surrogate.genetic import crossed, genetic
 
 Array = NDArray[np.float64]
 BOX = Box((-3.0, 1e-6), (5.0, 9e-6))
@@ -48,24 +48,6 @@ def test_a_known_smallest_value_is_found(
     assert BOX.contains(found.x[None])[0]
 
 
-def test_gray_codes_reach_both_ends_and_neighbours_differ_in_one_bit() -> None:
-    codes = np.array([[int(bit) for bit in f"{code:06b}"] for code in range(64)], dtype=bool)
-    u = decoded(codes, 6).ravel()
-    order = np.argsort(u)
-    np.testing.assert_allclose(u[order], np.arange(64) / 63, rtol=1e-15)
-    assert np.all(np.sum(codes[order][1:] != codes[order][:-1], axis=1) == 1)
-    two = decoded(np.hstack([codes[:3], codes[5:8]]), 6)  # parameters one behind the other
-    np.testing.assert_array_equal(two, np.column_stack([u[:3], u[5:8]]))
-
-
-def test_a_tournament_of_two_takes_the_smaller_value() -> None:
-    values = np.random.default_rng(1).permutation(20_000).astype(float)
-    chosen = values[selected(values, np.random.default_rng(2))]
-    # the smaller of two uniform ranks: mean 1/3, below the median with probability 3/4
-    assert chosen.mean() / 20_000 == pytest.approx(1 / 3, abs=0.01)
-    assert np.mean(chosen < 10_000) == pytest.approx(0.75, abs=0.02)
-
-
 def test_crossover_swaps_tails_of_the_pairs_it_meets() -> None:
     rng = np.random.default_rng(3)
     mothers, fathers = np.zeros((5000, 8), dtype=bool), np.ones((5000, 8), dtype=bool)
@@ -76,9 +58,3 @@ def test_crossover_swaps_tails_of_the_pairs_it_meets() -> None:
     assert np.mean(one.any(axis=1)) == pytest.approx(0.9, abs=0.02)
     heads = np.bincount(8 - one[one.any(axis=1)].sum(axis=1), minlength=8)
     assert heads[1:] / heads.sum() == pytest.approx(np.full(7, 1 / 7), abs=0.02)
-
-
-def test_mutation_turns_the_share_of_bits_it_should() -> None:
-    codes = np.random.default_rng(4).random((2000, 32)) < 0.5
-    turned = codes ^ mutated(codes, 0.01, np.random.default_rng(5))
-    assert turned.mean() == pytest.approx(0.01, abs=0.0016)  # 4 deviations of 64 000 bits

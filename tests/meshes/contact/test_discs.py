@@ -38,19 +38,6 @@ def test_whole_circles_have_even_cells_with_corners_on_both_axes(make, around):
         assert {(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)} <= found
 
 
-def test_both_ends_of_a_roller_have_even_cells_on_their_own_zones():
-    cells, refine, zones = 4, 3, {"near": 1e-4, "far": 3e-4}
-    mesh = half_roller(R=R, zones=tuple(zones.values()), refine=refine, cells=cells)
-    for name, zone in zones.items():
-        y = np.unique(corners(mesh, name)[1])
-        fine = y[y < zone * (1 + 1e-9)]
-        assert fine.size == cells * refine + 1
-        size = np.arcsin(zone / R) / (cells * refine)
-        np.testing.assert_allclose(np.diff(np.arcsin(fine / R)), size, rtol=1e-6)
-    for zones in ((R / 2, 1e-5), (1e-5, R / 2)):
-        assert jacobians(half_roller(R=R, zones=zones, refine=2), GAUSS)[1].min() > 0
-
-
 @pytest.mark.parametrize("tilt", [0.0, radians(0.3), radians(45), radians(-7)])
 def test_a_tilted_half_disc_has_its_fine_cells_about_the_tilted_point(tilt):
     mesh = tilted_half_disc(R=R, tilt=tilt, zone=1e-4, refine=1, cells=8)

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from meshes.contact.blocks import Block, Edge, mesh_blocks
 from meshes.contact.grading import beta, cells_along, last_cell
 
 CASES = [(1.0, 0.1, 1.6), (1.0, 1e-4, 1.6), (500.0, 1.0, 1.2), (3.0, 2.5, 2.0)]
@@ -26,19 +25,3 @@ def test_cells_grow_by_no_more_than_asked_and_start_with_their_size(length, firs
     many = np.diff(places(length, 10_000 * n, b))
     assert many[0] * 10_000 == pytest.approx(first, rel=1e-3)
     assert last_cell(length=length, cells=n, beta=b) == pytest.approx(sizes[-1], rel=1e-9)
-
-
-@pytest.mark.parametrize("backwards", [False, True])
-def test_gmsh_lays_the_cells_where_the_map_has_them(backwards):
-    n, b = 12, beta(length=1.0, first=1e-3, cells=12)
-    start, end = ((1.0, 0.0), (0.0, 0.0)) if backwards else ((0.0, 0.0), (1.0, 0.0))
-    edges = (
-        Edge(start, end, n, beta=b, name="graded"),
-        Edge((1.0, 0.0), (1.0, 1.0), 1),
-        Edge((0.0, 1.0), (1.0, 1.0), n),
-        Edge((0.0, 0.0), (0.0, 1.0), 1),
-    )
-    mesh = mesh_blocks([Block(edges, "block")], order=1)
-    x = np.sort(mesh.p[0, np.unique(mesh.facets[:, mesh.boundaries["graded"]])])
-    found = np.sort(1 - x) if backwards else x
-    np.testing.assert_allclose(found, places(1.0, n, b), atol=1e-6)

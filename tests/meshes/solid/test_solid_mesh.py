@@ -33,12 +33,6 @@ def area(mesh, name):
     return sum(np.linalg.norm(part.area, axis=-1).sum() for part in parts)
 
 
-def along(mesh):
-    """First reference direction at the middle of every cell (cells, 3), of unit length."""
-    tangent = jacobians(mesh, np.full((3, 1), 0.5))[0][:, 0, :, 0]
-    return tangent / np.linalg.norm(tangent, axis=1, keepdims=True)
-
-
 @pytest.mark.parametrize("order", [1, 2])
 def test_a_block_has_its_volume_its_sides_and_cells_that_follow_the_axes(order):
     mesh = solid_block(x=(1, 3), y=(0, 5), z=(-1, 2), cells=(2, 3, 4), order=order)
@@ -77,20 +71,6 @@ def test_a_spring_has_its_volume_its_walls_and_its_names():
     assert area(mesh, "left") + area(mesh, "right") == pytest.approx(2 * total * WIDTH, rel=1e-6)
     outer = sum(f.size for f in mesh.boundaries.values())
     assert outer == np.count_nonzero(mesh.f2t[1] < 0)
-
-
-def test_the_first_reference_direction_of_every_cell_runs_along_the_path():
-    mesh = sheet(SPRING)
-    tangent = along(mesh)
-    leaves = mesh.subdomains["leaves"]
-    headings = [p.heading for p in SPRING if p.kind == "leaf"]
-    known = np.array([(np.cos(h), np.sin(h), 0.0) for h in headings])
-    assert (tangent[leaves] @ known.T).max(axis=1) == pytest.approx(1, abs=1e-9)
-    assert tangent[:, 2] == pytest.approx(0, abs=1e-7)
-    first = along(sheet())
-    middle = sheet().p[:, sheet().t].mean(axis=1)
-    radial = np.array([middle[0] - R, middle[1]]) / np.hypot(middle[0] - R, middle[1])
-    assert (first[:, 0] * radial[1] - first[:, 1] * radial[0]) == pytest.approx(1, abs=1e-3)
 
 
 def test_cells_shrink_towards_the_edge_by_the_grading_and_halve_on_one_map():
