@@ -107,47 +107,6 @@ def test_a_leaf_stiffens_with_its_width_between_a_beam_and_a_plate():
     assert WIDEST - 5e-4 < f[-1] < WIDEST
 
 
-def deflected(x, y, h, length, coefficients):
-    """A deflection that meets the ends: the beam's, and polynomials in both directions."""
-    s = x / length
-    w = 3 * s**2 - 2 * s**3
-    for (i, j), c in coefficients.items():
-        w = w + c * (s * (1 - s)) ** 2 * (s - 0.5) ** i * (2 * y / h) ** j
-    return w
-
-
-def test_no_other_deflection_has_less_energy():
-    """Curvatures by differences, summed over a grid: an energy in other words."""
-    length, h, n = 2.0, 1.4, 100
-    x, y = np.meshgrid(
-        (np.arange(n) + 0.5) / n * length, ((np.arange(n) + 0.5) / n - 0.5) * h, indexing="ij"
-    )
-    d = 1e-3
-
-    def energy(coefficients):
-        def w(a, b):
-            return deflected(x + a * d, y + b * d, h, length, coefficients)
-
-        xx = (w(1, 0) - 2 * w(0, 0) + w(-1, 0)) / d**2
-        yy = (w(0, 1) - 2 * w(0, 0) + w(0, -1)) / d**2
-        xy = (w(1, 1) - w(1, -1) - w(-1, 1) + w(-1, -1)) / (4 * d**2)
-        density = xx**2 + yy**2 + 2 * NU * xx * yy + 2 * (1 - NU) * xy**2
-        return density.sum() * (length / n) * (h / n) / (12 * h / length**3) / (1 - NU**2)
-
-    least = width_factor(h, length)
-    assert energy({}) == pytest.approx(WIDEST, rel=1e-4)  # a beam that does not curve across
-    keys = [(1, 0), (1, 2), (3, 2), (1, 4), (3, 4)]
-    units = [{key: 1.0} for key in keys]
-    e0, ones = energy({}), [energy(unit) for unit in units]
-    pairs = [[energy(a | b) if a != b else energy(dict.fromkeys(a, 2.0)) for b in units]
-             for a in units]  # fmt: skip
-    K = np.array([[p - ones[i] - ones[j] + e0 for j, p in enumerate(row)]
-                  for i, row in enumerate(pairs)])  # fmt: skip
-    slope = np.array(ones) - e0 - np.diag(K) / 2
-    best = e0 - slope @ np.linalg.solve(K, slope) / 2
-    assert least < best < least + 3e-3
-
-
 def test_arrays_broadcast_and_are_the_same_one_by_one():
     rng = np.random.default_rng(3)
     many = {

@@ -69,29 +69,6 @@ def test_the_line_is_one_chain_of_arcs_and_leaves_from_head_to_tail(n, tail):
 
 
 @every
-def test_free_tips_make_the_end_leaves_whole(n, tail):
-    mesh = line(n, tail, tips=True)
-    down = 1 if n % 2 == 0 else -1  # how the tail's leaf runs: for even n downwards
-    x, y = tail_place(n, tail)
-    places = {
-        "head": (0, 0),
-        "tail": (x, y),
-        "head tip": (0, -L1 / 2),
-        "tail tip": (x, -down * L1 / 2),
-    }
-    assert set(mesh.nodes) == set(places)
-    for name, place in places.items():
-        np.testing.assert_allclose(mesh.points[mesh.nodes[name]], place, atol=1e-12)
-    uses = np.bincount(mesh.elements[:, :2].ravel())
-    tips = sorted(mesh.nodes[name] for name in ("head tip", "tail tip"))
-    assert sorted(np.flatnonzero(uses == 1)) == tips
-    free = L1 / 2 + (L1 / 2 if tail == "mid-leaf" else L1)
-    assert polyline_length(mesh, "tips") == pytest.approx(free, rel=1e-12)
-    # the tips come on top: what the line had without them stays as it was
-    assert polyline_length(mesh, "leaves") == pytest.approx(leaves(n, tail), rel=1e-12)
-
-
-@every
 def test_the_strip_covers_its_line_and_its_faces_are_as_long_as_their_turns_make_them(n, tail):
     # Pappus: the area of a bent strip is the length of its middle times b
     mesh = sheet(n, tail)

@@ -15,7 +15,6 @@ from analytic.contact import (
 )
 from analytic.contact.disc import disc_in_contact, disc_under_load
 from analytic.contact.edge import edge_exponent
-from analytic.contact.shear_series import GOLDEN, tilted_shear_excess
 from analytic.ring import lame
 
 
@@ -139,18 +138,6 @@ def test_the_series_of_two_discs_meets_an_independent_solver():
         allowed = pair_series.left_out(**given(discs, a)) + PRINTED
         for one, other in zip(series, solved, strict=True):
             assert abs(one.total - other) < allowed
-
-
-def test_inclined_pressure_adds_flamant_s_share_to_the_largest_shear():
-    """Tangential loads kappa x p towards the axis, each with its radial stress, one by one."""
-    x, weight = np.polynomial.chebyshev.chebgauss(2000)
-    p = (1 - x**2) * weight  # the weight lacks sqrt(1 - x²) twice
-    z = GOLDEN**-0.5
-    r = np.hypot(x, z)
-    radial = -2 / np.pi * (-x * p) * (-x / r) / r  # of the load -x p along x, seen from (0, z)
-    shear = np.sum(radial * (x**2 - z**2) / r**2) / 2
-    assert tilted_shear_excess(1.0) == pytest.approx(shear * GOLDEN**2.5, rel=1e-6)
-    assert tilted_shear_excess(1.0) == pytest.approx(0.0928, abs=5e-5)
 
 
 @pytest.mark.parametrize("angle", [np.pi / 2, 2.2, 3.0])

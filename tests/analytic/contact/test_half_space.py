@@ -9,7 +9,6 @@ from scipy.integrate import quad
 from analytic.contact import love
 from analytic.contact.half_space import HalfSpace, press
 from analytic.contact.half_space_contact import HalfSpaceContact, centres
-from analytic.contact.half_space_convolution import Convolution
 
 E_STAR, R, A = 1e11, 1e-2, 1e-4  # Pa, m and m: a sphere with this half-width of contact
 LOAD = 4 * E_STAR * A**3 / (3 * R)  # Johnson, Contact Mechanics, Eqs. 4.22 to 4.24
@@ -66,23 +65,6 @@ def test_errors_of_a_sphere_fall_with_the_cell() -> None:
     assert 0.8 < order < 1.4, f"{order}, errors {norms}"  # a stepped rim, sqrt(r) within: 1
 
 
-@pytest.mark.parametrize("shape", [(6, 8), (1, 5)])
-@pytest.mark.parametrize("mirrored", [(False, False), (True, False), (False, True), (True, True)])
-def test_transforms_sum_what_every_cell_does_to_every_other(
-    shape: tuple[int, int], mirrored: tuple[bool, bool]
-) -> None:
-    if any(m and n % 2 for m, n in zip(mirrored, shape, strict=True)):
-        return  # a middle cell has no half
-    p = np.random.default_rng(3).random(shape)
-    for axis in (0, 1):
-        p = p + np.flip(p, axis) if mirrored[axis] else p
-    x, y = centres(shape[0], 1.0), centres(shape[1], 0.3)
-    pairs = x[:, None, None, None] - x[:, None], y[:, None, None] - y
-    summed = np.einsum("ijkl,kl", love.displacement(*pairs, a=0.5, b=0.15, E_star=2.0), p)
-    K = Convolution(shape, cell=(1.0, 0.3), E_star=2.0, mirrored=mirrored)
-    assert K.whole(K.displacement(K.half(p))) == pytest.approx(summed, rel=1e-13)
-
-
 @settings(max_examples=25, deadline=None)
 @given(st.integers(0, 10**6), st.floats(-2, 3), st.booleans())
 def test_rough_bodies_meet_the_conditions_of_contact(seed: int, decade: float, thin: bool) -> None:
@@ -101,12 +83,6 @@ def test_a_series_of_loads_gives_what_each_alone_gives() -> None:
         alone = press(gap, cell=(side, side), E_star=E_STAR, load=load)
         assert found.pressure == pytest.approx(alone.pressure, abs=1e-7 * PEAK)
         assert found.load == pytest.approx(load, rel=1e-12)
-
-
-def test_an_approach_that_reaches_nothing_loads_nothing() -> None:
-    found = sphere(16, approach=-1e-6)
-    assert found.load == 0
-    assert not found.carries.any()
 
 
 def test_what_does_not_converge_says_so() -> None:

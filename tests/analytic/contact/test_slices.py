@@ -105,9 +105,6 @@ def test_a_search_that_does_not_end_is_an_error(monkeypatch):
         slices.press(crowned(), approach=1e-6, **ROLLER)
 
 
-UNIT = {"length": 1.0, "R": 1.0, "E_star": 1.0, "compliance": 1.0}
-
-
 @pytest.mark.parametrize("slices", [1, 50])
 @pytest.mark.parametrize("load", [1e-6, 1e6])
 def test_a_flat_roller_has_palmgrens_approach_and_an_even_load(slices, load):
@@ -115,16 +112,6 @@ def test_a_flat_roller_has_palmgrens_approach_and_an_even_load(slices, load):
     expected = 2e-6 + palmgren.approach(load=load, length=9e-3)
     assert float(contact.approach) == pytest.approx(float(expected), rel=1e-13)
     np.testing.assert_allclose(contact.force, load / slices, rtol=1e-12)
-
-
-def test_the_load_that_just_takes_the_second_slice_is_known():
-    """Gaps 0 and 1: at delta = 1 the first carries 1; at delta = 513 they carry more by hand."""
-    just = lamina.press([0.0, 1.0], load=1.0, **UNIT)
-    assert float(just.approach) == pytest.approx(1.0, rel=1e-14)
-    assert float(just.force[1]) == pytest.approx(0.0, abs=1e-14)
-    both = lamina.press([0.0, 511.0], load=1025.0, **UNIT)  # 512^(10/9) + 1
-    assert float(both.approach) == pytest.approx(512.0, rel=1e-14)
-    np.testing.assert_allclose(both.force, [1024.0, 1.0], rtol=1e-11)
 
 
 def test_loves_weight_is_the_integral_of_the_inverse_distance():

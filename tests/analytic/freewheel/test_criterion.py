@@ -50,13 +50,6 @@ def test_without_locking_torque_the_criterion_is_infinite_or_silent(T, F_ax, exp
     assert found == pytest.approx(expected, nan_ok=True)
 
 
-def test_classes_have_the_paper_s_limits_unless_others_are_given():
-    ratios = [np.nan, 0.0, 0.7999, 0.8, 0.9999, 1.0, np.inf]
-    lights = ["free", "red", "red", "yellow", "yellow", "green", "green"]
-    assert criterion.traffic_light(ratios).tolist() == lights
-    assert criterion.traffic_light(1.1, red=1.0, green=1.2) == "yellow"
-
-
 def test_the_offset_balances_the_couple_of_the_axial_forces():
     """Both resultants along the chord, 2 e apart, against F_a at both ends of the chord."""
     r, F_a, F_n = 2.5e-3, 40.0, 900.0

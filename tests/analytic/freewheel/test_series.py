@@ -26,19 +26,6 @@ def test_the_shaft_gives_way_as_the_loaded_race_does(r_b):
     assert float(found) == pytest.approx(-race.displacement(10e-3, 0.0), rel=3e-6)
 
 
-def test_slopes_are_derivatives_of_the_approaches(clutch):
-    bodies, P, h = compliance(clutch), 2e5, 1e-5
-    d = bodies.approaches(P)
-    low, high = bodies.approaches(P * (1 - h)), bodies.approaches(P * (1 + h))
-    for name in ("i", "o"):
-        step = getattr(high, f"d_{name}") - getattr(low, f"d_{name}")
-        assert float(getattr(d, f"slope_{name}")) == pytest.approx(step / (2 * h * P), rel=1e-8)
-    tangent, slope = bodies.tangent(2e3)
-    above, below = bodies.tangent(2e3 * (1 + h))[0], bodies.tangent(2e3 * (1 - h))[0]
-    assert float(slope) == pytest.approx(float(above - below) / (4e3 * h), rel=1e-7)
-    assert float(tangent) > 0
-
-
 RATIOS = (1.1, 1.52, 3.0, 50.0)
 
 

@@ -29,16 +29,6 @@ def test_the_pressure_of_the_force_of_a_pressure_is_that_pressure(z, E_roller):
         assert hub.required_pressure(hub.force(p)) == pytest.approx(p, rel=1e-10)
 
 
-def test_sensitivities_are_the_slopes_under_another_closure(monkeypatch):
-    hub = driven()
-    N, p = hub.force(30.0), 30.0
-    by_force, by_pressure = hub.force_sensitivity(N), hub.pressure_sensitivity(N)
-    right = RollerContact.closure
-    monkeypatch.setattr(RollerContact, "closure", lambda self, n: 1.0001 * right(self, n))
-    assert 1 - hub.force(30.0) / N == pytest.approx(1e-4 * by_force, rel=2e-3)
-    assert hub.pressure(N) / p - 1 == pytest.approx(1e-4 * by_pressure, rel=1e-6)
-
-
 def test_up_to_the_largest_pressure_that_a_ring_holds_its_force_is_found():
     """The force rises to where the pressure does not any more: there it locks."""
     hub = driven(grip=0.36)
@@ -81,3 +71,13 @@ def test_the_efficiency_is_the_slope_of_the_force_over_the_sides_share(z):
     state = locked(sector=ring, roller=ROLLER, p=30.0, **STEEL)
     assert state.efficiency == pytest.approx(slope / (72 * np.sin(np.pi / z)), rel=2e-4)
     assert 0 < state.efficiency < 1
+
+
+def test_sensitivities_are_the_slopes_under_another_closure(monkeypatch):
+    hub = driven()
+    N, p = hub.force(30.0), 30.0
+    by_force, by_pressure = hub.force_sensitivity(N), hub.pressure_sensitivity(N)
+    right = RollerContact.closure
+    monkeypatch.setattr(RollerContact, "closure", lambda self, n: 1.0001 * right(self, n))
+    assert 1 - hub.force(30.0) / N == pytest.approx(1e-4 * by_force, rel=2e-3)
+    assert hub.pressure(N) / p - 1 == pytest.approx(1e-4 * by_pressure, rel=1e-6)

@@ -136,17 +136,6 @@ def test_a_free_bar_turns_in_half_waves():
     assert found == pytest.approx(np.arange(1, 9) * np.pi * c / 1.3, rel=1e-12)
 
 
-def test_two_stiff_shafts_turn_against_each_other_in_the_clutch():
-    k, J = 1e3, (0.02, 0.07)
-    discs = (Disc(node=0, mass=1.0, polar=J[0], diametral=0.01),
-             Disc(node=2, mass=1.0, polar=J[1], diametral=0.01))  # fmt: skip
-    rotor = Rotor(shafts=(bar(0.2, 0.1, LIGHT), bar(0.2, 0.1, LIGHT)), discs=discs,
-                  links=(Link(a=0, b=2, kxx=1e8, k_turn=k),))  # fmt: skip
-    assert free_turns(rotor) == 1
-    found = torsional_frequencies(rotor, count=1)
-    assert found == pytest.approx([np.sqrt(k * sum(J) / (J[0] * J[1]))], rel=1e-6)
-
-
 @pytest.mark.parametrize("k", [3e3, 1.7e5, 0.9e7])
 def test_shafts_in_a_row_have_one_free_turn(k):
     """Whatever round-off makes of the zero among the eigenvalues of their springs."""

@@ -77,15 +77,6 @@ def test_a_disc_of_any_size_and_place_yields_as_in_closed_form(nu):
     assert approach(disc, a=PATCHES, nu=nu) == pytest.approx(exact, rel=1e-9)
 
 
-def test_beyond_a_flank_there_is_no_outline():
-    whole = COLUMN
-    assert 0.4 < whole.turned < 0.6
-    assert 0.4 < whole.alpha_b < 0.6
-    assert whole.stands(turned=0.999 * whole.turned, alpha_b=0.0)
-    assert whole.outline(turned=1.001 * whole.turned, alpha_b=0.0) is None
-    assert whole.outline(turned=0.0, alpha_b=1.001 * whole.alpha_b) is None
-
-
 def made(size=1.0, R_ed=26.23e-3, b=4e-3, r_i=4.02e-3):
     sprag = LogSprag.from_wedge_angle(
         nu_0=0.055, R_i=size * 11.11e-3, R_e=size * 19.44e-3, r_i=size * r_i

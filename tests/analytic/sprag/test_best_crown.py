@@ -31,22 +31,6 @@ def test_without_ends_that_carry_one_regime_is_kriged():
     assert whole[-1, -1, -1] == pytest.approx(4e9, rel=1e-3)
 
 
-PRESSURE = np.array([[[2.0, 1.0, 2.5, 1.0, 2.0], [0.0, 3.0, 2.0, 3.0, 0.0]]])  # 1 crown, 2 torques
-
-
-def peaks(by):
-    return Peaks(np.ones((1, 3)), np.array([10.0, 25.0]), np.ones((1, 2)), PRESSURE, by)
-
-
-def test_strips_count_ends_that_carry_for_more():
-    assert peaks("strips").objective == pytest.approx(np.array([[END * 2.0, 3.0]]))
-    assert peaks("strips").largest.tolist() == [[2.5, 3.0]]
-    alone = peaks("strips").of(1)  # of several torques
-    assert alone.torques.tolist() == [25.0]
-    assert alone.end.tolist() == [[0.0]]
-    assert alone.inside.tolist() == [[3.0]]
-
-
 RADII = {"R_i": 11.11e-3, "R_e": 19.44e-3, "r_i": 4.02e-3}
 SPRAG = LogSprag.from_wedge_angle(nu_0=0.055, **RADII)
 SIZES = Sizes(
@@ -65,6 +49,22 @@ def test_a_drawn_sprag_lies_where_the_triangle_has_it():
     assert found.nu == pytest.approx(float(at.nu), rel=2e-5)
     assert found.alpha == pytest.approx(float(at.alpha_b), rel=1e-5)
     assert pytest.approx(float(at.T), rel=2e-5) == found.T
+
+
+PRESSURE = np.array([[[2.0, 1.0, 2.5, 1.0, 2.0], [0.0, 3.0, 2.0, 3.0, 0.0]]])  # 1 crown, 2 torques
+
+
+def peaks(by):
+    return Peaks(np.ones((1, 3)), np.array([10.0, 25.0]), np.ones((1, 2)), PRESSURE, by)
+
+
+def test_strips_count_ends_that_carry_for_more():
+    assert peaks("strips").objective == pytest.approx(np.array([[END * 2.0, 3.0]]))
+    assert peaks("strips").largest.tolist() == [[2.5, 3.0]]
+    alone = peaks("strips").of(1)  # of several torques
+    assert alone.torques.tolist() == [25.0]
+    assert alone.end.tolist() == [[0.0]]
+    assert alone.inside.tolist() == [[3.0]]
 
 
 def test_the_crown_is_eq_1_in_its_range_and_flat_in_the_middle():

@@ -1,10 +1,13 @@
 """Laws of one contact, pressures along crowned sprags, races as rings."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from analytic.contact import crown, slices
 from analytic.contact.hertz_line_approach import approach_to_depth
+from analytic.ring import rotating
 from analytic.sprag import pressure
 from analytic.sprag.closure import wedged
 from analytic.sprag.clutch import Clutch
@@ -41,16 +44,6 @@ def test_slices_are_met_between_their_loads_from_none_to_the_largest(contact):
     assert np.all(np.diff(way) > 0)
 
 
-def test_the_plane_law_adds_the_approaches_of_both_bodies():
-    body = {"E": 200e9, "nu": 0.3}
-    law = plane_law(l=2.0, r=1.0, R=-2.0, depth_sprag=0.5, depth_race=0.7, **body)
-    P, R = 1e4 / 2.0, 2.0
-    a = np.sqrt(4 * P * R / (np.pi * 200e9 / 0.91 / 2))
-    each = [approach_to_depth(d, P=P, a=a, assumption="plane strain", **body) for d in (0.5, 0.7)]
-    assert float(law(np.array(1e4))) == pytest.approx(sum(map(float, each)), rel=1e-12)
-    assert float(law(np.array(0.0))) == 0.0
-
-
 CONTACT = {"length": 9e-3, "R": 2.95e-3, "E_star": 113.2e9}  # the inner contact of Huang 2018
 PRESSURE_N = np.array([0.0, 50.0, 900.0, 3407.0, 6238.0, 5000.0])
 
@@ -82,9 +75,28 @@ def test_the_outer_flank_lies_in_its_bore():
     assert 0.95 * hertz < mid(outer) < hertz < outer.peak_pressure.max()
 
 
+def test_the_plane_law_adds_the_approaches_of_both_bodies():
+    body = {"E": 200e9, "nu": 0.3}
+    law = plane_law(l=2.0, r=1.0, R=-2.0, depth_sprag=0.5, depth_race=0.7, **body)
+    P, R = 1e4 / 2.0, 2.0
+    a = np.sqrt(4 * P * R / (np.pi * 200e9 / 0.91 / 2))
+    each = [approach_to_depth(d, P=P, a=a, assumption="plane strain", **body) for d in (0.5, 0.7)]
+    assert float(law(np.array(1e4))) == pytest.approx(sum(map(float, each)), rel=1e-12)
+    assert float(law(np.array(0.0))) == 0.0
+
+
 def test_hoop_stresses_balance_the_pressure_on_a_race():
     """Their mean over the wall is pressure times radius over thickness; the largest is more."""
     found = hoop(PARTS, 3000.0, 3000.0)
     mean = 12 * 3000.0 / (2 * np.pi * 9e-3) / (26.23e-3 - 19.44e-3)
     assert found["s_e"] > mean > 0 > found["s_i"] > found["s_id"]
     assert found["Tresca_i"] == -found["s_id"]
+
+
+def test_speed_makes_the_outer_race_grow_by_eq_8(parts):
+    bore = rotating.radial_displacement(
+        19.44e-3, r_i=19.44e-3, r_o=26.23e-3, rho=7850.0, omega=1000.0, E=206e9, nu=0.3,
+        assumption="plane stress",
+    )  # fmt: skip
+    assert float(replace(parts, omega=1000.0).palmgren().yields(1.0).d_ce) == float(bore)
+    assert float(parts.palmgren().yields(1.0).d_ce) == 0.0

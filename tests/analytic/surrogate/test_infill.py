@@ -81,16 +81,6 @@ def played(points: list[tuple[float, float]], values: dict[float, float], **opti
     )
 
 
-def test_agreement_is_asked_for_as_often_as_given_and_on_a_design_already_there_adds_none() -> None:
-    ended = played([(1.0, 20.0)], {1.0: 1.002})
-    assert ended.history[-1].on_design
-    assert len(ended.designs) == len(ended.answers) == len(X)
-    points = [(0.1, 15.0), (0.2, 15.0), (0.3, 15.0), (0.4, 15.0), (0.5, 15.0)]
-    values = {0.1: 1.001, 0.2: 1.2, 0.3: 1.002, 0.4: 1.003}
-    assert len(played(points, values, in_a_row=2).history) == 4  # a miss between starts again
-    assert len(played([(1.0, 20.0)], {1.0: 1.002}, in_a_row=2).history) == 1  # nothing to learn
-
-
 def test_no_agreement_on_a_design_or_in_the_rounds_given_says_so() -> None:
     with pytest.raises(NoAgreementError, match=r"0.50% after 2 rounds: the last has 1 for 9 at"):
         played([(0.1, 15.0), (0.2, 15.0)], {}, rounds=2)
