@@ -1,9 +1,10 @@
-"""The equivalent column beside the elastica: Haringx, Euler, the force method."""
+"""The force method, the elastica and the equivalent column: closed forms and one another."""
 
 import math
 
 import numpy as np
 import pytest
+from scipy.special import ellipe, ellipk
 
 from analytic.spring import column, frame
 from analytic.spring.elastica import Elastica
@@ -13,10 +14,59 @@ SHAPE = {"L1": 11.6, "radius": 0.5, "alpha": math.radians(80)}
 STRIP = {"b": 0.1, "h": 56.0, "E": 206e3, "nu": 0.3}
 
 
-def spring(n, tail="arc", b=0.1, **changes):
-    EA = 206e3 * 56 * b
-    parts = frame.pieces(n=n, **SHAPE | changes, tail=tail)
-    return Elastica(parts, EI=EA * b**2 / 12, EA=EA, GA=5 / 6 * EA / 2.6)
+def spring(n, tail="arc"):
+    EA = 206e3 * 56 * 0.1
+    parts = frame.pieces(n=n, **SHAPE, tail=tail)
+    return Elastica(parts, EI=EA * 0.1**2 / 12, EA=EA, GA=5 / 6 * EA / 2.6)
+
+
+def test_a_straight_cantilever_bends_as_in_every_table():
+    """A leaf of length L along y: L³/3EI for a force along x, L²/2EI turning, no C_yy."""
+    L, EI = 7.0, 206e3 * 56.0 * 0.1**3 / 12
+    C = frame.flexibility(frame.sections(iter([(L, 0.0)])), **STRIP, theory="bending")
+    np.testing.assert_allclose(
+        C * EI, [[L**3 / 3, 0, L**2 / 2], [0, 0, 0], [L**2 / 2, 0, L]], atol=1e-10
+    )
+
+
+@pytest.mark.parametrize("nu", [0.0, 0.3, 3 / 7], ids=["nu 0", "nu 0.3", "nu 0.3, plane strain"])
+@pytest.mark.parametrize("b", [0.025, 0.05, 0.1])
+def test_a_quarter_ring_under_a_radial_force_deflects_as_in_plane_elasticity(b, nu):
+    """Timoshenko and Goodier, art. 33: pi D/E with D = P (i² + o²)/N, whatever nu is.
+
+    What the thick theory leaves out is of the fourth order in b/R; without nu in the coupling of
+    M and N it would be 0.06 (b/R)².
+    """
+    R, h, E = 0.5, 56.0, 206e3
+    i, o = R - b / 2, R + b / 2
+    N = (i**2 + o**2) * math.log(o / i) - (o**2 - i**2)
+    exact = math.pi * (i**2 + o**2) / (E * h * N)
+    quarter = frame.sections(iter([(R * math.pi / 2, -math.pi / 2)]))
+    C = frame.flexibility(quarter, b=b, h=h, E=E, nu=nu, theory="thick")
+    assert C[0, 0] == pytest.approx(exact, rel=0.1 * (b / R) ** 4)
+
+
+@pytest.mark.parametrize("tail", ["arc", "mid-leaf"])
+@pytest.mark.parametrize("head", ["free", "hinged", "guided"])
+def test_a_small_push_meets_the_stiffness_of_the_force_method(head, tail):
+    k = frame.stiffness(n=10, **SHAPE, **STRIP, head=head, tail=tail, theory="shear")
+    error = [spring(10, tail).path(head, [U])[0].F / U / k - 1 for U in (2e-4, 1e-4)]
+    assert 2 * error[1] - error[0] == pytest.approx(0, abs=1e-9)
+
+
+def test_a_straight_column_bends_as_the_elastica_of_elliptic_integrals():
+    """T. & G., art. 2.7: a cantilever whose end has turned by 60 deg."""
+    line, k = Elastica([(1.0, 0.0)] * 4, EI=1.0), math.sin(math.radians(30))
+    K, E = ellipk(k**2), ellipe(k**2)
+    P = (K / 4) ** 2
+    state = line.unloaded()
+    for share in np.linspace(0.2, 1, 9):  # round the bifurcation, pushed a little aside
+        state = line.pushed((2e-2 * P, share * P), state)
+    for aside in (5e-3, 0.0):
+        state = line.pushed((aside * P, P), state)
+    assert abs(state.head[0]) == pytest.approx(math.radians(60), rel=1e-8)
+    assert 4 - state.drift == pytest.approx(4 * (2 * E / K - 1), rel=1e-8)
+    assert abs(state.U) == pytest.approx(4 * 2 * k / K, rel=1e-8)
 
 
 @pytest.mark.parametrize("alpha", [20.0, 55.0, 80.0, 90.0])

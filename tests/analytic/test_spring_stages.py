@@ -85,17 +85,6 @@ def test_force_and_displacement_are_each_other_s_inverse_and_have_no_jump():
     assert s.intercept == pytest.approx(s.F_A - s.k2 * s.U_A)
 
 
-def test_a_guide_moves_point_a_as_worked_out_by_hand():
-    """Another derivation: the guide takes a couple of -0.36 mm F."""
-    free, guided = (stages(**PAPER, head=head) for head in ("free", "guided"))
-    assert [float(v) for v in (free.k1, free.U_A, free.F_A)] == pytest.approx(
-        [0.55997, 12.3828, 6.9340], rel=2e-5
-    )
-    assert [float(v) for v in (guided.k1, guided.U_A, guided.F_A)] == pytest.approx(
-        [0.56510, 13.9607, 7.8892], rel=5e-5
-    )
-
-
 NU = 0.3
 WIDEST = 1 / (1 - NU**2)
 

@@ -45,7 +45,7 @@ def test_the_rim_lies_on_the_flat_where_it_is_pressed_and_below_it_elsewhere(a):
     assert np.all(solved.pressure(np.linspace(-a, a, 101)[1:-1]) > 0)
 
 
-@pytest.mark.parametrize("quantity", ["pressure", "width", "approach"])
+@pytest.mark.parametrize("quantity", ["pressure", "width", "moment width", "approach"])
 def test_the_first_correction_leaves_an_error_of_fourth_order(quantity):
     def left(a):
         solved = disc_in_contact(a=a, R=1.0, E_plane=1.0)
@@ -55,6 +55,8 @@ def test_the_first_correction_leaves_an_error_of_fourth_order(quantity):
             "pressure": solved.p_0 / hertz_line.peak_pressure(**load) - 1
             - disc_series.pressure_excess(a=a, R=1.0),
             "width": a / hertz_line.half_width(**load) - 1 - disc_series.width_excess(a=a, R=1.0),
+            "moment width": solved.moment_width / hertz_line.half_width(**load) - 1
+            - disc_series.moment_width_excess(a=a, R=1.0),
             "approach": (solved.approach - series) / solved.P,
         }[quantity]  # fmt: skip
 

@@ -1,14 +1,15 @@
-"""Half-spaces in contact: closed forms, conditions of contact, Love's displacements."""
+"""Half-spaces and rollers on them: closed forms, conditions of contact, tilt, readings."""
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy.integrate import quad
 
-from analytic.contact import love
+from analytic.contact.crown_again import logarithmic, lundberg
 from analytic.contact.half_space import HalfSpace, press
 from analytic.contact.half_space_contact import HalfSpaceContact, centres
+from analytic.contact.half_space_ridge import press_ridge
+from analytic.contact.half_space_roller import press_roller
 
 E_STAR, R, A = 1e11, 1e-2, 1e-4  # Pa, m and m: a sphere with this half-width of contact
 LOAD = 4 * E_STAR * A**3 / (3 * R)  # Johnson, Contact Mechanics, Eqs. 4.22 to 4.24
@@ -49,20 +50,18 @@ def assert_in_contact(found: HalfSpaceContact, tolerance: float = 1e-10) -> None
     assert found.complementarity <= most / found.displacement.max()
 
 
-def test_a_sphere_has_hertzs_pressure_area_and_approach() -> None:
-    found = sphere(128)
-    assert found.pressure.max() == pytest.approx(PEAK, rel=1e-3)
-    assert found.approach == pytest.approx(APPROACH, rel=1e-4)
-    assert found.carries.sum() * found.area == pytest.approx(np.pi * A**2, rel=1e-2)
-    assert off_hertz(found) < 5e-3
-    assert_in_contact(found)
-
-
-def test_errors_of_a_sphere_fall_with_the_cell() -> None:
+def test_a_sphere_converges_to_hertzs_pressure_area_and_approach() -> None:
     counts = np.array([16, 32, 64, 128])
-    norms = [off_hertz(sphere(n)) for n in counts]
+    spheres = [sphere(n) for n in counts]
+    norms = [off_hertz(found) for found in spheres]
     order = -np.polyfit(np.log(counts), np.log(norms), 1)[0]
     assert 0.8 < order < 1.4, f"{order}, errors {norms}"  # a stepped rim, sqrt(r) within: 1
+    assert norms[-1] < 5e-3
+    finest = spheres[-1]
+    assert finest.pressure.max() == pytest.approx(PEAK, rel=1e-3)
+    assert finest.approach == pytest.approx(APPROACH, rel=1e-4)
+    assert finest.carries.sum() * finest.area == pytest.approx(np.pi * A**2, rel=1e-2)
+    assert_in_contact(finest)
 
 
 @settings(max_examples=25, deadline=None)
@@ -90,15 +89,30 @@ def test_what_does_not_converge_says_so() -> None:
         press(rough(9), cell=(1e-6, 2e-6), E_star=E_STAR, load=5.0, limit=3)
 
 
-@pytest.mark.parametrize(("x", "y"), [(0.1, 0.05), (2.0, -0.1)])
-def test_loves_displacement_is_boussinesqs_over_the_rectangle(x: float, y: float) -> None:
-    """1/(pi E* r): along y in closed form, along x by quadrature."""
-    a, b, E_star = 0.7, 0.2, 3.0
+ROLLER = {"R": 2.95e-3, "length": 9e-3, "E_star": 113e9}  # a sprag's on its race
+DESIGN = {"load": 3407.0, "length": 9e-3, "E_star": 113e9}
 
-    def strip(s: float) -> float:
-        d = abs(x - s)
-        return float(np.arcsinh((y + b) / d) - np.arcsinh((y - b) / d))
 
-    total, _ = quad(strip, -a, a, points=[x] if abs(x) < a else None, epsrel=1e-12)
-    found = love.displacement(x, y, a=a, b=b, E_star=E_star)
-    assert found == pytest.approx(total / (np.pi * E_star), rel=1e-9)
+def test_a_tilt_loads_the_end_of_a_roller_where_the_gap_closes() -> None:
+    crown = logarithmic(K_1=1.0, K_2=0.7, z_m=1e-5, **DESIGN)
+    up, down = (
+        press_roller(crown, **ROLLER, load=3407.0, cells=(32, 128), tilt=t) for t in (3e-4, -3e-4)
+    )
+    assert up.contact.moments[0] < -0.1 * 3407.0 * 1e-3
+    assert up.contact.moments[0] == pytest.approx(-down.contact.moments[0], rel=1e-6)
+    assert up.line_load == pytest.approx(down.line_load[::-1], abs=1e-6 * up.line_load.max())
+
+
+def test_an_even_load_is_symmetric_and_has_hertz_s_pressure_and_width() -> None:
+    even = press_ridge(lundberg(**DESIGN), across=8, along=128, load=3407.0, d=0.5e-3, **ROLLER)
+    q = 3407.0 / 9e-3
+    found = even.values
+    assert found["p_mid"] == pytest.approx(np.sqrt(q * 113e9 / (np.pi * 2.95e-3)), rel=0.01)
+    assert found["b_mid"] == pytest.approx(np.sqrt(4 * q * 2.95e-3 / (np.pi * 113e9)), rel=0.01)
+    assert found["q_mid"] == pytest.approx(q, rel=0.01)
+    assert even.unevenness < 0.02
+    assert abs(found["balance"]) < 1e-8 * 3407.0
+    assert found["F_low"] == pytest.approx(found["F_high"], rel=1e-6)
+    assert found["F_d"] == found["F_low"] + found["F_high"]
+    assert abs(found["M"]) < 1e-6 * 3407.0 * 9e-3
+    assert even.beyond(0.5e-3).max() <= found["p_max"] <= found["p_top"] * (1 + 1e-12)

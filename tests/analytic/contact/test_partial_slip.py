@@ -20,12 +20,9 @@ def c_of():
     return float(partial_slip.stick_half_width(**LOAD))
 
 
-def test_the_traction_carries_the_tangential_force():
+def test_the_traction_carries_the_force_and_uses_friction_up_where_it_slips_alone():
     carried, _ = quad(q, -0.5, 0.5, points=[-c_of(), c_of()], epsabs=1e-11, limit=200)
     assert carried == pytest.approx(LOAD["Q"], rel=1e-8)
-
-
-def test_friction_is_used_up_where_it_slips_and_nowhere_else():
     x = np.linspace(-0.5, 0.5, 201)
     limit = 0.4 * 2 * 2.0 / (np.pi * 0.5) * np.sqrt(1 - (x / 0.5) ** 2)
     traction, stuck = partial_slip.traction(x, **LOAD), np.abs(x) < c_of()

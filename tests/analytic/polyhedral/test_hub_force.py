@@ -90,17 +90,6 @@ def test_the_cuts_balance_the_pressure(z):
     assert corner.moment - mid.moment == pytest.approx(turned, abs=1e-7 * mid.moment)
 
 
-@pytest.mark.parametrize(("normal", "along"), [(1.0, 0.0), (0.0, 1.0)])
-def test_the_cuts_balance_the_hub(normal, along):
-    hub = hub_force(sector=HEXAGON, e=9.0, normal=normal, along=along)
-    mid, corner = cut_loads(sector=HEXAGON, field=hub)
-    across, up = normal / 2, along / 2  # along x and y, on the half sector
-    assert corner.force * np.sin(np.pi / 6) == pytest.approx(across, abs=1e-8)
-    assert corner.force * np.cos(np.pi / 6) - mid.force == pytest.approx(-up, abs=1e-8)
-    turned = HEXAGON.apothem * up - 9.0 * across
-    assert corner.moment - mid.moment == pytest.approx(-turned, abs=1e-6)
-
-
 CONTACT = RollerContact(HEXAGON, Roller(d=10.0, j_D=0.06), 210e3, 0.3, "plane stress")
 
 

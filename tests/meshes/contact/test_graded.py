@@ -1,4 +1,4 @@
-"""Discs, blocks and races are fine where they touch, coarse far from it, and nowhere folded."""
+"""Discs, blocks and races are fine where they touch and nowhere folded; cells grow as asked."""
 
 from math import asin
 
@@ -9,7 +9,9 @@ from skfem import MeshQuad1, MeshQuad2
 from fem.plane.geometry import check_unfolded, jacobians
 from meshes.contact.block import full_block, half_block
 from meshes.contact.disc import half_disc, quarter_disc
+from meshes.contact.grading import beta, cells_along, last_cell
 from meshes.contact.race import half_race
+from meshes.counts import at_least, nearest
 
 ZONE = 0.03
 GAUSS = np.stack(np.meshgrid(*[(0.5 + np.array([-1, 0, 1]) * np.sqrt(0.15))] * 2)).reshape(2, -1)
@@ -132,3 +134,32 @@ def test_no_cell_is_folded_slender_or_skewed_and_neighbours_grow_by_less_than_si
     least, most = (45, 140) if make is disc else (20, 160)
     assert least < angles.min()
     assert angles.max() < most
+
+
+def places(length, n, b):
+    """Roberts' stretching in closed form, at n + 1 even parameters."""
+    ratio = ((b + 1) / (b - 1)) ** (1 - np.arange(n + 1) / n)
+    return length * ((b + 1) - (b - 1) * ratio) / (ratio + 1)
+
+
+@pytest.mark.parametrize(
+    ("length", "first", "growth"),
+    [(1.0, 0.1, 1.6), (1.0, 1e-4, 1.6), (500.0, 1.0, 1.2), (3.0, 2.5, 2.0)],
+)
+def test_cells_grow_by_no_more_than_asked_and_start_with_their_size(length, first, growth):
+    n = cells_along(length=length, first=first, growth=growth)
+    b = beta(length=length, first=first, cells=n)
+    sizes = np.diff(places(length, n, b))
+    assert (sizes[1:] / sizes[:-1]).max(initial=1) < growth * (1 + 1e-9)
+    # the size at the very start, where a map of many more cells has it
+    many = np.diff(places(length, 10_000 * n, b))
+    assert many[0] * 10_000 == pytest.approx(first, rel=1e-3)
+    assert last_cell(length=length, cells=n, beta=b) == pytest.approx(sizes[-1], rel=1e-9)
+
+
+@pytest.mark.parametrize("off", [-1e-13, 0.0, 1e-13])
+def test_round_off_of_a_ratio_asks_for_no_cell_more_or_less(off):
+    assert at_least(4000 * (1 + off)) == nearest(4000 * (1 + off)) == 4000
+    assert nearest(12.5 * (1 + off)) == 13
+    assert (at_least(0.3 + off), at_least(11.001 + off)) == (1, 12)
+    assert (nearest(0.3 + off), nearest(11.001 + off)) == (0, 11)
