@@ -94,3 +94,12 @@ def test_a_clutch_twice_as_large_under_four_times_the_force_is_strained_alike():
         assert float(other.yields.H) == pytest.approx(2 * float(one.yields.H), rel=1e-6)
         assert float(other.alpha_b) == pytest.approx(float(one.alpha_b), rel=1e-6)
     assert large.rolls_over_at == pytest.approx(8 * small.rolls_over_at, rel=1e-5)
+
+
+def test_beyond_a_flank_there_is_no_outline():
+    whole = COLUMN
+    assert 0.4 < whole.turned < 0.6
+    assert 0.4 < whole.alpha_b < 0.6
+    assert whole.stands(turned=0.999 * whole.turned, alpha_b=0.0)
+    assert whole.outline(turned=1.001 * whole.turned, alpha_b=0.0) is None
+    assert whole.outline(turned=0.0, alpha_b=1.001 * whole.alpha_b) is None

@@ -4,11 +4,12 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq, minimize_scalar
 
+from analytic.contact import hertz_line
 from analytic.sprag import printed
 from analytic.sprag.closure import at_rotation, at_torque, wedged
 from analytic.sprag.clutch import Clutch
 from analytic.sprag.compression import sprag_compression
-from analytic.sprag.limits import limits, slips
+from analytic.sprag.limits import limits, pressures, slips
 from analytic.sprag.parts import Parts
 from analytic.sprag.search import first_reach
 
@@ -179,3 +180,17 @@ def test_a_power_is_inverted_to_round_off_from_any_first_guess():
     for start in (1e-8, 1.0, 1e8):
         found = first_reach(lambda N: N**0.9, goal, start=np.full(3, start))
         assert found == pytest.approx(goal ** (1 / 0.9), rel=1e-12)
+
+
+def test_pressures_are_hertz_s_and_the_inner_one_is_the_larger(parts, clutch):
+    now = wedged(clutch, np.array([0.0, 3407.0]))
+    p_i, p_o = pressures(parts, now)
+    assert p_i[0] == p_o[0] == 0.0
+    outer = hertz_line.peak_pressure(P=now.N_e[1] / 9e-3, R=parts.R_contact_e, E_star=parts.E_star)
+    assert p_o[1] == pytest.approx(float(outer), rel=1e-12)
+    r = float(now.rho[1] * np.hypot(1, parts.sprag.m))  # the spiral has grown
+    inner = hertz_line.peak_pressure(
+        P=3407 / 9e-3, R=hertz_line.relative_radius(R_1=r, R_2=11.11e-3), E_star=parts.E_star
+    )
+    assert p_i[1] == pytest.approx(float(inner), rel=1e-12)
+    assert p_i[1] > p_o[1]

@@ -14,6 +14,7 @@ from analytic.sprag.course import energy
 from analytic.sprag.motion import Motion
 from analytic.sprag.oscillation import Oscillation
 from analytic.sprag.race_spring import Blades, reached
+from analytic.sprag.sliding import sliding
 from analytic.sprag.swing import Driven, swing, time_to_rest
 from analytic.sprag.work_balance import at_rest, frequency, undamped
 from tests.analytic.sprag.models import PARTS, SPRAG
@@ -113,3 +114,10 @@ def test_samples_are_of_all_histories_and_balance(engaged):
     assert found["torque"] + found["blades"] == pytest.approx(
         kept + found["friction"] + found["missing"]
     )
+
+
+def test_sprags_that_slide_bear_more_as_friction_comes_near_the_wedge(spring):
+    tan = math.tan(0.055)
+    N = [sliding(spring, share * tan).N for share in (0.5, 0.7, 0.9)]
+    assert N[0] < N[1] < N[2]
+    assert sliding(spring, -0.1).outside

@@ -92,3 +92,16 @@ GOOD = {
 def test_sizes_that_do_not_fit_are_refused(make, changed, message):
     with pytest.raises(ValueError, match=message):
         make(**GOOD[make] | changed)
+
+
+def test_both_ends_of_a_roller_have_even_cells_on_their_own_zones():
+    cells, refine, zones = 4, 3, {"near": 1e-4, "far": 3e-4}
+    mesh = half_roller(R=R, zones=tuple(zones.values()), refine=refine, cells=cells)
+    for name, zone in zones.items():
+        y = np.unique(corners(mesh, name)[1])
+        fine = y[y < zone * (1 + 1e-9)]
+        assert fine.size == cells * refine + 1
+        size = np.arcsin(zone / R) / (cells * refine)
+        np.testing.assert_allclose(np.diff(np.arcsin(fine / R)), size, rtol=1e-6)
+    for zones in ((R / 2, 1e-5), (1e-5, R / 2)):
+        assert jacobians(half_roller(R=R, zones=zones, refine=2), GAUSS)[1].min() > 0
