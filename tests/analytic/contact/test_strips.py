@@ -166,3 +166,12 @@ def test_a_peak_at_the_end_counts_only_with_ends_included(n):
     assert one.p_max == 1.0
     assert one.p_top == 5.0
     assert one.p_mid == one.q_mid == 1.0
+
+
+@pytest.mark.parametrize("n", [1, 2, 51])
+def test_load_and_approach_lead_back_to_each_other(n):
+    gap = barrel(n, tilt=3e-4)
+    by_load = press(gap, **SPRAG, load=3400.0)
+    by_approach = press(gap, **SPRAG, approach=by_load.approach)
+    assert float(by_approach.load) == pytest.approx(3400.0, rel=1e-8)
+    np.testing.assert_allclose(by_approach.q, by_load.q, atol=1e-8 * by_load.q.max())

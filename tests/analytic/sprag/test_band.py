@@ -7,6 +7,7 @@ from numba.core.caching import CacheImpl
 from analytic.sprag.engagement import (
     Contacts,
     Law,
+    both,
     compiled,
     friction,
 )
@@ -69,3 +70,24 @@ def doubled(x: float) -> float:
 def test_where_no_folder_can_be_written_code_is_compiled_again(monkeypatch):
     monkeypatch.setattr(CacheImpl, "_locator_classes", [])
     assert compiled(doubled)(2.0) == 4.0
+
+
+def test_bounded_forces_are_the_best_in_the_box():
+    """Against many points of the box; d - a T then points out of it."""
+    rng = np.random.default_rng(1)
+    side = np.linspace(-1, 1, 201)
+    x, y = (p.ravel() for p in np.meshgrid(side, side))
+    for _ in range(50):
+        d_i, d_e = rng.normal(scale=4.0, size=2)
+        root = rng.normal(size=(2, 2))
+        a = root @ root.T + 0.1 * np.eye(2)
+        c = contacts(a_ii=a[0, 0], a_ie=a[0, 1], a_ee=a[1, 1], most_i=0.5, most_e=2.0)
+
+        def cost(T_i, T_e, a=a, d_i=d_i, d_e=d_e):
+            square = a[0, 0] * T_i**2 / 2 + a[0, 1] * T_i * T_e + a[1, 1] * T_e**2 / 2
+            return square - d_i * T_i - d_e * T_e
+
+        T_i, T_e = both(c, d_i, d_e)
+        assert abs(T_i) <= 0.5
+        assert abs(T_e) <= 2.0
+        assert cost(T_i, T_e) <= cost(0.5 * x, 2.0 * y).min() + 1e-12
