@@ -5,12 +5,7 @@ from math import pi
 import gmsh
 import numpy as np
 import pytest
-from skfem import (
-    MeshQuad1,
-    MeshQuad2,
-    MeshTri1,
-    MeshTri2,
-)
+from skfem import MeshQuad1, MeshQuad2, MeshTri1, MeshTri2
 
 from meshes.plane import plane_mesh
 from meshes.session import gmsh_session

@@ -17,8 +17,7 @@ def areas(mesh):
 
 @pytest.mark.parametrize("loaded", ["bore", "rim"])
 @pytest.mark.parametrize(
-    ("n", "ratio", "alpha"),
-    [(2, 4.0, 1e-4), (12, 1.35, 0.1), (48, 1.05, 8e-3)],
+    ("n", "ratio", "alpha"), [(2, 4.0, 1e-4), (12, 1.35, 0.1), (48, 1.05, 8e-3)]
 )
 def test_cells_fill_the_sector_without_folds(n, ratio, alpha, loaded):
     r = 1.0 if loaded == "bore" else ratio

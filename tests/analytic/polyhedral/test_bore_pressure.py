@@ -5,10 +5,7 @@ import pytest
 from scipy.special import j1
 
 from analytic.polyhedral import free_rim
-from analytic.polyhedral.bore_pressure import (
-    pressed,
-    rim_displacement,
-)
+from analytic.polyhedral.bore_pressure import pressed, rim_displacement
 from analytic.polyhedral.roller_load import roller_load
 from analytic.polyhedral.sector import Sector
 from analytic.ring import lame

@@ -12,10 +12,7 @@ from analytic.polyhedral.locking import Roller, RollerContact
 from analytic.polyhedral.rim_slope import rim_slope, steepest
 from analytic.polyhedral.roller_load import roller_load
 from analytic.polyhedral.sector import Sector
-from analytic.polyhedral.wall_stress import (
-    bore_stress,
-    rim_stress,
-)
+from analytic.polyhedral.wall_stress import bore_stress, rim_stress
 
 RING = {"d_e": 80.0, "d_i": 72.0, "rho": 2.0}
 PLACES = [(3, 9.0), (6, 9.0), (6, 17.3), (12, 8.0), (24, 2.0)]  # 17.3 mm: on the fillet

@@ -5,11 +5,7 @@ import pytest
 
 from analytic.rotor.shafts import UniformShaft, hutchinson
 from analytic.rotor.transfer_model import Disc, Rotor, Segment, Shaft, Support
-from analytic.rotor.transfer_modes import (
-    critical_speeds,
-    modes,
-    whirl_frequencies,
-)
+from analytic.rotor.transfer_modes import critical_speeds, modes, whirl_frequencies
 from analytic.rotor.transfer_shapes import mode_lines
 
 E, NU, RHO = 210e9, 0.3, 7850.0

@@ -4,13 +4,7 @@ import numpy as np
 import pytest
 from numba.core.caching import CacheImpl
 
-from analytic.sprag.engagement import (
-    Contacts,
-    Law,
-    both,
-    compiled,
-    friction,
-)
+from analytic.sprag.engagement import Contacts, Law, both, compiled, friction
 from analytic.sprag.friction import coefficient, static_limit
 from analytic.sprag.transient import NarrowBandError
 

@@ -55,10 +55,7 @@ def test_left_out_is_what_refits_of_every_regime_say(rough: Largest) -> None:
         predicted = []
         for y, keep, model in zip(roughs(X), keeps, rough.models, strict=True):
             refit = Kriging(
-                box=BOX,
-                designs=X[keep],
-                values=y[keep] ** 2,
-                length_scales=model.length_scales,
+                box=BOX, designs=X[keep], values=y[keep] ** 2, length_scales=model.length_scales
             )
             predicted.append(float(np.sqrt(max(0, refit.predict(X[i : i + 1])[0]))))
         expected.append(max(predicted) / true[i] - 1)
