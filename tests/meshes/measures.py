@@ -1,7 +1,11 @@
-"""Lengths, areas, nodes and normals of plane meshes, by quadrature."""
+"""Lengths, areas, nodes and normals of plane meshes, by quadrature and by corners; folds."""
 
 import numpy as np
 from skfem import Basis, ElementQuad1, ElementTriP1, FacetBasis, Functional, MeshTri1
+
+from fem.plane.geometry import check_unfolded, jacobians
+
+GAUSS = np.stack(np.meshgrid(*[(0.5 + np.array([-1, 0, 1]) * np.sqrt(0.15))] * 2)).reshape(2, -1)
 
 
 @Functional
@@ -43,3 +47,21 @@ def cuts_apart(mesh, body, z):
     right = np.array([[c, -s], [s, c]]) @ nodes(mesh, f"{body}.right")
     left, right = (x[:, np.argsort(np.hypot(*x))] for x in (left, right))
     return np.hypot(*(right - left)).max()
+
+
+def lengths(mesh, facets):
+    """Of every facet, or of those of a boundary by its name, along its chord."""
+    facets = mesh.boundaries[facets] if isinstance(facets, str) else facets
+    a, b = (mesh.p[:, ends] for ends in mesh.facets[:, np.asarray(facets)])
+    return np.hypot(*(b - a))
+
+
+def areas(mesh):
+    """Signed area of every quadrilateral by its corners."""
+    x, y = mesh.p[:, mesh.t]
+    return ((x[2] - x[0]) * (y[3] - y[1]) - (x[3] - x[1]) * (y[2] - y[0])) / 2
+
+
+def assert_unfolded(mesh):
+    check_unfolded(mesh, GAUSS)
+    assert jacobians(mesh, GAUSS)[1].min() > 0

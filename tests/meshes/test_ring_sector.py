@@ -5,14 +5,9 @@ import pytest
 
 from meshes.ring.quarter import quarter_ring
 from meshes.ring.sector import half_sector
+from tests.meshes.measures import areas, lengths
 
 RACE = {"r_i": 1.0, "r_o": 1.5, "n": 12, "loaded": "bore", "patch": 0.01}
-
-
-def areas(mesh):
-    """Signed area of every cell by its corners."""
-    x, y = mesh.p[:, mesh.t]
-    return 0.5 * sum(x[k] * y[(k + 1) % 4] - x[(k + 1) % 4] * y[k] for k in range(4))
 
 
 @pytest.mark.parametrize("loaded", ["bore", "rim"])
@@ -29,7 +24,7 @@ def test_cells_fill_the_sector_without_folds(n, ratio, alpha, loaded):
     flat = half_sector(r_i=1.0, r_o=ratio, n=n, loaded=loaded, patch=alpha * r, refine=1,
                        straight=True)  # fmt: skip
     assert flat.doflocs.shape[1] == flat.nvertices == mesh.nvertices
-    sides = np.hypot(*(mesh.p[:, mesh.facets[0]] - mesh.p[:, mesh.facets[1]]))[mesh.t2f]
+    sides = lengths(mesh, np.arange(mesh.nfacets))[mesh.t2f]
     assert (sides.max(axis=0) / sides.min(axis=0)).max() < 8
     radius, angle = np.hypot(*mesh.p), np.arctan2(mesh.p[1], mesh.p[0])
     assert radius.min() == pytest.approx(1.0, rel=1e-12)

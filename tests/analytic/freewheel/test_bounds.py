@@ -79,7 +79,6 @@ def test_a_hollow_shaft_winds_up_as_its_shear_says(star):
     assert intervals.winding(one, T, r, r + wall) == pytest.approx(thin, rel=1e-4)
 
 
-# Friction.
 def test_the_limit_s_interval_is_that_of_the_criterion_at_other_angles():
     own, mu = 0.06, 0.08
     low, high = at_limit(lambda tan: math.sqrt((mu / tan) ** 2 - 1), own, (-0.01, 0.02), mu)
@@ -99,7 +98,6 @@ def test_there_is_no_interval_where_the_torque_alone_may_slip(star):
     assert close.limit_creep() is None
 
 
-# The turn by the flats.
 def test_the_turn_by_the_flats_is_the_formulas(star):
     off, T, cam = 5e-6, 26.0, star.cam
 

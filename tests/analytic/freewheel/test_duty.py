@@ -52,7 +52,6 @@ def test_what_overruns_rests_or_has_no_state_has_no_limit_of_the_axial_load(star
         remedies.friction_for(duty(star, T=T), 1.0)
 
 
-# Remedies.
 @pytest.mark.parametrize("goal", [1.0, 1.1])
 def test_flats_moved_as_advised_have_the_ratio(star, goal):
     d = duty(star, mu=0.065)
@@ -68,7 +67,6 @@ def test_a_wider_clutch_that_is_advised_just_bears_the_torque(cup):
         assert np.isfinite(state.loaded(wide, d.T).N) == bears
 
 
-# Scatter.
 def test_the_scatter_is_the_same_every_time_and_that_of_first_order(star):
     first, again = (scatter(duty(star), SIGMA, "normal").drawn.alpha0 for _ in range(2))
     assert np.array_equal(first, again)

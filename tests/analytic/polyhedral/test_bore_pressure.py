@@ -76,21 +76,10 @@ def _harmonic(n, t, r_e, nu):
     kappa = (3 - nu) / (1 + nu)
 
     def columns(r):
-        up, down = r**n, (t / r) ** n
-        radial = [
-            -(n + 1) * (n - 2) * up,
-            -(n + 2) * (n - 1) * down,
-            -n * (n - 1) * up / r**2,
-            -n * (n + 1) * down / r**2,
-        ]
-        shear = [
-            n * (n + 1) * up,
-            -n * (n - 1) * down,
-            n * (n - 1) * up / r**2,
-            -n * (n + 1) * down / r**2,
-        ]
-        move = [(kappa - n - 1) * up * r, (kappa + n - 1) * down * r, -n * up / r, n * down / r]
-        return radial, shear, move
+        size = np.array([r**n, (t / r) ** n, r ** (n - 2), (t / r) ** n / r**2])
+        radial = -size * [(n + 1) * (n - 2), (n + 2) * (n - 1), n * (n - 1), n * (n + 1)]
+        shear = size * [n * (n + 1), -n * (n - 1), n * (n - 1), -n * (n + 1)]
+        return radial, shear, size * r * [kappa - n - 1, kappa + n - 1, -n, n]
 
     radial, shear, move = columns(1.0)
     inner_radial, inner_shear, _ = columns(t)

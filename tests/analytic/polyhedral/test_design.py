@@ -41,9 +41,6 @@ def test_rollers_that_are_not_touched_carry_nothing_and_the_clutch_says_so():
     assert replace(clutch, p_t=clutch.p_required).M_t == pytest.approx(100.0)
 
 
-# What is refused.
-
-
 CHAIN = {"p_1r": 18e6, "mu": 0.08, "z": 6, "D_i": 0.10006, "d_i": 0.072, "b": 0.03}
 
 

@@ -24,9 +24,6 @@ def test_no_equation_of_the_chain_fixes_the_wedge_angle():
     assert wide.M_t > 1.5 * narrow.M_t
 
 
-# Pressure on a side of the bore.
-
-
 def side_force(z, d_i, rho):
     """Resultant of a unit pressure along the normal of a side, fillets and all, per width.
 
@@ -127,9 +124,6 @@ def test_d_i_through_the_corners_makes_delta_1_the_least_wall():
     assert walls.max() == pytest.approx(PARTS.delta_mid, rel=1e-12)
     across_flats = 0.04 - abs(side / np.cos(np.pi / 6))  # the same d_i as distance of the flats
     assert across_flats.min() < 0  # cuts through the ring
-
-
-# Ring, rollers and hub at once.
 
 
 def equilibrium(parts, gamma, p_2, mu=0.08):

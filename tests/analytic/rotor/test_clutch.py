@@ -35,9 +35,6 @@ def size_of(one):
     return np.array([1.0, 1.0, one.L, one.L, one.d_t])
 
 
-# Equations 3 to 8, one by one, written out here with numbers of one's own.
-
-
 def test_eq_3_a_radial_displacement_counts_with_the_cosine_of_its_angle_to_the_sprag():
     delta_r, direction = 2e-6, 0.7
     q = np.array([delta_r * math.cos(direction), delta_r * math.sin(direction), 0, 0, 0])
@@ -135,9 +132,6 @@ def test_eq_11_the_axial_row_and_column_are_zero():
     assert not six[2].any()
     assert not six[:, 2].any()
     assert six[np.ix_([0, 1, 3, 4, 5], [0, 1, 3, 4, 5])] == pytest.approx(K)
-
-
-# The uniform clutch.
 
 
 @pytest.mark.parametrize("Z", [3, 5, 12, 24])

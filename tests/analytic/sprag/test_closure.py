@@ -160,9 +160,6 @@ def test_the_printed_lever_arms_are_halves(clutch):
     assert float(moment) == pytest.approx(0.0, abs=1e-12)
 
 
-# Limits.
-
-
 def test_at_the_slip_torque_nu_is_the_angle_of_friction(clutch):
     mu = 0.0555
     T = float(limits(clutch, mu=mu, theta_max=0.5).slip)

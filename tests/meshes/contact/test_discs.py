@@ -5,20 +5,15 @@ from math import cos, pi, radians, sin
 import numpy as np
 import pytest
 
-from fem.plane.geometry import check_unfolded, jacobians
 from meshes.contact.block import block, full_block, half_block
 from meshes.contact.disc import quarter_disc
 from meshes.contact.race import half_race
 from meshes.contact.roller import half_roller
 from meshes.contact.round import full_disc, full_ring
 from meshes.contact.tilted import placed, tilted_half_disc
+from tests.meshes.measures import assert_unfolded, lengths, vertices
 
 R_I, R_O, R = 0.02, 0.03, 0.005  # [m]
-GAUSS = np.stack(np.meshgrid(*[(0.5 + np.array([-1, 0, 1]) * np.sqrt(0.15))] * 2)).reshape(2, -1)
-
-
-def corners(mesh, name):
-    return mesh.p[:, np.unique(mesh.facets[:, mesh.boundaries[name]])]
 
 
 @pytest.mark.parametrize("around", [8, 80])
@@ -26,14 +21,12 @@ def corners(mesh, name):
 def test_whole_circles_have_even_cells_with_corners_on_both_axes(make, around):
     size = {"r_i": R_I, "r_o": R_O, "across": 3} if make is full_ring else {"R": R_O}
     mesh = make(**size, around=around)
-    check_unfolded(mesh, GAUSS)
-    assert jacobians(mesh, GAUSS)[1].min() > 0
+    assert_unfolded(mesh)
     for name in mesh.boundaries:
         radius = {"bore": R_I, "rim": R_O}[name]
         ends = mesh.p[:, mesh.facets[:, mesh.boundaries[name]]]
         assert ends.shape[2] == around
-        chord = np.hypot(*(ends[:, 1] - ends[:, 0]))
-        np.testing.assert_allclose(chord, 2 * radius * sin(pi / around), rtol=1e-7)
+        np.testing.assert_allclose(lengths(mesh, name), 2 * radius * sin(pi / around), rtol=1e-7)
         found = {tuple(p) for p in (ends / radius).reshape(2, -1).T}
         assert {(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)} <= found
 
@@ -41,7 +34,9 @@ def test_whole_circles_have_even_cells_with_corners_on_both_axes(make, around):
 @pytest.mark.parametrize("tilt", [0.0, radians(0.3), radians(45), radians(-7)])
 def test_a_tilted_half_disc_has_its_fine_cells_about_the_tilted_point(tilt):
     mesh = tilted_half_disc(R=R, tilt=tilt, zone=1e-4, refine=1, cells=8)
-    near = np.sort(np.hypot(*(corners(mesh, "surface") - R * np.array([[sin(tilt)], [cos(tilt)]]))))
+    near = np.sort(
+        np.hypot(*(vertices(mesh, "surface") - R * np.array([[sin(tilt)], [cos(tilt)]])))
+    )
     assert near[0] < 1e-12 * R
     # eight cells on each side, as long as the zone
     np.testing.assert_allclose(near[1:17:2], 1e-4 * np.arange(1, 9) / 8, rtol=1e-3)
@@ -98,10 +93,10 @@ def test_both_ends_of_a_roller_have_even_cells_on_their_own_zones():
     cells, refine, zones = 4, 3, {"near": 1e-4, "far": 3e-4}
     mesh = half_roller(R=R, zones=tuple(zones.values()), refine=refine, cells=cells)
     for name, zone in zones.items():
-        y = np.unique(corners(mesh, name)[1])
+        y = np.unique(vertices(mesh, name)[1])
         fine = y[y < zone * (1 + 1e-9)]
         assert fine.size == cells * refine + 1
         size = np.arcsin(zone / R) / (cells * refine)
         np.testing.assert_allclose(np.diff(np.arcsin(fine / R)), size, rtol=1e-6)
     for zones in ((R / 2, 1e-5), (1e-5, R / 2)):
-        assert jacobians(half_roller(R=R, zones=zones, refine=2), GAUSS)[1].min() > 0
+        assert_unfolded(half_roller(R=R, zones=zones, refine=2))

@@ -5,9 +5,8 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from fem.plane.geometry import check_unfolded
 from meshes.polyhedral.half_sector import half_sector
-from tests.meshes.measures import nodes
+from tests.meshes.measures import assert_unfolded, lengths, nodes
 
 D_E, D_I, FILLET = 0.08, 0.072, 0.002  # [m]
 ZONE, HUB = 4e-4, (8.5e-3, 9.5e-3)  # [m]
@@ -48,9 +47,6 @@ def test_a_ring_that_cannot_be_is_refused_with_its_rule(changed, rule):
         ring(**changed)
 
 
-GAUSS = np.stack(np.meshgrid(*[(0.5 + np.array([-1, 0, 1]) * np.sqrt(0.15))] * 2)).reshape(2, -1)
-
-
 share = st.floats(0.02, 0.98)
 
 
@@ -85,23 +81,21 @@ def test_no_cell_folds_whatever_the_ring(z, wall, fillet, zone, hub, cells):
     mesh = half_sector(
         z=z, d_e=1.0, d_i=d_i, fillet=fillet, refine=1, zone=zone, hub=hub, cells=cells
     )
-    check_unfolded(mesh, GAUSS)
+    assert_unfolded(mesh)
 
 
-def lengths(mesh, name):
-    """Of the facets along a boundary, from the middle of the side to the corner."""
-    ends = mesh.p[:, mesh.facets[:, np.asarray(mesh.boundaries[name])]]
-    middle = ends.mean(axis=1)
-    order = np.argsort(np.arctan2(middle[1], middle[0]))
-    return np.hypot(*(ends[:, 1] - ends[:, 0]))[order]
+def along(mesh, name):
+    """Lengths of the facets of a boundary, from the middle of the side to the corner."""
+    middle = mesh.p[:, mesh.facets[:, np.asarray(mesh.boundaries[name])]].mean(axis=1)
+    return lengths(mesh, name)[np.argsort(np.arctan2(middle[1], middle[0]))]
 
 
 @pytest.mark.parametrize(("z", "fillet"), [(3, 0.1), (48, 0.003)])
 def test_cells_grow_from_the_fillet_and_nowhere_by_more_than_four_times(z, fillet):
     mesh = half_sector(z=z, d_e=1.0, d_i=0.9, fillet=fillet, refine=4)
-    arc = lengths(mesh, "fillet")
+    arc = along(mesh, "fillet")
     np.testing.assert_allclose(arc, arc.mean(), rtol=1e-3)
-    flat = lengths(mesh, "flat")
+    flat = along(mesh, "flat")
     assert flat[-1] < 1.1 * arc.mean()
     growth = flat[:-1] / flat[1:]
     assert max(growth[-7:]) < 1.15  # the fourth root of 1.6

@@ -5,19 +5,15 @@ import pytest
 
 from meshes.revolution.cylinder import half_cylinder
 from meshes.revolution.section import chain, section, stations
-
-
-def length(mesh, name):
-    ends = mesh.p[:, mesh.facets[:, mesh.boundaries[name]]]
-    return np.hypot(*(ends[:, 1] - ends[:, 0])).sum()
+from tests.meshes.measures import lengths
 
 
 @pytest.mark.parametrize(("bore", "inside"), [(0.0, "axis"), (0.5, "bore")])
 def test_a_section_names_its_four_sides(bore, inside):
     mesh = section(r=[bore, 1.0, 2.0], z=[-1.0, 0.0, 2.0])
     assert set(mesh.boundaries) == {inside, "rim", "start", "end"}
-    assert length(mesh, "rim") == length(mesh, inside) == 3
-    assert length(mesh, "start") == length(mesh, "end") == 2 - bore
+    assert lengths(mesh, "rim").sum() == lengths(mesh, inside).sum() == 3
+    assert lengths(mesh, "start").sum() == lengths(mesh, "end").sum() == 2 - bore
     assert np.all(mesh.p[0, mesh.facets[:, mesh.boundaries["rim"]]] == 2)
     assert np.all(mesh.p[1, mesh.facets[:, mesh.boundaries["end"]]] == 2)
     assert mesh.subdomains["body"].size == mesh.nelements == 4
