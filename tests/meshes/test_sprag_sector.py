@@ -2,12 +2,14 @@
 
 from dataclasses import replace
 from math import asin, atan2, cos, hypot, nan, radians, sin, sqrt
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from meshes.sprag.profile import Placed, Sprag
 from meshes.sprag.sector import sprag_sector
+from meshes.sprag.wedged import Place
 from tests.meshes.measures import cuts_apart, nodes, vertices
 
 R_ID, R_I, R_E, R_ED, R_SPIRAL, M, Z = 7.21e-3, 11.11e-3, 19.44e-3, 26.23e-3, 4.02e-3, 0.0892, 12
@@ -130,3 +132,10 @@ def test_a_sprag_that_cannot_be_is_refused_in_one_line(changed, rule):
     with pytest.raises(ValueError, match=rule) as refused:
         replace(SPRAG, **changed)
     assert "\n" not in str(refused.value)
+
+
+def test_beta_is_the_angle_between_the_contacts_seen_from_the_axis():
+    place = Place(SimpleNamespace(sprag=SPRAG, R_i=R_I, R_e=R_E), TURN, D)
+    inner, outer = (atan2(x, y) for x, y in (place.free.inner, place.free.outer))
+    assert abs(inner) > 1e-3  # the contacts stand beside the middle of the pitch
+    assert place.beta == pytest.approx(inner - outer, rel=1e-12)

@@ -6,6 +6,7 @@ import pytest
 from meshes.contact import blocks
 from meshes.contact.block import block, half_block
 from meshes.polyhedral.half_sector import half_sector
+from meshes.topology import Topologies, Topology
 
 KEPT = blocks.TOPOLOGIES
 RING = {"z": 6, "d_e": 80.0, "d_i": 72.0, "fillet": 2.0, "refine": 1}
@@ -68,3 +69,23 @@ def test_a_moved_mesh_shares_what_does_not_move():
     # maps of cells belong to the nodes
     assert moved.mapping() is not ring.mapping()
     assert ring.mapping().mesh is ring
+
+
+def test_no_more_than_the_last_few_are_stored():
+    few, made = Topologies(most=2, nodes=100), []
+
+    def get(key, nodes=1):
+        def make():
+            made.append(key)
+            return Topology(None, np.zeros(nodes, int))
+
+        return few.get(key, make)
+
+    for key in "abacab":
+        get(key)
+    assert made == ["a", "b", "c", "b"]
+    assert list(few.kept) == ["a", "b"]
+    get("large", 101)  # is not kept, and drives out nothing
+    assert list(few.kept) == ["a", "b"]
+    get("wide", 100)
+    assert list(few.kept) == ["wide"]

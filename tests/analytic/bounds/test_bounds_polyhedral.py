@@ -118,3 +118,8 @@ def test_errors_of_contacts_grow_with_their_width():
     even = replace(ROLLER, j_D=0.0)
     assert even.on_ring(contacts.WIDTH, 1e-4, elastic=True)[1] == pytest.approx(even.reach(1e-4))
     assert ROLLER.bent(R_b=2e5, e=0.018) == pytest.approx(2 * ROLLER.bent(R_b=2e5, e=0.009))
+
+
+def test_the_relative_radius_is_that_of_roller_and_ring():
+    assert ROLLER.relative_radius == pytest.approx(5e-3 * 40e-3 / 45e-3)
+    assert ROLLER.wall == pytest.approx(8.55e-3)

@@ -1,6 +1,7 @@
 """Expected errors of wedged sprags and of engagements: what vanishes with what."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -75,3 +76,12 @@ def test_the_mass_of_sprags_widens_what_unequal_forces_take_on_both_sides():
     low, high = bounds_engagement().spring()
     assert (low, high) == pytest.approx((-1.2e-3 - 5e-4, 5e-4))
     assert bounds_engagement().both() == pytest.approx((low - high, high - low))
+
+
+@pytest.mark.parametrize(("r_i", "R_i"), [(4e-3, 11e-3), (11e-3, 4e-3)])
+def test_the_wider_contact_is_that_over_its_smaller_radius(r_i, R_i):
+    one = bounds()
+    q = replace(one.sizes, r_i=r_i, R_i=R_i, r_e=5e-3)
+    inner, outer = (replace(one, sizes=q, a=a) for a in ((4e-5, 1e-5), (1e-5, 1e-4)))
+    assert inner.wide == pytest.approx(1e-4)
+    assert outer.wide == pytest.approx(4e-4)

@@ -8,10 +8,8 @@ from scipy.optimize import brentq
 from analytic.contact import (
     clamped_race,
     disc_series,
-    disc_stress,
     hertz_line,
     pair_series,
-    shear_series,
 )
 from analytic.contact.disc import disc_in_contact, disc_under_load
 from analytic.contact.edge import edge_exponent
@@ -61,17 +59,6 @@ def test_the_first_correction_leaves_an_error_of_fourth_order(quantity):
         }[quantity]  # fmt: skip
 
     assert float(np.log2(left(0.2) / left(0.1))) == pytest.approx(4.0, abs=0.1)
-
-
-@pytest.mark.parametrize("a", [1e-4, 1e-3, 1e-2])
-def test_the_largest_shear_tends_to_its_series(a):
-    disc = disc_in_contact(a=a, R=1.0, E_plane=1.0)
-    hertz = 0.300283106000874 * disc.p_0  # g^(-5/2)
-    shear, depth = disc_stress.largest_shear_stress(disc=disc)
-    assert shear / hertz - 1 == pytest.approx(
-        float(shear_series.shear_excess(a=a, R=1.0)), abs=a**2
-    )
-    assert depth / a == pytest.approx(0.7861513777574233, abs=0.3 * a)
 
 
 @pytest.mark.parametrize("ratio", [1.1, 5.0])

@@ -101,6 +101,10 @@ def test_a_tilt_loads_the_end_of_a_roller_where_the_gap_closes() -> None:
     assert up.contact.moments[0] < -0.1 * 3407.0 * 1e-3
     assert up.contact.moments[0] == pytest.approx(-down.contact.moments[0], rel=1e-6)
     assert up.line_load == pytest.approx(down.line_load[::-1], abs=1e-6 * up.line_load.max())
+    hertz = np.sqrt(up.line_load[64] * 113e9 / (np.pi * 2.95e-3))
+    assert up.mid_pressure == pytest.approx(hertz, rel=0.01)
+    left, right = up.end_load(9e-3 / 3)[0], up.end_load(9e-3 * 2 / 3)[1]
+    assert left + right == pytest.approx(3407.0, rel=1e-12)
 
 
 def test_an_even_load_is_symmetric_and_has_hertz_s_pressure_and_width() -> None:

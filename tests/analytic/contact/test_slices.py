@@ -79,20 +79,6 @@ def test_a_flat_rollers_approach_is_palmgrens_but_for_the_ends():
     assert row_sums[0] < 0.75 * row_sums[25]
 
 
-def test_a_batch_is_its_cases_one_by_one_across_chunks(monkeypatch):
-    monkeypatch.setattr(slices, "CHUNK", 4 * 50**2)
-    rng = np.random.default_rng(7)
-    y = crown.slice_centres(length=9e-3, slices=50)
-    gap = crowned() + rng.uniform(-1e-3, 1e-3, (3, 5, 1)) * y + rng.uniform(0, 3e-6, (3, 5, 50))
-    load, R = 10 ** rng.uniform(0, 4, (3, 1)), rng.uniform(1e-3, 5e-3, 5)
-    many = slices.press(gap, load=load, **ROLLER | {"R": R})
-    for i, j in np.ndindex(3, 5):
-        one = slices.press(gap[i, j], load=load[i, 0], **ROLLER | {"R": R[j]})
-        np.testing.assert_allclose(many.force[i, j], one.force, rtol=1e-9, atol=1e-11 * one.load)
-    back = slices.press(gap, approach=many.approach, **ROLLER | {"R": R})
-    np.testing.assert_allclose(back.force, many.force, rtol=1e-7, atol=1e-10 * load.max())
-
-
 def test_a_search_that_does_not_end_is_an_error(monkeypatch):
     monkeypatch.setattr(slice_pivoting, "PIVOTS", 1)
     with pytest.raises(ArithmeticError, match="not found in 1 exchanges"):

@@ -175,3 +175,14 @@ def test_load_and_approach_lead_back_to_each_other(n):
     by_approach = press(gap, **SPRAG, approach=by_load.approach)
     assert float(by_approach.load) == pytest.approx(3400.0, rel=1e-8)
     np.testing.assert_allclose(by_approach.q, by_load.q, atol=1e-8 * by_load.q.max())
+
+
+def test_a_flat_roller_has_no_estimate_at_its_ends_and_nearly_nothing_in_the_middle():
+    roller = press(np.zeros(81), length=9e-3, R=3e-3, E_star=1e11, load=3000.0)
+    estimate = neglected(roller)
+    from_end = (np.arange(81) + 0.5) * 9e-3 / 81
+    near = np.minimum(from_end, from_end[::-1]) < 3 * roller.half_width
+    assert near.sum() > 2
+    np.testing.assert_array_equal(np.isnan(estimate.pressure), near)
+    assert np.isnan(estimate.peak)
+    assert abs(float(estimate.mid)) < 1e-3

@@ -179,3 +179,12 @@ def test_along_its_axis_a_contact_is_less_sure_than_both_together(star):
     found = FrictionBounds(bounds(star), mu=0.08, lever=0.4)
     (low, high), (least, most) = found.both_contacts(), found.one_contact()
     assert least < low < 0 < high < most
+
+
+def test_the_thinner_wall_tilts_the_surface(star):
+    """2 P (1 - nu²)/(pi E h) at the depth h: 3.9 mm of the star, or what is left of the ring."""
+    found = bounds(star)
+    for R_a, wall in ((21e-3, 11.39565e-3 - 7.5e-3), (18e-3, 1.5e-3)):
+        one = StarBounds(replace(found.star, R_a=R_a), found.at)
+        tilt = 2 * found.at.N / 10e-3 * (1 - 0.3**2) / (math.pi * 206e9 * wall)
+        assert one.tilt * math.tan(found.at.alpha) == pytest.approx(tilt, rel=1e-12)

@@ -62,6 +62,7 @@ def test_the_offset_balances_the_couple_of_the_axial_forces():
 def test_the_linear_line_load_carries_force_and_moment(e):
     L = 10.0
     peak = float(tilt.peak_factor(e=e, L=L))  # of the mean load 1
+    assert float(tilt.pressure_factor(e=e, L=L)) == pytest.approx(np.sqrt(peak), rel=1e-14)
     z = np.linspace(-L / 2, L / 2, 200001)
     length = L if e <= L / 6 else 3 * (L / 2 - e)
     low = 2 - peak if e <= L / 6 else 0.0

@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from scipy.optimize import brentq
+from scipy.stats import norm
 
 from analytic.freewheel import limits, remedies, state, tolerance
 from analytic.freewheel.duty import Duty
@@ -121,3 +122,16 @@ def test_a_softer_clutch_holds_in_the_same_range_of_its_loads(clutch):
     assert soft.end == pytest.approx(d.end * less, rel=1e-12)
     for pair, same in zip(soft.friction_holds, d.friction_holds, strict=True):
         assert pair == pytest.approx([less * T for T in same], rel=1e-9)
+
+
+LOAD = {"T": 10.0, "F_ax": 300.0, "mu": 0.08}
+
+
+@pytest.mark.parametrize("kind", ["normal", "uniform"])
+def test_friction_keeps_the_tails_of_a_normal_one_whatever_dimensions_do(star, kind):
+    """P(mu < mean - 2 s): 2.28 % of a normal one, none of a uniform one."""
+    drawn = tolerance.draw(star, {"X": 3e-6, "mu": 0.004}, n=20000, seed=5, kind=kind, **LOAD)
+    share = np.mean(drawn.drawn["mu"] < LOAD["mu"] - 2 * 0.004)
+    assert share == pytest.approx(norm.cdf(-2), abs=4 * np.sqrt(norm.cdf(-2) / 20000))
+    inside = np.abs(drawn.drawn["X"] - star.cam.X) <= 3e-6 * np.sqrt(3)
+    assert bool(inside.all()) == (kind == "uniform")

@@ -55,3 +55,16 @@ def test_the_cup_lies_between_the_rings_of_its_inner_and_outer_circle(cup):
     whole = 2 * np.log(bores) + k
     assert whole[0] < whole[1] < whole[2]
     assert float(compliance(cup).outer.k) == pytest.approx(k[1], rel=1e-9)
+
+
+def test_slopes_are_derivatives_of_the_approaches(clutch):
+    bodies, P, h = compliance(clutch), 2e5, 1e-5
+    d = bodies.approaches(P)
+    low, high = bodies.approaches(P * (1 - h)), bodies.approaches(P * (1 + h))
+    for name in ("i", "o"):
+        step = getattr(high, f"d_{name}") - getattr(low, f"d_{name}")
+        assert float(getattr(d, f"slope_{name}")) == pytest.approx(step / (2 * h * P), rel=1e-8)
+    tangent, slope = bodies.tangent(2e3)
+    above, below = bodies.tangent(2e3 * (1 + h))[0], bodies.tangent(2e3 * (1 - h))[0]
+    assert float(slope) == pytest.approx(float(above - below) / (4e3 * h), rel=1e-7)
+    assert float(tangent) > 0

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
+from analytic.contact import hertz_line
 from analytic.freewheel import state
 from analytic.freewheel.compliance import compliance
 from analytic.freewheel.let_out import let_out
@@ -85,3 +86,12 @@ def test_slip_begins_as_coulomb_s_law_has_it(star):
     lost = sum(float(getattr(ends[1], d) - getattr(ends[0], d)) for d in ("d_i", "d_o"))
     tan = np.tan(float(ends[1].alpha))
     assert lost / slip[-2] == pytest.approx(tan / np.sqrt((0.08 / tan) ** 2 - 1), rel=5e-3)
+
+
+def test_pressures_are_hertz_s(star):
+    now = state.loaded(star, 20.0)
+    P, E_star = now.N / star.L, 206e9 / 0.91 / 2  # steel on steel
+    flat, bore = 2.5e-3, 1 / (1 / 2.5e-3 - 1 / 16.5e-3)
+    for R, a, p in ((flat, now.a_i, now.p_i), (bore, now.a_o, now.p_o)):
+        assert a == pytest.approx(hertz_line.half_width(P=P, R=R, E_star=E_star), rel=1e-12)
+        assert p == pytest.approx(hertz_line.peak_pressure(P=P, R=R, E_star=E_star), rel=1e-12)

@@ -7,6 +7,7 @@ from scipy.optimize import brentq
 from analytic.contact.hertz_line_approach import approach_to_centre
 from analytic.polyhedral.bore_pressure import rim_displacement
 from analytic.polyhedral.capacity import Driven
+from analytic.polyhedral.hub_force import hub_force
 from analytic.polyhedral.locking import Roller, RollerContact, locked
 from analytic.polyhedral.roller_load import roller_load
 from analytic.polyhedral.sector import Sector
@@ -81,3 +82,12 @@ def test_sensitivities_are_the_slopes_under_another_closure(monkeypatch):
     monkeypatch.setattr(RollerContact, "closure", lambda self, n: 1.0001 * right(self, n))
     assert 1 - hub.force(30.0) / N == pytest.approx(1e-4 * by_force, rel=2e-3)
     assert hub.pressure(N) / p - 1 == pytest.approx(1e-4 * by_pressure, rel=1e-6)
+
+
+def test_the_driven_ring_is_the_locked_ring_under_the_hub_that_goes_with_it():
+    hub = driven()
+    N = hub.force(30.0)
+    normal = hub.kappa * N / np.hypot(1, 0.05)
+    push = hub_force(sector=hub.contact.sector, e=9.0, normal=normal, along=-0.05 * normal)
+    state = locked(sector=hub.contact.sector, roller=hub.contact.roller, p=30.0, hub=push, **STEEL)
+    assert pytest.approx(N, rel=1e-9) == state.N

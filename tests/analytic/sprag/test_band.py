@@ -4,7 +4,17 @@ import numpy as np
 import pytest
 from numba.core.caching import CacheImpl
 
-from analytic.sprag.engagement import Contacts, Law, both, compiled, friction
+from analytic.sprag.engagement import (
+    APART,
+    SLIP,
+    STICK,
+    Contacts,
+    Law,
+    both,
+    compiled,
+    friction,
+    phase,
+)
 from analytic.sprag.friction import coefficient, static_limit
 from analytic.sprag.transient import NarrowBandError
 
@@ -85,3 +95,10 @@ def test_bounded_forces_are_the_best_in_the_box():
         assert abs(T_i) <= 0.5
         assert abs(T_e) <= 2.0
         assert cost(T_i, T_e) <= cost(0.5 * x, 2.0 * y).min() + 1e-12
+
+
+def test_phases_tell_contact_rolling_and_sliding():
+    assert phase(0.0, 0.0, 0.0, 0.0, 0.1) == APART
+    assert phase(5.0, 0.05, 0.3, 0.6, 0.1) == STICK
+    assert phase(5.0, 0.05, 0.6, 0.6, 0.1) == SLIP
+    assert phase(5.0, 0.20, 0.3, 0.6, 0.1) == SLIP

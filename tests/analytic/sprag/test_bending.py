@@ -103,3 +103,10 @@ def test_beyond_a_flank_there_is_no_outline():
     assert whole.stands(turned=0.999 * whole.turned, alpha_b=0.0)
     assert whole.outline(turned=1.001 * whole.turned, alpha_b=0.0) is None
     assert whole.outline(turned=0.0, alpha_b=1.001 * whole.alpha_b) is None
+
+
+def test_a_sprag_wider_than_it_is_round_stands_for_a_disc_and_never_rolls_over():
+    wide = made(r_i=6e-3, b=5e-3)
+    assert wide.column is None
+    assert wide.rolls_over_at == np.inf
+    assert np.isfinite(float(wedged(wide.clutch, 3000.0).yields.H))

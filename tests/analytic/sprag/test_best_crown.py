@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from analytic.contact import crown
-from analytic.sprag.best_crown import Answer, fit_regimes
+from analytic.sprag.best_crown import Answer, fit_regimes, simplex
 from analytic.sprag.closure import wedged
 from analytic.sprag.clutch import Clutch
 from analytic.sprag.compliance import Compliance
-from analytic.sprag.crown_surrogate import over_box
+from analytic.sprag.crown_surrogate import axes, held, over_box
 from analytic.sprag.drawn import Drawn, Sizes, crown_drop, middles
 from analytic.sprag.geometry import LogSprag
 from analytic.sprag.peaks import END, Peaks
@@ -77,3 +77,20 @@ def test_the_crown_is_eq_1_in_its_range_and_flat_in_the_middle():
     assert z == pytest.approx(np.asarray(other), abs=1e-12)
     assert z[20] == 0
     assert z[0] == z[-1] == z.max()
+
+
+def bowl(crowns):
+    return float(((BOX.to_unit(crowns)[0] - [0.4, 0.6, 0.5]) ** 2).sum())
+
+
+def test_the_simplex_goes_down_and_every_engagement_is_recorded():
+    seen = simplex(bowl, BOX, np.array([4.6, 0.42, 7e-6]))
+    assert len(seen) <= 40
+    assert [bowl(row[None, :3]) for row in seen] == pytest.approx(seen[:, 3])
+    assert seen[:, 3].min() < 0.05 * seen[0, 3]
+
+
+def test_a_map_holds_the_paper_s_values_where_the_box_has_them():
+    assert (held(BOX, 1), held(BOX, 2)) == (0.5, 10e-6)
+    assert held(Box((1.0, 0.6, 5e-6), (5.0, 0.7, 25e-6)), 1) == pytest.approx(0.65)
+    assert [(a[0], a[-1]) for a in axes(BOX)] == [(1.0, 5.0), (0.4, 0.7), (5e-6, 25e-6)]

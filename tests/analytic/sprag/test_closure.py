@@ -191,3 +191,14 @@ def test_pressures_are_hertz_s_and_the_inner_one_is_the_larger(parts, clutch):
     )
     assert p_i[1] == pytest.approx(float(inner), rel=1e-12)
     assert p_i[1] > p_o[1]
+
+
+def test_rigid_races_need_more_force_at_the_same_rotation(clutch):
+    stiff = at_rotation(clutch.rigid_races(), 0.1).N
+    assert float(stiff / at_rotation(clutch, 0.1).N) > 1.5
+
+
+def test_limits_are_met_without_load_or_never(clutch):
+    found = limits(clutch, mu=[0.05, 0.3], theta_max=0.5)
+    assert found.slip.tolist() == [0.0, np.inf]
+    assert found.torque.tolist() == [0.0, float(found.end_of_cam)]

@@ -11,9 +11,10 @@ from analytic.ring import rotating
 from analytic.sprag import pressure
 from analytic.sprag.closure import wedged
 from analytic.sprag.clutch import Clutch
-from analytic.sprag.crowned import Crowned, mid
+from analytic.sprag.crowned import Crowned, mid, stiffness
 from analytic.sprag.laws import plane_law, sliced_law
-from analytic.sprag.race_stress import hoop
+from analytic.sprag.race_stress import hoop, over_smeared
+from analytic.sprag.tolerance import sensitivities, slope
 from tests.analytic.sprag.models import PARTS, SPRAG
 
 N = np.geomspace(1.0, 1e4, 60)
@@ -100,3 +101,27 @@ def test_speed_makes_the_outer_race_grow_by_eq_8(parts):
     )  # fmt: skip
     assert float(replace(parts, omega=1000.0).palmgren().yields(1.0).d_ce) == float(bore)
     assert float(parts.palmgren().yields(1.0).d_ce) == 0.0
+
+
+def test_a_torque_of_a_pressure_has_that_pressure():
+    T = ONE.torque_at(2.5e9, 0)
+    N = 2e4 * np.linspace(0.01, 1, 400)
+    force = float(np.interp(T, wedged(ONE.clutch, N).T, N))
+    assert ONE.peaks(force)[0] == pytest.approx(2.5e9, rel=1e-4)
+    assert ONE.torque_at(1e12, 0) == np.inf
+
+
+def test_stiffness_grows_as_contacts_grow():
+    assert stiffness(ONE.clutch, 6000.0) > stiffness(ONE.clutch, 1000.0) > 0
+
+
+def test_slopes_of_the_wedge_angle_are_its_derivatives():
+    exact = sensitivities(SPRAG)
+    assert slope(SPRAG, "dR_i")[0] == pytest.approx(float(exact.R_i), rel=1e-5)
+
+
+def test_a_race_of_many_sprags_deflects_as_a_smeared_one():
+    many = replace(PARTS, n_s=60, b=0.5e-3)
+    for loaded in ("rim", "bore"):
+        few, more = (abs(over_smeared(p, 1e-4, loaded) - 1) for p in (PARTS, many))
+        assert more < few

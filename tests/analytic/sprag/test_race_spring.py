@@ -16,7 +16,7 @@ from analytic.sprag.oscillation import Oscillation
 from analytic.sprag.race_spring import Blades, reached
 from analytic.sprag.sliding import sliding
 from analytic.sprag.swing import Driven, swing, time_to_rest
-from analytic.sprag.work_balance import at_rest, frequency, undamped
+from analytic.sprag.work_balance import at_rest, by_turning, frequency, left_out, undamped
 from tests.analytic.sprag.models import PARTS, SPRAG
 
 T = 25.0
@@ -121,3 +121,15 @@ def test_sprags_that_slide_bear_more_as_friction_comes_near_the_wedge(spring):
     N = [sliding(spring, share * tan).N for share in (0.5, 0.7, 0.9)]
     assert N[0] < N[1] < N[2]
     assert sliding(spring, -0.1).outside
+
+
+def test_rolling_and_the_yields_have_the_same_work(spring):
+    assert by_turning(spring) == pytest.approx(1.0, abs=1e-3)
+
+
+def test_a_small_oscillation_has_the_frequency_of_stiffness_and_inertia(oscillation):
+    assert oscillation.frequency(1) == pytest.approx(oscillation.f, rel=OUTER)
+
+
+def test_the_centroid_takes_a_small_part_of_the_work(spring):
+    assert abs(left_out(spring, 3000.0)) < 0.05

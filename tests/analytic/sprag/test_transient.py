@@ -1,5 +1,6 @@
 """Engagements against closed forms and against events: energy, statics, friction's limit."""
 
+import math
 from types import SimpleNamespace
 
 import numpy as np
@@ -10,7 +11,7 @@ from scipy.optimize import brentq
 from analytic.sprag.balance import balance
 from analytic.sprag.closure import at_torque
 from analytic.sprag.history import Phase
-from analytic.sprag.readings import first_slip
+from analytic.sprag.readings import first_slip, steady
 from analytic.sprag.steps import missing
 
 QUIET = {"C_rl": 0.0, "k_out": 1e7}  # an outer race that hardly moves
@@ -126,3 +127,27 @@ def test_a_slip_begins_between_the_steps_where_friction_is_reached():
     phases[4:, 0] = Phase.SLIP
     found = SimpleNamespace(t=t, N=N, T_i=N * 0.02 * np.arange(6), phases=phases, dt=1e-3)
     assert first_slip(found, 0.065) == pytest.approx(3.25e-3)
+
+
+def test_half_the_step_changes_the_peak_by_less_than_1e_4_with_fourth_order(engaged):
+    peaks = [engaged(25.0, dt=dt, K_r=0.1).N_max for dt in (8e-5, 4e-5, 2e-5, 1e-5, 5e-6)]
+    steps = np.abs(np.diff(peaks))
+    assert steps[-1] < 1e-6 * peaks[-1]
+    assert steps[0] / steps[1] > 3.5  # the parabola through the peak is of lower order
+
+
+def test_what_ends_before_its_peak_is_not_followed(engaged):
+    run = engaged(25.0, duration=0.002)
+    assert run.verdict == "not followed"
+    assert not run.followed
+    assert math.isnan(run.peak_factor)
+    assert engaged(25.0, duration=0.01).verdict == "locks"
+
+
+@pytest.mark.parametrize("periods", [20.0, 20.5])
+def test_the_mean_of_a_swing_does_not_depend_on_parts_of_a_period(periods):
+    t = np.linspace(0, 1, 4001)
+    found = SimpleNamespace(N=100 + 30 * np.sin(2 * np.pi * periods * t))
+    late, wander = steady(found)
+    assert late == pytest.approx(100, abs=0.01)
+    assert wander < 0.02

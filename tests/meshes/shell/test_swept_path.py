@@ -59,3 +59,20 @@ def test_cells_area_and_boundaries_are_those_of_the_path():
 def test_wrong_numbers_are_refused(make, message):
     with pytest.raises(ValueError, match=message):
         make()
+
+
+def lengths(mesh, name):
+    """Of the edges of a boundary, by their chords."""
+    a, b = mesh.points[mesh.boundaries[name][:, :2]].swapaxes(0, 1)
+    return np.linalg.norm(b - a, axis=1)
+
+
+def test_cells_shrink_to_the_finest_at_the_edge_and_leaves_to_their_ends():
+    graded = spring(across=12, finest=0.1, per_leaf=12, leaf_ends=0.1)
+    over = lengths(graded, "head")[np.argsort(graded.points[graded.boundaries["head"][:, 2], 2])]
+    assert (np.diff(over) < 0).all()
+    assert over[-1] == pytest.approx(0.1, rel=0.5)
+    assert over.sum() == pytest.approx(WIDTH, rel=1e-12)
+    leaf = lengths(graded, "middle")[:12]  # the head's
+    assert leaf[0] == pytest.approx(leaf[-1], rel=1e-6)
+    assert leaf[0] < 0.2 * leaf.max()
