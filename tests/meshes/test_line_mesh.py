@@ -35,7 +35,7 @@ def hook():
         return line_mesh()
 
 
-def test_bodies_share_out_the_elements_and_middles_lie_half_way_along_them():
+def test_bodies_share_out_the_elements_and_nodes_are_numbered_without_gaps():
     mesh = hook()
     assert {name: len(own) for name, own in mesh.bodies.items()} == {"bow": 8, "straight": 5}
     everything = np.sort(np.concatenate(list(mesh.bodies.values())))
@@ -45,10 +45,6 @@ def test_bodies_share_out_the_elements_and_middles_lie_half_way_along_them():
     # an eighth of a half circle: the middle stands off its chord by 1 - cos(pi / 16)
     sagitta = np.hypot(*((a + b) / 2 - middle)[mesh.bodies["bow"]].T)
     np.testing.assert_allclose(sagitta, 1 - np.cos(pi / 16), rtol=SPACING)
-
-
-def test_nodes_are_numbered_without_gaps_ends_before_middles():
-    mesh = hook()
     # 13 elements in a tree have 14 ends and 13 middles
     assert mesh.points.shape == (27, 2)
     np.testing.assert_array_equal(np.unique(mesh.elements[:, :2]), np.arange(14))

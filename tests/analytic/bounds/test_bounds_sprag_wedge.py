@@ -65,14 +65,11 @@ def bounds_engagement(**changes):
     return engagement.Bounds(**(sizes | changes))
 
 
-def test_equal_forces_and_massless_sprags_leave_nothing():
+def test_equal_forces_and_massless_sprags_leave_nothing_and_mass_widens_both_sides():
     one = bounds_engagement(unequal=0.0, inertia=0.0, left_out=0.0)
     for interval in (one.statics(), one.energy(), one.spring(), one.both(), one.either_way(2)):
         assert interval == (0.0, 0.0)
     assert one.radially() == (-engagement.BOOKED, engagement.BOOKED)
-
-
-def test_the_mass_of_sprags_widens_what_unequal_forces_take_on_both_sides():
     low, high = bounds_engagement().spring()
     assert (low, high) == pytest.approx((-1.2e-3 - 5e-4, 5e-4))
     assert bounds_engagement().both() == pytest.approx((low - high, high - low))

@@ -90,15 +90,12 @@ def test_equal_discs_of_like_material_are_discs_on_a_flat():
     assert pair.shear.error == pytest.approx(flat.shear.error, rel=1e-12)
 
 
-def test_unlike_materials_couple_with_opposite_signs_in_a_race():
+def test_unlike_materials_couple_with_opposite_signs_in_a_race_and_a_thin_wall_widens():
     race = InRace(a=0.01, R_1=1.0, R_2=-3.0, wall=5.0, **UNLIKE)
     assert race.coupled != 0
     assert race.pressure.error * race.width.error < 0
     like = InRace(a=0.01, R_1=1.0, R_2=-3.0, wall=5.0, **LIKE)
     assert like.pressure == (0.0, like.small)
-
-
-def test_a_thin_wall_widens_the_bounds_of_a_race():
     thick, thin = (InRace(a=0.01, R_1=1.0, R_2=-3.0, wall=w, **LIKE) for w in (5.0, 0.1))
     assert thin.pressure.slack > 50 * thick.pressure.slack
     assert thin.approach.slack > 50 * thick.approach.slack

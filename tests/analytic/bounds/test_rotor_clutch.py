@@ -42,10 +42,7 @@ def test_intervals_without_offset_or_yield_are_those_of_an_even_clutch():
     assert (low + high) / 2 == pytest.approx(-(math.tan(0.05) ** 2))
     low, high = bounds.held_ends(0.05, 1e-12, 8e-3)
     assert low < bounds.leading(0.05)[0] < high
-
-
-def test_an_even_clutch_without_load_lies_in_the_middle_of_what_leads():
-    """cos² psi for cos² psi + tan² nu sin² psi, summed over the sprags."""
+    # cos² psi for cos² psi + tan² nu sin² psi, summed over the sprags.
     nu, psi = 0.1, 2 * np.pi * np.arange(12) / 12
     struts = (np.cos(psi) ** 2 + np.tan(nu) ** 2 * np.sin(psi) ** 2).sum()
     low, high = bounds.leading(nu)

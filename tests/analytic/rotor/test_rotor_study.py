@@ -32,18 +32,6 @@ def unlike(rotor):
     return replace(rotor, supports=(replace(first, kyy=2e7), *rest))
 
 
-def test_each_shaft_meets_its_own_critical_speeds_and_standing_ones_none(rotor):
-    found = study(rotor, NAMES, 100.0, {1.0: {1: 1e-5}, -1.5: {4: 1e-5}, 0.0: {}}, 6)
-    assert [one.shafts for one in found.excited] == [("outer",), ("inner",)]
-    assert [one.ratio for one in found.excited] == ratios(rotor) == [1.0, -1.5]
-    assert len(found.responses) == 2
-    forward, backward = (one.modes for one in found.excited)
-    assert set(forward.whirl) == {1}
-    assert set(backward.whirl) == {-1}
-    assert backward.w == pytest.approx(1.5 * backward.speeds)
-    assert ratios(replace(rotor, shafts=(shaft(1.0), shaft(0.0)))) == [1.0]
-
-
 def test_branches_begin_in_pairs_and_part_with_the_speed(rotor):
     at_speed = study(rotor, NAMES, 100.0, {}, 6).modes
     speeds, w, sense = branches(rotor, 500.0, at_speed, 6)
@@ -55,7 +43,16 @@ def test_branches_begin_in_pairs_and_part_with_the_speed(rotor):
     assert branches(other, 500.0, at_speed, 6)[2] == tuple(at_speed.whirl)
 
 
-def test_whirl_against_the_unbalance_is_met_where_bearings_are_alike_alone(rotor):
+def test_each_shaft_meets_its_own_critical_speeds_and_opposite_ones_of_like_bearings(rotor):
+    found = study(rotor, NAMES, 100.0, {1.0: {1: 1e-5}, -1.5: {4: 1e-5}, 0.0: {}}, 6)
+    assert [one.shafts for one in found.excited] == [("outer",), ("inner",)]
+    assert [one.ratio for one in found.excited] == ratios(rotor) == [1.0, -1.5]
+    assert len(found.responses) == 2
+    forward, backward = (one.modes for one in found.excited)
+    assert set(forward.whirl) == {1}
+    assert set(backward.whirl) == {-1}
+    assert backward.w == pytest.approx(1.5 * backward.speeds)
+    assert ratios(replace(rotor, shafts=(shaft(1.0), shaft(0.0)))) == [1.0]
     found = opposite_criticals(rotor)
     assert found == sorted(found)
     assert len(found) > 2

@@ -78,13 +78,6 @@ def test_gamma_and_alpha_are_angles_of_the_triangle_of_centroid_pole_and_axis(cl
     assert at_C_g[1] - at_C_g[0] == pytest.approx(now.alpha, rel=1e-9)
 
 
-def test_torque_and_rotation_lead_back_to_the_load(clutch, plane_clutch):
-    for some in (clutch, plane_clutch):
-        now = wedged(some, N)
-        assert pytest.approx(N, rel=1e-12) == at_torque(some, now.T).N
-        assert pytest.approx(N, rel=1e-11) == at_rotation(some, now.alpha).N
-
-
 def test_eq_7_by_hand():
     """A bar of 8.33 mm and 4 x 9 mm² under 3407 N: 3407 x 8.33/(36 x 206 000) mm."""
     d = sprag_compression(N=3407.0, R_i=11.11e-3, R_e=19.44e-3, b=4e-3, l=9e-3, E=206e9)
@@ -160,18 +153,6 @@ def test_the_printed_lever_arms_are_halves(clutch):
     assert float(moment) == pytest.approx(0.0, abs=1e-12)
 
 
-def test_at_the_slip_torque_nu_is_the_angle_of_friction(clutch):
-    mu = 0.0555
-    T = float(limits(clutch, mu=mu, theta_max=0.5).slip)
-    assert float(np.tan(at_torque(clutch, T).nu)) == pytest.approx(mu, rel=1e-10)
-    assert slips(at_torque(clutch, [0.99 * T, 1.01 * T]), mu=mu).tolist() == [False, True]
-
-
-def test_at_the_end_of_the_cam_the_contact_has_walked_the_whole_spiral(clutch):
-    T = float(limits(clutch, mu=0.12, theta_max=0.3).end_of_cam)
-    assert float(at_torque(clutch, T).turned) == pytest.approx(0.3, rel=1e-10)
-
-
 def test_a_power_is_inverted_to_round_off_from_any_first_guess():
     goal = np.array([1e-6, 1.0, 1e6])
     for start in (1e-8, 1.0, 1e8):
@@ -193,12 +174,22 @@ def test_pressures_are_hertz_s_and_the_inner_one_is_the_larger(parts, clutch):
     assert p_i[1] > p_o[1]
 
 
-def test_rigid_races_need_more_force_at_the_same_rotation(clutch):
+def test_torque_and_rotation_lead_back_to_the_load_and_rigid_races_need_more(clutch, plane_clutch):
+    for some in (clutch, plane_clutch):
+        now = wedged(some, N)
+        assert pytest.approx(N, rel=1e-12) == at_torque(some, now.T).N
+        assert pytest.approx(N, rel=1e-11) == at_rotation(some, now.alpha).N
     stiff = at_rotation(clutch.rigid_races(), 0.1).N
     assert float(stiff / at_rotation(clutch, 0.1).N) > 1.5
 
 
-def test_limits_are_met_without_load_or_never(clutch):
+def test_limits_are_met_at_their_torque_without_load_or_never(clutch):
+    mu = 0.0555
+    T = float(limits(clutch, mu=mu, theta_max=0.5).slip)
+    assert float(np.tan(at_torque(clutch, T).nu)) == pytest.approx(mu, rel=1e-10)
+    assert slips(at_torque(clutch, [0.99 * T, 1.01 * T]), mu=mu).tolist() == [False, True]
+    T = float(limits(clutch, mu=0.12, theta_max=0.3).end_of_cam)
+    assert float(at_torque(clutch, T).turned) == pytest.approx(0.3, rel=1e-10)
     found = limits(clutch, mu=[0.05, 0.3], theta_max=0.5)
     assert found.slip.tolist() == [0.0, np.inf]
     assert found.torque.tolist() == [0.0, float(found.end_of_cam)]

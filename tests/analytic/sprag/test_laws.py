@@ -103,15 +103,12 @@ def test_speed_makes_the_outer_race_grow_by_eq_8(parts):
     assert float(parts.palmgren().yields(1.0).d_ce) == 0.0
 
 
-def test_a_torque_of_a_pressure_has_that_pressure():
+def test_a_torque_of_a_pressure_has_it_and_stiffness_grows_with_the_load():
     T = ONE.torque_at(2.5e9, 0)
     N = 2e4 * np.linspace(0.01, 1, 400)
     force = float(np.interp(T, wedged(ONE.clutch, N).T, N))
     assert ONE.peaks(force)[0] == pytest.approx(2.5e9, rel=1e-4)
     assert ONE.torque_at(1e12, 0) == np.inf
-
-
-def test_stiffness_grows_as_contacts_grow():
     assert stiffness(ONE.clutch, 6000.0) > stiffness(ONE.clutch, 1000.0) > 0
 
 

@@ -87,13 +87,6 @@ def test_a_step_that_is_too_long_is_refused_with_one_that_will_do(engaged, other
     assert run.verdict == ("slips" if "mu_s" in other else "locks")
 
 
-def test_an_engagement_ends_where_the_profile_does(engaged, table):
-    run = engaged(150.0, duration=0.02)
-    assert run.verdict == "over the end"
-    assert float(run.alpha.max()) <= table.end
-    assert run.t[-1] < 0.02
-
-
 def test_rolling_engagements_agree_to_1e_7(engaged, by_events):
     run, partner = engaged(25.0), by_events(25.0)
     assert run.N_max == pytest.approx(partner.N_max, rel=1e-7)
@@ -136,12 +129,16 @@ def test_half_the_step_changes_the_peak_by_less_than_1e_4_with_fourth_order(enga
     assert steps[0] / steps[1] > 3.5  # the parabola through the peak is of lower order
 
 
-def test_what_ends_before_its_peak_is_not_followed(engaged):
+def test_what_ends_before_its_peak_is_not_followed_and_a_profile_s_end_is_its_end(engaged, table):
     run = engaged(25.0, duration=0.002)
     assert run.verdict == "not followed"
     assert not run.followed
     assert math.isnan(run.peak_factor)
     assert engaged(25.0, duration=0.01).verdict == "locks"
+    run = engaged(150.0, duration=0.02)
+    assert run.verdict == "over the end"
+    assert float(run.alpha.max()) <= table.end
+    assert run.t[-1] < 0.02
 
 
 @pytest.mark.parametrize("periods", [20.0, 20.5])
