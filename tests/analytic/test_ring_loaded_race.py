@@ -155,3 +155,10 @@ def test_the_peak_force_is_that_of_equal_energies():
         return float(((forces[1:] + forces[:-1]) / 2) @ np.diff(delta))
 
     assert energy(smeared_c, F) == pytest.approx(energy(fourier_c, F / peak), rel=1e-7)
+
+
+def test_the_displacement_is_even_and_periodic():
+    race = LoadedRace(loaded="bore", **RACE)
+    one, other = race.at(race.r, [0.1, 0.003]), race.at(race.r, [-0.1, np.pi / 6 + 0.003])
+    np.testing.assert_allclose(one.u_r, other.u_r, rtol=1e-12)
+    assert float(one.u_theta[0]) == pytest.approx(-float(other.u_theta[0]), rel=1e-9)

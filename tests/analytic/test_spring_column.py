@@ -87,9 +87,6 @@ def test_the_shortening_solves_haringx_s_equation(head, waves):
     xi = column.critical_shortening(head, n=n, b=0.1, **SHAPE)
     kL = wave(n, xi)[0]
     assert kL == pytest.approx(waves, rel=1e-12)
-
-
-def test_the_hinged_head_s_shortening_solves_haringx_s_equation():
     xi = column.critical_shortening("hinged", n=30, b=0.1, **SHAPE)
     kL, stiffer = wave(30, xi)
     assert math.tan(kL) == pytest.approx(kL / stiffer, rel=1e-9)

@@ -12,8 +12,8 @@ from analytic.sprag.compliance import Compliance
 from analytic.sprag.elastic import Elastic
 from analytic.sprag.geometry import LogSprag
 from analytic.sprag.parts import Parts
+from tests.analytic.sprag.models import SPRAG
 
-SPRAG = LogSprag.from_wedge_angle(nu_0=np.radians(3.15), R_i=11.11e-3, R_e=19.44e-3, r_i=4.02e-3)
 RIGID = Clutch(sprag=SPRAG, n_s=12, compliance=Compliance(
     contact_i=np.zeros_like, contact_e=np.zeros_like, race_i=0.0, race_e=0.0, sprag=0.0,
 ))  # fmt: skip

@@ -12,10 +12,10 @@ from analytic.sprag.clutch import Clutch
 from analytic.sprag.compliance import Compliance
 from analytic.sprag.crown_surrogate import axes, held, over_box
 from analytic.sprag.drawn import Drawn, Sizes, crown_drop, middles
-from analytic.sprag.geometry import LogSprag
 from analytic.sprag.peaks import END, Peaks
 from analytic.surrogate.box import Box
 from analytic.surrogate.designs import full_factorial
+from tests.analytic.sprag.models import SPRAG
 
 BOX = Box((1.0, 0.4, 5e-6), (5.0, 0.7, 25e-6))
 
@@ -32,7 +32,6 @@ def test_without_ends_that_carry_one_regime_is_kriged():
 
 
 RADII = {"R_i": 11.11e-3, "R_e": 19.44e-3, "r_i": 4.02e-3}
-SPRAG = LogSprag.from_wedge_angle(nu_0=0.055, **RADII)
 SIZES = Sizes(
     R_id=7.21e-3, R_ed=26.23e-3, m=float(np.asarray(SPRAG.m)), z=12, l=9e-3, b=4e-3, E=206e9,
     nu=0.3, density=7850.0, omega=0.0, gap=np.zeros(21), **RADII,
