@@ -1,4 +1,4 @@
-"""Rings under waves and Hertz patches: equilibrium, thin rings, discs, Betti, the smeared ring."""
+"""Rings under waves and Hertz patches: equilibrium, energies, cuts, the smeared ring."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""Constants of rings, shafts and stars against series, layers and transfer matrices."""
+"""Constants of rings, shafts and stars against second writings, and their slopes."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""The polyhedral ring under pressure and rollers: Lamé, Michell, closed sums, its geometry."""
+"""The polyhedral ring under pressure and rollers: Lamé, Michell, its own residual."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Elastic columns of a sprag: discs, bars, beams, rolling ends, scales of the whole clutch."""
+"""Elastic columns of a sprag: discs, patches, rolling ends, flanks, scales of the whole clutch."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""The half sector of a polyhedral ring: its outline, fine zones, growth, and no fold."""
+"""The half sector of a polyhedral ring: fine zones, growth, refusals, and no fold."""
 
 import numpy as np
 import pytest
