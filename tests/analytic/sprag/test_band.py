@@ -16,6 +16,7 @@ from analytic.sprag.engagement import (
     phase,
 )
 from analytic.sprag.friction import coefficient, static_limit
+from analytic.sprag.motion import Speeds
 from analytic.sprag.transient import NarrowBandError
 
 LIGHT = {"alpha_max": 0.02}  # the blades press with 0.4 N: the sprag slips at the start
@@ -102,3 +103,11 @@ def test_phases_tell_contact_rolling_and_sliding():
     assert phase(5.0, 0.05, 0.3, 0.6, 0.1) == STICK
     assert phase(5.0, 0.05, 0.6, 0.6, 0.1) == SLIP
     assert phase(5.0, 0.20, 0.3, 0.6, 0.1) == SLIP
+
+
+def test_the_band_grows_where_it_was_too_narrow(engaged):
+    """A race that arrives at 10 rad/s: its contact must stop from 0.1 m/s, not from rest."""
+    arriving = engaged(25.0, speeds=Speeds(inner=10.0)).D_V
+    resting = engaged(25.0).D_V
+    assert resting == pytest.approx(2 * 25.0 / 1.41e-3 * 11.11e-3 * 1e-5, rel=1e-9)
+    assert arriving > 5 * resting
