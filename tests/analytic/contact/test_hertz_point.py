@@ -95,3 +95,12 @@ def test_small_contacts_are_hertz_s():
     assert pressed.a == pytest.approx(float(hertz_point.radius(**hertz)), rel=1e-5)
     assert pressed.p_0 == pytest.approx(float(hertz_point.peak_pressure(**hertz)), rel=1e-5)
     assert pressed.approach == pytest.approx(float(hertz_point.approach(**hertz)), rel=1e-4)
+
+
+@pytest.mark.parametrize("nu", [-0.5, 0.3])
+def test_the_logarithm_is_what_the_series_leaves_of_the_order_of_its_degree_s_inverse(nu):
+    """A force P moves R by P/(8 pi mu R) of (2n + 1) c_n P_n, where P_n/n sums to -ln(d/2R)."""
+    n, R, E = 1e6, 0.7, 3.0
+    inverse = ((2 * n + 1) * degree(n, nu) - 4 * (1 - nu)) * n
+    mu = E / (2 * (1 + nu))
+    assert Sphere(R=R, E=E, nu=nu).logarithm == pytest.approx(inverse / (8 * mu * R), rel=1e-4)
