@@ -9,13 +9,15 @@ import numpy as np
 import pytest
 
 import reports
+from reports.frames import frames
 from reports.html import page
-from reports.write import write
+from reports.pages import pages
 from verify.app.report import make_report
 from verify.cases.registry import CASES, find
 from verify.core.figures import Band, Campbell, Curve, Curves, Mode, Parallel, ParallelAxis, Whirl
 from verify.core.results import Kind, Partner, Published, Report, Row, Status
 from verify.jobs.cache import default_folder
+from verify.verdicts.record import kept
 
 HOSTILE = "<script>alert(\"1\")</script> & 'x' \x07"
 NAME = " ".join(["word"] * 18)  # 90 letters
@@ -23,6 +25,7 @@ SOME = (
     "ring-lame", "polyhedral-ring", "freewheel-torque", "sprag-wedge", "spring-accordion",
     "spring-map", "contact-roller-flat", "rotor-system",
 )  # fmt: skip
+LOST = ("spring-accordion", "Eqs. 1-9 against the curved beam", 7)  # a point taken away
 PRINTED = Published(document="d", id="i", place="p", kind="theory", printed="1.97×10^-4",
                     value=1.97e-4, unit="kg m^2")  # fmt: skip
 
@@ -58,11 +61,56 @@ def hostile(report) -> Report:
 
 
 @pytest.fixture(scope="session")
-def written(report, tmp_path_factory) -> Path:
-    """The folder of the report, written once for tests that only read it."""
-    folder = tmp_path_factory.mktemp("written")
-    write(report, folder, cache=default_folder())
-    return folder
+def recorded(report) -> Report:
+    """The report with the verdicts of record."""
+    return replace(report, verdicts=kept())
+
+
+@pytest.fixture(scope="session")
+def drawn(report) -> dict:
+    """The pictures of its cases."""
+    return frames(report.cases, default_folder())
+
+
+@pytest.fixture(scope="session")
+def text(report, drawn) -> str:
+    """It on one page."""
+    return page(report, drawn)
+
+
+@pytest.fixture(scope="session")
+def explored(recorded) -> Report:
+    """It with one stored point that has no answer."""
+    case, quantity, n = LOST
+
+    def without(values, lost):
+        return tuple(lost if k == n else v for k, v in enumerate(values))
+
+    studies = list(recorded.studies)
+    first = next(k for k, s in enumerate(studies) if s.case == case and not s.is_star)
+    formulas = tuple(
+        replace(f, error=without(f.error, np.nan), U=without(f.U, np.nan),
+                problems=without(f.problems, "does not converge"))
+        if f.quantity == quantity else f for f in studies[first].formulas
+    )  # fmt: skip
+    studies[first] = replace(studies[first], formulas=formulas)
+    return replace(recorded, studies=tuple(studies))
+
+
+@pytest.fixture(scope="session")
+def made(explored) -> dict[str, str]:
+    """Its pages by their paths."""
+    return pages(explored, {})
+
+
+@pytest.fixture(scope="session")
+def folder(made, tmp_path_factory) -> Path:
+    """The pages as files."""
+    place = tmp_path_factory.mktemp("pages")
+    for name, html in made.items():
+        (place / name).parent.mkdir(exist_ok=True)
+        (place / name).write_text(html, "utf-8")
+    return place
 
 
 @pytest.fixture(scope="session")

@@ -27,7 +27,7 @@ def texts(page):
         yield float(x) - wide, float(x) - wide + LETTER * len(words), float(y), words
 
 
-def test_bars_begin_at_zero_and_end_at_their_value():
+def test_bars_begin_at_zero_and_no_word_leaves_the_picture_or_runs_into_another():
     page = bar_chart(("X", 60.0, "60 %"), ("r", -30.0, ""))
     (x, w), (x2, w2) = [
         tuple(map(float, found))
@@ -35,14 +35,11 @@ def test_bars_begin_at_zero_and_end_at_their_value():
     ]
     assert w == pytest.approx(2 * w2, abs=0.11)
     assert x2 + w2 == pytest.approx(x, abs=0.11)
-
-
-@pytest.mark.parametrize(("name", "value"), [("X", 60.0), (LONG, -60.0)])
-def test_no_word_of_bars_leaves_the_picture_or_runs_into_another(name, value):
     words = "60 % of the turn of the races, 3.4 deg"
-    for left, right, _, said in texts(bar_chart((name, 40.0, words), ("r", value, "r"))):
-        assert left >= 0, said
-        assert right <= WIDTH, said
+    for name, value in (("X", 60.0), (LONG, -60.0)):
+        for left, right, _, said in texts(bar_chart((name, 40.0, words), ("r", value, "r"))):
+            assert left >= 0, said
+            assert right <= WIDTH, said
     page = bar_chart(*((LONG, value, "word " * 9) for value in (1.0, 2.0, 3.0)))
     names = sorted(y for *_, y, words in texts(page) if words in LONG)
     assert len(names) >= 3 * 3
@@ -79,15 +76,12 @@ def test_a_zone_lies_on_the_one_below_and_its_name_inside():
         assert top < float(y) - 4 < bottom
 
 
-@pytest.mark.parametrize(("x", "side"), [(2.0, "start"), (9.0, "end"), (30.0, "end")])
-def test_a_point_of_zones_is_named_within_the_picture(x, side):
-    page = drawn(point=(x, 5.0, "26 N m, 5 kN"))
-    ((u, anchor),) = re.findall(r'class="named" x="([\d.]+)"[^>]*anchor="(\w+)"', page)
-    assert anchor == side
-    assert float(u) <= 390
-
-
-def test_curves_over_zones_are_cut_at_the_plot_and_named_in_the_key():
+def test_a_point_and_curves_over_zones_stay_in_the_picture_and_have_their_names():
+    for x, side in ((2.0, "start"), (9.0, "end"), (30.0, "end")):
+        page = drawn(point=(x, 5.0, "26 N m, 5 kN"))
+        ((u, anchor),) = re.findall(r'class="named" x="([\d.]+)"[^>]*anchor="(\w+)"', page)
+        assert anchor == side
+        assert float(u) <= 390
     page = drawn(curves=(Curve(name="limit", x=X, y=2 * X),))
     assert corners(page, "fit s0 strokes")[0][:, 1].min() >= 28
     assert ">limit<" in page

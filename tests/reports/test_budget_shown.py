@@ -20,9 +20,9 @@ from reports.budget import (
     waterfall,
 )
 from reports.budget_table import budget_csv
-from reports.html import page
 from reports.records import report_record
-from verify.core.results import BudgetJoint, BudgetPart, CaseBudget, Kind, Report, RowBudget
+from tests.reports.conftest import section
+from verify.core.results import BudgetJoint, BudgetPart, CaseBudget, Kind, RowBudget
 
 ROW = RowBudget(
     quantity="K of <the> paper", symbol="K", kind=Kind.APPROXIMATION, total=-0.08, U=1e-3,
@@ -47,12 +47,6 @@ MISSING = CaseBudget(
     case="ring-lame", title="Lamé",
     missing="not measured for this code: freewheel deep budget:ring-lame does it",
 )  # fmt: skip
-BUDGETS = (BUDGET, MISSING)
-
-
-@pytest.fixture(scope="module")
-def one(alone) -> Report:
-    return replace(alone, budgets=BUDGETS)
 
 
 def test_bars_take_the_difference_on_from_one_to_the_next_as_long_as_their_numbers_say():
@@ -60,22 +54,19 @@ def test_bars_take_the_difference_on_from_one_to_the_next_as_long_as_their_numbe
     assert [bar.name for bar in bars] == [
         "difference", "discretisation", "finite geometry", "remainder"
     ]  # fmt: skip
-    total, *parts, rest = bars
-    assert (total.start, total.end) == (0.0, -8.0)
-    for before, bar in zip(bars, parts, strict=False):
-        assert bar.start == before.end
-    assert [bar.end - bar.start for bar in parts] == pytest.approx([-1.0, 7.0])
-    # what the last part leaves is the remainder, drawn from zero
-    assert (rest.start, rest.end) == (0.0, pytest.approx(parts[-1].end))
+    assert [(bar.start, bar.end) for bar in bars] == [
+        (0, -8), (-8, pytest.approx(-9)), (pytest.approx(-9), pytest.approx(-2)),
+        (0, pytest.approx(-2)),  # what the last part leaves is the remainder, drawn from zero
+    ]  # fmt: skip
     svg = str(waterfall(ROW))
     found = re.findall(r'<rect class="(\w+)" x="([\d.]+)" y="[\d.]+" width="([\d.]+)"', svg)
-    (_, x, w), (_, x_1, w_1), (_, x_2, w_2), (_, _, w_3) = found
-    unit = float(w) / 8.0  # of a per cent, of the difference's own bar
-    assert [float(v) / unit for v in (w_1, w_2, w_3)] == pytest.approx([1.0, 7.0, 2.0], abs=0.02)
-    # the first part's bar ends to the left of the difference, where the next begins
-    assert float(x_1) + float(w_1) == pytest.approx(float(x), abs=0.15)
-    assert float(x_2) == pytest.approx(float(x_1), abs=0.15)
     assert [css for css, *_ in found] == ["total", "part", "part", "rest"]
+    (x, w), (x_1, w_1), (x_2, w_2), (_, w_3) = (tuple(map(float, one[1:])) for one in found)
+    unit = w / 8.0  # of a per cent, of the difference's own bar
+    assert [v / unit for v in (w_1, w_2, w_3)] == pytest.approx([1.0, 7.0, 2.0], abs=0.02)
+    # the first part's bar ends to the left of the difference, where the next begins
+    assert x_1 + w_1 == pytest.approx(x, abs=0.15)
+    assert x_2 == pytest.approx(x_1, abs=0.15)
     assert "&lt;the&gt;" in svg
 
 
@@ -108,35 +99,35 @@ def test_the_others_stand_side_by_side_and_identities_are_one_sentence():
     assert [(row.quantity, cells) for row, cells in found.rows] == [
         ("another", ["+1.00 %", "−7.00 %"])
     ]
-    assert headline(BUDGET) == ROW
-    assert compact(MISSING) is None
+    assert (headline(BUDGET), compact(MISSING)) == (ROW, None)
     assert identities(BUDGET).startswith("1 of 1 identities")
-    assert outside(BUDGET) == []
     bad = replace(SAME, within=False)
-    assert outside(replace(BUDGET, rows=(bad,))) == [bad]
+    assert (outside(BUDGET), outside(replace(BUDGET, rows=(bad,)))) == ([], [bad])
     assert identities(replace(BUDGET, rows=(bad,))).startswith("0 of 1 identities")
 
 
-def test_the_page_has_budgets_and_states_what_is_not_measured_or_not_taken_apart(one):
-    text = page(one, {})
-    assert '<section id="budget">' in text
-    assert "measured 2026-11-23" in text
-    assert "Not measured for this code: freewheel deep budget:ring-lame does it." in text
-    assert text.count("chart waterfall") == 1
+def test_page_table_and_records_have_budgets_and_what_is_not_measured_or_taken_apart(alone, schema):
     bad = replace(OTHER, apart=False, why="no rerun")
     rows = (ROW, bad, replace(bad, quantity="a third"), replace(bad, quantity="last", why=""))
     budget = replace(BUDGET, rows=rows)
-    said = (
+    report = replace(alone, budgets=(budget, MISSING))
+    text, notes = section(report, "budget"), left(budget)
+    assert notes == (
         "Not taken apart: another, a third (no rerun); last (no cause is known whose rerun would)."
     )
-    assert (left(budget), left(BUDGET)) == (said, "")
-    assert said in page(replace(one, budgets=(budget,)), {})
-    assert "not taken apart: no rerun" in budget_csv([budget])
+    assert left(BUDGET) == ""
+    for words in (
+        notes, "measured 2026-11-23",
+        "Not measured for this code: freewheel deep budget:ring-lame does it.",
+    ):  # fmt: skip
+        assert words in text
+    assert text.count("chart waterfall") == 1
 
-
-def test_the_table_has_a_line_for_each_part():
-    rows = list(csv.DictReader(io.StringIO(budget_csv(BUDGETS).removeprefix("\ufeff"))))
-    mine = [row for row in rows if row["quantity"] == ROW.quantity]
+    table = budget_csv(report.budgets)
+    assert "not taken apart: no rerun" in table
+    *mine, last = csv.DictReader(io.StringIO(table.removeprefix("\ufeff")))
+    assert "not measured" in last["note"]
+    mine = [row for row in mine if row["quantity"] == ROW.quantity]
     assert [row["part"] for row in mine] == [
         "difference", "discretisation", "contact law", "finite geometry", "plane assumption",
         "together", "remainder",
@@ -144,11 +135,8 @@ def test_the_table_has_a_line_for_each_part():
     total, *_, remainder = (float(row["contribution_relative"] or 0) for row in mine)
     counted = [float(row["contribution_relative"] or 0) for row in mine if row["counts"] == "yes"]
     assert total - sum(counted) == pytest.approx(remainder)
-    assert "not measured" in rows[-1]["note"]
 
-
-def test_records_keep_to_the_schema(one, schema):
-    record = report_record(one)["budgets"]
+    record = report_record(report)["budgets"]
     own = schema["properties"]["budgets"] | {"$defs": schema["$defs"]}
     jsonschema.validate(record, own)
     record[0]["rows"][0]["parts"][0]["cause"] = "magic"

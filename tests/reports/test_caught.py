@@ -2,14 +2,13 @@
 
 from dataclasses import replace
 
-import pytest
 from scipy.stats import binomtest
 
 from reports.caught import in_words, interval, moved, share
 from reports.pdf_data import document
 from reports.records import report_record
 from tests.reports.conftest import section
-from verify.core.results import Caught, MutantGroup, Report, Survivor
+from verify.core.results import Caught, MutantGroup, Survivor
 
 GROUP = MutantGroup(
     name="formulas", all=13000, tried=200, rows=150, tests=44, survived=6, apart=9
@@ -45,12 +44,8 @@ WORDS = [
 ]
 
 
-@pytest.fixture(scope="module")
-def one(wordy) -> Report:
-    return replace(wordy, name="", caught=CAUGHT, validity=(), tables=(), errata=())
-
-
-def test_the_page_has_shares_counts_survivors_and_what_is_asked_of_no_row(one):
+def test_page_pdf_and_records_have_shares_counts_survivors_and_what_is_asked_of_no_row(wordy):
+    one = replace(wordy, name="", caught=CAUGHT, validity=(), tables=(), errata=())
     text = section(one, "caught")
     for words in (
         "200 of 13000", '>97.0\u202f% <span class="unit">94 to 99\u202f%<',  # 150 and 44 of 200
@@ -59,6 +54,17 @@ def test_the_page_has_shares_counts_survivors_and_what_is_asked_of_no_row(one):
         '>a fact: an order</th><td class="n">2</td>', "10 are not; 0 hide the change",
     ):  # fmt: skip
         assert words in text
+    data = document(one, {})["caught"]
+    assert data["groups"][0][1:4] == [
+        "200 of 13000", "97.0\u202f% (94 to 99\u202f%)", "150 (75.0\u202f%)",
+    ]  # fmt: skip
+    assert [row["line"] for row in data["survivors"][0]["rows"]] == [46, 46]
+    assert WORDS[1].rpartition("instead, ")[2] in str(data["moved"]["listed"])
+    record = report_record(one)["caught"]
+    assert record["groups"][0]["tried"] == 200
+    assert record["references"]["gate"]["rows"] == 100
+    without = replace(one, caught=None)
+    assert document(without, {})["caught"] is report_record(without)["caught"] is None
 
 
 def test_references_that_were_moved_have_a_line_for_each_kind_and_words():
@@ -78,17 +84,3 @@ def test_the_interval_of_a_share_is_wilson_s():
     found = binomtest(30, 37).proportion_ci(0.95, method="wilson")
     assert interval(30, 37) == f"{100 * found.low:.0f} to {100 * found.high:.0f}\u202f%"
     assert share(1, 0) == interval(1, 0) == ""
-
-
-def test_the_pdf_and_the_records_have_the_same(one):
-    data = document(one, {})["caught"]
-    assert data["groups"][0][1:4] == [
-        "200 of 13000", "97.0\u202f% (94 to 99\u202f%)", "150 (75.0\u202f%)",
-    ]  # fmt: skip
-    assert [row["line"] for row in data["survivors"][0]["rows"]] == [46, 46]
-    assert WORDS[1].rpartition("instead, ")[2] in str(data["moved"]["listed"])
-    record = report_record(one)["caught"]
-    assert record["groups"][0]["tried"] == 200
-    assert record["references"]["gate"]["rows"] == 100
-    without = replace(one, caught=None)
-    assert document(without, {})["caught"] is report_record(without)["caught"] is None

@@ -47,7 +47,7 @@ def checked(wordy) -> Report:
                    crosschecks=(AGREES, OUTSIDE, other, STALE))  # fmt: skip
 
 
-def test_the_page_has_a_table_of_its_own_and_a_row_leads_to_its_line(checked):
+def test_page_and_pdf_have_a_table_of_its_own_and_a_row_leads_to_its_line(checked):
     html, text = page(checked, {}), section(checked, "crosscheck")
     assert "2 of 3 agree; 1 problem is not measured" in text
     assert "a quarter &amp; more" in text
@@ -60,6 +60,14 @@ def test_the_page_has_a_table_of_its_own_and_a_row_leads_to_its_line(checked):
     assert "21.7673, +0.00046\u202f%, 0.52 s<" in cell
     assert "5522 unknowns: 21.7673 µm; here 21.7672 µm" in cell
     assert [f'<tr id="cross-{i}"' in text for i in range(4)] == [True, True, True, False]
+    (first,) = crosscheck_data((AGREES, OUTSIDE))
+    assert [said(row[-1]) for row in first["rows"]] == [
+        "+0.00046\u202f% (0.0050\u202f%)", "+10\u202f% (0.0050\u202f%) !",
+    ]  # fmt: skip
+    data = document(checked, {})
+    (sentence,) = data["crosschecks_left"]
+    assert said(sentence).startswith("Not measured for this code")
+    assert data["crosschecks_told"] == told(checked.crosschecks)
 
 
 def test_a_case_that_no_solver_takes_has_its_reason(checked):
@@ -68,16 +76,6 @@ def test_a_case_that_no_solver_takes_has_its_reason(checked):
     assert "()" not in text
     (sentence,) = left_out_data([ALONE])
     assert said(sentence) == "Nobody's: ring-lame, no second solver."
-
-
-def test_the_pdf_marks_what_is_outside(checked):
-    (first,) = crosscheck_data((AGREES, OUTSIDE))
-    assert [said(row[-1]) for row in first["rows"]] == [
-        "+0.00046\u202f% (0.0050\u202f%)", "+10\u202f% (0.0050\u202f%) !",
-    ]  # fmt: skip
-    (sentence,) = document(checked, {})["crosschecks_left"]
-    assert said(sentence).startswith("Not measured for this code")
-    assert document(checked, {})["crosschecks_told"] == told(checked.crosschecks)
 
 
 def test_tables_and_records_have_the_second_solver_beside_the_row(checked, schema):

@@ -51,6 +51,8 @@ def test_every_cell_of_an_error_map_has_its_shade_its_number_and_its_mark():
         assert page.count(f'<rect class="{shade}"') == cells
     for words in ("0.4", "−3.0", "8.0", "1.9", "5.1", "·"):
         assert f">{words}<" in page
+    errors = (-1e-6, 0.0123, -0.0996, 0.5, 3.0, -1.2)
+    assert [*map(percent, errors)] == ["0.0", "1.2", "−10", "50", ">99", "<−99"]
     low, high = (
         float(page.split(f'">{row}<')[0].rsplit(' y="', 1)[1].split('"')[0])
         for row in ("0.05", "0.10")
@@ -61,14 +63,6 @@ def test_every_cell_of_an_error_map_has_its_shade_its_number_and_its_mark():
     page = str(error_map(Map(**given, checked=checked, checked_name="by finite elements")))
     assert page.count('<circle class="fe"') == 2 + 1  # and in the key
     assert ">by finite elements<" in page
-
-
-@pytest.mark.parametrize(
-    ("error", "words"),
-    [(-1e-6, "0.0"), (0.0123, "1.2"), (-0.0996, "−10"), (0.5, "50"), (3.0, ">99"), (-1.2, "<−99")],
-)
-def test_per_cent_has_two_digits(error, words):
-    assert percent(error) == words
 
 
 X, Y = np.array([3.0, 6.0, 12.0]), np.array([1.0, 2.0])
@@ -111,13 +105,16 @@ def test_measured_cells_lie_by_columns_and_rows_from_the_bottom_and_a_region_tak
     assert list(map(float, box[:6])) == pytest.approx(wanted, abs=0.06)
 
 
-def test_cells_whose_bar_reaches_across_a_limit_are_hatched():
+def test_cells_whose_bar_reaches_across_a_limit_are_hatched_and_curves_break():
     U = np.full_like(ERROR, 0.001)
     assert not undecided(ERROR, U, LIMITS).any()
     U[0, 0] = 0.011  # 3 % and 1.1 %: perhaps within 2 %
     assert undecided(ERROR, U, LIMITS).sum() == 1
     assert len(paths(validity_map(grid(U=U)), "hatch")) == 1
     assert "hatch" not in validity_map(grid())
+    # a curve breaks where nothing is solved
+    page = str(measured(line([0.0, 0.01, np.nan, 0.01, 0.02])))
+    assert [len(paths(page, css)) for css in ("error", "bar", "none")] == [2, 2, 1]
 
 
 def test_a_level_is_passed_where_a_plane_has_it():
@@ -140,11 +137,6 @@ def test_errors_too_small_for_a_picture_are_stated_in_words(largest, words):
     assert words in measured(grid(error=error))
     assert words in validity_map(line(error[:, 1]))
     assert not re.search(r'"(over|under)\d"', str(validity_map(grid(error=error))))
-
-
-def test_a_curve_of_errors_breaks_where_nothing_is_solved():
-    page = str(measured(line([0.0, 0.01, np.nan, 0.01, 0.02])))
-    assert [len(paths(page, css)) for css in ("error", "bar", "none")] == [2, 2, 1]
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""The page as text: self-contained, escaped, whole."""
+"""The page, and the pages, as text: self-contained, escaped, whole, with links that lead."""
 
 import base64
 import hashlib
@@ -8,14 +8,21 @@ from html.parser import HTMLParser
 
 import pytest
 
+from reports.first_page import groups, paper_parts, stated, tasks
 from reports.formats import values
-from reports.frames import frames
-from reports.html import page
+from reports.html import anchors, page
+from reports.links import FIRST, FOLDER, Places, linked
+from reports.pages import SECTIONS, is_paged
+from reports.pages import pages as as_pages
 from reports.row_lines import lines
+from verify.cases.registry import CASES
 from verify.core.results import Kind, Status
-from verify.jobs.cache import default_folder
+from verify.core.verdicts import Verdict
+from verify.verdicts.record import kept
 
+MOST = 400_000  # bytes of a page
 VOID = {"meta", "link", "br", "img", "input", "hr"}
+OPTIONAL = {"tr", "td", "th"}  # their ends may be left out
 SVG_EMPTY = {"path", "circle", "rect", "line", "use", "image", "stop"}  # close themselves
 
 
@@ -32,12 +39,15 @@ class Reader(HTMLParser):
         if tag == "script":
             self._script = values.get("type", "")
             self.scripts.append([self._script, ""])
+        ended = {"tr": OPTIONAL, "td": OPTIONAL - {"tr"}, "th": OPTIONAL - {"tr"}}.get(tag, ())
+        while ended and self.open[-1] in ended:
+            self.open.pop()
         if tag not in VOID | SVG_EMPTY:
             self.open.append(tag)
         if values.get("http-equiv") == "Content-Security-Policy":
             self.policy = values["content"]
         self.ids += [values["id"]] if "id" in values else []
-        self.links += [values["href"]] if tag == "a" else []
+        self.links += [values["href"]] if tag in ("a", "use") else []
         self.handlers += [k for k in values if k.startswith("on")]
         self.foreign += [
             (k, v) for k, v in attrs
@@ -57,18 +67,23 @@ class Reader(HTMLParser):
     def handle_endtag(self, tag):
         if tag == "script":
             self._script = None
+        while self.open[-1] in OPTIONAL and self.open[-1] != tag:
+            self.open.pop()
         if tag not in VOID | SVG_EMPTY:
             assert self.open.pop() == tag
 
 
-@pytest.fixture(scope="module")
-def drawn(report):
-    return frames(report.cases, default_folder())
-
-
-@pytest.fixture(scope="module")
-def text(report, drawn) -> str:
-    return page(report, drawn)
+def read(html: str) -> Reader:
+    """A page that is well-formed and self-contained, and whose scripts its policy names."""
+    reader = Reader()
+    reader.feed(html)
+    assert reader.open == reader.foreign == reader.handlers == []
+    assert len(set(reader.ids)) == len(reader.ids)
+    assert "default-src 'none'" in reader.policy
+    for code in (code for kind, code in reader.scripts if kind != "application/json"):
+        digest = base64.b64encode(hashlib.sha256(code.encode()).digest()).decode()
+        assert f"script-src 'sha256-{digest}'" in reader.policy
+    return reader
 
 
 @pytest.fixture(scope="module")
@@ -76,34 +91,42 @@ def hostile_text(hostile, drawn) -> str:
     return page(hostile, drawn)
 
 
-@pytest.mark.parametrize("which", ["text", "hostile_text"])
-def test_the_page_is_well_formed_self_contained_and_its_one_script_is_named(which, request):
-    reader = Reader()
-    reader.feed(request.getfixturevalue(which))
-    assert reader.open == reader.foreign == reader.handlers == []
-    assert len(set(reader.ids)) == len(reader.ids)
-    assert all(link.startswith("#") for link in reader.links)
-    assert {link[1:] for link in reader.links} <= set(reader.ids)
-    (own,) = [code for kind, code in reader.scripts if kind != "application/json"]
-    digest = base64.b64encode(hashlib.sha256(own.encode()).digest()).decode()
-    assert f"script-src 'sha256-{digest}'" in reader.policy
-    assert "default-src 'none'" in reader.policy
+def test_the_one_page_is_whole_and_its_links_lead_within_it(text, hostile_text):
+    for html in (text, hostile_text):
+        reader = read(html)
+        assert sum(kind != "application/json" for kind, _ in reader.scripts) == 1
+        assert {link.removeprefix("#") for link in reader.links} <= set(reader.ids)
+
+
+def test_each_of_several_pages_is_whole_and_small_and_its_links_lead_to_places(made, report):
+    names = {name.removeprefix(f"{FOLDER}/").removesuffix(".html") for name in made}
+    assert {case.id for case in report.cases} <= names
+    assert names - {case.id for case in report.cases} <= {*SECTIONS, "report"}
+    readers = {name: read(html) for name, html in made.items()}
+    for name, reader in readers.items():
+        for link in (one for one in reader.links if not one.startswith("data:")):
+            path, _, place = link.partition("#")
+            folder = "" if name == FIRST else f"{FOLDER}/"
+            target = (folder + path).replace(f"{FOLDER}/../", "") if path else name
+            assert target in readers, (name, link)
+            assert not place or place in readers[target].ids, (name, link)
+    assert {name: len(html) for name, html in made.items() if len(html.encode()) > MOST} == {}
 
 
 def test_what_a_user_typed_is_never_markup(hostile, drawn, hostile_text):
     named = replace(hostile, name="<script>alert(1)</script>")
     cases = tuple(replace(c, name="<img src=x onerror=alert(1)>") for c in hostile.cases)
-    for shown in (hostile_text, page(replace(named, cases=cases), drawn)):
-        assert "<script>alert" not in shown
-        assert "<img" not in shown
-        assert "<b>_x" not in shown
-    assert "&lt;script&gt;alert(1)" in page(named, drawn)
-
-
-def test_every_status_is_on_the_page(hostile_text):
+    shown = page(replace(named, cases=cases), drawn)
+    for html in (hostile_text, shown):
+        assert "<script>alert" not in html
+        assert "<img" not in html
+        assert "<b>_x" not in html
+    assert "&lt;script&gt;alert(1)" in shown
     for status in Status:
         assert f'class="state is-{status.value.lower()}">{status.value}<' in hostile_text
         assert f'id="show-{status.value.lower()}"' in hostile_text
+    data = as_pages(hostile, {})[f"{FOLDER}/explorer.html"].partition('id="explorer-data">')[2]
+    assert "<" not in data.partition("</script>")[0]
 
 
 def test_what_was_judged_can_be_read_off_the_page(report, text):
@@ -122,3 +145,51 @@ def test_what_was_judged_can_be_read_off_the_page(report, text):
         assert abs(float(fem) - row.fem) <= max(row.u_num / 5, 0.51 * last)
         told = float(u.rstrip(")")) * last
         assert abs(told - max(row.u_num, last)) <= max(0.06 * row.u_num, 0.51 * last)
+
+
+def test_links_to_rows_lead_to_the_page_of_their_case_and_links_back_go_up(report):
+    places, case = Places(report), report.cases[1].id
+    found = linked(FIRST, '<a href="#row-1-7">x</a>', places)
+    assert found == f'<a href="{FOLDER}/{case}.html#row-1-7">x</a>'
+    here = '<i id="row-1-7"></i><a href="#row-1-7">x</a>'
+    assert linked(f"{FOLDER}/{case}.html", here, places) == here
+    found = linked(f"{FOLDER}/x.html", '<a href="#design"></a>#a', places)
+    assert found == '<a href="../report.html#design"></a>#a'
+
+
+def test_the_first_page_shows_each_verdict_once_and_alike_formulas_in_one_line(made):
+    shown = [v for v in kept() if v.verdict is not Verdict.DEFINITION]
+    assert made[FIRST].count('id="verdict-') == len(shown)
+    found = groups([v for v in kept() if v.paper == "wang2023"])
+    assert "Eqs. 1, 2, 3, 4, 5, 6" in [one.name for one in found]  # corrected
+    assert sum(len(one.formulas) for one in found) == sum(v.paper == "wang2023" for v in shown)
+
+
+def test_claims_and_tasks_are_of_papers_formulas_and_cases_that_exist(report):
+    known = {v.id for v in kept()}
+    assert {one["key"] for one in stated()["papers"]} == {v.paper for v in kept()}
+    for task in stated()["tasks"]:
+        assert set(task["formulas"]) <= known
+        init = re.match(r"freewheel init ([a-z-]+)", task["tool"])
+        assert init[1] in {*CASES.ids, "design-spring", "design-sprag"}
+    assert sum(map(len, tasks(report).values())) == len(stated()["tasks"])
+    parts = paper_parts(report)
+    assert [c.id for part in parts for c in part.cases if c.paper != part.key] == []
+
+
+def test_rows_that_hold_and_say_no_more_stand_in_the_appendix(made, report):
+    case = next(c for c in report.cases if c.id == "freewheel-torque")
+    page = made[f"{FOLDER}/{case.id}.html"]
+    main, _, rest = page.partition('id="more-rows"')
+    settled = [r for r in case.rows if r.kind is Kind.EXACT and r.status is Status.PASS]
+    assert settled
+    for row in settled:
+        place = anchors(report.rows)[row.id]
+        assert f'id="{place}"' in rest
+        assert f'id="{place}"' not in main
+
+
+def test_a_run_of_one_s_own_part_or_of_one_case_is_one_page(report):
+    assert is_paged(report)
+    assert not is_paged(replace(report, name="mine"))
+    assert not is_paged(replace(report, cases=report.cases[:1]))

@@ -1,155 +1,96 @@
-"""The report as pages: links between them, their size, the first one and those of cases."""
+"""Pages in a real browser without network: silent, narrow enough, readable, searchable.
+
+A case of each subject; test_whole looks at the page of every case. The one page of a run is seen
+with hostile texts, which have every status, and with shafts in motion.
+"""
 
 import re
 from dataclasses import replace
+from pathlib import Path
 
+import numpy as np
 import pytest
 
-from reports.first_page import groups, paper_parts, stated, tasks
-from reports.html import anchors
-from reports.links import FIRST, FOLDER, Places, linked
-from reports.pages import SECTIONS, is_paged, pages
+from reports.html import page, styles
+from reports.links import FIRST, FOLDER
+from reports.overview import overview
 from reports.row_lines import lines
-from reports.write import write
-from tests.reports.browser import DARK, NO_CHROMIUM, assert_silent, looked_at
-from verify.cases.registry import CASES
-from verify.core.results import Kind, Status
-from verify.core.verdicts import Verdict
-from verify.verdicts.record import kept
+from tests.reports.browser import (
+    DARK,
+    NEEDS_CHROMIUM,
+    assert_legible,
+    assert_links,
+    assert_silent,
+    browse,
+    looked_at,
+)
+from tests.reports.conftest import NAME
+from tests.reports.paths import walked
+from verify.core.results import Status
 
-MOST = 400_000  # bytes of a page
-IDS = re.compile(r'\bid="([^"]+)"')
-LINKS = re.compile(r'href="([^"]+)"')
-
-
-@pytest.fixture(scope="module")
-def made(report):
-    return pages(replace(report, verdicts=kept()), {})
-
-
-def test_there_is_a_first_page_one_for_each_case_and_those_of_records(made, report):
-    names = {name.removeprefix(f"{FOLDER}/").removesuffix(".html") for name in made}
-    assert {case.id for case in report.cases} <= names
-    assert names - {case.id for case in report.cases} <= {*SECTIONS, "report"}
-
-
-def test_each_link_leads_to_a_place_on_a_page(made):
-    places = {name: set(IDS.findall(page)) for name, page in made.items()}
-    for name, page in made.items():
-        for link in LINKS.findall(page):
-            path, _, place = link.partition("#")
-            if link.startswith("data:"):
-                continue
-            folder = "" if name == FIRST else f"{FOLDER}/"
-            target = (folder + path).replace(f"{FOLDER}/../", "") if path else name
-            assert target in places, (name, link)
-            assert not place or place in places[target], (name, link)
-
-
-def test_a_page_has_each_place_once_and_needs_no_network(made):
-    for page in made.values():
-        found = IDS.findall(page)
-        assert len(found) == len(set(found))
-        assert not re.search(r"""(src|href)=["']https?:""", page)
-        assert "default-src 'none'" in page
-
-
-def test_pages_stay_small(made):
-    sizes = {name: len(page.encode()) for name, page in made.items()}
-    assert {name: size for name, size in sizes.items() if size > MOST} == {}
-
-
-def test_links_to_rows_lead_to_the_page_of_their_case(report):
-    places, case = Places(report), report.cases[1].id
-    assert report.rows[0].case == report.cases[0].id
-    found = linked(FIRST, '<a href="#row-1-7">x</a>', places)
-    assert found == f'<a href="{FOLDER}/{case}.html#row-1-7">x</a>'
-    here = '<i id="row-1-7"></i><a href="#row-1-7">x</a>'
-    assert linked(f"{FOLDER}/{case}.html", here, places) == here
-
-
-def test_links_back_go_up_one_folder(report):
-    found = linked(f"{FOLDER}/x.html", '<a href="#design"></a>#a', Places(report))
-    assert found == '<a href="../report.html#design"></a>#a'
-
-
-def test_the_first_page_shows_each_verdict_once(made):
-    shown = [v for v in kept() if v.verdict is not Verdict.DEFINITION]
-    assert made[FIRST].count('id="verdict-') == len(shown)
-
-
-def test_alike_formulas_stand_in_one_line():
-    found = groups([v for v in kept() if v.paper == "wang2023"])
-    names = [one.name for one in found]
-    assert "Eqs. 1, 2, 3, 4, 5, 6" in names  # corrected
-    assert sum(len(one.formulas) for one in found) == sum(
-        v.paper == "wang2023" and v.verdict is not Verdict.DEFINITION for v in kept()
-    )
-
-
-def test_claims_and_tasks_are_of_papers_formulas_and_cases_that_exist(report):
-    known = {v.id for v in kept()}
-    assert {one["key"] for one in stated()["papers"]} == {v.paper for v in kept()}
-    for task in stated()["tasks"]:
-        assert set(task["formulas"]) <= known
-        init = re.match(r"freewheel init ([a-z-]+)", task["tool"])
-        assert init[1] in {*CASES.ids, "design-spring", "design-sprag"}
-    assert sum(map(len, tasks(report).values())) == len(stated()["tasks"])
-    parts = paper_parts(report)
-    assert [c.id for part in parts for c in part.cases if c.paper != part.key] == []
-
-
-def test_rows_that_hold_and_say_no_more_stand_in_the_appendix(made, report):
-    case = next(c for c in report.cases if c.id == "freewheel-torque")
-    page = made[f"{FOLDER}/{case.id}.html"]
-    main, _, rest = page.partition('id="more-rows"')
-    settled = [r for r in case.rows if r.kind is Kind.EXACT and r.status is Status.PASS]
-    assert settled
-    for row in settled:
-        place = anchors(report.rows)[row.id]
-        assert f'id="{place}"' in rest
-        assert f'id="{place}"' not in main
-
-
-def test_a_run_of_one_s_own_part_or_of_one_case_is_one_page(report):
-    assert is_paged(report)
-    assert not is_paged(replace(report, name="mine"))
-    assert not is_paged(replace(report, cases=report.cases[:1]))
-
-
-def test_pages_of_a_run_before_go(report, tmp_path):
-    old = tmp_path / FOLDER / "gone.html"
-    old.parent.mkdir()
-    old.write_text("", "utf-8")
-    write(report, tmp_path)
-    assert not old.exists()
-    assert {p.stem for p in old.parent.glob("*.html")} >= {case.id for case in report.cases}
-
-
-def test_one_file_for_mail_has_all_cases(report, tmp_path):
-    write(report, tmp_path, single_file=True)
-    page = (tmp_path / FIRST).read_text("utf-8")
-    assert all(f'id="case-{case.id}"' in page for case in report.cases)
-    assert not (tmp_path / FOLDER).exists()
+pytestmark = [*NEEDS_CHROMIUM, pytest.mark.slow("a browser opens pages")]
+TICKS = 5  # of a strip of the overview
 
 
 @pytest.fixture(scope="module")
-def folder(made, tmp_path_factory):
-    """The pages as files."""
-    place = tmp_path_factory.mktemp("pages")
-    for name, page in made.items():
-        (place / name).parent.mkdir(exist_ok=True)
-        (place / name).write_text(page, "utf-8")
-    return place
+def place(tmp_path_factory, hostile, wordy, turning, drawn) -> Path:
+    """Pages of other reports, and the host that looks at them in frames."""
+    found = tmp_path_factory.mktemp("browser")
+    (found / "hostile.html").write_text(page(hostile, drawn), "utf-8")
+    (found / "wordy.html").write_text(page(replace(wordy, name=""), {}), "utf-8")
+    (found / "turning.html").write_text(page(turning, {}), "utf-8")
+    return found
 
 
-@NO_CHROMIUM
-@pytest.mark.slow("a browser opens pages at two widths and in dark colours")
+@pytest.mark.parametrize(("width", "flags"), [(390, ()), (1280, (DARK,))])
+def test_a_page_of_hostile_texts_is_silent_narrow_and_legible_and_a_tile_filters(
+    place, width, flags
+):
+    seen = looked_at(place, "hostile", width, *flags)
+    assert_silent(seen)
+    assert_legible(seen, flags)
+    assert seen["shown"]["all"] > 6
+    for status in ("fail", "skip", "note", "calibrated", "shown"):
+        assert seen["shown"][status] >= 1
+        assert seen["hidden"][status] == 0  # rows of another status that stay visible
+
+
+@pytest.mark.parametrize("width", [390, 1280])
+def test_the_table_of_rows_fits_its_frame(place, width):
+    """With the papers' columns, long names and the longest status."""
+    seen = looked_at(place, "wordy", width)
+    assert seen["wider"] <= 0
+    assert seen["covered"] == 0
+
+
+def test_every_link_leads_to_a_place_in_sight_and_shows_a_row_that_a_filter_hides(place):
+    assert_links(looked_at(place, "hostile", 400, host="links_host.html"), 400, 100)
+    seen = looked_at(place, "hostile", 400, host="links_host.html", status="skip")
+    assert seen["links"] >= 4
+    assert seen["problems"] == []
+
+
+@pytest.mark.parametrize("count", [3, 100])
+def test_no_label_of_an_overview_of_few_or_many_cases_lies_on_another(place, report, count):
+    """Few cases with long names; twice as many as the suite has."""
+    several = -(-count // len(report.cases))
+    cases = [replace(case, id=f"{case.id}-{i}") for i in range(several) for case in report.cases]
+    if count == 3:
+        cases = [replace(case, name=NAME) for case in cases]
+    drawn = f"<style>{styles()}</style><main><figure class='all-rows'>{overview(cases[:count])}"
+    (place / f"overview-{count}.html").write_text(f"<!doctype html><body>{drawn}", "utf-8")
+    seen = looked_at(place, f"overview-{count}", 1320)
+    assert seen["labels"] >= count
+    assert (seen["labels"] - count) % TICKS == 0
+    assert seen["overprinted"] == seen["outside"] == seen["spilled"] == []
+
+
 @pytest.mark.parametrize(
     ("name", "width", "flags"),
     [
         (FIRST, 390, ()), (FIRST, 1320, (DARK,)), (f"{FOLDER}/spring-accordion.html", 390, ()),
         (f"{FOLDER}/rows.html", 390, ()), (f"{FOLDER}/papers.html", 1320, ()),
+        (f"{FOLDER}/explorer.html", 390, ()), (f"{FOLDER}/explorer.html", 1320, (DARK,)),
     ],
 )  # fmt: skip
 def test_pages_are_silent_and_legible_at_every_width(folder, name, width, flags):
@@ -159,24 +100,17 @@ def test_pages_are_silent_and_legible_at_every_width(folder, name, width, flags)
     assert bool(seen["dark"]) == bool(flags)
     assert seen["contrast"] >= 4.5, seen["faintest"]
     assert seen["covered"] == 0
+    assert seen["milliseconds"] < 5000  # other tests run meanwhile
 
 
-@NO_CHROMIUM
-@pytest.mark.slow("a browser types into the search")
-def test_the_search_shows_rows_with_all_words(folder):
-    seen = looked_at(folder / FOLDER, "rows", 1320, host="search_host.html", status="peak star")
+def test_the_search_finds_words_and_symbols_and_leaves_out_a_status(folder, report):
+    seen = looked_at(folder / FOLDER, "rows", 390, host="search_host.html", status="peak star")
     assert len(seen["all"]["rows"]) > 200
     assert seen["all"]["said"] == ""
     assert seen["none"] == {"rows": [], "said": "0 rows"}
     found = seen["some"]["rows"]
     assert seen["some"]["said"] == f"{len(found)} row{'s' if len(found) > 1 else ''}"
     assert 0 < len(found) < len(seen["all"]["rows"])
-
-
-@NO_CHROMIUM
-@pytest.mark.slow("a browser types into the search")
-def test_the_search_finds_symbols_and_leaves_out_a_status(folder, report):
-    seen = looked_at(folder / FOLDER, "rows", 1320, host="search_host.html", status="peak star")
     alone = [line.row for case in report.cases for line in lines(case.rows)]
     quantities = {
         "mu": [r.quantity for r in alone if r.symbol.startswith("μ")],
@@ -187,3 +121,44 @@ def test_the_search_finds_symbols_and_leaves_out_a_status(folder, report):
     for name, expected in quantities.items():
         assert expected
         assert sorted(seen[name]["rows"]) == sorted(expected), name
+
+
+@pytest.mark.parametrize(("width", "flags"), [(390, ()), (1280, (DARK,))])
+def test_shafts_in_motion_stay_in_their_frames_and_stand_out(place, width, flags):
+    seen = looked_at(place, "turning", width, *flags)
+    assert_silent(seen)
+    assert seen["contrast"] >= 4.5, seen["faintest"]
+
+
+FIVE_FRAMES = """<script>
+const asked = []
+window.requestAnimationFrame = draw => asked.push(draw)
+window.IntersectionObserver = class { constructor(f) { this.f = f } observe() { this.f([{ isIntersecting: true }]) } }
+performance.now = () => 0
+addEventListener("load", () => { for (let k = 1; k < 6; k++) for (const draw of asked.splice(0)) draw(52 * k) })
+</script>"""  # noqa: E501 - a tenth of the period of 2600 ms
+
+
+def corners(path: str) -> np.ndarray:
+    """Points of a line as the script draws it, x,yLx,y, or as the page has it, in steps."""
+    if "L" in path:
+        return np.array([p.split(",") for p in path.split("L")], float)
+    return np.array(walked("M" + path)[0]) / 10
+
+
+@pytest.mark.parametrize(
+    ("flags", "offers", "phase"),
+    [((), "Pause", 0.1), (("--force-prefers-reduced-motion",), "Play", 0.0)],
+)
+def test_shafts_whirl_unless_motion_is_unwanted(place, flags, offers, phase):
+    """The line after 260 ms, beside what its data say: x + a cos + e sin, y + b cos + f sin."""
+    drawn = (place / "turning.html").read_text("utf-8")
+    free = re.sub('<meta http-equiv="Content-Security-Policy"[^>]*>', FIVE_FRAMES, drawn)
+    (place / "frames.html").write_text(free, "utf-8")
+    shown = browse(place, *flags, "--dump-dom", (place / "frames.html").as_uri()).stdout
+    assert f'<button type="button">{offers}</button>' in shown
+    line, data = re.search(r'd="M([^"]*)" data-line="([^"]*)"', shown).groups()
+    x, y, a, b, e, f = np.array([row.split(",") for row in data.split(" ")], float).T
+    c, s = np.cos(2 * np.pi * phase), np.sin(2 * np.pi * phase)
+    wanted = np.column_stack([x + a * c + e * s, y + b * c + f * s])
+    assert corners(line) == pytest.approx(wanted, abs=0.11)

@@ -1,19 +1,18 @@
 """The record: few pages, one for each case, with the rows of most weight that fit on it."""
 
 import re
-import subprocess
 from dataclasses import replace
 
 import pytest
 
+from reports import write as writing
 from reports.pdf import pdf
+from reports.pdf_data import document
 from reports.pdf_one_page import by_weight
 from reports.pdf_record import BYTES, PAGES, record
-from reports.write import PAPER, write
 from tests.reports.conftest import sheets_of
-from tests.reports.test_pdf import NEEDS_POPPLER, RIGHT
-from verify.app.report import make_report
-from verify.cases.registry import CASES, find
+from tests.reports.test_pdf import NEEDS_POPPLER, RIGHT, read
+from verify.cases.registry import CASES
 from verify.core.results import Kind, Status
 from verify.jobs.cache import default_folder
 from verify.verdicts.record import kept
@@ -21,31 +20,20 @@ from verify.verdicts.record import kept
 LAST = (Kind.EXACT, Kind.FACT)
 
 
-def pages(paper: bytes, folder) -> list[str]:
-    """What pdftotext reads of each page."""
-    (folder / "r.pdf").write_bytes(paper)
-    run = ["pdftotext", "-layout", str(folder / "r.pdf"), "-"]
-    text = subprocess.run(run, capture_output=True, text=True, check=True).stdout
-    return [re.sub(r"\s+", " ", page.replace("\u200b", "")) for page in text.split("\f")[:-1]]
-
-
 @pytest.fixture(scope="module")
-def with_verdicts(report):
-    return replace(report, verdicts=kept())
-
-
-@pytest.fixture(scope="module")
-def paper(with_verdicts) -> bytes:
-    return pdf(with_verdicts, {}, record)
+def paper(recorded) -> bytes:
+    return pdf(recorded, {}, record)
 
 
 @NEEDS_POPPLER
 def test_each_case_has_one_page_with_its_verdict_rows_and_where_the_rest_is(
-    paper, with_verdicts, tmp_path
+    paper, recorded, tmp_path
 ):
-    read = pages(paper, tmp_path)
-    for case in with_verdicts.cases:
-        (page,) = [text for text in read if f"All of this case: report/{case.id}.html" in text]
+    pages = re.sub(r"[^\S\f]+", " ", read(paper, tmp_path, "-layout").replace("\u200b", ""))
+    for case in recorded.cases:
+        (page,) = [
+            text for text in pages.split("\f") if f"All of this case: report/{case.id}.html" in text
+        ]
         assert page.count(f" {case.id} · ") == 1  # its head
         assert "Formula and reference" in page
         marks = len(re.findall("|".join(f"[✓×!≈◇–] {s}" for s in Status), page))
@@ -55,9 +43,9 @@ def test_each_case_has_one_page_with_its_verdict_rows_and_where_the_rest_is(
         assert shown >= 4
 
 
-def test_the_suite_fits_its_limits(paper, with_verdicts):
+def test_the_suite_fits_its_limits(paper, recorded):
     """The pages before the cases, with the verdicts of all papers, and one for each case."""
-    before = sheets_of(paper) - len(with_verdicts.cases)
+    before = sheets_of(paper) - len(recorded.cases)
     index = len(CASES) // 40 + 1
     assert before + index + len(CASES) <= PAGES
     assert len(paper) / sheets_of(paper) * PAGES < BYTES
@@ -78,14 +66,10 @@ def test_a_page_that_is_full_leaves_out_rows_and_then_drawings(wordy, report):
 
 @NEEDS_POPPLER
 def test_no_word_stands_beyond_the_margins(paper, wordy, tmp_path):
-    long = pdf(replace(wordy, name=""), {}, record)
-    for name, data in {"some": paper, "long": long}.items():
-        (tmp_path / name).write_bytes(data)
-        run = ["pdftotext", "-bbox", str(tmp_path / name), "-"]
-        text = subprocess.run(run, capture_output=True, text=True, check=True).stdout
-        ends = [float(x) for x in re.findall(r'<word .*xMax="([\d.]+)"', text)]
+    for data in (paper, pdf(replace(wordy, name=""), {}, record)):
+        ends = re.findall(r'<word .*xMax="([\d.]+)"', read(data, tmp_path, "-bbox"))
         assert len(ends) > 100
-        assert max(ends) <= RIGHT + 0.5
+        assert max(map(float, ends)) <= RIGHT + 0.5
 
 
 @pytest.mark.parametrize(
@@ -113,42 +97,36 @@ def test_rows_of_most_weight_come_first(report, name, groups):
     assert found == sorted(found, key=groups.index)
 
 
-def test_the_first_page_names_what_is_not_to_be_used_and_papers_have_their_tables(with_verdicts):
-    data = record(with_verdicts, {})
-    unusable = {p["cited"]: p["unusable"] for p in data["papers"]}
-    assert "Eq. 6" in unusable["Wang 2023"]
-    assert "Eq. 9 corrected" not in unusable["Wang 2023"]
+def test_the_first_page_names_what_is_not_to_be_used_and_varied_inputs_come_first(recorded):
+    data = record(recorded, {})
     wang = next(p for p in data["papers"] if p["cited"] == "Wang 2023")
+    assert "Eq. 6" in wang["unusable"]
+    assert "Eq. 9 corrected" not in wang["unusable"]
     (table,) = wang["tables"]
     assert table["rows"]
     assert all(row["claims"] and not row["inputs"] for row in table["rows"])
     ids = {e["id"] for e in wang["errata"]}
     assert ids == {e for v in kept() if v.paper == "wang2023" for e in v.errata}
-
-
-def test_inputs_that_were_varied_come_first(with_verdicts):
-    case = next(c for c in record(with_verdicts, {})["cases"] if c["id"] == "polyhedral-ring")
+    case = next(c for c in data["cases"] if c["id"] == "polyhedral-ring")
     varied = [i["is_varied"] for i in (*case["inputs"], *case["more_inputs"])]
     assert varied[0] > varied[-1]
     assert varied == sorted(varied, reverse=True)
-    assert len(varied) == len(next(c for c in with_verdicts.cases if c.id == case["id"]).inputs)
+    assert len(varied) == len(next(c for c in recorded.cases if c.id == case["id"]).inputs)
 
 
-def test_a_run_without_verdicts_states_why(report, hostile):
-    assert record(report, {})["counted"] is None
-    assert pdf(hostile, {}, record).startswith(b"%PDF")
+def test_a_run_without_verdicts_or_on_one_page_says_so(report):
+    data = record(report, {}, single_file=True)
+    assert data["counted"] is None
+    assert {c["page"] for c in data["cases"]} == {"report.html"}
 
 
-@pytest.mark.slow("a report is written twice")
-def test_the_record_is_the_default_of_several_cases(of_paper, tmp_path):
-    cases = [find("ring-lame"), find("contact-roller-flat")]
-    two = make_report([of_paper(case) for case in cases], cases, 1.0)
-    write(two, tmp_path, cache=default_folder())
-    small = (tmp_path / PAPER).read_bytes()
-    assert b"report/ring-lame.html" in small
-    write(two, tmp_path, cache=default_folder(), full_pdf=True)
-    assert sheets_of((tmp_path / PAPER).read_bytes()) > 2 * sheets_of(small)
-
-
-def test_with_one_page_for_all_cases_the_record_leads_there(report):
-    assert {c["page"] for c in record(report, {}, single_file=True)["cases"]} == {"report.html"}
+def test_the_record_is_the_default_of_several_cases(report, tmp_path, monkeypatch):
+    """The PDF is not set here, only asked for."""
+    asked = []
+    monkeypatch.setattr(writing, "content", lambda _report, _drawn, make: asked.append(make))
+    monkeypatch.setattr(writing, "printed", lambda *_: b"%PDF")
+    two = replace(report, cases=report.cases[:2], tables=(), errata=(), studies=(), searches=())
+    for full in (False, True):
+        writing.write(two, tmp_path, cache=default_folder(), full_pdf=full)
+    default, full = asked
+    assert (default.func, default.keywords, full) == (record, {"single_file": False}, document)

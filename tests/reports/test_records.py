@@ -13,48 +13,24 @@ import pytest
 from reports.html import anchors, page
 from reports.junit import junit
 from reports.pdf_case import case_data
-from reports.records import report_record
+from reports.records import report_record, text_of
 from reports.row_lines import failed_first, lines
 from reports.rows import rows_csv
-from reports.write import write
 from verify.core.results import Kind, Row, Status
-from verify.jobs.cache import default_folder
 
 
-@pytest.mark.slow("a whole report is written and validated")
-def test_results_obey_the_schema_with_odd_texts_too(report, hostile, written):
-    schema = json.loads((written / "results.schema.json").read_text())
-    results = json.loads((written / "results.json").read_text())
+def test_results_obey_the_schema_with_odd_texts_and_values_too(report, hostile, schema):
     jsonschema.Draft202012Validator.check_schema(schema)
-    jsonschema.validate(results, schema)
-    assert len(results["rows"]) == len(report.rows)
-    for case, record in zip(report.cases, results["cases"], strict=True):
-        assert [v["what"] for v in record["values"]] == [v.what for v in case.values]
-    few = replace(hostile, cases=hostile.cases[:1])
-    jsonschema.validate(json.loads(json.dumps(report_record(few))), schema)
-
-
-def test_a_value_that_is_no_number_becomes_null(report):
     row = replace(report.rows[0], tolerance=float("inf"), difference=float("nan"))
-    case = replace(report.cases[0], rows=(row,))
-    record = report_record(replace(report, cases=(case,)))
-    assert record["rows"][0]["tolerance"] is record["rows"][0]["difference"] is None
-    json.dumps(record, allow_nan=False)
-
-
-def test_an_interrupted_write_leaves_the_old_file(report, tmp_path, monkeypatch):
-    from reports import write as module
-
-    before = b"the old page"
-    (tmp_path / "report.html").write_bytes(before)
-    monkeypatch.setattr(module.Path, "replace", lambda *_: (_ for _ in ()).throw(KeyboardInterrupt))
-    with pytest.raises(KeyboardInterrupt):
-        write(report, tmp_path, cache=default_folder())
-    assert (tmp_path / "report.html").read_bytes() == before
-    assert not list(tmp_path.glob(".part-*"))
-
-
-# junit.xml
+    odd = replace(report.cases[0], rows=(row,))
+    odd_report = replace(hostile, cases=(odd, hostile.cases[0]))
+    whole, other = (json.loads(text_of(report_record(one))) for one in (report, odd_report))
+    for record in (whole, other):
+        jsonschema.validate(record, schema)
+    assert len(whole["rows"]) == len(report.rows)
+    for case, record in zip(report.cases, whole["cases"], strict=True):
+        assert [v["what"] for v in record["values"]] == [v.what for v in case.values]
+    assert other["rows"][0]["tolerance"] is other["rows"][0]["difference"] is None
 
 
 def test_junit_counts_failures_and_skips_and_holds_no_markup(hostile):
@@ -80,24 +56,17 @@ def test_every_row_is_a_junit_test_with_a_name_of_its_own_and_a_share_of_the_tim
         assert total == pytest.approx(case.seconds, abs=1e-6 * len(case.rows))
 
 
-# rows.csv, and the order of rows
-
-
 def read(text):
     return list(csv.DictReader(io.StringIO(text.removeprefix("\ufeff"))))
 
 
-@pytest.mark.parametrize("start", ["=1+1", "-2+3", "@SUM(A1)"])
-def test_no_text_of_a_table_is_a_formula_and_no_carriage_return_ends_a_line(report, start):
-    row = replace(report.rows[0], quantity=start, reason=f"{start}\rtwo\nthree\x07")
-    (cells,) = read(rows_csv([row]))
-    assert cells["quantity"] == f"'{start}"
-    assert cells["reason"] == f"'{start} two\nthree\ufffd"
-
-
-def test_negative_numbers_of_a_table_remain_numbers(report):
-    row = replace(report.rows[0], analytic=-1.5, fem=-1.0, scale_name="")
-    (cells,) = read(rows_csv([row]))
+def test_texts_of_a_table_are_no_formulas_and_numbers_remain_numbers(report):
+    for start in ("=1+1", "-2+3", "@SUM(A1)"):
+        row = replace(report.rows[0], quantity=start, reason=f"{start}\rtwo\nthree\x07")
+        (cells,) = read(rows_csv([row]))
+        assert cells["quantity"] == f"'{start}"
+        assert cells["reason"] == f"'{start} two\nthree\ufffd"
+    (cells,) = read(rows_csv([replace(row, analytic=-1.5, fem=-1.0, scale_name="")]))
     assert float(cells["analytic"]) == -1.5
     assert float(cells["difference"]) == -0.5  # formula less reference
     assert float(cells["difference_percent"]) == 50.0  # the formula has the larger magnitude

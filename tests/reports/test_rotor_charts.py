@@ -44,16 +44,13 @@ def test_branches_have_the_style_of_their_whirl_and_a_dot_lies_where_an_excitati
             campbell(**missing)
 
 
-def test_names_of_branches_that_meet_keep_their_lines_apart():
+def test_names_are_spread_no_farther_than_they_must_and_keep_in_their_frame():
     names = tuple(f"{k}F" for k in range(12))
     page = campbell(frequencies=100 + 0.1 * np.arange(12) + 0 * SPEEDS[:, None],
                     whirl=(1,) * 12, names=names)  # fmt: skip
     heights = sorted(float(y) for y in re.findall(r' y="([\d.]+)"[^>]*>\d+F<', page))
     assert len(heights) == 12
     assert np.diff(heights).min() >= 12
-
-
-def test_names_are_spread_no_farther_than_they_must_and_keep_in_their_frame():
     # two wishes at 10 and 12 of width 6 stand around their mean; what is free stays
     assert spread([10.0, 12.0, 40.0], [6.0, 6.0, 6.0]) == pytest.approx([8.0, 14.0, 40.0])
     assert spread([0.0, 1.0], [4.0, 4.0], (0.0, 9.0)) == pytest.approx([0.0, 4.0])
@@ -120,13 +117,6 @@ def test_the_drawing_of_modes_holds_names_steps_bearings_and_a_bar():
     assert len(corners(drawn, "outline")[0]) == 2 * 4
 
 
-@pytest.mark.parametrize(("x", "y"), [(0 * BOW, 0 * BOW), (BOW, BOW)], ids=["zero", "slanted"])
-def test_a_mode_without_an_orbit_has_no_arrow(x, y):
-    drawn = str(whirl(replace(BOTH, modes=(Mode(name="m", lines=((Z, x, y),)),))))
-    assert 'class="sense' not in drawn
-    assert "nan" not in drawn
-
-
 def test_page_and_pdf_take_modes_and_only_then_their_script(wordy):
     case = replace(wordy.cases[0], figures=(BOTH,))
     shown, without = (page(replace(wordy, cases=(c,)), {}) for c in (case, wordy.cases[0]))
@@ -135,6 +125,10 @@ def test_page_and_pdf_take_modes_and_only_then_their_script(wordy):
     figures = case_data(case, (), anchors(case.rows), [], "p")["figures"]
     (figure,) = [f for f in figures if f["title"] == ["Modes"]]
     assert "1F 169.2 Hz" in figure["drawing"]["svg"]
+    for x in (0 * BOW, BOW):  # no orbit, and one that is a line: no arrow
+        drawn = str(whirl(replace(BOTH, modes=(Mode(name="m", lines=((Z, x, x),)),))))
+        assert 'class="sense' not in drawn
+        assert "nan" not in drawn
 
 
 AXES = (

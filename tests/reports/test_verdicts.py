@@ -1,4 +1,4 @@
-"""Verdicts on the page, in Markdown, in the PDF's data and in the workbook."""
+"""Verdicts on the page, in Markdown, in the PDF and the workbook; what to use instead."""
 
 import io
 import json
@@ -7,66 +7,104 @@ from dataclasses import replace
 
 import pytest
 
+from reports.advice import advised, of_case
 from reports.html import page
 from reports.pdf import content
 from reports.verdicts import at_paper, counts_in_markdown, markdown, sides
 from reports.xlsx import xlsx
-from verify.core.verdicts import Verdict
+from verify.core.verdicts import Form, Verdict
 from verify.verdicts.record import kept
 
+ONE = replace(
+    next(v for v in kept() if v.verdict is Verdict.WRONG), id="p/Eq. 1, printed", name="Eq. 1",
+    paper="p", form=Form.PRINTED, instead="",
+)  # fmt: skip
+RIGHT = replace(ONE, id="p/Eq. 1, corrected", form=Form.CORRECTED, verdict=Verdict.ACCURATE,
+                within=0.02)  # fmt: skip
 
-@pytest.fixture(scope="module")
-def with_verdicts(report):
-    """A report of some cases with the verdicts of record."""
-    return replace(report, verdicts=kept())
 
-
-def test_the_page_begins_with_the_verdicts_and_links_their_rows(with_verdicts):
-    html = page(with_verdicts, {})
+def test_the_page_begins_with_the_verdicts_and_links_their_rows(report, recorded):
+    html = page(recorded, {})
     section = html.partition('<section id="verdicts">')[2].partition("</section>")[0]
     assert html.index('id="verdicts"') < html.index('id="answer"')
     assert section.count('<th scope="row">Eq. ') == sum(v.name.startswith("Eq.") for v in kept())
     assert "unsafe: up to 325 % above" in section
-    known = {row.id for row in with_verdicts.rows}
+    known = {row.id for row in recorded.rows}
     linked = sum(row in known for v in kept() for row in (*v.rows, *v.model_rows, v.caution_row))
     assert section.count('href="#row-') == linked > 0
-
-
-def test_a_report_without_verdicts_has_no_section(report):
     assert 'id="verdicts"' not in page(report, {})
 
 
-def test_counts_add_up(with_verdicts):
-    *_, total = counts_in_markdown(with_verdicts).splitlines()
-    numbers = [int(cell) for cell in total.split("|")[2:-1] if cell.strip()]
-    assert sum(numbers) == len(kept())
-    assert len(markdown(with_verdicts).splitlines()) == len(kept()) + 2
-
-
-@pytest.mark.parametrize(
-    ("error", "U", "shown"),
-    [(0.24, 3e-4, "+24 ± 0.03 %"), (-0.344, 1e-6, "−34 %"), (1e-9, 1e-9, "< 0.01 %"),
-     (None, None, "–")],
-)  # fmt: skip
-def test_an_error_is_shown_with_its_bar(error, U, shown):
-    assert at_paper(replace(kept()[0], error=error, U=U)) == shown
-
-
-@pytest.mark.parametrize(
-    ("above", "below", "shown"), [(0.05, 0.344, "+5 / −34 %"), (0.0, 0.1, "0 / −10 %")]
-)
-def test_the_largest_errors_of_both_sides(above, below, shown):
-    assert sides(replace(kept()[0], above=above, below=below)) == shown
-
-
-def test_pdf_and_workbook_have_them_too(with_verdicts):
-    data = json.loads(content(with_verdicts, {}))["verdicts"]
+def test_markdown_pdf_and_workbook_have_them_all(recorded):
+    *_, total = counts_in_markdown(recorded).splitlines()
+    assert sum(int(cell) for cell in total.split("|")[2:-1] if cell.strip()) == len(kept())
+    assert len(markdown(recorded).splitlines()) == len(kept()) + 2
+    assert "no verdict" not in counts_in_markdown(recorded)
+    without = replace(kept()[0], verdict=Verdict.NONE)
+    assert "no verdict" in counts_in_markdown(replace(recorded, verdicts=(without,)))
+    data = json.loads(content(recorded, {}))["verdicts"]
     assert sum(len(paper["lines"]) for paper in data["papers"]) == len(kept())
-    with zipfile.ZipFile(io.BytesIO(xlsx(with_verdicts))) as book:
+    with zipfile.ZipFile(io.BytesIO(xlsx(recorded))) as book:
         assert 'name="Verdicts"' in book.read("xl/workbook.xml").decode()
 
 
-def test_no_verdict_is_counted_where_there_is_one(with_verdicts):
-    without = replace(kept()[0], verdict=Verdict.NONE)
-    assert "no verdict" in counts_in_markdown(replace(with_verdicts, verdicts=(without,)))
-    assert "no verdict" not in counts_in_markdown(with_verdicts)
+@pytest.mark.parametrize(
+    ("shows", "values", "shown"),
+    [
+        (at_paper, {"error": 0.24, "U": 3e-4}, "+24 ± 0.03 %"),
+        (at_paper, {"error": -0.344, "U": 1e-6}, "−34 %"),
+        (at_paper, {"error": 1e-9, "U": 1e-9}, "< 0.01 %"),
+        (at_paper, {"error": None, "U": None}, "–"),
+        (sides, {"above": 0.05, "below": 0.344}, "+5 / −34 %"),
+        (sides, {"above": 0.0, "below": 0.1}, "0 / −10 %"),
+    ],
+)
+def test_errors_are_shown_with_their_bars_and_sides(shows, values, shown):
+    assert shows(replace(kept()[0], **values)) == shown
+
+
+@pytest.mark.parametrize(
+    ("corrected", "words"),
+    [
+        ({}, "the corrected form, accurate within 2 %"),
+        ({"verdict": Verdict.PART}, "the corrected form, accurate within 2 % in part of the range"),
+        ({"verdict": Verdict.DEFINITION}, "the corrected form"),
+        (
+            {"verdict": Verdict.CONSERVATIVE, "instead": "x"},
+            "the corrected form, conservative; or x",
+        ),
+        ({"verdict": Verdict.UNSAFE, "instead": "x"}, "x"),
+        ({"verdict": Verdict.UNVERIFIABLE}, ""),
+        ({"paper": "q"}, ""),
+    ],
+)
+def test_a_printed_form_is_advised_by_its_corrected_form(corrected, words):
+    printed, _ = advised([ONE, replace(RIGHT, **corrected)])
+    assert printed.instead == words
+
+
+def test_own_advice_stands_and_a_usable_form_has_none():
+    own, usable = replace(ONE, instead="a table"), replace(ONE, verdict=Verdict.ACCURATE)
+    assert [v.instead for v in advised([own, RIGHT])] == ["a table", ""]
+    assert advised([usable, RIGHT])[0].instead == ""
+
+
+def test_a_case_has_the_largest_error_of_its_own_rows(report):
+    case = next(c for c in report.cases if c.id == "polyhedral-ring")
+    others = next(c for c in report.cases if c.id == "ring-lame")
+    first, second, *_ = [r for r in case.rows if r.tolerance and r.scale and r.difference]
+    foreign = next(r for r in others.rows if r.tolerance and r.scale)
+    verdict = replace(
+        RIGHT, error=9.0, U=0.1, is_of_part=True, rows=(first.id, foreign.id),
+        model_rows=(second.id,), words="+900 % ± 10 % at the case's own inputs",
+    )  # fmt: skip
+    (found,) = of_case([verdict], case.id, case.rows)
+    assert found.error == first.difference / first.scale
+    assert first.tolerance / first.scale == found.U
+    assert found.is_of_part
+    assert found.words == "+900 % ± 10 % at the inputs of another case"
+    (model,) = of_case([replace(verdict, rows=(foreign.id,))], case.id, case.rows)
+    assert (model.error, model.is_of_part) == (second.difference / second.scale, False)
+    assert of_case([replace(verdict, rows=(), model_rows=())], case.id, case.rows) == []
+    (none,) = of_case([replace(verdict, error=None)], case.id, case.rows)
+    assert none.error is None

@@ -14,8 +14,6 @@ from reports.workbook import Book, Printed
 from reports.xlsx import xlsx
 from verify.core.figures import Table
 
-NOON = datetime(2026, 1, 1, 12, tzinfo=UTC)
-
 
 def opened(content):
     return openpyxl.load_workbook(io.BytesIO(content))
@@ -24,12 +22,6 @@ def opened(content):
 def near(value):
     """The value to the 16 digits that a workbook holds."""
     return None if value is None else pytest.approx(value, rel=1e-15, abs=0)
-
-
-def one_sheet(header, rows, **options):
-    book = Book("title", NOON)
-    book.table("one", header, rows, **options)
-    return opened(book.content())["one"]
 
 
 @pytest.fixture(scope="module")
@@ -41,7 +33,6 @@ def test_rows_are_those_of_the_run_with_their_values_and_links_to_errata(report,
     sheet = book["Rows"]
     head, *lines = sheet.iter_rows(values_only=True)
     assert head == (*HEADER, "ledger")
-    assert len(lines) == len(report.rows)
     numbers = range(HEADER.index("analytic"), HEADER.index("order"))
     for line, row in zip(lines, report.rows, strict=True):
         expected = cells(row)
@@ -61,52 +52,46 @@ def test_every_table_has_a_sheet_and_those_of_papers_none_in_a_user_s_own(report
     sheets = Sheets(report)
     for case, names in zip(report.cases, sheets.of_case, strict=True):
         for table, name in zip(case.tables, names, strict=True):
-            lines = list(book[name].iter_rows(values_only=True))
-            read = [tuple(cell or "" for cell in line) for line in lines]
-            head = read.index(table.header)
-            assert read[head + 1 :] == [
+            read = [tuple(c or "" for c in line) for line in book[name].iter_rows(values_only=True)]
+            assert read[read.index(table.header) + 1 :] == [
                 tuple(near(c) if isinstance(c, float) and c else c or "" for c in row)
                 for row in table.rows
             ]
     assert [name in book.sheetnames for name in sheets.of_paper].count(True) == len(report.tables)
-    for name in ("Errata", "Equations", "Printed numbers"):
-        records = {"Errata": report.errata, "Equations": report.equations}
-        assert book[name].max_row == 1 + len(records.get(name, report.published))
+    ledgers = {"Errata": report.errata, "Equations": report.equations,
+               "Printed numbers": report.published}  # fmt: skip
+    for name, records in ledgers.items():
+        assert book[name].max_row == 1 + len(records)
     names = opened(xlsx(replace(report, name="mine"))).sheetnames
     assert "Rows" in names
-    assert not {"Errata", "Equations", "Printed numbers", "wang2023 Table 1"} & set(names)
+    assert not {*ledgers, "wang2023 Table 1"} & set(names)
 
 
-@pytest.mark.parametrize(
-    "text", ["=1+1", "+1", "-1", "@A1", "http://example.org", "mailto:a@b", "{=1}", "1", "'x"]
-)
-def test_a_text_stays_a_text(text):
-    cell = one_sheet(["a"], [[text]])["A2"]
-    assert (cell.value, cell.data_type, cell.hyperlink) == (text, "s", None)
-
-
-def test_numbers_that_are_none_stay_empty():
-    sheet = one_sheet(["a"], [[math.nan], [math.inf], [-math.inf], [None], [0.0]])
-    assert [sheet.cell(i, 1).value for i in range(2, 7)] == [None, None, None, None, 0]
-
-
-@pytest.mark.parametrize(
-    ("text", "value", "shown"),
-    [("0.610", 0.61, "0.000"), ("−3", -3, "0"), ("1.80×10^-3", 1.8e-3, "0.00E+00"),
-     ("0.601; 0.602", "0.601; 0.602", "General"), ("twelve", "twelve", "General")],
+TEXTS = ("=1+1", "+1", "-1", "@A1", "http://example.org", "mailto:a@b", "{=1}", "1", "'x")
+PRINTED = (
+    ("0.610", 0.61, "0.000"), ("−3", -3, "0"), ("1.80×10^-3", 1.8e-3, "0.00E+00"),
+    ("0.601; 0.602", "0.601; 0.602", "General"), ("twelve", "twelve", "General"),
 )  # fmt: skip
-def test_a_printed_number_keeps_its_digits(text, value, shown):
-    cell = one_sheet(["a"], [[Printed(text)]])["A2"]
-    assert cell.value == value
-    assert cell.number_format == shown
+
+
+def test_a_text_stays_a_text_none_is_empty_and_a_printed_number_keeps_its_digits():
+    none = [math.nan, math.inf, -math.inf, None]
+    given = [*TEXTS, *none, 0.0, *(Printed(text) for text, *_ in PRINTED)]
+    book = Book("title", datetime(2026, 1, 1, 12, tzinfo=UTC))
+    book.table("one", ["a"], [[one] for one in given])
+    found = [c for (c,) in opened(book.content())["one"].iter_rows(min_row=2)]
+    texts, numbers, printed = found[: len(TEXTS)], found[len(TEXTS) : -5], found[-5:]
+    for text, cell in zip(TEXTS, texts, strict=True):
+        assert (cell.value, cell.data_type, cell.hyperlink) == (text, "s", None)
+    assert [cell.value for cell in numbers] == [None, None, None, None, 0]
+    assert [(c.value, c.number_format) for c in printed] == [(v, shown) for _, v, shown in PRINTED]
 
 
 def test_sheet_names_are_short_lawful_and_each_once(report):
     odd = ["a/b\\c:d*e?f[g]", "History", "rows", "''", "", "Summary", "é\x07"]
     titles = ["x" * 40, "X" * 40, *odd]
     tables = tuple(Table(title=t, header=("a",), rows=()) for t in titles)
-    case = replace(report.cases[0], tables=tables)
-    changed = replace(report, cases=(case,))
+    changed = replace(report, cases=(replace(report.cases[0], tables=tables),))
     (names,) = Sheets(changed).of_case
     book = opened(xlsx(changed))
     assert set(names) <= set(book.sheetnames)
