@@ -22,35 +22,25 @@ def extension(name):
     return module
 
 
-def marked(text):
-    lines = text.splitlines()
-    extension("docstrings").mark(None, "function", "f", None, None, lines)
-    return lines
-
-
-def test_bars_of_absolute_values_and_endings_of_code_words_are_text():
-    assert marked("Where |x| < a, several `State`s; `|y|` is code.") == [
-        r"Where \|x\| < a, several `State`\ s; `|y|` is code."
-    ]
-
-
-def test_an_indented_line_of_code_is_a_literal_block_and_one_of_a_directive_is_not():
-    assert marked("Sums:\n\n    K[a] = |b|\n\nmore |c|") == [
-        "Sums:", "", "::", "", "    K[a] = |b|", "", r"more \|c\|",
-    ]  # fmt: skip
-    equation = ".. math::\n    a\n\n    |b|"
-    assert marked(equation) == equation.splitlines()
-
-
-def test_values_that_are_explained_are_a_list():
-    assert marked('"thin"   and N\n         of it;\n"thick"  all') == [
-        "", '- "thin": and N', "  of it;", '- "thick": all',
-    ]  # fmt: skip
-
-
-def test_a_doctest_after_the_sections_has_its_own():
-    text = "F.\n\nRaises\n------\nValueError\n    Why.\n\n>>> f(**x)"
-    assert marked(text)[-3:] == ["Examples", "--------", ">>> f(**x)"]
+@pytest.mark.parametrize(
+    ("text", "lines"),
+    [
+        ("Where |x| < a, several `State`s; `|y|` is code.",
+         [r"Where \|x\| < a, several `State`\ s; `|y|` is code."]),
+        ("Sums:\n\n    K[a] = |b|\n\nmore |c|",  # code
+         ["Sums:", "", "::", "", "    K[a] = |b|", "", r"more \|c\|"]),
+        (".. math::\n    a\n\n    |b|", [".. math::", "    a", "", "    |b|"]),
+        ('"thin"   and N\n         of it;\n"thick"  all',  # values that are explained
+         ["", '- "thin": and N', "  of it;", '- "thick": all']),
+        ("F.\n\nRaises\n------\nValueError\n    Why.\n\n>>> f(**x)",
+         ["F.", "", "Raises", "------", "ValueError", "    Why.", "",
+          "Examples", "--------", ">>> f(**x)"]),
+    ],
+)  # fmt: skip
+def test_docstrings_become_what_sphinx_reads(text, lines):
+    found = text.splitlines()
+    extension("docstrings").mark(None, "function", "f", None, None, found)
+    assert found == lines
 
 
 def test_types_of_a_signature_are_those_of_the_source():

@@ -9,30 +9,18 @@ import pytest
 TUTORIAL = Path(__file__).parents[1] / "docs" / "contact_tutorial.py"
 
 
-@pytest.fixture(scope="module")
-def told() -> dict:
-    return runpy.run_path(str(TUTORIAL))
-
-
-def test_the_foot_takes_what_the_hole_carries(told):
+def test_the_foot_takes_the_load_the_pressure_has_its_bounds_and_friction_its_limit():
+    told = runpy.run_path(str(TUTORIAL))
+    touch, R, play, F = told["touch"], told["R"], told["PLAY"], told["LOAD"]
     x, y, _ = told["step"].plane.reaction("foot")
-    assert abs(x) < 1e-8 * told["LOAD"] + abs(told["touch"].force[0])
-    assert y == pytest.approx(-told["touch"].force[1], rel=1e-8)
-    assert y == pytest.approx(told["LOAD"], rel=1e-5)  # the parabolas' pin is not quite a circle
-
-
-def test_the_pressure_lies_between_the_cosine_of_a_fitting_pin_and_hertz_of_a_loose_one(told):
+    assert abs(x) < 1e-8 * F + abs(touch.force[0])
+    assert y == pytest.approx(-touch.force[1], rel=1e-8)
+    assert y == pytest.approx(F, rel=1e-5)  # the parabolas' pin is not quite a circle
     # play makes the contact narrower than a fitting pin's half circle with p = 2F/(pi R) cos, and
     # two parabolas would conform less than two circles do
-    R, play, F = told["R"], told["PLAY"], told["LOAD"]
     E_star = 1 / (1 / 70e3 + 1 / 210e3)
-    relative = R * (R - play) / play
-    hertz = np.sqrt(F * E_star / (np.pi * relative))
-    assert 2 * F / (np.pi * R) < told["touch"].peak < 1.5 * hertz
-
-
-def test_the_pin_slips_at_the_edge_and_friction_keeps_to_its_limit(told):
-    touch = told["touch"]
+    hertz = np.sqrt(F * E_star / (np.pi * R * (R - play) / play))
+    assert 2 * F / (np.pi * R) < touch.peak < 1.5 * hertz
     assert np.all(np.abs(touch.traction) <= 0.15 * touch.pressure + 1e-9 * touch.peak)
     assert np.any(touch.sticks)
-    assert np.any(touch.closed & ~touch.sticks)
+    assert np.any(touch.closed & ~touch.sticks)  # it slips at the edge

@@ -140,6 +140,17 @@ def schema() -> dict:
     return json.loads((Path(reports.__file__).parent / "results.schema.json").read_text("utf-8"))
 
 
+def first_of(report: Report, count: int) -> Report:
+    """A report of its first cases alone."""
+    cases = report.cases[:count]
+    names = {case.id for case in cases}
+    return replace(
+        report, cases=cases, validity=tuple(v for v in report.validity if v.case in names),
+        budgets=tuple(b for b in report.budgets if b.case in names),
+        tables=(), studies=(), searches=(),
+    )  # fmt: skip
+
+
 def section(report: Report, name: str) -> str:
     """The section of the report's page with this id."""
     return page(report, {}).partition(f'<section id="{name}">')[2].partition("</section>")[0]

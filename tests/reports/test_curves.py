@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from itertools import combinations
 
 import numpy as np
 import pytest
@@ -81,53 +82,43 @@ def test_on_a_logarithmic_axis_decades_are_equally_far_and_zero_is_left_out():
 
 
 def test_a_line_of_many_points_is_drawn_by_few_and_looks_the_same():
-    """Four hundred points of a bend and of two straight parts; x is drawn to a tenth."""
     axes = Axes((52, 28, 390, 262), (0.0, 4.0), (0.0, 1.0))
     x = np.linspace(0.0, 4.0, 400)
-    y = np.clip(x - 1, 0, 1) ** 2
+    y = np.clip(x - 1, 0, 1) ** 2  # a bend and two straight parts
     axes.curve(x, y, "fit")
     (line,) = corners(axes.body[0], "fit")
     assert len(line) < 40
     assert np.interp(52 + x * 338 / 4, *line.T) == pytest.approx(262 - 234 * y, abs=0.4)
 
 
-PROFILE = Profile(**NAMES, x=X, y=X, x_fem=X, y_fem=X - 1.0, y_ref=X, u=np.full(5, 0.02), scale=2.0)
-
-
-@pytest.mark.parametrize(
-    ("changed", "named"),
-    [
+def test_the_difference_of_a_profile_is_above_zero_and_named_by_what_divides_it():
+    drawn = Profile(
+        **NAMES, x=X, y=X, x_fem=X, y_fem=X - 1.0, y_ref=X, u=np.full(5, 0.02), scale=2.0
+    )
+    for changed, named in (
         ({}, "(formula − reference)/(2 MPa), in 10"),
         ({"scale_name": "p"}, "(formula − reference)/p, in 10"),
         ({"scale": 1.0}, "formula − reference, in 10"),
         ({"y_label": "p"}, "(formula − reference)/2, in 10"),
-    ],
-)
-def test_the_difference_of_a_profile_is_named_by_what_divides_it(changed, named):
-    page = str(profile(replace(PROFILE, **changed)))
-    assert named in re.sub("<[^>]*>", "", re.sub('aria-label="[^"]*"', "", page))
-    # the formula is larger: above the line of zero, in the middle of 204 and 262
-    dots = [float(y) for y in re.findall(r'cy="([\d.]+)"', page)][-5:]
-    assert max(dots) < 233
-
-
-CELLS = np.array([8.0, 12.0, 24.0])
-FINER = Refinement(
-    **NAMES, cells=CELLS, errors=(("a", 1 / CELLS**2), ("b", 1 / CELLS**2)), order=2.0
-)
+    ):
+        page = str(profile(replace(drawn, **changed)))
+        assert named in re.sub("<[^>]*>", "", re.sub('aria-label="[^"]*"', "", page))
+        # the formula is larger: above the line of zero, in the middle of 204 and 262
+        assert max(float(y) for y in re.findall(r'cy="([\d.]+)"', page)[-5:]) < 233
 
 
 def test_errors_of_theory_lie_on_their_lines_and_those_of_zero_are_left_out():
-    page = refinement(FINER)
-    x, y = np.array(
-        re.findall(r'circle class="s0" cx="([\d.]+)" cy="([\d.]+)"', page), float
-    )[:3].T  # fmt: skip
-    ends = corners(page, "fit s0")[0]
+    cells = np.array([8.0, 12.0, 24.0])
+    errors = (("a", 1 / cells**2), ("b", 1 / cells**2))
+    finer = Refinement(**NAMES, cells=cells, errors=errors, order=2.0)
+    found = re.findall(r'circle class="s0" cx="([\d.]+)" cy="([\d.]+)"', refinement(finer))
+    x, y = np.array(found, float)[:3].T
+    ends = corners(refinement(finer), "fit s0")[0]
     assert np.interp(x, *ends[np.argsort(ends[:, 0])].T) == pytest.approx(y, abs=0.15)
     assert len(set(y)) == 3
-    some = replace(FINER, errors=(("a", np.array([1e-2, 0.0, 1e-4])),))
+    some = replace(finer, errors=(("a", np.array([1e-2, 0.0, 1e-4])),))
     assert refinement(some).count("<circle") == 2
-    assert not refinement(replace(FINER, errors=(("a", np.zeros(3)),)))
+    assert not refinement(replace(finer, errors=(("a", np.zeros(3)),)))
 
 
 def test_rows_whose_levels_show_no_order_are_not_drawn_as_if_they_had_one():
@@ -165,16 +156,16 @@ def test_all_states_have_one_scale_that_a_bar_names_and_contacts_are_dots():
     assert len(corners(page, "fit faint")) == 1
 
 
-@pytest.mark.parametrize(("count", "size"), [(1, (60, 1)), (9, (1, 60)), (9, (60, 1))])
-def test_no_state_leaves_the_picture_or_lies_on_another(count, size):
-    line = np.array([[0.0, 0.0], size])
-    page = states(*(Panel(name=f"state {k}", lines=(line,)) for k in range(count)))
-    height = float(re.search(rf'viewBox="0 0 {WIDTH:g} ([\d.]+)"', page)[1])
-    boxes = [(p.min(axis=0), p.max(axis=0)) for p in corners(page, "strip")]
-    for i, (low, high) in enumerate(boxes):
-        assert (low >= 0).all()
-        assert (high <= (WIDTH, height)).all()
-        for other_low, other_high in boxes[:i]:
+def test_no_state_leaves_the_picture_or_lies_on_another():
+    for count, size in ((1, (60, 1)), (9, (1, 60)), (9, (60, 1))):
+        line = np.array([[0.0, 0.0], size])
+        page = states(*(Panel(name=f"state {k}", lines=(line,)) for k in range(count)))
+        height = float(re.search(rf'viewBox="0 0 {WIDTH:g} ([\d.]+)"', page)[1])
+        boxes = [(p.min(axis=0), p.max(axis=0)) for p in corners(page, "strip")]
+        for low, high in boxes:
+            assert (low >= 0).all()
+            assert (high <= (WIDTH, height)).all()
+        for (low, high), (other_low, other_high) in combinations(boxes, 2):
             assert (low > other_high).any() or (other_low > high).any()
 
 

@@ -10,7 +10,7 @@ from reports.pdf import pdf
 from reports.pdf_data import document
 from reports.pdf_one_page import by_weight
 from reports.pdf_record import BYTES, PAGES, record
-from tests.reports.conftest import sheets_of
+from tests.reports.conftest import first_of, sheets_of
 from tests.reports.test_pdf import NEEDS_POPPLER, RIGHT, read
 from verify.cases.registry import CASES
 from verify.core.results import Kind, Status
@@ -125,7 +125,7 @@ def test_the_record_is_the_default_of_several_cases(report, tmp_path, monkeypatc
     asked = []
     monkeypatch.setattr(writing, "content", lambda _report, _drawn, make: asked.append(make))
     monkeypatch.setattr(writing, "printed", lambda *_: b"%PDF")
-    two = replace(report, cases=report.cases[:2], tables=(), errata=(), studies=(), searches=())
+    two = first_of(report, 2)
     for full in (False, True):
         writing.write(two, tmp_path, cache=default_folder(), full_pdf=full)
     default, full = asked

@@ -33,27 +33,24 @@ def test_results_obey_the_schema_with_odd_texts_and_values_too(report, hostile, 
     assert other["rows"][0]["tolerance"] is other["rows"][0]["difference"] is None
 
 
-def test_junit_counts_failures_and_skips_and_holds_no_markup(hostile):
+def test_every_row_is_a_junit_test_with_a_share_of_the_time_and_holds_no_markup(report, hostile):
+    suites = ET.fromstring(junit(report))
+    tests = suites.findall("testsuite/testcase")
+    assert len({(t.get("classname"), t.get("name")) for t in tests}) == len(report.rows)
+    assert tests[0].get("classname") == "freewheel.ring-lame"
+    for suite, case in zip(suites, report.cases, strict=True):
+        total = sum(float(t.get("time")) for t in suite)
+        assert float(suite.get("time")) == pytest.approx(case.seconds, abs=1e-3)
+        assert total == pytest.approx(case.seconds, abs=1e-6 * len(case.rows))
     text = junit(hostile)
     suites = ET.fromstring(text)
     own = suites.find("testsuite")
     assert (suites.get("failures"), suites.get("skipped")) == ("1", "1")
     assert (own.get("tests"), own.get("errors")) == (str(len(Status)), "0")
     failure = own.find("testcase/failure")
-    assert failure.get("message").startswith("<script>")
     assert failure.text == failure.get("message")
+    assert failure.text.startswith("<script>")
     assert "\x07" not in text
-
-
-def test_every_row_is_a_junit_test_with_a_name_of_its_own_and_a_share_of_the_time(report):
-    suites = ET.fromstring(junit(report))
-    tests = suites.findall("testsuite/testcase")
-    assert len({(t.get("classname"), t.get("name")) for t in tests}) == len(report.rows)
-    assert tests[0].get("classname") == "freewheel.ring-lame"
-    for suite, case in zip(suites, report.cases, strict=True):
-        assert float(suite.get("time")) == pytest.approx(case.seconds, abs=1e-3)
-        total = sum(float(t.get("time")) for t in suite)
-        assert total == pytest.approx(case.seconds, abs=1e-6 * len(case.rows))
 
 
 def read(text):
@@ -80,20 +77,17 @@ def row(quantity, status=PASS):
     return Row(case="c", quantity=quantity, symbol="x", unit="1", kind=Kind.IDENTITY, status=status)
 
 
-def test_failed_rows_come_first_then_those_not_run_each_in_their_order():
+def test_failed_rows_come_first_then_those_not_run_and_convergence_shares_its_quantity_s_line():
     states = {"a": PASS, "b": SKIP, "c": NOTE, "d": FAIL, "e": FAIL, "f": SKIP}
     given = [row(*item) for item in states.items()]
     assert [r.quantity for r in failed_first(given)] == ["d", "e", "b", "f", "a", "c"]
     assert [line.row.quantity for line in lines(given)] == ["d", "e", "b", "f", "a", "c"]
-
-
-def test_convergence_shares_the_line_of_its_quantity_unless_it_failed():
     a, good, b = row("a"), row("a: convergence"), row("b")
-    bad = row("b: convergence", FAIL)
+    bad = row("b: convergence", FAIL)  # a line of its own, as one that is alone
     assert [(x.row, x.convergence) for x in lines([a, good, b, bad])] == [
         (bad, None), (a, good), (b, None),
     ]  # fmt: skip
-    assert [x.row for x in lines([good])] == [good]  # alone, it is a line of its own
+    assert [x.row for x in lines([good])] == [good]
 
 
 def test_page_and_pdf_begin_with_failed_rows_and_files_of_data_keep_the_order(report):

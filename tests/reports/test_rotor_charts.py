@@ -103,18 +103,15 @@ def test_forward_whirl_runs_from_x_to_y_and_its_arrow_points_along_the_orbit(sho
     assert (tip - np.mean(back, axis=0)) @ (orbit[k + 1] - orbit[k]) > 0
 
 
-def test_the_drawing_of_modes_holds_names_steps_bearings_and_a_bar():
+def test_the_bar_of_modes_has_its_length_and_every_panel_its_bearings():
     drawn = str(plot(replace(BOTH, names=("outer", "inner"))))
-    for name in ("1F 169.2 Hz", "1B 152.4 Hz", "0.1 m", "bearing to ground", "between shafts"):
+    for name in ("1F 169.2 Hz", "0.1 m", "bearing to ground", "between shafts", "outer", "inner"):
         assert name in drawn
-    for name, colour in (("outer", "s0"), ("inner", "s2")):
-        assert re.search(rf'class="fit {colour} strokes"[^>]*/><text[^>]*>{name}<', drawn)
     (bar, *_) = re.findall(r'class="base" d="M8,[\d.]+L([\d.]+),', drawn)
     places = rows(drawn)[0][:, :2]
     along = (places[-1] - places[0])[0] / ALONG[0] / 0.9  # pixels of a metre
     assert float(bar) - 8 == pytest.approx(0.1 * along, abs=0.2)
     assert drawn.count('class="support"') == 2 * 2 + 1  # in each panel and in the key
-    assert len(corners(drawn, "outline")[0]) == 2 * 4
 
 
 def test_page_and_pdf_take_modes_and_only_then_their_script(wordy):

@@ -16,7 +16,7 @@ from reports.pdf import pdf
 from reports.pdf_record import BYTES, PAGES, record
 from tests.reports.browser import NO_CHROMIUM, assert_links, assert_silent, looked_at, sheets
 from tests.reports.conftest import sheets_of
-from tests.reports.test_pages import MOST
+from tests.reports.test_page import MOST
 from tests.test_documents import VERIFIED
 from verify.jobs.cache import default_folder
 from verify.verdicts.record import kept
@@ -42,23 +42,19 @@ def test_the_table_of_cases_is_that_of_this_code(whole):
     assert printed == markdown(whole), "run make readme"
 
 
-def test_each_page_is_small(whole):
+def test_every_row_is_once_on_a_page_small_enough_to_mail_and_each_of_several_is_small(whole, text):
+    ids = Counter(re.findall(r'id="(row-[\d-]+)"', text))
+    assert ids == dict.fromkeys(anchors(whole.rows).values(), 1)
+    assert len(text.encode()) < 9e6  # what most mail takes, with room to spare
     made = pages(replace(whole, verdicts=kept()), frames(whole.cases, default_folder()))
     sizes = {name: len(text.encode()) for name, text in made.items()}
     assert {name: size for name, size in sizes.items() if size > MOST} == {}
 
 
-def test_every_row_is_once_on_a_page_small_enough_to_mail(whole, text):
-    ids = Counter(re.findall(r'id="(row-[\d-]+)"', text))
-    assert ids == dict.fromkeys(anchors(whole.rows).values(), 1)
-    assert len(text.encode()) < 9e6  # what most mail takes, with room to spare
-
-
 @NO_CHROMIUM
-def test_the_explorer_of_all_cases_is_small_and_opens_in_a_second(tmp_path, whole):
+def test_the_explorer_of_all_cases_opens_in_a_second(tmp_path, whole):
     made = pages(whole, {})[f"{FOLDER}/explorer.html"]
     (tmp_path / "explorer.html").write_text(made, "utf-8")
-    assert len(made.encode()) < 400_000
     seen = looked_at(tmp_path, "explorer", 1320)
     assert_silent(seen)
     assert seen["milliseconds"] < 1000
@@ -83,11 +79,7 @@ def test_the_record_has_a_page_for_each_case_and_fits_a_file(whole):
 
 
 @NO_CHROMIUM
-def test_it_prints_on_fewer_than_eight_sheets_a_case(folder, whole):
+def test_its_links_lead_to_places_in_sight_and_it_prints_on_few_sheets(folder, whole):
+    for width in (1400, 400):
+        assert_links(looked_at(folder, "report", width, host="links_host.html"), width, 600)
     assert 10 < sheets(folder, "report") < 8 * len(whole.cases)
-
-
-@NO_CHROMIUM
-@pytest.mark.parametrize("width", [1400, 400])
-def test_every_link_leads_to_a_place_in_sight_below_a_menu_of_one_line(folder, width):
-    assert_links(looked_at(folder, "report", width, host="links_host.html"), width, 600)

@@ -16,6 +16,7 @@ from reports.before import FILE
 from reports.links import FIRST, FOLDER, path_of
 from reports.origins import Origins, digests, part_of
 from reports.write import PAPER, write
+from tests.reports.conftest import first_of
 from verify.jobs.cache import default_folder
 
 pytestmark = pytest.mark.slow("a report is written several times")
@@ -27,7 +28,7 @@ BOOK = "tables.xlsx"
 @pytest.fixture(scope="module")
 def some(report):
     """A few cases of the report, and little else."""
-    return replace(report, cases=report.cases[:3], tables=(), errata=(), searches=(), studies=())
+    return replace(first_of(report, 3), errata=())
 
 
 @pytest.fixture(scope="module")
@@ -124,17 +125,6 @@ def test_a_case_without_a_key_has_all_parts_written(some, origins):
     assert {part_of(path_of(case.id)) for case in some.cases} <= set(parts)
     assert part_of(path_of("rows")) in parts
     assert part_of(FIRST) not in parts
-
-
-def test_an_interrupted_write_leaves_the_old_file(some, tmp_path, monkeypatch):
-    (tmp_path / FIRST).write_bytes(b"the old page")
-    monkeypatch.setattr(
-        writing.Path, "replace", lambda *_: (_ for _ in ()).throw(KeyboardInterrupt)
-    )
-    with pytest.raises(KeyboardInterrupt):
-        write(some, tmp_path, cache=default_folder())
-    assert (tmp_path / FIRST).read_bytes() == b"the old page"
-    assert not list(tmp_path.glob(".part-*"))
 
 
 @pytest.fixture
