@@ -16,7 +16,6 @@ CHROMIUM = next(
 NO_CHROMIUM = pytest.mark.skipif(
     not CHROMIUM, reason="no chromium: the page is not looked at in a browser"
 )
-NEEDS_CHROMIUM = [NO_CHROMIUM]
 OFFLINE = ("--host-resolver-rules=MAP * ~NOTFOUND", "--disable-background-networking",
            "--disable-component-update", "--disable-sync", "--no-first-run")  # fmt: skip
 DARK = "--blink-settings=preferredColorScheme=0"
@@ -76,9 +75,9 @@ def assert_silent(seen: dict[str, object]) -> None:
     assert seen["spilled"] == []
 
 
-def assert_legible(seen: dict[str, object], flags: tuple[str, ...]) -> None:
+def assert_legible(seen: dict[str, object], flags: tuple[str, ...], least: int = 40) -> None:
     assert bool(seen["dark"]) == bool(flags)
-    assert seen["texts"] > 500
+    assert seen["texts"] > least
     assert seen["contrast"] >= 4.5, seen["faintest"]  # WCAG 2, level AA
 
 

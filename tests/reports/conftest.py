@@ -14,7 +14,6 @@ from reports.html import page
 from reports.pages import pages
 from verify.app.report import make_report
 from verify.cases.registry import CASES, find
-from verify.core.figures import Band, Campbell, Curve, Curves, Mode, Parallel, ParallelAxis, Whirl
 from verify.core.results import Kind, Partner, Published, Report, Row, Status
 from verify.jobs.cache import default_folder
 from verify.verdicts.record import kept
@@ -164,31 +163,3 @@ def sheets_of(paper: bytes) -> int:
 def said(runs) -> str:
     """The words of a cell of the PDF, without its marks."""
     return "".join(run if isinstance(run, str) else said(run[1:]) for run in runs)
-
-
-@pytest.fixture(scope="session")
-def turning(wordy) -> Report:
-    """One case that shows whirling shafts, a Campbell diagram, a band and parallel axes."""
-    z, n = np.linspace(0.0, 0.9, 13), np.linspace(0.0, 6000.0, 13)
-    bow, names = np.sin(np.pi * z / 0.9).astype(complex), {"title": "T", "x_label": "n [r/min]"}
-    modes = tuple(
-        Mode(
-            name=f"{k}F 169.2 Hz",
-            lines=((z, (1 + 0.5j) * bow, -1j * bow), (z[3:9], bow[3:9], bow[3:9])),
-        )
-        for k in range(5)
-    )
-    axis = {"unit": "N/m", "low": 1e6, "high": 1e9, "log": True}
-    figures = (
-        Whirl(title="Modes", unit="m", modes=modes, outlines=((z, 0.02 + 0 * z),),
-              supports=(0.0, 0.9), links=(0.3,)),
-        Campbell(**names, y_label="f [Hz]", speeds=n, frequencies=100 + n[:, None] / [200, -200],
-                 whirl=(1, -1), names=("1F", "1B"), excitations=(("1×", 1 / 60), ("9×", 9 / 60)),
-                 critical=((4615.4, 76.9, "4615 r/min"),), range=(2000.0, 3000.0)),
-        Curves(**names, y_label="µm", curves=(Curve(name="mean", x=n, y=10 + n),), y_log=True,
-               bands=(Band(name="90 %", x=n, lower=5 + n, upper=20 + 2 * n),)),
-        Parallel(title="Sets", axes=tuple(ParallelAxis(name=f"k_{k}", **axis) for k in range(9)),
-                 members=np.geomspace(1e6, 1e9, 90).reshape(10, 9), members_name="sets",
-                 highlighted=((4, "best", 0),)),
-    )  # fmt: skip
-    return replace(wordy, cases=(replace(wordy.cases[0], figures=figures),))

@@ -64,16 +64,6 @@ def test_a_path_is_written_by_its_steps_and_other_paths_stay():
     assert 'text-anchor="end"' in slim(str(svg.text(1, 2, "words", "tick", "end")))
 
 
-def test_a_repeated_equation_refers_to_its_first_drawing():
-    first, other = (f'<svg class="maths" width="9">{d}</svg>' for d in ("<p/>", "<q/>"))
-    again = first.replace('"9"', '"8"')
-    assert slim(first + other) == first + other
-    assert slim(first + other + again) == (
-        f'<svg class="maths" width="9"><g id="e0"><p/></g></svg>{other}'
-        '<svg class="maths" width="8"><use href="#e0"/></svg>'
-    )
-
-
 def test_every_drawing_alone_is_xml_with_a_rule_for_each_class_and_no_variable(report):
     found = [overview(report.cases)]
     found += [signature.signature(row) for row in report.rows]

@@ -11,7 +11,7 @@ import pytest
 from reports.first_page import groups, paper_parts, stated, tasks
 from reports.formats import values
 from reports.html import anchors, page
-from reports.links import FIRST, FOLDER, Places, linked
+from reports.links import FIRST, FOLDER
 from reports.pages import SECTIONS, is_paged
 from reports.pages import pages as as_pages
 from reports.row_lines import lines
@@ -95,7 +95,7 @@ def test_the_one_page_is_whole_and_its_links_lead_within_it(text, hostile_text):
     for html in (text, hostile_text):
         reader = read(html)
         assert sum(kind != "application/json" for kind, _ in reader.scripts) == 1
-        assert {link.removeprefix("#") for link in reader.links} <= set(reader.ids)
+        assert set(reader.links) <= {f"#{place}" for place in reader.ids}
 
 
 def test_each_of_several_pages_is_whole_and_small_and_its_links_lead_to_places(made, report):
@@ -145,16 +145,6 @@ def test_what_was_judged_can_be_read_off_the_page(report, text):
         assert abs(float(fem) - row.fem) <= max(row.u_num / 5, 0.51 * last)
         told = float(u.rstrip(")")) * last
         assert abs(told - max(row.u_num, last)) <= max(0.06 * row.u_num, 0.51 * last)
-
-
-def test_links_to_rows_lead_to_the_page_of_their_case_and_links_back_go_up(report):
-    places, case = Places(report), report.cases[1].id
-    found = linked(FIRST, '<a href="#row-1-7">x</a>', places)
-    assert found == f'<a href="{FOLDER}/{case}.html#row-1-7">x</a>'
-    here = '<i id="row-1-7"></i><a href="#row-1-7">x</a>'
-    assert linked(f"{FOLDER}/{case}.html", here, places) == here
-    found = linked(f"{FOLDER}/x.html", '<a href="#design"></a>#a', places)
-    assert found == '<a href="../report.html#design"></a>#a'
 
 
 def test_the_first_page_shows_each_verdict_once_and_alike_formulas_in_one_line(made):

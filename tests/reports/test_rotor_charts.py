@@ -17,15 +17,16 @@ SPEEDS = np.linspace(0.0, 6000.0, 13)
 SPLIT = np.column_stack([100 - SPEEDS / 200, 100 + SPEEDS / 200, 0 * SPEEDS + 102])
 
 
+CAMPBELL = Campbell(
+    title="T", x_label="speed [r/min]", y_label="frequency [Hz]", speeds=SPEEDS, frequencies=SPLIT,
+    whirl=(-1, 1, 0), names=("1B", "1F", "1T"), excitations=(("1×", 1 / 60), ("4×", 4 / 60)),
+    critical=((4615.4, 76.92, "4615"),), range=(2000.0, 3000.0), peers_name="paper",
+    peers=(np.array([0.0, 3000.0]), np.array([100.0, 113.0])),
+)  # fmt: skip
+
+
 def campbell(**changes):
-    given = {
-        "title": "T", "x_label": "speed [r/min]", "y_label": "frequency [Hz]", "speeds": SPEEDS,
-        "frequencies": SPLIT, "whirl": (-1, 1, 0), "names": ("1B", "1F", "1T"),
-        "excitations": (("1×", 1 / 60), ("4×", 4 / 60)), "critical": ((4615.4, 76.92, "4615"),),
-        "range": (2000.0, 3000.0), "peers": (np.array([0.0, 3000.0]), np.array([100.0, 113.0])),
-        "peers_name": "paper",
-    }  # fmt: skip
-    return str(plot(Campbell(**given | changes)))
+    return str(plot(replace(CAMPBELL, **changes)))
 
 
 def test_branches_have_the_style_of_their_whirl_and_a_dot_lies_where_an_excitation_meets_one():
@@ -136,11 +137,14 @@ AXES = (
 MEMBERS = np.array([[1e7, 0.75, 1.25e-4], [1e6, 0.5, 0.0], [1e8, 1.0, 2.5e-4]])
 
 
+SETS = Parallel(title="T", axes=AXES, members=MEMBERS, members_name="sets",
+                highlighted=((0, "best", 2),))  # fmt: skip
+
+
 def test_the_middle_of_every_parallel_axis_and_its_ends_lie_on_level_lines():
     """10^7 is the middle of 10^6 to 10^8 on a logarithmic axis; 10^9 stops at its end."""
-    beyond = MEMBERS[2] * [10, 1, 1]
-    page = str(plot(Parallel(title="T", axes=AXES, members=np.vstack([MEMBERS, beyond]),
-                             members_name="sets", highlighted=((0, "best", 2),))))  # fmt: skip
+    beyond = np.vstack([MEMBERS, MEMBERS[2] * [10, 1, 1]])
+    page = str(plot(replace(SETS, members=beyond)))
     (middle, *_), (low, high, end) = (
         corners(page, "fit s2 strokes chosen"), corners(page, "member")[:3],
     )  # fmt: skip

@@ -2,8 +2,6 @@
 
 from dataclasses import replace
 
-import pytest
-
 from reports.pdf_data import document
 from reports.validity import figure, signed
 from tests.reports.conftest import said, section
@@ -18,14 +16,11 @@ from verify.core.results import (
 
 Z = ValidityAxis(name="z", symbol="z", unit="1", values=(3.0, 6.0, 12.0), nominal=6.0)
 D = ValidityAxis(name="d", symbol="δ_1", unit="mm", values=(2.0, 4.0), nominal=4.0)
-LIMITS = (
-    ValidityLimit(limit=0.02, inside=1, outside=3, undecided=1, words="z = 3, δ_1 = 2 mm",
-                  box=(("z", 3.0, 3.0), ("d", 2.0, 2.0))),
-    ValidityLimit(limit=0.05, inside=2, outside=3, undecided=0, words="z = 3, all δ_1",
-                  box=(("z", 3.0, 3.0), ("d", 2.0, 4.0))),
-    ValidityLimit(limit=0.10, inside=2, outside=3, undecided=0, words="z = 3, all δ_1",
-                  box=(("z", 3.0, 3.0), ("d", 2.0, 4.0))),
-)  # fmt: skip
+FIVE = ValidityLimit(limit=0.05, inside=2, outside=3, undecided=0, words="z = 3, all δ_1",
+                     box=(("z", 3.0, 3.0), ("d", 2.0, 4.0)))  # fmt: skip
+TWO = replace(FIVE, limit=0.02, inside=1, undecided=1, words="z = 3, δ_1 = 2 mm",
+              box=(("z", 3.0, 3.0), ("d", 2.0, 2.0)))  # fmt: skip
+LIMITS = (TWO, FIVE, replace(FIVE, limit=0.10))
 REGION = ValidityRegion(
     over="z 3 to 12 (3 values), δ_1 2 to 4 mm (2 values)", points=6, unsolved=1,
     problems=("1 × refused: <b>too thin</b>",), limits=LIMITS,
@@ -97,15 +92,12 @@ def test_a_map_has_each_error_in_its_own_cell():
     assert places["1.0"][0] == places["3.0"][0]
 
 
-@pytest.mark.parametrize(
-    ("error", "U", "words"),
-    [
+def test_errors_in_per_cent():
+    for error, U, words in (
         (None, None, "–"), (0.05, None, "+5 %"), (-0.0123, 0.0004, "−1.2 ± 0.04 %"),
         (0.254, 0.01, "+25 ± 1 %"), (2e-6, 1e-7, "+0.0002 ± 0.00001 %"),
         (-1.255e-4, 1.6e-4, "−0.013 ± 0.016 %"), (-0.003, 2e-14, "−0.3 ± <0.001 %"),
         (4e-14, 2e-12, "<0.000001 %"), (1e-10, 4e-8, "<0.000001 ± 0.000004 %"), (0.0, 0.0, "0 %"),
         (5e-10, None, "<0.000001 %"),
-    ],
-)  # fmt: skip
-def test_errors_in_per_cent(error, U, words):
-    assert signed(error, U) == words
+    ):  # fmt: skip
+        assert signed(error, U) == words

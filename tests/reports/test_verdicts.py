@@ -5,8 +5,6 @@ import json
 import zipfile
 from dataclasses import replace
 
-import pytest
-
 from reports.advice import advised, of_case
 from reports.html import page
 from reports.pdf import content
@@ -48,42 +46,31 @@ def test_markdown_pdf_and_workbook_have_them_all(recorded):
         assert 'name="Verdicts"' in book.read("xl/workbook.xml").decode()
 
 
-@pytest.mark.parametrize(
-    ("shows", "values", "shown"),
-    [
+def test_errors_are_shown_with_their_bars_and_sides():
+    for shows, values, shown in (
         (at_paper, {"error": 0.24, "U": 3e-4}, "+24 ± 0.03 %"),
         (at_paper, {"error": -0.344, "U": 1e-6}, "−34 %"),
         (at_paper, {"error": 1e-9, "U": 1e-9}, "< 0.01 %"),
         (at_paper, {"error": None, "U": None}, "–"),
         (sides, {"above": 0.05, "below": 0.344}, "+5 / −34 %"),
         (sides, {"above": 0.0, "below": 0.1}, "0 / −10 %"),
-    ],
-)
-def test_errors_are_shown_with_their_bars_and_sides(shows, values, shown):
-    assert shows(replace(kept()[0], **values)) == shown
+    ):
+        assert shows(replace(kept()[0], **values)) == shown
 
 
-@pytest.mark.parametrize(
-    ("corrected", "words"),
-    [
+def test_a_printed_form_is_advised_by_its_corrected_form_and_own_advice_stands():
+    for changes, words in (
         ({}, "the corrected form, accurate within 2 %"),
         ({"verdict": Verdict.PART}, "the corrected form, accurate within 2 % in part of the range"),
         ({"verdict": Verdict.DEFINITION}, "the corrected form"),
-        (
-            {"verdict": Verdict.CONSERVATIVE, "instead": "x"},
-            "the corrected form, conservative; or x",
-        ),
+        ({"verdict": Verdict.CONSERVATIVE, "instead": "x"},
+         "the corrected form, conservative; or x"),
         ({"verdict": Verdict.UNSAFE, "instead": "x"}, "x"),
         ({"verdict": Verdict.UNVERIFIABLE}, ""),
         ({"paper": "q"}, ""),
-    ],
-)
-def test_a_printed_form_is_advised_by_its_corrected_form(corrected, words):
-    printed, _ = advised([ONE, replace(RIGHT, **corrected)])
-    assert printed.instead == words
-
-
-def test_own_advice_stands_and_a_usable_form_has_none():
+    ):  # fmt: skip
+        printed, _ = advised([ONE, replace(RIGHT, **changes)])
+        assert printed.instead == words, changes
     own, usable = replace(ONE, instead="a table"), replace(ONE, verdict=Verdict.ACCURATE)
     assert [v.instead for v in advised([own, RIGHT])] == ["a table", ""]
     assert advised([usable, RIGHT])[0].instead == ""
