@@ -20,13 +20,13 @@ PAPER, EXACT = "K of the paper", "K in the mean"
 COMMAND = "freewheel sweep ring.toml --vary z=3:12:10"
 
 
-def swept(vary, error, *, names=(PAPER,), sample="", star=False, refused=(), failed=()):
+def swept(vary, error, *, names=(PAPER,), sample="", refused=(), failed=()):
     """The outcome of a sweep whose error (and bar) is a function of columns of points in mm."""
     chosen = selected(CASE, names)
     plan = (
         plans.sample(CASE, "my ring", CASE.inputs(), chosen, sample, vary)
         if sample
-        else plans.grid(CASE, "my ring", CASE.inputs(), chosen, vary, star=star)
+        else plans.grid(CASE, "my ring", CASE.inputs(), chosen, vary)
     )
     e, U = np.broadcast_arrays(*error(plan.points.T), plan.points[:, 0])[:2]
     without = {**dict.fromkeys(refused, "refused: inputs: z and so on 5 mm"),
