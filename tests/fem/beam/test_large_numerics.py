@@ -41,26 +41,6 @@ def test_at_rest_the_tangent_is_that_of_the_linear_curved_beam():
     stations, forces = frame.section_forces(small)
     np.testing.assert_allclose(stations, linear.stations, atol=1e-12)
     np.testing.assert_allclose(forces * 1e7, linear.section_forces, atol=1e-5)
-    S = frame.elements.increments(np.zeros((24, 2, 3)), frame.elements.tangent.astype(float))
-    none = np.zeros((24, 2, 3))
-    K = frame.elements.tangent_stiffness(S, none, frame.elements.tangent.astype(float), none)
-    f = np.zeros_like(linear.u)
-    f[TIP] = LOAD
-    np.testing.assert_allclose(
-        (K @ linear.u.ravel()).reshape(-1, 3), f + linear.reactions, atol=1e-10
-    )
-
-
-@pytest.mark.parametrize("nodes", [2, 3])
-def test_the_change_of_forces_is_the_tangent_times_the_step(nodes):
-    frame, rng = hook(nodes), np.random.default_rng(3)
-    e = frame.elements
-    u, step = (0.3 * rng.normal(size=(2, len(frame.points), 3))).astype(np.longdouble)
-    strain, _, t = e.strains(u)
-    S, stress = e.increments(strain, t), e.moduli * strain
-    expected = e.tangent_stiffness(S, strain, t, stress) @ step.astype(float).ravel()
-    found = e.change_of_forces(S, strain, t, stress, step)
-    np.testing.assert_allclose(found, expected, atol=1e-12 * abs(expected).max())
 
 
 @pytest.mark.parametrize("nodes", [2, 3])
@@ -74,33 +54,17 @@ def test_force_and_tangent_are_derivatives_of_the_energy(nodes):
         strain, _, t = e.strains(u)
         S, stress = e.increments(strain, t), e.moduli * strain
         energy = ((stress * strain).sum(axis=-1) * e.weight).sum() / 2
-        return energy, e.forces(S, stress)[0], e.tangent_stiffness(S, strain, t, stress)
+        change = e.change_of_forces(S, strain, t, stress, step.astype(np.longdouble))
+        return energy, e.forces(S, stress)[0], e.tangent_stiffness(S, strain, t, stress), change
 
-    _, f, K = look(u)
+    _, f, K, change = look(u)
     h = 1e-5
     ahead, behind = look(u + h * step), look(u - h * step)
     assert (ahead[0] - behind[0]) / (2 * h) == pytest.approx(f @ step.ravel(), rel=1e-7)
     slope = (ahead[1] - behind[1]) / (2 * h)
     np.testing.assert_allclose(slope, K @ step.ravel(), atol=1e-7 * abs(slope).max())
     assert abs(K - K.T).max() < 1e-12 * abs(K).max()
-
-
-@pytest.mark.parametrize("nodes", [2, 3])
-def test_a_rigid_motion_strains_nothing_and_leaves_forces_as_they_are(nodes):
-    frame, turn = hook(nodes), 40.0
-    x = frame.points
-    c, s = np.cos(turn), np.sin(turn)
-    Q = np.array([[c, -s], [s, c]])
-
-    def moved(u):
-        return np.column_stack([(x + u[:, :2]) @ Q.T + [7, -3] - x, u[:, 2] + turn])
-
-    rest = moved(np.zeros((len(x), 3))).astype(np.longdouble)
-    np.testing.assert_allclose(frame.elements.strains(rest)[0], 0, atol=1e-13)
-    bent = np.random.default_rng(1).normal(size=(len(x), 3)) * 0.2
-    before = frame.elements.strains(bent.astype(np.longdouble))[0]
-    after = frame.elements.strains(moved(bent).astype(np.longdouble))[0]
-    np.testing.assert_allclose(after, before, atol=1e-12)
+    np.testing.assert_allclose(change, K @ step.ravel(), atol=1e-12 * abs(slope).max())
 
 
 def test_newtons_method_converges_quadratically():
@@ -119,14 +83,6 @@ def test_work_becomes_strain_energy():
     assert moved.work[-1] == pytest.approx(moved.strain_energy[-1], rel=1e-8)
     arc = hook().along_arc({TIP: LOAD}, first=0.02, steps=60, largest=0.02)
     assert arc.work[-1] == pytest.approx(arc.strain_energy[-1], rel=1e-6)
-
-
-def test_the_order_of_loads_and_movement_does_not_matter():
-    frame, load = hook(), {2 * COUNT: (-4.0, 6.0, 0.0)}
-    moved = frame.displaced({TIP: {"x": 0.4}}, [0.5, 1.0], loads=load).last
-    again = frame.displaced({TIP: {"x": 0.4}}, [1.0])
-    again = frame.under_loads(load, [0.2, 1.0], since=again.last).last
-    np.testing.assert_allclose(again.u, moved.u, atol=1e-10)
 
 
 def test_reactions_balance_loads_and_prescribed_movement_returns_them():
@@ -161,23 +117,3 @@ def test_a_couple_counts_as_the_pair_of_forces_across_the_frame(unit):
     balance = Balance(points, None, (), None, None, None)
     f = np.array([[0.0, 0.0, 10.0 * unit], [1.0, -2.0, 0.0]])
     assert balance.measure(f) == pytest.approx(np.sqrt(1 + 4 + 4), rel=1e-14)
-
-
-def test_sections_and_bodies_share_the_load():
-    """Two parallel guided strips of EI and 2 EI: forces 1 : 2 at every deflection."""
-    count = 8
-    x = np.linspace(0, 1, 2 * count + 1)
-    lower, upper = np.column_stack([x, 0 * x]), np.column_stack([x, 0 * x + 1])
-    k = 2 * np.arange(count)
-    one = np.column_stack([k, k + 2, k + 1])
-    two = one + 2 * count + 1
-    frame = LargeFrame(
-        np.vstack([lower, upper]), np.vstack([one, two]),
-        sections={"soft": Section(EA=1e8, EI=1.0, GA=4e7),
-                  "stiff": Section(EA=2e8, EI=2.0, GA=8e7)},
-        bodies={"soft": np.arange(count), "stiff": np.arange(count, 2 * count)},
-        supports={0: "xyr", 2 * count + 1: "xyr", 2 * count: "r", 4 * count + 1: "r"},
-    )  # fmt: skip
-    path = frame.displaced({2 * count: {"y": 0.6}, 4 * count + 1: {"y": 0.6}}, [0.5, 1.0])
-    soft, stiff = path.reactions[:, 2 * count, 1], path.reactions[:, 4 * count + 1, 1]
-    np.testing.assert_allclose(stiff, 2 * soft, rtol=1e-9)

@@ -1,11 +1,13 @@
-"""A frame that makes no sense is refused, and the message names what is wrong with it."""
+"""Wrong frames and states that aren't in equilibrium get one line that names what is wrong."""
 
+import re
 from math import inf, nan
 
 import numpy as np
 import pytest
 
 from fem.beam.curved import solve_curved_frame
+from fem.beam.large import LargeFrame
 from fem.beam.section import Section
 from fem.beam.straight import solve_frame
 
@@ -87,3 +89,79 @@ def test_a_frame_that_makes_no_sense_is_named(solve, changed, message):
 def test_what_one_of_the_solvers_refuses_is_named(make, message):
     with pytest.raises(ValueError, match=message):
         make()
+
+
+SOFT = Section(EA=1e4, EI=1.0, GA=1e4)
+LINE = [(0, 0), (1, 0), (2, 0)]
+PAIRS = [(0, 1), (1, 2)]
+
+
+def frame(points=LINE, elements=PAIRS, **given):
+    return LargeFrame(points, elements, **({"sections": SOFT, "supports": {0: "xyr"}} | given))
+
+
+def path(factors=(1.0,), loads=None, supports=None, **given):
+    return frame(supports=supports or {0: "xyr"}).under_loads(
+        loads or {2: (0, 1, 0)}, factors, **given
+    )
+
+
+WRONG = {
+    "a geometrically exact beam needs a finite GA in every section":
+        lambda: frame(sections=Section(EA=1, EI=1)),
+    "elements have 2 or 3 nodes each, got an array (1, 4)": lambda: frame(elements=[(0, 1, 2, 3)]),
+    "no node 7: the frame has nodes 0 to 2": lambda: path(loads={7: (0, 1, 0)}),
+    "node 2 belongs to no element": lambda: frame(elements=[(0, 1)]),
+    "element 1 is folded or has no length": lambda: frame([(0, 0), (1, 0), (1, 0)]),
+    "no body 'arc'; bodies: none": lambda: frame(sections={"arc": SOFT}),
+    "node 0: components are x, y, r, got 'z'": lambda: frame(supports={0: "xyz"}),
+    "node 0: supports hold at zero; move it with displaced()":
+        lambda: frame(supports={0: {"x": 0.1, "y": 0, "r": 0}}),
+    "node 2: components are x, y, r, got 'phi'":
+        lambda: frame().displaced({2: {"phi": 1.0}}, [1.0]),
+    "prescribed displacements must be finite numbers":
+        lambda: frame().displaced({2: {"x": np.nan}}, [1.0]),
+    "loads must be finite numbers": lambda: path(loads={2: (np.inf, 0, 0)}),
+    "factors must be finite numbers, got [0.5, nan]": lambda: path(factors=[0.5, np.nan]),
+    "no element 5: the frame has 2 elements": lambda: path(distributed={5: (0, 1)}),
+    "the frame can move rigidly (":
+        lambda: path(supports={0: "xr"}),
+    "along_arc needs loads or movement that move the frame, and first != 0":
+        lambda: frame().along_arc({2: (0, 0, 0)}, first=1.0),
+    "the loads bring no axial or shear force: nothing buckles":
+        lambda: frame().linear_buckling({2: (0, 0, 1)}),
+    "9 modes of 6 unknowns: refine the mesh":
+        lambda: frame().linear_buckling({2: (-1, 0, 0)}, count=9),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("message", WRONG)
+def test_wrong_input_gets_one_line(message):
+    with pytest.raises(ValueError, match=re.escape(message)) as caught:
+        WRONG[message]()
+    assert "\n" not in str(caught.value)
+
+
+def toggle():
+    return LargeFrame([(0, 0), (4, 1)], [(0, 1)], sections=SOFT, supports={0: "xy", 1: "xr"})
+
+
+def test_a_load_beyond_a_limit_point_names_factor_residual_and_what_was_tried():
+    """A bar from (0, 0) to (4, 1) bears EA (1 - l / l_0) y / l at the most, l^3 = 16 l_0."""
+    l_0 = np.sqrt(17.0)
+    length = (16 * l_0) ** (1 / 3)
+    limit = 1e4 * (1 - length / l_0) * np.sqrt(length**2 - 16) / length
+    assert toggle().under_loads({1: (0, -1, 0)}, [0.999 * limit]).negative.tolist() == [0]
+    with pytest.raises(ArithmeticError) as caught:
+        toggle().under_loads({1: (0, -1, 0)}, [10.0, 1.01 * limit])
+    found = str(caught.value)
+    assert "\n" not in found
+    number = re.search(r"no equilibrium found beyond factor ([\d.]+) on the way to", found)
+    assert float(number[1]) == pytest.approx(limit, rel=1e-3)
+    assert "with steps down to" in found
+    assert "along_arc()" in found
+
+
+def test_a_path_whose_end_is_not_reached_says_where_it_stopped():
+    with pytest.raises(ArithmeticError, match="not reached in 3 steps: factor"):
+        frame().along_arc({2: (0, 1, 0)}, first=0.1, steps=3, until=lambda s: False)

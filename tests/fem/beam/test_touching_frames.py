@@ -11,7 +11,7 @@ from fem.beam.large import LargeFrame
 from fem.beam.section import Section
 from fem.beam.touching import Obstacle, SelfContact
 from fem.beam.touching_rigid import Flat
-from tests.fem.beam.touching_shapes import line, ring, together
+from tests.fem.beam.touching_shapes import line, together
 
 L, B, EI = 1.0, 0.01, 1.0
 EA = 12 * EI / B**2
@@ -54,42 +54,6 @@ def test_two_cantilevers_share_a_load_once_they_touch():
     _, y = contact.record.between(bodies)["low", "up"]
     assert y == pytest.approx(-exact, rel=2e-3)
     assert lower == pytest.approx(-exact * reach**3 / (3 * EI), rel=2e-3)
-
-
-RING = 32
-
-
-def stacked(count):
-    """Rings of radius L on a fixed flat, under a flat that a stub carries."""
-    R, reach = L, B
-    own = [ring((0, R + reach / 2 + k * (2 * R + reach)), R, RING) for k in range(count)]
-    top = count * (2 * R + reach)
-    points, elements, firsts = together(*own, line((3, top), (4, top), 1))
-    stub, rings = firsts[-1], elements[:-1]
-    terms = [
-        SelfContact(points, rings, thickness=B, EA=EA),
-        Obstacle(points, rings, Flat((0, 0), (0, 1)), thickness=B, EA=EA),
-        Obstacle(points, rings, Flat((0, top), (0, -1)), thickness=B, EA=EA, carrier=stub),
-    ]
-    supports = {stub: "xyr"}
-    for first in firsts[:-1]:
-        supports |= {first: "xr", first + RING: "xr"}
-    frame = LargeFrame(points, elements, sections=SECTION, supports=supports, terms=terms)
-    return frame, terms, stub
-
-
-def test_rings_between_flats_are_as_soft_as_timoshenko_says():
-    count = 2
-    # diametral: delta = (pi/4 - 2/pi) F R^3/EI each
-    frame, (between, ground, top), stub = stacked(count)
-    move = 2e-3 * count * L
-    last = frame.displaced({stub: {"y": -move}}, [0.5, 1.0]).last
-    exact = move / count / (np.pi / 4 - 2 / np.pi) * EI / L**3
-    assert -last.reactions[stub, 1] == pytest.approx(exact, rel=3e-3)
-    for contact in (ground, top):
-        assert contact.record.normal.sum() == pytest.approx(-last.reactions[stub, 1], rel=1e-6)
-    # each ring is probed by the other: both halves push on
-    assert between.record.normal.sum() == pytest.approx(-last.reactions[stub, 1], rel=1e-6)
 
 
 MU, WEIGHT = 0.2, 5.0

@@ -11,7 +11,6 @@ from fem.contact.along import Along
 from fem.contact.pairs import Obstacle, Pair
 from fem.contact.problem import ContactProblem
 from fem.contact.shapes import Flat
-from fem.plane.ties import Tie
 from meshes.contact.block import block
 from meshes.join import join
 from tests.fem.contact.models import HARD, SOFT
@@ -74,26 +73,3 @@ def test_an_obstacle_pulls_along_z_or_follows_a_force(free):
     assert s.touches[0].force_z == pytest.approx(-tau, rel=EXACT)
     if not free:
         assert s.along.reaction("floor") == pytest.approx(tau, rel=EXACT)
-
-
-def test_tied_cuts_move_alike_along_z():
-    # free ends would move against each other over this floor
-    mesh = join({"up": block(x=(0, 1), y=(0.5, 1), nx=6, ny=3),
-                 "low": block(x=(0, 1), y=(0, 0.5), nx=6, ny=3)})  # fmt: skip
-    problem = ContactProblem(
-        mesh, materials=SOFT, assumption="plane strain",
-        supports={"low.bottom": "xy", "up.top": "y"},
-        along=Along(supports={"low.bottom": lambda x: 1e-3 * np.sin(2 * np.pi * x[0])}),
-        ties=[Tie(leader=f"{b}.left", follower=f"{b}.right", shift=(1.0, 0.0))
-              for b in ("up", "low")],
-        contacts=[Pair(slave="up.bottom", master="low.top", friction=10.0)],
-    )  # fmt: skip
-    s = problem.solve(displacements={"up.top": {"y": -0.01}}, axial_forces={"up.top": 1e-4})
-    nodes = s.along.interface.bodies.nodes
-    for body in ("up", "low"):
-        left, right = (nodes.named(f"{body}.{end}") for end in ("left", "right"))
-        y = s.bodies.basis.doflocs[1, nodes.dofs[0]]
-        left, right = left[np.argsort(y[left])], right[np.argsort(y[right])]
-        np.testing.assert_allclose(s.u_z[left], s.u_z[right], atol=1e-15)
-    assert s.touches[0].force_z == pytest.approx(1e-4, rel=EXACT)
-    assert s.along.reaction("low.bottom") == pytest.approx(-1e-4, rel=EXACT)

@@ -69,15 +69,6 @@ def test_a_block_on_a_rough_floor_holds_up_to_its_friction():
         pushed(1.001)
 
 
-def test_a_free_block_that_friction_holds_aside_stays_there_as_its_load_falls():
-    problem = on_floor()
-    at = problem.solve(forces={"top": (0.0, -1.0)})
-    at = problem.solve(forces={"top": (0.0, -1.0), "bottom": (0.27, 0.0)}, after=at)
-    for load in (1.0, 1e-3):
-        at = problem.solve(forces={"top": (0.0, -load)}, after=at)
-        assert at.touches[0].force == pytest.approx((0.0, -load), abs=1e-8 * load)
-
-
 def test_what_slides_before_it_touches_costs_nothing():
     # a column of E = 1 is driven down through a gap and aside at once: in the first half it does
     # not touch, from there on it sticks, and bends and shears by half of the whole shift
@@ -97,16 +88,6 @@ def test_what_slides_before_it_touches_costs_nothing():
     assert pytest.approx(already_down, rel=1e-6) == T
 
 
-def test_contact_opens_and_closes_again_as_often_as_it_is_driven():
-    problem = on_flat(half_disc(R=R, zone=0.3e-3, refine=1), supports={"middle": "xy"})
-    s, pressed = None, {}
-    for down in (1e-6, 2e-6, -1e-6, 2e-6, 0.0, -1e-3, 1e-6):
-        s = problem.solve(displacements={"middle": {"x": 0.0, "y": -down}}, after=s)
-        force = s.touches[0].normal_force
-        assert force == pytest.approx(pressed.setdefault(down, force), rel=EXACT)
-        assert (force > 0) == (down > 0)
-
-
 def punch(start=0.0, zone=1.2, friction=0.0, free=""):
     """A round punch of radius 5 over a block, from `start` above it."""
     return ContactProblem(
@@ -123,21 +104,6 @@ def test_an_obstacle_keeps_its_own_curvature_from_wherever_it_comes():
     assert other.peak == pytest.approx(one.peak, rel=1e-3)
     assert other.half_width() == pytest.approx(one.half_width(), rel=1e-3)
     assert far.motion("punch")[1] + 15 == pytest.approx(near.motion("punch")[1], rel=1e-3)
-
-
-def test_a_round_punch_that_turns_drags_as_one_that_is_shifted():
-    down, aside = -0.05, 2e-3
-    problem = punch(zone=1.0, friction=0.9)
-    pressed = problem.solve(displacements={"punch": {"y": down}})
-    # the point of contact is 5 below the centre: turning to the left moves it to the right, and
-    # the block with it, which pulls the punch back
-    turned, shifted = (
-        problem.solve(displacements={"punch": {"y": down, **motion}}, after=pressed)
-        .touches[0].friction_force
-        for motion in ({"r": aside / 5}, {"x": aside})
-    )  # fmt: skip
-    assert abs(turned) > 0.3
-    assert turned == pytest.approx(shifted, rel=0.02)  # (a/R)^2, by which the contact is curved
 
 
 def test_friction_that_makes_the_exchanges_circle_is_solved_all_the_same():

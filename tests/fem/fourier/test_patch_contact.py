@@ -93,57 +93,6 @@ def roller(overhang=0.0, R=1.0, nu=0.3, E=206.0, refine=1, length=1.0):
 ACROSS = np.linspace(0, 0.06, 13)
 
 
-def test_the_same_bodies_in_reverse_order_press_alike():
-    pair = roller(0.5, R=2.0, E=70.0, nu=0.2), roller()
-    here = patch_contact(pair, across=ACROSS, load=0.15)
-    there = patch_contact(pair[::-1], across=ACROSS, load=0.15)
-    np.testing.assert_allclose(here.p, there.p, atol=1e-9 * here.p.max())
-    assert here.approach == pytest.approx(there.approach, rel=1e-10)
-    assert here.load_between(0, 1) == pytest.approx(0.15, rel=1e-10)
-    assert here.load_between(0.2, 1) + here.load_between(0, 0.2) == pytest.approx(0.15)
-
-
-def love(across, z, E):
-    """Mean displacements of a half-space times area, by rectangles and both their images."""
-    s, t = ((x[1:] + x[:-1]) / 2 for x in (across, z))
-
-    def corner(x, y):
-        return x * np.arcsinh(y / abs(x)) + y * np.arcsinh(x / abs(y))
-
-    def cells(ends):
-        return [(ends[1:], ends[:-1], 1.0), (-ends[:-1], -ends[1:], 1.0)]
-
-    A = 0.0
-    for x_1, x_0, _ in cells(across):
-        for y_1, y_0, _ in cells(z):
-            for x, sign in ((x_1, 1), (x_0, -1)):
-                for y, other in ((y_1, 1), (y_0, -1)):
-                    dx = x[None, None, :, None] - s[:, None, None, None]
-                    dy = y[None, None, None, :] - t[None, :, None, None]
-                    A = A + sign * other * corner(dx, dy)
-    area = 2 * np.outer(np.diff(across), np.diff(z)).ravel()
-    A = A.reshape(area.size, area.size) / (np.pi * E) * area[:, None]
-    return (A + A.T) / 2, area
-
-
-def test_short_contacts_of_bodies_that_go_on_are_those_of_a_half_space():
-    length, bound = 0.2, 0.015
-    # what the finite bodies add to a half-space's kernel is even over a length short against R
-    one = roller(1.0, length=length)
-    across, z = ACROSS, one.stations
-    load = 0.12 * length
-    c = patch_contact((one, one), across=across, load=load)
-    A, area = love(across, z, modulus(STEEL, STEEL))
-    parabola = np.diff(across**3) / 3 / np.diff(across)  # mean of s^2/2R, R = 1/2
-    gap = np.repeat(parabola[:, None], z.size - 1, axis=1).ravel()
-    p, _ = push_together(A, gap, area, load)
-    q = 2 * np.diff(across) @ p.reshape(c.p.shape)
-    share = np.cumsum((c.line_load - q) * np.diff(z)) / load
-    assert abs(share).max() < bound
-    # the last two cells carry what is singular, each side as it can
-    np.testing.assert_allclose(c.p[0, :-2] / p.reshape(c.p.shape)[0, :-2], 1, atol=bound)
-
-
 def test_a_crown_takes_load_from_the_end_to_the_middle():
     pair = roller(), roller(0.5)
     flat = patch_contact(pair, across=ACROSS, load=0.1)

@@ -8,7 +8,7 @@ import pytest
 
 from fem.plane.material import Elastic
 from fem.plane.solve import solve_plane
-from tests.fem.plane.models import every_case, every_element, in_plane, mapped
+from tests.fem.plane.models import every_case, in_plane, mapped
 
 SOFT, HARD = Elastic(E=10.0, nu=0.35), Elastic(E=70.0, nu=0.2)  # any two
 BODIES = {"west": SOFT, "east": HARD}
@@ -43,21 +43,6 @@ def test_layers_in_series_between_smooth_walls_share_the_stress(kind, assumption
     weld = solution.on_boundary("weld")
     np.testing.assert_allclose(weld.stress[0], p, rtol=1e-11)
     np.testing.assert_allclose(weld.stress[1], (nu1 + nu2) / 2 * p, rtol=1e-11)  # mean of both
-
-
-@every_case
-def test_a_traction_on_the_weld_is_shared_by_the_springs_on_both_sides(kind, assumption):
-    t = 1.5
-    s = solve_plane(
-        strip(kind), materials=dict(reversed(BODIES.items())), assumption=assumption,
-        supports={"left": "x", "right": "x", "bottom": "n", "top": "n"},
-        tractions={"weld": (t, 0.0)},
-    )  # fmt: skip
-    (E1, nu1), (E2, nu2) = (in_plane(m, assumption) for m in (SOFT, HARD))
-    soft, hard = E1 / (0.4 * (1 - nu1**2)), E2 / (0.6 * (1 - nu2**2))  # stiffnesses per area
-    assert s.mean_displacement("weld", (1, 0)) == pytest.approx(t / (soft + hard), rel=ROUND_OFF)
-    assert s.reaction("left")[0] == pytest.approx(-t * soft / (soft + hard), rel=1e-11)
-    assert s.reaction("right")[0] == pytest.approx(-t * hard / (soft + hard), rel=1e-11)
 
 
 WIDTH, WEIGHT = 3.0, 7.0  # weight per volume, along x
@@ -115,15 +100,3 @@ def test_a_tilted_block_between_two_smooth_walls_is_in_uniaxial_stress(kind, ass
     x, y = s.displacement_at((mirror * 2 * c - n, mirror * 2 * n + c))
     assert (x, y) == pytest.approx((along * c - up * n, along * n + up * c), abs=1e-11)
     assert s.displacement_at((0, 0)) == pytest.approx((0, 0), abs=1e-15)
-
-
-@every_element
-def test_a_wall_that_moves_along_its_normal_and_tangent_takes_the_block_along(kind):
-    tilt = radians(25)
-    s = solve_plane(
-        block(kind, tilt), materials=SOFT, assumption="plane strain",
-        supports={"right": {"n": 0.2, "t": 0.1}},
-    )  # fmt: skip
-    # outward normal of "right" is (cos, sin), its tangent (-sin, cos)
-    expected = 0.2 * cos(tilt) - 0.1 * sin(tilt), 0.2 * sin(tilt) + 0.1 * cos(tilt)
-    np.testing.assert_allclose(s.in_body().u.T, [expected] * s.in_body().u.shape[1], atol=1e-12)

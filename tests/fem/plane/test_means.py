@@ -9,7 +9,7 @@ from fem.plane.material import Elastic
 from fem.plane.means import Mean
 from fem.plane.solve import solve_plane
 from fem.plane.ties import Tie
-from tests.fem.cyclic_rings import KINDS, apart, ring, sector
+from tests.fem.cyclic_rings import KINDS, ring, sector
 
 MATERIAL = Elastic(E=1000.0, nu=0.3)
 SAME = 1e-9
@@ -72,21 +72,6 @@ def test_means_are_what_they_are_prescribed_to_be_and_hold_with_forces_in_balanc
     assert moment == pytest.approx(
         force["r"] + force["y"] * mean_arm[0] - force["x"] * mean_arm[1], rel=1e-8
     )
-
-
-@pytest.mark.parametrize(("kind", "where"), [("tri6", "bore"), ("quad4", "rim")])
-def test_means_on_guided_tied_boundaries_are_those_of_the_ring(kind, where):
-    given = {
-        "supports": {"bore": "n"}, "pressures": {"rim": 1.0}, "means": {where: Mean({"r": 1e-3})},
-        "tractions": {"rim": lambda x: np.array([-x[1], x[0]])},
-    }  # fmt: skip
-    part, whole = solved(sector(kind, 5), ties=[cyclic(5)], **given), solved(ring(kind, 5), **given)
-    assert apart(part, whole) < SAME
-    moment = whole.mean_reaction(where)["r"]
-    assert 5 * part.mean_reaction(where)["r"] == pytest.approx(moment, rel=SAME)
-    x, y = whole.basis.doflocs[:, ::2]
-    # nothing but the mean and the shear have a moment
-    assert moment == pytest.approx(-float(x @ whole.f[1::2] - y @ whole.f[::2]), rel=SAME)
 
 
 HELD = "supports or another mean hold already"

@@ -16,14 +16,8 @@ from fem.plane.solve import solve_plane
 from tests.fem.plane.models import mapped, order
 
 R_I, R_O, P = 1.0, 2.0, 1.0
-NU = (0.49, 0.499, 0.4999)
-MODELS = [("quad9", "plane strain"), ("tri6", "plane strain"),
-          ("quad9", "axisymmetric"), ("tri6", "axisymmetric")]  # fmt: skip
 A = P * R_I**2 / (R_O**2 - R_I**2)
 SPREAD = 0.25  # of an observed order over two halvings
-# A sheared grid's triangles divide volumes less well than its squares: their displacements lose
-# this factor from nu = 0.3 to 0.5, their stresses gain.
-LOSS = {"quad9": 1.0, "tri6": 1.5}
 
 
 def waved(s, t):
@@ -67,15 +61,6 @@ def errors(solution, assumption, nu):
     off = sum((a - b) ** 2 for a, b in zip(found, exact, strict=True))
     radial = bore.mean(stresses(bore, assumption)[1])
     return abs(bore.mean(u) / moves - 1), abs(radial / P + 1), np.sqrt(inside.mean(off)) / P
-
-
-@pytest.mark.parametrize("nu", NU)
-@pytest.mark.parametrize(("kind", "assumption"), MODELS)
-def test_a_thick_cylinder_is_as_accurate_as_at_nu_03(kind, assumption, nu):
-    found, usual = (errors(cylinder(kind, assumption, n, 8), assumption, n) for n in (nu, 0.3))
-    assert found[0] <= LOSS[kind] * usual[0]
-    assert found[1] <= usual[1]
-    assert found[2] <= LOSS[kind] * usual[2]
 
 
 @pytest.mark.parametrize("assumption", ["plane strain", "axisymmetric"])

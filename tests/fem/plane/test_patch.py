@@ -8,7 +8,7 @@ import pytest
 
 from fem.plane.material import Elastic
 from fem.plane.solve import solve_plane
-from tests.fem.plane.models import KINDS, degree, every_case, mapped, ring
+from tests.fem.plane.models import KINDS, degree, every_case, mapped
 
 E, NU, THICKNESS = 200.0, 0.3, 0.7  # any
 XX, YY, XY = 3.0, -2.0, 1.5  # any stress
@@ -108,16 +108,3 @@ def test_one_cell_resists_every_motion_but_the_three_rigid_ones(kind):
     modes = np.linalg.eigvalsh(stiffness)
     assert np.count_nonzero(modes < ROUND_OFF * modes.max()) == 3
     assert modes[3] > 1e-3 * modes.max()  # and the softest of the others is none by chance
-
-
-@every_case
-def test_a_bore_moved_rigidly_takes_the_ring_along(kind, assumption):
-    moved = {"x": lambda x: 0.3 - 0.1 * x[1], "y": lambda x: -0.2 + 0.1 * x[0]}
-    s = solve_plane(
-        ring(kind, np.linspace(1, 2, 4), np.linspace(0, np.pi / 2, 7)), materials=MATERIAL,
-        assumption=assumption, supports={"bore": moved},
-    )  # fmt: skip
-    inside = s.in_body()
-    np.testing.assert_allclose(inside.u, [moved[c](inside.x) for c in "xy"], atol=1e-12)
-    np.testing.assert_allclose(inside.stress, 0.0, atol=1e-12 * E)
-    assert 0 <= s.strain_energy < E * 1e-24

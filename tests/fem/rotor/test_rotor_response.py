@@ -35,18 +35,6 @@ def test_a_jeffcott_rotor():
     assert orbit.minor == pytest.approx(orbit.major, rel=1e-9)  # a circle, run forwards
 
 
-def test_forces_balance():
-    """Supports carry the unbalance and the inertia of all that moves."""
-    W = np.array([100.0, 400.0, 900.0])
-    u = {2: 1e-4, 6: 2e-4 * np.exp(0.7j)}
-    found = unbalance_response(ROTOR, W, u)
-    loads = found.support_load(0) + found.support_load(1)
-    along_x = np.zeros(ROTOR.M.shape[0])
-    along_x[0::6] = 1
-    inertia = W**2 * (found.q @ ROTOR.M @ along_x)
-    np.testing.assert_allclose(loads[:, 0], inertia + W**2 * sum(u.values()), rtol=1e-8)
-
-
 def test_the_orbit_is_the_path_of_the_node():
     index = 30
     found = unbalance_response(ROTOR, np.linspace(50, 1500, 60), {2: 1e-4})

@@ -41,16 +41,6 @@ def test_rising_and_falling_branches_cross():
         assert abs(found - branch[:, None]).max(axis=0).min() < 1e-4 * branch.max()
 
 
-def test_names_of_the_whirl_hold_along_a_branch():
-    found = campbell(UNLIKE, np.linspace(1, 1500, 60), 8)
-    assert (found.whirl[0] != 0).all()
-    iso = campbell(ISOTROPIC, np.linspace(1, 1500, 60), 8)
-    assert (np.ptp(iso.whirl, axis=0) == 0).all()
-    forward = iso.frequencies[:, iso.whirl[0] == 1]
-    assert (np.diff(forward, axis=0) > 0).all()
-    assert (np.diff(iso.frequencies[:, iso.whirl[0] == -1], axis=0) < 0).all()
-
-
 @pytest.mark.parametrize(("rotor", "excitation"), [(ISOTROPIC, 2.0), (UNLIKE, 1.0), (TWIN, -1.4)])
 def test_critical_speeds_are_where_a_frequency_meets_the_excitation(rotor, excitation):
     found = critical_speeds(rotor, 5, "both", excitation)

@@ -84,12 +84,3 @@ def test_the_friction_of_a_load_is_that_of_eq_8_where_slip_is_the_cone_s(monkeyp
     value, half = bound().of_load()
     assert value == pytest.approx(1.0, abs=1e-12)
     assert 0 < half < 2e-6
-
-
-def test_a_light_load_s_friction_lies_between_one_that_holds_and_torque_alone(monkeypatch):
-    monkeypatch.setattr(Limit, "sticks", lambda self, mu: mu >= self.tan * 1.0005)
-    monkeypatch.setattr(Limit, "_lever", lambda *_: (0.05, 1e-6))
-    one = Limit(one_pulled(LoadPaths(F_ax=1.0)), start(), start().drags)
-    value, half = one.of_load()
-    assert value + half == pytest.approx(1 + slip_limit.AXIAL_ABOVE, abs=1e-9)
-    assert half > 0
