@@ -1,5 +1,6 @@
-"""Loads that are met by the movement of cuts: a disc on a flat, two discs, a sector and its hub."""
+"""Loads that are met by the movement of cuts: discs, a sector and its hub, a wedged roller."""
 
+import math
 from dataclasses import dataclass
 from types import SimpleNamespace
 
@@ -11,8 +12,12 @@ from fem.contact.driven_discs import HIT, DrivenDiscs
 from fem.contact.errors import NotFoundError
 from fem.contact.locked import FlatSector, LockedSector, rigid_roller
 from fem.contact.pressed_line import PressedLine
+from fem.contact.wedged import Geometry, Wedge
+from fem.contact.wedged_states import least_friction, slipping, uneven
 from fem.plane.material import Elastic
+from meshes.contact.block import full_block
 from meshes.contact.disc import quarter_disc
+from meshes.contact.tilted import placed, tilted_half_disc
 from meshes.join import join
 from meshes.polyhedral.half_sector import half_sector
 from tests.fem.contact.models import on_flat, rollers
@@ -111,3 +116,46 @@ def test_forces_on_half_a_sector_are_in_balance():
     assert abs(hoop) > 0.1 * side
     assert 0 < ring.force(30e6) < side
     assert ring.half_widths(30e6)[1] == 0.0
+
+
+HALF, WIDTH = math.radians(3), 0.05
+N = math.pi * WIDTH**2 / (8 * (1 - 0.3**2))  # Hertz, E = 1, both bodies alike
+
+
+@pytest.fixture(scope="module")
+def free():
+    geometry = Geometry(1.0, HALF, WIDTH)
+    fine = {"zone": 1.15 * WIDTH, "cells": 7, "refine": 1}
+    x, y = geometry.normal
+    race = full_block(width=1.0, depth=1.0, above=True, **fine)
+    roller = tilted_half_disc(R=1.0, tilt=HALF, **fine)
+    mesh = join({"roller": roller, "race": placed(race, turn=-HALF, shift=(float(x), float(y)))})
+    return Wedge(geometry, mesh, E=1.0, nu=0.3, mu=0.2)
+
+
+def test_a_free_roller_uses_what_its_balance_asks_for(free):
+    state, down = free.pressed(N)
+    found, tangential = free.forces(state)
+    assert found == pytest.approx(N, rel=1e-11)
+    assert tangential / found == pytest.approx(math.tan(HALF), rel=1e-8)
+    assert 0 < down < WIDTH
+
+
+def test_what_grows_in_proportion_sticks(free):
+    """All in one step a part slips, in many steps next to nothing: q is tan(alpha/2) p then."""
+    state, down = free.pressed(N)
+    at_once, grown = (one.touches[0] for one in (state, free.at(down, steps=20)))
+    assert slipping(grown) < 0.03 < slipping(at_once)
+    assert uneven(grown, math.tan(HALF)) < 0.2 < uneven(at_once, math.tan(HALF))
+
+
+def test_a_push_that_balances_the_normal_force_leaves_no_friction(free):
+    state, _ = free.pressed(N, push=N * math.sin(HALF))
+    found, tangential = free.forces(state)
+    assert abs(tangential) < 1e-8 * found
+
+
+def test_a_bracket_that_misses_the_limit_finds_none():
+    value, half = least_friction(lambda mu: float(mu > 0.05), 0.0505)
+    assert math.isnan(value)
+    assert half == 0.0

@@ -1,20 +1,24 @@
-"""Friction by active sets and by Lemke's method: both meet the laws, and errors state a proof."""
+"""Friction by active sets and by Lemke's method: laws, proofs, and tolerances from both sides."""
+
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from benchmarks.friction import PULLED, problem, steps
+from fem.contact.active_sets import fitting_states
 from fem.contact.complementarity import METHODS, Complementarity, Rest
 from fem.contact.errors import NoEquilibriumError
 from fem.contact.friction_lcp import FrictionLcp
 from fem.contact.lemke import lemke
 from fem.contact.residual import residual
+from fem.contact.solution import ContactSolution
 from fem.contact.system import BACKWARD, FORWARD, OPEN, STICK
 
-COUPLED = np.array([[1.0, -0.9], [-0.9, 1.0]])  # pressure and slip of one node
+OF_A_NODE = np.array([[1.0, -0.9], [-0.9, 1.0]])  # pressure and slip of one node
 
 
-def node(B=COUPLED, mu=1.5):
+def node(B=OF_A_NODE, mu=1.5):
     return Complementarity(
         B=B, D=np.zeros((2, 0)), friction=np.array([mu]), partner=np.array([1]), part=np.array([0])
     )
@@ -58,7 +62,7 @@ def test_of_three_solutions_the_one_of_index_minus_one_proves_the_others():
     # open, slipping forward at n = 0.1/0.35, and sticking: by hand
     kernel, w_0, none = node(), np.array([0.1, -0.3]), np.zeros(0)
     slipping = Rest(np.array([1.0, 1.5]) * 0.1 / 0.35, none, np.array([FORWARD], np.int8))
-    sticking = Rest(np.linalg.solve(COUPLED, -w_0), none, np.array([STICK], np.int8))
+    sticking = Rest(np.linalg.solve(OF_A_NODE, -w_0), none, np.array([STICK], np.int8))
     lost = Rest(np.zeros(2), none, np.array([OPEN], np.int8))
     for rest in (slipping, sticking, lost):
         assert residual(kernel, w_0, none, rest.multipliers, none).largest < 1e-12
@@ -108,19 +112,81 @@ def test_loads_outside_the_cone_of_forces_are_proven_to_have_no_equilibrium():
     assert issubclass(NoEquilibriumError, ValueError)
 
 
-@pytest.mark.parametrize(("rows", "is_solved"), [(4, True), (5, False)])
-def test_pivots_end_at_four_a_row(rows, is_solved):
-    """Murty's problem: 2^N - 1 pivots for N rows and covering vectors 2^-k; 15 of 16, 31 of 20."""
-    M = np.eye(rows) + np.tril(2 * np.ones((rows, rows)), -1)
-    z = lemke(M, -np.ones(rows), 0.5 ** np.arange(rows))
-    if is_solved:
-        assert z == pytest.approx(np.eye(rows)[0])  # w = M z + q = (0, 1, 1, 1)
-    else:
-        assert z is None
-
-
-def test_lemke_solves_ties_at_every_pivot_and_gives_up_on_a_ray():
+def test_lemke_solves_ties_at_every_pivot_and_gives_up_on_a_ray_and_after_four_pivots_a_row():
+    # Murty's problem: 2^N - 1 pivots for N rows and covering vectors 2^-k; 15 of 16, 31 of 20
+    for rows, solution in ((4, [1, 0, 0, 0]), (5, None)):
+        M = np.eye(rows) + np.tril(2 * np.ones((rows, rows)), -1)
+        z = lemke(M, -np.ones(rows), 0.5 ** np.arange(rows))
+        assert z is None if solution is None else z.tolist() == pytest.approx(solution)
     n = 40
     z = lemke(np.eye(n) + 0.5 * np.ones((n, n)), -np.ones(n), np.ones(n))
     assert z == pytest.approx(np.full(n, 1 / (1 + 0.5 * n)))
     assert lemke(np.array([[-1.0]]), np.array([-1.0]), np.array([1.0])) is None
+
+
+def smooth(B=((1.0, 0.0), (0.0, 1.0)), D=None):
+    """Nodes without friction, on the compliance B."""
+    n = len(B)
+    return Complementarity(
+        B=np.array(B), D=np.zeros((n, 0)) if D is None else np.array(D), friction=np.zeros(n),
+        partner=np.full(n, -1), part=np.zeros(n, int),
+    )  # fmt: skip
+
+
+COUPLED = smooth(((1.0, -1.0), (-1.0, 2.0)))
+MOVED = smooth([[1.0]], [[-1.0]])  # a body that meets one obstacle, which it moves to
+
+
+@pytest.mark.parametrize(
+    ("system", "w_0", "multipliers", "motion", "before", "state"),
+    [
+        pytest.param(smooth(), [-1.0, 0.0], [1.0, -1e-13], [], STICK, STICK, id="round-off"),
+        pytest.param(smooth(), [-1.0, 0.0], [1.0, -1e-9], [], STICK, OPEN, id="tension"),
+        # the gap of 1 and the approach of 1 and a little
+        pytest.param(COUPLED, [-1.0, 1.0 - 1e-13], [1.0, 0.0], [], OPEN, OPEN, id="round-off"),
+        pytest.param(COUPLED, [-1.0, 1.0 - 1e-9], [1.0, 0.0], [], OPEN, STICK, id="an overlap"),
+        # it went by 1e3 to where the gap is a share of that
+        pytest.param(MOVED, [1e3 * (1 + 1e-14)], [0.0], [1e3], OPEN, OPEN, id="of a path"),
+        pytest.param(MOVED, [1e3 * (1 - 1e-13)], [0.0], [1e3], OPEN, OPEN, id="the other sign"),
+        pytest.param(MOVED, [1e3 * (1 - 1e-9)], [0.0], [1e3], OPEN, STICK, id="after a path"),
+    ],
+)
+def test_a_node_opens_and_closes_by_more_than_round_off(
+    system, w_0, multipliers, motion, before, state
+):
+    states = np.array([STICK, before] if len(w_0) == 2 else [before], np.int8)
+    found = fitting_states(system, np.array(w_0), np.array(multipliers), np.array(motion), states)
+    assert found[-1] == state
+
+
+def test_loads_gaps_and_slips_count_beyond_round_off():
+    for load, unloaded in ((1e-14, True), (1e-12, False)):
+        system = smooth(D=np.ones((2, 1)))
+        assert system.is_unloaded(np.ones(2), np.array([load])) is unloaded
+    for gap, left in ((1e-15, 0.0), (1e-12, 1e-12)):
+        assert smooth().without_round_off(np.array([1.0, gap])).tolist() == [1.0, left]
+    for share, slides in ((1e-12, True), (1e-6, False)):
+        one = SimpleNamespace(touches=[SimpleNamespace(sticking_share=share)])
+        assert ContactSolution.slides.fget(one) is slides
+
+
+@pytest.mark.parametrize("way", [1.0, -1.0])
+def test_what_a_gap_misses_counts_against_the_path_whichever_direction_a_body_goes(way):
+    # bodies overlap by 0.1 at the end of a path of 1e6
+    system = smooth([[1.0]], [[-way]])
+    none = np.zeros(1)
+    found = residual(system, np.array([1e6 - 0.1]), none, none, np.array([way * 1e6]))
+    assert found.gap == pytest.approx(0.1 / (1e-5 * 2e6), rel=1e-6)
+
+
+def test_a_slip_is_measured_by_its_own_row_not_by_a_gap_far_away():
+    # Row 0 touches under pressure 1, row 1 is open by 1e6. Sliding forward (traction 1e-6, the
+    # limit) would need a slip of +5e-7, with the traction: it sticks at 5e-7 instead.
+    kernel = Complementarity(
+        B=np.eye(4), D=np.zeros((4, 0)), friction=np.array([1e-6, 1e-6]),
+        partner=np.array([2, 3]), part=np.array([0, 0]),
+    )  # fmt: skip
+    w_0 = np.array([-1.0, 1e6, -5e-7, 0.0])
+    rest = kernel.solve(w_0, np.zeros(0), np.array([FORWARD, 0], np.int8))
+    assert rest.states[0] == STICK
+    assert np.isclose(rest.multipliers[2], 5e-7, rtol=1e-12)

@@ -1,17 +1,19 @@
-"""Nitsche's method beside the mortar: one answer, nearer with every mesh."""
+"""Nitsche's method beside the mortar: one answer, nearer with every mesh; and what it refuses."""
+
+from functools import cache
 
 import numpy as np
 import pytest
 
 from fem.contact.nitsche import solve_nitsche
-from fem.contact.pairs import Obstacle, Pair
+from fem.contact.pairs import Obstacle, Pair, Rigid
 from fem.contact.problem import ContactProblem
-from fem.contact.shapes import Flat
+from fem.contact.shapes import Circle, Flat
 from fem.contact.traction import traction_rows
 from fem.plane.material import Elastic
 from fem.plane.solve import solve_plane
-from meshes.contact.block import block
-from meshes.contact.disc import quarter_disc
+from meshes.contact.block import block, full_block, half_block
+from meshes.contact.disc import half_disc, quarter_disc
 from meshes.join import join
 from tests.fem.contact.models import on_flat
 
@@ -98,3 +100,111 @@ def test_tractions_are_those_of_the_stresses_on_curved_cells(assumption):
         own = traction_rows(problem.bodies, problem.surfaces.slaves[0], points, direction)
         expected = -(direction * traction).sum(axis=0)
         np.testing.assert_allclose(own @ u, expected, atol=1e-11 * abs(traction).max())
+
+
+MU = 0.3
+ZONE = 1.3 * A
+UNSEEN_ORDER = 3.0  # grid convergence index where two meshes do not show the order
+BALANCE = 1e-9
+
+
+@cache
+def sliding(refine):
+    """A disc pressed on a block, pushed sideways and back: both solutions, step by step."""
+    meshes = {
+        "disc": half_disc(R=R, zone=ZONE, refine=refine, cells=4),
+        "block": full_block(width=2 * R, depth=2 * R, zone=ZONE, refine=refine, cells=3),
+    }
+    pair = Pair(
+        slave="disc.surface",
+        master="block.surface",
+        friction=MU,
+        slave_shape=Circle((0, R), R),
+    )
+    problem = ContactProblem(
+        join(meshes), materials=STEEL, assumption="plane strain", contacts=[pair],
+        supports={"block.bottom": "xy", "disc.middle": "xy"},
+    )  # fmt: skip
+    mortar = nitsche = None
+    steps = []
+    for x in (0.0, 0.6e-6, 0.4e-6):
+        moved = {"disc.middle": {"x": x, "y": -3e-6}}
+        mortar = problem.solve(displacements=moved, after=mortar)
+        nitsche = solve_nitsche(problem, displacements=moved, after=nitsche)
+        steps.append((mortar, nitsche))
+    return steps
+
+
+def punched(refine):
+    """An elastic block under a rigid disc that is free in y."""
+    meshes = {"low": half_block(width=20 * A, depth=20 * A, zone=1.5 * A, refine=refine),
+              "up": quarter_disc(R=R, zone=1.5 * A, refine=1, cells=4)}  # fmt: skip
+    problem = ContactProblem(
+        join(meshes), materials={"low": STEEL, "up": Rigid()}, assumption="plane strain",
+        supports={"low.bottom": "xy", "low.axis": "x", "up.axis": "x"},
+        contacts=[
+            Pair(slave="low.surface", master="up.surface", master_shape=Circle((0.0, R), R))
+        ],
+    )  # fmt: skip
+    loads = {"up.middle": (0.0, -60e3)}
+    return problem.solve(forces=loads), solve_nitsche(problem, forces=loads)
+
+
+def test_partial_slip_and_its_history_are_the_mortars():
+    def quantities(solution):
+        (touch,) = solution.touches
+        return np.array([touch.friction_force, touch.normal_force, solution.strain_energy])
+
+    coarse, fine = (np.array([quantities(s) for s in sliding(refine)[-1]]) for refine in (1, 2))
+    errors = UNSEEN_ORDER * abs(fine - coarse).sum(axis=0) / 3
+    assert np.all(abs(fine[1] - fine[0]) <= errors)
+
+
+def test_a_rigid_punch_that_only_contact_holds_comes_to_rest():
+    coarse, fine = (punched(refine) for refine in (1, 3))
+    assert fine[1].touches[0].force[1] == pytest.approx(60e3, rel=BALANCE)
+    assert fine[1].plane.reaction("low.bottom")[1] == pytest.approx(60e3, rel=BALANCE)
+    for quantity in (lambda s: s.strain_energy, lambda s: s.touches[0].half_width((0, 0))):
+        first, last = (abs(quantity(n) / quantity(m) - 1) for m, n in (coarse, fine))
+        assert last < first / 3
+
+
+def stack(**changed):
+    """Two blocks, the upper one held in x alone."""
+    meshes = {
+        "up": block(x=(0, 1), y=(1, 2), nx=3, ny=3),
+        "low": block(x=(0, 1), y=(0, 1), nx=2, ny=2),
+    }
+    return ContactProblem(**{
+        "mesh": join(meshes), "materials": STEEL, "assumption": "plane strain",
+        "supports": {"low.bottom": "xy", "up.left": "x"},
+        "contacts": [Pair(slave="up.bottom", master="low.top")],
+    } | changed)  # fmt: skip
+
+
+DOWN, FLOOR = {"tractions": {"up.top": (0.0, -1e6)}}, {"floor": Obstacle(Flat((0.0, 0.5)))}
+TOUCH = Pair(slave="up.bottom", master="low.top")
+
+
+@pytest.mark.parametrize(
+    ("changed", "given", "error", "message"),
+    [
+        ({}, {"alpha": 0.0}, ValueError, "alpha must be positive and finite"),
+        ({}, {"alpha": np.nan}, ValueError, "alpha must be positive and finite"),
+        ({}, {"alpha": 2.0}, ArithmeticError, "not positive definite: lower alpha"),
+        ({}, {"pressures": {"up.bottom": 1e3}}, ValueError, "a load on 'up.bottom' acts there too"),
+        ({"contacts": [TOUCH, Pair(slave="up.bottom", master="floor")], "obstacles": FLOOR}, {},
+         ValueError, "the contact 'up.bottom' on 'floor' acts there too"),
+        ({}, {"tractions": {"up.top": (0.0, 1e6)}}, ArithmeticError,
+         "neither supports nor contact hold"),
+        ({"materials": Elastic(E=1.0, nu=0.4999)}, {}, ValueError,
+         r"Nitsche.*: nu <= 0.45 is required, got nu=0.4999 in "),
+    ],
+)  # fmt: skip
+def test_what_the_method_cannot_solve_is_named(changed, given, error, message):
+    with pytest.raises(error, match=message):
+        solve_nitsche(stack(**changed), **DOWN | given)
+    disc = quarter_disc(R=1.0, zone=0.1, refine=1)
+    apart = on_flat(disc, supports={"axis": "x"}, obstacles={"flat": Obstacle(Flat((0.0, -0.1)))})
+    with pytest.raises(ValueError, match=r"the surfaces start 0\.1 apart"):
+        solve_nitsche(apart, forces={"middle": (0.0, -1e6)})

@@ -121,3 +121,22 @@ def test_parabolic_facets_fall_away_with_the_third_order_at_least(shapes, swap, 
     errors = [stress_error(nested(k, swap=swap, shapes=shapes)) for k in (1, 2)]
     assert errors[0] < coarse
     assert np.log2(errors[0] / errors[1]) > 2.7, errors
+
+
+RUBBER = Elastic(E=1.0, nu=0.4999)
+
+
+@pytest.mark.parametrize("cells", ["quad", "tri"])
+def test_a_uniform_pressure_passes_a_contact_of_rubber_and_steel(cells):
+    p, nu = 0.01, {"up": RUBBER.nu, "low": 0.2}
+    mesh = join({"up": block(x=(0, 1), y=(1, 2), nx=6, ny=3, cells=cells),
+                 "low": block(x=(0, 1), y=(0, 1), nx=5, ny=3, cells=cells)})  # fmt: skip
+    s = ContactProblem(
+        mesh, materials={"up": RUBBER, "low": Elastic(E=4.0, nu=0.2)}, assumption="plane strain",
+        supports={"low.bottom": "y", "low.left": "x", "up.left": "x"},
+        contacts=[Pair(slave="up.bottom", master="low.top")],
+    ).solve(pressures={"up.top": p})  # fmt: skip
+    np.testing.assert_allclose(s.touches[0].pressure, p, rtol=1e-8)
+    for body in nu:
+        stress = s.plane.in_body(body).stress.T
+        np.testing.assert_allclose(stress - [0, -p, 0, -nu[body] * p], 0.0, atol=1e-8 * p)

@@ -10,6 +10,7 @@ from fem.plane.material import Elastic
 from meshes.contact.block import block, full_block
 from meshes.contact.disc import half_disc
 from meshes.contact.round import full_disc
+from meshes.join import join
 from tests.fem.contact.models import STEEL, on_flat
 
 R, LOAD = 10e-3, 1e5
@@ -36,27 +37,16 @@ def test_a_disc_slips_down_a_groove_as_far_as_friction_lets_it(friction):
         assert abs(touch.friction_force) == pytest.approx(friction * touch.normal_force, rel=1e-6)
 
 
-def on_floor(**problem):
-    """A block that friction holds on a rigid floor."""
-    given = {
-        "friction": 0.3,
-        "x": (-1, 1),
-        "y": (0, 1),
-        "nx": 8,
-        "ny": 4,
-        "floor": Flat(),
-    } | problem
-    friction, floor = given.pop("friction"), given.pop("floor")
-    cells = {key: given.pop(key) for key in ("x", "y", "nx", "ny")}
+def on_floor(mesh, floor, friction, **given):
     return ContactProblem(
-        block(**cells), **{"materials": Elastic(E=100.0, nu=0.3), "assumption": "plane strain"}
-        | given, obstacles={"floor": Obstacle(floor)},
-        contacts=[Pair(slave="bottom", master="floor", friction=friction)],
+        mesh, assumption="plane strain", obstacles={"floor": Obstacle(floor)},
+        contacts=[Pair(slave="bottom", master="floor", friction=friction)], **given,
     )  # fmt: skip
 
 
 def test_a_block_on_a_rough_floor_holds_up_to_its_friction():
-    problem = on_floor()
+    mesh = block(x=(-1, 1), y=(0, 1), nx=8, ny=4)
+    problem = on_floor(mesh, Flat(), 0.3, materials=Elastic(E=100.0, nu=0.3))
     down = problem.solve(forces={"top": (0.0, -1.0)})
 
     def pushed(share):
@@ -73,12 +63,12 @@ def test_what_slides_before_it_touches_costs_nothing():
     # a column of E = 1 is driven down through a gap and aside at once: in the first half it does
     # not touch, from there on it sticks, and bends and shears by half of the whole shift
     def column(gap, aside, steps):
-        touch = on_floor(
-            x=(0, 1), y=(0, 4), nx=4, ny=16, friction=5.0, floor=Flat((0, -gap)),
+        problem = on_floor(
+            block(x=(0, 1), y=(0, 4), nx=4, ny=16), Flat((0, -gap)), 5.0,
             materials=Elastic(E=1.0, nu=0.0), supports={"top": "xy"},
-        ).solve(
-            displacements={"top": {"x": aside, "y": -gap - 1e-4}}, steps=steps
-        ).touches[0]  # fmt: skip
+        )  # fmt: skip
+        moved = {"top": {"x": aside, "y": -gap - 1e-4}}
+        touch = problem.solve(displacements=moved, steps=steps).touches[0]
         return touch.normal_force, touch.friction_force
 
     N, T = column(1e-4, 1e-4, 1)
@@ -88,18 +78,16 @@ def test_what_slides_before_it_touches_costs_nothing():
     assert pytest.approx(already_down, rel=1e-6) == T
 
 
-def punch(start=0.0, zone=1.2, friction=0.0, free=""):
-    """A round punch of radius 5 over a block, from `start` above it."""
-    return ContactProblem(
-        full_block(width=10.0, depth=10.0, zone=zone, refine=1), materials=Elastic(E=1e3, nu=0.3),
-        assumption="plane strain", supports={"bottom": "xy"},
-        obstacles={"punch": Obstacle(Circle((0.0, 5.0 + start), 5.0), free=free)},
-        contacts=[Pair(slave="surface", master="punch", friction=friction)],
-    )  # fmt: skip
-
-
 def test_an_obstacle_keeps_its_own_curvature_from_wherever_it_comes():
-    near, far = (punch(s, free="y").solve(forces={"punch": (0, -100.0)}) for s in (0.0, 15.0))
+    near, far = (
+        ContactProblem(
+            full_block(width=10.0, depth=10.0, zone=1.2, refine=1),
+            materials=Elastic(E=1e3, nu=0.3), assumption="plane strain", supports={"bottom": "xy"},
+            obstacles={"punch": Obstacle(Circle((0.0, 5.0 + start), 5.0), free="y")},
+            contacts=[Pair(slave="surface", master="punch")],
+        ).solve(forces={"punch": (0, -100.0)})
+        for start in (0.0, 15.0)
+    )  # fmt: skip
     one, other = near.touches[0], far.touches[0]
     assert other.peak == pytest.approx(one.peak, rel=1e-3)
     assert other.half_width() == pytest.approx(one.half_width(), rel=1e-3)
@@ -119,3 +107,37 @@ def test_friction_that_makes_the_exchanges_circle_is_solved_all_the_same():
     assert touch.sticks.any()
     assert (touch.closed & ~touch.sticks).any()
     assert touch.friction_force == pytest.approx(0, abs=1e-2)  # left and right pull alike
+
+
+RADIUS, MU = 1.0, 0.2
+FINE = {"zone": 0.06, "refine": 1}
+
+
+def slid(normal):
+    """A disc pressed on a block and slid until nothing sticks."""
+    problem = ContactProblem(
+        join({"disc": half_disc(R=RADIUS, **FINE), "block": full_block(width=RADIUS, depth=RADIUS, **FINE)}),
+        materials=Elastic(E=1.0, nu=0.3), assumption="plane strain",
+        supports={"block.bottom": "xy", "disc.middle": "xy"},
+        contacts=[Pair(slave="disc.surface", master="block.surface", friction=MU, normal=normal,
+                       slave_shape=Circle((0.0, RADIUS), RADIUS), master_shape=Flat())],
+    )  # fmt: skip
+    pressed = problem.solve(displacements={"disc.middle": {"y": -0.004}})
+    return problem.solve(displacements={"disc.middle": {"x": 0.02, "y": -0.004}}, after=pressed)
+
+
+def test_pressure_keeps_one_direction_along_a_flat_master_and_turns_between_two_bodies():
+    touch = slid("master").touches[0]
+    np.testing.assert_allclose(touch.mortar.points.n.T, [(0, -1)] * touch.p.size, atol=1e-14)
+    x, y = touch.force
+    assert x == pytest.approx(-MU * y, rel=1e-12)
+    touch = slid("between").touches[0]
+    # half of the disc's slope, both moduli being alike
+    near = np.abs(touch.mortar.points.x[0]) < 0.1 * RADIUS
+    n = touch.mortar.points.n[:, near]
+    expected = touch.mortar.points.x[0, near] / (2 * RADIUS)
+    np.testing.assert_allclose(n[0] / -n[1], expected, rtol=0.01, atol=1e-6)
+    x, y = touch.force
+    assert abs(x / (MU * y) + 1) > 1e-4  # the contact has moved to where the surface is inclined
+    with pytest.raises(ValueError, match="'between' or that of the 'master', got 'slave'"):
+        Pair(slave="a", master="b", normal="slave")
