@@ -60,9 +60,6 @@ def test_the_edges_turn_back_at_twice_the_change_of_load(steps):
     assert np.abs(back.traction).max() > 0.1 * MU * back.peak
 
 
-MU, YOUNG = 0.3, 210e9
-
-
 def stick_half_width(touch, q):
     """C of the traction `q` (points,): int (mu p - q) x^2 is that of an ellipse over |x| < c."""
     x, P = touch.along(), touch.normal_force
@@ -78,7 +75,7 @@ def stick_half_width(touch, q):
 def test_without_poissons_ratio_every_direction_is_cattaneos(angle):
     # moved: what is pushed above would tilt
     problem = rollers(
-        MU, materials=Elastic(E=YOUNG, nu=0.0),
+        MU, materials=Elastic(E=E, nu=0.0),
         along=Along(supports={"lower.middle": 0.0, "upper.middle": 0.0}),
     )  # fmt: skip
     pressed = problem.solve(displacements={"upper.middle": {"x": 0.0, "y": -5e-6}})

@@ -116,7 +116,8 @@ FINE = {"zone": 0.06, "refine": 1}
 def slid(normal):
     """A disc pressed on a block and slid until nothing sticks."""
     problem = ContactProblem(
-        join({"disc": half_disc(R=RADIUS, **FINE), "block": full_block(width=RADIUS, depth=RADIUS, **FINE)}),
+        join({"disc": half_disc(R=RADIUS, **FINE),
+              "block": full_block(width=RADIUS, depth=RADIUS, **FINE)}),
         materials=Elastic(E=1.0, nu=0.3), assumption="plane strain",
         supports={"block.bottom": "xy", "disc.middle": "xy"},
         contacts=[Pair(slave="disc.surface", master="block.surface", friction=MU, normal=normal,

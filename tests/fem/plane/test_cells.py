@@ -102,10 +102,3 @@ def test_a_cell_that_is_inverted_between_its_neighbours_is_refused():
     for one in (mesh, MeshTri2.from_mesh(mesh)):
         with pytest.raises(ValueError, match=r"same side of their common edge about .* inverted"):
             vector_basis(one)
-
-
-def test_triangles_of_either_turn_side_by_side_are_not_inverted():
-    mesh = square("tri3")
-    t = mesh.t.copy()
-    t[1:, ::2] = t[:0:-1, ::2]
-    vector_basis(MeshTri1(mesh.doflocs, t, sort_t=False))

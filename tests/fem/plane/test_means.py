@@ -95,12 +95,12 @@ def test_means_that_are_held_already_or_hold_too_little_are_refused(supports, me
 
 
 def test_wrong_means_are_named():
-    with pytest.raises(ValueError, match="mean motions are of x, y and r, got z"):
-        Mean({"z": 0.0})
-    with pytest.raises(ValueError, match="got none"):
-        Mean({})
-    with pytest.raises(ValueError, match="must be finite"):
-        Mean({"r": np.inf})
+    for held, words in (
+        ({"z": 0.0}, "mean motions are of x, y and r, got z"), ({}, "got none"),
+        ({"r": np.inf}, "must be finite"),
+    ):  # fmt: skip
+        with pytest.raises(ValueError, match=words):
+            Mean(held)
     s = solved(ring("tri3", 4), means={"rim": Mean({"r": 0.0})})
     with pytest.raises(ValueError, match="no mean motion of 'bore' is held; held are those of"):
         s.mean_reaction("bore")
