@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 from scipy.sparse import (
-    coo_array,
     csc_array,
     csr_array,
     diags_array,
@@ -25,6 +24,9 @@ def matrix(n, seed=0):
     return csc_array(A + A.T + diags_array(np.full(n, 20.0)))
 
 
+TWO_BODIES = csc_array(kron(matrix(12), np.diag([1.0, 2.0])))  # unknowns in turn
+
+
 @pytest.mark.parametrize("kind", [csc_array, csr_array])
 @pytest.mark.parametrize("ordered", [True, False])
 @pytest.mark.parametrize("n", [0, 1, 7, 200])
@@ -39,22 +41,14 @@ def test_solutions_satisfy_their_equations(n, ordered, kind):
     assert factor.solve(b[:, :0]).shape == (n, 0)
 
 
-@pytest.mark.parametrize("n", [1, 7, 60])
-def test_the_last_blocks_are_those_of_the_dense_factor(n):
-    A = matrix(n)
+@pytest.mark.parametrize("A", [matrix(1), matrix(60), TWO_BODIES], ids=["1", "60", "two bodies"])
+def test_the_last_blocks_are_those_of_the_dense_factor(A):
+    n = A.shape[0]
     factor, L = Cholesky(A), np.linalg.cholesky(A.toarray())
     for count in range(n + 1):
         first = n - count
         np.testing.assert_allclose(factor.last_block(count), L[first:, first:], **EXACT)
     assert np.count_nonzero(L) <= factor.entries <= n * n
-
-
-def test_unknowns_of_two_bodies_keep_their_order():
-    A = matrix(12)
-    apart = coo_array((24, 24)).tolil()
-    apart[::2, ::2], apart[1::2, 1::2] = A.toarray(), 2 * A.toarray()
-    L = np.linalg.cholesky(apart.toarray())
-    np.testing.assert_allclose(Cholesky(apart.tocsc()).last_block(5), L[-5:, -5:], **EXACT)
 
 
 def test_the_lower_triangle_is_enough_and_a_column_s_order_makes_no_difference():

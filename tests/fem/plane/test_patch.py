@@ -1,4 +1,4 @@
-"""Constant stress is met exactly by every element, however distorted; finer meshes approach the rest.
+"""Every element meets constant stress exactly, however distorted; finer meshes approach the rest.
 
 u of degree k is off by h^(k+1) in itself, by h^k in its stresses and by h^(2k) in energies; chords
 for arcs cost h^2.

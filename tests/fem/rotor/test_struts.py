@@ -29,14 +29,11 @@ LAW = power_law(3.0, 1.5)
 SOMEWHERE = np.array([0.02, -0.03, 0.01, 0.2, -0.1, 0.3])
 
 
-def test_a_rotation_vector_turns_as_scipy_s_does():
+@KINDS
+def test_derivatives_are_those_of_the_shortening_and_turns_are_scipy_s(struts):
     for w in ([0.0, 0.0, 0.0], [1e-9, 0, 0], [0.3, -0.7, 1.1], [0, 0, math.pi]):
         expected = Rotation.from_rotvec(w).as_matrix()
         assert rotation(np.array(w)) == pytest.approx(expected, abs=1e-15)
-
-
-@KINDS
-def test_derivatives_are_those_of_the_shortening(struts):
     now = Joint.at_rest(struts, LAW).moved(SOMEWHERE)
 
     def shortening(step):
@@ -84,11 +81,10 @@ def test_a_shortening_keeps_its_digits_where_it_is_tiny():
 
 @KINDS
 def test_loads_of_a_known_place_lead_back_to_it(struts):
-    law = power_law(3.0, 1.5)
-    there = Joint.at_rest(struts, law).moved(0.1 * SOMEWHERE)
+    there = Joint.at_rest(struts, LAW).moved(0.1 * SOMEWHERE)
     free = (0, 1, 5)
     loads = there.loads()
-    start = Joint.at_rest(struts, law).moved(0.1 * SOMEWHERE * [0, 0, 1, 1, 1, 0.5])
+    start = Joint.at_rest(struts, LAW).moved(0.1 * SOMEWHERE * [0, 0, 1, 1, 1, 0.5])
     found = start.under(loads, free)
     assert found.loads()[list(free)] == pytest.approx(loads[list(free)], rel=1e-10)
     # seven struts push outwards; none of them pulls the hub upwards
