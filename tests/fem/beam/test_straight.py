@@ -49,7 +49,8 @@ def test_an_even_load_along_and_across_moves_every_node_as_its_integrals_say(ang
     n, q = 7.0, 3.0
     points, pairs = bar(count, angle)
     s = solve_frame(
-        points, pairs, sections=Section(EA=EA, EI=EI, GA=shear), supports={0: "xyr"}, loads={},
+        points, pairs, sections={"bar": Section(EA=EA, EI=EI, GA=shear)},
+        bodies={"bar": range(count)}, supports={0: "xyr"}, loads={},
         distributed=dict.fromkeys(range(count), to_plane(n, q, angle)),
     )  # fmt: skip
     for node, x in enumerate(np.linspace(0, L, count + 1)):
@@ -65,31 +66,6 @@ def test_an_even_load_along_and_across_moves_every_node_as_its_integrals_say(ang
     energy = n**2 * L**3 / (6 * EA) + q**2 * L**3 / (6 * shear) + q**2 * L**5 / (40 * EI)
     assert s.strain_energy == pytest.approx(energy, rel=ROUND_OFF)
     assert s.potential_energy == pytest.approx(-energy, rel=ROUND_OFF)  # Clapeyron
-
-
-H, SPAN = 3.0, 5.0
-REL = 1e-5  # what EA = GA = 1e8 leave of the portal's formulas: some 12 EI / (GA H^2) = 1e-6
-
-
-@both_solvers
-def test_a_portal_on_built_in_feet_pushed_at_its_top(solve):
-    column, girder, F = 40.0, 90.0, 8.0
-    K = girder / column * H / SPAN  # Kleinlogel's k
-    s = solve(
-        [(0, 0), (0, H), (SPAN, H), (SPAN, 0)], [(0, 1), (1, 2), (2, 3)],
-        sections={"columns": Section(EA=1e8, EI=column, GA=1e8),
-                  "girder": Section(EA=1e8, EI=girder, GA=1e8)},
-        bodies={"columns": [0, 2], "girder": [1]}, supports={0: "xyr", 3: "xyr"},
-        loads={1: (F, 0.0, 0.0)},
-    )  # fmt: skip
-    # Kleinlogel: feet F/2 and F H/2 (3 k + 1) / (6 k + 1), held down by 3 F H k / (L (6 k + 1))
-    foot = F * H / 2 * (3 * K + 1) / (6 * K + 1)
-    lift = 3 * F * H * K / (SPAN * (6 * K + 1))
-    assert s.reaction(0) == pytest.approx((-F / 2, -lift, foot), rel=REL)
-    assert s.reaction(3) == pytest.approx((-F / 2, lift, foot), rel=REL)
-    # sway by the slope-deflection equations: F H^3 (3 k + 2) / (12 EI (6 k + 1))
-    sway = F * H**3 / (12 * column) * (3 * K + 2) / (6 * K + 1)
-    assert s.u[1, 0] == pytest.approx(sway, rel=REL)
 
 
 @both_solvers

@@ -1,17 +1,14 @@
-"""Frames in contact against closed forms of thin beams at small displacement.
-
-Displacements are some thousandths of the lengths and EA, GA stiff enough that the nonlinear and
-shear parts stay below the tolerances, which count what is left.
-"""
+"""Frames in contact beside closed forms of thin beams, and steps that would pass through."""
 
 import numpy as np
 import pytest
 
 from fem.beam.large import LargeFrame
+from fem.beam.large_balance import ConvergenceError
 from fem.beam.section import Section
 from fem.beam.touching import Obstacle, SelfContact
-from fem.beam.touching_rigid import Flat
-from tests.fem.beam.touching_shapes import line, together
+from fem.beam.touching_rigid import Disc, Flat
+from tests.fem.beam.touching_shapes import at_rest, line, rotated, together
 
 L, B, EI = 1.0, 0.01, 1.0
 EA = 12 * EI / B**2
@@ -92,3 +89,59 @@ def test_a_pull_below_the_friction_does_not_move_a_beam():
     assert flat.record.tangential.sum() == pytest.approx(0.95 * MU * WEIGHT, rel=1e-6)
     with pytest.raises(ArithmeticError, match="no equilibrium"):
         frame.under_loads(pull, [0.1], since=held)
+
+
+THICK, R = 1.0, 10.0
+refused = pytest.raises(ConvergenceError, match="parts of the frame would pass through each other")
+
+
+def two_lines(nodes=3):
+    """Two lines 3 b apart, their contact and the first node of the upper."""
+    points, elements, (_, upper) = together(
+        line((0, 0), (30, 0), 10, nodes), line((5.3, 3 * THICK), (24.6, 3 * THICK), 6, nodes)
+    )
+    term = SelfContact(points, elements, thickness=THICK, EA=1.0)
+    term.start(at_rest(points))
+    return term, at_rest(points), upper
+
+
+@pytest.mark.parametrize("nodes", [2, 3], ids=["straight", "quadratic"])
+def test_a_line_beyond_another_did_not_get_there(nodes):
+    term, x, upper = two_lines(nodes)
+    x[upper:, 1] -= 20 * THICK
+    with refused:
+        term.settle(x)
+    assert not term.evaluate(x)[1].any()
+    # half through: beside probes that are near enough to be pushed back
+    term, x, upper = two_lines(nodes)
+    x[upper:, 1] -= 1.5 * (x[upper:, 0] - 5)
+    assert term.passing.passed(x)
+
+
+def test_lines_may_turn_together_and_go_round_each_others_ends_step_by_step():
+    term, x, upper = two_lines()
+    for angle in (0.5, -2.0, 3.0):
+        assert not term.settle(rotated(x, angle))
+    for move in ((60.0, 0.0), (0.0, -20.0), (-60.0, 0.0)):  # from the last accepted state on
+        x[upper:, :2] += move
+        assert not term.settle(x)
+        term.accept(x)
+
+
+@pytest.mark.parametrize("carried", [False, True], ids=["beam moves", "disc moves"])
+def test_a_line_does_not_leap_over_a_disc(carried):
+    points, elements, (_, stub) = together(line((0, 0), (30, 0), 10), line((15, 9), (16, 9), 1))
+    disc = Disc((15, 5), 2.0)
+    term = Obstacle(
+        points, elements[:10], disc, thickness=THICK, EA=1.0, carrier=stub if carried else None
+    )
+    x = at_rest(points)
+    moving, way = (slice(stub, None), -1) if carried else (slice(0, stub), 1)
+    term.start(x)
+    aside = x.copy()
+    aside[moving, :2] += 40.0 * way, 3.0 * way
+    assert not term.settle(aside)
+    x[moving, 1] += 20.0 * way
+    with refused:
+        term.settle(x)
+    assert not term.evaluate(x)[1].any()

@@ -1,9 +1,8 @@
-"""Patch tests: polynomial states of stress in space are met exactly.
-
-The oracles are polynomials and Hooke's law, written down here.
-"""
+"""Solids: polynomial states of stress exactly, Lamé's cylinder, and no locking along one cell."""
 
 from dataclasses import replace
+from functools import cache
+from math import pi
 
 import numpy as np
 import pytest
@@ -12,6 +11,8 @@ from fem.plane.material import Elastic
 from fem.solid.cells import Cells
 from fem.solid.solve import solve_solid
 from meshes.solid.block import solid_block
+from meshes.solid.strip import solid_strip
+from meshes.spring.path import Piece
 
 E, NU = 200.0, 0.3  # any
 LAM, MU = E * NU / ((1 + NU) * (1 - 2 * NU)), E / (2 * (1 + NU))
@@ -82,3 +83,74 @@ def test_a_free_cell_has_six_motions_without_energy_unless_two_directions_are_re
     K = Cells.of(mesh, LAM * one, MU * one, points or (3, 3, 3)).stiffness().toarray()
     values = np.linalg.eigvalsh(K)
     assert np.count_nonzero(values < 1e-9 * values[-1]) == modes
+
+
+def test_two_points_along_one_long_cell_do_not_lock():
+    """A leaf with a guided head, its tail moved, of nu = 0: 12 E I / L^3 but for shear."""
+    L, b = 100.0, 1.0
+    mesh = solid_strip(
+        [Piece("leaf", 0.0, 0.0, 0.0, L, 0.0, 1)], b=b, width=1.0, through=1, per_arc=1,
+        per_leaf=1, across=1,
+    )  # fmt: skip
+    solved = solve_solid(
+        mesh, materials=Elastic(E=E, nu=0.0), points=(2, 3, 3),
+        supports={"head": "x", "tail": "x", "middle": "z", (L, 0.0, None): "y",
+                  (0.0, 0.0, None): {"y": 1.0}},
+    )  # fmt: skip
+    found = 2 * solved.strain_energy / (E / L**3)  # I = 1/12
+    # faces that stay plane hold back what shear does to the thickness there, by 0.5 (b/L)^3
+    assert found == pytest.approx(1 / (1 + 2 / L**2), rel=1e-6 + 0.5 / L**3)
+
+
+PRESSURE = 4.0
+A, B, WIDTH = 1.0, 2.0, 0.5  # inner and outer radius
+MIDDLE = (A + B) / 2
+WIDE = E / (1 - NU**2)
+HELD = {"middle": "z", "edge": "z"}
+SPREAD = 0.15  # of an order observed between 4 x 12 and 8 x 24 cells
+
+
+def quarter(through, **changed):
+    """From (0, 0) around the centre (MIDDLE, 0) to (MIDDLE, MIDDLE)."""
+    piece = Piece("arc", 0.0, 0.0, pi / 2, MIDDLE * pi / 2, -pi / 2, 1)
+    cells = {"through": through, "per_arc": 3 * through, "per_leaf": 1, "across": 1}
+    return solid_strip([piece], b=B - A, width=WIDTH, **cells | changed)
+
+
+@cache
+def cylinder(through, **changed):
+    return solve_solid(
+        quarter(through, **changed), materials=STEEL, pressures={"right": PRESSURE},
+        supports={"head": "y", "tail": "x"} | HELD,
+    )  # fmt: skip
+
+
+def bore_movement():
+    """Of the bore under a pressure in it, plane strain."""
+    nu = NU / (1 - NU)
+    return PRESSURE * A / WIDE * ((A**2 + B**2) / (B**2 - A**2) + nu)
+
+
+def energy_error(solved):
+    work = PRESSURE * A * pi / 2 * WIDTH * bore_movement()
+    return abs(-2 * solved.potential_energy / work - 1)
+
+
+def test_a_cylinder_expands_as_lame_has_it():
+    solved = cylinder(8)
+    r = np.hypot(solved.mesh.doflocs[0] - MIDDLE, solved.mesh.doflocs[1])
+    bore = solved.displacement[abs(r - A) < 1e-6]
+    assert np.hypot(bore[:, 0], bore[:, 1]) == pytest.approx(bore_movement(), rel=1e-4)
+    s = solved.stresses()
+    radial = np.stack([s.x[:, 0] - MIDDLE, s.x[:, 1], 0 * s.x[:, 0]], axis=1)
+    r = np.linalg.norm(radial, axis=1)
+    across = np.einsum("mi,mij,mj->m", radial, s.stress, radial) / r**2
+    scale = PRESSURE * A**2 / (B**2 - A**2)
+    assert across == pytest.approx(scale * (1 - (B / r) ** 2), abs=0.02 * PRESSURE)
+    assert s.stress[:, 2, 2] == pytest.approx(2 * NU * scale, abs=0.02 * PRESSURE)
+
+
+@pytest.mark.parametrize(("straight", "order"), [(False, 4), (True, 2)])
+def test_the_cylinders_energy_has_order_4_on_curved_cells_and_2_on_straight_ones(straight, order):
+    error = [energy_error(cylinder(through, straight=straight)) for through in (4, 8)]
+    assert np.log2(error[0] / error[1]) == pytest.approx(order, abs=SPREAD)
