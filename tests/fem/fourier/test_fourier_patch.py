@@ -8,7 +8,6 @@ from skfem import MeshQuad1, MeshQuad2, MeshTri1, MeshTri2
 
 from fem.fourier.solid import FourierSolid
 from fem.fourier.solution import FourierSolution
-from fem.fourier.supports import rigid_motions
 from fem.plane.material import Elastic
 
 E, NU = 210.0, 0.3
@@ -93,19 +92,6 @@ def test_a_shear_in_x_and_z_is_exact(kind, bore):
     force, moment = solution.reaction("bottom")
     assert force == pytest.approx(-area, rel=1e-9)
     assert moment == pytest.approx(0.0, abs=1e-9 * area)
-
-
-@pytest.mark.parametrize(("n", "antisymmetric"), [(0, False), (0, True), (1, False), (1, True)])
-def test_rigid_motions_however_large_cost_nothing(n, antisymmetric):
-    solid = FourierSolid(tube("quad9", 0.5 * n), STEEL, degree=2)
-    motions = rigid_motions(solid.basis, n, antisymmetric)
-    assert motions.shape[1] == n + 1
-    for motion in motions.T:
-        force = solid.cells.internal_forces(1e6 * motion, -n if antisymmetric else n)
-        assert abs(force).max() < 1e6 * E * 1e-12
-    # none from the second harmonic on
-    assert rigid_motions(solid.basis, 2, False).shape[1] == 0
-    assert np.linalg.eigvalsh(solid.harmonic(2).K.toarray()).min() > 0
 
 
 @pytest.mark.parametrize(("bore", "n"), [(0.0, 1), (0.5, 3)])

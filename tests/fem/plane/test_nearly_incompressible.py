@@ -21,10 +21,6 @@ def quadrilateral(s, t):
     return 0.5 + 2 * s + 0.5 * t, t + 0.4 * s * t - 0.3 * s
 
 
-def around_the_axis(s, t):  # from r = 0 on
-    return s * (1 + 0.3 * t), t + 0.4 * s * t - 0.3 * s
-
-
 def in_plane(lam, mu):
     """A quadratic field u(x), its stresses and the force per volume that it needs."""
 
@@ -43,31 +39,13 @@ def in_plane(lam, mu):
     return u, stress, force
 
 
-def in_meridian(lam, mu):
-    """The same in a body of revolution; u_r vanishes on the axis."""
-
-    def u(x):
-        return np.array([a * x[0] ** 2 + b * x[0] * x[1], c * x[0] ** 2 + d * x[1] ** 2])
-
-    def stress(x):
-        rr, zz, hoop = 2 * a * x[0] + b * x[1], 2 * d * x[1], a * x[0] + b * x[1]
-        p, rz = lam * (rr + zz + hoop), (b + 2 * c) * x[0] / 2
-        return np.array([p + 2 * mu * rr, p + 2 * mu * zz, 2 * mu * rz, p + 2 * mu * hoop])
-
-    force = (-(lam + mu) * 3 * a - mu * 3 * a, -(lam + mu) * 2 * (b + d) - mu * (4 * c + 2 * d))
-    return u, stress, force
-
-
 @pytest.mark.parametrize("kind", ["quad9, straight", "tri6, straight"])
-@pytest.mark.parametrize(("assumption", "place", "field"), [
-    ("plane strain", quadrilateral, in_plane), ("axisymmetric", around_the_axis, in_meridian),
-])  # fmt: skip
-def test_quadratic_displacements_are_exact_in_straight_cells(kind, assumption, place, field):
-    lam, mu = RUBBER.lame_constants(assumption)
-    u, stress, force = field(lam, mu)
-    mesh = mapped(kind, [0, 0.3, 0.6, 1], [0, 0.45, 1], place)
+def test_quadratic_displacements_are_exact_in_straight_cells(kind):
+    lam, mu = RUBBER.lame_constants("plane strain")
+    u, stress, force = in_plane(lam, mu)
+    mesh = mapped(kind, [0, 0.3, 0.6, 1], [0, 0.45, 1], quadrilateral)
     held = {"x": lambda x: u(x)[0], "y": lambda x: u(x)[1]}
-    s = solve_plane(mesh, materials=RUBBER, assumption=assumption, degree=2, body_forces=force,
+    s = solve_plane(mesh, materials=RUBBER, assumption="plane strain", degree=2, body_forces=force,
                     supports=dict.fromkeys(SIDES, held))  # fmt: skip
     for samples in (s.in_body(), s.on_boundary("top"), s.at(mesh.p.mean(axis=1)[:, None])):
         np.testing.assert_allclose(samples.u, u(samples.x), atol=EXACT)
