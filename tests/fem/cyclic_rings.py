@@ -15,9 +15,9 @@ KINDS = {
 }
 
 
-def sector(kind, z, *, start=0.3, around=6, through=3, r_i=R_I, r_o=R_O):
+def sector(kind, z, *, start=0.3, around=6, through=3, **radii):
     """The first of `z` sectors from `start` [rad]: "bore", "rim", "first cut", "last cut"."""
-    return arc(kind, 2 * pi / z, start=start, around=around, through=through, r_i=r_i, r_o=r_o)
+    return arc(kind, 2 * pi / z, start=start, around=around, through=through, **radii)
 
 
 def arc(kind, angle, *, start, around, through, r_i=R_I, r_o=R_O):

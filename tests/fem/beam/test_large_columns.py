@@ -29,14 +29,13 @@ def column(ends, section, count=24):
     )
 
 
-def critical(ends, section, mode=1):
+def critical(ends, section):
     """Load P at which the compressed column turns aside.
 
     The column, shortened to lambda = 1 - P/EA, leans by lambda phi + P phi / GA under the dead
     force: EI phi'' = -P (lambda + P/GA) phi. The smallest root of P (1 - P/EA + P/GA) = P_Euler.
     """
-    odd = mode if ends == "hinged" else 2 * mode - 1 if ends == "free" else mode
-    euler = (HALF_WAVES[ends] * odd * pi) ** 2 * section.EI
+    euler = (HALF_WAVES[ends] * pi) ** 2 * section.EI
     return brentq(lambda P: P * (1 - P / section.EA + P / section.GA) - euler, 0, 2 * euler)
 
 

@@ -85,16 +85,16 @@ SECTION = Section(EA=300.0, EI=20.0, GA=100.0)
 R, COUNT = 1.5, 12
 
 
-def hook(nodes=3, section=SECTION, unit=1.0, **given):
+def hook(nodes=3):
     """A quarter arc and a straight leg, built in at its start; the tip is the last node."""
     phi = np.linspace(0, pi / 2, (nodes - 1) * COUNT + 1)
     arc = R * np.column_stack([np.sin(phi), 1 - np.cos(phi)])
     leg = np.linspace(0, 1, (nodes - 1) * COUNT + 1)[1:, None] * [0.3, 1.0] + arc[-1]
     k = (nodes - 1) * np.arange(2 * COUNT)
     columns = (k, k + 1) if nodes == 2 else (k, k + 2, k + 1)
-    given = {"supports": {0: "xyr"}} | given
-    points = np.vstack([arc, leg]) * unit
-    return LargeFrame(points, np.column_stack(columns), sections=section, **given)
+    return LargeFrame(
+        np.vstack([arc, leg]), np.column_stack(columns), sections=SECTION, supports={0: "xyr"}
+    )
 
 
 TIP = 4 * COUNT

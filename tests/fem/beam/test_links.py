@@ -20,9 +20,9 @@ CLAMPS = {0: "xyr", 2: "xyr"}
 PUSH = {3: (0.0, -1.0, 0.0)}
 
 
-def pressed(link, *, points=ABOVE, elements=PAIR, sections=THIN, loads=PUSH, **more):
+def pressed(*links, loads=PUSH, **more):
     return solve_frame(
-        points, elements, sections=sections, supports=CLAMPS, loads=loads, links=[link], **more
+        ABOVE, PAIR, sections=THIN, supports=CLAMPS, loads=loads, links=links, **more
     )
 
 
@@ -38,7 +38,7 @@ def test_a_gap_is_closed_before_the_second_cantilever_bears():
 def test_an_element_may_be_linked_at_several_places(shares):
     """Whatever the order: the same as nodes there from the start."""
     links = [Link(first=(1, s), second=(0, s), direction=(0, 1)) for s in shares]
-    cut = solve_frame(ABOVE, PAIR, sections=THIN, supports=CLAMPS, loads=PUSH, links=links)
+    cut = pressed(*links)
     x = np.array([0, *sorted(shares), 1]) * L
     points = np.concatenate([np.column_stack([x, 0 * x]), np.column_stack([x, 0 * x + 0.1])])
     chain = [[0, 1], [1, 2], [2, 3], [4, 5], [5, 6], [6, 7]]
@@ -81,7 +81,7 @@ def test_links_that_hold_nothing_are_refused():
     one = Link(first=3, second=1, direction=(0, -1))
     for links in ([one, one], [Link(first=0, second=2, direction=(0, 1))]):
         with pytest.raises(ValueError, match="links repeat each other or join points"):
-            solve_frame(ABOVE, PAIR, sections=THIN, supports=CLAMPS, loads=PUSH, links=links)
+            pressed(*links)
     # a hinge and a link through the hinge: the beam turns about it
     with pytest.raises(ValueError, match="can move rigidly in spite of its links"):
         solve_frame(
@@ -155,10 +155,10 @@ def test_the_place_opposite_of_a_tip_lies_on_the_normal_of_force_or_leaf(normal)
 mm = 1e-3
 
 
-def kinked(U, U_A=12 * mm, k1=600.0, k2=750.0):
-    """Two straight lines and the normal force that grows from the kink on."""
-    F = np.where(U > U_A, k1 * U_A + k2 * (U - U_A), k1 * U)
-    return np.array([U, F, np.maximum(0, 300 * (U - U_A))])
+def kinked(U):
+    """Lines of 600 and 750 N/m, a kink at 12 mm, and the normal force that grows from it on."""
+    beyond = np.maximum(0, U - 12 * mm)
+    return np.array([U, 600 * U + 150 * beyond, 300 * beyond])
 
 
 def test_two_lines_are_found_again():

@@ -11,23 +11,19 @@ from fem.beam.released import gives_way, linear_load
 from fem.beam.section import Section
 from meshes.spring.centre_line import centre_line
 
-PATH = {"n": 10, "L1": 11.6e-3, "radius": 0.5e-3, "alpha": np.radians(80), "tail": "arc"}
 
-
-def spring(path, *, b, h, E, nu, per_arc, per_leaf):
-    line = centre_line(**path, per_arc=per_arc, per_leaf=per_leaf)
-    EA = E * b * h
-    section = Section(EA=EA, EI=EA * b**2 / 12, GA=5 / 6 * EA / (2 * (1 + nu)))
-    head, tail = line.nodes["head"], line.nodes["tail"]
+def spring(b, h, **path):
+    """An accordion spring of steel, `b` thick and `h` wide."""
+    line = centre_line(**path, tail="arc", per_arc=4, per_leaf=2)
+    EA = 206e9 * b * h
+    section = Section(EA=EA, EI=EA * b**2 / 12, GA=5 / 6 * EA / 2.6)
+    head, tail = (int(line.nodes[name]) for name in ("head", "tail"))
     return PressedFrame(line.points, line.elements, section, head, tail)
-
-
-SLENDER = {"b": 5e-5, "h": 0.056, "E": 206e9, "nu": 0.3, "per_arc": 4, "per_leaf": 2}
 
 
 def test_where_a_head_buckles_does_not_depend_on_where_the_search_began(monkeypatch):
     # half as thick as the paper's: its stiff and soft directions are furthest apart
-    thin = spring(PATH, **SLENDER)
+    thin = spring(5e-5, 0.056, n=10, L1=11.6e-3, radius=0.5e-3, alpha=np.radians(80))
     S, rounding = thin.head_stiffness(thin.compressed([1e-3])[0])
     assert (rounding / np.sqrt(abs(np.outer(np.diag(S), np.diag(S))))).max() < 1e-11  # symmetric
     found = []
@@ -37,15 +33,19 @@ def test_where_a_head_buckles_does_not_depend_on_where_the_search_began(monkeypa
     assert found == pytest.approx([found[0]] * 3, rel=1e-11)
 
 
+def strip(cells, L):
+    x = np.linspace(0.0, L, 2 * cells + 1)
+    ends = 2 * np.arange(cells)
+    points = np.column_stack([x, 0.0 * x])
+    return points, np.column_stack([ends, ends + 2, ends + 1])
+
+
 def test_the_linear_load_of_a_strut_that_is_hardly_bent_is_euler_s():
     """Clamped and free: pi^2 EI/(4 L^2)."""
     cells, L, section = 8, 1.0, Section(EA=1e6, EI=1.0, GA=1e6)
-    x = np.linspace(0.0, L, 2 * cells + 1)
-    first = 2 * np.arange(cells)
-    strut = PressedFrame(
-        np.column_stack([x, 1e-3 * x**2]), np.column_stack([first, first + 2, first + 1]),
-        section, head=0, tail=2 * cells,
-    )  # fmt: skip
+    points, elements = strip(cells, L)
+    points[:, 1] = 1e-3 * points[:, 0] ** 2
+    strut = PressedFrame(points, elements, section, head=0, tail=2 * cells)
     load, rounding = linear_load(strut)
     assert load == pytest.approx(np.pi**2 / 4 * section.EI / L**2, rel=1e-3)
     assert rounding < 1e-8 * load
@@ -56,13 +56,7 @@ LENGTH = 6.3e-3
 
 @pytest.fixture(scope="module")
 def accordion():
-    """A short accordion spring of steel, 0.2 mm thick and 10 mm wide."""
-    line = centre_line(n=6, L1=8e-3, radius=0.8e-3, alpha=1.4, tail="arc", per_arc=4, per_leaf=2)
-    EA = 206e9 * 10e-3 * 0.2e-3
-    section = Section(EA=EA, EI=EA * 0.2e-3**2 / 12, GA=5 / 6 * EA / 2.6)
-    return PressedFrame(
-        line.points, line.elements, section, int(line.nodes["head"]), int(line.nodes["tail"])
-    )
+    return spring(0.2e-3, 10e-3, n=6, L1=8e-3, radius=0.8e-3, alpha=1.4)
 
 
 def test_a_free_head_that_hardly_moves_is_linear(accordion):
@@ -85,13 +79,6 @@ def test_paths_begin_with_the_determinants_at_rest(accordion):
     assert paths["guided"][0, 3] == pytest.approx(1.0, abs=0.1)
     assert paths["free"][0, 1] == pytest.approx(0.01 * LENGTH)
     assert paths["free_shape"].shape == (len(accordion.elements), 3, 2)
-
-
-def strip(cells, L):
-    x = np.linspace(0.0, L, 2 * cells + 1)
-    ends = 2 * np.arange(cells)
-    points = np.column_stack([x, 0.0 * x])
-    return points, np.column_stack([ends, ends + 2, ends + 1])
 
 
 def test_a_straight_strip_has_the_stiffnesses_of_its_ends_about_its_middle():

@@ -17,11 +17,12 @@ def tower(friction, *, on_floor=False, **problem):
     mesh = join({"up": block(x=(0.2, 0.7), y=(0.5, 1.0), nx=6, ny=5),
                  "low": block(x=(0, 1), y=(0, 0.5), nx=11, ny=5)})  # fmt: skip
     contacts = [Pair(slave="up.bottom", master="low.top", friction=friction)]
-    given = {"materials": {"up": SOFT, "low": HARD}, "assumption": "plane strain"}
+    given = {"materials": {"up": SOFT, "low": HARD}, "assumption": "plane strain",
+             "contacts": contacts}  # fmt: skip
     if on_floor:
         contacts.append(Pair(slave="low.bottom", master="floor", friction=friction))
         given["obstacles"] = {"floor": Obstacle(Flat())}
-    return ContactProblem(mesh, contacts=contacts, **given | problem)
+    return ContactProblem(mesh, **given | problem)
 
 
 def on_flat(disc, *, friction=0.0, **problem):

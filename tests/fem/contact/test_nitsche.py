@@ -15,7 +15,7 @@ from fem.plane.solve import solve_plane
 from meshes.contact.block import block, full_block
 from meshes.contact.disc import half_disc, quarter_disc
 from meshes.join import join
-from tests.fem.contact.models import on_flat
+from tests.fem.contact.models import on_flat, tower
 
 STEEL, R = Elastic(E=210e9, nu=0.3), 10e-3
 A = 0.01 * R  # half-width of the contact, by Hertz
@@ -144,21 +144,12 @@ def test_partial_slip_and_its_history_are_the_mortars():
     assert np.all(abs(fine[1] - fine[0]) <= errors)
 
 
-def stack(**changed):
-    """Two blocks, the upper one held in x alone."""
-    meshes = {
-        "up": block(x=(0, 1), y=(1, 2), nx=3, ny=3),
-        "low": block(x=(0, 1), y=(0, 1), nx=2, ny=2),
-    }
-    return ContactProblem(**{
-        "mesh": join(meshes), "materials": STEEL, "assumption": "plane strain",
-        "supports": {"low.bottom": "xy", "up.left": "x"},
-        "contacts": [Pair(slave="up.bottom", master="low.top")],
-    } | changed)  # fmt: skip
-
-
 DOWN, FLOOR = {"tractions": {"up.top": (0.0, -1e6)}}, {"floor": Obstacle(Flat((0.0, 0.5)))}
 TOUCH = Pair(slave="up.bottom", master="low.top")
+HELD = {
+    "materials": STEEL,
+    "supports": {"low.bottom": "xy", "up.left": "x"},
+}  # the upper in x alone
 
 
 @pytest.mark.parametrize(
@@ -178,7 +169,7 @@ TOUCH = Pair(slave="up.bottom", master="low.top")
 )  # fmt: skip
 def test_what_the_method_cannot_solve_is_named(changed, given, error, message):
     with pytest.raises(error, match=message):
-        solve_nitsche(stack(**changed), **DOWN | given)
+        solve_nitsche(tower(0.0, **HELD | changed), **DOWN | given)
     disc = quarter_disc(R=1.0, zone=0.1, refine=1)
     apart = on_flat(disc, supports={"axis": "x"}, obstacles={"flat": Obstacle(Flat((0.0, -0.1)))})
     with pytest.raises(ValueError, match=r"the surfaces start 0\.1 apart"):

@@ -27,10 +27,8 @@ def turned(mesh, angle):
     return replace(mesh, doflocs=np.array([[c, -s], [s, c]]) @ mesh.doflocs)
 
 
-def pair(slave, master, swap, friction=0.0):
-    if swap:
-        slave, master = master, slave
-    return Pair(slave=slave, master=master, friction=friction)
+def pair(slave, master, swap):
+    return Pair(slave=master, master=slave) if swap else Pair(slave=slave, master=master)
 
 
 def normal_stress(solution, angle=0.0):

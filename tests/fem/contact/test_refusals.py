@@ -14,6 +14,7 @@ from fem.contact.shapes import Circle, Flat
 from fem.plane.material import Elastic
 from meshes.contact.block import block
 from meshes.join import join
+from tests.fem.contact.models import tower
 
 NAN = float("nan")
 STEEL = Elastic(E=210e9, nu=0.3)
@@ -135,12 +136,9 @@ HELD = Along(supports={"low.bottom": 0.0})
 
 
 def pair(along=HELD, assumption="plane strain", friction=0.3):
-    mesh = join({"up": block(x=(0.2, 0.7), y=(0.5, 1.0), nx=3, ny=2),
-                 "low": block(x=(0, 1), y=(0, 0.5), nx=4, ny=2)})  # fmt: skip
-    return ContactProblem(
-        mesh, materials=STEEL, assumption=assumption, along=along,
+    return tower(
+        friction, materials=STEEL, assumption=assumption, along=along,
         supports={"low.bottom": "xy", "up.top": "x"}, obstacles={"wall": Obstacle(Flat((5, 0)))},
-        contacts=[Pair(slave="up.bottom", master="low.top", friction=friction)],
     )  # fmt: skip
 
 

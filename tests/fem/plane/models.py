@@ -58,11 +58,22 @@ def ring(kind, r, phi):
     return mapped(kind, r, phi, lambda r, phi: (r * np.cos(phi), r * np.sin(phi)), names)
 
 
-def trapezoid(kind, origin=(0.0, 0.0)):
-    """Corners (0, 0), (4, 0), (4, 3), (0, 1) from `origin` on; "west" and "east" of x = 1."""
+def tube(kind, bore):
+    """A tube or a bar of outer radius 2 and length 1: wavy cells within, two bodies."""
+
+    def place(s, t):
+        wave = np.sin(np.pi * s) * np.sin(np.pi * t)
+        s = s + 0.06 * wave * np.cos(5 * t)
+        return bore + (2 - bore) * s, t + 0.08 * np.sin(np.pi * t) * np.cos(4 * s)
+
+    names = ("bore", "rim", "bottom", "top")
+    return mapped(kind, np.linspace(0, 1, 7), np.linspace(0, 1, 4), place, names, split=0.5)
+
+
+def trapezoid(kind):
+    """Corners (0, 0), (4, 0), (4, 3), (0, 1); "west" and "east" of x = 1."""
     s, t = np.array([0, 0.25, 0.6, 1]), np.array([0, 0.3, 1])
-    x, y = origin
-    return mapped(kind, s, t, lambda s, t: (4 * s + x, (1 + 2 * s) * t + y), split=0.25)
+    return mapped(kind, s, t, lambda s, t: (4 * s, (1 + 2 * s) * t), split=0.25)
 
 
 def in_plane(material, assumption):

@@ -8,25 +8,13 @@ import pytest
 
 from fem.plane.material import Elastic
 from fem.plane.solve import solve_plane
-from tests.fem.plane.models import KINDS, degree, mapped, order
+from tests.fem.plane.models import KINDS, degree, mapped, order, tube
 
 STEEL = Elastic(E=210e9, nu=0.3)
 E, NU = STEEL.E, STEEL.nu
 ROUND_OFF = 1e-12  # relative
 BORES = dict(zip(KINDS, (0.0, 0.5, 0.0, 0.5, 0.0, 0.5), strict=True))  # solid and hollow in turn
 every_body = pytest.mark.parametrize(("kind", "bore"), BORES.items())
-
-
-def tube(kind, bore):
-    """A tube or a bar of outer radius 2 and length 1: wavy cells within, two bodies."""
-
-    def place(s, t):
-        wave = np.sin(np.pi * s) * np.sin(np.pi * t)
-        s = s + 0.06 * wave * np.cos(5 * t)
-        return bore + (2 - bore) * s, t + 0.08 * np.sin(np.pi * t) * np.cos(4 * s)
-
-    names = ("bore", "rim", "bottom", "top")
-    return mapped(kind, np.linspace(0, 1, 7), np.linspace(0, 1, 4), place, names, split=0.5)
 
 
 @every_body

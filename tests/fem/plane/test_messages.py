@@ -1,6 +1,5 @@
 """A problem that makes no sense is refused, and the message names what is wrong with it."""
 
-from dataclasses import replace
 from math import inf, nan
 
 import numpy as np
@@ -9,19 +8,14 @@ from skfem import MeshQuad1, MeshTri1
 
 from fem.plane.material import Elastic
 from fem.plane.solve import solve_plane
+from tests.fem.plane.models import mapped
 
 STEEL = Elastic(E=210e9, nu=0.3)
 
 
 def square(origin=(0.0, 0.0)):
-    grid = MeshQuad1.init_tensor(np.linspace(0, 1, 5), np.linspace(0, 1, 5))
-    mesh = grid.with_boundaries({
-        "left": lambda x: x[0] == 0,
-        "right": lambda x: x[0] == 1,
-        "bottom": lambda x: x[1] == 0,
-        "top": lambda x: x[1] == 1,
-    }).with_subdomains({"west": lambda x: x[0] < 0.5, "east": lambda x: x[0] > 0.5})  # fmt: skip
-    return replace(mesh, doflocs=mesh.doflocs + np.reshape(origin, (2, 1)))
+    axis, (x, y) = np.linspace(0, 1, 5), origin
+    return mapped("quad4", axis, axis, lambda s, t: (s + x, t + y), split=0.5)
 
 
 def two_squares():

@@ -82,9 +82,10 @@ def test_the_axis_of_a_solid_disc_stays_where_it_is(kind, z):
         assert np.abs(u - exact).max() < 2e-3 * np.abs(exact).max()
 
 
-def disc_sector(kind, z, cells=6):
+def disc_sector(kind, z):
     """A fan of triangles about the axis."""
     straight, shape = KINDS[kind]
+    cells = 6
     angle, radii = 2 * pi / z * np.linspace(0, 1, cells + 1) + START, np.linspace(0.25, 1, 4)
     points = [(0.0, 0.0), *((r * np.cos(a), r * np.sin(a)) for r in radii for a in angle)]
     n = cells + 1

@@ -19,17 +19,16 @@ def section(d):
     return np.pi * d**2 / 4, np.pi * d**4 / 64
 
 
-def hinged(n, *, L=1.0, d=0.03, theory, refine=1):
-    shaft = Shaft([Element(L / n, d, material=STEEL)] * n)
-    return Rotor(
-        [shaft], supports=[Support(0, 1e15), Support(n, 1e15)], theory=theory, refine=refine
-    )
+def hinged(n, theory, d=0.03):
+    """Of length 1."""
+    shaft = Shaft([Element(1 / n, d, material=STEEL)] * n)
+    return Rotor([shaft], supports=[Support(0, 1e15), Support(n, 1e15)], theory=theory)
 
 
-def shaft_frequencies(j, W, *, L=1.0, d=0.03, theory):
+def shaft_frequencies(j, W, theory, d=0.03):
     """Backward and forward frequency of mode j, from the differential equation of each theory."""
     A, inertia = section(d)
-    k = j * np.pi / L
+    k = j * np.pi
     turn = 0 if theory == "euler" else RHO * inertia
     kappa = 6 * (1 + NU) ** 2 / (7 + 12 * NU + 4 * NU**2)
     S = kappa * A * E / (2 * (1 + NU)) if theory == "timoshenko" else np.inf
@@ -48,16 +47,16 @@ def shaft_frequencies(j, W, *, L=1.0, d=0.03, theory):
     ("theory", "W"), [("euler", 0.0), ("rayleigh", 700.0), ("timoshenko", 700.0)]
 )
 def test_a_hinged_shaft_whirls_as_its_theory_says(theory, W):
-    found = modes(hinged(40, theory=theory), W, 6)
+    found = modes(hinged(40, theory), W, 6)
     for j in (1, 2, 3):
-        back, forth = shaft_frequencies(j, W, theory=theory)
+        back, forth = shaft_frequencies(j, W, theory)
         np.testing.assert_allclose(
             found.frequencies[2 * j - 2 : 2 * j], sorted([back, forth]), rtol=3e-5 * j**2
         )
     if W:
         np.testing.assert_array_equal(found.whirl, [-1, 1] * 3)
-    exact = shaft_frequencies(1, W, d=0.2, theory=theory)[1]
-    errors = [max(modes(hinged(n, d=0.2, theory=theory), W, 2).frequencies) for n in (4, 8)]
+    exact = shaft_frequencies(1, W, theory, 0.2)[1]
+    errors = [max(modes(hinged(n, theory, 0.2), W, 2).frequencies) for n in (4, 8)]
     order = np.log2((errors[0] / exact - 1) / (errors[1] / exact - 1))
     assert order == pytest.approx(2 if theory == "timoshenko" else 4, abs=0.25)
 

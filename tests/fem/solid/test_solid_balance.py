@@ -17,11 +17,10 @@ LEAF = Piece("leaf", 0.5, 0.5, 0.0, 3.0, 0.0, 1)
 PULL = (3.0, -2.0, 1.5)  # any
 
 
-def hook(scale=1.0):
-    mesh = solid_strip(
+def hook():
+    return solid_strip(
         [QUARTER, LEAF], b=0.1, width=1.0, through=1, per_arc=3, per_leaf=4, across=2, grading=3.0
     )
-    return replace(mesh, doflocs=scale * mesh.doflocs)
 
 
 def bent(mesh=None, **changed):
