@@ -110,3 +110,26 @@ def test_a_hinged_bar_snaps_through_at_its_closed_limit():
     length = np.hypot(c, at)
     np.testing.assert_allclose(path.factors, EA * (l_0 - length) / l_0 * at / length, atol=1e-10)
     np.testing.assert_allclose(path.strain_energy, EA * (length - l_0) ** 2 / l_0 / 2, rtol=1e-9)
+
+
+def test_lees_frame_snaps_back_at_its_published_load():
+    """Hinged-hinged right-angled frame, 120 each, E = 720, A = 6, I = 2, load 24 from the corner.
+
+    Lee, Manuel & Rossow, J. Eng. Mech. 94 (1968) 521-547; 1.8558 in Schweizerhof & Wriggers,
+    Comput. Meth. Appl. Mech. Eng. 59 (1986) 261-279.
+    """
+    up, out = np.linspace(0, 120, 41), np.linspace(0, 120, 41)[1:]
+    points = np.vstack([np.column_stack([0 * up, up]), np.column_stack([out, 0 * out + 120])])
+    k, loaded, last = 2 * np.arange(40), 48, 80
+    frame = LargeFrame(
+        points, np.column_stack([k, k + 2, k + 1]),
+        sections=Section(EA=4320.0, EI=1440.0, GA=1e6), supports={0: "xy", last: "xy"},
+    )  # fmt: skip
+    path = frame.along_arc(
+        {loaded: (0, -1, 0)}, first=0.1, until=lambda state: state.u[loaded, 1] < -80
+    )
+    first, second = frame.buckling(path)
+    assert first.limit
+    assert second.limit
+    assert first.factor == pytest.approx(1.8558, rel=2e-4)
+    assert [path.negative[0], path.negative.max(), path.last.negative] == [0, 1, 0]

@@ -15,7 +15,7 @@ NODES = len(OUTER) + len(INNER) + 2
 START = sum(length for length, _, _ in OUTER[:7])  # where the inner shaft begins
 
 
-def ours(kappa, *, unlike=False, linked=True, damped=True):
+def ours(kappa, *, unlike=False, damped=True):
     """The two shafts here, with ROSS's shear coefficients `kappa` by element."""
     outer, inner = (
         [Element(L, d_o, d_i, STEEL, k) for (L, d_o, d_i), k in zip(rows, own, strict=True)]
@@ -27,7 +27,7 @@ def ours(kappa, *, unlike=False, linked=True, damped=True):
         [Shaft(outer), Shaft(inner, z=START)],
         [Disc(n, m, Ip, Id) for n, m, Id, Ip in DISCS],
         [Support(n, k, k * y, cxx=c * v) for n, k, v in GROUND],
-        [Link.bearing(a, b, k, kyy=k * y, cxx=c * v) for a, b, k, v in BETWEEN] if linked else [],
+        [Link.bearing(a, b, k, kyy=k * y, cxx=c * v) for a, b, k, v in BETWEEN],
     )
 
 
@@ -58,9 +58,3 @@ def bending(n):
     """The unknowns across the axis of n: all where a node has four, as in ROSS 1."""
     at = np.arange(n)
     return at if n == 4 * NODES else np.flatnonzero(np.isin(at % 6, (0, 1, 3, 4)))
-
-
-def across(A):
-    """A matrix on the unknowns across the axis."""
-    at = bending(len(A))
-    return A[np.ix_(at, at)]

@@ -41,14 +41,3 @@ def straightened(grid):
     points[grid.cells[:, 4:8]] = (corner + after) / 2
     points[grid.cells[:, 8]] = corner.mean(axis=1)
     return grid._replace(points=points)
-
-
-def turned(grid, rotation):
-    return grid._replace(points=grid.points @ rotation.T)
-
-
-def rotation_matrix(axis, angle):
-    """About an axis by an angle [rad] (Rodrigues)."""
-    x, y, z = np.asarray(axis) / np.linalg.norm(axis)
-    K = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    return np.eye(3) + np.sin(angle) * K + (1 - np.cos(angle)) * K @ K
