@@ -32,6 +32,19 @@ def tip(path):
     return path.u[:, -1] + [1, 0, 0]
 
 
+def test_an_end_couple_rolls_a_strip_up_twice():
+    """A couple alone bends without stretch or shear, so the circle is exact for any section."""
+    section, turns = THICK, np.array([0.25, 0.5, 1.0, 2.0])
+    path = strip(40, section=section).under_loads({80: (0, 0, 2 * pi)}, turns)
+    angle = 2 * pi * turns
+    circle = np.column_stack([np.sin(angle) / angle, (1 - np.cos(angle)) / angle, angle])
+    np.testing.assert_allclose(tip(path), circle, atol=2e-5)
+    np.testing.assert_allclose(path.strain_energy, angle**2 / 2, rtol=1e-10)
+    _, forces = strip(40, section=section).section_forces(path.last)
+    np.testing.assert_allclose(forces[..., 2], 4 * pi, rtol=1e-9)
+    np.testing.assert_allclose(forces[..., :2], 0, atol=1e-7)
+
+
 def test_a_follower_force_bends_as_jacobis_functions_say():
     """Seen from the tip the force is dead: psi'' = a^2 cos psi, psi = psi' = 0 at the tip.
 

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from fem.contact.nitsche import solve_nitsche
-from fem.contact.pairs import Obstacle, Pair
+from fem.contact.pairs import Obstacle, Pair, Rigid
 from fem.contact.problem import ContactProblem
 from fem.contact.shapes import Circle, Flat
 from fem.contact.traction import traction_rows
 from fem.plane.material import Elastic
 from fem.plane.solve import solve_plane
-from meshes.contact.block import block, full_block
+from meshes.contact.block import block, full_block, half_block
 from meshes.contact.disc import half_disc, quarter_disc
 from meshes.join import join
 from tests.fem.contact.models import on_flat, tower
@@ -134,6 +134,21 @@ def sliding(refine):
     return steps
 
 
+def punched(refine):
+    """An elastic block under a rigid disc that is free in y."""
+    meshes = {"low": half_block(width=20 * A, depth=20 * A, zone=1.5 * A, refine=refine),
+              "up": quarter_disc(R=R, zone=1.5 * A, refine=1, cells=4)}  # fmt: skip
+    problem = ContactProblem(
+        join(meshes), materials={"low": STEEL, "up": Rigid()}, assumption="plane strain",
+        supports={"low.bottom": "xy", "low.axis": "x", "up.axis": "x"},
+        contacts=[
+            Pair(slave="low.surface", master="up.surface", master_shape=Circle((0.0, R), R))
+        ],
+    )  # fmt: skip
+    loads = {"up.middle": (0.0, -60e3)}
+    return problem.solve(forces=loads), solve_nitsche(problem, forces=loads)
+
+
 def test_partial_slip_and_its_history_are_the_mortars():
     def quantities(solution):
         (touch,) = solution.touches
@@ -142,6 +157,15 @@ def test_partial_slip_and_its_history_are_the_mortars():
     coarse, fine = (np.array([quantities(s) for s in sliding(refine)[-1]]) for refine in (1, 2))
     errors = UNSEEN_ORDER * abs(fine - coarse).sum(axis=0) / 3
     assert np.all(abs(fine[1] - fine[0]) <= errors)
+
+
+def test_a_rigid_punch_that_only_contact_holds_comes_to_rest():
+    coarse, fine = (punched(refine) for refine in (1, 3))
+    assert fine[1].touches[0].force[1] == pytest.approx(60e3, rel=1e-9)
+    assert fine[1].plane.reaction("low.bottom")[1] == pytest.approx(60e3, rel=1e-9)
+    for quantity in (lambda s: s.strain_energy, lambda s: s.touches[0].half_width((0, 0))):
+        first, last = (abs(quantity(n) / quantity(m) - 1) for m, n in (coarse, fine))
+        assert last < first / 3
 
 
 DOWN, FLOOR = {"tractions": {"up.top": (0.0, -1e6)}}, {"floor": Obstacle(Flat((0.0, 0.5)))}

@@ -172,5 +172,6 @@ def test_bodies_have_their_own_thickness_and_material():
         supports={"u=0": "xyzabc"}, edge_loads={"u=1": (1.0, 0, 0)},
     )  # fmt: skip
     assert s.average("u=1")[0] == pytest.approx(1 / 4 + 1 / 2, rel=1e-12)
+    assert s.potential_energy == pytest.approx(-s.strain_energy, rel=1e-12)  # Clapeyron
     stress = s.membrane_stress[:, :, 0, 0]
     np.testing.assert_allclose(stress, np.array([[2.0], [1.0]]) + 0 * stress, rtol=1e-10)
