@@ -73,6 +73,7 @@ def stick_half_width(touch, q):
 
 @pytest.mark.parametrize("angle", [30.0, 120.0])
 def test_without_poissons_ratio_every_direction_is_cattaneos(angle):
+    """A force in the surface moves it alike along and across z: c = a sqrt(1 - Q/(mu P))."""
     # moved: what is pushed above would tilt
     problem = rollers(
         MU, materials=Elastic(E=E, nu=0.0),
