@@ -1,13 +1,18 @@
 """A problem that makes no sense is refused, and the message names what is wrong with it."""
 
-from math import inf, nan
+import re
+from dataclasses import replace
+from math import inf, nan, pi
 
 import numpy as np
 import pytest
 from skfem import MeshQuad1, MeshTri1
 
 from fem.plane.material import Elastic
+from fem.plane.means import Mean
 from fem.plane.solve import solve_plane
+from fem.plane.ties import Tie
+from tests.fem.cyclic_rings import ring, sector
 from tests.fem.plane.models import mapped
 
 STEEL = Elastic(E=210e9, nu=0.3)
@@ -105,3 +110,67 @@ def test_a_load_that_is_no_number_has_no_answer():
     ):  # fmt: skip
         with pytest.raises((ValueError, ArithmeticError)):
             solve(**changed)
+
+
+def cyclic_body(mesh, **changed):
+    return solve(mesh, **{"supports": {"bore": "xy"}} | changed)
+
+
+FIFTH = Tie(leader="first cut", follower="last cut", angle=2 * pi / 5)
+
+
+@pytest.mark.parametrize(
+    ("tie", "words"),
+    [
+        ({"leader": "bore", "angle": 2 * pi / 5}, "7 nodes cannot follow 13"),
+        ({"leader": "first cut", "angle": -2 * pi / 5}, "no node follows that at (0.92203, -1.3"),
+        ({"leader": "cut"}, "no boundary 'cut'"),
+        ({"leader": "first cut", "angle": np.nan}, "angle, about and shift must be finite"),
+        ({"leader": "last cut"}, "a boundary cannot follow itself"),
+    ],
+)
+def test_a_wrong_tie_is_named_in_a_line(tie, words):
+    with pytest.raises(ValueError, match=f"^[^\\n]*{re.escape(words)}[^\\n]*$"):
+        cyclic_body(sector("tri6", 5), ties=[Tie(follower="last cut", **tie)])
+
+
+def test_what_a_cyclic_tie_leaves_free_and_cannot_be_around_a_turn_is_refused():
+    mesh = sector("tri6", 5)
+    rough = np.random.default_rng(1).uniform(-3e-8, 3e-8, mesh.doflocs.shape)
+    with pytest.raises(ValueError, match=r"\+1 rotation\): support it against that"):
+        cyclic_body(replace(mesh, doflocs=mesh.doflocs + rough), supports={}, ties=[FIFTH])
+    mesh = sector("tri6", 12, start=0.1)
+    with pytest.raises(ValueError, match="around a turn followers are only shifted along y"):
+        cyclic_body(mesh, assumption="axisymmetric", ties=[replace(FIFTH, angle=2 * pi / 12)])
+
+
+HELD = "supports or another mean hold already"
+
+
+@pytest.mark.parametrize(
+    ("supports", "means", "message"),
+    [
+        ({"bore": "xy"}, {"bore": Mean({"x": 0.0})}, HELD),
+        ({"bore": "xy"}, {"rim": Mean({"r": 0.0}), "again": Mean({"r": 1.0})}, HELD),
+        ({"bore": "t"}, {"bore": Mean({"r": 0.0})}, HELD),
+        ({"bore": "xy"}, {"edge": Mean({"r": 0.0})}, "no boundary 'edge'"),
+        ({}, {"rim": Mean({"x": 0.0, "y": 0.0})}, "rotation"),
+    ],
+)
+def test_means_that_are_held_already_or_hold_too_little_are_refused(supports, means, message):
+    mesh = ring("quad9", 4)
+    mesh = mesh.with_boundaries({"again": mesh.boundaries["rim"]})
+    with pytest.raises(ValueError, match=message):
+        cyclic_body(mesh, supports=supports, means=means)
+
+
+def test_wrong_means_are_named():
+    for held, words in (
+        ({"z": 0.0}, "mean motions are of x, y and r, got z"), ({}, "got none"),
+        ({"r": np.inf}, "must be finite"),
+    ):  # fmt: skip
+        with pytest.raises(ValueError, match=words):
+            Mean(held)
+    s = cyclic_body(ring("tri3", 4), means={"rim": Mean({"r": 0.0})})
+    with pytest.raises(ValueError, match="no mean motion of 'bore' is held; held are those of"):
+        s.mean_reaction("bore")

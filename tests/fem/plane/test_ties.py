@@ -1,7 +1,5 @@
 """Cyclic sectors and bonded bodies beside the whole, meshed alike; mean motions of boundaries."""
 
-import re
-from dataclasses import replace
 from math import pi
 
 import numpy as np
@@ -102,31 +100,6 @@ def disc_sector(kind, z):
     return mesh.with_boundaries({name: np.flatnonzero(on) for name, on in found.items()})
 
 
-@pytest.mark.parametrize(
-    ("tie", "words"),
-    [
-        ({"leader": "bore", "angle": 2 * pi / 5}, "7 nodes cannot follow 13"),
-        ({"leader": "first cut", "angle": -2 * pi / 5}, "no node follows that at (0.92203, -1.3"),
-        ({"leader": "cut"}, "no boundary 'cut'"),
-        ({"leader": "first cut", "angle": np.nan}, "angle, about and shift must be finite"),
-        ({"leader": "last cut"}, "a boundary cannot follow itself"),
-    ],
-)
-def test_a_wrong_tie_is_named_in_a_line(tie, words):
-    with pytest.raises(ValueError, match=f"^[^\\n]*{re.escape(words)}[^\\n]*$"):
-        solved(sector("tri6", 5), ties=[Tie(follower="last cut", **tie)])
-
-
-def test_what_a_cyclic_tie_leaves_free_and_cannot_be_around_a_turn_is_refused():
-    mesh = sector("tri6", 5)
-    rough = np.random.default_rng(1).uniform(-3e-8, 3e-8, mesh.doflocs.shape)
-    with pytest.raises(ValueError, match=r"\+1 rotation\): support it against that"):
-        solved(replace(mesh, doflocs=mesh.doflocs + rough), supports={}, ties=[cyclic(5)])
-    mesh = sector("tri6", 12, start=0.1)
-    with pytest.raises(ValueError, match="around a turn followers are only shifted along y"):
-        solved(mesh, assumption="axisymmetric", ties=[cyclic(12)])
-
-
 def test_bonded_bodies_are_one():
     size = {"start": START, "around": 8}
     inner = arc("tri6", 2.0, through=3, **size)
@@ -190,35 +163,3 @@ def test_means_are_what_they_are_prescribed_to_be_and_hold_with_forces_in_balanc
     assert moment == pytest.approx(
         force["r"] + force["y"] * mean_arm[0] - force["x"] * mean_arm[1], rel=1e-8
     )
-
-
-HELD = "supports or another mean hold already"
-
-
-@pytest.mark.parametrize(
-    ("supports", "means", "message"),
-    [
-        ({"bore": "xy"}, {"bore": Mean({"x": 0.0})}, HELD),
-        ({"bore": "xy"}, {"rim": Mean({"r": 0.0}), "again": Mean({"r": 1.0})}, HELD),
-        ({"bore": "t"}, {"bore": Mean({"r": 0.0})}, HELD),
-        ({"bore": "xy"}, {"edge": Mean({"r": 0.0})}, "no boundary 'edge'"),
-        ({}, {"rim": Mean({"x": 0.0, "y": 0.0})}, "rotation"),
-    ],
-)
-def test_means_that_are_held_already_or_hold_too_little_are_refused(supports, means, message):
-    mesh = ring("quad9", 4)
-    mesh = mesh.with_boundaries({"again": mesh.boundaries["rim"]})
-    with pytest.raises(ValueError, match=message):
-        solved(mesh, supports=supports, means=means)
-
-
-def test_wrong_means_are_named():
-    for held, words in (
-        ({"z": 0.0}, "mean motions are of x, y and r, got z"), ({}, "got none"),
-        ({"r": np.inf}, "must be finite"),
-    ):  # fmt: skip
-        with pytest.raises(ValueError, match=words):
-            Mean(held)
-    s = solved(ring("tri3", 4), means={"rim": Mean({"r": 0.0})})
-    with pytest.raises(ValueError, match="no mean motion of 'bore' is held; held are those of"):
-        s.mean_reaction("bore")
