@@ -82,12 +82,19 @@ def test_every_printed_cell_and_every_value_below_it_stand_in_their_column(which
             for claim in cell.rows:
                 if sum(claim.row in line for line in lines) == 1:  # others stand below the table
                     line = expected.setdefault(claim.row, [""] * columns)
-                    line[k] = words(str(formats.small(claim.analytic)))
+                    line[k] = words(f"{formats.small(claim.analytic)}{off(claim, cell)}")
         claimed = [line for line in block.below if "input" not in line]
         assert sorted(line[:columns] for line in claimed) == sorted(expected.values())
         for line in claimed:
             names = [id_ for id_, values in expected.items() if values == line[:columns]]
             assert any(line[-1].endswith(plain(id_.partition("/")[2])) for id_ in names)
+
+
+def off(claim: PaperClaim, cell: PaperCell) -> str:
+    """The difference from a printed number, as it stands in brackets after a value."""
+    if claim.analytic is None or not re.fullmatch(r"-?[\d.]+", cell.text) or not float(cell.text):
+        return ""
+    return f" ({formats.percents(claim.analytic / float(cell.text) - 1, signed=True)})"
 
 
 def test_a_row_on_a_whole_column_stands_once_below_the_table():
