@@ -8,7 +8,6 @@ import pytest
 from tests.verify.test_checks import context
 from verify.core.results import Kind, Status
 from verify.judging.claims import rows_of
-from verify.judging.explain.steps import derive, steps
 from verify.judging.tolerance_checks import (
     SUBJECT,
     Agreement,
@@ -95,13 +94,3 @@ def test_the_farthest_of_many_pairs_is_the_one_that_is_judged():
     found = farthest(np.array([[1.0, 2.0], [3.0, 3.9]]), np.array([[1.0, 2.01], [3.0, 4.0]]), 0.01)
     assert (found.value, found.reference, found.U) == (3.9, 4.0, 0.04)
     assert found.words == "off by -0.025 at most of 4"
-
-
-@pytest.mark.parametrize("check", [agreement(2.001, U=1e-4), agreement(2.01), deviation(5e-4)])
-def test_rows_follow_from_what_they_hold(check):
-    row = row_of(check)
-    again = derive(row).verdict
-    assert (again.status, again.detects) == (row.status, pytest.approx(row.detects))
-    labels = [label for label, _ in steps(row)]
-    assert labels[-1] == "verdict"
-    assert "test" in labels

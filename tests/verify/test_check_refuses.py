@@ -9,26 +9,11 @@ from hypothesis import strategies as st
 
 from verify.app.cli import run
 
-CASES = {
-    "ring-lame": {
-        "r_i": '"60 mm"', "r_o": '"80 mm"', "p_i": '"100 MPa"', "E": '"206 GPa"', "nu": "0.3",
-    },
-    "freewheel-clutch": {
-        "R": '"16.5 mm"', "r": '"2.5 mm"', "X": '"11.39565 mm"', "R_a": '"21 mm"',
-        "r_b": '"7.5 mm"', "z": "8", "L": '"10 mm"', "T": '"26 N m"', "F_ax": '"600 N"',
-        "mu": "0.08", "E": '"206 GPa"', "nu": "0.3",
-    },
-    "rotor-system": {
-        "speed_from": '"1000 r/min"', "speed_to": '"2000 r/min"', "margin": "0.15",
-        "speed": '"1500 r/min"', "probe": "1", "shafts": '[{name = "a"}]',
-        "segments": '[{shaft = "a", length = "100 mm", d_o = "50 mm"}]',
-        "supports": '[{node = 1, k = "60 N/µm"}, {node = 2, k = "60 N/µm"}]',
-    },
-}  # fmt: skip
+GOOD = {"r_i": '"60 mm"', "r_o": '"80 mm"', "p_i": '"100 MPa"', "E": '"206 GPa"', "nu": "0.3"}
 
 
-def rendered(case, values):
-    lines = "".join(f"{k} = {v}\n" for k, v in values.items() if v is not None)
+def rendered(values, case="ring-lame"):
+    lines = "".join(f"{k} = {v}\n" for k, v in values.items())
     return f'case = "{case}"\n[inputs]\n{lines}'
 
 
@@ -63,30 +48,16 @@ def assert_answered(result, path):
     ("case", "change", "words"),
     [
         ("ring-lame", {"r_i": '"90 mm"'}, "a ring needs r_i < r_o, got r_i = 90 mm, r_o = 80 mm"),
-        ("ring-lame", {"E": '"1e300 GPa"'}, "inputs.E"),
-        ("ring-lame", {"r_i": "60"}, "inputs.r_i"),  # no unit
-        ("ring-lame", {"r_i": '"60 furlong"'}, "inputs.r_i"),
-        ("ring-lame", {"nu": "nan"}, "inputs.nu"),
-        ("ring-lame", {"r_i": '"inf mm"'}, "inputs.r_i"),
-        ("ring-lame", {"p_i": "9" * 400}, "inputs.p_i"),
         ("ring-lame", {"p_i": '"1e400 MPa"'}, "is not finite"),
-        ("ring-lame", {"r_o": None}, "missing r_o"),
         ("ring-lame", {"unknown": "1"}, "inputs.unknown: unknown key"),
         ("ring-lame", {"nu": "0.3 ["}, ""),
-        ("freewheel-clutch", {"z": "8.5"}, "inputs.z: needs a whole number"),
-        ("freewheel-clutch", {"R_a": '"16 mm"'}, "R_a"),
-        ("freewheel-clutch", {"kind": '"inner"'}, "inner cam"),
-        ("rotor-system", {"segments": '[{shaft = "b", length = "1 mm", d_o = "9 mm"}]'}, "b"),
-        ("rotor-system", {"supports": '[{node = 9, k = "60 N/µm"}]'}, "9"),
-        ("rotor-system", {"probe": "0"}, "probe"),
-        ("rotor-system", {"speed_to": '"500 r/min"'}, "500"),
         ("design-spring", {}, "a task for freewheel design: freewheel design"),
         ("ring-lamé", {}, "unknown case 'ring-lamé'"),
     ],
 )
 def test_what_cannot_be_built_is_refused_with_the_rule(case, change, words, tmp_path):
     path = tmp_path / "my.toml"
-    path.write_text(rendered(case, CASES.get(case, {}) | change), "utf-8")
+    path.write_text(rendered(GOOD | change, case), "utf-8")
     result = check(path)
     assert_refused(result, path)
     assert words in result[2]
@@ -95,7 +66,7 @@ def test_what_cannot_be_built_is_refused_with_the_rule(case, change, words, tmp_
 @st.composite
 def doubtful(draw):
     """A good file with any change at all, which may leave it good."""
-    values = dict(CASES["ring-lame"])
+    values = dict(GOOD)
     key = draw(st.sampled_from(sorted(values)))
     number, _, unit = values[key].strip('"').partition(" ")
     how = draw(st.sampled_from(["size", "type", "cut", "insert", "unit"]))
@@ -106,7 +77,7 @@ def doubtful(draw):
         values[key] = f'"{number} {other}"'
     elif how == "type":
         values[key] = draw(st.sampled_from(["true", "[1.0]", "{a = 1}", "1979-05-27", "nan", '""']))
-    text = rendered("ring-lame", values)
+    text = rendered(values)
     at = draw(st.integers(0, len(text)))
     if how == "cut":
         return text[:at]

@@ -9,7 +9,7 @@ import pytest
 from analytic.ring import lame
 from verify.app import commands
 from verify.app.cli import run
-from verify.cases.registry import CASES, QUICK
+from verify.cases.registry import CASES
 from verify.core.suggestions import FEW, nearest
 
 HEAVY = ("gmsh", "skfem", "meshio", "pyvista", "matplotlib", "sklearn", "numba", "llvmlite",
@@ -46,8 +46,6 @@ def test_list_and_completion_name_every_case(capsys):
     _, needed, assumed, *_ = out.partition("\nsprag-clutch ")[2].splitlines()
     assert needed.strip() == "inputs: R_i [mm], R_e [mm], l [mm], T [N m]"
     assert "R_id [mm]" in assumed
-    assert run(["completion", "bash"]) == 0
-    assert "verify" in capsys.readouterr().out
     assert run(["__complete", "init", ""]) == 0
     offered = capsys.readouterr().out.split()[1:]  # after the opening directive
     assert [*CASES.ids, "design-spring", "design-sprag"] == offered
@@ -62,11 +60,6 @@ def test_verify_writes_the_report_and_a_red_row_makes_the_exit_status_one(
     written = {p.name for p in out.iterdir()}
     assert {"report.html", "report.pdf", "tables.xlsx", "results.json", "results.schema.json",
             "rows.csv", "junit.xml"} <= written  # fmt: skip
-    assert {name for name in written if name.startswith(".")} <= {
-        ".lock",
-        ".up-to-date.json",
-        ".written.json",
-    }
     assert str(out / "report.html") in capsys.readouterr().out.replace("\n", "")
     right = lame.strain_energy
     monkeypatch.setattr(lame, "strain_energy", lambda **k: 1.001 * right(**k))
@@ -96,21 +89,14 @@ def test_a_solver_that_fails_is_a_red_row_and_no_traceback(monkeypatch, tmp_path
     assert rows[0]["fem"] is None
 
 
-def test_the_quick_round_has_cases_of_every_subject():
-    subjects = {case.partition("-")[0] for case in CASES.ids}
-    assert {case.partition("-")[0] for case in QUICK} == subjects
-
-
 @pytest.mark.parametrize(
     ("line", "message"),
     [
         ("verify ring-lam", "unknown case 'ring-lam', did you mean ring-lame?"),
         ("verify ring-lame --quick", "name no case beside it"),
         ("verify --pdf short", 'Invalid value "short" for --pdf. Choose from: "record", "full"'),
-        ("verify --jobs many", "--jobs: needs a whole number, got 'many'"),
         ("verify --jobs -1", "--jobs is 0 (one a core) to 256, got -1"),
         ("verify ring-lame --out file/out", "file: is a file, expected a folder"),
-        ("design file --out file/out", "file: "),
         ("deep budget:ring-lam", "ring-lame, "),
         ("explain", "explain needs a row"),
         ("explain displacement nowhere.toml", "nowhere.toml: cannot be read"),
@@ -134,11 +120,9 @@ def test_bad_command_lines_end_with_one_line_and_status_two(
 
 
 def test_names_like_an_unknown_one_come_first_and_of_many_there_are_few():
-    known = [*(f"other {k}" for k in range(20)), "ring-lame"]
-    offered = nearest("ring-lam", known)
+    offered = nearest("ring-lam", [*(f"other {k}" for k in range(20)), "ring-lame"])
     assert offered.startswith("ring-lame, other 0, ")
     assert offered.endswith(f" and {21 - FEW} more")
-    assert nearest("x", ["b", "a"]) == "b, a"
 
 
 def test_a_fault_of_the_program_is_one_line_and_a_file(monkeypatch, capsys, tmp_path):

@@ -1,6 +1,5 @@
 """Measurements beyond a run: valid while their code stands, resumed where they were interrupted."""
 
-import re
 from dataclasses import replace
 
 import numpy as np
@@ -84,29 +83,17 @@ def test_parts_are_taken_from_the_cache_where_a_run_was_interrupted(folder, monk
 
 
 def test_an_unknown_measurement_is_named_with_the_known(folder):
-    message = (
-        "unknown case 'spring-dep', did you mean spring-deep? there are spring-deep, "
-        "validity[:CASE], budget[:CASE]"
-    )
-    with pytest.raises(ValueError, match=re.escape(message)):
+    with pytest.raises(ValueError, match=r"'spring-dep', did you mean spring-deep\? there are "):
         deep.run_deep(["spring-dep"], jobs=1)
     for name in ("validity:other", "validity:"):
-        line = f"{name.rstrip(':')}: no such measurement, there are "
-        with pytest.raises(InputError, match=re.escape(line)):
+        with pytest.raises(
+            InputError, match=f"{name.rstrip(':')}: no such measurement"
+        ):
             deep.run_deep(["spring-deep", name], jobs=1)
     assert not folder.exists()  # found before anything is measured
 
 
-@pytest.mark.parametrize(
-    ("names", "again", "wanted", "status"),
-    [
-        ([], False, {"": ["spring-deep"], "validity": ["spring-deep"], "budget": ["spring-deep"]},
-         1),
-        (["budget:spring-deep", "budget"], True, {"budget": ["spring-deep", "ring-deep", "again"]},
-         1),
-    ],
-)  # fmt: skip
-def test_names_choose_studies_and_their_cases(folder, monkeypatch, names, again, wanted, status):
+def test_names_choose_studies_and_their_cases(folder, monkeypatch):
     """Of two cases that of a ring is measured; a budget is what fails."""
     asked = {}
     ring = replace(FAST, id="ring-deep")
@@ -123,5 +110,8 @@ def test_names_choose_studies_and_their_cases(folder, monkeypatch, names, again,
     kinds = [study(kind) for kind in deep.STUDIES.values()]
     monkeypatch.setattr(deep, "DEEP_CASES", kinds[0])
     monkeypatch.setattr(deep, "STUDIES", {kind.name: kind for kind in kinds})
-    assert deep.run_deep(names, jobs=1, again=again) == status
-    assert asked == wanted
+    assert deep.run_deep([], jobs=1) == 1
+    assert asked == {name: ["spring-deep"] for name in ("", "validity", "budget")}
+    asked.clear()
+    assert deep.run_deep(["budget:spring-deep", "budget"], jobs=1, again=True) == 1
+    assert asked == {"budget": ["spring-deep", "ring-deep", "again"]}

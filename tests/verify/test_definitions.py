@@ -65,21 +65,17 @@ def test_a_number_is_met_as_it_stands_or_by_no_reading():
     assert search(formula, INPUTS, planted(), READINGS).met
     found = search(formula, INPUTS, f"{formula(INPUTS) * 1.2345:.6f}", READINGS, digits=False)
     assert (found.hits, found.best, found.is_evidence) == ((), None, False)
-    assert found.tried == 1 + len(READINGS) + sum(
-        a.of != b.of for a, b in combinations(READINGS, 2)
-    )
-
-
-def test_readings_without_a_value_are_counted_and_no_hit():
+    pairs = sum(a.of != b.of for a, b in combinations(READINGS, 2))
+    assert found.tried == 1 + len(READINGS) + pairs
+    # readings without a value are counted and no hit
     broken = Reading(name="root of less than zero", of="x", inputs=lambda _q: {"a": math.nan})
     raising = Reading(name="no root", of="y", result=lambda v, _q: math.sqrt(-v))
     found = search(formula, INPUTS, planted(r=8.04), (broken, raising, *length("r")), most=1)
     assert (found.without_value, found.tried) == (2, 5)
     assert found.best.readings == ("2 r for r",)
-    with pytest.raises(ValueError, match="number"):
-        search(formula, INPUTS, "0", READINGS)
-    with pytest.raises(ValueError, match="number"):
-        search(formula, INPUTS, "abc", READINGS)
+    for printed in ("0", "abc"):
+        with pytest.raises(ValueError, match="number"):
+            search(formula, INPUTS, printed, READINGS)
 
 
 def test_a_misprinted_digit_is_one_change_of_what_stands():
@@ -120,24 +116,18 @@ def test_accidental_hits_are_as_many_as_counted():
     assert found.chance[1] < found.chance[2]
 
 
-# what the ledger says in words, found again without it: reference, readings, errata
-KNOWN = [
-    ("wang2023:k1-theory",
-     ("L_1 for 2 L_1 in L_2", "b for h in L_2", "± before F x in M_2"),
-     ("eq-3-leaf-length", "eq-3-leaf-moment")),
-    ("huang2018:table-2-relative-error", ("of the predicted value",), ("table-2-relative-error",)),
-]  # fmt: skip
 PROBLEMS = {problem.reference: problem for problem in registry.PROBLEMS}
 
 
-@pytest.mark.parametrize(("reference", "names", "errata"), KNOWN)
-def test_an_erratum_of_the_ledger_is_found_again(reference, names, errata):
-    problem = PROBLEMS[reference]
-    found = problem.search()
-    assert [hit.readings for hit in found.hits] == [names]
-    # with three changes so many other combinations are near that the hit says nothing
-    assert found.is_evidence == (len(names) == 1)
-    assert problem.errata == errata
+def test_errata_of_the_ledger_are_found_again():
+    """With three changes so many other combinations are near that the hit says nothing."""
+    for reference, *names in (
+        ("wang2023:k1-theory", "L_1 for 2 L_1 in L_2", "b for h in L_2", "± before F x in M_2"),
+        ("huang2018:table-2-relative-error", "of the predicted value"),
+    ):
+        found = PROBLEMS[reference].search()
+        assert [hit.readings for hit in found.hits] == [tuple(names)]
+        assert found.is_evidence == (len(names) == 1)
 
 
 def test_every_search_names_entries_that_exist():
@@ -174,8 +164,6 @@ def test_the_command_finds_a_diameter_put_in_for_a_radius(tmp_path, capsys):
     # without a reading that gives the number the status is one
     assert run(["search", "wang2023:k1-fea"]) == 1
     assert "none reproduces the number" in capsys.readouterr().out
-    assert run(["search", "huang2018:table-2-relative-error"]) == 0
-    assert "ledger: table-2-relative-error" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(
@@ -184,7 +172,6 @@ def test_the_command_finds_a_diameter_put_in_for_a_radius(tmp_path, capsys):
         (["nowhere"], "unknown case"),
         (["foo:bar"], "no printed number"),
         (["ring-lame"], "needs --key"),
-        (["ring-lame", "--key", "x", "--printed", "1"], "--key x: ring-lame has"),
         (["ring-lame", "--key", "hoop_bore", "--printed", "0"], "other than zero"),
         (["ring-lame", "--key", "hoop_bore", "--printed", "1", "--unit", "mm"], "is in MPa"),
         (["ring-lame/no row"], "has no row"),

@@ -1,34 +1,36 @@
-"""Differences as a user reads them: one sign, one unit, and inside what is allowed."""
+"""Rows as a user reads them: differences, columns on the terminal and closing sentences."""
 
 import math
+from dataclasses import replace
 
 import pytest
 
 from verify.cases.registry import find
+from verify.core.console import raised
+from verify.core.console_rows import closing, row_cells, title
 from verify.core.differences import difference, difference_texts, largest, significant
-from verify.core.results import Kind, Status
+from verify.core.references import reference_name
+from verify.core.results import Kind, Partner, Status
 from verify.judging import judge
 from verify.judging.claims import make_row
 from verify.judging.explain.steps import steps
 
 
-def made(kind, verdict, formula, reference, scale, **more):
-    return make_row(
-        "case", kind, verdict, "row", "x", "1", analytic=formula, fem=reference, scale=scale, **more
-    )
-
-
-def approximation(formula, reference, interval):
+def approximation(formula, reference, interval, *, name="row", by=""):
     verdict = judge.approximation(formula, reference, U=1e-4, interval=interval, demand=0.1)
-    return made(
-        Kind.APPROXIMATION, verdict, formula, reference, abs(reference), interval=interval,
-        interval_source="theory",
+    other = {"partner": Partner(by=by, value=reference)} if by else {"fem": reference}
+    return make_row(
+        "ring-lame", Kind.APPROXIMATION, verdict, name, "x", "1", analytic=formula,
+        scale=abs(reference), interval=interval, interval_source="theory", **other,
     )  # fmt: skip
 
 
 def identity(formula, reference, scale, scale_name="", U=0.02):
     verdict = judge.difference(reference, formula, U=U, scale=scale, demand=0.1)
-    return made(Kind.IDENTITY, verdict, formula, reference, scale, scale_name=scale_name)
+    return make_row(
+        "case", Kind.IDENTITY, verdict, "row", "x", "1", analytic=formula, fem=reference,
+        scale=scale, scale_name=scale_name,
+    )  # fmt: skip
 
 
 @pytest.mark.parametrize("sign", [1, -1])
@@ -56,8 +58,8 @@ def test_numbers_have_the_digits_that_show_on_which_side_of_a_limit_a_difference
 
 def test_balances_orders_and_facts_have_no_per_cent(judged):
     by_kind = {row.kind: row for row in judged(find("ring-lame"), drawn=False).rows}
-    assert not any("%" in text for text in difference_texts(by_kind[Kind.EXACT]))
-    assert not any("%" in text for text in difference_texts(by_kind[Kind.TREND]))
+    for kind in (Kind.EXACT, Kind.TREND):
+        assert not any("%" in text for text in difference_texts(by_kind[kind]))
     assert difference(by_kind[Kind.FACT]) is None
     assert difference(identity(math.nan, 1.0, 1.0)) is None
 
@@ -67,3 +69,53 @@ def test_the_largest_difference_is_taken_over_rows_that_are_not_judged_too():
     assert (not_judged.status, difference_texts(not_judged)) == (Status.SHOWN, ("-30 %", ""))
     assert largest([identity(1.01, 1.0, 1.01), not_judged]) is not_judged
     assert largest([]) is None
+
+
+# Rows on the terminal
+
+
+def row(name, formula, interval=(0.0, 0.02), by=""):
+    return approximation(formula, 1.0, interval, name=name, by=by)
+
+
+ROWS = [row("judged", 1.01), row("printed form", 0.7, None)]  # 30 % off and not judged
+
+
+def test_the_closing_sentences_name_the_largest_of_all_rows():
+    passed, apart, limit, unjudged = closing(ROWS)
+    assert passed == "1 of 2 comparisons pass"
+    assert apart == (
+        "largest difference of all comparisons: -30 % (printed form; reference: finite "
+        "elements; SHOWN, not judged)"
+    )
+    assert limit == "detection limit of the judged rows: 0.98 %"
+    assert unjudged == "not judged: 1 SHOWN (printed form: -30 %)"
+    # of many that are not judged the largest are named
+    many = [row(f"row {i}", 1 + 0.01 * i, None) for i in range(1, 9)]
+    (*_, last) = closing([ROWS[0], *many])
+    assert last.startswith("not judged: 8 SHOWN (row 8: +8.0 %; row 7: +7.0 %; ")
+    assert last.endswith("; row 4: +4.0 %; and 3 more)")
+    # rows that failed count for the largest
+    words = "+100 % (broken; reference: finite elements; expected 0 % to +2.0 %)"
+    assert words in closing([*ROWS, row("broken", 2.0)])[1]
+
+
+def test_a_column_headed_fe_holds_finite_elements_only():
+    assert row_cells(ROWS)[0][3] == "FE"
+    head, _, _, strips = row_cells([*ROWS, row("by strips", 1.01, by="strips")])
+    assert "FE" not in head
+    assert head[3:5] == ("reference", "by")
+    assert strips[4] == "strips"
+    # a case without finite elements names its method
+    one = replace(row("balance", 1.01), case="contact-roller", method="half-space")
+    head, line = row_cells([one])
+    assert "FE" not in (*head, *line)
+    assert title([one]) == "formulas against half-space"
+    assert reference_name(replace(one, quantity="pressure, plane finite elements")) == "FE"
+    # finite elements come first and printed numbers last in the title
+    others = [row(by, 1.01, by=by) for by in ("printed 0.6", "printed 0.7", "strips")]
+    assert title([*others, *ROWS]) == "formulas against finite elements; strips; printed values"
+
+
+def test_powers_are_raised_in_the_terminal():
+    assert raised("1.97×10^-4 kg m^2 x^n") == "1.97×10⁻⁴ kg m² x^n"

@@ -3,6 +3,7 @@
 import pytest
 
 from analytic.ring import lame
+from tests.verify.ring_file import RING
 from verify.app.cli import run
 from verify.app.explain import find_row
 from verify.core.inputs import InputError
@@ -14,27 +15,15 @@ IDS = [
     "ring-a/bore displacement, plane strain: convergence",
     "ring-a/order of the bore displacement",
 ]
-RING = """\
-case = "ring-lame"
-[inputs]
-r_i = "60 mm"
-r_o = "90 mm"
-p_i = "100 MPa"
-E = "210 GPa"
-nu = 0.3
-"""
 
 
-@pytest.mark.parametrize(
-    ("wanted", "found"),
-    [
+def test_a_row_is_named_by_its_id_a_part_of_it_or_words():
+    for wanted, found in (
         ("Bore Displacement plane STRESS", 0),
         ("stress bore", 0),
         ("bore displacement, plane stress: convergence", 1),
-    ],
-)
-def test_a_row_is_named_by_its_id_a_part_of_it_or_words(wanted, found):
-    assert find_row(wanted, IDS) == IDS[found]
+    ):
+        assert find_row(wanted, IDS) == IDS[found]
 
 
 @pytest.mark.parametrize(

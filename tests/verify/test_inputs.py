@@ -6,6 +6,7 @@ from dataclasses import replace
 import pytest
 from pydantic import model_validator
 
+from tests.verify.ring_file import RING
 from verify.answers import parameter_file
 from verify.cases.ring.lame.case import LAME
 from verify.core.inputs import (
@@ -92,39 +93,30 @@ def test_values_are_read_in_si_and_displayed_and_recorded_in_their_own_units():
     assert found["rails"] == []
 
 
-def test_what_may_be_left_out_is_what_the_model_says_and_not_the_paper_s_number():
+def test_inputs_may_be_left_out_as_the_model_says_and_meet_their_bounds_exactly():
     beam = build(Beam, {k: v for k, v in GOOD.items() if k != "q"}, "beam.toml")
     assert beam.q == 0.0  # not the default of 2 N/mm
     beam = build(Beam, {k: v for k, v in GOOD.items() if k != "F"}, "beam.toml")
     assert beam.F is None
     assert "F" not in {i.name for i in beam.display()}
-
-
-def test_bounds_are_in_the_unit_of_the_input_and_may_be_met_exactly():
-    for key, value in (("L", "10000 mm"), ("L", "1e-9 mm"), ("alpha", "-90 deg"),
-                       ("alpha", "89.999 deg"), ("nu", 0.49), ("n", 2), ("n", 10)):  # fmt: skip
+    for key, value in (("L", "10000 mm"), ("alpha", "-90 deg"), ("nu", 0.49), ("n", 2), ("n", 10)):
         build(Beam, GOOD | {key: value}, "beam.toml")
 
 
 KNOWN = "unknown key; known are L, alpha, nu, n, q, F, posts, rails"
 WRONG_VALUES = [
     ({"L": "2"}, 'inputs.L: "2" has no unit: needs a length, such as "1.5 mm"'),
-    ({"L": 2}, 'inputs.L: 2 has no unit: needs a length, such as "2 mm"'),
     ({"L": "2 N"}, 'inputs.L: "2 N" is not a length, such as "1.5 mm"'),
     ({"nu": math.nan}, "inputs.nu: nan is not finite"),
     ({"nu": True}, "inputs.nu: needs a number, got True"),
-    ({"L": ["2 m"]}, "inputs.L: needs a length, got ['2 m']"),
-    ({"n": True}, "inputs.n: needs a whole number, got True"),
     ({"n": 4.0}, "inputs.n: needs a whole number, got 4.0"),
     ({"L": "10.001 m"}, "inputs.L = 10001 mm: must be at most 10000 mm"),
     ({"L": "0 mm"}, "inputs.L = 0 mm: must be greater than 0 mm"),
     ({"alpha": "-91 deg"}, "inputs.alpha = -91 deg: must be at least -90 deg"),
     ({"alpha": "90 deg"}, "inputs.alpha = 90 deg: must be less than 90 deg"),
-    ({"n": 11}, "inputs.n = 11: must be at most 10"),
     ({"q": "0 N/m", "F": None}, "inputs: q is 0 N/mm and F missing: there is no load"),
     ({"L": None, "n": None}, "inputs: missing L, n"),
     ({"a\n\x1b[31m\u2028b": 1}, f"inputs.a [31m b: {KNOWN}"),
-    ({"posts": [POST, {"at": 31, "k": "1 N/mm"}]}, "inputs.posts[2].at = 31: must be at most 9"),
     ({"posts": [POST, {"at": 3}]}, "inputs.posts[2]: missing k"),
     ({"posts": [POST | {"high": 3}]},
      "inputs.posts[1].high: unknown key; known are at, k, c, play, kind"),
@@ -145,17 +137,14 @@ def test_a_wrong_value_is_named_with_its_rule(change, message):
 
 
 @pytest.mark.parametrize("key", ["L", "n"])
-@pytest.mark.parametrize(
-    "value", [16**5000, "9" * 5000, "x\ny\u2028z", [[[[[[]]]]]] * 100],
-    ids=["large", "digits", "lines", "nested"],
-)  # fmt: skip
-def test_any_wrong_value_is_refused_in_one_short_line(key, value):
-    with pytest.raises(InputError) as caught:
-        build(Beam, GOOD | {key: value}, "my.toml")
-    said = str(caught.value)
-    assert said.startswith(f"my.toml: inputs.{key}")
-    assert said.isprintable()
-    assert len(said) < 250
+def test_any_wrong_value_is_refused_in_one_short_line(key):
+    for value in (16**5000, "9" * 5000, "x\ny\u2028z", [[[[[[]]]]]] * 100):
+        with pytest.raises(InputError) as caught:
+            build(Beam, GOOD | {key: value}, "my.toml")
+        said = str(caught.value)
+        assert said.startswith(f"my.toml: inputs.{key}")
+        assert said.isprintable()
+        assert len(said) < 250
 
 
 def test_other_entries_have_another_key_of_the_cache():
@@ -167,16 +156,7 @@ def test_other_entries_have_another_key_of_the_cache():
 
 # Files
 
-RING = """case = "ring-lame"
-name = "race"
-
-[inputs]
-r_i = "60 mm"
-r_o = "80 mm"
-p_i = "100 MPa"
-E = "206 GPa"
-nu = 0.3
-"""
+RACE = RING.replace("[inputs]", 'name = "race"\n[inputs]')
 
 
 @pytest.fixture
@@ -192,9 +172,9 @@ def written(tmp_path):
 
 
 def test_a_file_gives_case_name_and_raw_inputs(written):
-    raw = {"r_i": "60 mm", "r_o": "80 mm", "p_i": "100 MPa", "E": "206 GPa", "nu": 0.3}
-    assert read_parameter_file(written(RING)) == ("ring-lame", "race", raw)
-    marked = "\ufeff" + RING.replace('name = "race"', "").replace("\n", "\r\n")
+    raw = {"r_i": "60 mm", "r_o": "90 mm", "p_i": "100 MPa", "E": "210 GPa", "nu": 0.3}
+    assert read_parameter_file(written(RACE)) == ("ring-lame", "race", raw)
+    marked = "\ufeff" + RING.replace("\n", "\r\n")
     assert read_parameter_file(written(marked)) == ("ring-lame", "my", raw)
 
 
@@ -205,13 +185,12 @@ OUTSIDE = "unknown key; known are case, name, inputs (inputs belong under [input
 WRONG_FILES = {
     "empty": ("", CASE + "it is missing"),
     "an integer too large to print": ("case = 0x1" + "0" * 5000, CASE),
-    "name: 3": ('case = "a"\nname = 3\n[inputs]', "name: needs a text, got 3"),
     "name: two lines": ('case = "a"\nname = "two\\nlines"\n[inputs]', NAME),
     "no inputs": ('case = "a"', "inputs: needs a table [inputs], it is missing"),
     "an input outside the table": ('case = "a"\nr_i = "60 mm"', "r_i: " + OUTSIDE),
     "not UTF-8": (b"\xff\xfe", CANNOT + "not UTF-8 text (byte 0)"),
     "a key twice": (RING + "nu = 0.3\n",
-                    CANNOT + "Cannot overwrite a value (at line 10, column 9)"),
+                    CANNOT + "Cannot overwrite a value (at line 8, column 9)"),
     "no quotes": (RING.replace('"60 mm"', "60 mm"), CANNOT),
     "nested": ("case = " + "[" * 50_000, CANNOT + "nested too deeply"),
     "too long": ("#" * 1_000_001, "is larger than 1,000,000 bytes, no parameter file is"),
