@@ -31,13 +31,14 @@ def crown(**changes):
 
 def test_a_template_reads_as_the_default_task(tmp_path):
     path = tmp_path / "task.toml"
-    path.write_text(whole(spring_template()), encoding="utf-8")
-    found, meant = springs.load(path), springs.default()
-    assert (found.demands, found.ranges) == (meant.demands, meant.ranges)
-    path.write_text(whole(crown_template()), encoding="utf-8")
-    found, meant = crowns.load(path), crowns.default()
-    assert (found.low, found.high, found.torques) == (meant.low, meant.high, meant.torques)
-    assert (found.clutch, found.wishes) == (meant.clutch, meant.wishes)
+    for template, module, names in (
+        (spring_template, springs, ("demands", "ranges")),
+        (crown_template, crowns, ("low", "high", "torques", "clutch", "wishes")),
+    ):
+        path.write_text(whole(template()), encoding="utf-8")
+        found, meant = module.load(path), module.default()
+        for name in names:
+            assert getattr(found, name) == getattr(meant, name)
 
 
 def test_ranges_lists_and_single_values_are_read():
@@ -54,14 +55,10 @@ def test_ranges_lists_and_single_values_are_read():
 WRONG = [
     (spring, {"L_w": None}, "needs either L_w or U_w, neither is given"),
     (spring, {"L_w": "30 mm"}, "needs L_w < wedge, got L_w = 30 mm, wedge = 27 mm"),
-    (spring, {"ratio_min": 0.7}, "needs ratio_min < ratio_max, got 0.7 and 0.6"),
     (spring, {"k_band": None}, "b_tolerance and k_band belong together, k_band is missing"),
     (spring, {"width_factor": 1.2}, "width_factor = 1.2 is more than 1/(1 - ν²) = 1.0989"),
     (spring, {"L1": "10 mm : 14 mm"}, 'inputs.L1: a range is "first : last : number"'),
-    (spring, {"L1": "10 mm : 14 mm : 1"}, "inputs.L1: a range ends with how many values it has"),
     (spring, {"b": []}, "inputs.b: the list is empty"),
-    (spring, {"n": 10**5000}, "inputs.n: the number is out of range"),
-    (spring, {"n": 3}, "inputs.n = 3: must be at least 4"),
     (spring, {"n": "4 : 9 : 3"}, "needs whole numbers"),
     (spring, {"L1": "10 mm : 14 mm : 900", "r": "0.3 mm:0.6 mm:90"}, "candidates, at most 300,000"),
     (crown, {"K_1_range": "5 : 1"}, "inputs.K_1_range: a range rises, got 5 to 1"),
@@ -71,7 +68,6 @@ WRONG = [
     (crown, {"t_z": "3 µm"}, "inputs.t_z = 0.003 mm: is more than half of the smallest drop"),
     (crown, {"t_y": "1.9 mm"}, "inputs.t_y = 1.9 mm: is K_2 ± 0.422, more than the smallest"),
     (crown, {"t_y": "5 mm"}, "a crown begins on the sprag: t_y < l/2, got t_y = 5 mm, l = 9 mm"),
-    (crown, {"aim": "best"}, "inputs.aim: needs one of excess, pressure, got 'best'"),
 ]
 
 
@@ -82,24 +78,16 @@ def test_wrong_input_is_refused_in_one_line(read, changes, words):
     assert words in str(caught.value)
 
 
-@pytest.mark.parametrize(
-    ("text", "options", "words"),
-    [
-        ('case = "ring-lame"\n[inputs]\n', (),
-         "design takes design-spring, design-sprag or sprag-clutch, got 'ring-lame'"),
-        (whole(crown_template()), ("--choose", "2"), "--choose: a crown has one best"),
-    ],
-    ids=["another case", "a crown has no front"],
-)  # fmt: skip
-def test_what_design_cannot_do_ends_with_2_and_one_line(text, options, words, tmp_path, capsys):
+def test_what_design_cannot_do_ends_with_2_and_one_line(tmp_path, capsys):
     path = tmp_path / "mine.toml"
-    path.write_text(text, encoding="utf-8")
-    assert run(["design", *options, str(path)]) == 2
-    (line,) = capsys.readouterr().err.splitlines()
-    assert words in line
-
-
-# Crowns
+    for text, words in (
+        ('case = "ring-lame"\n[inputs]\n', "design takes design-spring, design-sprag or sprag-"),
+        (whole(crown_template()), "--choose: a crown has one best"),
+    ):
+        path.write_text(text, encoding="utf-8")
+        assert run(["design", "--choose", "2", str(path)]) == 2
+        (line,) = capsys.readouterr().err.splitlines()
+        assert words in line
 
 
 def test_a_file_of_the_case_is_a_task_at_its_own_torque_without_tolerance(tmp_path):

@@ -53,7 +53,7 @@ def test_arrays_give_what_one_spring_gives(head, tail):
         assert f.k1_eqs_1_9[i] == pytest.approx(float(eqs), rel=1e-12)
 
 
-def test_the_stress_of_a_free_head_is_that_at_the_apex_of_a_loop():
+def test_a_free_head_is_stressed_at_the_apex_of_a_loop():
     task = asked(PAPER, **(AS_PRINTED | {"arcs": "centre line"}), F_w=5.0)
     f = formulas(candidates(PAPER), task.demands)
     straight = 6 * 5.0 * (5.8e-3 + 0.5e-3) / (0.056 * 1e-4**2)
@@ -151,12 +151,9 @@ def test_relaxing_what_is_named_admits_the_named_spring():
     task = asked(some(6), F_w=30.0)
     found = search(task)
     assert not found.front.size
-    for r in found.relaxations:
-        wider = task.demands.model_copy(update={r.limit.key: r.needed})
-        assert search(replace(task, demands=wider)).judged.feasible[r.candidate]
-    everything = {r.limit.key: r.needed for r in found.nearest}
-    wider = task.demands.model_copy(update=everything)
-    assert search(replace(task, demands=wider)).judged.feasible[found.nearest[0].candidate]
+    for together in (*((r,) for r in found.relaxations), found.nearest):
+        wider = task.demands.model_copy(update={r.limit.key: r.needed for r in together})
+        assert search(replace(task, demands=wider)).judged.feasible[together[0].candidate]
 
 
 # The front
@@ -178,20 +175,16 @@ def test_the_front_is_what_its_definition_says(levels):
     assert pareto(rows).tolist() == expected
 
 
-def test_objectives_run_from_the_best_to_the_worst_and_the_ideal_has_the_best_of_everything():
+def test_the_ideal_has_the_best_of_every_objective_and_a_thinned_front_its_extremes():
     rows = np.array([[2.0, 7.0], [4.0, 7.0], [3.0, 7.0]])
     assert scaled(rows).tolist() == [[0, 0], [1, 0], [0.5, 0]]  # all equal: no difference
     rows = np.array([[0.0, 4.0], [3.0, 0.0], [1.0, 1.0]])
     assert distance_to_ideal(rows) == pytest.approx([1, 1, np.hypot(1 / 3, 1 / 4)])
-
-
-def test_a_thinned_front_keeps_the_extremes_and_the_nearest_and_is_sorted_by_distance():
     angle = np.linspace(0, np.pi / 2, 500)
     rows = np.column_stack([1 - np.cos(angle), 1 - np.sin(angle)])
     kept = thinned(rows, 20)
     distance = distance_to_ideal(rows)
     assert len(kept) == len(set(kept.tolist())) == 20
     assert {0, 499, int(distance.argmin())} <= set(kept.tolist())
-    assert np.all(np.diff(distance[kept]) >= 0)
-    apart = np.diff(np.sort(angle[kept]))
-    assert apart.max() < 0.12  # 20 of them over a quarter circle leave no gap: 0.083 if even
+    assert np.all(np.diff(distance[kept]) >= 0)  # the nearest first
+    assert np.diff(np.sort(angle[kept])).max() < 0.12  # no gap: 0.083 if even

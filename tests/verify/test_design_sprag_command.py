@@ -12,7 +12,7 @@ from verify.app.cli import run
 from verify.app.commands import load as load_check
 from verify.cases.registry import find
 from verify.cases.sprag.peaks import peaks_fem
-from verify.studies.design_sprag import outcome, search
+from verify.studies.design_sprag import outcome
 from verify.studies.design_sprag.inputs import default
 from verify.studies.design_sprag.model import Model
 from verify.studies.design_sprag.verified import LIMIT, _check, ends_carry, unloading
@@ -39,11 +39,10 @@ NARROW = {"K_1_range": '"2 : 3"', "K_2_range": '"0.6 : 0.7"', "z_m_range": '"12 
 @pytest.fixture(scope="module")
 def small():
     """A search of few crowns, in this process."""
+    few = {"outcome.LEVELS": 3, "outcome.MOST_JOBS": 1, "outcome.SCATTERED": 200, "search.FRESH": 8}
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(outcome, "LEVELS", 3)
-        patch.setattr(outcome, "MOST_JOBS", 1)
-        patch.setattr(outcome, "SCATTERED", 200)
-        patch.setattr(search, "FRESH", 8)
+        for name, value in few.items():
+            patch.setattr(f"verify.studies.design_sprag.{name}", value)
         yield patch
 
 
@@ -71,7 +70,7 @@ def test_the_files_of_a_verified_crown_go_through_check_with_its_load(done, tmp_
     assert found["best"]["K_1"] == inputs.K_1
     assert inputs.z_m == pytest.approx(found["best"]["z_m_um"] * 1e-6)
     assert inputs.Q == pytest.approx(found["Q_N"]) == 3407.0
-    # pressures are those of the case's own engagement, with 81 strips and slices of its own
+    # pressures are those of the case's own engagement
     q = default().clutch.model_copy(update={"slices": 11, "t_end": 0.02})
     best = np.array([[found["best"][k] for k in ("K_1", "K_2")] + [inputs.z_m]])
     (one,) = found["torques"]
@@ -88,8 +87,6 @@ def test_the_files_of_a_verified_crown_go_through_check_with_its_load(done, tmp_
     for c in found["half_space"]["checks"]:
         assert c["agrees"]
         assert c["off"] == pytest.approx(c["strips"] / c["half_space"] - 1)
-    low, high = found["flat"]["alone"]["low"], found["flat"]["alone"]["high"]
-    assert low["K_1"] <= found["best"]["K_1"] <= high["K_1"]
 
 
 def test_a_limit_that_no_crown_keeps_ends_with_1(done, tmp_path, capsys):

@@ -13,7 +13,7 @@ import sqlite3
 import subprocess
 import sys
 import time
-from contextlib import closing
+from contextlib import closing, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -22,7 +22,6 @@ import pytest
 from tests.verify.sweep_made import RING
 from tests.verify.test_design_sprag_command import NARROW, task
 from verify.core.store import FILE, Store
-from verify.jobs.cache import default_folder
 
 KILLS = int(os.environ.get("FREEWHEEL_KILLS", "6"))  # of each study
 ROOT = Path(__file__).parents[2]
@@ -40,23 +39,14 @@ class Study:
 
     arguments: tuple[str, ...]
     result: str
-    kills: int = KILLS
-    starts_full: bool = False  # it takes the levels that the usual store has
 
 
-LEVELS = ("verify", "ring-lame", "--jobs", "2", "--out", "out")
 STUDIES = {
-    "levels, twice": Study(LEVELS, "out/results.json", kills=2),
-    "levels": Study(LEVELS, "out/results.json"),
+    "levels": Study(("verify", "ring-lame", "--jobs", "2", "--out", "out"), "out/results.json"),
     "sweep": Study(("sweep", "ring.toml", *SWEEP, "--jobs", "2", "--out", "out"), "out/points.csv"),
-    "region": Study(("deep", "validity:ring-lame"), f"{MEASURED}/validity/ring-lame.json"),
     "budget": Study(("deep", "budget:ring-lame"), f"{MEASURED}/budget/ring-lame.json"),
     "crowns": Study(("design", "--no-fem", "task.toml", "--out", "out"), "out/designs.csv"),
-    "mutants": Study(
-        ("mutants", "--only", "judging", "--seed", "7"), "stdout", starts_full=True
-    ),
-}  # fmt: skip
-IN_EVERY_RUN = {"levels, twice": pytest.mark.slow("runs are killed and continue")}
+}
 
 
 class Copy:
@@ -77,21 +67,16 @@ class Copy:
         if study.result.startswith(MEASURED):  # of other code: it is measured again
             path = folder / study.result
             path.write_text(path.read_text("utf-8").replace("made by", "made otherwise"), "utf-8")
-        if study.starts_full:
-            self.store.parent.mkdir()
-            with closing(sqlite3.connect(default_folder() / FILE)) as usual:
-                usual.execute("VACUUM INTO ?", (str(self.store),))
 
     def start(self) -> subprocess.Popen:
         environment = os.environ | {
             "FREEWHEEL_CACHE": str(self.store.parent), "PYTHONPATH": str(self.folder),
         }  # fmt: skip
-        with (self.folder / "stdout").open("w") as out:
-            return subprocess.Popen(
-                [sys.executable, "-m", "verify", *self.study.arguments], cwd=self.folder,
-                env=environment, stdout=out, stderr=subprocess.PIPE, text=True,
-                start_new_session=True,
-            )  # fmt: skip
+        return subprocess.Popen(
+            [sys.executable, "-m", "verify", *self.study.arguments], cwd=self.folder,
+            env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+            start_new_session=True,
+        )  # fmt: skip
 
     def run(self) -> float:
         """Seconds of a run that nothing disturbs."""
@@ -125,28 +110,23 @@ def plain(record: object) -> object:
     return [plain(one) for one in record] if isinstance(record, list) else record
 
 
-def killed(copy: Copy, moment: float) -> None:
-    """A run whose process is killed after some seconds; its own processes end by themselves."""
-    process = copy.start()
-    try:
-        process.wait(moment)
-    except subprocess.TimeoutExpired:
-        os.kill(process.pid, signal.SIGKILL)
-    process.communicate()
-
-
 @pytest.mark.parametrize(
-    "name",
-    [pytest.param(name, marks=IN_EVERY_RUN.get(name, pytest.mark.soak)) for name in STUDIES],
+    ("name", "kills"),
+    [pytest.param("levels", 2, marks=pytest.mark.slow("runs are killed and continue"))]
+    + [pytest.param(name, KILLS, marks=pytest.mark.soak) for name in STUDIES],
 )
-def test_kills_lose_nothing(name, tmp_path):
+def test_kills_lose_nothing(name, kills, tmp_path):
     study = STUDIES[name]
     right = Copy(tmp_path / "right", study)
     seconds = right.run()
     copy, moments = Copy(tmp_path / "killed", study), random.Random(20)
     stored = copy.entries()
-    for _ in range(study.kills):
-        killed(copy, moments.uniform(0.1, 1.05 * seconds))
+    for _ in range(kills):
+        process = copy.start()
+        with suppress(subprocess.TimeoutExpired):
+            process.wait(moments.uniform(0.1, 1.05 * seconds))
+        process.kill()  # its own processes end by themselves
+        process.communicate()
         now = copy.entries()
         assert stored.items() <= now.items()  # nothing is lost, nothing is made twice
         stored = now
@@ -175,17 +155,17 @@ def wait_until(condition) -> None:
         time.sleep(0.02)
 
 
+STORED = r"\d+ of 12 points are stored: the same command continues with the others"
+
+
 @pytest.mark.parametrize(
     ("stop", "name", "words"),
     [
         (signal.SIGINT, "levels", ".*"),
         pytest.param(signal.SIGTERM, "levels", ".*", marks=pytest.mark.soak),
-        pytest.param(
-            signal.SIGINT, "sweep", r"\d+ of 12 points are stored: the same command continues with "
-            "the others", marks=pytest.mark.soak,
-        ),
+        pytest.param(signal.SIGINT, "sweep", STORED, marks=pytest.mark.soak),
     ],
-)  # fmt: skip
+)
 def test_a_stopped_run_ends_at_once_with_one_line(stop, name, words, tmp_path):
     process = Copy(tmp_path, STUDIES[name]).start()
     wait_until(lambda: sum(b"spawn_main" in c for c in members(process.pid).values()) == 2)
