@@ -73,8 +73,7 @@ def test_what_is_not_surely_within_its_figure_fails(check):
 
 
 def test_a_figure_wider_than_half_of_the_suite_s_demand_asks_for_its_own():
-    assert demanded(0.005) == {}
-    assert demanded(0.02)["demand"] == 0.04
+    assert (demanded(0.005), demanded(0.02)["demand"]) == ({}, 0.04)
     row = row_of(agreement(2.03, accepted=0.02, **demanded(0.02)))
     assert row.status is Status.PASS
     assert row.detects == pytest.approx(1 - 0.98 / 1.015)

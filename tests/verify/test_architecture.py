@@ -5,22 +5,6 @@ from graphlib import TopologicalSorter
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
-# a half-space, and what it and finite elements take of formulas: crowns, a load
-REFERENCE = {"reference", "pressed", "gap", "even_crowns", "plane_at_middle", "_best_crown", "grip"}
-
-
-def test_only_what_makes_the_reference_or_is_compiled_imports_below_the_top_of_a_file():
-    """Finite elements or a half-space, on which results depend, and what `dynamic` runs."""
-    for path in (ROOT / "verify" / "cases").rglob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
-            if isinstance(node, ast.FunctionDef) and not (
-                "fem" in node.name
-                or "dynamic" in node.name
-                or node.name in REFERENCE
-                or path.stem in ("reference", "fem")
-            ):
-                inner = [n for n in ast.walk(node) if isinstance(n, ast.Import | ast.ImportFrom)]
-                assert not inner, f"{path.name}: {node.name}"
 
 
 def imported(body):

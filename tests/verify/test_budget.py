@@ -161,9 +161,11 @@ def test_a_change_that_changes_nothing_is_an_error(name, error):
 
 
 def test_a_part_is_as_uncertain_as_its_meshes_differ_or_one_is_coarse():
-    alone = balance.removed("x", [(0.05, 0.02)], finest=0.041, shared=False)
-    assert (alone.contribution, alone.u) == (pytest.approx(0.03), pytest.approx(0.009))
-    two = balance.removed("x", [(0.05, 0.02), (0.045, 0.02)], finest=0.0, shared=False)
-    assert (two.contribution, two.u) == (pytest.approx(0.025), pytest.approx(0.005))
+    for pairs, finest, contribution, u in (
+        ([(0.05, 0.02)], 0.041, 0.03, 0.009),
+        ([(0.05, 0.02), (0.045, 0.02)], 0.0, 0.025, 0.005),
+    ):
+        part = balance.removed("x", pairs, finest=finest, shared=False)
+        assert (part.contribution, part.u) == pytest.approx((contribution, u))
     none = balance.extrapolated("x", [math.nan, math.nan, 0.1], [1.0, 0.5, 0.25], math.nan)
     assert (none.contribution, none.u, none.note) == (None, None, "values on the finest mesh alone")

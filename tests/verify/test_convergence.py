@@ -176,9 +176,6 @@ def test_what_is_no_series_is_refused(h, values, message):
         grid_convergence(h, values, formal=2, scale=1.0)
     with pytest.raises(ValueError, match=message):
         fit_order(h, values)
-
-
-@pytest.mark.parametrize("errors", [(4.0, 2.0, 1.0), (4.0, 2.0, 1.0, 0.0), (4.0, 2.0, 1.0, -1.0)])
-def test_an_order_needs_four_positive_errors(errors):
-    with pytest.raises(ValueError, match="four positive errors"):
-        fit_order((0.5, 0.25, 0.125, 0.0625)[: len(errors)], errors)
+    for errors in ((4.0, 2.0, 1.0), (4.0, 2.0, 1.0, 0.0), (4.0, 2.0, 1.0, -1.0)):
+        with pytest.raises(ValueError, match="four positive errors"):
+            fit_order((0.5, 0.25, 0.125, 0.0625)[: len(errors)], errors)

@@ -1,6 +1,5 @@
 """`freewheel crosscheck`: what agrees, what is outside, what is not installed, what is stale."""
 
-import re
 from dataclasses import replace
 from functools import partial
 
@@ -42,23 +41,16 @@ def crosscheck(*words, out):
 
 def softened(cross):
     """The same comparison whose deck has nine tenths of the first elastic modulus."""
+    posed = cross.pose()
 
-    def pose():
-        posed = cross.pose()
+    def write(folder):
+        deck = posed.write(folder)
+        head, elastic, rest = deck.read_text("ascii").partition("*ELASTIC\n")
+        modulus, _, rest = rest.partition(",")
+        deck.write_text(f"{head}{elastic}{0.9 * float(modulus):.12e},{rest}", "ascii")
+        return deck
 
-        def write(folder):
-            deck = posed.write(folder)
-            text, found = re.subn(
-                r"(\*ELASTIC\n)(\S+),", lambda m: f"{m[1]}{0.9 * float(m[2]):.12e},",
-                deck.read_text("ascii"), count=1,
-            )  # fmt: skip
-            assert found == 1
-            deck.write_text(text, "ascii")
-            return deck
-
-        return replace(posed, write=write)
-
-    return replace(cross, pose=pose)
+    return replace(cross, pose=lambda: replace(posed, write=write))
 
 
 @installed
@@ -85,9 +77,7 @@ ROTOR = next(cross for cross in registry.COMPARISONS if cross.id == "rotor-step"
 @pytest.mark.parametrize(
     ("cross", "name"),
     [
-        pytest.param(
-            races.RACES[0], races.LOAD, marks=installed, id="a roller on a race"
-        ),
+        pytest.param(races.RACES[0], races.LOAD, marks=installed, id="a roller on a race"),
         pytest.param(ROTOR, ROTOR.quantities[0].name, marks=guests, id="frequencies of a rotor"),
     ],
 )
@@ -158,9 +148,13 @@ def test_absent_solvers_change_no_exit_status_but_where_nothing_is_left(
     for name in SOLVERS:
         assert f"{name}: not installed: here" in printed
     assert "0 comparisons of 0 problems" in printed
-    assert crosscheck("ring-lame", "--again", out=tmp_path) == 2
-    line = "ring-lame: nothing compared, calculix: not installed: here\n"
-    assert capsys.readouterr().err.endswith(line)
+    for name, words in (
+        ("ring-lame", "ring-lame: nothing compared, calculix: not installed: here"),
+        ("spring-map", "spring-map: no second solver takes it"),
+        ("ring-lam", "did you mean ring-lame?"),
+    ):
+        assert crosscheck(name, "--again", out=tmp_path) == 2
+        assert words in capsys.readouterr().err.splitlines()[-1]
     cross = made()
     monkeypatch.setattr(registry, "COMPARISONS", (cross,))
     monkeypatch.setattr(records, "today", lambda: "2026-01-02")
@@ -176,14 +170,6 @@ def test_absent_solvers_change_no_exit_status_but_where_nothing_is_left(
     assert reason(ROSS).missing == "not installed: ERROR: no matching distribution"
 
 
-def test_wrong_names_are_one_line(capsys, tmp_path):
-    for name, words in (("ring-lam", "did you mean ring-lame?"),
-                        ("spring-map", "spring-map: no second solver takes it")):  # fmt: skip
-        assert crosscheck(name, out=tmp_path) == 2
-        (line,) = capsys.readouterr().err.splitlines()
-        assert words in line
-
-
 def test_a_case_has_a_comparison_whose_record_in_the_project_agrees_or_says_why_it_has_none():
     compared = {cross.case for cross in registry.COMPARISONS}
     assert compared.isdisjoint(ALONE)
@@ -191,8 +177,6 @@ def test_a_case_has_a_comparison_whose_record_in_the_project_agrees_or_says_why_
     assert len({cross.file for cross in registry.COMPARISONS}) == len(registry.COMPARISONS)
     lines = judged.reported(["ring-lame", "spring-map"])
     assert [line.case for line in lines if line.state is CrossState.ALONE] == ["spring-map"]
-    files = {path.stem for path in store.RECORDS.path("").parent.glob("*.json")}
-    assert files <= {cross.file for cross in registry.COMPARISONS}
     for cross in registry.COMPARISONS:
         if record := store.RECORDS.stored(cross.file):
             states = {line.state for line in judged.judged(cross, store.read(record))}

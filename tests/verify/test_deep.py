@@ -7,7 +7,6 @@ import pytest
 
 from verify.cases import registry
 from verify.cases.spring.accordion.case import ACCORDION
-from verify.core import source_code
 from verify.core.case import FemResult
 from verify.core.inputs import InputError
 from verify.jobs import cache, deep_results, records
@@ -61,25 +60,6 @@ def test_a_measurement_is_made_once_and_not_where_a_part_fails(folder, monkeypat
     monkeypatch.setattr(registry, "DEEP", (FAST,))
     assert deep.run_deep([], jobs=1) == 0
     assert "measured already" in capsys.readouterr().out
-
-
-def test_parts_are_taken_from_the_cache_where_a_run_was_interrupted(folder, monkeypatch):
-    def interrupted(inputs, level):
-        if level == 2:
-            raise KeyboardInterrupt
-        return ACCORDION.reference(inputs, level)
-
-    monkeypatch.setattr(source_code, "source_of", lambda _function: "same code")
-    monkeypatch.setattr(registry, "DEEP", (replace(FAST, reference=interrupted),))
-    with pytest.raises(KeyboardInterrupt):
-        deep.run_deep([], jobs=1)
-
-    def rest(inputs, level):
-        assert level == 2
-        return ACCORDION.reference(inputs, level)
-
-    monkeypatch.setattr(registry, "DEEP", (replace(FAST, reference=rest),))
-    assert deep.run_deep([], jobs=1) == 0
 
 
 def test_an_unknown_measurement_is_named_with_the_known(folder):

@@ -132,8 +132,7 @@ def made(**changes):
 @pytest.mark.parametrize(
     ("changes", "fits"),
     [
-        ({"delta": 8e-3 / 1.0299}, True),
-        ({"delta": 8e-3 / 0.9699}, False),
+        ({"delta": 8e-3 / 1.0299}, True), ({"delta": 8e-3 / 0.9699}, False),
         ({"delta": NAN}, False),
         # leaves touch before the working displacement
         ({"curve": replace(CURVE, touches=8e-3)}, False),
@@ -141,12 +140,10 @@ def made(**changes):
         # leaves straighten and the spring grows across: its height when pressed counts
         ({"curve": replace(CURVE, height=15.1e-3), "room": 15e-3}, False),
         ({"curve": replace(CURVE, height=15.1e-3), "room": 15.2e-3}, True),
-        ({"stress": 501e6, "sigma": 500e6}, False),
-        ({"stress": 499e6, "sigma": 500e6}, True),
-        ({"curve": ENDS}, False),
-        ({"curve": ENDS, "U_w": 7.9e-3 * (1 + 1e-12)}, True),
+        ({"stress": 501e6, "sigma": 500e6}, False), ({"stress": 499e6, "sigma": 500e6}, True),
+        ({"curve": ENDS}, False), ({"curve": ENDS, "U_w": 7.9e-3 * (1 + 1e-12)}, True),
     ],
-)
+)  # fmt: skip
 def test_a_spring_fits_up_to_its_limits(changes, fits):
     assert made(**changes).fits is fits
 

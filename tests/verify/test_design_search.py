@@ -64,12 +64,11 @@ def test_a_free_head_is_stressed_at_the_apex_of_a_loop():
 def test_without_a_width_factor_every_leaf_is_a_plate():
     task = asked(some(3), width_factor=None)
     s = candidates(task.ranges)
-    f = formulas(s, task.demands)
+    f, narrow = (formulas(s, one.demands) for one in (task, asked(width_factor=1.0)))
+    assert f.k1[s.possible] == pytest.approx((f.f * narrow.k1)[s.possible], rel=1e-12)
     for i in np.flatnonzero(s.possible)[::40]:
         leaf = energy.leaf_length(L1=s.L1[i], r=s.r[i], b=s.b[i], alpha=s.alpha[i])
         assert f.f[i] == pytest.approx(float(width_factor(task.demands.h, leaf)), abs=2e-5)
-    narrow = formulas(s, asked(width_factor=1.0).demands)
-    assert f.k1[s.possible] == pytest.approx((f.f * narrow.k1)[s.possible], rel=1e-12)
 
 
 def test_a_strip_that_cannot_be_bent_is_no_spring():

@@ -66,8 +66,7 @@ def test_the_files_of_a_verified_crown_go_through_check_with_its_load(done, tmp_
     assert run(["design", "--json", str(task(tmp_path, t_z='"1 µm"', **NARROW))]) == 0
     found = json.loads(capsys.readouterr().out)  # of the same task, from the store
     _, case, inputs, _ = load_check(folder / "o" / "clutch.toml")
-    assert case.id == "sprag-clutch"
-    assert found["best"]["K_1"] == inputs.K_1
+    assert (case.id, inputs.K_1) == ("sprag-clutch", found["best"]["K_1"])
     assert inputs.z_m == pytest.approx(found["best"]["z_m_um"] * 1e-6)
     assert inputs.Q == pytest.approx(found["Q_N"]) == 3407.0
     # pressures are those of the case's own engagement

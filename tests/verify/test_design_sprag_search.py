@@ -137,14 +137,6 @@ def test_a_model_that_kriging_cannot_follow_is_refused(monkeypatch):
     assert len(search.judged) == 2  # it learnt from the first crowns and met others
 
 
-def test_ends_that_carry_count_three_times_by_strips_and_once_by_slices():
-    known = Invented((10.0,)).answers(np.array([[1.0, 0.7, 5e-6]]))
-    end = known.strips[0][0, 0]
-    assert end < known.strips[0][0].max() < SHARP * end
-    assert known.largest("strips")[0, 0] == SHARP * end
-    assert known.largest("slices")[0, 0] == known.slices[0, 0].max()
-
-
 # How flat, and which bound binds
 
 

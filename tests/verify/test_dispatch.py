@@ -4,17 +4,16 @@ from collections import deque
 
 import pytest
 
+from verify.core.store import Store
+from verify.jobs import timing as durations
 from verify.jobs.dispatch import Dispatch, queue
 from verify.jobs.engine import GoneError
-from verify.jobs.executor import Lost, local
+from verify.jobs.executor import local
+from verify.jobs.timing import expected_seconds, refined, remaining_seconds
 
 
 def double(task):
     return 2 * task
-
-
-def fail(task):
-    raise ArithmeticError(f"no answer to {task}")
 
 
 @pytest.mark.parametrize("processes", [0, 2])
@@ -32,15 +31,6 @@ def test_every_task_is_answered_once_also_one_that_the_last_answer_adds(processe
     dispatch.run(local(processes), double, queue(waiting), receive)
     assert found == {n: 2 * n for n in range(10)}
     assert (dispatch.done, dispatch.total) == (10, 10)
-
-
-def test_a_task_that_fails_is_an_answer_and_the_others_go_on():
-    answers = []
-    dispatch = Dispatch("points", 2)
-    dispatch.run(local(0), fail, queue(deque([1, 2])), lambda _task, one: answers.append(one) or 1)
-    reasons = [f"ArithmeticError: no answer to {task}" for task in (1, 2)]
-    assert [one.reason for one in answers] == reasons
-    assert all(isinstance(one, Lost) and "Traceback" in one.trace for one in answers)
 
 
 def test_the_state_counts_what_was_known_and_names_what_is_under_way(monkeypatch):
@@ -83,3 +73,40 @@ def test_an_interrupted_run_says_what_is_stored(error, unstored, words):
     with pytest.raises(error) as stopped:
         dispatch.run(local(0), double, queue(deque([1, 2, 3])), receive)
     assert str(stopped.value) == words
+
+
+# Remaining time: a plain estimate from measured levels and a cost model
+
+KNOWN = {("a", 2): 0.5, ("a", 8): 4.0, ("b", 32): 5.0, ("c", 2): 7.0}
+
+
+def test_levels_are_expected_to_take_what_the_known_ones_took_at_the_pace_of_this_run():
+    found = expected_seconds([("a", 8), ("a", 16), ("a", 1), ("new", 6), ("new", 3)], KNOWN)
+    # an unknown level with the square from the nearest, an unknown case as the others' finest
+    assert list(found.values()) == [4.0, 4.0 * 4, 0.5 / 4, 5.0, 5.0 / 4]
+    now = refined(KNOWN, {("a", 8): 8.4, ("a", 2): 0.6})  # 9 s for what took 4.5 s
+    assert now[("a", 8)] == 8.4
+    assert now[("b", 32)] == pytest.approx(10.0)
+    assert refined(KNOWN, {("new", 1): 3.0}) == KNOWN | {("new", 1): 3.0}
+
+
+@pytest.mark.parametrize(
+    ("running", "waiting", "processes", "left"),
+    [
+        pytest.param([], [3.0, 2.0, 1.0], 1, 6.0, id="one after the other"),
+        pytest.param([], [3.0, 2.0], 8, 3.0, id="more processes than levels"),
+        pytest.param([(10.0, 4.0), (2.0, 1.0)], [3.0, 3.0], 2, 7.0, id="two under way"),
+        pytest.param([(1.0, 4.0)], [], 1, 2.0, id="beyond what was expected: half as long again"),
+    ],
+)
+def test_what_is_left_by_hand(running, waiting, processes, left):
+    assert remaining_seconds(running, waiting, processes) == pytest.approx(left)
+
+
+def test_durations_are_added_to_the_stored_ones_and_entries_that_make_no_sense_ignored(tmp_path):
+    odd = {"a": b"1", "a x": b"2", "a 2": b"-1", "a 3": b"x", "a 4": b"nan", "a 6": b"",
+           "a 7": b"0", " 8": b"1", "a -9": b"1", "a 10": b"\xff"}  # fmt: skip
+    Store(tmp_path).store(durations.KIND, durations.KIND, odd)
+    durations.store(tmp_path, {("ring-lame", 16): 3.25})
+    durations.store(tmp_path, {("ring-lame", 16): 3.5, ("spring, two words", 2): 0.125})
+    assert durations.load(tmp_path) == {("ring-lame", 16): 3.5, ("spring, two words", 2): 0.125}

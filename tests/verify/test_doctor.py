@@ -78,12 +78,12 @@ def test_versions_that_are_not_the_locked_ones_are_named():
     assert mismatches(lock) == [scipy, "no-such-package absent, lock 1.0", pint]
 
 
-@pytest.mark.parametrize("version", [(3, 10, 13), (NEWEST[0], NEWEST[1] + 1, 0)])
-def test_an_older_or_newer_python_is_refused_in_one_line(version, monkeypatch):
+def test_an_older_or_newer_python_is_refused_in_one_line(monkeypatch):
     assert environment.python_problem(OLDEST) == environment.python_problem((*NEWEST, 7)) == ""
     monkeypatch.setattr(environment.shutil, "which", lambda name: name == "python3.12")
-    line = f"needs Python 3.11 to 3.14, this is {version[0]}.{version[1]}: make PYTHON=python3.12"
-    assert environment.python_problem(version) == line
+    for version in ((3, 10, 13), (NEWEST[0], NEWEST[1] + 1, 0)):
+        said = environment.python_problem(version)
+        assert said.endswith(f", this is {version[0]}.{version[1]}: make PYTHON=python3.12")
 
 
 def test_what_may_crash_is_tried_in_a_process_of_its_own():

@@ -95,20 +95,17 @@ def test_without_being_asked_it_does_not_run_and_is_refused_where_there_is_none(
     assert error.endswith("ring.toml: case ring-lame has no dynamic part: leave out --dynamic\n")
 
 
-@pytest.mark.parametrize(
-    ("what", "fault", "words"),
-    [
+def test_what_has_no_answer_ends_with_one_line_and_status_two(check, tmp_path):
+    for what, fault, words in (
         ("run", raising(ArithmeticError("dt is 1e-05 s,\ntoo long")), "dt is 1e-05 s, too long"),
         ("run", lambda q, v: {"peak": float("nan"), "time": 1.0}, "peak is not finite"),
         ("findings", raising(ValueError("no peak")), "no peak"),
         ("figures", raising(ValueError("no path")), "no path"),
-    ],
-)
-def test_what_has_no_answer_ends_with_one_line_and_status_two(what, fault, words, check, tmp_path):
-    out = ("--out", tmp_path / "out")
-    status, said, error = check("--dynamic", *out, part=replace(SWINGS, **{what: fault}))
-    assert (status, said, error.count("\n")) == (2, "", 1)
-    assert f"ring.toml: the swing: {words}" in error
+    ):
+        part = replace(SWINGS, **{what: fault})
+        status, said, error = check("--dynamic", "--out", tmp_path / "out", part=part)
+        assert (status, said, error.count("\n")) == (2, "", 1)
+        assert f"ring.toml: the swing: {words}" in error
 
 
 def test_json_and_the_report_have_its_values_findings_and_figures(check, tmp_path):
@@ -123,8 +120,7 @@ def test_json_and_the_report_have_its_values_findings_and_figures(check, tmp_pat
     out = tmp_path / "out"
     assert check("--dynamic", "--out", out)[0] == 0
     page = (out / "report.html").read_text("utf-8")
-    for words in ("A ring swings", "largest displacement", "swings to 2 times",
-                  "freewheel check --dynamic ring.toml"):  # fmt: skip
+    for words in ("A ring swings", "largest displacement", "swings to 2 times"):
         assert words in page
 
 
@@ -136,9 +132,8 @@ def test_the_verdict_of_both_parts_together_comes_first(check):
     at = lines.index("notes")
     assert (status, lines[0]) == (1, f"ring: fails: {said[0]}")
     assert lines[at + 1 : at + 4] == [*(f"  {words}" for words in said), "  swings to 2 times"]
-    status, out, _ = check("--json", "--dynamic", part=part)
-    found = json.loads(out)
-    assert (status, found["details"]["verdict"], found["findings"]) == (1, "breaks", list(said))
+    found = json.loads(check("--json", "--dynamic", part=part)[1])
+    assert (found["details"]["verdict"], found["findings"]) == ("breaks", list(said))
 
 
 def test_a_slow_part_is_reported_while_it_runs(capsys):
@@ -162,12 +157,8 @@ def test_cases_with_a_dynamic_part_have_their_own_keys_and_compile_nothing_befor
         Path(paths[-1]).write_text(whole(template(case)), "utf-8")
     assert paths
     script = (
-        "import sys\nfrom pathlib import Path\nfrom verify.app.cli import run\n"
-        f"for path in {paths!r}:\n"
-        "    assert run(['init', Path(path).stem]) == run(['check', path]) == 0\n"
-        "print([m for m in ('numba', 'llvmlite') if m in sys.modules], file=sys.stderr)\n"
+        "import sys\nfrom verify.app.cli import run\n"
+        f"assert not any(run(['check', path]) for path in {paths!r})\n"
+        "assert not {'numba', 'llvmlite'} & set(sys.modules)\n"
     )
-    done = subprocess.run(
-        [sys.executable, "-c", script], capture_output=True, text=True, check=False, timeout=120
-    )
-    assert done.stderr.splitlines()[-1] == "[]"
+    subprocess.run([sys.executable, "-c", script], capture_output=True, check=True, timeout=120)

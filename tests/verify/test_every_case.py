@@ -19,9 +19,7 @@ from verify.answers.registry import RULES, answer
 from verify.answers.usual import unusual
 from verify.audit.portable.perturbation import perturbed
 from verify.cases.registry import CASES, QUICK
-from verify.core.differences import difference, difference_texts
 from verify.core.references import Method
-from verify.core.results import Kind, Status
 from verify.core.source_code import parts_of
 from verify.judging.explain.steps import steps
 
@@ -60,36 +58,12 @@ def values_of(case):
     return dict(case.analytic(case.inputs()))
 
 
-def displayed(text):
-    """The number of a difference in a table."""
-    return float(text.partition(" of ")[0].removeprefix("±").removesuffix(" %"))
-
-
-def assert_displayed_inside(row):
-    """What passes lies inside its limits as well with the digits that are displayed."""
-    text, allowed = difference_texts(row)
-    if row.interval is None:
-        assert abs(displayed(text)) <= displayed(allowed), row.id
-    else:
-        low, high = map(displayed, allowed.split(" to "))
-        assert low <= displayed(text) <= high, row.id
-        expected = row.analytic / row.reference - 1
-        assert difference(row).value == pytest.approx(expected, abs=1e-12), row.id
-
-
 @pytest.mark.parametrize("case", SOLVED)
 def test_every_row_of_the_paper_follows_from_what_it_keeps(case, judged):
     result = judged(case)
     assert not result.errors  # of figures, tables and texts too
     for row in result.rows:
         assert_the_same(row)
-        if (grid := row.grid) and grid.used is not None:
-            # the index follows from the order and the factor that the row names
-            (_, _), (h2, v2), (h1, v1) = grid.levels[-3:]
-            index = grid.factor * abs(v1 - v2) / ((h2 / h1) ** grid.used - 1)
-            assert grid.gci == pytest.approx(max(index, 1e-12 * grid.scale), rel=1e-5)
-        if row.status is Status.PASS and row.kind is not Kind.FACT:
-            assert_displayed_inside(row)
         label, words = steps(row)[-1]
         assert label == "verdict"
         assert words.startswith(row.status.value)
