@@ -10,7 +10,6 @@ from analytic.ring import lame
 from verify.app import commands
 from verify.app.cli import run
 from verify.cases.registry import CASES
-from verify.core.suggestions import FEW, nearest
 
 HEAVY = ("gmsh", "skfem", "meshio", "pyvista", "matplotlib", "sklearn", "numba", "llvmlite",
          "scipy.stats")  # fmt: skip
@@ -76,8 +75,6 @@ def test_verify_writes_the_report_and_a_red_row_makes_the_exit_status_one(
         ("verify --pdf short", 'Invalid value "short" for --pdf. Choose from: "record", "full"'),
         ("verify --jobs -1", "--jobs is 0 (one a core) to 256, got -1"),
         ("verify ring-lame --out file/out", "file: is a file, expected a folder"),
-        ("deep budget:ring-lam", "ring-lame, "),
-        ("explain", "explain needs a row"),
         ("explain displacement nowhere.toml", "nowhere.toml: cannot be read"),
         ("chekc a.toml", "chekc"),
         ("check", "FILE"),
@@ -96,12 +93,6 @@ def test_bad_command_lines_end_with_one_line_and_status_two(
     assert err.count("\n") == 1
     assert message in err
     assert len(err) < 300
-
-
-def test_names_like_an_unknown_one_come_first_and_of_many_there_are_few():
-    offered = nearest("ring-lam", [*(f"other {k}" for k in range(20)), "ring-lame"])
-    assert offered.startswith("ring-lame, other 0, ")
-    assert offered.endswith(f" and {21 - FEW} more")
 
 
 def test_a_fault_of_the_program_is_one_line_and_a_file(monkeypatch, capsys, tmp_path):

@@ -108,8 +108,7 @@ def test_differences_are_relative_and_numbers_in_the_quantity_s_unit():
     for allowed, theirs, state in (
         (0.01, float("nan"), OUTSIDE), (0.01, 2.01e-3, AGREES), (1e-3, 2.01e-3, OUTSIDE),
     ):  # fmt: skip
-        answer = replace(found(made(), 2e-3, 2e-3), theirs={"a": theirs})
-        (line,) = judged.judged(made(allowed), answer)
+        (line,) = judged.judged(made(allowed), found(made(), 2e-3, theirs))
         assert line.state is state
     assert (line.ours, line.theirs, line.difference) == pytest.approx((2.0, 2.01, 5e-3))
 

@@ -6,7 +6,6 @@ from dataclasses import replace
 import pytest
 
 from verify.cases.registry import find
-from verify.core.console import raised
 from verify.core.console_rows import closing, row_cells, title
 from verify.core.differences import difference, difference_texts, largest, significant
 from verify.core.references import reference_name
@@ -115,7 +114,3 @@ def test_a_column_headed_fe_holds_finite_elements_only():
     # finite elements come first and printed numbers last in the title
     others = [row(by, 1.01, by=by) for by in ("printed 0.6", "printed 0.7", "strips")]
     assert title([*others, *ROWS]) == "formulas against finite elements; strips; printed values"
-
-
-def test_powers_are_raised_in_the_terminal():
-    assert raised("1.97×10^-4 kg m^2 x^n") == "1.97×10⁻⁴ kg m² x^n"
