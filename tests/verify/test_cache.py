@@ -1,5 +1,7 @@
-"""Stored finite-element results: come back as they were, and only for what they were made of."""
+"""Stored finite-element results and files are whole, and found only for what they are of."""
 
+import subprocess
+import sys
 from dataclasses import replace
 
 import numpy as np
@@ -7,6 +9,7 @@ import pytest
 
 from verify.core.case import Case, FemResult
 from verify.core.figures import Field
+from verify.core.files import PREFIX, write_whole
 from verify.core.inputs import Inputs, quantity, table
 from verify.core.store import Store
 from verify.jobs import cache
@@ -97,3 +100,39 @@ def test_a_damaged_entry_is_ignored(tmp_path):
     for content in (whole[: len(whole) // 2], whole[:-1], b"", b"no zip", b"\x80\x04K\x01."):
         store.store(cache.KIND, CASE.id, {key: content})
         assert cache.load(tmp_path, CASE, Beam(), 2) is None
+
+
+# Files that are whole or not there
+
+WRITING = """
+import sys
+from pathlib import Path
+from verify.core.files import write_whole
+def slowly(file):
+    file.write(b"half"); file.flush()
+    print("writing", flush=True)
+    sys.stdin.readline()
+write_whole(Path(sys.argv[1]) / "entry", slowly)
+"""
+
+
+def test_a_killed_writer_leaves_the_earlier_file_and_one_that_fails_nothing(tmp_path):
+    def fail(file):
+        file.write(b"half")
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        write_whole(tmp_path / "entry", fail)
+    assert list(tmp_path.iterdir()) == []
+    (tmp_path / "entry").write_bytes(b"earlier")
+    with subprocess.Popen(
+        [sys.executable, "-c", WRITING, tmp_path],
+        stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
+    ) as process:  # fmt: skip
+        assert process.stdout.readline() == "writing\n"
+        assert len([p for p in tmp_path.iterdir() if p.name.startswith(PREFIX)]) == 1
+        process.kill()
+        process.communicate()
+    assert (tmp_path / "entry").read_bytes() == b"earlier"
+    write_whole(tmp_path / "entry", lambda file: file.write(b"half"))
+    assert (tmp_path / "entry").read_bytes() == b"half"

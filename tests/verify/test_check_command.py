@@ -1,7 +1,6 @@
 """`check` on files: the first lines, the exit status, JSON by its schema, a report."""
 
 import json
-import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -108,13 +107,8 @@ def test_a_ring_of_60_and_90_mm_by_hand(ring, capsys):
     assert found["inputs"]["p_o"] == {"value": 0.0, "unit": "MPa"}  # left out: no pressure
     # Tresca at the bore, hoop less radial: 260 + 100 MPa
     assert "Tresca stress 360 MPa at the bore exceeds R_p = 200 MPa" in found["warnings"][0]
-    # converted numbers are short in print and whole in JSON; unusual ones come first
-    ring.write_text(RING.replace('"100 MPa"', '"14.5 ksi"').replace("nu = 0.3", "nu = 0.05"))
-    _, found = as_json(ring, capsys=capsys)
-    assert found["inputs"]["p_i"]["value"] == pytest.approx(99.9739808, rel=1e-9)
-    assert len(str(found["inputs"]["p_i"]["value"])) > 12
+    ring.write_text(RING.replace("nu = 0.3", "nu = 0.05"))
     _, out = checked(ring, capsys=capsys)
-    assert re.search(r" 99\.974 +MPa ", out)
     assert "  outside the usual range: nu" in out.splitlines()[:5]
     assert "warning: nu = 0.05 is outside the usual range 0.2 to 0.36" in out
 
