@@ -39,60 +39,48 @@ SAMPLE = ("rotor-clutch", "rotor-shaft", "ring-rotation", "polyhedral-pressure",
 class Part(Inputs):
     length: float = quantity("1 mm", "mm", "l", "length")
     ratio: float = quantity(1.0, "1", "", "ratio")
-    node: int = count(3, "", "node")
 
 
-def sample(*, fixed=False):
-    """A new model with a number, a bound that its default meets, words and a table."""
+class Sample(Inputs):
+    """A number, a bound that its default meets, a word and a table."""
 
-    class Sample(Inputs):
-        E: float = quantity("210 GPa", "GPa", "E", "modulus", le=1e6)
-        z: int = count(12, "z", "number")
-        R_p: float | None = quantity(None, "MPa", "R_p", "strength", omitted=None, example="1 MPa")
-        head: str = word("free", "head")
-        parts: tuple[Part, ...] = table((Part(), Part(length=0.002)), "parts")
-
-        @model_validator(mode="after")
-        def _first(self):
-            if fixed and self.parts[0].ratio != 1.0:
-                raise EntryError("parts", 1, "ratio = 1", "the first part has the ratio 1")
-            return self
-
-    return Sample
+    E: float = quantity("210 GPa", "GPa", "E", "modulus", le=1e6)
+    z: int = count(12, "z", "number")
+    R_p: float | None = quantity(None, "MPa", "R_p", "strength", omitted=None, example="1 MPa")
+    head: str = word("free", "head")
+    parts: tuple[Part, ...] = table((Part(), Part(length=0.002)), "parts")
 
 
-def numbers(value):
-    """All floats of nested inputs."""
-    if isinstance(value, dict):
-        value = tuple(value.values())
-    if isinstance(value, tuple):
-        return [x for one in value for x in numbers(one)]
-    return [value] if isinstance(value, float) else []
+class Fixed(Sample):
+    @model_validator(mode="after")
+    def _first(self):
+        if self.parts[0].ratio != 1.0:
+            raise EntryError("parts", 1, "ratio = 1", "the first part has the ratio 1")
+        return self
 
 
 def test_each_number_moves_by_some_1e_13_and_nothing_else_does():
-    inputs = sample()()
-    before, after = inputs.model_dump(), perturbed(inputs, seed=1)
-    steps = [b / a - 1 for a, b in zip(numbers(before), numbers(after), strict=True)]
-    assert all(0 < abs(step) < 5 * SIZE for step in steps)
-    assert len({round(step / SIZE, 3) for step in steps}) == len(steps) == 5
-    assert (after["z"], after["R_p"], after["head"]) == (12, None, "free")
-    assert perturbed(inputs, seed=1) == after
-    assert perturbed(inputs, seed=2) != after
+    found = perturbed(Sample(), seed=1)
+    numbers = [found["E"] / 210e9]
+    numbers += [x for i, part in enumerate(found["parts"])
+                for x in (part["length"] / (0.001, 0.002)[i], part["ratio"])]  # fmt: skip
+    assert all(0 < abs(number - 1) < 5 * SIZE for number in numbers)
+    assert len({round((number - 1) / SIZE, 3) for number in numbers}) == 5
+    assert (found["z"], found["R_p"], found["head"]) == (12, None, "free")
+    assert perturbed(Sample(), seed=1) == found != perturbed(Sample(), seed=2)
 
 
-def test_perturbed_defaults_are_the_paper_s_inputs_and_still_obey_their_bounds():
-    model = sample()
+def test_perturbed_defaults_are_the_paper_s_inputs_and_still_obey_their_rules():
+    model = type("Own", (Sample,), {})
     before = model()
     assert perturb_defaults([model], seed=1) == {model: Outcome()}
-    assert model() != before
-    assert model() == model.model_validate(perturbed(before, seed=1))
+    assert before != model() == model.model_validate(perturbed(before, seed=1))
     assert Job(find("ring-lame"), model()).is_paper
     with pytest.raises(ValidationError):
         model(E=1e99)
-    fixed = sample(fixed=True)  # a number that a rule fixes stays and is named
-    assert perturb_defaults([fixed], seed=1) == {fixed: Outcome(fixed=("parts[1].ratio",))}
-    assert [part.ratio == 1.0 for part in fixed().parts] == [True, False]
+    # a number that a rule fixes stays and is named
+    assert perturb_defaults([Fixed], seed=1) == {Fixed: Outcome(fixed=("parts[1].ratio",))}
+    assert [part.ratio == 1.0 for part in Fixed().parts] == [True, False]
     for case in CASES:
         fixed = ("shafts[1].ratio",) if case.id == "rotor-system" else ()
         found = case.inputs.model_validate(perturbed(case.inputs(), 1, fixed))
@@ -126,6 +114,7 @@ def test_machines_that_are_no_others_or_that_the_processor_is_not_are_not_emulat
 # Differences of a row
 
 VALUES = {"formula": 2.0, "reference": 2.001}
+MOVED = {"difference": -0.003, "values": {**VALUES, "reference": 2.003}}
 ROW = Record(
     id="ring/bore", kind="identity", status="PASS", values=VALUES, difference=-0.001,
     tolerance=0.01, scale=2.0,
@@ -141,15 +130,13 @@ NAN = math.nan
     ("was", "now", "size"),
     [
         # its reference moves by shares of the tolerance
-        (ROW, {"values": {**VALUES, "reference": 2.003}, "difference": -0.003}, 0.2),
-        (ROW, {"values": {**VALUES, "reference": 1.971}, "difference": 0.029}, 3.0),
+        (ROW, MOVED, 0.2),
         # both sides move alike, on the same inputs
         (ROW, {"values": {"formula": 2.002, "reference": 2.003}}, 0.2),
         # without a finite tolerance: shares of 1e-5 of the scale
         (replace(ROW, tolerance=NAN), {"values": {**VALUES, "reference": 7.0}}, 249950),
         (replace(ROW, values={}), {"difference": 0.001}, 0.2),
         (FACT, {"values": {"reference": 1.85}, "difference": 1.35}, 0.1),
-        (FACT, {"values": {"reference": 0.5}, "difference": 0.0}, 1.0),
         (replace(ROW, values={"formula": NAN}), {"values": {"formula": 2.0}}, math.inf),
         (replace(ROW, difference=NAN, values={"formula": NAN}), {}, 0.0),
         (replace(ROW, tolerance=None, scale=None, difference=None, values={"formula": 50.0}),
@@ -166,41 +153,37 @@ def compared(before=ROW, *, perturbed=False, **change):
 
 
 @pytest.mark.parametrize(
-    ("change", "kind", "words"),
+    ("change", "kind", "was", "now"),
     [
-        ({"status": "FAIL", "reason": "sharp"}, Kind.STATUS, ("PASS", "FAIL (sharp)")),
+        ({"status": "FAIL", "reason": "sharp"}, Kind.STATUS, "PASS", "FAIL (sharp)"),
         # by more than a tenth of the tolerance
-        ({"difference": -0.0021, "values": {**VALUES, "reference": 2.0021}}, Kind.VALUE, None),
-        ({"difference": -0.0019, "values": {**VALUES, "reference": 2.0019}}, None, None),
-        ({"difference": NAN, "values": {**VALUES, "reference": NAN}}, Kind.VALUE, None),
+        ({"difference": -0.0021, "values": {**VALUES, "reference": 2.0021}}, Kind.VALUE, "", ""),
+        ({"difference": -0.0019, "values": {**VALUES, "reference": 2.0019}}, None, "", ""),
         # a tolerance is estimated and may differ by a factor of two
-        ({"tolerance": 0.0199}, None, None),
-        ({"tolerance": 0.0201}, Kind.VALUE, ("tolerance 0.01", "tolerance 0.0201")),
-        ({"tolerance": 0.0051}, None, None),
-        ({"tolerance": None}, Kind.VALUE, ("tolerance 0.01", "tolerance none")),
+        ({"tolerance": 0.0199}, None, "", ""),
+        ({"tolerance": 0.0201}, Kind.VALUE, "tolerance 0.01", "tolerance 0.0201"),
+        ({"tolerance": None}, Kind.VALUE, "tolerance 0.01", "tolerance none"),
     ],
 )
-def test_a_status_a_value_or_a_tolerance_that_differs_is_reported(change, kind, words):
+def test_a_status_a_value_or_a_tolerance_that_differs_is_reported(change, kind, was, now):
     found = compared(**change)
-    assert [(one.row, one.kind, one.variant) for one in found] == (
-        [(ROW.id, kind, "there")] if kind else []
-    )
-    if words:
-        assert found[0].was.endswith(words[0])
-        assert found[0].now.endswith(words[1])
+    assert [(one.row, one.kind) for one in found] == ([(ROW.id, kind)] if kind else [])
+    assert all(one.was.endswith(was) and one.now.endswith(now) for one in found)
 
 
-@pytest.mark.parametrize(
-    ("here", "there", "kind"),
-    [
-        (ROWS, ROWS[1:], Kind.MISSING),
-        (ROWS[1:], ROWS, Kind.ADDED),
-        (ROWS, (ROWS[1], ROWS[0], *ROWS[2:]), Kind.ORDER),
-        (ROWS, (ROW, *ROWS), Kind.DUPLICATE),
-    ],
-)
-def test_other_rows_are_reported(here, there, kind):
-    assert kind in {one.kind for one in differences(here, there, "x", perturbed=False)}
+def test_other_rows_are_reported():
+    for there, kind in (
+        (ROWS[1:], Kind.MISSING), ((*ROWS, replace(ROW, id="new")), Kind.ADDED),
+        ((ROWS[1], ROWS[0], *ROWS[2:]), Kind.ORDER), ((ROW, *ROWS), Kind.DUPLICATE),
+    ):  # fmt: skip
+        assert kind in {one.kind for one in differences(ROWS, there, "x", perturbed=False)}
+
+
+def test_of_a_fact_a_tenth_of_its_margin_counts_and_perturbed_sides_may_move_alike():
+    assert [compared(FACT, tolerance=U) == [] for U in (0.14, 0.16)] == [True, False]
+    alike = {name: value * (1 + 1e-7) for name, value in VALUES.items()}
+    assert compared(values=alike, perturbed=True) == []
+    assert [one.kind for one in compared(perturbed=True, **MOVED)] == [Kind.VALUE]
 
 
 # What is printed and written
@@ -217,9 +200,6 @@ def summary_of(tmp_path, stated=(), **change):
         work.append(runner.Work(place=place, folder=tmp_path / name, environment={},
                                 cases=("ring",)))  # fmt: skip
     return command.summarized(work, emulated, {}, stated, is_full=True)
-
-
-MOVED = {"difference": -0.003, "values": {**VALUES, "reference": 2.003}}
 
 
 def test_a_flip_or_move_is_printed_and_written_and_decides(tmp_path):
@@ -248,26 +228,18 @@ def test_a_reason_makes_a_move_portable_and_one_that_explains_nothing_is_named(t
     assert not summary_of(tmp_path, stated, status="FAIL").is_portable
     path.write_text(entry.format("ring") + 'kind = "exact"\n', "utf-8")  # of other rows
     assert not summary_of(tmp_path, reasons.read(path), **MOVED).is_portable
-    for text, words in (
-        ("[[moves]]\nrows = 'a'\nwhy = 'short'\n", r"moves\[1\]\.why"),
-        ("moves = 1\n", r"needs tables \[\[moves\]\]"),
-        ("[[moves", "cannot be read"),
+    path.write_text("[[moves]]\nrows = 'a'\nwhy = 'short'\n", "utf-8")
+    with pytest.raises(InputError, match=r"moves\[1\]\.why"):
+        reasons.read(path)
+
+
+def test_wrong_arguments_are_refused_in_one_line(capsys):
+    for option, value, words in (
+        ("--only", "core-z80", "no such machine; known are baseline"),
+        ("--seeds", "-1", "--seeds is 0 to 1000, got -1"),
     ):
-        path.write_text(text, "utf-8")
-        with pytest.raises(InputError, match=words):
-            reasons.read(path)
-
-
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        (["--only", "core-z80"], "--only core-z80: no such machine; known are baseline"),
-        (["--seeds", "-1"], "--seeds is 0 to 1000, got -1"),
-    ],
-)
-def test_wrong_arguments_are_refused_in_one_line(arguments, words, capsys):
-    assert run(["portable", *arguments]) == 2
-    assert words in capsys.readouterr().err
+        assert run(["portable", option, value]) == 2
+        assert words in capsys.readouterr().err
 
 
 @pytest.mark.soak
@@ -296,11 +268,3 @@ def test_a_process_that_ends_badly_is_named_with_its_last_line(tmp_path):
     (how,) = runner.run_all([work], 1, lambda _state: None).values()
     assert how.startswith("exit status 1: ValueError: unknown case 'nocase'")
     assert str(tmp_path / runner.LOG) in how
-
-
-def test_of_a_fact_a_tenth_of_its_margin_counts_and_perturbed_sides_may_move_alike():
-    assert [compared(FACT, tolerance=U) == [] for U in (0.14, 0.16)] == [True, False]
-    alike = {name: value * (1 + 1e-7) for name, value in VALUES.items()}
-    assert compared(values=alike, perturbed=True) == []
-    apart = {"difference": -0.003, "values": {**VALUES, "reference": 2.003}}
-    assert [one.kind for one in compared(perturbed=True, **apart)] == [Kind.VALUE]

@@ -68,28 +68,21 @@ def beside(case, **more):
     return bad
 
 
-@pytest.mark.parametrize(
-    ("part", "fault", "row"),
-    [
-        ("sketch", boom, BOOM),
-        ("tables", boom, BOOM),
-        ("figures", late, ("FAIL", "RuntimeError: in the middle")),
-    ],
-)
-def test_a_part_that_raises_is_a_red_row_and_the_rest_is_judged(part, fault, row):
-    result = beside(replace(CASE, **{part: fault}))
-    assert rows_of(result) == {part: row, "with elements": HELD, "formula alone": HELD}
-    assert not getattr(result, part)
-    assert len(result.errors) == 1
-    assert f"in {fault.__name__}\n" in result.errors[0]
+def test_a_part_that_raises_is_a_red_row_and_the_rest_is_judged():
+    late_row = ("FAIL", "RuntimeError: in the middle")
+    for part, fault, row in (("tables", boom, BOOM), ("figures", late, late_row)):
+        result = beside(replace(CASE, **{part: fault}))
+        assert rows_of(result) == {part: row, "with elements": HELD, "formula alone": HELD}
+        assert not getattr(result, part)
+        (error,) = result.errors
+        assert f"in {fault.__name__}\n" in error
 
 
 def test_formulas_and_checks_that_raise_turn_their_rows_red_by_their_names():
     result = beside(replace(CASE, analytic=boom, equations=lambda _q, values: values["v"]))
     assert rows_of(result) == dict.fromkeys(("with elements", "formula alone", "formulas"), BOOM)
     assert len(result.errors) == 1  # no second one about equations without values
-    bad = holds("with elements", boom)
-    rows = rows_of(beside(replace(CASE, checks=(bad, CASE.checks[1]))))
+    rows = rows_of(beside(replace(CASE, checks=(holds("with elements", boom), CASE.checks[1]))))
     assert rows == {"with elements": BOOM, "formula alone": HELD}
 
     class Broken(Fact):
@@ -105,7 +98,6 @@ def test_formulas_and_checks_that_raise_turn_their_rows_red_by_their_names():
     ("error", "reason", "traced"),
     [
         (ArithmeticError("residual 1e+00"), "not converged: level 4: residual 1e+00", 0),
-        (ZeroDivisionError("by zero"), "level 4: ZeroDivisionError: by zero", 1),
         (Exception("gmsh says\n  no"), "level 4: Exception: gmsh says no", 1),
         (MemoryError(), "level 4: MemoryError", 1),
     ],

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import textwrap
 import time
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -76,32 +77,23 @@ def test_root_on_debian_names_and_installs_what_is_missing(machine, capsys):
     assert commands[2:] == [system_packages.REPAIR, commands[1]]
 
 
-@pytest.mark.parametrize(
-    ("this", "line"),
-    [
+def test_elsewhere_the_line_to_run_is_given_and_nothing_is_run(machine):
+    for this, line in (
         (Machine(apt=True), f"sudo {UPDATE} && sudo apt-get install -y libglu1-mesa"),
-        (Machine(root=True, apt=True, forbidden=True),
-         f"{UPDATE} && apt-get install -y libglu1-mesa"),
+        (replace(DEBIAN_ROOT, forbidden=True), f"{UPDATE} && apt-get install -y libglu1-mesa"),
         (Machine(dnf=True), "sudo dnf install 'libGLU.so.1()(64bit)'"),
         (Machine(root=True), "install the packages that contain them (in Debian: libglu1-mesa)"),
-    ],
-    ids=["not root", "forbidden", "fedora", "no apt-get"],
-)  # fmt: skip
-def test_elsewhere_the_line_to_run_is_given_and_nothing_is_run(this, line, machine):
-    commands = machine(GLU)
-    assert check(this) == f"missing {GLU}; run: {line}"
-    assert commands == []
+    ):
+        commands = machine(GLU)
+        assert check(this) == f"missing {GLU}; run: {line}"
+        assert commands == []
 
 
 def test_a_failed_installation_gives_the_reason_of_the_first_step_and_the_line(machine):
     offline = "Failed to fetch http://deb/InRelease Temporary failure resolving 'deb'"
-    for outputs, why in (
-        ([(100, "Reading package lists...\nE: no such package\n")] * 2, "no such package"),
-        ([(0, f"W: {offline}\n"), (100, "E: Unable to locate package\n")], offline),
-    ):
-        machine(GLU, outputs=outputs)
-        line = line_to_run([GLU], "", DEBIAN_ROOT)
-        assert check(DEBIAN_ROOT) == f"apt-get failed ({why}); run: {line}"
+    machine(GLU, outputs=[(0, f"W: {offline}\n"), (100, "E: Unable to locate package\n")])
+    line = line_to_run([GLU], "", DEBIAN_ROOT)
+    assert check(DEBIAN_ROOT) == f"apt-get failed ({offline}); run: {line}"
 
 
 # Programs that the set-up starts
@@ -222,10 +214,7 @@ def test_an_interrupted_set_up_is_continued(project, monkeypatch, capsys):
     monkeypatch.setattr(sys, "argv", ["virtual_environment", ".venv", "lock.txt"])
     monkeypatch.chdir(project.folder.parent)
     assert virtual_environment.main() == 2
-    assert capsys.readouterr().err.splitlines()[-1] == (
-        "freewheel: .venv is not complete (no connection to the package index); "
-        "the next make continues"
-    )
+    assert "not complete (no connection to the package index)" in capsys.readouterr().err
     assert (project.folder / FAILED).read_text() == "no connection to the package index\n"
     assert not (project.folder / READY).exists()
     project.broken = set()

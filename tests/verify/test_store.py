@@ -142,35 +142,30 @@ def test_a_file_that_others_write_is_not_read_without_locks(store, monkeypatch):
 def test_the_command_lists_and_clears(store, capsys):
     store.store("budget", "ring-lame", {"a": bytes(2_000_000)})
     store.store("level", "ring-lame", {"b": bytes(1_000_000)})
-    assert run(["store"]) == 0
-    assert "2 results, 3.0 MB" in capsys.readouterr().out
     assert run(["store", "--json"]) == 0
     groups = json.loads(capsys.readouterr().out)["groups"]
     assert {(g["kind"], g["subject"], g["size"]) for g in groups} == {
         ("level", "ring-lame", 1_000_000), ("budget", "ring-lame", 2_000_000),
     }  # fmt: skip
-    assert run(["store", "--clear", "budgets"]) == 2
-    assert "kinds: budget, level" in capsys.readouterr().err
+    assert run(["store"]) == 0
+    assert "2 results, 3.0 MB" in capsys.readouterr().out
     assert run(["store", "--clear", "budget:ring-lame"]) == 0
-    assert run(["store", "--clear", "level"]) == 0
-    assert "0 results" in capsys.readouterr().out
+    assert [group.kind for group in store.groups()] == ["level"]
 
 
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        (["ring-lame", "--json"], "store ring-lame: --json and --clear go without a case"),
-        (["--clear", "level:"], "--clear level:: no subject after the colon"),
-        (["--code", "numpy.linalg"], "--code numpy.linalg: no module of the project"),
-        (["--code", "fem.plane"], "--code fem.plane: is a package: name one of its modules"),
-        (["ring-lame", "--code", "fem.plane.solve"], "a case or a module, one of them"),
-        (["no-case"], "unknown case 'no-case'"),
-    ],
-)
-def test_options_that_make_no_sense_are_refused(arguments, message, store, capsys):
+def test_options_that_make_no_sense_are_refused(store, capsys):
     store.store("level", "ring-lame", {"a": b"1"})
-    assert run(["store", *arguments]) == 2
-    assert message in capsys.readouterr().err
+    for arguments, message in (
+        ("ring-lame --json", "store ring-lame: --json and --clear go without a case"),
+        ("--clear level:", "--clear level:: no subject after the colon"),
+        ("--clear budgets", "kinds: level"),
+        ("--code numpy.linalg", "--code numpy.linalg: no module of the project"),
+        ("--code fem.plane", "--code fem.plane: is a package: name one of its modules"),
+        ("ring-lame --code fem.plane.solve", "a case or a module, one of them"),
+        ("no-case", "unknown case 'no-case'"),
+    ):
+        assert run(["store", *arguments.split()]) == 2
+        assert message in capsys.readouterr().err
     assert store.one("level", "a")
 
 

@@ -23,16 +23,20 @@ class Shaft(Plate):
 
 
 @pytest.mark.parametrize(
-    ("text", "expected"),
+    ("text", "values", "nominal", "symbol"),
     [
-        ("n=3:12:4", (3, 6, 9, 12)),
-        ("a=2:6mm:3", (2e-3, 4e-3, 6e-3)),  # the last one's unit
-        ("a=0.1mm:10mm:3:log", (1e-4, 1e-3, 1e-2)),
-        ("supports[2].k=1:2kN/m:2", (1e3, 2e3)),
+        ("n=3:12:4", (3, 6, 9, 12), 3, "n"),
+        ("a=2:6mm:3", (2e-3, 4e-3, 6e-3), 4e-3, "a"),  # the last one's unit
+        ("a=0.1mm:10mm:3:log", (1e-4, 1e-3, 1e-2), 4e-3, "a"),
+        ("q=1:2mm:2", (1e-3, 2e-3), None, "q"),
+        ("supports[2].k=1:2kN/m:2", (1e3, 2e3), 3e3, "k of supports[2]"),
     ],
 )
-def test_an_axis_is_read(text, expected):
-    assert axis(Shaft(), text).values == pytest.approx(expected, rel=1e-12)
+def test_an_axis_is_read_and_knows_its_input(text, values, nominal, symbol):
+    found = axis(Shaft(), text)
+    assert found.values == pytest.approx(values, rel=1e-12)
+    assert (found.nominal, found.symbol, found.whole) == (nominal, symbol, symbol == "n")
+    assert axis(Shaft(), "a=2:6mm:3").shown(0.3e-3) == 0.3  # not 0.29999999999999993
 
 
 @pytest.mark.parametrize(
@@ -60,21 +64,6 @@ def test_what_is_no_axis_and_no_tolerance_is_refused_with_its_option(read, text,
     assert "\n" not in str(error.value)
 
 
-def test_an_axis_and_a_tolerance_know_their_input():
-    of = axis(Shaft(a=7e-3), "a=2:6mm:3")
-    assert (of.symbol, of.unit, of.what, of.nominal) == ("a", "mm", "length", 7e-3)
-    assert (of.spacing, of.whole) == ("even", False)
-    assert of.shown(0.3e-3) == 0.3  # not 0.29999999999999993
-    assert axis(Shaft(), "n=1:2:2").whole
-    assert axis(Shaft(), "q=1:2mm:2").nominal is None
-    entry = axis(Shaft(), "supports[2].k=1:2kN/m:2")
-    assert (entry.symbol, entry.nominal) == ("k of supports[2]", 3e3)
-    for text in ("b=±0.05mm", "b=+/-50µm"):
-        off = tolerance(Shaft(), text)
-        assert off.off == pytest.approx(5e-5, rel=1e-12)
-        assert (off.name, off.nominal, off.unit) == ("b", 2e-3, "mm")
-
-
 def test_inputs_are_changed_by_name_in_tables_too():
     of = changed(Shaft(), {"a": 5e-3, "n": 4.0, "supports[2].k": 7.0})
     assert (of.a, of.n, of.b) == (5e-3, 4, 2e-3)
@@ -91,7 +80,6 @@ def test_inputs_are_changed_by_name_in_tables_too():
 def test_a_grid_has_all_combinations_and_a_star_one_input_off_its_middle():
     plan = grid(CASE, "plate", Plate(), chosen(), ["a=1:2mm:2", "n=1:3:3"])
     assert plan.points.tolist() == [[a, n] for a in (1e-3, 2e-3) for n in (1, 2, 3)]
-    assert (plan.shape, plan.names) == ((2, 3), ("a", "n"))
     star = grid(CASE, "plate", Plate(), chosen(), ["a=4:6mm:2", "b=1:3mm:2"], star=True)
     rows = [[4e-3, 2e-3], [6e-3, 2e-3], [4e-3, 1e-3], [4e-3, 3e-3]]
     assert star.points == pytest.approx(np.array(rows))
@@ -100,14 +88,21 @@ def test_a_grid_has_all_combinations_and_a_star_one_input_off_its_middle():
 
 
 def test_a_sample_has_two_matrices_and_the_first_with_columns_of_the_second():
-    plan = sample(CASE, "plate", Plate(), chosen(), "sobol:16", ["a=±1mm", "b=±5%", "c=±0.1mm"])
+    plan = sample(CASE, "plate", Plate(), chosen(), "sobol:16", ["a=±1mm", "b=±5%", "c=+/-100µm"])
+    assert [one.off for one in plan.tolerances] == pytest.approx([1e-3, 1e-4, 1e-4], rel=1e-12)
     a, b, *mixed = plan.points.reshape(5, 16, 3)
-    assert plan.base == 16
     for k, one in enumerate(mixed):
         assert (one[:, k] == b[:, k]).all()
         rest = [j for j in range(3) if j != k]
         assert (one[:, rest] == a[:, rest]).all()
     assert (a != b).all()
+    for count, tolerances, said in (
+        ("sobol:12", ["a=±1mm"], "N is a power of two from 8"),
+        ("sobol", ["a=±1mm"], "--sample is sobol:N"),
+        ("sobol:8", ["a=±1mm", "a=±2mm"], "a is there twice"),
+    ):
+        with pytest.raises(InputError, match=said):
+            sample(CASE, "plate", Plate(), chosen(), count, tolerances)
 
 
 @given(st.sampled_from([8, 64]), st.integers(0, 50))
@@ -119,16 +114,3 @@ def test_a_sample_fills_its_tolerances_evenly(count, seed):
         share = (column - of.nominal + of.off) / (2 * of.off)
         for half in (share[:count], share[count:]):  # one point in each of as many steps
             assert sorted(np.floor(half * count)) == list(range(count))
-
-
-@pytest.mark.parametrize(
-    ("count", "tolerances", "said"),
-    [
-        ("sobol:12", ["a=±1mm"], "N is a power of two from 8"),
-        ("sobol", ["a=±1mm"], "--sample is sobol:N"),
-        ("sobol:8", ["a=±1mm", "a=±2mm"], "a is there twice"),
-    ],
-)
-def test_what_is_no_sample_is_refused(count, tolerances, said):
-    with pytest.raises(InputError, match=said):
-        sample(CASE, "plate", Plate(), chosen(), count, tolerances)

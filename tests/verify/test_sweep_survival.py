@@ -3,15 +3,15 @@
 import os
 import signal
 import socket
-import sqlite3
 import subprocess
 import sys
 import time
-from contextlib import closing, contextmanager, suppress
+from contextlib import contextmanager, suppress
 
 import pytest
 
 from tests.verify.sweep_made import RING
+from verify.core.store import Store
 
 pytestmark = pytest.mark.soak  # a killed client is in test_kills, killed tasks in test_workers
 POINTS = 24
@@ -21,15 +21,12 @@ SECONDS = 600.0
 CONTINUES = "{} of 24 points are stored: the same command continues with the others"
 
 
-def command(folder):
-    return ["sweep", str(folder / "ring.toml"), *VARY, *ONLY, "--out", str(folder / "out")]
-
-
 def client(folder, *options):
     """A sweep as a process of its own, with its cache and its tables in `folder`."""
-    (folder / "ring.toml").write_text(RING)
+    part, out = folder / "ring.toml", folder / "out"
+    part.write_text(RING)
     return subprocess.Popen(
-        [sys.executable, "-m", "verify", *command(folder), *options],
+        [sys.executable, "-m", "verify", "sweep", part, *VARY, *ONLY, "--out", out, *options],
         env=os.environ | {"FREEWHEEL_CACHE": str(folder / "cache")}, text=True,
         start_new_session=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
     )  # fmt: skip
@@ -42,20 +39,10 @@ def ended(process):
     return process.returncode, said
 
 
-def table(folder):
-    return (folder / "out" / "points.csv").read_bytes()
-
-
 def points(folder):
-    """Points that the cache in `folder` holds, 0 where there is none."""
-    question = "SELECT COUNT(*) FROM entries WHERE kind = 'sweep reference'"
-    path = folder / "cache" / "store.sqlite"
-    with (
-        suppress(sqlite3.OperationalError),  # no file or no table yet
-        closing(sqlite3.connect(f"file:{path}?mode=ro", uri=True, timeout=10)) as database,
-    ):
-        return database.execute(question).fetchone()[0]
-    return 0
+    """Points that the cache in `folder` holds."""
+    groups = Store(folder / "cache").groups()
+    return sum(group.entries for group in groups if group.kind == "sweep reference")
 
 
 def wait_for_points(folder, count):
@@ -123,4 +110,5 @@ def test_a_killed_scheduler_is_named_and_another_one_continues_with_the_same_num
     undisturbed.mkdir()
     assert ended(client(undisturbed, "--jobs", "1"))[0] == 0
     assert points(undisturbed) == POINTS
-    assert table(tmp_path) == table(undisturbed)
+    tables = [(folder / "out" / "points.csv").read_bytes() for folder in (tmp_path, undisturbed)]
+    assert tables[0] == tables[1]

@@ -14,48 +14,35 @@ from verify.verdicts.declared import declared
 from verify.verdicts.place import Where, place
 
 
-def test_the_verdicts_of_record_are_of_all_declared_formulas():
-    names = [f"{key}/{f.name}, {f.form}" for key, d in declared().items() for f in d.formulas]
-    assert [one.id for one in record.kept()] == names
-    assert not [one.id for one in record.kept() if one.verdict is Verdict.NONE]
-
-
-def test_evidence_and_errata_of_the_record_are_those_declared():
+def test_the_record_has_a_verdict_of_each_declared_formula_with_its_evidence(tmp_path):
+    forms = {f"{key}/{f.name}, {f.form}": f for key, d in declared().items() for f in d.formulas}
+    assert [one.id for one in record.kept()] == list(forms)
     for one in record.kept():
-        forms = declared()[one.paper].formulas
-        f = next(f for f in forms if (f.name, f.form) == (one.name, one.form))
+        f = forms[one.id]
+        assert one.verdict is not Verdict.NONE
         assert (one.rows, one.model_rows, one.errata) == (f.part, f.model, f.errata)
         assert one.safe == f.safe
-
-
-def test_what_is_kept_is_read_again(tmp_path, monkeypatch):
-    file = tmp_path / "verdicts.json"
+    file = tmp_path / "verdicts.json"  # what is kept is read again
     record.keep(record.kept(), file)
     assert file.read_text("utf-8") == record.FILE.read_text("utf-8")
 
 
 def test_a_verdict_that_is_not_the_one_of_record_is_named():
     kept = record.kept()
+
+    def changed(which, **changes):
+        return record.moved(tuple(replace(o, **changes) if o is which else o for o in kept))
+
     assert record.moved(kept) == []
-    wider = next(one for one in kept if one.verdict is Verdict.PART)
-    changed = tuple(
-        replace(one, verdict=Verdict.ACCURATE, words="accurate") if one is wider else one
-        for one in kept
-    )
-    assert record.moved(changed) == [f"verdict of {wider.id}: accurate; {wider.words} on record"]
-    region = next(one for one in kept if one.ranges)
-    wider_region = replace(region, ranges=(replace(region.ranges[0], words="all"),))
-    (line,) = record.moved(tuple(wider_region if one is region else one for one in kept))
-    assert line == f"verdict of {region.id}: its ranges are not those of record"
+    one = next(one for one in kept if one.verdict is Verdict.PART)
+    assert changed(one, verdict=Verdict.ACCURATE, words="accurate") == [
+        f"verdict of {one.id}: accurate; {one.words} on record"
+    ]
+    one = next(one for one in kept if one.ranges)
+    assert changed(one, ranges=(replace(one.ranges[0], words="all"),)) == [
+        f"verdict of {one.id}: its ranges are not those of record"
+    ]
     assert record.moved(kept[1:]) == [f"verdict of {kept[0].id}: on record only"]
-
-
-def sides(*, star):
-    box = (Side(name="r_i", symbol="r_i", unit="mm", low=5.0, high=24.0),
-           Side(name="nu", symbol="ν", unit="1", low=0.1, high=0.4))  # fmt: skip
-    wide = tuple(replace(side, low=side.low / 2, high=side.high * 1.1) for side in box)
-    return VerdictRange(case="ring-lame", limit=0.05, words="", over="", box=box, studied=wide,
-                        is_star=star, inside=4, points=5)  # fmt: skip
 
 
 @pytest.mark.parametrize(
@@ -72,24 +59,26 @@ def sides(*, star):
     ],
 )
 def test_a_user_s_inputs_lie_inside_outside_or_were_not_compared(star, changes, where):
+    box = (Side(name="r_i", symbol="r_i", unit="mm", low=5.0, high=24.0),
+           Side(name="nu", symbol="ν", unit="1", low=0.1, high=0.4))  # fmt: skip
+    wide = tuple(replace(side, low=side.low / 2, high=side.high * 1.1) for side in box)
+    sides = VerdictRange(case="ring-lame", limit=0.05, words="", over="", box=box, studied=wide,
+                         is_star=star, inside=4, points=5)  # fmt: skip
     one = FormulaVerdict(
         id="x", paper="huang2018", source="", name="Eq. 6", form=Form.PRINTED, what="", words="",
-        verdict=Verdict.PART, safe=Safe.ABOVE, ranges=(sides(star=star),), rows=("ring-lame/x",),
+        verdict=Verdict.PART, safe=Safe.ABOVE, ranges=(sides,), rows=("ring-lame/x",),
     )  # fmt: skip
     inputs = find("ring-lame").inputs(**changes)
     assert place(one, "ring-lame", inputs).where is where
 
 
-@pytest.mark.parametrize("words", [["Belcin", "Eq.", "20"], ["belcin", "20"], ["Belcin Eq. 20"]])
-def test_an_equation_is_explained_in_both_forms(words, capsys):
-    assert run(["explain", *words]) == 0
-    out = capsys.readouterr().out
-    assert "Belcin, Eq. 20, printed" in out
-    assert re.search(r"^  verdict +unsafe$", out, re.MULTILINE)
-    assert "polyhedral-clutch/torque, Eq. 20" in out
-
-
-def test_an_equation_as_json(capsys):
+def test_an_equation_is_explained_in_both_forms_and_as_json(capsys):
+    for words in (["Belcin", "Eq.", "20"], ["belcin", "20"], ["Belcin Eq. 20"]):
+        assert run(["explain", *words]) == 0
+        out = capsys.readouterr().out
+        assert "Belcin, Eq. 20, printed" in out
+        assert re.search(r"^  verdict +unsafe$", out, re.MULTILINE)
+        assert "polyhedral-clutch/torque, Eq. 20" in out
     assert run(["explain", "--json", "huang2018", "Eq. 8"]) == 0
     (one,) = json.loads(capsys.readouterr().out)
     assert (one["verdict"], one["form"]) == ("exact", "printed")

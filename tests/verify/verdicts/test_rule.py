@@ -1,14 +1,14 @@
-"""The rule that makes a verdict of errors, each line of its table and its edges."""
+"""The rule that makes a verdict of errors, and the errors it is given: of studies and of sweeps."""
 
+from types import SimpleNamespace
+
+import numpy as np
 import pytest
 
 from verify.core.verdicts import Safe, Verdict
-from verify.verdicts.rule import Point, accuracy, judged, on_unsafe_side
-
-
-def points(*errors, U=0.0):
-    """The first error is at the paper's inputs, the others are of a study."""
-    return [Point(e, U, is_paper=i == 0) for i, e in enumerate(errors)]
+from verify.verdicts import of_sweep
+from verify.verdicts.evidence import Evidence, NoEvidenceError, point_of
+from verify.verdicts.rule import Point, accuracy, judged
 
 
 @pytest.mark.parametrize(
@@ -19,14 +19,17 @@ def points(*errors, U=0.0):
         ((0.09, -0.09), 0.02, Safe.NEITHER, True, Verdict.UNSAFE),  # the bar counts
         ((0.02, -0.3), 0.0, Safe.ABOVE, True, Verdict.PART),  # the paper's inputs hold
         ((0.3, -0.019), 0.0, Safe.ABOVE, True, Verdict.CONSERVATIVE),
-        ((0.3, -0.03), 0.0, Safe.ABOVE, True, Verdict.PART),  # 2 % to 10 % on the unsafe side
+        ((0.3, -0.019), 0.002, Safe.ABOVE, True, Verdict.PART),  # 2 % to 10 % on the unsafe side
+        ((-0.3, 0.019), 0.002, Safe.BELOW, True, Verdict.PART),
         ((0.3,), 0.0, Safe.BELOW, False, Verdict.UNSAFE),
         ((-0.3,), 0.0, Safe.BELOW, False, Verdict.CONSERVATIVE),
         ((-0.3,), 0.0, Safe.NEITHER, False, Verdict.UNSAFE),
     ],
 )
 def test_each_line_of_the_rule(errors, U, safe, has_range, verdict):
-    assert judged(points(*errors, U=U), safe, has_range=has_range) is verdict
+    # the first error is at the paper's inputs, the others are of a study
+    points = [Point(e, U, is_paper=i == 0) for i, e in enumerate(errors)]
+    assert judged(points, safe, has_range=has_range) is verdict
 
 
 @pytest.mark.parametrize(
@@ -37,8 +40,64 @@ def test_the_accuracy_class_is_the_least_that_holds_error_and_bar(size, limit):
     assert accuracy([Point(0.001 - size, 0.001)]) == limit
 
 
-def test_the_bar_counts_on_the_unsafe_side():
-    both = points(0.05, -0.02, U=0.01)
-    assert on_unsafe_side(both, Safe.BELOW) == pytest.approx(0.06)
-    assert on_unsafe_side(both, Safe.ABOVE) == pytest.approx(0.03)
-    assert on_unsafe_side(both, Safe.NEITHER) == pytest.approx(0.06)
+def test_a_range_counts_where_every_point_of_each_case_has_an_answer(row):
+    def study(*errors):
+        plan = SimpleNamespace(
+            points=np.zeros((len(errors), 1)), case=SimpleNamespace(id="ring-lame")
+        )
+        return plan, SimpleNamespace(error=np.array(errors), U_error=np.zeros(len(errors)))
+
+    for errors, is_studied in (((0.01, 0.02), True), ((0.01, np.nan), False), ((0.01,), False)):
+        found = Evidence((row("x", 0.01),), (study(*errors),))
+        assert found.is_studied is is_studied
+        assert len(found.points) == 1 + np.isfinite(errors).sum()
+    both = row("x", 0.01), row("x", 0.01, case="ring-rotation")
+    assert not Evidence(both, (study(0.01, 0.02),)).is_studied
+    for wrong in ({"error": np.nan}, {"error": 0.1, "U": np.nan}):
+        with pytest.raises(NoEvidenceError, match="no number"):
+            point_of(row("x", **wrong))
+
+
+def swept(errors, safe, nominal, name="k"):
+    """A grid over one input, 1 to 4, with these errors."""
+    values = (1.0, 2.0, 3.0, 4.0)[: len(errors)]
+    quantity = SimpleNamespace(name="k", safe=safe)
+    plan = SimpleNamespace(
+        case=SimpleNamespace(id="ring-lame", inputs=SimpleNamespace(quantities=lambda: [quantity])),
+        axes=(SimpleNamespace(name="x", values=values, nominal=nominal, spacing="even"),),
+        star=False, shape=(len(values),), points=np.array(values)[:, None],
+    )  # fmt: skip
+    course = SimpleNamespace(
+        pair=SimpleNamespace(analytic="k", name=name),
+        error=np.array(errors), U_error=np.zeros(len(errors)),
+    )  # fmt: skip
+    return plan, course
+
+
+PART = "accurate in part of the range: up to 30 % below and up to 5 % above; neither side is safe"
+
+
+@pytest.mark.parametrize(
+    ("errors", "safe", "nominal", "words"),
+    [
+        ((0.01, -0.02), "too high", 1.0, "accurate: within 2 %"),
+        ((0.01, np.nan), "too high", 1.0, "accurate in part of the range: within 1 %"),
+        ((-0.3, 0.1), "too high", 1.0,
+         "unsafe: up to 30 % below and up to 10 % above; a higher value is safe"),
+        ((-0.3, -0.1), "too low", 1.0, "conservative: up to 30 % below; a lower value is safe"),
+        ((-0.3, 0.05), "", 2.0, PART),
+        # own inputs are a point only where the sweep has them
+        ((-0.3, 0.05), "", 1.9, PART.replace("accurate in part of the range", "unsafe")),
+        ((-0.3, 0.05), "", None, PART.replace("accurate in part of the range", "unsafe")),
+        ((np.nan, np.nan), "", 1.0, ""),
+    ],
+)  # fmt: skip
+def test_a_sweep_s_verdict_follows_the_rule_at_the_case_s_own_inputs(errors, safe, nominal, words):
+    assert of_sweep.verdict_in_words(*swept(errors, safe, nominal)) == words
+
+
+def test_the_safe_side_is_that_of_the_formula_or_else_of_the_quantity(monkeypatch):
+    monkeypatch.setattr(of_sweep, "safe_sides", lambda: {"ring-lame/row": Safe.ABOVE})
+    assert of_sweep.safe_side(*swept((0.0,), "too low", 1.0, name="row")) is Safe.ABOVE
+    assert of_sweep.safe_side(*swept((0.0,), "too low", 1.0)) is Safe.BELOW
+    assert of_sweep.safe_side(*swept((0.0,), "", 1.0)) is Safe.NEITHER

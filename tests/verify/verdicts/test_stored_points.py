@@ -1,4 +1,4 @@
-"""Stored studies point by point: all of them, with the errors on record."""
+"""Stored studies: every point with its error, the ranges that follow, and other sizes of a part."""
 
 from types import SimpleNamespace
 
@@ -9,17 +9,17 @@ from verify.cases.registry import CASES, find
 from verify.core import units
 from verify.core.inputs import meta
 from verify.core.verdicts import Safe
+from verify.studies.validity.messages import over
 from verify.studies.validity.store import measured
+from verify.verdicts import evidence, regions
 from verify.verdicts.stored_points import studies
-
-STUDIED = [case.id for case in CASES if case.scans]
 
 
 def of(name):
     return studies([SimpleNamespace(id=name, rows=())])
 
 
-@pytest.mark.parametrize("name", STUDIED)
+@pytest.mark.parametrize("name", [case.id for case in CASES if case.scans])
 def test_all_stored_points_are_there_with_their_errors(name):
     found, record = of(name), measured(find(name))
     assert len(found) == len(record.scans)
@@ -33,12 +33,7 @@ def test_all_stored_points_are_there_with_their_errors(name):
                 np.testing.assert_array_equal(known[at], (e, U))
 
 
-def test_a_case_that_has_no_study_or_is_a_user_s_own_has_none():
-    results = [SimpleNamespace(id=name, rows=()) for name in ("freewheel-clutch", "own-case")]
-    assert studies(results) == ()
-
-
-def test_a_ratio_is_the_input_over_other_inputs_in_any_unit():
+def test_a_study_has_its_ratio_in_any_unit_its_safe_side_and_each_point_once():
     ((torque, *_),) = (study.axes for study in of("freewheel-torque"))
     case = find("freewheel-torque").inputs()
     shown = {one.name: one.own for one in torque.per}
@@ -48,17 +43,16 @@ def test_a_ratio_is_the_input_over_other_inputs_in_any_unit():
     assert torque.ratio == "T/(E R³)"
     assert ratio == pytest.approx(case.T / (case.E * case.R**3), rel=1e-9)
     assert torque.own * units.factor(torque.unit) == pytest.approx(case.T)
-
-
-def test_the_safe_side_is_that_of_the_case_or_of_the_formula_that_rests_on_the_row():
+    # a side that a formula on the row declares
     safe = {f.quantity: f.safe for f in of("polyhedral-ring")[0].formulas}
     assert safe["K of the paper"] is Safe.ABOVE
-
-
-def test_a_value_that_differs_from_the_case_s_own_in_the_last_bit_is_one_point():
+    # a value that differs from the case's own in the last bit is one point with it
     study = next(s for s in of("spring-accordion") if "α" in s.over and "r " in s.over)
     assert len(study.points) == 1 + 3 + 4 + 3
     assert study.points[0] == tuple(axis.own for axis in study.axes)
+    # no study: of a case that has none, or of a user's own
+    results = [SimpleNamespace(id=name, rows=()) for name in ("freewheel-clutch", "own-case")]
+    assert studies(results) == ()
 
 
 def test_a_part_of_another_size_all_in_proportion_has_the_same_errors(judged, of_paper):
@@ -76,3 +70,55 @@ def test_a_part_of_another_size_all_in_proportion_has_the_same_errors(judged, of
         if row.difference is not None and row.scale:
             error = known.difference / known.scale
             assert row.difference / row.scale == pytest.approx(error, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("x", "error", "spacing", "off"),
+    [
+        ((1, 2, 5), (0.0, 0.1, 0.4), "even", 0.0),
+        ((1, 2, 3), (0.0, 0.15, 0.2), "even", 0.05),
+        ((1, 10, 100), (0.0, 0.1, 0.2), "log", 0.0),
+        ((1, 2, 3, 4), (0.0, np.nan, 0.2, 0.4), "even", 0.2 / 3),
+        ((1, 2), (0.0, 0.1), "even", None),
+    ],
+)
+def test_interpolation_is_tried_at_each_point_between_two_others(
+    monkeypatch, x, error, spacing, off
+):
+    line = SimpleNamespace(
+        axis=SimpleNamespace(spacing=spacing), x=np.array(x, float), points=np.arange(len(x))
+    )
+    monkeypatch.setattr(regions, "lines", lambda *_: [line])
+    plan = SimpleNamespace(star=True, points=np.zeros((len(x), 1)))
+    course = SimpleNamespace(error=np.array(error))
+    assert regions.interpolation(plan, course) == (
+        None if off is None else pytest.approx(off, rel=0.3, abs=1e-12)
+    )
+
+
+@pytest.mark.parametrize(
+    "row",
+    [
+        "polyhedral-pressure/hoop stress, Eq. 9, against that of the outside",
+        "polyhedral-ring/K of the paper",
+    ],
+)
+def test_each_point_inside_a_range_keeps_its_limit(row):
+    """Of stored studies; the ends of a range are values that were compared."""
+    case, _, quantity = row.partition("/")
+    stored = evidence._studies(SimpleNamespace(case=case, quantity=quantity))
+    assert stored
+    for found in (one for one in regions.ranges(stored) if one.box):
+        plan, course = next(s for s in stored if over(s[0]) == found.over)
+        inside = np.ones(len(plan.points), bool)
+        for k, axis in enumerate(plan.axes):
+            shown = np.array([axis.shown(x) for x in plan.points[:, k]])
+            held = np.zeros(len(shown), bool)
+            for side in (one for one in found.box if one.name == axis.name):
+                assert {side.low, side.high} <= set(shown)
+                held = (shown >= side.low) & (shown <= side.high)
+            alone = found.is_star & (plan.points != plan.points[0]).any(axis=1)
+            varied = plan.points[:, k] != plan.points[0, k]
+            inside &= held | (alone & ~varied)  # of a star another input is varied there
+        size = np.abs(course.error) + course.U_error
+        assert (size[inside] <= found.limit).all()
