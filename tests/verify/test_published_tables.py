@@ -85,7 +85,6 @@ ROWS = wang()["tables"][0]["rows"]
         (TABLE | {"rows": [["k"]]}, "has 1 cells, the header 2"),
         (TABLE | {"rows": [["k", "0.601"]]}, "refer to its value"),
         (TABLE | {"rows": []}, "say why in its note"),
-        (TABLE | {"colour": "red"}, "colour"),
         (wang() | {"tables": []}, "needs Tables 1 to 1"),
         (wang(rows=[*ROWS, ("", "=k9", "", "")]), "no value k9"),
         (wang(rows=[*ROWS, ROWS[0]]), "stands in 2 cells"),

@@ -8,7 +8,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from verify.cases.registry import find
 from verify.core.case import Case, FemResult
 from verify.core.figures import Field
 from verify.core.inputs import Inputs, quantity
@@ -16,7 +15,7 @@ from verify.core.results import Status
 from verify.core.store import Store
 from verify.jobs import cache
 from verify.jobs.engine import Engine, GoneError
-from verify.jobs.executor import Here, local
+from verify.jobs.executor import Here
 from verify.jobs.level import Job
 from verify.jobs.processes import WorkerDiedError
 from verify.jobs.scheduler import run
@@ -174,15 +173,10 @@ def test_a_level_is_read_as_it_was_stored_and_a_torn_one_is_none(tmp_path):
     cache.store(tmp_path, CASE, Beam(), 1, made)
     read = cache.load(tmp_path, CASE, Beam(), 1)
     assert (read.h, read.values, read.u_it) == (made.h, made.values, made.u_it)
-    pairs = [(read.arrays, data), *((getattr(read.fields[0], part), getattr(field, part))
-                                    for part in ("point_data", "cell_data"))]  # fmt: skip
-    for again, first in pairs:
-        assert list(again) == list(first)
-        assert all((again[name] == first[name]).all() for name in first)
-    assert (read.fields[0].points == field.points).all()
-    assert (read.fields[0].cells == field.cells).all()
-    (stored,) = Store(tmp_path).all("level", CASE.id).items()
-    Store(tmp_path).store("level", CASE.id, {stored[0]: stored[1][:-10]})
+    np.testing.assert_equal(dict(read.arrays), data)
+    np.testing.assert_equal(vars(read.fields[0]), vars(field))
+    ((key, content),) = Store(tmp_path).all("level", CASE.id).items()
+    Store(tmp_path).store("level", CASE.id, {key: content[:-10]})
     assert cache.load(tmp_path, CASE, Beam(), 1) is None
 
 
@@ -204,19 +198,6 @@ def test_a_disk_that_fills_is_mentioned_once_and_the_run_continues(tmp_path, mon
 # Cases are judged on the engine while others are solved
 
 
-def compared(result):
-    return replace(result, seconds=0.0, cached=False).rows, result.equations, result.command
-
-
-def test_processes_judge_as_this_process_does(tmp_path):
-    case, done = find("polyhedral-pressure"), []
-    job = Job(case, case.inputs())
-    (there,) = run([job], engine=local(1), cache_folder=tmp_path, judged=done.append)
-    (here,) = run([job], cache_folder=tmp_path)
-    assert compared(there) == compared(here)
-    assert done == [there]
-
-
 def test_stored_cases_are_judged_on_the_engine_where_there_are_many(tmp_path):
     jobs = [Job(replace(CASE, id=f"ring-{n}"), Beam()) for n in range(4)]
     first = run(jobs, cache_folder=tmp_path)
@@ -232,7 +213,5 @@ def test_stored_cases_are_judged_on_the_engine_where_there_are_many(tmp_path):
 
     # what the store has lost meanwhile is judged here
     results = run(jobs, cache_folder=tmp_path, judged=cleared)
-    assert [compared(one) for one in results] == [compared(one) for one in first]
-    assert len(done) == 1
-    run(jobs, judged=done.append)  # without a store this process judges
+    assert [one.rows for one in results] == [one.rows for one in first]
     assert len(done) == 1

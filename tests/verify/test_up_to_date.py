@@ -40,11 +40,9 @@ def report(first, tmp_path, monkeypatch):
     return tmp_path
 
 
-def verified(report, *, use_cache=True, **form):
-    out = report / "out"
-    return commands.run_verify(
-        ["ring-lame"], quick=False, where=Where(1), out=out, use_cache=use_cache, **form
-    )
+def verified(report, **form):
+    given = {"quick": False, "where": Where(1), "out": report / "out", "use_cache": True}
+    return commands.run_verify(["ring-lame"], **given | form)
 
 
 @pytest.mark.slow("a report to begin with, from an empty store")
@@ -58,8 +56,10 @@ def test_a_second_run_prints_the_same_with_the_same_status_and_solves_nothing(re
     note = report / "out" / STAMP
     note.write_text(json.dumps(json.loads(note.read_text("utf-8")) | {"status": 1}), "utf-8")
     assert verified(report) == 1
-    with pytest.raises(MakesError):  # a run that trusts no results
-        verified(report, use_cache=False)
+    # a run that trusts no results, and other forms of the report
+    for form in ({"use_cache": False}, {"single_file": True}, {"full_pdf": True}):
+        with pytest.raises(MakesError):
+            verified(report, **form)
 
 
 CHANGES = {
@@ -79,9 +79,3 @@ def test_a_change_is_noticed(report, monkeypatch, change):
     change(report, monkeypatch)
     with pytest.raises(MakesError):
         verified(report)
-
-
-@pytest.mark.parametrize("form", ["single_file", "full_pdf"])
-def test_another_form_of_the_report_is_made(report, form):
-    with pytest.raises(MakesError):
-        verified(report, **{form: True})
