@@ -1,10 +1,12 @@
-"""Profiles of finite elements: their band, their distance in L2, and errors that nothing bounds."""
+"""Profiles of finite elements: band, distance in L2, open errors; and portions of cases."""
 
 from dataclasses import dataclass
 
 import numpy as np
 import pytest
 
+from verify.cases.polyhedral.ring.case import RING
+from verify.cases.spring.accordion.case import ACCORDION
 from verify.core.case import Context, FemResult
 from verify.core.results import Status
 from verify.judging.profile_checks import Estimated, Within, l2_error
@@ -67,3 +69,18 @@ def test_a_reference_that_stays_open_fails_on_the_paper_s_inputs_alone(paper, st
     assert {row.status for row in rows} <= {status, Status.SHOWN, Status.PASS}
     assert any(row.status is status for row in rows)
     assert paper or any(row.reason.startswith("cannot be judged") for row in rows)
+
+
+@pytest.mark.parametrize("case", [RING, ACCORDION], ids=lambda case: case.id)
+def test_a_portion_has_the_values_of_its_case_on_the_same_mesh(case):
+    for portion in case.portions:
+        level = portion.levels[0]
+        part, whole = (fem(case.inputs(), level) for fem in (portion.fem, case.reference))
+        assert set(part.values) == set(portion.keys)
+        assert part.h == whole.h
+        assert part.values == {key: whole.values[key] for key in portion.keys}
+        assert part.u_it == {key: whole.u_it[key] for key in portion.keys}
+        # rows of the case ask for it, on levels enough for its convergence
+        assert set(portion.keys) <= {getattr(check, "fem", None) for check in case.checks}
+        assert len(portion.levels) >= 3
+        assert list(portion.levels) == sorted(portion.levels)

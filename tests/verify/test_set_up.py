@@ -16,19 +16,7 @@ import pytest
 
 from verify.core import environment, system_packages, virtual_environment
 from verify.core.system_packages import Machine, check, line_to_run
-from verify.core.virtual_environment import (
-    DOWNLOADS,
-    FAILED,
-    GROUP,
-    LOG,
-    READY,
-    SetUpError,
-    install_downloaded,
-    pins,
-    set_up,
-    site_packages,
-    usable,
-)
+from verify.core.virtual_environment import GROUP, LOG, READY, pins, site_packages, usable
 
 ROOT = Path(__file__).parents[2]
 GLU, EGL = "libGLU.so.1", "libEGL.so.1"
@@ -173,7 +161,7 @@ def project(tmp_path, monkeypatch):
         wanted = dict(pin.split("==") for pin in pins(Path(words[-1]).read_text("utf-8")))
         here.asked += wanted
         if here.broken.intersection(wanted):
-            raise SetUpError("no connection to the package index")
+            raise virtual_environment.SetUpError("no connection to the package index")
         for name, version in wanted.items():
             add_package(folder, name, version=version)
 
@@ -188,7 +176,7 @@ def complete(project, lock=LOCK):
     path = project.folder.parent / "lock.txt"
     path.write_text(lock, "utf-8")
     project.asked = []
-    set_up(project.folder, path, project=False, shared=None)
+    virtual_environment.set_up(project.folder, path, project=False, shared=None)
     return project.asked
 
 
@@ -213,7 +201,9 @@ def test_an_interrupted_set_up_is_continued(project, monkeypatch, capsys):
     monkeypatch.chdir(project.folder.parent)
     assert virtual_environment.main() == 2
     assert "not complete (no connection to the package index)" in capsys.readouterr().err
-    assert (project.folder / FAILED).read_text() == "no connection to the package index\n"
+    assert (
+        project.folder / virtual_environment.FAILED
+    ).read_text() == "no connection to the package index\n"
     assert not (project.folder / READY).exists()
     project.broken = set()
     assert (complete(project), project.created) == (NAMES[GROUP:], 1)
@@ -248,12 +238,12 @@ def test_an_environment_is_used_where_it_is_whole_and_of_this_python_and_place(
 def test_what_a_killed_pip_had_downloaded_whole_is_installed_from_there(tmp_path, monkeypatch):
     calls = []
     monkeypatch.setattr(virtual_environment, "pip", lambda folder, *words: calls.append(words))
-    place = tmp_path / DOWNLOADS / "pip-unpack-x"
+    place = tmp_path / virtual_environment.DOWNLOADS / "pip-unpack-x"
     place.mkdir(parents=True)
     (place / "whole-1.0-py3-none-any.whl").write_bytes(b"whole")
     (place / "part-1.0-py3-none-any.whl").write_bytes(b"who")
     digest = hashlib.sha256(b"whole").hexdigest()
     lock = f"whole==1.0 --hash=sha256:{digest}\npart==1.0 --hash=sha256:{'0' * 64}\n"
-    install_downloaded(tmp_path, lock)
+    virtual_environment.install_downloaded(tmp_path, lock)
     assert calls == [("--no-index", str(place / "whole-1.0-py3-none-any.whl"))]
-    assert not (tmp_path / DOWNLOADS).exists()
+    assert not (tmp_path / virtual_environment.DOWNLOADS).exists()

@@ -59,21 +59,17 @@ def test_a_sweep_with_a_point_that_failed_ends_with_one_and_has_its_files(
 ):
     monkeypatch.setattr(command, "files", lambda *_: {"sweep.json": b"{}\n"})
     assert swept(REFUSED, FAILED) == 1
-    out, err = capsys.readouterr()
+    out, err = capsys.readouterr()  # what is being done is on the other stream
     assert json.loads(out) == {}
-    # what is being done is on the other stream
     assert err.startswith("ring: 2 points of polyhedral-ring, 1 row\n")
 
 
-@pytest.mark.parametrize(
-    ("options", "said"),
-    [
+def test_options_that_make_no_sweep_are_refused_in_a_line(ring, capsys):
+    for options, said in (
         ("", "sweep needs --vary NAME=a:b:n, or --sample"),
         ("--vary z=3:4:2 --sample sobol:8", "--vary, which makes a grid, and --sample exclude"),
         ("--star --sample sobol:8", "--star belongs to --vary"),
-    ],
-)
-def test_options_that_make_no_sweep_are_refused_in_a_line(ring, capsys, options, said):
-    assert run(["sweep", str(ring), *options.split()]) == 2
-    (line,) = capsys.readouterr().err.splitlines()
-    assert said in line
+    ):
+        assert run(["sweep", str(ring), *options.split()]) == 2
+        (line,) = capsys.readouterr().err.splitlines()
+        assert said in line

@@ -1,12 +1,11 @@
 """Sweeps on a cluster whose workers or scheduler are killed end as undisturbed ones."""
 
 import os
-import signal
 import socket
 import subprocess
 import sys
 import time
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 
 import pytest
 
@@ -52,20 +51,9 @@ def wait_for_points(folder, count):
         time.sleep(0.05)
 
 
-def below(pid):
-    """Processes below one, the worker processes last."""
-    done = subprocess.run(["ps", "-eo", "pid=,ppid=,args="], capture_output=True, text=True)
-    rows = [line.split(None, 2) for line in done.stdout.splitlines()]
-    found = [pid]
-    for parent in found:
-        found += [int(p) for p, of, args in rows
-                  if int(of) == parent and "resource_tracker" not in args]  # fmt: skip
-    return found[1:]
-
-
 @contextmanager
 def listening():
-    """A dask scheduler with two workers, as an engineer starts them: its process and address."""
+    """A dask scheduler with two workers, as an engineer starts them: processes and address."""
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
@@ -79,14 +67,11 @@ def listening():
         )  # fmt: skip
 
     scheduler = start("scheduler", "--host", "127.0.0.1", "--port", str(port))
-    workers = start("worker", address, "--nthreads", "1", "--nworkers", "2")
+    workers = [start("worker", address, "--nthreads", "1", "--no-nanny") for _ in range(2)]
     try:
         yield scheduler, workers, address
     finally:
-        for pid in below(workers.pid):
-            with suppress(OSError):
-                os.kill(pid, signal.SIGKILL)
-        for process in (workers, scheduler):
+        for process in (*workers, scheduler):
             process.kill()
             process.wait()
 
@@ -95,7 +80,7 @@ def test_a_killed_scheduler_is_named_and_another_one_continues_with_the_same_num
     with listening() as (scheduler, workers, address):
         process = client(tmp_path, "--engine", "dask", "--scheduler", address)
         wait_for_points(tmp_path, 2)
-        os.kill(below(workers.pid)[-1], signal.SIGKILL)  # a worker: the scheduler has another
+        workers[0].kill()  # the scheduler has another
         wait_for_points(tmp_path, points(tmp_path) + 2)
         scheduler.kill()
         status, said = ended(process)

@@ -12,16 +12,8 @@ from verify.answers.assumed.registry import ASSUMPTIONS
 from verify.answers.template import template
 from verify.app.cli import run
 from verify.cases.registry import CASES
-from verify.core.inputs import (
-    REQUIRED,
-    Inputs,
-    build,
-    choices,
-    entry_model,
-    is_table,
-    meta,
-    quantity,
-)
+from verify.core import inputs as kinds
+from verify.core.inputs import Inputs, build, is_table, meta, quantity
 from verify.studies.design.inputs import load as load_spring
 from verify.studies.design_sprag.inputs import load as load_sprag
 
@@ -46,7 +38,7 @@ def inputs_in(case):
         first.setdefault(name, text.partition("\n\n")[0])
     assert list(first) == [n for n, f in fields.items() if is_table(f)]
     for name, text in first.items():
-        yield entry_model(fields[name]).model_fields, lines_in(text)
+        yield kinds.entry_model(fields[name]).model_fields, lines_in(text)
 
 
 def test_a_template_builds_to_the_paper_s_inputs_and_a_tool_s_needs_eight_lines_at_most():
@@ -92,7 +84,7 @@ def check_line(field, source, hidden, _name, value, comment):
     about = meta(field)
     assert about["what"] in comment
     assert source in comment
-    if words := choices(field):
+    if words := kinds.choices(field):
         assert f"one of {', '.join(words)}" in comment
     elif about["unit"] == "1":
         assert ("text" if field.annotation is str else "number") in comment
@@ -100,7 +92,7 @@ def check_line(field, source, hidden, _name, value, comment):
         assert value.strip('"').endswith(about["unit"])
     if field.metadata:
         assert re.search(r"at (least|most)|(greater|less) than", comment)
-    optional = bool(source) or about["omitted"] != REQUIRED
+    optional = bool(source) or about["omitted"] != kinds.REQUIRED
     assert ("optional" in comment) == optional
     assert not hidden or optional
     if about["claims"]:
