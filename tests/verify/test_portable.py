@@ -10,18 +10,12 @@ from pydantic import ValidationError, model_validator
 
 from verify.app.cli import run
 from verify.audit.portable import command, reasons, runner
+from verify.audit.portable import variants as emulating
 from verify.audit.portable.compare import Kind, differences
 from verify.audit.portable.moving import Record, move
 from verify.audit.portable.perturbation import SIZE, Outcome, perturb_defaults, perturbed
 from verify.audit.portable.store import CaseRecord, Place
-from verify.audit.portable.variants import (
-    BASELINE,
-    CORE_TYPE,
-    Machines,
-    Variant,
-    candidates,
-    machines,
-)
+from verify.audit.portable.variants import BASELINE, CORE_TYPE, Variant
 from verify.cases.registry import CASES, find
 from verify.core.inputs import EntryError, InputError, Inputs, count, quantity, table, word
 from verify.core.store import Store
@@ -99,7 +93,7 @@ def test_machines_that_are_no_others_or_that_the_processor_is_not_are_not_emulat
         }
 
     flags = frozenset({"pni", "sse4_2", "avx", "avx2"})
-    found = machines(candidates(FOUND, seeds=2), probe, flags, {})
+    found = emulating.machines(emulating.candidates(FOUND, seeds=2), probe, flags, {})
     assert [one.name for one in found.variants] == [
         "baseline", "threads-2", "core-prescott", "core-nehalem", "numpy-baseline",
         "numba-generic", "perturbed-1", "perturbed-2",
@@ -126,11 +120,10 @@ FACT = replace(ROW, kind="fact", values={"reference": 2.0}, difference=1.5, tole
 NAN = math.nan
 
 
-@pytest.mark.parametrize(
-    ("was", "now", "size"),
-    [
-        # its reference moves by shares of the tolerance
-        (ROW, MOVED, 0.2),
+def test_the_size_of_a_move():
+    free = replace(ROW, tolerance=None, scale=None, difference=None, values={"formula": 50.0})
+    for was, now, size in (
+        (ROW, MOVED, 0.2),  # its reference moves by shares of the tolerance
         # both sides move alike, on the same inputs
         (ROW, {"values": {"formula": 2.002, "reference": 2.003}}, 0.2),
         # without a finite tolerance: shares of 1e-5 of the scale
@@ -139,12 +132,10 @@ NAN = math.nan
         (FACT, {"values": {"reference": 1.85}, "difference": 1.35}, 0.1),
         (replace(ROW, values={"formula": NAN}), {"values": {"formula": 2.0}}, math.inf),
         (replace(ROW, difference=NAN, values={"formula": NAN}), {}, 0.0),
-        (replace(ROW, tolerance=None, scale=None, difference=None, values={"formula": 50.0}),
-         {"values": {"formula": 50.0005}}, 1.0),
-    ],
-)  # fmt: skip
-def test_the_size_of_a_move(was, now, size):
-    assert move(was, replace(was, **now), perturbed=False) == pytest.approx(size, rel=1e-4)
+        (free, {"values": {"formula": 50.0005}}, 1.0),
+    ):
+        found = move(was, replace(was, **now), perturbed=False)
+        assert found == pytest.approx(size, rel=1e-4)
 
 
 def compared(before=ROW, *, perturbed=False, **change):
@@ -152,9 +143,8 @@ def compared(before=ROW, *, perturbed=False, **change):
     return differences((before, *OTHERS), (now, *OTHERS), "there", perturbed=perturbed)
 
 
-@pytest.mark.parametrize(
-    ("change", "kind", "was", "now"),
-    [
+def test_a_status_a_value_or_a_tolerance_that_differs_is_reported():
+    for change, kind, was, now in (
         ({"status": "FAIL", "reason": "sharp"}, Kind.STATUS, "PASS", "FAIL (sharp)"),
         # by more than a tenth of the tolerance
         ({"difference": -0.0021, "values": {**VALUES, "reference": 2.0021}}, Kind.VALUE, "", ""),
@@ -163,12 +153,10 @@ def compared(before=ROW, *, perturbed=False, **change):
         ({"tolerance": 0.0199}, None, "", ""),
         ({"tolerance": 0.0201}, Kind.VALUE, "tolerance 0.01", "tolerance 0.0201"),
         ({"tolerance": None}, Kind.VALUE, "tolerance 0.01", "tolerance none"),
-    ],
-)
-def test_a_status_a_value_or_a_tolerance_that_differs_is_reported(change, kind, was, now):
-    found = compared(**change)
-    assert [(one.row, one.kind) for one in found] == ([(ROW.id, kind)] if kind else [])
-    assert all(one.was.endswith(was) and one.now.endswith(now) for one in found)
+    ):
+        found = compared(**change)
+        assert [(one.row, one.kind) for one in found] == ([(ROW.id, kind)] if kind else [])
+        assert all(one.was.endswith(was) and one.now.endswith(now) for one in found)
 
 
 def test_other_rows_are_reported():
@@ -192,7 +180,7 @@ def test_of_a_fact_a_tenth_of_its_margin_counts_and_perturbed_sides_may_move_ali
 def summary_of(tmp_path, stated=(), **change):
     """The comparison of a baseline with a variant that has a changed row, both as stored."""
     variants = (Variant(BASELINE, "here"), Variant("there", "elsewhere"))
-    emulated = Machines(variants, {BASELINE: {}, "there": {}}, {})
+    emulated = emulating.Machines(variants, {BASELINE: {}, "there": {}}, {})
     work = []
     for name, one in ((BASELINE, ROW), ("there", replace(ROW, **change))):
         place = Place(Store(tmp_path), name, "key")
@@ -246,19 +234,19 @@ def test_wrong_arguments_are_refused_in_one_line(capsys):
 def test_a_sample_of_rows_has_the_same_verdicts_on_other_machines(tmp_path, monkeypatch, capsys):
     """Perturbed inputs and two BLAS threads, with caches of their own; run again, nothing is."""
     monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path / "cache"))
-    arguments = ["portable", *SAMPLE, "--only", "perturbed-1", "--only", "threads-2", "--jobs", "2"]
-    status = run([*arguments, "--out", str(tmp_path)])
+    arguments = ["portable", *SAMPLE, "--only", "perturbed-1", "--only", "threads-2", "--jobs", "2",
+                 "--out", str(tmp_path)]  # fmt: skip
+    status = run(arguments)
     text = capsys.readouterr().out
     data = json.loads((tmp_path / "portable.json").read_text("utf-8"))
-    first = [d["row"] for d in data["differences"] if d["kind"] != Kind.VALUE]
-    assert not first, text
+    assert not [d["row"] for d in data["differences"] if d["kind"] != Kind.VALUE], text
     assert not data["failures"], text
     assert {m["cases"] for m in data["machines"]} == {len(SAMPLE)}
     own = Store(tmp_path / "cache-machines" / "perturbed-1").groups()
     assert ("level", "ring-lame") in {(group.kind, group.subject) for group in own}
     assert status == (0 if data["portable"] else 1)
     stored = Store(tmp_path / "cache").groups()
-    assert run([*arguments, "--out", str(tmp_path)]) == status
+    assert run(arguments) == status
     assert Store(tmp_path / "cache").groups() == stored
 
 

@@ -43,17 +43,14 @@ def test_evidence_that_does_not_stand_or_was_not_run_gives_no_verdict(row, chang
     assert verdict(formula()).verdict is Verdict.NONE
 
 
-@pytest.mark.parametrize(
-    ("changes", "says"),
-    [
+def test_what_is_no_declaration_is_refused():
+    for changes, says in (
         ({"part": ()}, "give one of defines, missing, or evidence"),
         ({"form": Form.CORRECTED} | MISPRINT, "errata belong to the printed form"),
         ({"caution": "but it buckles"}, "give caution and caution_row together"),
-    ],
-)
-def test_what_is_no_declaration_is_refused(changes, says):
-    with pytest.raises(ValueError, match=says):
-        formula(**changes)
+    ):
+        with pytest.raises(ValueError, match=says):
+            formula(**changes)
 
 
 def test_a_measured_error_counts_where_its_meshes_converge(row):
@@ -77,13 +74,10 @@ def test_an_identity_alone_is_exact_if_sharp_and_beside_the_part_a_second_statem
     assert "same simplifications" in got.words
 
 
-@pytest.mark.parametrize(
-    ("changes", "kind"),
-    [({"defines": "x"}, Verdict.DEFINITION), ({"missing": "x"}, Verdict.UNVERIFIABLE)],
-)
-def test_what_has_no_evidence_says_why(changes, kind):
-    got = verdict(formula(part=(), **changes))
-    assert (got.verdict, got.words) == (kind, "x")
+def test_what_has_no_evidence_says_why():
+    for key, kind in (("defines", Verdict.DEFINITION), ("missing", Verdict.UNVERIFIABLE)):
+        got = verdict(formula(part=(), **{key: "why"}))
+        assert (got.verdict, got.words) == (kind, "why")
 
 
 def test_a_caution_needs_a_row_that_stands_and_joins_the_sentence(row):
@@ -123,15 +117,10 @@ def test_accurate_is_what_a_study_spans_the_design_range_of_without_a_caution(ro
     assert verdict(formula(), *rows).verdict is Verdict.PART  # no range is declared
 
 
-@pytest.mark.parametrize(
-    ("error", "says"),
-    [
-        (-0.004, "; at most 0.5 % too low, the unsafe side"),
-        (0.004, "; all errors on the safe side"),
-    ],
-)
-def test_an_accurate_formula_states_its_unsafe_side(row, error, says):
-    assert says in verdict(formula(), row("x", error, 0.001)).words
+def test_an_accurate_formula_states_its_unsafe_side(row):
+    low, high = (verdict(formula(), row("x", error, 0.001)).words for error in (-0.004, 0.004))
+    assert "; at most 0.5 % too low, the unsafe side" in low
+    assert "; all errors on the safe side" in high
 
 
 # Misprints

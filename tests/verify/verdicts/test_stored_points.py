@@ -72,28 +72,22 @@ def test_a_part_of_another_size_all_in_proportion_has_the_same_errors(judged, of
             assert row.difference / row.scale == pytest.approx(error, abs=1e-9)
 
 
-@pytest.mark.parametrize(
-    ("x", "error", "spacing", "off"),
-    [
+def test_interpolation_is_tried_at_each_point_between_two_others(monkeypatch):
+    for x, error, spacing, off in (
         ((1, 2, 5), (0.0, 0.1, 0.4), "even", 0.0),
         ((1, 2, 3), (0.0, 0.15, 0.2), "even", 0.05),
         ((1, 10, 100), (0.0, 0.1, 0.2), "log", 0.0),
         ((1, 2, 3, 4), (0.0, np.nan, 0.2, 0.4), "even", 0.2 / 3),
-        ((1, 2), (0.0, 0.1), "even", None),
-    ],
-)
-def test_interpolation_is_tried_at_each_point_between_two_others(
-    monkeypatch, x, error, spacing, off
-):
-    line = SimpleNamespace(
-        axis=SimpleNamespace(spacing=spacing), x=np.array(x, float), points=np.arange(len(x))
-    )
-    monkeypatch.setattr(regions, "lines", lambda *_: [line])
-    plan = SimpleNamespace(star=True, points=np.zeros((len(x), 1)))
-    course = SimpleNamespace(error=np.array(error))
-    assert regions.interpolation(plan, course) == (
-        None if off is None else pytest.approx(off, rel=0.3, abs=1e-12)
-    )
+    ):
+        axis, points = SimpleNamespace(spacing=spacing), np.arange(len(x))
+        line = SimpleNamespace(axis=axis, x=np.array(x, float), points=points)
+        monkeypatch.setattr(regions, "lines", lambda *_, line=line: [line])
+        plan = SimpleNamespace(star=True, points=points[:, None])
+        found = regions.interpolation(plan, SimpleNamespace(error=np.array(error)))
+        assert found == pytest.approx(off, rel=0.3, abs=1e-12)
+    two = SimpleNamespace(axis=axis, x=np.array([1.0, 2.0]), points=points[:2])
+    monkeypatch.setattr(regions, "lines", lambda *_: [two])
+    assert regions.interpolation(plan, SimpleNamespace(error=np.zeros(4))) is None
 
 
 @pytest.mark.parametrize(
