@@ -1,23 +1,16 @@
 """One case that goes wrong is red; the others are judged as usual, and nothing is solved twice."""
 
 import os
-from concurrent.futures import Future
-from contextlib import nullcontext
 from dataclasses import replace
 
-import numpy as np
 import pytest
 
 from verify.core.case import Case, FemResult
-from verify.core.figures import Field
 from verify.core.inputs import Inputs, quantity
 from verify.core.results import Status
 from verify.core.store import Store
 from verify.jobs import cache
-from verify.jobs.engine import Engine, GoneError
-from verify.jobs.executor import Here
 from verify.jobs.level import Job
-from verify.jobs.processes import WorkerDiedError
 from verify.jobs.scheduler import run
 from verify.judging.checks import Fact
 
@@ -113,35 +106,6 @@ def test_finite_elements_that_raise_turn_the_rows_that_need_them_red(error, reas
     assert len(result.errors) == traced
 
 
-def test_ctrl_c_is_no_fault_of_a_case():
-    def stop(*_):
-        raise KeyboardInterrupt
-
-    for part in ("reference", "analytic", "tables"):
-        with pytest.raises(KeyboardInterrupt):
-            run([Job(replace(CASE, **{part: stop}), Beam())])
-
-
-class Dying(Here):
-    """In place of processes: the finest level's dies whenever it is tried."""
-
-    def submit(self, function, /, task):
-        if task.case is CASE and task.level == 4:
-            future = Future()
-            future.set_exception(WorkerDiedError("the process died (signal 9)"))
-            return future
-        return super().submit(function, task)
-
-
-def test_a_level_whose_process_died_is_a_red_row_of_its_case_alone():
-    bad = beside(CASE, engine=nullcontext(Engine(Dying(), lambda: 2)))
-    died = ("FAIL", "level 4: the process died (signal 9)")
-    assert rows_of(bad) == {"with elements": died, "formula alone": HELD}
-    gone = nullcontext(Engine(Dying(), lambda: 1, gone=lambda: "it is gone"))
-    with pytest.raises(GoneError, match="it is gone"):
-        run([Job(CASE, Beam())], engine=gone)
-
-
 # The cache and the order of levels.
 
 
@@ -161,23 +125,6 @@ def test_what_is_stored_is_not_solved_again(tmp_path):
         run([Job(case, Beam())], cache_folder=tmp_path, show=states.append)
         assert solved == [4, 1, 2]
         assert {(s.done, s.total) for s in states} == {(2, 3), (3, 3)}
-
-
-def test_a_level_is_read_as_it_was_stored_and_a_torn_one_is_none(tmp_path):
-    data = {"u": np.arange(6.0).reshape(3, 2), "T": np.arange(3.0)}
-    field = Field(
-        name="strip", points=np.eye(3), cells=np.array([[0, 1, 2]]), point_data=data,
-        cell_data={"p": np.array([1.0]), "q": np.array([2.0])}, units={"u": "mm"},
-    )  # fmt: skip
-    made = FemResult(h=0.5, values={"v": 1.0}, u_it={"v": 1e-9}, arrays=data, fields=(field,))
-    cache.store(tmp_path, CASE, Beam(), 1, made)
-    read = cache.load(tmp_path, CASE, Beam(), 1)
-    assert (read.h, read.values, read.u_it) == (made.h, made.values, made.u_it)
-    np.testing.assert_equal(dict(read.arrays), data)
-    np.testing.assert_equal(vars(read.fields[0]), vars(field))
-    ((key, content),) = Store(tmp_path).all("level", CASE.id).items()
-    Store(tmp_path).store("level", CASE.id, {key: content[:-10]})
-    assert cache.load(tmp_path, CASE, Beam(), 1) is None
 
 
 def test_a_disk_that_fills_is_mentioned_once_and_the_run_continues(tmp_path, monkeypatch):

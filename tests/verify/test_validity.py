@@ -1,7 +1,6 @@
 """Where formulas hold: what is measured, valid while its code stands, and written on cards."""
 
 from dataclasses import replace
-from itertools import combinations, product
 
 import numpy as np
 import pytest
@@ -177,33 +176,6 @@ def test_every_case_with_pairs_has_scans_around_its_own_inputs_or_says_why_not()
                 is_held = any(text.startswith(f"{axis.name}=") for text in scan.at)
                 is_inside = axis.values[0] <= axis.nominal <= axis.values[-1]
                 assert is_inside or is_held, (case.id, axis.name)
-
-
-def test_cards_say_what_the_stored_numbers_say(monkeypatch):
-    """Of every box of a grid of two axes, the largest of which all points are inside."""
-    case = registry.find("polyhedral-ring", registry.CASES)
-    record = kept.RECORDS.stored(case.id)
-    monkeypatch.setattr(kept, "_made_by", lambda *_: record.made_by)
-    drawn = {card.quantity: card.regions[0] for card in of_case(case, result()).cards}
-    axes = [axis.values for axis in kept.plans(case)[0].axes]  # the last one fastest
-    assert drawn
-    for row, stored in record.content[0].items():
-        if (of := drawn.get(row)) is None:
-            continue  # an identity, which has no card
-        pairs_of = zip(stored["error"], stored["U"], strict=True)
-        largest = np.array([NAN if u is None else abs(e) + u for e, u in pairs_of])
-        for one in of.limits:
-            inside = (largest <= one.limit).reshape([len(values) for values in axes])
-            rows, columns = ([*combinations(range(n + 1), 2)] for n in inside.shape)
-            boxes = [inside[i:j, k:m] for (i, j), (k, m) in product(rows, columns)]
-            ranges = one.box or [("", np.inf, -np.inf)] * 2
-            within = inside[np.ix_(*(
-                [low <= v <= high for v in axis.values]
-                for axis, (_, low, high) in zip(of.axes, ranges, strict=True)
-            ))]  # fmt: skip
-            assert one.inside == inside.sum()
-            assert within.all()
-            assert within.size == max(box.size * bool(box.all()) for box in boxes)
 
 
 def test_a_formula_has_its_equation_where_it_is_certain_which():
