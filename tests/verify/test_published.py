@@ -21,7 +21,7 @@ from verify.core.inputs import meta
 from verify.papers import ledger
 from verify.papers.digits import half_last_digit, number
 from verify.papers.entries import Value
-from verify.papers.ledger import Paper, erratum, papers, published
+from verify.papers.ledger import Paper, papers, published
 
 ROOT = Path(verify.__file__).parent.parent
 # How many equations and tables each paper numbers, counted in the papers.
@@ -61,13 +61,6 @@ def test_formulas_can_be_set_and_have_the_numbers_of_their_entries():
             for tex in filter(None, (entry.get("printed_tex"), entry.get("right_tex"))):
                 assert numbers(DECIMALS, tex) <= set(re.findall(DECIMALS, both)), tex
                 assert numbers(INTEGERS, tex) <= set(re.findall(r"\d+", both)), tex
-
-
-def test_a_value_or_erratum_that_is_not_there_is_refused():
-    for lookup in (published, erratum):
-        for reference in ("wang2023:nothing", "nobody:b", "b"):
-            with pytest.raises(KeyError):
-                lookup(reference)
 
 
 def test_a_default_that_claims_a_printed_value_is_that_value():
@@ -121,19 +114,16 @@ def test_tests_rows_and_code_that_a_ledger_names_exist():
 # What a printed string means
 
 
-@pytest.mark.parametrize(
-    ("printed", "value", "half"),
-    [
+def test_a_printed_string_is_a_number_with_a_last_digit():
+    for printed, value, half in (
         ("0.610", 0.61, 0.0005),  # the zero was printed: it counts
         ("3500", 3500.0, 0.5),
         ("−1.62", -1.62, 0.005),  # the printer's minus
         ("1.4 × 10^−5", 1.4e-5, 5e-7),
         ("2.06e5", 2.06e5, 500.0),
-    ],
-)
-def test_a_printed_string_is_a_number_with_a_last_digit(printed, value, half):
-    assert number(printed) == value
-    assert half_last_digit(printed) == pytest.approx(half, rel=1e-15)
+    ):
+        assert number(printed) == value
+        assert half_last_digit(printed) == pytest.approx(half, rel=1e-15)
 
 
 def test_what_is_no_printed_number_is_refused():

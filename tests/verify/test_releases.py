@@ -159,17 +159,14 @@ def test_what_lets_less_pass_is_counted():
 # Names
 
 
-@pytest.mark.parametrize(
-    ("change", "reported"),
-    [
+def test_a_row_with_a_new_name_and_the_old_numbers_is_the_same_row():
+    for change, reported in (
         ({"demand": 0.02}, [("name", False), ("demand", True)]),
         ({"fem": ROW.fem * (1 + 1e-7), "u_num": 0.0012}, [("name", False)]),  # another processor
         ({"fem": ROW.fem * (1 + 1e-5)}, [("gone", True), ("new", False)]),
         ({"quantity": "p within 2 % of the best"}, [("name", True)]),  # another figure in it
-    ],
-)
-def test_a_row_with_a_new_name_and_the_old_numbers_is_the_same_row(change, reported):
-    assert aspects(found(ROW, {"quantity": "p"} | change)) == reported
+    ):
+        assert aspects(found(ROW, {"quantity": "p"} | change)) == reported
 
 
 def test_a_row_that_is_gone_needs_a_reason_and_new_ones_are_counted():

@@ -3,8 +3,6 @@
 import os
 from dataclasses import replace
 
-import pytest
-
 from verify.core.case import Case, FemResult
 from verify.core.inputs import Inputs, quantity
 from verify.core.results import Status
@@ -86,24 +84,21 @@ def test_formulas_and_checks_that_raise_turn_their_rows_red_by_their_names():
     assert len(result.errors) == 2
 
 
-@pytest.mark.parametrize(
-    ("error", "reason", "traced"),
-    [
+def test_finite_elements_that_raise_turn_the_rows_that_need_them_red():
+    for error, reason, traced in (
         (ArithmeticError("residual 1e+00"), "not converged: level 4: residual 1e+00", 0),
         (Exception("gmsh says\n  no"), "level 4: Exception: gmsh says no", 1),
         (MemoryError(), "level 4: MemoryError", 1),
-    ],
-    ids=lambda value: type(value).__name__,
-)
-def test_finite_elements_that_raise_turn_the_rows_that_need_them_red(error, reason, traced):
-    def fem(inputs, level):
-        if level == 4:
-            raise error
-        return made_up(inputs, level)
+    ):
 
-    result = beside(replace(CASE, reference=fem))
-    assert rows_of(result) == {"with elements": ("FAIL", reason), "formula alone": HELD}
-    assert len(result.errors) == traced
+        def fem(inputs, level, error=error):
+            if level == 4:
+                raise error
+            return made_up(inputs, level)
+
+        result = beside(replace(CASE, reference=fem))
+        assert rows_of(result) == {"with elements": ("FAIL", reason), "formula alone": HELD}
+        assert len(result.errors) == traced
 
 
 # The cache and the order of levels.

@@ -35,7 +35,7 @@ def test_every_case_states_what_it_assumes_in_sentences_with_a_source():
         for record in records:
             assert record.source
             assert record.sentence.startswith("formula and reference assume that ")
-            assert record.effect is None or math.isfinite(record.effect)
+            assert math.isfinite(record.effect or 0)
             number = f"{100 * (record.effect or 0):+.3g}".rstrip("0").rstrip(".")[:4]
             assert record.effect is None or number in record.sentence
     assert shared_readings("curved-bar", None, {}) == ()  # of no case

@@ -2,8 +2,6 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from tests.verify.sweep_made import CASE, Plate, chosen
 from verify.core.inputs import InputError, Inputs, quantity, table, word
@@ -103,14 +101,3 @@ def test_a_sample_has_two_matrices_and_the_first_with_columns_of_the_second():
     ):
         with pytest.raises(InputError, match=said):
             sample(CASE, "plate", Plate(), chosen(), count, tolerances)
-
-
-@given(st.sampled_from([8, 64]), st.integers(0, 50))
-def test_a_sample_fills_its_tolerances_evenly(count, seed):
-    plan = sample(
-        CASE, "plate", Plate(), chosen(), f"sobol:{count}", ["a=±1mm", "b=±0.5mm"], seed=seed
-    )
-    for of, column in zip(plan.tolerances, plan.points[: 2 * count].T, strict=True):
-        share = (column - of.nominal + of.off) / (2 * of.off)
-        for half in (share[:count], share[count:]):  # one point in each of as many steps
-            assert sorted(np.floor(half * count)) == list(range(count))

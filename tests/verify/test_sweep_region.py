@@ -96,15 +96,6 @@ def test_a_grid_gives_shares_the_box_and_what_breaks_it_first():
     assert [by.last, by.first, by.at] == mm(4, 5, 4.5)
 
 
-def test_a_formula_that_holds_everywhere_or_nowhere_has_nothing_that_breaks_it():
-    found = region(planned("a=1:4mm:4", "n=2:6:5"), 0.01)
-    assert ([r.whole for r in found.box], found.breaks) == ([True, True], None)
-    assert (found.held, found.points, found.everywhere) == (20, 20, True)
-    found = region(planned("a=1:4mm:4"), 0.2)
-    assert (found.outside, found.box, found.held, found.base) == (4, (), 0, None)
-    assert (found.breaks, found.at_nominal) == (None, OUTSIDE)
-
-
 def test_the_break_is_the_one_next_to_the_nominal_point_as_a_share_of_the_axis():
     plan = planned("a=1:5mm:5", "b=1:9mm:9", a=3e-3, b=5e-3)
     a, b = np.round(plan.points.T * 1e3)

@@ -30,48 +30,35 @@ def test_every_unit_of_the_tools_is_converted_once_into_the_same_quantity():
     assert used - neutral - set(DISPLAYED["inch"]) == set()
 
 
-@pytest.mark.parametrize(
-    ("value", "unit", "expected", "target"),
-    [
+def test_numbers_and_sentences_are_in_inch_and_pound():
+    for value, unit, expected, target in (
         (25.4, "µm", 1.0, "mil"),
         (1.0, "N m", 1 / 0.1129848290276167, "lbf in"),  # NIST SP 811: 1 lbf in = 0.1129848 N m
         (6.894757293, "MPa", 1.0, "ksi"),
         (1.0, "N/mm", 1000 * 0.0254 / 4.4482216152605, "lbf/in"),
         (30.0, "deg", 30.0, "deg"),
-    ],
-)
-def test_inch_and_pound(value, unit, expected, target):
-    number, shown = converted(value, unit, "inch")
-    assert shown == target
-    assert number == pytest.approx(expected, rel=1e-9)
-
-
-@pytest.mark.parametrize(
-    ("raw", "system"),
-    [
-        ({"R": "25 mm", "r": "1 in"}, "mm"),
-        ({"T": "5 lbf in", "p": "3 ksi"}, "inch"),
-        ({"segments": [{"shaft": "in", "length": "10 in"}]}, "inch"),
-        ({"L1": "0.4 in : 0.6 in : 9", "b": ["4 mil", "5 mil"]}, "inch"),
-        ({}, "mm"),
-    ],
-)
-def test_the_system_of_a_file_is_that_of_most_lengths(raw, system):
-    assert system_of(raw) == system
-
-
-@pytest.mark.parametrize(
-    ("text", "expected"),
-    [
+    ):
+        assert converted(value, unit, "inch") == (pytest.approx(expected, rel=1e-9), target)
+    for text, expected in (
         ("first the contacts slip (764.4 N m, 4.25 T)",
          "first the contacts slip (6766 lbf in, 4.25 T)"),
         ("sprag-wedge turns by 12.1°, 41 slices", "sprag-wedge turns by 12.1°, 41 slices"),
         ("5 N m s/rad, 3 kg m^2", "44.3 lbf in s/rad, 10252 lb in^2"),
-    ],
-)  # fmt: skip
-def test_sentences_are_converted_number_by_number(text, expected):
-    assert text_in(text, "inch") == expected
-    assert text_in(text, "mm") == text
+    ):  # fmt: skip
+        assert text_in(text, "inch") == expected
+        assert text_in(text, "mm") == text
+
+
+def test_the_system_of_a_file_is_that_of_most_lengths():
+    for raw, system in (
+        ({"R": "25 mm", "r": "1 in"}, "mm"),
+        ({"R": "25 mm", "r": "1 in", "l": "2 inch"}, "inch"),
+        ({"T": "5 lbf in", "p": "3 ksi"}, "inch"),
+        ({"segments": [{"shaft": "in", "length": "10 in"}]}, "inch"),
+        ({"L1": "0.4 in : 0.6 in : 9", "b": ["4 mil", "5 mil"]}, "inch"),
+        ({}, "mm"),
+    ):
+        assert system_of(raw) == system
 
 
 def answered(capsys, *command):

@@ -45,9 +45,11 @@ def test_a_verdict_that_is_not_the_one_of_record_is_named():
     assert record.moved(kept[1:]) == [f"verdict of {kept[0].id}: on record only"]
 
 
-@pytest.mark.parametrize(
-    ("star", "changes", "where"),
-    [
+def test_a_user_s_inputs_lie_inside_outside_or_were_not_compared():
+    box = (Side(name="r_i", symbol="r_i", unit="mm", low=5.0, high=24.0),
+           Side(name="nu", symbol="ν", unit="1", low=0.1, high=0.4))  # fmt: skip
+    wide = tuple(replace(side, low=side.low / 2, high=side.high * 1.1) for side in box)
+    for star, changes, where in (
         (True, {}, Where.INSIDE),
         (True, {"r_i": 6e-3}, Where.INSIDE),
         (True, {"r_i": 4e-3}, Where.OUTSIDE),
@@ -56,20 +58,15 @@ def test_a_verdict_that_is_not_the_one_of_record_is_named():
         (False, {"r_i": 6e-3, "nu": 0.43}, Where.OUTSIDE),
         (False, {"r_i": 6e-3, "nu": 0.45}, Where.NOT_COMPARED),
         (False, {"E": 1e11}, Where.NOT_COMPARED),
-    ],
-)
-def test_a_user_s_inputs_lie_inside_outside_or_were_not_compared(star, changes, where):
-    box = (Side(name="r_i", symbol="r_i", unit="mm", low=5.0, high=24.0),
-           Side(name="nu", symbol="ν", unit="1", low=0.1, high=0.4))  # fmt: skip
-    wide = tuple(replace(side, low=side.low / 2, high=side.high * 1.1) for side in box)
-    sides = VerdictRange(case="ring-lame", limit=0.05, words="", over="", box=box, studied=wide,
-                         is_star=star, inside=4, points=5)  # fmt: skip
-    one = FormulaVerdict(
-        id="x", paper="huang2018", source="", name="Eq. 6", form=Form.PRINTED, what="", words="",
-        verdict=Verdict.PART, safe=Safe.ABOVE, ranges=(sides,), rows=("ring-lame/x",),
-    )  # fmt: skip
-    inputs = find("ring-lame").inputs(**changes)
-    assert place(one, "ring-lame", inputs).where is where
+    ):
+        sides = VerdictRange(case="ring-lame", limit=0.05, words="", over="", box=box,
+                             studied=wide, is_star=star, inside=4, points=5)  # fmt: skip
+        one = FormulaVerdict(
+            id="x", paper="huang2018", source="", name="Eq. 6", form=Form.PRINTED, what="",
+            words="", verdict=Verdict.PART, safe=Safe.ABOVE, ranges=(sides,), rows=("ring-lame/x",),
+        )  # fmt: skip
+        found = place(one, "ring-lame", find("ring-lame").inputs(**changes))
+        assert found.where is where, (star, changes)
 
 
 def test_an_equation_is_explained_in_both_forms_and_as_json(capsys):
