@@ -103,6 +103,17 @@ def test_a_point_that_is_not_surely_inside_has_its_reason(folder):
         assert found.breaks == words
 
 
+def test_inputs_varied_one_at_a_time_are_no_box(folder):
+    plan = kept.plans(PLATE)[1]  # the case's own a = 4 mm and b = 2 mm, then a = 1, 2, 5 and b = 1
+    of = {(1e-3, 2e-3): 0.01, (2e-3, 2e-3): 0.03, (5e-3, 2e-3): 0.2, (4e-3, 1e-3): 0.2}
+    errors = [of.get((v[0], v[1]), 0.01) for v in plan.points.tolist()]
+    found = region(plan, course(plan, errors, [1e-4] * 5))
+    assert found.limits[1].words == "a alone 1 to 4 mm; b alone at 2 mm"
+    errors = [0.2 if v[0] == 1e-3 else NAN if v[0] == 5e-3 else 0.01 for v in plan.points]
+    found = region(plan, course(plan, errors, [1e-4] * 5))  # no answer hides no break
+    assert found.breaks == "smaller a takes it beyond 5 % between 1 and 2 mm (about 1.8)"
+
+
 def test_the_row_of_the_run_gives_the_error_at_the_case_s_own_inputs(folder, known):
     row = Row(
         case=PLATE.id, quantity="stiffness", symbol="k", unit="N/mm", kind=Kind.APPROXIMATION,

@@ -87,7 +87,7 @@ PART = "accurate in part of the range: up to 30 % below and up to 5 % above; nei
         ((-0.3, 0.05), "", 2.0, PART),
         # own inputs are a point only where the sweep has them
         ((-0.3, 0.05), "", 1.9, PART.replace("accurate in part of the range", "unsafe")),
-        ((-0.3, 0.05), "", None, PART.replace("accurate in part of the range", "unsafe")),
+        ((0.05, -0.3), "", None, PART.replace("accurate in part of the range", "unsafe")),
         ((np.nan, np.nan), "", 1.0, ""),
     ],
 )  # fmt: skip
