@@ -21,7 +21,7 @@ from verify.core.inputs import meta
 from verify.papers import ledger
 from verify.papers.digits import half_last_digit, number
 from verify.papers.entries import Value
-from verify.papers.ledger import Paper, papers, published
+from verify.papers.ledger import Paper, erratum, papers, published
 
 ROOT = Path(verify.__file__).parent.parent
 # How many equations and tables each paper numbers, counted in the papers.
@@ -61,6 +61,13 @@ def test_formulas_can_be_set_and_have_the_numbers_of_their_entries():
             for tex in filter(None, (entry.get("printed_tex"), entry.get("right_tex"))):
                 assert numbers(DECIMALS, tex) <= set(re.findall(DECIMALS, both)), tex
                 assert numbers(INTEGERS, tex) <= set(re.findall(r"\d+", both)), tex
+
+
+def test_a_value_or_erratum_that_is_not_there_is_refused():
+    for lookup in (published, erratum):
+        for reference in ("wang2023:nothing", "nobody:b", "b"):
+            with pytest.raises(KeyError):
+                lookup(reference)
 
 
 def test_a_default_that_claims_a_printed_value_is_that_value():

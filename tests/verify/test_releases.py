@@ -1,6 +1,7 @@
 """What changed since a release is reported, and what was loosened needs a reason."""
 
 import json
+import math
 from dataclasses import replace
 
 import pytest
@@ -17,7 +18,7 @@ from verify.audit.releases.reasons import Reason
 from verify.audit.releases.store import Release, load, newest, store
 from verify.cases.ring.lame.case import LAME
 from verify.core.inputs import InputError
-from verify.core.results import CaseResult, Kind, Row, Status
+from verify.core.results import CaseResult, Kind, Partner, Row, Status
 
 ROW = Row(
     case="c", quantity="q", symbol="x", unit="mm", kind=Kind.IDENTITY, status=Status.PASS,
@@ -38,9 +39,10 @@ FACT = Row(
     difference=0.4, tolerance=0.01, demand=0.01, reason="held: off by +0.07%, 0.2% accepted",
 )  # fmt: skip
 BARE = replace(ROW, status=Status.SHOWN, fem=2.0, u_num=None, tolerance=None, detects=None)
-# a tenth of it is 1e-4, the numerical error of both runs √2 · 0.001
-NARROW = replace(APPROXIMATE, interval=(-0.00100123456, 0.00100234567))
+PARTNER = replace(ROW, fem=None, partner=Partner(by="strips", value=2.0))
 COMPUTED = replace(APPROXIMATE, interval=(-0.00827639401, 0.0249590585))  # a tenth: 0.00166
+# its tenth is 1e-4, the numerical error of both runs √2 · 0.001
+NARROW = replace(COMPUTED, interval=(-0.00100123456, 0.00100234567))
 SHARP = replace(ROW, detects=1e-4)
 
 
@@ -73,24 +75,36 @@ MOVED = [
     (ROW, {"fem": 2.001 + 0.0028}, []),
     (ROW, {"fem": 2.001 + 0.0029}, [FE]),
     # without error and band: beyond round-off
+    (BARE, {"analytic": 2 + 1.8e-10}, []),
     (BARE, {"analytic": 2 + 2.2e-10}, [FORMULA]),
     # near zero: beyond what the balance allows
     (BALANCE, {"fem": 4e-9}, [FE]),
     # beyond a tenth of half of the interval, 0.004, and the numerical error, 0.00283
+    (APPROXIMATE, {"analytic": 2.0039}, []),
     (APPROXIMATE, {"analytic": 2.0041}, [FORMULA]),
     # a fact: beyond a tenth of the margin, 0.04
+    (FACT, {"difference": 0.439}, []),
     (FACT, {"difference": 0.441}, [MARGIN]),
+    (PARTNER, {"partner": Partner(by="strips", value=2.1)}, [FE]),
+    (ROW, {"fem": math.nan}, [FE]),
+    (replace(ROW, fem=math.nan), {"fem": math.nan}, []),
+    (ROW, {"kind": Kind.TREND}, [("kind", False)]),
     (ROW, {"scale": 1.79}, [("scale", False)]),
     # the order of convergence may scatter
     (replace(ROW, quantity="q: convergence", kind=Kind.FACT, u_num=None),
      {"fem": 3.0, "difference": 9.0}, []),
+    # demands that print alike
+    (replace(ROW, demand=0.0239411171), {"demand": 0.0239411999}, []),
     # what a row no longer detects
+    (ROW, {"detects": 0.0029}, []),
+    (ROW, {"detects": 0.0031, "u_num": 0.0021}, [("detects", False)]),
     (SHARP, {"detects": 1.09e-3}, []),  # a tenth of the demand is 1e-3
     (SHARP, {"detects": 1.11e-3}, [("detects", False)]),
     (ROW, {"u_num": 0.0021}, [("uncertainty", False)]),
     # computed bands may move within their error and a tenth
     (COMPUTED, {"interval": (-0.00827639401, 0.0265590585)}, []),
     (NARROW, {"interval": (-0.00240123456, -0.00039765433)}, []),
+    (replace(ROW, u_num=1e-9, u_ref=1.2587554e-4), {"u_ref": 1.09 * 1.2587554e-4}, []),
     # an accepted figure is the same whatever the uncertainty leaves of it
     (DEVIATION, {"u_num": 5e-5, "tolerance": 9e-4, "detects": 1e-3}, []),
     (FACT, {"reason": "held: off by +0.07%, 0.2% accepted, 1% asked"}, [("acceptance", False)]),
@@ -108,19 +122,26 @@ def test_a_change_is_reported_beyond_its_error_or_a_tenth_of_its_band(row, chang
 
 LOOSENED = [
     (ROW, {"demand": 0.02}, "demand", "1 % -> 2 %"),
+    (ROW, {"demand": None}, "demand", "1 % -> none"),
+    (replace(ROW, demand=0.02), {"demand": 0.0200006}, "demand", "2 % -> 2.0001 %"),
     (replace(ROW, u_ref=0.001), {"u_ref": 0.00101}, "reference", "0.05 % -> 0.0505 %"),
     (BALANCE, {"tolerance": 2.02e-9}, "bound", "1e-07 % -> 1.01e-07 %"),
     (COMPUTED, {"interval": (-0.00828, 0.0249590585)}, "interval",
      "-0.827639 to +2.49591 % -> -0.828 to +2.49591 %"),  # a literal instead
+    (COMPUTED, {"interval": (-0.00827639401, 0.0266590585)}, "interval",
+     "-0.827639 to +2.49591 % -> -0.827639 to +2.66591 %"),
     # wider on one side, although narrower on the other
     (APPROXIMATE, {"interval": (-0.011, 0.0)}, "interval", "-1 to +3 % -> -1.1 to +0 %"),
+    (APPROXIMATE, {"interval": None}, "interval", "-1 to +3 % -> none"),
     (FACT, {"reason": "held: off by +0.07%, 0.3% accepted"}, "acceptance",
      "0.2 % accepted -> 0.3 % accepted"),
+    (FACT, {"reason": "held: off by +0.07%"}, "acceptance", "0.2 % accepted -> none"),
     (replace(FACT, reason="held: by 7.9% and more, 2% asked"),
      {"reason": "held: by 7.9% and more, 1% asked"}, "acceptance", "2 % asked -> 1 % asked"),
     # as wide as before beside its own U, which is less now
     (DEVIATION, {"tolerance": 1e-3, "u_num": 5e-5, "detects": 1e-3}, "acceptance",
      "0.1 % -> 0.11 %"),
+    (ROW, {"scale": 2.21}, "scale", "2 mm -> 2.21 mm"),
     (ROW, {"status": Status.SHOWN}, "status", "PASS -> SHOWN"),
 ]  # fmt: skip
 

@@ -59,8 +59,11 @@ def beside(case, **more):
 
 
 def test_a_part_that_raises_is_a_red_row_and_the_rest_is_judged():
-    late_row = ("FAIL", "RuntimeError: in the middle")
-    for part, fault, row in (("tables", boom, BOOM), ("figures", late, late_row)):
+    for part, fault, row in (
+        ("sketch", boom, BOOM),
+        ("tables", boom, BOOM),
+        ("figures", late, ("FAIL", "RuntimeError: in the middle")),
+    ):
         result = beside(replace(CASE, **{part: fault}))
         assert rows_of(result) == {part: row, "with elements": HELD, "formula alone": HELD}
         assert not getattr(result, part)

@@ -26,15 +26,18 @@ from verify.cases.made_up_inputs import WIDTH
 from verify.cases.made_up_shapes import shape
 
 FACTOR = 2.0
+OTHER, PAIR = 1.0, 3.0
 UNUSED = 4.0
 TYPED: float = 13.0
 
 class Section:
+    """A section."""
+
     area = 5.0
 
 def helper(x):
     """Twice x."""
-    return FACTOR * TYPED * Section.area * shape(x), WIDTH  # and more
+    return FACTOR * PAIR * TYPED * Section.area * shape(x), WIDTH  # and more
 
 def analytic(q):
     return 6.0
@@ -184,12 +187,14 @@ CASE_MODULE, SOLVER = "made_up_case", "made_up"
 
 SAME = [
     (CASE_MODULE, '"""Solve."""', '"""Solves it."""'),
-    (CASE_MODULE, "FACTOR * TYPED", "(FACTOR  *  TYPED)"),
+    (CASE_MODULE, '"""A section."""', ""),
+    (CASE_MODULE, "FACTOR * PAIR", "(FACTOR  *  PAIR)"),
     (CASE_MODULE, "# and more", "# and less"),
     (CASE_MODULE, "return 6.0", "return 6.5"),  # the formula
     (CASE_MODULE, "UNUSED = 4.0", "UNUSED = 4.5"),
     ("made_apart", "12.0", "12.5"),  # a solver that it does not reach
     (SOLVER, '"needs x > 0, got"', '"x must be positive, got"'),
+    (SOLVER, 'f" {x}"', 'f" {x} mm"'),
     (SOLVER, "from fem.made_deep import deep", "from fem.made_moved import deep"),
     ("made_up_inputs", '"width of the part"', '"breadth"'),
 ]
@@ -198,9 +203,11 @@ OTHER = [
     (CASE_MODULE, "start=7.0", "start=7.5"),
     (CASE_MODULE, "def solve(q", "@(lambda f: f)\ndef solve(q"),
     (CASE_MODULE, "FACTOR = 2.0", "FACTOR = 2.5"),
+    (CASE_MODULE, "= 1.0, 3.0", "= 1.0, 3.5"),
     (CASE_MODULE, "area = 5.0", "area = 5.5"),
     ("made_up_shapes", "8.0", "8.5"),
     ("made_deep", "11.0", "11.5"),
+    (SOLVER, "raise ValueError", "raise KeyError"),
     (SOLVER, "made_deep", "made_apart"),  # another module with that name
     ("made_up_inputs", '"1 mm"', '"2 mm"'),
 ]
@@ -223,6 +230,7 @@ DEEP = "made_deep.deep(x)"
     [
         (SOLVER, [(IMPORT, "from fem import made_deep"), ("deep(x)", DEEP)]),
         (SOLVER, [(IMPORT, "import fem.made_deep"), ("deep(x)", f"fem.{DEEP}")]),
+        (SOLVER, [(IMPORT, "import fem.made_deep as m"), ("deep(x)", "m.deep(x)")]),
         (SOLVER, [(IMPORT, "from . import made_deep"), ("deep(x)", DEEP)]),
         (SOLVER, [(IMPORT, ""), ("    return 10", f"    {IMPORT}\n    return 10")]),
         (CASE_MODULE, [(TAKE, f"{TAKE} as shape_"), ("shape(x)", "shape_(x)")]),
@@ -274,6 +282,7 @@ BOTH = {"formulas", "reference"}
     ("name", "old", "new", "changed"),
     [
         ("made_bar", "3.14 *", "3.15 *", BOTH),  # geometry that the reference reads
+        ("made_bar", "d / 2.0", "d / 2.5", BOTH),  # geometry under that
         ("made_bar", "lambda q: q.F", "lambda q: -q.F", {"formulas"}),
         ("made_bar", "area * 1.0", "area * 1.5", {"formulas"}),
         ("made_bar", "0.03", "0.04", {"formulas"}),  # bound of a comparison

@@ -54,6 +54,9 @@ def test_what_is_solved_is_not_solved_again_and_a_finer_grid_takes_it_up(tmp_pat
     finer = solve(planned("a=2mm:6mm:5"), Here(), folder=tmp_path)
     assert (finer.timing.points, finer.timing.known, called["fe"]) == (2, 3, 15)
     assert finer.solutions[::2] == first.solutions
+    plan = planned("a=2mm,4mm")
+    twice = replace(plan, points=plan.points[[0, 1, 0, 1]])
+    assert solve(twice, Here(), folder=tmp_path / "twice").timing.points == 2
     # a point that is torn in the store is solved again
     with sqlite3.connect(tmp_path / "store.sqlite") as database:
         database.execute(

@@ -22,10 +22,12 @@ READ = [
     ("11600 μm", "mm", 0.0116),  # Greek mu, U+03BC
     ("10 mil", "mm", 2.54e-4),
     (".5 mm", "mm", 0.0005),
+    ("5E+1mm", "mm", 0.05),
     ("206e3 N/mm^2", "MPa", 206e9),
     ("1 psi", "MPa", PSI),
     ("40 N·m", "N m", 40.0),
     ("1 kg m^2 / s^2 / rad", "N m/rad", 1.0),
+    ("-7850 kg/m³", "kg/m^3", -7850.0),
     ("1 slug", "kg", 4.4482216152605 / 0.3048),
     ("1 lb in^2", "kg m^2", 0.45359237 * 0.0254**2),
     ("180°", "deg", math.pi),
@@ -52,6 +54,7 @@ REFUSED = [
     ("", "mm", "is not a length"),
     ("60,5 mm", "mm", "has a comma: decimals follow a point"),
     ("nan mm", "mm", "is not finite"),
+    ("1e308 km", "mm", "is not finite"),
     ("60\nmm\x00", "mm", "is not a"),
     ("6 " + "m" * 10_000, "mm", "is not a"),
 ]
