@@ -25,26 +25,23 @@ def values(*found, paper=True):
     return Context("some-case", Numbers(), {"x": 1.0}, levels, is_paper=paper)
 
 
-@pytest.mark.parametrize(
-    ("errors", "u_it", "low", "high"),
-    [
+def test_the_band_of_a_line_covers_its_errors():
+    for errors, u_it, low, high in (
         # errors that change place are covered, and not by much more
         ([0.3 / 4**i * np.sin((5 + 3 * i) * X + i) for i in range(4)], (0,) * 4, 0, 0.02),
         # round-off is covered by the most that the solver states of a level
         ([1e-9 * np.cos(40 * X + i) for i in range(4)], (1e-6, 0, 0, 0), 5e-7, 1e-4),
         # growing differences give a wide band of finite numbers
         ([0.1 * 2**i * X for i in range(4)], (0,) * 4, 0.5, np.inf),
-    ],
-)
-def test_the_band_of_a_line_covers_its_errors(errors, u_it, low, high):
-    levels = [
-        FemResult(h=1 / 2**i, values={}, u_it={"line": u}, arrays={"line": X + e})
-        for i, (e, u) in enumerate(zip(errors, u_it, strict=True))
-    ]
-    context = Context("c", None, {}, levels, is_paper=True)
-    y, u = along(context, "line", formal=2.0, scale=1.0)
-    assert np.all(np.abs(y - X) <= 2 * u)
-    assert low <= u[0] < high
+    ):
+        levels = [
+            FemResult(h=1 / 2**i, values={}, u_it={"line": u}, arrays={"line": X + e})
+            for i, (e, u) in enumerate(zip(errors, u_it, strict=True))
+        ]
+        context = Context("c", None, {}, levels, is_paper=True)
+        y, u = along(context, "line", formal=2.0, scale=1.0)
+        assert np.all(np.abs(y - X) <= 2 * u)
+        assert low <= u[0] < high
 
 
 def test_an_error_in_l2_is_weighed_and_over_its_norm():

@@ -20,26 +20,22 @@ class Shaft(Plate):
     supports: tuple[Bearing, ...] = table((Bearing(), Bearing(k=3e3)), "bearings")
 
 
-@pytest.mark.parametrize(
-    ("text", "values", "nominal", "symbol"),
-    [
+def test_an_axis_is_read_and_knows_its_input():
+    for text, values, nominal, symbol in (
         ("n=3:12:4", (3, 6, 9, 12), 3, "n"),
         ("a=2:6mm:3", (2e-3, 4e-3, 6e-3), 4e-3, "a"),  # the last one's unit
         ("a=0.1mm:10mm:3:log", (1e-4, 1e-3, 1e-2), 4e-3, "a"),
         ("q=1:2mm:2", (1e-3, 2e-3), None, "q"),
         ("supports[2].k=1:2kN/m:2", (1e3, 2e3), 3e3, "k of supports[2]"),
-    ],
-)
-def test_an_axis_is_read_and_knows_its_input(text, values, nominal, symbol):
-    found = axis(Shaft(), text)
-    assert found.values == pytest.approx(values, rel=1e-12)
-    assert (found.nominal, found.symbol, found.whole) == (nominal, symbol, symbol == "n")
+    ):
+        found = axis(Shaft(), text)
+        assert found.values == pytest.approx(values, rel=1e-12)
+        assert (found.nominal, found.symbol, found.whole) == (nominal, symbol, symbol == "n")
     assert axis(Shaft(), "a=2:6mm:3").shown(0.3e-3) == 0.3  # not 0.29999999999999993
 
 
-@pytest.mark.parametrize(
-    ("read", "text", "said"),
-    [
+def test_what_is_no_axis_and_no_tolerance_is_refused_with_its_option():
+    for read, text, said in (
         (axis, "a=1mm:2mm", "needs NAME=a:b:n"),
         (axis, "a=1mm:2mm:1", "n is a whole number from 2 to 1000, got '1'"),
         (axis, "a=2mm:2mm:3", "a value appears twice"),
@@ -51,15 +47,13 @@ def test_an_axis_is_read_and_knows_its_input(text, values, nominal, symbol):
         (tolerance, "b=±0mm", "a tolerance is above zero"),
         (tolerance, "b=±1.2.3%", 'not a length, such as "1.5 mm", nor a share of b, such as "5 %"'),
         (tolerance, "h=±0.2", "reaches inputs.h = 1.1: must be at most 1"),
-    ],
-)
-def test_what_is_no_axis_and_no_tolerance_is_refused_with_its_option(read, text, said):
-    option = "--vary" if read is axis else "--tolerance"
-    with pytest.raises(InputError, match=rf"^{option} ") as error:
-        read(Shaft(), text)
-    assert text in str(error.value)
-    assert said in str(error.value)
-    assert "\n" not in str(error.value)
+    ):
+        option = "--vary" if read is axis else "--tolerance"
+        with pytest.raises(InputError, match=rf"^{option} ") as error:
+            read(Shaft(), text)
+        assert text in str(error.value)
+        assert said in str(error.value)
+        assert "\n" not in str(error.value)
 
 
 def test_inputs_are_changed_by_name_in_tables_too():

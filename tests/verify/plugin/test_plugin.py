@@ -57,20 +57,17 @@ def output(project):
     return text
 
 
-@pytest.mark.parametrize(
-    ("file", "says"),
-    [
+def test_a_failure_says_what_is_wrong_without_a_traceback(output):
+    for file, says in (
         ("case_wrong.py: stress at the inner edge", "FAIL: model error +4.58"),
         ("case_blunt.py: stress at the inner edge", "FAIL: not sharp"),
         ("case_broken.py: file", "case_broken.py: titel: annotate it"),
         ("fails.toml: check", "fails"),
         ("mistyped.toml: check", "inputs.T"),
-    ],
-)  # fmt: skip
-def test_a_failure_says_what_is_wrong_without_a_traceback(output, file, says):
-    assert file in output
-    assert says in output.partition(file)[2].partition("\n____")[0]
-    assert "Traceback" not in output
+    ):  # fmt: skip
+        assert file in output
+        assert says in output.partition(file)[2].partition("\n____")[0]
+        assert "Traceback" not in output
 
 
 def test_what_is_right_passes_and_a_series_that_does_not_converge_fails(output):

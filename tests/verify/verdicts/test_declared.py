@@ -70,29 +70,24 @@ def test_a_design_range_is_of_an_input_holds_its_own_value_and_a_ratio_has_no_di
             assert all(abs(exponent) < 1e-12 for exponent in left.values()), entry
 
 
-@pytest.mark.parametrize(
-    ("case_id", "values", "solved", "spanned"),
-    [
+def test_the_solved_points_of_a_study_span_a_range_from_end_to_end():
+    for case_id, values, solved, spanned in (
         ("ring-loads-outer", (0.022, 0.045), True, True),
         ("ring-loads-outer", (0.022, 0.045), False, False),
         ("ring-loads-outer", (0.0221, 0.045), True, False),
         ("ring-loads-outer", (0.022, 0.0449), True, False),
         ("ring-loads", (0.022, 0.045), True, False),
-    ],
-)
-def test_the_solved_points_of_a_study_span_a_range_from_end_to_end(
-    case_id, values, solved, spanned
-):
-    error = np.where([solved or k == 0 for k in range(len(values))], 0.01, np.nan)
-    plan = SimpleNamespace(
-        case=SimpleNamespace(id=case_id), axes=[SimpleNamespace(name="r_o")],
-        points=np.array(values)[:, None],
-    )  # fmt: skip
-    study = plan, SimpleNamespace(error=error, U_error=np.zeros(len(values)))
-    n, r_o = design.design(["ring-loads-outer"], [study])
-    assert (n.spanned, r_o.spanned) == (False, spanned)  # n was not varied
-    assert (r_o.side.ratio, r_o.side.ratio_ends) == ("r_o/r_i", (1.13, 2.31))
-    assert (r_o.side.low, r_o.side.high) == (22.0, 45.0)
+    ):
+        error = np.where([solved or k == 0 for k in range(len(values))], 0.01, np.nan)
+        plan = SimpleNamespace(
+            case=SimpleNamespace(id=case_id), axes=[SimpleNamespace(name="r_o")],
+            points=np.array(values)[:, None],
+        )  # fmt: skip
+        study = plan, SimpleNamespace(error=error, U_error=np.zeros(len(values)))
+        n, r_o = design.design(["ring-loads-outer"], [study])
+        assert (n.spanned, r_o.spanned) == (False, spanned)  # n was not varied
+        assert (r_o.side.ratio, r_o.side.ratio_ends) == ("r_o/r_i", (1.13, 2.31))
+        assert (r_o.side.low, r_o.side.high) == (22.0, 45.0)
 
 
 def test_each_case_that_errors_over_a_range_are_taken_from_has_a_design_range():

@@ -26,21 +26,18 @@ def verdict(declared, *rows, corrected=()):
     return found._verdict("huang2018", "Huang 2018", declared, known, corrected)
 
 
-@pytest.mark.parametrize(
-    ("changes", "says"),
-    [
+def test_evidence_that_does_not_stand_or_was_not_run_gives_no_verdict(row):
+    for changes, says in (
         ({"status": Status.FAIL}, "ring-lame/x is FAIL"),
         ({"status": Status.CALIBRATED}, "ring-lame/x is CALIBRATED"),
         ({"status": Status.SHOWN}, "ring-lame/x is SHOWN"),  # no meshes that converge beside it
         ({"kind": Kind.FACT}, "compares no formula with a reference"),
         ({"tolerance": None}, "no error with an uncertainty"),
-    ],
-)
-def test_evidence_that_does_not_stand_or_was_not_run_gives_no_verdict(row, changes, says):
-    got = verdict(formula(), row("x", 0.001, **changes))
-    assert got.verdict is Verdict.NONE
-    assert says in got.words
-    assert verdict(formula()).verdict is Verdict.NONE
+    ):
+        got = verdict(formula(), row("x", 0.001, **changes))
+        assert got.verdict is Verdict.NONE
+        assert says in got.words
+        assert verdict(formula()).verdict is Verdict.NONE
 
 
 def test_what_is_no_declaration_is_refused():

@@ -11,9 +11,8 @@ from verify.verdicts.evidence import Evidence, NoEvidenceError, point_of
 from verify.verdicts.rule import Point, accuracy, judged
 
 
-@pytest.mark.parametrize(
-    ("errors", "U", "safe", "has_range", "verdict"),
-    [
+def test_each_line_of_the_rule():
+    for errors, U, safe, has_range, verdict in (
         ((0.004, -0.009), 0.0, Safe.ABOVE, True, Verdict.ACCURATE),
         ((0.004,), 0.0, Safe.ABOVE, False, Verdict.PART),
         ((0.09, -0.09), 0.02, Safe.NEITHER, True, Verdict.UNSAFE),  # the bar counts
@@ -24,12 +23,9 @@ from verify.verdicts.rule import Point, accuracy, judged
         ((0.3,), 0.0, Safe.BELOW, False, Verdict.UNSAFE),
         ((-0.3,), 0.0, Safe.BELOW, False, Verdict.CONSERVATIVE),
         ((-0.3,), 0.0, Safe.NEITHER, False, Verdict.UNSAFE),
-    ],
-)
-def test_each_line_of_the_rule(errors, U, safe, has_range, verdict):
-    # the first error is at the paper's inputs, the others are of a study
-    points = [Point(e, U, is_paper=i == 0) for i, e in enumerate(errors)]
-    assert judged(points, safe, has_range=has_range) is verdict
+    ):
+        points = [Point(e, U, is_paper=i == 0) for i, e in enumerate(errors)]
+        assert judged(points, safe, has_range=has_range) is verdict
 
 
 def test_the_accuracy_class_is_the_least_that_holds_error_and_bar():
@@ -76,9 +72,8 @@ def swept(errors, safe, nominal, name="k"):
 PART = "accurate in part of the range: up to 30 % below and up to 5 % above; neither side is safe"
 
 
-@pytest.mark.parametrize(
-    ("errors", "safe", "nominal", "words"),
-    [
+def test_a_sweep_s_verdict_follows_the_rule_at_the_case_s_own_inputs():
+    for errors, safe, nominal, words in (
         ((0.01, -0.02), "too high", 1.0, "accurate: within 2 %"),
         ((0.01, np.nan), "too high", 1.0, "accurate in part of the range: within 1 %"),
         ((-0.3, 0.1), "too high", 1.0,
@@ -89,10 +84,8 @@ PART = "accurate in part of the range: up to 30 % below and up to 5 % above; nei
         ((-0.3, 0.05), "", 1.9, PART.replace("accurate in part of the range", "unsafe")),
         ((0.05, -0.3), "", None, PART.replace("accurate in part of the range", "unsafe")),
         ((np.nan, np.nan), "", 1.0, ""),
-    ],
-)  # fmt: skip
-def test_a_sweep_s_verdict_follows_the_rule_at_the_case_s_own_inputs(errors, safe, nominal, words):
-    assert of_sweep.verdict_in_words(*swept(errors, safe, nominal)) == words
+    ):  # fmt: skip
+        assert of_sweep.verdict_in_words(*swept(errors, safe, nominal)) == words
 
 
 def test_the_safe_side_is_that_of_the_formula_or_else_of_the_quantity(monkeypatch):

@@ -90,29 +90,26 @@ def test_interpolation_is_tried_at_each_point_between_two_others(monkeypatch):
     assert regions.interpolation(plan, SimpleNamespace(error=np.zeros(4))) is None
 
 
-@pytest.mark.parametrize(
-    "row",
-    [
+def test_each_point_inside_a_range_keeps_its_limit():
+    """Of stored studies; the ends of a range are values that were compared."""
+    for row in (
         "polyhedral-pressure/hoop stress, Eq. 9, against that of the outside",
         "polyhedral-ring/K of the paper",
-    ],
-)
-def test_each_point_inside_a_range_keeps_its_limit(row):
-    """Of stored studies; the ends of a range are values that were compared."""
-    case, _, quantity = row.partition("/")
-    stored = evidence._studies(SimpleNamespace(case=case, quantity=quantity))
-    assert stored
-    for found in (one for one in regions.ranges(stored) if one.box):
-        plan, course = next(s for s in stored if over(s[0]) == found.over)
-        inside = np.ones(len(plan.points), bool)
-        for k, axis in enumerate(plan.axes):
-            shown = np.array([axis.shown(x) for x in plan.points[:, k]])
-            held = np.zeros(len(shown), bool)
-            for side in (one for one in found.box if one.name == axis.name):
-                assert {side.low, side.high} <= set(shown)
-                held = (shown >= side.low) & (shown <= side.high)
-            alone = found.is_star & (plan.points != plan.points[0]).any(axis=1)
-            varied = plan.points[:, k] != plan.points[0, k]
-            inside &= held | (alone & ~varied)  # of a star another input is varied there
-        size = np.abs(course.error) + course.U_error
-        assert (size[inside] <= found.limit).all()
+    ):
+        case, _, quantity = row.partition("/")
+        stored = evidence._studies(SimpleNamespace(case=case, quantity=quantity))
+        assert stored
+        for found in (one for one in regions.ranges(stored) if one.box):
+            plan, course = next(s for s in stored if over(s[0]) == found.over)
+            inside = np.ones(len(plan.points), bool)
+            for k, axis in enumerate(plan.axes):
+                shown = np.array([axis.shown(x) for x in plan.points[:, k]])
+                held = np.zeros(len(shown), bool)
+                for side in (one for one in found.box if one.name == axis.name):
+                    assert {side.low, side.high} <= set(shown)
+                    held = (shown >= side.low) & (shown <= side.high)
+                alone = found.is_star & (plan.points != plan.points[0]).any(axis=1)
+                varied = plan.points[:, k] != plan.points[0, k]
+                inside &= held | (alone & ~varied)  # of a star another input is varied there
+            size = np.abs(course.error) + course.U_error
+            assert (size[inside] <= found.limit).all()
