@@ -7,6 +7,7 @@ from pydantic import ValidationError
 
 from verify.cases.registry import CASES
 from verify.core import units
+from verify.core.results import Status
 from verify.papers.ledger import Paper, papers
 from verify.papers.paper_tables import claiming_inputs, paper_tables
 from verify.papers.tables import PrintedTable
@@ -93,3 +94,18 @@ def test_tables_and_values_that_differ_are_refused():
     ):
         with pytest.raises(ValidationError, match=message):
             (Paper if "tables" in raw else PrintedTable).model_validate(raw)
+
+
+def test_the_theory_of_the_spring_constant_is_claimed_by_its_judged_rows(tables):
+    cell = tables["wang2023", "Table 1"].rows[0][1]
+    assert (cell.text, cell.value, cell.unit) == ("0.601", "wang2023:k1-theory", "N/mm")
+    found = {row.row: row for row in cell.rows}
+    own = found["spring-accordion/stiffness by Eqs. 1-9"]
+    assert own.status is Status.PASS
+    assert own.analytic == pytest.approx(0.601, abs=0.0005)  # half the last printed digit
+    assert own.fem is None
+    beam = found["spring-accordion/Eqs. 1-9 against the curved beam"]
+    assert beam.fem == pytest.approx(0.601, rel=1e-3)
+    assert beam.u is not None
+    assert beam.u < 1e-6
+    assert "eq-3-leaf-length" in cell.errata

@@ -233,6 +233,11 @@ def test_an_environment_is_used_where_it_is_whole_and_of_this_python_and_place(
     moved = folder.parent.rename(tmp_path / "moved") / ".venv"
     assert not usable(moved)
     assert not is_ready(moved)
+    moved.parent.rename(folder.parent)
+    (folder / "bin" / "pip").unlink()
+    assert not usable(folder)
+    (folder / READY).write_text(f"{folder.parent} 3.1\n")
+    assert not is_ready(folder)
 
 
 def test_what_a_killed_pip_had_downloaded_whole_is_installed_from_there(tmp_path, monkeypatch):

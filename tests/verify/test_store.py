@@ -175,10 +175,12 @@ def test_the_origin_of_a_case_s_numbers_and_the_cases_of_a_module_are_listed(
     case = find("ring-lame")
     key = cache.key(case, case.inputs(), case.levels[0])
     store.store("level", "ring-lame", {key: bytes(1_500_000)})
+    store.store("sweep formulas", "ring-lame", {"a": b"1"})
     assert run(["store", "ring-lame"]) == 0
     out = capsys.readouterr().out
     assert re.search(rf"\n  2 +{key}  {time.strftime('%Y-')}.*, 1\.5 MB\n", out)
     assert re.search(r"\n  4 +[0-9a-f]{32}  not stored", out)
+    assert "sweep formulas: 1 results of any code" in out
     assert re.search(r"20..-..-.., of this code  verify/measured/validity/ring-lame.json", out)
     monkeypatch.chdir(Path(__file__).parents[2])
     monkeypatch.setattr(origin, "CASES", [case])  # hashing all takes seconds

@@ -10,6 +10,7 @@ from verify.cases import registry
 from verify.core import source_code
 from verify.core.case import Scan
 from verify.core.figures import Equation
+from verify.core.inputs import quantity
 from verify.core.results import CaseResult, Kind, Partner, Row, Status
 from verify.jobs import records
 from verify.judging.checks import Identity
@@ -163,9 +164,14 @@ def test_a_measurement_is_made_once_and_again_where_it_no_longer_stands(folder, 
     assert file.read_text("utf-8") == before
 
 
-def test_a_record_is_that_of_its_code_scans_and_comparisons(folder, known, monkeypatch):
+class Thick(CASE.inputs):
+    c: float = quantity("3 mm", "mm", "c", "thickness, which nothing depends on", gt=0)
+
+
+def test_a_record_is_that_of_its_code_inputs_scans_and_comparisons(folder, known, monkeypatch):
     assert kept.measured(PLATE) is not None
     for changed in (
+        {"inputs": Thick},
         {"scans": (replace(GRID, star=True), STAR, HELD)},
         {"checks": (replace(CASE.checks[0], analytic="s"), CASE.checks[1])},
     ):
