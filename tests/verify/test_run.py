@@ -1,6 +1,8 @@
 """One case that goes wrong is red; the others are judged as usual, and nothing is solved twice."""
 
 import os
+from concurrent.futures import Future
+from contextlib import nullcontext
 from dataclasses import replace
 
 from verify.core.case import Case, FemResult
@@ -8,7 +10,10 @@ from verify.core.inputs import Inputs, quantity
 from verify.core.results import Status
 from verify.core.store import Store
 from verify.jobs import cache
+from verify.jobs.engine import Engine, GoneError
+from verify.jobs.executor import Here
 from verify.jobs.level import Job
+from verify.jobs.processes import WorkerDiedError
 from verify.jobs.scheduler import run
 from verify.judging.checks import Fact
 
@@ -102,6 +107,26 @@ def test_finite_elements_that_raise_turn_the_rows_that_need_them_red():
         result = beside(replace(CASE, reference=fem))
         assert rows_of(result) == {"with elements": ("FAIL", reason), "formula alone": HELD}
         assert len(result.errors) == traced
+
+
+class Dying(Here):
+    """In place of processes: the finest level's dies whenever it is tried."""
+
+    def submit(self, function, /, task):
+        if task.case is CASE and task.level == 4:
+            future = Future()
+            future.set_exception(WorkerDiedError("the process died (signal 9)"))
+            return future
+        return super().submit(function, task)
+
+
+def test_a_level_whose_process_died_is_a_red_row_of_its_case_alone():
+    bad = beside(CASE, engine=nullcontext(Engine(Dying(), lambda: 2)))
+    died = ("FAIL", "level 4: the process died (signal 9)")
+    assert rows_of(bad) == {"with elements": died, "formula alone": HELD}
+    gone = nullcontext(Engine(Dying(), lambda: 1, gone=lambda: "it is gone"))
+    with pytest.raises(GoneError, match="it is gone"):
+        run([Job(CASE, Beam())], engine=gone)
 
 
 # The cache and the order of levels.
