@@ -5,6 +5,8 @@ from concurrent.futures import Future
 from contextlib import nullcontext
 from dataclasses import replace
 
+import pytest
+
 from verify.core.case import Case, FemResult
 from verify.core.inputs import Inputs, quantity
 from verify.core.results import Status
