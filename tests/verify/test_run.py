@@ -111,6 +111,15 @@ def test_finite_elements_that_raise_turn_the_rows_that_need_them_red():
         assert len(result.errors) == traced
 
 
+def test_ctrl_c_is_no_fault_of_a_case():
+    def stop(*_):
+        raise KeyboardInterrupt
+
+    for part in ("reference", "analytic", "tables"):
+        with pytest.raises(KeyboardInterrupt):
+            run([Job(replace(CASE, **{part: stop}), Beam())])
+
+
 class Dying(Here):
     """In place of processes: the finest level's dies whenever it is tried."""
 

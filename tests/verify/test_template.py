@@ -14,6 +14,8 @@ from verify.app.cli import run
 from verify.cases.registry import CASES
 from verify.core import inputs as kinds
 from verify.core.inputs import Inputs, build, is_table, meta, quantity
+from verify.studies.design.inputs import load as load_spring
+from verify.studies.design_sprag.inputs import load as load_sprag
 
 LINE = re.compile(r'^(# )?(\w+) = (".+"|[-+.e0-9]+) +# (.+)$')
 TABLE = re.compile(r"\[\[inputs\.(\w+)\]\]\n")
@@ -52,6 +54,18 @@ def test_a_template_builds_to_the_paper_s_inputs_and_a_tool_s_needs_eight_lines_
         scalars = {name for name, value in given.items() if not isinstance(value, list)}
         assert scalars == {line.partition(" =")[0] for line in begin}
         complete(case.id, case.inputs, given, "template")
+
+
+def test_a_template_of_a_task_begins_with_what_it_needs(tmp_path, capsys):
+    for task, load in (("design-spring", load_spring), ("design-sprag", load_sprag)):
+        assert run(["init", task]) == 0
+        text = capsys.readouterr().out
+        assert len(tomllib.loads(text)["inputs"]) == 4
+        path = tmp_path / "task.toml"
+        path.write_text(text, encoding="utf-8")
+        found = load(path)
+        assert found.assumed
+        assert all(one.source in text for one in found.assumed)
 
 
 def test_every_line_has_a_unit_a_description_a_range_and_a_source():

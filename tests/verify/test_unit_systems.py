@@ -1,6 +1,7 @@
 """Units of an answer follow the file: lengths, forces, torques and pressures converted alike."""
 
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -103,3 +104,19 @@ def test_rows_are_converted_and_their_relative_numbers_are_not(of_paper):
             if (value := getattr(was, name)) is not None:
                 assert getattr(now, name) == pytest.approx(value * ratio, rel=1e-12)
     assert in_units(inch, "inch") == inch
+
+
+@pytest.mark.slow("a design is searched in each system")
+def test_a_design_is_answered_in_the_units_of_its_file(capsys):
+    task = ("design", str(PARTS / "design-spring-30.toml"), "--no-fem")
+    mm, inch = (answered(capsys, *task, "--units", system) for system in ("mm", "inch"))
+    stiffness = [found["answer"]["design"] for found in (mm, inch)]
+    assert [one["unit"] for one in stiffness] == ["N/mm", "lbf/in"]
+    si = [one["value"] * units.factor(one["unit"]) for one in stiffness]
+    assert si[0] == pytest.approx(si[1])
+    assert run([*task, "--units", "inch"]) == 0
+    printed = capsys.readouterr().out
+    lines = [x.partition("typical")[0] for x in printed.splitlines() if "for 6 N at 24 mm" not in x]
+    assert not [x for x in lines if " mm" in x or " MPa" in x]
+    (row,) = (line for line in printed.splitlines() if re.match(r"  \d+\*", line))
+    assert f"{inch['members'][inch['chosen'] - 1]['L0']['value']:.4f}" in row
