@@ -24,6 +24,11 @@ from verify.jobs.level import Job
 FOUND = ["X86_V3", "X86_V4"]
 
 
+# cheap cases with eigenvalues, series, contact and plane elements, of which none moves by chance
+SAMPLE = ("rotor-clutch", "rotor-shaft", "ring-rotation", "polyhedral-pressure", "spring-stages",
+          "ring-lame", "contact-pair")  # fmt: skip
+
+
 # Perturbed inputs
 
 
@@ -225,6 +230,26 @@ def test_wrong_arguments_are_refused_in_one_line(capsys):
     ):
         assert run(["portable", option, value]) == 2
         assert words in capsys.readouterr().err
+
+
+@pytest.mark.soak
+def test_a_sample_of_rows_has_the_same_verdicts_on_other_machines(tmp_path, monkeypatch, capsys):
+    """Perturbed inputs and two BLAS threads, with caches of their own; run again, nothing is."""
+    monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path / "cache"))
+    arguments = ["portable", *SAMPLE, "--only", "perturbed-1", "--only", "threads-2", "--jobs", "2",
+                 "--out", str(tmp_path)]  # fmt: skip
+    status = run(arguments)
+    text = capsys.readouterr().out
+    data = json.loads((tmp_path / "portable.json").read_text("utf-8"))
+    assert not [d["row"] for d in data["differences"] if d["kind"] != Kind.VALUE], text
+    assert not data["failures"], text
+    assert {m["cases"] for m in data["machines"]} == {len(SAMPLE)}
+    own = Store(tmp_path / "cache-machines" / "perturbed-1").groups()
+    assert ("level", "ring-lame") in {(group.kind, group.subject) for group in own}
+    assert status == (0 if data["portable"] else 1)
+    stored = Store(tmp_path / "cache").groups()
+    assert run(arguments) == status
+    assert Store(tmp_path / "cache").groups() == stored
 
 
 def test_a_process_that_ends_badly_is_named_with_its_last_line(tmp_path):
