@@ -60,7 +60,8 @@ def paper_table(
             "printed": [prose(cell.text) for cell in cells],
             "claims": [
                 {"label": places.get(c.row), "name": prose(c.name), "status": c.status.value,
-                 "formulas": [runs(c.formula if k in c.columns else "") for k in range(len(cells))],
+                 "formulas": [runs(c.beside(cell) if k in c.columns else "")
+                              for k, cell in enumerate(cells)],
                  "fem": runs(c.fem)}
                 for c in found.claims
             ],
