@@ -14,8 +14,9 @@ def test_a_process_tells_what_it_takes():
     idle = measured([sys.executable, "-c", "import time; time.sleep(0.3); print('done')"])
     assert idle.said == "done\n"
     assert idle.wall > 0.3 > idle.cpu
-    large = measured([sys.executable, "-c", "x = bytearray(200 << 20); x[::4096] = x[::4096]"])
-    assert large.peak > idle.peak + 190
+    # the kernel counts pages in batches: some MB of 400 may be missing
+    large = measured([sys.executable, "-c", "x = bytearray(400 << 20); x[::4096] = x[::4096]"])
+    assert large.peak > idle.peak + 380
     with pytest.raises(RuntimeError, match="of itself"):
         measured([sys.executable, "-c", "raise SystemExit('of itself')"])
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from verify.cases.freewheel.cup.case import CUP
 from verify.cases.freewheel.fem import pitch
-from verify.cases.freewheel.sweep import starts
+from verify.cases.freewheel.sweep import rigid_force, starts
 from verify.cases.freewheel.torque.case import TORQUE
 from verify.cases.polyhedral.locking.case import LOCKING
 from verify.cases.polyhedral.locking.fem import locked_fem
@@ -49,8 +49,9 @@ def freewheel(case: Any) -> Posed:
     from verify.studies.crosscheck.calculix.contact import ContactDeck, Settings
 
     q: Any = case.inputs()
-    start = starts(q)[LOADED]
-    state, seconds = timed(lambda: start.state(pitch(q), CELLS))
+    one = pitch(q)
+    start = starts(one, rigid_force(q) / q.L)[LOADED]
+    state, seconds = timed(lambda: start.state(one, CELLS))
     deck = ContactDeck(
         states=[state.solution], materials=Elastic(E=q.E, nu=q.nu), assumption="plane strain",
         how=Settings(slope=STIFF * q.E / min(state.widths)),
