@@ -57,6 +57,7 @@ def output(project):
     return text
 
 
+@pytest.mark.slow("pytest in a process of its own on cases that are solved")
 def test_a_failure_says_what_is_wrong_without_a_traceback(output):
     for file, says in (
         ("case_wrong.py: stress at the inner edge", "FAIL: model error +4.58"),
