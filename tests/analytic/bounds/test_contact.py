@@ -99,3 +99,10 @@ def test_unlike_materials_couple_with_opposite_signs_in_a_race_and_a_thin_wall_w
     thick, thin = (InRace(a=0.01, R_1=1.0, R_2=-3.0, wall=w, **LIKE) for w in (5.0, 0.1))
     assert thin.pressure.slack > 50 * thick.pressure.slack
     assert thin.approach.slack > 50 * thick.approach.slack
+
+
+@pytest.mark.parametrize("change", [{"b": 0.04}, {"twice": 1.01}, {"value": 0.0}])
+def test_own_inputs_beyond_the_expansion_have_no_interval(change):
+    assert roller.of_strips(1e-4, **STRIPS, loaded=False, own=True)
+    assert roller.of_strips(1e-4, **STRIPS | change, loaded=False, own=True) is None
+    assert roller.of_strips(np.nan, **STRIPS, loaded=False, own=False) is None

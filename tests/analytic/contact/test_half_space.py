@@ -120,3 +120,10 @@ def test_an_even_load_is_symmetric_and_has_hertz_s_pressure_and_width() -> None:
     assert found["F_d"] == found["F_low"] + found["F_high"]
     assert abs(found["M"]) < 1e-6 * 3407.0 * 9e-3
     assert even.beyond(0.5e-3).max() <= found["p_max"] <= found["p_top"] * (1 + 1e-12)
+
+
+def test_each_load_of_a_series_starts_from_the_solution_before() -> None:
+    grid = HalfSpace((24, 20), cell=(1e-6, 2e-6), E_star=E_STAR)
+    found = grid.press_each(rough(4), [5.0, 50.0, 50.5])
+    assert found[2].iterations < found[1].iterations - 2
+    assert grid.press(rough(4), load=50.0, start=found[1].pressure).iterations == 0

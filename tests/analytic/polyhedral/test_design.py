@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from analytic.contact import hertz_line
 from analytic.polyhedral import forces, torque
 from analytic.polyhedral.design import Clutch
 from analytic.polyhedral.parts import Parts
@@ -71,3 +72,13 @@ def test_a_fillet_moves_the_flats_out_while_its_corners_stay():
     flat = forces.half_flat(d_i=d_i, z=ALL, rho=rho)
     np.testing.assert_allclose(flat, R_u * np.sin(half) - rho * np.tan(half), rtol=1e-12)
     np.testing.assert_allclose(centre * np.sin(half), flat, rtol=1e-12)
+
+
+def test_rollers_press_the_ring_harder_than_the_race():
+    """Hertz on two steel cylinders of lengths b; the race is hollow."""
+    clutch = Clutch(PARTS, **LOADS)
+    for R, p_0 in ((1 / (2 / 0.01 + 2 / 0.08), clutch.p_0_ring),
+                   (1 / (2 / 0.01 - 2 / 0.10006), clutch.p_0_race)):  # fmt: skip
+        a = hertz_line.half_width(P=clutch.N / 0.03, R=R, E_star=210e9 / (2 * 0.91))
+        assert p_0 == pytest.approx(2 * clutch.N / 0.03 / (np.pi * float(a)), rel=1e-12)
+    assert clutch.p_0_ring > clutch.p_0_race

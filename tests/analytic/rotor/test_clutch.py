@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from analytic.contact import crown as profiles
 from analytic.rotor import clutch_uniform as uniform
 from analytic.rotor.clutch import Clutch, even_angles, slice_middles, with_axial
-from analytic.rotor.clutch_state import under_loads, under_torque
+from analytic.rotor.clutch_state import preload_twist, under_loads, under_torque
 
 fixed = settings(deadline=None, derandomize=True, max_examples=25)
 
@@ -175,3 +175,9 @@ def test_no_equilibrium_is_refused_not_returned():
     most = 15.0 / clutch(n_s=7).d_t
     with pytest.raises(ArithmeticError, match="no equilibrium under F"):
         under_loads(clutch(n_s=7), np.array([1.1 * most, 0, 0, 0, 15.0]))
+
+
+def test_a_gap_all_around_is_twisted_away_first():
+    one = clutch(n_s=7, interference=-50e-6)
+    g = preload_twist(one, T=15.0)
+    assert g == pytest.approx(preload_twist(clutch(n_s=7), T=15.0) + 50e-6 / one.d_t, rel=1e-12)

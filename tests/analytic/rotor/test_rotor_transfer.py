@@ -2,10 +2,12 @@
 
 import numpy as np
 import pytest
+from scipy.linalg import expm
 
 from analytic.rotor.shafts import UniformShaft, hutchinson
 from analytic.rotor.transfer_model import Disc, Rotor, Segment, Shaft, Support
 from analytic.rotor.transfer_modes import critical_speeds, modes, whirl_frequencies
+from analytic.rotor.transfer_segment import transfer
 from analytic.rotor.transfer_shapes import mode_lines
 
 E, NU, RHO = 210e9, 0.3, 7850.0
@@ -86,3 +88,10 @@ def test_a_mode_is_carried_into_the_segments():
         assert r.real == pytest.approx(fitted * sine, abs=1e-4)
         assert abs(fitted) == pytest.approx(1, abs=5e-3)
         assert abs(r.imag).max() < 1e-9
+
+
+@pytest.mark.parametrize("at", [0.3, 1.0])
+def test_the_transfer_matrix_is_the_exponential_of_the_state_s_equation(at):
+    s, b, t = 0.3, 9.0, -1.2
+    A = np.array([[0, 1, s, 0], [0, 0, 0, 1], [-b, 0, 0, 0], [0, -t, -1, 0]])  # r, phi, Q, M
+    assert transfer(s=s, b=b, t=t, at=at) == pytest.approx(expm(A * at), rel=1e-12, abs=1e-12)

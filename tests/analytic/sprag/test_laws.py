@@ -122,3 +122,9 @@ def test_a_race_of_many_sprags_deflects_as_a_smeared_one():
     for loaded in ("rim", "bore"):
         few, more = (abs(over_smeared(p, 1e-4, loaded) - 1) for p in (PARTS, many))
         assert more < few
+
+
+def test_a_centroid_given_along_one_axis_is_where_it_was_along_the_other(clutch):
+    x, y = clutch.centroid
+    assert replace(clutch, c_x=1e-3).centroid == (1e-3, y)
+    assert replace(clutch, c_y=1e-3).centroid == (x, 1e-3)

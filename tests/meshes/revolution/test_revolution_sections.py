@@ -48,6 +48,7 @@ def test_a_cylinder_keeps_the_stations_of_contact_and_goes_on_beyond():
     ("make", "message"),
     [
         (lambda: section(r=[0.0, 2.0, 1.0], z=[0.0, 1.0]), "stations r must grow"),
+        (lambda: section(r=[0.0, 2.0], z=[0.0]), "stations z must grow, two or more"),
         (lambda: section(r=[-1.0, 2.0], z=[0.0, 1.0]), "not negative, got r=-1 m"),
         (lambda: stations(start=0.0, end=1.0, first=2.0, growth=1.5), "0 < first <= "),
         (lambda: stations(start=0.0, end=1.0, first=0.1, growth=1.0), "growth > 1"),
