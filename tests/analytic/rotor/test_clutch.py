@@ -181,3 +181,9 @@ def test_a_gap_all_around_is_twisted_away_first():
     one = clutch(n_s=7, interference=-50e-6)
     g = preload_twist(one, T=15.0)
     assert g == pytest.approx(preload_twist(clutch(n_s=7), T=15.0) + 50e-6 / one.d_t, rel=1e-12)
+
+
+def test_the_twists_of_several_torques_are_those_of_each_alone():
+    one, torques = clutch(n_s=7), np.array([5.0, 15.0, 40.0])
+    alone = [float(preload_twist(one, T=T)) for T in torques]
+    assert preload_twist(one, T=torques) == pytest.approx(alone, rel=1e-12)
