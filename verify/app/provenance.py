@@ -22,6 +22,8 @@ def provenance(root: Path, results: Sequence[CaseResult], seconds: float) -> dic
     return {
         "made": time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime()),
         **conditions(root),
+        "processor": processor(),
+        "blas": _blas(),
         "seconds": {r.id: round(r.seconds, 3) for r in results} | {"total": round(seconds, 3)},
         "cached": {r.id: r.cached for r in results},
         "cells": {f"{r.id}, {f}": n for r in results for f, n in r.cells.items()},
@@ -38,6 +40,27 @@ def conditions(root: Path) -> dict[str, Any]:
         "machine": f"{platform.system()} {platform.machine()}",
         "versions": {name: _version(name) for name in PACKAGES},
     }
+
+
+def processor(path: Path = Path("/proc/cpuinfo")) -> str:
+    """Model of the first processor as Linux names it; "unknown" on other systems."""
+    try:
+        text = path.read_text("utf-8")
+    except OSError:
+        return "unknown"
+    line = next((line for line in text.splitlines() if line.startswith("model name")), "")
+    return line.partition(":")[2].strip() or "unknown"
+
+
+def _blas() -> str:
+    """Kernels and threads of each BLAS library in effect."""
+    from verify.audit.portable.effective import effective  # loads scipy
+
+    found = effective()
+    return ", ".join(
+        f"{owner} {kernels or 'unknown'} on {found['threads'][owner]} thread(s)"
+        for owner, kernels in sorted(found["blas"].items())
+    )
 
 
 def _version(name: str) -> str:
