@@ -15,6 +15,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
+from verify.app.extras import PACKAGE, shared_names
 from verify.app.installed import installed, mismatches
 from verify.core import environment
 from verify.core.environment import LIBRARIES
@@ -34,6 +35,7 @@ SOLVING = (
 )  # fmt: skip
 TYPST = 'import typst\nassert typst.compile(b"Hello")'
 SECONDS = 60.0
+SEPARATE = "install this one in a separate environment"
 
 
 @dataclass(frozen=True)
@@ -118,8 +120,13 @@ def _memory() -> str:
 def _packages() -> Iterator[Finding]:
     absent = [name for name in SOLVING if importlib.util.find_spec(name) is None]
     known = ", ".join(f"{name} {installed(name) or 'absent'}" for name in SHOWN)
-    text = f"missing {', '.join(absent)}: make .venv/.ready" if absent else known
+    set_up = "make setup" if (ROOT / "Makefile").is_file() else f"pip install '{PACKAGE}[report]'"
+    text = f"missing {', '.join(absent)}: {set_up}" if absent else known
     yield Finding("packages", MISSING if absent else OK, text, fatal=bool(absent))
+    if shared := shared_names():
+        yield Finding(
+            "names", MISSING, f"other packages also bring {', '.join(shared)}: {SEPARATE}"
+        )
     lock = ROOT / "requirements.txt"
     if lock.is_file():
         differ = "; ".join(mismatches(lock.read_text("utf-8")))

@@ -129,5 +129,7 @@ def require_gmsh() -> None:
     """Raise OSError, in one line with the packages to install, where gmsh cannot be imported."""
     try:
         importlib.import_module("gmsh")  # by name: what asks for libraries needs no gmsh itself
+    except ModuleNotFoundError:  # the package, not a system library
+        raise
     except (ImportError, OSError) as error:
         raise OSError(missing_for_meshes(str(error))) from error

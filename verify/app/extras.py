@@ -1,0 +1,44 @@
+"""The package among others: its extras, and names that it shares with other packages."""
+
+import re
+from importlib.metadata import PackageNotFoundError, packages_distributions, requires
+
+PACKAGE = "freewheel-verification"
+TOP_LEVEL = ("analytic", "fem", "meshes", "reports", "verify")
+LIBRARIES = {"skfem": "scikit-fem", "sklearn": "scikit-learn", "PIL": "pillow"}  # by module
+
+
+def extra_of(module: str) -> str:
+    """The extra whose requirements include a module's library; "" where none does.
+
+    >>> extra_of("skfem")
+    'fem'
+    """
+    library = LIBRARIES.get(module, module)
+    try:
+        requirements = requires(PACKAGE) or ()
+    except PackageNotFoundError:  # a checkout that is not installed
+        return ""
+    for one in requirements:
+        extra = re.search(r"""extra == ["'](\w+)["']""", one)
+        if extra and re.match(r"[\w-]+", one)[0].lower() == library:  # type: ignore[index]
+            return extra[1]
+    return ""
+
+
+def missing_library(error: ImportError) -> str:
+    """One line for the user: what is not installed, and the command that installs it."""
+    module = str(error.name or "").partition(".")[0]
+    extra = extra_of(module)
+    if not extra:
+        return f"{error}: see freewheel doctor"
+    return (
+        f"{LIBRARIES.get(module, module)} is not installed; this command needs it: "
+        f"pip install '{PACKAGE}[{extra}]'"
+    )
+
+
+def shared_names() -> list[str]:
+    """Top-level names of this package that another installed distribution has, too."""
+    owners = packages_distributions()
+    return [name for name in TOP_LEVEL if set(owners.get(name, ())) - {PACKAGE}]
