@@ -1,7 +1,7 @@
-"""What each case says of the causes of its differences, by its id.
+"""Causes of the differences of each case, by its id.
 
-Kept apart from the cases' own modules: many of these are read by finite elements of other cases,
-whose results would count as another code's with every word that is added here.
+In modules separate from the cases: finite elements of other cases import many of those, and their
+stored results would become invalid with every text that is changed here.
 """
 
 from collections.abc import Mapping

@@ -15,10 +15,10 @@ def _parts() -> tuple[tuple[str, str], ...]:
 
 
 def present_name(name: str) -> str:
-    """What a row of an earlier version is called now.
+    """The present name of a row of an earlier version.
 
-    >>> present_name("freewheel-torque/way of the rollers (Eq. 6)")
-    'freewheel-torque/travel of the rollers (Eq. 6)'
+    >>> present_name("freewheel-torque/torsion, Eq. 7 as printed")
+    'freewheel-torque/wind-up, Eq. 7 as printed'
     """
     for was, now in _parts():
         name = name.replace(was, now)
@@ -26,10 +26,10 @@ def present_name(name: str) -> str:
 
 
 def former_name(name: str) -> str:
-    """What a row was called before, to search by old words; one of them where there are several.
+    """An earlier name of a row, to search by old words; one of them where there are several.
 
-    >>> former_name("freewheel-torque/travel of the rollers (Eq. 6)")
-    'freewheel-torque/way of the rollers (Eq. 6)'
+    >>> former_name("freewheel-torque/wind-up, Eq. 7 as printed")
+    'freewheel-torque/torsion, Eq. 7 as printed'
     """
     for was, now in reversed(_parts()):
         name = name.replace(now, was)

@@ -30,18 +30,18 @@ def angle(q: Any, *, ends: str) -> AlongLine:
 def travel(q: Any) -> AlongLine:
     """Arc s of the roller's centre."""
     return AlongLine(
-        title="Way of the roller's centre (Eq. 6)", x=("T", "N m"), y=("s", "µm"),
+        title="Travel of the roller's centre (Eq. 6)", x=("T", "N m"), y=("s", "µm"),
         curve=lambda T: loaded(q.clutch, T).s, reference="s_over_T", at=GRID * q.T,
         points=FINE * q.T, order=2, scale=q.s, scale_name="s(T)", neglects=True,
     )  # fmt: skip
 
 
 def torsion(context: Context, *, printed: str, note: str) -> Curves:
-    """Exact rolling, Eq. 7 as `printed`, and what the energy of finite elements asks for."""
+    """Exact rolling, Eq. 7 as `printed`, and the wind-up by the energy of finite elements."""
     q = context.inputs
     states = loaded(q.clutch, FINE * q.T)
     return plot(
-        "Torsion over torque: Eq. 7 as printed and exact rolling", "T [N m]", "φ [°]",
+        "Wind-up over torque: Eq. 7 as printed and exact rolling", "T [N m]", "φ [°]",
         line("exact rolling", FINE * q.T, states.phi * DEGREE),
         dashes(f"Eq. 7 as printed, {printed}", FINE * q.T, states.phi_printed * DEGREE, 1),
         dots("FE, ∫dU/T", GRID * q.T, context.fem[-1].arrays["phi_over_T"] * DEGREE),
@@ -50,12 +50,12 @@ def torsion(context: Context, *, printed: str, note: str) -> Curves:
 
 
 def bisector(context: Context, x: str, cam: str, race: str, note: str) -> Curves:
-    """How far both contact forces leave the bisector, over torque or normal force (`x`)."""
+    """Deviation of both contact forces from the bisector, over torque or normal force (`x`)."""
     T, N, psi, *_ = context.fem[-1].arrays["loads"]
     load = T if x.startswith("T") else N / 1e3
     on_cam, on_race = 1e3 * (context.fem[-1].arrays["shares"] / np.tan(psi / 2) - 1)
     return plot(
-        "How far the line of the forces leaves the bisector", x, "(F_t/F_n)/tan(ψ/2) − 1 [10⁻³]",
+        "Deviation of the line of the forces from the bisector", x, "(F_t/F_n)/tan(ψ/2) − 1 [10⁻³]",
         dots(f"FE, on the {cam}", load, on_cam),
         dots(f"FE, on the {race}", load, on_race, 2),
         line("rigid surfaces", [0.0, load[-1]], np.zeros(2)),

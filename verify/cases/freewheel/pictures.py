@@ -1,4 +1,4 @@
-"""What sectors of star and cup look like under their loads."""
+"""Pictures of sectors of star and cup under their loads."""
 
 from collections.abc import Iterator
 from typing import Any

@@ -1,4 +1,4 @@
-"""A roller freewheel under torque and axial load, with the friction that there is."""
+"""A roller freewheel under torque and axial load, with the available friction."""
 
 import numpy as np
 
@@ -31,7 +31,7 @@ class Pulled(Star):
         return self.F_ax / self.z
 
     @Quantity("μ_req", "1", "required friction coefficient", equation="9", safe="too high",
-              source="a symbol of its own for what is no tangent of α; Eq. 8 by forces",
+              source="a separate symbol, as it is no tangent of α; Eq. 8 by forces",
               tex=r"\frac{\sqrt{F_t^2 + F_a^2}}{F_n} = "
               r"\tan\left(\alpha\right) \sqrt{1 + (\frac{F_{ax} R}{T})^2}")  # fmt: skip
     def mu_req(self) -> float:
@@ -56,6 +56,6 @@ class Pulled(Star):
         return bool(np.isfinite(limit) and limit > 0)
 
     def largest_axial_load(self, T: float) -> float:
-        """Axial load [N] at which the clutch slips under a torque; nan where it does without."""
+        """Axial load [N] at which the clutch slips under a torque; nan where it slips without."""
         alpha = self.state.alpha if T == self.T else self.under(T).alpha
         return float(criterion.largest_axial_load(alpha=alpha, T=T, R=self.R, mu=self.mu))

@@ -1,4 +1,4 @@
-"""What the sweep of a sector, of star or cup, is read for: under a torque, at N_0, at an angle."""
+"""Results of the sweep of a sector, of star or cup: under a torque, at N_0, at an angle."""
 
 from typing import Any
 
@@ -22,7 +22,7 @@ SPLINE = 5e-6  # of a value: what splines between the states may miss, twice tha
 
 
 def under_torque(q: OneClutch, sweep: Sweep) -> dict[str, float]:
-    """Angle, force, way and torsion under T, approaches and contacts at N_0; statics."""
+    """Angle, force, travel and wind-up under T, approaches and contacts at N_0; statics."""
     T, N_0, place = q.T, rigid_force(q), sweep.place(q.T)
     values = {
         "alpha": place.psi / 2,

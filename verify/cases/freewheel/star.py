@@ -1,7 +1,7 @@
 """A roller freewheel with a flat star under torque: inputs, clutch, state, and what follows of it.
 
-The paper prints no dimensions of its two clutches; 5 µm of X turn the clamping angle by 0.08 deg,
-so that none can be guessed: the default one is synthetic.
+The paper prints no dimensions of its two clutches; 5 µm of X change the clamping angle by
+0.08 deg, so that they cannot be guessed: the default clutch is synthetic.
 """
 
 import math
@@ -21,8 +21,8 @@ from verify.cases.freewheel.inputs import in_millimetres
 
 LARGEST_ANGLE = math.radians(15)
 GIVEN = 10.0  # N_0/(L E'): both approaches together at the angle that is given
-WIDE = 0.12  # a/r up to which finite elements, small in displacements, are asked
-BENT = 0.1  # of the ring's wall: by how much more it bends, its forces move along it
+WIDE = 0.12  # a/r up to which finite elements, small in displacements, are used
+BENT = 0.1  # of the ring's wall: a larger deflection moves its forces along it
 BEYOND, EDGE = 1.1, 4.0  # of those approaches; half-widths up to the flat's corner
 
 Load = Literal["T", "N_0", "ψ"]
@@ -37,7 +37,7 @@ def of_one_steel(q: OneClutch, cam: Cam) -> Clutch:
 
 
 class Rollers(Case):
-    """What stars and cups have alike: their elastic clutch, and a rigid one's force."""
+    """What stars and cups have in common: the elastic clutch, and the force of a rigid one."""
 
     load: ClassVar[Load] = "T"  # what the state of the formulas is given by
 
@@ -53,7 +53,7 @@ class Rollers(Case):
 
     @property
     def rigid_force(self: Any) -> float:
-        """N_0 [N] of a clutch that keeps its angle alpha_0."""
+        """N_0 [N] of a clutch with the constant angle alpha_0."""
         return float(self.T / (self.z * self.race * np.tan(self.cam.alpha0)))
 
     def loaded_by(self, load: Load) -> Self:
@@ -95,8 +95,9 @@ class Star(Rollers):
             raise ValueError(in_millimetres(str(error))) from error
         if self.cam.alpha0 > LARGEST_ANGLE:
             raise ValueError(
-                f"α_0 = {math.degrees(float(self.cam.alpha0)):.4g}° is beyond friction; rollers "
-                f"hold below some {math.degrees(LARGEST_ANGLE):g}°: X is too small for R and r"
+                f"α_0 = {math.degrees(float(self.cam.alpha0)):.4g}° is too large for friction; "
+                f"rollers hold below about {math.degrees(LARGEST_ANGLE):g}°: X is too small for R "
+                "and r"
             )
         return self
 
@@ -133,7 +134,7 @@ class Star(Rollers):
         return self._known(at_angle(self.clutch, math.acos(y / (self.R - self.r + d / 2))))
 
     def under(self, T: float) -> State:
-        """The state under a torque [N m]; ValueError where the rollers are past their flats."""
+        """The state under a torque [N m]; ValueError where the rollers are beyond their flats."""
         state = loaded(self.clutch, T)
         if not np.isfinite(state.N):
             raise ValueError(
@@ -143,7 +144,7 @@ class Star(Rollers):
         x, half = float(self.cam.centre(d_i=state.d_i, d_o=state.d_o)[0]), float(self.cam.corner)
         if x >= half:
             raise ValueError(
-                f"under T = {T:g} N m the rollers are past the corners of their flats: "
+                f"under T = {T:g} N m the rollers are beyond the ends of their flats: "
                 f"{x * 1e3:.4g} mm from the middle of flats that end at {half * 1e3:.4g} mm"
             )
         return state

@@ -1,4 +1,4 @@
-"""What an inner star looks like: one pitch of star, roller and ring, with its measures."""
+"""Sketch of an inner star: one pitch of star, roller and ring, with dimensions."""
 
 import math
 from typing import Any

@@ -1,4 +1,4 @@
-"""What a sector of star or cup is compared in beside its formulas: forces in balance, no load."""
+"""Further comparisons of a sector of star or cup: forces in balance, limit without load."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -11,7 +11,7 @@ from verify.cases.freewheel.bodies import OneClutch
 from verify.core.case import Context
 from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, demanded, suites
 
-ALIKE = suites("as the torque")
+TORQUE = suites("as the torque")
 BOTH = suites("2e-3 of either contact")
 OTHER = suites("as the torque of the other contact")
 NOISE = 5e-6  # of F_t/N, from mesh to mesh at least
@@ -23,7 +23,7 @@ def accepted(
     q: Quantity, name: str, share: str, words: str, *, within: float, symbol: str = "",
     source: str = SUBJECT, by: str = "", inverse: bool = False,
 ) -> Comparison:  # fmt: skip
-    """The formula `q` with the reference's own forces put in, within a figure stated beforehand.
+    """The formula `q` with the forces of the reference, within a figure stated beforehand.
 
     `share` names its ratio to the reference, less 1; the reference over it where `inverse`. How
     much the last meshes differ is its uncertainty. `words` lead the error in the row.
@@ -55,7 +55,7 @@ class Named:
 
 
 def balanced(clutch: Any, of_cam: Quantity, words: Named) -> Iterator[Comparison]:
-    """Forces of the reference itself, put into the formulas of the class `clutch`.
+    """Forces of the reference in the formulas of the class `clutch`.
 
     `of_cam` is the torque of both forces on the flats.
     """
@@ -69,10 +69,10 @@ def balanced(clutch: Any, of_cam: Quantity, words: Named) -> Iterator[Comparison
                    within=1e-3)  # fmt: skip
     yield accepted(of_cam, f"torque against {on_cam}", "torque_cam", "off by", within=1e-3,
                    source=OTHER)  # fmt: skip
-    yield accepted(clutch.N, "equal normal forces of both contacts (Eq. 2)", "unlike_N", "apart by",
-                   within=1e-3, source=ALIKE, by="the flat's")  # fmt: skip
+    yield accepted(clutch.N, "equal normal forces of both contacts (Eq. 2)", "unlike_N",
+                   "difference", within=1e-3, source=TORQUE, by="the flat's")  # fmt: skip
     yield accepted(clutch.F_t, "equal tangential forces of both contacts (Eq. 2)", "unlike_F_t",
-                   f"{n.unlike_forces} to either side of the bisector: apart by", within=4e-3,
+                   f"{n.unlike_forces} to either side of the bisector: difference", within=4e-3,
                    source=BOTH, by="the flat's")  # fmt: skip
     yield accepted(clutch.phi, "∫dU/T against rolling", "rolling", within=5e-3,
                    words=f"tangential forces deform {n.rolling}: rolling is off by")  # fmt: skip

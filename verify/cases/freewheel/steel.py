@@ -1,9 +1,9 @@
-"""What oiled, hardened steel bears."""
+"""Limits of oiled, hardened steel."""
 
 from collections.abc import Iterator
 
-HARD = 4000e6  # Pa, what hardened rollers bear in static contact (ISO 76)
-FRICTION = 0.1  # what oiled steel hardly exceeds
+HARD = 4000e6  # Pa, limit of hardened rollers in static contact (ISO 76)
+FRICTION = 0.1  # which oiled steel hardly exceeds
 
 
 def pressed(*pressures: float) -> Iterator[str]:

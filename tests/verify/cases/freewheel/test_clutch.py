@@ -32,13 +32,13 @@ def findings(**changes):
         ({"mu": 0.065}, "yellow: μ/μ_req = 0.9013: by Coulomb's law it slips"),
         ({"F_ax": 3000.0}, "red: μ/μ_req = 0.552: by Coulomb's law it slips"),
         ({"T": -3.0}, "free: the torque turns against the locking direction"),
-        ({"T": 0.0}, "red: without torque nothing presses the rollers: F_ax = 600 N"),
+        ({"T": 0.0}, "red: without torque the rollers are not pressed: no friction resists F_ax"),
         ({"T": 0.0, "F_ax": 0.0}, "green: at rest"),
         ({"mu": 0.06}, "red: tan α_0 = 0.06116 exceeds μ = 0.06: the clutch releases itself"),
         ({"T": 1e6}, "red: no equilibrium at T = 1000 kN m: contacts as wide as the rollers'"),
         (CUP | {"T": 40.0}, "red: no equilibrium at T = 40 N m: the rollers go through"),
-        ({"mu": 1.0, "T": 4000.0}, "red: the rollers are past the flats' corners (T_c = 2717 N m); "
-         "friction alone would hold"),
+        ({"mu": 1.0, "T": 4000.0}, "red: the rollers are beyond the ends of the cam flats "
+         "(T_c = 2717 N m); friction alone would hold"),
         ({"T": 140.0, "mu": 0.5}, "overloaded: μ/μ_req = 6.019: friction holds"),
         ({"e_lim": 0.005}, "overloaded: μ/μ_req"),
     ],
@@ -56,11 +56,14 @@ def test_the_verdict_comes_first(changes, verdict):
         ({"e_lim": 0.01}, "first the tilting couple moves the contact forces by (e/L)_lim"),
         (CUP, "first the inner contacts reach p_lim (29.21 N m"),
         ({"T": 130.0, "F_ax": 0.0}, "already beyond a limit of the torque: the inner contacts"),
-        ({"F_ax": 1100.0}, "friction would bear F_ax = 1100 N from 29.35 to 102.7 N m"),
+        ({"F_ax": 1100.0}, "friction would transmit F_ax = 1100 N from 29.35 to 102.7 N m"),
         (CUP | {"T": 40.0}, "R_a is that of the housing that stiffens a drawn cup"),
-        ({"T": 1e9}, "no R_a, X or L near these bears the torque: the clutch is too small"),
-        (TIGHT, "of 20,000 clutches of like rollers with ±5 µm on X"),
-        (CUP | {"T": 30.0, "X_tol": 5e-5}, "let the rollers through"),
+        (
+            {"T": 1e9},
+            "no R_a, X or L near these is sufficient for this torque",
+        ),
+        (TIGHT, "of 20,000 clutches of identical rollers with ±5 µm on X"),
+        (CUP | {"T": 30.0, "X_tol": 5e-5}, "pop through"),
     ],
 )
 def test_limits_and_advice_are_stated(changes, words):

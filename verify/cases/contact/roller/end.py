@@ -122,7 +122,7 @@ class EndFace(Crown):
     def exponent(self) -> float:
         return 1 + self.sharpness
 
-    @Quantity("λ − 1", "1", "sharpness of a right-angled edge on its own material",
+    @Quantity("λ − 1", "1", "sharpness of a right-angled edge on the same material",
               source="Williams; Dundurs and Lee")  # fmt: skip
     def sharpness(self) -> float:
         return edge_exponent(np.pi / 2)

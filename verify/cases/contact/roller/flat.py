@@ -64,7 +64,7 @@ class FlatRoller(OnHalfSpace):
         yield comparisons.agreeing(f"approach, {WITHIN}", q.delta, FLAT, lambda: self.delta_P)
         yield comparisons.loaded_ends(self)
         yield comparisons.end_pressure(self)
-        yield Order(name="slope of 1/peak over the cell: the end's pressure has no limit",
+        yield Order(name="slope of 1/peak over the cell: the pressure at the end is unbounded",
                     symbol="p", unit="1", errors=self._inverse_peaks, order=SLOPE)  # fmt: skip
         yield from comparisons.sliced_rows(self, (q.p_mid_slices,), (q.p_mid_lamina,))
         yield comparisons.balanced(self)

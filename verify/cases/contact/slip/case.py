@@ -118,8 +118,8 @@ class SlippingRollers(SlipFormulas):
         peak, load = {"peak pressure": self.p_0}, {"load": self.P}
         couple = {"couple": self.P * self.R}
         for residual, name, symbol, unit, of, bound, because in (
-            ("steps", "cycle: one step or many", "Δq", "MPa", peak, 1e-9, SECANT),
-            ("closure", "cycle: closes", "Δq", "MPa", peak, 1e-9, SECANT),
+            ("steps", "cycle: one step and many steps coincide", "Δq", "MPa", peak, 1e-9, SECANT),
+            ("closure", "cycle: first and last state coincide", "Δq", "MPa", peak, 1e-9, SECANT),
             ("sliding", "sliding: Q = μP", "Q − μP", "N/mm", {"limit": self.limit}, 1e-10, SLIDING),
             ("cuts", "balance of both cuts", "ΣF", "N/mm", load, 1e-9, SECANT),
             ("passed_on", "balance of cut and contact", "ΣF", "N/mm", load, 1e-9, SECANT),

@@ -1,4 +1,4 @@
-"""A user's roller freewheel: whether it holds, what ends its work, what tolerances do."""
+"""A user's roller freewheel: whether it holds, its limits, the effect of tolerances."""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -25,8 +25,8 @@ WITHIN = "clutches within tolerance that"
 class FreewheelClutch(ClutchInputs):
     """Whether a roller freewheel holds, and which limit is reached first as its loads grow.
 
-    The limits are friction, pressure, the flats' corners, pop-through, tilting rollers. A few
-    micrometres turn the clamping angle, and with it everything else.
+    The limits are friction, pressure, the ends of the cam flats, pop-through and tilt of the
+    rollers. A few micrometres change the clamping angle, and with it all limits.
     """
 
     id = "freewheel-clutch"
@@ -37,8 +37,8 @@ class FreewheelClutch(ClutchInputs):
     readings: ClassVar = (
         "T and F_ax act on the whole clutch: F_a = F_ax/z on a roller, F_t = T/(zR)",
         "R, r are radii and X the distance of a flat from the axis",
-        "± are limits within which parts lie: three standard deviations of a normal distribution, "
-        "or all of a uniform one; s_μ is a standard deviation of a normal one always",
+        "± are limits of size: three standard deviations of a normal distribution, or the range of "
+        "a uniform one; s_μ is always the standard deviation of a normal distribution",
         "rollers are long: plane strain",
     )
     assumptions: ClassVar = (
@@ -46,15 +46,15 @@ class FreewheelClutch(ClutchInputs):
         "synthetic clutch's, with an axial load and tolerances that are yours to give",
         "classes by μ/μ_req are the paper's observation on its rig (Sec. 7), adopted here; a "
         "clutch whose tan α_0 exceeds μ is red whatever its ratio",
-        "all rollers of a clutch are alike and share the load; a torque that falls back, wear, "
-        "crowns, centrifugal forces and springs are left out",
-        "P(slip) counts such clutches: where r and X differ from roller to roller, clutches whose "
-        "first roller slips are half as many again to twice as many (of this synthetic clutch), "
-        "those whose rollers together cannot bear the load about as many",
-        "each limit is met alone: F_ax stays as T grows, and the reverse; what the couple of the "
-        "axial forces does to pressure is a linear line load",
-        "a star is clamped in its bore, a shaft and every rim are free; finite elements know inner "
-        "cams of one material",
+        "all rollers of a clutch are identical and carry equal loads; unloading, wear, crowns, "
+        "centrifugal forces and springs are neglected",
+        "P(slip) counts such clutches. Where r and X differ from roller to roller, the first one "
+        "slips in 1.5 to 2 times as many clutches (of this synthetic clutch); about as many as "
+        "P(slip) cannot carry the load with all rollers together",
+        "each limit is computed alone: F_ax is constant as T grows, and the reverse; the couple of "
+        "the axial forces makes the line load linear along the roller",
+        "a star is clamped in its bore, a shaft and every rim are free; finite elements cover "
+        "inner cams of one material only",
     )
 
     @Quantity("σ", "1", "+1 of an inner cam, −1 of an outer cam", role="step")
@@ -106,7 +106,7 @@ class FreewheelClutch(ClutchInputs):
     ).reads(lambda q: q._of_state("phi_printed"))  # fmt: skip
 
     @Quantity("μ_req", "1", "required friction coefficient", equation="9", safe="too high",
-              source="F_ax on the whole clutch, μ_req has a symbol of its own",
+              source="F_ax on the whole clutch; μ_req is a separate symbol",
               tex=r"\tan\left(\alpha\right) \sqrt{1 + (\frac{F_{ax} R}{T})^2}")  # fmt: skip
     def mu_req(self) -> float:
         if (now := self.duty.under) is None:
@@ -131,14 +131,14 @@ class FreewheelClutch(ClutchInputs):
         "F_p", "N", "axial load at which the rollers' ends reach p_lim", safe="too low",
     ).reads(lambda q: q._axial.get("pressure", math.nan))  # fmt: skip
 
-    @Quantity("e", "µm", "how far the tilting couple moves the contact forces", role="step",
+    @Quantity("e", "µm", "shift of the contact forces by the tilting couple", role="step",
               tex=r"r (\cos\left(\alpha\right))^2 \frac{F_a}{F_n}")  # fmt: skip
     def e(self) -> float:
         if (now := self.duty.under) is None:
             return math.nan
         return float(tilt.offset(F_a=self.F_a, F_n=now.N, r=self.r, alpha=now.alpha))
 
-    @Quantity("e/L", "1", "the same over the length of the rollers", tex=r"\frac{e}{L}")
+    @Quantity("e/L", "1", "that shift over the length of the rollers", tex=r"\frac{e}{L}")
     def e_L(self) -> float:
         return self.e / self.L
 
@@ -152,7 +152,7 @@ class FreewheelClutch(ClutchInputs):
     def p_end(self) -> float:
         return max(self.p_i, self.p_o) * math.sqrt(self.peak)
 
-    @Quantity("T_min", "N m", "torque below which friction does not bear the axial load")
+    @Quantity("T_min", "N m", "torque below which friction does not transmit the axial load")
     def T_bears(self) -> float:
         return self.duty.least_torque if self.T >= 0 else math.nan
 
@@ -168,7 +168,7 @@ class FreewheelClutch(ClutchInputs):
         "T_c", "N m", "torque at which the rollers reach the ends of the cam flats", safe="too low",
     ).reads(lambda q: q._torques.get("corner", math.nan))  # fmt: skip
     T_pop_through = Quantity(
-        "T_pop", "N m", "torque at which the rollers go through", safe="too low",
+        "T_pop", "N m", "torque at which the rollers pop through", safe="too low",
     ).reads(lambda q: q._torques.get("pop_through", math.nan))  # fmt: skip
 
     @Quantity("dα_0/d{0}", "deg/mm", "sensitivity of α_0 to {0}").over(("X", "r", "R"))
@@ -188,17 +188,16 @@ class FreewheelClutch(ClutchInputs):
         return deviation(self.cam, self.sigma)
 
     P_slip = Quantity(
-        "P(slip)", "%", "clutches of like rollers that slip",
+        "P(slip)", "%", "clutches of identical rollers that slip",
     ).reads(lambda q: q._scattered.get("P_slip", math.nan))  # fmt: skip
     P_no_wedge = Quantity(
         "P(gap)", "%", "clutches within tolerance that have no wedge",
     ).reads(lambda q: q._scattered.get("P_no_wedge", math.nan))  # fmt: skip
     P_no_state = Quantity(
-        "P(through)", "%", f"{WITHIN} no state bears: rollers go through, or contacts are "
-        "too wide",
+        "P(through)", "%", f"{WITHIN} have no equilibrium: pop-through, or contacts too wide",
     ).reads(lambda q: q._scattered.get("P_no_state", math.nan))  # fmt: skip
     P_corner = Quantity(
-        "P(corner)", "%", "clutches within tolerance past the flats' corners",
+        "P(corner)", "%", "clutches within tolerance with rollers beyond the flats' ends",
     ).reads(lambda q: q._scattered.get("P_corner", math.nan))  # fmt: skip
 
     @Quantity("{0}", "%", f"{WITHIN} are {{0}} by friction").over(("green", "yellow", "red"))
@@ -243,7 +242,7 @@ class FreewheelClutch(ClutchInputs):
         return {name: value for name, value in found.items() if np.isfinite(value)}
 
     def reference(self, level: int) -> Level:
-        """A sweep over the torque, the flats a few µm off, slip about the required friction."""
+        """A sweep over the torque, flats shifted by a few µm, slip near the required friction."""
         from verify.cases.freewheel.clutch.reference import solve
 
         return solve(self, level)
@@ -260,7 +259,7 @@ class FreewheelClutch(ClutchInputs):
         yield from messages.warnings(self, self.values)
 
     def advice(self) -> Iterator[str]:
-        """The verdict, what ends its work, what to change."""
+        """The verdict, the limits, what to change."""
         yield from messages.findings(self, self.values)
 
     def summary(self) -> Mapping[str, Any]:
@@ -268,7 +267,7 @@ class FreewheelClutch(ClutchInputs):
         return summary(self, self.values)
 
     def refusal(self) -> str:
-        """Where these finite elements know no such clutch."""
+        """Clutches that these finite elements do not cover."""
         if not self.is_star:
             return (
                 "finite elements of this case take inner cams only, case freewheel-cup compares "
@@ -276,13 +275,11 @@ class FreewheelClutch(ClutchInputs):
             )
         if self.T <= 0 or self.duty.under is None:
             return (
-                "finite elements need a torque that locks and that a state bears; check it "
-                "without --fem"
+                "finite elements need a torque in the locking direction with an equilibrium; check "
+                "it without --fem"
             )
         if not self.like:
-            return (
-                "finite elements take one material for all parts; check unlike ones without --fem"
-            )
+            return "finite elements take one material for all parts; check others without --fem"
         try:
             return self.as_star.refusal()
         except ValueError as error:

@@ -1,4 +1,4 @@
-"""The claims about one's own clutch: angle, force and torsion at its load, slip, a few µm of X."""
+"""Comparisons of a user's clutch: angle, force and wind-up at its load, slip, sensitivity to X."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -77,7 +77,7 @@ def comparisons(q: ClutchInputs, case: Any) -> Iterator[Comparison]:
         yield approximation(quantity, name=name, symbol=symbol, expected=computed, order=2,
                             shares=SHARED, **more)  # fmt: skip
     for name, margin in (
-        ("friction 1 % above μ_req bears torque and axial load (Eqs. 8, 9)", bears),
+        ("friction 1 % above μ_req transmits torque and axial load (Eqs. 8, 9)", bears),
         ("friction 1 % below μ_req does not (Eqs. 8, 9)", slips_below),
     ):
         check = Fact(name=name, symbol="μ_req", unit="1", margin=margin)

@@ -1,4 +1,4 @@
-"""What is told of a freewheel's limits: those that are passed, and which come as loads grow."""
+"""Messages on a freewheel's limits: those exceeded, and the next ones as loads grow."""
 
 import math
 from collections.abc import Sequence
@@ -9,11 +9,11 @@ from verify.cases.freewheel.clutch.inputs import ClutchInputs
 from verify.cases.freewheel.clutch.numbers import newton, newton_metres, pascal
 from verify.core.case import Values
 
-FAR = 10.0  # times the first limit ahead, beyond which another one is not told
+FAR = 10.0  # times the first limit ahead, beyond which another one is not reported
 
 
 def torque(q: ClutchInputs, v: Values) -> list[str]:
-    """What comes first when the torque grows and the axial load stays."""
+    """The first limits as the torque grows at constant axial load."""
     limits = q.duty.of_torque
     passed = [limit for limit in limits if limit.at < q.T]
     ahead = [limit for limit in limits if limit.at > q.T]
@@ -29,8 +29,8 @@ def torque(q: ClutchInputs, v: Values) -> list[str]:
         found.append(f"as the torque grows, without stresses of rings and rollers' ends: {listed}")
     if (least := v.get("T_bears", 0.0)) > 0 and not past_corners(q, v):
         found.append(
-            f"as the torque falls: below {newton_metres(least)} ({least / q.T:.3g} T) friction no "
-            f"longer bears F_ax = {newton(q.F_ax)}"
+            f"as the torque falls: below {newton_metres(least)} ({least / q.T:.3g} T) the "
+            f"clutch slips axially under F_ax = {newton(q.F_ax)}"
         )
     return found
 
@@ -42,13 +42,13 @@ def where_friction_holds(q: ClutchInputs) -> str:
     parts = [f"{a:.4g} to {newton_metres(b)}" if math.isfinite(b) else f"{newton_metres(a)} on"
             for a, b in ranges]  # fmt: skip
     at = f"from {' and from '.join(parts)}" if parts else "at no torque"
-    return f"friction would bear F_ax = {newton(q.F_ax)} {at}"
+    return f"friction would transmit F_ax = {newton(q.F_ax)} {at}"
 
 
 def axial(q: ClutchInputs, v: Values) -> list[str]:
-    """What comes first when the axial load grows and the torque stays."""
+    """The first limits as the axial load grows at constant torque."""
     if v["F_slip"] == 0:
-        return ["friction bears no axial load at this torque"]
+        return ["friction transmits no axial load at this torque"]
     limits = [limit for limit in q.duty.of_axial_load if limit.at > 0]
     passed = [limit for limit in limits if limit.at < q.F_ax]
     ahead = [limit for limit in limits if limit.at >= q.F_ax]

@@ -1,4 +1,4 @@
-"""What the report shows of one's own freewheel: where it holds, its course, its scatter."""
+"""Figures of a user's freewheel: where it holds, its values over torque, its scatter."""
 
 import math
 from collections.abc import Sequence
@@ -32,14 +32,14 @@ def figures(context: Context) -> Sequence[Figure]:
     q = context.inputs
     if q.duty.under is None:
         return ()
-    found: list[Figure] = [lights(q), angles(q), ways(q, context)]
+    found: list[Figure] = [lights(q), angles(q), windup(q, context)]
     if context.fem:
         found.append(flats(q, context))
     if (ensemble := q.scatter) is not None:
         found += [
-            cumulated("Clamping angle of the clutches made", "α_0 [°]",
+            cumulated("Clamping angle of clutches within tolerance", "α_0 [°]",
                       ensemble.drawn.alpha0 * DEGREE, float(q.cam.alpha0) * DEGREE),
-            cumulated("Friction of the clutches made", "μ/μ_req", ensemble.safety,
+            cumulated("Friction of clutches within tolerance", "μ/μ_req", ensemble.safety,
                       context.analytic["safety"], limits=True),
         ]  # fmt: skip
     if any(s.share for s in q.slopes):
@@ -96,7 +96,7 @@ def _zones(q: ClutchInputs, T: Array, F: dict[float, Array], top: float) -> tupl
         Zone(name="friction holds, overloaded", top=holds, tone="fair"),
         Zone(name="yellow: slips by Coulomb", top=slips, tone="fair"),
         Zone(name="red: slips", top=np.where(within, top, 0.0), tone="bad"),
-        Zone(name="red: past the corners", top=np.full(T.size, top), tone="bad"),
+        Zone(name="red: beyond the flats' ends", top=np.full(T.size, top), tone="bad"),
     )
 
 
@@ -117,7 +117,7 @@ def angles(q: ClutchInputs) -> Curves:
         dashes("arctan μ", T[[0, -1]], tan, 1),
         dots("this clutch", [q.T], np.interp([q.T], T, now.alpha * DEGREE), 5),
         y_bottom=0.0, y_top=1.7 * max(tan, float(now.alpha.max()) * DEGREE),
-        note="It holds where the friction asked for lies below μ.",
+        note="It holds where the required friction lies below μ.",
     )  # fmt: skip
 
 
@@ -134,18 +134,18 @@ def flats(q: ClutchInputs, context: Context) -> Curves:
         dashes("α_0", X * 1e6, np.array([float(c.cam.alpha0) for c in moved]) * DEGREE, 4),
         dots("FE under T", np.array([-q.off, 0.0, q.off]) * 1e6, [low, own, high], 1),
         y_bottom=0.97 * float(moved[-1].cam.alpha0) * DEGREE,
-        note="Load makes up for a part of it: the angle under torque turns less than α_0.",
+        note="The load compensates a part: the angle under torque changes less than α_0.",
     )  # fmt: skip
 
 
-def ways(q: ClutchInputs, context: Context) -> Curves:
+def windup(q: ClutchInputs, context: Context) -> Curves:
     T, now = _states(q)
     measured = () if not context.fem else (
         dots("FE, ∫dU/T", GRID * q.T, context.fem[-1].arrays["phi_over_T"] * DEGREE, 1),
     )  # fmt: skip
     assert q.duty.under is not None
     return plot(
-        "Torsion", "T [N m]", "φ [°]",
+        "Wind-up", "T [N m]", "φ [°]",
         line("exact rolling (Eq. 7, corrected)", T, now.phi * DEGREE),
         dashes("Eq. 7 as printed, s/R + s/X", T, now.phi_printed * DEGREE, 2),
         dashes("2s/R", T, now.phi_small * DEGREE, 4),
@@ -155,25 +155,26 @@ def ways(q: ClutchInputs, context: Context) -> Curves:
 
 
 def cumulated(title: str, label: str, x: Array, drawn: float, *, limits: bool = False) -> Curves:
-    """Per cent of the clutches below a value, with the one that is drawn and the classes."""
+    """Per cent of the clutches below a value, with the nominal one and the classes."""
     ends = np.percentile(x, DRAWN)
     full = np.array([0.0, 100.0])
-    lines = [(drawn, "as drawn", 5)]
+    lines = [(drawn, "nominal", 5)]
     if limits:
         lines += [(criterion.GREEN, "green from here on", 1), (criterion.RED, "red below", 2)]
     return plot(
         title, label, "below it [%]",
         line("clutches", ends, DRAWN),
         (dashes(name, at, full, k) for at, name, k in lines),
-        note=f"{DRAWS:,} draws of the tolerances, always the same ones; all rollers of a clutch "
-        "alike.",
+        note=f"{DRAWS:,} random samples within tolerance, always the same; the rollers of a clutch "
+        "are identical.",
     )  # fmt: skip
 
 
 def sensitivity(q: ClutchInputs) -> Bars:
     by = q.slopes
     return Bars(
-        title="What makes the clamping angle scatter", label="share of the variance of α_0 [%]",
+        title="Contributions to the scatter of the clamping angle",
+        label="share of the variance of α_0 [%]",
         items=tuple(
             (f"{s.name}, ±{getattr(q, f'{s.name}_tol') * 1e6:.3g} µm", 100 * s.share,
              f"{100 * s.share:.0f} %, {s.slope * 1e-6 * DEGREE:+.3f}°/µm".replace("-", "−"))

@@ -1,4 +1,4 @@
-"""What is told of a freewheel first: its class, what ends its work, what tolerances do."""
+"""First messages on a freewheel: its class, its limits, the effect of tolerances."""
 
 import math
 from collections.abc import Sequence
@@ -23,12 +23,14 @@ def findings(q: ClutchInputs, v: Values) -> Sequence[str]:
             found += axial(q, v) + tilted(q, v)
     found += scattered(q, v) + sensitive(q, v)
     if q.duty.under is not None and light(q, v) in ("red", "yellow"):
-        found.append("forces, pressures, way and torsion below are those it would have if it held")
+        found.append(
+            "forces, pressures, roller travel and wind-up below are those it would have if it held"
+        )
     return found
 
 
 def verdict(q: ClutchInputs, v: Values) -> str:
-    """Why the class is what it is, and what Coulomb says."""
+    """The reason of the class, by Coulomb's law."""
     if q.T < 0:
         return "the torque turns against the locking direction: the clutch overruns, and the "\
             "criterion does not apply"  # fmt: skip
@@ -40,8 +42,8 @@ def verdict(q: ClutchInputs, v: Values) -> str:
         if q.F_ax == 0:
             wedge = f"tan α_0 = {v['mu_0']:.4g} is within μ = {q.mu:g}, the rollers wedge"
             return f"at rest; {wedge}; {where_friction_holds(q)}"
-        return f"without torque nothing presses the rollers: F_ax = {newton(q.F_ax)} meets no "\
-            "friction"  # fmt: skip
+        return "without torque the rollers are not pressed: no friction resists "\
+            f"F_ax = {newton(q.F_ax)}"  # fmt: skip
     if "safety" not in v:
         last = "pop_through" if math.isfinite(q.duty.of_torque_alone.pop_through) else "hertz"
         return f"no equilibrium at T = {newton_metres(q.T)}: {Limit(last, q.duty.end).words} at "\
@@ -49,14 +51,14 @@ def verdict(q: ClutchInputs, v: Values) -> str:
     needs = f"required friction coefficient {v['mu_req']:.4g}, available {q.mu:g}"
     ratio = f"μ/μ_req = {v['safety']:.4g}"
     if past_corners(q, v):
-        alone = "friction alone would hold" if v["safety"] >= 1 else "friction would slip, too"
+        alone = "friction alone would hold" if v["safety"] >= 1 else "the contacts would slip, too"
         at = f"T_c = {newton_metres(v['T_corner'])}"
-        return f"the rollers are past the flats' corners ({at}); {alone}, {ratio}"
+        return f"the rollers are beyond the ends of the cam flats ({at}); {alone}, {ratio}"
     if light(q, v) == "overloaded":
         return f"{ratio}: friction holds ({needs}), {beyond(q, v)}"
     if v["safety"] >= 1:
         return f"{ratio}: by Coulomb's law it holds ({needs})"
-    seen = "; yellow is what the paper grants by observation" if light(q, v) == "yellow" else ""
+    seen = "; yellow follows the paper's observations" if light(q, v) == "yellow" else ""
     return f"{ratio}: by Coulomb's law it slips ({needs}){seen}"
 
 
@@ -66,10 +68,10 @@ def beyond(q: ClutchInputs, v: Values) -> str:
     if q.p_lim is not None and v.get("p_end", math.inf) > q.p_lim:
         even = max(v["p_i"], v["p_o"])
         part = "inner" if v["p_i"] >= v["p_o"] else "outer"
-        bear = f"the {part} contacts bear {pascal(even)}" if even > q.p_lim else \
-            f"the rollers' ends bear {pascal(v['p_end'])}" if "p_end" in v else \
-            "one end of the rollers bears everything"  # fmt: skip
-        found.append(f"contacts are overloaded: {bear}, p_lim is {pascal(q.p_lim)}")
+        most = f"{pascal(even)} at the {part} contacts" if even > q.p_lim else \
+            f"{pascal(v['p_end'])} at the rollers' ends" if "p_end" in v else \
+            "one end of the rollers carries the whole load"  # fmt: skip
+        found.append(f"contacts are overloaded: {most}, p_lim is {pascal(q.p_lim)}")
     if v["e_L"] > q.duty.allowed_shift:
         found.append(f"the rollers tilt: e/L = {v['e_L']:.3g} is beyond {q.duty.allowed_shift:.3g}")
     return " and ".join(found)
@@ -83,11 +85,11 @@ def scattered(q: ClutchInputs, v: Values) -> list[str]:
         for name, t in (("X", q.X_tol), ("r", q.r_tol), ("R", q.R_tol)) if t > 0
     ] + ([f"μ {q.mu:g} ± {q.s_mu:g}"] if q.s_mu > 0 else [])  # fmt: skip
     shares = ", ".join(f"{share(v[f'share_{c}'])} {c}" for c in ("green", "yellow", "red"))
-    through = "let the rollers through" if not q.is_star else "have contacts too wide to tell"
+    through = "pop through" if not q.is_star else "have contacts too wide to compute"
     lost = [
         f"{share(v[f'P_{key}'])} {words}"
         for key, words in (("no_wedge", "have no wedge"), ("no_state", through),
-                           ("corner", "have rollers past the flats' corners"))
+                           ("corner", "have rollers beyond the flats' ends"))
         if f"P_{key}" in v
     ]  # fmt: skip
     spread = ""
@@ -99,13 +101,13 @@ def scattered(q: ClutchInputs, v: Values) -> list[str]:
         )
     slips = ", ".join([*lost, f"{share(v['P_slip'])} slip"])
     return [
-        f"of {DRAWS:,} clutches of like rollers with {', '.join(given)}: {slips} (by friction "
+        f"of {DRAWS:,} clutches of identical rollers with {', '.join(given)}: {slips} (by friction "
         f"{shares}){spread}"
     ]
 
 
 def warnings(q: ClutchInputs, v: Values) -> Sequence[str]:
-    found = reached(q) + kept(q)
+    found = reached(q) + default_poisson(q)
     if q.p_lim is not None and v.get("p_end", 0.0) > q.p_lim:
         found.append(
             f"{pascal(v['p_end'])} at the rollers' ends exceed p_lim = {pascal(q.p_lim)}: the "
@@ -116,8 +118,8 @@ def warnings(q: ClutchInputs, v: Values) -> Sequence[str]:
     return found
 
 
-def kept(q: ClutchInputs) -> list[str]:
-    """Parts whose modulus is another one, and whose Poisson's ratio is not said to be."""
+def default_poisson(q: ClutchInputs) -> list[str]:
+    """Parts with another modulus whose Poisson's ratio is not given."""
     return [
         f"E_{part} is given without ν_{part}: ν = {q.nu:g} is used for it"
         for part in "rio"
@@ -126,7 +128,7 @@ def kept(q: ClutchInputs) -> list[str]:
 
 
 def reached(q: ClutchInputs) -> list[str]:
-    """Whether tolerances use up what a wedge is made of."""
+    """Whether tolerances are as large as the room of the wedge."""
     used, room = q.X_tol + 2 * q.r_tol + q.R_tol, float(q.cam.room)
     if used < room:
         return []

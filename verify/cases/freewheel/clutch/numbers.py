@@ -1,4 +1,4 @@
-"""Loads, pressures and shares as words of a freewheel tell them."""
+"""Loads, pressures and shares as text in messages of a freewheel."""
 
 
 def newton_metres(T: float) -> str:

@@ -1,4 +1,4 @@
-"""What is advised where a freewheel does not hold, and what a micrometre does to one."""
+"""Recommendations where a freewheel does not hold, and its sensitivity to dimensions."""
 
 import math
 
@@ -19,13 +19,14 @@ GOALS = (1.0, 1.1)  # of mu/mu_req: what holds by Coulomb's law, and with a tent
 
 
 def advice(q: ClutchInputs, v: Values) -> list[str]:
-    """What to change so that T and F_ax are borne; nothing where friction holds."""
+    """Changes with which friction transmits T and F_ax; none where it does."""
     if q.T <= 0:
         return []
     if q.duty.under is None:
         return [stiffer(q)]
     if past_corners(q, v):
-        return [f"the corners are just reached with L = {q.L * q.T / v['T_corner'] * 1e3:.5g} mm"]
+        L = q.L * q.T / v["T_corner"]
+        return [f"the rollers just reach the ends of the flats with L = {L * 1e3:.5g} mm"]
     if v["safety"] >= 1 and v["mu_0"] <= q.mu:
         return []
     return [
@@ -54,18 +55,18 @@ def _each(parts: list[str]) -> str:
 
 
 def stiffer(q: ClutchInputs) -> str:
-    """What would bear the torque of a clutch without a state."""
+    """Dimensions for which an equilibrium exists at the torque."""
     found = [f"{name} = {value * 1e3:.5g} mm" if name != "X"
              else f"X = {value * 1e3:.7g} mm ({(value - q.X) * 1e6:+.3g} µm)"
              for name, value in bearing(q.duty)]  # fmt: skip
     if not found:
-        return "no R_a, X or L near these bears the torque: the clutch is too small"
+        return "no R_a, X or L near these is sufficient for this torque: the clutch is too small"
     housing = "" if q.is_star else "; R_a is that of the housing that stiffens a drawn cup"
     return f"sufficient for this torque: {', or '.join(found)}, or more rollers{housing}"
 
 
 def sensitive(q: ClutchInputs, v: Values) -> list[str]:
-    """What a micrometre turns, and how many of X there are until the clutch slips."""
+    """Change of α_0 per micrometre, and the deviation of X at which the clutch slips."""
     by, ratio = q.slopes, per_micrometre(q.duty)
     turned = ", ".join(
         f"1 µm on {s.name} by {s.slope * 1e-6 * DEGREE:+.3f}°"

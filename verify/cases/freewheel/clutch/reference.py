@@ -1,4 +1,4 @@
-"""Finite elements of one's own clutch: under its torque, with the flats a few µm off, with F_ax."""
+"""Finite elements of a user's clutch: under its torque, with shifted flats, with F_ax."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""What an outer cam looks like: shaft, roller, cup with its flats."""
+"""Sketch of an outer cam: shaft, roller, cup with its flats."""
 
 import math
 
@@ -29,7 +29,7 @@ def cup(q: ClutchInputs) -> Sketch:
     at_shaft, at_flat = centre - q.r * unit * out, centre + q.r * unit * up
     return sketches.sketch(
         f"one of {q.z} pitches, to scale: load draws the roller towards the flat's middle, "
-        "where the gap is narrowest and it goes through",
+        "where the gap is narrowest and the roller pops through",
         shape("modelled", shaft), shape("modelled", outer),
         shape("body", roller),
         arrow((0.0, 0.4 * q.R * unit), (0.0, 1.07), style="axis"),

@@ -1,4 +1,4 @@
-"""A drawn-cup roller clutch under torque: an outer cam, whose rollers go through at last."""
+"""A drawn-cup roller clutch under torque: an outer cam, up to pop-through of its rollers."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -43,7 +43,7 @@ BRACKET = "rings that enclose the cup, with a column below the flat; winding up;
 TANGENTIAL = f"{BRACKET}, tangential deformation of 0.5 to 1 tan²α"
 ON_FLAT = "rolling on a flat instead of on a circle: (R_s + X_o)/(2X_o)"
 ENCLOSED = "rings enclose a cup to some per cent, and torques near the summit multiply that"
-FINE, NEARLY, MEDIUM, COARSE = 0.015, 0.02, 0.04, 0.06  # what rows are asked to show
+FINE, NEARLY, MEDIUM, COARSE = 0.015, 0.02, 0.04, 0.06  # required sensitivities
 WIDE = 0.12  # a/r up to which finite elements, small in displacements, are judged at the summit
 NAMED = statics.Named(
     cam="cup", race="shaft", race_radius="R_s", flat_distance="X_o", form="Eq. 3 for a cup",
@@ -54,11 +54,11 @@ SHARED = "plane strain, small strain, cup and housing one body, shaft and cup fr
 
 
 class FreewheelCup(Cup):
-    """Flats are in the cup instead of on a star: load draws the rollers towards ψ = 0.
+    """The flats are in the cup instead of on a star: load draws the rollers towards ψ = 0.
 
-    The angle falls, and the torque has a largest value before the rollers go through between shaft
-    and cup. One pitch of shaft, roller and cup with friction at both races follows the torque over
-    its summit, and its energy says the torsion.
+    The angle decreases, and the torque has a maximum before the rollers pop through between shaft
+    and cup. Finite elements of one pitch of shaft, roller and cup with friction at both races
+    follow the torque beyond its maximum, and their energy gives the wind-up.
     """
 
     id = "freewheel-cup"
@@ -72,22 +72,22 @@ class FreewheelCup(Cup):
     )
     readings: ClassVar = (
         "ψ is the angle between the cup's flat's normal and the roller's centre, α its half; load "
-        "lowers it",
+        "reduces it",
         "the race is the shaft: R_s is the lever of F_t, wherever a star's formulas have R",
         "T and N: the torque of the whole clutch, the forces of one roller",
         "rollers are long: plane strain",
     )
     assumptions: ClassVar = (
         "the paper treats inner cams alone: this cup is synthetic, α_0 = 3.5° by choice; its "
-        "formulas are the paper's with the wedge turned inside out",
-        "real drawn cups are thin and sit in a housing that bears them: cup and housing are one "
+        "formulas are those of the paper for an inverted wedge",
+        "real drawn cups are thin and are supported by a housing: cup and housing are one "
         "body here, up to R_a, without the fit between them",
         "shaft and cup are free but for the torque, all of one steel, elastic at any pressure: "
-        "the largest torque is one of geometry, pressures there are beyond what steel bears",
+        "the largest torque is a limit of geometry, pressures there are beyond the limit of steel",
         "finite elements: one pitch, small displacements about the place where the roller lies; "
-        "the roller neither creeps nor turns there; friction twice what it needs",
-        "ways and energies between the states by splines over the normal force",
-        "the cup's formula takes it for a ring with a bore of the flats' area; expected errors: "
+        "the roller neither creeps nor turns there; friction is twice the required one",
+        "roller travel and energy between the states by splines over the normal force",
+        "the formula replaces the cup by a ring, its bore of the flats' area; expected errors: "
         "the cup lies between rings with the bores X_o and X_o/cos(π/z), a column under the flat; "
         "Hertz errs by (a/r)²; tangential forces turn the shaft by 0.5 to 1 tan²α more",
     )
@@ -105,7 +105,7 @@ class FreewheelCup(Cup):
     a_o = Quantity("a_o", "µm", "half-width of the contact on the cup", source="Hertz",
                    tex=r"\sqrt{\frac{8 F_n r}{\pi L E'}}").reads(lambda q: q.state.a_o)  # fmt: skip
     R_m = Quantity(
-        "R_m", "mm", "bore of the flats' area, which stands for the cup", role="step",
+        "R_m", "mm", "bore of the ring that replaces the cup, of the flats' area", role="step",
         tex=r"X_o \sqrt{\frac{\tan\left(\frac{\pi}{z}\right) z}{\pi}}",
     ).reads(lambda q: q.bodies.outer.l)  # fmt: skip
     k_i = Quantity(
@@ -186,7 +186,7 @@ class FreewheelCup(Cup):
     def p_max(self) -> float:
         return float(np.maximum(self.at_summit.p_i, self.at_summit.p_o))
 
-    through = Quantity("d_through", "µm", "approaches at which rollers go through, α = 0",
+    through = Quantity("d_through", "µm", "approaches at pop-through of the rollers, α = 0",
                        role="step",
                        tex=r"R_s + 2 r - X_o").reads(lambda q: q.cam.pop_through)  # fmt: skip
 
@@ -194,7 +194,7 @@ class FreewheelCup(Cup):
     def d_max(self) -> float:
         return float(self.at_summit.d_i + self.at_summit.d_o)
 
-    @Quantity("δ", "1", "part of the approaches that let rollers through, at the largest torque",
+    @Quantity("δ", "1", "approaches at the largest torque over those at pop-through",
               role="step", tex=r"\frac{d_{max}}{d_{through}}")  # fmt: skip
     def share(self) -> float:
         return float((self.at_summit.d_i + self.at_summit.d_o) / self.cam.pop_through)
@@ -230,7 +230,7 @@ class FreewheelCup(Cup):
         yield self._summit()
         yield limit(cup.alpha_0, "F_t/F_n becomes tan α_0 without load (Eq. 4 for a cup)", "α_0",
                     points=partial(statics.no_load, self, self.alpha_0), exponent=1.0)  # fmt: skip
-        yield fact("the clamping angle falls from state to state", "α", margin("falls"))
+        yield fact("the clamping angle decreases with load", "α", margin("falls"))
         yield fact("the torque falls beyond its maximum while the normal force grows", "T",
                    margin("past_summit"))  # fmt: skip
         yield from statics.balanced(cup, cup.torque_cup, NAMED)
@@ -249,14 +249,14 @@ class FreewheelCup(Cup):
         self, q: Quantity, interval: Interval, demand: float = DEMAND, source: str = BRACKET,
         **more: Any,
     ) -> Comparison:  # fmt: skip
-        """A row with its `demand`, which near it the default cup meets the suite's with.
+        """A row with its `demand`; one near the suite's applies to inputs of the user alone.
 
-        A user's cup may be enclosed too widely by its neighbours to judge by.
+        The interval of a user's cup may be too wide to judge by.
         """
         if demand > NEARLY:
             more["sensitivity"] = demand, ENCLOSED
         elif demand > DEMAND:
-            more["own"] = demand, ENCLOSED
+            more.update(own=(demand, ENCLOSED))
         low, high = interval
         expected = Expected(low, high, source, sharp=self.is_default or high - low <= demand)
         return approximation(q, expected=expected, order=2, shares=SHARED, **more)
@@ -316,13 +316,13 @@ class FreewheelCup(Cup):
         wall = self.R_a - self.corner
         if wall < THIN * self.X_o:
             yield (
-                f"the cup's wall of {wall * 1e3:.3g} mm at its corners bends: rings that enclose "
-                "it say little, give R_a of the housing that bears it"
+                f"the cup's wall of {wall * 1e3:.3g} mm at its corners bends: bounds by enclosing "
+                "rings are wide, give R_a of the housing that supports it"
             )
 
     def refusal(self) -> str:
-        """Where the torque is next to nothing or near the summit, or contacts are wide there."""
-        _ = self.state  # ValueError where no state bears T
+        """Torques near zero or near the maximum, and contacts that are wide there."""
+        _ = self.state  # ValueError where no equilibrium exists at T
         top, share = self.at_summit, self.T / self.T_max
         if not LITTLE < share < NEAR:
             return (

@@ -1,4 +1,4 @@
-"""What the report shows of a drawn-cup roller clutch under torque."""
+"""Figures of a drawn-cup roller clutch under torque."""
 
 import math
 from collections.abc import Iterator
@@ -21,7 +21,7 @@ from verify.form.sketches import arrow, leader, shape, text
 FORCES = np.linspace(1e-4, 1.0, 160)  # of the largest normal force of the states
 
 TILTS = "Flat and shaft tilt under the normal force, while the angle itself falls."
-ROLLED = "The angle grows faster than the torque: the largest torque has no stiffness left."
+ROLLED = "The wind-up grows faster than the torque: the stiffness is zero at the largest torque."
 
 
 def sketch(q: Cup) -> Sketch:
@@ -45,8 +45,8 @@ def sketch(q: Cup) -> Sketch:
     side = 1.12 * q.corner * unit * math.sin(half)
     return sketches.sketch(
         f"one of {q.z} pitches, to scale: the shaft turned anticlockwise draws the roller "
-        "to the left, where the gap narrows down to the flat's middle; both cuts of shaft and cup "
-        "move alike",
+        "to the left, where the gap narrows down to the flat's middle; both section planes of "
+        "shaft and cup deform equally",
         shape("modelled", cup), shape("modelled", shaft),
         shape("body", roller),
         arrow((0.0, 0.9 * low), (0.0, 1.05 * top), style="axis"),
@@ -81,16 +81,16 @@ def _course(context: Context) -> State:
 def _torques(context: Context) -> Curves:
     T, N, *_ = context.fem[-1].arrays["loads"]
     states, q = _course(context), context.inputs
-    kept = states.N[q.z * q.R_s * states.N * math.tan(float(q.cam.alpha0)) < 1.25 * states.T.max()]
+    below = states.N[q.z * q.R_s * states.N * math.tan(float(q.cam.alpha0)) < 1.25 * states.T.max()]
     return plot(
-        "Torque over normal force: the summit", "F_n [kN]", "T [N m]",
+        "Torque over normal force, up to its maximum and beyond", "F_n [kN]", "T [N m]",
         line("z R_s F_n tan α", states.N / 1e3, states.T),
-        dashes("angle kept at α_0", kept / 1e3, q.z * q.R_s * kept * math.tan(float(q.cam.alpha0)),
-               1),
+        dashes("constant angle α_0", below / 1e3,
+               q.z * q.R_s * below * math.tan(float(q.cam.alpha0)), 1),
         dots("FE", N / 1e3, T),
-        note="Overlaps are given to finite elements, so that they pass the summit: beyond it more "
-        "normal force bears less torque, and a clutch under a dead weight lets its rollers "
-        "through.",
+        note="Overlaps are prescribed in the finite elements, so that they pass the maximum. "
+        "Beyond it a larger normal force transmits less torque: under constant torque the rollers "
+        "pop through.",
     )  # fmt: skip
 
 
@@ -102,5 +102,5 @@ def _angles(context: Context) -> Curves:
         line("Eq. 5 for a cup", states.N / 1e3, states.alpha * DEGREE),
         dots("FE", N / 1e3, psi / 2 * DEGREE),
         y_bottom=0.0,
-        note="At α = 0 the roller stands between the flat's middle and the shaft and goes through.",
+        note="At α = 0 the roller is between the flat's middle and the shaft and pops through.",
     )  # fmt: skip

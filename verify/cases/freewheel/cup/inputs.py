@@ -1,9 +1,8 @@
-"""Inputs and states of a drawn-cup roller clutch, and the synthetic one that stands for it.
+"""Inputs and states of a drawn-cup roller clutch; the default one is synthetic.
 
-The paper prints no outer cam. Real drawn cups are thin and sit in a housing that bears them: the
-rim's radius is the housing's, taken for one body with the cup. An outer cam's roller moves towards
-psi = 0: alpha falls, and the torque z R_s N tan(alpha) has a largest value before the rollers go
-through.
+The paper prints no outer cam. Real drawn cups are thin and are supported by a housing: the rim's
+radius is that of the housing, one body with the cup. An outer cam's roller moves towards psi = 0:
+alpha decreases, and the torque z R_s N tan(alpha) has a maximum before the rollers pop through.
 """
 
 import math
@@ -18,7 +17,7 @@ from analytic.freewheel.summit import summit
 from verify.case import count, given, shared
 from verify.cases.freewheel.star import LARGEST_ANGLE, Rollers
 
-GIVEN = 0.25  # of the overlap at which rollers go through, at the angle that is given
+GIVEN = 0.25  # of the overlap at pop-through, at the angle that is given
 
 
 class Cup(Rollers):
@@ -51,8 +50,9 @@ class Cup(Rollers):
             )
         if self.cam.alpha0 > LARGEST_ANGLE:
             raise ValueError(
-                f"α_0 = {math.degrees(float(self.cam.alpha0)):.4g}° is beyond friction; rollers "
-                f"hold below some {math.degrees(LARGEST_ANGLE):g}°: X_o is too small for R_s and r"
+                f"α_0 = {math.degrees(float(self.cam.alpha0)):.4g}° is too large for friction; "
+                f"rollers hold below about {math.degrees(LARGEST_ANGLE):g}°: X_o is too small for "
+                "R_s and r"
             )
         return self
 
@@ -94,7 +94,7 @@ class Cup(Rollers):
         if not np.isfinite(under.N):
             raise ValueError(
                 f"T = {self.T:g} N m is more than the largest torque, {float(top.T):.5g} N m: "
-                "beyond it the rollers go through between shaft and cup"
+                "beyond it the rollers pop through between shaft and cup"
             )
         return under
 
@@ -104,13 +104,13 @@ class Cup(Rollers):
         if (found := summit(self.clutch)) is None:
             raise ValueError(
                 "contacts are wider than half the rollers' radius before the torque has its "
-                f"summit: α_0 = {np.degrees(float(self.cam.alpha0)):.4g}° is more than these "
-                "formulas know"
+                f"maximum: α_0 = {np.degrees(float(self.cam.alpha0)):.4g}° is beyond the range of "
+                "these formulas"
             )
         return found
 
     @property
     def given_angle(self) -> float:
-        """The angle psi [rad] at which both approaches are `GIVEN` of what lets rollers through."""
+        """The angle psi [rad] at which both approaches are `GIVEN` of those at pop-through."""
         d = GIVEN * float(self.cam.pop_through) / 2
         return float(2 * self.cam.alpha(d_i=d, d_o=d))

@@ -1,7 +1,7 @@
-"""The sector of a drawn-cup clutch over its load, past the summit of its torque.
+"""The sector of a drawn-cup clutch over its load, beyond the maximum of its torque.
 
-Overlaps are given, not torques: from next to nothing to beyond the torque T, and on towards the
-overlap at which the rollers go through. The normal force grows all the way, the torque does not.
+Overlaps are prescribed, not torques: from nearly zero to beyond the torque T, and on towards the
+overlap at pop-through of the rollers. The normal force grows throughout, the torque does not.
 """
 
 import math
@@ -17,22 +17,22 @@ from verify.cases.freewheel.fem import overlapping, pitch
 from verify.cases.freewheel.sweep import rigid_force
 
 SHARES = (0.03, 0.09, 0.22, 0.45, 0.75, 1.04)  # of the overlap under T
-# and of that at which rollers go through
+# and of that at pop-through
 ONWARD = (0.018, 0.045, 0.1, 0.22, 0.36, 0.5, 0.6, 0.68, 0.76)
 APART = 1.1  # of the overlap under T, from where on these count
 INNER = 0.37  # part of the shaft's contact, about
 NEAR = 2e-2  # how near T the search comes
-GIVEN = 0.25  # of the overlap at which rollers go through, at the angle that is given
+GIVEN = 0.25  # of the overlap at pop-through, at the angle that is given
 STEEP, FLAT = 1.1, 0.25  # d ln(T)/d ln(overlap) of a rigid angle; and no less
 
 
 def through(q: OneClutch) -> float:
-    """The overlap [m] at which the rollers go through."""
+    """The overlap [m] at pop-through of the rollers."""
     return q.race + 2 * q.r - q.flat
 
 
 def given_angle(q: OneClutch) -> float:
-    """The angle psi [rad] at which contacts overlap by `GIVEN` of what lets rollers through."""
+    """The angle psi [rad] at which contacts overlap by `GIVEN` of that at pop-through."""
     d = GIVEN * through(q) / 2
     return overlapping(q, d, d).psi
 
@@ -52,7 +52,7 @@ def starts(q: OneClutch) -> tuple[Start, ...]:
 
 
 def under_torque(q: OneClutch) -> Start:
-    """A start that bears the torque T, about."""
+    """A start with about the torque T."""
     one, most = pitch(q), through(q)
     D = min(overlap(one, rigid_force(q) / q.L), 0.3 * most)
     now = Start.guessed(one, D, inner=INNER, flatter=3)
@@ -65,7 +65,7 @@ def under_torque(q: OneClutch) -> Start:
         steepness = max(STEEP - D / (2 * (most - D)), FLAT)
         share = math.exp(float(np.clip(miss / steepness, -1.5, 0.5)))
         now = now.scaled(min(share, (D + 0.5 * (most - D)) / D))
-    raise NotFoundError(f"T = {q.T:g} N m is missed by {miss:.1%}: the torque has its summit near")
+    raise NotFoundError(f"T = {q.T:g} N m is missed by {miss:.1%}: the maximum is near")
 
 
 class CupSweep(SummitCourse):

@@ -26,22 +26,23 @@ from verify.cases.freewheel.friction.comparisons import at_slip
 from verify.cases.freewheel.pulled import Pulled
 from verify.core.figures import Array, Picture
 from verify.form.adapter import adapted
+from verify.form.comparisons import Options
 
 CLOSE = 0.02  # of tan(alpha): friction that near leaves no axial load worth measuring
-ANGLE = "two bodies that enclose the star say alpha, friction along surfaces by its size"
+ANGLE = "α of two bodies that enclose the star, friction along surfaces by its magnitude"
 TILTED = f"{ANGLE}, surfaces tilt under N"
-HEAVY: Any = {"own": (0.03, "surfaces tilt by more, the heavier the load")}
+HEAVY = Options(own=(0.03, "surfaces tilt by more, the heavier the load"))
 LIMITED, CREEPS = "it goes as √((μ/tan α)² − 1)", "it goes as 1/√((μ/tan α)² − 1)"
-ROOT = 0.015, 0.05  # what a root of a small difference asks for, by default and of a user's inputs
+ROOT = 0.015, 0.05  # required of a root of a small difference, by default and for user inputs
 STATICS: Any = {"sensitivity": (1e-6, "forces in balance, on any mesh")}
 SHARED = "Coulomb's law of friction, plane strain, load uniform along the rollers"
 
 
 class FreewheelFriction(Pulled):
-    """The wedge says what friction rollers need, tan α; an axial load adds to it at right angles.
+    """The wedge requires the friction tan α; an axial load adds to it at right angles.
 
-    An elastic clutch with friction in a cone slips where that says so, under the torque and along
-    the axis. Beyond the limit it turns as well: slip has the direction of the resultant.
+    Finite elements of the elastic clutch slip at the limit of this criterion, under torque and
+    along the axis. Beyond it the ring also rotates: slip has the direction of the resultant.
     """
 
     id = "freewheel-friction"
@@ -57,20 +58,20 @@ class FreewheelFriction(Pulled):
         "has F_a = F_ax/z where Eq. 9 has F_ax",
         "α is half the angle between flat and ring at the roller, that under load",
         "the lever of F_t is the ring's bore radius R",
-        "μ_req has a symbol of its own: Eq. 8 calls it tan α, which is F_t/F_n (Eq. 1)",
+        "μ_req is a separate symbol: Eq. 8 calls it tan α, which is F_t/F_n (Eq. 1)",
         "at μ = μ_req the clutch holds, as Eqs. 1 and 8 and the classes have it; not Eqs. 9, 10",
     )
     assumptions: ClassVar = (
         "dimensions, μ and F_ax are yours: the paper prints none for its clutches; this clutch is "
         "synthetic, at the rig's largest torque",
-        "finite elements have u_z(x, y) beside plane strain: long rollers, the axial load spread "
-        "evenly on the ring's rim, rollers free along the axis, the star clamped on its shaft",
+        "finite elements have u_z(x, y) beside plane strain: long rollers, the axial load uniform "
+        "on the ring's rim, rollers free along the axis, the star clamped on its shaft",
         "the axial forces of a roller are a couple 2 r cos α F_a that tilts it: F_n moves by e "
-        "along it to either side. Neither the criterion nor elements that are alike along the "
-        "axis contain that: e and the peak are outputs of a linear line load, judged by nothing",
-        "contacts keep their places and normals: displacements are small against the radii. Where "
-        "friction is measured the roller is steered to stay where it is",
-        "the drive keeps the torque up beyond the limit, or holds the ring: both are shown",
+        "along it to either side. Neither the criterion nor elements that are uniform along the "
+        "axis include that: e and the peak follow from a linear line load and are not judged",
+        "contacts have fixed places and normals: displacements are small against the radii. Where "
+        "friction is measured the place of the roller is prescribed",
+        "beyond the limit the drive maintains the torque, or holds the ring: both are reported",
         "one coefficient of friction, no rate, no oil; the couples of all rollers cancel on star "
         "and ring",
     )
@@ -96,7 +97,7 @@ class FreewheelFriction(Pulled):
         return self.T / (self.R * self.F_lim)
 
     u_out = Quantity(
-        "u_out", "mm", "axial slip after which nothing is left of the torque, ring held",
+        "u_out", "mm", "axial slip after which the torque is zero, ring held",
         role="step", when=lambda q: q.bears_axial_load,
     ).reads(lambda q: q.slipped()[0][0])  # fmt: skip
 
@@ -113,7 +114,7 @@ class FreewheelFriction(Pulled):
     def peak(self) -> float:
         return float(tilt.peak_factor(e=self.e, L=self.L))
 
-    @Quantity("p_1/p", "1", "the same of Hertz's pressure", role="step",
+    @Quantity("p_1/p", "1", "that of Hertz's pressure", role="step",
               tex=r"\sqrt{1 + \frac{6 e}{L}}")  # fmt: skip
     def pressure(self) -> float:
         return float(tilt.pressure_factor(e=self.e, L=self.L))
@@ -178,7 +179,7 @@ class FreewheelFriction(Pulled):
         """Displacement and shear along the axis."""
         yield from pictures.pulled(
             "Displacement along the axis under torque and axial load: the ring is pulled out, the "
-            "rollers stay between, the star is clamped on its shaft",
+            "rollers move less, the star is clamped on its shaft",
             "Shear stress along the axis: it enters through both contacts",
         )
 
@@ -191,12 +192,12 @@ class FreewheelFriction(Pulled):
         if not self.bears_axial_load:
             yield (
                 f"tan α = {self.mu_T:.4g} is not below μ = {self.mu:g} (Eq. 1): the torque alone "
-                "lets the rollers out, no axial load needed"
+                "releases the rollers, without axial load"
             )
         elif light != "green":
             yield (
-                f"μ/μ_req = {self.safety:.3g}, {light}: the clutch slips along its axis; it bears "
-                f"F_ax = {self.F_lim:.4g} N"
+                f"μ/μ_req = {self.safety:.3g}, {light}: the clutch slips along its axis; the limit "
+                f"is F_ax = {self.F_lim:.4g} N"
             )
         if self.e * 6 > self.L:
             yield (
@@ -207,13 +208,13 @@ class FreewheelFriction(Pulled):
     def advice(self) -> Iterator[str]:
         """Whether it holds, and what happens beyond its limit."""
         if not self.bears_axial_load:
-            yield "slips under the torque alone: friction is less than the wedge asks for"
+            yield "slips under the torque alone: friction is less than the wedge requires"
             return
         verdict = "holds" if self.safety >= 1 else "slips"
         yield f"{verdict}: μ/μ_req = {self.safety:.4g}, {criterion.traffic_light(self.safety)}"
         yield (
             f"beyond F_ax = {self.F_lim:.4g} N it slips along the axis and turns by "
-            f"{self.creep:.3g} times that, or lets the rollers out within {self.u_out * 1e3:.2g} mm"
+            f"{self.creep:.3g} times that, or releases the rollers within {self.u_out * 1e3:.2g} mm"
         )
 
     def refusal(self) -> str:
@@ -223,7 +224,7 @@ class FreewheelFriction(Pulled):
             return super().refusal()
         return (
             f"tan α = {self.mu_T:.4g} is not below μ = {self.mu:g} by {CLOSE:.0%} or more: the "
-            "torque alone lets the rollers out, or nearly so; check it without --fem"
+            "torque alone releases the rollers, or nearly so; check it without --fem"
         )
 
 

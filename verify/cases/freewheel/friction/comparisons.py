@@ -1,4 +1,4 @@
-"""Where slip of a freewheel begins and what slips then, at the reference's own angle."""
+"""Onset of slip of a freewheel and what slips then, at the angle of the reference."""
 
 from collections.abc import Iterator
 from functools import partial
@@ -19,7 +19,7 @@ from verify.judging.tolerance_checks import (
 )
 
 ONSET, CONE = 1e-3, 5e-3  # acceptance of the subject
-OWN = 2e-3  # and of F_t/F_n, which is the required friction without an axial load
+CONTACT = 2e-3  # and of F_t/F_n, which is the required friction without an axial load
 ALONE = "as F_t/F_n, which it is without an axial load"
 SHARE = 1e-3  # of F_t/(mu N) over the wedge angles
 COULOMB = "Coulomb's law of friction"
@@ -45,7 +45,7 @@ def at_slip(mu_T: Quantity, mu_req: Quantity) -> Iterator[Comparison]:
         yield judged(
             Agreement(name=f"required friction on the {part}, at the computed angle (Eqs. 8, 9)",
                       symbol="μ_req", unit="1", pair=partial(of_contact, where=where),
-                      accepted=OWN, source=suites(ALONE)), mu_req,
+                      accepted=CONTACT, source=suites(ALONE)), mu_req,
         )  # fmt: skip
     yield judged(
         Deviation(name="slipping contacts are on the friction cone", symbol="F/(μF_n) − 1",
@@ -61,7 +61,7 @@ def at_slip(mu_T: Quantity, mu_req: Quantity) -> Iterator[Comparison]:
 def required(context: Context, *, loaded: bool, of_mesh: bool = False) -> float:
     """Eq. 9 at the angle that finite elements have; their loads are in the ratio of the inputs.
 
-    The mesh's own angle is that of its normals, on which the solver's friction acts.
+    The angle of the mesh is that of its normals, on which the solver's friction acts.
     """
     turned, meshed = context.fem[-1].arrays["tan"]
     tan = meshed if of_mesh else turned
@@ -96,7 +96,7 @@ def _of_required(off: float) -> str:
 def of_contact(context: Context, where: int) -> Pair:
     """Resultant over N of one contact against Eq. 9."""
     before, now = (_off(context, r.arrays["loaded"][:, where]) for r in context.fem[-2:])
-    words = f"off by {now:+.3%}, {OWN:.1%} accepted"
+    words = f"off by {now:+.3%}, {CONTACT:.1%} accepted"
     return Pair(1 / (1 + now), 1.0, abs(now - before), words)
 
 

@@ -1,4 +1,4 @@
-"""What the report shows of a freewheel's friction: cone, onset of slip, what slips and how."""
+"""Figures of a freewheel's friction: cone, onset of slip, slip beyond the limit."""
 
 import math
 from collections.abc import Sequence
@@ -35,8 +35,8 @@ def sketch(q: Any) -> Sketch:
     used = min(tan * math.hypot(1.0, q.lever) / q.mu, 1.4)
     tip = cone + CIRCLE * used * np.array([1.0, q.lever]) / math.hypot(1.0, q.lever)
     return sketches.sketch(
-        "what star and ring do to a roller under torque, its ring drawn straight; its axial "
-        "forces F_a, at the star and back at the ring, share the circle of friction μ F_n with F_t",
+        "forces of star and ring on a roller under torque, the ring drawn straight; its axial "
+        "forces F_a at star and ring share the circle of friction μ F_n with F_t",
         shape("body", circle),
         arrow((WIDE, -1.0), (-WIDE, -1.0), style="clamp"),
         shape("clamp", ray + WIDE * np.array([-along, along])),
@@ -78,7 +78,7 @@ def _cone(q: Any, last: Any) -> Curves:
         dots(f"FE, F_ax = {q.F_ax:g} N", (F_t / N / q.mu)[1:], np.abs(F_z / N / q.mu)[1:], 1),
         dots("FE, slipping, clutches of other angles", slid[:, 3::2].ravel(), slid[:, 4::2].ravel(),
              2),
-        note="F_t/F_n is tan α whatever F_a is: an axial load goes straight up to the cone.",
+        note="F_t/F_n is tan α for any F_a: an axial load leads vertically up to the cone.",
     )  # fmt: skip
 
 
@@ -90,13 +90,13 @@ def _limit(context: Context) -> Curves:
               for k in (criterion.GREEN, criterion.RED)}  # fmt: skip
     fe = context.fem[-1].values
     return plot(
-        "Axial load that a locked clutch bears", "T [N m]", "F_ax [N]",
+        "Limit of the axial load of a locked clutch", "T [N m]", "F_ax [N]",
         line("μ_req = μ: green below", T, limits[criterion.GREEN]),
         dashes("μ/μ_req = 0.8: red above", T, limits[criterion.RED], 2),
         dots("FE, slips", q.T, fe["F_lim"]),
         dots("the load given", q.T, q.F_ax, 1),
         y_top=ABOVE * max(v.get("F_lim", 0.0), q.F_ax),
-        note="The classes 0.8 and 1.0 are the paper's, of its tests; green's is Coulomb's law.",
+        note="The classes 0.8 and 1.0 are those of the paper's tests; 1.0 is Coulomb's law.",
     )  # fmt: skip
 
 
@@ -113,9 +113,9 @@ def _path(q: Any, last: Any) -> Curves:
         dots("F_a/F_n, torque held", creep[::2, 0] / µm,
              np.abs(creep[::2, 4:6]).mean(axis=1) / full),
         dots("T, torque held", creep[1::2, 0] / µm, creep[1::2, 7], 1),
-        note="A drive that keeps the torque up turns the ring on: by "
-        f"{turned / µm:.3g} µm of its bore where it has slid {out[-1, 0] / µm:.3g} µm. "
-        "Held, the ring lets the rollers out. Marks of both, which stay at 1, alternate.",
+        note="A drive that maintains the torque rotates the ring: by "
+        f"{turned / µm:.3g} µm at its bore after an axial slip of {out[-1, 0] / µm:.3g} µm. "
+        "If it is held, the ring releases the rollers. Marks of both, which stay at 1, alternate.",
     )  # fmt: skip
 
 
@@ -124,11 +124,11 @@ def _let_out(q: Any, last: Any) -> Curves:
     out = last["let_out"]
     start = np.interp(-STARTED, -out[:, 7], out[:, 0])  # before that the parts only deform
     return plot(
-        "Torque that is left where the ring is held and slides along the axis", "axial slip [µm]",
+        "Remaining torque of a held ring that slides along the axis", "axial slip [µm]",
         "T/T(at rest)",
         line("Coulomb's law and the state at each F_n", u[::-1] / µm, T[::-1]),
         dots("FE", (out[:, 0] - start).clip(0) / µm, out[:, 7]),
-        note="Finite elements keep the angle of the start, which the formula lets fall.",
+        note="The angle is constant in the finite elements and decreases in the formula.",
     )  # fmt: skip
 
 
@@ -140,9 +140,9 @@ def _shares(last: Any) -> Curves:
         "share of F_n on slipping nodes",
         dots("FE, star", 1 / k, star),
         dots("FE, ring", 1 / k, ring, 1),
-        dashes("all slips: the roller is let out", np.array([1.0, 1.0]) / share, [0.0, 1.0], 2),
-        note="One node after the other, from the rim inwards, as the roller is put between the "
-        "races in one step; a torque that grows from nothing makes less slip.",
+        dashes("all slips: the roller is released", np.array([1.0, 1.0]) / share, [0.0, 1.0], 2),
+        note="Nodes slip one after the other, from the edge inwards, as the roller is put between "
+        "the races in one step; a torque that grows from zero causes less slip.",
     )  # fmt: skip
 
 
@@ -153,7 +153,7 @@ def _angles(last: Any) -> Curves:
         "Clutches of other wedge angles under torque alone", "tan α/μ", "F_t/(μ F_n)",
         line("F_t = F_n tan α", unit, unit),
         dots("FE, held", k[stays], ratio[stays]),
-        dots("FE, let out: nothing of F_n is left", k[~stays], ratio[~stays], 2),
+        dots("FE, released: F_n is zero", k[~stays], ratio[~stays], 2),
         note="X alone differs, at the same overlap of both contacts.",
     )  # fmt: skip
 
@@ -172,7 +172,7 @@ def tables(q: Any, context: Context) -> Sequence[Table]:
     if math.isfinite(last["onset"][0]):
         rows.append((
             f"torque alone, μ below {last['onset'][0]:.5f} tan α",
-            "slips: all of both contacts, the roller is let out of the wedge",
+            "slips: all of both contacts, the roller is released from the wedge",
         ))  # fmt: skip
     holds = "rests" if v["F_lim"] >= q.F_ax else "slips along the axis"
     rows.append(
@@ -185,7 +185,7 @@ def tables(q: Any, context: Context) -> Sequence[Table]:
     ))  # fmt: skip
     rows.append((
         "ring driven along the axis and held about it",
-        f"slips; rollers are let out: {1 - out[-1, 7]:.0%} of the torque is lost after "
+        f"slips; rollers are released: {1 - out[-1, 7]:.0%} of the torque is lost after "
         f"{out[-1, 0] / µm:.3g} µm" if len(out) > 1 else f"slips; {len(creep)} steps",
     ))  # fmt: skip
     return (Table(title="States by finite elements", header=("load", "state"), rows=tuple(rows)),)

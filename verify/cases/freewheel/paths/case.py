@@ -1,7 +1,7 @@
 """A roller freewheel on the load paths of the test rig (Nagler, Lohrengel, Sec. 6).
 
-The paths are taken as a row of rests. What inertia adds is some (f/f_0)² of the loads: f_0 is the
-frequency at which the ring by itself swings on the wedged rollers.
+The paths are series of static equilibria. Inertia would add about (f/f_0)² of the loads: f_0 is
+the natural frequency of the ring alone on the wedged rollers.
 """
 
 import math
@@ -38,7 +38,7 @@ ROUND_OFF = 1e-9  # of the cycles of a path: one time more would move all of the
 CLOSE = 0.02  # of tan(alpha): friction that near leaves no axial load worth measuring
 LIGHTEST = 0.05  # of the largest torque, down to which load case 3 is solved
 SWINGS = 0.25  # of the loads, beyond which inertia is no small addition
-WORN = 2.0  # mu_req up to which finite elements are asked
+WORN = 2.0  # mu_req up to which finite elements are used
 SETTLES = 0.6  # of the limit: alternating loads below settled, of the synthetic clutch
 
 
@@ -46,9 +46,9 @@ class LoadPaths(Pulled):
     """The rig loads the clutch along three paths.
 
     They are a growing axial load under torque, an alternating one, and both alternating. The
-    criterion says along each what friction is asked for and when the clutch slips; finite elements
-    follow the paths with the history of their friction, slip at the same load by any way, and show
-    that the ring walks before.
+    criterion gives the required friction along each path and the time of slip. Finite elements
+    follow the paths with the history of friction: they slip at the same load on every path, and
+    before that the ring ratchets.
     """
 
     id = "freewheel-paths"
@@ -66,19 +66,19 @@ class LoadPaths(Pulled):
         "T is the steady torque of load cases 1 and 2 and the amplitude of load case 3; F_ax the "
         "amplitude at the path's end, of the whole clutch",
         "amplitudes grow in proportion to time",
-        "a clutch with T < 0 overruns: the criterion asks for nothing there",
-        "the classes 0.8 and 1.0 are a rule of the paper's own runs, adopted",
+        "a clutch with T < 0 overruns: the criterion does not apply there",
+        "the classes 0.8 and 1.0 are a rule from the test runs of the paper, adopted",
     )
     assumptions: ClassVar = (
-        "a row of rests: at 30 Hz inertia of the ring adds (f/f_0)², 0.03 % of the loads; it takes "
-        "thirty times the ring's own inertia to add 1 %. Rollers and oil are left out, too",
-        "times of rise and path, μ and all dimensions are yours: the settings of Table 1 are not "
-        "in the text; the clutch is synthetic",
+        "static equilibria: at 30 Hz inertia of the ring adds (f/f_0)², 0.03 % of the loads; "
+        "thirty times the inertia of the ring would add 1 %. Rollers and oil are neglected, too",
+        "times of rise and path, μ and all dimensions are user inputs: the settings of Table 1 are "
+        "not in the text; the clutch is synthetic",
         "finite elements, load cases 1 and 2: every extreme is a step with the friction of the "
-        "one before; the drive keeps the torque and turns the ring on as rollers creep. Fewer and "
-        "smaller cycles than the path has: slip does not depend on them",
-        "load case 3: between no torque and 26 N m rollers roll on by more than their contacts "
-        "are wide; each torque has its own place, where both loads come on together",
+        "one before; the drive maintains the torque and rotates the ring as rollers creep. Fewer "
+        "and smaller cycles than the path has: slip does not depend on them",
+        "load case 3: between no torque and 26 N m the rollers travel by more than the width of "
+        "their contacts; each torque has a separate place, where both loads are applied together",
         "expected errors: tan α of one contact by a star between a layer and a disc, and tilting "
         "surfaces; the limit multiplies them by 1/(1 − (tan α/μ)²)",
     )
@@ -166,12 +166,12 @@ class LoadPaths(Pulled):
     def inertia(self) -> float:
         return self.rho * math.pi / 2 * (self.R_a**4 - self.R**4) * self.L
 
-    @Quantity("f_0", "Hz", "eigenfrequency of the ring by itself on the wedged rollers",
+    @Quantity("f_0", "Hz", "natural frequency of the ring alone on the wedged rollers",
               role="step", tex=r"\frac{\sqrt{\frac{k}{J}}}{2 \pi}")  # fmt: skip
     def f_0(self) -> float:
         return math.sqrt(self.stiffness / self.inertia) / (2 * math.pi)
 
-    @Quantity("(f/f_0)²", "1", "what inertia adds to the loads, about", role="step",
+    @Quantity("(f/f_0)²", "1", "approximate share of inertia in the loads", role="step",
               tex=r"(\frac{f}{f_0})^2")  # fmt: skip
     def sway(self) -> float:
         return (self.f / self.f_0) ** 2
@@ -183,7 +183,7 @@ class LoadPaths(Pulled):
 
     @property
     def rig(self) -> Rig:
-        """The paths written anew, for judging times of slip."""
+        """A second implementation of the paths, for judging times of slip."""
         return Rig(**{f.name: getattr(self, f.name) for f in fields(Rig)})
 
     @property
@@ -219,13 +219,13 @@ class LoadPaths(Pulled):
         return friction.limit_load(of_star(self, loaded(self.clutch, T)), self.mu)
 
     def reference(self, level: int) -> Level:
-        """The paths from rest to rest, with the history of their friction."""
+        """The paths by static equilibria, with the history of their friction."""
         from verify.cases.freewheel.paths.reference import solve
 
         return solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Loads and times of slip, required friction on the way, what comes before slip."""
+        """Loads and times of slip, required friction along the paths, behaviour before slip."""
         yield from compared.comparisons(self, LoadPaths)
 
     figures = drawn_by(drawn.figures)
@@ -234,7 +234,7 @@ class LoadPaths(Pulled):
         """Displacement and shear along the axis."""
         yield from pictures.pulled(
             "Axial displacement at the last extreme of load case 2",
-            "The axial load goes through both contacts of the roller",
+            "The axial load passes both contacts of the roller",
             window=pictures.around_roller(self),
         )
 
@@ -246,19 +246,19 @@ class LoadPaths(Pulled):
         if not math.isfinite(self.F_lim):
             yield (
                 f"tan α = {self.mu_T:.4g} is not below μ = {self.mu:g} (Eq. 1): the torque alone "
-                "lets the rollers out, no axial load needed"
+                "releases the rollers, without axial load"
             )
         if 0 < self.T_m <= self.T:
             yield "load case 3: the torque comes to zero under axial load, where no friction holds"
         if self.sway > SWAY:
-            more = f"adds some {self.sway:.1%} to the loads" if self.sway < SWINGS else "rules"
+            more = f"adds some {self.sway:.1%} to the loads" if self.sway < SWINGS else "dominates"
             yield (
                 f"f = {self.f:g} Hz is {math.sqrt(self.sway):.2g} of the ring's f_0 = "
-                f"{self.f_0:.4g} Hz: inertia {more}, the paths are taken as slow"
+                f"{self.f_0:.4g} Hz: inertia {more}, the paths are computed as static"
             )
 
     def advice(self) -> Iterator[str]:
-        """Which paths slip, when, and what the clutch bears."""
+        """Which paths slip, when, and the limit of the axial load."""
         paths = self.courses
         slips = [case for case, course in paths.items() if math.isfinite(course.slips_at)]
         named = ", ".join(map(str, slips))
@@ -278,20 +278,20 @@ class LoadPaths(Pulled):
             yield f"{drawn.NAMES[case]}: {ends}"
         if math.isfinite(self.F_lim):
             yield (
-                f"under T = {self.T:g} N m it bears F_ax = {self.F_lim:.4g} N; alternating loads "
-                f"beyond some {SETTLES:g} of that may make the ring walk before it slips (with "
+                f"under T = {self.T:g} N m the limit is F_ax = {self.F_lim:.4g} N; alternating "
+                f"loads beyond about {SETTLES:g} of that may cause ratcheting before slip (with "
                 "--fem)"
             )
 
     def refusal(self) -> str:
         """Where displacements are not small, friction is spent, or load case 3 has no torque."""
-        _ = self._top  # ValueError where no state bears the largest torque
+        _ = self._top  # ValueError where no equilibrium exists at the largest torque
         if reason := Pulled.refusal(self.model_copy(update={"T": self.T_peak})):
             return reason
         if self.mu_T * (1 + CLOSE) > self.mu or self.limit_of(self.T) is None:
             return (
                 f"tan α = {self.mu_T:.4g} is not below μ = {self.mu:g} by {CLOSE:.0%} or more: the "
-                "torque alone lets the rollers out, or nearly so; check it without --fem"
+                "torque alone releases the rollers, or nearly so; check it without --fem"
             )
         if self.T_critical < LIGHTEST * self.T_peak:
             return (
@@ -302,7 +302,7 @@ class LoadPaths(Pulled):
             return "the trough of load case 3 slips without axial load; check it without --fem"
         if (asked := self.in_phase(1.0).mu_req) > WORN:
             return (
-                f"F_ax = {self.F_ax:g} N asks for friction of {asked:.3g} beyond {WORN:g}; "
+                f"F_ax = {self.F_ax:g} N requires friction of {asked:.3g}, beyond {WORN:g}; "
                 "check it without --fem"
             )
         return ""

@@ -1,4 +1,4 @@
-"""A freewheel on the rig's load paths: loads and times of slip, and what comes before."""
+"""A freewheel on the rig's load paths: loads and times of slip, and behaviour before slip."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -18,20 +18,20 @@ from verify.judging.checks import Accepted, Margin
 from verify.judging.published_checks import Adopted
 from verify.judging.tolerance_checks import Agreement, Deviation, Pair, demanded, farthest, suites
 
-OWN, KEPT, ALIKE = 2e-3, 5e-3, 1e-2  # accepted of mu_req, of the torque, of the amplitude at slip
+MU, TORQUE, SLIP = 2e-3, 5e-3, 1e-2  # accepted of mu_req, of the torque, of the load at slip
 ROOTED = "twice the friction cone's 0.5 %: it is a root of a small difference"
 STATICS = "as sharp as F_t/F_n against tan(ψ/2)"
 SETTLES = 1 / 3  # of the first cycle's walk, in the last
 GOES_ON = 0.9  # of the walk in the cycle before
-ANGLE = "two bodies that enclose the star say alpha, surfaces tilt under N"
+ANGLE = "α of two bodies that enclose the star, surfaces tilt under N"
 COULOMB = "Coulomb's law of friction"
 RULE = "rule adopted, not derived: an average over the runs of clutch A in load case 1"
 
 
 def _required(context: Context, at: int, name: str) -> tuple[Array, Array]:
-    """mu_req of finite elements and Eq. 9 at their own angle and loads, states of a path."""
+    """mu_req of finite elements and Eq. 9 at their angle and loads, states of a path."""
     arrays, q = context.fem[at].arrays, context.inputs
-    (tan, T, unit), table = arrays["own"], arrays[name]
+    (tan, T, unit), table = arrays["at rest"], arrays[name]
     found = criterion.required_friction_of_contact(
         F_n=1.0, F_t=table[:, 1:3], F_a=table[:, 3:5]
     ).mean(axis=1)
@@ -39,7 +39,7 @@ def _required(context: Context, at: int, name: str) -> tuple[Array, Array]:
     return found, criterion.required_friction(alpha=np.arctan(tan), T=T, F_ax=F_ax, R=q.R)
 
 
-def own(context: Context, name: str) -> Pair:
+def along(context: Context, name: str) -> Pair:
     """Eq. 9 and both contacts' resultant over N, where they differ most along a path.
 
     What the finest meshes differ by in that is its uncertainty.
@@ -47,7 +47,7 @@ def own(context: Context, name: str) -> Pair:
     pairs = (_required(context, at, name) for at in (-2, -1))
     before, now = (farthest(needed, found, 0.0) for found, needed in pairs)
     off, earlier = (one.value / one.reference - 1 for one in (now, before))
-    words = f"off by at most {abs(off):.2%}, {OWN:.1%} accepted"
+    words = f"off by at most {abs(off):.2%}, {MU:.1%} accepted"
     return replace(now, U=abs(abs(off) - abs(earlier)) * now.reference, words=words)
 
 
@@ -57,14 +57,14 @@ def torque(context: Context) -> tuple[float, float, str]:
         max(float(np.abs(r.arrays[name][:, 6] - 1).max()) for name in ("ramp", "growing"))
         for r in context.fem[-2:]
     )
-    return now, abs(now - before), f"changes by at most {now:.2%}, {KEPT:.1%} accepted"
+    return now, abs(now - before), f"changes by at most {now:.2%}, {TORQUE:.1%} accepted"
 
 
 def at_slip(context: Context, case: int) -> Pair:
     """Amplitude at which finite elements slip against Eq. 9, from the finest mesh alone."""
     F, half = slips(context, case)
     needed = context.analytic["F_lim_3" if case == 3 else "F_lim"]
-    words = f"{F:.5g} N by finite elements, Eq. 9 {needed / F - 1:+.2%}, {ALIKE:.0%} accepted"
+    words = f"{F:.5g} N by finite elements, Eq. 9 {needed / F - 1:+.2%}, {SLIP:.0%} accepted"
     return Pair(needed, F, half, words)
 
 
@@ -78,27 +78,27 @@ def slips(context: Context, case: int) -> tuple[float, float]:
 
 
 def settles(context: Context) -> tuple[float, float, str]:
-    """A small alternating load turns the ring on less and less."""
+    """Under a small alternating load the ring rotates less in every cycle."""
     before, now = (
         float(walk[-1] / walk[0]) for walk in (r.arrays["cycles"][0] for r in context.fem[-2:])
     )
     first, last = 1e9 * context.fem[-1].arrays["cycles"][0][[0, -1]]
     words = (
-        f"at 0.4 of the limit the bore turns on by {first:.3g} nm in the first cycle, "
+        f"at 0.4 of the limit the bore creeps by {first:.3g} nm in the first cycle, "
         f"{last:.2g} nm in the last of four"
     )
     return SETTLES - now, abs(now - before), words
 
 
 def walks(context: Context) -> tuple[float, float, str]:
-    """A large one turns it on in every cycle, long before it slips."""
+    """Under a large one it rotates further in every cycle, well below slip."""
     before, now = (
         float(walk[-1] / walk[-2]) for walk in (r.arrays["cycles"][1] for r in context.fem[-2:])
     )
     ends = [1e9 * r.arrays["cycles"][1][-1] for r in context.fem[-2:]]
     rate, spread = ends[-1], abs(ends[1] - ends[0])
     words = (
-        f"at 0.8 of the limit the bore turns on by {rate:.0f} nm in every cycle (meshes differ by "
+        f"at 0.8 of the limit the bore creeps by {rate:.0f} nm in every cycle (meshes differ by "
         f"{spread:.0f} nm), the last {now:.3f} of that before"
     )
     return now - GOES_ON, abs(now - before), words
@@ -112,28 +112,28 @@ def falls(context: Context) -> tuple[float, float]:
 
 
 def in_time(context: Context, case: int) -> Pair:
-    """The formula's time of slip within those at which the path is `ALIKE` beside what FE bear.
+    """The formula's time of slip within those at which the path is `SLIP` beside the limit of FE.
 
     A course names the first of its times beyond slip: half a step of it is unknown.
     """
-    q, along = context.inputs, context.inputs.courses[case]
+    q, course = context.inputs, context.inputs.courses[case]
     F, half = slips(context, case)
-    step = float(along.t[1] - along.t[0])
-    own = along.slips_at - step / 2
-    if not math.isfinite(own):
-        return Pair(own, math.nan, 0.0, "the path ends before it slips")
+    step = float(course.t[1] - course.t[0])
+    t = course.slips_at - step / 2
+    if not math.isfinite(t):
+        return Pair(t, math.nan, 0.0, "the path ends before it slips")
     mu_req = tuple(context.fem[-1].values[key] for key in MU_REQ.values())
     tan = q.rig.tangent(tuple(MU_REQ), mu_req)
     early, below, found, above, late = (
-        q.rig.time_of_slip(case, F + d, tan) for d in (-ALIKE * F, -half, 0.0, half, ALIKE * F)
+        q.rig.time_of_slip(case, F + d, tan) for d in (-SLIP * F, -half, 0.0, half, SLIP * F)
     )
     words = (
-        f"{own:.5f} s, finite elements {found:.5f} s, from {early:.5f} to {late:.5f} s accepted: "
-        f"{ALIKE:.0%} of their load"
+        f"{t:.5f} s, finite elements {found:.5f} s, from {early:.5f} to {late:.5f} s accepted: "
+        f"{SLIP:.0%} of their load"
     )
     allowed = early / found - 1, late / found - 1
     U = max(above - found, found - below) + step / 2
-    return Pair(own, found, U, words, allowed)
+    return Pair(t, found, U, words, allowed)
 
 
 def accepted(name: str, symbol: str, margin: Margin) -> Accepted:
@@ -153,9 +153,9 @@ def agrees(
 def slips_in_time(q: Quantity, case: int) -> Comparison:
     """When a path slips."""
     check = Agreement(
-        name=f"time of slip, load case {case}", symbol="t", unit="s", accepted=ALIKE,
+        name=f"time of slip, load case {case}", symbol="t", unit="s", accepted=SLIP,
         pair=lambda c: in_time(c, case),
-        source=suites(f"when the path is {ALIKE:.0%} beside the load that finite elements bear"),
+        source=suites(f"when the path is {SLIP:.0%} beside the load at slip of finite elements"),
     )  # fmt: skip
     return Comparison(check=check, quantity=q, shares=COULOMB)
 
@@ -179,19 +179,19 @@ def comparisons(q: Any, path: Any) -> Iterator[Comparison | Check]:
     yield fact("load case 3: required friction is largest at the largest torque", "μ_req", falls)
     yield agrees(
         path.mu_req, "required friction along load case 1, at the computed angle (Eqs. 8, 9)",
-        lambda c: own(c, "ramp"), OWN, STATICS, "1",
+        lambda c: along(c, "ramp"), MU, STATICS, "1",
     )  # fmt: skip
     yield agrees(
         path.mu_req, "required friction at the extremes of load case 2, at the computed angle "
-        "(Eqs. 8, 9)", lambda c: own(c, "growing"), OWN, STATICS, "1",
+        "(Eqs. 8, 9)", lambda c: along(c, "growing"), MU, STATICS, "1",
     )  # fmt: skip
     for case in (1, 2, 3):
         yield slips_in_time(path.slip(case), case)
     yield Deviation(name="torque is constant up to the limit", symbol="T/T_0 − 1", unit="1",
-                    size=torque, accepted=KEPT, whole="torque at rest",
+                    size=torque, accepted=TORQUE, whole="torque at rest",
                     source=suites("half of the 1 % that rows are asked for"))  # fmt: skip
     yield accepted("a small alternating load settles: shakedown", "RΔφ", settles)
-    yield accepted("a large alternating load makes the ring walk: ratcheting below slip", "RΔφ",
+    yield accepted("a large alternating load causes ratcheting of the ring below slip", "RΔφ",
                    walks)  # fmt: skip
     yield from _adopted(path)
 
@@ -206,9 +206,9 @@ def _loads(q: Any, path: Any) -> Iterator[Comparison]:
         own=(0.03, "it goes as √((μ/tan α)² − 1)"), shares=COULOMB,
     )  # fmt: skip
     yield agrees(path.F_lim, "axial amplitude at slip, steady torque (load case 2)",
-                 lambda c: at_slip(c, 2), ALIKE, ROOTED, "N", "F_ax")  # fmt: skip
+                 lambda c: at_slip(c, 2), SLIP, ROOTED, "N", "F_ax")  # fmt: skip
     yield agrees(path.F_lim_3, "axial amplitude at slip, both in phase (load case 3)",
-                 lambda c: at_slip(c, 3), ALIKE, ROOTED, "N", "F_ax")  # fmt: skip
+                 lambda c: at_slip(c, 3), SLIP, ROOTED, "N", "F_ax")  # fmt: skip
 
 
 def _adopted(path: Any) -> Iterator[Comparison | Check]:
@@ -225,7 +225,7 @@ def _adopted(path: Any) -> Iterator[Comparison | Check]:
     yield Comparison(
         check=Adopted(name="wind-up that the rig allows", symbol="φ", unit="deg", analytic="phi",
                       reference="nagler2021:rig-torsion-angle",
-                      why="range of the rig, beside the torsion under the largest torque"),
+                      why="range of the rig, beside the wind-up under the largest torque"),
         quantity=path.phi,
     )  # fmt: skip
     yield Adopted(

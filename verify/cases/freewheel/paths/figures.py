@@ -1,4 +1,4 @@
-"""What the report shows of a freewheel on the rig's load paths."""
+"""Figures of a freewheel on the rig's load paths."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -47,7 +47,7 @@ def tables(q: Any, context: Context) -> Sequence[Table]:  # noqa: ARG001
 
 
 def short(value: float) -> float:
-    """The number that six digits say."""
+    """The number in six digits."""
     return float(f"{value:.6g}")
 
 
@@ -92,7 +92,7 @@ def classes(context: Context, case: int) -> Zones:
             Zone(name="red", top=top * flat, tone="bad"),
         ),
         curves=tuple(curves), point=point,
-        note=f"μ = {q.mu:g}. The curve goes on as if the clutch still held. "
+        note=f"μ = {q.mu:g}. The curve continues as if the clutch still held. "
         + ("Where it has a gap the clutch overruns." if np.isnan(course.mu_req).any() else ""),
     )  # fmt: skip
 
@@ -109,7 +109,7 @@ def _pieces(course: Course) -> list[tuple[bool, Array, Array]]:
 
 
 def plane(context: Context) -> Curves:
-    """Ways of the three paths in the plane of (F_t, F_z)/N."""
+    """The three paths in the plane of (F_t, F_z)/N."""
     q, last = context.inputs, context.fem[-1].arrays
     widest = np.arccos(NEAR * np.tan(float(q.cam.alpha0)) / q.mu)
     turn = np.linspace(-widest, widest, 181)
@@ -117,7 +117,7 @@ def plane(context: Context) -> Curves:
         dashes(f"friction cone, μ = {q.mu:g}", q.mu * np.cos(turn), q.mu * np.sin(turn), 3),
     ]  # fmt: skip
     for case, colour, drawn in ((2, 2, "line"), (1, 0, "dashes"), (3, 1, "line")):
-        curves += _ways(q.courses[case], q.R, f"load case {case}", colour, drawn)
+        curves += _path(q.courses[case], q.R, f"load case {case}", colour, drawn)
     for name, colour, of in (("growing", 2, "extremes of 2"), ("ramp", 0, "load case 1")):
         table = last[name]
         curves.append(dots(f"FE, {of}", table[:, 1:3].mean(axis=1), table[:, 3], colour))
@@ -131,7 +131,7 @@ def plane(context: Context) -> Curves:
     )  # fmt: skip
 
 
-def _ways(course: Course, R: float, name: str, colour: int, drawn: str) -> list[Curve]:
+def _path(course: Course, R: float, name: str, colour: int, drawn: str) -> list[Curve]:
     """One path up to slip, a curve for each time in which it is locked."""
     found: list[Curve] = []
     for _, t, mu_req in _pieces(course):
@@ -147,7 +147,7 @@ def _ways(course: Course, R: float, name: str, colour: int, drawn: str) -> list[
 
 
 def creeping(context: Context) -> Curves:
-    """How far the ring turns on in the cycles of a constant amplitude."""
+    """Rotation of the ring in each cycle of a constant amplitude."""
     own, others = context.fem[-1].arrays["cycles"], context.fem[-1].arrays["walks"]
     found = [(QUIET, own[0]), (LOUD, own[1]), *zip(OTHERS, others, strict=True)]
     colours = (1, 0, 2, 3)
@@ -158,12 +158,13 @@ def creeping(context: Context) -> Curves:
         for style in ("dots", "line")
     ]  # fmt: skip
     return plot(
-        "The ring walks under an alternating axial load, finite elements", "cycle",
+        "Ratcheting of the ring under an alternating axial load, finite elements", "cycle",
         "R Δφ in one cycle [nm]", curves,
         x_names=tuple((k, f"{k:g}") for k in range(1, own.shape[1] + 1)),
-        note="Torque and N stay. Up to 0.6 of the limit the micro-slip settles; at 0.8 of it "
-        "no part of the contacts sticks all the time and the ring turns on in every cycle though "
-        "μ > μ_req all the time. Half a cycle in one step: in four steps it is a fifth less.",
+        note="Torque and N are constant. Up to 0.6 of the limit the micro-slip settles; at 0.8 of "
+        "it no part of the contacts sticks all the time and the ring rotates further in every "
+        "cycle though μ > μ_req always. Half a cycle in one step: in four steps it is a fifth "
+        "less.",
     )  # fmt: skip
 
 
@@ -175,5 +176,5 @@ def walked(context: Context) -> Curves:
         "share of F_n that slips",
         line("load case 1", last["ramp"][:, 0], last["ramp"][:, 7]),
         dots("extremes of load case 2", np.abs(last["growing"][:, 0]), last["growing"][:, 7], 2),
-        note="The torque alone takes most of the friction: little of the contacts sticks.",
+        note="The torque alone uses most of the friction: a small part of the contacts sticks.",
     )  # fmt: skip

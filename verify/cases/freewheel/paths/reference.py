@@ -1,9 +1,9 @@
-"""Finite elements of a freewheel along the rig's load paths, from rest to rest with their history.
+"""Finite elements of a freewheel along the rig's load paths: static states with their history.
 
-Load cases 1 and 2 keep the torque: the roller stays in its place, and where friction lets it creep
-out the ring turns on. Axial loads count at the torque that is asked for. In load case 3 rollers
-roll on by more than their contacts are wide; each torque has a place and a mesh of its own, where
-both loads come on together.
+In load cases 1 and 2 the torque is constant: the roller stays in its place, and where it creeps
+out the ring rotates. Axial loads count at the given torque. In load case 3 rollers travel by more
+than the width of their contacts; each torque has a separate place and mesh, where both loads are
+applied together.
 """
 
 import math
@@ -27,7 +27,7 @@ QUIET, LOUD, CYCLES = 0.4, 0.8, 4  # amplitudes that stay the same, and for how 
 MU_REQ = {1.0: "mu_req_high", 0.3: "mu_req_low"}  # by sines of load case 3
 SOLVED = 1e-6  # of mu_req
 OTHERS = (0.6, 0.9)  # and further ones, of the figure alone
-TOGETHER = 0.95  # of the way to the limit in load case 3: what comes from no load at once
+TOGETHER = 0.95  # of the limit in load case 3: the first step from zero load
 
 
 def solve(q: Any, level: int) -> Level:
@@ -41,7 +41,7 @@ def solve(q: Any, level: int) -> Level:
     values["F_1"], u_it["F_1"] = drive.load(drive.along(RAMP))
     arrays = {
         "ramp": held.rows(RAMP, ramp), "growing": held.rows(GROWING, growing),
-        "own": np.array([
+        "at rest": np.array([
             math.tan(held.rest.place.psi / 2), held.rest.torque * q.L, held.unit * q.z * q.L,
         ]),
     }  # fmt: skip

@@ -40,21 +40,21 @@ NAMED = statics.Named(
 )  # fmt: skip
 SHARED = "plane strain, small strain, the star clamped in its bore"
 ROLLED = (
-    "Finite elements know nothing of rolling here: the angle is what the energy of all "
-    "states asks for. The printed form takes the flat for a circle of radius X."
+    "The finite elements assume no rolling here: the angle follows from the energy of all "
+    "states. The printed form replaces the flat by a circle of radius X."
 )
 LEAVES = (
     "It grows with the normal force: surfaces tilt, and in small displacements forces act "
-    "where the mesh has them. To either side by as much: the mean is tan(ψ/2)."
+    "on the undeformed mesh. Both deviations are equal and opposite: the mean is tan(ψ/2)."
 )
 
 
 class FreewheelTorque(Star):
-    """Rollers wedged between the flats of a star and a ring move on as the contacts deflect.
+    """Rollers wedged between the flats of a star and a ring travel as the contacts deflect.
 
-    Clamping angle, normal force, way and torsion over torque are compared, with the paper's Eqs. 3
-    to 7 corrected. One pitch of star, roller and ring with friction at both races says the same,
-    and its energy says the torsion without any thought of rolling.
+    Clamping angle, normal force, roller travel and wind-up over torque are compared, with the
+    paper's Eqs. 3 to 7 corrected. Finite elements of one pitch of star, roller and ring with
+    friction at both races agree; their energy gives the wind-up without assuming rolling.
     """
 
     id = "freewheel-torque"
@@ -75,12 +75,12 @@ class FreewheelTorque(Star):
         "rollers are long: plane strain",
     )
     assumptions: ClassVar = (
-        "the paper prints no dimensions of its clutches A and B, and 5 µm of X turn α_0 by 0.08°: "
-        "this clutch is synthetic, with α_0 = 3.5° by choice",
+        "the paper prints no dimensions of its clutches A and B, and 5 µm of X change α_0 by "
+        "0.08°: this clutch is synthetic, with α_0 = 3.5° by choice",
         "the star is clamped on its shaft, the ring free but for the torque, all of one steel",
         "finite elements: one pitch, small displacements about the place where the roller lies; "
-        "the roller neither creeps nor turns there; friction twice what it needs",
-        "ways and energies between six states by splines, below the first by a power",
+        "the roller neither creeps nor turns there; friction is twice the required one",
+        "roller travel and energy between six states by splines, below the first by a power",
         "expected errors: the star lies among a layer and two discs, and the torque winds it up; "
         "Hertz errs by (a/r)²; tangential forces turn the ring by 0.5 to 1 tan²α more",
     )
@@ -215,7 +215,7 @@ class FreewheelTorque(Star):
         )  # fmt: skip
 
     def figures(self) -> Iterator[AlongLine | Drawn]:
-        """Angle, torsion and travel over torque; forces; pressures of both contacts."""
+        """Angle, wind-up and travel over torque; forces; pressures of both contacts."""
         yield over_torque.angle(self, ends=".")
         yield converged(partial(over_torque.torsion, printed="s/R + s/X", note=ROLLED))
         yield over_torque.travel(self)

@@ -59,7 +59,7 @@ def comparisons(self: LockedFormulas) -> Iterator[Comparison | Check]:
     yield Comparison(check=check, quantity=q, numbers=blur, shares=HALVES)
     for key, axis, name in (
         ("balance_x", "x", "Eq. 16 with the ring's hoop force: roller, hub, cuts, pressure"),
-        ("balance_y", "y", "the same along the flat"),
+        ("balance_y", "y", "balance of forces along the flat"),
         ("balance_roller", "x", "forces on an elastic roller"),
     ):
         yield balance(key, name, f"ΣF_{axis}", "N/mm", of={"side": self.side}, bound=1e-8,
