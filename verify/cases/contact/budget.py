@@ -36,12 +36,12 @@ def long(q: Any) -> Any:
 
 
 def long_races(q: Any) -> Any:
-    """Races that go on further."""
+    """Races that extend further."""
     return q.model_copy(update={"overhang": THICKER * q.overhang})
 
 
 def straight(q: Any) -> Any:
-    """A tilt that lifts the ends of the longer roller alike."""
+    """A tilt that lifts the ends of the longer roller by the same amount."""
     return long(q).model_copy(update={"theta": q.theta / LONGER})
 
 
@@ -60,7 +60,7 @@ def fem_narrow_disc(q: Any, level: int) -> FemResult:
 
 
 def fem_narrow_unlike(q: Any, level: int) -> FemResult:
-    """The same of unlike rollers."""
+    """The same of rollers of different materials."""
     from verify.cases.contact.line.reference import pair_fem
 
     found = pair_fem(light(q.unlike()), level).values()
@@ -70,19 +70,19 @@ def fem_narrow_unlike(q: Any, level: int) -> FemResult:
     })  # fmt: skip
 
 
-# the others bear loads of their own
-OWN_LOAD = ("peak pressure, Hertz", "half-width, Hertz", "approach of flat and centre, Hertz",
+# the other rows have separate loads
+AT_LOAD = ("peak pressure, Hertz", "half-width, Hertz", "approach of flat and centre, Hertz",
             "approach of the centres, Hertz", "approach of centre and rim",
             "largest shear stress, Hertz")  # fmt: skip
 NARROW = Rerun(cause=Cause.GEOMETRY, what="a hundredth of the load: a contact a tenth as wide",
-               rows=OWN_LOAD, inputs=light)  # fmt: skip
+               rows=AT_LOAD, inputs=light)  # fmt: skip
 PLANE = Rerun(cause=Cause.PLANE, what="plane stress instead of plane strain", shared=True,
               rows=("*Hertz", "app*"), changes=plane_stress(PROBLEM))  # fmt: skip
 LONG = Rerun(cause=Cause.GEOMETRY, what="four times as long under the same load per length",
              inputs=long)  # fmt: skip
 SLICED = (
-    Left(("*slices",), "slices yield by Palmgren's law of a whole roller, which no rerun gives to "
-         "a half-space"),
+    Left(("*slices",), "slices deflect by Palmgren's law of a whole roller, which no rerun gives "
+         "to a half-space"),
 )  # fmt: skip
 HALF_SPACE = (
     Without(Cause.CONTACT, "none: exact law, pressures are not negative"),
@@ -107,7 +107,7 @@ STATEMENTS: Mapping[str, Statement] = {
         in_proportion("*, different materials, a/R = 0.1, Hertz", fem_narrow_unlike)
     ),
     "contact-ring": line_contact(
-        Rerun(cause=Cause.GEOMETRY, what="a wall four times as thick", rows=OWN_LOAD, inputs=thick)
+        Rerun(cause=Cause.GEOMETRY, what="a wall four times as thick", rows=AT_LOAD, inputs=thick)
     ),
     "contact-slip": Statement(finer=72),
     "contact-sphere": Statement(
@@ -135,8 +135,8 @@ STATEMENTS: Mapping[str, Statement] = {
                   rows=("*, end face", "*beyond the ends"), inputs=long_races, levels=(2,)),
         ),
         left=(
-            Left(("*end face", "*beyond the ends"), "only how far the races go on was rerun, not "
-                 "the free end that a half-space has none of"),
+            Left(("*end face", "*beyond the ends"), "only the length of the races was rerun, not "
+                 "the free end, which a half-space lacks"),
         ),
         without=(Without(Cause.PLANE, "bodies of revolution"),),
     ),

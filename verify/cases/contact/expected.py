@@ -4,8 +4,8 @@ from analytic.bounds.contact.estimate import Estimate
 from verify.case import Expected
 from verify.judging import judge
 
-FLOOR = 3e-4  # of an error: nothing sharper is claimed at one load
-BLUNT = 1e-3  # of a line contact's shear: smoothed stresses are no sharper
+FLOOR = 3e-4  # of an error: the least slack at one load
+BLUNT = 1e-3  # of a line contact's shear: the least slack of smoothed stresses
 SHARP = judge.DEMAND / 2  # slack up to which an estimate judges
 
 
@@ -14,7 +14,7 @@ def expected(
 ) -> Expected:
     """The interval of an estimate whose slack is `least` at least.
 
-    Not sharp where it says less than the row demands: the bodies are then too small for an
+    Not sharp where it is wider than the row requires: the bodies are then too small for an
     estimate, and the formula's error is measured.
     """
     slack = max(float(known.slack), least)

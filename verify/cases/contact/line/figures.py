@@ -18,7 +18,7 @@ SYMBOLS = {"p_0": "p_0", "a": "a", "approach": "δ"}
 def pressure(q: LineContact, formula: Callable[[Any], Array], name: str, note: str) -> AlongLine:
     """Pressure along the contact with `formula` as its line."""
     return AlongLine(
-        title=f"Pressure in the contact beside {name}", x=("x", "µm"), y=("p", "MPa"),
+        title=f"Pressure in the contact and by {name}", x=("x", "µm"), y=("p", "MPa"),
         curve=formula, reference="profile", at=STATIONS * q.a,
         points=np.linspace(0.0, 1.15 * q.a, 461), order=1.0, scale=q.p_0, scale_name="p_0",
         note=note,
@@ -26,18 +26,18 @@ def pressure(q: LineContact, formula: Callable[[Any], Array], name: str, note: s
 
 
 def extrapolated(h: Sequence[float], v: Sequence[float]) -> float:
-    """Limit of values that go there with order 2, from the last two meshes."""
+    """Limit of values that converge with order 2, from the last two meshes."""
     return v[-1] + (v[-1] - v[-2]) / ((h[-2] / h[-1]) ** 2 - 1)
 
 
 def refinement(limits: Callable[[Context], Mapping[str, float]], note: str) -> Drawn:
-    """How p_0, a and the approach go to their `limits`, each beside a line of order 2."""
+    """Convergence of p_0, a and the approach to their `limits`, each with a line of order 2."""
 
     @converged
     def drawn(context: Context) -> Refinement:
         to, levels = limits(context), {key: context.series(key) for key in SYMBOLS}
         return Refinement(
-            title="Convergence of p_0, a and δ, each for itself",
+            title="Convergence of p_0, a and δ",
             x_label="cells on the half-width", y_label="|FE/limit − 1|",
             cells=4 / np.array(levels["a"][0]),
             errors=tuple(
@@ -63,7 +63,7 @@ def neglected(
             title=f"What Hertz neglects in {symbol}", x_label="a/R",
             y_label=f"{symbol}: Hertz/FE − 1", x=x, y=theory * x**2, x_fem=eps, y_fem=d,
             y_ref=theory * eps**2, u=u, scale=1.0,
-            note=f"Line: {words} (a/R)², derived; what is left below is of (a/R)⁴ and of the "
+            note=f"Line: {words} (a/R)², derived; the difference below is of (a/R)⁴ and of the "
             "meshes, whose band is drawn.",
         )  # fmt: skip
 
@@ -87,7 +87,7 @@ def two_bodies(q: LineContact) -> Iterator[AlongLine | Drawn]:
     yield converged(errors)
     yield refinement(
         lambda context: {key: extrapolated(*context.series(key)) for key in SYMBOLS},
-        "the limit extrapolates the last two meshes with it, so that the coarser ones tell",
+        "the limit extrapolates the last two meshes with it, so that the coarser ones are the test",
     )
 
 

@@ -1,4 +1,4 @@
-"""A roller between rigid flats: Hertz's line contact, and the disc he simplifies."""
+"""A roller between rigid flats: Hertz's line contact, and the exact disc."""
 
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, ClassVar, Self
@@ -48,7 +48,7 @@ DERIVED = 0.2, "tells the derived term from its parts, of a third and more"
 
 
 def key(ratio: float) -> str:
-    """What names of numbers at a ratio a/R end in, its thousandths."""
+    """Suffix of the names of numbers at a ratio a/R: its thousandths."""
     return f"r{round(1000 * ratio)}"
 
 
@@ -63,9 +63,8 @@ def relative_uncertainty(levels: Sequence[Level], key: str) -> float:
 class RollerOnFlat(FlatInputs):
     """Hertz replaces a roller by a half plane and its circle by a parabola.
 
-    Beside him stands the disc without these simplifications, which finite elements must meet; a
-    sweep over a/R measures what Hertz's simplifications cost and finds the derived 3/16 (a/R)² of
-    p_0.
+    Finite elements must agree with the disc without these simplifications. A sweep over a/R
+    measures the error of Hertz's simplifications and confirms the derived 3/16 (a/R)² of p_0.
     """
 
     id = "contact-flat"
@@ -81,7 +80,7 @@ class RollerOnFlat(FlatInputs):
         "the other flat presses as much: a quarter whose cut through the centre moves as a line",
         "half-width from the moments of the pressure, 2 √(∫p x²/∫p), which is Hertz's a for his "
         "pressure",
-        "meshes have a vertex where a coarse solution says that contact ends",
+        "meshes have a vertex at the end of the contact of a coarse solution",
     )
 
     @Quantity("δ", "µm", "approach of flat and centre, Hertz", source="Hertz, of the roller's "
@@ -122,7 +121,7 @@ class RollerOnFlat(FlatInputs):
         return disc_stress.largest_shear_stress(disc=self.disc)
 
     def disc_pressure(self, x: Any) -> Array:
-        """The disc's pressure on its own arc [Pa]."""
+        """The disc's pressure per length of its arc [Pa]."""
         return np.asarray(self.disc.pressure(x) * np.sqrt(1 - (x / self.R) ** 2))
 
     def at_ratio(self, ratio: float) -> Self:
@@ -209,7 +208,7 @@ class RollerOnFlat(FlatInputs):
     def figures(self) -> Iterator[AlongLine | Drawn]:
         """Profiles beside the disc, what Hertz neglects over a/R, and convergence."""
         note = (
-            "Line: the disc on its own arc; dots: finest mesh. Below, the difference in the band "
+            "Line: the disc, along its arc; dots: finest mesh. Below, the difference in the band "
             "of the whole profile, which ends at 0.85 a."
         )
         yield figures.pressure(self, self.disc_pressure, "the disc", note)

@@ -1,4 +1,4 @@
-"""Hertz's line contact: what a roller on a flat, on another roller and in a race share."""
+"""Hertz's line contact: common part of a roller on a flat, on another roller and in a race."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -153,8 +153,8 @@ class LineContact(Case):
         if ratio > 0.05:
             yield (
                 f"a = {self.a * 1e3:.4g} mm is {ratio:.1%} of the smallest body, "
-                f"{self.smallest_name} of {self.smallest * 1e3:.4g} mm: Hertz takes it for a half "
-                "plane, which it hardly is"
+                f"{self.smallest_name} of {self.smallest * 1e3:.4g} mm: it is hardly the half "
+                "plane of Hertz's theory"
             )
         if self.R_p is not None and 2 * self.tau_max > self.R_p:
             yield (
@@ -164,17 +164,17 @@ class LineContact(Case):
         if self.R_p is None and self.p_0 > STATIC_RATING:
             yield (
                 f"p_0 = {self.shown('p_0')} is beyond 4000 MPa, the static rating of hardened "
-                "rollers (ISO 76): expect lasting dents; give R_p"
+                "rollers (ISO 76): expect permanent indentations; give R_p"
             )
         if self.a > self.L / 10:
             yield (
                 f"L = {self.shown('L')} is only {self.L / self.a:.3g} times a: no line contact, "
-                "the ends carry their share differently"
+                "the ends change the pressure"
             )
 
 
 def at(q: Quantity, where: str) -> str:
-    """The name of a row elsewhere: "half-width, Hertz" is "half-width, a/R = 0.15, Hertz"."""
+    """The name of a row in another state, such as "half-width, a/R = 0.15, Hertz"."""
     name, theory = q.what.rsplit(", ", 1)
     return f"{name}, {where}, {theory}" if where else q.what
 

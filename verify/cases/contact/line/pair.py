@@ -1,7 +1,7 @@
 """Two rollers with parallel axes: Hertz's line contact between bodies of one size.
 
-The pair is taken once more with unlike materials under a high load: at the paper's load and with
-like materials the terms of `pair_series` drown in the meshes.
+The pair is also solved with different materials under a high load: at the paper's load and with
+equal materials the terms of `pair_series` are smaller than the error of the meshes.
 """
 
 import math
@@ -37,7 +37,7 @@ class TwoRollers(TwoBodies):
     """A sprag's nose on the inner race, as two elastic rollers of different size.
 
     What Hertz neglects here is derived to the second order in a/R, with the inclination of the
-    surface on which the bodies meet, and finite elements must fall on it.
+    surface on which the bodies meet; finite elements must agree with it.
     """
 
     id = "contact-pair"
@@ -48,13 +48,13 @@ class TwoRollers(TwoBodies):
     readings: ClassVar = (
         "rollers are long: plane strain, E/(1 − ν²) of each",
         "R_1 and R_2 are radii, and their curvatures add up",
-        "the approach is that of the centres, each roller being pressed from its far side, too",
+        "the approach is that of the centres; each roller is also pressed from its far side",
     )
     assumptions: ClassVar = (
         "linear elasticity, no friction, ends of the rollers left out",
         "each roller pressed from both sides: quarters whose cuts move as lines",
         "contact acts along the normal of the surface on which the deformed bodies meet",
-        "meshes have a vertex where a coarse solution says that contact ends",
+        "meshes have a vertex at the end of the contact of a coarse solution",
     )
 
     R_1: float = given(
@@ -106,7 +106,7 @@ class TwoRollers(TwoBodies):
 
     @shared
     def known(self) -> OfDiscs:
-        """What Hertz leaves out of two discs."""
+        """What Hertz neglects of two discs."""
         return OfDiscs(a=self.a, R_1=self.R_1, R_2=self.R_2, **self.materials)
 
     @property

@@ -1,4 +1,4 @@
-"""Finite elements of the three line contacts: meshes, materials, supports, what is read."""
+"""Finite elements of the three line contacts: meshes, materials, supports, results."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any

@@ -14,7 +14,7 @@ from verify.cases.contact.line.two_bodies import TwoBodies
 from verify.form.adapter import adapted
 
 THICKEST = 8.0  # r_o/r_i
-THINNEST = 0.08  # wall over r_i: the whole bore may touch, and half a minute goes by there
+THINNEST = 0.08  # wall over r_i: the whole bore may touch, which takes half a minute
 BOUND = "argued: (a/R)² of the curvature and (a/wall)² of the held rim, each once"
 APPROACH = "argued: half of (a/R)² + (a/wall)², and what unlike materials couple"
 SHEAR = (
@@ -26,9 +26,9 @@ SHEAR = (
 class RollerInRace(TwoBodies):
     """A roller of the sprag's radius in the outer race.
 
-    The bore bends the same way as the roller, which widens the contact, and the wall is some fifty
-    half-widths thick; how far centre and held rim approach is derived from the ring's own Fourier
-    series.
+    The bore is curved in the same direction as the roller, which widens the contact, and the wall
+    is about fifty half-widths thick. The approach of centre and held rim is derived from the
+    Fourier series of the ring.
     """
 
     id = "contact-ring"
@@ -41,7 +41,7 @@ class RollerInRace(TwoBodies):
     )
     readings: ClassVar = (
         "rollers are long: plane strain, E/(1 − ν²) of each",
-        "the bore's curvature is taken off the roller's: 1/R − 1/r_i, of radii",
+        "the bore's curvature is subtracted from the roller's: 1/R − 1/r_i, of radii",
         "the approach is that of the roller's centre and the race's rim, which is held all around",
     )
     assumptions: ClassVar = (
@@ -49,7 +49,7 @@ class RollerInRace(TwoBodies):
         "the roller pressed from both sides: a quarter whose cut moves as a line",
         "one roller, the rim held all around in both directions: half a race",
         "contact acts along the normal of the surface on which the deformed bodies meet",
-        "meshes have a vertex where a coarse solution says that contact ends",
+        "meshes have a vertex at the end of the contact of a coarse solution",
     )
 
     R: float = given(

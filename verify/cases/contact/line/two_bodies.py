@@ -1,4 +1,4 @@
-"""Line contacts of two bodies of their own materials, and what Hertz leaves out of them."""
+"""Line contacts of two bodies, each of one material, and what Hertz neglects of them."""
 
 from collections.abc import Iterator
 

@@ -33,8 +33,8 @@ THINNEST = 0.04  # wall over r_f that the cells around are short against
 class PressFit(FitFormulas):
     """Two walls meet along a whole circle, where their meshes do not match.
 
-    Contact has to carry an even pressure across. The interference is given once as a number and
-    once drawn, as meshes that overlap; a solid shaft takes the race's place for the third.
+    Contact must transmit a uniform pressure. The interference is given once as a number and once
+    by meshes that overlap; in a third fit a solid shaft replaces the race.
     """
 
     id = "contact-press-fit"
@@ -51,7 +51,7 @@ class PressFit(FitFormulas):
     )
     assumptions: ClassVar = (
         "the paper gives no fit: housing (aluminium, 40 mm), δ and p_o are assumed; p_i is its 12 "
-        "sprags of 3.4 kN on 9 mm, spread over the bore",
+        "sprags of 3.4 kN on 9 mm, uniform over the bore",
         "linear elasticity, small strain, no friction on the fit",
         "quarters with symmetry on both cuts",
     )
@@ -102,17 +102,17 @@ class PressFit(FitFormulas):
     sketch = drawn.sketch
 
     def refusal(self) -> str:
-        """Cells must be short against the thinnest wall for an even pressure."""
+        """Cells must be short against the thinnest wall for a uniform pressure."""
         wall = self.thinnest
         if wall < THINNEST * self.r_f:
             return (
                 f"a wall of {wall * 1e3:.4g} mm is below {THINNEST:.0%} of r_f: these cells are "
-                "too long for an even pressure on it, check it without --fem"
+                "too long for a uniform pressure on it, check it without --fem"
             )
         if jitter(self, AROUND) > SCATTERED * min(self.of(fit).p for fit in FITS):
             return (
-                f"delta = {self.delta * 1e6:.3g} µm is so little of r_f = {self.r_f * 1e3:.4g} mm "
-                f"that rounded positions make more than {SCATTERED:g} of the pressure: check it "
+                f"delta = {self.delta * 1e6:.3g} µm is so small against r_f = {self.r_f * 1e3:.4g} "
+                f"mm that rounded positions make more than {SCATTERED:g} of the pressure: check it "
                 "without --fem"
             )
         thin = np.log(min(2 * self.r_f / (self.r_f + self.r_i),

@@ -54,8 +54,8 @@ def profiles(fit: FitFormulas) -> Iterator[AlongLine]:
             title=f"{name.capitalize()} stress through both rings, plane stress", x=("r", "mm"),
             y=(symbol, "MPa"), curve=curve, reference=f"profile {name}",
             at=stations(fit), points=fine, order=2.0, scale=fit.stress_scale,
-            note="Points on a radius at 30°; below, what is left when the formula is taken away, "
-            "in the band of the profile's own tolerance.",
+            note="Points on a radius at 30°; below, the difference from the formula in the band "
+            "of the profile's tolerance.",
         )  # fmt: skip
     yield AlongLine(
         title="Contact pressure along the fit, rings, plane stress", x=("angle", "deg"),

@@ -26,9 +26,9 @@ PLANE = "plane finite elements under the strips' load"
 class RollerOnRace(CrownedRoller):
     """The sprag's nose as a roller of finite length with the paper's crown for 25 N m.
 
-    Strips with Hertz's ellipse across and the slicing technique of the paper are judged by boundary
-    elements on a half-space, and their middle by plane finite elements. What strips neglect is
-    derived, and the half-space must agree.
+    Strips with Hertz's ellipse across and the slicing technique of the paper are compared with
+    boundary elements on a half-space, and their middle with plane finite elements. The error of
+    strips is derived, and the half-space must agree.
     """
 
     id = "contact-roller"
@@ -46,7 +46,7 @@ class RollerOnRace(CrownedRoller):
     )
 
     def reference(self, level: int) -> Level:
-        """The half-space under this crown and the best one, and a disc under the strips' load."""
+        """The half-space under this crown and the optimal one; a disc under the strips' load."""
         best = {"best_over_load": self._best_over_load()} if level == LEVELS[-1] else {}
         more = self.plane_at_middle(level)
         return solve_crowns(self, level, self.best_design, more=more, arrays=best)
@@ -102,7 +102,7 @@ class RollerOnRace(CrownedRoller):
             context, "load", "load/F", gaps=np.tile(self.gap(self.centres), (len(FINE_AT), 1)),
             loads=FINE_AT, x=FINE_AT, best=("optimal crown for each load", BEST_AT), y_top=1.6,
             note="The optimal crown of a load leaves the ends unloaded. Dots: this crown's ends "
-            "carry, and the pressure there has no limit.",
+            "carry load, and the pressure there is unbounded.",
         )  # fmt: skip
 
 

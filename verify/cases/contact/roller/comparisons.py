@@ -31,13 +31,13 @@ SHARED = "half-spaces of E*"
 ACCEPTED = "acceptance figure of the finite line contact"
 ESTIMATE = (
     "derived: from half to twice of what strips neglect, and what is left of their number, of "
-    "first order, 1e-4 at least (own numbers: 1e-3)"
+    "first order, 1e-4 at least (user inputs: 1e-3)"
 )
 PALMGREN = underived("Palmgren's fit is of measured approaches: no interval is known beforehand")
 SHARPEST = 3e-3  # acceptance of the strips
-SHARE = 0.04  # of the load that slices may put elsewhere
+SHARE = 0.04  # of the load that slices may misplace
 ENDS = 0.06  # of loads near the ends
-LEAST = 1e-3  # of load, or load times length: less near the ends or about the middle is none
+LEAST = 1e-3  # of load, or load times length: less near the ends or about the middle counts as zero
 SLICED = 0.02  # acceptance of the slicing technique's pressures
 
 Interval = roller.Interval | None
@@ -68,7 +68,7 @@ def estimated(
 
 
 def strips_rows(q: StripRoller, *judged: Quantity) -> Iterator[Comparison]:
-    """Strips beside the half-space, as sharp as the acceptance figures."""
+    """Strips against the half-space, as sharp as the acceptance figures."""
     for one in judged:
         interval = partial(of_strips, q, one.name, own=not q.is_default)
         yield estimated(one, expected=Computed(interval, ESTIMATE), order=1, by=HALF_SPACE,
@@ -76,20 +76,20 @@ def strips_rows(q: StripRoller, *judged: Quantity) -> Iterator[Comparison]:
 
 
 def sliced_rows(
-    q: SlicedRoller, sliced: Sequence[Quantity], uncoupled: Sequence[Quantity]
+    q: SlicedRoller, sliced: Sequence[Quantity], independent: Sequence[Quantity]
 ) -> Iterator[Comparison]:
-    """Slices beside the half-space and beside independent slices; their approach is shown."""
+    """Slices and independent slices against the half-space; their approach is not judged."""
     accepted = Expected(-SLICED, SLICED, ACCEPTED, sharp=q.is_default)
-    for one in (*sliced, *uncoupled):
+    for one in (*sliced, *independent):
         judged = one in sliced and one is not SlicedRoller.delta_slices
         yield estimated(
             one, expected=accepted if judged else PALMGREN, order=1, by=HALF_SPACE, shares=SHARED,
-            sensitivity=(2 * SLICED, "as wide as the acceptance figure is both ways"),
+            sensitivity=(2 * SLICED, "twice the acceptance figure, for both signs"),
         )  # fmt: skip
     load: dict[str, Any] = {"symbol": "ΔF/F", "unit": "1"}
     for check in (
         Accepted(name=f"load that slices misplace against the half-space, below {SHARE:.0%}",
-                 margin=elsewhere, **load),
+                 margin=misplaced, **load),
         Accepted(name="slices misplace less load than independent slices", margin=nearer,
                  **load),
     ):  # fmt: skip
@@ -160,21 +160,21 @@ def size(value: float, scale: Scale) -> float:
     return max(abs(value), LEAST * (scale() if callable(scale) else scale))
 
 
-def elsewhere(context: Context) -> tuple[float, float, str]:
-    """What is left of the share of the load that slices may put elsewhere."""
+def misplaced(context: Context) -> tuple[float, float, str]:
+    """Accepted less computed share of the load that slices misplace."""
     share, U, error = misplaced_load(context, "slices")
-    return SHARE - share, U, f"{share:.1%} elsewhere; line load off by {error:.1%} in L2"
+    return SHARE - share, U, f"{share:.1%} misplaced; line load off by {error:.1%} in L2"
 
 
 def nearer(context: Context) -> tuple[float, float, str]:
-    """How much less of the load slices put elsewhere than uncoupled ones do."""
-    coupled, U, _ = misplaced_load(context, "slices")
-    alone, U_alone, _ = misplaced_load(context, "lamina")
-    return alone - coupled, U + U_alone, f"{coupled:.1%} against {alone:.1%} elsewhere"
+    """Share of the load that independent slices misplace, less that of slices."""
+    share, U, _ = misplaced_load(context, "slices")
+    alone, U_alone, _ = misplaced_load(context, "independent")
+    return alone - share, U + U_alone, f"{share:.1%} against {alone:.1%} misplaced"
 
 
 def misplaced_load(context: Context, model: str) -> tuple[float, float, float]:
-    """Share of the load that a model puts elsewhere, its U, and the line load's error in L2."""
+    """Share of the load that a model misplaces, its U, and the line load's error in L2."""
     q: Any = context.inputs
     line = q.sliced(model).line
     found = [load_elsewhere(line, level.arrays["q"], q.L) for level in context.fem[-2:]]

@@ -1,4 +1,4 @@
-"""What is claimed of crowns for an even pressure and of the paper's designs."""
+"""Comparisons of crowns for a uniform pressure and of the paper's designs."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -12,29 +12,29 @@ from verify.core.figures import Array
 from verify.judging.checks import Accepted, Fact, Margin
 from verify.judging.tolerance_checks import Deviation, suites
 
-FLAT = 0.01  # of an even pressure
+FLAT = 0.01  # of a uniform pressure
 FITTED = "length and load are not printed but identified, and other loads have other winners"
 FIRST, NEXT = 1e-5, 0.05
 RESOLVED = 2e-3  # of the half-length: 9 µm of the paper's
-MID, AT_ENDS = 3e-3, 0.02  # of strips beside the half-space
+MID, AT_ENDS = 3e-3, 0.02  # of strips against the half-space
 BEST = ("huang2018:fig12-best-k1", "huang2018:fig12-best-k2", "huang2018:fig12-best-zm")
 
 
 def uneven(key: str, crown: str, far: float) -> Accepted:
-    """The half-space's pressure is even up to `far` half-widths from the ends."""
+    """The half-space's pressure is uniform up to `far` half-widths from the ends."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         v = context.series(key)[1]
-        return FLAT - v[-1], 3 * abs(v[-1] - v[-2]), f"even to {v[-1]:.2%}"
+        return FLAT - v[-1], 3 * abs(v[-1] - v[-2]), f"uniform within {v[-1]:.2%}"
 
     return Accepted(
-        name=f"pressure of {crown} within {FLAT:.0%} of even, up to {far:g} b from the ends",
+        name=f"pressure of {crown} uniform within {FLAT:.0%}, up to {far:g} b from the ends",
         symbol="p", unit="1", margin=margin,
     )  # fmt: skip
 
 
 def printed_designs() -> Iterator[Check]:
-    """Which designs of Fig. 12 are the most and the least even."""
+    """The designs of Fig. 12 with the most and the least uniform pressure."""
     shared: dict[str, Any] = {"symbol": "q", "unit": "1", "fitted": FITTED}
     yield Accepted(name="Fig. 12: (1, 0.7, 0.01) has the most uniform pressure "
                    "of the printed designs",
@@ -45,7 +45,7 @@ def printed_designs() -> Iterator[Check]:
 
 
 def deviations() -> Iterator[Check]:
-    """What K_2 alone decides, and where contact begins."""
+    """What depends on K_2 alone, and where contact begins."""
     yield Deviation(
         name="the straight middle follows K_2, not z_m", symbol="Δl_s/l", unit="1", size=straight,
         accepted=RESOLVED, source=suites("9 µm of the paper's length, a cell of the half-space"),
@@ -60,17 +60,17 @@ def extreme(design: int, *, most: bool) -> Margin:
 
     def margin(context: Context) -> tuple[float, float, str]:
         found = _designs(context, "uneven")
-        own, others = float(found[-1, design]), np.delete(found[-1], design)
+        this, others = float(found[-1, design]), np.delete(found[-1], design)
         next_ = float(others.max() if most else others.min())
-        words = f"{own:.1%} of the load would have to move, next {next_:.1%}"
-        more = own / next_ if most else next_ / own
+        words = f"{this:.1%} of the load would have to move, next {next_:.1%}"
+        more = this / next_ if most else next_ / this
         return more - 1, _spread(found), f"{words}; {_peaks(context, design)}"
 
     return margin
 
 
 def _peaks(context: Context, design: int) -> str:
-    """The design's largest pressures, and its place among all: it hangs on where one looks."""
+    """The design's largest pressures and its rank, which depends on the end zones left out."""
     peaks = []
     for key, where in (("p_max", "beyond d"), ("near", "beyond 0.1 mm")):
         found = _designs(context, key)[-1]

@@ -1,4 +1,4 @@
-"""What the report shows of crowns compared: profiles, pressures of designs, even pressures."""
+"""Figures of crowns compared: profiles, pressures of designs, uniform pressures."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -25,7 +25,7 @@ COMPARED = (0, 1, 6, 3)  # of the designs, in Fig. 12's plot
 
 
 def drawn(context: Context) -> Iterator[Figure]:
-    """Profiles of Fig. 11, pressures of Fig. 12, and even ones."""
+    """Profiles of Fig. 11, pressures of Fig. 12, and uniform ones."""
     yield from (grown(context.inputs, varied) for varied in PROFILES)
     if context.fem:
         yield designs(context)
@@ -36,7 +36,7 @@ def drawn(context: Context) -> Iterator[Figure]:
 
 def grown(q: "ComparedCrowns", varied: str) -> Figure:
     """Fig. 11: the crown as one of its parameters grows."""
-    start = 0.85 if varied == "z_m" else 0.0  # where it shows
+    start = 0.85 if varied == "z_m" else 0.0  # where it is visible
     y = np.linspace(start, 1.0, 301) * q.L / 2
     return plot(
         f"Profiles as {varied} grows (Fig. 11)", "y [mm]", "z [µm]",
@@ -44,7 +44,7 @@ def grown(q: "ComparedCrowns", varied: str) -> Figure:
 line(f"{design}", y / mm, q.designed(design).gap(y) / um, i)
 for i, design in enumerate(PROFILES[varied])
 ),
-        note="(K_1, K_2, z_m), the half y > 0, Q = F; the paper's figure was not to be had.",
+        note="(K_1, K_2, z_m), the half y > 0, Q = F; the paper's figure was not available.",
     )  # fmt: skip
 
 
@@ -60,8 +60,8 @@ def designs(context: Context) -> Figure:
     return plot(
         "Pressure of the paper's designs (Fig. 12)", "y [mm]", "p [MPa]", curves,
         y_top=1.25 * p_0, y_bottom=0.5 * p_0,
-        note="Lines: strips; dots: half-space. (1, 0.7, 10 µm) is the evenest "
-        "but for its ends, which carry load: there a half-space has no highest pressure.",
+        note="Lines: strips; dots: half-space. (1, 0.7, 10 µm) has the most uniform pressure "
+        "except at its ends, which carry load: there the pressure of a half-space is unbounded.",
     )  # fmt: skip
 
 
@@ -78,9 +78,9 @@ def even(context: Context) -> Figure:
         curve = figures.half_space(context, words, ending(name), 2 * i)
         curves.append(replace(curve, y=curve.y * MPa / context.inputs.p_0))
     return plot(
-        "Crowns for an even pressure", "y [mm]", "p/p_0", curves,
+        "Crowns for a uniform pressure", "y [mm]", "p/p_0", curves,
         y_bottom=0.9, y_top=1.1,
-        note="Half-space, over Hertz's pressure of the load spread evenly.",
+        note="Half-space, over Hertz's pressure of the uniform line load.",
     )  # fmt: skip
 
 
@@ -93,7 +93,8 @@ def ends(context: Context) -> Figure:
         near = (q.L / 2 - y < 10 * b) & (y < q.L / 2)
         curves.append(line(words, (q.L / 2 - y[near])[::-1] / b, p[near][::-1] / q.p_0, 2 * i))
     return plot(
-        "Their ends", "distance from the end over b", "p/p_0", curves,
-        note="Half-space. Both rise before they fall: an even load needs a "
-        "little more crown there than either has; Lundberg's has no floor at the very end.",
+        "Ends of the crowns for a uniform "
+        "pressure", "distance from the end over b", "p/p_0", curves,
+        note="Half-space. Both rise before they fall: a uniform load needs a "
+        "little more crown there than either has; Lundberg's drop is unbounded at the very end.",
     )  # fmt: skip

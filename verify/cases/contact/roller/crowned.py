@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 def _best_crown(
     load: float, length: float, R: float, E_star: float, tilts: tuple[float, float]
 ) -> "BestCrown":
-    """The optimal crown, kept: formulas and levels need it for the same loads and tilts."""
-    from analytic.contact.best_crown import best_crown  # of both sides: what they press
+    """The optimal crown, cached: formulas and levels need it for the same loads and tilts."""
+    from analytic.contact.best_crown import best_crown  # the same for formulas and reference
 
     return best_crown(load=load, length=length, R=R, E_star=E_star, tilt=tilts)
 
@@ -101,7 +101,7 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
         return float(np.sqrt(share * self.F / self.L * self.E_star / (np.pi * self.R)))
 
     def best_row(self) -> Comparison:
-        """The optimal crown's pressure by strips, beside the half-space."""
+        """The optimal crown's pressure by strips, against the half-space."""
 
         def interval() -> tuple[float, float] | None:
             return comparisons.of_strips(self.with_best_crown, "p_top", own=not self.is_default)
@@ -116,9 +116,7 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
         """What an engineer should know before trusting these pressures."""
         yield from texts.of_contact(self)
         if not self._best.free:
-            yield (
-                "no crown keeps both ends free of load: the best one told is whose ends carry least"
-            )
+            yield ("no crown leaves both ends unloaded: the one reported has the least loaded ends")
         yield from texts.of_materials(self)
 
     def along_crowned(self, context: Context) -> Iterator[Figure]:
@@ -132,7 +130,7 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
     ) -> Figure:  # fmt: skip
         """Peaks over Hertz's pressure at `x` for gaps and loads [of F], and of optimal crowns.
 
-        The latter at places of their own, from the reference.
+        The latter at separate places, from the reference.
         """
         roller: dict[str, Any] = {"length": self.L, "R": self.R, "E_star": self.E_star}
         pairs = zip(gaps, loads, strict=True)
@@ -144,7 +142,7 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
         return plot(
             f"Largest pressure over the {over}", x_label, "p_max/p_0", curves,
             y_top=y_top, y_bottom=0.95,
-            note=f"p_0: Hertz's pressure of the load spread evenly; ends included, {self.n} "
+            note=f"p_0: Hertz's pressure of the uniform line load; ends included, {self.n} "
             f"strips. {note}",
         )  # fmt: skip
 

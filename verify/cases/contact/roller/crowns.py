@@ -1,4 +1,4 @@
-"""Crowns compared: Lundberg's and Johns and Gohar's even pressure, and the paper's designs."""
+"""Crowns compared: Lundberg's and Johns and Gohar's for uniform pressure, the paper's designs."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -31,15 +31,15 @@ from verify.form.adapter import adapted
 from verify.judging.tolerance_checks import SUBJECT, suites
 
 NEAR_END = 0.1e-3  # m, nearly the half-width, from the ends
-FAR = 5.0  # half-widths from the ends, up to which an even pressure is one
+FAR = 5.0  # half-widths from the ends, up to which a uniform pressure is judged
 BESIDE = "strips, as the finer model, with their acceptance figure of 0.3 %"
 
 
 class ComparedCrowns(Divided, StripRoller):
-    """Lundberg's crown and Johns and Gohar's make the pressure even but near the ends.
+    """The crowns of Lundberg and of Johns and Gohar make the pressure uniform except near the ends.
 
-    The paper's law with three parameters has a straight middle. All are pressed on a half-space
-    under the load that they are made for.
+    The paper's law with three parameters has a straight middle. All are computed on a half-space
+    under the load for which they are designed.
     """
 
     id = "contact-roller-crowns"
@@ -78,7 +78,7 @@ class ComparedCrowns(Divided, StripRoller):
         return self.designed(design).p_max
 
     def gap(self, y: Array) -> Array:
-        """Height of the race's surface over a crown for an even pressure under F."""
+        """Height of the race's surface over a crown for a uniform pressure under F."""
         return self._even(self.crown)(y)
 
     def _even(self, crown: str) -> Callable[[Array], Array]:
@@ -88,13 +88,13 @@ class ComparedCrowns(Divided, StripRoller):
         return lambda y: johns_gohar(y, half_width=self.b, **made)
 
     def with_crown(self, name: str) -> Self:
-        """The roller with one of the crowns for an even pressure."""
+        """The roller with one of the crowns for a uniform pressure."""
         return self if name == self.crown else self.variant(crown=name)
 
     def designed(self, design: Design) -> CrownedRoller:
         """The roller with one of the paper's crowns, Q = F."""
-        kept = {name: getattr(self, name) for name in Divided.model_fields}
-        return CrownedRoller(**kept, **design._asdict(), Q=self.F)
+        same = {name: getattr(self, name) for name in Divided.model_fields}
+        return CrownedRoller(**same, **design._asdict(), Q=self.F)
 
     def reference(self, level: int) -> Level:
         """All crowns on the half-space."""
@@ -109,7 +109,7 @@ class ComparedCrowns(Divided, StripRoller):
             even = np.sqrt(self.F / self.L * self.E_star / (np.pi * self.R))
             off = float(np.abs(found.beyond(FAR * self.b) / even - 1).max())
             values |= named(found.values | {"uneven": off}, end)
-            # the largest of an even pressure has no place of its own
+            # the largest value of a uniform pressure has no definite place
             u_it |= named({key: u for key, u in beside.items() if key != "p_max"}, end)
             arrays |= named(half_space.along(found), end)
             fields.append(half_space.patch(found, name))
@@ -123,7 +123,7 @@ class ComparedCrowns(Divided, StripRoller):
         return Level(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=tuple(fields))
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Even pressures, strips beside the half-space, and the paper's designs."""
+        """Uniform pressures, strips against the half-space, and the paper's designs."""
         q = ComparedCrowns
         for name, words in EVEN.items():
             interval = partial(self._near_strips, name)
@@ -147,9 +147,9 @@ class ComparedCrowns(Divided, StripRoller):
         yield from deviations()
 
     def _near_strips(self, name: str) -> tuple[float, float] | None:
-        """Interval of an even load's pressure: its deviation from strips, and their figure.
+        """Interval of a uniform load's pressure: its deviation from strips, and their figure.
 
-        The pressure is written out anew: the row's own would excuse itself.
+        The pressure is computed again here: an error in that of the row would widen its interval.
         """
         if not self.is_default:
             return None
@@ -170,7 +170,7 @@ class ComparedCrowns(Divided, StripRoller):
         return figures.sketch(self.designed(DESIGNS[0]))
 
     def pictures(self) -> Iterator[Picture]:
-        """Pressure on the patch under both crowns for an even pressure."""
+        """Pressure on the patch under both crowns for a uniform pressure."""
         picture = figures.patch()
         for name, words in EVEN.items():
             yield replace(picture, field=name, caption=f"{words}: {picture.caption}")

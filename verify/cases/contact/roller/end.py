@@ -1,4 +1,4 @@
-"""A roller's end face: finite elements of both bodies where a half-space has no face at all."""
+"""A roller's end face: finite elements of both bodies, as a half-space has no end face."""
 
 import math
 from collections.abc import Iterator
@@ -36,18 +36,18 @@ from verify.judging.checks import Accepted, Approximation, Margin
 
 mm = 1e-3
 HALF_SPACE = (64, 512)  # cells across and along
-FACE = 0.10  # of the load within d of the ends that the face takes at least
-SIZE_SHARE = 1 / 3  # of what the face takes, which the bodies' size stays below
+FACE = 0.10  # of the load within d of the ends: least reduction by the face
+SIZE_SHARE = 1 / 3  # of the reduction by the face: limit for that by the bodies' size
 EDGE_LEFT = 5e-3  # of the slope at the edge itself: terms of the order of its distances
 TERMS = "argued: terms of the order of the distance, 1 and 2 thousandths of the radius"
 
 
 class EndFace(Crown):
-    """Slices, strips and boundary elements take the roller for a half-space beyond its end.
+    """Slices, strips and boundary elements assume that the half-space continues beyond the end.
 
-    Finite elements of whole bodies, a Fourier series around the axes, say what that costs at a free
-    end face; a control in which both bodies continue beyond the ends tells the face from the
-    bodies' finite size.
+    Finite elements of whole bodies, with Fourier series around the axes, give the error of that at
+    a free end face. A control in which both bodies continue beyond the ends separates the effect
+    of the face from that of the bodies' finite size.
     """
 
     id = "contact-roller-end"
@@ -56,12 +56,12 @@ class EndFace(Crown):
     place = "Eqs. 2-5, the half-space behind their weights"
     levels: ClassVar = (2, 3, 4)
     readings: ClassVar = (
-        "the race goes on beyond the roller, as those of a clutch do",
+        "the race continues beyond the roller, as in a clutch",
         "the roller is pressed from two sides by equal races, and each race from two sides",
     )
     assumptions: ClassVar = (
         "linear elasticity, no friction; solid cylinders with circular sections",
-        "pressure acts along the common normal and is even in each cell of the patch",
+        "pressure acts along the common normal and is uniform in each cell of the patch",
         "harmonics around the axis are solved up to the width of a cell; those between are "
         "interpolated",
         "the edge's sharpness is that of a ring shrunk on a longer shaft, axisymmetric",
@@ -69,7 +69,7 @@ class EndFace(Crown):
     crown: ClassVar[str] = "crowned"  # of the quantities
 
     overhang: float = given(
-        "2 mm", "mm", "h", "length by which the races go on beyond each end", gt=0, le=1e3
+        "2 mm", "mm", "h", "length of the races beyond each end of the roller", gt=0, le=1e3
     )
 
     @model_validator(mode="after")
@@ -134,7 +134,7 @@ class EndFace(Crown):
 
     @shared
     def contact(self) -> RollerContact:
-        """The roller on a half-space, which knows no end face."""
+        """The roller on a half-space, which has no end face."""
         gap = self.gap if self.crown == "crowned" else np.zeros_like
         return press_roller(gap, R=self.R, length=self.L, E_star=self.E_star, load=self.F,
                             cells=HALF_SPACE)  # fmt: skip
@@ -154,7 +154,7 @@ class EndFace(Crown):
         return solve_fem(self, level)
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Hertz at mid-length, what a half-space costs at the ends, the edge's sharpness."""
+        """Hertz at mid-length, the error of a half-space at the ends, the edge's sharpness."""
         q = EndFace
         local = local_pressure(b=self.b, R=self.R_1, length=self.L)
         for crown in CROWNS:
@@ -162,10 +162,10 @@ class EndFace(Crown):
                 name=f"pressure at mid-length over Hertz's at the line load there, {crown}, "
                 f"{BODIES['end']}", symbol="p/p_H", unit="1", fem=f"local_end_{crown}",
                 analytic="one", formal=2, interval=lambda *_: local, demand=4e-3,
-                demand_reason="cells across are even in pressure",
+                demand_reason="pressure is uniform in each cell across",
                 source="argued: (b/R_1)² + (2b/l)², and 1e-3 of the cells",
             ))  # fmt: skip
-        cost = underived("what a half-space costs is measured here")
+        cost = underived("the error of a half-space is measured here")
         for name, words in BODIES.items():
             for state in self.states:
                 yield estimated(
@@ -201,7 +201,7 @@ class EndFace(Crown):
 
 
 def face(state: State) -> Margin:
-    """What the end face takes off the load near it, beyond FACE."""
+    """Reduction of the load near the end face, beyond FACE."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         here, on, U = end_loads(context, "end", state)
@@ -215,7 +215,7 @@ def face(state: State) -> Margin:
 
 
 def mostly(state: State) -> Margin:
-    """How far what the bodies' size takes is below a share of what the end face does."""
+    """Difference of a share of the reduction by the end face and of that by the bodies' size."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         face_, on, U = end_loads(context, "end", state)

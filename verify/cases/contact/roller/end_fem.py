@@ -24,7 +24,7 @@ EDGE = 1e-3  # distance from the ring's edge over its radius at which its slope 
 
 
 def solve_fem(q: "EndFace", level: int) -> Level:
-    """Roller with its end face and one that goes on, without and with the crown; the edge."""
+    """Roller with its end face and one that continues, without and with the crown; the edge."""
     from fem.fourier.shrunk import edge_slope
 
     values: dict[str, float] = {}

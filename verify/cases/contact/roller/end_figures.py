@@ -1,4 +1,4 @@
-"""What the report shows of a roller's end face."""
+"""Figures of a roller's end face."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -44,7 +44,7 @@ def line_loads(context: Context, state: State) -> Figure:
         f"Line load towards the end, {state.words}", "y [mm]", "q [N/mm]", curves,
         y_top=1.7 * q.F / q.L / 1e3,
         note="Where both bodies continue beyond the ends, the half-space is nearly right; a free "
-        "end face deflects more, and the load goes to the middle.",
+        "end face deflects more, and the load shifts to the middle.",
     )  # fmt: skip
 
 
@@ -57,7 +57,7 @@ def edge(context: Context) -> Figure:
     at = np.array([x.min(), x.max()])
     k, middle = context.inputs.sharpness, float(np.log10(EDGE_DRAWN))
     return plot(
-        "How sharp the edge of an end face is", "log10 distance/radius", "log10 p/p(0.005)",
+        "Pressure towards the edge of an end face", "log10 distance/radius", "log10 p/p(0.005)",
         dots("FE, ring on a longer shaft", x, y),
         line(f"slope {k:.3f}", at, k * (at - middle), 2),
         dashes("slope −0.5, half-space", at, -0.5 * (at - middle), 4),

@@ -1,4 +1,4 @@
-"""What the report shows of a finite line contact: sketch, equations, curves, pressure maps."""
+"""Figures of a finite line contact: sketch, equations, curves, pressure maps."""
 
 from collections.abc import Iterator, Sequence
 from typing import Any
@@ -16,8 +16,8 @@ from verify.form.plots import curve, dots, line, plot
 from verify.form.sketches import arrow, leader, shape
 
 MPa, mm, um = 1e6, 1e-3, 1e-6
-NAMES = {"strips": "strips", "slices": "slices, Eqs. 2-5", "lamina": "independent slices"}
-STYLES = {"strips": ("line", 0), "slices": ("dashes", 1), "lamina": ("dashes", 3)}
+NAMES = {"strips": "strips", "slices": "slices, Eqs. 2-5", "independent": "independent slices"}
+STYLES = {"strips": ("line", 0), "slices": ("dashes", 1), "independent": ("dashes", 3)}
 DOTS = 60  # of the half-space along the roller
 OVER = 1.35  # of the strips' largest pressure beyond the ends, where the plot is cut
 
@@ -70,8 +70,7 @@ def pressures(context: Context, of: Any = None, key: str = "", crown: str = "") 
         f"Pressure along the roller, at x = 0{crown}", "y [mm]", "p [MPa]", curves,
         y_top=OVER * max(one.p_max / MPa for _, one, _ in models),
         note=f"{q.n} strips, {q.slices} slices; dots: boundary elements on a half-space, the "
-        "finest grid. A loaded end has no highest pressure, and its curve ends where the plot "
-        "does.",
+        "finest grid. At a loaded end the pressure is unbounded, and its curve ends with the plot.",
     )  # fmt: skip
 
 
@@ -84,10 +83,10 @@ def half_space(context: Context, name: str, key: str = "", colour: int = 4) -> C
 
 
 def over(found: Sequence[Strips], x: Array, even: Sequence[float]) -> list[Curve]:
-    """Peaks over `even` pressures: a line while the ends carry nothing, dots where one does."""
+    """Peaks over `even` pressures: a line while the ends are unloaded, dots where one is loaded."""
     p = np.array([float(f.peak) / e for f, e in zip(found, even, strict=True)])
     loaded = np.array([bool(f.carries[0] or f.carries[-1]) for f in found])
-    parts = (("this crown, its ends free", ~loaded, "line"),
+    parts = (("this crown, ends unloaded", ~loaded, "line"),
              ("this crown, an end loaded", loaded, "dots"))  # fmt: skip
     return [
         curve(name, x[some], p[some], style) for name, some, style in parts if some.any()
@@ -105,7 +104,7 @@ def profile(q: Any) -> Figure:
 
 
 def loads(context: Context) -> Figure:
-    """Line load along the roller: what the models make of its ends."""
+    """Line load along the roller by all models."""
     q = context.inputs
     curves = [
         Curve(name=n, x=one.y / mm, y=one.line / 1e3, **style) for n, one, style in modelled(q)

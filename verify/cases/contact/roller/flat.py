@@ -25,11 +25,11 @@ WITHIN = f"strips as wide as the contact within {FLAT:.1%}"
 
 
 class FlatRoller(OnHalfSpace):
-    """A cylinder that simply ends.
+    """A cylindrical roller, without a crown at its ends.
 
-    In a half-space the pressure at its ends is infinite, so that no peak that a model prints for it
-    means anything without its number of slices; what converges is judged, and the slope with which
-    the peak grows.
+    On a half-space the pressure at its ends is infinite. The peak that a model prints for it
+    depends on the number of slices only and has no physical meaning. Values that converge are
+    judged, and the slope with which the peak grows.
     """
 
     id = "contact-roller-flat"
@@ -48,7 +48,7 @@ class FlatRoller(OnHalfSpace):
     def n(self) -> int:
         """Strips over the length, about as wide as the contact's half-width.
 
-        Narrower ones make too much of ends that carry.
+        Narrower ones overestimate the load of loaded ends.
         """
         return min(max(round(self.L / self.b), FEWEST), MOST)
 
@@ -85,18 +85,18 @@ class FlatRoller(OnHalfSpace):
             yield self._peaks(context)
 
     def _peaks(self, context: Context) -> Figure:
-        """Largest pressure over the cell, log-log: a line that goes on."""
+        """Largest pressure over the cell, log-log: a line without limit."""
         cells = np.array([len(r.arrays["y"]) for r in context.fem]) * self.b / self.L
         peak, mid = (np.array(context.series(k)[1]) / self.p_0 for k in ("p_largest", "p_mid"))
         return Refinement(
-            title="The peak at the end never stops growing", x_label="cells on Hertz's half-width",
+            title="The peak at the end grows without limit", x_label="cells on Hertz's half-width",
             y_label="p/p_0", cells=np.round(cells, 1), errors=(("peak", peak),), order=-0.5,
-            note="Dots: largest pressure of a cell over Hertz's pressure of an even load; line: "
+            note="Dots: largest pressure of a cell over Hertz's pressure of a uniform load; line: "
             f"slope 1/2. At mid-length p/p_0 stays at {mid[-1]:.4f}.",
         )  # fmt: skip
 
     def _over_strips(self, context: Context) -> Figure:
-        """Strips narrower than the contact is wide make too much of a loaded end."""
+        """Strips narrower than the contact overestimate the load of a loaded end."""
         found = [sum(by_strips(self, n)[1].ends) / self.F for n in COUNTS]
         curves = [line("strips", np.array(COUNTS, float), np.array(found))]
         if context.fem:
@@ -105,7 +105,7 @@ class FlatRoller(OnHalfSpace):
         return plot(
             "Share of the ends over the number of strips", "n", "F_d/F", curves,
             y_bottom=0.9 * min(found),
-            note="Strips narrower than the contact is wide no longer settle where an end carries: "
+            note="Strips narrower than the contact do not converge where an end carries load: "
             f"take about l/b = {self.L / self.b:.0f} of them.",
         )  # fmt: skip
 

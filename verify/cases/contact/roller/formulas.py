@@ -151,17 +151,19 @@ class SlicedRoller(StripRoller):
                             safe="too high").reads(lambda q: q.sliced("slices").p_mid)  # fmt: skip
     delta_slices = Quantity("δ", "µm", "approach, slices", source="Eqs. 2-5", form_of="delta",
                             tex=SLICES).reads(lambda q: q.sliced("slices").delta)  # fmt: skip
-    p_max_lamina = Quantity("p_max", "MPa", f"{BEYOND}, independent slices", form_of="p_max",
-                            safe="too high").reads(lambda q: q.sliced("lamina").p_max)  # fmt: skip
-    p_mid_lamina = Quantity("p", "MPa", f"{MIDDLE}, independent slices", form_of="p_mid",
-                            safe="too high").reads(lambda q: q.sliced("lamina").p_mid)  # fmt: skip
+    p_max_lamina = Quantity(
+        "p_max", "MPa", f"{BEYOND}, independent slices", form_of="p_max", safe="too high",
+    ).reads(lambda q: q.sliced("independent").p_max)  # fmt: skip
+    p_mid_lamina = Quantity(
+        "p", "MPa", f"{MIDDLE}, independent slices", form_of="p_mid", safe="too high",
+    ).reads(lambda q: q.sliced("independent").p_mid)  # fmt: skip
     delta_lamina = Quantity("δ", "µm", "approach, independent slices", form_of="delta",
-                            tex=LAMINA).reads(lambda q: q.sliced("lamina").delta)  # fmt: skip
+                            tex=LAMINA).reads(lambda q: q.sliced("independent").delta)  # fmt: skip
 
     @shared
     def _sliced(self) -> Mapping[str, Parts]:
         found = {}
-        for name, model in (("slices", slices), ("lamina", lamina)):
+        for name, model in (("slices", slices), ("independent", lamina)):
             one = model.press(**roller(self, self.slices))
             found[name] = parts(self, one.peak_pressure, one.line_load, one.approach)
         return found

@@ -56,7 +56,7 @@ def result(
     found: "Ridge", level: int, u_it: Mapping[str, float], more: Mapping[str, float] | None = None,
     arrays: Mapping[str, Array] | None = None,
 ) -> FemResult:  # fmt: skip
-    """All of it for one level, with what is left uncertain on it; `more` values and `arrays`."""
+    """All of it for one level, with its remaining uncertainty; `more` values and `arrays`."""
     residual, values = found.contact.contact.residual, found.values
     least = {key: 10 * residual * abs(value) for key, value in values.items()}
     return FemResult(

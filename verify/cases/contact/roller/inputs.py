@@ -38,7 +38,7 @@ DESIGNS = tuple(Design(*one) for one in (  # that the paper prints
 ))  # fmt: skip
 
 
-EVEN = {"Lundberg": "Lundberg's crown", "Johns": "Johns and Gohar's crown"}  # pressures
+EVEN = {"Lundberg": "Lundberg's crown", "Johns": "Johns and Gohar's crown"}  # uniform pressure
 
 
 def ending(name: str) -> str:
@@ -64,7 +64,7 @@ class Roller(Case):
     E_2: float = given("206 GPa", "GPa", "E_2", "Young's modulus, race", gt=0, le=1e5)
     nu_2: float = given(0.3, "1", "ν_2", "Poisson's ratio, race", ge=0, lt=0.5)
     d: float = given(
-        "0.5 mm", "mm", "d", "length at each end whose load is told", omitted=0.5e-3,
+        "0.5 mm", "mm", "d", "length at each end whose load is reported", omitted=0.5e-3,
         gt=0, le=1e4,
     )  # fmt: skip
 
@@ -125,7 +125,7 @@ class Crown(Roller):
     """A roller with the logarithmic crown of Eq. 1."""
 
     K_1: float = given(
-        2.1507, "1", "K_1", "crown's depth: the load that it would even out, over Q", gt=0, le=100,
+        2.1507, "1", "K_1", "crown's depth: its load of uniform pressure, over Q", gt=0, le=100,
         claims="huang2018:optimum-25nm-k1",
     )  # fmt: skip
     K_2: float = given(

@@ -1,4 +1,4 @@
-"""Gaps of rollers as the reference takes them, from the second writing of the crowns."""
+"""Gaps of rollers for the reference, from the second implementation of the crowns."""
 
 from typing import TYPE_CHECKING
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 def gap(q: Roller, design: Design | None = None) -> "Gap":
     """Height over the race at y: of the crown where there is one, and of the tilt.
 
-    A `design` that is made for F takes the place of the roller's own crown.
+    A `design`, which is made for F, replaces the crown of the roller.
     """
     from analytic.contact import crown_again
 
@@ -28,7 +28,7 @@ def gap(q: Roller, design: Design | None = None) -> "Gap":
 
 
 def even_crowns(q: Roller) -> "dict[str, Gap]":
-    """The crowns for an even pressure under F, by their names in results."""
+    """The crowns for a uniform pressure under F, by their names in results."""
     from analytic.contact import crown_again
 
     law = {"load": q.F, "length": q.L, "E_star": q.E_star}

@@ -1,4 +1,4 @@
-"""What reports show of rollers in slices, beside the half-space."""
+"""Figures of rollers in slices, with the half-space."""
 
 from collections.abc import Iterator
 

@@ -8,7 +8,7 @@ from verify.cases.contact.roller.inputs import MOST
 if TYPE_CHECKING:
     from verify.cases.contact.roller.formulas import SlicedRoller
 
-SETTLED = 5e-3  # twice the strips may change pressures without a word
+SETTLED = 5e-3  # change of pressure with twice the strips up to which there is no warning
 READINGS = (
     "E' of Eq. 1 is E/(1 − ν²) for steel on steel: 2 E*",
     "y counts from mid-length, and the crown is the same at both ends",
@@ -17,25 +17,25 @@ READINGS = (
 COUPLED = "the weights w of Eq. 3 are a half-space's on Hertz's width: slices deflect each other"
 ASSUMPTIONS = (
     "length and loads are not printed: 9 mm and the static load at 25 N m for a wedge angle of "
-    "3.15° are identified (CALIBRATED); models are compared on them, and the paper is not judged",
-    "no friction, small strain; both bodies half-spaces of E*, which go on beyond the ends",
-    "the largest pressure is that farther than d from the ends: a loaded end has no highest "
-    "pressure in a half-space",
-    "the half-space is refined like a mesh, in cells across and along the roller; what its "
-    "neighbouring grids differ by counts as iteration",
-    "weights w as Love has them for an even pressure on Hertz's width of the mean load, and the "
+    "3.15° are identified (CALIBRATED); models are compared with them, and the paper is not judged",
+    "no friction, small strain; both bodies half-spaces of E*, which continue beyond the ends",
+    "the largest pressure is that outside the end zones d: in a half-space the pressure of a "
+    "loaded end is unbounded",
+    "the half-space is refined like a mesh, in cells across and along the roller; the difference "
+    "of neighbouring grids counts as iteration",
+    "weights w as Love has them for a uniform pressure on Hertz's width of the mean load, and the "
     "exponent 10/9 of Palmgren's law: other kernels of that width, or an exponent of 1 through the "
-    "same approach, change pressures by less than these rows can tell",
+    "same approach, change pressures by less than these rows resolve",
 )
 
 
 def of_contact(q: "SlicedRoller") -> Iterator[str]:
-    """Ends that carry, parts out of contact, strips too few."""
+    """Loaded ends, parts out of contact, too few strips."""
     if q.loaded_ends and q.p_largest > 1.005 * q.p_max:
         yield (
             f"an end carries load: its pressure ({q.p_largest / 1e6:.4g} MPa with {q.n} strips) "
-            "grows with every refinement, and yields in truth; judge by p_d and the share of the "
-            "ends; a free end face takes about a quarter off it (contact-roller-end)"
+            "grows with every refinement, and the material yields; use p_d and the share of the "
+            "ends; a free end face reduces it by about a quarter (contact-roller-end)"
         )
     if q.l_c < 0.98 * q.L * (1 - 1 / q.n):
         yield f"only {q.l_c * 1e3:.4g} mm of l = {q.L * 1e3:.4g} mm are in contact"
@@ -51,13 +51,13 @@ def of_materials(q: "SlicedRoller") -> Iterator[str]:
     if largest > 4e9:
         yield (
             f"{largest / 1e6:.4g} MPa is beyond 4000 MPa, the static rating of "
-            "hardened rollers (ISO 76): expect lasting dents"
+            "hardened rollers (ISO 76): expect permanent indentations"
         )
     yield from of_width(q.b, q.R_1)
     if min(q.E_1, q.E_2) < 180e9 or max(q.E_1, q.E_2) > 230e9:
         yield (
-            "Palmgren's law behind the slices is of steel on steel, which these bodies are not: "
-            "take the strips"
+            "Palmgren's law behind the slices is for steel on steel, which these bodies are not: "
+            "use the strips"
         )
 
 
@@ -66,5 +66,5 @@ def of_width(b: float, R_1: float) -> Iterator[str]:
     if b > 0.05 * R_1:
         yield (
             f"b = {b * 1e3:.4g} mm is {b / R_1:.1%} of the roller's "
-            f"radius of {R_1 * 1e3:.4g} mm: a half-space it hardly is"
+            f"radius of {R_1 * 1e3:.4g} mm: it is hardly a half-space"
         )

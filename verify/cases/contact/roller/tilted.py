@@ -1,4 +1,4 @@
-"""A crowned roller whose axis is tilted: the end that takes more."""
+"""A crowned roller whose axis is tilted: the more loaded end."""
 
 from collections.abc import Iterator
 from typing import ClassVar
@@ -24,9 +24,9 @@ MOMENT = 0.01  # of the tilting moment
 
 
 class TiltedRoller(Tilt, CrownedRoller):
-    """Races deflect and sprags lean: the same roller with its axis out of parallel.
+    """Races deflect and sprags tilt: the same roller with its axis not parallel to the race.
 
-    Strips and slices take the gap that the tilt leaves and must find the end that takes more.
+    Strips and slices take the gap of the tilted roller and must predict the more loaded end.
     """
 
     id = "contact-roller-tilted"
@@ -57,12 +57,12 @@ class TiltedRoller(Tilt, CrownedRoller):
     ).reads(lambda q: q.strips.ends[1])  # fmt: skip
 
     def reference(self, level: int) -> Level:
-        """The tilted roller on the half-space, with this crown and the best one."""
+        """The tilted roller on the half-space, with this crown and the optimal one."""
         best = {"best_over_tilt": self._best_over_tilt()} if level == LEVELS[-1] else {}
         return solve_crowns(self, level, self.best_design, more={}, arrays=best)
 
     def _best_over_tilt(self) -> Array:
-        """Peak of the optimal crown for each tilt over Hertz's pressure of an even load."""
+        """Peak of the optimal crown for each tilt over Hertz's pressure of a uniform load."""
         angles = BEST_TILTS * (self.theta or LEAN)
         return np.array([self.best(tilt=a).peak / self.even_pressure() for a in angles])
 

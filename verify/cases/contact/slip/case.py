@@ -1,4 +1,4 @@
-"""Partial slip of two equal rollers (Cattaneo) and the cycle of a swinging force (Mindlin)."""
+"""Partial slip of two equal rollers (Cattaneo) and the cycle of an alternating force (Mindlin)."""
 
 from collections.abc import Iterator
 from typing import Any, ClassVar
@@ -43,12 +43,12 @@ SHARED = "friction law of Coulomb"
 class SlippingRollers(SlipFormulas):
     """Before a sprag slides, its contact slips at the edges and sticks in the middle.
 
-    Cattaneo and Mindlin say where, how far, and what a cycle costs; two elastic rollers pressed
-    together and pushed sideways say whether that holds.
+    Cattaneo and Mindlin give the slip zones, the displacement and the energy lost in a cycle.
+    Finite elements of two elastic rollers, pressed together and pushed sideways, verify them.
     """
 
     id = "contact-slip"
-    title = "Partial slip and the cycle of a swinging force"
+    title = "Partial slip and the cycle of an alternating force"
     source = "huang2018"
     place = "Eqs. 11-14, what lies between stick and slip"
     levels: ClassVar = (24, 40, 56)
@@ -156,8 +156,8 @@ class SlippingRollers(SlipFormulas):
         """Where the contact is wide, where surfaces yield, and where friction is high."""
         if neglected(self) > HALF_PLANES * 10:
             yield (
-                f"a/R = {self.a / self.R:.3g}: the rollers are no half planes, the formulas miss "
-                f"up to {neglected(self):.1%}"
+                f"a/R = {self.a / self.R:.3g}: the rollers are no half planes, the formulas err "
+                f"by up to {neglected(self):.1%}"
             )
         if self.hardness is not None and self.p_0 > self.hardness:
             yield (

@@ -1,4 +1,4 @@
-"""The claims that only partial slip makes: half planes for discs, tractions, energies, steps."""
+"""Comparisons of partial slip only: half planes for discs, tractions, energies, steps."""
 
 import math
 from collections.abc import Callable
@@ -14,13 +14,13 @@ from verify.judging.claims import FemClaim
 from verify.judging.profile_checks import l2_error
 from verify.judging.tolerance_checks import Pair
 
-HALF_PLANES = 2e-4  # share of the half planes' own error below which they and the discs are one
-AGREE = 1e-3  # two ways to one energy
+HALF_PLANES = 2e-4  # error of half planes up to which they count as equal to discs
+AGREE = 1e-3  # of two methods for one energy
 L2 = 0.03  # acceptance of tractions
 
 
 def neglected(q: SlipInputs) -> float:
-    """Bound of what half planes leave out of discs, as a share of a value."""
+    """Bound of what half planes neglect of discs, as a share of a value."""
     return slip.neglected(a=q.width, R=q.R)
 
 
@@ -33,9 +33,9 @@ class HalfPlanes(FemClaim):
     analytic: str
 
     def rows(self, context: Context) -> list[Row]:
-        own = {f.name: getattr(self, f.name) for f in fields(self)}
+        stated = {f.name: getattr(self, f.name) for f in fields(self)}
         if neglected(context.inputs) <= HALF_PLANES:
-            return Identity(**own).rows(context)
+            return Identity(**stated).rows(context)
         demand = self.demanded(context)
 
         def interval(q: SlipInputs, _values: Values) -> tuple[float, float] | None:
@@ -43,7 +43,7 @@ class HalfPlanes(FemClaim):
             return (-bound, bound) if neglected(q) <= demand / 4 else None
 
         source = f"±{slip.MODEL:g} (a/R)², and half of the demand"
-        return Approximation(**own, interval=interval, source=source).rows(context)
+        return Approximation(**stated, interval=interval, source=source).rows(context)
 
 
 def l2_margin(
@@ -63,13 +63,13 @@ def two_ways(context: Context) -> Pair:
     """The loop's area and the work of friction."""
     area, work = (context.series(key)[1][-1] for key in ("area", "work"))
     u = context.fem[-1].u_it["area_by_steps"]
-    return Pair(area, work, 2 * u, f"apart by {area / work - 1:+.2g}")
+    return Pair(area, work, 2 * u, f"difference {area / work - 1:+.2g}")
 
 
 def step_order_fem(context: Context) -> tuple[float, float]:
     """Order above 1.8 in which straight lines between steps approach the loop's area.
 
-    What Simpson's rule leaves of the difference is the mesh's own jitter, and uncertain.
+    What Simpson's rule leaves of the difference is the scatter of the mesh, and uncertain.
     """
     from fem.contact.partial_slip import order_in_steps
 

@@ -55,7 +55,7 @@ def figures() -> Iterator[AlongLine | Drawn]:
 
 
 def _first_loading(context: Context) -> Profile:
-    """Tractions for all shares in one line, to and fro: all of them end at zero."""
+    """Tractions for all shares in one line, back and forth: all of them end at zero."""
     q = context.inputs
     limit = q.mu * hertz_line.pressure(FINE * q.a, a=q.a, p_0=q.p_0)
     edges = ", ".join(f"±{math.sqrt(1 - k):.3f} a" for k in SHARES)
@@ -76,8 +76,8 @@ def _cycle(context: Context) -> Profile:
     return _chained(
         context, lines, at,
         [f"Q/Q_max = {s:g}" for s in stages],
-        title="Traction on the way down: Q/Q_max = 1, 0.5, 0, −0.5, −1",
-        note="From the top line down. Slip the other way starts at the edges; at Q = 0 the "
+        title="Traction during unloading: Q/Q_max = 1, 0.5, 0, −0.5, −1",
+        note="From the top line down. Reverse slip starts at the edges; at Q = 0 the "
         "traction is not zero.",
     )  # fmt: skip
 
@@ -101,7 +101,7 @@ def _chained(
         y=chain(curves) / scale, x_fem=x[order], y_fem=y_fem,
         y_ref=np.concatenate(references)[order] / scale,
         u=np.full(x.size, max(u.max() for _, u in found)) / scale, scale=1.0,
-        note=note + " Below: what is left at fixed places, in the band of all meshes.",
+        note=note + " Below: the difference at fixed places, in the band of all meshes.",
     )  # fmt: skip
 
 
@@ -122,8 +122,8 @@ def _loop(context: Context) -> Profile:
         x=np.concatenate([fine[::-1], fine]), y=beyond(fine) / nm, x_fem=x[order],
         y_fem=values[order] / nm, y_ref=beyond(AROUND)[order] / nm, u=u / nm, scale=scale / nm,
         scale_name="δ(0)",
-        note="Displacement beyond the straight line δ_c between both reversals; above on the way "
-        "down. What the loop encloses is lost.",
+        note="Displacement beyond the straight line δ_c between both reversals; the upper branch "
+        "is unloading. The area of the loop is the energy lost.",
     )  # fmt: skip
 
 

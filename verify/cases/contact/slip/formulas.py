@@ -1,4 +1,4 @@
-"""Formulas of partial slip (Cattaneo) and of the cycle of a swinging force (Mindlin)."""
+"""Formulas of partial slip (Cattaneo) and of the cycle of an alternating force (Mindlin)."""
 
 from typing import Any, Self
 
@@ -10,7 +10,7 @@ CATTANEO, MINDLIN = "Cattaneo", "Mindlin"
 
 
 class SlipFormulas(SlipInputs):
-    """Two rollers under P and a tangential force that swings between Q_max and -Q_max."""
+    """Two rollers under P and a tangential force that alternates between Q_max and -Q_max."""
 
     E_star = Quantity(
         "E*", "GPa", "contact modulus, plane strain", role="step", source="Hertz",
@@ -100,7 +100,7 @@ class SlipFormulas(SlipInputs):
         return partial_slip.traction(x, Q=k * self.mu * self.P, a=self.a, **self.loads)
 
     def cycle_traction(self, x: Any, stage: float) -> Any:
-        """Mindlin's traction [Pa] at x on the way down, at Q = `stage` Q_max."""
+        """Mindlin's traction [Pa] at x during unloading, at Q = `stage` Q_max."""
         Q_max = self.share * self.mu * self.P
         return tangential_cycle.traction(
             x, Q=stage * Q_max, Q_max=Q_max, a=self.a, branch="unloading", **self.loads

@@ -23,8 +23,8 @@ ZONE = 1.1  # half-width of the fine cells over Hertz's
 SWEEP, SWEPT = 80, 0.92  # steps of the first loading and Q/(mu P) at its end
 STEPS = 32  # of a swing from Q_max to -Q_max
 ACROSS = np.linspace(-0.95, 0.95, 39)  # x/a of the profiles
-AROUND = np.linspace(-1.0, 1.0, 17)  # Q/Q_max where the loop is shown, on both branches
-VIEW = 3.0  # half-widths about the contact whose cells are kept
+AROUND = np.linspace(-1.0, 1.0, 17)  # Q/Q_max where the loop is drawn, on both branches
+VIEW = 3.0  # half-widths about the contact whose cells are stored
 
 
 def solve(q: SlipInputs, level: int) -> Level:
@@ -90,7 +90,7 @@ def loading(
 def cycle(
     q: SlipInputs, rollers: "DrivenDiscs"
 ) -> tuple[dict[str, float], dict[str, float], dict[str, Array], tuple[Field, ...]]:
-    """Q_max, -Q_max, Q_max: tractions on the way, work of friction, area of the loop."""
+    """Q_max, -Q_max, Q_max: tractions in between, work of friction, area of the loop."""
     from fem.contact.partial_slip import apart, beyond_chord, loop_area, smoothed
     from fem.contact.slip_course import swing
 

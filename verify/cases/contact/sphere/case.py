@@ -24,8 +24,8 @@ from verify.form.figures import AlongLine, Drawn
 
 ORDER = "first correction for finite spheres ± (a/R)² of the smaller one, 2e-4 at least"
 SURFACE = (
-    "± a/R: against the curved surface the pressure tilts by r/R, which bears on the axis with the "
-    "tilt's share of p_0"
+    "± a/R: against the curved surface the pressure tilts by r/R, which changes the stress on the "
+    "axis by that share of p_0"
 )
 LEAST, BLUNT = 2e-4, 5e-3  # nothing sharper is claimed, of Hertz and of his shear stress
 SHARP = "design limit for contact figures"
@@ -34,10 +34,10 @@ DIRECT = "direct solve: machine epsilon times the condition of K, with cells fro
 
 
 class Spheres(SphereFormulas):
-    """Hertz takes each sphere for a half space with a parabola on it.
+    """Hertz replaces each sphere by a half space with a paraboloid on it.
 
     Against whole spheres, pressed from both sides, his radius and pressure err by a share of a/R
-    that the logarithm of the sphere's own solution predicts, his approach by the finite distance to
+    that the logarithm in the solution of a sphere predicts, his approach by the finite distance to
     its middle.
     """
 
@@ -48,7 +48,7 @@ class Spheres(SphereFormulas):
     levels: ClassVar = (2, 4, 8)
     scans: ClassVar = (Scan(vary=("P=2N,16N,100N,500N,2000N", "R_2=4.02mm,11.11mm"), star=True),)
     readings: ClassVar = (
-        "R is each sphere's own radius; the relative one enters Hertz",
+        "R_1 and R_2 are radii of the spheres; the relative one enters Hertz's formulas",
         "E/(1 − ν²) of each body: around a point no direction is free of strain",
         "the approach is that of the planes half-way to the opposite contact, not of points at "
         "infinity",

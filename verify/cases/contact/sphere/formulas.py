@@ -50,7 +50,7 @@ class SphereFormulas(SphereInputs):
     z_lower = Quantity("z_2", "mm", "its depth", source=HERTZ,
                        role="step").reads(lambda q: q.shear_of("lower")[1])  # fmt: skip
 
-    @Quantity("ε", "1", "strength of the spheres' own logarithm", source=FINITE, role="step",
+    @Quantity("ε", "1", "strength of the logarithm of the spheres", source=FINITE, role="step",
               tex=r"a E* \left(\frac{(1 - 2 \nu_1)^2 (1 - \nu_1^2)}{2 (1 - \nu_1) E_1 R_1}"
               r" + \frac{(1 - 2 \nu_2)^2 (1 - \nu_2^2)}{2 (1 - \nu_2) E_2 R_2}\right)")  # fmt: skip
     def epsilon(self) -> float:

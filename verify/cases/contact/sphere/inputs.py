@@ -1,4 +1,4 @@
-"""Inputs of two spheres in point contact, and what both sides make of them."""
+"""Inputs of two spheres in point contact, and what both sides derive from them."""
 
 from typing import Any, ClassVar, Literal, Self
 
