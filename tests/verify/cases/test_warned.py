@@ -25,7 +25,7 @@ THIN = {"z": 24, "delta_1": "0.5 mm", "rho": "0.3 mm", "e": "2 mm"}
 WARNED = [
     ("ring-loads-outer", {"R_p": "500 MPa"}, "yields below the contact"),
     ("ring-loads-outer", {"R_p": "100 MPa"}, "hoop stress"),
-    ("ring-loads-outer", {"F": "60 kN"}, "no steel bears that"),
+    ("ring-loads-outer", {"F": "60 kN"}, "no steel withstands that"),
     ("ring-rotation", {"omega": "6685 r/min"}, "Eq. 8 counts from"),
     ("ring-rotation", {"omega": "114592 r/min"}, "most steels yield"),
     ("polyhedral-pressure", {"R_p": "1 MPa"}, "exceeds R_p = 1 MPa"),

@@ -59,7 +59,7 @@ def tight(q: Any) -> Any:
 
 
 def clutch_tight(q: Any) -> Any:
-    """The same of a clutch, whose race says the clearance."""
+    """The same of a clutch, whose race determines the clearance."""
     return q.model_copy(
         update={"D_i": q.D_i - 0.75 * (q.D_i - 2 * q.d - q.d_e), "p_t": q.p_t / 4, "M_t": q.M_t / 4}
     )

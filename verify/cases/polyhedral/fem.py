@@ -1,4 +1,4 @@
-"""Finite elements of the polyhedral ring: half a sector under pressure, and the whole for show."""
+"""Finite elements of the polyhedral ring: half a sector under pressure, the whole for pictures."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -77,7 +77,7 @@ def expanded(q: PolygonRing, z: int) -> Field:
 def pushed_fem(q: HubRing, refine: int) -> tuple["PlaneSolution", "PlaneSolution"]:
     """Half a sector in plane stress: the hub's force at e, or its normal part in the corner.
 
-    Displacements under the point force itself are unbounded; elsewhere they converge.
+    Displacements under the point force itself are unbounded; at other places they converge.
     """
     from fem.plane.material import Elastic
     from fem.plane.solve import solve_plane

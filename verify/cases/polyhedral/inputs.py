@@ -1,4 +1,4 @@
-"""Inputs of the polyhedral ring clutch. The paper prints no numbers: these are the project's own.
+"""Inputs of the polyhedral ring clutch. The paper prints no numbers: these are assumed.
 
 `d_i` is the diameter of the bore through its corners as they are, with their fillets.
 """

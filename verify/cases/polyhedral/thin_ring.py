@@ -1,4 +1,4 @@
-"""The thin round ring that takes up a clearance, and how far a polygonal bore is from it."""
+"""The thin round ring that takes up a clearance, and the factor K of a polygonal bore."""
 
 from typing import ClassVar
 

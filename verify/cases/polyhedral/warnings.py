@@ -1,4 +1,4 @@
-"""What an engineer should know of the fillets and rollers of a polyhedral ring."""
+"""Warnings on the fillets and rollers of a polyhedral ring."""
 
 STATIC_RATING = 4e9  # Pa, ISO 76: roller bearings at their static load rating
 STRAINED = 3e-3  # hoop strain at which most steels yield

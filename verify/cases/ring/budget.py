@@ -10,11 +10,11 @@ from verify.core.case import FemResult
 from verify.judging.budget_statement import Cause, Left, Rerun, Statement, plane_strain
 
 CLOSER = 4  # times as many loads
-WAVE = "loads as their mean and first wave, one a pitch, not on patches: no dents"
+WAVE = "loads as their mean and first wave, one a pitch, not on patches: no indentations"
 
 
 def fem_smeared(q: LoadsInputs, level: int) -> FemResult:
-    """The same race with its loads spread evenly over the wall that bears them."""
+    """The same race with its loads as a uniform pressure on the loaded wall."""
     p = q.n * q.P / (2 * math.pi * q.radius)
     ring = quarter_fem(q, q.r_i, q.r_o, "plane stress", level, pressures={q.loaded: p})
     wall = ring.on_boundary(q.loaded)

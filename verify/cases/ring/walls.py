@@ -1,4 +1,4 @@
-"""What rings with two plain walls share: rules of their inputs, profiles, sketch."""
+"""Common parts of rings with two plain walls: rules of their inputs, profiles, sketch."""
 
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
@@ -21,8 +21,8 @@ SQUARED: dict[str, Any] = {
     "demand_reason": "4 within 0.1: twice the energy norm's order 2",
 }
 PROFILE_NOTE = (
-    "Points on a radius at 30°; below, what is left when the formula is taken away, in the band of "
-    "the profile's own tolerance."
+    "Points on a radius at 30°; below, the difference from the formula in the band of the "
+    "profile's tolerance."
 )
 
 

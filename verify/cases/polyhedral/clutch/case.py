@@ -16,15 +16,14 @@ from verify.cases.polyhedral.warnings import of_fillets, of_rollers
 from verify.core.figures import Picture, Sketch
 from verify.form.adapter import adapted
 
-WIDE = 2.0  # walls: wider rings are not in plane stress all along
+WIDE = 2.0  # walls: wider rings are not in plane stress throughout
 
 
 class PolyhedralClutch(ClutchFormulas):
     """Every value of the paper's chain from dimensions, friction and pressure to the torque.
 
-    Beside it stands the torque that remains when ring and rollers are elastic, which finite
-    elements confirm. The corrected Eq. 21 promises several times as much. Sizes and loads are the
-    project's.
+    It is compared with the torque of an elastic ring and elastic rollers, which finite elements
+    confirm. The corrected Eq. 21 gives several times as much. Sizes and loads are assumed.
     """
 
     id = "polyhedral-clutch"
@@ -54,9 +53,9 @@ class PolyhedralClutch(ClutchFormulas):
         "the hub's force R leans by φ_1 towards the flat's middle: it makes ψ + φ_1 with the "
         "radius through its contact, as Eq. 14 has it",
         "series: complex potentials of the ring; unit pressure and unit hub force lift the middle "
-        "of the flats by u_p and u_h1, a roller's force presses it back by u_N(a) N, its own dent "
-        "included, and is squeezed by δ(N); κ = R/N",
-        "margin and pressure for the torque wanted are those of elastic ring and rollers",
+        "of the flats by u_p and u_h1, a roller's force presses it back by u_N(a) N, local "
+        "indentation included, and compresses the roller by δ(N); κ = R/N",
+        "margin and pressure for the target torque are those of elastic ring and rollers",
     )
     assumptions: ClassVar = (
         "linear elasticity, small strain; ring and rollers in plane stress, the race rigid; rigid "
@@ -124,13 +123,13 @@ class PolyhedralClutch(ClutchFormulas):
             )
         elif not isfinite(self.M_el):
             yield (
-                "once it touches, the hub alone wedges the rollers ever further: strength limits "
-                "the torque, pressure does not; a larger e or a smaller μ leads back"
+                "after contact the hub alone wedges the rollers further and further: strength "
+                "limits the torque, not pressure; a larger e or a smaller μ restores that limit"
             )
         elif self.margin < 1:
             yield (
                 f"elastic ring and rollers carry {self.M_el:.4g} N m, less than the "
-                f"{self.M_t:.4g} N m that are wanted: p_t must be {self.shown('p_need')}, under "
+                f"target of {self.M_t:.4g} N m: p_t must be {self.shown('p_need')}, under "
                 f"which the fillets carry {self.shown('fillet_need')}"
             )
 
@@ -143,8 +142,8 @@ class PolyhedralClutch(ClutchFormulas):
             return "pressure does not limit the torque: nothing to compare, check it without --fem"
         if not self.hub.rises(self.line_need):
             return (
-                f"no pressure holds M_t = {self.M_t:.4g} N m, the hub wedges the rollers ever "
-                "further: nothing to compare, check it without --fem"
+                f"no pressure holds M_t = {self.M_t:.4g} N m, the hub wedges the rollers further "
+                "and further: nothing to compare, check it without --fem"
             )
         if 1e-3 * self.p_t * self.d_i > N:
             return (

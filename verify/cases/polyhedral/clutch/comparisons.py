@@ -1,4 +1,4 @@
-"""What is compared of the whole clutch: formulas and series with finite elements."""
+"""Comparisons of the whole clutch: formulas and series with finite elements."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ from verify.core.results import Row, Status
 from verify.judging import judge
 from verify.judging.checks import Approximation
 
-LOOSE = 0.1  # slack from which on a formula is shown, not judged
+LOOSE = 0.1  # slack from which on a formula is not judged
 NO_LIMIT = "the side without a value sets no limit: the hub's friction locks"
 HERTZ = "argued: (2 a/d)² of each contact, (a/wall)² and 1e-3 of the closure, times what it moves"
 STATICS = (
@@ -30,7 +30,7 @@ PLANE = "plane stress, rigid race; half of the hub's force on each side of the f
 
 
 class ClutchFormulas(PaperChain, ElasticClutch):
-    """The elastic clutch first, then the paper's chain; what Hertz leaves undecided of both."""
+    """The elastic clutch first, then the paper's chain; the slack that Hertz leaves in both."""
 
     @property
     def slack(self) -> float:
@@ -61,7 +61,7 @@ class ClutchFormulas(PaperChain, ElasticClutch):
 
     @property
     def flat(self) -> FlatParts:
-        """What bears on the flats, for their statics."""
+        """Loads and sizes of the flats, for their statics."""
         return FlatParts(z=self.z, d_i=self.d_i, D_i=self.D_i, b=self.b, e=self.e, mu=self.mu,
                          apothem=self.ring.apothem, phi_1=self.phi_1, alpha=self.alpha)  # fmt: skip
 
@@ -86,9 +86,9 @@ class ClutchFormulas(PaperChain, ElasticClutch):
 
 @dataclass(frozen=True, kw_only=True)
 class Claimed(Approximation):
-    """A formula that Hertz's neglect blurs by `give`; shown where it has no value or much blur.
+    """A formula with the slack `give` by Hertz's neglect; not judged without a value.
 
-    On inputs of the user the demand is that blur, both ways, where it is larger than usual.
+    For inputs of the user the demand is that slack to both sides, where it is larger than usual.
     """
 
     give: str

@@ -1,4 +1,4 @@
-"""Meshes of the driven ring: the hub's force goes with that of the rollers."""
+"""Meshes of the driven ring: the hub's force is in proportion to that of the rollers."""
 
 from typing import TYPE_CHECKING
 

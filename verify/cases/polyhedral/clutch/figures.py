@@ -1,4 +1,4 @@
-"""What the report draws of the whole clutch: torques side by side."""
+"""Figures of the whole clutch: torques side by side."""
 
 from collections.abc import Iterator
 from math import isfinite
@@ -26,5 +26,5 @@ def torques(q: ClutchFormulas, context: Context) -> Iterator[Dots]:
         yield Dots(
             title="Torque under the pressure p_t", label="M_t [N m]", items=tuple(items),
             note="Eqs. 20 and 21 assign all of the blocking pressure to the rollers; the ring "
-            "keeps its part, and rollers deflect.",
+            "carries a part, and rollers deflect.",
         )  # fmt: skip

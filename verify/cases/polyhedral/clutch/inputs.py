@@ -1,4 +1,4 @@
-"""Inputs of the whole polyhedral ring clutch, from its parts to the torque that is wanted."""
+"""Inputs of the whole polyhedral ring clutch, from its parts to the target torque."""
 
 import math
 from typing import Self
@@ -15,10 +15,10 @@ NARROWEST, WIDEST = 1e-5, 0.02  # of d_e: clearances that a ring can take up
 
 
 class ClutchInputs(Case):
-    """Ring, rollers, race and hub; the paper prints no numbers, these are the project's own."""
+    """Ring, rollers, race and hub; the paper prints no numbers, these are assumed."""
 
     M_t: float = given("100 N m", "N m", "M_t", "target torque", gt=0, le=1e9)
-    p_t: float = given("30 MPa", "MPa", "p_t", "pressure that is available", gt=0, le=1e4)
+    p_t: float = given("30 MPa", "MPa", "p_t", "available pressure", gt=0, le=1e4)
     z: int = count(6, "z", "rollers, and flats of the bore", ge=3, le=48)
     D_i: float = given("100.06 mm", "mm", "D_i", "bore of the race", gt=0, le=1e5)
     d: float = given("10 mm", "mm", "d", "diameter of the rollers", gt=0, le=1e5)

@@ -34,7 +34,7 @@ def solve(q: ClutchInputs, level: int) -> Level:
 
 
 def drawn_fem(q: ClutchInputs, N: float) -> Field:
-    """Ring and rollers under p_t and what belongs to N [N/m], on a coarse mesh."""
+    """Ring and rollers under p_t and the loads of N [N/m], on a coarse mesh."""
     coarse = driven_fem(q, 1, elastic=True).at(q.p_t, N).plane.cells()
     return whole_fem("driven", q.z, coarse, von_mises=(coarse["von_mises"], "Pa"))
 

@@ -18,9 +18,9 @@ PRESSED = 1.02  # of the pressure that touches: from there on forces are compare
 class LockedPolyhedralRing(LockedFormulas):
     """The paper assigns all of the blocking pressure to the rollers.
 
-    The hoop force of the ring carries a good part of it. How much follows from finite elements with
-    the roller as a contact, and from complex potentials with Hertz's patch. Sizes and loads are the
-    project's.
+    The hoop force of the ring carries a large part of it. How much follows from finite elements
+    with the roller as a contact, and from complex potentials with Hertz's patch. Sizes and loads
+    are assumed.
     """
 
     id = "polyhedral-locking"
@@ -40,9 +40,8 @@ class LockedPolyhedralRing(LockedFormulas):
         ),
     )
     readings: ClassVar = (
-        "rollers and race are rigid, the ring is in plane stress: all of the ring's own compliance",
-        "rollers that are said to be elastic are of the ring's material, in plane stress; the race "
-        "stays rigid",
+        "rollers and race are rigid, the ring is in plane stress: only the ring is compliant",
+        "elastic rollers are of the ring's material, in plane stress; the race stays rigid",
         "p_2 is what p_t exceeds K_mid p_1 by (Eq. 19 with K in the middle of the flats)",
         "the hub's friction acts towards the flat's middle: R makes ψ + φ_1 with the radius "
         "through its contact (Eq. 14)",

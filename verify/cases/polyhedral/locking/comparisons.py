@@ -1,4 +1,4 @@
-"""What is compared of the locked ring: the series, Hertz and the paper with finite elements."""
+"""Comparisons of the locked ring: the series, Hertz and the paper with finite elements."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -25,7 +25,7 @@ from verify.judging.bands import OwnFillet, OwnFormula
 
 NEAR, ARC = 1e-4, "the arc of a side over its chord, by vectors"
 CHORD = 1e-3, "statics: pressure on the chord between two corners"
-FILLET = 5e-3, "a peak stress: half a per cent tells fillets apart"
+FILLET = 5e-3, "a peak stress: half a per cent distinguishes fillets"
 BALANCE = "acceptance figure; contact met to round-off"
 HALVES = "plane stress; half of the hub's force on each side of the flat's middle"
 PLANE = "plane stress, rigid race, no friction at the rollers"
@@ -148,7 +148,7 @@ def within_band(
     q: Quantity, name: str, expected: Expected, *, state: State | None = None, reference: str = "",
     symbol: str = "", bent: float = 0.0, shares: str = "",
 ) -> Comparison:  # fmt: skip
-    """A quantity whose error lies in a band; `reference` and `symbol` are its own by default."""
+    """A quantity whose error lies in a band; `reference` and `symbol` default to those of `q`."""
     limits = (expected.low, expected.high) if expected.sharp else None
     key = key_of(q, state)
     check = OwnFormula(

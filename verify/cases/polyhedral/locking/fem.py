@@ -12,7 +12,7 @@ CELLS = 6  # even ones in every fine zone, on the mesh of level 1
 ZONE = 1.5  # half-widths of even cells under the roller
 FIRST = 0.1  # of the wall that the fine zone takes while the half-width is unknown
 WIDEST = 0.45  # of wall, roller's radius and the hub's distance from the middle
-COARSE = (1, 2)  # meshes that say how wide the contacts are
+COARSE = (1, 2)  # meshes that determine the width of the contacts
 HELD = 2  # level of the mesh for bonded stretches
 
 
@@ -61,7 +61,7 @@ def fine_zones(
 ) -> tuple[float, float]:
     """Widths [m] of the zones of ring and race that are fine, the same on all meshes.
 
-    Coarse solutions say how wide the contacts are; the meshes have vertices near their ends.
+    Coarse solutions give the width of the contacts; the meshes have vertices near their ends.
     """
     wall = q.d_e / 2 - q.apothem
     beside = wall if e is None else min(wall, e)

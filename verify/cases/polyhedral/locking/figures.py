@@ -1,4 +1,4 @@
-"""What the report draws of the locked ring."""
+"""Figures of the locked ring."""
 
 from collections.abc import Iterator, Sequence
 
@@ -38,15 +38,15 @@ def figures(q: LockedFormulas, context: Context) -> Iterator[Curves]:
         ]  # fmt: skip
     yield plot(
         "Force of a roller over the pressure", "p [MPa]", "N/b [N/mm]", drawn,
-        note=f"Of a further pressure {q.alone.efficiency:.0%} reach rigid rollers; the rest is "
-        "the ring's own hoop force. Eq. 16 hands on all of it.",
+        note=f"{q.alone.efficiency:.0%} of additional pressure reaches rigid rollers; the hoop "
+        "force of the ring carries the rest. Eq. 16 assigns all of it to the rollers.",
     )  # fmt: skip
     if "rollers" in fem:
         yield _supports(q, *fem["rollers"], *fem["bonded"])
 
 
 def _supports(q: LockedFormulas, a: Array, eta: Array, w: Array, bonded: Array) -> Curves:
-    """Efficiency over half the width that is held."""
+    """Efficiency over half the width of the support."""
     states = [q.alone.under(q.p_t, d) for d in diameters(q)]
     sizes = ", ".join(f"{d / mm:.3g}" for d in diameters(q))
     return plot(

@@ -68,8 +68,8 @@ class LockedFormulas(PolygonSeries, LockingInputs):
         tex=r"\frac{u_p p_t + u_h - \frac{j_D}{2}}{u_N(a)}",
     ).reads(lambda q: q.locked.N)  # fmt: skip
     efficiency = Quantity(
-        "η", "1", "share of a further pressure that reaches the rollers",
-        source="1 would be Eq. 16", tex=r"\frac{1}{d_i \sin(\pi/z)} \frac{dN}{b\,dp}",
+        "η", "1", "incremental load-transfer ratio, pressure to rollers",
+        source="1 by Eq. 16", tex=r"\frac{1}{d_i \sin(\pi/z)} \frac{dN}{b\,dp}",
     ).reads(lambda q: q.locked.efficiency)  # fmt: skip
     hub_share = Quantity("η_h", "1", "incremental load-transfer ratio, hub to rollers",
                          source=SERIES,

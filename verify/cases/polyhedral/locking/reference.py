@@ -1,4 +1,4 @@
-"""Finite elements of the locked ring: forces, widths, pressures, and what is left of balances."""
+"""Finite elements of the locked ring: forces, widths, pressures, and residuals of balances."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 LEVELS = (1, 2, 3, 4)
 DRAWN = 2  # level of the curves
 THICK = 0.15  # wall over outer diameter from which on a mesh is twice as fine
-STEP = 0.05  # of the hub's force, either way, for its share
+STEP = 0.05  # of the hub's force, more and less, for its share
 SIZES = (0.25, 0.5, 1.0, 2.0, 4.0)  # of the roller's diameter
 STRETCHES = (0.005, 0.01, 0.02, 0.05, 0.1)  # of the wall above the flat
 PRESSURES = np.linspace(0, 1.2, 9)  # of p_t, where curves have dots
@@ -63,7 +63,7 @@ def solve(q: LockingInputs, level: int) -> Level:
 
 
 def elastic_rollers(q: LockingInputs, ring: "LockedSector") -> dict[str, float]:
-    """Force and half-widths of elastic rollers, and what is left of forces on one [N/m]."""
+    """Force and half-widths of elastic rollers, and the residual of forces on one [N/m]."""
     near, far = ring.half_widths(q.p_t)
     on_roller, on_race = (touch.force[0] for touch in ring.at(q.p_t).touches)
     return {

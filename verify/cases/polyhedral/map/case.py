@@ -1,4 +1,4 @@
-"""K of the polyhedral ring over number of flats, wall and fillet: where K = 1 may be trusted."""
+"""K of the polyhedral ring over number of flats, wall and fillet: where K = 1 is accurate."""
 
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, ClassVar
@@ -25,15 +25,15 @@ TRUE = 1e-3  # series against finite elements, all over the map
 AS_MESH = "as much as halving the mesh may change"
 HALVED = 1e-3, "acceptance figure: 0.1 % under halving of the mesh"
 FROM = 12  # flats from which on K falls to its limit
-ETA = 0.01  # of the share that reaches the rollers, series against finite elements
+ETA = 0.01  # of the load-transfer ratio, series against finite elements
 PLANE: Assumption = "plane stress"
 
 
 class PolyhedralMap(MapInputs):
     """K = 1 and the roller force of the paper, from 3 to 48 flats, over walls and fillets.
 
-    Finite elements solve every cell of the maps; the series is compared with them. Sizes are the
-    project's.
+    Finite elements solve every cell of the maps; the series is compared with them. Sizes are
+    assumed.
     """
 
     id = "polyhedral-map"
@@ -66,7 +66,7 @@ class PolyhedralMap(MapInputs):
 
     @shared
     def efficiency(self) -> Array:
-        """Share of further pressure that reaches the rollers (flats,)."""
+        """Incremental load-transfer ratio, pressure to rollers (flats,)."""
         return np.array([
             locked(
                 sector=self.sector(size), roller=Roller(d=self.roller(size[0]), j_D=self.j_D),
@@ -120,7 +120,7 @@ class PolyhedralMap(MapInputs):
         )  # fmt: skip
 
     def figures(self) -> Iterator[Drawn]:
-        """The maps, K and the share that reaches the rollers."""
+        """The maps, K and the load-transfer ratio."""
         yield Drawn(lambda context: drawn.figures(self, context))
 
 
@@ -145,7 +145,7 @@ def over_map(name: str) -> Callable[[Context], Pair]:
 
 
 def shares(context: Context) -> Pair:
-    """The shares that reach the rollers where series and finite elements differ most."""
+    """The load-transfer ratios where series and finite elements differ most."""
     return farthest(context.inputs.efficiency, context.fem[-1].arrays["efficiency"], 0.0)
 
 

@@ -49,7 +49,7 @@ def _map(
 
 
 def _factors(q: Any, context: Context) -> Curves:
-    """K by three definitions; broken off where corners hardly move."""
+    """K by three definitions; cut off where corners hardly move."""
     x = np.log2(np.array(FLATS, dtype=float))
     curves = []
     names = ("middle of the flats", "mean of the outside", "corners")
@@ -71,7 +71,7 @@ def _factors(q: Any, context: Context) -> Curves:
 
 
 def _efficiency(q: Any, context: Context) -> Curves:
-    """What reaches the rollers, over the flats."""
+    """The load-transfer ratio over the flats."""
     x: Any = np.log2(np.array(FLATS, dtype=float))
     curves = [
         line("η, series", x, q.efficiency, 1),
@@ -81,6 +81,6 @@ def _efficiency(q: Any, context: Context) -> Curves:
         fem = context.fem[-1].arrays
         curves.insert(1, dots("η, FE", x, fem["efficiency"], 1))
     return plot(
-        "Share of further pressure that reaches the rollers", "flats z", "η", curves,
-        x_names=NAMES, note="Rigid rollers, half again the pressure that takes up the clearance.",
+        "Incremental load-transfer ratio, pressure to rollers", "flats z", "η", curves,
+        x_names=NAMES, note="Rigid rollers, 1.5 times the pressure that takes up the clearance.",
     )  # fmt: skip

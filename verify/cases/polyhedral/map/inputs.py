@@ -12,7 +12,7 @@ FLATS = (3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 24, 48)
 WALLS = (0.0125, 0.025, 0.05, 0.1, 0.15, 0.2)  # over the outer diameter
 SHARES = (0.125, 0.25, 0.5, 1.0, 2.0)  # fillet over wall
 THICKEST = 0.15  # wall over outer diameter
-PRESSED = 1.5  # of the touching pressure, for the share that reaches the rollers
+PRESSED = 1.5  # of the touching pressure, for the load-transfer ratio
 Size = tuple[int, float, float]  # flats, wall [m], fillet [m]
 
 

@@ -43,7 +43,7 @@ def _per_p_1(q: MapInputs, size: Size, level: int) -> tuple[float, ...]:
 
 
 def efficiency_fem(q: MapInputs) -> Array:
-    """Share of further pressure that reaches the rollers, for every number of flats (m,)."""
+    """Incremental load-transfer ratio to the rollers, for every number of flats (m,)."""
     from verify.cases.polyhedral.locking.fem import locked_fem
 
     found = []

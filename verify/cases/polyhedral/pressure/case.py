@@ -46,11 +46,10 @@ MIDDLE = "Lamé: growth of the mean diameter where the outside grows by j_D"
 
 
 class RingPressure(ThinRing):
-    """Before the polygon: a plain round ring under pressure.
+    """A round ring under pressure, on which that of the polygonal ring is based.
 
-    The paper's thin ring is set beside Lamé's thick one, which finite elements solve too, and a
-    sweep shows that both agree as the wall vanishes. Sizes are the project's: the paper prints
-    none.
+    The paper's thin ring is compared with Lamé's thick one and with finite elements; a sweep shows
+    that they agree as the wall vanishes. Sizes are assumed: the paper prints none.
     """
 
     id = "polyhedral-pressure"

@@ -1,4 +1,4 @@
-"""The elastic ring with its polygonal bore: how much pressure it takes to reach the rollers."""
+"""The elastic ring with its polygonal bore: the pressure with which it reaches the rollers."""
 
 from collections.abc import Iterator, Mapping
 from typing import Any, ClassVar, Self
@@ -37,7 +37,7 @@ PEAK = 1e-4  # of a largest stress: what a polynomial along the fillet may miss
 NEAR = 1e-3  # about the series' predictions: a hundred times their residual
 HALVED = 1e-3, "acceptance figure: 0.1 % under halving of the mesh"
 LARGEST = "the series' largest stress in the fillets, within half a per cent"
-FILLET = 5e-3, "a peak stress: half a per cent tells fillets apart"
+FILLET = 5e-3, "a peak stress: half a per cent distinguishes fillets"
 PLACES = {"e": "e", "corner": "the corner"}  # of the hub's force
 WHERE = {"mid": "middle of the flats", "corner": "corners"}
 HUB = "the part of the hub's force that is the same for all flats; plane stress"
@@ -45,10 +45,10 @@ BALANCE = "acceptance figure; direct solve"
 
 
 class PolyhedralRing(PolygonSeries, HubRing):
-    """The flats of a polygonal bore bulge under pressure, and the corners hold the ring back.
+    """The flats of a polygonal bore bulge under pressure, and the corners restrain the ring.
 
-    The paper leaves K open and puts 1; here it comes from complex potentials, which share nothing
-    with the finite elements. Sizes are the project's: the paper prints none.
+    The paper leaves K open and assumes 1. Here it follows from complex potentials, independent of
+    the finite elements. Sizes are assumed: the paper prints none.
     """
 
     id = "polyhedral-ring"
@@ -77,7 +77,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
         "wall. Measured to the corners without fillets, K of three to six flats is 10 to 47 % "
         "higher",
         "K = 1 means that the outside has grown by j_D/2 where the rollers are, in the middle of "
-        "the flats; the mean and the corners are shown beside",
+        "the flats; the mean and the corners are reported, too",
         "the ring is narrow: plane stress; in plane strain K is 1/(1 - ν²) times as large",
     )
     assumptions: ClassVar = (

@@ -19,8 +19,8 @@ class WedgedRoller(WedgeFormulas):
     """A roller in a wedge stays where tan(α/2) is below μ.
 
     Friction on it is then no more than N tan(α/2). The printed torque μ N z D_i/2 is that of
-    rollers which a cage holds back until they slip. An elastic roller on an elastic race with
-    friction confirms both.
+    rollers which a cage holds back until they slip. Finite elements of an elastic roller on an
+    elastic race with friction confirm both.
     """
 
     id = "polyhedral-wedge"
@@ -38,15 +38,16 @@ class WedgedRoller(WedgeFormulas):
         "rollers are long: plane strain, which moves Hertz's half-width alone",
     )
     assumptions: ClassVar = (
-        "α, μ, N, d and b are yours: the paper prints no number for them, nor an equation for α",
-        "ring and race are alike flats about the roller: half of it is modelled, its cut on the "
+        "α, μ, N, d and b are user inputs: the paper prints no number for them, nor an equation "
+        "for α",
+        "ring and race are equal flats about the roller: half of it is modelled, its cut on the "
         "bisector; the race's convexity changes the contact's width, not the statics",
         "roller and race of one material: tangential forces leave the pressure alone; on a rigid "
         "flat pressing alone would make nearly all of the contact slip",
         "gap and pressure act along the flat race's normal, so that a roller which slides stays "
         "in the same wedge; along the deformed surfaces between both where the stick zone is "
         "measured",
-        "the stick zone is measured under a load of its own, small enough for Cattaneo's half "
+        "the stick zone is measured under a separate load, small enough for Cattaneo's half "
         f"planes: a/(μR) = {TILT:g}, a/R at most {FLATTEST:g}",
         "roller without weight, one coefficient of friction, no rate",
     )
@@ -69,8 +70,8 @@ class WedgedRoller(WedgeFormulas):
             )
         elif self.wedged > 0.9:
             yield (
-                f"tan(α/2) = {self.wedged:.3f} μ: friction a tenth lower lets the roller out of "
-                "the wedge"
+                f"tan(α/2) = {self.wedged:.3f} μ: friction a tenth lower releases the roller "
+                "from the wedge"
             )
         p_0 = self.shown("p_0")
         if self.p_lim is not None and self.p_0 > self.p_lim:

@@ -1,4 +1,4 @@
-"""What is compared of a wedged roller: forces in balance, the limit of friction, the stick zone."""
+"""Comparisons of a wedged roller: forces in balance, the limit of friction, the stick zone."""
 
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -88,7 +88,7 @@ def below(bound: float, array: str, k: int) -> Callable[[Context], tuple[float, 
 
 
 def over_angles(context: Context) -> tuple[float, float, str]:
-    """How far T/(mu N) is off tan(alpha/2)/mu; where the roller is squeezed out nothing is left."""
+    """How far T/(mu N) is off tan(alpha/2)/mu; where the roller is squeezed out N is zero."""
     share, left, ratio = context.fem[-1].arrays["over angles"]
     mu = context.inputs.mu
     stays = wedging.holds(alpha=2 * np.arctan(share * mu), mu=mu)

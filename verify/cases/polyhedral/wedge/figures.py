@@ -1,4 +1,4 @@
-"""What the report draws of the wedged roller: the limit, torques, stick zone, traction, shear."""
+"""Figures of the wedged roller: the limit, torques, stick zone, traction, shear."""
 
 import math
 from collections.abc import Iterator
@@ -20,17 +20,17 @@ def figures(self: WedgeFormulas) -> Iterator[AlongLine | Drawn]:
     yield converged(_limit)
     yield converged(lambda context: _torques(self, context))
     yield AlongLine(
-        title="Where a roller sticks that was pressed first and let go then", x=("T/(μN)", "1"),
+        title="Stick zone of a roller that is pressed and then released", x=("T/(μN)", "1"),
         y=("c/a", "1"), curve=lambda k: np.sqrt(1 - k), points=np.linspace(0.0, 1.0, 201),
         at=GROWTH, reference="growth", order=1, scale=1.0, neglects=True,
-        note=f"Let go, it comes to rest at T/(μN) = tan(α/2)/μ = {self.wedged:.3f}.",
+        note=f"Released, it comes to rest at T/(μN) = tan(α/2)/μ = {self.wedged:.3f}.",
     )  # fmt: skip
     yield AlongLine(
         title="Traction of a roller that is wedged in: N and T grow together", x=("x/a", "1"),
         y=("q/(p_0 tan(α/2))", "1"), curve=lambda x: np.sqrt(1 - x**2),
         points=np.sin(np.linspace(-np.pi / 2, np.pi / 2, 201)), at=ACROSS, reference="grown",
         order=1, scale=1.0, neglects=True,
-        note="All of it sticks: q is tan(α/2) p everywhere, but for an odd part of the order a/R "
+        note="All of it sticks: q is tan(α/2) p everywhere, except an odd part of the order a/R "
         "from the roller's curvature and for the steps in which the load grows.",
     )  # fmt: skip
 
@@ -39,12 +39,12 @@ def _limit(context: Context) -> Curves:
     share, left, ratio = context.fem[-1].arrays["over angles"]
     stays, unit = left > ANY, np.array([0.0, 1.0])
     return plot(
-        "How much of its friction a roller uses", "tan(α/2)/μ", "T/(μN)",
+        "Used share of the available friction of a roller", "tan(α/2)/μ", "T/(μN)",
         line("free roller, T = N tan(α/2)", unit, unit),
         dashes("caged, at the limit; Eq. 3 as printed", 1.5 * unit, unit**0, 1),
         dots("FE, free", share[stays], ratio[stays]),
-        dots("FE, squeezed out: nothing of N is left", share[~stays], ratio[~stays], 2),
-        note="One wedge after the other, at the friction given; beyond 1 a free roller leaves.",
+        dots("FE, squeezed out: N is zero", share[~stays], ratio[~stays], 2),
+        note="One wedge after the other, at given friction; beyond 1 a free roller is expelled.",
     )  # fmt: skip
 
 

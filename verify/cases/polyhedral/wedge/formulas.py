@@ -1,4 +1,4 @@
-"""The formulas of a wedged roller: free, caged at the limit of friction, let go after pressing."""
+"""Formulas of a wedged roller: free, caged at the limit of friction, released after pressing."""
 
 import math
 
@@ -15,7 +15,7 @@ def stays(q: "WedgeFormulas") -> bool:
 
 
 class WedgeFormulas(WedgeInputs):
-    """Eqs. 1 to 5; what a free roller carries exists only where it stays in its wedge."""
+    """Eqs. 1 to 5; the load of a free roller exists only where it stays in its wedge."""
 
     @Quantity("M_t", "N m", "torque of free rollers", equation="3", form="corrected", when=stays,
               safe="too low",
@@ -34,7 +34,7 @@ class WedgeFormulas(WedgeInputs):
     def T(self) -> float:
         return float(wedging.tangential_force(N=self.N, alpha=self.alpha))
 
-    @Quantity("tan(α/2)/μ", "1", "part of its friction that a free roller uses", role="step",
+    @Quantity("tan(α/2)/μ", "1", "used share of the friction of a free roller", role="step",
               tex=r"\frac{\tan\left(\frac{\alpha}{2}\right)}{\mu}")  # fmt: skip
     def wedged(self) -> float:
         return math.tan(self.half) / self.mu
@@ -67,7 +67,7 @@ class WedgeFormulas(WedgeInputs):
     def N_per_M_caged(self) -> float:
         return float(wedging.least_normal_force(M_t=1.0, mu=self.mu, z=self.z, D_i=self.D_i))
 
-    @Quantity("c/a", "1", "stick half-width of a roller pressed first and let go then", role="step",
+    @Quantity("c/a", "1", "stick half-width of a roller pressed and then released", role="step",
               source="Cattaneo", when=stays, tex=r"\sqrt{1 - \frac{T}{\mu N}}")  # fmt: skip
     def stick_free(self) -> float:
         load = {"Q": self.T, "P": self.N, "mu": self.mu, "a": self.a}

@@ -1,4 +1,4 @@
-"""Inputs of a roller wedged between two flats, and what its contacts make of them."""
+"""Inputs of a roller wedged between two flats, and the sizes of its contacts."""
 
 from typing import Self
 
@@ -15,7 +15,7 @@ class WedgeInputs(Case):
     """z rollers, each between ring and race as between two flats at the angle alpha."""
 
     alpha: float = given("6 deg", "deg", "α", "full wedge angle", ge=0.5, le=25)
-    mu: float = given(0.08, "1", "μ", "coefficient of friction, alike at both contacts",
+    mu: float = given(0.08, "1", "μ", "coefficient of friction, equal at both contacts",
                          ge=0.02, le=0.6)  # fmt: skip
     N: float = given("1500 N", "N", "N", "normal force at either contact of a roller", gt=0,
                         le=1e9)  # fmt: skip
@@ -26,7 +26,7 @@ class WedgeInputs(Case):
     E: float = given("210 GPa", "GPa", "E", "Young's modulus of rollers and races", gt=0, le=1e5)
     nu: float = given(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
     p_lim: float | None = given(
-        None, "MPa", "p_lim", "pressure that the material bears, for the warning", omitted=None,
+        None, "MPa", "p_lim", "permissible pressure of the material, for the warning", omitted=None,
         gt=0, example="4000 MPa",
     )  # fmt: skip
 

@@ -1,4 +1,4 @@
-"""Where friction no longer holds a roller that only its contacts hold: the solver says so."""
+"""The limit at which friction no longer holds a roller between its contacts, by the solver."""
 
 import math
 
@@ -10,7 +10,7 @@ from verify.cases.polyhedral.wedge.inputs import WedgeInputs
 Array = NDArray[np.float64]
 
 COARSE = 6  # cells on the half-width: forces do not depend on it
-ANY = 0.5  # of N, where approaches are alike and forces are not, wedge by wedge
+ANY = 0.5  # of N, where approaches are equal and forces differ, wedge by wedge
 LOST = 1e-6  # of N: less is what round-off leaves of a contact that has opened
 ANGLES = (0.1, 0.3, 0.5, 0.7, 0.9, 0.98, 1.02, 1.2, 1.45)  # tan(alpha/2)/mu of the sweep
 

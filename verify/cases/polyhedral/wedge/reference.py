@@ -1,4 +1,4 @@
-"""Finite elements of the wedged roller: free, at the limit of friction, caged, and let go."""
+"""Finite elements of the wedged roller: free, at the limit of friction, caged, and released."""
 
 import math
 from typing import TYPE_CHECKING
@@ -27,7 +27,7 @@ ACROSS = np.linspace(-0.95, 0.95, 39)  # of the half-width, where tractions are 
 
 
 def solve(q: WedgeInputs, level: int) -> Level:
-    """One level: free, caged, about the limit, let go, and wedged in by steps."""
+    """One level: free, caged, about the limit, released, and wedged in by steps."""
     from fem.contact.wedged import Geometry, Wedge
     from fem.contact.wedged_states import slipping, uneven
 

@@ -32,7 +32,7 @@ def sketch(self: WedgeInputs) -> Sketch:
 
 
 def _flat(half: float, side: int) -> Iterator[Shape]:
-    """One flat with what it does to the roller; `side` 1 above the bisector, -1 below."""
+    """One flat with its forces on the roller; `side` 1 above the bisector, -1 below."""
     mirror = np.array([1, side])
     n = np.array([math.sin(half), math.cos(half)]) * mirror
     t = np.array([math.cos(half), -math.sin(half)]) * mirror

@@ -1,4 +1,4 @@
-"""A wedged roller pressed without friction at work, and let go: where its contacts stick."""
+"""A wedged roller pressed without friction and released: where its contacts stick."""
 
 import math
 from typing import NamedTuple
@@ -26,7 +26,7 @@ TILT, FLATTEST = 0.04, 0.02  # a/(mu R) and a/R at most
 def small(q: WedgeInputs) -> float:
     """Half-width [m] small against R and mu R, where Cattaneo's half planes are the limit.
 
-    Elsewhere the surface on which roller and race meet is inclined by up to a/(2R) at its ends,
+    Otherwise the surface on which roller and race meet is inclined by up to a/(2R) at its ends,
     which counts against the angle of friction.
     """
     return q.R * min(TILT * q.mu, FLATTEST)
@@ -41,7 +41,7 @@ class Stuck(NamedTuple):
 
 
 def fem_stuck(q: WedgeInputs, level: int) -> Stuck:
-    """The roller let go under a small force, on `level` cells on its half-width."""
+    """The roller released under a small force, on `level` cells on its half-width."""
     from fem.contact.partial_slip import smoothed
     from fem.contact.wedged import Geometry, Wedge
     from fem.contact.wedged_states import let_go

@@ -38,8 +38,7 @@ AROUND = np.linspace(22.5, 337.5, 8)  # degrees: arrows of the sketch
 class Ring(Case):
     """Lamé's ring is the structural part of every race in these papers.
 
-    Formula and finite elements solve the same problem here, so that what is left is discretisation
-    error.
+    Formula and finite elements solve the same problem here: the difference is discretisation error.
     """
 
     id = "ring-lame"
@@ -243,7 +242,7 @@ class Ring(Case):
         if wall < 0.02 * self.r_o:
             yield (
                 f"the wall is {wall / self.r_o:.1%} of r_o: out-of-roundness and bending, "
-                "which Lamé leaves out, matter more than the pressure's own field"
+                "which Lamé leaves out, matter more than the field of the pressure"
             )
 
 

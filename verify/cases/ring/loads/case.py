@@ -63,19 +63,19 @@ class SpragRace(SpragLoads):
                 )
         elif self.p_0 > 0.025 * self.E:
             yield (
-                f"p_0 = {self.shown('p_0')} is {self.p_0 / self.E:.1%} of E: no steel bears that; "
-                "give R_p"
+                f"p_0 = {self.shown('p_0')} is {self.p_0 / self.E:.1%} of E: no steel withstands "
+                "that; give R_p"
             )
         if (share := self.a / self.wall) > WIDE:
-            yield f"a is {share:.0%} of the wall: Hertz's half plane and his dent no longer hold"
+            yield f"a is {share:.0%} of the wall: Hertz's half plane and indentation no longer hold"
         if self.load > 0.1 * self.wall:
-            yield "the race moves by more than a tenth of its wall: small strain is left"
+            yield "the race moves by more than a tenth of its wall: strains are not small"
 
 
 class OuterRace(SpragRace):
     """Eq. 6 replaces the forces of n sprags by a uniform pressure.
 
-    Finite elements of half a pitch and a Fourier ring, which agree, give the error of that at a
+    Finite elements of half a pitch and a Fourier ring, which agree, give the error of Eq. 6 at a
     load and between loads, with the local indentation and without it.
     """
 

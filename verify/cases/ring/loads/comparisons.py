@@ -1,4 +1,4 @@
-"""What is compared of a race under n sprags: finite elements, Fourier ring, and Eq. 6 with both."""
+"""Comparisons of a race under n sprags: finite elements, Fourier ring, and Eq. 6 with both."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
@@ -23,10 +23,10 @@ AWAY = 3.0  # and away from it: twice the order of the energy norm, 3/2 by that 
 FITTED = "on a force and a length that are identified, not printed"
 PATCHES = "Hertz's pressure on the patches, forces along radii, plane stress"
 RADII = "forces along radii, plane stress"
-DEPTH = {"dent": 1.0, "dent_half": 0.5}  # over the wall
+DEPTH = {SpragLoads.dent.name: 1.0, SpragLoads.dent_half.name: 0.5}  # over the wall
 BY_FOURIER = (
-    "derived: the Fourier ring's own value, which knows nothing of these finite elements; the dent "
-    "from McEwen's stresses, integrated along the axis of the contact"
+    "derived: the value of the Fourier ring, independent of these finite elements; the local "
+    "indentation from McEwen's stresses, integrated along the axis of the contact"
 )
 
 
@@ -102,13 +102,14 @@ def _fields() -> Iterator[Deviation]:
 def _smeared(
     self: SpragLoads, q: Quantity, at: Quantity, less: Quantity | None, name: str
 ) -> Comparison:
-    def dent(name: str) -> float:
-        depth = DEPTH[name] * (self.r_o - self.r_i)
+    def dent(of: Quantity) -> float:
+        depth = DEPTH[of.name] * (self.r_o - self.r_i)
         return integrated_dent(depth, P=self.P, a=self.half_width, E=self.E, nu=self.nu)
 
     limits = smeared_error(
         mean=self.mean, at=getattr(self, at.name), load=self.load,
-        dent=dent(less.name) if less else 0.0, added=dent("dent") if q.name == "with_dent" else 0.0,
+        dent=dent(less) if less else 0.0,
+        added=dent(SpragLoads.dent) if q.name == SpragLoads.with_dent.name else 0.0,
     )  # fmt: skip
     check = Smeared(
         name=name, symbol=type(self).smeared.symbol, unit="µm", analytic=q.name, fem=at.name,
@@ -158,7 +159,7 @@ def too_soft(context: Context) -> tuple[float, float, str]:
     u = numerical_uncertainty(grid_convergence(h, series, formal=EDGE, scale=series[-1]))
     reference = series[-1] - q.dent
     if reference < PART * q.load:
-        return 0.0, 0.0, "the dent leaves nothing to compare with"
+        return 0.0, 0.0, "nothing is left to compare without the local indentation"
     m = q.smeared / reference - 1
     U = (1 + m) * expanded(u) / reference
     return m, U, f"Eq. 6 is {m:+.1%} off at n = {q.n}"

@@ -1,4 +1,4 @@
-"""Figures and table of a race under n sprags: around it, fields, windup and shock of a clutch."""
+"""Figures and table of a race under n sprags: around it, fields, wind-up and shock of a clutch."""
 
 from collections.abc import Iterator, Sequence
 
@@ -55,14 +55,14 @@ def _ripple(q: SpragLoads, context: Context) -> Curves:
                       y=q.outward * u_r / q.smeared)
             )  # fmt: skip
     curves.append(
-        Curve(name="smeared, Eq. 6", x=np.array([0.0, 1.0]), y=np.ones(2), style="dashes", colour=5)
+        Curve(name="Eq. 6", x=np.array([0.0, 1.0]), y=np.ones(2), style="dashes", colour=5)
     )
     return Curves(
         title=f"Displacement of the {q.loaded} around the race", y_bottom=None,
         x_label="θ n/π, from a load to half-way to the next", y_label="δ over Eq. 6",
         curves=tuple(curves),
-        note="Every load as large as here, Eq. 6 with its n. The peak at the left is the dent; "
-        "the curves' means over θ are Eq. 6 exactly.",
+        note="Every load as large as here, Eq. 6 with its n. The peak at the left is the local "
+        "indentation; the curves' means over θ are Eq. 6 exactly.",
     )  # fmt: skip
 
 
@@ -106,7 +106,7 @@ def pictures(self: SpragLoads) -> Iterator[Picture]:
 
 
 def ratios(races: Sequence[SpragLoads], n: int) -> tuple[float, float]:
-    """Windup and peak force by Lamé and Hertz over those by the Fourier ring, with n sprags."""
+    """Wind-up and peak force by Lamé and Hertz over those by the Fourier ring, with n sprags."""
     return windup.ratios([
         windup.compliances(q.race(n=n), R=q.R, F=q.F, L=q.L) for q in races
     ])  # fmt: skip
@@ -120,12 +120,13 @@ def table(q: SpragLoads, pair: Sequence[SpragLoads]) -> Table:
             continue
         both = ratios(pair, n) if pair else ()
         rows.append((str(n), *(f"{x - 1:+.1%}" for x in (*ratios((q,), n), *both))))
-    header = ("n", "windup, this race", "peak force, this race")
+    header = ("n", "wind-up, this race", "peak force, this race")
     return Table(
-        title="Lamé's ring and Hertz's dent (to the wall's depth) against the Fourier ring",
-        header=(*header, "windup, both races", "peak force, both races") if pair else header,
+        title="Lamé's ring and Hertz's indentation (to the wall's depth) against the Fourier ring",
+        header=(*header, "wind-up, both races", "peak force, both races") if pair else header,
         rows=tuple(rows),
-        note=f"One sprag of {q.F:.4g} N with its own dents; the peak force is that of a shock with "
-        "the energy which Lamé and Hertz take up under this force. Too soft a race overestimates "
-        "the windup, which is safe, and underestimates the force of a shock, which is not.",
+        note=f"One sprag of {q.F:.4g} N with its local indentation; the peak force is that of a "
+        "shock with the energy which Lamé and Hertz take up under this force. Too soft a race "
+        "overestimates the wind-up (conservative) and underestimates the force of a shock "
+        "(unsafe).",
     )

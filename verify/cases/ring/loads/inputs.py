@@ -18,7 +18,7 @@ MOST = 200  # loads, likewise
 
 
 class LoadsInputs(Case):
-    """A ring under n rollers of its own material; long bodies, so that Hertz is in plane strain."""
+    """A ring under n rollers of its material; long bodies, so that Hertz is in plane strain."""
 
     loaded: ClassVar[Wall] = "bore"
     names: ClassVar[tuple[str, str]] = ("r_i", "r_o")  # in the paper

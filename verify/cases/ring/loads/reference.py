@@ -33,7 +33,7 @@ def wall_angles(q: LoadsInputs) -> Array:
 def fem_sector(
     *, r_i: float, r_o: float, n: int, loaded: Wall, a: float, P: float, material: Any, level: int
 ) -> Any:
-    """Half a pitch of a ring that bears the load P per length on the half-width a of one wall."""
+    """Half a pitch of a ring with the load P per length on the half-width a of one wall."""
     from fem.plane.patch import solve_under_patch
     from meshes.ring.sector import half_sector
 

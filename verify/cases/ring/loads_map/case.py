@@ -1,4 +1,4 @@
-"""Where a uniformly loaded race is good enough: its error over the number of loads and the wall."""
+"""The error of a uniformly loaded race over the number of loads and the wall."""
 
 from collections.abc import Iterator, Mapping
 from typing import ClassVar, NamedTuple, Self
@@ -17,7 +17,7 @@ from verify.form.adapter import adapted
 
 COUNTS = (3, 4, 6, 8, 10, 12, 16, 24, 32, 48)
 RATIOS = (1.05, 1.1, 1.2, 1.35, 1.5, 2.0, 2.5, 3.0)
-SHARP = 3e-3, "a tenth of what the map's finest shade tells apart, and better"
+SHARP = 3e-3, "a tenth of the finest step between shades of the map, and less"
 
 
 class Point(NamedTuple):
@@ -39,11 +39,11 @@ CHECKED = tuple(
     Point(*at) for at in ((3, 1.05), (48, 1.05), (6, 1.35), (12, 1.35), (3, 3.0), (48, 3.0))
 )
 PLACES = {
-    "load": ("at a load, less the dent", "Eq. 6 over the Fourier ring less its dent, that of a "
-             "half plane to the wall's depth"),
+    "load": ("at a load, less the indentation", "Eq. 6 over the Fourier ring less its local "
+             "indentation, that of a half plane to the wall's depth"),
     "between": ("between loads", "Eq. 6 over the Fourier ring"),
-    "total": ("with Hertz's dent, at a load", "Eq. 6 and the dent of a half plane to the wall's "
-              "depth, over the Fourier ring"),
+    "total": ("with Hertz's indentation, at a load", "Eq. 6 and the indentation of a half plane to "
+              "the wall's depth, over the Fourier ring"),
 }  # fmt: skip
 
 
@@ -91,7 +91,7 @@ class LoadsMap(Case):
     def between(self, at: Point) -> float:
         return float(self._over_eq_6[at][1])
 
-    @Quantity("m({0.n}, {0.ratio:g})", "1", "error of Eq. 6 and the dent at a load, {0.words}",
+    @Quantity("m({0.n}, {0.ratio:g})", "1", "error of Eq. 6 and indentation at a load, {0.words}",
               role="step").over(CHECKED)  # fmt: skip
     def error(self, at: Point) -> float:
         return float(smeared_error(n=at.n, ratio=at.ratio, a_r=self.a_r, nu=self.nu).total)
@@ -155,7 +155,7 @@ class LoadsMap(Case):
         checked = np.array([[(n, ratio) in CHECKED for n in COUNTS] for ratio in RATIOS])
         race = "outer race" if loaded == "bore" else "inner race"
         return Map(
-            title=f"Error of the smeared {race} {where}", x_label="number of loads",
+            title=f"Error of the uniformly loaded {race} {where}", x_label="number of loads",
             y_label="r_o/r_i", columns=tuple(map(str, COUNTS)),
             rows=tuple(f"{ratio:g}" for ratio in RATIOS), error=error,
             checked=checked if loaded == "bore" else None,

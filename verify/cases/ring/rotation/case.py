@@ -1,4 +1,4 @@
-"""Rotating race: the outer race's growth at speed (Eq. 8) beside what the sprags do to it."""
+"""Rotating race: the outer race's growth at speed (Eq. 8) and its deflection under the sprags."""
 
 from collections.abc import Iterator
 from typing import Any, ClassVar, Literal, Self
@@ -43,10 +43,10 @@ RPM = np.pi / 30
 
 
 class RotatingRace(Case):
-    """At speed the outer race grows by itself, which takes sprags out of contact.
+    """At speed the outer race grows by centrifugal force, which can separate it from the sprags.
 
-    Formula and finite elements solve the same problem; beside them stands what the sprags' forces
-    do to the same race. Neither a speed nor a density is printed: both are inputs of this project.
+    Formula and finite elements solve the same problem; the growth is compared with the deflection
+    of the same race under the sprags. Neither a speed nor a density is printed: both are assumed.
     """
 
     id = "ring-rotation"
@@ -58,8 +58,8 @@ class RotatingRace(Case):
     scans: ClassVar = (Scan(vary=("r_i=5mm,12mm,19.44mm,24mm", "nu=0.1,0.3,0.45"), star=True),)
     readings: ClassVar = (
         "the n of Eq. 8 is a speed in r/min, its ρ a density: πn/30 is the angular speed",
-        "Eq. 8 is the bore's growth of a thin ring (plane stress); a long one (plane strain) grows "
-        "otherwise",
+        "Eq. 8 is the bore's growth of a thin ring (plane stress); a long one (plane strain) has "
+        "another growth",
     )
     assumptions: ClassVar = (
         "linear elasticity, small strain",
@@ -95,8 +95,8 @@ class RotatingRace(Case):
         strain = self.rho * (self.omega * self.r_o) ** 2 / self.E
         if strain > FASTEST:
             raise ValueError(
-                f"{self.omega * 30 / np.pi:.6g} r/min strains the ring by {strain:.0%}: it flies "
-                "apart, and small-strain elasticity says nothing"
+                f"{self.omega * 30 / np.pi:.6g} r/min strains the ring by {strain:.0%}: it "
+                "bursts, and small-strain elasticity does not apply"
             )
         return self
 
@@ -243,8 +243,8 @@ class RotatingRace(Case):
                 Curve(name="the speed taken here", x=np.array([self.omega / RPM]),
                       y=np.array([self.growth * 1e6]), style="dots"),
             ),
-            note="No speed is printed, so that nothing says where on this curve the paper's "
-            "engagement lies.",
+            note="No speed is printed: the place of the paper's engagement on this curve is not "
+            "known.",
         )  # fmt: skip
 
     def pictures(self) -> Iterator[Picture]:
@@ -296,8 +296,8 @@ class Small(Claim):
             f"{q.ratio:.2%} at {q.omega * 30 / np.pi:.6g} r/min; 1 % at "
             f"{q.n_1 * 30 / np.pi:.5g}, 10 % at {q.n_10 * 30 / np.pi:.5g} r/min"
         )
-        told = judge.Verdict(Status.SHOWN, f"no speed and no density are printed: {words}")
-        return [self._row(context.case, Kind.FACT, told, analytic=q.ratio)]
+        verdict = judge.Verdict(Status.SHOWN, f"no speed and no density are printed: {words}")
+        return [self._row(context.case, Kind.FACT, verdict, analytic=q.ratio)]
 
 
 ROTATION = adapted(RotatingRace)
