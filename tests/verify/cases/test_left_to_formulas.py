@@ -21,7 +21,7 @@ LEFT = [
     ("freewheel-torque", {"z": 17, "T": "52 N m"}, "mm of the flats' corners"),
     ("freewheel-cup", {"T": "29 N m"}, "of the largest torque 30.04 N m"),
     ("freewheel-cup", {"X_o": cup_flats(9), "T": "90 N m"}, "r wide at the largest"),
-    ("freewheel-paths", {"T_m": "10 N m"}, "axial load while its torque is next to zero"),
+    ("freewheel-paths", {"T_m": "10 N m"}, "axial load while its torque is nearly zero"),
     ("freewheel-paths", {"mu": 0.05}, "tan α = 0.0674 is not below μ = 0.05"),
     ("freewheel-paths", {"F_ax": "100 kN"}, "requires friction of"),
     ("freewheel-clutch", CUP, "inner cams only"),

@@ -1,6 +1,6 @@
 """The sector of a roller freewheel over its load, by finite elements.
 
-States are taken at overlaps of the contacts that grow from next to nothing to where the normal
+States are taken at overlaps of the contacts that grow from nearly zero to where the normal
 force is that of a rigid clutch, N_0 = T/(z R tan(alpha_0)), and beyond the torque T.
 """
 

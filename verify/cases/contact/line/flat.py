@@ -44,7 +44,7 @@ SERIES = "derived series of the disc; its next term, taken as 1 × (a/R)⁴"
 SHEAR = (
     "derived: −0.693 a/R from the opposite flat and the circle; the next term, taken as 1 × (a/R)²"
 )
-DERIVED = 0.2, "tells the derived term from its parts, of a third and more"
+DERIVED = 0.2, "separates the derived term from its parts, of a third and more"
 
 
 def key(ratio: float) -> str:

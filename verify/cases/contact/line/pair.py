@@ -20,16 +20,16 @@ from verify.cases.contact.line.reference import pair_fem, result
 from verify.cases.contact.line.two_bodies import TwoBodies
 from verify.form.adapter import adapted
 
-RATIO = 0.1  # of unlike rollers: Hertz's a over the smaller radius
+RATIO = 0.1  # of rollers of different materials: Hertz's a over the smaller radius
 SOFT, NU = 1 / 3, 0.1  # the lower roller's modulus over the upper one's, and its Poisson's ratio
 WHERE = f"different materials, a/R = {RATIO:g}"
 SECOND = 1e-3, "well below the second order, 2.6e-3, which must show"
 SERIES = "derived series of two discs; its next terms count once, 3e-4 at least"
 BOUNDED = "derived series of two discs; its next terms are bounded, 3e-4 at least"
-COUPLING = "argued: (a/R)²/2 and the coupling of unlike materials, 3e-4 at least"
+COUPLING = "argued: (a/R)²/2 and the coupling of different materials, 3e-4 at least"
 SHEAR = (
-    "derived: −0.693 a/R_1 of a flat, −0.093 κa of inclined pressure; (a/R)² and what unlike "
-    "materials couple count once, 1e-3 at least"
+    "derived: −0.693 a/R_1 of a flat, −0.093 κa of inclined pressure; (a/R)² and the "
+    "coupling of different materials count once, 1e-3 at least"
 )
 
 
@@ -132,12 +132,12 @@ class TwoRollers(TwoBodies):
         return soft.model_copy(update={"F": P * self.L})
 
     def reference(self, level: int) -> Level:
-        """Quarters of both rollers, and of unlike ones."""
+        """Quarters of both rollers, and of rollers of different materials."""
         soft = {"_unlike": pair_fem(self.unlike(), level)}
         return result(pair_fem(self, level), level, ("upper.axis", "upper.middle"), soft)
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Hertz within the series of two discs, also of unlike rollers."""
+        """Hertz within the series of two discs, also of different materials."""
         by = TwoRollers
         yield from self.against(self.known, by.approach, (SERIES, COUPLING, SHEAR))
         soft = self.unlike()

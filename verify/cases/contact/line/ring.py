@@ -16,10 +16,10 @@ from verify.form.adapter import adapted
 THICKEST = 8.0  # r_o/r_i
 THINNEST = 0.08  # wall over r_i: the whole bore may touch, which takes half a minute
 BOUND = "argued: (a/R)² of the curvature and (a/wall)² of the held rim, each once"
-APPROACH = "argued: half of (a/R)² + (a/wall)², and what unlike materials couple"
+APPROACH = "argued: half of (a/R)² + (a/wall)², and the coupling of different materials"
 SHEAR = (
-    "derived: −0.693 a/R of a flat, −0.093 κa of inclined pressure; (a/R)², (a/wall)² and what "
-    "unlike materials couple count once, 1e-3 at least"
+    "derived: −0.693 a/R of a flat, −0.093 κa of inclined pressure; (a/R)², (a/wall)² and the "
+    "coupling of different materials count once, 1e-3 at least"
 )
 
 

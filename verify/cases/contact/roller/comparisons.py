@@ -133,7 +133,7 @@ Scale = float | Callable[[], float]
 
 
 def pair_of(key: str, scale: Scale) -> Callable[[Context], Pair]:
-    """Their error in words is over the half-space's or, where that is nothing, over `scale`."""
+    """Their error in words is over the half-space's or, where that is zero, over `scale`."""
 
     def pair(context: Context) -> Pair:
         v, strips = context.series(key)[1], context.analytic[key]
@@ -144,7 +144,7 @@ def pair_of(key: str, scale: Scale) -> Callable[[Context], Pair]:
 
 
 def within(key: str, bound: float, scale: Scale) -> Margin:
-    """The strips' error in `key`, over itself or, where it is next to nothing, over `scale`."""
+    """The strips' error in `key`, over itself or, where it is nearly zero, over `scale`."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         v, strips = context.series(key)[1], context.analytic[key]

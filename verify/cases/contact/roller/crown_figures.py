@@ -93,8 +93,8 @@ def ends(context: Context) -> Figure:
         near = (q.L / 2 - y < 10 * b) & (y < q.L / 2)
         curves.append(line(words, (q.L / 2 - y[near])[::-1] / b, p[near][::-1] / q.p_0, 2 * i))
     return plot(
-        "Ends of the crowns for a uniform "
-        "pressure", "distance from the end over b", "p/p_0", curves,
+        "Ends of the crowns for a uniform pressure", "distance from the end over b", "p/p_0",
+        curves,
         note="Half-space. Both rise before they fall: a uniform load needs a "
         "little more crown there than either has; Lundberg's drop is unbounded at the very end.",
     )  # fmt: skip

@@ -58,7 +58,7 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
         return float(Crown.gap(self, np.array(self.L / 2 - self.d)))
 
     best_K_1 = Quantity("K_1*", "1",
-                        "optimal crown for F whose ends carry nothing, Q = F; a flat optimum",
+                        "optimal crown for F with unloaded ends, Q = F; a flat optimum",
                         source="search", role="step").reads(lambda q: q._best.K_1)  # fmt: skip
     best_K_2 = Quantity("K_2*", "1", "its crowned part", source="search",
                         role="step").reads(lambda q: q._best.K_2)  # fmt: skip
@@ -116,7 +116,7 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
         """What an engineer should know before trusting these pressures."""
         yield from texts.of_contact(self)
         if not self._best.free:
-            yield ("no crown leaves both ends unloaded: the one reported has the least loaded ends")
+            yield "no crown leaves both ends unloaded: the one reported has the least loaded ends"
         yield from texts.of_materials(self)
 
     def along_crowned(self, context: Context) -> Iterator[Figure]:

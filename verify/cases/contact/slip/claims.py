@@ -39,7 +39,7 @@ class HalfPlanes(FemClaim):
         demand = self.demanded(context)
 
         def interval(q: SlipInputs, _values: Values) -> tuple[float, float] | None:
-            bound = neglected(q) + demand / 2  # nothing sharper is claimed of wide contacts
+            bound = neglected(q) + demand / 2  # the least slack of wide contacts
             return (-bound, bound) if neglected(q) <= demand / 4 else None
 
         source = f"±{slip.MODEL:g} (a/R)², and half of the demand"

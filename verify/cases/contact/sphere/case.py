@@ -27,7 +27,7 @@ SURFACE = (
     "± a/R: against the curved surface the pressure tilts by r/R, which changes the stress on the "
     "axis by that share of p_0"
 )
-LEAST, BLUNT = 2e-4, 5e-3  # nothing sharper is claimed, of Hertz and of his shear stress
+LEAST, BLUNT = 2e-4, 5e-3  # least slack, of Hertz and of his shear stress
 SHARP = "design limit for contact figures"
 FIRST_ORDER = 0.04, "an estimate of first order in a/R"
 DIRECT = "direct solve: machine epsilon times the condition of K, with cells from a/50 to R"
@@ -124,7 +124,7 @@ class Spheres(SphereFormulas):
         if ratio <= 1e9:
             return ""
         return (
-            f"an approach of R/{ratio:.1g} drowns in the round-off of the larger sphere's "
+            f"an approach of R/{ratio:.1g} is lost in the round-off of the larger sphere's "
             "coordinates: check without --fem"
         )
 

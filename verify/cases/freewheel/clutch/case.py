@@ -48,9 +48,9 @@ class FreewheelClutch(ClutchInputs):
         "clutch whose tan α_0 exceeds μ is red whatever its ratio",
         "all rollers of a clutch are identical and carry equal loads; unloading, wear, crowns, "
         "centrifugal forces and springs are neglected",
-        "P(slip) counts such clutches. Where r and X differ from roller to roller, the first one "
-        "slips in 1.5 to 2 times as many clutches (of this synthetic clutch); about as many as "
-        "P(slip) cannot carry the load with all rollers together",
+        "P(slip) counts such clutches. Where r and X differ from roller to roller, the first "
+        "roller slips in 1.5 to 2 times as many clutches (of this synthetic clutch); about as many "
+        "as P(slip) cannot carry the load with all rollers together",
         "each limit is computed alone: F_ax is constant as T grows, and the reverse; the couple of "
         "the axial forces makes the line load linear along the roller",
         "a star is clamped in its bore, a shaft and every rim are free; finite elements cover "

@@ -87,9 +87,9 @@ class FreewheelCup(Cup):
         "finite elements: one pitch, small displacements about the place where the roller lies; "
         "the roller neither creeps nor turns there; friction is twice the required one",
         "roller travel and energy between the states by splines over the normal force",
-        "the formula replaces the cup by a ring, its bore of the flats' area; expected errors: "
-        "the cup lies between rings with the bores X_o and X_o/cos(π/z), a column under the flat; "
-        "Hertz errs by (a/r)²; tangential forces turn the shaft by 0.5 to 1 tan²α more",
+        "the formula replaces the cup by a ring whose bore has the area of the flats; expected "
+        "errors: the cup lies between rings with the bores X_o and X_o/cos(π/z), a column under "
+        "the flat; Hertz errs by (a/r)²; tangential forces turn the shaft by 0.5 to 1 tan²α more",
     )
 
     alpha_0 = Quantity(

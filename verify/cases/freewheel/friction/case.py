@@ -31,8 +31,9 @@ from verify.form.comparisons import Options
 CLOSE = 0.02  # of tan(alpha): friction that near leaves no axial load worth measuring
 ANGLE = "α of two bodies that enclose the star, friction along surfaces by its magnitude"
 TILTED = f"{ANGLE}, surfaces tilt under N"
-HEAVY = Options(own=(0.03, "surfaces tilt by more, the heavier the load"))
-LIMITED, CREEPS = "it goes as √((μ/tan α)² − 1)", "it goes as 1/√((μ/tan α)² − 1)"
+HEAVY: Any = Options(own=(0.03, "surfaces tilt by more, the heavier the load"))
+LIMITED = "proportional to √((μ/tan α)² − 1)"
+CREEPS = "proportional to 1/√((μ/tan α)² − 1)"
 ROOT = 0.015, 0.05  # required of a root of a small difference, by default and for user inputs
 STATICS: Any = {"sensitivity": (1e-6, "forces in balance, on any mesh")}
 SHARED = "Coulomb's law of friction, plane strain, load uniform along the rollers"

@@ -117,7 +117,7 @@ def on_the_cone(context: Context) -> tuple[float, float, str]:
 
 
 def over_angles(context: Context) -> tuple[float, float, str]:
-    """How far F_t/(mu N) is off tan(alpha)/mu up to 1; beyond next to nothing is left of N."""
+    """Difference of F_t/(mu N) and tan(alpha)/mu up to 1; beyond N is nearly zero."""
     k, left, ratio = context.fem[-1].arrays["angles"].T[:3]
     mu = context.inputs.mu
     alpha = np.arctan(k * mu)

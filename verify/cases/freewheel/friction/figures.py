@@ -166,7 +166,7 @@ def tables(q: Any, context: Context) -> Sequence[Table]:
     k, star, ring = last["shares"]
     rows = [
         (f"torque alone, μ = {k[i]:g} tan α",
-         f"rests; {star[i]:.0%} of F_n on slipping nodes of the star, {ring[i]:.0%} of the ring")
+         f"at rest; {star[i]:.0%} of F_n on slipping nodes of the star, {ring[i]:.0%} of the ring")
         for i in (k.size - 1, 0)
     ]  # fmt: skip
     if math.isfinite(last["onset"][0]):
@@ -174,7 +174,7 @@ def tables(q: Any, context: Context) -> Sequence[Table]:
             f"torque alone, μ below {last['onset'][0]:.5f} tan α",
             "slips: all of both contacts, the roller is released from the wedge",
         ))  # fmt: skip
-    holds = "rests" if v["F_lim"] >= q.F_ax else "slips along the axis"
+    holds = "at rest" if v["F_lim"] >= q.F_ax else "slips along the axis"
     rows.append(
         (f"T, F_ax = {q.F_ax:g} N, μ = {q.mu:g}", f"{holds}; the limit is {v['F_lim']:.5g} N")
     )

@@ -44,7 +44,7 @@ def solve(q: "FreewheelFriction", level: int) -> Level:
     stuck = there.rest(rest.drags)
     unit = yielding(one, there, stuck)
     path = driven(there, stuck, [u * unit for u in STEPS])
-    # slip is where the mesh has its normals: from its angle to that of the torque that is asked for
+    # slip is where the mesh has its normals: from its angle to that of the given torque
     own = lever_left(q.mu, stuck.place) / lever_left(q.mu, stuck.start)
     force = -own * path[:, 5] / path[:, 3] * q.T / q.R
     turned = np.diff(path[:, 1]) / np.diff(path[:, 0]) / own

@@ -234,7 +234,7 @@ class LoadPaths(Pulled):
         """Displacement and shear along the axis."""
         yield from pictures.pulled(
             "Axial displacement at the last extreme of load case 2",
-            "The axial load passes both contacts of the roller",
+            "The axial load passes through both contacts of the roller",
             window=pictures.around_roller(self),
         )
 
@@ -295,8 +295,8 @@ class LoadPaths(Pulled):
             )
         if self.T_critical < LIGHTEST * self.T_peak:
             return (
-                f"T_m = {self.T_m:g} N m: load case 3 has an axial load while its torque is next "
-                "to zero, where nothing holds; T_m = 0 or well above T, or check it without --fem"
+                f"T_m = {self.T_m:g} N m: load case 3 has an axial load while its torque is nearly "
+                "zero, where the clutch slips; T_m = 0 or well above T, or check it without --fem"
             )
         if self.limit_of(self.T_critical) is None:
             return "the trough of load case 3 slips without axial load; check it without --fem"

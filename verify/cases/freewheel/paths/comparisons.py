@@ -21,8 +21,8 @@ from verify.judging.tolerance_checks import Agreement, Deviation, Pair, demanded
 MU, TORQUE, SLIP = 2e-3, 5e-3, 1e-2  # accepted of mu_req, of the torque, of the load at slip
 ROOTED = "twice the friction cone's 0.5 %: it is a root of a small difference"
 STATICS = "as sharp as F_t/F_n against tan(ψ/2)"
-SETTLES = 1 / 3  # of the first cycle's walk, in the last
-GOES_ON = 0.9  # of the walk in the cycle before
+SETTLES = 1 / 3  # of the first cycle's creep, in the last
+GOES_ON = 0.9  # of the creep in the cycle before
 ANGLE = "α of two bodies that enclose the star, surfaces tilt under N"
 COULOMB = "Coulomb's law of friction"
 RULE = "rule adopted, not derived: an average over the runs of clutch A in load case 1"
@@ -189,7 +189,7 @@ def comparisons(q: Any, path: Any) -> Iterator[Comparison | Check]:
         yield slips_in_time(path.slip(case), case)
     yield Deviation(name="torque is constant up to the limit", symbol="T/T_0 − 1", unit="1",
                     size=torque, accepted=TORQUE, whole="torque at rest",
-                    source=suites("half of the 1 % that rows are asked for"))  # fmt: skip
+                    source=suites("half of the 1 % required of rows"))  # fmt: skip
     yield accepted("a small alternating load settles: shakedown", "RΔφ", settles)
     yield accepted("a large alternating load causes ratcheting of the ring below slip", "RΔφ",
                    walks)  # fmt: skip
@@ -203,7 +203,7 @@ def _loads(q: Any, path: Any) -> Iterator[Comparison]:
     yield approximation(
         path.F_lim, "F_1", name="axial load at slip, torque first (load case 1)", symbol="F_ax",
         order=2, expected=expected,
-        own=(0.03, "it goes as √((μ/tan α)² − 1)"), shares=COULOMB,
+        own=(0.03, "proportional to √((μ/tan α)² − 1)"), shares=COULOMB,
     )  # fmt: skip
     yield agrees(path.F_lim, "axial amplitude at slip, steady torque (load case 2)",
                  lambda c: at_slip(c, 2), SLIP, ROOTED, "N", "F_ax")  # fmt: skip

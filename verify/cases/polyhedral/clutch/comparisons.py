@@ -169,7 +169,7 @@ def _around(
     def interval() -> Interval:
         value, give = getattr(q, series.name), slack()
         if not value > 0:
-            return 0.0, 0.0  # finite elements have a force, or they would not have been asked
+            return 0.0, 0.0  # finite elements are used only where they have a force
         if give > LOOSE:
             return None
         return over_series(statics() if statics else value, value, give)

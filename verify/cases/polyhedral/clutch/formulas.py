@@ -92,7 +92,7 @@ class ElasticClutch(ClutchInputs):
         ring = self.hub.contact.sector
         return float(steepest(sector=ring, field=pressed(ring))[0] * self.p_t / self.E)
 
-    @Quantity("M_ring", "N m", "torque of rollers that nothing but that slope holds", role="step",
+    @Quantity("M_ring", "N m", "torque of rollers that only that slope holds", role="step",
               safe="too low")  # fmt: skip
     def M_ring(self) -> float:
         offered = self.driven(share=float(np.tan(self.alpha_ring / 2)))

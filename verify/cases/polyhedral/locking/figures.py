@@ -56,5 +56,5 @@ def _supports(q: LockedFormulas, a: Array, eta: Array, w: Array, bonded: Array) 
         dots("rollers, FE", a / mm, eta, 2),
         dots("held stretch, FE", w / mm, bonded, 4),
         y_bottom=float(0.9 * min(eta.min(), bonded.min())),
-        note=f"Rollers of {sizes} mm under p_t, and stretches that are held all along.",
+        note=f"Rollers of {sizes} mm under p_t, and stretches that are held over their length.",
     )  # fmt: skip

@@ -16,7 +16,7 @@ from verify.judging.checks import Fact
 from verify.judging.tolerance_checks import Deviation
 
 BALANCED = "forces in balance, on any mesh"
-REST = 1e-3  # of N: next to nothing
+REST = 1e-3  # of N: counts as zero
 EXPELLED = 1e-6  # how close T/N is to tan(alpha/2) in the sweep
 L2 = 0.03  # acceptance of tractions
 EDGES = 0.01  # of the normal force: what may slip where N and T grow together

@@ -132,7 +132,7 @@ class SpragLoads(LoadsInputs):
 
     @property
     def outward(self) -> float:
-        """The sign with which a displacement goes along with the push."""
+        """The sign of a displacement in the direction of the loads."""
         return 1.0 if self.loaded == "bore" else -1.0
 
     def race(self, *, n: int | None = None) -> LoadedRace:

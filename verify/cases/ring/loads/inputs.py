@@ -81,7 +81,7 @@ class LoadsInputs(Case):
         pitch = math.pi * self.radius / self.n
         if a > CLOSEST * pitch:
             raise ValueError(
-                f"n = {self.n} patches of half-width {a * 1e3:.3g} mm crowd on a wall with "
+                f"n = {self.n} patches of half-width {a * 1e3:.3g} mm are too close on a wall with "
                 f"{2 * pitch * 1e3:.3g} mm for each: a may be {CLOSEST:g} of half of that"
             )
         return self
