@@ -13,7 +13,7 @@ REFUSED = [
     ("ring-loads-outer", {"R": "19 mm"}, "smaller than 0.9 of the bore"),
     ("ring-loads-outer", {"F": "3 MN"}, "flattens a = "),
     ("ring-loads-inner", {"r_i": "10.8 mm"}, "more than 0.3 of the wall"),
-    ("ring-loads-inner", {"n": 300}, "n = 300 patches of half-width 0.112 mm crowd on a wall"),
+    ("ring-loads-inner", {"n": 300}, "n = 300 patches of half-width 0.112 mm are too close"),
     ("ring-rotation", {"omega": "1e6 r/min"}, "it bursts"),
     ("polyhedral-pressure", {"delta_1": "39.5 mm"}, "leaves no bore: δ_1 must be below 0.49 d_e"),
     ("polyhedral-pressure", {"delta_1": "0.3 mm"}, "wall vanishes: δ_1 must be at least 0.005 d_e"),
