@@ -8,7 +8,7 @@ from verify.case import Expected
 from verify.cases.freewheel.bodies import OneClutch
 from verify.cases.freewheel.star import Star
 
-WIDEST = 8e-3  # interval that leaves a row of a user's star sharp enough
+WIDEST = 8e-3  # interval with which a row of a user's star is sharp enough
 
 BRACKET = "a layer and two discs that enclose the star, its winding up, (a/r)² of Hertz"
 TANGENTIAL = f"{BRACKET}, tangential deformation of 0.5 to 1 tan²α"

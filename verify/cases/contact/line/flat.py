@@ -76,7 +76,7 @@ class RollerOnFlat(FlatInputs):
         "the approach is that of one flat and the roller's centre; two flats approach by twice it",
     )
     assumptions: ClassVar = (
-        "linear elasticity, no friction, ends of the roller left out",
+        "linear elasticity, no friction, ends of the roller not modelled",
         "the other flat presses as much: a quarter whose cut through the centre moves as a line",
         "half-width from the moments of the pressure, 2 √(∫p x²/∫p), which is Hertz's a for his "
         "pressure",

@@ -51,7 +51,7 @@ class TwoRollers(TwoBodies):
         "the approach is that of the centres; each roller is also pressed from its far side",
     )
     assumptions: ClassVar = (
-        "linear elasticity, no friction, ends of the rollers left out",
+        "linear elasticity, no friction, ends of the rollers not modelled",
         "each roller pressed from both sides: quarters whose cuts move as lines",
         "contact acts along the normal of the surface on which the deformed bodies meet",
         "meshes have a vertex at the end of the contact of a coarse solution",

@@ -45,7 +45,7 @@ class RollerInRace(TwoBodies):
         "the approach is that of the roller's centre and the race's rim, which is held all around",
     )
     assumptions: ClassVar = (
-        "linear elasticity, no friction, ends of the roller left out",
+        "linear elasticity, no friction, ends of the roller not modelled",
         "the roller pressed from both sides: a quarter whose cut moves as a line",
         "one roller, the rim held all around in both directions: half a race",
         "contact acts along the normal of the surface on which the deformed bodies meet",

@@ -17,7 +17,8 @@ READINGS = (
 COUPLED = "the weights w of Eq. 3 are a half-space's on Hertz's width: slices deflect each other"
 ASSUMPTIONS = (
     "length and loads are not printed: 9 mm and the static load at 25 N m for a wedge angle of "
-    "3.15° are identified (CALIBRATED); models are compared with them, and the paper is not judged",
+    "3.15° are identified (CALIBRATED); models are compared at these values, and the paper is not "
+    "judged",
     "no friction, small strain; both bodies half-spaces of E*, which continue beyond the ends",
     "the largest pressure is that outside the end zones d: in a half-space the pressure of a "
     "loaded end is unbounded",

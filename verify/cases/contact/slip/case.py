@@ -68,7 +68,7 @@ class SlippingRollers(SlipFormulas):
         "a/R = 0.01",
         "stick half-width: from the moments of q, (c/a)² = 4 M₂/(M₀ a²) − 1",
         "displacements count beyond the chord from 0 to Q = 0.8 μP: the elastic part, linear in "
-        "Q, drops out without being known",
+        "Q, cancels without being known",
     )
 
     def reference(self, level: int) -> Level:

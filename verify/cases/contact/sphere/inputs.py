@@ -90,6 +90,6 @@ class SphereInputs(Case):
 
     @property
     def beyond(self) -> float:
-        """(a/R)² of the smaller sphere: what the first correction to Hertz leaves out at most."""
+        """(a/R)² of the smaller sphere: the most that the first correction to Hertz neglects."""
         least = self.R_1 if self.pair == "flat" else min(self.R_1, self.R_2)
         return (self.width / least) ** 2

@@ -43,9 +43,9 @@ class FreewheelClutch(ClutchInputs):
     )
     assumptions: ClassVar = (
         "the paper prints no dimensions, friction or tolerances of its clutches: these are a "
-        "synthetic clutch's, with an axial load and tolerances that are yours to give",
+        "synthetic clutch's; axial load and tolerances are user inputs",
         "classes by μ/μ_req are the paper's observation on its rig (Sec. 7), adopted here; a "
-        "clutch whose tan α_0 exceeds μ is red whatever its ratio",
+        "clutch whose tan α_0 exceeds μ is red at any ratio",
         "all rollers of a clutch are identical and carry equal loads; unloading, wear, crowns, "
         "centrifugal forces and springs are neglected",
         "P(slip) counts such clutches. Where r and X differ from roller to roller, the first "
@@ -237,7 +237,7 @@ class FreewheelClutch(ClutchInputs):
 
     @shared
     def values(self) -> Values:
-        """SI values; those that the clutch does not have, or that are infinite, are left out."""
+        """SI values; those that the clutch does not have, or that are infinite, are omitted."""
         found = {q.name: float(getattr(self, q.name)) for q in self.present()}
         return {name: value for name, value in found.items() if np.isfinite(value)}
 

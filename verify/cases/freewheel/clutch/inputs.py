@@ -84,8 +84,8 @@ class ClutchInputs(Case):
         "4000 MPa", "MPa", "p_lim", "permissible contact pressure", omitted=None, gt=0, le=1e6,
     )  # fmt: skip
     e_lim: float | None = given(
-        None, "1", "(e/L)_lim", "how far along the rollers their contact forces may move, over L; "
-        "where left out until one end lifts off, at 1/6", omitted=None, gt=0, lt=0.5,
+        None, "1", "(e/L)_lim", "permissible shift of the contact forces along the rollers, over "
+        "L; by default until one end lifts off, at 1/6", omitted=None, gt=0, lt=0.5,
         example="0.1",
     )  # fmt: skip
     X_tol: float = given("5 µm", "µm", "t_X", "tolerance ± of X", omitted=0.0, ge=0, le=1e4)
@@ -195,7 +195,7 @@ class ClutchInputs(Case):
 
     @property
     def deviations(self) -> dict[str, float]:
-        """Standard deviations by the names of the cam's fields, and of mu; those of 0 left out."""
+        """Standard deviations by the names of the cam's fields, and of mu; none of 0."""
         over = DEVIATIONS[self.spread]
         names = ("X", "R") if self.is_star else ("X_o", "R_s")
         found = {names[0]: self.X_tol, "r": self.r_tol, names[1]: self.R_tol}

@@ -60,11 +60,11 @@ class FreewheelFriction(Pulled):
         "α is half the angle between flat and ring at the roller, that under load",
         "the lever of F_t is the ring's bore radius R",
         "μ_req is a separate symbol: Eq. 8 calls it tan α, which is F_t/F_n (Eq. 1)",
-        "at μ = μ_req the clutch holds, as Eqs. 1 and 8 and the classes have it; not Eqs. 9, 10",
+        "at μ = μ_req the clutch holds, by Eqs. 1 and 8 and the classes, not by Eqs. 9, 10",
     )
     assumptions: ClassVar = (
-        "dimensions, μ and F_ax are yours: the paper prints none for its clutches; this clutch is "
-        "synthetic, at the rig's largest torque",
+        "dimensions, μ and F_ax are user inputs: the paper prints none for its clutches; this "
+        "clutch is synthetic, at the rig's largest torque",
         "finite elements have u_z(x, y) beside plane strain: long rollers, the axial load uniform "
         "on the ring's rim, rollers free along the axis, the star clamped on its shaft",
         "the axial forces of a roller are a couple 2 r cos α F_a that tilts it: F_n moves by e "

@@ -51,7 +51,7 @@ class PolyhedralClutch(ClutchFormulas):
         "in Eqs. 4 and 17 to 21: α = 2 arctan μ, no force of a cage. What a cage adds to the "
         "race's torque does not pass through the ring",
         "the hub's force R leans by φ_1 towards the flat's middle: it makes ψ + φ_1 with the "
-        "radius through its contact, as Eq. 14 has it",
+        "radius through its contact, as in Eq. 14",
         "series: complex potentials of the ring; unit pressure and unit hub force lift the middle "
         "of the flats by u_p and u_h1, a roller's force presses it back by u_N(a) N, local "
         "indentation included, and compresses the roller by δ(N); κ = R/N",

@@ -66,7 +66,7 @@ class ClutchFormulas(PaperChain, ElasticClutch):
                          apothem=self.ring.apothem, phi_1=self.phi_1, alpha=self.alpha)  # fmt: skip
 
     def torque_of_first_design(self) -> float:
-        """Torque [N m] of a rigid flat as Eq. 21 has it, by vectors."""
+        """Torque [N m] of a rigid flat as in Eq. 21, by vectors."""
         ring = {"d_m": self.ring.d_m, "wall": self.delta_1, "j_D": self.j_D, "E": self.E}
         return first_design(self.flat, **ring).torque(self.p_t)
 

@@ -101,7 +101,7 @@ def _series(self: LockedFormulas) -> Iterator[Comparison]:
 
 
 def _flat(self: LockedFormulas) -> Iterator[Comparison]:
-    """The paper's pressure and forces, which leave out the flats' bending and the hoop force."""
+    """The paper's pressure and forces, which neglect the flats' bending and the hoop force."""
     case, soft = LockedFormulas, self.soft
     yield approximation(case.p_2_round, "p_2", name="blocking pressure, Eq. 19 with K = 1", order=4,
                         expected=_of_round_ring(self), shares="plane stress")  # fmt: skip

@@ -242,7 +242,7 @@ class Ring(Case):
         if wall < 0.02 * self.r_o:
             yield (
                 f"the wall is {wall / self.r_o:.1%} of r_o: out-of-roundness and bending, "
-                "which Lamé leaves out, matter more than the field of the pressure"
+                "which Lamé neglects, matter more than the field of the pressure"
             )
 
 

@@ -17,7 +17,7 @@ YIELDING = 1.67  # p_0 over R_p at which a line contact yields below its surface
 WIDE = 0.1  # a over the wall
 READINGS = (
     "n is the number of sprags, N the force of one of them, R and r are radii",
-    "the race is a thin ring (plane stress), as Eq. 6 has it; the contact's half-width is a long "
+    "the race is a thin ring (plane stress), as in Eq. 6; the contact's half-width is a long "
     "roller's (plane strain)",
 )
 
