@@ -17,7 +17,7 @@ import numpy as np
 from scipy.integrate import quad
 
 ACCEPTED = 1e-3  # of finite elements against the Fourier ring
-PART = 0.05  # of the displacement at a load: of less a ratio says nothing
+PART = 0.05  # of the displacement at a load: a ratio to less has no meaning
 
 Interval = tuple[float, float]
 
@@ -25,10 +25,10 @@ Interval = tuple[float, float]
 def smeared_error(
     *, mean: float, at: float, load: float, dent: float = 0.0, added: float = 0.0
 ) -> Interval | None:
-    """Relative error of Eq. 6 and the dent `added`, against `at` less `dent`, within ACCEPTED.
+    """Relative error of Eq. 6 plus the indentation `added`, against `at` - `dent`, within ACCEPTED.
 
     Displacements [length] of the loaded wall: its `mean`, `at` the place, and at a `load`. None
-    where the dent leaves less than PART of the last one.
+    where less than PART of the last one remains without the local indentation.
 
     >>> low, high = smeared_error(mean=1.1, at=1.5, load=1.5, dent=0.5)
     >>> round(low, 6), round(high, 6)

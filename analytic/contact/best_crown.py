@@ -84,7 +84,7 @@ def best_crown(
         cost = np.where(ends > 0, LOADED + ends, found.peak.max(axis=-1) / even)
         return np.asarray(np.round(cost, PEAK_DECIMALS))
 
-    cost(np.log([[1.0], [1.0], [10.0]]))  # what strips refuse is told here, not by the search
+    cost(np.log([[1.0], [1.0], [10.0]]))  # raises the errors of strips before the search
     found = differential_evolution(
         cost, list(zip(np.log(LOW), np.log(HIGH), strict=True)), vectorized=True,
         updating="deferred", init="sobol", polish=False, maxiter=GENERATIONS, popsize=CROWNS,

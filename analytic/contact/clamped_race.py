@@ -1,4 +1,4 @@
-r"""Bore of a ring under a line load, its rim held fast: how far the bore gives way.
+r"""Bore of a ring under a line load, with a fixed rim: displacement of the bore.
 
 A pressure cos(n theta) on the bore moves it outwards by U_n cos(n theta). In polar coordinates
 Navier's equations have for each n four solutions of powers of r, with

@@ -62,7 +62,7 @@ class PressedDisc:
     def pressure(self, x: ArrayLike) -> Array:
         """Force on the flat per its unit length [stress]; 0 beyond the contact.
 
-        On the circle's own length it is sqrt(1 - x²/R²) times that, the same at the middle.
+        Per unit length of the circle it is sqrt(1 - x²/R²) times that, the same at the middle.
         """
         s = finite(x, "position", "m") / self.a
         turn = np.arccos(np.clip(s, -1, 1))[..., None]

@@ -1,10 +1,10 @@
 r"""First correction to Hertz for a disc between two rigid flats, by asymptotic expansion.
 
-Three things that Hertz leaves out enter at the order (a/R)²; with R = E' = 1:
+Three effects that Hertz neglects enter at the order (a/R)²; with R = E' = 1:
 
 - the circle is steeper than the parabola, 1 - y = x²/2 + x⁴/8;
 - in the kernel of `disc` the forces on the far side change with x and x', by +(x² + x'²)/4;
-- so does the uniform tension that frees the rim of the forces' own stresses, by -(x² + x'²)/2.
+- so does the uniform tension that clears the rim of stresses of these forces, by -(x² + x'²)/2.
 
 The kernel's -(x² + x'²)/4 times 2/pi, integrated over the load P = pi a²/4, steepens the profile
 that the half plane sees to (1 + a²/4) x²/2 + x⁴/8. The pressure

@@ -12,7 +12,7 @@ at the distance rho from the axis and at the height y over the flat's parallel t
 cos psi = y/rho (Eqs. 4 and 5). The roller's two contact forces are on the line through both
 contacts, which makes alpha with each normal: F_t = F_n tan(alpha). d_i and d_o are how far the
 roller approaches the inner and the outer part. Load widens an inner cam's angle and narrows an
-outer cam's, down to psi = 0, where the roller goes through.
+outer cam's, down to psi = 0, where the rollers pop through (rollover).
 
 Lengths in any one unit, angles in rad; fields and arguments broadcast against each other.
 

@@ -1,7 +1,7 @@
-r"""How far the roller approaches both parts under P = N/L (plane strain).
+r"""Approach of the roller to both parts under P = N/L (plane strain).
 
-Every body gives way by a logarithm between the contact and a point that is named, so that of each
-approach only the whole, d = f + u, can be compared:
+The displacement of every body is a logarithm of the distance between the contact and a named point,
+so that only the whole of each approach, d = f + u, can be compared:
 
 .. math:: \delta = \frac{P}{\pi E'}\left[2\ln\frac{l}{a} + k + c\,\frac{a}{l}\right]
 

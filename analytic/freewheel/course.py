@@ -1,7 +1,7 @@
 """Required friction along a load path: its peak, when the clutch slips, its class.
 
-Where the torque has passed through zero the clutch overruns and asks for nothing (nan). As torque
-goes to zero with F_ax/T kept, alpha goes to alpha_0 and mu_req to
+After the torque has passed through zero the clutch overruns and needs no friction (nan). As torque
+goes to zero at constant F_ax/T, alpha goes to alpha_0 and mu_req to
 tan(alpha_0) sqrt(1 + (R F_ax/T)²): finite, the least of an inner cam, whose angle grows with the
 torque, and the most of an outer cam. Where torque passes through zero while the axial load does
 not, mu_req is infinite at the last locked time: no friction holds without normal force.

@@ -1,4 +1,4 @@
-r"""Friction that a clutch under torque and axial load asks for (Nagler et al., Eqs. 1, 8 to 10).
+r"""Required friction of a clutch under torque and axial load (Nagler et al., Eqs. 1, 8 to 10).
 
 Of one roller, with the clamping angle alpha from geometry,
 
@@ -9,8 +9,8 @@ F_a = F_ax/z and T = z R F_t of the whole clutch (R is R_s of an outer cam). Pri
 left side tan(alpha), which is F_t/F_n (Eq. 1), and takes the same F_ax in both.
 
 The torque counts in the locking direction alone (T > 0). An overrunning clutch (T < 0) is not
-wedged and the criterion does not speak of it: nan. At T = 0 no normal force is there to carry
-F_ax: infinite; with both at rest, tan(alpha), what Eq. 1 asks for. On a path on which both vanish
+wedged and the criterion does not apply: nan. At T = 0 there is no normal force to carry
+F_ax: infinite; if both are zero, tan(alpha), as Eq. 1 requires. On a path on which both vanish
 together the limit is that of the ratio F_ax/T: `required_friction_of_ratio`.
 
 References

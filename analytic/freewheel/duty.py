@@ -91,7 +91,7 @@ class Duty:
 
     @cached_property
     def friction_holds(self) -> tuple[tuple[float, float], ...]:
-        """Ranges of the torque [N m] in which friction bears it and F_ax; inf at an open end."""
+        """Ranges of torque [N m] in which friction transmits it and F_ax; inf: an open end."""
         T = np.geomspace(LEAST * self.end, (1 - 1e-9) * self.end, POINTS)
         held = self._held(T)
         found, ends = [], np.flatnonzero(np.diff(np.concatenate([[0], held.astype(int), [0]])))
@@ -120,9 +120,9 @@ class Duty:
 
     @property
     def least_torque(self) -> float:
-        """The torque [N m] above which friction bears the axial load, 0 where any torque will do.
+        """Torque [N m] above which friction transmits the axial load, 0 if it does at any torque.
 
-        nan where it does nowhere near.
+        nan where no range of transmitted torques contains T.
         """
         return next((low for low, _ in self._range), math.nan)
 

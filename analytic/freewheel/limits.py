@@ -1,7 +1,7 @@
-"""Torques at which a clutch meets its limits, and which comes first.
+"""Torques at which a clutch reaches its limits, and which limit is the first.
 
-Infinite where a limit is not met on the way to the last state there is: the summit of an outer
-cam's torque, beyond which the rollers go through, or contacts wider than r/2.
+Infinite where a limit is not reached up to the last equilibrium state: the maximum of an outer
+cam's torque, beyond which the rollers pop through, or contacts wider than r/2.
 """
 
 from collections.abc import Callable

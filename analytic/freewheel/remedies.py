@@ -34,7 +34,7 @@ def shifted(clutch: Clutch, name: str, by: Array | float) -> Clutch:
 
 
 def ratios(duty: Duty, clutch: Clutch) -> Array:
-    """mu/mu_req of `clutch` under these loads; 0 where it releases itself or bears no T."""
+    """mu/mu_req of `clutch` under these loads; 0 where it releases itself or has no state at T."""
     now = state.loaded(clutch, duty.T)
     asked = criterion.required_friction(
         alpha=now.alpha, T=duty.T, F_ax=duty.F_ax, R=clutch.cam.race
@@ -56,7 +56,7 @@ def to_spare(duty: Duty) -> float:
 
 
 def until_pop_through(duty: Duty) -> float:
-    """How far [m] flats may be farther from the axis until no state bears T; nan if never."""
+    """Largest shift [m] of the flats from the axis with an equilibrium at T; nan if unlimited."""
 
     def is_lost(dX: Array) -> NDArray[np.bool_]:
         return ~np.isfinite(state.loaded(shifted(duty.clutch, "X", dX), duty.T).N)
@@ -90,10 +90,10 @@ def _nearer(duty: Duty, dX: Array) -> Clutch:
 def friction_for(duty: Duty, goal: float) -> float:
     """Friction at which mu/mu_req is `goal`, or more where only that keeps the rollers in.
 
-    ValueError where no state bears the torque.
+    ValueError where no equilibrium exists at the torque.
     """
     if (now := duty.under) is None:
-        raise ValueError(f"no state bears T = {duty.T:g} N m")
+        raise ValueError(f"no equilibrium exists at T = {duty.T:g} N m")
     return max(goal * float(duty.required(duty.T, now.alpha)),
                math.tan(float(duty.clutch.cam.alpha0)))  # fmt: skip
 
@@ -117,7 +117,7 @@ def per_micrometre(duty: Duty) -> dict[str, float]:
 
 
 def bearing(duty: Duty) -> list[tuple[str, float]]:
-    """L, R_a and X [m] of clutches that just bear T, where `duty` has no state; those there are.
+    """L, R_a, X [m] that just give an equilibrium at T, where `duty` has none; if they exist.
 
     All torques grow with L; R_a is that of the part with its housing.
     """
@@ -141,7 +141,7 @@ def bearing(duty: Duty) -> list[tuple[str, float]]:
 
 
 def _towards(T: float, near: float, far: float, made: Callable[[float], Clutch]) -> float | None:
-    """The value between `near` and `far` from which on the clutch `made` of it bears T [N m]."""
+    """The value between `near` and `far` from which on the clutch `made` of it carries T [N m]."""
 
     def bears(value: float) -> bool:
         return bool(np.isfinite(state.loaded(made(value), T).N))

@@ -1,4 +1,4 @@
-r"""Torsion of the clutch from the rolling of its rollers (Nagler, Lohrengel, Eq. 7, corrected).
+r"""Wind-up of the clutch from the rolling of its rollers (Nagler, Lohrengel, Eq. 7, corrected).
 
 A roller that rolls on the flat and on the race turns the parts against each other by
 

@@ -1,7 +1,7 @@
-r"""What is left of a part's approach when its logarithm is taken out: one constant per shape.
+r"""Remainder of a part's approach without its logarithm: one constant per shape.
 
 Under z line loads P on evenly spaced Hertz patches of half-width a on a wall of radius r the wall
-gives way at each load, towards the load, by
+deflects at each load, in the direction of the load, by
 
 .. math:: \delta = \frac{P}{\pi E'}\left[2\ln\frac{r}{a} + k + c\,\frac{a}{r}\right] + O(a^2),
           \qquad c = \mp\frac{2}{3}(1 - \nu')
@@ -34,7 +34,7 @@ def race_constant(*, ratio: ArrayLike, n: ArrayLike, nu: ArrayLike, loaded: Wall
     """K of a ring with r_o/r_i = `ratio` under n loads on a wall; nu of Hooke's law in the plane.
 
     >>> k = race_constant(ratio=[1.2, 2.0], n=8, nu=0.4, loaded="bore")
-    >>> bool(k[0] > k[1])  # a thin ring gives way more
+    >>> bool(k[0] > k[1])  # a thin ring deflects more
     True
     """
     ratio = np.minimum(np.asarray(ratio, dtype=np.float64), SOLID)
@@ -95,7 +95,7 @@ def curvature_term(*, nu: ArrayLike, loaded: Wall) -> Array:
 def _star(ratio: float, *, n: int, nu: float) -> float:
     s = 1 / ratio
     m = n * np.arange(1.0, TERMS + 1)
-    uniform = (1 - nu**2) * (1 - s**2) / ((1 + s**2) + nu * (1 - s**2))  # Lamé, no way at the bore
+    uniform = (1 - nu**2) * (1 - s**2) / ((1 + s**2) + nu * (1 - s**2))  # Lamé, fixed at the bore
     delta = _clamped_waves(m, s, nu) - 2 / m
     tail = delta[-1] * TERMS  # sum of c/k² beyond TERMS is c/TERMS
     return float(2 * np.log(2 / n) + 1 + n * (uniform / 2 + delta.sum() + tail))

@@ -4,9 +4,9 @@ Everything follows from the normal force N of one contact: d_i, d_o from `compli
 Eq. 5, F_t = N tan(alpha), T = z R F_t (Eq. 3). Torque or angle is turned into N by Newton's method
 on logarithms, where both are nearly straight lines (slope 1 to 1.5 for an inner cam).
 
-The torque of an outer cam has a summit before the rollers go through: more torque has no state. Nor
-has a contact wider than r/2, where Hertz says nothing any more. There the state is nan; `limits`
-tells the torques.
+The torque of an outer cam has a maximum before the rollers pop through: no equilibrium exists at
+more torque, nor with a contact wider than r/2, where Hertz's theory ends. There the state is nan;
+`limits` has the torques.
 """
 
 from collections.abc import Callable
@@ -21,7 +21,7 @@ from analytic.freewheel import printed, rolling
 from analytic.freewheel.clutch import Clutch
 from analytic.freewheel.compliance import Compliance, compliance
 
-WIDEST = 0.5  # half-width over roller's radius beyond which nothing is told
+WIDEST = 0.5  # half-width over roller's radius beyond which there is no result
 STEPS = 60
 CONVERGED = 1e-13
 POINTS = 20  # of Gauss' rule for the torsion

@@ -1,4 +1,4 @@
-"""The state of an outer cam's largest torque, beyond which the rollers go through."""
+"""The state of an outer cam's largest torque, beyond which the rollers pop through."""
 
 import numpy as np
 from scipy.optimize import minimize_scalar

@@ -1,7 +1,7 @@
-r"""Roller tilted by its axial forces, which the criterion does not contain.
+r"""Tilt of a roller under its axial forces, which the criterion does not contain.
 
-The axial forces F_a at both contacts, a chord 2 r cos(alpha) apart, are a couple. The resultants
-F_n/cos(alpha) along the chord balance it by moving along the roller, one to either side, by
+The axial forces F_a at both contacts, at the distance 2 r cos(alpha) (a chord), are a couple. The
+resultants F_n/cos(alpha) along the chord balance it by moving along the roller, to either side, by
 
 .. math:: e = r \cos^2\alpha\,\frac{F_a}{F_n}.
 

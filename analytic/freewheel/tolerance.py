@@ -7,7 +7,7 @@ From cos psi = y/rho, with 2 rho sin psi below,
     \frac{\partial\alpha_0}{\partial r} = \mp\frac{1 + \cos\psi}{2\rho\sin\psi}, \quad
     \frac{\partial\alpha_0}{\partial R} = \frac{\cos\psi}{2\rho\sin\psi},
 
-the upper sign for an inner cam. A clutch of an ensemble has rollers that are all alike: that
+the upper sign for an inner cam. All rollers of a clutch of an ensemble are equal: that
 rollers and flats of one clutch differ and share its load unevenly is not contained.
 """
 
@@ -64,7 +64,7 @@ class Ensemble:
     """Clutches drawn: arrays of those that wedge, and what becomes of each of all.
 
     Angles in rad; alpha and mu_req under the load, nan where there is no state. `outcomes` are
-    `Outcome`s, "no state" where an outer cam's rollers go through or contacts are too wide.
+    `Outcome`s, "no state" where an outer cam's rollers pop through or contacts are too wide.
     """
 
     drawn: dict[str, Array]

@@ -20,7 +20,7 @@ def corrected(excess: float, *, beyond: float, power: float = 1.0) -> Estimate:
 def axis_shear(*, beyond: float) -> Estimate:
     """Of the largest shear stress on the axis.
 
-    Against the curved surface the pressure tilts by r/R, which bears on the axis with the tilt's
-    share of p_0.
+    The pressure on the curved surface is inclined by r/R; on the axis it adds this share of
+    p_0 to the shear stress.
     """
     return Estimate(0.0, beyond**0.5)

@@ -4,11 +4,11 @@ from math import isfinite
 
 LEAST = 1e-4  # of a model error: nothing sharper is claimed
 OWN = 1e-3  # nor this for inputs for which nobody chose strips and grids
-LOADED = 3e-3  # nor this, there, where an end carries, of which no expansion speaks
-SLENDER = 0.03  # of the length, the half-width up to which the expansion is trusted there
-WIDEST = 0.01  # and beyond what a row must notice: an interval that judges nothing
-TIMES = 2.0  # within which the strips' own estimate of what they neglect holds
-CELLS = 1e-3  # of cells across that are even in pressure
+LOADED = 3e-3  # nor this, there, for a loaded end, to which no expansion applies
+SLENDER = 0.03  # of the length: largest half-width for which the expansion is valid there
+WIDEST = 0.01  # wider than the required sensitivity: such an interval proves nothing
+TIMES = 2.0  # factor within which the strips' estimate of the neglected terms holds
+CELLS = 1e-3  # of cells across with uniform pressure
 
 Interval = tuple[float, float]
 
@@ -16,11 +16,11 @@ Interval = tuple[float, float]
 def of_strips(
     missing: float, *, value: float, twice: float, b: float, length: float, loaded: bool, own: bool
 ) -> Interval | None:
-    """Interval of strips/half-space - 1 by the estimate of strips alone.
+    """Interval of strips/half-space - 1, from the error estimate of the strips alone.
 
-    From half to twice of what is `missing` in the `value`, and either way what is left of strips
-    whose error is of first order, twice what they change as there are `twice` as many; under a
-    `loaded` end, where more of them need not be better, that change once. None where no estimate
+    Half to twice the error `missing` of the `value`; and, on both sides, the remaining error of
+    first order of the strips: twice the change of the value with `twice` as many strips, once
+    this change under a `loaded` end, where more strips need not be better. None where no estimate
     is known. b is the half-width, `own` are inputs for which nobody chose the strips.
 
     >>> contact = {"b": 1.0, "length": 100.0, "loaded": False, "own": False}

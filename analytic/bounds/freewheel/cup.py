@@ -95,7 +95,7 @@ class CupBounds:
         self.cup, self.at, self.approaches = cup, at, approaches
         P, c = at.N / cup.L, of_round_bodies(cup, at)
         low, middle, high = expected_approach(cup, P)
-        # not the formula's own d_o: what is expected must not move with what is judged
+        # not the d_o of the formula: the expectation must not depend on what is verified
         self.own = {"d_i": at.d_i, "d_o": middle}
         x = float(cup.centre(d_i=at.d_i, d_o=at.d_o)[0])
         wound = winding(cup, at.T, cup.flat, cup.R_a) * x

@@ -1,9 +1,9 @@
-"""What is expected of a freewheel's friction, from what may be wrong with the clamping angle.
+"""Expected errors of a freewheel's friction, from the possible errors of the clamping angle.
 
-A tangential force moves nothing across itself where a body is its own mirror image. Contacts on
-flats are off their middle by psi, some 2 tan(alpha), F_t is tan(alpha) of N, and the bodies' shape
-makes less than half of an approach: by size, approaches change by tan² alpha of themselves at most.
-From alpha_0 on tan² alpha is linear in them.
+By symmetry a tangential force causes no normal displacement on a body that is symmetric about the
+contact normal. Contacts on flats are off the middle by psi, some 2 tan(alpha), F_t is tan(alpha) N,
+and the shape of the bodies causes less than half of an approach: approaches change by at most
+tan² alpha of their value. tan² alpha increases linearly with them from alpha_0.
 """
 
 import math

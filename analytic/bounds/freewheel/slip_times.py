@@ -1,7 +1,7 @@
-"""When a load path reaches what a clutch bears: a second form of paths and slip.
+"""Time at which a load path reaches the capacity of a clutch: second form of paths and slip.
 
-From the definitions of the rig's paths alone (Nagler, Lohrengel, Sec. 6), so that times of slip can
-be judged that follow from `load_path` and the criterion:
+From the definitions of the rig's paths alone (Nagler, Lohrengel, Sec. 6), to verify the times of
+slip that follow from `load_path` and the criterion:
 
 1. the torque comes up to T in `rise`, then the axial load grows in proportion to time and reaches
    F_ax at `duration`;

@@ -41,7 +41,7 @@ class StarBounds:
         wound = winding(star, at.T, star.r_b, star.flat)
         wound *= float(star.centre(d_i=at.d_i, d_o=at.d_o)[0])
         low, high = low * (1 - c), high * (1 + c)
-        # not the formula's own d_i: what is expected must not move with what is judged
+        # not the d_i of the formula: the expectation must not depend on what is verified
         self.own = {"d_i": float(between_discs(star, P)), "d_o": at.d_o}
         self.d_i = low + TIGHT * wound, high + LOOSE * wound
         self.d_o = at.d_o * (1 - c), at.d_o * (1 + c)

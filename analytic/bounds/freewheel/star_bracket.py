@@ -1,8 +1,8 @@
-r"""Expected interval of a clamped star's approach, from three bodies that can be solved.
+r"""Expected interval of a clamped star's approach, from three bodies with known solutions.
 
-A layer of the height h = X - r_b, bonded to a rigid base, under loads a flat's length apart, holds
-the star's material inside, and its clamp falls away from the base: for stars of thin wall it is too
-stiff. Its surface deflects under a wave of the number q by 2 K(q h)/(E' q) times its pressure,
+A layer of the height h = X - r_b, bonded to a rigid base, under loads at the spacing of a flat's
+length, contains the star, but its clamp recedes from the base: too stiff for stars of thin wall.
+Its surface deflects under a wave of the number q by 2 K(q h)/(E' q) times its pressure,
 
 .. math:: K(t) = \frac{2\kappa\sinh 2t - 4t}{2\kappa\cosh 2t + 4t^2 + 1 + \kappa^2},
           \qquad \kappa = 3 - 4\nu .

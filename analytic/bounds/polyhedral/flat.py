@@ -1,4 +1,4 @@
-"""Statics of a rigid flat by vectors, which says what the paper's chain should come to.
+"""Statics of a rigid flat by vectors: what the paper's chain of equations should give.
 
 Pressure between two corners, the hub's force and the roller's are in balance across the flat; the
 hub's moment about the axis is that of the rollers' friction.
@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, kw_only=True)
 class FlatParts:
-    """What bears on the z flats of a ring: SI, angles in rad.
+    """Parts that load the z flats of a ring: SI, angles in rad.
 
     d_i through the corners, `apothem` of the flats, width b; the race D_i, friction mu on the
     rollers or their wedge angle alpha; the hub at e from mid-flat, its angle of friction phi_1.
@@ -44,7 +44,7 @@ class FlatParts:
 
 @dataclass(frozen=True)
 class Flat:
-    """One flat: where the hub's unit force acts, what it is, and which way it is counted."""
+    """One flat: where the hub's unit force acts, its vector, and the direction counted."""
 
     parts: FlatParts
     at: Array  # [m]

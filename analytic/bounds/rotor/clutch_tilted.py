@@ -1,8 +1,8 @@
-"""Expected errors of a tilted clutch's couplings, and the sum of these couplings a second time.
+"""Expected errors of a tilted clutch's couplings, and a second calculation of their sum.
 
-Sprags of that clutch stand from half a pitch on. Slice k of sprag j is pressed by d_jk =
-(dx + x_k gamma) cos psi_j + R_i tan nu g, with the power 10/9 of which its force grows. The twist g
-bears T, and the couplings are sums of the slope times -x_k sin^2 psi_j and x_k cos^2 psi_j.
+The first sprag of that clutch is at half a pitch. Slice k of sprag j is pressed by d_jk =
+(dx + x_k gamma) cos psi_j + R_i tan nu g; its force is of the power 10/9. The twist g
+carries T, and the couplings are sums of the slope times -x_k sin^2 psi_j and x_k cos^2 psi_j.
 """
 
 import math

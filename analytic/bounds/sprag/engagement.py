@@ -8,16 +8,16 @@ from dataclasses import dataclass
 
 Interval = tuple[float, float]
 
-ENERGY = 1e-5  # of the work: what the cubics of a table may miss
-BOOKED = 2 * ENERGY  # the same, and the turn of the outer race that inertia alone holds
-PART = 0.1  # of the centroid's way outwards, told on the trapezia of 401 states
+ENERGY = 1e-5  # of the work: error of the cubics of a table
+BOOKED = 2 * ENERGY  # the same, and the rotation of the outer race that inertia alone holds
+PART = 0.1  # of the centroid's outward travel, from the trapezia of 401 states
 
 
 @dataclass(frozen=True, kw_only=True)
 class Bounds:
     """By sizes of what formulas and steps have otherwise, all relative.
 
-    `unequal` is N_e/N_i - 1, `passed_on` what a change of the torque makes of a peak's N,
+    `unequal` is N_e/N_i - 1, `passed_on` the relative change of a peak's N per change of torque,
     `inertia` that of the sprags over the race's, `left_out` the work of the centroid's motion
     outwards over all. Where races turn at the start (`turns`) contacts slide first.
     """
@@ -33,11 +33,11 @@ class Bounds:
         return -self.unequal, 0.0
 
     def energy(self) -> Interval:
-        """Of a peak that the work done decides."""
+        """Of a peak that the work done determines."""
         return -self.passed_on * self.unequal, 0.0
 
     def spring(self) -> Interval | None:
-        """The same, and the sprags' mass, which the races' spring leaves out, either way.
+        """The same; the spring omits the mass of the sprags, an error of any sign.
 
         None where contacts slide first.
         """
@@ -54,6 +54,6 @@ class Bounds:
         return -times * self.unequal, times * self.unequal
 
     def radially(self) -> Interval:
-        """Of the work: the steps' torque turns less far by that of the centroid's way outwards."""
+        """Of the work: the steps' torque turns less far by the centroid's outward travel."""
         u = BOOKED + PART * abs(self.left_out)
         return self.left_out - u, self.left_out + u

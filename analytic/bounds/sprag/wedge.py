@@ -1,11 +1,11 @@
-r"""What formulas of a sprag clutch are expected to miss, from sizes and second models.
+r"""Expected errors of the formulas of a sprag clutch, from sizes and second models.
 
-The angles of the forces miss what `analytic.sprag.bending` says of the column's ends and the races
-under tangential forces, to a quarter of all its parts and half beta² of the triangle. A race's
-tangential compliance is 0.4 to 1.2 of that of its dent.
+The angles of the forces omit the part that `analytic.sprag.bending` has for the column's ends and
+the races under tangential forces, to a quarter of all its parts and half beta² of the triangle. The
+tangential compliance of a race is 0.4 to 1.2 of that of its local indentation.
 
-The elastic yields leave out (a/r)² of a contact, half tan²(nu) by which a force that stands askew
-is longer than N, and that the outer force is N_e. Hertz takes an arc for a parabola, an error of
+The elastic deflections omit (a/r)² of a contact, half tan²(nu) by which an inclined force is
+larger than N, and that the outer force is N_e. Hertz takes an arc for a parabola, an error of
 (a/r)²/4 of the gap, and its normals for parallel, (a/r)²/2, on both bodies; a wall or a column is
 no half-space by (a/h)².
 """
@@ -171,7 +171,7 @@ class Bounds:
         return times(self.race(which), self.thin_mean(which) / under)
 
     def long_mean(self, which: str) -> float:
-        """Of a long race [m], each under its own normal force."""
+        """Of a long race [m], each under the normal force on it."""
         force = float({"i": np.asarray(self.N), "e": self.at.N_e}[which])
         return self._lame_mean(force, which, "plane strain")
 
@@ -180,7 +180,7 @@ class Bounds:
         return self._lame_mean(self.N, which, "plane stress")
 
     def plane_yields(self) -> float:
-        """All yields [m] of half planes and smeared rings, of contacts much smaller than bodies."""
+        """All deflections [m] of half planes and uniformly loaded rings, contacts being small."""
         q, P, half = self.sizes, self.N / self.sizes.l, (self.sizes.R_e - self.sizes.R_i) / 2
         walls = (q.R_i - q.R_id, q.R_ed - q.R_e)
         dents = sum(
@@ -210,7 +210,7 @@ class Bounds:
         return shift(self.at, moved, column=self.column, a=self.a, P=self.P, races=(inner, outer))
 
     def _lame_mean(self, N: float, which: str, ends: Assumption) -> float:
-        """Mean displacement [m] of the inner or outer race ("i", "e") under smeared forces."""
+        """Mean displacement [m] of the inner or outer race ("i", "e") under a uniform pressure."""
         q, inner = self.sizes, which == "i"
         r_i, r_o, r = (q.R_id, q.R_i, q.R_i) if inner else (q.R_e, q.R_ed, q.R_e)
         p = q.z * N / (2 * math.pi * r * q.l)

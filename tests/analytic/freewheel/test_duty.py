@@ -48,7 +48,7 @@ def test_the_least_axial_load_of_ends_and_tilt_is_that_over_the_torque(clutch, p
 def test_what_overruns_rests_or_has_no_state_has_no_limit_of_the_axial_load(star, T):
     assert duty(star, T=T).under is None
     assert duty(star, T=T).of_axial_load == []
-    with pytest.raises(ValueError, match="no state bears"):
+    with pytest.raises(ValueError, match="no equilibrium exists at T"):
         remedies.friction_for(duty(star, T=T), 1.0)
 
 
