@@ -1,18 +1,18 @@
-r"""Finite line contact as independent slices, each with Palmgren's law (the lamina model).
+r"""Finite line contact as independent slices (Winkler), each with Palmgren's law.
 
 .. math:: s\, q_k = \max(0,\ \delta - z_k)^{10/9}, \qquad \sum_k q_k = W
 
 z is the gap at the centre of each of n equal slices (crown, tilt and whatever else, without the
-parabola across), q the slices' forces. A slice knows nothing of its neighbours: the ends of a flat
-roller press like its middle, which is wrong, and a crowned roller is followed well and fast.
+parabola across), q the slices' forces. Slices do not interact: the ends of a flat roller carry the
+same load as its middle, which is wrong; for a crowned roller the model is good and fast.
 
 SI with the default compliance s, `palmgren.compliance`, under which a flat roller has Palmgren's
-approach; any consistent units with one's own.
+approach; any consistent units with another s.
 
 References
 ----------
-.. [1] T. A. Harris, M. N. Kotzalas, Rolling Bearing Analysis, 5th ed., CRC Press 2006, for the
-   lamina model; second-hand.
+.. [1] T. A. Harris, M. N. Kotzalas, Rolling Bearing Analysis, 5th ed., CRC Press 2006, for this
+   model; second-hand.
 """
 
 import numpy as np

@@ -46,7 +46,7 @@ CATALAN = 0.915965594177219
 
 @dataclass(frozen=True, kw_only=True)
 class Excess:
-    """Relative excess of the true value over Hertz's under the same load; the terms apart."""
+    """Relative excess of the true value over Hertz's under the same load, term by term."""
 
     first: float  # of the order beta a/R
     second: float  # of the order (a/R)²

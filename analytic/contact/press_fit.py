@@ -1,7 +1,7 @@
 r"""Press fit: a stack of concentric walls with interference between neighbours.
 
-At every interface the outer wall's bore and the inner wall's rim, apart by the interference before
-assembly, end at one radius:
+At every interface the bore of the outer wall and the rim of the inner wall, which differ by the
+interference before assembly, get one common radius:
 
 .. math:: u_{j+1}(r_j) - u_j(r_j) = \delta_j,
 
@@ -119,9 +119,9 @@ def pressure_of_overlap(
 ) -> float:
     """Pressure [stress] on the rim of `inner`, whose r_o exceeds the r_i of `outer` as drawn.
 
-    Each wall keeps its own radius and the force between them is one, so that the outer wall's
-    pressure is r_o/r_i times that. `contact_pressures`, with one radius for both, leaves out terms
-    of overlap over radius. Raises ValueError where the walls do not overlap or come apart.
+    Each wall retains its radius and the force between them is one, so that the pressure on the
+    outer wall is r_o/r_i times that. `contact_pressures`, with one radius for both, omits terms
+    of overlap over radius. Raises ValueError where the walls do not overlap or lose contact.
 
     >>> steel = {"E": 2.0, "nu": 0.25}
     >>> shaft, hub = Wall(r_i=0.0, r_o=1.0, **steel), Wall(r_i=1 - 1e-6, r_o=2.0, **steel)
@@ -143,7 +143,7 @@ def pressure_of_overlap(
 
     p = (overlap - gap(0.0, p_i, p_o)) / gap(1.0, 0.0, 0.0)
     if p < 0:
-        raise ValueError(f"the walls come apart: their overlap {overlap:g} m is too small")
+        raise ValueError(f"the walls lose contact: their overlap of {overlap:g} m is too small")
     return p
 
 

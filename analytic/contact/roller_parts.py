@@ -78,10 +78,10 @@ def vertex(p: Array, at: int) -> float:
 
 
 def load_elsewhere(line: Array, other: Array, length: float) -> tuple[float, float]:
-    """Share of the load that `line` (n,) puts elsewhere than `other` (m,), and its error in L2.
+    """Share of the load that `line` (n,) places differently from `other` (m,), and error in L2.
 
-    Both are line loads of equal parts of the roller. The share does not care how finely it is
-    divided; the error in L2 is mostly that of the parts in which contact ends.
+    Both are line loads of equal parts of the roller. The share does not depend on their
+    number; the error in L2 is mostly that of the parts in which contact ends.
 
     >>> load_elsewhere(np.array([2.0, 0.0]), np.ones(8), 1.0)
     (0.5, 1.0)

@@ -10,7 +10,7 @@ plane's kernel the largest shear stress is, at its depth h = g^(-1/2) a (g the g
     \sqrt{1 - s^2}\,ds\right] = 0.3003 + 0.2082\,\frac{a}{R}, \qquad h = g^{-1/2}.
 
 Where the bodies meet on a curved line, the pressure is inclined: `tilted_shear_excess`. The golden
-ratio stands here anew, apart from the formula that these terms correct.
+ratio is written again here, independent of the formula that these terms correct.
 """
 
 import numpy as np

@@ -1,6 +1,6 @@
 r"""Unilateral contact of coupled slices: which of them carry, and how much, for many cases at once.
 
-With the matrix S of compliances and f the wanted deflections (to the power 10/9) the forces obey
+With the matrix S of compliances and f the required deflections (to the power 10/9) the forces obey
 
 .. math:: q \ge 0, \qquad S q - f \ge 0, \qquad q^T (S q - f) = 0.
 

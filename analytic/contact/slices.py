@@ -2,14 +2,14 @@ r"""Finite line contact by the slicing technique: slices that deflect their neig
 
 .. math:: \sum_k S_{jk} q_k = (\delta - z_j)^{10/9}
 
-on the slices that carry; elsewhere q = 0 and the left side is not below max(0, delta - z)^(10/9).
+on loaded slices; on all others q = 0 and the left side is at least max(0, delta - z)^(10/9).
 q is the force of each of n equal slices, z the gap at its centre (crown, tilt and whatever else,
 without the parabola across), S the matrix of `slice_compliance`, with Love's weights for Hertz's
-half-width under the mean load W/l unless told otherwise.
+half-width under the mean load W/l by default.
 
-The ends of a roller without a crown carry more the finer it is cut: no peak of theirs converges.
+The finer a roller without a crown is cut, the more its ends carry: their peak does not converge.
 
-SI with the default compliance, `palmgren.compliance`; any consistent units with one's own.
+SI with the default compliance, `palmgren.compliance`; any consistent units with another one.
 
 References
 ----------
@@ -105,7 +105,7 @@ def _to_approach(cases: Cases, kernel: Kernel | ArrayLike, load: Array) -> Array
 
 
 def _to_load(cases: Cases, kernel: Kernel | ArrayLike, delta: Array) -> tuple[Array, Array]:
-    """Forces and approach under the load: Newton's method on W^0.9, kept between bounds."""
+    """Forces and approach under the load: Newton's method on W^0.9, within bounds."""
     assert cases.load is not None
     S, goal = _matrix(cases, kernel, cases.load), cases.load**0.9
     lowest = cases.gap.min(axis=1)

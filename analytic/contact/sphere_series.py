@@ -69,14 +69,14 @@ class Sphere:
 
     @property
     def logarithm(self) -> float:
-        """The lambda over E' R: how strongly the sphere's own shape enters [1/(stress length)]."""
+        """The lambda over E' R: effect of the shape of the sphere itself [1/(stress length)]."""
         return (1 - 2 * self.nu) ** 2 / (2 * (1 - self.nu)) * self.softness / self.R
 
     def sinking(self, a: float) -> float:
         """By how much an elliptic pressure of unit load sinks beyond the half space's share.
 
         Of the contact's middle against the plane of symmetry half-way to the other contact
-        [length/force], the surface's tilt apart.
+        [length/force], without the surface's tilt.
         """
         if np.isinf(self.R):
             return 0.0

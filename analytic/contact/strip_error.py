@@ -1,6 +1,6 @@
 r"""What the strips of `strips` neglect of a line contact whose load q(y) varies along it.
 
-A strip's pressure is taken as Hertz's ellipse of the roller's own curvature 1/R. In the expansion
+A strip's pressure is taken as Hertz's ellipse of the roller's curvature 1/R. In the expansion
 for slow variation along y the kernel 1/r has, beyond the logarithm that gives this ellipse, a term
 quadratic in the distance rho across (K_0 of the wave number k along y, k rho small):
 
@@ -28,7 +28,7 @@ The last part vanishes, q/b² being the same everywhere, and the others are
 
 No logarithm is left to guess. At a given q, b falls by epsilon/2 and p rises by as much; the
 narrower ellipse sinks deeper beneath itself, which shifts load to where epsilon is smaller. That
-is solved for with the strips' own matrix, at the same load W: p changes by
+is solved for with the matrix of the strips, at the same load W: p changes by
 :math:`\varepsilon/2 + \delta q/2q`. For Hertz's ellipse with semi-axes b << a this is the first
 term of his exact solution, :math:`\varepsilon = \frac{b^2}{2a^2}(\ln\frac{4a}b - \frac32)`.
 

@@ -1,7 +1,7 @@
 r"""Finite line contact by semi-analytic strips: Hertz across, half-space along.
 
 A roller is cut across into n equal strips of width D = l/n along its axis y. In each the pressure
-across is Hertz's ellipse with the strip's own half-width and is constant over D,
+across is Hertz's ellipse with the half-width of this strip and is constant over D,
 
 .. math::
     b_k = \sqrt{\frac{4q_kR}{\pi E^*}}, \qquad p_k = \frac{2q_k}{\pi b_k}, \qquad

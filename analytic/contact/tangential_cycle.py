@@ -37,7 +37,7 @@ def traction(
     a: ArrayLike,
     branch: Branch,
 ) -> Array:
-    """Shear traction [stress] at x at the force Q on the way down or up again.
+    """Shear traction [stress] at x at the force Q during unloading or reloading.
 
     >>> load = {"Q_max": 0.75 * np.pi / 2, "P": np.pi / 2, "mu": 1.0, "a": 1.0}  # p_0 = 1
     >>> traction(0.8, Q=-0.75 * np.pi / 2, branch="unloading", **load).round(12).tolist()

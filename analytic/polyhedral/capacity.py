@@ -12,8 +12,8 @@ the ring decides (`locking`),
 
 .. math:: p(N) = \frac{1}{u_p}\left[\frac{j_D}{2} + u_N(a) N + \delta(N) - \kappa u_{h1} N\right]
 
-with u_h1 the lift by the unit hub force. Where the lift grows as fast as the ring gives way, more
-pressure is no longer needed: the torque has no limit by pressure.
+with u_h1 the lift by the unit hub force. If the lift grows as fast as the ring deflects, no more
+pressure is needed: the torque has no limit by pressure.
 
 All forces per unit length. Range as that of `locking`.
 """
@@ -93,11 +93,11 @@ class Driven:
         return self._stiffness(N) > self.lift
 
     def force_sensitivity(self, N: float) -> float:
-        """Relative change of N per relative change of what N closes, the pressure kept."""
+        """Relative change of N per relative change of what N closes, at constant pressure."""
         return self.contact.closure(N) / N / (self._stiffness(N) - self.lift)
 
     def pressure_sensitivity(self, N: float) -> float:
-        """Relative change of the pressure per relative change of what N closes, N kept."""
+        """Relative change of the pressure per relative change of what N closes, at constant N."""
         return self.contact.closure(N) / (self.contact.growth * self.pressure(N))
 
     def force(self, p: float) -> float:

@@ -25,8 +25,8 @@ Gamma = Literal["normal", "radius"]
 class Clutch:
     """Clutch of `parts` under the total pressure p_t; SI, angles in rad, forces per roller.
 
-    E and nu of ring, rollers and race alike; mu on the rollers, phi_1 the angle of friction of the
-    hub; M_wanted [N m] asks for its pressure. ValueError for what makes no sense; a roller that is
+    E and nu are of ring, rollers and race; mu on the rollers, phi_1 the angle of friction of the
+    hub; M_wanted [N m] is a target torque. ValueError for impossible values; a roller that is
     not touched or is expelled, and a hub that locks all by itself, are `remarks`.
 
     >>> parts = Parts(z=6, d_i=0.072, d_e=0.08, D_i=0.10006, d=0.01, b=0.03, e=0.009)
@@ -200,7 +200,7 @@ class Clutch:
 
     @property
     def _chain(self) -> dict[str, float]:
-        """What Eq. 20 takes whichever way it is solved."""
+        """Arguments of Eq. 20, whichever unknown it is solved for."""
         parts = self.parts
         geometry = {"z": parts.z, "D_i": parts.D_i, "d_i": parts.d_i, "b": parts.b}
         return {"p_1r": self.p_1r, "share": self.hub_share, "mu": self.grip, **geometry}

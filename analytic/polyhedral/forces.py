@@ -15,7 +15,7 @@ has the resultant of its chord:
     R = \frac{F_s}{\cos(\psi + \varphi_1)}, \qquad N = F + R \cos(\gamma + \varphi_1)
 
 gamma = 0 projects R on the flat's normal, where the roller is, gamma = psi (the paper's first
-design) on the radius through the hub's contact. N leaves out what the ring carries as its own
+design) on the radius through the hub's contact. N omits the load that the ring carries itself as
 hoop force.
 
 Angles in rad, otherwise any consistent units.

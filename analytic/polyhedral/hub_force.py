@@ -64,8 +64,8 @@ def hub_force(*, sector: Sector, e: float, normal: float, along: float = 0.0) ->
     """Solution for a hub that pushes on each flat with `normal` outwards and `along` to the corner.
 
     Forces [force per length] are those of one flat; one half acts at the distance e [length] from
-    its middle, the other, mirrored, at -e: the part of a hub's push that rollers at mid-flat feel
-    alike. e counts along the bore, `Sector.half_bore` is the corner itself.
+    its middle, the other, mirrored, at -e: the part of a hub's push that is equal for all rollers
+    at mid-flat. e counts along the bore, `Sector.half_bore` is the corner itself.
 
     >>> ring = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)
     >>> hub = hub_force(sector=ring, e=9.0, normal=1000.0)

@@ -1,7 +1,7 @@
 r"""Force with which the rollers are locked between the polyhedral ring and its race.
 
 Over each flat's middle sits a roller; pressure p and hub force widen the ring there, the roller's
-force N per unit length presses it back, with its own dent:
+force N per unit length presses it back, with its local indentation:
 
 .. math:: u_p\,p + u_h - u_N(a)\,N - \delta(N) = \frac{j_D}{2}, \qquad
           a = \sqrt{\frac{4 N R}{\pi E^*}}, \quad \frac{1}{R} = \frac{2}{d} + \frac{2}{d_e}.
@@ -11,7 +11,7 @@ Of the pressure's force on a flat, :math:`p\,d_i\sin(\pi/z)` per unit length, th
 
 .. math:: \eta = \frac{1}{d_i\sin(\pi/z)}\,\frac{dN}{dp}
 
-of each further part reaches the roller, the ring's own hoop force holds the rest. Towards many
+of each further part reaches the roller; the hoop force of the ring holds the rest. Towards many
 corners it rises beyond 1, to what a rigid housing takes from a round ring,
 
 .. math:: \eta \to \frac{2\, d_i d_e}{(1 - \nu')\, d_e^2 + (1 + \nu')\, d_i^2},
@@ -66,7 +66,7 @@ class Locked:
 
 @dataclass(frozen=True)
 class RollerContact:
-    """Contact of ring and roller under N, per unit length, and how far the ring gives way."""
+    """Contact of ring and roller under N, per unit length, and the deflection of the ring."""
 
     sector: Sector
     roller: Roller
@@ -179,7 +179,7 @@ def locked(
 
 
 def _force(contact: RollerContact, closing: float, E_plane: float) -> float:
-    """N at which the closure is `closing`, by Newton's method with the dents' logarithms' slope."""
+    """N at which the closure is `closing`, by Newton's method with the slope of the logarithms."""
     bodies = 1 / E_plane if np.isinf(contact.roller.E) else 3 / E_plane
     N = E_plane * (FIRST * contact.sector.r_e) ** 2 / contact.roller.d
     for _ in range(STEPS):

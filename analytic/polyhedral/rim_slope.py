@@ -5,7 +5,7 @@ The outside takes the shape :math:`r_e + u_r(\theta)`, whose tangent leaves the 
 .. math:: \frac{1}{r_e}\frac{du_r}{d\theta} = \frac{4}{E' r_e}
           \operatorname{Re}\left[i\,(\zeta\phi' - \phi)\,e^{-i\theta}\right]
 
-on a free rim. The material's own turn, :math:`(du_r/d\theta - u_\theta)/r_e`, is another quantity:
+on a free rim. The rotation of the material, :math:`(du_r/d\theta - u_\theta)/r_e`, differs from it:
 the part u_theta/r_e of it only moves points along the circle.
 """
 

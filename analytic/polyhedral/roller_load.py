@@ -7,7 +7,7 @@ Each roller presses radially with N per unit length, as a semi-ellipse (Hertz) o
           \psi = r_e\sum_{m > 0} \frac{m\,c_m}{m - 1}\,\xi^{m-1}, \qquad \xi = \zeta/r_e,
 
 m = 0, z, 2z, ..., which converges geometrically on the bore; the potential of `free_rim` takes the
-disc's forces off the bore again. On the rim the disc's own displacement is, with its dent,
+disc's forces off the bore again. On the rim the displacement of the disc, with its indentation, is
 
 .. math:: u_r = -r_e\left[\frac{4}{E'}\left(\frac{c_0}{2} + \sum\frac{c_m\cos m\theta}{m + 1}\right)
           - \frac{1 + \nu'}{E'}\left(c_0 - 2\sum\frac{c_m\cos m\theta}{m^2 - 1}\right)\right].
@@ -46,7 +46,7 @@ class RollerLoad:
         farthest = float(np.abs(zeta).max())
         if farthest > DEEPEST * self.sector.r_e:
             raise ValueError(
-                f"points may reach to {DEEPEST} of the loaded outside, got |zeta|={farthest:g} m, "
+                f"points may go to {DEEPEST} of the loaded outside, got |zeta|={farthest:g} m, "
                 f"d_e={self.sector.d_e:g} m"
             )
         return _disc(self.sector, self.a, zeta).plus(self.correction(zeta))

@@ -13,7 +13,7 @@ here, and touching is pressure enough. A free roller uses tan(alpha/2) of its fr
 put that for mu.
 
 Angles in rad, otherwise any consistent units. Range: that of `wedging` and `forces`; z rollers
-carry alike.
+carry equal loads.
 
 References
 ----------

@@ -13,9 +13,9 @@ which makes alpha/2 with each normal, so
 
 whatever mu is. The printed mu N z D_i/2 (Eq. 3) is what is left when a cage holds the roller back
 with C until it slips: an upper bound of the race's torque, as Eq. 4 is a lower bound of N. The
-cage's own part, z C times its lever, does not pass through the ring; all of the race's torque does
+cage's part, z C times its lever, does not pass through the ring; all of the race's torque does
 so for free rollers alone, mu N at their largest angle, alpha = 2 arctan mu. Beyond Eq. 2 a
-free roller is expelled and carries nothing; `holds` says so, and no formula here asks it for you.
+free roller is expelled and carries nothing: check `holds`, as no formula here does so.
 
 Angles in rad, otherwise any consistent units. Range: rigid roller without weight, friction the same
 at both contacts; the paper has no equation for alpha.

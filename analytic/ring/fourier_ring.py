@@ -21,9 +21,9 @@ and displacements (u_r, u_theta) 2G, with Kolosov's constant kappa,
     D:\ & r_i \left[s^{m-1}\left(1 - s^2 + \tfrac{s^2}{m+1}\right)(1, 1)
           + \frac{\kappa s^{m-1}}{m-1} (1, -1)\right].
 
-No power exceeds 1, so that m may be as large as a narrow patch asks for. Of C and D the part that
+No power exceeds 1, so that m may be as large as a narrow patch requires. Of C and D the part that
 would be nearly A and B is already taken out, which keeps the four equations of the walls' tractions
-well conditioned: at its own wall A has (1, -1) in (sigma_r, tau), C (2, 0), B (-1, -1), D (-2, 0).
+well conditioned: on its wall A has (1, -1) in (sigma_r, tau), C (2, 0), B (-1, -1), D (-2, 0).
 
 A finite sum of p_m is solved exactly, within plane linear elasticity.
 
@@ -61,7 +61,7 @@ class State:
 
 @dataclass(frozen=True, kw_only=True)
 class FourierRing:
-    """Ring whose `loaded` wall bears the pressure sum of p[k] cos(k n theta).
+    """Ring with the pressure sum of p[k] cos(k n theta) on its `loaded` wall.
 
     `p` (K + 1,) [stress], positive where it pushes; n >= 2, as with n = 1 nothing balances it.
     ValueError for what is no ring.
@@ -162,7 +162,7 @@ class FourierRing:
     def _waves(self, r: float) -> Array:
         """u_r, u_theta, sigma_r, sigma_theta, tau of every wave (5, K) at the radius r.
 
-        Without those that have decayed on the way from the loaded wall.
+        Without those that have decayed at this distance from the loaded wall.
         """
         way = np.log(r / self.r_i) if self.loaded == "bore" else np.log(self.r_o / r)
         m = self._m[(self._m - 2) * way < NEGLIGIBLE]

@@ -79,7 +79,7 @@ class LoadedRace:
 
     @property
     def mean_pressure(self) -> float:
-        """The loads smeared over the wall [stress]."""
+        """The loads uniformly distributed over the wall [stress]."""
         return self.n * self.P / (2 * np.pi * self.r)
 
     @cached_property

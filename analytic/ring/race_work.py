@@ -11,7 +11,7 @@ POINTS = 24  # of the rule over the patch
 def cut_force(race: LoadedRace) -> float:
     """Hoop force [force per length] in a cut midway between two loads; a pull counts positive.
 
-    Statics: half of a load's push along its axis, P <cos theta> over the patch, hangs on the cut.
+    Statics: the cut carries half of a load's push along its axis, P <cos theta> over the patch.
     """
     outward = 1.0 if race.loaded == "bore" else -1.0
     along = loaded_race.share(race.alpha) * race.P

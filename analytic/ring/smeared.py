@@ -1,14 +1,14 @@
-r"""Races under their sprags as rings under the smeared forces (Huang 2018, Eq. 6).
+r"""Races under their sprags as uniformly loaded rings (Huang 2018, Eq. 6).
 
-n forces N on the length l stand for the pressure N n/(2 pi R l) on the wall of radius R that they
-touch, and Lamé's thin ring (plane stress) gives way by
+n forces N on the length l are replaced by the pressure N n/(2 pi R l) on the wall of radius R that
+they touch, and Lamé's thin ring (plane stress) deflects by
 
 .. math::
     \delta_{BI} = \frac{N n}{2\pi l E}\left[\frac{R_i^2 + R_{id}^2}{R_i^2 - R_{id}^2} - \nu\right],
     \qquad
     \delta_{BE} = \frac{N n}{2\pi l E}\left[\frac{R_{ed}^2 + R_e^2}{R_{ed}^2 - R_e^2} + \nu\right].
 
-`loaded_race` has what the forces do one by one: ovals between them, and a dent under each.
+`loaded_race` has the effects of single forces: ovals between them, an indentation under each.
 """
 
 from dataclasses import dataclass
@@ -35,7 +35,7 @@ def race_deflection(
     loaded: Wall,
     ends: Literal["plane stress", "plane strain"] = "plane stress",
 ) -> Array:
-    """How far the loaded wall gives way [length] under n loads `P` = N/l per length, positive.
+    """Deflection of the loaded wall [length] under n loads `P` = N/l per length, positive.
 
     Of the outer race (Eq. 6, second formula) the bore is loaded, of the inner race the rim. Eq. 6
     is of thin rings, plane stress.
@@ -60,11 +60,11 @@ def race_deflection(
 
 @dataclass(frozen=True, kw_only=True)
 class SmearedError:
-    """Relative errors of the smeared ring against the Fourier ring, reference the latter."""
+    """Relative errors of the uniformly loaded ring; the reference is the Fourier ring."""
 
-    load: float  # at the load, the dent to the depth of the wall taken out
+    load: float  # at the load, without the indentation down to the depth of the wall
     between: float
-    total: float  # at a load, of the smeared ring and the dent together
+    total: float  # at a load, of the uniformly loaded ring plus indentation
 
 
 def smeared_error(
@@ -72,7 +72,7 @@ def smeared_error(
 ) -> SmearedError:
     """Errors of Eq. 6 on the loaded wall for r_o/r_i = `ratio` and a = `a_r` times its radius.
 
-    The dent is that of a half plane to the depth of the wall. In plane stress, without units. The
+    The indentation is that of a half plane to the wall's depth. In plane stress, without units. The
     mean over the loaded wall has no error, as Lamé's ring is the mean of the Fourier ring.
     """
     r_i, r_o = (1.0, ratio) if loaded == "bore" else (1 / ratio, 1.0)

@@ -1,4 +1,4 @@
-r"""Windup and shock of a clutch whose races are smeared rings, over those of Fourier rings.
+r"""Wind-up and shock of a clutch with uniformly loaded races, over those with Fourier rings.
 
 Deflection and energy of a sprag's contact on a race under its force N, half-widths growing with
 the root of N,
@@ -7,7 +7,7 @@ the root of N,
     \delta = N \left[c + g \ln\frac{N_0}{N}\right], \qquad
     U = \frac{N^2}{2} \left[c - \frac{g}{2} + g \ln\frac{N_0}{N}\right],
 
-c from the models at N_0 and g of the two dents, which all models share.
+c from the models at N_0 and g of the two indentations, which all models share.
 
 Range: half-widths much smaller than the sprag and the wall; races in plane stress, sprags in plane
 strain, of one material.
@@ -27,10 +27,10 @@ Compliances = tuple[float, float, float]
 
 
 def compliances(race: LoadedRace, *, R: float, F: float, L: float) -> Compliances:
-    """Both c, by Eq. 6 with Hertz's dent and by the Fourier ring, and g [length per force].
+    """Both c, by Eq. 6 with Hertz's indentation and by the Fourier ring, and g [length per force].
 
-    Each sprag has the radius R at the contact, carries N_0 = F on the length L, and its own dent
-    is in both c.
+    Each sprag has the radius R at the contact, carries N_0 = F on the length L, and both c contain
+    its indentation.
     """
     plane = race.E / (1 - race.nu**2)
     sprag = float(approach_to_centre(P=race.P, a=race.a, R=R, E_plane=plane))
@@ -46,12 +46,12 @@ def compliances(race: LoadedRace, *, R: float, F: float, L: float) -> Compliance
 
 
 def ratios(parts: Sequence[Compliances]) -> tuple[float, float]:
-    """Windup and peak force (no unit) with smeared races over those with Fourier rings.
+    """Wind-up and peak force (no unit) with uniformly loaded races over those with Fourier rings.
 
-    The compliances of the `parts` in line add up. Windup under N_0; peak force for the energy that
-    smeared races take up under N_0.
+    The compliances of the `parts` in line add up. Wind-up under N_0; peak force for the energy that
+    uniformly loaded races take up under N_0.
 
-    >>> windup, peak = ratios([(1.21, 1.0, 0.0)])  # without dents: linear springs
+    >>> windup, peak = ratios([(1.21, 1.0, 0.0)])  # without indentation: linear springs
     >>> round(windup, 12), round(peak, 12)
     (1.21, 0.909090909091)
     """

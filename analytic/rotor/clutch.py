@@ -7,7 +7,7 @@ displacement :math:`q = (\Delta\delta_x, \Delta\delta_y, \Delta\gamma_x, \Delta\
 .. math:: \delta_{jk} = (\Delta\delta_x + x_k \Delta\gamma_y) \cos\psi_j
    + (\Delta\delta_y - x_k \Delta\gamma_x) \sin\psi_j + d_t \Delta\gamma_z - 2 L(x_k) + i_j
 
-(Eq. 8 with a direction of its own for the tilt, and the preload's twist counted in
+(Eq. 8 with a separate direction for the tilt, and the preload's twist counted in
 :math:`\Delta\gamma_z`; :math:`i_j` is an interference of one sprag). With Eq. 2 slice by slice the
 potential and what follows from it, Eqs. 9 to 11, are
 
@@ -16,7 +16,7 @@ potential and what follows from it, Eqs. 9 to 11, are
    K = \frac{k_n}{n_s} \sum_{jk} n \langle\delta_{jk}\rangle^{n-1} J_{jk} J_{jk}^T
 
 where J is the gradient of :math:`\delta_{jk}` and only what is pressed counts. A torque
-:math:`T = Z N R_i \tan\nu` asks for :math:`d_t = R_i \tan\nu`.
+:math:`T = Z N R_i \tan\nu` requires :math:`d_t = R_i \tan\nu`.
 
 References
 ----------
@@ -150,7 +150,7 @@ class Clutch:
     def loads(self, q: ArrayLike) -> Array:
         """(F_x, F_y, M_x, M_y, M_z) (..., 5) [N, N m] that hold displacements q (..., 5) (Eq. 9).
 
-        Four sprags, d_t = 1 m, pressed alike by a twist of 1 rad:
+        Four sprags, d_t = 1 m, pressed equally by a twist of 1 rad:
 
         >>> one = Clutch(psi=even_angles(Z=4), R_i=1.0, nu=np.pi / 4, L=1.0, k_n=3.0)
         >>> round(float(one.loads([0, 0, 0, 0, 1.0])[4]), 12)

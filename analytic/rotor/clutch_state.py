@@ -80,7 +80,7 @@ def under_loads(clutch: Clutch, loads: ArrayLike) -> Array:
     if P.shape != (5,) or not np.isfinite(P).all() or P[4] <= 0:
         raise ValueError(f"loads need five finite numbers, the torque positive, got {P}")
     if clutch.n_s == 1 and (P[2:4] != 0).any():
-        raise ValueError("one slice bears no bending moment: n_s must be at least 2")
+        raise ValueError("one slice carries no bending moment: n_s must be at least 2")
     free = [0, 1, 4] if clutch.n_s == 1 else [0, 1, 2, 3, 4]
     size = np.array([1.0, 1.0, clutch.L, clutch.L, clutch.d_t])  # levers, to scale residuals
     largest = np.abs(P / size).max()

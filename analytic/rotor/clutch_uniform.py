@@ -1,4 +1,4 @@
-r"""Uniform clutch in closed form: Z >= 3 even sprags, pressed alike, without a crown.
+r"""Uniform clutch in closed form: Z >= 3 even sprags, pressed equally, without a crown.
 
 .. math:: N = \frac{T}{Z d_t}, \quad \delta_0 = \left(\frac{N}{k_n}\right)^{1/n}, \quad
    k = n k_n \delta_0^{n-1}

@@ -1,6 +1,6 @@
 """Dynamic stiffness of a whole rotor in bending, from the exact stiffness of its pieces.
 
-Unknowns are (r, phi L) at the stations and between pieces, L a length that keeps entries alike.
+Unknowns are (r, phi L) at the stations and between pieces, the length L scales the entries.
 Bearings that differ in x and y couple r = r+ e^{i omega t} + conj(r-) e^{-i omega t}: their force
 k r + d conj(r) makes (k, d; conj d, k) of (r+, r-), and r- sees the rotor at -omega.
 """

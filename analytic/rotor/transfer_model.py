@@ -208,7 +208,7 @@ class Rotor:
 
     @property
     def places(self) -> tuple[float, ...]:
-        """Places of the stations along their own shafts [m]."""
+        """Places of the stations along each shaft [m]."""
         found: list[float] = []
         for shaft in self.shafts:
             z = 0.0
@@ -220,6 +220,6 @@ class Rotor:
 
     @property
     def isotropic(self) -> bool:
-        """Whether all bearings are alike in x and y."""
+        """Whether all bearings are equal in x and y."""
         springs = (*self.supports, *self.links)
         return all(s.stiffness[1] == 0 and s.damping[1] == 0 for s in springs)

@@ -133,7 +133,7 @@ def _modes(
     count: int,
     whirl: Whirl | None,
 ) -> Modes:
-    """Modes of one item; circles of each whirl apart where the bearings are isotropic."""
+    """Modes of one item; forward and backward circles separately where bearings are isotropic."""
     senses: tuple[Whirl | None, ...] = (whirl,)
     if whirl is None and rotor.isotropic:
         senses = SENSES

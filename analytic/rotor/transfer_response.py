@@ -65,7 +65,7 @@ def unbalance_response(
 ) -> Response:
     """Response to unbalances m e [kg m] at stations, complex by their angle.
 
-    They turn at `excitation` times the rotor's speed: the ratio of the shaft that bears them.
+    They turn at `excitation` times the rotor's speed: the ratio of the shaft that carries them.
     ValueError: an unknown station, no unbalance, a speed that is negative or not finite.
     """
     Omega = np.atleast_1d(np.asarray(speeds, dtype=np.float64))
@@ -91,7 +91,7 @@ def unbalance_response(
 
 
 def _solved(bending: Bending, w: Array, Omega: Array, force: Complex) -> Complex:
-    """Unknowns (speeds, 4 nodes); circles of each sense apart where bearings are isotropic."""
+    """Unknowns (speeds, 4 nodes); circles of each sense separately where bearings are isotropic."""
     if not bending.rotor.isotropic:
         D = bending.coupled(w, Omega, damped=True)
         return np.asarray(np.linalg.solve(D, force[..., None])[..., 0])

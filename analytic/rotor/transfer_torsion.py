@@ -43,7 +43,7 @@ def torsional_frequencies(rotor: Rotor, *, count: int = 3) -> Array:
 
 
 def free_turns(rotor: Rotor) -> int:
-    """In how many ways the shafts turn without torsion."""
+    """Number of rigid-body rotations of the shafts without torsion."""
     count = len(rotor.shafts)
     K = np.zeros((count, count))
     for spring in (*rotor.supports, *rotor.links):

@@ -11,7 +11,7 @@ touch where they are parallel. With r and r_e the sprag's radii there the centre
     s_B &= R_B \left(\psi_B + \frac{u_B - u_{rB}}{OB}\right), \qquad
     \frac{1}{R_B} = \frac{1}{r_e} - \frac{1}{OB},
 
-of which the last term of s_A is a spiral's own: it grows flatter to one side (plane contact with a
+where the last term of s_A is due to the spiral: it grows flatter to one side (plane contact with a
 cubic gap). The angle beta between both contacts, and tan(nu) and tan(omega) with it, changes by
 
 .. math:: \frac{s_A}{OA} - \frac{s_B}{OB} .

@@ -1,7 +1,7 @@
 r"""Sprag wedged under load: from the normal force to every length and angle (Eqs. 6 to 11).
 
-The paper finds the normal force from the rotation by iteration. The other way round nothing is
-iterated: N gives the yields, these the triangle, and that the rotation. Forces act at A and B
+The paper finds the normal force from the rotation by iteration. The inverse needs no
+iteration: N gives the deflections, these the triangle, and that the rotation. Forces act at A and B
 (Eq. 9, with the growth of the outer race that its third line lacks),
 
 .. math::
@@ -18,12 +18,12 @@ The triangle of OA_s and OC_e gives beta, eta and rho, and so the rotation again
 .. math:: \alpha_B = \theta - \theta_0 - (\eta - \eta_0), \qquad
           \theta - \theta_0 = \ln(\rho/\rho_0)/m.
 
-With OA_s and OC_e the forces do on the races' turn just the work that the yields take
-(`course`); with OA in place of OA_s (`printed`) they do not. A free sprag bears force along AB
-alone: T_i = N tan(nu), T_e = N_e tan(omega), N_e = N cos(omega)/cos(nu). The yields of both sides
-are those under N, as in the paper; N_e is larger by half of nu² - omega².
+With OA_s and OC_e the work of the forces on the races' rotation equals that on the deflections
+(`course`); with OA in place of OA_s (`printed`) it does not. A free sprag carries force along AB
+alone: T_i = N tan(nu), T_e = N_e tan(omega), N_e = N cos(omega)/cos(nu). The deflections of both
+sides are those under N, as in the paper; N_e is larger by half of nu² - omega².
 
-alpha is the rotation against the centroid's own azimuth, alpha_b + gamma - gamma_0, positive where
+alpha is the rotation against the azimuth of the centroid, alpha_b + gamma - gamma_0, positive where
 it locks. SI; shapes broadcast; nan where there is no state.
 """
 
@@ -96,7 +96,7 @@ def wedged(clutch: Clutch, N: ArrayLike) -> Wedged:
 
 
 def closed(clutch: Clutch, N: Array, yields: Yields, *, OA_s: Array, OA: Array) -> Wedged:
-    """State whose spiral meets the inner race at OA_s and bears its forces at OA [m]."""
+    """State whose spiral meets the inner race at OA_s and carries its forces at OA [m]."""
     sprag = clutch.sprag
     OB = np.asarray(np.asarray(sprag.R_e) + yields.race_e + yields.contact_e / 2 + yields.d_ce)
     OC_e = np.asarray(sprag.OC_e + yields.outer + yields.d_ce)
@@ -118,7 +118,7 @@ def closed(clutch: Clutch, N: Array, yields: Yields, *, OA_s: Array, OA: Array) 
 
 
 def at_torque(clutch: Clutch, T: ArrayLike) -> Wedged:
-    """State under the torque T [N m] of the clutch, the first on the way from no load."""
+    """State under the torque T [N m] of the clutch, the first from no load upwards."""
     T = not_negative(T, "torque", "N m")
     sprag = clutch.sprag
     start = np.asarray(T / (clutch.n_s * np.asarray(sprag.R_i) * np.tan(sprag.nu_0)))

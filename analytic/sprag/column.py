@@ -45,7 +45,7 @@ def approach(outline: Outline, *, a: tuple[float, float], nu: float, degree: int
 
 @dataclass(frozen=True, kw_only=True)
 class Column:
-    """A sprag cut by flanks b [length] apart, about the line through both contacts without load.
+    """A sprag cut by flanks at the distance b [length], about the unloaded line of both contacts.
 
     ValueError where the flanks meet the spiral or the arc nowhere within 75 degrees.
     """

@@ -1,6 +1,6 @@
-r"""What yields under the normal force of one sprag: contacts, races, sprag (Eqs. 2 to 8).
+r"""Deflections under the normal force of one sprag: contacts, races, sprag (Eqs. 2 to 8).
 
-Five yields make H, the way on which a normal force works, half of the sprag's on either side:
+H, the path of a normal force, is the sum of five deflections, half of the sprag's on either side:
 
 .. math::
     H = \underbrace{\delta_{BI} + \delta_{HI} + \tfrac12\delta_g}_{\text{inner}}

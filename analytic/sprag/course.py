@@ -5,7 +5,7 @@ r"""Along the load path: wind-up of the races by rolling, elastic energy of a sp
              + \int \frac{\sin\beta}{OA}\,dOC_e, \qquad U = \int N\,dH
 
 from no load to N; theta_i is the inner race's turn in its driving direction, outer race at rest,
-both contacts rolling. The second integral is the sprag's way outwards, which is not quite along
+both contacts rolling. The second integral is the sprag's travel outwards, which is not quite along
 the normal at A; it is of the order of nu beta against the first.
 
 The forces' work on a rigid sprag is zero, so that
@@ -57,7 +57,7 @@ def _way(clutch: Clutch, N: ArrayLike) -> Wedged:
 
 
 def _integral(y: Array, x: Array) -> Array:
-    """Integral of y dx along the way, dx of each panel from the polynomial through its points."""
+    """Integral of y dx along the path, dx of each panel from the polynomial through its points."""
     legendre = np.polynomial.legendre
     slopes = legendre.legval(AT, legendre.legder(np.eye(POINTS))).T
     dx = slopes @ np.linalg.inv(legendre.legvander(AT, POINTS - 1))
