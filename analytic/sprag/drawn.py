@@ -1,7 +1,7 @@
-"""A sprag drawn point by point between its races, without any triangle: the other way to a state.
+"""A sprag drawn point by point between its races, without a triangle: second method for a state.
 
 The spiral is points; where it touches is the point nearest to the axis, on the parabola through
-three. What yields is put together anew: rings under smeared forces, a bar, slices at each load.
+three. Deflections are calculated independently: rings under uniform pressure, a bar, slices.
 """
 
 import math
@@ -16,9 +16,9 @@ from analytic.contact import slices
 from analytic.contact.checks import Array
 
 AROUND = 0.6  # rad of spiral to either side of where it may touch
-AROUND_IT = np.array([-1.0, 0.0, 1.0])  # of the points' distance: where a parabola goes through
-DRAWN_ANEW = 6  # times, about its own lowest place: no error by where points happen to lie
-POWER = 3  # of the way's parts, which force grows with: near no load little of it turns a lot
+AROUND_IT = np.array([-1.0, 0.0, 1.0])  # of the points' distance: abscissae of the parabola
+DRAWN_ANEW = 6  # refinements about the lowest place: no error by the position of the points
+POWER = 3  # of the path's steps in the force: near no load a small force causes a large rotation
 FAR = 6.0  # rad, more than any sprag turns
 
 
@@ -65,9 +65,9 @@ class Sizes:
 
 @dataclass(frozen=True)
 class Touching:
-    """A sprag that two forces hold: its turn, angles [rad], the clutch's torque [N m].
+    """A sprag held by two forces: its rotation, angles [rad], the clutch's torque [N m].
 
-    `A` and `B`, where it bears them, and its pole `C` are places [m], (2,), B straight above O.
+    `A` and `B`, where the forces act, and its pole `C` are places [m], (2,), B straight above O.
     """
 
     N: float
@@ -180,22 +180,22 @@ class Drawn:
         return self.under(float(N))
 
     def at_friction(self, mu: float, near: float) -> Touching:
-        """The state whose strut asks for the friction mu, under a force within a half of `near`."""
+        """The state that requires the friction mu, under a force within a half of `near`."""
         N = brentq(lambda N: math.tan(self.under(N).nu) - mu, 0.5 * near, 1.5 * near, rtol=1e-12)
         return self.under(float(N))
 
     def rolled(self, N: float, steps: int) -> float:
-        """Turn [rad] of the inner race from no load to N [N] in steps, the outer race at rest.
+        """Rotation [rad] of the inner race from no load to N [N] in steps, the outer race at rest.
 
-        In each the sprag is moved from one place to the next so that what it has at the middle of
-        its way at B keeps its azimuth; what it has there at A takes the inner race along.
+        In each step the sprag moves so that its material point at the middle of the path of B
+        retains its azimuth; its point at the middle of the path of A rotates the inner race.
         """
         way = [self.under(N * (k / steps) ** POWER) for k in range(steps + 1)]
         return math.fsum(_taken(one, two) for one, two in pairwise(way))
 
 
 def _taken(one: Touching, two: Touching) -> float:
-    """Angle [rad] by which the sprag takes the inner race on its way between two places."""
+    """Angle [rad] by which the sprag rotates the inner race from one place to the next."""
     B = (_on_sprag(one, one.B) + _on_sprag(two, two.B)) / 2
     A = (_on_sprag(one, one.A) + _on_sprag(two, two.A)) / 2
     swung = _azimuth(one, B) - _azimuth(two, B)  # counter-clockwise, of the line OB

@@ -156,7 +156,7 @@ class Elastic:
         return 2 / math.pi * (2 * math.log(2 * (R_e - R_i)) - 1)
 
     def _compliance(self, constant: Callable[[Array], Array]) -> Compliance:
-        """Races as rings under single loads: what exceeds their mean is the contacts' own.
+        """Races as rings under single loads: what exceeds their mean is that of the contacts.
 
         `constant(N)` is the sprag's, as of `_constant`; each contact has half of it.
         """

@@ -10,23 +10,23 @@ Speeds of sliding and equations of motion (driving positive, N from the table ov
     m_g OC_g^2\ddot\phi &= (OA + b_i) T_i - (OB - b_e) T_e - h N, \\
     I_g(\ddot\alpha - \ddot\phi) &= b_i T_i + b_e T_e - h N + K_r(\alpha_{max} - \alpha).
 
-Friction inside the band |v| < D_V is the force that lets the sliding die away,
-:math:`\dot v = -v/\tau` with tau below a step, as far as N mu_d(v) allows. At v = 0 this is Eq. 12
-with T_bis = mu_s N; taking mu_d(v) instead of mu_s over the whole band joins it to the sliding
-branch at the band's edge, and without the term v/tau (Leine's) a sprag would creep on for ever with
-the speed at which it was caught. Both forces follow from both conditions together.
+Friction inside the band |v| < D_V is the force that lets the sliding decay, :math:`\dot v = -v/\tau`
+with tau below a step, as far as N mu_d(v) allows. At v = 0 this is Eq. 12 with T_bis = mu_s N; with
+mu_d(v) instead of mu_s over the whole band it is continuous with the sliding branch at the band's
+edge. Without the term v/tau (Leine's) a sprag would creep for ever at the speed at which it entered
+the band. Both forces follow from both conditions together.
 
-A contact that comes to rest must be seen inside the band. In one step its sliding changes by
-|dv/dt| dt; where that crosses the whole band, friction changes sign step by step and its mean is
-anything: the sprag slides for ever, and nothing tells. dv/dt is here that of a light sprag under
-the friction of full sliding, d - a T, 1e4 to 1e6 m/s² and known only when it happens; that of the
+A contact that comes to rest must be detected inside the band. In one step its sliding changes by
+|dv/dt| dt; if that exceeds the whole band, friction changes sign step by step and its mean is
+arbitrary: the sprag slides for ever, without any sign of the error. dv/dt is that of a light sprag
+under the friction of full sliding, d - a T, 1e4 to 1e6 m/s², known only afterwards; that of the
 inner race at rest, OA C/I_bi, some 100 m/s², is enough for engagements from rest and by far too
-little where a race arrives with speed. So each step and each stage is looked at: a change of sign
-from outside the band to outside the band, at a contact that could have stuck, is refused unless
+little where a race arrives with speed. So each step and each stage is checked: a change of sign
+from outside the band to outside the band, at a contact that could have stuck, is rejected unless
 `guard` is off.
 
-All that is compiled stands in this one file: machine code that is kept is made anew when its own
-file changes, and would not notice a change in another.
+All compiled code is in this one file: stored machine code is compiled again when its file changes,
+but not when another file changes.
 
 References
 ----------
@@ -54,10 +54,10 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 
 def compiled(function: F) -> F:
-    """`function` in machine code, exact in its order of operations, kept between runs."""
+    """`function` in machine code, exact in its order of operations, stored between runs."""
     try:
         return cast(F, njit(cache=True, fastmath=False)(function))
-    except RuntimeError:  # no folder can be written: made anew in every run
+    except RuntimeError:  # no folder can be written: compiled again in every run
         return cast(F, njit(fastmath=False)(function))
 
 
@@ -237,7 +237,7 @@ def phase(N: float, v: float, T: float, most: float, D_V: float) -> int:
 
 @compiled
 def rates(y: Array, C: float, law: Law, dy: Array, told: Array) -> None:
-    """Rates `dy` of angles, speeds and works `y` under the torque C, and what is `told` of them."""
+    """Rates `dy` of angles, speeds and works `y` under the torque C; `told`: forces and slip."""
     g = place(law, y[3])
     free = free_rates(y, C, law, g)
     c = contacts(y, law, g, free)
@@ -286,9 +286,9 @@ def run(
     y: Array, dt: float, law: Law, guard: bool, times: Array, torques: Array,
     states: Array, told: Array, seen: Array,
 ) -> tuple[int, int, int]:  # fmt: skip
-    """Fills `states` and `told` step by step; how it ended, at which step, which contact.
+    """Fills `states` and `told` step by step; returns the end, its step and the contact.
 
-    `seen` is what was told on both sides of a band that was missed.
+    `seen`: the row before and the row after a band that was missed.
     """
     stages, at = np.empty((4, len(y))), np.empty(len(y))
     end = (law.step * (law.values.shape[1] - 1)) ** 2

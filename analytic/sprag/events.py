@@ -6,12 +6,12 @@ its sliding is exactly zero, as the speeds q' are B(alpha) u with as few u as ar
 .. math:: B^T M B\,\dot u = B^T (Q - M \dot B u), \qquad M\ddot q = Q + J^T T,
 
 M the masses of q = (theta_i, theta_e, phi, alpha) in the kinetic energy, Q springs, damping, torque
-and the elastic force, J the sliding per speed. The friction T that rolling asks for follows from
+and the elastic force, J the sliding per speed. The friction T required for rolling follows from
 the second equation; past mu_s N the contact begins to slide, at v = 0 it may roll again. At each
 such event that one of all combinations holds whose forces and accelerations agree. LSODA between.
 
-`engage` has the same physics in one compiled step (`transient`); the force over alpha is
-interpolated anew here.
+`engage` has the same physics in one compiled step (`transient`); the interpolation of the force
+over alpha is independent of it.
 """
 
 from collections.abc import Callable
@@ -30,7 +30,7 @@ from analytic.sprag.motion import Motion, Speeds, Torque
 ROLLS = 0  # else the sign of the sliding
 Mode = tuple[int, int]
 EVENTS = 5000
-TOUCHING = 1e-9  # m/s: an event's own v
+TOUCHING = 1e-9  # m/s: v at an event
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -99,7 +99,7 @@ class System:
     def __init__(self, sprag: Sprag, motion: Motion, torque: Torque, *, unlimited: bool) -> None:
         self.sprag, self.motion, self.torque, self.unlimited = sprag, motion, torque, unlimited
         self.slack = motion.alpha_max - sprag.origin  # alpha counts from the first contact
-        self.M = np.diag([motion.I_bi, motion.I_be, 0.0, 0.0])  # but for the centroids' own
+        self.M = np.diag([motion.I_bi, motion.I_be, 0.0, 0.0])  # without the centroids
         self.M[2:, 2:] += sprag.n_s * motion.I_g * np.array([[1.0, -1.0], [-1.0, 1.0]])
         self._known: dict[tuple[float, bytes, Mode], tuple[Array, Array, Array, float]] = {}
 

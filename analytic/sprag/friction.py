@@ -14,7 +14,7 @@ from analytic.freewheel.rules import require
 
 
 def coefficient(v: ArrayLike, *, mu_c: ArrayLike, mu_s: ArrayLike, gamma_b: ArrayLike) -> Array:
-    """Coefficient of sliding friction at the speed `v` [m/s], either way; gamma_b in s/m (Eq. 13).
+    """Coefficient of sliding friction at the speed `v` [m/s] of any sign; gamma_b in s/m (Eq. 13).
 
     ValueError unless 0 < mu_c <= mu_s < 1.
 

@@ -95,7 +95,7 @@ class Engagement:
     def peak(self) -> tuple[float, float]:
         """Time [s] and height [N] of the largest N, on the parabola through three samples.
 
-        Of an engagement over the end it is the last sample that the profile still bears.
+        If the profile's end is passed, it is the last sample within the profile.
         """
         return _summit(self.t, self.N, int(np.argmax(self.N)))
 
@@ -113,7 +113,7 @@ class Engagement:
 
     @cached_property
     def N_static(self) -> float:
-        """N [N] of the closure at rest under the last torque, blades apart; nan past the end."""
+        """N [N] of the closure at rest under the last torque, without blades; nan past the end."""
         C, end = float(self.torque.values[-1]), self.table.end
         if C <= 0 or self.table.static_torque(end) < C:
             return 0.0 if C <= 0 else float("nan")
@@ -152,7 +152,7 @@ class Engagement:
         """How it ended.
 
         "slips": a contact slides for most of the last quarter; "disengages": the contacts are
-        apart for most of it; "over the end": the sprag has left its profile; "not followed": the
+        open for most of it; "over the end": the sprag has left its profile; "not followed": the
         force still rises at the end, or the inner race overruns.
         """
         if self.over:

@@ -51,7 +51,7 @@ def plane_law(
 ) -> Law:
     """Hertz's line contact of the sprag's radius r with a race of R, negative for a bore [m].
 
-    Both bodies of one material, plane strain; each gives way down to its depth [m].
+    Both bodies of one material, plane strain; each deflects down to its depth [m].
     """
     l = positive(l, "length l", "m")  # noqa: E741
     radius = hertz_line.relative_radius(R_1=r, R_2=R)

@@ -1,7 +1,7 @@
-"""What ends a sprag clutch's grip: friction, the end of the spiral; pressures on the way.
+"""Limits of a sprag clutch's grip: friction, the end of the spiral; and its pressures.
 
-A limit that is not met on the way to the last state there is (sliced laws end at their largest
-load) is told as infinite, one that is past without load as 0.
+A limit that is not reached up to the last state (sliced laws end at their largest load) is
+reported as infinite, one that is exceeded without load as 0.
 """
 
 from collections.abc import Callable
@@ -58,7 +58,7 @@ def slips(state: Wedged, *, mu: ArrayLike) -> NDArray[np.bool_]:
 def pressures(parts: Parts, state: Wedged) -> tuple[Array, Array]:
     """Hertz's peak pressures p_i, p_o [Pa] of an even load, with the spiral's radius at A.
 
-    Each contact under its own normal force; crowns load the middle more.
+    Each contact under its normal force; crowns load the middle more.
     """
     l, r_i = np.asarray(parts.l), state.rho * np.hypot(1, parts.sprag.m)  # noqa: E741
     inner = 1 / (1 / r_i + 1 / np.asarray(parts.sprag.R_i))

@@ -113,9 +113,9 @@ class Parts:
     def plane(self) -> Compliance:
         """Compliance of long bodies (plane strain) with Hertz's line contacts.
 
-        The sprag gives way from either contact to half its height, which holds its compression as
-        a bar already: Eq. 7 would count it twice. The races give way to the depth of their walls,
-        and as rings.
+        The sprag's deflection is from each contact to half its height, which already contains its
+        compression as a bar: Eq. 7 would count it twice. The races deflect to the depth of their
+        walls, and as rings.
         """
         sprag, half = self.sprag, (np.asarray(self.sprag.R_e) - np.asarray(self.sprag.R_i)) / 2
         inner = plane_law(

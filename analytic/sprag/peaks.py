@@ -1,10 +1,10 @@
 """Largest pressures of crowns under torques, and what a design counts by: its ends or all else.
 
-The slices of Eqs. 2-5 hardly know that a sprag ends: the crown that is best by them lets its ends
-carry, which strips on a half-space, and the more the finer they are, answer with a peak there. So a
-crown that is to be made is judged by strips, and with its ends free: where a contact ends before
-the sprag does the last strip is partly bare and bears less than the others, where it reaches the
-end it bears more, without limit as strips become narrower.
+The slices of Eqs. 2-5 hardly represent the end of a sprag: their optimal crown loads the ends, for
+which strips on a half-space have a pressure peak, the higher the finer they are. So a crown for
+manufacture is evaluated by strips, with unloaded ends: where a contact ends before the sprag, the
+last strip is partly unloaded and carries less than the others; where it reaches the end it
+carries more, without limit as strips become narrower.
 """
 
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ import numpy as np
 
 from analytic.contact.checks import Array
 
-# what the end strip counts for: it may bear (2/3)^2 = 44 % of the force of the most loaded
+# weight of the end strip: it may carry (2/3)^2 = 44 % of the force of the most loaded
 END = 1.5
 
 By = Literal["slices", "strips"]

@@ -29,7 +29,7 @@ def wedged(clutch: Clutch, N: ArrayLike) -> Wedged:
 
 
 def at_torque(clutch: Clutch, T: float) -> Wedged:
-    """State under the torque T [N m] of the clutch, the first on the way from no load."""
+    """State under the torque T [N m] of the clutch, the first from no load upwards."""
     sprag = clutch.sprag
     start = np.asarray(T / (clutch.n_s * np.asarray(sprag.R_i) * np.tan(sprag.nu_0)))
     N = first_reach(lambda N: wedged(clutch, N).T, np.asarray(T), start=start)

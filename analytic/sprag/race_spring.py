@@ -1,8 +1,8 @@
-"""A sprag clutch as a spring between its races: what it bears at every turn of one to the other.
+"""A sprag clutch as a spring between its races: its torque over their relative rotation.
 
-Contacts that roll tie the sprags' motion to the turn theta of the races against each other. Without
-the sprags' mass the clutch is a spring T(theta), N(theta), from which blades take what presses the
-sprags on their races.
+Rolling contacts couple the sprags' motion to the relative rotation theta of the races. Without
+the sprags' mass the clutch is a spring T(theta), N(theta), less the share of the blades that press
+the sprags on their races.
 """
 
 from collections.abc import Callable
@@ -20,8 +20,8 @@ from analytic.sprag.start import spring_equilibrium
 from analytic.sprag.table import INTERVALS, Table, tabulated
 
 KEPT = 64  # clutches in memory
-STATES = 401  # on the way from no load to the end of the profile
-SHARE = 1.3  # of the energy put in, which the end of the table must bear
+STATES = 401  # from no load to the end of the profile
+SHARE = 1.3  # of the energy put in, which the end of the table must store
 LONGEST = 60  # times that the largest load is raised
 
 
@@ -104,7 +104,7 @@ def reached(
 
     `made` gives the clutch whose contacts are known up to a force [N]. It is raised from `N` until
     the clutch stores more than the torque `T` [N m], the races' `kinetic` energy [J] and the blades
-    put in. ValueError where no force bears the torque.
+    put in. ValueError where no force carries the torque.
     """
     for _ in range(LONGEST):
         found = made(N)
@@ -116,11 +116,11 @@ def reached(
         if found.n_s * energy(found, N) > SHARE * put_in:
             return _of(found, N, blades, ends=False)
         N *= 2
-    raise ValueError(f"no force bears the torque T = {T:g} N m")
+    raise ValueError(f"no force carries the torque T = {T:g} N m")
 
 
 def _sprung(blades: Blades, n_s: int, alpha: Array) -> float:
-    """What the blades do [J] on the way from the first of the rotations to the last."""
+    """Work of the blades [J] from the first of the rotations to the last."""
     left = blades.alpha_max - alpha
     return float(n_s * blades.K_r * (left[0] ** 2 - left[-1] ** 2) / 2)
 

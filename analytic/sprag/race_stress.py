@@ -1,4 +1,4 @@
-"""What the races of a sprag clutch bear beside their contacts, and how uneven they deflect."""
+"""Stresses of the races of a sprag clutch besides their contacts, and their uneven deflection."""
 
 import math
 
@@ -15,8 +15,8 @@ APART = 0.9  # of half a pitch: patches that are wider would overlap
 def hoop(p: Parts, N: float, N_e: float) -> dict[str, float]:
     """Hoop stresses [Pa] at R_i, at the inner race's bore and at R_e, and Tresca's of both races.
 
-    The forces N, N_e [N] of a sprag are smeared; the inner race has its largest stress at its bore,
-    the outer at R_e.
+    The forces N, N_e [N] of the sprags are uniformly distributed; the inner race has its largest
+    stress at its bore, the outer at R_e.
     """
     R_i, R_e, R_id, R_ed, length = _radii(p)
     inner = {"r_i": R_id, "r_o": R_i, "p_i": 0.0, "p_o": p.n_s * N / (2 * math.pi * R_i * length)}
@@ -30,7 +30,7 @@ def hoop(p: Parts, N: float, N_e: float) -> dict[str, float]:
 
 
 def over_smeared(p: Parts, a: float, loaded: Wall) -> float:
-    """Deflection of a race under patches of the half-width `a` [m] over Eq. 6's smeared ring.
+    """Deflection of a race under patches of the half-width `a` [m] over Eq. 6's uniform load.
 
     Indentation is excluded.
     """

@@ -91,7 +91,7 @@ def _behind(found: Engagement) -> Array:
 
 
 def slid(found: Engagement) -> tuple[float, float]:
-    """Ways [m] that the inner and the outer contact have slid while they bore a load."""
+    """Sliding distances [m] of the inner and the outer contact under load."""
     inner, outer = (float(found.dt * np.abs(v[found.N > 0]).sum()) for v in (found.v_i, found.v_e))
     return inner, outer
 

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from analytic.contact.checks import Array
 
-DOWN = 1e-3  # of `start`, from which the way begins
+DOWN = 1e-3  # of `start`: first load of the search
 BACK = 1e3
 FACTOR = 1.25
 PACES = 200
@@ -15,9 +15,9 @@ HALVINGS = 60
 
 
 def first_reach(value: Callable[[Array], Array], goal: Array, *, start: Array) -> Array:
-    """Least N [N], found on a way of growing steps, with value(N) = goal; nan if it never is.
+    """Least N [N], found in a path of growing steps, with value(N) = goal; nan if there is none.
 
-    `start` is a first guess of N; where it is 0, so is the answer. The way ends where the value is
+    `start` is a first guess of N; where it is 0, so is the answer. The path ends where the value is
     nan. Bisection on ln N to round-off.
     """
     shape = np.broadcast_shapes(np.shape(value(start)), goal.shape)
@@ -33,7 +33,7 @@ def first_reach(value: Callable[[Array], Array], goal: Array, *, start: Array) -
 def _bracket(
     value: Callable[[Array], Array], goal: Array, low: Array, sought: NDArray[np.bool_]
 ) -> tuple[Array, Array]:
-    """Two loads of the way between which the value reaches its goal or ends."""
+    """Two loads of the path between which the value reaches its goal or ends."""
     for _ in range(PACES):
         above = sought & (value(low) >= goal)
         if not above.any():

@@ -1,12 +1,12 @@
-"""Sprags that slide on for ever: what they bear, and at which contact they do so.
+"""Sprags that slide permanently: their forces, and which contact slides.
 
 Where one contact slides at a constant speed the two equations of the sprag (Eq. 14) leave N to
 the blades alone. Driven, it is the inner one, T_i = mu N:
 
     N = K_r (alpha_max - alpha) / (h - b_i mu - b_e [(OA + b_i) mu - h]/(OB - b_e)),
 
-which grows without end as mu comes near what rest asks for. Where the race overruns the outer
-contact would have to bear more, slides with T_e = -mu N, and the sprags go round with the race.
+which grows without limit as mu comes near the friction required at rest. Where the race overruns,
+the outer contact would carry more, slides with T_e = -mu N, and the sprags rotate with the race.
 """
 
 import math
@@ -30,7 +30,7 @@ class Sliding:
 def sliding(w: RaceSpring, mu: float) -> Sliding:
     """The state with friction `mu` at the contact that slides, negative where the race overruns.
 
-    The contact slides that otherwise would have to bear more than friction. Where both would, for
+    The contact slides that otherwise would have to transmit more than friction. If both would, for
     |mu| below h/2 over OC_g, there is no such state, and N is nan.
     """
     blades, now = w.blades, w.states

@@ -28,7 +28,7 @@ def spring_equilibrium(
 
     Of the state N and the geometry hold, not its forces of a wedged strut. ValueError where the
     spring is slack already at first contact, ArithmeticError where the states end before one
-    bears it.
+    balances it.
     """
     K_r, alpha_max = positive(K_r, "spring K_r", "N m/rad"), np.asarray(alpha_max)
     first = wedged(clutch, 0.0)
@@ -45,7 +45,7 @@ def spring_equilibrium(
     N = first_reach(pressed, np.asarray(K_r * alpha_max), start=np.asarray(stiff))
     if np.isnan(N).any():
         raise ArithmeticError(
-            f"no load for which there is a state bears springs of K_r={K_r} N m/rad"
+            f"no load for which there is a state balances springs of K_r={K_r} N m/rad"
         )
     now = wedged(clutch, N)
     return now, np.asarray(-now.N * drag(now))

@@ -25,7 +25,7 @@ RTOL = 1e-8
 
 @dataclass(frozen=True, eq=False)
 class Swing:
-    """Turn of the races [rad], N [N] and its largest with its time [s], over times t [s]."""
+    """Relative rotation of the races [rad], N [N], its largest and time [s], over times t [s]."""
 
     t: Array
     theta: Array

@@ -1,6 +1,6 @@
 r"""Force and geometry of one sprag tabulated over its rotation alpha.
 
-The closure gives everything explicitly over N; an engagement asks for it over alpha, four times a
+The closure gives everything explicitly over N; an engagement needs it over alpha, four times a
 step. The table has equal intervals of s = sqrt(alpha) from the first contact (alpha = 0, N = 0) to
 its end and holds value and slope d/ds of each column, cubic between (Hermite): continuous with its
 slope. An engagement begins under the blades' few newtons, at a ten-thousandth of its rotation, and
@@ -10,7 +10,7 @@ The columns are those that the equations of motion need,
 
     N, OA, OB, OC_g, b_i, b_e, h = h_i - h_e, and W = \int N h d\alpha,
 
-W the elastic energy of one sprag in the motion's own measure. It is U = \int N dH but for the
+W the elastic energy of one sprag as measured by the motion. It is U = \int N dH but for the
 terms that Eqs. 14-16 leave out. The paper gives one normal force, N_e = N_i = N. Then the forces
 do not balance across the tangent, the static force is 4e-4 above the strut's, and it changes by
 1.4e-3 as the centroid moves by 0.5 mm. With `balanced` it is N_e = N cos(omega)/cos(nu) and
@@ -50,7 +50,7 @@ class Table:
 
     @property
     def end(self) -> float:
-        """Alpha [rad] beyond which nothing is told: the end of the profile."""
+        """Alpha [rad] up to which there are values: the end of the profile."""
         return float(self.step * (self.values.shape[1] - 1)) ** 2
 
     @cached_property

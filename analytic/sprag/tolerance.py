@@ -1,6 +1,6 @@
 r"""How the wedge angle of a given sprag follows the dimensions around it.
 
-A spiral looks alike at every scale, so that the angles under which a given sprag first touches
+A spiral is similar to itself at every scale, so that the angles of first contact of a given sprag
 depend on R_i, R_e, its outer radius r_e and m alone, with OC_e = R_e - r_e; where on the spiral it
 touches changes, not how. With c = AB,
 

@@ -1,4 +1,4 @@
-"""What a clutch as a spring between its races says of an engagement, without motion in time.
+"""Results of a clutch as a spring between its races for an engagement, without motion in time.
 
 Statics balance work: without damping and with the outer race held the first peak is where the
 torque has done the work that the spring has taken. That shares with the equations of motion
@@ -19,7 +19,7 @@ from analytic.sprag.race_spring import RaceSpring
 
 
 def at_rest(w: RaceSpring, T: float) -> float:
-    """Turn [rad] at which the clutch bears T [N m] at rest; nan where its profile ends before."""
+    """Rotation [rad] at rest under T [N m]; nan where the profile ends before."""
     resists = w.resistance()
     if float(resists(w.theta[-1])) < T:
         return math.nan
@@ -50,7 +50,7 @@ def by_turning(w: RaceSpring) -> float:
 
 
 def left_out(w: RaceSpring, N: float) -> float:
-    """Share of that work, to N [N], on the centroid's way outwards, which Eq. 14 leaves out."""
+    """Share of that work, to N [N], on the centroid's outward travel, omitted by Eq. 14."""
     now = w.states
     per_way = np.sin(now.beta + now.gamma) / now.OA - np.sin(now.gamma) / now.OB
     on_way = cumulative_trapezoid(now.T * per_way, now.OC_g, initial=0.0)
@@ -78,7 +78,7 @@ def frequency(w: RaceSpring, T: float, motion: Motion) -> float:
 
 
 def asked(w: RaceSpring, theta: float) -> float:
-    """T_i/N that the clutch asks for at the turn [rad]: tan(nu), less what the springs bear."""
+    """Required T_i/N at the rotation [rad]: tan(nu), less the share of the springs."""
     N, OA = (np.interp(theta, w.theta, x) for x in (w.states.N, w.states.OA))
     return float(w.resistance()(theta) / (w.n_s * OA * N))
 
@@ -91,7 +91,7 @@ def asked_at_start(w: RaceSpring, T: float, motion: Motion) -> float:
 
 
 def passed_on(w: RaceSpring, T: float) -> float:
-    """What a change of the torque, at every turn alike, changes the undamped peak's N by.
+    """Relative change of the undamped peak's N per change of the torque at every rotation.
 
     From T theta = work: (T* - T) dtheta = -work dT/T at the peak's turn and torque T*.
     """

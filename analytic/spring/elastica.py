@@ -136,7 +136,7 @@ class Elastica:
 
         1/F is the largest eigenvalue of :math:`\psi = F (1 w S - S S)\, c\, \psi/EI`, where psi
         vanishes at the tail and c is the cosine of the centre line's angle, with what the strips'
-        own strains under F add to it.
+        strains of the strips under F add to it.
         """
         cos, sin, F = np.cos(self.phi), np.sin(self.phi), 0.0
         for _ in range(3):  # F/EA is small
@@ -171,7 +171,7 @@ class Elastica:
         )
 
     def _equations(self, psi: Array, P: Array) -> tuple[Array, ...]:
-        """Residual (m,), its derivatives (m, m) and -(m, 4); the tail (3,) and its own; places."""
+        """Residual (m,), derivatives (m, m), -(m, 4); the tail (3,) and derivatives; places."""
         turn, couple, F_x, F_y = P
         S, EI, one = self.S, self.EI, np.ones_like(psi)
         c, s = np.cos(self.phi + psi), np.sin(self.phi + psi)
@@ -181,7 +181,7 @@ class Elastica:
         residual = psi - turn + S @ bent / EI
         q = (F_x * f_psi[1] - F_y * f_psi[0]) / EI
         A = np.eye(psi.size) + self._SS * q
-        arm = F_x * f_F[1] - F_y * f_F[0]  # (2, m): what the force's own stretch adds
+        arm = F_x * f_F[1] - F_y * f_F[0]  # (2, m): the share of the stretch by the force
         by_F = np.stack([y + S @ arm[0], -x + S @ arm[1]])
         B = np.column_stack([one, -(S @ one) / EI, -(S @ by_F[0]) / EI, -(S @ by_F[1]) / EI])
         w = self.w

@@ -80,7 +80,7 @@ def unit_flexibility(
     c0 = T + s * A
     c1 = c0 + s * L2 * np.sin(alpha)
     leaf: Array = L2 * (c0**2 + c0 * c1 + c1**2) / 3
-    # the second arc mirrored: from its own apex couple c1 + s A it runs back with the other sign
+    # the second arc mirrored: from its apex couple c1 + s A it runs back with the other sign
     return _arc(T, s, r, alpha) + leaf + _arc(c1 + s * A, -s, r, alpha)
 
 

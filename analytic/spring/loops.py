@@ -21,7 +21,7 @@ QUARTER = np.pi / 2
 
 @dataclass(frozen=True)
 class Pair:
-    """A tip and the place of the next leaf that it will touch, pushed apart by unit forces.
+    """A tip and the place of the next leaf that it will touch, separated by unit forces.
 
     They load a section at (x, y) with the couple `moment` . (1, x, y) and the force `force`:
     on `loop` beside the spring's own force, and on `own`, which holds the free half leaf too.
@@ -40,7 +40,7 @@ class Pair:
 class Line:
     """Second moments of the line from the head's middle to the clamp, and both pairs.
 
-    `tops` (..., n - 1, 3) are the places (1, x, y) farthest from the force's line, one a loop.
+    `tops` (..., n - 1, 3) are the most distant places (1, x, y) from the force's line, one a loop.
     """
 
     whole: Wire
@@ -91,8 +91,8 @@ def line(
 ) -> Line:
     """The line of n segments with arcs of `radius` and middle leaves `straight` long.
 
-    `normal` is the direction of the forces between tip and leaf: that of the spring's own
-    "force", or the normal of the unloaded "leaf". Arrays broadcast.
+    `normal` is the direction of the forces between tip and leaf: that of the "force" of the
+    spring, or the normal of the unloaded "leaf". Arrays broadcast.
     """
     L1, R, alpha, b, straight = np.broadcast_arrays(
         *(np.asarray(v, float) for v in (L1, radius, alpha, b, straight))

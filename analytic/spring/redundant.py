@@ -1,7 +1,7 @@
 """What an accordion spring does while supports and closed pairs of tip and leaf hold it.
 
-The force method: five forces X = (F_x, F_y, M_0, C_h, C_t), the head's own three and what each
-pair presses with, do work on E I d = A X. A support or a closed pair keeps its d at zero.
+The force method: five forces X = (F_x, F_y, M_0, C_h, C_t), three of the head and the contact
+force of each pair, do work on E I d = A X. A support or a closed pair holds its d at zero.
 """
 
 from dataclasses import dataclass

@@ -1,14 +1,14 @@
-r"""When an accordion spring gives way sideways: critical points of its elastica.
+r"""When an accordion spring buckles sideways: critical points of its elastica.
 
-The spring is compressed with its head guided. Let go sideways, the head keeps what the guide
-exerted on it as a dead load; it can then move without a change of load where the tail's movements,
-seen from the head, no longer depend on the head's freedom: where a part of `State.J` is singular.
+The spring is compressed with its head guided. Released sideways, the head retains the guide's force
+as a dead load; it can then move without a change of load where the tail's movements, relative to
+the head, no longer depend on the head's freedom: where a part of `State.J` is singular.
 Beyond that displacement only the guide holds the head. Lateral stiffness of the guided head is
-what the guide feels.
+the stiffness against the guide.
 
-Along that path nothing leads the head aside before. A head that is free from the first moment
-drifts all the way, since its force bends the spring by more on one side than on the other, and
-the drift grows without an end near the same force.
+There is no bifurcation before on that path. A head that is free from the first moment drifts from
+the beginning, since its force bends the spring more to one side than to the other, and the
+drift grows without limit near the same force.
 
 References
 ----------

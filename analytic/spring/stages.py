@@ -28,7 +28,7 @@ R the arcs' radius, beta = pi/2 + alpha, y_t = a + R cos(alpha) and straight lea
         - \frac{\sin 2\beta}4\Big)\Big] + \frac{(y_t + a)^3}{3 \sin\alpha}
 
 from the free half (f_CC alone: a^3/3), the other half, the arc above and the leaf down to y = -a.
-Both loops are alike, the force's line passes through both clamps: a tail held in its middle
+Both loops are equal, the force's line passes through both clamps: a tail held in its middle
 touches together with the head.
 
 Head guided: the guide's couple and side force, P = (F_x, F_y, M_0), follow from

@@ -49,7 +49,7 @@ def width_factor(h: ArrayLike, length: ArrayLike, *, nu: float = 0.3, terms: int
     nu
         Poisson's ratio, 0 to 0.5.
     terms
-        Polynomials each way; 24 are right to 1e-5 between h/length = 1/20 and 30, to 2e-4 beyond.
+        Polynomials per direction; 24 are right to 1e-5 for h/length 1/20 to 30, to 2e-4 beyond.
 
     Raises
     ------
@@ -77,7 +77,7 @@ def _energy(s: float, nu: float, terms: int) -> float:
     """The least energy for s = (l/h)^2."""
     along, across, poisson, twist = _parts(terms)
     K = along + s**2 * across + s * (nu * poisson + 2 * (1 - nu) * twist)
-    free = slice(terms + 1, None)  # the beam's own shape, alike across, is prescribed
+    free = slice(terms + 1, None)  # the shape of a beam, uniform across, is prescribed
     c = np.linalg.solve(K[free, free], -K[free, 0])
     return float(K[0, 0] + c @ K[free, 0]) / 2
 

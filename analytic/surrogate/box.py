@@ -10,7 +10,7 @@ from analytic.contact.checks import Array
 
 @dataclass(frozen=True)
 class Box:
-    """Bounds of d parameters, each in its own unit.
+    """Bounds of d parameters, each in its unit.
 
     >>> box = Box((1.0, 0.4), (5.0, 0.7))
     >>> box.from_unit(np.array([[0.5, 0.0]])).tolist()

@@ -11,14 +11,14 @@ three profile parameters (5^3 designs, 200 random points beside, mean/largest re
     two regimes, squares kriged   25 N m   0.12/1.1   0.008/0.04     0.29/1.5
     two regimes, squares kriged   40 N m   0.12/0.65  0.013/0.10     0.31/2.4
 
-One left out is too small by 9 to 70 in the mean, and ranks one process the wrong way round (better
+One left out is too small by 9 to 70 in the mean, and ranks one process in the wrong order (better
 at 25 N m, where it is worse); a level left out is too large by 1.3 to 2.7 in the mean, since it
 doubles the spacing.
 Ten random points are few: with the limits below they pass the first row in one draw of five
 (twenty in one of ten), the last two rows always.
 
-So a surrogate is gated twice: with a level left out, before anything is asked anew, and on at
-least twenty fresh random points. One left out finds the design that does not fit, no more.
+So a surrogate is checked twice: with a level left out, before any new evaluation, and on at
+least twenty new random points. One left out finds the design that does not fit, no more.
 """
 
 from dataclasses import dataclass
@@ -84,8 +84,8 @@ def left_level_out(model: Surrogate, x: Array, true: Array) -> Array:
     """Relative errors (m,) where a whole level of one parameter is left out of a factorial.
 
     x (n, d) are the factorial's designs, true (n,) their values. Every inner level of every
-    parameter is left out in turn, length scales kept, and predicted by what remains; errors follow
-    each other by parameter, level and design. ValueError if no parameter has an inner level.
+    parameter is left out in turn, at constant length scales, and predicted by the rest; errors
+    follow by parameter, level and design. ValueError if no parameter has an inner level.
     """
     errors = []
     for column in x.T:

@@ -4,8 +4,8 @@ Source: Huang et al. 2018, Sec. 3: a population of 500, 100 generations, crossov
 0.9 and mutation with 0.01. Coding, selection and what survives are not printed. Read here as the
 textbook's simple algorithm: every parameter a Gray code of `bits` bits, parents by tournaments of
 two, one-point crossover of a pair's whole codes with the probability given, a flip of each bit
-with the probability of mutation, and the best individual so far kept in place of the first child.
-The first of the generations is the random one, so that 500 x 100 points are asked for.
+with the probability of mutation, and the best individual so far retained as the first child.
+The first of the generations is the random one, so that 500 x 100 points are evaluated.
 """
 
 import numpy as np

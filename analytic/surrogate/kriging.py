@@ -18,7 +18,7 @@ from analytic.surrogate.box import Box
 from analytic.surrogate.length_scales import SHORTEST, likeliest
 from analytic.surrogate.terms import NUGGET, matern, trend_terms
 
-ROUNDING = 1e-12  # of the largest value: a residual below it is the trend's own rounding
+ROUNDING = 1e-12  # of the largest value: a residual below it is round-off of the trend
 SETTLED = 0.02  # change of a length scale's logarithm
 ROUNDS = 20  # each raises the likelihood; five settle what has been met
 
@@ -101,7 +101,7 @@ class Kriging:
         )
 
     def deviation(self, x: Array) -> Array:
-        """Kriging standard deviation (m,) at x (m, d), the trend's own uncertainty included."""
+        """Kriging standard deviation (m,) at x (m, d), including the uncertainty of the trend."""
         u = self.box.to_unit(x)
         Q, R = self.whitened_trend
         to_designs = matern(self.u, u, self.length_scales)
@@ -111,7 +111,7 @@ class Kriging:
         return np.asarray(np.sqrt(self.variance * np.maximum(share, 0)))
 
     def left_out(self) -> Array:
-        """Values less what the other designs predict, (n,), length scales kept (Dubrule 1983)."""
+        """Values less the others' prediction, (n,), at the same length scales (Dubrule 1983)."""
         Q, _ = self.whitened_trend
         inverse = solve_triangular(self.cholesky, np.eye(len(self.u)), lower=True)
         across = Q.T @ inverse

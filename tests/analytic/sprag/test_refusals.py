@@ -71,7 +71,7 @@ OF_CLUTCH = [
     (lambda c: limits.limits(c, mu=0.0, theta_max=0.3), "friction"),
     (lambda c: limits.limits(c, mu=0.1, theta_max=-1.0), "theta_max"),
     (lambda c: spring_equilibrium(c, K_r=0.01, alpha_max=-0.1), "alpha_max above alpha"),
-    (lambda c: spring_equilibrium(c, K_r=1e9, alpha_max=3.0), "bears springs of K_r"),
+    (lambda c: spring_equilibrium(c, K_r=1e9, alpha_max=3.0), "balances springs of K_r"),
     (lambda c: tabulated(c, N_end=20e3, theta_max=1e-9), "no state"),
 ]
 
