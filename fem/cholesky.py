@@ -97,7 +97,7 @@ class Cholesky:
         stored = _Stored.from_address(_pointer_in(self._factor, _NAME))
         kind = stored.n, stored.minor, stored.is_ll, stored.is_super, stored.itype, stored.xtype
         if kind != (self.n, self.n, 1, 1, 2, 1):  # of 64-bit indices and real numbers
-            raise RuntimeError("CHOLMOD stores its factors in a way that is not known here")
+            raise RuntimeError("CHOLMOD stores its factors in an unknown format")
         return stored
 
 

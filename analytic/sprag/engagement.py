@@ -10,11 +10,11 @@ Speeds of sliding and equations of motion (driving positive, N from the table ov
     m_g OC_g^2\ddot\phi &= (OA + b_i) T_i - (OB - b_e) T_e - h N, \\
     I_g(\ddot\alpha - \ddot\phi) &= b_i T_i + b_e T_e - h N + K_r(\alpha_{max} - \alpha).
 
-Friction inside the band |v| < D_V is the force that lets the sliding decay, :math:`\dot v = -v/\tau`
-with tau below a step, as far as N mu_d(v) allows. At v = 0 this is Eq. 12 with T_bis = mu_s N; with
-mu_d(v) instead of mu_s over the whole band it is continuous with the sliding branch at the band's
-edge. Without the term v/tau (Leine's) a sprag would creep for ever at the speed at which it entered
-the band. Both forces follow from both conditions together.
+Friction inside the band |v| < D_V is the force under which sliding decays,
+:math:`\dot v = -v/\tau` with tau below a step, as far as N mu_d(v) allows. At v = 0 this is Eq. 12
+with T_bis = mu_s N; with mu_d(v) instead of mu_s over the whole band it is continuous with the
+sliding branch at the band's edge. Without the term v/tau (Leine's) a sprag would creep for ever at
+the speed at which it entered the band. Both forces follow from both conditions together.
 
 A contact that comes to rest must be detected inside the band. In one step its sliding changes by
 |dv/dt| dt; if that exceeds the whole band, friction changes sign step by step and its mean is

@@ -71,7 +71,7 @@ class AtRest:
         return mode
 
     def load(self, mode: Any, G: Any) -> float:
-        """Rayleigh's quotient, K's part by the mode's own strains."""
+        """Rayleigh's quotient, with K's part from the strains of the mode."""
         e, shape = self.elements, mode.astype(float)
         energy = ((e.moduli * self.strains(mode) ** 2).sum(axis=-1) * e.weight).sum()
         return float(-energy / (shape @ (G @ shape)))

@@ -123,8 +123,8 @@ class LargeFrame:
 
         `loads`: node to dead force (x, y) and couple; `follower`: node to a force that turns
         with it, as it points at rest; `distributed`: element to dead force (x, y) per reference
-        length. With `since` (a state of another path) they add to what that state bears; terms
-        remember the last state of the last path only.
+        length. With `since` (a state of another path) they add to the loads of that state; terms
+        store the last state of the last path only.
 
         Raises
         ------
@@ -173,7 +173,7 @@ class LargeFrame:
         moved: Movements | None = None,
         since: State | None = None,
     ) -> Path:
-        """States along the path of equilibrium, whichever way loads or movement go.
+        """States along the path of equilibrium, with loads or movement that grow or fall.
 
         `first` is the first change of the factor, which sets size and direction. Steps adapt
         to Newton's effort and grow up to `largest`, the root mean square over the nodes of

@@ -94,8 +94,8 @@ class March:
                 size, good = size / 2, 0
                 if abs(size) < abs(whole) / 2**HALVINGS:
                     raise ArithmeticError(
-                        f"no equilibrium found beyond factor {self.state.factor:.6g} on the way "
-                        f"to {factor:.6g}: {error}, with steps down to {2 * size:.1e}; "
+                        f"no equilibrium found beyond factor {self.state.factor:.6g} towards "
+                        f"{factor:.6g}: {error}, with steps down to {2 * size:.1e}; "
                         "beyond a limit point use along_arc()"
                     ) from error
                 continue

@@ -48,7 +48,7 @@ class Control(Protocol):
 def equilibrium(
     balance: Balance, start: State, step: Array, change: float, stress: Array, control: Control
 ) -> tuple[Extended, float, Response, tuple[float, ...]]:
-    """Displacements, factor and response in equilibrium, and the residuals on the way.
+    """Displacements, factor and response in equilibrium, and the residuals of the iterations.
 
     Begins with the predicted `step` and `change` of the factor; ConvergenceError otherwise.
     """

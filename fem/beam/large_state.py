@@ -40,7 +40,7 @@ class State:
 
     @property
     def reactions(self) -> Array:
-        """Force and couple that supports exert on the nodes (n, 3), zero elsewhere."""
+        """Force and couple that supports exert on the nodes (n, 3), zero on free nodes."""
         f = np.where(self.held, self.internal - self.loading.forces(self.exact), 0.0)
         return f.reshape(-1, 3)
 

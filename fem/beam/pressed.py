@@ -1,7 +1,7 @@
-"""A frame whose end is pressed far along x: its path, and what holds the end in line.
+"""A frame whose end is pressed far along x: its path, and the reaction that guides the end.
 
-The springs of thin strips that this is for have stiff and soft directions that are many powers of
-ten apart: strains come from differences in extended precision, stiffnesses from strains.
+Springs of thin strips, for which this is made, have stiff and soft directions that differ by many
+powers of ten: strains come from differences in extended precision, stiffnesses from strains.
 """
 
 from collections.abc import Iterable
@@ -99,7 +99,7 @@ class PressedFrame:
         return (S + S.T) / 2, worst * size
 
     def determinant(self, state: State, head: Freedom) -> float:
-        """Of the stiffness that a head of this freedom has under the loads it bears."""
+        """Of the stiffness of a head of this freedom under its loads."""
         return let_go(self.head_stiffness(state)[0], head)
 
     def lateral_stiffness(self, state: State) -> tuple[float, float]:

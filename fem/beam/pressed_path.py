@@ -1,4 +1,4 @@
-"""Paths of a pressed frame: stable forces of a guided head, drift of a free one, a slanted way."""
+"""Paths of a pressed frame: stable forces of a guided head, drift of a free one, a slanted path."""
 
 from collections.abc import Sequence
 

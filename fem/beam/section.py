@@ -50,14 +50,14 @@ class FrameSolution:
     """A solved frame.
 
     `u` (nodes, 3): displacements and rotation; `reactions` (nodes, 3): force and couple that the
-    supports exert, round-off elsewhere; `f` the loads (3 nodes,). `residual` is the share of the
-    energy that the solver's last correction held, the square of a relative displacement.
+    supports exert, round-off on free nodes; `f` the loads (3 nodes,). `residual` is the share of
+    energy in the solver's last correction, the square of a relative displacement.
     `section_forces` (elements, k, 3) are axial force, shear force and bending moment at the
     `stations` (elements, k, 2) of each element: both ends of a straight one, the Gauss points of
-    a curved one. `link_forces` (links,) push the two points of each link apart along its
-    direction where they are positive. Tension is positive; the moment EI d(rotation)/ds and the
-    shear force along the normal (the tangent turned by +90 deg) follow the element's own
-    direction, V = -dM/ds.
+    a curved one. `link_forces` (links,) are positive where they separate the points of each link
+    along its direction. Tension is positive; the moment EI d(rotation)/ds and the
+    shear force along the normal (the tangent turned by +90 deg) follow the direction of the
+    element, V = -dM/ds.
     """
 
     points: Array
@@ -127,7 +127,7 @@ def solve_supported(
 
     `strains` is linear in the displacements (nodes, 3); `forces` gives the strain energy and the
     internal forces (nodes, 3) of strains. Returns the solution and its strains. These add up from
-    the corrections, each resolved to its own precision: strains of the total displacement would
+    the corrections, each resolved to its full precision: strains of the total displacement would
     round by its large rigid motion, which a stiff member turns into large forces.
     """
     n = len(points)

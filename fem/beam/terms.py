@@ -40,7 +40,7 @@ class Term(Protocol):
         ...
 
     def settle(self, x: Positions) -> bool:  # noqa: ARG002
-        """Improve multipliers at the converged `x`; True asks for equilibrium again.
+        """Improve multipliers at the converged `x`; True if equilibrium must be found again.
 
         What it changes must be undone by `reject`.
         ConvergenceError (`fem.beam.large_balance`) refuses `x`: the step is given up.

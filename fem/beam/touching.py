@@ -25,7 +25,7 @@ from fem.beam.touching_record import OBSTACLE, Record
 from fem.beam.touching_rigid import Body, Shape
 from fem.beam.touching_touch import Touch, scatter
 
-SHARE = 0.1  # of E h, what a strip of h x 1 under pressure gives way, is the contact's stiffness
+SHARE = 0.1  # contact stiffness over E h, the stiffness of a strip of h x 1 under pressure
 SOFTER = 6.0  # thicknesses: longer cells bend so easily that less stiffness does
 PROBES = 2  # of an element
 NEIGHBOURS = 3.0  # thicknesses along the line within which it cannot meet itself
@@ -95,7 +95,7 @@ class Touching(Term, ABC):
 
     @abstractmethod
     def _passed(self, x: Array) -> bool:
-        """Whether something passed through something on the way from the accepted state."""
+        """Whether something passed through something since the accepted state."""
 
     @abstractmethod
     def _touch(self, x: Positions) -> Touch:
@@ -114,7 +114,7 @@ class SelfContact(Touching):
     points, elements
         As of the frame: nodes (n, 2) [length], elements (m, 2) or (m, 3).
     thickness
-        b [length]: two lines touch where they are b apart.
+        b [length]: two lines touch at the distance b.
     EA
         Axial stiffness [force] of the lines, which sizes the contact's stiffness.
     friction
@@ -193,8 +193,8 @@ class Obstacle(Touching):
     """Contact of lines with a rigid `shape`: `Flat` or `Disc` of `fem.beam.touching_rigid`.
 
     With a `carrier` the shape moves and turns with that node of the frame, whose supports or
-    prescribed movement then move it and whose reaction is the contact force: an end of a stub of
-    its own, since every node belongs to an element. `elements` may be some of the frame's; the
+    prescribed movement then move it and whose reaction is the contact force: an end of a separate
+    stub, since every node belongs to an element. `elements` may be some of the frame's; the
     other parameters are those of `SelfContact`.
 
     Raises

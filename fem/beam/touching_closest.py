@@ -16,7 +16,7 @@ def closest(curve: Array, at: Array) -> Array:
     """Place (k,) in 0..1 on each curve (`powers`, (k, 2, 3)) that is nearest to `at` (k, 2).
 
     Newton's method on the distance, from the projection on the chord; where the distance isn't
-    convex (beyond the centre of curvature) a step of the chord's own length scale replaces it.
+    convex (beyond the centre of curvature) a step of the length scale of the chord replaces it.
     """
     x0, x1, x2 = curve[..., 0], curve[..., 1], curve[..., 2]
     chord = x1 + x2

@@ -49,10 +49,10 @@ class TouchingLine:
 
 @dataclass(frozen=True)
 class Curve:
-    """States (k,) of a line as its head is pressed: what the head takes, what touches [SI].
+    """States (k,) of a line as its head is pressed: loads of the head, places in contact [SI].
 
-    `side` is the force across at the tail's clamp, `press` (k, units - 1) the normal force between
-    neighbouring units, `depth` the deepest overlap, `negative` how many ways are unstable;
+    `side` is the transverse force at the tail's clamp, `press` (k, units - 1) the normal force of
+    neighbouring units, `depth` the deepest overlap, `negative` the number of unstable directions;
     `shapes` (k, nodes, 2) and the places that touch in each state.
     """
 

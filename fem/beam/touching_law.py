@@ -6,8 +6,8 @@ onset e = stiffness x `rounding` so that Newton's method sees no kink:
 .. math:: N = \frac{(z + e)^2}{4 e}\ (|z| < e), \qquad N = z\ (z \ge e)
 
 Friction sticks by a tangential penalty and slides at |T| = friction x N. Which places stick and
-which slide in what way stands while Newton's method runs; `settle` mends it in between, and moves
-both forces into the multipliers until neither penetration nor elastic slip exceeds `allowed`.
+which slide in which direction is fixed during Newton's method; `settle` corrects it in between, and
+moves both forces into the multipliers until penetration and elastic slip are below `allowed`.
 """
 
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ from fem.beam.touching_touch import Touch, outer
 ROUNDING = 1e-4  # of the thickness
 ALLOWED = 1e-4  # of the thickness: penetration and elastic slip that need no settling
 DEEP = 0.05  # of the thickness: only an iterate is so deep, and its huge force must not turn
-STICKS = 2.0  # beside -1 and 1, the ways to slide, and 0, not known yet
+STICKS = 2.0  # besides -1 and 1, the directions of sliding, and 0, not known yet
 SLACK = 1e-9  # relative, of the friction's limit and of the allowed slip
 TANGENTIAL = 0.002  # of what is firm
 
@@ -116,7 +116,7 @@ class Law:
         return self.tangential[touch.slot] + self.sticking[touch.slot] * touch.slip
 
     def accept(self, touch: Touch, answer: Answer) -> float:
-        """The step's friction work; from now on slip counts anew and friction goes on from T."""
+        """The step's friction work; slip then counts from here and friction goes on from T."""
         before = self.kept[1][touch.slot]
         slid = np.abs(self.kept[2][touch.slot]) == 1
         # what begins to slide does so at the end's force: its stick was a small part of the slip
@@ -125,7 +125,7 @@ class Law:
         _, self.tangential = self._placed(touch, answer)
         pressed = np.zeros(self.stiffness.size, bool)
         pressed[touch.slot] = True
-        # a place that presses at rest has no way yet: it sticks until something pulls
+        # a place that presses at rest has no direction yet: it sticks until it is pulled
         known = np.where((self.way == 0) & (self.friction > 0), STICKS, self.way)
         self.normal, self.way = np.where(pressed, [self.normal, known], 0.0)
         self.kept = self.normal, self.tangential, self.way

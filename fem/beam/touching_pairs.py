@@ -15,7 +15,7 @@ from fem.beam.touching_points import Probes, on, positions, powers
 BULGE = 1.2  # of an element beyond the circle through its nodes
 CLEAR = 0.5  # sine of the angle from which a place lies clearly on one side of a line
 REACH = 4.0  # thicknesses around a line that are searched for others
-NEAR = 1.5  # the same: lines further apart need no exact place
+NEAR = 1.5  # the same: lines at a larger distance need no exact place
 TINY = 1e-300
 
 

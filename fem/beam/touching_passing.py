@@ -1,7 +1,7 @@
-"""Whether lines pass through each other on the straight way from one state to the next.
+"""Whether lines pass through each other on the straight path from one state to the next.
 
-Contact knows which side lines came from only while they are near: a long step may carry one
-all the way through another, into a state without any contact.
+Contact has the side on which lines approach only while they are near: a long step may move one
+completely through another, into a state without any contact.
 """
 
 import numpy as np
@@ -18,8 +18,8 @@ ENDS = 1e-9  # of a chord: beyond its ends counts as on it
 class Passing:
     """Movement of lines since the last accepted state, by chords of their elements.
 
-    Left out are lines that cross in the reference state, and elements nearer along the line
-    than contact reaches (`apart`).
+    Lines that cross in the reference state are excluded, and elements nearer along the line
+    than the contact range.
     """
 
     def __init__(self, arcs: Arcs, apart: Apart, per_element: int, thickness: float) -> None:
@@ -55,7 +55,7 @@ class Passing:
         return found
 
     def _near(self, chords: Array) -> tuple[Indices, Indices]:
-        """Pairs of elements whose ways come near each other."""
+        """Pairs of elements whose paths come near each other."""
         low, high = chords.min(axis=(0, 2)), chords.max(axis=(0, 2))
         near = (low[:, None, 0] <= high[:, 0]) & (low[:, None, 1] <= high[:, 1])
         one, other = np.nonzero(np.triu(near & near.T, 1))

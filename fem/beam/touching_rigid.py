@@ -1,6 +1,6 @@
 r"""Gap and slip between a probe and a rigid flat or disc that moves with a carrier node.
 
-In the obstacle's own frame, with the probe x_s, the surface's normal n at the nearest place and
+In the frame of the obstacle, with the probe x_s, the surface's normal n at the nearest place and
 half a thickness b/2 between the line and its surface:
 
 .. math:: g = n\cdot(x_s - P) - b/2, \qquad
@@ -23,7 +23,7 @@ from fem.beam.touching_touch import Touch, along, outer, turned
 
 PARALLEL = 1e-6  # relative curvature x thickness below which a line counts as parallel
 
-PIECES = 1000  # of a step's way at most, each no longer than the thickness
+PIECES = 1000  # of a step's path at most, each no longer than the thickness
 
 
 @dataclass(frozen=True)
@@ -43,7 +43,7 @@ class Surface:
 
 
 class Shape(Protocol):
-    """An obstacle in its own frame, as it stands in the reference state."""
+    """An obstacle in its local frame, as it stands in the reference state."""
 
     def surface(self, at: Array) -> Surface:
         """The nearest places to points (k, 2)."""
@@ -127,7 +127,7 @@ class Body:
         return eta, self._surface(x, on(curves, eta)[0])
 
     def passed(self, x: Array) -> bool:
-        """Whether a node went straight through the shape on its way from the accepted state."""
+        """Whether a node went straight through the shape since the accepted state."""
         nodes = np.unique(self.probes.nodes)
         then = self._seen(self.before, self.before[nodes, :2])
         way = self._seen(x, x[nodes, :2]) - then
@@ -150,11 +150,11 @@ class Body:
         return eased
 
     def _surface(self, x: Positions, at: Positions) -> Surface:
-        """Nearest places, in the shape's own frame, to points (k, 2) in space."""
+        """Nearest places, in the frame of the shape, to points (k, 2) in space."""
         return self.shape.surface(self._seen(x, at))
 
     def _seen(self, x: Positions, at: Positions) -> Array:
-        """Points (k, 2) in space as they stand in the shape's own frame."""
+        """Points (k, 2) in space in the frame of the shape."""
         pose = self._pose(x)
         d = at - pose[:2]
         c, s = np.cos(pose[2]), np.sin(pose[2])

@@ -89,7 +89,7 @@ def on_common(one: Array, other: Array, stroke: float) -> tuple[Array, Array]:
 
 
 def retraced(U: Array, F: Array) -> float:
-    """Largest relative difference [1] of the forces on the way back from those on the way there.
+    """Largest relative difference [1] between the forces of unloading and of loading.
 
     >>> round(retraced(np.array([1.0, 2.0, 1.0]), np.array([3.0, 6.0, 3.3])), 9)
     0.1

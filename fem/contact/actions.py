@@ -1,4 +1,4 @@
-"""Loads and prescribed displacements as sums of unit actions, whose responses are kept.
+"""Loads and prescribed displacements as sums of unit actions, whose responses are stored.
 
 A step that only changes magnitudes then costs no factorisation and no back-substitution.
 """
@@ -28,7 +28,7 @@ Forces = Mapping[str, tuple[float, ...]]
 
 @dataclass(frozen=True)
 class Action:
-    """`share` times a response that is kept under `key`, or made anew where there is none."""
+    """`share` times the response stored under `key`, or calculated where there is none."""
 
     share: float
     key: Hashable

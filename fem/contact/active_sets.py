@@ -18,7 +18,7 @@ from fem.plane.discretisation import Array, Indices
 States = NDArray[np.int8]
 Solution = tuple[Array, Array, States]  # multipliers (n,), motions (k,), states (m,)
 
-STATE_TOLERANCE = 1e-11  # of a row's own terms: a gap, slip or traction within it is zero
+STATE_TOLERANCE = 1e-11  # of the terms of a row: a gap, slip or traction within it is zero
 FINE = 1e-3  # of that, where contact forces are small against those that would close the gaps
 MAX_BLOCK_EXCHANGES = 10  # full exchanges without progress before single ones
 MAX_EXCHANGES, EXCHANGES_PER_ROW = 100, 10  # without friction, where the method is finite
@@ -63,7 +63,7 @@ def exchanged(
 class StateEquations:
     """The linear system A x = known that `states` imply, on springs (k, k).
 
-    x holds the multipliers of the rows `own`, then the motions; slipping rows `slip` have `drag`
+    x holds the multipliers of the closed rows, then the motions; slipping rows `slip` have `drag`
     times the multiplier `at` as friction.
     """
 
@@ -128,7 +128,7 @@ def fitting_states(
     """
     m, rough = system.friction.size, system.rough
     w = w_0 + system.B @ multipliers + system.D @ motion
-    # of each row's own terms: far from the contact gaps are larger than any slip in it
+    # of the terms of each row: far from the contact gaps are larger than any slip in it
     reach = system.reach
     size = np.abs(w_0) + reach * (reach @ np.abs(multipliers))
     w_tolerance = finer * STATE_TOLERANCE * (size + system.arms @ np.abs(motion))

@@ -36,7 +36,7 @@ class AlongInterface:
         self.cone = Cone.of(plane.kernel, (B + B.T) / 2, self.C @ bodies.shifts)
 
     def loaded(self, pull: Pull) -> tuple[Array, Array]:
-        """What loads change of the slips (r,), shifts apart, and exert on shifts (k,)."""
+        """Effect of loads on the slips (r,), without shifts, and their forces on shifts (k,)."""
         bodies = self.bodies
         _, on_surface = bodies.load(pull)
         e = bodies.shifts.T @ on_surface

@@ -71,7 +71,7 @@ class AlongNodes:
             missed = float(np.abs(given[at] - u).max(initial=0.0))
             if missed > CONTRADICTION * largest:
                 raise ValueError(
-                    f"supports along z contradict each other at {name!r}: {missed:.3g} apart"
+                    f"supports along z contradict each other at {name!r} by {missed:.3g}"
                 )
         return np.asarray(np.nan_to_num(given)[self.group])
 

@@ -109,7 +109,7 @@ class AlongProblem:
         self, interface: AlongInterface, w_z: Array, slips: Array, before: Before | None,
         closing: tuple[Indices, Array],
     ) -> Array:  # fmt: skip
-        """What surfaces that are apart slide along z, on from `slips`, until their gap closes."""
+        """Slips along z of surfaces with an open gap, on from `slips`, until their gap closes."""
         cone, r = interface.cone, slips.size
         B, D = cone.B[-r:, -r:] if r else cone.B[:0, :0], interface.C @ self.bodies.shifts
         trial = w_z - slips

@@ -1,4 +1,4 @@
-"""Bodies that start apart: where their surfaces are once they have come together."""
+"""Bodies with an initial gap: where their surfaces are once they have come together."""
 
 import numpy as np
 

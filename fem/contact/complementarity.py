@@ -1,7 +1,7 @@
 """One kernel for every plane contact problem: unilateral contact with Coulomb friction, condensed.
 
 Active sets are the fast method. Where they end without a solution, Lemke's method follows, and for
-bodies without loads a linear programme that moves them apart. A solution is accepted by its
+bodies without loads a linear programme that separates them. A solution is accepted by its
 residual alone.
 """
 
@@ -23,7 +23,7 @@ from fem.plane.discretisation import Array
 
 __all__ = ["BACKWARD", "FELT", "FORWARD", "OPEN", "STAYING", "STICK", "Complementarity", "Rest"]
 
-# the slowest one that took part; the last finds that bodies rest apart from each other
+# the slowest one that took part; the last finds that bodies rest without contact
 METHODS = "active sets", "Lemke's method", "linear programme"
 STRICT = 1e-7  # of the largest contact force or its approach: what a state is sure by
 FEW, GROUP = 24, 4  # rows that need no coarse start, and how many are taken in one for it

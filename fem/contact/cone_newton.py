@@ -25,7 +25,7 @@ MAX_RELEASES = 60
 class SlidingError(NotFoundError):
     """No state of rest was found: springs still carry the loads `carried` (k,) on motions.
 
-    That is no proof: another solution may rest elsewhere.
+    That is no proof: another solution at rest may exist.
     """
 
     def __init__(self, carried: Array, reasons: Sequence[str] = ()) -> None:

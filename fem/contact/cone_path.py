@@ -37,7 +37,7 @@ class Point:
 
 @dataclass(frozen=True)
 class Path:
-    """Solutions of `cone` under `task`(t), of which t = 1 is wanted; `rate`(t) is its change."""
+    """Solutions of `cone` under `task`(t), required at t = 1; `rate`(t) is its change."""
 
     cone: Cone
     task: Callable[[float], tuple[Task, Rate]]
@@ -75,7 +75,7 @@ class Path:
         raise NotFoundError(f"the path of solutions ends at {here.z[-1]:.3g} of its length")
 
     def _step(self, here: Point, h: float, sign: float) -> tuple[Point, int] | None:
-        """The point `h` further and the corrections on the way, or None."""
+        """The point `h` further and its corrections, or None."""
         row = self._weight(here.z) * here.tangent
         found = self._corrected(here.z + h * here.tangent, row)
         if found is None:

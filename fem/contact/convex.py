@@ -77,7 +77,7 @@ class Piecewise:
         return factor
 
     def _length(self, v: Array, way: Array, residual: Array) -> float:
-        """By how much of `way` (n,) J falls most."""
+        """Share of the step (n,) at which J is least."""
         start, bend = -float(residual @ way), float(way @ (self.A @ way))
         before, rate = self.cut(v), self.Z @ way
 

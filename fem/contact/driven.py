@@ -72,7 +72,7 @@ class DrivenSector:
     def pressure(self, N: float) -> float:
         """Pressure under which a roller carries N.
 
-        On a mesh of its own, for which a coarse pressure is enough: on that for another force
+        On a separate mesh, for which a coarse pressure is enough: on that for another force
         contacts end anywhere within a cell, which moves the pressure by 1e-6 to 1e-5 at random.
         """
         p = self._pressure(self.coarse, N)

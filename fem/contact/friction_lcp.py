@@ -33,7 +33,7 @@ class FrictionLcp:
     def candidates(self) -> Iterator[tuple[Array, Array, States]]:
         """Multipliers, motions and states that may solve the problem, by several covering vectors.
 
-        Of each vector first the solution of the linear system of its states, then the pivots' own.
+        Of each vector first the solution of the linear system of its states, then of the pivots.
         """
         M, q = self.matrix, self.vector
         for seed in range(COVERING_VECTORS):
@@ -112,7 +112,7 @@ class FrictionLcp:
         return multipliers, motions * (a[:k] - a[k:]), states
 
     def polished(self, multipliers: Array, motion: Array, states: States) -> tuple[Array, Array]:
-        """The solution of the states' own linear system that is nearest to the pivots' result."""
+        """The solution of the linear system of the states that is nearest to the pivots' result."""
         system = self.system
         equations = StateEquations.of(system, states, self.spring)
         scale = np.concatenate([system.scales[0][equations.own], system.scales[1]])

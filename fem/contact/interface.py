@@ -93,7 +93,7 @@ class Interface:
         )
 
     def shift(self, response: Response) -> Array:
-        """What a response changes of the gaps and slips (r,), the rigid motions apart."""
+        """Effect of a response on the gaps and slips (r,), without the rigid motions."""
         w = self.C @ response.at_rest
         return w + self.rows @ response.u_0 if np.any(response.u_0) else w
 
@@ -172,5 +172,5 @@ class Interface:
             x, y = points.x[:, worst]
             raise ValueError(
                 f"contact {contact}: the surfaces overlap by {-points.gap[worst]:.3g} at "
-                f"({x:.5g}, {y:.5g}) before any load: move them apart, or ask for press_fit=True"
+                f"({x:.5g}, {y:.5g}) before any load: separate them, or set press_fit=True"
             )

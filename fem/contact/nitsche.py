@@ -1,4 +1,4 @@
-"""Contact by Nitsche's method, a second opinion: no multipliers, the bodies' own stresses press.
+"""Contact by Nitsche's method, for comparison: no multipliers, the stress of the bodies presses.
 
 With P u the pressure that the slave's stresses exert along the direction of contact and g(u) the
 gap, contact is p = P u and p = [P u - g(u)/gamma]_+, for any gamma > 0. Both hold where
@@ -64,7 +64,7 @@ def solve_nitsche(
     ------
     ValueError
         For slaves and loads as above, wrong names, nu > 0.45 except in plane stress, and bodies
-        that start too far apart.
+        that start with too large a gap.
     ArithmeticError
         Where `alpha` is too large, where loads move a body that nothing holds, and where the
         iteration does not converge.
@@ -152,6 +152,6 @@ def _check_apart(problem: ContactProblem, touches: Iterable[PointTouch]) -> None
         apart = touch.mortar.points.gap[touch.p > 0].min(initial=np.inf)
         if np.isfinite(apart) and apart * bend > APART:
             raise ValueError(
-                f"contact {pair}: the surfaces start {apart:.3g} apart, too far for Nitsche's "
-                "method, which does not pair them anew: let them start close to each other"
+                f"contact {pair}: the initial gap of {apart:.3g} is too large for Nitsche's "
+                "method, which pairs the surfaces once: let them start close to each other"
             )

@@ -17,7 +17,7 @@ from fem.plane.geometry import jacobians
 class Rows:
     """Rows at the n integration points of all pairs, and again tangential ones of rough pairs.
 
-    `stress`, `motion` (rows, unknowns): traction [stress] of the slave's own stress, and gap or
+    `stress`, `motion` (rows, unknowns): traction [stress] of the slave's stress, and gap or
     slip [length] of displacements; `start` (rows,): gap or slip without displacement; `gamma`
     (rows,) [length/stress], `weight` (rows,) [area]; `friction` (n,); `rough` (rows - n,): which
     of the n points the tangential rows belong to.

@@ -15,7 +15,7 @@ from fem.contact.shapes import Shape
 from fem.contact.trace import Trace, cross
 from fem.plane.discretisation import Array, Indices
 
-FACING = -0.2  # n_1 . n_2 of surfaces that can touch: more than some 100 deg apart
+FACING = -0.2  # n_1 . n_2 of surfaces that can touch: at more than some 100 deg to each other
 GAUSS = 4
 SECANT_STEPS = 40
 DONE = 1e-12
@@ -75,7 +75,7 @@ def pair(slave: Trace, master: Trace, share: float) -> Points:
 
 
 def _through(slave: Trace, ray: "_Ray", k: Indices, s: Array, opposite: Indices, t: Array) -> Array:
-    """Whether points `s` on `k` see those at `t` on `opposite` only through their own body."""
+    """Whether points `s` on `k` see those at `t` on `opposite` only through the same body."""
     x = slave.places(k, s)
     gap = ((ray.master.places(opposite, t) - x) * slave.normals(k, s)).sum(axis=0)
     behind = np.flatnonzero(gap < 0)

@@ -38,7 +38,7 @@ def at_load(
 def middle_pressure(r: Array, p: Array, a: float) -> float:
     """Pressure in the middle: sqrt(1 - r²/a²) (b + c r²/a²) fitted to that on the inner half.
 
-    The one node on the axis carries next to no area, and its own pressure scatters.
+    The one node on the axis carries next to no area, and its pressure scatters.
     """
     s = r[r < a / 2] / a
     ellipse = np.sqrt(1 - s**2)

@@ -8,7 +8,7 @@
     pressed = problem.solve(forces={"disc.top": (0, -1e5)})
     pushed = problem.solve(forces={"disc.top": (1e4, -1e5)}, after=pressed)
 
-Strains and rotations are small. Bodies that start apart are first moved together rigidly; from
+Strains and rotations are small. Bodies with an initial gap are first moved together rigidly; from
 there on surfaces slide by little against their radii. Pressures of nearly incompressible bodies
 (nu above 0.48) alternate from node to node, as displacements of any one degree have it; their
 resultants and half-widths do not suffer.
@@ -159,7 +159,7 @@ class ContactProblem:
             The step before, from which friction continues.
         steps
             Even shares in which everything changes from `after`, or from nothing. Friction depends
-            on the way there: pressing unlike bodies together takes some 20, or as many `solve`.
+            on the path: pressing unlike bodies together takes some 20, or as many `solve`.
             Within a share, slip counts from where a gap closes.
 
         Raises
@@ -204,7 +204,7 @@ class ContactProblem:
     def _step(
         self, actions: list[Action], pull: Pull | None, after: ContactSolution | None
     ) -> ContactSolution:
-        """Equilibrium under `actions`, paired where bodies that start apart meet."""
+        """Equilibrium under `actions`, paired where bodies with an initial gap meet."""
         interface = self.interface if after is None else after.interface
         found = self._equilibrium(actions, pull, interface, after)
         for _ in range(MAX_APPROACHES):
@@ -288,7 +288,7 @@ class ContactProblem:
         self, interface: Interface, w: Array, slips: Array, after: ContactSolution | None,
         closing: tuple[Indices, Array],
     ) -> Array:  # fmt: skip
-        """What surfaces that are apart slide, on from `slips`, until a gap closes at its share."""
+        """Slips of surfaces with an open gap, on from `slips`, until a gap closes at its share."""
         kernel, m, (closes, share) = interface.kernel, interface.gaps.size, closing
         rows = kernel.partner[closes]
         found = np.zeros(slips.size)

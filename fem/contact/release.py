@@ -15,7 +15,7 @@ from fem.contact.residual import residual
 from fem.contact.system import ContactSystem
 from fem.plane.discretisation import Array
 
-SPRINGS = (1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7)  # of the contact's own stiffness
+SPRINGS = (1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7)  # of the stiffness of the contact
 WEAKEST_SPRING = 1e-12
 RELEASED = 1e-13  # of the forces on rigid motions: what springs may still carry
 NEUTRAL = 1e-6  # of the forces on rigid motions: what facets may exert where the surface does not

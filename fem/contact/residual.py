@@ -1,4 +1,4 @@
-"""How well multipliers and motions meet the laws of contact, each residual over its own scale."""
+"""Violation of the laws of contact by multipliers and motions, each residual over its scale."""
 
 from dataclasses import dataclass
 
@@ -16,7 +16,7 @@ class Residual:
     """Largest violation of each law, dimensionless.
 
     Forces are measured against the largest contact force; where no load acts on the bodies, so that
-    they may move apart, at least against a part of the forces that would close the overlaps.
+    they may separate, at least against a part of the forces that would close the overlaps.
     `gap`: overlap over the elastic approach of a row under the largest contact force.
     `complementarity`: pressure across an open gap, over the largest contact force.
     `friction`: tangential traction beside its projection on Coulomb's bounds, over the same.

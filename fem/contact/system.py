@@ -21,7 +21,7 @@ from fem.plane.discretisation import Array, Indices
 
 OPEN, STICK, FORWARD, BACKWARD = 0, 1, 2, 3  # slip states by the sign of l_t: + and -
 SIGN = np.array([0.0, 0.0, 1.0, -1.0])
-STAYING = 1e-2  # of the contact's own stiffness: holds neutral motions where they are
+STAYING = 1e-2  # of the contact's stiffness: holds neutral motions where they are
 FELT = 1e-7  # of the squares of what motions move: below, only facets resist the motion
 LOAD_TOLERANCE = 1e-13  # of the forces that would close the gaps: smaller loads are round-off
 GAP_TOLERANCE = 1e-14  # of the largest gap or slip: smaller gaps of unloaded bodies are none
@@ -72,7 +72,7 @@ class ContactSystem:
 
     @cached_property
     def arms(self) -> Array:
-        """How far (n, k) rows move with unit motions, whichever way."""
+        """Absolute movement (n, k) of rows with unit motions."""
         return np.abs(self.D)
 
     @cached_property
@@ -84,7 +84,7 @@ class ContactSystem:
 
     @cached_property
     def stiffness(self) -> float:
-        """The contact's own stiffness against the motion that it resists most."""
+        """The contact's stiffness against the motion that it resists most."""
         own = (self.D**2 / self.compliance[:, None]).sum(axis=0)
         return float(own.max(initial=0.0))
 

@@ -1,4 +1,4 @@
-"""Tractions that a body's own stresses exert along its contact surface."""
+"""Tractions of the stresses of a body along its contact surface."""
 
 import numpy as np
 from scipy.sparse import csr_array
@@ -13,7 +13,7 @@ from fem.plane.geometry import shapes
 def traction_rows(bodies: Bodies, slave: Trace, points: Points, direction: Array) -> csr_array:
     """Rows (m, unknowns) of -direction . sigma(u) n_1 [stress] at the slave's `points`.
 
-    n_1 is the facets' own outward normal, `direction` (2, m) are unit vectors. Along the direction
+    n_1 is the outward normal of the facets, `direction` (2, m) unit vectors. Along the direction
     of contact that is the pressure. The stress is that of the cell behind each point.
     """
     basis, cells = bodies.basis, slave.cells[points.slave]

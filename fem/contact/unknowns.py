@@ -126,7 +126,7 @@ def _rigid(
 ) -> tuple[Array, Array]:
     """Orthonormal free motions (dofs, k) of a rigid body, and those that its supports prescribe.
 
-    The second (dofs, own) takes the values of the `own` conditions.
+    The columns of the second (dofs, conditions) take the values of these conditions.
     """
     x, y = basis.doflocs[:, dofs[::2]]
     x, y = x - x.mean(), y - y.mean()

@@ -1,8 +1,8 @@
-"""Half a roller on an inclined race, driven to a normal force: free, caged, or let go.
+"""Half a roller on an inclined race, driven to a normal force: free, caged, or released.
 
 The bisector is the x axis; the wedge narrows towards +x. By symmetry the roller's cut y = 0 stays
-straight and feels no friction. The race comes down along its own normal; what it does along itself
-and what pushes at the roller's middle is the caller's.
+straight and carries no friction. The race comes down along its normal; its tangential movement and
+the push at the roller's middle are chosen by the caller.
 """
 
 import math

@@ -13,7 +13,7 @@ SWEEP, SWEPT = 50, 0.88  # steps of letting go, and T/(mu N) at their end
 STIFFENS = 0.93  # d ln(approach)/d ln(N) of line contacts, about
 BELOW, ABOVE = 2e-4, 4e-4  # of T/N: ends of the bracket in which the limit is searched
 BISECTIONS = 5
-HELD = 0.9  # of N: more is left of it, or the roller is on its way out
+HELD = 0.9  # of N: more is left of it, or the roller is being expelled
 
 
 def let_go(wedge: Wedge, N: float, *, mu: float) -> tuple[Array, Array]:
@@ -62,8 +62,8 @@ def uneven(touch: Touch, slope: float) -> float:
 def least_friction(left: Callable[[float], float], share: float) -> tuple[float, float]:
     """The least friction that holds a roller, by bisection, and half of the last bracket.
 
-    `left` says what part of the normal force is left under a friction: about all, or next to
-    nothing. The first bracket lies about `share`, the T/N that friction must bear. Not a number
+    `left` gives the part of the normal force that is left under a friction: about all, or next to
+    nothing. The first bracket lies about `share`, the T/N that friction must transmit. Not a number
     where the roller is held at both its ends, or at none.
 
     >>> value, half = least_friction(lambda mu: 1.0 if mu > 0.05 else 0.0, 0.05)

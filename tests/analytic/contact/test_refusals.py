@@ -93,7 +93,7 @@ REFUSED = [
         [SHAFT, SLEEVE], 0, interface=1, assumption="plane stress"), "interface must be 0 to 0"),
     (lambda: overlap(1.0), "must overlap"),
     (lambda: overlap(0.5), "less than a tenth"),
-    (lambda: overlap(0.999, p_o=-9.0), "come apart"),
+    (lambda: overlap(0.999, p_o=-9.0), "lose contact"),
     (lambda: crown.logarithmic(0.0, **PAPER | {"K_2": 1.01}), r"K_2, .* in \(0, 1\], got 1.01"),
     (lambda: crown.logarithmic(4.6e-3, **PAPER), r"\|y\| <= l/2, got y=0.0046 m, l=0.009 m"),
     (lambda: crown.johns_gohar(0.0, half_width=0.01, **DESIGN), "below the length, got b=0.01 m"),

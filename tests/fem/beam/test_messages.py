@@ -156,7 +156,7 @@ def test_a_load_beyond_a_limit_point_names_factor_residual_and_what_was_tried():
         toggle().under_loads({1: (0, -1, 0)}, [10.0, 1.01 * limit])
     found = str(caught.value)
     assert "\n" not in found
-    number = re.search(r"no equilibrium found beyond factor ([\d.]+) on the way to", found)
+    number = re.search(r"no equilibrium found beyond factor ([\d.]+) towards", found)
     assert float(number[1]) == pytest.approx(limit, rel=1e-3)
     assert "with steps down to" in found
     assert "along_arc()" in found
