@@ -1,4 +1,4 @@
-"""How many cells a ratio of two lengths asks for, whatever its last digits.
+"""Number of cells for a ratio of two lengths, independent of its last digits.
 
 Ratios of round lengths are often whole, or halfway, but for round-off. Without a tolerance the last
 bits of a logarithm or a sine, which differ between processors, would choose between two meshes.

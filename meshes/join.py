@@ -1,4 +1,4 @@
-"""Several meshes as one, each keeping its own nodes, boundaries and bodies."""
+"""Several meshes as one, each with its nodes, boundaries and bodies unchanged."""
 
 from collections.abc import Mapping
 
@@ -17,9 +17,7 @@ def join(meshes: Mapping[str, Mesh2D]) -> Mesh2D:
     kinds = {name: type(mesh) for name, mesh in meshes.items()}
     if len(set(kinds.values())) != 1:
         given = ", ".join(f"{name}: {kind.__name__}" for name, kind in kinds.items())
-        raise ValueError(
-            f"joined meshes must be of one kind of cell, mesh them alike; got {given or 'none'}"
-        )
+        raise ValueError(f"joined meshes must be of one kind of cell, got {given or 'none'}")
     parts = list(meshes.values())
     starts = np.cumsum([0, *(mesh.doflocs.shape[1] for mesh in parts[:-1])])
     nodes = [mesh.dofs.element_dofs + at for mesh, at in zip(parts, starts, strict=True)]

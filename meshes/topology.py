@@ -1,7 +1,7 @@
-"""What a mesh keeps while its nodes move: cells, facets, boundaries, bodies and numbers of nodes.
+"""Constant data of a mesh whose nodes move: cells, facets, boundaries, bodies, numbers of nodes.
 
-The last few are kept by their content, and what is found again is what would be made anew: no mesh
-depends on those that were made before.
+The last few are stored by their content; a stored one equals a new one: no mesh depends on those
+that were made before.
 """
 
 from collections.abc import Callable, Hashable
@@ -15,13 +15,13 @@ from skfem.mesh import Mesh2D
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-MOST = 96  # kept: a sweep over a ring's shape comes back to some of three times thirty
-NODES = 500_000  # of all that are kept, with 200 bytes each
+MOST = 96  # stored: a sweep over a ring's shape returns to some of three times thirty
+NODES = 500_000  # of all that are stored, with 200 bytes each
 
 
 @dataclass(frozen=True)
 class Topology:
-    """A `mesh`, and from where (n,) among the nodes that it was read from its own come."""
+    """A `mesh`, and the index (n,) of each of its nodes among the nodes that it was read from."""
 
     mesh: Mesh2D
     source: Indices
@@ -50,7 +50,7 @@ class Topologies:
         self.kept: dict[Hashable, Topology] = {}
 
     def get(self, key: Hashable, make: Callable[[], Topology]) -> Topology:
-        """That of `key`, kept or from `make`."""
+        """The one stored for `key`, or a new one from `make`."""
         found = self.kept.pop(key, None) or make()
         if found.source.size <= self.nodes:
             self.kept[key] = found

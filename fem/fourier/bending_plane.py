@@ -26,7 +26,7 @@ class BendingPlane(NamedTuple):
 
 
 def bending_plane(body: RotatingSolid, u: Array) -> BendingPlane:
-    """Of the amplitudes `u` (unknowns,) of the first harmonic; not the corners' own peaks."""
+    """Of the amplitudes `u` (unknowns,) of the first harmonic, without stress peaks at corners."""
     cells, mesh = body.solid.cells, body.solid.mesh
     sigma = stress(cells.strain(u, 1), cells.lam[:, None], cells.mu[:, None])[..., 2]
     volume = cells.dx.sum(axis=1)

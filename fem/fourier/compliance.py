@@ -1,4 +1,4 @@
-"""How far the surface of a body of revolution gives way under pressure, harmonic by harmonic.
+"""Compliance of the surface of a body of revolution under pressure, harmonic by harmonic.
 
 A cylindrical surface, rim or bore, carries the tractions cos(n t) into the body or sin(n t) around
 on one of several cells along z. The displacements they make in these directions, times cos(n t) or

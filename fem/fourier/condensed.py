@@ -19,7 +19,7 @@ from fem.plane.discretisation import Array, Indices
 class Selected:
     """Parts `data` (3, entries) of the lower triangle of T' (K_0 + n K_1 + n^2 K_2) T.
 
-    T is a selection; zero entries are kept, so that all harmonics have theirs in the same places.
+    T is a selection; zero entries are stored, so that all harmonics have the same places.
     """
 
     T: csr_array

@@ -1,9 +1,9 @@
 """Frictionless contact of two bodies of revolution with parallel axes, on a narrow patch.
 
 The patch is a grid of cells, across (arc length s from the line of centres) and along z, each with
-an even pressure; both halves in s are alike. The mean gap of a cell is that of the undeformed
-surfaces plus what both bodies give way by, from their own finite elements (`SurfaceCompliance`):
-nothing is a half-space. Both bodies are loaded alike at each of their `places`, so that they are in
+a uniform pressure, symmetric in s. The mean gap of a cell is that of the undeformed surfaces
+plus the deflection of both bodies, from their finite elements (`SurfaceCompliance`): nothing is
+a half-space. Both bodies carry the same load at each of their `places`, so that they are in
 balance without supports.
 """
 
@@ -94,7 +94,7 @@ def patch_contact(
     across = _check(bodies, across, load)
     stations = bodies[0].stations
     M, m = across.size - 1, stations.size - 1
-    # the surface between the bodies takes a share of the curvature from each, as each gives way
+    # the surface between the bodies takes a share of the curvature from each, by its compliance
     curvature, softness = (sum(b.curvature for b in bodies), sum(b.softness for b in bodies))
     A = np.add(*(_between(body, across, curvature * body.softness / softness) for body in bodies))
     A = A.transpose(0, 2, 1, 3).reshape(M * m, M * m)

@@ -13,7 +13,7 @@ from fem.plane.discretisation import Array
 def shrink_pressure(bodies: Sequence[tuple[FourierSolid, str]], stations: Array) -> Array:
     """Pressure (cells,) between `stations` (cells + 1,) of two surfaces, of a unit interference.
 
-    Each body has the name of its surface; both give way all around alike.
+    Each body has the name of its surface; both deflect uniformly around.
     """
     G = sum(surface_flexibility(solid, name, stations=stations)[0, :, 0] for solid, name in bodies)
     return np.asarray(np.linalg.solve(G, np.diff(stations)), dtype=np.float64)

@@ -99,7 +99,7 @@ class FourierSolid:
         return Harmonic.of(self, _whole(n), antisymmetric)
 
     def flexibility(self, n: int, f: Array) -> Array:
-        """The work f_i . u_j (k, k) of loads `f` (unknowns, k), u_j their own displacements.
+        """The work f_i . u_j (k, k) of loads `f` (unknowns, k), u_j their displacements.
 
         For forces on few unknowns, such as pressures on one surface: these are eliminated last,
         and the others only factorised. Symmetric harmonics; errors as for `harmonic`.
@@ -147,7 +147,7 @@ class Harmonic:
     def of(
         cls, solid: FourierSolid, n: int, antisymmetric: bool, place: Indices | None = None
     ) -> "Harmonic":
-        """Assemble and factorise, in the order of `place` (unknowns,) or the solid's own."""
+        """Assemble and factorise, in the order of `place` (unknowns,) or that of the solid."""
         place = solid.place if place is None else place
         T = free_unknowns(solid.basis, solid.supports, n, antisymmetric, place)
         check_held(solid.basis, T, n, antisymmetric)

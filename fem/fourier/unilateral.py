@@ -13,7 +13,7 @@ ROUND_OFF = 1e-11  # of the largest pressure, and of the largest gap
 def push_together(A: Array, gap: Array, area: Array, load: float) -> tuple[Array, float]:
     """Pressures (n,) and approach of cells with the compliance `A`, `gap` and `area`.
 
-    A p + area (gap - approach) is 0 where p > 0, and positive elsewhere; area . p = load. `A`
+    A p + area (gap - approach) is 0 where p > 0, otherwise positive; area . p = load. `A`
     (n, n) is symmetric, positive definite. Every cell starts in contact; those that pull leave,
     those that overlap come back, until none does. ArithmeticError where that does not end.
     """

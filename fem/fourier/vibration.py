@@ -1,4 +1,4 @@
-"""Whirling of elastic bodies of revolution that spin about their axis, each at its own speed.
+"""Whirling of elastic bodies of revolution that spin about their axis, each at a separate speed.
 
 solid = FourierSolid(mesh, Elastic(E=210e9, nu=0.3))
 found = RotatingSolid(solid, 7850.0, springs=(Mount(boundary="rim", k=1e8),)).modes(1000.0)
@@ -142,7 +142,7 @@ class RotatingSolid:
             return np.concatenate([K @ x[:size], M @ x[size:]])
 
         def solved(x: Array) -> Array:
-            # ARPACK asks for this right after `right`: the second half is M q, and its solution q
+            # ARPACK calls this right after `right`: the second half is M q, and its solution q
             return np.concatenate([self.factor.solve(x[:size]), last])
 
         found, x = eigsh(
@@ -164,8 +164,8 @@ class RotatingSolid:
         """The lowest speeds W (found,) with a mode at w = `excitation` W, and their shapes.
 
         Fewer than `count` where gyroscopic forces keep the others from ever being met: of
-        (e^2 M - e G) u = K u/W^2 only positive roots are speeds. A negative excitation asks for
-        modes that run backward.
+        (e^2 M - e G) u = K u/W^2 only positive roots are speeds. With a negative excitation the
+        modes run backward.
         """
         e, size = excitation, self.K.shape[0]
         B = csr_array(e**2 * self.M - e * self.G)

@@ -81,7 +81,7 @@ def mean_motion(basis: Basis, boundary: str) -> Array:
     r, z = np.asarray(side.global_coordinates())
     area = side.dx * r
     middle = float((z * area).sum() / area.sum())
-    # work of tractions (1, -1, 0) and (z, -z, -r), each over its own squared length
+    # work of tractions (1, -1, 0) and (z, -z, -r), each over its squared length
     across = np.array([np.ones_like(r), -np.ones_like(r), np.zeros_like(r)])
     tilted = np.array([z - middle, middle - z, -r])
     found = np.zeros((basis.N, 2))

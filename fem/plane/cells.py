@@ -71,7 +71,7 @@ class Cells:
     def stiffness(self, place: Indices | None = None, weight: Array | None = None) -> csr_array:
         """K (unknowns, unknowns) of a(u, v) = v . K u.
 
-        With `place` (unknowns,), a number for every unknown that is kept and -1 for the others,
+        With `place` (unknowns,), a number for every unknown that remains and -1 for the others,
         K has the rows and columns of these alone. Unknowns of one number are shares of one, each
         with its `weight` (unknowns,).
         """

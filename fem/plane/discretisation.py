@@ -84,13 +84,13 @@ def vector_basis(
     if (shape, degree) not in ELEMENTS:
         raise ValueError(f"displacements have degree 1 or 2, got degree={degree}")
     # Triangles: exact stiffness on straight cells, one order to spare on curved ones.
-    # Quadrilaterals: 2 or 3 Gauss points each way, the full rule of Q1 and Q2.
+    # Quadrilaterals: 2 or 3 Gauss points per direction, the full rule of Q1 and Q2.
     order = 2 * degree if shape is MeshQuad1 or is_curved(mesh) else 2 * (degree - 1)
     element = ELEMENTS[shape, degree]
     if mixed and element is ElementTriP2:
         element, order = ElementTriP2Plus, order + 2  # its slopes are of degree 2, not 1
-    # The weight 2 pi r has the degree of the edges, at most 2. Without these two orders the rule's
-    # own error is a quarter of the energy's on straight six-node triangles, with them 2e-4.
+    # The weight 2 pi r has the degree of the edges, at most 2. Without these two orders the error
+    # of the rule is a quarter of the energy's on straight six-node triangles, with them 2e-4.
     quadrature = get_quadrature(mesh.elem.refdom, order + 2 if turn else order)
     check_unfolded(mesh, quadrature[0])
     if turn:

@@ -1,4 +1,4 @@
-"""Factors of symmetric, positive definite matrices, the last few kept by the matrix's content."""
+"""Factors of symmetric, positive definite matrices, the last few stored by the matrix's content."""
 
 import numpy as np
 from scipy.sparse import csc_array
@@ -14,7 +14,7 @@ FACTORS: Recent[Cholesky] = Recent(most=8, room=8e6)  # entries of the factors, 
 
 
 def factorised(A: csc_array) -> Cholesky:
-    """Factors of `A`, kept where they are small."""
+    """Factors of `A`, stored where they are small."""
     key = (A.shape[0], A.data, A.indices, A.indptr)
     return FACTORS.get(key, lambda: Cholesky(A, ordered=False), lambda factors: factors.entries)
 

@@ -35,8 +35,8 @@ def _on_line(x: Array, degree: int) -> tuple[Array, Array]:
 def jacobians(mesh: Mesh2D, X: Array, cells: Indices | None = None) -> tuple[Array, Array]:
     """dx_i / dX_j (m, q, 2, 2) at reference points `X` (2, q), and determinants (m, q).
 
-    Of all cells or of `cells` (m,), whose points may be their own, `X` (2, m, q). Coordinates count
-    from a node of their own cell: round-off stays small against a cell however far it lies from
+    Of all cells or of `cells` (m,), each possibly with its points, `X` (2, m, q). Coordinates count
+    from a node of the same cell: round-off stays small against a cell however far it lies from
     the origin.
     """
     t = np.asarray(mesh.dofs.element_dofs)

@@ -57,7 +57,7 @@ def wall_normals(
 
 
 def turned(vectors: Array, angle: Array) -> Array:
-    """`vectors` (2, m), each turned by its own of `angle` (m,) [rad]."""
+    """`vectors` (2, m), each turned by its element of `angle` (m,) [rad]."""
     c, s = np.cos(angle), np.sin(angle)
     x, y = vectors
     return np.array([c * x - s * y, s * x + c * y])

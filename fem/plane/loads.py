@@ -79,7 +79,7 @@ def surface_load(
 def force_load(
     basis: Basis, forces: Mapping[str, tuple[float, float]], *, turn: bool = False
 ) -> Array:
-    """Forces of the totals `forces` [force] on named boundaries, each spread evenly over its own.
+    """Totals `forces` [force] on named boundaries, each uniformly distributed over its boundary.
 
     A total is what acts on the whole thickness or turn. ValueError for a radial one around a turn,
     which has no resultant.

@@ -1,6 +1,6 @@
 """The cell of a plane mesh that a point lies in, and the point's coordinates in that cell.
 
-Cells may have curved edges. Coordinates count from a corner of their own cell, so that round-off
+Cells may have curved edges. Coordinates count from a corner of the cell, so that round-off
 stays small against a cell however far it lies from the origin.
 """
 

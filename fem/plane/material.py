@@ -33,6 +33,6 @@ class Elastic:
     def normal_stress_ratio(self, assumption: Assumption) -> float:
         """sigma_zz / (sigma_xx + sigma_yy): nu where the plane may not strain outwards, else 0.
 
-        NaN in a body of revolution, whose hoop stress follows from a strain of its own.
+        NaN in a body of revolution, whose hoop stress follows from a separate strain.
         """
         return {"plane strain": self.nu, "plane stress": 0.0, "axisymmetric": math.nan}[assumption]

@@ -1,4 +1,4 @@
-"""Plane bodies that bear Hertz's pressure on a patch of a round wall, and what walls do then."""
+"""Plane bodies under Hertz's pressure on a patch of a round wall, and deflections of the wall."""
 
 from dataclasses import replace
 from typing import Any
@@ -21,7 +21,7 @@ def solve_under_patch(
     The patch reaches from the x axis along the arc of `radius` about the origin to the half-width
     a [length]; the other half of the load lies beyond the axis. Even cells integrate the
     square-root end of the pressure with an error of order 3/2, 1e-5 of the load; everything is
-    scaled so that the patch bears P/2.
+    scaled so that the patch carries P/2.
     """
     peak = 2 * P / (np.pi * a)
 

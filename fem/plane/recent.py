@@ -1,7 +1,7 @@
 """Results of the last few arguments, found again by the arguments' content.
 
-What is found again is what would be made anew, to the last bit, so that no result depends on what
-the process did before.
+A stored result equals a new one to the last bit, so that no result depends on what the process did
+before.
 """
 
 from collections.abc import Callable
@@ -18,14 +18,14 @@ Key = tuple[type | int | Array | Indices, ...]
 
 @dataclass
 class Recent(Generic[V]):
-    """At most `most` results, the latest first, and `room` in all by what each is said to take."""
+    """At most `most` results, the latest first, and `room` in all by the stated size of each."""
 
     most: int
     room: float = np.inf
     kept: list[tuple[Key, V, float]] = field(default_factory=list)
 
     def get(self, key: Key, make: Callable[[], V], size: Callable[[V], float] = lambda _: 0) -> V:
-        """The result of the arguments `key`, kept or from `make`; it takes `size` of the room."""
+        """The result of the arguments `key`, stored or from `make`; it takes `size` of the room."""
         for k, entry in enumerate(self.kept):
             if same(entry[0], key):
                 self.kept.insert(0, self.kept.pop(k))

@@ -79,7 +79,7 @@ def solve_plane(
     point_forces, anchors
         Forces and supports at mesh nodes, by coordinates. A point force in the plane, or the
         total on a ring around the axis, has an unbounded displacement under it: take differences
-        elsewhere.
+        at other points.
     ties
         Boundaries that follow others: the cuts of cyclic sectors and periodic cells.
     means

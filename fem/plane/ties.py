@@ -193,7 +193,7 @@ def _partners(basis: Basis, tie: Tie) -> tuple[list[int], list[int]]:
     )
     if leader.size != follower.size:
         raise ValueError(
-            f"tie {tie}: {follower.size} nodes cannot follow {leader.size}: mesh both sides alike"
+            f"tie {tie}: {follower.size} nodes cannot follow {leader.size}: use equal meshes"
         )
     moved = tie.move.of(basis.doflocs[0, leader] + 1j * basis.doflocs[1, leader])
     wanted = np.array([moved.real, moved.imag])
@@ -204,6 +204,6 @@ def _partners(basis: Basis, tie: Tie) -> tuple[list[int], list[int]]:
         x, y = wanted[:, worst]
         raise ValueError(
             f"tie {tie}: no node follows that at ({x:.5g}, {y:.5g}), the nearest is "
-            f"{distance[worst]:.3g} away: mesh both sides alike, or mend angle, about and shift"
+            f"{distance[worst]:.3g} away: use equal meshes, or correct angle, about and shift"
         )
     return leader.tolist(), follower[nearest].tolist()

@@ -13,10 +13,10 @@ from fem.plane.geometry import Array, Indices, jacobians, shapes_in
 class Trace(FacetBasis):
     """`basis` on the cells at one `side` of `facets`, at facet parameters `X` (1, q).
 
-    What scikit-fem's own class holds, with two differences. A point of a facet has its place in the
+    Content of scikit-fem's class, with two differences. A point of a facet has its place in the
     cell by the corners that both share; scikit-fem inverts the curved map by Newton's method to
     1e-12 of a cell, which round-off forbids where cells are small against their distance from the
-    origin. And shape functions are evaluated where something asks for them.
+    origin. And shape functions are evaluated on demand.
     """
 
     def __init__(self, basis: Basis, facets: Indices, side: int, X: Array, W: Array) -> None:

@@ -1,10 +1,10 @@
-"""A rotor in the complex coordinates of whirl, split into parts that do not know of each other.
+"""A rotor in the complex coordinates of whirl, split into independent blocks.
 
 At each node r = (x + i y)/sqrt 2 and phi = (theta_y - i theta_x)/sqrt 2 turn forwards, their
-conjugate counterparts (x - i y)/sqrt 2, ... backwards. On isotropic supports the two fall apart,
-and the problem is half as large; bending, torsion and stretching fall apart unless a link
+conjugate counterparts (x - i y)/sqrt 2, ... backwards. On isotropic supports the two decouple,
+and the problem is half as large; bending, torsion and stretching decouple unless a link
 couples them. The change of coordinates is unitary, so that symmetric matrices become Hermitian.
-What is damped and does not fall apart stays in the nodes' own unknowns, where it is real.
+Damped rotors that do not decouple remain in the unknowns of the nodes, where they are real.
 """
 
 from dataclasses import dataclass
@@ -22,7 +22,7 @@ Complex = NDArray[np.complex128]
 Indices = NDArray[np.int64]
 
 RIGID = 1e-13  # singular values of K on the scale of its diagonal, below which a motion is free
-NONE = 1e-15  # a coupling, over the unknowns' own stiffness or mass, that is round-off
+NONE = 1e-15  # a coupling, over the stiffness or mass of the unknowns, that is round-off
 _HALF = np.sqrt(0.5)
 # rows: r, conj r, z, phi, conj phi, theta_z; columns: x, y, z, theta_x, theta_y, theta_z
 WHIRL = np.array([
@@ -39,7 +39,7 @@ PLANE = np.array(["bending", "bending", "axial", "bending", "bending", "torsion"
 
 @dataclass(frozen=True)
 class Block:
-    """Unknowns `at` of the complex coordinates (or, not `turned`, the own), and matrices (n, n).
+    """Unknowns `at` of the complex coordinates (of the nodes if not `turned`), matrices (n, n).
 
     `sense` is 1 where all turn forwards, -1 where all turn backwards, else 0; `planes` names the
     kinds of motion that take part, `across` (n,) says which unknowns are of bending.
@@ -72,7 +72,7 @@ class Block:
         return (to_whirl(q) if self.turned else q)[..., self.at]
 
     def real(self, v: NDArray[np.inexact], unknowns: int) -> Complex:
-        """Amplitudes (..., unknowns) along the nodes' own unknowns of `v` (..., n)."""
+        """Amplitudes (..., unknowns) of the nodes' unknowns of `v` (..., n)."""
         whole = np.zeros((*v.shape[:-1], unknowns), complex)
         whole[..., self.at] = v
         return from_whirl(whole) if self.turned else whole
@@ -87,13 +87,13 @@ def rigid_motions(K: NDArray[np.inexact]) -> NDArray[np.inexact]:
 
 
 def to_whirl(q: NDArray[np.inexact]) -> Complex:
-    """Amplitudes (..., n) in the complex coordinates of those of the nodes' own unknowns."""
+    """Amplitudes (..., n) in the complex coordinates from those of the nodes' unknowns."""
     nodes = q.reshape(*q.shape[:-1], -1, UNKNOWNS)
     return np.asarray((nodes @ WHIRL.T).reshape(q.shape))
 
 
 def from_whirl(q: NDArray[np.inexact]) -> Complex:
-    """The way back of `to_whirl`."""
+    """Inverse of `to_whirl`."""
     nodes = q.reshape(*q.shape[:-1], -1, UNKNOWNS)
     return np.asarray((nodes @ WHIRL.conj()).reshape(q.shape))
 
@@ -127,7 +127,7 @@ def blocks(system: System, speed: float = 0.0) -> list[Block]:
 
 
 def _partner(at: Indices) -> Indices:
-    """The unknowns that are conjugate to `at`; a node's own are in the same two places."""
+    """The unknowns that are conjugate to `at`; those of one node are in the same two places."""
     return at + np.tile([1, -1, 0, 1, -1, 0], at.max() // UNKNOWNS + 1)[at]
 
 

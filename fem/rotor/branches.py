@@ -21,7 +21,7 @@ ROUND = 1e-6  # share of the other sense in a motion, below which it has one
 
 @dataclass(frozen=True)
 class Branches:
-    """`values` lambda (speeds, k) and shapes (speeds, k, n) of the nodes' own unknowns."""
+    """`values` lambda (speeds, k) and shapes (speeds, k, n) of the nodes' unknowns."""
 
     values: Complex
     shapes: Complex
@@ -59,7 +59,7 @@ def branches(rotor: Rotor, speeds: Array, count: int, plane: str) -> list[Branch
         return [_followed(b, speeds, count, unknowns) for b in parts(rotor, 0.0, plane)]
     made = [parts(rotor, float(s), plane) for s in speeds]
     if len({tuple(b.at.tobytes() for b in own) for own in made}) > 1:
-        raise ValueError("supports that couple the planes at some speeds alone: ask for each speed")
+        raise ValueError("supports that couple the planes at some speeds alone: solve each speed")
     columns = zip(*made, strict=True)
     return [_joined(list(own), speeds, count, unknowns) for own in columns]
 

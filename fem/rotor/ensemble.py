@@ -48,7 +48,7 @@ class Ranges:
 
 @dataclass(frozen=True)
 class Ensemble:
-    """Parameters (members, k); which starts met all speeds, and which were kept (starts,)."""
+    """Parameters (members, k); which starts met all speeds, and which remained (starts,)."""
 
     members: Array
     met: NDArray[np.bool_]

@@ -142,7 +142,7 @@ class Disc:
 def joint(
     xx: float, yy: float | None, xy: float, yx: float | None, zz: float, tilt: float, turn: float
 ) -> Array:
-    """Matrix (6, 6) of a support: across, along, tilt about x and y alike, turn about z.
+    """Matrix (6, 6) of a support: across, along, tilt about x and y (equal), turn about z.
 
     Left out, `yy` is `xx` and `yx` is `xy`.
     """

@@ -11,8 +11,8 @@ LESS = 1 - 1e-9  # than what no Rayleigh damping has
 def spread_ratios(low: float, high: float, apart: float, count: int) -> Array:
     """Damping ratios (count, 2) at two frequencies, even over their logarithms (R2 sequence).
 
-    No Rayleigh damping has ratios further `apart` than the frequencies are: the second is cut
-    there.
+    With Rayleigh damping the quotient of both ratios is at most that of the frequencies: the
+    second ratio is limited to it.
 
     >>> ratios = spread_ratios(0.005, 0.03, 3.5, 64)
     >>> bool((ratios[:, 0] >= 0.005).all() and (ratios[:, 0] <= 0.03).all())

@@ -9,9 +9,9 @@ Hermitian standard problem
 
     [[-Omega H, b], [b, 0]] [v; w] = mu [v; w].
 
-It needs K positive and bears unknowns without mass; where K leaves a rigid motion free, the
+It needs K positive and permits unknowns without mass; where K leaves a rigid motion free, the
 problem for omega itself has the same form with M in the place of K. The other problems, damped or
-with a K that is not symmetric, are linearised in the same two ways and left to a general solver.
+with a K that is not symmetric, are linearised in the same two forms for a general solver.
 """
 
 from collections.abc import Callable

@@ -145,7 +145,7 @@ def forced_response(
     """The response to forces Re(f e^(i omega t)), `force` (speeds, unknowns) or (unknowns,).
 
     `speeds` and `omega` (m,) go together; one of them may be a single number. Forces of a negative
-    omega turn the other way; amplitudes are those of the positive one.
+    omega turn in the opposite sense; amplitudes are those of the positive one.
     """
     return _responses(rotor, speeds, omega, [force])[0]
 

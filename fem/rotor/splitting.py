@@ -1,4 +1,4 @@
-"""How far turning moves the frequencies of forward and backward whirl apart."""
+"""Gyroscopic splitting of the frequencies of forward and backward whirl."""
 
 from dataclasses import dataclass
 from typing import Protocol
@@ -35,7 +35,7 @@ def gyroscopic_splitting(
     .. math:: w_f - w_b = \Omega\, \frac{v_b \cdot G v_f}{v_b \cdot M v_f}
 
     without the round-off of K in a difference of nearly equal frequencies. Where the shapes number
-    k are not alike, at speeds that change the order of the modes, the difference is not small and
+    k differ, at speeds that change the order of the modes, the difference is not small and
     is taken as it is.
     """
     f, b = (

@@ -137,7 +137,7 @@ def _solve(B, D, area, dofs, f, u, number):
     """Solve for the unknowns that `number` leaves free, from the prescribed values `u` on.
 
     Returns u, stress resultants, strain energy, internal forces and the relative energy of the
-    last correction. Strains add up from the corrections, each resolved to its own precision: those
+    last correction. Strains add up from the corrections, each resolved to its full precision: those
     of the total displacement would round by the large rigid motion of slender shells.
     """
     K, free = _assemble(B, D, area, dofs, number), number >= 0

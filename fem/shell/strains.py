@@ -13,9 +13,9 @@ vanish in every rigid motion. From them
 
 are the membrane strains, the shear strains and the curvatures, as in the first-order theory of
 Sanders and Koiter where n moves with u; along a strip, those of a Timoshenko beam. The last,
-ω = (a_2·e_1 - a_1·e_2)/2 over the area, is what θ·n and the surface's own rotation in its plane
-differ by: zero in the exact solution, whatever the stiffness that holds it there. The shear
-modulus holds it at the tying points, a stiffness as small as that of bending elsewhere: more
+ω = (a_2·e_1 - a_1·e_2)/2 over the area, is the difference between θ·n and the rotation of the
+surface in its plane: zero in the exact solution for any stiffness that holds it there. The shear
+modulus holds it at the tying points, and a stiffness as small as that of bending between them: more
 would lock thin curved shells, less would leave θ·n free in flat ones.
 """
 

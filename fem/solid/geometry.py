@@ -12,7 +12,7 @@ from fem.plane.geometry import FLAT, shapes
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-FACE_POINTS = 4  # of Gauss each way: a load of degree 3 on a curved face costs no order
+FACE_POINTS = 4  # of Gauss per direction: a load of degree 3 on a curved face costs no order
 
 
 def degree(mesh: Mesh3D) -> int:
@@ -23,7 +23,7 @@ def degree(mesh: Mesh3D) -> int:
 
 
 def cube_rule(points: tuple[int, ...]) -> tuple[Array, Array]:
-    """Gauss points (d, q) in the unit cube of d dimensions and weights, `points` each way."""
+    """Gauss points (d, q) in the unit cube of d dimensions, weights, `points` per direction."""
     rules = [np.polynomial.legendre.leggauss(n) for n in points]
     X = np.meshgrid(*[(t + 1) / 2 for t, _ in rules], indexing="ij")
     W = np.meshgrid(*[w / 2 for _, w in rules], indexing="ij")
@@ -33,7 +33,7 @@ def cube_rule(points: tuple[int, ...]) -> tuple[Array, Array]:
 def jacobians(mesh: Mesh3D, X: Array, cells: Indices | None = None) -> tuple[Array, Array]:
     """dx_i / dX_j (m, q, 3, 3) of `cells` at reference points `X` (3, q), determinants (m, q).
 
-    Coordinates count from a node of their own cell: round-off stays small against a cell however
+    Coordinates count from a node of the cell: round-off stays small against a cell however
     far it lies from the origin.
     """
     chosen = slice(None) if cells is None else cells
@@ -47,7 +47,7 @@ def jacobians(mesh: Mesh3D, X: Array, cells: Indices | None = None) -> tuple[Arr
 def check_unfolded(mesh: Mesh3D) -> None:
     """ValueError naming the first cell that folds over or flattens.
 
-    The determinant has one sign, either, at three Gauss points each way and the cell's nodes.
+    The determinant has one sign at three Gauss points per direction and at the cell's nodes.
     """
     _, det = jacobians(mesh, np.hstack([cube_rule((3, 3, 3))[0], mesh.elem.doflocs.T]))
     low, high = det.min(axis=1), det.max(axis=1)
@@ -68,8 +68,8 @@ class Faces:
     """Faces of cells with one place in the reference cube, at Gauss points of the face.
 
     `nodes` (k, n) are those of the cells, `N` (q, n) their shape functions, `x` (k, q, 3) the
-    points, `area` (k, q, 3) their outward normals times weights; `own` (n,) tells which nodes lie
-    on the face.
+    points, `area` (k, q, 3) their outward normals times weights; `own` (n,) is true for nodes that
+    lie on the face.
     """
 
     nodes: Indices

@@ -56,7 +56,7 @@ def _halves(mesh: Mesh3D) -> tuple[Indices, int]:
 
 
 def _distance(cells: int, left: Indices, right: Indices) -> Array:
-    """Faces to cross from a cell far from cell 0; other bodies come after all of its own."""
+    """Faces to cross from a cell far from cell 0; other bodies follow after all of this one."""
     links = csr_array((np.ones(left.size), (left, right)), (cells, cells))
 
     def from_cell(k: int) -> Array:

@@ -55,7 +55,7 @@ def check_rigid_motions(mesh: Mesh3D, conditions: Conditions) -> None:
 
 
 def _motion(mesh: Mesh3D, own: Indices) -> Array:
-    """Displacements (nodes, 3, 6) of unit motions about the middle of the nodes `own`."""
+    """Displacements (nodes, 3, 6) of unit motions about the middle of the given nodes."""
     at = mesh.doflocs[:, np.unique(own)]
     x = (mesh.doflocs - at.mean(axis=1)[:, None]) / np.ptp(at, axis=1).max()
     turns = [np.cross(axis, x.T) for axis in np.eye(3)]

@@ -1,6 +1,6 @@
 """Prescribed and uniform displacement components on boundaries, lines and points of a solid.
 
-The solution is u = T q + u0 with free unknowns q; all nodes that move alike share one of them.
+The solution is u = T q + u0 with free unknowns q; all nodes of equal movement share one of them.
 """
 
 from collections.abc import Callable, Iterator, Mapping

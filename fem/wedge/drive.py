@@ -1,4 +1,4 @@
-"""Axial load at which a wedged roller slips: the ring driven along z until it bears no more.
+"""Axial load at which a wedged roller slips: the ring driven along z up to its largest load.
 
 The limit is read from solved states alone. The axial load first follows its path, met by
 displacements of the ring's rim; then the rim goes on until no loaded node of a contact sticks and
@@ -109,7 +109,7 @@ class Drive:
         return 1 + 1 / lever_left(self.one.mu, self.rest.start) ** 2
 
     def _slip(self, at: Driven, step: float) -> tuple[float, float]:
-        """The largest F_ax R/T on the way to slip, and what is `left` there."""
+        """The largest F_ax R/T until slip, and what is `left` there."""
         largest, ahead = 0.0, 0.0
         for _ in range(MOST):
             new = self._onward(at, step * self.way, ahead)

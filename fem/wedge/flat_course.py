@@ -83,7 +83,7 @@ class FlatCourse(Course):
         return t
 
     def log_along(self, T: Array) -> Array:
-        """And the other way round."""
+        """Inverse of `log_torque`."""
         return np.asarray(np.log(T))
 
     def _up_to(self, slope: Callable[[Array], Array], T: Array) -> Array:

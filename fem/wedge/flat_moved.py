@@ -1,4 +1,4 @@
-"""The angle of a wedged roller where the flats lie a little elsewhere."""
+"""The angle of a wedged roller where the flats are slightly displaced."""
 
 import math
 from dataclasses import replace

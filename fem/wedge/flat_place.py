@@ -1,7 +1,7 @@
 """Where a roller lies between a flat and a round race, and what one pitch of them is made of.
 
-The cam has the flats. `sense` is +1 for flats inside a ring and -1 for flats around a shaft: what
-draws a roller into the wedge then turns the other way.
+The cam has the flats. `sense` is +1 for flats inside a ring and -1 for flats around a shaft: the
+direction that draws a roller into the wedge is then reversed.
 """
 
 import math

@@ -77,8 +77,8 @@ def loaded(
 ) -> Start:
     """On from `now`, by coarse meshes, to where `share` is within `near` of 1.
 
-    It is what is wanted over what a state bears; overlaps grow by its `power`. NotFoundError where
-    steps do not get there, which names `what` is missed.
+    It is the target over the load of a state; overlaps grow by its `power`. NotFoundError where
+    the steps do not converge, naming `what` is missed.
     """
     for _ in range(MOST):
         state = now.state(q, COARSE)

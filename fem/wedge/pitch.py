@@ -18,7 +18,7 @@ def pitch_problem(
     races: tuple[str, str], turned: Sequence[str], supports: "Mapping[str, Support] | None" = None,
     along: "Along | None" = None,
 ) -> "ContactProblem":  # fmt: skip
-    """The pitch of `z` alike, whose `races` are cut at their boundaries "left" and "right".
+    """The pitch of `z` equal ones, whose `races` are cut at the boundaries "left" and "right".
 
     Of the boundaries `turned` the mean rotation is prescribed; all else is free, so that races
     breathe as rings do. E [Pa] and nu are those of all bodies.

@@ -1,4 +1,4 @@
-"""Rollers between flats and a ring under torque that are pulled along the axis; what they bear."""
+"""Rollers between flats and a ring under torque, pulled along the axis: their contact forces."""
 
 import math
 from dataclasses import dataclass, replace
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-AMPLE = 2.0  # friction over what statics asks for, where forces are measured
+AMPLE = 2.0  # friction over that required by statics, where forces are measured
 HARDER = 0.85  # d ln(approach)/d ln(T), about
 NEAR, MOST = 1e-4, 12  # how near the torque coarse meshes come; steps of a ring that creeps
 STILL = 1e-6  # of both approaches: what the roller may move while the ring creeps
@@ -44,7 +44,7 @@ class Pulled:
 
 @dataclass(frozen=True)
 class Borne:
-    """What the contacts of one roller bear per length [N/m]: `N`, `F_t`, `F_z` (2,), cam and ring.
+    """Contact forces of one roller per length [N/m]: `N`, `F_t`, `F_z` (2,), cam and ring.
 
     F_t is positive into the wedge, F_z as it acts on the races.
     """

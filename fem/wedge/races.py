@@ -125,7 +125,7 @@ class State(Touching, Generic[P]):
 
     @property
     def held(self) -> float:
-        """That the outer race's rim bears [N]."""
+        """Reaction of the outer race's rim [N]."""
         return -self.sector.q.z * self.solution.plane.mean_reaction(HELD[1])["r"]
 
     @cached_property

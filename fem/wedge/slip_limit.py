@@ -22,7 +22,7 @@ ONSET_WIDTH = 1e-6  # of tan(psi/2): last bracket
 AXIAL_ABOVE = 1e-3  # of mu_req: the first friction with an axial load
 SHARES = (1.01, 1.06, 1.15, 1.35, 1.8, 3.0)  # mu/tan(alpha) of the slip shares
 ANGLES = (0.3, 0.5, 0.7, 0.85, 0.97, 1.03, 1.2, 1.5)  # tan(alpha)/mu of the sweep
-HELD = 0.5  # of N: more is left of it where places are alike and forces are not
+HELD = 0.5  # of N: more is left of it where places are equal and forces are not
 DRIVEN = (1.5, 3.0)  # of the ring along z, over what parts yield: to where all slips
 
 
@@ -65,7 +65,7 @@ class Limit:
         first = 1 + AXIAL_ABOVE
         second, _ = self._corrected(first)
         if second < first and not self.sticks(second * self.full):
-            # the first one bears more than the load; with the second, torque alone is too much
+            # the first one carries more than the load; with the second, torque alone is too much
             return np.array([(first + second) / 2, (first - second) / 2])
         found, doubt = self._corrected(second)
         return np.array([found, doubt + abs(found - second)])
@@ -124,12 +124,12 @@ def over_angles(
     one: Pulled, start: Start, stuck: State, *, N: float, unit: float,
     built: Callable[[float], Pitch],
 ) -> Array:  # fmt: skip
-    """Clutches alike but for X, at the same overlap, one row (m, 7) for each that can be built.
+    """Clutches equal but for X, at the same overlap, one row (m, 7) for each that can be built.
 
     `built` makes the pitch with flats at X [m], ValueError where there is none. Rows have
     tan(alpha)/mu, part of `N` [N/m] that is left, F_t/(mu N) (0 where it is none), and after the
     ring has been driven along z until all slips F_t/(mu N) and F_z/(mu N) of cam and ring. At its
-    own angle the clutch, `stuck`, yields by `unit` [m] along z to where it slips. Angles and forces
+    angle the clutch, `stuck`, yields by `unit` [m] along z to where it slips. Angles and forces
     are those of the meshes, on whose normals slip is decided.
     """
     q, mu, (d_i, d_o) = one.q, one.mu, start.d

@@ -23,7 +23,7 @@ class Stroke(Course):
     z: int
 
     def turn_by_energy(self, T: Array) -> Array:
-        """Turn of the races [rad] up to torques T [N m]: the integral of n_s dU/T."""
+        """Relative rotation of the races [rad] up to torques T [N m]: the integral of n_s dU/T."""
         U, z = self.logarithm("U", "T"), self.z
         return self.integral(lambda t: z * np.exp(U(t) - t) * U(t, 1), "T", np.log(T))
 

@@ -79,7 +79,7 @@ def block(
     growing = all(-math.inf < low < high < math.inf for low, high in (x, y))
     if not growing or min(nx, ny) < 1:
         raise ValueError(
-            f"a block needs growing x and y and a cell each way, got x={x}, y={y}, nx={nx}, ny={ny}"
+            f"a block needs growing x and y and nx, ny > 0, got x={x}, y={y}, nx={nx}, ny={ny}"
         )
     a, b, c, d = (left, bottom), (right, bottom), (right, top), (left, top)
     edges = (

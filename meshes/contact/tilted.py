@@ -36,7 +36,7 @@ def tilted_half_disc(*, R: float, tilt: float, zone: float, refine: int, cells: 
 
 
 def placed(mesh: Mesh2D, *, turn: float, shift: Point) -> Mesh2D:
-    """The mesh turned by `turn` [rad] about the origin, then shifted; names are kept."""
+    """The mesh turned by `turn` [rad] about the origin, then shifted; names are unchanged."""
     c, s = math.cos(turn), math.sin(turn)
     moved = np.array([[c, -s], [s, c]]) @ mesh.doflocs + np.reshape(shift, (2, 1))
     return replace(mesh, doflocs=moved)

@@ -16,7 +16,7 @@ KEPT = 64  # meshes; a sweep over the clamping angle moves the same ones at ever
 
 @lru_cache(KEPT)
 def flat_mesh(blocks: tuple[Block, ...], order: int) -> Mesh2D:
-    """The mesh of `blocks` before it is bent. It is kept: nobody may write into it."""
+    """The mesh of `blocks` before it is bent. It is stored for reuse: never write into it."""
     return mesh_blocks(blocks, order=order)
 
 

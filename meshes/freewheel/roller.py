@@ -1,4 +1,4 @@
-"""A whole roller touched at two places of its rim that are less than half a turn apart."""
+"""A whole roller touched at two places of its rim, at less than half a turn from each other."""
 
 import math
 

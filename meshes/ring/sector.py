@@ -1,7 +1,7 @@
 """Half a pitch of a ring under evenly spaced loads, as the conformal image of a block.
 
-The exponential takes the rectangle of angle and ln r to the ring and bends no angle, so that a
-block that is fine about the patch stays as good a mesh: cells are as square as its own.
+The exponential maps the rectangle of angle and ln r to the ring and preserves angles, so that a
+block that is fine about the patch stays as good a mesh: its square cells remain square.
 """
 
 import math

@@ -15,14 +15,14 @@ SIDES = ("z=0", "z=1", "y=0", "x=1", "y=1", "x=0")  # in gmsh's order; 0 the low
 def solid_block(
     *, x: Span, y: Span, z: Span, cells: tuple[int, int, int], order: int = 2
 ) -> Mesh3D:
-    """The block between two `x`, two `y` and two `z`, of `cells` each way; reference axes x, y, z.
+    """The block between two `x`, `y` and `z`, of `cells` per direction; reference axes x, y, z.
 
     Boundaries "x=0" (the lower end) and "x=1" (the upper), and so on; body "block". `order` 1 or 2.
     ValueError unless the second of each pair is above the first and every count at least 1.
     """
     if min(cells) < 1 or not all(-math.inf < low < high < math.inf for low, high in (x, y, z)):
         raise ValueError(
-            f"a block needs growing x, y, z and a cell each way, got x={x}, y={y}, z={z}, "
+            f"a block needs growing x, y, z and a cell per direction, got x={x}, y={y}, z={z}, "
             f"cells={cells}"
         )
     with gmsh_session():

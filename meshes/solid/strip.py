@@ -116,7 +116,7 @@ def _check(pieces: Sequence[Piece], b: float, width: float, counts: tuple[int, .
         raise ValueError(f"a strip needs b > 0 and width > 0, got b={b:g} m, width={width:g} m")
     if min(counts) < 1:
         raise ValueError(
-            "a strip needs a cell each way, got through, per_arc, per_leaf, across = "
+            "a strip needs a cell per direction, got through, per_arc, per_leaf, across = "
             + ", ".join(map(str, counts))
         )
     for piece in pieces:

@@ -77,5 +77,5 @@ def check_zone(where: str, race: RoundRace, room: float, zone: float) -> None:
     if not 0 < zone <= bound:
         raise ValueError(
             f"the {where} contact's fine zone needs 0 < zone <= about the wall, a quarter of the "
-            f"pitch and three quarters of the way to the flank, here {bound:g} m, got {zone:g} m"
+            f"pitch and 3/4 of the distance to the flank, here {bound:g} m, got {zone:g} m"
         )

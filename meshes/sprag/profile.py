@@ -1,6 +1,6 @@
 """The outline of a sprag: spiral below, arc above, two straight flanks, and where races touch it.
 
-Its own frame has the spiral's pole at the origin and the top of the arc on +y. Directions of the
+The local frame has the spiral's pole at the origin and the top of the arc on +y. Directions of the
 spiral count anticlockwise from -y, those of the arc clockwise from +y.
 """
 
@@ -191,6 +191,6 @@ class Placed:
         return float(x), float(y)
 
     def placed(self, x: Array) -> Array:
-        """Where points (2, ...) of the sprag's own frame are."""
+        """Places of points (2, ...) of the local frame of the sprag."""
         c, s = math.cos(self.turn), math.sin(self.turn)
         return np.array([c * x[0] + s * x[1] + self.pole[0], c * x[1] - s * x[0] + self.pole[1]])

@@ -45,7 +45,7 @@ class Races:
 
 @dataclass(frozen=True)
 class FirstContact:
-    """Where pole and contacts lie [m] as a spiral of growth `m` touches, its own point on +y."""
+    """Where pole and contacts lie [m] as a spiral of growth `m` touches, its contact on +y."""
 
     R_i: float
     R_e: float
@@ -193,8 +193,8 @@ class Place:
     ) -> "Place":
         """Where the sprag lies that has moved `outwards` [m].
 
-        The races have moved outwards at the contacts by `races` [m], and curved surfaces that were
-        drawn apart are so by `opened` [m] more.
+        The races have moved outwards at the contacts by `races` [m], and the drawn gap between
+        curved surfaces has grown by `opened` [m].
         """
         moved = replace(self, D=self.D + outwards)
         (inner, outer), (d_i, d_e) = races, moved.overlaps
