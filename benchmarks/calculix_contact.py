@@ -44,8 +44,8 @@ class Settings:
         return self.start * 2 * hertz.EXACT.approach
 
     @property
-    def told(self) -> contact.Settings:
-        """The same as decks have it."""
+    def in_deck(self) -> contact.Settings:
+        """These settings in the form of a deck."""
         return contact.Settings(
             slope=self.slope * hertz.STEEL.E / hertz.A, solver=self.solver,
             full=self.element == "CPE8", increments=self.increments, pairing=self.pairing,
@@ -76,7 +76,7 @@ class Answer:
 def write_deck(path: Path, solution: ContactSolution, ask: Settings) -> None:
     """Write what `solution` solves."""
     deck = contact.ContactDeck(
-        states=[solution], materials=hertz.STEEL, assumption=hertz.ASSUMPTION, how=ask.told,
+        states=[solution], materials=hertz.STEEL, assumption=hertz.ASSUMPTION, how=ask.in_deck,
         shift=-lowered(solution.plane, ask),
     )  # fmt: skip
     deck.write(path)

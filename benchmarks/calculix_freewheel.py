@@ -1,8 +1,8 @@
 """The benchmark's pitch of a freewheel as a calculix deck, run there, and its answer read back.
 
-Same nodes, cuts tied and the rim's mean rotation held by *EQUATION with this project's own weights.
+Same nodes, cuts tied and the rim's mean rotation held by *EQUATION with this project's weights.
 Contact is a penalty there, surface to surface, friction another one; circle and flat cannot be
-told, the parabolas of the cells' sides stand for them. The overlap is the mesh's own.
+entered and are replaced by the parabolas of the cells' sides. The overlap is that of the mesh.
 """
 
 from dataclasses import dataclass
@@ -25,7 +25,7 @@ STIFF = sector.CLUTCH.E / sector.WIDTHS[0]  # Pa/m
 
 @dataclass(frozen=True, kw_only=True)
 class Settings:
-    """How calculix is asked.
+    """Settings of calculix.
 
     `slope` [E/a] of the pressure over the overlap; `stick` of the friction over the slip, in
     slopes. Kind of element, linear solver, threads, increments (`cut` shorter where needed),
@@ -45,8 +45,8 @@ class Settings:
     given: float | None = None
 
     @property
-    def told(self) -> contact.Settings:
-        """The same as decks have it."""
+    def in_deck(self) -> contact.Settings:
+        """These settings in the form of a deck."""
         return contact.Settings(
             slope=self.slope * STIFF, stick=self.stick, solver=self.solver,
             full=self.element == "CPE8", increments=self.increments, cut=self.cut,
@@ -76,7 +76,7 @@ class Answer:
 
 
 class Deck:
-    """What calculix is told of a solved pitch."""
+    """The input deck of a solved pitch for calculix."""
 
     def __init__(self, problem: ContactProblem, solution: ContactSolution) -> None:
         self.problem, self.solution = problem, solution
@@ -85,9 +85,9 @@ class Deck:
 
     def write(self, path: Path, ask: Settings) -> None:
         """Bore and rim turned as solved, or the torque that is given."""
-        told = {} if ask.given is None else {0: -ask.given / (sector.CLUTCH.z * sector.CLUTCH.L)}
+        given = {} if ask.given is None else {0: -ask.given / (sector.CLUTCH.z * sector.CLUTCH.L)}
         contact.ContactDeck(
-            states=[self.solution], assumption="plane strain", how=ask.told, given=told,
+            states=[self.solution], assumption="plane strain", how=ask.in_deck, given=given,
             materials=Elastic(E=sector.CLUTCH.E, nu=sector.CLUTCH.nu),
         ).write(path)  # fmt: skip
 

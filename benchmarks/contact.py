@@ -1,13 +1,13 @@
 """Hertz contact of two elastic bodies beside calculix on the same mesh; `make bench`.
 
-Both run as processes of their own, in turn, with one thread. Ours is timed from the scikit-fem
+Both run as separate processes, in turn, with one thread. Ours is timed from the scikit-fem
 mesh in memory to contact pressures, displacements and the stress of every cell, and as a whole
 process with Python's start; calculix as a whole process, which reads its deck and writes the same.
-Meshing counts on neither side, nor does writing the deck; both are told. Both are judged by the
+Meshing counts on neither side, nor does writing the deck; both are reported. Both are judged by the
 peak pressure, the half-width from the pressure's moment and the approach of the centres.
 
-calculix is asked in many ways, all of them printed; it is compared in the one that is fastest among
-those nearest to the exact values. One row stands apart: discs that start with an overlap as wide
+calculix runs with many settings, all of them printed; it is compared in the fastest one of
+those nearest to the exact values. One row is separate: discs that start with an overlap as wide
 as the contact will be, so that calculix has nothing left to search, need the solution to begin
 with. Numbers and plot go to benchmarks/out.
 """
@@ -31,8 +31,8 @@ OUT = Path(__file__).parent / "out"
 RUNS = 7
 MINUTE = 60.0  # s
 NEAR = 1.1  # times the smallest error counts as that error
-# circles that overlap by a^2/R cut each other 2a apart: the start that knows the answer
-TOLD = hertz.A**2 / hertz.R / (2 * hertz.EXACT.approach)
+# circles that overlap by a^2/R cut each other at 2a: the start from the solution
+SOLVED_START = hertz.A**2 / hertz.R / (2 * hertz.EXACT.approach)
 USUAL = Settings()
 TRIED = (
     *(Settings(slope=slope) for slope in (5, 50, 100, 150, 500, 5000)),
@@ -86,7 +86,7 @@ def worst(errors: dict[str, float]) -> float:
     return max(abs(errors[name]) for name in ("p_0", "a", "approach"))
 
 
-def told(errors: dict[str, float]) -> str:
+def error_list(errors: dict[str, float]) -> str:
     names = ("p_0", "a", "approach")
     return " ".join(f"{name} {errors[name]:+.1e}" for name in names)
 
@@ -94,7 +94,7 @@ def told(errors: dict[str, float]) -> str:
 def try_all(peer: Peer) -> list[tuple[Settings, Answer]]:
     """Every setting once, printed; those that came to an answer."""
     found = []
-    for how in (*TRIED, *(replace(USUAL, start=TOLD, slope=s) for s in (50, 150, 500))):
+    for how in (*TRIED, *(replace(USUAL, start=SOLVED_START, slope=s) for s in (50, 150, 500))):
         try:
             answer = peer.ask(how)
         except RuntimeError as error:
@@ -104,7 +104,7 @@ def try_all(peer: Peer) -> list[tuple[Settings, Answer]]:
         found.append((how, answer))
         print(
             f"    {how!s:66s} {answer.run.wall:6.2f} s, processor {answer.run.cpu:6.2f} s, "
-            f"{answer.iterations:3d} iterations, errors {told(answer.errors)}"
+            f"{answer.iterations:3d} iterations, errors {error_list(answer.errors)}"
         )
     return found
 
@@ -140,9 +140,9 @@ def compare(peer: Peer, how: Settings, runs: int) -> dict[str, Any]:
     print(
         f"calculix with {how}\n"
         f"    ours      median {row['seconds']:6.3f} s, processor {row['cpu']:6.3f} s, "
-        f"with Python's start {row['process']:5.2f} s; errors {told(row['ours'])}\n"
+        f"with Python's start {row['process']:5.2f} s; errors {error_list(row['ours'])}\n"
         f"    calculix  median {row['calculix']:6.3f} s, processor {row['calculix cpu']:6.3f} s, "
-        f"{row['iterations']} iterations; errors {told(row['theirs'])}\n"
+        f"{row['iterations']} iterations; errors {error_list(row['theirs'])}\n"
         f"    calculix / ours, {runs} runs in turn: {ratios}"
     )
     return row
@@ -169,7 +169,7 @@ def climb(how: Settings | None) -> list[dict[str, Any]]:
         print(
             f"{row['unknowns']:7d} unknowns: set-up {row['set-up']:.3f} s, first solve "
             f"{row['first']:.3f} s, fields {row['fields']:.3f} s, further step "
-            f"{1e3 * row['step cpu']:.2f} ms{peer}; errors {told(row['errors'])}"
+            f"{1e3 * row['step cpu']:.2f} ms{peer}; errors {error_list(row['errors'])}"
         )
     return rows
 
@@ -197,16 +197,16 @@ def main() -> None:
         peer = Peer(hertz.CELLS, 1)
         found = try_all(peer)
         enough = worst(hertz.own_errors(peer.solution))
-        how = choose([(h, a) for h, a in found if h.start != TOLD], enough)
+        how = choose([(h, a) for h, a in found if h.start != SOLVED_START], enough)
         print(f"meshing {peer.meshing:.2f} s, writing the deck {peer.writing:.2f} s, not counted")
         result["tried"] = [
             {"settings": str(h), "wall": a.run.wall, "cpu": a.run.cpu, "errors": a.errors,
              "iterations": a.iterations} for h, a in found
         ]  # fmt: skip
         result["compared"] = compare(peer, how, RUNS)
-        knowing = choose([(h, a) for h, a in found if h.start == TOLD], enough)
-        print("started from the answer, which ours does not need:")
-        result["told"] = compare(peer, knowing, RUNS)
+        from_solution = choose([(h, a) for h, a in found if h.start == SOLVED_START], enough)
+        print("started from the solution, which ours does not need:")
+        result["from the solution"] = compare(peer, from_solution, RUNS)
     result["steps"] = steps()
     result["rows"] = climb(how)
     (OUT / "contact.json").write_text(json.dumps(result, indent=1), "utf-8")

@@ -1,12 +1,12 @@
 """A roller freewheel's pitch with friction beside calculix on the same mesh; `make bench`.
 
-Both run as processes of their own, in turn, with one thread. Ours is timed from the scikit-fem
+Both run as separate processes, in turn, with one thread. Ours is timed from the scikit-fem
 mesh in memory to torque, contact forces, pressures, half-widths, displacements and the stress of
 every cell, and as a whole process with Python's start; calculix as a whole process, which reads
-its deck and writes the same (what it takes to start is told). Meshing counts on neither side, nor
+its deck and writes the same (its start time is printed). Meshing counts on neither side, nor
 does writing the deck. Both are judged against this project's solution on a mesh six times as fine.
 
-calculix is asked in many ways, all of them printed; it is compared in the one that is fastest among
+calculix runs with many settings, all of them printed; it is compared in the fastest one of
 those nearest to the reference. Numbers and plot go to benchmarks/out.
 """
 
@@ -82,7 +82,7 @@ class Peer:
         return answer, errors
 
 
-def told(errors: Errors) -> str:
+def error_list(errors: Errors) -> str:
     return f"{sector.worst(errors):.1e} (" + ", ".join(
         f"{name} {errors[name]:+.0e}" for name in sector.JUDGED) + ")"  # fmt: skip
 
@@ -99,7 +99,7 @@ def try_all(peer: Peer) -> list[tuple[Settings, Answer, Errors]]:
         found.append((how, answer, errors))
         print(
             f"    {how!s:60s} {answer.run.wall:6.2f} s, processor {answer.run.cpu:6.2f} s, "
-            f"{answer.iterations:3d} iterations, error {told(errors)}", flush=True
+            f"{answer.iterations:3d} iterations, error {error_list(errors)}", flush=True
         )  # fmt: skip
     return found
 
@@ -131,7 +131,7 @@ def compare(peer: Peer, how: Settings) -> dict[str, Any]:
         "ours": here[0]["found"], "theirs": there[0].found,
         "ours errors": sector.errors(here[0]["found"], peer.reference),
         "theirs errors": sector.errors(there[0].found, peer.reference),
-        "apart": sector.errors(there[0].found, here[0]["found"]),
+        "difference": sector.errors(there[0].found, here[0]["found"]),
         "calculix": median(b.run.wall for b in there),
         "calculix cpu": median(b.run.cpu for b in there), "iterations": there[0].iterations,
         "wall": sorted(b.run.wall / a["seconds"] for a, b in pairs),
@@ -154,11 +154,12 @@ def compare(peer: Peer, how: Settings) -> dict[str, Any]:
 
 
 def table(reference: dict[str, float], row: dict[str, Any]) -> None:
-    """Both sides' errors, number by number, and how far they are apart."""
-    print(f"    {'':20s} {'reference':>12s} {'ours':>9s} {'calculix':>9s} {'apart':>9s}")
+    """Errors of both sides and their difference, quantity by quantity."""
+    print(f"    {'':20s} {'reference':>12s} {'ours':>10s} {'calculix':>10s} {'difference':>10s}")
+    sides = "ours errors", "theirs errors", "difference"
     for name, words in sector.JUDGED.items():
         value = "" if name == "centre" else f"{reference[name]:.6g}"
-        three = " ".join(f"{row[k][name]:+9.1e}" for k in ("ours errors", "theirs errors", "apart"))
+        three = " ".join(f"{row[k][name]:+10.1e}" for k in sides)
         print(f"    {words:20s} {value:>12s} {three}")
 
 

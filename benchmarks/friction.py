@@ -3,8 +3,8 @@
     python -m benchmarks.friction [--problems 10000] [--seed 0]
 
 One to four bodies press on each other and on the ground along graded surfaces of half-planes, with
-Dundurs' coupling of pressure and slip, and follow a load path of 20 steps with reversals. A check
-of its own, which shares no code with the solver, judges every solution.
+Dundurs' coupling of pressure and slip, and follow a load path of 20 steps with reversals. A
+separate check, which shares no code with the solver, judges every solution.
 """
 
 import argparse
@@ -135,7 +135,7 @@ def paths(
 
 
 def violation(one: Problem, w_0: Array, e: Array, rest: Rest) -> float:
-    """Largest violation of the laws of contact, each over its own scale, from scratch."""
+    """Largest violation of the laws of contact, each over its scale, from scratch."""
     B, D, mu, m = one.kernel.B, one.kernel.D, one.kernel.friction, one.gaps.size
     w, own = w_0 + B @ rest.multipliers + D @ rest.motion, np.diag(B)
     p, q = rest.multipliers[:m], rest.multipliers[m:]

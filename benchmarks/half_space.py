@@ -1,12 +1,12 @@
 """Half-spaces in contact beside tamaas on the same grids; `python -m benchmarks.half_space`.
 
-tamaas runs in its own Python: the one that TAMAAS_PYTHON names, or this one if it has tamaas.
+tamaas runs in a separate Python: the one that TAMAAS_PYTHON names, or this one if it has tamaas.
 First the answers are compared, then both are timed in turn, with THREADS (default 1) threads each:
 from the gap in memory to pressures, the influence and its transform included, imports and files
 not. Both answers are judged by one measure, the largest wrong gap (left where pressure acts,
 overlap where none does) over the largest displacement, with the influence that both take. tamaas
-stops by its own measure, pressure times gap over load times the roughness of the surface; ours
-stops by the measure above and is asked for what tamaas left, so that it is at least as close.
+stops by another measure, pressure times gap over load times the roughness of the surface; ours
+stops by the measure above, at the value that tamaas reached, so that it is at least as close.
 Plot and numbers go to benchmarks/out.
 """
 
@@ -36,7 +36,7 @@ OUT = Path(__file__).parent / "out"
 PEER = Path(tamaas_press.__file__)
 THREADS = int(os.environ.get("THREADS", "1"))
 TOLERANCE = 1e-10
-FINEST = 1e-13  # what double precision still tells apart
+FINEST = 1e-13  # limit of double precision
 LIMIT = 5000  # iterations of tamaas
 SHORT, RUNS, LONG = 5.0, 5, 3  # runs in turn, fewer where one takes more than so many seconds
 R, LENGTH, E_STAR, LOAD = 2.9519e-3, 9e-3, 1.1319e11, 3400.0  # the sprag's roller, SI
@@ -134,7 +134,7 @@ def compare(asked: Asked, python: str | None) -> dict[str, Any]:
         return row
     yours = theirs(asked, python)
     row["their residual"] = residual(asked, yours["pressure"])
-    row["their own error"] = float(yours["error"])
+    row["error reported there"] = float(yours["error"])
     tolerance = max(min(TOLERANCE, row["their residual"]), FINEST)
     mine = ours(asked, tolerance)
     row["residual"] = residual(asked, mine["pressure"])
@@ -151,7 +151,7 @@ def compare(asked: Asked, python: str | None) -> dict[str, Any]:
         f"{asked.kind}, {nx} x {ny} cells, {row['iterations']} iterations here\n"
         f"    pressures differ by {row['difference']:.1e} in the mean square; residual "
         f"{row['residual']:.1e} here, {row['their residual']:.1e} there "
-        f"(error by its own measure {row['their own error']:.1e})\n"
+        f"(error reported there {row['error reported there']:.1e})\n"
         f"    median {row['ours']:.4f} s here, {row['tamaas']:.3f} s there; there / here, {runs} "
         f"runs in turn: {median(row['ratios']):.0f} ({row['ratios'][0]:.0f} to "
         f"{row['ratios'][-1]:.0f}), processor {median(row['cpu ratios']):.0f}",

@@ -2,8 +2,8 @@
 
 The load is spread over the middle of the upper disc as two opposite forces on a disc would have it
 (Timoshenko and Goodier, art. 41): the middle then stays flat, and p_0, the half-width a and the
-approach of the centres all have values in closed form. At a/R = 0.01 Hertz's own miss those of the
-disc by 3e-5.
+approach of the centres all have values in closed form. At a/R = 0.01 Hertz's values differ from
+those of the disc by 3e-5.
 """
 
 from functools import partial

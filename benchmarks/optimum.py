@@ -3,7 +3,7 @@
     python -m benchmarks.optimum
 
 The paper's clutch under 25 N m in Eq. 19's box: 125 engagements in two processes that compile them
-first (an empty cache) and again, kriging of the end and the rest apart, genetic algorithm and
+first (an empty cache) and again, separate kriging of the end and the rest, genetic algorithm and
 differential evolution on it, designs added until the true model agrees. Beside it DIRECT on the
 engagements alone: how many it takes to the same pressure. One thread a process.
 """
@@ -29,7 +29,7 @@ from verify.cases.sprag.peaks import peaks_fem
 JOBS = 2
 ENGAGEMENTS = 400  # of DIRECT
 AS_GOOD = (1.01, 1.005, 1.002, 1.001, 1.0)  # times the pressure that kriging ends at
-COLD = "--factorial"  # a run of its own: the engagements of the factorial, seconds printed
+COLD = "--factorial"  # a separate run: the engagements of the factorial, seconds printed
 
 
 def main() -> None:
@@ -37,11 +37,11 @@ def main() -> None:
         print(factorial_seconds())
         return
     with tempfile.TemporaryDirectory() as empty:
-        said = subprocess.run(  # noqa: S603
+        factorial = subprocess.run(  # noqa: S603
             [sys.executable, "-m", "benchmarks.optimum", COLD], capture_output=True, text=True,
             check=True, env=os.environ | {"NUMBA_CACHE_DIR": empty},
         )  # fmt: skip
-    print(f"125 engagements, {JOBS} processes, compiled first: {float(said.stdout):6.1f} s")
+    print(f"125 engagements, {JOBS} processes, compiled first: {float(factorial.stdout):6.1f} s")
     by_kriging, pressure = surrogate()
     directly(pressure, by_kriging)
 
@@ -55,7 +55,7 @@ def factorial_seconds() -> float:
 
 
 def surrogate() -> tuple[float, float]:
-    """Seconds of the whole way by kriging, and the pressure [Pa] that it ends at."""
+    """Seconds of the whole solution by kriging, and the pressure [Pa] that it ends at."""
     q = Optimum25Inputs()
     x = full_factorial(q.box, q.levels)
     peaks_fem(q, x[:1], [q.T])  # compiled

@@ -1,4 +1,4 @@
-"""One solution of the benchmark's ring in a process of its own, timed by stage.
+"""One solution of the benchmark's ring in a separate process, timed by stage.
 
 python -m benchmarks.ours KIND AROUND [DECK]    prints JSON; with DECK writes it for calculix
 """
@@ -69,8 +69,8 @@ def main() -> None:
         "energy": float(ring.f @ ring.u) / 2,
     }  # fmt: skip
     if deck:
-        told = PlaneDeck(solution=ring, materials=STEEL, assumption=ASSUMPTION, brief=True)
-        told.write(Path(deck[0]))
+        written = PlaneDeck(solution=ring, materials=STEEL, assumption=ASSUMPTION, brief=True)
+        written.write(Path(deck[0]))
     print(json.dumps(answer))
 
 

@@ -1,4 +1,4 @@
-"""The benchmark's contact in a process of its own, timed by stage.
+"""The benchmark's contact in a separate process, timed by stage.
 
 python -m benchmarks.ours_contact CELLS CELLS REFINE [friction]    prints JSON
 """

@@ -1,4 +1,4 @@
-"""The benchmark's pitch of a freewheel in a process of its own, timed by stage.
+"""The benchmark's pitch of a freewheel in a separate process, timed by stage.
 
 python -m benchmarks.ours_freewheel CELLS [rest]    prints JSON; with rest the roller is steered
 """

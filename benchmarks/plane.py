@@ -1,6 +1,6 @@
 """Plane elasticity by size, beside calculix on the same mesh; `make bench`.
 
-Both run as processes of their own, in turn, with one thread. Ours is timed from the scikit-fem
+Both run as separate processes, in turn, with one thread. Ours is timed from the scikit-fem
 mesh in memory to displacements and the stress of every cell, and as a whole process with Python's
 start; calculix as a whole process, which reads its deck and writes displacements and stresses.
 No ratio is printed before displacement and energy agree. Numbers and plot go to benchmarks/out.

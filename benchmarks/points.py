@@ -27,7 +27,7 @@ from verify.core.case import Portion
 
 Run = Callable[[Any], Any]
 POINTS = 20
-KEPT: dict[str, Any] = {
+CACHES: dict[str, Any] = {
     "topologies": blocks.TOPOLOGIES,
     "numbers of unknowns": discretisation.NUMBERS,
     "factors": factors.FACTORS,
@@ -42,13 +42,13 @@ def main() -> None:
     table = (
         ("ring's K: wall, fillet", shape, solved(ring), ("topologies", "numbers of unknowns")),
         ("ring's K: E", modulus, solved(ring), ("factors",)),
-        ("ring's K: E", modulus, solved(ring), tuple(KEPT)),
+        ("ring's K: E", modulus, solved(ring), tuple(CACHES)),
         ("hub's force: R_b and tan φ", load, pushed, ("factors",)),
     )
     for name, points, run, what in table:
-        kept, cleared = both(points, run, what)
-        print(f"{name:28} {kept:.3f} s, {cleared:.3f} s without {', '.join(what)}: "
-              f"{cleared / kept:.2f} times as long")  # fmt: skip
+        cached, cleared = both(points, run, what)
+        print(f"{name:28} {cached:.3f} s, {cleared:.3f} s without {', '.join(what)}: "
+              f"{cleared / cached:.2f} times as long")  # fmt: skip
     springs = [spring_of(n, b) for n, b in grid(count, (4, 10, 16), np.linspace(6e-5, 2e-4, 9))]
     print_levels(ring, shape, unknowns)
     print_levels(spring, springs, frame_unknowns)
@@ -113,22 +113,22 @@ def both(points: Sequence[Any], run: Run, what: Sequence[str]) -> tuple[float, f
     )
     if with_all[1] != without[1]:
         raise RuntimeError(f"another result without {what}")
-    kept, cleared = with_all[0] + with_all_too[0], without[0] + without_too[0]
-    return kept / 2 / len(points), cleared / 2 / len(points)
+    cached, cleared = with_all[0] + with_all_too[0], without[0] + without_too[0]
+    return cached / 2 / len(points), cleared / 2 / len(points)
 
 
 def sweep(points: Sequence[Any], run: Run, without: Sequence[str]) -> tuple[float, list[Any]]:
-    """Seconds and values of all points, where nothing of `without` is kept."""
-    most = {name: KEPT[name].most for name in without}
-    for kept in KEPT.values():
-        kept.kept.clear()
+    """Seconds and values of all points, where nothing of `without` is cached."""
+    most = {name: CACHES[name].most for name in without}
+    for cache in CACHES.values():
+        cache.kept.clear()
     for name in without:
-        KEPT[name].most = 0
+        CACHES[name].most = 0
     start = time.process_time()
     values = [run(q) for q in points]
     seconds = time.process_time() - start
     for name in without:
-        KEPT[name].most = most[name]
+        CACHES[name].most = most[name]
     return seconds, values
 
 

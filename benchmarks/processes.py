@@ -1,4 +1,4 @@
-"""Commands of both sides in processes of their own: what they take, one thread each."""
+"""Commands of both sides in separate processes: time and memory, one thread each."""
 
 import json
 import os
@@ -22,11 +22,11 @@ class Used:
     wall: float
     cpu: float
     peak: float
-    said: str
+    output: str
 
 
 def measured(command: list[str], folder: Path | None = None) -> Used:
-    """A command run in `folder`; RuntimeError with its own words where it fails."""
+    """A command run in `folder`; RuntimeError with its error output where it fails."""
     with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
         start, peak, ended = time.perf_counter(), 0.0, 0
         process = subprocess.Popen(  # noqa: S603
@@ -39,14 +39,14 @@ def measured(command: list[str], folder: Path | None = None) -> Used:
             time.sleep(0.0 if ended else STEP)
         wall = time.perf_counter() - start
         process.returncode = os.waitstatus_to_exitcode(status)
-        said, words = (_read(file) for file in (out, err))
+        output, errors = (_read(file) for file in (out, err))
     if process.returncode:
-        raise RuntimeError(f"{' '.join(command)} failed: {words[-500:]}")
-    return Used(wall, used.ru_utime + used.ru_stime, peak, said)
+        raise RuntimeError(f"{' '.join(command)} failed: {errors[-500:]}")
+    return Used(wall, used.ru_utime + used.ru_stime, peak, output)
 
 
 def _most(process: int) -> float:
-    """The most memory [MB] that a running process has had; 0 where the system does not say."""
+    """The most memory [MB] that a running process has had; 0 where it is not reported."""
     status = Path(f"/proc/{process}/status")
     found = re.search(r"VmHWM:\s+(\d+)", status.read_text()) if status.exists() else None
     return int(found[1]) / 1024 if found else 0.0
@@ -60,8 +60,8 @@ def _read(file: Any) -> str:
 def run_module(name: str, *words: object) -> dict[str, Any]:
     """What a module prints as JSON; and what its process took, Python's start included.
 
-    RuntimeError with its own words where it fails.
+    RuntimeError with its error output where it fails.
     """
     used = measured([sys.executable, "-m", name, *map(str, words)])
-    answer: dict[str, Any] = json.loads(used.said)
+    answer: dict[str, Any] = json.loads(used.output)
     return answer | {"process": used.wall, "process cpu": used.cpu, "peak": used.peak}

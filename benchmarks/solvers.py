@@ -130,14 +130,14 @@ def spread(values: list[float]) -> str:
 def line(name: str, peer: str, unknowns: int, here: list[Run], there: list[Run]) -> str:
     """A row of the table."""
     ratios = [b.cpu / a.cpu for a, b in zip(here, there, strict=True)]
-    limit, own = median(r.limit for r in here), median(r.cpu for r in here)
+    limit, cpu = median(r.limit for r in here), median(r.cpu for r in here)
     most = median(b.cpu for b in there) / limit
     return " | ".join([
         f"| {name} | {unknowns} | {here[0].error:.1e}, {peer} {there[0].error:.1e}",
         spread([r.cpu for r in here]), spread([r.cpu for r in there]), spread(ratios),
         f"{median(r.wall for r in here):.3g}, {median(r.wall for r in there):.3g}",
         f"{here[0].peak:.0f}, {there[0].peak:.0f}",
-        f"{limit:.3g} ({100 * limit / own:.0f} %), at most {most:.1f} |",
+        f"{limit:.3g} ({100 * limit / cpu:.0f} %), at most {most:.1f} |",
     ])  # fmt: skip
 
 

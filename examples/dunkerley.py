@@ -10,7 +10,7 @@ SOURCE = "derived: Dunkerley's sum is never below, Rayleigh's quotient never abo
 
 
 class Dunkerley(vc.Case):
-    """A slender shaft on two alike bearings carries two discs, which count as point masses."""
+    """A slender shaft on two equal bearings carries two discs, which count as point masses."""
 
     title = "Critical speed by Dunkerley"
     source = "Den Hartog, Mechanical Vibrations: Dunkerley's formula"

@@ -12,7 +12,7 @@ from fem.rotor.response import unbalance_response
 
 def test_a_process_tells_what_it_takes():
     idle = measured([sys.executable, "-c", "import time; time.sleep(0.3); print('done')"])
-    assert idle.said == "done\n"
+    assert idle.output == "done\n"
     assert idle.wall > 0.3 > idle.cpu
     # the kernel counts pages in batches: some MB of 400 may be missing
     large = measured([sys.executable, "-c", "x = bytearray(400 << 20); x[::4096] = x[::4096]"])
