@@ -1,4 +1,4 @@
-"""The benchmark's contact as a calculix deck, run there, and its answer read back.
+"""The benchmark's contact as a calculix deck, run there, and its result.
 
 Same nodes, same nodal loads; eight-node quadrilaterals lack the centre node of the nine-node ones.
 Contact is a penalty there, surface to surface: a pressure of `slope` times the overlap.
@@ -21,7 +21,7 @@ from verify.studies.crosscheck.calculix.running import Run
 
 @dataclass(frozen=True, kw_only=True)
 class Settings:
-    """How calculix is asked.
+    """Settings of calculix.
 
     `slope` [E/a] of the pressure over the overlap; `start` [approach of both discs by Hertz]: how
     far the discs overlap to begin with, for without any overlap the upper one falls through. Kind
@@ -85,7 +85,7 @@ def write_deck(path: Path, solution: ContactSolution, ask: Settings) -> None:
 def run_deck(
     deck: Path, problem: ContactProblem, plane: PlaneSolution, ask: Settings, limit: float = 60.0
 ) -> Answer:
-    """Run and judge; RuntimeError where calculix fails or takes more than `limit` seconds."""
+    """Run and evaluate; RuntimeError where calculix fails or takes more than `limit` seconds."""
     run, numbering = (
         running.run_deck(deck, threads=ask.threads, limit=limit),
         Numbering(plane.basis),

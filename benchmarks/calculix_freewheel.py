@@ -1,4 +1,4 @@
-"""The benchmark's pitch of a freewheel as a calculix deck, run there, and its answer read back.
+"""The benchmark's pitch of a freewheel as a calculix deck, run there, and its result.
 
 Same nodes, cuts tied and the rim's mean rotation held by *EQUATION with this project's weights.
 Contact is a penalty there, surface to surface, friction another one; circle and flat cannot be
@@ -68,7 +68,7 @@ class Settings:
 
 @dataclass(frozen=True, kw_only=True)
 class Answer:
-    """A run, how many iterations it took, and what is judged."""
+    """A run, how many iterations it took, and the compared quantities."""
 
     run: Run
     iterations: int

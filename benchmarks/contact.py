@@ -82,7 +82,7 @@ class Peer:
 
 
 def worst(errors: dict[str, float]) -> float:
-    """The largest of the errors that are judged."""
+    """The largest of the errors that are compared."""
     return max(abs(errors[name]) for name in ("p_0", "a", "approach"))
 
 
@@ -92,14 +92,14 @@ def error_list(errors: dict[str, float]) -> str:
 
 
 def try_all(peer: Peer) -> list[tuple[Settings, Answer]]:
-    """Every setting once, printed; those that came to an answer."""
+    """Every setting once, printed; those that gave a result."""
     found = []
     for how in (*TRIED, *(replace(USUAL, start=SOLVED_START, slope=s) for s in (50, 150, 500))):
         try:
             answer = peer.ask(how)
         except RuntimeError as error:
             reason = " ".join(str(error).split())[-90:]
-            print(f"    {how!s:66s} no answer: {reason}")
+            print(f"    {how!s:66s} no result: {reason}")
             continue
         found.append((how, answer))
         print(

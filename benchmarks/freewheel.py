@@ -88,13 +88,13 @@ def error_list(errors: Errors) -> str:
 
 
 def try_all(peer: Peer) -> list[tuple[Settings, Answer, Errors]]:
-    """Every setting once, printed; those that came to an answer."""
+    """Every setting once, printed; those that gave a result."""
     found = []
     for how in (*TRIED, replace(USUAL, given=peer.torque)):
         try:
             answer, errors = peer.ask(how)
         except (RuntimeError, ValueError, LookupError) as error:
-            print(f"    {how!s:60s} no answer: {' '.join(str(error).split())[-90:]}", flush=True)
+            print(f"    {how!s:60s} no result: {' '.join(str(error).split())[-90:]}", flush=True)
             continue
         found.append((how, answer, errors))
         print(

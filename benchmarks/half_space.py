@@ -1,9 +1,9 @@
 """Half-spaces in contact beside tamaas on the same grids; `python -m benchmarks.half_space`.
 
 tamaas runs in a separate Python: the one that TAMAAS_PYTHON names, or this one if it has tamaas.
-First the answers are compared, then both are timed in turn, with THREADS (default 1) threads each:
+First the results are compared, then both are timed in turn, with THREADS (default 1) threads each:
 from the gap in memory to pressures, the influence and its transform included, imports and files
-not. Both answers are judged by one measure, the largest wrong gap (left where pressure acts,
+not. Both results are judged by one measure, the largest wrong gap (left where pressure acts,
 overlap where none does) over the largest displacement, with the influence that both take. tamaas
 stops by another measure, pressure times gap over load times the roughness of the surface; ours
 stops by the measure above, at the value that tamaas reached, so that it is at least as close.
@@ -122,7 +122,7 @@ def residual(asked: Asked, pressure: Array) -> float:
 
 
 def compare(asked: Asked, python: str | None) -> dict[str, Any]:
-    """Answers first, then medians of seconds of runs in turn."""
+    """Results first, then medians of seconds of runs in turn."""
     nx, ny = asked.gap.shape
     row: dict[str, Any] = {"kind": asked.kind, "nx": nx, "ny": ny}
     if python is None:

@@ -58,7 +58,7 @@ def turned(problem: ContactProblem) -> ContactSolution:
 
 
 def found(solution: ContactSolution) -> dict[str, float]:
-    """What is judged, of this project's solution."""
+    """Compared quantities of this project's solution."""
     inner, outer = solution.touches
     return values(
         torque=-solution.plane.mean_reaction("ring.rim")["r"],
@@ -72,7 +72,7 @@ def found(solution: ContactSolution) -> dict[str, float]:
 def values(
     *, torque: float, forces: tuple[Point, Point], centre: Point, widths: Point, peaks: Point
 ) -> dict[str, float]:
-    """What is judged, of one pitch: forces (x, y) on star and ring, the centre's displacement."""
+    """Quantities of one pitch: forces (x, y) on star and ring, the centre's displacement."""
     (x, y), (x_o, y_o) = forces
     psi = math.atan2(CENTRE[0] + centre[0], CENTRE[1] + centre[1])
     c, s = math.cos(TILT), math.sin(TILT)
@@ -87,7 +87,7 @@ def values(
 
 
 def errors(one: dict[str, float], other: dict[str, float]) -> dict[str, float]:
-    """Relative differences of all that is judged; the centre's in parts of both overlaps."""
+    """Relative differences of the compared quantities; the centre's in parts of both overlaps."""
     apart = math.hypot(one["u_x"] - other["u_x"], one["u_y"] - other["u_y"])
     same = {name: one[name] / other[name] - 1 for name in JUDGED if name != "centre"}
     return same | {"centre": apart / (2 * OVERLAP)}

@@ -5,7 +5,7 @@
 Both sides of a row run in turn, with one thread; "ours" counts from the mesh in memory to stresses,
 calculix from its deck to its results, both sides of the rotor from matrices to amplitudes. Ratios
 are those of processor seconds, the median of the pairs of runs. Where other work shares the machine
-wall seconds say little. A limit is what a part that cannot be left out takes alone: the
+wall seconds have little meaning. A limit is what a part that cannot be left out takes alone: the
 factorisation (CHOLMOD), of a rotor the product that turns modes into displacements.
 Peaks of contact and plane are those of whole processes, of the rotor of its arrays.
 """

@@ -15,7 +15,7 @@ def gmsh_session() -> Iterator[None]:
     try:
         gmsh.option.setNumber("General.Terminal", 0)
         gmsh.option.setNumber("Mesh.Algorithm", FRONTAL_DELAUNAY)
-        gmsh.option.setNumber("Mesh.SecondOrderIncomplete", 0)  # scikit-fem knows no quad8
+        gmsh.option.setNumber("Mesh.SecondOrderIncomplete", 0)  # scikit-fem has no quad8
         yield
     finally:
         gmsh.finalize()

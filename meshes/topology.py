@@ -32,7 +32,7 @@ class Topology:
         own = np.asarray(mesh.dofs.element_dofs)
         source = np.empty(mesh.doflocs.shape[1], np.int64)
         source[own] = t
-        _ = mesh.facets, mesh.f2t  # made once, and handed on to every mesh
+        _ = mesh.facets, mesh.f2t  # made once for all meshes
         return cls(mesh, source)
 
     def at(self, p: Array) -> Mesh2D:

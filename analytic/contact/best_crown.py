@@ -1,6 +1,6 @@
 r"""The logarithmic crown with the lowest pressure under a load among those that spare the ends.
 
-An end that carries load has no highest pressure (`strips`), whatever few strips say of it: a crown
+An end that carries load has no highest pressure (`strips`), whatever few strips give: a crown
 counts only if the last strip at each end, about as wide as the contact's half-width b, carries
 nothing. (Contacts that end nearer to the roller's end can have a peak lower by some per cent, but
 the least overload or tilt loads the end.) Among these differential evolution searches the one with
@@ -36,7 +36,7 @@ LOADED = 1e3  # beyond every peak over Hertz's pressure of an even load
 class BestCrown:
     """K_1, K_2, z_m [length] of a crown designed for the load, and its peak pressure [stress].
 
-    `free` says whether its ends carry nothing; if no crown's do, it is the one whose ends carry
+    `free` is whether its ends carry nothing; if no crown's do, it is the one whose ends carry
     least.
     """
 

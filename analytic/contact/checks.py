@@ -1,4 +1,4 @@
-"""What every contact formula asks of its arguments; each refusal names rule, value and unit."""
+"""Checks of the arguments of contact formulas; each error names rule, value and unit."""
 
 from typing import Literal, get_args
 

@@ -1,4 +1,4 @@
-r"""How sharp the pressure is at a free edge that presses on a flat of the same material.
+r"""Singularity of the pressure at a free edge that presses on a flat of the same material.
 
 Near the end face of a roller without crown, on a race that goes on, the section along the axis is
 a right angle on a half-plane, without friction. Stresses go as :math:`r^{\lambda-1}` with the

@@ -117,7 +117,7 @@ def press(
     approach: float | None = None,
     **how: Any,
 ) -> HalfSpaceContact:
-    """One contact with the `gap` (nx, ny) before it; `HalfSpace.press` says what is returned.
+    """One contact with the `gap` (nx, ny) before it; see `HalfSpace.press` for the result.
 
     >>> one = press([[0.0]], cell=(1.0, 1.0), E_star=4 / np.pi, load=1.0)
     >>> bool(np.isclose(one.approach, np.log(1 + np.sqrt(2))))  # Love's 4 h asinh(1) / (pi E*)

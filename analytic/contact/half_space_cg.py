@@ -82,7 +82,7 @@ def solve(
         _step(K, now, overlap, free, total)
     raise ArithmeticError(
         f"half-space contact does not converge: residual {residual:.1e} of the displacement "
-        f"after {limit} iterations, asked {tolerance:.1e}"
+        f"after {limit} iterations, required {tolerance:.1e}"
     )
 
 

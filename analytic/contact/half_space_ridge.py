@@ -97,7 +97,7 @@ def press_ridge(
     """The contact on a grid with a line of cells along each edge of the contact at its middle.
 
     `across` are cells on the half-width there, `along` those on the roller, whose profile is
-    `crown`. A coarse solution says how wide the contact is.
+    `crown`. A coarse solution gives the width of the contact.
     """
     roller: dict[str, Any] = {"crown": crown, "load": load, "R": R, "length": length,
                               "E_star": E_star}  # fmt: skip

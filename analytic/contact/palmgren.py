@@ -2,9 +2,9 @@ r"""Approach of a steel roller and its race by Palmgren's fit.
 
 .. math:: \delta = 3.84\cdot10^{-5}\,\frac{W^{0.9}}{l^{0.8}} \qquad (\mathrm N,\ \mathrm{mm})
 
-It knows neither the radii nor the elastic constants: the number holds for steel on steel and for
+It contains neither radii nor elastic constants: the number holds for steel on steel and for
 the radii of bearings. In SI it is 3.84e-5 times 1e-3 (delta in m) over 1000^0.8 (l in m), which is
-3.84e-10.4. `hertz_line_approach` has what a half plane can say.
+3.84e-10.4. `hertz_line_approach` has the results of a half plane.
 
 The contact cut into n equal slices keeps this law as a whole if each slice obeys
 :math:`(\delta - z)^{10/9} = s q`, q being its force, with the compliance

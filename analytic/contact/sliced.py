@@ -1,4 +1,4 @@
-"""A line contact cut across into equal slices: what its models are asked and what they answer."""
+"""A line contact cut across into equal slices: input and results of its models."""
 
 from dataclasses import dataclass, replace
 from typing import Self
@@ -106,7 +106,7 @@ class Cases:
         )  # fmt: skip
 
     def contact(self, force: Array, approach: Array) -> SlicedContact:
-        """The answer, in the shape in which the cases came."""
+        """The result, in the shape of the cases."""
         return SlicedContact(
             force=force.reshape(*self.shape, -1),
             approach=approach.reshape(self.shape),

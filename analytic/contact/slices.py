@@ -92,7 +92,7 @@ def _matrix(cases: Cases, kernel: Kernel | ArrayLike, load: Array) -> Array:
 
 
 def _to_approach(cases: Cases, kernel: Kernel | ArrayLike, load: Array) -> Array:
-    """Forces under the approach; the load, of which S knows little, by repetition."""
+    """Forces under the approach; the load, on which S depends little, by iteration."""
     assert cases.approach is not None
     under = np.maximum(cases.approach[:, None] - cases.gap, 0.0)
     wanted, carries = under ** (10 / 9), under > 0

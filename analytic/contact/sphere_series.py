@@ -1,6 +1,6 @@
 r"""First correction to Hertz for spheres, each pressed between two opposite contacts.
 
-A sphere under normal surface loads answers degree by degree of Legendre's series: a normal stress
+A sphere under normal surface loads is solved degree by degree of Legendre's series: a normal stress
 :math:`2\mu P_n` moves the surface by c_n R P_n,
 
 .. math:: c_n = \frac{2(1-\nu)n^2 + \nu n - 1 + 2\nu}{(n-1)(n^2 + (1+2\nu)n + 1 + \nu)}

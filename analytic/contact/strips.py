@@ -13,7 +13,7 @@ half-space sinks the middle line of another by, both bodies together. z is the g
 and faults leave beside the parabola x²/2R. SI or any consistent units.
 
 Range: frictionless, small strain, b much smaller than R and than the length over which q changes;
-`strip_error.neglected` says what that costs. Where the roller ends under load (no crown) the
+`strip_error.neglected` estimates the error. Where the roller ends under load (no crown) the
 pressure has no limit as strips become narrower: only the mid pressure and loads of finite lengths
 have. The half-space goes on beyond the roller's end faces.
 

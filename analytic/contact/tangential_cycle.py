@@ -116,7 +116,7 @@ def dissipation(*, Q_max: ArrayLike, P: ArrayLike, mu: ArrayLike, E_star: ArrayL
     >>> round(float(dissipation(Q_max=0.5, **load) + np.log(2)), 12)
     0.75
     """
-    # a first loading by Q_max refuses what makes no sense, and so knows that k < 1
+    # a first loading by Q_max raises for wrong values, so that k < 1
     partial_slip.rigid_displacement_beyond_stick(Q=Q_max, P=P, mu=mu, E_star=E_star)
     limit = np.asarray(mu, dtype=np.float64) * np.asarray(P)
     k = np.asarray(Q_max) / limit

@@ -13,7 +13,7 @@ so that only the whole of each approach, d = f + u, can be compared:
   X - r_b of a half space, which has no clamp and is some 2 % of d_i too stiff;
 - a cup with z flats: the ring whose bore encloses as much as the flats do.
 
-Of the tangential force none of this knows: on a ring it makes no radial displacement at the load.
+The tangential force has no effect here: on a ring it makes no radial displacement at the load.
 
 References
 ----------

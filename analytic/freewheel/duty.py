@@ -17,7 +17,7 @@ from analytic.freewheel.limits import Limits, limits
 from analytic.freewheel.state import State
 
 LIFT_OFF = 1 / 6  # e/L from which on a linear line load lifts off one end
-NONE = 10.0  # pressure over E that stands for no limit of pressure: no contact reaches it
+NONE = 10.0  # pressure over E for no limit of pressure: no contact reaches it
 LEAST, POINTS, ROUNDS = 1e-7, 400, 3  # of the largest torque; torques of a search, its rounds
 
 WORDS = {

@@ -1,7 +1,7 @@
 """What a ring that is held about the axis loses as it slips along the axis under torque.
 
 Slip is along the resultant of the friction, so that its parts along the axis and around it are as
-F_a and F_t. Where the ring is held, the rollers are let out of their wedges: the part around the
+F_a and F_t. Where the ring is held, the rollers move out of their wedges: the part around the
 axis is made up by what both approaches lose, dd_i + dd_o = -tan(alpha) R dphi, until none is left.
 """
 
@@ -11,7 +11,7 @@ from analytic.contact.checks import Array
 from analytic.freewheel.clutch import Clutch
 from analytic.freewheel.state import at_normal_force, loaded
 
-GRID = np.linspace(0.0, 1.0, 401)  # of N, along which rollers are let out
+GRID = np.linspace(0.0, 1.0, 401)  # of N, along which rollers move out
 
 
 def let_out(clutch: Clutch, *, T: float, mu: float) -> tuple[Array, Array]:

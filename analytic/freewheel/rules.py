@@ -1,4 +1,4 @@
-"""What the freewheel's formulas refuse, in one line: rule, value, unit."""
+"""Checks of the arguments of the freewheel's formulas; errors name rule, value, unit."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray

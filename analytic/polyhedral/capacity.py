@@ -1,4 +1,4 @@
-r"""Torque of the polyhedral ring clutch with what its elastic ring lets through to the rollers.
+r"""Torque of the polyhedral ring clutch with the load transferred by its elastic ring.
 
 At the friction limit (grip = mu, or tan(alpha/2) of free rollers) the rollers' force N and the
 torque M_t belong together, and so does the hub's force R, as in the paper,

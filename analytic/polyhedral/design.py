@@ -3,7 +3,7 @@ r"""A polyhedral ring clutch from its parts to its torque, with every value betw
 `Clutch` runs through Eqs. 2 to 21 in the paper's order. Two readings are open: the lever of the
 hub's contact ("exact", or the paper's "d_i/2") and the direction that the hub's force is projected
 on (the flat's "normal", or the "radius" of the paper's first design). K is 1 as in the paper, or
-what a model of the ring says. With a wedge angle alpha the rollers use tan(alpha/2) of their
+the result of a model of the ring. With a wedge angle alpha the rollers use tan(alpha/2) of their
 friction; without one they are at its limit, mu N, as in Eqs. 4 and 17 to 21: without a cage that is
 alpha = 2 arctan mu, the largest angle that holds.
 """
@@ -55,7 +55,7 @@ class Clutch:
             if (given := getattr(self, name)) not in get_args(known):
                 raise ValueError(f"{name} is one of {', '.join(get_args(known))}, got {given!r}")
         self.parts.hub_must_release(self.phi_1)
-        _ = self.N, self.wedges, self.p_0_race  # asks the formulas for their refusals
+        _ = self.N, self.wedges, self.p_0_race  # raises the errors of the formulas
 
     @property
     def sigma_t(self) -> float:

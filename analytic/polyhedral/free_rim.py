@@ -109,7 +109,7 @@ class _Fit(NamedTuple):
     basis: Basis
     s: Array
     zeta: Complex
-    used: slice  # the points that are fitted; the others judge
+    used: slice  # the points that are fitted; the others verify
     rows: Complex
     left: Array  # of the singular value decomposition of the rows' scaled parts
     right: Array  # with the singular values and scales divided out

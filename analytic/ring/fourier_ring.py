@@ -44,7 +44,7 @@ from analytic.contact.checks import Array, Assumption, in_plane, positive
 from analytic.ring import lame
 
 Wall = Literal["bore", "rim"]
-NEGLIGIBLE = 40.0  # -ln of the share below which one wall does not feel the other
+NEGLIGIBLE = 40.0  # -ln of the share below which one wall does not affect the other
 CHUNK = 1_000_000  # cosines that are held at once
 
 

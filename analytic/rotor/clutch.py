@@ -65,7 +65,7 @@ def even_angles(*, Z: int, psi_0: float = 0.0, missing: tuple[int, ...] = ()) ->
 class Clutch:
     """Z sprags at angles `psi` (Z,) [rad] on an inner race R_i [m], inclined by nu [rad] there.
 
-    `k_n` [N/m^n] is the force of a whole sprag over the n-th power of the yield of both its
+    `k_n` [N/m^n] is the force of a whole sprag over the n-th power of the deflection of both its
     contacts; `crown` gives the drop L(x) [m] of one contact at x (n_s,) [m]; `interference` (Z,)
     [m] presses single sprags more, or, negative, leaves them a gap.
     """
@@ -120,7 +120,7 @@ class Clutch:
 
     @property
     def d_t(self) -> float:
-        """Yield per twist [m/rad] (Eq. 4), and so the lever of Q in the torque: R_i tan(nu)."""
+        """Deflection per twist [m/rad] (Eq. 4), the lever of Q in the torque: R_i tan(nu)."""
         return self.R_i * math.tan(self.nu)
 
     def deformation(self, q: ArrayLike) -> Array:

@@ -11,14 +11,14 @@ from dataclasses import replace
 from analytic.rotor.clutch import Clutch, even_angles
 from analytic.rotor.clutch_state import under_torque
 
-LARGEST = 0.25  # of the yield, so that every slice keeps in contact
+LARGEST = 0.25  # of the deflection, so that every slice keeps in contact
 TILTS = {"K_y_tilt_x": (1, 2), "K_x_tilt_y": (0, 3)}
 
 
 def aside(offset: float, L: float, delta_0: float) -> tuple[float, float]:
-    """Offset along x [m] and tilt about y [rad] of sprags L long that yield by `delta_0` [m].
+    """Offset along x [m] and tilt about y [rad] of sprags L long that deflect by `delta_0` [m].
 
-    >>> aside(1.0, 4.0, 8.0)  # the offset asked for; then a quarter of the yield
+    >>> aside(1.0, 4.0, 8.0)  # the given offset; then a quarter of the deflection
     (1.0, 0.5)
     >>> aside(1.0, 4.0, 2.0)
     (0.5, 0.25)

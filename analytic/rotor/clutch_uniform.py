@@ -35,7 +35,7 @@ def normal_force(*, T: ArrayLike, Z: int, d_t: ArrayLike) -> Array:
 
 
 def approach(*, N: ArrayLike, k_n: ArrayLike, n: float = LINE_CONTACT) -> Array:
-    """Yield delta_0 [m] of both contacts under N [N] (Eq. 2 solved for it).
+    """Deflection delta_0 [m] of both contacts under N [N] (Eq. 2 solved for it).
 
     >>> float(approach(N=8.0, k_n=1.0, n=3.0))
     2.0
@@ -44,7 +44,7 @@ def approach(*, N: ArrayLike, k_n: ArrayLike, n: float = LINE_CONTACT) -> Array:
 
 
 def contact_stiffness(*, N: ArrayLike, k_n: ArrayLike, n: float = LINE_CONTACT) -> Array:
-    """Slope k [N/m] of a sprag's force over its yield: n N/delta_0 = n k_n delta_0^(n-1).
+    """Slope k [N/m] of a sprag's force over its deflection: n N/delta_0 = n k_n delta_0^(n-1).
 
     >>> float(contact_stiffness(N=8.0, k_n=1.0, n=3.0))  # 3 2^2
     12.0
@@ -90,7 +90,7 @@ def offset_coupling(
 ) -> Array:  # fmt: skip
     r"""K_xz [N] that a static offset dx [m] brings: (Z/2) k (n - 1) dx d_t/delta_0.
 
-    The first term of a series in dx/delta_0, which says nothing once sprags leave contact, beyond
+    The first term of a series in dx/delta_0, which is not valid once sprags leave contact, beyond
     delta_0. Slopes go with delta^(n-1):
 
     .. math:: \sum_j k \left(1 + (n-1) \frac{dx}{\delta_0} \cos\psi_j\right) d_t \cos\psi_j

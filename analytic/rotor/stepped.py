@@ -1,4 +1,4 @@
-"""A stepped shaft as Timoshenko's beam, as drawn or as stiff as the 45° rule says.
+"""A stepped shaft as Timoshenko's beam, with nominal diameters or stiff by the 45° rule.
 
 From either step on, the thick part counts for stiffness with a diameter that grows from d_1 by
 twice the distance, up to d_2: the corners carry nothing. Masses are as drawn.
@@ -44,7 +44,7 @@ class SteppedShape:
         return min((self.d_2 - self.d_1) / 2, self.L_2 / 2)
 
     def pieces(self, *, cone: bool, slices: int = SLICES) -> tuple[Piece, ...]:
-        """Pieces end to end, with stations at the seats; `cone`: stiff as the 45° rule says.
+        """Pieces end to end, with stations at the seats; `cone`: stiffness by the 45° rule.
 
         >>> shape = SteppedShape(L=8.0, d_1=1.0, d_2=3.0, L_2=4.0, start=2.0, seats=(0.5, 7.5))
         >>> [(p.length, p.d_stiff) for p in shape.pieces(cone=False)]

@@ -2,7 +2,7 @@
 
 Unknowns are (r, phi L) at the stations and between pieces, the length L scales the entries.
 Bearings that differ in x and y couple r = r+ e^{i omega t} + conj(r-) e^{-i omega t}: their force
-k r + d conj(r) makes (k, d; conj d, k) of (r+, r-), and r- sees the rotor at -omega.
+k r + d conj(r) makes (k, d; conj d, k) of (r+, r-), and r- has the matrix of the rotor at -omega.
 """
 
 from collections.abc import Sequence

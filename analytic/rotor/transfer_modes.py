@@ -15,7 +15,7 @@ from analytic.rotor.transfer_supported import check_supported
 Array = NDArray[np.float64]
 Whirl = Literal["forward", "backward"]
 SENSES: tuple[Whirl, ...] = ("forward", "backward")
-MOST_NODES = 400  # cut so fine, a rotor is far beyond what beam theory can say
+MOST_NODES = 400  # cut so fine, a rotor is far beyond the range of beam theory
 PLANAR = 1e-6
 ALIKE = 1e-9  # of the largest unknown: those of a symmetric shape differ by round-off
 

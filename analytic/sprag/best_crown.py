@@ -72,7 +72,7 @@ def infilled(
 ) -> "Infilled[Answer, Largest]":
     """Designs added at the surrogate's optimal crown until the true model agrees, twice in a row.
 
-    `known` are the answers of the designs x (n, 3), `first` is their surrogate, where it is known.
+    `known` are the values of the designs x (n, 3), `first` is their surrogate, where it is known.
     """
 
     def fitted(designs: Array, found: Sequence[Answer]) -> "Largest":
@@ -87,7 +87,7 @@ def infilled(
 def recorded(
     true: Callable[[Array], float], box: Box
 ) -> tuple[Callable[[Array], float], list[list[float]]]:
-    """The largest pressure [Pa] of a crown of the unit cube, and all that was asked for, in order.
+    """The largest pressure [Pa] of a crown of the unit cube, and all evaluations, in order.
 
     `true` gives that of crowns (1, 3). The record has rows of K_1, K_2, z_m and the pressure.
     """

@@ -21,7 +21,7 @@ from analytic.sprag.laws import Law
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Yields:
-    """Yields [m] under one normal force: delta_HI, HE of contacts, BI, BE of races, delta_g, ce."""
+    """Deflections [m] under one N: delta_HI, HE of contacts, BI, BE of races, delta_g, ce."""
 
     contact_i: Array
     contact_e: Array
@@ -32,17 +32,17 @@ class Yields:
 
     @property
     def inner(self) -> Array:
-        """All that yields on the inner side, from the sprag's middle on."""
+        """Sum of deflections on the inner side, from the sprag's middle on."""
         return np.asarray(self.race_i + self.contact_i + self.sprag / 2)
 
     @property
     def outer(self) -> Array:
-        """All that yields on the outer side, without the growth by rotation."""
+        """Sum of deflections on the outer side, without the growth by rotation."""
         return np.asarray(self.race_e + self.contact_e + self.sprag / 2)
 
     @property
     def H(self) -> Array:
-        """Sum of the five yields under load."""
+        """Sum of the five deflections under load."""
         return np.asarray(self.inner + self.outer)
 
 
@@ -63,7 +63,7 @@ class Compliance:
         not_negative(self.d_ce, "growth d_ce", "m")
 
     def yields(self, N: ArrayLike) -> Yields:
-        """Yields under the normal force N [N], nan where N is or where a law of a contact ends."""
+        """Deflections under the force N [N], nan where N is or where a law of a contact ends."""
         N = np.asarray(N, dtype=np.float64)
         return Yields(
             contact_i=self.contact_i(N), contact_e=self.contact_e(N),
@@ -72,5 +72,5 @@ class Compliance:
         )  # fmt: skip
 
     def rigid_races(self) -> Self:
-        """The same with races that do not yield as rings (Liu's model)."""
+        """The same with races that do not deflect as rings (Liu's model)."""
         return replace(self, race_i=0.0, race_e=0.0)

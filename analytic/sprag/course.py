@@ -42,7 +42,7 @@ def energy(clutch: Clutch, N: ArrayLike) -> Array:
 
 
 def work(clutch: Clutch, N: ArrayLike) -> Array:
-    """Work [J] of both forces of one sprag on all that yields, N_e dH_e for N dH_e in U."""
+    """Work [J] of both forces of one sprag on all deflections, N_e dH_e for N dH_e in U."""
     on_way = _way(clutch, N)
     inner = _integral(on_way.N, on_way.yields.inner)
     return np.asarray(inner + _integral(on_way.N_e, on_way.yields.outer))

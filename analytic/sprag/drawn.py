@@ -134,7 +134,7 @@ class Drawn:
         return rho * np.sin(turn + theta), OC - rho * np.cos(turn + theta)
 
     def yields(self, N: float) -> dict[str, float]:
-        """Yields [m] under the normal force N [N]."""
+        """Deflections [m] under the normal force N [N]."""
         q = self.q
         smeared = N * q.z / (2 * math.pi * q.l)  # times 1/r is a pressure
         inner, outer = q.R_id / q.R_i, q.R_e / q.R_ed

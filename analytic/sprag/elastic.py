@@ -1,8 +1,8 @@
-"""Sprag clutches whose parts yield as elastic bodies, and by the simpler laws beside them.
+"""Sprag clutches whose parts deflect as elastic bodies, and by the simpler laws beside them.
 
 - elastic: races as rings under single loads (`analytic.ring.loaded_race`), the sprag as a rounded
   column (`analytic.sprag.column`), all in plane strain. As contacts leave its middle the column
-  bends and yields more: a parabola through what it has without load and at two rotations.
+  bends and deflects more: a parabola through what it has without load and at two rotations.
 - plane: Hertz's line contacts to the walls' depth and to half the sprag's height, and Eq. 6 of long
   rings.
 - composite: Palmgren's law, Eqs. 6 and 7, as the paper has it.
@@ -53,7 +53,7 @@ class Race:
 
 @dataclass(frozen=True, eq=False)
 class Elastic:
-    """The clutch of these parts, with each kind of yield; scalar sizes only."""
+    """The clutch of these parts, with each kind of deflection; scalar sizes only."""
 
     parts: Parts
 
@@ -97,7 +97,7 @@ class Elastic:
 
     @cached_property
     def clutch(self) -> Clutch:
-        """The clutch whose parts yield as elastic bodies."""
+        """The clutch whose parts deflect as elastic bodies."""
         sprag, n_s = self.parts.sprag, self.parts.n_s
         still = self._constant(turned=0.0, alpha_b=0.0) or self._disc
         compliance = self._compliance(lambda N: np.full_like(N, still))

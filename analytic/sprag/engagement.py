@@ -159,7 +159,7 @@ def free_rates(y: Array, C: float, law: Law, g: Place) -> tuple[float, float, fl
 
 @compiled
 def contacts(y: Array, law: Law, g: Place, free: tuple[float, float, float, float]) -> Contacts:
-    """Sliding, and how friction changes it through the inverse masses a that the contacts feel."""
+    """Sliding, and how friction changes it through the inverse masses a at the contacts."""
     inner, outer, phi, turn = y[4], y[5], y[6], y[7]
     v_i = g.OA * (inner - phi) - g.b_i * turn
     v_e = g.OB * (phi - outer) - g.b_e * turn

@@ -133,7 +133,7 @@ class System:
         return B, dB
 
     def accelerations(self, t: float, y: Array, mode: Mode) -> tuple[Array, Array, Array, float]:
-        """q'', T, v and N, computed once per state for the events and the rows of the answer."""
+        """q'', T, v and N, computed once per state for the events and the rows of the result."""
         key = t, y.tobytes(), mode
         if key not in self._known:
             q_ddot, T, lacking, J, N = self._driven(t, y, mode)
@@ -249,7 +249,7 @@ def engage_by_events(
 ) -> Events:
     """Engagement over `duration` [s] from rest under the blades, but for `speeds`.
 
-    `unlimited` friction: the contacts always roll (Xu's and Liu's assumption); `asked` tells the
+    `unlimited` friction: the contacts always roll (Xu's and Liu's assumption); `asked` is for the
     friction that this takes. `balanced` as in `table`. ArithmeticError where the solver or the
     number of events fails.
     """

@@ -43,7 +43,7 @@ class Peaks:
     def regimes(self) -> tuple[Array, Array]:
         """What the end and all the rest count for [Pa], each (n, m): regimes for a surrogate.
 
-        Strips let no crown count as good whose ends carry: see END.
+        By strips no crown with loaded ends is accepted: see END.
         """
         return (END if self.by == "strips" else 1.0) * self.end, self.inside
 

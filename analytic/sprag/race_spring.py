@@ -40,7 +40,7 @@ class Blades:
 class RaceSpring:
     """A clutch with its states (n,) from no load to `end`, and the races' turn theta [rad] there.
 
-    `ends` says whether the profile ends there, or only the force.
+    `ends` is whether the profile ends there, or only the force.
     """
 
     blades: Blades

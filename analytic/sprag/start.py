@@ -41,7 +41,7 @@ def spring_equilibrium(
         now = wedged(clutch, N)
         return np.asarray(N * now.OB * drag(now) + K_r * now.alpha)
 
-    stiff = K_r * (alpha_max - first.alpha) / (first.OB * drag(first))  # contacts that do not yield
+    stiff = K_r * (alpha_max - first.alpha) / (first.OB * drag(first))  # rigid contacts
     N = first_reach(pressed, np.asarray(K_r * alpha_max), start=np.asarray(stiff))
     if np.isnan(N).any():
         raise ArithmeticError(

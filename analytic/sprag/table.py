@@ -4,7 +4,7 @@ The closure gives everything explicitly over N; an engagement needs it over alph
 step. The table has equal intervals of s = sqrt(alpha) from the first contact (alpha = 0, N = 0) to
 its end and holds value and slope d/ds of each column, cubic between (Hermite): continuous with its
 slope. An engagement begins under the blades' few newtons, at a ten-thousandth of its rotation, and
-whether the sprag slips there is settled there: equal intervals of alpha are too coarse for it.
+whether the sprag slips is decided there: equal intervals of alpha are too coarse for it.
 
 The columns are those that the equations of motion need,
 

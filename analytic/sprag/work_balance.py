@@ -39,12 +39,12 @@ def undamped(w: RaceSpring, T: float) -> float:
 
 
 def stored(w: RaceSpring, N: float) -> float:
-    """Work [J] of the forces on all that yields, from the blades' start to N [N]; no rolling."""
+    """Work [J] of the forces on all deflections, from the blades' start to N [N]; no rolling."""
     return w.n_s * float(work(w.clutch, N) - work(w.clutch, w.pressed.N))
 
 
 def by_turning(w: RaceSpring) -> float:
-    """Work of the torque over the turn by rolling, to the last state, over that on the yields."""
+    """Work of the torque over the turn by rolling, to the last state, over that of deflection."""
     turned = CubicSpline(w.theta, w.states.T).integrate(0.0, w.theta[-1])
     return float(turned) / (w.n_s * float(work(w.clutch, w.end)))
 

@@ -19,7 +19,7 @@ def moment_diagram(
         T + s r (1-\cos\theta), \quad T + s (A + x\sin\alpha), \quad
         T + s (A + L_2\sin\alpha + r(\cos(\alpha-\theta) - \cos\alpha))
 
-    Raises ValueError for what `apex_moments` refuses.
+    Raises ValueError for arguments that `apex_moments` rejects.
 
     >>> s, m = moment_diagram(n=4, L1=2.0, r=0.5, b=0.1, alpha=np.pi / 2, per_piece=3)
     >>> m[:6].round(3).tolist()

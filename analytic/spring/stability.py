@@ -45,7 +45,7 @@ def lateral_stiffness(state: State) -> float:
 
 
 def critical(line: Elastica, head: Head, U: Iterable[float]) -> State | None:
-    """The first critical point of a `head` that is let go, on the guided path through U [length].
+    """The first critical point of a `head` that is released, on the guided path through U [length].
 
     None where there is no critical point up to the last U. Steps as for `Elastica.path`.
     """

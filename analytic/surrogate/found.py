@@ -16,7 +16,7 @@ class Found:
 
     x: Array  # (d,)
     value: float
-    evaluations: int  # points the objective was asked for
+    evaluations: int  # points at which the objective was evaluated
     history: Array  # smallest value so far, by generation; the first is the initial population's
 
 
@@ -24,7 +24,7 @@ def asked(objective: Objective, x: Array) -> Array:
     """Values (n,) of the objective at x (n, d); ArithmeticError unless each is a finite number."""
     values = np.asarray(objective(x), dtype=np.float64)
     if values.shape != (len(x),):
-        raise ValueError(f"an objective answers {len(x)} points with {len(x)}, got {values.shape}")
+        raise ValueError(f"an objective of {len(x)} points has {len(x)} values, got {values.shape}")
     if not np.all(np.isfinite(values)):
         raise ArithmeticError(f"the objective is not finite at {x[~np.isfinite(values)][0]}")
     return values

@@ -1,8 +1,8 @@
 """Whether a surrogate is good enough to be searched.
 
-Leaving out one design of a factorial at a time says little where the model has a kink: neighbours
-at the same level of the other parameters have seen it too. Leaving out a whole level says more,
-and costs no new answer of the model. Measured on the largest pressure between sprag and race over
+Leaving out one design of a factorial at a time proves little where the model has a kink: neighbours
+at the same level of the other parameters contain it too. Leaving out a whole level is better,
+and costs no new value of the model. Measured on the largest pressure between sprag and race over
 three profile parameters (5^3 designs, 200 random points beside, mean/largest relative error in %):
 
     surrogate                     torque   true       one left out   level left out

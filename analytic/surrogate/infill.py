@@ -12,16 +12,16 @@ from analytic.surrogate.found import Found, Objective
 
 
 class NoAgreementError(ArithmeticError):
-    """Surrogate and true model still differ after all rounds; every answer was found."""
+    """Surrogate and true model still differ after all rounds; all values were found."""
 
 
 class Predicts(Protocol):
-    """What answers points (n, d) with values (n,)."""
+    """A model: points (n, d) to values (n,)."""
 
     def predict(self, x: Array) -> Array: ...
 
 
-A = TypeVar("A")  # what the true model answers
+A = TypeVar("A")  # value of the true model
 S = TypeVar("S", bound=Predicts)
 SAME = 1e-9  # distance in the unit cube of two points that are one design
 
@@ -86,7 +86,7 @@ def infill(
     x = box.points(x)
     known = [true(point) for point in x] if answers is None else list(answers)
     if len(known) != len(x):
-        raise ValueError(f"as many answers as designs, got {len(known)} and {len(x)}")
+        raise ValueError(f"as many values as designs, got {len(known)} and {len(x)}")
     if not 1 <= in_a_row <= rounds:
         raise ValueError(f"in_a_row must lie between 1 and rounds, got {in_a_row} of {rounds}")
     history: list[Round] = []
@@ -98,7 +98,7 @@ def infill(
         on_design = bool(np.any(_distance(x, found.x, box) < SAME))
         this = Round(found.x, found.value, value(answer), on_design)
         if not np.isfinite(this.true):
-            raise ArithmeticError(f"the true model answers {this.true} at {this.x}")
+            raise ArithmeticError(f"the true model gives {this.true} at {this.x}")
         if on_design and this.error > agree:
             raise ArithmeticError(
                 f"on a design already there, {this.x}, the surrogate has {this.predicted:.6g} and "

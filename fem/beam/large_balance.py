@@ -30,7 +30,7 @@ class Tangent:
 
 @dataclass(frozen=True)
 class Response:
-    """What the frame answers at some displacements; `size` measures its nodal forces."""
+    """Response of the frame at some displacements; `size` measures its nodal forces."""
 
     strain_energy: float
     term_energy: float

@@ -75,7 +75,7 @@ class March:
             sum(term.dissipated for term in balance.terms), work, residuals, 1, tangent.negative,
         )  # fmt: skip
         self.response, self.tangent = found, tangent
-        if balance.terms:  # with another history they may answer otherwise
+        if balance.terms:  # with another history they may differ
             self._look(self.state)
         return self.state
 

@@ -59,7 +59,7 @@ class PressedFrame:
         return float(state.reactions[self.head, 0])
 
     def head_stiffness(self, state: State) -> tuple[Array, Array]:
-        """Force and couple (3, 3) on the head per small movement of it, let go from a state.
+        """Force and couple (3, 3) on the head per small movement of it, released from a state.
 
         And its rounding (3, 3), by what it lacks in symmetry and what the last correction changed.
         Only the rest of the frame is solved for, so that nothing is singular where the frame

@@ -43,7 +43,7 @@ class Term(Protocol):
         """Improve multipliers at the converged `x`; True if equilibrium must be found again.
 
         What it changes must be undone by `reject`.
-        ConvergenceError (`fem.beam.large_balance`) refuses `x`: the step is given up.
+        ConvergenceError (`fem.beam.large_balance`) rejects `x`: the step is abandoned.
         """
         return False
 

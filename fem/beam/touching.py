@@ -34,7 +34,7 @@ NEIGHBOURS = 3.0  # thicknesses along the line within which it cannot meet itsel
 class Touching(Term, ABC):
     """Probes of lines, the law of contact between them and something else.
 
-    `record` tells what touches in the accepted state, `records` in all since the path's start
+    `record` is what touches in the accepted state, `records` in all since the path's start
     (the reference state first).
     """
 

@@ -57,7 +57,7 @@ def least(
     `rise(places, rows)` are values and slopes at places of the functions of the given numbers.
     Within a cell the function is taken to have one minimum, at an end where the slope doesn't
     change from - to +. False position with halved weights (the Illinois method) finds the
-    others, roughly where both ends' tangents tell that they stay above `below`.
+    others, roughly where by both ends' tangents they stay above `below`.
     """
     every = np.arange(len(lower))
     low, first = rise(lower, every)

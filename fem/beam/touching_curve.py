@@ -93,7 +93,7 @@ def compress(
 
     `times` is how much stiffer the contact is than usual. Displacements `beyond` the last of U
     follow until the force is TWICE that at the last of U. Where no equilibrium is found before, the
-    curve ends early, which says nothing about the line.
+    curve ends early, which is no property of the line.
 
     Raises ArithmeticError where a state at one of U is not found.
     """

@@ -1,7 +1,7 @@
 r"""Normal force and friction of touching places: penalties with multipliers.
 
 The normal force is what z = multiplier - stiffness x gap has above zero, rounded within the
-onset e = stiffness x `rounding` so that Newton's method sees no kink:
+onset e = stiffness x `rounding` so that there is no kink for Newton's method:
 
 .. math:: N = \frac{(z + e)^2}{4 e}\ (|z| < e), \qquad N = z\ (z \ge e)
 
@@ -89,7 +89,7 @@ class Law:
         return Answer(energy, force, K, N, T, stick)
 
     def settle(self, touch: Touch, answer: Answer) -> bool:
-        """Mend what sticks, and multipliers where gaps or stick are off; True if anything was."""
+        """Correct sticking, and multipliers where gaps or stick are off; True if anything was."""
         off = np.abs(touch.gap)[answer.normal > self.onset[touch.slot]].max(initial=0.0)
         crept = np.where(answer.sticking, np.abs(touch.slip), 0.0).max(initial=0.0)
         mended = self.friction > 0 and self._mend(touch, answer)

@@ -60,7 +60,7 @@ def arcs(points: Array, elements: Indices) -> Arcs:
 
 
 class Apart:
-    """Tells which elements are further from a probe's cell than `least` along the line."""
+    """Finds which elements are further from a probe's cell than `least` along the line."""
 
     def __init__(self, points: Array, elements: Indices, probes: Probes, least: float) -> None:
         self.least = least

@@ -1,4 +1,4 @@
-"""What the law of contact must know of every touching place, and what it answers."""
+"""Input of the law of contact for every touching place, and its result."""
 
 from dataclasses import dataclass, replace
 

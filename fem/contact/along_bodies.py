@@ -24,7 +24,7 @@ class AlongBodies:
     """Stiffness and shifts along z of all bodies, seen from their contact surfaces.
 
     `T` (nodes, n) spreads the free unknowns, of which the last s belong to surfaces, rigid bodies
-    and obstacles. `shifts` (s, k) are orthonormal shifts that supports leave, `words` says whose.
+    and obstacles. `shifts` (s, k) are orthonormal shifts that supports leave, `words` names them.
     """
 
     def __init__(self, bodies: Bodies, along: Along, surface: Indices) -> None:

@@ -21,7 +21,7 @@ class AlongNodes:
 
     `dofs` (2, meshed) are their unknowns x and y of the plane, `of_dof` (unknowns,) the nodes of
     these, `cells` (cells, n) those of each cell. Nodes of a rigid body, and tied ones, have the
-    same `group` (count,); `held` (groups,) says which of these supports hold.
+    same `group` (count,); `held` (groups,) is true where supports hold.
     """
 
     def __init__(self, bodies: Bodies, along: Along) -> None:

@@ -17,7 +17,7 @@ class AlongStep:
 
     Of the nodes with friction: `traction` (r,) [stress] on the master, `w` (r,) weighted slips of
     this step, `slips_before` (r,) those before it; `shift` (k,) of bodies that only friction holds;
-    `residual` says how well the whole step meets its laws.
+    `residual` is the violation of the laws by the whole step.
     """
 
     interface: AlongInterface

@@ -81,7 +81,7 @@ class Cone(System):
         return float(np.linalg.norm(np.concatenate(parts)) / size), states
 
     def _size(self, w_0: Array, e: Array, w: Array, at: State, pressure: Array) -> float:
-        """The largest pressure, or what rounding lets the loads and gaps say about pressures."""
+        """The largest pressure, or the resolution of pressures by loads and gaps under rounding."""
         closing = np.abs(w_0) / self.yields
         pulling = np.abs(e) / self.reach
         least = EXACT * float(max(closing.max(initial=0.0), pulling.max(initial=0.0))) or 1.0

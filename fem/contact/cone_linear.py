@@ -29,7 +29,7 @@ class Rate:
 
 @dataclass(frozen=True)
 class Linearised:
-    """The cone `cone` about `at`, each node open, sticking or slipping as `states` (m,) say."""
+    """The cone `cone` about `at`, each node open, sticking or slipping by `states` (m,)."""
 
     cone: Cone
     task: Task

@@ -13,7 +13,7 @@ from fem.contact.errors import NotFoundError
 from fem.plane.discretisation import Array
 
 FINE = 1e-13  # of the peak pressure: Newton's method ends
-GOOD = 1e-10  # here too, where rounding lets it come no closer
+GOOD = 1e-10  # here too, where it is the limit by rounding
 MAX_STEPS = 40
 ROUGHLY = 0.2  # of the peak pressure: so much Newton's full step may miss, and more than before
 SHORTEST = 1.0 / 8  # of Newton's step, where it misses more than any of the steps before
@@ -44,7 +44,7 @@ class Newton:
     def at_rest(self, at: State, friction: Array) -> State:
         """The solution on springs that follow the motions until they carry no loads.
 
-        SlidingError where they carry loads for ever, NotFoundError where a step fails.
+        SlidingError where they carry loads permanently, NotFoundError where a step fails.
         """
         spring, imbalance = SPRING, np.inf
         for _ in range(MAX_RELEASES):

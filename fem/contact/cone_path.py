@@ -3,7 +3,7 @@
 The task changes with a parameter t. Each step goes along the tangent and returns to the path by
 Newton's method within a plane across it, where t is unknown as well. The path is smooth but where
 a node changes its state. There it may turn back: the determinant of the equations and the tangent
-keeps its sign along the path, which says where it goes on (Allgower and Georg 1990).
+keeps its sign along the path, which gives its direction (Allgower and Georg 1990).
 """
 
 from collections.abc import Callable

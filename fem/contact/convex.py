@@ -90,7 +90,7 @@ class Piecewise:
             return share
         for _ in range(DOUBLINGS):
             if slope(share) > 0:
-                # springs may have let a body fly much too far
+                # on springs a body may have moved much too far
                 return float(brentq(slope, 0.0, share, xtol=1e-300, rtol=1e-12, maxiter=1000))
             share *= 2
         raise ArithmeticError(ADRIFT)

@@ -16,7 +16,7 @@ from fem.plane.discretisation import Array, Indices
 
 SPIN = 1e-3  # turn times extent over displacement: below, a motion is a translation
 LEAST = 1e-13  # of the mean compliance per area
-ROUND_OFF = 1e-9  # of the mesh's extent: overlaps that say nothing
+ROUND_OFF = 1e-9  # of the mesh's extent: overlaps that are round-off
 
 
 class Surfaces:

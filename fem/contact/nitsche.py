@@ -56,7 +56,7 @@ def solve_nitsche(
         other load. At the edge of contact the pressure is smoothest where the slave is the softer
         body, or its facets are the shorter ones.
     alpha
-        The weight of the stress against the gap: 0.01 to 0.1. Less lets the pressure oscillate.
+        The weight of the stress against the gap: 0.01 to 0.1. With less the pressure oscillates.
     after
         The step before, from which friction continues.
 
@@ -120,7 +120,7 @@ def _settle(own: Rows, energy: Piecewise, p: Array, v: Array) -> tuple[Array, Ar
 
 
 def _check_slaves(problem: ContactProblem, loaded: Iterable[str]) -> None:
-    """ValueError where the stress of a slave does not tell the traction of its pair."""
+    """ValueError where the stress of a slave does not give the traction of its pair."""
     mesh, surfaces, mortars = problem.bodies.basis.mesh, problem.surfaces, problem.interface.mortars
     others = [(f"a load on {x!r}", named_facets(mesh, x)) for x in loaded if x in mesh.boundaries]
     touching = [

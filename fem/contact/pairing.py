@@ -146,7 +146,7 @@ class _Ray:
         """Slave facets and parameters opposite to the master's vertices."""
         j, t = np.tile(np.arange(self.master.count), 2), np.repeat([0.0, 1.0], self.master.count)
         places = np.vstack([self.master.places(j, t), self.master.normals(j, t)])
-        # one facet speaks for both that share a vertex with one normal
+        # one facet represents both that share a vertex with one normal
         size = np.abs(places).max(axis=1, keepdims=True).clip(1e-300)
         first = np.unique(np.round(places / size, 11), axis=1, return_index=True)[1]
         j, t, places = j[first], t[first], places[:, first]

@@ -24,7 +24,7 @@ def stick_share(touch: Touch) -> float:
 def smoothed(k: Array, v: Array, at: float, window: float = WINDOW) -> tuple[float, float, float]:
     """Value at k = `at` of a cubic through the samples around it, its uncertainty, and a sample's.
 
-    As the slip strips grow, nodes let go one by one; the value jitters with the place of the
+    As the slip strips grow, nodes start to slip one by one; the value jitters with the place of the
     strip's end between two nodes.
     """
     chosen = np.abs(k - at) <= window

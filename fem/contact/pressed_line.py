@@ -16,7 +16,7 @@ from fem.plane.discretisation import Array
 
 ZONE = 1.5  # of the even cells over the contact
 CELLS = 6  # on it, on the mesh of level 1: four on the half-width
-COARSE = 2  # the level that says where the contact ends
+COARSE = 2  # the level that finds where the contact ends
 HIT = 1e-12  # of P, within which the load is met
 MOST = 40
 SOLVED = 1e-10  # of a value: what follows smoothly from a load met within HIT, rounded
@@ -38,7 +38,7 @@ class PressedLine:
 
         `guess` [m] is about the half-width, `arc` [m] the radius along which cells are even.
 
-        A coarse solution says where the contact ends; the meshes have a vertex there, so that
+        A coarse solution finds where the contact ends; the meshes have a vertex there, so that
         the levels differ in nothing but their size.
         """
         self.P, self.guess, self.cut = P, guess, cut

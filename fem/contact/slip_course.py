@@ -10,7 +10,7 @@ from fem.contact.partial_slip import smoothed, stick_share
 from fem.contact.solution import ContactSolution
 from fem.plane.discretisation import Array
 
-Value = tuple[float, float]  # and its standard uncertainty, from how single nodes let go
+Value = tuple[float, float]  # and its standard uncertainty, from the slip of single nodes
 
 
 @dataclass(frozen=True)

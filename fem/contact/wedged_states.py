@@ -1,4 +1,4 @@
-"""States of a roller in a wedge: let go after pressing, and at the least friction that holds it."""
+"""States of a roller in a wedge: released after pressing, at the least friction that holds it."""
 
 import math
 from collections.abc import Callable

@@ -1,4 +1,4 @@
-"""A ring shrunk on a shaft: the pressure between them, and how sharp it is at the ring's edge."""
+"""A ring shrunk on a shaft: the pressure between them, and its singularity at the ring's edge."""
 
 from collections.abc import Sequence
 

@@ -48,7 +48,7 @@ class FourierSolid:
         check_components(self.supports)
         for name in self.supports:
             named_facets(self.mesh, name)
-        _ = self.cells  # refuses the mesh and its materials here
+        _ = self.cells  # raises for a wrong mesh and wrong materials here
 
     @cached_property
     def basis(self) -> Basis:

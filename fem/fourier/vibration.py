@@ -8,7 +8,7 @@ wave that runs forward, in the sense of W > 0:
 
     K u + w W G u - w^2 M u = 0,    and with  y = w u    diag(K, M) x = w [[-W G, M], [M, 0]] x.
 
-The left side of the second form is symmetric, positive definite and asks only for K's factors, at
+The left side of the second form is symmetric, positive definite and needs only K's factors, at
 any speed; Lanczos' method finds the largest 1/w of both signs.
 """
 

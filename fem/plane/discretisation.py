@@ -47,7 +47,7 @@ NUMBERS: Recent[Dofs] = Recent(most=96, room=4e6)  # by cells; entries of the ta
 
 
 class LateBasis(Basis):
-    """scikit-fem's basis, whose shape functions are evaluated where one of its forms asks."""
+    """scikit-fem's basis, whose shape functions are evaluated on demand."""
 
     def __init__(self, mesh: Mesh2D, elem: ElementVector, quadrature: tuple[Array, Array]) -> None:
         key = (type(mesh), type(elem.elem), mesh.t)

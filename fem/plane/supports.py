@@ -76,7 +76,7 @@ class Conditions:
     def forces(self, reaction: Array) -> Array:
         """Force (m,) along each condition that makes up `reaction` (unknowns,) of the supports."""
         number, dofs, direction = self.by_node()
-        # least norm: conditions that say the same share what they carry
+        # least norm: equal conditions share the force
         inverse = np.linalg.pinv(direction.swapaxes(1, 2), rcond=INDEPENDENT)
         each = np.einsum("nci,in->nc", inverse, reaction[dofs])
         force = np.zeros(self.owner.size)
@@ -239,7 +239,7 @@ def _values(value: Prescribed, x: Array) -> Array:
 
 
 def _refuse(basis: Basis, conditions: Conditions, number: Indices) -> NoReturn:
-    """Say which of the conditions `number` (c,) of one node contradict each other."""
+    """Report which of the conditions `number` (c,) of one node contradict each other."""
     own = number[number >= 0]
     x, y = basis.doflocs[:, conditions.dofs[0, own[0]]]
     by = ", ".join(sorted({repr(conditions.owners[i]) for i in conditions.owner[own]}))

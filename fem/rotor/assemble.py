@@ -30,7 +30,7 @@ PLANES = (((X, TY), (1.0, 1.0)), ((Y, TX), (1.0, -1.0)))
 
 @dataclass(frozen=True)
 class System:
-    """Assembled matrices (n, n), six unknowns a node; `z` and `shaft` (nodes,) say where it is.
+    """Assembled matrices (n, n), six unknowns a node; `z` and `shaft` (nodes,) are its place.
 
     `varying` are the supports that depend on the speed; `ends` (elements, 2) the nodes of the
     beam elements, `given` (elements,) which of the rotor's elements they are part of.

@@ -42,7 +42,7 @@ class Block:
     """Unknowns `at` of the complex coordinates (of the nodes if not `turned`), matrices (n, n).
 
     `sense` is 1 where all turn forwards, -1 where all turn backwards, else 0; `planes` names the
-    kinds of motion that take part, `across` (n,) says which unknowns are of bending.
+    kinds of motion that take part, `across` (n,) is true for unknowns of bending.
     """
 
     at: Indices

@@ -1,4 +1,4 @@
-"""Eigenvalues over the speed as branches: which one at a speed goes on in which at the next."""
+"""Eigenvalues over the speed as branches: tracking from each speed to the next."""
 
 from dataclasses import dataclass
 

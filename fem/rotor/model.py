@@ -1,4 +1,4 @@
-"""Rotors of coaxial shafts: what is handed over, in SI units.
+"""Rotors of coaxial shafts: input data in SI units.
 
     shaft = Shaft([Element(0.25, 0.05)] * 4)
     disc = Disc.cylinder(2, 0.3, 0.05, 0.04, 7850.0)
@@ -110,7 +110,7 @@ class Rotor:
 
     @cached_property
     def blocks(self) -> list[Block]:
-        """Its parts that do not know of each other, with supports as they are at rest."""
+        """Its independent blocks, with supports as they are at rest."""
         return blocks(self.system)
 
     @property

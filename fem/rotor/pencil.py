@@ -35,7 +35,7 @@ class Spectrum:
 
     `take(i, at)` gives vectors (n, j) and states (m, j) of the eigenvalues number `at` at the speed
     number `i`. States are of length 1, in an undamped problem orthonormal: their products tell
-    which eigenvalue at one speed goes on in which one at the next.
+    which eigenvalues at two speeds belong together.
     """
 
     values: Complex

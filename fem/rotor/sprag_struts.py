@@ -1,7 +1,7 @@
 """Sprags between two races as struts of rigid hubs, inclined by the wedge angle, under a torque.
 
 Their ends roll, so that their lines keep their distance from the axis, or are held in both races.
-Each contact yields as a line contact: its force goes with the power 10/9.
+Each contact deflects as a line contact: its force goes with the power 10/9.
 """
 
 import math
@@ -38,9 +38,9 @@ class SpragStruts:
 
     @property
     def law(self) -> float:
-        """Force of a sprag over its yield to the power 10/9 [N/m^(10/9)].
+        """Force of a sprag over its deflection to the power 10/9 [N/m^(10/9)].
 
-        Palmgren's yield of one contact is 3.84e-5 N^0.9/l^0.8 in newtons and millimetres.
+        Palmgren's approach of one contact is 3.84e-5 N^0.9/l^0.8 in newtons and millimetres.
 
         >>> sprags = SpragStruts(T=1.0, Z=12, R_i=0.01, R_e=0.02, nu=0.05, L=0.01, yields_at_kn=1.0)
         >>> sprags.law
@@ -52,7 +52,7 @@ class SpragStruts:
 
     @property
     def yields(self) -> float:
-        """Yield [m] of every sprag's contacts under T alone."""
+        """Deflection [m] of every sprag's contacts under T alone."""
         force = self.T / self.Z / self.R_i / math.tan(self.nu)
         return float((force / self.law) ** (1 / POWER))
 
@@ -68,7 +68,7 @@ class SpragStruts:
         """Rolling ends in `count` slices under T, the inner hub held at dx, from no load on.
 
         Both contacts have a parabolic crown with the `drop` [m] at its ends; the first sprags are
-        `gone`. Yields are smaller by `stiffer`.
+        `gone`. Deflections are smaller by `stiffer`.
         """
         step = 2 * math.pi / self.Z
         psi = step * (np.arange(gone, self.Z, dtype=float) - (self.missing - 1) / 2)
@@ -85,7 +85,7 @@ class SpragStruts:
     def tilted(self, count: int, offset: float) -> struts.Joint:
         """Rolling ends from half a pitch on under T, the inner hub aside at one end, twice as far.
 
-        Aside by `offset` [m] in the middle, by a quarter of the yield at most: every slice stays in
+        Aside by `offset` [m] in the middle, by a quarter of the deflection: every slice stays in
         contact.
         """
         psi = 2 * math.pi * (np.arange(self.Z) + 0.5) / self.Z

@@ -21,7 +21,7 @@ class State:
 
     s: Array
     J: Array  # (m, 6)
-    H: Array | None  # (m, 6, 6), where asked for
+    H: Array | None  # (m, 6, 6), where requested
 
 
 @dataclass(frozen=True, kw_only=True)

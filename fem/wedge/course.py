@@ -19,7 +19,7 @@ class Course:
 
     All are over the logarithm of a quantity that grows from state to state. Of those that grow by
     more than `GROWING`, too, logarithms are splined: their slopes hardly change, as bodies in
-    contact yield by powers of their loads. `by` names what values are asked over by default.
+    contact deflect by powers of their loads. `by` names the default abscissa of values.
     """
 
     by: ClassVar[str] = "N"

@@ -2,7 +2,7 @@
 
 The roller lies in its place with both contacts overlapping, free but for them. A cam inside is
 clamped in its bore, of one outside the rim's mean rotation is held, as that of the race is. The
-race's moment is the torque. Where the roller comes to rest says psi and both approaches.
+race's moment is the torque. The rest position of the roller gives psi and both approaches.
 """
 
 import math

@@ -41,7 +41,7 @@ def balance(course: FlatCourse, T: float) -> dict[str, float]:
 
 
 def over_hertz(touch: "Touch", at: Array) -> Array:
-    """Pressure over the largest of Hertz, at parts `at` of the half-width that its moments say."""
+    """Pressure over the largest of Hertz, at parts `at` of the half-width by its moments."""
     s, load = touch.along(), touch.p * touch.weight
     a, P = touch.half_width(), load.sum()
     order = np.argsort(s)

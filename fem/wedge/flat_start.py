@@ -8,7 +8,7 @@ from fem.contact.errors import NotFoundError
 from fem.wedge.flat import Sector, State
 from fem.wedge.flat_place import Pitch, Place
 
-COARSE = 3  # cells on the half-width of the meshes that say where contacts lie
+COARSE = 3  # cells on the half-width of the meshes that locate the contacts
 STICKS = 2.0  # friction over tan(alpha): well above what the roller needs
 FIRST = 16.0  # overlap over N/(L E'), about
 SPLIT = 0.33  # part of the contact with flats inside, about

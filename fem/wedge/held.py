@@ -1,6 +1,6 @@
 """Wedged rollers that keep their torque under axial loads, one after the other with their friction.
 
-The roller stays in its place: where friction lets it creep out, the ring turns on.
+The roller stays in its place: where it creeps out under friction, the ring turns on.
 """
 
 from collections.abc import Sequence

@@ -148,7 +148,7 @@ def yielding(one: Pulled, there: Sector, stuck: State) -> float:
 
 
 def creeping(there: Sector, state: State, ahead: float = 0.0, **along: Any) -> State:
-    """On from `state` with the roller in its place: what it is let out, the ring takes it back.
+    """On from `state` with the roller in its place: the ring takes back its outward movement.
 
     The ring turns on then, and N stays; by `ahead` [m] from the start, where that is known to be
     needed: then nodes that slip do so in the last solve, too. NotFoundError where the roller does

@@ -145,7 +145,7 @@ class State(Touching, Generic[P]):
 
     @property
     def angles(self) -> tuple[float, float]:
-        """atan(T/N) [rad]: nu and omega, as the forces say."""
+        """atan(T/N) [rad]: nu and omega, by the forces."""
         inner, outer = (math.atan2(T, N) for T, N in zip(self.T, self.N, strict=True))
         return inner, outer
 

@@ -35,7 +35,7 @@ def driven(there: Sector, stuck: State, displacements: Sequence[float]) -> Array
 
 
 def let_out(there: Sector, stuck: State, displacements: Sequence[float]) -> Array:
-    """The path (m, 8) of the ring driven along z and held about the axis: rollers are let out."""
+    """The path (m, 8) of the ring driven along z and held about the axis: rollers move out."""
     path, state = [_row(stuck, stuck, 0.0)], stuck
     for u in displacements:
         state = there.at(stuck.drags, after=state.solution, axial_displacements=_rim(there, u))

@@ -23,7 +23,7 @@ AXIAL_ABOVE = 1e-3  # of mu_req: the first friction with an axial load
 SHARES = (1.01, 1.06, 1.15, 1.35, 1.8, 3.0)  # mu/tan(alpha) of the slip shares
 ANGLES = (0.3, 0.5, 0.7, 0.85, 0.97, 1.03, 1.2, 1.5)  # tan(alpha)/mu of the sweep
 HELD = 0.5  # of N: more is left of it where places are equal and forces are not
-DRIVEN = (1.5, 3.0)  # of the ring along z, over what parts yield: to where all slips
+DRIVEN = (1.5, 3.0)  # of the ring along z, over the deflection of parts: to where all slips
 
 
 class Limit:
@@ -129,7 +129,7 @@ def over_angles(
     `built` makes the pitch with flats at X [m], ValueError where there is none. Rows have
     tan(alpha)/mu, part of `N` [N/m] that is left, F_t/(mu N) (0 where it is none), and after the
     ring has been driven along z until all slips F_t/(mu N) and F_z/(mu N) of cam and ring. At its
-    angle the clutch, `stuck`, yields by `unit` [m] along z to where it slips. Angles and forces
+    angle the clutch, `stuck`, deflects by `unit` [m] along z to where it slips. Angles and forces
     are those of the meshes, on whose normals slip is decided.
     """
     q, mu, (d_i, d_o) = one.q, one.mu, start.d

@@ -47,7 +47,7 @@ class Start(Generic[P]):
         return cls(state.sector.q, state.place, state.widths, state.drags)
 
     def turned(self, alpha: float) -> "Start[P]":
-        """About the same at another rotation [rad]: lengths go with all that yields."""
+        """About the same at another rotation [rad]: lengths are proportional to all deflections."""
         place, share = self.place.turned(alpha)
         root = math.sqrt(share)
         return replace(

@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 
 
 class Stroke(Course):
-    """States of z struts with torque T [N m] of all, N [N] and all that yields H [m] of one.
+    """States of z struts with torque T [N m] of all, N [N] and the total deflection H [m] of one.
 
     `U` [J] is the energy of one pitch; splines over ln N lie between the states.
     """
@@ -28,7 +28,7 @@ class Stroke(Course):
         return self.integral(lambda t: z * np.exp(U(t) - t) * U(t, 1), "T", np.log(T))
 
     def work(self, N: Array) -> Array:
-        """Work [J] on the yields of one strut up to normal forces N [N]: the integral of N dH."""
+        """Work [J] on deflections of one strut up to normal forces N [N]: the integral of N dH."""
         H = self.logarithm("H", "N")
         return self.integral(lambda t: np.exp(H(t) + t) * H(t, 1), "N", np.log(N))
 

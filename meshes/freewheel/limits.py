@@ -1,4 +1,4 @@
-"""What a sector of a freewheel can be; all lengths in metres, as the messages say."""
+"""What a sector of a freewheel can be; all lengths in metres, as in the messages."""
 
 import math
 from collections.abc import Sequence
@@ -13,7 +13,7 @@ ROOM = 2.0  # fine zones that fit between the contact and the end of the flat
 
 
 def check_radii(rule: str, radii: Sequence[float], z: float) -> None:
-    """ValueError unless z >= 3 is whole and the `radii` [m] grow from above 0, as the rule says."""
+    """ValueError unless z >= 3 is whole and the `radii` [m] grow from above 0."""
     if not z >= 3 or z % 1 != 0:
         raise ValueError(f"a freewheel needs a whole number z >= 3 of rollers, got z={z:g}")
     ends = (0.0, *radii, math.inf)

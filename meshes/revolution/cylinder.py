@@ -24,7 +24,7 @@ def half_cylinder(
 
     `contact` grows from 0 to the contact's end, beyond which the cylinder goes on by `overhang`;
     its last cell is also the first beyond. Cells below the rim are `first` deep, and grow
-    downwards; `refine` 2 halves these and the ones beyond, whereas `contact` is as handed over.
+    downwards; `refine` 2 halves these and the ones beyond, whereas `contact` is as given.
     All in one unit of length. Boundaries "rim", "axis" or "bore", "start" (z = 0) and "end"; body
     "body". ValueError unless 0 <= bore < R, overhang >= 0, and stations from 0 grow.
     """

@@ -119,13 +119,13 @@ class Place:
 
     @cached_property
     def overlaps(self) -> tuple[float, float]:
-        """Of both contacts without loads [m]: all that yields there."""
+        """Of both contacts without loads [m]: the deflections there."""
         at = self.free
         return self.q.R_i - math.hypot(*at.inner), math.hypot(*at.outer) - self.q.R_e
 
     @property
     def H(self) -> float:
-        """All that yields [m]."""
+        """Total deflection [m]."""
         return sum(self.overlaps)
 
     @property
@@ -202,7 +202,7 @@ class Place:
         return replace(moved, shares=(-inner / d_i, outer / d_e), bends=(b_i, b_e))
 
     def turned(self, alpha: float) -> tuple["Place", float]:
-        """About the same turned by `alpha` [rad], and all that yields there over that here."""
+        """About the same turned by `alpha` [rad], and the ratio of both total deflections."""
         far = Place.overlapping(self.q, alpha)
         share, (b_i, b_e) = far.H / self.H, self.bends
         # as the overlaps of both contacts share the whole

@@ -7,7 +7,7 @@ from analytic.bounds.contact.estimate import Estimate
 
 
 def corrected(excess: float, *, beyond: float, power: float = 1.0) -> Estimate:
-    """Of a value that finite spheres exceed by the share `excess`, as the first correction says.
+    """Of a value that finite spheres exceed by the share `excess`, by the first correction.
 
     `power` is that of the approach with which the value goes: 3/2 for the load.
 

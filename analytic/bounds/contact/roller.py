@@ -3,7 +3,7 @@
 from math import isfinite
 
 LEAST = 1e-4  # of a model error: nothing sharper is claimed
-OWN = 1e-3  # nor this for inputs for which nobody chose strips and grids
+OWN = 1e-3  # nor this for user inputs, for which strips and grids are not tuned
 LOADED = 3e-3  # nor this, there, for a loaded end, to which no expansion applies
 SLENDER = 0.03  # of the length: largest half-width for which the expansion is valid there
 WIDEST = 0.01  # wider than the required sensitivity: such an interval proves nothing

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from analytic.bounds.freewheel.intervals import Interval, times
 from analytic.bounds.freewheel.star import StarBounds
 
-WIDEST = 0.04  # interval at the limit: near tan(alpha) = mu it says nothing
+WIDEST = 0.04  # interval at the limit: near tan(alpha) = mu it has no meaning
 ALIKE = 1e-6  # of a value: what two forms of one equation differ by beside their ratio
 
 
@@ -50,7 +50,7 @@ class FrictionBounds:
         return times(self.both_contacts(), math.hypot(1.0, self.lever), ALIKE)
 
     def limit_load(self) -> Interval | None:
-        """Of F_ax at the limit: none where the slope's alone nearly lets the roller out."""
+        """Of F_ax at the limit: none where tan(alpha) alone nearly releases the roller."""
         return self._sharp(lambda tan: math.sqrt((self.mu / tan) ** 2 - 1))
 
     def limit_creep(self) -> Interval | None:
@@ -75,9 +75,9 @@ def limit_load(star: StarBounds, mu: float) -> Interval | None:
 def at_limit(
     of: Callable[[float], float], own: float, slope: Interval, mu: float
 ) -> Interval | None:
-    """The interval of a function of tan(alpha) whose own is within `slope`.
+    """The interval of a function of tan(alpha) whose value is known within `slope`.
 
-    None where tan(alpha) may reach mu: torque alone would let the rollers out.
+    None where tan(alpha) may reach mu: torque alone would expel the rollers.
 
     >>> at_limit(lambda tan: 1 / tan, 0.05, (-0.5, 0.0), mu=0.2)
     (0.0, 1.0)

@@ -42,7 +42,7 @@ class Rig:
         """First time [s] at which a path needs more than `F` [N]; inf where it never does.
 
         `F` is the axial load at slip under T, of path 3 under T_critical, where friction is that of
-        both; `tan` is asked on path 3 alone.
+        both; `tan` is called on path 3 alone.
         """
         if path == 1:
             t = self.rise + F / self.F_ax * (self.duration - self.rise)

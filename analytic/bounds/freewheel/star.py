@@ -101,7 +101,7 @@ class StarBounds:
         return (1 + low) / (1 + more) - 1, (1 + high) / (1 + less) - 1
 
     def force_at_angle(self) -> Interval:
-        """Of N at an angle, which says what both approaches are together."""
+        """Of N at an angle, which gives the sum of both approaches."""
         size = sum(self.own.values())
         low, high = (sum(ends) / size for ends in zip(self.d_i, self.d_o, strict=True))
         return low**STEEPER - 1, high**STEEPER - 1

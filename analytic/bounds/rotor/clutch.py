@@ -42,7 +42,7 @@ def around(formula: float, corrected: float, left_out: float, nu: float) -> Inte
 def first_order(nu: float, eps: float, Z: int) -> Interval | None:
     """Of the coupling's first term in eps = dx/delta_0 with Z sprags; squares of eps^2 left out.
 
-    The next term of the sum over cos psi, and the yield that the torque takes back. None where eps
+    The next term of the sum over cos psi, and the deflection recovered by torque. None where eps
     is too large for a first term, or sprags too few for fourth powers to sum to 3/8 of Z.
 
     >>> first_order(0.05, 0.5, 12), first_order(0.05, 0.1, 4)
@@ -58,7 +58,7 @@ def first_order(nu: float, eps: float, Z: int) -> Interval | None:
 
 
 def held_ends(nu: float, delta_0: float, length: float) -> Interval:
-    """Of K_xx with struts of a `length` [m] held in both races, that yield by `delta_0` [m].
+    """Of K_xx with struts of a `length` [m] held in both races, that deflect by `delta_0` [m].
 
     Their forces turn with them, by Q/length; the sum's square is left out.
 

@@ -1,7 +1,7 @@
 """Errors of beam theories that are expected of a uniform shaft at rest, simply supported.
 
-Timoshenko's equation is written a second time here: a mistake in the judged formula is none of what
-it is judged by.
+Timoshenko's equation is written a second time here: a mistake in the verified formula is not in
+its reference.
 
 J. R. Hutchinson, J. Appl. Mech. 68 (2001) 87-92; S. P. Timoshenko, Phil. Mag. 41 (1921) 744-746.
 """

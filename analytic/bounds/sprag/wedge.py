@@ -27,13 +27,13 @@ Interval = tuple[float, float]
 Assumption = Literal["plane stress", "plane strain"]
 
 BEND = 0.25  # of all parts of a shift: point forces, straight walls, proportional slip
-LEVER = 0.1  # of the yields about the inner contact, how they share
+LEVER = 0.1  # of the deflections about the inner contact, how they share
 SHARP = 1e-3  # what reciprocity leaves, of second order
-ELASTIC = 1e-3  # of yields: polynomials of the column (4e-4), N for N_e on one side (5e-4)
+ELASTIC = 1e-3  # of deflections: polynomials of the column (4e-4), N for N_e on one side (5e-4)
 HERTZ, EDGES = 2.0, 2e-3  # bound of what Hertz neglects over (a/r)²; where contacts end in a cell
 ACCEPTED = 1e-2  # of half-widths
 SIDEWAYS = 0.4, 1.2  # bounds of the tangential over the normal compliance
-SLOPES = 5e-3  # of how much rotation goes with a yield of one side, over that of the other
+SLOPES = 5e-3  # of the rotation per deflection of one side, over that of the other
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -88,7 +88,7 @@ class Bounds:
         return sum(a * b for a, b in zip(shares, tilts, strict=True)) / float(at.beta)
 
     def torque(self) -> Interval:
-        """Of n_s N tan(nu) OA, whose lever is as unsure as a tenth of the inner yields."""
+        """Of n_s N tan(nu) OA, whose lever is as unsure as a tenth of the inner deflections."""
         (low, high), lever = self.angle(), LEVER * float(self.at.yields.inner) / self.sizes.R_i
         return low - lever, high + lever
 
@@ -103,13 +103,13 @@ class Bounds:
         return 2 * low, 2 * high
 
     def elastic(self) -> Interval:
-        """Of all yields together, and of the rotation that goes with them."""
+        """Of all deflections together, and of the rotation that goes with them."""
         size = ELASTIC + self.tan2 / 2 + self.wide + self.askew
         return -size, size
 
     @property
     def askew(self) -> float:
-        """Of all yields: forces along AB do work on ends that move sideways, N does not."""
+        """Of all deflections: forces along AB do work on ends that move sideways, N does not."""
         at, (u_i, u_e) = self.at, self.ends.moved
         sideways = abs(u_i * math.tan(float(at.nu))) + abs(u_e * math.tan(float(at.omega)))
         return self.P * sideways / float(at.yields.H)
@@ -145,7 +145,7 @@ class Bounds:
         return (q.R_i - q.R_id, a_i) if which == "i" else (q.R_ed - q.R_e, a_e)
 
     def race(self, which: str) -> Interval:
-        """Of what a race yields under its load, at the middle of the patch."""
+        """Of the deflection of a race under its load, at the middle of the patch."""
         wall, a = self.in_wall(which)
         size = SHARP + (a / wall) ** 2
         return -size, size
@@ -155,7 +155,7 @@ class Bounds:
         return times(self.elastic(), self.plane_yields() / float(self.at.yields.H))
 
     def lost(self) -> Interval:
-        """Of the printed closure, half of what yields at the inner contact left out."""
+        """Of the printed closure, half of the deflection at the inner contact left out."""
         yields = self.at.yields
         lost = float(yields.contact_i + yields.sprag) / 2
         return times(self.elastic(), 1 - lost / float(yields.H), spread=SLOPES)
@@ -165,7 +165,7 @@ class Bounds:
         return times((-SHARP, SHARP), self.thin_mean(which) / self.long_mean(which))
 
     def thin_at_contact(self, which: str) -> Interval:
-        """Of Eq. 6 for what a race yields under its load."""
+        """Of Eq. 6 for the deflection of a race under its load."""
         race = self.races[which == "e"]
         under = race.under / race.mean * self.long_mean(which)
         return times(self.race(which), self.thin_mean(which) / under)

@@ -25,7 +25,7 @@ class State(Triangle, Protocol):
 
 
 class Yields(Protocol):
-    """What yields [m]: at the inner contact, in the sprag, on the inner side, in all."""
+    """Deflections [m]: at the inner contact, in the sprag, on the inner side, in all."""
 
     @property
     def contact_i(self) -> Array: ...

@@ -87,6 +87,6 @@ def test_no_agreement_on_a_design_or_in_the_rounds_given_says_so() -> None:
     with pytest.raises(ArithmeticError, match=r"on a design already there, .* has 1 and .*") as own:
         played([(1.0, 20.0)], {})
     assert not isinstance(own.value, NoAgreementError)
-    with pytest.raises(ArithmeticError, match=r"the true model answers inf at \[ *0.1 +15") as own:
+    with pytest.raises(ArithmeticError, match=r"the true model gives inf at \[ *0.1 +15") as own:
         played([(0.1, 15.0)], {0.1: np.inf})
     assert not isinstance(own.value, NoAgreementError)

@@ -43,7 +43,7 @@ REFUSED = [
     (lambda: quality(ONES, 0 * ONES), "relative errors need finite values"),
     (lambda: left_level_out(fit(X, smooth(X), BOX), X[:2], ONES[:2]), "only between others"),
     (lambda: filled(answers=list(ONES), rounds=0), "in_a_row must lie between 1 and rounds, got"),
-    (lambda: filled(answers=[1.0]), "as many answers as designs, got 1 and 30"),
+    (lambda: filled(answers=[1.0]), "as many values as designs, got 1 and 30"),
     (lambda: genetic(smooth, BOX, population=5), "even and at least 2, got 5"),
     (lambda: genetic(smooth, BOX, crossover=1.1), "crossover must lie in [0, 1], got 1.1"),
 ]
