@@ -74,7 +74,7 @@ class Answer:
 
 
 def write_deck(path: Path, solution: ContactSolution, ask: Settings) -> None:
-    """Write what `solution` solves."""
+    """Write the problem of `solution`."""
     deck = contact.ContactDeck(
         states=[solution], materials=hertz.STEEL, assumption=hertz.ASSUMPTION, how=ask.in_deck,
         shift=-lowered(solution.plane, ask),

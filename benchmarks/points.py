@@ -1,4 +1,4 @@
-"""What finite-element points of sweeps cost, and what each kind of reuse saves, in one run.
+"""Cost of finite-element points of sweeps, and savings by each kind of reuse, in one run.
 
     OPENBLAS_NUM_THREADS=1 python -m benchmarks.points [points]
 

@@ -17,7 +17,7 @@ STEP = 0.01  # s between looks at the memory
 
 @dataclass(frozen=True)
 class Used:
-    """Wall and processor seconds, the most memory at once [MB], and what was printed."""
+    """Wall and processor seconds, the most memory at once [MB], and the printed text."""
 
     wall: float
     cpu: float
@@ -58,7 +58,7 @@ def _read(file: Any) -> str:
 
 
 def run_module(name: str, *words: object) -> dict[str, Any]:
-    """What a module prints as JSON; and what its process took, Python's start included.
+    """JSON printed by a module, and the time of its process with Python's start.
 
     RuntimeError with its error output where it fails.
     """

@@ -102,7 +102,7 @@ class Cholesky:
 
 
 class _Stored(ctypes.Structure):
-    """`cholmod_factor`, without what follows its type."""
+    """`cholmod_factor`, without the fields after its type."""
 
     _fields_ = (
         *((name, ctypes.c_size_t) for name in ("n", "minor")),

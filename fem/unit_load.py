@@ -8,7 +8,7 @@ ROUND_OFF = 10 * float(np.finfo(float).eps)  # of sums over hundreds of elements
 
 
 class Solved(Protocol):
-    """What solutions of frames and bodies have."""
+    """Common interface of solutions of frames and bodies."""
 
     @property
     def potential_energy(self) -> float:

@@ -67,7 +67,7 @@ def rim_constant(*, r_i: float, r_o: float, nu: float, assumption: Assumption) -
 
 @cache
 def _constant(ratio: float, nu: float) -> float:
-    """The sum of delta_n, with what is left out as if it fell with 1/n²."""
+    """The sum of delta_n, with a remainder that falls with 1/n²."""
     n = np.arange(2, TERMS + 1, dtype=np.float64)
     delta = np.concatenate([[_first(ratio, nu) - 1], _higher(n, ratio, nu) - 1 / n])
     tail = delta[-1] * TERMS  # sum of c/n² beyond n is c/n

@@ -28,7 +28,7 @@ def logarithmic(
 
 
 def lundberg(*, load: float, length: float, E_star: float) -> Gap:
-    """What a uniform load sinks less by towards the ends: (F/(pi l E*)) ln 1/((1 - s)(1 + s))."""
+    """Lundberg's crown, for a uniform load: (F/(pi l E*)) ln 1/((1 - s)(1 + s))."""
 
     def drop(y: Array) -> Array:
         s = y / (length / 2)

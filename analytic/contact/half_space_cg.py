@@ -118,6 +118,6 @@ def _balanced(values: Array, free: Mask, total: float | None) -> Array:
 
 
 def _kept(pressure: Array, total: float | None) -> Array:
-    """`pressure` without what pulls, with the total that is given."""
+    """`pressure` without tension, scaled to the given total."""
     pressure = np.maximum(pressure, 0.0)
     return pressure if total is None else pressure * (total / pressure.sum())

@@ -1,4 +1,4 @@
-"""What half-spaces in contact look like: fields over the cells and their integrals."""
+"""Results of half-spaces in contact: fields over the cells and their integrals."""
 
 from dataclasses import dataclass
 
@@ -62,7 +62,7 @@ class HalfSpaceContact:
 
     @property
     def complementarity(self) -> float:
-        """Integral of pressure times what is left of the gap, over load times displacement."""
+        """Integral of pressure times the remaining gap, over load times displacement."""
         scale = self.load * float(self.displacement.max())
         work = float(np.vdot(self.pressure, np.abs(self.gap)) * self.area)
         return work / scale if scale > 0 else 0.0

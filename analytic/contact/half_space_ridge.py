@@ -45,7 +45,7 @@ class Ridge:
 
     @property
     def values(self) -> dict[str, float]:
-        """What does not depend on the cells, and "p_largest", which does.
+        """Values independent of the cells, and "p_largest", which depends on them.
 
         Pressures p_max beyond d, p_mid, p_top and p_d of the mean load within d of the more loaded
         end; line load q_mid, half-width b_mid; approach delta, loads F_low, F_high, F_d of the

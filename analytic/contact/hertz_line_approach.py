@@ -58,7 +58,7 @@ def approach_to_far_depth(
     nu: ArrayLike,
     assumption: Assumption,
 ) -> Array:
-    r"""Limit of `approach_to_depth` for d much larger than a; what it leaves out is of (a/d)².
+    r"""Limit of `approach_to_depth` for d much larger than a; its error is of (a/d)².
 
     .. math:: \delta \to \frac{P}{\pi E'}\left[2\ln\frac{2d}{a} - \nu'\right]
     """

@@ -109,7 +109,7 @@ def left_out(
     nu_2: float,
     assumption: Assumption,
 ) -> float:
-    r"""Bound (no unit) of what both excesses leave out, with e = a over the smaller radius.
+    r"""Bound (no unit) of the remainder of both excesses, with e = a over the smaller radius.
 
     .. math:: \frac{e^4}{8} + \frac{(\beta\kappa a)^2}{4} + \frac{|\beta\kappa a|\, e^2}{2}
 

@@ -102,7 +102,7 @@ def rigid_displacement_beyond_stick(
 def dundurs_beta(
     *, E_1: ArrayLike, nu_1: ArrayLike, E_2: ArrayLike, nu_2: ArrayLike, assumption: Assumption
 ) -> Array:
-    r"""Dundurs' constant beta (no unit): what tangential tractions do to the pressure, and back.
+    r"""Dundurs' constant beta (no unit): coupling of tangential tractions and pressure.
 
     .. math:: \beta = \frac{(1-\nu_2')/E_2' - (1-\nu_1')/E_1'}{2\,(1/E_1' + 1/E_2')}
 

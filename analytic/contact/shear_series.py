@@ -1,4 +1,4 @@
-r"""First order of what Hertz's largest shear stress below a line contact lacks.
+r"""First-order error of Hertz's largest shear stress below a line contact.
 
 What Hertz's half plane lacks of a disc between flats is of the first order, unlike in the pressure.
 The opposite contact adds sigma_y = -P/(pi R), hence the shear stress P/(2 pi R) = p_0 a/(4R); and

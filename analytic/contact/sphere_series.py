@@ -157,7 +157,7 @@ def load_excess(one: Sphere, other: Sphere, *, P: float) -> float:
 
 
 def _rest(nu: float) -> float:
-    """What two opposite unit forces add at the pole beyond 4(1 - nu) R/d and the logarithm.
+    """Displacement by two opposite unit forces at the pole beyond 4(1 - nu) R/d and the logarithm.
 
     Twice the even terms of the series over the 8 pi mu R of a force, less their first two orders,
     whose images on the far side are sums of (-1)^n and (-1)^n/n. Partial fractions of (2n + 1) c_n

@@ -1,4 +1,4 @@
-r"""What the strips of `strips` neglect of a line contact whose load q(y) varies along it.
+r"""Error of the strips of `strips` for a line contact whose load q(y) varies along it.
 
 A strip's pressure is taken as Hertz's ellipse of the roller's curvature 1/R. In the expansion
 for slow variation along y the kernel 1/r has, beyond the logarithm that gives this ellipse, a term

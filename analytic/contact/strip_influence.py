@@ -1,4 +1,4 @@
-r"""What a strip of elliptic pressure does to a half-space along its middle line.
+r"""Displacement of a half-space along the middle line of a strip of elliptic pressure.
 
 A strip of width D carries the line load q with Hertz's ellipse of half-width b across,
 :math:`p = \frac{2q}{\pi b}\sqrt{1 - x^2/b^2}`, constant along y over D. A point load P sinks the

@@ -24,7 +24,7 @@ Real = TypeVar("Real", Array, Single)
 
 @dataclass(frozen=True)
 class System:
-    """What Newton's step is to solve: `push` is -g on the strips that carry, (N, n).
+    """Linear system of Newton's step: `push` is -g on the strips that carry, (N, n).
 
     Shared `far` matrices (n, n); `bands` (M, N, n), of which the first is the diagonal; `carries`
     (N, n); the load still `missing` (N,), or None where the approach is given.

@@ -35,7 +35,7 @@ from analytic.freewheel.rules import require
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Cam(ABC):
-    """z rollers between flats and a circular race: what both kinds have in common.
+    """z rollers between flats and a circular race: base of both kinds.
 
     `race` and `flat` are R and X of either kind, `sense` is +1 where load widens the angle (inner
     cam) and -1 where it narrows it (outer cam).

@@ -1,4 +1,4 @@
-"""What ends a clutch's work first: as its torque grows under its axial load, and the reverse.
+"""First limit of a clutch, as its torque grows under its axial load and as it falls.
 
 Each limit is met alone: the axial load stays as the torque grows, and the reverse. SI units.
 """
@@ -45,7 +45,7 @@ class Limit:
 
     @property
     def words(self) -> str:
-        """What happens there."""
+        """Description of the limit."""
         return WORDS[self.key]
 
 

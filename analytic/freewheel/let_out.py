@@ -1,4 +1,4 @@
-"""What a ring that is held about the axis loses as it slips along the axis under torque.
+"""Loss of clamping force of a ring, held about the axis, that slips along it under torque.
 
 Slip is along the resultant of the friction, so that its parts along the axis and around it are as
 F_a and F_t. Where the ring is held, the rollers move out of their wedges: the part around the

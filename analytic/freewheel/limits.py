@@ -52,7 +52,7 @@ class Limits:
         return np.asarray(names[self._all.argmin(axis=0)])
 
     def passed(self, T: ArrayLike) -> NDArray[np.str_]:
-        """What is the matter at the torque T, in words; empty within all limits."""
+        """Message on the limit that the torque T exceeds; empty within all limits."""
         told = np.array([TOLD[field.name] for field in fields(self)])[self._all.argmin(axis=0)]
         return np.where(not_negative(T, "torque", "N m") > self.torque, told, "")
 

@@ -1,4 +1,4 @@
-"""What makes a clutch hold, and how far one that holds is from slipping. Lengths in m."""
+"""Changes by which a clutch holds, and the margin of one that holds. Lengths in m."""
 
 import math
 from collections.abc import Callable

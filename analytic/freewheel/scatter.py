@@ -1,4 +1,4 @@
-"""Clutches out of tolerance under load: what share of them slips, which dimension does most."""
+"""Clutches out of tolerance under load: share of slipping clutches, most influential dimension."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -22,7 +22,7 @@ NAMES = {"R_s": "R", "X_o": "X"}  # of an outer cam's fields, as those of both k
 
 @dataclass(frozen=True)
 class Scatter:
-    """An ensemble under load, and what was counted in it."""
+    """An ensemble under load, and its statistics."""
 
     drawn: Ensemble
 
@@ -65,7 +65,7 @@ def scatter(duty: Duty, sigma: Mapping[str, float], kind: Kind) -> Scatter | Non
 
 @dataclass(frozen=True)
 class Slope:
-    """What X, r or R does to alpha_0 [rad/m], and its share of the variance."""
+    """Sensitivity of alpha_0 to X, r or R [rad/m], and its share of the variance."""
 
     name: str
     slope: float

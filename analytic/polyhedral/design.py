@@ -178,7 +178,7 @@ class Clutch:
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """Sentences about what leaves the torque zero or without a limit."""
+        """Messages on causes of a torque that is zero or without a limit."""
         found = []
         if not self.p_2 > 0:
             found.append(

@@ -1,4 +1,4 @@
-"""Geometry of a polyhedral ring clutch, and what cannot be built."""
+"""Geometry of a polyhedral ring clutch, and checks that it can be built."""
 
 from dataclasses import dataclass
 from math import degrees, pi, sin

@@ -136,7 +136,7 @@ class FourierRing:
         return self.n * np.arange(1.0, self.p.size)
 
     def _mean(self, r: Array) -> Array:
-        """What the mean pressure does (5, points): Lamé's ring."""
+        """Fields of the mean pressure (5, points): Lamé's ring."""
         wall = {"r_i": self.r_i, "r_o": self.r_o, "p_i": 0.0, "p_o": 0.0}
         wall["p_i" if self.loaded == "bore" else "p_o"] = float(self.p[0])
         radial, hoop = lame.stresses(r, **wall)

@@ -1,4 +1,4 @@
-r"""What Eq. 3 becomes when the sprags' forces run along their struts, inclined by nu.
+r"""Eq. 3 if the sprags' forces act along their struts, inclined by nu.
 
 .. math:: \delta = (\cos\psi - \tan\nu \sin\psi)\, dx + \dots
    = \cos(\psi + \nu)\, dx / \cos\nu + \dots
@@ -33,7 +33,7 @@ def inclined_stiffness(clutch: Clutch, *, T: float, dx: float = 0.0) -> Array:
 
 
 def leaning(clutch: Clutch, at: ArrayLike) -> float:
-    """What the forces take from K_tilt [N m/rad] as their points on the race tilt with it.
+    """Decrease of K_tilt [N m/rad] by the forces, as their points on the race tilt with it.
 
     At displacements `at` (5,). A force along e at a point y of the race, which turns while the
     force keeps its direction, does the work e . w x (w x y)/2 more: -N R_i cos^2 psi for a tilt

@@ -1,4 +1,4 @@
-r"""Equations 9 to 11 as they are printed, to show what their misprints do.
+r"""Equations 9 to 11 as they are printed, to show the effect of their misprints.
 
 References
 ----------

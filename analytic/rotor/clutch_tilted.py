@@ -1,4 +1,4 @@
-"""A clutch held aside and tilted at once: what bending forces and tilts have to do with each other.
+"""A clutch held aside and tilted at once: coupling of bending forces and tilts.
 
 At one end of the sprags the offset is twice as large, at the other there is none, so that the load
 is uneven around and along. Eq. 7 then couples a force along y with a tilt about x, and one along x

@@ -1,4 +1,4 @@
-"""What exact transfer matrices find of one rotor: modes, critical speeds, response, torsion."""
+"""Results of exact transfer matrices for one rotor: modes, critical speeds, response, torsion."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -40,7 +40,7 @@ class Excited:
 
 @dataclass(frozen=True)
 class Study:
-    """What the formulas find of a rotor."""
+    """Results of the formulas for a rotor."""
 
     modes: Modes
     excited: tuple[Excited, ...]

@@ -40,7 +40,7 @@ class Bending:
 
     @cached_property
     def length(self) -> float:
-        """L [m]: what phi is multiplied with."""
+        """L [m], the factor of phi."""
         return float(np.mean([s.length for s in self.segments]))
 
     @cached_property
@@ -66,7 +66,7 @@ class Bending:
 
     @cached_property
     def deviator(self) -> Complex:
-        """What the bearings' difference in x and y adds, of conj(r) (n, n) [N/m]."""
+        """Terms by the bearings' difference in x and y, of conj(r) (n, n) [N/m]."""
         return self._lumped([s.stiffness[1] for s in self.bearings], [0.0] * len(self.bearings))
 
     @cached_property

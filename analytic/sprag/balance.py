@@ -25,7 +25,7 @@ class Balance:
 
     @property
     def missing(self) -> Array:
-        """Work put in without what became of it; 0 but for the step in time."""
+        """Work put in less work stored and lost; 0 but for the time step."""
         kept = self.kinetic + self.elastic + self.support
         return np.asarray(self.torque + self.blades - self.damping - self.friction - kept)
 

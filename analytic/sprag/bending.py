@@ -57,7 +57,7 @@ class Ends:
 
 @dataclass(frozen=True, kw_only=True)
 class Shift:
-    """By what part of itself the angle between both contacts changes, and why."""
+    """Relative change of the angle between both contacts, and its parts."""
 
     turned: float
     moved: float

@@ -27,7 +27,7 @@ DIRECT = 40  # engagements of the search that knows no surrogate
 
 @dataclass(frozen=True)
 class Answer:
-    """What one engagement's end and the rest of it count for [Pa], and its N_max [N].
+    """Pressures [Pa] of the sprag's end and of the rest in one engagement, and its N_max [N].
 
     >>> Answer(end=3e9, inside=2e9, N_max=6e3).largest
     3000000000.0
@@ -39,7 +39,7 @@ class Answer:
 
     @property
     def largest(self) -> float:
-        """What a search makes least [Pa]."""
+        """Objective of the search [Pa], to be minimised."""
         return max(self.end, self.inside)
 
 

@@ -87,7 +87,7 @@ class Column:
         return bool(below[1] < theta < below[0] and above[1] < -alpha_b < above[0])
 
     def nearest(self, *, turned: float, alpha_b: float) -> tuple[float, float]:
-        """How near the inner and the outer contact are to a flank, over half of what lies between.
+        """How near the inner and the outer contact are to a flank, over half of their distance.
 
         1 in the middle, 0 at a flank, below beyond; angles count for lengths.
         """

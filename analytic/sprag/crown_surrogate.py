@@ -1,4 +1,4 @@
-"""What a surrogate of crowns' pressures is worth: its errors, the searches on it, its maps.
+"""Quality of a surrogate of crowns' pressures: its errors, the searches on it, its maps.
 
 Arrays by name, as the study of the optimal crown keeps them; crowns are rows of K_1, K_2, z_m.
 """
@@ -25,7 +25,7 @@ HELD = {1: 0.5, 2: 10e-6}  # of K_2 and z_m [m] in Figs. 15 and 17
 
 
 def tried(box: Box, x: Array, peaks: Peaks, extra: Array, surrogate: "Largest") -> dict[str, Array]:
-    """Errors of one kriging (Eq. 20) and of that of both regimes, and what repeats them.
+    """Errors of one kriging (Eq. 20) and of that of both regimes, and its repetition.
 
     `surrogate` is that of the designs x (n, 3) with their `peaks` under the first torque; `extra`
     (m, 3) are designs that it has not seen.

@@ -43,7 +43,7 @@ class Race:
     a: float
 
     def at(self, a: Array) -> Array:
-        """At the middle of a patch of the half-width `a` [m]; what is left out is of (a/r)²."""
+        """At the middle of a patch of the half-width `a` [m]; the error is of (a/r)²."""
         return np.asarray(self.middle + 2 / np.pi * np.log(self.a / a))
 
     def under(self, a: Array) -> Array:

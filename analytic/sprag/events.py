@@ -147,7 +147,7 @@ class System:
         return np.concatenate([y[4:], self._driven(t, y, mode)[0]])
 
     def _driven(self, t: float, y: Array, mode: Mode) -> tuple[Array, Array, Array, Array, float]:
-        """q'', T of what slides, forces that the rolling contacts make up for, J and N."""
+        """q'', T of sliding contacts, forces balanced by the rolling contacts, J and N."""
         motion, n_s = self.motion, self.sprag.n_s
         g, slope = self.sprag.at(y[3])
         N, OC_g, h = g[0], g[3], g[6]
@@ -206,7 +206,7 @@ class System:
         return min(doubts)[1]
 
     def grip(self, t: float, y: Array, mode: Mode, k: int) -> float:
-        """What is left of static friction [N] at contact k."""
+        """Reserve of static friction [N] at contact k."""
         _, T, _, N = self.accelerations(t, y, mode)
         return float(self.motion.mu_s * N - abs(T[k]))
 

@@ -1,4 +1,4 @@
-"""What an engagement was: forces, sliding, works, energies, peaks and verdict."""
+"""History of an engagement: forces, sliding, works, energies, peaks and verdict."""
 
 from dataclasses import dataclass
 from enum import IntEnum

@@ -1,4 +1,4 @@
-"""What moves in an engagement: inertias, springs, damping, friction, torque, and the start."""
+"""Motion data of an engagement: inertias, springs, damping, friction, torque, and the start."""
 
 from dataclasses import dataclass
 
@@ -10,7 +10,7 @@ from analytic.contact.checks import Array, finite, not_negative, positive
 
 @dataclass(frozen=True, kw_only=True)
 class Motion:
-    """Everything of Eqs. 12-16 that is not geometry; SI. ValueError for what makes no sense.
+    """Everything of Eqs. 12-16 that is not geometry; SI. ValueError for impossible values.
 
     `k_out` is the torsional stiffness that holds the outer race, `C_rl` the damping between the
     races, `K_r` and `alpha_max` the blades that press a sprag on its races.

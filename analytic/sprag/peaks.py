@@ -1,4 +1,4 @@
-"""Largest pressures of crowns under torques, and what a design counts by: its ends or all else.
+"""Largest pressures of crowns under torques, and the criterion of a design: its ends or the rest.
 
 The slices of Eqs. 2-5 hardly represent the end of a sprag: their optimal crown loads the ends, for
 which strips on a half-space have a pressure peak, the higher the finer they are. So a crown for
@@ -41,7 +41,7 @@ class Peaks:
 
     @property
     def regimes(self) -> tuple[Array, Array]:
-        """What the end and all the rest count for [Pa], each (n, m): regimes for a surrogate.
+        """Weighted pressures of the end and of the rest [Pa], each (n, m): regimes for a surrogate.
 
         By strips no crown with loaded ends is accepted: see END.
         """
@@ -49,7 +49,7 @@ class Peaks:
 
     @property
     def objective(self) -> Array:
-        """The larger regime [Pa], (n, m): what a crown is to make least.
+        """The larger regime [Pa], (n, m), to be minimised by a crown.
 
         That is `largest` of slices, and of strips where the ends are free.
         """

@@ -65,7 +65,7 @@ class RaceSpring:
 
     @property
     def pushed(self) -> Array:
-        """What the blades add to the torque [N m] as the races turn, (n,)."""
+        """Torque of the blades [N m] over the rotation of the races, (n,)."""
         now = self.states
         turn = now.OC_e / now.OB * np.gradient(now.alpha_b, self.theta, edge_order=2)
         left = self.blades.alpha_max - now.alpha
@@ -100,7 +100,7 @@ def _table(w: RaceSpring, intervals: int) -> Table:
 def reached(
     made: Callable[[float], Clutch], N: float, *, T: float, kinetic: float, blades: Blades
 ) -> RaceSpring:
-    """The clutch up to what an engagement can reach, or the end of the profile.
+    """The clutch up to the largest load of an engagement, or the end of the profile.
 
     `made` gives the clutch whose contacts are known up to a force [N]. It is raised from `N` until
     the clutch stores more than the torque `T` [N m], the races' `kinetic` energy [J] and the blades

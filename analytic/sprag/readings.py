@@ -1,4 +1,4 @@
-"""What is read of an engagement that was followed in time: peaks, work, friction, sliding."""
+"""Readings of an engagement that was followed in time: peaks, work, friction, sliding."""
 
 import math
 
@@ -49,7 +49,7 @@ def highest(found: Events) -> tuple[float, float]:
 
 
 def swings(found: Engagement, mu: float) -> float:
-    """What the swing shifts the mean N by, over it: N and the arms of its moment swing together."""
+    """Relative shift of the mean N by the swing: N and the arms of its moment swing together."""
     N, late = found.N, len(found.N) // 2
     at = found.table.at(found.alpha)
     outer = ((at["OA"] + at["b_i"]) * mu - at["h"]) / (at["OB"] - at["b_e"])

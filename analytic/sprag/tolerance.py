@@ -63,7 +63,7 @@ def first_contact(sprag: LogSprag, *, dR_i: float = 0.0, dR_e: float = 0.0) -> t
 
 
 def slope(sprag: LogSprag, radius: str) -> tuple[float, float]:
-    """What "dR_i" or "dR_e" does to the wedge angle and to the unloaded sprag's turn [rad/m]."""
+    """Sensitivity of wedge angle and unloaded sprag rotation to "dR_i" or "dR_e" [rad/m]."""
     h = STEP * float(np.asarray(sprag.R_i))
     low, high = (first_contact(sprag, **{radius: s * h}) for s in (-1, 1))
     return (high[0] - low[0]) / (2 * h), (high[1] - low[1]) / (2 * h)

@@ -51,7 +51,7 @@ class Line:
 
 @dataclass
 class _Pen:
-    """Where a line has got to, and the second moments of what is drawn."""
+    """End of a line that is being drawn, and its second moments so far."""
 
     at: Array
     heading: Array
@@ -155,7 +155,7 @@ def _up_to(unit: _Pen, place: Array) -> Wire:
 
 
 def _couple(at: Array, force: Array) -> Array:
-    """What makes a section's couple y' F_x - x' F_y of (1, x, y), x' and y' counted from `at`."""
+    """Coefficients (1, x, y) of a section's couple y' F_x - x' F_y, x' and y' counted from `at`."""
     x, y = np.moveaxis(at, -1, 0)
     f_x, f_y = np.moveaxis(force, -1, 0)
     return np.stack([x * f_y - y * f_x, -f_y, f_x], axis=-1)

@@ -1,4 +1,4 @@
-"""What an accordion spring does while supports and closed pairs of tip and leaf hold it.
+"""Response of an accordion spring with supports and closed pairs of tip and leaf.
 
 The force method: five forces X = (F_x, F_y, M_0, C_h, C_t), three of the head and the contact
 force of each pair, do work on E I d = A X. A support or a closed pair holds its d at zero.
@@ -29,7 +29,7 @@ class Response:
 
 
 def response(A: Array, held: list[int], touching: tuple[int, ...]) -> Response:
-    """What the force does while supports and the pairs `touching` (0 head, 1 tail) hold."""
+    """Effect of the force with supports and the pairs `touching` (0 head, 1 tail) closed."""
     active = [0, *held, *(PAIRS + i for i in touching)]
     unit = np.zeros((*A.shape[:-2], len(active), 1))
     unit[..., 0, 0] = 1.0

@@ -54,7 +54,7 @@ class Bordered:
         return np.asarray(np.sqrt(self._variance * np.maximum(share, 0)))
 
     def left_out(self, k: int) -> float:
-        """Value k less what all others predict there."""
+        """Value k less the prediction of all others."""
         others = np.arange(len(self.x)) != k
         rest = Bordered(self.x[others], self.values[others], self.scales)
         return float(self.values[k] - rest.predicted(self.x[[k]])[0])

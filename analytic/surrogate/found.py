@@ -1,4 +1,4 @@
-"""What a search for the smallest value returns."""
+"""Result of a search for the smallest value."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -34,7 +34,7 @@ class PoorSurrogateError(ArithmeticError):
 
 
 class Surrogate(Protocol):
-    """What can predict, and can be had without some of its designs."""
+    """A model that predicts, also without some of its designs."""
 
     def predict(self, x: Array) -> Array: ...
 

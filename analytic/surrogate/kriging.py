@@ -1,4 +1,4 @@
-"""Universal kriging: a full quadratic trend and a Gaussian process on what it leaves.
+"""Universal kriging: a full quadratic trend and a Gaussian process on its residuals.
 
 y(x) = f(x)'b + G(x), f the 1 + d + d(d + 1)/2 monomials up to degree two, G of Matérn 5/2
 correlation with a length scale a parameter. Source: Huang et al., Shock and Vibration 2018
@@ -73,7 +73,7 @@ class Kriging:
 
     @cached_property
     def residual(self) -> Array:
-        """What the trend leaves of the values, (n,)."""
+        """Residuals of the trend, (n,)."""
         return np.asarray(self.values - trend_terms(self.u) @ self.trend)
 
     @cached_property

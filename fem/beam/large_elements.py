@@ -167,7 +167,7 @@ class Elements:
 
 
 def _add_geometric(A: Array, strain: Array, t: Array, stress: Array) -> None:
-    """Add what N and V do as the section turns on."""
+    """Add the stiffness by N and V as the section turns on."""
     N, V = stress[..., 0], stress[..., 1]
     turn = np.stack([-N * t[..., 1] - V * t[..., 0], N * t[..., 0] - V * t[..., 1]], axis=-1)
     A[..., 2, :2] += turn

@@ -1,4 +1,4 @@
-"""What acts on a geometrically exact frame: dead and follower forces, prescribed movement."""
+"""Loads of a geometrically exact frame: dead and follower forces, prescribed movement."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass

@@ -24,7 +24,7 @@ MAX_TURN = 1.5  # rotation in one iteration [rad] beyond which the tangent means
 
 
 class Control(Protocol):
-    """What closes the equations besides equilibrium: a given factor, a given arc.
+    """Equation besides equilibrium: a given factor, a given arc.
 
     `kink` is how far a step may leave its prediction where terms have kinks, relative to the
     length of the prediction, squared.

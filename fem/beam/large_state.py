@@ -71,7 +71,7 @@ class Path:
 
     @property
     def factors(self) -> Array:
-        """What the pattern of loads or movement was multiplied by (k,)."""
+        """Factor of the pattern of loads or movement (k,)."""
         return np.array([state.factor for state in self.states])
 
     @property

@@ -159,7 +159,7 @@ def check_ties(tied: Ties, points: Array, part: Indices, free: NDArray[np.bool_]
 
 
 def _holds(rows: Array) -> bool:
-    """Whether what supports keep from moving leaves no motion of (rows, motions)."""
+    """Whether the supports leave no motion of (rows, motions)."""
     s = np.linalg.svd(rows, compute_uv=False)
     return bool(s.size == rows.shape[1] and s[-1] > DEPENDENT)
 

@@ -55,7 +55,7 @@ class PressedFrame:
         return list(self.guided.displaced(one, U, since=since).states)
 
     def force(self, state: State) -> float:
-        """What presses the head along x."""
+        """Force on the head along x."""
         return float(state.reactions[self.head, 0])
 
     def head_stiffness(self, state: State) -> tuple[Array, Array]:

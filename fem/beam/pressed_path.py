@@ -62,7 +62,7 @@ def deflected(one: PressedFrame, u: Array) -> Array:
 
 
 def both_paths(one: PressedFrame, length: float, drawn: float) -> dict[str, Array]:
-    """A free head's path and the guided one over the `length`: force, drift, what holds them.
+    """A free head's path and the guided one over the `length`: force, drift, reactions.
 
     "free" (m, 4): force, movement along x and y, determinant over that at rest; "guided" (k, 4):
     displacement, force, lateral stiffness, determinant of a hinged head over that at rest;

@@ -57,7 +57,7 @@ def gives_way(one: PressedFrame, until: float) -> tuple[float, float, State | No
 
 
 def _held(one: PressedFrame, since: Held, step: float) -> Held:
-    """The state of the guided head that far from another, and what holds the head there."""
+    """The state of the guided head that far from another, and the stiffness of its head."""
     state = one.compressed([step], since[0])[0]
     return state, one.head_stiffness(state)
 

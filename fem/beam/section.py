@@ -1,4 +1,4 @@
-"""Cross-sections of plane beams, and what a solved frame hands out."""
+"""Cross-sections of plane beams, and the results of a solved frame."""
 
 import math
 from collections.abc import Callable, Mapping

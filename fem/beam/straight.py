@@ -99,7 +99,7 @@ def solve_frame(
         return _deformation(u, elements, tangent, length)
 
     def resultants(strains: Array) -> Array:
-        """Axial forces and end couples of the nodes (3, m): what does work on `strains`."""
+        """Axial forces and end couples of the nodes (3, m), the work conjugates of `strains`."""
         stretch, first, second = strains
         return np.array([
             EA / length * stretch,

@@ -1,4 +1,4 @@
-"""What joins a geometrically exact frame besides its elements: contact, friction, springs."""
+"""Terms of a geometrically exact frame besides its elements: contact, friction, springs."""
 
 from typing import Protocol
 

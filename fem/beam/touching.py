@@ -51,7 +51,7 @@ class Touching(Term, ABC):
 
     @property
     def record(self) -> Record:
-        """What touches in the accepted state."""
+        """Contacts of the accepted state."""
         return self.records[-1]
 
     def start(self, x: Array) -> None:

@@ -70,7 +70,7 @@ class Curve:
     nodes: Indices  # in the order of the line
 
     def arrays(self, name: str) -> dict[str, Array]:
-        """What is stored of the curve, under `name`; of its shapes only the centre lines."""
+        """Arrays of the curve to be stored under `name`; of its shapes only the centre lines."""
         return {
             **{f"{name} {key}": getattr(self, key) for key in STORED},
             f"{name} shapes": self.shapes[:, self.nodes],

@@ -140,7 +140,7 @@ class Law:
         return N, T
 
     def _multiplied(self) -> Array:
-        """What the multipliers would store at no gap: counts as nothing."""
+        """Energy of the multipliers at no gap, which is subtracted."""
         held = self.normal > 0
         return _energy(self.normal[held], self.onset[held]) / self.stiffness[held]
 

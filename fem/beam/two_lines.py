@@ -1,4 +1,4 @@
-"""What is read off a curve of force over displacement that has a kink where parts begin to press.
+"""Readings of a curve of force over displacement with a kink where parts begin to press.
 
 Curves are displacements U, forces F and sums of normal forces N (3, k), rising in U.
 """

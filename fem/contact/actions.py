@@ -96,7 +96,7 @@ class Supports:
         return b
 
     def actions(self, displacements: Mapping[str, Support]) -> list[Action]:
-        """What prescribed displacements do, one component of one support after the other."""
+        """Responses to prescribed displacements, one component of one support after the other."""
         b = self.values(displacements)
         if not np.any(b):
             return []
@@ -141,7 +141,7 @@ class Loads:
         body_forces: Vector | Mapping[str, Vector] | None,
         point_forces: Mapping[tuple[float, float], tuple[float, float]],
     ) -> list[Action]:
-        """What loads do; ValueError for unknown names and values that are not finite."""
+        """Responses to loads; ValueError for unknown names and values that are not finite."""
         found: list[Action] = []
         for name, p in pressures.items():
             found += self._one(("pressure", name), p, partial(self._pressure, name))

@@ -1,4 +1,4 @@
-"""What holds bodies along the third axis, z, and what pulls at them there."""
+"""Supports and loads of bodies along the third axis, z."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -9,7 +9,7 @@ from fem.plane.supports import Prescribed
 
 @dataclass(frozen=True)
 class Along:
-    """What holds bodies along z.
+    """Supports of bodies along z.
 
     `supports` prescribe u_z on boundaries, and on obstacles, which otherwise stay where they are;
     those named in `free` move as forces have it. Ties of the plane hold along z as well.

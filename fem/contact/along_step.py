@@ -1,4 +1,4 @@
-"""What happens along z in a step of a contact problem."""
+"""Result along z of a step of a contact problem."""
 
 from dataclasses import dataclass
 from functools import cached_property

@@ -37,7 +37,7 @@ def _apart(touch: Touch, bend: float) -> bool:
 
 
 def _base(u: Array, count: int, touch: Touch, slave: Trace, master: Trace | None) -> Array:
-    """The motions of what touches on both sides, carried on to all of the two surfaces."""
+    """The motions of the touching parts of both sides, extended to all of the two surfaces."""
     base = np.zeros(u.size)
     base[count:] = u[count:]
     points, loaded = touch.mortar.points, touch.p > 0

@@ -28,7 +28,7 @@ UNHELD = 1e-9  # of a rigid motion: below, the surface does not resist it
 
 @dataclass(frozen=True)
 class Response:
-    """What loads `f` (all,) and prescribed displacements `u_0` (all,) do, all of it linear in them.
+    """Response to loads `f` (all,) and prescribed displacements `u_0` (all,), linear in them.
 
     `load` (n,) acts on the free unknowns, as `on_surface` (s,) would on the surface alone; without
     contact it leaves the surface `at_rest` (s,) but for the rigid motions, on which it exerts `e`

@@ -147,7 +147,7 @@ class Complementarity(ContactSystem):
         return bool(min(margins.min(initial=np.inf), along.min(initial=np.inf)) > STRICT)
 
     def _is_balanced_to_round_off(self, w_0: Array, e: Array, rest: Rest) -> bool:
-        """Whether loads are balanced but for what round-off of the gaps makes of them."""
+        """Whether loads are balanced but for round-off of the gaps."""
         missed, _ = self.missed(e, rest.multipliers)
         return missed <= self.loads_at_round_off(w_0) and not self.is_unloaded(w_0, e)
 

@@ -17,7 +17,7 @@ from fem.plane.discretisation import Array
 
 @dataclass(frozen=True)
 class Condensed:
-    """Stiffness `S` (s, s) of the last s unknowns, and what leads back to the others."""
+    """Stiffness `S` (s, s) of the last s unknowns, and the map back to the others."""
 
     factor: Cholesky
     S: Array

@@ -30,7 +30,7 @@ CANCELLED = 1e-5  # of the pressures that close gaps: smaller ones are not exact
 
 @dataclass(frozen=True)
 class Residual:
-    """What a solution misses of its laws.
+    """Violation of the laws by a solution.
 
     Of Coulomb's and of the complementarity of gap and pressure as a share of the largest pressure,
     of the equilibrium of rigid motions as a share of the forces on these.
@@ -98,7 +98,7 @@ class Cone(System):
     def _projected(
         self, at: State, pressure: Array, trial: Array, friction: Array
     ) -> tuple[Array, Array, NDArray[np.int8]]:
-        """What multipliers miss, (m,) and (2, r), of their projections, and the states of these."""
+        """Multipliers less their projections, (m,) and (2, r), and the states of these."""
         most = (friction * pressure)[self.rough]
         length = np.hypot(*trial)
         slips = length > most
@@ -109,7 +109,7 @@ class Cone(System):
         return at.multipliers[: pressure.size] - pressure, along, states
 
     def judged(self, w_0: Array, e: Array, at: State) -> tuple[Residual, NDArray[np.int8], Array]:
-        """What `at` misses, its states (m,), and its gaps and slips w (n,)."""
+        """Violation by `at`, its states (m,), and its gaps and slips w (n,)."""
         w, pressure, trial = self.trial(w_0, at)
         normal, along, states = self._projected(at, pressure, trial, self.friction)
         size = self._size(w_0, e, w, at, pressure)

@@ -77,7 +77,7 @@ class System:
 
     @cached_property
     def reach(self) -> Array:
-        """Sums (k,) of what rows move with unit motions; 1 where none moves."""
+        """Sums (k,) of the movements of rows with unit motions; 1 where none moves."""
         reach = np.abs(self.D).sum(axis=0)
         return np.where(reach > 0, reach, 1.0)
 
@@ -110,7 +110,7 @@ class System:
         return unit * (share * self._resisted + NEUTRAL_SPRING * neutral)
 
     def utilisation(self, multipliers: Array) -> Array:
-        """Friction (r,) as a share of what the pressure allows, zero without pressure."""
+        """Friction (r,) as a share of mu times the pressure, zero without pressure."""
         friction = np.hypot(multipliers[self.t], multipliers[self.z])
         most = self.friction[self.rough] * multipliers[self.rough]
         pressed = most > EXACT * most.max(initial=0.0)

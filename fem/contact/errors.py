@@ -1,4 +1,4 @@
-"""Errors of the contact solvers, by what they prove.
+"""Errors of the contact solvers, by their meaning.
 
 Invalid input is a plain ValueError. `NoEquilibriumError` is a physical result. `NotFoundError` is
 not: a caller must never read it as a state of the bodies.

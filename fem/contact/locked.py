@@ -115,7 +115,7 @@ class LockedSector:
         return near.half_width((r, 0.0)), on_race
 
     def balance(self, p: float, hub: Force) -> tuple[float, float, float]:
-        """What is left of forces x, y on half a sector, and its hoop force along x."""
+        """Resultant x, y of the forces on half a sector, and its hoop force along x."""
         sector, state = self.sector, self.at(p, hub)
         c, s = np.cos(sector.half_angle), np.sin(sector.half_angle)
         names = ("ring.mid", "ring.corner")

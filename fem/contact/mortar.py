@@ -45,7 +45,7 @@ class Mortar:
         return self.hats.T @ self.weight
 
     def weighted(self, values: csr_array | Array) -> csr_array | Array:
-        """Integrals (m, ...) of each hat with what is given at the points."""
+        """Integrals (m, ...) of each hat with given values at the points."""
         if isinstance(values, np.ndarray):
             return self.hats.T @ (self.weight * values)
         scaled = self.hats.copy()

@@ -1,4 +1,4 @@
-"""What Nitsche's method weighs at the integration points: stresses of the slave, gaps and slips."""
+"""Rows of Nitsche's method at the integration points: stresses of the slave, gaps and slips."""
 
 from dataclasses import dataclass
 
@@ -41,7 +41,7 @@ class Rows:
         return np.concatenate([np.zeros(n), -bound]), np.concatenate([np.full(n, np.inf), bound])
 
     def forces(self, u: Array, tractions: Array) -> Array:
-        """What contact with `tractions` (rows,) exerts on the unknowns (unknowns,)."""
+        """Forces of contact with `tractions` (rows,) on the unknowns (unknowns,)."""
         push = self.motion.T @ (self.weight * tractions)
         # without resultant: rigid motions have no stress
         missed = self.gamma * (tractions - self.stress @ u)

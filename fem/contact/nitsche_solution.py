@@ -1,4 +1,4 @@
-"""What Nitsche's method finds, in the same terms as a `ContactSolution`."""
+"""Result of Nitsche's method, in the same terms as a `ContactSolution`."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -63,7 +63,7 @@ class NitscheSolution:
 def touches_of(
     mortars: Sequence[Mortar], own: Rows, moved: Array, found: Array, *, turn: bool
 ) -> tuple[PointTouch, ...]:
-    """What happens between the pairs with gaps and slips `moved`, tractions `found` (rows,)."""
+    """Contact state of the pairs with gaps and slips `moved`, tractions `found` (rows,)."""
     touches, n = [], own.friction.size
     ends = np.cumsum([m.weight.size for m in mortars])
     for end, m in zip(ends, mortars, strict=True):

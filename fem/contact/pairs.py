@@ -1,4 +1,4 @@
-"""What may touch what: pairs of boundaries, rigid obstacles, rigid bodies."""
+"""Possible contacts: pairs of boundaries, rigid obstacles, rigid bodies."""
 
 from dataclasses import dataclass
 from typing import Literal, get_args

@@ -1,4 +1,4 @@
-"""What is read off a contact that slips at its edges: stick zone, the loop of a cycle."""
+"""Readings of a contact that slips at its edges: stick zone, the loop of a cycle."""
 
 import numpy as np
 from scipy.interpolate import CubicSpline

@@ -51,7 +51,7 @@ class PressedLine:
 
     @property
     def touch(self) -> Touch:
-        """What happens between the surfaces."""
+        """Contact state of the surfaces."""
         return self.solution.touches[0]
 
     @property
@@ -89,7 +89,7 @@ class PressedLine:
         return (SOLVED + share * pressure / self.peak) * abs(value)
 
     def balance(self, supports: tuple[str, ...]) -> dict[str, float]:
-        """What is left of forces [N/m] and moment about the origin [N] on the pushed body."""
+        """Unbalanced forces [N/m] and moment about the origin [N] on the pushed body."""
         plane, touch = self.solution.plane, self.touch
         x, y, moment = np.sum([plane.reaction(name) for name in supports], axis=0)
         force = touch.force  # on the master; the pushed body is the slave

@@ -259,7 +259,7 @@ class ContactProblem:
 
     @staticmethod
     def _trial(interface: Interface, w: Array, after: ContactSolution | None) -> Array:
-        """What `w` leads to where contact forces stay as they are."""
+        """`w` at unchanged contact forces."""
         kernel = interface.kernel
         if after is None:
             return w

@@ -1,4 +1,4 @@
-"""What is read off two walls that touch along a circle about the origin."""
+"""Readings of two walls that touch along a circle about the origin."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""A solved contact problem: what happens along its surfaces, and the fields in its bodies."""
+"""A solved contact problem: contact state of its surfaces, and fields in its bodies."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -21,7 +21,7 @@ STICKING_TOLERANCE = 1e-9  # of the normal force: less on sticking nodes is roun
 
 @dataclass(frozen=True)
 class Touch:
-    """What happens between the two surfaces of a pair.
+    """Contact state of the two surfaces of a pair.
 
     At the slave's m nodes, one after the other along the surface: `x` (2, m), `arc` (m,) [length]
     from its start, `pressure`, `traction` (m,) [stress] (along the normal

@@ -122,13 +122,13 @@ class ContactSystem:
         return np.where(normal & (size <= GAP_TOLERANCE * size.max(initial=0.0)), 0.0, w_0)
 
     def missed(self, e: Array, multipliers: Array) -> tuple[float, float]:
-        """What is missing to balance on the rigid motions, and the size of the forces there."""
+        """Unbalanced loads on the rigid motions, and the size of the forces there."""
         size = np.abs(e) + np.abs(self.D.T) @ np.abs(multipliers)
         missed = np.abs(self.motions[0].T @ (e + self.D.T @ multipliers))
         return float(missed.max(initial=0.0)), float(size.max(initial=0.0))
 
     def missing(self, e: Array) -> Array:
-        """What no admissible contact forces can balance of the loads `e` (k,) on rigid motions.
+        """Part of the loads `e` (k,) on rigid motions that no contact forces can balance.
 
         Zero where they can, to round-off.
         """
@@ -150,7 +150,7 @@ class ContactSystem:
         return np.zeros_like(e) if balanced else missed
 
     def unfelt(self, e: Array) -> Array:
-        """What of the loads `e` (k,) acts on neutral motions; zero where that is little."""
+        """Part of the loads `e` (k,) on neutral motions; zero where it is small."""
         _, neutral = self.motions
         found = neutral @ (neutral.T @ e)
         return found if np.linalg.norm(found) > OFFSET * np.linalg.norm(e) else np.zeros_like(e)

@@ -24,7 +24,7 @@ CONTRADICTION = 1e-9
 
 @dataclass(frozen=True)
 class Unknowns:
-    """What is free and what is prescribed.
+    """Free and prescribed displacements.
 
     Columns of `T` (all, n) are orthonormal, but for those of obstacles. All are the unknowns of the
     mesh, then three for each obstacle. The last `surface` of the n free ones are those of contact

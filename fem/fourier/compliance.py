@@ -120,7 +120,7 @@ def _loaded(
 
 
 def _by_cells(n: int, work: Array) -> Array:
-    """G_n (2, cells, 2, cells) from what the unit loads do on each other's displacements."""
+    """G_n (2, cells, 2, cells) from the work of unit loads on each other's displacements."""
     m = len(work) // 2
     return np.asarray(turn_of(n) * work).reshape(2, m, 2, m)
 

@@ -1,4 +1,4 @@
-"""What holds the amplitudes of a harmonic: supports by name, the axis, and the check of the rest.
+"""Supports of the amplitudes of a harmonic: supports by name, the axis, and the check of the rest.
 
 At r = 0 a displacement must not depend on the angle: n = 0 leaves W alone there (antisymmetric:
 nothing), n = 1 leaves U = -V (antisymmetric: U = V), higher harmonics vanish.

@@ -71,7 +71,7 @@ def inertias(
     discs: Sequence[RigidDisc],
     of: Callable[[RigidDisc], tuple[float, float]],
 ) -> csr_array:
-    """The sum (free, free) of what `of` says of each disc, against moving across and tilting."""
+    """The sum (free, free) of `of` over all discs, against moving across and tilting."""
     motions = [c for d in discs for c in np.asarray(T.T @ mean_motion(basis, d.boundary)).T]
     weights = np.array([of(disc) for disc in discs]).ravel()
     return squares(motions, weights, T.shape[1])

@@ -12,7 +12,7 @@ AT_AXIS = 1e-8  # of a cell's radius: u_r/r loses as many digits there as its li
 
 
 def depth(x: Array, turn: bool) -> Array:
-    """What a length or area at `x` (2, ...) stands for: unit thickness, or with `turn` 2 pi r."""
+    """Weight of a length or area at `x` (2, ...): unit thickness, or with `turn` 2 pi r."""
     return 2 * np.pi * x[0] if turn else np.ones(x.shape[1:])
 
 

@@ -1,4 +1,4 @@
-"""What acts on a plane mesh, by name: materials of its bodies, loads on its cells and boundaries.
+"""Materials of the bodies of a plane mesh, loads on its cells and boundaries, by name.
 
 Loads are forces (unknowns,) for unit thickness or, with `turn`, for the full turn about the y axis,
 x being the radius.

@@ -23,7 +23,7 @@ class Move:
         return cls(angle, centre + shift - cmath.rect(1, angle) * centre)
 
     def of(self, place: Place) -> Place:
-        """Where what was at `place` comes to lie."""
+        """New place of a point at `place`."""
         return cmath.rect(1, self.angle) * place + self.shift
 
     def after(self, first: "Move") -> "Move":

@@ -101,7 +101,7 @@ def free_motions(
 def _compressed(
     rows: csr_array, nodes: Indices, of_node: Indices, shapes: Array, count: int
 ) -> Array:
-    """What `rows` (k, unknowns) say about the motions (n, of `count` bodies), in as few rows."""
+    """Conditions of `rows` (k, unknowns) on the motions (n, of `count` bodies), in few rows."""
     n = shapes.shape[2]
     all_motions = np.zeros((rows.shape[1], count, n))
     for i in (0, 1):

@@ -51,7 +51,7 @@ class Tie:
 
     @property
     def move(self) -> Move:
-        """What brings leaders to their followers."""
+        """The movement from leaders to their followers."""
         return Move.about(complex(*self.about), self.angle, complex(*self.shift))
 
 
@@ -136,7 +136,7 @@ class Tied:
         return self.led(conditions).forces(self.P.T @ reaction)
 
     def ordered(self, place: Indices) -> Indices:
-        """Order of elimination (unknowns,): what belongs to two places of the mesh comes late."""
+        """Order of elimination (unknowns,): tied unknowns come late."""
         place = place.copy()
         np.maximum.at(place, self.leader, place[self.follower])
         place[self.leader] += self.count

@@ -1,4 +1,4 @@
-"""What a rotor is made of: materials, shafts, discs, supports and links, in SI units."""
+"""Parts of a rotor: materials, shafts, discs, supports and links, in SI units."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -207,7 +207,7 @@ class SpeedSupport:
 
 @dataclass(frozen=True)
 class Link:
-    """What joins node `a` of one shaft to node `b` of another: K, C (6, 6) on q_a - q_b."""
+    """Link between node `a` of one shaft and node `b` of another: K, C (6, 6) on q_a - q_b."""
 
     a: int
     b: int

@@ -1,4 +1,4 @@
-"""Damping ratios and speeds at which responses are computed, and what is read off amplitudes."""
+"""Damping ratios and speeds at which responses are computed, and readings of amplitudes."""
 
 import numpy as np
 
@@ -40,7 +40,7 @@ def peaks(near: Array) -> Array:
 
 
 def above_chord(f: Array, u: Array) -> Array:
-    """What f (3, ...) at the middle of u (3,) has above the chord of the others, over it, at most.
+    """Height of f (3, ...) at the middle of u (3,) over the chord of the others, relative, at most.
 
     >>> round(float(above_chord(np.array([[1.0], [3.3], [5.0]]), np.array([1.0, 2.0, 3.0]))), 12)
     0.1

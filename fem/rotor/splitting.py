@@ -11,7 +11,7 @@ PAIRED = 0.5  # M-product of two shapes of unit modal mass, from which on they a
 
 
 class Matrix(Protocol):
-    """What multiplies columns: a dense or a sparse matrix."""
+    """A dense or a sparse matrix that multiplies columns."""
 
     def __matmul__(self, other: Array, /) -> Array: ...
 

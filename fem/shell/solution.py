@@ -1,4 +1,4 @@
-"""What a solved shell hands out."""
+"""Results of a solved shell."""
 
 from dataclasses import dataclass
 

@@ -1,4 +1,4 @@
-"""What holds a shell: nodes by name, components that boundaries share, motions left free."""
+"""Supports of a shell: nodes by name, components that boundaries share, motions left free."""
 
 from collections.abc import Mapping, Sequence
 
@@ -63,7 +63,7 @@ def tied_unknowns(ties: Mapping[str, str], boundaries: Boundaries, count: int) -
 
 
 def reduced_numbers(held: Array, pairs: Indices) -> tuple[Indices, Array]:
-    """Number of the free unknown behind each (6 nodes,), -1 where held; and what holds each.
+    """Number of the free unknown behind each (6 nodes,), -1 where held; and the support of each.
 
     Where one of several tied unknowns is held, all of them are.
     """

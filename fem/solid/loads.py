@@ -1,4 +1,4 @@
-"""What acts on a solid, by name: materials of its bodies, loads on its cells and boundaries."""
+"""Materials of the bodies of a solid, loads on its cells and boundaries, by name."""
 
 from collections.abc import Callable, Mapping
 

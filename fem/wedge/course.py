@@ -15,7 +15,7 @@ GROWING = 1.5  # first to last value, from which on logarithms are splined
 
 
 class Course:
-    """Cubic splines through what `at_states` has of each state (n,), by name.
+    """Cubic splines through the values `at_states` of each state (n,), by name.
 
     All are over the logarithm of a quantity that grows from state to state. Of those that grow by
     more than `GROWING`, too, logarithms are splined: their slopes hardly change, as bodies in

@@ -95,7 +95,7 @@ class Drive:
         return fine, HALVINGS * abs(fine - coarse) + (left + self._steep * EDGES) * fine
 
     def left(self, at: Driven) -> float:
-        """By what part of it the axial force may grow within the cone, at this N and F_t."""
+        """Relative growth of the axial force that the cone allows, at this N and F_t."""
         b = Borne.on_mesh(at.state)
         force = b.F_z * (1, -1)
         if not np.all(force > 0):
@@ -109,7 +109,7 @@ class Drive:
         return 1 + 1 / lever_left(self.one.mu, self.rest.start) ** 2
 
     def _slip(self, at: Driven, step: float) -> tuple[float, float]:
-        """The largest F_ax R/T until slip, and what is `left` there."""
+        """The largest F_ax R/T until slip, and the value of `left` there."""
         largest, ahead = 0.0, 0.0
         for _ in range(MOST):
             new = self._onward(at, step * self.way, ahead)

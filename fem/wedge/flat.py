@@ -79,7 +79,7 @@ class State(Touching):
         return sense * out, float(sense * r * turn)
 
     def unrest(self) -> Unrest:
-        """What the roller moves, and drags with which it would lie in its place unturned."""
+        """Movement of the roller, and drags with which it would lie in its place unturned."""
         out, turned = self.motion
         drags = self.drags[0] - out - turned, self.drags[1] - out + turned
         return Unrest(max(abs(out), abs(turned)), self.place.d_i + self.place.d_o, drags)

@@ -1,4 +1,4 @@
-"""What forces in balance leave of the states of a roller between flat and race, all relative."""
+"""Residuals of the states of a roller between flat and race, all relative."""
 
 import math
 from typing import TYPE_CHECKING
@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 
 
 def balance(course: FlatCourse, T: float) -> dict[str, float]:
-    """Under a torque [N m]: what is missed by statics, by rolling, and by the solver.
+    """Under a torque [N m]: residuals of statics, of rolling, and of the solver.
 
     F_t/N over tan(psi/2) at flat and race, the torque of the race's and of the cam's forces over T,
     rolling over the energy's torsion, forces on the roller in the heaviest state, and both

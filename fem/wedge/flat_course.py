@@ -1,4 +1,4 @@
-"""Rollers between flats and a round race through states of growing load, and what lies between."""
+"""Rollers between flats and a round race at growing load, and interpolation between states."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -79,7 +79,7 @@ class FlatCourse(Course):
         return self._up_to(slope, T)
 
     def log_torque(self, t: Array) -> Array:
-        """Logarithm of the torque where that of what the states run along is `t`."""
+        """Logarithm of the torque where that of the states' parameter is `t`."""
         return t
 
     def log_along(self, T: Array) -> Array:

@@ -1,4 +1,4 @@
-"""Where a roller lies between a flat and a round race, and what one pitch of them is made of.
+"""Where a roller lies between a flat and a round race, and the parts of one pitch.
 
 The cam has the flats. `sense` is +1 for flats inside a ring and -1 for flats around a shaft: the
 direction that draws a roller into the wedge is then reversed.

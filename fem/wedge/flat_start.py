@@ -62,7 +62,7 @@ def overlap(q: Pitch, P: float) -> float:
 
 
 def rigid_force(q: Pitch, T: float) -> float:
-    """N_0 = T/(z R tan(alpha_0)) [N]: what a rigid clutch would press with."""
+    """N_0 = T/(z R tan(alpha_0)) [N], the normal force of a rigid clutch."""
     cos = (q.flat + q.sense * q.r) / (q.race - q.sense * q.r)
     return T / (q.z * q.race) * math.sqrt((1 + cos) / (1 - cos))
 

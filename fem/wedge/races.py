@@ -103,7 +103,7 @@ class State(Touching, Generic[P]):
         return float(aside - turn * (self.start.D - y)), float(outwards - turn * x), turn
 
     def unrest(self) -> Unrest:
-        """What the strut moves at its contacts, and drags with which the races follow it."""
+        """Movement of the strut at its contacts, and drags with which the races follow it."""
         aside, _, turn = self.motion
         below, above = (aside + turn * (self.start.D - y) for y in self.start.touched)
         drags = self.drags[0] + below, self.drags[1] + above
@@ -111,7 +111,7 @@ class State(Touching, Generic[P]):
 
     @cached_property
     def place(self) -> P:
-        """Where the strut is, and what the races take of its overlaps."""
+        """Where the strut is, and the share of the races in its overlaps."""
         opened = (
             float(touch.mortar.points.gap @ _shares(touch)) for touch in self.solution.touches
         )

@@ -51,7 +51,7 @@ class Touching:
 
 
 class Unrest(NamedTuple):
-    """How far [m] a body moves, of overlaps of what `size` [m], and drags that would undo it."""
+    """How far [m] a body moves, of overlaps of the `size` [m], and drags that would undo it."""
 
     moves: float
     size: float

@@ -1,4 +1,4 @@
-"""States of a strut through its stroke, what lies between them, and widths of its contacts."""
+"""States of a strut through its stroke, interpolation between them, and widths of its contacts."""
 
 import math
 from typing import TYPE_CHECKING

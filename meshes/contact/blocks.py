@@ -131,7 +131,7 @@ def _named(mesh: Mesh2D, whole: Mapping[str, tuple[str, ...]]) -> Mesh2D:
 
 @dataclass
 class _Drawing:
-    """What the current gmsh model has already, by its place."""
+    """Entities of the current gmsh model, by their place."""
 
     cells: Cells
     points: dict[Point, int] = field(default_factory=dict)

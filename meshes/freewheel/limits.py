@@ -1,4 +1,4 @@
-"""What a sector of a freewheel can be; all lengths in metres, as in the messages."""
+"""Checks of a sector of a freewheel; all lengths in metres, as in the messages."""
 
 import math
 from collections.abc import Sequence

@@ -13,7 +13,7 @@ from meshes.spring.path import Piece
 
 
 class _Path(NamedTuple):
-    """Points from the head to the tail, and the curves between them with what they are."""
+    """Points from the head to the tail, and the curves between them with their kinds."""
 
     points: list[int]
     curves: list[int]

@@ -58,7 +58,7 @@ def solid_strip(
 
 
 def _name(pieces: Sequence[Piece], layers: list[list[int]], swept: list[int]) -> None:
-    """Physical groups of what gmsh made of each layer: its far face, its volume and four sides."""
+    """Physical groups of the entities of each layer: its far face, its volume and four sides."""
     through = len(layers[0])
     parts = [swept[k : k + 6] for k in range(0, len(swept), 6)]
     faces = {

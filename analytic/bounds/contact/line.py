@@ -1,4 +1,4 @@
-"""What Hertz's line contact leaves out of a disc between rigid flats.
+"""Errors of Hertz's line contact for a disc between rigid flats.
 
 Each estimate is his signed error and how far that may be off, from his half-width a over the radius
 R: coefficients of `disc_series` and `shear_series`. The next terms, of which no coefficient is

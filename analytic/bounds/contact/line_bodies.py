@@ -1,4 +1,4 @@
-"""What Hertz's line contact leaves out of two elastic bodies of finite size.
+"""Errors of Hertz's line contact for two elastic bodies of finite size.
 
 Each estimate is his signed error and how far that may be off, from sizes, materials and his
 half-width a: coefficients of `pair_series` and `shear_series`. The next terms, of which no
@@ -64,7 +64,7 @@ class OfDiscs(TwoBodies):
 
     @property
     def coupled(self) -> float:
-        """What unlike materials couple [1], of first order."""
+        """Coupling by unlike materials [1], of first order."""
         return abs(self.series[0].first) + abs(self.series[1].first)
 
     @property
@@ -82,7 +82,7 @@ class OfDiscs(TwoBodies):
 
     @property
     def bounded(self) -> tuple[Estimate, Estimate]:
-        """Of pressure and half-width: the series and the bound of what it leaves out."""
+        """Of pressure and half-width: the series and the bound of its remainder."""
         sizes = {"a": self.a, "R_1": self.R_1, "R_2": self.R_2}
         slack = pair_series.left_out(**sizes, **self.materials, assumption=PLANE)
         p, w = (Estimate(1 / (1 + one.total) - 1, slack) for one in self.series)
@@ -115,12 +115,12 @@ class InRace(TwoBodies):
 
     @property
     def small(self) -> float:
-        """(a/R)² + (a/wall)²: what curvature and the held rim change, each counted once."""
+        """(a/R)² + (a/wall)²: effect of curvature and of the held rim, each counted once."""
         return float((self.a / self.R_1) ** 2 + (self.a / self.wall) ** 2)
 
     @property
     def coupled(self) -> float:
-        """What unlike materials couple [1], of first order."""
+        """Coupling by unlike materials [1], of first order."""
         return float(dundurs_beta(**self.materials, assumption=PLANE)) * self.kappa * self.a
 
     @property

@@ -1,4 +1,4 @@
-"""What Hertz's point contact leaves out of finite spheres.
+"""Errors of Hertz's point contact for finite spheres.
 
 `beyond` is (a/R)² of the smaller sphere, the size of what the first correction leaves out.
 """

@@ -1,4 +1,4 @@
-"""What the half planes of Cattaneo and Mindlin leave out of two equal discs."""
+"""Errors of the half planes of Cattaneo and Mindlin for two equal discs."""
 
 MODEL = 2.0  # bound of that error over (a/R)²
 

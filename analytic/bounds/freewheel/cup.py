@@ -1,4 +1,4 @@
-"""What is expected of the formulas of a drawn cup, from rings that enclose it and from sizes.
+"""Expected errors of the formulas of a drawn cup, from rings that enclose it and from sizes.
 
 The torque winds cup and shaft up. At equal torque errors grow near the summit, where a little
 compliance costs much torque: the whole course is followed with approaches at the corners of what
@@ -106,7 +106,7 @@ class CupBounds:
 
     @property
     def corners(self) -> tuple[Factors, ...]:
-        """Factors of approaches and torque at the corners of what they may be."""
+        """Factors of approaches and torque at the corners of their ranges."""
         return tuple(
             (i / self.at.d_i, o / self.at.d_o, 1 + t)
             for i, o, t in product(self.d_i, self.d_o, (-self.tilt, self.tilt))
@@ -142,7 +142,7 @@ class CupBounds:
         return enclosed(math.tan(own["alpha"]), [math.tan(c["alpha"]) for c in corners])
 
     def torsion(self) -> Interval:
-        """Of phi: what rolls, the contacts' tangential displacement, shaft and cup wound up."""
+        """Of phi: rolling, the contacts' tangential displacement, shaft and cup wound up."""
         cup, T, (own, corners) = self.cup, self.at.T, self._at_torque
         wound = winding(cup, T, cup.flat, cup.R_a) + winding(cup, T, cup.r_b, cup.race)
         tan, tan_0 = math.tan(own["alpha"]), math.tan(float(cup.alpha(d_i=0.0, d_o=0.0)))

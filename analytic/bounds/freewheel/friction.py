@@ -46,7 +46,7 @@ class FrictionBounds:
         return times(self.one_contact(), more, ALIKE)
 
     def two_tangents(self) -> Interval:
-        """Eq. 8 as it stands calls tan(alpha) what is mu_req."""
+        """Of Eq. 8 as printed, which has tan(alpha) in the place of mu_req."""
         return times(self.both_contacts(), math.hypot(1.0, self.lever), ALIKE)
 
     def limit_load(self) -> Interval | None:
@@ -58,7 +58,7 @@ class FrictionBounds:
         return self._sharp(lambda tan: 1 / math.sqrt((self.mu / tan) ** 2 - 1))
 
     def _wider(self, interval: Interval) -> Interval:
-        """With what friction along the surfaces does to the angle."""
+        """With the effect of friction along the surfaces on the angle."""
         return interval[0] - self.rest, interval[1] + self.rest
 
     def _sharp(self, of: Callable[[float], float]) -> Interval | None:
@@ -67,7 +67,7 @@ class FrictionBounds:
 
 
 def limit_load(star: StarBounds, mu: float) -> Interval | None:
-    """Of F_ax at the limit on a path, from what may be wrong with one contact's tan(alpha)."""
+    """Of F_ax at the limit on a path, from the possible error of one contact's tan(alpha)."""
     return at_limit(lambda tan: math.sqrt((mu / tan) ** 2 - 1), math.tan(star.at.alpha),
                     star.slope(tilted=True), mu)  # fmt: skip
 

@@ -1,4 +1,4 @@
-"""Intervals for formula/reference - 1, and what wall and torque do to any freewheel."""
+"""Intervals for formula/reference - 1, and effects of wall and torque on any freewheel."""
 
 import math
 

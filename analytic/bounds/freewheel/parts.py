@@ -1,4 +1,4 @@
-r"""What bounds of a roller freewheel start from: its parts, a second form of its wedge, one state.
+r"""Input of the bounds of a roller freewheel: its parts, a second form of its wedge, one state.
 
 The roller's centre is at the distance rho from the axis and at the height y over the flat's
 parallel through the axis, cos(2 alpha) = y/rho, so that
@@ -99,7 +99,7 @@ class Parts:
 
 @dataclass(frozen=True, kw_only=True)
 class Loaded:
-    """A state of the formulas: what bounds take sizes from [force, force x length, rad, length].
+    """A state of the formulas, for the sizes of bounds [force, force x length, rad, length].
 
     `N` of one contact, `T` of the clutch, clamping angle, approaches and half-widths.
     """

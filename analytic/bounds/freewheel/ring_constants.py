@@ -85,7 +85,7 @@ def _constant(n: int, far: float, b: float, answer: Callable[[int], float]) -> f
 
 
 def _transfer(m: int, t: float, nu: float) -> Array:
-    """What u, v, S/s, Q/s become over the distance t in ln r, s = m or 1."""
+    """Transfer of u, v, S/s, Q/s over the distance t in ln r, s = m or 1."""
     s = max(m, 1)
     rates = np.array([
         [-nu, -nu * m, (1 - nu**2) * s, 0],

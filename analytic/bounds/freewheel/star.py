@@ -1,4 +1,4 @@
-"""What is expected of a star's formulas, from bodies that enclose the star and from sizes.
+"""Expected errors of a star's formulas, from bodies that enclose the star and from sizes.
 
 The star's approach lies among those of a layer and of two discs (`star_bracket`) and the torque
 winds the star up on its bore, which lowers the flat under the roller; everything else follows from

@@ -1,4 +1,4 @@
-"""What is expected of the turn of a loaded clamping angle by its flats, dalpha/dX."""
+"""Expected error of the sensitivity of a loaded clamping angle to its flats, dalpha/dX."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-r"""What Hertz and a ring's series may miss of rollers that are locked on the ring, plane stress.
+r"""Errors of Hertz and of a ring's series for rollers locked on the ring, plane stress.
 
 Where the materials of two bodies differ (Dundurs' beta), half planes couple both directions along
 the line of curvature kappa on which they meet. At the first order the half-width grows by
@@ -51,7 +51,7 @@ class RollerOnRing:
         return 1 / (1 / (self.d / 2) + 1 / (self.d_e / 2))
 
     def reach(self, a: float, a_race: float = 0.0) -> float:
-        """What the series of the forces may miss, with the half-widths of both contacts [m]."""
+        """Error of the series of the forces, with the half-widths of both contacts [m]."""
         beside = (2 * a / self.d) ** 2 + (2 * a_race / self.d) ** 2
         return beside + (a / self.wall) ** 2 + BLUNT
 

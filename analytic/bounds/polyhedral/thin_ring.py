@@ -1,4 +1,4 @@
-r"""What the thin ring under pressure (Belcin et al., Eqs. 8-10) misses of Lamé's thick one.
+r"""Error of the thin ring under pressure (Belcin et al., Eqs. 8-10) against Lamé's thick one.
 
 In plane stress Lamé's pressure that takes up the clearance outside is d_m²/(d_i d_e) times p_1;
 the mean hoop stress errs as p_1 does, whatever the pressure; the free outside has the strain

@@ -1,4 +1,4 @@
-"""What Eqs. 3 and 4 of Belcin et al. miss of a free roller, and Cattaneo of a wedged one.
+"""Errors of Eqs. 3 and 4 of Belcin et al. for a free roller, of Cattaneo for a wedged one.
 
 A free roller uses tan(alpha/2)/mu of its friction: forces in balance, so that finite elements miss
 next to nothing on any mesh. Errors are relative, formula over truth less one.

@@ -15,7 +15,7 @@ PART = 0.1  # of the centroid's outward travel, from the trapezia of 401 states
 
 @dataclass(frozen=True, kw_only=True)
 class Bounds:
-    """By sizes of what formulas and steps have otherwise, all relative.
+    """From the sizes of the terms in which formulas and steps differ, all relative.
 
     `unequal` is N_e/N_i - 1, `passed_on` the relative change of a peak's N per change of torque,
     `inertia` that of the sprags over the race's, `left_out` the work of the centroid's motion

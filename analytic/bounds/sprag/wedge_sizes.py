@@ -1,4 +1,4 @@
-"""What bounds of a wedged sprag take: sizes of parts, its state, races under their loads."""
+"""Input of the bounds of a wedged sprag: sizes of parts, its state, races under their loads."""
 
 from dataclasses import dataclass
 from typing import NamedTuple, Protocol

@@ -1,4 +1,4 @@
-"""What plane elasticity adds to a thin frame's flexibility, to second order in b/R, in closed form.
+"""Correction of a thin frame's flexibility by plane elasticity to second order in b/R, closed form.
 
 The centre line of the spring is symmetric about the line of the force: a leaf of the slope alpha
 crosses it in its middle, and arcs about points at L1/2 end at the apex, L1/2 + R from it. With the
@@ -31,7 +31,7 @@ class Added:
         return self.shear + self.curvature
 
     def next_order(self, slenderness: float) -> float:
-        """Size [1] of what comes next, smaller by b/R, the `slenderness`, at least.
+        """Size [1] of the next term, smaller by b/R, the `slenderness`, at least.
 
         The corrections are added up in magnitude, since they partly cancel.
         """
