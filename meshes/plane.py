@@ -1,4 +1,4 @@
-"""Hand the plane mesh of the current gmsh model to scikit-fem, in memory."""
+"""The plane mesh of the current gmsh model for scikit-fem, in memory."""
 
 from dataclasses import dataclass
 

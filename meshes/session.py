@@ -1,4 +1,4 @@
-"""Start and end gmsh so that a mesh repeats and nothing of it stays behind."""
+"""Start and end gmsh with reproducible meshes and without remains."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager

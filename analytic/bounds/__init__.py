@@ -1,1 +1,1 @@
-"""Errors that formulas may have, known beforehand and without the formulas themselves."""
+"""Expected errors of formulas, found before and without the formulas themselves."""

@@ -1,4 +1,4 @@
-r"""Crowns of rollers: how far the profile falls back towards the ends.
+r"""Crowns of rollers: drop of the profile towards the ends.
 
 A long contact under a uniform load per length W/l indents, away from its ends, by
 :math:`\frac{W}{\pi l E^*}\ln[1 - (2y/l)^2]` more than in the middle. A crown of that shape
@@ -46,7 +46,7 @@ def slice_centres(*, length: float, slices: int) -> Array:
 
 
 def lundberg(y: ArrayLike, *, load: ArrayLike, length: ArrayLike, E_star: ArrayLike) -> Array:
-    r"""Drop [length] that keeps the pressure uniform under `load`; infinite at the ends.
+    r"""Drop [length] for a uniform pressure under `load`; infinite at the ends.
 
     .. math:: z = \frac{W}{\pi l E^*} \ln\frac{1}{1 - (2y/l)^2}
 

@@ -1,4 +1,4 @@
-"""Mean of the logarithmic crown (Eq. 1) over a length, and how it depends on the drop at the ends.
+"""Mean of the logarithmic crown (Eq. 1) over a length, and its sensitivity to the drop at the ends.
 
 A is the depth 2 K_1 Q/(pi l E') [length], K_2 the crowned share of the length, z_m the drop at the
 ends; lengths in any one unit.
@@ -21,7 +21,7 @@ def mean_drop(A: float, K_2: float, z_m: float) -> float:
 
 
 def z_m_share(A: float, z_m: float) -> float:
-    r"""By how many per cent the mean drop grows with a per cent of z_m; K_1 does the rest of one.
+    r"""Growth of the mean drop in per cent per per cent of z_m; K_1 does the rest of one.
 
     .. math:: \frac{z_m}{\bar z}\frac{\partial\bar z}{\partial z_m}, \qquad
         \frac{\partial\bar z}{\partial z_m}

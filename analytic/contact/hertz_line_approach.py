@@ -1,4 +1,4 @@
-r"""How far bodies in line contact approach each other.
+r"""Approach of bodies in line contact.
 
 In the plane the displacement under a load grows with the logarithm of the distance, so that an
 approach is always one between the contact and a point that has to be named. Approaches are

@@ -1,4 +1,4 @@
-r"""How the slices of a line contact deflect each other: weights w and the matrix S (Eq. 3).
+r"""Mutual deflections of the slices of a line contact: weights w and the matrix S (Eq. 3).
 
 .. math:: S_{jk} = \frac{n s\, w_{jk}}{\sum_{jk} w_{jk}}
 

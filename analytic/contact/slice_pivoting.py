@@ -1,4 +1,4 @@
-r"""Unilateral contact of coupled slices: which of them carry, and how much, for many cases at once.
+r"""Unilateral contact of coupled slices: loaded slices and their forces, many cases at once.
 
 With the matrix S of compliances and f the required deflections (to the power 10/9) the forces obey
 

@@ -73,7 +73,7 @@ class Sphere:
         return (1 - 2 * self.nu) ** 2 / (2 * (1 - self.nu)) * self.softness / self.R
 
     def sinking(self, a: float) -> float:
-        """By how much an elliptic pressure of unit load sinks beyond the half space's share.
+        """Displacement by an elliptic pressure of unit load beyond that of the half space.
 
         Of the contact's middle against the plane of symmetry half-way to the other contact
         [length/force], without the surface's tilt.

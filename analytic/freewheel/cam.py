@@ -72,7 +72,7 @@ class Cam(ABC):
 
     @property
     def room(self) -> Array:
-        """How far [length] parts are from having no wedge, R - 2 r - X, of a cup R_s + 2 r - X."""
+        """Distance [length] from the loss of the wedge, R - 2 r - X, of a cup R_s + 2 r - X."""
         _, y = self.centre(d_i=0.0, d_o=0.0)
         return np.asarray(self.distance(d_i=0.0, d_o=0.0) - y)
 
@@ -123,7 +123,7 @@ class Cam(ABC):
         return np.asarray(self.flat * np.tan(np.pi / self.count))
 
     def check_rollers(self) -> None:
-        """ValueError where rollers overlap or do not stand on their flats."""
+        """ValueError where rollers overlap or are beyond the end of their flats."""
         rho, (x, _) = self.distance(d_i=0.0, d_o=0.0), self.centre(d_i=0.0, d_o=0.0)
         pitch = rho * np.sin(np.pi / self.count)
         require(

@@ -79,7 +79,7 @@ class Duty:
 
     @cached_property
     def of_torque_alone(self) -> Limits:
-        """Limits of the torque that do not look at the axial load."""
+        """Limits of the torque that are independent of the axial load."""
         p_lim = self.p_lim or NONE * float(np.asarray(self.clutch.roller.E))
         return limits(self.clutch, mu=self.mu, p_lim=p_lim)
 

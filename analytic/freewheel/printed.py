@@ -14,7 +14,7 @@ from analytic.freewheel.geometry import InnerCam
 
 
 def torque_on_cam(cam: Cam, *, F_t: ArrayLike) -> Array:
-    """Torque z X F_t [force x length] (Eq. 3): the flat's normal force has been left out."""
+    """Torque z X F_t [force x length] (Eq. 3): without the flat's normal force."""
     return np.asarray(cam.count * cam.flat * np.asarray(F_t))
 
 

@@ -22,7 +22,7 @@ Named = dict[str, str]
 
 
 def field_of(clutch: Clutch, name: str) -> str:
-    """The field of the clutch's cam that `name` X, r or R is."""
+    """Name of the field of the clutch's cam for `name` X, r or R."""
     outer: Named = {"X": "X_o", "R": "R_s"}
     return name if isinstance(clutch.cam, InnerCam) else outer.get(name, name)
 
@@ -50,7 +50,7 @@ def moved_to(duty: Duty, goal: float) -> float:
 
 
 def to_spare(duty: Duty) -> float:
-    """How far [m] flats may be nearer to the axis until it no longer holds; nan if never."""
+    """Largest shift [m] of the flats towards the axis at which it holds; nan if unlimited."""
     far = -_first(duty, -1.0, lambda dX: ratios(duty, _nearer(duty, dX)) < 1)
     return far if far > 0 else math.nan
 
@@ -88,7 +88,7 @@ def _nearer(duty: Duty, dX: Array) -> Clutch:
 
 
 def friction_for(duty: Duty, goal: float) -> float:
-    """Friction at which mu/mu_req is `goal`, or more where only that keeps the rollers in.
+    """Friction at which mu/mu_req is `goal`, or more if the rollers need it to stay.
 
     ValueError where no equilibrium exists at the torque.
     """

@@ -17,7 +17,7 @@ from analytic.contact.checks import Array, not_negative, positive
 
 
 def offset(*, F_a: ArrayLike, F_n: ArrayLike, r: ArrayLike, alpha: ArrayLike) -> Array:
-    """How far e [length] the contact's resultant moves along the roller.
+    """Shift e [length] of the contact's resultant along the roller.
 
     >>> float(offset(F_a=10.0, F_n=100.0, r=2.5, alpha=0.0))
     0.25

@@ -34,7 +34,7 @@ STEP = 1e-3  # relative change of N in difference quotients
 
 @dataclass(frozen=True)
 class Driven:
-    """Ring that is locked while its hub turns it: R goes with N.
+    """Ring that is locked while its hub turns it: R is proportional to N.
 
     The hub touches each flat at e [length] from its middle, with the friction tan_phi; grip is the
     tangential over the normal force of a roller on the race D_i.
@@ -68,7 +68,7 @@ class Driven:
 
     @property
     def lift(self) -> float:
-        """How far the hub's force lifts mid-flat for N = 1 [length]."""
+        """Lift of mid-flat by the hub's force for N = 1 [length]."""
         normal = self.kappa * cos(atan2(self.tan_phi, 1))
         hub = hub_force(
             sector=self.contact.sector, e=self.e, normal=normal, along=-normal * self.tan_phi
@@ -76,14 +76,14 @@ class Driven:
         return self.contact.lift(hub)
 
     def pressure(self, N: float) -> float:
-        """Pressure [stress] at which the rollers carry N each: it falls where the hub wedges them.
+        """Pressure [stress] at which the rollers carry N each; it falls if the hub wedges them.
 
         Then no pressure holds N, and `required_pressure` is what leads there.
         """
         return self._pressure(float(positive(N, "the roller's force N", "N/m")), self.lift)
 
     def required_pressure(self, N: float) -> float:
-        """Least pressure [stress] that brings the rollers to carry N or more."""
+        """Least pressure [stress] at which the rollers carry N or more."""
         if self.rises(N):
             return self.pressure(N)
         return self._peak(0.0, N, self.lift)[1]

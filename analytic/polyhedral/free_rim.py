@@ -15,7 +15,7 @@ coefficients follow from f on the bore by least squares; symmetry leaves no cons
 :math:`u + i v = 4\phi/E'`: Poisson's ratio enters through E' alone.
 
 The residual, the largest error of f/zeta between the fitted points over the largest f/zeta that was
-asked for, bounds nothing but tells: displacements are better by one to three digits, the stress in
+given, is no bound but an indication: displacements are better by one to three digits, the stress in
 the fillet is worse by one or two.
 
 References

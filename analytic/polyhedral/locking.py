@@ -82,14 +82,14 @@ class RollerContact:
 
     @property
     def growth(self) -> float:
-        """u_p: how far the unit pressure lifts mid-flat [length per stress]."""
+        """u_p: lift of mid-flat by the unit pressure [length per stress]."""
         grown = rim_displacement(
             0.0, sector=self.sector, p=1.0, E=self.E, nu=self.nu, assumption=self.assumption
         )
         return float(grown.real[0])
 
     def lift(self, hub: HubForce) -> float:
-        """u_h: how far the hub's force lifts mid-flat [length]."""
+        """u_h: lift of mid-flat by the hub's force [length]."""
         return float(hub.rim_displacement(0.0).real[0]) / self.E_plane
 
     def half_width(self, N: float) -> float:
@@ -105,7 +105,7 @@ class RollerContact:
         return float(hertz_line.half_width(P=N, R=R, E_star=E_star))
 
     def closure(self, N: float) -> float:
-        """How far N presses ring and roller together above mid-flat [length]."""
+        """Approach of ring and roller above mid-flat by N [length]."""
         a = self.half_width(N)
         load = roller_load(sector=self.sector, a=a)
         dent = load.rim_displacement(0.0, E=self.E, nu=self.nu, assumption=self.assumption)

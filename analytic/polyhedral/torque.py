@@ -49,7 +49,7 @@ def hub_share(
 
 
 def self_locking(share: ArrayLike) -> NDArray[np.bool_]:
-    """Whether the hub's `share` leaves nothing for the pressure to limit."""
+    """Whether the hub's `share` is so large that pressure does not limit the torque."""
     return np.asarray(np.asarray(share) >= 1)
 
 

@@ -55,7 +55,7 @@ def cage_force(*, N: ArrayLike, alpha: ArrayLike, mu: ArrayLike) -> Array:
 
 
 def least_friction(*, N: float, alpha: float) -> float:
-    """Coefficient of friction at which Eq. 1 leaves no force, tan(alpha/2) (Eq. 2).
+    """Coefficient of friction at which the force of Eq. 1 is zero, tan(alpha/2) (Eq. 2).
 
     From the force at two coefficients, in which Eq. 1 is linear.
 

@@ -1,4 +1,4 @@
-"""Where a clutch stands under load: twist under a torque, displacements under all loads.
+"""Clutch under load: twist under a torque, displacements under all loads.
 
 The deformation is linear in the displacements, so that the potential is convex: torque grows with
 twist, ever steeper, and Newton's method from a twist that is too large comes down to the root. Of

@@ -1,4 +1,4 @@
-"""Whether bearings and links hold every shaft of a rotor: no rigid motion is free of force."""
+"""Check that bearings and links hold every shaft of a rotor: no free rigid motion."""
 
 import numpy as np
 from numpy.typing import NDArray

@@ -1,4 +1,4 @@
-"""Where the work of an engagement goes: kinetic and elastic energy, damping, friction."""
+"""Energy balance of an engagement: kinetic and elastic energy, damping, friction."""
 
 from dataclasses import dataclass
 

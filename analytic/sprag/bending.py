@@ -1,4 +1,4 @@
-r"""Where the forces on a wedged sprag act once its ends move sideways and turn.
+r"""Points of the forces on a wedged sprag whose ends move sideways and turn.
 
 Forces that leave the middle of a column bend it into an S. Its ends turn by psi (anticlockwise) and
 move by u to the side of A, against its core; so do, by u_r, the races under T = N tan(nu). Surfaces
@@ -35,7 +35,7 @@ DEGREE = 32  # of the polynomials: 2 % of how far the ends of a column turn
 
 
 class Triangle(Protocol):
-    """Where the forces of a wedged sprag act: radii OA and OB, polar radius rho [m], beta [rad]."""
+    """Points of the forces of a wedged sprag: radii OA and OB, polar radius rho [m], beta [rad]."""
 
     @property
     def OA(self) -> Array: ...
@@ -49,7 +49,7 @@ class Triangle(Protocol):
 
 @dataclass(frozen=True, kw_only=True)
 class Ends:
-    """How the ends of a column move to the side of A [P/E'], and turn [P/E' per length]."""
+    """Displacement of the ends of a column to the side of A [P/E'], rotation [P/E' per length]."""
 
     moved: Pair
     turned: Pair

@@ -1,4 +1,4 @@
-"""Kriging of the largest pressures over crowns (Eq. 20), and the crown that it ends at.
+"""Kriging of the largest pressures over crowns (Eq. 20), and its optimal crown.
 
 The end slice and all others are interpolated separately: the larger of both has a kink where the
 ends begin to carry.
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 POWER = 2.0  # a slice's pressure squared goes with its force
 AGREE = 0.005  # of surrogate and true model where the optimal crown is
-DIRECT = 40  # engagements of the search that knows no surrogate
+DIRECT = 40  # engagements of the search without a surrogate
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""A sprag as an elastic body: how two opposed forces press a column with rounded ends.
+"""A sprag as an elastic body: a column with rounded ends under two opposed forces.
 
 In the middle of a Hertz patch of half-width a the logarithm of a force (`goursat`) becomes
 ln(2/a) + 1/2. A disc comes out to round-off (`hertz_line_approach.approach_to_centre`). Left out
@@ -87,7 +87,7 @@ class Column:
         return bool(below[1] < theta < below[0] and above[1] < -alpha_b < above[0])
 
     def nearest(self, *, turned: float, alpha_b: float) -> tuple[float, float]:
-        """How near the inner and the outer contact are to a flank, over half of their distance.
+        """Distances of both contacts from the nearer flank, over half of the distance of the flanks.
 
         1 in the middle, 0 at a flank, below beyond; angles count for lengths.
         """

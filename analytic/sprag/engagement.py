@@ -62,7 +62,7 @@ def compiled(function: F) -> F:
 
 
 class Law(NamedTuple):
-    """Constants of the motion, the band, the time in which a residual sliding dies, the table."""
+    """Constants of the motion, the band, the decay time of residual sliding, the table."""
 
     n_s: float
     m_g: float
@@ -189,7 +189,7 @@ def clip(x: float, bound: float) -> float:
 
 @compiled
 def both(c: Contacts, d_i: float, d_e: float) -> tuple[float, float]:
-    """Forces that make d - a T vanish, or come nearest to it within their bounds.
+    """Forces for d - a T = 0, or nearest to it within their bounds.
 
     The least of T a T/2 - d T in the box: inside it, or the best point of its four edges.
     """
@@ -229,7 +229,7 @@ def friction(c: Contacts, law: Law) -> tuple[float, float]:
 
 @compiled
 def phase(N: float, v: float, T: float, most: float, D_V: float) -> int:
-    """How a contact moves."""
+    """Phase of a contact: open, sticking or slipping."""
     if N <= 0.0:
         return APART
     return STICK if abs(v) < D_V and abs(T) < most else SLIP

@@ -1,4 +1,4 @@
-r"""The engagement again, by other means: rolling as a constraint, its begin and end as events.
+r"""The engagement by a second method: rolling as a constraint, its begin and end as events.
 
 Nothing here has a band of speeds or a step in time. Each contact rolls or slides; while it rolls
 its sliding is exactly zero, as the speeds q' are B(alpha) u with as few u as are free:
@@ -53,7 +53,7 @@ class Events:
 
     @property
     def asked(self) -> float:
-        """Largest |T|/N of both contacts: the friction without which one would slide."""
+        """Largest |T|/N of both contacts: required friction of rolling."""
         touching = self.N > 0
         most = np.maximum(np.abs(self.T_i), np.abs(self.T_e))
         return float((most[touching] / self.N[touching]).max())
@@ -94,7 +94,7 @@ class Sprag:
 
 
 class System:
-    """Equations of motion in a mode; `unlimited` friction lets every contact roll for ever."""
+    """Equations of motion in a mode; with `unlimited` friction contacts always roll."""
 
     def __init__(self, sprag: Sprag, motion: Motion, torque: Torque, *, unlimited: bool) -> None:
         self.sprag, self.motion, self.torque, self.unlimited = sprag, motion, torque, unlimited

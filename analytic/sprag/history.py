@@ -21,7 +21,7 @@ Verdict = Literal["locks", "slips", "over the end", "disengages", "not followed"
 
 
 class Phase(IntEnum):
-    """How a contact moves."""
+    """Phase of a contact: open, sticking or slipping."""
 
     APART = 0
     STICK = 1
@@ -127,7 +127,7 @@ class Engagement:
 
     @property
     def followed(self) -> bool:
-        """Whether the largest force is a peak or at rest: at the end it rises no more.
+        """Whether the largest force is a peak or at rest: no rise at the end.
 
         An engagement over the end has been followed as far as there is one; one whose inner race
         still overruns has not begun.

@@ -31,7 +31,7 @@ def later_peak(found: Engagement) -> float:
 
 
 def asked(found: Engagement) -> float:
-    """Largest |T|/N while both contacts stick, the friction that keeps them from sliding."""
+    """Largest |T|/N while both contacts stick: required friction of sticking."""
     pressed = (found.N > 0) & (found.phases == Phase.STICK).all(axis=1)
     if not pressed.any():
         return math.nan
@@ -97,7 +97,7 @@ def slid(found: Engagement) -> tuple[float, float]:
 
 
 def steady(found: Engagement) -> tuple[float, float]:
-    """Mean N [N] of the later half, and how far it is from that around the middle.
+    """Mean N [N] of the later half, and its difference from that around the middle.
 
     In a window at whose ends parts of a period weigh next to nothing.
     """

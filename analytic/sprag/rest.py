@@ -1,4 +1,4 @@
-"""Where an engagement starts: the blades alone press the sprags on their races."""
+"""Start of an engagement: the blades alone press the sprags on their races."""
 
 import numpy as np
 from scipy.optimize import brentq

@@ -1,4 +1,4 @@
-"""Where a quantity that grows with the normal force first reaches a goal."""
+"""Normal force at which a growing quantity first reaches a goal."""
 
 from collections.abc import Callable
 

@@ -1,4 +1,4 @@
-r"""Start of an engagement: the blade spring presses the sprag, the inner race does not drag yet.
+r"""Start of an engagement: the blade spring presses the sprag, without drag of the inner race.
 
 With T_i = 0 the tangential balance of Eq. 14 gives
 

@@ -1,4 +1,4 @@
-"""Whether the time steps of an engagement were short enough: its energies tell."""
+"""Whether the time steps of an engagement were short enough, by its energy balance."""
 
 import math
 
@@ -14,7 +14,7 @@ RADIAN = 0.3  # of the fastest motion in one step: Runge-Kutta then misses below
 
 
 class LongStepError(ArithmeticError):
-    """Energies miss more than a hundredth of the work put in."""
+    """The energy balance is violated by more than a hundredth of the work put in."""
 
     def __init__(self, *, what: str, dt: float, table: Table, motion: Motion) -> None:
         self.enough = enough(table, motion, dt)
@@ -25,12 +25,12 @@ class LongStepError(ArithmeticError):
 
 
 def enough(table: Table, motion: Motion, dt: float) -> float:
-    """A step [s] that will do where `dt` [s] was too long, of one digit."""
+    """A sufficient step [s] where `dt` [s] was too long, of one digit."""
     return _rounded(min(RADIAN / fastest(table, motion), dt / 2))
 
 
 def missing(engagement: Engagement) -> float:
-    """The most that energies miss, over the work put in and the energy at the start."""
+    """Largest violation of the energy balance, over the work put in and the energy at the start."""
     energies, motion, table = balance(engagement), engagement.motion, engagement.table
     inner, outer = engagement.states[0, 4:6]
     start = (motion.I_bi * inner**2 + motion.I_be * outer**2) / 2

@@ -52,7 +52,7 @@ class Driven:
 
 
 def time_to_rest(q: Driven, motion: Motion) -> float:
-    """Time [s] after which the torque has stopped a race that overruns, drag left out."""
+    """Time [s] after which the torque has stopped a race that overruns, without drag."""
     if q.w_i >= 0:
         return 0.0
 

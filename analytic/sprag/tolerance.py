@@ -1,4 +1,4 @@
-r"""How the wedge angle of a given sprag follows the dimensions around it.
+r"""Sensitivity of the wedge angle of a given sprag to the dimensions around it.
 
 A spiral is similar to itself at every scale, so that the angles of first contact of a given sprag
 depend on R_i, R_e, its outer radius r_e and m alone, with OC_e = R_e - r_e; where on the spiral it

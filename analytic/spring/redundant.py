@@ -61,7 +61,7 @@ def compliances(shape: Line, b: Array, nu: Array, theory: Theory) -> Array:
 
 
 def turn(pair: Pair, couple: Array) -> Array:
-    """By how much tip and leaf turn towards each other per F, with E I = 1."""
+    """Relative rotation of tip and leaf towards each other per F, with E I = 1."""
     sums = pair.loop.G[..., 0, :]
     side = -np.sign((sums * pair.moment).sum(axis=-1))
     return np.asarray(side * (sums * couple).sum(axis=-1))

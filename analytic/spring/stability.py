@@ -1,4 +1,4 @@
-r"""When an accordion spring buckles sideways: critical points of its elastica.
+r"""Sideways buckling of an accordion spring: critical points of its elastica.
 
 The spring is compressed with its head guided. Released sideways, the head retains the guide's force
 as a dead load; it can then move without a change of load where the tail's movements, relative to
@@ -38,7 +38,7 @@ def determinant(state: State, head: Head) -> float:
 
 
 def lateral_stiffness(state: State) -> float:
-    """Of a guided head against a movement along y [force/length], where it stands."""
+    """Of a guided head against a movement along y [force/length], in its state."""
     # the tail, seen from the head, then moves by -y
     exerted = np.linalg.solve(state.J[:, [COUPLE, F_X, F_Y]], np.array([0.0, 0.0, -1.0]))
     return float(exerted[2])

@@ -1,4 +1,4 @@
-r"""How a leaf's width stiffens it: a plate between two lines that stay straight, by Ritz's method.
+r"""Stiffening of a leaf by its width: plate between two lines that stay straight, by Ritz's method.
 
 A leaf of length l and width h is clamped at x = 0, moved by w = 1 at x = l and held there against
 turning; its long edges are free. A narrow one bends as a beam of stiffness E I and curves across

@@ -43,7 +43,7 @@ class Round:
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Infilled(Generic[A, S]):
-    """The last surrogate, everything the true model answered, and the best of it."""
+    """The last surrogate, all values of the true model, and the best of them."""
 
     surrogate: S  # fitted on every design but the last round's, which it was found to agree with
     designs: Array  # (n, d), those given first
@@ -68,7 +68,7 @@ def infill(
     in_a_row: int = 1,
     rounds: int = 20,
 ) -> Infilled[A, S]:
-    """Fit, search the surrogate's smallest value, ask the true model there, until both agree.
+    """Fit, search the surrogate's smallest value, evaluate the true model there, until both agree.
 
     `answers` are the true model's at x (n, d), asked for if not given; `value` is the number in
     one of them. Agreement is |true/predicted - 1| <= agree, in so
@@ -77,11 +77,11 @@ def infill(
     surrogate that interpolates agrees. ArithmeticError where it does not, or for an answer that
     is not finite; NoAgreementError, one of them, where `rounds` have passed without agreement.
 
-    Agreement is local. It says that the surrogate is right where it is smallest, not that nothing
+    Agreement is local. It shows that the surrogate is right where it is smallest, not that nothing
     smaller lies where it is wrong. One process over the largest of three planes, four places of
     the kink, 6 x 6 designs, agreed on average 2.0 % above the smallest value, after three rounds
     `in_a_row` 0.5 %; of 4 x 4 designs 4.5 % and 1.9 %. `Largest`, which has no kink to learn,
-    agrees on the smallest value itself. What else a surrogate misses is for `gate` to say.
+    agrees on the smallest value itself. `gate` finds other errors of a surrogate.
     """
     x = box.points(x)
     known = [true(point) for point in x] if answers is None else list(answers)

@@ -20,7 +20,7 @@ MAX_SECTIONS = 60
 
 @dataclass(frozen=True)
 class CriticalPoint:
-    """Where a path loses (or regains) stability.
+    """Point at which a path loses (or regains) stability.
 
     `mode` (n, 3) has its largest displacement 1 [length]; `limit` separates a limit point from a
     bifurcation; `width` is the bracket of the factor.

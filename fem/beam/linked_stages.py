@@ -75,7 +75,7 @@ class LinkedFrame:
 
 @dataclass(frozen=True)
 class Opposite:
-    """Where the normal through a tip meets a leaf: on which of its elements, and how far along.
+    """Point of a leaf on the normal through a tip: its element, and the place on that.
 
     `direction` is the normal, `gap` [m] what the thickness leaves of the distance.
     """

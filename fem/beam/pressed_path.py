@@ -13,7 +13,7 @@ DRIFTING, GUIDED = (0.01, 0.15, 0.18, 0.6), (0.02, 0.7)  # of the length: where 
 
 
 class UnstableError(ArithmeticError):
-    """Proven: the path of the guided frame has a critical point before the largest share."""
+    """The path of the guided frame is proven to have a critical point before the largest share."""
 
 
 def stable_forces(one: PressedFrame, length: float, shares: Sequence[float]) -> list[float]:

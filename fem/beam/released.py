@@ -1,4 +1,4 @@
-"""Where a pressed frame buckles once its head is released: by loads at rest, and along its path."""
+"""Buckling of a pressed frame whose head is released: by loads at rest, and along its path."""
 
 import math
 from dataclasses import replace

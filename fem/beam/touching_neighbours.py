@@ -1,4 +1,4 @@
-"""Arc length along the lines of a frame: which places are too near to touch, how far one slides."""
+"""Arc length along the lines of a frame: places too near to touch, and sliding distances."""
 
 from dataclasses import dataclass
 

@@ -27,7 +27,7 @@ class Pull:
     u_0: Array
 
     def after(self, before: "Pull | None", share: float) -> "Pull":
-        """So much of this, and the rest of what was `before`."""
+        """The share of the new value, and the rest of the one `before`."""
         if before is None:
             return Pull(share * self.f, share * self.u_0)
         rest = 1 - share

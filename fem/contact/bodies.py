@@ -51,7 +51,7 @@ class Response:
 class Bodies:
     """Stiffness and rigid motions of all bodies, seen from the contact surfaces.
 
-    `motions` (s, k) are orthonormal rigid motions that supports leave, `words` says which.
+    `motions` (s, k) are orthonormal rigid motions that supports leave, `words` names them.
     """
 
     def __init__(

@@ -49,7 +49,7 @@ class Complementarity(ContactSystem):
     """A condensed contact problem and its solutions."""
 
     def solve(self, w_0: Array, e: Array, start: NDArray[np.int8] | None = None) -> Rest:
-        """Multipliers and motions under `w_0` (n,), `e` (k,), from given states or from none.
+        """Multipliers and motions under `w_0` (n,), `e` (k,), from given states, if any.
 
         Every residual of the result is below 1e-9 of its scale: the largest contact force, and the
         approach that it makes. Loads of which facets alone balance the last 1e-6, or less than

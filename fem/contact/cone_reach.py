@@ -1,4 +1,4 @@
-"""Whether friction within its cone can balance loads on rigid bodies at all.
+"""Whether friction within its cone can balance loads on rigid bodies.
 
 Pressures may take any values here. So loads that are out of reach have no equilibrium, which is
 proven; loads within reach may have none, for want of pressures that elasticity does not supply.

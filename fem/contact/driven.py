@@ -1,4 +1,4 @@
-"""A locked sector whose hub's force goes with that of its rollers, at the limit of friction."""
+"""A locked sector with a hub force proportional to the rollers', at the limit of friction."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

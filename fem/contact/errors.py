@@ -6,7 +6,7 @@ not: a caller must never read it as a state of the bodies.
 
 
 class NoEquilibriumError(ArithmeticError, ValueError):
-    """Proven: no admissible contact forces balance the loads."""
+    """It is proven that no admissible contact forces balance the loads."""
 
 
 class NotFoundError(ArithmeticError):

@@ -1,4 +1,4 @@
-"""Who touches whom: the segments of a slave surface, each opposite one facet of the master.
+"""Pairing of surfaces: the segments of a slave surface, each opposite one facet of the master.
 
 Both the gap and the contact traction run along one direction n, that of the surface on which the
 deformed bodies will meet: n ~ c_1 n_1 - c_2 n_2, with the outward normals of slave and master
@@ -134,7 +134,7 @@ class _Ray:
         return n / np.hypot(*n)
 
     def miss(self, k: Indices, s: Array, j: Indices, t: Array) -> Array:
-        """How far (m,) the master's point lies beside the ray."""
+        """Distance (m,) of the master's point from the ray."""
         d = self.master.places(j, t) - self.slave.places(k, s)
         return cross(self.direction(k, s, j, t), d)
 

@@ -54,7 +54,7 @@ def slipping(touch: Touch) -> float:
 
 
 def uneven(touch: Touch, slope: float) -> float:
-    """How far the traction is from `slope` times the pressure in L2, over the norm of that."""
+    """Difference of the traction from `slope` times the pressure in L2, over the norm of that."""
     wanted = slope * touch.p
     return float(np.sqrt(((touch.q - wanted) ** 2 @ touch.weight) / (wanted**2 @ touch.weight)))
 

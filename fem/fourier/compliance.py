@@ -45,7 +45,7 @@ class SurfaceCompliance:
         return 1 / abs(self.curvature)
 
     def depth(self, s: Array) -> Array:
-        """How far the surface has receded at the arc length `s`."""
+        """Depth of the surface at the arc length `s`."""
         return np.asarray((1 - np.cos(self.curvature * s)) / self.curvature)
 
     def between(self, across: Array, tilt: float) -> Array:

@@ -1,4 +1,4 @@
-"""Whether supports and springs together hold a body of revolution against rigid motions."""
+"""Check that supports and springs together hold a body of revolution against rigid motions."""
 
 from collections.abc import Sequence
 

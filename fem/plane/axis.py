@@ -1,4 +1,4 @@
-"""Bodies of revolution: x is the radius r >= 0, y runs along the axis, cells stand for a turn."""
+"""Bodies of revolution: x is the radius r >= 0, y runs along the axis, cells are rings."""
 
 import numpy as np
 from numpy.typing import NDArray

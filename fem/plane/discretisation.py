@@ -62,7 +62,7 @@ class LateBasis(Basis):
 
     @cached_property
     def dx(self) -> Array:
-        """Areas (m, q) that the quadrature points stand for."""
+        """Areas (m, q) of the quadrature points."""
         return np.abs(jacobians(self.mesh, self.X)[1]) * self.W
 
 

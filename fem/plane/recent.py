@@ -1,4 +1,4 @@
-"""Results of the last few arguments, found again by the arguments' content.
+"""Cache of the last few results by the content of their arguments.
 
 A stored result equals a new one to the last bit, so that no result depends on what the process did
 before.
@@ -42,7 +42,7 @@ class Recent(Generic[V]):
         return value
 
     def clear(self) -> None:
-        """Forget all."""
+        """Remove all results."""
         self.kept.clear()
 
 

@@ -11,7 +11,7 @@ from fem.rotor.elements import Array
 from fem.rotor.model import Rotor
 from fem.rotor.pencil import Spectrum, spectrum
 
-SPARE = 4  # eigenvalues looked at beyond those asked for, which may come down among them
+SPARE = 4  # eigenvalues looked at beyond those requested, which may come down among them
 BATCH = 64  # speeds solved together
 STILL = 1e-7  # Im lambda over its size, below which a motion does not oscillate
 # of a motion's squares [m², rad²]: less is round-off of a part at rest, some 1e-32 of the others
@@ -37,9 +37,9 @@ def check_speeds(speeds: ArrayLike) -> Array:
 
 
 def check_count(count: int) -> int:
-    """ValueError unless at least one mode is asked for."""
+    """ValueError unless at least one mode is requested."""
     if count != int(count) or count < 1:
-        raise ValueError(f"at least one mode is asked for, got count={count}")
+        raise ValueError(f"at least one mode is needed, got count={count}")
     return int(count)
 
 

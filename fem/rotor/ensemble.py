@@ -1,4 +1,4 @@
-"""Sets of parameters with given critical speeds: many, as few speeds hold few of the parameters.
+"""Sets of parameters with given critical speeds: many, as few speeds fix few of the parameters.
 
 Starts are Sobol's points in the ranges (log-uniform). From each, least-norm steps lead to a system
 with those speeds.

@@ -1,4 +1,4 @@
-"""Steady vibration under forces that turn or swing: unbalance above all."""
+"""Steady vibration under rotating or alternating forces, in particular unbalance."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""The weak form of a stepped shaft's beam, with nominal diameters or stiffness by the 45° rule."""
+"""Weak form of a stepped shaft as a beam, with nominal diameters or stiffness by the 45° rule."""
 
 from itertools import pairwise
 

@@ -1,4 +1,4 @@
-"""Turning shafts as weak forms on a line: the partner of the closed-form elements.
+"""Turning shafts as weak forms on a line, to verify the closed-form elements.
 
 In the complex coordinate r = x + i y, with the slope p = dr/dz less the shear angle,
 

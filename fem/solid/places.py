@@ -1,4 +1,4 @@
-"""Where something acts on a solid: a named boundary, a node, or all nodes on a line or plane."""
+"""Places of loads and supports on a solid: a boundary, a node, or all nodes on a line or plane."""
 
 import numpy as np
 from skfem.mesh import Mesh3D
@@ -12,7 +12,7 @@ NEAR = 1e-6  # of the mesh's extent
 
 
 def nodes_at(mesh: Mesh3D, place: Place) -> Indices:
-    """Nodes of the boundary of that name, or at the coordinates, None standing for all.
+    """Nodes of the boundary of that name, or at the coordinates, None meaning all.
 
     (0.0, 0.0, None) is a line along z. ValueError where the name is unknown or no node lies.
     """

@@ -14,7 +14,7 @@ from fem.solid.supports import Conditions
 
 @dataclass(frozen=True)
 class Stresses:
-    """Stresses `stress` (m, 3, 3) at quadrature points `x` (m, 3) that stand for `weight` (m,)."""
+    """Stresses `stress` (m, 3, 3) at quadrature points `x` (m, 3) of the `weight` (m,)."""
 
     x: Array
     stress: Array
@@ -58,7 +58,7 @@ class SolidSolution:
         return self.u.reshape(-1, 3)
 
     def displacement_at(self, point: Point) -> Array:
-        """Mean displacement (3,) of the nodes at `point`; None stands for all coordinates."""
+        """Mean displacement (3,) of the nodes at `point`; None means all coordinates."""
         return np.asarray(self.displacement[nodes_at(self.mesh, point)].mean(axis=0))
 
     def reaction(self, place: Place) -> tuple[Array, Array]:

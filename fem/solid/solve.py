@@ -53,7 +53,7 @@ def solve_solid(
     supports
         Place to components: "xyz", or a mapping such as {"x": 1e-3} or {"x": f}, where f takes
         points (3, m) and returns (m,) [length]. A place is a boundary's name, or coordinates where
-        None stands for all: (0.0, 0.0, None) are the nodes on a line along z.
+        None means all: (0.0, 0.0, None) are the nodes on a line along z.
     uniform
         Place to components that are equal at all its nodes, of whatever size: a rigid guide.
     tractions

@@ -1,4 +1,4 @@
-"""Numbers of finite-element states of growing load, read over one another between the states."""
+"""Values of finite-element states of growing load, interpolated over one another."""
 
 from collections.abc import Callable
 from itertools import pairwise

@@ -16,12 +16,12 @@ from fem.wedge.flat import Sector, State
 from fem.wedge.flat_start import Start
 from fem.wedge.pulled import EDGES, Borne, Pulled, creeping, lever_left, sector, yielding
 
-STEP = 0.25  # of the rim along z, over what parts yield at the limit
+STEP = 0.25  # of the rim along z, over the deflection of parts at the limit
 MOBILISED = 1e-6  # of the axial force: largest growth by the cone where a contact slips
 MET = 2e-3  # of the limit, within which loads of a path are met
 MOST = 40  # steps
 # Halving the steps again and again adds 1.5 to 2.1 times what the last halving did, measured down
-# to a thirty-second of what parts yield.
+# to a thirty-second of the deflection.
 HALVINGS = 2.5
 
 
@@ -42,7 +42,7 @@ class Driven:
 class Drive:
     """The clutch `one` under its torque, with its ring's rim driven along z.
 
-    The roller stays in its place: the ring turns on where friction lets it creep.
+    The roller stays in its place: the ring turns on where it creeps under friction.
     """
 
     one: Pulled
@@ -61,7 +61,7 @@ class Drive:
 
     @cached_property
     def way(self) -> float:
-        """How far [m] parts would yield along z under that force if nothing slipped."""
+        """Deflection [m] of parts along z under that force without slip."""
         return yielding(self.one, self.there, self.rest)
 
     def along(self, shares: Sequence[float]) -> Driven:
@@ -72,7 +72,7 @@ class Drive:
         return at
 
     def together(self, share: float) -> Driven:
-        """Torque and axial load at once, from no load: what parts yield under a part of `unit`."""
+        """Torque and axial load at once, from no load: the deflection by a part of `unit`."""
         u = share * self.way
         rim = self._rim(u)
         first = self.there.at(self.rest.drags, axial_displacements=rim)
@@ -81,7 +81,7 @@ class Drive:
     def load(self, at: Driven) -> tuple[float, float]:
         """Axial load [N] on the whole clutch at slip, on from `at`, and its uncertainty.
 
-        At the torque asked for, and at the angle that the clutch has there.
+        At the given torque, and at the angle that the clutch has there.
         """
         one, R = self.one, self.one.q.race
         lever, doubt = self.lever(at)

@@ -1,4 +1,4 @@
-"""One pitch of rollers between flats and a round race: the roller as it lies at the angle psi.
+"""One pitch of rollers between flats and a round race, with the roller at the angle psi.
 
 The roller lies in its place with both contacts overlapping, free but for them. A cam inside is
 clamped in its bore, of one outside the rim's mean rotation is held, as that of the race is. The
@@ -71,7 +71,7 @@ class State(Touching):
 
     @cached_property
     def motion(self) -> tuple[float, float]:
-        """How far [m] the roller's centre creeps into the wedge, and its rim turns there."""
+        """Movement [m] of the roller's centre into the wedge, and of its rim by rotation."""
         r, half, sense = self.start.q.r, self.start.psi / 2, self.start.q.sense
         u = np.array(self.solution.plane.displacement_at((self.start.x, self.start.y)))
         _, turn = core_motion(self.solution, (self.start.x, self.start.y), r)
@@ -86,7 +86,7 @@ class State(Touching):
 
     @cached_property
     def place(self) -> Place:
-        """Where the roller's centre is, seen from the cam as it is turned."""
+        """Place of the roller's centre in the frame of the turned cam."""
         u = self.solution.plane.displacement_at((self.start.x, self.start.y))
         x, y = self.start.x + u[0], self.start.y + u[1]
         c, s = math.cos(self.tilt), math.sin(self.tilt)
@@ -94,7 +94,7 @@ class State(Touching):
 
     @property
     def tilt(self) -> float:
-        """How far the cam is turned, clockwise [rad]."""
+        """Rotation of the cam, clockwise [rad]."""
         return self.start.q.sense * self.drags[self._flat] / self.start.q.flat
 
     @property

@@ -1,4 +1,4 @@
-"""Wedged rollers that keep their torque under axial loads, one after the other with their friction.
+"""Wedged rollers of constant torque under successive axial loads, with the history of friction.
 
 The roller stays in its place: where it creeps out under friction, the ring turns on.
 """
@@ -21,7 +21,7 @@ CORRECTIONS = 2  # of a place under another torque
 
 @dataclass(frozen=True)
 class Held:
-    """The clutch under its torque and axial forces, in a unit of what friction leaves for F_z."""
+    """The clutch under its torque and axial forces; the unit of F_z is the friction left by F_t."""
 
     one: Pulled
     there: Sector
@@ -54,7 +54,7 @@ class Held:
         return states
 
     def walk(self, share: float, cycles: int) -> Array:
-        """How far (cycles,) [m] the ring's bore turns on in each cycle of one axial amplitude."""
+        """Rotation (cycles,) [m] of the ring's bore in each cycle of one axial amplitude."""
         state, drags = self.rest, [self.rest.drags[1]]
         for _ in range(cycles):
             state = self.to(-share, self.to(share, state))

@@ -23,7 +23,7 @@ HARDER = 0.85  # d ln(approach)/d ln(T), about
 NEAR, MOST = 1e-4, 12  # how near the torque coarse meshes come; steps of a ring that creeps
 STILL = 1e-6  # of both approaches: what the roller may move while the ring creeps
 EDGES = 1e-4  # of a value, as the ends of contacts lie between two nodes
-PROBE = 0.3  # mu P'/G, the first step of the ring along z; it says how far all would yield
+PROBE = 0.3  # mu P'/G, the first step of the ring along z; it would be the deflection of all
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ class Borne:
 
     @classmethod
     def by(cls, state: State) -> "Borne":
-        """Along the flat as it is turned, and the ray through the roller: where formulas stand."""
+        """Along the flat as it is turned, and the ray through the roller, as in the formulas."""
         N, F_t = np.array([state.on_flat, state.on_race]).T
         return cls(N, F_t, F_z=np.array([touch.force_z for touch in state.solution.touches]))
 
@@ -109,7 +109,7 @@ def sector(q: Pitch, start: Start, cells: int, mu: float, *, driven: bool) -> Se
 
 
 def ample(one: Pulled, place: Place) -> float:
-    """Friction that holds torque and axial load well."""
+    """Friction well above that required by torque and axial load."""
     return AMPLE * math.tan(place.psi / 2) * math.hypot(1.0, one.F_ax * one.q.race / one.T)
 
 
@@ -137,7 +137,7 @@ def pulled(one: Pulled, there: Sector, rest: State) -> State:
 
 
 def yielding(one: Pulled, there: Sector, stuck: State) -> float:
-    """How far [m] the ring would yield along z up to the limit if nothing slipped."""
+    """Movement [m] of the ring along z up to the limit without slip."""
     q, borne = one.q, Borne.on_mesh(stuck)
     N = borne.N.mean()
     u = PROBE * one.mu * N * 2 * (1 + q.nu) / q.E

@@ -93,7 +93,7 @@ class State(Touching, Generic[P]):
 
     @cached_property
     def motion(self) -> tuple[float, float, float]:
-        """How far [m] the strut moves aside (+x) and outwards about its pole; how it turns [rad].
+        """Movement [m] of the strut aside (+x) and outwards about its pole; its rotation [rad].
 
         The turn counts anticlockwise.
         """
@@ -120,7 +120,7 @@ class State(Touching, Generic[P]):
 
     @property
     def torque(self) -> float:
-        """That the inner race's bore is driven with [N]."""
+        """Driving torque of the inner race's bore [N]."""
         return self.sector.q.z * self.solution.plane.mean_reaction(HELD[0])["r"]
 
     @property

@@ -1,4 +1,4 @@
-"""Where a strut lies between two round races, as finite elements take it."""
+"""Where a strut lies between two round races, for finite elements."""
 
 from typing import TYPE_CHECKING, Protocol, Self
 
@@ -7,7 +7,7 @@ if TYPE_CHECKING:
 
 
 class Place(Protocol):
-    """Where the strut is, its pole at the distance `D` [m] from the axis, and how it is drawn.
+    """Place of the strut, its pole at the distance `D` [m] from the axis, and its drawing.
 
     `overlaps` are those of both contacts without loads, `bends` how much of them is drawn, H all
     of them; `OA` and `OB` are the radii at which forces act. `spiral` has pole, first radius, its

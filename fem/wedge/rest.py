@@ -51,7 +51,7 @@ class Touching:
 
 
 class Unrest(NamedTuple):
-    """How far [m] a body moves, of overlaps of the `size` [m], and drags that would undo it."""
+    """Movement [m] of a body, overlaps of the `size` [m], and drags that compensate it."""
 
     moves: float
     size: float
@@ -83,7 +83,7 @@ def at_rest(
 def core_motion(
     solution: "ContactSolution", centre: tuple[float, float], size: float
 ) -> tuple[Array, float]:
-    """How a body of this `size` [m] moves about `centre`: displacements (2, 4) [m], turn [rad].
+    """Movement of a body of this `size` [m] about `centre`: displacements (2, 4) [m], turn [rad].
 
     They are those of points to the right, left, above and below; the turn counts anticlockwise.
     """

@@ -1,4 +1,4 @@
-"""Where friction no longer holds a roller: over friction, over wedge angles, with axial load."""
+"""Limit of friction of a roller: over friction, over wedge angles, with axial load."""
 
 import math
 from collections.abc import Callable
@@ -29,7 +29,7 @@ DRIVEN = (1.5, 3.0)  # of the ring along z, over the deflection of parts: to whe
 class Limit:
     """The clutch in its place under its torque, with other friction.
 
-    Slip is where Coulomb's law says so on the normals of the mesh: `tan` is of the mesh's angle.
+    Slip is by Coulomb's law on the normals of the mesh: `tan` is of the mesh's angle.
     """
 
     def __init__(self, one: Pulled, start: Start, drags: tuple[float, float]) -> None:

@@ -1,4 +1,4 @@
-"""Where a strut lies between its races before it is meshed finely, from coarse meshes.
+"""Place of a strut between its races from coarse meshes, for the fine mesh.
 
 Coarse meshes state where the strut lies and how wide its contacts are; states on finer meshes start
 from there, all at the same rotation.
@@ -56,7 +56,7 @@ class Start(Generic[P]):
         )  # fmt: skip
 
     def state(self, cells: int, mu: float | None = None) -> State[P]:
-        """The state at rest; by default friction lets the strut stick."""
+        """The state at rest; by default the strut sticks by friction."""
         if mu is None:
             mu = STICKS * math.tan(self.place.strut[0])
         return Sector(self.struts, self.place, self.widths, cells, mu=mu).rest(self.drags)

@@ -1,4 +1,4 @@
-"""Where cells grow with the distance from a fine zone, and level off far from it.
+"""Grading: cells grow with the distance from a fine zone up to a constant size.
 
 Roberts' stretching: with u from 1 at the fine end to 0 at the far one, cells are as long as
 beta^2 - u^2, hence by a constant factor longer than the one before near the fine end, and of one
@@ -15,7 +15,7 @@ FINEST, EVEN = 1e-9, 1e3  # bounds of beta - 1; at the upper one cells differ by
 
 
 def cells_along(*, length: float, first: float, growth: float) -> int:
-    """How many cells lead from the size `first` over `length`, none `growth` times the one before.
+    """Number of cells from the size `first` over `length`, none `growth` times the one before.
 
     `length` and `first` in one unit, `growth` above 1.
     """

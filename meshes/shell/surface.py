@@ -1,4 +1,4 @@
-"""Hand the surface mesh of the current gmsh model over as plain arrays, in memory."""
+"""The surface mesh of the current gmsh model as plain arrays, in memory."""
 
 from dataclasses import dataclass
 

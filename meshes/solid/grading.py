@@ -1,4 +1,4 @@
-"""Where cells end along a line on which they shrink towards one end."""
+"""Ends of cells along a line on which they shrink towards one end."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Hand the hexahedra of the current gmsh model to scikit-fem, in memory."""
+"""The hexahedra of the current gmsh model for scikit-fem, in memory."""
 
 from collections.abc import Iterator
 

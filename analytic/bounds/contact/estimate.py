@@ -1,10 +1,10 @@
-"""An error that is known beforehand up to a slack."""
+"""An expected error with its tolerance."""
 
 from typing import NamedTuple
 
 
 class Estimate(NamedTuple):
-    """Signed error formula/true - 1 [1] that is expected, and how far from that it may be."""
+    """Signed error formula/true - 1 [1] that is expected, and its tolerance."""
 
     error: float
     slack: float

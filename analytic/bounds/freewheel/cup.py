@@ -114,7 +114,7 @@ class CupBounds:
 
     @property
     def middle(self) -> Factors:
-        """Factors of the approaches of the ring that is expected to stand for the cup."""
+        """Factors of the approaches of the ring that is expected to represent the cup."""
         return 1.0, self.own["d_o"] / self.at.d_o, 1.0
 
     def approach(self, which: str) -> Interval:

@@ -32,7 +32,7 @@ STEEPER = 1.15  # d ln(N)/d ln(approach) at most
 
 
 class StarBounds:
-    """Intervals for formula/reference - 1 in a state, from approaches that may be within bounds."""
+    """Intervals for formula/reference - 1 in a state, from bounds of the approaches."""
 
     def __init__(self, star: Parts, at: Loaded) -> None:
         self.star, self.at = star, at

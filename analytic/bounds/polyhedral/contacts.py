@@ -56,7 +56,7 @@ class RollerOnRing:
         return beside + (a / self.wall) ** 2 + BLUNT
 
     def closure(self, a: float, a_race: float) -> float:
-        """The same of how far ring and roller are pressed together."""
+        """The same of the approach of ring and roller."""
         ends = a**2 + a_race**2
         return 4 * ends / self.d**2 + (a / self.wall) ** 2 + BLUNT
 

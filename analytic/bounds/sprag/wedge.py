@@ -74,7 +74,7 @@ class Bounds:
         return 1 / (1 + moves.whole + doubt) - 1, 1 / (1 + moves.whole - doubt) - 1
 
     def tilted(self) -> float:
-        """By how much of beta the contacts roll at most as the moment T h/2 tilts thin walls h.
+        """Largest rolling of the contacts, over beta, as the moment T h/2 tilts thin walls h.
 
         Walls are beams over a pitch L, simply supported: M L/(12 E' I).
         """
@@ -88,7 +88,7 @@ class Bounds:
         return sum(a * b for a, b in zip(shares, tilts, strict=True)) / float(at.beta)
 
     def torque(self) -> Interval:
-        """Of n_s N tan(nu) OA, whose lever is as unsure as a tenth of the inner deflections."""
+        """Of n_s N tan(nu) OA, whose lever is uncertain by a tenth of the inner deflections."""
         (low, high), lever = self.angle(), LEVER * float(self.at.yields.inner) / self.sizes.R_i
         return low - lever, high + lever
 
@@ -191,7 +191,7 @@ class Bounds:
 
     @cached_property
     def ends(self) -> Ends:
-        """How the sprag's ends move and turn; ValueError off the flanks."""
+        """Movement and rotation of the sprag's ends; ValueError off the flanks."""
         moved = self.column and ends(
             self.column, turned=float(self.at.turned), alpha_b=float(self.at.alpha_b), a=self.a,
             nu=self.sizes.nu,
@@ -202,7 +202,7 @@ class Bounds:
 
     @cached_property
     def bending(self) -> Shift:
-        """How far force ratios change as ends and races move; ValueError off the flanks."""
+        """Change of force ratios as ends and races move; ValueError off the flanks."""
         moved = self.ends
         assert self.column is not None
         sideways = self.P * math.tan(float(self.at.nu)) * sum(SIDEWAYS) / 2
