@@ -38,15 +38,15 @@ def check(kind: str, around: int, deck: Path) -> None:
     theirs, here = calculix.run_deck(deck).u, ring.u[dofs].T
     rim = np.argmin(np.hypot(*(ring.basis.doflocs[:, dofs[0]] - np.reshape(RIM, (2, 1)))))
     energy = float(ring.f[dofs].T.ravel() @ theirs.ravel()), float(ring.f @ ring.u)
-    apart = {
+    differences = {
         "displacement": np.abs(theirs - here).max() / np.abs(here).max(),
         "energy": abs(energy[0] / energy[1] - 1),
         "displacement against Lamé": abs(theirs[rim, 0] / RIM_MOVES - 1),
     }
-    for name, value in apart.items():
+    for name, value in differences.items():
         if not value < AGREE:
             raise RuntimeError(f"{kind}, {around} around: {name} differs by {value:.1e}")
-    print(f"agree to {max(apart.values()):.0e}", end="  ")
+    print(f"agree to {max(differences.values()):.0e}", end="  ")
 
 
 def measure(kind: str, around: int, peer: bool) -> dict[str, Any]:

@@ -25,7 +25,7 @@ def count_below(D: Matrices) -> NDArray[np.int64]:
 
 
 def roots_below(stiffness: Stiffness, highest: Array, wanted: NDArray[np.int64]) -> Array:
-    """The roots of the numbers `wanted` (count,) from 0 of each item, (items, count) [rad/s].
+    """The roots of given numbers (count,) from 0, of each of the items, (items, count) [rad/s].
 
     `stiffness(w, item)` takes arrays (q,) and gives D (q, n, n), without poles up to `highest`
     (items,). What has no such root below `highest` is NaN.

@@ -87,7 +87,7 @@ class Column:
         return bool(below[1] < theta < below[0] and above[1] < -alpha_b < above[0])
 
     def nearest(self, *, turned: float, alpha_b: float) -> tuple[float, float]:
-        """Distances of both contacts from the nearer flank, over half of the distance of the flanks.
+        """Distances of both contacts from the nearer flank, over half of the flanks' distance.
 
         1 in the middle, 0 at a flank, below beyond; angles count for lengths.
         """

@@ -24,7 +24,7 @@ def fitted(
 ) -> tuple[Array, NDArray[np.bool_]]:
     """Places (m, k) that steps from `start` lead to, and whether they have the speeds (m,).
 
-    The target values `wanted` are the lowest forward critical speeds [rad/s].
+    The target values are the lowest forward critical speeds [rad/s].
     """
     x, hit = start.copy(), np.zeros(len(start), bool)
     active = np.arange(len(start))

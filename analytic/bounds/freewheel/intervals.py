@@ -36,7 +36,7 @@ def _wide(parts: Parts, at: Loaded) -> float:
 
 
 def of_approach(own: float, ends: Interval) -> Interval:
-    """Error interval of the approach `own`, of which the reference is between `ends`.
+    """Error interval of an approach of which the reference is between `ends`.
 
     >>> of_approach(1.0, (0.8, 1.25))
     (-0.19999999999999996, 0.25)
@@ -46,7 +46,7 @@ def of_approach(own: float, ends: Interval) -> Interval:
 
 
 def enclosed(own: float, others: list[float]) -> Interval:
-    """Error interval of the value `own`, of which the reference is any of the `others`."""
+    """Error interval of a value of which the reference is any of the `others`."""
     return own / max(others) - 1 - ROUNDED, own / min(others) - 1 + ROUNDED
 
 
