@@ -24,7 +24,7 @@ TOLD = {
     "pressure_inner": "the inner contact reaches the pressure limit",
     "pressure_outer": "the outer contact reaches the pressure limit",
     "corner": "the rollers reach the corners of the flats",
-    "pop_through": "the rollers go through between flat and shaft",
+    "pop_through": "the rollers pop through between flat and shaft",
     "hertz": "the contacts are wider than half the roller's radius",
 }
 

@@ -50,7 +50,7 @@ class Clutch:
     def __post_init__(self) -> None:
         not_negative(self.p_t, "total pressure p_t", "Pa")
         if self.M_wanted is not None:
-            positive(self.M_wanted, "torque wanted", "N m")
+            positive(self.M_wanted, "target torque", "N m")
         for name, known in (("lever", Lever), ("gamma", Gamma)):
             if (given := getattr(self, name)) not in get_args(known):
                 raise ValueError(f"{name} is one of {', '.join(get_args(known))}, got {given!r}")

@@ -36,7 +36,7 @@ def findings(**changes):
         ({"T": 0.0, "F_ax": 0.0}, "green: at rest"),
         ({"mu": 0.06}, "red: tan α_0 = 0.06116 exceeds μ = 0.06: the clutch releases itself"),
         ({"T": 1e6}, "red: no equilibrium at T = 1000 kN m: contacts as wide as the rollers'"),
-        (CUP | {"T": 40.0}, "red: no equilibrium at T = 40 N m: the rollers go through"),
+        (CUP | {"T": 40.0}, "red: no equilibrium at T = 40 N m: the rollers pop through"),
         ({"mu": 1.0, "T": 4000.0}, "red: the rollers are beyond the ends of the cam flats "
          "(T_c = 2717 N m); friction alone would hold"),
         ({"T": 140.0, "mu": 0.5}, "overloaded: μ/μ_req = 6.019: friction holds"),
@@ -80,7 +80,7 @@ def test_the_map_is_green_where_the_class_is():
             there = FreewheelClutch(**changes | {"T": T, "F_ax": kN * 1e3})
             assert light(there, dict(there.values)) in zone.name.replace("friction holds, ", "")
     assert any(
-        c.name.startswith("the map ends: the rollers go")
+        c.name.startswith("the map ends: the rollers pop through")
         for c in lights(FreewheelClutch(**CUP)).curves
     )
 
