@@ -119,7 +119,7 @@ class SelfContact(Touching):
         Axial stiffness [force] of the lines, which sizes the contact's stiffness.
     friction
         Coulomb's coefficient.
-    apart
+    apart : optional
         Arc length [length] within which places of one line never touch, 3 b by default; elements
         that share a node never do.
     share
