@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 
 STEPS = 20
 ACCEPTED = 1e-9
-PROVEN = 1e-6  # of the largest load: so much must be missing, well above the programme's errors
+PROVEN = 1e-6  # of the largest load: so much must be missing, well above the program's errors
 HELD, PRESSED, DRIVEN, HUNG, PULLED = KINDS = (
     "no free bodies", "pressed by loads", "driven by the ground", "held by friction", "pulled away",
 )  # fmt: skip

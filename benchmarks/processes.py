@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"), "1")
-STEP = 0.01  # s between looks at the memory
+STEP = 0.01  # s between readings of the memory
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ def measured(command: list[str], folder: Path | None = None) -> Used:
             command, cwd=folder, env=os.environ | ONE_THREAD, stdout=out, stderr=err
         )
         while not ended:
-            # what the system counts for the process begins with the memory of its parent
+            # the system's count for the process begins with the memory of its parent
             peak = max(peak, _most(process.pid))
             ended, status, used = os.wait4(process.pid, os.WNOHANG)
             time.sleep(0.0 if ended else STEP)

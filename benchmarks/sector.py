@@ -26,12 +26,12 @@ OVERLAP = 20e-6  # m, of each contact: 51 N m on ten millimetres
 PLACE = overlapping(CLUTCH, OVERLAP, OVERLAP)
 CENTRE = (PLACE.x, PLACE.y)
 WIDTHS = (0.1235e-3, 0.1341e-3)  # m, half-widths as they come out
-TURNED = (1.2536e-6, 0.6598e-6)  # m, of the surfaces of star and ring: the roller rolls nowhere
+TURNED = (1.2536e-6, 0.6598e-6)  # m, of the surfaces of star and ring: the roller does not roll
 TILT, ROTATION = TURNED[0] / CLUTCH.X, TURNED[1] / CLUTCH.R  # rad, clockwise
 CELLS = 6  # in 1.5 half-widths
 FINE = 6 * CELLS  # of the reference
 MU = 0.15
-JUDGED = {  # what each number is called in tables
+JUDGED = {  # names of the values in tables
     "T": "torque [N m]", "N_i": "N, star [N/m]", "N_o": "N, ring [N/m]",
     "F_i": "F_t, star [N/m]", "F_o": "F_t, ring [N/m]", "a_i": "half-width, star [m]",
     "a_o": "half-width, ring [m]", "p_i": "peak, star [Pa]", "p_o": "peak, ring [Pa]",

@@ -21,7 +21,7 @@ from analytic.contact.checks import Array, finite, positive
 from analytic.contact.crown import logarithmic, slice_centres
 
 LOW = (0.5, 0.2, 2.0)  # K_1, K_2, z_m/A_1
-HIGH = (100.0, 1.0, 300.0)  # a light load far out of parallel would rather have a parabola
+HIGH = (100.0, 1.0, 300.0)  # for a light load at a large tilt the optimum tends to a parabola
 GENERATIONS, CROWNS = 40, 10  # CROWNS a generation for each of the three parameters
 PATIENCE = 8  # generations
 DIGITS = 3
@@ -80,7 +80,7 @@ def best_crown(
             z[:, None] + lean, length=length, R=R, E_star=E_star, load=load, tolerance=1e-8
         )
         ends = (found.q[..., 0] + found.q[..., -1]).max(axis=-1) * length / load
-        # a crown whose ends carry comes after every one whose ends do not
+        # crowns with loaded ends rank after all crowns with unloaded ends
         cost = np.where(ends > 0, LOADED + ends, found.peak.max(axis=-1) / even)
         return np.asarray(np.round(cost, PEAK_DECIMALS))
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from analytic.contact.checks import Array
 
-STEPS = 5  # of conjugate gradients: 1e-3 left, as Newton's next iteration wants
+STEPS = 5  # of conjugate gradients: 1e-3 left, as Newton's next iteration needs
 PRODUCT = 1_000_000  # multiplications of one call of BLAS
 
 Mask = NDArray[np.bool_]

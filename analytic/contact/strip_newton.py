@@ -128,7 +128,7 @@ def solve(
         s = np.where(lifted, 0.1 * s, moved)
         s[s < 1e-14 * s.max(axis=-1, keepdims=True)] = 0.0
         level = level + rise
-    if cases > 1:  # first steps are made for all at once, and may not suit each
+    if cases > 1:  # first steps are common to all cases and may not suit each
         for i, case in enumerate(left):
             one = slice(i, i + 1)
             alone = solve(

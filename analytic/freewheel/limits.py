@@ -17,7 +17,7 @@ from analytic.freewheel.criterion import friction
 from analytic.freewheel.state import State
 
 HALVINGS = 60
-LEAST = 1e-9  # of the largest normal force, from which on limits are looked for
+LEAST = 1e-9  # of the largest normal force, from which limits are searched
 
 TOLD = {
     "release": "the rollers slip out: tan(alpha) exceeds mu",
@@ -114,7 +114,7 @@ def _release(clutch: Clutch, mu: Array) -> Array:
 
 def _growth(now: State) -> Array:
     """dT/dN over T/N."""
-    N = np.where(np.isfinite(now.N), now.N, 0.0)  # beyond the last state: whatever
+    N = np.where(np.isfinite(now.N), now.N, 0.0)  # beyond the last state: any value
     tangent, slope = now.bodies.tangent(N)
     return np.asarray(1 + N * slope / tangent)
 

@@ -8,7 +8,7 @@ deflects at each load, in the direction of the load, by
 
 (upper sign for a bore): of the waves m = z, 2z, ... with the share 2 J_1(m a/r)/(m a/r) only the
 first order 1/m makes the logarithm, the next, of -/+(1 - nu')/(2 m²), makes c, as the mean of |t|
-over the semi-ellipse is 4/(3 pi), and the rest has forgotten a. k is read off `LoadedRace` for one
+over the semi-ellipse is 4/(3 pi), and the rest contains no a. k is read off `LoadedRace` for one
 narrow patch. The stresses in a ring under given loads do not contain nu', so that k is linear.
 A star's k, with its bore clamped, comes from the four powers of `clamped_race`.
 """

@@ -81,7 +81,7 @@ def stepped_beam(
     """
     segments, lumps, node = [], [], 0
     for i, piece in enumerate(shape.pieces(cone=cone, slices=slices)):
-        share = (piece.d / piece.d_stiff) ** 2  # of the areas: keeps the mass
+        share = (piece.d / piece.d_stiff) ** 2  # of the areas: preserves the mass
         segments.append(
             Segment(length=piece.length, d_o=piece.d_stiff, E=E, nu=nu, rho=rho * share)
         )

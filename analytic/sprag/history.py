@@ -14,8 +14,8 @@ from analytic.sprag.motion import Motion, Torque
 from analytic.sprag.table import Table
 
 STATES = 12  # four angles, their speeds, four works
-LATE = 0.25  # part of the time, at the end, that the verdict looks at
-LAST, STILL = 0.1, 0.01  # part of it in which a force that rises by less has come to rest
+LATE = 0.25  # part of the time, at the end, that the verdict uses
+LAST, STILL = 0.1, 0.01  # part of it in which a force that rises by less is at rest
 
 Verdict = Literal["locks", "slips", "over the end", "disengages", "not followed"]
 

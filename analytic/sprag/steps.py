@@ -10,7 +10,7 @@ from analytic.sprag.motion import Motion
 from analytic.sprag.table import Table
 
 MISSED = 1e-2  # of the work put in: beyond it an engagement is not valid
-RADIAN = 0.3  # of the fastest motion in one step: Runge-Kutta then misses below 1e-4
+RADIAN = 0.3  # of the fastest motion in one step: Runge-Kutta's error is then below 1e-4
 
 
 class LongStepError(ArithmeticError):

@@ -11,7 +11,7 @@ from analytic.sprag.steps import MISSED as NO_ANSWER
 from analytic.sprag.steps import LongStepError, missing
 from analytic.sprag.table import Table
 
-RELAXED = 0.6  # steps in which a residual sliding dies; Runge-Kutta is stable above 0.36
+RELAXED = 0.6  # steps in which a residual sliding decays; Runge-Kutta is stable above 0.36
 WIDER = 2.0  # band over the change of sliding in one step, where the band is chosen here
 TRIALS = 20
 

@@ -21,7 +21,7 @@ import numpy as np
 
 from analytic.spring.elastica import COUPLE, F_X, F_Y, TURN, Elastica, Head, State
 
-# under a dead force along x: what of the tail's (rotation, x, y) has to stay, what of the head may
+# under a dead force along x: fixed components of the tail (rotation, x, y), free ones of the head
 # change
 FREEDOM = {
     "free": ((0,), (TURN,)),

@@ -178,7 +178,7 @@ def stages(
     A = compliances(shape, b, nu, theory)
     free = response(A, HELD[head], ())
     gaps = np.stack([shape.head.gap, shape.tail.gap], axis=-1)
-    alone = _until(gaps, free.rates)  # where each tip touches if the other never did
+    alone = _until(gaps, free.rates)  # where each tip would touch without contact of the other
     first = np.argmin(alone, axis=-1)
     F_A = alone.min(axis=-1)
     rest = np.maximum(gaps - F_A[..., None] * free.rates, 0.0)

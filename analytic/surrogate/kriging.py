@@ -20,7 +20,7 @@ from analytic.surrogate.terms import NUGGET, matern, trend_terms
 
 ROUNDING = 1e-12  # of the largest value: a residual below it is round-off of the trend
 SETTLED = 0.02  # change of a length scale's logarithm
-ROUNDS = 20  # each raises the likelihood; five settle what has been met
+ROUNDS = 20  # each raises the likelihood; five were always enough so far
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -150,7 +150,7 @@ def fit(x: Array, y: Array, box: Box, *, seed: int = 0) -> Kriging:
     d = box.dimension
     trend_only = of(np.full(d, SHORTEST))  # its C is a unit matrix nearly: plain least squares
     if np.max(np.abs(trend_only.residual)) <= ROUNDING * np.max(np.abs(y)):
-        return trend_only  # nothing is left that could show a length scale
+        return trend_only  # no residual is left that has a length scale
     random = np.exp(np.random.default_rng(seed).uniform(np.log(0.1), np.log(3), d))
     starts = [better(of(start)) for start in (np.full(d, 0.3), np.ones(d), random)]
     model = max(starts, key=lambda start: start.likelihood)

@@ -23,7 +23,7 @@ def likeliest(u: Array, residual: Array, start: Array, *, nugget: float) -> Arra
         Matern(start, (SHORTEST, LONGEST), nu=2.5) + WhiteKernel(nugget, "fixed")
     )
     process = GaussianProcessRegressor(kernel, alpha=0.0)
-    with warnings.catch_warnings():  # a length at its bound is an answer here: no such variation
+    with warnings.catch_warnings():  # a length at its bound is a valid result: no such variation
         warnings.simplefilter("ignore", ConvergenceWarning)
         process.fit(u, residual)
     return np.asarray(np.exp(process.kernel_.theta[1:]))

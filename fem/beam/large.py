@@ -99,7 +99,7 @@ class LargeFrame:
         self.held = held_components(len(self.points), supports)
         self.terms = tuple(terms)
         self._sections, self._supports, self._bodies = sections, supports, bodies
-        self._reached: State | None = None  # what the terms remember
+        self._reached: State | None = None  # last state of the terms
 
     def rest(self) -> State:
         """The reference state, without load; terms forget their history."""

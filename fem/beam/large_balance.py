@@ -104,7 +104,7 @@ class Balance:
                 diag_pivot_thresh=0.0,
                 options={"SymmetricMode": True},
             )
-        except RuntimeError as error:  # SuperLU's word for a zero pivot
+        except RuntimeError as error:  # SuperLU's error for a zero pivot
             raise ConvergenceError("the tangent stiffness is singular") from error
 
         def solve(f: Array) -> Array:

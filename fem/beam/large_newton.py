@@ -20,7 +20,7 @@ STALL = 4  # iterations without progress
 STILL = 1e-14  # a step that is round-off, relative to the size of the frame
 MAX_ITERATIONS = 25
 MAX_SETTLEMENTS = 40
-MAX_TURN = 1.5  # rotation in one iteration [rad] beyond which the tangent means nothing
+MAX_TURN = 1.5  # rotation in one iteration [rad] beyond which the tangent is not valid
 
 
 class Control(Protocol):

@@ -13,7 +13,7 @@ from fem.beam.large_newton import equilibrium
 from fem.beam.large_state import Path, State
 from fem.beam.section import Array
 
-ASYMMETRY = 1e-5  # share of the loads' work in a mode that makes it a limit point's
+ASYMMETRY = 1e-5  # share of the loads' work in a mode, above which it is that of a limit point
 WIDTH = 1e-9  # of the bracket, relative to the step
 MAX_SECTIONS = 60
 
@@ -84,7 +84,7 @@ def _section(balance: Balance, low: _Place, high: _Place, normal: Array) -> tupl
         if gap < WIDTH * whole:
             break
         share = 0.5
-        if low.lowest * high.lowest < 0 and k % 3:  # every third bisects whatever secants do
+        if low.lowest * high.lowest < 0 and k % 3:  # every third step is a bisection
             share = float(np.clip(low.lowest / (low.lowest - high.lowest), 1e-4, 1 - 1e-4))
         try:
             middle = _between(balance, low.state, high.state, share, _Plane(normal, share * gap))

@@ -78,7 +78,7 @@ class FrameSolution:
         Stationary at the solution, so that an error of u enters squared. Under loads alone (no
         prescribed movement) it is minus half the loads' work: compliance = -2 x this / force^2.
         """
-        # what elements store between fixed ends is half of what their loads do there
+        # energy of elements between fixed ends is half of the work of their loads there
         return self.strain_energy - 2 * self.between_nodes - float(self.f @ self.u.ravel())
 
     def reaction(self, node: int) -> tuple[float, float, float]:
@@ -183,7 +183,7 @@ def _factorised(K: csc_array, B: csc_array, alone: bool) -> Solver:
         if B.shape[0]:
             return tied_solver(K, B, alone)
         factor = positive_factor(K)
-    except RuntimeError as error:  # SuperLU's word for a zero pivot
+    except RuntimeError as error:  # SuperLU's error for a zero pivot
         raise ValueError("the frame is a mechanism: a part of it can move freely") from error
     return lambda residual, _: (factor.solve(residual), np.zeros(0))
 

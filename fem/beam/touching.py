@@ -26,7 +26,7 @@ from fem.beam.touching_rigid import Body, Shape
 from fem.beam.touching_touch import Touch, scatter
 
 SHARE = 0.1  # contact stiffness over E h, the stiffness of a strip of h x 1 under pressure
-SOFTER = 6.0  # thicknesses: longer cells bend so easily that less stiffness does
+SOFTER = 6.0  # thicknesses: longer cells bend so easily that less stiffness is enough
 PROBES = 2  # of an element
 NEIGHBOURS = 3.0  # thicknesses along the line within which it cannot meet itself
 

@@ -119,7 +119,7 @@ class Law:
         """The step's friction work; slip then counts from here and friction goes on from T."""
         before = self.kept[1][touch.slot]
         slid = np.abs(self.kept[2][touch.slot]) == 1
-        # what begins to slide does so at the end's force: its stick was a small part of the slip
+        # places that begin to slide do so at the end's force: sticking was a small part of the slip
         mean = np.where(slid | answer.sticking, (answer.tangential + before) / 2, answer.tangential)
         work = float(mean @ touch.slip)
         _, self.tangential = self._placed(touch, answer)

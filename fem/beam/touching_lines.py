@@ -101,7 +101,7 @@ def _follow(
     """How eta and xi follow the unknowns, (k, m) each: 2 x 2 equations, 0 where not free."""
     H_11, H_12, H_22 = H
     one, two = free
-    # places of parallel lines run away: there the tangent leaves the probe where it is
+    # places of parallel lines diverge: there the tangent holds the probe in its place
     det = H_11 * H_22 - H_12**2
     curved = np.where(two, det - PARALLEL * H_12**2, H_11 - PARALLEL * a**2)
     one = one & (curved > 0)

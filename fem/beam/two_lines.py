@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 TWICE = 2.0  # the force that ends a curve, over that at the end of its stroke
-TOUCH = 0.004  # of the force: tips that press this much touch for sure
+TOUCH = 0.004  # of the force: tips with this force are certainly in contact
 ROUNDING = 1e-9  # of a displacement
 
 

@@ -55,7 +55,7 @@ class Supports:
                 raise ValueError(
                     f"the mean motion of {name!r} is held, and so is {name!r} itself: one of them"
                 )
-        # the same supports with running numbers for values say which condition is whose
+        # the same supports with running numbers for values: the support of each condition
         keys = [(name, c) for name, held in self._supports.items() for c in held]
         self._number = {key: float(i + 1) for i, key in enumerate(keys)}
         numbered: dict[str, Support] = {
@@ -191,7 +191,7 @@ class Loads:
         return [
             Action(float(v), (*key, i), partial(make, tuple(units[i].tolist())))
             for i, v in enumerate(value)
-            if v != 0 or (i == 1 and not any(value))  # a name is looked up even for nothing
+            if v != 0 or (i == 1 and not any(value))  # a name is checked even without a load
         ]
 
     def _pressure(self, name: str, p: Pressure) -> Array:

@@ -104,7 +104,7 @@ class AlongBodies:
     def gradient(self, u: Array) -> Array:
         """du_z/dx, du_z/dy (m, points, 2) at the quadrature points of every cell."""
         local = u[self.nodes.cells]
-        local = local - local[:, :1]  # a shift shears nothing, and would only round
+        local = local - local[:, :1]  # a shift causes no shear, only round-off
         found = (self.bodies.cells.slope @ local[..., None])[..., 0]
         return np.asarray(found.reshape(len(local), -1, 2))
 

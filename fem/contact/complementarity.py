@@ -25,7 +25,7 @@ __all__ = ["BACKWARD", "FELT", "FORWARD", "OPEN", "STAYING", "STICK", "Complemen
 
 # the slowest one that took part; the last finds that bodies rest without contact
 METHODS = "active sets", "Lemke's method", "linear programme"
-STRICT = 1e-7  # of the largest contact force or its approach: what a state is sure by
+STRICT = 1e-7  # of the largest contact force or its approach: margin of a certain state
 FEW, GROUP = 24, 4  # rows that need no coarse start, and how many are taken in one for it
 AWAY = "; bodies may slide or roll away under these loads, unless held or pressed together first"
 
@@ -190,7 +190,7 @@ class Complementarity(ContactSystem):
             return None
         simpler, group = self.smooth(1 if rough else GROUP), self.groups(1 if rough else GROUP)
         if rough and np.any(simpler.missing(e)):
-            return None  # friction holds what slides
+            return None  # friction stops all sliding
         first = np.flatnonzero(np.diff(group, prepend=-1))
         try:
             return simpler.solve(np.add.reduceat(w_0[:m], first), e).states[group]

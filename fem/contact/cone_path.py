@@ -66,7 +66,7 @@ class Path:
                     break
                 new = turned
             if new.z[-1] < t:
-                break  # back where it came from
+                break  # back at the start
             if new.z[-1] >= 1:
                 share = (1 - here.z[-1]) / (new.z[-1] - here.z[-1])
                 z, n = here.z + share * (new.z - here.z), at.multipliers.size

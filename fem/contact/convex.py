@@ -11,7 +11,7 @@ from fem.plane.discretisation import Array
 
 CONVERGED = 1e-10  # of the largest force
 FULL = 1e-9  # of the slope at the start of a step: a full step leads to the least value
-SPRINGS = 1e-7  # of the stiffness, for what nothing holds yet; a tenth of it at each step
+SPRINGS = 1e-7  # of the stiffness, for bodies without any support yet; a tenth of it at each step
 LEAST_SPRINGS = 1e-13
 DOUBLINGS = 60
 MAX_STEPS = 100
@@ -58,7 +58,7 @@ class Piecewise:
             springs = max(SPRINGS * 0.1**step, LEAST_SPRINGS)
             way = self._factor(v, springs).solve(residual)
             v = v + self._length(v, way, residual) * way
-        if missed > size:  # what flies away strains itself by round-off, beyond all loads
+        if missed > size:  # bodies that move far away have strains by round-off, beyond all loads
             raise ArithmeticError(ADRIFT)
         raise ArithmeticError(
             f"the contact did not converge: after {MAX_STEPS} steps forces still miss by "

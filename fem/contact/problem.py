@@ -45,7 +45,7 @@ from fem.plane.ties import Tie
 MAX_APPROACHES = 8
 RUNAWAY = 100.0  # times elastic displacements and closed gaps: no contact holds what moves more
 LIGHT = 1e-6  # the part of the loads that brings bodies together and hardly deforms them
-GAP_TOLERANCE = 1e-13  # of the mesh's extent: less is what rounded places of nodes make of no gap
+GAP_TOLERANCE = 1e-13  # of the mesh's extent: less is round-off of the places of nodes
 
 
 class ContactProblem:

@@ -8,7 +8,7 @@ from fem.contact.system import ContactSystem
 from fem.plane.discretisation import Array
 
 CLOSING_SHARE = 1e-3  # of the forces that close the overlaps: a scale where no load is one
-TRAVEL_SHARE = 1e-5  # of gaps and travel: what round-off leaves of a gap is measured against it
+TRAVEL_SHARE = 1e-5  # of gaps and travel: scale of round-off of a gap
 
 
 @dataclass(frozen=True)

@@ -91,7 +91,7 @@ class Cells:
                 K[shared] *= share[shared, :, None] * share[shared, None]
             K[left] = 0.0
             K.swapaxes(1, 2)[left] = 0.0
-            # nothing, added where the cell has entries anyway: the pattern stays as it is
+            # zeros where the cell has entries: the pattern is unchanged
             kept = np.take_along_axis(dofs, np.argmax(~left, axis=1)[:, None], axis=1)
             dofs = np.where(left, np.maximum(kept, 0), dofs)
         at = np.repeat(dofs, 2 * n, axis=1).ravel(), np.tile(dofs, 2 * n).ravel()
@@ -135,7 +135,7 @@ class Cells:
     def gradient(self, u: Array) -> Array:
         """d_i u_j (m, points, 2, 2) at the quadrature points, component j last."""
         local = u[self.dofs]
-        local -= local[:, :1]  # a translation strains nothing, and would only round
+        local -= local[:, :1]  # a translation causes no strain, only round-off
         m, rows, _ = self.slope.shape
         return (self.slope @ local).reshape(m, rows // 2, 2, 2)
 

@@ -67,7 +67,7 @@ def free_motions(
         "im,mij->mj", conditions.direction, motion(basis.doflocs[:, conditions.dofs[0]], k)
     )
     blocks = []
-    for j in range(count):  # n rows say as much as all of one body's
+    for j in range(count):  # n rows are equivalent to all rows of one body
         rows = np.zeros((n, n * count))
         rows[:, n * j : n * j + n] = np.linalg.qr(np.vstack([held[k == j], np.zeros((n, n))]))[1]
         blocks.append(rows)

@@ -29,8 +29,8 @@ COMPONENTS = "xynt"
 INDEPENDENT = 1e-9  # singular values of the unit directions at a node: below, two are one
 COINCIDENT = 1e-9  # of the mesh's extent
 CONTRADICTION = 1e-9  # of the values prescribed at a node
-AXIS = "the axis"  # owns the condition u_r = 0 on the axis of a body of revolution
-CENTRE = "the centre of a tie"  # owns the nodes that follow themselves, turned
+AXIS = "the axis"  # holder of the condition u_r = 0 on the axis of a body of revolution
+CENTRE = "the centre of a tie"  # holder of the nodes that follow themselves, turned
 
 
 @dataclass(frozen=True)

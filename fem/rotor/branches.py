@@ -11,7 +11,7 @@ from fem.rotor.elements import Array
 from fem.rotor.model import Rotor
 from fem.rotor.pencil import Spectrum, spectrum
 
-SPARE = 4  # eigenvalues looked at beyond those requested, which may come down among them
+SPARE = 4  # eigenvalues besides those requested, which may become lower than these
 BATCH = 64  # speeds solved together
 STILL = 1e-7  # Im lambda over its size, below which a motion does not oscillate
 # of a motion's squares [m², rad²]: less is round-off of a part at rest, some 1e-32 of the others

@@ -56,7 +56,7 @@ class Diagonal:
         A = block.M - block.H / ratio
         try:
             mu, V = eigh(A, block.K)
-        except np.linalg.LinAlgError:  # a motion that nothing holds
+        except np.linalg.LinAlgError:  # a motion without any support
             return None
         turned = V.conj().T
         left, right = turned @ (U[:, :rank] * size[:rank]), turned @ W[:rank].conj().T

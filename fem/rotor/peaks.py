@@ -5,7 +5,7 @@ import numpy as np
 from fem.rotor.elements import Array
 
 EVEN = 1 / 1.32471795724474602596 ** np.array([1, 2])  # powers of the plastic number
-LESS = 1 - 1e-9  # than what no Rayleigh damping has
+LESS = 1 - 1e-9  # than the bound of Rayleigh damping
 
 
 def spread_ratios(low: float, high: float, apart: float, count: int) -> Array:

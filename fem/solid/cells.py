@@ -86,7 +86,7 @@ class Cells:
     def gradient(self, u: Array) -> Array:
         """d_i u_j (m, points, 3, 3) at the quadrature points, component j last."""
         local = u.reshape(-1, 3)[self.nodes]
-        local = local - local[:, :1]  # a translation strains nothing, and would only round
+        local = local - local[:, :1]  # a translation causes no strain, only round-off
         return (self.slope @ local).reshape(*self.dx.shape, 3, 3)
 
     def stress(self, u: Array) -> Array:

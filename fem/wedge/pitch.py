@@ -23,7 +23,7 @@ def pitch_problem(
     Of the boundaries `turned` the mean rotation is prescribed; all else is free, so that races
     breathe as rings do. E [Pa] and nu are those of all bodies.
     """
-    # found where it runs: who only reads what a case states loads no solver
+    # imported on use: reading a case loads no solver
     from fem.contact.problem import ContactProblem
     from fem.plane.material import Elastic
     from fem.plane.means import Mean

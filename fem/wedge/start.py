@@ -13,8 +13,8 @@ from fem.wedge.races import Sector, State, Struts
 from fem.wedge.races_place import Place
 from fem.wedge.rest import Drags
 
-COARSE = 3  # cells on the half-width of the meshes that state where contacts lie
-SETTLED = 1e-4  # of both overlaps, what pole and contacts may still move by
+COARSE = 3  # cells on the half-width of the meshes that locate the contacts
+SETTLED = 1e-4  # of both overlaps, by which pole and contacts may still move
 MOST = 20  # steps
 STICKS = 5.0  # friction over tan(nu): well above what the strut needs
 

@@ -33,7 +33,7 @@ def bent_roller(
     x, y = mesh.doflocs
     radius, angle = np.hypot(x, y), np.arctan2(y, x)
     inner, outer = rays
-    # the fine places, at half a turn and at 0, each move by half of what lacks of half a turn
+    # the fine places, at half a turn and at 0, each move by half of the difference from half a turn
     lack = math.pi - (inner - outer)
     angle += math.pi / 2 - outer + lack / 2 * (1 - _bend(angle, radius / r))
     places = radius * np.array([np.cos(angle), np.sin(angle)]) + np.reshape(centre, (2, 1))
