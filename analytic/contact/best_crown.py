@@ -25,11 +25,11 @@ HIGH = (100.0, 1.0, 300.0)  # for a light load at a large tilt the optimum tends
 GENERATIONS, CROWNS = 40, 10  # CROWNS a generation for each of the three parameters
 PATIENCE = 8  # generations
 DIGITS = 3
-# of a peak over Hertz's pressure of an even load: the search takes nearer peaks for equal. Strips
+# of a peak over Hertz's pressure of a uniform load: the search takes nearer peaks for equal. Strips
 # leave some 1e-12; crowns that differ only where nothing touches differ by no more than that
 PEAK_DECIMALS = 9
 STRIPS = (60, 200)  # fewest and most
-LOADED = 1e3  # beyond every peak over Hertz's pressure of an even load
+LOADED = 1e3  # beyond every peak over Hertz's pressure of a uniform load
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ def best_crown(
     ArithmeticError where the strips fail.
 
     >>> straight = best_crown(load=3407.0, length=9e-3, R=2.95e-3, E_star=113e9)
-    >>> straight.free, bool(1.0 < straight.peak / 2.149e9 < 1.06)  # Hertz's of an even load
+    >>> straight.free, bool(1.0 < straight.peak / 2.149e9 < 1.06)  # Hertz's of a uniform load
     (True, True)
     """
     load, length = float(positive(load, "load", "N")), float(positive(length, "length", "m"))

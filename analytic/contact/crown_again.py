@@ -1,6 +1,6 @@
 """Crowns of rollers written a second time, for references, so that both are independent.
 
-What `crown` has for the formulas stands here in other letters: E' for 2 E*, the half-length as a
+Same as in `crown`, with other symbols: E' for 2 E*, the half-length as a
 unit, and logarithms of products. Any consistent units.
 """
 

@@ -2,7 +2,7 @@ r"""Finite line contact as independent slices (Winkler), each with Palmgren's la
 
 .. math:: s\, q_k = \max(0,\ \delta - z_k)^{10/9}, \qquad \sum_k q_k = W
 
-z is the gap at the centre of each of n equal slices (crown, tilt and whatever else, without the
+z is the gap at the centre of each of n equal slices (crown, tilt and others, without the
 parabola across), q the slices' forces. Slices do not interact: the ends of a flat roller carry the
 same load as its middle, which is wrong; for a crowned roller the model is good and fast.
 

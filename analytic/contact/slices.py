@@ -3,7 +3,7 @@ r"""Finite line contact by the slicing technique: slices that deflect their neig
 .. math:: \sum_k S_{jk} q_k = (\delta - z_j)^{10/9}
 
 on loaded slices; on all others q = 0 and the left side is at least max(0, delta - z)^(10/9).
-q is the force of each of n equal slices, z the gap at its centre (crown, tilt and whatever else,
+q is the force of each of n equal slices, z the gap at its centre (crown, tilt and others,
 without the parabola across), S the matrix of `slice_compliance`, with Love's weights for Hertz's
 half-width under the mean load W/l by default.
 

@@ -1,4 +1,4 @@
-"""Eqs. 3 to 7 as the paper prints them, for an inner cam, beside the corrected ones.
+"""Eqs. 3 to 7 as printed in the paper, for an inner cam, to compare with the corrected ones.
 
 References
 ----------

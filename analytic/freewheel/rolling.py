@@ -12,7 +12,7 @@ A roller that rolls on the flat and on the race turns the parts against each oth
 With the constraint of Eq. 5 the same is R dphi = (dd_i + dd_o)/tan(alpha), that is T dphi = dU.
 
 Rolling is all that is in it. F_t also winds the contacts and the parts up: as a contact is about as
-compliant along the surface as across, tan(alpha) (d_i + d_o)/R comes on top, some tan²(alpha) of
+compliant along the surface as across, tan(alpha) (d_i + d_o)/R is added, some tan²(alpha) of
 phi (0.4 % at 3.7 deg).
 """
 

@@ -27,7 +27,7 @@ class Clutch:
 
     E and nu are of ring, rollers and race; mu on the rollers, phi_1 the angle of friction of the
     hub; M_wanted [N m] is a target torque. ValueError for impossible values; a roller that is
-    not touched or is expelled, and a hub that locks all by itself, are `remarks`.
+    not touched or is expelled, and a hub that locks by itself, are `remarks`.
 
     >>> parts = Parts(z=6, d_i=0.072, d_e=0.08, D_i=0.10006, d=0.01, b=0.03, e=0.009)
     >>> steel = {"p_t": 30e6, "E": 210e9, "nu": 0.3, "mu": 0.08, "phi_1": 0.05}
@@ -206,7 +206,7 @@ class Clutch:
         return {"p_1r": self.p_1r, "share": self.hub_share, "mu": self.grip, **geometry}
 
     def _hertz(self, *, R_2: float) -> float:
-        """Peak pressure [Pa] on R_2 [m]; it goes with sqrt(N), also where N is 0 or infinite."""
+        """Peak pressure [Pa] on R_2 [m], proportional to sqrt(N), also where N is 0 or infinite."""
         same = {"E_1": self.E, "nu_1": self.nu, "E_2": self.E, "nu_2": self.nu}
         E_star = hertz_line.contact_modulus(**same, assumption="plane strain")
         R = hertz_line.relative_radius(R_1=self.parts.d / 2, R_2=R_2)

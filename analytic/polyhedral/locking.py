@@ -6,7 +6,7 @@ force N per unit length presses it back, with its local indentation:
 .. math:: u_p\,p + u_h - u_N(a)\,N - \delta(N) = \frac{j_D}{2}, \qquad
           a = \sqrt{\frac{4 N R}{\pi E^*}}, \quad \frac{1}{R} = \frac{2}{d} + \frac{2}{d_e}.
 
-delta is what the roller is squeezed between both contacts, none for a rigid one; the race is rigid.
+delta is the compression of the roller between both contacts, 0 for a rigid one; the race is rigid.
 Of the pressure's force on a flat, :math:`p\,d_i\sin(\pi/z)` per unit length, the share
 
 .. math:: \eta = \frac{1}{d_i\sin(\pi/z)}\,\frac{dN}{dp}
@@ -35,7 +35,7 @@ from analytic.polyhedral.sector import Sector
 
 STEPS, CLOSE = 40, 1e-12
 FIRST = 1e-4  # of the outside radius: half-width with which the search starts
-NUDGE = 1e-3  # relative change of N in the difference quotient of its squeeze
+NUDGE = 1e-3  # relative change of N in the difference quotient of the compression
 
 
 @dataclass(frozen=True, kw_only=True)

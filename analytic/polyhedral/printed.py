@@ -1,4 +1,4 @@
-r"""Eqs. 12, 13, 17, 20 and 21 of Belcin et al. as they are printed, beside the corrected ones.
+r"""Eqs. 12, 13, 17, 20 and 21 of Belcin et al. as printed, to compare with the corrected ones.
 
 Eqs. 13, 17, 20 and 21 take the arc of a side, :math:`\\pi d_i/z`, for its chord
 :math:`d_i \\sin(\\pi/z)`; Eq. 21 counts one side for all z; Eq. 12 multiplies by K twice.

@@ -1,4 +1,4 @@
-r"""Slope of the deformed outside: the wedge angle that a roller beside the flat's middle meets.
+r"""Slope of the deformed outside: the wedge angle of a roller off the flat's middle.
 
 The outside takes the shape :math:`r_e + u_r(\theta)`, whose tangent leaves the circle's by
 

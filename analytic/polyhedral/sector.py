@@ -21,7 +21,7 @@ Complex = NDArray[np.complex128]
 
 @dataclass(frozen=True, kw_only=True)
 class Sector:
-    """Ring of z sectors; one half sector, 0 <= theta <= pi/z, stands for all by symmetry.
+    """Ring of z sectors; one half sector, 0 <= theta <= pi/z, represents all by symmetry.
 
     >>> hexagon = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)
     >>> round(hexagon.apothem, 4), round(hexagon.straight, 4)

@@ -22,7 +22,7 @@ Field = FreeRim | RollerLoad | HubForce
 def bore_stress(s: ArrayLike, *, sector: Sector, field: Field, p: float = 0.0) -> Array:
     """Hoop stress [stress] on the bore at the arc lengths s [length] from mid-flat.
 
-    `p` is the pressure there that the field stands for; none at a bore that is free at s.
+    `p` is the pressure there of this field; none at a bore that is free at s.
 
     >>> from analytic.polyhedral.bore_pressure import pressed
     >>> ring = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)

@@ -11,7 +11,7 @@ which makes alpha/2 with each normal, so
 
 .. math:: M_t = N \tan\frac{\alpha}{2}\, z \frac{D_i}{2}
 
-whatever mu is. The printed mu N z D_i/2 (Eq. 3) is what is left when a cage holds the roller back
+for any mu. The printed mu N z D_i/2 (Eq. 3) holds when a cage holds the roller back
 with C until it slips: an upper bound of the race's torque, as Eq. 4 is a lower bound of N. The
 cage's part, z C times its lever, does not pass through the ring; all of the race's torque does
 so for free rollers alone, mu N at their largest angle, alpha = 2 arctan mu. Beyond Eq. 2 a

@@ -8,7 +8,7 @@ Sums of cos^2 and sin^2 over even angles are Z/2 each, those of cos, sin and the
 .. math:: K_{xx} = K_{yy} = \frac{Z k}{2}, \quad K_{zz} = Z k d_t^2, \quad
    K_{tilt} = \frac{Z k}{2} \frac{L^2}{12} \left(1 - \frac{1}{n_s^2}\right)
 
-and nothing off the diagonal. The stiffness goes with :math:`T^{1 - 1/n}`, 0.1 for n = 10/9.
+and nothing off the diagonal. The stiffness grows with :math:`T^{1 - 1/n}`, 0.1 for n = 10/9.
 
 References
 ----------
@@ -91,7 +91,7 @@ def offset_coupling(
     r"""K_xz [N] that a static offset dx [m] brings: (Z/2) k (n - 1) dx d_t/delta_0.
 
     The first term of a series in dx/delta_0, which is not valid once sprags leave contact, beyond
-    delta_0. Slopes go with delta^(n-1):
+    delta_0. Slopes are proportional to delta^(n-1):
 
     .. math:: \sum_j k \left(1 + (n-1) \frac{dx}{\delta_0} \cos\psi_j\right) d_t \cos\psi_j
 

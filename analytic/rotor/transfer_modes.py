@@ -48,7 +48,7 @@ def whirl_frequencies(
 
 
 def natural_frequencies(rotor: Rotor, speeds: ArrayLike, *, count: int = 6) -> Array:
-    """The lowest `count` (speeds, count) [rad/s] of both whirls together, whatever the bearings."""
+    """The lowest `count` (speeds, count) [rad/s] of both whirls together, for any bearings."""
     if not rotor.isotropic:
         Omega = np.atleast_1d(np.asarray(speeds, dtype=np.float64))
         return _Search(rotor, lambda _, item: Omega[item], Omega.size, None).lowest(count)[0]

@@ -71,7 +71,7 @@ class Shift:
 
     @property
     def size(self) -> float:
-        """Of all parts, whatever their signs."""
+        """Of the absolute values of all parts."""
         return float(sum(map(abs, astuple(self))))
 
 

@@ -20,7 +20,7 @@ from analytic.surrogate.infill import Infilled, infill
 if TYPE_CHECKING:
     from analytic.surrogate.largest import Largest
 
-POWER = 2.0  # a slice's pressure squared goes with its force
+POWER = 2.0  # a slice's pressure squared is proportional to its force
 AGREE = 0.005  # of surrogate and true model where the optimal crown is
 DIRECT = 40  # engagements of the search without a surrogate
 

@@ -23,7 +23,7 @@ from analytic.sprag.closure import Wedged, wedged
 from analytic.sprag.clutch import Clutch
 
 PANELS, POINTS = 32, 4  # of the path, and of Gauss' rule in each
-POWER = 5  # N goes as this power of the path, along which powers like N^0.9 are smooth
+POWER = 5  # N is this power of the path, along which powers like N^0.9 are smooth
 AT, WEIGHTS = np.polynomial.legendre.leggauss(POINTS)
 
 

@@ -1,4 +1,4 @@
-"""Sprag clutches whose parts deflect as elastic bodies, and by the simpler laws beside them.
+"""Sprag clutches whose parts deflect as elastic bodies, and by the simpler laws, for comparison.
 
 - elastic: races as rings under single loads (`analytic.ring.loaded_race`), the sprag as a rounded
   column (`analytic.sprag.column`), all in plane strain. As contacts leave its middle the column
@@ -144,7 +144,7 @@ class Elastic:
     def _constant(self, *, turned: float, alpha_b: float) -> float | None:
         """A sprag's approach over P/E' but for the logarithms of both half-widths in metres.
 
-        None where it does not stand between its flanks.
+        None where its contacts are beyond its flanks.
         """
         outline = self.column and self.column.outline(turned=turned, alpha_b=alpha_b)
         return column.approach(outline, a=(1.0, 1.0), nu=self.parts.nu) if outline else None

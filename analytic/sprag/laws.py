@@ -1,6 +1,6 @@
 r"""Laws of one contact: normal force N [N] to approach [m], 0 without load.
 
-- `palmgren_law`: steel on steel, N^0.9/l^0.8, whatever the radii;
+- `palmgren_law`: steel on steel, N^0.9/l^0.8, for any radii;
 - `plane_law`: Hertz's line contact in plane strain, of either body to a depth that is named;
 - `sliced_law`: slices with a crown, solved at a few loads. Under little load only the straight
   middle of a crown carries, and slices keep Palmgren's exponent 0.9: that is the law below the

@@ -56,7 +56,7 @@ def slips(state: Wedged, *, mu: ArrayLike) -> NDArray[np.bool_]:
 
 
 def pressures(parts: Parts, state: Wedged) -> tuple[Array, Array]:
-    """Hertz's peak pressures p_i, p_o [Pa] of an even load, with the spiral's radius at A.
+    """Hertz's peak pressures p_i, p_o [Pa] of a uniform load, with the spiral's radius at A.
 
     Each contact under its normal force; crowns load the middle more.
     """

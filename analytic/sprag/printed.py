@@ -1,4 +1,4 @@
-r"""Eqs. 9, 10 and 16 as the paper prints them, beside the corrected ones.
+r"""Eqs. 9, 10 and 16 as printed in the paper, to compare with the corrected ones.
 
 - `wedged`: the triangle takes the lever arm OA, on which half of delta_HI and no half of delta_g
   count, for the unstrained spiral's OA_s; what is lost is delta_HI/2 + delta_g/2 on the inner side,

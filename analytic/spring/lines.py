@@ -1,4 +1,4 @@
-"""A force that goes with the displacement in two straight lines, such as Eq. 10 of Wang et al."""
+"""A force over the displacement by two straight lines, such as Eq. 10 of Wang et al."""
 
 import math
 from dataclasses import dataclass

@@ -6,8 +6,8 @@ and costs no new value of the model. Measured on the largest pressure between sp
 three profile parameters (5^3 designs, 200 random points beside, mean/largest relative error in %):
 
     surrogate                     torque   true       one left out   level left out
-    one process, kinks and all    25 N m   0.67/3.2   0.010/0.07     0.90/3.7
-    one process, kinks and all    40 N m   0.48/2.3   0.025/0.20     0.99/6.6
+    one process, with the kinks   25 N m   0.67/3.2   0.010/0.07     0.90/3.7
+    one process, with the kinks   40 N m   0.48/2.3   0.025/0.20     0.99/6.6
     two regimes, squares kriged   25 N m   0.12/1.1   0.008/0.04     0.29/1.5
     two regimes, squares kriged   40 N m   0.12/0.65  0.013/0.10     0.31/2.4
 

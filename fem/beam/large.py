@@ -102,7 +102,7 @@ class LargeFrame:
         self._reached: State | None = None  # last state of the terms
 
     def rest(self) -> State:
-        """The reference state, without load; terms forget their history."""
+        """The reference state, without load; the history of terms is cleared."""
         n = len(self.points)
         u = np.zeros((n, 3), np.longdouble)
         for term in self.terms:

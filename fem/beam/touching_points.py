@@ -60,7 +60,7 @@ def lengths(points: Array, elements: Indices, upto: Array) -> Array:
 class Probes:
     """A probe seeks the least gap within its cell `lower` to `upper` (k,) of `element` (k,).
 
-    `length` (k,) is what each of them stands for, the thickness at the free end of a line. Off
+    `length` (k,) is the line's length of each, the thickness at the free end of a line. Off
     the middle of its cell a gap counts more, by `ease` (eta - middle)^2/2: where lines are
     parallel the probe rests there.
     """

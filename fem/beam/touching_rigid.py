@@ -93,7 +93,7 @@ class Disc:
 
 
 class Body:
-    """A shape on a carrier node (None: it stands still), beside the probes of a line."""
+    """A shape on a carrier node (None: it does not move), and the probes of a line."""
 
     def __init__(
         self, shape: Shape, carrier: int | None, points: Array, probes: Probes, thickness: float

@@ -28,7 +28,7 @@ class Touch:
     slipping: Array
 
     def without(self, last: int) -> "Touch":
-        """The same without the last unknowns: what they move stands still."""
+        """The same without the last unknowns, whose bodies do not move."""
         keep = slice(None, -last)
         return replace(
             self,

@@ -48,7 +48,7 @@ class System:
 
     @classmethod
     def of(cls, plane: Complementarity, B_z: Array, D_z: Array) -> Self:
-        """The plane system beside compliance `B_z` (r, r) and shifts `D_z` (r, k) along z."""
+        """The plane system with compliance `B_z` (r, r) and shifts `D_z` (r, k) along z."""
         (n, k), (r, k_z) = plane.D.shape, D_z.shape
         B, D = np.zeros((n + r, n + r)), np.zeros((n + r, k + k_z))
         B[:n, :n], B[n:, n:] = plane.B, B_z

@@ -52,7 +52,7 @@ class DrivenSector:
         return float(R * np.cos(self.phi_1)), float(-R * np.sin(self.phi_1))
 
     def at(self, p: float, N: float) -> ContactSolution:
-        """The state under the pressure `p` and the hub's force that goes with N."""
+        """The state under the pressure `p` and the hub's force proportional to N."""
         return self.fine.at(p, self.push(N))
 
     def force_on(self, sector: LockedSector, p: float) -> float:

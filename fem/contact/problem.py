@@ -146,14 +146,14 @@ class ContactProblem:
         pressures, tractions, body_forces, point_forces
             As for `solve_plane`.
         forces
-            Boundary name to the total force on it, spread evenly; obstacle name to (x, y) or
+            Boundary name to the total uniform force on it; obstacle name to (x, y) or
             (x, y, moment about its centre).
         displacements
             New values of supports, by boundary, with components that these hold; motions of
             obstacles such as {"anvil": {"y": -1e-5}}, mean motions such as {"rim": {"r": 1e-3}}.
             What is not named has its first value.
         axial_forces, axial_displacements
-            Along the third axis, with `along`: total forces on boundaries, spread evenly, or on
+            Along the third axis, with `along`: total uniform forces on boundaries, or on
             obstacles that are free along it; new values of supports along it.
         after
             The step before, from which friction continues.
@@ -270,7 +270,7 @@ class ContactProblem:
     ) -> tuple[Indices, Array]:
         """Normal rows with friction whose gaps close of themselves, and the share at which they do.
 
-        Other contact forces stay as they are for that, and the rest of `w` grows evenly. Nodes of
+        Other contact forces stay as they are for that, and the rest of `w` grows linearly. Nodes of
         a pair that touches already stick or slip from where they are, and so do those of bodies
         that only contact holds: how these move is not known beforehand.
         """

@@ -19,7 +19,7 @@ class Residual:
     they may separate, at least against a part of the forces that would close the overlaps.
     `gap`: overlap over the elastic approach of a row under the largest contact force.
     `complementarity`: pressure across an open gap, over the largest contact force.
-    `friction`: tangential traction beside its projection on Coulomb's bounds, over the same.
+    `friction`: tangential traction less its projection on Coulomb's bounds, over the same.
     `balance`: loads on rigid motions that contact does not balance, over the forces there.
     """
 

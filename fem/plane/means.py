@@ -4,7 +4,7 @@
     Mean({"x": 0.0, "y": 0.0})
 
 The mean shift is int u dA / A, the mean rotation int (arm x u) dA / int arm^2 dA. What holds them
-are tractions spread evenly, or growing with the arm.
+are uniform tractions, or tractions proportional to the arm.
 """
 
 from collections.abc import Mapping

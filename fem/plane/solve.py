@@ -73,7 +73,7 @@ def solve_plane(
     tractions
         Boundary name to traction vector [stress]; pair of numbers or f(x) of shape (2, ...).
     forces
-        Boundary name to the total force on it [force], spread evenly; none radial around a turn.
+        Boundary name to the total uniform force on it [force]; none radial around a turn.
     body_forces
         Force per volume on everything, or by body; pair of numbers or f(x) of shape (2, ...).
     point_forces, anchors

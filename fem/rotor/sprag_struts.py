@@ -1,7 +1,7 @@
 """Sprags between two races as struts of rigid hubs, inclined by the wedge angle, under a torque.
 
 Their ends roll, so that their lines keep their distance from the axis, or are held in both races.
-Each contact deflects as a line contact: its force goes with the power 10/9.
+Each contact deflects as a line contact: its force is proportional to the power 10/9.
 """
 
 import math

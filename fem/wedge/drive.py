@@ -146,5 +146,5 @@ class Drive:
 
 
 def axial_unit(one: Pulled, rest: State) -> float:
-    """F_z [N/m] of one roller that friction leaves beside F_t at rest, by the mesh's normals."""
+    """F_z [N/m] of one roller that friction leaves next to F_t at rest, by the mesh's normals."""
     return rest.torque / (one.q.z * one.q.race) * lever_left(one.mu, rest.start)

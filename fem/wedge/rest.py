@@ -1,7 +1,7 @@
 """A wedged body at rest: the surfaces about it are turned until it stays where the mesh has it.
 
 In small displacements forces act where the mesh has them. A body that creeps out of its place, or
-turns there, until friction holds it would carry its forces beside its contacts.
+turns there, until friction holds it would carry its forces off its contacts.
 """
 
 from collections.abc import Callable

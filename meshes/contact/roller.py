@@ -1,4 +1,4 @@
-"""Half a roller that is squeezed at both ends of a diameter."""
+"""Half a roller that is compressed at both ends of a diameter."""
 
 import math
 from collections.abc import Sequence

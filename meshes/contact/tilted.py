@@ -1,4 +1,4 @@
-"""Half a disc that touches beside its crown, and bodies turned to where they touch."""
+"""Half a disc that touches off its crown, and bodies turned to where they touch."""
 
 import math
 from dataclasses import replace

@@ -25,7 +25,7 @@ def of_contact(parts: Parts, at: Loaded) -> Interval:
 def of_round_bodies(parts: Parts, at: Loaded) -> float:
     """Relative error of an approach of round bodies.
 
-    Hertz errs by some (a/r)²; a roller's loads stand psi off its diameter, and the roller is half
+    Hertz errs by some (a/r)²; a roller's loads are psi off its diameter, and the roller is half
     of an approach.
     """
     return max(_wide(parts, at) ** 2 / 2 + at.psi**2 / 16, SMALLEST)

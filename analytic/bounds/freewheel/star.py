@@ -90,12 +90,12 @@ class StarBounds:
         return low - more, high + more
 
     def force(self) -> Interval:
-        """Of N at a torque, which goes as 1/tan(alpha)."""
+        """Of N at a torque, proportional to 1/tan(alpha)."""
         low, high = self.slope(tilted=True)
         return 1 / (1 + high) - 1, 1 / (1 + low) - 1
 
     def torsion(self) -> Interval:
-        """Of phi, which goes as the travel of the rollers and is added to by tangential forces."""
+        """Of phi, proportional to the travel of the rollers, plus that by tangential forces."""
         (low, high), square = self.travel(), math.tan(self.at.alpha) ** 2
         less, more = (share * square for share in SIDEWAYS)
         return (1 + low) / (1 + more) - 1, (1 + high) / (1 + less) - 1

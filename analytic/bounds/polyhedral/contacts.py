@@ -81,7 +81,7 @@ class RollerOnRing:
         """Change of the half-width by the hub's bending of the wall as a beam over 2 e.
 
         R_b is the hub's force per length. It changes the ring's curvature by R_b e/(2 E I), and a
-        goes with the root of the relative radius.
+        is proportional to the root of the relative radius.
         """
         return self.relative_radius * (R_b * e / 2) / (self.E * self.wall**3 / 12) / 2
 

@@ -1,4 +1,4 @@
-"""Errors of Eqs. 3 to 11 of Huang et al. 2022 that are expected beside struts in exact kinematics.
+"""Errors of Eqs. 3 to 11 of Huang et al. 2022 expected against struts in exact kinematics.
 
 Eq. 3 presses a sprag at psi by cos psi dx where a strut that is inclined by nu takes
 (cos psi - tan nu sin psi) dx: the equations are too soft by tan^2 nu and by what stands beside it

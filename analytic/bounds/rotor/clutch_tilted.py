@@ -40,7 +40,7 @@ def summed(clutch: Clutch, *, T: float, dx: float, tilt: float, n_s: int) -> dic
         """Torque over T [1], less one."""
         return float(lever * k_n / n_s * (pressed(twist) ** POWER).sum() / T - 1)
 
-    even = (T / (Z * lever * k_n)) ** (1 / POWER)  # what an even load presses
+    even = (T / (Z * lever * k_n)) ** (1 / POWER)  # deformation under a uniform load
     most = even + uneven.max()  # above any twist: `uneven` has the mean 0
     twist = float(brentq(excess, 0.0, most / lever, xtol=1e-13 * most / lever))
     slope = POWER * k_n / n_s * pressed(twist) ** (POWER - 1)

@@ -98,12 +98,12 @@ class Bounds:
         return 1 / (1 + high) - 1, 1 / (1 + low) - 1
 
     def excess(self) -> Interval:
-        """Of N_e/N_i - 1, which goes as the square of both angles."""
+        """Of N_e/N_i - 1, proportional to the square of both angles."""
         low, high = self.angle()
         return 2 * low, 2 * high
 
     def elastic(self) -> Interval:
-        """Of all deflections together, and of the rotation that goes with them."""
+        """Of all deflections together, and of the related rotation."""
         size = ELASTIC + self.tan2 / 2 + self.wide + self.askew
         return -size, size
 
@@ -197,7 +197,7 @@ class Bounds:
             nu=self.sizes.nu,
         )  # fmt: skip
         if not moved:
-            raise ValueError("a sprag that does not stand between its flanks has no bending")
+            raise ValueError("the contacts are beyond the sprag's flanks: no bending")
         return moved
 
     @cached_property
