@@ -30,6 +30,6 @@ def alpha_1(cam: InnerCam, *, d_i: ArrayLike, d_o: ArrayLike) -> Array:
 
 
 def torsion(cam: Cam, *, d_i: ArrayLike, d_o: ArrayLike) -> Array:
-    """Angle phi [rad] as s/R + s/X with s of Eq. 6 (Eq. 7): (R + X)/(2 X) times the right one."""
+    """Wind-up phi [rad] as s/R + s/X with s of Eq. 6 (Eq. 7): (R + X)/(2 X) times the right one."""
     s = cam.arc(d_i=d_i, d_o=d_o)
     return np.asarray(s / cam.race + s / cam.flat)

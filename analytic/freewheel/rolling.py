@@ -30,7 +30,7 @@ def integrated(cam: Cam, *, d_i: ArrayLike, d_o: ArrayLike) -> Array:
 
 
 def torsion(cam: Cam, *, d_i: ArrayLike, d_o: ArrayLike) -> Array:
-    """Angle phi [rad] along a path of approaches (..., points) that starts without load.
+    """Wind-up phi [rad] along a path of approaches (..., points) that starts without load.
 
     Cumulative, shaped like the path. Between points the small integral of G dy is the trapezoid's.
     Fields of the cam broadcast against a last axis of points.
@@ -46,5 +46,5 @@ def torsion(cam: Cam, *, d_i: ArrayLike, d_o: ArrayLike) -> Array:
 
 
 def small_angle_torsion(cam: Cam, *, d_i: ArrayLike, d_o: ArrayLike) -> Array:
-    """Angle phi [rad] for small angles, 2 s/R with s of Eq. 6."""
+    """Wind-up phi [rad] for small angles, 2 s/R with s of Eq. 6."""
     return np.asarray(2 * cam.arc(d_i=d_i, d_o=d_o) / cam.race)

@@ -1,4 +1,4 @@
-r"""Clutch under torque: clamping angle, forces, approaches, pressures and torsion.
+r"""Clutch under torque: clamping angle, forces, approaches, pressures and wind-up.
 
 Everything follows from the normal force N of one contact: d_i, d_o from `compliance`, psi from
 Eq. 5, F_t = N tan(alpha), T = z R F_t (Eq. 3). Torque or angle is turned into N by Newton's method
@@ -24,7 +24,7 @@ from analytic.freewheel.compliance import Compliance, compliance
 WIDEST = 0.5  # half-width over roller's radius beyond which there is no result
 STEPS = 60
 CONVERGED = 1e-13
-POINTS = 20  # of Gauss' rule for the torsion
+POINTS = 20  # of Gauss' rule for the wind-up
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -58,18 +58,18 @@ class State:
 
     @property
     def phi_printed(self) -> Array:
-        """Torsion [rad] as printed in Eq. 7."""
+        """Wind-up (angle of twist) [rad] as printed in Eq. 7."""
         return printed.torsion(self.bodies.clutch.cam, d_i=self.d_i, d_o=self.d_o)
 
     @property
     def phi_small(self) -> Array:
-        """Torsion [rad] for small angles, 2 s/R."""
+        """Wind-up [rad] for small angles, 2 s/R."""
         cam = self.bodies.clutch.cam
         return rolling.small_angle_torsion(cam, d_i=self.d_i, d_o=self.d_o)
 
     @cached_property
     def phi(self) -> Array:
-        """Torsion [rad] by exact rolling along the load path from 0 to N (Eq. 7, corrected)."""
+        """Wind-up [rad] by exact rolling along the load path from 0 to N (Eq. 7, corrected)."""
         clutch, cam = self.bodies.clutch, self.bodies.clutch.cam
         x, w = np.polynomial.legendre.leggauss(POINTS)
         known, rest = np.where(np.isfinite(self.N), self.N, 0.0), np.zeros(self.N.shape)

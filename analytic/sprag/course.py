@@ -4,7 +4,7 @@ r"""Along the load path: wind-up of the races by rolling, elastic energy of a sp
     \theta_i = \int OC_e\left[\frac{\cos\beta}{OA} - \frac{1}{OB}\right] d\alpha_B
              + \int \frac{\sin\beta}{OA}\,dOC_e, \qquad U = \int N\,dH
 
-from no load to N; theta_i is the inner race's turn in its driving direction, outer race at rest,
+from no load to N; theta_i is the inner race's angle in driving direction, outer race at rest,
 both contacts rolling. The second integral is the sprag's travel outwards, which is not quite along
 the normal at A; it is of the order of nu beta against the first.
 
@@ -28,7 +28,7 @@ AT, WEIGHTS = np.polynomial.legendre.leggauss(POINTS)
 
 
 def rolled(clutch: Clutch, N: ArrayLike) -> Array:
-    """Turn theta_i [rad] of the inner race against the outer from no load to N [N]."""
+    """Rotation theta_i [rad] of the inner race against the outer from no load to N [N]."""
     on_way = _way(clutch, N)
     per_turn = on_way.OC_e * (np.cos(on_way.beta) / on_way.OA - 1 / on_way.OB)
     per_way = np.asarray(np.sin(on_way.beta) / on_way.OA)

@@ -2,7 +2,7 @@ r"""Eqs. 9, 10 and 16 as printed in the paper, to compare with the corrected one
 
 - `wedged`: the triangle takes the lever arm OA, on which half of delta_HI and no half of delta_g
   count, for the unstrained spiral's OA_s; what is lost is delta_HI/2 + delta_g/2 on the inner side,
-  and the races' turn takes less work than the deflections do.
+  and the work on the races' rotation is less than that on the deflections.
 - `pole_distance`: OC_e without the growth delta_ce (Eq. 9), as if the sprag grew with the race.
 - `polar_angle`: log((rho/a)/m) for ln(rho/a)/m (Eq. 10).
 - `lever_arms`: brackets that halve the lever arms (Eq. 16).

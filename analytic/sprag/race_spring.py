@@ -38,7 +38,7 @@ class Blades:
 
 @dataclass(frozen=True, eq=False)
 class RaceSpring:
-    """A clutch with its states (n,) from no load to `end`, and the races' turn theta [rad] there.
+    """A clutch with its states (n,) from no load to `end`, and the races' rotation theta [rad].
 
     `ends` is whether the profile ends there, or only the force.
     """
@@ -72,11 +72,11 @@ class RaceSpring:
         return np.asarray(self.n_s * self.blades.K_r * left * turn)
 
     def force(self) -> CubicSpline:
-        """N [N] over the turn [rad]."""
+        """N [N] over the rotation theta [rad]."""
         return CubicSpline(self.theta, self.states.N)
 
     def resistance(self) -> CubicSpline:
-        """Torque [N m] that the sprags resist with over the turn [rad], less the blades'."""
+        """Torque [N m] of the sprags over the rotation theta [rad], less the blades'."""
         return CubicSpline(self.theta, self.states.T - self.pushed)
 
     @cached_property
@@ -88,7 +88,7 @@ class RaceSpring:
 
     @property
     def start(self) -> float:
-        """Turn [rad] of that state."""
+        """Rotation theta [rad] of that state."""
         return float(np.interp(self.pressed.N, self.states.N, self.theta))
 
 

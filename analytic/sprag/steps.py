@@ -49,7 +49,7 @@ def fastest(table: Table, motion: Motion) -> float:
     alpha = (table.step * np.arange(table.values.shape[1])) ** 2
     moment = table.values[0] * table.values[6]
     slope = float(np.max(np.diff(moment) / np.diff(alpha)))
-    turn = b_i / OA + b_e / OB  # of the races against each other, per turn of a sprag
+    turn = b_i / OA + b_e / OB  # rotation of the races against each other, per rotation of a sprag
     races = 1 / motion.I_bi + 1 / motion.I_be
     rolling = table.n_s * slope / float(np.min(turn**2)) * races + motion.k_out / motion.I_be
     own = slope * (1 / motion.I_g + 1 / (motion.m_g * float(np.min(OC_g**2))))

@@ -27,7 +27,7 @@ def at_rest(w: RaceSpring, T: float) -> float:
 
 
 def undamped(w: RaceSpring, T: float) -> float:
-    """Turn [rad] of the first peak without damping, outer race held: T theta = the work done."""
+    """Angle [rad] of the first peak without damping, outer race held: T theta = the work done."""
     work, rest, start = w.resistance().antiderivative(), at_rest(w, T), w.start
 
     def left(x: float) -> float:
@@ -44,7 +44,7 @@ def stored(w: RaceSpring, N: float) -> float:
 
 
 def by_turning(w: RaceSpring) -> float:
-    """Work of the torque over the turn by rolling, to the last state, over that of deflection."""
+    """Work of the torque on rotation by rolling, to the last state, over that of deflection."""
     turned = CubicSpline(w.theta, w.states.T).integrate(0.0, w.theta[-1])
     return float(turned) / (w.n_s * float(work(w.clutch, w.end)))
 
@@ -58,7 +58,7 @@ def left_out(w: RaceSpring, N: float) -> float:
 
 
 def sprags_inertia(w: RaceSpring, theta: float, motion: Motion) -> float:
-    """Inertia [kg m²] of the sprags on the inner race's turn, outer race held."""
+    """Inertia [kg m²] of the sprags, referred to the inner race, outer race held."""
     now = w.states
     alpha_b = np.gradient(now.alpha_b, w.theta, edge_order=2)
     alpha = np.gradient(now.alpha, w.theta, edge_order=2)

@@ -18,7 +18,7 @@ def balance(course: FlatCourse, T: float) -> dict[str, float]:
     """Under a torque [N m]: residuals of statics, of rolling, and of the solver.
 
     F_t/N over tan(psi/2) at flat and race, the torque of the race's and of the cam's forces over T,
-    rolling over the energy's torsion, forces on the roller in the heaviest state, and both
+    wind-up by rolling over that by the energy, forces on the roller in the heaviest state, and both
     contacts' forces over one another; all less 1.
     """
     q, place = course.q, course.place(T)

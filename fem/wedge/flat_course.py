@@ -59,12 +59,12 @@ class FlatCourse(Course):
         return float(np.exp(spline(math.log(wanted))))
 
     def torsion_by_energy(self, T: Array) -> Array:
-        """Torsion [rad] as the integral of dU/T, with a power law below the first state."""
+        """Wind-up [rad] as the integral of dU/T, with a power law below the first state."""
         U = self.logarithm("U", self.along)
         return self._up_to(lambda t: np.exp(U(t) - self.log_torque(t)) * U(t, 1), T)
 
     def torsion_by_rolling(self, T: Array) -> Array:
-        """Torsion [rad] as the integral of (dd_i + dd_o)/(R tan(alpha)): exact rolling."""
+        """Wind-up [rad] as the integral of (dd_i + dd_o)/(R tan(alpha)): exact rolling."""
         q = self.q
         d_i, d_o = self.logarithm("d_i", self.along), self.logarithm("d_o", self.along)
 
