@@ -11,7 +11,7 @@ from verify.core.inputs import EntryError, Inputs, count, quantity, text
 class ShaftInputs(Inputs):
     """A shaft by its name."""
 
-    name: str = text("shaft", "name, by which segments are told apart")
+    name: str = text("shaft", "name, by which segments refer to it")
     ratio: float = quantity(
         1.0, "1", "q", "its speed over the first shaft's, negative: against it", omitted=1.0,
         ge=-100, le=100,
@@ -69,7 +69,7 @@ class DiscInputs(NodeInputs):
 
 
 class SpringInputs(Inputs):
-    """Stiffness and damping of a bearing; what is left out is zero, or alike in x and y."""
+    """Stiffness and damping of a bearing; omitted values are zero, or equal in x and y."""
 
     k: float = quantity("100 N/µm", "N/µm", "k", "stiffness across", ge=0, le=1e9)
     kyy: float | None = quantity(
@@ -133,7 +133,7 @@ def check_shafts(shafts: Sequence[ShaftInputs], segments: Sequence[SegmentInputs
     if shafts and shafts[0].ratio != 1:
         raise EntryError(
             "shafts", 1, f"ratio = {shafts[0].ratio:g}",
-            "the first shaft has the ratio 1, as all speeds are its own",
+            "the first shaft has the ratio 1, as all speeds are those of this shaft",
         )  # fmt: skip
     for k, name in enumerate(names, start=1):
         if name not in [segment.shaft for segment in segments]:

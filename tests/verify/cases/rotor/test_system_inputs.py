@@ -93,7 +93,7 @@ UNDAMPED = changed(
 @pytest.mark.parametrize(
     ("raw", "words"),
     [
-        (changed("shafts", 1, start="150 mm"), "links[1] joins nodes 10 mm apart along the axis"),
+        (changed("shafts", 1, start="150 mm"), "links[1] joins nodes with an axial distance of 10 mm"),
         (UNDAMPED, "no bearing is damped"),
         (changed("segments", 3, d_o="120 mm"), "steps by half"),
         (changed("segments", 4, length="5 mm", d_o="65 mm"), "no beam there"),

@@ -18,23 +18,23 @@ def findings(q: ClutchStiffness) -> Sequence[str]:
     held = q.K_zz_pinned / q.K_zz
     offset, gap = (q.in_state[key] for key in ("offset", "gap"))
     rolled = (
-        "would go through between the races"
+        "would roll over between the races"
         if held <= 0
-        else f"would keep {held:.0%} of the torsional stiffness"
+        else f"would have {held:.0%} of the torsional stiffness"
     )
     return (
-        f"under {q.T:g} N m every sprag bears {q.N:.4g} N and yields {q.delta_0 * 1e6:.3g} "
-        f"µm, the races turn by {math.degrees(q.twist):.3g}°; the clutch is an isotropic "
+        f"under {q.T:g} N m every sprag carries {q.N:.4g} N and deflects by {q.delta_0 * 1e6:.3g} "
+        f"µm, the wind-up is {math.degrees(q.twist):.3g}°; the clutch is an isotropic "
         f"bearing of {q.K_xx / 1e6:.4g} N/µm and a torsion spring of {q.K_zz:.4g} N m/rad",
-        "under the torque alone it couples no bending with torsion; an offset of "
+        "under torque alone bending and torsion are not coupled; an offset of "
         f"{q.e * 1e6:g} µm couples {abs(offset.coupling):.2%} of √(K_xx K_zz), "
         f"{q.missing} missing of {q.Z} sprags {abs(gap.coupling):.2%}",
-        "the stiffness goes with the tenth root of the torque, half of it takes "
-        f"{1 - 0.5**0.1:.1%}; Eq. 3 leaves out tan²ν = {math.tan(q.nu) ** 2:.2%} of an even "
+        "the stiffness grows with the tenth root of the torque: half the torque lowers it by "
+        f"{1 - 0.5**0.1:.1%}; Eq. 3 omits tan²ν = {math.tan(q.nu) ** 2:.2%} of an even "
         f"load's stiffnesses, and tan ν = {math.tan(q.nu):.2%} where the load is uneven: with "
         f"{q.missing} missing, x is coupled with y by {gap.K_xy / gap.K_xx:.2%} of K_xx, y with "
         "torsion by tan ν of K_xz, both none by Eq. 3",
-        f"d_t = R_i tan ν stays the same only as sprags roll: struts held in both races {rolled}",
+        f"d_t = R_i tan ν is constant only if sprags roll: struts pinned in both races {rolled}",
     )
 
 
@@ -53,7 +53,7 @@ def open_slices(q: ClutchStiffness, key: str) -> int:
 
 
 def open_ends(q: ClutchStiffness, key: str) -> bool:
-    """Whether a sprag bears on a part of its length alone."""
+    """Whether a sprag is in contact over a part of its length only."""
     state = q.in_state[key]
     closed = state.sums.deformation(state.at_T) > 0
     return bool((closed.any(-1) & ~closed.all(-1)).any())

@@ -35,7 +35,7 @@ class ClutchLink(ClutchStiffness):
         ),
     )  # fmt: skip
     readings: ClassVar = (
-        "d_t of Eq. 4 is R_i tan ν, which T = Z N R_i tan ν asks for",
+        "d_t of Eq. 4 is R_i tan ν, which T = Z N R_i tan ν requires",
         "k_n of Eq. 2 is the constant of a whole sprag's law for both contacts; its slope is the "
         "tangent stiffness",
         "the twist of Eq. 8 counts the preload's",

@@ -13,12 +13,12 @@ from analytic.contact import palmgren
 from analytic.rotor.clutch import LINE_CONTACT, Array, Clutch, even_angles
 from verify.case import Case, Quantity, count, given
 
-REFERENCE = 1000.0  # N, at which yields are given
+REFERENCE = 1000.0  # N, at which deflections are given
 SLICES = 41  # of a sprag; the paper gives no number
 
 
 class SpragLink(Case):
-    """Z sprags between two races under a torque; offset, crown and missing sprags apart."""
+    """Z sprags between two races under a torque, without offset, crown and missing sprags."""
 
     T: float = given("15 N m", "N m", "T", "torque that presses the sprags", gt=0, le=1e9,
                         claims="huang2022:orbit-torque")  # fmt: skip

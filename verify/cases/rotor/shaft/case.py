@@ -15,7 +15,7 @@ from verify.core.case import Context
 from verify.core.figures import Table
 from verify.form.adapter import adapted
 
-FASTEST = 600.0  # rim speed [m/s] that hardly any steel bears
+FASTEST = 600.0  # rim speed [m/s] that hardly any steel withstands
 
 
 class UniformShaft(BeamTheories):

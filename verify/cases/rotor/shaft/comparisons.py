@@ -32,9 +32,9 @@ FINE = 1e-5  # of a slender shaft's frequency, 32 elements
 TOWARDS = (0.0125, 0.025, 0.05, 0.125)  # diameters over lengths of Timoshenko's limit
 DIGITS = 2e-12  # of both sides there
 FOUR, TWO = "elements of order four", "elements of order two"
-ANEW = "his equation solved anew, over the cylinder of elasticity; ± 5e-5"
-SERIES = "what it neglects, in Timoshenko's equation to second order"
-NEIGHBOURS = "tells an order from its neighbours"
+SOLVED = "his equation, solved independently, over the cylinder of elasticity; ± 5e-5"
+SERIES = "neglected terms of Timoshenko's equation, to second order"
+NEIGHBOURS = "distinguishes an order from its neighbours"
 BEAM = "Timoshenko's beam with Hutchinson's shear coefficient"
 Points = tuple[list[float], list[float], list[float]]
 
@@ -87,12 +87,12 @@ def _beams(beam: BeamTheories) -> Iterator[Comparison]:
                 order=2 if short else 4, state=state, demand=2e-3 if third else 1e-3,
             )  # fmt: skip
     euler, rayleigh, timoshenko = zip(THEORIES, _theories(beam), strict=True)
-    for (theory, state), j, way in ((euler, 3, "forward"), (rayleigh, 1, "backward"),
+    for (theory, state), j, sense in ((euler, 3, "forward"), (rayleigh, 1, "backward"),
                                     (timoshenko, 1, "forward"),
                                     (timoshenko, 3, "forward")):  # fmt: skip
-        q = BeamTheories.whirl(j, way)
+        q = BeamTheories.whirl(j, sense)
         yield _whirl(q, f"weak_{theory}_{q.name}",
-                     f"weak form of {state.words}, mode {j} {way}", order=4, state=state,
+                     f"weak form of {state.words}, mode {j} {sense}", order=4, state=state,
                      by="weak form")  # fmt: skip
 
 
@@ -117,7 +117,7 @@ def _neglected(beam: BeamTheories) -> Iterator[Comparison]:
     for j in MODES:
         error = bounds.frequency(j, **shape) / beam.exact.at_rest(j) - 1
         yield approximation(BeamTheories.at_rest(j), f"solid_at_rest_{j}",
-                            expected=about(error, NEAR, ANEW),
+                            expected=about(error, NEAR, SOLVED),
                             name=f"Timoshenko's beam, mode {j}, at rest",
                             sensitivity=(1e-3, FOUR), **fine)  # fmt: skip
     for theory, state in zip(THEORIES[:2], _theories(beam), strict=False):
@@ -157,7 +157,7 @@ def _euler_limit(beam: BeamTheories, levels: Any) -> Points:
 
 
 def _timoshenko_limit(beam: BeamTheories) -> Points:
-    """Timoshenko's error at rest against the cylinder of elasticity, its first term alike."""
+    """Timoshenko's error at rest against the cylinder of elasticity, with the same first term."""
     d = []
     for x in TOWARDS:
         exact = beam.cylinder().whirl(np.pi * x / beam.d_o)[0][0]
@@ -203,7 +203,7 @@ def _whirl(
 
 def _named(modes: tuple[tuple[int, str], ...]) -> Iterator[tuple[Quantity, str]]:
     """Frequencies and the critical speed with their names in rows."""
-    yield from ((BeamTheories.whirl(j, way), f"mode {j} {way}") for j, way in modes)
+    yield from ((BeamTheories.whirl(j, sense), f"mode {j} {sense}") for j, sense in modes)
     yield BeamTheories.critical, "critical speed"
 
 

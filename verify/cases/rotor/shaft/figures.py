@@ -38,10 +38,10 @@ def frequencies(context: Context) -> Table:
     """Frequencies of all theories beside the body's."""
     q = context.inputs
     rows = [
-        (f"mode {j} {way}",
-         *(beam.whirl(j, way) / HZ for beam in (q.euler, q.rayleigh, q, q.exact)),
-         context.fem[-1].values[f"solid_whirl_{j}_{way}"] / HZ if context.fem else None)
-        for j in MODES for way in ("backward", "forward")
+        (f"mode {j} {sense}",
+         *(beam.whirl(j, sense) / HZ for beam in (q.euler, q.rayleigh, q, q.exact)),
+         context.fem[-1].values[f"solid_whirl_{j}_{sense}"] / HZ if context.fem else None)
+        for j in MODES for sense in ("backward", "forward")
     ]  # fmt: skip
     return Table(
         title=f"Frequencies at {q.n / RPM:.5g} r/min [Hz]",
@@ -90,8 +90,8 @@ def campbell(context: Context) -> Campbell:
     lines, whirl, names = [], [], []
     for j in (1, 2):
         pairs = [q.shaft().whirl(j, Omega=n, theory="timoshenko") for n in speeds]
-        for way, sign, letter in ((1, -1, "B"), (0, 1, "F")):
-            lines.append([p[way] / HZ for p in pairs])
+        for sense, sign, letter in ((1, -1, "B"), (0, 1, "F")):
+            lines.append([p[sense] / HZ for p in pairs])
             whirl.append(sign)
             names.append(f"{j}{letter}")
     critical = q.critical
@@ -99,7 +99,7 @@ def campbell(context: Context) -> Campbell:
     if context.fem:
         v = context.fem[-1].values
         found = [
-            v[f"solid_whirl_{j}_{way}"] / HZ for j in (1, 2) for way in ("forward", "backward")
+            v[f"solid_whirl_{j}_{sense}"] / HZ for j in (1, 2) for sense in ("forward", "backward")
         ]
         peers = (np.full(4, q.n / RPM), np.array(found))
     return Campbell(
@@ -113,7 +113,7 @@ def campbell(context: Context) -> Campbell:
 
 
 def refinement(context: Context, order: int) -> Refinement:
-    """Errors of mode 1 forward against each model's own exact value, of one order."""
+    """Errors of mode 1 forward against the exact value of each model, of one order."""
     q, first = context.inputs, "whirl_1_forward"
     series = {
         4: (("Euler", f"beam_euler_{first}", q.euler.whirl(1, "forward")),

@@ -9,8 +9,8 @@ from analytic.rotor.shafts import Theory
 from verify.case import Quantity, shared
 from verify.cases.rotor.shaft.inputs import MODES, SLENDER, TurningShaft
 
-Way = Literal["forward", "backward"]
-WAYS: tuple[Way, ...] = ("forward", "backward")
+Sense = Literal["forward", "backward"]
+SENSES: tuple[Sense, ...] = ("forward", "backward")
 
 
 class BeamTheories(TurningShaft):
@@ -50,9 +50,9 @@ class BeamTheories(TurningShaft):
     def shear(self) -> float:
         return self.E * self.A / self.shaft().S
 
-    @Quantity("ω_{0}{1[0]}", "rad/s", "whirl frequency, mode {0} {1}").over(MODES, WAYS)
-    def whirl(self, j: int, way: Way) -> float:
-        return self._pairs[j][WAYS.index(way)]
+    @Quantity("ω_{0}{1[0]}", "rad/s", "whirl frequency, mode {0} {1}").over(MODES, SENSES)
+    def whirl(self, j: int, sense: Sense) -> float:
+        return self._pairs[j][SENSES.index(sense)]
 
     @Quantity("ω_{0}", "rad/s", "frequency at rest, mode {0}").over(MODES)
     def at_rest(self, j: int) -> float:

@@ -24,7 +24,7 @@ from verify.cases.rotor.shaft.inputs import (
 )
 
 ALONG = 6  # cells along the shaft, times the level
-RIGID = 1e14  # bearings over the shaft's own stiffness
+RIGID = 1e14  # stiffness of the bearings over that of the shaft
 ROUND = 1e-9  # of a frequency: what the factors of slender shafts lose, over all levels
 
 
@@ -34,7 +34,7 @@ def solve(q: TurningShaft, level: int) -> Level:
     limit = np.array([_half_at_rest(q, q.d_o / ratio, level) for ratio in RATIOS])
     u_it = {key: ROUND * abs(value) for key, value in values.items()}
     for name in ("beam_timoshenko", "weak_timoshenko"):
-        ahead, behind = (values[f"{name}_whirl_1_{way}"] for way in ("forward", "backward"))
+        ahead, behind = (values[f"{name}_whirl_1_{sense}"] for sense in ("forward", "backward"))
         values[f"{name}_split"] = ahead - behind
         u_it[f"{name}_split"] = ROUND * ahead
     return Level(h=1 / level, values=values, u_it=u_it, arrays={"limit": limit})
@@ -42,8 +42,8 @@ def solve(q: TurningShaft, level: int) -> Level:
 
 def _whirl(name: str, forward: Any, backward: Any) -> dict[str, float]:
     """Frequencies of a model by the quantities' names."""
-    ways = (("forward", forward), ("backward", backward))
-    return {f"{name}_whirl_{j}_{way}": found[j - 1] for way, found in ways for j in MODES}
+    senses = (("forward", forward), ("backward", backward))
+    return {f"{name}_whirl_{j}_{sense}": found[j - 1] for sense, found in senses for j in MODES}
 
 
 def elements(q: TurningShaft, level: int) -> dict[str, float]:

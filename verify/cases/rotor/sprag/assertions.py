@@ -75,7 +75,7 @@ def first_highest(a: Arrays) -> Members:
 
 
 def more_on_4(a: Arrays) -> Members:
-    """Whether bearing 4 bears more than bearing 3 at every peak, for each unbalance 2."""
+    """Whether bearing 4 carries more than bearing 3 at every peak, for each unbalance 2."""
     return np.asarray((a["loads"][..., 1] > a["loads"][..., 0]).all(axis=(1, 2)))
 
 
@@ -181,7 +181,7 @@ STATEMENTS = (
           ("loads of bearings 3 and 4 grow with unbalance 2", "F", lambda a: grows(a["loads"])),
           ("loads of bearings 3 and 4 are higher at higher critical speeds", "F",
            lambda a: rises(a["loads"])),
-          ("bearing 4 bears more than bearing 3 at every peak", "F_4", more_on_4))),
+          ("load of bearing 4 exceeds that of bearing 3 at every peak", "F_4", more_on_4))),
     Statement(name="torsions of nodes 4 and 19 are as −J_in to J_out within 3 % at critical "
               "speed 1", symbol="θ_z", holds=lambda a: inverse_inertia(a, 1) < 0.03,
               compares=lambda a: np.abs(a["turned"])),

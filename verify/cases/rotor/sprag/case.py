@@ -43,14 +43,14 @@ class SpragRotor(CentralSystem):
         "node 12 is the drum's free end: it moves more than node 11 in every overhung drum",
     )
     assumptions: ClassVar = (
-        "linear vibration about the preloaded state; isotropic bearings unless told otherwise",
+        "linear vibration about the preloaded state; isotropic bearings unless stated otherwise",
         "both rotors turn at one speed (engaged clutch); steel; Hutchinson's shear coefficients",
         "Rayleigh damping acts on absolute motion: damping ratios at critical speeds 1 and 5 are "
         "even over their range in the sets of parameters",
-        "both unbalances in phase (no angle is printed); shares with them opposite stand beside",
+        "both unbalances in phase (no angle is printed); shares in opposite phase are reported too",
         "a clutch load uneven in space (offset of the rings), all sprags on one contact law",
-        "rigid races: the clutch's torsional stiffness is that of rotor-clutch, too high by what "
-        "sprag-wedge finds of the turn of rigid races",
+        "rigid races: the clutch's torsional stiffness is that of rotor-clutch, too high by "
+        "the difference that sprag-wedge finds for the wind-up of rigid races",
     )
 
     tables = staticmethod(tabulated.tables)
@@ -89,10 +89,10 @@ class SpragRotor(CentralSystem):
             if off < 0.1:
                 yield (
                     f"{self.rig_speed / RPM:.5g} r/min is within {off:.1%} of critical speed {k}: "
-                    "orbits there say more about the damping than about the stiffness"
+                    "orbits there depend more on the damping than on the stiffness"
                 )
         if self.zeta_high > 0.05:
-            yield "peaks 3 and 5 lie 12 % apart: damping ratios above 5 % merge them"
+            yield "peaks 3 and 5 differ by 12 % in speed: damping ratios above 5 % merge them"
 
 
 SPRAG_ROTOR = adapted(SpragRotor)

@@ -22,7 +22,7 @@ FITTED = f"{len(PARAMETERS)} unknowns fitted to three speeds"
 
 
 def arrays(context: Context) -> Arrays:
-    """Those of the paper's own mesh, with the ensemble."""
+    """Those of the mesh of the paper, with the ensemble."""
     return context.fem[0].arrays
 
 

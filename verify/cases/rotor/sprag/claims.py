@@ -31,13 +31,13 @@ FREQUENCIES = tuple(f"frequency_{i + 1}" for i in range(MODES))
 
 
 def printed_bound(context: Context) -> tuple[float, float, str]:
-    """The paper's own mesh against the exact model."""
+    """The mesh of the paper against the exact model."""
     error = largest_error(context, 0, FREQUENCIES)
-    return WITHIN_PRINTED - error, 0.0, f"20 elements err by {error:.1e} at most"
+    return WITHIN_PRINTED - error, 0.0, f"20 elements are off by {error:.1e} at most"
 
 
 def coarse(context: Context) -> Pair:
-    """The exact model and 20 elements where they are farthest apart."""
+    """The exact model and 20 elements where their difference is largest."""
     keys = (*FREQUENCIES, *(f"critical_forward_{k}" for k in ORDERS))
     v = context.fem[0].values
     exact = np.array([context.analytic[key] for key in keys])
@@ -103,6 +103,6 @@ FITTED_SPEEDS: tuple[Comparison | Check, ...] = (
           holds=lambda c: arrays(c)["start met"] > 0),
     Share(name="starts of the fit that meet them inside the ranges", symbol="", unit="%",
           of="starts",
-          holds=lambda c: arrays(c)["start kept"] > 0),
+          holds=lambda c: arrays(c)["start in range"] > 0),
 )  # fmt: skip
 SHARES: tuple[Check, ...] = tuple(map(shares, STATEMENTS))

@@ -70,12 +70,12 @@ def rotor() -> transfer.Rotor:
 
 
 def coupling(offset: float) -> float:
-    """K_xz [N/rad] of the central clutch, its rings `offset` times the yield apart along x."""
+    """K_xz [N/rad] of the central clutch, rings offset along x by `offset` deflections."""
     return float(uneven(offset)[0, 4])
 
 
 def uneven(offset: float) -> Array:
-    """K (5, 5) of the central clutch about a yield of 1 µm; only its share of it matters."""
+    """K (5, 5) of the central clutch about a deflection of 1 µm; only the ratio to it matters."""
     R_i, delta_0 = CENTRAL[D_2] / 2, 1e-6
     k = 2 * CENTRAL[K_C] / SPRAGS
     clutch = Clutch(

@@ -21,7 +21,7 @@ class SpragRotorInputs(Case):
         "5000 r/min", "r/min", "n", "speed at which natural frequencies are compared",
         ge=0, le=40_000, claims="huang2022:comparison-speed",
     )  # fmt: skip
-    members: int = count(48, "N", "sets of parameters wanted", ge=8, le=MOST)
+    members: int = count(48, "N", "required sets of parameters", ge=8, le=MOST)
     zeta_low: float = given(
         "0.5 %", "%", "ζ_min", "least damping ratio at critical speeds 1 and 5 (none is printed)",
         ge=0.05, le=20,

@@ -73,7 +73,7 @@ def exponents(a: dict[str, Array]) -> Array:
 
 
 def linear(context: Context) -> Pair:
-    """The exponent of torsion over the offset that is farthest from 1."""
+    """The exponent of torsion over the offset with the largest difference from 1."""
     found = exponents(dict(arrays(context)))
     return farthest(found, np.ones_like(found), 0.0)
 
@@ -95,7 +95,7 @@ def never_between(context: Context) -> tuple[float, str]:
 
 
 def at_two_nodes(context: Context) -> tuple[float, str]:
-    """Node 4 carries unbalance 1, node 11 is said to: which is highest if it did."""
+    """Unbalance 1 is at node 4, but stated at node 11: the highest node with it there."""
     a = dict(arrays(context))
     highest = next(s for s in STATEMENTS if s.name.endswith("1 to 11 at critical speeds 3 and 5"))
     moved = a | {"peaks": a["peaks, moved"][:, None]}
@@ -113,7 +113,7 @@ def ellipses(context: Context) -> tuple[float, str]:
     same, other = ((a[f"axes, {k}"][..., 0] / a[f"axes, {k}"][..., 1])
                    for k in ("isotropic", "anisotropic"))  # fmt: skip
     words = (
-        f"axes differ by {float(np.abs(same - 1).max()):.0e} on supports alike in x and y, by "
+        f"axes differ by {float(np.abs(same - 1).max()):.0e} on supports equal in x and y, by "
         f"{100 * float(np.median(other[:, 1]) - 1):.1f} % (node 19) and "
         f"{100 * float(np.median(other[:, 0]) - 1):.1f} % (node 4) in the median where k_y is "
         f"{1 + context.inputs.anisotropy:.2g} k_x"
@@ -144,7 +144,7 @@ def on_the_ground(_: Context) -> tuple[float, str]:
     between = {node for pair in BETWEEN for node in pair}
     wrong = {6, 21} - between
     return 0.5 if wrong <= set(GROUNDED) and wrong else -0.5, (
-        "nodes 6 and 21 are on bearings to the ground, bearing 3 (nodes 9 and 14) is not shown"
+        "nodes 6 and 21 are on bearings to the ground, bearing 3 (nodes 9 and 14) is not drawn"
     )
 
 
@@ -176,7 +176,7 @@ LINEAR_ROWS: tuple[Check, ...] = (
             bound_reason="the drive's 0.1 N m/rad over J_out Ω² at critical speed 1"),
     Agreement(name="torsion is linear in small offsets", symbol="p", unit="1", pair=linear,
               accepted=LINEAR,
-              source=suites("half of the 1 % that rows are asked for"),
+              source=suites("half of the required sensitivity of rows, 1 %"),
               by="theory", everywhere=True),
     *(Spread(name=f"critical speed {k} without the clutch {what}", symbol=f"Δn_{k}/n_{k}",
              unit="%", values=of_speed(key, i))
@@ -202,6 +202,6 @@ LINEAR_ROWS: tuple[Check, ...] = (
     Misprint(name="critical speeds at 5000 r/min", symbol="n", unit="1",
           erratum="huang2022:critical-speed-at-one-speed", margin=at_one_speed,
           printed=("huang2022:comparison-speed",)),
-    Misprint(name="reason of the nodes shown", symbol="", unit="1",
+    Misprint(name="reason given for the response nodes", symbol="", unit="1",
           erratum="huang2022:response-nodes-reason", margin=on_the_ground),
 )  # fmt: skip

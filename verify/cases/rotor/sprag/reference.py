@@ -1,4 +1,4 @@
-"""The central system on finer and finer beams; on the paper's own mesh also the ensemble."""
+"""The central system on finer and finer beams; on the mesh of the paper also the ensemble."""
 
 from math import pi
 from typing import Any
@@ -35,8 +35,8 @@ def solve(q: SpragRotorInputs, level: int) -> Level:
 
 
 def ensemble_arrays_fem(found: Ensemble) -> dict[str, Any]:
-    """The members, what became of each start, and critical speeds of the members."""
-    starts = {"start met": found.met, "start kept": found.kept}
+    """The members, the outcome of each start, and critical speeds of the members."""
+    starts = {"start met": found.met, "start in range": found.kept}
     slopes = elasticities_fem(found.members)
     return {
         "members": found.members, "elasticities": slopes, **starts, **critical_fem(found.members),

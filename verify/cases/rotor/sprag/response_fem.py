@@ -17,7 +17,7 @@ NEAR = np.outer(PRINTED, 1 + np.linspace(-0.05, 0.05, 17)).ravel()
 GRID = np.sort(np.concatenate([np.geomspace(3000, 42_000, 60) * RPM, NEAR]))
 MOVED = 11  # where a remark of Sec. 2.2 has unbalance 1
 WINDOW = np.linspace(-1, 1, 25)  # about a peak, in shares of
-WIDEST = 0.055  # of the speed: peaks 3 and 5 are 12 % apart
+WIDEST = 0.055  # of the speed: peaks 3 and 5 differ by 12 %
 RATIOS = 3.0  # of the damping ratio
 BAND = (5, 50, 95)  # per cent of members
 SMALL_OFFSETS = (0.01, 0.02)
@@ -133,7 +133,7 @@ def torsion_fem(q: SpragRotorInputs, p: Array, zeta: Array, even: Any) -> dict[s
 
 
 def orbits_fem(q: SpragRotorInputs, p: Array, zeta: Array, even: Any) -> dict[str, Array]:
-    """X and y (2, 2) of nodes 4 and 19 at the rig's speed, supports alike in x and y and not."""
+    """X and y (2, 2) of nodes 4 and 19 at the rig's speed, supports equal in x and y, and not."""
     from fem.rotor.response import unbalance_response
 
     U = {DISCS[0] - 1: q.u_rig_1, DISCS[1] - 1: q.u_rig_2}

@@ -93,7 +93,7 @@ def parts(s: Layout, k: int) -> list[tuple[float, float, float]]:
 
 
 def bands(s: Layout, k: int, width: float) -> dict[str, tuple[float, float]]:
-    """Bands on a rotor's rim, from its own first node on, about every node that holds something."""
+    """Bands on a rotor's rim, from its first node on, at nodes with bearing, disc or clutch."""
     held = {*GROUNDED, *DISCS, *CLUTCH, *(n for pair in BETWEEN for n in pair)}
     first = OUTER if k else 0
     own = sorted(n for n in held if (n > OUTER) == bool(k))

@@ -32,8 +32,8 @@ CORNER = 2 * 0.5445  # energy's order at a free corner of 270°: sin(1.5 π x) =
 CLAIMED = 0.003  # what the paper's beams differ by from other beams
 BEAM = "Timoshenko's beam with Hutchinson's shear coefficient"
 WEAK = "weak form"
-Way = Literal["forward", "backward"]
-WAYS: tuple[Way, ...] = ("forward", "backward")
+Sense = Literal["forward", "backward"]
+SENSES: tuple[Sense, ...] = ("forward", "backward")
 Points = tuple[list[float], list[float], list[float]]
 
 
@@ -55,7 +55,7 @@ class SteppedBeam(SteppedShaft):
     readings: ClassVar = (
         "a bearing is a spring on the mean motion of its seat, on a beam one at the seat's middle",
         "45° rule: from a step on, the diameter that is stiff grows by twice the distance; masses "
-        "are as drawn",
+        "are those of the nominal diameters",
     )
     assumptions: ClassVar = (
         "linear elasticity, no damping, sharp corners: at 270° the energy of finite elements "
@@ -64,9 +64,9 @@ class SteppedBeam(SteppedShaft):
         BEAM,
     )
 
-    @Quantity("ω_{0}{1[0]}", "rad/s", "whirl frequency, mode {0} {1}").over(MODES, WAYS)
-    def whirl(self, j: int, way: Way) -> float:
-        return float(self._whirl[way][j - 1])
+    @Quantity("ω_{0}{1[0]}", "rad/s", "whirl frequency, mode {0} {1}").over(MODES, SENSES)
+    def whirl(self, j: int, sense: Sense) -> float:
+        return float(self._whirl[sense][j - 1])
 
     @Quantity("Ω_c", "r/min", "first critical speed", safe="too low")
     def critical(self) -> float:
@@ -76,7 +76,7 @@ class SteppedBeam(SteppedShaft):
     def split(self) -> float:
         return self.whirl(2, "forward") - self.whirl(2, "backward")
 
-    @Quantity("ω_1f/ω_1f'", "1", "overestimate as drawn over the 45° rule, mode 1 forward",
+    @Quantity("ω_1f/ω_1f'", "1", "nominal diameters over the 45° rule, mode 1 forward",
               role="step", tex=r"\frac{\omega_{1f}}{\omega_{1f}'}")  # fmt: skip
     def over_cone(self) -> float:
         return float(self.whirl(1, "forward") / self.by_rule.whirl(1, "forward"))
@@ -88,7 +88,7 @@ class SteppedBeam(SteppedShaft):
                             seats=self.seats)  # fmt: skip
 
     def rotor(self, *, cone: bool = False, slices: int = SLICES) -> Rotor:
-        """The shaft as Timoshenko's beam; `cone`: stiff as the 45° rule says."""
+        """The shaft as Timoshenko's beam; `cone`: stiffness by the 45° rule."""
         return stepped_beam(self.shape, E=self.E, nu=self.nu, rho=self.rho, k=self.k, cone=cone,
                             slices=slices)  # fmt: skip
 
@@ -97,9 +97,11 @@ class SteppedBeam(SteppedShaft):
         return self.rotor(cone=self.cone, slices=self.slices)
 
     @shared
-    def _whirl(self) -> dict[Way, Any]:
+    def _whirl(self) -> dict[Sense, Any]:
         count = len(MODES)
-        return {w: whirl_frequencies(self._rotor, [self.n], count=count, whirl=w)[0] for w in WAYS}
+        return {
+            w: whirl_frequencies(self._rotor, [self.n], count=count, whirl=w)[0] for w in SENSES
+        }
 
     @shared
     def by_rule(self) -> Self:
@@ -198,7 +200,7 @@ class SteppedBeam(SteppedShaft):
     @staticmethod
     def _named(*modes: tuple[int, str]) -> Iterator[tuple[Quantity, str]]:
         """Frequencies and the critical speed with their names in rows."""
-        yield from ((SteppedBeam.whirl(j, way), f"mode {j} {way}") for j, way in modes)
+        yield from ((SteppedBeam.whirl(j, sense), f"mode {j} {sense}") for j, sense in modes)
         yield SteppedBeam.critical, "critical speed"
 
     @staticmethod

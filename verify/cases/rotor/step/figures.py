@@ -57,22 +57,22 @@ def frequencies(q: Any, body: Values) -> Table:
     """Frequencies of both beams beside those of the body."""
     rows = []
     for j in MODES:
-        for way in ("backward", "forward"):
-            exact = body[f"solid_whirl_{j}_{way}"]
-            as_drawn, cone = (beam.whirl(j, way) for beam in (q, q.by_rule))
+        for sense in ("backward", "forward"):
+            exact = body[f"solid_whirl_{j}_{sense}"]
+            nominal, cone = (beam.whirl(j, sense) for beam in (q, q.by_rule))
             rows.append(
-                (f"mode {j} {way}", exact / HZ, as_drawn / HZ, f"{as_drawn / exact - 1:+.2%}",
+                (f"mode {j} {sense}", exact / HZ, nominal / HZ, f"{nominal / exact - 1:+.2%}",
                  cone / HZ, f"{cone / exact - 1:+.2%}")
             )  # fmt: skip
     return Table(
         title=f"Frequencies at {q.n / RPM:.5g} r/min [Hz]",
-        header=("", "elastic body", "beam as drawn", "error", "beam, 45° rule", "error"),
+        header=("", "elastic body", "beam, nominal diameters", "error", "beam, 45° rule", "error"),
         rows=tuple(rows),
     )
 
 
 def errors(context: Context) -> Any:
-    """Errors (shares, ratios, 2) of mode 1 at rest: as drawn, by the 45° rule."""
+    """Errors (shares, ratios, 2) of mode 1 at rest: nominal diameters, 45° rule."""
     return next(r.arrays["map"] for r in context.fem if "map" in r.arrays)
 
 
@@ -80,7 +80,7 @@ def figures(context: Context) -> Sequence[Figure]:
     if not context.fem:
         return ()
     m = errors(context)
-    titles = ("beam as drawn", "beam by the 45° rule")
+    titles = ("beam with nominal diameters", "beam by the 45° rule")
     return (
         *(_map(context.inputs, title, m[..., k]) for k, title in enumerate(titles)),
         over_ratio(context),
@@ -103,9 +103,9 @@ def over_ratio(context: Context) -> Curves:
     curves = [
         curve(f"{words}, L_2/L = {SHARES[k]:g}", np.array(RATIOS), m[k, :, which], style, colour)
         for colour, k in enumerate(DRAWN)
-        for which, words, style in ((0, "as drawn", "line"), (1, "45° rule", "dashes"))
+        for which, words, style in ((0, "nominal diameters", "line"), (1, "45° rule", "dashes"))
     ]  # fmt: skip
     return plot(
         "Error of mode 1 over the step", "d_2/d_1", "error [%]", curves,
-        note="These errors are the beam theory's own: finer beam elements do not remove them.",
+        note="These errors are errors of beam theory: finer beam elements do not remove them.",
     )  # fmt: skip

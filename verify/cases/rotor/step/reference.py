@@ -48,12 +48,12 @@ def solve(q: SteppedShaft, level: int) -> Level:
 
 def _whirl(name: str, forward: Any, backward: Any) -> dict[str, float]:
     """Frequencies of a model by the quantities' names."""
-    ways = (("forward", forward), ("backward", backward))
-    return {f"{name}_whirl_{j}_{way}": found[j - 1] for way, found in ways for j in MODES}
+    senses = (("forward", forward), ("backward", backward))
+    return {f"{name}_whirl_{j}_{sense}": found[j - 1] for sense, found in senses for j in MODES}
 
 
 def elements(q: SteppedShaft, level: int) -> dict[str, float]:
-    """Closed-form elements of Timoshenko's beam, as drawn."""
+    """Timoshenko beam elements with the nominal diameters."""
     rotor = beam(q, ELEMENTS * level)
     found = modes(rotor, q.n, 2 * len(MODES)).frequencies
     # they come in pairs: backward, forward

@@ -29,7 +29,7 @@ def criticals(q: TransferRotor) -> list[Critical]:
 
 
 def limits(q: TransferRotor) -> tuple[float, float]:
-    """Operating speeds widened by the wanted margin [rad/s]."""
+    """Operating speeds widened by the required margin [rad/s]."""
     return q.speed_from * (1 - q.margin), q.speed_to * (1 + q.margin)
 
 

@@ -1,4 +1,4 @@
-"""Any rotor of coaxial shafts: exact transfer matrices beside beams, on an engineer's own file."""
+"""Any rotor of coaxial shafts: exact transfer matrices beside beams, from a user's file."""
 
 from typing import ClassVar
 
@@ -13,10 +13,10 @@ from verify.form.adapter import adapted
 
 
 class RotorSystem(TransferRotor):
-    """Shafts in segments, discs, bearings, links and unbalances as an engineer describes them.
+    """Shafts in segments, discs, bearings, links and unbalances as described in a file.
 
     Exact transfer matrices find every frequency and critical speed; beams of finer and finer
-    elements go to the same values. The numbers are this project's own.
+    elements converge to the same values. The numbers were chosen for this project.
     """
 
     id = "rotor-system"
@@ -28,7 +28,7 @@ class RotorSystem(TransferRotor):
         Scan(vary=("speed=5000r/min,9000r/min", "supports[1].k=1e7N/m,6e7N/m,3e8N/m"), star=True),
     )
     readings: ClassVar = (
-        "an unbalance turns with the shaft that bears it, not with the first one",
+        "an unbalance turns with the shaft on which it is mounted, not with the first one",
         "critical speeds are the rotor's, whichever shaft's unbalance meets them",
     )
     assumptions: ClassVar = (

@@ -1,8 +1,8 @@
-"""A fixed companion of the default rotor, in which bearings and shafts differ in every way.
+"""A fixed companion of the default rotor, in which bearings and shafts differ in every property.
 
-Bearings unlike in x and y with a coupling, damping that differs, tilting held and damped, a shaft
-that turns against the other, and two unbalances at an angle on each: signs and conjugates that
-the default rotor cannot tell apart change its numbers.
+Bearings differ in x and y and couple both, damping differs, tilting is held and damped, a shaft
+turns against the other, and each has two unbalances at an angle: signs and conjugates that do not
+affect the default rotor change the results of this one.
 """
 
 from typing import TypeVar

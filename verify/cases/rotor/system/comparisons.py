@@ -76,33 +76,33 @@ def _identical(
 
 def _of_companion() -> Iterator[Comparison]:
     """Every judged value of the companion."""
-    own = State(
+    built = State(
         companion(TransferRotor),
         "companion",
         "companion with anisotropic bearings",
         displayed=False,
     )
     for k in (1, 2, 3, 4):
-        yield _identical(rotor.frequency(k), own, name=f"{own.words}: frequency {k}")
+        yield _identical(rotor.frequency(k), built, name=f"{built.words}: frequency {k}")
     for criticals, shaft in ((rotor.critical_first, "outer"), (rotor.critical_other, "inner")):
         for k in (1, 2):
-            words = f"{own.words}: critical speed {k}, the {shaft} shaft's unbalance"
-            yield _identical(criticals(k), own, name=words, symbol="n_c")
+            words = f"{built.words}: critical speed {k}, the {shaft} shaft's unbalance"
+            yield _identical(criticals(k), built, name=words, symbol="n_c")
     for one, words in ((rotor.amplitude, "amplitude"),
                        (rotor.support_load, "load of the first support"),
                        (rotor.link_load, "load of the link")):  # fmt: skip
         symbol = "F" if one is not rotor.amplitude else ""
-        yield _identical(one, own, name=f"{own.words}: {words}", symbol=symbol, demand=LOADS)
+        yield _identical(one, built, name=f"{built.words}: {words}", symbol=symbol, demand=LOADS)
 
 
 def _accepted(q: TransferRotor, name: str, level: int, figure: float) -> Comparison:
-    """Of all frequencies and critical speeds on a level the one that is farthest off."""
+    """The frequency or critical speed on a level with the largest difference."""
 
     def pair(context: Context) -> Pair:
         exact, v = q.undamped, context.fem[level].values
         found = farthest(np.array(list(exact.values())), np.array([v[key] for key in exact]), 0.0)
         off = abs(found.value / found.reference - 1)
-        return replace(found, words=f"at most {off:.1e} apart, {figure:.0e} accepted")
+        return replace(found, words=f"difference at most {off:.1e}, {figure:.0e} accepted")
 
     check = Agreement(name=name, symbol="ω", unit="rad/s", pair=pair, accepted=figure,
                       source=SUBJECT)  # fmt: skip
@@ -110,8 +110,8 @@ def _accepted(q: TransferRotor, name: str, level: int, figure: float) -> Compari
 
 
 def _senses(context: Context) -> tuple[float, float]:
-    """Positive where both sides name the whirl of each mode alike."""
+    """Positive where both sides have the same sense of whirl in each mode."""
     v = context.fem[-1].values
     keys = [k for k in context.analytic if k.startswith("sense_")]
-    alike = all(v[k] == context.analytic[k] for k in keys)
-    return (1.0 if alike else -1.0), 0.0
+    equal = all(v[k] == context.analytic[k] for k in keys)
+    return (1.0 if equal else -1.0), 0.0

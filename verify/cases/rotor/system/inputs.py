@@ -1,4 +1,4 @@
-"""Inputs of any rotor: two shafts, one in the other, until one's own are put in."""
+"""Inputs of any rotor: two shafts, one in the other, unless others are given."""
 
 from typing import Self
 

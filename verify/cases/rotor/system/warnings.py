@@ -8,7 +8,7 @@ from verify.cases.rotor.description import SegmentInputs
 from verify.cases.rotor.system.inputs import RPM
 from verify.cases.rotor.system.transfer import DescribedRotor
 
-APART = 1e-4  # m: what a bearing between two shafts may span along the axis
+AXIAL_GAP = 1e-4  # m: what a bearing between two shafts may span along the axis
 TOUCH = 1e-9  # m: what rounded places may overlap by
 RIGID = 0.5  # damping times speed over stiffness, from which on damping holds a shaft
 LISTED = 4  # parts that a warning names
@@ -42,10 +42,10 @@ def placed(q: DescribedRotor) -> list[Placed]:
 def _links(q: DescribedRotor) -> Iterator[str]:
     for k, link in enumerate(q.links, start=1):
         gap = q.places[link.node - 1] - q.places[link.to - 1]
-        if abs(gap) > APART:
+        if abs(gap) > AXIAL_GAP:
             yield (
-                f"links[{k}] joins nodes {abs(gap) * 1e3:.4g} mm apart along the axis: set the "
-                "shafts' start"
+                f"links[{k}] joins nodes with an axial distance of {abs(gap) * 1e3:.4g} mm: set "
+                "the shafts' start"
             )
 
 
