@@ -72,7 +72,7 @@ def fem_paper(q: MapInputs, level: int) -> FemResult:
 
 def proportional(level: int, force: float, share: float) -> FemResult:
     """Forces at the shares of the length that a case has, from one at another share."""
-    values = {f"F_{wanted}": wanted / share * force for wanted in map(Share, SHARES)}
+    values = {f"F_{target}": target / share * force for target in map(Share, SHARES)}
     return FemResult(h=1 / level, values=values)
 
 

@@ -22,7 +22,7 @@ def other_width(given: float, *, h: float, leaf: float, nu: float) -> Iterator[s
 
 
 def left_open(q: Any) -> Iterator[tuple[frame.Tail, frame.Head, str, dict[str, Any]]]:
-    """Tail, head, and arc radius with its centre line, in all ways that the paper's text allows."""
+    """Tail, head, and arc radius with its centre line: all combinations that the text allows."""
     tails: tuple[frame.Tail, ...] = ("arc", "mid-leaf")
     heads: tuple[frame.Head, ...] = ("free", "guided")
     paths = (("r", q.paper_path), ("r + b/2", q.path))

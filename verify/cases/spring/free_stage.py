@@ -114,7 +114,7 @@ class FreeStage(AccordionInputs, Case):
         share = self.deflection / self.L0
         if share > FREE_STAGE:
             yield (
-                f"F = {F:g} N asks for {share:.1%} of the free length: the paper's spring left "
+                f"F = {F:g} N requires {share:.1%} of the free length: the paper's spring left "
                 f"its free stage at {FREE_STAGE:.0%}, where leaves touch and Eqs. 1-9 end"
                 + (", and Eq. 12 allows 60 %" if share > 0.6 else "")
             )

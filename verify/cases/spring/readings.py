@@ -16,7 +16,7 @@ def search(q: Any) -> list[Reading]:
 
 
 def tables(context: Context) -> Sequence[Table]:
-    """The readings nearest to the printed value first; only for the paper's own numbers."""
+    """The readings nearest to the printed value first; only for the numbers of the paper."""
     if not context.is_paper:
         return ()
     entry = published("wang2023:k1-theory")
@@ -36,9 +36,9 @@ def tables(context: Context) -> Sequence[Table]:
                     "k_1 [N/mm]", "printed digits met", ""),
             rows=rows,
             note="Statics (M = F y with matching ends) settles the signs, the first couple and "
-            "half of L_1 in L_2. It does not settle the radius: with r in the arcs and r + b/2 in "
-            "L_2, as printed but for h in place of b, the loops end b cos α apart; closed loops "
-            "need r or r + b/2 throughout (0.60320 or 0.58202 N/mm). What is adopted is the "
+            "half of L_1 in L_2, but not the radius: with r in the arcs and r + b/2 in "
+            "L_2, as printed except for h in place of b, loops have gaps of b cos α; closed loops "
+            "need r or r + b/2 throughout (0.60320 or 0.58202 N/mm). Adopted is the "
             "printed text with h read as b.",
         ),
     )  # fmt: skip

@@ -44,7 +44,7 @@ from verify.core.inputs import InputError
         (changed(speed_from="9000 r/min"), "inputs: the operating speeds need speed_from < speed"),
         (changed(probe=15), "inputs: probe = 15: there are nodes 1 to 14"),
         (changed("shafts", 1, ratio=0.5),
-         "inputs.shafts[1].ratio = 0.5: the first shaft has the ratio 1, as all speeds are its"),
+         "inputs.shafts[1].ratio = 0.5: the first shaft has the ratio 1, as all speeds are those"),
     ],
 )  # fmt: skip
 def test_a_rotor_that_cannot_be_is_refused_in_one_line(raw, message):
@@ -93,7 +93,7 @@ UNDAMPED = changed(
 @pytest.mark.parametrize(
     ("raw", "words"),
     [
-        (changed("shafts", 1, start="150 mm"), "links[1] joins nodes with an axial distance of 10 mm"),
+        (changed("shafts", 1, start="150 mm"), "joins nodes with an axial distance of 10 mm"),
         (UNDAMPED, "no bearing is damped"),
         (changed("segments", 3, d_o="120 mm"), "steps by half"),
         (changed("segments", 4, length="5 mm", d_o="65 mm"), "no beam there"),

@@ -44,14 +44,14 @@ EXACT = 5e-4, "a nodal frame is exact but for the chords of its arcs"
 
 
 def solve_paper(q: Any, level: int) -> Level:
-    """The stiffness that Eqs. 1-9 are for: the paper's own spring, of curved elements."""
+    """The stiffness that Eqs. 1-9 describe: the paper's spring, of curved elements."""
     return frames.solve_curved(q.held(PAPER), level)
 
 
 class AccordionSpring(FreeStage):
-    """The energy formula for the stiffness before leaves touch, beside two frame models.
+    """The energy formula for the stiffness before leaves touch, against two frame models.
 
-    They are models of its centre line: straight closed-form elements and curved quadratic ones.
+    They are models of its centre line: straight elements of beam theory and curved quadratic ones.
     """
 
     id = "spring-accordion"
@@ -112,7 +112,7 @@ class AccordionSpring(FreeStage):
         return self.bending_stress(self.F or TEST_FORCE) / self.kappa
 
     @Quantity("L_0/b", "1", "free length over thickness, arcs of the inner radius",
-              source="without the leaves' own thickness: what is kindest to the rule")  # fmt: skip
+              source="without the thickness of the leaves, in favour of the rule")  # fmt: skip
     def slenderness(self) -> float:
         return frame.end_point(**self.paper_path, tail="mid-leaf")[0] / self.b
 
@@ -172,7 +172,7 @@ class AccordionSpring(FreeStage):
             erratum="wang2023:yield-strength",
         ))  # fmt: skip
         yield Comparison(quantity=spring.slenderness, check=Contradiction(
-            name="L_0/b of the paper's own spring against its limit", symbol="L_0/b", unit="1",
+            name="L_0/b of the paper's spring against its limit", symbol="L_0/b", unit="1",
             analytic="slenderness", reference="wang2023:rule-length-thickness-max",
             erratum="wang2023:eq-13-own-spring",
         ))  # fmt: skip

@@ -28,7 +28,7 @@ class Combination(NamedTuple):
 
 
 def combinations(q: Any) -> list[Combination]:
-    """Tail, head, arc radius and strip in all ways that the text allows."""
+    """Tail, head, arc radius and strip in all combinations that the text allows."""
     return [
         Combination(tail, head, radius, wide, frame.stiffness(
             **path, **strip_of(q), head=head, tail=tail, plane_strain=wide))

@@ -28,7 +28,7 @@ from verify.judging.tolerance_checks import Agreement, suites
 CUBE = 1e-3  # of the exponent, which strain and shear change by (b/L_1)^2
 SPREAD = 0.005  # of U_cr over a fourfold thickness
 HINGED_TO = 0.7  # of the free length
-NOT_FOUND = "no equilibrium of the elastica was found on the way to a critical point"
+NOT_FOUND = "no equilibrium of the elastica was found before a critical point"
 FEW = 5e-4, "one unit, a few curved elements"
 EXACT = 1e-3, "exact elastica and exact beam"
 SHARED = "narrow strip, E I; no contact of leaves"
@@ -36,10 +36,10 @@ WHERE = {"arc": "tail clamped at its arc", "mid-leaf": "tail clamped at mid-leaf
 
 
 class BucklingSpring(BucklingFormulas):
-    """How far a spring can be pressed before only a guide keeps its head in line.
+    """The compression at which a spring buckles laterally unless its head is guided.
 
-    Haringx's column of the spring's own units and the exact elastica of its leaves and arcs stand
-    beside geometrically exact beams.
+    Haringx's column of the units of the spring and the exact elastica of its leaves and arcs are
+    compared with geometrically exact beams.
     """
 
     id = "spring-buckling"

@@ -16,14 +16,14 @@ NOISE = 1e-5  # rounding of finite elements of slender springs, times what it is
 def spread(context: Context) -> Pair:
     """Largest and least U_cr over thicknesses on one centre line."""
     b, U, _ = stored(context, "by_b").T
-    apart = float(np.ptp(U) / U.mean())
+    spread = float(np.ptp(U) / U.mean())
     z = context.inputs.length / b
-    words = f"{apart:.2%} while L_0/b falls from {z[0]:.0f} to {z[-1]:.0f}"
+    words = f"{spread:.2%} while L_0/b falls from {z[0]:.0f} to {z[-1]:.0f}"
     return Pair(float(U.max()), float(U.min()), NOISE * float(U.min()), words)
 
 
 def by_cube(context: Context) -> Pair:
-    """The exponent of b in F_cr, between neighbours where it is farthest from three, and three."""
+    """The exponent of b in F_cr where it differs most from three, and three."""
     b, _, F = np.log(stored(context, "by_b")).T
     slope = np.diff(F) / np.diff(b)
     worst = float(slope[np.abs(slope - 3).argmax()])

@@ -32,11 +32,11 @@ def tables(q: Any, context: Context) -> Sequence[Table]:
     ]  # fmt: skip
     return (
         Table(
-            title="What L_0/b says about giving way sideways",
+            title="Lateral buckling does not follow L_0/b",
             header=("n", "b [mm]", "L_0/b", "U_cr/L_0 [%]", "F_cr [N]"),
             rows=(*same_line, *same_ratio),
-            note="Above: one centre line, the thickness varied: L_0/b follows it, U_cr does not. "
-            "Below: springs that Eq. 13 puts on its limit. Finite elements, tail clamped "
+            note="Above: one centre line, the thickness varied: L_0/b changes, U_cr does not. "
+            "Below: springs at the limit of Eq. 13. Finite elements, tail clamped "
             "at its arc.",
         ),
     )

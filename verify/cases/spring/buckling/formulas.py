@@ -172,14 +172,14 @@ class BucklingFormulas(BucklingInputs, Case):
         return xi if math.isfinite(xi) else math.nan
 
     def held(self, tail: frame.Tail) -> Self:
-        """The same spring with its tail held elsewhere."""
+        """The same spring with another end of its tail."""
         return self.variant(tail=tail)
 
     def warnings(self) -> Iterator[str]:
-        """What a working force asks of the head, and what formulas do not find."""
+        """Whether a working force requires a guided head, and missing critical points."""
         free, hinged = self.column_U, self.column_held("hinged")
         if math.isnan(free):
-            yield "too short to buckle sideways, whatever holds the head"
+            yield "too short to buckle laterally with any hold of the head"
             return
         tails = {tail: self.held(tail).U_cr for tail in TAILS}
         if self.F is not None:

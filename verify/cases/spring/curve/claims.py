@@ -109,10 +109,10 @@ def balance(context: Context) -> tuple[float, float, str]:
 
 
 def retraced(context: Context) -> tuple[float, float, str]:
-    """Force on the way back against the way there, without friction."""
+    """Force of unloading against that of loading, without friction."""
     U, F, _ = stored(context, "there and back")
     off = two_lines.retraced(U, F)
-    return off, 0.0, f"forces on the way back differ by {off:.1e}"
+    return off, 0.0, f"forces of unloading differ by {off:.1e}"
 
 
 def ends_early(context: Context) -> bool:
@@ -151,14 +151,16 @@ def near(key: str, figure: float, printed: Callable[[], float]) -> Margin:
 def nearest(context: Context) -> tuple[float, float, str]:
     """How much nearer in k_1 the inputs' reading is than the next one; it is chosen by that."""
     q: CurveInputs = context.inputs
-    own = f"{q.tail}, {q.head}, {q.arcs}", q.width_factor
+    given = f"{q.tail}, {q.head}, {q.arcs}", q.width_factor
     off = {
         (name, f): abs(found.k1 / eq10().k1 - 1)
         for name, f, found, _ in read(context) if np.isfinite(found.k1)
     }  # fmt: skip
-    next_one = min((key for key in off if key != own), key=off.__getitem__)
-    words = f"{off[own]:.2%} off; next is {next_one[0]}, f = {next_one[1]:.4g}: {off[next_one]:.2%}"
-    return off[next_one] - off[own], 0.0, words
+    next_one = min((key for key in off if key != given), key=off.__getitem__)
+    words = (
+        f"{off[given]:.2%} off; next is {next_one[0]}, f = {next_one[1]:.4g}: {off[next_one]:.2%}"
+    )
+    return off[next_one] - off[given], 0.0, words
 
 
 def along(context: Context) -> tuple[float, float, str]:

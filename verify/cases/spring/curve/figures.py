@@ -206,7 +206,7 @@ def _combinations(context: Context) -> Table:
     test = {k: published(f"wang2023:{k}-test").value * N_PER_MM for k in ("k1", "k2")}
     rows = []
     for name, factor, found, forces in read(context):
-        if "free" in name:  # it has given way
+        if "free" in name:  # it has buckled
             rows.append((name, round(factor, 4), None, None, None, None, None, None, None))
             continue
         rows.append((name, round(factor, 4), *_beside(found, forces, test)))

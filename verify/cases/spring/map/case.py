@@ -64,7 +64,7 @@ class MapSpring(MapFormulas):
     id = "spring-map"
     title = "Where Eqs. 1-9 of the accordion spring hold"
     source = "wang2023"
-    place = "Eqs. 1-9, Eqs. 12 and 13, Fig. 10; Sec. 1.2, Fig. 5 (way of the roller)"
+    place = "Eqs. 1-9, Eqs. 12 and 13, Fig. 10; Sec. 1.2, Fig. 5 (travel of the roller)"
     levels: ClassVar = (4, beams.MAPPED, 16)
     scans: ClassVar = (Scan(vary=("n=8,10,14", "b=0.1mm,0.2mm"), star=True),)
     readings: ClassVar = (
@@ -74,7 +74,7 @@ class MapSpring(MapFormulas):
     assumptions: ClassVar = (
         "leaves do not touch: at 60 % of the length those of the paper's spring have touched",
         "narrow strip: E I without 1 − ν², on both sides",
-        "the roller's way begins where the spring is unloaded, its head does not turn",
+        "the roller's travel begins where the spring is unloaded, its head does not turn",
     )
 
     def reference(self, level: int) -> Level:

@@ -50,13 +50,13 @@ def free_head(context: Context) -> tuple[float, float, str]:
     """What a third of Eq. 9's force leaves above that of a free head at 0.3 of the length."""
     F = [r.values["F_free"] for r in context.fem]
     promised = context.analytic["linear_0_3"]
-    words = f"{F[-1]:.3g} N, Eq. 9 promises {promised:.3g} N"
+    words = f"{F[-1]:.3g} N, Eq. 9 gives {promised:.3g} N"
     return THIRD - F[-1] / promised, 3 * abs(F[-1] - F[-2]) / promised, words
 
 
 def travel(context: Context) -> Pair:
-    """The forces at the end of the straight and the slanted way."""
+    """The forces at the end of the straight and the slanted path."""
     v = context.fem[-1].values
     m = v["F_x_straight"] / v["F_x"] - 1
-    words = f"{m:+.2%}; across, the spring holds {v['F_y'] / v['F_x']:+.1%} of it"
+    words = f"{m:+.2%}; the transverse force is {v['F_y'] / v['F_x']:+.1%} of it"
     return Pair(v["F_x_straight"], v["F_x"], NOISE * v["F_x"], words)

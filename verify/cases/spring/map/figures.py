@@ -1,4 +1,4 @@
-"""Maps of the error of Eqs. 1-9, and what the roller's way does."""
+"""Maps of the error of Eqs. 1-9, and the effect of the roller's path."""
 
 import math
 from collections.abc import Sequence
@@ -78,21 +78,21 @@ def tables(q: Any, context: Context) -> Sequence[Table]:  # noqa: ARG001
     slope = math.degrees(math.atan2(q.y_r, q.x_r))
     longer = math.hypot(q.x_r, q.y_r) / q.x_r - 1
     rows = [
-        ("slanted way over its straight part", f"{longer:+.2%}"),
-        ("direction of the way against the spring's axis", f"{slope:.2f}°"),
-        ("turn of the chamber's wall along the way", f"{math.degrees(q.kappa * q.x_r):.2f}°"),
-        ("bow of the wall over the way", f"{q.kappa * q.x_r**2 / 8 / mm:.3f} mm"),
-        ("force at the end of a straight way, Eq. 9", f"{q.k1 * q.x_r:.4g} N"),
+        ("slanted path over its straight part", f"{longer:+.2%}"),
+        ("direction of the path against the spring's axis", f"{slope:.2f}°"),
+        ("rotation of the chamber's wall along the path", f"{math.degrees(q.kappa * q.x_r):.2f}°"),
+        ("bow of the wall over the path", f"{q.kappa * q.x_r**2 / 8 / mm:.3f} mm"),
+        ("force at the end of a straight path, Eq. 9", f"{q.k1 * q.x_r:.4g} N"),
         ("the same, guided elastica", f"{q.F_x_straight:.4g} N"),
-        ("at the end of the slanted way, along", f"{q.F_x:.4g} N"),
-        ("and across", f"{q.F_y:.4g} N"),
+        ("axial force at the end of the slanted path", f"{q.F_x:.4g} N"),
+        ("transverse force there", f"{q.F_y:.4g} N"),
     ]
     return (
         Table(
-            title="The roller's way, taken for straight",
+            title="The roller's path, taken as straight",
             header=("what", "value"),
             rows=tuple(rows),
-            note="The head is guided without a turn from the unloaded spring on. What the spring "
-            "exerts across is beside its own lateral force on a straight way.",
+            note="The head is guided without rotation from the unloaded spring on. The transverse "
+            "force is added to the lateral force of the spring on a straight path.",
         ),
     )

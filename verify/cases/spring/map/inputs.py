@@ -21,14 +21,14 @@ DEEP_ANGLES = (50.0, 55.0, 60.0, 65.0, 70.0, 75.0, 80.0, 85.0, 90.0)
 
 
 class MapInputs(SpringInputs):
-    """A spring in the middle of the maps, and the way that its roller goes."""
+    """A spring in the middle of the maps, and the travel of its roller."""
 
     x_r: float = quantity(
-        "8.3 mm", "mm", "x_r", "way of the roller along the spring", gt=0, le=1e3,
+        "8.3 mm", "mm", "x_r", "travel of the roller along the spring", gt=0, le=1e3,
         claims="wang2023:roller-travel-x",
     )  # fmt: skip
     y_r: float = quantity(
-        "0.56 mm", "mm", "y_r", "way of the roller across", ge=0, le=1e3,
+        "0.56 mm", "mm", "y_r", "travel of the roller across the spring", ge=0, le=1e3,
         claims="wang2023:roller-travel-y",
     )  # fmt: skip
     kappa: float = quantity(
@@ -37,15 +37,15 @@ class MapInputs(SpringInputs):
     )  # fmt: skip
 
     @model_validator(mode="after")
-    def _way(self) -> "MapInputs":
+    def _straight(self) -> "MapInputs":
         if self.x_r > 0.7 * self.length:
             raise ValueError(
-                f"the roller's way must be at most 0.7 of the spring's length = "
+                f"the roller's travel must be at most 0.7 of the spring's length = "
                 f"{0.7 * self.length * 1e3:.4g} mm, got x_r = {self.x_r * 1e3:g} mm"
             )
         if self.y_r > 0.2 * self.x_r:
             raise ValueError(
-                f"a way that is taken for straight needs y_r <= 0.2 x_r, got x_r = "
+                f"a path taken as straight needs y_r <= 0.2 x_r, got x_r = "
                 f"{self.x_r * 1e3:g} mm, y_r = {self.y_r * 1e3:g} mm"
             )
         return self

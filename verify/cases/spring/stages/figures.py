@@ -23,10 +23,10 @@ def judged(q: StagesInputs) -> AlongLine:
     line = q.held(theory="thin")
     at = SHARES * frame.end_point(**q.path, tail=q.tail)[0]
     return AlongLine(
-        title=f"Force over displacement, head {q.head}, tail held at {q.tail}, linear theory",
+        title=f"Force over displacement, head {q.head}, tail clamped at {q.tail}, linear theory",
         x=("U", "mm"), y=("F", "N"), curve=line.force, reference="force", at=at, order=2.0,
         points=np.linspace(0, at[-1], 200), scale=float(line.force(at[-1])),
-        scale_name="the largest force shown",
+        scale_name="the largest force drawn",
         note="Line: closed form; dots: straight elements with rigid links between tips and leaves.",
     )  # fmt: skip
 
@@ -37,7 +37,7 @@ def beside(context: Context) -> Iterator[Curves]:
 
 
 def _beside_eq_10(q: StagesInputs) -> Iterator[Curves]:
-    """Readings that meet the printed k_1, and the inputs' own, over the lines of Eq. 10."""
+    """Readings that meet the printed k_1, and that of the inputs, over the lines of Eq. 10."""
     lines = eq10()
     tests = [published(f"wang2023:{name}-test").value * 1e3 for name in ("k1", "k2")]
     U = np.linspace(0.0, EQ10_END, 60)
@@ -73,7 +73,7 @@ _curve(name, U / mm, F - lines.k1 * U, style, c) for name, F, style, c in found
 
 
 def _bounds(q: StagesInputs) -> Curves:
-    """The inputs' own spring, narrow and wide, and with its other ends."""
+    """The spring of the inputs, narrow and wide, and with its other ends."""
     top = 1.5 * float(q.held().U_A)
     curves = []
     for i, head in enumerate(("guided", "free")):
@@ -82,7 +82,7 @@ def _bounds(q: StagesInputs) -> Curves:
             U = np.unique(np.clip([0.0, float(s.U_A), float(s.U_B), top], 0.0, top))
             curves.append(_curve(f"head {head}, tail at {tail}", U / mm, s.force(U), style, i))
     return plot(
-        "Force over displacement for every way of holding the ends", "U [mm]", "F [N]", curves,
+        "Force over displacement for all end conditions", "U [mm]", "F [N]", curves,
         note="Closed form, linear theory.",
     )  # fmt: skip
 

@@ -33,7 +33,7 @@ N_PER_MM, mm = 1e3, 1e-3
 
 @dataclass(frozen=True)
 class Reading:
-    """One way to read the paper's spring, and its stages [SI]."""
+    """One reading of the paper's spring, and its stages [SI]."""
 
     tail: Tail
     head: Head
@@ -79,7 +79,7 @@ def uncertainties() -> dict[str, float]:
 
 
 def readings(q: StagesInputs) -> list[Reading]:
-    """Tail, head, radius and strip: sixteen, and eight more with a width factor of one's own."""
+    """Tail, head, radius and strip: sixteen, and eight more with a given width factor."""
     strips = [("E I", 1.0), ("E I/(1 − ν²)", q.widest)]
     if q.width_factor is not None:
         strips.append((f"{q.width_factor:.5g} E I", q.width_factor))
@@ -98,7 +98,7 @@ def meeting(q: StagesInputs) -> list[Reading]:
 
 
 def chosen(q: StagesInputs) -> Reading:
-    """By k_1 alone, among the sixteen that need no factor of one's own."""
+    """By k_1 alone, among the sixteen that need no given factor."""
     return min(readings(q.model_copy(update={"width_factor": None})), key=lambda x: abs(x.off))
 
 
@@ -116,7 +116,7 @@ def keeps(key: str, figure: float) -> Margin:
 
 
 def tables(q: StagesInputs, context: Context) -> Sequence[Table]:
-    """Every reading beside Eq. 10 and the tests; deviations for the paper's own numbers."""
+    """Every reading beside Eq. 10 and the tests; deviations for the numbers of the paper."""
     test = {name: published(f"wang2023:{name}-test").value * N_PER_MM for name in ("k1", "k2")}
     rows = []
     for x in readings(q):
@@ -127,9 +127,9 @@ def tables(q: StagesInputs, context: Context) -> Sequence[Table]:
                     percent(x.k2 / eq10().k2 - 1), percent(x.k1 / test["k1"] - 1),
                     percent(x.k2 / test["k2"] - 1), "yes" if abs(x.off) <= MET else "")  # fmt: skip
         rows.append(row)
-    header: tuple[str, ...] = ("tail held at", "head", "arc radius", "strip", "k_1 [N/mm]",
+    header: tuple[str, ...] = ("tail clamped at", "head", "arc radius", "strip", "k_1 [N/mm]",
                                "U_A [mm]", "F_A [N]", "k_2 [N/mm]")  # fmt: skip
-    title = "What the paper leaves open: stages OA and AB for every combination"
+    title = "Not stated in the paper: stages OA and AB for every combination"
     if not context.is_paper:
         return (Table(title=title, header=header, rows=tuple(rows), note=NOTE),)
     header += ("k_1, Eq. 10", "U_A", "F_A", "k_2", "k_1, test", "k_2, test", "k_1 within 1 %")
@@ -139,13 +139,13 @@ def tables(q: StagesInputs, context: Context) -> Sequence[Table]:
 
 NOTE = (
     "Linear theory; point A is where the first tip touches, k_2 the slope from there on (both "
-    "tips for a tail clamped at mid-leaf, the head's alone for one held at its arc). U_A does not "
-    "depend on the strip's factor; k_1, F_A and k_2 go with it."
+    "tips for a tail clamped at mid-leaf, only the head's for one clamped at its arc). U_A does "
+    "not depend on the strip's factor; k_1, F_A and k_2 are proportional to it."
 )
 
 
 def predictions(q: StagesInputs) -> str:
-    """Which readings meet the printed k_1, and how far their predictions are apart."""
+    """Which readings meet the printed k_1, and the differences of their predictions."""
     found = meeting(q)
     if not found:
         return f"No reading meets the printed k_1 within {MET:.0%}."

@@ -19,7 +19,7 @@ def sketch(q: Any) -> Sketch:
     """The whole centre line to scale, with the gaps that the tips close."""
     line = frame.sections(frame.pieces(**q.path, tail="mid-leaf")).at.T / mm
     x, y = (place / mm for place in frame.end_point(**q.path, tail="mid-leaf"))
-    a, toward = q.L1 / 2 / mm, -1.0 if q.n % 2 == 0 else 1.0  # the tail's leaf runs this way
+    a, toward = q.L1 / 2 / mm, -1.0 if q.n % 2 == 0 else 1.0  # direction of the tail's leaf
     tip, arc_end = y + toward * a, y - toward * a
     line = np.vstack([[[0.0, -a]], [[0.0, 0.0]], line, [[x, y]], [[x, tip]]])
     low, high = line.min(axis=0), line.max(axis=0)

@@ -65,7 +65,7 @@ class WideSpring(WidthInputs, Case):
     readings: ClassVar = (
         "the force moves a line across the head that stays straight, as a roller's",
         "r is the inner radius: the centre line of the arcs has r + b/2",
-        "where the tail is held and what the head may do is not printed: all four are shown",
+        "the holds of tail and head are not printed: all four combinations are reported",
     )
     assumptions: ClassVar = (
         "small displacements, no contact",
@@ -245,9 +245,9 @@ def _accepted() -> Iterator[Comparison | Check]:
     ):  # fmt: skip
         yield Comparison(quantity=WideSpring.f, check=_agrees(name, pair, accepted, why))
     yield _agrees("the factor is the same however the ends are held", claims.ends, claims.HEAD,
-                  "half of what one leaf's factor may miss", by="the softest way")  # fmt: skip
+                  "half of the tolerance of one leaf's factor", by="the softest ends")  # fmt: skip
     yield _agrees("the factor is the same for a head under a uniform force", claims.uniform,
-                  claims.UNIFORM, "a tenth of what the ends may do",
+                  claims.UNIFORM, "a tenth of the tolerance of the ends",
                   by="a uniform force")  # fmt: skip
     yield Agreement(
         paper_only=True,

@@ -108,7 +108,7 @@ def leaf_factor(q: WidthInputs, h: Any) -> Array:
 
 
 def estimates(context: Context) -> Pair:
-    """Both where they are farthest apart over all widths of the sweep."""
+    """Both where their difference is largest over all widths of the sweep."""
     h, f = sweep(context).T
     leaves = leaf_factor(context.inputs, h)
     off = leaves / f - 1
@@ -119,7 +119,7 @@ def estimates(context: Context) -> Pair:
 
 
 def solids(name: str) -> OfContext:
-    """Shell and solid of a loop, each over its own plane strain."""
+    """Shell and solid of a loop, each over its value in plane strain."""
 
     def pair(context: Context) -> Pair:
         keys = f"shell_{name}", f"solid_{name}"
@@ -133,7 +133,7 @@ def solids(name: str) -> OfContext:
 
 
 def ends(context: Context) -> Pair:
-    """The largest and the least factor of all ways to hold the ends, on one mesh."""
+    """The largest and the least factor of all end conditions, on one mesh."""
     f = stored(context, "ends")
     return Pair(float(f.max()), float(f.min()), 0.0, f"{f.min():.5f} to {f.max():.5f}")
 
@@ -146,7 +146,7 @@ def uniform(context: Context) -> Pair:
 
 
 def readings(context: Context) -> dict[tuple[Tail, Head], tuple[float, float]]:
-    """Factor and stiffness [N/m] by the shell for every way to hold the ends."""
+    """Factor and stiffness [N/m] by the shell for all end conditions."""
     found: dict[tuple[Tail, Head], tuple[float, float]] = {}
     for (tail, head), f in zip(ENDS, stored(context, "ends"), strict=True):
         found[tail, head] = float(f), float(f * context.inputs.held(tail, head).k_narrow)

@@ -37,8 +37,8 @@ def tables(_: WidthInputs, context: Context) -> Sequence[Table]:
 
 
 def _readings(context: Context) -> Table:
-    """Stiffness by the shell for every way to hold the ends, beside what the paper prints."""
-    header: tuple[str, ...] = ("tail held at", "head", "k_1 of E I [N/mm]", "f, shell",
+    """Stiffness by the shell for all end conditions, beside the printed values."""
+    header: tuple[str, ...] = ("tail clamped at", "head", "k_1 of E I [N/mm]", "f, shell",
                                "k_1, shell [N/mm]")  # fmt: skip
     if context.is_paper:
         header += ("beside the paper's shell model, 0.613", "beside its test, 0.610")
@@ -122,7 +122,7 @@ def _elements(context: Context) -> Curves:
         loops,
         y_bottom=low - 0.05 * (high - low), x_names=tuple(
         (float(k), f"{10.0**k:g}") for k in range(int(np.ceil(ends[0])), int(ends[1]) + 1)
-        ), note="Loop: half a leaf, two quarter arcs, half a leaf; its stiffness over its own in "
+        ), note="Loop: half a leaf, two quarter arcs, half a leaf; its stiffness over that in "
         "plane strain, times that limit.",
     )  # fmt: skip
 
@@ -143,5 +143,5 @@ def _lifted(context: Context) -> Curves:
 ACROSS = Picture(
     field="loop", data="across", symbol="σ_z", unit="MPa", factor=MPa,
     caption="Bending stress across a loop, half its width, edge in front: ν times that along it "
-    "but for the free edge, under 2 N on the whole width",
+    "except at the free edge, under 2 N on the whole width",
 )  # fmt: skip

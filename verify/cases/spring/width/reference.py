@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from meshes.spring.path import Piece
 
 LEVELS = (2, 3, 4)  # cells of an arc
-SWEPT = 2  # the level of sweeps and of ends that are not the inputs' own
+SWEPT = 2  # the level of sweeps and of ends other than those of the inputs
 ENDS: tuple[tuple[Tail, Head], ...] = (
     ("arc", "free"), ("arc", "guided"), ("mid-leaf", "free"), ("mid-leaf", "guided"),
 )  # fmt: skip
@@ -32,7 +32,7 @@ MEDIUM = (0.1, 0.2, 0.4, 0.7, 1.0)  # widths over a leaf's length
 WIDE = (2.0, 5.0, 10.0, 30.0, 90.0)
 RATIOS = (Share(0.2), Share(1.0), Share(5.0))  # of a thin leaf's width over its length
 THIN = 3e-5  # thickness over length of a leaf that is Kirchhoff's plate
-BOTH = (20.0, 100.0)  # widths over the thickness at which solids stand beside shells
+BOTH = (20.0, 100.0)  # widths over the thickness at which solids are compared with shells
 ROUND_OFF = 1e-12  # of the energy
 
 
@@ -70,8 +70,8 @@ def thread(q: WidthInputs) -> float:
 
 
 def widths_of_both(q: WidthInputs) -> dict[str, float]:
-    """Widths [m] of the loop that is solved as a shell and as a solid, the inputs' own last."""
-    return {f"{ratio:g}": ratio * q.b for ratio in BOTH} | {"own": q.h}
+    """Widths [m] of the loop that is solved as a shell and as a solid, that of the inputs last."""
+    return {f"{ratio:g}": ratio * q.b for ratio in BOTH} | {"given": q.h}
 
 
 def sweeps(q: WidthInputs) -> dict[str, NDArray[Any]]:
