@@ -29,13 +29,13 @@ def long(q: Any) -> Any:
 
 
 def long_uncrowned(q: Any) -> Any:
-    """Longer sprags with a hundredth of the crown: all slices bear alike."""
+    """Longer sprags with a hundredth of the crown: all slices carry equal loads."""
     more = long(q)
     return more.model_copy(update={"K_1": more.K_1 / FLATTER, "z_m": more.z_m / FLATTER})
 
 
 def long_half_crowned(q: Any) -> Any:
-    """Longer sprags with half the crown: less would let the ends bear the largest pressure."""
+    """Longer sprags with half the crown: with less the largest pressure would be at the ends."""
     more = long(q)
     return more.model_copy(update={"K_1": more.K_1 / 2, "z_m": more.z_m / 2})
 
@@ -43,12 +43,12 @@ def long_half_crowned(q: Any) -> Any:
 BOTH = Without(Cause.PLANE, "plane strain on both sides")
 LONG = Rerun(cause=Cause.GEOMETRY, what="four times as long under the same load per length",
              inputs=long, levels=(41, 81))  # fmt: skip
-# slices take what they yield by from their own load alone, strips from their neighbours' as well
+# the deflection of a slice depends on its load only, that of a strip on all loads
 EVEN = Rerun(
     cause=Cause.GEOMETRY, what="and a hundredth of the crown: an even load of the slices",
     rows=("pressure at mid-length*",), inputs=long_uncrowned, levels=LONG.levels, after=LONG.what,
 )  # fmt: skip
-# at the larger torque the ends bear the largest pressure then, which is another one
+# at the larger torque the largest pressure would then be at the ends: another one
 HALF = Rerun(
     cause=Cause.GEOMETRY, what="and half the crown", rows=("largest pressure*",),
     inputs=long_half_crowned, levels=LONG.levels, after=LONG.what,
@@ -58,12 +58,12 @@ STRIPS = (
     Without(Cause.PLANE, "strips and slices, not plane"),
 )
 IN_TIME = (
-    Without(Cause.CONTACT, "rigid sprags on springs by the formulas' own law"),
+    Without(Cause.CONTACT, "rigid sprags on springs by the law of the formulas"),
     Without(Cause.PLANE, "rigid bodies"),
     Without(Cause.GEOMETRY, "one model on both sides"),
 )
 
-LAW = "slices yield by Palmgren's law of a whole roller, which no rerun gives to strips"
+LAW = "slices deflect by Palmgren's law of a whole roller, which no rerun gives to strips"
 SLICED = (Left(("pressure at mid-length*", "largest pressure*"), LAW),)
 WEDGE = Left(
     ("T_*tan*1.8 N_0", "excess of N_e*", "torque n_s N*1.8 N_0"),

@@ -1,7 +1,7 @@
 """Inputs of a logarithmic sprag clutch: its wedge, its contacts, its engagement.
 
 Table 1 of the paper gives part of them. What it lacks is identified or assumed; `IDENTIFIED` and
-`ASSUMED` name these, and rows that hang on an identified one are CALIBRATED.
+`ASSUMED` name these, and rows that depend on an identified one are CALIBRATED.
 """
 
 import math

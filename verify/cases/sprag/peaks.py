@@ -21,13 +21,13 @@ from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.figures import Array
 from verify.jobs.executor import Drive, Lost, local
 
-ENGAGED = 1024  # engagements kept: those of two optimisations, which share their designs
+ENGAGED = 1024  # engagements stored: those of two optimisations, which share their designs
 CHUNK = 5  # crowns that a process takes at a time
-STRIPS = 81  # along a sprag; where its ends carry nothing 161 of them change the peak by 0.1 %
+STRIPS = 81  # along a sprag; where its ends are unloaded 161 of them change the peak by 0.1 %
 HOW = {
     "slips": "a contact slides on",
-    "over the end": "the sprags leave their profile, or what the formulas can tell",
-    "disengages": "the contacts are apart at the end",
+    "over the end": "the sprags leave their profile, or the range of the formulas",
+    "disengages": "the contacts are separated at the end",
     "not followed": "the force still rises at the end, take a longer t_end",
 }
 
@@ -53,7 +53,7 @@ def one_fem(
 ) -> tuple[Array, Array]:
     """N_max [N], (m,), and pressures [Pa], (m, slices), with the crown of `q`.
 
-    NoLockError where an engagement does not lock; its own errors where there is none.
+    NoLockError where an engagement does not lock; other errors where there is none.
     """
     one = built(q)
     N, R = np.array([_peak_fem(q.model_copy(update={"T": float(T)})) for T in torques]).T
@@ -81,7 +81,7 @@ Task = tuple[EngagementInputs, tuple[float, ...], tuple[Crown, ...], By]
 def some_fem(task: Task) -> list[tuple[Array, Array]] | str:
     """A chunk of crowns; why, where an engagement does not lock.
 
-    An engagement that is not solved raises its own error: it says nothing about the clutch.
+    An engagement that is not solved raises another error: it is no statement on the clutch.
     """
     q, torques, crowns, by = task
     try:

@@ -51,9 +51,9 @@ class OfPaper(Accepted):
 
 @dataclass(frozen=True, kw_only=True)
 class Noted(Claim):
-    """A printed statement that the paper's own equations contradict: NOTE with its ledger entry.
+    """A printed statement that equations of the same paper contradict: NOTE with its ledger entry.
 
-    `margin` says how surely; where it does not, the ledger is wrong and the row fails.
+    `margin` is positive where they do; otherwise the ledger is wrong and the row fails.
     """
 
     kind = Kind.FACT

@@ -46,7 +46,7 @@ def at_rotation(q: WedgeInputs, alpha: float) -> Start[Place]:
 
 @lru_cache(256)
 def at_force(q: WedgeInputs, P: float) -> Start[Place]:
-    """Where the sprag lies whose inner contact bears about `P` [N/m] on coarse meshes."""
+    """Position of the sprag with about `P` [N/m] on its inner contact on coarse meshes."""
     start = guessed(q, _rotation(q, SOFT * P * (1 - q.nu**2) / q.E))
     for _ in range(MOST):
         start, state = start.settled()

@@ -31,15 +31,16 @@ def limit(key, **changes):
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
-        ({}, "holds: torque asks for tan ν = 0.05541 of friction, μ_s is 0.12 (μ_s/tan ν = 2.17)"),
+        ({}, "holds: required friction coefficient tan ν = 0.05541, available μ_s = 0.12 (margin "
+         "μ_s/tan ν = 2.17)"),
         ({"mu_s": 0.05, "mu_c": 0.04}, "slips: tan ν_0 = 0.05503 exceeds μ_s = 0.05: the sprags "
          "do not wedge"),
         ({"mu_s": 0.0552, "mu_c": 0.05}, "slips: tan ν = 0.05541 under torque exceeds"),
         ({"T": 115.0}, "rolls over: the sprags reach the end of their profile, α_max = 28.65°, at "
          "111.5 N m"),
-        ({"T": 500.0, "alpha_max": 3.0}, "no state: no state bears T = 500 N m"),
-        ({"T": 100.0}, "overloaded: friction holds, but the inner contacts bear"),
-        ({"R_p": 2e8}, "overloaded: friction holds, but the inner race bears"),
+        ({"T": 500.0, "alpha_max": 3.0}, "no state: no equilibrium exists at T = 500 N m"),
+        ({"T": 100.0}, "overloaded: friction holds, but the inner contacts have"),
+        ({"R_p": 2e8}, "overloaded: friction holds, but the inner race has"),
         ({"T": 100.0, "p_lim": None}, "holds"),
     ],
 )  # fmt: skip
@@ -73,7 +74,7 @@ def test_what_is_advised_holds():
     for changes in ({"mu_s": 0.05, "mu_c": 0.04}, {"nu_0": math.radians(7.5), "T": 40.0}):
         first, second, *rest = findings(**changes)
         assert second.endswith("would have if it held")
-        assert not any(" grows" in x or "passed" in x or "each sprag bears" in x for x in rest)
+        assert not any(" grows" in x or "passed" in x or "each sprag carries" in x for x in rest)
         angle, friction = number(first, "ν_0 below "), number(first, "μ_s above ")
         for advised in ({"nu_0": math.radians(angle)}, {"mu_s": friction}):
             assert verdict(SpragClutch(**changes | advised | {"p_lim": None})) == "holds"
@@ -117,7 +118,7 @@ def test_springs_whose_state_is_not_found_have_no_force(broken):
     v = CLUTCH.analytic(SpragClutch())
     assert "N_0" not in v
     warned = CLUTCH.warnings(SpragClutch(), v)
-    assert "no state that bears the springs alone was found: N_0 is not known" in warned
+    assert "no equilibrium under the springs alone was found: N_0 is not known" in warned
 
 
 def test_stiffness_is_the_slope_of_the_torque_over_the_turn():

@@ -33,7 +33,12 @@ def engaged(q, dt=1e-5, **how):
     ("case", "changes", "verdict", "words"),
     [
         (ENGAGEMENT, {}, "locks", "locks: N swings to 62"),
-        (ENGAGEMENT, {"mu_s": 0.05, "mu_c": 0.05}, "slips", "slips: friction is less"),
+        (
+            ENGAGEMENT,
+            {"mu_s": 0.05, "mu_c": 0.05},
+            "slips",
+            "slips: the friction coefficient is below",
+        ),
         (ENGAGEMENT, {"T": 120.0}, "over the end", "rolls over"),
         (FRICTION, {}, "locks", "locks: μ_s is 2.17 times"),
         (FRICTION, {"mu_s": 0.05, "mu_c": 0.05}, "slips", "slips for ever"),
@@ -89,7 +94,7 @@ def test_elastic_yields_are_those_of_rings_under_single_loads_and_of_the_column(
             r_i=r_i, r_o=r_o, E=SPRAG.E, nu=SPRAG.nu, assumption="plane strain", loaded=loaded,
             n=SPRAG.z, P=P, a=a,
         )  # fmt: skip
-        both = float(yields[f"{name} mean"][0] + yields[f"{name} dent"][0])
+        both = float(yields[f"{name} mean"][0] + yields[f"{name} indentation"][0])
         assert both == pytest.approx(abs(ring.displacement(ring.r, 0.0)), rel=2e-4)
 
 

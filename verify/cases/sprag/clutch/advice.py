@@ -19,7 +19,7 @@ SHORT = 1e-4  # of the law's last load: below it slices are not solved
 HARD = 0.1  # of N, by which springs press
 REACHED = 0.5  # of z_m: an end slice that drops by less is stated
 DEEPER = 1.05  # times what it drops, by twice z_m: not worth it
-UNEVEN = 1.5  # over Eq. 6's smeared ring
+UNEVEN = 1.5  # over the uniformly loaded ring of Eq. 6
 CENTRIFUGAL = 0.1  # of N_0, by which centrifugal forces change it
 SLOWLY = "; this is of a torque that rises slowly: one that comes at once nearly doubles the " \
     "force (check --dynamic)"  # fmt: skip
@@ -58,10 +58,11 @@ def _at(limit: Limit) -> str:
 
 
 def stiff(q: ClutchFormulas, stands: bool) -> str:
-    bears, has, have = ("bears", "has", "have") if stands else ("would bear", *("would have",) * 2)
+    carries = "carries" if stands else "would carry"
+    has, have = ("has", "have") if stands else ("would have",) * 2
     return (
-        f"each sprag {bears} {newton(q.N)} and {has} turned by {q.alpha * DEGREE:.3g}°; the "
-        f"races {have} turned by {q.theta * DEGREE:.3g}° against each other, "
+        f"each sprag {carries} {newton(q.N)} and {has} rotated by {q.alpha * DEGREE:.3g}°; the "
+        f"races {have} a wind-up of {q.theta * DEGREE:.3g}°, "
         f"{q.stiffness:.4g} N m/rad at this torque"
     )
 
@@ -72,23 +73,24 @@ def crowned(q: ClutchFormulas, stands: bool) -> str:
         f"{pascal(p)} at the {race} race ({p / mid:.3g} times that at mid-length)"
         for p, mid, race in ((q.p_i, q.p_i_mid, "inner"), (q.p_o, q.p_o_mid, "outer"))
     ]
-    return f"the contacts' slices {'' if stands else 'would '}bear up to {' and '.join(pressures)}"
+    largest = f"largest pressure of the contacts' slices{'' if stands else ' if it held'}"
+    return f"{largest}: {' and '.join(pressures)}"
 
 
 def dropped(q: ClutchFormulas) -> list[str]:
-    """Where z_m is reached at the very ends alone."""
+    """Where z_m is reached at the very ends only."""
     if q.z_m == 0 or q.z_end > REACHED * q.z_m:
         return []
     flat = q.z_end_deeper < DEEPER * q.z_end
     more = ", a larger one changes little" if flat else ""
     return [
         f"the crown drops by {q.z_end / UM:.3g} µm at the middle of its end slices: z_m = "
-        f"{q.z_m / UM:.3g} µm is reached at the very ends alone{more}"
+        f"{q.z_m / UM:.3g} µm is reached at the very ends only{more}"
     ]
 
 
 def beside(q: ClutchFormulas) -> str:
-    """What two other models say at the same torque."""
+    """Results of two other models at the same torque."""
     return (
         f"with rigid races (Liu) the sprags would turn by {q.alpha_Liu * DEGREE:.3g}°, by Eqs. "
         f"9 and 10 as printed by {q.alpha_printed * DEGREE:.3g}°"
@@ -96,14 +98,14 @@ def beside(q: ClutchFormulas) -> str:
 
 
 def elastic(q: ClutchFormulas) -> list[str]:
-    """What the parts' elasticity makes of the turn, and of the engagement's time."""
+    """Effect of elastic parts on the rotation and on the duration of the engagement."""
     if not math.isfinite(q.alpha_elastic + q.theta_elastic):
         return []
     share = q.theta / q.theta_elastic
     times = math.sqrt(share)
     spring = "softer" if share > 1 else "stiffer"
     return [
-        "as elastic bodies (case sprag-wedge, where finite elements judge them) the sprags turn "
+        "as elastic bodies (case sprag-wedge, checked there by finite elements) the sprags turn "
         f"by {q.alpha_elastic * DEGREE:.3g}°: the paper's deflections, used here, make the "
         f"clutch {spring} and its period of oscillation about {times:.3g} times as long"
     ]
@@ -121,35 +123,36 @@ def warnings(q: ClutchFormulas) -> Sequence[str]:
     found = []
     if not STEEL[0] <= q.E <= STEEL[1]:
         found.append(
-            f"slices follow Palmgren's law, which is steel's whatever E = {q.E / 1e9:.4g} GPa says"
+            f"slices follow Palmgren's law, which is of steel and independent of E = "
+            f"{q.E / 1e9:.4g} GPa"
         )
     if q.state and SHORT * built(q).N_top > q.N:
         found.append(f"N = {newton(q.N)} is below the least load for which slices were solved")
     if q.alpha > LOOSE:
         found.append(
-            f"the sprags turn by {q.alpha * DEGREE:.3g}° under T: a part of their profile that "
-            "few sprags have"
+            f"the sprags turn by {q.alpha * DEGREE:.3g}° under T: few sprags have a "
+            "profile that long"
         )
     if not HARD * (q.N if q.state else math.inf) >= q.N_0:
         found.append(
-            f"the springs alone press with {newton(q.N_0)}, more than a tenth of what the "
-            "torque asks for"
+            f"the springs alone press with {newton(q.N_0)}, more than a tenth of the force "
+            "under the torque"
             if math.isfinite(q.N_0)
-            else "no state that bears the springs alone was found: N_0 is not known"
+            else "no equilibrium under the springs alone was found: N_0 is not known"
         )
     found += [
-        f"the {race} race deflects {times:.3g} times as much under each sprag as Eq. 6's smeared "
-        "ring: few sprags or a thin wall make it no round race, its stress is not the smeared one's"
+        f"the {race} race deflects {times:.3g} times as much under each sprag as the uniformly "
+        "loaded ring of Eq. 6: few sprags or a thin wall, its shape and stress are not uniform"
         for times, race in zip(q.uneven, ("inner", "outer"), strict=True)
         if times > UNEVEN
     ]
     if (F := centrifugal_force(q)) > CENTRIFUGAL * q.N_0:
         found.append(
-            f"at n each sprag feels m_g ω² r = {newton(F)} of centrifugal force, its springs press "
-            f"with {newton(q.N_0)}: n counts for the growth of the outer race alone here"
+            f"at n the centrifugal force on a sprag is m_g ω² r = {newton(F)}, its springs press "
+            f"with {newton(q.N_0)}: here n affects the growth of the outer race only"
         )
     if q.l < q.b:
-        found.append("sprags are shorter than wide: line contacts they hardly have")
+        found.append("sprags are shorter than wide: their contacts are hardly line contacts")
     return found
 
 
@@ -157,11 +160,11 @@ def refusal(q: EngagementInputs) -> str:
     """Why the drawn sprag and strips cannot solve these inputs."""
     now = under(q)
     if now is None or float(now.turned) > q.alpha_max:
-        return "no state within the profile bears this torque; check it without --fem"
+        return "no equilibrium within the profile exists at this torque; check it without --fem"
     if float(now.N) < SHORT * built(q).N_top:
         return "N is below the least load that slices are solved for; check it without --fem"
     if q.slices > FINEST:
-        return f"{q.slices} slices are solved anew at each load, more than {FINEST} are slow; "\
+        return f"{q.slices} slices are solved again at each load, more than {FINEST} are slow; "\
             "check it without --fem"  # fmt: skip
     return ""
 

@@ -1,4 +1,4 @@
-"""What the bodies of a sprag clutch bear and how they deform but for the paper's deflections."""
+"""Stresses, deformations and forces of a sprag clutch beyond the paper's deflections."""
 
 import math
 
@@ -14,7 +14,7 @@ from verify.cases.sprag.wedge import model as sprag_wedge_model
 
 
 def uneven(q: SpragInputs, N: float, loaded: Wall) -> float:
-    """Deflection of a race under each sprag, indentation excluded, over Eq. 6's smeared ring."""
+    """Deflection of a race under each sprag, indentation excluded, over that by Eq. 6."""
     a = sprag_wedge_model.bodies(q).half_widths(np.asarray(N))[loaded == "bore"]
     return over_smeared(parts(q), float(a), loaded)
 

@@ -46,19 +46,19 @@ class SpragClutch(ClutchFormulas):
         "in the paper's clutch: assumed are "
         + "; ".join(f"{named([name])} ({why})" for name, why in ASSUMED.items()),
         "α_max is both where the profile ends and where the springs are slack",
-        "all sprags are alike and share the load; races are smeared rings in plane stress, the "
-        "sprag is a bar, contacts are slices by Palmgren's law; elastic bodies differ (α_el): "
-        "finite elements of the paper's clutch turn it by 5.7° where these deflections say 7.2°",
-        "n counts for the growth of the outer race alone: no centrifugal force acts on the sprags, "
-        "and none in the races' stresses",
-        "stresses of the races are Lamé's under the smeared forces, in plane stress; R_p limits "
-        "Tresca's at both bores",
+        "all sprags are equal and share the load; races are uniformly loaded rings in plane "
+        "stress, the sprag is a bar, contacts are slices by Palmgren's law; elastic bodies differ "
+        "(α_el): 5.7° by finite elements of the paper's clutch, 7.2° by these deflections",
+        "n affects the growth of the outer race only: centrifugal forces on the sprags and in the "
+        "stresses of the races are neglected",
+        "stresses of the races are Lamé's under uniformly distributed forces, in plane stress; R_p "
+        "limits Tresca's at both bores",
         "a verdict without --dynamic is of a torque that rises slowly",
         "the closure takes the deflections of the whole inner side to the unstrained spiral "
         "(Eqs. 9 and 10, corrected), so that the torque's work is theirs",
         "the pressures of the engagement are those of statics at its largest normal force",
-        "without a crown the largest pressure is that of the end slices: it has no limit as they "
-        "become more",
+        "without a crown the largest pressure is that of the end slices: it has no limit as "
+        "their number grows",
     )
 
     comparisons = compared.stated

@@ -17,10 +17,10 @@ from verify.form.comparisons import key_of
 from verify.judging.checks import Identity
 from verify.judging.profile_checks import Estimated
 
-LAW = 2e-5  # of N, tan(nu): what the cubic between the loads of a contact's law may miss, standard
+LAW = 2e-5  # of N, tan(nu): error of the cubic between the loads of a contact's law, standard
 LAW_ALPHA = 1e-3  # the same of turns and deflections, 0.15 % of the contacts' at the most
 DRAWN = "drawn sprag, same deflections"
-FROM_DRAWN = 1e-3, "cubic between the loads of the contacts' laws, as told in u_ref"
+FROM_DRAWN = 1e-3, "cubic between the loads of the contacts' laws, as stated in u_ref"
 SLIPS = 0.01
 SAME_CONTACT = "line contacts, radius of the inner contact under load"
 SAME_LAWS = "deflections by the laws of Eqs. 2-8"

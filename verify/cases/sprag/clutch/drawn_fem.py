@@ -1,4 +1,4 @@
-"""A sprag of the inputs as it is drawn point by point: the other way to its state."""
+"""The sprag of the inputs drawn point by point: a second method for its state."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""One's own engagement in time: how high its first peak is, and whether it locks."""
+"""A user's engagement in time: its first peak, and whether the clutch locks."""
 
 import math
 from collections.abc import Sequence
@@ -22,17 +22,17 @@ from verify.form.plots import dashes, line, plot
 
 DEGREE = math.degrees(1.0)
 DRAWN, ACROSS = 4000, 240  # points of a curve, moments of p(y, t)
-ATOM = 1e-10  # m, below which a way is round-off
+ATOM = 1e-10  # m, below which a sliding distance is round-off
 
 
 def run(q: ClutchFormulas, _values: Values) -> Values:
     found = run_fem(q)
     e = found.engagement
-    ways, energies = slid(e), balance(e)
+    slips, energies = slid(e), balance(e)
     M = e.table.n_s * e.T_i * e.table.at(e.alpha)["OA"]
     values = {
-        "N_max": e.N_max, "slid_i": ways[0] if ways[0] > ATOM else 0.0,
-        "slid_o": ways[1] if ways[1] > ATOM else 0.0,
+        "N_max": e.N_max, "slid_i": slips[0] if slips[0] > ATOM else 0.0,
+        "slid_o": slips[1] if slips[1] > ATOM else 0.0,
         "friction": float(energies.friction[-1]), "damping": float(energies.damping[-1]),
         "work": float(energies.torque[-1]), "missing": missing(e),
         "theta_max": float((e.theta_i - e.theta_e).max()), "M_max": float(np.nanmax(M)),
@@ -54,17 +54,17 @@ OUTPUTS = (
     output("N_max", "N_max", "N", "largest normal force of a sprag"),
     output("peak_factor", "N_max/N", "1", "peak factor: over N at rest (Eq. 14, no springs)"),
     output("t_max", "t_max", "ms", "time of that peak"),
-    output("M_max", "M_max", "N m", "largest torque that the sprags bear"),
-    output("theta_max", "θ_max", "deg", "largest turn of the races against each other"),
+    output("M_max", "M_max", "N m", "largest torque that the sprags carry"),
+    output("theta_max", "θ_max", "deg", "largest wind-up of the races"),
     output("p_i_max", "p_i,max", "MPa", "largest pressure at the inner race, by slices"),
     output("p_o_max", "p_o,max", "MPa", "largest pressure at the outer race, by slices"),
     output("t_slip", "t_s", "ms", "time in which a contact slides"),
-    output("slid_i", "s_i", "mm", "way that the inner contacts slide"),
-    output("slid_o", "s_o", "mm", "way that the outer contacts slide"),
+    output("slid_i", "s_i", "mm", "sliding distance of the inner contacts"),
+    output("slid_o", "s_o", "mm", "sliding distance of the outer contacts"),
     output("work", "W", "J", "work of the torque"),
     output("friction", "W_μ", "J", "of it lost in sliding"),
     output("damping", "W_c", "J", "of it lost in damping"),
-    output("missing", "ΔW/W", "1", "what the balance of energies misses"),
+    output("missing", "ΔW/W", "1", "error of the balance of energies"),
     output("D_V", "D_V", "m/s", "band of sliding speeds in which contacts may stick"),
 )
 
@@ -118,7 +118,7 @@ def over_time(q: ClutchFormulas, found: Run) -> tuple[Density, ...]:
 
 
 def along(q: ClutchFormulas, found: Run) -> Curves:
-    """Pressures along the inner contacts on the way up to the largest force, and on both races."""
+    """Pressures along the inner contacts up to the largest force, and on both races."""
     y = pressures.centres(q) * 1e3
     curves = []
     for k, share in enumerate((0.05, 0.25, 0.5, 1.0)):
@@ -126,7 +126,7 @@ def along(q: ClutchFormulas, found: Run) -> Curves:
         inner, outer = found.one.pressed(N)
         curves.append(line(f"inner, {share:g} N_max", y, inner.peak_pressure / 1e6, k))
     curves.append(dashes("outer, N_max", y, outer.peak_pressure / 1e6, 3))
-    return plot("Pressure along the sprags on the way up to the peak", "y [mm]", "p [MPa]", curves,
+    return plot("Pressure along the sprags up to the peak force", "y [mm]", "p [MPa]", curves,
                 y_bottom=0.0)  # fmt: skip
 
 

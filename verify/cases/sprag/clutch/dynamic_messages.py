@@ -16,13 +16,13 @@ AT_REST = {
     "overloaded": "is overloaded at rest",
     "slips": "slips at rest",
     "rolls over": "rolls over at rest",
-    "no state": "no formula tells of a state at rest",
+    "no state": "the formulas give no equilibrium at rest",
 }
 IN_TIME = {
     "holds": "holds in the first peak",
     "not followed": "the engagement is not followed to its peak",
     "overloaded": "is overloaded in the first peak",
-    "disengages": "its contacts are apart in the end",
+    "disengages": "its contacts are separated at the end",
     "slips": "slides on as the torque comes",
     "rolls over": "rolls over in the first peak",
     "no state": "the formulas end before the first peak",
@@ -31,7 +31,7 @@ WORDS = {
     "locks": "the clutch locks",
     "slips": "a contact slides on: the clutch does not lock",
     "over the end": "the sprags roll over",
-    "disengages": "the contacts are apart at the end",
+    "disengages": "the contacts are separated at the end",
     "not followed": "not followed to its peak",
 }
 WELL = 1e-3  # of the work: energies that miss more are stated
@@ -40,7 +40,7 @@ DECAYS = 5.0  # time constants of a force that creeps
 
 
 def overall(q: ClutchFormulas, v: Values) -> tuple[str, tuple[str, ...]]:
-    """The worse verdict, and the lines that say both."""
+    """The worse verdict, and the lines that state both."""
     still, moving = verdict(q), in_time(q, v)
     worst = max(still, moving, key=WORSE.index)
     if still == moving and still in ("holds", "overloaded", "rolls over"):
@@ -75,8 +75,8 @@ def unfollowed(q: ClutchFormulas) -> str:
 def least_time(q: ClutchFormulas) -> float:
     """Time [s] up to the first peak at most, rounded up to two digits.
 
-    The torque's rise, the way back of a race that overruns, half a period of the inner race on the
-    clutch and the support one behind the other, and what damping delays.
+    The torque's rise, the deceleration of a race that overruns, half a period of the inner race
+    on the clutch and the support in series, and the delay by damping.
     """
     k = 1 / (1 / q.T_per_theta + 1 / q.k_out)
     back = q.I_bi * max(0.0, -q.w_i) / q.T
@@ -109,7 +109,7 @@ def findings(q: ClutchFormulas, v: Values) -> Sequence[str]:
         )
     if v["missing"] > WELL:
         lines.append(
-            f"careful: energies miss {v['missing']:.2%} of the work put in, Δt = {q.dt:g} s is "
+            f"careful: energies miss {v['missing']:.2%} of the work, Δt = {q.dt:g} s is too "
             f"long; take {enough(e.table, e.motion, q.dt):g} s"
         )
     return lines
@@ -123,8 +123,8 @@ def peaks(q: ClutchFormulas, v: Values, found: Run) -> list[str]:
     lines = [
         f"in time: {outcome(found)}{when}; the normal force {reaches} {newton(v['N_max'])} at "
         f"{v['t_max'] * 1e3:.3g} ms{factor}",
-        f"then the inner contacts bear {pascal(v['p_i_max'])}, the outer ones "
-        f"{pascal(v['p_o_max'])}",
+        f"then the largest pressure of the inner contacts is {pascal(v['p_i_max'])}, that of the "
+        f"outer ones {pascal(v['p_o_max'])}",
     ]
     if q.p_lim is not None and max(v["p_i_max"], v["p_o_max"]) > q.p_lim:
         lines.append(f"that exceeds p_lim = {pascal(q.p_lim)}")

@@ -90,7 +90,7 @@ def turned(q: SpragInputs) -> Curves:
     one = built(q)
     rigid = one.clutch.rigid_races()
     return plot(
-        "Turn of the sprags and of the races", "T [N m]", "[°]",
+        "Sprag rotation and wind-up of the races", "T [N m]", "[°]",
         line("sprags, α", now.T, now.alpha_b * DEGREE),
         dashes("sprags, Eqs. 9 and 10 as printed", now.T,
                printed.wedged(one.clutch, N).alpha_b * DEGREE, 2),
@@ -146,6 +146,6 @@ def pairs(context: Context) -> Curves:
         line("no crown", T, flat), line("optimal crowns", T, best, 2),
         dots("printed, no crown", T, [3500.0, 4700.0]),
         dots("printed, optimal crowns", T, [2980.0, 3400.0], 2), y_bottom=2500.0,
-        note="The printed pairs ask for force ratios of 1.8 and 1.3; the clutch's is "
+        note="The printed pairs require force ratios of 1.8 and 1.3; the clutch's is "
         f"{float(found['N_max'][1] / found['N_max'][0]):.3g}.",
     )  # fmt: skip

@@ -23,9 +23,9 @@ Contacts = tuple[SlicedContact, SlicedContact]  # inner, outer
 
 
 class ClutchFormulas(EngagementInputs, Case):
-    """What a clutch does not have is nan: no state bears its torque, or no torque reaches a limit.
+    """Without an equilibrium at its torque, or a torque that reaches a limit, a value is nan.
 
-    Forces, turns, pressures and stresses are those under T.
+    Forces, rotations, pressures and stresses are those under T.
     """
 
     @Step("m", "1", "growth of the spiral")
@@ -223,12 +223,12 @@ class ClutchFormulas(EngagementInputs, Case):
 
     @shared
     def hoop(self) -> dict[str, float]:
-        """Stresses [Pa] of both races under the smeared forces."""
+        """Stresses [Pa] of both races under uniformly distributed forces."""
         if self.state is None:
             return dict.fromkeys(("s_i", "s_id", "s_e"), math.nan)
         return hoop(parts(self), self.N, self._in_state("N_e"))
 
-    @Quantity("σ_θ(R_id)", "MPa", "hoop stress at the inner race's bore, smeared load",
+    @Quantity("σ_θ(R_id)", "MPa", "hoop stress at the inner race's bore, uniform load",
               source="Lamé", safe="too high")  # fmt: skip
     def s_id(self) -> float:
         return self.hoop["s_id"]

@@ -1,4 +1,4 @@
-"""Formulas of one's own sprag clutch: its state under torque, its pressures by slices."""
+"""Formulas of a sprag clutch: its state under torque, its pressures by slices."""
 
 import math
 from functools import lru_cache
@@ -31,7 +31,7 @@ def built(q: SpragInputs) -> Crowned:
 
 @lru_cache(maxsize=16)
 def under(q: SpragInputs) -> Wedged | None:
-    """The state under the torque; None where no load that the contacts can tell bears it."""
+    """The state under the torque; None where it needs loads beyond those of the contacts' laws."""
     one = built(q)
     now = at_torque(one.clutch, q.T)
     return now if np.isfinite(now.N) and one.N_top >= now.N else None
@@ -62,7 +62,7 @@ def normal_force(state: Wedged | None) -> float:
 
 @lru_cache(maxsize=16)
 def spring_force(q: EngagementInputs) -> float:
-    """Force N_0 [N] of the springs alone; nan where no state that bears them is found."""
+    """Force N_0 [N] of the springs alone; nan where no equilibrium is found."""
     clutch = built(q).clutch
     if not q.alpha_max > wedged(clutch, 0.0).alpha:
         return 0.0

@@ -68,7 +68,7 @@ def fitted_angle_fem() -> float | None:
     """Wedge angle [rad] with the pressure printed at 25 N m, optimal crown.
 
     None where both ends of ANGLES have more than that, or both less. An engagement that is not
-    found raises its own error.
+    found raises an error.
     """
     T = TORQUES[0]
 

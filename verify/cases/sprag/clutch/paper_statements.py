@@ -98,7 +98,7 @@ def deeper_is_lower(context: Context) -> tuple[float, float, str]:
 
 
 def ends_carry(context: Context) -> tuple[float, float, str]:
-    """Without a crown the end slices bear more than the middle in the largest peak."""
+    """Without a crown the pressure at the ends exceeds that in the middle in the largest peak."""
     end, middle = measured(context)["flat, ends"] / 1e6
     return (
         float(end / middle - 1),
@@ -123,10 +123,10 @@ def grows(context: Context) -> tuple[float, float, str]:
 def ratios(context: Context) -> tuple[float, float, str]:
     """Ratio of forces that both printed pairs imply, beside this clutch's."""
     found = measured(context)
-    own = float(found["N_max"][1] / found["N_max"][0])
+    computed = float(found["N_max"][1] / found["N_max"][0])
     flat, best = ((PRINTED[40.0][k] / PRINTED[25.0][k]) ** 2 for k in (0, 1))
-    words = f"{flat:.2f} without crown, {best:.2f} with the best ones; computed {own:.3f}"
-    return min(flat - own, own - best), 0.02, words
+    words = f"{flat:.2f} without crown, {best:.2f} with the optimal ones; computed {computed:.3f}"
+    return min(flat - computed, computed - best), 0.02, words
 
 
 def _peak(T: int, crown: int, name: str, words: str, **more: Any) -> Beside:

@@ -11,7 +11,7 @@ DEGREE = math.degrees(1.0)
 
 
 def verdict(q: ClutchFormulas) -> str:
-    """One of "holds", "slips", "rolls over", "overloaded"; "no state" where no formula tells."""
+    """One of "holds", "slips", "rolls over", "overloaded"; "no state" where formulas give none."""
     if max(q.mu_0, q.mu_req if q.state else 0.0) > q.mu_s:
         return "slips"
     if q.T_end < q.T:
@@ -24,7 +24,7 @@ def verdict(q: ClutchFormulas) -> str:
 
 
 def why(q: ClutchFormulas) -> str:
-    """What the verdict rests on, and what would change it."""
+    """The reason of the verdict, and what would change it."""
     state = verdict(q)
     if q.mu_0 > q.mu_s:
         return f"tan ν_0 = {q.mu_0:.4g} exceeds μ_s = {q.mu_s:g}: the sprags do not wedge, " \
@@ -39,10 +39,10 @@ def why(q: ClutchFormulas) -> str:
     if state == "no state":
         last = q.T_wide
         at = f" at {newton_metres(last)}" if math.isfinite(last) else ""
-        return f"no state bears T = {newton_metres(q.T)}: {WORDS['wide']}{at}; take more or " \
-            "longer sprags"  # fmt: skip
-    friction = f"torque asks for tan ν = {q.mu_req:.4g} of friction, μ_s is {q.mu_s:g} " \
-        f"(μ_s/tan ν = {q.safety:.3g})"  # fmt: skip
+        return f"no equilibrium exists at T = {newton_metres(q.T)}: {WORDS['wide']}{at}; take " \
+            "more or longer sprags"  # fmt: skip
+    friction = f"required friction coefficient tan ν = {q.mu_req:.4g}, available μ_s = " \
+        f"{q.mu_s:g} (margin μ_s/tan ν = {q.safety:.3g})"  # fmt: skip
     if state == "overloaded":
         return f"friction holds, but {overload(q)}; {friction}"
     return friction
@@ -51,7 +51,7 @@ def why(q: ClutchFormulas) -> str:
 def wedging(q: ClutchFormulas) -> str:
     """Wedge angle and friction with which the clutch would hold."""
     asked = q.mu_req if q.state else q.mu_0
-    grows = max(1.0, asked / q.mu_0) ** 2  # a smaller angle bears more force, which opens it
+    grows = max(1.0, asked / q.mu_0) ** 2  # a smaller angle gives a larger force, which opens it
     nu = math.atan(q.mu_s / grows) * DEGREE
     return f"take ν_0 below {rounded(nu, math.floor):g}° or μ_s above " \
         f"{rounded(max(asked, q.mu_0), math.ceil):g}"  # fmt: skip
@@ -67,14 +67,14 @@ def profile(q: ClutchFormulas) -> str:
 
 
 def overload(q: ClutchFormulas) -> str:
-    """What is borne beyond its limit, and what would lower it."""
+    """The load beyond its limit, and what would lower it."""
     p, race = max((q.p_i, "inner"), (q.p_o, "outer"))
     if q.p_lim is not None and p > q.p_lim:
         times = rounded((p / q.p_lim) ** 2, math.ceil)
-        return f"the {race} contacts bear {pascal(p)}, p_lim is {pascal(q.p_lim)}: take about " \
+        return f"the {race} contacts have {pascal(p)}, p_lim is {pascal(q.p_lim)}: take about " \
             f"{times:g} times as many sprags, or as long ones"  # fmt: skip
     s, race = max(zip(q.tresca, ("inner", "outer"), strict=True))
-    return f"the {race} race bears {pascal(s)} at its bore (Tresca), R_p is " \
+    return f"the {race} race has {pascal(s)} at its bore (Tresca), R_p is " \
         f"{pascal(q.R_p or 0)}: take thicker races or longer sprags"  # fmt: skip
 
 

@@ -80,7 +80,7 @@ def others(q: Any, level: int, found: Touching) -> dict[str, float]:
 
 
 def by_strips(q: Any, n: int, N: float, contact: int) -> Strips:
-    """The inner (0) or outer (1) contact by n strips under its own share of N [N]."""
+    """The inner (0) or outer (1) contact by n strips under its share of N [N]."""
     one = built(q)
     now = wedged(one.clutch, N)
     load = N if contact == 0 else float(now.N_e)

@@ -75,7 +75,7 @@ def ring(low: float, high: float) -> Array:
 
 
 def outline(q: SpragInputs, sprag: LogSprag) -> Array:
-    """Spiral below and circle above the pole, joined by flanks b apart [m]."""
+    """Spiral below and circle above the pole, joined by flanks at a distance b [m]."""
     C, half = np.array([0.0, float(sprag.OC_e)]), q.b / 2
     theta = np.linspace(-1.4, 1.4, 201)
     phi = float(sprag.eta_0) + theta

@@ -26,12 +26,12 @@ def verdict(q: Any) -> str:
 def findings(q: Any) -> Sequence[str]:
     state = verdict(q)
     if state == "no state":
-        return ("no state: no state within the profile bears this torque",)
+        return ("no state: no equilibrium within the profile exists at this torque",)
     if state == "rolls over":
-        return ("rolls over: the sprags turn past their profile before the torque's swing ends",)
+        return ("rolls over: the sprags rotate past their profile before the first swing ends",)
     over = q.p_peak / q.p_even_peak
     first = {
-        "no crown": "no crown: the ends carry most, and that pressure has no limit",
+        "no crown": "no crown: the largest pressure is at the ends and has no limit",
         "suits": "suits the first peak: its pressure is nearly even",
         "too shallow": "too shallow for the first peak: the ends carry most",
         "uneven": "uneven at the first peak: the middle carries most",
@@ -43,7 +43,7 @@ def findings(q: Any) -> Sequence[str]:
     if q.z_m == 0:
         return found
     found.append(
-        f"the crown is cut for K_1 Q = {newton(q.suits)}; the first peak asks for K_1 = "
+        f"the crown is made for K_1 Q = {newton(q.suits)}; the first peak requires K_1 = "
         f"{q.K_1_suits:.3g} with this Q"
     )
     found.append(

@@ -64,13 +64,12 @@ class SpragCrown(EngagementInputs, Case):
         "anywhere are compared (ledger: fig-12-load)",
     )
     assumptions: ClassVar = (
-        "length, width, wedge angle, support and Q are identified, not printed: what rests on "
-        "them is calibrated",
+        "length, width, wedge angle, support and Q are identified, not printed: results that "
+        "depend on them are calibrated",
         "N_max of Eq. 19's crowns is a quadratic through 27 engagements: it changes by 2 % over "
         "all crowns, its residual moves p_max by less than 0.1 %",
-        "at one's own clutch z_m of Eq. 19 is scaled by its own 2Q/(π l E')",
-        "pressures by slices (Palmgren's law): ends that carry bear less there than on a "
-        "half-space",
+        "for a user's clutch z_m of Eq. 19 is scaled by 2Q/(π l E') of that clutch",
+        "pressures by slices (Palmgren's law): at loaded ends they are lower than on a half-space",
     )
 
     @Drop("A", "µm", "depth of the logarithm", equation="1", form="corrected",

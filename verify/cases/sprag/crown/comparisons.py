@@ -53,7 +53,7 @@ MOST = 0.5  # of a per cent: from here on z_m would do more than K_1
 def near(q: Any, _values: Any) -> tuple[float, float] | None:
     """Slices over strips, and two races on a spring over the compiled sprags, by p ~ √N.
 
-    None at one's own numbers, for which no acceptance figure was given.
+    None at user inputs, for which no acceptance figure was given.
     """
     if not q.is_default:
         return None
@@ -111,17 +111,17 @@ def inner_above(context: Context) -> tuple[float, float]:
 
 
 def in_the_box(context: Context) -> tuple[float, float, str]:
-    """How much lower than the clutch's own crown the lowest of Eq. 19's factorial is."""
+    """How much lower than the given crown the lowest of Eq. 19's factorial is."""
     q, found = context.inputs, context.fem[-1].arrays
     k = int(found["box p"].argmin())
-    p, own = float(found["box p"][k]), q.p_peak
+    p, given = float(found["box p"][k]), q.p_peak
     off = float(np.abs(found["by contacts"] / found["engaged p"] - 1).max())
     words = (
-        f"{label(tuple(found['box'][k]))} bears {p / 1e6:.0f} MPa, {p / own - 1:+.1%} against "
-        f"this crown's {own / 1e6:.0f} MPa; {len(found['box p'])} crowns up to "
+        f"{label(tuple(found['box'][k]))} has {p / 1e6:.0f} MPa, {p / given - 1:+.1%} against "
+        f"this crown's {given / 1e6:.0f} MPa; {len(found['box p'])} crowns up to "
         f"{found['box p'].max() / 1e6:.0f} MPa"
     )
-    return 1 - p / own, off + 0.01, words
+    return 1 - p / given, off + 0.01, words
 
 
 def stated(crown: Any) -> Iterator[Comparison | Check]:
@@ -164,7 +164,7 @@ OF_FIGURES: tuple[Check, ...] = (
             printed=("huang2018:fig12-best-k1", "huang2018:fig12-best-k2",
                      "huang2018:fig12-best-zm", "huang2018:fig12-worst-k1",
                      "huang2018:fig12-worst-k2", "huang2018:fig12-worst-zm")),
-    Noted(name="Fig. 12: the other way round at the first peak under 25 N m", symbol="p_max",
+    Noted(name="Fig. 12: reversed order at the first peak under 25 N m", symbol="p_max",
           unit="1", erratum="huang2018:fig-12-load", margin=in_other_order),
     OfPaper(name="Fig. 13: high at both ends at the first peak, low there at the trough",
             symbol="p", unit="1", margin=first_and_trough, fitted=FITTED,

@@ -125,7 +125,7 @@ def by_force(context: Context) -> Curves:
         curves, y_bottom=1.0,
         note="Of all crowns that the paper prints they are the lowest and the highest "
         f"{window(found, 'slices')}, where the static load is; at the first peak under 25 N m the "
-        "order is reversed. Strips are of a half-space, on which ends that carry bear more.",
+        "order is reversed. Strips are of a half-space, where loaded ends have higher pressures.",
     )  # fmt: skip
 
 
@@ -197,5 +197,5 @@ def ratios(found: Mapping[str, Array]) -> Dots:
     return Dots(
         title="From 25 to 40 N m", label="p_max at 40 N m over that at 25 N m", items=tuple(items),
         note=f"The forces have the ratio {N_40 / N_25:.3f}. No crown can lower the ratio below an "
-        "even load's unless it is uneven at 25 N m; the printed optima are said to be even.",
+        "even load's unless it is uneven at 25 N m; by the paper the printed optima are even.",
     )  # fmt: skip

@@ -28,7 +28,7 @@ def unit(q: EngagementInputs) -> float:
 
 
 def box(q: EngagementInputs) -> tuple[Array, Array]:
-    """Bounds of Eq. 19; z_m in the clutch's own unit(q), which is the paper's for its clutch."""
+    """Bounds of Eq. 19; z_m in unit(q) of the clutch, which is the paper's for its clutch."""
     scale = np.array([1.0, 1.0, unit(q) / unit(EngagementInputs())])
     return np.array(LOW) * scale, np.array(HIGH) * scale
 

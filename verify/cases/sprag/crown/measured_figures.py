@@ -81,7 +81,7 @@ def in_other_order(context: Context) -> tuple[float, float, str]:
 
 
 def first_and_trough(context: Context) -> tuple[float, float, str]:
-    """With K_1 = 1 the ends bear more than mid-length at the peak, and less at the trough."""
+    """With K_1 = 1 the ends have more pressure than mid-length at the peak, less at the trough."""
     peak, trough = (p[[0, p.size // 2]] / MPa for p in arrays(context)["Fig. 13"][0])
     words = (
         f"end {peak[0]:.0f} MPa, middle {peak[1]:.0f} MPa at the peak; "
@@ -108,9 +108,9 @@ def order_at(which: int) -> Margin:
 
     def margin(context: Context) -> tuple[float, float, str]:
         p = arrays(context)["named p"][:, AT[T]]
-        own, other = (float(p[number(c)]) for c in (FIG_14[which], FIG_14[1 - which]))
-        words = f"{own / MPa:.0f} MPa, {label(FIG_14[1 - which])} {other / MPa:.0f} MPa"
-        return other / own - 1, STEP, words
+        named, other = (float(p[number(c)]) for c in (FIG_14[which], FIG_14[1 - which]))
+        words = f"{named / MPa:.0f} MPa, {label(FIG_14[1 - which])} {other / MPa:.0f} MPa"
+        return other / named - 1, STEP, words
 
     return margin
 
@@ -119,13 +119,13 @@ def above_lowest(context: Context, which: int) -> tuple[float, str]:
     """How far Fig. 14's crown is above the lowest of the factorial at its torque, in words too."""
     T, found = (10, 30)[which], arrays(context)
     p = found["many p"][:, AT[T]]
-    own, k = float(found["named p"][number(FIG_14[which]), AT[T]]), int(p.argmin())
-    lower = int((p < own).sum())
+    named, k = float(found["named p"][number(FIG_14[which]), AT[T]]), int(p.argmin())
+    lower = int((p < named).sum())
     words = (
-        f"{own / MPa:.0f} MPa, {own / p[k] - 1:.1%} above {label(tuple(found['box'][k]))}, the "
+        f"{named / MPa:.0f} MPa, {named / p[k] - 1:.1%} above {label(tuple(found['box'][k]))}, the "
         f"lowest of {p.size} crowns, {lower} of which are lower"
     )
-    return own / float(p[k]) - 1, words
+    return named / float(p[k]) - 1, words
 
 
 def lowest_at_10(context: Context) -> tuple[float, float, str]:

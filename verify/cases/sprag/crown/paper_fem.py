@@ -90,7 +90,7 @@ def over_torque(q: EngagementInputs, many: Array, few: Peaks, T: Array) -> dict[
     """Fig. 14: p_max [Pa] over the torque, least and largest of `many`, of the printed crowns.
 
     And the lowest K_1 with K_2 and z_m of Fig. 12's best. N_max/T is nearly constant: a parabola
-    goes through its values at the torques engaged.
+    interpolates its values at the torques engaged.
     """
     deeper = np.array([(K_1, FIG_12[0][1], FIG_12[0][2]) for K_1 in ALONG])
     crowns = np.concatenate([many, np.array(DESIGNS), deeper])

@@ -1,4 +1,4 @@
-"""How the largest pressure of a crown hangs on the number of slices, or of strips."""
+"""How the largest pressure of a crown depends on the number of slices, or of strips."""
 
 import numpy as np
 
@@ -16,13 +16,13 @@ def hardly_by_slices(context: Context) -> tuple[float, float, str]:
     """What is left of WITHIN of the spread by slices; strips, whose ends carry, in words."""
     found = context.fem[-1].arrays
     enough = found["counts"] >= FROM
-    own = found["counted, slices"][1][enough] / MPa
+    by_slices = found["counted, slices"][1][enough] / MPa
     strips = found["counted, strips"][1] / MPa
-    spread = float(np.ptp(own) / own.mean())
+    spread = float(np.ptp(by_slices) / by_slices.mean())
     words = (
-        f"{own.min():.0f} to {own.max():.0f} MPa; by strips on a half-space its ends, which "
-        f"carry, take over: {strips[0]:.0f} MPa by {found['counts'][0]:.0f}, {strips[-1]:.0f} MPa "
-        f"by {found['counts'][-1]:.0f}"
+        f"{by_slices.min():.0f} to {by_slices.max():.0f} MPa; by strips on a half-space the "
+        f"loaded ends govern: {strips[0]:.0f} MPa by {found['counts'][0]:.0f}, {strips[-1]:.0f} "
+        f"MPa by {found['counts'][-1]:.0f}"
     )
     return WITHIN - spread, 0.0, words
 

@@ -1,4 +1,4 @@
-"""Table 2: what its own numbers say, and the level of pressure beside this clutch's."""
+"""Table 2: consistency of its numbers, and its level of pressure beside this clutch's."""
 
 import math
 from dataclasses import dataclass
@@ -91,7 +91,7 @@ def is_a_sample(_context: Context) -> tuple[float, float, str]:
     others = min(cell(k, "mse") for k in ROWS if k != SAMPLE)
     same = cell(SAMPLE, "mse") == 0 and relative_error(SAMPLE) == 0
     words = (
-        f"error and MSE are 0, elsewhere MSE is {others:g} at least: kriging returns its samples"
+        f"error and MSE are 0, else MSE is {others:g} at least: kriging interpolates its samples"
     )
     return (others if same else -others) * 1e12, 0.0, words
 
@@ -160,7 +160,7 @@ TABLE_2 = (
 
 
 def table_2() -> Table:
-    """Table 2 with what follows from its own numbers."""
+    """Table 2 with results derived from its numbers."""
     rows = [
         (
             float(k), *(published(f"huang2018:table2-row{k}-{name}").printed

@@ -11,12 +11,12 @@ from verify.cases.sprag.engagement.reference import LEVELS
 from verify.core.references import BY_INTEGRATION
 from verify.form.adapter import adapted
 
-MOST_STEPS = 200_000  # of a level, which finite memory and LSODA bear
+MOST_STEPS = 200_000  # of a level, limited by memory and the time of LSODA
 SURE = 1.05  # of the required friction
 
 
 class SpragEngagement(EngagementFormulas):
-    """A torque that comes at once swings the races against the sprags.
+    """A suddenly applied torque makes the races oscillate on the sprags.
 
     The paper's equations of motion, in its Runge-Kutta steps, compiled, are refined in time and
     stand beside LSODA with events, which shares the closure alone, and beside energy, statics and
@@ -45,7 +45,7 @@ class SpragEngagement(EngagementFormulas):
         "friction, α_max and the centroid's place are assumed",
         "N follows from the rotation as at rest, by the closure that balances work: what the paper "
         "iterates is explicit in N here",
-        "all sprags are alike; races turn, but neither bend nor move; no oil",
+        "all sprags are equal; races rotate, but neither bend nor move; no oil",
         "the centroid keeps the distance OC_g(α): its radial motion is left out, as in Eq. 14",
         "a contact sticks within a band of speeds; the band follows from the time step",
     )
@@ -76,7 +76,7 @@ class SpragEngagement(EngagementFormulas):
         start = self.number("start")
         if self.mu_s < start:
             return (
-                f"the sprags slide at the start, where rolling asks for μ = {start:.3g}: the "
+                f"the sprags slide at the start, where rolling requires μ = {start:.3g}: the "
                 "formulas are those of rolling; see sprag-friction"
             )
         if self.mu_s < SURE * self.mu_asked:
@@ -109,15 +109,15 @@ class SpragEngagement(EngagementFormulas):
     def advice(self) -> Iterator[str]:
         """Whether it locks, and how much rigid races change."""
         if self.rolls_over:
-            yield "rolls over: the sprags turn past their profile"
+            yield "rolls over: the sprags rotate past their profile"
         elif self.mu_s < self.mu_asked:
-            yield "slips: friction is less than the wedge asks for"
+            yield "slips: the friction coefficient is below the required one, tan ν"
         else:
             yield (
                 f"locks: N swings to {self.N_max:.4g} N, {self.factor:.3g} times that at rest, "
                 f"after {self.t_max * 1e3:.3g} ms"
             )
-            yield f"without the races' yielding (Liu) {self.number('rigid') - 1:+.1%}"
+            yield f"with rigid races (Liu) {self.number('rigid') - 1:+.1%}"
 
 
 ENGAGEMENT = adapted(SpragEngagement)

@@ -99,11 +99,11 @@ class EngagementFormulas(EngagementInputs, Case):
     def k(self) -> float:
         return self.number("k")
 
-    @Quantity("I_s", "kg m^2", "inertia of the sprags on the inner race's turn", role="step")
+    @Quantity("I_s", "kg m^2", "inertia of the sprags about the inner race's rotation", role="step")
     def I_s(self) -> float:
         return self.number("inertia") * self.I_bi
 
-    @Quantity("θ", "deg", "turn of the races against each other at rest", role="step")
+    @Quantity("θ", "deg", "wind-up of the races at rest", role="step")
     def theta(self) -> float:
         return self.number("theta")
 

@@ -35,12 +35,12 @@ ORDER = (4.0, 2.0, 1.0, 0.5)  # steps of the inputs in one, of which the order i
 FINEST = 16  # steps in the one of the inputs that those are measured by
 FIRST = 1.3  # of the time of the first peak, which the partner is followed to
 RTOL = 1e-8
-COARSER = 1500  # intervals of the table that says how far its own cubics are off
+COARSER = 1500  # intervals of the table by which the error of its cubics is estimated
 LEAST = 1e-7  # of a value: half of what a table of 500 intervals changes, 4000 change 6e-9
-SPLINES = 1e-6  # of a value, standard: LSODA's force is a spline of its own through the states
+SPLINES = 1e-6  # of a value, standard: LSODA's force is another spline through the states
 CROSSED = 1e-6  # of a frequency: crossings are read on straight lines between samples
 STUCK = 0.05  # of a step, within which the time of sticking is known
-SHOWN = 601  # samples that are kept
+SHOWN = 601  # samples that are stored
 ACROSS = 240  # moments in figures of pressure
 
 
@@ -71,7 +71,7 @@ def solve(q: EngagementInputs, level: int) -> FemResult:
 
 
 def tables_fem(q: EngagementInputs, main: "Engagement") -> dict[str, float]:
-    """What another table of the force leaves uncertain, over all that hangs on the force."""
+    """Uncertainty by the table of the force, over all values that depend on the force."""
     other = engaged_fem(q, wedge(q), main.dt, intervals=COARSER)
     share = max(abs(other.N_max / main.N_max - 1), LEAST)
     v = analytic(q)
@@ -211,7 +211,7 @@ def balanced_fem(q: EngagementInputs) -> dict[str, Array]:
 
 
 def drawn(q: EngagementInputs) -> dict[str, EngagementInputs]:
-    """Whose pressures are drawn: the crowns of Fig. 13 for the paper's clutch, else one's own."""
+    """Whose pressures are drawn: the crowns of Fig. 13 for the paper's clutch, else the user's."""
     if q != type(q)():
         return {"": q}
     return {

@@ -1,4 +1,4 @@
-"""Friction of a sprag clutch: stick, slip, and the band in which steps can tell them apart."""
+"""Friction of a sprag clutch: stick, slip, and the band in which steps distinguish them."""
 
 import math
 from collections.abc import Iterator
@@ -33,10 +33,10 @@ class SpragFriction(FrictionFormulas):
     levels: ClassVar = LEVELS
     readings: ClassVar = (
         "T_bis = μ_s N: only so the branches of Eq. 12 join (ledger: eq-12-static-limit)",
-        "T_stick keeps both contacts rolling and lets what sliding is left die away; printed is "
-        "that it keeps pure rolling",
-        "ν is that at rest under T; the wedge asks for T_i/N, less than tan ν by what the springs "
-        "bear",
+        "T_stick maintains rolling of both contacts and damps residual sliding; printed is "
+        "that it maintains pure rolling",
+        "ν is that at rest under T; the required coefficient is T_i/N, less than tan ν by the "
+        "share of the springs",
     )
     assumptions: ClassVar = (
         "μ_s, μ_c, γ_b and D_V are assumed: the paper prints none",
@@ -80,23 +80,23 @@ class SpragFriction(FrictionFormulas):
     def warnings(self) -> Iterator[str]:
         """Where the sprags roll over, or lock only if they do not slip first."""
         if not math.isfinite(self.mu_b):
-            yield "the sprags roll over before they bear the torque"
+            yield "the sprags roll over before they carry the torque"
         elif self.mu_c < self.mu_b <= self.mu_s:
             yield (
-                f"μ_c = {self.mu_c:g} is below {self.mu_b:.4g}, what the wedge asks for, μ_s = "
-                f"{self.mu_s:g} above: it locks only where it does not slip first"
+                f"μ_c = {self.mu_c:g} is below the required {self.mu_b:.4g}, μ_s = {self.mu_s:g} "
+                "above it: it locks only where it does not slip first"
             )
 
     def advice(self) -> Iterator[str]:
         """Whether it locks, and how much it drags where it overruns."""
         if not math.isfinite(self.mu_b):
-            yield "rolls over: the sprags turn past their profile"
+            yield "rolls over: the sprags rotate past their profile"
             return
-        first = f"locks: μ_s is {self.mu_s_share:.3g} times what the wedge asks for"
+        first = f"locks: μ_s is {self.mu_s_share:.3g} times the required friction coefficient"
         if self.mu_s < self.mu_b:
-            yield "slips for ever: friction is less than the wedge asks for"
+            yield "slips for ever: the friction coefficient is below the required one"
         else:
-            yield first if self.mu_c >= self.mu_b else f"{first}, but μ_c less than that"
+            yield first if self.mu_c >= self.mu_b else f"{first}, but μ_c is below it"
         if math.isfinite(self.drag):
             yield f"overrunning, the races drag each other with {self.drag:.3g} N m"
 

@@ -26,14 +26,14 @@ from verify.judging.tolerance_checks import (
 
 BOUNDARY, GUARDED = 0.02, 1e-3  # accepted
 CLOSURE = "closure of Eqs. 9 and 10, N as at rest"
-HANGS = 0.1  # of the right force, and more, between torques that are hardly different
+SPREAD = 0.1  # of the right force, and more, between torques that are nearly equal
 WEAK = "springs a 25th as stiff, at the start of which sprags slip"
 UNEQUAL = "N_e = N_i in Eqs. 14-16, where a strut has N_e/N_i = cos ω/cos ν"
 
 
 @dataclass(frozen=True, kw_only=True)
 class Ended(Partnered):
-    """A time that is known to a time step; of one's own it need not be sharper than three.
+    """A time that is known to a time step; for user inputs three steps are sufficient.
 
     Displayed where no contact slides at all.
     """
@@ -65,11 +65,11 @@ def refused(context: Context) -> tuple[float, float, str]:
 
 
 def unguarded(context: Context) -> tuple[float, float, str]:
-    """How far the unguarded force goes apart over torques that are hardly different."""
+    """Range of the unguarded force over torques that are nearly equal."""
     found = context.fem[-1].arrays
     share = found["unguarded"] / found["narrow"][1]
     words = f"{share.min():.0%} to {share.max():.0%} of the right force, silently"
-    return float(np.ptp(share)) - HANGS, GUARDED, words
+    return float(np.ptp(share)) - SPREAD, GUARDED, words
 
 
 def never_wrong(context: Context) -> tuple[float, float, str]:
@@ -107,7 +107,7 @@ def comparisons(q: FrictionFormulas) -> Iterator[Comparison | Check]:
 
 def _limits(q: FrictionFormulas) -> Iterator[Comparison]:
     def boundary() -> tuple[float, float]:
-        """Either contact's share of a force that the steps have alike at both."""
+        """Either contact's share of a force that is equal at both in the steps."""
         return -2 * q.unequal, 2 * q.unequal
 
     yield approximation(
@@ -141,9 +141,9 @@ def _partners() -> Iterator[Check]:
                 own_reason="a band ends slip, LSODA an event", **time)  # fmt: skip
     yield Partnered(name="time at which slip begins, μ between rest and peak: steps and LSODA",
                     fem="slips", analytic="LSODA slips", **time)  # fmt: skip
-    yield Partnered(name="largest force with intermediate slip: steps and LSODA", fem="N_max amid",
-                    analytic="LSODA N_max amid", demand_reason="acceptance of the subject",
-                    **force)  # fmt: skip
+    yield Partnered(name="largest force with intermediate slip: steps and LSODA",
+                    fem="N_max slipped", analytic="LSODA N_max slipped",
+                    demand_reason="acceptance of the subject", **force)  # fmt: skip
 
 
 def _guard() -> Iterator[Check]:

@@ -62,14 +62,14 @@ def figures(context: Context) -> Sequence[Figure]:
 
 
 def law(q: EngagementInputs) -> Figure:
-    """Eq. 13, and what the wedge asks for."""
+    """Eq. 13, and the required friction coefficient."""
     v = np.linspace(0, FASTEST / q.gamma_b, 201)
     tan = math.tan(q.nu_0)
     return plot(
         "Friction over the sliding speed (Eq. 13)", "v [m/s]", "μ",
         line("μ_d", v, coefficient(v, mu_c=q.mu_c, mu_s=q.mu_s, gamma_b=q.gamma_b)),
-        dashes("tan ν_0, what the wedge asks for", v, tan, 1),
-        note="Above what the wedge asks for sprags that slide are caught, below they slide on.",
+        dashes("tan ν_0, required friction coefficient", v, tan, 1),
+        note="Above the required coefficient sliding sprags stick again, below it they slide on.",
     )  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""Formulas of the friction in a sprag clutch: what it asks for at rest, and what sliding bears."""
+"""Formulas of friction in a sprag clutch: required coefficient at rest, force of sliding sprags."""
 
 import math
 
@@ -15,12 +15,12 @@ from verify.cases.sprag.engagement.model import wedge
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.figures import Array, Equation
 
-WEAK = 0.04  # of the blades' stiffness: springs that let the sprags slip at the start
+WEAK = 0.04  # of the energizing springs' stiffness: springs that let the sprags slip at the start
 BELOW = 0.9  # of tan(nu_0), the friction with which they slide for ever
 
 
 def asked(q: EngagementInputs, factor: float = 1.0) -> tuple[float, float]:
-    """T_i/N that rest under `factor` times the torque asks for, and tan(nu) there."""
+    """Required T_i/N at rest under `factor` times the torque, and tan(nu) there."""
     p = with_torque(q, factor)
     w = wedge(p)
     rest = at_rest(w, p.T)
@@ -42,19 +42,19 @@ LAW = Equation(
 
 
 class FrictionFormulas(EngagementInputs, Case):
-    """What friction has to bear in a sprag clutch at rest, and what sprags bear that slide.
+    """Required friction of a sprag clutch at rest, and forces of sliding sprags.
 
     nan where the sprags roll over, or where nothing slides on.
     """
 
     @shared
     def wedge(self) -> RaceSpring:
-        """The clutch at all turns of its races."""
+        """The clutch over the wind-up of its races."""
         return wedge(self)
 
     @shared
     def rest(self) -> float:
-        """Turn of the races [rad] at rest under T."""
+        """Wind-up [rad] at rest under T."""
         return at_rest(self.wedge, self.T)
 
     @shared
@@ -89,7 +89,7 @@ class FrictionFormulas(EngagementInputs, Case):
         return float(np.interp(self.rest, self.wedge.theta, values))
 
     @Quantity("μ_b", "1", "friction from which on it locks, required at rest under T",
-              source="from there on it locks; springs bear the difference to tan ν",
+              source="from there on it locks; springs provide the difference to tan ν",
               safe="too high", tex=r"\frac{T}{n_s OA N_T}")  # fmt: skip
     def mu_b(self) -> float:
         return asked(self)[0]

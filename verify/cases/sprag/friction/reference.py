@@ -55,7 +55,7 @@ def solve(q: EngagementInputs, level: int) -> FemResult:
         "mu_b": boundary, "N_slides": slides, "N_overruns": overruns,
         "N_max": first.N_max, "N_max more": more.N_max, "sticks": sticks(more),
         "D_V": more.D_V,
-    } | amid_fem(q, dt, until)  # fmt: skip
+    } | slipped_fem(q, dt, until)  # fmt: skip
     arrays: dict[str, Array] = {}
     if level == LEVELS[-1]:
         values |= partners_fem(q, until)
@@ -119,15 +119,15 @@ def sliding_fem(q: EngagementInputs, dt: float, mu: float, speed: float) -> tupl
 
 
 def between(q: EngagementInputs) -> float:
-    """Friction between what rest and what the peak asks for."""
+    """Friction coefficient between those required at rest and at the peak."""
     return (asked(q)[0] + engagement_values(q)["mu_asked"]) / 2
 
 
-def amid_fem(q: EngagementInputs, dt: float, until: float) -> dict[str, float]:
+def slipped_fem(q: EngagementInputs, dt: float, until: float) -> dict[str, float]:
     """Largest N [N] and time [s] of the first slip with that friction."""
-    amid = rough(q, between(q))
-    found = engaged_fem(amid, wedge(amid), dt, duration=until, D_V=None)
-    return {"N_max amid": found.N_max, "slips": first_slip(found, amid.mu_s)}
+    slipping = rough(q, between(q))
+    found = engaged_fem(slipping, wedge(slipping), dt, duration=until, D_V=None)
+    return {"N_max slipped": found.N_max, "slips": first_slip(found, slipping.mu_s)}
 
 
 def partners_fem(q: EngagementInputs, until: float) -> dict[str, float]:
@@ -137,12 +137,12 @@ def partners_fem(q: EngagementInputs, until: float) -> dict[str, float]:
         found = partner_fem(p, wedge(p), until)
         values[f"LSODA N_max{name}"] = highest(found)[1]
     slid = np.flatnonzero(found.rolls[:, 0] == 0)
-    amid = rough(q, between(q))
-    slips = partner_fem(amid, wedge(amid), until)
+    slipping = rough(q, between(q))
+    slips = partner_fem(slipping, wedge(slipping), until)
     at = np.flatnonzero(slips.rolls[:, 0] == 0)
-    values |= {"LSODA N_max amid": highest(slips)[1], "LSODA slips": float(slips.t[at[0]])}
+    values |= {"LSODA N_max slipped": highest(slips)[1], "LSODA slips": float(slips.t[at[0]])}
     residuals = [SPLINES]
-    for name, one in (("", weak(q)), (" more", weak(q, MORE)), (" amid", amid)):
+    for name, one in (("", weak(q)), (" more", weak(q, MORE)), (" slipped", slipping)):
         less = partner_fem(one, wedge(one), until, every=2, rtol=ROUGH)
         residuals.append(abs(highest(less)[1] / values[f"LSODA N_max{name}"] - 1))
     return values | {

@@ -26,7 +26,7 @@ def best(context: Context) -> float:
 
 
 def printed_crown(context: Context) -> tuple[float, float, str]:
-    """What the printed crown bears above the best one found."""
+    """Pressure of the printed crown above that of the optimal one found."""
     p, found = float(measured(context)["at hand: pressures"][0].max()), measured(context)["best"]
     words = (
         f"{p / 1e6:.0f} MPa, {p / best(context) - 1:+.2%} above {best(context) / 1e6:.0f} MPa at "
@@ -186,26 +186,26 @@ def improves(context: Context) -> tuple[float, float, str]:
 
 
 def made_for(context: Context) -> tuple[float, float, str]:
-    """What the other torque's optimal crown bears above the best."""
+    """Pressure of the other torque's optimal crown above that of the optimal one."""
     p = float(measured(context)["less"][3])
     return p / best(context) - 1, SURE, f"{p / best(context) - 1:+.1%}"
 
 
 def taken_off(context: Context) -> str:
-    """What the optimal crown takes off, by several numbers of slices under the same forces."""
+    """Reduction by the optimal crown, by several numbers of slices under the same forces."""
     best, none = (by_number(context, crown) for crown in ("best", "none"))
     shares = ", ".join(
         f"{1 - p / flat:.1%} by {n} slices ({flat / 1e6:.0f} to {p / 1e6:.0f} MPa)"
         for n, p, flat in zip(SLICED, best, none, strict=True)
     )
-    return f"{shares}: without a crown the pressure has no limit, and the best one's end neither"
+    return f"{shares}: without a crown and at the end of the optimal one pressure has no limit"
 
 
 def by_number(context: Context, crown: str) -> Array:
-    """Largest pressures [Pa] by each of SLICED slices, its own engagement's by those given."""
+    """Largest pressures [Pa] by each of SLICED slices, for the given number from the engagement."""
     found = measured(context)
-    own = np.array(SLICED) == context.inputs.slices
-    return np.where(own, found[f"{crown}: pressures"][0].max(), found[f"{crown}: sliced"])
+    given = np.array(SLICED) == context.inputs.slices
+    return np.where(given, found[f"{crown}: pressures"][0].max(), found[f"{crown}: sliced"])
 
 
 def beside(name: str, value: Callable[[Context], float], T: int, **more: Any) -> Beside:

@@ -29,7 +29,7 @@ from verify.judging.profile_checks import Estimated
 
 STRIPPED, CELLS = (41, 81, 161), (384, 512, 768)  # of a sprag's length
 HALF_SPACE = "half-space"
-EDGE = 1e-4  # of a pressure: what it hangs on how cells lie on the edge of the contact
+EDGE = 1e-4  # of a pressure: effect of the position of cells on the edge of the contact
 SPREAD = 3.0  # times the last difference: uncertainty of what is refined
 GROWS = 0.02  # at each refinement, of a pressure that has no largest
 NONE_FREE = "no crown with unloaded ends was found: surrogate and strips do not agree on one"
@@ -78,7 +78,7 @@ class AtCrown(Estimated):
 
 
 def within(share: float) -> Any:
-    """Interval of an acceptance figure; none at one's own numbers, for which none was accepted."""
+    """Interval of an acceptance figure; none at user inputs, for which none was accepted."""
 
     def interval(q: Any, _values: Any) -> tuple[float, float] | None:
         return (-share, share) if q == type(q)() else None
@@ -102,15 +102,15 @@ def refined(context: Context, crown: str) -> tuple[float, float]:
 
 
 def higher(context: Context) -> tuple[float, float, str]:
-    """How much more the printed crown bears on a half-space than by slices."""
+    """How much the pressure of the printed crown on a half-space exceeds that by slices."""
     p, U = refined(context, "at hand")
-    own = by_slices(context, "at hand", "peak")
+    sliced = by_slices(context, "at hand", "peak")
     v = series(context, "at hand", "cells", "peak")
     words = (
         f"{', '.join(f'{x / 1e6:.0f}' for x in v)} MPa by {CELLS[0]}, {CELLS[1]} and {CELLS[2]} "
-        f"cells along, {own / 1e6:.0f} MPa by slices"
+        f"cells along, {sliced / 1e6:.0f} MPa by slices"
     )
-    return p / own - 1, U / own, words
+    return p / sliced - 1, U / sliced, words
 
 
 def endless(context: Context) -> tuple[float, float, str]:
@@ -121,11 +121,11 @@ def endless(context: Context) -> tuple[float, float, str]:
         f"{', '.join(f'{x / 1e6:.0f}' for x in one)} MPa by {', '.join(map(str, counts))} {by}"
         for one, counts, by in zip(v, (STRIPPED, CELLS), ("strips", "cells"), strict=True)
     )
-    return grows - GROWS, 0.0, f"{words}: by {grows:.1%} and more at each, {GROWS:.0%} asked"
+    return grows - GROWS, 0.0, f"{words}: by {grows:.1%} and more at each, {GROWS:.0%} required"
 
 
 def to_make(context: Context) -> str:
-    """The crown with unloaded ends and what it bears on a half-space, beside that at hand."""
+    """The crown with unloaded ends and its pressure on a half-space, beside the given one."""
     if "free: R" not in measured(context):
         return NONE_FREE
     K_1, K_2, z_m = measured(context)["free"]

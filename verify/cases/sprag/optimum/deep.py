@@ -65,7 +65,7 @@ def seeds_fem(q: OptimumInputs) -> dict[str, Array]:
 
 
 class Deep(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an input
-    """What kriging misses at 200 designs, and what searches find that take longer."""
+    """Errors of kriging at 200 designs, and results of longer searches."""
 
     source = "huang2018"
     place = "Sec. 3, Table 2"
@@ -76,17 +76,17 @@ class Deep(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an input
 
 
 class Deep25(Optimum25Inputs, Deep):  # type: ignore[misc]
-    """What kriging misses at 200 designs, and what searches find that take longer."""
+    """Errors of kriging at 200 designs, and results of longer searches."""
 
     id = "sprag-optimum-deep"
-    title = "Best crown of a sprag clutch, 25 N m, longer"
+    title = "Optimal crown of a sprag clutch, 25 N m, longer"
 
 
 class Deep40(Optimum40Inputs, Deep):  # type: ignore[misc]
-    """What kriging misses at 200 designs, and what searches find that take longer."""
+    """Errors of kriging at 200 designs, and results of longer searches."""
 
     id = "sprag-optimum-40-deep"
-    title = "Best crown of a sprag clutch, 40 N m, longer"
+    title = "Optimal crown of a sprag clutch, 40 N m, longer"
 
 
 DEEP_25 = replace(adapted(Deep25), levels=PARTS)

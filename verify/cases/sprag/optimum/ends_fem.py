@@ -1,7 +1,7 @@
-"""What the optimal crown's ends bear: slices, strips and the half-space under the same forces.
+"""Ends of the optimal crown: slices, strips and the half-space under the same forces.
 
-Slices hardly know that a sprag ends. A contact that reaches the end under load has no largest
-pressure on a half-space, so that the crown to be made is sought among those that free the ends.
+Slices hardly represent the end of a sprag. A contact that reaches the end under load has no largest
+pressure on a half-space, so that the crown to be made is sought among those with unloaded ends.
 """
 
 import numpy as np
@@ -36,10 +36,10 @@ def ends_fem(q: OptimumInputs, found: dict[str, Array]) -> dict[str, Array]:
 
 
 def freed_fem(q: OptimumInputs, x: Array, N: Array) -> dict[str, Array]:
-    """The optimal crown by strips, whose ends have to be free; the same kriging, infill and search.
+    """The optimal crown by strips, with unloaded ends; the same kriging, infill and search.
 
     N (n,) are the known forces with the crowns x (n, 3). Empty where surrogate and strips do not
-    agree on a crown. Engagements and contacts that are not solved raise their own errors.
+    agree on a crown. Engagements and contacts that are not solved raise errors.
     """
     one = built(q)
     R = one.radii(wedged(one.clutch, float(np.median(N))))[0]  # which the crowns hardly change

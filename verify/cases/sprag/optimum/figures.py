@@ -21,10 +21,10 @@ def tables(context: Context) -> Sequence[Table]:
 
 
 def crowns(context: Context) -> Table:
-    """All crowns by all methods, under their own largest force."""
+    """All crowns by all methods, each under its largest force."""
     found = measured(context)
-    names = {"at hand": "printed" if context.is_paper else "at hand", "best": "best by slices",
-             "free": "best with free ends"}  # fmt: skip
+    names = {"at hand": "printed" if context.is_paper else "at hand", "best": "optimal by slices",
+             "free": "optimal with unloaded ends"}  # fmt: skip
     rows: list[tuple[str | float | None, ...]] = []
     for key, name in names.items():
         if f"{key}: crown" not in found:
@@ -38,12 +38,12 @@ def crowns(context: Context) -> Table:
                      *(round(p) for p in by)))  # fmt: skip
     best = found["direct"][int(np.argmin(found["direct"][:, 3]))]
     return Table(
-        title="Crowns and what they bear at most",
+        title="Crowns and their largest pressures",
         header=("crown", "K_1", "K_2", "z_m [µm]", "N_max [N]",
                 f"{context.inputs.slices} slices [MPa]", "81 strips", "161 strips",
                 "half-space, 384 cells", "768 cells"),
         rows=tuple(rows),
-        note="Where the pressure keeps growing with the strips or cells, the sprag's ends carry: "
+        note="Where the pressure grows with the number of strips or cells, the ends are loaded: "
         "on a half-space their pressure has no limit. A search without surrogate ends at K_1 = "
         f"{best[0]:.4f}, K_2 = {best[1]:.4f}, z_m = {best[2] / um:.2f} µm with "
         f"{best[3] / MPa:.0f} MPa by slices.",
@@ -63,7 +63,7 @@ def extra(context: Context) -> Table:
     return Table(
         title="Surrogates at extra designs, as Table 2 has them",
         header=("K_1", "K_2", "z_m [µm]", "actual [MPa]", "one kriging", "error [%]",
-                "end and rest apart", "error [%]"),
+                "end and rest separately", "error [%]"),
         rows=rows,
         note="Errors over the predicted value, as in Table 2, whose designs are not printed.",
     )  # fmt: skip

@@ -34,15 +34,15 @@ class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an 
     readings: ClassVar = (
         "Pre_max is the largest pressure of the inner contacts' slices at the largest force",
         "z_m is in millimetres; Q is the static load at 25 N m of bodies that don't yield, "
-        "T/(z R_i tan ν_0), at both torques; with their yields a sprag bears less",
+        "T/(z R_i tan ν_0), at both torques; with deflections the force of a sprag is smaller",
         "Eq. 20: a full quadratic, a Matérn 5/2 process on what it leaves; neither is printed",
         "the genetic algorithm has Gray codes, tournaments of two, one-point crossover, and keeps "
         "its best; none of these is printed",
     )
     assumptions: ClassVar = (
         "inputs that the paper lacks are those of sprag-clutch, identified or assumed",
-        "the end slice and all others are kriged apart, as squares of pressures, which go with "
-        "forces; the larger counts",
+        "the end slice and all others are kriged separately, as squares of pressures, which are "
+        "proportional to forces; the larger counts",
         "of the largest force of an engagement the contact's pressure is that of statics",
     )
 
@@ -127,20 +127,20 @@ class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an 
         yield Equation(
             tex=r"Y(\mathbf{x}) = \mathbf{f}(\mathbf{x})^\mathsf{T}\mathbf{b} + G(\mathbf{x}), "
             r"\quad \mathrm{Pre}_{\max} \approx \sqrt{\max(Y_{end}, Y_{rest})}",
-            place="Eq. 20, of squares of pressures, the end slice and the rest apart",
+            place="Eq. 20, of squares of pressures, the end slice and the rest separately",
         )
 
     def advice(self) -> Iterator[str]:
-        """What formulas state of the crown at hand; the best one is found with --fem."""
+        """What formulas state of the given crown; the optimal one is found with --fem."""
         yield (
-            f"the crown at hand is Lundberg's for {self.K_1_Q:.4g} N, straight over "
+            f"the given crown is Lundberg's for {self.K_1_Q:.4g} N, straight over "
             f"{self.straight * 1e3:.3g} mm of {self.l * 1e3:g} mm"
         )
         if math.isfinite(self.N):
-            ends = "carry" if self.static_end > 0 else "carry nothing"
+            ends = "are loaded" if self.static_end > 0 else "are unloaded"
             yield (
-                f"at rest under T a sprag bears {self.N:.4g} N, {self.static_peak / 1e6:.4g} MPa "
-                f"at most, its ends {ends}; an engagement bears up to twice the force"
+                f"at rest under T a sprag carries {self.N:.4g} N, {self.static_peak / 1e6:.4g} MPa "
+                f"at most, its ends {ends}; an engagement has up to twice the force"
             )
 
     def refusal(self) -> str:

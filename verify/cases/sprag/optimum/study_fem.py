@@ -48,7 +48,7 @@ def largest_fem(q: OptimumInputs, crowns: Array) -> float:
 
 
 def less_fem(q: OptimumInputs, x: Array, known: list[Answer]) -> dict[str, Array]:
-    """The optimal crown under the other torque, by its surrogate, and what it bears under both."""
+    """The optimal crown under the other torque, by its surrogate, and its pressures under both."""
     assert q.T_less is not None
     surrogate = best_crown.fit_regimes(x, known, q.box)
     crown = evolve(surrogate.predict, q.box).x

@@ -96,7 +96,7 @@ def at_extra(name: str) -> Callable[[Context, Named, Bordered, Array], Pairs]:
 
 
 def left_out(_: Context, array: Named, one: Bordered, _extra: Array) -> Pairs:
-    """Some designs left out one by one, length scales kept."""
+    """Some designs left out one by one, with constant length scales."""
     some = np.unique(np.linspace(0, len(one.x) - 1, LEFT_OUT).round().astype(int))
     theirs = np.array([one.left_out(int(k)) for k in some])
     return array("left out")[some], theirs, float(np.abs(one.values).max())
@@ -113,7 +113,7 @@ def spread(errors: Array) -> str:
 
 
 def fresh(context: Context) -> tuple[float, float, str]:
-    """The mean error at designs that the surrogate has not seen, or the largest by its own limit.
+    """The mean error at new designs, or the largest over its separate limit.
 
     The larger of both counts, so that `MEAN` is the figure of either.
     """
@@ -193,7 +193,7 @@ def blind(context: Context) -> tuple[float, float, str]:
 
 
 def better(context: Context) -> tuple[float, float, str]:
-    """Two regimes kriged apart miss less than half of what one kriging does."""
+    """Two regimes kriged separately have less than half the error of one kriging."""
     one, two = (float(np.abs(missed(measured(context), k)).mean()) for k in ("single", "two"))
     return 0.5 - two / one, 0.0, f"{two:.2%} against {one:.2%} in the mean"
 
@@ -221,9 +221,9 @@ SURROGATE = (
     Displayed(name="engagements with and without kriging", symbol="n", unit="1", words=asked),
     Displayed(name="errors of one kriging for all (Eq. 20)", symbol="Y", unit="1",
               words=single_errors),
-    Displayed(name="errors of kriging the end and the rest apart", symbol="Y", unit="1",
+    Displayed(name="errors of separate kriging of the end and the rest", symbol="Y", unit="1",
          words=two_errors),
-    OfPaper(name="kriging the end and the rest apart halves the errors", symbol="Y", unit="1",
+    OfPaper(name="separate kriging of the end and the rest halves the errors", symbol="Y", unit="1",
             margin=better),
     OfPaper(name="leaving out a design hides nine tenths of one kriging's errors", symbol="Y",
             unit="1", margin=blind),

@@ -61,7 +61,7 @@ def errors(context: Context) -> Sequence[Figure]:
     more = deep.parts[0].arrays if deep else None
     curves = []
     for colour, (key, name) in enumerate(
-        (("single", "one kriging"), ("two", "end and rest apart"))
+        (("single", "one kriging"), ("two", "end and rest separately"))
     ):
         x, y = true, PERCENT * missed(found, key)
         if more is not None:
@@ -89,10 +89,10 @@ def errors(context: Context) -> Sequence[Figure]:
 
 
 def bars(context: Context) -> Bars:
-    """How large the errors are, and how large each way to estimate them says they are."""
+    """The errors, and their estimates by each method."""
     found = measured(context)
     items = []
-    for key, name in (("single", "one kriging"), ("two", "end and rest apart")):
+    for key, name in (("single", "one kriging"), ("two", "end and rest separately")):
         for words, error in (
             ("fresh designs", missed(found, key)), ("a level left out", found[f"level out {key}"]),
             ("a design left out", found[f"left out {key}"]),
@@ -123,7 +123,7 @@ def searches(context: Context) -> Curves:
         asked = np.linspace(0, float(found[f"{key} evaluations"][0]), len(history) + 1)[1:]
         curves.append(line(name, np.log10(asked), history / MPa, 2 * colour))
     tried = np.minimum.accumulate(found["direct"][:, 3]) / MPa
-    curves.append(line("simplex, on engagements, from the crown at hand",
+    curves.append(line("simplex, on engagements, from the given crown",
                        np.log10(np.arange(1, len(tried) + 1)), tried, 4))  # fmt: skip
     rounds = found["infill"]
     at = np.log10(len(found["X"]) + np.arange(1, len(rounds) + 1))
@@ -161,12 +161,12 @@ def longer(context: Context) -> Sequence[Table]:
     slower = first is None or first > len(measured(context)["X"])
     remark = (
         "" if slower else
-        f" The factorial alone asks for {len(measured(context)['X'])} engagements: for the best "
+        f" The factorial alone needs {len(measured(context)['X'])} engagements: for the optimal "
         "crown kriging saves none here; it gives the maps."
     )  # fmt: skip
     rows = (
         (f"one kriging at {DESIGNS} designs", size("single")),
-        (f"end and rest apart at {DESIGNS} designs", size("two")),
+        (f"end and rest separately at {DESIGNS} designs", size("two")),
         (f"DIRECT on engagements, {ENGAGEMENTS} allowed",
          f"{low.min() / MPa:.1f} MPa, {low.min() / best - 1:+.2%} beside the optimal crown"),
         ("engagements until within 0.1 % of it", str(first or "never")),

@@ -9,8 +9,8 @@ import numpy as np
 from analytic.sprag.closure import wedged
 from verify.cases.sprag.wedge.formulas import WedgeFormulas
 
-HARD = 4000e6  # Pa, what hardened rollers bear in static contact (ISO 76)
-FRICTION = 0.1  # what oiled steel hardly exceeds
+HARD = 4000e6  # Pa, static limit of hardened rollers (ISO 76)
+FRICTION = 0.1  # of oiled steel, upper estimate
 WIDE = 0.12  # a/r up to which these finite elements are used: displacements are small
 BENT = 0.1  # of a race's wall: by how much more it bends, its forces move along it
 MOST = 1.9  # of N_0, that the stroke of the finite elements goes to
@@ -85,7 +85,7 @@ def refusal(q: WedgeFormulas) -> str:
     turned, alpha_b = float(at.turned), float(at.alpha_b)
     wide = max(a_i / q.r_i, a_i / q.R_i, a_e / float(q.sprag.r_e))
     if not math.isfinite(alpha_b):
-        return f"the sprags never bear {N:.4g} N{without}"
+        return f"no equilibrium exists at {N:.4g} N{without}"
     if wide > WIDE:
         return (
             f"contacts are {wide:.3g} r wide under {N:.4g} N, beyond {WIDE:g}: displacements are "

@@ -16,11 +16,11 @@ from verify.form.adapter import adapted
 class WedgedSprag(WedgeSteps):
     """A logarithmic sprag between its races, through its stroke.
 
-    It turns between two races as its contacts, its body and the races yield: wedge angle, normal
-    force, rotation and turn of the races. Finite elements of one pitch of both races with a free
-    sprag confirm the closure of Eqs. 9 and 10, once all that yields on the inner side counts; as
-    printed the sprag turns an eighth too little for the same yields, while Palmgren's law with
-    Eqs. 6 and 7 yields a quarter too much.
+    It rotates between two races as its contacts, its body and the races deflect: wedge angle,
+    normal force, sprag rotation and wind-up. Finite elements of one pitch of both races with a
+    free sprag confirm the closure of Eqs. 9 and 10 if all deflections of the inner side are
+    included; as printed the sprag rotation is an eighth too small for the same deflections, while
+    deflections by Palmgren's law with Eqs. 6 and 7 are a quarter too large.
     """
 
     id = "sprag-wedge"

@@ -21,9 +21,9 @@ BENDS = "the column bends, its ends roll on: by complex potentials to a quarter 
 YIELDS = "1e-3, (a/r)² and tan²ν/2, beside the elastic solutions of all parts"
 TANGENTIAL = f"{YIELDS}; tangential deformation of 0.4 to 1.2 tan²ν"
 HERTZ = "2e-3, and 2 (a/h)² of the smallest of radii, walls and width"
-BETTI = "reciprocity: the mean is Lamé's wherever forces act; 1e-3 for what is of second order"
+BETTI = "reciprocity: the mean is Lamé's wherever forces act; 1e-3 for second order"
 PALMGREN = "Palmgren's law is of rollers of finite length"
-RIGID = "races and sprag do not yield"
+RIGID = "races and sprag do not deflect"
 HALF_ARMS = "the printed arms are half of the radii"
 PAPER = "too soft by a quarter, an eighth lost on the inner side"
 FULL, MOST = "N_0", "1.8 N_0"
@@ -32,16 +32,16 @@ ONE = 0.02, "1 % of Hertz is accepted"
 BLUNT = 0.02, "an excess of 0.1 %, twice as blunt as the angles"
 AS_FORCE = 0.02, "as sharp as N(T)"
 SLIPPING = 0.015, "tangential compliance"
-EIGHTH = 0.02, "a formula 12 % off: two per cent show it"
+EIGHTH = 0.02, "a formula 12 % off: two per cent are sufficient"
 ROLLERS = "a sprag's statics as sharp as those of a roller freewheel"
-EDGE = 1  # order of what hangs on where a contact ends in a cell
+EDGE = 1  # order of values that depend on the end of a contact within a cell
 PLANE = "plane strain"
-WIDEST = 1.5  # of the sensitivity: an interval that leaves a row of one's own sharp enough
+WIDEST = 1.5  # of the sensitivity: an interval that leaves a user's row sufficiently sensitive
 COLUMN = f"{PLANE}, the sprag as a column with rounded ends"
 
 
 def expected(q: Any, bound: Bound, source: str, sensitivity: float) -> Computed:
-    """The interval, but for a user's clutch of which too little is known to judge by."""
+    """The interval; None for a user's clutch where it is too wide to judge by."""
 
     def interval() -> Interval | None:
         low, high = bound(bounds(q.part, q.N))
@@ -57,13 +57,13 @@ def through(
     own: tuple[float, str] = (DEMAND, ""), shares: str = COLUMN,
 ) -> Iterator[Comparison]:  # fmt: skip
     """One row at each of the normal forces `points`."""
-    more: dict[str, Any] = {"own": own} if own[1] else {}
+    compared = partial(approximation, own=own) if own[1] else approximation
     for point in points:
         state = q.stroke[point]
-        yield approximation(
+        yield compared(
             formula, f"{reference}_{KEYS[point]}" if reference else "", state=state,
             expected=expected(state.case, bound, source, own[0]), name=f"{name}, at {point}",
-            symbol=symbol, order=order, shares=shares, **more,
+            symbol=symbol, order=order, shares=shares,
         )  # fmt: skip
 
 
@@ -213,7 +213,7 @@ def _statics() -> Iterator[Comparison]:
     yield balance("forces", "balance of both contact forces on a sprag", "ΣF", "1", of=one,
                   bound=1e-9, because="the solver's balance of a free body")  # fmt: skip
     yield balance("held", "torque on the inner race against that on the outer", "T", "1", of=one,
-                  bound=1e-3, because="forces act at surfaces a displacement apart")  # fmt: skip
+                  bound=1e-3, because="forces act on displaced surfaces")  # fmt: skip
 
 
 def agrees(

@@ -110,24 +110,24 @@ def _force(context: Context, states: Wedged) -> Curves:
         "Normal force over a rigid clutch's", "T [N m]", "N/N_0(T) − 1 [%]",
         line("closure", states.T, excess(states.N, states.T)),
         dots("FE", loads[1], excess(loads[0], loads[1])), y_bottom=None,
-        note="N_0(T) = T/(n_s R_i tan ν_0). The wedge angle hardly changes: N goes with T "
+        note="N_0(T) = T/(n_s R_i tan ν_0). The wedge angle hardly changes: N is proportional to T "
         "within 1 %; the column's bending adds to it.",
     )  # fmt: skip
 
 
 def parts_of(q: WedgeFormulas, N: Array) -> tuple[tuple[str, Array], ...]:
-    """Who yields how much [m] under N [N], from the inner race's mean to the outer's."""
+    """Deflection [m] by component under N [N], from the inner race's mean to the outer's."""
     (inner, outer), yields = q.bodies.races, q.clutch.compliance.yields(N)
     unit = N / (q.l * q.bodies.E_plane)
-    dents = [
+    local = [
         unit * (race.at(a) - race.mean)
         for race, a in zip((inner, outer), q.bodies.half_widths(N), strict=True)
     ]
     return (
         ("inner mean", yields.race_i),
-        ("inner dent", dents[0]),
-        ("sprag", yields.contact_i + yields.contact_e - dents[0] - dents[1]),
-        ("outer dent", dents[1]),
+        ("inner indentation", local[0]),
+        ("sprag", yields.contact_i + yields.contact_e - local[0] - local[1]),
+        ("outer indentation", local[1]),
         ("outer mean", yields.race_e),
     )
 
@@ -142,8 +142,8 @@ def _yields(context: Context, states: Wedged) -> Curves:
         loads = context.fem[-1].arrays["loads"]
         curves.append(dots("FE, all", loads[0], loads[5] * 1e6))
     return plot(
-        "Who yields how much, one on top of the other", "N [N]", "H [µm]", curves,
-        note="Races as rings under single loads, their mean and what they yield more under a "
+        "Deflection by component, stacked", "N [N]", "H [µm]", curves,
+        note="Races as rings under single loads, their mean and the local indentation under a "
         "sprag; the sprag as a column between two forces.",
     )  # fmt: skip
 
@@ -152,10 +152,10 @@ def _shares(q: WedgeFormulas) -> Bars:
     found = parts_of(q, np.array([q.N_0]))
     whole = float(sum(part[0] for _, part in found))
     return Bars(
-        title="Yields under N_0", label="[µm]",
+        title="Deflections under N_0", label="[µm]",
         items=tuple(
             (name, float(part[0]) * 1e6, f"{float(part[0]) / whole:.0%}") for name, part in found
         ),
-        note="Eq. 6, for long races, has both means; the dents at the contacts and the sprag are "
-        "left to the contacts' law and to Eq. 7.",
+        note="Eq. 6, for long races, contains both means; the contacts' law and Eq. 7 contain the "
+        "local indentations and the sprag.",
     )  # fmt: skip

@@ -62,16 +62,16 @@ class WedgeFormulas(WedgeInputs, Case):
 
     @shared
     def clutch(self) -> Clutch:
-        """The clutch whose parts yield as elastic bodies."""
+        """The clutch with parts that deflect as elastic bodies."""
         return self.bodies.clutch
 
     @shared
     def state(self) -> Wedged:
-        """Its state; ValueError where no state bears the torque."""
+        """Its state; ValueError where no equilibrium exists at the torque."""
         found = self.state_of(self.clutch)
         if self.share is None and not np.isfinite(found.N):
             raise ValueError(
-                f"the sprags never bear T = {self.T:g} N m: the spiral grows too little"
+                f"no equilibrium exists at T = {self.T:g} N m: the spiral grows too little"
             )
         return found
 

@@ -11,12 +11,12 @@ from analytic.sprag.elastic import Elastic
 from analytic.sprag.parts import Parts
 from verify.cases.sprag.inputs import WedgeInputs
 
-MESHES = 5e-4  # of angles of one's own sprags; on the case's, meshes were refined until still
+MESHES = 5e-4  # of angles of a user's sprags; on the case's, meshes were refined to convergence
 
 
 @lru_cache(maxsize=32)
 def bodies(q: WedgeInputs) -> Elastic:
-    """The clutch whose parts yield."""
+    """The clutch with parts that deflect."""
     return Elastic(
         Parts(sprag=q.sprag, n_s=q.z, l=q.l, b=q.b, R_id=q.R_id, R_ed=q.R_ed, E=q.E, nu=q.nu)
     )

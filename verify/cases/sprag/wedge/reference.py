@@ -18,7 +18,7 @@ LEVELS = (9, 12, 15)  # cells on half a fine zone, of which contacts take 6, 8, 
 GRID = np.linspace(0.2, 1.8, 9)  # of N_0, where profiles are compared
 ONSET = 5e-4  # of tan(nu): to either side of the friction that just holds
 SLIPS = 1  # the state, at a quarter of N_0, whose friction is lowered
-# contacts end elsewhere in a cell from mesh to mesh: measured by zones 1 % wider and narrower
+# contacts end at another place in a cell on each mesh: measured by zones 1 % wider and narrower
 NOISE, PEAKS, EDGES = 1e-4, 2e-4, 6e-4  # of forces and yields, pressures and half-widths
 SPLINE = 5e-6  # of a value: what splines miss
 # the states of the stroke, and of what is read there the name in the sweep

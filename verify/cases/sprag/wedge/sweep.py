@@ -37,7 +37,7 @@ def starts_by_fem(q: WedgeInputs) -> tuple[Start[Place], ...]:
         guess = now.turned(now.place.alpha * (share / above) ** GROWS)
         now = Start.after(guess.state(COARSE))
         found.append(now)
-    # coarse meshes have all contacts too narrow alike
+    # on coarse meshes all contacts are too narrow by the same factor
     fine, coarse = now.state(FINER).widths, now.widths
     share_i, share_e = (f / c for f, c in zip(fine, coarse, strict=True))
     return tuple(
