@@ -62,7 +62,7 @@ STATEMENTS: Mapping[str, Statement] = {
                   rows=("*crown*",)),
         ),
         left=(
-            Left(("tilting stiffness*", "coupling*aside and tilted"),
+            Left(("tilting stiffness*", "coupling*displaced and tilted"),
                  "neither wedge nor offset nor crown explain it, nothing else was rerun"),
             Left(("stiffness along x, ends held*",),
                  "a flatter wedge takes more away than there is"),

@@ -97,7 +97,7 @@ STATEMENTS: Mapping[str, Statement] = {
                       "alpha_rigid", "Palmgren's law, beside the yields of elastic bodies"),
             Corrected("wind-up of rigid races by Palmgren's law (Huang 2022, Eqs. 2, 4), at N_0",
                       "theta_rigid", "rigid races and Palmgren's law, beside elastic bodies"),
-            Corrected("rotation as the paper has it, Palmgren's law in Eqs. 9, 10 as printed, "
+            Corrected("rotation as in the paper, Palmgren's law in Eqs. 9, 10 as printed, "
                       "at T", "alpha", "both as printed, beside Eqs. 9, 10 corrected with the "
                       "yields of elastic bodies"),
             *(

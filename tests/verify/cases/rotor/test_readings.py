@@ -21,7 +21,7 @@ def tilted(right):
     return post_init
 
 
-COUPLED = "coupling of y and the tilt about x, aside and tilted"
+COUPLED = "coupling of y and the tilt about x, displaced and tilted"
 READINGS = [
     pytest.param(CLUTCH, clutch_uniform, "approach", times(2), "stiffness along y, uniform",
                  id="each contact yields as both"),

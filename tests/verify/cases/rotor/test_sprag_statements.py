@@ -76,7 +76,8 @@ CASES = [
     ("loads of bearings 3 and 4 grow with unbalance 2", loads(), loads(over_u=[1, 3, 2])),
     ("loads of bearings 3 and 4 are higher at higher critical speeds", loads(over_u=[3, 2, 1]),
      loads(over_peaks=[2, 1, 3])),
-    ("bearing 4 bears more than bearing 3 at every peak", loads(), loads(over_bearings=(2, 1))),
+    ("load of bearing 4 exceeds that of bearing 3 at every peak", loads(),
+     loads(over_bearings=(2, 1))),
     ("torsions of nodes 4 and 19 are as −J_in to J_out within 3 % at critical speed 1",
      turned(-0.25), turned(-0.27)),
 ]  # fmt: skip

@@ -106,11 +106,15 @@ class ClutchStiffness(SpragLink):
             self._gone, k=self._k_left, nu=self.nu, d_t=self.d_t
         )
 
-    @Quantity("K_y,γx", "N", "coupling of y and the tilt about x, aside and tilted", source="Eq. 7")
+    @Quantity(
+        "K_y,γx", "N", "coupling of y and the tilt about x, displaced and tilted", source="Eq. 7"
+    )
     def K_y_tilt_x(self) -> float:
         return self._tilted["K_y_tilt_x"]
 
-    @Quantity("K_x,γy", "N", "coupling of x and the tilt about y, aside and tilted", source="Eq. 7")
+    @Quantity(
+        "K_x,γy", "N", "coupling of x and the tilt about y, displaced and tilted", source="Eq. 7"
+    )
     def K_x_tilt_y(self) -> float:
         return self._tilted["K_x_tilt_y"]
 
@@ -200,6 +204,6 @@ class ClutchStiffness(SpragLink):
 
     @property
     def aside(self) -> dict[str, float]:
-        """Offset [m] and tilt [rad] of the clutch that is held aside and tilted."""
+        """Offset [m] and tilt [rad] of the displaced and tilted clutch."""
         dx, tilt = clutch_tilted.aside(self.e, self.L, self.delta_0)
         return {"dx": dx, "tilt": tilt}

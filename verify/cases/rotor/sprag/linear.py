@@ -178,10 +178,10 @@ LINEAR_ROWS: tuple[Check, ...] = (
               accepted=LINEAR,
               source=suites("half of the required sensitivity of rows, 1 %"),
               by="theory", everywhere=True),
-    *(Spread(name=f"critical speed {k} without the clutch {what}", symbol=f"Δn_{k}/n_{k}",
-             unit="%", values=of_speed(key, i))
-      for key, what in (("without clutch", "across and in tilt"),
-                        ("without clutch across", "across"), ("without clutch in tilt", "in tilt"))
+    *(Spread(name=f"critical speed {k} without {what} stiffness of the clutch",
+             symbol=f"Δn_{k}/n_{k}", unit="%", values=of_speed(key, i))
+      for key, what in (("without clutch", "lateral and tilting"),
+                        ("without clutch across", "lateral"), ("without clutch in tilt", "tilting"))
       for i, k in enumerate(ORDERS)),
     *(Spread(name=f"backward critical speed beside {k}", symbol=f"Δn_{k}/n_{k}", unit="%",
              values=of_speed("backward", i), words=" below the forward one")

@@ -154,7 +154,8 @@ class SteppedBeam(SteppedShaft):
         beam, fast = SteppedBeam, "elements against the exact beam"
         options: dict[str, Any] = {"unit": "rad/s", "shares": BEAM}
         for q, words in self._named((1, "forward"), (1, "backward"), (3, "forward")):
-            yield identity(q, f"beam_{q.name}", name=f"closed-form elements, {words}", order=2,
+            yield identity(q, f"beam_{q.name}", order=2,
+                           name=f"beam elements (Timoshenko), {words}",
                            symbol=q.symbol if q == beam.critical else "ω",
                            sensitivity=(2e-3, fast), **options)  # fmt: skip
         options |= {"symbol": "ω", "by": WEAK}

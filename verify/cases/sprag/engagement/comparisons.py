@@ -196,15 +196,15 @@ def _partners() -> Iterator[Check]:
 def _energies(q: EngagementFormulas) -> Iterator[Comparison]:
     cubics: dict[str, Any] = {"of": {"work": q.number("work")}, "bound": ENERGY,
                               "because": "cubics of the table"}  # fmt: skip
-    yield balance("missing", "balance of energies, damping and friction booked", "ΔE", "J",
+    yield balance("missing", "balance of energies, including damping and friction", "ΔE", "J",
                   **cubics)  # fmt: skip
     yield balance("missing undamped", "balance of energies without damping", "ΔE", "J", **cubics)
     yield approximation(
         Of.N_undamped, expected=expected(q, Bounds.energy, f"{UNEQUAL}; work passes it on"),
         order=4, by=BY, name="first peak without damping, T θ = ∫T dθ by rolling", shares=CLOSURE,
     )  # fmt: skip
-    strut = Agreement(name=f"the same with N_e/N_i of a strut, within {HALVING:.2%}", symbol="N_1",
-                      unit="N", pair=balanced, accepted=HALVING,
+    name = f"first peak without damping with N_e/N_i of a strut, within {HALVING:.2%}"
+    strut = Agreement(name=name, symbol="N_1", unit="N", pair=balanced, accepted=HALVING,
                       source=suites("as half the time step"), by=BY)  # fmt: skip
     yield Comparison(check=strut, quantity=Of.N_undamped, shares=CLOSURE)
     work = AtPeak(

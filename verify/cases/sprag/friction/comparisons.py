@@ -134,8 +134,8 @@ def _partners() -> Iterator[Check]:
     time: dict[str, Any] = {"symbol": "t", "unit": "ms"}
     yield Partnered(name="largest force after slip at the start, weak springs: steps and LSODA",
                     fem="N_max", analytic="LSODA N_max", **weak)  # fmt: skip
-    yield Partnered(name="the same under 1.6 T", fem="N_max more", analytic="LSODA N_max more",
-                    **weak)  # fmt: skip
+    yield Partnered(name="largest force after slip at the start under 1.6 T: steps and LSODA",
+                    fem="N_max more", analytic="LSODA N_max more", **weak)  # fmt: skip
     yield Ended(name="time at which slip ends: steps and LSODA", fem="sticks",
                 analytic="LSODA sticks", own_demand=0.02,
                 own_reason="a band ends slip, LSODA an event", **time)  # fmt: skip

@@ -238,7 +238,7 @@ def checks(T: int) -> tuple[Any, ...]:
              words=taken_off, printed=(f"huang2018:stress-{T}nm-reduction",)),
         OfPaper(name=f"printed crown within {NEAR:.0%} of the optimal one's pressure",
                 symbol="Pre_max", unit="1", margin=printed_crown, fitted=FITTED, printed=optimum),
-        Displayed(name="how flat the optimum is", symbol="Pre_max", unit="1", words=flat),
+        Displayed(name="flatness of the optimum", symbol="Pre_max", unit="1", words=flat),
         OfPaper(name=f"K_1 = N_max/Q within {FLAT:.1%} of the optimal crown's pressure",
                 symbol="K_1", unit="1", margin=lundberg, fitted=FITTED, printed=optimum[:1]),
         OfPaper(name="p_max falls, then rises along K_1", symbol="Pre_max", unit="1",
@@ -263,7 +263,7 @@ AT_25 = (
          printed=("huang2018:fig15a-zm",)),
 )  # fmt: skip
 AT_40 = (
-    OfPaper(name="the best K_1 is larger than at 25 N m", symbol="K_1", unit="1",
+    OfPaper(name="the optimal K_1 is larger than at 25 N m", symbol="K_1", unit="1",
             margin=larger_K_1, fitted=FITTED, printed=("huang2018:optimum-40nm-k1",)),
     OfPaper(name="z_m changes more than at 25 N m", symbol="Pre_max", unit="1",
             margin=steeper_z_m, fitted=FITTED, printed=("huang2018:fig17b-k2",)),

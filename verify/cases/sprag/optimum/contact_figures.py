@@ -25,7 +25,7 @@ BELOW, ABOVE = 0.6, 1.4  # times the slices' largest pressure: what figures show
 
 def names(context: Context) -> dict[str, str]:
     """The crowns whose contacts are known, in words."""
-    hand = "printed crown" if context.is_paper else "crown at hand"
+    hand = "printed crown" if context.is_paper else "given crown"
     found = {
         "best": "optimal crown by slices",
         "at hand": hand,

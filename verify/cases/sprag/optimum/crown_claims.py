@@ -132,7 +132,7 @@ def to_make(context: Context) -> str:
     free, hand = (series(context, name, "cells", "peak") for name in ("free", "at hand"))
     return (
         f"K_1 = {K_1:.2f}, K_2 = {K_2:.3f}, z_m = {z_m * 1e6:.1f} µm: {free[-1] / 1e6:.0f} MPa by "
-        f"{CELLS[-1]} cells of a half-space, {free[0] / 1e6:.0f} by {CELLS[0]}; the crown at hand "
+        f"{CELLS[-1]} cells of a half-space, {free[0] / 1e6:.0f} by {CELLS[0]}; the given crown "
         f"{hand[-1] / 1e6:.0f} and {hand[0] / 1e6:.0f}"
     )
 
@@ -152,9 +152,9 @@ def lower(context: Context) -> tuple[float, float, str]:
 
 
 def at_rest(q: Any, name: str) -> Comparison:
-    """A pressure of the crown at hand at rest: slices beside strips."""
+    """A pressure of the given crown at rest: slices beside strips."""
     check = Estimated(
-        name=f"{name} of the crown at hand at rest, by slices", symbol="p", unit="MPa",
+        name=f"{name} of the given crown at rest, by slices", symbol="p", unit="MPa",
         analytic=q.name, fem=q.name, by=BY_STRIPS, interval=within(SLICED + STRIPS), source=PLACE,
         demand=WIDER, demand_reason="acceptance figure of slices",
     )  # fmt: skip

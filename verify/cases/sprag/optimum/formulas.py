@@ -107,7 +107,7 @@ class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an 
     sketch = sketched.sketch
 
     def reference(self, level: int) -> Level:
-        """Strips at the crown at hand, the optimisation, its ends."""
+        """Strips at the given crown, the optimisation, its ends."""
         from verify.cases.sprag.optimum.reference import solve
 
         return solve(self, level)

@@ -79,11 +79,11 @@ class OptimumInputs(EngagementInputs):
 class Optimum25Inputs(OptimumInputs):
     """25 N m, with Eq. 21."""
 
-    K_1: float = quantity(2.1507, "1", "K_1", "depth of the crown at hand", gt=0, le=100,
+    K_1: float = quantity(2.1507, "1", "K_1", "depth of the given crown", gt=0, le=100,
                           claims="huang2018:optimum-25nm-k1")  # fmt: skip
-    K_2: float = quantity(0.6763, "1", "K_2", "crowned share of the length, of the crown at hand",
+    K_2: float = quantity(0.6763, "1", "K_2", "crowned share of the length, of the given crown",
                           gt=0, le=1, claims="huang2018:optimum-25nm-k2")  # fmt: skip
-    z_m: float = quantity("0.0121 mm", "mm", "z_m", "drop at the ends, of the crown at hand",
+    z_m: float = quantity("0.0121 mm", "mm", "z_m", "drop at the ends, of the given crown",
                           gt=0, le=10, claims="huang2018:optimum-25nm-zm")  # fmt: skip
 
 
@@ -92,11 +92,11 @@ class Optimum40Inputs(OptimumInputs):
 
     T: float = quantity("40 N m", "N m", "T", "torque in the locking direction", gt=0, le=1e9,
                         claims="huang2018:torque-40")  # fmt: skip
-    K_1: float = quantity(2.8, "1", "K_1", "depth of the crown at hand", gt=0, le=100,
+    K_1: float = quantity(2.8, "1", "K_1", "depth of the given crown", gt=0, le=100,
                           claims="huang2018:optimum-40nm-k1")  # fmt: skip
-    K_2: float = quantity(0.7, "1", "K_2", "crowned share of the length, of the crown at hand",
+    K_2: float = quantity(0.7, "1", "K_2", "crowned share of the length, of the given crown",
                           gt=0, le=1, claims="huang2018:optimum-40nm-k2")  # fmt: skip
-    z_m: float = quantity("0.0118 mm", "mm", "z_m", "drop at the ends, of the crown at hand",
+    z_m: float = quantity("0.0118 mm", "mm", "z_m", "drop at the ends, of the given crown",
                           gt=0, le=10, claims="huang2018:optimum-40nm-zm")  # fmt: skip
     T_less: float | None = quantity("25 N m", "N m", "T'", "another torque, whose optimal crown is "
                                     "set beside", omitted=None, gt=0, le=1e9,

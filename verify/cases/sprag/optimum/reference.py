@@ -1,4 +1,4 @@
-"""What stands beside the formulas: strips at the crown at hand, the optimisation, its ends."""
+"""What stands beside the formulas: strips at the given crown, the optimisation, its ends."""
 
 import numpy as np
 
@@ -20,7 +20,7 @@ LEVELS = STRIPPED  # strips along a sprag
 
 
 def solve(q: OptimumInputs, level: int) -> Level:
-    """One level: so many strips at the crown at hand; the finest has the optimisation."""
+    """One level: so many strips at the given crown; the finest has the optimisation."""
     now, one = under(q), built(q)
     assert now is not None  # refused where there is none
     found = in_strips(q, crowned(q, level), one.radii(now)[0], float(now.N))

@@ -145,7 +145,7 @@ def searched(context: Context) -> Pair:
 
 
 def directly(context: Context) -> Pair:
-    """The optimal crown against a search on engagements alone, from the crown at hand."""
+    """The optimal crown against a search on engagements alone, from the given crown."""
     found = measured(context)
     tried, best = found["direct"][:, 3], float(found["best true"][0])
     low = float(tried.min())
@@ -164,7 +164,7 @@ def asked(context: Context) -> str:
     first = f"{int(np.argmax(near)) + 1}" if near.any() else f"not within {len(tried)}"
     return (
         f"{len(found['X'])} of the factorial and {len(found['infill'])} of infill with kriging; "
-        f"within {NEAR:.1%} of its optimal crown without it, from the crown at hand: {first}"
+        f"within {NEAR:.1%} of its optimal crown without it, from the given crown: {first}"
     )
 
 

@@ -35,7 +35,7 @@ class WedgedSprag(WedgeSteps):
             only=(
                 "T_i/N_i against the strut's tan ν (Eq. 10), at N_0",
                 "normal force (Eq. 10), at T", "rotation of the sprags, at T",
-                "rotation as the paper has it", "torque n_s N tan(ν) OA, at N_0",
+                "rotation as in the paper", "torque n_s N tan(ν) OA, at N_0",
                 "total deflection of elastic bodies, at N_0", "Eq. 6 alone for the outer race",
                 "mean displacement of the outer race (Eq. 6 as printed",
                 "mean displacement of the inner race (Eq. 6 as printed",

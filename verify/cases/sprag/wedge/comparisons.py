@@ -87,7 +87,7 @@ def _angles(q: Wedge) -> Iterator[Comparison]:
         yield agrees(f"force ratio on the {race} race against tan {angle} up to N_0",
                      f"tan {angle}", found.force_ratio(mu.name), found.RATIO, mu)  # fmt: skip
     for race, angle, mu in races:
-        yield agrees(f"force ratio on the {race} race at 1.8 N_0, but for the column's bending",
+        yield agrees(f"force ratio on the {race} race at 1.8 N_0, except for the column's bending",
                      f"tan {angle}", found.force_ratio_bent(mu.name), found.RATIO, mu)  # fmt: skip
     yield from through(q, Wedge.excess, "excess of N_e over N_i, which the paper has equal",
                        "N_e/N_i − 1", Bounds.excess, BENDS, points=(FULL,), own=BLUNT)  # fmt: skip
@@ -137,7 +137,7 @@ def _rotations(q: Wedge) -> Iterator[Comparison]:
     )  # fmt: skip
     yield approximation(
         Wedge.alpha_paper, expected=underived(PAPER), symbol="α(T)", order=2,
-        name="rotation as the paper has it, Palmgren's law in Eqs. 9, 10 as printed, at T",
+        name="rotation as in the paper, Palmgren's law in Eqs. 9, 10 as printed, at T",
     )  # fmt: skip
 
 
@@ -199,8 +199,10 @@ def _statics() -> Iterator[Comparison]:
                found.inner_above_outer)  # fmt: skip
     yield agrees("T_i/N_i becomes tan ν_0 without load (Eq. 10)", "ν_0", found.no_load,
                  found.LIGHT, Wedge.mu_i)  # fmt: skip
-    yield Comparison(check=Accepted(name="the logarithmic spiral keeps its wedge angle", symbol="ν",
-                                    unit="1", margin=found.keeps_its_angle))  # fmt: skip
+    yield Comparison(check=Accepted(
+        name="the wedge angle of the logarithmic spiral is constant", symbol="ν", unit="1",
+        margin=found.keeps_its_angle,
+    ))  # fmt: skip
     yield agrees("friction at which the sprag slips against tan ν", "μ", found.onset,
                  found.SLIDES, Wedge.mu_i)  # fmt: skip
     yield agrees("torque against n_s N tan(ν) OA of the strut where the sprag lies", "T",

@@ -84,8 +84,8 @@ class BucklingSpring(BucklingFormulas):
                 expected=underived("measured: ends that are no units"),
             )  # fmt: skip
         yield Comparison(quantity=spring.column_U, check=Limit(
-            name="Haringx's column with ever more units, tail clamped at its arc", symbol="U_cr",
-            unit="1", points=claims.many_units, exponent=0.5, paper_only=True,
+            name="Haringx's column with increasing numbers of units, tail clamped at its arc",
+            symbol="U_cr", unit="1", points=claims.many_units, exponent=0.5, paper_only=True,
         ))  # fmt: skip
         yield from _swept()
 

@@ -91,17 +91,17 @@ class BucklingFormulas(BucklingInputs, Case):
     a_S = Quantity("a_S", "mm/N", "flexibility of a unit across", role="step",
                    source=UNIT).reads(lambda q: q._unit.lateral)  # fmt: skip
 
-    @Quantity("1/a_B", "N m", "stiffness of a middle unit, against a couple", source=UNIT,
+    @Quantity("1/a_B", "N m", "rotational stiffness of a middle unit", source=UNIT,
               tex=r"\frac{1}{a_B}")  # fmt: skip
     def unit_turn(self) -> float:
         return 1 / self.a_B
 
-    @Quantity("1/a_C", "N/mm", "stiffness of a middle unit, along", source=UNIT,
+    @Quantity("1/a_C", "N/mm", "axial stiffness of a middle unit", source=UNIT,
               tex=r"\frac{1}{a_C}")  # fmt: skip
     def unit_axial(self) -> float:
         return 1 / self.a_C
 
-    @Quantity("1/a_S", "N/mm", "stiffness of a middle unit, across", source=UNIT,
+    @Quantity("1/a_S", "N/mm", "transverse stiffness of a middle unit", source=UNIT,
               tex=r"\frac{1}{a_S}")  # fmt: skip
     def unit_lateral(self) -> float:
         return 1 / self.a_S

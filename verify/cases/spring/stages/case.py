@@ -74,7 +74,7 @@ class StageSpring(StageFormulas):
         first = ((spring.k1, "stiffness k_1"), (spring.F_A, "force at A"),
                  (spring.U_A, "displacement at A"), (spring.k2, "stiffness k_2"))  # fmt: skip
         second = ((spring.U_B, "displacement where the second tip touches"),
-                  (spring.k3, "stiffness k_3 with both tips in touch"))  # fmt: skip
+                  (spring.k3, "stiffness k_3 with both tips in contact"))  # fmt: skip
         for quantities, conditions in ((first, ENDS), (second, LATER)):
             for ends in conditions:
                 for q, words in quantities:

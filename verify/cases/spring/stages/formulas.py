@@ -80,7 +80,7 @@ class StageFormulas(StagesInputs, Case):
                    source=TIPS).reads(lambda q: q._stages.U_B)  # fmt: skip
     F_B = Quantity("F_B", "N", "force where the second tip touches",
                    source=TIPS).reads(lambda q: q._stages.F_B)  # fmt: skip
-    k3 = Quantity("k_3", "N/mm", "stiffness with both tips in touch",
+    k3 = Quantity("k_3", "N/mm", "stiffness with both tips in contact",
                   source=TIPS).reads(lambda q: q._stages.k3)  # fmt: skip
 
     @Quantity("L_0", "mm", "free length over all", role="step")

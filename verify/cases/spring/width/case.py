@@ -221,7 +221,7 @@ def _limits() -> Iterator[Comparison]:
         exponent=None, demand=1e-3, demand_reason=FIFTH, paper_only=True,
     ))  # fmt: skip
     yield Comparison(quantity=spring.k_wide, check=Limit(
-        name="a wide spring is in plane strain but for edges as wide as leaves are long",
+        name="a wide spring is in plane strain except for edges as wide as leaves are long",
         symbol="f", unit="1", points=claims.wide, exponent=1.0, demand=1e-3, demand_reason=FIFTH,
     ))  # fmt: skip
     for q, which, name in (
@@ -244,14 +244,14 @@ def _accepted() -> Iterator[Comparison | Check]:
          claims.SWEEP, HALF),
     ):  # fmt: skip
         yield Comparison(quantity=WideSpring.f, check=_agrees(name, pair, accepted, why))
-    yield _agrees("the factor is the same however the ends are held", claims.ends, claims.HEAD,
+    yield _agrees("the factor is the same for all end conditions", claims.ends, claims.HEAD,
                   "half of the tolerance of one leaf's factor", by="the softest ends")  # fmt: skip
     yield _agrees("the factor is the same for a head under a uniform force", claims.uniform,
                   claims.UNIFORM, "a tenth of the tolerance of the ends",
                   by="a uniform force")  # fmt: skip
     yield Agreement(
         paper_only=True,
-        name="the factor that case spring-curve takes", symbol="f", unit="1", pair=claims.taken,
+        name="the factor that case spring-curve uses", symbol="f", unit="1", pair=claims.taken,
         accepted=claims.TAKEN, source=suites("a fifth of the 1 % that rows are asked for"),
     )  # fmt: skip
 

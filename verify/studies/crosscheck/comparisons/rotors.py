@@ -146,9 +146,9 @@ ROTORS = (
         id="rotor-step", case="rotor-step", solver=ROSS,
         what="a shaft with a thick part that turns in elastic bearings", pose=partial(step, True),
         quantities=(
-            frequency(1, "closed-form elements, mode 1 backward"),
-            frequency(2, "closed-form elements, mode 1 forward"),
-            frequency(6, "closed-form elements, mode 3 forward"),
+            frequency(1, "beam elements (Timoshenko), mode 1 backward"),
+            frequency(2, "beam elements (Timoshenko), mode 1 forward"),
+            frequency(6, "beam elements (Timoshenko), mode 3 forward"),
         ),
     ),
     *(
