@@ -36,7 +36,7 @@ LEFT = [
     ("sprag-clutch", {"T": "0.01 N m"}, "below the least load that slices are solved for"),
     ("sprag-clutch", {"slices": 81}, "81 slices are solved again"),
     ("sprag-crown", {"z_m": "0 mm"}, "without a crown"),
-    ("sprag-optimum", {"mu_s": 0.05, "mu_c": 0.04}, "the sprags slip: no crown mends that"),
+    ("sprag-optimum", {"mu_s": 0.05, "mu_c": 0.04}, "the sprags slip: no crown prevents that"),
     ("sprag-optimum", {"t_end": "1 s"}, "t_end/dt = 1e+05 is above 50000 steps"),
     ("spring-buckling", {"n": 30}, "n = 30 segments are more than 24"),
     ("spring-buckling", {"n": 4}, "too short to buckle sideways"),
@@ -49,7 +49,7 @@ LEFT = [
     ("contact-slip", {"share": 0.49}, "check it without --fem"),
     ("contact-sphere", {"P": "4e-8 N"}, "round-off"),
     ("contact-roller", {"d": "0.1 mm"}, "d = 0.1 mm is shorter than 0.141 mm"),
-    ("rotor-clutch", {"T": "600 N m"}, "no sprag rolls so far"),
+    ("rotor-clutch", {"T": "600 N m"}, "too far for rolling"),
 ]
 
 

@@ -86,28 +86,28 @@ STATEMENTS: Mapping[str, Statement] = {
         without=(BOTH,), left=(WEDGE, TURNED, STIFF),
         corrected=(
             Corrected("rotation with half planes and Eq. 6, long, at N_0", "alpha_rigid",
-                      "half planes and Eq. 6, beside the yields of elastic bodies"),
+                      "half planes and Eq. 6, against the deflections of elastic bodies"),
             Corrected("rotation with Eqs. 9, 10 as printed and elastic deflections, at N_0",
                       "alpha_rigid"),
             Corrected("torque with the lever arm of Eq. 16 as printed, at N_0", "torque_rigid",
                       "half of the arms of Eq. 9"),
             Corrected("rotation with Palmgren's law, Eqs. 6 and 7, at N_0", "alpha_rigid",
-                      "Palmgren's law, beside the yields of elastic bodies"),
+                      "Palmgren's law, against deflections of elastic bodies"),
             Corrected("rotation with Palmgren's law and Eq. 6, without Eq. 7, at N_0",
-                      "alpha_rigid", "Palmgren's law, beside the yields of elastic bodies"),
+                      "alpha_rigid", "Palmgren's law, against deflections of elastic bodies"),
             Corrected("wind-up of rigid races by Palmgren's law (Huang 2022, Eqs. 2, 4), at N_0",
-                      "theta_rigid", "rigid races and Palmgren's law, beside elastic bodies"),
+                      "theta_rigid", "rigid races and Palmgren's law, against elastic bodies"),
             Corrected("rotation as in the paper, Palmgren's law in Eqs. 9, 10 as printed, "
-                      "at T", "alpha", "both as printed, beside Eqs. 9, 10 corrected with the "
-                      "yields of elastic bodies"),
+                      "at T", "alpha", "both as printed, against Eqs. 9, 10 corrected with "
+                      "deflections of elastic bodies"),
             *(
                 Corrected(row.format(race), f"{key}_{race[0].replace('o', 'e')}_rigid", what)
                 for race in ("inner", "outer")
                 for row, key, what in (
                     ("mean displacement of the {} race (Eq. 6 as printed, thin), at N_0", "mean",
-                     "as printed for a thin race, beside a long one's"),
+                     "as printed for a thin race, against a long one's"),
                     ("Eq. 6 alone for the {} race under a sprag, at N_0", "race",
-                     "a mean of the race, beside the place under a sprag"),
+                     "a mean of the race, against the place under a sprag"),
                 )
             ),
         ),

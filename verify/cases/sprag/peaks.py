@@ -1,8 +1,8 @@
-"""Largest pressures of a sprag clutch's engagements, crown by crown: what a design of it judges by.
+"""Largest pressures of a sprag clutch's engagements, crown by crown, for its design.
 
 A crown changes the laws of the contacts and little else: they are solved once for all torques.
 
-What slices and strips tell of the ends is in `analytic.sprag.peaks`: 2946 MPa by 41 slices are
+Ends by slices and by strips are in `analytic.sprag.peaks`: 2946 MPa by 41 slices are
 3255 MPa by 81 strips, 3766 by 161, for the optimal crown of Eq. 19 at 25 N m.
 """
 
@@ -70,7 +70,7 @@ def _peak_fem(q: EngagementInputs) -> tuple[float, float]:
     run = engaged_fem(one, q, AHEAD * q.T / (q.z * q.R_i * math.tan(q.nu_0)))
     verdict = run.engagement.verdict
     if verdict != "locks":
-        raise NoLockError(f"under T = {q.T:g} N m {HOW[verdict]}: no crown mends that")
+        raise NoLockError(f"under T = {q.T:g} N m {HOW[verdict]}: no crown prevents that")
     N = run.engagement.N_max
     return N, one.radii(wedged(one.clutch, N))[0]
 

@@ -71,7 +71,7 @@ class Noted(Claim):
             reason = f"{words}; ledger {self.erratum}"
             verdict = replace(verdict, status=Status.NOTE, reason=reason)
         else:
-            reason = f"ledger {self.erratum} says otherwise: {words}"
+            reason = f"ledger {self.erratum} states otherwise: {words}"
             verdict = replace(verdict, reason=reason if math.isfinite(margin) else UNFITTED)
         return [self._row(context.case, Kind.FACT, verdict, published=self._printed(context))]
 

@@ -10,7 +10,7 @@ from meshes.sprag.wedged import Place, Races
 from verify.cases.sprag.inputs import WedgeInputs
 
 WIDE = 0.4  # half-width over sqrt(r d), about
-SOFT = 15.0  # all that yields over N/E', about
+SOFT = 15.0  # total deflection over N/E', about
 NEAR, MOST = 1e-3, 20  # how near the force is met, and in how many steps
 
 
@@ -53,12 +53,12 @@ def at_force(q: WedgeInputs, P: float) -> Start[Place]:
         share = P / state.N[0]
         if abs(share - 1) <= NEAR:
             return start
-        # forces grow a little faster than yields, and these about as the rotation
+        # forces grow a little faster than deflections, and these about as the rotation
         start = start.turned(start.place.alpha * share**0.9)
     raise NotFoundError(f"the force {P:.4g} N/m is missed by {share - 1:.1%}")
 
 
 def _rotation(q: WedgeInputs, H: float) -> float:
-    """At which the races yield by `H` [m], about: as in the first hundredth of a radian."""
+    """Rotation with the total deflection `H` [m], about: as in the first hundredth of a radian."""
     small = 0.01
     return small * H / Place.overlapping(races(q), small).H

@@ -61,7 +61,7 @@ class SpringInputs(Inputs):
 
     @property
     def paper_path(self) -> dict[str, Any]:
-        """The paper's centre line: inner radius, but leaves as long as the true radius asks."""
+        """The paper's centre line: inner radius, but leaves as long as by the true radius."""
         leaf = self.L1 / math.sin(self.alpha) + 2 * self.R / math.tan(self.alpha)
         return self.path | {"radius": self.r, "leaf": leaf}
 

@@ -13,7 +13,7 @@ class Share(float):
 
 
 def too_slender(q: SpringInputs) -> str:
-    """Elements of a frame this slender bend by less than what round-off makes of its movement."""
+    """Elements of a frame this slender bend by less than the round-off of its movement."""
     slender = q.n * (q.leaf + 2 * q.R * q.alpha) / q.b
     if slender <= MOST_SLENDER:
         return ""

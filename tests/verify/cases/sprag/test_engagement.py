@@ -41,7 +41,7 @@ def engaged(q, dt=1e-5, **how):
         ),
         (ENGAGEMENT, {"T": 120.0}, "over the end", "rolls over"),
         (FRICTION, {}, "locks", "locks: μ_s is 2.17 times"),
-        (FRICTION, {"mu_s": 0.05, "mu_c": 0.05}, "slips", "slips for ever"),
+        (FRICTION, {"mu_s": 0.05, "mu_c": 0.05}, "slips", "slips permanently"),
         (FRICTION, LATE, "slips", "locks: μ_s is 1.01"),
         (FRICTION, {"T": 120.0}, "over the end", "rolls over"),
     ],

@@ -1,4 +1,4 @@
-"""What a clutch's stiffness means in words, and when it means nothing."""
+"""Statements on the stiffness of a clutch, and where it is not valid."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
@@ -7,9 +7,9 @@ from typing import Any
 from analytic.rotor.clutch_state import preload_twist
 from verify.cases.rotor.clutch.formulas import ClutchStiffness
 
-FRICTION = 0.1  # what oiled steel hardly exceeds
+FRICTION = 0.1  # of oiled steel, upper estimate
 LARGEST_TWIST = 0.35  # rad, 20 deg
-ROUGH = 0.5e-6  # m, roughness of ground races: yields below it follow no contact law
+ROUGH = 0.5e-6  # m, roughness of ground races: deflections below it follow no contact law
 LEANS = 0.02  # of K_tilt, that leaning forces take without a warning
 WORDS = {"offset": "the offset", "crown": "the crown", "gap": "the gap", "together": "all of it"}
 
@@ -60,12 +60,12 @@ def open_ends(q: ClutchStiffness, key: str) -> bool:
 
 
 def refusal(q: ClutchStiffness) -> str:
-    """Why struts are not asked."""
+    """Why struts are not solved."""
     twist = float(preload_twist(q.clutch(), T=q.T))
     if twist > LARGEST_TWIST:
         return (
-            f"the races turn by {math.degrees(twist):.3g}° under {q.T:g} N m, beyond "
-            f"{math.degrees(LARGEST_TWIST):.3g}°: no sprag rolls so far; check it without --fem"
+            f"the wind-up is {math.degrees(twist):.3g}° under {q.T:g} N m, beyond "
+            f"{math.degrees(LARGEST_TWIST):.3g}°: too far for rolling; check it without --fem"
         )
     if open_ends(q, "crown") or open_ends(q, "together"):
         return (
@@ -82,8 +82,8 @@ def _above(K: float, leaning: float) -> str:
 def warnings(q: ClutchStiffness) -> Iterator[str]:
     if q.delta_0 < ROUGH:
         yield (
-            f"T = {q.T:g} N m presses the sprags by {q.delta_0 * 1e6:.3g} µm, less than races "
-            f"are rough ({ROUGH * 1e6:g} µm): nearly no preload, the stiffness is a guess"
+            f"T = {q.T:g} N m deflects the sprags by {q.delta_0 * 1e6:.3g} µm, less than the "
+            f"roughness of races ({ROUGH * 1e6:g} µm): no preload, the stiffness is uncertain"
         )
     leaning = q.leaning
     if leaning > LEANS * abs(q.K_tilt - leaning):

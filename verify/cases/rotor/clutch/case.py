@@ -12,11 +12,11 @@ from verify.form.adapter import adapted
 
 
 class ClutchLink(ClutchStiffness):
-    """A clutch that a torque presses is a bearing and a torsion spring.
+    """A sprag clutch under torque is a bearing and a torsion spring between two rotors.
 
-    Its stiffness follows from one potential; beside it stand struts between rigid hubs, inclined as
-    the sprags are, in exact kinematics. What the equations leave out is derived, and so are the
-    rows' intervals.
+    Its stiffness is derived from one potential and compared with struts between rigid hubs,
+    inclined as the sprags, in exact kinematics. The terms that the equations neglect are derived;
+    they give the intervals of the rows.
     """
 
     id = "rotor-clutch"
@@ -42,12 +42,12 @@ class ClutchLink(ClutchStiffness):
         "2 L(x_k) of Eq. 6: both contacts have the crown",
     )
     assumptions: ClassVar = (
-        "rigid races; sprags are forces along lines that yield as line contacts do",
-        "elastic races let the same clutch twist almost twice as far: the row of sprag-wedge about "
-        "the turn of rigid races has the number, and the verdicts of Eqs. 2, 4 and 11 rest on it",
-        "sprags roll, so that their lines keep their distance from the axis",
-        "an offset and a gap are held by the bearings; the torque stays the same",
-        "the crown is a parabola; Eq. 6 takes any",
+        "rigid races; sprags are forces along lines that deflect as line contacts",
+        "with elastic races the wind-up of the same clutch is almost twice as large: the row on "
+        "rigid races in sprag-wedge gives the value for the verdicts of Eqs. 2, 4 and 11",
+        "sprags roll, so that the distance of their lines from the axis is constant",
+        "the bearings hold an offset or a gap; the torque is constant",
+        "the crown is a parabola; Eq. 6 is valid for any",
     )
 
     comparisons = compared.rows

@@ -100,7 +100,7 @@ def _states(q: ClutchStiffness) -> Iterator[Comparison]:
 
 
 def _along_struts(q: ClutchStiffness) -> Iterator[Comparison]:
-    """Entries that Eq. 3 leaves out whole, with forces along the struts."""
+    """Entries that Eq. 3 neglects, with forces along the struts."""
     for state, demand in (("gap", (1e-9, SAME)), ("together", (1e-6, "slices of a crown"))):
         for one, scale in ((link.K_xy, "K_xx"), (link.K_yz, "K_xz")):
             whole = partial(getattr, q.in_state[state], scale)
@@ -131,7 +131,7 @@ def _balances(q: ClutchStiffness) -> Iterator[Comparison]:
 
 
 def _limits(q: ClutchStiffness) -> Iterator[Comparison]:
-    """How struts' stiffness goes with wedge angle, yield and offset."""
+    """Stiffness of struts over wedge angle, deflection and offset."""
 
     def over_angle(levels: Sequence[Level]) -> Points:
         """What Eq. 3 leaves out over sin ν, at the same normal forces."""
@@ -140,8 +140,8 @@ def _limits(q: ClutchStiffness) -> Iterator[Comparison]:
         return sines, (HARD * q.K_xx / K - 1).tolist(), [1e-13] * len(sines)
 
     def over_yield(levels: Sequence[Level]) -> Points:
-        """1 - struts/formula over how much the contacts yield, delta_0/l, ends held."""
-        K = levels[-1].arrays["K_zz over yield, pinned"]
+        """1 - struts/formula over the deflection of the contacts, delta_0/l, ends held."""
+        K = levels[-1].arrays["K_zz over deflection, pinned"]
         eps = [q.delta_0 / s / (q.R_e - q.R_i) for s in reversed(STIFFER)]
         d = (1 - K / (q.K_zz * np.array(STIFFER)))[::-1]
         return eps, d.tolist(), [1e-13] * len(eps)
@@ -150,7 +150,7 @@ def _limits(q: ClutchStiffness) -> Iterator[Comparison]:
         """First-order coupling over that of struts, Eq. 3 corrected in both, over dx/delta_0.
 
         The term after the one that is fitted counts as uncertainty, beside round-off: the coupling
-        is what little is left of entries that cancel.
+        is a small difference of large entries.
         """
         K = levels[-1].arrays["K_xz over small offsets"]
         formula = q.K_xz_first * np.array(SMALL) * q.delta_0 / q.e

@@ -66,7 +66,7 @@ def _over_torque(context: Context) -> Curves:
     k = uniform.contact_stiffness(N=uniform.normal_force(T=T, Z=q.Z, d_t=q.d_t), k_n=q.k_n)
     curves = [
         line("K_xx and K_yy, as K_zz and K_tilt: its tenth root", T, k / q.k),
-        dots("the torque taken here", q.T, 1.0),
+        dots("the given torque", q.T, 1.0),
     ]  # fmt: skip
     if context.fem:
         solved = np.array(TORQUES) * q.T
@@ -75,7 +75,7 @@ def _over_torque(context: Context) -> Curves:
             curves.append(dots(f"{key}, struts", solved, y, number))
     return plot(
         "Stiffness over torque", "T [N m]", "K(T)/K", curves,
-        note="Without a torque the clutch has no stiffness; it rises fast and then hardly at all.",
+        note="Without torque the clutch has no stiffness; it increases fast, then slowly.",
     )  # fmt: skip
 
 
@@ -96,8 +96,8 @@ def _over_offset(context: Context) -> Curves:
         curves.append(dots("struts", x, y, 2))
     return plot(
         "Coupling of bending and torsion over a static offset", "Δx [µm]", "K_xz [N]", curves,
-        note=f"Zero where the load is even. From the yield of {q.delta_0 / um:.4g} µm on sprags "
-        "leave contact one after the other: K_xz steps up, as none of them pulls against the rest.",
+        note=f"Zero where the load is even. From the deflection of {q.delta_0 / um:.4g} µm on "
+        "sprags lose contact one after the other: K_xz increases in steps.",
     )  # fmt: skip
 
 
@@ -133,8 +133,8 @@ def _over_crown(context: Context) -> Curves:
         line("K_xx", drop / um, found["K_xx"]), line("K_tilt", drop / um, found["K_tilt"], 1),
         # dots, as the curve lies on that of K_xx
         dots("K_zz", drop[::3] / um, found["K_zz"][::3], 2),
-        note="Under the same torque. A crown takes from the tilting stiffness first, as it takes "
-        "load from the ends.",
+        note="Under the same torque. A crown reduces mainly the tilting stiffness, since it "
+        "unloads the ends.",
     )  # fmt: skip
 
 
@@ -148,5 +148,5 @@ def _over_gap(context: Context) -> Curves:
         # dots, as the curve lies on that of K_xx
         (curve(name, counts.astype(float), y, "dots" if name == "K_tilt" else "line", number)
          for number, (name, y) in enumerate(found.items())),
-        note="The gap lies on the x-axis, the inner race is held in the middle by its bearings.",
+        note="The gap is on the x-axis, the bearings hold the inner race in the middle.",
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Inputs of a sprag clutch between two rotors: sprags, yields, torque, and what is uneven.
+"""Inputs of a sprag clutch between two rotors: sprags, deflections, torque, and uneven states.
 
 The paper gives the torque of its rig alone. Radii and the number of sprags are those that the same
 authors print for their clutch of 2018; wedge angle and length are identified there.
@@ -32,7 +32,7 @@ class SpragLink(Case):
                          ge=0.1, le=20)  # fmt: skip
     L: float = given("9 mm", "mm", "L_we", "length of the sprags (not printed)", gt=0.01, le=1e5)
     n_s: int = count(SLICES, "n_s", "number of slices of a sprag (not printed)", ge=2, le=1000)
-    a: float | None = given(None, "µm", "a", "yield of both contacts under 1 kN; left out: "
+    a: float | None = given(None, "µm", "a", "deflection of both contacts under 1 kN; left out: "
                                "Palmgren's, steel", omitted=None, gt=0, le=1e4,
                                example="6.6 µm")  # fmt: skip
     e: float = given("1 µm", "µm", "Δx", "static offset of the inner rotor, for the uneven "
@@ -57,7 +57,7 @@ class SpragLink(Case):
 
     @property
     def k_n(self) -> float:
-        """Force of a sprag over its yield to the power 10/9 [N/m^(10/9)] (Eq. 2)."""
+        """Force of a sprag over its deflection to the power 10/9 [N/m^(10/9)] (Eq. 2)."""
         return float(REFERENCE / self.yield_1kN**LINE_CONTACT)
 
     @Quantity("δ_kN", "µm", "deflection of both contacts under 1 kN", role="step",
@@ -85,7 +85,7 @@ class SpragLink(Case):
         return even_angles(Z=self.Z, psi_0=first, missing=self.gap() if uneven else ())
 
     def clutch(self, *, crowned: bool = False, gap: bool = False, n_s: int | None = None) -> Clutch:
-        """The clutch of the formulas, with a crown or a gap where asked."""
+        """The clutch of the formulas, with a crown or a gap where requested."""
         return Clutch(
             psi=self.angles(uneven=gap), R_i=self.R_i, nu=self.nu, L=self.L, k_n=self.k_n,
             n_s=n_s or self.n_s, crown=self.crown if crowned else None,

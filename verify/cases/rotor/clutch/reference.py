@@ -15,9 +15,9 @@ if TYPE_CHECKING:
 
 TORQUES = (0.1, 0.2, 0.4, 0.7, 1.0)  # shares of T
 ANGLES = (0.08, 0.2, 0.4, 0.7, 1.0)  # shares of nu
-STIFFER = (10.0, 20.0, 40.0, 70.0, 100.0)  # yields smaller by these
+STIFFER = (10.0, 20.0, 40.0, 70.0, 100.0)  # deflections smaller by these
 OFFSETS = (0.25, 0.5, 1.0, 1.5, 2.0)  # shares of the offset
-SMALL = (2e-3, 4e-3, 8e-3, 0.014, 0.02)  # offsets over the yield
+SMALL = (2e-3, 4e-3, 8e-3, 0.014, 0.02)  # offsets over the deflection
 HARD = 1e3  # the same where twists are to stay small
 COARSE = 8  # slices where tilts do not matter
 SIX = {"K_xx": (0, 0), "K_yy": (1, 1), "K_tilt": (4, 4), "K_zz": (5, 5), "K_xz": (0, 5),
@@ -70,7 +70,7 @@ def solve(q: SpragLink, level: int) -> Level:
 
 
 def series_fem(q: SpragLink, struts: "SpragStruts") -> dict[str, Array]:
-    """Stiffnesses over torque, wedge angle and offset, and pinned ones over how much yields."""
+    """Stiffnesses over torque, wedge angle and offset, and pinned ones over deflection."""
     by_torque = [replace(struts, T=x * q.T).rolling(COARSE).tangent() for x in TORQUES]
     flat = []
     for share in ANGLES:  # the same normal forces at all angles
@@ -88,5 +88,5 @@ def series_fem(q: SpragLink, struts: "SpragStruts") -> dict[str, Array]:
         "K_xx over nu": np.array([joint.tangent()[0, 0] for joint in flat]),
         "K_xz over offset": np.array(aside),
         "K_xz over small offsets": np.array(small),
-        "K_zz over yield, pinned": np.array(stiff),
+        "K_zz over deflection, pinned": np.array(stiff),
     }

@@ -19,15 +19,14 @@ FASTEST = 600.0  # rim speed [m/s] that hardly any steel withstands
 
 
 class UniformShaft(BeamTheories):
-    """The elements of which the paper's rotors are made, on a shaft with closed forms.
+    """Beam elements by Euler, Rayleigh and Timoshenko on a shaft with closed-form solutions.
 
-    These are Euler's, Rayleigh's and Timoshenko's. The same shaft as an elastic body, whose whirl
-    elasticity gives exactly, says what a beam leaves out. The paper prints no dimension: those are
-    this project's.
+    The same shaft as an elastic body, whose whirl frequencies are known exactly, gives the error of
+    beam theory. The paper prints no dimensions: those here were chosen for this project.
     """
 
     id = "rotor-shaft"
-    title = "Uniform shaft that turns"
+    title = "Uniform rotating shaft"
     source = "huang2022"
     place = "Sec. 1: rotors of Timoshenko's beam elements (Nelson)"
     levels: ClassVar = (1, 2, 4, 8)
@@ -42,8 +41,8 @@ class UniformShaft(BeamTheories):
     )  # fmt: skip
     readings: ClassVar = (
         "the shear coefficient is Hutchinson's; with Cowper's the error falls with (d/L)² alone",
-        "terms in Ω² and the stiffness of centrifugal stress are left out together: they cancel "
-        "where sections turn as if rigid",
+        "terms in Ω² and the stiffness of centrifugal stress are both neglected: they cancel "
+        "where sections rotate as if rigid",
     )
     assumptions: ClassVar = (
         "ends held across and free along, bearings rigid",
@@ -56,7 +55,7 @@ class UniformShaft(BeamTheories):
     sketch = drawn.sketch
 
     def reference(self, level: int) -> Level:
-        """Closed-form elements, weak forms, and the elastic body."""
+        """Beam elements, weak forms, and the elastic body."""
         from verify.cases.rotor.shaft.reference import solve
 
         return solve(self, level)
@@ -67,7 +66,7 @@ class UniformShaft(BeamTheories):
             yield f"Euler's beam is {error:+.1%} off at mode 1: take Timoshenko's"
         worst = max((self.at_rest(j) / self.exact.at_rest(j) - 1 for j in MODES), key=abs)
         if abs(worst) > CEILING:
-            yield f"Timoshenko's beam is {worst:+.2%} off in modes 1 to 3: too stubby or thin"
+            yield f"Timoshenko's beam is {worst:+.2%} off in modes 1 to 3: too short or thin-walled"
         near = min(abs(self.n / self.exact.critical - 1), 1.0)
         if near < 0.1:
             yield f"{self.n * 30 / np.pi:.5g} r/min is within {near:.0%} of the critical speed"

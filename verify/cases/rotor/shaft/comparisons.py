@@ -27,7 +27,7 @@ from verify.judging.judge import DEMAND
 from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, farthest
 
 CEILING = 0.002  # of a uniform tube's frequencies, Timoshenko's beam against the elastic body
-NEAR = 5e-5  # how well the error of a formula is known beforehand
+NEAR = 5e-5  # uncertainty of the predicted error of a formula
 FINE = 1e-5  # of a slender shaft's frequency, 32 elements
 TOWARDS = (0.0125, 0.025, 0.05, 0.125)  # diameters over lengths of Timoshenko's limit
 DIGITS = 2e-12  # of both sides there
@@ -76,7 +76,7 @@ def _elasticity(beam: BeamTheories) -> State:
 
 
 def _beams(beam: BeamTheories) -> Iterator[Comparison]:
-    """Closed-form elements and weak forms against the same theory."""
+    """Beam elements and weak forms against the same theory."""
     modes = ((1, "forward"), (1, "backward"), (3, "forward"))
     for theory, state in zip(THEORIES, _theories(beam), strict=True):
         short = theory == "timoshenko"
@@ -111,7 +111,7 @@ def _bodies(beam: BeamTheories) -> Iterator[Comparison]:
 
 
 def _neglected(beam: BeamTheories) -> Iterator[Comparison]:
-    """Beams at rest against the body, as Timoshenko's equation says beforehand."""
+    """Beams at rest against the body, as predicted by Timoshenko's equation."""
     fine: dict[str, Any] = {"symbol": "ω", "order": 4}
     shape = {name: getattr(beam, name) for name in ("L", "d_o", "d_i", "E", "nu", "rho")}
     for j in MODES:
@@ -129,7 +129,7 @@ def _neglected(beam: BeamTheories) -> Iterator[Comparison]:
 
 
 def _orders(beam: BeamTheories) -> Iterator[Comparison]:
-    """How fast each kind of elements converges in mode 1 forward."""
+    """Convergence of each kind of elements in mode 1 forward."""
     euler, rayleigh, timoshenko = _theories(beam)
     for words, model, state, order, demand in (
         ("Euler's elements", "beam_euler", euler, 4, DEMAND),

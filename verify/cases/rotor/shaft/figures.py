@@ -128,8 +128,8 @@ def refinement(context: Context, order: int) -> Refinement:
     notes = {
         4: "Euler's elements, the weak form of Timoshenko's beam, and the elastic body, which has "
         "half as many cells again along the shaft.",
-        2: "Timoshenko's closed-form elements leave inertia out of their shape functions, and "
-        "with it the shear that it makes.",
+        2: "Timoshenko beam elements neglect inertia in their shape functions, and the shear "
+        "by it.",
     }
     return Refinement(
         title="Error against the same theory's exact value, "

@@ -25,7 +25,7 @@ from verify.cases.rotor.shaft.inputs import (
 
 ALONG = 6  # cells along the shaft, times the level
 RIGID = 1e14  # stiffness of the bearings over that of the shaft
-ROUND = 1e-9  # of a frequency: what the factors of slender shafts lose, over all levels
+ROUND = 1e-9  # of a frequency: round-off of the factors of slender shafts, over all levels
 
 
 def solve(q: TurningShaft, level: int) -> Level:
@@ -47,7 +47,7 @@ def _whirl(name: str, forward: Any, backward: Any) -> dict[str, float]:
 
 
 def elements(q: TurningShaft, level: int) -> dict[str, float]:
-    """Closed-form elements: whirl, critical speeds, and mode 1 of a slender shaft."""
+    """Beam elements: whirl, critical speeds, and mode 1 of a slender shaft."""
     n = BEAMS * level
     steel = Material(E=q.E, nu=q.nu, rho=q.rho)
 

@@ -1,7 +1,7 @@
-"""What the paper says of its system beyond three critical speeds, asked of every member.
+"""Statements of the paper beyond three critical speeds, evaluated for every member.
 
-Arrays are those of `responses_fem`; a fact gives one truth value a member, and is asked only of
-those in which all that it compares has a peak.
+Arrays are those of `responses_fem`; a fact gives one truth value a member, and is evaluated
+only for those in which all compared responses have a peak.
 """
 
 from collections.abc import Callable, Mapping
@@ -24,7 +24,7 @@ ORDERS = (1, 3, 5)
 
 @dataclass(frozen=True, kw_only=True)
 class Statement:
-    """A sentence of the paper, in which members it holds, and the printed values it repeats.
+    """A statement of the paper, the members in which it holds, and its printed values.
 
     `compares` gives what it compares (m, ...): NaN where a response has no peak.
     """

@@ -64,7 +64,7 @@ class SpragRotor(CentralSystem):
         return solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """What is exact, fitted, linear, elastic, and what the paper says."""
+        """Exact, fitted, linear and elastic rows, and statements of the paper."""
         yield from (*IDENTITIES, *FITTED_SPEEDS, *LINEAR_ROWS, *ELASTIC, *SHARES)
 
     def advice(self) -> Iterator[str]:
@@ -78,8 +78,8 @@ class SpragRotor(CentralSystem):
         )
         yield f"{self.rig_speed / RPM:.5g} r/min lies {near[0]:.0%} off critical speed {near[1]}"
         yield (
-            f"{self.T:.3g} N m press its sprags by {self.delta_0 * 1e6:.2g} µm: an offset of "
-            f"{self.offset * self.delta_0 * 1e6:.2g} µm is what couples bending and torsion here"
+            f"{self.T:.3g} N m deflect its sprags by {self.delta_0 * 1e6:.2g} µm: an offset of "
+            f"{self.offset * self.delta_0 * 1e6:.2g} µm couples bending and torsion here"
         )
 
     def warnings(self) -> Iterator[str]:

@@ -42,7 +42,7 @@ class Share(Claim):
     of: str = "sets"
 
     def asked(self, context: Context) -> Members:
-        """Of which sets it is asked: all."""
+        """Sets for which it is evaluated: all."""
         return np.ones(self.holds(context).size, dtype=bool)
 
     def words(self, context: Context) -> str:
@@ -65,7 +65,7 @@ class Share(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Claimed(Share):
-    """A statement of the paper, asked where it has peaks, and with unbalances opposite.
+    """A statement of the paper, evaluated where peaks exist, also with opposite unbalances.
 
     What the paper prints in it are names of nodes, no values beside a share.
     """
@@ -82,7 +82,7 @@ class Claimed(Share):
 
 
 def held_of(statement: Statement, a: Arrays) -> str:
-    """In how many sets of parameters a statement holds, of those that it can be asked of."""
+    """In how many sets of parameters a statement holds, of those with the compared peaks."""
     held, asked = statement.holds(a), statement.asked(a)
     with_peak = "" if asked.all() else " with a peak"
     return f"{int((held & asked).sum())} of {int(asked.sum())} sets{with_peak}"

@@ -24,7 +24,7 @@ from verify.judging.convergence import grid_convergence
 class Bodies(Claim):
     """Exact beams over elastic bodies of revolution with the same springs and discs: SHOWN.
 
-    No second source says how much a bell on a shaft yields, so that no interval is expected.
+    No second source gives the flexibility of a bell on a shaft: no interval is expected.
     """
 
     kind = Kind.APPROXIMATION

@@ -1,4 +1,4 @@
-"""What the report shows of the system with sprag clutch: bands over members, never one of them."""
+"""Figures of the system with sprag clutch: bands over members, never one of them."""
 
 from collections.abc import Sequence
 from math import pi

@@ -11,7 +11,7 @@ from verify.core.figures import Array
 RPM = np.pi / 30
 PRINTED = (10149 * RPM, 32298 * RPM, 36245 * RPM)  # rad/s: the paper's critical speeds 1, 3, 5
 MOST = 256
-SLOWEST, FASTEST = 2000 * RPM, 60_000 * RPM  # of what a response may be asked at
+SLOWEST, FASTEST = 2000 * RPM, 60_000 * RPM  # range of speeds of a response
 
 
 class SpragRotorInputs(Case):

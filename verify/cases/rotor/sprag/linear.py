@@ -1,4 +1,4 @@
-"""Claims that need no calibration: what linear dynamics says whatever the dimensions are."""
+"""Claims that need no calibration: results of linear dynamics for any dimensions."""
 
 from collections.abc import Callable
 

@@ -61,22 +61,21 @@ def facts(context: Context) -> Table:
         for s in STATEMENTS
     )
     return Table(
-        title="What was not fitted: statements of the paper in the sets of parameters",
+        title="Not fitted: statements of the paper in the sets of parameters",
         header=("statement", "place", "holds in", "%", "unbalances opposite: holds in", "%"),
         rows=rows,
-        note=f"no set was chosen by them; the one that holds most holds {int(most.max())} of "
-        f"{len(STATEMENTS)}. Sets where something compared has no peak about a critical speed are "
-        "not asked",
+        note=f"no set was chosen by them; at most {int(most.max())} of {len(STATEMENTS)} hold in "
+        "one set. Sets without a compared peak about a critical speed are not evaluated",
     )  # fmt: skip
 
 
 def _share(statement: Statement, a: Arrays) -> str:
     asked = statement.asked(a)
-    return f"{100 * float(statement.holds(a)[asked].mean()):.0f}" if asked.any() else "none asked"
+    return f"{100 * float(statement.holds(a)[asked].mean()):.0f}" if asked.any() else "no set"
 
 
 def unknowns(members: Array | None) -> Table:
-    """What the paper lacks: ranges with their reasons, and what three critical speeds leave."""
+    """Missing in the paper: ranges with their reasons, and after the three critical speeds."""
     rows = []
     for i, p in enumerate(PARAMETERS):
         left = ("", "", "")
@@ -85,7 +84,7 @@ def unknowns(members: Array | None) -> Table:
             left = tuple(f"{float(x):.3g}" for x in spread)  # type: ignore[assignment]
         rows.append((p.symbol, p.what, p.unit, p.low, p.high, *left, p.reason))
     return Table(
-        title="What the paper lacks: ranges, and what three critical speeds leave of them",
+        title="Missing in the paper: ranges, and what remains of them by three critical speeds",
         header=("symbol", "what", "unit", "from", "to", "5 %", "50 %", "95 %", "reason"),
         rows=tuple(rows),
         note="even over the logarithm; discs 20 mm wide, a drum with the walls of Ref. 9's outer "

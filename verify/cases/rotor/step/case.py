@@ -1,4 +1,4 @@
-"""Stepped turning shaft: what a step of the diameter makes of beam theory."""
+"""Stepped rotating shaft: error of beam theory at a step of the diameter."""
 
 from collections.abc import Iterator
 from functools import partial
@@ -38,15 +38,15 @@ Points = tuple[list[float], list[float], list[float]]
 
 
 class SteppedBeam(SteppedShaft):
-    """Beams agree with beams to the last digit, whatever the shaft looks like.
+    """A step of the diameter, where beam theory overestimates the stiffness of a shaft.
 
-    Where its diameter steps, the corners of the thick part carry nothing, and a beam is too stiff:
-    the elastic body of revolution says by how much, and what the 45° rule repairs. The paper prints
-    no dimension: those are this project's.
+    The corners of the thick part are unloaded. The elastic body of revolution gives the error of
+    the beam, with nominal diameters and by the 45° rule. Different beam models agree to round-off.
+    The paper prints no dimensions: those here were chosen for this project.
     """
 
     id = "rotor-step"
-    title = "Turning shaft with a step"
+    title = "Rotating shaft with a step"
     source = "huang2022"
     place = "Sec. 1 (Timoshenko's beam elements); Sec. 2.1 (0.3 % against other beam elements)"
     levels: ClassVar = (1, 2, 3)
@@ -54,7 +54,7 @@ class SteppedBeam(SteppedShaft):
     slices: ClassVar[int] = SLICES
     readings: ClassVar = (
         "a bearing is a spring on the mean motion of its seat, on a beam one at the seat's middle",
-        "45° rule: from a step on, the diameter that is stiff grows by twice the distance; masses "
+        "45° rule: from a step on, the stiff diameter grows by twice the distance; masses "
         "are those of the nominal diameters",
     )
     assumptions: ClassVar = (

@@ -64,7 +64,7 @@ class SteppedShaft(Case):
     def reach(self) -> float:
         return min((self.d_2 - self.d_1) / 2, self.L_2 / 2)
 
-    @Quantity("d_stiff", "mm", "diameter that is stiff at that distance", source="45° rule",
+    @Quantity("d_stiff", "mm", "stiff diameter at that distance", source="45° rule",
               role="geometry")  # fmt: skip
     def d_stiff(self) -> float:
         return min(self.d_2, self.d_1 + 2 * self.reach)

@@ -25,7 +25,7 @@ ELEMENTS = 4  # in each piece of the shaft, times the level
 FIRST = 0.03  # cells at the corners over d_1, coarsest mesh
 MAPPED = 2  # level of the map
 MAP_FIRST = 0.06
-ROUND = 1e-9  # of a frequency: what the factors of slender shafts lose
+ROUND = 1e-9  # of a frequency: round-off of the factors of slender shafts
 
 
 def solve(q: SteppedShaft, level: int) -> Level:
@@ -62,7 +62,7 @@ def elements(q: SteppedShaft, level: int) -> dict[str, float]:
 
 
 def beam(q: SteppedShaft, refine: int) -> Rotor:
-    """The shaft as drawn, each piece between steps and seats cut into `refine` elements."""
+    """The shaft with nominal diameters, pieces between steps and seats in `refine` elements."""
     steel = Material(E=q.E, nu=q.nu, rho=q.rho)
     inside = [
         Element(high - low, q.d_2 if q.start < (low + high) / 2 < q.end else q.d_1, 0.0, steel)
@@ -73,7 +73,7 @@ def beam(q: SteppedShaft, refine: int) -> Rotor:
 
 
 def weak_form(q: SteppedShaft, level: int, *, cone: bool = False) -> WeakShaft:
-    """The same as a weak form; with `cone`, stiff as the 45° rule says, over the steps' cones."""
+    """The same as a weak form; with `cone`, stiffness by the 45° rule, over the steps' cones."""
     return stepped_weak(
         L=q.L, d_1=q.d_1, d_2=q.d_2, step=(q.start, q.end), seats=q.seats, k=q.k,
         reach=q.reach if cone else 0.0, E=q.E, nu=q.nu, rho=q.rho, level=level,

@@ -1,4 +1,4 @@
-"""What a rotor's critical speeds mean for its operating speeds, in words, the verdict first."""
+"""Critical speeds of a rotor against its operating speeds, in words, the verdict first."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
@@ -12,7 +12,7 @@ SENSE = {1: "forward", -1: "backward", 0: "to and fro"}
 
 
 class Critical(NamedTuple):
-    """A critical speed of the rotor [rad/s], whose unbalance meets it, and the whirl's sense."""
+    """A critical speed of the rotor [rad/s], whose unbalance meets it, and its sense of whirl."""
 
     speed: float
     shafts: str

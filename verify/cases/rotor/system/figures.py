@@ -45,7 +45,7 @@ def _campbell(q: TransferRotor) -> Campbell:
         title="Natural frequencies over the speed", x_label="n [r/min]", y_label="f [Hz]",
         speeds=speeds / RPM, frequencies=w / Hz, whirl=whirl, excitations=lines, critical=met,
         range=(q.speed_from / RPM, q.speed_to / RPM), y_top=top,
-        note=f"By transfer matrices, damping left out. {_sense(q)}",
+        note=f"By transfer matrices, without damping. {_sense(q)}",
     )  # fmt: skip
 
 
@@ -53,7 +53,7 @@ def _sense(q: TransferRotor) -> str:
     if q.rotor.isotropic:
         return "Unbalance excites whirl where its line crosses a branch of the same sense."
     return (
-        "On bearings unlike in x and y whirl is elliptical and unbalance meets every branch; "
+        "On bearings that differ in x and y whirl is elliptical and unbalance meets every branch; "
         f"the sense is that at {q.speed / RPM:.5g} r/min."
     )
 

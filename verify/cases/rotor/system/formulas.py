@@ -11,7 +11,7 @@ from verify.cases.rotor.system.inputs import CRITICALS, FREQUENCIES, critical_na
 from verify.cases.rotor.system.transfer import DescribedRotor
 
 ORDERS = range(1, FREQUENCIES + 1)
-TURN = 2 * np.pi  # frequencies are handed over in Hz, speeds in rad/s
+TURN = 2 * np.pi  # frequencies are in Hz, speeds in rad/s
 
 Array = NDArray[np.float64]
 
@@ -32,7 +32,7 @@ def _turning(q: Any) -> bool:
 
 
 class TransferRotor(DescribedRotor):
-    """What transfer matrices find of a rotor; speeds in rad/s, frequencies in Hz."""
+    """Results of transfer matrices of a rotor; speeds in rad/s, frequencies in Hz."""
 
     @Quantity("ω_1", "rad/s", "lowest natural frequency at the speed", role="step",
               source="turning Timoshenko shaft; none missed: the negative eigenvalues of D count "

@@ -1,4 +1,4 @@
-"""What is odd about a rotor that a user described, in words."""
+"""Warnings on a rotor that a user described."""
 
 from collections.abc import Iterator, Sequence
 from itertools import combinations, pairwise
@@ -50,7 +50,7 @@ def _links(q: DescribedRotor) -> Iterator[str]:
 
 
 def _through(q: DescribedRotor) -> Iterator[str]:
-    """Shafts beside each other on one axis: the one must fit into the bore of the other."""
+    """Shafts on one axis: the one must fit into the bore of the other."""
     met = []
     for a, b in combinations(placed(q), 2):
         over = min(a.high, b.high) - max(a.low, b.low)

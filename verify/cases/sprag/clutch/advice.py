@@ -114,8 +114,8 @@ def elastic(q: ClutchFormulas) -> list[str]:
 def sensitive(q: ClutchFormulas) -> str:
     turn, tilt = q.dalpha_per_dR_i * 10 * UM * DEGREE, q.dnu_0_per_dR_i * 10 * UM * DEGREE
     return (
-        f"10 µm of R_i or R_e turn the unloaded sprags by {abs(turn):.3g}°; the spiral keeps "
-        f"their wedge angle to {abs(tilt):.2g}°"
+        f"10 µm of R_i or R_e rotate the unloaded sprags by {abs(turn):.3g}°; the spiral "
+        f"maintains their wedge angle to {abs(tilt):.2g}°"
     )
 
 

@@ -17,12 +17,12 @@ from verify.form.adapter import adapted
 class SpragClutch(ClutchFormulas):
     """Whether a logarithmic sprag clutch holds, and which limit is reached first.
 
-    As the torque grows these are friction, pressure, the end of the profile; in time, how high the
-    first peak of an engagement is. The reference is the same sprag drawn point by point, and strips
-    for the slices: they judge geometry, equilibrium and pressures, with the same deflections;
-    finite elements of the whole clutch are those of sprag-wedge. The paper's figures depend on
+    With growing torque these are friction, pressure, the end of the profile; in time, the first
+    peak of an engagement. The reference is the same sprag drawn point by point, and strips for the
+    slices: they verify geometry, equilibrium and pressures, with the same deflections; finite
+    elements of the whole clutch are those of sprag-wedge. The paper's figures depend on
     5 inputs that it does not print and that are identified here (l, b, ν_0, k_out, Q), and 8 that
-    are assumed: what rests on them is calibrated, not evidence.
+    are assumed: results that depend on them are calibrated, not evidence.
     """
 
     id = "sprag-clutch"

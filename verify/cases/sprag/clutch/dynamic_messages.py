@@ -49,7 +49,7 @@ def overall(q: ClutchFormulas, v: Values) -> tuple[str, tuple[str, ...]]:
         head = f"{AT_REST[still]}, {IN_TIME[moving]}"
     if moving == "rolls over" and still in ("holds", "overloaded"):
         head += "; longer, more or wider sprags, thicker races or a torque that rises more " \
-            "slowly keep it on its profile"  # fmt: skip
+            "slowly avoid this"  # fmt: skip
     return worst, (head, f"at rest: {still}: {why(q)}")
 
 

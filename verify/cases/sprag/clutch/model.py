@@ -15,7 +15,7 @@ from analytic.sprag.start import spring_equilibrium
 from verify.cases.sprag.engagement.model import clutch, gap, parts
 from verify.cases.sprag.inputs import EngagementInputs, SpragInputs
 
-WIDE = 0.15  # of the inner contact's relative radius: half-widths up to which Hertz is asked
+WIDE = 0.15  # of the inner contact's relative radius: half-widths up to which Hertz's law is used
 MANY, FEW_LOADS = 61, 21  # slices from which on fewer loads make up a contact's law
 HALF = 0.5  # of N, where the ends of a crown are free and strips have a highest pressure
 FAST = 20_000 * 2 * math.pi / 60  # rad/s: the outer race grows by 2 µm
@@ -82,7 +82,7 @@ def grip(q: SpragInputs) -> Limits:
 def low_friction(q: SpragInputs) -> float:
     """Friction twice as far above that of first contact as the torque's is: about 2 T slip it.
 
-    At the paper's friction no torque slips: the spiral keeps its wedge angle.
+    At the paper's friction no torque slips: the spiral maintains its wedge angle.
     """
     now = under(q)
     required = math.nan if now is None else float(np.tan(float(now.nu)))

@@ -58,7 +58,7 @@ def wedging(q: ClutchFormulas) -> str:
 
 
 def profile(q: ClutchFormulas) -> str:
-    """What keeps the sprags on their profile."""
+    """Measures against rollover of the sprags."""
     parts = "thicker races, more or longer sprags"
     if not q.state:
         return f"take {parts}"

@@ -1,4 +1,4 @@
-"""What stands beside the formulas of a sprag clutch: strips, drawn sprags, compiled engagements."""
+"""Reference of a sprag clutch: strips, drawn sprags, compiled engagements."""
 
 import math
 from typing import Any
@@ -53,7 +53,7 @@ def solve(q: Any, level: int) -> Level:
 def others(q: Any, level: int, found: Touching) -> dict[str, float]:
     """By drawing: rolling, rigid races (Liu), Eqs. 9 and 10 as printed, and the two variants.
 
-    Formulas say where roots are searched, which these do not depend on.
+    Formulas give the intervals of roots, on which the roots do not depend.
     """
     points, steps = POINTS * level, level // 2
     one = drawn(q, points)

@@ -1,4 +1,4 @@
-"""Advice on a crown: which load it suits, and what it makes of the first peak."""
+"""Advice on a crown: the load that it suits, and its pressure in the first peak."""
 
 import math
 from collections.abc import Sequence

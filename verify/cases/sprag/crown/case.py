@@ -41,12 +41,12 @@ ARTANH = r"\ln\left(\frac{1 + \sqrt{c}}{1 - \sqrt{c}}\right)"  # twice that of â
 class SpragCrown(EngagementInputs, Case):
     """Which load a crown suits, and its effect on the largest pressure of an engagement.
 
-    What the paper's figures state of its crowns is judged under the forces of compiled engagements,
-    and where it fits another force than theirs, that force is named.
+    Statements of the paper's figures on its crowns are verified under the forces of compiled
+    engagements; where they hold under another force only, that force is stated.
     """
 
     id = "sprag-crown"
-    title = "What the crown's parameters do"
+    title = "Effect of the crown's parameters"
     source = "huang2018"
     place = "Eq. 1, Secs. 4.1 and 4.2, Figs. 11-14, Table 2"
     method = BY_STRIPS
@@ -56,9 +56,9 @@ class SpragCrown(EngagementInputs, Case):
         "Eq. 1 is clipped and symmetric, its A is the factor before the logarithm (ledger: "
         "eq-1-a-undefined, eq-1-clipping)",
         "z_m is in millimetres: no unit is printed",
-        "Q of Eq. 1 is one load for all torques, 3407 N: the static one at 25 N m of parts that do "
-        "not yield; with their yields it is 3388 N. By another Q at each torque the best K_1 would "
-        "not grow with it",
+        "Q of Eq. 1 is one load for all torques, 3407 N: the static one at 25 N m of rigid "
+        "parts; with deflections it is 3388 N. With another Q at each torque the optimal K_1 would "
+        "not grow with the torque",
         "Fig. 12 is under a force of 2 to 4 kN, such as the static load, not under the first peak "
         "at 25 N m; which crowns it has is not printed: the eight that the paper prints "
         "anywhere are compared (ledger: fig-12-load)",

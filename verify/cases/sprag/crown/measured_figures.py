@@ -1,4 +1,4 @@
-"""What Figs. 12 to 14 say of crowns, judged on this clutch: under which force, by how much."""
+"""Statements of Figs. 12 to 14 on crowns, verified on this clutch: force and margin."""
 
 from collections.abc import Mapping
 

@@ -1,4 +1,4 @@
-"""What stands beside the formulas of a crown: drawn profiles, strips, compiled engagements."""
+"""Reference of a crown: drawn profiles, strips, compiled engagements."""
 
 from typing import Any
 

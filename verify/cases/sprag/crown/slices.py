@@ -45,9 +45,9 @@ def by_number(context: Context) -> Curves:
     ]  # fmt: skip
     N = float(found["counted N"][0])
     return plot(
-        "What the number of slices makes of p_max", "slices or strips", "p_max [MPa]", curves,
+        "p_max over the number of slices", "slices or strips", "p_max [MPa]", curves,
         y_bottom=2500.0,
-        note=f"Under {N:.0f} N, the first peak at 25 N m. Where ends carry there is no limit: "
+        note=f"Under {N:.0f} N, the first peak at 25 N m. At loaded ends there is no limit: "
         "without a crown by either model, with Eq. 21's crown by strips, whose half-space does "
         "not end with the sprag. Level lines are what the paper prints.",
     )  # fmt: skip

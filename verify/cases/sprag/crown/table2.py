@@ -123,7 +123,7 @@ MEDIAN = 3032.6e6  # Pa, of the ten actual values
 
 
 def demanded(row: int) -> dict[str, Any]:
-    """What the digits of a row's printed error let it show: U of rounding, and half a digit."""
+    """Uncertainty by the digits of a row's printed error: U of rounding, and half a digit."""
     entry = published(f"huang2018:table2-row{row}-error")
     asked = (judge.COVERAGE / math.sqrt(3) + 1) * half_last_digit(entry.printed) / entry.value
     if asked <= judge.DEMAND:

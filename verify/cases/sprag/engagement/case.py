@@ -18,9 +18,9 @@ SURE = 1.05  # of the required friction
 class SpragEngagement(EngagementFormulas):
     """A suddenly applied torque makes the races oscillate on the sprags.
 
-    The paper's equations of motion, in its Runge-Kutta steps, compiled, are refined in time and
-    stand beside LSODA with events, which shares the closure alone, and beside energy, statics and
-    two races on a spring.
+    The paper's equations of motion in its Runge-Kutta steps are refined in time and compared with
+    LSODA with events, which has only the closure in common, and with energy, statics and two races
+    on a spring.
     """
 
     id = "sprag-engagement"
@@ -38,15 +38,15 @@ class SpragEngagement(EngagementFormulas):
         "forces of the races act at OA and OB of Eq. 9, not at half of them (eq-16-lever-arms)",
         "C_be is the moment of the support, −k_out θ_e (eq-16-outer-spring)",
         "N_be = N_bi in Eqs. 14 and 16; a strut in balance has N_e = N_i cos ω/cos ν",
-        "the torque comes as a step on a clutch at rest under its springs",
+        "the torque is a step on a clutch at rest under its springs",
     )
     assumptions: ClassVar = (
         "length, width, wedge angle, support and the crown's load are identified, not printed; "
         "friction, α_max and the centroid's place are assumed",
-        "N follows from the rotation as at rest, by the closure that balances work: what the paper "
-        "iterates is explicit in N here",
+        "N follows from the rotation as at rest, by the closure that balances work: the iteration "
+        "of the paper is explicit in N here",
         "all sprags are equal; races rotate, but neither bend nor move; no oil",
-        "the centroid keeps the distance OC_g(α): its radial motion is left out, as in Eq. 14",
+        "the centroid is at the distance OC_g(α): its radial motion is neglected, as in Eq. 14",
         "a contact sticks within a band of speeds; the band follows from the time step",
     )
 
@@ -90,14 +90,11 @@ class SpragEngagement(EngagementFormulas):
         """Where the sprags leave their profile, slide at the start or slip."""
         start = self.number("start")
         if self.rolls_over:
-            yield (
-                f"the profile ends at α_max = {self.alpha_max:.4g} rad before the torque's swing "
-                "does"
-            )
+            yield (f"the profile ends at α_max = {self.alpha_max:.4g} rad before the first swing")
         if start > self.mu_s > self.mu_asked:
             yield (
                 f"the springs press so little that the sprags slide at the start (μ = {start:.3g} "
-                f"is asked for{', above μ_c' if self.mu_c < self.mu_asked else ''}): the "
+                f"is required{', above μ_c' if self.mu_c < self.mu_asked else ''}): the "
                 "forces here are those of rolling; see sprag-friction"
             )
         if self.mu_s < self.mu_asked:

@@ -32,7 +32,7 @@ UNEQUAL = "N_e = N_i in Eqs. 14-16, where a strut has N_e/N_i = cos ω/cos ν"
 
 @dataclass(frozen=True, kw_only=True)
 class Partnered(Identity):
-    """The steps against LSODA, whose values stand beside those of the finest level."""
+    """The steps against LSODA, whose values are stored with those of the finest level."""
 
     by: str = BY
 
@@ -42,7 +42,7 @@ class Partnered(Identity):
 
 @dataclass(frozen=True, kw_only=True)
 class AtPeak(Approximation):
-    """Work of the forces on the yields, at the force that the steps reach, beside what drives."""
+    """Work of the forces on the deflections, at the peak force of the steps, against input work."""
 
     def rows(self, context: Context) -> list[Row]:
         N = context.fem[-1].values["N_1 strut"]
@@ -51,7 +51,7 @@ class AtPeak(Approximation):
 
 
 def conjugate(context: Context) -> Pair:
-    """Rolling and the yields, which share the closure alone, have the same work."""
+    """Rolling and deflections, with only the closure in common, have the same work."""
     turning = context.inputs.number("by turning")
     return Pair(turning, 1.0, 0.0, f"off by {turning - 1:+.1e} of the work")
 
@@ -117,7 +117,7 @@ def balanced(context: Context) -> Pair:
 
 
 def sliced(context: Context) -> Pair:
-    """What twice as many slices change."""
+    """Change by twice as many slices."""
     half, whole = (r.values["N_max sliced"] for r in context.fem[-2:])
     change = abs(whole / half - 1)
     words = f"N_max changes by {change:.1e} from half of the slices on"
@@ -125,7 +125,7 @@ def sliced(context: Context) -> Pair:
 
 
 def liu(context: Context) -> tuple[float, float, str]:
-    """How much larger the force is where the races do not yield as rings."""
+    """How much larger the force is with races that do not deflect as rings."""
     q, v, w = context.inputs, context.fem[-1].values, wedge(context.inputs)
     now = w.states.yields
     share = float((now.race_i + now.race_e)[-1] / now.H[-1])
@@ -133,7 +133,7 @@ def liu(context: Context) -> tuple[float, float, str]:
     free = float(stiff.force()(undamped(stiff, q.T))) / context.analytic["N_undamped"] - 1
     words = (
         f"{v['rigid'] - 1:+.1%}, of which {free:+.1%} without damping, the rest by its shorter "
-        f"time; the races are {share:.0%} of what yields"
+        f"time; the races have {share:.0%} of the deflection"
     )
     return v["rigid"] - 1, LSODA, words
 
@@ -155,7 +155,7 @@ def inner(context: Context) -> tuple[float, float]:
 
 
 def rolling(context: Context) -> Pair:
-    """Contacts that always roll against friction that may let them slide."""
+    """Contacts that always roll against contacts that may slide."""
     last = context.fem[-1]
     always = float(last.arrays["rolling"][0])
     off = last.values["N_max"] / always - 1
@@ -211,14 +211,14 @@ def _energies(q: EngagementFormulas) -> Iterator[Comparison]:
         name="work up to that peak, T θ = n_s ∫(N dH_i + N_e dH_e)", symbol="W_1", unit="J",
         fem="W_1 strut", analytic="stored", formal=2, by=BY,
         interval=lambda *_: bounds(q).radially(),
-        demand=1e-3, demand_reason="a closure that loses work is off by far more",
-        source="the centroid's radial motion, left out by Eq. 14; cubics of the table",
+        demand=1e-3, demand_reason="errors of a closure without work balance are far larger",
+        source="the centroid's radial motion, neglected by Eq. 14; cubics of the table",
     )  # fmt: skip
     yield Comparison(check=work, quantity=Of.W_1, shares=CLOSURE)
     turning = Agreement(
         name=f"∫T dθ by rolling, n_s ∫(N dH_i + N_e dH_e) within {ROLLED:.2%}", symbol="W",
         unit="1", pair=conjugate, accepted=ROLLED, source=suites("cubics through the states"),
-        by="work on the yields", fem_needed=False,
+        by="work on the deflections", fem_needed=False,
     )  # fmt: skip
     yield Comparison(check=turning, quantity=Of.W_1, shares=CLOSURE)
 
@@ -260,7 +260,7 @@ def _findings() -> Iterator[Check]:
     yield Accepted(name=f"crowns change N_max by {CROWN:.0%} at most", margin=crowns, **force)
     yield Agreement(name=f"slices: N_max within {SLICES:.1%} of that with half of them",
                     symbol="N_max", unit="N", pair=sliced, accepted=SLICES,
-                    source=suites("a fifth of the 1 % that rows are asked for"),
+                    source=suites("a fifth of the required sensitivity, 1 %"),
                     by="all slices")  # fmt: skip
     yield Accepted(name=f"place of the sprags' centroid: {CENTROID:.1%} of N_max",
                    margin=centroids, **force)  # fmt: skip

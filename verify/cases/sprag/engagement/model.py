@@ -34,7 +34,7 @@ def parts(q: SpragInputs) -> Parts:
 
 
 def crowned_for(q: SpragInputs) -> float:
-    """Load [N] that the crown is made for: Q, or the static load without yields."""
+    """Load [N] that the crown is made for: Q, or the static load without deflections."""
     return q.Q or q.T / (q.z * q.R_i * math.tan(q.nu_0))
 
 

@@ -73,7 +73,7 @@ def moments(N: Array, name: str, q: EngagementInputs) -> Figure:
     return plot(
         f"Pressure at some moments{_part(name)}", "y [mm]", "p [MPa]", curves,
         note=f"{q.slices} slices, (K_1, K_2, z_m) = {_crown(q)}. At first the straight middle "
-        "carries; the paper says the ends.",
+        "is loaded; according to the paper the ends are.",
     )  # fmt: skip
 
 

@@ -59,13 +59,13 @@ class EngagementFormulas(EngagementInputs, Case):
     def N_undamped(self) -> float:
         return self.number("N_undamped")
 
-    @Quantity("W_1", "J", "work of the forces on all that yields, till that peak",
+    @Quantity("W_1", "J", "work of the forces on all deflections, up to that peak",
               source="work balances",
               tex=r"n_s \int (N\,\mathrm{d}H_i + N_e\,\mathrm{d}H_e)")  # fmt: skip
     def W_1(self) -> float:
         return stored(self.wedge, self.N_undamped)
 
-    @Quantity("N_r", "N", "largest normal force with races that do not yield (Liu)",
+    @Quantity("N_r", "N", "largest normal force with rigid races (Liu)",
               source=SPRING, role="step")  # fmt: skip
     def N_max_rigid(self) -> float:
         return self.number("N_max rigid")

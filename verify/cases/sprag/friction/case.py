@@ -19,10 +19,10 @@ SURE = 1.1  # of the required friction
 
 
 class SpragFriction(FrictionFormulas):
-    """Sprags lock where friction exceeds the wedge's tangent and slide where it does not.
+    """Sprags lock if the friction coefficient exceeds tan ν of the wedge, and slide if it does not.
 
-    It is so in the paper's steps, in closed form and by LSODA with events. A step that passes the
-    whole band of sticking gives wrong forces and no sign of it; a guard refuses it.
+    This is verified in the paper's steps, in closed form and by LSODA with events. A time step that
+    misses the whole band of sticking gives wrong forces without any sign; a guard rejects it.
     """
 
     id = "sprag-friction"
@@ -41,8 +41,8 @@ class SpragFriction(FrictionFormulas):
     assumptions: ClassVar = (
         "μ_s, μ_c, γ_b and D_V are assumed: the paper prints none",
         "length, width, wedge angle and support are identified, not printed",
-        "weak springs have a 25th of K_r: with the printed one no sprag slips at the start",
-        "no oil, no centrifugal force on the sprags; contacts keep their places",
+        "weak springs have a 25th of K_r: with the printed K_r no sprag slips at the start",
+        "no oil, no centrifugal force on the sprags; contacts do not move",
     )
 
     comparisons = compared.comparisons
@@ -72,7 +72,7 @@ class SpragFriction(FrictionFormulas):
         if self.mu_c < SURE * self.asked_in_swing:
             return (
                 f"mu_c = {self.mu_c:g} is not above tan ν = {self.asked_in_swing:.4g} by "
-                f"{SURE - 1:.0%}: sprags that slip at the start slip for ever; check it without "
+                f"{SURE - 1:.0%}: sprags that slip at the start never stick; check it without "
                 "--fem"
             )
         return ""
@@ -94,7 +94,7 @@ class SpragFriction(FrictionFormulas):
             return
         first = f"locks: μ_s is {self.mu_s_share:.3g} times the required friction coefficient"
         if self.mu_s < self.mu_b:
-            yield "slips for ever: the friction coefficient is below the required one"
+            yield "slips permanently: the friction coefficient is below the required one"
         else:
             yield first if self.mu_c >= self.mu_b else f"{first}, but μ_c is below it"
         if math.isfinite(self.drag):

@@ -105,14 +105,14 @@ def zones(context: Context) -> Figure:
         title="Stick and slip with weak springs", x_label="T [N m]", y_label="μ/tan ν", x=T,
         y_top=HIGH / tan,
         zones=(
-            Zone(name="slips for ever", top=weak / tan, tone="bad"),
+            Zone(name="slips permanently", top=weak / tan, tone="bad"),
             Zone(name="slips first, then locks", top=np.minimum(most, HIGH) / tan, tone="fair"),
             Zone(name="locks without slip", top=np.full_like(T, HIGH / tan), tone="good"),
         ),
         curves=(dashes("locks from here on, springs of the inputs", T, firm / tan),),
         note="Springs a 25th as stiff, one coefficient of friction, torque as a step; tan ν under "
-        "T. The step throws the race forward before the springs' force has made N. With the "
-        "springs of the inputs there is hardly a zone between.",
+        "T. The step accelerates the race before the springs have built up N. With the "
+        "springs of the inputs the zone between is very small.",
     )  # fmt: skip
 
 
@@ -123,8 +123,8 @@ def wrong(context: Context) -> Figure:
         "A band too narrow for the step, unguarded", "t [ms]", "N [kN]",
         line("band chosen, as by LSODA", last["t"] / ms, last["right N"] / kN),
         line(f"D_V = {NARROW:g} m/s, guard off", last["wrong t"] / ms, last["wrong N"] / kN, 1),
-        note="1.6 T, weak springs. Nothing in the curve without guard tells that it is wrong; a "
-        "machine whose arithmetic rounds otherwise may give quite another one.",
+        note="1.6 T, weak springs. Nothing in the curve without guard indicates the error; with "
+        "other round-off the curve may be quite different.",
     )  # fmt: skip
 
 

@@ -15,8 +15,8 @@ from verify.cases.sprag.engagement.model import wedge
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.figures import Array, Equation
 
-WEAK = 0.04  # of the energizing springs' stiffness: springs that let the sprags slip at the start
-BELOW = 0.9  # of tan(nu_0), the friction with which they slide for ever
+WEAK = 0.04  # of the energizing springs' stiffness: with these the sprags slip at the start
+BELOW = 0.9  # of tan(nu_0), the friction with which they slide permanently
 
 
 def asked(q: EngagementInputs, factor: float = 1.0) -> tuple[float, float]:
@@ -59,7 +59,7 @@ class FrictionFormulas(EngagementInputs, Case):
 
     @shared
     def slides(self) -> Sliding:
-        """Sprags that are driven and slide for ever."""
+        """Sprags that are driven and slide permanently."""
         return sliding(self.wedge, BELOW * self.tan_0)
 
     @shared
@@ -109,7 +109,7 @@ class FrictionFormulas(EngagementInputs, Case):
     def mu_c_share(self) -> float:
         return self.mu_c / self.mu_b
 
-    @Quantity("N_s", "N", "force of sprags that slide for ever, μ = 0.9 tan ν_0",
+    @Quantity("N_s", "N", "force of sprags that slide permanently, μ = 0.9 tan ν_0",
               source="sprags that slide on the inner race, μ = 0.9 tan ν_0; Eq. 14",
               tex=r"\frac{K_r(\alpha_{max} - \alpha)}{h - b_i\mu - b_e\frac{(OA + b_i)\mu - h}"
               r"{OB - b_e}}, \quad h = h_i - h_e")  # fmt: skip

@@ -9,11 +9,11 @@ from verify.form.adapter import adapted
 
 
 class SpragOptimum(Optimum25Inputs, CrownAtHand):  # type: ignore[misc]
-    """The crown (K_1, K_2, z_m) whose engagement has the lowest largest pressure.
+    """The crown (K_1, K_2, z_m) with the lowest peak pressure of an engagement.
 
-    125 engagements, kriging, a genetic algorithm and differential evolution, and the engagements
-    themselves where these end. A search without surrogate stands beside them, and the half-space,
-    on which the crowns that are best by slices let their ends carry.
+    It is found by 125 engagements, kriging, a genetic algorithm and differential evolution, and
+    checked by engagements at the optimum. It is compared with a search without surrogate, and with
+    the half-space, on which the crowns that are optimal by slices have loaded ends.
     """
 
     id = "sprag-optimum"
@@ -22,9 +22,9 @@ class SpragOptimum(Optimum25Inputs, CrownAtHand):  # type: ignore[misc]
 
 
 class SpragOptimum40(Optimum40Inputs, CrownAtHand):  # type: ignore[misc]
-    """The same under the larger torque, for crowns made for the same load, and beside the smaller.
+    """The same under the larger torque, for crowns made for the same load.
 
-    What changes with the torque.
+    It is compared with the optimum under the smaller torque.
     """
 
     id = "sprag-optimum-40"

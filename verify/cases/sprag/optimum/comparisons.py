@@ -41,7 +41,7 @@ def crowned(crown: Array) -> str:
 
 
 def valley(context: Context, within: float = FLAT) -> dict[str, tuple[float, float]]:
-    """Where each parameter may lie so that the others can keep within that of the lowest."""
+    """Range of each parameter in which some values of the others are within that of the lowest."""
     found = measured(context)
     low = found["whole"] <= found["whole"].min() * (1 + within)
     sides = {}
@@ -80,9 +80,9 @@ def lundberg(context: Context) -> tuple[float, float, str]:
     K_1, _, _, p = measured(context)["Lundberg"]
     low, high = valley(context)["K_1"]
     words = (
-        f"K_1 = N_max/Q = {K_1:.2f}: {p / best(context) - 1:+.2%}; the best has "
+        f"K_1 = N_max/Q = {K_1:.2f}: {p / best(context) - 1:+.2%}; the optimum has "
         f"{measured(context)['best'][0]:.2f}; {FLAT:.1%} leaves K_1 from {low:.2f} to {high:.2f}, "
-        "which hardly tells N_max/Q from others"
+        "which hardly distinguishes N_max/Q from others"
     )
     return FLAT - abs(float(p) / best(context) - 1), 0.0, words
 

@@ -58,7 +58,7 @@ def contact(context: Context) -> Sequence[Figure]:
 
 
 def cut(top: float, *highest: float) -> str:
-    """What a figure that ends at a pressure [MPa] says of those above it."""
+    """Remark of a figure that ends at a pressure [MPa] on those above it."""
     above = max(highest)
     return f" Cut off at the top: up to {above:.0f} MPa." if above > top else ""
 

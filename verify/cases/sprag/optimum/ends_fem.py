@@ -23,7 +23,7 @@ CELLS = ((40, 384), (48, 512), (64, 768))  # across and along, narrow at the end
 
 
 def ends_fem(q: OptimumInputs, found: dict[str, Array]) -> dict[str, Array]:
-    """Of the optimal crown by slices, of that at hand, of the best by strips, and of none."""
+    """Of the optimal crown by slices, of the given one, of the optimal by strips, and of none."""
     crowns = {"best": found["best"], "at hand": np.array([q.K_1, q.K_2, q.z_m])}
     own = freed_fem(q, found["X"], found["N_max"][:, 0])
     if "free" in own:

@@ -1,4 +1,4 @@
-"""What formulas say of a crown before any engagement: the load that it suits, statics."""
+"""Formulas of a crown without engagements: the load that it suits, statics."""
 
 import math
 from collections.abc import Iterator
@@ -27,20 +27,20 @@ MOST_STEPS = 50_000  # of an engagement, of which a study has hundreds
 
 
 class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an input
-    """The crown at hand at rest; what the optimal crown has in common under all torques."""
+    """The given crown at rest; properties of the optimal crown under all torques."""
 
     source = "huang2018"
     method = BY_SEARCHES
     readings: ClassVar = (
         "Pre_max is the largest pressure of the inner contacts' slices at the largest force",
-        "z_m is in millimetres; Q is the static load at 25 N m of bodies that don't yield, "
+        "z_m is in millimetres; Q is the static load at 25 N m of rigid bodies, "
         "T/(z R_i tan ν_0), at both torques; with deflections the force of a sprag is smaller",
         "Eq. 20: a full quadratic, a Matérn 5/2 process on what it leaves; neither is printed",
-        "the genetic algorithm has Gray codes, tournaments of two, one-point crossover, and keeps "
-        "its best; none of these is printed",
+        "the genetic algorithm has Gray codes, tournaments of two, one-point crossover, and "
+        "elitism; none of these is printed",
     )
     assumptions: ClassVar = (
-        "inputs that the paper lacks are those of sprag-clutch, identified or assumed",
+        "inputs missing in the paper are those of sprag-clutch, identified or assumed",
         "the end slice and all others are kriged separately, as squares of pressures, which are "
         "proportional to forces; the larger counts",
         "of the largest force of an engagement the contact's pressure is that of statics",
@@ -50,7 +50,7 @@ class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an 
     def Q_crown(self) -> float:
         return crowned_for(self)
 
-    @Quantity("Q_even", "N", "load whose Lundberg crown the one at hand follows",
+    @Quantity("Q_even", "N", "load whose Lundberg crown the given one follows",
               source="Lundberg", tex="K_1 Q_0")  # fmt: skip
     def K_1_Q(self) -> float:
         return self.K_1 * self.Q_crown
@@ -148,7 +148,7 @@ class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an 
         if reason := clutch_advice.refusal(self):
             return reason
         if self.mu_s < self.mu_req:
-            return "the sprags slip: no crown mends that"
+            return "the sprags slip: no crown prevents that"
         steps = self.t_end / self.dt
         return (
             f"t_end/dt = {steps:.4g} is above {MOST_STEPS} steps of an engagement"

@@ -1,6 +1,6 @@
 """Inputs of the search for the optimal crown: sprag clutch, its crown, the box, the search.
 
-The crowns at hand are those that the paper prints as the best (Eqs. 21, 22).
+The given crowns are those that the paper prints as optimal (Eqs. 21, 22).
 """
 
 from pydantic import model_validator

@@ -55,7 +55,7 @@ def lines(context: Context) -> Curves:
     return plot(
         f"Along K_1 at K_2 = {held(q.box, 1):g}", "K_1", "Pre_max [MPa]", curves,
         y_bottom=0.98 * float(true.min()) / MPa,
-        note="Lines by the surrogate, which has not seen this K_2; marks are engagements.",
+        note="Lines by the surrogate, fitted without this K_2; marks are engagements.",
     )  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""What stands beside the formulas: strips at the given crown, the optimisation, its ends."""
+"""Reference of the formulas: strips at the given crown, the optimisation, its ends."""
 
 import numpy as np
 

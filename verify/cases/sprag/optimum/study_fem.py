@@ -1,7 +1,7 @@
 """The paper's optimisation (Eqs. 17-22, Fig. 9) on compiled engagements: everything it measures.
 
 A full factorial, kriging of its largest pressures, searches on the surrogate, the true model where
-they end. Beside it, searches that know no surrogate.
+they end. Beside it, searches without surrogate.
 """
 
 import numpy as np

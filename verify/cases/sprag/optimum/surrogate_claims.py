@@ -185,7 +185,7 @@ def two_errors(context: Context) -> str:
 
 
 def blind(context: Context) -> tuple[float, float, str]:
-    """A design left out of the factorial tells less than a tenth of a single kriging's errors."""
+    """Leaving out a design gives less than a tenth of a single kriging's errors."""
     found = measured(context)
     known = float(np.abs(found["left out single"]).mean())
     true = float(np.abs(missed(found, "single")).mean())

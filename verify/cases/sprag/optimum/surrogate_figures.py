@@ -75,14 +75,14 @@ def errors(context: Context) -> Sequence[Figure]:
         )  # fmt: skip
         curves.append(dots("Table 2", actual, PERCENT * (predicted / actual - 1), 4))
     count = len(curves[0].x)
-    note = f"{len(true)} designs that no surrogate had seen" + (
+    note = f"{len(true)} designs not used by any surrogate" + (
         f", and {DESIGNS} more, measured on {deep.date}." if deep else
         f"; {DESIGNS} more are not measured for this code (freewheel deep)." if context.is_paper
         else "."
     )  # fmt: skip
     return (
         plot(
-            "What the surrogates miss", "Pre_max [MPa]", "predicted/true − 1 [%]", curves,
+            "Errors of the surrogates", "Pre_max [MPa]", "predicted/true − 1 [%]", curves,
             y_bottom=min(-0.1, *(float(c.y.min()) for c in curves)) if count else None, note=note,
         ),
     )  # fmt: skip
@@ -101,16 +101,16 @@ def bars(context: Context) -> Bars:
             items.append((f"{name}: {words}", float(size.mean()),
                           f"{size.mean():.2g} %, {size.max():.2g} % at most"))  # fmt: skip
     return Bars(
-        title="Errors of kriging and what tells of them",
+        title="Errors of kriging and their estimates",
         label="mean |error| [%]",
         items=tuple(items),
-        note="A design left out has neighbours on the same level, which know the kink that fresh "
-        "designs meet.",
+        note="A design left out has neighbours on the same level: the estimate excludes the kink "
+        "between levels.",
     )
 
 
 def searches(context: Context) -> Curves:
-    """Lowest pressure over the points asked: on the surrogate, and on engagements alone."""
+    """Lowest pressure over the points evaluated: on the surrogate, and on engagements alone."""
     found = measured(context)
     curves = []
     for colour, (key, name) in enumerate(
@@ -133,7 +133,7 @@ def searches(context: Context) -> Curves:
     ]  # fmt: skip
     low = min(float(c.y.min()) for c in curves)
     return plot(
-        "Searches for the optimal crown", "points asked", "Pre_max [MPa]", curves,
+        "Searches for the optimal crown", "points evaluated", "Pre_max [MPa]", curves,
         y_bottom=0.998 * low, y_top=1.015 * low,
         x_names=tuple((float(k), f"{10**k:,}") for k in range(5)),
         note="The surrogate's optimal crowns come after the factorial's engagements.",

@@ -20,7 +20,7 @@ TURNED = 0.6  # rad
 
 
 def advice(q: WedgeFormulas) -> Iterator[str]:
-    """Whether the clutch holds, what yields, and how far the paper's laws are off."""
+    """Whether the clutch holds, its deflection, and the errors of the paper's laws."""
     if q.T_roll < q.T:
         yield (
             f"rolls over: a contact reaches the sprag's flank at {q.T_roll:.4g} N m, before "
@@ -29,17 +29,17 @@ def advice(q: WedgeFormulas) -> Iterator[str]:
     else:
         yield (
             f"holds with friction above tan ν = {math.tan(q.nu_T):.4f} at the inner race and "
-            f"{math.tan(q.omega_T):.4f} at the outer; below, the sprags slide out"
+            f"{math.tan(q.omega_T):.4f} at the outer; below these, the sprags slide out"
         )
     yield (
-        f"{q.H * 1e6:.3g} µm yield under {q.N:.4g} N and turn each sprag by "
-        f"{math.degrees(q.alpha):.3g}°, the races by {math.degrees(q.theta):.3g}°"
+        f"the deflection is {q.H * 1e6:.3g} µm under {q.N:.4g} N, the sprag rotation "
+        f"{math.degrees(q.alpha):.3g}°, the wind-up {math.degrees(q.theta):.3g}°"
     )
     rigid = q.at_share(1.0)
     yield (
         f"with Palmgren's law and Eqs. 9, 10 as printed the rotation is "
-        f"{q.alpha_paper / q.alpha - 1:+.0%} off: yields {rigid.H_composite / rigid.H - 1:+.0%}, "
-        "and a share of them lost on the inner side"
+        f"{q.alpha_paper / q.alpha - 1:+.0%} off: deflection {rigid.H_composite / rigid.H - 1:+.0%}"
+        ", a share of it neglected on the inner side"
     )
 
 

@@ -1,4 +1,4 @@
-"""Pairs and margins of a wedged sprag that its rows judge by figures stated beforehand."""
+"""Pairs and margins of a wedged sprag for rows with tolerances stated beforehand."""
 
 from collections.abc import Callable
 

@@ -51,9 +51,9 @@ class WedgedSprag(WedgeSteps):
     readings: ClassVar = (
         "r_i of Table 1 is the spiral's radius of curvature at first contact",
         "a normal force acts where the compressed surfaces meet: OA and OB are lever arms, with "
-        "half of each contact's yield (Eq. 9)",
-        "the triangle of Eq. 10 belongs to the unstrained spiral: all that yields on the inner "
-        "side counts",
+        "half of each contact's deflection (Eq. 9)",
+        "the triangle of Eq. 10 belongs to the unstrained spiral: all deflections of the inner "
+        "side are included",
         "T is the torque of the whole clutch, N the force of one sprag on the inner race",
         "sprags and races are long: plane strain, against the thin rings of Eq. 6",
     )
@@ -63,8 +63,8 @@ class WedgedSprag(WedgeSteps):
         "finite elements: one pitch, both races free to breathe, bodies drawn as they are "
         "compressed; friction five times what the sprag needs",
         "quantities between five states by splines over ln N, below the first by a power",
-        "elastic yields: races under single loads (Fourier series), the sprag under two opposed "
-        "forces (complex potentials) where its contacts are",
+        "elastic deflections: races under single loads (Fourier series), the sprag under two "
+        "opposed forces (complex potentials) where its contacts are",
         "expected errors: contacts beside the column's middle bend it, its ends roll on; "
         "tangential forces turn the races by 0.4 to 1.2 tan²ν more; Hertz errs by (a/r)²",
         "small strains: forces act at the ends as drawn; that bending moves these sideways is left "

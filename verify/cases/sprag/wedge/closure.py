@@ -1,4 +1,4 @@
-"""Steps of the closure of a wedged sprag (Eqs. 9, 10): yields, lengths and angles of its triangle.
+"""Steps of the closure of a wedged sprag (Eqs. 9, 10): deflections, lengths and angles.
 
 They are displayed with their numbers; nothing is compared with them.
 """
@@ -44,24 +44,24 @@ class WedgeSteps(WedgeFormulas):
     def eta_0(self) -> float:
         return float(self.sprag.eta_0)
 
-    @step("δ_BI", "µm", "yield of the inner race as a ring", equation="6",
+    @step("δ_BI", "µm", "deflection of the inner race as a ring", equation="6",
           tex=mean_of("E'", "N", INNER, r"- \nu'"))  # fmt: skip
     def delta_BI(self) -> float:
         return float(self.state.yields.race_i)
 
-    @step("δ_HI", "µm", "yield of the inner contact, half of the sprag's included")
+    @step("δ_HI", "µm", "deflection of the inner contact, half of the sprag's included")
     def delta_HI(self) -> float:
         return float(self.state.yields.contact_i)
 
-    @step("δ_g", "µm", "yield of the sprag beside those of its contacts")
+    @step("δ_g", "µm", "deflection of the sprag without its contacts")
     def delta_g(self) -> float:
         return float(self.state.yields.sprag)
 
-    @step("δ_HE", "µm", "yield of the outer contact, half of the sprag's included")
+    @step("δ_HE", "µm", "deflection of the outer contact, half of the sprag's included")
     def delta_HE(self) -> float:
         return float(self.state.yields.contact_e)
 
-    @step("δ_BE", "µm", "yield of the outer race as a ring", equation="6",
+    @step("δ_BE", "µm", "deflection of the outer race as a ring", equation="6",
           tex=mean_of("E'", "N", OUTER, r"+ \nu'"))  # fmt: skip
     def delta_BE(self) -> float:
         return float(self.state.yields.race_e)
@@ -77,7 +77,7 @@ class WedgeSteps(WedgeFormulas):
         return float(self.state.OB)
 
     @step("OA_s", "mm", "radius at which the unstrained spiral meets its normal",
-          source="Eq. 9, corrected: all that yields on the inner side", form="corrected",
+          source="Eq. 9, corrected: all deflections of the inner side", form="corrected",
           tex=r"R_i - \delta_{BI} - \delta_{HI} - \frac{\delta_g}{2}")  # fmt: skip
     def OA_s(self) -> float:
         return float(self.state.OA_s)

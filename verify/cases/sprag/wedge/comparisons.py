@@ -208,7 +208,7 @@ def _statics() -> Iterator[Comparison]:
     yield agrees("torque against n_s N tan(ν) OA of the strut where the sprag lies", "T",
                  found.ratio("column", found.RATIO, "the column bends: off by", of_fem=True),
                  found.RATIO, Wedge.torque)  # fmt: skip
-    yield agrees("work ∫N dH on all yields against the elastic energy", "U",
+    yield agrees("work ∫N dH on all deflections against the elastic energy", "U",
                  found.ratio("work", found.WORK, "tangential deformation takes the rest: off by"),
                  found.WORK)  # fmt: skip
     one = {"one": 1.0}

@@ -56,9 +56,9 @@ def _stroke(q: WedgeFormulas) -> Shapes:
         unit="mm",
         panels=tuple(panels),
         dots_name="contacts",
-        note="To scale, with the strut between both contacts: yields of some 10 µm turn the sprag "
-        "by degrees, its contacts move along its flanks and the strut keeps its angle. A sprag "
-        "without an outline has rolled over.",
+        note="To scale, with the strut between both contacts: deflections of some 10 µm rotate "
+        "the sprag by degrees, its contacts move along its flanks, the strut's angle is constant. A "
+        "sprag without an outline has rolled over.",
     )
 
 
@@ -71,7 +71,7 @@ def _angle(context: Context, states: Wedged, key: str, symbol: str, race: str) -
         title=f"Angle of the force on the {race} race", x_label="N [N]", y_label=f"{symbol} [°]",
         x=states.N, y=curve * DEGREE, x_fem=N, y_fem=values * DEGREE, y_ref=marks * DEGREE,
         u=u * DEGREE, scale=float(curve[0]) * DEGREE, scale_name=f"{symbol}_0", neglects=True,
-        note="Without load the elastic sector has the strut's angle. It falls behind with N², as "
+        note="Without load the elastic sector has the strut's angle. The difference grows with N²: "
         "contacts beside the middle bend the column.",
     )  # fmt: skip
 
@@ -93,9 +93,8 @@ def _rotation(context: Context) -> Curves:
         over_torque("Palmgren, printed Eqs. 9, 10", printed.wedged(palmgren, N), 1, "dashes"),
         over_torque("Palmgren, rigid races (Liu)", wedged(palmgren.rigid_races(), N), 2),
         dots("FE", loads[1], loads[4] * DEGREE),
-        note="The printed closure turns the sprag too little for the same yields; Palmgren's law "
-        "with Eqs. 6 and 7 yields too much. Together they come near to the elastic sector, by "
-        "chance.",
+        note="The printed closure gives too small a rotation for the same deflections; deflections "
+        "by Palmgren's law with Eqs. 6 and 7 are too large. Both errors nearly cancel, by chance.",
     )  # fmt: skip
 
 

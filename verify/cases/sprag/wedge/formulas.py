@@ -34,7 +34,7 @@ def mean_of(E: str, N: str, radii: tuple[str, str], nu: str) -> str:
 
 
 class WedgeFormulas(WedgeInputs, Case):
-    """A sprag between two races as its contacts, its body and the races yield as elastic bodies."""
+    """A sprag between two races; contacts, sprag and races deflect as elastic bodies."""
 
     share: ClassVar[float | None] = None  # of N_0, under which the quantities are; None is under T
 
@@ -57,7 +57,7 @@ class WedgeFormulas(WedgeInputs, Case):
 
     @shared
     def bodies(self) -> Elastic:
-        """The parts, and the clutches that they make by each law of their yields."""
+        """The parts, and the clutches by each law of their deflections."""
         return model.bodies(self.part)
 
     @shared
@@ -207,12 +207,12 @@ class WedgeFormulas(WedgeInputs, Case):
     def secant(self) -> float:
         return self.T * self.N / self.N_0 / self.theta_rigid_races
 
-    @Quantity("H", "µm", "all that yields under a sprag, elastic bodies", source="Eqs. 6, 9",
+    @Quantity("H", "µm", "total deflection under a sprag, elastic bodies", source="Eqs. 6, 9",
               tex=r"\delta_{BI} + \delta_{HI} + \delta_g + \delta_{HE} + \delta_{BE}")  # fmt: skip
     def H(self) -> float:
         return float(self.state.yields.H)
 
-    @Quantity("H", "µm", "all that yields by Palmgren's law, Eqs. 6 and 7", form_of="H",
+    @Quantity("H", "µm", "total deflection by Palmgren's law, Eqs. 6 and 7", form_of="H",
               role="step", source="Eqs. 6, 7")  # fmt: skip
     def H_composite(self) -> float:
         return float(self.bodies.composite.compliance.yields(self.N).H)

@@ -19,7 +19,7 @@ GRID = np.linspace(0.2, 1.8, 9)  # of N_0, where profiles are compared
 ONSET = 5e-4  # of tan(nu): to either side of the friction that just holds
 SLIPS = 1  # the state, at a quarter of N_0, whose friction is lowered
 # contacts end at another place in a cell on each mesh: measured by zones 1 % wider and narrower
-NOISE, PEAKS, EDGES = 1e-4, 2e-4, 6e-4  # of forces and yields, pressures and half-widths
+NOISE, PEAKS, EDGES = 1e-4, 2e-4, 6e-4  # of forces and deflections, pressures and half-widths
 SPLINE = 5e-6  # of a value: what splines miss
 # the states of the stroke, and of what is read there the name in the sweep
 STROKE = {"quarter": 0.25, "half": 0.5, "rigid": 1.0, "most": 1.8}  # of N_0
@@ -60,7 +60,7 @@ def doubt(key: str) -> float:
     if key.startswith("mean"):
         return SPLINE  # as the force, wherever it acts
     if key.startswith("excess"):
-        return 2 * NOISE  # it goes with the square of the angles
+        return 2 * NOISE  # it is proportional to the square of the angles
     if key.startswith(("p_", "a_")):
         return PEAKS if key.startswith("p_") else EDGES
     return NOISE

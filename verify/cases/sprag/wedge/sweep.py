@@ -20,7 +20,7 @@ from verify.cases.sprag.stroke import at_force
 
 SHARES = (0.03, 0.22, 0.5, 1.0, 1.86)  # of N_0
 GROWS = 0.965  # power of N with which rotations grow
-FINER = 8  # cells that say how wide contacts are
+FINER = 8  # cells for the width of contacts
 
 
 def rigid_force(q: WedgeInputs) -> float:

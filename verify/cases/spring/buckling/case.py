@@ -49,7 +49,7 @@ class BucklingSpring(BucklingFormulas):
     levels: ClassVar = (4, beams.SWEPT, 16)
     scans: ClassVar = (Scan(vary=("n=8,10,14", "b=0.1mm,0.2mm"), star=True),)
     readings: ClassVar = (
-        "a free head: the force keeps its direction and acts at O, which moves sideways and turns",
+        "a free head: the force has a constant direction and acts at O, which moves and rotates",
         "buckles: pressed with its head guided and released, the head can move without a change "
         "of load; what the guide exerted stays as a dead load",
         "r is the inner radius: the centre line of the arcs has r + b/2",
@@ -122,7 +122,7 @@ def _swept() -> Iterator[Check]:
     yield Agreement(
         name="U_cr is the same for a fourfold thickness on one centre line", symbol="U_cr",
         unit="mm", pair=claims.spread, accepted=SPREAD,
-        source=suites("half of the 1 % that rows are asked for"),
+        source=suites("half of the required sensitivity, 1 %"),
     )  # fmt: skip
     yield Accepted(
         name="springs of one L_0/b buckle at displacements that differ fivefold",

@@ -10,7 +10,7 @@ from verify.cases.spring.claims import stored
 from verify.core.case import Context
 from verify.judging.tolerance_checks import Pair
 
-NOISE = 1e-5  # rounding of finite elements of slender springs, times what it is seen as
+NOISE = 1e-5  # rounding of finite elements of slender springs, with a factor
 
 
 def spread(context: Context) -> Pair:

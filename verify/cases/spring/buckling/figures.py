@@ -98,23 +98,23 @@ def _error(context: Context, found: Array) -> Map:
 
 
 def _drift(context: Context) -> Curves:
-    """Sideways movement of a free head over the force, and where Haringx has the column buckle."""
+    """Sideways movement of a free head over the force, and buckling loads by Haringx."""
     curves = []
     for k, tail in enumerate(TAILS):
         F, _, y, _ = stored(context, f"free{KEYS[tail]}").T
         curves.append(line(f"tail clamped at {tail}", np.abs(y) / mm, F, k))
         limit = context.analytic[f"F_cr{KEYS[tail]}"]
-        curves.append(dashes(f"let go, {tail}", [0, np.abs(y).max() / mm], limit, k))
+        curves.append(dashes(f"released, {tail}", [0, np.abs(y).max() / mm], limit, k))
     return plot(
         "A free head drifts", "sideways movement [mm]", "F [N]", curves,
         y_bottom=0.0,
         note="Force of a dead load at O along x. No limit point and no bifurcation: the drift "
-        "grows without one where the guided head, let go, would buckle (dashes).",
+        "grows steadily, also where the guided head would buckle if released (dashes).",
     )  # fmt: skip
 
 
 def _guide(context: Context) -> Curves:
-    """What a guide feels: lateral stiffness over the displacement."""
+    """Lateral stiffness at the guide over the displacement."""
     curves = []
     for k, tail in enumerate(TAILS):
         U, _, k_y, _ = stored(context, f"guided{KEYS[tail]}").T
@@ -122,7 +122,7 @@ def _guide(context: Context) -> Curves:
     return plot(
         "Lateral stiffness of the guided head", "U [mm]", "k_y [N/mm]", curves,
         y_bottom=min(float(c.y.min()) for c in curves),
-        note="Below zero the spring pushes its roller off the line, and only a guide holds it.",
+        note="Below zero the spring pushes its roller off the line: it needs a guide.",
     )  # fmt: skip
 
 
@@ -140,6 +140,6 @@ def _shapes(context: Context) -> Shapes:
                   faint=straight),
         ]  # fmt: skip
     return Shapes(
-        title="Guided, and let go from the first moment", unit="mm", panels=tuple(panels),
+        title="Guided head and free head", unit="mm", panels=tuple(panels),
         thickness=q.b / mm, note="True to scale. Faint: guided head, where it would buckle.",
     )  # fmt: skip

@@ -35,8 +35,8 @@ def elastica(q: BucklingInputs, tail: frame.Tail) -> Elastica:
 def critical_point(q: BucklingInputs, tail: frame.Tail) -> Mapping[str, float]:
     """The critical point of the elastica with a free head, and its drift before, by quantity.
 
-    Empty where the determinant keeps its sign in all states of the path. ArithmeticError where a
-    state is not found, which says nothing about the spring. Small steps first, since slender
+    Empty where the determinant has one sign in all states of the path. ArithmeticError where a
+    state is not found, which is no statement on the spring. Small steps first, since slender
     springs buckle early.
     """
     line = elastica(q, tail)

@@ -24,15 +24,14 @@ FINE = 5e-4, "frame elements are to settle 0.05 %"
 
 
 def of_paper(q: CurveInputs) -> bool:
-    """Whether Eq. 10 speaks of this spring."""
+    """Whether Eq. 10 is of this spring."""
     return q.is_paper
 
 
 class CurveSpring(CurveInputs, Case):
-    """Force over displacement through all stages by geometrically exact beams.
+    """Force over displacement through all stages by geometrically exact beams with friction.
 
-    They touch each other with friction: how far straight lines hold, and which reading of the
-    paper's spring gives its Eq. 10.
+    The curve is compared with straight lines and, for readings of the paper's spring, with Eq. 10.
     """
 
     id = "spring-curve"
@@ -132,10 +131,10 @@ class CurveSpring(CurveInputs, Case):
     def warnings(self) -> Iterator[str]:
         """Heads that buckle, other width factors, tips that do not touch."""
         if self.head == "free":
-            yield "a free head buckles sideways early: see case spring-buckling for the load"
+            yield "a free head buckles laterally early: see case spring-buckling for the load"
         yield from other_width(self.width_factor, h=self.h, leaf=self.leaf, nu=self.nu)
         if not math.isfinite(self.U_A):
-            yield "linear theory lets no leaves touch with these ends"
+            yield "by linear theory no leaves touch with these ends"
 
 
 CURVE = adapted(CurveSpring)

@@ -15,7 +15,7 @@ BALANCE = 1e-5  # of the work
 RETRACED = 1e-5  # of the force: contact is settled to 1e-4 b, a few millionths of it
 K1, K2, CROSSING = 0.01, 0.05, 0.05  # of Eq. 10
 FITTED = "calibrated: of the readings the one whose k_1 is nearest to that of Eq. 10"
-ASKED = "the 1 % that rows of slopes are asked for"
+ASKED = "the required sensitivity of slopes, 1 %"
 LIMIT = "linear theory is exact where leaves turn by nothing; 0.2 % settles the closed form"
 
 

@@ -57,8 +57,8 @@ def _maps(context: Context) -> Iterator[Figure]:
 class MapSpring(MapFormulas):
     """The formula's error over thickness, segments, leaves and angle.
 
-    At small displacement only the arcs' radius counts; at the displacements that Eq. 12 allows,
-    geometrically exact beams without contact stand beside it.
+    At small displacement only the arcs' radius has an effect; at the displacements that Eq. 12
+    allows, the formula is compared with geometrically exact beams without contact.
     """
 
     id = "spring-map"

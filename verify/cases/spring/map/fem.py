@@ -53,7 +53,7 @@ def measured(q: MapInputs, cell: Cell) -> tuple[float, ...]:
 
     Zero where the strip is no leaf spring (b >= r), and the secant ones where the guided spring
     becomes unstable before the largest share. A path that is not found raises ArithmeticError: it
-    says nothing about the spring.
+    is no statement on the spring.
     """
     from fem.beam.pressed_path import UnstableError, stable_forces
 

@@ -25,7 +25,7 @@ def pressed(q: MapInputs) -> Mapping[str, float]:
     """The exact forces of a guided head at the shares of its length, and aside, by quantity.
 
     Empty where Newton's method finds no state on the path, whatever the reason: refusal and
-    warnings then say that there is no result, and nothing about the spring.
+    warnings then state that there is no result.
     """
     try:
         return _pressed(q)

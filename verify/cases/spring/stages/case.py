@@ -33,9 +33,9 @@ SHARED = "beam theory, small displacements, rigid contact without friction"
 
 
 class StageSpring(StageFormulas):
-    """Where the free tips touch their neighbours (point A), and how much stiffer the spring gets.
+    """Contact of the free tips with their neighbours (point A), and the stiffness beyond it.
 
-    Closed forms stand beside a frame with rigid links, with linear theory on both sides.
+    Closed forms are compared with a frame with rigid links, with linear theory on both sides.
     """
 
     id = "spring-stages"
@@ -55,8 +55,8 @@ class StageSpring(StageFormulas):
         "the force between tip and leaf acts along the axis: at A the leaf has turned until it is "
         "parallel to the tip; the normal of the unloaded leaf instead changes U_A by 1 % and k_2 "
         'by 1 % (rows "normal of the leaf")',
-        "of what the paper leaves open one reading is chosen by k_1 alone; what it says of k_2 and "
-        "of A is calibrated",
+        "of the readings of the paper one is chosen by k_1 alone; its k_2 and point A are "
+        "calibrated",
     )
     assumptions: ClassVar = (
         "small displacements, although U_A is half of the paper's free length",

@@ -57,13 +57,13 @@ def _beside_eq_10(q: StagesInputs) -> Iterator[Curves]:
         "slopes are drawn from the origin, with Eq. 10's point A."
     )
     yield plot(
-        "Closed form beside Eq. 10: what a reading chosen by k_1 says of A and k_2", "U [mm]",
+        "Closed form beside Eq. 10: A and k_2 of readings chosen by k_1", "U [mm]",
         "F [N]",
         (_curve(name, U / mm, F, style, c) for name, F, style, c in found),
         note=note,
     )  # fmt: skip
     yield plot(
-        "The same less Eq. 10's first slope, which shows where the tips touch", "U [mm]",
+        "The same less Eq. 10's first slope: contact of the tips", "U [mm]",
         "F − 0.613 N/mm U [N]",
         (
 _curve(name, U / mm, F - lines.k1 * U, style, c) for name, F, style, c in found

@@ -139,7 +139,7 @@ class StageFormulas(StagesInputs, Case):
         return self.held()
 
     def warnings(self) -> Iterator[str]:
-        """Where linear theory ends, and what width, force and strength say of A."""
+        """Limits of linear theory, and of A by width, force and strength."""
         if self.share > LINEAR:
             yield (
                 f"U_A is {self.share:.0%} of the free length: linear theory takes lengths and "

@@ -1,4 +1,4 @@
-"""What the paper leaves open, and what each reading says of Eq. 10: sixteen springs, one line each.
+"""Readings of the paper's spring against Eq. 10: sixteen springs, one line each.
 
 The paper states neither how head and tail are held nor whether arcs have r or r + b/2, nor how
 much its shell model gains by its width. A reading is chosen by k_1 alone; what it then says of
@@ -24,7 +24,7 @@ from verify.judging.judge import expanded
 from verify.papers.ledger import published
 
 MET = 0.01  # k_1 within this of the printed one
-ACCEPTED = 0.05  # what k_2 and the crossing are to keep
+ACCEPTED = 0.05  # tolerances of k_2 and the crossing
 EQ10_END = 16.85e-3  # m: 11 N, where the tests end, on the second line
 FITTED = "calibrated: of the sixteen readings the one whose k_1 is nearest to the printed one"
 LOOSE = "linear theory alone: such a spring buckles near 1 N, see spring-buckling and spring-curve"
@@ -72,7 +72,7 @@ def eq10() -> Lines:
 
 
 def uncertainties() -> dict[str, float]:
-    """Standard uncertainties [SI] of what Eq. 10 is asked for, from its printed digits."""
+    """Standard uncertainties [SI] of values of Eq. 10, from its printed digits."""
     u = [u for _, u in _entries()]
     U, F = eq10().spread(*u)
     return {"k1": u[0], "k2": u[2], "U": U, "F": F}

@@ -39,7 +39,7 @@ SLENDER = 0.2  # of a leaf's length, that an arc is long
 HELD = 5e-4, "a shell with held edges is a beam"
 PLATES = 5e-4, "a thin leaf is Kirchhoff's plate"
 FIFTH = "a fifth of the acceptance figure"
-HALF = "half of the 1 % that rows are asked for"
+HALF = "half of the required sensitivity, 1 %"
 CURVE = "half of what case spring-curve may be off by"
 THEORY = "what a shell's theory leaves of a thin solid, and no more"
 FITTED = "these ends were chosen because they meet the printed stiffness"
@@ -50,10 +50,10 @@ LOOPS = ("20 times as wide as thick", "100 times as wide as thick", "at the spri
 
 
 class WideSpring(WidthInputs, Case):
-    """How much stiffer than E I the width makes the spring.
+    """Stiffening of the spring by its width, as a factor on E I.
 
-    A shell of the whole spring, solids of a loop, and a leaf as a plate by Ritz's method stand
-    between a beam in plane stress and an endless strip in plane strain.
+    It is computed by a shell of the whole spring, solids of a loop, and a leaf as a plate by Ritz's
+    method. Limits are a beam in plane stress and an infinite strip in plane strain.
     """
 
     id = "spring-width"
@@ -194,7 +194,7 @@ class WideSpring(WidthInputs, Case):
     sketch = drawn.sketch
 
     def warnings(self) -> Iterator[str]:
-        """Where a leaf's factor says little of the spring."""
+        """Where a leaf's factor does not represent the spring."""
         if self.h < PLATE * self.b:
             yield (
                 f"a strip {self.h / self.b:.2g} times as wide as thick is no plate: its factor is "
@@ -209,7 +209,7 @@ class WideSpring(WidthInputs, Case):
         if self.R * self.alpha > SLENDER * self.leaf:
             yield (
                 f"arcs {self.R * self.alpha / self.leaf:.0%} as long as leaves: a leaf's factor "
-                "says little of such a spring (measure it with --fem)"
+                "does not represent such a spring (measure it with --fem)"
             )
 
 
@@ -252,7 +252,7 @@ def _accepted() -> Iterator[Comparison | Check]:
     yield Agreement(
         paper_only=True,
         name="the factor that case spring-curve uses", symbol="f", unit="1", pair=claims.taken,
-        accepted=claims.TAKEN, source=suites("a fifth of the 1 % that rows are asked for"),
+        accepted=claims.TAKEN, source=suites("a fifth of the required sensitivity, 1 %"),
     )  # fmt: skip
 
 

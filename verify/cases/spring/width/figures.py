@@ -26,7 +26,7 @@ mm, MPa = 1e-3, 1e6
 
 
 def sketch(q: WidthInputs) -> Sketch:
-    """The spring with its whole end leaves, held as the inputs say."""
+    """The spring with its whole end leaves, held as in the inputs."""
     return stages_sketch(StagesInputs(**q.model_dump()))
 
 
@@ -53,11 +53,11 @@ def _readings(context: Context) -> Table:
             )
         rows.append(row)
     note = (
-        "Arcs of the radius r + b/2. The paper says neither how the tail is clamped nor what "
-        "holds the head: the ends that meet its shell model are a reading chosen by it."
+        "Arcs of the radius r + b/2. The paper does not state the clamping of the tail or the "
+        "guidance of the head: the ends that meet its shell model are a reading chosen by it."
     )
     return Table(
-        title="Stiffness of the shell by how the ends are held", header=header, rows=tuple(rows),
+        title="Stiffness of the shell by end conditions", header=header, rows=tuple(rows),
         note=note if context.is_paper else "Arcs of the radius r + b/2.",
     )  # fmt: skip
 

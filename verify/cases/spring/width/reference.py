@@ -94,7 +94,7 @@ def factor(
     q: WidthInputs, h: float, level: int, tail: Tail | None = None, head: Head | None = None, *,
     uniform: bool = False,
 ) -> float:  # fmt: skip
-    """Stiffness over that in plane stress on the same mesh, held as the inputs say or otherwise."""
+    """Stiffness over that in plane stress on the same mesh, held as in the inputs or otherwise."""
     ends = tail or q.tail, head or q.head
     plane = fem_spring(q, h, level, *ends, held=True, narrow=True)
     return fem_spring(q, h, level, *ends, uniform=uniform) / plane
