@@ -83,7 +83,7 @@ def warnings(q: ClutchStiffness) -> Iterator[str]:
     if q.delta_0 < ROUGH:
         yield (
             f"T = {q.T:g} N m deflects the sprags by {q.delta_0 * 1e6:.3g} µm, less than the "
-            f"roughness of races ({ROUGH * 1e6:g} µm): no preload, the stiffness is uncertain"
+            f"roughness of races ({ROUGH * 1e6:g} µm): nearly no preload, stiffness uncertain"
         )
     leaning = q.leaning
     if leaning > LEANS * abs(q.K_tilt - leaning):

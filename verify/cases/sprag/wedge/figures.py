@@ -57,8 +57,8 @@ def _stroke(q: WedgeFormulas) -> Shapes:
         panels=tuple(panels),
         dots_name="contacts",
         note="To scale, with the strut between both contacts: deflections of some 10 µm rotate "
-        "the sprag by degrees, its contacts move along its flanks, the strut's angle is constant. A "
-        "sprag without an outline has rolled over.",
+        "the sprag by degrees, its contacts move along its flanks, the strut's angle is constant. "
+        "A sprag without an outline has rolled over.",
     )
 
 
