@@ -83,7 +83,7 @@ def sensitivity(q: Any) -> Table:
     """What the paper leaves open: tail, head, radius and strip, all 16 combinations."""
     return Table(
         title="What the paper leaves open: k_1 [N/mm] for every combination",
-        header=("tail held at", "head", "arc radius", "strip", "k_1 [N/mm]"),
+        header=("tail clamped at", "head", "arc radius", "strip", "k_1 [N/mm]"),
         rows=tuple(
             (one.tail, one.head, one.radius, "E I/(1 − ν²)" if one.wide else "E I",
              round(one.k / 1e3, 4))

@@ -31,7 +31,7 @@ def sketch(q: Any) -> Sketch:
     g_0 = stages(**q.path, **strip_of(q), head=q.head, tail=q.tail, width_factor=q.factor).gap
     below, tail_side = -a - 0.6 * tall, toward * (a + 0.5 * tall)
     return sketches.sketch(
-        f"centre line with whole end leaves, head {q.head}, tail held at {q.tail}, to scale",
+        f"centre line with whole end leaves, head {q.head}, tail clamped at {q.tail}, to scale",
         sketches.room(1.1 * tall, right + 1.1 * tall),
         arrow((-0.1 * tall, 0.0), (right + 0.2 * tall, 0.0), style="axis"),
         shape("line", line),

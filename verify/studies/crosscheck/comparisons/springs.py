@@ -258,11 +258,11 @@ SPRINGS = (
     *(
         Cross(
             id=f"spring-buckling, linear, {tail}", case="spring-buckling", solver=CALCULIX,
-            what=f"the strip's linear buckling load, head free, tail held at {words}",
+            what=f"the strip's linear buckling load, head free, tail clamped at {words}",
             pose=partial(buckled, tail),
             quantities=(
                 Quantity(name="F", symbol="F_lin", unit="N", **SLENDER, row="linear buckling load "
-                         f"of the undeformed spring, tail held at {words}"),
+                         f"of the undeformed spring, tail clamped at {words}"),
             ),
         )
         for tail, words in (("arc", "its arc"), ("mid-leaf", "mid-leaf"))
