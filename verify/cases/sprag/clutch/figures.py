@@ -63,7 +63,7 @@ def force(q: SpragInputs) -> Curves:
         dashes(limit.words, limit.at, [0.0, top], 1 + k)
         for k, limit in enumerate(x for x in as_torque_grows(q) if x.at <= now.T[-1])
     ]  # fmt: skip
-    return plot("Normal force of a sprag and what ends it", "T [N m]", "N [kN]", curves,
+    return plot("Normal force of a sprag and its limits", "T [N m]", "N [kN]", curves,
                 y_bottom=0.0)  # fmt: skip
 
 
@@ -106,7 +106,7 @@ def yields(q: ClutchFormulas) -> Bars:
     return Bars(
         title="Deflections of the parts", label="deflection [µm]",
         items=tuple((name, d * 1e6, f"{d * 1e6:.3g} µm, {d / q.H:.0%}") for d, name in parts),
-        note=f"Together {q.H * 1e6:.4g} µm, which turn the sprags by {q.alpha * DEGREE:.3g}°.",
+        note=f"Together {q.H * 1e6:.4g} µm, which rotate the sprags by {q.alpha * DEGREE:.3g}°.",
     )  # fmt: skip
 
 
@@ -116,7 +116,7 @@ def off(q: SpragInputs) -> Curves:
              for name in ("R_i", "R_e")}  # fmt: skip
     return plot(
         "Sensitivity to the radii of the races", "radius off by [µm]",
-        "turn of the unloaded sprags [°]",
+        "rotation of the unloaded sprags [°]",
         (line(name, far * 1e6, found[name][:, 1] * DEGREE, 2 * k) for k, name in enumerate(found)),
         y_bottom=None,
         note="The wedge angle itself stays between "

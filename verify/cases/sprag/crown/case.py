@@ -1,4 +1,4 @@
-"""What the crown's three parameters do to a sprag clutch's pressures (Secs. 4.1 and 4.2)."""
+"""Effect of the crown's three parameters on pressures of a sprag clutch (Secs. 4.1 and 4.2)."""
 
 import math
 from collections.abc import Iterator

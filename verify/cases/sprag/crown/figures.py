@@ -70,7 +70,7 @@ def shares(q: EngagementInputs) -> Curves:
                         for c in DESIGNS])  # fmt: skip
     own = q.z_m / (q.K_1 * unit(q))
     return plot(
-        "How much of the mean drop is set by z_m, and how much by K_1", "z_m/A",
+        "Shares of z_m and K_1 in the mean drop", "z_m/A",
         "% more mean drop by 1 % more z_m", line("Eq. 1", m, [z_m_share(1.0, x) for x in m]),
         dots("crowns that the paper prints", printed[:, 0], printed[:, 1], 2),
         dots("this crown", own, z_m_share(1.0, own), 4), y_bottom=0.0,
@@ -100,7 +100,7 @@ def along(context: Context) -> Curves:
     return plot(
         "Pressure along the sprag, inner race", "y [mm]", "p [MPa]", curves, y_bottom=0.0,
         y_top=1.5 * states[-1][1] / MPa,
-        note=f"(K_1, K_2, z_m) = {label((q.K_1, q.K_2, q.z_m))}. Ends that carry have no highest "
+        note=f"(K_1, K_2, z_m) = {label((q.K_1, q.K_2, q.z_m))}. Loaded ends have no largest "
         "pressure: it grows with the number of parts.",
     )  # fmt: skip
 

@@ -1,4 +1,4 @@
-"""What the report shows of an engagement: forces over time, energies, pressures, convergence."""
+"""Figures of an engagement: forces over time, energies, pressures, convergence."""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -73,7 +73,7 @@ def sketch(_q: EngagementInputs) -> Sketch:
         text((4.1, 0.4), "k_out"),
     )  # fmt: skip
     return sketches.sketch(
-        "what swings: both races, between them the sprags, whose force grows with the turn, "
+        "both races, between them the sprags, whose force grows with the wind-up, "
         "and the support of the outer race",
         shapes,
     )  # fmt: skip
@@ -103,12 +103,12 @@ def forces(context: Context) -> Figure:
         dashes("without damping, outer race held", last["undamped t"] / ms, last["undamped N"] / kN,
                3),
         dashes("rigid races (Liu)", last["rigid t"] / ms, last["rigid N"] / kN, 1),
-        note="What the paper draws from LS/DYNA was not to be had.",
+        note="The LS/DYNA results of the paper are not available.",
     )  # fmt: skip
 
 
 def apart(context: Context) -> Figure:
-    """What the models differ by over the engagement."""
+    """Difference of the models over the engagement."""
     q, last = context.inputs, context.fem[-1]
     top, races = last.values["N_max"], swing(q)
     t = last.arrays["t"]
@@ -120,7 +120,7 @@ def apart(context: Context) -> Figure:
         return np.asarray(np.log10(np.maximum(np.abs(d) / top, floor)))
 
     return plot(
-        "What the steps differ by", "t [ms]", "lg(|ΔN|/N_max)",
+        "Difference between the steps and other models", "t [ms]", "lg(|ΔN|/N_max)",
         line("from LSODA with events", last.arrays["LSODA t"] / ms, share(lsoda)),
         line("from two races on a spring", t / ms, share(spring), 1), y_bottom=-10.0, y_top=0.0,
         note="Two races on a spring have N_e/N_i of a strut and sprags without mass.",
@@ -128,7 +128,7 @@ def apart(context: Context) -> Figure:
 
 
 def energies(context: Context) -> Figure:
-    """What became of the work put in, one on the other."""
+    """Energies into which the work is converted, stacked."""
     last = context.fem[-1].arrays
     t, below, curves = last["t"] / ms, np.zeros_like(last["t"]), []
     for colour, (key, words) in enumerate(ENERGIES.items()):
@@ -137,15 +137,15 @@ def energies(context: Context) -> Figure:
     put_in = last["torque"] + last["blades"]
     every = max(len(t) // FEW, 1)
     curves.append(dots("put in by torque and springs", t[::every], put_in[::every], 5))
-    return plot("Energies, one on the other", "t [ms]", "E [J]", curves,
-                note="The crosses lie on the uppermost line: nothing is missing.")  # fmt: skip
+    return plot("Energies, stacked", "t [ms]", "E [J]", curves,
+                note="The crosses are on the uppermost line: energy is balanced.")  # fmt: skip
 
 
 def turns(context: Context) -> Figure:
     last = context.fem[-1].arrays
     t = last["t"] / ms
     return plot(
-        "Turns of races and sprags", "t [ms]", "angle [deg]",
+        "Rotations of races and sprags", "t [ms]", "angle [deg]",
         (
             line(words, t, np.degrees(last[key]), colour)
             for colour, (key, words) in enumerate((
@@ -168,7 +168,7 @@ def refined(context: Context) -> Figure:
 def crowns(context: Context) -> Figure:
     none, *found = context.fem[-1].arrays["crowns"]
     return Bars(
-        title="What a crown changes in the largest force", label="N_max over that without crown "
+        title="Largest force by crown", label="N_max over that without crown "
         "− 1 [%]",
         items=tuple(
             (f"({K_1:.3g}, {K_2:.3g}, {z_m / mm:.3g} mm)", 100 * (N / none - 1), f"{N:.0f} N")

@@ -1,4 +1,4 @@
-"""What the report shows of friction: what locks, what the guard stops, the law of Eq. 13."""
+"""Figures of friction: locking, the guard, the law of Eq. 13."""
 
 import math
 from collections.abc import Sequence
@@ -133,13 +133,13 @@ def speeds(context: Context) -> Figure:
     last = context.fem[-1].arrays
     t = last["fine t"][:EARLY] / ms
     return plot(
-        "Why: sliding speed at the start", "t [ms]", "v_i [m/s]",
+        "Sliding speed at the start, and the band", "t [ms]", "v_i [m/s]",
         line("band chosen", t, last["right v"][:EARLY]),
         dots(f"D_V = {NARROW:g} m/s", t, last["wrong v"][:EARLY], 1),
         dashes("the narrow band", t, NARROW, 2), dashes("", t, -NARROW, 2),
         y_bottom=float(min(last["wrong v"][:EARLY].min(), 0.0)),
-        note="A step changes v_i by several times the band: it is passed again and again, and "
-        "friction has either sign by turns.",
+        note="A step changes v_i by several times the band: it is missed repeatedly, and the "
+        "sign of friction alternates.",
     )  # fmt: skip
 
 

@@ -88,7 +88,7 @@ class FrictionFormulas(EngagementInputs, Case):
         """What a state has at rest, of its `values` over the turn."""
         return float(np.interp(self.rest, self.wedge.theta, values))
 
-    @Quantity("μ_b", "1", "friction from which on it locks, required at rest under T",
+    @Quantity("μ_b", "1", "friction coefficient above which it locks, at rest under T",
               source="from there on it locks; springs provide the difference to tan ν",
               safe="too high", tex=r"\frac{T}{n_s OA N_T}")  # fmt: skip
     def mu_b(self) -> float:

@@ -72,7 +72,7 @@ def bound(context: Context) -> str:
         for name, x, low, high in zip(("K_1", "K_2", "z_m"), u, box.low, box.high, strict=True)
         if min(x, 1 - x) < ON_BOUND
     ]
-    return f"; the best lies on the bound {', '.join(on)}" if on else ""
+    return f"; the optimum lies on the bound {', '.join(on)}" if on else ""
 
 
 def lundberg(context: Context) -> tuple[float, float, str]:

@@ -88,7 +88,7 @@ def at_counts(context: Context) -> Curves:
         "Largest pressure over the number of parts", "parts along the sprag", "p_max [MPa]", curves,
         y_bottom=0.97 * low, y_top=ABOVE * low,
         x_names=tuple((float(np.log2(n)), str(n)) for n in (*SLICED, *CELLS)),
-        note="Free ends settle; ends that carry do not."
+        note="Pressures of unloaded ends converge, those of loaded ends do not."
         + cut(ABOVE * low, *(float(c.y.max()) for c in curves)),
     )  # fmt: skip
 
@@ -107,8 +107,8 @@ def apart(context: Context) -> Curves:
         curves.append(line(name, y / mm, drop / um, 2 * k))
     return plot(
         "The crowns", "y from mid-length [mm]", "drop [µm]", curves, y_bottom=0.0,
-        note="What each takes off the sprag: none in the straight middle, the share 1 − K_2 of the "
-        "length, then ever more, z_m at the end.",
+        note="Drop of each crown: zero in the straight middle, the share 1 − K_2 of the length, "
+        "then increasing to z_m at the end.",
     )  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""What the report shows of the optimal crown: tables, which figures."""
+"""Tables and figures of the optimal crown."""
 
 from collections.abc import Sequence
 

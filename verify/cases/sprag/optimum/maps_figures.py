@@ -60,7 +60,7 @@ def lines(context: Context) -> Curves:
 
 
 def valley(context: Context) -> Curves:
-    """How little K_1 matters near the best, all else best for it; where N_max/Q and prints lie."""
+    """Effect of K_1 near the optimum, with optimal K_2 and z_m; N_max/Q and printed values."""
     found, q = measured(context), context.inputs
     over = found["whole"].min(axis=(1, 2))
     curves = [line(f"{q.T:g} N m", found["K_1"], PERCENT * (over / over.min() - 1))]
@@ -76,6 +76,6 @@ def valley(context: Context) -> Curves:
         dashes(f"{FLAT:.1%}", wide, PERCENT * FLAT, 4),
     ]  # fmt: skip
     return plot(
-        "How flat the optimum is", "K_1", "above the lowest [%]", curves, y_bottom=-0.2,
-        y_top=ABOVE, note="K_2 and z_m are the best for each K_1, by the surrogate.",
+        "Flatness of the optimum", "K_1", "above the lowest [%]", curves, y_bottom=-0.2,
+        y_top=ABOVE, note="K_2 and z_m are optimal for each K_1, by the surrogate.",
     )  # fmt: skip

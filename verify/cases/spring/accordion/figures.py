@@ -18,7 +18,7 @@ PRINTED = ("k1-theory", "k1-fea", "k1-test")
 
 
 class Combination(NamedTuple):
-    """One answer to what the paper leaves open, and the stiffness [N/m] that it gives."""
+    """One reading that the paper leaves open, and its stiffness [N/m]."""
 
     tail: frame.Tail
     head: frame.Head
@@ -73,7 +73,7 @@ def open_questions(context: Context) -> Iterator[Dots]:
             strip = "wide strip" if one.wide else "narrow"
             items.append((f"head {one.head}, {one.radius}, {strip}", one.k / 1e3, None, "formula"))
     yield Dots(
-        title="What the paper leaves open moves k_1", label="k_1 [N/mm]", items=tuple(items),
+        title="k_1 by readings that the paper leaves open", label="k_1 [N/mm]", items=tuple(items),
         note="Force method with the tail clamped at its arc, under the readings of head, radius "
         "and strip that the text allows; the table below has all sixteen.",
     )  # fmt: skip

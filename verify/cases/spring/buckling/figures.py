@@ -32,7 +32,7 @@ def tables(q: Any, context: Context) -> Sequence[Table]:
     ]  # fmt: skip
     return (
         Table(
-            title="Lateral buckling does not follow L_0/b",
+            title="Lateral buckling and L_0/b",
             header=("n", "b [mm]", "L_0/b", "U_cr/L_0 [%]", "F_cr [N]"),
             rows=(*same_line, *same_ratio),
             note="Above: one centre line, the thickness varied: L_0/b changes, U_cr does not. "
@@ -77,7 +77,7 @@ def _slender(context: Context, found: Array | None) -> Curves:
     return plot(
         "Slenderness at which springs buckle", "L_0/L_1", "U_cr/L_0 [%]", curves,
         y_bottom=0.0, y_top=60.0,
-        note="Left of where a line ends the spring never buckles. All thicknesses fall together.",
+        note="Left of the end of a line the spring does not buckle. All thicknesses coincide.",
     )  # fmt: skip
 
 

@@ -61,7 +61,7 @@ def _flexibility(q: BucklingInputs, tail: frame.Tail) -> float:
 
 
 class BucklingFormulas(BucklingInputs, Case):
-    """Where a spring buckles sideways; what it does not, has no value."""
+    """Lateral buckling of a spring; no value where it does not buckle."""
 
     tail: ClassVar[frame.Tail] = "arc"  # where the elastica's is held
 
@@ -84,11 +84,11 @@ class BucklingFormulas(BucklingInputs, Case):
 
     pitch = Quantity("p", "mm", "pitch of a middle unit", role="step",
                      source=UNIT).reads(lambda q: q._unit.pitch)  # fmt: skip
-    a_B = Quantity("a_B", "1/N/m", "flexibility of a unit against a couple", role="step",
+    a_B = Quantity("a_B", "1/N/m", "rotational flexibility of a unit", role="step",
                    source=UNIT).reads(lambda q: q._unit.turn)  # fmt: skip
-    a_C = Quantity("a_C", "mm/N", "flexibility of a unit along", role="step",
+    a_C = Quantity("a_C", "mm/N", "axial flexibility of a unit", role="step",
                    source=UNIT).reads(lambda q: q._unit.axial)  # fmt: skip
-    a_S = Quantity("a_S", "mm/N", "flexibility of a unit across", role="step",
+    a_S = Quantity("a_S", "mm/N", "transverse flexibility of a unit", role="step",
                    source=UNIT).reads(lambda q: q._unit.lateral)  # fmt: skip
 
     @Quantity("1/a_B", "N m", "rotational stiffness of a middle unit", source=UNIT,

@@ -1,4 +1,4 @@
-"""Inputs of case spring-buckling, and the springs it looks at besides the one given."""
+"""Inputs of case spring-buckling, and further springs of its sweeps."""
 
 import math
 from typing import Literal

@@ -1,4 +1,4 @@
-"""What the report shows of the whole curve: force over displacement, states, readings, points."""
+"""Figures of the whole curve: force over displacement, states, readings, points."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -59,7 +59,7 @@ def _curve(context: Context) -> Curves:
     )  # fmt: skip
     tests = " The paper prints slopes of its tests, no constants: they start at zero here."
     return plot(
-        "Force over displacement until loops meet", "U [mm]", "F [N]", curves,
+        "Force over displacement until the loops touch", "U [mm]", "F [N]", curves,
         note=kink + tests * context.is_paper,
     )  # fmt: skip
 
@@ -68,8 +68,8 @@ def _whole(context: Context) -> Curves:
     U, F = _own(context)
     return plot(
         "The whole curve", "U [mm]", "F [N]", line("beams that touch", U / mm, F, 1),
-        note="Stages OA, AB and BE: free, leaves in touch, loops in touch. It ends where "
-        + ("no equilibrium was found: its end is none of the spring's." if ends_early(context) else
+        note="Stages OA, AB and BE: free, leaves in contact, loops in contact. It ends where "
+        + ("no equilibrium was found: this is no limit of the spring." if ends_early(context) else
         "the force has doubled after the stroke, or after a quarter of the stroke more."),
     )  # fmt: skip
 
@@ -197,7 +197,7 @@ def _forces(context: Context) -> Table:
         title="F(U) beside Eq. 10", rows=rows,
         header=("U [mm]", "F, beams [N]", "Eq. 10 [N]", "beams over Eq. 10",
                 "0.601 U over beams", "closed form over beams"),
-        note="The reading was chosen by k_1 alone; everything else here is what it predicts.",
+        note="The reading was chosen by k_1 alone; everything else here is predicted by it.",
     )  # fmt: skip
 
 

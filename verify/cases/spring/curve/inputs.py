@@ -61,10 +61,10 @@ class CurveInputs(SpringInputs):
 
     @property
     def is_paper(self) -> bool:
-        """Whether Eq. 10 and the readings speak of this spring."""
+        """Whether Eq. 10 and the readings are of this spring."""
         return self == type(self)()
 
     @property
     def factor(self) -> float:
-        """What the strip's width stiffens it by."""
+        """Stiffening by the strip's width."""
         return self.width_factor

@@ -1,4 +1,4 @@
-"""Where Eqs. 1-9 of the accordion spring hold: radius, displacement, what holds the head."""
+"""Validity of Eqs. 1-9 of the accordion spring: radius, displacement, guide of the head."""
 
 from collections.abc import Iterator
 from typing import Any, ClassVar
@@ -62,7 +62,7 @@ class MapSpring(MapFormulas):
     """
 
     id = "spring-map"
-    title = "Where Eqs. 1-9 of the accordion spring hold"
+    title = "Range of validity of Eqs. 1-9 of the accordion spring"
     source = "wang2023"
     place = "Eqs. 1-9, Eqs. 12 and 13, Fig. 10; Sec. 1.2, Fig. 5 (travel of the roller)"
     levels: ClassVar = (4, beams.MAPPED, 16)
@@ -138,7 +138,7 @@ MAP = adapted(MapSpring)
 # the record of a measurement, which names this function and these inputs
 DEEP_MAP = core.Case(
     id="spring-map-deep",
-    title="Where Eqs. 1-9 of the accordion spring hold, finer",
+    title="Range of validity of Eqs. 1-9 of the accordion spring, finer",
     paper="wang2023",
     place="Eqs. 1-9, Eqs. 12 and 13, Fig. 10",
     lead="The maps of spring-map with every number of segments and angle between.",

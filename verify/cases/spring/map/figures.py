@@ -65,7 +65,7 @@ def radius(over: list[tuple[Array, Array]]) -> Curves:
         )
     ]
     return plot(
-        "What the error at small displacement follows", "b/R", "error of k_1 [%]", curves,
+        "Error at small displacement over b/R", "b/R", "error of k_1 [%]", curves,
         y_bottom=0.0,
         note="The inner radius in place of the centre line's: no other number of the spring "
         "matters as much.",

@@ -50,7 +50,7 @@ def _pressed(q: MapInputs) -> Mapping[str, float]:
 
 
 def of_paper(q: Case) -> bool:
-    """Whether the paper's tests speak of this spring."""
+    """Whether the paper's tests are of this spring."""
     return q.is_default
 
 
@@ -89,9 +89,9 @@ class MapFormulas(MapInputs, Case):
         "F_x(x_r)", "N", "force at the end of a straight path of the roller", role="step",
         source=EXACT,
     ).reads(lambda q: q._pressed.get("F_x_straight", math.nan))  # fmt: skip
-    F_x = Quantity("F_x", "N", "force along, at the end of the roller's slanted path",
+    F_x = Quantity("F_x", "N", "axial force at the end of the roller's slanted path",
                    source=EXACT).reads(lambda q: q._pressed.get("F_x", math.nan))  # fmt: skip
-    F_y = Quantity("F_y", "N", "force across, at the end of the roller's slanted path",
+    F_y = Quantity("F_y", "N", "transverse force at the end of the roller's slanted path",
                    source=EXACT).reads(lambda q: q._pressed.get("F_y", math.nan))  # fmt: skip
 
     @Quantity("e_r", "%", "force of Eq. 9 below that of Eq. 10 at the tests' largest force",

@@ -64,7 +64,7 @@ class StageFormulas(StagesInputs, Case):
     U_A = Quantity("U_A", "mm", "displacement where the first tip touches", source=TIPS,
                    tex=r"\frac{F_A}{k_1}").reads(lambda q: q._stages.U_A)  # fmt: skip
 
-    @Quantity("J_C", "mm^3", "what the touching tips take from J", role="step", source=TIPS,
+    @Quantity("J_C", "mm^3", "reduction of J by the touching tips", role="step", source=TIPS,
               tex=r"\frac{p f_{FC}^2}{\int m^2 ds}")  # fmt: skip
     def J_C(self) -> float:
         return self.J - self.EI / self.k2

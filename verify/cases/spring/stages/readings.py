@@ -1,8 +1,8 @@
 """Readings of the paper's spring against Eq. 10: sixteen springs, one line each.
 
 The paper states neither how head and tail are held nor whether arcs have r or r + b/2, nor how
-much its shell model gains by its width. A reading is chosen by k_1 alone; what it then says of
-k_2 and of the point A is a prediction, and calibrated all the same.
+much its shell model gains by its width. A reading is chosen by k_1 alone; its k_2
+and point A are then predictions, but count as calibrated.
 """
 
 from collections.abc import Sequence

@@ -41,7 +41,7 @@ PLATES = 5e-4, "a thin leaf is Kirchhoff's plate"
 FIFTH = "a fifth of the acceptance figure"
 HALF = "half of the required sensitivity, 1 %"
 CURVE = "half of what case spring-curve may be off by"
-THEORY = "what a shell's theory leaves of a thin solid, and no more"
+THEORY = "difference between shell theory and a thin solid"
 FITTED = "these ends were chosen because they meet the printed stiffness"
 FRAME = "force method on the true centre line"
 RITZ = "a leaf as Kirchhoff's plate, by Ritz's method"
@@ -101,7 +101,7 @@ class WideSpring(WidthInputs, Case):
 
     k_narrow = Quantity("k_EI", "N/mm", "stiffness of a narrow strip",
                         source=FRAME).reads(lambda q: q._stiffness(plane_strain=False))  # fmt: skip
-    k_wide = Quantity("k_PE", "N/mm", "stiffness of an endless strip",
+    k_wide = Quantity("k_PE", "N/mm", "stiffness of an infinitely wide strip",
                       source=FRAME).reads(lambda q: q._stiffness(plane_strain=True))  # fmt: skip
 
     @Quantity("k_1", "N/mm", "stiffness with the factor of one leaf", source=FRAME)
