@@ -128,7 +128,7 @@ def test_what_is_found_is_stored_for_this_code_unless_that_is_not_wanted(
     for more, is_stored in (((), True), (("--again",), False)):
         capsys.readouterr()
         assert crosscheck("ring-lame", *more, out=tmp_path) == 0
-        assert ("agrees, kept" in capsys.readouterr().out) is is_stored
+        assert ("agrees, stored" in capsys.readouterr().out) is is_stored
     assert [line.state for line in judged.reported(["ring-lame"])] == [AGREES]
     monkeypatch.setattr(store, "posing", lambda _solver, _module: "another")  # other code
     (line,) = judged.reported(["ring-lame"])
@@ -159,7 +159,7 @@ def test_absent_solvers_change_no_exit_status_but_where_nothing_is_left(
     monkeypatch.setattr(records, "today", lambda: "2026-01-02")
     store.keep(cross, found(cross, 1.0, 1.0))
     assert crosscheck("ring-lame", out=tmp_path) == 0
-    assert "1 of 1 problems kept from 2026-01-02" in capsys.readouterr().out
+    assert "1 of 1 problems stored on 2026-01-02" in capsys.readouterr().out
     # the reason is that of the installation
     monkeypatch.setattr(solvers, "OWN", tmp_path)
     monkeypatch.delenv("FREEWHEEL_CROSSCHECK", raising=False)

@@ -109,7 +109,7 @@ def test_a_row_is_named_by_its_id_a_part_of_it_or_words():
     ("wanted", "message"),
     [
         ("plane", "2 rows match 'plane': ring-a/bore displacement, plane stress; "),
-        ("bore displacment plane stres", "near are: ring-a/bore displacement, plane str"),
+        ("bore displacment plane stres", "similar rows: ring-a/bore displacement, plane str"),
         ("xyz", "no row matches 'xyz'; the cases are ring-a"),
     ],
 )

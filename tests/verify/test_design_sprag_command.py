@@ -118,7 +118,7 @@ def checked(paper, crown, contacts):
         one.name, one.wishes.model_copy(update={"contacts": contacts}), one.torques, one.low,
         one.high,
     )  # fmt: skip
-    return _check(one, paper, paper.answers(np.array([crown])), 0, 0, "wanted")
+    return _check(one, paper, paper.answers(np.array([crown])), 0, 0, "nominal")
 
 
 def test_the_best_crown_by_slices_fails_on_a_half_space(paper):

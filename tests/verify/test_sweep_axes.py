@@ -31,7 +31,7 @@ def test_an_axis_is_read_and_knows_its_input():
         found = axis(Shaft(), text)
         assert found.values == pytest.approx(values, rel=1e-12)
         assert (found.nominal, found.symbol, found.whole) == (nominal, symbol, symbol == "n")
-    assert axis(Shaft(), "a=2:6mm:3").shown(0.3e-3) == 0.3  # not 0.29999999999999993
+    assert axis(Shaft(), "a=2:6mm:3").in_unit(0.3e-3) == 0.3  # not 0.29999999999999993
 
 
 def test_what_is_no_axis_and_no_tolerance_is_refused_with_its_option():

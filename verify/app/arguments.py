@@ -1,4 +1,4 @@
-"""What several commands take alike: whole numbers, names of cases, an engine."""
+"""Arguments that several commands share: whole numbers, names of cases, an engine."""
 
 from typing import Annotated, Any, Literal
 

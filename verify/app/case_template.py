@@ -1,4 +1,4 @@
-"""A case of your own: a formula against finite elements. Edit it, then: freewheel verify FILE."""
+"""A user's case: a formula against finite elements. Edit it, then: freewheel verify FILE."""
 
 from collections.abc import Iterator
 

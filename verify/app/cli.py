@@ -24,7 +24,7 @@ from verify.app.sweep.cli import sweep  # noqa: E402
 
 app = App(
     name="freewheel",
-    help="Settles how far the design formulas of freewheel clutches can be trusted.",
+    help="Verifies the design formulas of freewheel clutches against finite elements.",
     help_format="plaintext",
     version="0.1.0",
     exit_on_error=False,
@@ -55,29 +55,29 @@ def verify(
     single_file: bool = False,
     pdf: Literal["record", "full"] = "record",
 ) -> int:
-    """Pair every formula with finite elements, judge the rows and write the report.
+    """Compare every formula with finite elements, judge the rows and write the report.
 
     Parameters
     ----------
     cases
         Cases to run, all by default; see `freewheel list`.
     quick
-        Cheap cases of every subject alone, at full sharpness.
+        Only cheap cases of every subject, at the full required sensitivity.
     jobs
-        Processes, 0 for one a core.
+        Processes, 0 for one per core.
     engine
-        Processes of this machine, or a dask cluster.
+        Processes on this machine, or a dask cluster.
     scheduler
-        Address of the cluster's scheduler, tcp://host:8786; without it dask makes a cluster here.
+        Address of the cluster's scheduler, tcp://host:8786; without it dask starts a local cluster.
     out
         Folder for the report, by default reports/out of this checkout.
     cache
         Reuse finite-element results of earlier runs.
     single_file
-        Write the report as one page, for mail, in place of a first page and one for each case.
+        Write the report as one page, for e-mail, instead of a first page and one page per case.
     pdf
-        What report.pdf holds: record (verdicts, tables and errata of the papers, one page for each
-        case) or full (everything). The PDF of a single case holds everything.
+        Content of report.pdf: record (verdicts, tables, errata of the papers, one page per case) or
+        full (everything). The PDF of a single case is always full.
     """
     from verify.app.commands import run_verify
     from verify.jobs.executor import Where
@@ -103,30 +103,29 @@ def check(
     jobs: Jobs = 0,
     cache: bool = True,
 ) -> int:
-    """State whether a part holds, the number to design with, its margin and what limits it.
+    """State whether a part holds, the value to design with, its margin and the limiting criterion.
 
-    Exit status: 0 it holds, 1 it fails or a row fails, 2 bad input, 3 cannot say.
+    Exit status: 0 it holds, 1 it fails or a row fails, 2 bad input, 3 undecided.
 
     Parameters
     ----------
     file
-        Parameter file (TOML): case = "ring-lame" and a table [inputs], a unit on every value.
+        Parameter file (TOML): case = "ring-lame" and a table [inputs]; every value has a unit.
     fem
-        Run the finite elements too and judge the formulas on these parameters.
+        Also run the finite elements and judge the formulas for these parameters.
     dynamic
-        Run the motion in time too, of a case that has one; compiled the first time, which takes
-        some seconds.
+        Also run the transient motion, if the case has one; its first run takes some seconds longer.
     json
         Print JSON instead of text; `--keys` lists its keys.
     keys
-        List the keys of the inputs and values of the file's case; a case may stand for the file.
+        List the keys of the inputs and values of the file's case; FILE may also be a case name.
     units
         Units of the answer: si (m, N, Pa), mm (mm, N, MPa) or inch (in, lbf, ksi); by default
         inch where most lengths of the file are in inches, else mm.
     out
-        Folder for a report on these parameters: the page, tables, pictures, meshes.
+        Folder for a report on these parameters: page, tables, pictures, meshes.
     jobs
-        Processes, 0 for one a core.
+        Processes, 0 for one per core.
     cache
         Reuse finite-element results of earlier runs.
     """
@@ -150,10 +149,9 @@ def init(
     Parameters
     ----------
     case
-        The case, see `freewheel list`; design-spring and design-sprag are tasks for
-        `freewheel design`.
+        A case, see `freewheel list`, or a task of `freewheel design`: design-spring, design-sprag.
     out
-        File to write instead; one that exists is never overwritten.
+        File to write instead; an existing file is never overwritten.
     """
     from verify.answers.template import hand_over, run_init
 
@@ -182,12 +180,12 @@ def explain(
     Parameters
     ----------
     row
-        The row's name, a part of it, or words that it contains; a parameter file may stand last.
-        An equation of a paper, such as Belcin Eq. 20, for the verdict of record.
+        Name of the row, a part of it, or words that it contains; a parameter file may follow.
+        Or an equation of a paper, such as Belcin Eq. 20, for its verdict of record.
     json
         Print JSON instead of text.
     jobs
-        Processes, 0 for one a core.
+        Processes, 0 for one per core.
     cache
         Reuse finite-element results of earlier runs.
     """
@@ -198,10 +196,10 @@ def explain(
 
 @app.command
 def deep(*cases: str, again: bool = False, jobs: Jobs = 0) -> int:
-    """Measure what takes longer than `verify` may: maps, regions, error budgets for its report.
+    """Measure what takes too long for `verify`: maps, regions, error budgets for its report.
 
-    What was measured is kept while the code stands that made it; a run goes on where one was
-    interrupted.
+    Results remain valid until the code that computed them changes; an interrupted run continues
+    where it stopped.
 
     Parameters
     ----------
@@ -209,10 +207,10 @@ def deep(*cases: str, again: bool = False, jobs: Jobs = 0) -> int:
         Measurements to make: validity, validity:CASE, budget, budget:CASE or a map's name; by
         default all that are missing.
     again
-        Make the records again, from stored results where they are of this code, and solve again
-        what failed. `freewheel store --clear KIND:CASE` removes stored results first.
+        Write the records again, from the stored results of this code, and solve failed points
+        again. `freewheel store --clear KIND:CASE` removes stored results first.
     jobs
-        Processes, 0 for one a core.
+        Processes, 0 for one per core.
     """
     from verify.studies.deep import run_deep
 
@@ -221,7 +219,7 @@ def deep(*cases: str, again: bool = False, jobs: Jobs = 0) -> int:
 
 @app.command
 def doctor(*, json: bool = False) -> int:
-    """Say what this machine has and lacks for a run, and what to install.
+    """Check whether this machine has what a run needs, and list what to install.
 
     Parameters
     ----------
@@ -240,13 +238,13 @@ def store(case: CaseId = "", /, *, json: bool = False, clear: str = "", code: st
     Parameters
     ----------
     case
-        List instead what is stored of this case, where, and whether it is of the present code.
+        List instead the stored results of this case, their place, and whether the code is current.
     json
         Print JSON instead of text.
     clear
-        Remove the results of a kind, or of KIND:SUBJECT, first.
+        First remove the results of a kind, or of KIND:SUBJECT.
     code
-        List instead the cases that a module, such as `analytic.ring.lame` or its file, is part of.
+        List instead the cases that use a module, such as `analytic.ring.lame` or its file.
     """
     from verify.app.store import run_origin, run_store
 
@@ -257,7 +255,7 @@ def store(case: CaseId = "", /, *, json: bool = False, clear: str = "", code: st
 
 @app.command
 def new_case(file: Path, /) -> int:
-    """Write a Python file that declares a case of your own: commented, and it runs as it stands.
+    """Write a Python file that declares a user's case, with comments; it runs without changes.
 
     Parameters
     ----------
@@ -281,7 +279,7 @@ app.register_install_completion_command(help="Set up completion for the shell in
 
 @app.command(name="list")
 def list_cases() -> int:
-    """Name the cases and what they verify."""
+    """List the cases and what they verify."""
     from verify.app.commands import run_list
 
     return run_list()
@@ -303,7 +301,7 @@ def run(arguments: list[str]) -> int:
         return status
     except CycloptsError as error:
         return _complain(str(error))
-    except KeyboardInterrupt as stop:  # solving says what is kept
+    except KeyboardInterrupt as stop:  # its message states what is stored
         return _complain(str(stop) or "interrupted", status=130)
     except BrokenPipeError:  # `freewheel ... | head`
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
@@ -317,13 +315,14 @@ def run(arguments: list[str]) -> int:
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
             return _complain(f"standard output: {error.strerror}")
         return _complain(str(error))
-    except Exception as error:  # a fault of the program: one line, and the rest in a file
+    except Exception as error:  # an internal error: one line, and the traceback in a file
         with tempfile.NamedTemporaryFile(
             "w", prefix="freewheel-", suffix=".txt", delete=False
         ) as file:
             file.write(traceback.format_exc())
-        said = f"{type(error).__name__}: {error}; this is a fault of the program"
-        return _complain(f"{said}, its traceback is in {file.name}")
+        return _complain(
+            f"internal error: {type(error).__name__}: {error}; the traceback is in {file.name}"
+        )
 
 
 def _complain(message: str, status: int = BAD_INPUT) -> int:

@@ -1,4 +1,4 @@
-"""What the commands do, apart from reading the command line."""
+"""What the commands do, without reading the command line."""
 
 import gc
 import sys
@@ -160,7 +160,7 @@ def _exit_status(report: Report) -> int:
 
 
 def _moved_verdicts(report: Report) -> list[str]:
-    """Formulas whose verdict is not that of record; nothing is said of a run of some cases."""
+    """Formulas whose verdict is not that of record; none where only some cases were run."""
     return moved(report.verdicts) if report.verdicts else []
 
 
@@ -190,7 +190,7 @@ def write_report(
     report: Report, out: Path, use_cache: bool, *, single_file: bool = False,
     full_pdf: bool = False, keys: Mapping[str, str] | None = None,
 ) -> bool:  # fmt: skip
-    """Write the report into `out`; False where something had to be done in another way, named.
+    """Write the report into `out`; False where a substitute was used, which is reported.
 
     With the `keys` of all judged cases only what has changed is written.
     """

@@ -1,6 +1,6 @@
 """The command `doctor`: what this machine has and lacks for a run, one line each.
 
-Everything that may crash is tried in a process of its own, side by side.
+Everything that may crash is tried in a separate process; these run in parallel.
 """
 
 import importlib.util
@@ -156,7 +156,7 @@ def _cache() -> Finding:
     folder = default_folder()
     problem = _unwritable(folder)
     if problem:
-        return Finding("cache", MISSING, f"{folder}: {problem}: every run solves anew")
+        return Finding("cache", MISSING, f"{folder}: {problem}: no results are reused")
     size = sum(path.stat().st_size for path in folder.rglob("*") if path.is_file())
     free = shutil.disk_usage(folder).free
     return Finding("cache", OK, f"{folder}: {size / 1e6:.1f} MB, {free / 1e9:.1f} GB free")

@@ -32,22 +32,22 @@ LISTED = 12
 def run_explain(words: Sequence[str], *, as_json: bool, jobs: int, use_cache: bool) -> int:
     """Explain the row that `words` name, on the parameters of the file if the last word is one."""
     path = _file(words[-1]) if words else None
-    wanted = " ".join(words[:-1] if path else words)
-    if not path and (found := named(wanted)):
+    name = " ".join(words[:-1] if path else words)
+    if not path and (found := named(name)):
         return _verdicts(found, as_json=as_json)
     if path is not None and is_file_name(path.name):
         case, inputs = find(str(path)), find(str(path)).inputs()
-        row_id = find_row(wanted, row_ids(case, inputs, paper=True), f" of {path}")
+        row_id = find_row(name, row_ids(case, inputs, paper=True), f" of {path}")
     elif path is None:
         if use_cache:
             source_memory.use(cache.default_folder())
-        row_id = find_row(wanted, list(_ids_of_paper(wanted)))
+        row_id = find_row(name, list(_ids_of_paper(name)))
         case = find(row_id.partition("/")[0])
         inputs = case.inputs()
     else:
         _, case, inputs, _ = load(path)
         paper = Job(case, inputs).is_paper
-        row_id = find_row(wanted, row_ids(case, inputs, paper=paper), f" with {path}")
+        row_id = find_row(name, row_ids(case, inputs, paper=paper), f" with {path}")
     (result,) = solve([Job(case, inputs)], Where(jobs), use_cache, quiet=as_json)
     row = next(row for row in result.rows if row.id == row_id)
     print(_json(row) if as_json else row_in_words(row))
@@ -70,12 +70,12 @@ def _file(word: str) -> Path | None:
     return path if named else None
 
 
-def _ids_of_paper(wanted: str) -> Iterator[str]:
-    """The ids of all rows of the suite; of one case where `wanted` begins with its id, or is empty.
+def _ids_of_paper(name: str) -> Iterator[str]:
+    """The ids of all rows of the suite; of one case where `name` begins with its id, or is empty.
 
     The latter is an example for a message.
     """
-    named = wanted.partition("/")[0] if _plain(wanted) else CASES.ids[0]
+    named = name.partition("/")[0] if _plain(name) else CASES.ids[0]
     for case_id in [named] if named in CASES.ids else CASES.ids:
         case = find(case_id)
         ids = partial(row_ids, case, case.inputs(), paper=True)
@@ -98,34 +98,34 @@ def unsolved_rows(case: Case, inputs: Inputs, *, paper: bool) -> list[Row]:
     ]
 
 
-def find_row(wanted: str, ids: Sequence[str], where: str = "") -> str:
-    """The one id that `wanted` names: all of it, its end, a part of it, or words it contains.
+def find_row(name: str, ids: Sequence[str], where: str = "") -> str:
+    """The one id that `name` matches: all of it, its end, a part of it, or words it contains.
 
-    A row stands before the one on its convergence. Names of earlier versions are sought after the
-    present ones. InputError lists what is found if not one.
+    A row precedes its convergence row. Present names are tried before those of earlier versions.
+    InputError lists the matches where there is not exactly one.
     """
-    text = _plain(wanted)
+    text = _plain(name)
     if not text:
         raise InputError(f"explain needs a row, such as {ids[0]!r}")
-    ways: tuple[Callable[[str], bool], ...] = (
+    tests: tuple[Callable[[str], bool], ...] = (
         lambda i: text in (i, i.partition("/")[2]),
         lambda i: text in i,
         lambda i: all(word in i for word in text.split()),
     )
     versions: tuple[Callable[[str], str], ...] = (str, former_name)
-    for version, matches in product(versions, ways):
+    for version, matches in product(versions, tests):
         found = [i for i in ids if matches(_plain(version(i)))]
         main = [i for i in found if not i.endswith(BESIDE)] if BESIDE[2:] not in text else []
         found = main or found
         if len(found) == 1:
             return found[0]
         if found:
-            raise InputError(f"{len(found)} rows match {wanted!r}: {_listed(found)}")
+            raise InputError(f"{len(found)} rows match {name!r}: {_listed(found)}")
     near = get_close_matches(text, map(_plain, ids), n=3, cutoff=0.3)
     meant = [i for i in ids if _plain(i) in near]
     cases = ", ".join(dict.fromkeys(i.partition("/")[0] for i in ids))
-    hint = f"near are: {_listed(meant)}" if meant else f"the cases are {cases}"
-    raise InputError(f"no row{where} matches {wanted!r}; {hint}")
+    hint = f"similar rows: {_listed(meant)}" if meant else f"the cases are {cases}"
+    raise InputError(f"no row{where} matches {name!r};  {hint}")
 
 
 def _plain(name: str) -> str:
@@ -139,7 +139,7 @@ def _listed(ids: Sequence[str]) -> str:
 
 
 def row_in_words(row: Row) -> str:
-    """A row with each step of its judgement, on lines of their own."""
+    """A row and the steps of its judgement, one line each."""
     steps = derive(row).steps
     width = max(len(label) for label, _ in steps)
     head = f"{row.id} ({row.symbol}, {row.kind.value})"

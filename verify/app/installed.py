@@ -17,9 +17,9 @@ def installed(name: str) -> str:
 def mismatches(lock: str) -> list[str]:
     """Packages of a lock that are not installed in its version, each with both versions."""
     return [
-        f"{name} {installed(name) or 'absent'}, lock {wanted}"
-        for name, wanted, marker in PIN.findall(lock)
-        if installed(name) != wanted and (not marker or _applies(marker))
+        f"{name} {installed(name) or 'absent'}, lock {locked}"
+        for name, locked, marker in PIN.findall(lock)
+        if installed(name) != locked and (not marker or _applies(marker))
     ]
 
 

@@ -1,4 +1,4 @@
-"""Write a release: a full run without a red row, of code that is committed."""
+"""Write a release: a full run without a failed row, of committed code."""
 
 import subprocess
 import time
@@ -16,9 +16,9 @@ from verify.jobs.session import solve
 
 
 def release(root: Path, folder: Path | None = None, *, jobs: int = 0) -> Path:
-    """Run all cases and keep their rows under the version of pyproject.toml; the file.
+    """Run all cases and store their rows under the version of pyproject.toml; the file.
 
-    InputError where the version is kept already, something is not committed, or a row is red.
+    InputError where the version is stored already, a file is not committed, or a row failed.
     """
     name = version(root)
     path = path_of(name, folder)

@@ -31,7 +31,7 @@ def make_report(
     results: Sequence[CaseResult], cases: Sequence[Case], seconds: float, name: str = "",
     parts: Parts = NOTHING,
 ) -> Report:  # fmt: skip
-    """A run with the ledgers and its provenance; `name` is that of a user's own parameters.
+    """A run with the ledgers and its provenance; `name` is that of a user's parameter file.
 
     What `parts` has stored is not made again; a case is imported where something of it is made.
     """
@@ -90,7 +90,7 @@ def _crosschecks(results: Sequence[CaseResult], parts: Parts) -> tuple[Crosschec
 def _validity(
     results: Sequence[CaseResult], cases: Sequence[Case], parts: Parts
 ) -> tuple[Validity, ...]:
-    """The cards, which are about the papers' own inputs."""
+    """The cards, which hold for the inputs of the papers."""
     by_name = {result.id: result for result in results}
 
     def of_case(name: str) -> Validity | None:
@@ -122,7 +122,7 @@ def _studies(results: Sequence[CaseResult], parts: Parts) -> tuple[StoredStudy, 
 
 
 def _budgets(results: Sequence[CaseResult], parts: Parts) -> tuple[CaseBudget, ...]:
-    """The error budgets, which are about the papers' own inputs too."""
+    """The error budgets, which hold for the inputs of the papers."""
     by_name = {result.id: result for result in results}
 
     def of_case(name: str) -> CaseBudget | None:
@@ -149,8 +149,8 @@ def _searches(names: Sequence[str]) -> tuple[ReadingsTried, ...]:
 
 
 def _caught() -> Caught:
-    """What is stored of mistakes made on purpose."""
-    from verify.audit.mutation.score import latest  # what judges anew, which `check` does without
+    """The stored results of inserted faults."""
+    from verify.audit.mutation.score import latest  # judges again, which `check` does not need
 
     return latest()
 

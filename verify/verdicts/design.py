@@ -79,8 +79,8 @@ def axis_of(entry: Declared) -> Axis:
 def side(case: str, of: Axis, low: float, high: float) -> Side:
     """A range [SI] of an input, with its dimensionless ends where these are declared."""
     scale = ratio_of(case, of.name)
-    found = Side(name=of.name, symbol=of.symbol, unit=of.unit, low=of.shown(low),
-                 high=of.shown(high))  # fmt: skip
+    found = Side(name=of.name, symbol=of.symbol, unit=of.unit, low=of.in_unit(low),
+                 high=of.in_unit(high))  # fmt: skip
     if scale is None:
         return found
     ends = (float(f"{x / divisor(scale):.3g}") for x in (low, high))

@@ -44,7 +44,7 @@ def studies(results: Sequence[CaseResult]) -> tuple[StoredStudy, ...]:
 
 def _study(result: CaseResult, date: str, plan: Plan, courses: Sequence[Course]) -> StoredStudy:
     shown = [
-        tuple(axis.shown(v) for axis, v in zip(plan.axes, point, strict=True))
+        tuple(axis.in_unit(v) for axis, v in zip(plan.axes, point, strict=True))
         for point in plan.points
     ]
     # a value of an axis may differ from the case's own in the last bit alone
@@ -63,7 +63,7 @@ def _study(result: CaseResult, date: str, plan: Plan, courses: Sequence[Course])
 def _axis(plan: Plan, axis: Axis) -> StudyAxis:
     own = axis.values[0] if axis.nominal is None else axis.nominal
     head = StudyAxis(
-        name=axis.name, symbol=axis.symbol, unit=axis.unit, what=axis.what, own=axis.shown(own),
+        name=axis.name, symbol=axis.symbol, unit=axis.unit, what=axis.what, own=axis.in_unit(own),
         log=axis.spacing == "log", whole=axis.whole, scales=axis.unit in OF_ANY_SIZE,
     )  # fmt: skip
     entry = ratio_of(plan.case.id, axis.name)

@@ -29,7 +29,7 @@ def test_all_stored_points_are_there_with_their_errors(name):
         for formula, course in zip(study.formulas, courses, strict=True):
             known = dict(zip(study.points, zip(formula.error, formula.U, strict=True), strict=True))
             for point, e, U in zip(plan.points, course.error, course.U_error, strict=True):
-                at = tuple(axis.shown(v) for axis, v in zip(plan.axes, point, strict=True))
+                at = tuple(axis.in_unit(v) for axis, v in zip(plan.axes, point, strict=True))
                 np.testing.assert_array_equal(known[at], (e, U))
 
 
@@ -103,7 +103,7 @@ def test_each_point_inside_a_range_keeps_its_limit():
             plan, course = next(s for s in stored if over(s[0]) == found.over)
             inside = np.ones(len(plan.points), bool)
             for k, axis in enumerate(plan.axes):
-                shown = np.array([axis.shown(x) for x in plan.points[:, k]])
+                shown = np.array([axis.in_unit(x) for x in plan.points[:, k]])
                 held = np.zeros(len(shown), bool)
                 for side in (one for one in found.box if one.name == axis.name):
                     assert {side.low, side.high} <= set(shown)

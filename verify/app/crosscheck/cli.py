@@ -14,23 +14,22 @@ def crosscheck(
 ) -> int:
     """Solve the project's meshes and loads by second solvers: calculix, tamaas, ROSS.
 
-    Their results stand beside the project's own in its report. What is kept for this code is shown
-    with its date and not solved again. Solvers that are not installed are left out; 1 where a
-    comparison is farther apart than allowed, 2 where nothing of the cases named can be compared.
+    The report compares their results with those of the project. Stored results of this code are
+    listed with their date and not solved again. Solvers that are not installed are skipped. Exit
+    status 1: a difference exceeds the allowed one; 2: no problem of the named cases was compared.
 
     Parameters
     ----------
     cases
-        Cases whose problems to compare, by default all that have some.
+        Cases to compare, by default all that have a problem for a second solver.
     list
-        Name the comparisons and the solvers that are there.
+        List the comparisons and the installed solvers.
     again
-        Solve again what is kept for this code, which writes its decks, too.
+        Solve the stored problems again, which also writes their decks.
     keep
-        Keep what is found for the report, in verify/measured.
+        Store the results for the report, in verify/measured.
     out
-        Folder for decks and answers of what is solved, by default reports/out/crosscheck of this
-        checkout.
+        Folder for decks and answers, by default reports/out/crosscheck of this checkout.
     """
     from verify.app.crosscheck.command import run_crosscheck, run_list
 

@@ -34,10 +34,10 @@ def run_list(names: Sequence[str]) -> int:
 
 
 def run_crosscheck(names: Sequence[str], *, out: Path | None, again: bool, keep: bool) -> int:
-    """Solve what is not kept for this code; 1 where a comparison is outside what is allowed.
+    """Solve what is not stored for this code; 1 where a difference exceeds the allowed one.
 
-    Decks and answers of what is solved stay in `out`. A solver that is absent changes nothing, but
-    InputError where cases are named and none of their problems could be shown or solved.
+    Decks and answers remain in `out`. A missing solver is no error, but InputError is raised where
+    cases are named and none of their problems is stored or could be solved.
     """
     crosses = chosen(names)
     folder = out or ROOT / "reports" / "out" / "crosscheck"
@@ -93,7 +93,7 @@ def _solved(there: Mapping[str, Solver], folder: Path, cross: Cross) -> store.Fo
 
 
 def compare(cross: Cross, solver: Solver, folder: Path) -> store.Found:
-    """One problem solved at both sides, its deck and answer in a folder of its own.
+    """One problem solved by both solvers, its deck and answer in a separate folder.
 
     RuntimeError where the other solver fails, LookupError where its answer lacks something.
     """
@@ -111,7 +111,7 @@ def compare(cross: Cross, solver: Solver, folder: Path) -> store.Found:
 def _sorted(
     crosses: Sequence[Cross], there: Mapping[str, Solver], *, again: bool
 ) -> tuple[list[tuple[Cross, store.Found]], list[Cross], list[Cross]]:
-    """What is kept for this code, what is to be solved, and what lacks its solver."""
+    """Stored results of this code, problems to solve, and problems whose solver is missing."""
     standing: list[tuple[Cross, store.Found]] = []
     todo: list[Cross] = []
     left: list[Cross] = []
@@ -142,7 +142,7 @@ def _print(lines: Sequence[Crosscheck], standing: Collection[str], broken: Seque
         (line.problem, line.quantity, "" if line.unit == "1" else line.unit, f"{line.ours:.6g}",
          f"{line.theirs:.6g}", f"{line.difference:+.1e}", f"{line.allowed:g}",
          *(f"{s:.2f}" for s in line.seconds),
-         f"{line.state.value}{', kept' if line.problem in standing else ''}")
+         f"{line.state.value}{', stored' if line.problem in standing else ''}")
         for line in lines
     ]  # fmt: skip
     if lines:
@@ -165,7 +165,7 @@ def _counts(
     if standing:
         dates = sorted({found.date for found in standing})
         span = " to ".join(dict.fromkeys((dates[0], dates[-1])))
-        yield f"{len(standing)} of {problems} problems kept from {span} (--again solves them again)"
+        yield f"{len(standing)} of {problems} problems stored on {span} (--again repeats them)"
     if left:
         absent = dict.fromkeys(cross.solver for cross in left)
         yield f"{len(left)} problems not solved, for lack of {' and '.join(absent)}"

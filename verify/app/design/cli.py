@@ -16,25 +16,25 @@ def design(
     out: Path | None = None,
     units: Literal["si", "mm", "inch"] | None = None,
 ) -> int:
-    """Find the accordion springs that do a task, or the crown of a sprag with the least pressure.
+    """Find the accordion springs for a task, or the sprag crown with the lowest pressure.
 
     Parameters
     ----------
     file
-        The task (TOML), see `freewheel init design-spring` and `freewheel init design-sprag`; a
-        file of sprag-clutch does as well.
+        The task (TOML), see `freewheel init design-spring` and `freewheel init design-sprag`, or a
+        parameter file of sprag-clutch.
     choose
-        Of springs, the member of the front to go on with; by default the one nearest to the best
-        of everything that finite elements keep.
+        Springs: number of the selected member of the Pareto front; by default, of those that finite
+        elements accept, the one closest to the ideal point.
     fem
-        Set finite elements beside every member of the front, a half-space beside the crown.
+        Compare every member of the front with finite elements, the crown with a half-space.
     json
         Print JSON instead of text.
     out
-        Folder for the page, all candidates and a parameter file of what is chosen.
+        Folder for the page, all candidates and a parameter file of the selected design.
     units
         Units of the answer: si, mm (mm, N, MPa) or inch; by default those of the file. Files of
-        `--out` and the table of a crown's pressures stay in mm, N and MPa.
+        `--out` and the pressure table of a crown are always in mm, N and MPa.
     """
     from verify.core.inputs import read_parameter_file
 

@@ -1,4 +1,4 @@
-"""The command `design`, apart from reading the command line."""
+"""The command `design`, without reading the command line."""
 
 import json
 import shlex

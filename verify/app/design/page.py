@@ -37,14 +37,14 @@ STEPS = (
     "Beyond the paper: leaves must not touch before U_w, nor the spring sway; the bending stress "
     "inside the loops, the height across and the change of k_1 with the strip's tolerance stay "
     "within limits.",
-    "Of the feasible ones those stay that no other beats in stress, L_0, U_A/U_w and "
-    "|k_1/k_w − 1| at once, k_w = F_w/U_w. Of a longer front 20 are kept: the best of each, the "
-    "one nearest to the best of everything, then always whichever is farthest from those taken, "
-    "every axis scaled to the front.",
+    "The Pareto front holds the feasible candidates that no other one dominates in stress, L_0, "
+    "U_A/U_w and |k_1/k_w − 1|, k_w = F_w/U_w. A longer front is reduced to 20: the best in each "
+    "criterion, the one closest to the ideal point, then repeatedly the one with the largest "
+    "distance from those selected, every axis scaled to the front.",
     "Finite elements judge each member: a curved frame its k_1, within a third of what Eq. 11 "
     "allows; a geometrically exact beam whose leaves may touch Eq. 11 itself, with the "
     "displacement that F_w really causes.",
-    "Chosen is the member nearest to the best of everything that finite elements keep.",
+    "The selected member is, of those that finite elements accept, the closest to the ideal point.",
 )
 
 
@@ -81,9 +81,10 @@ def _tiles(outcome: Outcome) -> Sequence[Tile]:
         Tile(number=f"{len(s.front)}", words="on the front"),
     ]
     if outcome.verified:
-        kept = sum(v.agrees and v.fits for v in outcome.verified)
-        words = f"of {len(s.members)} kept by finite elements"
-        found.append(Tile(number=str(kept), words=words, css="is-pass" if kept else "is-fail"))
+        accepted = sum(v.agrees and v.fits for v in outcome.verified)
+        words = f"of {len(s.members)} accepted by finite elements"
+        css = "is-pass" if accepted else "is-fail"
+        found.append(Tile(number=str(accepted), words=words, css=css))
     return found
 
 
@@ -101,12 +102,12 @@ def _failure(outcome: Outcome) -> Sequence[str]:
 
 def _lead(outcome: Outcome) -> str:
     shape = geometry(outcome.search, outcome.candidate)
-    said = f"Member {(outcome.chosen or 0) + 1} of the front: {shape}."
+    member = f"Member {(outcome.chosen or 0) + 1} of the front: {shape}."
     if not outcome.verified:
-        return f"{said} Not judged by finite elements."
+        return f"{member} Not judged by finite elements."
     v = outcome.verified[outcome.chosen or 0]
     return (
-        f"{said} Finite elements: k_1 = {v.k1 / 1e3:.4g} N/mm, formula {v.deviation:+.2%}; "
+        f"{member} Finite elements: k_1 = {v.k1 / 1e3:.4g} N/mm, formula {v.deviation:+.2%}; "
         f"F_w needs {v.delta * 1e3:.4g} mm, so that (U_w − Δ)/Δ = {v.e_r:+.2%}: {verdict(v)}."
     )
 

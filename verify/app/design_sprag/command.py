@@ -1,4 +1,4 @@
-"""The command `design` for a sprag's crown, apart from reading the command line."""
+"""The command `design` for a sprag's crown, without reading the command line."""
 
 import json
 import shlex

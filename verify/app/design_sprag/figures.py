@@ -47,7 +47,7 @@ def profiles(outcome: Outcome) -> Curves:
 
 def pressures(outcome: Outcome) -> Curves:
     """Pressure along the sprag under the largest torque's force: slices, strips, half-space."""
-    c = [check for check in outcome.checks if check.which == "wanted"][-1]
+    c = [check for check in outcome.checks if check.which == "nominal"][-1]
     l = outcome.task.clutch.l  # noqa: E741
     half = _thinned(c.half.y, DOTS)
     return Curves(
@@ -90,15 +90,15 @@ def plane(outcome: Outcome, i: int, j: int) -> Density:
         z, unit = worst.max(axis=1) / MPa, "p [MPa]"
         least = float(outcome.worst.max()) / MPa
         span = (least, SHADED * least)
-    kept = 3 - i - j
+    third = 3 - i - j
     return Density(
         title=f"{_bare(i)} and {_bare(j)} about the optimal crown", x_label=NAMES[i],
         y_label=NAMES[j], z_label=unit, x=x / UNITS[i], y=y / UNITS[j], z=z.reshape(CELLS, CELLS),
         range=span, point=(float(outcome.crown[i] / UNITS[i]),
                              float(outcome.crown[j] / UNITS[j]), "best"),
-        note=f"By kriging, {_bare(kept)} as in the optimal crown"
+        note=f"By kriging, {_bare(third)} as in the optimal crown"
         + ("" if search.single else ", the worst within the tolerance")
-        + "; what is worse than the colours span has their last.",
+        + "; values beyond the colour scale have its last colour.",
     )  # fmt: skip
 
 
@@ -107,10 +107,10 @@ def _bare(k: int) -> str:
 
 
 def parity(outcome: Outcome) -> Curves:
-    """Kriging against the true model on random crowns that it did not know, over the best."""
+    """Kriging against the true model on random crowns not in its sample, over the best."""
     search, ends = outcome.search, np.array([1.0, SEEN])
-    curves = [Curve(name="alike", x=ends, y=ends, style="dashes", colour=4)]
-    drawn = [(true / outcome.best, said / outcome.best) for true, said in search.parity]
+    curves = [Curve(name="equal", x=ends, y=ends, style="dashes", colour=4)]
+    drawn = [(true / outcome.best, by / outcome.best) for true, by in search.parity]
     groups = (("learnt from", drawn[:-1], 3), ("accepted by", drawn[-1:], 0))
     for name, draws, colour in groups:
         pairs = [np.column_stack([t.ravel(), p.ravel()]) for t, p in draws]
@@ -120,9 +120,9 @@ def parity(outcome: Outcome) -> Curves:
     return Curves(
         title="Kriging against the true model", x_label="p/p_best, true",
         y_label="p/p_best, kriging", curves=tuple(curves), y_bottom=0.98,
-        note="Random crowns that kriging did not know, under every torque, over the best there: "
-        "where it missed, it learnt from them and met others. Crowns whose ends carry lie far "
-        "above, since their end counts three times.",
+        note="Random crowns that are not in kriging's sample, under every torque, over the best "
+        "there. Where kriging was inaccurate they joined its sample and new ones were drawn. "
+        "Edge-loaded crowns lie far above, since the end pressure counts three times.",
     )  # fmt: skip
 
 

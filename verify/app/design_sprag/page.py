@@ -27,22 +27,22 @@ from verify.studies.design_sprag.verified import Check
 
 MPa, mm, um = 1e6, 1e-3, 1e-6
 STEPS = (
-    "A full factorial of 5 × 5 × 5 crowns spans the ranges and what their tolerances reach, K_1 "
-    "and z_m in equal ratios (the paper has equal steps, Eq. 19). Each engages under every torque: "
-    "the equations of motion in time, whose largest normal force counts (Eqs. 11-17).",
-    "Under that force the inner contacts, which always bear more than the outer ones, are pressed "
-    "by strips on a half-space, a third of the contact's half-width wide. An end that carries has "
-    "no largest pressure there, so that its strip counts three times. Slices (Eqs. 2-5) hardly "
-    "know that a sprag ends: their optimal crown lets its ends carry.",
-    "Kriging with a quadratic trend (Eq. 20) learns the square of the pressure, the end, the "
-    "strips beside it and all others each for itself, as the largest of them has kinks. Fresh "
-    "random crowns judge it; where it misses them it learns from them and meets others.",
-    "A search on kriging finds the optimal crown of each torque, then the one that is sought; the "
-    "true model answers there, and kriging learns from it until both agree within 0.5 % twice in a "
-    "row. With tolerances every crown stands for the worst of itself and its corners: the drop "
-    "larger or smaller all along, the crown longer or shorter.",
-    "What is printed of a crown is the true model's answer. A half-space solved in cells judges it "
-    "under the same forces; the ends have to be free there.",
+    "A full factorial of 5 × 5 × 5 crowns covers the ranges and their tolerances, K_1 and z_m in "
+    "equal ratios (the paper has equal steps, Eq. 19). For each crown and torque the equations of "
+    "motion are integrated in time; the largest normal force is used (Eqs. 11-17).",
+    "Under that force the inner contacts, whose pressure always exceeds that of the outer ones, "
+    "are solved by strips on a half-space, a third of the contact's half-width wide. A loaded end "
+    "has no finite pressure there, so that its strip counts three times. Slices (Eqs. 2-5) "
+    "hardly represent the end of a sprag: their optimal crown is edge-loaded.",
+    "Kriging with a quadratic trend (Eq. 20) is fitted to the square of the pressure, separately "
+    "for the end, the strips beside it and all others, because their maximum has kinks. New random "
+    "crowns check it; where it is inaccurate they join the sample and new ones are drawn.",
+    "A search on kriging finds the optimal crown of each torque, then the target crown; the model "
+    "is evaluated there and added to the sample until both agree within 0.5 % twice in a row. With "
+    "tolerances every crown is replaced by the worst of itself and its corners: the drop larger or "
+    "smaller over the whole length, the crown longer or shorter.",
+    "All printed values of a crown are those of the model. A half-space solved in cells judges it "
+    "under the same forces; the ends have to be unloaded there.",
 )  # fmt: skip
 
 
@@ -139,10 +139,10 @@ def _torques(outcome: Outcome) -> Table:
         f"{name} [{unit}]" if unit in ("N m", "N") else f"{name} {unit}".strip()
         for name, unit in zip(names, more, strict=True)
     )
-    way = " ".join(f"{sentence(line)}." for line in remarks(outcome))
+    more_remarks = " ".join(f"{sentence(line)}." for line in remarks(outcome))
     return Table(
         title="Torque by torque", header=heads, rows=tuple(torque_table(outcome)),
-        note=f"Largest pressures at the inner contacts as the clutch engages, in MPa. {way}",
+        note=f"Largest pressures at the inner contacts during engagement, in MPa. {more_remarks}",
     )  # fmt: skip
 
 

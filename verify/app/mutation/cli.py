@@ -17,21 +17,21 @@ def mutants(
     jobs: Jobs = 0,
     only: Groups = (),
 ) -> int:
-    """Move references, break formulas, judging and elements on purpose: count what is noticed.
+    """Insert faults in references, formulas, judging and elements; count those detected.
 
-    Takes the finite elements of an earlier `verify`. Every outcome is kept as it comes, so that a
-    run goes on where one was interrupted; the score of seed 0 enters the report.
+    Takes the finite elements of an earlier `verify`. Every outcome is stored at once, so that an
+    interrupted run continues where it stopped; the score of seed 0 enters the report.
 
     Parameters
     ----------
     all
-        Try every mutant instead of a sample, which takes hours.
+        Test every mutant instead of a sample, which takes hours.
     seed
-        Another sample, whose score is printed and not kept.
+        Seed of another sample, whose score is printed and not stored.
     jobs
-        Processes, 0 for one a core.
+        Processes, 0 for one per core.
     only
-        references, formulas, judging or finite-elements; by default all. May stand several times.
+        references, formulas, judging or finite-elements; by default all. May be repeated.
     """
     from verify.audit.mutation.command import run_mutants
 

@@ -17,26 +17,25 @@ def portable(
     """Compare every row with the same row on emulated machines.
 
     A machine is another core type of OpenBLAS, another number of BLAS threads, numpy or numba
-    for another processor, or inputs perturbed by 1e-13. Each runs with a cache of its own. Lists
-    rows whose status differs and rows whose value moves by more than a tenth of the tolerance
-    or whose tolerance differs; 1
-    where there are any of the first kind, or of the second without a stated reason. A run goes on
-    where one was interrupted.
+    for another processor, or inputs perturbed by 1e-13. Each runs with a separate cache. Lists
+    rows whose status differs, and rows whose value changes by more than a tenth of the tolerance
+    or whose tolerance differs. Exit status 1: there are rows of the first kind, or of the second
+    without a stated reason. An interrupted run continues where it stopped.
 
     Parameters
     ----------
     cases
         Cases to run, all by default; see `freewheel list`.
     only
-        A machine to compare with this one, all by default. May stand several times.
+        A machine to compare with this one, all by default. May be repeated.
     seeds
-        How many times the inputs are perturbed.
+        Number of perturbed input sets.
     list
-        Name the machines and why some cannot be emulated here.
+        List the machines, and why some cannot be emulated here.
     again
-        Remove what earlier runs have found.
+        Remove the results of earlier runs.
     jobs
-        Machines that run side by side, 0 for one per core.
+        Machines emulated in parallel, 0 for one per core.
     out
         Folder for the results, by default reports/out/portable of this checkout.
     """

@@ -15,28 +15,28 @@ def search(
     rounded: bool = False,
     json: bool = False,
 ) -> int:
-    """Find which reading gives a printed number: diameter or radius, half or whole, and so on.
+    """Find the reading that reproduces a printed number: diameter or radius, half or whole, etc.
 
-    Every combination of a few readings is tried, and told is how many would fit by accident. Exit
-    status 0 where one reproduces the number, 1 where none does.
+    Tries every combination of a few readings and reports how many would fit by chance. Exit
+    status 0: a reading reproduces the number; 1: none does.
 
     Parameters
     ----------
     name
-        A published number or erratum with readings of its own (wang2023:k1-theory), a row
-        (CASE/row), or a case with --key and --printed.
+        A published number or erratum with listed readings (wang2023:k1-theory), a row (CASE/row),
+        or a case with --key and --printed.
     key
         Formula value of the case, see `freewheel check --json`.
     printed
-        The number with all digits as it is printed, for they say how exact it is.
+        The number with all its printed digits, which determine its accuracy.
     unit
-        Its unit, by default that in which the case shows the value.
+        Its unit, by default the unit of the value in the case.
     file
         Parameter file of the case; by default the paper's numbers.
     changes
-        Readings at once, 1 to 3; by default 2, or as many as a number's own search has.
+        Readings combined at once, 1 to 3; by default 2, or as declared for the number.
     rounded
-        Take the paper's inputs as rounded to their last printed digit, not as exact.
+        Treat the paper's inputs as rounded to their last printed digit, not as exact.
     json
         Print JSON instead of text.
     """

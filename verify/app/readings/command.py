@@ -1,4 +1,4 @@
-"""The command `search`: which reading gives a printed number."""
+"""The command `search`: the reading that reproduces a printed number."""
 
 import json
 import time
@@ -71,7 +71,7 @@ def _generic(
     rounded: bool,
     show: Show,
 ) -> tuple[Outcome, dict[str, Any]]:
-    """Of a case's formula value, with the readings that its inputs offer by their kind."""
+    """A search on a formula value of a case, with the usual readings of its inputs."""
     case, key, reference = _asked(name, key)
     inputs = case.inputs() if file is None else _of_file(file, case)
     values = case.analytic(inputs)
@@ -81,10 +81,10 @@ def _generic(
         printed, unit = published(reference).printed, unit or published(reference).unit
     if not is_number(printed):
         raise InputError(f"--printed needs a number in its digits such as 12.30, got {printed!r}")
-    shown = next((o.unit for o in case.outputs if o.key == key), unit or "1")
-    unit = unit or shown
-    if units.dimensions(unit) != units.dimensions(shown):
-        raise InputError(f"--unit {unit}: {key} is in {shown}")
+    natural = next((o.unit for o in case.outputs if o.key == key), unit or "1")
+    unit = unit or natural
+    if units.dimensions(unit) != units.dimensions(natural):
+        raise InputError(f"--unit {unit}: {key} is in {natural}")
     factor = units.factor(unit)
     try:
         outcome = search(
@@ -100,20 +100,20 @@ def _generic(
 
 
 def _progress(show: Show, name: str) -> Progress:
-    """What a search tells while it works."""
+    """Displays the progress of a search."""
     start = time.monotonic()
 
-    def told(done: int, total: int) -> None:
+    def show_state(done: int, total: int) -> None:
         left = (time.monotonic() - start) * (total - done) / max(done, 1)
         show(State(done, total, (name,), left, "combinations"))
 
-    return told
+    return show_state
 
 
 def _of_file(file: Path, case: Case) -> Inputs:
     _, other, inputs, _ = load(file)
     if other is not case:
-        raise InputError(f"{file}: is of {other.id}, asked for is {case.id}")
+        raise InputError(f"{file}: belongs to {other.id}, expected {case.id}")
     return inputs
 
 
@@ -126,7 +126,7 @@ def _asked(name: str, key: str) -> tuple[Case, str, str]:
         case = find(case_id)
     except ValueError as error:
         raise InputError(
-            f"{error}; numbers with readings of their own are {_references(name)}"
+            f"{error}; numbers with listed readings are {_references(name)}"
         ) from error
     if not row:
         if not key:
@@ -152,19 +152,19 @@ def _references(name: str) -> str:
 
 
 def _claimed(name: str) -> tuple[Case, str, str]:
-    """The row that sets a formula beside a printed number."""
+    """The row that compares a formula with a printed number."""
     try:
         published(name)
     except KeyError as error:
         raise InputError(
-            f"there is no printed number {name}; numbers with readings of their own are "
+            f"there is no printed number {name}; numbers with listed readings are "
             f"{_references(name)}"
         ) from error
     for case in CASES:
         for check in case.checks:
             if getattr(check, "reference", "") == name and (key := getattr(check, "analytic", "")):
                 return case, key, name
-    why = WITHOUT_FORMULA.get(name, "no row sets a formula beside it")
+    why = WITHOUT_FORMULA.get(name, "no row compares a formula with it")
     raise InputError(f"{name}: nothing to search: {why}")
 
 
@@ -179,7 +179,7 @@ def _record(outcome: Outcome, about: dict[str, Any]) -> dict[str, Any]:
 
 
 def _lines(outcome: Outcome, about: dict[str, Any]) -> list[str]:
-    """What is searched, what the formula gives as it stands, the hits, and how far they go."""
+    """The number, the value of the formula as printed, the hits and their significance."""
     unit = "" if about["unit"] == "1" else f" {about['unit']}"
     plain = outcome.as_it_stands
     gives = "has no value" if plain is None else f"gives {plain.value:.6g}{_off(plain.off)}{unit}"
@@ -187,7 +187,7 @@ def _lines(outcome: Outcome, about: dict[str, Any]) -> list[str]:
     if about["place"]:
         found[0] += f" ({about['place']})"
     if outcome.met:
-        found.append("met as it stands, within the printed digits and the rounding of the inputs")
+        found.append("reproduced as printed, within the rounding of the number and of the inputs")
     table = [("changes", "value", "reading")] + [
         (str(hit.changes), f"{hit.value:.6g}{_off(hit.off)}", " and ".join(hit.readings))
         for hit in outcome.hits[:SHOWN]
@@ -208,11 +208,14 @@ def _off(off: float) -> str:
 
 
 def _weight(outcome: Outcome) -> str:
-    """How much a hit says."""
+    """The significance of a hit."""
     if outcome.best is None:
         return "no other reading is needed" if outcome.met else "none reproduces the number"
     chance = f"expected by chance: {outcome.accidental:.2g} hits with as few changes"
     if outcome.met:
         return f"{chance}; no other reading is needed"
-    said = "calibrated, for it was chosen because it fits"
-    return f"{chance}; {said if outcome.is_evidence else f'not evidence (above {EVIDENCE:g})'}"
+    significance = (
+        "calibrated: chosen because it fits" if outcome.is_evidence
+        else f"not evidence (above {EVIDENCE:g})"
+    )  # fmt: skip
+    return f"{chance}; {significance}"

@@ -1,4 +1,4 @@
-"""The command `sweep`, apart from reading the command line."""
+"""The command `sweep`, without reading the command line."""
 
 import json
 import shlex
@@ -87,7 +87,7 @@ def planned(
     path: Path, *, vary: Sequence[str], star: bool, sample: str, tolerances: Sequence[str],
     only: Sequence[str],
 ) -> Plan:  # fmt: skip
-    """The sweep that a parameter file and the options ask for; InputError."""
+    """The sweep that a parameter file and the options define; InputError."""
     if vary and sample:
         raise InputError("--vary, which makes a grid, and --sample exclude each other")
     if not vary and not sample:

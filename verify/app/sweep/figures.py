@@ -46,7 +46,7 @@ def of_grid(plan: Plan, course: Course, regions: Sequence[Region]) -> Sequence[P
     found: list[Picture] = [
         _map((x, y), error, U, title="Error of the formula",
             note=f"{ERROR} Each cell stands for the point in its middle." + LINES * lined, own=True,
-            box=tuple((r.axis.shown(r.low), r.axis.shown(r.high)) for r in box),
+            box=tuple((r.axis.in_unit(r.low), r.axis.in_unit(r.high)) for r in box),
             unsafe=UNSAFE[safe_side(plan, course)],
         ),
         _values_2d(plan, course),
@@ -126,7 +126,7 @@ def _map(
     axes: Sequence[Axis], error: Array, U: Array, *, title: str, note: str = "",
     box: tuple[tuple[float, float], ...] = (), own: bool = False, unsafe: int | None = None,
 ) -> Measured:  # fmt: skip
-    """A map over two axes; `own` says that all other inputs are as in the file."""
+    """A map over two axes; `own` is true where all other inputs are as in the file."""
     x, y = axes
     return Measured(
         title=title, x=_shown(x), x_label=_label(x), y=_shown(y), y_label=_label(y), error=error,
@@ -235,22 +235,22 @@ def _dots(plan: Plan, course: Course, one: Tolerance, independent: NDArray[np.bo
 
 
 def _nominal(axes: Sequence[Axis]) -> tuple[float, ...] | None:
-    found = [None if a.nominal is None else a.shown(a.nominal) for a in axes]
+    found = [None if a.nominal is None else a.in_unit(a.nominal) for a in axes]
     return None if None in found else tuple(v for v in found if v is not None)
 
 
 def _at_nominal(a: Axis, value: float) -> bool:
-    """Whether a value is the file's own."""
-    return a.nominal is not None and math.isclose(a.shown(a.nominal), a.shown(value))
+    """Whether a value is that of the file."""
+    return a.nominal is not None and math.isclose(a.in_unit(a.nominal), a.in_unit(value))
 
 
 def _reached(a: Axis) -> bool:
-    """Whether the file's own value lies between the ends of the axis."""
+    """Whether the value of the file lies between the ends of the axis."""
     return a.nominal is not None and a.values[0] <= a.nominal <= a.values[-1]
 
 
 def _shown(a: Axis) -> Array:
-    return np.array([a.shown(v) for v in a.values])
+    return np.array([a.in_unit(v) for v in a.values])
 
 
 def _label(a: Axis | Tolerance) -> str:
@@ -258,7 +258,7 @@ def _label(a: Axis | Tolerance) -> str:
 
 
 def _valued(a: Axis, value: float) -> str:
-    return f"{a.shown(value):.4g}{'' if a.unit == '1' else f' {a.unit}'}"
+    return f"{a.in_unit(value):.4g}{'' if a.unit == '1' else f' {a.unit}'}"
 
 
 def _evenly(count: int, most: int) -> Sequence[int]:

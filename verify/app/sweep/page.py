@@ -45,7 +45,7 @@ def page(found: Outcome, command: str) -> SweepPage:
     plan = found.solved.plan
     order = worst(found)
     room = max(1, min(MOST_DRAWN, ROOM // max(len(plan.points), 1)))
-    said = [(c, *_said(plan, c)) for c in order]
+    results = [(c, *_result(plan, c)) for c in order]
     return SweepPage(
         name=plan.name,
         kicker=f"Sweep of {plan.case.id}",
@@ -53,10 +53,10 @@ def page(found: Outcome, command: str) -> SweepPage:
         tiles=_tiles(found),
         problems=list(_problems(found)),
         lead=_lead(plan),
-        overview=overview(plan, said, room),
+        overview=overview(plan, results, room),
         formulas=[
             _formula(plan, course, about, verdict, number=k, drawn=k <= room)
-            for k, (course, about, verdict) in enumerate(said, start=1)
+            for k, (course, about, verdict) in enumerate(results, start=1)
         ],
         points=points(found, order),
         varied=[(v.symbol, v.what, _spread(v)) for v in plan.axes or plan.tolerances],
@@ -67,15 +67,15 @@ def page(found: Outcome, command: str) -> SweepPage:
     )
 
 
-def _said(plan: Plan, course: Course) -> tuple[About, str]:
-    """The regions or indices of a row, and what they amount to."""
+def _result(plan: Plan, course: Course) -> tuple[About, str]:
+    """The regions or indices of a row, and their summary."""
     if plan.base:
         about = indices(plan, course)
         return about, sample_in_words(about)
     found = regions(plan, course)
     verdict = verdict_in_words(plan, course)
-    said = grid_in_words(plan, course, found)
-    return found, f"Verdict over this sweep: {verdict}. {said}" if verdict else said
+    summary = grid_in_words(plan, course, found)
+    return found, f"Verdict over this sweep: {verdict}. {summary}" if verdict else summary
 
 
 def _tiles(found: Outcome) -> Sequence[Tile]:
@@ -83,7 +83,7 @@ def _tiles(found: Outcome) -> Sequence[Tile]:
     tiles = [Tile(number=f"{len(found.problems):,}", words="points"),
              Tile(number=f"{counts[SOLVED]:,}", words="solved")]  # fmt: skip
     if n := counts[REFUSED]:
-        tiles.append(Tile(number=f"{n:,}", words="refused: inputs make no sense", css="is-note"))
+        tiles.append(Tile(number=f"{n:,}", words="rejected: inputs out of range", css="is-note"))
     if n := counts[FAILED]:
         tiles.append(Tile(number=f"{n:,}", words="failed", css="is-fail"))
     return [
@@ -97,10 +97,10 @@ def _tiles(found: Outcome) -> Sequence[Tile]:
 
 def _problems(found: Outcome) -> Iterator[str]:
     """Why points have no answer, the most frequent reason first."""
-    alike: dict[str, list[str]] = {}
+    groups: dict[str, list[str]] = {}
     for reason in filter(None, reasons(found)):  # reasons that differ in numbers are one
-        alike.setdefault(_NUMBER.sub("#", reason), []).append(reason.removeprefix("inputs: "))
-    every = sorted(alike.values(), key=len, reverse=True)
+        groups.setdefault(_NUMBER.sub("#", reason), []).append(reason.removeprefix("inputs: "))
+    every = sorted(groups.values(), key=len, reverse=True)
     for some in every[:MOST_REASONS]:
         such = ", such as" * (len(set(some)) > 1)
         yield f"{len(some):,} point{'s' * (len(some) > 1)}{such}: {some[0]}"
@@ -117,9 +117,9 @@ def _lead(plan: Plan) -> str:
         else "All combinations"
     )
     return (
-        f"{kind}. An error is formula less finite elements, in per cent of the finite elements' "
-        "value or of another that is named below a formula. A point is within a limit where the "
-        "whole error bar is (95 %), undecided where the bar reaches across."
+        f"{kind}. An error is formula minus finite elements, in per cent of the value by finite "
+        "elements or of the reference value stated below a formula. A point is within a limit "
+        "where its whole error bar is (95 %), undecided where the bar crosses the limit."
     )
 
 
@@ -139,7 +139,7 @@ def _formula(
         shown = figures.of_grid(plan, course, about) if some else ()
         more = figures.panels(plan, course) if some else ()
     of = f"the case's reference value “{pair.scale}”" if pair.scale else (
-        f"the value of {pair.by or 'finite elements'} itself"
+        f"the value by {pair.by or 'finite elements'}"
     )  # fmt: skip
     return Formula(
         anchor=f"row-{number}", name=pair.name,
@@ -150,13 +150,15 @@ def _formula(
 
 def _spread(v: Axis | Tolerance) -> str:
     if isinstance(v, Tolerance):
-        return f"{v.shown(v.nominal):.6g} ± {v.shown(v.off):.4g}{unit_after(v.unit)}"
-    ends = f"{v.shown(v.values[0]):.4g} to {v.shown(v.values[-1]):.4g}{unit_after(v.unit)}"
-    own = "" if v.nominal is None else f"; in the file {v.shown(v.nominal):.4g}{unit_after(v.unit)}"
+        return f"{v.in_unit(v.nominal):.6g} ± {v.in_unit(v.off):.4g}{unit_after(v.unit)}"
+    ends = f"{v.in_unit(v.values[0]):.4g} to {v.in_unit(v.values[-1]):.4g}{unit_after(v.unit)}"
+    inside = ""
+    if v.nominal is not None:
+        inside = f"; in the file {v.in_unit(v.nominal):.4g}{unit_after(v.unit)}"
     if v.nominal is not None and not v.values[0] <= v.nominal <= v.values[-1]:
-        own += ", outside"
+        inside += ", outside"
     ratios = " in equal ratios" * (v.spacing == "log")
-    return f"{ends}, {len(v.values)} values{ratios}{own}"
+    return f"{ends}, {len(v.values)} values{ratios}{inside}"
 
 
 def _held(plan: Plan) -> Sequence[tuple[str, str, str]]:
@@ -173,7 +175,7 @@ def _facts(found: Outcome) -> Iterator[tuple[str, str]]:
     levels = ", ".join(str(level) for level in part.levels[:LEVELS])
     yield "finite elements", f"{part.name or 'all of the case'}, levels {levels}"
     yield "error bar", "expanded uncertainty (95 %) of the finite elements, from the three levels"
-    yield "solved now", f"{timing.points:,} points; {timing.known:,} were there already"
+    yield "solved now", f"{timing.points:,} points; {timing.known:,} were stored already"
     if timing.points:
         yield (
             "time",
@@ -191,9 +193,9 @@ def _facts(found: Outcome) -> Iterator[tuple[str, str]]:
 
 def _files(plan: Plan) -> Sequence[tuple[str, str]]:
     table = (
-        ("sensitivity.csv", "how results scatter, and Sobol indices")
+        ("sensitivity.csv", "scatter of the results, and Sobol indices")
         if plan.base
-        else ("validity.csv", "regions within each limit, and what breaks them")
+        else ("validity.csv", "regions within each limit, and the inputs that bound them")
     )
     return [("points.csv", "every point with all values"), table,
             ("sweep.json", "everything, for programs")]  # fmt: skip

@@ -20,10 +20,10 @@ MOST_COLUMNS = 6  # rows whose errors stand in it
 About = Sequence[Region] | Indices
 
 
-def overview(plan: Plan, said: Sequence[tuple[Course, About, str]], room: int) -> Table:
-    """A line a row, the worst first."""
+def overview(plan: Plan, results: Sequence[tuple[Course, About, str]], room: int) -> Table:
+    """One line per row, the largest error first."""
     rows = []
-    for course, about, _ in said:
+    for course, about, _ in results:
         n = largest(course)
         counts = about.within if isinstance(about, Indices) else about
         rows.append((
@@ -31,16 +31,16 @@ def overview(plan: Plan, said: Sequence[tuple[Course, About, str]], room: int) -
             "" if n is None else place(plan, n),
             *(share(one.inside, one.inside + one.outside + one.undecided) for one in counts),
         ))  # fmt: skip
-    note = "The formula that is furthest off first; shares are of the solved points."
-    if len(said) > room:
+    note = "The formula with the largest error first; shares are of the solved points."
+    if len(results) > room:
         note += (
-            f" Pictures are drawn for the first {room} of {len(said)}; all numbers are in "
+            f" Pictures are drawn for the first {room} of {len(results)}; all numbers are in "
             "points.csv."
         )
     heads = tuple(f"within {100 * limit:g} %" for limit in LIMITS)
     return Table(
         title="Formulas", header=("formula", "largest error", "at", *heads), rows=tuple(rows),
-        note=note if len(said) > 1 else "Shares are of the solved points.",
+        note=note if len(results) > 1 else "Shares are of the solved points.",
     )  # fmt: skip
 
 
@@ -50,9 +50,9 @@ def regions_table(plan: Plan, found: Sequence[Region]) -> Table:
             for r in found]  # fmt: skip
     ends = [break_in_words(plan, r) for r in found]
     if not any(ends):
-        return Table(title="Where it may be used", header=header, rows=tuple(rows))
+        return Table(title="Region of validity", header=header, rows=tuple(rows))
     return Table(
-        title="Where it may be used", header=(*header, "what ends it"),
+        title="Region of validity", header=(*header, "bounded by"),
         rows=tuple((*row, end) for row, end in zip(rows, ends, strict=True)),
     )  # fmt: skip
 
@@ -61,15 +61,15 @@ def moments(about: Indices) -> Table:
     rows = []
     for what, scatter, unit in quantities(about):
         values = (scatter.mean, scatter.sd, scatter.low, scatter.median, scatter.high)
-        told = (f"{v / units.factor(unit):.5g}" if np.isfinite(v) else "–" for v in values)
-        rows.append((with_unit(what, unit), *told))
+        cells = (f"{v / units.factor(unit):.5g}" if np.isfinite(v) else "–" for v in values)
+        rows.append((with_unit(what, unit), *cells))
     some = any(one.unsolved for one in about.within)
     lost = "Of the solved points." * some
     if about.dropped:
-        lost += (f" {about.dropped} of {about.dropped + about.rows} base points have no answer, or "
-                 "lack it with an input changed: sensitivity leaves them out.")  # fmt: skip
+        lost += (f" {about.dropped} of {about.dropped + about.rows} base points, or points derived "
+                 "from them, have no answer; the indices are computed without these.")  # fmt: skip
     return Table(
-        title="How it scatters", rows=tuple(rows), note=lost.strip(),
+        title="Scatter", rows=tuple(rows), note=lost.strip(),
         header=("", "mean", "standard deviation", "2.5 %", "50 %", "97.5 %"),
     )  # fmt: skip
 
@@ -84,7 +84,7 @@ def sensitivity(about: Indices) -> Iterator[Table]:
         if scatter.why:
             rows.append((what, "–", scatter.why, "–"))
     yield Table(
-        title="What it scatters through", rows=tuple(rows),
+        title="Sensitivity to the inputs", rows=tuple(rows),
         header=("", "input", "first order, with interval", "total, with interval"),
         note="First order: the share of the variance that the input causes alone; total: with all "
         "its interactions. Intervals are 95 %, by resampling.",
@@ -96,29 +96,30 @@ def _estimate(one: Estimate) -> str:
 
 
 def points(found: Outcome, order: Sequence[Course]) -> Table:
-    """The first points: what was varied, what became of it, and the errors of the worst rows."""
-    plan, shown = found.solved.plan, order[:MOST_COLUMNS]
+    """The first points: varied inputs, state, and the errors of the worst rows."""
+    plan, listed = found.solved.plan, order[:MOST_COLUMNS]
     varied: Sequence[Axis | Tolerance] = plan.axes or plan.tolerances
-    single = shown[0] if len(found.courses) == 1 else None
+    single = listed[0] if len(found.courses) == 1 else None
     heads = [with_unit(v.symbol, v.unit) for v in varied]
     if single:
         heads += [with_unit(x, single.pair.unit) for x in ("formula", single.pair.by or "FE")]
-    heads += ["error" if single else f"error of {c.pair.name}" for c in shown]
+    heads += ["error" if single else f"error of {c.pair.name}" for c in listed]
     rows = []
     why = reasons(found)
     for n, (row, status) in enumerate(zip(plan.points, statuses(found), strict=True)):
         if n == MOST_LINES:
             break
-        cells = [f"{v.shown(x):.6g}" for v, x in zip(varied, row, strict=True)]
+        cells = [f"{v.in_unit(x):.6g}" for v, x in zip(varied, row, strict=True)]
         if single:
             factor = units.factor(single.pair.unit)
             cells += [_number(v[n] / factor) for v in (single.formula, single.fe)]
-        cells += [error_with_bar(c, n) if np.isfinite(c.error[n]) else "–" for c in shown]
+        cells += [error_with_bar(c, n) if np.isfinite(c.error[n]) else "–" for c in listed]
         rows.append((*cells, status + f": {why[n]}" * bool(why[n])))
     many = (
         f"The first {len(rows)} of {len(plan.points):,}. " if len(plan.points) > len(rows) else ""
     )
-    some = f"Errors of the {len(shown)} formulas furthest off. " if len(order) > len(shown) else ""
+    most = len(listed)
+    some = f"Errors of the {most} formulas with the largest errors. " if len(order) > most else ""
     return Table(
         title="Points", header=(*heads, "state"), rows=tuple(rows),
         note=f"{many}{some}All points with all values are in points.csv.",

@@ -1,4 +1,4 @@
-"""What a sweep says of one formula, in a sentence or two."""
+"""The result of a sweep for one formula, in a sentence or two."""
 
 import math
 from collections.abc import Sequence
@@ -16,7 +16,7 @@ from verify.studies.sweep.tables import largest
 
 
 def grid_in_words(plan: Plan, course: Course, found: Sequence[Region]) -> str:
-    """Where the formula may be used, and how wrong it is at most."""
+    """Where the formula may be used, and its largest error."""
     if (n := largest(course)) is None:
         return "Nothing could be compared."
     sentences = []
@@ -28,7 +28,7 @@ def grid_in_words(plan: Plan, course: Course, found: Sequence[Region]) -> str:
             f"Within {limit_named(whole)} at all {whole.inside:,} points {solved}".rstrip()
         )
     part = next((r for r in reversed(tighter) if r.inside), None)
-    if part and not whole:  # the middle limit says most, where it holds anywhere
+    if part and not whole:  # the middle limit is reported, where it holds anywhere
         part = next(r for r in (*found[1:], found[0]) if r.inside)
     if part:
         sentences.append(f"within {limit_named(part)} for {box_in_words(plan, part)}")
@@ -36,10 +36,10 @@ def grid_in_words(plan: Plan, course: Course, found: Sequence[Region]) -> str:
             sentences.append(why)
     elif not whole:
         sentences.append(_nowhere(found[-1]))
-    told = "; ".join(sentences)
+    text = "; ".join(sentences)
     small = all_within(course.error, course.U_error)
     most = f"; {small}" if small else f". The largest error is {_at(plan, course, n)}"
-    return f"{told[0].upper()}{told[1:]}{most}{_side(course)}."
+    return f"{text[0].upper()}{text[1:]}{most}{_side(course)}."
 
 
 def _nowhere(r: Region) -> str:
@@ -64,26 +64,26 @@ def _side(course: Course) -> str:
 
 
 def sample_in_words(about: Indices) -> str:
-    """How far off the formula is over the tolerances, and what that depends on."""
+    """The error of the formula over the tolerances, and the inputs that decide it."""
     error = about.error
     if not error.n:
         return "Nothing could be compared."
     solved = "solved " * any(one.unsolved for one in about.within)
-    told = (
+    text = (
         f"The error is {_moments_of(error)} (mean and standard deviation), from "
         f"{100 * error.low:+.3g} to {100 * error.high:+.3g} % in 95 % of the {solved}points. "
     )
     shares = [f"{share(one.inside, error.n)} within {100 * one.limit:g} %" for one in about.within]
-    told += f"Of the {solved}points {', '.join(shares)}."
+    text += f"Of the {solved}points {', '.join(shares)}."
     if error.why:
-        told += f" No sensitivity indices of the error: {error.why}."
+        text += f" No sensitivity indices of the error: {error.why}."
     else:
         first = error.ranked[0]
-        told += (
+        text += (
             f" The error depends most on {first.tolerance.symbol} (total index "
             f"{first.total.value:.2f}{_noisy(error.noise)})."
         )
-    return f"{told} {small_sample(about)}".rstrip()
+    return f"{text} {small_sample(about)}".rstrip()
 
 
 def small_sample(about: Indices) -> str:
@@ -118,7 +118,7 @@ def place(plan: Plan, n: int) -> str:
 
 
 def _value(v: Axis | Tolerance, x: float) -> str:
-    return f"{v.symbol} = {v.shown(x):.4g}{unit_after(v.unit)}"
+    return f"{v.symbol} = {v.in_unit(x):.4g}{unit_after(v.unit)}"
 
 
 def unit_after(unit: str) -> str:

@@ -265,7 +265,7 @@ def _limits(outcome: Outcome) -> list[str]:
 
 
 def _ends(outcome: Outcome) -> list[str]:
-    loaded = [c for c in outcome.checks if c.end > 0 and c.which == "wanted"]
+    loaded = [c for c in outcome.checks if c.end > 0 and c.which == "nominal"]
     if not loaded:
         return []
     at = ", ".join(f"{c.T:g}" for c in loaded)

@@ -144,7 +144,7 @@ def _carried_out(task: Task, show: progress.Show, use_half_space: bool) -> Outco
         bool(ends_carry(model, now.crowns, now.N_max[:, k], k)[0]) for k in range(len(singles))
     ]
     found = checks(task, model, crown) if use_half_space else ()
-    loaded = [c for c in found if c.end > 0 and c.which == "wanted"]
+    loaded = [c for c in found if c.end > 0 and c.which == "nominal"]
     alone, together = flatness(search, worth, crown, worst)
     return Outcome(
         task=task, search=search, crown=crown, worst=worst, best_crowns=best_crowns, best=best,

@@ -25,7 +25,7 @@ NARROW = CELLS[1][1] + 1  # strips about as narrow as the half-space's cells
 class Check:
     """A crown (3,) under one torque: largest pressures [Pa] by every model, the force N [N].
 
-    `which` is "wanted" or "worst": the wanted crown or the worst within its tolerance. `twice` is
+    `which` is "nominal" or "worst": the nominal crown or the worst within its tolerance. `twice` is
     by twice the slices; `coarse` by the half-space with fewer cells, of which `end` is the last.
     """
 
@@ -78,13 +78,13 @@ class Check:
 
 
 def checks(task: Task, model: Model, crown: Array) -> Sequence[Check]:
-    """The wanted crown (3,) and the worst within its tolerance, under every torque."""
+    """The nominal crown (3,) and the worst within its tolerance, under every torque."""
     every = corners(task, crown[None])[0]
     known = model.answers(every)
     counted = known.largest(task.wishes.contacts)
     found = []
     for k in range(len(task.torques)):
-        found.append(_check(task, model, known, 0, k, "wanted"))
+        found.append(_check(task, model, known, 0, k, "nominal"))
         if worst := int(counted[:, k].argmax()):
             found.append(_check(task, model, known, worst, k, "worst"))
     return found

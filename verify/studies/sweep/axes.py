@@ -40,7 +40,7 @@ class Axis:
     spacing: str = "even"
     whole: bool = False  # whole numbers only
 
-    def shown(self, value: float) -> float:
+    def in_unit(self, value: float) -> float:
         """`value` in the axis's unit, without the digits of a conversion."""
         return float(f"{value / units.factor(self.unit):.12g}")
 
@@ -56,7 +56,7 @@ class Tolerance:
     nominal: float
     off: float
 
-    def shown(self, value: float) -> float:
+    def in_unit(self, value: float) -> float:
         """`value` in the input's unit, without the digits of a conversion."""
         return float(f"{value / units.factor(self.unit):.12g}")
 

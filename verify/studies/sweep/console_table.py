@@ -32,7 +32,7 @@ def table(found: Outcome) -> tuple[list[str], bool]:
         error = "none" if n is None else error_with_bar(course, n)
         values = () if n is None else zip(varied, plan.points[n], strict=True)
         cells = (_percent(share) for _, share in shares)
-        at = ", ".join(f"{one.shown(v):.4g}" for one, v in values)
+        at = ", ".join(f"{one.in_unit(v):.4g}" for one, v in values)
         lines.append(("", error, *cells, at))
     names = [course.pair.name for course in shown]
     # names that can be told apart go before the place, which is with the row then

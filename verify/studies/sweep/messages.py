@@ -62,7 +62,7 @@ def _broken(by: Break) -> str:
     if by.at is None:
         return f"{way} {valued(axis, by.last)}{doubt}"
     low, high = sorted((by.last, by.first))
-    between = f"between {axis.shown(low):.4g} and {valued(axis, high)}"
+    between = f"between {axis.in_unit(low):.4g} and {valued(axis, high)}"
     return f"{way} {valued(axis, by.at)} ({between}){doubt}"
 
 
@@ -108,7 +108,7 @@ def place(varied: Sequence[Axis | Tolerance], values: Iterable[float]) -> str:
 def valued(one: Axis | Tolerance, value: float) -> str:
     """A value [SI] in the input's unit, with it."""
     unit = "" if one.unit == "1" else f" {one.unit}"
-    return f"{one.shown(value):.4g}{unit}"
+    return f"{one.in_unit(value):.4g}{unit}"
 
 
 def ends(axis: Axis, low: float, high: float) -> str:
@@ -116,4 +116,4 @@ def ends(axis: Axis, low: float, high: float) -> str:
     unit = "" if axis.unit == "1" else f" {axis.unit}"
     if low == high:
         return valued(axis, low)
-    return f"{axis.shown(low):.4g}..{axis.shown(high):.4g}{unit}"
+    return f"{axis.in_unit(low):.4g}..{axis.in_unit(high):.4g}{unit}"

@@ -66,11 +66,11 @@ def record(found: Outcome, repeat: str) -> dict[str, Any]:
 def _varied(one: Axis | Tolerance) -> dict[str, Any]:
     about: dict[str, Any] = {
         "name": one.name, "symbol": one.symbol, "unit": one.unit, "what": one.what,
-        "nominal": None if one.nominal is None else one.shown(one.nominal),
+        "nominal": None if one.nominal is None else one.in_unit(one.nominal),
     }  # fmt: skip
     if isinstance(one, Tolerance):
-        return about | {"off": one.shown(one.off)}
-    return about | {"values": [one.shown(v) for v in one.values], "spacing": one.spacing}
+        return about | {"off": one.in_unit(one.off)}
+    return about | {"values": [one.in_unit(v) for v in one.values], "spacing": one.spacing}
 
 
 def _points(found: Outcome) -> dict[str, Any]:
@@ -78,7 +78,7 @@ def _points(found: Outcome) -> dict[str, Any]:
     varied: Sequence[Axis | Tolerance] = plan.axes or plan.tolerances
     return {
         "inputs": {
-            one.name: [one.shown(float(v)) for v in column]
+            one.name: [one.in_unit(float(v)) for v in column]
             for one, column in zip(varied, plan.points.T, strict=True)
         },
         "status": list(statuses(found)),
@@ -116,15 +116,16 @@ def _region(axes: Sequence[Axis], one: Region) -> dict[str, Any]:
     return {name: getattr(one, name) for name in names} | {
         "at_nominal": None if one.at_nominal is None else NAMES[one.at_nominal],
         "base": None if one.base is None else {
-            axis.name: axis.shown(v) for axis, v in zip(axes, one.base, strict=True)
+            axis.name: axis.in_unit(v) for axis, v in zip(axes, one.base, strict=True)
         },
         "box": {
-            r.axis.name: {"low": r.axis.shown(r.low), "high": r.axis.shown(r.high),
+            r.axis.name: {"low": r.axis.in_unit(r.low), "high": r.axis.in_unit(r.high),
                           "whole": r.whole} for r in one.box
         },
         "breaks": None if by is None else {
-            "input": by.axis.name, "last": by.axis.shown(by.last), "first": by.axis.shown(by.first),
-            "at": None if by.at is None else by.axis.shown(by.at), "verdict": NAMES[by.verdict],
+            "input": by.axis.name, "last": by.axis.in_unit(by.last),
+            "first": by.axis.in_unit(by.first),
+            "at": None if by.at is None else by.axis.in_unit(by.at), "verdict": NAMES[by.verdict],
             "why": by.why,
         },
     }  # fmt: skip

@@ -74,7 +74,7 @@ def points_csv(found: Outcome) -> str:
     ]  # fmt: skip
     varied: Sequence[Axis | Tolerance] = plan.axes or plan.tolerances
     lines = (
-        [*(one.shown(v) for one, v in zip(varied, row, strict=True)), status, reason, *values]
+        [*(one.in_unit(v) for one, v in zip(varied, row, strict=True)), status, reason, *values]
         for row, status, reason, *values in zip(
             plan.points, statuses(found), reasons(found), *columns, strict=True
         )
@@ -105,13 +105,13 @@ def _of_region(axes: Sequence[Axis], course: Course, one: Region) -> list[Cell]:
     line += [one.inside, one.outside, one.undecided, one.unsolved, one.held]
     for axis in axes:
         r = ranges.get(axis.name)
-        line += [None, None] if r is None else [axis.shown(r.low), axis.shown(r.high)]
+        line += [None, None] if r is None else [axis.in_unit(r.low), axis.in_unit(r.high)]
     if (by := one.breaks) is None:
         return [*line, *[None] * 7]
-    at = None if by.at is None else by.axis.shown(by.at)
+    at = None if by.at is None else by.axis.in_unit(by.at)
     return [
         *line, by.axis.name, "" if by.axis.unit == "1" else by.axis.unit,
-        by.axis.shown(by.last), by.axis.shown(by.first), NAMES[by.verdict], at, by.why,
+        by.axis.in_unit(by.last), by.axis.in_unit(by.first), NAMES[by.verdict], at, by.why,
     ]  # fmt: skip
 
 

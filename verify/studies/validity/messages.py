@@ -6,7 +6,7 @@ from verify.studies.sweep.plan import Plan
 
 def quantity(axis: Axis, value: float) -> str:
     """A value [SI] of the axis with its unit: "3.2 mm"."""
-    return f"{number(axis.shown(value))}{_unit(axis)}"
+    return f"{number(axis.in_unit(value))}{_unit(axis)}"
 
 
 def number(value: float) -> str:
@@ -31,13 +31,13 @@ def alone(axis: Axis, low: float, high: float) -> str:
 def between(axis: Axis, last: float, first: float) -> str:
     """Two neighbouring values [SI], the smaller one first: "15 and 40 N m"."""
     low, high = sorted((last, first))
-    return f"{number(axis.shown(low))} and {quantity(axis, high)}"
+    return f"{number(axis.in_unit(low))} and {quantity(axis, high)}"
 
 
 def near(axis: Axis, last: float, first: float, at: float) -> str:
     """An interpolated value [SI], two digits of it; nothing where these are no longer between."""
-    low, high = sorted(axis.shown(v) for v in (last, first))
-    about = float(f"{axis.shown(at):.2g}")
+    low, high = sorted(axis.in_unit(v) for v in (last, first))
+    about = float(f"{axis.in_unit(at):.2g}")
     return f" (about {number(about)})" if low < about < high else ""
 
 
@@ -64,7 +64,7 @@ def held(plan: Plan) -> str:
 
 
 def _ends(axis: Axis, low: float, high: float) -> str:
-    return f"{number(axis.shown(low))} to {quantity(axis, high)}"
+    return f"{number(axis.in_unit(low))} to {quantity(axis, high)}"
 
 
 def _unit(axis: Axis) -> str:

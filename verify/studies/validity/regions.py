@@ -36,7 +36,7 @@ def _limit(found: Region, *, star: bool) -> ValidityLimit:
     return ValidityLimit(
         limit=found.limit, inside=found.inside, outside=found.outside, undecided=found.undecided,
         words=box_words(found, star=star),
-        box=tuple((one.axis.name, one.axis.shown(one.low), one.axis.shown(one.high))
+        box=tuple((one.axis.name, one.axis.in_unit(one.low), one.axis.in_unit(one.high))
                   for one in found.box),
     )  # fmt: skip
 
@@ -86,7 +86,7 @@ def _spread(error: np.ndarray[tuple[int], np.dtype[np.float64]]) -> float:
 def _axis(axis: Axis, values: tuple[float, ...]) -> ValidityAxis:
     return ValidityAxis(
         name=axis.name, symbol=axis.symbol, unit=axis.unit,
-        values=tuple(axis.shown(v) for v in values),
-        nominal=None if axis.nominal is None else axis.shown(axis.nominal),
+        values=tuple(axis.in_unit(v) for v in values),
+        nominal=None if axis.nominal is None else axis.in_unit(axis.nominal),
         log=axis.spacing == "log",
     )  # fmt: skip
