@@ -83,7 +83,7 @@ def test_a_case_has_the_largest_error_of_its_own_rows(report):
     foreign = next(r for r in others.rows if r.tolerance and r.scale)
     verdict = replace(
         RIGHT, error=9.0, U=0.1, is_of_part=True, rows=(first.id, foreign.id),
-        model_rows=(second.id,), words="+900 % ± 10 % at the case's own inputs",
+        model_rows=(second.id,), words="+900 % ± 10 % at the default inputs",
     )  # fmt: skip
     (found,) = of_case([verdict], case.id, case.rows)
     assert found.error == first.difference / first.scale

@@ -20,7 +20,7 @@ EXIT_STATUS = {Verdict.HOLDS: 0, Verdict.FAILS: 1, Verdict.CANNOT_SAY: 3}
 
 @dataclass(frozen=True, kw_only=True)
 class Quantity:
-    """A value [SI] with the unit in which it is shown."""
+    """A value [SI] with its display unit."""
 
     key: str
     symbol: str

@@ -13,7 +13,7 @@ from verify.jobs.dynamic import DynamicResult
 
 OF_ROW = ("analytic", "fem", "difference", "scale", "u_num", "u_ref", "u_input", "tolerance")
 SENTENCES = ("reasons", "remarks", "notes", "what", "source", "doubt")  # keys of a record
-Shown = TypeVar("Shown", FormulaValue, InputValue, Assumed)
+Displayed = TypeVar("Displayed", FormulaValue, InputValue, Assumed)
 
 
 def in_units(result: CaseResult, system: System) -> CaseResult:
@@ -75,7 +75,7 @@ def _sentences(value: Any, system: System) -> Any:
     return text_in(value, system) if isinstance(value, str) else record_in_units(value, system)
 
 
-def _number(one: Shown, system: System) -> Shown:
+def _number(one: Displayed, system: System) -> Displayed:
     if isinstance(one.value, str):
         return replace(one, value=text_in(one.value, system))
     if not isinstance(one.value, float):

@@ -1,4 +1,4 @@
-"""The first lines of `check`: verdict, number to design with, margin, what limits it."""
+"""The first lines of `check`: verdict, design value, margin, limiting criterion."""
 
 from collections.abc import Sequence
 
@@ -6,7 +6,7 @@ from verify.answers.answer import Answer, Criterion, Quantity, Verdict
 from verify.core import units
 from verify.core.unit_systems import System, cells_in, text_in, unit_in
 
-WHOLE = (1e4, 1e7)  # shown without decimals and without a power of ten
+WHOLE = (1e4, 1e7)  # printed without decimals and without a power of ten
 LARGE = 1000.0  # a margin beyond it is no information
 
 
@@ -41,8 +41,8 @@ def _state(criterion: Criterion) -> str:
 def number(value: float, unit: str, system: System = "mm") -> str:
     """A value [SI] in its unit, or that of a system, with four digits."""
     unit = unit_in(unit, system)
-    shown = value / units.factor(unit)
-    text = f"{shown:.0f}" if WHOLE[0] <= abs(shown) < WHOLE[1] else f"{shown:.4g}"
+    size = value / units.factor(unit)
+    text = f"{size:.0f}" if WHOLE[0] <= abs(size) < WHOLE[1] else f"{size:.4g}"
     return text if unit == "1" else f"{text} {unit}"
 
 

@@ -11,15 +11,15 @@ from verify.answers.keys import identifier
 from verify.core.case import Case, Values
 from verify.core.inputs import Inputs
 
-NO_PART = "this case maps the error of a formula: it has no part, no load and no limit"
-NO_LIMITS = "this case states no limits, which the part could hold or exceed"
+NO_PART = "this case maps the error of a formula; it has no part, no load and no limit"
+NO_LIMITS = "this case declares no limits for the part"
 
 
 @dataclass(frozen=True)
 class Rule:
     """The output that a case's part is designed with, and the function that collects its criteria.
 
-    The function is named by its module of this package, which is imported for its own cases alone.
+    The function is given as MODULE.NAME in this package; only the cases of a module import it.
     Without one there are no criteria, for the reason `without`.
     """
 

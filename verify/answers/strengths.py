@@ -36,7 +36,7 @@ def is_steel(*moduli: float) -> bool:
 
 
 def contact_pressure(given: float | None, *moduli: float, point: bool = False) -> Strength:
-    """Static contact pressure [Pa] that bodies of these Young's moduli [Pa] bear.
+    """Permissible static contact pressure [Pa] of bodies of these Young's moduli [Pa].
 
     Line contact by default, `point` contact otherwise. Steel is taken as hardened to 58 HRC.
     """
@@ -55,7 +55,7 @@ def yield_strength(given: float | None, *moduli: float, wall: float) -> Strength
 
 
 def strip_strength(given: float | None, E: float) -> Strength:
-    """Bending stress [Pa] that a spring strip of Young's modulus `E` [Pa] bears statically."""
+    """Permissible static bending stress [Pa] of a spring strip of Young's modulus `E` [Pa]."""
     return _chosen(given, STATIC_SHARE * STRIP_TENSILE, STRIP, (E,))
 
 

@@ -15,10 +15,10 @@ from verify.papers.ledger import cited
 
 HEAD = """\
 # Parameters of the freewheel case {called}: {title}.
-# The numbers are {whose}; put in your own, and then
-#   freewheel check my.toml          formulas, with warnings where they leave their range
-#   freewheel check --fem my.toml    and judged by finite elements on these parameters
-# A value keeps its unit; any other unit of the same kind will do.
+# The numbers are {whose}. Replace them by yours, then run
+#   freewheel check my.toml          formulas, with warnings outside their range of validity
+#   freewheel check --fem my.toml    also judged by finite elements for these parameters
+# Every value has a unit; any other unit of the same dimension is accepted.
 
 case = {case}
 name = "my {id}"
@@ -61,14 +61,14 @@ def hand_over(text: str, out: Path | None) -> None:
 def template(case: Case, folder: Path = Path()) -> str:
     """A parameter file of the paper's numbers; `folder` is where it will be.
 
-    Of a case with assumptions the lines that are needed stand first and the others behind a #:
-    with these it builds to the paper's inputs. Of another case it does so as it is.
+    For a case with assumptions the required lines come first and the others follow a #; together
+    they give the paper's inputs. For another case the file itself gives them.
     """
     printed = any(meta(field)["claims"] for field in case.inputs.model_fields.values())
     outside = case.id not in (*CASES.ids, *DEEP.ids)
     whose = f"the defaults of {case.named}" if outside \
         else f"the paper's ({cited(case.paper)}) where it prints them" if printed \
-        else "this project's own"  # fmt: skip
+        else "this project's"  # fmt: skip
     name = os.path.relpath(case.file, folder.resolve()) if case.file else case.id
     head = HEAD.format(id=case.id, called=case.named, title=case.title, whose=whose,
                        case=json.dumps(name, ensure_ascii=False))  # fmt: skip
@@ -90,7 +90,7 @@ def _instead(model: type[Inputs]) -> str:
 
 
 def _tables(model: type[Inputs]) -> str:
-    """Every table: its first entry with all that may be said, the others in short."""
+    """Every table: its first entry with full comments, the others without."""
     found = ""
     for name, field in model.model_fields.items():
         if not is_table(field):

@@ -1,4 +1,4 @@
-"""Lines of a template: an input with its value; beside it what it is, its range and source."""
+"""Lines of a template: an input with its value, description, range and source."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -11,7 +11,7 @@ from verify.core.inputs import REQUIRED, Inputs, bounds_of, choices, is_table, m
 from verify.papers.ledger import published
 
 CHOSEN = "not printed, chosen for this suite"
-OPTIONAL = "# Optional: an omitted line takes the value that it states; these are {whose} numbers"
+OPTIONAL = "# Optional: an omitted line has the value stated here; these are {whose} numbers"
 EXAMPLES = "# Optional too, not among {whose} numbers: examples"
 
 
@@ -23,9 +23,9 @@ def sections(
     also: Sequence[str] = (),
     more: Sequence[tuple[str, str]] = (),
 ) -> str:
-    """The inputs that are needed, then behind a # each what is optional, and examples.
+    """The required inputs, then the optional ones, each after a #, and examples.
 
-    `also` names optional inputs to show among the needed ones; `more` are further optional lines.
+    `also` names optional inputs to list among the required ones; `more` are further optional lines.
     """
     known = {one.name: one for one in assumptions}
     fields = {n: f for n, f in model.model_fields.items() if not is_table(f)}
@@ -36,13 +36,13 @@ def sections(
     optional = [n for n, f in fields.items() if n not in needed and f.default is not None]
     examples = [n for n, f in fields.items() if n not in needed and f.default is None]
 
-    def shown(names: Sequence[str]) -> list[tuple[str, str]]:
+    def hidden(names: Sequence[str]) -> list[tuple[str, str]]:
         return [_hidden(n, fields[n], known) for n in names]
 
     text = aligned([_line(n, fields[n], known) for n in needed])
-    text += f"\n{OPTIONAL.format(whose=whose)}\n{aligned([*shown(optional), *more])}"
+    text += f"\n{OPTIONAL.format(whose=whose)}\n{aligned([*hidden(optional), *more])}"
     if examples:
-        text += f"\n{EXAMPLES.format(whose=whose)}\n{aligned(shown(examples))}"
+        text += f"\n{EXAMPLES.format(whose=whose)}\n{aligned(hidden(examples))}"
     return text
 
 
@@ -67,7 +67,7 @@ def if_left_out(one: Assumption) -> str:
 
 
 def commented(model: type[Inputs], chosen: str = CHOSEN) -> list[tuple[str, str]]:
-    """Every input but tables as its line of TOML, and what is to be said of it."""
+    """Every input except tables as its line of TOML, and its comment."""
     fields = [(n, f) for n, f in model.model_fields.items() if not is_table(f)]
     return [
         (assigned(name, field, field.default), comment(name, field, chosen))

@@ -64,10 +64,10 @@ def _usual(name: str, unit: str) -> Usual | None:
 
 
 def _warning(name: str, value: float, unit: str, usual: Usual) -> str:
-    shown, low, high = (x / units.factor(unit) for x in (value, usual.low, usual.high))
+    value, low, high = (x / units.factor(unit) for x in (value, usual.low, usual.high))
     unit = "" if unit == "1" else f" {unit}"
     return (
-        f"{name} = {shown:.4g}{unit} is outside the usual range {low:.4g} to {high:.4g}{unit} "
+        f"{name} = {value:.4g}{unit} is outside the usual range {low:.4g} to {high:.4g}{unit} "
         f"({usual.of}): check value and unit"
     )
 

@@ -125,7 +125,7 @@ def find_row(name: str, ids: Sequence[str], where: str = "") -> str:
     meant = [i for i in ids if _plain(i) in near]
     cases = ", ".join(dict.fromkeys(i.partition("/")[0] for i in ids))
     hint = f"similar rows: {_listed(meant)}" if meant else f"the cases are {cases}"
-    raise InputError(f"no row{where} matches {name!r};  {hint}")
+    raise InputError(f"no row{where} matches {name!r}; {hint}")
 
 
 def _plain(name: str) -> str:

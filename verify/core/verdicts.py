@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 from enum import StrEnum
 
-# what a sentence says of errors against the formula's own idealisation alone
+# statement on errors that are only against the idealisation of the formula
 SHARED = (
     "compared with a model that makes the same simplifications: the error against the real part is "
     "not known"
@@ -71,10 +71,10 @@ class DesignRange:
 
 @dataclass(frozen=True, kw_only=True)
 class VerdictRange:
-    """Where the error of a formula stays within `limit`, in words, and how many points do.
+    """Where the error of a formula is within `limit`, in words, and at how many points.
 
-    `over` says what was varied in the study of a case, `studied` from which to which value; `box`
-    holds the ranges that keep the limit,
+    `over` states the varied inputs of the study of a case, `studied` their ends; `box` holds the
+    ranges within the limit,
     one at a time where `is_star`, and is empty where no point does. `interpolation` is by how much
     the error at a point differs at most from a straight line between its neighbours, None where no
     point has two.
@@ -98,15 +98,15 @@ class FormulaVerdict:
 
     `source` cites the paper, by its first author and year.
 
-    `error`, `U` belong to the case's own inputs, at `worst_row`, of the largest error; `above` and
+    `error`, `U` belong to the default inputs, at `worst_row`, of the largest error; `above` and
     `below` are the largest errors on both sides over all points, bars included. `within` is the
     accuracy class of ACCURATE and of PART. `is_of_part` tells whether the errors are against the
-    part itself, or against its own idealisation alone; `model` states how well the formula solves
+    part itself, or only against its idealisation; `model` states how well the formula solves
     that where `rows` set it beside the part. `points` counts inputs beside the paper's,
     `unsolved` those without an answer; `own_only` are cases without a study. `misprint` is the
     change from the corrected to the printed value, None where no row has both. `caution`
-    is a failure beside the errors, shown by the row `caution_row`; `readings` states how far the
-    value moves with what the paper leaves open.
+    is a failure beside the errors, demonstrated by `caution_row`; `readings` states the range of
+    the value by the readings that the paper leaves open.
     """
 
     id: str

@@ -1,4 +1,4 @@
-"""Tables that a paper prints, in its own layout. A number in a cell is a value of the same file.
+"""Tables of a paper, in its layout. A number in a cell is a value of the same file.
 
 A cell "=k1-theory" stands for the value of that id, so that no number is typed twice; any other
 cell is plain text.

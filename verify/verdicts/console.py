@@ -24,9 +24,9 @@ class Placed:
 
     @property
     def line(self) -> tuple[str, ...]:
-        """Equation, verdict, what it says and where the inputs lie."""
+        """Equation, verdict, its sentence and where the inputs lie."""
         one = self.verdict
-        return f"{one.source}, {_short(one)}", one.verdict.value, _said(one), self.place.words
+        return f"{one.source}, {_short(one)}", one.verdict.value, _brief(one), self.place.words
 
     def record(self) -> dict[str, str]:
         """The same for other programs."""
@@ -50,7 +50,7 @@ def named(words: str) -> tuple[FormulaVerdict, ...]:
 
 
 def explained(one: FormulaVerdict) -> list[str]:
-    """A verdict with all that it rests on, a line each."""
+    """A verdict with its evidence, one line each."""
     head = f"{one.source}, {one.name}, {one.form}: {one.what}"
     parts = [
         ("verdict", one.verdict.value), ("in words", one.words), ("model", one.model),
@@ -58,7 +58,7 @@ def explained(one: FormulaVerdict) -> list[str]:
         *_ranges(one), *_design(one),
         ("shared", "; ".join(one.shares)), ("against", ", ".join(one.methods)),
         *(("row", row) for row in one.rows),
-        *(("row, own model", row) for row in one.model_rows),
+        *(("row, idealisation", row) for row in one.model_rows),
         ("row of caution", one.caution_row),
         *(("erratum", erratum) for erratum in one.errata),
     ]  # fmt: skip
@@ -67,15 +67,15 @@ def explained(one: FormulaVerdict) -> list[str]:
 
 
 def _ranges(one: FormulaVerdict) -> list[tuple[str, str]]:
-    alike: dict[str, list[str]] = {}
+    equal: dict[str, list[str]] = {}
     for r in one.ranges:
         text = f"{r.case}: {r.words} (of {r.over}){_straight(r)}"
-        alike.setdefault(text, []).append(f"{100 * r.limit:g}")
-    return [(f"within {', '.join(limits)} %", text) for text, limits in alike.items()]
+        equal.setdefault(text, []).append(f"{100 * r.limit:g}")
+    return [(f"within {', '.join(limits)} %", text) for text, limits in equal.items()]
 
 
 def _straight(one: VerdictRange) -> str:
-    """How far errors between points may be off a straight line."""
+    """Largest deviation of errors between points from a straight line."""
     if one.interpolation is None:
         return ""
     return f"; between points the error is within {percent(one.interpolation)} of a straight line"
@@ -106,7 +106,7 @@ def _short(one: FormulaVerdict) -> str:
     return f"{one.name} {one.form}" if one.form is Form.CORRECTED else one.name
 
 
-def _said(one: FormulaVerdict) -> str:
+def _brief(one: FormulaVerdict) -> str:
     return one.words.removeprefix(f"{one.verdict}: ").partition(";")[0]
 
 

@@ -25,7 +25,7 @@ class Formula(Entry):
     `errata` change the number of this form, `notation` lists those that do not. A definition names
     what it `defines`; a formula that cannot be verified names the `missing` datum. `caution` names
     a failure that no error of the formula shows, and the row that does; `readings` are rows whose
-    formulas read what the paper leaves open in other ways.
+    formulas use other readings of what the paper leaves open.
     """
 
     equation: int = Field(default=0, ge=0)

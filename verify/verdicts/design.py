@@ -28,7 +28,7 @@ SAME = 1e-9  # relative: ends of ranges that differ by less are equal
 class Declared(Entry):
     """The ends of a design range, "T=6.5N m,52N m", and its source.
 
-    `per` makes it dimensionless, as `ratio`: powers of the case's own inputs that it is divided by.
+    `per` makes it dimensionless, as `ratio`: powers of the default inputs that it is divided by.
     """
 
     case: str
@@ -72,7 +72,7 @@ def _one(entry: Declared, studies: Sequence[Study]) -> DesignRange:
 
 
 def axis_of(entry: Declared) -> Axis:
-    """The two ends as an axis of the case's own inputs; InputError where there is no such input."""
+    """The two ends as an axis of the default inputs; InputError where there is no such input."""
     return axis(find(entry.case).inputs(), entry.ends)
 
 
@@ -96,6 +96,6 @@ def ratio_of(case: str, name: str) -> Declared | None:
 
 
 def divisor(entry: Declared) -> float:
-    """What the input is divided by, of the case's own inputs [SI]."""
+    """The divisor of the input, from the default inputs of the case [SI]."""
     inputs: Inputs = find(entry.case).inputs()
     return float(prod(getattr(inputs, name) ** power for name, power in entry.per.items()))

@@ -54,7 +54,7 @@ class Evidence:
 
     @property
     def is_studied(self) -> bool:
-        """Whether each case was compared at other inputs than its own, with an answer at all."""
+        """Whether each case was compared at other than its default inputs, all with an answer."""
         studied = {plan.case.id for plan, _ in self.studies if len(plan.points) > 1}
         return not self.unsolved and set(self.cases) <= studied
 
@@ -75,7 +75,7 @@ def point_of(row: Row) -> Point:
 
 
 def require(row_id: str, rows: Mapping[str, Row], *, may_be_note: bool = False) -> Row:
-    """The row of this id; NoEvidenceError unless it passed, or was measured and only shown.
+    """The row of this id; NoEvidenceError unless it passed, or was measured and is SHOWN.
 
     A row that states a contradiction of the paper (NOTE) is enough for a caution.
     """

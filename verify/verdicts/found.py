@@ -68,14 +68,14 @@ def _of(
         _require_shown(paper, formula, [point_of(row) for row in rows], changed)
         return Verdict.WRONG
     if not rows:
-        raise NoEvidenceError("nothing is declared that it could be judged by")
+        raise NoEvidenceError("no row is declared to judge it")
     if not part.rows and all(_is_sharp_identity(row) for row in rows):
         return Verdict.EXACT
     judged_on = part if part.rows else model
     ranges_of = _design(judged_on)
     spans_design = all(one.spanned for one in ranges_of)
     has_ranges = set(judged_on.cases) <= {one.case for one in ranges_of}
-    # a failure that no error shows keeps a formula from being accurate over its range
+    # a failure that errors do not reveal excludes a formula from being accurate over its range
     has_range = judged_on.is_studied and has_ranges and spans_design and not formula.caution
     return judged(judged_on.points, formula.safe, has_range=has_range)
 
@@ -93,7 +93,7 @@ def _require_shown(
         raise NoEvidenceError(f"errata {', '.join(formula.errata)}: the printed form has no error")
     for erratum in errata_of(paper, formula):
         if not points and not erratum.test:
-            raise NoEvidenceError(f"erratum {erratum.id} is shown by no row and no test")
+            raise NoEvidenceError(f"no row and no test demonstrates erratum {erratum.id}")
 
 
 def _described(head: FormulaVerdict, found: Evidence) -> FormulaVerdict:
@@ -125,7 +125,7 @@ def _design(found: Evidence) -> tuple[DesignRange, ...]:
 
 
 def _spread(rows: Sequence[Row]) -> str:
-    """From which to which value the readings of what a paper leaves open lead."""
+    """The range of values by the readings of what a paper leaves open."""
     values = [row.analytic for row in rows if row.analytic is not None]
     if not values:
         return ""
@@ -135,13 +135,13 @@ def _spread(rows: Sequence[Row]) -> str:
 
 
 def _model(found: Evidence) -> str:
-    """How well the formula solves its own idealisation."""
+    """How well the formula solves its idealisation."""
     if not found.rows:
         return ""
     points = [point_of(row) for row in found.rows]
     worst = max(points, key=lambda p: p.size)
     if worst.size < SMALLEST:
-        return "solves its own idealisation to rounding"
+        return "solves its idealisation to rounding error"
     if all(_is_sharp_identity(row) for row in found.rows):
-        return f"solves its own idealisation within {100 * worst.size:.2g} %"
-    return f"differs from its own idealisation by {100 * worst.error:+.2g} ± {100 * worst.U:.2g} %"
+        return f"solves its idealisation within {100 * worst.size:.2g} %"
+    return f"differs from its idealisation by {100 * worst.error:+.2g} ± {100 * worst.U:.2g} %"

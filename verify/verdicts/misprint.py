@@ -1,4 +1,4 @@
-"""By how much a misprint alone changes a value, apart from the error of the formula."""
+"""The change of a value by a misprint alone, without the error of the formula."""
 
 import math
 from collections.abc import Iterable

@@ -32,9 +32,9 @@ def verdict_in_words(plan: Plan, course: Course) -> str:
     known = np.isfinite(course.error + course.U_error)
     if not known.any():
         return ""
-    own = _own(plan)
+    nominal = _nominal(plan)
     points = [
-        Point(float(course.error[k]), float(course.U_error[k]), is_paper=k == own)
+        Point(float(course.error[k]), float(course.U_error[k]), is_paper=k == nominal)
         for k in np.flatnonzero(known)
     ]
     safe = safe_side(plan, course)
@@ -45,13 +45,13 @@ def verdict_in_words(plan: Plan, course: Course) -> str:
     return f"{verdict}: {sides(above(points), below(points))}; {SIDE[safe]}"
 
 
-def _own(plan: Plan) -> int | None:
-    """The row of the inputs' own values; None where no point of the sweep has them."""
-    own = nominal_point(plan)
-    if own is None:
+def _nominal(plan: Plan) -> int | None:
+    """The row with the nominal inputs; None where no point of the sweep has them."""
+    found = nominal_point(plan)
+    if found is None:
         return None
     values = [axis.nominal for axis in plan.axes]
-    at = plan.points[own]
+    at = plan.points[found]
     same = all(v is not None and math.isclose(v, x, rel_tol=SAME)
                for v, x in zip(values, at, strict=True))  # fmt: skip
-    return own if same else None
+    return found if same else None

@@ -15,7 +15,7 @@ WITHOUT_RANGE = (Verdict.DEFINITION, Verdict.UNVERIFIABLE, Verdict.WRONG, Verdic
 
 
 class Where(StrEnum):
-    """Whether a formula was compared at such inputs, and kept a limit there."""
+    """Whether a formula was compared at such inputs, and is within a limit there."""
 
     INSIDE = "inside"
     OUTSIDE = "outside"
@@ -40,9 +40,9 @@ def place(found: FormulaVerdict, case: str, inputs: Inputs) -> Place:
     mine, paper = _values(inputs), _values(type(inputs)())
     changed = [name for name in mine if not _equal(mine[name], paper.get(name))]
     if not changed:
-        return Place(Where.INSIDE, "these are the case's own inputs")
+        return Place(Where.INSIDE, "these are the default inputs of the case")
     ranges = sorted((r for r in found.ranges if r.case == case), key=lambda r: r.limit)
-    symbols = {shown.name: shown.symbol for shown in inputs.display()}
+    symbols = {one.name: one.symbol for one in inputs.display()}
     for limit in dict.fromkeys(r.limit for r in ranges):
         of_limit = [r for r in ranges if r.limit == limit and _compares(r, mine, changed)]
         if of_limit and all(_holds(r, mine, changed) for r in of_limit):
@@ -60,7 +60,7 @@ def place(found: FormulaVerdict, case: str, inputs: Inputs) -> Place:
 
 
 def _values(inputs: Inputs) -> Mapping[str, object]:
-    return {shown.name: shown.value for shown in inputs.display()}
+    return {one.name: one.value for one in inputs.display()}
 
 
 def _equal(one: object, other: object) -> bool:

@@ -8,11 +8,11 @@ from verify.studies.validity.messages import number
 SIDE = {Safe.ABOVE: "a higher value is safe", Safe.BELOW: "a lower value is safe",
         Safe.NEITHER: "neither side is safe"}  # fmt: skip
 VALUES = re.compile(r" \(\d+ values\)")  # how many, which the ranges state
-SMALLEST = 1e-4  # relative: what is shown of an error or of its bar
+SMALLEST = 1e-4  # relative: below it an error or its bar is not printed
 
 
 def sentence(found: FormulaVerdict) -> str:
-    """What an engineer needs first: the accuracy or the error, where, and on which side."""
+    """What an engineer needs first: the accuracy or the error, its range and its side."""
     has_better = found.is_of_part or found.error is None or found.verdict is Verdict.EXACT
     parts = (
         _head(found), "" if has_better else SHARED, found.caution,
@@ -25,7 +25,7 @@ def _head(found: FormulaVerdict) -> str:
     match found.verdict:
         case Verdict.EXACT:
             largest = percent(max(found.above or 0.0, found.below or 0.0))
-            return f"exact in its own idealisation; difference found: {largest}"
+            return f"exact within its idealisation; largest difference: {largest}"
         case Verdict.ACCURATE:
             return f"accurate within {percent(found.within)} over {_studied(found)}{_unsafe(found)}"
         case Verdict.PART:
@@ -35,8 +35,8 @@ def _head(found: FormulaVerdict) -> str:
         case _:
             left = f" ({found.unsolved} points without an answer)" if found.unsolved else ""
             only = left if found.points else ", the only ones compared"
-            said = f"{sides(found.above or 0.0, found.below or 0.0)}; {_error(found)}{only}"
-            return f"{found.verdict.value}: {said}; {SIDE[found.safe]}"
+            errors = f"{sides(found.above or 0.0, found.below or 0.0)}; {_error(found)}{only}"
+            return f"{found.verdict.value}: {errors}; {SIDE[found.safe]}"
 
 
 def _unsafe(found: FormulaVerdict) -> str:
@@ -57,7 +57,7 @@ def _wrong(found: FormulaVerdict) -> str:
     if found.misprint is None or signed(found.misprint) == signed(found.error):
         return f"wrong as printed; {_error(found)}"
     alone = signed(found.misprint)
-    return f"wrong as printed; by the misprint alone {alone}, in all {_error(found)}"
+    return f"wrong as printed; by the misprint alone {alone}, in total {_error(found)}"
 
 
 def signed(value: float) -> str:
@@ -86,9 +86,9 @@ def _studied(found: FormulaVerdict) -> str:
 
 def _error(found: FormulaVerdict) -> str:
     if found.error is None or found.U is None:
-        return "no error is known"
+        return "the error is not known"
     bar = f" ± {percent(found.U)}" if found.U >= SMALLEST else ""
-    return f"{signed(found.error)}{bar} at the case's own inputs"
+    return f"{signed(found.error)}{bar} at the default inputs"
 
 
 def sides(high: float, low: float) -> str:
@@ -100,26 +100,26 @@ def sides(high: float, low: float) -> str:
 def _part(found: FormulaVerdict) -> str:
     if not found.points:
         limit = percent(found.within)
-        return f"accurate within {limit} at the case's own inputs, the only ones compared"
+        return f"accurate within {limit} at the default inputs, the only ones compared"
     if found.within is not None:
         missing = [one.words for one in found.design if not one.spanned]
         parts = (
             f"accurate within {percent(found.within)} over {_studied(found)}",
             f"{found.unsolved} points without an answer" if found.unsolved else "",
             f"not compared over all of {', '.join(missing)}" if missing else "",
-            f"in {', '.join(found.own_only)} at the case's own inputs alone"
+            f"in {', '.join(found.own_only)} only at the default inputs"
             if found.own_only else "",
         )  # fmt: skip
         return "; ".join(filter(None, parts))
-    kept = [one for one in found.ranges if one.limit == found.ranges[-1].limit and one.inside]
-    if not kept:
-        return "accurate at the case's own inputs alone"
-    where = "; ".join(map(_kept, kept))
-    return f"accurate within {percent(kept[0].limit)} for {where}"
+    best = [one for one in found.ranges if one.limit == found.ranges[-1].limit and one.inside]
+    if not best:
+        return "accurate only at the default inputs"
+    where = "; ".join(map(_range, best))
+    return f"accurate within {percent(best[0].limit)} for {where}"
 
 
-def _kept(one: VerdictRange) -> str:
-    """Where one study keeps a limit, its inputs also as dimensionless quantities."""
+def _range(one: VerdictRange) -> str:
+    """The range of one study within a limit, its inputs also as dimensionless quantities."""
     box = ", ".join(map(side_in_words, one.box))
     alone = "" if not one.is_star or len(one.box) < 2 else " (one at a time)"
     return f"{box}{alone} in {one.case}, {one.inside} of {one.points} points"

@@ -55,7 +55,7 @@ def test_a_measured_error_counts_where_its_meshes_converge(row):
     got = verdict(formula(), shown, row("x: convergence", 0.0, kind=Kind.FACT))
     assert got.verdict is Verdict.UNSAFE
     assert got.words.startswith(
-        "unsafe: up to 20 % below; −20 % at the case's own inputs, the only ones compared; a higher"
+        "unsafe: up to 20 % below; −20 % at the default inputs, the only ones compared; a higher"
     )
 
 
@@ -64,7 +64,7 @@ def test_an_identity_alone_is_exact_if_sharp_and_beside_the_part_a_second_statem
     assert verdict(formula(part=(), model=("ring-lame/same",)), same).verdict is Verdict.EXACT
     got = verdict(formula(model=("ring-lame/same",)), same, row("x", 0.3))
     assert got.verdict is Verdict.CONSERVATIVE
-    assert got.model == "solves its own idealisation to rounding"
+    assert got.model == "solves its idealisation to rounding error"
     blunt = row("same", 1e-6, kind=Kind.IDENTITY, detects=0.02)
     got = verdict(formula(part=(), model=("ring-lame/same",)), blunt)
     assert got.verdict is Verdict.PART
@@ -142,7 +142,7 @@ def test_a_misprint_counts_apart_from_the_error_of_the_formula(row):
     got = beside(-0.22, -0.2161)
     assert got.verdict is Verdict.WRONG
     assert got.misprint == pytest.approx(0.78 / 0.7839 - 1)
-    assert got.words.startswith("wrong as printed; by the misprint alone −0.5 %, in all −22 %")
+    assert got.words.startswith("wrong as printed; by the misprint alone −0.5 %, in total −22 %")
     same = beside(-0.22, -0.22)
     assert same.verdict is Verdict.NONE
     assert "the printed form has no error" in same.words
@@ -166,4 +166,4 @@ def test_a_misprint_without_a_row_says_what_is_wrong_and_needs_a_test_of_its_own
     shown = verdict(formula(part=(), limited_by="no growth", **MISPRINT))
     assert (shown.verdict, shown.words) == (Verdict.WRONG, "wrong as printed: no growth")
     untested = formula(part=(), errata=("fig-2-3-captions",), limited_by="x")
-    assert verdict(untested).words == "erratum fig-2-3-captions is shown by no row and no test"
+    assert verdict(untested).words == "no row and no test demonstrates erratum fig-2-3-captions"

@@ -24,7 +24,7 @@ def centres(g: Given) -> float:
 
 
 def rollers(g: Given) -> int:
-    """Rollers on that circle, 2.2 of their diameters apart."""
+    """Rollers on that circle, at a spacing of 2.2 roller diameters."""
     z: int = round(2 * math.pi * centres(g) / (SPACING * 2 * g.r))
     return min(max(z, FEWEST_ROLLERS), MOST_ROLLERS)
 
@@ -42,7 +42,7 @@ def outer_radius(g: Given) -> float:
 
 FREEWHEEL_CLUTCH = (
     Assumption(name="z", value=rollers,
-               source="typical: roller centres 2.2 roller diameters apart on their circle"),
+               source="typical: roller spacing of 2.2 roller diameters on the pitch circle"),
     Assumption(name="X", value=flats, usual=(partial(flats, wedge=WIDE),
                                              partial(flats, wedge=NARROW)),
                source="typical: wedge angle of 7 deg between flat and race (6 to 8 deg): X = "

@@ -74,8 +74,8 @@ def raw_value(model: type[Inputs], one: Assumption, given: Given) -> Any:
     if not isinstance(value, float) or field is None:
         return value
     unit = meta(field)["unit"]
-    shown = float(f"{value / units.factor(unit):.{DIGITS}g}")
-    return shown if unit == "1" else f"{shown!r} {unit}"
+    rounded = float(f"{value / units.factor(unit):.{DIGITS}g}")
+    return rounded if unit == "1" else f"{rounded!r} {unit}"
 
 
 def placeholder(model: type[Inputs], one: Assumption) -> Any:

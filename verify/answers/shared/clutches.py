@@ -16,8 +16,8 @@ from verify.answers.shared.record import (
 OFF = 5e-6  # m, how far flats may lie off their nominal place in the examples below
 
 ENDS = SharedReading(
-    assumption="the rollers are long (plane strain), alike along the axis",
-    part="their ends bear more or less than their middle", quantity="the largest pressure",
+    assumption="the rollers are long (plane strain), uniform along the axis",
+    part="their ends carry more or less than their middle", quantity="the largest pressure",
     source="not quantified here; see the cases contact-roller-flat and contact-roller-end",
 )  # fmt: skip
 HOLD = SharedReading(
@@ -131,7 +131,7 @@ def _wedge(q: Any, _: Values) -> tuple[SharedReading, ...]:
 def _engagement(q: Any, _: Values) -> tuple[SharedReading, ...]:
     rigid = SharedReading(
         assumption="races turn but neither bend nor vibrate, and N follows α as at rest",
-        part="races have bending modes of their own", quantity="the largest normal force N_max",
+        part="races have bending modes", quantity="the largest normal force N_max",
     )  # fmt: skip
     return (_composite(only_at_paper(q, AT_25)), _angle(q), rigid, SPRAGS)
 
@@ -150,7 +150,7 @@ def _clutch(q: Any, v: Values) -> tuple[SharedReading, ...]:
 
 def _crown(q: Any, _: Values) -> tuple[SharedReading, ...]:
     half_space = SharedReading(
-        assumption="contacts are on half-spaces that go on beyond the ends of the sprag",
+        assumption="contacts are on half-spaces that extend beyond the ends of the sprag",
         part="it ends there", quantity="the load near the ends",
         source="not quantified here; +29 % to +35 % for a roller (case contact-roller-end)",
     )  # fmt: skip

@@ -6,13 +6,13 @@ from typing import Any
 from verify.answers.shared.record import Function, SharedReading, Values, only_at_paper, ratio
 
 ENDS = SharedReading(
-    assumption="the roller is alike along the axis (plane strain)",
-    part="its ends bear more or less than its middle", quantity="the largest pressure",
+    assumption="the roller is uniform along the axis (plane strain)",
+    part="its ends carry more or less than its middle", quantity="the largest pressure",
     source="not quantified here; see the cases contact-roller-flat and contact-roller-end",
 )  # fmt: skip
 SMOOTH = SharedReading(
     assumption="surfaces are smooth and free of friction",
-    part="they are rough and rub",
+    part="they are rough, with friction",
     quantity="the largest pressure",
 )
 RIM = SharedReading(
@@ -28,14 +28,14 @@ PARALLEL = SharedReading(
 
 
 def _half_space(effect: float) -> Function:
-    """Half-spaces go on beyond the ends; `effect` was measured by case contact-roller-end."""
+    """Half-spaces extend beyond the ends; `effect` was measured by case contact-roller-end."""
 
     def found(q: Any, _: Values) -> tuple[SharedReading, ...]:
         known = only_at_paper(q, effect)
         source = "case contact-roller-end, finite elements" if known else (
             "not quantified for these inputs; run case contact-roller-end")  # fmt: skip
         ends = SharedReading(
-            assumption="both bodies are half-spaces, which go on beyond the ends",
+            assumption="both bodies are half-spaces, which extend beyond the ends",
             part="the roller ends there", quantity="the load within d of the ends",
             effect=known, source=source,
         )  # fmt: skip
@@ -110,7 +110,7 @@ def _links(_q: Any, _v: Values) -> tuple[SharedReading, ...]:
             quantity="the stiffness K_xx", source="not quantified; stiffnesses are too large",
         ),
         SharedReading(
-            assumption="all sprags are alike", quantity="the stiffness K_xx",
+            assumption="all sprags are identical", quantity="the stiffness K_xx",
             part="tolerances and wear load some more than others",
         ),
     )  # fmt: skip
@@ -118,7 +118,7 @@ def _links(_q: Any, _v: Values) -> tuple[SharedReading, ...]:
 
 UNDAMPED = SharedReading(
     assumption="bearings and supports are linear springs on rigid ground",
-    part="their stiffness depends on load and speed, and the casing yields",
+    part="their stiffness depends on load and speed, and the casing deflects",
     quantity="the critical speeds",
 )
 
@@ -126,7 +126,7 @@ UNDAMPED = SharedReading(
 def _shaft(_q: Any, _v: Values) -> tuple[SharedReading, ...]:
     return (
         SharedReading(
-            assumption="bearings are rigid supports at the ends", part="they yield",
+            assumption="bearings are rigid supports at the ends", part="they deflect",
             quantity="the critical speed Ω_c", source="not quantified; Ω_c is too large",
         ),
     )  # fmt: skip

@@ -11,7 +11,7 @@ Values = Mapping[str, float]
 
 @dataclass(frozen=True, kw_only=True)
 class SharedReading:
-    """What both sides assume of a part, where agreement therefore says nothing about the part.
+    """An assumption of both sides about a part, which their agreement therefore does not verify.
 
     `effect` is the error that this leaves in the `quantity` of both sides: (value of both sides -
     value of the part)/value of the part, so that it adds to a row's difference in the same sense.
@@ -50,8 +50,8 @@ def only_at_paper(inputs: Any, effect: float) -> float | None:
 
 
 def equal_shares(parts: str, quantity: str) -> SharedReading:
-    """All rolling elements of a clutch are alike and carry the same load."""
+    """All rolling elements of a clutch are identical and carry the same load."""
     return SharedReading(
-        assumption=f"all {parts} are alike and carry equal loads",
+        assumption=f"all {parts} are identical and carry equal loads",
         part=f"tolerances and wear load some {parts} more than others", quantity=quantity,
     )  # fmt: skip

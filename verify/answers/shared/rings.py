@@ -6,7 +6,7 @@ from typing import Any
 
 from verify.answers.shared.record import Function, SharedReading, Values, equal_shares, ratio
 
-NARROW = "the ring is so narrow that nothing holds it along the axis (plane stress)"
+NARROW = "the ring is narrow, without axial constraint (plane stress)"
 LONG = "its width puts it between plane stress and plane strain"
 STRAIN = "plane strain, the other limit"
 
@@ -80,7 +80,7 @@ def _rotation(_: Any, v: Values) -> tuple[SharedReading, ...]:
         ),
         SharedReading(
             assumption="the race turns alone", quantity="the bore growth",
-            part="the sprags on its bore add their own centrifugal force",
+            part="the sprags on its bore add a centrifugal force",
         ),
     )  # fmt: skip
 

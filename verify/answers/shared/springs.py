@@ -21,7 +21,7 @@ SMALL = SharedReading(
 
 HEAD = SharedReading(
     assumption="the head is guided without friction",
-    part="its roller rubs in the slot",
+    part="its roller has friction in the slot",
     quantity="the force",
     source="not quantified; the force on loading is too small",
 )
@@ -86,7 +86,7 @@ def _width(_q: Any, _v: Values) -> tuple[SharedReading, ...]:
         SMALL,
         SharedReading(
             assumption="the tail is clamped rigidly over its whole width",
-            part="clamp and roller yield", quantity="k_1",
+            part="clamp and roller deflect", quantity="k_1",
             source="not quantified; k_1 is too large",
         ),
     )  # fmt: skip

@@ -45,7 +45,8 @@ def of_grid(plan: Plan, course: Course, regions: Sequence[Region]) -> Sequence[P
     lined = min(plan.shape) >= LEAST
     found: list[Picture] = [
         _map((x, y), error, U, title="Error of the formula",
-            note=f"{ERROR} Each cell stands for the point in its middle." + LINES * lined, own=True,
+            note=f"{ERROR} Each cell stands for the point in its middle." + LINES * lined,
+            nominal=True,
             box=tuple((r.axis.in_unit(r.low), r.axis.in_unit(r.high)) for r in box),
             unsafe=UNSAFE[safe_side(plan, course)],
         ),
@@ -55,14 +56,14 @@ def of_grid(plan: Plan, course: Course, regions: Sequence[Region]) -> Sequence[P
     if across > MATTERS * len(plan.points):
         found.append(
             _map((x, y), U, np.zeros_like(U), title="Error bar",
-                 note="Half-width of the error bar in %: what finite elements don't know better.",
-                 own=True)
+                note="Half-width of the error bar in %: the uncertainty of the finite elements.",
+                 nominal=True)
         )  # fmt: skip
     return found
 
 
 def panels(plan: Plan, course: Course) -> Sequence[Panels]:
-    """Of more than two axes, cuts through the grid and the worst over the axes that aren't seen."""
+    """Of more than two axes, cuts through the grid, and the worst over the axes not drawn."""
     if plan.star or len(plan.axes) < 3:
         return ()
     shape = plan.shape
@@ -75,7 +76,7 @@ def panels(plan: Plan, course: Course) -> Sequence[Panels]:
         _map(last, error[places[k]], U[places[k]], title=", ".join(
             f"{a.symbol} = {_valued(a, a.values[i])}"
             for a, i in zip(others, places[k], strict=True)
-        ), own=all(_at_nominal(a, a.values[i]) for a, i in zip(others, places[k], strict=True)),
+        ), nominal=all(_at_nominal(a, a.values[i]) for a, i in zip(others, places[k], strict=True)),
         unsafe=unsafe)
         for k in some
     )  # fmt: skip
@@ -124,13 +125,13 @@ def of_sample(plan: Plan, course: Course, found: Indices) -> Sequence[Picture]:
 
 def _map(
     axes: Sequence[Axis], error: Array, U: Array, *, title: str, note: str = "",
-    box: tuple[tuple[float, float], ...] = (), own: bool = False, unsafe: int | None = None,
+    box: tuple[tuple[float, float], ...] = (), nominal: bool = False, unsafe: int | None = None,
 ) -> Measured:  # fmt: skip
-    """A map over two axes; `own` is true where all other inputs are as in the file."""
+    """A map over two axes; `nominal` is true where all other inputs are as in the file."""
     x, y = axes
     return Measured(
         title=title, x=_shown(x), x_label=_label(x), y=_shown(y), y_label=_label(y), error=error,
-        U=U, nominal=_nominal(axes) if own else None,
+        U=U, nominal=_nominal(axes) if nominal else None,
         box=(box[0], box[1]) if len(box) == 2 else None,
         box_name=f"largest region within {100 * MIDDLE:g} %", note=note,
         log=(x.spacing == "log", y.spacing == "log"), unsafe_sign=unsafe,
