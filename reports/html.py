@@ -85,7 +85,7 @@ STYLES = ("palette.css", "report.css", "figures.css")
 NAMED_IN_MENU = 3  # cases, at most, that the menu names one by one
 LONG_LIST = 18  # inputs that stand in two columns where they are more
 WORDS = {
-    Status.FAIL: "outside the tolerance, not sharp or not converged",
+    Status.FAIL: "outside the tolerance, insufficient sensitivity or not converged",
     Status.SKIP: "not run",
     Status.NOTE: "a printed value proved wrong, with its ledger entry, or adopted as it stands",
     Status.CALIBRATED: "fitted: no evidence",

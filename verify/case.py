@@ -1,4 +1,4 @@
-"""A case of one's own: one class that states inputs, formulas, a reference and comparisons.
+"""A user's case: one class with inputs, formulas, a reference and comparisons.
 
     import verify.case as vc
 

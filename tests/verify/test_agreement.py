@@ -77,7 +77,7 @@ def test_a_figure_wider_than_half_of_the_suite_s_demand_asks_for_its_own():
     row = row_of(agreement(2.03, accepted=0.02, **demanded(0.02)))
     assert row.status is Status.PASS
     assert row.detects == pytest.approx(1 - 0.98 / 1.015)
-    assert "not sharp" in row_of(agreement(2.03, accepted=0.02)).reason
+    assert "insufficient sensitivity" in row_of(agreement(2.03, accepted=0.02)).reason
 
 
 @pytest.mark.parametrize("make", [agreement, deviation])
@@ -92,4 +92,4 @@ def test_a_user_s_own_numbers_are_judged_only_where_the_figure_holds_for_any(mak
 def test_the_farthest_of_many_pairs_is_the_one_that_is_judged():
     found = farthest(np.array([[1.0, 2.0], [3.0, 3.9]]), np.array([[1.0, 2.01], [3.0, 4.0]]), 0.01)
     assert (found.value, found.reference, found.U) == (3.9, 4.0, 0.04)
-    assert found.words == "off by -0.025 at most of 4"
+    assert found.words == "largest error -0.025 of 4"

@@ -133,7 +133,7 @@ def test_a_user_s_inputs_are_judged_with_one_per_cent_or_a_coarser_demand():
     assert row.demand == 0.05
     wide = approximation(lambda q, v: (-0.02, 0.02), demand=1e-5)
     row, _ = rows_of(wide, series, analytic=values, is_paper=False)
-    assert row.reason.startswith("not sharp")  # detects 0.02
+    assert row.reason.startswith("insufficient sensitivity")  # detects 0.02
     assert row.demand == 0.01
 
 
@@ -163,7 +163,7 @@ def test_a_series_without_an_order_is_as_uncertain_as_three_times_its_spread(kin
         assert numbers == pytest.approx((5.0, 0.25, 0.03, 2e-5), rel=1e-9)
     row, convergence = judged(demand=0.005)
     assert row.status is convergence.status is Status.FAIL
-    assert row.reason.startswith("not sharp")
+    assert row.reason.startswith("insufficient sensitivity")
 
 
 # Approximation: formula 3 % above the finite elements.

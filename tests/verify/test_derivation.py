@@ -77,7 +77,7 @@ def test_the_index_has_its_numbers_put_in():
     # p = log2(0.09/0.009) = 3.32 against 2 takes the larger factor: 3 0.009/(2^2 - 1) = 0.009 µm
     row, _ = rows_of(identity(), FAR, analytic=VALUES)
     said = dict(steps(row))
-    assert said["F"] == "3: observed and theory are 1.3 apart, beyond 0.5"
+    assert said["F"] == "3: observed and theory differ by 1.3, beyond 0.5"
     # a row without a result has its verdict alone
     skipped, _ = identity().skipped("ring-made-up", "quick")
     row = replace(skipped, status=Status.FAIL, reason="level 2: MemoryError")

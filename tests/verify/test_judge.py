@@ -50,7 +50,7 @@ def test_a_row_that_detects_less_than_demanded_of_its_positive_scale_is_not_shar
     verdict = judge.difference(1.0 - U / 2, 1.0, U=U, scale=2.0, demand=demand)
     assert verdict.detects == 3 * 2.0**-12
     assert verdict.status is status
-    assert verdict.reason.startswith("not sharp") == (status is Status.FAIL)
+    assert verdict.reason.startswith("insufficient sensitivity") == (status is Status.FAIL)
     for scale in (0.0, -1.0, NAN, INF):
         with pytest.raises(ValueError, match="scale"):
             judge.difference(1.0, 1.0, U=0.001, scale=scale)
@@ -120,7 +120,7 @@ def test_a_formula_of_the_other_sign_is_judged_by_its_size_and_zero_is_refused()
 
 def test_a_reference_decides_as_long_as_it_is_more_than_its_uncertainty_with_a_reason():
     for U, status, reason in (
-        (0.75, Status.PASS, ""), (1.0, Status.FAIL, "as uncertain as itself"),
+        (0.75, Status.PASS, ""), (1.0, Status.FAIL, "as large as its value"),
     ):  # fmt: skip
         verdict = judge.approximation(1.0, 1.0, U=U, interval=(-1.0, 1.0), demand=INF)
         assert verdict.status is status
@@ -322,7 +322,9 @@ def test_points_count_by_their_uncertainties():
 )  # fmt: skip
 def test_a_limit_passes_up_to_its_uncertainties_and_is_sharp_relative_to_its_scale(fit, status):
     assert judge.asymptotic(fit, q=2, scale=1.0).status is status
-    assert judge.asymptotic(limit(U0=2.0**-6), q=2, scale=1.0).reason.startswith("not sharp")
+    assert judge.asymptotic(limit(U0=2.0**-6), q=2, scale=1.0).reason.startswith(
+        "insufficient sensitivity"
+    )
     away = limit(d0=-(2.0**-7), U0=2.0**-6)  # (U0 + |d0|)/scale
     assert judge.asymptotic(away, q=2, scale=4.0).detects == 3 * 2.0**-9
 

@@ -106,7 +106,7 @@ class Dynamic:
 class Portion:
     """Some of a case's finite-element values for less time, for sweeps that need no others.
 
-    `fem(inputs, level)` gives the values `keys`, each as the case's own `fem` has them on the same
+    `fem(inputs, level)` gives the values `keys`, equal to those of the case's `fem` on the same
     mesh; `levels` are at least three, coarse to fine.
     """
 
@@ -122,7 +122,7 @@ class Scan:
 
     `vary` holds axes as `freewheel sweep` takes them, "z=3:12:4"; `only` parts of the names of the
     rows that are swept, all where empty. `star` varies one input at a time instead of all together,
-    `at` holds others elsewhere than by default, "e=2mm".
+    `at` sets others to other than default values, "e=2mm".
     """
 
     vary: tuple[str, ...]

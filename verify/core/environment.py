@@ -78,9 +78,9 @@ def install_line(libraries: Collection[str]) -> str:
 
 
 def probe(script: str, seconds: float) -> str:
-    """Run Python code in a process of its own: "" where it ends well, else one line why not."""
+    """Run Python code in a separate process: "" where it succeeds, else the error in one line."""
     try:
-        done = subprocess.run(  # noqa: S603 - our own interpreter and our own script
+        done = subprocess.run(  # noqa: S603 - this interpreter and the project's script
             [sys.executable, "-c", script],
             capture_output=True, text=True, errors="replace", check=False, timeout=seconds,
             stdin=subprocess.DEVNULL,
@@ -98,7 +98,7 @@ def probe(script: str, seconds: float) -> str:
 def missing_for_pictures(seconds: float = RENDER_SECONDS) -> str:
     """What keeps pyvista from drawing off-screen, with the packages to install; "" if nothing.
 
-    It draws in a process of its own, because VTK dies of a missing OpenGL without an exception.
+    It draws in a separate process, because VTK dies of a missing OpenGL without an exception.
     """
     problem = probe(RENDER, seconds)
     if not problem:
@@ -128,7 +128,7 @@ def missing_for_meshes(problem: str) -> str:
 def require_gmsh() -> None:
     """Raise OSError, in one line with the packages to install, where gmsh cannot be imported."""
     try:
-        importlib.import_module("gmsh")  # by name: what asks for libraries needs no gmsh itself
+        importlib.import_module("gmsh")  # by name: a check of the libraries needs no gmsh
     except ModuleNotFoundError:  # the package, not a system library
         raise
     except (ImportError, OSError) as error:

@@ -214,7 +214,7 @@ class Zones:
 
     A zone whose top is that of the one below, or lower, is not there. `curves` are drawn over
     them; `point` is a place and its name. Zones are named where they lie, so that colours, which
-    `figures.css` keeps apart for the colour-blind and in print, need not be told apart.
+    `figures.css` makes distinct for the colour-blind and in print, need not be distinguished.
     """
 
     title: str
@@ -232,7 +232,7 @@ class Zones:
 class Density:
     """A quantity `z` (k, m) over a plane, in colours: columns at `x` (m,), rows at `y` (k,), even.
 
-    `range` is what the colours span, alike in figures that are compared; None: that of z.
+    `range` is the colour scale, the same in figures that are compared; None: that of z.
     `point` is a place and its name.
     """
 
@@ -350,7 +350,7 @@ Figure = (
 
 @dataclass(frozen=True, kw_only=True)
 class Shape:
-    """A line of a sketch: `points` (n, 2) in the case's own length, drawn as `style`.
+    """A line of a sketch: `points` (n, 2) in the unit of the case, drawn as `style`.
 
     Styles: "body" (closed outline, filled), "modelled" (closed: what finite elements take of
     it), "hole" (closed, cut out), "line" (centre line of something thin), "axis", "faint",

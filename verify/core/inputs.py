@@ -7,7 +7,7 @@ A parameter file is TOML:
     r_i = "60 mm"
     nu = 0.3
 
-An input may be a list of tables, [[inputs.supports]], each entry of which is a model of its own.
+An input may be a list of tables, [[inputs.supports]], each entry of which is a separate model.
 """
 
 import math
@@ -27,7 +27,7 @@ from verify.core.figures import InputValue
 MAX_BYTES = 1_000_000
 LARGEST_INTEGER = 10**15
 LONGEST_NAME = 120
-LONGEST_RULE = 400  # of what a case says of its own inputs
+LONGEST_RULE = 400  # of a case's message on its inputs
 MOST_ENTRIES = 1000  # of a table
 TOP_LEVEL = ("case", "name", "inputs")
 
@@ -37,7 +37,7 @@ class InputError(ValueError):
 
 
 class EntryError(ValueError):
-    """A rule that a model's own validator finds broken in one entry of a table.
+    """A rule that the validator of a model finds violated in one entry of a table.
 
     `entry` counts from 1; `key` is the input there, empty where the rule is of the whole entry.
     """
@@ -56,7 +56,7 @@ class Inputs(BaseModel):
     instead: ClassVar[tuple[str, Mapping[str, str]]] = ("", {})
 
     def display(self) -> tuple[InputValue, ...]:
-        """Every input in its own unit, in the order of the model; an entry of a table is a line."""
+        """Every input in its unit, in the order of the model; an entry of a table is a line."""
         found: list[InputValue] = []
         for name, field in type(self).model_fields.items():
             value, about = getattr(self, name), meta(field)
@@ -336,8 +336,8 @@ def broken_rule(model: type[Inputs], wrong: ValidationError, place: str) -> str:
     unit = meta(model.model_fields[name])["unit"]
     for rule, bound in (error.get("ctx") or {}).items():
         if rule in BOUNDS:
-            given, shown = _with_unit(error["input"], unit), _with_unit(bound, unit)
-            return f"{place}.{name} = {given}: must be {BOUNDS[rule]} {shown}"
+            given, limit = _with_unit(error["input"], unit), _with_unit(bound, unit)
+            return f"{place}.{name} = {given}: must be {BOUNDS[rule]} {limit}"
     return f"{place}.{name} = {_with_unit(error['input'], unit)}: {_one_line(message)}"
 
 

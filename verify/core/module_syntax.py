@@ -69,7 +69,7 @@ def imports(module: str) -> tuple[Imported, ...]:
 
 @cache
 def names(module: str) -> frozenset[str]:
-    """The names that a module's code reads or binds, apart from its imports."""
+    """The names that a module's code reads or binds, except its imports."""
     return frozenset(n.id for n in nodes(module) if isinstance(n, ast.Name))
 
 

@@ -1,7 +1,7 @@
 """Code as text that words, layout and places do not change.
 
-Docstrings, comments, layout, messages of exceptions, descriptions of inputs and imports of the
-project's own modules do not count.
+Docstrings, comments, layout, messages of exceptions, descriptions of inputs and imports of
+project modules do not count.
 """
 
 import ast

@@ -61,7 +61,7 @@ def line(state: State) -> str:
 
 
 def names(running: Sequence[str]) -> str:
-    """The levels under way, two at most."""
+    """The running levels, two at most."""
     more = f" and {len(running) - MOST_NAMES} more" if len(running) > MOST_NAMES else ""
     return ", ".join(running[:MOST_NAMES]) + more
 

@@ -1,6 +1,6 @@
 """What a formula is compared with: finite elements, or another method by its name.
 
-A case states the method of its reference; a row whose `partner` is set names its own.
+A case states the method of its reference; a row whose `partner` is set names another.
 """
 
 from dataclasses import dataclass

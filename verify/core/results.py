@@ -189,7 +189,7 @@ class CaseResult:
 
 @dataclass(frozen=True, kw_only=True)
 class PaperClaim:
-    """A judged row that claims a printed number, in the number's own unit; `u` is the FE's."""
+    """A judged row that claims a printed number, in the unit of the number; `u` is the FE's."""
 
     row: str
     status: Status
@@ -200,7 +200,7 @@ class PaperClaim:
 
 @dataclass(frozen=True, kw_only=True)
 class PaperCell:
-    """A cell of a printed table; for a number its `value` ("paper:id") and what is said of it.
+    """A cell of a printed table; for a number its `value` ("paper:id") and its use.
 
     `inputs` are the case inputs that repeat it, `rows` the judged rows that claim it, `errata` ids
     of the same paper's errata about it.
@@ -277,7 +277,7 @@ class ValidityRegion:
 
 @dataclass(frozen=True, kw_only=True)
 class ValidityCard:
-    """Where one formula may be used; `error`, `U` are those of its row at the case's own inputs.
+    """Where one formula may be used; `error`, `U` are those of its row at the default inputs.
 
     `tex` is the formula where the case shows it, `place` where it stands in the paper.
     """
@@ -294,7 +294,7 @@ class ValidityCard:
 
 @dataclass(frozen=True, kw_only=True)
 class ValidityExact:
-    """A formula and finite elements that solve the same problem: how far apart they were at most.
+    """A formula and finite elements that solve the same problem: their largest difference.
 
     `U` is the error bar of that point; both are relative. None where no point was solved.
     """
@@ -365,7 +365,7 @@ class StudiedFormula:
     """A formula at the points of a study: relative errors with bars, NaN where `problems` says why.
 
     `by` names the reference, `of` the magnitude that errors are related to, empty for the reference
-    itself. `is_positive` tells whether the reference is above zero at the case's own inputs.
+    itself. `is_positive` states whether the reference is above zero at the default inputs.
     """
 
     quantity: str
@@ -383,8 +383,8 @@ class StudiedFormula:
 class StoredStudy:
     """A stored study: `points` of values in the units of the axes, and formulas compared there.
 
-    A star varies one input at a time, from the case's own values in its first point; a grid all
-    combinations. `held` says which other inputs are not the case's own.
+    A star varies one input at a time, from the default values in its first point; a grid all
+    combinations. `held` names the other inputs that do not have default values.
     """
 
     case: str
@@ -401,7 +401,7 @@ class CrossState(StrEnum):
     """How a comparison with a second solver came out."""
 
     AGREES = "agrees"
-    OUTSIDE = "outside"  # farther apart than allowed
+    OUTSIDE = "outside"  # the difference exceeds the allowed one
     MISSING = "not measured"
     ALONE = "no second solver"
 
@@ -466,7 +466,7 @@ class Drift:
     tightened: int
     changes: tuple[Change, ...] = ()
     tighter: tuple[Change, ...] = ()
-    unused: tuple[str, ...] = ()  # reasons stated since the release that nothing asks for
+    unused: tuple[str, ...] = ()  # reasons stated since the release that no change needs
 
     @property
     def unexplained(self) -> tuple[Change, ...]:
@@ -529,9 +529,9 @@ class BudgetJoint:
 class RowBudget:
     """Of what the difference (formula - FE)/scale of a row is made, all relative.
 
-    `remainder` is what the parts leave of `total`, with the half-width `u`; `U` is the row's own
-    tolerance. `within` says of an identity whether the remainder is explained by both. `headline`
-    rows are drawn. `apart` says whether reruns leave little of what is large; where not, `why`.
+    `remainder` is what the parts leave of `total`, with the half-width `u`; `U` is the tolerance
+    of the row. `within` states of an identity whether both explain the remainder. `headline` rows
+    are drawn. `apart` states whether reruns explain a large difference; where not, `why`.
     """
 
     quantity: str
@@ -568,7 +568,7 @@ class CaseBudget:
 class MutantGroup:
     """What was tried of one group: `rows` and `tests` caught some, `apart` crashed or ran on.
 
-    `all` is how many there are; those apart are not among those `tried`.
+    `all` is how many there are; `tried` excludes those of `apart`.
     """
 
     name: str
@@ -600,9 +600,9 @@ class Survivor:
 
 @dataclass(frozen=True, kw_only=True)
 class Caught:
-    """What the suite catches of mistakes made on purpose; without a measurement `missing` says why.
+    """The inserted faults that the suite detects; without a measurement `missing` states why.
 
-    `references` holds shares of rows that turn red where their references are changed; `stale`
+    `references` holds shares of rows that fail where their references are changed; `stale`
     names the groups that were not measured for this code.
     """
 
@@ -640,7 +640,7 @@ class Report:
 
     @property
     def has_ledgers(self) -> bool:
-        """Whether it tells of the papers: not of one's own parameters or of one's own cases."""
+        """Whether it reports on the papers: not on a user's parameters or cases."""
         return not self.name and any(paper["title"] for paper in self.papers)
 
     @property

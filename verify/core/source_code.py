@@ -1,7 +1,7 @@
 """Which code a function depends on, and a hash of it that words, names and places do not change.
 
 Code is compared as a syntax tree without docstrings, comments, layout, messages of exceptions,
-descriptions of inputs and imports of the project's own modules. A name that such an import binds
+descriptions of inputs and imports of project modules. A name that such an import binds
 stands for the code of its module, so that a module can be moved or renamed, and two modules
 cannot be swapped unnoticed.
 """
@@ -62,7 +62,7 @@ def whole_parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
 def parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
     """Code of a `fem` function and of the names of its module it uses, and modules it reaches.
 
-    Where it reaches COMPILED, its results are the formulas' own and all formulas count.
+    Where it reaches COMPILED, its results are those of formulas, and all formulas count.
     """
     used, start = _used(function, whole=False)
     reached = _reached(start, whole=False)
@@ -119,7 +119,7 @@ def _used(function: Any, *, whole: bool) -> tuple[dict[str, str], set[str]]:
 def _used_in_class(function: Any, *, whole: bool) -> tuple[dict[str, str], set[str]]:
     """The same of a function that names its parts, and of the members that its modules read.
 
-    A reference in a file of its own reads sizes off the case: attributes of the case's modules.
+    A reference in a separate file reads sizes off the case: attributes of the case's modules.
     """
     read: frozenset[str] = frozenset()
     while True:
@@ -191,7 +191,7 @@ def _part(
 
 @cache
 def _borrowed(module: str, *, formulas: bool) -> dict[str, frozenset[str]]:
-    """Names that a module's own imports bind, with the modules that stand behind each."""
+    """Names that the imports of a module bind, with the modules that stand behind each."""
     found: dict[str, set[str]] = {}
     for one in syntax.imports(module):
         for alias in one.node.names if one.at_top else ():
@@ -331,15 +331,15 @@ def _bound(module: str, *, whole: bool, group: frozenset[str] = frozenset()) -> 
     found = {}
     others = not whole and not _is_of_both(module)
     for one, name, full in syntax.aliases(module):
-        source, _, own = full.rpartition(".")
+        source, _, local = full.rpartition(".")
         if others and one.at_top and _is_formula(full):
-            found[name] = f"formula {own}"
+            found[name] = f"formula {local}"
         elif _counts(full) or full in group:
             found[name] = _shallow(full)
         elif _counts(source) or source in group:
-            found[name] = f"{_shallow(source)}.{own}"
+            found[name] = f"{_shallow(source)}.{local}"
         elif not is_module(full):
-            found[name] = own
+            found[name] = local
     return found
 
 

@@ -80,8 +80,8 @@ def remembered(name: str, function: Any, make: Callable[[], T], modules: Collect
     module = str(getattr(function, "__module__", ""))
     if not _used or not _is_of_project(module):
         return make()
-    own = getattr(function, "__qualname__", None) or function.__name__
-    return _used[0].remembered(f"{name} {module} {own}", modules or (module,), make)
+    full = getattr(function, "__qualname__", None) or function.__name__
+    return _used[0].remembered(f"{name} {module} {full}", modules or (module,), make)
 
 
 def _is_of_project(module: str) -> bool:

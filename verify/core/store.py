@@ -32,7 +32,7 @@ FORMAT = 1
 TABLES = (
     "CREATE TABLE IF NOT EXISTS entries (kind TEXT NOT NULL, key TEXT NOT NULL, subject TEXT NOT "
     "NULL, made REAL NOT NULL, content BLOB NOT NULL, PRIMARY KEY (kind, key))",
-    # apart from the contents: SQLite writes a whole row, however large, to change a number of it
+    # separate from the contents: SQLite writes a whole row, however large, to change a number of it
     "CREATE TABLE IF NOT EXISTS readings (kind TEXT NOT NULL, key TEXT NOT NULL, used REAL NOT "
     "NULL, PRIMARY KEY (kind, key))",
 )

@@ -24,7 +24,7 @@ FORBIDDEN = "FREEWHEEL_NO_APT"  # set: nothing is installed, the line to run is 
 LOCK_SECONDS = 120  # another apt-get or dpkg may take so long
 APT = ("apt-get", "-q", "-o", f"DPkg::Lock::Timeout={LOCK_SECONDS}", "-o", "Acquire::Retries=1")
 INSTALL = (*APT, "install", "-y", "--no-install-recommends")
-REPAIR = "dpkg --configure -a"  # what apt-get asks for after an interrupted installation
+REPAIR = "dpkg --configure -a"  # what apt-get requires after an interrupted installation
 
 
 @dataclass(frozen=True)
@@ -112,7 +112,7 @@ def _update() -> str:
 def _run(words: Sequence[str]) -> tuple[int, str]:
     """Exit status and output of a command that asks nothing; its end is waited for on Ctrl-C."""
     quiet = {**os.environ, "DEBIAN_FRONTEND": "noninteractive", "LC_ALL": "C"}
-    with subprocess.Popen(  # noqa: S603 - our own words
+    with subprocess.Popen(  # noqa: S603 - the project's command
         words, env=quiet, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT, text=True, errors="replace",
     ) as process:  # fmt: skip

@@ -1,7 +1,7 @@
 """Units at the edge: strings such as "11.6 mm" to SI floats and back.
 
 The registry holds only the units in use, so that it builds in milliseconds. Angles are a
-dimension of their own here: a plain number is no angle.
+separate dimension here: a plain number is no angle.
 """
 
 import math
@@ -143,7 +143,7 @@ def parse(text: str, unit: str) -> float:
     """
     if unit not in DIMENSIONS:
         dimensions(unit)  # a unit that is none
-    wanted = DIMENSIONS.get(unit, f"a quantity in {unit}")
+    needed = DIMENSIONS.get(unit, f"a quantity in {unit}")
     example = "" if unit == "1" else f', such as "1.5 {unit}"'
     match = _TEXT.fullmatch(text)
     if match is None and _COMMA.match(text):
@@ -151,21 +151,21 @@ def parse(text: str, unit: str) -> float:
     if match is None and _NOT_FINITE.match(text):
         raise ValueError(f'"{_short(text)}" is not finite')
     if match is None:
-        raise ValueError(f'"{_short(text)}" is not {wanted}{example}')
+        raise ValueError(f'"{_short(text)}" is not {needed}{example}')
     number, given = float(match["number"]), (match["unit"] or match["reciprocal"] or "1").strip()
     if not math.isfinite(number):
         raise ValueError(f'"{_short(text)}" is not finite')
     if given == "1" and unit != "1":
-        raise ValueError(f'"{_short(text)}" has no unit: needs {wanted}{example}')
+        raise ValueError(f'"{_short(text)}" has no unit: needs {needed}{example}')
     try:
         fits = dimensions(given) == dimensions(unit)
     except ValueError as error:
-        taken = f": {wanted} takes {TAKEN[unit]}, with spaces, * or / between units" \
+        taken = f": {needed} takes {TAKEN[unit]}, with spaces, * or / between units" \
             if unit in TAKEN else ""  # fmt: skip
         raise ValueError(f"{error}{taken}") from error
     if not fits:
         force = '; "lb" is a mass, a force is "lbf"' if _POUND.search(given) else ""
-        raise ValueError(f'"{_short(text)}" is not {wanted}{example}{force}')
+        raise ValueError(f'"{_short(text)}" is not {needed}{example}{force}')
     value = number * factor(given)
     if not math.isfinite(value):
         raise ValueError(f'"{_short(text)}" is not finite')

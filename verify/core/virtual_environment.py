@@ -117,7 +117,7 @@ def run(words: list[str], log: Path, **environ: str) -> None:
     the lock of `alone` too: where this process is killed alone, the next set-up waits for its end.
     """
     with log.open("w", encoding="utf-8") as output:
-        done = subprocess.run(  # noqa: S603 - our own words
+        done = subprocess.run(  # noqa: S603 - the project's command
             words, stdout=output, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, check=False,
             env={**os.environ, **environ}, close_fds=False, preexec_fn=ignore_interrupts,
         )  # fmt: skip

@@ -59,7 +59,7 @@ def adapted(form: type[Case], *, time_limit: float | None = None) -> core.Case:
 def _default(form: type[Case], time_limit: float | None) -> Case:
     """The default inputs with their comparisons; CaseError for a rule that they break.
 
-    The dimensions of the suite's own equations are a matter of its tests.
+    Tests check the dimensions of the equations of the suite.
     """
     check_names(form)
     case = _valid(form)
@@ -199,9 +199,10 @@ def _stated(one: Comparison) -> dict[str, str]:
 
 
 def _of_inputs(name: str, function: str, own: bool) -> Callable[..., Any]:
-    """A function of the check of that name; an expected error of one's `own` case must stand alone.
+    """A function of the check of that name.
 
-    That of the suite's cases is a matter of tests.
+    In a user's (`own`) case an expected error must be independent of the reference; tests check
+    that of the suite's cases.
     """
 
     def call(first: Any, *rest: Any) -> Any:

@@ -35,9 +35,9 @@ class Expected(NamedTuple):
 
 
 class Computed(NamedTuple):
-    """An expected error that takes long to compute: `interval` is asked where the row is judged.
+    """An expected error that takes long to compute: `interval` is called where the row is judged.
 
-    It gives low and high, or None where they are too far apart to judge by.
+    It gives low and high, or None where the interval is too wide to judge by.
     """
 
     interval: Callable[[], tuple[float, float] | None]
@@ -142,7 +142,7 @@ def identity(
 
     `reference` names the reference's number, by default as the quantity. `scale` is the natural
     magnitude where the quantity may vanish: another quantity, or a number [SI] by its name.
-    `uncertainty` is the formula's own, of a series that is cut off, over the scale.
+    `uncertainty` is that of a formula with a truncated series, over the scale.
     """
     numbers = dict(scale) if isinstance(scale, Mapping) else {}
     more = {"scale": scale.name if isinstance(scale, Quantity) else next(iter(numbers), "")}

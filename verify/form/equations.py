@@ -44,7 +44,7 @@ def stated(case: Case) -> tuple[Equation, ...]:
 
 
 def declared(case: Case) -> Iterator[Symbol]:
-    """The symbols of inputs, of quantities, and of compared states that have their own."""
+    """The symbols of inputs, of quantities, and of compared states with a separate symbol."""
     as_tex = equations.symbol_tex
     for name, field in type(case).model_fields.items():
         symbol, unit = meta(field)["symbol"], meta(field)["unit"]
@@ -73,7 +73,7 @@ def equation(case: Case, q: Quantity, symbols: Symbols) -> Equation | None:
     """The equation of a quantity, with numbers where it is arithmetic.
 
     None where none is stated; CaseError where it gives another number than the code on the default
-    inputs. Elsewhere cancellation may part them: the numbers that are put in are then left out.
+    inputs. For other inputs cancellation may separate them: the inserted numbers are left out then.
     """
     tex, value, found = q.tex or tex_of(q.formula, symbols.tex), getattr(case, q.name), None
     if not tex:

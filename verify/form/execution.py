@@ -1,4 +1,4 @@
-"""Executing a case's own code: a fault has its place, and an endless loop ends."""
+"""Executing the code of a case: an error is located, and an endless loop ends."""
 
 import signal
 import threading
@@ -23,7 +23,7 @@ def executed(file: str, time_limit: float | None) -> Iterator[None]:
     A fault becomes a CaseError with its place in the file. What states that there is no solution,
     or that the machine failed, passes unchanged; so does a ValueError of the suite's cases, which
     speaks of inputs. In others it may be that of math.sqrt. Ctrl-C reaches the first process only:
-    elsewhere the code itself has raised KeyboardInterrupt.
+    in others the code itself has raised KeyboardInterrupt.
     """
     try:
         with limited(time_limit):
@@ -52,7 +52,7 @@ def _located(error: BaseException, file: str) -> CaseError:
 def limited(seconds: float | None) -> Iterator[None]:
     """Raise `TimeLimitError` where the body takes longer, in whatever line it is then.
 
-    A limit needs the main thread of a process that has interval timers; elsewhere there is none.
+    A limit needs the main thread of a process that has interval timers; without it there is none.
     Limits may be nested: the inner one replaces the outer one for its body.
     """
     in_main = threading.current_thread() is threading.main_thread()

@@ -45,7 +45,7 @@ class Quantity:
     compared. "geometry" follows from the inputs without any theory, so that the reference may read
     it. `when(case)` states whether these inputs have the quantity: a deflection needs a load. If
     only solving shows it, the method returns nan, or inf for a limit that is not reached. The
-    constants of a `fitted` equation have units of their own: its dimension is not checked.
+    constants of a `fitted` equation have arbitrary units: its dimension is not checked.
     """
 
     symbol: str
@@ -71,7 +71,7 @@ class Quantity:
         return Declared(self)
 
     def reads(self, number: Callable[[Any], SupportsFloat]) -> "Declared":
-        """Declare a number of a solution that is computed elsewhere, under the name it is given.
+        """Declare a number of a solution that other code computes, under the name it is given.
 
         `alpha = Quantity("α", "deg", "clamping angle").reads(lambda q: q.state.alpha)`
         """
@@ -126,7 +126,7 @@ class Declared:
     def __set_name__(self, owner: type, name: str) -> None:
         q = self.quantity
         q.owner = owner.__name__
-        if not q.name:  # of a number that is read: a method has its own name
+        if not q.name:  # of a number that is read: a method has a name
             q.name = q.formula.__name__ = name
 
     @overload
@@ -214,7 +214,7 @@ def forget() -> None:
 
 @contextmanager
 def changed(q: "Quantity | shared[Any] | None") -> Iterator[None]:
-    """Have a quantity larger by CHANGE, and what follows from it; nothing of it is kept.
+    """Increase a quantity by CHANGE, with all that depends on it; afterwards nothing has changed.
 
     Of what is shared numbers and arrays change.
     """

@@ -131,7 +131,7 @@ def evaluate(
     if re.search(r"[\d)]\s*\(", code):  # a function of something, as under an integral
         return None
     try:
-        found = eval(code, {"__builtins__": {}}, {**arithmetic, **variables})  # noqa: S307 - the case's own TeX
+        found = eval(code, {"__builtins__": {}}, {**arithmetic, **variables})  # noqa: S307 - TeX of the case
     except (SyntaxError, NameError, TypeError, AttributeError, ValueError, ArithmeticError):
         return None
     return None if isinstance(found, complex | tuple) else found

@@ -12,8 +12,8 @@ from verify.jobs.processes import GUARD, interrupts_blocked
 
 PATIENCE = 10.0  # s for a scheduler to answer, and for its first worker
 EVERY = 1.0  # s between two questions for the workers
-# Workers give memory back at once by default, and every larger array costs its page faults anew: a
-# fifth to a third of a solve.
+# Workers give memory back at once by default, and every larger array costs its page faults again:
+# a fifth to a third of a solve.
 ENVIRONMENT = {
     "distributed.nanny.pre-spawn-environ.MALLOC_TRIM_THRESHOLD_": 1 << 30,
     "distributed.nanny.pre-spawn-environ.MALLOC_MMAP_THRESHOLD_": 1 << 25,
@@ -32,7 +32,7 @@ def dask(processes: int, scheduler: str = "") -> Iterator[Engine]:
     from distributed.scheduler import KilledWorker
 
     for name in [n for n in logging.root.manager.loggerDict if n.startswith("distributed")]:
-        logging.getLogger(name).setLevel(logging.CRITICAL)  # what matters is said here
+        logging.getLogger(name).setLevel(logging.CRITICAL)  # errors are reported here
     with dask.config.set({"distributed.comm.timeouts.connect": f"{PATIENCE}s"} | ENVIRONMENT):
         cluster: Any = None
         if not scheduler:

@@ -21,8 +21,8 @@ class Dispatch:
     """A run whose `total` results are called `what`; `done` of them are there, `known` before it.
 
     A study changes `total` where answers add further tasks, and `unstored`, how many of `done`
-    are not in the store: failed ones, or all where it takes no more. `title` names a task under
-    way; `remaining` estimates the seconds left, by default from the pace of this run.
+    are not in the store: failed ones, or all where it takes no more. `title` names a running
+    task; `remaining` estimates the seconds left, by default from the pace of this run.
     """
 
     what: str

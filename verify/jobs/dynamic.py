@@ -1,4 +1,4 @@
-"""What `check --dynamic` adds: the part of a case that runs in time, on one's own parameters."""
+"""What `check --dynamic` adds: the transient part of a case, with a user's parameters."""
 
 import math
 from collections.abc import Mapping
@@ -17,7 +17,7 @@ from verify.papers.case_report import shown_values
 
 @dataclass(frozen=True, kw_only=True)
 class DynamicResult:
-    """What ran: `raw` in SI units by key, of which `outputs` are shown, and what follows."""
+    """What ran: `raw` in SI units by key, of which `outputs` are printed, and the findings."""
 
     what: str
     raw: Values
@@ -47,8 +47,8 @@ def run_dynamic(
 ) -> DynamicResult:
     """The dynamic part on these inputs, its figures only where they are `drawn`.
 
-    InputError says in one line, after `where`, that there is none or why it has no answer; what
-    takes longer than two seconds is told on stderr unless `quiet`.
+    InputError states in one line, after `where`, that there is none or why it has no answer; a run
+    of more than two seconds is reported on stderr unless `quiet`.
     """
     part = asked_for(case, where)
     try:

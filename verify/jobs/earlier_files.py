@@ -1,4 +1,4 @@
-"""Results that an earlier version stored as files of their own move into the store."""
+"""Results that an earlier version stored as separate files move into the store."""
 
 import re
 from contextlib import suppress

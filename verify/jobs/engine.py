@@ -7,7 +7,7 @@ from typing import Any
 
 
 class GoneError(OSError):
-    """The engine answers no more; what was answered before is kept."""
+    """The engine answers no more; earlier answers remain stored."""
 
 
 def first_done(futures: Collection[Future[Any]], seconds: float) -> Collection[Future[Any]]:

@@ -96,8 +96,8 @@ Split = Callable[[Any], Sequence[Any]]
 class Drive:
     """Solves tasks by `function` on an engine.
 
-    `running` holds each task under way and its start [s, of `time.monotonic`]. `split` says as
-    what a task whose process died is done again; `begun` is called before a task is handed over.
+    `running` holds each running task and its start [s, of `time.monotonic`]. `split` gives the
+    tasks to repeat where a process died; `begun` is called before a task is submitted.
     """
 
     engine: Engine

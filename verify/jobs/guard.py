@@ -1,4 +1,4 @@
-"""What goes wrong inside a case becomes a red row of that case; the others go on as usual."""
+"""An error inside a case becomes a failed row of that case; the others continue."""
 
 import traceback
 from collections.abc import Callable
@@ -30,7 +30,7 @@ def of_machine(error: BaseException) -> bool:
 
 
 class Guard:
-    """Runs what a case brings; `rows` holds a red row for each failure, `traces` its traceback."""
+    """Runs code of a case; `rows` holds a failed row for each error, `traces` its traceback."""
 
     def __init__(self, case: Case) -> None:
         self.case = case
@@ -68,7 +68,7 @@ class Guard:
         return [replace(row, status=Status.FAIL, reason=reason) for row in known]
 
     def row(self, quantity: str, reason: str) -> Row:
-        """A red row about a part of the case."""
+        """A failed row about a part of the case."""
         return Row(
             case=self.case.id, quantity=quantity, symbol="", unit="1", kind=Kind.FACT,
             status=Status.FAIL, reason=reason,

@@ -1,6 +1,6 @@
 """One case: its levels solved or taken from the cache, then everything judged.
 
-Whatever goes wrong inside a case is a red row of that case, with a traceback beside the report.
+An error inside a case is a failed row of that case, with a traceback beside the report.
 """
 
 import shlex

@@ -1,7 +1,7 @@
 """An executor of processes that may die: what one takes with it is lost, the rest goes on.
 
 The executors of the standard library give up every task when one process dies, and wait for
-those under way when shut down. Here each thread of a pool drives one process; shutting down kills
+running ones when shut down. Here each thread of a pool drives one process; shutting down kills
 them all, and a process whose parent is gone ends by itself.
 """
 
@@ -145,7 +145,7 @@ class _Worker:
         """
         task = pickle.dumps((function, args, kwargs))
         self.connection.send_bytes(task)
-        is_done, answer = pickle.loads(self.connection.recv_bytes())  # noqa: S301 - our own child
+        is_done, answer = pickle.loads(self.connection.recv_bytes())  # noqa: S301 - a child process
         return is_done, answer
 
     def end(self) -> str:

@@ -52,7 +52,7 @@ def run(
         ]  # fmt: skip
         work = _Work(jobs, tasks, solved, cache_folder, judged, show=show, warn=warn)
         if tasks:
-            require_gmsh()  # a machine without its libraries is no red row
+            require_gmsh()  # missing libraries of the machine are no failed row
         if tasks or many:
             source_memory.share()
             work.do(place)

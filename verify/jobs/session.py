@@ -24,7 +24,7 @@ def solve(
     quiet: bool = False,
     judged: Callable[[CaseResult], None] | None = None,
 ) -> list[CaseResult]:
-    """Run the jobs where it is said, with the cache and progress on stderr.
+    """Run the jobs at the given place, with the cache and progress on stderr.
 
     `judged` takes each case that is judged while others are solved, on this machine alone.
 

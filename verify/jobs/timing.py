@@ -57,7 +57,7 @@ def remaining_seconds(
 ) -> float:
     """Seconds until the last level ends.
 
-    `running` holds (expected, elapsed) seconds of the levels under way, `waiting` the expected
+    `running` holds (expected, elapsed) seconds of the running levels, `waiting` the expected
     seconds of those that follow in this order, each on the process that is free first.
     """
     left = [e - t if e > t else OVERRUN * t for e, t in running]

@@ -1,4 +1,4 @@
-"""Formulas with a band of errors on inputs of the user: meshes must resolve it, or it is shown."""
+"""Formulas with a band of errors on user inputs: SHOWN where meshes do not resolve the band."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -9,13 +9,13 @@ from verify.core.results import Row, Status
 from verify.judging import judge
 from verify.judging.checks import Approximation, Identity
 
-LOOSE = 0.05  # half of a band from which on a formula is shown, not judged
-FINER = 0.5  # of half a band: meshes that resolve less cannot tell
+LOOSE = 0.05  # half of a band from which on a formula is SHOWN, not judged
+FINER = 0.5  # of half a band: coarser meshes cannot decide
 TWICE = 2.2  # half bands: what a formula can move by inside its band, with a margin
 
 
 def undecided(rows: list[Row], band: tuple[float, float]) -> list[Row]:
-    """`rows` on inputs of the user: what meshes leave undecided about the `band` is shown."""
+    """`rows` on user inputs: SHOWN where the meshes leave the `band` undecided."""
     row, half = rows[0], (band[1] - band[0]) / 2
     if row.grid is None or not row.fem or row.analytic is None:
         return rows
@@ -24,8 +24,8 @@ def undecided(rows: list[Row], band: tuple[float, float]) -> list[Row]:
     outside = max(band[0] - m, m - band[1]) > U
     if steady and (outside or (FINER * half > U and row.status is not Status.FAIL)):
         return rows
-    told = f"meshes resolve {U:.2g}" if steady else "meshes do not settle"
-    reason = f"measured: {m:+.2%}; {told} where the formula allows {half:.2g}"
+    why = f"meshes resolve {U:.2g}" if steady else "the meshes do not converge"
+    reason = f"measured: {m:+.2%}; {why} where the formula allows {half:.2g}"
     return [
         replace(r, status=Status.SHOWN, reason=reason) if r.status is Status.FAIL else r
         for r in rows
@@ -33,12 +33,13 @@ def undecided(rows: list[Row], band: tuple[float, float]) -> list[Row]:
 
 
 def too_wide(rows: list[Row], reason: str) -> list[Row]:
-    """`rows` of a claim whose band is too wide: shown, but for convergence that holds."""
+    """`rows` of a claim whose band is too wide: SHOWN, except convergence that holds."""
     first, *others = rows
-    told = [first, *(row for row in others if row.status is Status.FAIL)]
-    kept = [row for row in others if row.status is not Status.FAIL]
-    shown = [replace(r, status=Status.SHOWN, reason=f"{r.reason}; {reason}") for r in told]
-    return shown + kept
+    undecided_ones = [first, *(row for row in others if row.status is Status.FAIL)]
+    unchanged = [row for row in others if row.status is not Status.FAIL]
+    return [
+        replace(r, status=Status.SHOWN, reason=f"{r.reason}; {reason}") for r in undecided_ones
+    ] + unchanged
 
 
 @dataclass(frozen=True, kw_only=True)

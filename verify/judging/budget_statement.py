@@ -1,4 +1,4 @@
-"""How a case says which causes of a difference are rerun, and how each is removed."""
+"""How a case declares the causes of a difference to rerun, and how each is removed."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -56,13 +56,13 @@ def as_given(q: Any) -> Any:
 class Rerun:
     """A cause of a difference and how it is removed; `what` says it in words.
 
-    Removed by other `inputs`, which formulas then take as well, by `changes` to the case's own
+    Removed by other `inputs`, which formulas then take as well, by `changes` to the case's
     finite elements, or by other ones, `fem(inputs, level)`, with the case's keys. `rows` names the
     rows that it is about, * for any letters, all where empty. It is run on `levels`, coarse to
     fine: on the finer of two its effect is read, on the coarser how well; without any on the two
     coarsest of the case. A cause that means nothing while another one acts is removed `after` that
-    one, whose words these are: its own `inputs` or `fem` lack both. What both sides assume alike is
-    `shared`: no part of their difference, and shown beside it.
+    one, given by its name: its `inputs` or `fem` lack both. An assumption of both sides is
+    `shared`: no part of their difference, and listed beside it.
     """
 
     cause: Cause
@@ -87,9 +87,9 @@ class Rerun:
 
 @dataclass(frozen=True)
 class Corrected:
-    """A formula that gives way to a corrected one, whose value has the analytic `key`.
+    """A formula that is replaced by a corrected one, whose value has the analytic `key`.
 
-    For the one row of that name; `what` says what it then lacks, what it is if nothing is said.
+    For the one row of that name; `what` describes its part of the difference.
     """
 
     row: str
@@ -104,7 +104,7 @@ class Corrected:
 
 @dataclass(frozen=True)
 class Left:
-    """Rows, by name with * for any letters, that are not taken apart, and why in a few words."""
+    """Rows, by name with * for any letters, whose difference is not split, and why."""
 
     rows: tuple[str, ...]
     why: str
@@ -135,11 +135,11 @@ class Statement:
     headline: str = ""
 
     def correction(self, row: str) -> Corrected | None:
-        """The formula that takes the place of the row's own."""
+        """The formula that replaces that of the row."""
         return next((one for one in self.corrected if one.row == row), None)
 
     def reason(self, row: str) -> str:
-        """Why the row of this name is not taken apart; empty where nothing is said."""
+        """Why the difference of this row is not split; empty where no reason is given."""
         return next(
             (one.why for one in self.left if any(fnmatchcase(row, name) for name in one.rows)), ""
         )

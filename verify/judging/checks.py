@@ -15,7 +15,7 @@ from verify.judging.convergence import fit_order
 class Identity(FemClaim):
     """Formula and finite elements solve the same problem: |FE - formula| <= U.
 
-    `residual` is the analytic key of a series' own standard uncertainty, over the scale.
+    `residual` is the analytic key of the standard uncertainty of a series, over the scale.
     """
 
     kind = Kind.IDENTITY
@@ -98,8 +98,8 @@ class Order(Claim):
             fit.order, self.order, U=judge.expanded(fit.u), scale=self.order, demand=self.demand
         )
         if verdict.difference is not None and abs(verdict.difference) > (verdict.tolerance or 0):
-            said = f"order {fit.order:.2f} ± {judge.expanded(fit.u):.1g}, theory {self.order:g}"
-            verdict = replace(verdict, reason=said)
+            reason = f"order {fit.order:.2f} ± {judge.expanded(fit.u):.1g}, theory {self.order:g}"
+            verdict = replace(verdict, reason=reason)
         return [
             self._row(
                 context.case, Kind.TREND, verdict, analytic=self.order, fem=fit.order,
@@ -188,7 +188,7 @@ Margin = Callable[[Context], tuple[float, float, str]]
 class Accepted(Claim):
     """A statement with an acceptance figure, which is one for the paper's numbers: judged there.
 
-    At one's own it is told. `margin` gives what is left of the figure, its expanded uncertainty,
+    At user inputs it is SHOWN. `margin` gives what is left of the figure, its expanded uncertainty,
     and the error in words.
     What holds on inputs that were fitted is CALIBRATED: `fitted` names them.
     """
@@ -206,9 +206,10 @@ class Accepted(Claim):
     def rows(self, context: Context) -> list[Row]:
         margin, U, words = self.margin(context)
         verdict = judge.fact(margin, U)
-        told = replace(verdict, reason=f"{verdict.reason}: {words}")
+        reason = f"{verdict.reason}: {words}"
+        final = replace(verdict, reason=reason)
         if self.fitted and verdict.status is Status.PASS:
-            told = replace(told, status=Status.CALIBRATED, reason=f"{told.reason}; {self.fitted}")
+            final = replace(final, status=Status.CALIBRATED, reason=f"{reason}; {self.fitted}")
         if not context.is_paper:
-            told = judge.Verdict(Status.SHOWN, f"measured: {words}")
-        return [self._row(context.case, Kind.FACT, told, published=self._printed(context))]
+            final = judge.Verdict(Status.SHOWN, f"measured: {words}")
+        return [self._row(context.case, Kind.FACT, final, published=self._printed(context))]

@@ -26,7 +26,7 @@ STATED = ("formula", "equation", "form", "safe", "shares")  # of the formula, in
 
 @dataclass(frozen=True, kw_only=True)
 class Claim(ABC):
-    """What all claims have. `printed` lists published values ("paper:id") shown beside the row.
+    """What all claims have. `printed` lists published values ("paper:id") stated beside the row.
 
     `formula` is the key of the analytic value that is judged, `equation` its number or source, in
     which `form`, and `safe` the side on which an error of it does no harm; `shares` states what
@@ -117,12 +117,12 @@ def convergence_verdict(
         spread = max(v[-3:]) - min(v[-3:])
         if verdict.status is Status.FAIL and 3 * spread < allowed:
             verdict = judge.fact(1 - 3 * spread / allowed, 0.0)
-            reason = f"order {grid.order:.2f} ± u_it, 0.5: spread of the last values and the demand"
+            reason = f"order {grid.order:.2f} ± u_it, 0.5: spread of the last values"
     elif grid.behaviour == "round-off":
         verdict, reason = judge.fact(1.0, 0.0), "the last differences are round-off"
     else:
         verdict = judge.fact(1 - grid.gci / allowed, 0.0)
-        reason = f"{grid.behaviour}: spread of the last three values against the demand"
+        reason = f"{grid.behaviour}: spread of the last three values and the limit"
     if not grid.converges:
         verdict, reason = judge.Verdict(Status.FAIL), "does not converge"
     if verdict.status is Status.FAIL and verdict.reason:
@@ -136,7 +136,7 @@ class FemClaim(Claim):
 
     `by` names another method, refined like a mesh, whose values these are. A sweep takes the claim
     with it where it can be judged by values alone, which `swept` says. `own_demand`, for the reason
-    `own_reason`, is what one's own parameters are asked for, where that is less than the suite's.
+    `own_reason`, is the required sensitivity at user inputs, where it is less than the suite's.
     """
 
     swept: ClassVar[bool] = True
@@ -146,7 +146,7 @@ class FemClaim(Claim):
     formal: float | None = None
     scale: str = ""  # analytic key of the natural magnitude; the reference itself where empty
     own_demand: float = judge.DEMAND
-    own_reason: str = "own parameters: the suite's default"
+    own_reason: str = "user inputs: the suite's default"
 
     def convergence(self, context: Context, scale: float) -> tuple[GridConvergence, float, float]:
         """Grid convergence, u_num of the finest value and the largest u_it of all levels [SI]."""
@@ -179,7 +179,7 @@ class FemClaim(Claim):
         )
 
     def demanded(self, context: Context) -> float:
-        """The acceptance figure for the paper's numbers, no sharper one for one's own."""
+        """The acceptance figure for the paper's numbers, no sharper one for user inputs."""
         return self.demand if context.is_paper else max(self.demand, self.own_demand)
 
     def _recorded(self, context: Context, grid: GridConvergence, u_it: float, scale: float) -> Grid:

@@ -170,8 +170,8 @@ def observed_order(ratio: float, r21: float, r32: float) -> float:
 def order_from_iteration(h: Sequence[float], values: Sequence[float], u_it: float) -> float:
     r"""By how much, at most, iteration may have raised the observed order of the last three values.
 
-    Each may be off by u either way. The order is least where the middle one is off one way and the
-    other two are off the other way, whatever the ratios of the meshes; the logarithm of the ratio
+    Each may be off by ± u. The order is lowest where the middle one is off in one direction and the
+    other two are off in the other, whatever the ratios of the meshes; the logarithm of the ratio
     of differences then falls by
 
     .. math:: \ln\left(1 + \frac{2u}{|v_1 - v_2|}\right)

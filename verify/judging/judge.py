@@ -41,7 +41,7 @@ def numerical_uncertainty(convergence: GridConvergence, u_it: float = 0.0) -> fl
 def difference(
     value: float, reference: float, *, U: float, scale: float, demand: float = DEMAND
 ) -> Verdict:
-    """Identity, trend and printed numbers: |value - reference| <= U, and sharp."""
+    """Identity, trend and printed numbers: |value - reference| <= U, and sensitive enough."""
     _positive(scale)
     if not all(map(math.isfinite, (value, reference, U))):
         return Verdict(Status.FAIL, "not converged")
@@ -69,16 +69,18 @@ def approximation(
     if not all(map(math.isfinite, (formula, reference, U))) or reference == 0:
         return Verdict(Status.FAIL, "not converged")
     ratio, u = formula / reference, U / abs(reference)
-    m, U_m = ratio - 1, abs(ratio) * u  # a quotient carries its own size
+    m, U_m = ratio - 1, abs(ratio) * u  # the error of a quotient scales with it
     if interval is None:
         return Verdict(
             Status.SHOWN, f"measured: {m:+.2%} ± {100 * U_m:.1g} %", formula - reference, U
         )
     low, high = interval
     if not u < 1:
-        return Verdict(Status.FAIL, "the reference is as uncertain as itself", None, U)
+        return Verdict(
+            Status.FAIL, "the uncertainty of the reference is as large as its value", None, U
+        )
     if ratio == 0:
-        return Verdict(Status.FAIL, "the formula is zero: no relative change moves it", None, U)
+        return Verdict(Status.FAIL, "the formula is zero: it has no relative change", None, U)
     if not low + U_m <= m <= high - U_m:
         error, u, ends = 100 * m, 100 * U_m, f"[{100 * low:+.3f} %, {100 * high:+.3f} %]"
         reason = f"model error {error:+.3f} % ± {u:.1g} % is not inside {ends}"
@@ -129,7 +131,7 @@ def fit_limit(eps: Sequence[float], d: Sequence[float], u: Sequence[float]) -> L
     """Weighted least squares of d = d0 + c eps^q over at least four points and a decade.
 
     For every q the constants follow linearly; the best q is searched in (0, 10]. The stated
-    standard uncertainties `u` may have one sign at all points, as those of alike meshes do: their
+    standard uncertainties `u` may have one sign at all points, as those of similar meshes do: their
     effects on a constant add up. Scatter about the fit counts instead where it does more, as
     independent errors.
     """
@@ -183,7 +185,7 @@ def quadratic_coefficient(
     """The c of d = c eps^2 + e eps^4 by weighted least squares, and its expanded uncertainty.
 
     The standard uncertainties `u` of the points may have one sign at all of them, as those of
-    alike meshes do: their effects on c add up.
+    similar meshes do: their effects on c add up.
     """
     x, y, sigma = (np.asarray(a, dtype=np.float64) for a in (eps, d, u))
     if x.size < 3 or not (np.all(np.isfinite(y)) and np.all(np.isfinite(sigma) & (sigma > 0))):
@@ -215,6 +217,6 @@ def _positive(scale: float) -> None:
 def _sharp(verdict: Verdict, demand: float) -> Verdict:
     if verdict.detects is not None and verdict.detects > demand:
         least, must = f"{100 * verdict.detects:.2g} %", f"{100 * demand:.2g} %"
-        reason = f"not sharp: notices errors from {least}, must from {must} (sensitivity)"
+        reason = f"insufficient sensitivity: detects errors from {least}, required {must}"
         return Verdict(Status.FAIL, reason, verdict.difference, verdict.tolerance, verdict.detects)
     return verdict

@@ -39,9 +39,9 @@ class ProfileError(Identity):
 
 @dataclass(frozen=True, kw_only=True)
 class Within(Fact):
-    """A profile within the acceptance figure `accepted` of another, and how near it is.
+    """A profile within the acceptance figure `accepted` of another, and its error.
 
-    `margin` is what the error leaves of the figure.
+    `margin` is the figure minus the error.
     """
 
     accepted: float
@@ -82,10 +82,10 @@ class Coefficient(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Estimated(Approximation):
-    """A model beside the half-space; at one's own numbers convergence counts where the model does.
+    """A model beside the half-space; at user inputs convergence counts where the model does.
 
-    Where nothing says beforehand how far the two may be apart, what the half-space leaves open is
-    told with the difference, and is no failure.
+    Where their allowed difference is not known beforehand, what the half-space leaves undecided is
+    reported with the difference, and is no failure.
     """
 
     def rows(self, context: Context) -> list[Row]:

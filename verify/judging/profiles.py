@@ -14,8 +14,8 @@ def along(context: Context, key: str, *, formal: float, scale: float) -> tuple[A
     """Values (m,) of the finest level at fixed points and their standard uncertainty (m,).
 
     `key` names arrays (m,) that every level evaluated at the same points; `formal` is the order
-    of their largest error. A fixed point lies elsewhere in its cell on every mesh, so that its
-    own differences follow no order; their largest over all points do, and one uncertainty, from
+    of their largest error. A fixed point has another place in its cell on every mesh, so that
+    its differences follow no order; their largest over all points do, and one uncertainty, from
     the grid convergence of that, holds for the whole profile.
     """
     h = [result.h for result in context.fem]

@@ -1,4 +1,4 @@
-"""Claims that set a formula beside what a paper prints; they need no finite elements."""
+"""Claims that compare a formula with printed values; they need no finite elements."""
 
 from abc import abstractmethod
 from dataclasses import dataclass, replace
@@ -51,17 +51,17 @@ class PrintedTheory(PrintedClaim):
         v, entry = context.analytic[self.analytic], self._printed_value()
         f = units.factor(entry.unit)
         r, u = entry.value * f, entry.standard_uncertainty
-        shown = {"analytic": v, "published": self._beside()}
+        fields = {"analytic": v, "published": self._beside()}
         if u is None:
             verdict = judge.Verdict(Status.SHOWN, "printed as approximate", v - r)
-            return self._row(context.case, Kind.APPROXIMATION, verdict, scale=abs(r), **shown)
+            return self._row(context.case, Kind.APPROXIMATION, verdict, scale=abs(r), **fields)
         verdict = judge.difference(
             v, r, U=judge.expanded(0.0, u * f), scale=abs(r), demand=self.demand
         )
         partner = Partner(by=f"printed {entry.printed}", value=r)
         return self._row(
             context.case, Kind.IDENTITY, verdict, scale=abs(r), u_num=0.0, u_ref=u * f,
-            u_input=0.0, partner=partner, **shown,
+            u_input=0.0, partner=partner, **fields,
         )  # fmt: skip
 
 
@@ -74,8 +74,8 @@ class PrintedMeasurement(PrintedClaim):
     def judged(self, context: Context) -> Row:
         v, entry = context.analytic[self.analytic], self._printed_value()
         r = entry.value * units.factor(entry.unit)
-        said = f"formula {100 * (v / r - 1):+.1f} %: {NO_UNCERTAINTY}"
-        verdict = judge.Verdict(Status.SHOWN, said, v - r)
+        reason = f"formula {100 * (v / r - 1):+.1f} %: {NO_UNCERTAINTY}"
+        verdict = judge.Verdict(Status.SHOWN, reason, v - r)
         return self._row(
             context.case, Kind.APPROXIMATION, verdict, analytic=v, scale=abs(r),
             partner=Partner(by=f"printed {entry.kind} {entry.printed}", value=r),
@@ -85,10 +85,10 @@ class PrintedMeasurement(PrintedClaim):
 
 @dataclass(frozen=True, kw_only=True)
 class Contradiction(PrintedClaim):
-    """A printed number that the paper's own formulas contradict: NOTE, with its ledger entry.
+    """A printed number that the paper's formulas contradict: NOTE, with its ledger entry.
 
-    `analytic` must exceed the printed `reference` surely; where it does not, the ledger is wrong
-    and the row fails. `erratum` names the entry ("paper:id").
+    `analytic` must exceed the printed `reference` by more than U; else the ledger is wrong and
+    the row fails. `erratum` names the entry ("paper:id").
     """
 
     kind = Kind.FACT
@@ -106,7 +106,7 @@ class Contradiction(PrintedClaim):
                 verdict, status=Status.NOTE, reason=f"ledger {self.erratum}: {why.right}"
             )
         else:
-            verdict = replace(verdict, reason=f"ledger {self.erratum} says otherwise")
+            verdict = replace(verdict, reason=f"contradicts ledger {self.erratum}")
         partner = Partner(by=f"printed {entry.printed}", value=entry.value * f)
         return self._row(
             context.case, Kind.FACT, verdict, analytic=v, scale=abs(entry.value * f),
@@ -116,7 +116,7 @@ class Contradiction(PrintedClaim):
 
 @dataclass(frozen=True, kw_only=True)
 class Adopted(PrintedClaim):
-    """A printed number that is taken as it stands: NOTE, for the reason `why`.
+    """A printed number that is adopted: NOTE, for the reason `why`.
 
     Beside it is the value of `analytic`, where there is one.
     """

@@ -1,8 +1,8 @@
 """Claims that two values of one thing agree within a figure stated beforehand.
 
-The figure is an acceptance of the subject, what a paper states, or the suite's own demand with its
-reason; it is never read off the row's own finite elements. What has it is
-judged like any comparison: it says what it detects.
+The figure is an acceptance of the subject, what a paper states, or the suite's requirement with its
+reason; it is never taken from the finite elements of the row. Such a claim is judged like any
+comparison, with its detection limit.
 """
 
 from collections.abc import Callable
@@ -18,8 +18,8 @@ from verify.judging import judge
 from verify.judging.claims import Claim
 
 SUBJECT = "acceptance figure of the subject"  # stated for that very quantity
-ALIKE = 1e-9  # of the largest distance: pairs of symmetric places differ by round-off
-BOTH_WAYS = "as wide as the acceptance figure is both ways"
+EQUAL = 1e-9  # of the largest distance: pairs of symmetric places differ by round-off
+TWO_SIDED = "twice the acceptance figure, which holds on both sides"
 
 
 @dataclass(frozen=True)
@@ -40,9 +40,9 @@ class Pair:
 class Stated(Claim):
     """What claims with a figure share: it is one for the paper's numbers, and judged there.
 
-    At one's own the error is told, but where `everywhere` says that the figure holds for any.
-    `source` says whose figure it is: `SUBJECT`, a paper's by its place, or `suites` own.
-    `by` names whose value the reference is, finite elements' where empty.
+    At user inputs the error is SHOWN, unless the figure holds `everywhere`.
+    `source` is the origin of the figure: `SUBJECT`, a place in a paper, or `suites`.
+    `by` names the method of the reference, finite elements where empty.
     """
 
     accepted: float
@@ -55,9 +55,10 @@ class Stated(Claim):
     def needs_fem(self) -> bool:
         return self.fem_needed
 
-    def _told(self, context: Context, words: str, **more: Any) -> list[Row]:
-        told = judge.Verdict(Status.SHOWN, f"measured: {words}")
-        return [self._row(context.case, Kind.FACT, told, published=self._printed(context), **more)]
+    def _not_judged(self, context: Context, words: str, **more: Any) -> list[Row]:
+        verdict = judge.Verdict(Status.SHOWN, f"measured: {words}")
+        printed = self._printed(context)
+        return [self._row(context.case, Kind.FACT, verdict, published=printed, **more)]
 
     def _judged_here(self, context: Context) -> bool:
         return context.is_paper or self.everywhere
@@ -70,7 +71,7 @@ class Stated(Claim):
 class Agreement(Stated):
     """One value within ± `accepted` of another, relative: an approximation with that interval.
 
-    Of many such pairs `pair(context)` gives the one that is farthest apart.
+    Of many such pairs `pair(context)` gives the one with the largest difference.
     """
 
     kind = Kind.APPROXIMATION
@@ -80,7 +81,7 @@ class Agreement(Stated):
     def rows(self, context: Context) -> list[Row]:
         found = self.pair(context)
         if not self._judged_here(context):
-            return self._told(context, found.words)
+            return self._not_judged(context, found.words)
         limits = found.allowed or (-self.accepted, self.accepted)
         verdict = judge.approximation(
             found.value, found.reference, U=found.U, interval=limits, demand=self.demand
@@ -111,7 +112,7 @@ class Deviation(Stated):
     def rows(self, context: Context) -> list[Row]:
         size, U, words = self.size(context)
         if not self._judged_here(context):
-            return self._told(context, words)
+            return self._not_judged(context, words)
         verdict = judge.difference(size, 0.0, U=self.accepted - U, scale=1.0, demand=self.demand)
         return [
             self._row(
@@ -123,30 +124,30 @@ class Deviation(Stated):
 
 
 def farthest(values: NDArray[np.float64], references: NDArray[np.float64], u: float) -> Pair:
-    """Of two arrays alike the pair that is farthest apart, `u` the relative U of its reference.
+    """The pair of two equal-sized arrays with the largest difference, `u` its relative U.
 
-    Of pairs that are as far apart but for round-off the first, whatever the processor.
+    Of pairs whose differences are equal except for round-off the first, on any processor.
     """
     off = np.ravel(values / references - 1)
     size = np.abs(off)
     k = int(size.argmax())
     if np.isfinite(size[k]):
-        k = int(np.argmax(size >= (1 - ALIKE) * size[k]))
+        k = int(np.argmax(size >= (1 - EQUAL) * size[k]))
     value, reference = float(np.ravel(values)[k]), float(np.ravel(references)[k])
-    words = f"off by {off[k]:+.2g} at most of {off.size}"
+    words = f"largest error {off[k]:+.2g} of {off.size}"
     return Pair(value, reference, u * abs(reference), words)
 
 
 def suites(reason: str) -> str:
-    """The source of a figure that nobody but this suite demands, and why that much."""
-    return f"the suite's own demand: {reason}"
+    """The source of a figure that only this suite requires, and its reason."""
+    return f"requirement of the suite: {reason}"
 
 
 def demanded(accepted: float) -> dict[str, Any]:
-    """The suite's demand, or what a figure leaves that is wider than half of it."""
+    """The sensitivity required by the suite, or twice a figure wider than half of it."""
     if 2 * accepted <= judge.DEMAND:
         return {}
-    return {"demand": 2 * accepted, "demand_reason": BOTH_WAYS}
+    return {"demand": 2 * accepted, "demand_reason": TWO_SIDED}
 
 
 def worded(verdict: judge.Verdict, words: str) -> judge.Verdict:

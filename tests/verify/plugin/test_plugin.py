@@ -61,7 +61,7 @@ def output(project):
 def test_a_failure_says_what_is_wrong_without_a_traceback(output):
     for file, says in (
         ("case_wrong.py: stress at the inner edge", "FAIL: model error +4.58"),
-        ("case_blunt.py: stress at the inner edge", "FAIL: not sharp"),
+        ("case_blunt.py: stress at the inner edge", "FAIL: insufficient sensitivity"),
         ("case_broken.py: file", "case_broken.py: titel: annotate it"),
         ("fails.toml: check", "fails"),
         ("mistyped.toml: check", "inputs.T"),

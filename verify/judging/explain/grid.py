@@ -89,18 +89,18 @@ def _index(g: Grid, again: GridConvergence) -> list[Step]:
             why = "theory gives no order" if g.formal is None else "there is no order to use"
             how = f"3 × spread of the last three values, 3 × {last}: {why}"
         return [("GCI", f"{_floored(g, again.gci, how)} = {gci}")]
-    apart = abs(again.order - g.formal)
+    off = abs(again.order - g.formal)
     ratio = g.levels[-2][0] / g.levels[-1][0]
     word = (
-        f"within {NEAR_FORMAL}" if apart <= NEAR_FORMAL
-        else f"beyond {NEAR_FORMAL}" if apart >= FAR_FROM_FORMAL
+        f"within {NEAR_FORMAL}" if off <= NEAR_FORMAL
+        else f"beyond {NEAR_FORMAL}" if off >= FAR_FROM_FORMAL
         else f"between {NEAR_FORMAL} and {FAR_FROM_FORMAL}"
     )  # fmt: skip
     return [
         ("p", f"min(observed, theory) = {again.used:.4f}"),
         (
             "F",
-            f"{again.factor:g}: observed and theory are {apart:.2g} apart, {word}",
+            f"{again.factor:g}: observed and theory differ by {off:.2g}, {word}",
         ),
         (
             "GCI",

@@ -37,7 +37,7 @@ def amount(value: float | None, unit: str, digits: Callable[[float], str] = shor
 
 
 def demand(row: Row) -> float:
-    """The row's own demand, or the suite's."""
+    """The required sensitivity of the row, or of the suite."""
     return judge.DEMAND if row.demand is None else row.demand
 
 
@@ -53,7 +53,7 @@ def expanded(unit: str, u_num: float, u_ref: float, u_input: float, U: float) ->
 def difference_steps(row: Row, verdict: judge.Verdict, what: str) -> tuple[Step, ...]:
     """Scale, difference, |d| ≤ U and what the row detects."""
     U, scale = verdict.tolerance, row.scale
-    # as judged: the shown values were converted, which moves their last digit
+    # as judged: the printed values were converted, which changes their last digit
     d = verdict.difference if row.difference is None else row.difference
     named = row.scale_name or "|reference|"
     lines = [("scale", f"{named} = {amount(scale, row.unit)}")]
@@ -78,10 +78,10 @@ def _share(row: Row) -> str:
 
 
 def sharpness(row: Row, verdict: judge.Verdict, how: str) -> Step:
-    """The smallest relative change that surely turns the row red, beside the demand on it."""
+    """The smallest relative change that certainly makes the row fail, and the required one."""
     if verdict.detects is None or not math.isfinite(verdict.detects):
         known = verdict.tolerance is not None and math.isfinite(verdict.tolerance)
-        why = "the row fails as it stands" if known else "the uncertainty is not finite"
+        why = "the row fails already" if known else "the uncertainty is not finite"
         return ("detects", f"nothing: {why}")
     asked = demand(row)
     word = "meets" if verdict.detects <= asked else "misses"
@@ -90,4 +90,4 @@ def sharpness(row: Row, verdict: judge.Verdict, how: str) -> Step:
         (short(verdict.detects), f"{asked:g}") if row.kind in (Kind.EXACT, Kind.TREND)
         else (percent(verdict.detects), percent(asked))
     )  # fmt: skip
-    return ("detects", f"{how} = {limit}, which {word} the demand {most} ({reason})")
+    return ("detects", f"{how} = {limit}, which {word} the required {most} ({reason})")

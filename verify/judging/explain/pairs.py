@@ -95,7 +95,7 @@ def approximation(row: Row) -> Derivation:
     verdict = judge.approximation(formula, v, U=U, interval=row.interval, demand=demand(row))
     found += [
         *uncertainty_steps(row.grid),
-        ("u_ref", f"0: the reference is {reference_name(row)}, and u_num its own"),
+        ("u_ref", f"0: the reference is {reference_name(row)}, whose uncertainty is u_num"),
         ("u_input", "0: both sides take the same inputs"),
         expanded(row.unit, u_num, 0.0, 0.0, U),
         *_model_error(row, formula, v, U, verdict),
@@ -109,7 +109,7 @@ def _finest(row: Row, v: float) -> Step:
 
 
 def _percent(fraction: float) -> str:
-    """With five significant digits, that show on which side of an end a number lies."""
+    """With five significant digits, which decide the side of an end."""
     return f"{significant(100 * fraction, 5, signed=True)} %"
 
 
@@ -136,12 +136,14 @@ def _model_error(
             f"low + U_m ≤ m ≤ high − U_m, that is {_percent(low + U_m)} ≤ {_percent(m)} ≤ "
             f"{_percent(high - U_m)}: {'holds' if inside else 'does not hold'}",
         ),
-        sharpness(row, verdict, "the change of the formula that surely takes m out on either side"),
+        sharpness(
+            row, verdict, "the change of the formula that certainly takes m out on either side"
+        ),
     )
 
 
 def agreement(row: Row) -> Derivation:
-    """Two values that a figure stated beforehand lets differ."""
+    """Two values that may differ by a figure stated beforehand."""
     assert row.analytic is not None
     assert row.reference is not None
     U = judge.COVERAGE * (row.u_num or 0.0)

@@ -113,8 +113,8 @@ def fact(row: Row) -> Derivation:
         ]
     found.append(("test", f"margin > U, that is {amount(row.difference, row.unit)} > "
                   f"{amount(row.tolerance, row.unit)}: {WORDS[verdict.status]}"))  # fmt: skip
-    told = row.status in (Status.NOTE, Status.CALIBRATED)  # shown wrong, or held by fitted inputs
-    if told and verdict.status is Status.PASS:
+    restated = row.status in (Status.NOTE, Status.CALIBRATED)  # misprint, or fitted inputs
+    if restated and verdict.status is Status.PASS:
         verdict = judge.Verdict(row.status, row.reason, verdict.difference, verdict.tolerance)
     return Derivation(tuple(found), verdict)
 
@@ -133,17 +133,17 @@ def convergence(row: Row) -> Derivation:
         found.append(
             (
                 "test",
-                "order − 0.5 > what iteration may make of it, values off by u_it either way: "
+                "order − 0.5 > its change by iteration, values off by ± u_it: "
                 f"{margin:.4g} > {short(noise)}: {word if margin > noise else 'undecided'}",
             )
         )
         if not margin > noise:
             spread = 3 * (max(v[-3:]) - min(v[-3:]))
-            found.append(("test", f"3 × spread < demand × scale, whatever the order: "
+            found.append(("test", f"3 × spread < required sensitivity × scale, at any order: "
                           f"{short(spread)} < {amount(g.allowed, g.unit)}: {word}"))  # fmt: skip
     elif again.behaviour != "round-off" and again.converges:
         found += uncertainty_steps(g)[:1]
-        found.append(("test", f"GCI < demand × scale, where there is no order: "
+        found.append(("test", f"GCI < required sensitivity × scale, without an order: "
                       f"{short(again.gci)} < {amount(g.allowed, g.unit)}: {word}"))  # fmt: skip
     else:
         found.append(
