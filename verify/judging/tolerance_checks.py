@@ -19,7 +19,7 @@ from verify.judging.claims import Claim
 
 SUBJECT = "acceptance figure of the subject"  # stated for that very quantity
 EQUAL = 1e-9  # of the largest distance: pairs of symmetric places differ by round-off
-TWO_SIDED = "twice the acceptance figure, which holds on both sides"
+BOTH_WAYS = "twice the acceptance figure, which holds on both sides"
 
 
 @dataclass(frozen=True)
@@ -147,7 +147,7 @@ def demanded(accepted: float) -> dict[str, Any]:
     """The sensitivity required by the suite, or twice a figure wider than half of it."""
     if 2 * accepted <= judge.DEMAND:
         return {}
-    return {"demand": 2 * accepted, "demand_reason": TWO_SIDED}
+    return {"demand": 2 * accepted, "demand_reason": BOTH_WAYS}
 
 
 def worded(verdict: judge.Verdict, words: str) -> judge.Verdict:
