@@ -83,7 +83,7 @@ def test_sentence_table_and_map_have_where_the_formula_holds_and_what_breaks_it(
     assert verdict == "Verdict over this sweep: accurate in part of the range: within 10 %"
     assert said.startswith("Within 10 % at all 67 points that are solved; within 5 % for ")
     assert "z 4..10" in said
-    assert "first broken by z above 10" in said
+    assert "first exceeded for z above 10" in said
     assert "The largest error is +6.00 ± 0.10 % at z = 12, δ_1 = 2 mm" in said
     table = value.formulas[0].tables[0]
     assert [row[0] for row in table.rows] == ["2 %", "5 %", "10 %"]

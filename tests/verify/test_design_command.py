@@ -77,11 +77,11 @@ def test_an_impossible_task_ends_with_1_says_what_to_relax_and_clears_the_old_sp
     (out / "chosen.toml").write_text("an earlier one")
     assert run(["design", str(task(tmp_path, sigma='"100 MPa"')), "--out", str(out)]) == 1
     printed = capsys.readouterr().out
-    assert "nothing is feasible; the nearest is n = 10" in printed
+    assert "no candidate is feasible; the closest is n = 10" in printed
     assert sorted(p.name for p in out.iterdir()) == ["candidates.csv", "design.html"]
     page = (out / "design.html").read_text(encoding="utf-8")
     assert "No candidate keeps every limit" in page
-    assert "One of these alone would admit a spring" in page
+    assert "Relaxing one of these limits makes a spring feasible" in page
     # what is to be relaxed suffices as it is printed, rounded up
     needed = re.search(r"relax sigma from 100 MPa to (29\d\S* MPa)", printed)[1]
     assert run(["design", "--no-fem", str(task(tmp_path, sigma=f'"{needed}"'))]) == 0

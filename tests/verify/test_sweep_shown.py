@@ -49,11 +49,11 @@ def test_a_grid_says_where_the_formula_holds_and_what_breaks_it():
         "stiffness  +8.00 ± 0.20 %  12 %  50 %  100 %  8, 2",
         "stiffness",
         "  within 2 %: a 1 mm, n 2..3 (all); 2 of 16 points",
-        "    not at the inputs' own values; from a 1 mm, n 2, first broken by a above 1.8",
-        "        mm (between 1 and 2 mm), where the error bar reaches beyond",
+        "    not at the values of the file; from a 1 mm, n 2, first exceeded for a above",
+        "        1.8 mm (between 1 and 2 mm), where the error bar crosses the limit",
         "  within 5 %: a 1..4 mm, n 2..3 (all); 8 of 16 points",
-        "    first broken by a above 4.8 mm (between 4 and 5 mm), where the error bar",
-        "        reaches beyond",
+        "    first exceeded for a above 4.8 mm (between 4 and 5 mm), where the error bar",
+        "        crosses the limit",
         "  within 10 %: all 16 points: a 1..8 mm, n 2..3",
     ]
     lines = read(tables.validity_csv(of))
@@ -161,7 +161,7 @@ def test_a_sample_says_what_its_indices_do_not_show():
     plan, x, _ = sampled()
     lines = printed(outcome(plan, course(plan, 0.01 * x, 0.006)))
     # (0.6 %/2)² of 1 %²/3
-    doubt = "    doubtful: 27 % of the variance may be the finite elements' own uncertainty"
+    doubt = "    doubtful: 27 % of the variance may be the uncertainty of the finite elements"
     assert doubt in lines
     lines = printed(outcome(plan, course(plan, 0.01 * x, 0.02)))
     assert lines[-1] == "    no indices: varies no more than the finite elements are uncertain"
@@ -190,11 +190,11 @@ def test_many_rows_are_the_worst_ten_and_a_pointer_to_the_table(error, what):
 def test_limits_alike_are_one_line():
     for vary, error, U, last in (
         ("a=1:4mm:4", 0.3, 0.3, "  within 2, 5 and 10 %: nowhere, 4 undecided"),
-        ("a=1:4mm:4", NAN, 0, "  within 2, 5 and 10 %: nothing is solved"),
+        ("a=1:4mm:4", NAN, 0, "  within 2, 5 and 10 %: no point is solved"),
         ("a=1:4mm:4", [NAN, NAN, 0, 0], 0,
          "    no answer beyond a = 3 mm: 2 mm is not solved (does not converge)"),
         ("a=4:5mm:2 b=2:3mm:2", [0, 0, 0, 0.3], 0,
-         "    nothing breaks it along one axis, several inputs together do"),
+         "    no single input exceeds the limit, only several inputs together"),
     ):  # fmt: skip
         plan = planned(*vary.split())
         assert printed(outcome(plan, course(plan, error, U)))[-1] == last

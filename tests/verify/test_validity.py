@@ -78,24 +78,24 @@ def test_a_card_says_where_the_error_stays_within_each_limit_and_what_breaks_it(
     assert grid.problems == ("4 × level 1: ValueError: 9 holes do not fit",)
     assert grid.error[3 * 3] == pytest.approx(error(4), abs=1e-4)  # a = 4 mm, n = 3
     assert grid.breaks == (
-        "beyond 5 % at the case's own inputs already; from the middle of the box, "
+        "beyond 5 % already at the default inputs; from the middle of the box, "
         "larger a takes it beyond 5 % between 2 and 3 mm (about 2.8)"
     )
     assert star.over == "a 1 to 5 mm (4 values), b 1 to 2 mm (2 values), one at a time"
     assert limits(star)[1] == (0.05, 2, 3, 0, "a alone 1 to 2 mm")
     assert held.over == "b 1 to 2 mm (2 values), at a = 1 mm"
     assert limits(held)[0] == (0.02, 2, 0, 0, "all that was measured")
-    assert held.breaks == "nothing in what was measured takes it beyond 5 %"
+    assert held.breaks == "no measured point is beyond 5 %"
 
 
 def test_a_point_that_is_not_surely_inside_has_its_reason(folder):
     plan = kept.plans(PLATE)[2]  # b = 1 mm and 2 mm, where the case has it
     for error_at_1, U, counts, words in (
         (0.04, 0.02, (1, 0, 1, 0),
-         "smaller b: within 5 % to 2 mm, undecided at 1 mm: the error bar reaches across"),
+         "smaller b: within 5 % to 2 mm, undecided at 1 mm: the error bar crosses it"),
         (0.08, 0.01, (1, 1, 0, 0), "smaller b takes it beyond 5 % between 1 and 2 mm (about 1.5)"),
         (NAN, NAN, (1, 0, 0, 1),
-         "nothing that was solved takes it beyond 5 %; no answer at b = 1 mm"),
+         "no solved point is beyond 5 %; no answer at b = 1 mm"),
     ):  # fmt: skip
         found = region(plan, course(plan, [error_at_1, 0.01], [U, 0.001]))
         middle = found.limits[1]

@@ -28,15 +28,15 @@ class Study:
         return f"{self.name}:{case.id}"
 
     def chosen(self, names: Sequence[str]) -> list[Case]:
-        """The cases that names ask for: the study's name all, "NAME:CASE" one; InputError."""
+        """The cases that names select: the study's name all, "NAME:CASE" one; InputError."""
         known = {case.id: case for case in self.cases()}
-        wanted = [name.partition(":")[2] for name in names if name != self.name]
-        for case_id in wanted:
+        selected = [name.partition(":")[2] for name in names if name != self.name]
+        for case_id in selected:
             if case_id not in known:
                 asked = f"{self.name}:{case_id}".rstrip(":")
                 there = nearest(case_id, known)
                 raise InputError(f"{asked}: no such measurement, there are {there}")
-        return list(known.values()) if self.name in names else [known[one] for one in wanted]
+        return list(known.values()) if self.name in names else [known[one] for one in selected]
 
     def measure_missing(self, cases: Sequence[Case], where: Where, *, again: bool = False) -> bool:
         """Measure the cases without a record for the present code; False where a part failed.

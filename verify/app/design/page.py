@@ -197,7 +197,7 @@ def _relaxations(s: Search) -> Sequence[Table]:
     if s.relaxations:
         found.append(
             Table(
-                title="One of these alone would admit a spring",
+                title="Relaxing one of these limits makes a spring feasible",
                 header=("relax", "from", "to", "which admits"),
                 rows=tuple((f"{r.limit.key}, {r.limit.what}", in_unit(r.limit, r.given),
                             rounded(r), geometry(s, r.candidate)) for r in s.relaxations),

@@ -14,8 +14,8 @@ from verify.judging.budget_statement import Argument, Change, Constant
 def changed(changes: Sequence[Change]) -> Iterator[None]:
     """While the body runs, `changes` hold; whatever happens, all is as before afterwards.
 
-    Functions are found anew by whoever imports them while they run, as the `fem` functions of
-    cases do. LookupError where a name is not there, RuntimeError where what should be called with
+    Code that imports functions while it runs, as the `fem` functions of cases do, gets the changed
+    ones. LookupError where a name is not there, RuntimeError where what should be called with
     other arguments was not called.
     """
     calls: dict[str, int] = {}
@@ -50,7 +50,7 @@ def _called_with(change: Argument, calls: dict[str, int]) -> Iterator[None]:
 
 
 def _like(original: Any, counted: Callable[..., Any]) -> Any:
-    """What is called in the place of `original`: a class stays one, whose instances are alike."""
+    """What is called instead of `original`: a class remains one, with the same instances."""
     if not isinstance(original, type):
         return functools.partial(counted, original)
 

@@ -51,7 +51,7 @@ def _by_its_row(pair: Pair, inputs: Any, found: Solution) -> Values:
     paper = inputs == type(inputs)()
     try:
         rows = rows_of(claim, Context("", inputs, found.formulas, levels, paper))
-    except (LookupError, ValueError, ArithmeticError, TypeError):  # it asks for what is not kept
+    except (LookupError, ValueError, ArithmeticError, TypeError):  # it needs what is not stored
         return NONE
     row = next((row for row in rows if row.levels and row.analytic is not None), None)
     if row is None or row.analytic is None or row.grid is None or not row.scale:

@@ -1,4 +1,4 @@
-"""The budgets of a run: what was measured of each case, beside the tolerances of its rows."""
+"""The budgets of a run: the measured causes of each case and the tolerances of its rows."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -20,7 +20,7 @@ from verify.studies.budget.messages import in_words
 from verify.studies.budget.plan import Plan
 from verify.studies.budget.store import measured
 
-LARGE, LEFT = 1e-3, 0.25  # a difference that is to be taken apart, and the share that may be left
+LARGE, LEFT = 1e-3, 0.25  # a difference that is to be explained, and the share that may remain
 STALE = "not measured for this code: freewheel deep budget:{} does it"
 
 
@@ -58,7 +58,7 @@ def headline(plan: Plan, rows: Sequence[Found]) -> str:
 
 
 def apart(known: balance.Balance) -> bool:
-    """Whether nothing large is left: nothing beyond LEFT of the total and its own uncertainty."""
+    """Whether the remainder is small: within LEFT of the total, or within its uncertainty."""
     left = abs(known.remainder)
     return abs(known.total) <= LARGE or left <= max(
         LEFT * abs(known.total), balance.COVERAGE * known.u

@@ -1,7 +1,7 @@
 """The budgets of rows whose formula is itself a cause: what a corrected one gives instead.
 
-The row's formula gives way to the corrected one first, and all other causes are removed from what
-that leaves: the remainder of the row is the corrected formula's.
+The corrected formula replaces that of the row first, and all other causes are removed from what
+remains: the remainder of the row is that of the corrected formula.
 """
 
 import math
@@ -39,7 +39,7 @@ def _twin(pair: Pair, by: Corrected | None) -> Pair:
 def _printed(
     pair: Pair, twin: RowBudget, by: Corrected, plan: Plan, solutions: Solutions
 ) -> RowBudget:
-    """The row's own budget from its twin's: both formulas beside the same finite elements."""
+    """The budget of the row from its twin's: both formulas beside the same finite elements."""
     step = Step(plan.case.id, (AS_IT_IS,), plan.case.levels[-1])
     total = values(pair, inputs_of(plan, step), solutions[step]).error
     change = total - twin.balance.total

@@ -56,7 +56,7 @@ def measure(cases: Sequence[Case], where: Where, _again: bool) -> bool:
 
 
 class _Run:
-    """The steps of all plans; each case's budgets are kept as soon as its steps are there."""
+    """The steps of all plans; each case's budgets are stored as soon as its steps are solved."""
 
     def __init__(self, plans: Sequence[Plan], show: Show) -> None:
         self.solutions: dict[Step, Solution] = {}
@@ -70,7 +70,7 @@ class _Run:
         )
 
     def solve(self, where: Where) -> None:
-        """Solve all steps, and those that answers ask for."""
+        """Solve all steps, and those that answers require."""
         self.dispatch.run(
             where.entered(), solve_step,
             queue(self.waiting), self._receive,
@@ -91,7 +91,7 @@ class _Run:
         return 1
 
     def _continue(self, plan: Plan) -> None:
-        """Ask for further steps of a case, twice at most, or keep its budgets."""
+        """Add further steps of a case, twice at most, or store its budgets."""
         case = plan.case.id
         more = self._more(plan) if self.rounds[case] < MOST_ROUNDS else set()
         self.rounds[case] += 1
@@ -103,15 +103,15 @@ class _Run:
         self.dispatch.total += len(more)
 
     def _more(self, plan: Plan) -> set[Step]:
-        """What the solutions so far ask for: looser tolerances, and pairs of large causes."""
+        """The steps that the solutions so far require: looser tolerances, pairs of large causes."""
         mine = self.of(plan)
         level = plan.case.levels[0]
         tight = mine.get(Step(plan.case.id, (TIGHT,), level))
-        wanted = [Step(plan.case.id, (LOOSE,), level)] if tight and tight.problem else []
+        further = [Step(plan.case.id, (LOOSE,), level)] if tight and tight.problem else []
         known = budgets(plan, mine)
         large = [[n for n in one.balance.large if n in plan.reruns] for one in known]
-        wanted += together(plan, large)
-        return {step for step in wanted if step not in mine}
+        further += together(plan, large)
+        return {step for step in further if step not in mine}
 
     def _finish(self, plan: Plan) -> None:
         mine = self.of(plan)
@@ -122,7 +122,7 @@ class _Run:
         else:
             kept.keep(plan, found, spent)
         bad = {step.title: one.problem for step, one in mine.items() if one.problem}
-        print(f"{NAME}:{plan.case.id}: {said(found)}, {len(mine)} solutions of {spent:.0f} s")
+        print(f"{NAME}:{plan.case.id}: {summary(found)}, {len(mine)} solutions of {spent:.0f} s")
         for title, problem in bad.items():
             print(f"{NAME}:{plan.case.id}: not solved: {title}: {problem}")
         self.is_solved &= not any(LOOSE in title or TIGHT not in title for title in bad)
@@ -137,7 +137,7 @@ def solve_step(step: Step) -> Solution:
     return solved(plan_of(step.case), step, cache.default_folder())
 
 
-def said(found: Sequence[RowBudget]) -> str:
+def summary(found: Sequence[RowBudget]) -> str:
     """How many rows have a budget, and the largest remainder."""
     if not found:
         return "no row"

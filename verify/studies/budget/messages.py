@@ -1,6 +1,6 @@
-"""What was rerun for the numerical part of a budget, in the words of the case's refinement.
+"""What was rerun for the numerical part of a budget, named after the refinement of the case.
 
-The names that are kept say which level was solved after which; a reader wants to know what that is.
+The stored names state which level was solved after which; here they name the refinement.
 """
 
 import re
@@ -23,17 +23,17 @@ _EXTRAPOLATED = f"{Cause.DISCRETISATION}: {RICHARDSON}"
 
 
 def in_words(case_id: str, rows: Iterable[RowBudget]) -> tuple[RowBudget, ...]:
-    """The same budgets, their discretisation as a reader of the case calls it."""
+    """The same budgets, their discretisation named after the refinement of the case."""
     next_one, finest = OTHER.get(case_id, MESHES)
 
-    def said(name: str) -> str:
+    def renamed(name: str) -> str:
         name = _LEVEL.sub(f"{Cause.DISCRETISATION}: {next_one}", name)
         extrapolated = f"{Cause.DISCRETISATION}: Richardson from {finest}"
         return name.replace(_EXTRAPOLATED, extrapolated)
 
     return tuple(
         replace(row, balance=replace(row.balance, parts=tuple(
-            replace(part, name=said(part.name)) for part in row.balance.parts
+            replace(part, name=renamed(part.name)) for part in row.balance.parts
         )))
         for row in rows
     )  # fmt: skip

@@ -36,7 +36,7 @@ class Plan:
 
     @property
     def without(self) -> tuple[Without, ...]:
-        """Causes that there are none of; the case's own words come first."""
+        """Causes that are absent; the statements of the case come first."""
         own = {one.cause: one for one in self.says.without}
         stated = {rerun.cause for rerun in self.reruns.values()}
         every = {one.cause: one for one in without(self.case)} | own
@@ -104,7 +104,7 @@ def together(plan: Plan, large: Sequence[Sequence[str]]) -> tuple[Step, ...]:
 
 
 def joint(plan: Plan, pair: tuple[str, str]) -> Step | None:
-    """Both causes removed together; None where their finite elements are their own."""
+    """Both causes removed together; None where each has separate finite elements."""
     both = [plan.reruns[name] for name in pair]
     if all(rerun.fem is not None for rerun in both) or any(rerun.after for rerun in both):
         return None
@@ -118,7 +118,7 @@ def inputs_of(plan: Plan, step: Step) -> Any:
     for name in step.causes:
         if name in plan.reruns:
             found = plan.reruns[name].inputs(found)
-            found = type(found).model_validate(found.model_dump())  # by the inputs' own rules
+            found = type(found).model_validate(found.model_dump())  # by the rules of the inputs
     return found
 
 

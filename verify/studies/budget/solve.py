@@ -109,10 +109,10 @@ def code_of(plan: Plan, name: str) -> str:
     rerun = plan.reruns.get(name)
     if rerun is None:
         factor = {plans.TIGHT: TIGHTER, plans.LOOSE: LOOSER}.get(name, 1.0)
-        told = tolerances(plan.case, factor) if factor != 1 else ()
-        return f"{name} {', '.join(map(str, told))}"
-    own = "" if rerun.fem is None else source_code.source_of(rerun.fem)
-    return f"{', '.join(map(str, rerun.changes))} {own}"
+        changes = tolerances(plan.case, factor) if factor != 1 else ()
+        return f"{name} {', '.join(map(str, changes))}"
+    source = "" if rerun.fem is None else source_code.source_of(rerun.fem)
+    return f"{', '.join(map(str, rerun.changes))} {source}"
 
 
 def _stored(store: Store, name: str) -> Solution | None:

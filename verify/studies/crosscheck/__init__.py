@@ -1,1 +1,1 @@
-"""Second solvers beside the project's own: its meshes and loads, posed to programs of others."""
+"""Second solvers: the meshes and loads of the project, solved by other programs."""

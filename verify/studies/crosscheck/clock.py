@@ -1,4 +1,4 @@
-"""How long the project's own side takes."""
+"""Solution times of the project."""
 
 import time
 from collections.abc import Callable

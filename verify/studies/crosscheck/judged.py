@@ -1,4 +1,4 @@
-"""Comparisons judged: how far both solvers are apart, and whether that may be."""
+"""Comparisons judged: the difference of both solvers, and whether it is allowed."""
 
 from collections.abc import Iterator, Sequence
 
@@ -38,7 +38,7 @@ def judged(cross: Cross, found: Found) -> tuple[Crosscheck, ...]:
 
 
 def reported(cases: Sequence[str]) -> tuple[Crosscheck, ...]:
-    """What a report on these cases shows: lines that are kept, what is not measured, and by none.
+    """The lines of a report on these cases: stored ones, those not measured, those without solver.
 
     Cases without a comparison say why; a report on such cases alone shows nothing.
     """

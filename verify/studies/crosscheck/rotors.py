@@ -1,4 +1,4 @@
-"""Rotors of `fem.rotor` as ROSS is told of them: plain data for its own script."""
+"""Rotors of `fem.rotor` as ROSS is given them: plain data for its script."""
 
 import json
 from collections.abc import Mapping, Sequence
@@ -20,7 +20,7 @@ def asked(
     ROSS has not.
     """
     if any(shaft.ratio != 1 for shaft in rotor.shafts):
-        raise ValueError("ROSS turns all coaxial shafts alike: a ratio must be 1")
+        raise ValueError("ROSS has one speed for all coaxial shafts: a ratio must be 1")
     known = dict(unbalance or {})
     if known:
         known["nodes"] = [refined(rotor, n) for n in known["nodes"]]

@@ -83,7 +83,7 @@ def interpreter() -> Path | None:
 def solve(name: str, deck: Path, limit: float = LONG) -> float:
     """Solve a deck and leave the answer beside it; seconds, without those of an interpreter.
 
-    RuntimeError with the solver's own last words, or over the `limit` in seconds.
+    RuntimeError with the last output of the solver, or over the `limit` in seconds.
     """
     if name == CALCULIX:
         return running.run_deck(deck, limit=limit).wall

@@ -33,7 +33,7 @@ class Found:
 def code_of(cross: Cross) -> str:
     """Hash of all that a comparison's numbers come from, at both sides.
 
-    Sources of the project's own side, of what poses the problem and reads its answer, the case's
+    Sources of the project's side, of what poses the problem and reads its answer, the case's
     inputs, and the rows that it stands beside.
     """
     pose = getattr(cross.pose, "func", cross.pose)

@@ -39,7 +39,7 @@ class Curve:
         return float(np.interp(U, self.U, self.F, right=np.nan))
 
     def displacement(self, F: float) -> float:
-        """Displacement [m] at which F is first borne, by a cubic; NaN where it never is."""
+        """Displacement [m] at which the force first reaches F, by a cubic; NaN if it never does."""
         beyond = np.flatnonzero(F <= self.F)
         if not beyond.size:
             return float("nan")

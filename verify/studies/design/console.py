@@ -15,14 +15,15 @@ from verify.studies.design.outcome import Outcome
 from verify.studies.design.records import COLUMNS, columns, violations
 from verify.studies.design.search import Search
 
-WIDE = 1.005  # width factor from which a strip is told to be wide
+ACCEPTED = "accepted"
+WIDE = 1.005  # width factor from which a warning is given
 FRONT = (("n", "n", 0), ("b", "b", 4), ("L1", "L_1", 3), ("r", "r", 3), ("alpha", "α", 2),
          ("L0", "L_0", 3), ("U_w", "U_w", 3), ("k1", "k_1", 5), ("U_A", "U_A", 3),
          ("stress", "σ", 1))  # fmt: skip
 
 
 def print_outcome(outcome: Outcome, system: System = "mm") -> None:
-    """The search in counts, why candidates fall out, and the front or what it would take."""
+    """The search in counts, the violated limits, and the front or the relaxations needed."""
     s = outcome.search
     feasible = int(s.judged.feasible.sum())
     print(f"{s.task.name}: {len(s.springs):,} candidates, {feasible:,} feasible")
@@ -35,8 +36,8 @@ def print_outcome(outcome: Outcome, system: System = "mm") -> None:
         return
     more = len(s.front) > len(s.members)
     print(
-        f"front: {len(s.front)} springs that none beats in stress, L_0, room to A and stiffness"
-        + (f", {len(s.members)} spread over it" if more else "")
+        f"front: {len(s.front)} Pareto-optimal springs in stress, L_0, margin to A and stiffness"
+        + (f", {len(s.members)} of them listed" if more else "")
     )
     for line in aligned(front_table(outcome, system)):
         print(f"  {line}")
@@ -49,18 +50,18 @@ def front_table(outcome: Outcome, system: System = "mm") -> list[tuple[str, ...]
     """The members of the front as cells, heads of names and units first."""
     s, values = outcome.search, columns(outcome.search)
     unit_of = dict(COLUMNS) | {"n": ""}
-    shown = {name: unit_in(unit_of[name], system) for name, _, _ in FRONT}
-    scale = {name: ratio(unit_of[name], shown[name]) if shown[name] else 1.0 for name in shown}
+    target = {name: unit_in(unit_of[name], system) for name, _, _ in FRONT}
+    scale = {name: ratio(unit_of[name], target[name]) if target[name] else 1.0 for name in target}
     fem = bool(outcome.verified)
     lines = [
         (
             "",
             *(symbol for _, symbol, _ in FRONT),
-            *(("k_1 FE", "less FE", "Δ FE", "e_r FE", "") if fem else ()),
+            *(("k_1 FE", "minus FE", "Δ FE", "e_r FE", "") if fem else ()),
         ),
         (
             "",
-            *shown.values(),
+            *target.values(),
             *((unit_in("N/mm", system), "", unit_in("mm", system), "", "") if fem else ()),
         ),
     ]
@@ -101,52 +102,54 @@ def verdict(v: Verified) -> str:
         return f"no equilibrium found beyond {v.curve.U[-1] * 1e3:.3g} mm"
     if v.overstressed:
         return f"{v.stress / 1e6:.4g} MPa"
-    return "kept" if v.fits else f"beyond ±{100 * v.e_max:.2g} %"
+    return ACCEPTED if v.fits else f"beyond ±{100 * v.e_max:.2g} %"
 
 
 def warnings(outcome: Outcome) -> list[str]:
-    """What the chosen spring has to be warned of."""
+    """Warnings on the selected spring."""
     s, i = outcome.search, outcome.candidate
     q, f = s.task.demands, s.formulas
     found = []
     if q.width_factor is None and f.f[i] > WIDE:
         found.append(
-            f"the strip's width stiffens it by {f.f[i] - 1:.1%}, as a leaf that is a plate: arcs "
-            "add to that, and 1/(1 - ν²) is the most (case spring-width measures it)"
+            f"the strip's width stiffens it by {f.f[i] - 1:.1%}, from the leaf as a plate; arcs "
+            "increase this, up to 1/(1 - ν²) (case spring-width computes it)"
         )
     if abs(f.k1_eqs_1_9[i] / f.k1[i] - 1) > q.e_max:
         found.append(
             f"Eqs. 1-9 as printed give k_1 = {f.k1_eqs_1_9[i] / 1e3:.4g} N/mm, "
             f"{f.k1_eqs_1_9[i] / f.k1[i] - 1:+.1%}: inner radius, head free, tail clamped at arc"
         )
-    if outcome.verified and (said := verdict(v := outcome.verified[outcome.chosen or 0])) != "kept":
-        what = "do not verify" if v.unsolved else "reject"
-        found.append(f"finite elements {what} the chosen spring: {said}")
+    if outcome.verified:
+        v = outcome.verified[outcome.chosen or 0]
+        if (reason := verdict(v)) != ACCEPTED:
+            what = "do not verify" if v.unsolved else "reject"
+            found.append(f"finite elements {what} the selected spring: {reason}")
     if outcome.verified and not any(v.agrees and v.fits for v in outcome.verified):
-        found.append("finite elements keep no member of the front")
+        found.append("finite elements accept no member of the front")
     return found
 
 
 def print_chosen(outcome: Outcome, system: System) -> None:
-    """Every limit beside the chosen spring's value."""
+    """Every limit and the value of the selected spring."""
     s, i = outcome.search, outcome.candidate
-    print(text_in(f"chosen: member {s.members.tolist().index(i) + 1}, {geometry(s, i)}", system))
-    for line in aligned(cells_in([_kept(limit, i) for limit in s.judged.limits], system)):
+    print(text_in(f"selected: member {s.members.tolist().index(i) + 1}, {geometry(s, i)}", system))
+    for line in aligned(cells_in([_limit_line(limit, i) for limit in s.judged.limits], system)):
         print(f"  {line}")
 
 
 def print_nothing(s: Search, system: System) -> None:
-    """Which candidate comes nearest, and what would have to give way."""
+    """The candidate closest to feasible, and the limits to relax."""
     if not s.nearest:
-        print("nothing is feasible: no candidate is a spring, which needs b < r and 2 r < L1")
+        print("no candidate is feasible: a spring needs b < r and 2 r < L1")
         return
     i = s.nearest[0].candidate
-    nearest = f"nothing is feasible; the nearest is {geometry(s, i)}, which violates"
+    nearest = f"no candidate is feasible; the closest is {geometry(s, i)}, which violates"
     print(text_in(nearest, system))
     for line in aligned(cells_in([_relaxed(r) for r in s.nearest], system)):
         print(f"  {line}")
     if s.relaxations:
-        print("one of these alone would admit a spring")
+        print("each of these relaxations alone would make a spring feasible")
         alone = [(*_relaxed(r), geometry(s, r.candidate)) for r in s.relaxations]
         for line in aligned(cells_in(alone, system)):
             print(f"  {line}")
@@ -180,10 +183,10 @@ def _reason(limit: Limit, count: int) -> tuple[str, ...]:
     return limit.symbol, f"{limit.sign} {bound}", limit.source, f"{count:,}"
 
 
-def _kept(limit: Limit, i: int) -> tuple[str, ...]:
+def _limit_line(limit: Limit, i: int) -> tuple[str, ...]:
     value = in_unit(limit, float(limit.value[i]) - limit.offset)
     bound = in_unit(limit, limit.bound - limit.offset)
-    return limit.what, limit.symbol, value, f"{limit.sign} {bound}", f"{spare(limit, i)} to spare"
+    return limit.what, limit.symbol, value, f"{limit.sign} {bound}", f"margin {spare(limit, i)}"
 
 
 def spare(limit: Limit, i: int) -> str:
@@ -197,7 +200,7 @@ def _relaxed(r: Relaxation) -> tuple[str, ...]:
     return (
         limit.what, f"{limit.symbol} {limit.sign} {in_unit(limit, r.given)} ({limit.source})",
         f"relax {limit.key} from {in_unit(limit, r.given)} to {rounded(r)}"
-        if r.possible else f"needs {rounded(r)}, which {limit.key} cannot be set to",
+        if r.possible else f"needs {rounded(r)}, beyond the allowed {limit.key}",
         f"{100 * r.excess:.3g} % beyond",
     )  # fmt: skip
 

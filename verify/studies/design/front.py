@@ -38,8 +38,8 @@ def distance_to_ideal(objectives: Array) -> Array:
 def thinned(objectives: Array, most: int = MEMBERS) -> Indices:
     """At most `most` rows, nearest to the ideal point first.
 
-    That nearest one and the best of each objective stay; then whichever row is farthest from
-    those taken, in scaled objectives, until there are enough.
+    That nearest one and the best of each objective are selected; then repeatedly the row with the
+    largest distance from those selected, in scaled objectives, until there are enough.
     """
     at, ideal = scaled(objectives), distance_to_ideal(objectives)
     taken = list(dict.fromkeys([int(ideal.argmin()), *map(int, at.argmin(axis=0))]))[:most]

@@ -185,6 +185,6 @@ def task(raw: Mapping[str, Any], name: str, where: str) -> Task:
 
 
 def default() -> Task:
-    """What the template asks for."""
+    """The task of the template."""
     ranges = {k: sweep.read(sweep.default, f"inputs.{k}") for k, sweep in SWEEPS.items()}
     return Task(f"my {CASE}", Demands(), ranges)

@@ -11,7 +11,7 @@ from verify.studies.design.inputs import Demands
 from verify.studies.design.springs import Formulas, Springs
 
 Array = NDArray[np.float64]
-ROUND_OFF = 1e-12  # a limit that is just met is kept
+ROUND_OFF = 1e-12  # a limit that is just met is not violated
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -57,12 +57,12 @@ class Judged:
 
     @cached_property
     def feasible(self) -> NDArray[np.bool_]:
-        """Candidates that keep every limit."""
+        """Candidates within every limit."""
         return np.asarray(self.possible & ~self.violations.any(axis=0))
 
     @cached_property
     def violations(self) -> NDArray[np.bool_]:
-        """Limits by candidates; of what is no spring nothing is said."""
+        """Limits by candidates; False for what is no spring."""
         return np.array([limit.violated for limit in self.limits]) & self.possible
 
     def reasons(self, i: int) -> tuple[str, ...]:
@@ -86,7 +86,7 @@ def limits(s: Springs, f: Formulas, q: Demands) -> Judged:
               unit="1", value=f.U_w / f.L0, bound=q.ratio_max, source="Eq. 12"),
         Limit(key="wedge", what="free length in the wedge", symbol="L_0", unit="mm",
               value=f.L0, bound=q.wedge, source="Fig. 12"),
-        Limit(key="margin", what="room to point A, where leaves touch", symbol="U_A/U_w − 1",
+        Limit(key="margin", what="margin to point A, where leaves touch", symbol="U_A/U_w − 1",
               unit="%", value=_over(f.U_A, f.U_w), bound=1 + q.margin,
               source="closed form", least=True, offset=1.0),
         Limit(key="sigma", what="bending stress at F_w", symbol="σ", unit="MPa",
@@ -94,7 +94,7 @@ def limits(s: Springs, f: Formulas, q: Demands) -> Judged:
     ]  # fmt: skip
     if q.sway is not None:
         found.append(
-            Limit(key="sway", what="room to sideways buckling", symbol="U_cr/U_w − 1", unit="%",
+            Limit(key="sway", what="margin to lateral buckling", symbol="U_cr/U_w − 1", unit="%",
                   value=_over(f.U_cr, f.U_w), bound=1 + q.sway, source="Haringx's column",
                   least=True, offset=1.0)
         )  # fmt: skip
@@ -105,7 +105,7 @@ def limits(s: Springs, f: Formulas, q: Demands) -> Judged:
         )  # fmt: skip
     if q.room is not None:
         found.append(
-            Limit(key="room", what="height across", symbol="2 (L_1/2 + r + b)", unit="mm",
+            Limit(key="room", what="transverse height", symbol="2 (L_1/2 + r + b)", unit="mm",
                   value=_where(s, s.L1 + 2 * (s.r + s.b)), bound=q.room, source="geometry")
         )  # fmt: skip
     if q.b_tolerance is not None and q.k_band is not None:

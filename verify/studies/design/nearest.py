@@ -36,7 +36,7 @@ class Relaxation:
 
 
 def relaxation(limit: Limit, i: int) -> Relaxation:
-    """What of a limit candidate `i` asks for."""
+    """The relaxation of a limit that candidate `i` needs."""
     given, needed = limit.bound - limit.offset, float(limit.value[i]) - limit.offset
     return Relaxation(limit, i, given, needed)
 

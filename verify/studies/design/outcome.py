@@ -19,7 +19,7 @@ class Outcome:
     """`verified` belongs to the members of the front, none without finite elements.
 
     `chosen` counts the members from 0, and is None where nothing is feasible; `curve` is the
-    chosen spring's by finite elements, to some way beyond U_A.
+    chosen spring's by finite elements, to a displacement beyond U_A.
     """
 
     search: Search
@@ -29,7 +29,7 @@ class Outcome:
 
     @property
     def passed(self) -> bool:
-        """Something is feasible, finite elements meet the formula, and keep the chosen spring."""
+        """Something is feasible, finite elements meet the formula, and accept the chosen spring."""
         if self.chosen is None:
             return False
         if not self.verified:
@@ -48,8 +48,8 @@ def carry_out(
 ) -> Outcome:
     """Search, verify the front, and choose member number `choose`, counted from 1.
 
-    By default it is the first that finite elements keep, the members being sorted by their
-    distance to the ideal point; the very first where they keep none. `drawn` adds its curve.
+    By default it is the first that finite elements accept, the members being sorted by their
+    distance to the ideal point; the very first where they accept none. `drawn` adds its curve.
     """
     found = search(task)
     members = [int(i) for i in found.members]
@@ -65,8 +65,8 @@ def carry_out(
             show(progress.State(done, len(members), (f"member {done + 1}",), remaining))
 
         checked = verified(found.springs, found.formulas, members, task.demands, tell)
-    kept = next((k for k, v in enumerate(checked) if v.agrees and v.fits), 0)
-    chosen = kept if choose is None else choose - 1
+    accepted = next((k for k, v in enumerate(checked) if v.agrees and v.fits), 0)
+    chosen = accepted if choose is None else choose - 1
     i, f = members[chosen], found.formulas
     if not drawn:
         return Outcome(found, checked, chosen)
@@ -82,7 +82,7 @@ def chosen_file(outcome: Outcome) -> str:
     lengths = {"b": s.b[i], "h": q.h, "r": s.r[i], "L1": s.L1[i]}
     name = found.task.name.replace("\\", "\\\\").replace('"', '\\"')
     return "\n".join([
-        f"# Member {(outcome.chosen or 0) + 1} of the front of a design task; to go on with:",
+        f"# Member {(outcome.chosen or 0) + 1} of the front of a design task. Next step:",
         f"#   freewheel check --fem {CHOSEN}",
         "",
         'case = "spring-stages"',

@@ -112,7 +112,7 @@ def finite(value: float) -> float | None:
 
 
 def relaxed(r: Relaxation) -> dict[str, Any]:
-    """A limit that would have to give way, in its own unit."""
+    """A limit that would have to be relaxed, in its unit."""
     factor = units.factor(r.limit.unit)
     return {
         "limit": r.limit.key, "what": r.limit.what, "unit": r.limit.unit, "from": r.given / factor,

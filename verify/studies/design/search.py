@@ -41,7 +41,7 @@ class Search:
 
     @cached_property
     def relaxations(self) -> Sequence[Relaxation]:
-        """Where nothing is feasible: limits of which one alone would have to give way."""
+        """Where nothing is feasible: limits of which relaxing one is sufficient."""
         return () if self.front.size else alone(self.judged)
 
     @cached_property

@@ -10,7 +10,7 @@ from verify.studies.design.sweep import Sweep
 
 HEAD = f"""\
 # A design task: accordion springs by the rules of Wang et al. 2023 (Eqs. 11-13, Fig. 12) and more.
-# The task is much like the paper's spring; put in your own numbers, and then
+# The task is similar to the paper's spring. Replace the numbers by yours, then run
 #   freewheel design my.toml                  the feasible springs and the best of them
 #   freewheel design my.toml --out spring/    and a page, a table of all candidates, the chosen one
 # A value keeps its unit; any other unit of the same kind will do.

@@ -1,4 +1,4 @@
-"""What `freewheel design` prints of a crown: the best one, torque by torque, and its checks."""
+"""What `freewheel design` prints of a crown: the optimal one, its pressures and checks."""
 
 from collections.abc import Sequence
 
@@ -28,7 +28,7 @@ def print_outcome(outcome: Outcome, system: System = "mm") -> None:
     print(text_in(best, system))
     for line in aligned(cells_in([("", *HEAD_CROWN), *crown_table(outcome)], system)):
         print(f"  {line}")
-    print("largest pressures as the clutch engages [MPa]")
+    print("largest pressures during engagement [MPa]")
     for line in aligned([*torque_heads(outcome), *torque_table(outcome)]):
         print(f"  {line}")
     for line in remarks(outcome):
@@ -61,14 +61,14 @@ HEAD_CROWN = ("now", "best", "range", f"within {100 * FLAT:g} %: alone", "with o
 
 
 def crown_table(outcome: Outcome) -> list[tuple[str, ...]]:
-    """Each parameter now, at its best, its range, and how far it may be off."""
+    """Each parameter now, at the optimum, its range, and its permissible deviation."""
     task, q = outcome.task, outcome.task.clutch
     now = (q.K_1, q.K_2, q.z_m)
     return [
         (
             SYMBOLS[j],
-            shown(j, now[j]) if q.z_m else "none",
-            shown(j, outcome.crown[j]),
+            value_of(j, now[j]) if q.z_m else "none",
+            value_of(j, outcome.crown[j]),
             span(j, np.array([task.low[j], task.high[j]])),
             span(j, outward(outcome.alone[j])),
             span(j, outward(outcome.together[j])),
@@ -77,7 +77,7 @@ def crown_table(outcome: Outcome) -> list[tuple[str, ...]]:
     ]
 
 
-def shown(j: int, value: float) -> str:
+def value_of(j: int, value: float) -> str:
     """A value of parameter number j."""
     return FORMS[j].format(value / UNITS[j])
 
@@ -89,7 +89,7 @@ def span(j: int, ends: Array) -> str:
 
 
 def outward(ends: Array) -> Array:
-    """Two positive values in three digits, which keep between them what was."""
+    """Two positive values in three digits, rounded outwards."""
     step = 10.0 ** (np.floor(np.log10(ends)) - 2)
     low, high = np.round(ends / step, 6)  # what is whole but for its last digit is whole
     return np.array([np.floor(low), np.ceil(high)]) * step
@@ -117,7 +117,7 @@ def torque_table(outcome: Outcome) -> list[tuple[str, ...]]:
             f"{T:g}", f"{N:.0f}", f"{N / outcome.search.model.Q:.3g}",
             pressure(outcome, outcome.now, k, ends=outcome.now_carries[k]),
             pressure(outcome, outcome.without, k, ends=True),
-            f"{outcome.best[k] / MPa:.0f}", *(shown(j, crown[j]) for j in range(3)),
+            f"{outcome.best[k] / MPa:.0f}", *(value_of(j, crown[j]) for j in range(3)),
             f"{outcome.pressures[k] / MPa:.0f}",
             *((band(outcome, k),) if tolerance else ()), percent(float(outcome.excess[k])),
         ))  # fmt: skip
@@ -125,7 +125,7 @@ def torque_table(outcome: Outcome) -> list[tuple[str, ...]]:
 
 
 def percent(share: float) -> str:
-    """A difference in per cent, of which less than a hundredth is nobody's."""
+    """A difference in per cent; below a hundredth only that bound."""
     return f"{100 * share:+.2g} %" if abs(share) >= 1e-4 else "< 0.01 %"
 
 
@@ -136,40 +136,40 @@ def band(outcome: Outcome, k: int) -> str:
 
 
 def pressure(outcome: Outcome, known: Known, k: int, *, ends: bool) -> str:
-    """A largest pressure; where the ends carry, by how many slices or strips."""
-    said = f"{outcome.largest(known)[0, k] / MPa:.0f}"
-    return f"{said} (ends carry, {so_many(outcome, k)})" if ends else said
+    """A largest pressure; where the ends are loaded, the number of slices or strips."""
+    text = f"{outcome.largest(known)[0, k] / MPa:.0f}"
+    return f"{text} (edge-loaded, {so_many(outcome, k)})" if ends else text
 
 
 def so_many(outcome: Outcome, k: int) -> str:
-    """How many slices or strips a pressure under torque number k is by."""
+    """The number of slices or strips of a pressure under torque number k."""
     contacts = outcome.task.wishes.contacts
     return f"{outcome.now.along(contacts, k).shape[1]} {contacts}"
 
 
 def remarks(outcome: Outcome) -> list[str]:
-    """What is said below the table of torques."""
+    """The lines below the table of torques."""
     return [
         *compared(outcome), surely(outcome), *at_bounds(outcome), *on_edge(outcome),
-        *paper_s_way(outcome),
+        *by_slices(outcome),
     ]  # fmt: skip
 
 
 def at_bounds(outcome: Outcome) -> list[str]:
-    """Bounds that the optimal crown is at and that cost nothing."""
+    """Bounds at which the optimal crown lies without a penalty."""
     return [
-        f"a wider range of {SYMBOLS[b.parameter]}, which is at its edge, gains nothing: "
-        f"{shown(b.parameter, b.beyond)} alone was tried"
+        f"{SYMBOLS[b.parameter]} is at the end of its range; a wider range gains nothing "
+        f"({value_of(b.parameter, b.beyond)} was tried)"
         for b in outcome.bounds
         if not b.costs
     ]
 
 
 def on_edge(outcome: Outcome) -> list[str]:
-    """Advice where a crown without tolerance is at the edge of its ends."""
+    """Advice where a crown without tolerance is close to edge loading."""
     if not (outcome.search.single and outcome.on_edge):
         return []
-    return [f"give t_z, t_y: with z_m {100 * (1 - SHALLOWER):.0f} % less its ends carry"]
+    return [f"give t_z, t_y: with z_m {100 * (1 - SHALLOWER):.0f} % less it is edge-loaded"]
 
 
 def compared(outcome: Outcome) -> list[str]:
@@ -177,25 +177,25 @@ def compared(outcome: Outcome) -> list[str]:
     if outcome.search.single:
         return []
     return [
-        "now, no crown and chosen are of the crown as it is drawn, best there and excess of the "
-        "worst within the tolerance: now compares with chosen, not with best there"
+        "now, no crown and chosen hold for nominal dimensions, best there and excess for the worst "
+        "within the tolerance: compare now with chosen, not with best there"
     ]
 
 
 def surely(outcome: Outcome) -> str:
-    """How good kriging is, and how far it was from the true model at the end."""
+    """The accuracy of kriging, and its final difference from the model."""
     near, whole = outcome.search.judged[-1]
     return (
-        f"kriging: at the optimal crown {percent(outcome.predicted / outcome.true - 1)} off the "
-        f"true model ({100 * AGREE:g} % asked for), {outcome.rounds} rounds; on {near.count} fresh "
-        f"random crowns near the best {100 * near.mean:.2f} % in the mean and "
+        f"kriging: error {percent(outcome.predicted / outcome.true - 1)} at the optimal crown "
+        f"({100 * AGREE:g} % required), {outcome.rounds} rounds; on {near.count} new "
+        f"random crowns near the optimum {100 * near.mean:.2f} % in the mean and "
         f"{100 * near.largest:.2f} % at most (all {whole.count}: {100 * whole.mean:.2f} %, "
         f"{100 * whole.largest:.2f} %)"
     )
 
 
-def paper_s_way(outcome: Outcome) -> list[str]:
-    """What slices would have chosen at the largest torque of the known crowns in the ranges."""
+def by_slices(outcome: Outcome) -> list[str]:
+    """The optimal crown by slices at the largest torque, of the known crowns in the ranges."""
     task, known = outcome.task, outcome.search.model.known
     if task.wishes.contacts == "slices":
         return []
@@ -204,16 +204,16 @@ def paper_s_way(outcome: Outcome) -> list[str]:
     inside = np.all((known.crowns >= low) & (known.crowns <= high), axis=1)
     i = int(np.where(inside, known.slices[:, k].max(axis=1), np.inf).argmin())
     along = known.strips[k][i]
-    by_slices, by_strips = known.slices[i, k].max(), along.max()
+    of_slices, of_strips = known.slices[i, k].max(), along.max()
     T = task.torques[k]
-    if by_strips < 1.005 * outcome.pressures[k]:
+    if of_strips < 1.005 * outcome.pressures[k]:
         return []
     at_ends = ", at its ends" if int(along.argmax()) in (0, len(along) - 1) else ""
     return [
-        f"the paper's way, by slices, would{' at the largest torque' if k else ''} have gone to "
+        f"the slices of the paper give{' at the largest torque' if k else ''} the crown "
         f"{named(known.crowns[i])}: "
-        f"{by_slices / MPa:.0f} MPa at {T:g} N m by {known.slices.shape[2]} slices, but "
-        f"{by_strips / MPa:.0f} MPa by {known.strips[k].shape[1]} strips{at_ends}"
+        f"{of_slices / MPa:.0f} MPa at {T:g} N m by {known.slices.shape[2]} slices, but "
+        f"{of_strips / MPa:.0f} MPa by {known.strips[k].shape[1]} strips{at_ends}"
     ]
 
 
@@ -222,7 +222,7 @@ def check_heads(outcome: Outcome) -> tuple[str, ...]:
     n = outcome.task.clutch.slices
     cells = " by ".join(map(str, CELLS[1]))
     return ("T", "crown", f"{n} slices", f"{2 * n} slices", "strips", f"{cells} cells",
-            "coarser cells", "strips less", "slices less", "at mid-length", "ends")  # fmt: skip
+            "coarser cells", "strips error", "slices error", "at mid-length", "ends")  # fmt: skip
 
 
 def check_line(c: Check) -> tuple[str, ...]:
@@ -232,27 +232,27 @@ def check_line(c: Check) -> tuple[str, ...]:
         f"{c.strips.max() / MPa:.1f} ({len(c.strips)})", f"{c.peak / MPa:.1f}",
         f"{c.coarse / MPa:.1f}", f"{100 * c.off(float(c.strips.max())):+.2f} %",
         f"{100 * c.off(float(c.slices.max())):+.2f} %", f"{100 * c.mid_off:+.2f} %",
-        "free" if c.end == 0 else f"carry {c.end / MPa:.0f}",
+        "unloaded" if c.end == 0 else f"{c.end / MPa:.0f}",
     )  # fmt: skip
 
 
 def verdict(outcome: Outcome) -> str:
-    """PASS or FAIL of the contacts that the crown was chosen by, against the half-space."""
+    """PASS or FAIL of the contact model of the search, against the half-space."""
     contacts = outcome.task.wishes.contacts
     if not outcome.checks:
         return "not checked by a half-space"
     worst = max(outcome.checks, key=lambda c: abs(c.off(c.judged)))
-    said = "PASS" if outcome.verified else "FAIL"
+    state = "PASS" if outcome.verified else "FAIL"
     loaded = ", ".join(f"{c.T:g} N m, {c.which}" for c in outcome.checks if c.end > 0)
-    ends = f"; its ends carry ({loaded}), where no pressure is the largest" if loaded else ""
+    ends = f"; edge-loaded ({loaded}), where the pressure has no finite maximum" if loaded else ""
     return (
-        f"{said} {contacts} within {100 * LIMIT:g} % of the half-space, ends free: at most "
+        f"{state} {contacts} within {100 * LIMIT:g} % of the half-space, ends unloaded: at most "
         f"{100 * worst.off(worst.judged):+.2g} %, {worst.T:g} N m, the {worst.which} crown{ends}"
     )
 
 
 def warnings(outcome: Outcome) -> Sequence[str]:
-    """What the chosen crown has to be warned of."""
+    """Warnings on the chosen crown."""
     return [*_limits(outcome), *_ends(outcome), *_bounds(outcome), *_flat(outcome)]
 
 
@@ -261,7 +261,7 @@ def _limits(outcome: Outcome) -> list[str]:
     if not outcome.exceeded or limit is None:
         return []
     at = ", ".join(f"{T:g}" for T in outcome.exceeded)
-    return [f"p_lim = {limit / MPa:.5g} MPa is exceeded at {at} N m, with the optimal crown too"]
+    return [f"p_lim = {limit / MPa:.5g} MPa is exceeded at {at} N m, also by the optimal crown"]
 
 
 def _ends(outcome: Outcome) -> list[str]:
@@ -271,32 +271,32 @@ def _ends(outcome: Outcome) -> list[str]:
     at = ", ".join(f"{c.T:g}" for c in loaded)
     free = outcome.free_from
     mend = (
-        f"z_m of {free / um:.3g} µm would unload them, K_1 and K_2 kept"
+        f"z_m of {free / um:.3g} µm would unload them, with the same K_1 and K_2"
         if free
         else "no larger z_m alone unloads them: take a larger K_1"
     )
     return [
-        f"the ends carry at {at} N m: there the pressure has no limit, whatever slices or strips "
-        f"say; {mend}"
+        f"the ends are loaded at {at} N m: there the pressure has no finite maximum; slices and "
+        f"strips are not valid; {mend}"
     ]
 
 
 def _bounds(outcome: Outcome) -> list[str]:
     return [
-        f"{SYMBOLS[b.parameter]} is at the edge of its range: {shown(b.parameter, b.beyond)} "
-        f"alone would gain {100 * b.gain:.2g} %"
+        f"{SYMBOLS[b.parameter]} is at the end of its range: {value_of(b.parameter, b.beyond)} "
+        f"would gain {100 * b.gain:.2g} %"
         for b in outcome.bounds
         if b.costs
     ]
 
 
 def _flat(outcome: Outcome) -> list[str]:
-    """Where every crown of the ranges is as good."""
+    """Where all crowns of the ranges are equivalent."""
     task = outcome.task
     if all(
         high - low >= 0.98 * (task.high[j] - task.low[j])
         for j, (low, high) in enumerate(outcome.alone)
     ):
-        return [f"every parameter alone may go through its whole range for {100 * FLAT:g} %: any "
-                "crown of these ranges does"]  # fmt: skip
+        return [f"every parameter changes the pressure over its whole range by {100 * FLAT:g} % at "
+                "most: all crowns of these ranges are equivalent"]  # fmt: skip
     return []

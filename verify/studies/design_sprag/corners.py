@@ -1,4 +1,4 @@
-"""Crowns within their tolerance: the wanted one and the corners of what may be ground."""
+"""Crowns within their tolerance: the nominal one and the corners of the grinding tolerance."""
 
 import numpy as np
 
@@ -7,7 +7,7 @@ from verify.studies.design_sprag.inputs import Task
 
 
 def corners(task: Task, crowns: Array) -> Array:
-    """The crowns (n, 3) and the corners of their tolerances, (n, c, 3), the wanted ones first.
+    """The crowns (n, 3) and the corners of their tolerances, (n, c, 3), the nominal ones first.
 
     The whole profile grows with its drop: K_1 and z_m are times 1 ± t_z/z_m. A crown that would
     begin beyond the middle begins there.

@@ -35,8 +35,8 @@ class Wishes(EngagementInputs):
     """The clutch, with the crown that it has now, and what the optimal crown is to be."""
 
     aim: Aim = word(
-        "excess", "what is made least: the largest excess over the optimal crown of each torque, "
-        "or the largest pressure of all, so that the largest torque decides; alike for one torque",
+        "excess", "what is minimised: the largest excess over the optimal crown of each torque, or "
+        "the largest pressure of all, at the largest torque; the same for one torque",
     )  # fmt: skip
     contacts: Contacts = word(
         "strips", "pressures: by strips on a half-space or, as in the paper, by slices, which let "
@@ -140,7 +140,7 @@ def unable(task: Task) -> str:
 
 
 def default() -> Task:
-    """What the template asks for."""
+    """The task of the template."""
     bounds = [r.read(r.default, f"inputs.{r.name}") for r in RANGES]
     (a, b, c), (d, e, f) = zip(*bounds, strict=True)
     torques = TORQUES.read(TORQUES.default, "inputs.torques")

@@ -1,4 +1,4 @@
-"""The true model: engagements of the clutch with any crown, kept on disk as they come.
+"""The true model: engagements of the clutch with any crown, stored on disk at once.
 
 Forces are those of the clutch's slices, which hardly know the crown's ends: pressures under them
 are found by slices and by strips on a half-space.

@@ -45,8 +45,8 @@ class Outcome:
     """The chosen crown (3,); of m torques: the optimal crown of each (m, 3), its pressure (m,).
 
     `worst` (m,) [Pa] is the chosen crown's within its tolerance, as it is counted; `chosen`, `now`
-    and `without` are the true model's answers for it, the clutch's own crown and none; `predicted`
-    and `true` what is made least, by kriging and truly, where the search ended.
+    and `without` are the true model's answers for it, the given crown and none; `predicted`
+    and `true` what is minimised, by kriging and truly, where the search ended.
     """
 
     task: Task
@@ -62,7 +62,7 @@ class Outcome:
     predicted: float
     true: float
     rounds: int
-    alone: Array  # (3, 2) ranges of each parameter within FLAT, the others kept
+    alone: Array  # (3, 2) ranges of each parameter within FLAT, the others constant
     together: Array  # (3, 2) of crowns within FLAT
     bounds: Sequence[Bound]
     checks: Sequence[Check]
@@ -193,11 +193,11 @@ def flatness(search: Search, worth: Worth, crown: Array, worst: Array) -> tuple[
     return alone, np.column_stack([good.min(axis=0), good.max(axis=0)])
 
 
-def _around(values: Array, kept: Array, at: float) -> Array:
-    """Ends of the stretch of rising `values` that is `kept` around `at`."""
-    outside = values[~kept.astype(bool)]
+def _around(values: Array, mask: Array, at: float) -> Array:
+    """Ends of the stretch of rising `values` around `at` where `mask` is true."""
+    outside = values[~mask.astype(bool)]
     below, above = outside[outside < at], outside[outside > at]
-    inside = values[kept.astype(bool)]
+    inside = values[mask.astype(bool)]
     low = below.max() if below.size else -np.inf
     high = above.min() if above.size else np.inf
     stretch = np.append(inside[(inside > low) & (inside < high)], at)

@@ -25,7 +25,7 @@ class Range:
     @property
     def rule(self) -> str:
         """What a range may be, in words."""
-        return f"greater than {self.shown(self.above)} and at most {self.shown(self.most)}"
+        return f"greater than {self.text(self.above)} and at most {self.text(self.most)}"
 
     def read(self, raw: Any, where: str) -> tuple[float, float]:
         """Both bounds in SI; InputError says in a line what is wrong."""
@@ -39,16 +39,15 @@ class Range:
         low_shown, high_shown = (x / units.factor(self.unit) for x in (low, high))
         if not low < high:
             raise InputError(
-                f"{where}: a range rises, got {self.shown(low_shown)} to {self.shown(high_shown)}"
+                f"{where}: a range rises, got {self.text(low_shown)} to {self.text(high_shown)}"
             )
         if not (low_shown > self.above and high_shown <= self.most * (1 + 1e-12)):
             raise InputError(
-                f"{where} = {self.shown(low_shown)} to {self.shown(high_shown)}: must be "
-                f"{self.rule}"
+                f"{where} = {self.text(low_shown)} to {self.text(high_shown)}: must be {self.rule}"
             )
         return low, high
 
-    def shown(self, value: float) -> str:
+    def text(self, value: float) -> str:
         """A value in the unit, as text."""
         return f"{value:.6g}" + ("" if self.unit == "1" else f" {self.unit}")
 

@@ -30,7 +30,7 @@ Worth = Callable[[Array], Array]  # pressures (n, m) to what is made least, (n,)
 
 @dataclass(eq=False)
 class Search:
-    """A task under way: what is known, the box of the search and that which kriging spans."""
+    """A running task: what is known, the box of the search and that which kriging spans."""
 
     task: Task
     model: Model

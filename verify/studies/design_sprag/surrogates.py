@@ -1,7 +1,7 @@
 """Kriging of the largest pressures, a regime of the sprag's length for itself, torque by torque.
 
 Regimes follow the end inwards: the end strip, which falls off steeply as the crown deepens until
-it carries nothing, those beside it, on which the contact's own end moves, and all others. K_1 and
+it carries nothing, those beside it, where the contact ends, and all others. K_1 and
 z_m count by their logarithms: what they change fades as they grow.
 """
 
@@ -73,7 +73,7 @@ def regimes(
 ) -> tuple[list[Array], list[NDArray[np.bool_]]]:
     """Largest pressures (n,) of each regime and where it is present, of pressures (n, strips).
 
-    A regime counts where it carries. One that carries in designs too few or too alike for kriging
+    A regime counts where it carries. One that carries in too few or too similar designs for kriging
     counts everywhere; one that never carries is left out.
     """
     from analytic.surrogate.terms import trend_terms

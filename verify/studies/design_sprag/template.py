@@ -12,12 +12,12 @@ from verify.studies.design_sprag.ranges import RANGES
 
 HEAD = f"""\
 # A design task: the crown of a sprag clutch with the lowest pressures as it engages, after
-# Huang et al. 2018 (Eqs. 1-20), checked against a half-space. The clutch is the paper's; put in
-# your own numbers, and then
-#   freewheel design my.toml                  the optimal crown, beside your own and none
+# Huang et al. 2018 (Eqs. 1-20), checked against a half-space. The clutch is the paper's;
+# replace the numbers by yours, then run
+#   freewheel design my.toml                  the optimal crown, compared with yours and none
 #   freewheel design my.toml --out crown/     and a page, the profile to grind, clutch.toml
-# A value keeps its unit; any other unit of the same kind will do. K_1, K_2 and z_m are the crown
-# that the clutch has now; Q is the load that K_1 counts, for the optimal crown too.
+# Every value has a unit; any other unit of the same dimension is accepted. K_1, K_2 and z_m are
+# the present crown of the clutch; Q is the load in K_1, for the optimal crown too.
 
 case = "{CASE}"
 name = "my clutch"

@@ -106,7 +106,7 @@ def _check(task: Task, model: Model, known: Known, i: int, k: int, which: str) -
 
 
 def unloading(model: Model, check: Check) -> float | None:
-    """The drop z_m [m] from which on the ends carry nothing, K_1 and K_2 kept; None for none."""
+    """The drop z_m [m] from which on the ends are unloaded, at the same K_1 and K_2; else None."""
     k = model.torques.index(check.T)
     crowns = np.repeat(check.crown[None], STEPS, axis=0)
     crowns[:, 2] *= np.geomspace(1, DEEPEST, STEPS)

@@ -1,6 +1,6 @@
 """Readings of roller freewheels and of the polyhedral ring: Nagler et al., Belcin et al.
 
-Their papers print few numbers. Here a printed equation is read anew, against what the geometry or a
+Their papers print few numbers. Here a printed equation is reread, against what the geometry or a
 balance gives for the example of the ledger.
 """
 

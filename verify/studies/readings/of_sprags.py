@@ -13,7 +13,7 @@ from verify.studies.readings.search import Reading
 
 
 def printed(name: str) -> float:
-    """A printed value of the paper in its own unit."""
+    """A printed value of the paper in its unit."""
     return published(f"huang2018:{name}").value
 
 
@@ -105,13 +105,13 @@ def _raised(kind: str) -> dict[str, Any]:
 
 
 def _raised_readings(kind: str) -> tuple[Reading, ...]:
-    """Laws of the pressure over the force, and forces; the pair's own ratio would say nothing."""
+    """Laws of the pressure over the force, and forces; the ratio of the pair is no evidence."""
     laws = {"point contact: cube root": 1 / 3, "Palmgren's law: 0.45": 0.45, "linear": 1.0,
             "two thirds": 2 / 3, "Palmgren's approach: 0.9": 0.9}  # fmt: skip
     other = {"optimised": "unmodified", "unmodified": "optimised"}[kind]
     pair = printed(f"stress-40nm-{other}") / printed(f"stress-25nm-{other}")
     return (
-        *(switched("power", said, power=power) for said, power in laws.items()),
+        *(switched("power", law, power=power) for law, power in laws.items()),
         switched("ratio", "forces of the engagement, 1.594", ratio=1.594),
         switched("ratio", f"ratio of the {other} pair", ratio=pair**2),
         *result(),

@@ -18,7 +18,7 @@ N_PER_MM = 1e3
 
 
 def printed(name: str) -> float:
-    """A printed value of the paper in its own unit."""
+    """A printed value of the paper in its unit."""
     return published(f"wang2023:{name}").value
 
 

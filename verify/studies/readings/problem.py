@@ -13,7 +13,7 @@ class Problem:
 
     `reference` names the printed value or the erratum ("paper:id"). For an erratum of a formula
     `derived` is what a balance or the geometry gives, to the digits that are sure, in `unit`: it is
-    the printed formula then that is read anew. `errata` name the readings in the ledger. Inputs
+    the printed formula then that is reinterpreted. `errata` name the readings in the ledger. Inputs
     that a paper chose are exact, those that it computed or measured are rounded by `rounding`.
     With `parts` all of their numbers are to be met by the same readings.
     """

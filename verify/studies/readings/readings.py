@@ -54,7 +54,7 @@ def count(name: str, symbol: str = "") -> list[Reading]:
 
 
 def elastic(E: str, nu: str) -> list[Reading]:
-    """Plane strain for plane stress and the other way round, without lateral contraction."""
+    """Plane strain for plane stress and vice versa, without lateral contraction."""
     return [
         Reading(name="E/(1 − ν²) for E", of=E, inputs=lambda q: {E: q[E] / (1 - q[nu] ** 2)}),
         Reading(name="E for E/(1 − ν²)", of=E, inputs=lambda q: {E: q[E] * (1 - q[nu] ** 2)}),

@@ -19,7 +19,7 @@ WITHOUT_FORMULA = {
     "nagler2021:rig-axial-displacement": "a range of the rig",
     "nagler2021:test-runs-per-clutch": "a number of tests",
     "wang2023:yield-strength": "a property of a material that is not named",
-    "wang2023:rule-length-thickness-max": "a rule, which the paper's own spring breaks",
-    "wang2023:rule-displacement-ratio-max": "a rule, which the paper's own tests break",
+    "wang2023:rule-length-thickness-max": "a rule, which the paper's spring violates",
+    "wang2023:rule-displacement-ratio-max": "a rule, which the paper's tests violate",
     "huang2022:unbalance-1-node": "a number of a node, contradicted by the text",
 }

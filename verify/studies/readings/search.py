@@ -3,8 +3,8 @@
 A printed number that the formula does not give may mean something else: a diameter for a radius,
 one side for both, plane strain for plane stress. Every combination of a few readings is tried. It
 reproduces the number where it is within half the last printed digit plus what the rounding of the
-inputs leaves open. The more readings are tried, the more of them fit by accident: how many would
-fit a number that has nothing to do with the formula is told beside what was found. Readings crowd
+inputs leaves open. The more readings are tried, the more of them fit by chance: how many would
+fit a number that has nothing to do with the formula is reported with the result. Readings crowd
 about the first one, and so do printed numbers that are wrong for another reason: what would fit is
 counted for such near numbers and for any within a factor of 2, and the larger count holds.
 """
@@ -107,7 +107,7 @@ def search(
     `formula` gives the number in its printed unit from `inputs`; `rounding` says how far off single
     inputs may be, half their last printed digit. With `digits` one misprinted digit of what the
     formula gives as it stands counts as a reading too, where three or more are printed: of fewer
-    any number is a misprint. `progress` is told how many combinations of all are done. ValueError
+    any number is a misprint. `progress` gets how many combinations of all are done. ValueError
     where the printed text is no number, or zero.
     """
     value, half = number(printed), half_last_digit(printed)
@@ -177,7 +177,7 @@ def _needed(hits: Sequence[Tried], value: float) -> list[Tried]:
 def together(outcomes: Sequence[Outcome]) -> Outcome:
     """One search from those for several numbers: what reproduces all of them at once.
 
-    The outcomes are of the same readings on other inputs. Numbers are shown of the first one.
+    The outcomes are of the same readings on other inputs. Numbers are those of the first one.
     """
     first = outcomes[0]
     by_readings = [{t.readings: t for t in one.found} for one in outcomes]

@@ -1,4 +1,4 @@
-"""What `freewheel sweep` prints: what was solved, how wrong each formula is, and where or why."""
+"""What `freewheel sweep` prints: solved points, the error of each formula, where and why."""
 
 import math
 import re
@@ -26,7 +26,7 @@ from verify.studies.sweep.region import regions
 from verify.studies.sweep.tables import SOLVED, largest, quantities, reasons, statuses
 
 Verdict = Callable[[Plan, Course], str]
-LINES = 30  # from which on no further row is told in full
+LINES = 30  # from which on no further row is printed in full
 MOST_REASONS = 3
 MOST_INPUTS = 6
 MOST_DIGITS = 6  # after the point
@@ -38,7 +38,7 @@ INDICES = (
 
 
 def print_outcome(found: Outcome, verdict: Verdict = lambda *_: "") -> None:
-    """Points and what became of them, the rows that are furthest off, regions or indices.
+    """Points and their state, the rows with the largest errors, regions or indices.
 
     `verdict` gives the verdict of a row over a grid in words.
     """
@@ -72,13 +72,13 @@ def told(found: Outcome, verdict: Verdict = lambda *_: "") -> list[str]:
 
 
 def _own_values(plan: Plan) -> Iterator[str]:
-    """The axes that leave out what the file itself has."""
+    """The axes that do not contain the value of the file."""
     for one in plan.axes:
         low, high = one.values[0], one.values[-1]
         room = 1e-9 * (high - low)
         if one.nominal is not None and not low - room <= one.nominal <= high + room:
-            own = f"{one.symbol} {valued(one, one.nominal)}"
-            yield f"the file's own {own} lies outside of {ends(one, low, high)}"
+            given = f"{one.symbol} {valued(one, one.nominal)}"
+            yield f"{given} of the file is outside {ends(one, low, high)}"
 
 
 def _explained(found: Outcome) -> Iterator[str]:
@@ -104,10 +104,10 @@ def _points(found: Outcome) -> Iterator[str]:
     if partly := sum(map(bool, reasons(found))) - whole + counts[SOLVED]:
         others.append(f"{partly:,} of them not in every row")
     yield f"{counts[SOLVED]:,} of {whole:,} points solved" + "".join(f", {o}" for o in others)
-    alike: dict[str, list[str]] = {}
+    groups: dict[str, list[str]] = {}
     for reason in filter(None, reasons(found)):
-        alike.setdefault(_NUMBER.sub("#", reason), []).append(bare(reason))
-    why = sorted(alike.values(), key=len, reverse=True)
+        groups.setdefault(_NUMBER.sub("#", reason), []).append(bare(reason))
+    why = sorted(groups.values(), key=len, reverse=True)
     for some in why[:MOST_REASONS]:
         such = "such as: " if len(set(some)) > 1 else ""
         yield f"  {counted(len(some), 'point')}: {such}{some[0]}"
@@ -118,26 +118,26 @@ def _points(found: Outcome) -> Iterator[str]:
 def _furthest(plan: Plan, course: Course) -> str:
     n = largest(course)
     varied: Sequence[Axis | Tolerance] = plan.axes or plan.tolerances
-    return "" if n is None else f", furthest off at {place(varied, plan.points[n])}"
+    return "" if n is None else f", largest error at {place(varied, plan.points[n])}"
 
 
 def _of_grid(plan: Plan, course: Course, at: str, verdict: str) -> Iterator[str]:
-    """The verdict and the regions in words, limits alike together."""
+    """The verdict and the regions in words, limits with equal regions together."""
     yield f"{course.pair.name}{at}"
     if verdict:
         yield f"  verdict over this sweep: {verdict}"
-    alike: dict[tuple[str, str], list[str]] = {}
+    equal: dict[tuple[str, str], list[str]] = {}
     for one in regions(plan, course):
         words = box_in_words(plan, one), break_in_words(plan, one)
-        alike.setdefault(words, []).append(f"{100 * one.limit:g}")
-    for (box, breaks), limits in alike.items():
+        equal.setdefault(words, []).append(f"{100 * one.limit:g}")
+    for (box, breaks), limits in equal.items():
         yield f"  within {_listed(limits)} %: {box}"
         if breaks:
             yield f"    {breaks}"
 
 
 def _of_sample(plan: Plan, course: Course, at: str) -> Iterator[str]:
-    """Finite elements and the error, how they scatter and through what."""
+    """Scatter of finite elements and of the error, and the inputs that cause it."""
     one = indices(plan, course)
     lost = f" ({counted(one.dropped, 'row')} of the sample left out: not solved)"
     yield f"{course.pair.name}{at}{lost if one.dropped else ''}"
@@ -153,8 +153,8 @@ def _of_sample(plan: Plan, course: Course, at: str) -> Iterator[str]:
                 yield f"    ({more} more in sensitivity.csv)"
         if not scatter.why and scatter.noise > NOISY:
             yield (
-                f"    doubtful: {100 * scatter.noise:.0f} % of the variance may be the finite "
-                "elements' own uncertainty"
+                f"    doubtful: {100 * scatter.noise:.0f} % of the variance may be the "
+                "uncertainty of the finite elements"
             )
 
 
@@ -165,11 +165,11 @@ def _moments(scatter: Scatter, unit: str) -> str:
         v / size for v in (scatter.mean, scatter.sd, scatter.low, scatter.median, scatter.high)
     )
     digits = 1 - math.floor(math.log10(sd)) if sd > 0 else 99
-    shown = f".{max(digits, 0)}f" if digits <= MOST_DIGITS else ".5g"
-    told_unit = "" if unit == "1" else f" {unit}"
+    form = f".{max(digits, 0)}f" if digits <= MOST_DIGITS else ".5g"
+    after = "" if unit == "1" else f" {unit}"
     return (
-        f"{mean:{shown}} ± {sd:.2g}{told_unit}; 2.5 % {low:{shown}}, 50 % {median:{shown}}, "
-        f"97.5 % {high:{shown}}"
+        f"{mean:{form}} ± {sd:.2g}{after}; 2.5 % {low:{form}}, 50 % {median:{form}}, "
+        f"97.5 % {high:{form}}"
     )
 
 

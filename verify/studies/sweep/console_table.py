@@ -1,4 +1,4 @@
-"""The table that `freewheel sweep` prints: the rows that are furthest off, a line each."""
+"""The table that `freewheel sweep` prints: the rows with the largest errors, a line each."""
 
 import math
 from collections import Counter
@@ -35,7 +35,7 @@ def table(found: Outcome) -> tuple[list[str], bool]:
         at = ", ".join(f"{one.in_unit(v):.4g}" for one, v in values)
         lines.append(("", error, *cells, at))
     names = [course.pair.name for course in shown]
-    # names that can be told apart go before the place, which is with the row then
+    # distinguishable names have priority over the place, which is then printed with the row
     short = shortened(names, max(NAME, _room(lines)))
     placed = _room(lines) >= max(map(len, short)) and len({*short}) == len({*names})
     if not placed:
@@ -78,7 +78,7 @@ def _cut(name: str, common: Mapping[str, int], room: int) -> str:
 
 
 def _gapped(words: Sequence[str], kept: Set[int]) -> str:
-    """The words that are kept, "…" where some are not."""
+    """The words that remain, "…" where some are left out."""
     shown = (word if k in kept else "…" for k, word in enumerate(words))
     return " ".join(word for word, _ in groupby(shown))
 

@@ -11,14 +11,14 @@ from verify.studies.sweep.plan import Plan
 from verify.studies.sweep.region import UNDECIDED, UNSOLVED, Break, Region
 from verify.studies.sweep.tables import REFUSED
 
-SMALL = 1e-4  # per cent: nobody asks which part of it
+SMALL = 1e-4  # per cent: a smaller bar is not printed
 
 
 def box_in_words(plan: Plan, one: Region) -> str:
-    """Where the formula stays within the limit."""
+    """Where the formula is within the limit."""
     if not one.inside:
         between = f", {one.undecided:,} undecided" if one.undecided else ""
-        return f"nowhere{between}" if one.unsolved < one.points else "nothing is solved"
+        return f"nowhere{between}" if one.unsolved < one.points else "no point is solved"
     solved = one.points - one.unsolved
     ranges = (
         ", ".join(
@@ -37,33 +37,33 @@ def box_in_words(plan: Plan, one: Region) -> str:
 
 
 def break_in_words(plan: Plan, one: Region) -> str:
-    """What takes the formula out of the limit first; "" where nothing does, or it never is in."""
+    """The input that first takes the formula out of the limit; "" where there is none."""
     if one.base is None:
         return ""
     start = "" if one.nominal else f"from {place(plan.axes, one.base)}, "
     if not one.nominal and one.at_nominal is not None:
-        start = f"not at the inputs' own values; {start}"
+        start = f"not at the values of the file; {start}"
     if (by := one.breaks) is None:
-        together = ", several inputs together do" if one.outside else ""
-        return "" if one.everywhere else f"{start}nothing breaks it along one axis{together}"
+        together = ", only several inputs together" if one.outside else ""
+        return "" if one.everywhere else f"{start}no single input exceeds the limit{together}"
     return f"{start}{_broken(by)}"
 
 
 def _broken(by: Break) -> str:
     axis = by.axis
-    if by.verdict == UNSOLVED:  # which says nothing about the formula
+    if by.verdict == UNSOLVED:  # no statement about the formula
         what = "refused" if by.why.startswith(REFUSED) else "not solved"
         return (
             f"no answer beyond {axis.symbol} = {valued(axis, by.last)}: "
             f"{valued(axis, by.first)} is {what} ({bare(by.why)})"
         )
-    way = f"first broken by {axis.symbol} {'above' if by.up else 'below'}"
-    doubt = ", where the error bar reaches beyond" if by.verdict == UNDECIDED else ""
+    side = f"first exceeded for {axis.symbol} {'above' if by.up else 'below'}"
+    doubt = ", where the error bar crosses the limit" if by.verdict == UNDECIDED else ""
     if by.at is None:
-        return f"{way} {valued(axis, by.last)}{doubt}"
+        return f"{side} {valued(axis, by.last)}{doubt}"
     low, high = sorted((by.last, by.first))
     between = f"between {axis.in_unit(low):.4g} and {valued(axis, high)}"
-    return f"{way} {valued(axis, by.at)} ({between}){doubt}"
+    return f"{side} {valued(axis, by.at)} ({between}){doubt}"
 
 
 def bare(why: str) -> str:
@@ -74,7 +74,7 @@ def bare(why: str) -> str:
 def error_with_bar(course: Course, n: int) -> str:
     """The error of a point in percent with its expanded uncertainty, to two digits of the latter.
 
-    Of a bar below a thousandth of the error, or below SMALL, no more than that is told.
+    A bar below a thousandth of the error, or below SMALL, is printed as such a bound.
     """
     error, bar = 100 * float(course.error[n]), 100 * float(course.U_error[n])
     if not bar > 0:

@@ -119,7 +119,7 @@ def _offered(text: str, names: Sequence[str]) -> str:
 
 
 def whole(case: Case) -> Portion:
-    """A case's own finite elements, on its coarsest levels, as the portion without a name."""
+    """The finite elements of a case, on its coarsest levels, as the portion without a name."""
     keys = tuple(dict.fromkeys(pair.fem for pair in pairs(case)))
     return Portion(name="", fem=case.reference, levels=case.levels[:LEVELS], keys=keys)
 
@@ -201,13 +201,13 @@ def _judged(
     if not math.isfinite(gci):
         return _none(r, v[-1], "does not converge")
     U = judge.expanded(math.hypot(gci / 2, u_it), u_ref)
-    # where the value itself is the scale, formula/FE - 1 carries the quotient's own size
+    # where the value itself is the scale, the error of formula/FE - 1 scales with the quotient
     wide = 1.0 if pair.scale else abs(r / v[-1])
     return Compared(r, v[-1], U, (r - v[-1]) / scale, U / scale * wide)
 
 
 def _index(grid: GridConvergence, v: Sequence[float]) -> float:
-    """Grid convergence index; three times the scatter where no order can be told, inf if large."""
+    """Grid convergence index; three times the scatter where there is no order, inf if large."""
     if grid.converges:
         return grid.gci
     scatter = 3 * (max(v[-LEVELS:]) - min(v[-LEVELS:]))

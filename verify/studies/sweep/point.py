@@ -61,7 +61,7 @@ def solve_batch(tasks: Sequence[Task]) -> list[Solution]:
 
 
 def solve_point(task: Task) -> Solution:
-    """The solution of a point; whatever goes wrong there is told in it. OtherCodeError."""
+    """The solution of a point; an error is reported in it. OtherCodeError."""
     case, part = _known(task.case, task.portion)
     if code_of(case, part) != task.code:
         raise OtherCodeError(f"their code of {task.case} is not that of the sweep")

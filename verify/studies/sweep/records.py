@@ -35,8 +35,8 @@ def record(found: Outcome, repeat: str) -> dict[str, Any]:
                  lists over the points: formula, fe, U in the unit; error, U_error as shares;
                  problem; then validity of a grid or a star, sensitivity of a sample
     validity     for each limit: inside, outside, undecided, unsolved; box: low, high, whole by
-                 input, held (its points); base by input, nominal (whether that is the inputs' own
-                 point), at_nominal; breaks: input, last, first, at, verdict, why
+                 input, held (its points); base by input, nominal (whether that is the point
+                 of the file), at_nominal; breaks: input, last, first, at, verdict, why
     sensitivity  rows, dropped; scatter of formula, fe and error: n, mean, sd, q025, q500,
                  q975, noise, why, indices: S1 and ST by input, [value, low, high]; within: points
                  of A and B for each limit

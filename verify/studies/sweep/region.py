@@ -19,7 +19,7 @@ from verify.studies.sweep.plan import Plan
 
 LIMITS = (0.02, 0.05, 0.10)  # of the error
 INSIDE, OUTSIDE, UNDECIDED, UNSOLVED = 1, -1, 0, -9
-SAME = 1e-9  # of an axis: places and distances along it that differ by less are alike
+SAME = 1e-9  # of an axis: places and distances along it that differ by less are equal
 NAMES = {INSIDE: "inside", OUTSIDE: "outside", UNDECIDED: "undecided", UNSOLVED: "unsolved"}
 
 Verdicts = NDArray[np.int8]
@@ -64,9 +64,9 @@ class Region:
 
     `box` is the largest box, with `held` points, empty where no point is inside; of a star, whose
     axes vary one at a time, the longest range on each axis that has one. `base` [SI] is the point
-    from which `breaks` is looked for: the inputs' own values (`nominal`), or the grid point next
+    from which `breaks` is looked for: the nominal inputs (`nominal`), or the grid point next
     to them, where they are inside, else the middle of the box. `at_nominal` is the verdict at the
-    inputs' own values, None where the grid doesn't hold them.
+    nominal inputs, None where the grid doesn't hold them.
     """
 
     limit: float
@@ -165,7 +165,7 @@ def _range(axis: Axis, low: float, high: float) -> Range:
 
 
 def nominal_point(plan: Plan) -> int | None:
-    """The row with the inputs' own values, or of a grid the next to them; None outside of it."""
+    """The row with the nominal inputs, or of a grid the next to them; None outside of it."""
     if plan.star:
         return 0
     near = []
@@ -197,7 +197,7 @@ def _first_break(
     """Soonest is by the share of the axis's length that lies between; None if it never breaks.
 
     A point without an answer ends a line, but a formula breaks where its error is beyond the limit:
-    only where no line has such an end is the one without an answer told.
+    the one without an answer is reported only where no line has such an end.
     """
     best, least = None, (True, np.inf)
     for line in every:
@@ -210,7 +210,7 @@ def _first_break(
             place = _places(line.axis, np.array([line.x[line.base], reached, *line.x[[0, -1]]]))
             share = abs(place[1] - place[0]) / (place[3] - place[2])
             unsolved = one.verdict == UNSOLVED
-            if (unsolved, share + SAME) < least:  # of alike ones the first
+            if (unsolved, share + SAME) < least:  # of equal ones the first
                 best, least = one, (unsolved, float(share))
     return best
 

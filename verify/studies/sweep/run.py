@@ -69,10 +69,10 @@ def solve(
     again: bool = False,
     show: Show = lambda _state: None,
 ) -> Solved:
-    """Every point of the plan, solved where it is said, each kept as soon as it is there.
+    """Every point of the plan, solved at the given place, each stored as soon as it is solved.
 
-    `again` solves anew what failed before. OSError where points cannot be kept or gmsh not
-    started, GoneError where the engine answers no more, KeyboardInterrupt: both say what is kept.
+    `again` repeats what failed before. OSError where points cannot be stored or gmsh not started,
+    GoneError where the engine answers no more, KeyboardInterrupt: both state what is stored.
     """
     part = portion(plan.case, plan.chosen)
     store = Store(folder or cache.default_folder())
@@ -118,7 +118,7 @@ class _Points:
                 self.refused[n] = str(error)
                 self.keys.append("")
                 continue
-            # the case's own limit, asked for each time: a stored answer would outlive it
+            # the limit of the case, evaluated each time: a stored answer would outlive it
             if reason := plan.case.too_large(one):
                 self.refused[n] = reason.partition("; check ")[0]
                 self.keys.append("")
@@ -176,7 +176,7 @@ class _Batches:
         self.workers = 1
         self.dispatch = Dispatch(
             "points", known + len(todo), known, show,
-            title=lambda batch: f"{len(batch)} under way",
+            title=lambda batch: f"{len(batch)} running",
             split=lambda batch: [(task,) for task in batch],
         )  # fmt: skip
 

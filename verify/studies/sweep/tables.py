@@ -42,7 +42,7 @@ def reasons(found: Outcome) -> tuple[str, ...]:
 
 
 def largest(course: Course) -> int | None:
-    """The point with the largest error, the first of alike ones; None where no point has one."""
+    """The point with the largest error, the first of equal ones; None where no point has one."""
     size = np.abs(course.error)
     if not np.isfinite(size).any():
         return None
@@ -53,7 +53,7 @@ def points_csv(found: Outcome) -> str:
     """A line a point: inputs, status with its reason; per row formula, FE, their difference.
 
     Inputs and values are in their units, U is the expanded uncertainty of FE, error is
-    (formula - FE)/scale and U_error its own expanded uncertainty.
+    (formula - FE)/scale and U_error its expanded uncertainty.
     """
     plan = found.solved.plan
     heads = [with_unit(one.name, one.unit) for one in plan.axes or plan.tolerances]

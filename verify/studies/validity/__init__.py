@@ -1,1 +1,1 @@
-"""Where each formula may be used: regions about the papers' inputs, measured once and kept."""
+"""Where each formula may be used: regions about the papers' inputs, measured and stored."""

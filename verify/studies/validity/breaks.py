@@ -1,17 +1,17 @@
-"""What takes a formula out of a limit first, in words."""
+"""The input that first takes a formula out of a limit, in words."""
 
 from verify.studies.sweep.region import OUTSIDE, UNDECIDED, UNSOLVED, Break, Region
 from verify.studies.validity import messages as words
 
 ALREADY = {
-    OUTSIDE: "beyond {} at the case's own inputs already",
-    UNDECIDED: "undecided at the case's own inputs already: the error bar reaches across {}",
-    UNSOLVED: "no answer at the case's own inputs",
+    OUTSIDE: "beyond {} already at the default inputs",
+    UNDECIDED: "undecided already at the default inputs: the error bar crosses {}",
+    UNSOLVED: "no answer at the default inputs",
 }
 
 
 def breaks(found: Region) -> str:
-    """What takes the formula out of the limit first, and from where, in words."""
+    """The input that first takes the formula out of the limit, and its start, in words."""
     limit = f"{found.limit:.0%}".replace("%", " %")
     if found.base is None:
         nowhere = "" if found.inside else f", and no point is within {limit}"
@@ -19,28 +19,28 @@ def breaks(found: Region) -> str:
     start = _start(found, limit)
     step = found.breaks
     if found.everywhere:
-        return f"{start}nothing in what was measured takes it beyond {limit}"
+        return f"{start}no measured point is beyond {limit}"
     if found.inside + found.unsolved == found.points:
-        # inputs that a rule refuses, or a run that ends, don't break a formula
+        # inputs that a rule rejects, or a run that ends, are no failure of a formula
         missing = "" if step is None else f"; {_unsolved(step)}"
-        return f"{start}nothing that was solved takes it beyond {limit}{missing}"
+        return f"{start}no solved point is beyond {limit}{missing}"
     if step is None:
-        return f"{start}no input alone takes it beyond {limit}, several together do"
+        return f"{start}no single input takes it beyond {limit}, several together do"
     more = ""
     if step.verdict == UNSOLVED:
-        # the step that comes first must not hide what breaks the formula elsewhere
+        # the first step must not hide points beyond the limit on other axes
         count = found.outside + found.undecided
-        more = f"; elsewhere {count} point{'s are' if count > 1 else ' is'} not within it"
+        more = f"; {count} other point{'s are' if count > 1 else ' is'} not within it"
     return start + _broken(step, limit) + more
 
 
 def _start(found: Region, limit: str) -> str:
-    """From where the first break is looked for, unless that is as one expects."""
+    """The start of the search, unless it is the default inputs."""
     if not found.nominal:
         return f"{_at_nominal(found, limit)}; from the middle of the box, "
     nominal = [(one, one.axis.nominal) for one in found.box]
     inside = all(v is None or one.low <= v <= one.high for one, v in nominal)
-    return "" if inside else "from the case's own inputs, which are not in that box, "
+    return "" if inside else "from the default inputs, which are not in that box, "
 
 
 def _broken(step: Break, limit: str) -> str:
@@ -50,7 +50,7 @@ def _broken(step: Break, limit: str) -> str:
         near = "" if step.at is None else words.near(axis, step.last, step.first, step.at)
         return f"{towards} takes it beyond {limit} between {ends}{near}"
     last, first = (words.quantity(axis, v) for v in (step.last, step.first))
-    doubt = f"undecided at {first}: the error bar reaches across"
+    doubt = f"undecided at {first}: the error bar crosses it"
     then = doubt if step.verdict == UNDECIDED else _unsolved(step)
     return f"{towards}: within {limit} to {last}, {then}"
 
@@ -61,5 +61,5 @@ def _unsolved(step: Break) -> str:
 
 def _at_nominal(found: Region, limit: str) -> str:
     if found.at_nominal is None:
-        return "the case's own inputs are not among what was measured"
+        return "the default inputs are not among the measured points"
     return ALREADY[found.at_nominal].format(limit)

@@ -1,21 +1,21 @@
-"""What is not measured, with the reason, and the cases whose own maps and rows tell more."""
+"""What is not measured, with the reason, and the cases with maps or rows of the formula."""
 
 from collections.abc import Mapping
 
 LEFT_OUT: Mapping[str, str] = {
     "freewheel-clutch": "the same formulas as freewheel-torque, which measures them",
-    "sprag-friction": "a point takes five minutes, courses in time: its rows alone compare them",
-    "sprag-optimum": "its first level is the search itself: its own maps show pressures over the "
+    "sprag-friction": "a point takes five minutes of transient analysis: only rows compare them",
+    "sprag-optimum": "its first level is the search itself: its maps show pressures over the "
     "crowns",
-    "sprag-optimum-40": "its first level is the search itself: its own maps show pressures over "
+    "sprag-optimum-40": "its first level is the search itself: its maps show pressures over "
     "the crowns",
     "spring-curve": "a point takes a minute: spring-stages measures the same stiffness",
-    "contact-roller-end": "a point takes two minutes, bodies in space: contact-roller measures the "
-    "same formulas away from the ends",
-    "rotor-step": "a point takes three minutes, bodies in space: its own map shows the step",
+    "contact-roller-end": "a point takes two minutes, three-dimensional bodies: contact-roller "
+    "measures the same formulas outside the ends",
+    "rotor-step": "a point takes three minutes, three-dimensional bodies: its map shows the step",
 }
 
-# cases with maps or curves of the same formula over its inputs, their own among them
+# cases with maps or curves of the same formula over its inputs, including those of the case
 MAPS: Mapping[str, tuple[str, ...]] = {
     "ring-loads-outer": ("ring-loads-map",),
     "ring-loads-inner": ("ring-loads-map",),

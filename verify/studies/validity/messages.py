@@ -42,24 +42,22 @@ def near(axis: Axis, last: float, first: float, at: float) -> str:
 
 
 def over(plan: Plan) -> str:
-    """What was varied, over which ranges and with how many values each, and what was held where."""
+    """The varied inputs with their ranges and numbers of values, and the constant inputs."""
     parts = [f"{span(a, a.values[0], a.values[-1])} ({len(a.values)} values)" for a in plan.axes]
-    elsewhere = held(plan)
+    constant = held(plan)
     return (
         ", ".join(parts) + ", one at a time" * (plan.star and len(parts) > 1)
-        + f", at {elsewhere}" * bool(elsewhere)
+        + f", at {constant}" * bool(constant)
     )  # fmt: skip
 
 
 def held(plan: Plan) -> str:
-    """The inputs that are not the case's own at any point: "e = 2 mm"."""
-    own, varied = plan.case.inputs(), {axis.name for axis in plan.axes}
+    """The constant inputs that differ from the default: "e = 2 mm"."""
+    default, varied = plan.case.inputs(), {axis.name for axis in plan.axes}
     return ", ".join(
-        f"{shown.symbol or shown.name} = {number(float(shown.value))} {shown.unit}".removesuffix(
-            " 1"
-        )
-        for shown, usual in zip(plan.inputs.display(), own.display(), strict=True)
-        if shown.value != usual.value and shown.name not in varied
+        f"{one.symbol or one.name} = {number(float(one.value))} {one.unit}".removesuffix(" 1")
+        for one, usual in zip(plan.inputs.display(), default.display(), strict=True)
+        if one.value != usual.value and one.name not in varied
     )
 
 

@@ -1,4 +1,4 @@
-"""Where the error of one formula stays within the limits, and the errors that are drawn."""
+"""Where the error of one formula is within the limits, and the errors that are drawn."""
 
 from collections import Counter
 from collections.abc import Sequence
@@ -13,13 +13,13 @@ from verify.studies.sweep.region import Range, Region, lines, regions
 from verify.studies.validity import messages as words
 from verify.studies.validity.breaks import breaks
 
-MIDDLE = 1  # of LIMITS: the one whose loss is told
+MIDDLE = 1  # of LIMITS: the one whose bound is reported
 MOST_DRAWN = 2  # axes
-COMMAND = ", check it without --fem"  # advice to one who asks for that point
+COMMAND = ", check it without --fem"  # advice on that point
 
 
 def region(plan: Plan, course: Course) -> ValidityRegion:
-    """All that is told of a formula over one plan, with the errors that are drawn."""
+    """The results of a formula over one plan, with the errors that are drawn."""
     found = regions(plan, course)
     reasons = Counter(reason.removesuffix(COMMAND) for reason in course.problems if reason)
     drawn, rows = _drawn(plan, course)

@@ -45,7 +45,7 @@ def plans(case: Case) -> tuple[Plan, ...]:
 
 
 def _held(case: Case, scan: Scan) -> Inputs:
-    """The default inputs with what the scan holds elsewhere."""
+    """The default inputs with the values that the scan sets."""
     inputs, values = case.inputs(), {}
     for text in scan.at:
         name, _, given = text.partition("=")

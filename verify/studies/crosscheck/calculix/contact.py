@@ -55,7 +55,7 @@ class Settings:
 
 @dataclass(frozen=True, kw_only=True)
 class ContactDeck:
-    """The states that a contact problem goes through, as calculix is told of them.
+    """The successive states of a contact problem, as calculix is given them.
 
     `shift` (nodes, 2) is by how much nodes start off their places in the mesh: so are overlaps
     drawn that the project takes off its gaps. ValueError where there are such and no shift, for
@@ -116,7 +116,7 @@ class ContactDeck:
 
     @property
     def share(self) -> float:
-        """Of the deck's thickness in that of the problem: forces are so much of its own."""
+        """Thickness of the deck over that of the problem, the ratio of the forces."""
         return self.depth / self.bodies.thickness
 
     @property

@@ -90,7 +90,7 @@ def surfaces(deck: TextIO, sides: Mapping[str, Iterable[Side]]) -> None:
 
 
 def interaction(deck: TextIO, name: str, slope: float, mu: float = 0.0, stick: float = 0.0) -> None:
-    """A pressure of `slope` times the overlap, and friction with a slope of its own."""
+    """A pressure of `slope` times the overlap, and friction with a separate slope."""
     deck.write(f"*SURFACE INTERACTION, NAME={name}\n*SURFACE BEHAVIOR, ")
     deck.write(f"PRESSURE-OVERCLOSURE=LINEAR\n{slope:.12e}\n")
     if mu:

@@ -1,7 +1,7 @@
 """Decks of plane strips at large displacement, with contact: eight-node cells, reduced integration.
 
-Plane strain is per unit of width. Plane stress is posed as a thin strip, whose forces are told per
-unit of width as well.
+Plane strain is per unit of width. Plane stress is posed as a thin strip, whose forces are per unit
+of width as well.
 """
 
 from collections.abc import Iterable, Sequence
@@ -135,7 +135,7 @@ def write_deck(problem: Problem, path: Path) -> Path:
 
 
 def moved_by(problem: Problem) -> list[int]:
-    """Nodes that the first step moves, and whose force is told."""
+    """Nodes that the first step moves, and whose force is read."""
     held = [own for own in problem.steps[0] if isinstance(own, Held)]
     return sorted({int(node) for own in held for node in own.nodes})
 

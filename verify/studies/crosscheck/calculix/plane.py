@@ -40,10 +40,10 @@ class Spin:
 
 @dataclass(frozen=True, kw_only=True)
 class PlaneDeck:
-    """A solved problem as calculix is told of it.
+    """A solved problem as calculix is given it.
 
     `pressures` are the boundaries whose load calculix integrates itself, in place of the nodal
-    forces of the solution; so does a `spin`. `brief` decks ask for displacements and stresses
+    forces of the solution; so does a `spin`. `brief` decks request displacements and stresses
     alone, not for reactions and energies.
     """
 
@@ -101,7 +101,7 @@ class PlaneDeck:
 
 
 def depth(solution: PlaneSolution, assumption: Assumption) -> float:
-    """Thickness of a deck: the solution's own, but in plane stress a thin one."""
+    """Thickness of a deck: that of the solution, but in plane stress a thin one."""
     if assumption != "plane stress":
         return solution.thickness
     return THIN * float(np.ptp(solution.basis.mesh.p, axis=1).max())
@@ -137,7 +137,7 @@ class Supports:
     """Conditions, ties and mean motions of a solution, in the nodes of a deck.
 
     Conditions along an axis are held nodes, others are equations; what an equation equals is the
-    displacement of a node of its own, numbered after the `first` ones. Mean motions `without` an
+    displacement of a separate node, numbered after the `first` ones. Mean motions `without` an
     equation are left to themselves.
     """
 

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from verify.studies.crosscheck.calculix.reading import Array, displacements
 
-LAST = 500  # characters of what it said that an error repeats
+LAST = 500  # characters of its output that an error repeats
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -48,9 +48,9 @@ def start() -> float:
 
 
 def run_deck(deck: Path, threads: int = 1, limit: float | None = None) -> Run:
-    """Run calculix on `deck`; RuntimeError with its own words where it fails, or over the `limit`.
+    """Run calculix on `deck`; RuntimeError with its output where it fails, or over the `limit`.
 
-    `limit` is in seconds. What it says stays beside the deck, as a .log.
+    `limit` is in seconds. Its output remains beside the deck, as a .log.
     """
     command = [str(executable()), "-i", deck.stem]
     environment = os.environ | {"OMP_NUM_THREADS": str(threads)}

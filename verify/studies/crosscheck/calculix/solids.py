@@ -20,7 +20,7 @@ EDGES = (
     (1, 0, 0), (2, 1, 0), (1, 2, 0), (0, 1, 0), (1, 0, 2), (2, 1, 2), (1, 2, 2), (0, 1, 2),
     (0, 0, 1), (2, 0, 1), (2, 2, 1), (0, 2, 1),
 )  # fmt: skip
-MIRRORED = (2, 1, 0)  # a left-handed cell is one whose axes are named the other way round
+MIRRORED = (2, 1, 0)  # a left-handed cell has its axes in reverse order
 
 
 @dataclass(frozen=True, kw_only=True)

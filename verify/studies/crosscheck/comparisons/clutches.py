@@ -44,7 +44,7 @@ def locked(elastic: bool, refine: int) -> Posed:
 
 
 def freewheel(case: Any) -> Posed:
-    """Cam, roller and race with friction, at a state that the case's sweep goes through."""
+    """Cam, roller and race with friction, at a state of the case's sweep."""
     from fem.plane.material import Elastic
     from verify.studies.crosscheck.calculix.contact import ContactDeck, Settings
 

@@ -33,7 +33,7 @@ GRID = "the same cells and Love's influence; both stop at a tolerance"
 
 
 def roller(case: Any, crown: Callable[[Any], Callable[[Array], Array]] = gap) -> Posed:
-    """The roller of the case on the half-space, with its own crown or another one."""
+    """The roller of the case on the half-space, with its crown or another one."""
     q: Any = case.inputs()
     found, _ = timed(lambda: pressed(q, LEVEL, crown=crown(q)))
     own = found.contact.contact
@@ -84,7 +84,7 @@ def press(shape: Array, cell: tuple[float, float], E_star: float, load: float) -
 def asked(
     shape: Array, cell: tuple[float, float], E_star: float, load: float
 ) -> dict[str, Any]:  # fmt: skip
-    """What tamaas' own script is given."""
+    """The input of the script of tamaas."""
     return {
         "gap": shape.tolist(), "cell": list(cell), "E_star": E_star, "load": load,
         "tolerance": TOLERANCE, "limit": LIMIT,

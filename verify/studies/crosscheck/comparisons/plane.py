@@ -29,7 +29,7 @@ class Fields:
 
     @cached_property
     def solution(self) -> "PlaneSolution":
-        """The project's solution with calculix's displacements in the place of its own."""
+        """The project's solution with the displacements replaced by calculix's."""
         from verify.studies.crosscheck.calculix.reading import displacements
 
         u = displacements(self.path.with_suffix(".frd"))[: self.deck.numbering.count]
@@ -37,14 +37,14 @@ class Fields:
 
     @cached_property
     def stress(self) -> Array:
-        """Stresses (nodes, 6) of its own, averaged at nodes: xx, yy, zz, xy, yz, zx."""
+        """Stresses (nodes, 6) by calculix, averaged at nodes: xx, yy, zz, xy, yz, zx."""
         from verify.studies.crosscheck.calculix.reading import nodal
 
         return nodal(self.path.with_suffix(".frd"), "STRESS")
 
     @property
     def energy(self) -> float:
-        """Strain energy of its own, for the solution's thickness."""
+        """Strain energy by calculix, for the solution's thickness."""
         from verify.studies.crosscheck.calculix.reading import strain_energy
 
         share = self.deck.depth / self.deck.solution.thickness

@@ -51,7 +51,7 @@ def step(turning: bool) -> Posed:
 
 
 def system(speeds: Sequence[float]) -> Posed:
-    """Two coaxial shafts with discs and bearings between them, both turning alike."""
+    """Two coaxial shafts with discs and bearings between them, both at the same speed."""
     q: Any = SYSTEM.inputs()
     alike = q.model_copy(update={
         "shafts": tuple(s.model_copy(update={"ratio": 1.0}) for s in q.shafts),

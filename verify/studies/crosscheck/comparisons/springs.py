@@ -35,10 +35,10 @@ SLENDER: Any = {"allowed": 1e-3, "why": STRIP}
 TWO_SIDES = f"{STRIP}, tenfold in what is left of two sides"
 STEEP = "a share of the stiffness is 6.4 shares of the drift here, by the tangent stiffness"
 UNITS = 6  # of a spring whose tips are to touch
-PRESSED = (6e-3, 9e-3)  # m, by which it is: the tips are apart, and touch
+PRESSED = (6e-3, 9e-3)  # m, its compression: the tips are separated, and touch
 APART, TOUCHING = "force, tips apart", "force, tips touching"
 ASIDE = 1e-6  # m, that a head is moved aside
-# N, in which a thin strip's forces are told: calculix takes what is left of a balance for nothing
+# N, the unit of a thin strip's forces: calculix takes what is left of a balance for nothing
 # below a millionth of the unit, which is 0.7 % of a newton's load on so thin a strip
 SMALL = 1e-3
 
@@ -199,7 +199,7 @@ def posed(
 ) -> Posed:  # fmt: skip
     """A strip about the line `path` in plane stress; without `read` a buckling factor is read.
 
-    `unit` [N] is the deck's unit of force, which the loads of `problem` are told in.
+    `unit` [N] is the deck's unit of force, also that of the loads of `problem`.
     """
     from fem.plane.material import Elastic
     from meshes.spring import path as line

@@ -40,7 +40,7 @@ class Touched:
 
     @cached_property
     def solution(self) -> "PlaneSolution":
-        """The project's solution with calculix's displacements in the place of its own."""
+        """The project's solution with the displacements replaced by calculix's."""
         return replace(self.deck.states[-1].plane, u=self.deck.numbering.spread(self.u))
 
     @cached_property

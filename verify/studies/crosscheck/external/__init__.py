@@ -1,1 +1,1 @@
-"""Scripts that second solvers run in an environment of their own: JSON in, JSON out."""
+"""Scripts that second solvers run in a separate environment: JSON in, JSON out."""

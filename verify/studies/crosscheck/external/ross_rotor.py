@@ -1,4 +1,4 @@
-"""ROSS on a rotor from a file, in a Python of its own that has ROSS.
+"""ROSS on a rotor from a file, in a separate Python environment with ROSS.
 
 python ross_rotor.py ASKED.json ANSWER.json
 """
@@ -30,7 +30,7 @@ def solve(asked: Any) -> dict[str, Any]:
 
 
 def built(ross: Any, asked: Any) -> Any:
-    """The rotor of one shaft or of several that turn alike."""
+    """The rotor of one shaft or of several at the same speed."""
     shafts, nodes = [], 0
     for k, pieces in enumerate(asked["shafts"]):
         elements = []
@@ -51,7 +51,7 @@ def built(ross: Any, asked: Any) -> Any:
 
 
 def frequencies(rotor: Any, speed: float, count: int) -> list[float]:
-    """The lowest `count` damped frequencies [rad/s], forward and backward ones alike."""
+    """The lowest `count` damped frequencies [rad/s], forward and backward ones."""
     import numpy as np
 
     found = rotor.run_modal(speed, num_modes=4 * count + 8, sparse=False)

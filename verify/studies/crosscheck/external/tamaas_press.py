@@ -1,4 +1,4 @@
-"""tamaas on a gap from a file, in a Python of its own that has numpy and tamaas alone.
+"""tamaas on a gap from a file, in a separate Python environment with numpy and tamaas.
 
 python tamaas_press.py ASKED.json ANSWER.json
 """
@@ -16,7 +16,7 @@ def main(asked: Path, answer: Path) -> None:
 
 
 def press(asked: Any) -> dict[str, Any]:
-    """Pressure (nx, ny), seconds without imports, the solver's own error and its version."""
+    """Pressure (nx, ny), seconds without imports, the error and the version of the solver."""
     import numpy as np
     import tamaas
 
