@@ -100,7 +100,7 @@ def test_machines_that_are_no_others_or_that_the_processor_is_not_are_not_emulat
         "baseline", "threads-2", "core-prescott", "core-nehalem", "numpy-baseline",
         "numba-generic", "perturbed-1", "perturbed-2",
     ]  # fmt: skip
-    same = "the same is in effect as in baseline"
+    same = "the same settings are in effect as in baseline"
     assert found.not_emulated == {
         "core-sandybridge": same, "core-haswell": same, "core-zen": same,
         "core-skylakex": "the processor lacks avx512vl",

@@ -84,7 +84,7 @@ def test_an_interval_that_moves_along_with_its_formula_hides_errors():
     found = score([both])
     assert found["by formula"]["hidden"] == [["ring-made-up/formula", [0.005, 0.01, 0.05]]]
     assert found["gate"]["failures"] == [
-        "1 row hides a slip of their own formula, ring-made-up/formula first"
+        "1 row hides an error of their formula, ring-made-up/formula first"
     ]
 
 
@@ -98,7 +98,7 @@ def test_the_gate_is_red_where_the_tolerance_of_one_row_is_widened(monkeypatch):
     rows = [*many, *tried(blunt, where)]
     assert rows[-2].row.status is Status.PASS
     found = gate.failures(rows)
-    assert any(text.startswith("+5% turns 95.24% of 21 rows red") for text in found)
+    assert any(text.startswith("+5% makes 95.24% of 21 rows fail") for text in found)
 
 
 def test_a_case_of_the_suite_passes_the_gate_but_for_what_is_listed():

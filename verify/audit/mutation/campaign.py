@@ -1,4 +1,4 @@
-"""Tries a group's mutants: judged anew, tested, solved anew; every outcome is kept at once."""
+"""Tests a group's mutants by judging, tests and solving; every outcome is stored at once."""
 
 from collections import deque
 from dataclasses import dataclass, field
@@ -17,7 +17,7 @@ JUDGED, TESTED, SOLVED = range(3)  # stages of a mutant
 
 @dataclass
 class Campaign:
-    """One group under way; `stages` is how far each mutant has come that nothing noticed yet."""
+    """One running group; `stages` holds the stage of each mutant not detected yet."""
 
     group: Group
     outcomes: Outcomes

@@ -18,7 +18,7 @@ from verify.core.store import Store
 from verify.jobs import cache
 from verify.jobs.executor import Where
 
-SEED = 0  # of the sample that is kept
+SEED = 0  # of the sample that is stored
 
 
 def run_mutants(*, whole: bool, seed: int, jobs: int, only: Sequence[str]) -> int:

@@ -18,16 +18,17 @@ def told(caught: Caught) -> None:
 
 
 def moved(data: Mapping[str, Any]) -> list[str]:
-    """How many of the rows held to the gate turn red, and what is said of the others."""
-    gate, rest, listed, way = (data[k] for k in ("gate", "the rest", "listed", "by formula"))
-    apart = ", ".join(f"{n} {why}" for why, n in data["apart"].items())
+    """How many rows of the gate fail, and the counts of the other rows."""
+    gate, rest, listed, formula = (data[k] for k in ("gate", "the rest", "listed", "by formula"))
+    excluded = ", ".join(f"{n} {why}" for why, n in data["apart"].items())
     return [
-        f"references: of {gate['rows']} rows red at {_reds(gate)}",
-        f"  of these {rest['rows']} that a formula's value reaches: {_reds(rest)}; apart: {apart}",
-        f"  not asked: {listed['rows']} of {data['rows']} rows ({listed['share']:.1%}; "
+        f"references: of {gate['rows']} rows fail at {_reds(gate)}",
+        f"  of these {rest['rows']} that a formula's value reaches: {_reds(rest)}; "
+        f"excluded: {excluded}",
+        f"  not required: {listed['rows']} of {data['rows']} rows ({listed['share']:.1%}; "
         f"{listed['share without convergence']:.1%} without {data['convergence']} of convergence)",
-        f"  of {way['rows']} rows with a formula {way['reached']} are reached by its value "
-        f"changed, {way['rows'] - way['reached']} are not, {len(way['hidden'])} hide it",
+        f"  of {formula['rows']} rows with a formula {formula['reached']} depend on its value, "
+        f"{formula['rows'] - formula['reached']} do not, {len(formula['hidden'])} hide a change",
     ]
 
 
@@ -44,12 +45,13 @@ def counted(group: MutantGroup) -> str:
             ("rows", group.rows), ("tests", group.tests), ("nothing", group.survived),
         )
     )  # fmt: skip
-    apart = f"; {group.apart} more crashed or did not end" if group.apart else ""
-    return f"{group.name}: {group.tried} of {group.all} mutants tried, caught by {parts}{apart}"
+    lost = group.apart
+    failed = f"; {lost} more crashed or did not end" if lost else ""
+    return f"{group.name}: {group.tried} of {group.all} mutants tried, caught by {parts}{failed}"
 
 
 def named(survivor: Survivor) -> str:
-    """One line: what was changed where, and why nobody can see it."""
+    """One line: what was changed where, and why it cannot be detected."""
     place = f"{survivor.where} line {survivor.line}"
     reason = survivor.reason or "no reason given"
     return f"  survives: {place}: {survivor.before} -> {survivor.after} ({reason})"

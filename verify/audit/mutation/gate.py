@@ -1,10 +1,10 @@
-"""What perturbed references have to show: which rows are held to it, which are only listed.
+"""The gate on perturbed references: which rows must fail, which are only listed.
 
-Held are comparisons that pass and are asked to show 1 % or less: identities, asymptotics, trends,
+Comparisons that pass and must detect 1 % or less are held to it: identities, asymptotics, trends,
 approximations with an expected interval, and balances. The rest is listed with the reason and with
-what it detects: facts, what is shown or noted or calibrated, and comparisons with a wider demand.
+its detection limit: facts, SHOWN, NOTE and CALIBRATED rows, and less sensitive comparisons.
 Convergence rows stand beside a comparison and have no reference: neither held nor listed.
-A row that turns red where it is judged must do so as well where a value of its formula slips.
+A row that fails where it is judged must also fail where a value of its formula is wrong.
 """
 
 from collections.abc import Sequence
@@ -13,15 +13,15 @@ from verify.audit.mutation.references_moved import Tried, is_convergence
 from verify.core.results import Kind, Row, Status
 from verify.judging.judge import DEMAND
 
-SMALL, LARGE = 0.01, 0.05  # of the reference, either way
-LEAST = 0.99  # share of the held rows that `SMALL` turns red, each sign; `LARGE` turns all
+SMALL, LARGE = 0.01, 0.05  # of the reference, both signs
+LEAST = 0.99  # share of the held rows that fail at `SMALL`, each sign; all fail at `LARGE`
 MOST_LISTED = 0.2  # of all rows
 
 TOLD = {
-    Status.SHOWN: "shown: its reference states no uncertainty",
-    Status.NOTE: "noted: a printed value that is shown wrong",
-    Status.CALIBRATED: "calibrated: it was fitted",
-    Status.FAIL: "red already",
+    Status.SHOWN: "SHOWN: its reference states no uncertainty",
+    Status.NOTE: "NOTE: a printed value that is wrong",
+    Status.CALIBRATED: "CALIBRATED: it was fitted",
+    Status.FAIL: "fails already",
     Status.SKIP: "not run",
 }
 A_FACT = "a fact: an order, a presence, or more than one figure"
@@ -41,24 +41,24 @@ def listed_as(row: Row) -> str:
 
 
 def held(row: Row) -> bool:
-    """Whether the gate asks the row to turn red."""
+    """Whether the gate requires the row to fail."""
     return not is_convergence(row) and not listed_as(row)
 
 
 def share(rows: Sequence[Tried], p: float) -> float:
-    """Of the rows that the perturbation `p` of the reference turns red; 1 of none."""
+    """Share of the rows that fail at the perturbation `p` of the reference; 1 of none."""
     return sum(p in tried.red for tried in rows) / len(rows) if rows else 1.0
 
 
 def failures(rows: Sequence[Tried], hidden: Sequence[str] = ()) -> list[str]:
-    """In a line each what the gate finds wrong; empty where it holds.
+    """The violations of the gate, one line each; empty where it holds.
 
-    `hidden` names rows that stay green where their own formula's value slips.
+    `hidden` names rows that pass although the value of their formula is wrong.
     """
     gated = [tried for tried in rows if held(tried.row)]
     found = [] if gated else ["no row is held to the gate"]
     found += [
-        f"{p:+.0%} turns {share(gated, p):.2%} of {len(gated)} rows red, {asked:.0%} asked"
+        f"{p:+.0%} makes {share(gated, p):.2%} of {len(gated)} rows fail, {asked:.0%} required"
         for size, asked in ((SMALL, LEAST), (LARGE, 1.0))
         for p in (size, -size)
         if share(gated, p) < asked
@@ -67,7 +67,7 @@ def failures(rows: Sequence[Tried], hidden: Sequence[str] = ()) -> list[str]:
     if listed > MOST_LISTED * len(rows):
         found.append(f"{listed} of {len(rows)} rows are only listed, {MOST_LISTED:.0%} at most")
     if hidden:
-        found.append(f"{_rows(len(hidden))} a slip of their own formula, {hidden[0]} first")
+        found.append(f"{_rows(len(hidden))} an error of their formula, {hidden[0]} first")
     return found
 
 

@@ -20,7 +20,7 @@ from verify.core.progress import Show, State
 from verify.jobs import cache
 from verify.jobs import timing as durations
 
-# with some to spare: one in twenty crashes, of finite elements one in six, and counts apart
+# with a margin: one in twenty crashes, of finite elements one in six, and is counted separately
 SIZES = {"formulas": 260, "judging": 64, "finite-elements": 54}
 JUDGES = (
     "verify.judging.checks",

@@ -45,7 +45,7 @@ DROPPED = ("sqrt", "abs", "hypot", "floor", "ceil", "square")
 
 
 def arithmetic(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
-    """+ for -, * for /, and the other way round."""
+    """+ for -, * for /, and vice versa."""
     if isinstance(node, ast.BinOp | ast.AugAssign) and type(node.op) in OPPOSITE:
         changed = deepcopy(node)
         changed.op = OPPOSITE[type(node.op)]()

@@ -15,7 +15,7 @@ class By(StrEnum):
     """What noticed a mutant."""
 
     ROWS = "rows"  # a row is red that was not
-    REFUSED = "refused"  # the project's own check raised its error
+    REFUSED = "refused"  # a check of the project raised its error
     TESTS = "tests"
     NOTHING = "nothing"
     CRASHED = "crashed"  # anything else was raised

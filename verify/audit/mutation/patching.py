@@ -75,7 +75,7 @@ def _codes(code: CodeType) -> Iterator[CodeType]:
 
 def _set_defaults(function: FunctionType, given: ast.arguments) -> None:
     def value(node: ast.expr) -> object:
-        return eval(  # noqa: S307 - the project's own source
+        return eval(  # noqa: S307 - source of the project
             compile(ast.Expression(node), "<default>", "eval"), function.__globals__
         )
 
@@ -94,7 +94,7 @@ def _set_constant(of: Source, name: str, owner: ast.stmt) -> int:
     assert isinstance(owner, ast.Assign | ast.AnnAssign)
     assert owner.value is not None
     code = compile(ast.Expression(owner.value), str(of.path), "eval")
-    new = eval(code, vars(module))  # noqa: S307 - the project's own source
+    new = eval(code, vars(module))  # noqa: S307 - source of the project
     holders = [m for m in holding(name, old) if m is not builtins]
     for holder in holders:
         setattr(holder, name, new)

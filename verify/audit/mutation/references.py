@@ -1,7 +1,7 @@
-"""How much of the suite turns red where references are wrong: a score for reports and the gate.
+"""How many rows fail where references are wrong: a score for reports and the gate.
 
-`references_moved` moves references where they are judged, `references_read` where the formulas hand
-them over; here all rows of all cases are tried both ways in one pass over each case's levels.
+`references_moved` changes references where they are judged, `references_read` where the formulas
+return them; here all rows of all cases are tried by both methods in one pass over the levels.
 """
 
 from collections import Counter
@@ -27,21 +27,21 @@ from verify.core.results import Kind, Status
 DIGITS = 4  # significant
 BALANCE, ZERO = "exact balances", "deviations from zero"
 NO_FORMULA = "rows that no value of the formulas reaches"
-SIZES = sorted({abs(p) for p in PERTURBATIONS if -p in PERTURBATIONS})  # tried either way
+SIZES = sorted({abs(p) for p in PERTURBATIONS if -p in PERTURBATIONS})  # tried with both signs
 
-Progress = Callable[[int, int, str], None]  # cases done, cases in all, the one under way
+Progress = Callable[[int, int, str], None]  # cases done, cases in all, the running one
 
 
 @dataclass(frozen=True)
 class Both:
-    """A row tried both ways; `by_formula` None where no value of the formulas reaches it."""
+    """A row tried by both methods; `by_formula` None where no value of the formulas reaches it."""
 
     moved: Tried
     by_formula: Red | None = None
 
     @property
     def hidden(self) -> list[float]:
-        """Sizes that turn the row red where it is judged, but not where its formula is wrong."""
+        """Sizes at which the row fails where it is judged, but not where its formula is wrong."""
         return [s for s in SIZES if _either_way(self.moved.red, s) and not self._reached(s)]
 
     def _reached(self, size: float) -> bool:
@@ -70,7 +70,7 @@ def measured(
 
 
 def both_ways(checks: Iterable[Check], context: Context) -> list[Both]:
-    """All rows of these checks, tried both ways."""
+    """All rows of these checks, tried by both methods."""
     return [both for check in checks for both in _both(check, context)]
 
 
@@ -89,12 +89,12 @@ def _both(check: Check, context: Context) -> list[Both]:
 
 
 def _has_formula(one: Tried) -> bool:
-    """Whether a formula is one side of the row, so that a wrong one should turn it red."""
+    """Whether a formula is one side of the row, so that it should fail with a wrong one."""
     return one.row.status is Status.PASS and one.row.kind in set(COMPARED) - {Kind.EXACT}
 
 
 def of_its_own(both: Both) -> str:
-    """Why a row turns red by how it is judged, whatever its formula says; "" where it does not."""
+    """Why a row fails by its judgement, whatever its formula gives; "" where it does not."""
     row = both.moved.row
     if row.kind is Kind.EXACT:
         return BALANCE
@@ -112,7 +112,7 @@ def score(rows: Sequence[Both]) -> dict[str, Any]:
     n = sum(len(names) for names in listed.values())
     by_formula = _by_formula(rows)
     asked = [both for both in rows if gate.held(both.moved.row)]
-    apart = Counter(why for both in asked if (why := of_its_own(both)))
+    excluded = Counter(why for both in asked if (why := of_its_own(both)))
     failures = gate.failures(moved, [name for name, _ in by_formula["hidden"]])
     return {
         "perturbations": list(PERTURBATIONS),
@@ -122,7 +122,7 @@ def score(rows: Sequence[Both]) -> dict[str, Any]:
             kind.value: _shares([one for one in held if one.row.kind is kind]) for kind in COMPARED
         },
         "gate": {"held": not failures, "failures": failures} | _shares(held),
-        "apart": {why: apart[why] for why in (BALANCE, ZERO, NO_FORMULA)},
+        "apart": {why: excluded[why] for why in (BALANCE, ZERO, NO_FORMULA)},
         "the rest": _shares([both.moved for both in asked if not of_its_own(both)]),
         "survivors": _survivors(held),
         "listed": {
@@ -135,7 +135,7 @@ def score(rows: Sequence[Both]) -> dict[str, Any]:
 
 
 def _shares(rows: Sequence[Tried]) -> dict[str, Any]:
-    """How many, and how many of them each perturbation turns red."""
+    """The number of rows, and how many of them fail at each perturbation."""
     return {
         "rows": len(rows),
         "red": {_name(p): sum(p in one.red for one in rows) for p in PERTURBATIONS},
@@ -150,7 +150,7 @@ def _name(p: float) -> str:
 
 
 def _survivors(rows: Sequence[Tried]) -> list[dict[str, Any]]:
-    """Held rows that some perturbation of the reference leaves green, and why: what they detect."""
+    """Held rows that pass at some perturbation of the reference, and their detection limit."""
     return [
         {
             "row": one.row.id, "kind": one.row.kind.value,
@@ -172,7 +172,7 @@ def _listed(rows: Sequence[Tried]) -> dict[str, list[list[Any]]]:
 
 
 def _by_formula(rows: Sequence[Both]) -> Mapping[str, Any]:
-    """How the second way agrees with the first, over held rows that have a formula."""
+    """Agreement of the second method with the first, over held rows that have a formula."""
     asked = [both for both in rows if gate.held(both.moved.row) and _has_formula(both.moved)]
     reached = [both for both in asked if both.by_formula is not None]
     return {

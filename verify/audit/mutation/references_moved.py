@@ -1,12 +1,12 @@
-"""Every row's reference changed on purpose, and the row judged again: it should turn red.
+"""Every row's reference changed on purpose, and the row judged again: it should fail.
 
-Every comparison goes through `verify.judging.judge`: `moved` changes the reference there and
+Every comparison is judged in `verify.judging.judge`: `moved` changes the reference there and
 nothing else, neither tolerance nor scale nor what is expected. Stored finite elements are
-judged anew; none are solved.
+judged again; none are solved.
 
 The reference r is multiplied by 1 + p; where it is zero, p times the row's scale is added. Where
 the scale is another magnitude than |r|, p times the scale is judged as well: rows against a scale
-may be blind to a share of a small r by right, but the gate asks for the strict one, p of r itself.
+need not detect a share of a small r, but the gate requires the strict one, p of r itself.
 Of an approximation the formula is multiplied, whose error the row bounds; of a limit the formula at
 all its points, so that d becomes (1 + d)(1 + p) - 1. A balance has the reference zero.
 """
@@ -33,7 +33,7 @@ Red = frozenset[float]  # the perturbations that turn a row red
 
 @dataclass(frozen=True)
 class Tried:
-    """A row as it is, and the perturbations of its reference, and of its scale, that redden it."""
+    """A row, and the perturbations of its reference, and of its scale, at which it fails."""
 
     row: Row
     red: Red = frozenset()
@@ -46,7 +46,7 @@ class Tried:
 
 
 def of_paper(case: Case, folder: Path | None = None) -> Context:
-    """The case's own inputs with levels from the cache; InputError where one is not there."""
+    """The default inputs with levels from the cache; InputError where one is not there."""
     inputs = case.inputs()
     found = []
     for level in case.levels:
@@ -58,12 +58,12 @@ def of_paper(case: Case, folder: Path | None = None) -> Context:
 
 
 def is_convergence(row: Row) -> bool:
-    """Whether the row stands beside a comparison and has no reference of its own."""
+    """Whether the row accompanies a comparison and has no reference."""
     return row.kind is Kind.FACT and row.quantity.endswith(CONVERGENCE)
 
 
 def tried(check: Check, context: Context) -> list[Tried]:
-    """The rows of a check, each with the perturbations that turn it red."""
+    """The rows of a check, each with the perturbations at which it fails."""
     rows = check.rows(context)
     if not any(row.kind in COMPARED for row in rows):
         return [Tried(row) for row in rows]
@@ -88,13 +88,13 @@ def _scale_is_another(row: Row) -> bool:
 
 
 def reddened(check: Check, context: Context, p: float, *, of_scale: bool = False) -> set[str]:
-    """Names of a check's rows that are red where its references are moved by `p`."""
+    """Names of a check's rows that fail where its references are moved by `p`."""
     with moved(p, of_scale=of_scale):
         return red_names(check, context)
 
 
 def red_names(check: Check, context: Context) -> set[str]:
-    """Names of a check's rows that are red: all of them where it refuses to judge."""
+    """Names of a check's rows that fail: all of them where it refuses to judge."""
     try:
         rows = check.rows(context)
     except (ValueError, ArithmeticError):  # what formulas raise on values that make no sense

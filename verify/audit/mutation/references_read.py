@@ -1,10 +1,10 @@
-"""The second, independent way: a formula's value changed before the checks see it.
+"""The second, independent method: a formula's value changed before the checks read it.
 
 `references_moved` moves a reference where it is judged, and nothing else. Here a value of the
 formulas is multiplied by 1 + p in what a check is given, one key at a time, and whatever the check
-makes of it moves along: tolerance, scale, expected interval. Both should turn the same
-rows red. A row that is red there and green here hides an error of its formula; a row that no key
-reddens takes its formula elsewhere, from the inputs by itself.
+derives from it changes too: tolerance, scale, expected interval. The same rows should fail by both
+methods. A row that fails there and passes here hides an error of its formula; a row that no key
+makes fail computes its formula from the inputs by itself.
 """
 
 from collections.abc import Iterator, Mapping
@@ -33,7 +33,7 @@ class Noted(Mapping[str, float]):
 
 @dataclass(frozen=True)
 class Read:
-    """What of a check's rows turns red where one value of the formulas is changed.
+    """The rows of a check that fail where one value of the formulas is changed.
 
     `red` has, for each key that is read and not zero, names of rows by perturbation.
     """
@@ -41,7 +41,7 @@ class Read:
     red: Mapping[str, Mapping[float, set[str]]]
 
     def of(self, quantity: str, key: str = "") -> Red:
-        """The perturbations of `key`, or of any, that turn the row red."""
+        """The perturbations of `key`, or of any, at which the row fails."""
         keys = [key] if key else list(self.red)
         return frozenset(
             p for k in keys for p, names in self.red.get(k, {}).items() if quantity in names

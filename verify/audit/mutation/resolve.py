@@ -1,8 +1,8 @@
 """Cases whose levels are made with formulas, too: a formula's mutant changes both of their sides.
 
-Levels that unchanged code has stored say nothing of such a mutant: rows would be credited with it
-that stay green in a run, and others be blamed that turn red in one. The key of the stored levels
-tells which formulas they are made with.
+Levels stored by unchanged code are no evidence on such a mutant: rows would count as failed that
+pass in a run, and others as passed that fail in one. The key of the stored levels states which
+formulas they are made with.
 """
 
 from collections.abc import Sequence
@@ -18,7 +18,7 @@ SOLVED = {
     "rotor-clutch": 1.0, "spring-stages": 1.5, "contact-roller-flat": 4.0, "rotor-shaft": 9.0,
     "sprag-engagement": 14.0,
 }  # fmt: skip
-QUICK = 5.0  # s: the others are asked last, after the tests
+QUICK = 5.0  # s: the others are solved last, after the tests
 
 
 @cache

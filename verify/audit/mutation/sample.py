@@ -25,7 +25,7 @@ def reached(
 
 
 def _is_read(constant: str, of: Source, called: Collection[str]) -> bool:
-    """Whether a constant is read by a called function of its own module."""
+    """Whether a constant is read by a called function of its module."""
     return is_constant(constant) and bool(readers(constant, of) & set(called))
 
 
@@ -44,7 +44,7 @@ def readers(constant: str, of: Source) -> set[str]:
 
 
 def sample(among: Sequence[Changed], size: int, seed: int) -> list[Changed]:
-    """Mutants in turn of each operator, in an order that code elsewhere doesn't change.
+    """Mutants in turn of each operator, in an order that other code does not change.
 
     Rare mistakes are tried as often as frequent ones, as far as there are mutants; of several
     changes at one place the first in that order alone.

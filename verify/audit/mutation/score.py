@@ -143,9 +143,9 @@ def _survivor(group: str, one: Sequence[Any], reasons: Mapping[str, str]) -> Sur
 
 
 def complaints(of: Caught) -> list[str]:
-    """What the gates ask for, and references or the mutants of formulas do not give."""
+    """Requirements of the gates that references or the mutants of formulas do not meet."""
     found = [
-        f"{group.name}: {group.caught} of {group.tried} mutants are caught, {LEAST:.0%} are asked"
+        f"{group.name}: {group.caught} of {group.tried} mutants are caught, {LEAST:.0%} required"
         for group in of.groups
         if group.name == "formulas" and group.caught < LEAST * group.tried
     ]

@@ -1,4 +1,4 @@
-"""The project's own tests, run in this process: which functions each calls, and whether one fails.
+"""The tests of the project, run in this process: which functions each calls, and whether one fails.
 
 Run it in a forked child only: pytest leaves its traces in the process.
 """

@@ -1,4 +1,4 @@
-"""One mutant on trial, in a forked child: the cases that call it are judged anew."""
+"""One mutant, in a forked child: the cases that call it are judged again."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -30,13 +30,13 @@ class Bench:
 def tried(
     changed: Changed, benches: Sequence[Bench], moved: Sequence[Bench] = ()
 ) -> Verdict:  # fmt: skip
-    """Put the mutant in place and judge the cases one by one, until one has a red row.
+    """Put the mutant in place and judge the cases one by one, until one has a failed row.
 
     `moved` are cases whose levels the mutant changes, too: they are solved with it.
     """
     patch(source(changed.mutant.module), changed)
     for bench in benches:
-        if verdict := told(bench.judged(), bench):
+        if verdict := detected(bench.judged(), bench):
             return verdict
     for bench in moved:
         if verdict := _solved(bench, bench.load.case.levels):
@@ -44,8 +44,8 @@ def tried(
     return [By.NOTHING.value, ""]
 
 
-def told(judged: Judged, bench: Bench) -> Verdict | None:
-    """What the case notices: rows above all, then its own refusal, then any other error."""
+def detected(judged: Judged, bench: Bench) -> Verdict | None:
+    """What the case detects: rows first, then its refusal, then any other error."""
     case = bench.load.case.id
     if red := reddened(bench.before.states, judged.states):
         more = f" and {len(red) - 1} more" if len(red) > 1 else ""
@@ -69,8 +69,8 @@ def solved(changed: Changed, work: Sequence[tuple[Bench, Sequence[int]]]) -> Ver
 def _solved(bench: Bench, levels: Sequence[int]) -> Verdict | None:
     """Solve these levels of a case with the living code and judge it.
 
-    Stored levels that are not solved anew are shifted by what has changed on the first one that
-    is: an error of the model changes every level alike.
+    Stored levels that are not solved again are shifted by the change of the first one that is: an
+    error of the model changes every level by the same amount.
     """
     case, load = bench.load.case, bench.load
     anew: dict[int, FemResult] = {}
@@ -87,7 +87,7 @@ def _solved(bench: Bench, levels: Sequence[int]) -> Verdict | None:
         for level, stored in zip(case.levels, load.levels, strict=True)
     )
     judged = Load(case, load.inputs, results, load.values).judged()
-    return told(judged, bench)
+    return detected(judged, bench)
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ States = Mapping[str, str]  # of rows, by their names
 
 @dataclass(frozen=True)
 class Judged:
-    """States of rows by their names, and what was raised on the way."""
+    """States of rows by their names, and the errors raised."""
 
     states: dict[str, str] = field(default_factory=dict)
     errors: tuple[Exception, ...] = ()
@@ -32,7 +32,7 @@ class Load:
     values: Values | None = None
 
     def judged(self) -> Judged:
-        """All rows judged anew, as far as nothing is raised."""
+        """All rows judged again, as far as nothing is raised."""
         try:
             values = self.case.analytic(self.inputs) if self.values is None else self.values
         except Exception as error:
@@ -75,7 +75,7 @@ def reddened(before: States, after: States) -> list[str]:
 
 
 def refuses(error: BaseException) -> bool:
-    """Whether the project's own code raised this on purpose: a rule that inputs break, say."""
+    """Whether code of the project raised this on purpose: a rule that inputs violate, say."""
     if not isinstance(error, ValueError | ArithmeticError):
         return False
     frames = traceback.extract_tb(error.__traceback__)

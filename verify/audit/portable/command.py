@@ -101,7 +101,7 @@ def _machines(only: Sequence[str], seeds: int) -> Machines:
 
 
 def _work(variant: Variant, emulated: Machines, cases: tuple[str, ...], folder: Path) -> Work:
-    """What the process of one variant does; its cache is its own, as keys name no processor."""
+    """The work of one variant's process; its cache is separate, as keys name no processor."""
     place = cache.default_folder()
     environment = variant.applied(os.environ)
     environment["FREEWHEEL_CACHE"] = str(place.with_name(f"{place.name}-machines") / variant.name)

@@ -42,7 +42,7 @@ def differences(
 ) -> list[Difference]:
     """Rows of the variant `name` whose status or tolerance differs, or whose value moves too far.
 
-    Of rows that share an id only the last is compared, which is why they are told.
+    Of rows that share an id only the last is compared, which is why they are reported.
     """
     known = {row.id: row for row in baseline}
     found = {row.id: row for row in variant}
@@ -103,8 +103,8 @@ def _differences(was: Record, now: Record, name: str, *, perturbed: bool) -> Ite
     moved = _moved(was, now, name, perturbed=perturbed)
     if is_other_tolerance(was, now):
         yield replace(
-            moved, was=f"{moved.was}, tolerance {_told(was.tolerance)}",
-            now=f"{moved.now}, tolerance {_told(now.tolerance)}",
+            moved, was=f"{moved.was}, tolerance {_number(was.tolerance)}",
+            now=f"{moved.now}, tolerance {_number(now.tolerance)}",
         )  # fmt: skip
     elif not moved.move <= LIMIT:
         yield moved
@@ -137,8 +137,8 @@ def _verdict(row: Record) -> str:
 def _numbers(row: Record) -> str:
     """The numbers of a row in one line: "formula 1.25, reference 1.26, difference -0.01"."""
     all_numbers = {**row.values, "difference": row.difference}
-    return ", ".join(f"{n} {_told(v)}" for n, v in all_numbers.items() if v is not None)
+    return ", ".join(f"{n} {_number(v)}" for n, v in all_numbers.items() if v is not None)
 
 
-def _told(value: Number) -> str:
+def _number(value: Number) -> str:
     return "none" if value is None else f"{value:.12g}"

@@ -1,6 +1,6 @@
 """What decides the rounding errors of this process: BLAS kernels, threads, instruction sets.
 
-A variable of the environment that asks for another processor may have no effect: OpenBLAS takes
+A variable of the environment that selects another processor may have no effect: OpenBLAS takes
 the nearest kernels that it was built with. Only what is in effect here identifies a machine.
 """
 

@@ -113,7 +113,7 @@ def _markdown(summary: Summary) -> Iterator[str]:
 
 
 def _line(one: Difference) -> str:
-    """A difference in words, the same for all variants in which the row differs alike."""
+    """A difference in words, the same for all variants with the same difference."""
     if one.kind is Kind.VALUE:
         does = "has another tolerance" if one.move <= LIMIT else "moves"
         words = f": {one.reason}" if one.reason else " without a reason"

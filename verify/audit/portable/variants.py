@@ -66,21 +66,21 @@ def candidates(found: Sequence[str], seeds: int = SEEDS) -> tuple[Variant, ...]:
 
 
 def machines(
-    wanted: Sequence[Variant],
+    variants: Sequence[Variant],
     probe: Probe,
     flags: frozenset[str],
     environment: Mapping[str, str] | None = None,
 ) -> Machines:
     """Which of the variants can be emulated here, by what `probe` finds in effect.
 
-    `wanted` begins with the baseline. `flags` are the instruction sets of the processor. A variant
-    in whose environment the same is in effect as in an earlier one's is not run again.
+    `variants` begins with the baseline. `flags` are the instruction sets of the processor. A
+    variant with the same settings in effect as an earlier one is not run again.
     """
     around = os.environ if environment is None else environment
     chosen: list[Variant] = []
     effective: dict[str, Mapping[str, Any]] = {}
     refused: dict[str, str] = {}
-    for variant in wanted:
+    for variant in variants:
         if reason := _missing(variant, flags, around):
             refused[variant.name] = reason
             continue
@@ -92,9 +92,9 @@ def machines(
                     raise
                 refused[variant.name] = str(error)
                 continue
-            alike = [v.name for v in chosen if effective[v.name] == effective[variant.name]]
-            if alike:
-                refused[variant.name] = f"the same is in effect as in {alike[0]}"
+            equal = [v.name for v in chosen if effective[v.name] == effective[variant.name]]
+            if equal:
+                refused[variant.name] = f"the same settings are in effect as in {equal[0]}"
                 del effective[variant.name]
                 continue
         else:
