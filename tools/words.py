@@ -2,8 +2,8 @@
 
     python -m tools.words [FILE ...]
 
-Reads comments and strings of Python files and whole texts of documents and templates. Prints
-`file:line: word: what stands in its place`; exit status 1 where a word was found.
+Reads comments and strings of Python and JavaScript files, and whole texts of documents and
+templates. Prints `file:line: word: replacement`; exit status 1 where a word was found.
 """
 
 import io
@@ -19,12 +19,18 @@ from typing import Any, NamedTuple
 
 ROOT = Path(__file__).parents[1]
 LIST = ROOT / "tools" / "words.toml"
-READ = (".py", ".md", ".toml", ".cff", ".html", ".js", ".css", ".in")
+READ = (".py", ".md", ".toml", ".cff", ".html", ".js", ".css", ".typ", ".in")
 TEXTS = {
     tokenize.COMMENT,
     tokenize.STRING,
     getattr(tokenize, "FSTRING_MIDDLE", tokenize.STRING),  # from Python 3.12
 }
+F_STRING = re.compile(r"(?i)rf|fr|f")  # prefix of a string token, before Python 3.12
+EXPRESSION = re.compile(r"\{([^{}\n]*)\}")
+LITERAL = re.compile(r"'[^'\n]*'|\"[^\"\n]*\"")
+SCRIPT = re.compile(r"(?<!:)//.*|/\*.*?\*/|'[^'\n]*'|\"[^\"\n]*\"|`[^`\n]*`")
+IN_SCRIPT = re.compile(r"\$\{[^{}]*\}")  # expressions of template strings
+NAMES = re.compile(r"#?[\w-]+(?:\.[\w-]+)+|#[\w-]+")  # of typst
 
 
 class Word(NamedTuple):
@@ -50,12 +56,26 @@ def words(listed: Sequence[dict[str, Any]]) -> list[Word]:
 def texts(path: Path) -> Iterator[tuple[int, str]]:
     """Lines of a file with their numbers; of a Python file, its comments and strings only."""
     source = path.read_text("utf-8")
-    if path.suffix != ".py":
-        yield from enumerate(source.splitlines(), 1)
+    if path.suffix == ".py":
+        yield from _python(source)
         return
+    in_script = path.suffix == ".js"
+    for number, line in enumerate(source.splitlines(), 1):
+        in_script = in_script or "<script" in line
+        if in_script:
+            yield number, " ".join(SCRIPT.findall(IN_SCRIPT.sub("", line)))
+        else:
+            yield number, NAMES.sub("", line) if path.suffix == ".typ" else line
+        in_script = in_script and "</script" not in line
+
+
+def _python(source: str) -> Iterator[tuple[int, str]]:
     for token in tokenize.generate_tokens(io.StringIO(source).readline):
         if token.type in TEXTS:
-            for shift, line in enumerate(token.string.splitlines()):
+            text = token.string
+            if token.type == tokenize.STRING and F_STRING.match(text):
+                text = EXPRESSION.sub(lambda m: " ".join(LITERAL.findall(m[1])), text)
+            for shift, line in enumerate(text.splitlines()):
                 yield token.start[0] + shift, line
 
 
@@ -89,7 +109,8 @@ def main(arguments: Sequence[str]) -> int:
     count = 0
     for path in paths:
         for number, word, instead in found(path, listed):
-            print(f"{path.relative_to(ROOT)}:{number}: {word}: {instead}")
+            name = path.relative_to(ROOT) if path.is_relative_to(ROOT) else path
+            print(f"{name}:{number}: {word}: {instead}")
             count += 1
     return 1 if count else 0
 
