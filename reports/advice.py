@@ -43,7 +43,7 @@ def _quality(one: FormulaVerdict) -> str:
 def of_case(
     verdicts: Sequence[FormulaVerdict], case: str, rows: Sequence[Row]
 ) -> list[FormulaVerdict]:
-    """The verdicts that rest on a case, with the largest error of its own rows."""
+    """The verdicts that rest on a case, with the largest error of the rows of this case."""
     known = {row.id: row for row in rows}
     return [_at_case(v, known) for v in verdicts if case in v.cases]
 

@@ -22,7 +22,7 @@ def webp(rgba: NDArray[np.uint8]) -> bytes:
     indices = np.zeros(pixels.shape[:2], dtype=np.uint8)  # 0 is transparent
     palette = np.zeros((1, 4), dtype=np.uint8)
     alpha = pixels[..., 3]
-    # Pillow's only way with transparency is coarse: it would put bands into a smooth field
+    # Pillow's only method for transparency is coarse: it would make bands in a smooth field
     for part, mode, count, method in (
         (alpha == 255, "RGB", INSIDE, Image.Quantize.MEDIANCUT),
         ((alpha > 0) & (alpha < 255), "RGBA", RIM, Image.Quantize.FASTOCTREE),

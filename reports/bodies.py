@@ -38,7 +38,7 @@ def body(field: Field, picture: Picture) -> Body:
     Reflection negates a coordinate: "x" adds the image on the other side of the plane x = 0.
     Normal stresses and other scalars keep their sign in it. A shear stress (column 2 of the four
     columns xx, yy, xy, zz) changes sign at "x" and at "y", and so does component k of a vector at
-    axis k. Shear given as data of its own with one column would need that too: give it as a
+    axis k. Shear given as separate data with one column would need that too: give it as a
     component of the four.
 
     Raises
@@ -81,7 +81,7 @@ def _valued(shown: Body, field: Field, picture: Picture, used: Indices) -> Body:
 
 
 def _column(data: Array, picture: Picture) -> Array:
-    """The component wanted, or the magnitude of a vector."""
+    """The selected component, or the magnitude of a vector."""
     if data.ndim == 2 and picture.component is not None:
         data = data[:, picture.component]
     elif data.ndim == 2:

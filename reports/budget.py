@@ -1,4 +1,4 @@
-"""Error budgets: of what a difference of formula and finite elements is made, drawn and told."""
+"""Error budgets: causes of the difference of formula and finite elements, drawn and in words."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -131,7 +131,7 @@ def headline(one: CaseBudget) -> RowBudget | None:
 def lines(row: RowBudget) -> list[tuple[str, str, str]]:
     """Cause, what was rerun, and what it contributes, in words."""
     found = [(TOTAL, "formula and finite elements as they are", percent(row.total, row.U))]
-    found += [(p.cause, *_told(p)) for p in row.parts if not p.shared]
+    found += [(p.cause, *_contribution(p)) for p in row.parts if not p.shared]
     found += [
         ("together", f"{' and '.join(joint.causes)} removed together",
          f"{percent(joint.value)} more than one by one" if joint.value is not None
@@ -145,7 +145,7 @@ def lines(row: RowBudget) -> list[tuple[str, str, str]]:
     return [*found, *beside]
 
 
-def _told(part: BudgetPart) -> tuple[str, str]:
+def _contribution(part: BudgetPart) -> tuple[str, str]:
     if part.contribution is None:
         said = dict.fromkeys(filter(None, (part.what, part.note)))
         return "; ".join(said), "–"
@@ -207,11 +207,11 @@ def outside(one: CaseBudget) -> list[RowBudget]:
 
 
 def left(one: CaseBudget) -> str:
-    """One sentence on the rows that reruns do not take apart, by the reasons."""
+    """One sentence on the rows that reruns do not explain, by the reasons."""
     reasons = dict.fromkeys(row.why for row in one.rows if not row.apart)
     said = [
         f"{', '.join(row.quantity for row in one.rows if not row.apart and row.why == why)} "
         f"({why or UNKNOWN})"
         for why in reasons
     ]
-    return f"Not taken apart: {'; '.join(said)}." if said else ""
+    return f"Not decomposed: {'; '.join(said)}." if said else ""

@@ -35,5 +35,5 @@ def _lines(row: RowBudget) -> Iterable[tuple[Cell, ...]]:
     for joint in row.joints:
         yield "together", " and ".join(joint.causes), joint.value, None, "no", joint.note
     within = {True: "explained", False: "not explained", None: ""}[row.within]
-    note = within if row.apart else f"not taken apart: {row.why or UNKNOWN}"
+    note = within if row.apart else f"not decomposed: {row.why or UNKNOWN}"
     yield "remainder", "", row.remainder, row.u, "", note

@@ -92,7 +92,7 @@ def _shown(whirl: int) -> Curve:
 
 
 def _names(axes: Axes, ends: Sequence[tuple[float, float, str]]) -> None:
-    """Names right of the plot, apart from each other, each with a line from its end."""
+    """Names right of the plot, without overlap, each with a line from its end."""
     order = sorted(ends, key=lambda end: end[1])
     right = axes.box[2]
     heights = spread([y for _, y, _ in order], [APART] * len(order), (TOP, BOTTOM))

@@ -22,7 +22,7 @@ PRINTED = "a wider demand: printed as "
 
 @dataclass(frozen=True)
 class Moved:
-    """Rows of one kind whose references were moved: how many, and how many of them turned red."""
+    """Rows of one kind whose references were moved: how many, and how many of them failed."""
 
     kind: str
     rows: int
@@ -64,7 +64,7 @@ def moved(caught: Caught) -> tuple[list[str], list[Moved]]:
         return [], []
     names = list(data["gate"]["red"])
     kinds: Mapping[str, Any] = {
-        **data["kinds"], "all that must turn red at ±1 %": data["gate"],
+        **data["kinds"], "all that must fail at ±1 %": data["gate"],
         "of these, all that a formula’s value reaches": data["the rest"],
     }  # fmt: skip
     lines = [
@@ -75,7 +75,7 @@ def moved(caught: Caught) -> tuple[list[str], list[Moved]]:
 
 
 def green(caught: Caught) -> list[str]:
-    """Rows that some perturbation leaves green, in words."""
+    """Rows that pass under some perturbation, in words."""
     return [
         f"{one['row']} at {', '.join(one['green at'])}"
         for one in caught.references.get("survivors", ())
@@ -87,25 +87,27 @@ def only_listed(caught: Caught) -> list[tuple[str, int]]:
     counts: Counter[str] = Counter()
     for reason, rows in caught.references.get("listed", {}).get("because", {}).items():
         coarse = reason.startswith(PRINTED)
-        counts["a wider demand: printed with few digits" if coarse else reason] += len(rows)
+        counts["lower required sensitivity: printed with few digits" if coarse else reason] += len(
+            rows
+        )
     return counts.most_common()
 
 
 def in_words(caught: Caught) -> list[str]:
-    """What the shares do not say: rows not asked, not reached, red anyway."""
+    """What the shares leave out: rows not required to fail, not reached, or failing always."""
     data = caught.references
     if not data:
         return []
-    listed, way = data["listed"], data["by formula"]
-    apart = ", ".join(f"{n} {why}" for why, n in data["apart"].items())
+    listed, moved = data["listed"], data["by formula"]
+    always = ", ".join(f"{n} {why}" for why, n in data["apart"].items())
     return [
-        f"{listed['rows']} of {data['rows']} rows are not asked to turn red at ±1 %: "
+        f"{listed['rows']} of {data['rows']} rows are not required to fail at ±1 %: "
         f"{listed['share']:.1%}, or {listed['share without convergence']:.1%} without the "
         f"{data['convergence']} rows of convergence.",
-        f"Of {way['rows']} rows with a formula {way['reached']} are reached where a value "
-        f"of the formulas is changed instead, {way['rows'] - way['reached']} are not; "
-        f"{len(way['hidden'])} hide the change.",
-        f"Red whatever a formula says, and counted apart: {apart}.",
+        f"If a value of the formulas is changed instead, {moved['reached']} of {moved['rows']} "
+        f"rows with a formula depend on it, {moved['rows'] - moved['reached']} do not; "
+        f"{len(moved['hidden'])} pass in spite of the change.",
+        f"Rows that fail whatever the value of a formula, counted separately: {always}.",
     ]
 
 

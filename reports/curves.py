@@ -1,7 +1,7 @@
 """Plot of several curves on the same axes, each named in a key below.
 
-Colours stand for the same with a pattern of their own, of strokes and of marks: a print in black
-and white, and an eye that tells no hues, keep curves apart.
+Each colour has a pattern of strokes and marks, so that curves are distinguished in black and white
+print and without colour vision.
 """
 
 import math

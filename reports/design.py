@@ -63,7 +63,7 @@ def page(design: DesignPage) -> str:
         "symbol": formats.symbol, "prose": formats.prose, "plot": plot, "sketch": sketch,
         "columns": html.columns,
     }  # fmt: skip
-    css = Markup(html.styles())  # noqa: S704 - the project's own files
+    css = Markup(html.styles())  # noqa: S704 - files of the project
     return env.get_template("design.html.j2").render(page=design, css=css)
 
 

@@ -48,8 +48,8 @@ class Region:
 class Parallel:
     """Lines (k, m) over m axes from 0, the best, at the top to 1; `chosen` counts the lines.
 
-    `ends` are the best and the worst value on every axis; of the `kept` lines finite elements
-    approve.
+    `ends` are the best and the worst value on every axis; finite elements confirm
+    the `kept` lines.
     """
 
     title: str
@@ -146,7 +146,7 @@ def parallel(p: Parallel) -> Markup:
     if any(kept for k, kept in enumerate(p.kept) if k != p.chosen):
         named.append(("fit s0", "on the front"))
     if not all(p.kept):
-        named.append(("fit s4 dashes", "not kept by finite elements"))
+        named.append(("fit s4 dashes", "not confirmed by finite elements"))
     at = 12.0
     for css, words in named:
         body.append(svg.line(at, bottom + 42, at + 22, bottom + 42, css))

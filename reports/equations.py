@@ -25,7 +25,7 @@ class Equations:
 
     def __init__(self) -> None:
         self._numbers: dict[str, int] = {}
-        self._names: dict[str, str] = {}  # of glyphs, by typst's own
+        self._names: dict[str, str] = {}  # of glyphs, by those of typst
         self._outlines: dict[str, str] = {}  # by name
 
     def maths(self, tex: str) -> Markup:
@@ -62,7 +62,7 @@ class Equations:
         ]  # fmt: skip
 
     def _svg(self, tex: str, page: bytes) -> str:
-        root = ET.fromstring(page)  # noqa: S314 - typst's own
+        root = ET.fromstring(page)  # noqa: S314 - made by typst
         square, *parts = (part for part in root if part.tag != f"{SVG}defs")
         outlines = {one.attrib["id"]: one[0].attrib["d"] for one in root.iter(f"{SVG}symbol")}
         wide, high = _numbers(root.attrib["viewBox"])[2:]
@@ -107,7 +107,7 @@ class Equations:
 def _tree_or_none(tex: str) -> Node | None:
     try:
         return tree(tex)
-    except (ValueError, LookupError):  # of one's own case: what the converter does not know
+    except (ValueError, LookupError):  # of a user's case: what the converter does not know
         return None
 
 

@@ -140,7 +140,7 @@ def _runs(member: NDArray[np.bool_]) -> Iterator[tuple[int, int, int]]:
 
 
 def _diagonals(w: float, h: float) -> list[tuple[float, float, float, float]]:
-    """Strokes up to the right in a cell, from its lower left corner, HATCH apart at 45 degrees."""
+    """Strokes at 45 degrees in a cell, from its lower left corner, in steps of HATCH."""
     if max(w, h) < 2 * HATCH:
         return [(0.0, 0.0, w, h)]
     found = []

@@ -10,9 +10,9 @@ from verify.core.figures import Array, Map
 
 LEFT, TOP, RIGHT = 62.0, 26.0, 8.0
 CELL = 21.0  # height
-SHADES = 3  # classes of cells that have a shade of their own; beyond the last limit there is none
+SHADES = 3  # classes of cells with a separate shade; beyond the last limit there is none
 LINE, SWATCH, LETTER = 18.0, 14.0, 6.2
-HUNDRED = 0.995  # errors beyond are told as such: no number of per cent says more
+HUNDRED = 0.995  # larger errors are reported as such: a number of per cent adds nothing
 
 
 def error_map(m: Map) -> Markup:

@@ -1,4 +1,4 @@
-"""Colours of a formula's signed error: by the limits that hold it, so alike in every map.
+"""Colours of a formula's signed error: by the limits that hold it, the same in every map.
 
 Orange where the formula gives more than finite elements, blue where it gives less, the deeper the
 further off. Below a quarter of the first limit there is no colour: rounding is no pattern.
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from reports import svg
 from verify.core.figures import Array
 
-DEEPEST = 8  # classes of each sign that have a colour of their own
+DEEPEST = 8  # classes of each sign with a separate colour
 UNSOLVED = 99
 HIGH = 11.0  # of the scale's colours
 

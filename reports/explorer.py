@@ -85,12 +85,12 @@ def _case(
 def _axis(axis: StudyAxis) -> dict[str, Any]:
     return {
         "name": axis.name, "symbol": symbol(axis.symbol), "unit": unit(axis),
-        "what": axis.what, "own": axis.own, "log": axis.log, "whole": axis.whole,
+        "what": axis.what, "nominal": axis.own, "log": axis.log, "whole": axis.whole,
         "ratio": symbol(axis.ratio) if axis.ratio else "", "factor": axis.factor,
         "scales": axis.scales,
         "per": [
-            {"name": one.name, "symbol": symbol(one.symbol), "unit": unit(one), "own": one.own,
-             "power": one.power}
+            {"name": one.name, "symbol": symbol(one.symbol), "unit": unit(one),
+             "nominal": one.own, "power": one.power}
             for one in axis.per
         ],
     }  # fmt: skip

@@ -11,7 +11,7 @@ from reports.explorer import unit
 from reports.formats import MINUS, number, symbol
 from verify.core.results import StoredStudy, StudyAxis
 
-LEAST = 0.001  # per cent: what is shown
+LEAST = 0.001  # per cent: smallest value that is printed
 TINY = f"<{LEAST}"
 NO_DIGIT = 0.005  # of an error: a bar below changes none of its three digits
 
@@ -35,7 +35,7 @@ def head(study: StoredStudy) -> list[Markup]:
     if not study.is_star:
         return [_value(study.axes[-1], v) for v in _values(study, -1)]
     own = study.points[0]
-    return [Markup("case’s own")] + [
+    return [Markup("of the case")] + [
         Markup(", ").join(
             _value(axis, v) for axis, v, o in zip(study.axes, point, own, strict=True) if v != o
         )

@@ -104,7 +104,7 @@ def values(row: Row) -> Shown:
 
 
 def _is_printed(row: Row) -> bool:
-    """Whether the reference is the printed number itself, which has columns of its own."""
+    """Whether the reference is the printed number itself, which has separate columns."""
     return row.partner is not None and row.fem is None and row.by.startswith("printed")
 
 

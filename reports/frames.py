@@ -39,7 +39,7 @@ def frames(
     cases: Sequence[CaseResult], cache: Path | None, hint: str = "",
     process: DrawingProcess | None = None,
 ) -> Mapping[str, list[Frame]]:  # fmt: skip
-    """The pictures that each case asks for and has the field of, by case id."""
+    """The pictures of each case for which it has the field, by case id."""
     wanted = [
         (case.id, field, picture)
         for case in cases

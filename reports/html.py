@@ -99,7 +99,7 @@ def page(report: Report, frames: Mapping[str, Sequence[Frame]]) -> str:
     equations = Equations()
     script = script_of(report.cases, frames)
     body = environment(equations).get_template("report.html.j2").render(
-        **context(report, frames), script=Markup(script),  # noqa: S704 - the project's own file
+        **context(report, frames), script=Markup(script),  # noqa: S704 - files of the project
         script_source=script_source(script),
     )  # fmt: skip
     return slim(equations.placed([body])[0])
@@ -128,7 +128,7 @@ def context(report: Report, frames: Mapping[str, Sequence[Frame]]) -> dict[str, 
         "viewers": {c.id: [f for f in frames.get(c.id, ()) if f.view] for c in report.cases},
         "drawn_by": drawn_by(frames), "names": {p["key"]: cited(p) for p in report.papers},
         "short": named(report.papers), "published": _by_paper(report),
-        "css": Markup(styles()),  # noqa: S704 - the project's own file
+        "css": Markup(styles()),  # noqa: S704 - files of the project
     }  # fmt: skip
 
 
@@ -141,7 +141,7 @@ class Cause:
 
 
 def causes(rows: Sequence[Row], status: Status) -> list[Cause]:
-    """What failed, told once for each reason."""
+    """What failed, once for each reason."""
     found: dict[tuple[str, str], list[Row]] = {}
     for row in rows:
         if row.status is status:
@@ -316,7 +316,7 @@ def reproduce(case: CaseResult) -> str:
         return case.command
     init = case.command.replace("freewheel verify", "freewheel init", 1)
     return (
-        f"{case.command}\n{init} > my.toml    # then edit it for your own part\n"
+        f"{case.command}\n{init} > my.toml    # then edit it for your part\n"
         "freewheel check --fem my.toml"
     )
 

@@ -86,5 +86,5 @@ def _largest(values: Sequence[float]) -> str:
         return "–" if not values else "0 %"
     percent = 100 * max(values)
     last = 10.0 ** (math.floor(math.log10(percent)) - 1)
-    shown = math.ceil(percent / last * (1 - 1e-12)) * last
-    return f"{shown:.0f} %" if shown >= 99.5 else f"{shown:.2g} %"
+    rounded = math.ceil(percent / last * (1 - 1e-12)) * last
+    return f"{rounded:.0f} %" if rounded >= 99.5 else f"{rounded:.2g} %"

@@ -10,19 +10,19 @@ TALL = 12.0
 
 
 def spread(
-    wanted: Sequence[float], room: Sequence[float], within: tuple[float, float] | None = None
+    targets: Sequence[float], room: Sequence[float], within: tuple[float, float] | None = None
 ) -> list[float]:
-    """Centres in the order of `wanted`, as near to it as their widths `room` allow.
+    """Centres in the order of `targets`, as near to them as their widths `room` allow.
 
     Least squares: neighbours that would meet form blocks, which stand at the mean of their wishes.
     `within` holds the centres as far as there is room.
     """
-    if not len(wanted):
+    if not len(targets):
         return []
     half = np.asarray(room, dtype=float) / 2
     offsets = np.concatenate([[0.0], np.cumsum(half[:-1] + half[1:])])
     blocks: list[list[float]] = []  # means of wishes less offsets, and how many
-    for wish in np.asarray(wanted, dtype=float) - offsets:
+    for wish in np.asarray(targets, dtype=float) - offsets:
         blocks.append([float(wish), 1])
         while len(blocks) > 1 and blocks[-2][0] >= blocks[-1][0]:
             mean, count = blocks.pop()

@@ -1,4 +1,4 @@
-"""Links between the pages of a report: on which page a place stands, and the way to it."""
+"""Links between the pages of a report: the page of a place, and the address of it."""
 
 import re
 

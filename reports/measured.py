@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from verify.core.figures import Array
 
 LIMITS = (0.02, 0.05, 0.10)
-TINY = 5e-4  # errors below are all alike in a figure
+TINY = 5e-4  # smaller errors cannot be distinguished in a figure
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -19,7 +19,7 @@ class Measured:
 
     `x` (n,) and `y` (m,) in the units of their labels, `error` and `U` (n, m), NaN where nothing is
     solved; without `y` both are (n,). `nominal` is where the inputs of the file are, None where
-    inputs that are not shown differ from them; `box` are the first and last x and y of the region
+    inputs that are not drawn differ from them; `box` are the first and last x and y of the region
     that `box_name` names. `log` says of x and y whether they
     are spaced in equal ratios. `unsafe_sign` is that of errors on the unsafe side, 0 for both.
     """

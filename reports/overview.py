@@ -14,7 +14,7 @@ LEFT, TOP, HIGH = 50.0, 10.0, 96.0  # of a strip's scale
 GAP, STEP = 18.0, 3.4  # between cases, and from row to row at least
 BELOW = 34.0  # names, and room to the next strip
 LETTER = 9.0  # room for a letter of a name, also in the size of the PDF
-NAME = 40  # letters of a name that are shown
+NAME = 40  # letters of a name that are drawn
 LEAST = -12  # decades of the strip
 EACH = 4  # decades from tick to tick
 DEMAND = 0.01
@@ -34,7 +34,7 @@ def overview(cases: Sequence[CaseResult]) -> Markup:
     """Every row with a difference on a logarithmic scale; a row that was not run is a hole.
 
     A dot is the difference, a tick the detection limit. Each case leads to its page; its name has
-    its own room, for any number of cases.
+    separate room, for any number of cases.
     """
     lines = strips([_group(case, rows) for case in cases if (rows := _drawn(case))])
     parts: list[Markup] = []

@@ -50,14 +50,14 @@ class OfCase:
 
 
 def is_paged(report: Report) -> bool:
-    """Whether a run has several pages: of more than one case, on their own inputs."""
+    """Whether a run has several pages: of more than one case, on the inputs of the cases."""
     return not report.name and len(report.cases) > 1
 
 
-def pages(report: Report, frames: Frames, kept: Container[str] = ()) -> dict[str, str]:
+def pages(report: Report, frames: Frames, unchanged: Container[str] = ()) -> dict[str, str]:
     """HTML of each page by its path; links between them work in a folder without a server.
 
-    Parts that are `kept` (see `reports.origins`) have no page here. `frames` are the pictures of
+    Parts in `unchanged` (see `reports.origins`) have no page here. `frames` are the pictures of
     the cases that have one.
     """
     equations = Equations()
@@ -66,7 +66,7 @@ def pages(report: Report, frames: Frames, kept: Container[str] = ()) -> dict[str
     env.globals["explored"] = explorer.places(report, shared["anchors"])
     made = {
         name: env.get_template(template).render(**shared, **own)
-        for name, template, own in _templates(report, shared, frames, kept)
+        for name, template, own in _templates(report, shared, frames, unchanged)
     }
     places = Places(report)
     bodies = equations.placed(list(made.values()))
@@ -77,9 +77,9 @@ def pages(report: Report, frames: Frames, kept: Container[str] = ()) -> dict[str
 
 
 def _templates(
-    report: Report, shared: Mapping[str, Any], frames: Frames, kept: Container[str]
+    report: Report, shared: Mapping[str, Any], frames: Frames, unchanged: Container[str]
 ) -> Iterator[tuple[str, str, dict[str, Any]]]:
-    """Path, template and own values of each page that is to be made."""
+    """Path, template and values of each page that is to be made."""
     sections = [name for name in SECTIONS if _has(report, shared, name)]
     menu = [("first", "Papers"), ("design", "Designer's index"), ("cases", "Cases"),
             *((PLACES[name], SECTIONS[name]) for name in sections)]  # fmt: skip
@@ -87,7 +87,7 @@ def _templates(
     own = {"heading": shared["title"], "parts": paper_parts(report), "tasks": tasks(report)}
     yield FIRST, "first.html.j2", still | own
     for name in sections:
-        if section(name) not in kept:
+        if section(name) not in unchanged:
             script = "\n".join((HERE / file).read_text("utf-8") for file in SCRIPTS.get(name, ()))
             more = _explored(report, shared) if name == "explorer" else {}
             yield (
@@ -95,7 +95,7 @@ def _templates(
                 still | {"heading": SECTIONS[name], "name": name} | more | _scripted(script),
             )  # fmt: skip
     for case, lines in shared["groups"]:
-        if page_of(case.id) not in kept:
+        if page_of(case.id) not in unchanged:
             yield (
                 path_of(case.id), "paged_case.html.j2",
                 still | {"heading": case.title, "mine": _of_case(report, case, lines)}
@@ -115,7 +115,7 @@ def _explored(report: Report, shared: Mapping[str, Any]) -> dict[str, Any]:
 def _scripted(script: str) -> dict[str, Any]:
     """A script of the project and what lets it run."""
     return {
-        "script": Markup(script),  # noqa: S704 - the project's own files
+        "script": Markup(script),  # noqa: S704 - files of the project
         "script_source": script_source(script),
     }
 

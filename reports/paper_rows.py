@@ -1,6 +1,6 @@
 """A printed row of a paper's table with the rows of the suite that are compared with its numbers.
 
-Each compared row is a line of its own: its value stands in the column of the printed number.
+Each compared row is a separate line: its value stands in the column of the printed number.
 """
 
 from collections import Counter

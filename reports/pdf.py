@@ -13,7 +13,7 @@ from reports.typesetting import NotSet, typeset
 from reports.xml_text import clean
 from verify.core.results import Report
 
-# Scripts that typst's own fonts hold: Latin, Greek, Cyrillic, Hebrew, punctuation, mathematics.
+# Scripts that the fonts of typst hold: Latin, Greek, Cyrillic, Hebrew, punctuation, mathematics.
 _FOREIGN = re.compile("[^\\x00-\u05ff\u1d00-\u2e7f\ufb00-\ufb4f\ufffd\U0001d400-\U0001d7ff]")
 
 Frames = Mapping[str, Sequence[Frame]]

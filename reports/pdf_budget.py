@@ -21,7 +21,7 @@ def _case(one: CaseBudget) -> Data:
     missing = f"{one.missing[:1].upper()}{one.missing[1:]}." if one.missing else ""
     return {
         "id": one.case, "title": runs(one.title), "date": one.date,
-        "said": prose(missing or " ".join(filter(None, (identities(one), left(one))))),
+        "words": prose(missing or " ".join(filter(None, (identities(one), left(one))))),
         "drawn": prose(row.quantity) if row else [],
         "rows": [[prose(cell) for cell in line] for line in lines(row)] if row else [],
         "header": [["Other formulas"], ["difference"], *([h] for h in others.header), ["remainder"]]

@@ -16,14 +16,14 @@ from verify.core.results import Caught, MutantGroup
 
 
 def caught_data(caught: Caught | None) -> Data | None:
-    """Tables as cells of text; None in a report on one's own parameters."""
+    """Tables as cells of text; None in a report on user inputs."""
     if caught is None:
         return None
     names, lines = moved(caught)
     missing = f"{caught.missing[:1].upper()}{caught.missing[1:]}." if caught.missing else ""
     listed = "; ".join(f"{n} ({reason})" for reason, n in only_listed(caught))
     words = " ".join(in_words(caught))
-    left = f"{words} Rows not asked to turn red at ±1 %, and why: {listed}." if listed else words
+    left = f"{words} Rows not required to fail at ±1 %, and why: {listed}." if listed else words
     return {
         "missing": prose(missing),
         "date": caught.date,

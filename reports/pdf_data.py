@@ -28,7 +28,7 @@ from verify.core.results import Report, Row, Status
 
 
 def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
-    """All that templates/report.typ prints; one's own cases or parameters have no ledgers."""
+    """All that templates/report.typ prints; cases or inputs of a user have no ledgers."""
     places, sheets = anchors(report.rows), Sheets(report)
     own, checks = bool(report.name), of_cases(report)
     beside = seconds(checks)
@@ -64,7 +64,7 @@ def head(report: Report, frames: Mapping[str, Sequence[Frame]], places: Mapping[
     """What every PDF begins and ends with: title, counts, rows that failed, provenance."""
     return {
         "title": title(report),
-        "kicker": "Check of one’s own parameters" if report.name else "Verification report",
+        "kicker": "Check of user inputs" if report.name else "Verification report",
         "provenance": report.provenance,
         "drawn_by": drawn_by(frames),
         "rows": len(report.rows),
@@ -79,9 +79,9 @@ def head(report: Report, frames: Mapping[str, Sequence[Frame]], places: Mapping[
 
 
 def _key(report: Report) -> Markup:
-    """How to read a row, without the papers' marks in a report on one's own parameters."""
+    """How to read a row, without the marks of the papers in a report on user inputs."""
     drawn = Template((HERE / "key.svg").read_text("utf-8"), autoescape=True)
-    return Markup(drawn.render(report=report))  # noqa: S704 - the project's own file
+    return Markup(drawn.render(report=report))  # noqa: S704 - file of the project
 
 
 def _counts(rows: Sequence[Row]) -> list[Data]:

@@ -83,7 +83,7 @@ def _compared(data: Data, table: PaperTable) -> Data:
 
 
 def _with_numbers(row: Data) -> Data:
-    """A printed row with the first claims that have a number of their own, or with one of none."""
+    """A printed row with the first claims that have a number, or with one that has none."""
     found = [
         c for c in row["claims"] if c["fem"] or any(f not in ([], ["–"]) for f in c["formulas"])
     ]

@@ -1,4 +1,4 @@
-"""Tables of a case in the PDF: of tolerances, of values on every mesh, and its own."""
+"""Tables of a case in the PDF: of tolerances, of values on every mesh, and of results."""
 
 from collections.abc import Iterable, Sequence
 from itertools import groupby
@@ -22,7 +22,7 @@ def prose(text: str) -> list[Run]:
 
 
 def quantity(row: Row) -> list[Run]:
-    """Name of a row and, on a line of their own, its symbol and unit."""
+    """Name of a row and, on a separate line, its symbol and unit."""
     unit: list[Run] = [" ", *prose(row.unit)] if row.unit != "1" else []
     return [*prose(row.quantity), ["br"], ["small", *runs(formats.symbol(row.symbol)), *unit]]
 

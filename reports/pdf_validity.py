@@ -22,7 +22,7 @@ def _case(one: Validity) -> Data:
         "id": one.case,
         "title": runs(one.title),
         "date": one.date,
-        "said": prose(f"{one.missing[:1].upper()}{one.missing[1:]}." if one.missing else others),
+        "words": prose(f"{one.missing[:1].upper()}{one.missing[1:]}." if one.missing else others),
         "over": prose(f"Measured over {over}.") if over else [],
         "rows": [
             _line(card, region, first=region is card.regions[0], over="" if over else region.over)

@@ -57,7 +57,7 @@ def group_data(group: Group, here: set[str]) -> Data:
 
 
 def _is_of_model(one: FormulaVerdict) -> bool:
-    """Whether the error is against the formula's own idealisation alone."""
+    """Whether the reference shares the idealisation of the formula."""
     return one.error is not None and not one.is_of_part and one.verdict is not Verdict.EXACT
 
 

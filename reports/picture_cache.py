@@ -1,4 +1,4 @@
-"""Drawn pictures kept by what they were drawn from."""
+"""Store of drawn pictures, by what they were drawn from."""
 
 import hashlib
 import json
@@ -24,7 +24,7 @@ CODE = (
 )  # fmt: skip
 KIND, SUBJECT = "picture", "report"  # of entries of the store
 LIBRARIES = ("numpy", "matplotlib", "pillow", "pyvista", "vtk")
-# what OpenGL is made of on Linux: after an installation pyvista is tried anew
+# what OpenGL is made of on Linux: after an installation pyvista is tried again
 OPENGL = ("lib/*", "lib64", "local/lib")
 # what numpy, zipfile and json raise on files that were torn or changed
 UNREADABLE = (

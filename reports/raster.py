@@ -11,7 +11,7 @@ from matplotlib.transforms import IdentityTransform
 from reports.bitmaps import FINER, webp
 from reports.scene import Scene
 
-SEAM = 0.4  # pixels: each face is stroked in its own colour, which closes gaps to its neighbours
+SEAM = 0.4  # pixels: each face is outlined in its fill colour, which closes gaps to its neighbours
 
 
 def draw(scene: Scene) -> bytes:

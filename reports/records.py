@@ -60,7 +60,7 @@ def _case(case: CaseResult) -> dict[str, Any]:
 
 
 def _validity(one: Validity) -> dict[str, Any]:
-    """What is said of a case's formulas; the measured errors stay in their own files."""
+    """The statements on the formulas of a case; the measured errors are in separate files."""
     record: dict[str, Any] = _plain(one)
     for card in record["cards"]:
         for region in card["regions"]:

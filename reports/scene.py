@@ -1,4 +1,4 @@
-"""A picture as coloured polygons in pixels, so that every way of drawing it looks the same."""
+"""A picture as coloured polygons in pixels, so that every output of it looks the same."""
 
 import math
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ from reports.polygons import pieces, polygons, shaded
 from verify.core.figures import Array, Field, Picture
 
 WIDTH, HEIGHT = 1300, 860  # pixels at most
-MARGIN = 0.025  # of the larger side of what is shown
+MARGIN = 0.025  # of the larger side of the window
 READABLE = 0.065  # displacement drawn, as a share of the body's size
 TRUE_SCALE = (0.05, 0.25)  # shares that need no exaggeration
 OUTLINE_OFF = 0.3  # pixels
@@ -92,7 +92,7 @@ def view(field: Field, vectors: Array) -> Array:
 def exaggeration(shown: Body, window: Box | None = None, readable: float = READABLE) -> float:
     """1, 2 or 5 times a power of ten that makes displacements readable, 0 where there are none.
 
-    Measured on what is shown: the largest displacement comes near `readable`, 6.5 %, of the
+    Measured on the visible part: the largest displacement comes near `readable`, 6.5 %, of the
     window's or the body's size. Displacements of 5 to 25 % are drawn as they are.
     """
     largest = float(np.linalg.norm(shown.displacement, axis=1).max())
@@ -125,7 +125,7 @@ def _within(turned: Body, window: Box, name: str) -> tuple[Body, Array]:
 
 
 def _touches(corners: Array, box: Box) -> NDArray[np.bool_]:
-    """Which cells (m, corners, 2) reach into the box, by their own upright boxes."""
+    """Which cells (m, corners, 2) reach into the box, by their bounding boxes."""
     low, high = corners.min(axis=1), corners.max(axis=1)
     return np.asarray(((high >= box[:2]) & (low <= box[2:])).all(axis=1))
 

@@ -17,7 +17,7 @@ COLUMNS = ("second_solver", "second_value", "second_difference_relative", "secon
 class Seconds:
     """Comparisons by their place: `ids` on the page, `rows` by id of the row, `cases` by case.
 
-    A row has what was compared of its own quantity; a case, the problems of which some quantity
+    A row has what was compared of its quantity; a case, the problems of which some quantity
     belongs to no single row.
     """
 
@@ -52,9 +52,9 @@ def value(check: Crosscheck, row: Row) -> Markup:
 
 
 def apart(check: Crosscheck) -> Markup:
-    """How far both solvers are apart and how long the other took, as a line has it."""
+    """Difference of both solvers and the seconds of the other, for a line."""
     outside = ", more than allowed" if check.state is CrossState.OUTSIDE else ""
-    difference = formats.percents(check.difference, signed=True) if check.difference else "alike"
+    difference = formats.percents(check.difference, signed=True) if check.difference else "equal"
     return Markup("{}, {:.2g} s{}").format(difference, check.seconds[1], outside)
 
 

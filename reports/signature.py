@@ -1,4 +1,4 @@
-"""The graphic of a row: its difference in units of its own tolerance."""
+"""The graphic of a row: its difference in units of its tolerance."""
 
 import math
 
@@ -69,7 +69,7 @@ def _is_blunt(row: Row) -> bool:
 
 
 def _mark(row: Row, entry: Published) -> Markup:
-    """A printed value on the row's own scale, where it fits."""
+    """A printed value on the scale of the row, where it fits."""
     reference = row.reference
     if reference is None or not row.tolerance or row.interval is not None:
         return Markup("")

@@ -14,8 +14,8 @@ def summary(drift: Drift) -> str:
     loosened = sum(c.loosened for c in drift.changes)
     without = len(drift.unexplained)
     counts = [
-        (len(drift.changes) - loosened, "change{} told"),
-        (loosened, "demand{0} or band{0} loosened"),
+        (len(drift.changes) - loosened, "change{} listed"),
+        (loosened, "requirement{0} loosened"),
         (without, "of them without a reason"),
         (drift.tightened, "row{} tightened"),
     ]
@@ -29,7 +29,7 @@ def shown(drift: Drift) -> list[Change]:
 
 
 def left_out(drift: Drift) -> str:
-    """How many changes are not shown, in words."""
+    """How many changes are not listed, in words."""
     return _more(drift.changes)
 
 
@@ -39,7 +39,7 @@ def tighter(drift: Drift) -> Sequence[Change]:
 
 
 def tighter_left_out(drift: Drift) -> str:
-    """How much of what was tightened is not shown, in words."""
+    """How many tightened rows are not listed, in words."""
     return _more(drift.tighter)
 
 

@@ -5,7 +5,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from itertools import pairwise
 
-# a page knows the name space of its drawings; words begin at their place where nothing is said
+# a page knows the name space of its drawings; text is anchored at its start by default
 NEEDLESS = (' xmlns="http://www.w3.org/2000/svg"', ' text-anchor="start"', ' class=""')
 # of most rows' graphic
 BAND = (
@@ -60,7 +60,7 @@ def _equations_once(page: str) -> str:
 
 
 def steps(path: str) -> str:
-    """Straight lines M1,2L3.5,2z as M1,2h2.5z: tenths of a pixel are kept, so no point moves.
+    """Straight lines M1,2L3.5,2z as M1,2h2.5z: tenths of a pixel are retained, so no point moves.
 
     Points within a straight piece go. What has finer coordinates stays as it is.
     """

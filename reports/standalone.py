@@ -9,7 +9,7 @@ from typing import TypedDict
 HERE = Path(__file__).parent / "templates"
 FONT = "Libertinus Serif"
 ASIDE = 44.0
-OWN = (  # paper has its own size of letters, and one font for text and symbols
+OWN = (  # on paper: other size of letters, and one font for text and symbols
     f'text {{ font-family: "{FONT}"; }} .overview text {{ font-size: 17px; }} '
     ".chart .tick, .chart .label { font-size: 12.5px; } .frame text { font-size: 15px; } "
     f'.sketch .sym {{ font-family: "{FONT}"; font-size: 15px; }}'

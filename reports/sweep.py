@@ -29,9 +29,9 @@ Picture = Figure | Measured | Histogram | Causes
 
 @dataclass(frozen=True, kw_only=True)
 class Formula:
-    """What a sweep says of one formula: a sentence, tables and pictures, `panels` of small ones.
+    """Result of a sweep for one formula: a sentence, tables and pictures, `panels` of small ones.
 
-    `kind` says in words what is compared, `opened` whether all of it is shown at once.
+    `kind` says in words what is compared, `opened` whether all of it is displayed at once.
     """
 
     anchor: str
@@ -81,12 +81,12 @@ def page(sweep: SweepPage) -> str:
         "symbol": formats.symbol, "prose": prose, "plot": plot, "columns": html.columns,
         "small": validity_map, "flat": flat, "key": key,
     }  # fmt: skip
-    css = Markup(html.styles())  # noqa: S704 - the project's own files
+    css = Markup(html.styles())  # noqa: S704 - files of the project
     return slim(env.get_template("sweep.html.j2").render(page=sweep, css=css))
 
 
 def prose(text: str) -> Markup:
-    """Running text in which no number stands apart from its per cent."""
+    """Running text in which no number is separated from its per cent sign."""
     return formats.prose(flat(text))
 
 

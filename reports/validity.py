@@ -86,11 +86,11 @@ def signed(error: float | None, U: float | None) -> str:
         return "–"
     size = abs(100 * error)
     floor = max(LEAST, 10.0 ** (math.floor(math.log10(size)) - 2) if size else 0.0)
-    told = f"<{_digits(LEAST)}" if 0 < size < LEAST else _percent(error)
+    text = f"<{_digits(LEAST)}" if 0 < size < LEAST else _percent(error)
     if U is None or (size < LEAST and 100 * U < LEAST):
-        return f"{told} %"
+        return f"{text} %"
     bar = _digits(100 * U) if floor <= 100 * U else f"<{_digits(floor)}"
-    return f"{told} ± {bar} %"
+    return f"{text} ± {bar} %"
 
 
 def _percent(error: float) -> str:

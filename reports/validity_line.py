@@ -85,7 +85,7 @@ def _limits(axes: Axes, m: Measured, *, even: bool) -> None:
         ]
     wanted = [0.0, *(s * v for v in (*m.limits, *ROUND) for s in (1, -1))]
     taken: list[float] = []
-    for value in wanted:  # limits first: a round number gives way
+    for value in wanted:  # limits first: round numbers only where there is room
         v = value if even else float(_bent(value))
         y = axes.Y(v)
         if low <= v <= high and all(abs(y - other) >= APART for other in taken):

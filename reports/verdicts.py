@@ -13,14 +13,14 @@ from verify.core.results import Report
 from verify.core.verdicts import SHARED, FormulaVerdict, Verdict
 
 HEAD = "| paper | equation | form | what it gives | verdict | in words |\n|---|---|---|---|---|---|"
-SMALLEST = 1e-4  # relative: what is shown of an error or of its bar
+SMALLEST = 1e-4  # relative: smallest error or uncertainty that is printed
 MEANING = {
-    Verdict.EXACT: "solves its stated idealisation, shown with a detection limit of 1 % or better",
+    Verdict.EXACT: "solves its stated idealisation; detection limit 1 % or better",
     Verdict.ACCURATE: "error and uncertainty stay within 1, 2, 5 or 10 % over the range compared",
     Verdict.PART: "as accurate, inside a stated range alone",
     Verdict.CONSERVATIVE: "larger errors, all on the safe side",
     Verdict.UNSAFE: "errors beyond 10 % on the unsafe side",
-    Verdict.WRONG: "an erratum changes the number; the corrected form has its own verdict",
+    Verdict.WRONG: "an erratum changes the number; the corrected form has a separate verdict",
     Verdict.DEFINITION: "nothing to verify",
     Verdict.UNVERIFIABLE: "a datum that is not printed, or a reference, is missing",
     Verdict.NONE: "the evidence has failed or was not run",
@@ -57,7 +57,7 @@ def given(report: Report) -> list[Verdict]:
 
 
 def at_paper(one: FormulaVerdict) -> str:
-    """The error at the case's own inputs and its uncertainty: "+24 ± 0.03 %"; a dash for none."""
+    """The error at the inputs of the case and its uncertainty: "+24 ± 0.03 %"; a dash for none."""
     if one.error is None or one.U is None:
         return "–"
     if abs(one.error) + one.U < SMALLEST:

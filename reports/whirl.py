@@ -150,7 +150,7 @@ def _some(count: int, most: int) -> list[int]:
 
 
 def _orbit(p: Array, d: ComplexArray, colour: int) -> tuple[Markup, float, Markup]:
-    """An ellipse around p, how wide it is, and an arrow's head that says which way it is run."""
+    """An ellipse around p, how wide it is, and an arrow's head for the direction of motion."""
     axes, (a, b), _ = np.linalg.svd(np.column_stack([d.real, -d.imag]))
     end = a * axes[:, 0]
     if a < SMALL:
@@ -174,7 +174,7 @@ def _orbit(p: Array, d: ComplexArray, colour: int) -> tuple[Markup, float, Marku
 
 
 def _path(base: Array, moved: ComplexArray, css: str) -> Markup:
-    """Points at the phase zero; what moves them is told as x, y and their parts at both phases."""
+    """Points at the phase zero; their motion is given as x, y and their parts at both phases."""
     shown = base + moved.real
     dots = css.startswith("orbit-dot")
     if dots:

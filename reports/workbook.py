@@ -121,7 +121,7 @@ class Book:
 
 
 def _printed(text: str, look: Mapping[str, Any]) -> tuple[str | float, Mapping[str, Any]]:
-    """A printed number with its own decimals, or the text where it is none."""
+    """A printed number with its printed decimals, or the text where it is none."""
     found = _PRINTED.fullmatch(text)
     if not found:
         return text, look

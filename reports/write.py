@@ -42,7 +42,7 @@ STAGING = ".part-"
 
 @dataclass(frozen=True)
 class Written:
-    """The page, and what was done in another way than usual, one line each."""
+    """The page, and what was done differently from usual, one line each."""
 
     page: Path
     remarks: tuple[str, ...]

@@ -26,7 +26,7 @@ HEAD = 1  # line of the head of a sheet without lines above
 
 
 def xlsx(report: Report) -> bytes:
-    """The workbook; that of one's own cases or parameters has no sheets of the papers."""
+    """The workbook; that of a user's cases or inputs has no sheets of the papers."""
     book, sheets = Book(title(report), made(report)), Sheets(report)
     _summary(book, report)
     book.table("Rows", (*HEADER, "ledger"), _rows(report), numbers=NUMBERS)

@@ -31,7 +31,7 @@ ESTIMATES = frozenset((
 ))  # fmt: skip
 DERIVED = frozenset(("difference",))  # of values that are compared themselves
 FACTOR = 2.0  # by which an estimate of an error may differ on another machine
-UNSTATED = 1e-3  # relative, of a number without an error of its own: an observed order, a margin
+UNSTATED = 1e-3  # relative, of a number without a stated error: an observed order, a margin
 NUMBER = re.compile(r"[-+−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")  # in a text
 MOST_PRINTED = 40
 

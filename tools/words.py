@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 
 ROOT = Path(__file__).parents[1]
 LIST = ROOT / "tools" / "words.toml"
-READ = (".py", ".md", ".toml", ".cff", ".html", ".js", ".css", ".typ", ".in")
+READ = (".py", ".md", ".toml", ".cff", ".html", ".js", ".css", ".typ", ".j2", ".in")
 TEXTS = {
     tokenize.COMMENT,
     tokenize.STRING,
@@ -27,9 +27,12 @@ TEXTS = {
 }
 F_STRING = re.compile(r"(?i)rf|fr|f")  # prefix of a string token, before Python 3.12
 EXPRESSION = re.compile(r"\{([^{}\n]*)\}")
+KEY = re.compile(r"[\"']\w+[\"']")  # of a dictionary
+QUOTED = re.compile(r"`\w+`")  # an identifier in a text
 LITERAL = re.compile(r"'[^'\n]*'|\"[^\"\n]*\"")
 SCRIPT = re.compile(r"(?<!:)//.*|/\*.*?\*/|'[^'\n]*'|\"[^\"\n]*\"|`[^`\n]*`")
 IN_SCRIPT = re.compile(r"\$\{[^{}]*\}")  # expressions of template strings
+TAGS = re.compile(r"\{\{.*?\}\}|\{%.*?%\}|(?:class|id|href)=\"[^\"]*\"")  # of page templates
 NAMES = re.compile(r"#?[\w-]+(?:\.[\w-]+)+|#[\w-]+")  # of typst
 
 
@@ -65,13 +68,18 @@ def texts(path: Path) -> Iterator[tuple[int, str]]:
         if in_script:
             yield number, " ".join(SCRIPT.findall(IN_SCRIPT.sub("", line)))
         else:
-            yield number, NAMES.sub("", line) if path.suffix == ".typ" else line
+            code = {".typ": NAMES, ".j2": TAGS}.get(path.suffix)
+            yield number, code.sub("", line) if code else line
         in_script = in_script and "</script" not in line
 
 
 def _python(source: str) -> Iterator[tuple[int, str]]:
-    for token in tokenize.generate_tokens(io.StringIO(source).readline):
-        if token.type in TEXTS:
+    tokens = list(tokenize.generate_tokens(io.StringIO(source).readline))
+    for before, token, after in zip(
+        [tokens[-1], *tokens], tokens, [*tokens[1:], tokens[-1]], strict=False
+    ):
+        is_key = after.string == ":" or (before.string == "[" and after.string == "]")
+        if token.type in TEXTS and not (is_key and KEY.fullmatch(token.string)):
             text = token.string
             if token.type == tokenize.STRING and F_STRING.match(text):
                 text = EXPRESSION.sub(lambda m: " ".join(LITERAL.findall(m[1])), text)
@@ -82,8 +90,9 @@ def _python(source: str) -> Iterator[tuple[int, str]]:
 def found(path: Path, listed: Sequence[Word]) -> Iterator[tuple[int, str, str]]:
     """Line, word and replacement of each occurrence in a file."""
     for number, line in texts(path):
+        text = QUOTED.sub("", line)
         for word in listed:
-            plain = word.allowed.sub("", line) if word.allowed else line
+            plain = word.allowed.sub("", text) if word.allowed else text
             for match in word.found.finditer(plain):
                 yield number, match[0], word.instead
 

@@ -11,10 +11,10 @@ let one, formula, axes, sizes, values; // case, its formula and inputs, what rat
 
 // ---------- the part: numbers that a user types, and where they lie on the axes of the case
 const product = (axis, number) => axis.per.reduce((all, p) => all * number(p) ** p.power, 1);
-const larger = (axis) => product(axis, (p) => (sizes.some((s) => s.name === p.name) ? values[p.name] / p.own : 1));
+const larger = (axis) => product(axis, (p) => (sizes.some((s) => s.name === p.name) ? values[p.name] / p.nominal : 1));
 const position = (axis) => values[axis.name] / larger(axis);
-const divisor = (axis) => product(axis, (p) => values[p.name] ?? p.own) / axis.factor;
-const is_own = (axis) => Math.abs(position(axis) - axis.own) <= SAME * Math.abs(axis.own);
+const divisor = (axis) => product(axis, (p) => values[p.name] ?? p.nominal) / axis.factor;
+const is_nominal = (axis) => Math.abs(position(axis) - axis.nominal) <= SAME * Math.abs(axis.nominal);
 const stored = (axis) => formula.at.flatMap(({ study }) =>
   one.studies[study].axes.flatMap((a, k) => (a.name === axis.name ? one.studies[study].ticks[k] : [])));
 const ends = (axis) => [Math.min(...stored(axis)), Math.max(...stored(axis))].map((x) => scaled(axis, x));
@@ -26,7 +26,7 @@ function described(axis) {
 
 // ---------- the answer
 function asked(course) { // of one study
-  const study = one.studies[course.study], moved = axes.filter((a) => !is_own(a));
+  const study = one.studies[course.study], moved = axes.filter((a) => !is_nominal(a));
   const broken = axes.find((a) => a.whole && !Number.isInteger(values[a.name]));
   if (broken) return { why: `${broken.symbol} takes whole numbers` };
   const held = moved.filter((a) => !study.axes.some((b) => b.name === a.name)), names = (list) => list.map((a) => a.symbol).join(" and ");
@@ -35,9 +35,9 @@ function asked(course) { // of one study
   return between(study, course, study.axes.map(position));
 }
 
-function best() { // of all studies: the one whose points are nearest, then one at the case's own inputs
+function best() { // of all studies: the one whose points are nearest, then one at the inputs of the case
   const found = formula.at.map((course) => ({ ...asked(course), course }));
-  const rank = (q) => [q.apart, one.studies[q.course.study].held ? 1 : 0];
+  const rank = (q) => [q.spacing, one.studies[q.course.study].held ? 1 : 0];
   const order = (p, q) => rank(p).map((v, k) => v - rank(q)[k]).find((v) => v) ?? 0;
   return found.filter((q) => "e" in q).sort(order)[0] ?? { why: [...new Set(found.map((q) => q.why))].join("; ") };
 }
@@ -88,7 +88,7 @@ function form() {
   const group = (title, numbers, more) => `<fieldset><legend>${title}</legend><div class="numbers">${numbers.join("")}</div>${more}</fieldset>`;
   const inputs = axes.map((a) => group(`${a.symbol}, ${plain(a.what)}`, [number(a, "value", a.symbol, a.unit), a.ratio ? number(a, "ratio", a.ratio, "") : ""], slider(a)));
   const size = sizes.length ? group("Size of your part", sizes.map((p) => number(p, "value", p.symbol, p.unit)), "") : "";
-  $("inputs").innerHTML = inputs.join("") + size + `<div><button type="button">The case’s own inputs</button></div>`;
+  $("inputs").innerHTML = inputs.join("") + size + `<div><button type="button">The inputs of the case</button></div>`;
 }
 
 function fill(input) {
@@ -121,7 +121,7 @@ function show(typed) {
   history.replaceState(null, "", `#${state}`);
 }
 
-function pick(id, name) { // a case and one of its formulas, at the case's own inputs
+function pick(id, name) { // a case and one of its formulas, at the inputs of the case
   one = DATA.cases.find((c) => c.id === id) ?? DATA.cases[0];
   one.studies.forEach(prepare);
   const groups = [["with a verdict", one.formulas.filter((f) => f.verdicts)], ["other comparisons", one.formulas.filter((f) => !f.verdicts)]];
@@ -129,7 +129,7 @@ function pick(id, name) { // a case and one of its formulas, at the case's own i
   const unique = (list) => [...new Map(list.map((a) => [a.name, a])).values()];
   axes = unique(formula.at.flatMap((a) => one.studies[a.study].axes));
   sizes = axes.every((a) => a.scales) ? unique(axes.flatMap((a) => a.per)).filter((p) => !axes.some((a) => a.name === p.name)) : [];
-  values = Object.fromEntries([...axes, ...sizes].map((a) => [a.name, a.own]));
+  values = Object.fromEntries([...axes, ...sizes].map((a) => [a.name, a.nominal]));
   const options = (list) => list.map((f) => `<option>${plain(f.name)}</option>`).join("");
   $("formula").innerHTML = groups.filter(([, list]) => list.length).map(([label, list]) => `<optgroup label="${label}">${options(list)}</optgroup>`).join("");
   $("case").value = one.id;

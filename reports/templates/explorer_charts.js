@@ -10,9 +10,9 @@ function heights() { // the errors that all charts of a formula have room for
 function curve(axis, q) { // answers over one input, the others as typed, or as in the case where these have none
   const has = (course) => course && one.studies[course.study].axes.some((a) => a.name === axis.name);
   const course = [q.course, ...formula.at].find(has), study = one.studies[course.study];
-  const k = study.axes.findIndex((a) => a.name === axis.name), others = axes.filter((a) => a.name !== axis.name && !is_own(a));
+  const k = study.axes.findIndex((a) => a.name === axis.name), others = axes.filter((a) => a.name !== axis.name && !is_nominal(a));
   const free = study.star ? !others.length : others.every((a) => study.axes.some((b) => b.name === a.name));
-  return { t: study.ticks[k], free, at: (x) => between(study, course, study.axes.map((a, j) => (j === k ? x : free ? position(a) : a.own))) };
+  return { t: study.ticks[k], free, at: (x) => between(study, course, study.axes.map((a, j) => (j === k ? x : free ? position(a) : a.nominal))) };
 }
 
 function places(axis, t, width, [low, high]) { // pixels of an input's value and of an error
@@ -66,5 +66,5 @@ function chart(axis, q, range) {
     : `<path class="your" stroke-dasharray="4 4" d="M${x},${TOP}V${HEIGHT}"/>`;
   const word = `<text class="your" x="${x + (late ? -11 : 11)}" y="${Math.max(TOP + 12, ("e" in q ? Y(q.e) : 0) - 9)}" text-anchor="${late ? "end" : "start"}">your part${"e" in q ? "" : ": no data"}</text>`;
   return `<figure><h3>Error [%] over ${axis.symbol}${axis.unit && ` [${axis.unit}]`}</h3><svg class="explored" viewBox="0 0 ${width} ${HEIGHT + 22}" role="img" aria-label="error over ${plain(axis.name)}">` +
-    `${ground(course.t, width, range, X, Y)}${line(course, axis, X, Y)}${mark}${word}</svg><figcaption>${course.free ? "" : "Grey: at the case’s own other inputs."}</figcaption></figure>`;
+    `${ground(course.t, width, range, X, Y)}${line(course, axis, X, Y)}${mark}${word}</svg><figcaption>${course.free ? "" : "Grey: all other inputs as in the case."}</figcaption></figure>`;
 }

@@ -46,7 +46,7 @@ function bent_along(study, error, nodes, k, cell) {
   return Math.max(...lines);
 }
 
-// error e, bar u, its part `bent` by interpolation, how far `apart` the points are; or `why` there is none
+// error e, bar u, its part `bent` by interpolation, the `spacing` of the points; or `why` there is none
 function between(study, course, at) {
   const cells = at.map((x, k) => cell(study, k, x)), out = cells.indexOf(null);
   if (out >= 0) {
@@ -67,6 +67,6 @@ function between(study, course, at) {
   if (Number.isNaN(bent)) return { why: "between stored points without a third one beside them, no interpolation error can be stated" };
   const e = corners.reduce((sum, { weight }, n) => sum + weight * course.error[points[n]], 0);
   const beside = cells.map((one, k) => one.map(([i]) => study.ticks[k][i]));
-  const apart = beside.reduce((sum, [a, b = a]) => sum + Math.abs(b - a) / (Math.abs(a) + Math.abs(b) || 1), 0);
-  return { e, u: Math.max(...points.map((n) => course.U[n])) + bent, bent, apart, stored: corners.length === 1 };
+  const spacing = beside.reduce((sum, [a, b = a]) => sum + Math.abs(b - a) / (Math.abs(a) + Math.abs(b) || 1), 0);
+  return { e, u: Math.max(...points.map((n) => course.U[n])) + bent, bent, spacing, stored: corners.length === 1 };
 }

@@ -103,14 +103,14 @@ def test_the_others_stand_side_by_side_and_identities_are_one_sentence():
     assert identities(replace(BUDGET, rows=(bad,))).startswith("0 of 1 identities")
 
 
-def test_page_table_and_records_have_budgets_and_what_is_not_measured_or_taken_apart(alone, schema):
+def test_page_table_and_records_have_budgets_and_what_is_not_measured_or_decomposed(alone, schema):
     bad = replace(OTHER, apart=False, why="no rerun")
     rows = (ROW, bad, replace(bad, quantity="a third"), replace(bad, quantity="last", why=""))
     budget = replace(BUDGET, rows=rows)
     report = replace(alone, budgets=(budget, MISSING))
     text, notes = section(report, "budget"), left(budget)
     assert notes == (
-        "Not taken apart: another, a third (no rerun); last (no cause is known whose rerun would)."
+        "Not decomposed: another, a third (no rerun); last (no cause is known whose rerun would)."
     )
     assert left(BUDGET) == ""
     for words in (
@@ -121,7 +121,7 @@ def test_page_table_and_records_have_budgets_and_what_is_not_measured_or_taken_a
     assert text.count("chart waterfall") == 1
 
     table = budget_csv(report.budgets)
-    assert "not taken apart: no rerun" in table
+    assert "not decomposed: no rerun" in table
     *mine, last = csv.DictReader(io.StringIO(table.removeprefix("\ufeff")))
     assert "not measured" in last["note"]
     mine = [row for row in mine if row["quantity"] == ROW.quantity]

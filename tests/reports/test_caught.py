@@ -1,4 +1,4 @@
-"""What the suite catches, on the page, in the PDF and in results.json."""
+"""Fault detection on the page, in the PDF and in results.json."""
 
 from dataclasses import replace
 
@@ -36,14 +36,14 @@ CAUGHT = Caught(
 )  # fmt: skip
 
 
-def test_page_pdf_and_records_have_shares_counts_survivors_and_what_is_asked_of_no_row(wordy):
+def test_page_pdf_and_records_have_shares_counts_survivors_and_rows_without_a_requirement(wordy):
     one = replace(wordy, name="", caught=CAUGHT, validity=(), tables=(), errata=())
     text = section(one, "caught")
     for words in (
         "200 of 13000", '>97.0\u202f% <span class="unit">94 to 99\u202f%<',  # 150 and 44 of 200
         '150 <span class="unit">75.0\u202f%', '6 <span class="unit">3.0\u202f%', "2026-11-23",
-        "a &lt; &lt;b&gt;", "all that must turn red at ±1 %", "ring-lame/radius at +1",
-        '>a fact: an order</th><td class="n">2</td>', "10 are not; 0 hide the change",
+        "a &lt; &lt;b&gt;", "all that must fail at ±1 %", "ring-lame/radius at +1",
+        '>a fact: an order</th><td class="n">2</td>', "10 do not; 0 pass in spite of the change",
     ):  # fmt: skip
         assert words in text
     data = document(one, {})["caught"]
@@ -63,17 +63,17 @@ def test_references_that_were_moved_have_a_line_for_each_kind_and_words():
     names, lines = moved(CAUGHT)
     assert names == ["+1 %", "-1 %"]
     assert [(line.kind, line.rows) for line in lines] == [
-        ("identity", 60), ("all that must turn red at ±1 %", 100),
+        ("identity", 60), ("all that must fail at ±1 %", 100),
         ("of these, all that a formula’s value reaches", 50),
     ]  # fmt: skip
     assert lines[2].red == [49, 50]
     assert in_words(CAUGHT) == [
-        "2 of 160 rows are not asked to turn red at ±1 %: 1.2%, or 2.0% without the 58 rows of "
+        "2 of 160 rows are not required to fail at ±1 %: 1.2%, or 2.0% without the 58 rows of "
         "convergence.",
-        "Of 60 rows with a formula 50 are reached where a value of the formulas is changed "
-        "instead, 10 are not; 0 hide the change.",
-        "Red whatever a formula says, and counted apart: 40 exact balances, 3 deviations from "
-        "zero, 7 others.",
+        "If a value of the formulas is changed instead, 50 of 60 rows with a formula depend on "
+        "it, 10 do not; 0 pass in spite of the change.",
+        "Rows that fail whatever the value of a formula, counted separately: 40 exact balances, 3 "
+        "deviations from zero, 7 others.",
     ]
     assert moved(Caught(date="2026-11-23")) == ([], [])
     assert in_words(Caught()) == []

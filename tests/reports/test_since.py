@@ -30,7 +30,7 @@ MISSING = ReadingsTried(reference="wang2023:b", place="Sec. 1", printed="0.1", u
 
 @pytest.fixture
 def shown(wordy):
-    """One case with everything there is to show."""
+    """One case with all contents of a report."""
     return replace(wordy, name="", drift=DRIFT, searches=(FOUND, MISSING))
 
 
@@ -43,20 +43,20 @@ def test_nothing_moved_is_one_line_and_a_loosened_tolerance_stands_first_and_in_
     places = [text.index(words) for words in ("without a reason</b>", "thin rings", "+1 of the")]
     assert places == sorted(places)
     assert "<b>x" not in text
-    assert "Reasons that nothing asks for" in text
+    assert "Reasons that no change needs" in text
 
 
 def test_what_a_search_found_in_words():
-    said = "b for h and one side (0.60096)"
+    words = "b for h and one side (0.60096)"
     met = ("met as it stands, within the rounding of what it is computed from; "
            "no other reading is needed")  # fmt: skip
-    for change, words in (
-        ({}, f"{said}; 1 other combination too"),
-        ({"hits": 3, "is_evidence": False}, f"{said}; 2 other combinations too; no evidence"),
+    for change, expected in (
+        ({}, f"{words}; 1 other combination too"),
+        ({"hits": 3, "is_evidence": False}, f"{words}; 2 other combinations too; no evidence"),
         ({"readings": (), "hits": 0}, "none"),
         ({"met": True}, met),
     ):
-        assert readings.found(replace(FOUND, **change)) == words
+        assert readings.found(replace(FOUND, **change)) == expected
 
 
 def test_page_and_records_have_readings_with_their_chance(shown):

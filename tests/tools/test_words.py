@@ -33,8 +33,9 @@ def findings(tmp_path, name, text):
         ("a.js", f"let x = 1;\nlet y = `its {ONE} ${{x}}`;\n"),
         ("a.html", f"<p>\nits {ONE} mesh</p>\n"),
         ("a.typ", f"#let x = 1\n#x.y its {ONE} mesh\n"),
+        ("a.html.j2", f"<p>\n{{{{ x.y }}}} its {ONE} mesh</p>\n"),
     ],
-    ids=["comment", "docstring", "f-string", "nested", "document", "script", "page", "typst"],
+    ids=["comment", "docstring", "f-string", "nested", "document", "script", "page", "typst", "j2"],
 )  # fmt: skip
 def test_a_listed_word_is_found_in_its_line(tmp_path, name, text):
     assert findings(tmp_path, name, text) == [(2, ONE)]
@@ -44,10 +45,12 @@ def test_a_listed_word_is_found_in_its_line(tmp_path, name, text):
     ("name", "text"),
     [
         ("a.py", f"{ONE} = 1\nx = f'{{{ONE}}} mesh'\n"),
-        ("a.py", f"# is_{ONE}, {ONE}_mesh, no-{ONE}\n"),
+        ("a.py", f"# is_{ONE}, {ONE}_mesh, no-{ONE}, the name `{ONE}`\n"),
+        ("a.py", f"x = {{'{ONE}': 1}}\ny = x['{ONE}']\n"),
         ("a.js", f"const {ONE} = `a ${{{ONE}}}`\n"),
         ("a.html", f"<script>\nlet {ONE} = 1\n</script>\n"),
         ("a.typ", f"#{ONE} #x.{ONE}\n"),
+        ("a.html.j2", f'<p class="{ONE}">{{{{ x.{ONE} }}}}{{% if {ONE} %}}</p>\n'),
     ],
 )
 def test_an_identifier_is_not_found(tmp_path, name, text):
