@@ -1,4 +1,4 @@
-"""A contact problem of your own: a steel pin in the hole of an aluminium lug.
+"""How to set up a contact problem: a steel pin in the hole of an aluminium lug.
 
 Run it with `.venv/bin/python docs/contact_tutorial.py`. There is nothing of a freewheel in it: the
 solver takes any bodies, named boundaries and loads. Lengths in mm, stresses in MPa, forces in N
@@ -14,7 +14,7 @@ from fem.plane.material import Elastic
 from meshes.plane import plane_mesh
 from meshes.session import gmsh_session
 
-# The mesh. Draw each body with gmsh, leave them apart, and name what you will talk about: surfaces
+# The mesh. Draw each body separately with gmsh, and name what you will refer to: surfaces
 # are bodies, curves are boundaries. Second order follows the circles. The pin has 0.02 mm of play
 # and touches the hole at its lowest point.
 
@@ -66,7 +66,7 @@ for load in np.linspace(LOAD / 4, LOAD, 4):
 # drives, `obstacles={"punch": Obstacle(Circle((0, 20), 5), free="y")}` as a pair's master, then
 # `solve(forces={"punch": (0, -100)})` or, where y is not free,
 # `solve(displacements={"punch": {"y": -0.1}})`; a body of `Rigid()`; `steps=20` where friction
-# depends on the way. A torque is a traction or body force that depends on the place:
+# depends on the load path. A torque is a traction or body force that depends on the place:
 # `body_forces={"pin": lambda x: 2.0 * np.array([-x[1], x[0]])}`.
 
 # What comes out: tractions and slips along the surface (touch.x, touch.pressure,

@@ -31,7 +31,7 @@ def inline(translator: Any, node: Any) -> None:
 
 
 def display(translator: Any, node: Any) -> None:
-    """An equation on a line of its own, which scrolls where a page is narrow."""
+    """An equation on a separate line, which scrolls where a page is narrow."""
     translator.body.append(f'<div class="equation" tabindex="0">{_asked(translator, node)}</div>')
     raise SkipNode
 

@@ -1,4 +1,4 @@
-"""The gallery: every script of examples/gallery is run, and shown with what it prints and draws."""
+"""The gallery: every script of examples/gallery is run; its page has code, output and picture."""
 
 import ast
 import os
@@ -49,7 +49,7 @@ def write(_app: Any) -> None:
 def run(script: Path) -> str:
     """What a script prints; its picture is in the folder of the pages then."""
     environment = {**os.environ, "PYTHONPATH": str(ROOT), "MPLBACKEND": "agg"}
-    done = subprocess.run(  # noqa: S603 - our own words
+    done = subprocess.run(  # noqa: S603 - a fixed command
         [sys.executable, str(script)], cwd=PAGES, env=environment, capture_output=True, text=True,
         check=False,
     )  # fmt: skip
