@@ -48,7 +48,7 @@ def without_judged(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture(autouse=True, scope="module")
 def _forgotten(request: pytest.FixtureRequest) -> Iterator[None]:
-    """What a module's own functions keep for its tests goes with its last one.
+    """What the functions of a module store for its tests is removed after its last one.
 
     Solved problems with their factors are large, and the tests many.
     """

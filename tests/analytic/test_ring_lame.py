@@ -46,7 +46,7 @@ RACE = {"r_i": 19.44e-3, "r_o": 26.23e-3, "rho": 7850.0, "omega": 200 * np.pi, "
 
 
 def test_eq_8_as_printed_is_the_bore_s_growth_in_plane_stress():
-    """Huang 2018, Eq. 8, with n = 6000 r/min, in the paper's own order of terms."""
+    """Huang 2018, Eq. 8, with n = 6000 r/min, in the order of terms of the paper."""
     R_e, R_ed, nu, rho, n, E = 19.44e-3, 26.23e-3, 0.3, 7850.0, 6000.0, 206e9
     printed = (
         R_e / E * (3 + nu) * rho / 4 * (np.pi * n / 30) ** 2

@@ -1,4 +1,4 @@
-"""Eqs. 1 to 9 of the accordion spring, each against its own moments or a limit."""
+"""Eqs. 1 to 9 of the accordion spring, each against its moments or a limit."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Rings and their sectors, meshed cell by cell alike."""
+"""Rings and their sectors with identical cells."""
 
 from dataclasses import replace
 from math import cos, pi, sin

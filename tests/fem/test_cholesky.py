@@ -61,7 +61,7 @@ def test_the_lower_triangle_is_enough_and_a_column_s_order_makes_no_difference()
     np.testing.assert_array_equal(Cholesky(backwards).solve(b), x)
 
 
-def test_renewed_factors_are_those_made_anew():
+def test_updated_factors_equal_new_ones():
     A, b = matrix(80), np.ones(80)
     other = A.copy()
     other.data = other.data * np.where(other.data > 1, 1.3, 0.7)

@@ -53,7 +53,7 @@ def test_everything_keeps_its_place_and_gets_the_name_of_its_part(parts):
             assert found == expected
 
 
-def test_the_side_of_an_oriented_boundary_is_kept():
+def test_the_side_of_an_oriented_boundary_is_retained():
     mesh = MeshQuad1.init_tensor(np.arange(4.0), np.arange(4.0))
     middle = mesh.elements_satisfying(lambda x: np.hypot(x[0] - 1.5, x[1] - 1.5) < 0.1)
     inner = mesh.facets_around(middle, flip=True)

@@ -39,7 +39,7 @@ def test_cells_fill_the_sector_without_folds(n, ratio, alpha, loaded):
 
 
 @pytest.mark.parametrize(
-    ("wrong", "said"),
+    ("wrong", "message"),
     [
         ({"r_o": 0.9}, "0 < r_i < r_o"),
         ({"n": 1}, "from n = 2 on, got n=1"),
@@ -49,8 +49,8 @@ def test_cells_fill_the_sector_without_folds(n, ratio, alpha, loaded):
         ({"refine": 0}, "refine >= 1"),
     ],
 )
-def test_a_sector_without_sense_is_refused(wrong, said):
-    with pytest.raises(ValueError, match=said):
+def test_a_sector_without_sense_is_refused(wrong, message):
+    with pytest.raises(ValueError, match=message):
         half_sector(**RACE | {"refine": 1} | wrong)
     for r_i, r_o in ((0.0, 1.0), (2.0, 1.0), (float("nan"), 1.0)):
         with pytest.raises(ValueError, match="0 < r_i < r_o"):

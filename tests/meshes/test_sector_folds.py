@@ -29,7 +29,7 @@ def check_freewheel(mesh):
 
 
 def fits(z, psi, centre, r, zone, half_flat, wall):
-    """The rules of the sector's own limits, with a margin."""
+    """The rules of the limits of the sector, with a margin."""
     return (
         np.hypot(*centre) * sin(pi / z) > 1.01 * r
         and centre[0] + 2.02 * zone[0] < half_flat

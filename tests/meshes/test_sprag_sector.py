@@ -64,7 +64,7 @@ def test_every_node_of_the_outline_lies_on_it():
 @pytest.mark.parametrize(
     ("boundary", "contact", "zone", "uneven"),
     [
-        # the sprag's cells are even but for the square of the zone over the way to the flank
+        # the sprag's cells are even except for the square of zone over distance to the flank
         ("inner.rim", PLACED.inner, ZONES[0], 1e-4),
         ("sprag.inner", PLACED.inner, ZONES[0], 6e-3),
         ("sprag.outer", PLACED.outer, ZONES[1], 2e-2),

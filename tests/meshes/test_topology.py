@@ -27,7 +27,7 @@ POINTS = {
 
 @pytest.fixture(autouse=True)
 def forgotten():
-    """Nothing kept from other tests."""
+    """Nothing stored by other tests."""
     KEPT.kept.clear()
 
 
@@ -85,7 +85,7 @@ def test_no_more_than_the_last_few_are_stored():
         get(key)
     assert made == ["a", "b", "c", "b"]
     assert list(few.kept) == ["a", "b"]
-    get("large", 101)  # is not kept, and drives out nothing
+    get("large", 101)  # is not stored, and removes nothing
     assert list(few.kept) == ["a", "b"]
     get("wide", 100)
     assert list(few.kept) == ["wide"]

@@ -39,7 +39,7 @@ def looked_at(
 ) -> dict[str, object]:
     """What the host measured of the page `name` in a frame of `width` pixels.
 
-    `status` is the filter of the rows that a host may set. What was measured once is kept.
+    `status` is the filter of the rows that a host may set. Measurements are stored.
     """
     framed = folder / f"{Path(host).stem}-{name}-{width}.html"
     text = Path(__file__).with_name(host).read_text("utf-8")

@@ -31,7 +31,7 @@ PRINTED = Published(document="d", id="i", place="p", kind="theory", printed="1.9
 
 @pytest.fixture(scope="session")
 def report(of_paper) -> Report:
-    """A case of each subject and a map; what asks for every case takes `whole`."""
+    """A case of each subject and a map; tests of every case take `whole`."""
     cases = [find(name) for name in SOME]
     return make_report([of_paper(c) for c in cases], cases, 1.0)
 

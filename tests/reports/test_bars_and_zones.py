@@ -35,7 +35,7 @@ def test_bars_begin_at_zero_and_no_word_leaves_the_picture_or_runs_into_another(
     ]
     assert w == pytest.approx(2 * w2, abs=0.11)
     assert x2 + w2 == pytest.approx(x, abs=0.11)
-    words = "60 % of the turn of the races, 3.4 deg"
+    words = "60 % of the wind-up, 3.4 deg"
     for name, value in (("X", 60.0), (LONG, -60.0)):
         for left, right, _, said in texts(bar_chart((name, 40.0, words), ("r", value, "r"))):
             assert left >= 0, said

@@ -62,7 +62,7 @@ def test_bars_take_the_difference_on_from_one_to_the_next_as_long_as_their_numbe
     found = re.findall(r'<rect class="(\w+)" x="([\d.]+)" y="[\d.]+" width="([\d.]+)"', svg)
     assert [css for css, *_ in found] == ["total", "part", "part", "rest"]
     (x, w), (x_1, w_1), (x_2, w_2), (_, w_3) = (tuple(map(float, one[1:])) for one in found)
-    unit = w / 8.0  # of a per cent, of the difference's own bar
+    unit = w / 8.0  # of a per cent, of the bar of the difference
     assert [v / unit for v in (w_1, w_2, w_3)] == pytest.approx([1.0, 7.0, 2.0], abs=0.02)
     # the first part's bar ends to the left of the difference, where the next begins
     assert x_1 + w_1 == pytest.approx(x, abs=0.15)

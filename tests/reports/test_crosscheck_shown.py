@@ -47,7 +47,7 @@ def checked(wordy) -> Report:
                    crosschecks=(AGREES, OUTSIDE, other, STALE))  # fmt: skip
 
 
-def test_page_and_pdf_have_a_table_of_its_own_and_a_row_leads_to_its_line(checked):
+def test_page_and_pdf_have_a_separate_table_and_a_row_leads_to_its_line(checked):
     html, text = page(checked, {}), section(checked, "crosscheck")
     assert "2 of 3 agree; 1 problem is not measured" in text
     assert "a quarter &amp; more" in text

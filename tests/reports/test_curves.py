@@ -53,7 +53,7 @@ def test_curves_have_their_styles_and_names_and_are_cut_at_the_frame():
     assert drawn(y_top=3.0).count('class="dot s4"') == 2 + 1  # 2 and 3 of 2 to 6
     assert drawn(y_bottom=4.0).count('class="dot s4"') == 3 + 1
     assert ">0<" not in drawn(Curve(name="a", x=X + 1, y=X + 3), y_bottom=2.5)  # where it begins
-    # every colour has its own pattern of strokes
+    # every colour has another pattern of strokes
     css = (HERE / "figures.css").read_text("utf-8")
     rules = dict(re.findall(r"\.chart \.([\w.]+) \{ stroke-dasharray: ([^;]+);", css))
     for style in ("line", "dashes"):
@@ -174,7 +174,7 @@ def curve(x, y, name="c"):
 
 
 @pytest.mark.parametrize("lost", [np.array([]), np.full(3, np.nan)], ids=["none", "nan"])
-def test_a_figure_without_points_says_so(lost):
+def test_a_figure_without_points_states_this(lost):
     z = np.full((lost.size, lost.size), np.nan)
     points = dict.fromkeys(("x", "y", "x_fem", "y_fem", "y_ref", "u"), lost)
     items = tuple(("a", float(v)) for v in lost)

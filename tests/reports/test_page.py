@@ -130,7 +130,7 @@ def test_what_a_user_typed_is_never_markup(hostile, drawn, hostile_text):
 
 
 def test_what_was_judged_can_be_read_off_the_page(report, text):
-    """Formula and FE as printed differ by the printed difference, to the last digit shown."""
+    """Formula and FE as printed differ by the printed difference, to the last printed digit."""
     assert not re.search(r">[^<]*\b(None|nan|inf)\b[^<]*<", text)
     for line in lines(report.rows):
         row = line.row
@@ -147,7 +147,7 @@ def test_what_was_judged_can_be_read_off_the_page(report, text):
         assert abs(told - max(row.u_num, last)) <= max(0.06 * row.u_num, 0.51 * last)
 
 
-def test_the_first_page_shows_each_verdict_once_and_alike_formulas_in_one_line(made):
+def test_the_first_page_has_each_verdict_once_and_equal_formulas_in_one_line(made):
     shown = [v for v in kept() if v.verdict is not Verdict.DEFINITION]
     assert made[FIRST].count('id="verdict-') == len(shown)
     found = groups([v for v in kept() if v.paper == "wang2023"])
@@ -179,7 +179,7 @@ def test_rows_that_hold_and_say_no_more_stand_in_the_appendix(made, report):
         assert f'id="{place}"' not in main
 
 
-def test_a_run_of_one_s_own_part_or_of_one_case_is_one_page(report):
+def test_a_run_of_a_user_s_part_or_of_one_case_is_one_page(report):
     assert is_paged(report)
     assert not is_paged(replace(report, name="mine"))
     assert not is_paged(replace(report, cases=report.cases[:1]))

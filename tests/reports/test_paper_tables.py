@@ -100,7 +100,7 @@ def off(claim: PaperClaim, cell: PaperCell) -> str:
 def test_a_row_on_a_whole_column_stands_once_below_the_table():
     column, own = (
         PaperClaim(row=row, status=Status.PASS, analytic=1.0, fem=None, u=None)
-        for row in ("a/column", "a/own")
+        for row in ("a/column", "a/single")
     )
     cells = [PaperCell(text="1", rows=(column,), errata=("both",)),
              PaperCell(text="2", rows=(column, own), errata=("both", "alone"))]  # fmt: skip
@@ -108,7 +108,7 @@ def test_a_row_on_a_whole_column_stands_once_below_the_table():
                        rows=tuple((cell,) for cell in cells))  # fmt: skip
     shown = printed_table(table)
     assert [claim.row for claim in shown.common] == ["a/column"]
-    assert [[claim.row for claim in row.claims] for _, row in shown.rows] == [[], ["a/own"]]
+    assert [[claim.row for claim in row.claims] for _, row in shown.rows] == [[], ["a/single"]]
     assert [list(row.errata) for _, row in shown.rows] == [[], ["alone"]]
     assert shown.is_compared
     assert not shown.has_references

@@ -36,7 +36,7 @@ def query(data, selector):
 
 
 def text_of(content):
-    """The letters of typst's own tree."""
+    """The letters of the tree of typst."""
     if isinstance(content, dict):
         own = content.get("text", "") if isinstance(content.get("text"), str) else ""
         inner = [content.get("body"), content.get("child"), *content.get("children", [])]
@@ -82,7 +82,9 @@ def test_hostile_texts_stand_as_they_are_and_the_same_report_gives_the_same_byte
     squeezed = re.sub(r"\s+", "", read(first, tmp_path, "-layout")).replace("\u200b", "")
     assert squeezed.count(re.sub(r"\s+", "", NASTY)) >= 3
     assert "Summary" in squeezed
-    assert "Errataledger" not in squeezed  # that of the papers is not of one's own part
+    assert (
+        "Errataledger" not in squeezed
+    )  # the ledger of the papers is not in the report on a user's part
 
 
 def test_every_status_and_control_characters_make_a_pdf_of_either_form(hostile):

@@ -107,7 +107,7 @@ def test_the_first_page_names_what_is_not_to_be_used_and_varied_inputs_come_firs
     assert len(varied) == len(next(c for c in recorded.cases if c.id == case["id"]).inputs)
 
 
-def test_a_run_without_verdicts_or_on_one_page_says_so(report):
+def test_a_run_without_verdicts_or_on_one_page_states_this(report):
     data = record(report, {}, single_file=True)
     assert data["counted"] is None
     assert {c["page"] for c in data["cases"]} == {"report.html"}

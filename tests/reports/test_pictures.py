@@ -96,7 +96,7 @@ def is_near(pixels: np.ndarray, colour: tuple[int, ...]) -> np.ndarray:
 
 
 @pytest.mark.parametrize("program", ["pyvista", "matplotlib"])
-def test_cells_mirrored_quarters_and_lines_are_where_the_rectangle_says(program):
+def test_cells_mirrored_quarters_and_lines_are_at_their_places_in_the_rectangle(program):
     drawn, whole, bent = drawn_by(program)
     assert drawn.exaggeration == 2.0  # 0.1 m of 4 m is 2.5 %
     at = np.argwhere(is_near(pixels_of(drawn), RED))[:, ::-1]
@@ -118,7 +118,7 @@ def test_cells_mirrored_quarters_and_lines_are_where_the_rectangle_says(program)
     assert is_near(pixels[middle[1], middle[0]], (179, 179, 173))
 
 
-def test_shear_changes_sign_in_each_image_and_a_vector_in_its_own_mirror():
+def test_shear_changes_sign_in_each_image_and_a_vector_in_its_mirror():
     field = replace(sheet(), cell_data={"s": np.tile([3e6, 5e6, 2e6, 1e6], (800, 1))})
     for component, values in ((0, {3}), (1, {5}), (2, {-2, 2}), (3, {1})):
         scene = compose(field, replace(WORDS, component=component, mirror=("x",)))

@@ -83,7 +83,7 @@ def test_failed_rows_come_first_then_those_not_run_and_convergence_shares_its_qu
     assert [r.quantity for r in failed_first(given)] == ["d", "e", "b", "f", "a", "c"]
     assert [line.row.quantity for line in lines(given)] == ["d", "e", "b", "f", "a", "c"]
     a, good, b = row("a"), row("a: convergence"), row("b")
-    bad = row("b: convergence", FAIL)  # a line of its own, as one that is alone
+    bad = row("b: convergence", FAIL)  # a separate line, as one that is alone
     assert [(x.row, x.convergence) for x in lines([a, good, b, bad])] == [
         (bad, None), (a, good), (b, None),
     ]  # fmt: skip

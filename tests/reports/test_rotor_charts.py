@@ -85,9 +85,9 @@ def rows(drawn):
     return [np.array([r.split(",") for r in text.split(" ")], float) for text in found]
 
 
-@pytest.mark.parametrize(("shown", "sense"), [(FORWARD, 1), (BACKWARD, -1)])
-def test_forward_whirl_runs_from_x_to_y_and_its_arrow_points_along_the_orbit(shown, sense):
-    drawn = whirl(replace(BOTH, modes=(shown,)))
+@pytest.mark.parametrize(("mode", "sense"), [(FORWARD, 1), (BACKWARD, -1)])
+def test_forward_whirl_runs_from_x_to_y_and_its_arrow_points_along_the_orbit(mode, sense):
+    drawn = whirl(replace(BOTH, modes=(mode,)))
     line = rows(drawn)[0]
     at, later = line[6, 2:4], line[6, 4:]  # in the middle, where the bow is 1
     size = np.hypot(*UP)

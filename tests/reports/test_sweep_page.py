@@ -138,7 +138,7 @@ def test_a_sample_shows_how_the_error_scatters_and_through_what():
     assert "nan" not in text(html).lower()
 
 
-def test_the_worst_row_comes_first_and_alone_is_open_and_nothing_solved_is_said():
+def test_the_worst_row_comes_first_and_alone_is_open_and_nothing_solved_is_reported():
     found = swept(VARY, over_z, names=(EXACT, PAPER))
     value = page(found, COMMAND)
     assert [f.opened for f in value.formulas] == [True, False]

@@ -38,15 +38,15 @@ def test_only_markup_has_tags_and_escaped_text_comes_back_as_it_was():
 
 
 @pytest.mark.parametrize(
-    ("value", "u", "said"),
+    ("value", "u", "expected"),
     [
         (0.58178958, 3.9e-7, "0.58178958(39)"), (210.6194, 2.1e-3, "210.6194(21)"),
         (-57.245, 4.4e-3, "−57.2450(44)"), (1234.5, 25.0, "1234(25)"),
         (1.0, 9.97e-6, "1.000000(10)"), (0.1, 1e-20, "0.100000000(1)"), (0.0, 2e-3, "0.0000(20)"),
     ],
 )  # fmt: skip
-def test_an_uncertainty_stands_in_brackets_in_units_of_the_last_digit(value, u, said):
-    assert concise(value, u)[0] == said
+def test_an_uncertainty_stands_in_brackets_in_units_of_the_last_digit(value, u, expected):
+    assert concise(value, u)[0] == expected
 
 
 def without_tags(markup):
@@ -83,11 +83,11 @@ def test_another_reference_than_finite_elements_is_named_beside_its_value(of_pap
 def test_fractions_are_percents_and_balances_are_numbers(report):
     identity = next(row for row in report.rows if row.kind is Kind.IDENTITY)
     balance = replace(identity, kind=Kind.EXACT)
-    for row, value, said in (
+    for row, value, expected in (
         (identity, 0.0123, "1.2 %"), (identity, 1.23e-9, "1.2×10-7 %"), (identity, inf, "–"),
         (balance, 1.23e-9, "1.2×10-9"),
     ):  # fmt: skip
-        assert without_tags(fraction(row, value)) == said
+        assert without_tags(fraction(row, value)) == expected
 
 
 def letters(word):

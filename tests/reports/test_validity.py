@@ -79,7 +79,7 @@ def test_a_card_stands_on_page_and_paper_and_what_is_not_measured_is_named(alone
     assert "largest difference −0.00029 ± 0.00001 %" in said(case["exact"])
 
 
-def test_a_map_has_each_error_in_its_own_cell():
+def test_a_map_has_each_error_in_its_cell():
     """30 % is at z = 6 and δ_1 = 2 mm: the middle column, the lower row."""
     places = {}
     for piece in str(figure(REGION, "K")).split("<text")[1:]:

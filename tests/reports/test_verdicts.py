@@ -46,7 +46,7 @@ def test_markdown_pdf_and_workbook_have_them_all(recorded):
         assert 'name="Verdicts"' in book.read("xl/workbook.xml").decode()
 
 
-def test_errors_are_shown_with_their_bars_and_sides():
+def test_errors_have_their_bars_and_sides():
     for shows, values, shown in (
         (at_paper, {"error": 0.24, "U": 3e-4}, "+24 ± 0.03 %"),
         (at_paper, {"error": -0.344, "U": 1e-6}, "−34 %"),
@@ -58,7 +58,7 @@ def test_errors_are_shown_with_their_bars_and_sides():
         assert shows(replace(kept()[0], **values)) == shown
 
 
-def test_a_printed_form_is_advised_by_its_corrected_form_and_own_advice_stands():
+def test_a_printed_form_refers_to_its_corrected_form_unless_another_advice_is_declared():
     for changes, words in (
         ({}, "the corrected form, accurate within 2 %"),
         ({"verdict": Verdict.PART}, "the corrected form, accurate within 2 % in part of the range"),
@@ -76,7 +76,7 @@ def test_a_printed_form_is_advised_by_its_corrected_form_and_own_advice_stands()
     assert advised([usable, RIGHT])[0].instead == ""
 
 
-def test_a_case_has_the_largest_error_of_its_own_rows(report):
+def test_a_case_has_the_largest_error_of_its_rows(report):
     case = next(c for c in report.cases if c.id == "polyhedral-ring")
     others = next(c for c in report.cases if c.id == "ring-lame")
     first, second, *_ = [r for r in case.rows if r.tolerance and r.scale and r.difference]

@@ -78,7 +78,7 @@ def test_what_has_not_changed_is_not_written_again_and_what_someone_changed_is(
     edited, removed = (folder / path_of(case.id) for case in some.cases[:2])
     edited.write_text("", "utf-8")
     removed.unlink()
-    found = written(some, folder, origins)  # kept parts are remembered
+    found = written(some, folder, origins)  # unchanged parts are remembered
     assert found - ALWAYS == {path_of(case.id) for case in some.cases[:2]}
     assert {path: path.read_bytes() for path in folder.glob(f"{FOLDER}/*.html")} == pages
 

@@ -47,7 +47,7 @@ def test_rows_are_those_of_the_run_with_their_values_and_links_to_errata(report,
         assert cell.value == f"{paper}:{entry}"
 
 
-def test_every_table_has_a_sheet_and_those_of_papers_none_in_a_user_s_own(report, book):
+def test_every_table_has_a_sheet_and_those_of_papers_none_in_a_user_s_report(report, book):
     assert book.sheetnames[:4] == ["Summary", "Rows", "Inputs and values", "Levels"]
     sheets = Sheets(report)
     for case, names in zip(report.cases, sheets.of_case, strict=True):

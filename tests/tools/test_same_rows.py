@@ -48,12 +48,12 @@ def test_every_change_is_reported_where_it_is(change, where):
     assert where in found
 
 
-def told(reason):
+def with_reason(reason):
     return lambda o: o["rows"][0].update(reason=reason)
 
 
 @pytest.mark.parametrize(
-    ("change", "exactly", "elsewhere"),
+    ("change", "exactly", "on_another_machine"),
     [
         (lambda o: o.update(provenance={"made": "tomorrow"}), 0, 0),
         (lambda o: o["rows"][0].update(fem=1.5009), 1, 0),  # within the error of the row
@@ -61,13 +61,15 @@ def told(reason):
         (lambda o: o["rows"][0].update(status="FAIL"), 1, 1),
         (lambda o: o["rows"][0].update(u_num=1.9e-3), 1, 0),  # within a factor of two
         (lambda o: o["rows"][0].update(u_num=2.1e-3), 1, 1),
-        (told("differ by 5.0e-14, held"), 1, 0),  # numbers of a text, and words
-        (told("differ by 5.0e-14, lost"), 1, 1),
+        (with_reason("differ by 5.0e-14, held"), 1, 0),  # numbers of a text, and words
+        (with_reason("differ by 5.0e-14, lost"), 1, 1),
     ],
 )
-def test_what_may_differ_from_run_to_run_and_on_another_machine(change, exactly, elsewhere):
+def test_what_may_differ_from_run_to_run_and_on_another_machine(
+    change, exactly, on_another_machine
+):
     assert len(differences(change)) == exactly
-    assert len(differences(change, exact=False)) == elsewhere
+    assert len(differences(change, exact=False)) == on_another_machine
 
 
 def test_the_exit_status_and_the_count(tmp_path, capsys):

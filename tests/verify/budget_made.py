@@ -16,7 +16,7 @@ calls = []
 
 class Leaf(Inputs):
     b: float = quantity("2 mm", "mm", "b", "width", gt=0)
-    s: float = quantity("5 mm", "mm", "s", "way", ge=0)
+    s: float = quantity("5 mm", "mm", "s", "travel", ge=0)
 
 
 class Solver:

@@ -35,7 +35,7 @@ def row_of(check, **more):
     return row
 
 
-def test_an_agreement_is_an_approximation_that_says_what_it_detects():
+def test_an_agreement_is_an_approximation_with_a_detection_limit():
     row = row_of(agreement(2.002))
     assert (row.kind, row.status) == (Kind.APPROXIMATION, Status.PASS)
     assert (row.analytic, row.fem) == pytest.approx((2002, 2000), rel=1e-14)  # in the row's unit
@@ -72,7 +72,7 @@ def test_what_is_not_surely_within_its_figure_fails(check):
     assert row.reason.endswith(WORDS)
 
 
-def test_a_figure_wider_than_half_of_the_suite_s_demand_asks_for_its_own():
+def test_a_figure_wider_than_half_of_the_suite_s_demand_needs_a_stated_demand():
     assert (demanded(0.005), demanded(0.02)["demand"]) == ({}, 0.04)
     row = row_of(agreement(2.03, accepted=0.02, **demanded(0.02)))
     assert row.status is Status.PASS
@@ -81,7 +81,7 @@ def test_a_figure_wider_than_half_of_the_suite_s_demand_asks_for_its_own():
 
 
 @pytest.mark.parametrize("make", [agreement, deviation])
-def test_a_user_s_own_numbers_are_judged_only_where_the_figure_holds_for_any(make):
+def test_user_inputs_are_judged_only_where_the_figure_holds_for_any(make):
     own = row_of(make(0.5), is_paper=False)
     expected = (Kind.FACT, Status.SHOWN, f"measured: {WORDS}")
     assert (own.kind, own.status, own.reason) == expected

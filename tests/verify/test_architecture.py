@@ -21,7 +21,7 @@ def imported(body):
             yield from imported(getattr(node, inner, []))
 
 
-def test_no_module_imports_itself_by_way_of_others():
+def test_no_module_imports_itself_through_others():
     paths = {
         ".".join(path.relative_to(ROOT).with_suffix("").parts): path
         for package in ("analytic", "fem", "meshes", "verify", "reports")

@@ -57,7 +57,7 @@ def test_each_part_is_what_goes_with_its_cause_and_all_add_up_to_the_difference(
         "plane assumption": made.PLANE, "small displacement": made.FAR + made.TOGETHER,
     }, rel=1e-5, abs=1e-9)  # fmt: skip
     assert sum(parts.values()) + row.balance.remainder == pytest.approx(row.balance.total, abs=1e-8)
-    # what is left: the formula's own error, the finer mesh's, and less the joint part, taken twice
+    # remainder: the errors of formula and finer mesh, less the joint part, taken twice
     left = made.SELF + made.MESH / 64 - made.TOGETHER
     assert row.balance.remainder == pytest.approx(left, abs=1e-7)
     (joint,) = [one for one in row.joints if len({n.partition(":")[0] for n in one.names}) == 2

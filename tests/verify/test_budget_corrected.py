@@ -34,12 +34,12 @@ def test_the_printed_formula_is_a_part_and_the_rest_is_the_corrected_one_s():
     assert (part.name, part.u) == ("formula: as printed, beside the corrected one", 0.0)
     assert part.contribution == pytest.approx((PRINTED - K) / fe)
     assert row.balance.total == pytest.approx(PRINTED / fe - 1)
-    assert (row.pair.name, row.pair.analytic) == ("stiffness", "k")  # its own formula
+    assert (row.pair.name, row.pair.analytic) == ("stiffness", "k")  # the formula of the row
     rest = (tuple(others), row.balance.remainder, row.balance.u)
     assert rest == (right.parts, right.remainder, right.u)
 
 
-def test_what_is_large_is_taken_apart_or_not():
+def test_what_is_large_is_decomposed_or_not():
     for total, left, u, known in (
         (0.1, 0.026, 0.0, False), (0.1, 0.024, 0.0, True), (0.1, 0.05, 0.026, True),
         (9e-4, 9e-4, 0.0, True),
@@ -73,7 +73,7 @@ def check_statement(case, plan, names):
 
 
 def check_reasons(plan, found):
-    """Every row that is not taken apart has a reason, and every reason such a row."""
+    """Every row that is not decomposed has a reason, and every reason such a row."""
     names = [one.pair.name for one in found.rows if not apart(one.balance)]
     assert [name for name in names if not plan.says.reason(name)] == []
     for left in plan.says.left:

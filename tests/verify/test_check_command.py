@@ -82,7 +82,7 @@ def test_the_answer_comes_first(tmp_path, capsys):
     shared = "assumptions that formula and reference share"
     verdicts = "verdicts of the formulas (freewheel explain EQUATION has the evidence)"
     assert [h for h in heads if h != "warning"] == ["limits", "values", verdicts, "inputs", shared]
-    # the target as printed lies between what plane strain and plane stress bear
+    # the printed target lies between the torques in plane strain and plane stress
     status, out = checked(written(tmp_path, "polyhedral-clutch"), capsys=capsys)
     assert status == 3
     words = "between the torques in plane strain (90.5 N m) and plane stress (115.2 N m)"
@@ -113,12 +113,14 @@ def test_a_ring_of_60_and_90_mm_by_hand(ring, capsys):
     assert "warning: nu = 0.05 is outside the usual range 0.2 to 0.36" in out
 
 
-def test_own_parameters_are_judged_with_finite_elements(ring, tmp_path, capsys):
+def test_user_parameters_are_judged_with_finite_elements(ring, tmp_path, capsys):
     status, found = as_json(ring, "--fem", capsys=capsys)
     assert status == 0
     assert {row["status"] for row in found["rows"]} == {"PASS"}
     assert all(row["fem"] is not None for row in found["rows"] if row["kind"] == "identity")
-    assert not any(row["published"] for row in found["rows"])  # these speak of the paper's own
+    assert not any(
+        row["published"] for row in found["rows"]
+    )  # these are about the inputs of the paper
     # more cells than memory holds are refused in a line
     path = written(tmp_path, "spring-continuum", "n = 10 ", "n = 90 ")
     assert checked(path, capsys=capsys)[0] == 0  # formulas for any length

@@ -70,7 +70,7 @@ def rows_of(claim, *args, **more):
 SHARE = 1e-3 / 64  # what the finest value is off, relative
 
 
-def test_an_identity_is_judged_in_si_and_shown_in_its_unit_and_its_convergence_is_another_row():
+def test_an_identity_is_judged_in_si_and_displayed_in_its_unit_and_its_convergence_is_another_row():
     row, convergence = rows_of(identity(), power_law(5e-6, 1e-3), analytic={"g": 5e-6})
     assert (row.id, row.status) == ("ring-made-up/gap", Status.PASS)
     assert (row.kind, row.unit, row.symbol) == (Kind.IDENTITY, "µm", "g")
@@ -229,7 +229,7 @@ def test_errors_fall_with_the_order_of_theory(p, status):
     ("residual", "status"),
     [(1e-6, Status.PASS), (-3e-6, Status.FAIL), (math.nan, Status.FAIL)],
 )
-def test_a_balance_is_taken_on_the_finest_mesh_in_its_own_unit(residual, status):
+def test_a_balance_is_taken_on_the_finest_mesh_in_its_unit(residual, status):
     (row,) = rows_of(BALANCE, (5.0, 1.0, residual), analytic={"load": -2e3})
     assert (row.kind, row.status) == (Kind.EXACT, status)
     if math.isnan(residual):

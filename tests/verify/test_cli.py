@@ -40,7 +40,7 @@ def test_list_and_completion_name_every_case(capsys):
         assert case.title in out
     assert "inputs: r_i [mm], r_o [mm], p_i [MPa], E [GPa], nu\n" in out
     assert "optional: p_o [MPa], R_p [MPa]\n" in out
-    # what is needed stands apart from what is assumed
+    # required inputs are listed separately from assumed ones
     of_clutch = out.partition("\nsprag-clutch ")[2]
     assert of_clutch.splitlines()[1].strip() == "inputs: R_i [mm], R_e [mm], l [mm], T [N m]"
     assert run(["__complete", "init", ""]) == 0

@@ -35,7 +35,7 @@ def test_orders_are_found_from_minus_20_to_60(exponent, order):
 
 @pytest.mark.parametrize("r32", [4.0, math.sqrt(2)])
 def test_a_series_in_the_logarithm_has_order_zero(r32):
-    """Its differences are ln r32 and ln r21 = ln 2; within 1e-9 no order is told from zero."""
+    """Its differences are ln r32 and ln r21 = ln 2; orders within 1e-9 of zero count as zero."""
     assert abs(observed_order(math.log(r32) / LN2, 2.0, r32)) < 9e-10
 
 

@@ -18,7 +18,7 @@ H = (0.4, 0.2, 0.1)
 
 
 def worst_order(h, v, u):
-    """The lowest order of all series whose values are off by u or by none, either way."""
+    """The lowest order of all series whose values are off by ± u or by none."""
     return min(
         observed_order((v[0] + a - v[1] - b) / (v[1] + b - v[2] - c), h[1] / h[2], h[0] / h[1])
         for a, b, c in product((-u, 0.0, u), repeat=3)
@@ -49,7 +49,7 @@ def test_a_step_as_large_as_both_errors_may_be_none():
     [(1.0, 0.125, Status.FAIL), (1.5, 0.125, Status.FAIL), (2.0, 0.25, Status.PASS)],
 )
 def test_an_order_that_iteration_may_take_away_is_replaced_by_the_spread(allowed, margin, status):
-    """The spread is 0.5; the order's own margin over a half is 0.125, and u_it is as the steps."""
+    """The spread is 0.5; the margin of the order over a half is 0.125, and u_it is as the steps."""
     grid = GridConvergence("monotone", 1e-3, order=0.625)
     verdict = convergence_verdict(grid, (4.0, 2.0, 1.0), (1.5, 1.25, 1.0), 0.25, allowed)
     assert (verdict.status, verdict.difference) == (status, margin)

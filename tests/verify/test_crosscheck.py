@@ -169,7 +169,7 @@ def test_absent_solvers_change_no_exit_status_but_where_nothing_is_left(
     assert reason(ROSS).missing == "not installed: ERROR: no matching distribution"
 
 
-def test_a_case_has_a_comparison_whose_record_in_the_project_agrees_or_says_why_it_has_none():
+def test_a_case_has_a_stored_comparison_that_agrees_or_a_reason_for_none():
     compared = {cross.case for cross in registry.COMPARISONS}
     assert compared.isdisjoint(ALONE)
     assert compared | set(ALONE) == {case.id for case in CASES}

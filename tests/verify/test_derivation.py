@@ -34,7 +34,7 @@ VALUES = {"g": 5e-6, "k": 5e-6}
 
 
 @pytest.mark.parametrize("name", SERIES)
-def test_series_of_every_behaviour_are_judged_alike_again(name):
+def test_series_of_every_behaviour_are_judged_equally_again(name):
     series = SERIES[name]
     claims = (identity(), identity(formal=None), approximation(None),
               approximation(lambda _q, _v: (-0.01, 0.01)))  # fmt: skip
@@ -44,7 +44,7 @@ def test_series_of_every_behaviour_are_judged_alike_again(name):
             assert steps(row)
 
 
-def test_fits_and_facts_are_judged_alike_again_and_say_their_numbers():
+def test_fits_and_facts_are_judged_equally_again_and_state_their_numbers():
     eps = [0.01, 0.02, 0.05, 0.1]
     square = limit(lambda _c: (eps, [3 * e**2 for e in eps], [1e-6] * 4), 2.0)
     curved = Coefficient(
@@ -97,28 +97,28 @@ IDS = [
 
 
 def test_a_row_is_named_by_its_id_a_part_of_it_or_words():
-    for wanted, found in (
+    for name, found in (
         ("Bore Displacement plane STRESS", 0),
         ("stress bore", 0),
         ("bore displacement, plane stress: convergence", 1),
     ):
-        assert find_row(wanted, IDS) == IDS[found]
+        assert find_row(name, IDS) == IDS[found]
 
 
 @pytest.mark.parametrize(
-    ("wanted", "message"),
+    ("name", "message"),
     [
         ("plane", "2 rows match 'plane': ring-a/bore displacement, plane stress; "),
         ("bore displacment plane stres", "similar rows: ring-a/bore displacement, plane str"),
         ("xyz", "no row matches 'xyz'; the cases are ring-a"),
     ],
 )
-def test_a_name_of_no_row_or_of_several_is_answered_with_names(wanted, message):
+def test_a_name_of_no_row_or_of_several_is_answered_with_names(name, message):
     with pytest.raises(InputError, match=rf"^[^\n]*{message}[^\n]*$"):
-        find_row(wanted, IDS)
+        find_row(name, IDS)
 
 
-def test_a_parameter_file_is_explained_on_its_own_numbers(tmp_path, capsys):
+def test_a_parameter_file_is_explained_with_its_numbers(tmp_path, capsys):
     path = tmp_path / "ring.toml"
     path.write_text(RING)
     assert run(["explain", "bore", "hoop", "stress,", "plane strain", str(path)]) == 0

@@ -69,7 +69,7 @@ def test_the_chosen_spring_goes_through_check_and_is_one_of_the_front(tmp_path, 
     assert re.search(r"--choose: the front has members 1 to \d+, got ", capsys.readouterr().err)
 
 
-def test_an_impossible_task_ends_with_1_says_what_to_relax_and_clears_the_old_spring(
+def test_an_impossible_task_ends_with_1_states_what_to_relax_and_clears_the_old_spring(
     tmp_path, capsys
 ):
     out = tmp_path / "out"
@@ -108,7 +108,7 @@ def test_a_spring_whose_formula_takes_the_inner_radius_disagrees():
 
 
 def test_finite_elements_see_the_height_and_stress_of_a_pressed_spring():
-    """An elastica of its own gave 15.56 mm and 394.5 MPa for this spring of the template."""
+    """A separate elastica gave 15.56 mm and 394.5 MPa for this spring of the template."""
     _, v = verified(
         {"width_factor": 1.0}, n=8.0, b=1.1e-4, L1=13.8e-3, r=0.45e-3, alpha=np.radians(78)
     )
@@ -159,5 +159,5 @@ def test_a_curve_that_ends_without_an_equilibrium_is_no_verdict_on_the_spring():
     assert v.unsolved
     assert verdict(v) == "no equilibrium found beyond 7.9 mm"
     assert verdict(made(curve=ENDS, delta=NAN, U_w=7.5e-3)).startswith("no equilibrium")
-    # a spring that never bears F_w on a whole curve is rejected
+    # a spring that never reaches F_w on a whole curve is rejected
     assert verdict(made(delta=NAN)) == "beyond ±3 %"

@@ -90,7 +90,7 @@ def test_what_design_cannot_do_ends_with_2_and_one_line(tmp_path, capsys):
         assert words in line
 
 
-def test_a_file_of_the_case_is_a_task_at_its_own_torque_without_tolerance(tmp_path):
+def test_a_file_of_the_case_is_a_task_at_its_torque_without_tolerance(tmp_path):
     path = tmp_path / "clutch.toml"
     text = whole(case_template(find("sprag-clutch"))).replace('T = "25 N m"', 'T = "31 N m"')
     path.write_text(text, encoding="utf-8")

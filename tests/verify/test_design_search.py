@@ -80,7 +80,7 @@ def test_a_strip_that_cannot_be_bent_is_no_spring():
     assert found.judged.reasons(shapes.index((0.45e-3, 11.6e-3))) == ("shape",)
 
 
-# The paper's own spring by its own rules
+# The spring of the paper by the rules of the paper
 
 
 def test_the_paper_s_spring_keeps_eqs_11_and_12_and_breaks_eq_13():
@@ -168,7 +168,7 @@ def beaten(rows, i):
 
 
 @pytest.mark.parametrize("levels", [4, 1000])  # with many ties, and nearly none
-def test_the_front_is_what_its_definition_says(levels):
+def test_the_front_follows_its_definition(levels):
     rows = np.random.default_rng(0).integers(0, levels, (120, 4)).astype(float)
     expected = [i for i in range(len(rows)) if not beaten(rows.tolist(), i)]
     assert pareto(rows).tolist() == expected

@@ -69,7 +69,7 @@ def test_the_files_of_a_verified_crown_go_through_check_with_its_load(done, tmp_
     assert (case.id, inputs.K_1) == ("sprag-clutch", found["best"]["K_1"])
     assert inputs.z_m == pytest.approx(found["best"]["z_m_um"] * 1e-6)
     assert inputs.Q == pytest.approx(found["Q_N"]) == 3407.0
-    # pressures are those of the case's own engagement
+    # pressures are those of the engagement of the case
     q = default().clutch.model_copy(update={"slices": 11, "t_end": 0.02})
     best = np.array([[found["best"][k] for k in ("K_1", "K_2")] + [inputs.z_m]])
     (one,) = found["torques"]
@@ -133,7 +133,7 @@ def test_the_best_crown_by_slices_fails_on_a_half_space(paper):
     assert checked(paper, (2.28, 0.7, free), "strips").end == 0
 
 
-def test_a_crown_with_free_ends_passes_by_slices_and_strips_alike(paper):
+def test_a_crown_with_free_ends_passes_by_slices_and_by_strips(paper):
     for contacts in ("slices", "strips"):
         found = checked(paper, (2.6, 0.657, 16e-6), contacts)
         assert found.end == 0

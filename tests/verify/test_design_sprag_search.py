@@ -89,7 +89,7 @@ def fresh(one, levels=LEVELS):
 
 
 def prepared(**wishes):
-    """The same, kept, for a test to go on with alone."""
+    """A copy of the stored search, for one test to continue."""
     return deepcopy(_prepared(tuple(sorted(wishes.items()))))
 
 
@@ -121,7 +121,7 @@ def test_the_least_excess_over_two_torques_lies_between_their_crowns():
 
 
 def test_a_tolerance_keeps_the_crown_off_the_edge_where_its_end_carries():
-    """The shallowest profile, K_1 z_m (1 - t_z/z_m)², is on the edge, the wanted one beyond."""
+    """The shallowest profile, K_1 z_m (1 - t_z/z_m)², is on the edge, the requested one beyond."""
     loose = prepared(t_z=1e-6)
     x = crowns_of(loose.least(single).x[None])
     shallow = min(corners(loose.task, x)[0].tolist())

@@ -33,7 +33,7 @@ def test_every_task_is_answered_once_also_one_that_the_last_answer_adds(processe
     assert (dispatch.done, dispatch.total) == (10, 10)
 
 
-def test_the_state_counts_what_was_known_and_names_what_is_under_way(monkeypatch):
+def test_the_state_counts_known_levels_and_names_running_ones(monkeypatch):
     states = []
     waiting = deque(["a", "b"])
     dispatch = Dispatch("points", 5, 3, states.append, title=lambda task: f"point {task}")
@@ -60,7 +60,7 @@ def test_the_state_counts_what_was_known_and_names_what_is_under_way(monkeypatch
         (GoneError, 4, "no answer; 4 of 5 points are done, and not stored"),
     ],
 )  # fmt: skip
-def test_an_interrupted_run_says_what_is_stored(error, unstored, words):
+def test_an_interrupted_run_states_what_is_stored(error, unstored, words):
     seen = []
 
     def receive(task, _answer):
@@ -95,7 +95,7 @@ def test_levels_are_expected_to_take_what_the_known_ones_took_at_the_pace_of_thi
     [
         pytest.param([], [3.0, 2.0, 1.0], 1, 6.0, id="one after the other"),
         pytest.param([], [3.0, 2.0], 8, 3.0, id="more processes than levels"),
-        pytest.param([(10.0, 4.0), (2.0, 1.0)], [3.0, 3.0], 2, 7.0, id="two under way"),
+        pytest.param([(10.0, 4.0), (2.0, 1.0)], [3.0, 3.0], 2, 7.0, id="two running"),
         pytest.param([(1.0, 4.0)], [], 1, 2.0, id="beyond what was expected: half as long again"),
     ],
 )

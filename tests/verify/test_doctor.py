@@ -85,7 +85,7 @@ def test_an_older_or_newer_python_is_refused_in_one_line(monkeypatch):
         assert said.endswith(f", this is {version[0]}.{version[1]}: make PYTHON=python3.12")
 
 
-def test_what_may_crash_is_tried_in_a_process_of_its_own():
+def test_what_may_crash_is_tried_in_a_separate_process():
     for script, seconds, answer in (
         ("raise SystemExit(3)", 30.0, "exit status 3"),
         ("import os; os.kill(os.getpid(), 11)", 30.0, "killed by SIGSEGV"),

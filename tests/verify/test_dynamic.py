@@ -145,7 +145,7 @@ def test_a_slow_part_is_reported_while_it_runs(capsys):
     assert third.startswith("done after 0.")
 
 
-def test_cases_with_a_dynamic_part_have_their_own_keys_and_compile_nothing_before_they_are_asked(
+def test_cases_with_a_dynamic_part_have_separate_keys_and_compile_nothing_before_use(
     tmp_path,
 ):
     paths = []

@@ -66,7 +66,7 @@ GOOD = {"L": "2 m", "alpha": "45°", "nu": 0.25, "n": 4, "q": "3 N/mm", "F": "5 
         "posts": [POST, {"at": 4, "k": "1 N/mm", "c": "5 N s/mm"}]}  # fmt: skip
 
 
-def test_values_are_read_in_si_and_displayed_and_recorded_in_their_own_units():
+def test_values_are_read_in_si_and_displayed_and_recorded_in_their_units():
     beam = build(Beam, GOOD, "beam.toml")
     assert (beam.L, beam.nu, beam.n) == (2.0, 0.25, 4)
     assert beam.alpha == pytest.approx(math.pi / 4, rel=1e-15)
@@ -90,7 +90,7 @@ def test_values_are_read_in_si_and_displayed_and_recorded_in_their_own_units():
     assert found["rails"] == []
 
 
-def test_inputs_may_be_left_out_as_the_model_says_and_meet_their_bounds_exactly():
+def test_optional_inputs_may_be_left_out_and_meet_their_bounds_exactly():
     beam = build(Beam, {k: v for k, v in GOOD.items() if k != "q"}, "beam.toml")
     assert beam.q == 0.0  # not the default of 2 N/mm
     beam = build(Beam, {k: v for k, v in GOOD.items() if k != "F"}, "beam.toml")

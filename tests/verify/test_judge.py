@@ -60,7 +60,7 @@ def test_a_row_that_detects_less_than_demanded_of_its_positive_scale_is_not_shar
 @given(
     r=st.floats(-10, 10), scale=st.floats(0.1, 10), U=st.floats(1e-6, 0.1), share=st.floats(-1, 1)
 )
-def test_detects_is_the_smallest_change_of_the_scale_that_surely_turns_the_row_red(
+def test_detects_is_the_smallest_change_of_the_scale_that_certainly_fails_the_row(
     r, scale, U, share
 ):
     value = r + share * U
@@ -211,11 +211,11 @@ def test_an_acceptance_figure_is_judged_on_the_paper_s_numbers_alone(
     margin, more, is_paper, status
 ):
     check = Accepted(
-        name="near", symbol="m", unit="1", margin=lambda _c: (margin, 1e-6, "3 apart"), **more
+        name="near", symbol="m", unit="1", margin=lambda _c: (margin, 1e-6, "by 3 %"), **more
     )
     (row,) = check.rows(context((), sizes=(), is_paper=is_paper))
     assert row.status is status
-    assert "3 apart" in row.reason
+    assert "by 3 %" in row.reason
     assert row.reason.startswith("measured") == (not is_paper)
 
 

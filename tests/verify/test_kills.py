@@ -50,7 +50,7 @@ STUDIES = {
 
 
 class Copy:
-    """The project, its store and its files in a folder of their own."""
+    """The project, its store and its files in a separate folder."""
 
     def __init__(self, folder: Path, study: Study) -> None:
         self.folder, self.study = folder, study
@@ -125,7 +125,7 @@ def test_kills_lose_nothing(name, kills, tmp_path):
         process = copy.start()
         with suppress(subprocess.TimeoutExpired):
             process.wait(moments.uniform(0.1, 1.05 * seconds))
-        process.kill()  # its own processes end by themselves
+        process.kill()  # its child processes end by themselves
         process.communicate()
         now = copy.entries()
         assert stored.items() <= now.items()  # nothing is lost, nothing is made twice
@@ -179,7 +179,7 @@ def test_a_stopped_run_ends_at_once_with_one_line(stop, name, words, tmp_path):
     else:
         process.send_signal(stop)
     _, err = process.communicate(timeout=20)
-    assert time.monotonic() - start < 2  # the level under way takes longer
+    assert time.monotonic() - start < 2  # the running level takes longer
     assert process.returncode == 130
     assert "Traceback" not in err
     assert re.fullmatch(f"freewheel: interrupted; {words}", err.splitlines()[-1])

@@ -67,7 +67,7 @@ def test_each_number_moves_by_some_1e_13_and_nothing_else_does():
 
 
 def test_perturbed_defaults_are_the_paper_s_inputs_and_still_obey_their_rules():
-    model = type("Own", (Sample,), {})
+    model = type("Copy", (Sample,), {})
     before = model()
     assert perturb_defaults([model], seed=1) == {model: Outcome()}
     assert before != model() == model.model_validate(perturbed(before, seed=1))
@@ -126,7 +126,7 @@ def test_the_size_of_a_move():
     free = replace(ROW, tolerance=None, scale=None, difference=None, values={"formula": 50.0})
     for was, now, size in (
         (ROW, MOVED, 0.2),  # its reference moves by shares of the tolerance
-        # both sides move alike, on the same inputs
+        # both sides move equally, on the same inputs
         (ROW, {"values": {"formula": 2.002, "reference": 2.003}}, 0.2),
         # without a finite tolerance: shares of 1e-5 of the scale
         (replace(ROW, tolerance=NAN), {"values": {**VALUES, "reference": 7.0}}, 249950),
@@ -169,7 +169,7 @@ def test_other_rows_are_reported():
         assert kind in {one.kind for one in differences(ROWS, there, "x", perturbed=False)}
 
 
-def test_of_a_fact_a_tenth_of_its_margin_counts_and_perturbed_sides_may_move_alike():
+def test_of_a_fact_a_tenth_of_its_margin_counts_and_perturbed_sides_may_move_equally():
     assert [compared(FACT, tolerance=U) == [] for U in (0.14, 0.16)] == [True, False]
     alike = {name: value * (1 + 1e-7) for name, value in VALUES.items()}
     assert compared(values=alike, perturbed=True) == []
@@ -181,7 +181,7 @@ def test_of_a_fact_a_tenth_of_its_margin_counts_and_perturbed_sides_may_move_ali
 
 def summary_of(tmp_path, stated=(), **change):
     """The comparison of a baseline with a variant that has a changed row, both as stored."""
-    variants = (Variant(BASELINE, "here"), Variant("there", "elsewhere"))
+    variants = (Variant(BASELINE, "here"), Variant("there", "on another machine"))
     emulated = emulating.Machines(variants, {BASELINE: {}, "there": {}}, {})
     work = []
     for name, one in ((BASELINE, ROW), ("there", replace(ROW, **change))):
@@ -234,7 +234,7 @@ def test_wrong_arguments_are_refused_in_one_line(capsys):
 
 @pytest.mark.soak
 def test_a_sample_of_rows_has_the_same_verdicts_on_other_machines(tmp_path, monkeypatch, capsys):
-    """Perturbed inputs and two BLAS threads, with caches of their own; run again, nothing is."""
+    """Perturbed inputs and two BLAS threads, with separate caches; run again, nothing is solved."""
     monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path / "cache"))
     arguments = ["portable", *SAMPLE, "--only", "perturbed-1", "--only", "threads-2", "--jobs", "2",
                  "--out", str(tmp_path)]  # fmt: skip

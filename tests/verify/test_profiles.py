@@ -77,7 +77,7 @@ def test_a_portion_has_the_values_of_its_case_on_the_same_mesh(case):
         assert part.h == whole.h
         assert part.values == {key: whole.values[key] for key in portion.keys}
         assert part.u_it == {key: whole.u_it[key] for key in portion.keys}
-        # rows of the case ask for it, on levels enough for its convergence
+        # rows of the case need it, on levels enough for its convergence
         assert set(portion.keys) <= {getattr(check, "fem", None) for check in case.checks}
         assert len(portion.levels) >= 3
         assert list(portion.levels) == sorted(portion.levels)

@@ -9,7 +9,7 @@ from verify.core.progress import EVERY, FIRST, Lines, State, duration, line, sho
 BUSY = State(12, 48, ("spring-continuum level 8",), 14.2)
 
 
-def test_a_line_says_what_is_solved_and_how_long_it_takes():
+def test_a_line_states_what_is_solved_and_how_long_it_takes():
     assert line(BUSY) == "refinement levels 12 of 48, spring-continuum level 8, about 14 s left"
     seconds = {0.0: "1 s", 89.0: "89 s", 90.0: "2 min", 4800.0: "1 h 20 min"}
     assert {number: duration(number) for number in seconds} == seconds

@@ -147,7 +147,7 @@ VALUE = {
 }  # fmt: skip
 
 
-def test_a_value_that_is_not_what_it_says_is_refused():
+def test_a_value_that_differs_from_its_printed_text_is_refused():
     # its uncertainty is half its last digit over the root of three
     assert Value(**VALUE).standard_uncertainty == pytest.approx(0.0005 / math.sqrt(3), rel=1e-15)
     assert Value(**VALUE, approximate=True).standard_uncertainty is None

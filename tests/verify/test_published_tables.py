@@ -1,4 +1,4 @@
-"""The papers' tables: as printed, every number a value of the ledger, and what is said of it."""
+"""The papers' tables: as printed, every number a value of the ledger, and the comments on it."""
 
 import re
 

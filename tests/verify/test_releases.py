@@ -93,7 +93,7 @@ MOVED = [
     # the order of convergence may scatter
     (replace(ROW, quantity="q: convergence", kind=Kind.FACT, u_num=None),
      {"fem": 3.0, "difference": 9.0}, []),
-    # demands that print alike
+    # demands of the same printed digits
     (replace(ROW, demand=0.0239411171), {"demand": 0.0239411999}, []),
     # what a row no longer detects
     (ROW, {"detects": 0.0029}, []),
@@ -138,7 +138,7 @@ LOOSENED = [
     (FACT, {"reason": "held: off by +0.07%"}, "acceptance", "0.2 % accepted -> none"),
     (replace(FACT, reason="held: by 7.9% and more, 2% asked"),
      {"reason": "held: by 7.9% and more, 1% asked"}, "acceptance", "2 % asked -> 1 % asked"),
-    # as wide as before beside its own U, which is less now
+    # as wide as before beside its U, which is less now
     (DEVIATION, {"tolerance": 1e-3, "u_num": 5e-5, "detects": 1e-3}, "acceptance",
      "0.1 % -> 0.11 %"),
     (ROW, {"scale": 2.21}, "scale", "2 mm -> 2.21 mm"),
@@ -232,7 +232,7 @@ def test_a_wrong_reason_is_named_in_one_line(tmp_path):
 
 @pytest.fixture
 def loosened(tmp_path, monkeypatch, of_paper):
-    """A release of ring-lame in a folder of its own, one demand of which was half as large."""
+    """A release of ring-lame in a separate folder, one demand of which was half as large."""
     monkeypatch.setattr(kept, "FOLDER", tmp_path)
     monkeypatch.setattr(reasons, "FILE", tmp_path / "changes.toml")
     first, *rest = of_paper(LAME).rows

@@ -94,7 +94,7 @@ def test_formulas_and_checks_that_raise_turn_their_rows_red_by_their_names():
     assert len(result.errors) == 2
 
 
-def test_finite_elements_that_raise_turn_the_rows_that_need_them_red():
+def test_finite_elements_that_raise_fail_the_rows_that_need_them():
     for error, reason, traced in (
         (ArithmeticError("residual 1e+00"), "not converged: level 4: residual 1e+00", 0),
         (Exception("gmsh says\n  no"), "level 4: Exception: gmsh says no", 1),

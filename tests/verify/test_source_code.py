@@ -79,8 +79,8 @@ def deep(x):
 def other(x):
     return 16.0 * x
 ''',
-    "made_apart": '''
-def apart(x):
+    "made_alone": '''
+def alone(x):
     return 12.0
 
 def deep(x):
@@ -192,7 +192,7 @@ SAME = [
     (CASE_MODULE, "# and more", "# and less"),
     (CASE_MODULE, "return 6.0", "return 6.5"),  # the formula
     (CASE_MODULE, "UNUSED = 4.0", "UNUSED = 4.5"),
-    ("made_apart", "12.0", "12.5"),  # a solver that it does not reach
+    ("made_alone", "12.0", "12.5"),  # a solver that it does not reach
     (SOLVER, '"needs x > 0, got"', '"x must be positive, got"'),
     (SOLVER, 'f" {x}"', 'f" {x} mm"'),
     (SOLVER, "from fem.made_deep import deep", "from fem.made_moved import deep"),
@@ -208,7 +208,7 @@ OTHER = [
     ("made_up_shapes", "8.0", "8.5"),
     ("made_deep", "11.0", "11.5"),
     (SOLVER, "raise ValueError", "raise KeyError"),
-    (SOLVER, "made_deep", "made_apart"),  # another module with that name
+    (SOLVER, "made_deep", "made_alone"),  # another module with that name
     ("made_up_inputs", '"1 mm"', '"2 mm"'),
 ]
 
@@ -245,15 +245,15 @@ def test_a_module_is_reached_by_every_form_of_import(source):
 
 def test_modules_hashed_together_stand_for_their_code_in_each_other(source, monkeypatch):
     monkeypatch.setattr(source_code, "_counts", lambda _name: False)  # as modules of verify
-    group = ["fem.made_deep", "fem.made_moved", "fem.made_apart", "fem.made_up"]
+    group = ["fem.made_deep", "fem.made_moved", "fem.made_alone", "fem.made_up"]
 
     def hashed(**changes):
         source(**changes)
         return source_code.group_hash(group)
 
     assert hashed(made_up=[("fem.made_deep", "fem.made_moved")]) == hashed()
-    assert hashed(made_up=[("fem.made_deep", "fem.made_apart")]) != hashed()
-    assert hashed(made_apart=[("12.0\n\ndef", "12.5\n\ndef")]) != hashed()
+    assert hashed(made_up=[("fem.made_deep", "fem.made_alone")]) != hashed()
+    assert hashed(made_alone=[("12.0\n\ndef", "12.5\n\ndef")]) != hashed()
 
 
 USE = "from analytic.made_formula import formula"

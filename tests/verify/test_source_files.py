@@ -14,7 +14,7 @@ FILES = {
     "fem/plane/data.toml": "",
     "fem/late.py": "from fem \\\n    import last\n",
     "fem/last.py": "",
-    "fem/apart.py": "",
+    "fem/single.py": "",
     "fem/tables/numbers.csv": "",
     "verify/jobs/records.py": "",
     "verify/measured/kind/case.json": "",
@@ -23,7 +23,7 @@ FILES = {
     "reports/out/report.html": "",
 }
 APART = {
-    "fem/apart.py",
+    "fem/single.py",
     "verify/jobs/records.py",
     "verify/measured/kind/case.json",
     "verify/reader.py",
@@ -78,7 +78,7 @@ def test_the_digest_of_all_follows_every_file_but_what_a_run_writes(root):
     for name in FILES:
         assert seen(root, name, source_files.digest) == (name not in NEVER), name
     found = [source_files.digest()]
-    (root / "fem/apart.py").rename(root / "fem/away.py")
+    (root / "fem/single.py").rename(root / "fem/away.py")
     source_files.forget()
     found.append(source_files.digest())
     (root / "fem/new.toml").write_text("")

@@ -20,7 +20,7 @@ class Shaft(Plate):
     supports: tuple[Bearing, ...] = table((Bearing(), Bearing(k=3e3)), "bearings")
 
 
-def test_an_axis_is_read_and_knows_its_input():
+def test_an_axis_is_read_and_has_its_input():
     for text, values, nominal, symbol in (
         ("n=3:12:4", (3, 6, 9, 12), 3, "n"),
         ("a=2:6mm:3", (2e-3, 4e-3, 6e-3), 4e-3, "a"),  # the last one's unit

@@ -95,9 +95,9 @@ def test_an_error_is_relative_to_the_finest_value_or_its_scale_and_its_bar_to_th
     assert point(V, {"t": 0.01, "s": 0.0}, scale="s").problem.startswith("nothing to relate a")
 
 
-def test_what_cannot_be_compared_says_why():
+def test_what_cannot_be_compared_has_a_reason():
     for fe, formula, problem in (
-        ((2.0, 2.0, 2.001), 2.0, ""),  # grows apart, but scatters little
+        ((2.0, 2.0, 2.001), 2.0, ""),  # differences grow, but the scatter is small
         ((2.0, 2.0, 2.01), 2.0, "does not converge"),  # 3 · 0.01 is more than 1 % of 2
         ((2.0, 2.0), 2.0, "does not converge"),
         ((1.0, 1.0, math.nan), 2.0, "finite elements have no finite value"),

@@ -58,7 +58,7 @@ def test_no_box_inside_holds_more_points_than_the_largest(inside):
         for ranges in product(*ends_of) if holds(inside, ranges)
     )  # fmt: skip
     best = max(every, key=lambda box: box.points, default=None)
-    assert largest_box(inside) == best  # of boxes alike the first one, as max has it
+    assert largest_box(inside) == best  # of equal boxes the first one, as with max
 
 
 @given(small_grids)
@@ -141,7 +141,7 @@ def test_breaks_are_looked_for_from_the_middle_of_the_box_where_the_nominal_poin
     near = planned("a=1:4mm:4", "n=2:6:5", a=2.4e-3, n=4)
     assert near.points[nominal_point(near)].tolist() == [pytest.approx(2e-3), 4]
     log = planned("a=1:100mm:3:log", a=40e-3)
-    assert log.points[nominal_point(log)] == pytest.approx(100e-3)  # 32 mm lies half way
+    assert log.points[nominal_point(log)] == pytest.approx(100e-3)  # 32 mm is the middle
     assert nominal_point(planned("a=1:4mm:4", a=4e-3)) == 3
     assert nominal_point(planned("a=1:4mm:4", a=4.1e-3)) is None
 

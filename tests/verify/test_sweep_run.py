@@ -106,7 +106,7 @@ def test_a_point_whose_process_died_has_its_reason_and_is_solved_by_the_next_run
     assert not any(one.problem_fe or one.lost for one in again.solutions)
 
 
-def test_a_case_s_own_limit_counts_as_it_stands_and_is_not_stored(tmp_path, called):
+def test_a_limit_of_the_case_counts_unchanged_and_is_not_stored(tmp_path, called):
     plan, limit = planned("n=3,4"), {"most": 3}
 
     def too_large(q):

@@ -40,7 +40,7 @@ def as_json(of):
     return json.loads(json.dumps(record(of, "freewheel sweep plate.toml"), allow_nan=False))
 
 
-def test_a_grid_says_where_the_formula_holds_and_what_breaks_it():
+def test_a_grid_states_where_the_formula_holds_and_what_breaks_it():
     plan = planned("a=1:8mm:8", "n=2:3:2")
     of = outcome(plan, course(plan, 0.01 * np.round(plan.points[:, 0] * 1e3), 0.002))
     assert printed(of) == [
@@ -154,7 +154,7 @@ def test_a_sample_has_its_scatter_and_its_indices_the_largest_first():
     assert list(scatter["error"]["indices"]) == ["a", "b"]
 
 
-def test_a_sample_says_what_its_indices_do_not_show():
+def test_a_sample_states_what_its_indices_leave_out():
     plan, x, y = sampled(8)
     text = " ".join(printed(outcome(plan, course(plan, 0.05 + 0.01 * x * y, 0.0001))))
     assert "the sample is small: intervals are up to ±" in text
@@ -174,7 +174,7 @@ def test_a_sample_says_what_its_indices_do_not_show():
 def test_many_rows_are_the_worst_ten_and_a_pointer_to_the_table(error, what):
     plan = planned("a=1:8mm:8")
     rows = tuple(
-        replace(plan.chosen[0], name=f"row {k}, with a rather long name of its own")
+        replace(plan.chosen[0], name=f"row {k}, with a rather long name, longer than others")
         for k in range(43)
     )
     courses = [
@@ -187,7 +187,7 @@ def test_many_rows_are_the_worst_ten_and_a_pointer_to_the_table(error, what):
     assert "row 42" in lines[2] or what == "no error"
 
 
-def test_limits_alike_are_one_line():
+def test_equal_limits_are_one_line():
     for vary, error, U, last in (
         ("a=1:4mm:4", 0.3, 0.3, "  within 2, 5 and 10 %: nowhere, 4 undecided"),
         ("a=1:4mm:4", NAN, 0, "  within 2, 5 and 10 %: no point is solved"),

@@ -21,7 +21,7 @@ CONTINUES = "{} of 24 points are stored: the same command continues with the oth
 
 
 def client(folder, *options):
-    """A sweep as a process of its own, with its cache and its tables in `folder`."""
+    """A sweep as a separate process, with its cache and its tables in `folder`."""
     part, out = folder / "ring.toml", folder / "out"
     part.write_text(RING)
     return subprocess.Popen(

@@ -1,4 +1,4 @@
-"""Units of an answer follow the file: lengths, forces, torques and pressures converted alike."""
+"""Units of an answer follow the file: lengths, forces, torques and pressures are converted."""
 
 import json
 import re

@@ -14,7 +14,7 @@ from verify.jobs.executor import Where
 
 @pytest.fixture(scope="module")
 def first(tmp_path_factory):
-    """A report of the smallest case in a store of its own."""
+    """A report of the smallest case in a separate store."""
     folder = tmp_path_factory.mktemp("first")
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("FREEWHEEL_CACHE", str(folder / "cache"))

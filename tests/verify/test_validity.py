@@ -33,7 +33,7 @@ NAN = np.nan
 
 
 def error(a):
-    """10 (a / 40 mm)², by hand: the made-up case's own error."""
+    """10 (a / 40 mm)², by hand: the error of the made-up case."""
     return 10 * (a / 40) ** 2
 
 
@@ -64,7 +64,7 @@ def limits(region):
     return [(one.limit, one.inside, one.outside, one.undecided, one.words) for one in region.limits]
 
 
-def test_a_card_says_where_the_error_stays_within_each_limit_and_what_breaks_it(known):
+def test_a_card_states_where_the_error_stays_within_each_limit_and_what_breaks_it(known):
     (card,) = known.cards
     grid, star, held = card.regions
     assert grid.over == "a 1 to 4 mm (4 values), n 3 to 9 (3 values)"
@@ -105,7 +105,7 @@ def test_a_point_that_is_not_surely_inside_has_its_reason(folder):
 
 
 def test_inputs_varied_one_at_a_time_are_no_box(folder):
-    plan = kept.plans(PLATE)[1]  # the case's own a = 4 mm and b = 2 mm, then a = 1, 2, 5 and b = 1
+    plan = kept.plans(PLATE)[1]  # a = 4 mm and b = 2 mm of the case, then a = 1, 2, 5 and b = 1
     of = {(1e-3, 2e-3): 0.01, (2e-3, 2e-3): 0.03, (5e-3, 2e-3): 0.2, (4e-3, 1e-3): 0.2}
     errors = [of.get((v[0], v[1]), 0.01) for v in plan.points.tolist()]
     found = region(plan, course(plan, errors, [1e-4] * 5))
@@ -115,7 +115,7 @@ def test_inputs_varied_one_at_a_time_are_no_box(folder):
     assert found.breaks == "smaller a takes it beyond 5 % between 1 and 2 mm (about 1.8)"
 
 
-def test_the_row_of_the_run_gives_the_error_at_the_case_s_own_inputs(folder, known):
+def test_the_row_of_the_run_gives_the_error_at_the_inputs_of_the_case(folder, known):
     row = Row(
         case=PLATE.id, quantity="stiffness", symbol="k", unit="N/mm", kind=Kind.APPROXIMATION,
         status=Status.PASS, analytic=2.0, fem=2.5, scale=2.5, u_num=0.01,
@@ -182,7 +182,7 @@ def test_a_record_is_that_of_its_code_inputs_scans_and_comparisons(folder, known
     assert not found.cards
 
 
-def test_every_case_with_pairs_has_scans_around_its_own_inputs_or_says_why_not():
+def test_every_case_with_pairs_has_scans_around_its_inputs_or_a_reason_for_none():
     ids = {case.id for case in registry.CASES}
     assert {*MAPS, *LEFT_OUT, *(name for names in MAPS.values() for name in names)} <= ids
     for case in registry.CASES:

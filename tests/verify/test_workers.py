@@ -43,7 +43,7 @@ def test_a_task_that_kills_its_process_or_cannot_answer_is_lost_alone(tmp_path):
     assert found[3].trace.startswith("Traceback")
     assert "pickle" in found[4].reason
     assert found[5].reason == "EOFError: no room"
-    assert file.read_text() == "."  # a task's own error: it is not done once more
+    assert file.read_text() == "."  # an error of the task: it is not repeated
     assert answers(["0 + 1", "1 + 1", PID], processes=0) == {0: 1, 1: 2, 2: os.getpid()}
 
 
@@ -61,7 +61,7 @@ if not mark.exists():
     assert found[0] not in (found[1], found[2], found[3])
 
 
-def test_the_caller_is_woken_while_nothing_happens_and_knows_what_runs():
+def test_the_caller_is_woken_while_nothing_happens_and_gets_what_runs():
     seen, woken = set(), 0
     with local(2) as engine:
         drive = Drive(engine, eval)
@@ -168,7 +168,7 @@ def test_a_batch_that_kills_its_process_is_split_and_its_culprit_alone_is_lost()
 
 
 @pytest.mark.slow("a cluster of processes starts")
-def test_one_or_two_processes_and_a_dask_cluster_judge_alike(tmp_path):
+def test_one_or_two_processes_and_a_dask_cluster_judge_equally(tmp_path):
     case = find("polyhedral-pressure")  # its levels take tenths of a second
     rows = []
     for where in (Where(jobs=1), Where(jobs=2, engine="dask")):

@@ -49,7 +49,7 @@ def test_statics_by_vectors_are_the_chain_s(alpha):
     assert per_width == pytest.approx(whole.F / 0.03, rel=1e-12)
 
 
-def test_the_thin_ring_misses_lame_s_pressure_by_what_is_said():
+def test_the_thin_ring_misses_lame_s_pressure_by_the_stated_amount():
     ring = {"d_i": 0.072, "d_e": 0.08, "j_D": 6e-5, "E": 210e9}
     thick = expansion.round_ring_pressure(**ring, nu=0.3, ends="plane stress")
     m = float(expansion.touching_pressure(**ring) / thick) - 1
@@ -63,7 +63,7 @@ def test_the_thin_ring_misses_lame_s_pressure_by_what_is_said():
             assert high - low == pytest.approx(2 * thin_ring.SLACK, rel=1e-3)
 
 
-def test_a_free_roller_is_missed_by_friction_s_limit_as_wedging_says():
+def test_the_friction_limit_misses_a_free_roller_as_wedging_predicts():
     angle = {"alpha": 0.1, "mu": 0.08}
     clutch = {"z": 6, "D_i": 0.1}
     printed = wedging.largest_torque(N=1.0, mu=0.08, **clutch)
@@ -76,7 +76,7 @@ def test_a_free_roller_is_missed_by_friction_s_limit_as_wedging_says():
 
 @pytest.mark.parametrize("depth", [0.3, 1.0, 20.0])
 @pytest.mark.parametrize("nu", [0.0, 0.3])
-def test_the_dent_by_integration_is_that_in_closed_form(depth, nu):
+def test_the_local_indentation_by_integration_is_that_in_closed_form(depth, nu):
     load = {"P": 2.0, "a": 0.7, "E": 3.0, "nu": nu}
     closed = approach_to_depth(depth, **load, assumption="plane stress")
     assert integrated_dent(depth, **load) == pytest.approx(float(closed), rel=1e-9)

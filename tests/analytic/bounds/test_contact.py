@@ -31,7 +31,7 @@ def test_hertz_errs_of_a_disc_on_a_flat_as_the_bounds_say(a):
     assert holds(known.shear, float(tau) / exact - 1)
 
 
-def test_hertz_errs_of_spheres_as_the_first_correction_says():
+def test_the_error_of_hertz_for_spheres_is_the_first_correction():
     ball = sphere_series.Sphere(R=1.0, E=0.75, nu=0.3)
     flat = sphere_series.Sphere(R=np.inf, E=np.inf, nu=0.0)
     found = sphere_series.pressed_spheres(ball, flat, P=1e-4)
@@ -71,7 +71,7 @@ def test_what_unlike_materials_couple_counts_with_either_sign():
         assert pair.coupled == pytest.approx(both, rel=1e-12)
 
 
-def test_the_bound_of_two_discs_does_not_know_which_lies_above():
+def test_the_bound_of_two_discs_does_not_depend_on_their_order():
     below = {"E_1": UNLIKE["E_2"], "nu_1": UNLIKE["nu_2"], "E_2": UNLIKE["E_1"],
              "nu_2": UNLIKE["nu_1"]}  # fmt: skip
     one = OfDiscs(a=0.1, R_1=1.0, R_2=3.0, **UNLIKE).bounded
@@ -102,7 +102,7 @@ def test_unlike_materials_couple_with_opposite_signs_in_a_race_and_a_thin_wall_w
 
 
 @pytest.mark.parametrize("change", [{"b": 0.04}, {"twice": 1.01}, {"value": 0.0}])
-def test_own_inputs_beyond_the_expansion_have_no_interval(change):
+def test_user_inputs_beyond_the_expansion_have_no_interval(change):
     assert roller.of_strips(1e-4, **STRIPS, loaded=False, own=True)
     assert roller.of_strips(1e-4, **STRIPS | change, loaded=False, own=True) is None
     assert roller.of_strips(np.nan, **STRIPS, loaded=False, own=False) is None

@@ -63,7 +63,7 @@ def test_the_first_correction_leaves_an_error_of_fourth_order(quantity):
 
 @pytest.mark.parametrize("ratio", [1.1, 5.0])
 def test_the_race_under_uniform_pressure_is_lame_s(ratio):
-    """The rim's pressure that keeps it in place, from Lamé's own displacements."""
+    """The rim's pressure that keeps it in place, from Lamé's displacements."""
     load = {"r_i": 1.0, "r_o": ratio, "E": 2.0, "nu": 0.3, "ends": "plane strain"}
     inner = lame.radial_displacement([1.0, ratio], p_i=1.0, p_o=0.0, **load)
     outer = lame.radial_displacement([1.0, ratio], p_i=0.0, p_o=1.0, **load)
@@ -130,8 +130,8 @@ def test_the_series_of_two_discs_meets_an_independent_solver():
 
 
 @pytest.mark.parametrize("angle", [np.pi / 2, 2.2, 3.0])
-def test_wedge_and_half_plane_open_alike(angle):
-    # a wedge's loaded face gives way as (sin 2pa + p sin 2a)/(sin² pa - p² sin² a), which is
+def test_wedge_and_half_plane_open_equally(angle):
+    # the loaded face of a wedge deflects by (sin 2pa + p sin 2a)/(sin² pa - p² sin² a), which is
     # 2 cot(p pi) for the half-plane
     def sum_of_both(p):
         wedge = (np.sin(2 * p * angle) + p * np.sin(2 * angle)) / (

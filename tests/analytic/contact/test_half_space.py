@@ -84,7 +84,7 @@ def test_a_series_of_loads_gives_what_each_alone_gives() -> None:
         assert found.load == pytest.approx(load, rel=1e-12)
 
 
-def test_what_does_not_converge_says_so() -> None:
+def test_failed_convergence_is_reported() -> None:
     with pytest.raises(ArithmeticError, match=r"does not converge: residual .* after 3 iterations"):
         press(rough(9), cell=(1e-6, 2e-6), E_star=E_STAR, load=5.0, limit=3)
 

@@ -81,7 +81,7 @@ def test_nothing_pulls_and_nothing_overlaps(radius, tilt, load, n):
     assert left.min() > -1e-9 * deepest
 
 
-def test_a_batch_says_what_its_cases_say_alone_and_workers_change_nothing(monkeypatch):
+def test_a_batch_equals_its_single_cases_with_and_without_workers(monkeypatch):
     """In parts of 100 cases, the last one smaller."""
     monkeypatch.setattr("analytic.contact.strips.AT_ONCE", 5000)
     rng, cases = np.random.default_rng(2), 230

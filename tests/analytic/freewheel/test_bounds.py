@@ -64,7 +64,7 @@ def course(cup, factors=(1.0, 1.0, 1.0), top=13e3):
     return Course(parts(cup), Approaches(approaches, top), factors)
 
 
-def test_a_hollow_shaft_winds_up_as_its_shear_says(star):
+def test_a_hollow_shaft_winds_up_by_its_shear(star):
     """dphi/dr = T/(2 pi r³ G L): the difference over a thin tube."""
     one, T, r, wall = parts(star), 10.0, 1e-2, 1e-7
     G = one.E / (2 * (1 + one.nu))

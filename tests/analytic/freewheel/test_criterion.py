@@ -51,7 +51,7 @@ def test_without_locking_torque_the_criterion_is_infinite_or_silent(T, F_ax, exp
 
 
 def test_the_offset_balances_the_couple_of_the_axial_forces():
-    """Both resultants along the chord, 2 e apart, against F_a at both ends of the chord."""
+    """Both resultants along the chord, 2 e from each other, against F_a at its ends."""
     r, F_a, F_n = 2.5e-3, 40.0, 900.0
     e = float(tilt.offset(F_a=F_a, F_n=F_n, r=r, alpha=ALPHA))
     resultant, chord = F_n / np.cos(ALPHA), 2 * r * np.cos(ALPHA)
@@ -74,7 +74,7 @@ def test_the_linear_line_load_carries_force_and_moment(e):
 RAMP = AxialRamp(T=20.0, F=3000.0, rise=1.0, duration=3.0)
 
 
-def test_the_ramp_asks_most_at_its_end_and_slips_where_the_axial_load_is_the_largest(star):
+def test_a_ramp_needs_most_friction_at_its_end_and_slips_at_the_largest_axial_load(star):
     course = follow(star, RAMP, mu=0.1)
     now = state.loaded(star, 20.0)
     worst = criterion.required_friction(alpha=now.alpha, T=20.0, F_ax=3000.0, R=16.5e-3)
@@ -96,7 +96,7 @@ def test_the_end_of_a_half_cycle_is_locked_whatever_the_last_bits_of_its_time(cu
     assert course.peak == pytest.approx(float(limit), rel=1e-9)
 
 
-def test_torque_that_crosses_zero_under_axial_load_asks_for_infinite_friction(star):
+def test_torque_that_crosses_zero_under_axial_load_needs_infinite_friction(star):
     crossing = BothAlternating(T=20.0, F=3000.0, frequency=3.0, duration=10.0, T_m=10.0)
     lifted = BothAlternating(T=20.0, F=3000.0, frequency=3.0, duration=10.0, T_m=21.0)
     course = follow(star, crossing, mu=0.1)

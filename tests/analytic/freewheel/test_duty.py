@@ -59,7 +59,7 @@ def test_flats_moved_as_advised_have_the_ratio(star, goal):
     assert float(remedies.ratios(d, moved)) == pytest.approx(goal, rel=2e-4)
 
 
-def test_a_wider_clutch_that_is_advised_just_bears_the_torque(cup):
+def test_the_recommended_width_just_carries_the_torque(cup):
     d = duty(cup, T=60.0)
     found = dict(remedies.bearing(d))
     for share, bears in ((1 + 1e-9, True), (1 - 1e-6, False)):

@@ -70,7 +70,7 @@ def test_a_clutch_too_steep_for_its_friction_releases_at_once(clutch):
     assert found.passed(1.0) == TOLD["release"]
 
 
-def test_no_state_near_the_summit_bears_more_and_an_inner_cam_has_none(cup, star):
+def test_no_state_near_the_largest_torque_exceeds_it_and_an_inner_cam_has_none(cup, star):
     top = summit(cup)
     near = at_normal_force(cup, float(top.N) * np.linspace(0.9, 1.1, 201)).T
     assert near.max() <= float(top.T)

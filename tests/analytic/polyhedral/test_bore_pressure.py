@@ -1,4 +1,4 @@
-"""The polyhedral ring under pressure and rollers: Lamé, Michell, its own residual."""
+"""The polyhedral ring under pressure and rollers: Lamé, Michell, its residual."""
 
 import numpy as np
 import pytest
@@ -29,7 +29,7 @@ def test_a_round_bore_is_lames(z, assumption):
 
 @pytest.mark.parametrize("z", [3, 4, 6, 12, 48])
 @pytest.mark.parametrize(("d_i", "rho"), [(72.0, 2.0), (78.4, 10.0), (78.4, 0.25), (40.0, 0.25)])
-def test_two_truncations_agree_and_the_residual_says_so(z, d_i, rho, monkeypatch):
+def test_two_truncations_agree_within_the_residual(z, d_i, rho, monkeypatch):
     ring = Sector(z=z, d_e=80.0, d_i=d_i, rho=rho)
     theta = np.array([0, np.pi / z])
     fine = pressed(ring)

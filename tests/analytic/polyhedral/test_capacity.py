@@ -46,7 +46,7 @@ ROLLER = Roller(d=10.0, j_D=0.06)
 
 
 @pytest.mark.parametrize("roller", [ROLLER, Roller(d=10.0, j_D=0.06, E=70e3, nu=0.33)])
-def test_growth_dent_and_squeeze_close_the_gap(roller):
+def test_growth_indentation_and_compression_close_the_gap(roller):
     ring = Sector(z=6, **RING)
     state = locked(sector=ring, roller=roller, p=30.0, **STEEL)
     grown = float(rim_displacement(0.0, sector=ring, p=30.0, **STEEL).real[0])

@@ -35,7 +35,7 @@ def test_the_normal_force_carries_the_torque_that_it_came_from(lever, gamma, alp
     assert (reached.M_t, reached.margin) == pytest.approx((150.0, 1.0))
 
 
-def test_rollers_that_are_not_touched_carry_nothing_and_the_clutch_says_so():
+def test_rollers_without_contact_carry_nothing_and_the_clutch_reports_it():
     clutch = Clutch(PARTS, **LOADS | {"p_t": 18e6}, M_wanted=100.0)
     assert (clutch.p_2, clutch.M_t, clutch.N, clutch.p_0_ring, clutch.margin) == (0, 0, 0, 0, 0)
     assert "p_t=1.8e+07 Pa is not above p_1r=1.84211e+07 Pa, no torque" in clutch.remarks[0]

@@ -91,7 +91,7 @@ CONTACT = RollerContact(HEXAGON, Roller(d=10.0, j_D=0.06), 210e3, 0.3, "plane st
 
 
 @pytest.mark.parametrize("tan_phi", [0.0, 0.05, 0.6])
-def test_the_hub_pushes_as_hard_as_the_rollers_torque_asks_of_it(tan_phi):
+def test_the_hub_force_balances_the_torque_of_the_rollers(tan_phi):
     N, p = 150.0, 30.0
     hub = Driven(CONTACT, grip=0.08, D_i=100.06, e=9.0, tan_phi=tan_phi)
     phi, at = np.arctan(tan_phi), np.array([HEXAGON.apothem, 9.0])

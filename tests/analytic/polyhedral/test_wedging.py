@@ -1,4 +1,4 @@
-"""The wedged roller against its own balance as a free body."""
+"""The wedged roller against its balance as a free body."""
 
 import numpy as np
 import pytest
@@ -60,7 +60,7 @@ def test_eq_5_is_an_equality(half):
 
 @HALF_ANGLES
 def test_friction_carries_the_roller_up_to_the_largest_angle(half):
-    """The free body's own tangential force over its normal force."""
+    """The tangential force of the free body over its normal force."""
     body = roller(half)
     needed = np.linalg.solve(body[:, 1:], -body[:, 0])[0]
     assert bool(wedging.holds(alpha=2 * half, mu=needed * 1.001))

@@ -1,4 +1,4 @@
-"""What is wrong in the printed Eqs. 2 to 11, shown with numbers for 24 sprags."""
+"""Errata of the printed Eqs. 2 to 11, with numbers for 24 sprags."""
 
 import math
 

@@ -43,7 +43,7 @@ def test_branches_begin_in_pairs_and_part_with_the_speed(rotor):
     assert branches(other, 500.0, at_speed, 6)[2] == tuple(at_speed.whirl)
 
 
-def test_each_shaft_meets_its_own_critical_speeds_and_opposite_ones_of_like_bearings(rotor):
+def test_each_shaft_has_its_critical_speeds_and_opposite_ones_with_equal_bearings(rotor):
     found = study(rotor, NAMES, 100.0, {1.0: {1: 1e-5}, -1.5: {4: 1e-5}, 0.0: {}}, 6)
     assert [one.shafts for one in found.excited] == [("outer",), ("inner",)]
     assert [one.ratio for one in found.excited] == ratios(rotor) == [1.0, -1.5]

@@ -23,7 +23,7 @@ LIGHT = {"alpha_max": 0.02}  # the blades press with 0.4 N: the sprag slips at t
 WRONG = {"D_V": 1e-3, **LIGHT}  # at 40 N m with steps of 1e-5 s
 
 
-def test_the_guard_refuses_it_and_says_what_would_do(engaged):
+def test_the_guard_refuses_it_and_states_a_sufficient_step(engaged):
     with pytest.raises(NarrowBandError) as refused:
         engaged(40.0, **WRONG)
     said, change = str(refused.value), refused.value.change
@@ -47,7 +47,7 @@ def contacts(**other):
 
 
 def test_the_branches_of_friction_join_at_rest_and_at_the_band_s_edge():
-    """Eq. 12 with T_bis = mu_s N: no jump from slip to stick, either way round."""
+    """Eq. 12 with T_bis = mu_s N: no jump from slip to stick, in both directions."""
     pulled = {"d_i": 1e3, "a_ie": 0.0}
     stuck, _ = friction(contacts(**pulled), law())
     slid, _ = friction(contacts(**pulled, v_i=1.0), law())

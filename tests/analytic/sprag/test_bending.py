@@ -87,7 +87,7 @@ def made(size=1.0, R_ed=26.23e-3, b=4e-3, r_i=4.02e-3):
     )  # fmt: skip
 
 
-def test_a_clutch_twice_as_large_under_four_times_the_force_is_strained_alike():
+def test_a_clutch_twice_as_large_under_four_times_the_force_has_equal_strains():
     small, large = made(), made(size=2.0)
     for kind in ("clutch", "plane"):
         one, other = wedged(getattr(small, kind), 3000.0), wedged(getattr(large, kind), 12000.0)

@@ -99,7 +99,7 @@ def test_the_compliance_has_eqs_6_and_7(parts):
     assert pytest.approx(five, rel=1e-14) == found.H
 
 
-def test_long_bodies_yield_in_plane_strain_and_their_dents_hold_the_bar(parts):
+def test_long_bodies_deflect_in_plane_strain_with_the_indentations_of_the_bar(parts):
     """Rings by Lamé in plane strain: Eq. 6 with E/(1 - nu²) and nu/(1 - nu); no Eq. 7."""
     found, scale = parts.plane().yields(3407.0), 3407 * 12 / (2 * np.pi * 9e-3 * 206e9 / 0.91)
     i = (11.11**2 + 7.21**2) / (11.11**2 - 7.21**2)
@@ -120,7 +120,7 @@ def fast(sprag):
 
 
 def test_the_printed_pole_lets_the_sprag_grow_with_the_outer_race(fast):
-    """Erratum eq-9-centrifugal: C_eB is the sprag's own radius less its own flattening."""
+    """Erratum eq-9-centrifugal: C_eB is the radius of the sprag less its flattening."""
     now = wedged(fast, 2000.0)
     y = now.yields
     own = fast.sprag.r_e - y.contact_e / 2 - y.sprag / 2

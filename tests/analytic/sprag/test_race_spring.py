@@ -1,4 +1,4 @@
-"""The clutch as a spring between its races: work on its way, swings, engagements beside it."""
+"""The clutch as a spring between its races: work over its twist, oscillations, engagements."""
 
 import math
 
@@ -109,7 +109,7 @@ def test_samples_are_of_all_histories_and_balance(engaged):
     )
 
 
-def test_sprags_that_slide_bear_more_as_friction_comes_near_the_wedge(spring):
+def test_sliding_sprags_carry_more_as_friction_approaches_the_wedge_angle(spring):
     tan = math.tan(0.055)
     N = [sliding(spring, share * tan).N for share in (0.5, 0.7, 0.9)]
     assert N[0] < N[1] < N[2]

@@ -77,7 +77,7 @@ OF_CLUTCH = [
 
 
 @pytest.mark.parametrize(("call", "message"), OF_CLUTCH, ids=[m for _, m in OF_CLUTCH])
-def test_loads_that_no_clutch_bears_are_refused(clutch, call, message):
+def test_loads_without_equilibrium_are_refused(clutch, call, message):
     with pytest.raises((ValueError, ArithmeticError), match=message):
         call(clutch)
 

@@ -81,7 +81,7 @@ def played(points: list[tuple[float, float]], values: dict[float, float], **opti
     )
 
 
-def test_no_agreement_on_a_design_or_in_the_rounds_given_says_so() -> None:
+def test_no_agreement_on_a_design_or_in_the_given_rounds_is_reported() -> None:
     with pytest.raises(NoAgreementError, match=r"0.50% after 2 rounds: the last has 1 for 9 at"):
         played([(0.1, 15.0), (0.2, 15.0)], {}, rounds=2)
     with pytest.raises(ArithmeticError, match=r"on a design already there, .* has 1 and .*") as own:

@@ -63,7 +63,7 @@ def test_left_out_is_what_refits_of_every_regime_say(rough: Largest) -> None:
     assert np.max(np.abs(expected)) > 1e-4
 
 
-def test_the_gate_says_what_is_missed_by_how_much() -> None:
+def test_the_gate_states_what_is_missed_by_how_much() -> None:
     measured = quality(np.array([1.01, 0.96, 2.0]), np.array([1.0, 1.0, 2.0]))
     assert (measured.mean, measured.largest) == pytest.approx((0.05 / 3, 0.04))
     message = (

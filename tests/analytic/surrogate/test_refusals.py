@@ -61,7 +61,7 @@ def test_an_objective_that_is_not_finite_is_named(search):
         search(lambda x: np.where(x[:, 0] > 4, np.nan, 1.0), BOX)
 
 
-def test_evolution_that_does_not_settle_says_so():
+def test_evolution_that_does_not_converge_is_reported():
     rng = np.random.default_rng(6)
     with pytest.raises(ArithmeticError, match="differential evolution has not settled"):
         evolve(lambda x: rng.random(len(x)) - 0.5, BOX)

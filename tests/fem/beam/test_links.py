@@ -26,7 +26,7 @@ def pressed(*links, loads=PUSH, **more):
     )
 
 
-def test_a_gap_is_closed_before_the_second_cantilever_bears():
+def test_a_gap_is_closed_before_the_second_cantilever_carries_load():
     """The gap g leaves F - 3 EI g/L³ to share."""
     gap = 0.3 * L**3 / (3 * EI)
     solved = pressed(Link(first=3, second=1, direction=(0, -1), value=-gap))
@@ -101,7 +101,7 @@ def test_curved_elements_are_linked_at_nodes():
             loads={17: (0, -1, 0)}, links=[link],
         )  # fmt: skip
 
-    # tip on tip of two cantilevers alike
+    # tip on tip of two equal cantilevers
     tips = bent(Link(first=17, second=8, direction=(0, -1)))
     assert tips.link_forces == pytest.approx([0.5], rel=1e-9)
     with pytest.raises(ValueError, match=r"linked at their nodes, got place \(0, 0.5\)"):

@@ -147,7 +147,7 @@ def toggle():
 
 
 def test_a_load_beyond_a_limit_point_names_factor_residual_and_what_was_tried():
-    """A bar from (0, 0) to (4, 1) bears EA (1 - l / l_0) y / l at the most, l^3 = 16 l_0."""
+    """A bar from (0, 0) to (4, 1) carries EA (1 - l / l_0) y / l at the most, l^3 = 16 l_0."""
     l_0 = np.sqrt(17.0)
     length = (16 * l_0) ** (1 / 3)
     limit = 1e4 * (1 - length / l_0) * np.sqrt(length**2 - 16) / length
@@ -162,6 +162,6 @@ def test_a_load_beyond_a_limit_point_names_factor_residual_and_what_was_tried():
     assert "along_arc()" in found
 
 
-def test_a_path_whose_end_is_not_reached_says_where_it_stopped():
+def test_a_path_whose_end_is_not_reached_states_where_it_stopped():
     with pytest.raises(ArithmeticError, match="not reached in 3 steps: factor"):
         frame().along_arc({2: (0, 1, 0)}, first=0.1, steps=3, until=lambda s: False)

@@ -22,7 +22,7 @@ def spring(b, h, **path):
 
 
 def test_where_a_head_buckles_does_not_depend_on_where_the_search_began(monkeypatch):
-    # half as thick as the paper's: its stiff and soft directions are furthest apart
+    # half as thick as the paper's: its stiff and soft directions differ most
     thin = spring(5e-5, 0.056, n=10, L1=11.6e-3, radius=0.5e-3, alpha=np.radians(80))
     S, rounding = thin.head_stiffness(thin.compressed([1e-3])[0])
     assert (rounding / np.sqrt(abs(np.outer(np.diag(S), np.diag(S))))).max() < 1e-11  # symmetric

@@ -62,7 +62,7 @@ def test_an_even_load_along_and_across_moves_every_node_as_its_integrals_say(ang
         assert s.u[node] == pytest.approx(expected, rel=ROUND_OFF, abs=1e-14)
     expected = (*to_plane(-n * L, -q * L, angle), -q * L**2 / 2)
     assert s.reaction(0) == pytest.approx(expected, rel=ROUND_OFF)
-    # int N^2 / 2 EA with N = n (L - x), V alike, M = q (L - x)^2 / 2
+    # int N^2 / 2 EA with N = n (L - x), V likewise, M = q (L - x)^2 / 2
     energy = n**2 * L**3 / (6 * EA) + q**2 * L**3 / (6 * shear) + q**2 * L**5 / (40 * EI)
     assert s.strain_energy == pytest.approx(energy, rel=ROUND_OFF)
     assert s.potential_energy == pytest.approx(-energy, rel=ROUND_OFF)  # Clapeyron

@@ -89,7 +89,7 @@ def test_lines_push_each_other_with_the_slope_of_their_energy(nodes, friction, s
     term, x, y = crossing(nodes, friction, slide=slide)
     force = check_slopes(term, y, friction)
     np.testing.assert_allclose(couples(y, force), 0, atol=1e-13 * np.abs(force).max())
-    energy, force, K = term.evaluate(x)  # apart
+    energy, force, K = term.evaluate(x)  # no contact
     assert energy == 0
     assert not force.any()
     assert not K.toarray().any()
@@ -107,7 +107,7 @@ def test_an_obstacle_pushes_with_the_slope_of_its_energy(shape, friction, carrie
         np.testing.assert_allclose(couples(y, force), 0, atol=1e-12 * np.abs(force).max())
 
 
-def test_lines_that_turn_together_push_alike_and_do_not_slip():
+def test_lines_that_turn_together_push_equally_and_do_not_slip():
     term, _, y = crossing(3, friction=10.0, slide=0.0)
     energy, force, _ = term.evaluate(y)
     term.accept(y)
@@ -120,10 +120,10 @@ def test_lines_that_turn_together_push_alike_and_do_not_slip():
     assert np.abs(term._touch(rotated(y, 1.0)).slip).max() < 1e-13
     y[: len(y) // 2, 0] += 1e-3  # the lower line goes to the right, under the upper
     slip = term._touch(rotated(y, 1.0)).slip
-    assert np.abs(np.abs(slip) - 1e-3).max() < 1e-4  # but for its own slope
+    assert np.abs(np.abs(slip) - 1e-3).max() < 1e-4  # except its slope
 
 
-def test_a_line_does_not_touch_its_own_neighbourhood_and_its_free_end_is_round():
+def test_a_line_does_not_touch_its_neighbouring_elements_and_its_free_end_is_round():
     points, elements = ring((0, 0), 1.0, 48)  # elements of 0.13 for a thickness of 0.3
     term = SelfContact(points, elements, thickness=B, EA=1.0)
     term.start(at_rest(points))

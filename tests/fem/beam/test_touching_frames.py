@@ -85,7 +85,7 @@ def test_a_pull_below_the_friction_does_not_move_a_beam():
     pull = {end: (MU * WEIGHT, 0.0, 0.0)}
     held = frame.under_loads(pull, [0.5, 0.95], since=pressed).last
     moved = held.u[:, 0] - pressed.u[:, 0]
-    assert np.abs(moved).max() < MU * WEIGHT * L / EA  # its own stretch, not a slide
+    assert np.abs(moved).max() < MU * WEIGHT * L / EA  # its elongation, not a slide
     assert flat.record.tangential.sum() == pytest.approx(0.95 * MU * WEIGHT, rel=1e-6)
     with pytest.raises(ArithmeticError, match="no equilibrium"):
         frame.under_loads(pull, [0.1], since=held)
@@ -96,7 +96,7 @@ refused = pytest.raises(ConvergenceError, match="parts of the frame would pass t
 
 
 def two_lines(nodes=3):
-    """Two lines 3 b apart, their contact and the first node of the upper."""
+    """Two lines at a distance of 3 b, their contact and the first node of the upper."""
     points, elements, (_, upper) = together(
         line((0, 0), (30, 0), 10, nodes), line((5.3, 3 * THICK), (24.6, 3 * THICK), 6, nodes)
     )

@@ -93,7 +93,7 @@ def test_roller_and_hub_share_what_pressure_brings():
     assert meshes[1][2] == pytest.approx(one.push(one.N), rel=1e-9)
     assert one.pressure(8.0) == pytest.approx(1 + 4.0 * (1 - share), rel=1e-9)
     assert one.push(2.0) == pytest.approx((0.8 * np.cos(0.1), -0.8 * np.sin(0.1)))
-    assert np.inf == driven(3.0).N  # a hub that lifts more than its roller bears
+    assert np.inf == driven(3.0).N  # a hub that lifts more than its roller carries
 
 
 def test_a_pressure_that_is_not_found_is_no_result():
@@ -119,7 +119,7 @@ def test_forces_on_half_a_sector_are_in_balance():
 
 
 HALF, WIDTH = math.radians(3), 0.05
-N = math.pi * WIDTH**2 / (8 * (1 - 0.3**2))  # Hertz, E = 1, both bodies alike
+N = math.pi * WIDTH**2 / (8 * (1 - 0.3**2))  # Hertz, E = 1, two equal bodies
 
 
 @pytest.fixture(scope="module")
@@ -133,7 +133,7 @@ def free():
     return Wedge(geometry, mesh, E=1.0, nu=0.3, mu=0.2)
 
 
-def test_a_free_roller_uses_what_its_balance_asks_for(free):
+def test_a_free_roller_uses_the_friction_of_its_balance(free):
     state, down = free.pressed(N)
     found, tangential = free.forces(state)
     assert found == pytest.approx(N, rel=1e-11)

@@ -94,7 +94,7 @@ def test_a_wedge_held_by_friction_has_zero_force_as_another_solution():
     [
         *range(3),
         7482,  # forces far below those that close the gaps, which rows miss by 1e-12 of them
-        7004,  # bodies without load rest apart: pivots leave forces of 1e-13 that nothing balances
+        7004,  # separated bodies without load: pivots leave forces of 1e-13 that nothing balances
     ],
 )
 def test_random_problems_meet_the_laws_of_contact_on_their_whole_path(seed):
@@ -170,16 +170,16 @@ def test_loads_gaps_and_slips_count_beyond_round_off():
         assert ContactSolution.slides.fget(one) is slides
 
 
-@pytest.mark.parametrize("way", [1.0, -1.0])
-def test_what_a_gap_misses_counts_against_the_path_whichever_direction_a_body_goes(way):
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_what_a_gap_misses_counts_against_the_path_whichever_direction_a_body_goes(sign):
     # bodies overlap by 0.1 at the end of a path of 1e6
-    system = smooth([[1.0]], [[-way]])
+    system = smooth([[1.0]], [[-sign]])
     none = np.zeros(1)
-    found = residual(system, np.array([1e6 - 0.1]), none, none, np.array([way * 1e6]))
+    found = residual(system, np.array([1e6 - 0.1]), none, none, np.array([sign * 1e6]))
     assert found.gap == pytest.approx(0.1 / (1e-5 * 2e6), rel=1e-6)
 
 
-def test_a_slip_is_measured_by_its_own_row_not_by_a_gap_far_away():
+def test_a_slip_is_measured_by_its_row_not_by_a_distant_gap():
     # Row 0 touches under pressure 1, row 1 is open by 1e6. Sliding forward (traction 1e-6, the
     # limit) would need a slip of +5e-7, with the traction: it sticks at 5e-7 instead.
     kernel = Complementarity(

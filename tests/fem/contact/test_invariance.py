@@ -133,7 +133,7 @@ def test_a_sector_in_contact_moves_as_the_whole():
     for one, all_of_them in zip(part.touches, whole.touches[:2], strict=True):
         assert one.force == pytest.approx(all_of_them.force, rel=1e-8)
     assert Z * part.strain_energy == pytest.approx(whole.strain_energy, rel=1e-9)
-    # the mean's moment is the whole's share, and goes through the contacts to the bore
+    # the moment of the mean is the sector's share; contacts transmit it to the bore
     moment = part.plane.mean_reaction("rim 1")["r"]
     assert moment > 0
     assert Z * moment == pytest.approx(whole.plane.mean_reaction("rim 1")["r"], rel=1e-8)

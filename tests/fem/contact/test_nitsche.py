@@ -49,7 +49,7 @@ def test_constant_pressure_passes_between_meshes_that_do_not_match(
         "low": block(x=(0, 1), y=(0, 1), nx=5, ny=4, cells=cells, order=order),
     }
     master = {"up.bottom": "low.top", "low.top": "up.bottom"}[slave]
-    # equal nu/E: free to widen alike, both blocks keep constant stress with friction, too
+    # equal nu/E: both blocks widen equally, and have constant stress with friction, too
     problem = ContactProblem(
         join(meshes), materials={"up": Elastic(E=3.0, nu=0.3), "low": Elastic(E=1.0, nu=0.1)},
         assumption=assumption, supports={"low.bottom": "y"},

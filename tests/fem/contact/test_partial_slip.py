@@ -29,7 +29,7 @@ def steps():
 @pytest.mark.parametrize("step", [1, 2])
 def test_the_stick_zone_shrinks_as_cattaneo_has_it(steps, step):
     pressed, touch = steps[0].touches[0], steps[step].touches[0]
-    # pressing alone makes no friction between bodies alike
+    # pressing alone makes no friction between equal bodies
     assert np.abs(pressed.traction).max() < 1e-3 * pressed.peak
     hertz = np.sqrt(4 * R * pressed.normal_force * (1 - NU**2) / (np.pi * E))
     assert pressed.half_width() == pytest.approx(hertz, rel=2e-3)
@@ -73,7 +73,7 @@ def stick_half_width(touch, q):
 
 @pytest.mark.parametrize("angle", [30.0, 120.0])
 def test_without_poissons_ratio_every_direction_is_cattaneos(angle):
-    """A force in the surface moves it alike along and across z: c = a sqrt(1 - Q/(mu P))."""
+    """A force in the surface moves it equally along and across z: c = a sqrt(1 - Q/(mu P))."""
     # moved: what is pushed above would tilt
     problem = rollers(
         MU, materials=Elastic(E=E, nu=0.0),

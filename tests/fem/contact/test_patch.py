@@ -127,11 +127,11 @@ def test_circles_that_turn_freely_are_closed_all_around_and_rub_nowhere():
     touch = nested(1, swap=False, shapes=True, friction=0.1).touches[0]
     assert np.all(touch.closed)
     assert np.all(touch.sticks)
-    assert np.abs(touch.traction).max() < 1e-4 * P  # the stresses' own error
+    assert np.abs(touch.traction).max() < 1e-4 * P  # the error of the stresses
     half = np.sin(np.pi / 24)  # of a chord of the circle of radius 1
     assert touch.arc.min() == 0  # the curve is closed: its last node is its first
     np.testing.assert_allclose(np.diff(np.sort(touch.arc)), half, rtol=1e-6)
-    # straight cells: their polygons are 0.9 % of R apart, three times what the load moves them
+    # straight cells: gaps of their polygons are 0.9 % of R, three times the displacement
     assert stress_error(nested(1, swap=False, shapes=True, order=1)) < 3e-3
 
 

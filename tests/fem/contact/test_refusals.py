@@ -124,7 +124,7 @@ def test_an_overlap_that_is_asked_for_is_pressed_out():
     assert s.touches[0].force == pytest.approx((0, -1e3), abs=1e-5)
 
 
-def test_a_step_comes_after_one_of_its_own_problem():
+def test_a_step_follows_one_of_the_same_problem():
     step = problem().solve(forces={"a.top": (0, -1e3)})
     with pytest.raises(ValueError, match="belongs to another contact problem"):
         problem().solve(forces={"a.top": (0, -2e3)}, after=step)

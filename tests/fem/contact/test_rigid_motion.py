@@ -1,4 +1,4 @@
-"""Bodies that nothing but contact holds, that start apart, and exchanges that find their rest."""
+"""Bodies that only contact holds, that start separated, and exchanges that find equilibrium."""
 
 import numpy as np
 import pytest
@@ -29,7 +29,7 @@ def in_groove(friction):
 
 
 @pytest.mark.parametrize("friction", [0.0, 0.5])
-def test_a_disc_slips_down_a_groove_as_far_as_friction_lets_it(friction):
+def test_a_disc_slips_down_a_groove_to_the_friction_limit(friction):
     # weight = 2 (N cos 45 deg + mu N sin 45 deg); it is that of the disc made of parabolas
     for touch in in_groove(friction).touches:
         assert touch.normal_force == pytest.approx(LOAD / np.sqrt(2) / (1 + friction), rel=1e-5)
@@ -57,7 +57,7 @@ def test_what_slides_before_it_touches_costs_nothing():
     assert pytest.approx(already_down, rel=1e-6) == T
 
 
-def test_an_obstacle_keeps_its_own_curvature_from_wherever_it_comes():
+def test_an_obstacle_has_its_curvature_on_either_side():
     near, far = (
         ContactProblem(
             full_block(width=10.0, depth=10.0, zone=1.2, refine=1),
@@ -85,7 +85,7 @@ def test_friction_that_makes_the_exchanges_circle_is_solved_all_the_same():
     assert touch.force == pytest.approx((0, -1e6), abs=1e-2)
     assert touch.sticks.any()
     assert (touch.closed & ~touch.sticks).any()
-    assert touch.friction_force == pytest.approx(0, abs=1e-2)  # left and right pull alike
+    assert touch.friction_force == pytest.approx(0, abs=1e-2)  # left and right pull equally
 
 
 RADIUS, MU = 1.0, 0.2
@@ -112,7 +112,7 @@ def test_pressure_keeps_one_direction_along_a_flat_master_and_turns_between_two_
     x, y = touch.force
     assert x == pytest.approx(-MU * y, rel=1e-12)
     touch = slid("between").touches[0]
-    # half of the disc's slope, both moduli being alike
+    # half of the disc's slope, both moduli being equal
     near = np.abs(touch.mortar.points.x[0]) < 0.1 * RADIUS
     n = touch.mortar.points.n[:, near]
     expected = touch.mortar.points.x[0, near] / (2 * RADIUS)

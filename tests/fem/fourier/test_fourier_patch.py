@@ -142,7 +142,7 @@ def michell(n, r_i, r_o, p):
 
 
 @pytest.mark.parametrize(("n", "r_i"), [(2, R_I), (8, 0.0), (50, R_I)])
-def test_pressure_that_waves_around_a_ring_moves_it_as_michell_says(n, r_i):
+def test_pressure_waves_around_a_ring_deflect_it_as_by_michell(n, r_i):
     solid = FourierSolid(ring(r_i, R_O, n, 24), STEEL, {"start": "z", "end": "z"}, degree=2)
     s = solid.harmonic(n).solve({"rim": (-1.0, 0.0, 0.0)})
     u, sigma = s.amplitudes_at(np.array([[R_O, R_O], [0.05, 0.25]]))

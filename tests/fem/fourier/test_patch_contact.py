@@ -40,7 +40,7 @@ def hertz(bodies, q):
     return a, 2 * q / (np.pi * a)
 
 
-def test_guided_slices_press_as_hertz_says():
+def test_guided_slices_have_hertz_pressure():
     z = np.array([0.0, 0.2, 0.5])
     across = np.linspace(0, 0.04, 33)
     bodies = tuple(

@@ -46,7 +46,7 @@ def held(**more):
 
 
 def test_a_rigid_rotor_on_springs_whirls_as_its_four_unknowns_do():
-    """A disc tilts at no speed of its own, as its polar moment exceeds the diametral one."""
+    """A disc has no critical speed in tilt, as its polar moment exceeds the diametral one."""
     a = B / 2
     K = np.array([[5e7, 1e7 * a], [1e7 * a, 5e7 * a**2 + 1e4]])  # centre's x and slope
     M, G = np.diag([MASS, DIAMETRAL]), np.diag([0.0, POLAR])
@@ -154,7 +154,7 @@ def tube_with(rho=RHO, springs=RIM, **more):
 
 
 @pytest.mark.parametrize(
-    ("make", "said"),
+    ("make", "message"),
     [
         (lambda: tube_with(rho=-1.0), "density is positive"),
         (lambda: tube_with(rho={"cup": 1.0}), "no body 'cup'"),
@@ -170,6 +170,6 @@ def tube_with(rho=RHO, springs=RIM, **more):
         (lambda: tube_with(springs=(Mount(boundary="start", k=1e6),)).K, "rigid motions are left"),
     ],
 )  # fmt: skip
-def test_what_makes_no_sense_is_refused(make, said):
-    with pytest.raises(ValueError, match=said):
+def test_what_makes_no_sense_is_refused(make, message):
+    with pytest.raises(ValueError, match=message):
         make()

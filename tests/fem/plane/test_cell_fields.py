@@ -63,7 +63,7 @@ def test_radial_displacements_at_cuts_are_those_of_their_nodes(body):
     assert radial(body, 0.04, np.array([0.0, np.pi / Z])) == pytest.approx(expected, rel=1e-9)
 
 
-def test_all_copies_make_a_whole_ring_that_grows_alike(body):
+def test_all_copies_make_a_whole_ring_that_grows_equally(body):
     half = body.cells()
     points, moved, cells = all_sectors(half, Z)
     assert len(points) == 2 * Z * len(half["points"])

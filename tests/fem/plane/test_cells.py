@@ -1,4 +1,4 @@
-"""Cells: an order of small factors, folds that are refused, and what is kept between solves."""
+"""Cells: an order of small factors, folds that are refused, and stored factors."""
 
 from dataclasses import replace
 
@@ -74,13 +74,13 @@ def test_a_fold_between_the_nodes_is_seen_at_a_quadrature_point():
     ])  # fmt: skip
     cell = MeshQuad2(nodes.T, np.arange(4)[:, None])
     x = nodes.copy()
-    x[cell.dofs.element_dofs[:, 0]] = nodes  # scikit-fem numbers the edges its own way
+    x[cell.dofs.element_dofs[:, 0]] = nodes  # scikit-fem numbers the edges in another order
     with pytest.raises(ValueError, match=r"cell 0 of 1, .* to 0\.2"):
         vector_basis(replace(cell, doflocs=x.T))
 
 
 def test_a_cell_that_is_inverted_between_its_neighbours_is_refused():
-    # each map of its own keeps its sign: only the neighbours tell
+    # each map by itself has the right sign: only the neighbours reveal the fold
     mesh = MeshTri1.init_tensor(HALVES, HALVES)
     x = mesh.doflocs.copy()
     x[:, np.argmin(np.hypot(*(x - 0.5)))] += (0.6, 0.02)
@@ -95,7 +95,7 @@ STEEL = Elastic(E=210e9, nu=0.3)
 
 @pytest.fixture(autouse=True)
 def forgotten():
-    """Nothing kept from other tests."""
+    """Nothing stored by other tests."""
     FACTORS.clear()
     discretisation.NUMBERS.clear()
 

@@ -38,7 +38,7 @@ def zz(assumption):
 
 
 def strains(assumption):
-    """Hooke: eps_xx = (xx - nu (yy + zz)) / E, eps_yy alike, eps_xy = (1 + nu) xy / E."""
+    """Hooke: eps_xx = (xx - nu (yy + zz)) / E, eps_yy likewise, eps_xy = (1 + nu) xy / E."""
     z = zz(assumption)
     return (XX - NU * (YY + z)) / E, (YY - NU * (XX + z)) / E, (1 + NU) * XY / E
 

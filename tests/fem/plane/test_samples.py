@@ -163,7 +163,7 @@ def test_distorted_cells_hide_no_point(kind, seed):
 
 
 @every_element
-def test_each_point_takes_the_material_of_its_own_cell(kind):
+def test_each_point_takes_the_material_of_its_cell(kind):
     mesh = mapped(kind, UNIT, UNIT, split=0.5)
     # strain 7 west and 1 east of the middle make one uniform stress of 7, without strain along y
     moved = {"y": 0.0, "x": lambda x: np.minimum(7 * x[0], x[0] + 3)}

@@ -50,7 +50,7 @@ def test_mass_and_inertia_of_a_rigid_motion_are_those_of_the_body(theory, rotary
     np.testing.assert_allclose(own, expected, rtol=1e-12, atol=1e-12 * mass)
 
 
-def test_gyroscopic_moment_is_the_polar_inertia_of_all_that_turns_at_its_own_ratio():
+def test_gyroscopic_moment_is_the_polar_inertia_of_each_part_at_its_ratio():
     q = rigid(ROTOR.system.z)
     own = q @ ROTOR.G @ q.T
     polar = 0.02 + sum(2 * STEEL.rho * e.inertia * e.length for e in STEPPED)
@@ -112,7 +112,7 @@ TWO = [SHAFT, Shaft([Element(0.1, 0.08, 0.06)] * 2, ratio=2.0)]
 
 
 @pytest.mark.parametrize(
-    ("make", "said"),
+    ("make", "message"),
     [
         (lambda: Element(0.0, 0.03), "length > 0, got 0 m"),
         (lambda: Element(0.1, 0.03, 0.03), "0 <= d_i < d_o, got d_i=0.03 m, d_o=0.03 m"),
@@ -156,8 +156,8 @@ TWO = [SHAFT, Shaft([Element(0.1, 0.08, 0.06)] * 2, ratio=2.0)]
          "no support 2: they are 0 to 1"),
     ],
 )  # fmt: skip
-def test_one_line_says_what_is_wrong(make, said):
-    with pytest.raises(ValueError, match=said) as caught:
+def test_one_line_states_what_is_wrong(make, message):
+    with pytest.raises(ValueError, match=message) as caught:
         make()
     assert "\n" not in str(caught.value)
 

@@ -46,7 +46,7 @@ def shaft_frequencies(j, W, theory, d=0.03):
 @pytest.mark.parametrize(
     ("theory", "W"), [("euler", 0.0), ("rayleigh", 700.0), ("timoshenko", 700.0)]
 )
-def test_a_hinged_shaft_whirls_as_its_theory_says(theory, W):
+def test_a_hinged_shaft_whirls_as_in_theory(theory, W):
     found = modes(hinged(40, theory), W, 6)
     for j in (1, 2, 3):
         back, forth = shaft_frequencies(j, W, theory)

@@ -57,7 +57,7 @@ def test_the_orbit_is_the_path_of_the_node():
     np.testing.assert_allclose(orbit.points(4)[0], [orbit.x.real, orbit.y.real])
 
 
-def test_each_shaft_turns_its_own_unbalance():
+def test_each_shaft_turns_its_unbalance():
     rotor = Rotor(
         [Shaft(ELS), Shaft([Element(0.1, 0.06, 0.045, STEEL)] * 4, ratio=-1.5, z=0.2)],
         [Disc(3, 8.0, 0.4, 0.2)], [*SUPPORTS, Support(9, 1e7, cxx=500.0)],

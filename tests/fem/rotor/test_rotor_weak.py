@@ -60,16 +60,16 @@ def test_a_stout_shaft_on_springs_bounces_and_rocks_as_if_rigid():
 
 
 @pytest.mark.parametrize(
-    ("wrong", "said"),
+    ("wrong", "message"),
     [
         ({"theory": "bernoulli"}, "a theory is one of"),
         ({"shear": 0.0}, "shear must be positive"),
         ({"mass": np.nan}, "mass must be positive"),
     ],
 )
-def test_what_makes_no_sense_is_refused(wrong, said):
+def test_what_makes_no_sense_is_refused(wrong, message):
     right = {"bending": 1.0, "shear": 1.0, "mass": 1.0, "rotary": 1.0}
-    with pytest.raises(ValueError, match=said):
+    with pytest.raises(ValueError, match=message):
         weak_shaft(MeshLine(np.linspace(0, 1, 3)), **(right | wrong))
     with pytest.raises(ValueError, match=r"no node at z=0\.31"):
         weak(uniform(0.05), 4).whirl(0.0, held=[0.31])
@@ -88,7 +88,7 @@ def test_a_flank_at_an_end_is_no_peak():
     assert peaks(np.array([9.0, 2.0, 5.0, 2.0, 7.0])) == 5.0
 
 
-def test_ratios_are_no_further_apart_than_rayleigh_damping_has_them():
+def test_damping_ratios_differ_as_by_rayleigh_damping():
     zeta = spread_ratios(0.005, 0.03, 2.0, 200)
     apart = zeta[:, 1] / zeta[:, 0]
     assert np.all((apart < 2) & (apart > 0.5))

@@ -53,18 +53,18 @@ def test_derivatives_are_those_of_the_shortening_and_turns_are_scipy_s(struts):
     assert pytest.approx(expected, abs=1e-5) == state.H  # differences err by h^2 and more
 
 
-def test_a_radial_strut_presses_with_what_its_law_says():
+def test_a_radial_strut_has_the_force_of_its_law():
     one = pinned(a=np.array([[1.0, 0, 0]]), b=np.array([[2.0, 0, 0]]), s_0=0.0)
     now = Joint.at_rest(one, power_law(3.0, 2.0)).moved(np.array([0.1, 0, 0, 0, 0, 0]))
-    # shortened by 0.1: 3 * 0.1^2, and a slope of 6 * 0.1; across it gives way by F/l = 0.03/0.9
+    # shortened by 0.1: 3 * 0.1^2, and a slope of 6 * 0.1; across the stiffness is -F/l = -0.03/0.9
     assert now.loads() == pytest.approx([0.03, 0, 0, 0, 0, 0], abs=1e-15)
     K = now.tangent()
     assert K[0, 0] == pytest.approx(0.6, rel=1e-13)
     assert K[1, 1] == pytest.approx(-0.03 / 0.9, rel=1e-13)
-    k = np.arange(1.0, 8.0)  # each strut may have its own stiffness
+    k = np.arange(1.0, 8.0)  # each strut may have another stiffness
     joint = Joint.at_rest(pinned(s_0=0.1), power_law(k, 1.0))
     assert joint.forces() == pytest.approx(0.1 * k, rel=1e-14)
-    # lengthened, it bears nothing
+    # lengthened, it carries nothing
     assert not Joint.at_rest(one, LAW).moved(np.array([-0.1, 0, 0, 0, 0, 0])).loads().any()
 
 
@@ -93,15 +93,15 @@ def test_loads_of_a_known_place_lead_back_to_it(struts):
 
 
 @pytest.mark.parametrize(
-    ("call", "said"),
+    ("call", "message"),
     [
         (lambda: pinned(b=np.zeros((3, 3))), "ends need"),
         (lambda: Pinned(a=np.ones((1, 3)), b=np.ones((1, 3))), "both its ends coincide"),
         (lambda: rolling(z=np.zeros(3)), "one for each cam"),
     ],
 )
-def test_struts_without_sense_are_refused_in_words(call, said):
-    with pytest.raises(ValueError, match=said):
+def test_struts_without_sense_are_refused_in_words(call, message):
+    with pytest.raises(ValueError, match=message):
         call()
 
 
@@ -113,7 +113,7 @@ def test_sprags_carry_their_torque_with_equal_forces():
     even = SPRAGS.rolling(3)
     assert even.forces() == pytest.approx(force / 3, rel=1e-9)
     assert even.loads()[5] == pytest.approx(SPRAGS.T, rel=1e-9)
-    # all sprags yield alike: the inner race turns by the yield over R_i tan(nu), about
+    # all sprags deflect equally: the inner race turns by about the deflection over R_i tan(nu)
     turn = math.asin(even.R[1, 0])
     assert turn == pytest.approx(SPRAGS.yields / (SPRAGS.R_i * math.tan(SPRAGS.nu)), rel=1e-2)
 

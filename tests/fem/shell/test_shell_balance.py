@@ -162,7 +162,7 @@ def test_prescribed_movements_are_answered_by_the_forces_of_the_same_loads():
     np.testing.assert_allclose(pushed.u, loaded.u, atol=1e-9 * abs(moved))
 
 
-def test_bodies_have_their_own_thickness_and_material():
+def test_bodies_have_different_thicknesses_and_materials():
     grid = over(2, 1, lambda u, v: (2 * u, 0 * u, v))
     s = solve_shell(
         grid.points, grid.cells, boundaries=grid.boundaries,

@@ -33,7 +33,7 @@ def test_work_on_the_yields_is_the_energy_of_a_power_and_turns_the_races(stroke)
     assert stroke.work(N) == pytest.approx(stroke.at_states["U"][[1, 4]], rel=1e-9)
 
 
-def test_a_stroke_hits_its_states_and_says_nothing_beyond_them(stroke):
+def test_a_stroke_meets_its_states_and_has_no_values_beyond_them(stroke):
     for name in ("H", "tan nu"):
         for N, value in zip(stroke.at_states["N"][1:-1], stroke.at_states[name][1:-1], strict=True):
             assert stroke.at(name, N) == pytest.approx(value, rel=1e-12)
@@ -110,7 +110,7 @@ def test_a_body_that_never_rests_has_no_state(slides, most, words):
                 most=most)  # fmt: skip
 
 
-def test_the_core_of_a_rigid_motion_says_its_shift_and_turn():
+def test_the_core_of_a_rigid_motion_gives_its_shift_and_turn():
     def at(x):
         return SimpleNamespace(u=np.array([[1e-6], [-2e-6]]) + 1e-4 * np.array([-x[1], x[0]]))
 

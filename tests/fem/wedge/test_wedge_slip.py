@@ -49,7 +49,7 @@ def around(state):
         (lambda: at_force(Q, 10 * P), "flank"),  # turned off its profile
     ],
 )  # fmt: skip
-def test_what_no_sprag_can_bear_is_refused_in_one_line(make, words):
+def test_what_no_sprag_can_carry_is_refused_in_one_line(make, words):
     with pytest.raises(ValueError, match=words) as refused:
         make()
     assert "\n" not in str(refused.value)
@@ -152,7 +152,7 @@ def test_the_limit_is_what_the_cone_leaves_for_the_axis(monkeypatch):
 def test_a_path_ends_at_its_last_load_and_short_of_slip():
     at = drive().along((0.5, -0.4))
     assert at.force / drive().unit == pytest.approx(-0.4, abs=slip.MET)
-    assert drive().left(at) == math.inf  # of a force along the rim's way
+    assert drive().left(at) == math.inf  # of a force along the motion of the rim
     back = drive().along((0.4,))
     assert drive().left(back) > 1
 
@@ -178,7 +178,7 @@ def test_a_load_is_borne_below_its_limit_and_nothing_is_decided_within_its_uncer
     monkeypatch.setattr(Limit, "_lever", lambda self, _mu: (self.asked + 1e-3, 2e-3))
     with pytest.raises(NotFoundError, match="not decided"):
         bound().bears(0.08)
-    # where every node slips under torque alone, none is borne, and its lever is not asked for
+    # where every node slips under torque alone, none is transmitted, and no lever is needed
     monkeypatch.setattr(Limit, "sticks", lambda *_: False)
     monkeypatch.setattr(Limit, "_lever", not_found)
     assert not bound().bears(0.05)

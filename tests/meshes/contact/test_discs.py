@@ -89,7 +89,7 @@ def test_sizes_that_do_not_fit_are_refused(make, changed, message):
         make(**GOOD[make] | changed)
 
 
-def test_both_ends_of_a_roller_have_even_cells_on_their_own_zones():
+def test_both_ends_of_a_roller_have_even_cells_on_their_zones():
     cells, refine, zones = 4, 3, {"near": 1e-4, "far": 3e-4}
     mesh = half_roller(R=R, zones=tuple(zones.values()), refine=refine, cells=cells)
     for name, zone in zones.items():

@@ -38,7 +38,7 @@ def body(name, **changed):
 
 
 def touched(mesh):
-    """Name of the boundary that goes through the origin and is no axis."""
+    """Name of the boundary that contains the origin and is no axis."""
     return "bore" if "bore" in mesh.boundaries else "surface"
 
 
@@ -124,7 +124,7 @@ def test_cells_grow_by_no_more_than_asked_and_start_with_their_size(length, firs
 
 
 @pytest.mark.parametrize("off", [-1e-13, 0.0, 1e-13])
-def test_round_off_of_a_ratio_asks_for_no_cell_more_or_less(off):
+def test_round_off_of_a_ratio_does_not_change_the_number_of_cells(off):
     assert at_least(4000 * (1 + off)) == nearest(4000 * (1 + off)) == 4000
     assert nearest(12.5 * (1 + off)) == 13
     assert (at_least(0.3 + off), at_least(11.001 + off)) == (1, 12)

@@ -36,7 +36,7 @@ def test_cells_are_fine_at_the_corners_and_halve():
 
 
 @pytest.mark.parametrize(
-    ("parts", "bands", "said"),
+    ("parts", "bands", "message"),
     [
         ([], {}, "needs a part"),
         ([(0.1, 0.04, 0.04)], {}, "0 <= d_i < d_o"),
@@ -46,6 +46,6 @@ def test_cells_are_fine_at_the_corners_and_halve():
         (PARTS, {"seat": (0.2, 0.1)}, "from low to high"),
     ],
 )
-def test_what_makes_no_sense_is_refused(parts, bands, said):
-    with pytest.raises(ValueError, match=said):
+def test_what_makes_no_sense_is_refused(parts, bands, message):
+    with pytest.raises(ValueError, match=message):
         stepped_section(parts, bands=bands, first=2e-3)

@@ -1,4 +1,4 @@
-"""Inputs of a user's own: those of a case's template with some changed, as a file has them."""
+"""Inputs of a user: those of the template of a case with some changed, as a file has them."""
 
 from functools import cache
 

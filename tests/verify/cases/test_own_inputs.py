@@ -1,4 +1,4 @@
-"""Parts of a user's own: judged without a failure, and drawn whatever their proportions."""
+"""Parts of a user: judged without a failure, and drawn whatever their proportions."""
 
 from dataclasses import replace
 
@@ -31,7 +31,7 @@ OWN = [
 
 
 @pytest.mark.parametrize(("case_id", "changes"), OWN)
-def test_a_part_of_a_user_s_own_has_no_failure(case_id, changes, judged, red):
+def test_a_part_of_a_user_has_no_failure(case_id, changes, judged, red):
     case = find(case_id)
     if case_id.startswith(("contact-", "polyhedral-locking")):
         case = replace(case, levels=case.levels[:3])

@@ -1,4 +1,4 @@
-"""Quantities with an index, states with symbols of their own, the smaller of two in an equation."""
+"""Quantities with an index, states with separate symbols, the smaller of two in an equation."""
 
 import pytest
 

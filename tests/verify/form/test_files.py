@@ -28,12 +28,12 @@ INNER = "return self.M * (self.r_n - self.r_i)"
 NEUTRAL = "return (self.r_o - self.r_i) / log(self.r_o / self.r_i)"
 ELASTIC = "from fem.plane.material"
 TITLE = "    title = "
-names = iter(range(1000))  # a module is read once: each test has a file of its own
+names = iter(range(1000))  # a module is read once: each test has a separate file
 
 
 @pytest.fixture(scope="module")
 def cache(tmp_path_factory):
-    """Equations and levels of the files of all tests: what a file changes has keys of its own."""
+    """Equations and levels of the files of all tests: changed files have separate keys."""
     return tmp_path_factory.mktemp("cache")
 
 
@@ -74,7 +74,7 @@ def verify(file, *more):
     return run(["verify", file, "--out", "out", *more])
 
 
-def test_a_file_is_verified_with_a_report_of_its_own(printed_bar, capsys):
+def test_a_file_is_verified_with_a_separate_report(printed_bar, capsys):
     """In worker processes; the report has the title of the case, and nothing of the papers."""
     file = printed_bar(("Timoshenko, Strength of Materials", "Timoshenko | Strength"))
     assert verify(file, "--jobs", "2") == 0

@@ -56,7 +56,7 @@ class Bar(Inputs):
 def module(tmp_path, monkeypatch):
     (tmp_path / "measuring_tape.py").write_text(dedent(FORMULA), "utf-8")
     monkeypatch.syspath_prepend(tmp_path)
-    monkeypatch.setattr(workload, "ROOT", tmp_path)  # whose errors are the project's own
+    monkeypatch.setattr(workload, "ROOT", tmp_path)  # whose errors are errors of the project
     source.cache_clear()
     yield importlib.import_module("measuring_tape")
     monkeypatch.delitem(sys.modules, "measuring_tape")
@@ -204,7 +204,7 @@ def of(tests: int, survived: int, reason: str = "as the root is squared") -> Cau
     return Caught(groups=(one,), survivors=(left,) * survived)
 
 
-def test_the_gate_asks_for_95_percent_and_a_reason_for_the_rest():
+def test_the_gate_requires_95_percent_and_a_reason_for_the_rest():
     assert score.complaints(of(95, 5)) == []
     (few,) = score.complaints(of(94, 6))
     assert few == "formulas: 94 of 100 mutants are caught, 95% are asked"

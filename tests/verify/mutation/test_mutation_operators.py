@@ -58,7 +58,7 @@ def changed(operator: str, line: str) -> set[str]:
         ("state", "Status.PASS", {"Status.FAIL"}),
     ],
 )  # fmt: skip
-def test_an_operator_changes_what_it_says(operator, line, after):
+def test_an_operator_changes_what_it_states(operator, line, after):
     assert changed(operator, line) == after
 
 
@@ -87,7 +87,7 @@ def test_what_no_row_is_meant_to_see_is_left_alone():
     }  # fmt: skip
 
 
-def test_ids_are_one_s_own_and_outlast_changes_elsewhere():
+def test_ids_are_unique_and_outlast_changes_of_other_code():
     text = "class A:\n    def f(self, a):\n        return a + a + a\n"
     before = [one.mutant.id for one in mutants(source(text), FORMULAS)]
     after = [one.mutant.id for one in mutants(source(f"X = 2 * 3\n\n\n{text}"), FORMULAS)]

@@ -27,7 +27,7 @@ FORMULA = """
 
 
     @cache
-    def kept(a):
+    def stored(a):
         return a + 10
 
 
@@ -48,10 +48,10 @@ FORMULA = """
             return a / 2
 """
 USER = """
-    from weighed import FACTOR, Ring, area, kept
+    from weighed import FACTOR, Ring, area, stored
 
     def used():
-        return [area(3.0, 4.0), kept(5), FACTOR, Ring(5.0).twice, Ring.half(4.0)]
+        return [area(3.0, 4.0), stored(5), FACTOR, Ring(5.0).twice, Ring.half(4.0)]
 """
 
 
@@ -71,7 +71,7 @@ def used(tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     ("function", "before", "becomes", "at", "value"),
     [
-        ("kept", "a + 10", "a - 10", 1, -5),  # memoised
+        ("stored", "a + 10", "a - 10", 1, -5),  # memoised
         ("area", "2.0", "4.0", 0, 48.0),  # a default
         ("area", "a * b", "a / b", 0, 1.5),  # a function inside
         ("FACTOR", "7.5", "15.0", 2, 15.0),

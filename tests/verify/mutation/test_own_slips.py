@@ -1,7 +1,7 @@
-"""No approximation is held to an interval that moves along with its own formula.
+"""No interval of an approximation moves with the formula that it judges.
 
-The formula's value slips by the row's demand, at the middle of what is expected and with finite
-elements that know everything: the row must turn red, whatever its interval makes of the value.
+The value of the formula changes by the required sensitivity, from the middle of its interval and
+with exact finite elements: the row must fail, whatever its interval derives from the value.
 """
 
 from verify.cases.registry import CASES
@@ -11,12 +11,12 @@ from verify.judging.checks import Approximation
 
 
 def hiding(case):
-    """Rows that a slip of their own formula leaves in another state than red."""
+    """Rows that do not fail under a change of their formula."""
     q, checks = case.inputs(), [c for c in case.checks if isinstance(c, Approximation)]
     values = case.analytic(q) if checks else {}
     for check in checks:
         value = values.get(check.analytic)
-        if value is None or check.interval is None:  # taken from stored arrays, or shown
+        if value is None or check.interval is None:  # taken from stored arrays, or SHOWN
             continue
         if (expected := check.interval(q, values)) is None:
             continue
@@ -31,5 +31,5 @@ def hiding(case):
                 yield check.name, p
 
 
-def test_no_interval_moves_along_with_its_own_formula():
+def test_no_interval_moves_with_its_formula():
     assert {case.id: found for case in CASES if (found := list(hiding(case)))} == {}

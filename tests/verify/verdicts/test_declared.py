@@ -57,7 +57,7 @@ def dimensions(case, name):
     return dict(units.dimensions(meta(find(case).inputs.model_fields[name])["unit"]))
 
 
-def test_a_design_range_is_of_an_input_holds_its_own_value_and_a_ratio_has_no_dimension():
+def test_a_design_range_contains_the_value_of_its_input_and_a_ratio_has_no_dimension():
     for entry in design.declared():
         axis = design.axis_of(entry)
         low, high = axis.values

@@ -71,7 +71,7 @@ def test_an_identity_alone_is_exact_if_sharp_and_beside_the_part_a_second_statem
     assert "same simplifications" in got.words
 
 
-def test_what_has_no_evidence_says_why():
+def test_what_has_no_evidence_has_a_reason():
     for key, kind in (("defines", Verdict.DEFINITION), ("missing", Verdict.UNVERIFIABLE)):
         got = verdict(formula(part=(), **{key: "why"}))
         assert (got.verdict, got.words) == (kind, "why")
@@ -131,7 +131,7 @@ def test_a_misprint_is_wrong_where_its_error_leaves_the_bar(row):
     assert "has no error" in hidden.words
 
 
-def test_a_misprint_counts_apart_from_the_error_of_the_formula(row):
+def test_a_misprint_counts_separately_from_the_error_of_the_formula(row):
     """An error of 22 % hides that the misprint moves the value by half a per cent alone."""
 
     def beside(error, right, U=0.001):
@@ -162,7 +162,7 @@ def test_rows_of_the_corrected_form_belong_to_printed_forms_with_errata():
     assert rows_of_corrected("belcin", forms[1]) == ()
 
 
-def test_a_misprint_without_a_row_says_what_is_wrong_and_needs_a_test_of_its_own():
+def test_a_misprint_without_a_row_states_what_is_wrong_and_needs_a_test():
     shown = verdict(formula(part=(), limited_by="no growth", **MISPRINT))
     assert (shown.verdict, shown.words) == (Verdict.WRONG, "wrong as printed: no growth")
     untested = formula(part=(), errata=("fig-2-3-captions",), limited_by="x")

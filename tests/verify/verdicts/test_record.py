@@ -1,4 +1,4 @@
-"""Verdicts of record: kept, compared, placed against a user's inputs, and printed."""
+"""Verdicts of record: stored, compared, placed against the inputs of a user, and printed."""
 
 import json
 import re
@@ -22,7 +22,7 @@ def test_the_record_has_a_verdict_of_each_declared_formula_with_its_evidence(tmp
         assert one.verdict is not Verdict.NONE
         assert (one.rows, one.model_rows, one.errata) == (f.part, f.model, f.errata)
         assert one.safe == f.safe
-    file = tmp_path / "verdicts.json"  # what is kept is read again
+    file = tmp_path / "verdicts.json"  # a stored file is read again
     record.keep(record.kept(), file)
     assert file.read_text("utf-8") == record.FILE.read_text("utf-8")
 

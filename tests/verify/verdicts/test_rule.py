@@ -72,7 +72,7 @@ def swept(errors, safe, nominal, name="k"):
 PART = "accurate in part of the range: up to 30 % below and up to 5 % above; neither side is safe"
 
 
-def test_a_sweep_s_verdict_follows_the_rule_at_the_case_s_own_inputs():
+def test_a_sweep_s_verdict_follows_the_rule_at_the_inputs_of_the_case():
     for errors, safe, nominal, words in (
         ((0.01, -0.02), "too high", 1.0, "accurate: within 2 %"),
         ((0.01, np.nan), "too high", 1.0, "accurate in part of the range: within 1 %"),
@@ -80,7 +80,7 @@ def test_a_sweep_s_verdict_follows_the_rule_at_the_case_s_own_inputs():
          "unsafe: up to 30 % below and up to 10 % above; a higher value is safe"),
         ((-0.3, -0.1), "too low", 1.0, "conservative: up to 30 % below; a lower value is safe"),
         ((-0.3, 0.05), "", 2.0, PART),
-        # own inputs are a point only where the sweep has them
+        # inputs of the file are a point only where the sweep has them
         ((-0.3, 0.05), "", 1.9, PART.replace("accurate in part of the range", "unsafe")),
         ((0.05, -0.3), "", None, PART.replace("accurate in part of the range", "unsafe")),
         ((np.nan, np.nan), "", 1.0, ""),

@@ -46,11 +46,11 @@ def test_a_study_has_its_ratio_in_any_unit_its_safe_side_and_each_point_once():
     # a side that a formula on the row declares
     safe = {f.quantity: f.safe for f in of("polyhedral-ring")[0].formulas}
     assert safe["K of the paper"] is Safe.ABOVE
-    # a value that differs from the case's own in the last bit is one point with it
+    # a value that differs from that of the case in the last bit is the same point
     study = next(s for s in of("spring-accordion") if "α" in s.over and "r " in s.over)
     assert len(study.points) == 1 + 3 + 4 + 3
     assert study.points[0] == tuple(axis.own for axis in study.axes)
-    # no study: of a case that has none, or of a user's own
+    # no study: of a case without one, or of a user's case
     results = [SimpleNamespace(id=name, rows=()) for name in ("freewheel-clutch", "own-case")]
     assert studies(results) == ()
 

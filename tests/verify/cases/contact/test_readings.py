@@ -51,7 +51,7 @@ READINGS = [
     pytest.param(ROLLER, crown, "_scale", times(0.5), f"{PEAK}, strips", id="E' of Eq. 1 is 4 E*"),
     pytest.param(UNCROWNED, slices.press, "__kwdefaults__",
                  lambda defaults: defaults | {"kernel": alone}, f"{MID}, slices",
-                 id="w deflects none but its own slice"),
+                 id="w deflects its slice only"),
     pytest.param(TILTED, Tilt, "gap",
                  lambda f: lambda self, y: f(self, y) + self.theta * self.L / 2,
                  "approach, strips", id="tilt about the end"),

@@ -54,7 +54,7 @@ def test_roller_race_and_flat_are_in_balance_under_the_torque(at_rest):
     assert F_t / N == pytest.approx(math.tan(state.place.psi / 2), rel=2e-3)
 
 
-def test_star_and_ring_turned_alike_turn_the_state_and_nothing_else():
+def test_star_and_ring_turned_together_turn_the_state_and_nothing_else():
     angle, star = 1e-4, sector("star").rest()
     turned = sector("star").at((star.drags[0] + angle * STAR.X, star.drags[1] + angle * STAR.R))
     assert turned.torque == pytest.approx(star.torque, rel=1e-4)

@@ -19,7 +19,7 @@ STAR, Q = FreewheelTorque(), FreewheelCup()
 
 @pytest.fixture(scope="module")
 def cup():
-    """The formulas' states where a sweep of the cup has its own."""
+    """The states of the formulas at the states of a sweep of the cup."""
     whole, v = Q.clutch, CUP.analytic(Q)
     wanted = [share * (v["d_i"] + v["d_o"]) for share in SHARES]
     wanted += [d * through(Q) for d in ONWARD if d > 0.4]
@@ -71,7 +71,7 @@ def test_the_interval_holds_finite_elements_of_another_clutch():
 
 
 def test_approaches_are_those_of_an_elastic_solution_without_contact():
-    """In plane strain: finite elements of star, roller and ring apart, Hertz's pressures given."""
+    """Plane strain: separate finite elements of star, roller and ring under Hertz's pressures."""
     for key, d in {"d_i_rigid": 7.7807e-6, "d_o_rigid": 16.7671e-6}.items():
         assert TORQUE.analytic(STAR)[key] == pytest.approx(d, rel=6e-3)
         assert solved(TORQUE, STAR)[-1].result.values[key] == pytest.approx(d, rel=2e-3)

@@ -44,7 +44,7 @@ def test_a_clutch_leaves_out_what_has_no_value_and_warns_of_its_state(change, le
     assert bool(CLUTCH.figures(Context(CLUTCH.id, q, v, [], False))) == bool(known)
 
 
-def test_a_narrow_ring_bears_little_of_the_torque_and_asks_for_a_wedge_angle():
+def test_a_narrow_ring_carries_little_torque_and_needs_a_wedge_angle():
     q, v, warned = state(CLUTCH, b="5 mm")
     assert v["alpha_need"] == pytest.approx(2 * math.atan(q.mu))
     assert v["M_ring"] < 0.02 * v["M_el"]

@@ -23,7 +23,7 @@ READINGS = [
     pytest.param(RING, expansion, "mean_hoop_stress", given(p=lambda k: 1.0999 * k["p"]),
                  "mean hoop stress in the corners, Eq. 12", id="Eq. 12 as printed"),
     pytest.param(RING, polyhedral_ring, "hub_force", given(along=lambda k: -k["along"]),
-                 "hub at e: middle of the flats", id="the hub's friction the other way"),
+                 "hub at e: middle of the flats", id="the hub's friction reversed"),
     pytest.param(CLUTCH, torque, "hub_share", given(gamma=lambda _: 0.0), EQ_21,
                  id="gamma = 0 in the first design"),
     pytest.param(CLUTCH, torque, "hub_share", given(gamma=lambda k: k["psi"]), EQ_20,

@@ -1,8 +1,8 @@
 """Readings that formulas and finite elements of the polyhedral cases share, by a third model.
 
 A whole ring is driven as a clutch is: the hub pushes every flat on one side of its middle, the
-rollers press and drag. It tells apart to which side the hub's friction leans, which lever the
-rollers' friction has, diameters and radii, and where K and the clearance are taken.
+rollers press and drag. It distinguishes the direction of the hub's friction, the lever of the
+rollers' friction, diameters and radii, and where K and the clearance are taken.
 """
 
 from cmath import rect

@@ -1,4 +1,4 @@
-"""A whole polyhedral ring on triangles of its own, driven as a clutch is.
+"""A whole polyhedral ring on a separate mesh of triangles, driven as a clutch is.
 
 It shares neither formulas nor meshes nor finite elements with the cases.
 """
@@ -12,7 +12,7 @@ import skfem
 from scipy.sparse.linalg import splu
 from skfem.helpers import ddot, dot, eye, sym_grad, trace
 
-FINE, BLUNT, COARSE = 0.02, 0.12, 0.9  # cells [mm]: below rollers, at hub and fillets, elsewhere
+FINE, BLUNT, COARSE = 0.02, 0.12, 0.9  # cells [mm]: below rollers, at hub and fillets, outside
 PULL = skfem.LinearForm(lambda v, w: dot(w.t, v))
 
 

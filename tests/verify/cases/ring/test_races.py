@@ -1,4 +1,4 @@
-"""Races under n sprags and turning races: readings, statements on own inputs, what is refused."""
+"""Races under n sprags and turning races: readings, statements on user inputs, refused inputs."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""Turning shafts and the clutch between rotors: values by hand, own inputs, what is refused."""
+"""Turning shafts and the clutch between rotors: values by hand, user inputs, refused inputs."""
 
 import numpy as np
 import pytest
@@ -17,7 +17,7 @@ def test_values_of_the_clutch_are_those_of_a_pocket_calculator():
     k = 10 / 9 * v["N"] / v["delta_0"]
     assert v["K_xx"] == pytest.approx(6 * k, rel=1e-12)
     assert v["K_zz"] == pytest.approx(12 * k * (11.11e-3 * 0.0550333) ** 2, rel=1e-5)
-    soft = ClutchLink(a=20e-6)  # own yield in place of Palmgren's: 1 kN by definition of a
+    soft = ClutchLink(a=20e-6)  # a given deflection in place of Palmgren's: 1 kN by definition of a
     assert soft.k_n * 20e-6 ** (10 / 9) == pytest.approx(1000, rel=1e-12)
     assert CLUTCH.analytic(soft)["K_xx"] < v["K_xx"]
 

@@ -84,7 +84,7 @@ CASES = [
 
 
 @pytest.mark.parametrize(("name", "holds", "fails"), CASES)
-def test_a_statement_is_told_from_its_opposite(name, holds, fails):
+def test_a_statement_is_distinguished_from_its_opposite(name, holds, fails):
     statement = next(s for s in STATEMENTS if s.name == name)
     assert statement.holds(holds).tolist() == [True]
     assert statement.holds(fails).tolist() == [False]

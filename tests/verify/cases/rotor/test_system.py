@@ -1,4 +1,4 @@
-"""Rotors of a user's own: formulas against beams, readings, and what is computed of a rotor."""
+"""Rotors of a user: formulas against beams, readings, and the computed results."""
 
 import numpy as np
 import pytest

@@ -40,7 +40,7 @@ def test_a_spring_s_stiffness_and_angle_enter_the_start_as_their_product_alone()
 
 
 def test_the_torque_acts_on_the_inner_race():
-    """Erratum eq-16-torque-symbol: with C_bi = T the sprags bear T on the inner race at rest."""
+    """Erratum eq-16-torque-symbol: with C_bi = T the sprags carry T on the inner race at rest."""
     e = run_fem(SpragClutch(C_rl=3.0)).engagement
     M = 12 * e.T_i[-1] * float(e.table.at(e.alpha[-1])["OA"])
     assert pytest.approx(25.0, rel=0.01) == M
@@ -87,7 +87,7 @@ def test_rows_that_rest_on_fitted_inputs_are_calibrated_and_predictions_are_not_
     assert predicted == [Status.SHOWN] * 2
 
 
-def test_a_failed_calibration_fails_its_own_rows_and_no_other(monkeypatch):
+def test_a_failed_calibration_fails_its_rows_and_no_other(monkeypatch):
     monkeypatch.setattr(paper_fem, "peak_fem", lambda *_, **__: 1e9)
     of = context(CLUTCH, arrays=paper_fem.calibrated_fem())
     red = [row for row in rows(CLUTCH, of=of) if row.status is Status.FAIL]

@@ -100,7 +100,7 @@ def test_a_state_that_is_not_found_ends_a_curve_beyond_its_stroke_alone(monkeypa
         curve_fem.fem_compress(spring, U, per_arc=CELLS)
 
 
-def test_what_a_user_s_own_curve_does_not_reach_is_not_judged(own):
+def test_what_a_user_s_curve_does_not_reach_is_not_judged(own):
     short = replace(own, press=0 * own.press)
     seen = context(short, inputs=given(CURVE, mu=0.1))
     rows = [judge(name, seen) for name in JUDGED]

@@ -71,7 +71,7 @@ def test_forces_of_unstable_equilibria_are_no_result(monkeypatch):
     assert fem.measured(q, cell_of(q))[1:] == (0, 0)
 
 
-def test_an_elastica_that_is_not_found_says_nothing_of_stability():
+def test_an_elastica_that_is_not_found_has_no_stability():
     """Flat leaves: Newton's method fails at these steps, beams are stable to the end."""
     q = own(MAP, alpha="30 deg", x_r="2 mm", y_r="0.1 mm")
     assert "F_0_3" not in MAP.analytic(q)

@@ -73,7 +73,7 @@ def test_a_prediction_of_the_chosen_reading_is_calibrated_and_fails_beyond_its_f
     assert [row.status for row in rows(STAGES, name)] == [Status.FAIL]
 
 
-def test_the_lines_of_eq_10_cross_where_the_ledger_says():
+def test_the_lines_of_eq_10_cross_at_the_point_of_the_ledger():
     assert pytest.approx((11.952, 7.332), abs=5e-4) == (eq10().U * 1e3, eq10().F)
     u = uncertainties()
     rng = np.random.default_rng(1)
