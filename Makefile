@@ -12,15 +12,15 @@ verify: .venv/.ready
 quick: .venv/.ready
 	$(BIN)/freewheel verify --quick
 
-# Maps, regions and error budgets that take longer than a run may: what was measured is kept in verify/measured.
+# Maps, regions and error budgets that take longer than a run may: results are stored in verify/measured.
 deep: .venv/.ready
 	$(BIN)/freewheel deep
 
-# Second solvers on the same meshes and loads. A failed install of theirs is told, and no error.
+# Second solvers on the same meshes and loads. A failed install of them is reported, and no error.
 crosscheck: .venv/.ready .venv-crosscheck/.ready
 	$(BIN)/freewheel crosscheck
 
-# What the suite catches of mistakes made on purpose; ALL=1 tries every mutant, for hours.
+# Fault detection: deliberate faults and what detects them; ALL=1 tries every mutant, for hours.
 mutants: .venv/.ready
 	$(BIN)/freewheel mutants $(if $(ALL),--all)
 

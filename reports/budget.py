@@ -130,17 +130,17 @@ def headline(one: CaseBudget) -> RowBudget | None:
 
 def lines(row: RowBudget) -> list[tuple[str, str, str]]:
     """Cause, what was rerun, and what it contributes, in words."""
-    found = [(TOTAL, "formula and finite elements as they are", percent(row.total, row.U))]
+    found = [(TOTAL, "formula and finite elements, all causes included", percent(row.total, row.U))]
     found += [(p.cause, *_contribution(p)) for p in row.parts if not p.shared]
     found += [
         ("together", f"{' and '.join(joint.causes)} removed together",
-         f"{percent(joint.value)} more than one by one" if joint.value is not None
+         f"{percent(joint.value)} beyond the sum of both" if joint.value is not None
          else joint.note)
         for joint in row.joints
     ]  # fmt: skip
     left = percent(row.remainder, row.u)
-    found.append((REMAINDER, "what no rerun has explained: the formula itself", left))
-    beside = [(p.cause, f"{p.what} (not subtracted, both sides assume the same)", _number(p))
+    found.append((REMAINDER, "not explained by a rerun: the formula itself", left))
+    beside = [(p.cause, f"{p.what} (shared assumption, not subtracted)", _number(p))
               for p in row.parts if p.shared]  # fmt: skip
     return [*found, *beside]
 

@@ -1,4 +1,4 @@
-"""What the suite catches of mistakes made on purpose: shares, survivors, references moved."""
+"""Fault detection: shares of mutants that are detected, survivors, references changed."""
 
 import math
 from collections import Counter
@@ -10,7 +10,7 @@ from verify.core.results import Caught, Survivor
 
 NAMES = {
     "formulas": "Formulas: a sign, a factor, a power, an argument changed",
-    "judging": "Judging: the same in what judges rows",
+    "judging": "Judging: the same in the code that judges rows",
     "finite-elements": "Finite elements: the same in weak forms, contact and meshes",
 }
 SHORT = {

@@ -66,8 +66,8 @@ def told(checks: Sequence[Crosscheck]) -> str:
     if missing:
         parts.append(f"{missing} problem{'s are' if missing > 1 else ' is'} not measured")
     if alone:
-        have, say = ("s have", "say") if alone > 1 else (" has", "says")
-        parts.append(f"{alone} case{have} no second solver, and {say} why")
+        have = "s have" if alone > 1 else " has"
+        parts.append(f"{alone} case{have} no second solver, with the reason")
     return "; ".join(parts)
 
 

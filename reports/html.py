@@ -87,10 +87,10 @@ LONG_LIST = 18  # inputs that stand in two columns where they are more
 WORDS = {
     Status.FAIL: "outside the tolerance, insufficient sensitivity or not converged",
     Status.SKIP: "not run",
-    Status.NOTE: "a printed value proved wrong, with its ledger entry, or adopted as it stands",
-    Status.CALIBRATED: "fitted: no evidence",
-    Status.SHOWN: "compared; no stated uncertainty, or no expected error, to judge it by",
-    Status.PASS: "within a tolerance that was derived",
+    Status.NOTE: "a printed value proved wrong, with its erratum, or adopted unchanged; not judged",
+    Status.CALIBRATED: "agrees with fitted inputs: no evidence",
+    Status.SHOWN: "measured, not judged: no stated uncertainty or no expected error",
+    Status.PASS: "within a derived tolerance",
 }
 
 
@@ -179,7 +179,7 @@ def partly(report: Report) -> str:
     if without <= 0:
         return ""
     count = f"{len(report.cases)} of {len(report.cases) + without} cases"
-    return f"This run holds {count}: what the others claim counts as unclaimed here."
+    return f"This run holds {count}: numbers claimed by other cases count as unclaimed here."
 
 
 def title(report: Report) -> str:

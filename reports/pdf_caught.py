@@ -1,4 +1,4 @@
-"""What the suite catches, for the PDF: the same counts and survivors as in the page."""
+"""Fault detection in the PDF: the same counts and survivors as in the page."""
 
 from reports.caught import (
     NAMES,

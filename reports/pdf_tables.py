@@ -28,7 +28,7 @@ def quantity(row: Row) -> list[Run]:
 
 
 def budget(rows: Sequence[Row]) -> Data:
-    """Lines of how tolerances came about; reasons for a demand stand below."""
+    """Lines of the derivation of tolerances; reasons for a required sensitivity follow."""
     said = dict.fromkeys(row.demand_reason for row in rows if row.demand_reason)
     marks = {reason: _letter(i) for i, reason in enumerate(said)}
     return {
@@ -83,7 +83,7 @@ def shortened(table: Table, sheet: str) -> Data:
     """A table in parts that fit the page's width; a long one begins only."""
     long = len(table.rows) > LONGEST
     rows = table.rows[:SHOWN] if long else table.rows
-    count = f"The first {SHOWN} of {len(table.rows)} rows; all stand in tables.xlsx, sheet {sheet}."
+    count = f"The first {SHOWN} of {len(table.rows)} rows; all are in tables.xlsx, sheet {sheet}."
     last = len(table.header) - 1
     starts = range(1, max(last, 1) + 1, WIDEST - 1)
     parts = [[0, *range(i, min(i + WIDEST - 1, last + 1))] for i in starts]

@@ -10,7 +10,7 @@ def found(one: ReadingsTried) -> str:
     """What reproduces the number, or that nothing does."""
     if one.met:
         return (
-            "met as it stands, within the rounding of what it is computed from; "
+            "the formula gives the number, within the rounding of its inputs; "
             "no other reading is needed"
         )
     if not one.readings:

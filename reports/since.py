@@ -45,7 +45,7 @@ def tighter_left_out(drift: Drift) -> str:
 
 def _more(changes: Sequence[Change]) -> str:
     more = len(changes) - MOST
-    return f"{more} more stand in results.json, drift." if more > 0 else ""
+    return f"{more} more are in results.json, drift." if more > 0 else ""
 
 
 def since_data(drift: Drift | None) -> Data | None:

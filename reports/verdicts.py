@@ -17,7 +17,7 @@ SMALLEST = 1e-4  # relative: smallest error or uncertainty that is printed
 MEANING = {
     Verdict.EXACT: "solves its stated idealisation; detection limit 1 % or better",
     Verdict.ACCURATE: "error and uncertainty stay within 1, 2, 5 or 10 % over the range compared",
-    Verdict.PART: "as accurate, inside a stated range alone",
+    Verdict.PART: "accurate inside a stated part of the range only",
     Verdict.CONSERVATIVE: "larger errors, all on the safe side",
     Verdict.UNSAFE: "errors beyond 10 % on the unsafe side",
     Verdict.WRONG: "an erratum changes the number; the corrected form has a separate verdict",

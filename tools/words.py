@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 
 ROOT = Path(__file__).parents[1]
 LIST = ROOT / "tools" / "words.toml"
-READ = (".py", ".md", ".toml", ".cff", ".html", ".js", ".css", ".typ", ".j2", ".in")
+READ = (".py", ".md", ".toml", ".cff", ".html", ".js", ".css", ".typ", ".j2", ".schema.json", ".in")
 TEXTS = {
     tokenize.COMMENT,
     tokenize.STRING,
@@ -27,7 +27,7 @@ TEXTS = {
 }
 F_STRING = re.compile(r"(?i)rf|fr|f")  # prefix of a string token, before Python 3.12
 EXPRESSION = re.compile(r"\{([^{}\n]*)\}")
-KEY = re.compile(r"[\"']\w+[\"']")  # of a dictionary
+KEY = re.compile(r"[\"']\w+[\"']")  # of a dictionary or a schema
 QUOTED = re.compile(r"`[\w.]+`")  # an identifier in a text
 LITERAL = re.compile(r"'[^'\n]*'|\"[^\"\n]*\"")
 SCRIPT = re.compile(r"(?<!:)//.*|/\*.*?\*/|'[^'\n]*'|\"[^\"\n]*\"|`[^`\n]*`")
@@ -68,7 +68,7 @@ def texts(path: Path) -> Iterator[tuple[int, str]]:
         if in_script:
             yield number, " ".join(SCRIPT.findall(IN_SCRIPT.sub("", line)))
         else:
-            code = {".typ": NAMES, ".j2": TAGS}.get(path.suffix)
+            code = {".typ": NAMES, ".j2": TAGS, ".json": KEY}.get(path.suffix)
             yield number, code.sub("", line) if code else line
         in_script = in_script and "</script" not in line
 

@@ -72,11 +72,15 @@ def test_bars_take_the_difference_on_from_one_to_the_next_as_long_as_their_numbe
 
 def test_lines_name_each_cause_and_what_is_not_subtracted_last():
     found = lines(ROW)
-    assert found[0] == ("difference", "formula and finite elements as they are", "−8.00 ± 0.1 %")
+    assert found[0] == (
+        "difference",
+        "formula and finite elements, all causes included",
+        "−8.00 ± 0.1 %",
+    )
     assert ("contact law", "no contact in it", "–") in found
     assert ("finite geometry", "four times as many flats", "−7.00 ± 1·10⁻⁴ %") in found
     assert found[-2][::2] == ("remainder", "−2.00 ± 0.2 %")
-    assert found[-1][1] == "plane strain (not subtracted, both sides assume the same)"
+    assert found[-1][1] == "plane strain (shared assumption, not subtracted)"
     assert any(cause == "together" and said.startswith("+0.300 %") for cause, _, said in found)
 
 

@@ -72,7 +72,7 @@ def test_page_and_pdf_have_a_separate_table_and_a_row_leads_to_its_line(checked)
 
 def test_a_case_that_no_solver_takes_has_its_reason(checked):
     text = section(replace(checked, crosschecks=(AGREES, ALONE)), "crosscheck")
-    assert "1 case has no second solver, and says why" in text
+    assert "1 case has no second solver, with the reason" in text
     assert "()" not in text
     (sentence,) = left_out_data([ALONE])
     assert said(sentence) == "Nobody's: ring-lame, no second solver."

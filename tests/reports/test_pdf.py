@@ -104,7 +104,7 @@ def test_a_long_table_is_shortened_and_a_wide_one_keeps_all_its_columns(own):
     case = replace(own.cases[0], tables=(table, replace(table, rows=rows[:LONGEST]), other))
     long, short, wide = document(replace(own, cases=(case,)), {})["cases"][0]["tables"]
     assert len(long["parts"][0]["rows"]) == SHOWN
-    assert long["shortened"].endswith(f"of {LONGEST + 1} rows; all stand in tables.xlsx, "
+    assert long["shortened"].endswith(f"of {LONGEST + 1} rows; all are in tables.xlsx, "
                                       "sheet many rows.")  # fmt: skip
     assert len(short["parts"][0]["rows"]) == LONGEST
     assert not short["shortened"]

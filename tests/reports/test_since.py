@@ -48,7 +48,7 @@ def test_nothing_moved_is_one_line_and_a_loosened_tolerance_stands_first_and_in_
 
 def test_what_a_search_found_in_words():
     words = "b for h and one side (0.60096)"
-    met = ("met as it stands, within the rounding of what it is computed from; "
+    met = ("the formula gives the number, within the rounding of its inputs; "
            "no other reading is needed")  # fmt: skip
     for change, expected in (
         ({}, f"{words}; 1 other combination too"),
