@@ -62,7 +62,7 @@ def _forgotten(request: pytest.FixtureRequest) -> Iterator[None]:
 
 
 def resident() -> int:
-    """Bytes of memory that this process occupies; 0 where the system does not say."""
+    """Bytes of memory that this process occupies; 0 where the system does not report it."""
     pages = Path("/proc/self/statm")
     return int(pages.read_text().split()[1]) * resource.getpagesize() if pages.exists() else 0
 
@@ -70,7 +70,7 @@ def resident() -> int:
 def forget() -> None:
     """Empty the caches of all functions of the project and of these fixtures."""
     for one in gc.get_objects():
-        # no isinstance: it would ask weak proxies for what they stand for
+        # no isinstance: it would evaluate weak proxies
         if type(one) is type(solved) and one.__module__.partition(".")[0] in KEEP:
             one.cache_clear()
     gc.collect()

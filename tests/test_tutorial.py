@@ -1,4 +1,4 @@
-"""The tutorial runs as it stands, and what it says of its pin in a hole is true."""
+"""The tutorial runs unchanged, and its statements on a pin in a hole are true."""
 
 import runpy
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""A formula must not notice whether lengths are in m or mm, stresses in Pa or MPa."""
+"""A formula must not depend on the units: lengths in m or mm, stresses in Pa or MPa."""
 
 from typing import NamedTuple
 

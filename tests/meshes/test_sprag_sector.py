@@ -29,7 +29,7 @@ def sector(**changed):
 
 
 def in_own_frame(x):
-    """Places as the sprag itself sees them: the pole at the origin, not turned."""
+    """Places in the frame of the sprag: the pole at the origin, not turned."""
     d = x - np.array([[0.0], [D]])
     c, s = cos(TURN), sin(TURN)
     return np.array([c * d[0] - s * d[1], s * d[0] + c * d[1]])

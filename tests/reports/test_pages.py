@@ -159,7 +159,7 @@ def corners(path: str) -> np.ndarray:
     [((), "Pause", 0.1), (("--force-prefers-reduced-motion",), "Play", 0.0)],
 )
 def test_shafts_whirl_unless_motion_is_unwanted(place, flags, offers, phase):
-    """The line after 260 ms, beside what its data say: x + a cos + e sin, y + b cos + f sin."""
+    """The line after 260 ms, beside its data: x + a cos + e sin, y + b cos + f sin."""
     drawn = (place / "turning.html").read_text("utf-8")
     free = re.sub('<meta http-equiv="Content-Security-Policy"[^>]*>', FIVE_FRAMES, drawn)
     (place / "frames.html").write_text(free, "utf-8")

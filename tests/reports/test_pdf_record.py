@@ -114,7 +114,7 @@ def test_a_run_without_verdicts_or_on_one_page_states_this(report):
 
 
 def test_the_record_is_the_default_of_several_cases(report, tmp_path, monkeypatch):
-    """The PDF is not set here, only asked for."""
+    """The PDF is not typeset here, only requested."""
     asked = []
     monkeypatch.setattr(writing, "content", lambda _report, _drawn, make: asked.append(make))
     monkeypatch.setattr(writing, "printed", lambda *_: b"%PDF")

@@ -1,4 +1,4 @@
-"""The page of a sweep: what it says and shows of made-up errors."""
+"""The page of a sweep: text and figures for made-up errors."""
 
 import re
 

@@ -89,7 +89,7 @@ def died():
 
 
 class Here(Where):
-    """Solves where it is asked, in one process."""
+    """Solves in the process of the caller."""
 
     @contextmanager
     def entered(self):

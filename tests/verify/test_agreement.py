@@ -41,7 +41,7 @@ def test_an_agreement_is_an_approximation_with_a_detection_limit():
     assert (row.analytic, row.fem) == pytest.approx((2002, 2000), rel=1e-14)  # in the row's unit
     assert (row.interval, row.reason, row.demand) == ((-0.002, 0.002), WORDS, 0.01)
     assert row.detects == pytest.approx(1 - 0.998 / 1.001)  # down, across all of the interval
-    # a figure of something else says what it leaves
+    # a figure of another quantity states what it leaves
     other = row_of(agreement(2.002, accepted=0.01, allowed=(-0.0001, 0.003)))
     assert (other.status, other.interval) == (Status.PASS, (-0.0001, 0.003))
     # another method's value is the partner's

@@ -23,7 +23,7 @@ ORIGINAL = made.Solver
 
 @pytest.fixture
 def measured_here(tmp_path, monkeypatch):
-    """Measures the made-up case as its statement says it, and gives its plan and its rows."""
+    """Measures the made-up case by its statement, and gives its plan and its rows."""
     monkeypatch.setattr(records, "FOLDER", tmp_path / "measured")
     monkeypatch.setattr(registry, "CASES", (made.CASE,))
     monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path / "cache"))
@@ -135,7 +135,7 @@ def slack():
 
 
 def look_inside(kept):
-    """What a body sees while two changes hold, which then fails."""
+    """The state of a body during two changes, which then fails."""
     assert made.Solver(assumption="plane stress").excess == 0.0
     assert isinstance(made.Solver(assumption=""), ORIGINAL)  # a class stays one
     assert made.SLACK == kept() == 1e-3

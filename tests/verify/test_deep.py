@@ -28,7 +28,7 @@ def folder(tmp_path, monkeypatch):
     monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path / "cache"))
 
     def in_this_process(work, _jobs, _use_cache):
-        """A spawned process would not know the case of the tests."""
+        """A spawned process would not have the case of the tests."""
         return run(work, cache_folder=cache.default_folder())
 
     monkeypatch.setattr(deep_cases, "solve", in_this_process)

@@ -117,7 +117,7 @@ PROBLEMS = {problem.reference: problem for problem in registry.PROBLEMS}
 
 
 def test_errata_of_the_ledger_are_found_again():
-    """With three changes so many other combinations are near that the hit says nothing."""
+    """With three changes so many other combinations are near that the hit is no evidence."""
     for reference, *names in (
         ("wang2023:k1-theory", "L_1 for 2 L_1 in L_2", "b for h in L_2", "± before F x in M_2"),
         ("huang2018:table-2-relative-error", "of the predicted value"),

@@ -1,4 +1,4 @@
-"""Design tasks: what is read, and the one line that says what is wrong with the others."""
+"""Design tasks: what is read, and the one line that states what is wrong with the others."""
 
 import math
 

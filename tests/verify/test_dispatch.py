@@ -1,4 +1,4 @@
-"""The dispatcher of all studies: every task once, progress, and what an interrupted run says."""
+"""The dispatcher of all studies: every task once, progress, and messages of interrupted runs."""
 
 from collections import deque
 

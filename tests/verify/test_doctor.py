@@ -20,7 +20,7 @@ LOST = "libGLU.so.1: cannot open shared object file: No such file or directory"
 
 @pytest.fixture
 def broken(monkeypatch, capsys):
-    """What `doctor` says on a machine of Linux without libraries, whose processes answer."""
+    """Output of `doctor` on a machine of Linux without libraries, whose processes answer."""
 
     def diagnosis(libraries=(), answers=None):
         monkeypatch.setattr(sys, "platform", "linux")

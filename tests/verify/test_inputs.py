@@ -1,4 +1,4 @@
-"""Parameter files: what is read, and the one line that says what is wrong with the others."""
+"""Parameter files: what is read, and the one line that states what is wrong with the others."""
 
 import math
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""What a run says while it works."""
+"""Messages of a run about its progress."""
 
 import io
 import os

@@ -1,4 +1,4 @@
-"""One case that goes wrong is red; the others are judged as usual, and nothing is solved twice."""
+"""One case that raises fails; the others are judged as usual, and nothing is solved twice."""
 
 import os
 from concurrent.futures import Future
@@ -150,7 +150,7 @@ def test_what_is_stored_is_not_solved_again(tmp_path):
         solved.append(level)
         return made_up(inputs, level)
 
-    # the cache knows a function by its source: that of `fem` above
+    # the cache identifies a function by its source: that of `fem` above
     case = replace(CASE, reference=fem)
     run([Job(replace(case, levels=(1, 4)), Beam())], cache_folder=tmp_path)
     assert solved == [4, 1]

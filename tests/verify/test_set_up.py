@@ -172,7 +172,7 @@ def project(tmp_path, monkeypatch):
 
 
 def complete(project, lock=LOCK):
-    """The packages that pip is asked for."""
+    """The packages that pip is called with."""
     path = project.folder.parent / "lock.txt"
     path.write_text(lock, "utf-8")
     project.asked = []

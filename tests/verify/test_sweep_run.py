@@ -23,7 +23,7 @@ SOLVED = Solution({"k": 1.0}, (1.0, 0.5, 0.25), {"k": (1.0, 2.0, 3.0)}, {"k": 0.
 
 @pytest.fixture
 def called(monkeypatch):
-    """How often formulas and levels of the made-up case were asked for."""
+    """How often formulas and levels of the made-up case were evaluated."""
     counts = {"formulas": 0, "fe": 0}
 
     def counted(name, function):

@@ -1,4 +1,4 @@
-"""Processes that die, raise or are stopped: the other tasks never notice."""
+"""Processes that die, raise or are stopped: the other tasks are not affected."""
 
 import os
 import subprocess
@@ -19,7 +19,7 @@ from verify.jobs.processes import WorkerDiedError
 from verify.jobs.scheduler import run
 
 ROOT = Path(__file__).parents[2]
-# Tasks are Python expressions: a spawned process knows `eval` by its name.
+# Tasks are Python expressions: a spawned process imports `eval` by its name.
 KILLED = "__import__('os').kill(__import__('os').getpid(), 9)"
 EXIT = "__import__('os')._exit(3)"
 PID = "__import__('os').getpid()"

@@ -21,7 +21,7 @@ def clutch(Z, nu, n_s):
 
 
 def held(of, torque, offset):
-    """Aside and tilted as far as the yield under the torque lets it."""
+    """Displaced and tilted up to the deflection under the torque."""
     delta_0 = (torque / (of.Z * of.d_t * of.k_n)) ** (1 / of.n)
     dx, tilt = aside(offset, of.L, delta_0)
     return {"T": torque, "dx": dx, "tilt": tilt}

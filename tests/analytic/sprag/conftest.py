@@ -53,7 +53,7 @@ def table(clutch):
 
 @pytest.fixture
 def engaged(table, motion):
-    """An engagement under a torque [N m], with another motion where words say so."""
+    """An engagement under a torque [N m], with another motion where keywords give one."""
 
     def run(torque, *, duration=0.01, dt=1e-5, D_V=None, speeds=None, guard=True, **other):
         return engage(

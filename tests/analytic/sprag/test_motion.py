@@ -77,7 +77,7 @@ def test_forces_at_the_rims_have_the_rims_lever_arms(engaged, table, motion):
 
 
 def test_a_constant_torque_cannot_hold_the_outer_race(locked, table, motion):
-    """Under the recorded contact forces -25 N m would let it turn a thousand times as far."""
+    """Under the recorded contact forces -25 N m would turn it a thousand times as far."""
     OB = table.at(locked.alpha)["OB"]
     unbalanced = (12 * OB * locked.T_e - 25.0) / motion.I_be
     turned = cumulative_trapezoid(

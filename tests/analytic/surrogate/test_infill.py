@@ -56,7 +56,7 @@ def test_a_kink_first_missed_is_met_within_three_per_cent(
 
 
 class Flat:
-    """A surrogate that says 1 everywhere."""
+    """A surrogate that is 1 everywhere."""
 
     def predict(self, x: Array) -> Array:
         return np.ones(len(x))

@@ -1,4 +1,4 @@
-"""Pressed frames: their head let go, paths beside the linear stiffness, and parts of them."""
+"""Pressed frames: release of the head, paths against the linear stiffness, and parts of them."""
 
 import numpy as np
 import pytest

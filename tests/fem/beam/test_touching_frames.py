@@ -57,7 +57,7 @@ MU, WEIGHT = 0.2, 5.0
 
 
 def lying(support):
-    """A beam on a rough flat, held as `support` says at its left end, under its weight."""
+    """A beam on a rough flat, held by `support` at its left end, under its weight."""
     points, elements = line((0, B / 2), (L, B / 2), 4)
     flat = Obstacle(points, elements, Flat((0, 0), (0, 1)), thickness=B, EA=EA, friction=MU)
     frame = LargeFrame(

@@ -23,7 +23,7 @@ TWIN = Rotor(
 
 
 def test_rising_and_falling_branches_cross():
-    """Two shafts that hardly see each other: by frequencies alone branches would bounce off."""
+    """Two weakly coupled shafts: by frequencies alone branches would be confused."""
     count, els = 9, [Element(0.25, 0.03, material=LIGHT)] * 4
     rotor = Rotor(
         [Shaft(els), Shaft(els)], [Disc(2, 20.0, 0.4, 0.3), Disc(7, 30.0, 0.3, 0.2)],

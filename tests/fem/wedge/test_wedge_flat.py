@@ -78,7 +78,7 @@ def test_the_force_at_an_angle_is_that_of_the_state_there(sense):
 
 
 def test_the_pressure_of_hertz_is_a_semi_ellipse_of_height_one():
-    """With points in any order, and the half-width that the moments say."""
+    """With points in any order, and the half-width by the moments."""
     x = np.random.default_rng(1).permutation(np.linspace(-1, 1, 4001)) * 2e-4
     p = 3e9 * np.sqrt(1 - (x / 2e-4) ** 2)
     touch = SimpleNamespace(along=lambda: x, p=p, weight=np.full(x.size, 1e-7),

@@ -1,4 +1,4 @@
-"""Discs, blocks and races are fine where they touch and nowhere folded; cells grow as asked."""
+"""Discs, blocks and races are fine where they touch and nowhere folded; cells grow as specified."""
 
 from math import asin
 

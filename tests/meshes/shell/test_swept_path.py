@@ -1,4 +1,4 @@
-"""Strips and panels lie on their surfaces, with names, bodies and cells where they were asked."""
+"""Strips and panels lie on their surfaces, with names, bodies and cells as specified."""
 
 from math import pi, radians
 

@@ -69,7 +69,7 @@ def test_one_reading_alone_gives_the_printed_stiffness():
         n=10, b=0.1, h=56.0, r=0.45, L1=11.6, alpha=math.radians(80), E=206e3
     )
     assert met[0].k / 1e3 == pytest.approx(float(adopted), rel=1e-12)
-    # Eq. 3's second line alone as printed: the ledger says 0.5914
+    # Eq. 3's second line alone as printed: the ledger has 0.5914
     (literal,) = [
         x.k / 1e3 for x in readings
         if (x.leaf, x.offset, x.radius, x.signs, x.start)

@@ -1,4 +1,4 @@
-"""Every example passes as it stands, and a mistake in its formula fails the row."""
+"""Every example passes unchanged, and a fault in its formula fails the row."""
 
 import importlib
 import os

@@ -1,4 +1,4 @@
-"""A fault of a weak form is named by its rows, and levels are those that know of the fault."""
+"""A fault of a weak form is named by its rows, and levels are those that depend on the fault."""
 
 import ast
 from functools import partial

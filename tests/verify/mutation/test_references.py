@@ -89,7 +89,7 @@ def test_an_interval_that_moves_along_with_its_formula_hides_errors():
 
 
 def test_the_gate_is_red_where_the_tolerance_of_one_row_is_widened(monkeypatch):
-    """One row of 21 with U of 6 %, where judging no longer asks rows to be sharp."""
+    """One row of 21 with U of 6 %, where judging no longer requires a sensitivity."""
     blunt = identity(name="blunt")
     where = made(power_law(2.0, 3.0))  # off by 4.7 %, U = 5.9 %
     assert blunt.rows(where)[0].status is Status.FAIL  # as judging is, it is not sharp

@@ -1,4 +1,4 @@
-"""One pitch of a freewheel by finite elements: at rest, pulled along its axis, and let out."""
+"""One pitch of a freewheel by finite elements: at rest, pulled along its axis, and released."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Statements of the paper asked of made-up members, for which the answer is seen by eye."""
+"""Statements of the paper evaluated for made-up members, for which the answer is obvious."""
 
 import numpy as np
 import pytest

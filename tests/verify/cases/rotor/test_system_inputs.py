@@ -1,4 +1,4 @@
-"""Files of rotors: what is refused, what findings and warnings say, what the command prints."""
+"""Files of rotors: what is refused, findings and warnings, what the command prints."""
 
 import pytest
 

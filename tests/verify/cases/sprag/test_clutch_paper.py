@@ -1,4 +1,4 @@
-"""What the sprag clutch's case says of Huang 2018: errata of the ledger and what is fitted."""
+"""Results of the sprag clutch case for Huang 2018: errata of the ledger and fitted inputs."""
 
 import pytest
 

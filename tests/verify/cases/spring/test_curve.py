@@ -34,7 +34,7 @@ def own():
 
 
 def context(curve, *, inputs=Q, **more):
-    """What judges see if this curve is what both meshes and all contacts give."""
+    """The input of judging if this curve is the result of both meshes and all contacts."""
     kept = curve.forces
     arrays = curve.arrays("curve 4") | curve.arrays("curve 8")
     arrays |= {f"contact {times:g}": kept for times in reference.TIMES}
