@@ -10,7 +10,7 @@ from benchmarks.solvers import Run, line
 from fem.rotor.response import unbalance_response
 
 
-def test_a_process_tells_what_it_takes():
+def test_a_process_reports_its_seconds_and_memory():
     idle = measured([sys.executable, "-c", "import time; time.sleep(0.3); print('done')"])
     assert idle.output == "done\n"
     assert idle.wall > 0.3 > idle.cpu
@@ -21,7 +21,7 @@ def test_a_process_tells_what_it_takes():
         measured([sys.executable, "-c", "raise SystemExit('of itself')"])
 
 
-def test_a_row_tells_ratios_of_processor_seconds_and_the_limit():
+def test_a_row_has_ratios_of_processor_seconds_and_the_limit():
     here = [Run(1e-5, 9.0, cpu, 80.0, 0.5) for cpu in (1.0, 2.0, 4.0)]
     there = [Run(2e-5, 9.0, 8.0, 300.0)] * 3
     cells = [cell.strip() for cell in line("ring", "calculix", 100, here, there).split("|")]

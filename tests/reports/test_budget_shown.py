@@ -49,7 +49,7 @@ MISSING = CaseBudget(
 )  # fmt: skip
 
 
-def test_bars_take_the_difference_on_from_one_to_the_next_as_long_as_their_numbers_say():
+def test_bars_continue_the_difference_from_one_to_the_next_with_the_length_of_their_numbers():
     bars = steps(ROW)
     assert [bar.name for bar in bars] == [
         "difference", "discretisation", "finite geometry", "remainder"

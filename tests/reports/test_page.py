@@ -167,7 +167,7 @@ def test_claims_and_tasks_are_of_papers_formulas_and_cases_that_exist(report):
     assert [c.id for part in parts for c in part.cases if c.paper != part.key] == []
 
 
-def test_rows_that_hold_and_say_no_more_stand_in_the_appendix(made, report):
+def test_passed_rows_without_further_content_are_in_the_appendix(made, report):
     case = next(c for c in report.cases if c.id == "freewheel-torque")
     page = made[f"{FOLDER}/{case.id}.html"]
     main, _, rest = page.partition('id="more-rows"')

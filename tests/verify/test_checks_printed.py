@@ -69,7 +69,7 @@ def test_a_printed_number_is_contradicted_by_what_surely_exceeds_it(k, status):
     assert row.tolerance == pytest.approx(2 * 0.0005 / math.sqrt(3))
 
 
-def test_printed_numbers_speak_of_the_paper_s_inputs_alone():
+def test_printed_numbers_apply_to_the_paper_s_inputs_only():
     for claim in (THEORY, TEST, CONTRADICTION):
         assert not claim.needs_fem
         assert rows_of(claim, analytic={"k": 601.0}, is_paper=False) == []

@@ -49,7 +49,7 @@ def test_list_and_completion_name_every_case(capsys):
 
 
 @pytest.mark.slow("a run with its report")
-def test_verify_writes_the_report_and_a_red_row_makes_the_exit_status_one(
+def test_verify_writes_the_report_and_a_failed_row_makes_the_exit_status_one(
     tmp_path, capsys, monkeypatch
 ):
     out = tmp_path / "out"

@@ -71,7 +71,7 @@ def power_laws(draw):
 
 @fixed
 @given(power_laws(), st.floats(0.5, 8))
-def test_every_index_is_the_error_times_what_the_rules_say(law, formal):
+def test_every_index_is_the_error_times_the_factor_of_the_rules(law, formal):
     h, values, e, p, r = law
     found = grid_convergence(h, values, formal=formal, scale=1.0)
     F = min(max(1.25 + 1.75 * (abs(p - formal) - 0.5) / 0.05, 1.25), 3.0)

@@ -58,7 +58,7 @@ def test_the_window_is_half_a_last_digit_and_what_rounded_inputs_move_the_result
     assert found.best.off == pytest.approx(2 * 0.005 / 4.02 * EXACT, rel=2e-3)
 
 
-def test_a_number_is_met_as_it_stands_or_by_no_reading():
+def test_a_number_is_met_unchanged_or_by_no_reading():
     assert search(formula, INPUTS, planted(), READINGS).met
     found = search(formula, INPUTS, f"{formula(INPUTS) * 1.2345:.6f}", READINGS, digits=False)
     assert (found.hits, found.best, found.is_evidence) == ((), None, False)

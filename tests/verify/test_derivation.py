@@ -133,7 +133,7 @@ def test_a_parameter_file_is_explained_with_its_numbers(tmp_path, capsys):
     assert err.startswith(f"freewheel: no row with {path} matches")
 
 
-def test_a_red_row_is_explained_and_makes_the_exit_status_one(monkeypatch, capsys):
+def test_a_failed_row_is_explained_and_makes_the_exit_status_one(monkeypatch, capsys):
     right = lame.strain_energy
     monkeypatch.setattr(lame, "strain_energy", lambda **k: 1.001 * right(**k))
     assert run(["explain", "ring-lame/strain energy, plane stress"]) == 1

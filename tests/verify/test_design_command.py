@@ -37,7 +37,7 @@ def task(tmp_path, **changes):
     return path
 
 
-def test_the_chosen_spring_goes_through_check_and_is_one_of_the_front(tmp_path, capsys):
+def test_the_chosen_spring_passes_check_and_is_one_of_the_front(tmp_path, capsys):
     out = tmp_path / "out"
     assert run(["design", str(task(tmp_path)), "--json", "--out", str(out)]) == 0
     found = json.loads(capsys.readouterr().out)
@@ -107,7 +107,7 @@ def test_a_spring_whose_formula_takes_the_inner_radius_disagrees():
     assert not Outcome(found, [v], 0).passed
 
 
-def test_finite_elements_see_the_height_and_stress_of_a_pressed_spring():
+def test_finite_elements_give_the_height_and_stress_of_a_pressed_spring():
     """A separate elastica gave 15.56 mm and 394.5 MPa for this spring of the template."""
     _, v = verified(
         {"width_factor": 1.0}, n=8.0, b=1.1e-4, L1=13.8e-3, r=0.45e-3, alpha=np.radians(78)

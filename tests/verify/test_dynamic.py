@@ -85,7 +85,7 @@ def test_its_findings_and_values_stand_after_the_static_ones(check):
     assert "*" not in check("--dynamic", part=marked, too_large=lambda q: "too many cells")[1]
 
 
-def test_without_being_asked_it_does_not_run_and_is_refused_where_there_is_none(check):
+def test_without_the_option_it_does_not_run_and_is_refused_where_there_is_none(check):
     status, out, _ = check(part=replace(SWINGS, run=raising(AssertionError("ran"))))
     assert status == 0
     assert out.count("(check --dynamic adds the swing)") == 1

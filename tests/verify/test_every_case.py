@@ -107,7 +107,7 @@ def excess(case, values, other):
 
 
 @EVERY
-def test_formulas_move_no_further_than_their_inputs_let_them(case):
+def test_formulas_change_by_no_more_than_their_inputs_cause(case):
     values = values_of(case)
     inputs = perturbed(case.inputs(), seed=1, fixed=("shafts[1].ratio",))  # 1, by a rule
     other = dict(case.analytic(case.inputs.model_validate(inputs)))

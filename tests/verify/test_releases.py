@@ -152,7 +152,7 @@ def reason(**more):
 
 
 @pytest.mark.parametrize(("row", "change", "aspect", "words"), LOOSENED)
-def test_what_lets_more_pass_is_red_without_a_reason(row, change, aspect, words):
+def test_a_loosened_requirement_fails_without_a_reason(row, change, aspect, words):
     changed = found(row, change)
     assert [c.aspect for c in changed.unexplained] == [aspect]
     assert f"{since.WITHOUT}: {row.id}: {aspect} {words}" in since.lines(changed)
@@ -170,7 +170,7 @@ def test_a_reason_for_something_else_explains_nothing_and_is_named():
         assert changed.unused == (("c/*: interval: w",) if "aspect" in change else ())
 
 
-def test_what_lets_less_pass_is_counted():
+def test_a_tightened_requirement_is_counted():
     changed = found(APPROXIMATE, {"interval": (-0.01, 0.02)})
     assert (changed.tightened, changed.changes) == (1, ())
     assert since.summary(changed) == "1 rows compared, 1 tightened"
@@ -254,7 +254,7 @@ def test_a_run_with_a_loosened_demand_ends_with_one(loosened, tmp_path, capsys):
     assert "changes.toml: cannot be read" in capsys.readouterr().err
 
 
-def test_a_release_refuses_red_rows_and_what_is_not_committed(loosened, tmp_path, of_paper):
+def test_a_release_refuses_failed_rows_and_uncommitted_changes(loosened, tmp_path, of_paper):
     report = make_report([of_paper(LAME)], [LAME], 1.0)
     failed = replace(report, cases=(result(replace(ROW, status=Status.FAIL)),))
     for refuse, words in (

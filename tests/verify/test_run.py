@@ -65,7 +65,7 @@ def beside(case, **more):
     return bad
 
 
-def test_a_part_that_raises_is_a_red_row_and_the_rest_is_judged():
+def test_a_part_that_raises_is_a_failed_row_and_the_rest_is_judged():
     for part, fault, row in (
         ("sketch", boom, BOOM),
         ("tables", boom, BOOM),
@@ -78,7 +78,7 @@ def test_a_part_that_raises_is_a_red_row_and_the_rest_is_judged():
         assert f"in {fault.__name__}\n" in error
 
 
-def test_formulas_and_checks_that_raise_turn_their_rows_red_by_their_names():
+def test_formulas_and_checks_that_raise_fail_their_rows_by_their_names():
     result = beside(replace(CASE, analytic=boom, equations=lambda _q, values: values["v"]))
     assert rows_of(result) == dict.fromkeys(("with elements", "formula alone", "formulas"), BOOM)
     assert len(result.errors) == 1  # no second one about equations without values
@@ -131,7 +131,7 @@ class Dying(Here):
         return super().submit(function, task)
 
 
-def test_a_level_whose_process_died_is_a_red_row_of_its_case_alone():
+def test_a_level_whose_process_died_is_a_failed_row_of_its_case_alone():
     bad = beside(CASE, engine=nullcontext(Engine(Dying(), lambda: 2)))
     died = ("FAIL", "level 4: the process died (signal 9)")
     assert rows_of(bad) == {"with elements": died, "formula alone": HELD}

@@ -42,7 +42,7 @@ def test_the_indices_of_ishigamis_function():
     assert [index.tolerance.name for index in of.ranked] == ["a", "b", "c"]
 
 
-def test_intervals_hold_the_true_index_about_as_often_as_they_say():
+def test_intervals_contain_the_true_index_about_as_often_as_stated():
     hits = trials = 0
     for seed in range(30):
         plan, (x, y) = planned(64, seed=seed)

@@ -86,7 +86,7 @@ def test_only_the_side_whose_code_has_changed_is_solved_again(
     assert got[0] == got[1]
 
 
-def test_a_point_that_fails_has_its_reason_until_it_is_asked_for_again(tmp_path, called):
+def test_a_point_that_fails_has_its_reason_until_it_is_solved_again(tmp_path, called):
     plan = planned("n=0,3,9")
     first = solve(plan, Here(), folder=tmp_path)
     whys = ["", "level 1: ValueError: 9 holes do not fit"]

@@ -81,7 +81,7 @@ def test_json_has_the_same_quantities_in_each_system(capsys):
     assert found["inch"]["inputs"]["T"]["unit"] == "lbf in"
 
 
-def test_a_file_in_inches_is_answered_in_inches_unless_another_system_is_asked_for(capsys):
+def test_a_file_in_inches_is_answered_in_inches_unless_another_system_is_given(capsys):
     fan = str(PARTS / "fan-rotor-inch.toml")
     metric = answered(capsys, "check", fan, "--units", "mm")["values"]
     assert not {v["unit"] for v in metric} & {"mil", "lbf"}

@@ -75,7 +75,7 @@ CHANGES = {
 
 
 @pytest.mark.parametrize("change", CHANGES.values(), ids=CHANGES)
-def test_a_change_is_noticed(report, monkeypatch, change):
+def test_a_change_is_detected(report, monkeypatch, change):
     change(report, monkeypatch)
     with pytest.raises(MakesError):
         verified(report)

@@ -25,7 +25,7 @@ PARTS = Parts(z=6, d_i=0.072, d_e=0.08, D_i=0.10006, d=0.01, b=0.03, e=0.009)
 
 @pytest.mark.parametrize("E_1", [np.inf, 210e9, 70e9])
 @pytest.mark.parametrize("E_2", [210e9, 100e9])
-def test_materials_couple_as_dundurs_beta_and_the_meeting_curvature_say(E_1, E_2):
+def test_materials_couple_by_dundurs_beta_and_the_relative_curvature(E_1, E_2):
     bodies = {"E_1": E_1, "nu_1": 0.3, "E_2": E_2, "nu_2": 0.3, "assumption": "plane stress"}
     kappa = pair_series.meeting_curvature(R_1=0.005, R_2=0.04, **bodies)
     expected = 1e-4 * kappa * float(dundurs_beta(**bodies))

@@ -18,7 +18,7 @@ def holds(estimate, error):
 
 
 @pytest.mark.parametrize("a", [0.02, 0.05, 0.1, 0.2])
-def test_hertz_errs_of_a_disc_on_a_flat_as_the_bounds_say(a):
+def test_the_error_of_hertz_for_a_disc_on_a_flat_is_within_the_bounds(a):
     disc = disc_in_contact(a=a, R=1.0, E_plane=1.0)
     width = np.sqrt(4 * disc.P / np.pi)
     known = OnFlat(width)
@@ -47,7 +47,7 @@ def test_the_error_of_hertz_for_spheres_is_the_first_correction():
 STRIPS = {"value": 1.0, "twice": 1.001, "b": 0.01, "length": 1.0}
 
 
-def test_strips_err_by_half_to_twice_of_what_they_say():
+def test_the_error_of_strips_is_half_to_twice_their_estimate():
     low, high = roller.of_strips(4e-3, **STRIPS, loaded=False, own=False)
     cut = 2 * 1e-3 + 1e-4
     assert (low, high) == (pytest.approx(-8e-3 - cut), pytest.approx(-2e-3 + cut))

@@ -144,7 +144,7 @@ def test_wedge_and_half_plane_open_equally(angle):
 
 
 @pytest.mark.parametrize("P", [1e-12, 1e-3, 0.1])
-def test_load_and_half_width_ask_for_the_same_disc(P):
+def test_load_and_half_width_give_the_same_disc(P):
     loaded = disc_under_load(P=P, R=2.0, E_plane=3.0)
     np.testing.assert_allclose(loaded.P, P, rtol=1e-11)
     assert disc_in_contact(a=loaded.a, R=2.0, E_plane=3.0).p_0 == loaded.p_0

@@ -121,7 +121,7 @@ LOAD = {"T": 10.0, "F_ax": 300.0, "mu": 0.08}
 
 
 @pytest.mark.parametrize("kind", ["normal", "uniform"])
-def test_friction_keeps_the_tails_of_a_normal_one_whatever_dimensions_do(star, kind):
+def test_friction_has_normal_tails_for_any_distribution_of_dimensions(star, kind):
     """P(mu < mean - 2 s): 2.28 % of a normal one, none of a uniform one."""
     drawn = tolerance.draw(star, {"X": 3e-6, "mu": 0.004}, n=20000, seed=5, kind=kind, **LOAD)
     share = np.mean(drawn.drawn["mu"] < LOAD["mu"] - 2 * 0.004)

@@ -81,7 +81,7 @@ def test_eq_6_is_the_arc_of_the_centre_from_its_unloaded_place(cam):
     assert cam.arc(d_i=d_i, d_o=d_o) == pytest.approx(turned * np.hypot(x, y), rel=1e-9)
 
 
-def test_an_outer_cam_s_roller_moves_between_flat_and_shaft_until_it_goes_through():
+def test_an_outer_cam_s_roller_moves_between_flat_and_shaft_until_pop_through():
     ends = float(CUP.pop_through)
     assert ends == pytest.approx(10 + 2 * 2 - CUP.X_o, rel=1e-12)
     share = np.array([0.0, 0.5, 0.99, 1.001])

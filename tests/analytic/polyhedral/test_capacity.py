@@ -84,7 +84,7 @@ def test_sensitivities_are_the_slopes_under_another_closure(monkeypatch):
     assert hub.pressure(N) / p - 1 == pytest.approx(1e-4 * by_pressure, rel=1e-6)
 
 
-def test_the_driven_ring_is_the_locked_ring_under_the_hub_that_goes_with_it():
+def test_the_driven_ring_is_the_locked_ring_under_the_equivalent_hub():
     hub = driven()
     N = hub.force(30.0)
     normal = hub.kappa * N / np.hypot(1, 0.05)

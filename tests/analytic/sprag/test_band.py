@@ -98,7 +98,7 @@ def test_bounded_forces_are_the_best_in_the_box():
         assert cost(T_i, T_e) <= cost(0.5 * x, 2.0 * y).min() + 1e-12
 
 
-def test_phases_tell_contact_rolling_and_sliding():
+def test_phases_distinguish_contact_rolling_and_sliding():
     assert phase(0.0, 0.0, 0.0, 0.0, 0.1) == APART
     assert phase(5.0, 0.05, 0.3, 0.6, 0.1) == STICK
     assert phase(5.0, 0.05, 0.6, 0.6, 0.1) == SLIP

@@ -37,7 +37,7 @@ def rough() -> Largest:
     return fit_largest(X, roughs(X), BOX, power=2.0, present=present)
 
 
-def test_the_largest_of_two_roots_is_met_where_one_process_sees_a_kink() -> None:
+def test_the_largest_of_two_roots_is_found_where_one_process_has_a_kink() -> None:
     true = np.max(regimes(FRESH), axis=0)
     present = [square > 0 for square in squares(X)]
     assert not np.all(present)
@@ -47,7 +47,7 @@ def test_the_largest_of_two_roots_is_met_where_one_process_sees_a_kink() -> None
     assert quality(single.predict(FRESH), true).largest > 0.01
 
 
-def test_left_out_is_what_refits_of_every_regime_say(rough: Largest) -> None:
+def test_left_out_is_the_result_of_refits_of_every_regime(rough: Largest) -> None:
     true = np.max(roughs(X), axis=0)
     expected = []
     for i in range(len(X)):

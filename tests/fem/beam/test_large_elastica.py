@@ -45,7 +45,7 @@ def test_an_end_couple_rolls_a_strip_up_twice():
     np.testing.assert_allclose(forces[..., :2], 0, atol=1e-7)
 
 
-def test_a_follower_force_bends_as_jacobis_functions_say():
+def test_a_follower_force_bends_as_by_jacobis_functions():
     """Seen from the tip the force is dead: psi'' = a^2 cos psi, psi = psi' = 0 at the tip.
 
     With psi = pi/2 - eta a pendulum of 90 deg: sin(eta / 2) = cd(a s) / sqrt 2. At

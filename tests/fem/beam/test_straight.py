@@ -45,7 +45,7 @@ def to_plane(along, across, angle):
 @pytest.mark.parametrize(
     ("angle", "count", "shear"), [(-110, 7, GA), (50, 2, np.inf)], ids=["Timoshenko", "Bernoulli"]
 )
-def test_an_even_load_along_and_across_moves_every_node_as_its_integrals_say(angle, count, shear):
+def test_a_uniform_load_along_and_across_moves_every_node_as_by_its_integrals(angle, count, shear):
     n, q = 7.0, 3.0
     points, pairs = bar(count, angle)
     s = solve_frame(
@@ -166,7 +166,7 @@ def quarter(geometry, count, **problem):
 
 @pytest.mark.parametrize("section", [THICK, THIN], ids=["thick", "thin"])
 @pytest.mark.parametrize("geometry", ORDER)
-def test_the_end_of_a_quarter_moves_as_its_integrals_say(geometry, section):
+def test_the_end_of_a_quarter_moves_as_by_its_integrals(geometry, section):
     load = (1.0, -0.7, 0.4)
     errors = []
     for count in (8, 16):

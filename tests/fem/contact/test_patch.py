@@ -121,7 +121,7 @@ def test_parabolic_facets_fall_away_with_the_third_order_at_least(shapes, swap, 
     assert np.log2(errors[0] / errors[1]) > 2.7, errors
 
 
-def test_circles_that_turn_freely_are_closed_all_around_and_rub_nowhere():
+def test_circles_that_turn_freely_are_closed_all_around_without_friction():
     solved = nested(1, swap=False, shapes=True, friction=0.0)
     assert stress_error(solved) < 1e-4
     touch = nested(1, swap=False, shapes=True, friction=0.1).touches[0]

@@ -41,7 +41,7 @@ def touching(a, c, mu_p=1.0, shift=0.0):
 
 
 @pytest.mark.parametrize(("c", "shift"), [(0.05, 0.0), (0.9, 0.2)])
-def test_the_stick_zone_follows_from_moments_wherever_the_traction_sits(c, shift):
+def test_the_stick_zone_follows_from_moments_for_any_place_of_the_traction(c, shift):
     found = stick_share(touching(2.0, 2.0 * c, mu_p=7.0, shift=shift))
     assert found == pytest.approx(c**2, abs=1e-5)
 

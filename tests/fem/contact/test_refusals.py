@@ -117,7 +117,7 @@ def test_loads_are_refused(loads, message):
         sound.solve(**loads)
 
 
-def test_an_overlap_that_is_asked_for_is_pressed_out():
+def test_a_prescribed_overlap_is_pressed_out():
     fit = replace(TOUCH, press_fit=True)
     mesh = blocks(y=1 - 1e-6)
     s = problem(mesh, contacts=[fit]).solve(forces={"a.top": (0, -1e3)})

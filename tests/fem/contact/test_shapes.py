@@ -61,7 +61,7 @@ def test_a_spiral_that_cannot_be_is_refused(changed, rule):
         Spiral(**{"pole": POLE, "radius": RADIUS, "start": START, "growth": GROWTH} | changed)
 
 
-def test_a_circle_that_turns_about_one_of_its_points_still_goes_through_it():
+def test_a_circle_that_turns_about_one_of_its_points_still_contains_it():
     about = (0.3 + 40 * np.cos(0.2), 40 * np.sin(0.2))
     motion = Motion((0.5, -0.25), 0.1, about)
     moved = Circle((0.3, 0.0), 40.0, hollow=True).moved(motion)

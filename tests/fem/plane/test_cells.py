@@ -66,7 +66,7 @@ def test_cells_that_fold_or_flatten_are_refused(kind, old, new):
         vector_basis(square(kind, old, new), 1)
 
 
-def test_a_fold_between_the_nodes_is_seen_at_a_quadrature_point():
+def test_a_fold_between_the_nodes_is_detected_at_a_quadrature_point():
     # found at random among quadratic cells: from -3.9 to -0.05 at its nodes, 0.2 at a Gauss point
     nodes = np.array([
         (0, 0), (0, 1), (1, 1), (1, 0),

@@ -118,7 +118,7 @@ def test_damped_modes_are_those_of_the_state_matrix():
         assert abs(force).max() < 1e-8 * abs(K @ v).max()
 
 
-def test_modal_and_rayleigh_damping_give_the_ratios_asked_for():
+def test_modal_and_rayleigh_damping_give_the_specified_ratios():
     els = [Element(0.1, 0.03, material=STEEL)] * 6
     parts = {"supports": [Support(n, 1e7, kzz=1e7, k_turn=1e4) for n in (0, 6)]}
     bare = modes(Rotor([Shaft(els)], **parts), 0.0, 10, "all")
@@ -130,7 +130,7 @@ def test_modal_and_rayleigh_damping_give_the_ratios_asked_for():
     assert found[[0, 4]] == pytest.approx([0.02, 0.05], rel=1e-6)
 
 
-def test_round_off_of_a_part_at_rest_does_not_say_how_a_shaft_whirls():
+def test_round_off_of_a_part_at_rest_does_not_decide_the_whirl_of_a_shaft():
     noise = np.random.default_rng(1).standard_normal((2, 8, 2)) * 1e-17
     tilts, turns = np.zeros((2, 8, 12), complex)
     tilts[:, [3, 9]], tilts[:, [4, 10]] = 1, -1j  # every place forward, the axis stays where it is

@@ -67,7 +67,7 @@ def slenderness(mesh):
 
 
 @pytest.mark.parametrize("name", BODIES)
-def test_the_zone_holds_even_cells_and_as_many_as_asked_for(name):
+def test_the_zone_has_even_cells_of_the_specified_number(name):
     refine, radius = 3, BODIES[name][2]
     mesh = body(name, refine=refine, cells=5)
     facets = np.asarray(mesh.boundaries[touched(mesh)])
@@ -112,7 +112,7 @@ def places(length, n, b):
     ("length", "first", "growth"),
     [(1.0, 0.1, 1.6), (1.0, 1e-4, 1.6), (500.0, 1.0, 1.2), (3.0, 2.5, 2.0)],
 )
-def test_cells_grow_by_no_more_than_asked_and_start_with_their_size(length, first, growth):
+def test_cells_grow_by_no_more_than_specified_and_start_with_their_size(length, first, growth):
     n = cells_along(length=length, first=first, growth=growth)
     b = beta(length=length, first=first, cells=n)
     sizes = np.diff(places(length, n, b))

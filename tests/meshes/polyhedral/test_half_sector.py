@@ -17,7 +17,7 @@ def ring(**changed):
     return half_sector(**{"z": 6, "d_e": D_E, "d_i": D_I, "fillet": FILLET, "refine": 1} | changed)
 
 
-def test_the_fine_zone_and_the_hub_are_where_they_were_asked_for():
+def test_the_fine_zone_and_the_hub_are_at_the_specified_places():
     mesh = ring(zone=ZONE, cells=8, hub=HUB, refine=2)
     y = np.sort(nodes(mesh, "zone")[1])
     assert (y[0], y[-1]) == pytest.approx((0, ZONE), abs=ROUND_OFF)

@@ -20,7 +20,7 @@ def test_a_section_names_its_four_sides(bore, inside):
 
 
 @pytest.mark.parametrize(("start", "end"), [(4.5, 0.0), (4.5, 6.5)])
-def test_stations_are_fine_at_their_start_and_grow_by_no_more_than_asked(start, end):
+def test_stations_are_fine_at_their_start_and_grow_by_no_more_than_specified(start, end):
     s = stations(start=start, end=end, first=0.05, growth=1.6)
     size = np.diff(s) if end > start else np.diff(s)[::-1]
     assert (s[0], s[-1]) == (min(start, end), max(start, end))

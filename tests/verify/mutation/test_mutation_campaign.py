@@ -100,7 +100,7 @@ def by(group: Group, outcomes: Outcomes) -> dict[tuple[str, str], Outcome]:
 
 
 @pytest.mark.slow("pytest starts for each mutant")
-def test_each_mutant_meets_what_notices_it(group, tmp_path):
+def test_each_mutant_is_judged_by_what_detects_it(group, tmp_path):
     outcomes = made(tmp_path)
     Campaign(group, outcomes, 2).run()
     found = by(group, outcomes)

@@ -80,7 +80,7 @@ def f(a: "1 + 2", *, n=3) -> float:
 '''
 
 
-def test_what_no_row_is_meant_to_see_is_left_alone():
+def test_code_that_no_row_can_detect_is_not_changed():
     found = [(o.mutant.function, o.mutant.before) for o in mutants(source(GUARDED), FORMULAS)]
     assert set(found) == {
         ("TOL", "0.001"), ("f", "3"), ("f", "np.zeros_like(a + 1) + brentq(g, xtol=4 * a)"),

@@ -26,7 +26,7 @@ def verdict(declared, *rows, corrected=()):
     return found._verdict("huang2018", "Huang 2018", declared, known, corrected)
 
 
-def test_evidence_that_does_not_stand_or_was_not_run_gives_no_verdict(row):
+def test_evidence_that_failed_or_was_not_run_gives_no_verdict(row):
     for changes, says in (
         ({"status": Status.FAIL}, "ring-lame/x is FAIL"),
         ({"status": Status.CALIBRATED}, "ring-lame/x is CALIBRATED"),
@@ -77,7 +77,7 @@ def test_what_has_no_evidence_has_a_reason():
         assert (got.verdict, got.words) == (kind, "why")
 
 
-def test_a_caution_needs_a_row_that_stands_and_joins_the_sentence(row):
+def test_a_caution_needs_a_passed_row_and_is_added_to_the_sentence(row):
     warned = formula(**CAUTION)
     stands = row("c", 0.0, kind=Kind.FACT)
     assert verdict(warned, row("x", 0.001), stands).words.endswith("; but it buckles")

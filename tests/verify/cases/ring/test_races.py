@@ -49,7 +49,7 @@ def test_n_is_the_number_of_sprags(fails):
     assert {"bore displacement, mean", "Eq. 6 at a load", "Eq. 6 between loads"} <= found
 
 
-def test_smearing_costs_windup_and_hides_force_from_12_sprags_on():
+def test_a_uniform_load_misses_windup_and_force_from_12_sprags_on():
     races = (OuterRace(), InnerRace())
     windup, peak = figures.ratios(races, 12)
     assert 1.04 < windup < 1.05
