@@ -27,12 +27,14 @@ def join(meshes: Mapping[str, Mesh2D]) -> Mesh2D:
         cells = np.arange(first, first + mesh.nelements)
         facet = np.empty(mesh.nfacets, dtype=np.int64)
         facet[mesh.t2f] = whole.t2f[:, cells]
-        for own, facets in (mesh.boundaries or {}).items():
+        for label, facets in (mesh.boundaries or {}).items():
             moved = facet[facets]
             oriented = isinstance(facets, OrientedBoundary)
-            boundaries[f"{name}.{own}"] = OrientedBoundary(moved, facets.ori) if oriented else moved
+            boundaries[f"{name}.{label}"] = (
+                OrientedBoundary(moved, facets.ori) if oriented else moved
+            )
         bodies[name] = cells
-        for own, chosen in (mesh.subdomains or {}).items():
-            bodies[f"{name}.{own}"] = cells[chosen]
+        for label, chosen in (mesh.subdomains or {}).items():
+            bodies[f"{name}.{label}"] = cells[chosen]
         first += mesh.nelements
     return whole.with_boundaries(boundaries).with_subdomains(bodies)

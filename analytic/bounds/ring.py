@@ -23,18 +23,18 @@ Interval = tuple[float, float]
 
 
 def smeared_error(
-    *, mean: float, at: float, load: float, dent: float = 0.0, added: float = 0.0
+    *, mean: float, at: float, load: float, indentation: float = 0.0, added: float = 0.0
 ) -> Interval | None:
-    """Relative error of Eq. 6 plus the indentation `added`, against `at` - `dent`, within ACCEPTED.
+    """Relative error of Eq. 6 with `added`, against `at` less `indentation`, within ACCEPTED.
 
     Displacements [length] of the loaded wall: its `mean`, `at` the place, and at a `load`. None
     where less than PART of the last one remains without the local indentation.
 
-    >>> low, high = smeared_error(mean=1.1, at=1.5, load=1.5, dent=0.5)
+    >>> low, high = smeared_error(mean=1.1, at=1.5, load=1.5, indentation=0.5)
     >>> round(low, 6), round(high, 6)
     (0.0989, 0.1011)
     """
-    reference = at - dent
+    reference = at - indentation
     if abs(reference) < PART * load:
         return None
     ratio = (mean + added) / reference

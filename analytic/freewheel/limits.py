@@ -19,7 +19,7 @@ from analytic.freewheel.state import State
 HALVINGS = 60
 LEAST = 1e-9  # of the largest normal force, from which limits are searched
 
-TOLD = {
+MEANINGS = {
     "release": "the rollers slip out: tan(alpha) exceeds mu",
     "pressure_inner": "the inner contact reaches the pressure limit",
     "pressure_outer": "the outer contact reaches the pressure limit",
@@ -31,7 +31,7 @@ TOLD = {
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Limits:
-    """Torque [force x length] at each limit; `TOLD` says what each name means."""
+    """Torque [force x length] at each limit; `MEANINGS` describes them."""
 
     release: Array
     pressure_inner: Array
@@ -53,8 +53,10 @@ class Limits:
 
     def passed(self, T: ArrayLike) -> NDArray[np.str_]:
         """Message on the limit that the torque T exceeds; empty within all limits."""
-        told = np.array([TOLD[field.name] for field in fields(self)])[self._all.argmin(axis=0)]
-        return np.where(not_negative(T, "torque", "N m") > self.torque, told, "")
+        messages = np.array([MEANINGS[field.name] for field in fields(self)])[
+            self._all.argmin(axis=0)
+        ]
+        return np.where(not_negative(T, "torque", "N m") > self.torque, messages, "")
 
     @property
     def _all(self) -> Array:

@@ -14,7 +14,7 @@ from analytic.freewheel.duty import Duty
 from analytic.freewheel.geometry import InnerCam
 
 FINE, NARROW = 1e-8, 0.1  # for a derivative [m], at most this of what a wedge has
-FARTHEST, POINTS = 0.999, 400  # of the room that a wedge has; places in it
+MAX_SHIFT, POINTS = 0.999, 400  # of the room that a wedge has; places in it
 STIFFEST, HALVINGS = 4.0, 30  # times R_a, beyond which a housing does no more
 LONGEST = 10.0  # times L that are advised at most
 
@@ -67,7 +67,7 @@ def until_pop_through(duty: Duty) -> float:
 
 def _first(duty: Duty, sense: float, met: Callable[[Array], NDArray[np.bool_]]) -> float:
     """The first dX [m] of this sign, up to next to no wedge, at which `met` holds; nan if none."""
-    dX = sense * np.linspace(0.0, FARTHEST * duty.clutch.cam.room, POINTS)
+    dX = sense * np.linspace(0.0, MAX_SHIFT * duty.clutch.cam.room, POINTS)
     there = met(dX)
     if not np.any(there):
         return math.nan

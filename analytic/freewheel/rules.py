@@ -8,15 +8,15 @@ from analytic.contact.checks import Array, positive
 
 def require(holds: ArrayLike, rule: str, unit: str = "m", **values: ArrayLike) -> None:
     """ValueError with the rule and the first values that break it, unless `holds` throughout."""
-    kept: NDArray[np.bool_] = np.asarray(holds, dtype=np.bool_)
-    if np.all(kept):
+    valid: NDArray[np.bool_] = np.asarray(holds, dtype=np.bool_)
+    if np.all(valid):
         return
-    first = np.unravel_index(int(np.argmin(kept)), kept.shape)
-    told = ", ".join(
-        f"{name}={np.broadcast_to(np.asarray(value), kept.shape)[first]:.7g} {unit}".rstrip()
+    first = np.unravel_index(int(np.argmin(valid)), valid.shape)
+    given = ", ".join(
+        f"{name}={np.broadcast_to(np.asarray(value), valid.shape)[first]:.7g} {unit}".rstrip()
         for name, value in values.items()
     )
-    raise ValueError(f"{rule}, got {told}")
+    raise ValueError(f"{rule}, got {given}")
 
 
 def rollers(z: ArrayLike) -> Array:

@@ -43,10 +43,10 @@ class RollerLoad:
 
     def __call__(self, zeta: Complex) -> Values:
         """Potentials at points of the ring, up to 0.999 of the outside radius."""
-        farthest = float(np.abs(zeta).max())
-        if farthest > DEEPEST * self.sector.r_e:
+        largest = float(np.abs(zeta).max())
+        if largest > DEEPEST * self.sector.r_e:
             raise ValueError(
-                f"points may go to {DEEPEST} of the loaded outside, got |zeta|={farthest:g} m, "
+                f"points may go to {DEEPEST} of the loaded outside, got |zeta|={largest:g} m, "
                 f"d_e={self.sector.d_e:g} m"
             )
         return _disc(self.sector, self.a, zeta).plus(self.correction(zeta))

@@ -17,7 +17,7 @@ Whirl = Literal["forward", "backward"]
 SENSES: tuple[Whirl, ...] = ("forward", "backward")
 MOST_NODES = 400  # cut so fine, a rotor is far beyond the range of beam theory
 PLANAR = 1e-6
-ALIKE = 1e-9  # of the largest unknown: those of a symmetric shape differ by round-off
+SAME_SIZE = 1e-9  # of the largest unknown: those of a symmetric shape differ by round-off
 
 
 @dataclass(frozen=True)
@@ -163,7 +163,7 @@ def _shape(search: _Search, bending: Bending, w: float, k: int) -> NDArray[np.co
     _, vectors = np.linalg.eigh(search.stiffness(bending, np.array([w]), item)[0])
     v = vectors[:, k].astype(np.complex128)
     size = np.abs(v)
-    v = np.asarray(v / v[(size >= (1 - ALIKE) * size.max()).argmax()])
+    v = np.asarray(v / v[(size >= (1 - SAME_SIZE) * size.max()).argmax()])
     if search.whirl is None:
         return v
     none = np.zeros_like(v)

@@ -17,7 +17,7 @@ from analytic.contact.checks import Array
 
 AROUND = 0.6  # rad of spiral to either side of where it may touch
 AROUND_IT = np.array([-1.0, 0.0, 1.0])  # of the points' distance: abscissae of the parabola
-DRAWN_ANEW = 6  # refinements about the lowest place: no error by the position of the points
+REFINEMENTS = 6  # about the lowest place: no error by the position of the points
 POWER = 3  # of the path's steps in the force: near no load a small force causes a large rotation
 FAR = 6.0  # rad, more than any sprag turns
 
@@ -123,7 +123,7 @@ class Drawn:
         far = np.hypot(x, y)
         k = int(np.clip(np.argmin(far), 1, len(far) - 2))
         at = theta[k]
-        for _ in range(DRAWN_ANEW):
+        for _ in range(REFINEMENTS):
             left, low, right = np.hypot(*self._at(at + h * AROUND_IT, psi - alpha, OC))
             at += h * (left - right) / (2 * (left - 2 * low + right))
         x_k, y_k = self._at(np.array([at]), psi - alpha, OC)

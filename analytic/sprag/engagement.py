@@ -46,8 +46,8 @@ from numba import njit
 from analytic.contact.checks import Array
 from analytic.sprag.history import Phase
 
-APART, STICK, SLIP = (int(phase) for phase in Phase)
-TOLD = 9  # N, T_i, T_e, v_i, v_e, whether the contacts could stick, their phases
+OPEN, STICK, SLIP = (int(phase) for phase in Phase)
+OUTPUTS = 9  # N, T_i, T_e, v_i, v_e, whether the contacts could stick, their phases
 DONE, OVER, MISSED, NOT_FINITE = range(4)
 
 F = TypeVar("F", bound=Callable[..., Any])
@@ -231,13 +231,13 @@ def friction(c: Contacts, law: Law) -> tuple[float, float]:
 def phase(N: float, v: float, T: float, most: float, D_V: float) -> int:
     """Phase of a contact: open, sticking or slipping."""
     if N <= 0.0:
-        return APART
+        return OPEN
     return STICK if abs(v) < D_V and abs(T) < most else SLIP
 
 
 @compiled
-def rates(y: Array, C: float, law: Law, dy: Array, told: Array) -> None:
-    """Rates `dy` of angles, speeds and works `y` under the torque C; `told`: forces and slip."""
+def rates(y: Array, C: float, law: Law, dy: Array, outputs: Array) -> None:
+    """Rates `dy` of angles, speeds and works `y` under the torque C; `outputs`: forces and slip."""
     g = place(law, y[3])
     free = free_rates(y, C, law, g)
     c = contacts(y, law, g, free)
@@ -252,11 +252,11 @@ def rates(y: Array, C: float, law: Law, dy: Array, told: Array) -> None:
     dy[9] = law.n_s * law.K_r * (law.alpha_max - y[3]) * (y[7] - y[6])
     dy[10] = law.C_rl * (y[4] - y[5]) ** 2
     dy[11] = law.n_s * (T_i * c.v_i + T_e * c.v_e)
-    told[0], told[1], told[2], told[3], told[4] = g.N, T_i, T_e, c.v_i, c.v_e
-    told[5] = abs(c.d_i - c.a_ie * T_e) <= c.a_ii * law.mu_s * g.N
-    told[6] = abs(c.d_e - c.a_ie * T_i) <= c.a_ee * law.mu_s * g.N
-    told[7] = phase(g.N, c.v_i, T_i, c.most_i, law.D_V)
-    told[8] = phase(g.N, c.v_e, T_e, c.most_e, law.D_V)
+    outputs[0], outputs[1], outputs[2], outputs[3], outputs[4] = g.N, T_i, T_e, c.v_i, c.v_e
+    outputs[5] = abs(c.d_i - c.a_ie * T_e) <= c.a_ii * law.mu_s * g.N
+    outputs[6] = abs(c.d_e - c.a_ie * T_i) <= c.a_ee * law.mu_s * g.N
+    outputs[7] = phase(g.N, c.v_i, T_i, c.most_i, law.D_V)
+    outputs[8] = phase(g.N, c.v_e, T_e, c.most_e, law.D_V)
 
 
 @compiled
@@ -284,9 +284,9 @@ def missed(before: Array, now: Array, D_V: float) -> int:
 @compiled
 def run(
     y: Array, dt: float, law: Law, guard: bool, times: Array, torques: Array,
-    states: Array, told: Array, seen: Array,
+    states: Array, outputs: Array, seen: Array,
 ) -> tuple[int, int, int]:  # fmt: skip
-    """Fills `states` and `told` step by step; returns the end, its step and the contact.
+    """Fills `states` and `outputs` step by step; returns the end, its step and the contact.
 
     `seen`: the row before and the row after a band that was missed.
     """
@@ -299,19 +299,19 @@ def run(
             return NOT_FINITE, n, 0
         if y[3] > end:
             return OVER, n, 0
-        rates(y, torque_at(t, times, torques), law, stages[0], told[n])
-        contact = missed(told[n - 1], told[n], law.D_V) if guard and n > 0 else -1
+        rates(y, torque_at(t, times, torques), law, stages[0], outputs[n])
+        contact = missed(outputs[n - 1], outputs[n], law.D_V) if guard and n > 0 else -1
         if contact >= 0:
-            seen[:] = told[n - 1 : n + 1]
+            seen[:] = outputs[n - 1 : n + 1]
             return MISSED, n, contact
         for stage in range(1, 4):
             part = dt if stage == 3 else dt / 2
             for j in range(len(y)):
                 at[j] = y[j] + part * stages[stage - 1, j]
             rates(at, torque_at(t + part, times, torques), law, stages[stage], seen[1])
-            contact = missed(told[n], seen[1], law.D_V) if guard else -1
+            contact = missed(outputs[n], seen[1], law.D_V) if guard else -1
             if contact >= 0:
-                seen[0] = told[n]
+                seen[0] = outputs[n]
                 return MISSED, n, contact
         for j in range(len(y)):
             y[j] += dt / 6 * (stages[0, j] + 2 * (stages[1, j] + stages[2, j]) + stages[3, j])

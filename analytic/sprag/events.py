@@ -273,11 +273,11 @@ def engage_by_events(
         ended = [k for k in (0, 1) if len(leg.t_events) > 2 and len(leg.t_events[2 + k])]
         lost = {k: int(np.sign(T[k])) for k in ended if mode[k] == ROLLS}
         if leg.status == 0 or len(leg.t_events[0]):
-            return _told(system, parts, peaks, over=bool(len(leg.t_events[0])))
+            return _result(system, parts, peaks, over=bool(len(leg.t_events[0])))
     raise ArithmeticError(f"more than {EVENTS} events, up to t={t:.6g} s")
 
 
-def _told(
+def _result(
     system: System,
     parts: list[tuple[Mode, Array, Array]],
     peaks: list[tuple[float, float]],

@@ -23,14 +23,14 @@ Verdict = Literal["locks", "slips", "over the end", "disengages", "not followed"
 class Phase(IntEnum):
     """Phase of a contact: open, sticking or slipping."""
 
-    APART = 0
+    OPEN = 0
     STICK = 1
     SLIP = 2
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Engagement:
-    """History of an engagement, sampled every `dt`; `states` (steps, 12), `told` (steps, 9)."""
+    """History of an engagement, sampled every `dt`; `states` (steps, 12), `outputs` (steps, 9)."""
 
     table: Table
     motion: Motion
@@ -39,7 +39,7 @@ class Engagement:
     dt: float  # s
     over: bool  # past the end of the profile
     states: Array
-    told: Array
+    outputs: Array
 
     @property
     def t(self) -> Array:
@@ -49,27 +49,27 @@ class Engagement:
     @property
     def N(self) -> Array:
         """Normal force [N] of one contact, (steps,)."""
-        return np.asarray(self.told[:, 0])
+        return np.asarray(self.outputs[:, 0])
 
     @property
     def T_i(self) -> Array:
         """Friction force [N] of one sprag at the inner race, (steps,)."""
-        return np.asarray(self.told[:, 1])
+        return np.asarray(self.outputs[:, 1])
 
     @property
     def T_e(self) -> Array:
         """Friction force [N] of one sprag at the outer race, (steps,)."""
-        return np.asarray(self.told[:, 2])
+        return np.asarray(self.outputs[:, 2])
 
     @property
     def v_i(self) -> Array:
         """Sliding speed [m/s] of the inner race against the sprag, (steps,)."""
-        return np.asarray(self.told[:, 3])
+        return np.asarray(self.outputs[:, 3])
 
     @property
     def v_e(self) -> Array:
         """Sliding speed [m/s] of the sprag against the outer race, (steps,)."""
-        return np.asarray(self.told[:, 4])
+        return np.asarray(self.outputs[:, 4])
 
     @property
     def alpha(self) -> Array:
@@ -89,7 +89,7 @@ class Engagement:
     @property
     def phases(self) -> NDArray[np.int8]:
         """`Phase` of the inner and the outer contact, (steps, 2)."""
-        return self.told[:, 7:9].astype(np.int8)
+        return self.outputs[:, 7:9].astype(np.int8)
 
     @cached_property
     def peak(self) -> tuple[float, float]:
@@ -160,7 +160,7 @@ class Engagement:
         if not self.followed:
             return "not followed"
         late = self.phases[-max(1, int(LATE * len(self.states))) :]
-        if np.mean(late[:, 0] == Phase.APART) > 0.5:
+        if np.mean(late[:, 0] == Phase.OPEN) > 0.5:
             return "disengages"
         return "slips" if np.mean((late == Phase.SLIP).any(axis=1)) > 0.5 else "locks"
 

@@ -19,7 +19,7 @@ from analytic.sprag.course import energy, rolled
 from analytic.sprag.start import spring_equilibrium
 from analytic.sprag.table import INTERVALS, Table, tabulated
 
-KEPT = 64  # clutches in memory
+CACHE_SIZE = 64  # clutches in memory
 STATES = 401  # from no load to the end of the profile
 SHARE = 1.3  # of the energy put in, which the end of the table must store
 LONGEST = 60  # times that the largest load is raised
@@ -92,7 +92,7 @@ class RaceSpring:
         return float(np.interp(self.pressed.N, self.states.N, self.theta))
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=CACHE_SIZE)
 def _table(w: RaceSpring, intervals: int) -> Table:
     return tabulated(w.clutch, N_end=w.end, intervals=intervals)
 

@@ -9,7 +9,7 @@ from analytic.ring.fourier_ring import Wall
 from analytic.ring.smeared import smeared_error
 from analytic.sprag.parts import Parts
 
-APART = 0.9  # of half a pitch: patches that are wider would overlap
+WIDEST = 0.9  # of half a pitch: patches that are wider would overlap
 
 
 def hoop(p: Parts, N: float, N_e: float) -> dict[str, float]:
@@ -36,7 +36,7 @@ def over_smeared(p: Parts, a: float, loaded: Wall) -> float:
     """
     R_i, R_e, R_id, R_ed, _ = _radii(p)
     r, ratio = (R_i, R_i / R_id) if loaded == "rim" else (R_e, R_ed / R_e)
-    a_r = min(a / r, APART * math.pi / p.n_s)
+    a_r = min(a / r, WIDEST * math.pi / p.n_s)
     return 1 / (1 + smeared_error(n=p.n_s, ratio=ratio, a_r=a_r, nu=p.nu, loaded=loaded).load)
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from analytic.contact.checks import Array, positive
-from analytic.sprag.engagement import MISSED, NOT_FINITE, OVER, TOLD, Law, run
+from analytic.sprag.engagement import MISSED, NOT_FINITE, OUTPUTS, OVER, Law, run
 from analytic.sprag.history import STATES, Engagement
 from analytic.sprag.motion import Motion, Speeds, Torque
 from analytic.sprag.rest import at_rest
@@ -83,10 +83,10 @@ def _engage(
         slopes=table.slopes,
     )  # fmt: skip
     steps = round(duration / dt) + 1
-    states, told = np.zeros((steps, STATES)), np.zeros((steps, TOLD))
-    seen = np.zeros((2, TOLD))
+    states, outputs = np.zeros((steps, STATES)), np.zeros((steps, OUTPUTS))
+    seen = np.zeros((2, OUTPUTS))
     y = np.concatenate([start, np.zeros(STATES - len(start))])
-    ended, n, contact = run(y, dt, law, guard, torque.times, torque.values, states, told, seen)
+    ended, n, contact = run(y, dt, law, guard, torque.times, torque.values, states, outputs, seen)
     if ended == MISSED:
         change = float(abs(np.diff(seen[:, 3 + contact])[0]))
         raise NarrowBandError(
@@ -97,9 +97,9 @@ def _engage(
         raise LongStepError(what=what, dt=dt, table=table, motion=motion)
     found = Engagement(
         table=table, motion=motion, torque=torque, D_V=D_V, dt=dt, over=ended == OVER,
-        states=states[:n], told=told[:n],
+        states=states[:n], outputs=outputs[:n],
     )  # fmt: skip
     if guard and not (lost := missing(found)) <= NO_ANSWER:
-        what = f"the energies miss {lost:.2g} of the work put in"
+        what = f"the energy balance is off by {lost:.2g} of the work put in"
         raise LongStepError(what=what, dt=dt, table=table, motion=motion)
     return found

@@ -24,14 +24,14 @@ class Pair:
     """A tip and the place of the next leaf that it will touch, separated by unit forces.
 
     They load a section at (x, y) with the couple `moment` . (1, x, y) and the force `force`:
-    on `loop` beside the spring's own force, and on `own`, which holds the free half leaf too.
+    on `loop` together with the spring's force; `with_tip` contains the free half leaf, too.
     `distance` is from centre line to centre line, `gap` what the thickness leaves of it.
     """
 
     moment: Array
     force: Array
     loop: Wire
-    own: Wire
+    with_tip: Wire
     distance: Array
     gap: Array
 

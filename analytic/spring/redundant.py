@@ -14,8 +14,10 @@ from analytic.spring.wire import Wire
 
 Theory = Literal["bending", "thin", "shear"]
 
-OWN = np.array([[0.0, 0, 1], [0, -1, 0], [1, 0, 0]])  # couples of F_x, F_y, M_0 at (1, x, y)
-OWN_FORCE = np.array([[1.0, 0], [0, 1], [0, 0]])
+END_COUPLES = np.array(
+    [[0.0, 0, 1], [0, -1, 0], [1, 0, 0]]
+)  # couples of F_x, F_y, M_0 at (1, x, y)
+END_FORCES = np.array([[1.0, 0], [0, 1], [0, 0]])
 PAIRS = 3  # where the pairs' rows begin
 
 
@@ -51,12 +53,12 @@ def compliances(shape: Line, b: Array, nu: Array, theory: Theory) -> Array:
         return np.asarray(w @ wire.G @ np.swapaxes(v, -1, -2) + f @ D @ np.swapaxes(g, -1, -2))
 
     A = np.zeros((*shape.whole.length.shape, 5, 5))
-    A[..., :PAIRS, :PAIRS] = energy(OWN, OWN_FORCE, shape.whole, OWN, OWN_FORCE)
+    A[..., :PAIRS, :PAIRS] = energy(END_COUPLES, END_FORCES, shape.whole, END_COUPLES, END_FORCES)
     for i, pair in ((PAIRS, shape.head), (PAIRS + 1, shape.tail)):
         w, f = pair.moment[..., None, :], pair.force[..., None, :]
-        A[..., :PAIRS, i] = energy(OWN, OWN_FORCE, pair.loop, w, f)[..., 0]
+        A[..., :PAIRS, i] = energy(END_COUPLES, END_FORCES, pair.loop, w, f)[..., 0]
         A[..., i, :PAIRS] = A[..., :PAIRS, i]
-        A[..., i, i] = energy(w, f, pair.own, w, f)[..., 0, 0]
+        A[..., i, i] = energy(w, f, pair.with_tip, w, f)[..., 0, 0]
     return A
 
 

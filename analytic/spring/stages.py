@@ -63,7 +63,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.spring.loops import Array, Normal, Tail, line
-from analytic.spring.redundant import OWN, Theory, compliances, response, turn
+from analytic.spring.redundant import END_COUPLES, Theory, compliances, response, turn
 
 Head = Literal["free", "hinged", "guided"]
 
@@ -188,7 +188,7 @@ def stages(
     both = response(A, HELD[head], (0, 1))
     at_once = more <= AT_ONCE * F_A
     k2, more = np.where(at_once, both.k, k2), np.where(at_once, 0.0, more)
-    couple = free.X[..., :3] @ OWN
+    couple = free.X[..., :3] @ END_COUPLES
     turned = _either(first, *(turn(pair, couple) for pair in (shape.head, shape.tail)))
     EI, U_A = factor * E * h * b**3 / 12, F_A / free.k
     return Stages(

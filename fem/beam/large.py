@@ -248,12 +248,12 @@ class LargeFrame:
     def _reach(
         self, pattern: Loading, held: Mask, factors: Iterable[float], since: State | None
     ) -> Path:
-        wanted = [float(factor) for factor in factors]
-        if not np.isfinite(wanted).all():
-            raise ValueError(f"factors must be finite numbers, got {wanted}")
+        targets = [float(factor) for factor in factors]
+        if not np.isfinite(targets).all():
+            raise ValueError(f"factors must be finite numbers, got {targets}")
         march = self._march(pattern, held, since)
         start = march.state
-        return self._end(Path(start, tuple(march.reach(f) for f in wanted), pattern))
+        return self._end(Path(start, tuple(march.reach(f) for f in targets), pattern))
 
     def _march(self, pattern: Loading, held: Mask, since: State | None) -> March:
         if self.terms and since is not None and since is not self._reached:

@@ -206,12 +206,12 @@ def check_rigid_motions(points: Array, elements: Indices, free: NDArray[np.bool_
     part = _parts(len(points), elements)
     parts = int(part.max()) + 1
     for k in range(parts):
-        own = np.flatnonzero(part == k)
-        at = points[own] - points[own].mean(axis=0)
+        members = np.flatnonzero(part == k)
+        at = points[members] - points[members].mean(axis=0)
         x, y = (at / max(np.ptp(at, axis=0).max(), 1e-300)).T
         one, zero = np.ones_like(x), np.zeros_like(x)
         modes = np.stack([[one, zero, zero], [zero, one, zero], [-y, x, one]])  # mode, dof, node
-        held = modes.transpose(2, 1, 0)[~free.reshape(-1, 3)[own]]
+        held = modes.transpose(2, 1, 0)[~free.reshape(-1, 3)[members]]
         _, s, v = np.linalg.svd(np.vstack([held, np.zeros((3, 3))]), full_matrices=False)
         if s[2] < 1e-9:
             motion = ", ".join(
@@ -219,5 +219,5 @@ def check_rigid_motions(points: Array, elements: Indices, free: NDArray[np.bool_
                 for c, word in zip(v[2], ("x", "y", "rotation"), strict=True)
                 if abs(c) > 1e-9
             )
-            which = "the frame" if parts == 1 else f"the part of node {own[0]}"
+            which = "the frame" if parts == 1 else f"the part of node {members[0]}"
             raise ValueError(f"{which} can move rigidly ({motion}): support it against that")

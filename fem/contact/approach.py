@@ -8,7 +8,7 @@ from fem.contact.solution import ContactSolution, Touch
 from fem.contact.trace import Trace
 from fem.plane.discretisation import Array
 
-APART = 1e-4  # initial distance times curvature: below, gaps are linear in the motion
+LARGEST_GAP = 1e-4  # initial distance times curvature: below, gaps are linear in the motion
 
 
 def approached(solution: ContactSolution, surfaces: Surfaces) -> list[Array | None] | None:
@@ -25,15 +25,15 @@ def approached(solution: ContactSolution, surfaces: Surfaces) -> list[Array | No
         for p, m in zip(surfaces.pairs, surfaces.masters, strict=True)
     ]
     bends = [s.curvature() + m for s, m in zip(surfaces.slaves, masters, strict=True)]
-    if not any(_apart(touch, bend) for (touch, _, _), bend in zip(sides, bends, strict=True)):
+    if not any(_is_far(touch, bend) for (touch, _, _), bend in zip(sides, bends, strict=True)):
         return None
     u, count = solution.displacements, solution.bodies.basis.N
     return [_base(u, count, *side) if np.any(side[0].p > 0) else None for side in sides]
 
 
-def _apart(touch: Touch, bend: float) -> bool:
+def _is_far(touch: Touch, bend: float) -> bool:
     distance = touch.mortar.points.gap[touch.p > 0]
-    return distance.size > 0 and bool(distance.min() * bend > APART)
+    return distance.size > 0 and bool(distance.min() * bend > LARGEST_GAP)
 
 
 def _base(u: Array, count: int, touch: Touch, slave: Trace, master: Trace | None) -> Array:

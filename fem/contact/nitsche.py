@@ -21,7 +21,7 @@ from dataclasses import replace
 import numpy as np
 
 from fem.contact.actions import Forces
-from fem.contact.approach import APART
+from fem.contact.approach import LARGEST_GAP
 from fem.contact.convex import Piecewise
 from fem.contact.nitsche_rows import Rows, rows
 from fem.contact.nitsche_solution import NitscheSolution, PointTouch, touches_of
@@ -94,7 +94,7 @@ def solve_nitsche(
     u = bodies.unknowns.T @ free + u_0
     mortars = problem.interface.mortars
     touches = touches_of(mortars, own, own.moved(u), found, turn=bodies.turn)
-    _check_apart(problem, touches)
+    _check_gap(problem, touches)
     return NitscheSolution(
         bodies=bodies, touches=touches, displacements=u, forces=f + own.forces(u, found),
         tractions=found, slips=(own.motion @ u)[n:], free=free, iterations=iterations,
@@ -144,14 +144,14 @@ def _check_slaves(problem: ContactProblem, loaded: Iterable[str]) -> None:
                 )
 
 
-def _check_apart(problem: ContactProblem, touches: Iterable[PointTouch]) -> None:
+def _check_gap(problem: ContactProblem, touches: Iterable[PointTouch]) -> None:
     """ValueError where surfaces that touch were paired too far from each other."""
     s = problem.surfaces
     for pair, slave, master, touch in zip(s.pairs, s.slaves, s.masters, touches, strict=True):
         bend = slave.curvature() + (0.0 if master is None else master.curvature())
-        apart = touch.mortar.points.gap[touch.p > 0].min(initial=np.inf)
-        if np.isfinite(apart) and apart * bend > APART:
+        gap = touch.mortar.points.gap[touch.p > 0].min(initial=np.inf)
+        if np.isfinite(gap) and gap * bend > LARGEST_GAP:
             raise ValueError(
-                f"contact {pair}: the initial gap of {apart:.3g} is too large for Nitsche's "
+                f"contact {pair}: the initial gap of {gap:.3g} is too large for Nitsche's "
                 "method, which pairs the surfaces once: let them start close to each other"
             )

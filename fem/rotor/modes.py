@@ -11,7 +11,7 @@ from fem.rotor.elements import Array
 from fem.rotor.model import Rotor
 from fem.rotor.parts import UNKNOWNS
 
-ALIKE = 1e-9  # of the largest displacement: those of a symmetric shape differ by round-off
+SAME_SIZE = 1e-9  # of the largest displacement: those of a symmetric shape differ by round-off
 
 
 @dataclass(frozen=True)
@@ -64,6 +64,6 @@ def normalised(shapes: Complex) -> Complex:
     still = abs(moved).max(axis=1) <= 1e-9 * abs(turned).max(axis=1)
     chosen = np.where(still[:, None], turned, moved)
     size = abs(chosen)
-    first = (size >= (1 - ALIKE) * size.max(axis=1, keepdims=True)).argmax(axis=1)
+    first = (size >= (1 - SAME_SIZE) * size.max(axis=1, keepdims=True)).argmax(axis=1)
     largest = np.take_along_axis(chosen, first[:, None], axis=1)
     return np.asarray(nodes / largest[:, :, None])

@@ -57,8 +57,8 @@ def tied_unknowns(ties: Mapping[str, str], boundaries: Boundaries, count: int) -
     for name, components in ties.items():
         nodes = nodes_of(name, boundaries, count)
         for component in components:
-            own = 6 * nodes + place(component, name)
-            pairs.append(np.array([np.full(own.size - 1, own[0]), own[1:]]))
+            members = 6 * nodes + place(component, name)
+            pairs.append(np.array([np.full(members.size - 1, members[0]), members[1:]]))
     return np.hstack(pairs)
 
 
@@ -90,15 +90,15 @@ def check_rigid_motions(points: Array, cells: Indices, held: Array, pairs: Indic
     parts, part = connected_components(graph, directed=False)
     fixed = ~np.isnan(held)
     for k in range(parts):
-        own = np.flatnonzero(part == k)
+        members = np.flatnonzero(part == k)
         by_node = np.zeros((count, 6, 6))
-        by_node[own] = _rigid_modes(points[own])
+        by_node[members] = _rigid_modes(points[members])
         modes = by_node.reshape(6 * count, 6)
         tied = pairs[:, part[pairs[0] // 6] == k]
         conditions = np.vstack([modes[fixed], modes[tied[0]] - modes[tied[1]], np.zeros((6, 6))])
         _, s, v = np.linalg.svd(conditions, full_matrices=False)
         if s[5] < 1e-9:
-            which = "the shell" if parts == 1 else f"the part of node {own[0]}"
+            which = "the shell" if parts == 1 else f"the part of node {members[0]}"
             raise ValueError(f"{which} can move rigidly ({_words(v[5])}): support it against that")
 
 

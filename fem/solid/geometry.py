@@ -68,15 +68,15 @@ class Faces:
     """Faces of cells with one place in the reference cube, at Gauss points of the face.
 
     `nodes` (k, n) are those of the cells, `N` (q, n) their shape functions, `x` (k, q, 3) the
-    points, `area` (k, q, 3) their outward normals times weights; `own` (n,) is true for nodes that
-    lie on the face.
+    points, `area` (k, q, 3) their outward normals times weights; `on_face` (n,) is true for nodes
+    on the face.
     """
 
     nodes: Indices
     N: Array
     x: Array
     area: Array
-    own: NDArray[np.bool_]
+    on_face: NDArray[np.bool_]
 
 
 def faces(mesh: Mesh3D, facets: Indices) -> list[Faces]:

@@ -18,7 +18,7 @@ def nodes_at(mesh: Mesh3D, place: Place) -> Indices:
     """
     if isinstance(place, str):
         parts = faces(mesh, named_facets(mesh, place))
-        return np.unique(np.concatenate([part.nodes[:, part.own].ravel() for part in parts]))
+        return np.unique(np.concatenate([part.nodes[:, part.on_face].ravel() for part in parts]))
     p = mesh.doflocs
     wanted = [i for i in range(3) if place[i] is not None]
     if len(place) != 3 or not wanted:

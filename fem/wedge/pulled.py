@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -54,13 +54,13 @@ class Borne:
     F_z: Array
 
     @classmethod
-    def by(cls, state: State) -> "Borne":
+    def by(cls, state: State) -> Self:
         """Along the flat as it is turned, and the ray through the roller, as in the formulas."""
         N, F_t = np.array([state.on_flat, state.on_race]).T
         return cls(N, F_t, F_z=np.array([touch.force_z for touch in state.solution.touches]))
 
     @classmethod
-    def on_mesh(cls, state: State) -> "Borne":
+    def on_mesh(cls, state: State) -> Self:
         """By the normals of the mesh, on which Coulomb's law acts and moments balance."""
         cam, ring = state.solution.touches
         return cls(

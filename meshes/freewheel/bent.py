@@ -11,10 +11,10 @@ from skfem.mesh import Mesh2D
 from meshes.contact.blocks import Block, mesh_blocks
 
 Places = NDArray[np.float64]  # (2, nodes)
-KEPT = 64  # meshes; a sweep over the clamping angle moves the same ones at every step
+CACHE_SIZE = 64  # meshes; a sweep over the clamping angle moves the same ones at every step
 
 
-@lru_cache(KEPT)
+@lru_cache(CACHE_SIZE)
 def flat_mesh(blocks: tuple[Block, ...], order: int) -> Mesh2D:
     """The mesh of `blocks` before it is bent. It is stored for reuse: never write into it."""
     return mesh_blocks(blocks, order=order)

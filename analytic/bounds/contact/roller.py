@@ -3,7 +3,7 @@
 from math import isfinite
 
 LEAST = 1e-4  # of a model error: nothing sharper is claimed
-OWN = 1e-3  # nor this for user inputs, for which strips and grids are not tuned
+LEAST_USER = 1e-3  # nor this for user inputs, for which strips and grids are not tuned
 LOADED = 3e-3  # nor this, there, for a loaded end, to which no expansion applies
 SLENDER = 0.03  # of the length: largest half-width for which the expansion is valid there
 WIDEST = 0.01  # wider than the required sensitivity: such an interval proves nothing
@@ -14,16 +14,23 @@ Interval = tuple[float, float]
 
 
 def of_strips(
-    missing: float, *, value: float, twice: float, b: float, length: float, loaded: bool, own: bool
+    missing: float,
+    *,
+    value: float,
+    twice: float,
+    b: float,
+    length: float,
+    loaded: bool,
+    user_inputs: bool,
 ) -> Interval | None:
     """Interval of strips/half-space - 1, from the error estimate of the strips alone.
 
     Half to twice the error `missing` of the `value`; and, on both sides, the remaining error of
     first order of the strips: twice the change of the value with `twice` as many strips, once
     this change under a `loaded` end, where more strips need not be better. None where no estimate
-    is known. b is the half-width, `own` are inputs for which nobody chose the strips.
+    is known. b is the half-width, `user_inputs`: strips are not tuned to them.
 
-    >>> contact = {"b": 1.0, "length": 100.0, "loaded": False, "own": False}
+    >>> contact = {"b": 1.0, "length": 100.0, "loaded": False, "user_inputs": False}
     >>> low, high = of_strips(0.02, value=1.0, twice=1.0, **contact)
     >>> round(low, 6), round(high, 6)
     (-0.0401, -0.0099)
@@ -31,13 +38,13 @@ def of_strips(
     left = -missing
     if not isfinite(left) or not value:
         return None
-    if own and b > SLENDER * length:
+    if user_inputs and b > SLENDER * length:
         return None
     change = abs(twice / value - 1)
-    least = LEAST if not own else LOADED if loaded else OWN
+    least = LEAST if not user_inputs else LOADED if loaded else LEAST_USER
     cut = (1 if loaded else 2) * change + least
     low, high = sorted((left / TIMES, TIMES * left))
-    if own and high - low + 2 * cut > WIDEST:
+    if user_inputs and high - low + 2 * cut > WIDEST:
         return None
     return low - cut, high + cut
 

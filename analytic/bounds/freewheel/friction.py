@@ -13,7 +13,7 @@ from analytic.bounds.freewheel.intervals import Interval, times
 from analytic.bounds.freewheel.star import StarBounds
 
 WIDEST = 0.04  # interval at the limit: near tan(alpha) = mu it has no meaning
-ALIKE = 1e-6  # of a value: what two forms of one equation differ by beside their ratio
+SAME_EQUATION = 1e-6  # of a value: what two forms of one equation differ by beside their ratio
 
 
 class FrictionBounds:
@@ -43,11 +43,11 @@ class FrictionBounds:
     def whole_load(self) -> Interval:
         """Eq. 8 with the F_ax of Eq. 9: z times the axial force of a roller."""
         more = math.hypot(1.0, self.star.star.z * self.lever) / math.hypot(1.0, self.lever)
-        return times(self.one_contact(), more, ALIKE)
+        return times(self.one_contact(), more, SAME_EQUATION)
 
     def two_tangents(self) -> Interval:
         """Of Eq. 8 as printed, which has tan(alpha) in the place of mu_req."""
-        return times(self.both_contacts(), math.hypot(1.0, self.lever), ALIKE)
+        return times(self.both_contacts(), math.hypot(1.0, self.lever), SAME_EQUATION)
 
     def limit_load(self) -> Interval | None:
         """Of F_ax at the limit: none where tan(alpha) alone nearly releases the roller."""
@@ -73,7 +73,7 @@ def limit_load(star: StarBounds, mu: float) -> Interval | None:
 
 
 def at_limit(
-    of: Callable[[float], float], own: float, slope: Interval, mu: float
+    of: Callable[[float], float], value: float, slope: Interval, mu: float
 ) -> Interval | None:
     """The interval of a function of tan(alpha) whose value is known within `slope`.
 
@@ -82,8 +82,8 @@ def at_limit(
     >>> at_limit(lambda tan: 1 / tan, 0.05, (-0.5, 0.0), mu=0.2)
     (0.0, 1.0)
     """
-    ends = [own / (1 + m) for m in slope]
-    if max(*ends, own) >= mu:
+    ends = [value / (1 + m) for m in slope]
+    if max(*ends, value) >= mu:
         return None
-    found = [of(own) / of(tan) - 1 for tan in ends]
+    found = [of(value) / of(tan) - 1 for tan in ends]
     return min(found), max(found)

@@ -35,19 +35,19 @@ def _wide(parts: Parts, at: Loaded) -> float:
     return max(at.a_i, at.a_o) / parts.r
 
 
-def of_approach(own: float, ends: Interval) -> Interval:
+def of_approach(value: float, ends: Interval) -> Interval:
     """Error interval of an approach of which the reference is between `ends`.
 
     >>> of_approach(1.0, (0.8, 1.25))
     (-0.19999999999999996, 0.25)
     """
     low, high = ends
-    return min(own / high - 1, -ASKED), max(own / low - 1, ASKED)
+    return min(value / high - 1, -ASKED), max(value / low - 1, ASKED)
 
 
-def enclosed(own: float, others: list[float]) -> Interval:
+def enclosed(value: float, others: list[float]) -> Interval:
     """Error interval of a value of which the reference is any of the `others`."""
-    return own / max(others) - 1 - ROUNDED, own / min(others) - 1 + ROUNDED
+    return value / max(others) - 1 - ROUNDED, value / min(others) - 1 + ROUNDED
 
 
 def times(interval: Interval, ratio: float, spread: float = 0.0) -> Interval:

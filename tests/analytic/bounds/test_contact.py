@@ -48,10 +48,10 @@ STRIPS = {"value": 1.0, "twice": 1.001, "b": 0.01, "length": 1.0}
 
 
 def test_the_error_of_strips_is_half_to_twice_their_estimate():
-    low, high = roller.of_strips(4e-3, **STRIPS, loaded=False, own=False)
+    low, high = roller.of_strips(4e-3, **STRIPS, loaded=False, user_inputs=False)
     cut = 2 * 1e-3 + 1e-4
     assert (low, high) == (pytest.approx(-8e-3 - cut), pytest.approx(-2e-3 + cut))
-    assert roller.of_strips(4e-3, **STRIPS, loaded=True, own=False)[0] > low
+    assert roller.of_strips(4e-3, **STRIPS, loaded=True, user_inputs=False)[0] > low
 
 
 def test_the_local_pressure_is_hertz_s_of_a_long_slender_contact():
@@ -103,6 +103,6 @@ def test_unlike_materials_couple_with_opposite_signs_in_a_race_and_a_thin_wall_w
 
 @pytest.mark.parametrize("change", [{"b": 0.04}, {"twice": 1.01}, {"value": 0.0}])
 def test_user_inputs_beyond_the_expansion_have_no_interval(change):
-    assert roller.of_strips(1e-4, **STRIPS, loaded=False, own=True)
-    assert roller.of_strips(1e-4, **STRIPS | change, loaded=False, own=True) is None
-    assert roller.of_strips(np.nan, **STRIPS, loaded=False, own=False) is None
+    assert roller.of_strips(1e-4, **STRIPS, loaded=False, user_inputs=True)
+    assert roller.of_strips(1e-4, **STRIPS | change, loaded=False, user_inputs=True) is None
+    assert roller.of_strips(np.nan, **STRIPS, loaded=False, user_inputs=False) is None

@@ -8,7 +8,7 @@ from analytic.contact import hertz_line
 from analytic.freewheel import state
 from analytic.freewheel.compliance import compliance
 from analytic.freewheel.let_out import let_out
-from analytic.freewheel.limits import TOLD, limits, pop_through
+from analytic.freewheel.limits import MEANINGS, limits, pop_through
 from analytic.freewheel.state import at_normal_force, loaded
 from analytic.freewheel.summit import summit
 
@@ -67,7 +67,7 @@ def test_a_clutch_too_steep_for_its_friction_releases_at_once(clutch):
     found = limits(clutch, mu=0.05, p_lim=2.5e9)
     assert float(found.release) == 0
     assert found.first == "release"
-    assert found.passed(1.0) == TOLD["release"]
+    assert found.passed(1.0) == MEANINGS["release"]
 
 
 def test_no_state_near_the_largest_torque_exceeds_it_and_an_inner_cam_has_none(cup, star):

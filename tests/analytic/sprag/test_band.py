@@ -5,7 +5,7 @@ import pytest
 from numba.core.caching import CacheImpl
 
 from analytic.sprag.engagement import (
-    APART,
+    OPEN,
     SLIP,
     STICK,
     Contacts,
@@ -99,7 +99,7 @@ def test_bounded_forces_are_the_best_in_the_box():
 
 
 def test_phases_distinguish_contact_rolling_and_sliding():
-    assert phase(0.0, 0.0, 0.0, 0.0, 0.1) == APART
+    assert phase(0.0, 0.0, 0.0, 0.0, 0.1) == OPEN
     assert phase(5.0, 0.05, 0.3, 0.6, 0.1) == STICK
     assert phase(5.0, 0.05, 0.6, 0.6, 0.1) == SLIP
     assert phase(5.0, 0.20, 0.3, 0.6, 0.1) == SLIP

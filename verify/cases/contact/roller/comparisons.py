@@ -47,7 +47,7 @@ def of_strips(q: StripRoller, key: str, *, own: bool) -> Interval:
     """Interval of strips/half-space - 1 from the strips of `q` alone."""
     return roller.of_strips(
         q.neglected[key], value=getattr(q.strips, key), twice=getattr(q.twice, key), b=q.b,
-        length=q.L, loaded=q.loaded_ends > 0, own=own,
+        length=q.L, loaded=q.loaded_ends > 0, user_inputs=own,
     )  # fmt: skip
 
 

@@ -108,7 +108,7 @@ def _smeared(
 
     limits = smeared_error(
         mean=self.mean, at=getattr(self, at.name), load=self.load,
-        dent=dent(less) if less else 0.0,
+        indentation=dent(less) if less else 0.0,
         added=dent(SpragLoads.dent) if q.name == SpragLoads.with_dent.name else 0.0,
     )  # fmt: skip
     check = Smeared(

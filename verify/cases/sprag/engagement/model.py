@@ -17,7 +17,7 @@ from analytic.sprag.clutch import Clutch
 from analytic.sprag.laws import LOADS, Law, sliced_law
 from analytic.sprag.motion import Motion
 from analytic.sprag.parts import Parts
-from analytic.sprag.race_spring import KEPT, Blades, RaceSpring, reached
+from analytic.sprag.race_spring import CACHE_SIZE, Blades, RaceSpring, reached
 from verify.cases.sprag.inputs import EngagementInputs, SpragInputs
 from verify.core.figures import Array
 
@@ -78,7 +78,7 @@ def clutch(q: SpragInputs, N_end: float, loads: int = LOADS) -> Clutch:
     )
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=CACHE_SIZE)
 def wedge(q: EngagementInputs, *, rigid: bool = False) -> RaceSpring:
     """The clutch up to what an engagement can reach, or the end of the profile.
 
