@@ -1,4 +1,4 @@
-"""What a verdict says beside one case, and what to use in place of a formula."""
+"""The verdicts of one case, and what to use in place of a formula."""
 
 import re
 from collections.abc import Mapping, Sequence

@@ -10,7 +10,7 @@ QUALITY = 90  # of the coding with loss, in percent; its flaws are not visible a
 # of the coding without loss, in percent; 100, and method 6 with loss, save 4 % of the size and
 # take twenty to forty times as long
 EFFORT = 99
-FINER = 3  # pixels are drawn so many times finer, and averaged
+FINER = 3  # factor by which pixels are drawn finer, and averaged
 INSIDE, RIM = 207, 48  # colours of a palette for opaque and half transparent pixels
 
 

@@ -33,7 +33,7 @@ class Body:
 
 
 def body(field: Field, picture: Picture) -> Body:
-    """The field as the picture wants it, values in the picture's unit.
+    """The field for the picture, values in the unit of the picture.
 
     Reflection negates a coordinate: "x" adds the image on the other side of the plane x = 0.
     Normal stresses and other scalars keep their sign in it. A shear stress (column 2 of the four

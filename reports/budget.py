@@ -70,7 +70,7 @@ def steps(row: RowBudget) -> list[Bar]:
     for part in counted(row):
         c, u = part.contribution or 0.0, part.u or 0.0
         if max(abs(c), u) < UNSEEN * abs(row.total):
-            continue  # the table tells it
+            continue  # it is in the table
         found.append(Bar(_label(part, row), at, at - 100 * c, 100 * u, percent(c), "part"))
         at -= 100 * c
     left = percent(row.remainder)
@@ -166,7 +166,7 @@ class Compact:
 
 
 def compact(one: CaseBudget) -> Compact | None:
-    """Approximations but the one drawn, MOST with the largest remainders of very many."""
+    """Approximations except the one drawn, at most MOST with the largest remainders."""
     rows = [r for r in one.rows if r.kind is Kind.APPROXIMATION and not r.headline]
     if not rows:
         return None

@@ -35,7 +35,7 @@ def share(count: int, total: int) -> str:
 
 
 def interval(count: int, total: int) -> str:
-    """Where the share of all may lie at 95 % (Wilson) if so many of a sample are caught."""
+    """Confidence interval of the share of all mutants at 95 % (Wilson) by a sample."""
     if not total:
         return ""
     z, p = 1.96, count / total

@@ -13,7 +13,7 @@ WITHOUT_NUMBERS = (CrossState.MISSING, CrossState.ALONE)
 
 @dataclass(frozen=True)
 class Problem:
-    """One problem and what was compared of it; `missing` says why nothing was."""
+    """One problem and its comparisons; `missing` is the reason where there are none."""
 
     head: Crosscheck
     lines: Sequence[Crosscheck]
@@ -89,7 +89,7 @@ def crosscheck_data(checks: Sequence[Crosscheck]) -> list[Data]:
 
 
 def left_out_data(checks: Sequence[Crosscheck]) -> list[list[Run]]:
-    """What the PDF says of problems without numbers: a sentence for each reason."""
+    """Problems without numbers in the PDF: a sentence for each reason."""
     return [
         [*prose(why[:1].upper() + why[1:]), ": ", *_joined(found), "."]
         for why, found in left_out(checks)

@@ -1,4 +1,4 @@
-"""Pictures of a design search: who falls out and why, where springs are feasible, the front."""
+"""Pictures of a design search: rejected springs by limit, the feasible region, the front."""
 
 from dataclasses import dataclass
 

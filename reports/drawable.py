@@ -1,4 +1,4 @@
-"""Whether a figure has anything to draw, and what stands in its place where it has not."""
+"""Whether a figure has anything to draw, and the text in its place where it has not."""
 
 from collections.abc import Iterable
 
@@ -46,7 +46,7 @@ def drawable(figure: Figure) -> bool:
             return _finite((figure.x, figure.y_top))
         case Density():
             return _finite((figure.x, figure.y)) and bool(np.any(np.isfinite(figure.z)))
-        case Map():  # where there is nothing to compare it says so in the cell
+        case Map():  # without a comparison the cell has a note
             return bool(figure.rows and figure.columns)
         case Whirl():
             lines = [line for mode in figure.modes for line in mode.lines]

@@ -10,7 +10,7 @@ from markupsafe import Markup, escape
 from reports.mathematics import Node, tree
 from reports.typesetting import NotSet, typeset
 
-SYMBOLS = "<!--glyphs-->"  # where a page wants the glyphs that its equations share
+SYMBOLS = "<!--glyphs-->"  # place of the glyphs that the equations of a page share
 SVG = "{http://www.w3.org/2000/svg}"
 LINK = "{http://www.w3.org/1999/xlink}href"
 PIXELS = 4 / 3  # of a point
@@ -21,7 +21,7 @@ _PLACE = re.compile(r"<!--equation (\d+)-->")
 
 
 class Equations:
-    """The equations of one page: asked for by `maths`, drawn by `placed`."""
+    """The equations of one page: collected by `maths`, drawn by `placed`."""
 
     def __init__(self) -> None:
         self._numbers: dict[str, int] = {}
@@ -42,7 +42,7 @@ class Equations:
         return [self._with(_PLACE.sub(lambda place: drawn[int(place[1])], page)) for page in pages]
 
     def _with(self, page: str) -> str:
-        """A page with its glyphs, numbered by their first use: whatever stands on other pages."""
+        """A page with its glyphs, numbered by their first use, independent of other pages."""
         names = {name: f"g{i}" for i, name in enumerate(dict.fromkeys(_GLYPH.findall(page)))}
         glyphs = (
             f'<path id="{own}" transform="scale(1 -1)" d="{self._outlines[name]}"/>'
@@ -107,7 +107,7 @@ class Equations:
 def _tree_or_none(tex: str) -> Node | None:
     try:
         return tree(tex)
-    except (ValueError, LookupError):  # of a user's case: what the converter does not know
+    except (ValueError, LookupError):  # of a user's case: not supported by the converter
         return None
 
 

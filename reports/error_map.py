@@ -21,7 +21,7 @@ def error_map(m: Map) -> Markup:
     rows, columns = error.shape
     width = (WIDTH - LEFT - RIGHT) / columns
     bottom = TOP + CELL * rows
-    # dots in every cell tell no cell from another: the key alone says so
+    # dots in every cell distinguish none: they are in the key only
     marked = None if m.checked is None or np.all(m.checked) else m.checked
     body = [svg.text(LEFT - 50, TOP - 10, m.y_label, "label")]
     classes = np.searchsorted(m.limits, np.abs(error), side="left")

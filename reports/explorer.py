@@ -1,4 +1,4 @@
-"""The validity explorer: stored points as data of its script, and where they stand on its page."""
+"""The validity explorer: stored points as data of its script, and their places on its page."""
 
 import json
 import math
@@ -48,7 +48,7 @@ def of_cases(report: Report) -> list[OfCase]:
 
 
 def places(report: Report, anchors: Mapping[str, str]) -> dict[str, str]:
-    """Where the tables of a case, and its formulas, stand on the page; by case and by row."""
+    """Places of the tables of a case and of its formulas on the page; by case and by row."""
     found = {}
     for one in of_cases(report):
         found[one.case.id] = f"explore-{one.case.id}"

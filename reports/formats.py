@@ -28,7 +28,7 @@ def symbol(text: str) -> Markup:
 
 
 def prose(text: str) -> Markup:
-    """Running text in which symbols such as k_1 stand with a lowered index, m^2 with a power."""
+    """Running text in which symbols such as k_1 have a lowered index, m^2 a power."""
 
     def lowered(match: re.Match[str]) -> str:
         return f"<var>{match[1]}<sub>{match[2].strip('{}')}</sub></var>"
@@ -179,7 +179,7 @@ def order(row: Row) -> str:
 
 
 def power(value: float | None, *, signed: bool = False, digits: int = 1) -> Markup:
-    """2.1e-8 as 2.1×10⁻⁸, with so many digits after the point; 2.5 as it is."""
+    """2.1e-8 as 2.1×10⁻⁸, with the given digits after the point; 2.5 unchanged."""
     if value is None or not math.isfinite(value):
         return Markup("–")
     if value == 0:

@@ -104,7 +104,7 @@ def _clipped(lines: Sequence[Markup], name: str, height: float) -> Markup:
 
 
 def _name(picture: Picture, drawn: Drawn) -> str:
-    """What tells this picture's definitions from another's on the same page."""
+    """Prefix of the definitions of this picture, unique on its page."""
     return sha256(repr((drawn.ramp, drawn.rectangle, picture)).encode()).hexdigest()[:10]
 
 

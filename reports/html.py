@@ -83,7 +83,7 @@ from verify.core.results import CaseResult, Report, Row, Status
 HERE = Path(__file__).parent / "templates"
 STYLES = ("palette.css", "report.css", "figures.css")
 NAMED_IN_MENU = 3  # cases, at most, that the menu names one by one
-LONG_LIST = 18  # inputs that stand in two columns where they are more
+LONG_LIST = 18  # inputs; longer lists have two columns
 WORDS = {
     Status.FAIL: "outside the tolerance, insufficient sensitivity or not converged",
     Status.SKIP: "not run",
@@ -193,7 +193,7 @@ def styles() -> str:
     """All style sheets of the page, without blanks that no browser needs."""
     text = "\n".join((HERE / name).read_text("utf-8") for name in STYLES)
     bare = re.sub(r"\s+", " ", re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL))
-    blank = re.compile(r'("[^"]*")| ?([{};]) ?|([:,]) ')  # none in a text goes
+    blank = re.compile(r'("[^"]*")| ?([{};]) ?|([:,]) ')  # those in texts remain
     return blank.sub(lambda found: found[1] or found[2] or found[3], bare)
 
 
@@ -356,7 +356,7 @@ def drawn_by(frames: Mapping[str, Sequence[Frame]]) -> str:
 
 
 def script_source(script: str) -> str:
-    """What the content security policy lets run: this script or none."""
+    """What the content security policy permits: this script or none."""
     if not script:
         return "'none'"
     return f"'sha256-{base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()}'"

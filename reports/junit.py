@@ -23,7 +23,7 @@ def _suite(case: CaseResult) -> str:
 
 
 def _test(row: Row, seconds: float) -> str:
-    """A row; servers take what stands before the last point of the class name as its package."""
+    """A row; servers use the part before the last point of the class name as its package."""
     head = (
         f"<testcase classname={_attribute(f'freewheel.{row.case}')} "
         f'name={_attribute(row.quantity)} time="{seconds:.6f}">'

@@ -1,4 +1,4 @@
-"""Where names stand so that they don't cover each other."""
+"""Places of names at which they do not cover each other."""
 
 from collections.abc import Sequence
 
@@ -14,7 +14,7 @@ def spread(
 ) -> list[float]:
     """Centres in the order of `targets`, as near to them as their widths `room` allow.
 
-    Least squares: neighbours that would meet form blocks, which stand at the mean of their wishes.
+    Least squares: neighbours that would meet form blocks, which are at the mean of their targets.
     `within` holds the centres as far as there is room.
     """
     if not len(targets):

@@ -31,7 +31,7 @@ def path_of(name: str) -> str:
 
 
 class Places:
-    """On which page a place stands, by its name."""
+    """The page of a place, by its name."""
 
     def __init__(self, report: Report) -> None:
         self._cases = [case.id for case in report.cases]

@@ -26,7 +26,7 @@ DELIMITERS = {"(": ")", "[": "]", "{": "}", "|": "|", "‖": "‖", "⟨": "⟩"
 
 @lru_cache(maxsize=1024)
 def tree(tex: str) -> Node:
-    """TeX as nested lists; raises ValueError where it holds what this module does not know."""
+    """TeX as nested lists; raises ValueError for TeX that is not supported."""
     spaced = tex.replace(r"\mathrm{", r"\mathrm {")  # or one letter is read as an italic one
     return _row(list(convert_to_element(spaced)))
 

@@ -23,7 +23,7 @@ PAPER, BOOK = "PDF", "workbook"  # names of parts
 
 @dataclass(frozen=True)
 class Origins:
-    """Digests of the code of reports, and of all that each case of the suite follows from."""
+    """Digests of the code of reports, and of everything that each case of the suite depends on."""
 
     code: str
     cases: Mapping[str, str]

@@ -31,7 +31,7 @@ class Group:
 
 
 def overview(cases: Sequence[CaseResult]) -> Markup:
-    """Every row with a difference on a logarithmic scale; a row that was not run is a hole.
+    """Every row with a difference on a logarithmic scale; a row that was not run is left out.
 
     A dot is the difference, a tick the detection limit. Each case leads to its page; its name has
     separate room, for any number of cases.

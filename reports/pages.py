@@ -20,7 +20,7 @@ from reports.used_rules import used_rules
 from verify.core.results import CaseBudget, CaseResult, Kind, Report, Row, Status, Validity
 from verify.core.verdicts import FormulaVerdict
 
-LEAST = 3  # rows of a main table; with fewer all rows stand in it
+LEAST = 3  # rows of a main table; with fewer all rows are in it
 SECTIONS = {
     "explorer": "Validity explorer",
     "rows": "All rows", "papers": "Papers' tables", "errata": "Errata",
@@ -113,7 +113,7 @@ def _explored(report: Report, shared: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _scripted(script: str) -> dict[str, Any]:
-    """A script of the project and what lets it run."""
+    """A script of the project and its permission in the security policy."""
     return {
         "script": Markup(script),  # noqa: S704 - files of the project
         "script_source": script_source(script),

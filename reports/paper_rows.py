@@ -30,7 +30,7 @@ class Claim:
         return formats.small(self.numbers.analytic)
 
     def beside(self, printed: PaperCell) -> Markup:
-        """The formula's value and its difference from the printed number that it stands below."""
+        """The formula's value and its difference from the printed number above it."""
         value = self.numbers.analytic
         try:
             number = float(printed.text)
@@ -106,12 +106,12 @@ class PrintedTable:
 
     @property
     def is_compared(self) -> bool:
-        """Whether rows of the suite, or errata, stand beside a printed row."""
+        """Whether rows of the suite, or errata, belong to a printed row."""
         return any(row.claims or row.errata for _, row in self.rows)
 
 
 def printed_table(table: PaperTable) -> PrintedTable:
-    """The table as the page shows it: rows of the suite on several printed rows stand once."""
+    """The table of the page: rows of the suite on several printed rows are listed once."""
     rows = [printed_row(cells) for cells in table.rows]
     times = Counter(claim.row for row in rows for claim in row.claims)
     errata = Counter(erratum for row in rows for erratum in row.errata)

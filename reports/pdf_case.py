@@ -27,7 +27,7 @@ def case_data(
     source: str,
     beside: Seconds = NOTHING,
 ) -> Data:
-    """Everything of a case; `source` says where its formulas stand.
+    """Everything of a case; `source` is the place of its formulas.
 
     `sheets` name the workbook's sheet of each of the case's tables; `beside` holds what second
     solvers found.

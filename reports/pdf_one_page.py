@@ -58,7 +58,7 @@ def one_page(
 def by_weight(case: CaseResult, verdicts: Sequence[FormulaVerdict]) -> list[Line]:
     """Failed rows, those not run, evidence of a verdict, beside a printed number, then the rest.
 
-    Of the rest approximations and what did not simply pass stand before identities, these before
+    Of the rest approximations and rows that did not pass are before identities, these before
     balances and statements.
     """
     evidence = {row for v in verdicts for row in (*v.rows, *v.model_rows)}

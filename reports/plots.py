@@ -65,7 +65,7 @@ class Axes:
         self.body += [svg.text(right, bottom + 31, x, "label", "end")] if x else []
 
     def curve(self, x: Array, y: Array, css: str) -> None:
-        """A line through points, less those that nobody could see missing."""
+        """A line through points, without those that change nothing visible."""
         self.body.append(svg.polyline(self._line(x, y), css))
 
     def ribbon(self, x: Array, low: Array, high: Array, css: str) -> None:
@@ -74,7 +74,7 @@ class Axes:
         self.body.append(svg.polyline([*up, *down[::-1]], css, closed=True))
 
     def _line(self, x: Array, y: Array) -> Array:
-        """Points in the image, as many as tell the line from its chords."""
+        """Points in the image, as many as the shape of the line needs."""
         points = np.array([(self.X(a), self.Y(b)) for a, b in zip(x, y, strict=True)])
         return simplified(points, UNSEEN) if len(points) > 2 else points
 

@@ -92,7 +92,7 @@ def _thickness(corners: Array, rim: Array) -> float:
 def _strokes(
     at: Array, pairs: Indices, colours: NDArray[np.uint8], width: float
 ) -> tuple[Array, NDArray[np.uint8]]:
-    """A quadrilateral of so many pixels across along each pair of points."""
+    """A quadrilateral of the given width in pixels along each pair of points."""
     a, b = at[pairs[:, 0]], at[pairs[:, 1]]
     along = b - a
     length = np.maximum(np.linalg.norm(along[:, :2], axis=1), 1e-12)[:, None]

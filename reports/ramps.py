@@ -11,7 +11,7 @@ from verify.core.figures import Array
 UNSIGNED = ("#5f55b8", "#3f79bd", "#2b97a6", "#45b082", "#93c552", "#e0c93a")
 SIGNED = ("#2a6bc8", "#7b9dcb", "#b3b3ad", "#d38a7d", "#cb3a3a")
 PLAIN = "#6f8296"
-UNSEEN = 1 / 256  # a share of the range that no display's steps can tell from zero
+UNSEEN = 1 / 256  # a share of the range below the steps of any display
 ROUND_OFF = 1e-9
 
 

@@ -23,7 +23,7 @@ def found(one: ReadingsTried) -> str:
 
 
 def chance(expected: float) -> str:
-    """Accidental hits, as few digits as say something."""
+    """Accidental hits, with two digits at most."""
     return "<0.001" if expected < 1e-3 else f"{expected:.2g}"
 
 

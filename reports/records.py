@@ -42,7 +42,7 @@ def _drift(drift: Drift) -> dict[str, Any]:
 
 
 def row_record(row: Row) -> dict[str, Any]:
-    """One row; numbers that are not finite become null, for JSON knows none."""
+    """One row; numbers that are not finite become null, because JSON has none."""
     record = {"id": row.id, **_plain(row)}
     error = row.difference / row.scale if row.difference is not None and row.scale else None
     return record | {"kind": row.kind.value, "status": row.status.value, "error": _plain(error)}

@@ -13,7 +13,7 @@ APART = 16.0  # between two names
 
 
 def refinement(r: Refinement) -> Markup:
-    """Errors as dots on log-log axes; names stand at the finest mesh, colours distinguish them."""
+    """Errors as dots on log-log axes; names are at the finest mesh, colours distinguish them."""
     every = np.concatenate([np.abs(e) for _, e in r.errors])
     every = every[every > 0]
     if not every.size:

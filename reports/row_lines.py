@@ -18,7 +18,7 @@ class Line:
 
     @property
     def reason(self) -> str:
-        """What stands below the line: nothing where a plain PASS needs no words."""
+        """The text below the line: none where a plain PASS needs no words."""
         said = self.row.kind == "fact" or self.row.status is not Status.PASS
         return self.row.reason if said else ""
 

@@ -80,7 +80,7 @@ def compose(field: Field, picture: Picture) -> Scene:
 
 
 def view(field: Field, vectors: Array) -> Array:
-    """Vectors (n, 3) along right, up and towards the viewer; plane fields are seen as they are."""
+    """Vectors (n, 3) along right, up and towards the viewer; plane fields are not turned."""
     if field.points.shape[1] == 2:
         return vectors
     yaw, pitch = math.radians(-35), math.radians(25)

@@ -59,7 +59,7 @@ def apart(check: Crosscheck) -> Markup:
 
 
 def meshes(check: Crosscheck) -> str:
-    """What is compared, for who asks: both values on one mesh, which may not be the row's."""
+    """The compared values, on demand: both on one mesh, which may not be that of the row."""
     here, there = (formats.number(x) for x in (check.ours, check.theirs))
     unit = f" {check.unit}" if check.unit != "1" else ""
     return (

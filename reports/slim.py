@@ -5,7 +5,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from itertools import pairwise
 
-# a page knows the name space of its drawings; text is anchored at its start by default
+# a page has the name space of its drawings; text is anchored at its start by default
 NEEDLESS = (' xmlns="http://www.w3.org/2000/svg"', ' text-anchor="start"', ' class=""')
 # of most rows' graphic
 BAND = (

@@ -1,4 +1,4 @@
-"""The page's drawings as SVG that stands alone: with its colours, sizes and fonts inside."""
+"""The drawings of the page as separate SVG files: with colours, sizes and fonts inside."""
 
 import html
 import re
@@ -30,7 +30,7 @@ def standalone(svg: str) -> Drawing | None:
         return None
     label = re.search(r'aria-label="([^"]*)"', svg)
     left, top, width, height = _box(svg)
-    if 'class="sketch"' in svg:  # its labels may stand beside the drawing
+    if 'class="sketch"' in svg:  # its labels may be outside the drawing
         left, width = left - ASIDE, width + 2 * ASIDE
     wide = f'viewBox="{left:g} {top:g} {width:g} {height:g}"'
     styled = re.sub(r'viewBox="[^"]*"', wide, svg, count=1)
@@ -50,7 +50,7 @@ def _box(svg: str) -> tuple[float, float, float, float]:
 
 @cache
 def _rules() -> str:
-    """The style sheet of drawings with the light palette put in: an image knows no variables."""
+    """The style sheet of drawings with the light palette inserted: an image has no variables."""
     palette = (HERE / "palette.css").read_text("utf-8")
     light = palette[: palette.index("@media")]
     colours = dict(re.findall(r"(--[\w-]+):\s*([^;]+);", light))

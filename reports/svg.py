@@ -11,7 +11,7 @@ _INDEX = re.compile(r"_(\{[^}]*\}|[^\s()/\[\]|^,;:·=*]+)")
 
 
 def drawing(width: float, height: float, body: Iterable[Markup], label: str, css: str) -> Markup:
-    """An SVG image; `label` is what a screen reader says."""
+    """An SVG image; `label` is the text for a screen reader."""
     return Markup(
         '<svg class="{}" xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {:g} {:g}" role="img" '
         'aria-label="{}">{}</svg>'

@@ -5,8 +5,8 @@ from typing import Any
 from reports.standalone import HERE
 
 
-class NotSet(Exception):  # noqa: N818 - says what did not happen
-    """typst could not set a template; the message says why in one line."""
+class NotSet(Exception):  # noqa: N818 - names what did not happen
+    """typst could not set a template; the message states why in one line."""
 
 
 def typeset(template: str, inputs: dict[str, str], **options: Any) -> Any:

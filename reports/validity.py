@@ -1,4 +1,4 @@
-"""The cards that say where each formula may be used: grouped by subject, each with its figure."""
+"""Cards with the range in which each formula may be used: by subject, each with its figure."""
 
 import math
 from collections.abc import Sequence
@@ -13,7 +13,7 @@ from reports.validity_map import validity_map
 from verify.core.results import Validity, ValidityAxis, ValidityLimit, ValidityRegion
 
 DRAWN_LIMIT = 1  # whose region is outlined
-LEAST = 1e-6  # per cent, below which a number says nothing more
+LEAST = 1e-6  # per cent, below which a number adds nothing
 
 
 def subjects(known: Sequence[Validity]) -> list[tuple[str, list[Validity]]]:

@@ -18,7 +18,7 @@ from reports.plots import Axes
 from verify.core.figures import Array
 
 EVEN = 0.4  # largest error up to which the axis is even
-BEND = 0.05  # where an axis that isn't goes over from even to logarithmic
+BEND = 0.05  # where an axis changes from linear to logarithmic
 ROUND = (0.02, 0.05, 0.1, *(m * 10.0**k for k in range(-1, 9) for m in (2, 5, 10)))
 STRIP, GAP = 7.0, 3.0  # of a limit
 FEW = 60  # points, more of which have no dots

@@ -59,7 +59,7 @@ def scale_key(limits: tuple[float, ...] = LIMITS, *, marked: bool = True) -> Mar
 
 
 def _drawn(m: Measured, y: Array, cells: Cells) -> list[Markup]:
-    """Cells, what they say, lines of equal error, marks, and the axes."""
+    """Cells, their numbers, lines of equal error, marks, and the axes."""
     left, top, right, bottom = cells.box
     number = classes(m.error, m.limits)
     body = [cells.filled(number == k, css(int(k))) for k in np.unique(number)]

@@ -84,7 +84,7 @@ def _percents(size: float) -> str:
 
 
 def short_words(one: FormulaVerdict) -> str:
-    """The sentence of a verdict without the verdict itself, which stands beside it."""
+    """The sentence of a verdict without the verdict itself, which has a separate column."""
     text = one.words.replace(f"; {SHARED}", "")
     text = text.removeprefix(f"{one.verdict}: ").removeprefix(f"{one.verdict}; ")
     first = text[0].upper() if text[0].isascii() else text[0]  # a symbol stays as it is

@@ -53,7 +53,7 @@ ALONG = np.array([math.cos(YAW), math.sin(PITCH) * math.sin(YAW)])
 
 @dataclass(frozen=True)
 class _Panels:
-    """Panels in so many columns: their width and height, and the axis's place and scale in them."""
+    """Panels in columns: their width and height, and the place and scale of the axis in them."""
 
     columns: int
     wide: float
@@ -144,7 +144,7 @@ def _moving(mode: Mode, view: _View) -> list[Markup]:
 
 
 def _some(count: int, most: int) -> list[int]:
-    """At most so many of the places, the first and the last among them."""
+    """At most the given number of places, the first and the last among them."""
     places = np.linspace(0, count - 1, min(count, most))
     return [int(i) for i in np.unique(np.rint(places).astype(int))]
 

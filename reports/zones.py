@@ -21,7 +21,7 @@ Box = tuple[float, float, float, float]  # left, top, right, bottom
 
 
 def zones(z: Zones) -> Markup:
-    """Zones from below; a name stands where its zone leaves it most room, or in the note's key."""
+    """Zones from below; a name is at the widest place of its zone, or in the key of the note."""
     x = np.asarray(z.x, dtype=float)
     axes = Axes((52, 28, 390, 262), (float(x[0]), float(x[-1])), (0.0, z.y_top))
     floor, taken, names = np.zeros(x.size), _taken(axes, z), []
@@ -57,7 +57,7 @@ def _edges(axes: Axes, x: Array, top: Array, inside: NDArray[np.bool_]) -> None:
 
 
 def _taken(axes: Axes, z: Zones) -> list[Box]:
-    """Where no zone's name should stand: upright lines, and the point with its name."""
+    """Places without names of zones: upright lines, and the point with its name."""
     found = [
         (axes.X(float(c.x[0])) - 4, 0.0, axes.X(float(c.x[0])) + 4, HEIGHT)
         for c in z.curves if np.ptp(c.x) == 0
