@@ -177,7 +177,7 @@ def _alone_in(folder: Path) -> Iterator[None]:
 
 @contextmanager
 def _staging(folder: Path) -> Iterator[Path]:
-    """A folder on the same file system; those of killed runs are removed, as no other run writes."""
+    """A folder on the same file system; folders of killed runs are removed: no other run writes."""
     for abandoned in folder.glob(f"{STAGING}*"):
         shutil.rmtree(abandoned, ignore_errors=True)
     with TemporaryDirectory(dir=folder, prefix=STAGING, ignore_cleanup_errors=True) as name:

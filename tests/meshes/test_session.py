@@ -1,4 +1,4 @@
-"""gmsh starts, repeats itself and ends, whatever happens in between."""
+"""gmsh starts, gives equal meshes and ends, also after errors."""
 
 import gmsh
 import numpy as np

@@ -50,7 +50,7 @@ def test_the_suite_fits_its_limits(paper, recorded):
 
 
 def test_a_page_that_is_full_leaves_out_rows_and_then_drawings(wordy, report):
-    """One page, whatever the case has: 200 rows with long reasons, a lead of half a page."""
+    """One page for any case: 200 rows with long reasons, a lead of half a page."""
     (case,) = wordy.cases
     rows = tuple(
         replace(case.rows[0], quantity=f"{i}", reason="why " * 120, status=Status.NOTE)

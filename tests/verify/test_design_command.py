@@ -1,4 +1,4 @@
-"""`freewheel design` as a user meets it: statuses, what it prints and writes, finite elements."""
+"""`freewheel design` from the command line: statuses, output, files, finite elements."""
 
 import csv
 import json

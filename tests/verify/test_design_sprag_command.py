@@ -1,4 +1,4 @@
-"""`freewheel design` of a crown as a user meets it: statuses, files, a half-space's verdict."""
+"""`freewheel design` of a crown from the command line: statuses, files, the half-space check."""
 
 import json
 import re

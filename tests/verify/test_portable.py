@@ -38,7 +38,7 @@ class Part(Inputs):
 
 
 class Sample(Inputs):
-    """A number, a bound that its default meets, a word and a table."""
+    """A number, a bound equal to its default, a word and a table."""
 
     E: float = quantity("210 GPa", "GPa", "E", "modulus", le=1e6)
     z: int = count(12, "z", "number")
@@ -85,7 +85,7 @@ def test_perturbed_defaults_are_the_paper_s_inputs_and_still_obey_their_rules():
 
 def test_machines_that_are_no_others_or_that_the_processor_is_not_are_not_emulated():
     def probe(environment):
-        """OpenBLAS has kernels of Haswell for whatever is newer than Nehalem."""
+        """OpenBLAS has kernels of Haswell for everything newer than Nehalem."""
         core = environment.get(CORE_TYPE, "Haswell")
         return {
             "blas": core if core in ("Prescott", "Nehalem") else "Haswell",

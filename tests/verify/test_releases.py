@@ -105,7 +105,7 @@ MOVED = [
     (COMPUTED, {"interval": (-0.00827639401, 0.0265590585)}, []),
     (NARROW, {"interval": (-0.00240123456, -0.00039765433)}, []),
     (replace(ROW, u_num=1e-9, u_ref=1.2587554e-4), {"u_ref": 1.09 * 1.2587554e-4}, []),
-    # an accepted figure is the same whatever the uncertainty leaves of it
+    # an accepted figure is the same for any uncertainty
     (DEVIATION, {"u_num": 5e-5, "tolerance": 9e-4, "detects": 1e-3}, []),
     (FACT, {"reason": "held: off by +0.07%, 0.2% accepted, 1% asked"}, [("acceptance", False)]),
 ]  # fmt: skip

@@ -1,4 +1,4 @@
-"""States under torque: equilibrium, energy, limits, the summit, a ring that is let out."""
+"""States under torque: equilibrium, energy, limits, the largest torque, a ring that is released."""
 
 import numpy as np
 import pytest

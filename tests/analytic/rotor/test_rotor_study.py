@@ -1,4 +1,4 @@
-"""A rotor of two shafts: whose unbalance meets which critical speeds, and its branches."""
+"""A rotor of two shafts: critical speeds by unbalance of each shaft, and its branches."""
 
 from dataclasses import replace
 

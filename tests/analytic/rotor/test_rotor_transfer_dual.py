@@ -138,7 +138,7 @@ def test_a_free_bar_turns_in_half_waves():
 
 @pytest.mark.parametrize("k", [3e3, 1.7e5, 0.9e7])
 def test_shafts_in_a_row_have_one_free_turn(k):
-    """Whatever round-off makes of the zero among the eigenvalues of their springs."""
+    """Independent of the round-off of the zero among the eigenvalues of their springs."""
     shafts = (bar(1.0, 0.05), bar(0.7, 0.03), bar(0.6, 0.04), bar(0.9, 0.02))
     links = tuple(
         Link(a=a, b=b, kxx=1e6, k_turn=k * c) for a, b, c in ((1, 2, 0.3), (3, 4, 1.1), (5, 6, 0.7))

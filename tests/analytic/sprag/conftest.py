@@ -39,7 +39,7 @@ def plane_clutch(parts):
 
 @pytest.fixture
 def motion():
-    """Inertias, blades, damping of Table 1; k_out, friction and alpha_max assumed."""
+    """Inertias, energizing springs, damping of Table 1; k_out, friction and alpha_max assumed."""
     return Motion(
         m_g=1.8e-3, I_g=1.18e-8, I_bi=1.41e-3, I_be=1.41e-3, K_r=0.01, alpha_max=0.5, C_rl=0.1,
         k_out=1e5, mu_s=0.12, mu_c=0.08, gamma_b=1.0,

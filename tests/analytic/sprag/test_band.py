@@ -19,7 +19,7 @@ from analytic.sprag.friction import coefficient, static_limit
 from analytic.sprag.motion import Speeds
 from analytic.sprag.transient import NarrowBandError
 
-LIGHT = {"alpha_max": 0.02}  # the blades press with 0.4 N: the sprag slips at the start
+LIGHT = {"alpha_max": 0.02}  # the springs press with 0.4 N: the sprag slips at the start
 WRONG = {"D_V": 1e-3, **LIGHT}  # at 40 N m with steps of 1e-5 s
 
 

@@ -40,7 +40,7 @@ def test_the_turned_spiral_reaches_into_the_inner_race_by_all_that_yields_there(
 
 
 def test_explicit_and_iterated_closure_agree(clutch):
-    """Eq. 11 as an iteration: the load under which the drawn sprag yields as far as it overlaps."""
+    """Eq. 11 as an iteration: the load at which the deflection of the sprag equals its overlap."""
     for load in (500.0, 3407.0):
         alpha_b = float(wedged(clutch, load).alpha_b)
 

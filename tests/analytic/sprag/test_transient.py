@@ -20,7 +20,7 @@ QUIET = {"C_rl": 0.0, "k_out": 1e7}  # an outer race that hardly moves
 def test_without_damping_the_first_peak_is_where_the_torque_s_work_is_stored(
     engaged, table, motion
 ):
-    """C theta_i + work of the blades = n_s W, rolling: theta_i' = (b_e/OB + b_i/OA) alpha'."""
+    """C theta_i + work of the springs = n_s W, rolling: theta_i' = (b_e/OB + b_i/OA) alpha'."""
     run = engaged(25.0, **QUIET)
 
     def power(alpha):
@@ -35,7 +35,7 @@ def test_without_damping_the_first_peak_is_where_the_torque_s_work_is_stored(
 
 
 def test_heavy_damping_ends_at_the_static_force(engaged, clutch):
-    """Blades of Table 1 would add 0.3 % to it, as they help to press."""
+    """Energizing springs of Table 1 would add 0.3 % to it, as they press as well."""
     run = engaged(25.0, duration=0.3, dt=2e-5, C_rl=3.0, K_r=1e-4)
     assert run.verdict == "locks"
     assert run.N[-1] == pytest.approx(float(at_torque(clutch, 25.0).N), rel=1e-3)
@@ -62,7 +62,7 @@ def slipping(engaged, mu, torque):
 
 @pytest.mark.parametrize("torque", [10.0, 40.0])
 def test_it_locks_where_friction_reaches_the_wedge_angle_under_the_load(engaged, clutch, torque):
-    """At mu = tan(nu) of the strut under the torque, not of the unloaded one; without blades."""
+    """At mu = tan(nu) of the strut under the torque, not of the unloaded one; without springs."""
     low, high = 0.05, 0.06
     assert slipping(engaged, low, torque)
     assert not slipping(engaged, high, torque)

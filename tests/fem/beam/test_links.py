@@ -36,7 +36,7 @@ def test_a_gap_is_closed_before_the_second_cantilever_carries_load():
 
 @pytest.mark.parametrize("shares", [(0.25, 0.75), (0.75, 0.25)])
 def test_an_element_may_be_linked_at_several_places(shares):
-    """Whatever the order: the same as nodes there from the start."""
+    """In any order: the same as nodes there from the start."""
     links = [Link(first=(1, s), second=(0, s), direction=(0, 1)) for s in shares]
     cut = pressed(*links)
     x = np.array([0, *sorted(shares), 1]) * L

@@ -1,4 +1,4 @@
-"""Supports answer loads, and bodies of several materials meet closed forms."""
+"""Reactions balance loads, and bodies of several materials agree with closed forms."""
 
 from dataclasses import replace
 from math import cos, radians, sin

@@ -1,4 +1,4 @@
-"""A patch reaches the function by whatever name and through whatever wraps it."""
+"""A patch replaces the function under every name and in every wrapper."""
 
 import importlib
 import sys

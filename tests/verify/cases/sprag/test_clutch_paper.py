@@ -54,7 +54,7 @@ def test_a_rectangle_with_table_1_s_mass_and_inertia_is_about_9_mm_long_and_3_mm
 
 
 def test_from_25_to_40_newton_metres_only_k_1_of_the_printed_optima_grows_freely():
-    """Erratum sec-4-2-z-m-trend: z_m falls, K_2 meets its bound."""
+    """Erratum sec-4-2-z-m-trend: z_m falls, K_2 reaches its bound."""
     low, high = BEST[25.0], BEST[40.0]
     assert high[0] > low[0]
     assert high[1] == published("huang2018:k2-upper-bound").value
