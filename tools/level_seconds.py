@@ -1,4 +1,4 @@
-"""Write verify/jobs/seconds.json from what the store knows: run `make verify` from empty before."""
+"""Write verify/jobs/seconds.json from the store: run `make verify` from empty before."""
 
 import json
 
