@@ -40,9 +40,12 @@ def test_list_and_completion_name_every_case(capsys):
         assert case.title in out
     assert "inputs: r_i [mm], r_o [mm], p_i [MPa], E [GPa], nu\n" in out
     assert "optional: p_o [MPa], R_p [MPa]\n" in out
-    # required inputs are listed separately from assumed ones
-    of_clutch = out.partition("\nsprag-clutch ")[2]
-    assert of_clutch.splitlines()[1].strip() == "inputs: R_i [mm], R_e [mm], l [mm], T [N m]"
+    # the verdicts come first; required inputs and those that are assumed have separate lines
+    of_clutch = [line.strip() for line in out.partition("\nsprag-clutch ")[2].splitlines()]
+    assert of_clutch[1].startswith(
+        "verdicts: unsafe: Eq. 6; cannot be verified: Eq. 7; exact: Eq. 8"
+    )
+    assert of_clutch[2] == "inputs: R_i [mm], R_e [mm], l [mm], T [N m]"
     assert run(["__complete", "init", ""]) == 0
     offered = capsys.readouterr().out.split()[1:]  # after the opening directive
     assert [*CASES.ids, "design-spring", "design-sprag"] == offered

@@ -14,6 +14,7 @@ from verify.core.console import aligned, print_rows, raised
 from verify.core.console_rows import number, unit_of
 from verify.core.figures import LIMITS_TITLE, FormulaValue, Table
 from verify.core.results import CaseResult
+from verify.core.terminal import print_wrapped
 from verify.core.unit_systems import System
 from verify.jobs.dynamic import DynamicResult
 from verify.verdicts.console import Placed
@@ -67,10 +68,10 @@ def print_check(checked: Checked, system: System = "mm") -> None:
     """The whole answer in the units of a system, the verdict first and the evidence last."""
     result, dynamic = checked.result, checked.dynamic
     for line in answer_lines(checked, system):
-        print(raised(line))
-    _print_table("limits", limits(checked.answer, system))
+        print_wrapped(raised(line))
+    _print_table("limits", [_limit(cells) for cells in limits(checked.answer, system)])
     for warning in result.warnings:
-        print(raised(f"warning: {warning}"))
+        print_wrapped(raised(f"warning: {warning}"))
     _print_list("notes", dynamic.after(result.findings) if dynamic else result.findings)
     _print_table(f"values by the formulas: {result.title} ({result.id})",
                  [_value(v) for v in result.values])  # fmt: skip
@@ -78,7 +79,7 @@ def print_check(checked: Checked, system: System = "mm") -> None:
         _print_table(dynamic.what, [_value(v) for v in dynamic.values])
     _print_table(
         "verdicts of the formulas (freewheel explain EQUATION has the evidence)",
-        [one.line for one in checked.verdicts],
+        [_verdict(one.line) for one in checked.verdicts],
     )
     _print_table("inputs", [(i.symbol, number(i.value), unit_of(i.unit), i.what)
                             for i in result.inputs])  # fmt: skip
@@ -87,8 +88,7 @@ def print_check(checked: Checked, system: System = "mm") -> None:
                 [one.sentence for one in checked.shared if not is_notable(one)])  # fmt: skip
     if checked.used_fem:
         print_rows(result.rows)
-    for hint in _hints(checked):
-        print(hint)
+    print_wrapped(*_hints(checked))
 
 
 def _hints(checked: Checked) -> list[str]:
@@ -106,15 +106,24 @@ def _hints(checked: Checked) -> list[str]:
 def _print_table(title: str, lines: Sequence[tuple[str, ...]]) -> None:
     if lines:
         print(title)
-        for line in aligned(lines):
-            print(f"  {line}")
+        print_wrapped(*(f"  {line}" for line in aligned(lines)))
 
 
 def _print_list(title: str, lines: Sequence[str]) -> None:
     if lines:
         print(title)
-        for line in lines:
-            print(raised(f"  {line}"))
+        print_wrapped(*(raised(f"  {line}") for line in lines))
+
+
+def _limit(cells: tuple[str, ...]) -> tuple[str, ...]:
+    """A limit with its numbers first, so that long texts stand in the last column."""
+    state, what, value, limit, margin, source = cells
+    return state, margin, value, limit, f"{what}; {source}"
+
+
+def _verdict(cells: tuple[str, ...]) -> tuple[str, ...]:
+    """Equation and verdict, then its sentence and where the inputs lie in one column."""
+    return *cells[:2], "; ".join(filter(None, cells[2:]))
 
 
 def _value(v: FormulaValue) -> tuple[str, ...]:

@@ -9,6 +9,7 @@ from verify.core.case import Case, Output
 from verify.core.console import aligned
 from verify.core.console_rows import unit_of
 from verify.core.inputs import meta, read_parameter_file
+from verify.core.terminal import print_wrapped
 
 
 def run_keys(file: Path) -> int:
@@ -37,5 +38,4 @@ def _lines(outputs: Sequence[Output]) -> list[tuple[str, ...]]:
 
 def _print(title: str, lines: Sequence[tuple[str, ...]]) -> None:
     print(title)
-    for line in aligned(lines):
-        print(f"  {line}")
+    print_wrapped(*(f"  {line}" for line in aligned(lines)))

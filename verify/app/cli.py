@@ -25,7 +25,7 @@ from verify.app.sweep.cli import sweep  # noqa: E402
 app = App(
     name="freewheel",
     help="Verifies the design formulas of freewheel clutches against finite elements.",
-    help_format="plaintext",
+    help_format="markdown",
     version="0.1.0",
     exit_on_error=False,
     print_error=False,
@@ -105,7 +105,7 @@ def check(
 ) -> int:
     """State whether a part holds, the value to design with, its margin and the limiting criterion.
 
-    Exit status: 0 it holds, 1 it fails or a row fails, 2 bad input, 3 undecided.
+    Exit status: 0 it holds, 1 it fails or a row fails, 2 bad input, 3 undecided ("cannot say").
 
     Parameters
     ----------

@@ -21,6 +21,7 @@ from verify.core.console import raised, verdict_lines
 from verify.core.inputs import REQUIRED, InputError, Inputs, meta
 from verify.core.results import CaseResult, Report, Status
 from verify.core.source_files import code_of
+from verify.core.terminal import print_wrapped
 from verify.jobs import cache, judged
 from verify.jobs.executor import Where
 from verify.jobs.level import Job
@@ -35,7 +36,7 @@ GARBAGE_AFTER = 20_000  # new objects: syntax trees and pages are many that stay
 
 
 def run_list() -> int:
-    """Print each case with its subject, its inputs, which may be left out, and its verdicts."""
+    """Print each case with its subject, its verdicts, its inputs and the optional ones."""
     for case in (*CASES, *map(find, files.installed())):
         assumable = {one.name for one in ASSUMPTIONS.get(case.id, ())}
         needed: list[str] = []
@@ -46,12 +47,12 @@ def run_list() -> int:
             is_needed = meta(field)["omitted"] == REQUIRED and name not in assumable
             (needed if is_needed else optional).append(text)
         source = ", ".join(filter(None, (cited(case.paper), case.place)))
-        print(f"{case.id:20} {case.title}{f' ({source})' if source else ''}")
-        print(f"{'':20} inputs: {', '.join(needed)}")
-        if optional:
-            print(f"{'':20} optional: {', '.join(optional)}")
+        print_wrapped(f"{case.id:20}  {case.title}{f' ({source})' if source else ''}")
         if found := in_list(case):
-            print(f"{'':20} verdicts: {found}")
+            print_wrapped(f"{'':20}  verdicts: {found}")
+        print_wrapped(f"{'':20}  inputs: {', '.join(needed)}")
+        if optional:
+            print_wrapped(f"{'':20}  optional: {', '.join(optional)}")
     return 0
 
 
@@ -72,7 +73,7 @@ def run_verify(
         form = "one page" * single_file + "full PDF" * full_pdf
         key = up_to_date.key_of(ROOT, names, form)
         if (before := up_to_date.found(out, key)) is not None:
-            print("\n".join(before.lines))
+            print_wrapped(*before.lines)
             took = f"{time.perf_counter() - start:.1f} s"
             print(f"report: {_page(out)} (of {before.made}: nothing has changed since; {took})")
             return before.status
@@ -89,12 +90,12 @@ def run_verify(
     parts = Parts(folder, keys)
     report = make_report(results, cases, time.perf_counter() - start, parts=parts)
     lines = verdict_lines(report)
-    print("\n".join(lines))
+    print_wrapped(*lines)
     is_complete = write_report(
         report, out, use_cache, single_file=single_file, full_pdf=full_pdf, keys=keys
     )  # fmt: skip
     drift = [*drift_lines(report), *_moved_verdicts(report)]
-    print("".join(f"{line}\n" for line in drift), end="")
+    print_wrapped(*drift)
     print(f"report: {_page(out)} ({time.perf_counter() - start:.1f} s)")
     status = _exit_status(report)
     if any(case.errors for case in report.cases):

@@ -17,6 +17,7 @@ from verify.core import source_memory
 from verify.core.case import Case, Context
 from verify.core.inputs import InputError, Inputs
 from verify.core.results import Row, Status
+from verify.core.terminal import print_wrapped
 from verify.core.verdicts import FormulaVerdict, Verdict
 from verify.jobs import cache
 from verify.jobs.executor import Where
@@ -50,7 +51,10 @@ def run_explain(words: Sequence[str], *, as_json: bool, jobs: int, use_cache: bo
         row_id = find_row(name, row_ids(case, inputs, paper=paper), f" with {path}")
     (result,) = solve([Job(case, inputs)], Where(jobs), use_cache, quiet=as_json)
     row = next(row for row in result.rows if row.id == row_id)
-    print(_json(row) if as_json else row_in_words(row))
+    if as_json:
+        print(_json(row))
+    else:
+        print_wrapped(*row_in_words(row).split("\n"))
     return 1 if row.status in (Status.FAIL, Status.SKIP) else 0
 
 
@@ -59,7 +63,7 @@ def _verdicts(found: Sequence[FormulaVerdict], *, as_json: bool) -> int:
     if as_json:
         print(json.dumps([asdict(one) for one in found], ensure_ascii=False))
     else:
-        print("\n".join(line for one in found for line in explained(one)))
+        print_wrapped(*(line for one in found for line in explained(one)))
     return 1 if any(one.verdict is Verdict.NONE for one in found) else 0
 
 

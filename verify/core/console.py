@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 from verify.core.console_rows import causes, closing, row_cells, shown_rows, title
 from verify.core.results import Report, Row, Status
+from verify.core.terminal import print_wrapped
 
 _POWER = re.compile(r"(?<=[\w)])\^(-?\d+)(?![\d.]*\.\d)")
 _RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
@@ -28,13 +29,11 @@ def verdict_lines(report: Report) -> list[str]:
 def print_rows(rows: Sequence[Row]) -> None:
     """The judged rows in short, reasons of those that did not pass, and the closing sentences."""
     print(title(rows))
-    for line in aligned(row_cells(rows)):
-        print(f"  {line}")
+    print_wrapped(*(f"  {line}" for line in aligned(row_cells(rows))))
     for (status, _, reason), group in causes(shown_rows(rows)).items():
         more = f" and {len(group) - 1} more" if len(group) > 1 else ""
-        print(raised(f"{status.value} {group[0].quantity}{more}: {reason}"))
-    for sentence in closing(rows):
-        print(raised(sentence))
+        print_wrapped(raised(f"{status.value} {group[0].quantity}{more}: {reason}"))
+    print_wrapped(*map(raised, closing(rows)))
 
 
 def aligned(lines: Sequence[tuple[str, ...]]) -> list[str]:

@@ -98,8 +98,11 @@ def of_part(case: Case, inputs: Inputs) -> tuple[Placed, ...]:
 
 
 def in_list(case: Case) -> str:
-    """The verdicts of a case in one line: "Eq. 6 unsafe, Eq. 8 exact"."""
-    return ", ".join(f"{_short(one)} {one.verdict}" for one in of_case(case))
+    """The equations of a case by their verdict: "unsafe: Eq. 6; exact: Eq. 8"."""
+    names: dict[Verdict, list[str]] = {}
+    for one in of_case(case):
+        names.setdefault(one.verdict, []).append(_short(one))
+    return "; ".join(f"{verdict}: {', '.join(same)}" for verdict, same in names.items())
 
 
 def _short(one: FormulaVerdict) -> str:

@@ -6,6 +6,7 @@ from dataclasses import replace
 from verify.answers.assumed.rules import Assumed
 from verify.core.console import aligned
 from verify.core.results import CaseResult
+from verify.core.terminal import print_wrapped
 
 
 def print_assumed(assumed: Sequence[Assumed]) -> None:
@@ -13,8 +14,8 @@ def print_assumed(assumed: Sequence[Assumed]) -> None:
     if not assumed:
         return
     print("assumed, because the file does not give them")
-    for line in aligned([(one.name, one.text, one.source) for one in assumed]):
-        print(f"  {line}")
+    lines = aligned([(one.name, one.text, one.source) for one in assumed])
+    print_wrapped(*(f"  {line}" for line in lines))
 
 
 def with_sources(result: CaseResult, assumed: Sequence[Assumed]) -> CaseResult:

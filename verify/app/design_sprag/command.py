@@ -16,6 +16,7 @@ from verify.answers.record import answer_record
 from verify.app.commands import writable
 from verify.core.files import write_whole
 from verify.core.inputs import InputError
+from verify.core.terminal import print_wrapped
 from verify.core.unit_systems import System
 from verify.studies.design_sprag.answer import answer
 from verify.studies.design_sprag.console import print_outcome
@@ -51,7 +52,7 @@ def run_design(
         print(json.dumps(record_in_units(whole, system), ensure_ascii=False))
     else:
         notes = () if outcome.checks else ("not verified by a half-space",)
-        print("\n".join(headline(task.name, found, notes, system)))
+        print_wrapped(*headline(task.name, found, notes, system))
         print_outcome(outcome, system)
         print_assumed(assumed_in(task.assumed, system))
     if out is not None:

@@ -15,6 +15,7 @@ from verify.core.console import aligned, raised
 from verify.core.inputs import InputError, Inputs
 from verify.core.progress import Show, State, shown
 from verify.core.suggestions import nearest
+from verify.core.terminal import print_wrapped
 from verify.papers.digits import is_number
 from verify.papers.ledger import published
 from verify.studies.readings.generic import numbers, printed_rounding, readings, value_of
@@ -49,8 +50,10 @@ def run_search(
             outcome, about = _generic(
                 name, key, printed, unit, file, most=changes or 2, rounded=rounded, show=show
             )
-    print(json.dumps(_record(outcome, about), ensure_ascii=False) if as_json
-          else raised("\n".join(_lines(outcome, about))))  # fmt: skip
+    if as_json:
+        print(json.dumps(_record(outcome, about), ensure_ascii=False))
+    else:
+        print_wrapped(*map(raised, _lines(outcome, about)))
     return 0 if outcome.met or outcome.hits else 1
 
 

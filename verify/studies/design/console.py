@@ -7,6 +7,7 @@ import numpy as np
 
 from verify.core import units
 from verify.core.console import aligned
+from verify.core.terminal import print_wrapped
 from verify.core.unit_systems import System, cells_in, ratio, text_in, unit_in
 from verify.studies.design.fem import Verified
 from verify.studies.design.limits import Limit
@@ -30,20 +31,20 @@ def print_outcome(outcome: Outcome, system: System = "mm") -> None:
     for line in aligned(
         cells_in([("limit", "", "", "violated by"), *map(_reason, *_reasons(s))], system)
     ):
-        print(f"  {line}")
+        print_wrapped(f"  {line}")
     if outcome.chosen is None:
         print_nothing(s, system)
         return
     more = len(s.front) > len(s.members)
-    print(
+    print_wrapped(
         f"front: {len(s.front)} Pareto-optimal springs in stress, L_0, margin to A and stiffness"
         + (f", {len(s.members)} of them listed" if more else "")
     )
     for line in aligned(front_table(outcome, system)):
-        print(f"  {line}")
+        print_wrapped(f"  {line}")
     print_chosen(outcome, system)
     for warning in warnings(outcome):
-        print(text_in(f"warning: {warning}", system))
+        print_wrapped(text_in(f"warning: {warning}", system))
 
 
 def front_table(outcome: Outcome, system: System = "mm") -> list[tuple[str, ...]]:
@@ -133,9 +134,11 @@ def warnings(outcome: Outcome) -> list[str]:
 def print_chosen(outcome: Outcome, system: System) -> None:
     """Every limit and the value of the selected spring."""
     s, i = outcome.search, outcome.candidate
-    print(text_in(f"selected: member {s.members.tolist().index(i) + 1}, {geometry(s, i)}", system))
+    print_wrapped(
+        text_in(f"selected: member {s.members.tolist().index(i) + 1}, {geometry(s, i)}", system)
+    )
     for line in aligned(cells_in([_limit_line(limit, i) for limit in s.judged.limits], system)):
-        print(f"  {line}")
+        print_wrapped(f"  {line}")
 
 
 def print_nothing(s: Search, system: System) -> None:
@@ -145,14 +148,14 @@ def print_nothing(s: Search, system: System) -> None:
         return
     i = s.nearest[0].candidate
     nearest = f"no candidate is feasible; the closest is {geometry(s, i)}, which violates"
-    print(text_in(nearest, system))
+    print_wrapped(text_in(nearest, system))
     for line in aligned(cells_in([_relaxed(r) for r in s.nearest], system)):
-        print(f"  {line}")
+        print_wrapped(f"  {line}")
     if s.relaxations:
         print("each of these relaxations alone would make a spring feasible")
         alone = [(*_relaxed(r), geometry(s, r.candidate)) for r in s.relaxations]
         for line in aligned(cells_in(alone, system)):
-            print(f"  {line}")
+            print_wrapped(f"  {line}")
 
 
 def geometry(s: Search, i: int) -> str:

@@ -6,6 +6,7 @@ import numpy as np
 
 from verify.core.console import aligned
 from verify.core.figures import Array
+from verify.core.terminal import print_wrapped
 from verify.core.unit_systems import System, cells_in, text_in
 from verify.studies.design_sprag.inputs import Task
 from verify.studies.design_sprag.known import Known
@@ -25,21 +26,21 @@ def print_outcome(outcome: Outcome, system: System = "mm") -> None:
     task = outcome.task
     print(f"{task.name}: {len(outcome.search.model.known):,} crowns engaged under {torques(task)}")
     best = f"optimal crown: {named(outcome.crown)}, for Q = {outcome.search.model.Q:.5g} N"
-    print(text_in(best, system))
+    print_wrapped(text_in(best, system))
     for line in aligned(cells_in([("", *HEAD_CROWN), *crown_table(outcome)], system)):
         print(f"  {line}")
     print("largest pressures during engagement [MPa]")
     for line in aligned([*torque_heads(outcome), *torque_table(outcome)]):
         print(f"  {line}")
     for line in remarks(outcome):
-        print(text_in(line, system))
+        print_wrapped(text_in(line, system))
     if outcome.checks:
         print("half-space, under the same forces [MPa]")
         for line in aligned([check_heads(outcome), *map(check_line, outcome.checks)]):
             print(f"  {line}")
-    print(text_in(verdict(outcome), system))
+    print_wrapped(text_in(verdict(outcome), system))
     for warning in warnings(outcome):
-        print(text_in(f"warning: {warning}", system))
+        print_wrapped(text_in(f"warning: {warning}", system))
 
 
 def named(crown: Array) -> str:
