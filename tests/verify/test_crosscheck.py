@@ -159,7 +159,7 @@ def test_absent_solvers_change_no_exit_status_but_where_nothing_is_left(
     monkeypatch.setattr(records, "today", lambda: "2026-01-02")
     store.keep(cross, found(cross, 1.0, 1.0))
     assert crosscheck("ring-lame", out=tmp_path) == 0
-    assert "1 of 1 problems stored on 2026-01-02" in capsys.readouterr().out
+    assert "1 of 1 problems are stored results of 2026-01-02" in capsys.readouterr().out
     # the reason is that of the installation
     monkeypatch.setattr(solvers, "OWN", tmp_path)
     monkeypatch.delenv("FREEWHEEL_CROSSCHECK", raising=False)

@@ -19,6 +19,7 @@ from verify.app.extras import PACKAGE, shared_names
 from verify.app.installed import installed, mismatches
 from verify.core import environment
 from verify.core.environment import LIBRARIES
+from verify.core.terminal import print_wrapped
 from verify.studies.crosscheck import solvers
 from verify.studies.crosscheck.calculix import running
 from verify.studies.crosscheck.statement import CALCULIX, SOLVERS
@@ -59,7 +60,7 @@ def run_doctor(*, as_json: bool) -> int:
     else:
         width = max(len(f.what) for f in found)
         for f in found:
-            print(f"{f.state:8}  {f.what:{width}}  {f.detail}")
+            print_wrapped(f"{f.state:8}  {f.what:{width}}  {f.detail}")
         print(last)
     return 2 if fatal else 0
 

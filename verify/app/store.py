@@ -9,6 +9,7 @@ from pathlib import Path
 from verify.core.console import aligned
 from verify.core.inputs import InputError
 from verify.core.store import Group, Store
+from verify.core.terminal import print_wrapped
 from verify.jobs.cache import default_folder
 from verify.jobs.earlier_files import adopt
 
@@ -30,8 +31,8 @@ def run_store(*, as_json: bool, clear: str) -> int:
         print(json.dumps({"file": str(store.path), "groups": [asdict(one) for one in groups]}))
         return 0
     print(f"{store.path}: {sum(g.entries for g in groups):,} results, {size(groups)}")
-    for line in aligned([_HEAD, *map(_line, groups)]) if groups else []:
-        print(f"  {line}")
+    lines = aligned([_HEAD, *map(_line, groups)]) if groups else []
+    print_wrapped(*(f"  {line}" for line in lines))
     return 0
 
 
@@ -60,7 +61,7 @@ def run_origin(case: str, code: str, *, other: bool) -> int:
         raise InputError(f"store {named}: --json and --clear go without a case and without --code")
     if case and code:
         raise InputError(f"store {case} --code {code}: a case or a module, one of them")
-    print("\n".join(list(of_case(case) if case else of_module(code))))
+    print_wrapped(*(of_case(case) if case else of_module(code)))
     return 0
 
 

@@ -207,7 +207,7 @@ def of(tests: int, survived: int, reason: str = "as the root is squared") -> Cau
 def test_the_gate_requires_95_percent_and_a_reason_for_the_rest():
     assert score.complaints(of(95, 5)) == []
     (few,) = score.complaints(of(94, 6))
-    assert few == "formulas: 94 of 100 mutants are caught, 95% are asked"
+    assert few == "formulas: 94 of 100 mutants are caught, 95% required"
     (bare,) = score.complaints(of(99, 1, reason=""))
     assert bare == "formulas: 1 survivors without a reason in argued.json"
     assert all(len(reason.split()) > 3 for reason in score.argued().values())

@@ -11,6 +11,7 @@ from verify.core.console import aligned, raised
 from verify.core.inputs import InputError
 from verify.core.progress import shown
 from verify.core.results import Crosscheck, CrossState
+from verify.core.terminal import print_wrapped
 from verify.jobs.dispatch import Dispatch, queue
 from verify.jobs.executor import Lost, local
 from verify.studies.crosscheck import store
@@ -27,7 +28,7 @@ HEAD = ("problem", "quantity", "unit", "here", "there", "difference", "allowed",
 def run_list(names: Sequence[str]) -> int:
     """Name the comparisons, what is solved and by whom, and which solvers are there."""
     for cross in chosen(names):
-        print(raised(f"{cross.id:40} {cross.solver:9} {cross.what}"))
+        print_wrapped(raised(f"{cross.id:38}  {cross.solver:8}  {cross.what}"))
     for one in solvers().values():
         print(f"{one.name}: {one.missing or one.version}")
     return 0
@@ -150,8 +151,10 @@ def _print(lines: Sequence[Crosscheck], standing: Collection[str], broken: Seque
             print(raised(row))
     for line in lines:
         if line.state is CrossState.OUTSIDE:
-            print(raised(f"outside: {line.problem}, {line.quantity}: {line.difference:+.2%}, "
-                         f"allowed {line.allowed:.2%} ({line.why})"))  # fmt: skip
+            print_wrapped(raised(
+                f"outside: {line.problem}, {line.quantity}: {line.difference:+.2%}, "
+                f"allowed {line.allowed:.2%} ({line.why})"
+            ))  # fmt: skip
     for one in broken:
         print(f"failed: {one}", file=sys.stderr)
 
@@ -165,7 +168,8 @@ def _counts(
     if standing:
         dates = sorted({found.date for found in standing})
         span = " to ".join(dict.fromkeys((dates[0], dates[-1])))
-        yield f"{len(standing)} of {problems} problems stored on {span} (--again repeats them)"
+        known = f"{len(standing)} of {problems} problems are stored results of {span}"
+        yield f"{known} (--again repeats them)"
     if left:
         absent = dict.fromkeys(cross.solver for cross in left)
         yield f"{len(left)} problems not solved, for lack of {' and '.join(absent)}"
