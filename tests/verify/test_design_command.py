@@ -80,7 +80,7 @@ def test_an_impossible_task_ends_with_1_states_what_to_relax_and_clears_the_old_
     assert "no candidate is feasible; the closest is n = 10" in printed
     assert sorted(p.name for p in out.iterdir()) == ["candidates.csv", "design.html"]
     page = (out / "design.html").read_text(encoding="utf-8")
-    assert "No candidate keeps every limit" in page
+    assert "No candidate meets all limits" in page
     assert "Relaxing one of these limits makes a spring feasible" in page
     # what is to be relaxed suffices as it is printed, rounded up
     needed = re.search(r"relax sigma from 100 MPa to (29\d\S* MPa)", printed)[1]

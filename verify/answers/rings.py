@@ -22,7 +22,7 @@ def under_pressure(q: Any, _: Values, part: Assessment) -> None:
     part.stress("tresca_stress", "Tresca stress of the ring", largest, strength)
     if q.p_o > q.p_i:
         wall, radius = q.r_o - q.r_i, (q.r_i + q.r_o) / 2
-        part.at_most("buckling_pressure", "outside pressure less inside pressure", q.p_o - q.p_i,
+        part.at_most("buckling_pressure", "outside pressure minus inside pressure", q.p_o - q.p_i,
                      q.E * wall**3 / (4 * radius**3), "MPa",
                      "elastic buckling of a thin ring, E t^3/(4 r^3)")  # fmt: skip
 

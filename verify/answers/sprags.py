@@ -23,7 +23,7 @@ NO_CROWN = (
 MISSING = "give p_lim"
 ROLLS_OVER = "the sprags reach the end of their profile and roll over"
 STATIC_ONLY = (
-    "the pressure is that at rest; the first peak of an engagement is larger: sprag-crown has it"
+    "the pressure is that at rest; the first peak of an engagement is larger, see sprag-crown"
 )
 
 

@@ -20,7 +20,7 @@ MOST_CELLS = {"L1": 60, "r": 30}
 NAMES = {
     "e_max": "|U_w − Δ|/Δ", "ratio_min": "U_w/L_0 too small", "ratio_max": "U_w/L_0 too large",
     "wedge": "wedge", "margin": "point A", "sigma": "stress", "z_max": "L_0/b",
-    "room": "room across", "k_band": "tolerance", "sway": "buckling", "shape": "no spring",
+    "room": "height", "k_band": "tolerance", "sway": "buckling", "shape": "no spring",
 }  # fmt: skip
 
 
@@ -94,8 +94,8 @@ def scatter(outcome: Outcome) -> Curves:
         curves=tuple(Curve(name=name, x=x[which], y=y[which], style="dots", colour=colour)
                      for name, which, colour in groups),
         y_bottom=float(low - 0.08 * ((high - low) or 0.1 * high)),
-        note="Members of the front that lie inside are better in their room to point A or in "
-        "their stiffness.",
+        note="Members of the front inside it are better in their margin to point A or in their "
+        "stiffness.",
     )  # fmt: skip
 
 
@@ -114,8 +114,8 @@ def front(outcome: Outcome) -> Parallel:
         ends=tuple((form.format(shown[b, j]), form.format(shown[w, j]))
                    for j, (form, b, w) in enumerate(zip(forms, best, worst, strict=True))),
         lines=scaled(goals), kept=tuple(kept), chosen=outcome.chosen or 0,
-        note="A line a spring; the best value of each axis is at the top. No line lies above "
-        "another everywhere.",
+        note="One line per spring; the best value of each axis is at the top. No line is above "
+        "another on all axes.",
     )  # fmt: skip
 
 

@@ -92,7 +92,7 @@ def _failure(outcome: Outcome) -> Sequence[str]:
     if outcome.passed:
         return ()
     if outcome.chosen is None:
-        return ("No candidate keeps every limit.",)
+        return ("No candidate meets all limits.",)
     v = outcome.verified[outcome.chosen]
     if not v.fits:
         return (f"Member {outcome.chosen + 1} by finite elements: {verdict(v)} (Eq. 11).",)
@@ -175,9 +175,8 @@ def _front(outcome: Outcome) -> Table:
     return Table(
         title="The front", header=("member", *heads, *(fem if outcome.verified else ())),
         rows=tuple(rows),
-        note="Springs that no other beats in stress, L_0, U_A/U_w and |k_1/k_w − 1| at once, "
-        "nearest to the best of everything first; --choose takes another. All candidates are in "
-        "candidates.csv.",
+        note="Pareto-optimal springs in stress, L_0, U_A/U_w and |k_1/k_w − 1|, the closest to the "
+        "ideal point first; --choose selects another. All candidates are in candidates.csv.",
     )  # fmt: skip
 
 
@@ -187,8 +186,8 @@ def _relaxations(s: Search) -> Sequence[Table]:
     nearest = geometry(s, s.nearest[0].candidate)
     found = [
         Table(
-            title="The nearest candidate violates", note=f"It is {nearest}: no other's largest "
-            "excess is as small.",
+            title="Limits violated by the closest candidate",
+            note=f"It is {nearest}, with the smallest largest excess of all candidates.",
             header=("limit", "value", "has to be", "beyond", "from"),
             rows=tuple((r.limit.symbol, in_unit(r.limit, r.needed), _bound(r),
                         f"{100 * r.excess:.3g} %", r.limit.source) for r in s.nearest),

@@ -40,7 +40,7 @@ def profiles(outcome: Outcome) -> Curves:
     curves.append(Curve(name="now" if q.z_m else "now, without a crown", x=y / mm, y=now, colour=0))
     return Curves(
         title="Profile of the sprag", x_label="y [mm]", y_label="z [µm]", curves=tuple(curves),
-        y_bottom=0.0, note=f"How far it falls back from a straight line. {named(outcome.crown)}. "
+        y_bottom=0.0, note=f"Its deviation from a straight line. {named(outcome.crown)}. "
         "Its numbers are in profile.csv.",
     )  # fmt: skip
 

@@ -79,10 +79,10 @@ def _tiles(outcome: Outcome) -> Sequence[Tile]:
     T = f"{outcome.task.torques[k]:g} N m"
     now, p = float(outcome.largest(outcome.now)[0, k]), float(outcome.pressures[k])
     worst = float(outcome.largest(outcome.chosen)[:, k].max())
-    drawn = "" if outcome.search.single else f", within tolerance ({p / MPa:.0f} as drawn)"
-    shape = "" if outcome.search.single else "as drawn, "
+    drawn = "" if outcome.search.single else f", within tolerance ({p / MPa:.0f} nominal)"
+    shape = "" if outcome.search.single else "nominal, "
     less = f"{100 * (p / now - 1):+.1f} %".replace("-", "−")
-    ends = f", whose ends carry: {so_many(outcome, k)}" if outcome.now_carries[k] else ""
+    ends = f", edge-loaded: {so_many(outcome, k)}" if outcome.now_carries[k] else ""
     found = [
         Tile(number=f"{worst / MPa:.0f} MPa", words=f"largest at {T}{drawn}"),
         Tile(number=less, words=f"{shape}against the crown now{ends}"),
@@ -90,7 +90,7 @@ def _tiles(outcome: Outcome) -> Sequence[Tile]:
     ]
     if outcome.checks:
         off = max(abs(c.off(c.judged)) for c in outcome.checks)
-        ends = "; its ends carry" if any(c.end > 0 for c in outcome.checks) else ""
+        ends = "; edge-loaded" if any(c.end > 0 for c in outcome.checks) else ""
         found.append(Tile(number=f"{100 * off:.1f} %", words=f"off a half-space at most{ends}",
                           css="is-pass" if outcome.verified else "is-fail"))  # fmt: skip
     return found
@@ -100,15 +100,15 @@ def _failure(outcome: Outcome) -> Sequence[str]:
     found = [] if outcome.verified else [verdict(outcome)]
     if outcome.exceeded:
         at = ", ".join(f"{T:g}" for T in outcome.exceeded)
-        found.append(f"No crown of these ranges keeps p_lim at {at} N m.")
+        found.append(f"All crowns of these ranges exceed p_lim at {at} N m.")
     return found
 
 
 def _lead(outcome: Outcome) -> str:
     aim = (
-        "the largest excess over the optimal crown of each torque is least"
+        "the largest excess over the optimal crown of each torque is smallest"
         if outcome.relative
-        else "the largest pressure is least"
+        else "the largest pressure is smallest"
     )
     within = "" if outcome.search.single else ", within its tolerance,"
     return (
@@ -171,7 +171,7 @@ def _inputs(outcome: Outcome) -> Sequence[tuple[str, str, str]]:
          else f"{v.value:.6g}{'' if v.unit == '1' else f' {v.unit}'}")
         for v in task.wishes.display()
     ]  # fmt: skip
-    found.append(("torques", "torques that it has to engage under", torques(task)))
+    found.append(("torques", "torques of engagement", torques(task)))
     for j, r in enumerate(RANGES):
         factor = um if j == 2 else 1.0
         unit = " µm" if j == 2 else ""

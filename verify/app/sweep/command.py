@@ -80,7 +80,7 @@ def _some_possible(plan: Plan) -> None:
 def _some_accepted(problems: Sequence[str]) -> None:
     """InputError where each is a refusal, which a solver may be the first to say."""
     if all(problem.startswith(f"{REFUSED}:") for problem in problems):
-        raise InputError(f"every point is refused, such as: {bare(problems[0])}")
+        raise InputError(f"every point is rejected, such as: {bare(problems[0])}")
 
 
 def planned(
@@ -110,7 +110,9 @@ def announce(plan: Plan) -> None:
     print(f"{plan.name}: {len(plan.points):,} points of {plan.case.id}, {rows}", file=sys.stderr)
     if not part.name and plan.case.portions:
         names = ", ".join(f"{p.name} ({_rows(plan, p.keys)})" for p in plan.case.portions)
-        print(f"a part alone is much cheaper, with --only: {names}", file=sys.stderr, flush=True)
+        print(
+            f"parts that are solved much faster, with --only: {names}", file=sys.stderr, flush=True
+        )
 
 
 def _rows(plan: Plan, keys: Sequence[str]) -> str:

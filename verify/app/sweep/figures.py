@@ -25,7 +25,7 @@ from verify.verdicts.of_sweep import safe_side
 UNSAFE = {Safe.ABOVE: -1, Safe.BELOW: 1, Safe.NEITHER: 0}  # sign of errors on the unsafe side
 MIDDLE = LIMITS[1]  # whose region maps outline
 MOST_PANELS, MOST_PAIRS, MOST_CURVES, MOST_DOTS = 12, 6, 4, 500
-ERROR = "Formula less finite elements, in %."
+ERROR = "Formula minus finite elements, in %."
 MATTERS = 0.1  # share of the points whose bar reaches across a limit, from which on it is drawn
 LINES = " Lines: where the error passes a limit, straight between points."
 QUANTILES = ("2.5 %", "50 %", "97.5 %")
@@ -45,7 +45,7 @@ def of_grid(plan: Plan, course: Course, regions: Sequence[Region]) -> Sequence[P
     lined = min(plan.shape) >= LEAST
     found: list[Picture] = [
         _map((x, y), error, U, title="Error of the formula",
-            note=f"{ERROR} Each cell stands for the point in its middle." + LINES * lined,
+            note=f"{ERROR} Each cell represents the point at its centre." + LINES * lined,
             nominal=True,
             box=tuple((r.axis.in_unit(r.low), r.axis.in_unit(r.high)) for r in box),
             unsafe=UNSAFE[safe_side(plan, course)],

@@ -25,7 +25,7 @@ SWEEPS = {
     for sweep in (
         Sweep(name="n", unit="1", what="numbers of segments", default=[8, 10, 12, 14],
               low=4, high=200, whole=True),
-        Sweep(name="b", unit="mm", what="thicknesses of strip that can be had",
+        Sweep(name="b", unit="mm", what="available strip thicknesses",
               default=["0.09 mm", "0.1 mm", "0.11 mm", "0.12 mm"],
               low=0, above=True, high=10),
         Sweep(name="L1", unit="mm", symbol="L_1", what="straight lengths of head and tail",
@@ -47,7 +47,7 @@ class Demands(Inputs):
         omitted=None, gt=0, le=1e4,
     )  # fmt: skip
     U_w: float | None = quantity(
-        None, "mm", "U_w", "working displacement, in the place of L_w", omitted=None, gt=0, le=1e4,
+        None, "mm", "U_w", "working displacement, instead of L_w", omitted=None, gt=0, le=1e4,
         example="8.3 mm",
     )  # fmt: skip
     h: float = quantity("56 mm", "mm", "h", "width", gt=0, le=1e4, claims="wang2023:h")
@@ -64,33 +64,39 @@ class Demands(Inputs):
     head: Head = word("guided", "the roller guides the head or, as in Eqs. 1-9, leaves it free")
     tail: Tail = word("mid-leaf", "where the tail is clamped: mid-leaf or, as in Eqs. 1-9, arc")
     wedge: float = quantity(
-        "27 mm", "mm", "L_max", "length of the wedge, which the free spring has to fit in",
+        "27 mm", "mm", "L_max", "length of the wedge, the largest free length",
         gt=0, le=1e4,
     )  # fmt: skip
     room: float | None = quantity(
-        "15 mm", "mm", "H_max", "room across, for 2 (L_1/2 + r + b)", omitted=None, gt=0, le=1e4
+        "15 mm",
+        "mm",
+        "H_max",
+        "transverse space, for 2 (L_1/2 + r + b)",
+        omitted=None,
+        gt=0,
+        le=1e4,
     )
     sigma: float = quantity(
-        "500 MPa", "MPa", "σ_max", "bending stress allowed at F_w", gt=0, le=1e5
+        "500 MPa", "MPa", "σ_max", "permissible bending stress at F_w", gt=0, le=1e5
     )
     margin: float = quantity(
         "15 %", "%", "m_A",
-        "how far U_w stays below U_A, where leaves touch (linear theory: up to an eighth too far)",
+        "margin of U_w to U_A, where leaves touch (linear theory: U_A up to an eighth too large)",
         omitted=0.0, ge=0, le=1000,
     )  # fmt: skip
     sway: float | None = quantity(
-        "20 %", "%", "m_cr", "how far U_w stays below U_cr, where the spring sways", omitted=None,
-        ge=0, le=1000,
+        "20 %", "%", "m_cr", "margin of U_w to U_cr, where the spring buckles laterally",
+        omitted=None, ge=0, le=1000,
     )  # fmt: skip
     friction: float = quantity(
         0.15, "1", "µ", "friction where leaves touch, in finite elements", omitted=0.0, ge=0, le=1,
         claims="wang2023:fea-friction-coefficient",
     )  # fmt: skip
     b_tolerance: float | None = quantity(
-        "0.002 mm", "mm", "t_b", "tolerance of the thickness, ± this", omitted=None, ge=0, le=1
+        "0.002 mm", "mm", "t_b", "tolerance of the thickness, ±", omitted=None, ge=0, le=1
     )
     k_band: float | None = quantity(
-        "8 %", "%", "δ_k", "change of stiffness allowed for it", omitted=None, gt=0, le=1000
+        "8 %", "%", "δ_k", "permissible change of stiffness by it", omitted=None, gt=0, le=1000
     )
     e_max: float = quantity(
         "3 %", "%", "e_r", "largest |U_w - Δ|/Δ", gt=0, le=100,
@@ -105,7 +111,7 @@ class Demands(Inputs):
         claims="wang2023:rule-displacement-ratio-max",
     )  # fmt: skip
     z_max: float | None = quantity(
-        240.0, "1", "z_max", "largest L_0/b, a rule of doubtful worth", omitted=None, gt=0, le=1e6,
+        240.0, "1", "z_max", "largest L_0/b, a rule without evidence", omitted=None, gt=0, le=1e6,
         claims="wang2023:rule-length-thickness-max",
     )  # fmt: skip
 

@@ -23,7 +23,7 @@ MOST_TORQUES = 12
 STATES = {"slips": "slips", "rolls over": "rolls over", "no state": "has no state"}
 LARGEST_SHARE = 0.5  # of the smallest drop, which its tolerance may be
 
-TORQUES = Sweep(name="torques", unit="N m", what="torques that it has to engage under",
+TORQUES = Sweep(name="torques", unit="N m", what="torques of engagement",
                 default=["25 N m"], low=0, above=True, high=1e9)  # fmt: skip
 
 Aim = Literal["excess", "pressure"]
@@ -39,19 +39,19 @@ class Wishes(EngagementInputs):
         "the largest pressure of all, at the largest torque; the same for one torque",
     )  # fmt: skip
     contacts: Contacts = word(
-        "strips", "pressures: by strips on a half-space or, as in the paper, by slices, which let "
-        "the ends carry",
+        "strips", "pressures: by strips on a half-space or, as in the paper, by slices, which "
+        "neglect edge loading",
     )  # fmt: skip
     method: Method = word("evolution", "search: differential evolution, or the paper's algorithm")
     t_z: float = quantity(
-        "0.001 mm", "mm", "t_z", "tolerance of the drop at the ends, ± this; the whole profile "
+        "0.001 mm", "mm", "t_z", "tolerance of the drop at the ends, ±; the whole profile "
         "grows with it", omitted=0.0, ge=0, le=10,
     )  # fmt: skip
     t_y: float = quantity(
-        "0.1 mm", "mm", "t_y", "tolerance of where the crown begins, ± this along the sprag",
+        "0.1 mm", "mm", "t_y", "tolerance of the start of the crown, ± along the sprag",
         omitted=0.0, ge=0, le=1e3,
     )  # fmt: skip
-    seed: int = count(0, "", "seed of whatever is drawn at random", ge=0, le=10**9)
+    seed: int = count(0, "", "seed of the random numbers", ge=0, le=10**9)
 
     @model_validator(mode="after")
     def _fits_length(self) -> "Wishes":

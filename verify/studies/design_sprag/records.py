@@ -150,7 +150,7 @@ def chosen_file(outcome: Outcome) -> str:
         update={"K_1": K_1, "K_2": K_2, "z_m": z_m, "Q": outcome.search.model.Q}
     )
     lines = [
-        "# The clutch of a design task with its optimal crown; to go on with:",
+        "# The clutch of a design task with its optimal crown. Next step:",
         f"#   freewheel check --dynamic {CHOSEN}",
         "",
         'case = "sprag-clutch"',
