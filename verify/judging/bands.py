@@ -24,8 +24,8 @@ def undecided(rows: list[Row], band: tuple[float, float]) -> list[Row]:
     outside = max(band[0] - m, m - band[1]) > U
     if steady and (outside or (FINER * half > U and row.status is not Status.FAIL)):
         return rows
-    told = f"meshes resolve {U:.2g}" if steady else "meshes do not settle"
-    reason = f"measured: {m:+.2%}; {told} where the formula allows {half:.2g}"
+    why = f"meshes resolve {U:.2g}" if steady else "the meshes do not converge"
+    reason = f"measured: {m:+.2%}; {why} where the formula allows {half:.2g}"
     return [
         replace(r, status=Status.SHOWN, reason=reason) if r.status is Status.FAIL else r
         for r in rows
@@ -35,10 +35,11 @@ def undecided(rows: list[Row], band: tuple[float, float]) -> list[Row]:
 def too_wide(rows: list[Row], reason: str) -> list[Row]:
     """`rows` of a claim whose band is too wide: SHOWN, except convergence that holds."""
     first, *others = rows
-    told = [first, *(row for row in others if row.status is Status.FAIL)]
-    kept = [row for row in others if row.status is not Status.FAIL]
-    shown = [replace(r, status=Status.SHOWN, reason=f"{r.reason}; {reason}") for r in told]
-    return shown + kept
+    undecided_rows = [first, *(row for row in others if row.status is Status.FAIL)]
+    others = [row for row in others if row.status is not Status.FAIL]
+    return [
+        replace(r, status=Status.SHOWN, reason=f"{r.reason}; {reason}") for r in undecided_rows
+    ] + others
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -15,7 +15,7 @@ from verify.studies.sweep.pairs import Pair
 
 Solutions = Mapping[Step, Solution]
 RICHARDSON = "Richardson from the three finest meshes"
-DIRECT = "no tolerance of a solver in it: the row's own"
+DIRECT = "no solver tolerance to change: u_it of the row"
 
 
 @dataclass(frozen=True)
@@ -88,8 +88,8 @@ class _Reader:
         order = sums.observed(h, [v.fe for v in mine], pair.claim.formal, mine[-1].scale)
         beyond = self.solutions.get(Step(self.plan.case.id, (FINER,), finer))
         if beyond is None or beyond.problem:
-            said = f" (no finer one: {beyond.problem})" if beyond else ""
-            name = f"{Cause.DISCRETISATION}: {RICHARDSON}{said}"
+            reason = f" (no finer one: {beyond.problem})" if beyond else ""
+            name = f"{Cause.DISCRETISATION}: {RICHARDSON}{reason}"
             return sums.extrapolated(name, [v.error for v in mine], h, order)
         name = f"{Cause.DISCRETISATION}: level {finer} after {levels[-1]}"
         there = self.at(pair, (FINER,), finer)
@@ -118,7 +118,7 @@ class _Reader:
     def _joint(self, pair: Pair, names: tuple[str, str]) -> Joint:
         step = joint(self.plan, names)
         if step is None:
-            return Joint(names, None, "both have finite elements of their own")
+            return Joint(names, None, "both have separate finite elements")
         there = self.at(pair, step.causes, step.level)
         nominal, a, b = (
             self.at(pair, causes, step.level) for causes in ((AS_IT_IS,), names[:1], names[1:])

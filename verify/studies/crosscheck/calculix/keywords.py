@@ -25,9 +25,9 @@ def nodes(deck: TextIO, number: Indices, x: Array, name: str = "") -> None:
 def elements(deck: TextIO, kind: str, name: str, cells: Indices, number: Indices) -> None:
     """`cells` (elements, nodes) of one kind as a set; `number` (elements,)."""
     deck.write(f"*ELEMENT, TYPE={kind}, ELSET={name}\n")
-    for own, cell in zip(number.tolist(), cells.astype(str).tolist(), strict=True):
+    for label, cell in zip(number.tolist(), cells.astype(str).tolist(), strict=True):
         rows = [cell[i : i + A_LINE] for i in range(0, len(cell), A_LINE)]
-        deck.write(f"{own}," + ",\n".join(",".join(row) for row in rows) + "\n")
+        deck.write(f"{label}," + ",\n".join(",".join(row) for row in rows) + "\n")
 
 
 def solid(deck: TextIO, name: str, material: Elastic, thickness: float = 1.0) -> None:

@@ -168,7 +168,7 @@ ROTORS = (
     ),
     Cross(
         id="rotor-system", case="rotor-system", solver=ROSS,
-        what="two coaxial shafts with discs and an intershaft bearing that turn alike, damped",
+        what="two coaxial shafts with discs and an intershaft bearing at one speed, damped",
         pose=partial(system, SPEEDS),
         quantities=(
             *(frequency(k, f"natural frequency {k} at the speed" if i == 2 else "", i,
