@@ -29,11 +29,20 @@ def verdict_lines(report: Report) -> list[str]:
 def print_rows(rows: Sequence[Row]) -> None:
     """The judged rows in short, reasons of those that did not pass, and the closing sentences."""
     print(title(rows))
-    print_wrapped(*(f"  {line}" for line in aligned(row_cells(rows))))
+    lines = aligned([_numbers_first(cells) for cells in row_cells(rows)])
+    print_wrapped(*(f"  {line}" for line in lines))
     for (status, _, reason), group in causes(shown_rows(rows)).items():
         more = f" and {len(group) - 1} more" if len(group) > 1 else ""
         print_wrapped(raised(f"{status.value} {group[0].quantity}{more}: {reason}"))
     print_wrapped(*map(raised, closing(rows)))
+
+
+def _numbers_first(cells: tuple[str, ...]) -> tuple[str, ...]:
+    """The cells of a row with its difference first, its name and scale in the last column."""
+    status, name, *values, difference, allowed = cells
+    number, _, scale = difference.partition(" of ")
+    name += f"; difference relative to {scale}" if scale else ""
+    return status, number, allowed, *values, name
 
 
 def aligned(lines: Sequence[tuple[str, ...]]) -> list[str]:
