@@ -42,6 +42,7 @@ check: .venv/.ready
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports
+	$(BIN)/python -m tools.words
 
 # Pages for a browser in docs/_build/html, without a network; a warning is an error.
 docs: .venv/.ready .venv-docs/.ready

@@ -161,7 +161,7 @@ def test_absent_solvers_change_no_exit_status_but_where_nothing_is_left(
     assert crosscheck("ring-lame", out=tmp_path) == 0
     assert "1 of 1 problems are stored results of 2026-01-02" in capsys.readouterr().out
     # the reason is that of the installation
-    monkeypatch.setattr(solvers, "OWN", tmp_path)
+    monkeypatch.setattr(solvers, "ENVIRONMENT", tmp_path)
     monkeypatch.delenv("FREEWHEEL_CROSSCHECK", raising=False)
     reason = solvers.solver.__wrapped__
     assert reason(ROSS).missing == "not installed: make crosscheck installs it"

@@ -53,7 +53,7 @@ def test_without_pictures_a_cache_or_second_solvers_verify_still_runs(
     monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path / "file" / "cache"))
     monkeypatch.setattr(doctor.shutil, "which", lambda _program: None)
     monkeypatch.setenv("FREEWHEEL_CROSSCHECK", str(tmp_path / "python"))
-    monkeypatch.setattr(solvers, "OWN", tmp_path)
+    monkeypatch.setattr(solvers, "ENVIRONMENT", tmp_path)
     solvers.solver.cache_clear()
     status, lines = broken(("libEGL.so.1",), {"pyvista": f"killed by {signal.SIGSEGV.name}"})
     solvers.solver.cache_clear()

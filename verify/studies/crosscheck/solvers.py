@@ -12,7 +12,7 @@ from verify.studies.crosscheck.calculix import running
 from verify.studies.crosscheck.statement import CALCULIX, ROSS, SOLVERS, TAMAAS
 
 ROOT = Path(__file__).parents[3]
-OWN = ROOT / ".venv-crosscheck"  # the environment of tamaas and ROSS
+ENVIRONMENT = ROOT / ".venv-crosscheck"  # the environment of tamaas and ROSS
 GUESTS = Path(__file__).parent / "external"
 SCRIPTS = {TAMAAS: "tamaas_press.py", ROSS: "ross_rotor.py"}
 MODULES = {TAMAAS: "tamaas", ROSS: "ross"}
@@ -69,14 +69,14 @@ def _failed() -> str:
     """Why `make crosscheck` could not install the solvers, in one line; "" if that is unknown."""
     if os.environ.get("FREEWHEEL_CROSSCHECK"):
         return ""
-    failed = OWN / FAILED
+    failed = ENVIRONMENT / FAILED
     return " ".join(failed.read_text("utf-8").split()) if failed.exists() else ""
 
 
 def interpreter() -> Path | None:
     """Python of the solvers' environment, if there is one; FREEWHEEL_CROSSCHECK names another."""
     named = os.environ.get("FREEWHEEL_CROSSCHECK")
-    python = Path(named) if named else OWN / "bin" / "python"
+    python = Path(named) if named else ENVIRONMENT / "bin" / "python"
     return python if python.exists() else None
 
 
@@ -107,7 +107,7 @@ def solve(name: str, deck: Path, limit: float = LONG) -> float:
 def rerun(name: str, deck: Path) -> str:
     """The command that solves a deck again, in its folder."""
     script = os.path.relpath(GUESTS / SCRIPTS[name], deck.parent) if name in SCRIPTS else ""
-    python = interpreter() or OWN / "bin" / "python"
+    python = interpreter() or ENVIRONMENT / "bin" / "python"
     return RERUN[name].format(
         stem=deck.stem, name=deck.name, answer=deck.with_suffix(".answer.json").name,
         script=script, python=os.path.relpath(python, deck.parent),
