@@ -123,3 +123,11 @@ def test_errors_of_contacts_grow_with_their_width():
 def test_the_relative_radius_is_that_of_roller_and_ring():
     assert ROLLER.relative_radius == pytest.approx(5e-3 * 40e-3 / 45e-3)
     assert ROLLER.wall == pytest.approx(8.55e-3)
+
+
+def test_the_standard_uncertainty_of_the_largest_stress_is_half_of_its_bound():
+    without = ROLLER.fillet_blur(0.0, 1e-4)
+    assert without == pytest.approx(contacts.PEAK_STRESS / 2)
+    whole = ROLLER.fillet_blur(1.0, 1e-4) - without
+    assert whole == pytest.approx(ROLLER.reach(1e-4) / 2)
+    assert ROLLER.fillet_blur(0.4, 1e-4) == pytest.approx(without + 0.4 * whole)

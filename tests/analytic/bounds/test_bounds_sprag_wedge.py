@@ -82,3 +82,23 @@ def test_the_wider_contact_is_that_over_its_smaller_radius(r_i, R_i):
     inner, outer = (replace(one, sizes=q, a=a) for a in ((4e-5, 1e-5), (1e-5, 1e-4)))
     assert inner.wide == pytest.approx(1e-4)
     assert outer.wide == pytest.approx(4e-4)
+
+
+def test_the_thinner_of_wall_and_sprag_limits_the_half_space():
+    """Walls of 3.9 and 6.79 mm, sprag 4 mm wide."""
+    one = replace(bounds(), a=(1e-5, 2e-5))
+    assert one.thin_body("i") == pytest.approx((1e-5 / 3.9e-3) ** 2, rel=1e-12)
+    assert one.thin_body("e") == pytest.approx((2e-5 / 4e-3) ** 2, rel=1e-12)
+
+
+def test_contacts_roll_by_the_tilt_of_walls_as_beams_over_a_pitch():
+    """Simply supported, M at the middle: tilt M L/(12 E' I), which is s (1/r +- 1/R) of rolling."""
+    one = bounds()
+    q, tilts = one.sizes, []
+    T = 3000.0 * math.tan(float(one.at.nu)) / 9e-3
+    for R, h in ((11.11e-3, 3.9e-3), (19.44e-3, 6.79e-3)):
+        M, pitch, bending = T * h / 2, 2 * math.pi * R / 12, q.E_plane * h**3 / 12
+        tilts.append(M * pitch / (12 * bending))
+    inner = tilts[0] / (1 / 4.02e-3 + 1 / 11.11e-3) / 11.11e-3
+    outer = tilts[1] / (1 / q.r_e - 1 / 19.44e-3) / 19.44e-3
+    assert one.tilted() * float(one.at.beta) == pytest.approx(inner + outer, rel=1e-12)

@@ -101,8 +101,22 @@ def test_unlike_materials_couple_with_opposite_signs_in_a_race_and_a_thin_wall_w
     assert thin.approach.slack > 50 * thick.approach.slack
 
 
+def test_coupling_of_either_sign_widens_the_bound_of_the_approach_in_a_race():
+    """Of equal E' beta is 1/12 with either sign; kappa is (1 + 1/3)/2 in a bore of three radii."""
+    first, second = {"E_1": 15 / 16, "nu_1": 0.25}, {"E_2": 1.0, "nu_2": 0.0}
+    turned = {"E_1": 1.0, "nu_1": 0.0, "E_2": 15 / 16, "nu_2": 0.25}
+    races = [InRace(a=0.018, R_1=1.0, R_2=-3.0, wall=2.0, **pair)
+             for pair in (first | second, turned)]  # fmt: skip
+    assert races[0].coupled * races[1].coupled < 0
+    for race in races:
+        half = (0.018**2 + 0.009**2) / 2
+        assert race.approach == (0.0, pytest.approx(half + 0.018 / 18, rel=1e-12))
+
+
 @pytest.mark.parametrize("change", [{"b": 0.04}, {"twice": 1.01}, {"value": 0.0}])
 def test_user_inputs_beyond_the_expansion_have_no_interval(change):
-    assert roller.of_strips(1e-4, **STRIPS, loaded=False, user_inputs=True)
+    for half_width in (0.01, 0.029):  # slender: up to 0.03 of the length
+        slender = STRIPS | {"b": half_width}
+        assert roller.of_strips(1e-4, **slender, loaded=False, user_inputs=True)
     assert roller.of_strips(1e-4, **STRIPS | change, loaded=False, user_inputs=True) is None
     assert roller.of_strips(np.nan, **STRIPS, loaded=False, user_inputs=False) is None

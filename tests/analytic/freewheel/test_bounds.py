@@ -81,6 +81,29 @@ def test_the_limit_s_interval_is_that_of_the_criterion_at_other_angles():
     assert (low, high) == pytest.approx(sorted(loads[0] / other - 1 for other in loads[1:]))
 
 
+def test_the_interval_of_the_limit_load_is_that_of_the_criterion_at_the_ends_of_the_slope(star):
+    """F_ax = T/R sqrt((mu/tan alpha)^2 - 1) with the error of tan(alpha) of one contact."""
+    found = bounds(star)
+    tan, slope = math.tan(found.at.alpha), found.slope(tilted=True)
+    at = {"T": 26.0, "R": 16.5e-3, "mu": 0.2}
+    own, *others = (float(criterion.largest_axial_load(alpha=math.atan(t), **at))
+                    for t in (tan, *(tan / (1 + m) for m in slope)))  # fmt: skip
+    expected = sorted(own / other - 1 for other in others)
+    assert limit_load(found, mu=0.2) == pytest.approx(expected, rel=1e-9)
+
+
+def test_bounds_of_contacts_grow_with_the_square_of_the_width_from_a_least_value_on(star):
+    """Hertz replaces arcs by parabolas: 4 (a/r)^2, and no less than is required."""
+    one, at = parts(star), bounds(star).at
+    found = {share: intervals.of_contact(one, replace(at, a_i=share * one.r, a_o=0.0))
+             for share in (0.01, 0.1, 0.2)}  # fmt: skip
+    assert found[0.01] == (-intervals.LEAST, intervals.LEAST)
+    assert found[0.1] == pytest.approx((-0.04, 0.04))
+    assert found[0.2] == pytest.approx((-0.16, 0.16))
+    certain = intervals.of_approach(1.0, (1.0, 1.0))
+    assert certain == (-intervals.ASKED, intervals.ASKED)
+
+
 def test_there_is_no_interval_where_the_torque_alone_may_slip(star):
     found = bounds(star)
     assert limit_load(found, mu=math.tan(found.at.alpha) * 1.0001) is None
