@@ -100,3 +100,16 @@ def test_its_square_integrates_to_the_flexibility(spring):
     simpson[1:-1:2], simpson[2:-1:2] = 4, 2
     integral = ((s[:, 1] - s[:, 0]) / 3 * (m**2 @ simpson)).sum()
     assert integral == pytest.approx(float(flexibility(**spring)), rel=1e-8)
+
+
+@pytest.mark.parametrize("start", [0.0, 1.0])
+def test_the_arc_of_the_tail_has_the_closed_form_at_any_angle(start):
+    """Integral of (c + r cos t)^2 from 0 to beta, c the couple per force at the apex less r."""
+    a, r, beta = 5.8, 0.45, 1.1
+    c = a + (start - 1) * r
+    head = a**3 / 3 + r * (a**2 * math.pi / 2 + 2 * a * r + r**2 * math.pi / 4)
+    tail = c**2 * beta + 2 * c * r * math.sin(beta)
+    tail += r**2 * (2 * beta + math.sin(2 * beta)) / 4
+    ends = (math.pi / 2, beta)
+    found = garbled.flexibility(2, a, r, 1.0, SHAPE["alpha"], "alternating", start, ends)
+    assert found == pytest.approx(head + r * tail, rel=1e-13)

@@ -111,3 +111,28 @@ def test_arrays_broadcast_and_are_the_same_one_by_one():
             assert getattr(together, f.name)[i] == pytest.approx(getattr(alone, f.name), rel=1e-10)
     grid = stages(**PAPER | {"L1": np.array([[10.0], [12.0]]), "b": np.array([0.1, 0.11, 0.12])})
     assert grid.k2.shape == (2, 3)
+
+
+@pytest.mark.parametrize("spring", SPRINGS)
+def test_the_tilt_at_contact_is_the_angle_less_the_integral_of_the_curvature(spring):
+    """Rotation F_A int y ds/(E I) over half leaf, arc and leaf, from 90 deg - alpha."""
+    a, R, alpha = shape(spring)
+    beta, y = math.pi / 2 + alpha, a + R * math.cos(alpha)
+    bend = R * (a * beta + R * (1 - math.cos(beta)))
+    turned = a**2 / 2 + bend + (y**2 - a**2) / 2 / math.sin(alpha)
+    s = stages(**spring, head="free")
+    left = math.pi / 2 - alpha - float(s.F_A) * turned / section(spring)
+    assert float(s.tilt) == pytest.approx(left, abs=1e-11)
+
+
+@pytest.mark.parametrize("spring", [PAPER, {**PAPER, "n": 4}])
+def test_the_top_couple_of_a_guided_head_is_that_of_the_side_with_one_loop_more(spring):
+    """M = y - S/L for even n, with S^2/L from the two stiffnesses; y = a + R at the tops."""
+    a, R, alpha = shape(spring)
+    straight = (2 * a + 2 * R * math.cos(alpha)) / math.sin(alpha)
+    L = 2 * a + math.pi * R + (spring["n"] - 2) * (2 * alpha * R + straight)
+    free, guided = (stages(**spring, head=head) for head in ("free", "guided"))
+    square = section(spring) * float(1 / free.k1 - 1 / guided.k1)  # S^2/L
+    mean = math.sqrt(square / L)
+    assert float(guided.top_couple / guided.F_A) == pytest.approx(a + R + mean, rel=1e-9)
+    assert float(free.top_couple / free.F_A) == pytest.approx(a + R, rel=1e-12)

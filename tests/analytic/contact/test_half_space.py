@@ -127,3 +127,14 @@ def test_each_load_of_a_series_starts_from_the_solution_before() -> None:
     found = grid.press_each(rough(4), [5.0, 50.0, 50.5])
     assert found[2].iterations < found[1].iterations - 2
     assert grid.press(rough(4), load=50.0, start=found[1].pressure).iterations == 0
+
+
+def test_the_patch_for_an_approach_does_not_depend_on_the_unit_of_length():
+    """Roller of R = 10 mm, 2 mm long, approach 1 um: in m and in um."""
+    found = [
+        press_roller(R=1e-2 * k, length=2e-3 * k, approach=1e-6 * k, E_star=1.0, cells=(16, 16))
+        for k in (1.0, 1e6)
+    ]
+    in_m, in_um = (one.contact.cell[0] for one in found)
+    assert in_um / 1e6 == pytest.approx(in_m, rel=1e-9)
+    assert found[1].mid_pressure == pytest.approx(found[0].mid_pressure, rel=1e-6)

@@ -168,6 +168,13 @@ def test_a_peak_at_the_end_counts_only_with_ends_included(n):
     assert one.p_mid == one.q_mid == 1.0
 
 
+def test_a_pressure_that_rises_to_the_ends_is_read_at_their_limit():
+    """Centres of the parts 0.5 and 1.5 from mid-length, ends of 1 and 0.75: linear in between."""
+    one = parts([3.0, 1.0, 1.0, 3.0], d=1.0, length=4.0)
+    assert one.p_max == pytest.approx(2.0, rel=1e-14)
+    assert parts([3.0, 1.0, 1.0, 3.0], d=0.75, length=4.0).p_max == pytest.approx(2.5, rel=1e-14)
+
+
 @pytest.mark.parametrize("n", [1, 2, 51])
 def test_load_and_approach_lead_back_to_each_other(n):
     gap = barrel(n, tilt=3e-4)

@@ -64,6 +64,16 @@ def test_growth_indentation_and_compression_close_the_gap(roller):
     assert grown + state.N * dent - squeeze == pytest.approx(0.03, rel=1e-9)
 
 
+def test_growth_and_indentation_close_the_gap_just_above_the_touching_pressure():
+    """The force is below the start value of Newton's method."""
+    ring = Sector(z=6, **RING)
+    touch = locked(sector=ring, roller=ROLLER, p=30.0, **STEEL).touch
+    state = locked(sector=ring, roller=ROLLER, p=1.0002 * touch, **STEEL)
+    grown = float(rim_displacement(0.0, sector=ring, p=1.0002 * touch, **STEEL).real[0])
+    dent = float(roller_load(sector=ring, a=state.a).rim_displacement(0.0, **STEEL)[0])
+    assert -state.N * dent == pytest.approx(grown - 0.03, rel=1e-8)
+
+
 @pytest.mark.parametrize("z", [3, 6, 24])
 def test_the_efficiency_is_the_slope_of_the_force_over_the_sides_share(z):
     ring = Sector(z=z, **RING)

@@ -10,7 +10,9 @@ from hypothesis import strategies as st
 from analytic.contact import crown as profiles
 from analytic.rotor import clutch_uniform as uniform
 from analytic.rotor.clutch import Clutch, even_angles, slice_middles, with_axial
+from analytic.rotor.clutch_inclined import coupling_across, inclined_stiffness
 from analytic.rotor.clutch_state import preload_twist, under_loads, under_torque
+from analytic.rotor.inertia import cylinder_inertia, tubes_inertia
 
 fixed = settings(deadline=None, derandomize=True, max_examples=25)
 
@@ -187,3 +189,25 @@ def test_the_twists_of_several_torques_are_those_of_each_alone():
     one, torques = clutch(n_s=7), np.array([5.0, 15.0, 40.0])
     alone = [float(preload_twist(one, T=T)) for T in torques]
     assert preload_twist(one, T=torques) == pytest.approx(alone, rel=1e-12)
+
+
+def test_two_missing_sprags_couple_x_and_y_as_the_sum_over_the_others():
+    """Sum of k e e^T with the directions e = (cos - tan nu sin, sin + tan nu cos) of the struts."""
+    left = clutch(missing=(1, 11))
+    q = under_torque(left, T=T)
+    k, tan = float(left.slopes(q).sum(-1)[0]), math.tan(left.nu)
+    x, y = (np.cos(left.psi - s * math.pi / 2) for s in (0, 1))
+    summed = k * ((x - tan * y) * (y + tan * x)).sum()
+    gone = np.array([-1, 1]) * 2 * math.pi / 12
+    assert coupling_across(gone, k=k, nu=left.nu) == pytest.approx(summed, rel=1e-10)
+    assert inclined_stiffness(left, T=T)[0, 1] == pytest.approx(summed, rel=1e-9)
+
+
+def test_the_inertia_of_a_tube_is_that_of_the_textbook():
+    shape = {"d_o": 0.06, "d_i": 0.02, "rho": 7850.0}
+    found = cylinder_inertia(**shape, width=0.05)
+    ends = tubes_inertia(end=np.array([0.025]), length=np.array([0.05]),
+                         d_o=np.array([0.06]), d_i=np.array([0.02]), rho=7850.0)  # fmt: skip
+    assert found == pytest.approx(tuple(ends), rel=1e-12)
+    m, _, across = found  # m (3 (r_o^2 + r_i^2) + w^2)/12
+    assert across == pytest.approx(m * (3 * (0.03**2 + 0.01**2) + 0.05**2) / 12, rel=1e-12)

@@ -5,6 +5,7 @@ import pytest
 from scipy.integrate import cumulative_trapezoid
 
 from analytic.sprag.closure import wedged
+from analytic.sprag.events import Sprag
 from analytic.sprag.motion import Speeds
 from analytic.sprag.rest import at_rest
 from analytic.sprag.start import spring_equilibrium
@@ -110,3 +111,13 @@ def test_the_table_has_the_closures_states_between_its_knots(table, clutch):
     for name, value in expected.items():
         scale = np.maximum(np.abs(value), 1e-3 * np.abs(value).max())
         np.testing.assert_allclose(found[name] / scale, value / scale, rtol=0, atol=3e-7)
+
+
+def test_with_both_normal_forces_the_moment_about_the_centroid_is_zero(clutch):
+    """b_i T_i + b_e T_e = h N with T_i = N tan(nu), T_e = N_e tan(omega): both forces along AB."""
+    states = wedged(clutch, 10e3 * np.linspace(0, 1, 101) ** 2)
+    one = Sprag(states, 12, balanced=True)
+    for k in (20, 60, 90):
+        (N, _, _, _, b_i, b_e, h), _ = one.at(float(states.alpha[k] - states.alpha[0]))
+        moment = b_i * N * np.tan(states.nu[k]) + b_e * states.T_e[k]
+        assert h * N == pytest.approx(float(moment), rel=1e-9)

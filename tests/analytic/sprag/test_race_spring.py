@@ -13,10 +13,18 @@ from analytic.sprag.clutch import Clutch
 from analytic.sprag.course import energy
 from analytic.sprag.motion import Motion
 from analytic.sprag.oscillation import Oscillation
-from analytic.sprag.race_spring import Blades, reached
+from analytic.sprag.race_spring import Blades, _sprung, reached
 from analytic.sprag.sliding import sliding
+from analytic.sprag.start import spring_equilibrium
 from analytic.sprag.swing import Driven, swing, time_to_rest
-from analytic.sprag.work_balance import at_rest, by_turning, frequency, left_out, undamped
+from analytic.sprag.work_balance import (
+    asked_at_start,
+    at_rest,
+    by_turning,
+    frequency,
+    left_out,
+    undamped,
+)
 from tests.analytic.sprag.models import PARTS, SPRAG
 
 T = 25.0
@@ -127,3 +135,23 @@ def test_a_small_oscillation_has_the_spring_s_frequency_and_the_work_balance_s_p
 def test_rolling_and_the_yields_have_the_same_work_and_the_centroid_takes_little(spring):
     assert by_turning(spring) == pytest.approx(1.0, abs=1e-3)
     assert abs(left_out(spring, 3000.0)) < 0.05
+
+
+def test_the_work_of_the_blades_is_that_of_linear_springs():
+    """Twelve of 0.05 N m/rad, slack at 0.3 rad: 0.23 rad in the mean over 0.1 rad."""
+    done = _sprung(Blades(K_r=0.05, alpha_max=0.3), 12, np.array([0.02, 0.05, 0.12]))
+    assert done == pytest.approx(12 * 0.05 * 0.23 * 0.1, rel=1e-12)
+
+
+def test_after_the_ramp_the_impulse_of_the_torque_lacks_half_of_the_ramp():
+    """T (t - t_ramp/2) = I |w|, with I |w|/T = 10 ms and a ramp of 1 ms."""
+    driven = Driven(T=T, t_ramp=1e-3, w_i=-50.0, t_end=1.0)
+    assert time_to_rest(driven, HELD) == pytest.approx(HELD.I_bi * 50.0 / T + 0.5e-3, rel=1e-9)
+
+
+def test_without_torque_the_blades_require_friction_at_the_outer_race_only(spring):
+    """Equilibrium of a sprag under its blade: T_i = 0, T_e < 0."""
+    now, T_e = spring_equilibrium(CLUTCH, K_r=HELD.K_r, alpha_max=HELD.alpha_max)
+    expected = float(abs(T_e) / now.N)
+    assert T_e < 0
+    assert asked_at_start(spring, 0.0, HELD) == pytest.approx(expected, rel=1e-6)
