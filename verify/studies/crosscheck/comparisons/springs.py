@@ -36,7 +36,7 @@ TWO_SIDES = f"{STRIP}, tenfold in what is left of two sides"
 STEEP = "a share of the stiffness is 6.4 shares of the drift here, by the tangent stiffness"
 UNITS = 6  # of a spring whose tips are to touch
 PRESSED = (6e-3, 9e-3)  # m, its compression: the tips are separated, and touch
-SEPARATED, TOUCHING = "force, tips separated", "force, tips touching"
+APART, TOUCHING = "force, tips apart", "force, tips touching"
 ASIDE = 1e-6  # m, that a head is moved aside
 # N, the unit of a thin strip's forces: calculix takes what is left of a balance for nothing
 # below a millionth of the unit, which is 0.7 % of a newton's load on so thin a strip
@@ -177,7 +177,7 @@ def curve() -> Posed:
     found, seconds = timed(lambda: fem_compress(own, PRESSED, per_arc=LEVEL))
     if not found.press[0].sum() == 0 < found.press[-1].sum():
         raise ArithmeticError("the tips touch too early, or not at all")
-    ours = dict(zip((SEPARATED, TOUCHING), found.F.tolist(), strict=True))
+    ours = dict(zip((APART, TOUCHING), found.F.tolist(), strict=True))
 
     from fem.plane.material import Elastic
     from verify.studies.crosscheck.calculix.compressed import compressed
@@ -188,7 +188,7 @@ def curve() -> Posed:
         ours=ours, seconds=seconds, unknowns=2 * len(problem.points),
         write=lambda folder: write_deck(problem, folder / "deck.inp"),
         read=lambda deck: dict(
-            zip((SEPARATED, TOUCHING), answer(problem, deck).reaction[:, 0].tolist(), strict=True)
+            zip((APART, TOUCHING), answer(problem, deck).reaction[:, 0].tolist(), strict=True)
         ),
     )  # fmt: skip
 
@@ -284,7 +284,7 @@ SPRINGS = (
         id="spring-curve", case="spring-curve", solver=CALCULIX,
         what="the strip compressed until its tips touch and beyond, plane strain", pose=curve,
         quantities=(
-            Quantity(name=SEPARATED, symbol="F", unit="N/mm", allowed=5e-3, why=STRIP,
+            Quantity(name=APART, symbol="F", unit="N/mm", allowed=5e-3, why=STRIP,
                      beside=True, row="stiffness at rest"),
             Quantity(name=TOUCHING, symbol="F", unit="N/mm", allowed=5e-3,
                      why=f"{STRIP}; tips press by a penalty",
