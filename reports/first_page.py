@@ -74,11 +74,12 @@ def groups(verdicts: Sequence[FormulaVerdict]) -> list[Group]:
 
 @dataclass(frozen=True)
 class Task:
-    """A question of a designer, the formulas that answer it, and the command."""
+    """A question of a designer, the formulas that answer it, the command, and worked examples."""
 
     what: str
     formulas: Sequence[FormulaVerdict]
     tool: str
+    cases: Sequence[str]  # of this run, whose pages have the answer for the paper's inputs
 
 
 @cache
@@ -119,8 +120,10 @@ def compared(table: PaperTable) -> bool:
 def tasks(report: Report) -> Mapping[str, list[Task]]:
     """The tasks by part, with the verdicts of their formulas."""
     known = {v.id: v for v in advised(report.verdicts)}
+    present = {case.id for case in report.cases}
     found: dict[str, list[Task]] = {}
     for one in stated()["tasks"]:
         formulas = [known[name] for name in one["formulas"] if name in known]
-        found.setdefault(one["part"], []).append(Task(one["what"], formulas, one["tool"]))
+        cases = [name for name in one["cases"] if name in present]
+        found.setdefault(one["part"], []).append(Task(one["what"], formulas, one["tool"], cases))
     return found
