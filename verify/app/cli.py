@@ -14,7 +14,7 @@ for _name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
 
 from cyclopts import App, CycloptsError, Parameter  # noqa: E402 - threads are counted at import
 
-from verify.app.arguments import CaseId, Engine, Jobs, case_ids  # noqa: E402
+from verify.app.arguments import CaseId, Engine, Jobs, ProblemKind, case_ids  # noqa: E402
 from verify.app.crosscheck.cli import crosscheck  # noqa: E402
 from verify.app.design.cli import design  # noqa: E402
 from verify.app.mutation.cli import mutants  # noqa: E402
@@ -254,17 +254,20 @@ def store(case: CaseId = "", /, *, json: bool = False, clear: str = "", code: st
 
 
 @app.command
-def new_case(file: Path, /) -> int:
+def new_case(file: Path, /, *, kind: ProblemKind = "plane") -> int:
     """Write a Python file that declares a user's case, with comments; it runs without changes.
 
     Parameters
     ----------
     file
         The file, such as `my_pipe.py`, which must not exist yet.
+    kind
+        Kind of problem: a plane body, two bodies in contact, a frame of beams, a sector of a ring,
+        a shaft as a rotor, or a body of revolution.
     """
     from verify.app.new_case import run_new_case
 
-    return run_new_case(file)
+    return run_new_case(file, kind)
 
 
 @app.command

@@ -2,16 +2,22 @@
 
 from pathlib import Path
 
+from verify.app.arguments import ProblemKind
 from verify.core.inputs import InputError
 
 
-def run_new_case(file: Path) -> int:
+def template(kind: ProblemKind) -> Path:
+    """The file that is copied for a kind of problem."""
+    return Path(__file__).parent / "templates" / f"{kind.replace('-', '_')}.py"
+
+
+def run_new_case(file: Path, kind: ProblemKind) -> int:
     """Write the file; InputError where it exists or cannot be a module."""
     if file.suffix != ".py" or not file.stem.isidentifier():
         raise InputError(f"{file}: name a Python file: letters, digits and _, ending in .py")
     try:
         with file.open("x", encoding="utf-8") as new:
-            text = Path(__file__).with_name("case_template.py").read_text("utf-8")
+            text = template(kind).read_text("utf-8")
             new.write(text.replace("FILE", file.name, 1))
     except FileExistsError:
         raise InputError(f"{file}: exists already") from None

@@ -200,14 +200,3 @@ def test_a_file_that_cannot_be_a_module_is_one_line(name, message, bar, capsys):
         shutil.copy(bar(), name)
     assert verify(name) == 2
     assert message in capsys.readouterr().err
-
-
-def test_a_new_case_runs_as_it_stands(bar, capsys):
-    name = bar()
-    Path(name).unlink()
-    assert run(["new-case", name]) == 0
-    assert verify(name) == 0
-    assert "3 rows" in capsys.readouterr().out
-    for wrong, message in ((name, "exists already"), ("my-bar.py", "letters, digits and _")):
-        assert run(["new-case", wrong]) == 2
-        assert message in capsys.readouterr().err

@@ -1,25 +1,14 @@
-"""A user's case: a formula against finite elements. Edit it, then: freewheel verify FILE."""
+"""Hoop stress of a pipe: a formula against finite elements. Edit: freewheel verify FILE."""
 
 from collections.abc import Iterator
 
-from verify.case import (
-    Case,
-    Comparison,
-    Expected,
-    Level,
-    Quantity,
-    approximation,
-    balance,
-    given,
-    plane_field,
-    solved,
-)
+import verify.case as vc
 
 # where the expected error comes from: neither from the finite elements nor by reading the formula
 SOURCE = "derived: Barlow's mean stress over Lamé's largest is (1 + r_i/r_o)²/(1 + (r_i/r_o)²)/2"
 
 
-class Pipe(Case):
+class Pipe(vc.Case):
     """The hoop stress of a pipe under inner pressure by Barlow's formula."""
 
     title = "Hoop stress of a pipe"  # of its page
@@ -27,21 +16,21 @@ class Pipe(Case):
     place = "Barlow's formula"
 
     # inputs: default, unit, symbol, what it is, bounds in that unit
-    r_i: float = given("50 mm", "mm", "r_i", "inner radius", gt=0)
-    r_o: float = given("55 mm", "mm", "r_o", "outer radius", gt=0)
-    p: float = given("10 MPa", "MPa", "p", "inner pressure", gt=0)
+    r_i: float = vc.given("50 mm", "mm", "r_i", "inner radius", gt=0)
+    r_o: float = vc.given("55 mm", "mm", "r_o", "outer radius", gt=0)
+    p: float = vc.given("10 MPa", "MPa", "p", "inner pressure", gt=0)
 
     # formulas in SI units, with symbol, unit of their display, what they are. The safe side is the
     # one on which an error does no harm. A "step" of a formula is not compared.
-    @Quantity("s", "mm", "wall", role="step")
+    @vc.Quantity("s", "mm", "wall", role="step")
     def s(self) -> float:
         return self.r_o - self.r_i
 
-    @Quantity("σ", "MPa", "hoop stress", equation="1", safe="too high")
+    @vc.Quantity("σ", "MPa", "hoop stress", equation="1", safe="too high")
     def sigma(self) -> float:
         return self.p * (self.r_i + self.r_o) / (2 * self.s)
 
-    def reference(self, level: int) -> Level:
+    def reference(self, level: int) -> vc.Level:
         """The same stress by finite elements, finer by level; it may not read a formula."""
         from fem.plane.material import Elastic
         from fem.plane.solve import solve_plane
@@ -55,16 +44,16 @@ class Pipe(Case):
         bore = pipe.on_boundary("bore")
         force = pipe.reaction("x=0")[0] + self.p * self.r_i  # of a wall, and of the pressure on it
         # mesh size, fields for pictures, then numbers by the names of the quantities
-        return solved(1 / level, plane_field(pipe, "von_mises"), sigma=bore.mean(bore.polar()[2]),
-                      rest=force)  # fmt: skip
+        field, stress = vc.plane_field(pipe, "von_mises"), bore.mean(bore.polar()[2])
+        return vc.solved(1 / level, field, sigma=stress, rest=force)
 
-    def comparisons(self) -> Iterator[Comparison]:
+    def comparisons(self) -> Iterator[vc.Comparison]:
         """What is compared, stated before the reference is solved."""
         k = self.r_i / self.r_o
         error = (1 + k) ** 2 / (2 * (1 + k**2)) - 1  # (formula - exact)/exact
-        expected = Expected(error - 1e-3, error + 1e-3, SOURCE)
-        yield approximation(Pipe.sigma, order=2, expected=expected)
-        yield balance(
+        expected = vc.Expected(error - 1e-3, error + 1e-3, SOURCE)
+        yield vc.approximation(Pipe.sigma, order=2, expected=expected)
+        yield vc.balance(
             "rest", "balance of a wall with the pressure", "ΣF_x", "N/mm",
             of={"p r_i": self.p * self.r_i}, bound=1e-9, because="direct solve",
         )  # fmt: skip

@@ -1,0 +1,57 @@
+"""Bending frequency of a shaft: a formula against a rotor model. Edit: freewheel verify FILE."""
+
+from collections.abc import Iterator
+from math import pi, sqrt
+
+import verify.case as vc
+
+# neither from the finite elements nor by reading the formula
+SOURCE = (
+    "derived: Timoshenko's beam bends as sin(πx/L), too; its ω² is the smaller root of "
+    "(κ G k² - ρ ω²)(E I k² + κ G A - ρ I ω²) = (κ G k)² A with k = π/L, κ by Hutchinson (2001)"
+)
+
+
+class Shaft(vc.Case):
+    """The first bending frequency of a short shaft on rigid bearings, by Euler and Bernoulli."""
+
+    title = "First bending frequency of a shaft"
+    source = "Den Hartog, Mechanical Vibrations"
+    place = "uniform beam, hinged at both ends"
+
+    # inputs: default, unit, symbol, what it is, bounds in that unit
+    L: float = vc.given("400 mm", "mm", "L", "distance of the bearings", gt=0)
+    d_o: float = vc.given("60 mm", "mm", "d_o", "outer diameter", gt=0)
+    E: float = vc.given("210 GPa", "GPa", "E", "Young's modulus", gt=0)
+    nu: float = vc.given(0.3, "1", "ν", "Poisson's ratio", ge=0, lt=0.5)
+    rho: float = vc.given("7850 kg/m^3", "kg/m^3", "ρ", "density", gt=0)
+
+    # a formula in SI units, with symbol, unit of its display, what it is; the safe side is the
+    # one on which an error does no harm
+    @vc.Quantity("f_1", "Hz", "first bending frequency", equation="1", safe="too low")
+    def f_1(self) -> float:
+        return pi * self.d_o / (8 * self.L**2) * sqrt(self.E / self.rho)
+
+    def reference(self, level: int) -> vc.Level:
+        """The same frequency by Timoshenko elements, more of them by level."""
+        from fem.rotor import model, modes
+
+        steel = model.Material(self.E, self.nu, self.rho)
+        pieces = [model.Element(self.L / 4, self.d_o, 0.0, steel)] * 4
+        rigid = 1e6 * self.E * self.d_o**4 / self.L**3  # stiffness of a bearing
+        rotor = model.Rotor(
+            [model.Shaft(pieces)], supports=[model.Support(0, rigid), model.Support(4, rigid)],
+            refine=level,
+        )  # fmt: skip
+        omega = float(modes.modes(rotor, count=1).frequencies[0])
+        return vc.solved(1 / level, f_1=omega / (2 * pi))
+
+    def comparisons(self) -> Iterator[vc.Comparison]:
+        """What is compared, stated before the reference is solved."""
+        nu, s = self.nu, (pi * self.d_o / (4 * self.L)) ** 2  # k² I/A
+        kappa = 6 * (1 + nu) ** 2 / (7 + 12 * nu + 4 * nu**2)
+        g = 2 * (1 + nu) / kappa  # E/(κ G); with x = ρ ω²/(E k²) it is x² g s - x (1 + s + g s) + s
+        b = 1 + s + g * s
+        x = 2 * s / (b + sqrt(b**2 - 4 * g * s**2))
+        expected = vc.about(sqrt(s / x) - 1, 1e-3, SOURCE)
+        yield vc.approximation(Shaft.f_1, order=2, expected=expected)
