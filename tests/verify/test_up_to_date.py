@@ -18,7 +18,8 @@ def first(tmp_path_factory):
     folder = tmp_path_factory.mktemp("first")
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("FREEWHEEL_CACHE", str(folder / "cache"))
-        assert run(["verify", "ring-lame", "--jobs", "1", "--out", str(folder / "out")]) == 0
+        out, summary = str(folder / "out"), str(folder / "job.md")
+        assert run(["verify", "ring-lame", "-j", "1", "--out", out, "--summary", summary]) == 0
     return folder
 
 
@@ -55,7 +56,8 @@ def test_a_second_run_prints_the_same_with_the_same_status_and_solves_nothing(re
     assert (report / "out" / "report.html").stat().st_mtime_ns == page
     note = report / "out" / STAMP
     note.write_text(json.dumps(json.loads(note.read_text("utf-8")) | {"status": 1}), "utf-8")
-    assert verified(report) == 1
+    assert verified(report, summary=report / "again.md") == 1
+    assert (report / "again.md").read_text("utf-8") == (report / "job.md").read_text("utf-8")
     # a run that trusts no results, and other forms of the report
     for form in ({"use_cache": False}, {"single_file": True}, {"full_pdf": True}):
         with pytest.raises(MakesError):

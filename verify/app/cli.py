@@ -54,6 +54,7 @@ def verify(
     cache: bool = True,
     single_file: bool = False,
     pdf: Literal["record", "full"] = "record",
+    summary: Path | None = None,
 ) -> int:
     """Compare every formula with finite elements, judge the rows and write the report.
 
@@ -78,6 +79,9 @@ def verify(
     pdf
         Content of report.pdf: record (verdicts, tables, errata of the papers, one page per case) or
         full (everything). The PDF of a single case is always full.
+    summary
+        File to which a summary in Markdown is appended, for the page of a CI job; /dev/stdout
+        prints it.
     """
     from verify.app.commands import run_verify
     from verify.jobs.executor import Where
@@ -85,7 +89,7 @@ def verify(
     where = Where(jobs, engine, scheduler)
     return run_verify(
         cases, quick=quick, where=where, out=out, use_cache=cache, single_file=single_file,
-        full_pdf=pdf == "full",
+        full_pdf=pdf == "full", summary=summary,
     )  # fmt: skip
 
 

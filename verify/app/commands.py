@@ -10,6 +10,7 @@ from pathlib import Path
 
 from verify.answers.assumed.registry import ASSUMPTIONS
 from verify.answers.parameter_file import read
+from verify.app import summary as in_short
 from verify.app import up_to_date
 from verify.app.parts import Parts
 from verify.app.report import make_report
@@ -58,14 +59,19 @@ def run_list() -> int:
 
 def run_verify(
     names: Sequence[str], *, quick: bool, where: Where, out: Path | None, use_cache: bool,
-    single_file: bool = False, full_pdf: bool = False,
+    single_file: bool = False, full_pdf: bool = False, summary: Path | None = None,
 ) -> int:  # fmt: skip
-    """Run the cases on the paper's numbers, write the report and print the verdicts."""
+    """Run the cases on the paper's numbers, write the report and print the verdicts.
+
+    A summary in Markdown is appended to the file `summary`.
+    """
     if quick and names:
         raise InputError(f"--quick runs {', '.join(QUICK)}: name no case beside it")
     names = QUICK if quick else names
     out = out or ROOT / "reports" / "out"
     writable(out)
+    if summary:
+        in_short.write("", summary)  # a place that cannot be written is found before the work
     start = time.perf_counter()
     gc.set_threshold(GARBAGE_AFTER)
     key = ""
@@ -76,6 +82,8 @@ def run_verify(
             print_wrapped(*before.lines)
             took = f"{time.perf_counter() - start:.1f} s"
             print(f"report: {_page(out)} (of {before.made}: nothing has changed since; {took})")
+            if summary:
+                in_short.write(before.summary, summary)
             return before.status
     cases = _chosen(names)
     folder = cache.default_folder() if use_cache else None
@@ -98,12 +106,16 @@ def run_verify(
     print_wrapped(*drift)
     print(f"report: {_page(out)} ({time.perf_counter() - start:.1f} s)")
     status = _exit_status(report)
+    text = in_short.summary(report, status=status, changes=drift)
+    if summary:
+        in_short.write(text, summary)
     if any(case.errors for case in report.cases):
         print(f"tracebacks: {out / 'errors.txt'}")
     elif key and is_complete:
         made = str(report.provenance["made"])
+        reported = up_to_date.Reported((*lines, *drift), status, made, text)
         levels = [*stored_levels(work), *(level for one in known.values() for level in one.levels)]
-        up_to_date.keep(out, key, levels, up_to_date.Reported((*lines, *drift), status, made))
+        up_to_date.keep(out, key, levels, reported)
     return status
 
 

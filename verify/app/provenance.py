@@ -38,7 +38,7 @@ def conditions(root: Path) -> dict[str, Any]:
         "lock": hashlib.sha256(lock.read_bytes()).hexdigest()[:12] if lock.is_file() else "unknown",
         "python": platform.python_version(),
         "machine": f"{platform.system()} {platform.machine()}",
-        "versions": {name: _version(name) for name in PACKAGES},
+        "versions": {name: version_of(name) for name in PACKAGES},
     }
 
 
@@ -63,7 +63,8 @@ def _blas() -> str:
     )
 
 
-def _version(name: str) -> str:
+def version_of(name: str) -> str:
+    """The version of an installed package; "not installed" without one."""
     try:
         return version(name)
     except PackageNotFoundError:

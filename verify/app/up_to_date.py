@@ -19,11 +19,12 @@ STAMP = ".up-to-date.json"
 
 @dataclass(frozen=True)
 class Reported:
-    """What a run printed, with its exit status and the date of its report."""
+    """What a run printed, with its exit status, the date of its report and its summary."""
 
     lines: tuple[str, ...]
     status: int
     made: str
+    summary: str
 
 
 def key_of(root: Path, names: Sequence[str], form: str = "") -> str:
@@ -50,7 +51,9 @@ def found(out: Path, key: str) -> Reported | None:
         levels = stamp["levels"]
         if len(Store(cache.default_folder()).dates(cache.KIND, levels)) < len(levels):
             return None
-        return Reported(tuple(stamp["lines"]), stamp["status"], stamp["made"])
+        return Reported(
+            tuple(stamp["lines"]), stamp["status"], stamp["made"], stamp["summary"]
+        )  # fmt: skip
     except (OSError, ValueError, LookupError, TypeError):  # none, or not whole
         return None
 
@@ -59,7 +62,7 @@ def keep(out: Path, key: str, levels: Sequence[str], reported: Reported) -> None
     """Note that the report in a folder is that of a key and of stored results."""
     stamp = {
         "key": key, "made": reported.made, "status": reported.status, "lines": reported.lines,
-        "levels": list(levels), "files": _files(out),
+        "summary": reported.summary, "levels": list(levels), "files": _files(out),
     }  # fmt: skip
     with suppress(OSError):  # the next run is made in full
         write_whole(out / STAMP, lambda file: file.write(json.dumps(stamp, indent=1).encode()))

@@ -92,6 +92,26 @@ def test_a_file_is_verified_with_a_separate_report(printed_bar, capsys):
     assert Path("out/report.pdf").is_file()
 
 
+def test_a_summary_in_markdown_is_appended_for_each_file(bar, capsys):
+    right, wrong = bar(), bar((INNER, f"return 1.05 * {INNER.removeprefix('return ')}"))
+    assert verify(right, "--summary", "job.md") == 0
+    assert verify(wrong, "--summary", "job.md") == 1
+    first, second = re.split(r"(?=^## )", Path("job.md").read_text("utf-8"), flags=re.MULTILINE)[1:]
+    assert first.startswith("## freewheel verify: passed\n\n5 rows of 1 case\n")
+    assert "| 0 | 0 | 0 | 0 | 0 | 5 |" in first
+    assert "Rows that fail" not in first
+    assert "Verdicts of the formulas" not in first  # which rest on all cases of the suite
+    assert second.startswith("## freewheel verify: failed\n")
+    stem = Path(wrong).stem.replace("_", "-")
+    (row,) = re.findall(r"^\| `.*", second, re.MULTILINE)
+    assert re.fullmatch(rf"\| `{stem}` \| stress at the inner edge \| FAIL \| \S.* \|", row)
+    assert re.search(r"^freewheel 0\.1\.0, commit \S+, Python 3\.", second, re.MULTILINE)
+    capsys.readouterr()
+    assert verify(right, "--summary", "nosuch/job.md") == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert "nosuch/job.md: cannot be written" in line
+
+
 def test_a_parameter_file_and_a_template_name_a_case_file_beside_them(bar, capsys):
     off = "sigma_i=inner * (1 + 0.05 * level * (self.r_i > 0.07)),"
     file = bar(("sigma_i=inner,", off))
