@@ -2,8 +2,10 @@
 
 import math
 import shlex
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -41,13 +43,23 @@ class ParameterFile:
 def read(path: Path) -> ParameterFile:
     """The parameter file at `path`; InputError says in one line what is wrong."""
     case_id, name, raw = read_parameter_file(path)
-    case = _case(case_id, path)
+    return completed(_case(case_id, path), raw, name=name, where=str(path), named=case_id)
+
+
+def completed(
+    case: Case, raw: Mapping[str, Any], *, name: str, where: str, named: str = ""
+) -> ParameterFile:
+    """Raw inputs of a case as a file holds them, which was called `where`; InputError.
+
+    `named` is what the file calls the case, by default its id.
+    """
+    case_id = named or case.id
     try:
-        inputs, assumed = build_completed(case_id, case.inputs, raw, str(path))
+        inputs, assumed = build_completed(case_id, case.inputs, raw, where)
     except InputError as error:
         raise InputError(f"{error}{_with_defaults(case_id, str(error))}") from error
     return ParameterFile(
-        name=name, case=case, inputs=inputs, values=_values(case, inputs, path), assumed=assumed,
+        name=name, case=case, inputs=inputs, values=_values(case, inputs, where), assumed=assumed,
         system=system_of(raw),
     )  # fmt: skip
 
@@ -70,16 +82,16 @@ def _case(case_id: str, path: Path) -> Case:
         raise InputError(f"{path}: case: {error}") from error
 
 
-def _values(case: Case, inputs: Inputs, path: Path) -> Values:
+def _values(case: Case, inputs: Inputs, where: str) -> Values:
     """All values of the formulas [SI]; InputError where one is not finite."""
     try:
         with np.errstate(over="raise", divide="raise", invalid="raise"):
             values = case.analytic(inputs)
     except FloatingPointError as error:
         reason = "the formulas divide by zero or overflow with these values"
-        raise InputError(f"{path}: inputs: {reason} ({error})") from error
+        raise InputError(f"{where}: inputs: {reason} ({error})") from error
     except (ValueError, ArithmeticError) as error:
-        raise InputError(f"{path}: inputs: {error}") from error
+        raise InputError(f"{where}: inputs: {error}") from error
     if wild := [key for key, value in values.items() if not math.isfinite(value)]:
-        raise InputError(f"{path}: inputs: {wild[0]} is not finite with these inputs")
+        raise InputError(f"{where}: inputs: {wild[0]} is not finite with these inputs")
     return values

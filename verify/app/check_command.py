@@ -57,28 +57,41 @@ def run_check(path: Path, options: Options) -> int:
     InputError where the file, or what is asked for, is wrong.
     """
     file = read(path)
-    name, case, inputs, values = file.name, file.case, file.inputs, file.values
-    system = options.units or file.system
-    if options.dynamic:
-        asked_for(case, str(path))
-    if options.fem and (reason := case.too_large(inputs)):
-        raise InputError(f"{path}: inputs: {reason}")
     if options.out is not None:
         writable(options.out)
     start = time.perf_counter()
+    checked = check_part(file, str(path), options, Where(options.jobs), _command(path, options))
+    system = options.units or file.system
+    if options.json:
+        record = check_record(in_system(checked, system), file.inputs, file.values)
+        print(json.dumps(record_in_units(record, system), ensure_ascii=False))
+    else:
+        print_check(in_system(checked, system), system)
+    if options.out is not None:
+        _write(in_system(checked, system), options, system, time.perf_counter() - start)
+    return exit_status(checked)
+
+
+def check_part(
+    file: ParameterFile, named: str, options: Options, where: Where, command: str = ""
+) -> Checked:
+    """The answer to inputs that messages call `named`, and its evidence; InputError."""
+    case, inputs, values = file.case, file.inputs, file.values
+    if options.dynamic:
+        asked_for(case, named)
+    if options.fem and (reason := case.too_large(inputs)):
+        raise InputError(f"{named}: inputs: {reason}")
     drawn = options.out is not None
     dynamic = None
     if options.dynamic:
-        dynamic = run_dynamic(
-            case, inputs, values, where=str(path), drawn=drawn, quiet=options.json
-        )
+        dynamic = run_dynamic(case, inputs, values, where=named, drawn=drawn, quiet=options.json)
     job = Job(case, inputs, use_fem=options.fem, values=values, drawn=drawn)
-    (result,) = solve([job], Where(options.jobs), options.cache, quiet=options.json)
-    part = _assessed(file, path)
+    (result,) = solve([job], where, options.cache, quiet=options.json)
+    part = _assessed(file, named)
     odd = unusual(inputs)
     doubts = [w for w in result.warnings if not w.endswith(GIVE_STRENGTH)]  # a limit decides that
     warnings = (*odd.values(), *doubts)
-    result = replace(result, name=name, command=_command(path, options), warnings=warnings)
+    result = replace(result, name=file.name, command=command, warnings=warnings)
     result = with_sources(result, file.assumed)
     if not options.fem:
         result = refused(result, case, inputs)
@@ -87,18 +100,11 @@ def run_check(path: Path, options: Options) -> int:
     answer = part.answer if dynamic is None else answer_with_dynamic(part.answer, dynamic)
     answer = with_rows(answer, result.rows)
     notes: tuple[str, ...] = (f"outside the usual range: {', '.join(odd)}",) if odd else ()
-    notes += part.notes
-    checked = Checked(case=case, result=result, answer=answer, used_fem=options.fem,
-                      dynamic=dynamic, notes=notes, assumed=file.assumed,
-                      shared=part.shared, verdicts=of_part(case, inputs))  # fmt: skip
-    if options.json:
-        record = check_record(in_system(checked, system), inputs, values)
-        print(json.dumps(record_in_units(record, system), ensure_ascii=False))
-    else:
-        print_check(in_system(checked, system), system)
-    if options.out is not None:
-        _write(in_system(checked, system), options, system, time.perf_counter() - start)
-    return exit_status(checked)
+    return Checked(
+        case=case, result=result, answer=answer, used_fem=options.fem, dynamic=dynamic,
+        notes=notes + part.notes, assumed=file.assumed, shared=part.shared,
+        verdicts=of_part(case, inputs),
+    )  # fmt: skip
 
 
 def in_system(checked: Checked, system: System) -> Checked:
@@ -127,7 +133,7 @@ class _Assessed:
     shared: tuple[SharedReading, ...]
 
 
-def _assessed(file: ParameterFile, path: Path) -> _Assessed:
+def _assessed(file: ParameterFile, where: str) -> _Assessed:
     """Criteria, dependence on assumed inputs, shared readings; InputError where one overflows."""
     case, inputs, values = file.case, file.inputs, file.values
     try:
@@ -139,7 +145,7 @@ def _assessed(file: ParameterFile, path: Path) -> _Assessed:
             )
     except (ValueError, ArithmeticError) as error:
         raise InputError(
-            f"{path}: inputs: the criteria cannot be evaluated with these values ({error})"
+            f"{where}: inputs: the criteria cannot be evaluated with these values ({error})"
         ) from error
 
 

@@ -31,10 +31,16 @@ def print_rows(rows: Sequence[Row]) -> None:
     print(title(rows))
     lines = aligned([_numbers_first(cells) for cells in row_cells(rows)])
     print_wrapped(*(f"  {line}" for line in lines))
+    print_wrapped(*sentences(rows))
+
+
+def sentences(rows: Sequence[Row]) -> list[str]:
+    """Why rows did not simply pass, then the closing sentences."""
+    found = []
     for (status, _, reason), group in causes(shown_rows(rows)).items():
         more = f" and {len(group) - 1} more" if len(group) > 1 else ""
-        print_wrapped(raised(f"{status.value} {group[0].quantity}{more}: {reason}"))
-    print_wrapped(*map(raised, closing(rows)))
+        found.append(f"{status.value} {group[0].quantity}{more}: {reason}")
+    return [raised(line) for line in (*found, *closing(rows))]
 
 
 def _numbers_first(cells: tuple[str, ...]) -> tuple[str, ...]:

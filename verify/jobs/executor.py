@@ -76,6 +76,14 @@ class Where:
         return dask(processes, self.scheduler)
 
 
+class ThisProcess(Where):
+    """No other process: for scripts and notebooks, whose code other processes would run again."""
+
+    def entered(self) -> AbstractContextManager[Engine]:
+        """The engine that solves at once."""
+        return local(0)
+
+
 @contextmanager
 def local(processes: int) -> Iterator[Engine]:
     """Processes of this machine; 0 is this process itself."""

@@ -1,0 +1,126 @@
+"""Calls from Python: the answers of the command line, displayed as tables and drawings."""
+
+import base64
+import re
+import shutil
+import sys
+from html import unescape
+from pathlib import Path
+from xml.etree import ElementTree as ET
+
+import pytest
+
+import verify
+from reports.notebook import table
+from verify.answers.answer import Verdict
+from verify.app.cli import run
+
+TEMPLATES = Path(__file__).parents[2] / "verify" / "app" / "templates"
+
+
+def cells(html):
+    """Texts of the cells, line by line."""
+    lines = [re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", line) for line in html.split("<tr>")[1:]]
+    return [[unescape(text) for text in line] for line in lines]
+
+
+@pytest.fixture(scope="module")
+def judged():
+    return verify.run("ring-rotation")
+
+
+def test_a_run_is_a_table_of_its_rows(judged):
+    header, *lines = cells(judged._repr_html_())
+    assert header[2:4] == ["formula", "FE"]
+    assert lines[0][:5] == ["PASS", "bore growth, plane stress", "0.0463354", "0.0463354", "µm"]
+    compared = [row for row in judged.rows if not row.quantity.endswith(": convergence")]
+    assert [line[1] for line in lines] == [row.quantity for row in compared]
+    assert judged.passed
+    assert "16 of 17 comparisons pass" in judged._repr_html_()
+    assert "bore growth, plane stress" in str(judged)
+
+
+def test_its_drawings_are_images_that_stand_alone(judged):
+    titles = [one.title for one in judged.drawings]
+    assert titles[-1] == "Convergence"
+    assert "Growth of the bore over speed" in titles
+    html = judged.drawings._repr_html_()
+    images = re.findall(r'src="data:image/svg\+xml;base64,([^"]+)"', html)
+    assert len(images) == len(titles)
+    for image in images:
+        svg = base64.b64decode(image).decode()
+        assert ET.fromstring(svg).tag.endswith("svg")
+        assert "var(--" not in svg  # an image knows no variables of a page
+
+
+def test_a_part_is_checked_as_on_the_command_line(capsys):
+    part = verify.check("freewheel-clutch", {"T": "30 N m"})
+    assert part.verdict == "holds"
+    assert part.verdict is Verdict.HOLDS
+    run(["init", "freewheel-clutch"])
+    text = re.sub(r'^T = "[^"]*"', 'T = "30 N m"', capsys.readouterr().out, flags=re.MULTILINE)
+    Path("clutch.toml").write_text(text, "utf-8")
+    run(["check", "clutch.toml"])
+    printed = capsys.readouterr().out.splitlines()
+    assert str(part).splitlines() == printed[: len(str(part).splitlines())]
+    by_file = verify.check("clutch.toml")
+    assert (by_file.margin, by_file.values) == (part.margin, part.values)
+    assert part.values["alpha"] == pytest.approx(0.0676, abs=5e-4)  # rad
+
+
+def test_a_part_is_displayed_as_its_answer_and_limits():
+    part = verify.check("freewheel-clutch", {"T": "500 N m"})
+    html = part._repr_html_()
+    assert html.startswith("<p><b>my freewheel-clutch: fails")
+    assert cells(html)[0][1:5] == ["criterion", "value", "limit", "margin"]
+    assert any(line[0] == "NOT MET" for line in cells(html))
+    assert "by finite elements" not in html
+
+
+def test_a_case_file_is_run_with_other_inputs_and_a_wrong_formula_fails(monkeypatch):
+    monkeypatch.syspath_prepend(str(Path.cwd()))
+    shutil.copy(TEMPLATES / "shaft.py", "run_shaft.py")
+    right = verify.run("run_shaft.py", {"d_o": "80 mm"})
+    assert right.passed
+    assert right.rows[0].analytic == pytest.approx(1015.56, rel=1e-5)  # 4/3 of that of 60 mm
+    text = Path("run_shaft.py").read_text("utf-8").replace("return pi *", "return 1.02 * pi *")
+    Path("wrong_shaft.py").write_text(text, "utf-8")
+    wrong = verify.run("wrong_shaft.py")
+    assert not wrong.passed
+    assert cells(wrong._repr_html_())[1][:2] == ["FAIL", "first bending frequency, Eq. 1"]
+    assert "FAIL first bending frequency" in wrong._repr_html_()
+
+
+def test_with_fem_the_rows_stand_below_the_limits():
+    part = verify.check("ring-rotation", fem=True)
+    assert part.verdict is Verdict.HOLDS
+    assert "formulas against finite elements" in part._repr_html_()
+    assert len(part.rows) > 10
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [(lambda: verify.run("nosuch"), "unknown case 'nosuch'"),
+     (lambda: verify.check("nosuch.toml"), "nosuch.toml: cannot be read"),
+     (lambda: verify.check("freewheel-clutch", {"T": "30 kg"}), "inputs.T: .* is not a torque"),
+     (lambda: verify.check("any.toml", {"T": "1 N m"}), "a parameter file has its inputs")],
+)  # fmt: skip
+def test_what_is_wrong_is_one_line(call, message):
+    with pytest.raises(ValueError, match=message) as caught:
+        call()
+    assert "\n" not in str(caught.value)
+
+
+def test_text_of_cells_is_escaped():
+    assert '<td style="text-align: left">a &lt; b</td>' in table(("x",), [("a < b",)])
+
+
+def test_nothing_of_a_notebook_is_imported():
+    assert "IPython" not in sys.modules
+    with pytest.raises(AttributeError, match="no attribute 'sweep'"):
+        verify.sweep  # noqa: B018
+
+
+@pytest.fixture(autouse=True)
+def _folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)

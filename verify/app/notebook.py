@@ -1,0 +1,161 @@
+"""Cases and parts from Python, with results that a notebook displays as tables and drawings."""
+
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from markupsafe import Markup
+
+from reports.notebook import Drawings, drawings, table
+from verify.answers.answer import Verdict
+from verify.answers.console import limits
+from verify.answers.parameter_file import ParameterFile, completed, read
+from verify.answers.template import template
+from verify.app.check_command import Options, check_part, in_system
+from verify.app.check_console import Checked, answer_lines
+from verify.cases.registry import find
+from verify.core.case import Case
+from verify.core.console import aligned, raised, sentences
+from verify.core.console_rows import row_cells, title
+from verify.core.results import CaseResult, Row, Status
+from verify.jobs.executor import ThisProcess
+from verify.jobs.level import Job
+from verify.jobs.session import solve
+
+FAILED = (Status.FAIL, Status.SKIP)
+
+
+@dataclass(frozen=True)
+class Run:
+    """A case that was solved and judged."""
+
+    result: CaseResult
+
+    @property
+    def rows(self) -> tuple[Row, ...]:
+        """The judged rows; numbers in the unit of the row."""
+        return self.result.rows
+
+    @property
+    def passed(self) -> bool:
+        """Whether no row failed."""
+        return not any(row.status in FAILED for row in self.rows)
+
+    @property
+    def drawings(self) -> Drawings:
+        """Sketch, figures and convergence."""
+        return drawings(self.result)
+
+    def __str__(self) -> str:
+        lines = [title(self.rows), *aligned(row_cells(self.rows)), *sentences(self.rows)]
+        return "\n".join(lines)
+
+    def _repr_html_(self) -> str:
+        head = f"{self.result.title}: {title(self.rows)}"
+        return _rows_table(self.rows, head)
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part that was checked."""
+
+    checked: Checked
+    file: ParameterFile
+
+    @property
+    def verdict(self) -> Verdict:
+        """Whether the part holds, fails, or neither can be stated."""
+        return self.checked.answer.verdict
+
+    @property
+    def margin(self) -> float | None:
+        """The smallest margin [1], of the limit that decides; None without limits."""
+        worst = self.checked.answer.limiting
+        return worst.margin if worst else None
+
+    @property
+    def values(self) -> dict[str, float]:
+        """The values of the formulas [SI] by the names that `freewheel check --keys` lists."""
+        return dict(self.file.values)
+
+    def __str__(self) -> str:
+        return "\n".join(map(raised, answer_lines(self._shown, self.file.system)))
+
+    def _repr_html_(self) -> str:
+        first, *rest = str(self).splitlines()
+        lines = [Markup("<b>{}</b>").format(first), *map(str.strip, rest)]
+        parts = [_paragraph(lines)]
+        header = ("", "criterion", "value", "limit", "margin", "source")
+        parts.append(table(header, limits(self.checked.answer, self.file.system)))
+        if self.checked.used_fem:
+            parts.append(_rows_table(self._shown.result.rows, title(self.rows)))
+        return "\n".join(parts)
+
+    @property
+    def rows(self) -> tuple[Row, ...]:
+        """The rows by finite elements, where these were asked for."""
+        return self.checked.result.rows
+
+    @property
+    def _shown(self) -> Checked:
+        return in_system(self.checked, self.file.system)
+
+
+def run(case: str | Path, inputs: Mapping[str, Any] | None = None, *, cache: bool = True) -> Run:
+    """A case of the suite, of a file ("my_pipe.py") or of a part ("clutch.toml"), judged.
+
+    `inputs` that are not the default ones are texts with units, {"r_i": "40 mm"}; those that are
+    left out are those of `freewheel init`. With `cache` stored results are used. InputError, which
+    is a ValueError, states in one line what is wrong.
+    """
+    if Path(case).suffix == ".toml" or inputs:
+        part = _part(case, inputs)
+        job = Job(part.case, part.inputs, values=part.values)
+    else:
+        found = find(str(case))
+        job = Job(found, found.inputs())
+    (result,) = solve([job], ThisProcess(), cache, quiet=True)
+    return Run(result)
+
+
+def check(
+    part: str | Path, inputs: Mapping[str, Any] | None = None, *, fem: bool = False,
+    cache: bool = True,
+) -> Part:  # fmt: skip
+    """Whether a part holds, by its parameter file, or by a case and `inputs` as for `run`.
+
+    With `fem` the formulas are compared with finite elements on these inputs. InputError.
+    """
+    file = _part(part, inputs)
+    options = Options(fem=fem, cache=cache, json=True)  # quietly
+    return Part(check_part(file, str(part), options, ThisProcess()), file)
+
+
+def _part(part: str | Path, inputs: Mapping[str, Any] | None) -> ParameterFile:
+    """A parameter file, or the template of a case with some of its inputs changed."""
+    if Path(part).suffix == ".toml":
+        if inputs:
+            raise ValueError(f"{part}: a parameter file has its inputs; give a case with others")
+        return read(Path(part))
+    case = find(str(part))
+    raw = _template(case) | dict(inputs or {})
+    return completed(case, raw, name=f"my {case.id}", where=str(part))
+
+
+def _template(case: Case) -> dict[str, Any]:
+    """The inputs that `freewheel init` writes for a case."""
+    written: dict[str, Any] = tomllib.loads(template(case))["inputs"]
+    return written
+
+
+def _rows_table(rows: Sequence[Row], head: str) -> Markup:
+    header, *lines = row_cells(rows)
+    shown = [[raised(cell) for cell in line] for line in lines]
+    return table(header, shown, head) + _paragraph(sentences(rows))
+
+
+def _paragraph(lines: Sequence[str]) -> Markup:
+    """Lines one below the other, their text escaped."""
+    return Markup("<p>{}</p>").format(Markup("<br>").join(lines))
