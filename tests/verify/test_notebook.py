@@ -78,6 +78,12 @@ def test_a_part_is_displayed_as_its_answer_and_limits():
     assert "by finite elements" not in html
 
 
+def test_warnings_are_displayed():
+    part = verify.check("spring-accordion", {"F": "5 N", "R_p": "1200 MPa"})
+    assert "3 warnings" in str(part)
+    assert part._repr_html_().count("warning: ") == 3
+
+
 def test_a_case_file_is_run_with_other_inputs_and_a_wrong_formula_fails(monkeypatch):
     monkeypatch.syspath_prepend(str(Path.cwd()))
     shutil.copy(TEMPLATES / "shaft.py", "run_shaft.py")

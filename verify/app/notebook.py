@@ -89,6 +89,8 @@ class Part:
         parts = [_paragraph(lines)]
         header = ("", "criterion", "value", "limit", "margin", "source")
         parts.append(table(header, limits(self.checked.answer, self.file.system)))
+        if warnings := self.checked.result.warnings:
+            parts.append(_paragraph([raised(f"warning: {one}") for one in warnings]))
         if self.checked.used_fem:
             parts.append(_rows_table(self._shown.result.rows, title(self.rows)))
         return "\n".join(parts)
