@@ -1,1 +1,8 @@
-"""Geometries as meshes with named boundaries and bodies, made by gmsh in memory."""
+"""Geometries as meshes with named boundaries and bodies, made by gmsh in memory.
+
+Lengths in any consistent unit.
+"""
+
+from meshes.public import lazily
+
+__getattr__, __dir__ = lazily(__name__, __file__)

@@ -1,1 +1,8 @@
-"""Contact of smooth elastic bodies: Hertz, partial slip, disc between flats, press fit."""
+"""Contact of smooth elastic bodies: Hertz, partial slip, disc between flats, press fit.
+
+Any consistent units, where a docstring does not name SI units.
+"""
+
+from analytic.public import lazily
+
+__getattr__, __dir__ = lazily(__name__, __file__)

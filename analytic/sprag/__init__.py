@@ -1,1 +1,8 @@
-"""Logarithmic sprag clutches."""
+"""Logarithmic sprag clutches.
+
+Any consistent units, where a docstring does not name SI units.
+"""
+
+from analytic.public import lazily
+
+__getattr__, __dir__ = lazily(__name__, __file__)

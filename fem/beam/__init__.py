@@ -1,1 +1,8 @@
-"""Beams and frames on a line mesh."""
+"""Beams and frames on a line mesh.
+
+Any consistent units.
+"""
+
+from fem.public import lazily
+
+__getattr__, __dir__ = lazily(__name__, __file__)

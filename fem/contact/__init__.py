@@ -1,1 +1,8 @@
-"""Contact of elastic and rigid bodies in the plane, with and without friction."""
+"""Contact of elastic and rigid bodies in the plane, with and without friction.
+
+Any consistent units.
+"""
+
+from fem.public import lazily
+
+__getattr__, __dir__ = lazily(__name__, __file__)

@@ -1,1 +1,8 @@
-"""Plane elasticity: one or several bodies on a mesh of triangles or quadrilaterals."""
+"""Plane elasticity: one or several bodies on a mesh of triangles or quadrilaterals.
+
+Any consistent units.
+"""
+
+from fem.public import lazily
+
+__getattr__, __dir__ = lazily(__name__, __file__)

@@ -1,1 +1,8 @@
-"""Linear shells on nine-node quadrilaterals in space."""
+"""Linear shells on nine-node quadrilaterals in space.
+
+Any consistent units.
+"""
+
+from fem.public import lazily
+
+__getattr__, __dir__ = lazily(__name__, __file__)

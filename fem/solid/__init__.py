@@ -1,1 +1,8 @@
-"""Linear elasticity in space on meshes of hexahedra."""
+"""Linear elasticity in space on meshes of hexahedra.
+
+Any consistent units.
+"""
+
+from fem.public import lazily
+
+__getattr__, __dir__ = lazily(__name__, __file__)

@@ -1,1 +1,8 @@
-"""Bodies that touch: cells fine around the contact at the origin, coarse far from it."""
+"""Bodies that touch: cells fine around the contact at the origin, coarse far from it.
+
+Lengths in any consistent unit.
+"""
+
+from meshes.public import lazily
+
+__getattr__, __dir__ = lazily(__name__, __file__)

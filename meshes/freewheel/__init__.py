@@ -1,1 +1,8 @@
-"""Cyclic sectors of roller freewheels."""
+"""Cyclic sectors of roller freewheels.
+
+Lengths in any consistent unit; messages state metres.
+"""
+
+from meshes.public import lazily
+
+__getattr__, __dir__ = lazily(__name__, __file__)

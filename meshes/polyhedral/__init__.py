@@ -1,1 +1,8 @@
-"""Sectors of rings whose bore is a polygon."""
+"""Sectors of rings whose bore is a polygon.
+
+Lengths in any consistent unit.
+"""
+
+from meshes.public import lazily
+
+__getattr__, __dir__ = lazily(__name__, __file__)

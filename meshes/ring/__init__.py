@@ -1,1 +1,8 @@
-"""Rings and sectors of rings."""
+"""Rings and sectors of rings.
+
+Lengths in any consistent unit.
+"""
+
+from meshes.public import lazily
+
+__getattr__, __dir__ = lazily(__name__, __file__)

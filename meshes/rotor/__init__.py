@@ -1,1 +1,8 @@
-"""Half-sections of stepped shafts: x is the radius, y the axis."""
+"""Half-sections of stepped shafts: x is the radius, y the axis.
+
+Lengths in any consistent unit.
+"""
+
+from meshes.public import lazily
+
+__getattr__, __dir__ = lazily(__name__, __file__)

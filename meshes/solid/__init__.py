@@ -1,1 +1,8 @@
-"""Solids in space: second-order hexahedra of strips swept over their width, and of blocks."""
+"""Solids in space: second-order hexahedra of strips swept over their width, and of blocks.
+
+Lengths in any consistent unit.
+"""
+
+from meshes.public import lazily
+
+__getattr__, __dir__ = lazily(__name__, __file__)

@@ -1,1 +1,8 @@
-"""Accordion springs: centre line and strip."""
+"""Accordion springs: centre line and strip.
+
+Lengths in any consistent unit.
+"""
+
+from meshes.public import lazily
+
+__getattr__, __dir__ = lazily(__name__, __file__)

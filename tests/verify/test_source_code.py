@@ -148,13 +148,20 @@ def error(q, stress):
 }  # fmt: skip
 
 
+PUBLIC_PACKAGE = {  # fem.made_public
+    "__init__.py": "",
+    "__init__.pyi": "from fem.made_alone import alone as further\nfrom fem.made_deep import deep\n",
+    "part.py": "def part(x):\n    return 17.0 * x\n",
+}
+
+
 @pytest.fixture
 def module(tmp_path_factory, monkeypatch):
     """A module of the made-up cases, after replacements in the sources."""
     packages = [(package, package.__path__) for package in (analytic, fem, verify.cases)]
 
     def gone():
-        for name in SOURCES:
+        for name in (*SOURCES, "made_public"):
             for package, _ in packages:
                 sys.modules.pop(f"{package.__name__}.{name}", None)
                 vars(package).pop(name, None)
@@ -167,6 +174,10 @@ def module(tmp_path_factory, monkeypatch):
                 assert old in text
                 text = text.replace(old, new)
             (folder / f"{one}.py").write_text(text, "utf-8")
+        public = folder / "made_public"
+        public.mkdir()
+        for file, text in PUBLIC_PACKAGE.items():
+            (public / file).write_text(text, "utf-8")
         for package, path in packages:
             monkeypatch.setattr(package, "__path__", [*path, str(folder)])
         gone()
@@ -241,6 +252,31 @@ def test_a_module_is_reached_by_every_form_of_import(source):
             CASE_MODULE: {"made_up_shapes": [("8.0", "8.5")]},
         }
         assert source(**{name: changes}) != source(**{name: changes}, **changed[name])
+
+
+PUBLIC = "from fem.made_public import deep"
+
+
+def test_a_public_name_of_a_package_counts_as_the_one_of_its_module(source):
+    """An import of one name reaches its module alone, the package as a whole all of them."""
+    one = {SOLVER: [(IMPORT, PUBLIC)]}
+    assert source(**one) == source()
+    for name, changes in (
+        ("one", [(IMPORT, PUBLIC)]),
+        ("other name", [(IMPORT, "from fem.made_public import further as deep")]),
+        ("module", [(IMPORT, "from fem.made_public import part"), ("deep(x)", "part.part(x)")]),
+        ("package", [(IMPORT, "from fem import made_public as m"), ("deep(x)", "m.deep(x)")]),
+        ("dotted", [(IMPORT, "import fem.made_public.part"),
+                    ("deep(x)", "fem.made_public.deep(x)")]),
+        ("all", [(IMPORT, "from fem.made_public import *")]),
+    ):  # fmt: skip
+        reached = {SOLVER: changes}
+        deep = {"made_deep": [("11.0", "11.5")]}
+        alone = {"made_alone": [("12.0\n\ndef", "12.5\n\ndef")]}
+        key = source(**reached)
+        assert (source(**reached, **deep) == key) == (name in ("other name", "module")), name
+        whole = name in ("package", "dotted", "all")
+        assert (source(**reached, **alone) == key) == (name != "other name" and not whole), name
 
 
 def test_modules_hashed_together_stand_for_their_code_in_each_other(source, monkeypatch):
@@ -348,6 +384,8 @@ def test_every_module_that_a_case_really_loads_is_in_its_key():
         loaded, called = map(set, found[case.id])
         reached = set(source_code.parts_of(case.reference)[1])
         packages = {name.rpartition(".")[0] for name in loaded}  # they import nothing
+        packages |= {"fem.public", "meshes.public", "analytic.public"}  # nor have they a result
+        called.discard(str(root / "analytic" / "public.py"))
         assert loaded - packages - {"fem", "meshes"} <= reached, case.id
         formulas = {".".join(Path(f).relative_to(root).with_suffix("").parts) for f in called}
         assert formulas <= reached, case.id

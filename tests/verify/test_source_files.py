@@ -10,10 +10,18 @@ FILES = {
     "fem/plane/__init__.py": "",
     "fem/plane/solve.py": "from fem.plane import (  # both (of them)\n    parts,\n    rule as r)\n",
     "fem/plane/parts.py": "def f():\n    import fem.late\n",
-    "fem/plane/rule.py": "",
+    "fem/plane/rule.py": "from fem.open import solved\nimport fem.wide\n",
     "fem/plane/data.toml": "",
     "fem/late.py": "from fem \\\n    import last\n",
     "fem/last.py": "",
+    "fem/open/__init__.py": "",
+    "fem/open/__init__.pyi": "from fem.open.used import inner as solved\n"
+    "from fem.open.unused import other\n",
+    "fem/open/used.py": "",
+    "fem/open/unused.py": "",
+    "fem/wide/__init__.py": "",
+    "fem/wide/__init__.pyi": "from fem.wide.part import anything\n",
+    "fem/wide/part.py": "",
     "fem/single.py": "",
     "fem/tables/numbers.csv": "",
     "verify/jobs/records.py": "",
@@ -24,6 +32,7 @@ FILES = {
 }
 APART = {
     "fem/single.py",
+    "fem/open/unused.py",  # a public name of a package that nobody imports
     "verify/jobs/records.py",
     "verify/measured/kind/case.json",
     "verify/reader.py",

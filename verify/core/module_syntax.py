@@ -2,15 +2,17 @@
 
 import ast
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib.util import find_spec
+from itertools import accumulate
 from pathlib import Path
 from threading import Lock
 
 from verify.core.plain_code import is_of_project
 
+STUB = "__init__.pyi"  # of a package that imports its public names when they are asked for
 _PARSING = Lock()
 
 
@@ -24,14 +26,15 @@ class Imported:
 
 
 def file_of(module: str) -> Path:
-    """The file of a module, imported or not."""
+    """The file of a module, imported or not; of a package its stub where it has one."""
     file = getattr(sys.modules.get(module), "__file__", None)
     if file is None:
         spec = find_spec(module)
         assert spec is not None
         file = spec.origin
     assert file is not None
-    return Path(file)
+    stub = Path(file).with_name(STUB)
+    return stub if Path(file).name == "__init__.py" and stub.exists() else Path(file)
 
 
 def parsed(source: str) -> ast.Module:
@@ -92,13 +95,51 @@ def last_name(node: ast.expr) -> str:
 
 
 def named(item: ast.AST, importer: str) -> Iterator[str]:
-    """Modules and names inside modules that an import statement names."""
+    """Modules and names inside modules that an import statement names.
+
+    A public name of a package stands for the one that its stub imports. The package counts as a
+    whole, with all of them, only where a statement binds it, or every name of it.
+    """
     if isinstance(item, ast.Import):
-        yield from (alias.name for alias in item.names)
+        for alias in item.names:
+            yield alias.name
+            if not alias.asname:  # binds its packages, whose public names it can reach
+                yield from accumulate(alias.name.split(".")[:-1], "{}.{}".format)
     elif isinstance(item, ast.ImportFrom):
         source = origin(item, importer)
-        yield source
-        yield from (f"{source}.{alias.name}" for alias in item.names)
+        for alias in item.names:
+            full = _home(source, alias.name)
+            if full.rpartition(".")[0] != source or not _has_part(source, alias.name):
+                yield full.rpartition(".")[0]
+            yield full
+
+
+def public_names(stub: ast.Module) -> Mapping[str, str]:
+    """Full names by public name of a package, from its stub."""
+    return {
+        alias.asname or alias.name: f"{node.module}.{alias.name}"
+        for node in stub.body if isinstance(node, ast.ImportFrom) for alias in node.names
+    }  # fmt: skip
+
+
+def _home(source: str, name: str) -> str:
+    return _public(source).get(name, f"{source}.{name}")
+
+
+@cache
+def _public(module: str) -> Mapping[str, str]:
+    """Full names by public name, of a package with a stub."""
+    if not is_of_project(module) or file_of(module).name != STUB:
+        return {}
+    return public_names(tree(module))
+
+
+def _has_part(package: str, name: str) -> bool:
+    """Whether a package with public names has a module of a name."""
+    if not _public(package):
+        return False
+    folder = file_of(package).parent
+    return (folder / f"{name}.py").exists() or (folder / name).is_dir()
 
 
 def origin(item: ast.ImportFrom, importer: str) -> str:
@@ -119,11 +160,12 @@ def aliases(module: str) -> tuple[tuple[Imported, str, str], ...]:
 
 
 def _full_name(node: ast.Import | ast.ImportFrom, alias: ast.alias, importer: str) -> str:
-    source = f"{origin(node, importer)}." if isinstance(node, ast.ImportFrom) else ""
-    return source + alias.name
+    if isinstance(node, ast.ImportFrom):
+        return _home(origin(node, importer), alias.name)
+    return alias.name
 
 
 def forget() -> None:
     """Read the files again."""
-    for one in (tree, nodes, imports, names, attributes, aliases):
+    for one in (tree, nodes, imports, names, attributes, aliases, _public):
         one.cache_clear()

@@ -12,9 +12,10 @@ import platform
 import re
 from collections.abc import Iterator, Mapping
 from functools import cache
+from itertools import accumulate
 from pathlib import Path
 
-from verify.core.module_syntax import parsed
+from verify.core.module_syntax import STUB, parsed, public_names
 from verify.core.plain_code import PROJECT
 
 ROOT = Path(__file__).parents[2]
@@ -62,15 +63,31 @@ def _files_of(*modules: str) -> set[str]:
         file = known.get(name)
         if file and file not in found:
             found |= {file, *_data().get(file, ()), *_data().get(_folder(file), ())}
-            queue += _imported(file)
+            queue += [one for name in _imported(file) for one in _meant(name)]
         if parent := name.rpartition(".")[0]:
             queue.append(parent)
     return found
 
 
+def _meant(name: str) -> list[str]:
+    """A name that a statement imports, and those that it stands for in stubs of packages."""
+    package, _, last = name.rpartition(".")
+    public = _public(package)
+    if last == "*":
+        return [package, *public.values()]
+    return [name, *_public(name).values(), *([public[last]] if last in public else [])]
+
+
+@cache
+def _public(package: str) -> Mapping[str, str]:
+    """Full names by public name, of a package with a stub."""
+    stub = _sources().get(f"{package.replace('.', '/')}/{STUB}")
+    return {} if stub is None else public_names(parsed(stub.decode()))
+
+
 def forget() -> None:
     """Read the files again."""
-    for one in (digest, digest_of, _sources, _contents, _modules, _data, _imported):
+    for one in (digest, digest_of, _sources, _contents, _modules, _data, _imported, _public):
         one.cache_clear()
 
 
@@ -135,4 +152,7 @@ def _imported(file: str) -> frozenset[str]:
 def _named(source: str | None, names: str | None, modules: str | None) -> Iterator[str]:
     words = [word.split() for word in (names or modules or "").strip("() \n").split(",")]
     given = [word[0] for word in words if word]
-    yield from (f"{source}.{name}" if source else name for name in given)
+    if source:
+        yield from (f"{source}.{name}" for name in given)
+    else:  # the packages of a module are bound as well
+        yield from (part for name in given for part in accumulate(name.split("."), "{}.{}".format))

@@ -1,0 +1,42 @@
+"""Public names of packages, imported when they are first asked for.
+
+A package's public names are those that its stub `__init__.pyi` imports, which type checkers and
+editors read as well. Importing the package, or one module of it, imports none of the others.
+"""
+
+import ast
+from collections.abc import Callable
+from functools import cache
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+
+def lazily(package: str, file: str) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
+    """`__getattr__` and `__dir__` of a package whose `__init__.py` is `file`; no units.
+
+    `__all__` is the sorted list of its public names. Unknown ones raise AttributeError.
+
+    >>> from fem import plane
+    >>> plane.__all__[:2]
+    ['Elastic', 'Mean']
+    """
+
+    @cache
+    def homes() -> dict[str, tuple[str, str]]:
+        """Module and name there of every public name."""
+        stub = ast.parse(Path(file).with_suffix(".pyi").read_text("utf-8"))
+        imports = [node for node in stub.body if isinstance(node, ast.ImportFrom)]
+        return {a.asname or a.name: (str(i.module), a.name) for i in imports for a in i.names}
+
+    def public(name: str) -> Any:
+        if name == "__all__":
+            return sorted(homes())
+        if name.startswith("__") or name not in homes():
+            raise AttributeError(f"module {package!r} has no attribute {name!r}")
+        module, there = homes()[name]
+        if module == package:
+            return import_module(f"{module}.{there}")
+        return getattr(import_module(module), there)
+
+    return public, lambda: sorted(homes())

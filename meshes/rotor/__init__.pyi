@@ -1,0 +1,3 @@
+from meshes.rotor.stepped import stepped_section
+
+__all__ = ["stepped_section"]
