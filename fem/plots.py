@@ -41,7 +41,8 @@ def plot(
     >>> from skfem import MeshTri
     >>> ends = {"left": lambda x: x[0] == 0, "right": lambda x: x[0] == 1}
     >>> bar = solve_plane(
-    ...     MeshTri().with_boundaries(ends), materials=Elastic(E=200.0, nu=0.0), assumption="plane stress",
+    ...     MeshTri().with_boundaries(ends),
+    ...     materials=Elastic(E=200.0, nu=0.0), assumption="plane stress",
     ...     supports={"left": "xy"}, tractions={"right": (1.0, 0.0)},
     ... )
     >>> plot(bar, "xx").get_xlabel()
