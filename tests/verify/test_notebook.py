@@ -1,9 +1,11 @@
 """Calls from Python: the answers of the command line, displayed as tables and drawings."""
 
 import base64
+import math
 import re
 import shutil
 import sys
+import types
 from html import unescape
 from pathlib import Path
 from xml.etree import ElementTree as ET
@@ -38,6 +40,40 @@ def test_a_run_is_a_table_of_its_rows(judged):
     assert judged.passed
     assert "16 of 17 comparisons pass" in judged._repr_html_()
     assert "bore growth, plane stress" in str(judged)
+
+
+def test_its_table_has_the_values_of_the_rows_as_plain_ones(judged):
+    assert len(judged.table) == len(judged.rows)
+    for line, row in zip(judged.table, judged.rows, strict=True):
+        assert (line["quantity"], line["analytic"], line["fem"]) == (
+            row.quantity, row.analytic, row.fem,
+        )  # fmt: skip
+        assert {type(value) for value in line.values()} <= {str, float, int, bool, type(None)}
+    first = judged.table[0]
+    assert (first["status"], first["unit"]) == ("PASS", "µm")
+    assert first["analytic"] == pytest.approx(0.0463354, rel=1e-5)
+    assert first["difference"] == pytest.approx(first["analytic"] / first["fem"] - 1, rel=1e-5)
+
+
+def test_a_table_is_a_dataframe_where_pandas_is_installed(judged, monkeypatch):
+    made = types.SimpleNamespace(DataFrame=lambda table: ("frame", table))
+    monkeypatch.setitem(sys.modules, "pandas", made)
+    assert judged.to_dataframe() == ("frame", judged.table)
+    monkeypatch.setitem(sys.modules, "pandas", None)
+    with pytest.raises(ImportError, match=r"needs pandas: install it, or use \.table"):
+        judged.to_dataframe()
+
+
+def test_the_table_of_a_part_has_its_criteria_in_si():
+    part = verify.check("freewheel-clutch", {"T": "500 N m"})
+    worst = min(part.table, key=lambda line: line["margin"])
+    assert worst["margin"] == pytest.approx(part.margin)
+    assert not worst["met"]
+    for line in part.table:
+        above, below = line["limit"], line["value"]
+        if line["minimum"]:
+            above, below = below, above
+        assert line["margin"] == (pytest.approx(above / below) if below > 0 else math.inf)
 
 
 def test_its_drawings_are_images_that_stand_alone(judged):

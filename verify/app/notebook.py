@@ -4,7 +4,7 @@ import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup
 
@@ -15,6 +15,7 @@ from verify.answers.parameter_file import ParameterFile, completed, read
 from verify.answers.template import template
 from verify.app.check_command import Options, check_part, in_system
 from verify.app.check_console import Checked, answer_lines
+from verify.app.tables import Table, dataframe, of_criteria, of_rows
 from verify.cases.registry import find
 from verify.core.case import Case
 from verify.core.console import aligned, raised, sentences
@@ -23,6 +24,9 @@ from verify.core.results import CaseResult, Row, Status
 from verify.jobs.executor import ThisProcess
 from verify.jobs.level import Job
 from verify.jobs.session import solve
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
 
 FAILED = (Status.FAIL, Status.SKIP)
 
@@ -42,6 +46,15 @@ class Run:
     def passed(self) -> bool:
         """Whether no row failed."""
         return not any(row.status in FAILED for row in self.rows)
+
+    @property
+    def table(self) -> Table:
+        """The judged rows as dictionaries of plain values; see `verify.app.tables`."""
+        return of_rows(self.rows)
+
+    def to_dataframe(self) -> "DataFrame":
+        """The same as a DataFrame; ImportError without pandas."""
+        return dataframe(self.table)
 
     @property
     def drawings(self) -> Drawings:
@@ -74,6 +87,15 @@ class Part:
         """The smallest margin [1], of the limit that decides; None without limits."""
         worst = self.checked.answer.limiting
         return worst.margin if worst else None
+
+    @property
+    def table(self) -> Table:
+        """The criteria as dictionaries: value and limit [SI], margin [1], source."""
+        return of_criteria(self.checked.answer.criteria)
+
+    def to_dataframe(self) -> "DataFrame":
+        """The same as a DataFrame; ImportError without pandas."""
+        return dataframe(self.table)
 
     @property
     def values(self) -> dict[str, float]:

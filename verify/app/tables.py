@@ -1,0 +1,63 @@
+"""Results as tables: rows of plain values by name, for any table library, and as a DataFrame."""
+
+from collections.abc import Sequence
+from enum import Enum
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from verify.answers.answer import Criterion
+from verify.core.differences import difference
+from verify.core.results import Row
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
+
+Table = list[dict[str, Any]]
+COLUMNS = (  # of a row: formula and reference `fem` in `unit`, `detects` relative
+    "case", "quantity", "symbol", "unit", "kind", "status", "analytic", "fem", "detects",
+    "equation", "reason",
+)  # fmt: skip
+
+
+def of_rows(rows: Sequence[Row]) -> Table:
+    """COLUMNS of judged rows, and the relative `difference` with its uncertainty `U`.
+
+    The difference is positive where the formula is larger. None where a row has no such value.
+    """
+    return [_of_row(row) for row in rows]
+
+
+def _of_row(row: Row) -> dict[str, Any]:
+    found = difference(row)
+    value, U = (found.value, found.U) if found else (None, None)
+    line = {name: getattr(row, name) for name in COLUMNS} | {"difference": value, "U": U}
+    return {name: _plain(one) for name, one in line.items()}
+
+
+def of_criteria(criteria: Sequence[Criterion]) -> Table:
+    """Value and limit [SI, of the kind of `unit`] of each criterion, margin [1] and source."""
+    return [
+        {
+            "key": c.key, "criterion": c.what, "value": float(c.value), "limit": float(c.limit),
+            "unit": c.unit, "minimum": c.minimum, "margin": float(c.margin), "met": bool(c.is_met),
+            "assumed": c.assumed, "source": c.source,
+        }
+        for c in criteria
+    ]  # fmt: skip
+
+
+def dataframe(table: Table) -> "DataFrame":
+    """A table as a DataFrame; ImportError without pandas, which is no dependency."""
+    try:
+        from pandas import DataFrame
+    except ImportError as error:
+        raise ImportError("to_dataframe needs pandas: install it, or use .table") from error
+    return DataFrame(table)
+
+
+def _plain(value: Any) -> Any:
+    """A status or kind as text, a number of numpy as one of Python."""
+    if isinstance(value, Enum):
+        return str(value.value)
+    return value.item() if isinstance(value, np.generic) else value
