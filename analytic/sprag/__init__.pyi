@@ -12,6 +12,7 @@ from analytic.sprag.limits import limits as torque_limits
 from analytic.sprag.motion import Motion, Torque
 from analytic.sprag.parts import Parts
 from analytic.sprag.race_spring import RaceSpring
+from analytic.sprag.sudden import engage_suddenly
 from analytic.sprag.table import tabulated
 from analytic.sprag.tolerance import Sensitivities, sensitivities
 from analytic.sprag.transient import engage
@@ -19,6 +20,6 @@ from analytic.sprag.transient import engage
 __all__ = [
     "Clutch", "Compliance", "Crowned", "Elastic", "Engagement", "Limits", "LogSprag", "Motion",
     "Parts", "Race", "RaceSpring", "Sensitivities", "Torque", "Wedged", "at_rotation",
-    "at_torque", "closed", "engage", "engage_by_events", "sensitivities", "sprag_compression",
-    "tabulated", "torque_limits",
+    "at_torque", "closed", "engage", "engage_by_events", "engage_suddenly", "sensitivities",
+    "sprag_compression", "tabulated", "torque_limits",
 ]  # fmt: skip

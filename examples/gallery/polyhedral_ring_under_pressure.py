@@ -3,12 +3,9 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
-from analytic.polyhedral.bore_pressure import rim_displacement, stiffness_factors
-from analytic.polyhedral.sector import Sector
-from fem.plane.material import Elastic
-from fem.plane.sectors import radial
-from fem.plane.solve import solve_plane
-from meshes.polyhedral.half_sector import half_sector
+from analytic.polyhedral import Sector, rim_displacement, stiffness_factors
+from fem.plane import solve_polygon_ring
+from meshes.polyhedral import polygon_half_sector
 
 z, d_e, d_i, rho = 6, 80.0, 72.0, 2.0  # flats, outside and corner diameters, fillets [mm]
 E, nu, p = 210e3, 0.3, 10.0  # MPa, -, MPa
@@ -18,18 +15,16 @@ theta = np.linspace(0, np.pi / z, 31)
 material = {"E": E, "nu": nu, "assumption": "plane stress"}
 series = rim_displacement(theta, sector=ring, p=p, **material).real
 
-solution = solve_plane(
-    half_sector(z=z, d_e=d_e, d_i=d_i, fillet=rho, refine=2),
-    materials=Elastic(E=E, nu=nu), assumption="plane stress",
-    supports={"mid": "n", "corner": "n"}, pressures={"bore": p},
+solved = solve_polygon_ring(
+    polygon_half_sector, z=z, d_e=d_e, d_i=d_i, fillet=rho, p=p, **material
 )  # fmt: skip
-elements = radial(solution, d_e / 2, theta)
+elements = solved.growth(theta)
 print(f"growth above a flat {elements[0] * 1e3:.3f} µm, series {series[0] * 1e3:.3f} µm")
 K = stiffness_factors(sector=ring, nu=nu, assumption="plane stress")
 print(f"factor K of the flats {K.mid:.3f}, of a round ring 1")
 
 figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.8), layout="constrained")
-inside = solution.in_body("ring")
+inside = solved.solution.in_body("ring")
 hoop = left.scatter(*inside.x, c=inside.polar()[2], s=6, cmap="viridis")
 left.set(xlabel="x [mm]", ylabel="y [mm]", aspect="equal")
 figure.colorbar(hoop, ax=left, label="hoop stress [MPa]")

@@ -7,12 +7,7 @@ sudden load would have the factor 2. The first call compiles the time integratio
 import matplotlib.pyplot as plt
 import numpy as np
 
-from analytic.sprag.clutch import Clutch
-from analytic.sprag.geometry import LogSprag
-from analytic.sprag.motion import Motion, Torque
-from analytic.sprag.parts import Parts
-from analytic.sprag.table import tabulated
-from analytic.sprag.transient import engage
+from analytic.sprag import LogSprag, Motion, Parts, engage_suddenly
 
 parts = Parts(
     sprag=LogSprag.from_wedge_angle(
@@ -20,14 +15,11 @@ parts = Parts(
     ),
     n_s=12, l=9e-3, b=4e-3, R_id=7.21e-3, R_ed=26.23e-3, E=206e9, nu=0.3,
 )  # fmt: skip
-clutch = Clutch(sprag=parts.sprag, n_s=12, compliance=parts.palmgren())
 motion = Motion(
     m_g=1.8e-3, I_g=1.18e-8, I_bi=1.41e-3, I_be=1.41e-3, K_r=0.01, alpha_max=0.5, C_rl=0.1,
     k_out=1e5, mu_s=0.12, mu_c=0.08, gamma_b=1.0,
 )  # fmt: skip
-course = engage(
-    tabulated(clutch, N_end=12e3), motion, Torque.step(25.0), duration=0.03, dt=1e-5
-)  # fmt: skip
+course = engage_suddenly(parts, motion, T=25.0, duration=0.03)
 print(f"the clutch {course.verdict}")
 print(f"largest normal force {course.N_max:.0f} N, {course.peak_factor:.3f} times that at rest")
 

@@ -1,0 +1,43 @@
+"""A spring of strip compressed into contact with itself by finite elements, in one call."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from fem.beam.section import Array, Section
+from fem.beam.touching_curve import Curve, TouchingLine, compress
+
+HEADS = {"free": "", "hinged": "y", "guided": "yr"}
+
+
+def compress_spring(
+    line: Any, U: Sequence[float] | Array, *, b: float, h: float, E: float, nu: float,
+    mu: float = 0.0, head: str = "free",
+) -> Curve:  # fmt: skip
+    """An accordion spring with its head pressed to each of the displacements U [m] in turn.
+
+    `line` is its centre line with free tips, `meshes.spring.spring_centre_line(tips=True)`. The
+    strip has the thickness `b` and the width `h` [m], E [Pa], nu and the coefficient `mu` of
+    friction; the head is "free", "hinged" (no transverse movement) or "guided" (nor a rotation).
+    The curve has forces `F` [N] over `U` [m], `press` [N] between neighbouring units and shapes.
+
+    Of a wide strip, E/(1 - nu^2) may stand for E. ValueError for another head, a line without
+    tips or a U that does not rise; ArithmeticError where no equilibrium is found at a U.
+    """
+    if head not in HEADS:
+        raise ValueError(f"a head is one of {', '.join(HEADS)}, got {head!r}")
+    if "head tip" not in line.nodes:
+        raise ValueError("the centre line needs its free tips, which touch: tips=True")
+    if not np.all(np.diff([0.0, *U]) > 0):
+        raise ValueError(f"displacements U [m] rise from above 0, got {list(U)}")
+    A, G = b * h, E / (2 * (1 + nu))
+    units = sorted((n for n in line.bodies if n.startswith("unit ")), key=lambda n: int(n[5:]))
+    return compress(
+        TouchingLine(
+            line.points, line.elements, Section(EA=E * A, EI=E * A * b**2 / 12, GA=5 / 6 * G * A),
+            thickness=b, friction=mu, units=tuple(line.bodies[name] for name in units),
+            start=int(line.nodes["head tip"]), head=int(line.nodes["head"]),
+            tail=int(line.nodes["tail"]), held=HEADS[head],
+        ), U,
+    )  # fmt: skip

@@ -1,0 +1,3 @@
+from fem.wedge.freewheel import FreewheelState, solve_freewheel
+
+__all__ = ["FreewheelState", "solve_freewheel"]

@@ -1,0 +1,91 @@
+"""A roller freewheel under torque and axial load by finite elements, in one call."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from fem.wedge.flat_place import Names, Pitch, Place
+from fem.wedge.pulled import Borne, Pulled, at_torque, pulled, sector
+
+if TYPE_CHECKING:
+    from skfem.mesh import Mesh2D
+
+    from fem.contact.solution import ContactSolution
+
+ZONE = 1.5  # half-widths of even cells about each contact
+STAR = Names("star", "ring", "star.flat", "ring.bore", "star.bore", "ring.rim")
+
+
+@dataclass(frozen=True)
+class FreewheelState:
+    """A freewheel with flats inside at rest under its loads; pairs are of star and ring.
+
+    `torque` [N m] and `axial_load` [N] of the clutch, from the solution; the clamping angle
+    `alpha` [rad], half of that between flat and ring; of one roller the normal forces `N` [N],
+    `approaches` [m] and half-widths `widths` [m]; the largest `pressures` [Pa];
+    `required_friction` [1], the resultant of friction over N; whether a contact `slides`.
+    `solution` has the fields of one pitch, in a plane of unit length.
+    """
+
+    torque: float
+    axial_load: float
+    alpha: float
+    N: tuple[float, float]
+    approaches: tuple[float, float]
+    widths: tuple[float, float]
+    pressures: tuple[float, float]
+    required_friction: tuple[float, float]
+    slides: bool
+    solution: "ContactSolution"
+
+
+def solve_freewheel(
+    mesh: "Callable[..., Mesh2D]", *, R: float, X: float, r: float, z: int, L: float, r_b: float,
+    R_a: float, E: float, nu: float, mu: float, T: float, F_ax: float = 0.0, cells: int = 8,
+) -> FreewheelState:  # fmt: skip
+    """One pitch of a freewheel with flats inside under the torque T [N m], then F_ax [N].
+
+    `mesh` draws it: `meshes.freewheel.inner_cam_sector`, or one of the same arguments. Bore of the
+    ring R, distance of the flats X, `z` rollers of radius r and length L, bore of the star r_b,
+    outside of the ring R_a [m]; E [Pa], nu, friction coefficient `mu` of all contacts; `cells` on
+    half of each fine zone. Plane strain, small displacements. Both loads are met within 1e-3.
+
+    ValueError unless mu exceeds tan(alpha) without load and loads are positive (F_ax may be 0);
+    ArithmeticError where no equilibrium is found, as where the axial load makes the clutch slip.
+    """
+    if not (0 < T < math.inf and 0 <= F_ax < math.inf):
+        raise ValueError(f"needs T > 0 N m and F_ax >= 0 N, got {T:g} N m and {F_ax:g} N")
+
+    def drawn(place: Place, widths: tuple[float, float], cells: int) -> "Mesh2D":
+        zones: Any = ZONE * widths[0], ZONE * widths[1]
+        return mesh(
+            R=R, X=X, R_a=R_a, r_b=r_b, r=r, z=z, centre=(place.x, place.y), zones=zones,
+            cells=cells,
+        )  # fmt: skip
+
+    q = Pitch(sense=1, race=R, flat=X, r=r, r_b=r_b, R_a=R_a, z=z, E=E, nu=nu, names=STAR,
+              mesh=drawn)  # fmt: skip
+    steepest = math.tan(q.rigid_angle / 2)
+    if not mu > steepest:
+        raise ValueError(f"mu is above tan(alpha) = {steepest:.4g} of the clutch, got {mu:g}")
+    one = Pulled(q, L, T, F_ax, mu)
+    start = at_torque(one, cells)
+    there = sector(q, start, cells, mu, driven=False)
+    rest = there.rest(start.drags)
+    state = pulled(one, there, rest) if F_ax else rest
+    borne = Borne.by(state)
+    return FreewheelState(
+        torque=state.torque * L, axial_load=float(np.abs(borne.F_z).mean()) * L * z,
+        alpha=(state.place.psi + state.tilt) / 2, N=_pair(borne.N * L),
+        approaches=(state.place.d_i, state.place.d_o), widths=state.widths,
+        pressures=state.peaks, required_friction=_pair(borne.required),
+        slides=bool(state.solution.slides), solution=state.solution,
+    )  # fmt: skip
+
+
+def _pair(values: Any) -> tuple[float, float]:
+    first, second = values
+    return float(first), float(second)
