@@ -67,6 +67,19 @@ def test_a_plane_file_has_the_stress_and_the_displacement(bar, tmp_path):
     assert read.point_data["displacement"] == pytest.approx(expected, abs=1e-12)
 
 
+def test_a_plane_file_has_shear_and_the_stress_through_the_thickness(tmp_path):
+    sheared = solve_plane(
+        block(), materials=Elastic(E=200.0, nu=0.25), assumption="plane strain",
+        supports={"bottom": "xy"}, tractions={"top": (1.0, 2.0)},
+    )  # fmt: skip
+    read = meshio.read(fem.to_vtu(sheared, tmp_path / "sheared.vtu"))
+    xx, yy, zz, xy, yz, xz = read.cell_data["stress"][0].T
+    assert zz == pytest.approx(0.25 * (xx + yy))
+    assert xy.mean() == pytest.approx(1.0)
+    assert yy.mean() == pytest.approx(2.0)
+    assert not np.any([yz, xz])
+
+
 def test_a_plane_picture_has_the_chosen_value_of_every_cell(bar):
     for value, expected in (("", 3.0), ("xx", 3.0), ("yy", 0.0)):
         (cells,) = fem.plot(bar, value).collections
