@@ -11,7 +11,7 @@ from verify.verdicts.design import design
 from verify.verdicts.evidence import Evidence, NoEvidenceError, evidence, point_of, require
 from verify.verdicts.misprint import misprint
 from verify.verdicts.regions import ranges
-from verify.verdicts.rule import SHARP, Point, above, accuracy, below, judged
+from verify.verdicts.rule import SHARP, Point, above, accuracy, below, judged, on_unsafe_side
 from verify.verdicts.words import SMALLEST, sentence
 
 
@@ -101,7 +101,7 @@ def _described(head: FormulaVerdict, found: Evidence) -> FormulaVerdict:
     if not found.rows:
         return head
     points = found.points
-    row = max(found.rows, key=lambda one: point_of(one).size)
+    row = max(found.rows, key=lambda one: _weight(point_of(one), head))
     worst = point_of(row)
     return replace(
         head, error=worst.error, U=worst.U, worst_row=row.id,
@@ -113,6 +113,12 @@ def _described(head: FormulaVerdict, found: Evidence) -> FormulaVerdict:
         methods=tuple(dict.fromkeys(map(_method, found.rows))),
         shares=tuple(dict.fromkeys(row.shares for row in found.rows if row.shares)),
     )  # fmt: skip
+
+
+def _weight(point: Point, head: FormulaVerdict) -> tuple[float, float]:
+    """Of a row's error: its size, but of an unsafe formula first that on the unsafe side."""
+    is_unsafe = head.verdict is Verdict.UNSAFE
+    return on_unsafe_side([point], head.safe) if is_unsafe else 0.0, point.size
 
 
 def _method(row: Row) -> str:

@@ -35,29 +35,41 @@ def _head(found: FormulaVerdict) -> str:
         case _:
             left = f" ({found.unsolved} points without an answer)" if found.unsolved else ""
             only = left if found.points else ", the only ones compared"
-            errors = f"{sides(found.above or 0.0, found.below or 0.0)}; {_error(found)}{only}"
+            alone = ", one input changed at a time" if _one_at_a_time(found) else ""
+            largest = sides(found.above or 0.0, found.below or 0.0) + alone
+            errors = f"{largest}; {_error(found)}{only}"
             return f"{found.verdict.value}: {errors}; {SIDE[found.safe]}"
 
 
 def _unsafe(found: FormulaVerdict) -> str:
-    """By how much the formula errs on the unsafe side, over all points; empty without one."""
+    """By how much the formula errs on the unsafe side, over all points; both where none is safe."""
     if found.safe is Safe.NEITHER:
-        return ""
+        both = sides(found.above or 0.0, found.below or 0.0) if found.points else ""
+        return f"; {both}" if both else ""
     is_low = found.safe is Safe.ABOVE
     largest = (found.below if is_low else found.above) or 0.0
     if largest < SMALLEST:
         return "; all errors on the safe side"
-    return f"; at most {percent(largest)} too {'low' if is_low else 'high'}, the unsafe side"
+    most = "up to" if _one_at_a_time(found) else "at most"
+    return f"; {most} {percent(largest)} too {'low' if is_low else 'high'}, the unsafe side"
+
+
+def _one_at_a_time(found: FormulaVerdict) -> bool:
+    """Whether several inputs were varied, and no two of them at once: corners may be worse."""
+    several = [one for one in found.ranges if len(one.studied) > 1]
+    return bool(several) and all(one.is_star for one in several)
 
 
 def _wrong(found: FormulaVerdict) -> str:
     """What the misprint changes, by itself and together with the error of the formula."""
     if found.error is None:
         return f"wrong as printed: {found.limited_by}"
+    largest = sides(found.above or 0.0, found.below or 0.0) if found.points else ""
+    total = f"{_error(found)}{f', {largest} over all points' if largest else ''}"
     if found.misprint is None or signed(found.misprint) == signed(found.error):
-        return f"wrong as printed; {_error(found)}"
+        return f"wrong as printed; {total}"
     alone = signed(found.misprint)
-    return f"wrong as printed; by the misprint alone {alone}, in total {_error(found)}"
+    return f"wrong as printed; by the misprint alone {alone}, in total {total}"
 
 
 def signed(value: float) -> str:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from verify.core.results import Kind, Status
-from verify.core.verdicts import DesignRange, Form, Safe, Side, Verdict
+from verify.core.verdicts import DesignRange, Form, Safe, Side, Verdict, VerdictRange
 from verify.verdicts import evidence, found
 from verify.verdicts.declared import Formula, declared, rows_of_corrected
 from verify.verdicts.misprint import misprint
@@ -118,6 +118,47 @@ def test_an_accurate_formula_states_its_unsafe_side(row):
     low, high = (verdict(formula(), row("x", error, 0.001)).words for error in (-0.004, 0.004))
     assert "; at most 0.5 % too low, the unsafe side" in low
     assert "; all errors on the safe side" in high
+
+
+def studied(monkeypatch, *errors, is_star=True):
+    """A study of two inputs with these errors."""
+    plan = SimpleNamespace(points=np.zeros((len(errors), 2)), case=SimpleNamespace(id="ring-lame"))
+    course = SimpleNamespace(error=np.array(errors), U_error=np.zeros(len(errors)))
+    sides = [Side(name=n, symbol=n, unit="N", low=1.0, high=9.0) for n in ("T", "z")]
+    one = VerdictRange(case="ring-lame", limit=0.1, words="", over="T, z", studied=tuple(sides),
+                       box=tuple(sides), is_star=is_star, inside=1, points=2)  # fmt: skip
+    monkeypatch.setattr(found, "ranges", lambda _: (one,))
+    monkeypatch.setattr(found, "design", lambda *_: ())
+    monkeypatch.setattr(evidence, "_studies", lambda _: [(plan, course)])
+
+
+def test_inputs_that_were_changed_one_at_a_time_give_no_largest_error(row, monkeypatch):
+    """Two inputs at the ends of their ranges may err more than each of them alone."""
+    x = row("x", 0.001)
+    for is_star, most in ((True, "up to"), (False, "at most")):
+        studied(monkeypatch, 0.001, -0.2, is_star=is_star)
+        assert f"; {most} 20 % too low, the unsafe side" in verdict(formula(), x).words
+        words = verdict(formula(safe=Safe.NEITHER), row("x", 0.2)).words
+        assert (", one input changed at a time;" in words) == is_star
+
+
+def test_both_sides_are_stated_where_neither_is_safe(row, monkeypatch):
+    studied(monkeypatch, 0.03, -0.08)
+    words = verdict(formula(safe=Safe.NEITHER), row("x", 0.001)).words
+    assert "; up to 8 % below and up to 3 % above" in words
+
+
+def test_a_misprint_states_the_errors_of_its_study(row, monkeypatch):
+    studied(monkeypatch, 0.27, -0.52)
+    words = verdict(formula(**MISPRINT), row("x", -0.33)).words
+    assert "−33 % at the default inputs, up to 52 % below and up to 27 % above over all" in words
+
+
+def test_an_unsafe_formula_states_its_error_at_the_default_inputs_on_the_unsafe_side(row):
+    rows = row("x", -0.2), row("y", 0.5)
+    got = verdict(formula(part=(ID, "ring-lame/y")), *rows)
+    assert (got.verdict, got.worst_row) == (Verdict.UNSAFE, ID)
+    assert "; −20 % at the default inputs" in got.words
 
 
 # Misprints
