@@ -6,9 +6,11 @@ from typing import Any
 
 from verify.answers.shared.record import Function, SharedReading, Values, equal_shares, ratio
 
-NARROW = "the ring is narrow, without axial constraint (plane stress)"
-LONG = "its width puts it between plane stress and plane strain"
-STRAIN = "plane strain, the other limit"
+FREE = "the ring is free along its axis (plane stress)"
+HELD = "a ring that is held along its axis is in plane strain"
+WIDE = "held along its axis it is in plane strain; wide with free ends it lies between"
+STRAIN = "plane strain, ends held"
+LIMIT = "plane strain, the other limit"
 
 
 def narrow_race(r_i: float, r_o: float, nu: float, *, bore: bool) -> float:
@@ -31,7 +33,7 @@ def _lame(_: Any, v: Values) -> tuple[SharedReading, ...]:
         ),
         SharedReading(
             assumption="the race is free along the axis (rows in plane stress)",
-            part=LONG, quantity="the bore displacement", source=STRAIN,
+            part=HELD, quantity="the bore displacement", source=STRAIN,
             effect=ratio(v, "u_bore", "u_bore_strain"),
         ),
     )  # fmt: skip
@@ -45,7 +47,7 @@ def _loads(q: Any, _: Values) -> tuple[SharedReading, ...]:
         quantity="the displacement at a load",
     )
     width = SharedReading(
-        assumption=NARROW, part=LONG, quantity="the mean displacement",
+        assumption=FREE, part=HELD, quantity="the mean displacement",
         effect=narrow_race(q.r_i, q.r_o, q.nu, bore=bore), source=STRAIN,
     )  # fmt: skip
     outer = SharedReading(
@@ -64,7 +66,7 @@ SPRAG_PRINTED, SPRAG_END = 4.02e-3, 4.3376e-3  # m, inner radius as printed, out
 def _map(q: Any, _: Values) -> tuple[SharedReading, ...]:
     return (
         SharedReading(
-            assumption=NARROW, part=LONG, source=f"{STRAIN}, r_o/r_i = 1.35, mean of the bore",
+            assumption=FREE, part=HELD, source=f"{STRAIN}, r_o/r_i = 1.35, mean of the bore",
             quantity="displacements", effect=narrow_race(1.0, 1.35, q.nu, bore=True),
         ),
         equal_shares("sprags", "displacements"),
@@ -75,7 +77,7 @@ def _rotation(_: Any, v: Values) -> tuple[SharedReading, ...]:
     return (
         SharedReading(
             assumption="the race is free along the axis (rows in plane stress)",
-            part=LONG, quantity="the bore growth", source=STRAIN,
+            part=HELD, quantity="the bore growth", source=STRAIN,
             effect=ratio(v, "growth", "growth_strain"),
         ),
         SharedReading(
@@ -93,7 +95,7 @@ def _round(_: Any, v: Values) -> tuple[SharedReading, ...]:
             "(K_mid of case polyhedral-ring)",
         ),
         SharedReading(
-            assumption=NARROW, part=LONG, quantity="the pressure p_1", source=STRAIN,
+            assumption=FREE, part=HELD, quantity="the pressure p_1", source=STRAIN,
             effect=ratio(v, "p", "p_strain"),
         ),
     )  # fmt: skip
@@ -102,7 +104,7 @@ def _round(_: Any, v: Values) -> tuple[SharedReading, ...]:
 def _polygon(_: Any, v: Values) -> tuple[SharedReading, ...]:
     return (
         SharedReading(
-            assumption=NARROW, part=LONG, quantity="the pressure factor K_mid", source=STRAIN,
+            assumption=FREE, part=WIDE, quantity="the pressure factor K_mid", source=LIMIT,
             effect=ratio(v, "K_mid", "K_mid_strain"),
         ),
     )  # fmt: skip
@@ -111,7 +113,7 @@ def _polygon(_: Any, v: Values) -> tuple[SharedReading, ...]:
 def _flats(q: Any, _: Values) -> tuple[SharedReading, ...]:
     return (
         SharedReading(
-            assumption=NARROW, part=LONG, quantity="the pressure factor K_mid", source=STRAIN,
+            assumption=FREE, part=WIDE, quantity="the pressure factor K_mid", source=LIMIT,
             effect=-(q.nu**2),
         ),
     )  # fmt: skip
@@ -129,7 +131,7 @@ def _locking(q: Any, _: Values) -> tuple[SharedReading, ...]:
     return (
         RIGID_RACE,
         SharedReading(
-            assumption=NARROW, part=LONG, source=STRAIN, effect=-(q.nu**2),
+            assumption=FREE, part=WIDE, source=LIMIT, effect=-(q.nu**2),
             quantity="the pressure p_1r at which the ring reaches the rollers",
         ),
         SharedReading(
@@ -159,9 +161,9 @@ def _wedge(q: Any, _: Values) -> tuple[SharedReading, ...]:
 def _clutch(_: Any, v: Values) -> tuple[SharedReading, ...]:
     return (
         SharedReading(
-            assumption="ring and rollers are narrow (plane stress)",
-            part="their width puts them between plane stress and plane strain",
-            quantity="the torque M_el", source=STRAIN, effect=ratio(v, "M_el", "M_wide"),
+            assumption="ring and rollers are free along the axis (plane stress)",
+            part=WIDE.replace("it is", "they are").replace("it lies", "they lie"),
+            quantity="the torque M_el", source=LIMIT, effect=ratio(v, "M_el", "M_wide"),
         ),
         RIGID_RACE,
         equal_shares("rollers", "the torque M_el"),

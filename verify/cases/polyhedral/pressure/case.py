@@ -61,7 +61,7 @@ class RingPressure(ThinRing):
     )
     readings: ClassVar = (
         "the clearance j_D is on the diameter and closes outside, where the rollers are",
-        "the ring is narrow: plane stress; as a long one it takes 1/(1 - ν²) times the pressure",
+        "free along its axis, in plane stress; held it takes 1/(1 - ν²) times the pressure",
     )
     assumptions: ClassVar = (
         "linear elasticity, small strain", "a quarter with symmetry on both cuts",

@@ -55,7 +55,7 @@ class WedgedSprag(WedgeSteps):
         "the triangle of Eq. 10 belongs to the unstrained spiral: all deflections of the inner "
         "side are included",
         "T is the torque of the whole clutch, N the force of one sprag on the inner race",
-        "sprags and races are long: plane strain, against the thin rings of Eq. 6",
+        "sprags and races are held along their axis: plane strain; rings of Eq. 6 have free ends",
     )
     assumptions: ClassVar = (
         "the sprag is a column of the width b with rounded ends; l, b and ν_0 are identified, E "
