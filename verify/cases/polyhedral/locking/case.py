@@ -35,6 +35,7 @@ class LockedPolyhedralRing(LockedFormulas):
                 "delta_1=3mm,4mm,5mm",
                 "z=4,6,8",
                 "rho=1mm,2mm,4mm",
+                "j_D=0.03mm,0.06mm,0.08mm",
             ),
             star=True,
         ),

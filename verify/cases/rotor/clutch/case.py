@@ -29,10 +29,11 @@ class ClutchLink(ClutchStiffness):
         Scan(
             vary=(
                 "T=5N m,15N m,40N m", "Z=8,12,24", "nu=2.5deg,3.15deg,5deg", "n_s=11,41",
-                "e=0.3µm,1µm", "drop=0.3µm,1µm",
+                "e=0.3µm,1µm", "drop=0.3µm,1µm", "L=6mm,9mm",
             ),
             star=True,
         ),
+        Scan(vary=("T=15N m,40N m", "Z=8,12", "nu=2.5deg,3.15deg", "L=6mm,9mm")),
     )  # fmt: skip
     readings: ClassVar = (
         "d_t of Eq. 4 is R_i tan ν, which T = Z N R_i tan ν requires",

@@ -61,7 +61,9 @@ class WideSpring(WidthInputs, Case):
     source = "wang2023"
     place = "Sec. 2, shell model; h in I = h b³/12"
     levels: ClassVar = shells.LEVELS
-    scans: ClassVar = (Scan(vary=("h=14mm,28mm,56mm", "n=6,10"), star=True),)
+    scans: ClassVar = (
+        Scan(vary=("h=14mm,28mm,56mm", "n=6,10", "nu=0.27,0.3,0.34,0.4"), star=True),
+    )
     readings: ClassVar = (
         "the force moves a line across the head that stays straight, as a roller's",
         "r is the inner radius: the centre line of the arcs has r + b/2",
