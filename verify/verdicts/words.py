@@ -35,7 +35,8 @@ def _head(found: FormulaVerdict) -> str:
         case _:
             left = f" ({found.unsolved} points without an answer)" if found.unsolved else ""
             only = left if found.points else ", the only ones compared"
-            alone = ", one input changed at a time" if _one_at_a_time(found) else ""
+            is_alone = _one_at_a_time(found) and not any(map(_held, found.ranges))
+            alone = ", one input changed at a time" if is_alone else ""
             largest = sides(found.above or 0.0, found.below or 0.0) + alone
             errors = f"{largest}; {_error(found)}{only}"
             return f"{found.verdict.value}: {errors}; {SIDE[found.safe]}"
@@ -134,7 +135,13 @@ def _range(one: VerdictRange) -> str:
     """The range of one study within a limit, its inputs also as dimensionless quantities."""
     box = ", ".join(map(side_in_words, one.box))
     alone = "" if not one.is_star or len(one.box) < 2 else " (one at a time)"
-    return f"{box}{alone} in {one.case}, {one.inside} of {one.points} points"
+    held = f" at {_held(one)}" if _held(one) else ""
+    return f"{box}{alone}{held} in {one.case}, {one.inside} of {one.points} points"
+
+
+def _held(one: VerdictRange) -> str:
+    """The inputs that a study held at other than default values: "z = 8"; empty without any."""
+    return one.over.partition(", at ")[2]
 
 
 def side_in_words(one: Side) -> str:

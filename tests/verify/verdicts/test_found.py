@@ -120,13 +120,13 @@ def test_an_accurate_formula_states_its_unsafe_side(row):
     assert "; all errors on the safe side" in high
 
 
-def studied(monkeypatch, *errors, is_star=True):
+def studied(monkeypatch, *errors, is_star=True, held=""):
     """A study of two inputs with these errors."""
     plan = SimpleNamespace(points=np.zeros((len(errors), 2)), case=SimpleNamespace(id="ring-lame"))
     course = SimpleNamespace(error=np.array(errors), U_error=np.zeros(len(errors)))
     sides = [Side(name=n, symbol=n, unit="N", low=1.0, high=9.0) for n in ("T", "z")]
-    one = VerdictRange(case="ring-lame", limit=0.1, words="", over="T, z", studied=tuple(sides),
-                       box=tuple(sides), is_star=is_star, inside=1, points=2)  # fmt: skip
+    one = VerdictRange(case="ring-lame", limit=0.1, words="", over=f"T, z{held}",
+                       studied=tuple(sides), box=tuple(sides), is_star=is_star, inside=1, points=2)  # fmt: skip
     monkeypatch.setattr(found, "ranges", lambda _: (one,))
     monkeypatch.setattr(found, "design", lambda *_: ())
     monkeypatch.setattr(evidence, "_studies", lambda _: [(plan, course)])
@@ -140,6 +140,13 @@ def test_inputs_that_were_changed_one_at_a_time_give_no_largest_error(row, monke
         assert f"; {most} 20 % too low, the unsafe side" in verdict(formula(), x).words
         words = verdict(formula(safe=Safe.NEITHER), row("x", 0.2)).words
         assert (", one input changed at a time;" in words) == is_star
+
+
+def test_values_that_a_study_holds_are_stated(row, monkeypatch):
+    studied(monkeypatch, 0.001, -0.2, held=", at n = 8")
+    words = verdict(formula(), row("x", 0.001)).words
+    assert "T 1 to 9 N, z 1 to 9 N (one at a time) at n = 8 in ring-lame" in words
+    assert "one input changed" not in verdict(formula(), row("x", -0.2)).words
 
 
 def test_both_sides_are_stated_where_neither_is_safe(row, monkeypatch):

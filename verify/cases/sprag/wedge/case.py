@@ -12,6 +12,27 @@ from verify.cases.sprag.wedge.closure import WedgeSteps
 from verify.core.figures import Picture
 from verify.form.adapter import adapted
 
+STUDIED = (  # rows of the study
+    "T_i/N_i against the strut's tan ν (Eq. 10), at N_0",
+    "T_i/N_i against the strut's tan ν (Eq. 10), at 1.8 N_0",
+    "normal force (Eq. 10), at T",
+    "rotation of the sprags, at T",
+    "rotation as in the paper",
+    "torque n_s N tan(ν) OA, at N_0",
+    "total deflection of elastic bodies, at N_0",
+    "Eq. 6 alone for the outer race",
+    "mean displacement of the outer race (Eq. 6 as printed",
+    "mean displacement of the inner race (Eq. 6 as printed",
+    "peak pressure on the inner race (Hertz), at N_0",
+    "peak pressure on the outer race (Hertz), at N_0",
+    "excess of N_e over N_i",
+    "rotation with Palmgren's law",
+    "rotation of the sprags with elastic deflections, at N_0",
+    "wind-up of rigid races",
+    "torsional stiffness of rigid races",
+)
+FEW_SPRAGS = ("R_ed=23mm", "R_id=9.5mm", "z=8")  # between thin races
+
 
 class WedgedSprag(WedgeSteps):
     """A logarithmic sprag between its races, through its stroke.
@@ -31,22 +52,10 @@ class WedgedSprag(WedgeSteps):
     scans: ClassVar = (
         Scan(
             vary=("T=12.5N m,25N m,40N m", "R_ed=23mm,26.23mm,32mm",
-                  "R_id=4mm,7.21mm,9.5mm", "z=8,12,16"),
-            only=(
-                "T_i/N_i against the strut's tan ν (Eq. 10), at N_0",
-                "normal force (Eq. 10), at T", "rotation of the sprags, at T",
-                "rotation as in the paper", "torque n_s N tan(ν) OA, at N_0",
-                "total deflection of elastic bodies, at N_0", "Eq. 6 alone for the outer race",
-                "mean displacement of the outer race (Eq. 6 as printed",
-                "mean displacement of the inner race (Eq. 6 as printed",
-                "peak pressure on the inner race (Hertz), at N_0",
-                "peak pressure on the outer race (Hertz), at N_0", "excess of N_e over N_i",
-                "rotation with Palmgren's law",
-                "rotation of the sprags with elastic deflections, at N_0",
-                "wind-up of rigid races", "torsional stiffness of rigid races",
-            ),
-            star=True,
+                  "R_id=4mm,7.21mm,9.5mm", "z=8,12,16", "nu_0=2.5deg,3.15deg,5deg"),
+            only=STUDIED, star=True,
         ),
+        Scan(vary=("T=12.5N m,16N m",), only=STUDIED, at=FEW_SPRAGS),
     )  # fmt: skip
     readings: ClassVar = (
         "r_i of Table 1 is the spiral's radius of curvature at first contact",
