@@ -2,7 +2,8 @@ r"""Error of the thin ring under pressure (Belcin et al., Eqs. 8-10) against Lam
 
 In plane stress Lamé's pressure that takes up the clearance outside is d_m²/(d_i d_e) times p_1;
 the mean hoop stress errs as p_1 does, whatever the pressure; the free outside has the strain
-j_D/d_e. Finite elements have stresses at the ends of cells, which span more of ln r in thick walls.
+j_D/d_e, and the bore the largest stress, (d_e/d_i)² + 1 over 2 times that of the outside. Finite
+elements have stresses at the ends of cells, which span more of ln r in thick walls.
 
 Errors are relative, formula over truth less one, of the outer diameter d_e and the wall.
 """
@@ -28,6 +29,22 @@ def rim_stress_error(*, d_e: float, wall: float) -> Interval:
     """Error of sigma_t as the hoop stress outside."""
     d_m = d_e - wall
     return about(d_e / d_m - 1, SLACK + CELL * (wall / d_m) ** 2)
+
+
+def bore_stress_error(*, d_e: float, wall: float) -> Interval:
+    """Error of sigma_t as the hoop stress in the bore, E j_D (d_e² + d_i²)/(2 d_i² d_e).
+
+    The part of the stress that varies, as 1/r², has the share 1/2 outside and R²/(1 + R²) in the
+    bore, R = d_e/d_i: the stress at the ends of cells is less accurate there in that proportion.
+
+    >>> low, high = bore_stress_error(d_e=2.0, wall=0.5)  # 8/15
+    >>> round((low + high) / 2, 12)
+    -0.466666666667
+    """
+    d_m, d_i = d_e - wall, d_e - 2 * wall
+    share = d_e**2 / (d_e**2 + d_i**2)
+    error = 2 * d_i**2 * d_e / (d_m * (d_e**2 + d_i**2)) - 1
+    return about(error, SLACK + 2 * share * CELL * (wall / d_m) ** 2)
 
 
 def growth_error(*, d_e: float, wall: float, j_D: float, E: float, nu: float) -> Interval:

@@ -17,6 +17,7 @@ from analytic.contact.partial_slip import dundurs_beta
 from analytic.polyhedral import expansion, wedging
 from analytic.polyhedral.design import Clutch
 from analytic.polyhedral.parts import Parts
+from analytic.ring import lame
 from analytic.spring import frame
 
 ROLLER = RollerOnRing(d=0.01, d_e=0.08, j_D=6e-5, apothem=0.03145, E=210e9, nu=0.3)
@@ -58,9 +59,19 @@ def test_the_thin_ring_misses_lame_s_pressure_by_the_stated_amount():
     for wall in (1e-5, 1e-6):  # all errors go with the wall
         of_growth = thin_ring.growth_error(d_e=0.08, wall=wall, j_D=6e-5, E=210e9, nu=0.3)
         of_rim = thin_ring.rim_stress_error(d_e=0.08, wall=wall)
-        for low, high in (of_growth, of_rim):
+        of_bore = thin_ring.bore_stress_error(d_e=0.08, wall=wall)
+        for low, high in (of_growth, of_rim, of_bore):
             assert abs(low + high) / 2 < 30 * wall
             assert high - low == pytest.approx(2 * thin_ring.SLACK, rel=1e-3)
+
+
+def test_the_thin_ring_misses_the_stress_of_lame_s_bore_by_the_stated_amount():
+    ring = {"d_i": 0.056, "d_e": 0.08}
+    sigma_t = expansion.hoop_stress(j_D=6e-5, d_m=0.068, E=210e9)
+    p = expansion.round_ring_pressure(**ring, j_D=6e-5, E=210e9, nu=0.3, ends="plane stress")
+    _, hoop = lame.stresses(0.028, r_i=0.028, r_o=0.04, p_i=p)
+    low, high = thin_ring.bore_stress_error(d_e=0.08, wall=0.012)
+    assert (low + high) / 2 == pytest.approx(float(sigma_t / hoop) - 1, abs=1e-12)
 
 
 def test_the_friction_limit_misses_a_free_roller_as_wedging_predicts():

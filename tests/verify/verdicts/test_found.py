@@ -126,7 +126,8 @@ def studied(monkeypatch, *errors, is_star=True, held=""):
     course = SimpleNamespace(error=np.array(errors), U_error=np.zeros(len(errors)))
     sides = [Side(name=n, symbol=n, unit="N", low=1.0, high=9.0) for n in ("T", "z")]
     one = VerdictRange(case="ring-lame", limit=0.1, words="", over=f"T, z{held}",
-                       studied=tuple(sides), box=tuple(sides), is_star=is_star, inside=1, points=2)  # fmt: skip
+                       studied=tuple(sides), box=tuple(sides), is_star=is_star, inside=1,
+                       points=2)  # fmt: skip
     monkeypatch.setattr(found, "ranges", lambda _: (one,))
     monkeypatch.setattr(found, "design", lambda *_: ())
     monkeypatch.setattr(evidence, "_studies", lambda _: [(plan, course)])

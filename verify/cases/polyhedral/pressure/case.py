@@ -42,6 +42,10 @@ RIM = (
     "derived: the free outside has the strain j_D/d_e; more by "
     f"{thin_ring.CELL:g} (δ_1/d_m)² for stresses at the ends of cells"
 )
+BORE = (
+    "Lamé: the bore has the stress (1 + (d_e/d_i)²)/2 E j_D/d_e; more by "
+    f"{thin_ring.CELL:g} (δ_1/d_m)² and at most twice that for stresses at the ends of cells"
+)
 MIDDLE = "Lamé: growth of the mean diameter where the outside grows by j_D"
 
 
@@ -117,7 +121,7 @@ class RingPressure(ThinRing):
             return pressure(expanded(*sizes, "plane stress"))
 
         narrow, long = (expanded(self.d_i, self.d_e, a) for a in ("plane stress", "plane strain"))
-        rim, p = narrow.on_boundary("rim"), pressure(narrow)
+        rim, bore, p = narrow.on_boundary("rim"), narrow.on_boundary("bore"), pressure(narrow)
         cut = -narrow.reaction("x=0")[0]  # the hoop force of one wall, pulling on the quarter
         round_off = max(
             max(s.residual**0.5, abs(s.potential_energy / s.strain_energy + 1))
@@ -128,6 +132,7 @@ class RingPressure(ThinRing):
             iteration=round_off, p=p, p_strain=pressure(long),
             mean_stress=cut / self.delta_1 * p / p_0,
             rim_stress=rim.mean(rim.polar()[2]) * p / p_0,
+            bore_stress=bore.mean(bore.polar()[2]) * p / p_0,
             growth=self.j_D / growth(narrow, "rim") * growth(narrow, "middle"),
             balance=cut - p_0 * self.d_i / 2,
             thinner=np.array([thinner(wall) for wall in WALLS]),
@@ -138,6 +143,7 @@ class RingPressure(ThinRing):
         ring, wall = RingPressure, {"d_e": self.d_e, "wall": self.delta_1}
         thin = thin_ring.pressure_error(**wall)
         outside = thin_ring.rim_stress_error(**wall)
+        inside = thin_ring.bore_stress_error(**wall)
         middle = thin_ring.growth_error(**wall, j_D=self.j_D, E=self.E, nu=self.nu)
         yield identity(ring.p, order=4, sensitivity=ACCEPTED)
         yield identity(ring.p_strain, order=4, sensitivity=ACCEPTED)
@@ -146,6 +152,8 @@ class RingPressure(ThinRing):
                             expected=Expected(*thin, MEAN))  # fmt: skip
         yield approximation(ring.sigma_t, "rim_stress", order=2, against="that of the outside",
                             expected=Expected(*outside, RIM))  # fmt: skip
+        yield approximation(ring.sigma_t, "bore_stress", order=2, against="that of the bore",
+                            expected=Expected(*inside, BORE))  # fmt: skip
         yield approximation(ring.growth, order=4, expected=Expected(*middle, MIDDLE))
         yield limit(ring.p_1, "pressure of ever thinner rings, Eq. 10", "p_1/p - 1", exponent=2,
                     points=over_family(ring.p_1, "thinner", at=WALLS, family=self.of_wall,
