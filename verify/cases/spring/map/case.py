@@ -66,7 +66,7 @@ class MapSpring(MapFormulas):
     source = "wang2023"
     place = "Eqs. 1-9, Eqs. 12 and 13, Fig. 10; Sec. 1.2, Fig. 5 (travel of the roller)"
     levels: ClassVar = (4, beams.MAPPED, 16)
-    scans: ClassVar = (Scan(vary=("n=8,10,14", "b=0.1mm,0.2mm"), star=True),)
+    scans: ClassVar = (Scan(vary=("n=8,10,14", "b=0.1mm,0.2mm,0.4mm"), star=True),)
     readings: ClassVar = (
         "r is the inner radius: Eqs. 1-9 take it for the arcs' radius, finite elements r + b/2",
         "Eqs. 1-9 leave the head free to turn and to move sideways, a roller's slot guides it",
