@@ -31,7 +31,7 @@ STUDIED = (  # rows of the study
     "wind-up of rigid races",
     "torsional stiffness of rigid races",
 )
-FEW_SPRAGS = ("R_ed=23mm", "R_id=9.5mm", "z=8")  # between thin races
+THIN_RACES = ("R_ed=23mm", "R_id=9.5mm", "T=12.5N m")  # that bend between few sprags
 
 
 class WedgedSprag(WedgeSteps):
@@ -55,7 +55,7 @@ class WedgedSprag(WedgeSteps):
                   "R_id=4mm,7.21mm,9.5mm", "z=8,12,16", "nu_0=2.5deg,3.15deg,5deg"),
             only=STUDIED, star=True,
         ),
-        Scan(vary=("T=12.5N m,16N m",), only=STUDIED, at=FEW_SPRAGS),
+        Scan(vary=("z=8,10,12",), only=STUDIED, at=THIN_RACES),
     )  # fmt: skip
     readings: ClassVar = (
         "r_i of Table 1 is the spiral's radius of curvature at first contact",
