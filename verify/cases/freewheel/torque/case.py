@@ -65,6 +65,7 @@ class FreewheelTorque(Star):
     scans: ClassVar = (
         Scan(vary=("T=6.5N m,13N m,26N m,32N m,39N m,52N m", "R_a=19mm,20mm,21mm,30mm",
                    "X=11.33mm,11.39565mm,11.42mm,11.44mm", "z=6,7,8,12"), star=True),
+        Scan(vary=("T=20N m,52N m", "X=11.39565mm,11.44mm"), at=("R_a=19mm", "z=6")),
     )  # fmt: skip
     readings: ClassVar = (
         "α is half the angle ψ between the flat's normal and the roller's centre: half the wedge",
