@@ -1,5 +1,7 @@
 """Lines that are longer than the terminal is wide."""
 
+import sys
+
 from verify.core.terminal import print_wrapped, wrapped
 
 
@@ -18,10 +20,10 @@ def test_a_long_sentence_is_set_in_and_a_short_line_or_a_pipe_stays(monkeypatch,
     assert all(len(part) <= 40 for part in parts)
     assert parts[1].startswith("      word")
     assert wrapped(line, 100) == wrapped(line, 0) == [line]
-    monkeypatch.delenv("COLUMNS", raising=False)
+    monkeypatch.setenv("COLUMNS", "40")
     print_wrapped(line)
     assert capsys.readouterr().out == f"{line}\n"
-    monkeypatch.setenv("COLUMNS", "40")
+    monkeypatch.setattr(sys.stdout, "isatty", lambda: True)
     print_wrapped(line)
     assert capsys.readouterr().out.splitlines() == parts
 

@@ -1,6 +1,5 @@
 """Lines on a terminal: those longer than it is wide are wrapped, what is piped is not."""
 
-import os
 import re
 import shutil
 import sys
@@ -26,8 +25,8 @@ def print_wrapped(*lines: str) -> None:
 
 
 def width() -> int:
-    """Columns of the terminal or by COLUMNS; 0 where output goes to a file or a pipe."""
-    if os.environ.get("COLUMNS") or sys.stdout.isatty():
+    """Columns of the terminal; 0 where output goes to a file or a pipe."""
+    if sys.stdout.isatty():
         return max(shutil.get_terminal_size().columns, LEAST)
     return 0
 
