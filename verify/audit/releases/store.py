@@ -24,7 +24,8 @@ EXACTLY = 15  # significant digits of values that are compared to round-off
 ENOUGH = 9  # of everything else
 
 _VERSION = re.compile(r"\d+(\.\d+)*")
-_FIGURE = re.compile(r"(\d+(?:\.\d+)?) ?% (accepted|asked)|(accepted): (\d+(?:\.\d+)?) ?%")
+EARLIER = {"required": "asked"}  # words of the records of version 0.1.0
+_FIGURE = re.compile(r"(\d+(?:\.\d+)?) ?% (accepted|asked|required)|(accepted): (\d+(?:\.\d+)?) ?%")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -32,8 +33,8 @@ class Kept:
     """What is kept of a row. Dimensional numbers are in `unit`, as in `verify.core.results.Row`.
 
     `reference` is what the formula is compared with: finite elements', or the partner's.
-    `figures` are the acceptance figures that a fact states in words, by "accepted" or "asked" [%];
-    `accepted` is the one that bounds the size of a difference, over the row's scale.
+    `figures` are the acceptance figures [%] that a fact states in words, by "accepted" or
+    "required"; `accepted` is the one that bounds the size of a difference, over the row's scale.
     """
 
     kind: str
@@ -99,10 +100,11 @@ def _short(value: float | None, digits: int = ENOUGH) -> float | None:
 
 
 def _figures(words: str) -> tuple[tuple[str, float], ...]:
-    """Acceptance figures that stand in words: "0.2% accepted", "accepted: 1%", "2% asked"."""
+    """Acceptance figures that stand in words: "0.2% accepted", "accepted: 1%", "2% required"."""
     return tuple(
-        (match[2] or match[3], float(match[1] or match[4])) for match in _FIGURE.finditer(words)
-    )
+        (EARLIER.get(word, word), float(match[1] or match[4]))
+        for match in _FIGURE.finditer(words) for word in (match[2] or match[3],)
+    )  # fmt: skip
 
 
 def version(root: Path = ROOT) -> str:
