@@ -17,6 +17,7 @@ _INDEX = re.compile(r"(?<![\w.])([A-Za-zΑ-ωΔ])_(\{[^}]*\}|[A-Za-z0-9Α-ω∞]
 _LEDGER = re.compile(r"ledger ([a-z]+\d*):([a-zA-Z0-9-]+)")
 _POWER = re.compile(r"(?<=[\w)])\^(-?\d+(?:\.\d+)?)")
 _POWER_OF_TEN = re.compile(rf"e({MINUS}?\d+)")
+_MODULE = re.compile(r"\b(?:analytic|fem|meshes|verify)(?:\.[a-z]\w*)+")
 _MINUS = re.compile(r"(?<![\w./^-])-(?=\d)")
 
 
@@ -28,13 +29,17 @@ def symbol(text: str) -> Markup:
 
 
 def prose(text: str) -> Markup:
-    """Running text in which symbols such as k_1 have a lowered index, m^2 a power."""
+    """Running text in which symbols such as k_1 have a lowered index, m^2 a power.
+
+    The path of a module may be broken behind its dots, and nowhere else.
+    """
 
     def lowered(match: re.Match[str]) -> str:
         return f"<var>{match[1]}<sub>{match[2].strip('{}')}</sub></var>"
 
     text = re.sub(r"(?<=\d)%", "\u202f%", text)
     raised = _POWER.sub(r"<sup>\1</sup>", str(escape(text)))
+    raised = _MODULE.sub(lambda path: path[0].replace(".", ".<wbr>"), raised)
     return Markup(_INDEX.sub(lowered, _MINUS.sub(MINUS, raised)))  # noqa: S704 - escaped before
 
 

@@ -60,6 +60,8 @@ class _Runs(HTMLParser):
         self.stack: list[list[Run]] = [[]]
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:  # noqa: ARG002
+        if tag == "wbr":  # a place where a page may break a word
+            return
         node: list[Run] = [tag]
         self.stack[-1].append(node)
         if tag not in VOID:

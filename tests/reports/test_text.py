@@ -31,6 +31,9 @@ def test_only_markup_has_tags_and_escaped_text_comes_back_as_it_was():
     assert [digits(word) for word in ("12.5", "1e5 runs")] == [["12.5"], ["1e5 runs"]]
     text = '<script>alert("1")</script> & x < y'
     assert plain(formats.prose(text)) == text
+    assert str(formats.prose("by analytic.ring.lame, 3.5 mm")) == (
+        "by analytic.<wbr>ring.<wbr>lame, 3.5 mm"  # a narrow column breaks there
+    )
     assert plain(formats.power(2.1e-8)) == "2.1×10⁻⁸"
     assert plain(formats.symbol("u_r(r_i)")) == "u_r(r_i)"
     assert formats.symbol("K_1*") == "<var>K<sub>1</sub>*</var>"  # the star is above the index
