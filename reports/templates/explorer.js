@@ -35,9 +35,9 @@ function asked(course) { // of one study
   return between(study, course, study.axes.map(position));
 }
 
-function best() { // of all studies: the one whose points are nearest, then one at the inputs of the case
+function best() { // of all studies: one at the inputs of the case, then the one whose points are nearest
   const found = formula.at.map((course) => ({ ...asked(course), course }));
-  const rank = (q) => [q.spacing, one.studies[q.course.study].held ? 1 : 0];
+  const rank = (q) => [one.studies[q.course.study].held ? 1 : 0, q.spacing];
   const order = (p, q) => rank(p).map((v, k) => v - rank(q)[k]).find((v) => v) ?? 0;
   return found.filter((q) => "e" in q).sort(order)[0] ?? { why: [...new Set(found.map((q) => q.why))].join("; ") };
 }

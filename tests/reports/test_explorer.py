@@ -159,8 +159,6 @@ BEAM = "Eqs. 1-9 against the curved beam"
 GRID = (  # case, row, what is typed, and the point of the study
     (RING, K, (("value", "z", 7), ("value", "delta_1", 4.5)), (7, 4.5)),
     (RING, K, (("value", "z", 12), ("value", "delta_1", 8)), (12, 8)),
-    (RING, K, (("ratio", "delta_1", 0.0333),), (6, 0.0333 * 80)),
-    (RING, K, (("value", "d_e", 100), ("value", "delta_1", 5.5), ("value", "rho", 2.5)), (6, 4.4)),
     (RING, K, (("slide", "z", 9), ("slide", "delta_1", 250)), (9, 5)),
     ("spring-accordion", BEAM, (("value", "n", 9), ("value", "b", 0.15)), (9, 0.15)),
     ("spring-accordion", BEAM, (("value", "n", 16), ("value", "b", 0.37)), (16, 0.37)),
@@ -170,6 +168,10 @@ LINE = (
     ("freewheel-torque", "normal force", (("value", "T", 20),), ("T", 20)),
     ("ring-lame", "bore displacement, plane stress", (("value", "nu", 0.2),), ("nu", 0.2)),
     ("contact-roller-flat", "", (("value", "F", 2000),), ("F", 2000)),
+    # the line at the inputs of the case, not the finer grid at another e
+    (RING, K, (("ratio", "delta_1", 0.0333),), ("delta_1", 0.0333 * 80)),
+    (RING, K, (("value", "d_e", 100), ("value", "delta_1", 5.5), ("value", "rho", 2.5)),
+     ("delta_1", 4.4)),
 )  # fmt: skip
 NONE = (
     (RING, K, (("value", "z", 13),), "outside the stored 3 to 12"),

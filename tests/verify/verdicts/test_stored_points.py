@@ -34,7 +34,7 @@ def test_all_stored_points_are_there_with_their_errors(name):
 
 
 def test_a_study_has_its_ratio_in_any_unit_its_safe_side_and_each_point_once():
-    ((torque, *_),) = (study.axes for study in of("freewheel-torque"))
+    torque, *_ = of("freewheel-torque")[0].axes
     case = find("freewheel-torque").inputs()
     shown = {one.name: one.own for one in torque.per}
     ratio = torque.factor * torque.own
