@@ -21,7 +21,7 @@ from verify.core.verdicts import Verdict
 from verify.verdicts.record import kept
 
 MOST = 400_000  # bytes of a page
-VOID = {"meta", "link", "br", "img", "input", "hr"}
+VOID = {"meta", "link", "br", "wbr", "img", "input", "hr"}
 OPTIONAL = {"tr", "td", "th"}  # their ends may be left out
 SVG_EMPTY = {"path", "circle", "rect", "line", "use", "image", "stop"}  # close themselves
 
