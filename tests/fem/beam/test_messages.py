@@ -49,6 +49,7 @@ RIGID = r"frame can move rigidly \(.*"
     ("changed", "message"),
     [
         ({"supports": {}}, RIGID),
+        ({"supports": {0: "yr"}}, RIGID + r"[+-]1 x\)"),
         ({"supports": {0: "xr", 2: "x"}}, RIGID + "y"),
         ({"supports": {0: "xy"}}, RIGID + "rotation"),
         (APART | {"supports": {0: "xyr", 2: "xy"}}, "rigidly|support|mechanism"),

@@ -1,10 +1,13 @@
 """Friction in a cone: layers sheared along z beside straight lines, and where blocks slide."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 from fem.contact.along import Along
-from fem.contact.cone import Cone, State
+from fem.contact.along_problem import AlongProblem
+from fem.contact.cone import Cone, Residual, State
 from fem.contact.pairs import Obstacle, Pair, Rigid
 from fem.contact.problem import ContactProblem
 from fem.contact.shapes import Circle, Flat
@@ -177,3 +180,23 @@ def test_a_pressure_that_its_gap_contradicts_counts_as_a_miss_on_both_sides(pres
     residual, _, w = cone.judged(np.array([-1.0, 0.0, 0.0]), np.zeros(0), at)
     assert w[0] == pressure - 1
     assert residual.complementarity == pytest.approx(missed)
+
+
+@pytest.mark.parametrize("misses", [(3e-9, 1e-12, 2e-10), (1e-12, 3e-9, 2e-10), (0.0, 0.0, 3e-9)])
+def test_the_largest_miss_is_that_of_the_law_that_is_missed_most(misses):
+    assert Residual(*misses).largest == 3e-9
+
+
+def test_before_its_gap_closes_a_surface_moves_with_the_deformation_by_tractions_elsewhere():
+    compliance = np.array([[1.0, 0.5], [0.5, 1.0]])
+    interface = SimpleNamespace(
+        cone=SimpleNamespace(B=compliance, rough=np.array([0, 1])), C=np.zeros((2, 1))
+    )
+    problem = SimpleNamespace(bodies=SimpleNamespace(shifts=np.zeros((1, 1))))
+    step = SimpleNamespace(traction=np.array([-0.4, 0.0]), shift=np.zeros(1))
+    # the gap of row 1 closes at a quarter of the step; row 0 touches and carries -0.4
+    found = AlongProblem._closing(
+        problem, interface, np.array([0.3, 0.3]), np.zeros(2), (None, step),
+        (np.array([1]), np.array([0.25])),
+    )  # fmt: skip
+    assert found == pytest.approx([0.0, 0.25 * (0.3 - 0.5 * 0.4)])

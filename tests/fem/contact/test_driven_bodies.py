@@ -122,15 +122,27 @@ HALF, WIDTH = math.radians(3), 0.05
 N = math.pi * WIDTH**2 / (8 * (1 - 0.3**2))  # Hertz, E = 1, two equal bodies
 
 
-@pytest.fixture(scope="module")
-def free():
+def wedge(*, caged):
     geometry = Geometry(1.0, HALF, WIDTH)
     fine = {"zone": 1.15 * WIDTH, "cells": 7, "refine": 1}
     x, y = geometry.normal
     race = full_block(width=1.0, depth=1.0, above=True, **fine)
     roller = tilted_half_disc(R=1.0, tilt=HALF, **fine)
     mesh = join({"roller": roller, "race": placed(race, turn=-HALF, shift=(float(x), float(y)))})
-    return Wedge(geometry, mesh, E=1.0, nu=0.3, mu=0.2)
+    return Wedge(geometry, mesh, E=1.0, nu=0.3, mu=0.2, caged=caged)
+
+
+@pytest.fixture(scope="module")
+def free():
+    return wedge(caged=False)
+
+
+def test_a_cage_holds_the_middle_and_the_cut_stays_straight():
+    state = wedge(caged=True).at(0.1 * WIDTH, along=0.05 * WIDTH)
+    for name, held in (("inner", (0, 1)), ("outer", (1,))):
+        u = state.plane.on_boundary(f"roller.{name}").u
+        assert not np.any(u[list(held)])
+    assert np.any(u[0])  # the cut's outer part moves along itself
 
 
 def test_a_free_roller_uses_the_friction_of_its_balance(free):

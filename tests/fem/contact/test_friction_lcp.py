@@ -48,6 +48,7 @@ def test_a_node_without_coupling_sticks_below_mu_p_and_slips_at_it(push, state, 
         pytest.param(1, 1.001, "friction", id="traction beyond the cone"),
         pytest.param(1, -1.0, "friction", id="friction along the slip"),
         pytest.param(0, 1.001, "complementarity", id="pressure across a gap"),
+        pytest.param(0, -1.0, "complementarity", id="tension counts by its size"),
     ],
 )
 def test_a_wrong_force_violates_its_law(row, factor, law):

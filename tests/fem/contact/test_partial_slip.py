@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from fem.contact.along import Along
+from fem.contact.partial_slip import smoothed
 from fem.plane.material import Elastic
 from tests.fem.contact.models import rollers
 
@@ -102,3 +103,20 @@ def test_without_poissons_ratio_every_direction_is_cattaneos(angle):
     along = (touch.traction * touch.slip + touch.traction_z * touch.slip_z)[slips]
     size = nodal[slips] * np.hypot(touch.slip, touch.slip_z)[slips]
     np.testing.assert_allclose(along, -size, atol=1e-8 * size.max())
+
+
+def test_a_cubic_through_samples_leaves_four_degrees_of_freedom_less():
+    k = np.linspace(0.0, 1.0, 11)
+    at, window = 0.5, 1.0
+    cubic = 2 - 3 * (k - at) + (k - at) ** 2 - 4 * (k - at) ** 3
+    quartic = np.polynomial.legendre.Legendre.basis(4)(2 * k - 1)
+    # what a cubic cannot follow, of the norm 1e-3
+    fitted = np.polyval(np.polyfit(k, quartic, 3), k)
+    beyond = 1e-3 * (quartic - fitted) / np.linalg.norm(quartic - fitted)
+    value, u, scatter = smoothed(k, cubic + beyond, at, window)
+    assert value == pytest.approx(2.0, abs=1e-12)
+    assert scatter == pytest.approx(1e-3 / np.sqrt(11 - 4), rel=1e-9)
+    # by hand, of an even cubic fit: sum t^4/(n sum t^4 - (sum t^2)^2)
+    t = k - at
+    share = (t**4).sum() / (11 * (t**4).sum() - (t**2).sum() ** 2)
+    assert u == pytest.approx(scatter * np.sqrt(share), rel=1e-9)

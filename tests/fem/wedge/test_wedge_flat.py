@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from fem.contact.errors import NotFoundError
+from fem.wedge.flat import Sector
 from fem.wedge.flat_balance import balance, over_hertz
 from fem.wedge.flat_course import FlatCourse
 from fem.wedge.flat_place import Names, Pitch, Place
@@ -57,6 +58,24 @@ class Rolled(FlatCourse):
                           "d_o": 2 * d, "U": 3 * q.z * 1e9 * d**2.1 / 2.1}  # fmt: skip
         touches = [SimpleNamespace(force=(3.0, 4.0)), SimpleNamespace(force=(-3.0, -4.0))]
         self.last = SimpleNamespace(solution=SimpleNamespace(touches=touches))
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+def test_drags_turn_the_held_boundaries_as_rigid_bodies(sense):
+    """By angles of drag over radius, into the wedge: against y at a point of the x axis."""
+    sector, q = Sector.__new__(Sector), pitch(sense)
+    sector.place = SimpleNamespace(q=q)
+    sector.problem = SimpleNamespace(solve=lambda displacements: displacements)
+    moved = sector.at((1e-6, 3e-6)).solution
+    cam, race = (1e-6, 3e-6) if sense > 0 else (3e-6, 1e-6)
+    assert moved["race held"] == {"r": pytest.approx(-sense * race / q.race)}
+    angle = cam / q.flat
+    if sense > 0:
+        x = np.array([0.3, 0.4])
+        found = [moved["cam held"][name](x) for name in ("x", "y")]
+        assert found == pytest.approx([0.4 * angle, -0.3 * angle])
+    else:
+        assert moved["cam held"] == {"r": pytest.approx(angle)}
 
 
 def test_states_in_balance_leave_nothing():
