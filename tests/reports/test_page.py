@@ -20,6 +20,8 @@ from verify.core.results import Kind, Status
 from verify.core.verdicts import Verdict
 from verify.verdicts.record import kept
 
+pytestmark = pytest.mark.slow("the cases of a report are judged first")
+
 MOST = 400_000  # bytes of a page
 VOID = {"meta", "link", "br", "wbr", "img", "input", "hr"}
 OPTIONAL = {"tr", "td", "th"}  # their ends may be left out

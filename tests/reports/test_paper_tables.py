@@ -15,6 +15,8 @@ from verify.app.report import make_report
 from verify.cases.registry import find
 from verify.core.results import PaperCell, PaperClaim, PaperTable, Report, Status
 
+pytestmark = pytest.mark.slow("the cases of the tables are judged first")
+
 HEADERS = {
     ("huang2018", "Table 1"): ["Parameter", "Value", "Parameter", "Value"],
     ("huang2018", "Table 2"):

@@ -110,18 +110,15 @@ def plain(record: object) -> object:
     return [plain(one) for one in record] if isinstance(record, list) else record
 
 
-@pytest.mark.parametrize(
-    ("name", "kills"),
-    [pytest.param("levels", 2, marks=pytest.mark.slow("runs are killed and continue"))]
-    + [pytest.param(name, KILLS, marks=pytest.mark.soak) for name in STUDIES],
-)
-def test_kills_lose_nothing(name, kills, tmp_path):
+@pytest.mark.soak  # six kills of each study
+@pytest.mark.parametrize("name", STUDIES)
+def test_kills_lose_nothing(name, tmp_path):
     study = STUDIES[name]
     right = Copy(tmp_path / "right", study)
     seconds = right.run()
     copy, moments = Copy(tmp_path / "killed", study), random.Random(20)
     stored = copy.entries()
-    for _ in range(kills):
+    for _ in range(KILLS):
         process = copy.start()
         with suppress(subprocess.TimeoutExpired):
             process.wait(moments.uniform(0.1, 1.05 * seconds))

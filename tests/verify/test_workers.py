@@ -167,7 +167,7 @@ def test_a_batch_that_kills_its_process_is_split_and_its_culprit_alone_is_lost()
         list(Drive(engine, sum).answers([(13,)]))
 
 
-@pytest.mark.slow("a cluster of processes starts")
+@pytest.mark.soak  # a cluster of processes starts
 def test_one_or_two_processes_and_a_dask_cluster_judge_equally(tmp_path):
     case = find("polyhedral-pressure")  # its levels take tenths of a second
     rows = []

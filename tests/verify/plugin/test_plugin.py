@@ -78,6 +78,7 @@ def test_what_is_right_passes_and_a_series_that_does_not_converge_fails(output):
     assert any("FAIL" in part and "converge" in part for part in coarse)
 
 
+@pytest.mark.slow("pytest starts two processes")
 def test_files_of_patterns_run_by_configuration_side_by_side_with_junit(project):
     settings = "[pytest]\nfreewheel_collect = true\nfreewheel_parts = holds.toml\n"
     (project / "settings.ini").write_text(settings, "utf-8")
