@@ -1,8 +1,8 @@
 """How to set up a contact problem: a steel pin in the hole of an aluminium lug.
 
-Run it with `.venv/bin/python docs/contact_tutorial.py`. There is nothing of a freewheel in it: the
-solver takes any bodies, named boundaries and loads. Lengths in mm, stresses in MPa, forces in N
-per mm of thickness; any other consistent set would do.
+Run it with `.venv/bin/python docs/contact_tutorial.py`. The example contains no freewheel: the
+solver accepts any bodies, named boundaries and loads. Lengths are in mm, stresses in MPa, forces in
+N per mm of thickness; any other consistent set of units can be used.
 """
 
 import gmsh
@@ -14,9 +14,9 @@ from fem.plane.material import Elastic
 from meshes.plane import plane_mesh
 from meshes.session import gmsh_session
 
-# The mesh. Draw each body separately with gmsh, and name what you will refer to: surfaces
-# are bodies, curves are boundaries. Second order follows the circles. The pin has 0.02 mm of play
-# and touches the hole at its lowest point.
+# The mesh. Draw each body separately with gmsh. Assign names to the surfaces (bodies) and curves
+# (boundaries) to which the problem refers. Second-order edges follow the circles. The pin has a
+# radial clearance of 0.02 mm and touches the hole at the lowest point.
 
 R, PLAY, LOAD = 10.0, 0.02, 400.0
 
@@ -39,9 +39,9 @@ with gmsh_session():
     gmsh.model.mesh.setOrder(2)
     mesh = plane_mesh()
 
-# The problem: materials, supports and pairs that may touch, by name. Nothing but the hole holds the
-# pin. The bodies are factorised once; every further `solve` takes about a millisecond, and friction
-# goes on from the step it comes `after`.
+# The problem: materials, supports and pairs that may touch, by name. Only the hole supports the
+# pin. The bodies are factorised once; every further `solve` takes about a millisecond. The friction
+# state continues from the step `after`.
 
 problem = ContactProblem(
     mesh,
@@ -60,16 +60,20 @@ for load in np.linspace(LOAD / 4, LOAD, 4):
         f"to {angle.max():3.0f} deg, the hole carries {-touch.force[1]:6.2f} N/mm"
     )
 
-# What else a problem may have: exact circles, so that facets do not enter the gap,
-# `Pair(..., slave_shape=Circle((0, -PLAY), R - PLAY))`; a fit, `interference=0.01`, or bodies drawn
-# with overlap, `press_fit=True`; a rigid surface without a mesh that a force or a displacement
-# drives, `obstacles={"punch": Obstacle(Circle((0, 20), 5), free="y")}` as a pair's master, then
-# `solve(forces={"punch": (0, -100)})` or, where y is not free,
-# `solve(displacements={"punch": {"y": -0.1}})`; a body of `Rigid()`; `steps=20` where friction
-# depends on the load path. A torque is a traction or body force that depends on the place:
+# A problem may also have:
+# - exact circles, so that facets do not affect the gap:
+#   `Pair(..., slave_shape=Circle((0, -PLAY), R - PLAY))`;
+# - a fit, `interference=0.01`, or bodies drawn with overlap, `press_fit=True`;
+# - a rigid surface without a mesh, driven by a force or a displacement:
+#   `obstacles={"punch": Obstacle(Circle((0, 20), 5), free="y")}` as the master of a pair, then
+#   `solve(forces={"punch": (0, -100)})` or, if y is not free,
+#   `solve(displacements={"punch": {"y": -0.1}})`;
+# - a body of `Rigid()`;
+# - `steps=20` if friction depends on the load path.
+# A torque is a traction or body force that depends on the position:
 # `body_forces={"pin": lambda x: 2.0 * np.array([-x[1], x[0]])}`.
 
-# What comes out: tractions and slips along the surface (touch.x, touch.pressure,
+# The results are tractions and slips along the surface (touch.x, touch.pressure,
 # touch.traction, touch.slip, touch.sticks), and the fields in the bodies, as for any plane problem.
 
 stress = step.plane.at(np.array([[0.0], [-R - 1.0]])).stress

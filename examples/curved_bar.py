@@ -8,7 +8,7 @@ SOURCE = "derived: Winkler-Bach over Golovin's exact solution (Timoshenko, Goodi
 
 
 class CurvedBar(vc.Case):
-    """A bar with a rectangular section is straightened by a moment; sections are to stay plane."""
+    """A moment straightens a bar of rectangular section; sections are assumed to remain plane."""
 
     title = "Bending stresses of a curved bar"
     source = "Timoshenko, Strength of Materials, part II: bending of curved bars"
@@ -40,20 +40,20 @@ class CurvedBar(vc.Case):
         from fem.plane.solve import solve_plane
         from meshes.ring.quarter import quarter_ring
 
-        bar = solve_plane(  # a section is turned; no force follows, as x is free at y = 0
+        bar = solve_plane(  # rotates a section; no force results, as x is free at y = 0
             quarter_ring(r_i=self.r_i, r_o=self.r_o, refine=3 * level), thickness=self.b,
             materials=Elastic(E=210e9, nu=0.3), assumption="plane stress",
             supports={"y=0": "y", "x=0": {"x": lambda x: 1e-3 * x[1]}},
         )  # fmt: skip
-        k = -self.M / bar.reaction("x=0")[2]  # to the moment of the inputs
+        k = -self.M / bar.reaction("x=0")[2]  # scales to the moment of the inputs
         inner, outer = (k * s.mean(s.polar()[2]) for s in map(bar.on_boundary, ("bore", "rim")))
         field = vc.plane_field(bar, "hoop_stress", scale=k)
         return vc.solved(1 / level, field, sigma_i=inner, sigma_o=outer)
 
     def comparisons(self) -> list[vc.Comparison]:
         k, n = self.r_o / self.r_i, log(self.r_o / self.r_i)  # stresses over M/(b r_i²)
-        a, c = (k - 1) / n, ((k**2 - 1) ** 2 - (2 * k * n) ** 2) / 4  # the formula is not read:
-        b = (k - 1) * ((k + 1) / 2 - a)  # a mistake in it would move the interval along
+        a, c = (k - 1) / n, ((k**2 - 1) ** 2 - (2 * k * n) ** 2) / 4  # does not read the formula:
+        b = (k - 1) * ((k + 1) / 2 - a)  # its errors would also change the interval
         inside = vc.about((a - 1) / b * c / (2 * k**2 * n - k**2 + 1) - 1, 1e-3, SOURCE)
         outside = vc.about((a - k) / (b * k) * c / (2 * n - k**2 + 1) - 1, 1e-3, SOURCE)
         both = (CurvedBar.sigma_i, inside), (CurvedBar.sigma_o, outside)

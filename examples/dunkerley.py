@@ -10,7 +10,7 @@ SOURCE = "derived: Dunkerley's sum is never below, Rayleigh's quotient never abo
 
 
 class Dunkerley(vc.Case):
-    """A slender shaft on two equal bearings carries two discs, which count as point masses."""
+    """A slender shaft on two equal bearings carries two discs, treated as point masses."""
 
     title = "Critical speed by Dunkerley"
     source = "Den Hartog, Mechanical Vibrations: Dunkerley's formula"
@@ -50,10 +50,10 @@ class Dunkerley(vc.Case):
 
     def comparisons(self) -> list[vc.Comparison]:
         x, m = np.array([self.a_1, self.a_2]) / self.L, np.array([self.m_1, self.m_2])
-        soft = self.B / (self.k * self.L**3)  # of the bearings; all 1/ω² over L³/B
+        soft = self.B / (self.k * self.L**3)  # flexibility of the bearings; all 1/ω² over L³/B
         low = m @ ((x * (1 - x)) ** 2 / 3 + soft * (x**2 + (1 - x) ** 2))
         low += self.m_s * (1 / pi**4 + soft / 2)  # Dunkerley's sum
-        c = pi**3 * soft  # Rayleigh's quotient of sin(πx) + c, the bearings' share in balance
+        c = pi**3 * soft  # Rayleigh's quotient of sin(πx) + c; c balances the bearing forces
         mass = m @ (np.sin(pi * x) + c) ** 2 + self.m_s * (1 / 2 + 4 * c / pi + c**2)
         error = sqrt(mass / (pi**4 / 2 + 2 * c**2 / soft) / low) - 1
         expected = vc.Expected(error, 0, SOURCE)

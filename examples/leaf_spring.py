@@ -15,7 +15,7 @@ SOURCE = (
 
 
 class LeafSpring(vc.Case):
-    """One leaf is clamped at an end and loaded at the other; it bends as a beam without shear."""
+    """A leaf is clamped at one end and loaded at the other; it bends as a beam without shear."""
 
     title = "Rate of a leaf spring"
     source = "Wahl, Mechanical Springs: flat springs"
@@ -40,7 +40,7 @@ class LeafSpring(vc.Case):
         from fem.plane.solve import solve_plane
         from meshes.contact.block import block
 
-        y, tau = self.t / 2, 1.5 / (self.b * self.t)  # of a force of 1 N
+        y, tau = self.t / 2, 1.5 / (self.b * self.t)  # for a force of 1 N
         leaf = solve_plane(
             block(x=(0, self.L), y=(-y, y), nx=20 * level, ny=2 * level),
             materials=Elastic(E=self.E, nu=self.nu), assumption="plane stress", thickness=self.b,
@@ -53,7 +53,7 @@ class LeafSpring(vc.Case):
     def comparisons(self) -> Iterator[vc.Comparison]:
         s, q = self.t / self.L, 3 / (160 * (1 + self.nu))
         more = 3 * self.nu**2 * s * (sqrt(q / (1 - self.nu**2)) + q * s)  # energy over the beam's
-        shear = 1 + 0.6 * (1 + self.nu) * s**2  # flexibility over the beam's, at most
+        shear = 1 + 0.6 * (1 + self.nu) * s**2  # largest flexibility over the beam's
         for rate, f in ((LeafSpring.R, 1.0), (LeafSpring.R_shear, shear)):
             expected = vc.Expected(1 / (1 + more) / f - 1, shear / f - 1, SOURCE)
             yield vc.approximation(rate, order=1.5, expected=expected)

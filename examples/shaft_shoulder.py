@@ -10,7 +10,7 @@ SOURCE = (
 
 
 class ShaftShoulder(vc.Case):
-    """A round shaft in tension has a shoulder with a fillet; the fit is that of the chart."""
+    """A round shaft in tension has a shoulder with a fillet; the formula is a fit to the chart."""
 
     title = "Stress concentration at a shoulder"
     source = "Pilkey, Peterson's Stress Concentration Factors"

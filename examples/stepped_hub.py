@@ -8,7 +8,7 @@ SOURCE = "derived: from below by balanced stresses (Lamé's), from above by one 
 
 
 class SteppedHub(vc.Case):
-    """A collar in the middle of a hub with thin ends; the solid shaft ends flush with it."""
+    """A hub has a collar in the middle and thin ends; the solid shaft ends flush with the hub."""
 
     title = "Press fit of a hub with a step"
     source = "Shigley, Mechanical Engineering Design: press and shrink fits"
@@ -52,9 +52,9 @@ class SteppedHub(vc.Case):
 
     def comparisons(self) -> list[vc.Comparison]:
         R, sections = self.R, ((self.L_1, self.r_1), (self.L_2, self.r_2))
-        A = sum(L * (r**2 / R**2 - 1) for L, r in sections) / (1 - self.nu)  # of u_r = r
-        B = sum(L * (1 - R**2 / r**2) for L, r in sections) / (1 + self.nu)  # of u_r = 1/r
-        soft = 1 / A + 1 / B + (1 - self.nu) / (self.L_1 + self.L_2)  # of the shaft
+        A = sum(L * (r**2 / R**2 - 1) for L, r in sections) / (1 - self.nu)  # for u_r = r
+        B = sum(L * (1 - R**2 / r**2) for L, r in sections) / (1 + self.nu)  # for u_r = 1/r
+        soft = 1 / A + 1 / B + (1 - self.nu) / (self.L_1 + self.L_2)  # last term: the shaft
         low = B * (1 + self.nu) / 2 * soft - 1  # Lamé's sum over the force of one displacement
         expected = vc.Expected(low, 0, SOURCE)
         return [vc.approximation(SteppedHub.N, order=1.09, expected=expected)]

@@ -1,4 +1,4 @@
-"""A curved bar in pure bending: the formula of Winkler and Bach against finite elements."""
+"""A curved bar in pure bending: the formula of Winkler and Bach and finite elements."""
 
 from collections.abc import Iterator
 from math import log
@@ -57,7 +57,7 @@ class CurvedBar(Case):
             materials=Elastic(E=210e9, nu=0.3), assumption="plane stress", thickness=self.b,
             supports={"x=0": {"x": lambda x: 1e-3 * x[1]}, "y=0": "y"},
         )  # fmt: skip
-        force, _, moment = bar.reaction("x=0")  # of the cut that turns and stays plane
+        force, _, moment = bar.reaction("x=0")  # at the section that rotates and stays plane
         share = -self.M / moment
         inner, outer = (share * e.mean(e.polar()[2]) for e in map(bar.on_boundary, ("bore", "rim")))
         return solved(0.5**level, plane_field(bar, "von_mises", scale=share), sigma_i=inner,

@@ -61,9 +61,9 @@ def test_the_parameter_file_and_the_numbers_of_the_readme_are_those_of_the_formu
     for text in (
         f"transmits {ring['M_wide']:.0f} (plane strain)",
         f"to {ring['M_el']:.0f} N m (plane stress)",
-        f"promises {ring['M_21']:.0f} N m",
+        f"gives {ring['M_21']:.0f} N m",
         f"overestimates the wind-up by {100 * (star['phi_printed'] / star['phi'] - 1):.0f} %",
-        f"adds up to {100 * (strip['f'] - 1):.1f} %",
+        f"increases the stiffness by up to {100 * (strip['f'] - 1):.1f} %",
     ):
         assert text in README, text
 

@@ -11,11 +11,11 @@ ROOT = Path(__file__).parents[1]
 PAGE = ROOT / "docs" / "api" / "names.md"
 HEAD = """# Public names
 
-Each package passes the names below on from its modules: `from analytic.ring import lame`,
+Each package exports the names below from its modules: `from analytic.ring import lame`,
 `from fem.plane import Elastic, solve_plane`. A module is imported when one of its names is first
-used. Where a function has the name of its module it has a longer name here, such as `solve_modes`
-of `fem.rotor.modes`. A theory whose functions have general names is passed on as a module:
-`hertz_line.pressure`.
+used. If a function has the same name as its module, it is exported under a longer name, for
+example `solve_modes` for the function in `fem.rotor.modes`. A theory whose functions have general
+names is exported as a module: `hertz_line.pressure`.
 `python -m tools.public_names` writes this page.
 """
 

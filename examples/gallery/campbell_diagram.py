@@ -1,6 +1,6 @@
-"""Campbell diagram: a rotor with two discs, with critical speeds by two independent models.
+"""Campbell diagram: a rotor with two discs and its critical speeds by two independent models.
 
-Beam elements give the diagram; exact transfer matrices give the critical speeds.
+The diagram is computed with beam elements, the critical speeds with exact transfer matrices.
 """
 
 import matplotlib.pyplot as plt

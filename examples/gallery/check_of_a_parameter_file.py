@@ -1,6 +1,6 @@
 """Check of a parameter file from Python: verdict, margin and every limit of a roller freewheel.
 
-The same as `freewheel init freewheel-clutch > clutch.toml` and `freewheel check clutch.toml`.
+Equivalent to `freewheel init freewheel-clutch > clutch.toml` and `freewheel check clutch.toml`.
 """
 
 import tempfile

@@ -1,4 +1,4 @@
-"""Contact of two bodies: a disc pressed on a block, beside Hertz's line contact."""
+"""Contact of two bodies: a disc pressed on a block, compared with Hertz's line contact."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -32,7 +32,7 @@ problem = ContactProblem(
         slave_shape=Circle((0.0, R), R), master_shape=Flat(),
     )],
 )  # fmt: skip
-step = problem.solve(forces={"roller.middle": (0.0, -P / 2)})  # half of the disc carries half
+step = problem.solve(forces={"roller.middle": (0.0, -P / 2)})  # half the load on half a disc
 touch = step.touches[0]
 print(f"peak pressure {touch.peak:.0f} MPa, Hertz {p_0:.0f} MPa")
 print(f"half-width {touch.half_width((0.0, 0.0)):.4f} mm, Hertz {a:.4f} mm")

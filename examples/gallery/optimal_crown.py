@@ -1,7 +1,7 @@
 """Optimal crown of a roller: the logarithmic profile with the lowest pressure and unloaded ends.
 
-A straight roller has pressure peaks at its ends. The optimal crown keeps the largest pressure
-within a few per cent of that of a uniform line load.
+A straight roller has pressure peaks at its ends. With the optimal crown, the largest pressure is
+within a few per cent of the pressure under a uniform line load.
 """
 
 import matplotlib.pyplot as plt

@@ -1,7 +1,7 @@
 """Roller freewheel under torque: clamping angle, contact pressure and wind-up.
 
-An inner cam (star) with ten rollers, by formulas and at one torque by finite elements. The clamping
-angle without load follows from the radii alone:
+The clutch has an inner cam (star) with ten rollers. It is computed by formulas and, at one torque,
+by finite elements. Without load, the clamping angle follows from the radii alone:
 cos 2α = (X + r)/(R - r).
 """
 

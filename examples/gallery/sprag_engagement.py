@@ -1,7 +1,7 @@
-"""Engagement of a sprag clutch: the forces in time under a torque that is applied suddenly.
+"""Engagement of a sprag clutch: the forces over time under a suddenly applied torque.
 
-The largest normal force of a sprag is nearly twice that at rest: an undamped linear spring under a
-sudden load would have the factor 2. The first call compiles the time integration.
+The largest normal force of a sprag is nearly twice the static force. For an undamped linear spring
+under a suddenly applied load, the factor would be 2. The first call compiles the time integration.
 """
 
 import matplotlib.pyplot as plt

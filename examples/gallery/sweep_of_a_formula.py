@@ -1,7 +1,7 @@
-"""Sweep in Python: the error of Barlow's formula over the wall of a cylinder.
+"""Sweep in Python: the error of Barlow's formula over the wall thickness of a cylinder.
 
-Barlow's hoop stress p d/(2 s), with the inside diameter d, beside finite elements. The error of
-the largest stress follows from Lamé: -s r_o/(r_o² + r_i²).
+Barlow's hoop stress p d/(2 s), with the inside diameter d, is compared with finite elements. The
+expected error of the largest stress follows from Lamé: -s r_o/(r_o² + r_i²).
 """
 
 import matplotlib.pyplot as plt

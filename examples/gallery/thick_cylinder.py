@@ -1,4 +1,4 @@
-"""Thick cylinder under internal pressure: Lamé's stresses beside plane finite elements."""
+"""Thick cylinder under internal pressure: Lamé's stresses compared with plane finite elements."""
 
 import matplotlib.pyplot as plt
 import numpy as np

@@ -1,7 +1,7 @@
 """Unbalance response of a Jeffcott rotor: a disc in the middle of a light shaft.
 
-At the critical speed the amplitude is limited by damping alone: m e ω/c for a force m e ω² and
-dampers c that act at the disc.
+At the critical speed, only damping limits the amplitude: m e ω/c for a force m e ω² and dampers c
+that act at the disc.
 """
 
 import matplotlib.pyplot as plt
@@ -17,7 +17,7 @@ shaft = Shaft([Element(length=length / 8, d_o=d, material=LIGHT)] * 8)
 bearings = [Support(0, kxx=1e12), Support(8, kxx=1e12), Support(4, kxx=0.0, cxx=c)]
 rotor = Rotor([shaft], [Disc(4, mass=mass)], bearings)
 
-k = 48 * 210e9 * np.pi / 64 * d**4 / length**3  # Euler's beam; shear makes it a little softer
+k = 48 * 210e9 * np.pi / 64 * d**4 / length**3  # Euler's beam; shear reduces the stiffness slightly
 critical = np.sqrt(k / mass)
 speeds = np.linspace(0.3 * critical, 2 * critical, 1500)
 swing = unbalance_response(rotor, speeds, {4: unbalance})
