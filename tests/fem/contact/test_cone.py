@@ -182,12 +182,14 @@ def test_a_pressure_that_its_gap_contradicts_counts_as_a_miss_on_both_sides(pres
     assert residual.complementarity == pytest.approx(missed)
 
 
-@pytest.mark.parametrize("misses", [(3e-9, 1e-12, 2e-10), (1e-12, 3e-9, 2e-10), (0.0, 0.0, 3e-9)])
-def test_the_largest_miss_is_that_of_the_law_that_is_missed_most(misses):
-    assert Residual(*misses).largest == 3e-9
+@pytest.mark.parametrize(
+    "violations", [(3e-9, 1e-12, 2e-10), (1e-12, 3e-9, 2e-10), (0.0, 0.0, 3e-9)]
+)
+def test_the_residual_is_the_largest_violation_of_a_law(violations):
+    assert Residual(*violations).largest == 3e-9
 
 
-def test_before_its_gap_closes_a_surface_moves_with_the_deformation_by_tractions_elsewhere():
+def test_a_surface_with_an_open_gap_is_displaced_by_tractions_at_other_nodes():
     compliance = np.array([[1.0, 0.5], [0.5, 1.0]])
     interface = SimpleNamespace(
         cone=SimpleNamespace(B=compliance, rough=np.array([0, 1])), C=np.zeros((2, 1))

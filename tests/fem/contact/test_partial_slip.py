@@ -105,7 +105,7 @@ def test_without_poissons_ratio_every_direction_is_cattaneos(angle):
     np.testing.assert_allclose(along, -size, atol=1e-8 * size.max())
 
 
-def test_a_cubic_through_samples_leaves_four_degrees_of_freedom_less():
+def test_the_scatter_about_a_cubic_has_four_degrees_of_freedom_less_than_samples():
     k = np.linspace(0.0, 1.0, 11)
     at, window = 0.5, 1.0
     cubic = 2 - 3 * (k - at) + (k - at) ** 2 - 4 * (k - at) ** 3

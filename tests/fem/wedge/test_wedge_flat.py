@@ -61,8 +61,8 @@ class Rolled(FlatCourse):
 
 
 @pytest.mark.parametrize("sense", [1, -1])
-def test_drags_turn_the_held_boundaries_as_rigid_bodies(sense):
-    """By angles of drag over radius, into the wedge: against y at a point of the x axis."""
+def test_prescribed_drags_rotate_the_held_boundaries(sense):
+    """The angle is the drag over the radius; its sense is into the wedge."""
     sector, q = Sector.__new__(Sector), pitch(sense)
     sector.place = SimpleNamespace(q=q)
     sector.problem = SimpleNamespace(solve=lambda displacements: displacements)
