@@ -9,6 +9,7 @@ import pytest
 from verify.app.parts import Parts
 from verify.cases.registry import CASES
 from verify.core import pickled
+from verify.core.results import Status
 from verify.core.store import Store
 from verify.jobs import judged
 from verify.jobs.level import Job
@@ -74,7 +75,7 @@ def test_a_key_follows_the_files_of_the_case_and_the_libraries(monkeypatch):
 
 
 def test_only_results_are_read(tmp_path):
-    values = [{"a": (1, 2.5, None)}, np.arange(3.0), np.float64(2.0)]
+    values = [{"a": (1, 2.5, None)}, np.arange(3.0), np.float64(2.0), Status.PASS]
     for value in values:
         found = pickled.from_bytes(pickled.to_bytes(value))
         assert np.array_equal(found, value) if isinstance(value, np.ndarray) else found == value

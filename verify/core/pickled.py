@@ -1,6 +1,7 @@
 """Results of the project as bytes for the store, and back: of its classes and of numpy alone."""
 
 import pickle
+from enum import Enum
 from io import BytesIO
 from typing import Any
 
@@ -15,9 +16,17 @@ class _Reader(pickle.Unpickler):
         raise pickle.UnpicklingError(f"{module}.{name} is no class of a result")
 
 
+class _Writer(pickle.Pickler):
+    def reducer_override(self, value: Any) -> Any:
+        """Members of enumerations by value: Python 3.11.2 writes them by the function getattr."""
+        return (type(value), (value.value,)) if isinstance(value, Enum) else NotImplemented
+
+
 def to_bytes(value: Any) -> bytes:
     """A result as bytes."""
-    return pickle.dumps(value, protocol=5)
+    content = BytesIO()
+    _Writer(content, protocol=5).dump(value)
+    return content.getvalue()
 
 
 def from_bytes(content: bytes) -> Any:
