@@ -106,6 +106,10 @@ STATEMENTS: Mapping[str, Statement] = {
         corrected=(
             Corrected("Eqs. 1-9 with the inner radius, against the curved beam on its centre line",
                       "k_V", "arcs of the inner radius, beside the centre line's"),
+            *(Corrected(f"Eqs. 1-9 with the inner radius in {part}", "k_V",
+                        "these arcs of the inner radius, beside the centre line's")
+              for part in ("the arc of head or tail alone (Eqs. 1, 2, 6)",
+                           "the inner segments alone (Eqs. 3, 4)")),
             Corrected("Eqs. 1-9 with the leaf length of Eq. 3 as printed", "k1",
                       "leaves of the length that the geometry gives"),
             Corrected("stiffness of five segments with the tail of Eq. 5 as printed", "k1_five",

@@ -99,6 +99,16 @@ class AccordionSpring(FreeStage):
         J = flexibility(self.n, self.L1 / 2, self.r, leaf, self.alpha, "alternating", 1.0)
         return self.E * self.h * self.b**3 / 12 / J
 
+    @Quantity("k_1", "N/mm", "stiffness with the inner radius in the head's arc alone",
+              equation="2", form="as printed", form_of="k1")  # fmt: skip
+    def k1_inner_head(self) -> float:
+        return self._of_radii(head=self.r, segments=self.R)
+
+    @Quantity("k_1", "N/mm", "stiffness with the inner radius in the inner segments alone",
+              equation="4", form="as printed", form_of="k1")  # fmt: skip
+    def k1_inner_segments(self) -> float:
+        return self._of_radii(head=self.R, segments=self.r)
+
     @Quantity("k_1", "N/mm", "stiffness with the tail as Eq. 5 prints it", equation="5",
               form="as printed", form_of="k1", when=lambda q: q.n % 2)  # fmt: skip
     def k1_printed_tail(self) -> float:
@@ -115,6 +125,15 @@ class AccordionSpring(FreeStage):
               source="without the thickness of the leaves, in favour of the rule")  # fmt: skip
     def slenderness(self) -> float:
         return frame.end_point(**self.paper_path, tail="mid-leaf")[0] / self.b
+
+    def _of_radii(self, head: float, segments: float) -> float:
+        """Stiffness [N/m] with these radii in head and segments, the tail's on the centre line."""
+        a = self.L1 / 2
+        ends = [float(energy.head_flexibility(L1=self.L1, r=r)) for r in (head, self.R, segments)]
+        to_tail = flexibility(self.n, a, segments, self.L2, self.alpha, "alternating", 1.0,
+                              (math.pi / 2, 0.0))  # fmt: skip
+        J = ends[0] + (to_tail - ends[2]) + (ends[1] - a**3 / 3)  # the tail has no leaf
+        return self.E * self.h * self.b**3 / 12 / J
 
     def _stiffness(self, theory: frame.Theory) -> float:
         head, tail, hold = self.ends.head, self.ends.tail, self.ends.hold
@@ -160,6 +179,15 @@ class AccordionSpring(FreeStage):
             name="Eqs. 1-9 with the inner radius, against the curved beam on its centre line",
             shares=SHARED,
         )  # fmt: skip
+        for one, where in (
+            (spring.k1_inner_head, "in the arc of head or tail alone (Eqs. 1, 2, 6)"),
+            (spring.k1_inner_segments, "in the inner segments alone (Eqs. 3, 4)"),
+        ):
+            yield approximation(
+                one, COMBINED[0].named("k_V"), order=4, shares=SHARED,
+                name=f"Eqs. 1-9 with the inner radius {where}",
+                expected=underived("a radius of other levers and lengths in one part alone"),
+            )  # fmt: skip
         yield approximation(
             spring.k1_printed_leaves, PAPER.named("k_V"), order=4, shares=SHARED,
             name="Eqs. 1-9 with the leaf length of Eq. 3 as printed",
