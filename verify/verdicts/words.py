@@ -4,6 +4,7 @@ import re
 
 from verify.core.verdicts import SHARED, FormulaVerdict, Safe, Side, Verdict, VerdictRange
 from verify.studies.validity.messages import number
+from verify.verdicts.rule import CLASSES
 
 SIDE = {Safe.ABOVE: "a higher value is safe", Safe.BELOW: "a lower value is safe",
         Safe.NEITHER: "neither side is safe"}  # fmt: skip
@@ -29,7 +30,9 @@ def _head(found: FormulaVerdict) -> str:
         case Verdict.ACCURATE:
             return f"accurate within {percent(found.within)} over {_studied(found)}{_unsafe(found)}"
         case Verdict.PART:
-            return f"{_part(found)}; {_error(found)}{_unsafe(found)}"
+            own, part = _error(found), _part(found)
+            first = f"{own}; {part}" if _is_outside(found) else f"{part}; {own}"
+            return f"{first}{_unsafe(found)}"
         case Verdict.WRONG:
             return _wrong(found)
         case _:
@@ -51,14 +54,19 @@ def _unsafe(found: FormulaVerdict) -> str:
     largest = (found.below if is_low else found.above) or 0.0
     if largest < SMALLEST:
         return "; all errors on the safe side"
-    most = "up to" if _one_at_a_time(found) else "at most"
+    most = "up to" if any(map(_is_star, found.ranges)) else "at most"
     return f"; {most} {percent(largest)} too {'low' if is_low else 'high'}, the unsafe side"
 
 
+def _is_star(one: VerdictRange) -> bool:
+    """Whether a study changed several inputs, no two of them at once: corners may be worse."""
+    return one.is_star and len(one.studied) > 1
+
+
 def _one_at_a_time(found: FormulaVerdict) -> bool:
-    """Whether several inputs were varied, and no two of them at once: corners may be worse."""
+    """Whether all studies of several inputs are such."""
     several = [one for one in found.ranges if len(one.studied) > 1]
-    return bool(several) and all(one.is_star for one in several)
+    return bool(several) and all(map(_is_star, several))
 
 
 def _wrong(found: FormulaVerdict) -> str:
@@ -101,7 +109,15 @@ def _error(found: FormulaVerdict) -> str:
     if found.error is None or found.U is None:
         return "the error is not known"
     bar = f" ± {percent(found.U)}" if found.U >= SMALLEST else ""
-    return f"{signed(found.error)}{bar} at the default inputs"
+    return f"{signed(found.error)}{bar} {_default(found)}"
+
+
+def _default(found: FormulaVerdict) -> str:
+    """The default inputs, of the case of the largest error where several give evidence."""
+    judged = found.rows if found.is_of_part else found.model_rows
+    cases = {row.partition("/")[0] for row in judged}
+    of = f" of {found.worst_row.partition('/')[0]}" if len(cases) > 1 else ""
+    return f"at the default inputs{of}"
 
 
 def sides(high: float, low: float) -> str:
@@ -124,11 +140,23 @@ def _part(found: FormulaVerdict) -> str:
             if found.own_only else "",
         )  # fmt: skip
         return "; ".join(filter(None, parts))
-    best = [one for one in found.ranges if one.limit == found.ranges[-1].limit and one.inside]
+    widest = [one for one in found.ranges if one.limit == found.ranges[-1].limit]
+    best = [one for one in widest if one.inside]
     if not best:
         return "accurate only at the default inputs"
-    where = "; ".join(map(_range, best))
-    return f"accurate within {percent(best[0].limit)} for {where}"
+    limit = percent(best[0].limit)
+    where = "; ".join(dict.fromkeys(map(_range, best)))
+    inside, points = (sum(getattr(one, n) for one in widest) for n in ("inside", "points"))
+    if _is_outside(found):
+        return f"within {limit} at {inside} of {points} points, for {where} only"
+    if 2 * inside < points:
+        return f"within {limit} at {inside} of {points} points, for {where}"
+    return f"accurate within {limit} for {where}"
+
+
+def _is_outside(found: FormulaVerdict) -> bool:
+    """Whether the error at the default inputs is beyond the widest class of accuracy."""
+    return found.error is not None and abs(found.error) + (found.U or 0.0) > CLASSES[-1]
 
 
 def _range(one: VerdictRange) -> str:

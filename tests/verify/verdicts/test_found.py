@@ -1,5 +1,6 @@
 """Verdicts from rows, errata and declarations; evidence that does not stand gives none."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -141,6 +142,40 @@ def test_inputs_that_were_changed_one_at_a_time_give_no_largest_error(row, monke
         assert f"; {most} 20 % too low, the unsafe side" in verdict(formula(), x).words
         words = verdict(formula(safe=Safe.NEITHER), row("x", 0.2)).words
         assert (", one input changed at a time;" in words) == is_star
+
+
+def test_a_study_of_one_input_at_a_time_beside_a_grid_gives_no_largest_error(row, monkeypatch):
+    studied(monkeypatch, 0.001, -0.2)
+    (star,) = found.ranges(())
+    grid = replace(star, is_star=False)
+    for ranges, most in (((grid, star), "up to"), ((grid, grid), "at most")):
+        monkeypatch.setattr(found, "ranges", lambda _, ranges=ranges: ranges)
+        words = verdict(formula(), row("x", 0.001)).words
+        assert f"; {most} 20 % too low, the unsafe side" in words
+        assert words.count("T 1 to 9 N, z 1 to 9 N in ring-lame") <= 1  # no range twice
+
+
+def test_an_error_beyond_the_limits_at_the_default_inputs_comes_first(row, monkeypatch):
+    studied(monkeypatch, 0.01, 0.2, -0.03)
+    words = verdict(formula(), row("x", 0.24)).words
+    assert words.startswith("+24 % at the default inputs; within 10 % at 1 of 2 points, for T 1")
+    assert " in ring-lame, 1 of 2 points only; up to 3 % too low" in words
+
+
+def test_the_count_of_points_comes_first_where_most_are_beyond_the_limits(row, monkeypatch):
+    studied(monkeypatch, 0.001, -0.2)
+    (star,) = found.ranges(())
+    for points, starts in ((2, "accurate within 10 % for"), (3, "within 10 % at 1 of 3 points,")):
+        few = replace(star, points=points)
+        monkeypatch.setattr(found, "ranges", lambda _, few=few: (few,))
+        assert verdict(formula(), row("x", 0.001)).words.startswith(starts)
+
+
+def test_default_inputs_are_those_of_the_case_of_the_largest_error(row):
+    rows = row("x", -0.2), row("y", -0.3, case="ring-rotation")
+    assert "−30 % at the default inputs of ring-rotation" in verdict(
+        formula(part=(ID, "ring-rotation/y")), *rows).words  # fmt: skip
+    assert "−20 % at the default inputs, " in verdict(formula(), rows[0]).words
 
 
 def test_values_that_a_study_holds_are_stated(row, monkeypatch):
