@@ -8,7 +8,9 @@ from verify.core.results import Row
 from verify.core.verdicts import Form, FormulaVerdict, Verdict
 
 # the error that a sentence states, where it is that of another case
-_STATED = re.compile(r"((?:[+−-][\d.]+|under [\d.]+) %(?: ± [\d.]+ %)?) at the default inputs")
+_STATED = re.compile(
+    r"((?:[+−-][\d.]+|under [\d.]+) %(?: ± [\d.]+ %)?) at the default inputs(?! of)"
+)
 CORRECTED = "the corrected form"
 UNUSABLE = (Verdict.WRONG, Verdict.UNVERIFIABLE, Verdict.NONE)  # a corrected form may serve
 REFUSED = (Verdict.UNSAFE, *UNUSABLE)  # no corrected form of such a verdict is advised

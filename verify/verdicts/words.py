@@ -42,7 +42,9 @@ def _head(found: FormulaVerdict) -> str:
             alone = ", one input changed at a time" if is_alone else ""
             largest = sides(found.above or 0.0, found.below or 0.0) + alone
             errors = f"{largest}; {_error(found)}{only}"
-            return f"{found.verdict.value}: {errors}; {SIDE[found.safe]}"
+            is_held_to = found.verdict is Verdict.CONSERVATIVE and found.ranges
+            over = f" over {_studied(found)}" if is_held_to else ""
+            return f"{found.verdict.value}{over}: {errors}; {SIDE[found.safe]}"
 
 
 def _unsafe(found: FormulaVerdict) -> str:

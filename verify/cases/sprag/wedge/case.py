@@ -32,6 +32,7 @@ STUDIED = (  # rows of the study
     "torsional stiffness of rigid races",
 )
 THIN_RACES = ("R_ed=23mm", "R_id=9.5mm", "T=12.5N m")  # that bend between few sprags
+NEAR_FLANK = ("z=8", "nu_0=2.5deg")  # few sprags and a small angle: contacts near the flanks
 
 
 class WedgedSprag(WedgeSteps):
@@ -55,7 +56,8 @@ class WedgedSprag(WedgeSteps):
                   "R_id=4mm,7.21mm,9.5mm", "z=8,12,16", "nu_0=2.5deg,3.15deg,5deg"),
             only=STUDIED, star=True,
         ),
-        Scan(vary=("z=8,10,12",), only=STUDIED, at=THIN_RACES),
+        Scan(vary=("z=6,8,10,12",), only=STUDIED, at=THIN_RACES),
+        Scan(vary=("T=12.5N m,22N m",), only=STUDIED, at=NEAR_FLANK),
     )  # fmt: skip
     readings: ClassVar = (
         "r_i of Table 1 is the spiral's radius of curvature at first contact",

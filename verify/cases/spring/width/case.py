@@ -62,7 +62,10 @@ class WideSpring(WidthInputs, Case):
     place = "Sec. 2, shell model; h in I = h b³/12"
     levels: ClassVar = shells.LEVELS
     scans: ClassVar = (
-        Scan(vary=("h=14mm,28mm,56mm", "n=6,10", "nu=0.27,0.3,0.34,0.4"), star=True),
+        Scan(
+            vary=("h=14mm,28mm,56mm", "b=0.1mm,0.2mm,0.4mm", "n=6,10", "nu=0.27,0.3,0.34,0.4"),
+            star=True,
+        ),
     )
     readings: ClassVar = (
         "the force moves a line across the head that stays straight, as a roller's",
