@@ -90,6 +90,8 @@ def test_a_case_has_the_largest_error_of_its_rows(report):
     assert first.tolerance / first.scale == found.U
     assert found.is_of_part
     assert found.words == "+900 % ± 10 % at the inputs of another case"
+    named = replace(verdict, words="+900 % at the default inputs of ring-lame")
+    assert of_case([named], case.id, case.rows)[0].words == named.words
     (model,) = of_case([replace(verdict, rows=(foreign.id,))], case.id, case.rows)
     assert (model.error, model.is_of_part) == (second.difference / second.scale, False)
     assert of_case([replace(verdict, rows=(), model_rows=())], case.id, case.rows) == []

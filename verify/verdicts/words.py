@@ -38,12 +38,12 @@ def _head(found: FormulaVerdict) -> str:
         case _:
             left = f" ({found.unsolved} points without an answer)" if found.unsolved else ""
             only = left if found.points else ", the only ones compared"
+            is_over = found.verdict is Verdict.CONSERVATIVE and found.ranges
+            over = f" over {_studied(found)}" if is_over else ""
             is_alone = _one_at_a_time(found) and not any(map(_held, found.ranges))
-            alone = ", one input changed at a time" if is_alone else ""
+            alone = ", one input changed at a time" if is_alone and not over else ""
             largest = sides(found.above or 0.0, found.below or 0.0) + alone
             errors = f"{largest}; {_error(found)}{only}"
-            is_held_to = found.verdict is Verdict.CONSERVATIVE and found.ranges
-            over = f" over {_studied(found)}" if is_held_to else ""
             return f"{found.verdict.value}{over}: {errors}; {SIDE[found.safe]}"
 
 

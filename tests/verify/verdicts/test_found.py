@@ -178,6 +178,12 @@ def test_default_inputs_are_those_of_the_case_of_the_largest_error(row):
     assert "−20 % at the default inputs, " in verdict(formula(), rows[0]).words
 
 
+def test_a_conservative_formula_states_over_which_range(row, monkeypatch):
+    studied(monkeypatch, 0.2, -0.01)
+    words = verdict(formula(), row("x", 0.3)).words
+    assert words.startswith("conservative over T, z: up to 30 % above and up to 1 % below; +30 %")
+
+
 def test_values_that_a_study_holds_are_stated(row, monkeypatch):
     studied(monkeypatch, 0.001, -0.2, held=", at n = 8")
     words = verdict(formula(), row("x", 0.001)).words
