@@ -57,6 +57,16 @@ def growth_error(*, d_e: float, wall: float, j_D: float, E: float, nu: float) ->
     return about(j_D / (grown * _thick_over_thin(d_e, wall)) - 1, SLACK)
 
 
+def outside_growth_error(*, d_e: float, wall: float) -> Interval:
+    """Error of sigma_t d_m/E, of the mean hoop stress sigma_t, as the growth of the outside.
+
+    >>> low, high = outside_growth_error(d_e=2.0, wall=0.5)  # 9/8
+    >>> round((low + high) / 2, 12)
+    0.125
+    """
+    return about(_thick_over_thin(d_e, wall) - 1, SLACK)
+
+
 def _thick_over_thin(d_e: float, wall: float) -> float:
     d_i = d_e - 2 * wall
     return (d_i + d_e) ** 2 / (4 * d_i * d_e)

@@ -81,7 +81,14 @@ STATEMENTS: Mapping[str, Statement] = {
         reruns=(LIGHT, rerun(what="a cup twice as thick", inputs=thick_cup, levels=(4,))),
         without=(BOTH,),
         left=(THIN,),
-        corrected=(Corrected("wind-up, Eq. 7 as printed, with R_s and X_o, against ∫dU/T", "phi"),),
+        corrected=(
+            Corrected(
+                "clamping angle under torque, taken as α_0 (Eq. 4 for a cup)",
+                "alpha",
+                "the angle without load, beside that under torque",
+            ),
+            Corrected("wind-up, Eq. 7 as printed, with R_s and X_o, against ∫dU/T", "phi"),
+        ),
     ),
     "freewheel-friction": Statement(
         reruns=(LIGHT, WALL),

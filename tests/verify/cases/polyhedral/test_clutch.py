@@ -16,7 +16,11 @@ from verify.core.case import Context
 
 LOCKS = {"M_20", "M_20_printed", "T", "F_s", "R", "N_16"}
 FIRST = {"M_21", "M_21_printed"}
-NEEDED = {"p_20", "p_17_printed", "p_need", "N_need", "fillet_need"}
+NEEDED = {"p_20", "p_17_printed", "p_need", "N_need", "fillet_need"} | {
+    "p_17",
+    "p_17_arc",
+    "p_block",
+}
 ENDLESS = LOCKS | FIRST | {"N_el", "M_el", "M_rigid", "M_wide", "margin"}
 
 

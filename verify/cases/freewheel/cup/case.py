@@ -41,6 +41,7 @@ BEGINNING = 1e-4  # of phi: what a power below the first state misses
 
 BRACKET = "rings that enclose the cup, with a column below the flat; winding up; (a/r)² of Hertz"
 TANGENTIAL = f"{BRACKET}, tangential deformation of 0.5 to 1 tan²α"
+NOT_LOADED = f"α_0/α of the formula under load: {BRACKET}"
 ON_FLAT = "rolling on a flat instead of on a circle: (R_s + X_o)/(2X_o)"
 ENCLOSED = "rings enclose a cup to some per cent, and torques near the summit multiply that"
 FINE, NEARLY, MEDIUM, COARSE = 0.015, 0.02, 0.04, 0.06  # required sensitivities
@@ -133,6 +134,10 @@ class FreewheelCup(Cup):
         "α", "deg", "clamping angle under torque, Eq. 5 for a cup", source="load lowers the angle",
         tex=r"\frac{1}{2} \arccos\left(\frac{X_o - r + d_o}{R_s + r - d_i}\right)",
     ).reads(lambda q: q.state.alpha)  # fmt: skip
+    alpha_rigid = Quantity(
+        "α", "deg", "clamping angle, taken as that without load", equation="4", form="corrected",
+        form_of="alpha", safe="too high", tex=r"\alpha_0",
+    ).reads(lambda q: q.alpha_0)  # fmt: skip
     F_t = Quantity("F_t", "N", "tangential force at either contact, Eq. 3 for a cup",
                    tex=r"\frac{T}{z R_s}").reads(lambda q: q.state.F_t)  # fmt: skip
     N = Quantity("F_n", "N", "normal force at either contact of a roller", equation="2",
@@ -265,6 +270,9 @@ class FreewheelCup(Cup):
         cup, bounds = FreewheelCup, self.within(self.state)
         yield self._judged(cup.alpha, bounds.under_torque("alpha"), FINE, symbol="α(T)",
                            name="clamping angle under torque (Eq. 5 for a cup)")  # fmt: skip
+        unloaded = times(bounds.under_torque("alpha"), self.alpha_0 / self.alpha)
+        yield self._judged(cup.alpha_rigid, unloaded, COARSE, NOT_LOADED, symbol="α",
+                           name="clamping angle under torque, taken as α_0 (Eq. 4 for a cup)")  # fmt: skip
         yield self._judged(cup.N, bounds.under_torque("N"), NEARLY, symbol="F_n(T)",
                            name="normal force under torque (Eqs. 2, 3)")  # fmt: skip
         yield self._judged(cup.mu_T, bounds.slope(), FINE, symbol="F_t/F_n",

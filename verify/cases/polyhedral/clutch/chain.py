@@ -102,6 +102,16 @@ class PaperChain(ClutchInputs):
     def p_17_printed(self) -> float:
         return float(printed.required_pressure(p_t=self.p_20, p_1r=self.p_1r, z=self.z))
 
+    p_17 = Quantity(
+        "p_2t", "MPa", "blocking pressure for the target torque", equation="17", form="corrected",
+        safe="too high",
+        tex=r"\frac{2 M_t}{\mu_g D_i z} \frac{1 - s}{b d_i \sin\left(\frac{\pi}{z}\right)}",
+    ).reads(lambda q: q.p_20 - q.p_1r)  # fmt: skip
+    p_17_arc = Quantity(
+        "p_2t", "MPa", "blocking pressure for the target torque", equation="17", form="as printed",
+        form_of="p_17", safe="too high",
+    ).reads(lambda q: q.p_17_printed - q.p_1r)  # fmt: skip
+
     @shared
     def sector(self) -> Sector:
         """Half a sector for the series."""

@@ -46,6 +46,11 @@ class ClutchFormulas(PaperChain, ElasticClutch):
         return self._neglect(self.hub, N) * self.hub.pressure_sensitivity(N)
 
     @property
+    def slack_block(self) -> float:
+        """Share of the blocking pressure for the target torque."""
+        return self.slack_p * self.p_need / self.p_block
+
+    @property
     def slack_rigid(self) -> float:
         """Share of the torque with rigid rollers."""
         return self._blur(self.stiff, self.line_rigid)
@@ -125,6 +130,7 @@ def comparisons(self: ClutchFormulas) -> Iterator[Comparison]:
     case, arc = ClutchFormulas, self.flat.arc
     slack = ("slack", lambda: self.slack)
     rigid, p = ("slack rigid", lambda: self.slack_rigid), ("slack p", lambda: self.slack_p)
+    block = ("slack block", lambda: self.slack_block)
     for q, name, symbol, give in (
         (case.M_el, "torque of the elastic ring, series", "M_t", slack),
         (case.M_rigid, "torque with rigid rollers, series", "M_t", rigid),
@@ -145,6 +151,10 @@ def comparisons(self: ClutchFormulas) -> Iterator[Comparison]:
          case.M_el, lambda: arc / self.z * self.torque_of_first_design()),
         (case.p_17_printed, "pressure for the target torque, Eq. 17 as printed", "p_t", p,
          case.p_need, self.pressure_over_the_arc),
+        (case.p_17, "blocking pressure for the target torque, Eq. 17", "p_2", block, case.p_block,
+         lambda: filleted(self.flat, self.touch).pressure(self.M_t) - self.touch),
+        (case.p_17_arc, "blocking pressure for the target torque, Eq. 17 as printed", "p_2", block,
+         case.p_block, lambda: self.pressure_over_the_arc() - self.touch),
     ):  # fmt: skip
         yield _claimed(q, name, symbol, give, _around(self, series, give[1], statics),
                        source=STATICS, reference=series.name)  # fmt: skip

@@ -35,6 +35,11 @@ class ElasticClutch(ClutchInputs):
     def p_need(self) -> float:
         return self.hub.required_pressure(self.line_need) if self.stays else inf
 
+    @Quantity("p_block", "MPa", "blocking pressure for the target torque, beyond that which "
+              "reaches the rollers", source=SERIES, safe="too high")  # fmt: skip
+    def p_block(self) -> float:
+        return self.p_need - self.touch
+
     @Quantity("p_ring", "MPa", "Hertz pressure of rollers on the ring, under p_t or p_need, "
               "whichever is more", role="step", safe="too high")  # fmt: skip
     def p_ring(self) -> float:

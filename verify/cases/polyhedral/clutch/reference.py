@@ -5,7 +5,7 @@ from math import isfinite
 from verify.case import Level
 from verify.cases.polyhedral.clutch.fem import driven_fem
 from verify.cases.polyhedral.clutch.inputs import ClutchInputs
-from verify.cases.polyhedral.fem import in_fillet_fem, whole_fem
+from verify.cases.polyhedral.fem import UNIT, factors_fem, in_fillet_fem, pressed_fem, whole_fem
 from verify.core.figures import Field
 
 LEVELS = (1, 2, 3, 4)
@@ -22,6 +22,7 @@ def solve(q: ClutchInputs, level: int) -> Level:
     rest = hub.fine.balance(q.p_t, hub.push(N))
     values = {
         "N_el": N * q.b, "M_el": q.grip * N * q.b * q.z * q.D_i / 2, "p_need": p,
+        "p_block": p - touching(q, level),
         "fillet": in_fillet_fem(q.ring, state.plane, q.p_t, name="ring.fillet"),
         "balance_x": rest[0], "balance_y": rest[1],
         "moment": q.b * q.z * moment(q, hub.push(N)) - q.grip * N * q.b * q.z * q.D_i / 2,
@@ -37,6 +38,12 @@ def drawn_fem(q: ClutchInputs, N: float) -> Field:
     """Ring and rollers under p_t and the loads of N [N/m], on a coarse mesh."""
     coarse = driven_fem(q, 1, elastic=True).at(q.p_t, N).plane.cells()
     return whole_fem("driven", q.z, coarse, von_mises=(coarse["von_mises"], "Pa"))
+
+
+def touching(q: ClutchInputs, level: int) -> float:
+    """Pressure [Pa] at which the free ring reaches its rollers in the middle of the flats."""
+    free = pressed_fem(q.ring, level, "plane stress")
+    return UNIT * q.j_D / 2 / factors_fem(q.ring, free)["mid"]
 
 
 def moment(q: ClutchInputs, push: tuple[float, float]) -> float:

@@ -46,6 +46,10 @@ BORE = (
     "Lamé: the bore has the stress (1 + (d_e/d_i)²)/2 E j_D/d_e; more by "
     f"{thin_ring.CELL:g} (δ_1/d_m)² and at most twice that for stresses at the ends of cells"
 )
+OUTSIDE = (
+    "Lamé: under the mean hoop stress σ_t of the wall the outside grows by d_i d_e/d_m² times "
+    "σ_t d_m/E"
+)
 MIDDLE = "Lamé: growth of the mean diameter where the outside grows by j_D"
 
 
@@ -134,6 +138,7 @@ class RingPressure(ThinRing):
             rim_stress=rim.mean(rim.polar()[2]) * p / p_0,
             bore_stress=bore.mean(bore.polar()[2]) * p / p_0,
             growth=self.j_D / growth(narrow, "rim") * growth(narrow, "middle"),
+            growth_outside=growth(narrow, "rim") * self.straining * self.E / (cut / self.delta_1),
             balance=cut - p_0 * self.d_i / 2,
             thinner=np.array([thinner(wall) for wall in WALLS]),
         )  # fmt: skip
@@ -145,6 +150,7 @@ class RingPressure(ThinRing):
         outside = thin_ring.rim_stress_error(**wall)
         inside = thin_ring.bore_stress_error(**wall)
         middle = thin_ring.growth_error(**wall, j_D=self.j_D, E=self.E, nu=self.nu)
+        taken = thin_ring.outside_growth_error(**wall)
         yield identity(ring.p, order=4, sensitivity=ACCEPTED)
         yield identity(ring.p_strain, order=4, sensitivity=ACCEPTED)
         yield approximation(ring.p_1, "p", order=4, expected=Expected(*thin, LAME))
@@ -155,6 +161,9 @@ class RingPressure(ThinRing):
         yield approximation(ring.sigma_t, "bore_stress", order=2, against="that of the bore",
                             expected=Expected(*inside, BORE))  # fmt: skip
         yield approximation(ring.growth, order=4, expected=Expected(*middle, MIDDLE))
+        yield approximation(ring.growth, "growth_outside", order=4, symbol="Δd_e",
+                            against="that of the outside under its hoop stress",
+                            expected=Expected(*taken, OUTSIDE))  # fmt: skip
         yield limit(ring.p_1, "pressure of ever thinner rings, Eq. 10", "p_1/p - 1", exponent=2,
                     points=over_family(ring.p_1, "thinner", at=WALLS, family=self.of_wall,
                                        order=4))  # fmt: skip
