@@ -127,6 +127,8 @@ STATEMENTS: Mapping[str, Statement] = {
                       BY_SERIES),
             Corrected("blocking pressure, Eq. 19 with K = 1", "p_2",
                       "bending of the flats by the series"),
+            Corrected("blocking pressure, Eq. 19 with K = 1, of a long ring in plane strain",
+                      "p_2_long", "bending of the flats by the series"),
         ),
         finer=5, headline="force of a roller under pressure, series",
     ),

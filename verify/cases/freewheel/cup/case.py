@@ -271,8 +271,10 @@ class FreewheelCup(Cup):
         yield self._judged(cup.alpha, bounds.under_torque("alpha"), FINE, symbol="α(T)",
                            name="clamping angle under torque (Eq. 5 for a cup)")  # fmt: skip
         unloaded = times(bounds.under_torque("alpha"), self.alpha_0 / self.alpha)
-        yield self._judged(cup.alpha_rigid, unloaded, COARSE, NOT_LOADED, symbol="α",
-                           name="clamping angle under torque, taken as α_0 (Eq. 4 for a cup)")  # fmt: skip
+        yield self._judged(
+            cup.alpha_rigid, unloaded, COARSE, NOT_LOADED, symbol="α",
+            name="clamping angle under torque, taken as α_0 (Eq. 4 for a cup)",
+        )  # fmt: skip
         yield self._judged(cup.N, bounds.under_torque("N"), NEARLY, symbol="F_n(T)",
                            name="normal force under torque (Eqs. 2, 3)")  # fmt: skip
         yield self._judged(cup.mu_T, bounds.slope(), FINE, symbol="F_t/F_n",

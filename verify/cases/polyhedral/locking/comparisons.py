@@ -104,7 +104,10 @@ def _flat(self: LockedFormulas) -> Iterator[Comparison]:
     """The paper's pressure and forces, which neglect the flats' bending and the hoop force."""
     case, soft = LockedFormulas, self.soft
     yield approximation(case.p_2_round, "p_2", name="blocking pressure, Eq. 19 with K = 1", order=4,
-                        expected=_of_round_ring(self), shares="plane stress")  # fmt: skip
+                        expected=_of_round_ring(self, self.p_1r), shares="plane stress")  # fmt: skip
+    yield approximation(case.p_2_round, "p_2_long", order=4, shares="plane strain",
+                        name="blocking pressure, Eq. 19 with K = 1, of a long ring in plane strain",
+                        expected=_of_round_ring(self, self.touch_long))  # fmt: skip
     reach = _roller(self).reach
     rigid, elastic = reach(self.a), reach(soft.a, soft.a_race)
     for q, words, reference, locked, R_b, slack in (
@@ -124,12 +127,12 @@ def _flat(self: LockedFormulas) -> Iterator[Comparison]:
         )  # fmt: skip
 
 
-def _of_round_ring(self: LockedFormulas) -> Expected:
-    """The error of Eq. 19 with the pressure p_1 of the round ring."""
-    left = self.p_t - self.p_1r
+def _of_round_ring(self: LockedFormulas, touch: float) -> Expected:
+    """The error of Eq. 19 with p_1 of the round ring where the rollers are reached at `touch`."""
+    left = self.p_t - touch
     if left <= 0:
         return Expected(0.0, 0.0, ROUND, sharp=False)
-    return about((self.p_1r - self.p_1) / left, NEAR, ROUND)
+    return about((touch - self.p_1) / left, NEAR, ROUND)
 
 
 def _roller(self: LockedFormulas) -> RollerOnRing:

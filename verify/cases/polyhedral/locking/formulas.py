@@ -6,6 +6,7 @@ from typing import Any, ClassVar, Self
 import numpy as np
 
 from analytic.polyhedral import expansion, forces, printed
+from analytic.polyhedral.bore_pressure import stiffness_factors
 from analytic.polyhedral.fillet_stress import loaded_fillet_stress
 from analytic.polyhedral.hub_force import HubForce, hub_force
 from analytic.polyhedral.locking import Locked, Roller, locked
@@ -103,6 +104,12 @@ class LockedFormulas(PolygonSeries, LockingInputs):
         """The series under the hub's force."""
         normal, along = self.push
         return hub_force(sector=self.sector, e=self.e, normal=normal, along=along)
+
+    @shared
+    def touch_long(self) -> float:
+        """Pressure [Pa] at which a long ring in plane strain reaches its rollers."""
+        long = stiffness_factors(sector=self.sector, nu=self.nu, assumption="plane strain")
+        return float(long.mid * self.p_1)
 
     @shared
     def locked(self) -> Locked:

@@ -32,7 +32,7 @@ def solve(q: LockingInputs, level: int) -> Level:
     N = [pushed.force(q.p_t, (k * hub[0], k * hub[1])) for k in (1 - STEP, 1, 1 + STEP)]
     both = pushed.at(q.p_t, hub)
     touch = both.touches[0]
-    free = pressed_fem(q, level, "plane stress")
+    free, long = (pressed_fem(q, level, a) for a in ("plane stress", "plane strain"))
     rest = pushed.balance(q.p_t, hub)
     shares = {
         "efficiency_alone": alone.efficiency(q.p_t), "efficiency_elastic": soft.efficiency(q.p_t),
@@ -45,6 +45,7 @@ def solve(q: LockingInputs, level: int) -> Level:
         "side": -2 * (free.reaction("mid")[0] + free.reaction("corner")[0]) * q.p_t / 1e6,
         "fillet": in_fillet_fem(q, both.plane, q.p_t, name="ring.fillet"),
         "p_2": q.p_t - UNIT * q.j_D / 2 / factors_fem(q, free)["mid"],
+        "p_2_long": q.p_t - UNIT * q.j_D / 2 / factors_fem(q, long)["mid"],
     }  # fmt: skip
     values |= elastic_rollers(q, soft)
     arrays: dict[str, Array] = {}
