@@ -103,11 +103,14 @@ def _series(self: LockedFormulas) -> Iterator[Comparison]:
 def _flat(self: LockedFormulas) -> Iterator[Comparison]:
     """The paper's pressure and forces, which neglect the flats' bending and the hoop force."""
     case, soft = LockedFormulas, self.soft
-    yield approximation(case.p_2_round, "p_2", name="blocking pressure, Eq. 19 with K = 1", order=4,
-                        expected=_of_round_ring(self, self.p_1r), shares="plane stress")  # fmt: skip
-    yield approximation(case.p_2_round, "p_2_long", order=4, shares="plane strain",
-                        name="blocking pressure, Eq. 19 with K = 1, of a long ring in plane strain",
-                        expected=_of_round_ring(self, self.touch_long))  # fmt: skip
+    for reference, words, touch, plane in (
+        ("p_2", "", self.p_1r, "plane stress"),
+        ("p_2_long", ", of a long ring in plane strain", self.touch_long, "plane strain"),
+    ):
+        yield approximation(
+            case.p_2_round, reference, name=f"blocking pressure, Eq. 19 with K = 1{words}",
+            order=4, expected=_of_round_ring(self, touch), shares=plane,
+        )  # fmt: skip
     reach = _roller(self).reach
     rigid, elastic = reach(self.a), reach(soft.a, soft.a_race)
     for q, words, reference, locked, R_b, slack in (
