@@ -1,4 +1,4 @@
-"""The clamping angle of a cup under torque, by a solution of its own for given approaches."""
+"""The clamping angle of a cup under torque, from the triangle of axis, flat and roller."""
 
 import math
 

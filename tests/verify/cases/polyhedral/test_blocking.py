@@ -1,4 +1,4 @@
-"""Blocking pressures and the growth of the outside, by other means than the rows' formulas."""
+"""Blocking pressures and the growth of the outside, by statics and Lamé's ring."""
 
 import math
 
