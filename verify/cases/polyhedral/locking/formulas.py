@@ -36,6 +36,11 @@ class LockedFormulas(PolygonSeries, LockingInputs):
     def p_2_round(self) -> float:
         return max(self.p_t - self.p_1, 0.0)
 
+    @Quantity("p_2l", "MPa", "blocking pressure of a long ring in plane strain", source=SERIES,
+              role="step", safe="too low")  # fmt: skip
+    def p_2_long(self) -> float:
+        return self.p_t - self.touch_long
+
     @Quantity("F/b", "N/mm", "force of a roller, all of the pressure's", source="Eqs. 13 and 16",
               safe="too low", tex=r"p_2 d_i \sin\left(\frac{\pi}{z}\right)")  # fmt: skip
     def F(self) -> float:
