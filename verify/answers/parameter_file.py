@@ -12,6 +12,7 @@ import numpy as np
 from verify.answers.assumed.complete import build_completed
 from verify.answers.assumed.registry import TASKS
 from verify.answers.assumed.rules import Assumed
+from verify.answers.toml_lines import with_line
 from verify.cases.files import is_file_name
 from verify.cases.registry import find
 from verify.core.case import Case, Values
@@ -43,7 +44,14 @@ class ParameterFile:
 def read(path: Path) -> ParameterFile:
     """The parameter file at `path`; InputError says in one line what is wrong."""
     case_id, name, raw = read_parameter_file(path)
-    return completed(_case(case_id, path), raw, name=name, where=str(path), named=case_id)
+    case = _case(case_id, path)
+    try:
+        return completed(case, raw, name=name, where=str(path), named=case_id)
+    except InputError as error:
+        message = with_line(str(error), path)
+        if message == str(error):
+            raise
+        raise InputError(message) from error
 
 
 def completed(

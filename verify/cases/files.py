@@ -106,11 +106,11 @@ def _loaded(path: Path) -> Case:
         return replace(_stated(found[-1]), file=path)
     except InputError:
         raise
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         raise InputError(_told(error, path)) from error
 
 
-def _told(error: Exception, path: Path) -> str:
+def _told(error: BaseException, path: Path) -> str:
     """One line: the place in the user's file and what is wrong there."""
     if isinstance(error, SyntaxError):
         return f"{path.name}:{error.lineno}: {error.msg}"
@@ -123,4 +123,5 @@ def _told(error: Exception, path: Path) -> str:
         return f"{path.name}: {name}: {rule}"
     frames = [f for f in traceback.extract_tb(error.__traceback__) if f.filename == str(path)]
     place = f"{path.name}:{frames[-1].lineno}" if frames else path.name
-    return f"{place}: {type(error).__name__}: {text}"
+    where = f"{place}: {frames[-1].name}" if frames and frames[-1].name != "<module>" else place
+    return f"{where}: {type(error).__name__}: {text}"

@@ -14,7 +14,8 @@ import math
 import re
 import tomllib
 import types
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Any, ClassVar, Literal, Union, get_args, get_origin
 
@@ -28,6 +29,7 @@ MAX_BYTES = 1_000_000
 LARGEST_INTEGER = 10**15
 LONGEST_NAME = 120
 LONGEST_RULE = 400  # of a case's message on its inputs
+ALIKE = 0.6  # of difflib's ratio: an unknown key may be meant as a known one
 MOST_ENTRIES = 1000  # of a table
 TOP_LEVEL = ("case", "name", "inputs")
 
@@ -236,11 +238,12 @@ def _built(model: type[Inputs], raw: Mapping[str, Any], where: str, place: str) 
     fields = model.model_fields
     if unknown := [key for key in raw if key not in fields]:
         raise InputError(
-            f"{where}: {place}.{_one_line(unknown[0])}: unknown key; known are {', '.join(fields)}"
+            f"{where}: {place}.{_one_line(unknown[0])}: unknown key; "
+            f"{_meant(unknown[0], model)}known are {', '.join(fields)}"
         )
     left_out = {k: meta(f)["omitted"] for k, f in fields.items() if k not in raw}
     if needed := [k for k, omitted in left_out.items() if omitted == REQUIRED]:
-        raise InputError(f"{where}: {place}: missing {', '.join(needed)}")
+        raise InputError(f"{where}: {place}: {missing(model, needed)}")
     values = {
         key: _entries(entry_model(fields[key]), raw[key], where, f"{place}.{key}")
         if is_table(fields[key])
@@ -251,6 +254,30 @@ def _built(model: type[Inputs], raw: Mapping[str, Any], where: str, place: str) 
         return model(**values, **left_out)
     except ValidationError as error:
         raise InputError(f"{where}: {broken_rule(model, error, place)}") from error
+
+
+def missing(model: type[Inputs], needed: Sequence[str]) -> str:
+    """Required inputs that a file leaves out: their names, then what each one is."""
+    about = {name: meta(model.model_fields[name]) for name in needed}
+    told = [
+        f"{name}: {one['what']}"
+        + (f", symbol {one['symbol']}" if one["symbol"] not in ("", name) else "")
+        + ("" if one["unit"] == "1" else f", in {one['unit']}")
+        for name, one in about.items()
+    ]
+    return f"missing {', '.join(needed)} ({'; '.join(told)})"
+
+
+def _meant(key: str, model: type[Inputs]) -> str:
+    """The input whose name or symbol is like an unknown key, as a question; "" without one."""
+    fields = {name: meta(field) for name, field in model.model_fields.items()}
+    known = {one["symbol"].lower(): name for name, one in fields.items() if one["symbol"]}
+    known |= {name.lower(): name for name in fields}
+    like = get_close_matches(key.lower(), known, n=1, cutoff=ALIKE)
+    if not like:
+        return ""
+    name = known[like[0]]
+    return f"did you mean {name} ({fields[name]['what']})? "
 
 
 def _entries(model: type[Inputs], raw: Any, where: str, place: str) -> tuple[Inputs, ...]:

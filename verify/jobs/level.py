@@ -11,12 +11,19 @@ from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
+import numpy as np
+
 from verify.core.case import Case, Check, Context, FemResult, Values
 from verify.core.inputs import Inputs
-from verify.core.results import CaseResult, Row
+from verify.core.results import CaseResult, Row, Status
 from verify.jobs import cache
 from verify.jobs.guard import Guard, named, unsolved
 from verify.papers.case_report import described
+
+INDEPENDENT = (
+    "the reference does not depend on the level: refine the mesh with `level`, or declare that it "
+    "is exact, with the round-off of its numbers: solved(..., iteration=1e-12)"
+)
 
 
 @dataclass(frozen=True)
@@ -86,11 +93,33 @@ def _judged(check: Check, context: Context, job: Job) -> list[Row]:
     if check.needs_fem and not job.use_fem:
         return []
     try:
-        return [replace(row, method=job.case.method.alone) for row in check.rows(context)]
+        rows = [replace(row, method=job.case.method.alone) for row in check.rows(context)]
     except KeyError as error:
         if reason := _without(context, check, error.args[0]):
             raise ValueError(reason) from error
         raise
+    if (job.is_paper or job.case.file) and ignores_level(context.fem):
+        return [
+            replace(row, status=Status.FAIL, reason=INDEPENDENT) if row.grid else row
+            for row in rows
+        ]
+    return rows
+
+
+def ignores_level(levels: Sequence[FemResult]) -> bool:
+    """Whether all numbers and arrays are the same on every level, without a stated round-off.
+
+    Single numbers may be the same, such as a reaction that equilibrium determines.
+    """
+    first, *others = levels or (None,)
+    if first is None or not others or any(any(one.u_it.values()) for one in levels):
+        return False
+    return all(
+        one.values == first.values
+        and one.arrays.keys() == first.arrays.keys()
+        and all(np.array_equal(one.arrays[key], first.arrays[key]) for key in first.arrays)
+        for one in others
+    )
 
 
 def _without(context: Context, check: Check, key: object) -> str:

@@ -7,20 +7,21 @@ from typing import Any
 
 import pytest
 
-from verify.app.explain import row_in_words, unsolved_rows
+from verify.app.explain import unsolved_rows
 from verify.cases.files import load
 from verify.core.case import Case
 from verify.core.inputs import InputError
 from verify.core.results import Row, Status
+from verify.form.quantity import CaseError
 from verify.jobs.executor import Where
+from verify.jobs.guard import named
 from verify.jobs.level import Job
 from verify.jobs.session import solve
+from verify.plugin import STRICT
+from verify.plugin.messages import FreewheelError, failure, with_extra
 
 FAILED = (Status.FAIL, Status.SKIP)  # a row that could not be judged is no success either
-
-
-class FreewheelError(Exception):
-    """A row or a part that fails; its message is what the test prints."""
+NOT_JUDGED = (Status.SHOWN, Status.CALIBRATED)  # which fail where the setting is strict
 
 
 class CaseFile(pytest.File):
@@ -30,11 +31,17 @@ class CaseFile(pytest.File):
         """A test for each row, known without solving; one that fails where the file is wrong."""
         try:
             rows = unsolved_rows(self.case, self.case.inputs(), paper=True)
-        except InputError as error:
-            yield Broken.from_parent(self, name="file", message=str(error))
+        except (Exception, SystemExit) as error:
+            plain = isinstance(error, InputError | CaseError)
+            message = str(error) if plain else named(error)
+            place = "" if self.path.name in message else f"{self.path.name}: "
+            yield Broken.from_parent(self, name="file", message=place + message)
             return
         for row in rows:
             yield RowItem.from_parent(self, name=row.quantity, row=row)
+        if not rows:
+            message = "the case has no rows: `comparisons` must yield at least one"
+            yield Broken.from_parent(self, name="file", message=f"{self.path.name}: {message}")
 
     @cached_property
     def case(self) -> Case:
@@ -49,19 +56,34 @@ class CaseFile(pytest.File):
         )
         return {row.id: row for row in result.rows}
 
+    def judged(self, row_id: str) -> Row:
+        """The row of this id; FreewheelError with the reasons of other rows where it is absent."""
+        if found := self.rows.get(row_id):
+            return found
+        reasons = {row.reason: None for row in self.rows.values() if row.status in FAILED}
+        raise FreewheelError("\n".join(["FAIL: the row was not judged", *reasons]))
+
 
 class Item(pytest.Item):
     """A test that fails with a few lines in place of a traceback."""
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], *args: Any) -> Any:
-        """The message alone."""
+        """The message alone; with `--full-trace` the traceback of an unexpected exception."""
         if isinstance(excinfo.value, FreewheelError | InputError):
-            return str(excinfo.value)
-        return super().repr_failure(excinfo, *args)
+            return with_extra(str(excinfo.value))
+        if self.config.getoption("fulltrace"):
+            return super().repr_failure(excinfo, *args)
+        return with_extra(f"{self.path.name}: {named(excinfo.value)} (traceback: --full-trace)")
 
     def reportinfo(self) -> tuple[Path, int | None, str]:
         """The file and the name that pytest prints above a failure."""
         return self.path, None, f"{self.path.name}: {self.name}"
+
+    def not_judged(self, message: str) -> None:
+        """Skip the test for this reason; where the setting is strict it fails."""
+        if self.config.getini(STRICT):
+            raise FreewheelError(f"{message}\n{STRICT}: what is not judged fails")
+        pytest.skip(message)
 
 
 class Broken(Item):
@@ -89,9 +111,12 @@ class RowItem(Item):
     def runtest(self) -> None:
         """Judge the row; the first row of a file solves the case."""
         assert isinstance(self.parent, CaseFile)
-        row = self.parent.rows[self.row_id]
+        row = self.parent.judged(self.row_id)
         self.user_properties += [("status", row.status.value), ("kind", row.kind.value)]
         if row.status in FAILED:
-            raise FreewheelError(f"{row.status.value}: {row.reason}\n{row_in_words(row)}")
-        if row.status is not Status.PASS:
-            pytest.skip(f"{row.status.value}: {row.reason or 'not judged'}")
+            raise FreewheelError(failure(row, self.path.name))
+        message = f"{row.status.value}: {row.reason or 'not judged'}"
+        if row.status in NOT_JUDGED:
+            self.not_judged(message)
+        elif row.status is not Status.PASS:
+            pytest.skip(message)

@@ -7,7 +7,7 @@ from typing import Any
 from verify.answers.assumed.registry import ASSUMPTIONS
 from verify.answers.assumed.rules import Assumed, NotGivenError
 from verify.answers.assumed.values import given_values, listed, placeholder, raw_value, read_value
-from verify.core.inputs import REQUIRED, InputError, Inputs, build, meta
+from verify.core.inputs import REQUIRED, InputError, Inputs, build, meta, missing
 
 
 def complete(
@@ -58,7 +58,8 @@ def build_completed(
     try:
         return build(model, whole, where), assumed
     except InputError as error:
-        named = [a for a in assumed if re.search(rf"\b{re.escape(a.name)}\b", str(error))]
+        message = str(error).partition(": unknown key")[0]  # which lists every input
+        named = [a for a in assumed if re.search(rf"\b{re.escape(a.name)}\b", message)]
         if not named:
             raise
         texts = ", ".join(f"{a.text} ({a.source})" for a in named)
@@ -77,4 +78,4 @@ def _refuse_missing(
         if meta(field)["omitted"] == REQUIRED and name not in raw and name not in assumable
     ]  # fmt: skip
     if needed:
-        raise InputError(f"{where}: inputs: missing {', '.join(needed)}")
+        raise InputError(f"{where}: inputs: {missing(model, needed)}")

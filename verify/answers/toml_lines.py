@@ -1,0 +1,41 @@
+"""Lines of a parameter file, for messages about its inputs."""
+
+import re
+from collections import Counter
+from pathlib import Path
+
+HEADER = re.compile(r"\s*(\[\[?)\s*([^\[\]]+?)\s*\]\]?\s*(#.*)?$")
+KEY = re.compile(r"""\s*["']?([^\s"'=#\[\]]+)["']?\s*=""")
+PLACE = re.compile(r"(inputs[.\[][^\s:]*)")
+
+
+def with_line(message: str, path: Path) -> str:
+    """A message "part.toml: inputs.r: ..." with the line of that input: "part.toml:4: ..."."""
+    rest = message.removeprefix(f"{path}: ")
+    place = PLACE.match(rest)
+    if rest == message or not place:
+        return message
+    line = line_of(place[1], path.read_bytes().decode("utf-8-sig"))
+    return f"{path}:{line}: {rest}" if line else message
+
+
+def line_of(place: str, text: str) -> int:
+    """The line, from 1, of an input such as inputs.supports[2].k, or of its table; 0 without one.
+
+    >>> line_of("inputs.supports[2].k", "[inputs]\\n[[inputs.supports]]\\n[[inputs.supports]]\\nk = 1")
+    4
+    """
+    found: dict[str, int] = {}
+    tables: Counter[str] = Counter()
+    table = ""
+    for number, line in enumerate(text.splitlines(), start=1):
+        if header := HEADER.match(line):
+            table = header[2]
+            tables[table] += 1
+            table += f"[{tables[table]}]" if header[1] == "[[" else ""
+            found.setdefault(table, number)
+        elif key := KEY.match(line):
+            found.setdefault(f"{table}.{key[1]}".lstrip("."), number)
+    while place and place not in found:
+        place = re.sub(r"(\[\d+\]|\.?[^.\[\]]+)$", "", place)
+    return found.get(place, 0)
