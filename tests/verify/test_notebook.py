@@ -42,6 +42,13 @@ def test_a_run_is_a_table_of_its_rows(judged):
     assert "bore growth, plane stress" in str(judged)
 
 
+def test_a_run_and_a_part_are_one_line_with_the_main_number(judged):
+    assert repr(judged).startswith("<Run ring-lame: PASS, ")
+    assert "µm>" in repr(judged)
+    part = check(FAILS)
+    assert repr(part).endswith("(freewheel-clutch): fails, margin 0.466>")
+
+
 def test_its_table_has_the_values_of_the_rows_as_plain_ones(judged):
     assert len(judged.table) == len(judged.rows)
     for line, row in zip(judged.table, judged.rows, strict=True):

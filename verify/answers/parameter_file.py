@@ -5,6 +5,7 @@ import shlex
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from textwrap import shorten
 from typing import Any
 
 import numpy as np
@@ -16,7 +17,7 @@ from verify.answers.toml_lines import with_line
 from verify.cases.files import is_file_name
 from verify.cases.registry import find
 from verify.core.case import Case, Values
-from verify.core.inputs import InputError, Inputs, read_parameter_file
+from verify.core.inputs import LONGEST_RULE, InputError, Inputs, read_parameter_file
 from verify.core.unit_systems import System, system_of
 
 MISSING = "inputs: missing "
@@ -99,7 +100,8 @@ def _values(case: Case, inputs: Inputs, where: str) -> Values:
         reason = "the formulas divide by zero or overflow with these values"
         raise InputError(f"{where}: inputs: {reason} ({error})") from error
     except (ValueError, ArithmeticError) as error:
-        raise InputError(f"{where}: inputs: {error}") from error
+        reason = shorten(str(error), LONGEST_RULE, placeholder=" …")  # in one line, also of arrays
+        raise InputError(f"{where}: inputs: {reason}") from error
     if wild := [key for key, value in values.items() if not math.isfinite(value)]:
         raise InputError(f"{where}: inputs: {wild[0]} is not finite with these inputs")
     return values

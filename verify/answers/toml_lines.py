@@ -22,8 +22,9 @@ def with_line(message: str, path: Path) -> str:
 def line_of(place: str, text: str) -> int:
     """The line, from 1, of an input such as inputs.supports[2].k, or of its table; 0 without one.
 
-    >>> line_of("inputs.supports[2].k", "[inputs]\\n[[inputs.supports]]\\n[[inputs.supports]]\\nk = 1")
-    4
+    >>> text = ("[inputs]", "r = 1", "[[inputs.supports]]", "[[inputs.supports]]", "k = 1")
+    >>> line_of("inputs.supports[2].k", chr(10).join(text))
+    5
     """
     found: dict[str, int] = {}
     tables: Counter[str] = Counter()

@@ -236,7 +236,9 @@ def doctor(*, json: bool = False) -> int:
 
 
 @app.command
-def store(case: CaseId = "", /, *, json: bool = False, clear: str = "", code: str = "") -> int:
+def store(
+    case: CaseId = "", /, *, json: bool = False, clear: str | None = None, code: str = ""
+) -> int:
     """List the stored results by kind and subject, with their sizes and ages.
 
     Parameters
@@ -253,7 +255,7 @@ def store(case: CaseId = "", /, *, json: bool = False, clear: str = "", code: st
     from verify.app.store import run_origin, run_store
 
     if case or code:
-        return run_origin(case, code, other=json or bool(clear))
+        return run_origin(case, code, other=json or clear is not None)
     return run_store(as_json=json, clear=clear)
 
 

@@ -61,6 +61,15 @@ class Run:
         """Sketch, figures and convergence."""
         return drawings(self.result)
 
+    def __repr__(self) -> str:
+        """The case, whether it passed, and the row that decides, in one line."""
+        failed = [row for row in self.rows if row.status in FAILED]
+        main = failed[0] if failed else next((r for r in self.rows if r.analytic is not None), None)
+        told = f"; {_row_in_line(main)}" if main else ""
+        passed = sum(row.status is Status.PASS for row in self.rows)
+        status = f"{'FAIL' if failed else 'PASS'}, {passed} of {len(self.rows)} rows pass"
+        return f"<Run {self.result.id}: {status}{told}>"
+
     def __str__(self) -> str:
         lines = [title(self.rows), *aligned(row_cells(self.rows)), *sentences(self.rows)]
         return "\n".join(lines)
@@ -101,6 +110,11 @@ class Part:
     def values(self) -> dict[str, float]:
         """The values of the formulas [SI] by the names that `freewheel check --keys` lists."""
         return dict(self.file.values)
+
+    def __repr__(self) -> str:
+        """The part, its verdict and its smallest margin, in one line."""
+        margin = "" if self.margin is None else f", margin {self.margin:.3g}"
+        return f"<Part {self.file.name} ({self.file.case.id}): {self.verdict.value}{margin}>"
 
     def __str__(self) -> str:
         return "\n".join(map(raised, answer_lines(self._shown, self.file.system)))
@@ -172,6 +186,13 @@ def _template(case: Case) -> dict[str, Any]:
     """The inputs that `freewheel init` writes for a case."""
     written: dict[str, Any] = tomllib.loads(template(case))["inputs"]
     return written
+
+
+def _row_in_line(row: Row) -> str:
+    """A row with its status and its difference."""
+    unit = "" if row.unit == "1" else f" {row.unit}"
+    off = "" if row.difference is None else f", difference {row.difference:.3g}{unit}"
+    return f"{row.quantity}: {row.status.value}{off}"
 
 
 def _rows_table(rows: Sequence[Row], head: str) -> Markup:

@@ -16,13 +16,13 @@ from verify.jobs.earlier_files import adopt
 DAY = 86400.0  # s
 
 
-def run_store(*, as_json: bool, clear: str) -> int:
+def run_store(*, as_json: bool, clear: str | None) -> int:
     """List the store, or remove a kind or KIND:SUBJECT first; InputError for an unknown kind."""
     folder = default_folder()
     store = Store(folder)
     try:
         _adopt(folder)
-        if clear:
+        if clear is not None:
             _clear(store, clear)
         groups = store.groups()
     except OSError as error:
@@ -67,6 +67,8 @@ def run_origin(case: str, code: str, *, other: bool) -> int:
 
 def _clear(store: Store, which: str) -> None:
     kind, colon, subject = which.partition(":")
+    if not kind:
+        raise InputError("--clear needs a kind of results, or KIND:SUBJECT, such as fem:ring-lame")
     if colon and not subject:
         raise InputError(f"--clear {which}: no subject after the colon, such as {kind}:ring-lame")
     groups = store.groups()
