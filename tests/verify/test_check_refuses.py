@@ -86,3 +86,40 @@ def test_a_doubtful_file_is_answered_with_finite_numbers_or_refused(content, scr
     else:
         assert (status in (0, 1, 3), err) == (True, "")
         assert not re.search("nan|inf", out)
+
+
+def test_a_message_has_the_line_the_input_that_is_meant_and_what_is_missing(tmp_path):
+    path = tmp_path / "my.toml"
+    for values, words in (
+        (
+            GOOD | {"r_out": '"1 mm"'},
+            ":8: inputs.r_out: unknown key; did you mean r_o (outer radius)?",
+        ),
+        (GOOD | {"r_o": "80"}, ":4: inputs.r_o: 80 has no unit"),
+        (
+            {k: v for k, v in GOOD.items() if k != "nu"},
+            ": inputs: missing nu (nu: Poisson's ratio, symbol ν)",
+        ),
+    ):
+        path.write_text(rendered(values), "utf-8")
+        result = check(path)
+        assert_refused(result, path)
+        assert f"{path}{words}" in result[2]
+
+
+def test_an_array_in_a_message_of_a_formula_is_one_line(tmp_path, monkeypatch):
+    path = tmp_path / "my.toml"
+    path.write_text(rendered(GOOD), "utf-8")
+
+    def wrong(*_):
+        raise ValueError("weights must be finite, got [[nan 1.]\n [1. nan]]")
+
+    monkeypatch.setattr("verify.form.adapter.Formulas.__call__", wrong)
+    result = check(path)
+    assert_refused(result, path)
+    assert "got [[nan 1.] [1. nan]]" in result[2]
+
+
+def test_clearing_the_store_needs_a_kind(capsys):
+    assert run(["store", "--clear="]) == 2
+    assert capsys.readouterr().err.startswith("freewheel: --clear needs a kind of results")

@@ -43,10 +43,12 @@ def test_a_run_is_a_table_of_its_rows(judged):
 
 
 def test_a_run_and_a_part_are_one_line_with_the_main_number(judged):
-    assert repr(judged).startswith("<Run ring-lame: PASS, ")
-    assert "µm>" in repr(judged)
-    part = check(FAILS)
-    assert repr(part).endswith("(freewheel-clutch): fails, margin 0.466>")
+    start = "<Run ring-rotation: PASS, 28 of 29 rows pass; bore growth, plane stress: PASS, "
+    assert repr(judged).startswith(start)
+    assert repr(judged).endswith(" µm>")
+    part = verify.check("freewheel-clutch", {"T": "500 N m"})
+    name = "my freewheel-clutch (freewheel-clutch)"
+    assert repr(part) == f"<Part {name}: fails, margin {part.margin:.3g}>"
 
 
 def test_its_table_has_the_values_of_the_rows_as_plain_ones(judged):
