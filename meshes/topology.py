@@ -28,7 +28,7 @@ class Topology:
 
     @classmethod
     def of(cls, mesh: Mesh2D, t: Indices) -> "Topology":
-        """That of `mesh`, whose cells were read as nodes `t` (k, m) in scikit-fem's order."""
+        """Topology of `mesh`, whose cells were read as nodes `t` (k, m) in scikit-fem's order."""
         own = np.asarray(mesh.dofs.element_dofs)
         source = np.empty(mesh.doflocs.shape[1], np.int64)
         source[own] = t

@@ -1,4 +1,4 @@
-"""What a run before wrote into a folder, and which of it is still what a run would write."""
+"""Files that an earlier run wrote into a folder, and which of them are still valid."""
 
 import json
 from collections.abc import Iterable, Mapping
@@ -32,7 +32,7 @@ class Before:
         return {name for part in self._kept.values() for name in part["files"]}
 
     def about(self, part: str) -> Any:
-        """What was noted of a part."""
+        """Note that was stored with a part."""
         return self._kept[part]["about"]
 
     def note(self, written: Mapping[str, Iterable[str]], about: Mapping[str, Any]) -> None:

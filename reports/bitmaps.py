@@ -45,7 +45,7 @@ def _coded(image: Image.Image, **options: int) -> bytes:
 
 
 def flaw(data: bytes, width: int, height: int) -> str:
-    """Why the image can't be a picture of a body, or an empty string."""
+    """Reason why the image cannot be a picture of a body, or an empty string."""
     try:
         with Image.open(io.BytesIO(data)) as image:
             pixels = np.asarray(image.convert("RGBA"))

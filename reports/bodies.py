@@ -1,4 +1,4 @@
-"""What a picture shows of a field: points, displacements and values of cells, mirrored."""
+"""Data of a picture: points, displacements and values of cells, mirrored."""
 
 from dataclasses import dataclass, replace
 
@@ -111,7 +111,7 @@ def _in_pieces(shown: Body, at_points: Array) -> Body:
 
 
 def _sign(field: Field, picture: Picture, axis: str) -> float:
-    """What a value is multiplied by in the image behind the plane of this axis."""
+    """Factor of a value in the image behind the plane of this axis."""
     data = field.cell_data.get(picture.data, field.point_data.get(picture.data))
     if data is None or data.ndim != 2 or picture.component is None:
         return 1.0

@@ -45,7 +45,7 @@ def interval(count: int, total: int) -> str:
 
 
 def stale(caught: Caught) -> str:
-    """What was not measured for this code, in words, and what of it was for earlier code."""
+    """Mutants not measured for this code, in words, and those measured for earlier code."""
     known = {group.name for group in caught.groups}
     if caught.references:
         known.add("references")
@@ -83,7 +83,7 @@ def green(caught: Caught) -> list[str]:
 
 
 def only_listed(caught: Caught) -> list[tuple[str, int]]:
-    """Why rows are not held to the gate, and how many, the most first."""
+    """Reasons why rows are not required to fail, and their numbers, the largest first."""
     counts: Counter[str] = Counter()
     for reason, rows in caught.references.get("listed", {}).get("because", {}).items():
         coarse = reason.startswith(PRINTED)
@@ -94,7 +94,7 @@ def only_listed(caught: Caught) -> list[tuple[str, int]]:
 
 
 def in_words(caught: Caught) -> list[str]:
-    """What the shares leave out: rows not required to fail, not reached, or failing always."""
+    """Rows that the shares leave out: not required to fail, not reached, or failing always."""
     data = caught.references
     if not data:
         return []

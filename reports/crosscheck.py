@@ -29,12 +29,12 @@ class Problem:
 
     @property
     def why(self) -> str:
-        """What makes differences, each reason once."""
+        """Causes of differences, each one once."""
         return "" if self.missing else "; ".join(dict.fromkeys(c.why for c in self.lines))
 
 
 def of_cases(report: Report) -> tuple[Crosscheck, ...]:
-    """What there is of the cases of the report, to whose places it links."""
+    """Comparisons of the cases of the report, to whose places it links."""
     here = {case.id for case in report.cases}
     return tuple(check for check in report.crosschecks if check.case in here)
 
@@ -57,7 +57,7 @@ def left_out(checks: Sequence[Crosscheck]) -> list[tuple[str, list[Problem]]]:
 
 
 def told(checks: Sequence[Crosscheck]) -> str:
-    """How many agree, are not measured, and are cases of no second solver, in a sentence."""
+    """Sentence with the numbers that agree, are not measured, and have no second solver."""
     agree = sum(check.state is CrossState.AGREES for check in checks)
     outside = sum(check.state is CrossState.OUTSIDE for check in checks)
     missing = sum(p.head.state is CrossState.MISSING for p in problems(checks))
@@ -72,7 +72,7 @@ def told(checks: Sequence[Crosscheck]) -> str:
 
 
 def crosscheck_data(checks: Sequence[Crosscheck]) -> list[Data]:
-    """The same for the PDF's template."""
+    """Comparisons with second solvers for the PDF's template."""
     return [
         {
             "case": p.head.case, "what": runs(p.head.what),

@@ -113,7 +113,7 @@ def key(axes: Axes, named: Sequence[Curve | Band], top: float = KEY) -> int:
 
 
 def _swatch(curve: Curve | Band, left: float, y: float) -> Markup:
-    """What the key shows of a curve or a band before its name."""
+    """Sample of a curve or a band before its name in the key."""
     if isinstance(curve, Band):
         css = f"area s{curve.colour}" if curve.colour >= 0 else "band"
         return svg.rectangle(left, y - 5, SWATCH, 10, css)

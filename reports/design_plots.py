@@ -17,7 +17,7 @@ MANY = 3  # limits violated, or more
 
 @dataclass(frozen=True, kw_only=True)
 class Bars:
-    """How many of `total` candidates violate each limit; names, limits and counts in order."""
+    """Number of `total` candidates that violate each limit; names, limits and counts in order."""
 
     title: str
     names: tuple[str, ...]
@@ -28,7 +28,7 @@ class Bars:
 
 @dataclass(frozen=True, kw_only=True)
 class Region:
-    """How many limits springs violate over two parameters, -1 where no strip can be bent (k, m).
+    """Number of limits violated over two parameters, -1 where no strip can be bent (k, m).
 
     `columns` and `rows` [in the units of the labels] rise; `mark` is a (row, column).
     """

@@ -77,7 +77,7 @@ def _some_points(figure: Curves) -> bool:
 
 
 def nothing(title: str) -> Markup:
-    """What is drawn for a figure without points."""
+    """Drawing in place of a figure without points."""
     said = "nothing to draw with these inputs"
     words = svg.text(WIDTH / 2, HEIGHT / 2 + 4, said, "tick", "middle")
     return svg.drawing(WIDTH, HEIGHT, [words], f"{title}: nothing to draw", "chart")

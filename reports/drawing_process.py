@@ -53,7 +53,7 @@ class DrawingProcess:
         return images, trouble or NO_PICTURE
 
     def _failure(self, folder: str, seconds: float) -> str:
-        """How the process failed, in a few words; "" where it reports success."""
+        """Cause of the failure of the process, in a few words; "" where it reports success."""
         try:
             process = self._process or self._start()
         except OSError as error:

@@ -34,11 +34,11 @@ class Cells:
         return (self.box[3] - self.box[1]) / self.rows
 
     def X(self, i: float) -> float:
-        """Where the left edge of column i is; i + 1/2 is its middle."""
+        """Abscissa of the left edge of column i; i + 1/2 is its middle."""
         return self.box[0] + self.wide * i
 
     def Y(self, j: float) -> float:
-        """Where the lower edge of row j is."""
+        """Ordinate of the lower edge of row j."""
         return self.box[3] - self.high * j
 
     def filled(self, member: NDArray[np.bool_], style: str) -> Markup:
@@ -74,7 +74,7 @@ class Cells:
         return Markup('<path class="{}" d="{}"/>').format(style, "".join(d)) if d else Markup("")
 
     def line(self, field: Array, level: float, style: str) -> Markup:
-        """Where a field (columns, rows), given in the middle of the cells, passes a level."""
+        """Contour at which a field (columns, rows), given in mid-cell, has the value `level`."""
         pieces = isoline(field, level) + 0.5
         if not 0 < len(pieces) <= MOST:
             return Markup("")

@@ -71,7 +71,7 @@ def _steps(error: Array, classes: NDArray[np.int64], width: float, bottom: float
 
 
 def _key(m: Map, top: float) -> tuple[list[Markup], int]:
-    """What the shades and dots mean, as many a line as fit; and the number of lines."""
+    """Explanation of shades and dots, as many per line as fit; and the number of lines."""
     named = [(f"m{min(i, SHADES)}", f"within {limit:.0%}") for i, limit in enumerate(m.limits)]
     named.append((f"m{SHADES}", f"beyond {m.limits[-1]:.0%}"))
     if not np.all(np.isfinite(m.error)):

@@ -20,7 +20,7 @@ HIGH = 11.0  # of the scale's colours
 
 
 def edges(limits: Sequence[float]) -> tuple[float, ...]:
-    """Where one class of |error| ends and the next begins: the limits and places between them."""
+    """Boundaries between the classes of |error|: the limits and values between them."""
     first, last = limits[0], limits[-1]
     found = [first / 4, first / 2, first]
     for low, high in pairwise(limits):

@@ -133,7 +133,7 @@ def _numbers(values: Sequence[float]) -> list[float | None]:
 
 
 def _without_empty(content: Mapping[str, Any]) -> dict[str, Any]:
-    """What is not zero, false or empty: the script takes the rest as that."""
+    """Record without zeros, false and empty values, which the script takes as default."""
     return {key: value for key, value in content.items() if value}
 
 

@@ -1,4 +1,4 @@
-"""What the first page shows of each paper, and of each task of a designer."""
+"""Content of the first page for each paper and each design task."""
 
 import tomllib
 from collections.abc import Mapping, Sequence
@@ -54,7 +54,7 @@ class Group:
 
     @property
     def what(self) -> str:
-        """What they give, the first MOST_NAMED."""
+        """Quantities that the equations give, the first MOST_NAMED."""
         each = list(dict.fromkeys(v.what for v in self.formulas))
         more = len(each) - MOST_NAMED
         return "; ".join(each[:MOST_NAMED]) + (f"; and {more} more" if more > 0 else "")

@@ -1,4 +1,4 @@
-"""How numbers, symbols and equations are written on the page."""
+"""Format of numbers, symbols and equations on the page."""
 
 import math
 import re
@@ -44,7 +44,7 @@ def prose(text: str) -> Markup:
 
 
 def linked(text: str) -> Markup:
-    """The same, where "ledger paper:entry" leads to that entry."""
+    """Running text in which "ledger paper:entry" links to that entry."""
     return Markup(  # noqa: S704 - escaped by prose
         _LEDGER.sub(r'ledger <a href="#erratum-\1-\2">\2</a>', str(prose(text)))
     )

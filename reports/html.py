@@ -106,7 +106,7 @@ def page(report: Report, frames: Mapping[str, Sequence[Frame]]) -> str:
 
 
 def context(report: Report, frames: Mapping[str, Sequence[Frame]]) -> dict[str, Any]:
-    """What the templates of all pages read."""
+    """Values that the templates of all pages use."""
     groups = [(case, lines(case.rows)) for case in report.cases]
     checks = crosscheck.of_cases(report)
     placed = anchors(report.rows)
@@ -141,7 +141,7 @@ class Cause:
 
 
 def causes(rows: Sequence[Row], status: Status) -> list[Cause]:
-    """What failed, once for each reason."""
+    """Failures, listed once for each cause."""
     found: dict[tuple[str, str], list[Row]] = {}
     for row in rows:
         if row.status is status:
@@ -174,7 +174,7 @@ def warnings(cases: Sequence[CaseResult]) -> Mapping[str, list[str]]:
 
 
 def partly(report: Report) -> str:
-    """What a run of some cases leaves untold of the papers; nothing for a run of all."""
+    """Statement which results of the papers a partial run omits; empty for a complete run."""
     without = report.provenance.get("left_out", 0)
     if without <= 0:
         return ""
@@ -183,7 +183,7 @@ def partly(report: Report) -> str:
 
 
 def title(report: Report) -> str:
-    """What the report is about."""
+    """Title of the report."""
     if report.name or not report.cases or report.has_ledgers:
         return report.name or "Freewheel clutches: formulas against finite elements"
     return "; ".join(dict.fromkeys(case.title for case in report.cases))
@@ -303,7 +303,7 @@ def environment(equations: Equations) -> jinja2.Environment:
 
 
 def printed(row: Row, kind: str) -> Markup:
-    """What the papers print of one `kind`."""
+    """Printed entries of one `kind` of the papers."""
     return formats.prose(", ".join(p.printed for p in row.published if p.kind == kind))
 
 
@@ -343,7 +343,7 @@ def _by_paper(report: Report) -> Mapping[str, list[Mapping[str, Any]]]:
 
 
 def script_of(cases: Sequence[CaseResult], frames: Mapping[str, Sequence[Frame]]) -> str:
-    """What moves the views and the modes of shafts of these cases, where there are some."""
+    """Script that moves the views and the mode shapes of these cases; empty if not needed."""
     views = any(frame.view for case in cases for frame in frames.get(case.id, ()))
     modes = any(isinstance(f, Whirl) and drawable(f) for case in cases for f in case.figures)
     names = ["viewer.js"] * views + ["whirl.js"] * modes
@@ -356,7 +356,7 @@ def drawn_by(frames: Mapping[str, Sequence[Frame]]) -> str:
 
 
 def script_source(script: str) -> str:
-    """What the content security policy permits: this script or none."""
+    """Source that the content security policy permits: this script or none."""
     if not script:
         return "'none'"
     return f"'sha256-{base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()}'"

@@ -1,4 +1,4 @@
-"""What is verified, one line a case: for the head of the page and as a table for a README."""
+"""Verified results, one line a case: for the head of the page and as a table for a README."""
 
 import math
 from collections import Counter
@@ -34,7 +34,7 @@ def cases_in_short(report: Report) -> list[CaseLine]:
 
 
 def markdown(report: Report) -> str:
-    """The same as a table in Markdown."""
+    """One line a case as a table in Markdown."""
     lines = (
         f"| `{v.case}` | {_cell(v.what)} | {v.rows} | {v.states} | {v.difference} | {v.seen} |"
         for v in cases_in_short(report)

@@ -41,7 +41,7 @@ class Measured:
 
     @property
     def unsafe(self) -> NDArray[np.bool_]:
-        """Where an error is beyond the last limit on the unsafe side."""
+        """True where an error is beyond the last limit on the unsafe side."""
         if self.unsafe_sign is None:
             return np.zeros(self.error.shape, dtype=bool)
         size = self.unsafe_sign * self.error if self.unsafe_sign else np.abs(self.error)
@@ -49,7 +49,7 @@ class Measured:
 
 
 def all_within(error: Array, U: Array) -> str:
-    """What holds all errors, bars included, in words, where too small for a figure; else ""."""
+    """Limit above all errors with bars, in words, if these are too small for a figure; else ""."""
     reach = (np.abs(error) + U)[np.isfinite(error)]
     if not reach.size or not (largest := float(reach.max())) < TINY:
         return ""

@@ -1,4 +1,4 @@
-"""What each part of a report follows from, as a digest: a part with the same one is not made again.
+"""Digests of the inputs of each part of a report; a part with an unchanged digest is not remade.
 
 The date of a run, its commit and its seconds do not count: a file keeps those of the run that made
 it. The first page, the provenance and `results.json` have those of the last run.
@@ -64,7 +64,7 @@ def _digest(value: Any) -> str:
 
 
 def _parts(report: Report, origins: Origins) -> Iterator[tuple[str, Any]]:
-    """What each part has beside the code of reports."""
+    """Inputs of each part beside the code of reports."""
     cases = [(case.id, origins.cases[case.id]) for case in report.cases]
     places, rows = anchors(report.rows), _digest(report.rows)
     explored = explorer.places(report, places)

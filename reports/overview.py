@@ -114,7 +114,7 @@ def _marks(rows: Sequence[tuple[float, Row]], top: float, bottom: float) -> Mark
 
 
 def _height(value: float, top: float, bottom: float) -> float:
-    """Where a relative number is, from 10^LEAST at the bottom to 1 at the top."""
+    """Height of a relative number in the plot, from 10^LEAST at the bottom to 1 at the top."""
     share = (math.log10(max(value, 1e-300)) - LEAST) / -LEAST
     return bottom - (bottom - top) * min(max(share, 0.0), 1.0)
 

@@ -36,7 +36,7 @@ Frames = Mapping[str, Sequence[Frame]]
 
 @dataclass(frozen=True)
 class OfCase:
-    """What the page of a case shows."""
+    """Content of the page of a case."""
 
     case: CaseResult
     lines: Sequence[Line]

@@ -61,7 +61,7 @@ class Uses:
 
 @dataclass(frozen=True)
 class PrintedRow:
-    """What the suite has on one row of a printed table."""
+    """Rows of the suite that belong to one row of a printed table."""
 
     claims: Sequence[Claim]
     inputs: Sequence[Uses]

@@ -54,7 +54,7 @@ def parallel(p: Parallel) -> Markup:
 
 
 def _shares(axis: ParallelAxis, values: Array) -> Array:
-    """Where values lie from the low end (0) to the high end (1)."""
+    """Position of values between the low end (0) and the high end (1)."""
     low, high, v = axis.low, axis.high, np.asarray(values, dtype=float)
     if axis.log:
         low, high, v = math.log(low), math.log(high), np.log(np.maximum(v, 1e-300))

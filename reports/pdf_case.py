@@ -97,14 +97,14 @@ def line_data(line: Line, anchors: Mapping[str, str]) -> Data:
 
 
 def _second(checks: Sequence[Crosscheck], row: Row) -> list[list[Run]]:
-    """What each second solver found for the row."""
+    """Result of each second solver for the row."""
     return [
         [f"{c.solver} ", *runs(second.value(c, row)), ", ", *runs(second.apart(c))] for c in checks
     ]
 
 
 def _problem(problem: Problem) -> list[Run]:
-    """What a second solver found that belongs to no single row, in a sentence."""
+    """Results of a second solver that belong to no single row, in a sentence."""
     said: list[Run] = [f"Second solver, {problem.head.solver}: ", *prose(problem.head.what)]
     for i, check in enumerate(problem.lines):
         said += [": " if i == 0 else "; ", *prose(check.quantity), " ", *runs(second.apart(check))]

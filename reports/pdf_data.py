@@ -61,7 +61,7 @@ def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
 
 
 def head(report: Report, frames: Mapping[str, Sequence[Frame]], places: Mapping[str, str]) -> Data:
-    """What every PDF begins and ends with: title, counts, rows that failed, provenance."""
+    """First and last part of every PDF: title, counts, rows that failed, provenance."""
     return {
         "title": title(report),
         "kicker": "Check of user inputs" if report.name else "Verification report",
@@ -79,7 +79,7 @@ def head(report: Report, frames: Mapping[str, Sequence[Frame]], places: Mapping[
 
 
 def _key(report: Report) -> Markup:
-    """How to read a row, without the marks of the papers in a report on user inputs."""
+    """Explanation of a row, without the marks of the papers in a report on user inputs."""
     drawn = Template((HERE / "key.svg").read_text("utf-8"), autoescape=True)
     return Markup(drawn.render(report=report))  # noqa: S704 - file of the project
 

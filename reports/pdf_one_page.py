@@ -31,7 +31,7 @@ WORST_FIRST = (Verdict.UNSAFE, Verdict.WRONG, Verdict.NONE, Verdict.CONSERVATIVE
 def one_page(
     case: CaseResult, report: Report, frames: Sequence[Frame], source: str, page: str
 ) -> Data:
-    """What a page may show, in order of weight; the template leaves out rows that do not fit.
+    """Possible content of a page, by weight; the template leaves out rows that do not fit.
 
     `source` is where the case's formulas stand, `page` the file that has everything of it.
     """

@@ -1,4 +1,4 @@
-"""Where each formula may be used, in the PDF: a table for each case in place of cards."""
+"""Range of use of each formula in the PDF: a table for each case in place of cards."""
 
 from collections.abc import Sequence
 

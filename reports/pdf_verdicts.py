@@ -8,7 +8,7 @@ from verify.core.verdicts import FormulaVerdict, Verdict
 
 
 def counts_data(report: Report) -> Data | None:
-    """How many verdicts of each kind a paper has; None where a run has no verdicts."""
+    """Number of verdicts of each kind of a paper; None where a run has no verdicts."""
     if not report.verdicts:
         return None
     kinds = given(report)
@@ -23,7 +23,7 @@ def counts_data(report: Report) -> Data | None:
 
 
 def verdict_data(report: Report) -> Data | None:
-    """The same with a line for each form of each equation."""
+    """Verdicts of a paper, with a line for each form of each equation."""
     counted = counts_data(report)
     if counted is None:
         return None

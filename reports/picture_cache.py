@@ -57,7 +57,7 @@ class Drawn:
     why: str = ""
 
     def pixels(self, points: Array) -> Array:
-        """Where points (n, 2) of the model lie in the bitmap: pixels right and down."""
+        """Pixels of points (n, 2) of the model in the bitmap, to the right and downwards."""
         left, _, right, top = self.rectangle
         return np.asarray((points - (left, top)) * (1, -1) * self.width / (right - left))
 
@@ -128,7 +128,7 @@ def _code() -> str:
 
 
 def opengl() -> str:
-    """Which OpenGL libraries and display there are."""
+    """OpenGL libraries and display in use."""
     found = sorted(
         path.name for place in OPENGL for path in Path("/usr").glob(f"{place}/lib*GL*.so*")
     )

@@ -32,11 +32,11 @@ class Axes:
     x_log: bool = False
 
     def X(self, value: float) -> float:
-        """Where x is in the image."""
+        """Abscissa of x in the image."""
         return _between(value, self.x, (self.box[0], self.box[2]), self.log or self.x_log)
 
     def Y(self, value: float) -> float:
-        """Where y is in the image."""
+        """Ordinate of y in the image."""
         return _between(value, self.y, (self.box[3], self.box[1]), self.log or self.y_log)
 
     def grid(self, values: Sequence[float], name: Callable[[float], str | Markup]) -> None:
@@ -59,7 +59,7 @@ class Axes:
             ]
 
     def titles(self, x: str, y: str) -> None:
-        """What is plotted over what."""
+        """Titles of both axes."""
         left, top, right, bottom = self.box
         self.body += [svg.text(left - 40, top - 10, y, "label")] if y else []
         self.body += [svg.text(right, bottom + 31, x, "label", "end")] if x else []
@@ -116,7 +116,7 @@ def profile(p: Profile) -> Markup:
 
 
 def _rest(p: Profile) -> str:
-    """What the lower part of a profile shows, in words."""
+    """Description of the lower part of a profile."""
     difference = f"formula {svg.MINUS} reference"
     if p.scale == 1 and not p.scale_name:
         return difference

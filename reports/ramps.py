@@ -28,7 +28,7 @@ class Scale:
     stops: tuple[str, ...]
 
     def shares(self, values: Array) -> Array:
-        """Where values lie along the colours, from 0 to 1."""
+        """Position of values along the colours, from 0 to 1."""
         span = self.high - self.low
         shares = (values - self.low) / span if span > 0 else np.full(len(values), 0.5)
         return np.asarray(np.clip(shares, 0, 1))

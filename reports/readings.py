@@ -1,4 +1,4 @@
-"""What printed numbers may mean, in words and for the PDF."""
+"""Possible meanings of printed numbers, in words and for the PDF."""
 
 from reports import formats
 from reports.pdf_tables import Data, prose
@@ -7,7 +7,7 @@ from verify.core.results import ReadingsTried
 
 
 def found(one: ReadingsTried) -> str:
-    """What reproduces the number, or that nothing does."""
+    """Reading that reproduces the number, or a statement that none does."""
     if one.met:
         return (
             "the formula gives the number, within the rounding of its inputs; "

@@ -37,7 +37,7 @@ def report_record(report: Report) -> dict[str, Any]:
 
 
 def _drift(drift: Drift) -> dict[str, Any]:
-    """What moved since a release, and how many loosened demands lack a reason."""
+    """Changes since a release, and the number of relaxed requirements without a reason."""
     return dict(_plain(drift), unexplained=len(drift.unexplained))
 
 

@@ -125,13 +125,13 @@ def _within(turned: Body, window: Box, name: str) -> tuple[Body, Array]:
 
 
 def _touches(corners: Array, box: Box) -> NDArray[np.bool_]:
-    """Which cells (m, corners, 2) reach into the box, by their bounding boxes."""
+    """True for cells (m, corners, 2) whose bounding box reaches into the box."""
     low, high = corners.min(axis=1), corners.max(axis=1)
     return np.asarray(((high >= box[:2]) & (low <= box[2:])).all(axis=1))
 
 
 def _grown(window: Box) -> Box:
-    """What may move into the window; parts farther away would only come in by exaggeration."""
+    """Window with a margin; parts beyond the margin enter the window only by exaggeration."""
     left, bottom, right, top = window
     air = READABLE * 2 * max(right - left, top - bottom)
     return left - air, bottom - air, right + air, top + air

@@ -77,7 +77,7 @@ def cells(checks: Sequence[Crosscheck]) -> list[str | float | None]:
 
 
 def records(checks: Sequence[Crosscheck]) -> Iterator[dict[str, Any]]:
-    """The same for results.json, of every solver."""
+    """Comparisons of every second solver for results.json."""
     for check in checks:
         yield {
             "solver": check.solver, "version": check.version, "value": check.theirs,

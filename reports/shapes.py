@@ -103,5 +103,5 @@ def _bar(scale: float, s: Shapes, top: float) -> list[Markup]:
 
 
 def _key(name: str, top: float) -> list[Markup]:
-    """What the dots are, below the bar."""
+    """Meaning of the dots, below the bar."""
     return [svg.circle(EDGE + 4, top, 2.4, "fe"), svg.text(EDGE + 12, top + 4, name, "tick")]

@@ -19,7 +19,7 @@ MARKS = {
 
 
 def position(row: Row) -> float | None:
-    """Where the formula lies, in tolerances from its reference; None where there is no such thing.
+    """Position of the formula, in tolerances from its reference; None without a reference.
 
     An approximation lies in its expected interval: from -1 to 1 there. A balance has no formula:
     its residual is what is placed.

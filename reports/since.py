@@ -1,4 +1,4 @@
-"""What moved since a release, in words and for the PDF."""
+"""Changes since a release, in words and for the PDF."""
 
 from collections.abc import Sequence
 
@@ -24,22 +24,22 @@ def summary(drift: Drift) -> str:
 
 
 def shown(drift: Drift) -> list[Change]:
-    """What was loosened first, and of the rest as many as fit."""
+    """As many changes as fit, relaxed requirements without a reason first."""
     return sorted(drift.changes, key=lambda c: (not c.loosened, bool(c.reason)))[:MOST]
 
 
 def left_out(drift: Drift) -> str:
-    """How many changes are not listed, in words."""
+    """Number of changes that are not listed, in words."""
     return _more(drift.changes)
 
 
 def tighter(drift: Drift) -> Sequence[Change]:
-    """What was tightened, as much as fits."""
+    """Requirements that became stricter, as many as fit."""
     return drift.tighter[:MOST]
 
 
 def tighter_left_out(drift: Drift) -> str:
-    """How many tightened rows are not listed, in words."""
+    """Number of rows with stricter requirements that are not listed, in words."""
     return _more(drift.tighter)
 
 

@@ -96,7 +96,7 @@ def flat(text: str) -> str:
 
 
 def key(panels: Sequence[Panels]) -> Markup:
-    """What the colours and marks of all these maps mean."""
+    """Meaning of the colours and marks of all these maps."""
     maps = [m for one in panels for m in one.maps]
     return scale_key(maps[0].limits, marked=any(has_nominal(m) for m in maps))
 

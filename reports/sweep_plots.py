@@ -16,7 +16,7 @@ MOST_BINS = 40
 
 @dataclass(frozen=True, kw_only=True)
 class Histogram:
-    """How often `values` (n,) occur, in the unit of the label; `quantiles` are values and names.
+    """Frequency of `values` (n,), in the unit of the label; `quantiles` are values and names.
 
     `limits` mark where a formula's error leaves its limits, as ± values.
     """
@@ -70,7 +70,7 @@ def histogram(h: Histogram) -> Markup:
 
 
 def reach(values: Array) -> tuple[float, float]:
-    """What the axis of a histogram of `values` spans: all of them, and a margin."""
+    """Range of the axis of a histogram of `values`: all of them, and a margin."""
     low, high = float(values.min()), float(values.max())
     margin = 0.04 * (high - low) or 0.01 * abs(high) or 1.0
     return low - margin, high + margin

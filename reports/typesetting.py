@@ -10,7 +10,7 @@ class NotSet(Exception):  # noqa: N818 - names what did not happen
 
 
 def typeset(template: str, inputs: dict[str, str], **options: Any) -> Any:
-    """What typst makes of a template with `inputs`, by the `options` of typst; raises NotSet."""
+    """Output of typst for a template with `inputs`, by the `options` of typst; raises NotSet."""
     try:
         import typst  # its absence is no reason to write no report
     except ImportError as error:

@@ -64,7 +64,7 @@ def _bent(error: Array | float) -> Array:
 
 
 def _reach(m: Measured, known: NDArray[np.bool_]) -> tuple[float, float]:
-    """What the axis spans: all bars, and the first limit, next to which the small looks small."""
+    """Range of the axis: all error bars, and the first limit, for comparison."""
     least = 1.3 * m.limits[0]
     if not known.any():
         return -least, least

@@ -1,4 +1,4 @@
-"""Where a formula may be used: its signed error over one or two inputs, with its bar."""
+"""Range of use of a formula: its signed error over one or two inputs, with its bar."""
 
 import numpy as np
 from markupsafe import Markup
@@ -45,7 +45,7 @@ def measured(m: Measured) -> Markup:
 
 
 def scale_key(limits: tuple[float, ...] = LIMITS, *, marked: bool = True) -> Markup:
-    """What the colours and marks of small figures mean, once for many.
+    """Meaning of the colours and marks of small figures, once for many.
 
     `marked` says whether one of them has the inputs of the file.
     """
@@ -110,7 +110,7 @@ def _outlined(m: Measured, y: Array, cells: Cells) -> Markup:
 
 
 def _nominal(m: Measured, y: Array) -> tuple[float, float] | None:
-    """Where the inputs of the file lie, as indices; None outside of the map."""
+    """Indices of the file's inputs in the map; None outside of the map."""
     if m.nominal is None:
         return None
     spaced = [np.log10 if log else np.asarray for log in m.log]
@@ -120,7 +120,7 @@ def _nominal(m: Measured, y: Array) -> tuple[float, float] | None:
 
 
 def _place(values: Array, wanted: float) -> float | None:
-    """Where a value lies among `values`, in any order, as an index; None beyond their ends."""
+    """Index of a value among `values`, in any order; None beyond their ends."""
     order = np.argsort(values)
     if not values[order[0]] <= wanted <= values[order[-1]]:
         return None

@@ -119,7 +119,7 @@ def errata_in_verdicts(
 
 
 def counts_in_markdown(report: Report) -> str:
-    """How many verdicts of each kind by paper, as a table in Markdown."""
+    """Number of verdicts of each kind by paper, as a table in Markdown."""
     kinds, papers = given(report), by_paper(report)
     lines = [f"| formulas of | {' | '.join(kinds)} |", f"|---|{'---|' * len(kinds)}"]
     lines += [_counted(paper.cited, [paper.counts[kind] for kind in kinds]) for paper in papers]

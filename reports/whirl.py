@@ -209,7 +209,7 @@ def _key(w: Whirl, scale: float, top: float) -> list[Markup]:
 
 
 def _shafts(names: tuple[str, ...], top: float) -> list[Markup]:
-    """Whose line has which colour."""
+    """Assignment of colours to shafts."""
     body, left, y = [], EDGE, top + 10
     for k, name in enumerate(names):
         colour = COLOURS[k % len(COLOURS)]

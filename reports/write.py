@@ -149,7 +149,7 @@ def _made(
 
 
 def _tables(report: Report) -> Iterator[tuple[str, bytes]]:
-    """What takes no time to make."""
+    """Tables that are written in negligible time."""
     schema = Path(__file__).parent / "results.schema.json"
     yield "results.json", text_of(report_record(report)).encode()
     yield schema.name, schema.read_bytes()

@@ -1,4 +1,4 @@
-"""What text may hold where XML or a typesetter reads it."""
+"""Text without characters that XML or a typesetter does not accept."""
 
 import re
 

@@ -119,7 +119,7 @@ def _beside(axes: Axes, z: Zones) -> tuple[Box, str]:
 
 
 def _crossing(axes: Axes, z: Zones, box: Box) -> int:
-    """How many points of the curves, drawn densely, lie in a box."""
+    """Number of points of the curves, drawn densely, in a box."""
     count = 0
     for curve in z.curves:
         t = np.linspace(0, len(curve.x) - 1, 20 * len(curve.x))
@@ -133,7 +133,7 @@ def _crossing(axes: Axes, z: Zones, box: Box) -> int:
 
 
 def _place(axes: Axes, x: float, y: float) -> tuple[float, float]:
-    """Where a point is in the image, within the plot."""
+    """Position of a point in the image, within the plot."""
     return (
         axes.X(min(max(x, axes.x[0]), axes.x[1])), axes.Y(min(max(y, axes.y[0]), axes.y[1])),
     )  # fmt: skip

@@ -38,7 +38,7 @@ def lundberg(*, load: float, length: float, E_star: float) -> Gap:
 
 
 def johns_gohar(*, load: float, length: float, half_width: float, E_star: float) -> Gap:
-    """The same with the constant that Johns and Gohar print, 0.3033 of 2b/l."""
+    """Johns and Gohar's crown with the constant that they print, 0.3033 of 2b/l."""
     left = 1 - 0.3033 * 2 * half_width / length
 
     def drop(y: Array) -> Array:

@@ -27,7 +27,7 @@ class SlicedContact:
 
     @property
     def carries(self) -> NDArray[np.bool_]:
-        """Which slices carry, (..., n)."""
+        """True for slices in contact, (..., n)."""
         return np.asarray(self.force > 0)
 
     @property

@@ -105,7 +105,7 @@ class Duty:
         return np.asarray(self.required(T, state.loaded(self.clutch, T).alpha) <= self.mu)
 
     def _crossing(self, low: float, high: float) -> float:
-        """Where friction begins or ends to hold, between two torques [N m]."""
+        """Torque [N m] between two others at which the clutch begins or ceases to hold."""
         for _ in range(ROUNDS):
             T = np.linspace(low, high, POINTS)
             held = self._held(T)
@@ -115,7 +115,7 @@ class Duty:
 
     @property
     def _range(self) -> tuple[tuple[float, float], ...]:
-        """That in which the torque is, if any."""
+        """Range of `friction_holds` that contains the torque; empty without one."""
         return tuple(one for one in self.friction_holds if one[0] <= self.T <= one[1])
 
     @property

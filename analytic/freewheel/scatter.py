@@ -73,7 +73,7 @@ class Slope:
 
 
 def slopes(cam: Cam, sigma: Mapping[str, float]) -> list[Slope]:
-    """Of X, r and R, in this order; `sigma` [m] by the fields of `cam`.
+    """Slopes for X, r and R, in this order; `sigma` [m] by the fields of `cam`.
 
     >>> from analytic.freewheel.geometry import InnerCam
     >>> cam = InnerCam(R=16.5, r=2.5, X=11.39565, z=8)

@@ -123,7 +123,7 @@ class Driven:
         return inf
 
     def _stiffness(self, N: float) -> float:
-        """How fast ring and roller close under N [length per force and length]."""
+        """Stiffness of the closure of ring and roller under N [length per force and length]."""
         up, down = (self.contact.closure(N * (1 + step)) for step in (STEP, -STEP))
         return (up - down) / (2 * STEP * N)
 

@@ -35,7 +35,7 @@ def loaded_fillet_stress(
 
 
 def driven_fillet_stress(hub: Driven, N: float, p: float) -> float:
-    """The same of a ring that its hub turns, whose rollers carry N per unit length.
+    """Largest fillet stress of a ring driven by its hub, whose rollers carry N per unit length.
 
     No rollers and no hub where N is 0 or infinite.
     """

@@ -97,7 +97,7 @@ def strain_energy(
     k = float(nu_plane)
 
     def integral(r: float) -> float:
-        """Of r² u_r over r, u_r in load/(8 E')."""
+        """Integral of r² u_r over r, with u_r in load/(8 E')."""
         lame = (3 + k) * (
             (1 - k) * (r_i**2 + r_o**2) * r**4 / 4 + (1 + k) * (r_i * r_o * r) ** 2 / 2
         )

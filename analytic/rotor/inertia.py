@@ -30,7 +30,7 @@ def tubes_inertia(*, end: Array, length: Array, d_o: Array, d_i: Array, rho: flo
 
 
 def discs_inertia(*, z: Array, mass: Array, polar: Array, diametral: Array) -> Array:
-    """The same (3,) of thin discs at z (k,) [m] with given moments [kg m^2]."""
+    """Mass, polar, diametral moment (3,) of thin discs at z (k,) [m], moments given [kg m^2]."""
     return np.array([mass.sum(), polar.sum(), (diametral + mass * z**2).sum()])
 
 

@@ -34,7 +34,7 @@ class Excited:
 
     @property
     def speeds(self) -> Array:
-        """Of the rotor, rising."""
+        """Critical speeds of the rotor, rising."""
         return self.modes.speeds
 
 

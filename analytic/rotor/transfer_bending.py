@@ -95,7 +95,7 @@ class Bending:
         return D
 
     def coupled(self, w: ArrayLike, Omega: ArrayLike, *, damped: bool = False) -> Array | Complex:
-        """The same of (r+, r-) (m, 2n, 2n), Hermitian but for damping; real where it can be."""
+        """Stiffness of (r+, r-) (m, 2n, 2n), Hermitian without damping; real where possible."""
         w = np.atleast_1d(np.asarray(w, dtype=np.float64))
         n = 2 * self.nodes
         turned = damped or self.deviator.imag.any()

@@ -196,7 +196,7 @@ class Rotor:
 
     @property
     def stations(self) -> int:
-        """How many stations there are."""
+        """Number of stations."""
         return sum(len(shaft.segments) + 1 for shaft in self.shafts)
 
     @property

@@ -19,7 +19,7 @@ TOLERANCE = 1e-13
 
 
 def count_below(D: Matrices) -> NDArray[np.int64]:
-    """How many roots lie below the frequencies at which the stiffnesses (m, n, n) were taken."""
+    """Number of roots below the frequencies at which the stiffnesses (m, n, n) were taken."""
     found: NDArray[np.int64] = (np.linalg.eigvalsh(D) < 0).sum(axis=-1)
     return found
 

@@ -44,5 +44,5 @@ class Clutch:
         return np.asarray(x, dtype=np.float64), np.asarray(y, dtype=np.float64)
 
     def rigid_races(self) -> Self:
-        """The same clutch with races that do not deflect as rings (Liu's model)."""
+        """Clutch with races that do not deflect as rings (Liu's model)."""
         return replace(self, compliance=self.compliance.rigid_races())

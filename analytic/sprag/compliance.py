@@ -72,5 +72,5 @@ class Compliance:
         )  # fmt: skip
 
     def rigid_races(self) -> Self:
-        """The same with races that do not deflect as rings (Liu's model)."""
+        """Compliance with races that do not deflect as rings (Liu's model)."""
         return replace(self, race_i=0.0, race_e=0.0)

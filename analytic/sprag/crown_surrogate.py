@@ -95,7 +95,7 @@ def over_box(surrogate: "Largest", box: Box) -> Array:
 
 
 def axes(box: Box) -> list[Array]:
-    """Where the surrogate is evaluated, along each parameter."""
+    """Values of each parameter at which the surrogate is evaluated."""
     return [np.linspace(a, b, n) for a, b, n in zip(box.low, box.high, FINE, strict=True)]
 
 

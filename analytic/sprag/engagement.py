@@ -125,7 +125,7 @@ def column(law: Law, c: int, k: int, u: float) -> tuple[float, float]:
 
 @compiled
 def place(law: Law, alpha: float) -> Place:
-    """Where the sprag is; at first contact for alpha <= 0, where nothing changes."""
+    """Position of the sprag; for alpha <= 0 that of first contact, which is constant."""
     s = np.sqrt(max(alpha, 0.0))
     at = s / law.step
     k = min(int(at), law.values.shape[1] - 2)

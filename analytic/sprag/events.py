@@ -60,7 +60,7 @@ class Events:
 
 
 def rolling(mode: Mode) -> list[int]:
-    """Which contacts roll, 0 the inner one."""
+    """Indices of the contacts that roll; 0 is the inner one."""
     return [k for k in (0, 1) if mode[k] == ROLLS]
 
 

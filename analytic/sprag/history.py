@@ -149,7 +149,7 @@ class Engagement:
 
     @property
     def verdict(self) -> Verdict:
-        """How it ended.
+        """Result of the engagement.
 
         "slips": a contact slides for most of the last quarter; "disengages": the contacts are
         open for most of it; "over the end": the sprag has left its profile; "not followed": the

@@ -26,7 +26,7 @@ STEP = 0.01  # of the torque, which starts that
 
 
 def held(motion: Motion, **changes: float) -> Motion:
-    """The same motion with the outer race held."""
+    """Motion with the outer race held."""
     return replace(motion, I_be=HELD * motion.I_be, **changes)
 
 
@@ -55,7 +55,7 @@ class Oscillation:
         return self._run(Torque.step(self.T), until, dt)
 
     def strut(self, dt: float) -> "Engagement":
-        """The same with N_e/N_i of a strut in place of 1."""
+        """Motion with N_e/N_i of a strut in place of 1."""
         return self._run(Torque.step(self.T), SWUNG / self.f, dt, strut_table(self.spring))
 
     def settled(self, refine: int) -> float:

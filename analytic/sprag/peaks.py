@@ -22,7 +22,7 @@ By = Literal["slices", "strips"]
 
 @dataclass(frozen=True, eq=False)
 class Peaks:
-    """Of n crowns (n, 3) under m torques [N m], at the inner contacts.
+    """Peaks of n crowns (n, 3) under m torques [N m], at the inner contacts.
 
     `N_max` [N] (n, m), and under it the `pressure` [Pa] of each slice or strip from one end to the
     other, (n, m, slices).
@@ -66,7 +66,7 @@ class Peaks:
         return np.asarray(self.pressure[..., 1:-1].max(axis=-1))
 
     def of(self, torque: int) -> "Peaks":
-        """The same under one of the torques, by its number."""
+        """Peaks under the torque with this number."""
         only = slice(torque, torque + 1)
         return Peaks(
             self.crowns, self.torques[only], self.N_max[:, only], self.pressure[:, only], self.by

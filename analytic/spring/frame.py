@@ -220,7 +220,7 @@ def end_point(
     tail: Tail = "arc",
     leaf: float | None = None,
 ) -> tuple[float, float]:
-    """Where the tail is held, seen from the middle of the head [length]."""
+    """Clamped end of the tail, relative to the middle of the head [length]."""
     at, heading = np.zeros(2), math.pi / 2
     for length, turn in pieces(n=n, L1=L1, radius=radius, alpha=alpha, tail=tail, leaf=leaf):
         at = _advance(at, heading, np.array([length]), turn / length)[:, 0]

@@ -53,6 +53,6 @@ class Box:
         return np.asarray((1 - u) * np.array(self.low) + u * np.array(self.high))
 
     def contains(self, x: Array) -> NDArray[np.bool_]:
-        """Which of the points (n, d) lie inside or on a bound."""
+        """True for the points (n, d) that lie inside or on a bound."""
         x = self.points(x)
         return np.asarray(np.all((x >= self.low) & (x <= self.high), axis=1))

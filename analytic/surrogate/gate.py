@@ -51,7 +51,7 @@ class Quality:
 
     @classmethod
     def of(cls, errors: Array) -> "Quality":
-        """Of relative errors (n,); ValueError unless all are finite and at least one."""
+        """Statistics of relative errors (n,); ValueError unless all are finite and at least one."""
         errors = np.abs(np.asarray(errors, np.float64))
         if not errors.size or not np.all(np.isfinite(errors)):
             raise ValueError(f"quality needs at least one error, all finite, got {errors}")

@@ -119,7 +119,7 @@ class Kriging:
         return np.asarray(self.dual / diagonal)  # C^-1 (y - F b) is the projected C^-1 times y
 
     def without(self, x: Array) -> "Kriging":
-        """The same process without those of its designs that are among x (m, d)."""
+        """Process without those of its designs that are among x (m, d)."""
         kept = cdist(self.u, self.box.to_unit(x)).min(axis=1) >= 1e-9
         return Kriging(
             box=self.box,

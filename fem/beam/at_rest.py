@@ -39,7 +39,7 @@ class AtRest:
         return splu(self.K.tocsc())
 
     def stiffness(self, stress: Any, elements: Any) -> Any:
-        """Of the `elements` under the `stress` N, V, M (n, n)."""
+        """Stiffness of the `elements` under the `stress` N, V, M (n, n)."""
         return elements.tangent_stiffness(self.S, self.strain, self.tangent, stress)
 
     def solve(self, load: Any) -> Any:

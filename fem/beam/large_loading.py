@@ -93,7 +93,7 @@ def movement(count: int, moved: Movements) -> tuple[Loading, Mask]:
 
 
 def held_components(count: int, supports: Supports) -> Mask:
-    """Which components (3n,) the supports hold; they hold them at zero."""
+    """Components (3n,) that supports hold at zero."""
     held = np.zeros(3 * count, bool)
     for node, support in supports.items():
         known(count, node)

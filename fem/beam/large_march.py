@@ -106,7 +106,7 @@ class March:
             size *= 2 if good > 1 else 1
 
     def _strayed(self, u: Extended, predicted: Array) -> float:
-        """How far the step is from its prediction, relative to that one's length; squared."""
+        """Squared distance of a step from its prediction, over its squared length."""
         off = (u - self.state.exact).astype(float).ravel() - predicted
         weights = self.balance.weights
         size = float(weights * predicted @ predicted)

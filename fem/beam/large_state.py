@@ -50,7 +50,7 @@ class State:
         return self.strain_energy + self.term_energy - float(self.loading.dead @ self.u.ravel())
 
     def at(self, factor: float) -> "State":
-        """The same state as the start of a path that counts from `factor`."""
+        """The state as the start of a path that counts from `factor`."""
         return replace(self, factor=factor, residuals=(), steps=0)
 
 
@@ -86,7 +86,7 @@ class Path:
 
     @property
     def strain_energy(self) -> Array:
-        """Of the elements (k,)."""
+        """Strain energy of the elements (k,)."""
         return np.array([state.strain_energy for state in self.states])
 
     @property
@@ -101,7 +101,7 @@ class Path:
 
     @property
     def work(self) -> Array:
-        """Of loads and moved supports since the reference state (k,)."""
+        """Work of loads and moved supports since the reference state (k,)."""
         return np.array([state.work for state in self.states])
 
     @property

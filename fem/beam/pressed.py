@@ -33,7 +33,7 @@ class PressedFrame:
 
     @property
     def stiffness(self) -> float:
-        """Of a free head along x, at small displacement [force/length]."""
+        """Stiffness of a free head along x, at small displacement [force/length]."""
         solved = solve_curved_frame(
             self.points, self.elements, sections=self.section, supports={self.tail: "xyr"},
             loads={self.head: (1.0, 0.0, 0.0)},
@@ -99,11 +99,11 @@ class PressedFrame:
         return (S + S.T) / 2, worst * size
 
     def determinant(self, state: State, head: Freedom) -> float:
-        """Of the stiffness of a head of this freedom under its loads."""
+        """Determinant of the stiffness of a head of this freedom under its loads."""
         return let_go(self.head_stiffness(state)[0], head)
 
     def lateral_stiffness(self, state: State) -> tuple[float, float]:
-        """Of the guided head against a movement along y, and its rounding [force/length]."""
+        """Stiffness of the guided head across, along y, and its rounding error [force/length]."""
         S, rounding = self.head_stiffness(state)
         return float(S[1, 1]), float(rounding[1, 1]) + PLACES * abs(float(S[1, 1]))
 

@@ -44,7 +44,7 @@ class Meeting:
         return Meeting(*(getattr(self, name)[which] for name in self.__dataclass_fields__))
 
     def sharpened(self, x: Positions, probes: Probes, elements: Indices) -> "Meeting":
-        """The same with distances that count every digit of the positions `x`."""
+        """Pairs with distances that use every digit of the positions `x`."""
         at = x[:, :2].astype(np.longdouble)
         here = positions(at, probes.nodes[self.slot // 2], self.eta)
         away = here - positions(at, elements[self.element], self.xi)
@@ -90,7 +90,7 @@ class Pairs:
         return met.chosen(best[np.diff(met.slot[best], prepend=-1) > 0])
 
     def _least(self, curves: Array) -> Array:
-        """Where each pair's probe is nearest to the element; its middle for distant pairs."""
+        """Place on the element nearest to the probe of each pair; the middle for distant pairs."""
         p = self.probes
         eta = p.middle[self.probe]
         met = self._meet(curves, np.arange(self.slot.size), eta)

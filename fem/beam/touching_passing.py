@@ -66,7 +66,7 @@ class Passing:
 
 
 def _cross(own: Array, their: Array) -> Indices:
-    """Which of two chains of chords (k, s + 1, 2) cross."""
+    """Indices of the pairs of chains of chords (k, s + 1, 2) that cross."""
     a, b = own[:, :-1, None], own[:, 1:, None]
     c, d = their[:, None, :-1], their[:, None, 1:]
     around = _turn(b - a, c - a) * _turn(b - a, d - a) < 0

@@ -1,4 +1,4 @@
-"""Where a frame touches itself or an obstacle in one accepted state."""
+"""Contacts of a frame with itself or an obstacle in one accepted state."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass

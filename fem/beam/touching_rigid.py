@@ -110,7 +110,7 @@ class Body:
         self.eta, self.past = self.nearest(x)
 
     def nearest(self, x: Array) -> tuple[Array, Surface]:
-        """Where each probe is nearest to the shape, and the shape's place there."""
+        """Nearest point of the shape to each probe, and its parameter."""
         p = self.probes
         curves = powers(x[p.nodes, :2])
 

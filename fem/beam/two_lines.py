@@ -72,7 +72,7 @@ def touching(U: Array, F: Array, N: Array) -> tuple[float, float, float]:
 
 
 def onset(U: Array, F: Array, N: Array) -> tuple[float, float, float]:
-    """Where N began, the force there and the slope, from two states.
+    """Onset of N, from two states: place, force and slope.
 
     >>> onset(np.array([5.0, 6.0]), np.array([11.0, 14.0]), np.array([1.0, 2.0]))
     (4.0, 8.0, 3.0)

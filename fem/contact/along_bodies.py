@@ -109,7 +109,7 @@ class AlongBodies:
         return np.asarray(found.reshape(len(local), -1, 2))
 
     def strain_energy(self, u: Array) -> float:
-        """Of the shear along z [force x length], for the whole thickness."""
+        """Strain energy of the shear along z [force x length], for the whole thickness."""
         cells = self.bodies.cells
         density = cells.mu[:, None] * (self.gradient(u) ** 2).sum(axis=2)
         return float(np.sum(density * cells.dx)) / 2

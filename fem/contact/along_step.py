@@ -41,7 +41,7 @@ class AlongStep:
 
     @property
     def strain_energy(self) -> float:
-        """Of the shear along z [force x length]."""
+        """Strain energy of the shear along z [force x length]."""
         return self.interface.bodies.strain_energy(self.u)
 
     def reaction(self, boundary: str) -> float:

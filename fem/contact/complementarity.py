@@ -180,7 +180,7 @@ class Complementarity(ContactSystem):
         return np.asarray(size * self.scales[1] * found.x[:k]) if is_open else None
 
     def _start(self, w_0: Array, e: Array) -> NDArray[np.int8] | None:
-        """Where the surfaces would touch without friction, as a start; None if that is not found.
+        """Start from the contact without friction; None if that contact is not found.
 
         Where there is none, groups of rows are taken in one: from there a few exchanges are left at
         the edges, instead of one for every row that the contact shrinks by.

@@ -43,7 +43,7 @@ class Piecewise:
         return np.clip(self.z + self.Z @ v, self.low, self.high)
 
     def least(self, v: Array) -> tuple[Array, int]:
-        """Where (n,) J is least, from `v` (n,), and the number of steps.
+        """Place (n,) of the minimum of J, from `v` (n,), and the number of steps.
 
         Springs to the place before steer the steps, not the result. ArithmeticError where J is
         not convex, falls without end, or the steps do not converge.

@@ -59,7 +59,7 @@ class DrivenSector:
         """Force N of a roller under the pressure `p`, infinite where the hub's lift locks."""
 
         def excess(N: float) -> float:
-            """By how much the roller's force exceeds the N that the hub's force belongs to."""
+            """Excess of the roller's force over the N that belongs to the hub's force."""
             return sector.force(p, self.push(N)) - N
 
         low, high = 0.0, sector.force(p)

@@ -56,7 +56,7 @@ class NitscheSolution:
 
     @property
     def strain_energy(self) -> float:
-        """Of all bodies [force x length]."""
+        """Strain energy of all bodies [force x length]."""
         return self.plane.strain_energy
 
 

@@ -28,7 +28,7 @@ class Shape(Protocol):
 
     @property
     def curvature(self) -> float:
-        """Of the curve [1/length], without sign."""
+        """Curvature of the curve [1/length], without sign."""
         ...
 
 
@@ -41,7 +41,7 @@ class Motion:
     about: tuple[float, float]
 
     def of(self, point: tuple[float, float]) -> tuple[float, float]:
-        """Where `point` goes."""
+        """Image of `point` under the motion."""
         x, y = np.array(point) + self.displacement(np.array(point)[:, None])[:, 0]
         return float(x), float(y)
 

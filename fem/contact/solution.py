@@ -146,12 +146,12 @@ class ContactSolution:
 
     @property
     def states(self) -> NDArray[np.int8]:
-        """Of every normal row: open, stick or slip."""
+        """State of every normal row: open, stick or slip."""
         return self.rest.states
 
     @property
     def changes(self) -> tuple[int, ...]:
-        """How many nodes changed between open, stick and slip, iteration by iteration."""
+        """Number of nodes that changed between open, stick and slip, by iteration."""
         return self.rest.changes
 
     @property
@@ -216,7 +216,7 @@ class ContactSolution:
 
     @cached_property
     def displacements(self) -> Array:
-        """Of all unknowns: those of the mesh, then x, y and rotation of each obstacle."""
+        """Displacements of all unknowns: the mesh, then x, y and rotation of each obstacle."""
         b, i, rest = self.bodies, self.interface, self.rest
         pushed = i.C.T @ rest.multipliers
         surface = self.total.at_rest + self.yielded + b.motions @ rest.motion
@@ -245,7 +245,7 @@ class ContactSolution:
 
     @property
     def strain_energy(self) -> float:
-        """Of all bodies [force x length], of shear along the third axis too."""
+        """Strain energy of all bodies [force x length], shear along the third axis included."""
         along = 0.0 if self.along is None else self.along.strain_energy
         return self.plane.strain_energy + along
 

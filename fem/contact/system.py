@@ -161,7 +161,7 @@ class ContactSystem:
         return np.asarray(np.cumsum(along % group == 0) - 1)
 
     def smooth(self, group: int = 1) -> Self:
-        """The same without friction, and with `group` rows of a surface at a time in one."""
+        """System without friction, and with `group` rows of a surface at a time in one."""
         if group not in self._smoothed:
             start = np.flatnonzero(np.diff(self.groups(group), prepend=-1))
             m = self.friction.size

@@ -94,7 +94,7 @@ class Trace:
         return before[k] + s * length[k]
 
     def sag(self) -> Array:
-        """By how much (m,) a facet may miss the curve that its end normals belong to."""
+        """Bound (m,) of the distance of a facet from the curve with its end normals."""
         if self.shape is not None:
             return np.zeros(self.count)
         length = np.hypot(*(self.nodes[:, 1] - self.nodes[:, 0]))

@@ -17,7 +17,7 @@ def depth(x: Array, turn: bool) -> Array:
 
 
 def on_axis(mesh: Mesh2D, x: Array) -> NDArray[np.bool_]:
-    """Which of `x` (2, ...) lie on the axis."""
+    """True for points of `x` (2, ...) on the axis."""
     return np.asarray(abs(x[0]) <= ON_AXIS * abs(mesh.p[0]).max())
 
 

@@ -119,7 +119,7 @@ def _name(mesh: Mesh2D, own: NDArray[np.bool_]) -> str:
 
 
 def _words(amplitudes: Array, kinds: list[int], names: list[str]) -> str:
-    """Which body moves most, and how, by the `amplitudes` (bodies, kinds of motion)."""
+    """Body that moves most, and its motion, by the `amplitudes` (bodies, kinds of motion)."""
     worst = int(np.argmax(np.abs(amplitudes).max(axis=1)))
     how = ", ".join(
         f"{c:+.2g} {MOTIONS[kind]}"

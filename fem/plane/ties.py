@@ -113,7 +113,7 @@ class Tied:
         return leader, angle
 
     def led(self, conditions: Conditions) -> Conditions:
-        """The same conditions, those of followers written for their leaders."""
+        """Conditions in which the unknowns of followers are replaced by those of their leaders."""
         dofs, angle = self.led_by(conditions.dofs)
         return replace(conditions, dofs=dofs, direction=turned(conditions.direction, -angle))
 

@@ -82,7 +82,7 @@ class Rotor:
 
     @property
     def stations(self) -> int:
-        """How many nodes have a number."""
+        """Number of nodes that have a number."""
         return sum(len(s.elements) + 1 for s in self.shafts)
 
     @cached_property
@@ -100,7 +100,7 @@ class Rotor:
 
     @cached_property
     def shaft_of(self) -> NDArray[np.int64]:
-        """Which shaft each numbered node is on."""
+        """Index of the shaft of each numbered node."""
         return np.repeat(np.arange(len(self.shafts)), [len(s.elements) + 1 for s in self.shafts])
 
     @cached_property

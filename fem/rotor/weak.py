@@ -70,7 +70,7 @@ class WeakShaft:
         return int(self.basis.nodal_dofs[0, nodes[0]])
 
     def on_springs(self, springs: Mapping[float, float]) -> "WeakShaft":
-        """The same shaft on springs to the ground: place [m] -> stiffness across [N/m]."""
+        """The shaft on springs to the ground: place [m] -> stiffness across [N/m]."""
         K = self.K.tolil(copy=True)
         for z, k in springs.items():
             place = self.deflection_at(z)

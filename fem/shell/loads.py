@@ -23,7 +23,7 @@ def edge_points(corners: Array) -> tuple[Array, Array]:
 
 
 def edge_average(points: Array, edges: Indices, values: Array) -> Array:
-    """Of nodal values (nodes, c) over the length of edges (m, 3)."""
+    """Mean of nodal values (nodes, c) over the length of edges (m, 3)."""
     _, ds = edge_points(points[edges])
     return np.asarray(np.einsum("mq,qi,mic->c", ds, _N, values[edges]) / ds.sum())
 

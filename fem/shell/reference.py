@@ -41,7 +41,7 @@ def grid(first: Array, second: Array) -> Array:
 
 
 def shapes(X: Array) -> Shapes:
-    """Of all nodes at points X (2, k) of the unit square."""
+    """Shape functions of all nodes at points X (2, k) of the unit square."""
     element = ElementQuad2()
     each: list[Any] = [element.lbasis(X, i) for i in range(NODES)]
     slopes = np.array([slope for _, slope in each]).transpose(2, 1, 0)

@@ -147,7 +147,7 @@ def _keep_mean(B: Array, area: Array, s: Array, lost: Array) -> None:
 
 
 def _curvatures(at: Frame, e: Array, slope: Array, B: Array) -> None:
-    """Of the rotations alone: e_i·(θ' x n) = θ'·(n x e_i)."""
+    """Curvatures by the rotations alone: e_i·(θ' x n) = θ'·(n x e_i)."""
     along = np.einsum("kan,mkai->mkin", at.slopes, slope)[..., None]
     e1, e2 = e[:, :, 0, None], e[:, :, 1, None]
     B = B.reshape(*B.shape[:3], NODES, 6)[..., 3:]

@@ -119,7 +119,7 @@ class State(Touching):
 
     @property
     def _flat(self) -> int:
-        """Which contact is the flat's: the inner one of a cam inside."""
+        """Index of the contact at the flat: the inner one of an inner cam."""
         return 0 if self.start.q.sense > 0 else 1
 
 

@@ -35,7 +35,7 @@ class FlatCourse(Course):
         self.psi = np.array([s.place.psi for s in states])
 
     def place(self, value: float, by: str = "T") -> Place:
-        """Where the roller's centre is."""
+        """Place of the roller's centre."""
         return Place.overlapping(self.q, self.at("d_i", value, by), self.at("d_o", value, by))
 
     def start(self, T: float) -> Start:

@@ -1,4 +1,4 @@
-"""Where a roller lies between a flat and a round race, and the parts of one pitch.
+"""Place of a roller between a flat and a round race, and the parts of one pitch.
 
 The cam has the flats. `sense` is +1 for flats inside a ring and -1 for flats around a shaft: the
 direction that draws a roller into the wedge is then reversed.
@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 
 
 class Names(NamedTuple):
-    """Of the bodies, of the touched surfaces, and of the boundaries that hold them."""
+    """Names of the bodies, of the touched surfaces, and of the boundaries that hold them."""
 
     cam: str
     race: str
@@ -64,7 +64,7 @@ class Pitch:
 
 @dataclass(frozen=True)
 class Place:
-    """Where the roller's centre is: `x`, `y` [m] along the flat and along its normal."""
+    """Centre of the roller: `x`, `y` [m] along the flat and along its normal."""
 
     q: Pitch
     x: float

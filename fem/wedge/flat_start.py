@@ -1,4 +1,4 @@
-"""Where states of a roller between flat and race lie, and the search for that of a load."""
+"""Start values of a roller between flat and race, and the search for the state under a load."""
 
 import math
 from collections.abc import Callable
@@ -18,7 +18,7 @@ Pair = tuple[float, float]
 
 @dataclass(frozen=True)
 class Start:
-    """Where a state lies, about: overlap of both contacts [m], half-widths [m] and drags [m]."""
+    """Approximate state: overlaps of both contacts [m], half-widths [m] and drags [m]."""
 
     d: Pair
     widths: Pair
@@ -34,7 +34,7 @@ class Start:
         return cls(d, (math.sqrt(q.r * d[0] / flatter), math.sqrt(q.r * d[1] / 3)), (0.0, 0.0))
 
     def scaled(self, share: float) -> "Start":
-        """The same for overlaps that are `share` of these."""
+        """Start for overlaps that are `share` of these."""
         root = math.sqrt(share)
         return Start(
             (share * self.d[0], share * self.d[1]),

@@ -1,4 +1,4 @@
-"""The same of flats around a shaft: load narrows the angle, and the torque has a summit."""
+"""States of flats around a shaft: the angle decreases under load, and the torque has a maximum."""
 
 import math
 from functools import cached_property

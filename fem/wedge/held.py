@@ -62,7 +62,7 @@ class Held:
         return np.diff(drags)
 
     def rows(self, shares: Sequence[float], states: Sequence[State]) -> Array:
-        """Of each state (m, 9) its share and the loads of its contacts.
+        """Share and contact loads of each state (m, 9).
 
         F_t/N and F_z/N of cam and ring, N and T over those at rest, the part of N that slips, and
         the largest u_z [m].

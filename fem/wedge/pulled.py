@@ -115,7 +115,7 @@ def ample(one: Pulled, place: Place) -> float:
 
 @lru_cache(maxsize=8)
 def wedged(q: Pitch, L: float, T: float) -> Start:
-    """Where the clutch lies under its torque [N m], by coarse meshes."""
+    """Approximate state of the clutch under its torque [N m], by coarse meshes."""
     return loaded(
         q, guessed_inside(q, rigid_force(q, T) / L), lambda state: T / (state.torque * L),
         power=HARDER, near=NEAR, what="the torque",
@@ -123,7 +123,7 @@ def wedged(q: Pitch, L: float, T: float) -> Start:
 
 
 def at_torque(one: Pulled, cells: int) -> Start:
-    """The same on meshes of `cells`, whose zones stay where they are."""
+    """Approximate state on meshes of `cells`, whose fine zones stay in place."""
     start = wedged(one.q, one.L, one.T)
     state = start.state(one.q, cells)
     found = after(state).scaled((one.T / (state.torque * one.L)) ** HARDER)

@@ -111,7 +111,7 @@ class State(Touching, Generic[P]):
 
     @cached_property
     def place(self) -> P:
-        """Where the strut is, and the share of the races in its overlaps."""
+        """Place of the strut, and the share of the races in its overlaps."""
         opened = (
             float(touch.mortar.points.gap @ _shares(touch)) for touch in self.solution.touches
         )

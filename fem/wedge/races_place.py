@@ -1,4 +1,4 @@
-"""Where a strut lies between two round races, for finite elements."""
+"""Place of a strut between two round races, for finite elements."""
 
 from typing import TYPE_CHECKING, Protocol, Self
 

@@ -34,7 +34,7 @@ P = TypeVar("P", bound=TurnedPlace)
 
 @dataclass(frozen=True)
 class Start(Generic[P]):
-    """Where a state of struts lies: its place, half-widths [m] and drags [m]."""
+    """Approximate state of struts: place, half-widths [m] and drags [m]."""
 
     struts: Struts
     place: P
@@ -62,7 +62,7 @@ class Start(Generic[P]):
         return Sector(self.struts, self.place, self.widths, cells, mu=mu).rest(self.drags)
 
     def settled(self) -> tuple["Start[P]", State[P]]:
-        """Where the strut comes to rest, and the last coarse state; NotFoundError if nowhere."""
+        """Strut in equilibrium, and the last coarse state; NotFoundError without one."""
         start = self
         for _ in range(MOST):
             state = start.state(COARSE)

@@ -61,13 +61,13 @@ class Block:
 
     @property
     def corners(self) -> list[Point]:
-        """Where each edge meets the one before it."""
+        """Points at which each edge meets the one before it."""
         ends = [{edge.start, edge.end} for edge in self.edges]
         return [(ends[k - 1] & ends[k]).pop() for k in range(4)]
 
     @property
     def anticlockwise(self) -> "Block":
-        """The same piece, its edges in mathematical sense."""
+        """The piece with its edges in anticlockwise order."""
         (x_0, y_0), (x_1, y_1), (x_2, y_2), (x_3, y_3) = self.corners
         area = (x_2 - x_0) * (y_3 - y_1) - (x_3 - x_1) * (y_2 - y_0)
         a, b, c, d = self.edges

@@ -58,7 +58,7 @@ class Outline:
 
 
 def core(zone: Zone, centre: float | None) -> tuple[Point, Point]:
-    """Where the core ends on the surface about (0, `centre`), and its corner inside the body."""
+    """End of the core on the surface about (0, `centre`), and its corner inside the body."""
     x = zone.width
     if centre is None:
         return (x, 0.0), (x, -zone.depth)
@@ -101,7 +101,7 @@ def fan(
 
 
 def strip_cells(beside: Edge, zone: Zone, *, length: float) -> int:
-    """How many even cells go on over `length` from the last of a graded edge.
+    """Number of even cells over `length` that continue the last cell of a graded edge.
 
     None is longer than GROWTH times that one, about two fifths of the thickness.
     """

@@ -50,7 +50,7 @@ class Strip:
 
     @property
     def _deep(self) -> float:
-        """How deep the fans reach."""
+        """Depth of the fans."""
         reach = min(self.left.reach, self.right.reach)
         return self.depth if self.depth <= SLIM * reach else reach
 

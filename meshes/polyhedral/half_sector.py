@@ -74,7 +74,7 @@ def half_sector(
 
 
 def _stops(ring: Outline, hub: tuple[float, float] | None, first: float | None) -> list[float]:
-    """Where lines cross the wall, from the end of the roller's fan to the start of the corner's.
+    """Lines across the wall, from the end of the roller's fan to the start of the corner's.
 
     Each fan is about as wide as its wall, `first` the roller's; without one the lines start at 0.
     """

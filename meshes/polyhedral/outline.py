@@ -66,7 +66,7 @@ class Outline:
         return r * math.cos(self.angle), r * math.sin(self.angle)
 
     def above(self, s: float) -> Point:
-        """Where the line across the wall from the flat at `s` from its middle meets the outside.
+        """Point of the outside on the line across the wall from the flat at `s` from its middle.
 
         It lies between the flat's normal there and the ring's radius, nearer to the normal.
         """

@@ -73,7 +73,7 @@ def _check(
 
 
 def _heights(width: float, across: int, finest: float | None) -> list[float]:
-    """Where the lines between cells lie, as shares of the width."""
+    """Lines between cells, as shares of the width."""
     even = np.arange(1, across + 1) / across
     if finest is None or finest * across >= width:
         return [float(x) for x in even]

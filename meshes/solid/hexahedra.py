@@ -45,7 +45,7 @@ def solid_mesh(*, straight: bool = False) -> Mesh3D:
 
 
 def _order(kind: int, doflocs: Array) -> Indices:
-    """Which of gmsh's nodes stands at each of scikit-fem's, by their place in the unit cube.
+    """Order of gmsh's nodes by scikit-fem's, by their place in the unit cube.
 
     Both cubes are right-handed, so that the first reference direction is that of gmsh.
     """

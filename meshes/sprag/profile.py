@@ -67,7 +67,7 @@ class Sprag:
         return self._ends_above
 
     def radius(self, theta: float) -> float:
-        """Of the spiral in the direction `theta` [rad]."""
+        """Radius of the spiral in the direction `theta` [rad]."""
         return self.rho_0 * math.exp(self.m * (theta - self.theta_0))
 
     def along_spiral(self, start: float, s: Array) -> Array:
@@ -102,7 +102,7 @@ class Sprag:
         return math.atan2(x_1 - x_0, y_1 - y_0)
 
     def _across(self, x: float, y: float) -> float:
-        """How far a point lies right of the middle line."""
+        """Distance of a point to the right of the middle line."""
         (x_0, y_0), _ = self.middle
         return (x - x_0) * math.cos(self.lean) - (y - y_0) * math.sin(self.lean)
 
@@ -123,7 +123,7 @@ class Sprag:
         return self._ends(across, self.lean)
 
     def _ends(self, across: Callable[[float], float], middle: float) -> tuple[float, float] | None:
-        """Where `across` meets half the width on both sides of `middle`, or None."""
+        """Angles at which `across` equals half the width on both sides of `middle`, or None."""
         low, high = middle - STEEPEST, middle + STEEPEST
         half = self.b / 2
         if not across(low) < -half < half < across(high):

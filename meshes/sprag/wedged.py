@@ -45,7 +45,7 @@ class Races:
 
 @dataclass(frozen=True)
 class FirstContact:
-    """Where pole and contacts lie [m] as a spiral of growth `m` touches, its contact on +y."""
+    """Pole and contacts [m] at first touch of a spiral of growth `m`, its contact on +y."""
 
     R_i: float
     R_e: float
@@ -92,7 +92,7 @@ def first_contact(R_i: float, R_e: float, r_i: float, nu_0: float) -> FirstConta
 
 @dataclass(frozen=True)
 class Place:
-    """Where the sprag is: turned by `alpha` [rad], its pole at the distance `D` [m] from O.
+    """Position of the sprag: rotated by `alpha` [rad], pole at the distance `D` [m] from O.
 
     `shares` are what the races take of the overlaps of the inner and of the outer contact, the
     sprag taking the rest: bodies are drawn as they are compressed, so that forces act where they
@@ -119,7 +119,7 @@ class Place:
 
     @cached_property
     def overlaps(self) -> tuple[float, float]:
-        """Of both contacts without loads [m]: the deflections there."""
+        """Overlaps of both contacts without loads [m]: the deflections there."""
         at = self.free
         return self.q.R_i - math.hypot(*at.inner), math.hypot(*at.outer) - self.q.R_e
 
@@ -173,25 +173,25 @@ class Place:
 
     @property
     def touched(self) -> tuple[float, float]:
-        """How far [m] above O the contacts of the drawn sprag lie."""
+        """Distance [m] of the contacts of the drawn sprag above O."""
         return self.drawn.inner[1], self.drawn.outer[1]
 
     @property
     def spiral(self) -> tuple[tuple[float, float], float, float, float]:
-        """Of the drawn sprag: pole, first radius [m], its direction [rad] from +x, growth."""
+        """Spiral of the drawn sprag: pole, first radius [m], direction [rad] from +x, growth."""
         at, s = self.drawn, self.drawn.sprag
         return at.pole, s.rho_0, s.theta_0 - at.turn - math.pi / 2, s.m
 
     @property
     def arc(self) -> tuple[tuple[float, float], float]:
-        """Of the drawn sprag: centre and radius [m]."""
+        """Arc of the drawn sprag: centre and radius [m]."""
         x, y = self.drawn.placed(np.array(self.drawn.sprag.centre))
         return (float(x), float(y)), self.drawn.sprag.r_e
 
     def settled(
         self, outwards: float, races: tuple[float, float], opened: tuple[float, float]
     ) -> "Place":
-        """Where the sprag lies that has moved `outwards` [m].
+        """Position of the sprag that has moved `outwards` [m].
 
         The races have moved outwards at the contacts by `races` [m], and the drawn gap between
         curved surfaces has grown by `opened` [m].

@@ -26,7 +26,7 @@ class Piece:
 
     @property
     def end(self) -> tuple[float, float]:
-        """Where the piece ends: along the chord, which bisects the turn."""
+        """End of the piece, along the chord, which bisects the change of direction."""
         half = self.turn / 2
         chord = self.length * (math.sin(half) / half if half else 1.0)
         return (

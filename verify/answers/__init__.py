@@ -1,1 +1,1 @@
-"""What a user's parameters mean for the part: verdict, number to design with, margin, limits."""
+"""Answer for a user's part: verdict, number to design with, margin, limits."""

@@ -8,7 +8,7 @@ ROUND_OFF = 1e-9  # relative; a limit that is reached exactly is met
 
 
 class Verdict(StrEnum):
-    """What the formulas state about the part."""
+    """Statement of the formulas about the part."""
 
     HOLDS = "holds"
     FAILS = "fails"
@@ -49,7 +49,7 @@ class Criterion:
 
     @property
     def margin(self) -> float:
-        """How many times the limit exceeds the value, or the value a minimum; met from 1 on."""
+        """Limit over value, for a minimum value over limit; the criterion is met from 1 on."""
         above, below = (self.value, self.limit) if self.minimum else (self.limit, self.value)
         if below <= 0:
             return math.inf
@@ -89,7 +89,7 @@ class Answer:
 
     @property
     def reasons(self) -> tuple[str, ...]:
-        """Why the verdict is not "holds", in words, where no margin shows it."""
+        """Reasons, in words, why the verdict is not "holds", where no margin shows it."""
         if self.verdict is Verdict.FAILS:
             return self.failures
         if self.criteria or self.unknowns:

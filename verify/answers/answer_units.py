@@ -31,7 +31,7 @@ def in_units(result: CaseResult, system: System) -> CaseResult:
 
 
 def dynamic_in_units(found: DynamicResult | None, system: System) -> DynamicResult | None:
-    """The same of what --dynamic adds."""
+    """Results of --dynamic in the units of a system."""
     if found is None or not DISPLAYED[system]:
         return found
     return replace(

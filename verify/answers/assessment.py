@@ -31,7 +31,7 @@ class Assessment:
     remarks: list[str] = field(default_factory=list)
 
     def answer(self) -> Answer:
-        """What has been collected."""
+        """Answer from the criteria collected so far."""
         return Answer(
             design=self.design, criteria=tuple(self.criteria), failures=tuple(self.failures),
             unknowns=tuple(self.unknowns), remarks=tuple(self.remarks),

@@ -1,4 +1,4 @@
-"""Which assumed inputs the margin of a part depends on."""
+"""Influence of the assumed inputs on the margin of a part."""
 
 import math
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ MOST = 4  # inputs that are named
 
 
 def margin_notes(case: Case, inputs: Inputs, assumed: Sequence[Assumed]) -> tuple[str, ...]:
-    """How far the smallest margin follows the assumed inputs; nothing where none is assumed."""
+    """Change of the smallest margin with the assumed inputs; empty where none is assumed."""
     if not assumed:
         return ()
     names = frozenset(one.name for one in assumed)

@@ -1,4 +1,4 @@
-"""What an engagement in time and finite elements add to the answer of the formulas."""
+"""Additions to the answer of the formulas by an engagement in time and by finite elements."""
 
 import math
 from collections.abc import Sequence
@@ -43,7 +43,7 @@ def with_rows(answer: Answer, rows: Sequence[Row]) -> Answer:
 
 
 def why_not_solved(rows: Sequence[Row]) -> str:
-    """Why the reference has no value in any of the rows that failed; empty where it has one."""
+    """Reason why no failed row has a value of the reference; empty where one has."""
     failed = [row for row in rows if row.status in (Status.FAIL, Status.SKIP)]
     if not failed or any(row.reference is not None for row in failed):
         return ""

@@ -28,7 +28,7 @@ def under_torque(q: Any, v: Values, part: Assessment) -> None:
 
 
 def cup(q: Any, v: Values, part: Assessment) -> None:
-    """The same, and the largest torque before the rollers pass between cam and shaft."""
+    """Contact pressures, and the largest torque before the rollers pass between cam and shaft."""
     part.at_most("torque", "torque", q.T, v["T_max"], "N m", "largest torque before pop-through")
     under_torque(q, v, part)
 

@@ -32,7 +32,7 @@ DEFAULTS = {
 
 @dataclass(frozen=True, kw_only=True)
 class ParameterFile:
-    """What a file holds: `assumed` are the inputs that it leaves out, `system` its units."""
+    """Content of a file: `assumed` are the inputs that it leaves out, `system` its units."""
 
     name: str
     case: Case

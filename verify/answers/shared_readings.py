@@ -1,4 +1,4 @@
-"""What formula and reference of a case both assume: agreement says nothing about that."""
+"""Assumptions that formula and reference share: their agreement does not verify these."""
 
 from collections.abc import Mapping
 from typing import Any

@@ -61,7 +61,7 @@ def _hidden(name: str, field: FieldInfo, known: Mapping[str, Assumption]) -> tup
 
 
 def if_left_out(one: Assumption) -> str:
-    """What is assumed without a line, and why."""
+    """Assumption for an omitted line, and its reason."""
     value = "" if callable(one.value) else f" {one.value}"
     return f"optional; if left out{value}: {one.source}"
 
@@ -112,7 +112,7 @@ def comment(name: str, field: FieldInfo, chosen: str = CHOSEN) -> str:
 
 
 def _range(field: FieldInfo) -> str:
-    """What the value may be, in the unit of the input."""
+    """Permitted values, in the unit of the input."""
     if choice := choices(field):
         return f"one of {', '.join(choice)}"
     if field.annotation is str:
@@ -134,7 +134,7 @@ def _omission(field: FieldInfo) -> str:
 
 
 def _source(claim: str) -> str:
-    """Where the paper prints it."""
+    """Place in the paper where the input is printed."""
     value = published(claim)
     unit = "" if value.unit == "1" else f" {value.unit}"
     return f"{claim.partition(':')[0]}, {value.place}: {value.printed}{unit}"

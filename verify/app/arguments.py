@@ -14,7 +14,7 @@ def whole(_type: Any, tokens: Any) -> int:
 
 
 def case_ids(_context: Any) -> list[str]:
-    """What a shell offers where a case is named."""
+    """Suggestions of a shell for the name of a case."""
     from verify.cases.registry import CASES
 
     return list(CASES.ids)

@@ -40,7 +40,7 @@ FAILED = (Status.FAIL, Status.SKIP)
 
 @dataclass(frozen=True, kw_only=True)
 class Options:
-    """What `check` is asked for beside the formulas."""
+    """Options of `check`."""
 
     fem: bool = False
     dynamic: bool = False
@@ -108,7 +108,7 @@ def check_part(
 
 
 def in_system(checked: Checked, system: System) -> Checked:
-    """The same with its result, dynamic part and assumed inputs in the units of a system."""
+    """The checked part with result, dynamic part and assumed inputs in the units of a system."""
     return replace(
         checked, result=in_units(checked.result, system),
         dynamic=dynamic_in_units(checked.dynamic, system),
@@ -126,7 +126,7 @@ def exit_status(checked: Checked) -> int:
 
 @dataclass(frozen=True, kw_only=True)
 class _Assessed:
-    """What follows from the inputs and the formulas' values of a part."""
+    """Results of the inputs and of the formulas' values of a part."""
 
     answer: Answer
     notes: tuple[str, ...]

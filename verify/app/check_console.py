@@ -1,4 +1,4 @@
-"""What `check` prints: the answer, its limits, values, inputs, and the evidence."""
+"""Output of `check`: the answer, its limits, values, inputs, and the evidence."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

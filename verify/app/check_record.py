@@ -1,4 +1,4 @@
-"""What `check --json` prints: the answer to a user's parameters, for programs."""
+"""Output of `check --json`: the answer to a user's parameters, for programs."""
 
 from collections.abc import Sequence
 from dataclasses import asdict
@@ -47,7 +47,7 @@ def check_record(checked: Checked, inputs: Inputs, values: Values) -> dict[str, 
 
 
 def _findings(result: CaseResult, dynamic: DynamicResult | None) -> Sequence[str]:
-    """Those of the formulas, whose first the dynamic part may have replaced."""
+    """Findings of the formulas; the dynamic part may have replaced the first."""
     if dynamic is None or not dynamic.first:
         return result.findings
     return dynamic.first + result.findings[1:]

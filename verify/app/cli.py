@@ -39,7 +39,7 @@ for _command in (search, design, sweep, crosscheck, mutants, portable):
 
 
 def _templates(_context: Any) -> list[str]:
-    """What a shell offers where a template is named."""
+    """Suggestions of a shell for the name of a template."""
     return [*case_ids(_context), "design-spring", "design-sprag"]
 
 

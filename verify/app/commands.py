@@ -1,4 +1,4 @@
-"""What the commands do, without reading the command line."""
+"""Actions of the commands, without the parsing of the command line."""
 
 import gc
 import sys
@@ -178,7 +178,7 @@ def _moved_verdicts(report: Report) -> list[str]:
 
 
 def drift_lines(report: Report) -> list[str]:
-    """What has moved since the last release."""
+    """Changes since the last release."""
     if not report.drift:
         return []
     from verify.audit.releases.changes import lines
@@ -225,7 +225,7 @@ def write_report(
 
 
 def _hint() -> str:
-    """What to install where pyvista cannot draw."""
+    """Packages to install if pyvista cannot draw."""
     return environment.remedy_for_pictures().removeprefix("; ")
 
 

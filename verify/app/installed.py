@@ -1,4 +1,4 @@
-"""Which versions of packages are installed, and whether they are the locked ones."""
+"""Installed versions of packages, compared with the locked ones."""
 
 import re
 from importlib.metadata import PackageNotFoundError, version

@@ -53,7 +53,7 @@ class Run:
         return of_rows(self.rows)
 
     def to_dataframe(self) -> "DataFrame":
-        """The same as a DataFrame; ImportError without pandas."""
+        """The table as a DataFrame; ImportError without pandas."""
         return dataframe(self.table)
 
     @property
@@ -103,7 +103,7 @@ class Part:
         return of_criteria(self.checked.answer.criteria)
 
     def to_dataframe(self) -> "DataFrame":
-        """The same as a DataFrame; ImportError without pandas."""
+        """The table as a DataFrame; ImportError without pandas."""
         return dataframe(self.table)
 
     @property

@@ -1,4 +1,4 @@
-"""Where the stored numbers of a case come from, and what a change of a module makes stale."""
+"""Origin of the stored numbers of a case, and the numbers that a change of a module makes stale."""
 
 import inspect
 import os

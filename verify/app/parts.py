@@ -28,13 +28,13 @@ class Parts:
     def of_cases(
         self, name: str, module: str, cases: Sequence[str], make: Callable[[str], T]
     ) -> dict[str, T]:
-        """What code of a module makes of each case by itself."""
+        """Results of a module's code for each case separately."""
         return self.by_group(name, module, {case: [case] for case in cases}, make)
 
     def by_group(
         self, name: str, module: str, groups: Mapping[str, Sequence[str]], make: Callable[[str], T]
     ) -> dict[str, T]:
-        """What code of a module makes of groups of cases, by the name of the group."""
+        """Results of a module's code for groups of cases, by the name of the group."""
         keys = {group: self._key(name, module, group, cases) for group, cases in groups.items()}
         found = dict(self._stored(keys))
         new: dict[str, bytes] = {}
@@ -49,7 +49,7 @@ class Parts:
         return {group: found[group] for group in groups}
 
     def of_all(self, name: str, module: str, cases: Sequence[str], make: Callable[[], T]) -> T:
-        """What code of a module makes of all cases together."""
+        """Result of a module's code for all cases together."""
         return self.by_group(name, module, {"all": cases}, lambda _: make())["all"]
 
     def _key(self, name: str, module: str, group: str, cases: Sequence[str]) -> str:

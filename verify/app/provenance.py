@@ -1,4 +1,4 @@
-"""Where the numbers come from: versions, commit, lock, times."""
+"""Provenance of the numbers: versions, commit, lock, times."""
 
 import hashlib
 import platform

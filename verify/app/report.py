@@ -76,7 +76,7 @@ def _claims(cases: Sequence[Case], parts: Parts) -> Mapping[str, Sequence[str]]:
 
 
 def _crosschecks(results: Sequence[CaseResult], parts: Parts) -> tuple[Crosscheck, ...]:
-    """What second solvers found of the cases' problems."""
+    """Results of second solvers for the problems of the cases."""
     names = [result.id for result in results]
 
     def reported() -> tuple[Crosscheck, ...]:
@@ -135,7 +135,7 @@ def _budgets(results: Sequence[CaseResult], parts: Parts) -> tuple[CaseBudget, .
 
 
 def _drift(results: Sequence[CaseResult]) -> Drift | None:
-    """What has moved since the last release."""
+    """Changes since the last release."""
     from verify.audit.releases.changes import since
 
     return since(results)

@@ -19,7 +19,7 @@ STAMP = ".up-to-date.json"
 
 @dataclass(frozen=True)
 class Reported:
-    """What a run printed, with its exit status, the date of its report and its summary."""
+    """Output of a run, with its exit status, the date of its report and its summary."""
 
     lines: tuple[str, ...]
     status: int
@@ -40,7 +40,7 @@ def key_of(root: Path, names: Sequence[str], form: str = "") -> str:
 
 
 def found(out: Path, key: str) -> Reported | None:
-    """What was printed of the report in a folder, None where something has changed since.
+    """Printed output of the report in a folder; None where something has changed since.
 
     Stored results that were removed, and files of the report that were changed, count.
     """

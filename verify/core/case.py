@@ -1,4 +1,4 @@
-"""What a case states: inputs, two independent models, and the checks that pair them."""
+"""Definition of a case: inputs, two independent models, and the checks that pair them."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -32,7 +32,7 @@ class FemResult:
 
 @dataclass(frozen=True)
 class Context:
-    """What a check may look at. `fem` holds the levels from coarse to fine, empty if not run."""
+    """Data for a check. `fem` holds the levels from coarse to fine, empty if not run."""
 
     case: str
     inputs: Any

@@ -1,4 +1,4 @@
-"""What the commands print of judged rows."""
+"""Output of the commands for judged rows."""
 
 import re
 from collections.abc import Sequence

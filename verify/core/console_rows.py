@@ -27,7 +27,7 @@ def row_cells(rows: Sequence[Row]) -> list[tuple[str, ...]]:
 
 
 def title(rows: Sequence[Row]) -> str:
-    """What stands above the table: what the formulas are compared with."""
+    """Title of the table: the references with which the formulas are compared."""
     names = {
         PRINTED if (name := _full_name(row)).startswith("printed ") else name
         for row in rows if row.kind in COMPARED and row.reference is not None

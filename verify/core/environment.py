@@ -44,7 +44,7 @@ RENDER_SECONDS = 60.0
 
 
 def python_problem(version: Sequence[int]) -> str:
-    """Why a Python of `version` (major, minor, ...) is not supported, in one line; "" if it is."""
+    """Reason why Python `version` (major, minor, ...) is not supported, one line; "" if it is."""
     if OLDEST <= tuple(version[:2]) <= NEWEST:
         return ""
     minors = range(NEWEST[1], OLDEST[1] - 1, -1)

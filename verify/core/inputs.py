@@ -348,7 +348,7 @@ def kind_of(field: FieldInfo) -> type:
 
 
 def choices(field: FieldInfo) -> tuple[str, ...]:
-    """What an input that is a word may be; nothing for numbers."""
+    """Permitted words of an input that is a word; empty for numbers."""
     return tuple(get_args(field.annotation)) if get_origin(field.annotation) is Literal else ()
 
 

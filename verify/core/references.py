@@ -1,4 +1,4 @@
-"""What a formula is compared with: finite elements, or another method by its name.
+"""Reference of a formula: finite elements, or another method by its name.
 
 A case states the method of its reference; a row whose `partner` is set names another.
 """

@@ -67,7 +67,7 @@ class Partner:
 
 @dataclass(frozen=True, kw_only=True)
 class Grid:
-    """How finite-element levels converge, and what their grid convergence index was made of.
+    """Convergence of finite-element levels, and the data of their grid convergence index.
 
     `levels` are values by relative mesh size, coarse to fine. With an order the index is
     gci = factor |v3 - v2|/(r^used - 1). All but orders and `factor` is in `unit`: `scale` measures
@@ -398,7 +398,7 @@ class StoredStudy:
 
 
 class CrossState(StrEnum):
-    """How a comparison with a second solver came out."""
+    """Result of a comparison with a second solver."""
 
     AGREES = "agrees"
     OUTSIDE = "outside"  # the difference exceeds the allowed one
@@ -454,7 +454,7 @@ class Change:
 
 @dataclass(frozen=True, kw_only=True)
 class Drift:
-    """What has moved since a `release`; of `compared` rows, how many have `tightened` demands.
+    """Changes since a `release`; of `compared` rows, `tightened` have stricter requirements.
 
     `tighter` are these demands and bands.
     """
@@ -502,7 +502,7 @@ class ReadingsTried:
 
 @dataclass(frozen=True, kw_only=True)
 class BudgetPart:
-    """What one cause contributes to a relative difference, by a rerun without it; `u` half-width.
+    """Contribution of one cause to a relative difference, by a rerun without it; `u` half-width.
 
     None where there was no rerun, and `note` says why. What is `shared` by formula and finite
     elements is no part of their difference and is not subtracted from it.
@@ -518,7 +518,7 @@ class BudgetPart:
 
 @dataclass(frozen=True, kw_only=True)
 class BudgetJoint:
-    """By how much two causes removed together do more than one by one; None where not rerun."""
+    """Excess of two causes removed together over their sum one by one; None where not rerun."""
 
     causes: tuple[str, str]
     value: float | None
@@ -527,7 +527,7 @@ class BudgetJoint:
 
 @dataclass(frozen=True, kw_only=True)
 class RowBudget:
-    """Of what the difference (formula - FE)/scale of a row is made, all relative.
+    """Components of the difference (formula - FE)/scale of a row, all relative.
 
     `remainder` is what the parts leave of `total`, with the half-width `u`; `U` is the tolerance
     of the row. `within` states of an identity whether both explain the remainder. `headline` rows
@@ -566,7 +566,7 @@ class CaseBudget:
 
 @dataclass(frozen=True, kw_only=True)
 class MutantGroup:
-    """What was tried of one group: `rows` and `tests` caught some, `apart` crashed or ran on.
+    """Mutants of one group: `rows` and `tests` detected some, `apart` crashed or timed out.
 
     `all` is how many there are; `tried` excludes those of `apart`.
     """

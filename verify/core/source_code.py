@@ -1,4 +1,4 @@
-"""Which code a function depends on, and a hash of it that words, names and places do not change.
+"""Code on which a function depends, and its hash without words, names and places.
 
 Code is compared as a syntax tree without docstrings, comments, layout, messages of exceptions,
 descriptions of inputs and imports of project modules. A name that such an import binds
@@ -221,7 +221,7 @@ def _imported(part: ast.AST, importer: str) -> Iterator[str]:
 
 
 def _imported_by(module: str, *, whole: bool) -> Iterator[str]:
-    """The same of a whole module.
+    """Code that a whole module imports.
 
     But for `whole`, without what it imports of analytic at its top: the other side's. Modules of
     inputs are both sides': sizes and loads that they compute act on finite elements, too.

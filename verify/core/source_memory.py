@@ -23,7 +23,7 @@ _used: list["Memory"] = []
 
 
 class Memory:
-    """What was found by name, each with the digest of its files, in the store of a folder."""
+    """Results by name, each with the digest of its files, in the store of a folder."""
 
     def __init__(self, folder: Path) -> None:
         self._store = Store(folder)
@@ -31,7 +31,7 @@ class Memory:
         self._new: dict[str, Any] = {}
 
     def remembered(self, name: str, modules: Collection[str], make: Callable[[], T]) -> T:
-        """What `make` returns, a value of JSON, of some modules, stored by a name."""
+        """Result of `make`, a value of JSON, for some modules, stored by a name."""
         files = digest_of(*sorted({*modules, HASHES}))
         known, value = self._found.get(name, ("", None))
         if known != files:
@@ -73,7 +73,7 @@ def share() -> None:
 
 
 def remembered(name: str, function: Any, make: Callable[[], T], modules: Collection[str] = ()) -> T:
-    """What `make` returns for a function of the project, from the memory where one is in use.
+    """Result of `make` for a function of the project, from the memory where one is in use.
 
     It may depend on what the function's module imports, or on what `modules` do.
     """

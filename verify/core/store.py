@@ -115,7 +115,7 @@ class Store:
         return {key: line for key, line in lines.items() if line}
 
     def groups(self) -> list[Group]:
-        """What is stored, by kind and subject; OSError where it cannot be read."""
+        """Stored results by kind and subject; OSError where the store cannot be read."""
         if not self._database.is_there():
             return []
         with self._database.reading() as database:

@@ -86,7 +86,7 @@ def converted(value: float, unit: str, system: System) -> tuple[float, str]:
 
 
 def ratio(unit: str, target: str) -> float:
-    """How many `target` one `unit` is."""
+    """Number of `target` units in one `unit`."""
     return units.factor(unit) / units.factor(target)
 
 

@@ -120,7 +120,7 @@ def registry() -> "pint.UnitRegistry[float]":
 
 @cache
 def factor(unit: str) -> float:
-    """How many SI units one `unit` is: factor("mm") = 0.001, factor("1") = 1.
+    """Number of SI units in one `unit`: factor("mm") = 0.001, factor("1") = 1.
 
     >>> factor("N/mm"), round(factor("deg"), 6)
     (1000.0, 0.017453)

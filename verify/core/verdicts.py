@@ -11,14 +11,14 @@ SHARED = (
 
 
 class Form(StrEnum):
-    """Which form of a formula a verdict is about."""
+    """Form of a formula to which a verdict applies."""
 
     PRINTED = "printed"
     CORRECTED = "corrected"
 
 
 class Safe(StrEnum):
-    """Which estimate of a quantity leads to a safe design."""
+    """Estimate of a quantity that leads to a safe design."""
 
     ABOVE = "above"  # a value above the true one
     BELOW = "below"  # a value below the true one
@@ -71,7 +71,7 @@ class DesignRange:
 
 @dataclass(frozen=True, kw_only=True)
 class VerdictRange:
-    """Where the error of a formula is within `limit`, in words, and at how many points.
+    """Range in which the error of a formula is within `limit`, in words, and its number of points.
 
     `over` states the varied inputs of the study of a case, `studied` their ends; `box` holds the
     ranges within the limit,

@@ -45,7 +45,7 @@ NO_NETWORK = ("Retrying (", "Temporary failure", "No route to host")
 
 
 class SetUpError(Exception):
-    """Why there is no environment, in one line."""
+    """Reason why there is no environment, in one line."""
 
 
 def pins(lock: str) -> dict[str, str]:
@@ -130,7 +130,7 @@ def ignore_interrupts() -> None:
 
 
 def reason(output: str, status: int) -> str:
-    """Why pip or venv failed, in one line, from its output."""
+    """Reason why pip or venv failed, in one line, from its output."""
     if any(sign in output for sign in NO_NETWORK):
         return "no connection to the package index"
     errors = [line[7:] for line in output.splitlines() if line.startswith("ERROR: ")]

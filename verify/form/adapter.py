@@ -106,7 +106,7 @@ class Formulas(_Side):
     name = "quantities"
 
     def code(self, read: Collection[str] = ()) -> tuple[tuple[str, str, tuple[str, ...]], ...]:
-        """What a hash of its code begins with: module, class and members, also those `read`."""
+        """Code at the beginning of the hash: module, class and members, also those `read`."""
         names = [*(q.name for q in self.form.quantities()), "comparisons"]  # both have numbers
         return reached(self.form, [*names, *read], formulas=True)
 
@@ -124,7 +124,7 @@ class Reference(_Side):
     name = "reference"
 
     def code(self, read: Collection[str] = ()) -> tuple[tuple[str, str, tuple[str, ...]], ...]:
-        """What a hash of its code begins with: module, class and members, also those `read`."""
+        """Code at the beginning of the hash: module, class and members, also those `read`."""
         return reached(self.form, ["reference", *read], formulas=False)
 
     def __call__(self, case: Case, level: int) -> FemResult:
@@ -191,7 +191,7 @@ def _check(one: Comparison, own: bool) -> Check:
 
 
 def _stated(one: Comparison) -> dict[str, str]:
-    """What a comparison states of its formula."""
+    """Statement of a comparison about its formula."""
     q = one.quantity
     if q is None:
         return {}

@@ -109,11 +109,11 @@ class Case(Inputs):
         return None
 
     def warnings(self) -> Iterable[str]:
-        """Where these inputs leave what the formulas are for."""
+        """Warnings where these inputs leave the range of the formulas."""
         return ()
 
     def advice(self) -> Iterable[str]:
-        """What follows for the one who asks, the most important first."""
+        """Recommendations for the user, the most important first."""
         return ()
 
     def summary(self) -> Mapping[str, Any]:
@@ -121,7 +121,7 @@ class Case(Inputs):
         return {}
 
     def refusal(self) -> str:
-        """Why the reference cannot solve these inputs; its rows are skipped for that reason."""
+        """Reason why the reference cannot solve these inputs; its rows are then skipped."""
         return ""
 
     def stated(self) -> tuple[Comparison, ...]:
@@ -144,13 +144,13 @@ class Case(Inputs):
         return self == type(self)()
 
     def at(self, **changes: float) -> Self:
-        """The same case with other inputs, validated [SI units]."""
+        """The case with other inputs, validated [SI units]."""
         inputs = {name: getattr(self, name) for name in type(self).model_fields}
         states = {n: v for n, v in vars(self).items() if n in type(self).__class_vars__}
         return type(self)(**(inputs | changes)).variant(**states)
 
     def variant(self, **attributes: Any) -> Self:
-        """The same inputs with other class attributes that formulas read, such as the ends.
+        """The case with other class attributes that formulas read, such as the ends.
 
         ValueError where the class has no such attribute.
         """
@@ -181,7 +181,7 @@ class Case(Inputs):
         return tuple(q for q in self.quantities() if q.of(self) is not None)
 
     def __eq__(self, other: object) -> bool:
-        """By inputs and state: computed values follow from them, and arrays have no one truth."""
+        """Equality of inputs and state; computed values follow from these."""
         return isinstance(other, Case) and type(self) is type(other) and self._own == other._own
 
     @property

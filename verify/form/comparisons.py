@@ -1,4 +1,4 @@
-"""What formulas are compared with: kinds of comparisons, each judged by `verify.judging`.
+"""Comparisons of formulas with a reference, by kind, each judged by `verify.judging`.
 
 A check of `verify.judging` that has no function here is stated as it is, or in a `Comparison` with
 the quantity that it judges.
@@ -56,7 +56,7 @@ def underived(reason: str) -> Expected:
 
 @dataclass(frozen=True)
 class State:
-    """The same formulas in another state: under another load, or as a long part.
+    """The formulas in another state: under another load, or as a long part.
 
     `case` has the quantities of that state, such as `self.at(T=...)`. Names of its numbers end in
     `key`, as the reference's do; names of its rows in `words`; `symbol` is a format of its symbols.
@@ -78,7 +78,7 @@ def key_of(q: Quantity, state: State | None) -> str:
 
 
 class Options(TypedDict, total=False):
-    """What every comparison of a quantity with a reference may state.
+    """Options that every comparison of a quantity with a reference may state.
 
     `order` is the reference's order of convergence in theory. `against` distinguishes rows of one
     quantity; `name`, `symbol` and `unit` replace those of the declaration. `state` is another one

@@ -99,7 +99,7 @@ def equation(case: Case, q: Quantity, symbols: Symbols) -> Equation | None:
 
 
 def _place(case: Case, q: Quantity) -> str:
-    """Where the equation stands, and which form of it where the case has several."""
+    """Place of the equation, and its form where the case has several."""
     place = f"Eq. {q.equation}" if q.equation else q.source
     beside = next((one.form for one in case.present() if one.form_of == q.name), "")
     form = q.form or _OTHER.get(beside, "")

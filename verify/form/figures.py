@@ -102,7 +102,7 @@ class Drawn:
     draw: Callable[[Context], Iterable[Figure]]
 
     def drawn(self, context: Context) -> tuple[Figure, ...]:
-        """What the function makes."""
+        """Result of the function."""
         return tuple(self.draw(context))
 
 

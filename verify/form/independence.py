@@ -24,7 +24,7 @@ def check(case: Case, one: Comparison) -> None:
 
 
 def follows(case: Case, one: Comparison) -> str:
-    """What moves the expected error of a comparison along with its formula; "" for nothing.
+    """Name of the value that moves a formula and its expected error together; "" for none.
 
     That is the formula itself, or a formula, step or shared value that it reads.
     """

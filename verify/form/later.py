@@ -8,7 +8,7 @@ T = TypeVar("T")
 
 
 class Later(Sequence[T]):
-    """What `make` returns, asked once.
+    """Result of `make`, which is called once.
 
     >>> one = Later(lambda: (1, 2))
     >>> list(one), len(one), one[-1]

@@ -1,4 +1,4 @@
-"""Which parts of a case's class its formulas or its reference consist of."""
+"""Members of a case's class that belong to its formulas or to its reference."""
 
 import ast
 from collections.abc import Collection, Iterator

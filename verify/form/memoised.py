@@ -1,4 +1,4 @@
-"""What functions of the project have memoised, which hides a change of what they call."""
+"""Memoised results of the project's functions, which would hide a change of called functions."""
 
 import gc
 from functools import _lru_cache_wrapper

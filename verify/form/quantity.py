@@ -94,7 +94,7 @@ class Quantity:
 
     @property
     def label(self) -> str:
-        """What it is, with its equation: "hoop stress, Eq. 9". Rows are named by it."""
+        """Name with equation: "hoop stress, Eq. 9". Rows have this name."""
         return f"{self.what}, Eq. {self.equation}" if self.equation else self.what
 
     def check_words(self) -> None:
@@ -183,7 +183,7 @@ class Family:
 
 @dataclass(frozen=True)
 class shared(Generic[T]):  # noqa: N801 - a decorator, as cached_property is
-    """What several formulas read, computed once; like a formula, the reference may not read it."""
+    """Value for several formulas, computed once; the reference may not read it."""
 
     method: Callable[[Any], T]
 

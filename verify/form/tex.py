@@ -121,7 +121,7 @@ ARITHMETIC: Mapping[str, Any] = (
 def evaluate(
     tex: str, values: Mapping[str, T], arithmetic: Mapping[str, Any] = ARITHMETIC
 ) -> T | None:
-    """What the equation gives for `values` by symbol, such as numbers [SI].
+    """Value of the equation for `values` by symbol, such as numbers [SI].
 
     None where it is more than arithmetic, or has no value there: a root of a negative number.
     """

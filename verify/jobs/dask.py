@@ -75,7 +75,7 @@ def dask(processes: int, scheduler: str = "") -> Iterator[Engine]:
 
 
 class _Threads:
-    """How many threads the workers have, asked for now and then: they come and go."""
+    """Number of threads of the workers, requested from time to time, as workers come and go."""
 
     def __init__(self, client: Any) -> None:
         self.client, self.asked, self.count = client, 0.0, 1

@@ -27,7 +27,7 @@ class Measured:
 
 
 def measured(case: Case) -> Measured | None:
-    """What was measured of `case`; None unless the present code and inputs made it."""
+    """Result measured for `case`; None unless the present code and inputs made it."""
     return RECORDS.current(case.id, _made_by(case), _measured)
 
 

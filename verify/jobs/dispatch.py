@@ -81,7 +81,7 @@ class Dispatch:
         return (time.monotonic() - self.start) / made * (self.total - self.done) if made else 0.0
 
     def state(self) -> State:
-        """How far the run is."""
+        """State of the run."""
         names = tuple(self.title(task) for task, _ in self.under_way)
         return State(self.done, self.total, names, self.remaining(self), what=self.what)
 
@@ -96,7 +96,7 @@ class Dispatch:
 
 
 def queue(waiting: deque[Any]) -> Callable[[], Any]:
-    """What `Dispatch.run` takes tasks by: the first of those that wait, None where none does."""
+    """First of the waiting tasks, for `Dispatch.run`; None if none waits."""
     return lambda: waiting.popleft() if waiting else None
 
 

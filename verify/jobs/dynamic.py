@@ -1,4 +1,4 @@
-"""What `check --dynamic` adds: the transient part of a case, with a user's parameters."""
+"""Additions of `check --dynamic`: the transient part of a case, with a user's parameters."""
 
 import math
 from collections.abc import Mapping
@@ -17,7 +17,7 @@ from verify.papers.case_report import shown_values
 
 @dataclass(frozen=True, kw_only=True)
 class DynamicResult:
-    """What ran: `raw` in SI units by key, of which `outputs` are printed, and the findings."""
+    """Transient result: `raw` in SI units by key, of which `outputs` are printed, and findings."""
 
     what: str
     raw: Values
@@ -38,7 +38,7 @@ class DynamicResult:
         return shown_values(self.outputs, self.raw)
 
     def unjudged(self) -> "DynamicResult":
-        """The same where finite elements judge none of its outputs."""
+        """The result without judgement by finite elements."""
         return replace(self, outputs=tuple(replace(o, judged=False) for o in self.outputs))
 
 

@@ -1,4 +1,4 @@
-"""What an engine is: an executor of concurrent.futures, and what must be known of it besides."""
+"""Engine: an executor of concurrent.futures with the data that the scheduler needs."""
 
 from collections.abc import Callable, Collection
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
@@ -11,7 +11,7 @@ class GoneError(OSError):
 
 
 def first_done(futures: Collection[Future[Any]], seconds: float) -> Collection[Future[Any]]:
-    """Those that are done once one is, or after some seconds."""
+    """Futures that are done, once at least one is or after some seconds."""
     return wait(futures, seconds, FIRST_COMPLETED).done
 
 

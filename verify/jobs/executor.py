@@ -1,4 +1,4 @@
-"""Where tasks are solved: this process, processes of this machine, or a dask cluster.
+"""Executors of tasks: this process, processes of this machine, or a dask cluster.
 
 An engine is an executor of concurrent.futures and what must be known of it besides. `Drive` runs
 tasks on any of them: a few tasks ahead, what died done once more, the caller woken in between.

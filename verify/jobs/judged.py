@@ -61,7 +61,7 @@ class Judged:
 
 
 def keys(modules: Mapping[str, str]) -> dict[str, str]:
-    """What each case of the suite is stored by; `modules` are those that declare them."""
+    """Keys under which each case of the suite is stored; `modules` are those that declare them."""
     libraries = [f"{name} {version(name)}" for name in LIBRARIES]
     return {
         name: hashlib.sha256(json.dumps([

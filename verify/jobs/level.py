@@ -123,7 +123,7 @@ def ignores_level(levels: Sequence[FemResult]) -> bool:
 
 
 def _without(context: Context, check: Check, key: object) -> str:
-    """Which side does not give a number that a check names; empty for any other key."""
+    """Side without a number that a check names; empty for any other key."""
     if not any(isinstance(name, str) and name == key for name in vars(check).values()):
         return ""
     if key not in context.analytic:

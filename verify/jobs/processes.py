@@ -80,7 +80,7 @@ class Processes(ThreadPoolExecutor):
         return super().submit(self._remotely, function, args, kwargs)
 
     def gone(self) -> str:
-        """Why no process will ever answer, "" while one may."""
+        """Reason why no process can answer any more, "" while one can."""
         return GUARD if self._unguarded else ""
 
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = True) -> None:

@@ -25,7 +25,7 @@ T = TypeVar("T")
 
 @dataclass(frozen=True)
 class Record:
-    """What was measured of a subject, the day (UTC), and what it depends on; both as JSON."""
+    """Measured result of a subject, the day (UTC), and its dependencies; both as JSON."""
 
     date: str
     made_by: Any
@@ -56,7 +56,7 @@ class Records:
             return None
 
     def current(self, subject: str, made_by: Any, read: Callable[[Record], T]) -> T | None:
-        """What `read` returns for the record; None if anything else than `made_by` made it.
+        """Result of `read` for the record; None if anything else than `made_by` made it.
 
         Both are compared as JSON. A record that `read` fails on is no record either.
         """

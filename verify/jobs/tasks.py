@@ -1,4 +1,4 @@
-"""What is done on an engine: levels are solved, and cases judged once their levels are stored."""
+"""Tasks of an engine: levels are solved, and cases judged once their levels are stored."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace

@@ -1,4 +1,4 @@
-"""How long levels take, from earlier runs or a cost model, and what is left of a run.
+"""Duration of levels, from earlier runs or a cost model, and the remaining time of a run.
 
 A level is named by its case and number; durations are wall-clock seconds of one process.
 """
@@ -69,7 +69,7 @@ def remaining_seconds(
 
 
 def usual() -> dict[Level, float]:
-    """What levels took on another machine."""
+    """Duration of levels on another machine."""
     return {
         (case, int(level)): seconds
         for case, levels in json.loads(USUAL.read_text("utf-8")).items()

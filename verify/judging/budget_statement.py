@@ -1,4 +1,4 @@
-"""How a case declares the causes of a difference to rerun, and how each is removed."""
+"""Declaration of the causes of a difference that are rerun, and of their removal."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -11,7 +11,7 @@ from verify.core.inputs import Inputs
 
 
 class Cause(StrEnum):
-    """What a difference of formula and finite elements may come from, in the order of tables."""
+    """Possible cause of a difference of formula and finite elements, in the order of tables."""
 
     FORMULA = "formula"
     DISCRETISATION = "discretisation"
@@ -98,7 +98,7 @@ class Corrected:
 
     @property
     def name(self) -> str:
-        """What its part is called."""
+        """Name of the cause's part."""
         return f"{Cause.FORMULA}: {self.what}"
 
 
@@ -120,7 +120,7 @@ class Without:
 
 @dataclass(frozen=True, kw_only=True)
 class Statement:
-    """What a case says of its budget.
+    """Statement of a case on its error budget.
 
     `finer` is a level beyond the finest, 0 where one takes too long: then the three finest are
     extrapolated. `headline` names the row that is drawn, the first approximation where empty.
@@ -139,7 +139,7 @@ class Statement:
         return next((one for one in self.corrected if one.row == row), None)
 
     def reason(self, row: str) -> str:
-        """Why the difference of this row is not split; empty where no reason is given."""
+        """Reason why the difference of this row is not split; empty where no reason is given."""
         return next(
             (one.why for one in self.left if any(fnmatchcase(row, name) for name in one.rows)), ""
         )

@@ -1,4 +1,4 @@
-"""What all claims of a case share: rows in display units, and convergence beside agreement.
+"""Common part of all claims of a case: rows in display units, convergence beside agreement.
 
 Keys name SI values of the analytic or finite-element side; rows carry display units.
 """
@@ -26,7 +26,7 @@ STATED = ("formula", "equation", "form", "safe", "shares")  # of the formula, in
 
 @dataclass(frozen=True, kw_only=True)
 class Claim(ABC):
-    """What all claims have. `printed` lists published values ("paper:id") stated beside the row.
+    """Data of all claims. `printed` lists published values ("paper:id") stated beside the row.
 
     `formula` is the key of the analytic value that is judged, `equation` its number or source, in
     which `form`, and `safe` the side on which an error of it does no harm; `shares` states what
@@ -196,7 +196,7 @@ class FemClaim(Claim):
     def numbers(
         self, context: Context, grid: GridConvergence, u_num: float, u_it: float, scale: float
     ) -> dict[str, Any]:
-        """What every finite-element row records; `scale` is what convergence was judged on [SI]."""
+        """Data of every finite-element row; `scale` is that of the convergence check [SI]."""
         recorded = self._recorded(context, grid, u_it, scale)
         finest = context.series(self.fem)[1][-1]
         partner = Partner(by=self.by, value=finest) if self.by else None

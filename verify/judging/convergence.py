@@ -33,7 +33,7 @@ Behaviour = Literal["monotone", "oscillating", "slow", "noisy", "round-off", "di
 
 @dataclass(frozen=True)
 class GridConvergence:
-    """How a series converges: `gci` [unit of the values], observed `order` where there is one.
+    """Convergence of a series: `gci` [unit of the values], observed `order` where there is one.
 
     `used` and `factor` are p and F of the index, where it was made with an order.
     """
@@ -168,7 +168,7 @@ def observed_order(ratio: float, r21: float, r32: float) -> float:
 
 
 def order_from_iteration(h: Sequence[float], values: Sequence[float], u_it: float) -> float:
-    r"""By how much, at most, iteration may have raised the observed order of the last three values.
+    r"""Largest increase by iteration of the order observed in the last three values.
 
     Each may be off by ± u. The order is lowest where the middle one is off in one direction and the
     other two are off in the other, whatever the ratios of the meshes; the logarithm of the ratio

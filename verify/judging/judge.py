@@ -19,7 +19,7 @@ DEMAND = 0.01
 
 @dataclass(frozen=True)
 class Verdict:
-    """What judging adds to a row. `tolerance` and `difference` carry the row's unit."""
+    """Results of judging a row. `tolerance` and `difference` have the row's unit."""
 
     status: Status
     reason: str = ""

@@ -38,7 +38,7 @@ class Pair:
 
 @dataclass(frozen=True, kw_only=True)
 class Stated(Claim):
-    """What claims with a figure share: it is one for the paper's numbers, and judged there.
+    """Common part of claims with a figure, which holds and is judged for the paper's numbers only.
 
     At user inputs the error is SHOWN, unless the figure holds `everywhere`.
     `source` is the origin of the figure: `SUBJECT`, a place in a paper, or `suites`.

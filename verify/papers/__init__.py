@@ -1,1 +1,1 @@
-"""What the five papers print, as data."""
+"""Printed contents of the five papers, as data."""

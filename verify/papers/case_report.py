@@ -1,4 +1,4 @@
-"""What a report shows of a case beside its rows: inputs, formulas, figures, sketch."""
+"""Contents of a report on a case beside its rows: inputs, formulas, figures, sketch."""
 
 from collections.abc import Sequence
 from dataclasses import replace

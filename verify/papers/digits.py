@@ -1,4 +1,4 @@
-"""What a printed number means: its value, and the only uncertainty that it carries."""
+"""Value of a printed number, and the uncertainty by its number of digits."""
 
 import re
 

@@ -1,4 +1,4 @@
-"""What a paper's file is made of: values, numbered equations and errata, each valid by itself."""
+"""Entries of a paper's file: values, numbered equations and errata, each valid by itself."""
 
 import math
 from typing import Annotated, Literal, Self

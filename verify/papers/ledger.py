@@ -1,4 +1,4 @@
-"""What the five papers print: values, tables, numbered equations and errata, as validated data.
+"""Printed contents of the five papers: values, tables, numbered equations and errata, validated.
 
 Each paper is one TOML file beside this module. A value keeps the string that was printed,
 because its last digit is the only uncertainty that a printed number carries.

@@ -30,7 +30,7 @@ def ledgers(results: Sequence[CaseResult], inputs: Mapping[str, Sequence[str]]) 
 
 
 def sources(results: Sequence[CaseResult]) -> dict[str, Any]:
-    """The same for a report on cases outside the suite alone: their sources, and no paper."""
+    """Sources of a report on cases outside the suite alone, without papers."""
     found = tuple(_other_sources(results))
     return {"papers": found} | dict.fromkeys(("equations", "errata", "published", "tables"), ())
 

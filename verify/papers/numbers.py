@@ -1,4 +1,4 @@
-"""Which equations a text names."""
+"""Equations that a text names."""
 
 import re
 

@@ -29,7 +29,7 @@ class Placed:
         return f"{one.source}, {_short(one)}", one.verdict.value, _brief(one), self.place.words
 
     def record(self) -> dict[str, str]:
-        """The same for other programs."""
+        """Record for other programs."""
         one = self.verdict
         return {
             "id": one.id, "verdict": one.verdict.value, "words": one.words, "safe": one.safe.value,

@@ -1,4 +1,4 @@
-"""What is declared of each formula: its evidence, its safe side, its errata; never its verdict.
+"""Declarations of each formula: its evidence, its safe side, its errata; never its verdict.
 
 One TOML file for each paper. `part` names rows whose reference is the part itself, elastic and
 whole; `model` rows whose reference shares the formula's idealisation.
@@ -119,7 +119,7 @@ def _check(paper: Paper, declarations: Declarations) -> None:
 
 
 def _broken(forms: tuple[Formula, ...]) -> str:
-    """Which rule the forms of one equation break; empty where none."""
+    """Broken rule of the forms of one equation; empty where none is broken."""
     kinds = [f.form for f in forms]
     if kinds not in ([Form.PRINTED], [Form.PRINTED, Form.CORRECTED]):
         return "declare it as printed, once"

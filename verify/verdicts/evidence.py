@@ -1,4 +1,4 @@
-"""What a formula's verdict rests on: errors of judged rows, and of the studies of the same rows."""
+"""Evidence of a formula's verdict: errors of judged rows, and of the studies of the same rows."""
 
 import math
 from collections.abc import Mapping, Sequence

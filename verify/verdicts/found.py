@@ -122,7 +122,7 @@ def _weight(point: Point, head: FormulaVerdict) -> tuple[float, float]:
 
 
 def _method(row: Row) -> str:
-    """What the reference of a row is, such as "FE" or "half-space"."""
+    """Method of the reference of a row, such as "FE" or "half-space"."""
     return row.partner.by if row.partner is not None and row.fem is None else row.method
 
 
@@ -141,7 +141,7 @@ def _spread(rows: Sequence[Row]) -> str:
 
 
 def _model(found: Evidence) -> str:
-    """How well the formula solves its idealisation."""
+    """Accuracy with which the formula solves its idealisation."""
     if not found.rows:
         return ""
     points = [point_of(row) for row in found.rows]

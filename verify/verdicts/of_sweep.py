@@ -18,7 +18,7 @@ SAFE = {"too high": Safe.ABOVE, "too low": Safe.BELOW}
 
 
 def safe_side(plan: Plan, course: Course) -> Safe:
-    """Which estimate is safe: as the formula of the row declares it, else as its case states it."""
+    """Safe side of an estimate: as declared for the row's formula, else as its case states it."""
     declared = safe_sides().get(f"{plan.case.id}/{course.pair.name}")
     if declared is not None:
         return declared

@@ -1,4 +1,4 @@
-"""Where a user's inputs lie in what a verdict was compared over."""
+"""Position of a user's inputs relative to the ranges that a verdict compared."""
 
 import math
 from collections.abc import Mapping
@@ -25,14 +25,14 @@ class Where(StrEnum):
 
 @dataclass(frozen=True)
 class Place:
-    """Where the inputs lie, and a sentence that says so."""
+    """Position of the inputs, and a sentence that states it."""
 
     where: Where
     words: str
 
 
 def place(found: FormulaVerdict, case: str, inputs: Inputs) -> Place:
-    """Where inputs of a case lie in the ranges of a verdict."""
+    """Position of a case's inputs relative to the ranges of a verdict."""
     if found.verdict in WITHOUT_RANGE:
         return Place(Where.NONE, "")
     if case not in found.cases:

@@ -37,7 +37,7 @@ def ranges(studies: Sequence[Study]) -> tuple[VerdictRange, ...]:
 
 
 def interpolation(plan: Plan, course: Course) -> float | None:
-    """By how much an error differs from a line between its neighbours on an axis, at most.
+    """Largest deviation of an error from a line between its neighbours on an axis.
 
     At the points of a study this overestimates what interpolation between them leaves out, some
     four times where the error is smooth. None where no point has two solved neighbours.

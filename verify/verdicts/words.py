@@ -13,7 +13,7 @@ SMALLEST = 1e-4  # relative: below it an error or its bar is not printed
 
 
 def sentence(found: FormulaVerdict) -> str:
-    """What an engineer needs first: the accuracy or the error, its range and its side."""
+    """Most important statement for an engineer: accuracy or error, its range and its side."""
     has_better = found.is_of_part or found.error is None or found.verdict is Verdict.EXACT
     parts = (
         _head(found), "" if has_better else SHARED, found.caution,
@@ -48,7 +48,7 @@ def _head(found: FormulaVerdict) -> str:
 
 
 def _unsafe(found: FormulaVerdict) -> str:
-    """By how much the formula errs on the unsafe side, over all points; both where none is safe."""
+    """Error of the formula on the unsafe side, over all points; both sides where none is safe."""
     if found.safe is Safe.NEITHER:
         both = sides(found.above or 0.0, found.below or 0.0) if found.points else ""
         return f"; {both}" if both else ""
@@ -72,7 +72,7 @@ def _one_at_a_time(found: FormulaVerdict) -> bool:
 
 
 def _wrong(found: FormulaVerdict) -> str:
-    """What the misprint changes, by itself and together with the error of the formula."""
+    """Effect of the misprint, by itself and together with the error of the formula."""
     if found.error is None:
         return f"wrong as printed: {found.limited_by}"
     largest = sides(found.above or 0.0, found.below or 0.0) if found.points else ""
@@ -99,7 +99,7 @@ def percent(value: float | None) -> str:
 
 
 def _studied(found: FormulaVerdict) -> str:
-    """What was varied, study by study."""
+    """Varied inputs, study by study."""
     over = dict.fromkeys((one.case, one.over) for one in found.ranges)
     cases = {case for case, _ in over}
     return "; ".join(

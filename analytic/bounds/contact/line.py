@@ -27,23 +27,23 @@ class OnFlat:
 
     @property
     def pressure(self) -> Estimate:
-        """Of the peak pressure; the next term is (a/R)⁴."""
+        """Expected error of the peak pressure; the next term is (a/R)⁴."""
         return self._second_order(PRESSURE)
 
     @property
     def width(self) -> Estimate:
-        """Of the half-width."""
+        """Expected error of the half-width."""
         return self._second_order(WIDTH)
 
     @property
     def approach(self) -> Estimate:
-        """Of the approach, whose coefficient is in the bracket of the logarithm."""
+        """Expected error of the approach, whose coefficient is in the bracket of the logarithm."""
         error, slack = self._second_order(APPROACH)
         return Estimate(error / float(2 * np.log(4 / self.ratio) - 1), slack)
 
     @property
     def shear(self) -> Estimate:
-        """Of the largest shear stress: the opposite flat and the circle; (a/R)² counts once."""
+        """Error of the largest shear stress, by opposite flat and circle; (a/R)² counts once."""
         return of_shear(a=self.ratio, R=1.0, inclined=0.0, slack=self.ratio**2)
 
     def _second_order(self, coefficient: float) -> Estimate:

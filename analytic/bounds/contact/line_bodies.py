@@ -69,7 +69,7 @@ class OfDiscs(TwoBodies):
 
     @property
     def pressure(self) -> Estimate:
-        """Of the peak pressure: the series.
+        """Expected error of the peak pressure: the series.
 
         The square of its terms and the first-order one times a/R count once.
         """
@@ -77,12 +77,12 @@ class OfDiscs(TwoBodies):
 
     @property
     def width(self) -> Estimate:
-        """Of the half-width."""
+        """Expected error of the half-width."""
         return self._second_order(self.series[1])
 
     @property
     def bounded(self) -> tuple[Estimate, Estimate]:
-        """Of pressure and half-width: the series and the bound of its remainder."""
+        """Error of pressure and half-width: the series and the bound of its remainder."""
         sizes = {"a": self.a, "R_1": self.R_1, "R_2": self.R_2}
         slack = pair_series.left_out(**sizes, **self.materials, assumption=PLANE)
         p, w = (Estimate(1 / (1 + one.total) - 1, slack) for one in self.series)
@@ -90,12 +90,12 @@ class OfDiscs(TwoBodies):
 
     @property
     def approach(self) -> Estimate:
-        """Of the approach: half of e², as its brackets are 4 and more, and what is coupled."""
+        """Error of the approach: half of e², as its brackets are 4 and more, plus coupling."""
         return Estimate(0.0, self.e**2 / 2 + self.coupled)
 
     @property
     def shear(self) -> Estimate:
-        """Of the largest shear stress; e² and what is coupled count once.
+        """Expected error of the largest shear stress; e² and the coupling count once.
 
         Of equal discs it is 0.57 e².
         """
@@ -125,22 +125,22 @@ class InRace(TwoBodies):
 
     @property
     def pressure(self) -> Estimate:
-        """Of the peak pressure."""
+        """Expected error of the peak pressure."""
         return self._coupled(COUPLED_PRESSURE)
 
     @property
     def width(self) -> Estimate:
-        """Of the half-width."""
+        """Expected error of the half-width."""
         return self._coupled(COUPLED_WIDTH)
 
     @property
     def approach(self) -> Estimate:
-        """Of the approach: half of `small`, as its brackets are 2 and more."""
+        """Expected error of the approach: half of `small`, as its brackets are 2 and more."""
         return Estimate(0.0, self.small / 2 + abs(self.coupled))
 
     @property
     def shear(self) -> Estimate:
-        """Of the largest shear stress; `small` and what is coupled count once."""
+        """Expected error of the largest shear stress; `small` and the coupling count once."""
         inclined, slack = self.kappa * self.a, self.small + abs(self.coupled)
         return of_shear(a=self.a, R=self.R_1, inclined=inclined, slack=slack)
 

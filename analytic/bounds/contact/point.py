@@ -7,7 +7,7 @@ from analytic.bounds.contact.estimate import Estimate
 
 
 def corrected(excess: float, *, beyond: float, power: float = 1.0) -> Estimate:
-    """Of a value that finite spheres exceed by the share `excess`, by the first correction.
+    """Error of a value that finite spheres exceed by the share `excess`, by the first correction.
 
     `power` is that of the approach with which the value goes: 3/2 for the load.
 
@@ -18,7 +18,7 @@ def corrected(excess: float, *, beyond: float, power: float = 1.0) -> Estimate:
 
 
 def axis_shear(*, beyond: float) -> Estimate:
-    """Of the largest shear stress on the axis.
+    """Expected error of the largest shear stress on the axis.
 
     The pressure on the curved surface is inclined by r/R; on the axis it adds this share of
     p_0 to the shear stress.

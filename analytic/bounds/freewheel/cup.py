@@ -118,11 +118,11 @@ class CupBounds:
         return 1.0, self.own["d_o"] / self.at.d_o, 1.0
 
     def approach(self, which: str) -> Interval:
-        """Of d_i or d_o."""
+        """Interval of the error of d_i or d_o."""
         return of_approach(self.own[which], getattr(self, which))
 
     def contact(self) -> Interval:
-        """Of half-widths and pressures."""
+        """Interval of the error of half-widths and pressures."""
         return of_contact(self.cup, self.at)
 
     @cached_property
@@ -132,17 +132,17 @@ class CupBounds:
         ]
 
     def under_torque(self, key: str) -> Interval:
-        """Of N, alpha or s at this torque."""
+        """Interval of the error of N, alpha or s at this torque."""
         own, corners = self._at_torque
         return enclosed(own[key], [c[key] for c in corners])
 
     def slope(self) -> Interval:
-        """Of tan(alpha), at this torque."""
+        """Interval of the error of tan(alpha) at this torque."""
         own, corners = self._at_torque
         return enclosed(math.tan(own["alpha"]), [math.tan(c["alpha"]) for c in corners])
 
     def torsion(self) -> Interval:
-        """Of phi: rolling, the contacts' tangential displacement, shaft and cup wound up."""
+        """Error of phi: rolling, tangential displacement at contacts, wind-up of shaft and cup."""
         cup, T, (own, corners) = self.cup, self.at.T, self._at_torque
         wound = winding(cup, T, cup.flat, cup.R_a) + winding(cup, T, cup.r_b, cup.race)
         tan, tan_0 = math.tan(own["alpha"]), math.tan(float(cup.alpha(d_i=0.0, d_o=0.0)))
@@ -152,7 +152,7 @@ class CupBounds:
         return enclosed(own["phi"], [low, high])
 
     def torque(self) -> Interval:
-        """Of T at this normal force."""
+        """Interval of the error of T at this normal force."""
 
         def tan(i: float, o: float) -> float:
             return math.tan(float(self.cup.alpha(d_i=i * self.at.d_i, d_o=o * self.at.d_o)))
@@ -160,12 +160,12 @@ class CupBounds:
         return enclosed(tan(*self.middle[:2]), [t * tan(i, o) for i, o, t in self.corners])
 
     def summit(self) -> Interval:
-        """Of the largest torque."""
+        """Interval of the error of the largest torque."""
         own = self._course(self.middle).summit
         return enclosed(own, [self._course(f).summit for f in self.corners])
 
     def force_at_angle(self, psi: float) -> Interval:
-        """Of N at an angle [rad]: where the approaches leave it."""
+        """Interval of the error of N at an angle [rad] that the approaches determine."""
         own = self._course(self.middle).force(psi)
         return enclosed(own, [self._course(f).force(psi) for f in self.corners])
 

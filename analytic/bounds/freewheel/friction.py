@@ -29,15 +29,15 @@ class FrictionBounds:
         self.rest = (self.tan**2 - least**2) / 2
 
     def one_contact(self) -> Interval:
-        """Of F_t/N where both contacts count by themselves."""
+        """Error of F_t/N if each contact is considered separately."""
         return self._wider(self.star.slope(tilted=True))
 
     def both_contacts(self) -> Interval:
-        """Of the mean of both."""
+        """Error of the mean F_t/N of both contacts."""
         return self._wider(self.star.slope())
 
     def normal_force(self) -> Interval:
-        """Of N."""
+        """Interval of the error of N."""
         return self._wider(self.star.force())
 
     def whole_load(self) -> Interval:
@@ -46,15 +46,15 @@ class FrictionBounds:
         return times(self.one_contact(), more, SAME_EQUATION)
 
     def two_tangents(self) -> Interval:
-        """Of Eq. 8 as printed, which has tan(alpha) in the place of mu_req."""
+        """Error of Eq. 8 as printed, which has tan(alpha) in the place of mu_req."""
         return times(self.both_contacts(), math.hypot(1.0, self.lever), SAME_EQUATION)
 
     def limit_load(self) -> Interval | None:
-        """Of F_ax at the limit: none where tan(alpha) alone nearly releases the roller."""
+        """Error of F_ax at the limit: none where tan(alpha) alone nearly releases the roller."""
         return self._sharp(lambda tan: math.sqrt((self.mu / tan) ** 2 - 1))
 
     def limit_creep(self) -> Interval | None:
-        """Of F_t/F_z at the limit."""
+        """Interval of the error of F_t/F_z at the limit."""
         return self._sharp(lambda tan: 1 / math.sqrt((self.mu / tan) ** 2 - 1))
 
     def _wider(self, interval: Interval) -> Interval:
@@ -67,7 +67,7 @@ class FrictionBounds:
 
 
 def limit_load(star: StarBounds, mu: float) -> Interval | None:
-    """Of F_ax at the limit on a path, from the possible error of one contact's tan(alpha)."""
+    """Error of F_ax at the limit on a path, from the possible error of one contact's tan(alpha)."""
     return at_limit(lambda tan: math.sqrt((mu / tan) ** 2 - 1), math.tan(star.at.alpha),
                     star.slope(tilted=True), mu)  # fmt: skip
 

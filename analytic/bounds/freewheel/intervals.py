@@ -17,7 +17,7 @@ Interval = tuple[float, float]
 
 
 def of_contact(parts: Parts, at: Loaded) -> Interval:
-    """Of half-widths and pressures: round bodies taken for parabolas err by some (a/r)²."""
+    """Error of half-widths and pressures: a parabola for a round body errs by about (a/r)²."""
     bound = max(CURVED * _wide(parts, at) ** 2, LEAST)
     return -bound, bound
 

@@ -49,59 +49,59 @@ class StarBounds:
         self.tilt = tilting(star, P, wall) / math.tan(at.alpha)
 
     def approach(self, which: str) -> Interval:
-        """Of d_i or d_o."""
+        """Interval of the error of d_i or d_o."""
         return of_approach(self.own[which], getattr(self, which))
 
     def contact(self) -> Interval:
-        """Of half-widths and pressures."""
+        """Interval of the error of half-widths and pressures."""
         return of_contact(self.star, self.at)
 
     def angle(self) -> Interval:
-        """Of alpha."""
+        """Interval of the error of alpha."""
         return self._of(lambda **d: float(self.star.alpha(**d)))
 
     def unloaded(self) -> Interval:
-        """Of the angle without load, taken for alpha."""
+        """Error of the angle without load, taken for alpha."""
         return self._instead(float(self.star.alpha(d_i=0.0, d_o=0.0)))
 
     def unloaded_as_printed(self) -> Interval:
-        """Of Eq. 4 with r for R in its numerator, by cos 2a = 2 cos² a - 1, taken for alpha."""
+        """Error of Eq. 4 with r for R in its numerator, by cos 2a = 2 cos² a - 1, for alpha."""
         s = self.star
         return self._instead(math.acos((s.r + s.flat) / (s.race - s.r) - 1) / 2)
 
     def as_printed(self) -> Interval:
-        """Of Eq. 5 with the signs of its denominator reversed, by the cosine's half angle."""
+        """Error of Eq. 5 with the signs of its denominator reversed, by the cosine's half angle."""
         s, d = self.star, self.own
         cos = (s.flat - d["d_i"] + s.r) / (s.race - d["d_o"] + s.r)
         return self._instead(math.atan(math.sqrt((1 - cos) / (1 + cos))))
 
     def _instead(self, angle: float) -> Interval:
-        """Of an `angle` [rad] in place of alpha."""
+        """Error of an `angle` [rad] in place of alpha."""
         return times(self.angle(), angle / float(self.star.alpha(**self.own)))
 
     def travel(self) -> Interval:
-        """Of s."""
+        """Interval of the error of s."""
         return self._of(lambda **d: float(self.star.arc(**d)))
 
     def slope(self, *, tilted: bool = False) -> Interval:
-        """Of tan(alpha), where `tilted` also as one contact alone has it."""
+        """Error of tan(alpha); with `tilted`, also that of tan(alpha) by one contact alone."""
         low, high = self._of(lambda **d: math.tan(float(self.star.alpha(**d))))
         more = self.tilt if tilted else 0.0
         return low - more, high + more
 
     def force(self) -> Interval:
-        """Of N at a torque, proportional to 1/tan(alpha)."""
+        """Error of N at a torque, proportional to 1/tan(alpha)."""
         low, high = self.slope(tilted=True)
         return 1 / (1 + high) - 1, 1 / (1 + low) - 1
 
     def torsion(self) -> Interval:
-        """Of phi, proportional to the travel of the rollers, plus that by tangential forces."""
+        """Error of phi, proportional to the roller travel, plus that of the tangential forces."""
         (low, high), square = self.travel(), math.tan(self.at.alpha) ** 2
         less, more = (share * square for share in SIDEWAYS)
         return (1 + low) / (1 + more) - 1, (1 + high) / (1 + less) - 1
 
     def force_at_angle(self) -> Interval:
-        """Of N at an angle, which gives the sum of both approaches."""
+        """Error of N at an angle, which determines the sum of both approaches."""
         size = sum(self.own.values())
         low, high = (sum(ends) / size for ends in zip(self.d_i, self.d_o, strict=True))
         return low**STEEPER - 1, high**STEEPER - 1

@@ -44,7 +44,7 @@ def turned(
 
 
 def of_turn(ends: Sequence[Moved], bounds: StarBounds, *, off: float, F_t: float) -> Interval:
-    """Of dalpha/dX at F_t, with approaches anywhere within their `bounds`.
+    """Error of dalpha/dX at F_t, with approaches anywhere within their `bounds`.
 
     `ends` have their flats moved by -`off` and `off` [length].
     """

@@ -47,7 +47,7 @@ class RollerOnRing:
 
     @property
     def relative_radius(self) -> float:
-        """That of roller and ring [m]."""
+        """Relative radius of roller and ring [m]."""
         return 1 / (1 / (self.d / 2) + 1 / (self.d_e / 2))
 
     def reach(self, a: float, a_race: float = 0.0) -> float:
@@ -56,7 +56,7 @@ class RollerOnRing:
         return beside + (a / self.wall) ** 2 + BLUNT
 
     def closure(self, a: float, a_race: float) -> float:
-        """The same of the approach of ring and roller."""
+        """Error of the series of the approach of ring and roller, with both half-widths [m]."""
         ends = a**2 + a_race**2
         return 4 * ends / self.d**2 + (a / self.wall) ** 2 + BLUNT
 

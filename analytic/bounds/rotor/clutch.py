@@ -14,7 +14,7 @@ Interval = tuple[float, float]
 
 
 def leading(nu: float) -> Interval:
-    """Of K_xx, K_yy of an even clutch: cos^2 for cos^2 + tan^2 nu sin^2, and the next term twice.
+    """Error of K_xx, K_yy of an even clutch: cos^2 for cos^2 + tan^2 nu sin^2; next term doubled.
 
     >>> low, high = leading(0.05)
     >>> low < -math.sin(0.05) ** 2 < high
@@ -25,7 +25,7 @@ def leading(nu: float) -> Interval:
 
 
 def around(formula: float, corrected: float, left_out: float, nu: float) -> Interval:
-    """Of an entry of K by the equations, over the same with forces along the struts.
+    """Error of an entry of K by the equations, over the same entry with forces along the struts.
 
     `left_out` is what tilting forces take of the `corrected` entry. What both have in common
     cancels, so that no fault of theirs moves the interval.
@@ -40,7 +40,7 @@ def around(formula: float, corrected: float, left_out: float, nu: float) -> Inte
 
 
 def first_order(nu: float, eps: float, Z: int) -> Interval | None:
-    """Of the coupling's first term in eps = dx/delta_0 with Z sprags; squares of eps^2 left out.
+    """Error of the coupling's first term in eps = dx/delta_0, Z sprags; without squares of eps^2.
 
     The next term of the sum over cos psi, and the deflection recovered by torque. None where eps
     is too large for a first term, or sprags too few for fourth powers to sum to 3/8 of Z.
@@ -58,7 +58,7 @@ def first_order(nu: float, eps: float, Z: int) -> Interval | None:
 
 
 def held_ends(nu: float, delta_0: float, length: float) -> Interval:
-    """Of K_xx with struts of a `length` [m] held in both races, that deflect by `delta_0` [m].
+    """Error of K_xx for struts of a `length` [m] held in both races, that deflect by `delta_0` [m].
 
     Their forces turn with them, by Q/length; the sum's square is left out.
 

@@ -29,15 +29,15 @@ class Bounds:
     turns: bool
 
     def statics(self) -> Interval:
-        """Of the force at rest."""
+        """Error of the force at rest."""
         return -self.unequal, 0.0
 
     def energy(self) -> Interval:
-        """Of a peak that the work done determines."""
+        """Error of a peak force that the work determines."""
         return -self.passed_on * self.unequal, 0.0
 
     def spring(self) -> Interval | None:
-        """The same; the spring omits the mass of the sprags, an error of any sign.
+        """Error of a peak by the spring, which omits the mass of the sprags: an error of any sign.
 
         None where contacts slide first.
         """
@@ -45,15 +45,15 @@ class Bounds:
         return None if self.turns else (low - inertia, inertia)
 
     def both(self) -> Interval | None:
-        """Of a ratio of two such peaks: the difference of two such errors."""
+        """Error of a ratio of two such peaks: the difference of their errors."""
         one = self.spring()
         return one and (one[0] - one[1], one[1] - one[0])
 
     def either_way(self, times: float) -> Interval:
-        """By so many times N_e/N_i - 1."""
+        """Error of either sign, a multiple of N_e/N_i - 1."""
         return -times * self.unequal, times * self.unequal
 
     def radially(self) -> Interval:
-        """Of the work: the steps' torque turns less far by the centroid's outward travel."""
+        """Error of the work: the torque of the steps turns less, as the centroid moves outwards."""
         u = BOOKED + PART * abs(self.left_out)
         return self.left_out - u, self.left_out + u

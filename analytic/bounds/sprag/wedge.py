@@ -68,7 +68,7 @@ class Bounds:
         return self.N / (self.sizes.l * self.sizes.E_plane)
 
     def angle(self) -> Interval:
-        """Of tan(nu) and tan(omega), which fall as the column bends."""
+        """Error of tan(nu) and tan(omega), which fall as the column bends."""
         moves = self.bending
         doubt = BEND * moves.size + self.tilted() + float(self.at.beta) ** 2 / 2 + self.meshes
         return 1 / (1 + moves.whole + doubt) - 1, 1 / (1 + moves.whole - doubt) - 1
@@ -88,28 +88,28 @@ class Bounds:
         return sum(a * b for a, b in zip(shares, tilts, strict=True)) / float(at.beta)
 
     def torque(self) -> Interval:
-        """Of n_s N tan(nu) OA, whose lever is uncertain by a tenth of the inner deflections."""
+        """Error of n_s N tan(nu) OA; its lever is uncertain by 0.1 of the inner deflections."""
         (low, high), lever = self.angle(), LEVER * float(self.at.yields.inner) / self.sizes.R_i
         return low - lever, high + lever
 
     def force(self) -> Interval:
-        """Of N at a torque."""
+        """Interval of the error of N at a torque."""
         low, high = self.torque()
         return 1 / (1 + high) - 1, 1 / (1 + low) - 1
 
     def excess(self) -> Interval:
-        """Of N_e/N_i - 1, proportional to the square of both angles."""
+        """Error of N_e/N_i - 1, proportional to the square of both angles."""
         low, high = self.angle()
         return 2 * low, 2 * high
 
     def elastic(self) -> Interval:
-        """Of all deflections together, and of the related rotation."""
+        """Error of the sum of all deflections, and of the related rotation."""
         size = ELASTIC + self.tan2 / 2 + self.wide + self.askew
         return -size, size
 
     @property
     def askew(self) -> float:
-        """Of all deflections: forces along AB do work on ends that move sideways, N does not."""
+        """Error of all deflections: forces along AB do work on ends that move sideways, N not."""
         at, (u_i, u_e) = self.at, self.ends.moved
         sideways = abs(u_i * math.tan(float(at.nu))) + abs(u_e * math.tan(float(at.omega)))
         return self.P * sideways / float(at.yields.H)
@@ -119,18 +119,18 @@ class Bounds:
         return low + less, high + more
 
     def turn(self) -> Interval:
-        """Of the races, to which tangential forces add."""
+        """Error of the deflection of the races, to which tangential forces add."""
         (low, high), (less, more) = self.elastic(), (k * self.tan2 for k in SIDEWAYS)
         return (1 + low) / (1 + more) - 1, (1 + high) / (1 + less) - 1
 
     def hertz(self) -> Interval:
-        """Of peak pressures."""
+        """Interval of the error of peak pressures."""
         neglected = max(self.wide, self.thin_body("i"), self.thin_body("e"))
         size = EDGES + 10 * self.meshes + HERTZ * neglected
         return -size, size
 
     def width(self) -> Interval:
-        """Of half-widths, which end within a cell."""
+        """Error of half-widths; the edge of the contact is known only within a cell."""
         size = max(self.hertz()[1], ACCEPTED)
         return -size, size
 
@@ -145,38 +145,38 @@ class Bounds:
         return (q.R_i - q.R_id, a_i) if which == "i" else (q.R_ed - q.R_e, a_e)
 
     def race(self, which: str) -> Interval:
-        """Of the deflection of a race under its load, at the middle of the patch."""
+        """Error of the deflection of a race under its load, at the middle of the patch."""
         wall, a = self.in_wall(which)
         size = SHARP + (a / wall) ** 2
         return -size, size
 
     def plane(self) -> Interval:
-        """Of Hertz's contacts to the walls' depth and half the sprag's height, and of Eq. 6."""
+        """Error of Hertz's contacts to the walls' depth and half the sprag, and of Eq. 6."""
         return times(self.elastic(), self.plane_yields() / float(self.at.yields.H))
 
     def lost(self) -> Interval:
-        """Of the printed closure, half of the deflection at the inner contact left out."""
+        """Error of the printed closure, which omits half of the deflection at the inner contact."""
         yields = self.at.yields
         lost = float(yields.contact_i + yields.sprag) / 2
         return times(self.elastic(), 1 - lost / float(yields.H), spread=SLOPES)
 
     def thin(self, which: str) -> Interval:
-        """Of Eq. 6, thin rings, for the mean of long ones."""
+        """Error of Eq. 6, thin rings, for the mean displacement of long rings."""
         return times((-SHARP, SHARP), self.thin_mean(which) / self.long_mean(which))
 
     def thin_at_contact(self, which: str) -> Interval:
-        """Of Eq. 6 for the deflection of a race under its load."""
+        """Error of Eq. 6 for the deflection of a race under its load."""
         race = self.races[which == "e"]
         under = race.under / race.mean * self.long_mean(which)
         return times(self.race(which), self.thin_mean(which) / under)
 
     def long_mean(self, which: str) -> float:
-        """Of a long race [m], each under the normal force on it."""
+        """Mean displacement of each long race [m] under the normal force on it."""
         force = float({"i": np.asarray(self.N), "e": self.at.N_e}[which])
         return self._lame_mean(force, which, "plane strain")
 
     def thin_mean(self, which: str) -> float:
-        """Of a thin race [m] under N."""
+        """Mean displacement of each thin race [m] under N."""
         return self._lame_mean(self.N, which, "plane stress")
 
     def plane_yields(self) -> float:

@@ -56,12 +56,12 @@ class _Arc:
 
     @property
     def lever(self) -> float:
-        """Of y cos t."""
+        """Integral of y cos t over the arc."""
         return self.c * self.cos + self.R * self.cos2
 
     @property
     def square(self) -> float:
-        """Of y^2."""
+        """Integral of y^2 over the arc."""
         return self.c**2 * self.t + 2 * self.c * self.R * self.cos + self.R**2 * self.cos2
 
 

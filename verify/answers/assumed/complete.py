@@ -43,7 +43,7 @@ def complete(
 def assumed_inputs(
     case_id: str, model: type[Inputs], raw: Mapping[str, Any], where: str = "inputs"
 ) -> tuple[Assumed, ...]:
-    """What is assumed for the raw inputs of a file."""
+    """Assumed values for the raw inputs of a file."""
     return complete(case_id, model, raw, where)[1]
 
 

@@ -1,4 +1,4 @@
-"""Which assumed inputs matter: each of them varied, by the formulas alone."""
+"""Influence of assumed inputs: each is varied, and the formulas alone are evaluated."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ Result = Callable[[Any, Values], float | None]
 
 @dataclass(frozen=True, kw_only=True)
 class Influence:
-    """How a value of the formulas follows one assumed input.
+    """Change of a value of the formulas with one assumed input.
 
     `low` and `high` are the values that the input was given, in its display unit; `at_low` and
     `at_high` the relative changes of the value, None where there is "no solution" (`note`).
@@ -50,7 +50,7 @@ class Influence:
 def influence(
     case: Case, inputs: Inputs, assumed: Sequence[Assumed], result: str | Result
 ) -> tuple[Influence, ...]:
-    """How a result of the formulas follows each assumed number, the strongest first.
+    """Change of a result of the formulas with each assumed number, the largest first.
 
     `result` is the key of a value, or computes a number from inputs and values. Each input is
     varied alone over its usual range, or by 10 %; assumed inputs that follow from it by a rule

@@ -1,4 +1,4 @@
-"""Which inputs of which tool have an assumption, in the order in which they are made."""
+"""Assumptions of each tool by input, in the order in which they are made."""
 
 from collections.abc import Mapping
 

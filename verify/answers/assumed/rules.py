@@ -1,4 +1,4 @@
-"""What an assumption is: the value of an input that a file leaves out, and where it comes from."""
+"""Assumption: the value of an input that a file leaves out, with its source."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -59,7 +59,7 @@ class Assumed:
         return f"{self.symbol} = {value}" + ("" if self.unit == "1" else f" {self.unit}")
 
     def record(self) -> Mapping[str, Any]:
-        """The same for other programs."""
+        """The assumed input as a record for other programs."""
         return {
             "name": self.name, "symbol": self.symbol, "value": self.value, "unit": self.unit,
             "source": self.source,

@@ -1,1 +1,1 @@
-"""What formula and reference of a case both assume, by subject."""
+"""Assumptions that formula and reference of a case share, by subject."""

@@ -1,4 +1,4 @@
-"""How `freewheel crosscheck` is called."""
+"""Command line of `freewheel crosscheck`."""
 
 from pathlib import Path
 

@@ -126,7 +126,7 @@ def _sorted(
 
 
 def _write_hints(crosses: Sequence[Cross], folder: Path) -> None:
-    """How each deck that is there is solved again, one line each."""
+    """Command that solves each existing deck again, one line each."""
     decks = [
         (cross, folder / cross.file / f"deck.{'inp' if cross.solver == CALCULIX else 'json'}")
         for cross in crosses
@@ -162,7 +162,7 @@ def _print(lines: Sequence[Crosscheck], standing: Collection[str], broken: Seque
 def _counts(
     lines: Sequence[Crosscheck], standing: Sequence[store.Found], left: Sequence[Cross]
 ) -> Iterator[str]:
-    """How much was compared, and how much of it was not solved in this run."""
+    """Number of comparisons, and of those not solved in this run."""
     problems = len({line.problem for line in lines})
     yield f"{len(lines)} comparisons of {problems} problems"
     if standing:

@@ -1,4 +1,4 @@
-"""How `freewheel design` is called, for springs and for sprags."""
+"""Command line of `freewheel design`, for springs and for sprags."""
 
 from pathlib import Path
 from typing import Literal

@@ -57,14 +57,14 @@ def run_design(
 
 
 def command(path: Path, choose: int | None, *, use_fem: bool) -> str:
-    """What repeats this."""
+    """Command that repeats this search."""
     chosen = "" if choose is None else f"--choose {choose} "
     fem = "" if use_fem else "--no-fem "
     return f"freewheel design {fem}{chosen}{shlex.quote(path.name)}"
 
 
 def files(outcome: Outcome, repeat: str) -> Mapping[str, bytes]:
-    """What goes into the folder, by name."""
+    """Files of the folder by name."""
     from reports.design import page as page_html
     from verify.app.design.page import page
 

@@ -37,7 +37,7 @@ def figures(outcome: Outcome) -> list[Picture]:
 
 
 def reasons(s: Search) -> Bars:
-    """How many candidates each limit turns away."""
+    """Number of candidates that violate each limit."""
     counts = {key: count for key, count in violations(s).items() if count or key != "shape"}
     return Bars(
         title="Why candidates fall out", names=tuple(NAMES[key] for key in counts),

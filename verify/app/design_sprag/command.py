@@ -70,7 +70,7 @@ def run_design(
 
 
 def files(outcome: Outcome, repeat: str, folder: str) -> Mapping[str, str]:
-    """What goes into the folder, by name."""
+    """Files of the folder by name."""
     from reports.design import page as page_html
     from verify.app.design_sprag.page import page
 

@@ -1,4 +1,4 @@
-"""How `freewheel mutants` is called."""
+"""Command line of `freewheel mutants`."""
 
 from typing import Annotated, Literal
 

@@ -1,4 +1,4 @@
-"""How `freewheel portable` is called."""
+"""Command line of `freewheel portable`."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""How `freewheel search` is called."""
+"""Command line of `freewheel search`."""
 
 from pathlib import Path
 

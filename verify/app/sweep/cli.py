@@ -1,4 +1,4 @@
-"""How `freewheel sweep` is called."""
+"""Command line of `freewheel sweep`."""
 
 from pathlib import Path
 

@@ -123,7 +123,7 @@ def command(
     path: Path, vary: Sequence[str], star: bool, sample: str, tolerances: Sequence[str],
     only: Sequence[str],
 ) -> str:  # fmt: skip
-    """What repeats this."""
+    """Command that repeats this sweep."""
     parts = ["freewheel", "sweep", path.name]
     parts += [part for text in vary for part in ("--vary", text)]
     parts += ["--star"] * star + (["--sample", sample] if sample else [])
@@ -133,7 +133,7 @@ def command(
 
 
 def files(found: Outcome, repeat: str) -> Mapping[str, bytes]:
-    """What goes into the folder, by name."""
+    """Files of the folder by name."""
     from reports.sweep import page as page_html
     from verify.app.sweep.page import page
 

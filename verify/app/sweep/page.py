@@ -96,7 +96,7 @@ def _tiles(found: Outcome) -> Sequence[Tile]:
 
 
 def _problems(found: Outcome) -> Iterator[str]:
-    """Why points have no answer, the most frequent reason first."""
+    """Reasons for points without an answer, the most frequent first."""
     groups: dict[str, list[str]] = {}
     for reason in filter(None, reasons(found)):  # reasons that differ in numbers are one
         groups.setdefault(_NUMBER.sub("#", reason), []).append(reason.removeprefix("inputs: "))

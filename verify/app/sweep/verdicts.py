@@ -16,7 +16,7 @@ from verify.studies.sweep.tables import largest
 
 
 def grid_in_words(plan: Plan, course: Course, found: Sequence[Region]) -> str:
-    """Where the formula may be used, and its largest error."""
+    """Range in which the formula may be used, and its largest error, in words."""
     if (n := largest(course)) is None:
         return "Nothing could be compared."
     sentences = []
@@ -43,7 +43,7 @@ def grid_in_words(plan: Plan, course: Course, found: Sequence[Region]) -> str:
 
 
 def _nowhere(r: Region) -> str:
-    """That no point is inside: all of them outside, or some not known to be."""
+    """Statement that no point is inside: all are outside, or some are undecided."""
     solved = r.points - r.unsolved
     if r.outside < solved:
         return f"Not known to be within {limit_named(r)} at any point"
@@ -87,7 +87,7 @@ def sample_in_words(about: Indices) -> str:
 
 
 def small_sample(about: Indices) -> str:
-    """That intervals of the indices are too wide to rank inputs by; "" where none is."""
+    """Statement that the indices are too uncertain to rank inputs; "" where they are not."""
     if not (widest := max(s.widest for s in (about.formula, about.fe, about.error))) > LOOSE:
         return ""
     rows = about.rows + about.dropped

@@ -1,1 +1,1 @@
-"""What the suite catches: references, formulas, judging and finite elements changed on purpose."""
+"""Fault detection: deliberate changes of references, formulas, judging and finite elements."""

@@ -1,4 +1,4 @@
-"""What is noted before the first mutant: states, times and called functions, stored for later."""
+"""Baseline before the first mutant: states, times and called functions, stored for later."""
 
 import json
 import time
@@ -45,14 +45,14 @@ class Notes:
     show: Show
 
     def cases(self, loads: Sequence[Load]) -> dict[str, Noted]:
-        """What judging each case calls; by the cases' ids."""
+        """Functions called in judging each case, by the cases' ids."""
         code = digest("analytic", "verify")
         work = {f"{load.case.id} {code}": partial(_judge, load) for load in loads}
         found = self._noted("cases", "judging", work, JUDGING)
         return {name.partition(" ")[0]: Noted(*one) for name, one in found.items()}
 
     def elements(self, cases: Sequence[Case]) -> dict[str, Noted]:
-        """What solving each case's coarsest level calls."""
+        """Functions called in solving each case's coarsest level."""
         tracer = digest(TRACER)
         work = {
             f"{case.id} {cache.key(case, case.inputs(), case.levels[0])} {tracer}": partial(

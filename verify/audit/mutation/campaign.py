@@ -61,7 +61,7 @@ class Campaign:
         return Outcome(key, by, what, round(self.spent[key], 1))
 
     def _next(self, key: str) -> Task | None:
-        """What is asked next of a mutant: the tests, then cases that take long to solve with it."""
+        """Next step of a mutant: the tests, then cases that take long to solve with it."""
         changed = self.mutants[key]
         while (stage := self.stages.get(key, JUDGED)) < SOLVED:
             self.stages[key] = stage + 1

@@ -1,4 +1,4 @@
-"""What `freewheel mutants` prints: a line for each group, then every survivor."""
+"""Output of `freewheel mutants`: a line for each group, then every survivor."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -18,7 +18,7 @@ def told(caught: Caught) -> None:
 
 
 def moved(data: Mapping[str, Any]) -> list[str]:
-    """How many rows of the gate fail, and the counts of the other rows."""
+    """Number of failed rows of the gate, and the counts of the other rows."""
     gate, rest, listed, formula = (data[k] for k in ("gate", "the rest", "listed", "by formula"))
     excluded = ", ".join(f"{n} {why}" for why, n in data["apart"].items())
     return [

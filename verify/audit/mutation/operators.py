@@ -14,7 +14,7 @@ SMALL = 1e-6  # smaller constants guard against round-off: no change of one can 
 
 @dataclass(frozen=True)
 class Around:
-    """What a function knows: names it binds or reads, and attributes anywhere in its module."""
+    """Names that a function binds or reads, and attributes used anywhere in its module."""
 
     names: frozenset[str]
     attributes: frozenset[str]

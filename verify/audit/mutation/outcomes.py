@@ -1,4 +1,4 @@
-"""What became of each mutant, stored as it comes: an interrupted run continues where it was."""
+"""Outcome of each mutant, stored at once: an interrupted run continues from there."""
 
 import json
 from collections.abc import Iterator
@@ -12,7 +12,7 @@ KIND = "mutant"  # of entries: their subject is the code
 
 
 class By(StrEnum):
-    """What noticed a mutant."""
+    """Outcome of a mutant: the check that detected it, or none."""
 
     ROWS = "rows"  # a row is red that was not
     REFUSED = "refused"  # a check of the project raised its error

@@ -1,4 +1,4 @@
-"""How many rows fail where references are wrong: a score for reports and the gate.
+"""Number of rows that fail if references are wrong: a score for reports and the gate.
 
 `references_moved` changes references where they are judged, `references_read` where the formulas
 return them; here all rows of all cases are tried by both methods in one pass over the levels.

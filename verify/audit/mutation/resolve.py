@@ -43,5 +43,5 @@ def split(module: str, benches: Sequence[Bench]) -> tuple[list[Bench], list[Benc
 
 
 def seconds(benches: Sequence[Bench]) -> float:
-    """What it takes to solve the cases."""
+    """Time of solving the cases."""
     return sum(SOLVED[bench.load.case.id] for bench in benches)

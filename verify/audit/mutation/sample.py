@@ -1,4 +1,4 @@
-"""Which mutants are tried: a seeded sample, the same for everyone, or all."""
+"""Selection of mutants: a seeded sample, the same for everyone, or all."""
 
 import ast
 import hashlib

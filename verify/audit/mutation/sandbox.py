@@ -40,7 +40,7 @@ class Task:
 
 @dataclass(frozen=True)
 class Answer:
-    """What a child found; or `failure`: LATE where it was ended, else what it raised or died of."""
+    """Result of a child process; `failure` is LATE after a time-out, else its error or signal."""
 
     key: Hashable
     value: Any
@@ -59,7 +59,7 @@ def forks(jobs: int) -> Iterator[Engine]:
 
 
 def perform(task: Task) -> Any:
-    """What a child does."""
+    """Task of a child process."""
     return task.work()
 
 
@@ -169,7 +169,7 @@ def _outcome(task: Task, function: Callable[[Task], Any]) -> str:
 
 
 def _work(task: Task, function: Callable[[Task], Any], into: int) -> None:
-    """What the child does; it never returns."""
+    """Work of the child process; never returns."""
     status = 1
     try:
         os.setpgid(0, 0)  # with whatever it starts

@@ -28,7 +28,7 @@ Score = dict[str, Any]
 
 
 def argued(path: Path = ARGUED) -> dict[str, str]:
-    """Why nobody can see a mutant, by its id."""
+    """Reasons why mutants cannot be detected, by id."""
     return dict(json.loads(path.read_text("utf-8")))
 
 
@@ -100,7 +100,7 @@ def _readable(name: str, record: Record) -> Record:
 
 
 def caught(found: Mapping[str, Any]) -> Caught:
-    """What the scores of some groups say, by the groups' names."""
+    """Scores of some groups in words, by the groups' names."""
     reasons = argued()
     return Caught(
         groups=tuple(group_of(name, found[name]) for name in NAMES if name in found),

@@ -1,4 +1,4 @@
-"""Where code can be changed: the functions of a module, their nodes, and mutants with stable ids.
+"""Places of possible changes: functions of a module, their nodes, mutants with stable ids.
 
 Left out is what no row is meant to see: docstrings, annotations, messages, what raises and the
 conditions for it, assertions, tolerances and counts of solvers, positions in arrays, and arrays of

@@ -1,4 +1,4 @@
-"""Which functions of the project a piece of work calls."""
+"""Functions of the project that a task calls."""
 
 import sys
 from collections.abc import Callable
@@ -47,7 +47,7 @@ class Calls:
 
 
 def called(work: Callable[[], Any]) -> tuple[Any, list[str]]:
-    """What `work` returns, and the functions that it called, as `Calls` names them."""
+    """Result of `work`, and the functions that it called, as `Calls` names them."""
     forget_memoised()
     calls = Calls()
     with calls:

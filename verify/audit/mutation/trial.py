@@ -45,7 +45,7 @@ def tried(
 
 
 def detected(judged: Judged, bench: Bench) -> Verdict | None:
-    """What the case detects: rows first, then its refusal, then any other error."""
+    """Detection by the case: failed rows first, then refused inputs, then any other error."""
     case = bench.load.case.id
     if red := reddened(bench.before.states, judged.states):
         more = f" and {len(red) - 1} more" if len(red) > 1 else ""

@@ -1,4 +1,4 @@
-"""What the cases judge: their levels from the cache, and the states of their rows."""
+"""Data that the cases judge: their levels from the cache, and the states of their rows."""
 
 import traceback
 from collections.abc import Mapping, Sequence

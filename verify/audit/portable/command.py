@@ -113,7 +113,7 @@ def _work(variant: Variant, emulated: Machines, cases: tuple[str, ...], folder: 
 
 
 def _machine(one: Work, results: Results, what: str) -> Machine:
-    """What the summary says of one variant."""
+    """Summary of one variant."""
     cases = {name: results.cases[name] for name in one.cases if name in results.cases}
     return Machine(
         name=one.name, what=what, effective=results.effective, cases=len(cases),

@@ -1,4 +1,4 @@
-"""What differs between the rows of two machines. Nothing here runs or writes anything.
+"""Differences between the rows of two machines; this module runs and writes nothing.
 
 How far a row moves and may move is in verify.audit.portable.moving.
 """

@@ -1,4 +1,4 @@
-"""What decides the rounding errors of this process: BLAS kernels, threads, instruction sets.
+"""Causes of rounding errors in this process: BLAS kernels, threads, instruction sets.
 
 A variable of the environment that selects another processor may have no effect: OpenBLAS takes
 the nearest kernels that it was built with. Only what is in effect here identifies a machine.

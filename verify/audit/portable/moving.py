@@ -1,4 +1,4 @@
-"""How far a row moves between two machines, and how far it may.
+"""Change of a row between two machines, and its allowed value.
 
 A move is counted in tolerances of the row on this machine. For a fact the tolerance is its margin,
 what may be lost until the verdict changes. A row without a tolerance takes 1e-5 of its scale for
@@ -23,7 +23,7 @@ Number = float | None
 
 @dataclass(frozen=True, kw_only=True)
 class Record:
-    """What is compared of one row; dimensional numbers are in its unit."""
+    """Compared values of one row; dimensional numbers are in its unit."""
 
     id: str
     kind: str
@@ -36,7 +36,7 @@ class Record:
 
 
 def record(row: Row) -> Record:
-    """What is compared of a row."""
+    """Compared values of a row."""
     values = {"formula": row.analytic, "reference": row.fem}
     if row.partner is not None:
         values["partner"] = row.partner.value
@@ -47,7 +47,7 @@ def record(row: Row) -> Record:
 
 
 def move(was: Record, now: Record, *, perturbed: bool) -> float:
-    """How far a row moved, in tolerances; infinite where a number is there or finite once only."""
+    """Change of a row, in tolerances; infinite where a number exists or is finite only once."""
     allowed, substitute = _allowed(was), SUBSTITUTE * _scale(was)
     values = [_change(was.values.get(n), now.values.get(n)) for n in {**was.values, **now.values}]
     parts = [_ratio(one, max(allowed, substitute) if perturbed else allowed) for one in values]

@@ -19,7 +19,7 @@ SIZE = 1e-13  # standard deviation of the relative change of an input
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of one model's defaults.
+    """Result for the default inputs of one model.
 
     `fixed` are the numbers that a rule of the model leaves no choice, which stay as they are;
     `rejected` is the rule that all perturbed values break together, in which case all stay.

@@ -1,4 +1,4 @@
-"""Why values of rows may move between machines: stated beside the code, one entry per pattern."""
+"""Reasons why values of rows may differ between machines: one entry per pattern."""
 
 import re
 import tomllib

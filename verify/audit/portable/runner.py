@@ -31,7 +31,7 @@ class Work:
         return self.place.variant
 
     def results(self) -> Results:
-        """What is stored."""
+        """Stored results."""
         return self.place.results()
 
     def is_done(self) -> bool:
@@ -111,7 +111,7 @@ def _end(process: subprocess.Popen[bytes]) -> None:
 
 
 def _ending(one: Work, status: int) -> str:
-    """How a process ended, with the last line of its log."""
+    """Exit of a process, with the last line of its log."""
     how = f"signal {-status}" if status < 0 else f"exit status {status}"
     lines = (one.folder / LOG).read_text("utf-8", errors="replace").split("\n")
     last = next((line.strip() for line in reversed(lines) if line.strip()), "")

@@ -39,7 +39,7 @@ class CaseRecord:
 
 @dataclass
 class Results:
-    """What one variant has found: its cases, and what took effect on its machine."""
+    """Results of one variant: its cases, and the settings in effect on its machine."""
 
     cases: dict[str, CaseRecord] = field(default_factory=dict)
     effective: Mapping[str, Any] = field(default_factory=dict)
@@ -47,14 +47,14 @@ class Results:
 
 @dataclass(frozen=True)
 class Place:
-    """Where the results of a variant are stored: by the key of its code and machine."""
+    """Place where the results of a variant are stored: by the key of its code and machine."""
 
     store: Store
     variant: str
     key: str
 
     def results(self) -> Results:
-        """What is stored for this key; OSError where the store cannot be read."""
+        """Stored results of this key; OSError where the store cannot be read."""
         found: dict[str, Any] = {}
         for name, content in self.store.all(KIND, self.variant).items():
             part = name.removeprefix(f"{self.variant} {self.key} ")

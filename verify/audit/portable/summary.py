@@ -1,4 +1,4 @@
-"""What the comparison of all machines says: lines for the terminal, JSON and Markdown as files."""
+"""Summary of the comparison of all machines: terminal lines, JSON and Markdown files."""
 
 import json
 import math
@@ -136,7 +136,7 @@ def _grouped(pairs: Any) -> Iterator[tuple[str, str]]:
 
 
 def _effective(effective: Mapping[str, Any]) -> str:
-    """What is in effect in one line: "BLAS numpy Haswell, scipy Haswell, 1 thread, ..."."""
+    """Settings in effect in one line: "BLAS numpy Haswell, scipy Haswell, 1 thread, ..."."""
     blas = ", ".join(f"{name} {core}" for name, core in sorted(effective.get("blas", {}).items()))
     threads = max(effective.get("threads", {}).values(), default=1)
     extensions = " ".join(effective.get("numpy", ())) or "none"

@@ -71,7 +71,7 @@ def machines(
     flags: frozenset[str],
     environment: Mapping[str, str] | None = None,
 ) -> Machines:
-    """Which of the variants can be emulated here, by what `probe` finds in effect.
+    """Variants that can be emulated here, by the settings that `probe` finds in effect.
 
     `variants` begins with the baseline. `flags` are the instruction sets of the processor. A
     variant with the same settings in effect as an earlier one is not run again.
@@ -104,7 +104,7 @@ def machines(
 
 
 def _missing(variant: Variant, flags: frozenset[str], environment: Mapping[str, str]) -> str:
-    """Why the variant cannot be emulated, before anything is started; empty where it can."""
+    """Reason why the variant cannot be emulated, before any start; empty where it can."""
     for name in variant.environment:
         if name not in THREADS and environment.get(name):
             return f"the environment fixes {name}={environment[name]}"

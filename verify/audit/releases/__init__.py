@@ -1,1 +1,1 @@
-"""What earlier releases found, row by row, and what has moved since."""
+"""Results of earlier releases, row by row, and the changes since then."""

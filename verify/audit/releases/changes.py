@@ -12,7 +12,7 @@ MOST = 12  # lines of what moved; the report has all
 
 
 def since(results: Sequence[CaseResult]) -> Drift | None:
-    """What moved since the newest release; None before the first.
+    """Changes since the newest release; None before the first.
 
     InputError where a file of releases or of reasons cannot be read.
     """

@@ -19,7 +19,7 @@ from verify.core.results import CaseResult, Change, Drift, Status
 
 
 def drift(release: Release, results: Sequence[CaseResult], reasons: Sequence[Reason]) -> Drift:
-    """What the judged rows of `results` have in common with the release, and what not.
+    """Differences of the rows of `results` from those of the release.
 
     Cases that were not run, and rows that were skipped, are not compared.
     """
@@ -80,7 +80,7 @@ def _new(
     renamed: Mapping[str, str],
     run: Collection[str],
 ) -> list[Change]:
-    """How many rows each case has more than the release."""
+    """Number of rows of each case that the release lacks."""
     found = [case_of(i) for i in judged if i not in before and i not in renamed]
     return [
         Change(row=case, aspect="new", was="none", now=f"{n} row{'s' * (n > 1)}")

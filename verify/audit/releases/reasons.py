@@ -1,4 +1,4 @@
-"""Why a demand or band was loosened: stated beside the releases, one entry for each change."""
+"""Reasons for relaxed requirements or bands: stated beside the releases, one for each change."""
 
 import re
 import tomllib

@@ -1,4 +1,4 @@
-"""What differs between a row of a release and the same row now."""
+"""Differences between a row of a release and the present row."""
 
 from collections.abc import Iterator
 

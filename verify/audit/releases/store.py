@@ -30,7 +30,7 @@ _FIGURE = re.compile(r"(\d+(?:\.\d+)?) ?% (accepted|asked|required)|(accepted): 
 
 @dataclass(frozen=True, kw_only=True)
 class Kept:
-    """What is kept of a row. Dimensional numbers are in `unit`, as in `verify.core.results.Row`.
+    """Stored values of a row. Dimensional numbers are in `unit`, as in `verify.core.results.Row`.
 
     `reference` is what the formula is compared with: finite elements', or the partner's.
     `figures` are the acceptance figures [%] that a fact states in words, by "accepted" or
@@ -72,7 +72,7 @@ class Release:
 
 
 def kept(row: Row) -> Kept:
-    """What is kept of a row; numbers that are not finite are none."""
+    """Stored values of a row; numbers that are not finite are omitted."""
     low, high = row.interval or (math.nan, math.nan)
     limits = (_short(low), _short(high))
     return Kept(
@@ -114,7 +114,7 @@ def version(root: Path = ROOT) -> str:
 
 
 def path_of(name: str, folder: Path | None = None) -> Path:
-    """Where a release is kept."""
+    """Path of a stored release."""
     return (folder or FOLDER) / f"{name}{ENDING}"
 
 

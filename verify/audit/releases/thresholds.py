@@ -1,4 +1,4 @@
-"""By how much a number may differ from a release before the difference counts.
+"""Change of a number since a release up to which the difference does not count.
 
 A stated number repeats to the last bit on every processor: any difference of it counts. These are
 the demand, and an acceptance figure, bound, printed digit or end or width of an interval that is a
@@ -128,7 +128,7 @@ def half_width(row: Kept) -> float | None:
 
 
 def value_limit(was: Kept, now: Kept) -> float:
-    """How far a formula or a finite-element value may move [unit].
+    """Allowed change of a formula or finite-element value [unit].
 
     The numerical error of both runs, or 10 % of the narrower band. Zero where a row has neither.
     """
@@ -139,19 +139,19 @@ def value_limit(was: Kept, now: Kept) -> float:
 
 
 def scale_limit(was: Kept, now: Kept) -> float:
-    """How far the scale may move [unit]: the numerical error of both runs, or 10 % of itself."""
+    """Allowed change of the scale [unit]: the numerical error of both runs, or 10 % of itself."""
     scale = abs(was.scale or 0.0)
     return max(relative_error(was, now), BAND_SHARE) * scale
 
 
 def margin_limit(was: Kept, now: Kept) -> float:
-    """How far a fact's margin may move [unit]: the band of a fact is its margin at the release."""
+    """Allowed change of a statement's margin [unit]: the band is the margin at the release."""
     error = math.hypot(was.tolerance or 0.0, now.tolerance or 0.0)
     return max(error, BAND_SHARE * abs(was.difference or 0.0))
 
 
 def sensitivity_limit(row: Kept) -> float:
-    """By how much a detection limit or an uncertainty may grow, over the scale.
+    """Allowed increase of a detection limit or an uncertainty, over the scale.
 
     10 % of the band; of an identity, whose tolerance is its uncertainty, 10 % of the demand.
     """

@@ -1,1 +1,1 @@
-"""How rows were judged, number by number."""
+"""Explanation of the judgement of rows, number by number."""

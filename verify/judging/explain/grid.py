@@ -116,7 +116,7 @@ def _index(g: Grid, again: GridConvergence) -> list[Step]:
 
 
 def _floored(g: Grid, gci: float, how: str) -> str:
-    """How the index came about, with the floor where it is what counts."""
+    """Derivation of the index, with the floor where the floor decides."""
     if gci > FLOOR * g.scale:
         return how
     return f"max({how}, {FLOOR:g} of the scale {short(g.scale)})"

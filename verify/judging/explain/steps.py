@@ -1,4 +1,4 @@
-"""How a row was judged, number by number: recomputed from what it keeps, by the same judging."""
+"""Explanation of a row's judgement, number by number, recomputed from its stored values."""
 
 from collections.abc import Callable, Mapping
 
@@ -29,7 +29,7 @@ STATED: Mapping[Kind, Callable[[Row], Derivation]] = {  # within a figure that a
 
 
 def steps(row: Row) -> tuple[Step, ...]:
-    """What was compared, with which uncertainty, and what follows: pairs of label and text."""
+    """Compared values, their uncertainty, and the conclusion: pairs of label and text."""
     return derive(row).steps
 
 

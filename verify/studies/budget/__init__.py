@@ -1,1 +1,1 @@
-"""Of what the difference of formula and finite elements is made: one cause changed, rerun."""
+"""Error budgets: one cause of the difference of formula and finite elements changed, rerun."""

@@ -17,7 +17,7 @@ LARGE = 0.2  # of the total: from there on two causes are removed together as we
 
 @dataclass(frozen=True)
 class Part:
-    """What a cause contributes, and its numerical uncertainty (half-width), both relative.
+    """Contribution of a cause, and its numerical uncertainty (half-width), both relative.
 
     Without a number `note` says why. What is `shared` by both sides does not count.
     """
@@ -36,7 +36,7 @@ class Part:
 
 @dataclass(frozen=True)
 class Joint:
-    """By how much two causes removed together change the error more than each alone does."""
+    """Joint effect of two causes removed together, less the sum of their single effects."""
 
     names: tuple[str, str]
     value: float | None
@@ -84,7 +84,7 @@ def removed(
 
 
 def finer(name: str, finest: float, beyond: float, h: tuple[float, float], order: float) -> Part:
-    """What a mesh beyond the finest changes; what it leaves itself, by the order, is uncertain.
+    """Change by a mesh beyond the finest; the remaining error, by the order, is its uncertainty.
 
     `h` are both mesh sizes, `order` that of the series or NaN.
     """
@@ -98,7 +98,7 @@ def finer(name: str, finest: float, beyond: float, h: tuple[float, float], order
 
 
 def extrapolated(name: str, errors: Sequence[float], h: Sequence[float], order: float) -> Part:
-    """What refinement to nothing changes, by the order of the three finest meshes."""
+    """Change by refinement to zero cell size, by the order of the three finest meshes."""
     if not all(map(math.isfinite, errors[-3:])):
         return Part(name, None, None, note="values on the finest mesh alone")
     if not math.isfinite(order):

@@ -1,4 +1,4 @@
-"""What a row compares at one solution: the formula's value, finite elements', and their scale."""
+"""Values that a row compares at one solution: formula, finite elements, and their scale."""
 
 import math
 from dataclasses import dataclass, replace

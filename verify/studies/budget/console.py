@@ -25,7 +25,7 @@ STALE = "not measured for this code: freewheel deep budget:{} does it"
 
 
 def of_result(result: CaseResult) -> CaseBudget | None:
-    """What is known of a case of the suite; None where no row of it has a budget."""
+    """Error budget of a case of the suite; None where no row of it has one."""
     plan = plan_of(result.id)
     return of_case(plan, result) if plan.rows else None
 

@@ -17,7 +17,7 @@ from verify.studies.sweep.pairs import Pair
 
 
 def budgets(plan: Plan, solutions: Solutions) -> tuple[RowBudget, ...]:
-    """Of every row that the finest mesh and the formulas have a value of."""
+    """Budgets of every row that has a value on the finest mesh and by the formulas."""
     says = {pair.name: plan.says.correction(pair.name) for pair in plan.rows}
     twins = tuple(_twin(pair, says[pair.name]) for pair in plan.rows)
     mine = {pair.name: pair for pair in plan.rows}

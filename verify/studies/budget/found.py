@@ -28,7 +28,7 @@ class RowBudget:
 
 
 def budgets(plan: Plan, solutions: Solutions) -> tuple[RowBudget, ...]:
-    """Of every row that the finest mesh and the formulas have a value of."""
+    """Budgets of every row that has a value on the finest mesh and by the formulas."""
     reader = _Reader(plan, solutions)
     found = []
     for pair in plan.rows:
@@ -55,7 +55,7 @@ class _Reader:
         return values(pair, inputs_of(self.plan, step), found) if found else NONE
 
     def why(self, causes: tuple[str, ...], level: int) -> str:
-        """Why there is no such value."""
+        """Reason why there is no such value."""
         found = self.solutions.get(Step(self.plan.case.id, causes, level))
         return "not run" if found is None else found.problem or "no such value without it"
 

@@ -1,4 +1,4 @@
-"""What any case's finite elements are: which causes they have, and what their solvers stop at."""
+"""Causes of any case's finite elements, and the stopping tolerances of their solvers."""
 
 from verify.core import source_code
 from verify.core.case import Case

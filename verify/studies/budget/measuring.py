@@ -26,7 +26,7 @@ MOST_ROUNDS = 2  # of further steps of a case
 
 @memoised
 def plan_of(case_id: str) -> Plan:
-    """What the budgets of a case need; ValueError for an unknown one."""
+    """Runs that the budgets of a case need; ValueError for an unknown one."""
     from verify.cases.budgets import STATEMENTS
     from verify.cases.registry import CASES, find  # a spawned process knows no cases yet
 
@@ -138,7 +138,7 @@ def solve_step(step: Step) -> Solution:
 
 
 def summary(found: Sequence[RowBudget]) -> str:
-    """How many rows have a budget, and the largest remainder."""
+    """Number of rows with a budget, and the largest remainder."""
     if not found:
         return "no row"
     worst = max(found, key=lambda one: abs(one.balance.remainder))

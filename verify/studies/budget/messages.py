@@ -1,4 +1,4 @@
-"""What was rerun for the numerical part of a budget, named after the refinement of the case.
+"""Reruns for the numerical part of a budget, named after the refinement of the case.
 
 The stored names state which level was solved after which; here they name the refinement.
 """
@@ -23,7 +23,7 @@ _EXTRAPOLATED = f"{Cause.DISCRETISATION}: {RICHARDSON}"
 
 
 def in_words(case_id: str, rows: Iterable[RowBudget]) -> tuple[RowBudget, ...]:
-    """The same budgets, their discretisation named after the refinement of the case."""
+    """Budgets whose discretisation is named after the refinement of the case."""
     next_one, finest = OTHER.get(case_id, MESHES)
 
     def renamed(name: str) -> str:

@@ -27,7 +27,7 @@ class Plan:
 
     @cached_property
     def reruns(self) -> Mapping[str, Rerun]:
-        """What is removed, by name."""
+        """Removed causes by name."""
         own = self.says.reruns
         causes = {*(rerun.cause for rerun in own), *(one.cause for one in self.says.without)}
         levels = next((rerun.levels for rerun in own), ())  # where others are dear, so is this
@@ -123,5 +123,5 @@ def inputs_of(plan: Plan, step: Step) -> Any:
 
 
 def tolerance_factor(step: Step) -> float:
-    """By what the solvers' tolerances are multiplied in this step; 1 as a rule."""
+    """Factor of the solvers' tolerances in this step; 1 by default."""
     return {TIGHT: TIGHTER, LOOSE: LOOSER}.get(step.causes[0], 1.0)

@@ -105,7 +105,7 @@ def key(plan: Plan, step: Step) -> str:
 
 
 def code_of(plan: Plan, name: str) -> str:
-    """What a cause's removal depends on, in words: what it changes, and to what."""
+    """Dependencies of a cause's removal, in words: the changed object and its new value."""
     rerun = plan.reruns.get(name)
     if rerun is None:
         factor = {plans.TIGHT: TIGHTER, plans.LOOSE: LOOSER}.get(name, 1.0)

@@ -33,7 +33,7 @@ class Measured:
 
 
 def measured(plan: Plan) -> Measured | None:
-    """What was measured; None unless the present code, inputs and reruns made it."""
+    """Measured budgets; None unless the present code, inputs and reruns made them."""
     known = {pair.name: pair for pair in plan.rows}
 
     def read(record: Record) -> Measured:

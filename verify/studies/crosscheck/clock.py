@@ -8,7 +8,7 @@ T = TypeVar("T")
 
 
 def timed(solve: Callable[[], T]) -> tuple[T, float]:
-    """What `solve` gives and the seconds that it took."""
+    """Result of `solve`, and the seconds that it took."""
     start = time.perf_counter()
     found = solve()
     return found, time.perf_counter() - start

@@ -66,7 +66,7 @@ def _module(name: str) -> Solver:
 
 
 def _failed() -> str:
-    """Why `make crosscheck` could not install the solvers, in one line; "" if that is unknown."""
+    """Reason why `make crosscheck` could not install the solvers, in one line; "" if unknown."""
     if os.environ.get("FREEWHEEL_CROSSCHECK"):
         return ""
     failed = ENVIRONMENT / FAILED

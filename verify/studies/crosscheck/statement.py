@@ -1,4 +1,4 @@
-"""What a comparison with a second solver states, and what is found."""
+"""Statement of a comparison with a second solver, and its results."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass

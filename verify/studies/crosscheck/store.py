@@ -1,4 +1,4 @@
-"""What second solvers found of a comparison: a record that is current while its code stands."""
+"""Stored results of second solvers: a record is current while its code is unchanged."""
 
 import hashlib
 import json
@@ -72,12 +72,12 @@ def found_of(
 
 
 def current(cross: Cross) -> Found | None:
-    """What was found of a comparison; None unless the present code made it."""
+    """Stored results of a comparison; None unless the present code made them."""
     return RECORDS.current(cross.file, _made_by(cross), read)
 
 
 def read(record: Record) -> Found:
-    """What a record of a comparison holds."""
+    """Content of the record of a comparison."""
     values = dict(record.content)
     return Found(date=record.date, seconds=tuple(values.pop("seconds")), **values)
 

@@ -1,4 +1,4 @@
-"""What `freewheel design` prints: counts and reasons, the front, the chosen spring."""
+"""Output of `freewheel design`: counts and reasons, the front, the chosen spring."""
 
 import math
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""What finite elements say of the members of a front."""
+"""Results of finite elements for the members of a front."""
 
 import time
 from collections.abc import Callable, Sequence
@@ -19,7 +19,7 @@ STROKE = 1.1  # of the larger of U_w and Δ, up to which the spring is compresse
 
 @dataclass(frozen=True)
 class Verified:
-    """What finite elements say of one candidate.
+    """Results of finite elements for one candidate.
 
     `k1` [N/m] at small displacements, its change with the mesh `mesh`, and `deviation`, formula
     less finite elements; `curve` is that of large displacements. Shares of the finite elements'
@@ -56,7 +56,7 @@ class Verified:
 
     @property
     def limit(self) -> float:
-        """How far the formula's stiffness may be off."""
+        """Allowed error of the formula's stiffness."""
         return SHARE * self.e_max
 
     @property

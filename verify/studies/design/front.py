@@ -31,7 +31,7 @@ def scaled(objectives: Array) -> Array:
 
 
 def distance_to_ideal(objectives: Array) -> Array:
-    """How far each row is from the point that has the best of every scaled objective."""
+    """Distance of each row from the point with the best of every scaled objective."""
     return np.asarray(np.linalg.norm(scaled(objectives), axis=1))
 
 

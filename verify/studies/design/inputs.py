@@ -1,4 +1,4 @@
-"""What a spring is asked to do, and the parameters that a search may vary."""
+"""Task of a spring design, and the parameters that a search may vary."""
 
 import math
 from collections.abc import Mapping
@@ -39,7 +39,7 @@ SWEEPS = {
 
 
 class Demands(Inputs):
-    """What the spring has to do, what it is made of, and the limits that it has to keep."""
+    """Required function of the spring, its material, and its limits."""
 
     F_w: float = quantity("5 N", "N", "F_w", "working force", gt=0, le=1e5)
     L_w: float | None = quantity(

@@ -33,7 +33,7 @@ class Limit:
 
     @cached_property
     def excess(self) -> Array:
-        """By what share of the bound the value lies beyond it, (N,); positive is a violation."""
+        """Excess of the value over the bound, as a share of it, (N,); positive is a violation."""
         beyond = self.bound - self.value if self.least else self.value - self.bound
         return np.where(np.isnan(self.value), np.inf, beyond / abs(self.bound))
 
@@ -44,7 +44,7 @@ class Limit:
 
     @property
     def sign(self) -> str:
-        """How value and bound have to stand."""
+        """Required relation of value and bound."""
         return "≥" if self.least else "≤"
 
 

@@ -1,4 +1,4 @@
-"""Where nothing is feasible: the candidate that comes nearest, and which limits to relax."""
+"""Nearest candidate where nothing is feasible, and the limits to relax."""
 
 import operator
 from collections.abc import Sequence
@@ -47,7 +47,7 @@ def _least(excess: NDArray[np.float64]) -> int:
 
 
 def nearest(judged: Judged) -> list[Relaxation]:
-    """What the candidate with the smallest largest excess violates, the worst first.
+    """Violations of the candidate with the smallest largest excess, the worst first.
 
     Empty where no candidate is a spring at all.
     """

@@ -1,4 +1,4 @@
-"""What a design task came to: the search, its front by finite elements, and the chosen spring."""
+"""Result of a design task: the search, its front by finite elements, and the chosen spring."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

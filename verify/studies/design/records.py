@@ -100,7 +100,7 @@ def record(outcome: Outcome) -> dict[str, Any]:
 
 
 def violations(s: Search) -> dict[str, int]:
-    """How many candidates violate each limit, and how many are no spring."""
+    """Number of candidates that violate each limit, and of those that are no spring."""
     counts = s.judged.violations.sum(axis=1)
     found = {limit.key: int(c) for limit, c in zip(s.judged.limits, counts, strict=True)}
     return found | {"shape": int((~s.judged.possible).sum())}

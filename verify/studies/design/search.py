@@ -30,7 +30,7 @@ class Search:
 
     @cached_property
     def objectives(self) -> Array:
-        """What is to be small (N, 4), see OBJECTIVES."""
+        """Objectives to minimise (N, 4), see OBJECTIVES."""
         return objectives(self.formulas, self.task.demands.F_w)
 
     @cached_property
@@ -41,12 +41,12 @@ class Search:
 
     @cached_property
     def relaxations(self) -> Sequence[Relaxation]:
-        """Where nothing is feasible: limits of which relaxing one is sufficient."""
+        """Limits of which relaxing one is sufficient, where nothing is feasible."""
         return () if self.front.size else alone(self.judged)
 
     @cached_property
     def nearest(self) -> Sequence[Relaxation]:
-        """Where nothing is feasible: what the nearest candidate violates."""
+        """Violations of the nearest candidate, where nothing is feasible."""
         return () if self.front.size else nearest(self.judged)
 
 

@@ -1,4 +1,4 @@
-"""What a parameter takes in a search: one value, a list of values, or a range "a : b : n"."""
+"""Values of a parameter in a search: one value, a list of values, or a range "a : b : n"."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -28,7 +28,7 @@ class Sweep:
 
     @property
     def rule(self) -> str:
-        """What a value may be, in words."""
+        """Rule for a value, in words."""
         lower = "greater than" if self.above else "at least"
         return f"{lower} {self._shown(self.low)} and at most {self._shown(self.high)}"
 

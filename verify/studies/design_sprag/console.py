@@ -1,4 +1,4 @@
-"""What `freewheel design` prints of a crown: the optimal one, its pressures and checks."""
+"""Output of `freewheel design` for a crown: the optimal one, its pressures and checks."""
 
 from collections.abc import Sequence
 
@@ -174,7 +174,7 @@ def on_edge(outcome: Outcome) -> list[str]:
 
 
 def compared(outcome: Outcome) -> list[str]:
-    """Which pressures of the table may be compared, where there is a tolerance."""
+    """Pressures of the table that may be compared, where there is a tolerance."""
     if outcome.search.single:
         return []
     return [

@@ -1,4 +1,4 @@
-"""What a crown is asked to do: the clutch, its torques, the ranges and tolerances of the crown."""
+"""Task of a crown design: the clutch, its torques, the ranges and tolerances of the crown."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -130,7 +130,7 @@ def task(raw: Mapping[str, Any], name: str, where: str) -> Task:
 
 
 def unable(task: Task) -> str:
-    """Why the clutch does not hold one of the torques at rest, whatever its crown; or nothing."""
+    """Reason why the clutch does not hold one of the torques at rest for any crown; or empty."""
     for T in task.torques:
         q = ClutchFormulas(**(task.clutch.model_dump() | {"T": T}))
         state = verdict(q)

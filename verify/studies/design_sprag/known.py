@@ -1,4 +1,4 @@
-"""What the true model has answered: engagements of crowns, and the pressures in them."""
+"""Known results of the true model: engagements of crowns, and the pressures in them."""
 
 from dataclasses import dataclass, replace
 
@@ -12,7 +12,7 @@ SHARP = 3.0  # times its strip's pressure, which an end that carries counts
 
 @dataclass(frozen=True, eq=False)
 class Known:
-    """Of n crowns (n, 3) under m torques: N_max [N] (n, m), and pressures under it [Pa].
+    """Results of n crowns (n, 3) under m torques: N_max [N] (n, m), and pressures under it [Pa].
 
     `slices` (n, m, slices) are those of the clutch's slices; `strips` those on a half-space, as
     many along the sprag as the torque's contact needs, (n, strips) for each torque.

@@ -1,4 +1,4 @@
-"""What a task came to: the optimal crown, what stands beside it, and what a half-space says."""
+"""Result of a task: the optimal crown, the crowns compared with it, and a half-space check."""
 
 import os
 from collections.abc import Sequence
@@ -172,7 +172,7 @@ def _of_torque(k: int) -> Worth:
 
 
 def _worth(task: Task, best: Array) -> Worth:
-    """What is made least of pressures (n, m)."""
+    """Objective to minimise, from pressures (n, m)."""
     if task.wishes.aim == "pressure" or len(best) == 1:
         return lambda p: np.asarray(p.max(axis=1))
     return lambda p: np.asarray((p / best).max(axis=1))

@@ -24,7 +24,7 @@ class Range:
 
     @property
     def rule(self) -> str:
-        """What a range may be, in words."""
+        """Rule for a range, in words."""
         return f"greater than {self.text(self.above)} and at most {self.text(self.most)}"
 
     def read(self, raw: Any, where: str) -> tuple[float, float]:

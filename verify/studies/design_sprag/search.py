@@ -62,7 +62,7 @@ class Search:
         return np.asarray(found.reshape(*every.shape[:2], -1).max(axis=1))
 
     def true(self, crown: Array) -> Array:
-        """The same of one crown (3,) by the true model, (m,)."""
+        """Largest pressures of one crown (3,) by the true model, (m,)."""
         found = self.model.ask(corners(self.task, crown[None])[0])
         p = np.asarray(found.largest(self.task.wishes.contacts).max(axis=0))
         self.complete.append((crown, p))

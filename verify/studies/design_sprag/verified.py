@@ -1,4 +1,4 @@
-"""What a half-space says of a crown under the forces of its engagements."""
+"""Results of a half-space for a crown under the forces of its engagements."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

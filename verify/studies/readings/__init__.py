@@ -1,1 +1,1 @@
-"""Which reading of its inputs and of the number itself gives what a paper prints."""
+"""Search for the reading of inputs and number that reproduces what a paper prints."""

@@ -65,7 +65,7 @@ def _square_readings() -> tuple[Reading, ...]:
 
 
 def reduction(q: Mapping[str, Any]) -> float:
-    """How much lower the optimised crown's pressure is [%]."""
+    """Reduction of the pressure by the optimised crown [%]."""
     base = q["before"] + q["of"] * (q["after"] - q["before"])
     return float(100 * (q["before"] - q["after"]) / base)
 

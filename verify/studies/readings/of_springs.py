@@ -50,7 +50,7 @@ ADOPTED = STATICS | {"arcs": 0.0}
 
 
 def _stiffness_readings() -> tuple[Reading, ...]:
-    """What Eqs. 1 to 9 leave open, with what any bent strip does."""
+    """Readings that Eqs. 1 to 9 leave open, with those of any bent strip."""
     return (
         switched("leaves", "L_1 for 2 L_1 in L_2", leaves=1.0),
         switched("leaves", "L_1/2 for 2 L_1 in L_2", leaves=0.5),
@@ -67,7 +67,7 @@ def _stiffness_readings() -> tuple[Reading, ...]:
 
 
 def _arc_readings() -> tuple[Reading, ...]:
-    """Which radius and which length the parts of the strip have."""
+    """Radius and length of the parts of the strip."""
     return (
         switched("arcs", "inner radius r in the arcs", arcs=0.0),
         switched("arcs", "outer radius r + b in the arcs", arcs=2.0),
@@ -108,7 +108,7 @@ def staged(key: str, q: Mapping[str, Any]) -> float:
 
 
 def _stage_readings() -> tuple[Reading, ...]:
-    """How head and tail are held, which radius arcs have, and how wide the strip is."""
+    """Supports of head and tail, radius of arcs, and width of the strip."""
     return (
         switched("tail", "tail clamped at mid-leaf", tail="mid-leaf"),
         switched("head", "head guided", head="guided"),
@@ -118,7 +118,7 @@ def _stage_readings() -> tuple[Reading, ...]:
 
 
 def force_error(q: Mapping[str, Any]) -> float:
-    """How far k U is below the force of Eq. 10 [%] at a force, or over several."""
+    """Difference of k U below the force of Eq. 10 [%] at a force, or over several."""
     apart = []
     for F in q["forces"]:
         second = q["F_A"] < F
@@ -152,7 +152,7 @@ def _error_readings() -> tuple[Reading, ...]:
 
 
 def small_error(q: Mapping[str, Any]) -> float:
-    """How far Eq. 10 at the displacement of the tests is from the tests' force [%]."""
+    """Difference of Eq. 10 at the displacement of the tests from the tests' force [%]."""
     U = (q["F"] - q["c_test"]) / q["k_test"]
     by_fe = float(q["k"] * U + q["c"])
     return float(100 * abs(by_fe - q["F"]) / (by_fe if q["of_fe"] else q["F"]))

@@ -40,7 +40,7 @@ class Problem:
 
     @property
     def place(self) -> str:
-        """Where it stands in the paper."""
+        """Place in the paper."""
         if self.derived or self.parts:
             return erratum(self.reference).place
         return published(self.reference).place

@@ -58,7 +58,7 @@ class Tried:
 
 @dataclass(frozen=True, kw_only=True)
 class Outcome:
-    """What a search found. `as_it_stands` is None where the formula has no value.
+    """Result of a search. `as_it_stands` is None where the formula has no value.
 
     `hits` have the fewest changes first, of those what leaves least open; `chance[k]` is how many
     combinations of at most k changes would meet a number that is anywhere within a factor of 2 of
@@ -265,7 +265,7 @@ class _Evaluated:
     def tried(
         self, inputs: Inputs, chosen: Sequence[Reading], rounding: Mapping[str, float]
     ) -> Tried | None:
-        """What a combination gives, None where it has no finite value."""
+        """Value of a combination, None where it is not finite."""
         half = dict(rounding)
         for reading in chosen:
             half |= reading.rounding

@@ -10,7 +10,7 @@ from verify.studies.readings.search import Outcome
 
 
 def searches(cases: Collection[str]) -> tuple[ReadingsTried, ...]:
-    """What else printed numbers may mean: those of the named cases, and of any without a formula.
+    """Searches for other meanings of printed numbers, in named cases or without a formula.
 
     Nothing where none of the cases has such a number.
     """

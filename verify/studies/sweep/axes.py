@@ -1,4 +1,4 @@
-"""What a sweep varies: axes of a grid and tolerances of a sample, from the command line.
+"""Varied inputs: axes of a grid and tolerances of a sample, from the command line.
 
 z=3:12:10                 ten whole numbers
 delta_1=2mm:6mm:9         nine values, evenly spaced
@@ -114,7 +114,7 @@ def tolerance(inputs: Inputs, text: str) -> Tolerance:
 
 
 def _symbol(name: str, symbol: str) -> str:
-    """That of the input, with its part: "k of supports[2]"."""
+    """Symbol of the input, with its part: "k of supports[2]"."""
     if place := _PLACE.fullmatch(name):
         return f"{symbol or place['key']} of {place['table']}[{place['entry']}]"
     return symbol or name

@@ -1,4 +1,4 @@
-"""What `freewheel sweep` prints: solved points, the error of each formula, where and why."""
+"""Output of `freewheel sweep`: solved points, error of each formula, place and cause."""
 
 import math
 import re
@@ -82,7 +82,7 @@ def _own_values(plan: Plan) -> Iterator[str]:
 
 
 def _explained(found: Outcome) -> Iterator[str]:
-    """What indices are, and whether the sample is too small for them; nothing of a grid."""
+    """Meaning of indices, and whether the sample is too small for them; empty for a grid."""
     plan = found.solved.plan
     if not plan.base:
         return

@@ -1,4 +1,4 @@
-"""What scatters a formula's error: variance-based sensitivity indices of a sample's results.
+"""Causes of the scatter of a formula's error: variance-based sensitivity indices of a sample.
 
 I. M. Sobol', Math. Comput. Simul. 55 (2001) 271-280, doi:10.1016/S0378-4754(00)00270-6, from the
 design and by the estimators of A. Saltelli et al., Comput. Phys. Commun. 181 (2010) 259-270,
@@ -55,7 +55,7 @@ class Index:
 
 @dataclass(frozen=True)
 class Scatter:
-    """How one quantity scatters over the sample, and through which inputs.
+    """Scatter of one quantity over the sample, and the inputs that cause it.
 
     `mean`, `sd` and the quantiles at 2.5, 50 and 97.5 % [SI] are over `n` points, NaN where n is 0.
     `noise` is the mean square of the finite elements' standard uncertainty, of the variance.
@@ -86,7 +86,7 @@ class Scatter:
 
 @dataclass(frozen=True)
 class Within:
-    """How many points of the sample are inside a limit, outside, between, and without an answer."""
+    """Numbers of points of the sample inside a limit, outside, undecided, and without an answer."""
 
     limit: float
     inside: int
@@ -97,7 +97,7 @@ class Within:
 
 @dataclass(frozen=True)
 class Indices:
-    """What a sample says of one pair: of the formula, the finite elements and the formula's error.
+    """Sensitivity of one pair in a sample: formula, finite elements and the formula's error.
 
     Indices are from `rows` rows of the base sample; `dropped` others lack a point.
     """
@@ -154,7 +154,7 @@ def _share(part: float, whole: float) -> float:
 
 
 def _why_not(rows: int, y: Array, sd: float, noise: float) -> str:
-    """Why there are no indices, "" where there are."""
+    """Reason why there are no indices, "" where there are."""
     if rows < LEAST_ROWS:
         return f"{rows} complete rows of the sample are too few, it takes {LEAST_ROWS}"
     if sd <= STEADY * float(np.abs(y).max()):

@@ -15,7 +15,7 @@ SMALL = 1e-4  # per cent: a smaller bar is not printed
 
 
 def box_in_words(plan: Plan, one: Region) -> str:
-    """Where the formula is within the limit."""
+    """Range in which the formula is within the limit, in words."""
     if not one.inside:
         between = f", {one.undecided:,} undecided" if one.undecided else ""
         return f"nowhere{between}" if one.unsolved < one.points else "no point is solved"

@@ -38,7 +38,7 @@ class Outcome:
 
     @property
     def problems(self) -> tuple[str, ...]:
-        """Why a point has no finite elements or no formulas, by point; "" for most."""
+        """Reasons why points have no finite elements or no formulas, by point."""
         return tuple(one.problem_fe or one.problem_formulas for one in self.solved.solutions)
 
 

@@ -1,4 +1,4 @@
-"""What a sweep compares: the rows of a case that set a formula beside finite elements."""
+"""Compared pairs of a sweep: rows of a case with a formula and finite elements."""
 
 import difflib
 import math
@@ -77,7 +77,7 @@ def pairs(case: Case) -> tuple[Pair, ...]:
 
 
 def signature(pair: Pair) -> list[Any]:
-    """What numbers of a pair depend on besides solutions, with code that derives other values."""
+    """Dependencies of a pair's numbers besides solutions, with code that derives other values."""
     derived = [] if pair.plain else [source_code.source_of(type(pair.claim))]
     return [pair.name, pair.analytic, pair.fem, pair.scale, pair.claim.formal, *derived]
 
@@ -132,7 +132,7 @@ def portion(case: Case, chosen: Sequence[Pair]) -> Portion:
 
 @dataclass(frozen=True)
 class Known:
-    """What is known of a point [SI]: the formulas' values, and those of the levels by key.
+    """Known values of a point [SI]: the formulas' values, and those of the levels by key.
 
     A value that a level does not have is NaN. `h` are the mesh sizes, coarse to fine; `u_it` the
     largest iteration uncertainty of all levels.

@@ -17,7 +17,7 @@ MOST_POINTS = 2_000_000
 
 @dataclass(frozen=True)
 class Plan:
-    """What is swept: `points` (m, d) of values [SI] of the inputs called `names`."""
+    """Plan of a sweep: `points` (m, d) of values [SI] of the inputs called `names`."""
 
     case: Case
     name: str

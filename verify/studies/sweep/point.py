@@ -26,7 +26,7 @@ class OtherCodeError(RuntimeError):
 
 @dataclass(frozen=True)
 class Solution:
-    """What a point has given: values [SI] by key, of finite elements by level, coarse to fine.
+    """Result of a point: values [SI] by key, of finite elements by level, coarse to fine.
 
     `u_it` holds the largest iteration uncertainty of all levels. The problems say in one line why
     there are no values of a side. A point is `lost` where the process died or the machine failed.

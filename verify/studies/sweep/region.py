@@ -1,4 +1,4 @@
-"""Where a formula may be used: the points at which its error stays within a limit.
+"""Range of use of a formula: the points at which its error stays within a limit.
 
 A point is inside a limit where the whole error bar is, outside where all of it is beyond, and
 undecided between; unsolved where there are no two values to compare. A box is a product of ranges
@@ -232,5 +232,5 @@ def _break(
 
 
 def _places(axis: Axis, values: Array) -> Array:
-    """Where values lie along the axis as it is spaced."""
+    """Places of values along the axis, by its spacing."""
     return np.log(np.maximum(values, np.finfo(float).tiny)) if axis.spacing == "log" else values

@@ -29,7 +29,7 @@ MOST = 256  # points of a batch
 
 @dataclass(frozen=True)
 class Timing:
-    """What solving has cost: `points` solved now in `wall` s, of which each process spent `busy`.
+    """Time of solving: `points` solved now in `wall` s, of which each process spent `busy`.
 
     `workers` processes were busy at the end; `known` points were there already.
     """
@@ -131,7 +131,7 @@ class _Points:
             self.known = {k: _without_problems(one) for k, one in self.known.items()}
 
     def missing(self) -> list[Task]:
-        """What is to be solved, numbered by the order of `names`."""
+        """Points to solve, numbered by the order of `names`."""
         code = code_of(self.plan.case, self.part)
         todo = []
         for n, (key, inputs) in enumerate(self.inputs.items()):

@@ -38,7 +38,7 @@ class Points:
         return _hash(*parts)
 
     def load(self, keys: Sequence[str]) -> dict[str, Solution]:
-        """What is stored of the points, each with the sides that this code has solved."""
+        """Stored results of the points, each with the sides that this code has solved."""
         sides = {kind: self._side(kind, keys) for kind in self.stamps}
         found = {}
         for key in keys:

@@ -148,7 +148,7 @@ def _of_indices(tolerances: Sequence[Tolerance], one: Indices) -> Iterator[list[
 
 
 def quantities(one: Indices) -> tuple[tuple[str, Scatter, str], ...]:
-    """What scatters, with its unit: formula, finite elements (or what stands in), the error."""
+    """Quantities that scatter, with units: formula, finite elements (or substitute), the error."""
     return (
         ("formula", one.formula, one.pair.unit), (_reference(one.pair), one.fe, one.pair.unit),
         ("error", one.error, "%"),

@@ -1,1 +1,1 @@
-"""Where each formula may be used: regions about the papers' inputs, measured and stored."""
+"""Range of use of each formula: regions about the papers' inputs, measured and stored."""

@@ -22,7 +22,7 @@ STALE = "not measured for this code: freewheel deep validity:{} does it"
 
 
 def of_result(case: Case, result: CaseResult) -> Validity | None:
-    """What is known of a case; None where it sets no formula beside finite elements."""
+    """Validity cards of a case; None where it compares no formula with finite elements."""
     return of_case(case, result) if pairs(case) else None
 
 

@@ -1,4 +1,4 @@
-"""Which equation of a paper a row's formula is, and how the case writes it."""
+"""Equation of a paper for the formula of a row, in the notation of the case."""
 
 import re
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""What is not measured, with the reason, and the cases with maps or rows of the formula."""
+"""Formulas not measured, with the reason, and the cases with maps or rows of the formula."""
 
 from collections.abc import Mapping
 

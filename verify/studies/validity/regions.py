@@ -1,4 +1,4 @@
-"""Where the error of one formula is within the limits, and the errors that are drawn."""
+"""Regions in which the error of one formula is within the limits, and the errors drawn."""
 
 from collections import Counter
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""What was measured of a case: a record that is current while code, inputs and scans stand."""
+"""Measured regions of a case: a record is current while code, inputs and scans are unchanged."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -54,7 +54,7 @@ def _held(case: Case, scan: Scan) -> Inputs:
 
 
 def measured(case: Case) -> Measured | None:
-    """What was measured of `case`; None unless the present code, inputs and scans made it."""
+    """Measured regions of `case`; None unless the present code, inputs and scans made them."""
     every = plans(case)
 
     def read(record: Record) -> Measured:

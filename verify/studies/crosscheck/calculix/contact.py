@@ -36,7 +36,7 @@ TURN = 1 / 180  # of what is turned: calculix makes two degrees of it, and tells
 
 @dataclass(frozen=True, kw_only=True)
 class Settings:
-    """How calculix is asked.
+    """Settings of a calculix run.
 
     `slope` [stress/length] of the pressure over the overlap; `stick` of the friction over the slip,
     in slopes. Linear solver, threads, increments of each step (`cut` shorter where needed), pairing

@@ -96,7 +96,7 @@ def run(problem: Problem, deck: Path, limit: float = 300.0) -> Answer:
 
 
 def answer(problem: Problem, deck: Path, seconds: float = 0.0) -> Answer:
-    """What stands beside a deck that was solved."""
+    """Results in the files beside a solved deck."""
     said = deck.with_suffix(".dat")
     u = np.array(blocks(said, "displacements"))[:, :, 1:3]
     force = np.zeros((0, 2))

@@ -17,7 +17,7 @@ from verify.studies.crosscheck.calculix.keywords import Array, Indices, Side
 
 @dataclass(frozen=True)
 class Numbering:
-    """Of the nodes and cells that carry the displacements of `basis`, quadratic ones."""
+    """Numbers of the nodes and cells that carry the displacements of `basis`, quadratic ones."""
 
     basis: Basis
 

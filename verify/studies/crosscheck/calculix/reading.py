@@ -1,4 +1,4 @@
-"""What calculix answers: fields at nodes from its .frd, printed tables from its .dat."""
+"""Results of calculix: fields at nodes from its .frd, printed tables from its .dat."""
 
 import re
 from pathlib import Path
@@ -20,7 +20,7 @@ def nodal(frd: Path, name: str) -> Array:
 
 
 def fields(frd: Path, name: str) -> list[Array]:
-    """The same of every increment; LookupError where there is none."""
+    """Fields of every increment; LookupError where there is none."""
     found: list[list[list[float]]] = []
     inside = False
     for line in frd.read_text("ascii").splitlines():
@@ -60,7 +60,7 @@ def contact_areas(dat: Path, pairs: int = 1) -> Array:
 
 
 def strain_energy(dat: Path) -> float:
-    """Of all elements, at the end."""
+    """Strain energy of all elements at the end."""
     return float(blocks(dat, "total internal energy")[-1][0, 0])
 
 
@@ -73,7 +73,7 @@ def buckling_factors(dat: Path) -> Array:
 
 
 def iterations(sta: Path) -> int:
-    """Of all increments."""
+    """Number of iterations of all increments."""
     rows = (row.split() for row in sta.read_text("ascii").splitlines())
     return sum(int(row[3]) for row in rows if len(row) > 6 and row[0].isdigit())
 

@@ -35,7 +35,7 @@ def executable() -> str | None:
 
 
 def version() -> str:
-    """What calculix calls itself."""
+    """Version as calculix prints it."""
     said = subprocess.run([str(executable()), "-v"], capture_output=True, text=True, check=False)  # noqa: S603
     return " ".join(re.findall(r"Version\s+(\S+)", said.stdout)) or "unknown"
 

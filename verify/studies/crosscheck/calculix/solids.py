@@ -68,7 +68,7 @@ class SolidDeck:
         return path
 
     def _held(self, used: Indices) -> list[Term]:
-        """What is prescribed, at the nodes of the deck."""
+        """Prescribed displacements at the nodes of the deck."""
         conditions = self.solution.conditions
         given = dict(zip(conditions.dofs.tolist(), conditions.value.tolist(), strict=True))
         known = set(used.tolist())

@@ -1,1 +1,1 @@
-"""What is compared with second solvers, by subject."""
+"""Comparisons with second solvers, by subject."""

@@ -1,4 +1,4 @@
-"""How a plane problem is posed to calculix, and what is read of its answer."""
+"""Input of a plane problem for calculix, and the results read from its answer."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -22,7 +22,7 @@ AVERAGED = 1e-3  # of stresses at nodes
 
 @dataclass(frozen=True)
 class Fields:
-    """What a deck of calculix, solved at `path`, has for its nodes."""
+    """Fields at the nodes of a deck of calculix that was solved at `path`."""
 
     deck: "PlaneDeck"
     path: Path

@@ -58,7 +58,7 @@ def narrow() -> Any:
 
 
 def stiffness(energy: float) -> float:
-    """Of the whole width, from the energy of half of it."""
+    """Stiffness of the whole width, from the energy of half of it."""
     return 2 * 2 * energy / MOVED**2
 
 

@@ -1,4 +1,4 @@
-"""How a contact problem is posed to calculix, and what is read of its answer."""
+"""Input of a contact problem for calculix, and the results read from its answer."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -25,7 +25,7 @@ PENALTY = (
 
 @dataclass(frozen=True)
 class Touched:
-    """What a deck of calculix with contact, solved at `path`, has; forces for the whole width."""
+    """Results of a deck of calculix with contact, solved at `path`; forces for the whole width."""
 
     deck: "ContactDeck"
     path: Path
