@@ -1,4 +1,4 @@
-"""The verdicts of one case, and what to use in place of a formula."""
+"""The verdicts of one case, and what to use instead of a formula."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -28,7 +28,7 @@ def _advised(one: FormulaVerdict, corrected: FormulaVerdict | None) -> FormulaVe
 
 
 def _of_corrected(one: FormulaVerdict) -> str:
-    """The corrected form where it may be used, and what is advised in its place."""
+    """The corrected form if it may be used, and what is advised in its place."""
     form = "" if one.verdict in REFUSED else f"{CORRECTED}{_quality(one)}"
     return "; or ".join(filter(None, (form, one.instead)))
 

@@ -14,7 +14,7 @@ from verify.core.results import CaseResult
 
 
 class Ahead:
-    """A context with a thread that draws what the report shows of cases as they come.
+    """A context with a thread that draws the figures and pictures of cases as these are judged.
 
     Pictures go into the store. What fails here is drawn again, and then reported, where the
     report is written. `hint` goes to a reader who lacks pyvista; `first` is other work that the

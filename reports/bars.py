@@ -1,4 +1,4 @@
-"""Plot of contributions: bars from zero, each with its name and what it amounts to."""
+"""Bar chart of contributions: bars from zero, each with its name and value."""
 
 import textwrap
 

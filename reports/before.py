@@ -36,7 +36,7 @@ class Before:
         return self._kept[part]["about"]
 
     def note(self, written: Mapping[str, Iterable[str]], about: Mapping[str, Any]) -> None:
-        """Remember the files of parts that were written now, beside those of the run before."""
+        """Note the files of parts that were written now, beside those of the earlier run."""
         new = {
             part: {
                 "of": self._digests[part], "about": about.get(part),

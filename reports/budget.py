@@ -79,13 +79,13 @@ def steps(row: RowBudget) -> list[Bar]:
 
 
 def _label(part: BudgetPart, row: RowBudget) -> str:
-    """The cause; of several of one cause what each is."""
+    """The cause; if a cause has several parts, the name of each."""
     alike = sum(other.cause == part.cause for other in counted(row))
     return part.cause if alike == 1 else part.what.partition(":")[0]
 
 
 def waterfall(row: RowBudget) -> Markup:
-    """Each part takes the difference on from where the one above has left it."""
+    """Waterfall chart: each part starts from the end of the part above."""
     found = steps(row)
     reach = [(bar.start, bar.end - bar.u, bar.end + bar.u) for bar in found]
     low, high = (f(0.0, *(f(*r) for r in reach)) for f in (min, max))
@@ -129,7 +129,7 @@ def headline(one: CaseBudget) -> RowBudget | None:
 
 
 def lines(row: RowBudget) -> list[tuple[str, str, str]]:
-    """Cause, what was rerun, and what it contributes, in words."""
+    """Cause, the changed quantity of the rerun, and the contribution, in words."""
     found = [(TOTAL, "formula and finite elements, all causes included", percent(row.total, row.U))]
     found += [(p.cause, *_contribution(p)) for p in row.parts if not p.shared]
     found += [

@@ -105,7 +105,7 @@ def _names(axes: Axes, ends: Sequence[tuple[float, float, str]]) -> None:
 
 
 def _critical(axes: Axes, c: Campbell) -> None:
-    """Dots where lines of excitation meet branches, named where there is most room."""
+    """Dots where lines of excitation intersect branches, labelled in the largest free space."""
     seen = [
         (axes.X(x), axes.Y(y), name) for x, y, name in c.critical
         if axes.x[0] <= x <= axes.x[1] and axes.y[0] <= y <= axes.y[1]
@@ -121,7 +121,7 @@ def _critical(axes: Axes, c: Campbell) -> None:
 
 
 def _key(axes: Axes, c: Campbell) -> int:
-    """Below the plot, only what is there."""
+    """Key below the plot, for the marks that occur."""
     named: list[Curve | Band] = [_shown(w) for w in WHIRLS if w in c.whirl]
     none = np.empty(0)
     if c.range is not None:

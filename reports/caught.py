@@ -30,7 +30,7 @@ class Moved:
 
 
 def share(count: int, total: int) -> str:
-    """A share in per cent; nothing of nothing."""
+    """A share in per cent; empty for an empty group."""
     return f"{100 * count / total:.1f}\u202f%" if total else ""
 
 

@@ -13,7 +13,7 @@ WITHOUT_NUMBERS = (CrossState.MISSING, CrossState.ALONE)
 
 @dataclass(frozen=True)
 class Problem:
-    """One problem and its comparisons; `missing` is the reason where there are none."""
+    """One problem and its comparisons; `missing` is the reason if there are none."""
 
     head: Crosscheck
     lines: Sequence[Crosscheck]
@@ -24,7 +24,7 @@ class Problem:
 
     @property
     def by(self) -> str:
-        """The solver in brackets; nothing of a case that none takes."""
+        """The solver in brackets; empty for a case without a second solver."""
         return f" ({self.head.solver})" if self.head.solver else ""
 
     @property

@@ -22,7 +22,7 @@ FEW = 1.5  # decades, fewer of which are parted
 
 
 def curves(c: Curves) -> Markup:
-    """Lines, dashes and marks in the colours of their group; what runs off is cut.
+    """Lines, dashes and marks in the colours of their group, clipped to the axes.
 
     Points that are not finite are left out, and curves that have no others.
     """
@@ -81,7 +81,7 @@ def _axes(c: Curves, x: list[Array], y: list[Array]) -> Axes:
 
 
 def _decades(axes: Axes) -> None:
-    """Lines at powers of ten, or at 1, 2 and 5 of each where there are few."""
+    """Lines at powers of ten, or at 1, 2 and 5 of each if there are few."""
     low, high = (math.log10(v) for v in axes.y)
     whole = range(math.floor(low), math.ceil(high) + 1)
     if high - low < FEW:

@@ -40,7 +40,7 @@ def density(d: Density) -> Markup:
 
 
 def _mark(axes: Axes, x: float, y: float, name: str) -> list[Markup]:
-    """A place in the plane, its name on the side where there is room."""
+    """A mark in the plane; its name is on the side with more room."""
     u, v, centre = axes.X(x), axes.Y(y), (LEFT + RIGHT) / 2
     beside, anchor = (u - 10, "end") if u > centre else (u + 10, "start")
     height = v + 14 if v < (TOP + BOTTOM) / 2 else v - 6
@@ -69,7 +69,7 @@ def _pixels(d: Density, colours: Scale) -> NDArray[np.uint8]:
 
 
 def _bar(colours: Scale, name: str, label: str) -> list[Markup]:
-    """The colours with round numbers below them and what they mean beside."""
+    """The colour bar with round numbers below and its meaning beside it."""
     last = len(colours.stops) - 1
     stops = Markup("").join(
         Markup('<stop offset="{:.4f}" stop-color="{}"/>').format(i / last, colour)

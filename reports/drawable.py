@@ -1,4 +1,4 @@
-"""Whether a figure has anything to draw, and the text in its place where it has not."""
+"""Whether a figure has anything to draw, and the text in its place if it has not."""
 
 from collections.abc import Iterable
 

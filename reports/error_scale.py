@@ -29,7 +29,7 @@ def edges(limits: Sequence[float]) -> tuple[float, ...]:
 
 
 def classes(error: Array, limits: Sequence[float]) -> NDArray[np.int64]:
-    """The class of each error, with its sign; UNSOLVED where there is none."""
+    """The class of each error, with its sign; UNSOLVED without an error."""
     size = np.minimum(np.searchsorted(edges(limits), np.abs(error), side="left"), DEEPEST)
     signed = np.where(error < 0, -size, size)
     return np.where(np.isfinite(error), signed, UNSOLVED).astype(np.int64)

@@ -120,7 +120,7 @@ def _formula(
 
 
 def _errors(formula: StudiedFormula) -> dict[str, Any]:
-    """Errors and bars at the points of a study, null where there are none for a reason."""
+    """Errors and bars at the points of a study, null at points without a value."""
     return _without_empty({
         "error": _numbers(formula.error), "U": _numbers(formula.U),
         "problems": {n: problem for n, problem in enumerate(formula.problems) if problem},

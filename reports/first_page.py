@@ -19,7 +19,7 @@ FILE = Path(__file__).parent / "first_page.toml"
 
 @dataclass(frozen=True)
 class PaperPart:
-    """A paper with what it claims, its verdicts, its tables with numbers, errata and cases."""
+    """A paper with its claims, verdicts, tables with numbers, errata and cases."""
 
     key: str
     cited: str

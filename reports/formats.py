@@ -71,7 +71,7 @@ def written(value: float | int | str | None) -> str | Markup:
 
 
 def small(value: float | None, digits: int = 6) -> str | Markup:
-    """A number, as a power of ten where its decimals would not be read."""
+    """A number, as a power of ten if its decimals are too many to read."""
     if value is not None and 0 < abs(value) < 1e-4:
         return power(value)
     return number(value, digits)
@@ -139,13 +139,13 @@ def tolerance(row: Row) -> Markup:
 
 
 def relative(row: Row, name: str) -> Markup:
-    """An uncertainty of the row in percent of what its difference is a part of."""
+    """An uncertainty of the row in percent of the divisor of its difference."""
     value, size = getattr(row, name), divisor(row)
     return fraction(row, value / size) if value is not None and size else Markup("–")
 
 
 def fraction(row: Row, value: float | None, *, signed: bool = False) -> Markup:
-    """A fraction in percent; of a balance or an order as it is."""
+    """A fraction in percent; of a balance or an order unchanged."""
     if row.kind in (Kind.EXACT, Kind.TREND):
         return power(value)
     return percents(value, signed=signed)

@@ -25,7 +25,7 @@ FEW = 2.0  # decades, fewer of which are parted
 
 @dataclass(frozen=True)
 class Frame:
-    """A picture as the page shows it: `svg`, or `view` where it can be turned."""
+    """A picture on the page: `svg`, or a `view` that can be rotated."""
 
     caption: str
     note: str
@@ -59,7 +59,7 @@ def frames(
 
 
 def frame(picture: Picture, drawn: Drawn) -> Frame:
-    """The picture with its outline, colour bar and what its deformation is multiplied by."""
+    """The picture with its outline, colour bar and the scale factor of its deformation."""
     k = WIDTH / drawn.width
     height = k * drawn.height
     x0, y0, x1, y1 = drawn.rectangle

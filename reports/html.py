@@ -1,4 +1,4 @@
-"""The report as one self-contained page: no network; what runs in it moves views in space."""
+"""The report as one self-contained page: no network; its scripts only move views in space."""
 
 import base64
 import hashlib

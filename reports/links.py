@@ -50,7 +50,7 @@ class Places:
 
 
 def linked(name: str, page: str, places: Places) -> str:
-    """A page whose links to places on others name the page, as it is reached from here."""
+    """A page whose links to places on other pages are relative to its path."""
     here = set(_ID.findall(page))
 
     def link(found: re.Match[str]) -> str:

@@ -135,7 +135,7 @@ def _tick(words: str | Markup, y: float) -> Markup:
 
 
 def _relative(row: Row) -> tuple[float, float] | None:
-    """Size of the difference and what the row detects, both on its scale."""
+    """Magnitude of the difference and of the detection limit, both over their scale."""
     if row.kind is Kind.FACT or row.difference is None or not row.scale:
         return None
     if not (math.isfinite(row.difference) and math.isfinite(row.scale)):

@@ -1,4 +1,4 @@
-"""The report as pages: a first page, one for each case, and those of rows, papers and records."""
+"""The report as pages: a first page, one for each case, and pages for rows, papers and records."""
 
 from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass

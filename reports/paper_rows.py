@@ -16,7 +16,7 @@ from verify.core.results import PaperCell, PaperClaim, PaperTable, Status
 
 @dataclass(frozen=True)
 class Claim:
-    """A row of the suite below a printed row; `columns` are those of the numbers it claims."""
+    """A row of the suite below a printed row; `columns` are those of the compared numbers."""
 
     row: str
     name: str
@@ -44,7 +44,7 @@ class Claim:
 
     @property
     def fem(self) -> str | Markup:
-        """The finite elements' value with its standard uncertainty; empty where there is none."""
+        """The finite elements' value with its standard uncertainty; empty without one."""
         fem, u = self.numbers.fem, self.numbers.u
         if fem is None:
             return ""
@@ -95,7 +95,7 @@ def _name(cells: Sequence[PaperCell], column: int) -> str:
 
 @dataclass(frozen=True)
 class PrintedTable:
-    """A printed table: its rows with what is about each alone, and what is about several.
+    """A printed table: its rows, each with its comparisons, and comparisons of several rows.
 
     `columns` are those in which the rows of `common` have numbers.
     """

@@ -46,7 +46,7 @@ def printed(data: str, stamp: datetime) -> bytes:
 
 
 def made(report: Report) -> datetime:
-    """When the run was made, by its provenance; the epoch where it has no date."""
+    """Time of the run, by its provenance; the epoch if it has no date."""
     try:
         stamp = datetime.strptime(report.provenance["made"], "%Y-%m-%d %H:%M UTC")
     except (KeyError, ValueError):

@@ -1,4 +1,4 @@
-"""One case as the PDF's template takes it: texts as runs, numbers as written, drawings as SVG."""
+"""One case as data of the PDF's template: texts as runs, numbers as written, drawings as SVG."""
 
 from collections.abc import Mapping, Sequence
 

@@ -1,4 +1,4 @@
-"""The whole report as the PDF's template takes it, in the order of the page."""
+"""The whole report as data of the PDF's template, in the order of the page."""
 
 from collections import Counter
 from collections.abc import Mapping, Sequence

@@ -56,7 +56,7 @@ def one_page(
 
 
 def by_weight(case: CaseResult, verdicts: Sequence[FormulaVerdict]) -> list[Line]:
-    """Failed rows, those not run, evidence of a verdict, beside a printed number, then the rest.
+    """Failed rows, those not run, evidence of verdicts, printed numbers, then the rest.
 
     Of the rest approximations and rows that did not pass are before identities, these before
     balances and statements.

@@ -73,7 +73,7 @@ def _sizes(row: Row) -> tuple[float, ...]:
 
 
 def expected(row: Row) -> list[list[Run]]:
-    """The ends of the interval of an approximation, and where it is known from."""
+    """The ends of the interval of an approximation, and its source."""
     assert row.interval is not None
     ends = (runs(formats.fraction(row, m, signed=True)) for m in row.interval)
     return [quantity(row), *ends, prose(row.interval_source)]

@@ -43,7 +43,7 @@ def _line(card: ValidityCard, region: ValidityRegion, *, first: bool, over: str)
 
 
 def _exact(one: Validity) -> list[Run]:
-    """One sentence for all formulas that solve what finite elements solve."""
+    """One sentence for all formulas that solve the same problem as finite elements."""
     solved = [e for e in one.exact if e.largest is not None]
     if not solved:
         return []

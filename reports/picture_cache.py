@@ -1,4 +1,4 @@
-"""Store of drawn pictures, by what they were drawn from."""
+"""Store of drawn pictures, by all data on which they depend."""
 
 import hashlib
 import json
@@ -35,7 +35,7 @@ UNREADABLE = (
 
 @dataclass(frozen=True, kw_only=True)
 class Drawn:
-    """A field as a bitmap without text, and what a page needs to put words and lines to it.
+    """A field as a bitmap without text, and the data for the texts and lines that a page adds.
 
     `image` is a WebP, `width` by `height` pixels, transparent around the body, and shows
     `rectangle` (left, bottom, right, top) in the model's length. Values run from `low` to `high`
@@ -94,7 +94,7 @@ def key(field: Field, picture: Picture) -> str:
 
 
 def load(folder: Path, name: str) -> Drawn | None:
-    """The stored picture; None where there is none, it can't be read or OpenGL may work now."""
+    """The stored picture; None if there is none, it cannot be read, or OpenGL may work now."""
     content = Store(folder).one(KIND, name)
     if content is None:
         return None
@@ -111,7 +111,7 @@ def load(folder: Path, name: str) -> Drawn | None:
 
 
 def store(folder: Path, name: str, drawn: Drawn) -> None:
-    """Write the picture; OSError where the store takes none."""
+    """Write the picture; OSError if the store cannot be written."""
     head = {**vars(drawn), "lines": len(drawn.outline), "opengl": opengl()}
     del head["image"], head["outline"]
     arrays: dict[str, Any] = {f"outline {i}": line for i, line in enumerate(drawn.outline)}

@@ -24,7 +24,7 @@ def draw(
     seconds: float | None = None,
     process: DrawingProcess | None = None,
 ) -> list[Drawn]:
-    """Every requested picture, in order; what `cache` (a folder) holds is not drawn again.
+    """Every requested picture, in order; pictures in the `cache` (a folder) are not drawn again.
 
     pyvista draws in a `process`, by default one of this call, that is ended after `seconds`; what
     it fails to draw is drawn by matplotlib, and `Drawn.why` says so, with `hint` (what to install)

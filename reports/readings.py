@@ -28,7 +28,7 @@ def chance(expected: float) -> str:
 
 
 def readings_data(searches: tuple[ReadingsTried, ...]) -> Data:
-    """The table for the PDF, and what nothing was tried for."""
+    """The table for the PDF, and the numbers for which nothing was tried."""
     return {
         "rows": [_row(one) for one in searches if not one.missing],
         "missing": [

@@ -1,4 +1,4 @@
-"""A run as plain records: what results.json holds and `results.schema.json` describes."""
+"""A run as plain records: the content of results.json, described by `results.schema.json`."""
 
 import json
 import math

@@ -17,7 +17,7 @@ FAR = 1e5  # pixels from the camera, more than any body is deep
 
 
 def main() -> None:
-    """Draw what the lines of the input name."""
+    """Draw the scenes that the lines of the input name."""
     for line in sys.stdin:
         draw(Path(line.removesuffix("\n")))
         print(flush=True)

@@ -1,4 +1,4 @@
-"""Marked-up text as plain data: what the PDF sets and what a sheet's cell holds."""
+"""Marked-up text as plain data, for the PDF and for the cells of a sheet."""
 
 import re
 from html.parser import HTMLParser

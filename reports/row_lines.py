@@ -11,7 +11,7 @@ LISTED_FIRST = (Status.FAIL, Status.SKIP)
 
 @dataclass(frozen=True)
 class Line:
-    """A row of the table; the separate row of its convergence shares the line where it passed."""
+    """A row of the table; its convergence row, if passed, shares the line."""
 
     row: Row
     convergence: Row | None = None

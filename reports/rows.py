@@ -1,4 +1,4 @@
-"""The rows of a run as a table: what rows.csv and the workbook's sheet of rows hold."""
+"""The rows of a run as a table: the content of rows.csv and of the workbook's sheet of rows."""
 
 import csv
 import io

@@ -42,7 +42,7 @@ class Scene:
 
 
 def compose(field: Field, picture: Picture) -> Scene:
-    """The deformed body in colours; ValueError for what can't be drawn (see `bodies.body`)."""
+    """The deformed body in colours; ValueError if it cannot be drawn (see `bodies.body`)."""
     whole = body(field, picture)
     turned = Body(points=view(field, whole.points), displacement=view(field, whole.displacement),
                   cells=whole.cells, values=whole.values)  # fmt: skip
@@ -90,7 +90,7 @@ def view(field: Field, vectors: Array) -> Array:
 
 
 def exaggeration(shown: Body, window: Box | None = None, readable: float = READABLE) -> float:
-    """1, 2 or 5 times a power of ten that makes displacements readable, 0 where there are none.
+    """1, 2 or 5 times a power of ten that makes displacements readable, 0 without displacements.
 
     Measured on the visible part: the largest displacement comes near `readable`, 6.5 %, of the
     window's or the body's size. Displacements of 5 to 25 % are drawn as they are.

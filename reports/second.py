@@ -1,4 +1,4 @@
-"""Second solvers where an engineer looks first: beside a row's FE value, and at a case's head."""
+"""Second solvers beside a row's FE value, and at the head of a case."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -46,7 +46,7 @@ def seconds(checks: Sequence[Crosscheck]) -> Seconds:
 
 
 def value(check: Crosscheck, row: Row) -> Markup:
-    """The other solver's number, with its unit where it is not the row's."""
+    """The other solver's number, with its unit if this differs from the row's."""
     unit = "" if check.unit == row.unit or check.unit == "1" else f" {check.unit}"
     return Markup("{}{}").format(formats.written(check.theirs), unit)
 
@@ -59,7 +59,7 @@ def apart(check: Crosscheck) -> Markup:
 
 
 def meshes(check: Crosscheck) -> str:
-    """The compared values, on demand: both on one mesh, which may not be that of the row."""
+    """The compared values, on demand: both on one mesh, which may differ from the row's mesh."""
     here, there = (formats.number(x) for x in (check.ours, check.theirs))
     unit = f" {check.unit}" if check.unit != "1" else ""
     return (

@@ -1,4 +1,4 @@
-"""States of something thin side by side, all to one scale: what a spring or a shaft looks like."""
+"""Several shapes of a thin body side by side, to one scale, such as a spring or a shaft."""
 
 from collections.abc import Callable
 from functools import partial

@@ -26,7 +26,7 @@ class Sheets:
         return [self._name(title) for title in titles]
 
     def _name(self, title: str) -> str:
-        """The beginning of the title, with a number where it is taken."""
+        """The beginning of the title, with a number if it is already used."""
         words = " ".join(_FORBIDDEN.sub(" ", clean(title)).split()).strip("'") or "Table"
         name, number = words[:LONGEST].strip(" '"), 1
         while name.casefold() in self._taken:

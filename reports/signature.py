@@ -69,7 +69,7 @@ def _is_blunt(row: Row) -> bool:
 
 
 def _mark(row: Row, entry: Published) -> Markup:
-    """A printed value on the scale of the row, where it fits."""
+    """A printed value on the scale of the row, if it fits."""
     reference = row.reference
     if reference is None or not row.tolerance or row.interval is not None:
         return Markup("")

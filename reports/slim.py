@@ -21,7 +21,7 @@ Point = tuple[int, int]  # in tenths of a pixel
 
 
 def slim(page: str) -> str:
-    """The page without what a browser does not need to draw the same."""
+    """The page without the parts that a browser does not need for the same drawing."""
     for said in NEEDLESS:
         page = page.replace(said, "")
     page = _once(page, BAND, "band")
@@ -34,7 +34,7 @@ def cells(page: str) -> str:
 
 
 def _once(page: str, drawing: str, name: str) -> str:
-    """The page in which a part of drawings refers to its first place, where there are several."""
+    """The page in which repeated parts of drawings refer to their first place."""
     first, *others = page.split(drawing)
     if len(others) < SEVERAL:
         return page

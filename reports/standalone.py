@@ -17,7 +17,7 @@ OWN = (  # on paper: other size of letters, and one font for text and symbols
 
 
 class Drawing(TypedDict):
-    """An image, what it shows in words, and its height over its width."""
+    """An image, its description in words, and its height over its width."""
 
     svg: str
     alt: str
@@ -25,7 +25,7 @@ class Drawing(TypedDict):
 
 
 def standalone(svg: str) -> Drawing | None:
-    """A drawing of the page with the rules it needs; None where there is none."""
+    """A drawing of the page with the rules it needs; None without a drawing."""
     if not svg:
         return None
     label = re.search(r'aria-label="([^"]*)"', svg)

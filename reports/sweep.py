@@ -91,7 +91,7 @@ def prose(text: str) -> Markup:
 
 
 def flat(text: str) -> str:
-    """Text where there is no room for markup: an attribute."""
+    """Text without markup, for attributes."""
     return text.replace(" %", "\u202f%")
 
 

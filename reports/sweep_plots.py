@@ -87,7 +87,7 @@ def _quantiles(axes: Axes, h: Histogram) -> None:
 
 
 def causes(c: Causes) -> Markup:
-    """Two bars an input with their intervals: what it causes alone, and in all."""
+    """Two bars with intervals for each input: first-order index and total index."""
     left = 20.0 + LETTER * max(len(name) for name, _, _ in c.items)
     bottom = 30.0 + ROW * len(c.items)
     reach = [v for _, first, total in c.items for v in (*first, *total)]

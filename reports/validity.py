@@ -25,7 +25,7 @@ def subjects(known: Sequence[Validity]) -> list[tuple[str, list[Validity]]]:
 
 
 def figure(region: ValidityRegion, title: str) -> Markup:
-    """The error over what was measured; nothing where each limit holds for all points or none."""
+    """The error over the varied inputs; nothing if each limit holds for all points or for none."""
     shape = [len(axis.values) for axis in region.axes]
     if not shape or not _left(region):
         return Markup("")
@@ -78,7 +78,7 @@ def limits(region: ValidityRegion) -> list[tuple[str, ValidityLimit]]:
 
 
 def signed(error: float | None, U: float | None) -> str:
-    """A relative error in per cent with its bar: "−1.2 ± 0.02 %"; a dash where there is none.
+    """A relative error in per cent with its bar: "−1.2 ± 0.02 %"; a dash without an error.
 
     A bar below a hundredth of the error's first digit is "<" that; both below LEAST are one "<".
     """

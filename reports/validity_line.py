@@ -129,7 +129,7 @@ def _base(axes: Axes, m: Measured) -> None:
 
 
 def _strips(axes: Axes, m: Measured, at: Array, known: NDArray[np.bool_]) -> None:
-    """For each limit a bar: filled where the band is within, hatched where it reaches across."""
+    """A bar for each limit: filled where the band is within, hatched where the band crosses it."""
     left, _, right, bottom = axes.box
     order = np.argsort(at)
     ends = np.concatenate(

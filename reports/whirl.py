@@ -64,7 +64,7 @@ class _Panels:
 
 
 def whirl(w: Whirl) -> Markup:
-    """A panel for each mode, a bar that gives the scale, and what the marks are."""
+    """A panel for each mode, a scale bar, and the meaning of the marks."""
     first, last = _ends(w)
     p = _panels(w, last - first, 1)
     if len(w.modes) > 1 and len(w.modes) * p.high > TALLEST:

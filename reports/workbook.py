@@ -52,7 +52,7 @@ class Book:
         self._formats: dict[str, Any] = {}
 
     def content(self) -> bytes:
-        """Close the workbook: it takes no further sheet."""
+        """Close the workbook: no further sheet can be added."""
         self._book.close()
         return self._bytes.getvalue()
 
@@ -121,7 +121,7 @@ class Book:
 
 
 def _printed(text: str, look: Mapping[str, Any]) -> tuple[str | float, Mapping[str, Any]]:
-    """A printed number with its printed decimals, or the text where it is none."""
+    """A printed number with its printed decimals, or the text if it is not a number."""
     found = _PRINTED.fullmatch(text)
     if not found:
         return text, look

@@ -42,7 +42,7 @@ STAGING = ".part-"
 
 @dataclass(frozen=True)
 class Written:
-    """The page, and what was done differently from usual, one line each."""
+    """The page, and deviations from the usual procedure, one line each."""
 
     page: Path
     remarks: tuple[str, ...]
@@ -108,7 +108,7 @@ def _replace(folder: Path, files: Mapping[str, bytes]) -> None:
 
 
 def _remove_stale(folder: Path, files: Container[str]) -> None:
-    """Remove what is of a run over other cases, or of one that could do more."""
+    """Remove files of an earlier run over other cases, or with more optional packages."""
     made = (ERRORS, PAPER, BUDGET, CROSSCHECK)
     others = (*folder.glob("*.vtu"), *folder.glob(f"{FOLDER}/*.html"))
     for stale in (*others, *(folder / name for name in made)):

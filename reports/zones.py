@@ -49,7 +49,7 @@ def zones(z: Zones) -> Markup:
 
 
 def _edges(axes: Axes, x: Array, top: Array, inside: NDArray[np.bool_]) -> None:
-    """The upper limit of a zone where it is no edge of the plot."""
+    """The upper limit of a zone unless it is an edge of the plot."""
     ends = np.flatnonzero(np.diff(np.concatenate([[0], inside.astype(int), [0]])))
     for start, stop in ends.reshape(-1, 2):
         part = slice(max(start - 1, 0), min(stop + 1, x.size))
@@ -91,7 +91,7 @@ def _name(
 
 
 def _mark(axes: Axes, z: Zones) -> list[Markup]:
-    """The point, at the edge of the plot where it lies beyond, and its name beside it."""
+    """The point, at the edge of the plot if it lies outside, and its name beside it."""
     assert z.point is not None
     (left, _, right, bottom), anchor = _beside(axes, z)
     x = left if anchor == "start" else right

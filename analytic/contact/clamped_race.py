@@ -82,7 +82,7 @@ def _uniform(ratio: float, nu: float) -> float:
 
 
 def _first(ratio: float, nu: float) -> float:
-    """E' U_1/(2 r_i), where one solution grows with the logarithm."""
+    """E' U_1/(2 r_i); one of the solutions contains the logarithm of r."""
     k = (3 - nu) / (1 + nu)
 
     def solutions(r: float) -> tuple[Array, Array, Array, Array]:

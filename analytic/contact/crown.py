@@ -121,7 +121,7 @@ def logarithmic(
 
 
 def straight_length(*, K_2: ArrayLike, length: ArrayLike) -> Array:
-    """Length of the straight middle of `logarithmic`: (1 - K_2) l, whatever z_m.
+    """Length of the straight middle of `logarithmic`: (1 - K_2) l, independent of z_m.
 
     >>> float(straight_length(K_2=0.75, length=8.0))
     2.0

@@ -69,7 +69,7 @@ class Parts:
 
 
 def vertex(p: Array, at: int) -> float:
-    """Top of the parabola through p at `at` and beside it; p itself where that is none."""
+    """Vertex of the parabola through p at `at` and both neighbours; p itself without a vertex."""
     below, top, above = np.pad(p, 1)[at : at + 3]
     bend = below - 2 * top + above
     if min(below, above) <= 0 or top < max(below, above) or bend >= 0:  # it may go on rising

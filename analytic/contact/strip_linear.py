@@ -126,7 +126,7 @@ def _shared(system: System) -> tuple[Array, Array]:
 
 
 def _dense(system: System) -> Array:
-    """J (N, n, n); strips that carry nothing are held by a huge diagonal."""
+    """J (N, n, n); strips without load are held by a huge diagonal."""
     far, bands = system.far, system.bands
     _, cases, n = bands.shape
     J = np.empty((cases, n, n))

@@ -23,7 +23,7 @@ AT_ZERO = 1e-10  # of the largest load: what round-off leaves where thousands of
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Course:
-    """Loads, clamping angle [rad] and mu_req over the times `t` [s]; nan where it overruns."""
+    """Loads, clamping angle [rad] and mu_req over the times `t` [s]; nan in overrunning."""
 
     t: Array
     T: Array
@@ -55,7 +55,7 @@ class Course:
 
     @property
     def light(self) -> str:
-        """Class of the path, that of its peak."""
+        """Class of the path: that of its largest mu_req."""
         return str(criterion.traffic_light(self.mu / self.peak))
 
 
@@ -77,7 +77,7 @@ def follow(clutch: Clutch, path: LoadPath, *, mu: float, t: ArrayLike | None = N
 
 
 def _without_round_off(load: Array) -> Array:
-    """The load over time, 0 where it is so but for round-off."""
+    """The load over time, with values that are zero within round-off set to 0."""
     return np.where(np.abs(load) <= AT_ZERO * np.abs(load).max(initial=0.0), 0.0, load)
 
 

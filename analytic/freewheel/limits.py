@@ -87,7 +87,7 @@ def limits(clutch: Clutch, *, mu: ArrayLike, p_lim: ArrayLike) -> Limits:
 
 
 def pop_through(clutch: Clutch) -> Array:
-    """Torque [force x length] of the summit alone; infinite where there is none."""
+    """Torque [force x length] at the maximum alone; infinite without a maximum."""
     last = _last(clutch)
     summit = _summit(clutch, last)
     within = last >= summit

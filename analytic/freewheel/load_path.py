@@ -30,14 +30,14 @@ class LoadPath(ABC):
 
     @abstractmethod
     def torque(self, t: ArrayLike) -> Array:
-        """T [force x length], positive where it locks."""
+        """T [force x length], positive in the locking direction."""
 
     @abstractmethod
     def axial_load(self, t: ArrayLike) -> Array:
         """F_ax [force]."""
 
     def ratio(self, t: ArrayLike) -> Array:
-        """F_ax/T [1/length]; 0 where there is no axial load."""
+        """F_ax/T [1/length]; 0 without axial load."""
         T, F_ax = self.torque(t), self.axial_load(t)
         with np.errstate(divide="ignore", invalid="ignore"):
             return np.where(F_ax == 0, 0.0, F_ax / T)

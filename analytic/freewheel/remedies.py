@@ -28,7 +28,7 @@ def field_of(clutch: Clutch, name: str) -> str:
 
 
 def shifted(clutch: Clutch, name: str, by: Array | float) -> Clutch:
-    """Clutches whose X, r or R are off `by` [m]; ValueError where one has no wedge."""
+    """Clutches whose X, r or R deviate `by` [m]; ValueError if one has no wedge."""
     cam, field = clutch.cam, field_of(clutch, name)
     return replace(clutch, cam=replace(cam, **{field: getattr(cam, field) + by}))
 
@@ -45,7 +45,7 @@ def ratios(duty: Duty, clutch: Clutch) -> Array:
 
 
 def moved_to(duty: Duty, goal: float) -> float:
-    """The least dX [m] outwards at which mu/mu_req is `goal`; nan where none is enough."""
+    """The least outward dX [m] at which mu/mu_req is `goal`; nan if none is sufficient."""
     return _first(duty, 1.0, lambda dX: ratios(duty, shifted(duty.clutch, "X", dX)) >= goal)
 
 

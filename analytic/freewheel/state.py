@@ -85,7 +85,7 @@ class State:
 
 
 def loaded(clutch: Clutch, T: ArrayLike) -> State:
-    """State under the torque T [force x length], not negative; nan where there is none."""
+    """State under the torque T [force x length], not negative; nan without an equilibrium."""
     bodies, T = compliance(clutch), not_negative(T, "torque", "N m")
     F_t = T / (clutch.cam.count * clutch.cam.race)
 
@@ -97,7 +97,7 @@ def loaded(clutch: Clutch, T: ArrayLike) -> State:
 
 
 def at_normal_force(clutch: Clutch, N: ArrayLike) -> State:
-    """State at the normal force N [force] of one contact; nan where there is none."""
+    """State at the normal force N [force] of one contact; nan without an equilibrium."""
     N = not_negative(N, "normal force", "N")
     return _state(compliance(clutch), np.where(_widest(clutch) >= N, N, np.nan))
 

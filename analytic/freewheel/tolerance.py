@@ -130,7 +130,7 @@ def _drawn(
 
 
 def _unloaded(cam: Cam, drawn: Mapping[str, Array]) -> NDArray[np.str_]:
-    """Outcomes of the clutches drawn before any load; "holds" where there is a wedge."""
+    """Outcomes of the clutches before any load; "holds" if there is a wedge."""
     R, X, r = (drawn[name] for name in (*_names(cam), "r"))
     rho, y = R - cam.sense * r, X + cam.sense * r
     x = np.sqrt(np.maximum(rho**2 - y**2, 0.0))
@@ -148,7 +148,7 @@ def _loaded(cam: Cam, now: State, asked: Array, mu: Array) -> NDArray[np.str_]:
 
 
 def _first(found: Sequence[tuple[NDArray[np.bool_], Outcome]]) -> NDArray[np.str_]:
-    """The first outcome that is met; "holds" where none is."""
+    """The first outcome that occurs; "holds" if none does."""
     text = np.dtype("<U16")  # of the longest outcome
     return np.select([met for met, _ in found], [name for _, name in found], "holds").astype(text)
 

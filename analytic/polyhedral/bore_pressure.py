@@ -19,7 +19,7 @@ from analytic.polyhedral.sector import Complex, Sector
 
 @dataclass(frozen=True, kw_only=True)
 class StiffnessFactors:
-    """K by three definitions of "the outside has grown by j_D/2"; negative where it draws in."""
+    """K by three definitions of "the outside has grown by j_D/2"; negative if it shrinks."""
 
     mid: float  # above the flat, where the roller sits
     mean: float  # on average over the outside

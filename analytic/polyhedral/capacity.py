@@ -128,7 +128,7 @@ class Driven:
         return (up - down) / (2 * STEP * N)
 
     def _peak(self, low: float, high: float, lift: float) -> tuple[float, float]:
-        """N between `low` and `high` that takes the largest pressure, and this."""
+        """N between `low` and `high` with the largest pressure, and this pressure."""
         found = minimize_scalar(
             lambda N: -self._pressure(N, lift), bounds=(max(low, 1e-9 * high), high),
             method="bounded", options={"xatol": 1e-9 * high},

@@ -32,7 +32,7 @@ from analytic.contact.checks import Array, not_negative, positive
 
 
 def holds(*, alpha: ArrayLike, mu: ArrayLike) -> NDArray[np.bool_]:
-    """Whether a free roller stays wedged (Eqs. 1 and 2); False where it slips and is expelled.
+    """Whether a free roller stays wedged (Eqs. 1 and 2); False if it slips and is expelled.
 
     >>> holds(alpha=[0.1, 0.2], mu=0.08).tolist()  # tan(alpha/2) = 0.05 and 0.10
     [True, False]

@@ -124,7 +124,7 @@ class Clutch:
         return self.R_i * math.tan(self.nu)
 
     def deformation(self, q: ArrayLike) -> Array:
-        """delta_jk (..., Z, n_s) [m] at displacements q (..., 5), negative where there is a gap."""
+        """delta_jk (..., Z, n_s) [m] at displacements q (..., 5), negative for a gap."""
         return np.asarray(np.einsum("jki,...i->...jk", self.gradient, _five(q)) - self.lost)
 
     def energy(self, q: ArrayLike) -> Array:

@@ -1,4 +1,4 @@
-"""Rotors of several coaxial shafts, as the exact transfer-matrix model takes them.
+"""Rotors of several coaxial shafts, the input of the exact transfer-matrix model.
 
 Stations are the ends of the segments, numbered from 0 along the first shaft, then on along the
 next. Deflections are r = x + iy and phi = theta_y - i theta_x, which is dr/dz of a slender shaft.

@@ -50,7 +50,7 @@ def answers(peaks: Peaks, torque: int = 0) -> list[Answer]:
 
 
 def fit_regimes(x: Array, known: Sequence[Answer], box: Box) -> "Largest":
-    """Kriging of both regimes: the end slice where it carries, and all others."""
+    """Kriging of both regimes: crowns whose end slice is loaded, and all others."""
     from analytic.surrogate.largest import fit_largest
 
     end, inside = (np.array([getattr(a, name) for a in known]) for name in ("end", "inside"))

@@ -126,7 +126,7 @@ def at_torque(clutch: Clutch, T: ArrayLike) -> Wedged:
 
 
 def at_rotation(clutch: Clutch, alpha: ArrayLike) -> Wedged:
-    """State at the rotation alpha [rad]; no load up to that of first contact at speed."""
+    """State at the rotation alpha [rad]; unloaded up to the alpha of first contact at speed."""
     alpha = finite(alpha, "rotation alpha", "rad")
     alpha = np.maximum(alpha, wedged(clutch, 0.0).alpha)
     start = np.where(alpha > wedged(clutch, 0.0).alpha, 1.0, 0.0)

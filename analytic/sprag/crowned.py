@@ -20,7 +20,7 @@ STEP = 1e-3  # of a force, for slopes
 
 @dataclass(frozen=True, eq=False)
 class Crowned:
-    """A clutch with crowned contacts: `gap` [m] of the slices, `N_top` [N] where its laws end."""
+    """A clutch with crowned contacts: `gap` [m] of the slices; its laws hold up to `N_top` [N]."""
 
     parts: Parts
     clutch: Clutch

@@ -89,7 +89,7 @@ class Elastic:
 
     @cached_property
     def column(self) -> Column | None:
-        """The sprag between its flanks; None where it is wider than it is round."""
+        """The sprag between its flanks; None if it is wider than its round parts."""
         try:
             return Column(sprag=self.parts.sprag, b=float(np.asarray(self.parts.b)))
         except ValueError:
@@ -135,7 +135,7 @@ class Elastic:
 
     @property
     def rolls_over_at(self) -> float:
-        """Torque [N m] at which a contact reaches a flank; infinite where none does."""
+        """Torque [N m] at which a contact reaches a flank; infinite if none does."""
         if self.column is None:
             return math.inf
         turned = min(self.column.turned, self.column.alpha_b)  # theta - theta_0 but for 1 %

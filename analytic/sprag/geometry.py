@@ -116,7 +116,7 @@ class LogSprag:
     def from_wedge_angle(
         cls, *, nu_0: ArrayLike, R_i: ArrayLike, R_e: ArrayLike, r_i: ArrayLike
     ) -> Self:
-        """The sprag whose strut makes nu_0 [rad] at first contact; ValueError where none does.
+        """The sprag whose strut makes nu_0 [rad] at first contact; ValueError without one.
 
         The spiral's centre of curvature K lies on the normal at A, and C_eK is perpendicular to
         C_eA: C_e is where the ray OB meets the circle over the diameter AK.

@@ -24,7 +24,7 @@ def missing(found: Engagement) -> float:
 
 
 def later_peak(found: Engagement) -> float:
-    """Largest N [N] after the first peak and the trough behind it; 0 where there is none."""
+    """Largest N [N] after the first peak and the following trough; 0 without such a peak."""
     after = found.N[found.t > found.first_peak[0]]
     rising = np.flatnonzero(np.diff(after) > 0)
     return float(after[rising[0] :].max()) if len(rising) else 0.0
@@ -58,7 +58,7 @@ def swings(found: Engagement, mu: float) -> float:
 
 
 def sticks(found: Engagement) -> float:
-    """Time [s] at which the inner contact first comes to rest; 0 where it never slides.
+    """Time [s] at which the inner contact first comes to rest; 0 if it never slides.
 
     Its speed is followed on the parabola of its last three samples outside the band.
     """

@@ -49,7 +49,7 @@ def _bracket(
 
 
 def _last(value: Callable[[Array], Array], low: Array, high: Array) -> Array:
-    """`high`, or the last load before it where there is a value."""
+    """`high`, or the last load before `high` with a value."""
     ends = np.isnan(value(high))
     if not ends.any():
         return high

@@ -112,7 +112,7 @@ def critical_shortening(
     head: Head, *, n: ArrayLike, L1: ArrayLike, radius: ArrayLike, alpha: ArrayLike,
     b: ArrayLike, nu: ArrayLike = 0.3,
 ) -> Array:  # fmt: skip
-    r""":math:`\xi = U_{cr}/L_0` at which the spring buckles sideways; NaN where it never does.
+    r""":math:`\xi = U_{cr}/L_0` at which the spring buckles sideways; NaN if it never does.
 
     L_0 is the distance from the head's leaf to the tail's along the centre line. The thickness
     enters by the small share of axial force and shear alone.
@@ -140,7 +140,7 @@ def critical_force(
     head: Head, *, n: ArrayLike, L1: ArrayLike, radius: ArrayLike, alpha: ArrayLike,
     b: ArrayLike, h: ArrayLike, E: ArrayLike, nu: ArrayLike = 0.3,
 ) -> Array:  # fmt: skip
-    r"""Buckling force :math:`C \xi` [force], proportional to b^3; NaN where it never buckles."""
+    r"""Buckling force :math:`C \xi` [force], proportional to b^3; NaN if it never buckles."""
     part = unit(L1=L1, radius=radius, alpha=alpha, b=b, h=h, E=E, nu=nu)
     xi = critical_shortening(head, n=n, L1=L1, radius=radius, alpha=alpha, b=b, nu=nu)
     return np.asarray(part.pitch / part.axial * xi)
@@ -156,7 +156,7 @@ def free_length(*, n: ArrayLike, L1: ArrayLike, radius: ArrayLike, alpha: ArrayL
 
 
 def _shortening(waves: ArrayLike, slender: Array, softer: Array) -> Array:
-    """Smaller root of slender xi (1 - (1 - softer) xi) = waves; NaN where there is none."""
+    """Smaller root of slender xi (1 - (1 - softer) xi) = waves; NaN without a root."""
     bent = np.asarray(waves, float) / slender
     under = 1 - 4 * (1 - softer) * bent
     root = np.sqrt(np.where(under >= 0, under, np.nan))

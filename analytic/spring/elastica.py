@@ -70,7 +70,7 @@ class State:
 
 
 class Elastica:
-    """A line of leaves and arcs (length, turn), clamped where it ends and pushed where it starts.
+    """A line of leaves and arcs (length, turn), clamped at its end and pushed at its start.
 
     `analytic.spring.frame.pieces` gives the parts of an accordion spring.
     """
@@ -108,7 +108,7 @@ class Elastica:
         return states[1:]
 
     def unloaded(self) -> State:
-        """The spring as it is made."""
+        """The spring without load."""
         zero = np.zeros(4)
         return self._solve(np.zeros_like(self.w), zero, (), (), np.zeros(3))
 

@@ -47,7 +47,7 @@ class Wire:
 
 
 def leaf(start: Array, heading: ArrayLike, length: ArrayLike) -> tuple[Wire, Array]:
-    """A straight piece from `start` (..., 2) on, and where it ends.
+    """A straight piece from `start` (..., 2), and its end.
 
     >>> wire, end = leaf(np.zeros(2), np.pi / 2, 3.0)  # along y: L^3/3 about its end
     >>> round(float(wire.G[2, 2]), 12), end.round(12).tolist()

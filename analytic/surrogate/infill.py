@@ -1,4 +1,4 @@
-"""A surrogate improved where it is searched: its smallest value becomes the next design."""
+"""A surrogate refined during its search: its minimum becomes the next design."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass

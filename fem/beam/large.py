@@ -40,7 +40,7 @@ from fem.beam.terms import Term
 
 
 class LargeFrame:
-    """A plane frame of geometrically exact beams, stress-free as it is given.
+    """A plane frame of geometrically exact beams; the given shape is free of stress.
 
     Parameters
     ----------

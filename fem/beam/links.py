@@ -92,7 +92,7 @@ def divide(points: Array, elements: Indices, links: Sequence[Link]) -> Divided:
 
 
 def _at_end(place: Place, elements: Indices) -> Place:
-    """A place as a node where it is one."""
+    """A place as a node if it is one."""
     if not isinstance(place, tuple):
         return place
     e, share = place

@@ -27,7 +27,7 @@ LEAST = 0.2  # of the thickness: lines nearer than that turn by no more
 
 @dataclass(frozen=True)
 class Past:
-    """Every slot's partner at the last accepted state: -1 where there was none."""
+    """Partner of every slot at the last accepted state: -1 without a partner."""
 
     x: Array
     member: Indices

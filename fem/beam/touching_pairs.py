@@ -60,7 +60,7 @@ class Pairs:
         self.touching, self.reach = touching, REACH * touching
 
     def accept(self, x: Array) -> None:
-        """From now on sides are those of the state `x`."""
+        """Take the sides of the surfaces from the state `x`."""
         self.last = None
         self.accepted = x[:, :2].copy()
         self._look_round(self.accepted)

@@ -28,7 +28,7 @@ Forces = Mapping[str, tuple[float, ...]]
 
 @dataclass(frozen=True)
 class Action:
-    """`share` times the response stored under `key`, or calculated where there is none."""
+    """`share` times the response stored under `key`, which is calculated if it is not stored."""
 
     share: float
     key: Hashable

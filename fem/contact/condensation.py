@@ -33,7 +33,7 @@ class Condensed:
         return self.S @ at_rest + self.springs * at_rest
 
     def inside(self, f: Array, on_surface: Array, surface: Array) -> Array:
-        """All unknowns under `f` (unknowns,) where those of the `surface` (s,) are known.
+        """All unknowns under `f` (unknowns,), from the known ones of the `surface` (s,).
 
         `on_surface` (s,) is what `load` makes of `f`.
         """

@@ -77,7 +77,7 @@ class System:
 
     @cached_property
     def reach(self) -> Array:
-        """Sums (k,) of the movements of rows with unit motions; 1 where none moves."""
+        """Sums (k,) of the movements of rows under unit motions; 1 if none moves."""
         reach = np.abs(self.D).sum(axis=0)
         return np.where(reach > 0, reach, 1.0)
 

@@ -37,7 +37,7 @@ class DrivenSector:
 
     @cached_property
     def fine(self) -> LockedSector:
-        """The sector on a mesh for the N of a coarse one; the coarse one where that locks."""
+        """The sector on a mesh for the N of a coarse one; the coarse one if the fine one locks."""
         N = self.force_on(self.coarse, self.p)
         return self.mesh(True, self.p, self.push(N)) if isfinite(N) else self.coarse
 

@@ -20,7 +20,7 @@ ROUND_OFF = 1e-9  # of the mesh's extent: overlaps that are round-off
 
 
 class Surfaces:
-    """The two traces of every pair in the mesh; no master trace where that is an obstacle."""
+    """The two traces of every pair in the mesh; no master trace for an obstacle."""
 
     def __init__(self, bodies: Bodies, pairs: Sequence[Pair]) -> None:
         self.pairs = tuple(pairs)

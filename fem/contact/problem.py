@@ -49,7 +49,7 @@ GAP_TOLERANCE = 1e-13  # of the mesh's extent: less is round-off of the places o
 
 
 class ContactProblem:
-    """Bodies, supports and contact pairs, factorised once; `solve` takes loads, step by step."""
+    """Bodies, supports and contact pairs, factorised once; `solve` applies loads stepwise."""
 
     def __init__(
         self,
@@ -139,7 +139,7 @@ class ContactProblem:
         after: ContactSolution | None = None,
         steps: int = 1,
     ) -> ContactSolution:
-        """The equilibrium under these loads, which replace those of the step `after`.
+        """The equilibrium under these loads, which replace the loads of the step `after`.
 
         Parameters
         ----------

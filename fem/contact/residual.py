@@ -36,7 +36,7 @@ class Residual:
 
     @property
     def largest(self) -> float:
-        """The largest of the four; infinite where one is not a number."""
+        """The largest of the four; infinite if one is not a number."""
         return max(self.laws, self.balance) if np.isfinite(self.balance) else np.inf
 
 

@@ -261,7 +261,7 @@ class ContactSolution:
 
 
 def in_plane(bodies: Bodies, u: Array, f: Array) -> PlaneSolution:
-    """The bodies under displacements `u` (all,) and forces `f` (all,), those of contact included.
+    """The bodies under displacements `u` (all,) and forces `f` (all,), contact forces included.
 
     Reactions are those of the supports alone.
     """

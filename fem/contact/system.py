@@ -150,7 +150,7 @@ class ContactSystem:
         return np.zeros_like(e) if balanced else missed
 
     def unfelt(self, e: Array) -> Array:
-        """Part of the loads `e` (k,) on neutral motions; zero where it is small."""
+        """Part of the loads `e` (k,) on neutral motions; zero if it is small."""
         _, neutral = self.motions
         found = neutral @ (neutral.T @ e)
         return found if np.linalg.norm(found) > OFFSET * np.linalg.norm(e) else np.zeros_like(e)

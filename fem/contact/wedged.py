@@ -33,7 +33,7 @@ class Geometry(NamedTuple):
 
     @property
     def normal(self) -> Array:
-        """Out of the roller where it touches."""
+        """Unit normal out of the roller at the contact."""
         return np.array([math.sin(self.half), math.cos(self.half)])
 
     @property

@@ -214,7 +214,7 @@ def _unit_loads(
 
 
 def _softness(solid: FourierSolid, cells: Sequence[Indices]) -> float:
-    """(1 - nu^2)/E of the solid behind the surface; ValueError where it is not one material's."""
+    """(1 - nu^2)/E of the solid behind the surface; ValueError if it has several materials."""
     behind = solid.mesh.f2t[0, np.concatenate(cells)]
     lam, mu = solid.cells.lam[behind], solid.cells.mu[behind]
     softness = (lam + 2 * mu) / (4 * mu * (lam + mu))

@@ -84,7 +84,7 @@ def patch_contact(
     load: float,
     crown: Callable[[Array], Array] | None = None,
 ) -> PatchContact:
-    """The contact of `bodies` under `load` [force], that of the length modelled.
+    """The contact of `bodies` under `load` [force] on the modelled length.
 
     Their undeformed gap is that of their circles, R - R cos(s/R) for a rim and less that for a
     bore, plus `crown` (z). ValueError where stations or places of the bodies differ, or where

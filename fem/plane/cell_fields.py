@@ -9,7 +9,7 @@ from fem.plane.geometry import Array, Indices
 
 
 def cut_out(cells: Mapping[str, Array], inside: Callable[[Array], Array]) -> dict[str, Any]:
-    """Points, cells and data of the cells of which `inside` is true by their centres (m, 2)."""
+    """Points, cells and data of the cells whose centres (m, 2) are `inside`."""
     corners = cells["cells"].astype(np.int64)
     kept = np.flatnonzero(inside(cells["points"][corners].mean(axis=1)))
     used, corners = np.unique(corners[kept], return_inverse=True)

@@ -115,7 +115,7 @@ class PlaneSolution:
         return dict(zip(means[boundary].held, force[first:].tolist(), strict=False))
 
     def displacement_at(self, point: tuple[float, float]) -> tuple[float, float]:
-        """Displacement (x, y) of the node at `point`; ValueError where there is none."""
+        """Displacement (x, y) of the node at `point`; ValueError if there is no node."""
         x, y = self.u[nearest_node(self.basis, point)]
         return float(x), float(y)
 

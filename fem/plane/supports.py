@@ -143,7 +143,7 @@ def collect(
 
 
 def nearest_node(basis: Basis, point: tuple[float, float]) -> Indices:
-    """The two unknowns of the node at `point`; ValueError where none or several lie there."""
+    """The two unknowns of the node at `point`; ValueError for no node or several nodes."""
     dofs = node_dofs(basis)
     distance = np.hypot(*(basis.doflocs[:, dofs[0]] - np.reshape(point, (2, 1))))
     nearest = int(np.argmin(distance))

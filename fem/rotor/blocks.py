@@ -140,5 +140,5 @@ def _turned(A: Array) -> Complex:
 
 
 def _plain(A: Complex) -> NDArray[np.inexact]:
-    """Real where it is, which halves the work."""
+    """The real part if the imaginary part is zero, which halves the work."""
     return A.real.copy() if abs(A.imag).max(initial=0) <= NONE * abs(A).max(initial=0) else A

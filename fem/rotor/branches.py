@@ -53,7 +53,7 @@ def parts(rotor: Rotor, speed: float, plane: str) -> list[Block]:
 
 
 def branches(rotor: Rotor, speeds: Array, count: int, plane: str) -> list[Branches]:
-    """Branches of every block of `rotor`, at least `count` of each where it has as many."""
+    """Branches of every block of `rotor`, at least `count` of each if it has as many."""
     unknowns = rotor.system.M.shape[0]
     if not rotor.system.varying:
         return [_followed(b, speeds, count, unknowns) for b in parts(rotor, 0.0, plane)]
@@ -105,7 +105,7 @@ def _lowest(found: Spectrum, block: Block, count: int, unknowns: int) -> list[Ch
 
 
 def _tracked(chosen: list[Chosen], sense: int) -> Branches:
-    """The branches of the first speed, followed onwards; NaN where one no longer oscillates."""
+    """The branches of the first speed, tracked over speed; NaN once one no longer oscillates."""
     values, shapes, states = chosen[0]
     rows = [(values, shapes)]
     for own, shape, state in chosen[1:]:

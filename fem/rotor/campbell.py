@@ -65,7 +65,7 @@ def campbell(rotor: Rotor, speeds: ArrayLike, count: int = 6, plane: str = "bend
 
 
 def _root(x: Array, y: Array, between: Array) -> float:
-    """Root of the parabola through (x, y) in `between`, of the secant where there is none."""
+    """Root in `between` of the parabola through (x, y), or of the secant without such a root."""
     left, right = between
     roots = np.roots(np.polyfit(x, y, x.size - 1))
     inside = [r.real for r in roots if abs(r.imag) == 0 and left <= r.real <= right]

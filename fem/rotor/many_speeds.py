@@ -90,7 +90,7 @@ class Diagonal:
 
 
 def _ratio(speeds: Array, omega: Array) -> float | None:
-    """Omega / speeds where it is one number for all, and not zero."""
+    """Omega / speeds if this ratio is one number for all, and not zero."""
     fastest = int(np.argmax(abs(speeds)))
     if not speeds[fastest] or not omega[fastest]:
         return None

@@ -26,7 +26,7 @@ def spread_ratios(low: float, high: float, apart: float, count: int) -> Array:
 
 
 def peaks(near: Array) -> Array:
-    """Highest local maxima (...,) of `near` (..., speeds), NaN where none is.
+    """Highest local maxima (...,) of `near` (..., speeds), NaN without a maximum.
 
     What is highest at an end is the flank of another peak.
 

@@ -129,7 +129,7 @@ def _null_vectors(block: Block, speed: float, values: Complex) -> Complex:
 
 
 def _gyroscopic(block: Block) -> NDArray[np.inexact]:
-    """G = -i H, real where it is."""
+    """G = -i H, real if possible."""
     G = -1j * block.H
     return G if G.imag.any() else G.real
 

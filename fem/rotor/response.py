@@ -22,7 +22,7 @@ MANY = 250
 
 @dataclass(frozen=True)
 class Orbit:
-    """An ellipse: half axes [m], the small one negative where it is run backwards.
+    """An ellipse: half axes [m]; the small one is negative for backward motion.
 
     `inclination` [rad] is that of the large axis against x.
     """

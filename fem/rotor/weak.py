@@ -63,7 +63,7 @@ class WeakShaft:
     basis: Basis
 
     def deflection_at(self, z: float) -> int:
-        """The unknown that is r at the mesh's node `z`; ValueError where it has none."""
+        """The unknown of the deflection r at the mesh's node `z`; ValueError without one."""
         nodes = np.flatnonzero(np.isclose(self.basis.mesh.p[0], z, rtol=0, atol=1e-12))
         if nodes.size != 1:
             raise ValueError(f"the mesh has no node at z={z:g} m")

@@ -138,9 +138,9 @@ def _along_tangents(s: Array, e12: Array) -> Array:
 
 
 def _keep_mean(B: Array, area: Array, s: Array, lost: Array) -> None:
-    """Give the membrane strains back the cell's mean of what tying took from ε_12.
+    """Add to the membrane strains the cell mean of the part of ε_12 that tying removed.
 
-    None in parallelograms; other flat cells would not pass the patch test without it.
+    This mean is zero in parallelograms; other flat cells pass the patch test only with it.
     """
     mean = np.einsum("mq,mqsu->msu", area, _along_tangents(s, lost), optimize=True)
     B[:, :, MEMBRANE] += (mean / area.sum(axis=1)[:, None, None])[:, None]

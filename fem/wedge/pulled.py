@@ -55,13 +55,13 @@ class Borne:
 
     @classmethod
     def by(cls, state: State) -> Self:
-        """Along the flat as it is turned, and the ray through the roller, as in the formulas."""
+        """Forces along the rotated flat and the ray through the roller, as in the formulas."""
         N, F_t = np.array([state.on_flat, state.on_race]).T
         return cls(N, F_t, F_z=np.array([touch.force_z for touch in state.solution.touches]))
 
     @classmethod
     def on_mesh(cls, state: State) -> Self:
-        """By the normals of the mesh, on which Coulomb's law acts and moments balance."""
+        """Forces by the normals of the mesh, for which Coulomb's law and moment balances hold."""
         cam, ring = state.solution.touches
         return cls(
             N=np.array([cam.normal_force, ring.normal_force]),

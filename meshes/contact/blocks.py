@@ -161,7 +161,7 @@ class _Drawing:
         self.drawn.append((block.body, *loop))
 
     def curve(self, edge: Edge) -> tuple[int, Point]:
-        """The curve of `edge` and where it starts, drawn at its first use."""
+        """The curve of `edge` and its start, drawn at its first use."""
         ends = frozenset((edge.start, edge.end))
         if ends not in self.curves:
             geo = gmsh.model.geo

@@ -42,7 +42,7 @@ def check_place(at: Placed, R_i: float, R_e: float) -> None:
 
 
 def check_beside(at: Placed, pitch: float) -> None:
-    """ValueError unless the sprag, turned by the `pitch` [rad], lies beside itself."""
+    """ValueError unless neighbouring sprags, at the `pitch` [rad], do not overlap."""
     sprag, share = at.sprag, np.linspace(0, 1, ALONG)
     flanks = []
     for theta, phi in zip(sprag.below, sprag.above, strict=True):

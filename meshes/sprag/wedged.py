@@ -1,4 +1,4 @@
-"""A sprag between its races by vectors: its spiral, where it lies, and one pitch as it is drawn.
+"""A sprag between its races by vectors: its spiral, its position, and one pitch as drawn.
 
 Seen along the axis, O below and the sprag above it; angles count clockwise from the line through O
 and the pole. The sprag turns clockwise into the wedge.
@@ -164,7 +164,7 @@ class Place:
 
     @property
     def core(self) -> tuple[float, float]:
-        """The point of the column's middle beside the pole."""
+        """The point of the column's axis next to the pole."""
         at = self.drawn
         low, high = np.array(at.sprag.middle)
         along = (high - low) / np.hypot(*(high - low))

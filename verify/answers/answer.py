@@ -31,7 +31,7 @@ class Quantity:
 
 @dataclass(frozen=True, kw_only=True)
 class Criterion:
-    """A value [SI] beside its limit [SI]; `minimum` where the value must not be below it.
+    """A value [SI] and its limit [SI]; with `minimum`, the value must not be below the limit.
 
     `source` says where the limit comes from; `assumed` that the user did not give it; `doubt` why
     a value within the limit does not decide.
@@ -63,7 +63,7 @@ class Criterion:
 
 @dataclass(frozen=True, kw_only=True)
 class Answer:
-    """The criteria of a part, what makes it fail beside them, and what is unknown about it.
+    """The criteria of a part, other causes of failure, and what is unknown.
 
     `remarks` state what the criteria leave out.
     """
@@ -83,7 +83,7 @@ class Answer:
 
     @property
     def limiting(self) -> Criterion | None:
-        """The criterion with the smallest margin, of those that decide where there is one."""
+        """The criterion with the smallest margin; doubtful ones count only if all are."""
         deciding = [c for c in self.criteria if not c.doubt] or self.criteria
         return min(deciding, key=lambda c: c.margin, default=None)
 

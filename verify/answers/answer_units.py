@@ -89,7 +89,7 @@ def _value(one: FormulaValue, system: System) -> FormulaValue:
 
 
 def _input(one: InputValue, system: System) -> InputValue:
-    """An input; that of a table is a sentence."""
+    """An input; a table of inputs is a sentence."""
     if one.value == "":
         return replace(one, what=text_in(one.what, system))
     return _number(one, system)

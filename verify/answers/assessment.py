@@ -59,7 +59,7 @@ class Assessment:
     def stress(
         self, key: str, what: str, value: float, strength: Strength, option: str = "give R_p"
     ) -> None:
-        """A stress [Pa], by magnitude, beside the strength of the part."""
+        """Criterion for a stress [Pa], by magnitude, against the strength of the part."""
         if strength.value is None:
             self.unknowns.append(f"{what} {abs(value) / 1e6:.4g} MPa: {strength.source}; {option}")
             return

@@ -22,7 +22,7 @@ def headline(name: str, answer: Answer, notes: Sequence[str], system: System = "
 
 
 def limits(answer: Answer, system: System = "mm") -> list[tuple[str, ...]]:
-    """Every criterion as cells: state, what, value, limit, margin, source."""
+    """Every criterion as cells: state, quantity, value, limit, margin, source."""
     found = [
         (_state(c), c.what, number(c.value, c.unit, system),
          f"{'≥' if c.minimum else '≤'} {number(c.limit, c.unit, system)}", f"margin {margin(c)}",
@@ -39,7 +39,7 @@ def _state(criterion: Criterion) -> str:
 
 
 def number(value: float, unit: str, system: System = "mm") -> str:
-    """A value [SI] in its unit, or that of a system, with four digits."""
+    """A value [SI] in its display unit or that of a unit system, with four digits."""
     unit = unit_in(unit, system)
     size = value / units.factor(unit)
     text = f"{size:.0f}" if WHOLE[0] <= abs(size) < WHOLE[1] else f"{size:.4g}"

@@ -91,7 +91,7 @@ def _permissible(q: Any) -> Quantity | None:
 
 
 def _flat_pressure(q: Any, N: float, factor: float, part: Assessment) -> None:
-    """Hertz's pressure of a roller on its flat, the larger one, times that of a tilted roller."""
+    """Criterion for Hertz's pressure on the flat, the larger one, times the tilt's `factor`."""
     E_star = q.E / (2 * (1 - q.nu**2))
     p = float(hertz_line.peak_pressure(P=N / q.L, R=q.r, E_star=E_star))
     part.pressure("contact_pressure", "largest contact pressure", factor * p, q.E)

@@ -43,7 +43,7 @@ class ParameterFile:
 
 
 def read(path: Path) -> ParameterFile:
-    """The parameter file at `path`; InputError says in one line what is wrong."""
+    """The parameter file at `path`; InputError states the fault in one line."""
     case_id, name, raw = read_parameter_file(path)
     case = _case(case_id, path)
     try:

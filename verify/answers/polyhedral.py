@@ -44,7 +44,7 @@ def wedge(q: Any, v: Values, part: Assessment) -> None:
 
 
 def clutch(q: Any, v: Values, part: Assessment) -> None:
-    """Torque beside the target torque, stress in the fillets, pressure on the rollers."""
+    """Torque against the target torque, stress in the fillets, pressure on the rollers."""
     if q.alpha is not None and math.tan(q.alpha / 2) >= q.mu:
         part.failures.append(EXPELLED)
     elif q.p_t <= v["p_1r"]:

@@ -25,7 +25,7 @@ def link(q: Any, _: Values, part: Assessment) -> None:
 
 
 def shaft(q: Any, v: Values, part: Assessment) -> None:
-    """Speed of the shaft beside its critical speeds, Timoshenko's beam."""
+    """Speed of the shaft against its critical speeds, by Timoshenko's beam."""
     higher = [v[f"whirl_{k}_forward"] for k in range(2, MODES + 1)]
     _separated(q.n, [v["critical"], *higher], part)
 
@@ -63,14 +63,14 @@ def system(q: Any, _: Values, part: Assessment) -> None:
 
 
 def sprag_rotor(q: Any, v: Values, part: Assessment) -> None:
-    """Speed of the test rig beside the forward critical speeds of the central system."""
+    """Speed of the test rig against the forward critical speeds of the central system."""
     orders = [v[f"critical_forward_{k}"] for k in (1, 3, 5)]
     _separated(q.rig_speed, orders, part)
     part.unknowns.append("the dimensions are fitted to three critical speeds, not measured")
 
 
 def _separated(speed: float, critical: Sequence[float], part: Assessment) -> None:
-    """A speed [rad/s] beside the nearest of the critical speeds [rad/s], rising."""
+    """A speed [rad/s] against the nearest of the rising critical speeds [rad/s]."""
     if not critical:
         part.unknowns.append("no critical speed was found")
         return
@@ -85,7 +85,7 @@ def _separated(speed: float, critical: Sequence[float], part: Assessment) -> Non
 
 def _distance(low: float, high: float, margin: float, critical: float, part: Assessment,
               *, assumed: bool) -> None:  # fmt: skip
-    """A critical speed [rad/s] beside the range of speeds [rad/s], widened by the margin."""
+    """A critical speed [rad/s] against the range of speeds [rad/s], widened by the margin."""
     share = f"separation margin of {margin:.0%}"
     if critical < low:
         part.at_most("separation", "critical speed below the operating speed", critical,

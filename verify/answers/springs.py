@@ -74,7 +74,7 @@ def compared(_q: Any, _v: Values, part: Assessment) -> None:
 
 
 def buckling(q: Any, v: Values, part: Assessment) -> None:
-    """Working force of a free head beside the critical force."""
+    """Working force of a free head against the critical force."""
     if q.F is None:
         part.unknowns.append("no working force F is given: it is not compared with F_cr")
         return

@@ -59,7 +59,7 @@ def hand_over(text: str, out: Path | None) -> None:
 
 
 def template(case: Case, folder: Path = Path()) -> str:
-    """A parameter file of the paper's numbers; `folder` is where it will be.
+    """A parameter file with the paper's numbers; `folder` is the folder of the file.
 
     For a case with assumptions the required lines come first and the others follow a #; together
     they give the paper's inputs. For another case the file itself gives them.

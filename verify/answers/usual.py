@@ -11,7 +11,7 @@ from verify.core.inputs import Inputs, is_table, meta
 
 @dataclass(frozen=True)
 class Usual:
-    """A usual range [SI] and what it is the range of."""
+    """A usual range [SI] and the quantity to which it applies."""
 
     low: float
     high: float

@@ -1,1 +1,1 @@
-"""The command line, and what it prints and draws."""
+"""The command line, its output and its figures."""

@@ -134,7 +134,7 @@ class _Assessed:
 
 
 def _assessed(file: ParameterFile, where: str) -> _Assessed:
-    """Criteria, dependence on assumed inputs, shared readings; InputError where one overflows."""
+    """Criteria, dependence on assumed inputs, shared readings; InputError if one overflows."""
     case, inputs, values = file.case, file.inputs, file.values
     try:
         with np.errstate(over="raise", divide="raise", invalid="raise"):

@@ -24,7 +24,7 @@ NOTABLE = 0.01  # relative error that formula and reference share
 
 @dataclass(frozen=True, kw_only=True)
 class Checked:
-    """A checked part: the answer and what it rests on; `notes` stand below the margin."""
+    """A checked part: the answer and its evidence; `notes` are printed below the margin."""
 
     case: Case
     result: CaseResult
@@ -43,7 +43,7 @@ def is_notable(one: SharedReading) -> bool:
 
 
 def answer_lines(checked: Checked, system: System = "mm") -> list[str]:
-    """The first lines: verdict, design value, margin, what limits it, then notes."""
+    """The first lines: verdict, design value, margin, limiting criterion, then notes."""
     n = len(checked.result.warnings)
     warned = (f"{n} warning{'s' if n > 1 else ''}, listed below the limits",) if n else ()
     notes = (*warned, *(one.sentence for one in checked.shared if is_notable(one)), *checked.notes)

@@ -120,7 +120,7 @@ def run_verify(
 
 
 def _chosen(names: Sequence[str]) -> Sequence[Case]:
-    """The cases of these names, by default all; those of the suite are imported when needed."""
+    """The cases with these names, by default all; cases of the suite are imported when needed."""
     if all(name in CASES.ids for name in names):
         return CASES.only(names or CASES.ids)
     return [find(name) for name in dict.fromkeys(names)]
@@ -149,7 +149,7 @@ def _solved_for_report(
 
 
 def _read_records(cases: Sequence[Case]) -> None:
-    """Hash all code that stored results of studies hold for, which takes seconds the first time."""
+    """Hash all code on which stored results of studies depend; the first time takes seconds."""
     from verify.studies.budget.measuring import plan_of
     from verify.studies.budget.store import measured as budget
     from verify.studies.crosscheck.judged import reported
@@ -173,7 +173,7 @@ def _exit_status(report: Report) -> int:
 
 
 def _moved_verdicts(report: Report) -> list[str]:
-    """Formulas whose verdict is not that of record; none where only some cases were run."""
+    """Formulas whose verdict differs from the stored one; none if only some cases were run."""
     return moved(report.verdicts) if report.verdicts else []
 
 

@@ -1,4 +1,4 @@
-"""The command `doctor`: what this machine has and lacks for a run, one line each.
+"""The command `doctor`: what is available and what is missing on this machine, one line each.
 
 Everything that may crash is tried in a separate process; these run in parallel.
 """
@@ -50,7 +50,7 @@ class Finding:
 
 
 def run_doctor(*, as_json: bool) -> int:
-    """Print what is there; 0 where `verify` can run, if need be with fewer pictures, 2 if not."""
+    """Print all findings; 0 if `verify` can run, perhaps with fewer pictures, 2 if not."""
     found = list(findings())
     fatal = any(f.fatal for f in found)
     last = conclusion(found)
@@ -66,7 +66,7 @@ def run_doctor(*, as_json: bool) -> int:
 
 
 def conclusion(found: list[Finding]) -> str:
-    """All well, or what to do about it."""
+    """Statement that nothing is missing, or the action to take."""
     lost = [f for f in found if f.state == MISSING]
     if not lost:
         return "all well"

@@ -9,7 +9,7 @@ LIBRARIES = {"skfem": "scikit-fem", "sklearn": "scikit-learn", "PIL": "pillow"} 
 
 
 def extra_of(module: str) -> str:
-    """The extra whose requirements include a module's library; "" where none does.
+    """The extra whose requirements include a module's library; "" without one.
 
     >>> extra_of("skfem")
     'fem'
@@ -27,7 +27,7 @@ def extra_of(module: str) -> str:
 
 
 def missing_library(error: ImportError) -> str:
-    """One line for the user: what is not installed, and the command that installs it."""
+    """One line for the user: the missing library, and the command that installs it."""
     module = str(error.name or "").partition(".")[0]
     extra = extra_of(module)
     if not extra:

@@ -7,7 +7,7 @@ PIN = re.compile(r"^([A-Za-z0-9._-]+)==([^\s;]+)(?:\s*;\s*(.*?))?\s*\\?$", re.MU
 
 
 def installed(name: str) -> str:
-    """The version of a package; "" where it is not installed."""
+    """The version of a package; "" if it is not installed."""
     try:
         return version(name)
     except PackageNotFoundError:

@@ -39,7 +39,7 @@ def of_case(name: str) -> Iterator[str]:
 
 
 def of_module(name: str) -> Iterator[str]:
-    """Lines on the cases whose code a module is part of; InputError where it is no module."""
+    """Lines on the cases whose code includes a module; InputError if there is no such module."""
     module = _module(name)
     found = {side: [c.id for c in CASES if _is_part(module, c, side)] for side in SIDES}
     for side, cases in found.items():

@@ -1,4 +1,4 @@
-"""Parts of a report in the store, each by all that it follows from: made where there is none."""
+"""Parts of a report in the store, by all their dependencies; missing parts are made."""
 
 import hashlib
 import json
@@ -17,7 +17,7 @@ T = TypeVar("T")
 
 
 class Parts:
-    """The parts of one report: `keys` are those of its judged cases, by name.
+    """The parts of one report: `keys` are the keys of its judged cases, by name.
 
     A case without a key, or a report without a folder of a store, has every part made.
     """
@@ -53,7 +53,7 @@ class Parts:
         return self.by_group(name, module, {"all": cases}, lambda _: make())["all"]
 
     def _key(self, name: str, module: str, group: str, cases: Sequence[str]) -> str:
-        """The key of a part; "" where it cannot be stored."""
+        """The key of a part; "" if it cannot be stored."""
         if self._folder is None or any(case not in self.keys for case in cases):
             return ""
         made_of = [FORMAT, name, digest_of(module), group, *(self.keys[case] for case in cases)]

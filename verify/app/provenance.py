@@ -31,7 +31,7 @@ def provenance(root: Path, results: Sequence[CaseResult], seconds: float) -> dic
 
 
 def conditions(root: Path) -> dict[str, Any]:
-    """Commit, lock, Python, machine and versions: what a run takes from around it."""
+    """Commit, lock, Python, machine and versions: the environment of a run."""
     lock = root / "requirements.txt"
     return {
         "commit": _commit(root),

@@ -31,7 +31,7 @@ def make_report(
     results: Sequence[CaseResult], cases: Sequence[Case], seconds: float, name: str = "",
     parts: Parts = NOTHING,
 ) -> Report:  # fmt: skip
-    """A run with the ledgers and its provenance; `name` is that of a user's parameter file.
+    """A run with the ledgers and its provenance; `name` is the name of a user's parameter file.
 
     What `parts` has stored is not made again; a case is imported where something of it is made.
     """

@@ -37,7 +37,7 @@ def run_store(*, as_json: bool, clear: str | None) -> int:
 
 
 def _adopt(folder: Path) -> None:
-    """Move results of an earlier version; a store that takes none can still be listed."""
+    """Move results of an earlier version; a read-only store can still be listed."""
     try:
         if moved := adopt(folder):
             _say(f"{moved} results of an earlier version were moved into {Store(folder).path}")
@@ -50,7 +50,7 @@ def _say(message: str) -> None:
 
 
 def run_origin(case: str, code: str, *, other: bool) -> int:
-    """List what is stored of a case, or which cases a module is part of.
+    """List the stored results of a case, or the cases whose code includes a module.
 
     InputError with options that belong to the whole list (`other`).
     """

@@ -15,7 +15,7 @@ PROJECT = "freewheel-verification"
 
 
 def summary(report: Report, *, status: int, changes: Sequence[str] = ()) -> str:
-    """The run in Markdown; `changes` are lines on what is not as in the release or on record."""
+    """The run in Markdown; `changes` are lines on differences from the release or the record."""
     head = "passed" if status == 0 else "failed"
     rows, cases = len(report.rows), len(report.cases)
     parts = [

@@ -1,4 +1,4 @@
-"""Whether a report is still what a run would write: then the run need not be made."""
+"""Whether a report is still up to date: then the run is not repeated."""
 
 import hashlib
 import json
@@ -59,7 +59,7 @@ def found(out: Path, key: str) -> Reported | None:
 
 
 def keep(out: Path, key: str, levels: Sequence[str], reported: Reported) -> None:
-    """Note that the report in a folder is that of a key and of stored results."""
+    """Note the key and the stored results of the report in a folder."""
     stamp = {
         "key": key, "made": reported.made, "status": reported.status, "lines": reported.lines,
         "summary": reported.summary, "levels": list(levels), "files": _files(out),

@@ -1,4 +1,4 @@
-"""The rows of a check on the terminal: formula beside reference, then all that was found."""
+"""The rows of a check on the terminal: formula and reference, then the findings."""
 
 from collections.abc import Mapping, Sequence
 
@@ -37,7 +37,7 @@ def title(rows: Sequence[Row]) -> str:
 
 
 def shown_rows(rows: Sequence[Row]) -> list[Row]:
-    """All rows but convergence that passed beside the row that it is about."""
+    """All rows except passed convergence rows, which share the line of their comparison."""
     known = {row.quantity for row in rows}
     return [
         row for row in rows
@@ -56,7 +56,7 @@ def causes(rows: Sequence[Row]) -> Causes:
 
 
 def closing(rows: Sequence[Row]) -> list[str]:
-    """The closing sentences: how many pass, the largest difference, what is detected, the rest."""
+    """The closing sentences: number of passed rows, largest difference, detection limit, others."""
     found = [_counted([row for row in rows if not row.quantity.endswith(COMPANION)], "comparisons")]
     found += [
         _counted([row for row in rows if row.quantity.endswith(COMPANION)], "convergence rows")
@@ -126,5 +126,5 @@ def number(value: float | int | str | None) -> str:
 
 
 def unit_of(unit: str) -> str:
-    """A unit as it stands beside a number; empty for a plain one."""
+    """A unit as printed after a number; empty for a plain number."""
     return "" if unit == "1" else unit

@@ -36,13 +36,13 @@ class Database:
 
     @contextmanager
     def writing(self, patience: float | None = None) -> Iterator[sqlite3.Connection]:
-        """One transaction, all or nothing; OSError where it cannot be done within `patience` s."""
+        """One transaction, all or nothing; OSError if it is not possible within `patience` s."""
         with self._named_errors("stored"), _closed(self._prepared(patience)) as database, database:
             yield database
 
     @contextmanager
     def reading(self) -> Iterator[sqlite3.Connection]:
-        """A connection to read by, also on a full disk and in a folder that takes no files."""
+        """A connection for reading, also on a full disk and in a read-only folder."""
         with self._named_errors("read"), _closed(self._readable()) as database:
             yield database
 
@@ -76,7 +76,7 @@ class Database:
             return database
 
     def _unwritten(self) -> sqlite3.Connection | None:
-        """A connection that writes nothing, not even files for locks; None where there is none."""
+        """A connection that writes nothing, not even lock files; None if that is impossible."""
         log = self.path.with_name(f"{self.path.name}-wal")
         # without a lock another process could change the file: only where it has nothing to add
         is_whole = not log.exists() or log.stat().st_size == 0

@@ -1,4 +1,4 @@
-"""Difference of formula and reference, and what is allowed, as a user reads them.
+"""Difference of formula and reference, and the allowed difference, in display format.
 
 One convention: (formula - reference)/reference, so that a positive difference is a formula of the
 larger magnitude also where both are negative, and the difference lies in the same interval as the
@@ -46,7 +46,7 @@ def sense(row: Row) -> float:
 
 
 def difference(row: Row) -> Difference | None:
-    """The difference of a row; None of a fact, or where there is no number to compare."""
+    """The difference of a row; None for a statement, or if no number can be compared."""
     found, whole = offset(row), divisor(row)
     if row.kind is Kind.FACT or found is None or whole is None or not math.isfinite(found / whole):
         return None
@@ -58,7 +58,7 @@ def difference(row: Row) -> Difference | None:
 
 
 def difference_texts(row: Row) -> tuple[str, str]:
-    """Difference and what is allowed, such as "+0.0041 %" and "±0.0093 %"; empty for none.
+    """Difference and allowed difference, such as "+0.0041 %" and "±0.0093 %"; empty for none.
 
     Both have as many digits as it takes to see on which side of an end the difference lies.
     """
@@ -82,7 +82,7 @@ def percent(fraction: float, *, signed: bool = False) -> str:
 
 
 def significant(value: float, digits: int, *, signed: bool = False) -> str:
-    """A number with so many significant digits, 1.2e-8 where its decimals would not be read."""
+    """A number with the given significant digits, as 1.2e-8 if it has too many decimals."""
     sign = "+" if signed else ""
     if value == 0:
         return "0"
@@ -100,7 +100,7 @@ def largest(rows: list[Row]) -> Row | None:
 
 
 def size(row: Row) -> float:
-    """The magnitude of the row's difference as a fraction; zero where it has none."""
+    """The magnitude of the row's difference as a fraction; zero without one."""
     found = difference(row)
     return 0.0 if found is None else abs(found.value)
 
@@ -115,13 +115,13 @@ def offset(row: Row) -> float | None:
 
 
 def _scale_name(row: Row) -> str:
-    """The name of the row's scale, empty where that is the compared value itself."""
+    """The name of the row's scale, empty if the scale is the compared value itself."""
     itself = row.analytic is not None and row.scale == abs(row.analytic)
     return "" if itself and row.kind in COMPARED and row.reference else row.scale_name
 
 
 def _allowed(row: Row, U: float | None) -> tuple[float, float] | None:
-    """The expected interval of an approximation, or ± the tolerance of what is judged."""
+    """The expected interval of an approximation, or ± the tolerance of a judged row."""
     if row.kind is Kind.APPROXIMATION or row.status in UNJUDGED:
         return row.interval
     return None if U is None else (-U, U)

@@ -65,7 +65,7 @@ def loads(library: str) -> bool:
 
 
 def missing_libraries(need: str = "") -> tuple[str, ...]:
-    """Libraries that are not there, all or those of one `need`; none are asked for off Linux."""
+    """Missing libraries, all or those of one `need`; empty on other systems than Linux."""
     if sys.platform != "linux":
         return ()
     return tuple(library for library, _, of in LIBRARIES if need in ("", of) and not loads(library))
@@ -78,7 +78,7 @@ def install_line(libraries: Collection[str]) -> str:
 
 
 def probe(script: str, seconds: float) -> str:
-    """Run Python code in a separate process: "" where it succeeds, else the error in one line."""
+    """Run Python code in a separate process: "" if it succeeds, else the error in one line."""
     try:
         done = subprocess.run(  # noqa: S603 - this interpreter and the project's script
             [sys.executable, "-c", script],

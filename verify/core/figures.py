@@ -1,4 +1,4 @@
-"""Value types of what a case shows: fields, pictures, plots, sketches, tables. Plain data."""
+"""Data types of figures: fields, pictures, plots, sketches, tables. Plain data."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -250,7 +250,7 @@ class Density:
 
 @dataclass(frozen=True, kw_only=True)
 class Bars:
-    """Contributions as bars from zero, one below the other: name, value, and words beside it."""
+    """Contributions as bars from zero, one below the other: name, value, and text."""
 
     title: str
     label: str

@@ -11,7 +11,7 @@ PREFIX = ".part-"
 
 
 def write_whole(path: Path, write: Callable[[IO[bytes]], object]) -> None:
-    """Have `write` fill a file that then takes the place of `path`; OSError where it can't."""
+    """Let `write` fill a file that then replaces `path`; OSError if that fails."""
     path.parent.mkdir(parents=True, exist_ok=True)
     with _temporary(path.parent) as (file, temporary):
         write(file)

@@ -86,7 +86,7 @@ class Inputs(BaseModel):
 
 
 def _entry(table: str, number: int, entry: Inputs) -> InputValue:
-    """One entry of a table as a line: what differs from what is meant by leaving it out."""
+    """One entry of a table as a line: the values that differ from the defaults."""
     told = [
         f"{name} {value if isinstance(value, str) else _with_unit(value, meta(field)['unit'])}"
         for name, field in type(entry).model_fields.items()
@@ -180,7 +180,7 @@ def bounds_of(field: FieldInfo) -> list[tuple[str, float]]:
 
 
 def read_parameter_file(path: Path) -> tuple[str, str, Mapping[str, Any]]:
-    """Case id, name and raw inputs of a parameter file; InputError where it can't be read."""
+    """Case id, name and raw inputs of a parameter file; InputError if it cannot be read."""
     try:
         if path.is_dir():
             raise InputError(f"{path}: is a directory, expected a TOML file")
@@ -292,7 +292,7 @@ def _entries(model: type[Inputs], raw: Any, where: str, place: str) -> tuple[Inp
 
 
 def _value(field: FieldInfo, raw: Any, where: str) -> Any:
-    """One raw TOML value as what the model expects."""
+    """One raw TOML value in the type of the model."""
     unit, kind = meta(field)["unit"], kind_of(field)
     if kind is float and isinstance(raw, str):
         try:

@@ -26,7 +26,7 @@ class Imported:
 
 
 def file_of(module: str) -> Path:
-    """The file of a module, imported or not; of a package its stub where it has one."""
+    """The file of a module, imported or not; for a package its stub if it has one."""
     file = getattr(sys.modules.get(module), "__file__", None)
     if file is None:
         spec = find_spec(module)
@@ -78,7 +78,7 @@ def names(module: str) -> frozenset[str]:
 
 @cache
 def attributes(module: str, owner: str) -> frozenset[str]:
-    """The attributes that a module reads off objects called `owner`, off any where it is empty."""
+    """The attributes that a module reads from objects called `owner`, from any if it is empty."""
     read = [n for n in nodes(module) if isinstance(n, ast.Attribute)]
     return frozenset(n.attr for n in read if not owner or last_name(n.value) == owner)
 

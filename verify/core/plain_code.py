@@ -79,7 +79,7 @@ def _assert(_node: Any, _bound: Bound) -> dict[str, object]:
 
 
 def _call(node: Any, bound: Bound) -> dict[str, object]:
-    """A declaration without its words; any other call as it is."""
+    """A declaration without its texts; any other call unchanged."""
     called = node.func.id if isinstance(node.func, ast.Name) else ""
     name = bound.get(called, called).rpartition(".")[2]
     if name == DECLARATION:

@@ -15,7 +15,7 @@ MOST_NAMES = 2
 
 @dataclass(frozen=True)
 class State:
-    """Levels, or what else is done, of all, what is being solved, and the seconds still needed."""
+    """Number of done levels or other tasks, of all, the running task, and the remaining seconds."""
 
     done: int
     total: int
@@ -76,7 +76,7 @@ def duration(seconds: float) -> str:
 
 @contextmanager
 def told_if_slow(message: str, *, quiet: bool, after: float = FIRST) -> Iterator[None]:
-    """Print `message` on stderr where the body takes more than `after` seconds, and how many."""
+    """Print `message` on stderr if the body takes more than `after` seconds, and the duration."""
     start = time.monotonic()
     timer = threading.Timer(after, lambda: print(message, file=sys.stderr, flush=True))
     timer.daemon = True

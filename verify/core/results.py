@@ -46,7 +46,7 @@ class Status(StrEnum):
 
 @dataclass(frozen=True, kw_only=True)
 class Published:
-    """A printed value beside a row, in the row's unit."""
+    """A published value beside a row, in the row's unit."""
 
     document: str
     id: str
@@ -152,7 +152,7 @@ class Row:
 
 @dataclass(frozen=True, kw_only=True)
 class CaseResult:
-    """Everything that one case produced; `name` is that of the user's parameters, if any.
+    """All results of one case; `name` is the name of the user's parameters, if any.
 
     `refused` says why finite elements do not take these inputs, where they were not asked to.
     `findings` say in words what follows from the formulas, the verdict first.
@@ -408,7 +408,7 @@ class CrossState(StrEnum):
 
 @dataclass(frozen=True, kw_only=True)
 class Crosscheck:
-    """A number of the project beside that of a second solver on the same mesh and loads.
+    """A number of the project and that of a second solver on the same mesh and loads.
 
     `ours`, `theirs` are in `unit`, `difference` (theirs over ours less one) and `allowed` relative;
     `why` says what makes a difference, or why nothing was measured or no solver takes it. `row` is
@@ -476,7 +476,7 @@ class Drift:
 
 @dataclass(frozen=True, kw_only=True)
 class ReadingsTried:
-    """A printed number that is not met as its formula is first read, and what else it may mean.
+    """A printed number that the first reading of its formula does not give, and other readings.
 
     `readings` is the best of `hits` combinations that reproduce it, empty where none does, with its
     `value`; `chance` is how many of as few changes would do so by accident. With `missing` nothing
@@ -587,7 +587,7 @@ class MutantGroup:
 
 @dataclass(frozen=True, kw_only=True)
 class Survivor:
-    """A mutant that nothing noticed, and why nobody can, where that was argued."""
+    """A mutant that was not detected, and the reason why it cannot be, if there is one."""
 
     group: str
     where: str

@@ -234,7 +234,7 @@ def _imported_by(module: str, *, whole: bool) -> Iterator[str]:
 
 
 def _is_of_both(module: str) -> bool:
-    """Whether what a module imports of analytic counts for both sides."""
+    """Whether the code of analytic that a module imports counts for both sides."""
     return module.startswith("analytic.") or OF_BOTH.search(module) is not None
 
 
@@ -243,7 +243,7 @@ def _is_formula(name: str) -> bool:
 
 
 def include(folder: Path) -> None:
-    """Have modules of a folder outside the suite count, as those of the suite's cases do."""
+    """Include the modules of a folder outside the suite, like those of the suite's cases."""
     _outside.add(folder)
 
 
@@ -296,7 +296,7 @@ def _reached(start: set[str], *, whole: bool) -> set[str]:
 def _read(
     module: str, *, whole: bool = False, group: frozenset[str] = frozenset()
 ) -> tuple[str, tuple[str, ...]]:
-    """Hash of a module's code, and the modules that count among what it imports."""
+    """Hash of a module's code, and those of its imported modules that count."""
     bound = _bound(module, whole=whole, group=group)
     code = plain(syntax.tree(module), bound)
     return _digest("\n".join([code, *_exported(module, bound)])), tuple(

@@ -41,7 +41,7 @@ class Memory:
         return found
 
     def keep(self) -> None:
-        """Write what is new; a store that takes nothing costs only time."""
+        """Write new entries; if the store cannot be written, only time is lost."""
         if self._new:
             with suppress(OSError):
                 content = json.dumps(self._stored() | self._new).encode()
@@ -61,13 +61,13 @@ def use(folder: Path) -> None:
 
 
 def forget() -> None:
-    """End the memory of this process: what is hashed next is read from the files."""
+    """Clear the memory of this process: the next hashes are read from the files."""
     share()
     _used.clear()
 
 
 def share() -> None:
-    """Write what is new now, for processes that are started."""
+    """Write new entries now, for processes that start later."""
     for memory in _used:
         memory.keep()
 

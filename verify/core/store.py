@@ -81,7 +81,7 @@ class Store:
         return self._read(kind, [("AND subject = ?", [subject])])
 
     def one(self, kind: str, key: str) -> bytes | None:
-        """The content of one key; None where there is none or the file cannot be read."""
+        """The content of one key; None if there is none or the file cannot be read."""
         try:
             return self.load(kind, [key]).get(key)
         except OSError:
@@ -164,7 +164,7 @@ class Store:
 
 
 def _size(database: sqlite3.Connection) -> int:
-    """Bytes of the file's pages in use, which takes no time to tell."""
+    """Size in bytes of the pages in use."""
     pages, free, size = (
         int(database.execute(f"PRAGMA {name}").fetchone()[0])
         for name in ("page_count", "freelist_count", "page_size")
@@ -173,7 +173,7 @@ def _size(database: sqlite3.Connection) -> int:
 
 
 def _trim(database: sqlite3.Connection) -> None:
-    """Remove what was used least recently until contents are well below LARGEST."""
+    """Remove the least recently used entries until the contents are well below LARGEST."""
     database.execute(TRIM, ((1 - ROOM) * LARGEST,))
     database.execute(FORGET)
 

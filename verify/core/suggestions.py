@@ -1,4 +1,4 @@
-"""Names offered where one is unknown."""
+"""Suggested names for an unknown name."""
 
 from collections.abc import Iterable
 from difflib import get_close_matches

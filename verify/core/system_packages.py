@@ -110,7 +110,7 @@ def _update() -> str:
 
 
 def _run(words: Sequence[str]) -> tuple[int, str]:
-    """Exit status and output of a command that asks nothing; its end is waited for on Ctrl-C."""
+    """Exit status and output of a command that asks nothing; Ctrl-C waits for its end."""
     quiet = {**os.environ, "DEBIAN_FRONTEND": "noninteractive", "LC_ALL": "C"}
     with subprocess.Popen(  # noqa: S603 - the project's command
         words, env=quiet, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
@@ -136,7 +136,7 @@ def _without_venv() -> bool:
 
 
 def _install(libraries: Sequence[str], venv: str, machine: Machine) -> str:
-    """Install what is missing; "" where all is well."""
+    """Install missing packages; "" if all succeed."""
     packages = packages_for(libraries, venv)
     _say(f"installing with apt-get ({FORBIDDEN}=1 forbids it): {' '.join(packages)}")
     problem = apt_install(packages)
@@ -146,7 +146,7 @@ def _install(libraries: Sequence[str], venv: str, machine: Machine) -> str:
 
 
 def check(machine: Machine) -> str:
-    """Install what is missing or name it: "" where set-up can go on, else one line why not."""
+    """Install or name missing packages: "" if set-up can continue, else the reason in one line."""
     problem = python_problem(sys.version_info[:2])
     if problem:
         return problem

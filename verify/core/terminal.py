@@ -1,4 +1,4 @@
-"""Lines on a terminal: those longer than it is wide are wrapped, what is piped is not."""
+"""Lines on a terminal: lines longer than its width are wrapped, piped lines are not."""
 
 import re
 import shutil

@@ -94,7 +94,7 @@ class VerdictRange:
 
 @dataclass(frozen=True, kw_only=True)
 class FormulaVerdict:
-    """The verdict of one formula in one form, and what it rests on. Errors are relative.
+    """The verdict of one formula in one form, and its evidence. Errors are relative.
 
     `source` cites the paper, by its first author and year.
 

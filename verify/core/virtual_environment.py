@@ -111,7 +111,7 @@ def create(folder: Path) -> None:
 
 
 def run(words: list[str], log: Path, **environ: str) -> None:
-    """Run a command with its output in `log`; raise SetUpError with its reason where it fails.
+    """Run a command with its output in `log`; raise SetUpError with its reason if it fails.
 
     Ctrl-C kills it without a warning, so that pip does not delete what it has downloaded. It has
     the lock of `alone` too: where this process is killed alone, the next set-up waits for its end.
@@ -139,7 +139,7 @@ def reason(output: str, status: int) -> str:
 
 
 def install(folder: Path, lock: str, others: set[str]) -> None:
-    """Install what the lock names and neither `folder` nor `others` has, with progress."""
+    """Install the locked packages that neither `folder` nor `others` has, with progress."""
     install_downloaded(folder, lock)
     there = installed(site_packages(folder)) | others
     todo = [entry for name, entry in pins(lock).items() if name not in there]

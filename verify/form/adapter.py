@@ -140,7 +140,7 @@ class Reference(_Side):
 
 
 def _check_numbers(found: object, place: str) -> None:
-    """CaseError where a level is not what `solved` gives, or has a number that is none."""
+    """CaseError if a level is not of the type of `solved`, or has a number that is not finite."""
     if not isinstance(found, FemResult):
         raise CaseError(f"{place} returns {type(found).__name__}, not solved(...)")
     for key, value in found.values.items():

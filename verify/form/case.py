@@ -1,4 +1,4 @@
-"""A case: inputs, formulas, a reference that shares no code with them, and what is compared.
+"""A case: inputs, formulas, a reference that shares no code with them, and comparisons.
 
 A case is one class. Its fields are the inputs, its quantities the formulas of the source; an
 instance is the problem with numbers, so that `CurvedBar().sigma_i` is a stress in Pa.
@@ -40,10 +40,10 @@ def solved(
 
 
 class Drawing(Protocol):
-    """A figure or picture declared by kind, with what it shows; see `verify.form.figures`."""
+    """A figure or picture declared by kind, with its content; see `verify.form.figures`."""
 
     def drawn(self, context: Context) -> Sequence[Figure]:
-        """The figures, none where there is nothing to draw."""
+        """The figures, empty if there is nothing to draw."""
         ...
 
 
@@ -89,7 +89,7 @@ class Case(Inputs):
         return ()
 
     def figures(self) -> Iterable[Drawing]:
-        """Figures beside those of convergence, which every comparison with an order has."""
+        """Figures besides the convergence plots, which every comparison with an order has."""
         return ()
 
     def pictures(self) -> Iterable[Picture]:
@@ -97,7 +97,7 @@ class Case(Inputs):
         return ()
 
     def laws(self) -> Iterable[Equation]:
-        """Equations of the source that no quantity solves, such as those of motion."""
+        """Equations of the source that no quantity contains, such as equations of motion."""
         return ()
 
     def tables(self, context: Context) -> Iterable[Table]:  # noqa: ARG002
@@ -140,7 +140,7 @@ class Case(Inputs):
 
     @property
     def is_default(self) -> bool:
-        """Whether these are the default inputs, of which printed numbers speak."""
+        """Whether these are the default inputs, to which printed numbers refer."""
         return self == type(self)()
 
     def at(self, **changes: float) -> Self:
@@ -167,7 +167,7 @@ class Case(Inputs):
 
     @classmethod
     def quantities(cls) -> tuple[Quantity, ...]:
-        """In the order of the class, those of base classes first."""
+        """Quantities in the order of the class, those of base classes first."""
         found = {k: v for base in reversed(cls.__mro__) for k, v in vars(base).items()}
         declared = (
             d for one in found.values()

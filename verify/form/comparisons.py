@@ -23,7 +23,7 @@ Scale = Quantity | Mapping[str, Number]
 
 
 class Expected(NamedTuple):
-    """Signed error formula/reference - 1 that is expected, and where that comes from.
+    """Expected signed error formula/reference - 1, and its source.
 
     One that is too wide to judge by for these inputs is not `sharp`: the error is only displayed.
     """
@@ -35,7 +35,7 @@ class Expected(NamedTuple):
 
 
 class Computed(NamedTuple):
-    """An expected error that takes long to compute: `interval` is called where the row is judged.
+    """An expected error that takes long to compute: `interval` is called when the row is judged.
 
     It gives low and high, or None where the interval is too wide to judge by.
     """
@@ -123,7 +123,7 @@ class Comparison:
 
     @property
     def key(self) -> str:
-        """The key of the formula's value, empty where none is judged."""
+        """The key of the formula's value, empty if none is judged."""
         return key_of(self.quantity, self.state) if self.quantity else ""
 
     def evaluated(self) -> dict[str, float]:
@@ -247,7 +247,7 @@ def balance(
 def fact(
     name: str, symbol: str, margin: Callable[[Context], tuple[float, float]], *, solves: bool = True
 ) -> Comparison:
-    """A statement that holds where its margin exceeds the margin's expanded uncertainty."""
+    """A statement that holds if its margin exceeds the margin's expanded uncertainty."""
     check = checks.Fact(name=name, symbol=symbol, unit="1", margin=margin, fem_needed=solves)
     return Comparison(check=check)
 

@@ -1,4 +1,4 @@
-"""Whether the equation of a quantity gives what its unit states: a length, a stress, a speed."""
+"""Check that the equation of a quantity has its stated unit: a length, a stress, a speed."""
 
 from collections.abc import Mapping
 from typing import Any

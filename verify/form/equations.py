@@ -37,7 +37,7 @@ class Symbols(NamedTuple):
 
 
 def stated(case: Case) -> tuple[Equation, ...]:
-    """The equations of all quantities; CaseError where one gives another number than the code."""
+    """The equations of all quantities; CaseError if one gives another number than the code."""
     symbols = symbols_of(case)
     found = (equation(case, q, symbols) for q in case.present())
     return tuple(one for one in found if one is not None)
@@ -70,7 +70,7 @@ def symbols_of(case: Case) -> Symbols:
 
 
 def equation(case: Case, q: Quantity, symbols: Symbols) -> Equation | None:
-    """The equation of a quantity, with numbers where it is arithmetic.
+    """The equation of a quantity, with numbers if it is arithmetic.
 
     None where none is stated; CaseError where it gives another number than the code on the default
     inputs. For other inputs cancellation may separate them: the inserted numbers are left out then.

@@ -50,7 +50,7 @@ def _located(error: BaseException, file: str) -> CaseError:
 
 @contextmanager
 def limited(seconds: float | None) -> Iterator[None]:
-    """Raise `TimeLimitError` where the body takes longer, in whatever line it is then.
+    """Raise `TimeLimitError` if the body takes longer, at any line.
 
     A limit needs the main thread of a process that has interval timers; without it there is none.
     Limits may be nested: the inner one replaces the outer one for its body.

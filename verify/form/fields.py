@@ -25,7 +25,7 @@ def _hoop(cells: Mapping[str, Array]) -> Array:
 
 
 class CellData(NamedTuple):
-    """One cell quantity of a plane body: what, symbol, unit of the solver and of its picture."""
+    """One cell quantity of a plane body: name, symbol, unit of the solver and of its picture."""
 
     what: str
     symbol: str

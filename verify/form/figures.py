@@ -77,7 +77,7 @@ class AlongLine:
     note: str = ""
 
     def drawn(self, context: Context) -> tuple[Profile, ...]:
-        """The profile, where there are levels enough to state its uncertainty."""
+        """The profile, if there are enough levels to state its uncertainty."""
         if not context.converging:
             return ()
         values, u = (
@@ -107,7 +107,7 @@ class Drawn:
 
 
 def converged(draw: Callable[[Context], Figure]) -> Drawn:
-    """A figure where there are levels enough to say how uncertain the finest is."""
+    """A figure, if there are enough levels to state the uncertainty of the finest."""
     return Drawn(lambda context: (draw(context),) if context.converging else ())
 
 

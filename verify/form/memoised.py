@@ -9,7 +9,7 @@ MEMOISED = ("analytic.", "fem.", "meshes.", "verify.cases.")  # who may hold res
 
 
 def forget_memoised() -> None:
-    """Empty what the project's functions have memoised: it is computed again, as it is by now."""
+    """Clear memoised results of the project's functions, so that these are computed again."""
     for item in gc.get_objects():
         if type(item) is _lru_cache_wrapper and str(item.__module__).startswith(MEMOISED):
             item.cache_clear()

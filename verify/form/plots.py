@@ -10,7 +10,7 @@ from verify.core.figures import Curve, Curves
 
 
 def curve(name: str, x: ArrayLike, y: ArrayLike, style: str = "line", colour: int = 0) -> Curve:
-    """Points of one style; a single number beside an array is that of all points.
+    """Points of one style; a single number beside an array applies to all points.
 
     >>> curve("limit", [0.0, 2.0], 5.0, "dashes").y
     array([5., 5.])

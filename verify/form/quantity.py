@@ -1,4 +1,4 @@
-"""A formula of a source, declared once: symbol, unit, what it is, equation, safe side."""
+"""A formula of a source, declared once: symbol, unit, meaning, equation, safe side."""
 
 import inspect
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -264,7 +264,7 @@ def remembered(case: object, name: str, compute: Callable[[], T]) -> T:
 
 
 def _circular(owner: type, names: Sequence[str]) -> CaseError:
-    """The error for values of which each reads the next, and the last is the first."""
+    """The error for values that depend on each other in a circle."""
     rule = f"circular: {', '.join(f'{one} reads {other}' for one, other in pairwise(names))}"
     members = (getattr(owner, name) for name in names)
     if q := next((one for one in members if isinstance(one, Quantity)), None):

@@ -57,7 +57,7 @@ def arrow(start: ArrayLike, end: ArrayLike, label: str = "", style: str = "load"
 
 
 def leader(start: ArrayLike, end: ArrayLike, label: str) -> Shape:
-    """A text with a line to what it names."""
+    """A text with a line to the object that it names."""
     return arrow(start, end, label, "leader")
 
 

@@ -56,7 +56,7 @@ def key(case: Case, inputs: Inputs, level: int) -> str:
 
 
 def load(folder: Path, case: Case, inputs: Inputs, level: int) -> FemResult | None:
-    """The stored result, or None where there is none or it can't be read."""
+    """The stored result, or None if there is none or it cannot be read."""
     content = Store(folder).one(KIND, key(case, inputs, level))
     try:
         return None if content is None else _result(unpacked(content))
@@ -65,7 +65,7 @@ def load(folder: Path, case: Case, inputs: Inputs, level: int) -> FemResult | No
 
 
 def fields_of(folder: Path, name: str) -> tuple[Field, ...]:
-    """The fields of the result of a key; OSError where it is not there or cannot be read."""
+    """The fields of the result of a key; OSError if it is missing or cannot be read."""
     content = Store(folder).load(KIND, [name]).get(name)
     if content is None:
         raise OSError(f"{folder}: a level is no longer stored: run again")
@@ -73,7 +73,7 @@ def fields_of(folder: Path, name: str) -> tuple[Field, ...]:
 
 
 def store(folder: Path, case: Case, inputs: Inputs, level: int, result: FemResult) -> None:
-    """Write the result; OSError where the store takes none."""
+    """Write the result; OSError if the store cannot be written."""
     content = packed(_arrays(result))
     Store(folder).store(KIND, case.id, {key(case, inputs, level): content})
 

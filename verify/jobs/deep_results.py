@@ -32,7 +32,7 @@ def measured(case: Case) -> Measured | None:
 
 
 def keep(case: Case, parts: Sequence[FemResult]) -> Path:
-    """Write what was measured; the file that has it."""
+    """Write the measured result; returns the path of its file."""
     return RECORDS.keep(case.id, _made_by(case), [
         {"h": part.h, "values": dict(part.values), "u_it": dict(part.u_it),
          "arrays": {name: array.tolist() for name, array in part.arrays.items()}}

@@ -29,7 +29,7 @@ class DynamicResult:
     first: tuple[str, ...] = ()  # findings in the place of the formulas' first
 
     def after(self, findings: tuple[str, ...]) -> tuple[str, ...]:
-        """All findings, `findings` those of the formulas."""
+        """All findings, `findings` being those of the formulas."""
         return (self.first + findings[1:] if self.first else findings) + self.findings
 
     @property
@@ -62,7 +62,7 @@ def run_dynamic(
 
 
 def asked_for(case: Case, where: str) -> Dynamic:
-    """The dynamic part of a case; InputError where there is none."""
+    """The dynamic part of a case; InputError without one."""
     if case.dynamic is None:
         raise InputError(f"{where}: case {case.id} has no dynamic part: leave out --dynamic")
     return case.dynamic

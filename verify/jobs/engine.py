@@ -17,7 +17,7 @@ def first_done(futures: Collection[Future[Any]], seconds: float) -> Collection[F
 
 @dataclass(frozen=True)
 class Engine:
-    """An executor, how many tasks it solves at a time, and what kills a task without an answer.
+    """An executor, its number of simultaneous tasks, and the means to end a task without an answer.
 
     `gone` says why it will never answer again, "" while it may. `renew` ends idle processes, so
     that a task that killed one finds a fresh one. `ahead` tasks wait there for each that is solved.

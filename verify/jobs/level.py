@@ -42,7 +42,7 @@ class Job:
 
     @property
     def is_paper(self) -> bool:
-        """Whether the inputs are the defaults, of which the printed numbers speak."""
+        """Whether the inputs are the defaults, to which the printed numbers refer."""
         return self.inputs == type(self.inputs)()
 
 

@@ -1,4 +1,4 @@
-"""An executor of processes that may die: what one takes with it is lost, the rest goes on.
+"""An executor of processes that may die: only the task of a dead process is lost.
 
 The executors of the standard library give up every task when one process dies, and wait for
 running ones when shut down. Here each thread of a pool drives one process; shutting down kills
@@ -84,7 +84,7 @@ class Processes(ThreadPoolExecutor):
         return GUARD if self._unguarded else ""
 
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = True) -> None:
-        """Kill the processes; what they were at is lost, what waited is cancelled."""
+        """Kill the processes; running tasks are lost, waiting ones are cancelled."""
         self._ended = True
         self.renew()
         super().shutdown(wait, cancel_futures=cancel_futures)

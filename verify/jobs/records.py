@@ -43,7 +43,7 @@ class Records:
         return FOLDER / self.kind / f"{subject}.json"
 
     def stored(self, subject: str) -> Record | None:
-        """The record of a subject, whatever code made it; None if there is no readable one."""
+        """The record of a subject, for any code; None without a readable one."""
         try:
             data = json.loads(self.path(subject).read_text("utf-8"))
             if (data["kind"], data["subject"]) != (self.kind, subject):

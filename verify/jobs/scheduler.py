@@ -32,7 +32,7 @@ def run(
     show: Show = lambda _state: None,
     warn: Callable[[str], None] = lambda _message: None,
 ) -> list[CaseResult]:
-    """Solve what the cache does not hold and judge every job; results in the order of `jobs`.
+    """Solve levels that the cache lacks and judge every job; results in the order of `jobs`.
 
     OSError names what is missing where gmsh cannot start and something is to be solved.
     `engine` is entered where something is to be solved; without one this process does. `show`
@@ -63,7 +63,7 @@ def run(
 def _begun(
     engine: AbstractContextManager[Engine], jobs: Sequence[Job]
 ) -> Iterator[AbstractContextManager[Engine]]:
-    """The engine entered, importing the cases while this process looks for what is stored."""
+    """The engine entered; it imports the cases while this process searches the store."""
     with engine as entered:
         for _ in range(entered.workers()):
             entered.executor.submit(load, [job.case.id for job in jobs])
@@ -166,7 +166,7 @@ class _Work:
         self.waiting.appendleft(Judging(job.case, job.inputs, self.folder, i, levels))
 
     def _keep(self, task: Task, answer: Solved) -> bool:
-        """See that the result of a task is in the store; where there is no room, warn once."""
+        """Ensure that the result of a task is in the store; on a full disk, warn once."""
         if answer.result is None or self.folder is None:
             return False
         unstored = answer.unstored

@@ -49,7 +49,7 @@ def stored_levels(work: list[Job]) -> list[str]:
 
 
 def _cache_folder() -> Path | None:
-    """The folder of the store; None, with a message, where it can be neither written nor read."""
+    """The folder of the store; None, with a message, if it can be neither written nor read."""
     folder = cache.default_folder()
     source_memory.use(folder)
     store = Store(folder)

@@ -61,7 +61,7 @@ def load(case_ids: Sequence[str]) -> None:
 
 
 def do(task: Task | Judging) -> Solved | CaseResult | None:
-    """One level solved, or one case judged, in whatever process."""
+    """Solve one level, or judge one case, in any process."""
     if task.folder is not None:
         source_memory.use(task.folder)
     if isinstance(task, Judging):

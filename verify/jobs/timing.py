@@ -91,7 +91,7 @@ def load(folder: Path) -> dict[Level, float]:
 
 
 def store(folder: Path, measured: Mapping[Level, float]) -> None:
-    """Add `measured` to what is stored; OSError where the store takes none."""
+    """Add `measured` to the stored times; OSError if the store cannot be written."""
     entries = {f"{case} {level}": f"{seconds:.4f}".encode()
                for (case, level), seconds in measured.items()}  # fmt: skip
     Store(folder).store(KIND, KIND, entries)

@@ -44,7 +44,7 @@ def too_wide(rows: list[Row], reason: str) -> list[Row]:
 
 @dataclass(frozen=True, kw_only=True)
 class OwnFormula(Approximation):
-    """A formula with a band; on inputs of the user the demand is that band where it is larger.
+    """A formula with a band; on user inputs the required sensitivity is the band if that is larger.
 
     `bent` [1] is what bending adds to the band on such inputs, `wide` the reason for which a band
     that is too wide is so.
@@ -54,7 +54,7 @@ class OwnFormula(Approximation):
     bent: Callable[[Any, Values], float] | None = None
 
     def band(self, q: Any, v: Values) -> tuple[float, float] | None:
-        """The band on inputs of the user, None where it is no longer small."""
+        """The band on user inputs, None if it is no longer small."""
         band = self.interval and self.interval(q, v)
         if not band:
             return None

@@ -54,7 +54,7 @@ def as_given(q: Any) -> Any:
 
 @dataclass(frozen=True, kw_only=True)
 class Rerun:
-    """A cause of a difference and how it is removed; `what` says it in words.
+    """A cause of a difference and its removal; `what` describes it in words.
 
     Removed by other `inputs`, which formulas then take as well, by `changes` to the case's
     finite elements, or by other ones, `fem(inputs, level)`, with the case's keys. `rows` names the

@@ -70,7 +70,7 @@ class Claim(ABC):
 
 
 def rows_of(check: Check, context: Context) -> list[Row]:
-    """The rows of a check; none where it speaks of the paper's inputs and these are others."""
+    """The rows of a check; none if it is about the paper's inputs and the inputs differ."""
     return [] if check.paper_only and not context.is_paper else check.rows(context)
 
 
@@ -166,7 +166,7 @@ class FemClaim(Claim):
         return make_row(case, Kind.FACT, verdict, name, "p", "1", **more)
 
     def converges(self, context: Context, grid: GridConvergence, u_it: float, scale: float) -> Row:
-        """The row that convergence has to itself, beside agreement."""
+        """The separate row of convergence beside a comparison."""
         h, v = context.series(self.fem)
         verdict = convergence_verdict(grid, h, v, u_it, self.demanded(context) * scale)
         return self._convergence_row(

@@ -36,7 +36,7 @@ def _wide(parts: Parts, at: Loaded) -> float:
 
 
 def of_approach(value: float, ends: Interval) -> Interval:
-    """Error interval of an approach of which the reference is between `ends`.
+    """Interval of the error of an approach whose reference lies between `ends`.
 
     >>> of_approach(1.0, (0.8, 1.25))
     (-0.19999999999999996, 0.25)
@@ -46,7 +46,7 @@ def of_approach(value: float, ends: Interval) -> Interval:
 
 
 def enclosed(value: float, others: list[float]) -> Interval:
-    """Error interval of a value of which the reference is any of the `others`."""
+    """Interval of the error of a value whose reference is within the range of `others`."""
     return value / max(others) - 1 - ROUNDED, value / min(others) - 1 + ROUNDED
 
 

@@ -36,7 +36,7 @@ def expected_approach(star: Parts, P: ArrayLike) -> tuple[Array, Array]:
 
 
 def between_discs(star: Parts, P: ArrayLike) -> Array:
-    """Approach d_i [length] of a disc through the contact, drawn between those of the two discs.
+    """Approach d_i [length] of a disc through the contact, interpolated between those of two discs.
 
     What is expected of a star, to second order in the corners' height.
     """

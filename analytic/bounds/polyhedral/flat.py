@@ -1,4 +1,4 @@
-"""Statics of a rigid flat by vectors: what the paper's chain of equations should give.
+"""Statics of a rigid flat by vectors, as a second form of the paper's chain of equations.
 
 Pressure between two corners, the hub's force and the roller's are in balance across the flat; the
 hub's moment about the axis is that of the rollers' friction.

@@ -13,7 +13,7 @@ from verify.core.inputs import REQUIRED, InputError, Inputs, build, meta, missin
 def complete(
     case_id: str, model: type[Inputs], raw: Mapping[str, Any], where: str
 ) -> tuple[dict[str, Any], tuple[Assumed, ...]]:
-    """Raw inputs with the assumed ones added, and what was assumed; a given value is never changed.
+    """Raw inputs with the assumed ones added, and the assumptions; given values are unchanged.
 
     InputError names the inputs that are missing and have no assumption.
     """

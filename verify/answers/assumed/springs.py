@@ -12,7 +12,7 @@ LEAVES, ARCS = (0.37, 0.52, 41), (0.013, 0.024, 7)  # L_1 and r over L_max, and 
 
 
 def stiffening(g: Given) -> float:
-    """Stiffness of the leaves as plates over that of narrow strips."""
+    """Stiffness of the leaves as plates over the stiffness of narrow strips."""
     leaf = energy.leaf_length(L1=g.L1, r=g.r, b=g.b, alpha=g.alpha)
     return float(width_factor(g.h, leaf, nu=g.nu))
 

@@ -1,4 +1,4 @@
-"""Values of inputs: those of a file in SI units, and those of assumptions as a file has them."""
+"""Values of inputs: from a file in SI units, and from assumptions in the format of a file."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -41,7 +41,7 @@ def _within_bounds(model: type[Inputs], given: Given) -> bool:
 
 
 def read_value(model: type[Inputs], name: str, value: Any) -> Any:
-    """A TOML value in SI units; ValueError where it has no or another unit."""
+    """A TOML value in SI units; ValueError without a unit or for a wrong one."""
     if name not in model.model_fields or is_table(model.model_fields[name]):
         return value
     field = model.model_fields[name]
@@ -91,7 +91,7 @@ def placeholder(model: type[Inputs], one: Assumption) -> Any:
 
 
 def listed(model: type[Inputs], one: Assumption, raw: Any) -> Assumed:
-    """The assumption as it is listed, in the display unit of its input."""
+    """The assumption in lists, in the display unit of its input."""
     field = model.model_fields.get(one.name)
     about = {"symbol": "", "unit": "1"} if field is None else meta(field)
     value, unit = raw, about["unit"]

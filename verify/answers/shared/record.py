@@ -1,4 +1,4 @@
-"""One assumption that formula and reference share, and what it means for the part."""
+"""One assumption that formula and reference share, and its meaning for the part."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -38,7 +38,7 @@ Function = Callable[[Any, Values], tuple[SharedReading, ...]]
 
 
 def ratio(values: Values, assumed: str, part: str) -> float | None:
-    """One value of the formulas over that of the part, less one; None where either is missing."""
+    """One value of the formulas over that of the part, less one; None if either is missing."""
     if assumed not in values or not values.get(part):
         return None
     return float(values[assumed] / values[part] - 1)

@@ -26,7 +26,7 @@ HEAD = ("problem", "quantity", "unit", "here", "there", "difference", "allowed",
 
 
 def run_list(names: Sequence[str]) -> int:
-    """Name the comparisons, what is solved and by whom, and which solvers are there."""
+    """List the comparisons with their problem and solver, and the installed solvers."""
     for cross in chosen(names):
         print_wrapped(raised(f"{cross.id:38}  {cross.solver:8}  {cross.what}"))
     for one in solvers().values():
@@ -35,7 +35,7 @@ def run_list(names: Sequence[str]) -> int:
 
 
 def run_crosscheck(names: Sequence[str], *, out: Path | None, again: bool, keep: bool) -> int:
-    """Solve what is not stored for this code; 1 where a difference exceeds the allowed one.
+    """Solve the problems not stored for this code; 1 if a difference exceeds the allowed one.
 
     Decks and answers remain in `out`. A missing solver is no error, but InputError is raised where
     cases are named and none of their problems is stored or could be solved.
@@ -137,7 +137,7 @@ def _write_hints(crosses: Sequence[Cross], folder: Path) -> None:
 
 
 def _print(lines: Sequence[Crosscheck], standing: Collection[str], broken: Sequence[str]) -> None:
-    """A line each, marked where it is of a problem that is `standing` from an earlier run."""
+    """One line each, marked if it is of a problem that is `standing` from an earlier run."""
     table: list[tuple[str, ...]] = [HEAD]
     table += [
         (line.problem, line.quantity, "" if line.unit == "1" else line.unit, f"{line.ours:.6g}",

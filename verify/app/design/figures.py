@@ -68,7 +68,7 @@ def region(s: Search, i: int, name: str) -> Region:
 
 
 def _thinned(parameter: Any, i: int, most: int) -> Any:
-    """At most `most` of a parameter's values, spread evenly, that of candidate `i` among them."""
+    """At most `most` of a parameter's values, evenly, including that of candidate `i`."""
     values, keep = np.unique(parameter), parameter[i]
     if len(values) <= most:
         return values
@@ -77,7 +77,7 @@ def _thinned(parameter: Any, i: int, most: int) -> Any:
 
 
 def scatter(outcome: Outcome) -> Curves:
-    """Stress over free length of what is feasible and of the front."""
+    """Stress over free length of all feasible springs and of the front."""
     s = outcome.search
     feasible = np.flatnonzero(s.judged.feasible)
     if len(feasible) > MOST_DOTS:

@@ -38,7 +38,7 @@ def run_search(
     rounded: bool,
     as_json: bool,
 ) -> int:
-    """Search and print what was found: 0 where a reading gives the number, 1 where none does."""
+    """Search and print the result: 0 if a reading gives the number, 1 if none does."""
     if not 0 <= changes <= MOST:
         raise InputError(f"--changes is 1 to {MOST}, got {changes}")
     known = {problem.reference: problem for problem in PROBLEMS}

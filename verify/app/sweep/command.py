@@ -104,7 +104,7 @@ def planned(
 
 
 def announce(plan: Plan) -> None:
-    """Say what is about to be solved, and how it would cost less."""
+    """Print the points to be solved, and how to reduce their number."""
     part = portion(plan.case, plan.chosen)
     rows = f"{len(plan.chosen)} row{'s' if len(plan.chosen) != 1 else ''}"
     print(f"{plan.name}: {len(plan.points):,} points of {plan.case.id}, {rows}", file=sys.stderr)

@@ -1,4 +1,4 @@
-"""Pictures of a sweep: the error over what was varied, formula and finite elements beside it."""
+"""Pictures of a sweep: the error over the varied inputs, with formula and finite elements."""
 
 import math
 from collections.abc import Sequence
@@ -241,7 +241,7 @@ def _nominal(axes: Sequence[Axis]) -> tuple[float, ...] | None:
 
 
 def _at_nominal(a: Axis, value: float) -> bool:
-    """Whether a value is that of the file."""
+    """Whether a value equals that of the file."""
     return a.nominal is not None and math.isclose(a.in_unit(a.nominal), a.in_unit(value))
 
 
@@ -263,5 +263,5 @@ def _valued(a: Axis, value: float) -> str:
 
 
 def _evenly(count: int, most: int) -> Sequence[int]:
-    """At most so many of the numbers below `count`, evenly, the first and the last among them."""
+    """At most the given number of numbers below `count`, evenly, first and last among them."""
     return sorted({round(v) for v in np.linspace(0, count - 1, min(count, most))})

@@ -51,7 +51,7 @@ def counted(group: MutantGroup) -> str:
 
 
 def named(survivor: Survivor) -> str:
-    """One line: what was changed where, and why it cannot be detected."""
+    """One line: place and text of the change, and why it cannot be detected."""
     place = f"{survivor.where} line {survivor.line}"
     reason = survivor.reason or "no reason given"
     return f"  survives: {place}: {survivor.before} -> {survivor.after} ({reason})"

@@ -51,7 +51,7 @@ def share(rows: Sequence[Tried], p: float) -> float:
 
 
 def failures(rows: Sequence[Tried], hidden: Sequence[str] = ()) -> list[str]:
-    """The violations of the gate, one line each; empty where it holds.
+    """The violations of the gate, one line each; empty if there are none.
 
     `hidden` names rows that pass although the value of their formula is wrong.
     """

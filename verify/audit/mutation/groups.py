@@ -60,7 +60,7 @@ def formulas(loads: Sequence[Load], notes: Notes, seed: int, *, whole: bool) -> 
 
 
 def judging(loads: Sequence[Load], notes: Notes, seed: int, *, whole: bool) -> Group:
-    """Mutants of what judges rows; every case is judged from the formulas' known values."""
+    """Mutants of the judging; every case is judged with the known values of its formulas."""
     noted = notes.cases(loads)
     benches = _benches(_with_values(loads, notes.show), noted)
     tests = _suite(notes, "judging")
@@ -181,7 +181,7 @@ def _quick(loads: Sequence[Load]) -> list[Load]:
 
 
 def _imported(noted: Mapping[str, Noted]) -> None:
-    """Import what the cases' solving imports: in each child it would cost a second or two."""
+    """Import the modules for solving, which would take each child a second or two."""
     import importlib
 
     for function in sorted({f for one in noted.values() for f in one.functions}):
@@ -202,7 +202,7 @@ def _suite(notes: Notes, kind: str) -> Callable[[Changed], Sequence[str]]:
 
 
 def functions_of(changed: Changed) -> set[str]:
-    """The function that a mutant changes, or those of its module that read the constant."""
+    """The function that a mutant changes, or the functions of its module that read the constant."""
     module, name = changed.mutant.module, changed.mutant.function
     found = readers(name, source(module)) if is_constant(name) else {name}
     return {f"{module}:{function}" for function in found}

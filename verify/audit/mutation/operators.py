@@ -137,7 +137,7 @@ def condition(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
 
 
 def name_of(node: ast.AST) -> str:
-    """The last part of a name: sin of np.sin; empty where there is none."""
+    """The last part of a name: sin of np.sin; empty without one."""
     if isinstance(node, ast.Attribute):
         return node.attr
     return node.id if isinstance(node, ast.Name) else ""

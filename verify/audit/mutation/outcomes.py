@@ -28,7 +28,7 @@ APART = (By.CRASHED, By.TIME)  # noticed by any run, and no merit of the suite's
 
 @dataclass(frozen=True)
 class Outcome:
-    """A mutant's fate; `what` names the rows, the error or the test."""
+    """Outcome of a mutant; `what` names the rows, the error or the test."""
 
     id: str
     by: By
@@ -50,7 +50,7 @@ class Outcomes:
                 yield Outcome(**{**data, "by": By(data["by"])})
 
     def add(self, outcome: Outcome) -> None:
-        """Store an outcome; OSError where there is no room."""
+        """Store an outcome; OSError if the disk is full."""
         self.found[outcome.id] = outcome
         content = json.dumps(asdict(outcome), ensure_ascii=False).encode()
         self.store.store(KIND, self.code, {f"{self.code} {outcome.id}": content})

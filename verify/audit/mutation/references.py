@@ -41,7 +41,7 @@ class Both:
 
     @property
     def hidden(self) -> list[float]:
-        """Sizes at which the row fails where it is judged, but not where its formula is wrong."""
+        """Sizes at which the row fails when judged, but not if its formula is wrong by as much."""
         return [s for s in SIZES if _either_way(self.moved.red, s) and not self._reached(s)]
 
     def _reached(self, size: float) -> bool:
@@ -94,7 +94,7 @@ def _has_formula(one: Tried) -> bool:
 
 
 def of_its_own(both: Both) -> str:
-    """Why a row fails by its judgement, whatever its formula gives; "" where it does not."""
+    """Reason why a row fails by its judgement, for any value of its formula; "" if it does not."""
     row = both.moved.row
     if row.kind is Kind.EXACT:
         return BALANCE

@@ -46,7 +46,7 @@ class Tried:
 
 
 def of_paper(case: Case, folder: Path | None = None) -> Context:
-    """The default inputs with levels from the cache; InputError where one is not there."""
+    """The default inputs with levels from the cache; InputError if one is missing."""
     inputs = case.inputs()
     found = []
     for level in case.levels:
@@ -88,13 +88,13 @@ def _scale_is_another(row: Row) -> bool:
 
 
 def reddened(check: Check, context: Context, p: float, *, of_scale: bool = False) -> set[str]:
-    """Names of a check's rows that fail where its references are moved by `p`."""
+    """Names of a check's rows that fail if its references are changed by `p`."""
     with moved(p, of_scale=of_scale):
         return red_names(check, context)
 
 
 def red_names(check: Check, context: Context) -> set[str]:
-    """Names of a check's rows that fail: all of them where it refuses to judge."""
+    """Names of a check's rows that fail: all of them if it refuses to judge."""
     try:
         rows = check.rows(context)
     except (ValueError, ArithmeticError):  # what formulas raise on values that make no sense

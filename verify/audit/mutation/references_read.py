@@ -65,5 +65,5 @@ def _red(check: Check, context: Context, key: str, p: float) -> set[str]:
 
 
 def own_key(check: Check) -> str:
-    """The key of the value that a check compares; "" where it names none."""
+    """The key of the value that a check compares; "" without one."""
     return str(getattr(check, "analytic", ""))

@@ -1,4 +1,4 @@
-"""An engine of forked children: they have what the parent has loaded, and change nothing of it.
+"""An engine of forked children, which share the parent's loaded modules and cannot change them.
 
 A child answers with a JSON value through a pipe. It is ended when its time is over, when it takes
 too much memory, and when the parent is stopped.
@@ -31,7 +31,7 @@ SPARE = 5.0  # s after which a child whose parent is gone ends itself
 
 @dataclass(frozen=True)
 class Task:
-    """Something for a child to do within `limit` seconds; `key` tells whose answer it is."""
+    """A task for a child with a time of `limit` seconds; `key` identifies its answer."""
 
     key: Hashable
     work: Callable[[], Any]
@@ -110,7 +110,7 @@ class Forks(Executor):
         self.selector.close()
 
     def _conclude(self, pipe: int, otherwise: str) -> None:
-        """End a child; its answer is what it wrote, or `otherwise` where that is not whole."""
+        """End a child; its answer is its output, or `otherwise` if the output is incomplete."""
         child = self.children.pop(pipe)
         self.selector.unregister(pipe)
         os.close(pipe)
@@ -161,7 +161,7 @@ def _start(task: Task, function: Callable[[Task], Any]) -> tuple[int, int]:
 
 
 def _outcome(task: Task, function: Callable[[Task], Any]) -> str:
-    """JSON of what the function returns for the task, and in words what it raises."""
+    """JSON of the result of the function for the task, or its error in words."""
     try:
         return json.dumps([function(task), ""])
     except Exception as error:

@@ -71,7 +71,7 @@ def measured(code: Callable[[], str] = digest) -> Caught:
 
 
 def latest() -> Caught:
-    """The scores for the present code; where there are none, those of record of earlier code."""
+    """The scores for the present code; without these, the stored scores of earlier code."""
     found = measured()
     if not found.missing:
         return found
@@ -85,7 +85,7 @@ def latest() -> Caught:
 
 
 def _stored(name: str) -> Record | None:
-    """The record of a group, of whatever code; None if there is none that is a score."""
+    """The stored score of a group, for any code; None if there is no valid one."""
     record = RECORDS.stored(name)
     try:
         return record and _readable(name, record)

@@ -58,7 +58,7 @@ class Mutant:
 
 @dataclass(frozen=True)
 class Changed:
-    """A mutant with the place of the change in its module's tree, and what stands there then."""
+    """A mutant with the place of the change in its module's tree, and the new node."""
 
     mutant: Mutant
     place: Place

@@ -47,7 +47,7 @@ Traces = Mapping[str, tuple[float, frozenset[str]]]  # of tests: seconds and fun
 
 @dataclass(eq=False)  # pytest hashes its plugins
 class _Tracer:
-    """Notes for each test how long it takes and which functions it calls."""
+    """Records the duration and the called functions of each test."""
 
     found: dict[str, tuple[float, list[str]]] = field(default_factory=dict)
     is_stopped: bool = False

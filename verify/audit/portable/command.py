@@ -37,7 +37,7 @@ def run_portable(
     names: Sequence[str], *, only: Sequence[str], seeds: int, jobs: int, again: bool,
     out: Path | None,
 ) -> int:  # fmt: skip
-    """Run the variants, print and write what differs; 0 where no row differs without a reason."""
+    """Run the variants, print and write the differences; 0 if every difference has a reason."""
     Where(jobs)  # refuses what is no number of processes
     cases = tuple(find(name).id for name in dict.fromkeys(names)) or CASES.ids
     stated = reasons.read()

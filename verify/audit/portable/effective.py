@@ -39,7 +39,7 @@ def effective() -> dict[str, Any]:
 
 
 def probe(environment: Mapping[str, str]) -> dict[str, Any]:
-    """The record of a process with this environment; OSError where it ends without one."""
+    """The record of a process with this environment; OSError if it ends without one."""
     command = [sys.executable, "-m", "verify.audit.portable.effective"]
     try:
         done = subprocess.run(  # noqa: S603 - this interpreter and this module

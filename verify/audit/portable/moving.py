@@ -63,7 +63,7 @@ def _allowed(row: Record) -> float:
 
 
 def _tolerance(row: Record) -> float:
-    """The tolerance; zero where there is none, or one that no number exceeds."""
+    """The tolerance; zero if there is none, or if no number can exceed it."""
     U = row.tolerance
     return U if U is not None and math.isfinite(U) and U > 0 else 0.0
 

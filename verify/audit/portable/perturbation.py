@@ -84,7 +84,7 @@ def _perturb(model: type[Inputs], seed: int) -> Outcome:
 
 
 def _place(error: ValidationError) -> str:
-    """The single number that breaks a rule, as "segments[3].length"; empty where there is none."""
+    """The single number that breaks a rule, as "segments[3].length"; empty without one."""
     fault: Any = error.errors(include_url=False)[0]
     reason = (fault.get("ctx") or {}).get("error")
     if isinstance(reason, EntryError):

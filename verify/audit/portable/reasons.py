@@ -39,7 +39,7 @@ class Reason(BaseModel):
 
 
 def read(path: Path | None = None) -> tuple[Reason, ...]:
-    """All entries, none where there is no file; InputError names the first fault in one line."""
+    """All entries, none without a file; InputError states the first fault in one line."""
     path = path or FILE
     try:
         data = tomllib.loads(path.read_text("utf-8"))
@@ -58,7 +58,7 @@ def read(path: Path | None = None) -> tuple[Reason, ...]:
 def explained(
     found: Sequence[Difference], reasons: Sequence[Reason]
 ) -> tuple[list[Difference], list[Reason]]:
-    """The differences with their reasons where one is stated, and the reasons without any."""
+    """The differences with their reasons, if stated, and the reasons without a difference."""
     result = [
         replace(one, reason=next((r.why for r in reasons if r.covers(one)), "")) for one in found
     ]

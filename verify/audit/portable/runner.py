@@ -40,7 +40,7 @@ class Work:
 
 
 def run_all(work: Sequence[Work], processes: int, show: Show) -> dict[str, str]:
-    """Run what is not done; by name how the processes that failed ended.
+    """Run the missing variants; by name the exits of the processes that failed.
 
     Ends all processes where it is interrupted; what they stored serves the next run.
     """

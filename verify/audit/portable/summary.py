@@ -89,7 +89,7 @@ def lines(summary: Summary) -> Iterator[str]:
 
 
 def write(summary: Summary, folder: Path) -> None:
-    """Write portable.json and portable.md into the folder; OSError where that fails."""
+    """Write portable.json and portable.md into the folder; OSError if that fails."""
     data = {"portable": summary.is_portable} | asdict(summary)
     text = json.dumps(_finite(data), ensure_ascii=False, indent=1, allow_nan=False) + "\n"
     write_whole(folder / "portable.json", lambda file: file.write(text.encode("utf-8")))

@@ -1,4 +1,4 @@
-"""The emulated machines: this one as it is, and what differs from it in one respect each."""
+"""The emulated machines: the present one, and variants that differ in one respect each."""
 
 import os
 from collections.abc import Callable, Mapping, Sequence
@@ -32,13 +32,13 @@ class Variant:
     flag: str = ""  # instruction set that the processor must have
 
     def applied(self, environment: Mapping[str, str]) -> dict[str, str]:
-        """The environment of its processes: one BLAS thread, and what differs."""
+        """The environment of its processes: one BLAS thread, and the difference."""
         return {**environment, **dict.fromkeys(THREADS, "1"), **self.environment}
 
 
 @dataclass(frozen=True)
 class Machines:
-    """The variants to run, what is in effect in each, and why the others are not emulated."""
+    """The variants to run, settings in effect in each, and why others are not emulated."""
 
     variants: tuple[Variant, ...]
     effective: Mapping[str, Mapping[str, Any]]

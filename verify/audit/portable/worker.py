@@ -52,7 +52,7 @@ def rows_of(case: Case, outcome: Outcome) -> CaseRecord:
 
 
 def main(arguments: Sequence[str]) -> int:
-    """Run the command line; 0 whatever the rows say."""
+    """Run the command line; 0 for any judgement of the rows."""
     parser = argparse.ArgumentParser(prog="verify.audit.portable.worker")
     parser.add_argument("folder", type=Path)
     parser.add_argument("variant")

@@ -1,4 +1,4 @@
-"""The run beside the newest release, and what of it the terminal prints."""
+"""Comparison of the run with the newest release, and its lines on the terminal."""
 
 from collections.abc import Sequence
 
@@ -46,7 +46,7 @@ def summary(found: Drift) -> str:
 
 
 def line(change: Change) -> str:
-    """One change in words, with the reason where one is stated."""
+    """One change in words, with its reason if stated."""
     size = f" ({change.size})" if change.size else ""
     why = f"; {change.reason}" if change.reason else ""
     return f"{change.row}: {change.aspect} {change.was} -> {change.now}{size}{why}"

@@ -95,7 +95,7 @@ def _unused(
     release: Release,
     whole: Collection[str],
 ) -> tuple[str, ...]:
-    """Reasons since the release for rows of cases that ran, which no change asks for."""
+    """Reasons since the release for rows of cases that ran, to which no change belongs."""
     return tuple(
         f"{reason.rows}: {reason.aspect}: {reason.what}"
         for reason in reasons

@@ -42,7 +42,7 @@ class Reason(BaseModel):
 
 
 def read(path: Path | None = None) -> tuple[Reason, ...]:
-    """All entries, none where there is no file; InputError names the first fault in one line."""
+    """All entries, none without a file; InputError states the first fault in one line."""
     path = path or FILE
     try:
         data = tomllib.loads(path.read_text("utf-8"))
@@ -69,5 +69,5 @@ def _reason(entry: object, number: int, path: Path) -> Reason:
 
 
 def stated(change: Change, reasons: Sequence[Reason], release: str) -> str:
-    """The reason for a change, "" where none is stated."""
+    """The reason for a change, "" if none is stated."""
     return next((r.why for r in reasons if r.covers(change, release)), "")

@@ -143,7 +143,7 @@ def _line(one: Kept) -> list[Any]:
 
 
 def load(path: Path) -> Release:
-    """A release from its file; InputError where it is none."""
+    """A release from its file; InputError if the file is not a release."""
     try:
         data = json.loads(gzip.decompress(path.read_bytes()))
         names = data["columns"]
@@ -169,7 +169,7 @@ def _kept(line: dict[str, Any]) -> Kept:
 
 
 def newest(folder: Path | None = None) -> Release | None:
-    """The release with the highest version; None where there is none yet."""
+    """The release with the highest version; None without a release."""
     found = {
         _order(name): path
         for path in (folder or FOLDER).glob(f"*{ENDING}")
