@@ -16,7 +16,7 @@ from scipy.sparse import csc_array, csr_array
 
 from fem.plane.geometry import Array
 
-_OPTIONS = Lock()  # `cholmod.options` are those of the whole process
+_OPTIONS = Lock()  # `cholmod.options` apply to the whole process
 _NAME = b"CHOLMOD FACTOR D L"  # of capsules with factors of real numbers, from lower triangles
 _pointer_in = ctypes.PYFUNCTYPE(ctypes.c_void_p, ctypes.py_object, ctypes.c_char_p)(
     ("PyCapsule_GetPointer", ctypes.pythonapi)

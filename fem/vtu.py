@@ -65,7 +65,7 @@ def _contact(solution: Any, elements: Any) -> Content:
 
 def _frame(solution: Any, elements: Any) -> Content:
     if elements is None:
-        raise ValueError("a frame does not know its elements: give elements=")
+        raise ValueError("the solution of a frame contains no elements: give elements=")
     fields = {"displacement": _solid(solution.u[:, :2]), "rotation": solution.u[:, 2]}
     return np.asarray(solution.points), np.asarray(elements)[:, :2], fields, {}
 

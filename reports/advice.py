@@ -7,7 +7,7 @@ from dataclasses import replace
 from verify.core.results import Row
 from verify.core.verdicts import Form, FormulaVerdict, Verdict
 
-# the error that a sentence states, where it is that of another case
+# the error in a sentence, if it is the error of another case
 _STATED = re.compile(
     r"((?:[+−-][\d.]+|under [\d.]+) %(?: ± [\d.]+ %)?) at the default inputs(?! of)"
 )

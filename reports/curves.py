@@ -18,7 +18,7 @@ LINE = 18.0  # height of a line of the key
 SWATCH = 30.0
 LETTER = 6.2  # about the width of a letter of the key
 KEY = 316.0  # where the key starts
-FEW = 1.5  # decades, fewer of which are parted
+FEW = 1.5  # decades; shorter axes get marks between the powers of ten
 
 
 def curves(c: Curves) -> Markup:

@@ -13,7 +13,7 @@ from verify.core.results import StoredStudy, StudyAxis
 
 LEAST = 0.001  # per cent: smallest value that is printed
 TINY = f"<{LEAST}"
-NO_DIGIT = 0.005  # of an error: a bar below changes none of its three digits
+NO_DIGIT = 0.005  # of an error: a smaller bar changes none of its three digits
 
 
 @dataclass(frozen=True)

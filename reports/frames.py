@@ -20,7 +20,7 @@ from verify.core.results import CaseResult
 NOTHING = Markup("")
 WIDTH = 400.0
 BAR = 180.0  # length of the colour bar
-FEW = 2.0  # decades, fewer of which are parted
+FEW = 2.0  # decades; shorter bars get marks between the powers of ten
 
 
 @dataclass(frozen=True)

@@ -24,9 +24,9 @@ CODE = (
 )  # fmt: skip
 KIND, SUBJECT = "picture", "report"  # of entries of the store
 LIBRARIES = ("numpy", "matplotlib", "pillow", "pyvista", "vtk")
-# what OpenGL is made of on Linux: after an installation pyvista is tried again
+# libraries of OpenGL on Linux: after an installation pyvista is tried again
 OPENGL = ("lib/*", "lib64", "local/lib")
-# what numpy, zipfile and json raise on files that were torn or changed
+# errors of numpy, zipfile and json for incomplete or changed files
 UNREADABLE = (
     OSError, ValueError, LookupError, EOFError, RuntimeError, TypeError, AttributeError,
     zipfile.BadZipFile, zlib.error, struct.error,

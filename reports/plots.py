@@ -15,7 +15,7 @@ from verify.core.references import is_finite_elements
 from verify.core.results import Kind, Row
 
 WIDTH, HEIGHT = 400.0, 300.0
-UNSEEN = 0.05  # pixels that a line may be off
+UNSEEN = 0.05  # pixels: invisible deviation of a line
 LABEL = 36.0  # width of a mesh size's label
 
 

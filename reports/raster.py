@@ -20,7 +20,7 @@ def draw(scene: Scene) -> bytes:
     canvas: Any = FigureCanvasAgg(figure)  # untyped in matplotlib
     corners: Any = FINER * scene.vertices[scene.faces][..., :2]  # an array is read fastest
     colours = scene.colours / 255
-    strokes = np.where(colours[:, 3:] < 1, 0, colours)  # not what is half transparent
+    strokes = np.where(colours[:, 3:] < 1, 0, colours)  # no strokes around half transparent faces
     faces = PolyCollection(
         corners, facecolors=colours, edgecolors=strokes,
         linewidths=72 * SEAM, antialiased=False, snap=False, transform=IdentityTransform(),

@@ -5,7 +5,7 @@ from typing import Any
 from reports.standalone import HERE
 
 
-class NotSet(Exception):  # noqa: N818 - names what did not happen
+class NotSet(Exception):  # noqa: N818 - the name states the failure
     """typst could not set a template; the message states why in one line."""
 
 
@@ -22,4 +22,4 @@ def typeset(template: str, inputs: dict[str, str], **options: Any) -> Any:
     except BaseException as error:
         if type(error).__name__ != "PanicException":  # how a fault inside typst arrives
             raise
-        raise NotSet(f"typst broke off: {' '.join(str(error).split())}") from error
+        raise NotSet(f"typst failed: {' '.join(str(error).split())}") from error

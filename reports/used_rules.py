@@ -8,7 +8,7 @@ _RULE = re.compile(r"([^{}]+)\{([^{}]*)\}")
 _CLASS = re.compile(r"\.([A-Za-z][\w-]*)")
 _INSIDE = re.compile(r"\([^()]*\)")
 _GIVEN = re.compile(r'\bclass="([^"]*)"')
-_SCRIPT = re.compile(r"<script>(.*?)</script>", re.DOTALL)  # whose words may be classes
+_SCRIPT = re.compile(r"<script>(.*?)</script>", re.DOTALL)  # words in scripts can be classes
 
 
 def used_rules(page: str) -> str:

@@ -21,7 +21,7 @@ EVEN = 0.4  # largest error up to which the axis is even
 BEND = 0.05  # where an axis changes from linear to logarithmic
 ROUND = (0.02, 0.05, 0.1, *(m * 10.0**k for k in range(-1, 9) for m in (2, 5, 10)))
 STRIP, GAP = 7.0, 3.0  # of a limit
-FEW = 60  # points, more of which have no dots
+FEW = 60  # points; with more points no dots are drawn
 APART = 13.0  # lines of text
 
 

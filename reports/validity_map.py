@@ -17,8 +17,8 @@ SMALL = 320.0, 200.0
 LINE, LETTER = 18.0, 6.2
 TALL = 236.0  # of a map's cells
 LIGHT = 6  # the last class that black letters can be read on
-LEAST = 5  # rows and columns, fewer of which have no lines of equal error
-MANY = 16  # cells, more of which are not named one by one
+LEAST = 5  # rows and columns; smaller maps have no lines of equal error
+MANY = 16  # cells; with more cells not every one is labelled
 DIGIT = 6.4  # about the width of a digit in a cell
 
 

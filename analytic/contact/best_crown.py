@@ -64,7 +64,7 @@ def best_crown(
     E_star = float(positive(E_star, "contact modulus", "Pa"))
     angles = finite(tilt, "tilt", "rad").ravel()
     if not angles.size:
-        raise ValueError("tilt must be an angle or several [rad], got none")
+        raise ValueError("tilt must be one or more angles [rad], got none")
     b = np.sqrt(4 * load * float(positive(R, "relative radius", "m")) / (np.pi * E_star * length))
     y = slice_centres(length=length, slices=int(np.clip(round(length / b), *STRIPS)))
     lean = np.unique(np.abs(angles))[:, None] * y  # the crown is the same at both ends

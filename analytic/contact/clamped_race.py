@@ -30,7 +30,7 @@ import numpy as np
 
 from analytic.contact.checks import Array, Assumption, in_plane, positive
 
-TERMS = 4000  # what is left out of the sum of delta_n, of the order 1/n², is below 1e-3
+TERMS = 4000  # the omitted part of the sum of delta_n, of the order 1/n², is below 1e-3
 
 
 def approach_to_rim(

@@ -113,7 +113,7 @@ def logarithmic(
     along = _position(y, length)
     t, from_end = np.maximum((along - (1 - K_2)) / K_2, 0.0), np.minimum((1 - along) / K_2, 1.0)
     m = z_m / A
-    lost = -np.expm1(-m) * t**2  # what the logarithm's argument lacks of 1
+    lost = -np.expm1(-m) * t**2  # 1 less the argument of the logarithm
     with np.errstate(divide="ignore", over="ignore"):  # exp(-m) alone would underflow
         near_end = -np.logaddexp(np.log(from_end * (1 + t)), 2 * np.log(t) - m)
     drop = A * np.where(lost < 0.5, -np.log1p(-np.minimum(lost, 0.5)), near_end)

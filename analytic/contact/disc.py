@@ -83,7 +83,7 @@ def disc_in_contact(*, a: float, R: float, E_plane: float) -> PressedDisc:
     _check(R, E_plane)
     positive(a, "half-width", "m")
     if a > WIDEST * R:
-        raise ValueError(f"the half-width may reach {WIDEST} R, got a={a:g} m, R={R:g} m")
+        raise ValueError(f"the half-width must be at most {WIDEST} R, got a={a:g} m, R={R:g} m")
     ratio = a / R
     b, sinking = _solve(ratio)
     signs = (-1.0) ** np.arange(TERMS)

@@ -28,7 +28,7 @@ from analytic.contact.half_space_convolution import Convolution
 
 TOLERANCE = 1e-10
 LIMIT = 1000  # iterations; tens are usual
-MIRROR = 1e-13  # of the gap's range: what its halves may differ by as mirror images
+MIRROR = 1e-13  # share of the gap's range: allowed difference of its halves as mirror images
 
 
 class HalfSpace:
@@ -125,7 +125,7 @@ def press(
     """
     shape = np.shape(gap)
     if len(shape) != 2:
-        raise ValueError(f"the gap has nx by ny values, got shape {shape}")
+        raise ValueError(f"the gap must have nx by ny values, got shape {shape}")
     return HalfSpace(shape, cell=cell, E_star=E_star).press(
         gap, load=load, approach=approach, **how
     )
@@ -140,7 +140,7 @@ def whole_counts(shape: tuple[int, int]) -> tuple[int, int]:
 
 def _field(values: ArrayLike, shape: tuple[int, int], what: str, unit: str) -> Array:
     if np.shape(values) != shape:
-        raise ValueError(f"{what} needs a value a cell, {shape}, got shape {np.shape(values)}")
+        raise ValueError(f"{what} needs one value per cell, {shape}, got shape {np.shape(values)}")
     return finite(values, what, unit)
 
 

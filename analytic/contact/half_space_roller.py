@@ -72,7 +72,7 @@ class RollerContact:
         """Loads [force] within `stretch` of the ends at -l/2 and l/2, of a cut cell its share."""
         stretch = float(positive(stretch, "stretch", "m"))
         if stretch > self.length:
-            raise ValueError(f"stretch is at most the length {self.length} m, got {stretch} m")
+            raise ValueError(f"stretch must be at most the length {self.length} m, got {stretch} m")
         force = self.line_load * self.contact.cell[1]
         cells = stretch / self.contact.cell[1]
         share = np.clip(cells - np.arange(force.size), 0.0, 1.0)

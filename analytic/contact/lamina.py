@@ -81,7 +81,7 @@ def _carry(gap: Array, total: Array) -> tuple[Array, Array]:
         if np.all(np.abs(step) <= TOLERANCE * delta):
             return under * root, lowest + delta
         delta -= step
-    raise ArithmeticError(f"the approach was not found in {ITERATIONS} steps")
+    raise ArithmeticError(f"the iteration for the approach did not converge in {ITERATIONS} steps")
 
 
 def _root(u: Array) -> Array:

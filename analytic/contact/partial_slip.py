@@ -73,7 +73,7 @@ def slip(
     c, x = stick_half_width(Q=Q, P=P, mu=mu, a=a), np.abs(finite(x, "position", "m"))
     a = np.asarray(a, dtype=np.float64)
     if not np.all(x <= a):
-        raise ValueError(f"slip is known in the contact, |x| <= {a} m, got {x} m")
+        raise ValueError(f"x must lie in the contact, |x| <= {a} m, got {x} m")
     t = np.maximum(x / c, 1.0)
     scale = 2 * np.asarray(mu) * np.asarray(P) / (np.pi * a**2)  # mu p_0 / a
     growth = c**2 * (t * np.sqrt(t**2 - 1) - np.arccosh(t))

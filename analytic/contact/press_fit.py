@@ -206,7 +206,7 @@ def _interferences(walls: Sequence[Wall], interferences: ArrayLike) -> Array:
 
 def _check_stack(walls: Sequence[Wall]) -> None:
     if len(walls) < 2:
-        raise ValueError(f"a press fit needs two walls or more, got {len(walls)}")
+        raise ValueError(f"a press fit needs at least two walls, got {len(walls)}")
     for inner, outer in pairwise(walls):
         if abs(inner.r_o - outer.r_i) > 1e-6 * inner.r_o:
             raise ValueError(

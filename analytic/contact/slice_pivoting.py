@@ -19,9 +19,9 @@ from numpy.typing import NDArray
 
 from analytic.contact.checks import Array
 
-PATIENCE = 3  # blocks that may go without progress
+PATIENCE = 3  # allowed number of block steps without progress
 PIVOTS = 1000
-ROUND_OFF = 1e-13  # of the largest f: what does not count as a pull or as an overlap
+ROUND_OFF = 1e-13  # of the largest f: smaller tensions and overlaps count as zero
 
 
 def carried(S: Array, f: Array, rate: Array, carries: NDArray[np.bool_]) -> tuple[Array, Array]:
@@ -49,7 +49,7 @@ def carried(S: Array, f: Array, rate: Array, carries: NDArray[np.bool_]) -> tupl
         left = left[count > 0]
         if not len(left):
             return np.maximum(q, 0.0), growth
-    raise ArithmeticError(f"the carrying slices were not found in {PIVOTS} exchanges")
+    raise ArithmeticError(f"the set of loaded slices was not found in {PIVOTS} exchanges")
 
 
 def _solve(S: Array, right: Array, on: NDArray[np.bool_]) -> Array:

@@ -101,7 +101,7 @@ def _to_approach(cases: Cases, kernel: Kernel | ArrayLike, load: Array) -> Array
         before, load = load, force.sum(axis=1)
         if np.all(np.abs(load - before) <= TOLERANCE * load):
             return force
-    raise ArithmeticError(f"the load under the approach did not settle in {ITERATIONS} rounds")
+    raise ArithmeticError(f"the load at this approach did not converge in {ITERATIONS} rounds")
 
 
 def _to_load(cases: Cases, kernel: Kernel | ArrayLike, delta: Array) -> tuple[Array, Array]:
@@ -131,4 +131,4 @@ def _to_load(cases: Cases, kernel: Kernel | ArrayLike, delta: Array) -> tuple[Ar
         step = np.minimum(at[left] + ahead, 4 * at[left])
         middle = np.where(np.isinf(high[left]), 2 * at[left], (low[left] + high[left]) / 2)
         at[left] = np.where((step > low[left]) & (step < high[left]), step, middle)
-    raise ArithmeticError(f"the approach under the load was not found in {ITERATIONS} steps")
+    raise ArithmeticError(f"the approach for the given load did not converge in {ITERATIONS} steps")

@@ -25,7 +25,7 @@ from analytic.contact.strip_influence import excess, far_coefficients
 from analytic.contact.strip_linear import System, conjugate_gradients, direct, product
 
 ITERATIONS = 60
-UNDAMPED = 12  # iterations after which a strip may lose nine tenths of its load at most
+UNDAMPED = 12  # iterations after which a step reduces a strip's load by at most nine tenths
 FAR = 3.0  # half-widths from which on the series of F serves: 9^-8 c_8 = 1e-11
 TERMS = 7
 

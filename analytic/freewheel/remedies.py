@@ -13,7 +13,7 @@ from analytic.freewheel.clutch import Clutch
 from analytic.freewheel.duty import Duty
 from analytic.freewheel.geometry import InnerCam
 
-FINE, NARROW = 1e-8, 0.1  # for a derivative [m], at most this of what a wedge has
+FINE, NARROW = 1e-8, 0.1  # step of a derivative [m], and its largest share of the wedge
 MAX_SHIFT, POINTS = 0.999, 400  # of the room that a wedge has; places in it
 STIFFEST, HALVINGS = 4.0, 30  # times R_a, beyond which a housing does no more
 LONGEST = 10.0  # times L that are advised at most

@@ -17,7 +17,7 @@ COUNTED: dict[str, Outcome] = {
     "slip": "slips", "no_wedge": "no wedge", "corner": "past the corners",
     "no_state": "no state",
 }  # fmt: skip
-NAMES = {"R_s": "R", "X_o": "X"}  # of an outer cam's fields, as those of both kinds are called
+NAMES = {"R_s": "R", "X_o": "X"}  # fields of an outer cam by the names common to both kinds of cam
 
 
 @dataclass(frozen=True)

@@ -28,7 +28,7 @@ from analytic.polyhedral.hub_force import hub_force
 from analytic.polyhedral.locking import RollerContact
 
 GROWTH, MOST = 1.25, 60  # steps of N in search of the pressure, and how many
-START = 1e-3  # of the force that the whole pressure would have
+START = 1e-3  # start, as a share of the force of the whole pressure
 STEP = 1e-3  # relative change of N in difference quotients
 
 

@@ -188,4 +188,4 @@ def _force(contact: RollerContact, closing: float, E_plane: float) -> float:
         N = max(N + change, N / 10)
         if abs(change) <= CLOSE * N:
             return float(N)
-    raise ArithmeticError(f"the roller's force does not settle: N={N:g} N/m after {STEPS} steps")
+    raise ArithmeticError(f"the roller's force does not converge: N={N:g} N/m after {STEPS} steps")

@@ -101,7 +101,7 @@ class Clutch:
         if tight.shape not in ((), psi.shape) or not np.isfinite(tight).all():
             raise ValueError(f"interference needs a finite value [m] for each of {psi.size} sprags")
         object.__setattr__(self, "psi", psi)
-        # Eq. 6 for both contacts, less what one sprag is pressed more
+        # Eq. 6 for both contacts, less the additional interference of one sprag
         object.__setattr__(self, "lost", 2 * drop - np.broadcast_to(tight, psi.shape)[:, None])
         c, s = np.cos(psi)[:, None], np.sin(psi)[:, None]
         one, x = np.ones((psi.size, self.n_s)), self.x

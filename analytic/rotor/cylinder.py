@@ -60,7 +60,7 @@ class Cylinder:
                 f"E={self.E:g} Pa, rho={self.rho:g} kg/m^3, nu={self.nu:g}"
             )
         if self.powers < 2:
-            raise ValueError(f"an amplitude needs two powers or more, got {self.powers}")
+            raise ValueError(f"an amplitude needs at least two powers, got {self.powers}")
 
     def whirl(self, k: float, *, Omega: float = 0.0, count: int = 1) -> tuple[Array, Array]:
         """Lowest angular frequencies (count,) at the wave number k: forward and backward, positive.
@@ -83,7 +83,7 @@ class Cylinder:
     def _matrices(self, k: float) -> tuple[Array, Array, Array]:
         """Stiffness, mass and gyroscopic matrix for unit length."""
         if not 0 < k < np.inf:
-            raise ValueError(f"a wave number is positive, got k={k:g} 1/m")
+            raise ValueError(f"the wave number must be positive, got k={k:g} 1/m")
         u, du, weight, r = self._amplitudes()
         (U, V, W), (dU, dV, dW) = u, du
         lam = self.E * self.nu / ((1 + self.nu) * (1 - 2 * self.nu))

@@ -92,7 +92,7 @@ class UniformShaft:
         return np.pi / 4 * (self.d_o**2 - self.d_i**2)
 
     @property
-    def I(self) -> float:  # noqa: E743 - what the books call it
+    def I(self) -> float:  # noqa: E743 - the symbol of the books
         """Second moment of the section about a diameter [length^4]."""
         return np.pi / 64 * (self.d_o**4 - self.d_i**4)
 

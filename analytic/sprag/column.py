@@ -17,7 +17,7 @@ from analytic.sprag.geometry import LogSprag
 from analytic.sprag.goursat import DEGREE, Complex, Outline, displaced, flamant, forces_along, rest
 
 POINTS = 160  # of each smooth piece of the outline
-STEEPEST = np.radians(75)  # from the line AB, where spiral and arc may end
+STEEPEST = np.radians(75)  # largest angle from the line AB to the ends of spiral and arc
 
 
 def approach(outline: Outline, *, a: tuple[float, float], nu: float, degree: int = DEGREE) -> float:

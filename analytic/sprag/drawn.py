@@ -15,7 +15,7 @@ from scipy.optimize import brentq
 from analytic.contact import slices
 from analytic.contact.checks import Array
 
-AROUND = 0.6  # rad of spiral to either side of where it may touch
+AROUND = 0.6  # rad of spiral on either side of the possible contact
 AROUND_IT = np.array([-1.0, 0.0, 1.0])  # of the points' distance: abscissae of the parabola
 REFINEMENTS = 6  # about the lowest place: no error by the position of the points
 POWER = 3  # of the path's steps in the force: near no load a small force causes a large rotation

@@ -163,7 +163,7 @@ class System:
             blade - n_s * h * N,
         ])  # fmt: skip
         T = np.zeros(2)
-        if any(mode):  # friction takes from what drives the sliding
+        if any(mode):  # friction reduces the driving force of the sliding
             drop = motion.mu_s - motion.mu_c
             mu = motion.mu_c + drop * np.exp(-motion.gamma_b * np.abs(J @ q_dot))
             T = np.array(mode) * mu * N
@@ -274,7 +274,7 @@ def engage_by_events(
         lost = {k: int(np.sign(T[k])) for k in ended if mode[k] == ROLLS}
         if leg.status == 0 or len(leg.t_events[0]):
             return _result(system, parts, peaks, over=bool(len(leg.t_events[0])))
-    raise ArithmeticError(f"more than {EVENTS} events, up to t={t:.6g} s")
+    raise ArithmeticError(f"the engagement has more than {EVENTS} events, at t={t:.6g} s")
 
 
 def _result(

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from analytic.sprag.history import Engagement
 
 HELD = 1e6  # times its inertia, which holds the outer race
-PACE = 200  # steps in a period, where it determines the step
+PACE = 200  # steps in a period, if the period determines the step
 DAMPED = 0.3  # of critical damping
 RAMP, REST = 4, 12  # periods in which the torque rises, and in which motion decays
 SWUNG = 1.5  # periods about rest, past the first peak without damping

@@ -14,7 +14,7 @@ import numpy as np
 
 from analytic.contact.checks import Array
 
-# weight of the end strip: it may carry (2/3)^2 = 44 % of the force of the most loaded
+# weight of the end strip: its force may be (2/3)^2 = 44 % of the largest one
 END = 1.5
 
 By = Literal["slices", "strips"]

@@ -43,7 +43,7 @@ class Table:
     """
 
     n_s: int
-    origin: float  # rotation [rad] of the first contact against that of the clutch at rest
+    origin: float  # rotation [rad] of first contact relative to that of the clutch at rest
     step: float
     values: Array
     slopes: Array

@@ -38,9 +38,9 @@ Array = NDArray[np.float64]
 Head = Literal["free", "hinged", "guided"]
 
 POINTS = 6  # on each leaf and arc
-TURN, COUPLE, F_X, F_Y = range(4)  # the head's rotation and what it exerts
+TURN, COUPLE, F_X, F_Y = range(4)  # the head's rotation, couple and forces
 CONVERGED, ITERATIONS = 1e-12, 30  # of the rotations [rad]
-HELD_OFF = {  # what the head can have, where its movement along x is given
+HELD_OFF = {  # unknowns of the head if its movement along x is given
     "free": (TURN, F_X),
     "hinged": (TURN, F_X, F_Y),
     "guided": (COUPLE, F_X, F_Y),

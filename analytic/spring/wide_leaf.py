@@ -67,7 +67,7 @@ def width_factor(h: ArrayLike, length: ArrayLike, *, nu: float = 0.3, terms: int
     if not 0 <= nu <= 0.5:
         raise ValueError(f"Poisson's ratio must lie in [0, 0.5], got nu={nu:g}")
     if terms < 1:
-        raise ValueError(f"needs a term or more, got {terms}")
+        raise ValueError(f"terms must be at least 1, got {terms}")
     squared = (length / h) ** 2
     factors = [_energy(float(s), nu, terms) / 1.5 / (1 - nu**2) for s in squared.ravel()]
     return np.array(factors).reshape(squared.shape)[()]

@@ -14,7 +14,7 @@ from analytic.surrogate.found import Found, Objective, asked
 
 POPULATION = 15  # a parameter
 GENERATIONS = 500
-SPREAD = 1e-8  # of the population's values to their mean, where it ends
+SPREAD = 1e-8  # spread of the population's values over their mean at which the search ends
 
 
 def evolve(objective: Objective, box: Box, *, seed: int = 0) -> Found:
@@ -44,5 +44,5 @@ def evolve(objective: Objective, box: Box, *, seed: int = 0) -> Found:
         vectorized=True,
     )
     if not result.success:
-        raise ArithmeticError(f"differential evolution has not settled: {result.message}")
+        raise ArithmeticError(f"differential evolution did not converge: {result.message}")
     return Found(box.from_unit(result.x[None])[0], float(result.fun), count, np.array(history))

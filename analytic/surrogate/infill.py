@@ -86,7 +86,7 @@ def infill(
     x = box.points(x)
     known = [true(point) for point in x] if answers is None else list(answers)
     if len(known) != len(x):
-        raise ValueError(f"as many values as designs, got {len(known)} and {len(x)}")
+        raise ValueError(f"there must be as many values as designs, got {len(known)} and {len(x)}")
     if not 1 <= in_a_row <= rounds:
         raise ValueError(f"in_a_row must lie between 1 and rounds, got {in_a_row} of {rounds}")
     history: list[Round] = []

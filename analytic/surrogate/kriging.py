@@ -42,7 +42,7 @@ class Kriging:
         twice = np.argwhere(np.triu(cdist(u, u) < 1e-9, 1))
         if len(twice):
             i, j = twice[0]
-            raise ValueError(f"designs {i} and {j} are one point, {self.designs[i]}")
+            raise ValueError(f"designs {i} and {j} are the same point, {self.designs[i]}")
 
     @cached_property
     def u(self) -> Array:
@@ -61,7 +61,7 @@ class Kriging:
         Q, R = np.linalg.qr(whitened)
         spread = np.abs(np.diag(R))
         if spread.min() <= 1e-10 * spread.max():
-            raise ValueError("the designs do not settle a quadratic trend: too few levels")
+            raise ValueError("the designs do not determine a quadratic trend: too few levels")
         return Q, R
 
     @cached_property

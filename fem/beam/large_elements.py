@@ -20,7 +20,7 @@ from fem.beam.section import Array, Indices, Section
 
 Extended = NDArray[np.longdouble]
 # Strains are differences of nearly equal numbers: in double precision a member with
-# EA L^2/EI = 1e8 would hold axial forces of 1e-6 EI/L^2 by round-off alone.
+# EA L^2/EI = 1e8 would have round-off errors of 1e-6 EI/L^2 in axial forces.
 
 
 @dataclass(frozen=True)

@@ -63,7 +63,7 @@ class Path:
 
     start: State
     states: tuple[State, ...]
-    pattern: Loading  # what the factor multiplies
+    pattern: Loading  # loading that the factor multiplies
 
     @property
     def last(self) -> State:

@@ -23,7 +23,7 @@ ALLOWED = 1e-4  # of the thickness: penetration and elastic slip that need no se
 DEEP = 0.05  # of the thickness: only an iterate is so deep, and its huge force must not turn
 STICKS = 2.0  # besides -1 and 1, the directions of sliding, and 0, not known yet
 SLACK = 1e-9  # relative, of the friction's limit and of the allowed slip
-TANGENTIAL = 0.002  # of what is firm
+TANGENTIAL = 0.002  # share of the normal stiffness
 
 
 @dataclass(frozen=True)

@@ -79,7 +79,7 @@ class Disc:
 
     def __post_init__(self) -> None:
         if not self.radius > 0:
-            raise ValueError(f"a disc's radius is positive, got {self.radius:g}")
+            raise ValueError(f"a disc's radius must be positive, got {self.radius:g}")
 
     def surface(self, at: Array) -> Surface:
         d = at - np.asarray(self.centre, float)

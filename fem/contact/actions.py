@@ -220,5 +220,5 @@ class Loads:
 def components(support: Support) -> dict[str, Prescribed]:
     """Component to value of a support."""
     if not isinstance(support, str | Mapping):
-        raise ValueError(f'a support is like "xy" or {{"x": 1e-3}}, got {support!r}')
+        raise ValueError(f'a support must be like "xy" or {{"x": 1e-3}}, got {support!r}')
     return dict.fromkeys(support, 0.0) if isinstance(support, str) else dict(support)

@@ -30,7 +30,7 @@ class AlongInterface:
         self.C = (self.rows @ bodies.surface).toarray()
         B = self.C @ bodies.compliance(self.C.T)
         if rough:
-            # as in the plane: what supports fix on both sides takes the least traction
+            # as in the plane: points fixed on both sides get the smallest traction
             area = np.concatenate([m.size for m in rough])
             B[np.diag_indices(len(B))] += LEAST * np.mean(np.diag(B) / area**2) * area**2
         self.cone = Cone.of(plane.kernel, (B + B.T) / 2, self.C @ bodies.shifts)

@@ -20,7 +20,7 @@ from fem.contact.interface import Interface, Surfaces
 from fem.plane.discretisation import Array, Indices
 from fem.plane.material import Assumption
 
-RUNAWAY = 100.0  # times what surfaces deform: beyond small displacements
+RUNAWAY = 100.0  # times the deformation of surfaces: beyond small displacements
 
 Before = tuple[Rest, AlongStep]
 

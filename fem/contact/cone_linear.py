@@ -153,7 +153,7 @@ class Linearised:
         limit = (self.task.friction * pressure)[cone.rough[slip]]
         share = limit / np.hypot(*trial[:, slip])
         A = self._pushed(self._unpushed(cone.B.T).T)
-        # the friction turns towards what slips across, the more the less has slipped
+        # friction turns towards the transverse slip; it turns more for a smaller slip
         across = len(A) - slip.size + np.arange(slip.size)
         A[across, across] += (1 - share) / (share * cone.augmentation[1][slip])
         D = self._unpushed(cone.D.T).T

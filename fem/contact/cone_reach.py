@@ -10,7 +10,7 @@ from scipy.optimize import nnls
 from fem.contact.cone import Cone
 from fem.plane.discretisation import Array
 
-UNHELD = 1e-9  # of the loads: less than that may be missing
+UNHELD = 1e-9  # of the loads: smaller differences are allowed
 BARE = 1e-12  # of the largest: forces that act on no rigid motion
 MAX_ROUNDS = 60
 

@@ -10,8 +10,8 @@ from fem.contact.complementarity import Complementarity
 from fem.contact.system import directions
 from fem.plane.discretisation import Array, Indices
 
-EXACT = 1e-9  # of the peak pressure and of the forces: what the solution may miss
-RESISTED = 1e-7  # of the squares of what motions move: below, only facets resist the motion
+EXACT = 1e-9  # of the peak pressure and of the forces: allowed error of the solution
+RESISTED = 1e-7  # of the squared displacements: below, only facets resist the motion
 NEUTRAL_SPRING = 1e-2  # of the contact's stiffness: holds motions that only facets resist
 
 

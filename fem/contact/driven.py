@@ -90,4 +90,4 @@ def _root(f: Callable[[float], float], a: float, b: float) -> float:
             return b
         a, b, f_a = b, b - f_b * (b - a) / (f_b - f_a), f_b
         f_b = f(b)
-    raise NotFoundError(f"the rollers' force is missed by {f_b:.1e} after {MOST} steps")
+    raise NotFoundError(f"the rollers' force still has the error {f_b:.1e} after {MOST} steps")

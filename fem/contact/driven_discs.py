@@ -47,7 +47,7 @@ class DrivenDiscs:
                 step @ flexibility @ gained
             )
         raise NotFoundError(
-            f"loads not met after 50 steps: forces still miss by {np.abs(missing).max():.2e} N/m"
+            f"loads not reached in 50 steps: forces differ by {np.abs(missing).max():.2e} N/m"
         )
 
     def _press(self, y: float) -> tuple[tuple[ContactSolution, Array], Array]:

@@ -80,7 +80,7 @@ class Interface:
         held = friction > 0
         partner[held] = friction.size + np.arange(held.sum())
         B = self.C @ bodies.compliance(self.C.T)
-        # what supports fix on both sides could carry any traction: the least is taken; by area,
+        # points fixed on both sides could carry any traction: the smallest is taken; by area,
         # which around a turn differs by many orders of magnitude from row to row
         area = np.concatenate([self.sizes, *(self.mortars[i].size for i in rough)])
         B[np.diag_indices(len(B))] += LEAST * np.mean(np.diag(B) / area**2) * area**2

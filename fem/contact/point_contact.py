@@ -32,7 +32,7 @@ def at_load(
         force = push(state)
         if force != before:
             step *= (P - force) / (force - before)
-    raise NotFoundError(f"the load {P:g} N is missed by {force / P - 1:.1e} of it")
+    raise NotFoundError(f"the load {P:g} N was not reached: relative error {force / P - 1:.1e}")
 
 
 def middle_pressure(r: Array, p: Array, a: float) -> float:

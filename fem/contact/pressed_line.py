@@ -19,7 +19,7 @@ CELLS = 6  # on it, on the mesh of level 1: four on the half-width
 COARSE = 2  # the level that finds where the contact ends
 HIT = 1e-12  # of P, within which the load is met
 MOST = 40
-SOLVED = 1e-10  # of a value: what follows smoothly from a load met within HIT, rounded
+SOLVED = 1e-10  # relative error of values if the load is reached within HIT
 PLACES = 8.0  # of the pressure by which places of nodes, rounded in double precision, move a peak
 INTEGRAL = 0.02  # of that, over the peak, which is left in integrals of the pressure
 AXIS = np.linspace(0.5, 1.25, 301)  # depths over a at which stresses are taken
@@ -124,7 +124,7 @@ class PressedLine:
             if more == missing:
                 break
             before, now, missing = now, now - more * (now - before) / (more - missing), more
-        raise NotFoundError(f"the load is missed by {more:.1e} of itself")
+        raise NotFoundError(f"the load was not reached: relative error {more:.1e}")
 
     def _missing(self, d: float) -> tuple[ContactSolution, float]:
         """The state with the cut moved down by `d` and the share of P that it lacks."""

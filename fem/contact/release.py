@@ -17,8 +17,8 @@ from fem.plane.discretisation import Array
 
 SPRINGS = (1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7)  # of the stiffness of the contact
 WEAKEST_SPRING = 1e-12
-RELEASED = 1e-13  # of the forces on rigid motions: what springs may still carry
-NEUTRAL = 1e-6  # of the forces on rigid motions: what facets may exert where the surface does not
+RELEASED = 1e-13  # of the forces on rigid motions: remaining force of the springs
+NEUTRAL = 1e-6  # of the forces on rigid motions: error of facets relative to the surface
 MAX_RELEASES = 60
 ACCEPTED_RESIDUAL = 1e-9
 
@@ -56,7 +56,7 @@ class Release:
             missed, size = system.missed(self.e, multipliers)
             if missed > before / 2:
                 if missed <= max(NEUTRAL * size, nothing):
-                    return multipliers, motion, states  # a neutral motion stays where it is
+                    return multipliers, motion, states  # a neutral motion is unchanged
                 share = max(share / 10, WEAKEST_SPRING)  # a gap still has to close
         raise NotFoundError(f"contact forces still miss the loads by {missed:.1e} of {size:.1e}")
 

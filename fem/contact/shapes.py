@@ -147,7 +147,7 @@ class Spiral:
         d = x - _column(self.pole, x)
         away, towards, g = np.hypot(*d), np.arctan2(d[1], d[0]), self.growth
         ahead = (towards - self.start + math.pi) % (2 * math.pi) - math.pi
-        turn = np.zeros(away.shape)  # from the direction of x to that of the nearest point
+        turn = np.zeros(away.shape)  # angle from the direction of x to the nearest point
         for _ in range(NEWTON):
             rho = self.radius * np.exp(g * (ahead + turn))
             c, s = away * np.cos(turn), away * np.sin(turn)

@@ -20,7 +20,7 @@ from fem.plane.discretisation import Array
 from fem.plane.material import Elastic
 
 HIT = 1e-12  # of the normal force, within which it is met
-UNCHANGED = 1e-6  # of what N misses: it does not depend on the race's place
+UNCHANGED = 1e-6  # relative change of the error of N: it does not depend on the race's position
 MOST = 40
 
 
@@ -90,7 +90,7 @@ class Wedge:
             else:
                 step = -more * (now - before) / (more - missing)
             before, now, missing = now, now + step, more
-        raise NotFoundError(f"the normal force is missed by {more:.1e} of itself")
+        raise NotFoundError(f"the normal force was not reached: relative error {more:.1e}")
 
     def _missing(self, state: ContactSolution, N: float) -> float:
         return self.forces(state)[0] / N - 1

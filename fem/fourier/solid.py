@@ -181,5 +181,5 @@ class Harmonic:
 
 def _whole(n: int) -> int:
     if n != int(n) or n < 0:
-        raise ValueError(f"a harmonic is a whole number >= 0, got {n}")
+        raise ValueError(f"a harmonic must be a whole number >= 0, got {n}")
     return int(n)

@@ -49,7 +49,7 @@ class HarmonicSolution:
         """
         points = np.asarray(points, float)
         if points.ndim != 2 or len(points) != 2 or not np.all(np.isfinite(points)):
-            raise ValueError(f"points are finite, of shape (2, m), got shape {points.shape}")
+            raise ValueError(f"points must be finite and of shape (2, m), got shape {points.shape}")
         cells, X = locate(self.basis.mesh, points)
         dofs = self.cells.dofs[cells].reshape(cells.size, -1, 3)
         N, slope = np.zeros(dofs.shape[:2]), np.zeros((cells.size, 2, dofs.shape[1]))

@@ -21,7 +21,7 @@ MOTIONS = {
     (1, False): ("along x", "about y"),
     (1, True): ("along y", "about x"),
 }
-FREE = 1e-9  # singular values of held rigid motions, over those of the whole body
+FREE = 1e-9  # singular values of held rigid motions over the values of the whole body
 
 
 def node_dofs(basis: Basis) -> Indices:

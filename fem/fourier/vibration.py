@@ -81,7 +81,7 @@ class RotatingSolid:
         if self.n != 1 and (self.springs or self.discs):
             raise ValueError(f"springs and discs act on harmonic 1, got n={self.n}")
         if np.any(by_body(self.solid.basis, self.rho, "density") <= 0):
-            raise ValueError(f"a density is positive, got rho={self.rho}")
+            raise ValueError(f"a density must be positive, got rho={self.rho}")
         by_body(self.solid.basis, self.ratio, "ratio of speeds")
 
     @cached_property

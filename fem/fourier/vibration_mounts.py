@@ -26,7 +26,7 @@ class Mount:
     def __post_init__(self) -> None:
         for name, value in (("k", self.k), ("k_tilt", self.k_tilt)):
             if not 0 <= value < np.inf:
-                raise ValueError(f"a spring's stiffness is not negative, got {name}={value:g}")
+                raise ValueError(f"a spring's stiffness must not be negative, got {name}={value:g}")
 
 
 @dataclass(frozen=True, kw_only=True)

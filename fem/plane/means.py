@@ -95,7 +95,7 @@ def held_means(T: csr_array, C: csr_array, surface: int = 0) -> tuple[csr_array,
     own = rows[:, touched].toarray()
     Q, R, order = qr(own.T, pivoting=True)
     size = np.abs(np.diag(R))
-    # against what the rows are without supports
+    # relative to the rows without supports
     whole = np.sqrt(np.asarray((C * C).sum(axis=1)).ravel())[order]
     if size.size < len(own) or np.any(size <= INDEPENDENT * whole):
         raise ValueError("a mean motion is prescribed that supports or another mean hold already")

@@ -34,7 +34,7 @@ class Recent(Generic[V]):
         taken = size(value)
         if taken > self.room:
             return value
-        # arrays of the caller's may change in place
+        # the caller may change its arrays in place
         own = tuple(part.copy() if isinstance(part, np.ndarray) else part for part in key)
         self.kept.insert(0, (own, value, taken))
         while len(self.kept) > self.most or sum(entry[2] for entry in self.kept) > self.room:

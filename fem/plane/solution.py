@@ -128,7 +128,7 @@ class PlaneSolution:
         """
         points = np.asarray(points, float)
         if points.ndim != 2 or len(points) != 2 or not np.all(np.isfinite(points)):
-            raise ValueError(f"points are finite, of shape (2, m), got shape {points.shape}")
+            raise ValueError(f"points must be finite and of shape (2, m), got shape {points.shape}")
         cells, X = locate(self.basis.mesh, points)
         N, slope = shapes_in(self.basis.mesh, cells, self.basis.elem.elem, X[:, :, None])
         local = self.u[np.asarray(self.basis.element_dofs)[:, cells]].reshape(len(N), 2, cells.size)

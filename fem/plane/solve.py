@@ -105,7 +105,7 @@ def solve_plane(
         raise ValueError(f"thickness must be positive, got {thickness:g}")
     turn = assumption == "axisymmetric"
     if turn and thickness != 1:
-        raise ValueError(f"a body of revolution has no thickness but its turn, got {thickness:g}")
+        raise ValueError(f"a body of revolution must have no thickness, got {thickness:g}")
     lam, mu, ratio = moduli(mesh, materials, assumption)
     basis = basis_for(mesh, lam, mu, degree, turn=turn)
     cells = cells_of(basis, thickness * lam, thickness * mu, turn=turn)
@@ -148,7 +148,7 @@ def _solve(cells, f, T, u0):
         step = factor.solve(residual) / scale
         u, before = u + T @ step, change
         internal = cells.internal_forces(u)
-        # energies: of the correction; of loads and prescribed movements; of what round-off is part
+        # energies: of the correction; of loads and prescribed movements; scale of round-off
         most = (stiff * abs(u[cells.dofs])).sum(axis=(1, 2))  # |u| |K| |u| is at most its square
         size = abs(f @ u) + abs(internal @ u) + ROUND_OFF * (most @ most)
         change = abs(float(residual @ step)) / size if size else 0.0

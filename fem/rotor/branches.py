@@ -32,7 +32,7 @@ def check_speeds(speeds: ArrayLike) -> Array:
     """Speeds (m,); ValueError unless they are finite numbers."""
     given = np.atleast_1d(np.asarray(speeds, float))
     if given.ndim != 1 or not given.size or not np.all(np.isfinite(given)):
-        raise ValueError("speeds are a row of finite numbers in rad/s")
+        raise ValueError("speeds must be a row of finite numbers in rad/s")
     return given
 
 

@@ -56,7 +56,7 @@ def campbell(rotor: Rotor, speeds: ArrayLike, count: int = 6, plane: str = "bend
     """
     at = check_speeds(speeds)
     if np.any(np.diff(at) <= 0):
-        raise ValueError("the speeds of a Campbell diagram rise")
+        raise ValueError("the speeds of a Campbell diagram must increase")
     found = branches(rotor, at, check_count(count), plane)
     values = np.concatenate([b.values for b in found], axis=1)
     whirl = np.concatenate([b.sense for b in found], axis=1)

@@ -20,7 +20,7 @@ class Rayleigh:
     def __post_init__(self) -> None:
         if not (0 <= self.alpha < math.inf and 0 <= self.beta < math.inf):
             raise ValueError(
-                f"Rayleigh damping is not negative, got {self.alpha:g} 1/s, {self.beta:g} s"
+                f"Rayleigh damping must not be negative, got {self.alpha:g} 1/s, {self.beta:g} s"
             )
 
     @classmethod
@@ -51,7 +51,7 @@ class Modal:
 
     def __post_init__(self) -> None:
         if not len(self.ratios) or not all(0 <= z < math.inf for z in self.ratios):
-            raise ValueError(f"damping ratios are not negative, got {tuple(self.ratios)}")
+            raise ValueError(f"damping ratios must not be negative, got {tuple(self.ratios)}")
 
     def matrix(self, M: Array, K: Array) -> Array:
         """C (n, n). ValueError for a rotor with unknowns without mass."""

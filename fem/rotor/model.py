@@ -54,7 +54,7 @@ class Rotor:
         if self.theory not in THEORIES:
             raise ValueError(f"a theory is one of {', '.join(THEORIES)}, got {self.theory!r}")
         if self.refine != int(self.refine) or self.refine < 1:
-            raise ValueError(f"refine is a whole number >= 1, got {self.refine}")
+            raise ValueError(f"refine must be a whole number >= 1, got {self.refine}")
         count = self.stations
         named = [("disc", d.node) for d in self.discs]
         named += [("support", s.node) for s in self.supports]

@@ -30,7 +30,7 @@ class Material:
         if not -1 < self.nu <= 0.5:
             raise ValueError(f"Poisson's ratio lies above -1 and up to 0.5, got nu={self.nu:g}")
         if not 0 <= self.rho < math.inf:
-            raise ValueError(f"a density is not negative, got rho={self.rho:g} kg/m^3")
+            raise ValueError(f"a density must not be negative, got rho={self.rho:g} kg/m^3")
 
     @property
     def G(self) -> float:
@@ -124,7 +124,7 @@ class Disc:
                            ("width", "m")):  # fmt: skip
             value = getattr(self, name)
             if not 0 <= value < math.inf:
-                raise ValueError(f"a disc's {name} is not negative, got {value:g} {unit}")
+                raise ValueError(f"a disc's {name} must not be negative, got {value:g} {unit}")
 
     @classmethod
     def cylinder(cls, node: int, d_o: float, d_i: float, width: float, rho: float) -> "Disc":
@@ -180,9 +180,9 @@ class Support:
                      "c_turn"):  # fmt: skip
             value = getattr(self, name)
             if value is not None and not 0 <= value < math.inf:
-                raise ValueError(f"a support's {name} is not negative, got {value:g}")
+                raise ValueError(f"a support's {name} must not be negative, got {value:g}")
         if not np.all(np.isfinite(self.K)) or not np.all(np.isfinite(self.C)):
-            raise ValueError("a support's coefficients are finite")
+            raise ValueError("a support's coefficients must be finite")
 
     @cached_property
     def K(self) -> Array:

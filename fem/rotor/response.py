@@ -16,7 +16,8 @@ from fem.rotor.parts import UNKNOWNS, Link, Support
 
 CHUNK = 2_000_000  # entries of the matrices solved together
 # Speeds from which on one diagonalisation replaces the solutions of each. It pays from some 30 on;
-# results agree to 1e-9, not to the last digit, so that those of fewer speeds stay as they are.
+# both agree to 1e-9, not to the last digit: the limit is higher, so that fewer speeds give the
+# digits of single solutions.
 MANY = 250
 
 
@@ -204,7 +205,7 @@ def _direct(block: Block, speeds: Array, omega: Array, f: Complex) -> list[Compl
         return [np.linalg.solve(D, each[..., None])[..., 0] for each in f]
     except np.linalg.LinAlgError:
         raise ArithmeticError(
-            "no bounded response: a resonance without damping, or a free motion at rest"
+            "no bounded response: the rotor has an undamped resonance or a free motion at rest"
         ) from None
 
 

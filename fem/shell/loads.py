@@ -68,7 +68,7 @@ def node_forces(count: int, loads: Mapping[int, Any]) -> Array:
     for node, load in loads.items():
         nodes_of(node, {}, count)
         if np.shape(load) != (6,):
-            raise ValueError(f"node {node}: a load has three forces and three couples, got {load}")
+            raise ValueError(f"node {node}: a load needs 3 forces and 3 couples, got {load}")
         f[node] += load
     return f
 

@@ -21,7 +21,7 @@ def moduli(mesh: Mesh3D, materials: Elastic | Mapping[str, Elastic]) -> tuple[Ar
     named = {None: materials} if isinstance(materials, Elastic) else materials
     for body, material in named.items():
         cells = slice(None) if body is None else named_cells(mesh, body)
-        # those of plane strain are those of space
+        # the constants of plane strain are those of space
         table[:, cells] = np.reshape(material.lame_constants("plane strain"), (2, 1))
     if bare := int(np.isnan(table[0]).sum()):
         raise ValueError(f"{bare} of {mesh.nelements} cells have no material: name every body")

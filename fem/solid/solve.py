@@ -105,7 +105,7 @@ def _solve(cells, f, T, u0):
         step = factor.solve(residual)
         u, before = u + T @ step, change
         internal = cells.internal_forces(u)
-        # energies: of the correction; of loads and prescribed movements; of what round-off is part
+        # energies: of the correction; of loads and prescribed movements; scale of round-off
         size = abs(f @ u) + abs(internal @ u) + ROUND_OFF * (abs(u) @ (stiff @ abs(u)))
         change = abs(float(residual @ step)) / size if size else 0.0
         if change < CONVERGED or not change < before / 2:

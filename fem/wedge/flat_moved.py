@@ -27,6 +27,6 @@ def angle_with_flats(
             break
         now = after(state).scaled(share**HARDER)
     alpha = state.place.psi / 2
-    # what is left of the torque is NEAR: the angle follows the overlap, this the torque
+    # the remaining error of the torque is NEAR: the angle depends on the overlap
     overlap = state.place.d_i + state.place.d_o
     return float(alpha + (share**HARDER - 1) * overlap / (2 * q.race * math.sin(2 * alpha)))

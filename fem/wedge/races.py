@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 
 ZONE = 1.5  # half-widths of even cells about each contact
 MOST = 12  # steps to rest
-BODY = "sprag"  # what meshes call the strut
+BODY = "sprag"  # name of the strut in meshes
 RACES = ("inner.rim", "outer.bore")
 HELD = ("inner.bore", "outer.rim")
 

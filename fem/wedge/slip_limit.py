@@ -90,7 +90,7 @@ class Limit:
         if abs(lever - self.asked) <= doubt:
             raise NotFoundError(
                 f"F_ax R/T = {self.asked:.4g} is within {doubt:.1e} of the limit {lever:.4g}: "
-                "whether it holds is not decided"
+                "it is not decided whether the clutch holds"
             )
         return lever > self.asked
 

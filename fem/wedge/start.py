@@ -14,7 +14,7 @@ from fem.wedge.races_place import Place
 from fem.wedge.rest import Drags
 
 COARSE = 3  # cells on the half-width of the meshes that locate the contacts
-SETTLED = 1e-4  # of both overlaps, by which pole and contacts may still move
+SETTLED = 1e-4  # of both overlaps: allowed remaining movement of pole and contacts
 MOST = 20  # steps
 STICKS = 5.0  # friction over tan(nu): well above what the strut needs
 
@@ -71,4 +71,4 @@ class Start(Generic[P]):
             moved = now.D - last.D, now.OA - last.OA, now.OB - last.OB
             if max(map(abs, moved)) <= SETTLED * now.H:
                 return start, state
-        raise NotFoundError(f"the sprag at {self.place.alpha:.4g} rad finds no place")
+        raise NotFoundError(f"the sprag at {self.place.alpha:.4g} rad has no position")

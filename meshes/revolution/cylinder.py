@@ -32,7 +32,7 @@ def half_cylinder(
     if not 0 <= bore < R < math.inf:
         raise ValueError(f"a cylinder needs 0 <= bore < R, got bore={bore:g} m, R={R:g} m")
     if not 0 <= overhang < math.inf:
-        raise ValueError(f"an overhang is not negative, got overhang={overhang:g} m")
+        raise ValueError(f"an overhang must not be negative, got overhang={overhang:g} m")
     if z.ndim != 1 or z.size < 2 or z[0] != 0 or not np.all(np.diff(z) > 0):
         raise ValueError(f"stations of contact must grow from 0, got {z}")
     if overhang > 0:

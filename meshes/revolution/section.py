@@ -20,7 +20,7 @@ def section(*, r: ArrayLike, z: ArrayLike) -> MeshQuad1:
     """
     r, z = _growing(r, "r"), _growing(z, "z")
     if r[0] < 0:
-        raise ValueError(f"radii are not negative, got r={r[0]:g} m")
+        raise ValueError(f"radii must not be negative, got r={r[0]:g} m")
     mesh = MeshQuad1.init_tensor(r, z)
     return mesh.with_boundaries({
         "axis" if r[0] == 0 else "bore": lambda x: x[0] == r[0],
@@ -55,7 +55,7 @@ def chain(parts: Sequence[Array]) -> Array:
     """Growing stations, one part after the other, each starting where the last one ended."""
     for before, after in pairwise(parts):
         if before[-1] != after[0]:
-            raise ValueError(f"stations end at {before[-1]:g} m and go on at {after[0]:g} m")
+            raise ValueError(f"stations end at {before[-1]:g} m but continue at {after[0]:g} m")
     return np.concatenate([parts[0], *(part[1:] for part in parts[1:])])
 
 

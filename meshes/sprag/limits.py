@@ -10,10 +10,10 @@ from meshes.freewheel.races import RoundRace
 from meshes.sprag.column import Reach
 from meshes.sprag.profile import Placed
 
-ASTRAY = 1 / 4  # of the gap between the races, that the sprag may overlap or leave to either
-FURTHEST = math.pi / 4  # that a sprag may be turned, and its pole lie beside +y [rad]
+ASTRAY = 1 / 4  # of the gap between the races: largest gap or overlap of the sprag with either
+FURTHEST = math.pi / 4  # largest rotation of a sprag, and angle of its pole from +y [rad]
 ROOM = 4 / 3  # fine zones that fit between the contact and the flank
-NEAREST = 1 / 4  # of half the outline, that a contact may come to the flank
+NEAREST = 1 / 4  # of half the outline: smallest distance of a contact from the flank
 ALONG = 41  # points of a flank that are compared with the next sprag's
 
 

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-STEEPEST = math.radians(75)  # from the column's line, where spiral and arc may end
+STEEPEST = math.radians(75)  # largest angle from the column's line to the ends of spiral and arc
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ from meshes.sprag.profile import Placed, Sprag
 if TYPE_CHECKING:
     from skfem.mesh import Mesh2D
 
-GROWTHS = 1e-5, 0.95  # of the spiral, between which that of a wedge angle is searched
+GROWTHS = 1e-5, 0.95  # range of growths of the spiral in the search for a wedge angle
 
 
 @dataclass(frozen=True)

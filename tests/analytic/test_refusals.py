@@ -58,7 +58,7 @@ REFUSED = [
     (lambda: stages(**SPRING | {"b": 1.2}), "arcs need b < 2 R, got b=1.2 m, radius=0.5 m"),
     (lambda: stages(**SPRING | {"radius": -0.5}), "radius must be positive .*, got -0.5 m"),
     (lambda: width_factor(1.0, 1.0, nu=0.6), r"Poisson's ratio must lie in \[0, 0.5\], got nu=0.6"),
-    (lambda: width_factor(1.0, 1.0, terms=0), "needs a term or more, got 0"),
+    (lambda: width_factor(1.0, 1.0, terms=0), "terms must be at least 1, got 0"),
 ]  # fmt: skip
 
 

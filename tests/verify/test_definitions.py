@@ -161,7 +161,7 @@ def test_the_command_finds_a_diameter_put_in_for_a_radius(tmp_path, capsys):
         (["ring-lame"], "needs --key"),
         (["ring-lame", "--key", "hoop_bore", "--printed", "1", "--unit", "mm"], "is in MPa"),
         (["ring-lame/no row"], "has no row"),
-        (["wang2023:k1-theory", "--changes", "9"], "--changes is 1 to 3"),
+        (["wang2023:k1-theory", "--changes", "9"], "--changes must be 1 to 3"),
     ],
 )
 def test_wrong_words_are_one_line_and_two(words, line, capsys):

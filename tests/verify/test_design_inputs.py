@@ -61,7 +61,7 @@ WRONG = [
     (spring, {"b": []}, "inputs.b: the list is empty"),
     (spring, {"n": "4 : 9 : 3"}, "needs whole numbers"),
     (spring, {"L1": "10 mm : 14 mm : 900", "r": "0.3 mm:0.6 mm:90"}, "candidates, at most 300,000"),
-    (crown, {"K_1_range": "5 : 1"}, "inputs.K_1_range: a range rises, got 5 to 1"),
+    (crown, {"K_1_range": "5 : 1"}, "inputs.K_1_range: a range must rise, got 5 to 1"),
     (crown, {"K_1_range": "0 : 2"}, "inputs.K_1_range = 0 to 2: must be greater than 0 and at"),
     (crown, {"z_m_range": "5 µm"}, 'inputs.z_m_range: a range is "low : high"'),
     (crown, {"torques": "1 N m : 13 N m : 13"}, "inputs.torques: 13 torques, at most 12 are taken"),
@@ -82,7 +82,7 @@ def test_what_design_cannot_do_ends_with_2_and_one_line(tmp_path, capsys):
     path = tmp_path / "mine.toml"
     for text, words in (
         ('case = "ring-lame"\n[inputs]\n', "design takes design-spring, design-sprag or sprag-"),
-        (whole(crown_template()), "--choose: a crown has one best"),
+        (whole(crown_template()), "--choose: a crown has one optimum"),
     ):
         path.write_text(text, encoding="utf-8")
         assert run(["design", "--choose", "2", str(path)]) == 2

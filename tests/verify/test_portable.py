@@ -226,7 +226,7 @@ def test_a_reason_makes_a_move_portable_and_one_that_explains_nothing_is_named(t
 def test_wrong_arguments_are_refused_in_one_line(capsys):
     for option, value, words in (
         ("--only", "core-z80", "no such machine; known are baseline"),
-        ("--seeds", "-1", "--seeds is 0 to 1000, got -1"),
+        ("--seeds", "-1", "--seeds must be 0 to 1000, got -1"),
     ):
         assert run(["portable", option, value]) == 2
         assert words in capsys.readouterr().err

@@ -261,7 +261,7 @@ def test_a_release_refuses_failed_rows_and_uncommitted_changes(loosened, tmp_pat
         (lambda: making.refuse_red(report), since.WITHOUT),
         (lambda: making.refuse_red(failed), "c/q: FAIL"),
         (lambda: making.refuse_uncommitted(tmp_path), "needs git"),  # no repository
-        (lambda: making.release(kept.ROOT, tmp_path), "is there already"),
+        (lambda: making.release(kept.ROOT, tmp_path), "exists already"),
     ):
         with pytest.raises(InputError, match=words):
             refuse()

@@ -159,7 +159,7 @@ def test_options_that_make_no_sense_are_refused(store, capsys):
         ("ring-lame --json", "store ring-lame: --json and --clear go without a case"),
         ("--clear level:", "--clear level:: no subject after the colon"),
         ("--clear budgets", "kinds: level"),
-        ("--code numpy.linalg", "--code numpy.linalg: no module of the project"),
+        ("--code numpy.linalg", "--code numpy.linalg: is no module of the project"),
         ("--code fem.plane", "--code fem.plane: is a package: name one of its modules"),
         ("ring-lame --code fem.plane.solve", "a case or a module, one of them"),
         ("no-case", "unknown case 'no-case'"),

@@ -44,7 +44,7 @@ def test_what_is_no_axis_and_no_tolerance_is_refused_with_its_option():
         (axis, "kind=1:2:2", "kind is a word"),
         (axis, "supports[3].k=1:2kN/m:2", "there is no supports[3] in the file"),
         (tolerance, "n=±1", "n is a whole number and has no tolerance"),
-        (tolerance, "b=±0mm", "a tolerance is above zero"),
+        (tolerance, "b=±0mm", "a tolerance must be above zero"),
         (tolerance, "b=±1.2.3%", 'not a length, such as "1.5 mm", nor a share of b, such as "5 %"'),
         (tolerance, "h=±0.2", "reaches inputs.h = 1.1: must be at most 1"),
     ):
@@ -89,9 +89,9 @@ def test_a_sample_has_two_matrices_and_the_first_with_columns_of_the_second():
         assert (one[:, rest] == a[:, rest]).all()
     assert (a != b).all()
     for count, tolerances, said in (
-        ("sobol:12", ["a=±1mm"], "N is a power of two from 8"),
+        ("sobol:12", ["a=±1mm"], "N must be a power of two from 8"),
         ("sobol", ["a=±1mm"], "--sample is sobol:N"),
-        ("sobol:8", ["a=±1mm", "a=±2mm"], "a is there twice"),
+        ("sobol:8", ["a=±1mm", "a=±2mm"], "a is given twice"),
     ):
         with pytest.raises(InputError, match=said):
             sample(CASE, "plate", Plate(), chosen(), count, tolerances)

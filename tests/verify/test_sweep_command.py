@@ -68,7 +68,7 @@ def test_options_that_make_no_sweep_are_refused_in_a_line(ring, capsys):
     for options, said in (
         ("", "sweep needs --vary NAME=a:b:n, or --sample"),
         ("--vary z=3:4:2 --sample sobol:8", "--vary, which makes a grid, and --sample exclude"),
-        ("--star --sample sobol:8", "--star belongs to --vary"),
+        ("--star --sample sobol:8", "--star requires --vary"),
     ):
         assert run(["sweep", str(ring), *options.split()]) == 2
         (line,) = capsys.readouterr().err.splitlines()

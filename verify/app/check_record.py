@@ -21,7 +21,7 @@ def check_record(checked: Checked, inputs: Inputs, values: Values) -> dict[str, 
 
     `dynamic` is None where it did not run, `rows` are empty without finite elements.
     """
-    from reports.records import row_record  # only the command line knows reports
+    from reports.records import row_record  # only the command line may import reports
 
     case, result, dynamic = checked.case, checked.result, checked.dynamic
     return {

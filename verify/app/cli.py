@@ -302,7 +302,7 @@ def main(arguments: list[str] | None = None) -> None:
 
 def run(arguments: list[str]) -> int:
     """Run one command line and return its exit status."""
-    if "" in arguments and arguments[0] != "__complete":  # where a shell asks what may follow
+    if "" in arguments and arguments[0] != "__complete":  # a shell requests suggestions
         return _complain("an argument is empty: a variable of the shell that is not set?")
     try:
         status = int(app(arguments, result_action="return_value") or 0)

@@ -207,7 +207,7 @@ def write_report(
 
     With the `keys` of all judged cases only what has changed is written.
     """
-    from reports.origins import Origins  # only the command line knows reports
+    from reports.origins import Origins  # only the command line may import reports
     from reports.write import write
 
     code = partial(code_of, write.__module__)

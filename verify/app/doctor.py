@@ -94,7 +94,7 @@ def findings() -> Iterator[Finding]:
     yield _cache()
     yield _output()
     yield from second
-    browser = shutil.which("chromium") or ""  # what tests of the page use
+    browser = shutil.which("chromium") or ""  # used by tests of the page
     yield Finding("chromium", OK if browser else OPTIONAL, browser or "not installed")
 
 

@@ -110,7 +110,7 @@ def find_row(name: str, ids: Sequence[str], where: str = "") -> str:
     """
     text = _plain(name)
     if not text:
-        raise InputError(f"explain needs a row, such as {ids[0]!r}")
+        raise InputError(f"explain needs the name of a row, such as {ids[0]!r}")
     tests: tuple[Callable[[str], bool], ...] = (
         lambda i: text in (i, i.partition("/")[2]),
         lambda i: text in i,
@@ -151,7 +151,7 @@ def row_in_words(row: Row) -> str:
 
 
 def _json(row: Row) -> str:
-    from reports.records import row_record  # only the command line knows reports
+    from reports.records import row_record  # only the command line may import reports
 
     steps = [{"label": label, "text": text} for label, text in derive(row).steps]
     return json.dumps({"row": row_record(row), "steps": steps}, ensure_ascii=False)

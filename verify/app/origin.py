@@ -75,7 +75,7 @@ def _module(name: str) -> str:
         parts = full.relative_to(ROOT).with_suffix("").parts if full.is_relative_to(ROOT) else ()
         name = ".".join(parts)
     if not is_of_project(name) or not all(name.split(".")) or not source_code.is_module(name):
-        raise InputError(f"--code {path}: no module of the project, such as analytic.ring.lame")
+        raise InputError(f"--code {path}: is no module of the project, such as analytic.ring.lame")
     if source_code.is_package(name):
         raise InputError(f"--code {path}: is a package: name one of its modules")
     return name

@@ -23,7 +23,7 @@ def release(root: Path, folder: Path | None = None, *, jobs: int = 0) -> Path:
     name = version(root)
     path = path_of(name, folder)
     if path.exists():
-        raise InputError(f"{path.name} is there already: raise the version in pyproject.toml")
+        raise InputError(f"{path.name} exists already: raise the version in pyproject.toml")
     refuse_uncommitted(root)
     start = time.perf_counter()
     results = solve([Job(case, case.inputs(), drawn=False) for case in CASES], Where(jobs), True)
@@ -38,9 +38,9 @@ def refuse_uncommitted(root: Path) -> None:
     try:
         done = subprocess.run(run, capture_output=True, text=True, timeout=60, check=True)  # noqa: S603
     except (OSError, subprocess.SubprocessError) as error:
-        raise InputError("a release needs git, which says whether all is committed") from error
+        raise InputError("a release needs git, to check that all changes are committed") from error
     if changed := done.stdout.splitlines():
-        raise InputError(f"a release needs all committed: {changed[0].strip()}")
+        raise InputError(f"a release needs all changes committed: {changed[0].strip()}")
 
 
 def refuse_red(report: Report) -> None:

@@ -24,7 +24,7 @@ def summary(report: Report, *, status: int, changes: Sequence[str] = ()) -> str:
         _counts(report),
     ]
     if report.verdicts:
-        from reports.verdicts import counts_in_markdown  # only the command line knows reports
+        from reports.verdicts import counts_in_markdown  # only the command line may import reports
 
         parts += ["### Verdicts of the formulas", counts_in_markdown(report)]
     if failing := _failing(report):

@@ -161,7 +161,7 @@ class Case:
     readings: tuple[str, ...] = ()
     assumptions: tuple[str, ...] = ()
     method: Method = Method()  # noqa: RUF009 - frozen
-    # what follows for the one who asks, in words, the verdict first
+    # conclusions for the user, in words, the verdict first
     findings: Callable[[Any, Values], Sequence[str]] = lambda _inputs, _values: ()
     # the same for programs, as JSON beside the values
     summary: Callable[[Any, Values], Mapping[str, Any]] = lambda _inputs, _values: {}

@@ -12,7 +12,7 @@ PAUSE = 0.02  # s between two attempts
 SETTINGS = (
     # a process that is killed loses nothing; a power failure may lose the last commits
     "PRAGMA synchronous = NORMAL",
-    # overwriting what is removed would need room on a disk that has none
+    # overwriting removed entries would need space on a full disk
     "PRAGMA secure_delete = OFF",
 )
 NO_ROOM = ("full", "disk I/O")  # in messages of SQLite

@@ -17,7 +17,7 @@ from collections.abc import Collection, Sequence
 OLDEST, NEWEST = (3, 11), (3, 14)  # all wheels of requirements.txt exist for these and between
 MESHES, PICTURES = "meshes", "pictures"  # gmsh does not start without these; pictures are fewer
 
-# shared library, its Debian package, what needs it
+# shared library, its Debian package, its users
 LIBRARIES = (
     ("libGLU.so.1", "libglu1-mesa", MESHES),
     ("libGL.so.1", "libgl1", MESHES),
@@ -31,7 +31,7 @@ LIBRARIES = (
 )
 PACKAGES = ("python3-venv", *(package for _, package, _ in LIBRARIES))
 OPENGL = ("libEGL.so.1", "libGL.so.1")
-DRIVERS = "apt-get install libegl-mesa0 libgl1-mesa-dri"  # what OpenGL without a screen draws with
+DRIVERS = "apt-get install libegl-mesa0 libgl1-mesa-dri"  # drivers of OpenGL without a screen
 
 # A sphere drawn off-screen: exit status 3 where the picture is empty.
 RENDER = """

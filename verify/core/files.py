@@ -38,5 +38,5 @@ def _temporary(folder: Path) -> Iterator[tuple[IO[bytes], Path]]:
         yield file, path
     finally:
         path.unlink(missing_ok=True)
-        with suppress(OSError):  # what is left in the buffer of a file that is given up
+        with suppress(OSError):  # the buffer of an abandoned file
             file.close()

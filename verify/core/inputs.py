@@ -54,7 +54,7 @@ class Inputs(BaseModel):
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
-    # another set of inputs that templates offer: of what, and the TOML of its values by name
+    # another set of inputs that templates offer: its title, and the TOML of its values by name
     instead: ClassVar[tuple[str, Mapping[str, str]]] = ("", {})
 
     def display(self) -> tuple[InputValue, ...]:

@@ -13,7 +13,7 @@ PROJECT = ("analytic", "fem", "meshes", "verify", "reports")
 FIELDS = ("quantity", "given", "count", "word", "text", "table")  # functions that declare an input
 DECLARATION = "Quantity"  # of a formula: its words, and the unit of its display
 FIELD_VALUES = 2  # of their arguments, which are values: default and unit
-DECLARED = ("role", "when")  # what remains of a declaration
+DECLARED = ("role", "when")  # arguments of a declaration that count
 FIELD_WORDS = ("claims", "example", "what", "symbol")
 
 
@@ -22,7 +22,7 @@ def is_of_project(name: str) -> bool:
     return name.partition(".")[0] in PROJECT
 
 
-Bound = Mapping[str, str]  # what the names that imports bind stand for
+Bound = Mapping[str, str]  # meaning of each imported name
 
 
 def plain(node: ast.AST, bound: Bound) -> str:
@@ -90,7 +90,7 @@ def _call(node: Any, bound: Bound) -> dict[str, object]:
     return {"args": values, "keywords": [k for k in node.keywords if k.arg not in FIELD_WORDS]}
 
 
-# what takes the place of fields of these nodes
+# replacements of fields of these nodes
 _CHANGED: dict[type[ast.AST], Callable[[Any, Bound], dict[str, object]]] = {
     ast.Import: _import, ast.Name: _name, ast.Raise: _raise, ast.Assert: _assert, ast.Call: _call,
 }  # fmt: skip

@@ -23,11 +23,11 @@ from verify.core import module_syntax as syntax
 from verify.core.plain_code import PROJECT, plain
 from verify.core.source_memory import remembered
 
-CASE = "q"  # what a case's modules call the case with its inputs
+CASE = "q"  # variable of a case's modules for the case with its inputs
 SOLVERS = ("analytic.", "fem.", "meshes.")  # take numbers, and no case
 COMPILED = "analytic.sprag.engagement"
 _outside: set[Path] = set()
-OF_BOTH = re.compile(r"[._](inputs|description)$")  # modules that make what both sides take
+OF_BOTH = re.compile(r"[._](inputs|description)$")  # modules with inputs of both sides
 
 
 @cache

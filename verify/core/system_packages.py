@@ -24,7 +24,7 @@ FORBIDDEN = "FREEWHEEL_NO_APT"  # set: nothing is installed, the line to run is 
 LOCK_SECONDS = 120  # another apt-get or dpkg may take so long
 APT = ("apt-get", "-q", "-o", f"DPkg::Lock::Timeout={LOCK_SECONDS}", "-o", "Acquire::Retries=1")
 INSTALL = (*APT, "install", "-y", "--no-install-recommends")
-REPAIR = "dpkg --configure -a"  # what apt-get requires after an interrupted installation
+REPAIR = "dpkg --configure -a"  # required by apt-get after an interrupted installation
 
 
 @dataclass(frozen=True)

@@ -26,7 +26,7 @@ def _without(package: str) -> Iterator[None]:
         del sys.modules[package]
 
 
-with _without("dask"):  # pint would import it for arrays that no unit here has: 0.15 s
+with _without("dask"):  # pint would import it for dask arrays, which are not used here: 0.15 s
     import pint
 
 DEFINITIONS = """

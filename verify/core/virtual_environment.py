@@ -27,7 +27,7 @@ READY = ".ready"  # in a complete environment: its parent folder and Python, rea
 LOG = "pip.txt"  # output of the last pip
 FAILED = "failed.txt"  # why the last set-up ended early
 SHARED = "shared.pth"
-DOWNLOADS = "downloads"  # pip's temporary files, where a killed pip leaves what it had loaded
+DOWNLOADS = "downloads"  # pip's temporary files, with complete downloads of a killed pip
 GROUP = 8  # packages that one pip installs
 PIN = re.compile(r"([A-Za-z0-9._-]+)==([^\s;\\]+)")
 HASH = re.compile(r"--hash=sha256:([0-9a-f]{64})")

@@ -63,7 +63,7 @@ class Case(Inputs):
     assumptions: ClassVar[tuple[str, ...]] = ()
     scans: ClassVar[tuple[Scan, ...]] = ()  # regions over which sweeps measure the formulas
     portions: ClassVar[tuple[Portion, ...]] = ()  # parts of the reference, solved alone
-    dynamic: ClassVar[Dynamic | None] = None  # what `check --dynamic` computes
+    dynamic: ClassVar[Dynamic | None] = None  # transient part for `check --dynamic`
     time_limit: ClassVar[float] = 600.0  # s, of a level or the formulas of a case outside the suite
 
     @classmethod
@@ -73,7 +73,7 @@ class Case(Inputs):
         names = {meta(field)["symbol"]: name for name, field in cls.model_fields.items()}
         for q in cls.quantities():
             if (other := names.setdefault(q.symbol, q.name)) not in (q.name, q.form_of):
-                raise q.broken(f"the symbol {q.symbol} is that of {other} already")
+                raise q.broken(f"the symbol {q.symbol} is already used by {other}")
             q.check_words()
             try:
                 units.factor(q.unit)

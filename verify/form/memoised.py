@@ -5,7 +5,7 @@ from functools import _lru_cache_wrapper
 
 from verify.form import quantity
 
-MEMOISED = ("analytic.", "fem.", "meshes.", "verify.cases.")  # who may hold results
+MEMOISED = ("analytic.", "fem.", "meshes.", "verify.cases.")  # packages that memoise results
 
 
 def forget_memoised() -> None:

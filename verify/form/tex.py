@@ -70,7 +70,7 @@ def put_in(tex: str, numbers: Mapping[str, str]) -> str:
     '\\frac{210 \\cdot 0.06}{\\left(76\\,\\mathrm{mm}\\right)^2}'
     """
     names = "|".join(map(re.escape, sorted(numbers, key=len, reverse=True)))
-    out, closed = "", False  # closed: what stands before ends a factor
+    out, closed = "", False  # closed: the text before ends a factor
     for match in re.finditer(rf"(?:{names})(?!_|(?<=[A-Za-z]{{2}})[A-Za-z])|{TOKENS}", tex):
         token = match[0]
         value = numbers.get(token)

@@ -32,7 +32,7 @@ ALONE = {  # who imports them
 }  # fmt: skip
 FORMAT = 1
 KIND = "level"  # of entries: a case's result on one mesh
-# what numpy and zipfile raise on files that were torn or changed
+# errors of numpy and zipfile for incomplete or changed files
 UNREADABLE = (
     OSError, ValueError, LookupError, EOFError, RuntimeError, TypeError, AttributeError,
     zipfile.BadZipFile, zlib.error, struct.error,

@@ -8,7 +8,7 @@ from verify.core.store import Store, unpacked
 from verify.jobs import cache
 
 NAME = re.compile(r"[0-9a-f]{32}\.npz")
-# kind of entries and the array that each file of it has; other folders are those of cases
+# kind of entries and the array that each file of it has; other folders belong to cases
 KINDS = {"design-sprag": ("engagement", "N")}
 LEVEL = cache.KIND, "head"
 PICTURES = "pictures"  # a folder whose files are drawn again in a minute: they stay where they are

@@ -58,9 +58,9 @@ class Where:
         if self.engine not in ENGINES:
             raise InputError(f"--engine is one of {', '.join(ENGINES)}, got {self.engine!r}")
         if not 0 <= self.jobs <= MOST_JOBS:
-            raise InputError(f"--jobs is 0 (one a core) to {MOST_JOBS}, got {self.jobs}")
+            raise InputError(f"--jobs must be 0 (one per core) to {MOST_JOBS}, got {self.jobs}")
         if self.scheduler and self.engine != "dask":
-            raise InputError("--scheduler belongs to --engine dask")
+            raise InputError("--scheduler requires --engine dask")
         if self.scheduler and not ADDRESS.fullmatch(self.scheduler):
             raise InputError(
                 f"--scheduler is an address such as tcp://host:8786, got {self.scheduler!r}"

@@ -11,7 +11,7 @@ from verify.judging.checks import Approximation, Identity
 
 LOOSE = 0.05  # half of a band from which on a formula is SHOWN, not judged
 FINER = 0.5  # of half a band: coarser meshes cannot decide
-TWICE = 2.2  # half bands: what a formula can move by inside its band, with a margin
+TWICE = 2.2  # half bands: largest change of a formula inside its band, with a margin
 
 
 def undecided(rows: list[Row], band: tuple[float, float]) -> list[Row]:

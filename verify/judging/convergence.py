@@ -18,7 +18,7 @@ from typing import Literal
 
 import numpy as np
 
-ROUND_OFF = 1e-10  # of the scale: what round-off may change of a difference of two values
+ROUND_OFF = 1e-10  # of the scale: effect of round-off on a difference of two values
 # Of the scale: an order needs a last difference above this. Round-off then changes the logarithm of
 # the ratio of differences by a third at most, whatever the processor.
 RESOLVED = 5 * ROUND_OFF
@@ -245,4 +245,4 @@ def _check(h: Sequence[float], values: Sequence[float]) -> None:
     if any(not (math.isfinite(a) and a > 0) for a in h) or any(b >= a for a, b in pairwise(h)):
         raise ValueError(f"mesh sizes must be positive and decrease, got {list(h)}")
     if not all(math.isfinite(v) for v in values):
-        raise ValueError(f"a value that did not converge is no number: {list(values)}")
+        raise ValueError(f"values must be finite to judge convergence: {list(values)}")

@@ -107,7 +107,7 @@ class Deviation(Stated):
     kind = Kind.IDENTITY
 
     size: Callable[[Context], tuple[float, float, str]]
-    whole: str  # what the size is taken over
+    whole: str  # divisor of the difference, in words
 
     def rows(self, context: Context) -> list[Row]:
         size, U, words = self.size(context)

@@ -35,7 +35,7 @@ class Study:
             if case_id not in known:
                 asked = f"{self.name}:{case_id}".rstrip(":")
                 there = nearest(case_id, known)
-                raise InputError(f"{asked}: no such measurement, there are {there}")
+                raise InputError(f"{asked}: no such measurement; known are {there}")
         return list(known.values()) if self.name in names else [known[one] for one in selected]
 
     def measure_missing(self, cases: Sequence[Case], where: Where, *, again: bool = False) -> bool:

@@ -70,7 +70,7 @@ def point_of(row: Row) -> Point:
     if row.difference is None or not row.scale or row.tolerance is None:
         raise NoEvidenceError(f"{row.id} has no error with an uncertainty")
     if not math.isfinite(row.difference + row.tolerance):
-        raise NoEvidenceError(f"{row.id} has an error that is no number")
+        raise NoEvidenceError(f"{row.id} has an error that is not a finite number")
     return Point(row.difference / row.scale, row.tolerance / row.scale)
 
 

@@ -30,7 +30,7 @@ from analytic.bounds.freewheel.parts import Loaded, Parts
 from analytic.contact.checks import Array
 
 POINTS = 4000  # of a course
-FARTHER = 1.5  # normal force over that of the summit
+FARTHER = 1.5  # normal force over that at the maximum torque
 
 Factors = tuple[float, float, float]
 

@@ -13,7 +13,7 @@ from analytic.bounds.freewheel.intervals import Interval, times
 from analytic.bounds.freewheel.star import StarBounds
 
 WIDEST = 0.04  # interval at the limit: near tan(alpha) = mu it has no meaning
-SAME_EQUATION = 1e-6  # of a value: what two forms of one equation differ by beside their ratio
+SAME_EQUATION = 1e-6  # relative difference of two forms of one equation, besides their ratio
 
 
 class FrictionBounds:

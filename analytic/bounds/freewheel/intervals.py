@@ -4,14 +4,14 @@ import math
 
 from analytic.bounds.freewheel.parts import Loaded, Parts
 
-CURVED = 4.0  # bound of what Hertz neglects of pressures, over (a/r)²; between flats it is 3/16
+CURVED = 4.0  # bound of Hertz's error of pressures over (a/r)²; between flats it is 3/16
 LEAST = 7e-3  # and no less is required: 1 % is accepted, meshes take 0.3
 ROUNDED = 2e-5  # of a value: nothing finer is required, splines and meshes take half of it
 SMALLEST = 2e-3  # nor of approaches that others follow from
 ASKED = 4e-3  # nor of approaches themselves
 TIGHT, LOOSE = 0.8, 1.2  # of the winding of a ring: corners stand beyond it, some without shear
 SIDEWAYS = 0.5, 1.0  # bounds of the tangential over the normal compliance, of like logarithms
-STRAIGHT = 0.01  # of phi: what the printed angle's ratio changes by along its arc
+STRAIGHT = 0.01  # share of phi: change of the printed angle's ratio along its arc
 
 Interval = tuple[float, float]
 

@@ -8,8 +8,8 @@ from math import tan
 
 from analytic.bounds.polyhedral.contacts import Interval, about
 
-STATICS = 1e-6  # of a value: what forces in balance may miss
-MODEL = 2.0  # bound of what half planes leave out, over (a/R)²
+STATICS = 1e-6  # relative error of forces in balance
+MODEL = 2.0  # bound of the error of half planes over (a/R)²
 
 
 def torque_error(*, alpha: float, mu: float) -> Interval:

@@ -8,8 +8,8 @@ in each state. Errors are formula/struts - 1; intervals are (least, largest).
 import math
 
 POWER = 10 / 9  # of a line contact
-SERIES = 4e-3  # that a series may be uncertain by
-SHARE = 0.05  # of what Eq. 3 leaves out, that expectations are given to
+SERIES = 4e-3  # largest uncertainty of a series
+SHARE = 0.05  # uncertainty of an expected error, as a share of the terms that Eq. 3 omits
 Interval = tuple[float, float]
 
 

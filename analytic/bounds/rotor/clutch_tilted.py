@@ -16,7 +16,7 @@ from analytic.rotor.clutch import Array, Clutch, even_angles
 from analytic.rotor.clutch_state import under_torque
 
 POWER = 10 / 9  # of a line contact
-SHARE = 0.05  # of what the formula leaves out, that expectations are given to
+SHARE = 0.05  # uncertainty of an expected error, as a share of the omitted terms
 Entry = Literal["K_y_tilt_x", "K_x_tilt_y"]
 PLACES: dict[Entry, tuple[int, int]] = {"K_y_tilt_x": (1, 2), "K_x_tilt_y": (0, 3)}
 

@@ -79,7 +79,7 @@ REFUSED = [
     (lambda: tangential_cycle.traction(0.0, **CYCLE | {"Q": 0.7}), "-Q_max and Q_max = 0.6 N/m, g"),
     (lambda: tangential_cycle.traction(0.0, **CYCLE | {"Q_max": 0.8}), "the contact slides"),
     (lambda: tangential_cycle.traction(0.0, **CYCLE | {"branch": "down"}), "branch is one of"),
-    (lambda: disc.disc_in_contact(a=0.95, R=1.0, E_plane=1.0), "may reach 0.9 R, got a=0.95 m, R="),
+    (lambda: disc.disc_in_contact(a=0.95, R=1.0, E_plane=1.0), "at most 0.9 R, got a=0.95 m, R="),
     (lambda: disc.disc_under_load(P=10.0, R=1.0, E_plane=1.0), "may flatten up to a = 0.9 R"),
     (lambda: edge_exponent(1.5), r"edge's angle must lie in \[pi/2, pi\), got .* rad"),
     (lambda: clamped_race.approach_to_rim(**RACE | {"a": 0.6}), "half-width"),
@@ -125,11 +125,11 @@ REFUSED = [
         ({"load": None}, "either load or approach"),
         ({"cell": (1.0,)}, "a cell has two sides"),
         ({"gap": [0.0, 1.0]}, "nx by ny values"),
-        ({"start": [[1.0]]}, "starting pressure needs a value a cell"),
+        ({"start": [[1.0]]}, "starting pressure needs one value per cell"),
         ({"tolerance": 0.0}, "tolerance must be positive"),
     )],
     (lambda: HalfSpace((4, 4), cell=(1.0, 1.0), E_star=1.0).press(np.zeros((4, 5)), load=1.0),
-     r"gap needs a value a cell, \(4, 4\)"),
+     r"gap needs one value per cell, \(4, 4\)"),
     *[(lambda change=change: press_roller(**ROLLER | {"load": 100.0, "cells": (8, 8)} | change), m)
       for change, m in (
         ({"load": None}, "either load or approach"),

@@ -85,9 +85,9 @@ def test_a_search_that_does_not_end_is_an_error(monkeypatch):
         slices.press(crowned(tilt=1e-3), load=300.0, **ROLLER)
     monkeypatch.undo()
     monkeypatch.setattr(slices, "ITERATIONS", 1)
-    with pytest.raises(ArithmeticError, match="the approach under the load was not found in 1"):
+    with pytest.raises(ArithmeticError, match="the approach for the given load did not converge"):
         slices.press(crowned(), load=300.0, **ROLLER)
-    with pytest.raises(ArithmeticError, match="the load under the approach did not settle in 1"):
+    with pytest.raises(ArithmeticError, match="the load at this approach did not converge in 1"):
         slices.press(crowned(), approach=1e-6, **ROLLER)
 
 
@@ -130,7 +130,7 @@ def test_where_block_exchanges_cycle_single_exchanges_find_the_solution(monkeypa
     assert np.all(after >= -1e-12)
     np.testing.assert_allclose(after * q[0], 0, atol=1e-12)
     monkeypatch.setattr(slice_pivoting, "PATIENCE", 10**9)
-    with pytest.raises(ArithmeticError, match="the carrying slices were not found"):
+    with pytest.raises(ArithmeticError, match="the set of loaded slices was not found"):
         slice_pivoting.carried(S[None], f[None], f[None], np.ones((1, 4), dtype=bool))
 
 

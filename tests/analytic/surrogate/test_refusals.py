@@ -33,8 +33,8 @@ REFUSED = [
     (lambda: BOX.to_unit(np.ones((1, 3))), "points must be of shape (n, 2), got (1, 3)"),
     (lambda: full_factorial(BOX, 1), "at least 2 levels, got 1"),
     (lambda: fit(X[:7], ONES[:7], BOX), "a quadratic trend needs at least 8 designs, got 7"),
-    (lambda: fit(np.vstack([X, X[4]]), np.ones(31), BOX), "designs 4 and 30 are one point, ["),
-    (lambda: fit(np.where([True, False], X, 0.5), smooth(X), BOX), "do not settle a quadratic"),
+    (lambda: fit(np.vstack([X, X[4]]), np.ones(31), BOX), "designs 4 and 30 are the same point, ["),
+    (lambda: fit(np.where([True, False], X, 0.5), smooth(X), BOX), "do not determine a quadratic"),
     (lambda: fit_largest(X, [], BOX), "the largest of no regimes is not defined"),
     (lambda: fit_largest(X, [ONES, -ONES], BOX), "must not be negative, got -1.0"),
     (lambda: fit_largest(X, [ONES, ONES], BOX, present=[ONES > 0]), "2 regimes, but 1 say where"),
@@ -43,7 +43,7 @@ REFUSED = [
     (lambda: quality(ONES, 0 * ONES), "relative errors need finite values"),
     (lambda: left_level_out(fit(X, smooth(X), BOX), X[:2], ONES[:2]), "only between others"),
     (lambda: filled(answers=list(ONES), rounds=0), "in_a_row must lie between 1 and rounds, got"),
-    (lambda: filled(answers=[1.0]), "as many values as designs, got 1 and 30"),
+    (lambda: filled(answers=[1.0]), "there must be as many values as designs, got 1 and 30"),
     (lambda: genetic(smooth, BOX, population=5), "even and at least 2, got 5"),
     (lambda: genetic(smooth, BOX, crossover=1.1), "crossover must lie in [0, 1], got 1.1"),
 ]
@@ -63,5 +63,5 @@ def test_an_objective_that_is_not_finite_is_named(search):
 
 def test_evolution_that_does_not_converge_is_reported():
     rng = np.random.default_rng(6)
-    with pytest.raises(ArithmeticError, match="differential evolution has not settled"):
+    with pytest.raises(ArithmeticError, match="differential evolution did not converge"):
         evolve(lambda x: rng.random(len(x)) - 0.5, BOX)

@@ -153,7 +153,7 @@ def contact(**wrong):
         (lambda: contact(per_element=0), "an element needs 1 probe or more, got per_element = 0"),
         (lambda: contact(apart=-1.0), "apart must be a length of 0 or more, got -1.0"),
         (lambda: Flat((0, 0), (0, 0)), "the normal of a flat has a length"),
-        (lambda: Disc((0, 0), -1.0), "a disc's radius is positive, got -1"),
+        (lambda: Disc((0, 0), -1.0), "a disc's radius must be positive, got -1"),
         (lambda: Obstacle(*LINE, SHAPES["flat"], thickness=0.1, EA=1.0, carrier=5),
          "no node 5: the frame has nodes 0 to 4"),
         (lambda: Obstacle(LINE[0], [[0, 9]], SHAPES["flat"], thickness=0.1, EA=1.0),

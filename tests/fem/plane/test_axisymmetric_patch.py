@@ -123,7 +123,7 @@ def test_nodes_off_the_axis_by_round_off_lie_on_it(shape, off):
 @pytest.mark.parametrize(
     ("changed", "message"),
     [
-        ({"thickness": 2.0}, r"no thickness but its turn, got 2"),
+        ({"thickness": 2.0}, r"must have no thickness, got 2"),
         ({"point_forces": {(0.0, 1.0): (3.0, 1.0)}},
          r"point force at \(0.0, 1.0\) has the radial part 3: on the axis"),
         ({"forces": {"right": (3.0, 1.0)}}, r"force on 'right' has the radial part 3"),

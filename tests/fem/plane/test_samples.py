@@ -143,7 +143,7 @@ def test_a_linear_field_is_exact_at_any_point_of_curved_cells(kind):
     with pytest.raises(ValueError, match=words):
         solution.at(np.array([[0.5, 1.001, 0.2], [0.5, 0.25, -3.0]]))
     for points in (np.zeros(2), np.zeros((3, 4)), np.array([[0.1, np.nan], [0.1, 0.1]])):
-        with pytest.raises(ValueError, match=r"points are finite, of shape \(2, m\)"):
+        with pytest.raises(ValueError, match=r"points must be finite and of shape \(2, m\)"):
             solution.at(points)
 
 

@@ -169,7 +169,7 @@ LOST = np.vstack([GRID.points, [9.0, 9.0, 9.0]])
         ({"ties": {"u=2": "x"}}, "no boundary 'u=2'"),
         ({"edge_loads": {"u=1": (0, 1)}}, "'u=1': a load has three components"),
         ({"pressures": {"middle": 1.0}}, "no body 'middle'"),
-        ({"loads": {3: (0, 0, 1)}}, "node 3: a load has three forces and three couples"),
+        ({"loads": {3: (0, 0, 1)}}, "node 3: a load needs 3 forces and 3 couples"),
     ],
 )
 def test_wrong_input_is_refused(change, message):

@@ -58,7 +58,7 @@ def test_a_cylinder_keeps_the_stations_of_contact_and_goes_on_beyond():
         (lambda: half_cylinder(R=1.0, contact=[1, 2], first=0.1), "grow from 0"),
         (
             lambda: chain([np.array([0.0, 1.0]), np.array([2.0, 3.0])]),
-            "end at 1 m and go on at 2 m",
+            "end at 1 m but continue at 2 m",
         ),
     ],
 )

@@ -156,8 +156,8 @@ def test_equations_come_from_the_code_or_are_checked_against_it():
 
 def test_a_broken_rule_is_found_where_the_class_is_made():
     for symbol, unit, rule in (
-        ("σ", "MPa", r"Broken.other: the symbol σ is that of sigma already"),
-        ("d", "mm", r"Broken.other: the symbol d is that of d already"),
+        ("σ", "MPa", r"Broken.other: the symbol σ is already used by sigma"),
+        ("d", "mm", r"Broken.other: the symbol d is already used by d"),
         ("x", "furlong", r"Broken.other: .*furlong"),
     ):
         with pytest.raises(CaseError, match=rf"^test_declared.py:\d+: {rule}"):

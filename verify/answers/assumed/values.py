@@ -11,7 +11,7 @@ from verify.answers.assumed.rules import Assumed, Assumption, Given
 from verify.core import units
 from verify.core.inputs import LARGEST_INTEGER, REQUIRED, Inputs, bounds_of, is_table, kind_of, meta
 
-DIGITS = 6  # of a derived value, so that what is printed is what is computed with
+DIGITS = 6  # of a derived value, so that the printed value is the one used
 
 
 def given_values(model: type[Inputs], raw: Mapping[str, Any]) -> tuple[Given, bool]:

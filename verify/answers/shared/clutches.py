@@ -13,7 +13,7 @@ from verify.answers.shared.record import (
     ratio,
 )
 
-OFF = 5e-6  # m, how far flats may lie off their nominal place in the examples below
+OFF = 5e-6  # m, deviation of the flats from their nominal position in the examples below
 
 ENDS = SharedReading(
     assumption="the rollers are long (plane strain), uniform along the axis",

@@ -45,7 +45,7 @@ def _half_space(effect: float) -> Function:
     return found
 
 
-CROWNED, FLAT = 0.289, 0.354  # end load of half-spaces over that of a roller with end faces
+CROWNED, FLAT = 0.289, 0.354  # end load of half-spaces over the end load of a roller with end faces
 
 
 def _line(_q: Any, _v: Values) -> tuple[SharedReading, ...]:

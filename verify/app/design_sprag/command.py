@@ -41,7 +41,7 @@ def run_design(
     task = load(path)
     system = units or task.system
     if choose is not None:
-        raise InputError("--choose: a crown has one best, there is no front to choose from")
+        raise InputError("--choose: a crown has one optimum and no Pareto front")
     if out is not None:
         writable(out)
     outcome = carry_out(task, str(path), use_half_space=use_fem, quiet=as_json)

@@ -12,7 +12,7 @@ Groups = Annotated[tuple[Group, ...], Parameter(negative="", consume_multiple=Fa
 
 def mutants(
     *,
-    all: bool = False,  # noqa: A002 - what it is called on the command line
+    all: bool = False,  # noqa: A002 - the flag's name
     seed: Number = 0,
     jobs: Jobs = 0,
     only: Groups = (),

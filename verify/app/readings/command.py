@@ -40,7 +40,7 @@ def run_search(
 ) -> int:
     """Search and print the result: 0 if a reading gives the number, 1 if none does."""
     if not 0 <= changes <= MOST:
-        raise InputError(f"--changes is 1 to {MOST}, got {changes}")
+        raise InputError(f"--changes must be 1 to {MOST}, got {changes}")
     known = {problem.reference: problem for problem in PROBLEMS}
     if name in known and not (key or printed or file):
         problem = known[name]

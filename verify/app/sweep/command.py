@@ -93,9 +93,9 @@ def planned(
     if not vary and not sample:
         raise InputError("sweep needs --vary NAME=a:b:n, or --sample sobol:N with --tolerance")
     if star and not vary:
-        raise InputError("--star belongs to --vary")
+        raise InputError("--star requires --vary")
     if tolerances and not sample:
-        raise InputError("--tolerance belongs to --sample")
+        raise InputError("--tolerance requires --sample")
     name, case, inputs, _ = load(path)
     chosen = selected(case, only)
     if sample:

@@ -28,7 +28,7 @@ def grid_in_words(plan: Plan, course: Course, found: Sequence[Region]) -> str:
             f"Within {limit_named(whole)} at all {whole.inside:,} points {solved}".rstrip()
         )
     part = next((r for r in reversed(tighter) if r.inside), None)
-    if part and not whole:  # the middle limit is reported, where it holds anywhere
+    if part and not whole:  # the middle limit is reported if it holds at any point
         part = next(r for r in (*found[1:], found[0]) if r.inside)
     if part:
         sentences.append(f"within {limit_named(part)} for {box_in_words(plan, part)}")

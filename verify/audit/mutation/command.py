@@ -23,7 +23,7 @@ SEED = 0  # of the sample that is stored
 
 def run_mutants(*, whole: bool, seed: int, jobs: int, only: Sequence[str]) -> int:
     """Measure the groups, print and store the detections; 1 if the gate is not met."""
-    Where(jobs)  # refuses what is no number of processes
+    Where(jobs)  # raises an error for a wrong number of processes
     jobs = jobs or os.cpu_count() or 1
     names = [name for name in (score.REFERENCES, *groups.MAKE) if not only or name in only]
     mutated = [name for name in names if name in groups.MAKE]

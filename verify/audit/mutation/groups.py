@@ -29,7 +29,7 @@ JUDGES = (
     "verify.judging.judge",
 )
 LEAST = 30.0  # s that every mutant has
-FACTOR = 10.0  # times what the unchanged code took: two processes may share a core
+FACTOR = 10.0  # times the duration of the unchanged code: two processes may share a core
 WHOLE = 3.0  # s: a case whose levels all take less together is solved whole
 CASES_EACH = 3  # the quickest, one after the other until one notices a mutant of finite elements
 LONGEST = 4.0  # s for a coarsest level that mutants are tried on

@@ -55,7 +55,7 @@ def _patch_function(of: Source, name: str, owner: ast.FunctionDef, in_defaults: 
             _set_defaults(function, owner.args)
         patched += 1
     if not patched:
-        raise NotPatchedError(f"{of.module}: {name} is not there to be changed")
+        raise NotPatchedError(f"{of.module}: {name} does not exist and cannot be changed")
     return patched
 
 

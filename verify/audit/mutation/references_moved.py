@@ -25,7 +25,7 @@ from verify.judging import judge
 
 PERTURBATIONS = (0.005, -0.005, 0.01, -0.01, 0.05, -0.05, -0.09)
 COMPARED = (Kind.IDENTITY, Kind.APPROXIMATION, Kind.TREND, Kind.ASYMPTOTIC, Kind.EXACT)
-ALIKE = 0.01  # of a scale: by which it may differ from the reference and be no other magnitude
+ALIKE = 0.01  # relative difference up to which scale and reference are the same magnitude
 CONVERGENCE = ": convergence"  # ends the name of the row that stands beside a comparison
 
 Red = frozenset[float]  # the perturbations that turn a row red
@@ -97,7 +97,7 @@ def red_names(check: Check, context: Context) -> set[str]:
     """Names of a check's rows that fail: all of them if it refuses to judge."""
     try:
         rows = check.rows(context)
-    except (ValueError, ArithmeticError):  # what formulas raise on values that make no sense
+    except (ValueError, ArithmeticError):  # errors of formulas for impossible values
         return {row.quantity for row in check.skipped(context.case, "")}
     return {row.quantity for row in rows if row.status is Status.FAIL}
 

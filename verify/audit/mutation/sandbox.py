@@ -22,7 +22,7 @@ from typing import Any
 from verify.jobs.engine import Engine
 from verify.jobs.guard import named
 
-MEMORY = 6 * 2**30  # bytes that a child may have: a size mistaken fills no machine
+MEMORY = 6 * 2**30  # bytes: memory limit of a child, in case a mutant changes a size
 LATE = "does not end"
 DIED = "the process died"
 GRACE = 0.1  # s without a byte after which a child is not writing its answer
@@ -98,7 +98,7 @@ class Forks(Executor):
         now = time.monotonic()
         for pipe, child in list(self.children.items()):
             is_late = now - child.start > child.task.limit
-            if is_late or _has_ended(child.pid):  # what it started may hold the pipe open
+            if is_late or _has_ended(child.pid):  # its child processes may hold the pipe open
                 child.read += _rest(pipe)  # it may have answered in time
                 self._conclude(pipe, LATE if is_late else DIED)
         return [future for future in futures if future.done()]

@@ -23,7 +23,7 @@ RUN = (
     pytest.ExitCode.TESTS_FAILED,
     pytest.ExitCode.NO_TESTS_COLLECTED,  # a package without doctests
 )
-AT_MOST = 20.0  # s of tests for one mutant, by what they took unchanged
+AT_MOST = 20.0  # s of tests for one mutant, by their duration with unchanged code
 PER_FILE = 12.0  # s, after which a file's further tests are asked of no mutant
 OTHERS = ("_calculix", "_ross", "_tamaas")  # tests with solvers that not every machine has
 SHARED = 1.0  # s: shorter tests of a file that reaches a function are run, too

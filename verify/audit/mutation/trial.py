@@ -12,7 +12,7 @@ from verify.core.case import FemResult
 from verify.core.figures import Array
 from verify.jobs.guard import named
 
-Verdict = list[str]  # by what it was noticed, and in words what
+Verdict = list[str]  # kind of detection, and a description
 
 
 @dataclass(frozen=True)

@@ -38,7 +38,7 @@ def run_portable(
     out: Path | None,
 ) -> int:  # fmt: skip
     """Run the variants, print and write the differences; 0 if every difference has a reason."""
-    Where(jobs)  # refuses what is no number of processes
+    Where(jobs)  # raises an error for a wrong number of processes
     cases = tuple(find(name).id for name in dict.fromkeys(names)) or CASES.ids
     stated = reasons.read()
     emulated = _machines(only, seeds)
@@ -91,7 +91,7 @@ def summarized(
 def _machines(only: Sequence[str], seeds: int) -> Machines:
     """The variants that are asked for and can be emulated; the baseline always."""
     if not 0 <= seeds <= MOST_SEEDS:
-        raise InputError(f"--seeds is 0 to {MOST_SEEDS}, got {seeds}")
+        raise InputError(f"--seeds must be 0 to {MOST_SEEDS}, got {seeds}")
     every = candidates(effective()["numpy"], seeds)
     known = [variant.name for variant in every]
     if unknown := [name for name in only if name not in known]:

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import scipy.linalg  # noqa: F401 - loads the BLAS of scipy, which is not that of numpy
+import scipy.linalg  # noqa: F401 - loads the BLAS of scipy, which differs from numpy's
 from threadpoolctl import threadpool_info
 
 PROBE_SECONDS = 60.0

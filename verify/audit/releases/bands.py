@@ -43,7 +43,7 @@ def tightened(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
 
 def _scale(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
     """What demands and bands are relative to: a larger one lets more pass where a row judges."""
-    if was.unit != now.unit:  # told as another kind
+    if was.unit != now.unit:  # reported as a change of kind
         return
     if was.scale is None or now.scale is None:
         grown, moved = now.scale is None, was.scale is not now.scale

@@ -8,7 +8,7 @@ from verify.audit.releases.store import newest
 from verify.core.results import CaseResult, Change, Drift
 
 WITHOUT = "tolerance loosened without a reason"
-MOST = 12  # lines of what moved; the report has all
+MOST = 12  # lines of changes; the report lists all
 
 
 def since(results: Sequence[CaseResult]) -> Drift | None:

@@ -9,7 +9,7 @@ as a quotient, so that six digits without any remainder tell them: once in a tho
 import math
 
 STATED_DIGITS = 4  # significant digits of a number that a person writes, at most
-LITERAL_DIGITS = 6  # of one that is stored as it is written
+LITERAL_DIGITS = 6  # digits of a number that is stored as it is written
 RECORDED_TOL = 1e-8  # relative: nine significant digits are stored
 
 

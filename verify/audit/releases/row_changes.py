@@ -16,7 +16,7 @@ from verify.core.results import Change, Status
 from verify.judging.judge import COVERAGE
 
 GROWN = 2.0  # times a detection limit or uncertainty: meshes of other gmsh builds do less
-CONVERGENCE = ": convergence"  # judges an order, which may scatter
+CONVERGENCE = ": convergence"  # these rows judge an order, which may scatter
 
 
 def row_changes(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:

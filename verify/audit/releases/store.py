@@ -148,7 +148,7 @@ def load(path: Path) -> Release:
         data = json.loads(gzip.decompress(path.read_bytes()))
         names = data["columns"]
         if data["format"] != FORMAT or set(names) - {field.name for field in fields(Kept)}:
-            raise InputError(f"{path}: has another format than this version writes")
+            raise InputError(f"{path}: has another format than the present version")
         rows = {
             f"{case}/{quantity}": _kept(dict(zip(names, line, strict=False)))
             for case, lines in data["rows"].items()

@@ -8,7 +8,7 @@ from verify.core.differences import difference, difference_texts, offset, percen
 from verify.core.results import Kind, Row
 from verify.judging import judge
 
-Step = tuple[str, str]  # what it is, and how it came about
+Step = tuple[str, str]  # name of the step, and its derivation
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from verify.judging.convergence import grid_convergence
 
-COVERAGE = 2.0  # half-widths that a remainder of nothing may have
+COVERAGE = 2.0  # half-widths up to which a remainder counts as zero
 LARGE = 0.2  # of the total: from there on two causes are removed together as well
 
 

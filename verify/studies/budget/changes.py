@@ -19,7 +19,7 @@ def changed(changes: Sequence[Change]) -> Iterator[None]:
     other arguments was not called.
     """
     calls: dict[str, int] = {}
-    forget_memoised()  # or a result of before would stand for the changed one
+    forget_memoised()  # otherwise an earlier result would replace the changed one
     with ExitStack() as stack:
         stack.callback(forget_memoised)
         for change in changes:
@@ -80,4 +80,4 @@ def _found(target: str) -> tuple[Any, str, Any]:
         module = importlib.import_module(module_name)
         return module, name, getattr(module, name)
     except (ImportError, AttributeError) as error:
-        raise LookupError(f"{target}: no such thing to change") from error
+        raise LookupError(f"{target}: does not exist and cannot be changed") from error

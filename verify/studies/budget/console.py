@@ -20,7 +20,7 @@ from verify.studies.budget.messages import in_words
 from verify.studies.budget.plan import Plan
 from verify.studies.budget.store import measured
 
-LARGE, LEFT = 1e-3, 0.25  # a difference that is to be explained, and the share that may remain
+LARGE, LEFT = 1e-3, 0.25  # least difference to be explained, and the share that may remain
 STALE = "not measured for this code: freewheel deep budget:{} does it"
 
 

@@ -5,7 +5,7 @@ from verify.core.case import Case
 from verify.judging.budget_statement import Cause, Constant, Rerun, Without
 
 TIGHTER, LOOSER = 0.01, 100.0  # a tolerance over the usual one; where rounding allows no tighter
-# where iterations of the solvers end, by module; what is not here is solved directly
+# stopping tolerances of the iterative solvers, by module; others solve directly
 TOLERANCES = (
     "fem.beam.large_newton:TOLERANCE",
     "fem.beam.large_stability:WIDTH",

@@ -78,7 +78,7 @@ class _Run:
 
     def _receive(self, step: Step, answer: Solution | Lost) -> int:
         if isinstance(answer, Lost):
-            if answer.trace:  # what goes wrong in a rerun is stated in its solution
+            if answer.trace:  # errors of a rerun are stated in its solution
                 raise GoneError(f"reruns cannot be solved here: {answer.reason}")
             self.lost.append(step)
             answer = Solution({}, {}, {}, 0.0, 0.0, answer.reason)

@@ -75,7 +75,7 @@ def compressed(s: Springs, f: Formulas, i: int, q: Demands, *, stroke: float) ->
     while U[-1] < stroke:
         try:
             state = frame.displaced({head: {"x": U_w / PARTS}}, [1.0], since=state).last
-        except ArithmeticError:  # what is missing of the curve is read as unknown (`unsolved`)
+        except ArithmeticError:  # missing parts of the curve are reported as unknown (`unsolved`)
             break
         U.append(len(U) / PARTS * U_w)  # so is U_w itself one of them, to its last bit
         F.append(float(state.reactions[head, 0]))

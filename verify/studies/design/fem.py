@@ -12,7 +12,7 @@ from verify.studies.design.springs import Formulas, Springs
 from verify.studies.design.strip import HEAD_HELD, strip
 
 PER_ARC = (4, 8)  # elements of both meshes; the error falls with the fourth power
-SHARE = 1 / 3  # of what Eq. 11 leaves for the displacement, the formula's stiffness may take
+SHARE = 1 / 3  # allowed error of the formula's stiffness, as a share of the margin of Eq. 11
 ROUNDING = 1e-9  # of a displacement
 STROKE = 1.1  # of the larger of U_w and Δ, up to which the spring is compressed
 

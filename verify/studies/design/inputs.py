@@ -131,7 +131,7 @@ class Demands(Inputs):
         if self.width_factor is not None and self.width_factor > wide * (1 + 1e-12):
             raise ValueError(
                 f"width_factor = {self.width_factor:g} is more than 1/(1 - ν²) = {wide:.5g}, "
-                "that of an endlessly wide strip"
+                "the factor of an infinitely wide strip"
             )
         if self.L_w is not None and not self.L_w < self.wedge:
             raise ValueError(

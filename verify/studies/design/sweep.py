@@ -62,10 +62,10 @@ class Sweep:
             )
         if not first < last:
             ends = " to ".join(self._shown(end / units.factor(self.unit)) for end in (first, last))
-            raise InputError(f"{where}: a range rises, got {ends}")
+            raise InputError(f"{where}: a range must rise, got {ends}")
         values = np.linspace(first, last, int(parts[2]))
         if self.whole and np.any(values != np.round(values)):
-            raise InputError(f"{where}: {raw[:60]!r} steps over fractions, needs whole numbers")
+            raise InputError(f"{where}: {raw[:60]!r} contains fractions, needs whole numbers")
         return [float(v) for v in values]
 
     def _one(self, raw: Any, where: str) -> float:

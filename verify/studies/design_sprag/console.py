@@ -18,7 +18,7 @@ MPa, um = 1e6, 1e-6
 SYMBOLS = ("K_1", "K_2", "z_m")
 FORMS = ("{:.4g}", "{:.4g}", "{:.4g} µm")
 UNITS = (1.0, 1.0, um)
-ROUNDING = 1e-9  # by which a crown on a bound may be beyond it
+ROUNDING = 1e-9  # tolerance for a crown on a bound
 
 
 def print_outcome(outcome: Outcome, system: System = "mm") -> None:

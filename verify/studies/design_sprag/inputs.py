@@ -21,7 +21,7 @@ from verify.studies.design_sprag.ranges import RANGES
 CLUTCH = "sprag-clutch"
 MOST_TORQUES = 12
 STATES = {"slips": "slips", "rolls over": "rolls over", "no state": "has no state"}
-LARGEST_SHARE = 0.5  # of the smallest drop, which its tolerance may be
+LARGEST_SHARE = 0.5  # largest tolerance of the drop over the smallest drop
 
 TORQUES = Sweep(name="torques", unit="N m", what="torques of engagement",
                 default=["25 N m"], low=0, above=True, high=1e9)  # fmt: skip

@@ -19,11 +19,11 @@ from verify.studies.design_sprag.search import LEVELS, Search, Worth, rounded
 from verify.studies.design_sprag.surrogates import crowns_of, logs
 from verify.studies.design_sprag.verified import Check, checks, ends_carry, unloading
 
-FLAT = 0.005  # of what is made least: crowns within it are as good
+FLAT = 0.005  # of the objective: crowns within this range are equivalent
 SCATTERED, LINE = 3000, 201
 EDGE, BEYOND = 0.01, 0.10  # of a range: how near a bound is at it; how far beyond is looked
 GAIN = 0.001  # from which on a bound costs something
-SHALLOWER = 0.95  # of z_m, where the ends of a crown at their edge would carry
+SHALLOWER = 0.95  # of z_m, at which the ends of a crown close to loading would be loaded
 MOST_JOBS = 2
 
 
@@ -67,7 +67,7 @@ class Outcome:
     bounds: Sequence[Bound]
     checks: Sequence[Check]
     free_from: float | None  # z_m [m] that unloads ends which carry
-    on_edge: bool  # whether ends that are free would carry at SHALLOWER z_m
+    on_edge: bool  # whether unloaded ends would be loaded at SHALLOWER z_m
 
     @property
     def relative(self) -> bool:

@@ -39,7 +39,7 @@ class Range:
         low_shown, high_shown = (x / units.factor(self.unit) for x in (low, high))
         if not low < high:
             raise InputError(
-                f"{where}: a range rises, got {self.text(low_shown)} to {self.text(high_shown)}"
+                f"{where}: a range must rise, got {self.text(low_shown)} to {self.text(high_shown)}"
             )
         if not (low_shown > self.above and high_shown <= self.most * (1 + 1e-12)):
             raise InputError(

@@ -16,7 +16,7 @@ from verify.studies.design_sprag.outcome import Outcome
 from verify.studies.design_sprag.verified import LIMIT, Check
 
 CHOSEN = "clutch.toml"
-DIGITS = 10  # of a crown: all but what another unit leaves
+DIGITS = 10  # of a crown: more digits are round-off of unit conversion
 POINTS = 181  # of the profile
 MPa, mm, um = 1e6, 1e-3, 1e-6
 
@@ -26,7 +26,7 @@ def record(outcome: Outcome) -> dict[str, Any]:
     task, model = outcome.task, outcome.search.model
     near, whole = outcome.search.judged[-1]
     q = task.clutch
-    unit = 1.0 if outcome.relative else MPa  # of what is made least
+    unit = 1.0 if outcome.relative else MPa  # unit of the objective
     return {
         "name": task.name,
         "aim": task.wishes.aim,

@@ -25,7 +25,7 @@ FEW = 5  # near crowns that judge
 AGREE, IN_A_ROW = 0.005, 2
 DIGITS = 4  # of the crown that is handed over
 
-Worth = Callable[[Array], Array]  # pressures (n, m) to what is made least, (n,)
+Worth = Callable[[Array], Array]  # from pressures (n, m) to the objective, (n,)
 
 
 @dataclass(eq=False)

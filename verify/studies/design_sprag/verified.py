@@ -14,8 +14,8 @@ from verify.studies.design_sprag.inputs import Contacts, Task
 from verify.studies.design_sprag.known import Known
 from verify.studies.design_sprag.model import Model
 
-CELLS = ((48, 256), (64, 512))  # across and along; the second is what counts
-LIMIT = 0.02  # by which the pressures that a crown is chosen by may be off
+CELLS = ((48, 256), (64, 512))  # across and along; the second mesh gives the result
+LIMIT = 0.02  # allowed error of the pressures by which a crown is chosen
 DEEPEST = 10.0  # times z_m, up to which one that unloads the ends is searched
 STEPS = 33  # of that, 7.5 % each
 NARROW = CELLS[1][1] + 1  # strips about as narrow as the half-space's cells

@@ -22,7 +22,7 @@ Inputs = Mapping[str, Any]
 Formula = Callable[[Inputs], float]
 Progress = Callable[[int, int], None]
 
-EVIDENCE = 0.05  # accidental hits, of which more say nothing
+EVIDENCE = 0.05  # expected accidental hits; above, a hit is no evidence
 SPANS = (2.0, 1.15)  # factors of the printed number within which an unrelated one is anywhere
 SAME = 1e-9  # relative: two combinations that are one
 DIGIT = "one digit misprinted"
@@ -113,7 +113,7 @@ def search(
     value, half = number(printed), half_last_digit(printed)
     digits = digits and abs(value) / (2 * half) >= LEAST_DIGITS
     if value == 0:
-        raise ValueError("a printed zero is met by no reading: a number other than zero is needed")
+        raise ValueError("the printed number must not be zero: no reading reproduces zero")
     sums, every = _Evaluated(formula), _combined(readings, most)
     found: list[Tried] = []
     for done, chosen in enumerate(every):

@@ -90,7 +90,7 @@ def tolerance(inputs: Inputs, text: str) -> Tolerance:
     if kind_of(field) is int:
         raise InputError(f"{where}: {name.strip()} is a whole number and has no tolerance")
     if nominal is None:
-        raise InputError(f"{where}: {name.strip()} has no value in the file to be off from")
+        raise InputError(f"{where}: {name.strip()} has no value in the file, from which to deviate")
     about = meta(field)
     bare = re.sub(r"^\s*(±|\+-|\+/-)?\s*", "", given)
     if share := _SHARE.fullmatch(bare.strip()):
@@ -101,7 +101,7 @@ def tolerance(inputs: Inputs, text: str) -> Tolerance:
         except InputError as error:
             raise InputError(f'{error}, nor a share of {name.strip()}, such as "5 %"') from error
     if not 0 < off < math.inf:
-        raise InputError(f"{where}: a tolerance is above zero, got {given.strip()}")
+        raise InputError(f"{where}: a tolerance must be above zero, got {given.strip()}")
     for end in (nominal - off, nominal + off):
         try:
             changed(inputs, {name.strip(): end})

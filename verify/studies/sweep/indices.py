@@ -31,7 +31,7 @@ RESAMPLES = 999
 CONFIDENCE = 0.95
 STEADY = 1e-12  # standard deviation, of the largest value, below which it is round-off
 LOOSE = 0.2  # width of an index's interval, from which on the sample is called small
-NOISY = 0.1  # share of a variance that may be numerical noise, from which on it is reported
+NOISY = 0.1  # share of numerical noise in a variance, from which on it is reported
 AT_ONCE = 2**22  # numbers drawn at a time
 
 

@@ -17,10 +17,10 @@ from verify.judging.convergence import GridConvergence, grid_convergence
 
 LEVELS = 3  # that an error bar needs
 MOST_NAMES = 5  # that are offered for one that fits nothing
-LIKE = 0.75  # share of letters from which on a word may be another one mistyped
+LIKE = 0.75  # share of equal letters from which on a word is taken as mistyped
 NO_FORMULA = "the formula has no finite value"  # a state that it does not have
 NO_REFERENCE = "finite elements have no finite value"
-DOUBTFUL = 0.01  # of a value: what a series that doesn't converge may scatter and still count
+DOUBTFUL = 0.01  # of a value: allowed scatter of a series that does not converge
 
 
 @dataclass(frozen=True)
@@ -89,12 +89,12 @@ def selected(case: Case, only: Sequence[str]) -> tuple[Pair, ...]:
     """
     every = pairs(case)
     if not every:
-        raise InputError(f"{case.id} has no row that sets a formula beside finite elements")
+        raise InputError(f"{case.id} has no row that compares a formula with finite elements")
     names = [pair.name for pair in every]
     for text in only:
         if not any(text.lower() in name.lower() for name in names):
             raise InputError(
-                f"--only {text}: no row of {case.id} is called so: {_offered(text, names)}"
+                f"--only {text}: no row of {case.id} has this name: {_offered(text, names)}"
             )
     wanted = [
         name for name in names

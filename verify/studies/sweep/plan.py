@@ -92,20 +92,20 @@ def _base(count: str) -> int:
         raise InputError(f"--sample is sobol:N, such as sobol:64, got {count!r}")
     n = int(number)
     if not 8 <= n <= 2**20 or n & (n - 1):
-        raise InputError(f"--sample {count}: N is a power of two from 8 to {2**20}")
+        raise InputError(f"--sample {count}: N must be a power of two from 8 to {2**20}")
     return n
 
 
 def _centre(one: Axis) -> float:
     if one.nominal is None:
-        raise InputError(f"{one.name} has no value to vary the others at")
+        raise InputError(f"{one.name} has no value in the file, which varying the others requires")
     return one.nominal
 
 
 def _once(names: Sequence[str], option: str) -> None:
     for name in names:
         if names.count(name) > 1:
-            raise InputError(f"{option}: {name} is there twice")
+            raise InputError(f"{option}: {name} is given twice")
 
 
 def _few(count: int) -> None:

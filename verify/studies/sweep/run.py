@@ -82,7 +82,7 @@ def solve(
     # points of the same inputs are one; refused ones have none
     timing = Timing(0, 0.0, 0.0, 0, len(points.inputs) - len(todo))
     if todo:
-        if not where.scheduler:  # its workers say themselves what they lack
+        if not where.scheduler:  # the workers report missing packages themselves
             require_gmsh()
         run = _Batches(points, show, known=timing.known, todo=todo)
         start = time.monotonic()
@@ -171,7 +171,7 @@ class _Batches:
         self.points = points
         self.waiting = deque(todo)
         self.busy = self.pace = (
-            0.0  # s; a point of the last batch: first ones import what they need
+            0.0  # s; time of a point in the last batch: the first points include imports
         )
         self.workers = 1
         self.dispatch = Dispatch(

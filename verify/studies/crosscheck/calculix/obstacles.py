@@ -11,7 +11,7 @@ from verify.studies.crosscheck.calculix.keywords import Array, Indices, Side
 
 CELLS = 200  # along a circle's strip
 RINGS = 60  # of a flat around a turn
-BEYOND = 1.5  # of the stretch that a slave may touch
+BEYOND = 1.5  # length of the obstacle over the range of possible contact
 
 
 @dataclass(frozen=True)

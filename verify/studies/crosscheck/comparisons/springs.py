@@ -176,7 +176,7 @@ def curve() -> Posed:
                  tail="mid-leaf")  # fmt: skip
     found, seconds = timed(lambda: fem_compress(own, PRESSED, per_arc=LEVEL))
     if not found.press[0].sum() == 0 < found.press[-1].sum():
-        raise ArithmeticError("the tips touch too early, or not at all")
+        raise ArithmeticError("the tips touch too early, or never")
     ours = dict(zip((APART, TOUCHING), found.F.tolist(), strict=True))
 
     from fem.plane.material import Elastic

@@ -18,7 +18,7 @@ SLICES = 8  # of a sprag
 TABLE = 200  # points of the law, straight in between
 WIDE = 0.9  # of the shortening under T, up to which the law is tabulated on either side
 BACK = -4e-3  # rad, the twist of the last step: a tenth of the torque less
-CENTRE, TURN = 1, 2  # nodes of the inner hub: where it is, and how far it has turned
+CENTRE, TURN = 1, 2  # nodes of the inner hub: its position, and its rotation
 LAW = "one law, given as a table; six printed digits, and Newton's last steps"
 ALIKE = 1e-5
 
