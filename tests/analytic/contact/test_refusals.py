@@ -119,7 +119,7 @@ REFUSED = [
     (lambda: pressed(strips, tolerance=0.0), "tolerance must lie in"),
     (lambda: strip_error.discretisation(strips_of(4), strips_of(2)), "more strips than coarse"),
     (lambda: best_crown(**ROLLER, load=3407.0, tilt=nan), "tilt must be finite, got nan rad"),
-    (lambda: best_crown(**ROLLER, load=3407.0, tilt=[]), "tilt must be an angle or several"),
+    (lambda: best_crown(**ROLLER, load=3407.0, tilt=[]), "tilt must be one or more angles"),
     (lambda: best_crown(**ROLLER, load=1e9), "a line contact must be longer than wide"),
     *[(lambda change=change: press(**GRID | change), message) for change, message in (
         ({"load": None}, "either load or approach"),

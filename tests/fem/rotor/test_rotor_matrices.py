@@ -141,7 +141,7 @@ TWO = [SHAFT, Shaft([Element(0.1, 0.08, 0.06)] * 2, ratio=2.0)]
         (lambda: modes(GOOD, count=0), "at least one mode"),
         (lambda: modes(GOOD, plane="up"), "a plane is one of bending, torsion, axial, all"),
         (lambda: modes(GOOD, float("nan")), "finite numbers in rad/s"),
-        (lambda: campbell(GOOD, [0.0, 2.0, 1.0]), "rise"),
+        (lambda: campbell(GOOD, [0.0, 2.0, 1.0]), "must increase"),
         (lambda: critical_speeds(GOOD, whirl="up"), "forward, backward, both, got 'up'"),
         (lambda: critical_speeds(GOOD, excitation=0.0), "a ratio other than 0"),
         (lambda: critical_speeds(Rotor([SHAFT])), "it can move rigidly across its axis"),
