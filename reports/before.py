@@ -12,7 +12,7 @@ FILE = ".written.json"
 class Before:
     """The parts of a report in a folder: files that follow from the same, by a digest of it.
 
-    A part counts while none of its files was changed since.
+    A part is valid as long as none of its files has changed.
     """
 
     def __init__(self, folder: Path, digests: Mapping[str, str]) -> None:

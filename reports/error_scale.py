@@ -1,7 +1,7 @@
-"""Colours of a formula's signed error: by the limits that hold it, the same in every map.
+"""Colours of a formula's signed error: by its smallest limit, the same in every map.
 
-Orange where the formula gives more than finite elements, blue where it gives less, the deeper the
-further off. Below a quarter of the first limit there is no colour: rounding is no pattern.
+Orange: the formula is above finite elements; blue: below; a larger error has a darker colour.
+Errors below a quarter of the first limit have no colour, because rounding is no pattern.
 """
 
 from collections.abc import Sequence

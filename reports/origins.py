@@ -51,7 +51,7 @@ def part_of(path: str) -> str:
 
 
 def digests(report: Report, origins: Origins | None, form: str) -> dict[str, str]:
-    """The digest of each part; none without origins, and of no case that has none."""
+    """The digest of each part; empty without origins; cases without an origin are left out."""
     if origins is None or any(case.id not in origins.cases for case in report.cases):
         return {}
     libraries = [f"{name} {version(name)}" for name in LIBRARIES]

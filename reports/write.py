@@ -122,7 +122,7 @@ def _made(
 ) -> tuple[dict[str, dict[str, bytes]], str]:  # fmt: skip
     """The files of each part by name, and why there is no PDF, or ""."""
     why = ""
-    # typst takes longer than all the rest and holds no lock: it works beside
+    # typst takes longest and holds no lock: it runs in parallel
     with ThreadPoolExecutor(1) as beside:
         paper: Future[bytes] = Future()
         try:

@@ -21,7 +21,7 @@ from analytic.sprag.search import first_reach
 
 
 def wedged(clutch: Clutch, N: ArrayLike) -> Wedged:
-    """State under N [N] with Eq. 9's OA in the triangle of Eq. 10; OC_e has its delta_ce."""
+    """State under N [N] with Eq. 9's OA in the triangle of Eq. 10; OC_e includes its delta_ce."""
     N = np.asarray(N, dtype=np.float64)
     yields = clutch.compliance.yields(N)
     OA = np.asarray(np.asarray(clutch.sprag.R_i) - yields.race_i - yields.contact_i / 2)

@@ -91,7 +91,7 @@ class Touching(Term, ABC):
 
     @abstractmethod
     def _keep(self, x: Array) -> None:
-        """Sides and slip count from `x` on."""
+        """Sides and slip are measured from the state `x`."""
 
     @abstractmethod
     def _passed(self, x: Array) -> bool:

@@ -63,7 +63,7 @@ class Block:
 
     @cached_property
     def supported(self) -> bool:
-        """Whether no rigid motion across the axis is left free."""
+        """Whether all rigid motions across the axis are held."""
         across = np.flatnonzero(self.across)
         return not (across.size and rigid_motions(self.K[np.ix_(across, across)]).shape[1])
 

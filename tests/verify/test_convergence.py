@@ -168,7 +168,7 @@ def test_a_next_term_of_half_the_leading_one_stays_within_the_uncertainty_of_an_
         ((1.0, 1.0, 0.5, 0.1), (4.0, 2.0, 1.0, 0.5), "decrease"),
         ((1.0, 0.5, 0.1, 0.0), (4.0, 2.0, 1.0, 0.5), "positive"),
         ((math.inf, 0.5, 0.2, 0.1), (4.0, 2.0, 1.0, 0.5), "positive"),
-        ((1.0, 0.5, 0.2, 0.1), (4.0, 2.0, 1.0, math.nan), "no number"),
+        ((1.0, 0.5, 0.2, 0.1), (4.0, 2.0, 1.0, math.nan), "must be finite"),
     ],
 )
 def test_what_is_no_series_is_refused(h, values, message):

@@ -65,7 +65,7 @@ class Criterion:
 class Answer:
     """The criteria of a part, other causes of failure, and what is unknown.
 
-    `remarks` state what the criteria leave out.
+    `remarks` state effects that the criteria do not include.
     """
 
     design: Quantity | None

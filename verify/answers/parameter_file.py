@@ -60,7 +60,7 @@ def completed(
 ) -> ParameterFile:
     """Raw inputs of a case as a file holds them, which was called `where`; InputError.
 
-    `named` is what the file calls the case, by default its id.
+    `named` is the name of the case in the file, by default its id.
     """
     case_id = named or case.id
     try:

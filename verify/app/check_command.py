@@ -1,4 +1,4 @@
-"""`freewheel check`: a user's parameters through the formulas, and through finite elements."""
+"""`freewheel check`: formulas, and finite elements, for a user's parameters."""
 
 import json
 import shlex
@@ -54,7 +54,7 @@ class Options:
 def run_check(path: Path, options: Options) -> int:
     """Print the answer to a parameter file; 0 it holds, 1 it or a row fails, 3 it is not decided.
 
-    InputError where the file, or what is asked for, is wrong.
+    InputError if the file or an option is wrong.
     """
     file = read(path)
     if options.out is not None:
@@ -117,7 +117,7 @@ def in_system(checked: Checked, system: System) -> Checked:
 
 
 def exit_status(checked: Checked) -> int:
-    """0 the part holds, 1 it or a row fails, 3 cannot say, also without values of the reference."""
+    """0: the part holds; 1: it or a row fails; 3: cannot say, or no value of the reference."""
     rows = checked.result.rows
     if any(row.status in FAILED for row in rows) and not why_not_solved(rows):
         return EXIT_STATUS[Verdict.FAILS]

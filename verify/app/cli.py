@@ -200,7 +200,7 @@ def explain(
 
 @app.command
 def deep(*cases: str, again: bool = False, jobs: Jobs = 0) -> int:
-    """Measure what takes too long for `verify`: maps, regions, error budgets for its report.
+    """Run the studies that take too long for `verify`: maps, validity regions, error budgets.
 
     Results remain valid until the code that computed them changes; an interrupted run continues
     where it stopped.
@@ -288,7 +288,7 @@ app.register_install_completion_command(help="Set up completion for the shell in
 
 @app.command(name="list")
 def list_cases() -> int:
-    """List the cases and what they verify."""
+    """List the cases with their verdicts and inputs."""
     from verify.app.commands import run_list
 
     return run_list()

@@ -203,9 +203,9 @@ def write_report(
     report: Report, out: Path, use_cache: bool, *, single_file: bool = False,
     full_pdf: bool = False, keys: Mapping[str, str] | None = None,
 ) -> bool:  # fmt: skip
-    """Write the report into `out`; False where a substitute was used, which is reported.
+    """Write the report into `out`; False if a substitute was used (reported).
 
-    With the `keys` of all judged cases only what has changed is written.
+    With the `keys` of all judged cases, only changed files are written.
     """
     from reports.origins import Origins  # only the command line may import reports
     from reports.write import write
@@ -232,7 +232,7 @@ def _hint() -> str:
 def load(path: Path) -> tuple[str, Case, Inputs, Values]:
     """Name, case, inputs and formula values of a parameter file.
 
-    InputError says in one line what is wrong.
+    InputError states the fault in one line.
     """
     file = read(path)
     return file.name, file.case, file.inputs, file.values

@@ -77,7 +77,7 @@ def _file(word: str) -> Path | None:
 def _ids_of_paper(name: str) -> Iterator[str]:
     """The ids of all rows of the suite; of one case where `name` begins with its id, or is empty.
 
-    The latter is an example for a message.
+    Messages use the present name as an example.
     """
     named = name.partition("/")[0] if _plain(name) else CASES.ids[0]
     for case_id in [named] if named in CASES.ids else CASES.ids:

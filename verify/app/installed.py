@@ -24,7 +24,7 @@ def mismatches(lock: str) -> list[str]:
 
 
 def _applies(marker: str) -> bool:
-    """Whether a pin for some systems alone is for this one; no, where nothing can tell."""
+    """Whether a pin for certain systems applies to this one; False if that is unknown."""
     try:
         from packaging.markers import Marker
     except ImportError:

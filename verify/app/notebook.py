@@ -146,7 +146,7 @@ def run(case: str | Path, inputs: Mapping[str, Any] | None = None, *, cache: boo
 
     `inputs` that are not the default ones are texts with units, {"r_i": "40 mm"}; those that are
     left out are those of `freewheel init`. With `cache` stored results are used. InputError, which
-    is a ValueError, states in one line what is wrong.
+    is a ValueError, states the fault in one line.
     """
     if Path(case).suffix == ".toml" or inputs:
         part = _part(case, inputs)

@@ -142,7 +142,7 @@ def _drift(results: Sequence[CaseResult]) -> Drift | None:
 
 
 def _searches(names: Sequence[str]) -> tuple[ReadingsTried, ...]:
-    """Other readings of printed numbers that are not met as first read."""
+    """Other readings of printed numbers that the first reading does not give."""
     from verify.studies.readings.tried import searches
 
     return searches(names)

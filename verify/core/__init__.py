@@ -1,1 +1,1 @@
-"""Units, inputs, cases, rows, figure data, files and texts: what all other packages build on."""
+"""Units, inputs, cases, rows, figure data, files and texts: the base of all other packages."""

@@ -84,7 +84,7 @@ class Output:
 
 @dataclass(frozen=True, kw_only=True)
 class Dynamic:
-    """What a case computes only where `check --dynamic` asks: a course in time, compiled first.
+    """Part of a case that only `check --dynamic` computes: a course in time, compiled first.
 
     `run(inputs, values)` takes the formulas' values and gives further ones in SI units; it imports
     what is compiled inside its body. The other functions take the inputs and all values together.
@@ -132,7 +132,7 @@ class Scan:
 
 
 def _unknown(case_id: str) -> "Case":
-    """In a process that knows no cases."""
+    """Lookup in a process in which no cases are registered."""
     raise ValueError(f"unknown case {case_id!r}")
 
 

@@ -109,7 +109,7 @@ def _shortened(names: Sequence[str]) -> str:
 
 
 def _compared(row: Row, *, named: bool) -> tuple[str, ...]:
-    """Status, quantity, both values, whose the reference is, difference and what is allowed."""
+    """Status, quantity, both values, method of the reference, difference, allowed difference."""
     name = reference_name(row) if row.reference is not None else ""
     found, allowed = difference_texts(row)
     if found and not allowed:

@@ -137,7 +137,7 @@ class Band:
 class Curves:
     """Several curves on the same axes, named below, from `y_bottom` on (zero, or the lowest).
 
-    `y_top` cuts what runs off to infinity. `x_names` puts names where x has the values given.
+    Curves are clipped at `y_top`. `x_names` puts names where x has the values given.
     `bands` lie behind the curves. `y_log` spaces y by its logarithm, from the lowest on, `x_log`
     x; what is not positive is left out.
     """
@@ -212,7 +212,7 @@ class Zone:
 class Zones:
     """Which state holds where in a plane: zones stacked over `x` (m,) from y = 0 up to `y_top`.
 
-    A zone whose top is that of the one below, or lower, is not there. `curves` are drawn over
+    A zone whose top is not above the zone below is not drawn. `curves` are drawn over
     them; `point` is a place and its name. Zones are named where they lie, so that colours, which
     `figures.css` makes distinct for the colour-blind and in print, need not be distinguished.
     """
@@ -394,7 +394,7 @@ class FormulaValue:
 
 @dataclass(frozen=True, kw_only=True)
 class Table:
-    """A table to print as it stands; cells are strings or numbers."""
+    """A table for printing; cells are strings or numbers."""
 
     title: str
     header: tuple[str, ...]

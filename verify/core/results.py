@@ -96,7 +96,7 @@ class Row:
     size, coarse to fine, and `levels_u` their standard uncertainties where a limit is fitted.
     `formula` is the key of the case's value that is judged, `equation` its number in the paper or
     its source, `form` which form of it, `safe` the side on which an error of it does no harm, and
-    `shares` what both sides have in common beside the inputs.
+    `shares` are assumptions of both sides besides the inputs.
     """
 
     case: str
@@ -155,8 +155,8 @@ class CaseResult:
     """All results of one case; `name` is the name of the user's parameters, if any.
 
     `refused` says why finite elements do not take these inputs, where they were not asked to.
-    `findings` say in words what follows from the formulas, the verdict first.
-    `errors` are the tracebacks of what went wrong inside the case. `cells` are the numbers of
+    `findings` are conclusions from the formulas in words, the verdict first.
+    `errors` are the tracebacks of errors inside the case. `cells` are the numbers of
     cells of the `fields` by name.
     """
 
@@ -261,7 +261,7 @@ class ValidityRegion:
     """What was measured of a formula over some inputs: errors (points,) and their bars, relative.
 
     Over a grid of one or two `axes`, the last one fastest; of a star the one along which the error
-    changes most. `breaks` says what takes the formula out of the middle limit first.
+    changes most. `breaks` names the input with which the middle limit is exceeded first.
     """
 
     over: str
@@ -440,7 +440,7 @@ class Crosscheck:
 class Change:
     """What is no longer as it was in a release: a row's `aspect`, from `was` to `now`, in words.
 
-    `size` tells how far a value moved. A loosened demand or band needs the `reason` stated for it.
+    `size` is the change of the value. A loosened demand or band needs the `reason` stated for it.
     """
 
     row: str
@@ -529,7 +529,7 @@ class BudgetJoint:
 class RowBudget:
     """Components of the difference (formula - FE)/scale of a row, all relative.
 
-    `remainder` is what the parts leave of `total`, with the half-width `u`; `U` is the tolerance
+    `remainder` is `total` less the parts, with the half-width `u`; `U` is the tolerance
     of the row. `within` states of an identity whether both explain the remainder. `headline` rows
     are drawn. `apart` states whether reruns explain a large difference; where not, `why`.
     """
@@ -553,7 +553,7 @@ class RowBudget:
 class CaseBudget:
     """The budgets of one case's rows; without a measurement `missing` says why.
 
-    `seconds` is what all its reruns took together, on one processor.
+    `seconds` is the time of all its reruns together, on one processor.
     """
 
     case: str
@@ -568,7 +568,7 @@ class CaseBudget:
 class MutantGroup:
     """Mutants of one group: `rows` and `tests` detected some, `apart` crashed or timed out.
 
-    `all` is how many there are; `tried` excludes those of `apart`.
+    `all` is their number; `tried` excludes the mutants in `apart`.
     """
 
     name: str

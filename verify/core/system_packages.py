@@ -20,7 +20,7 @@ from pathlib import Path
 
 from verify.core.environment import LIBRARIES, MESHES, missing_libraries, python_problem
 
-FORBIDDEN = "FREEWHEEL_NO_APT"  # set: nothing is installed, the line to run is printed
+FORBIDDEN = "FREEWHEEL_NO_APT"  # if set, nothing is installed and the command to run is printed
 LOCK_SECONDS = 120  # another apt-get or dpkg may take so long
 APT = ("apt-get", "-q", "-o", f"DPkg::Lock::Timeout={LOCK_SECONDS}", "-o", "Acquire::Retries=1")
 INSTALL = (*APT, "install", "-y", "--no-install-recommends")
@@ -110,7 +110,7 @@ def _update() -> str:
 
 
 def _run(words: Sequence[str]) -> tuple[int, str]:
-    """Exit status and output of a command that asks nothing; Ctrl-C waits for its end."""
+    """Exit status and output of a command without questions; Ctrl-C waits for its end."""
     quiet = {**os.environ, "DEBIAN_FRONTEND": "noninteractive", "LC_ALL": "C"}
     with subprocess.Popen(  # noqa: S603 - the project's command
         words, env=quiet, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,

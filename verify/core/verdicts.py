@@ -59,7 +59,7 @@ class Side:
 class DesignRange:
     """A range of an input over which engineers use a formula, and by which `source`.
 
-    `spanned` tells whether a study of the case compares the formula from end to end.
+    `spanned` states whether a study of the case compares the formula from end to end.
     """
 
     case: str

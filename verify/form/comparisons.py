@@ -146,7 +146,7 @@ def identity(
     """
     numbers = dict(scale) if isinstance(scale, Mapping) else {}
     more = {"scale": scale.name if isinstance(scale, Quantity) else next(iter(numbers), "")}
-    if uncertainty is not None:  # which some inputs have as zero
+    if uncertainty is not None:  # can be zero for some inputs
         more["residual"] = f"uncertainty of {options.get('name') or q.label}"
         numbers[more["residual"]] = uncertainty
     return _compared(checks.Identity, q, reference, options, more, numbers)

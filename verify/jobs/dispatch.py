@@ -50,7 +50,7 @@ class Dispatch:
         """Do every task that `take` returns until it has none (None) and no answer adds one.
 
         `receive` takes a task and its answer, `Lost` where there is none, and returns how many
-        results are there with it. KeyboardInterrupt, GoneError and OSError say what is stored.
+        results are there with it. KeyboardInterrupt, GoneError and OSError state what is stored.
         """
         try:
             with engine as entered:

@@ -37,7 +37,7 @@ class Here(Executor):
     """Solves at once, in this process."""
 
     def submit(self, function: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-        """The future of a result that is there already."""
+        """The future of a result that exists already."""
         future: Future[Any] = Future()
         try:
             future.set_result(function(*args, **kwargs))

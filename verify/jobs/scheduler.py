@@ -34,7 +34,7 @@ def run(
 ) -> list[CaseResult]:
     """Solve levels that the cache lacks and judge every job; results in the order of `jobs`.
 
-    OSError names what is missing where gmsh cannot start and something is to be solved.
+    OSError names the missing library if gmsh cannot start and something must be solved.
     `engine` is entered where something is to be solved; without one this process does. `show`
     follows the state, `warn` takes what the user should know of at once. With `judged` cases are
     judged on the engine, too, each as soon as its levels are stored, and handed to it.

@@ -28,7 +28,7 @@ def solve(
 
     `judged` takes each case that is judged while others are solved, on this machine alone.
 
-    KeyboardInterrupt and GoneError say what is stored for the next run.
+    KeyboardInterrupt and GoneError state what is stored for the next run.
     """
     refuse_reimport()
     folder = _cache_folder() if use_cache and any(job.use_fem for job in work) else None

@@ -25,7 +25,7 @@ USUAL = Path(__file__).with_name("seconds.json")  # by case and level, on one ma
 def expected_seconds(levels: Iterable[Level], known: Mapping[Level, float]) -> dict[Level, float]:
     """Seconds that each level will take.
 
-    A known level takes what it took. Another one of the same case is scaled from the nearest
+    A known level takes its stored time. Another one of the same case is scaled from the nearest
     known level by the cost model; a case of which nothing is known costs, at its finest level,
     what the others' finest known levels cost (median).
     """

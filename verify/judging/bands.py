@@ -80,7 +80,7 @@ class OwnFormula(Approximation):
 
 @dataclass(frozen=True, kw_only=True)
 class OwnFillet(Identity):
-    """A largest stress; on inputs of the user it may miss what Hertz's neglect makes of N.
+    """A largest stress; on user inputs, the error of N by Hertz's neglect is allowed.
 
     `blur` is the analytic key of that, a standard uncertainty over the stress; `wide` as above.
     """

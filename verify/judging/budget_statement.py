@@ -89,7 +89,7 @@ class Rerun:
 class Corrected:
     """A formula that is replaced by a corrected one, whose value has the analytic `key`.
 
-    For the one row of that name; `what` describes its part of the difference.
+    Replacement for the row with this name; `what` describes its part of the difference.
     """
 
     row: str

@@ -47,7 +47,7 @@ class GridConvergence:
 
     @property
     def converges(self) -> bool:
-        """False where the differences grow, or where there are too few values to tell."""
+        """False if the differences grow, or if there are too few values to decide."""
         return self.behaviour not in ("diverging", "short")
 
 
@@ -70,7 +70,7 @@ def grid_convergence(
     Parameters
     ----------
     h, values
-        Mesh sizes, strictly decreasing, and what was computed on them; the last three count.
+        Mesh sizes, strictly decreasing, and the values computed on them; the last three count.
     formal
         The order that theory gives, or None where it gives none (no order is then used).
     scale

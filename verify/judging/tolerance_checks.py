@@ -24,7 +24,7 @@ BOTH_WAYS = "twice the acceptance figure, which holds on both sides"
 
 @dataclass(frozen=True)
 class Pair:
-    """A value, what it is compared with, and U of the latter, in SI; the error in words.
+    """A value, its reference, and U of the reference, in SI; the error in words.
 
     `allowed` is the signed model error that the figure leaves where it speaks of something else.
     """

@@ -1,4 +1,4 @@
-"""The command `deep`: what takes longer than a run may, measured once and read by reports."""
+"""The command `deep`: studies too long for a run, measured once and read by reports."""
 
 from collections.abc import Sequence
 
@@ -13,7 +13,7 @@ STUDIES = {study.name: study for study in (DEEP_CASES, VALIDITY, BUDGET)}
 
 
 def run_deep(names: Sequence[str], *, jobs: int, again: bool = False) -> int:
-    """Measure what is named and not measured for the present code, by default all of it.
+    """Run the named studies not yet measured for the present code, by default all of them.
 
     "validity" and "validity:CASE" measure where formulas hold, "budget" and "budget:CASE" of what
     differences are made; other names are those of deep cases. 0 where everything was measured, 1

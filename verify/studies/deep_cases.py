@@ -41,7 +41,7 @@ def measure(cases: Sequence[Case], where: Where, _again: bool) -> bool:
 
 
 def _store(case: Case, result: CaseResult) -> bool:
-    """Store a case if all of its levels are there, and print what was done."""
+    """Store a case if all of its levels exist, and print a line."""
     bad = [row.reason for row in result.rows if row.status is Status.FAIL]
     folder = cache.default_folder()
     parts = [cache.load(folder, case, case.inputs(), level) for level in case.levels]

@@ -11,11 +11,11 @@ from verify.jobs.executor import Where
 
 @dataclass(frozen=True)
 class Study:
-    """One kind of measurements, of which a case has one.
+    """One kind of measurements; a case has one measurement of each kind.
 
-    `is_measured` tells whether a case has a record for the present code. `measure` measures cases,
+    `is_measured` states whether a case has a record for the present code. `measure` measures cases,
     stores each as soon as it is complete and prints a line for it; False where a part failed.
-    Its last argument asks to solve again what failed before.
+    With its last argument, failed parts are solved again.
     """
 
     name: str

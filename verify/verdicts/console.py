@@ -17,7 +17,7 @@ _NAMED = re.compile(
 
 @dataclass(frozen=True)
 class Placed:
-    """A verdict, and where a user's inputs lie in what it was compared over."""
+    """A verdict, and the position of a user's inputs in its ranges of comparison."""
 
     verdict: FormulaVerdict
     place: Place

@@ -60,7 +60,7 @@ class Evidence:
 
 
 def evidence(ids: Sequence[str], rows: Mapping[str, Row]) -> Evidence:
-    """The evidence that the rows of these ids give; NoEvidenceError names what is missing."""
+    """The evidence that the rows of these ids give; NoEvidenceError names the missing evidence."""
     found = tuple(_judged(row_id, rows) for row_id in ids)
     return Evidence(found, tuple(study for row in found for study in _studies(row)))
 

@@ -131,7 +131,7 @@ def _design(found: Evidence) -> tuple[DesignRange, ...]:
 
 
 def _spread(rows: Sequence[Row]) -> str:
-    """The range of values by the readings of what a paper leaves open."""
+    """The range of values over the readings that a paper leaves open."""
     values = [row.analytic for row in rows if row.analytic is not None]
     if not values:
         return ""

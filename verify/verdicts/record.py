@@ -1,4 +1,4 @@
-"""The verdicts of record: those of the last full run that a maintainer accepted.
+"""The verdicts of record, from the last full run that a maintainer accepted.
 
 `check`, `list` and `explain` read them, for a verdict rests on all cases and takes minutes.
 """

@@ -49,7 +49,7 @@ def accuracy(points: Sequence[Point]) -> float | None:
 def judged(points: Sequence[Point], safe: Safe, *, has_range: bool) -> Verdict:
     """The verdict of a formula whose errors are known; at least one point.
 
-    `has_range` tells whether a study compares other than the default inputs, all of them solved.
+    `has_range` states whether a study compares other than the default inputs, all of them solved.
     """
     if accuracy(points) is not None:
         return Verdict.ACCURATE if has_range else Verdict.PART

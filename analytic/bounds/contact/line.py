@@ -51,7 +51,7 @@ class OnFlat:
 
 
 def of_shear(*, a: float, R: float, inclined: float, slack: float) -> Estimate:
-    """Both first-order terms of a shear stress: of a disc on a flat, of `inclined` pressure."""
+    """First-order errors of a shear stress: by a disc on a flat, and by `inclined` pressure."""
     first = float(shear_series.shear_excess(a=a, R=R))
     first += shear_series.tilted_shear_excess(inclined)
     return Estimate(1 / (1 + first) - 1, slack)

@@ -156,12 +156,12 @@ def tube_with(rho=RHO, springs=RIM, **more):
 @pytest.mark.parametrize(
     ("make", "message"),
     [
-        (lambda: tube_with(rho=-1.0), "density is positive"),
+        (lambda: tube_with(rho=-1.0), "density must be positive"),
         (lambda: tube_with(rho={"cup": 1.0}), "no body 'cup'"),
         (lambda: tube_with(ratio=np.nan), "no finite ratio"),
         (lambda: tube_with(n=0), "n >= 1"),
         (lambda: tube_with(n=2), "harmonic 1"),
-        (lambda: Mount(boundary="rim", k=-1.0), "not negative, got k=-1"),
+        (lambda: Mount(boundary="rim", k=-1.0), "not be negative, got k=-1"),
         (lambda: RigidDisc(boundary="rim", mass=1.0, polar=1.0, diametral=0.4),
          "polar <= 2 diametral"),
         (lambda: mean_motion(solid(tube(r_i=0.0)).basis, "axis"), "lies on the axis"),

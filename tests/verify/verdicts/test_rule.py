@@ -49,7 +49,7 @@ def test_a_range_counts_where_every_point_of_each_case_has_an_answer(row):
     both = row("x", 0.01), row("x", 0.01, case="ring-rotation")
     assert not Evidence(both, (study(0.01, 0.02),)).is_studied
     for wrong in ({"error": np.nan}, {"error": 0.1, "U": np.nan}):
-        with pytest.raises(NoEvidenceError, match="no number"):
+        with pytest.raises(NoEvidenceError, match="not a finite number"):
             point_of(row("x", **wrong))
 
 

@@ -54,7 +54,7 @@ def influence(
 
     `result` is the key of a value, or computes a number from inputs and values. Each input is
     varied alone over its usual range, or by 10 %; assumed inputs that follow from it by a rule
-    change with it. Words, tables, and what only --dynamic uses are left out. ValueError where the
+    change with it. Words, tables and inputs of --dynamic alone are left out. ValueError where the
     inputs themselves have no such result.
     """
     of = result if callable(result) else _by_key(result)

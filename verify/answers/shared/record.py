@@ -15,7 +15,7 @@ class SharedReading:
 
     `effect` is the error that this leaves in the `quantity` of both sides: (value of both sides -
     value of the part)/value of the part, so that it adds to a row's difference in the same sense.
-    It is None where it is not known for these inputs; `source` says how or what is known of it.
+    It is None if it is unknown for these inputs; `source` states its origin.
     """
 
     assumption: str

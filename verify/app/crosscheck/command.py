@@ -64,7 +64,7 @@ def run_crosscheck(names: Sequence[str], *, out: Path | None, again: bool, keep:
 def _compared(
     todo: Sequence[Cross], known: int, there: Mapping[str, Solver], folder: Path, *, keep: bool
 ) -> tuple[list[Crosscheck], list[str]]:
-    """The lines of the problems that both sides solve, and why others were not solved."""
+    """Lines of the problems solved by both sides, and reasons why others were not solved."""
     lines: list[Crosscheck] = []
     broken: list[str] = []
 

@@ -77,7 +77,7 @@ def files(outcome: Outcome, repeat: str) -> Mapping[str, bytes]:
 
 
 def _write(made: Mapping[str, bytes], out: Path) -> None:
-    """Every file whole; a chosen spring of an earlier task goes."""
+    """Write every file completely; the chosen spring of an earlier task is removed."""
     for name, content in made.items():
         try:
             write_whole(out / name, partial(_fill, content))

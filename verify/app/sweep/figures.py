@@ -96,7 +96,7 @@ def panels(plan: Plan, course: Course) -> Sequence[Panels]:
 
 
 def of_sample(plan: Plan, course: Course, found: Indices) -> Sequence[Picture]:
-    """How results and error scatter, what through, and the error over what matters most."""
+    """Scatter of results and error, its causes, and the error over the most influential input."""
     independent = np.arange(len(plan.points)) < 2 * plan.base
     factor = units.factor(course.pair.unit)
     label = with_unit(course.pair.symbol, course.pair.unit)

@@ -35,7 +35,7 @@ class Work:
         return self.place.results()
 
     def is_done(self) -> bool:
-        """Whether all is there, for the present code."""
+        """Whether all results exist for the present code."""
         return set(self.cases) <= set(self.results().cases)
 
 

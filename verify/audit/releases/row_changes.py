@@ -48,7 +48,7 @@ def _of_red(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
 
 
 def _values(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
-    """Formula, finite elements, or the margin of a fact, where it moved."""
+    """Changes of formula, finite elements, or the margin of a statement."""
     if row_id.endswith(CONVERGENCE):
         return
     error, limit = numerical_error(was, now), value_limit(was, now)

@@ -51,7 +51,7 @@ def expanded(unit: str, u_num: float, u_ref: float, u_input: float, U: float) ->
 
 
 def difference_steps(row: Row, verdict: judge.Verdict, what: str) -> tuple[Step, ...]:
-    """Scale, difference, |d| ≤ U and what the row detects."""
+    """Scale, difference, |d| ≤ U and detection limit."""
     U, scale = verdict.tolerance, row.scale
     # as judged: the printed values were converted, which changes their last digit
     d = verdict.difference if row.difference is None else row.difference
@@ -69,7 +69,7 @@ def difference_steps(row: Row, verdict: judge.Verdict, what: str) -> tuple[Step,
 
 
 def _share(row: Row) -> str:
-    """The difference in the convention of all pages, and what it is a part of."""
+    """The difference in the convention of all pages, and its divisor."""
     found = difference(row)
     if found is None or row.kind is Kind.TREND:
         return ""

@@ -47,7 +47,7 @@ def trend(row: Row) -> Derivation:
 
 
 def coefficient(row: Row, theory: float) -> Derivation:
-    """The leading coefficient of what a formula neglects."""
+    """The leading coefficient of the error of a formula."""
     eps, d = zip(*row.levels, strict=True)
     c, U = judge.quadratic_coefficient(eps, d, row.levels_u)
     verdict = judge.difference(c, theory, U=U, scale=abs(theory), demand=demand(row))
@@ -120,7 +120,7 @@ def fact(row: Row) -> Derivation:
 
 
 def convergence(row: Row) -> Derivation:
-    """Whether finite-element values converge, judged beside what they converge to."""
+    """Whether finite-element values converge, judged separately from their limit."""
     assert row.grid is not None
     g = row.grid
     again, _ = regrid(g)

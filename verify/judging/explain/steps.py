@@ -58,7 +58,7 @@ def _has_numbers(row: Row) -> bool:
 
 
 def _printed(row: Row, entry: Published) -> Step:
-    """A published value with what formula and finite elements give of it."""
+    """A published value with its deviation from formula and finite elements."""
     computed = row.grid is not None or row.fem is not None  # a partner may be the print itself
     ours = (("formula", row.analytic), (reference_name(row), row.reference if computed else None))
     ratios = [f"{who} {v / entry.value:.5f} of it" for who, v in ours if v and entry.value]

@@ -1,4 +1,4 @@
-"""The arithmetic of a budget: what each cause contributes, what is left, and how sure that is.
+"""The arithmetic of a budget: contribution of each cause, remainder, and their uncertainty.
 
 The error of a row is m = (formula - FE)/scale, for most rows formula/FE - 1. A cause contributes
 c = m - m', where m' is the error with that cause alone removed: what goes when the cause goes. What
@@ -45,7 +45,7 @@ class Joint:
 
 @dataclass(frozen=True)
 class Balance:
-    """A row's total error, what it is made of, and the remainder with its half-width."""
+    """A row's total error, its parts, and the remainder with its half-width."""
 
     total: float
     parts: tuple[Part, ...]

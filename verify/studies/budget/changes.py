@@ -1,4 +1,4 @@
-"""Finite elements of a case with a few things about them changed, and nothing else."""
+"""Finite elements of a case with stated changes only."""
 
 import functools
 import importlib

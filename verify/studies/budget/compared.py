@@ -16,7 +16,7 @@ ALIKE = (4.0, 2.0, 1.0)  # mesh sizes that one solution stands for where a claim
 
 @dataclass(frozen=True)
 class Values:
-    """Both values and what their difference is related to [SI], NaN where there is none."""
+    """Both values and the divisor of their difference [SI], NaN for a missing value."""
 
     formula: float
     fe: float

@@ -42,7 +42,7 @@ def with_rows() -> list[Case]:
 
 
 def measure(cases: Sequence[Case], where: Where, _again: bool) -> bool:
-    """Solve what the budgets of the cases need, and store them; False where a rerun failed.
+    """Solve and store the reruns for the budgets of the cases; False if a rerun failed.
 
     An interrupted run continues where it was. OSError where nothing can be stored.
     """

@@ -1,4 +1,4 @@
-"""All solutions that the budgets of a case need: as it is, finer, and each cause removed."""
+"""All solutions for the budgets of a case: unchanged, finer, and with each cause removed."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ AND = " and "
 
 @dataclass(frozen=True)
 class Plan:
-    """A case, what it says of its budget, and the rows that have one."""
+    """A case, its statement on its budget, and the rows with a budget."""
 
     case: Case
     says: Statement

@@ -98,7 +98,7 @@ def _short(value: Any) -> Any:
 
 
 def _spare(part: dict[str, Any]) -> dict[str, Any]:
-    """Without what is as usual."""
+    """The record without default values."""
     return {k: v for k, v in part.items() if not (k in ("shared", "note") and not v)}
 
 

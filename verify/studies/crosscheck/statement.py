@@ -12,7 +12,7 @@ Numbers = Mapping[str, float]
 
 @dataclass(frozen=True, kw_only=True)
 class Quantity:
-    """One number of a comparison: what it is called, and the row of the case that it stands for.
+    """One number of a comparison: its name, and the row of the case to which it belongs.
 
     With `beside` it is another number than the row's, of the same problem. Both solvers may differ
     by `allowed`, relative, and `why` says what makes so much of a difference.

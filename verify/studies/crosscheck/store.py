@@ -83,7 +83,7 @@ def read(record: Record) -> Found:
 
 
 def keep(cross: Cross, found: Found) -> None:
-    """Write what was found of a comparison; OSError."""
+    """Write the result of a comparison; OSError if that fails."""
     content = {name: value for name, value in asdict(found).items() if name != "date"}
     RECORDS.keep(cross.file, _made_by(cross), content)
 

@@ -1,4 +1,4 @@
-"""The answer of `freewheel design` for a spring: the chosen one, its margin, what limits it."""
+"""The answer of `freewheel design` for a spring: chosen spring, margin, limiting criterion."""
 
 from verify.answers.answer import Answer, Criterion, Quantity
 from verify.studies.design.console import geometry, verdict

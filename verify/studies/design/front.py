@@ -1,4 +1,4 @@
-"""The best of what is feasible: Pareto front, its thinning, and the choice of one."""
+"""The best feasible candidates: Pareto front, its thinning, and the choice of one member."""
 
 import numpy as np
 from numpy.typing import NDArray

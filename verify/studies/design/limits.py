@@ -62,7 +62,7 @@ class Judged:
 
     @cached_property
     def violations(self) -> NDArray[np.bool_]:
-        """Limits by candidates; False for what is no spring."""
+        """Limits by candidates; False if a candidate is no spring."""
         return np.array([limit.violated for limit in self.limits]) & self.possible
 
     def reasons(self, i: int) -> tuple[str, ...]:

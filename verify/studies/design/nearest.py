@@ -30,7 +30,7 @@ class Relaxation:
 
     @property
     def possible(self) -> bool:
-        """Whether the input may be set to what is needed."""
+        """Whether the input may be set to the required value."""
         bounds = bounds_of(Demands.model_fields[self.limit.key])
         return all(KEPT[word](self.needed, bound) for word, bound in bounds)
 

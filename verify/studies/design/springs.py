@@ -1,4 +1,4 @@
-"""Candidates of a search and what the formulas say of each, as arrays over all of them."""
+"""Candidates of a search and their formula results, as arrays over all candidates."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
@@ -74,7 +74,7 @@ class Formulas:
 
 
 def width_factors(springs: Springs, demands: Demands) -> Array:
-    """What its width stiffens each strip by, as given or that of its leaves.
+    """Stiffening of each strip by its width, as given or computed for its leaves.
 
     A leaf's factor depends on h over its length alone: between samples of that it is interpolated.
     """

@@ -33,7 +33,7 @@ class Sweep:
         return f"{lower} {self._shown(self.low)} and at most {self._shown(self.high)}"
 
     def read(self, raw: Any, where: str) -> tuple[float, ...]:
-        """The SI values of a raw TOML value, rising, each once; InputError says what is wrong."""
+        """The SI values of a raw TOML value, rising, each once; InputError states the fault."""
         values = self._values(raw, where)
         for value in values:
             self._check(value, where)

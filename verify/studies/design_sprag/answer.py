@@ -1,4 +1,4 @@
-"""The answer of `freewheel design` for a crown: its pressure, margin, and what limits it."""
+"""The answer of `freewheel design` for a crown: pressure, margin, limiting criterion."""
 
 from verify.answers.answer import Answer, Quantity
 from verify.answers.assessment import Assessment

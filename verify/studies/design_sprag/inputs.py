@@ -32,7 +32,7 @@ Method = Literal["evolution", "genetic"]
 
 
 class Wishes(EngagementInputs):
-    """The clutch, with the crown that it has now, and what the optimal crown is to be."""
+    """The clutch with its present crown, and the requirements on the optimal crown."""
 
     aim: Aim = word(
         "excess", "what is minimised: the largest excess over the optimal crown of each torque, or "
@@ -92,7 +92,7 @@ class Task:
 
 
 def load(path: Path) -> Task:
-    """A design task from a parameter file; InputError says in one line what is wrong."""
+    """A design task from a parameter file; InputError states the fault in one line."""
     case, name, raw = read_parameter_file(path)
     if case not in (CASE, CLUTCH):
         raise InputError(f'{path}: case: needs case = "{CASE}" or "{CLUTCH}", got {case[:60]!r}')

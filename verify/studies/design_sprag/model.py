@@ -65,7 +65,7 @@ class Model:
         return self._known(crowns, self._engaged(crowns))
 
     def ask(self, crowns: Array) -> Known:
-        """The same, and what is new of them is known from then on."""
+        """Results of the true model; new results are stored for later requests."""
         found = self.answers(crowns)
         for k in range(len(found)):
             apart = np.abs(found.crowns[k] / self.known.crowns - 1).max(axis=1)

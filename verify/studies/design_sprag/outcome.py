@@ -205,7 +205,7 @@ def _around(values: Array, mask: Array, at: float) -> Array:
 
 
 def bound(search: Search, worth: Worth, crown: Array, worst: Array) -> Sequence[Bound]:
-    """Bounds of the ranges that the crown is at, and what more would gain, by the true model."""
+    """Bounds of the ranges reached by the crown, and the gain beyond them, by the true model."""
     task, found = search.task, []
     for j in range(3):
         low, high = task.low[j], task.high[j]

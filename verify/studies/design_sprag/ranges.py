@@ -28,7 +28,7 @@ class Range:
         return f"greater than {self.text(self.above)} and at most {self.text(self.most)}"
 
     def read(self, raw: Any, where: str) -> tuple[float, float]:
-        """Both bounds in SI; InputError says in a line what is wrong."""
+        """Both bounds in SI; InputError states the fault in one line."""
         parts = raw.split(":") if isinstance(raw, str) else []
         if len(parts) != 2:
             raise InputError(f'{where}: a range is "low : high", got {repr(raw)[:60]}')

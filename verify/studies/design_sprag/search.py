@@ -30,7 +30,7 @@ Worth = Callable[[Array], Array]  # from pressures (n, m) to the objective, (n,)
 
 @dataclass(eq=False)
 class Search:
-    """A running task: what is known, the box of the search and that which kriging spans."""
+    """A running task: known results, the box of the search and the box of kriging."""
 
     task: Task
     model: Model

@@ -21,7 +21,7 @@ POLYGON = {"z": 6, "d_i": 72.0, "d_e": 80.0, "b": 30.0, "D_i": 100.06, "j_D": 0.
 
 
 def half_angle(q: Mapping[str, Any]) -> float:
-    """α_0 of Eq. 4 [deg] with what stands in its numerator."""
+    """α_0 of Eq. 4 [deg] with the given numerator."""
     x = (q[q["numerator"]] + q["X"]) / (2 * (q["R"] - q["r"]))
     root = math.sqrt(x) if q["root"] else x
     return float(math.degrees(q["inverse"](root)) * q["share"])

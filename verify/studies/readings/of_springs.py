@@ -1,4 +1,4 @@
-"""Readings of the accordion spring: Wang et al., Eqs. 1 to 10, and what rests on them."""
+"""Readings of the accordion spring: Wang et al., Eqs. 1 to 10, and derived equations."""
 
 import math
 from collections.abc import Mapping

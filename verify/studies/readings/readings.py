@@ -79,5 +79,5 @@ def result() -> list[Reading]:
 
 
 def switched(name: str, said: str, **values: object) -> Reading:
-    """Another choice of what the formula offers under `name`."""
+    """Another choice of the option `name` of the formula."""
     return Reading(name=said, of=name, inputs=lambda _q: values)

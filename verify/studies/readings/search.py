@@ -162,7 +162,7 @@ def _outcome(
 
 
 def _needed(hits: Sequence[Tried], value: float) -> list[Tried]:
-    """Hits in their rank, without those that add to an earlier one what changes nothing."""
+    """Hits in their rank, without hits that add only ineffective changes to an earlier one."""
     kept: list[Tried] = []
     for hit in sorted(hits, key=lambda t: (t.changes, t.off, abs(t.value - value))):
         if not any(
@@ -175,7 +175,7 @@ def _needed(hits: Sequence[Tried], value: float) -> list[Tried]:
 
 
 def together(outcomes: Sequence[Outcome]) -> Outcome:
-    """One search from those for several numbers: what reproduces all of them at once.
+    """One search for several numbers: readings that reproduce all of them at once.
 
     The outcomes are of the same readings on other inputs. Numbers are those of the first one.
     """

@@ -19,7 +19,7 @@ def searches(cases: Collection[str]) -> tuple[ReadingsTried, ...]:
 
 
 def record(problem: Problem, outcome: Outcome) -> ReadingsTried:
-    """One search as a report tells it."""
+    """One search for a report."""
     best, plain = outcome.best, outcome.as_it_stands
     if outcome.met:
         best = None

@@ -166,7 +166,7 @@ def _field(inputs: Inputs, name: str, where: str) -> tuple[FieldInfo, float | No
 
 
 def names(inputs: Inputs) -> Sequence[str]:
-    """The inputs that are numbers, those of tables as table[1].key for the first entry."""
+    """The inputs that are numbers; in tables, table[1].key is that of the first entry."""
     found: list[str] = []
     for name, field in type(inputs).model_fields.items():
         if is_table(field):

@@ -89,7 +89,7 @@ def error_with_bar(course: Course, n: int) -> str:
 
 
 def ranked(scatter: Scatter) -> list[tuple[str, str, str]]:
-    """The inputs by what they cause alone (S1) and in all (ST), with 95 % intervals, as cells."""
+    """The inputs by first-order (S1) and total index (ST), with 95 % intervals, as cells."""
     return [
         (index.tolerance.symbol, f"S1 {_index(index.first)}", f"ST {_index(index.total)}")
         for index in scatter.ranked

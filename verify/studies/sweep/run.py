@@ -1,4 +1,4 @@
-"""Solve the points of a plan: what is stored is read, the rest goes to an engine in batches."""
+"""Solve the points of a plan: stored points are read, the others are solved in batches."""
 
 import time
 from collections import deque
@@ -69,7 +69,7 @@ def solve(
     again: bool = False,
     show: Show = lambda _state: None,
 ) -> Solved:
-    """Every point of the plan, solved at the given place, each stored as soon as it is solved.
+    """Every point of the plan, solved by the given engine, each stored at once.
 
     `again` repeats what failed before. OSError where points cannot be stored or gmsh not started,
     GoneError where the engine answers no more, KeyboardInterrupt: both state what is stored.

@@ -1,4 +1,4 @@
-"""A sweep as CSV: its points, where formulas hold, what their scatter comes from.
+"""A sweep as CSV: its points, ranges of validity, causes of the scatter.
 
 Nothing in them depends on how long something took, or where it was solved.
 """
@@ -83,7 +83,7 @@ def points_csv(found: Outcome) -> str:
 
 
 def validity_csv(found: Outcome) -> str:
-    """A line a row and limit: points by their verdict, the largest box, what breaks it first."""
+    """A line for each row and limit: points by verdict, largest box, first exceeded input."""
     plan = found.solved.plan
     ends = [with_unit(f"{a.name} {end}", a.unit) for a in plan.axes for end in ("from", "to")]
     heads = [

@@ -59,7 +59,7 @@ class ContactDeck:
 
     `shift` (nodes, 2) is by how much nodes start off their places in the mesh: so are overlaps
     drawn that the project takes off its gaps. ValueError where there are such and no shift, for
-    calculix knows a clearance in the place of the gap only, not beside it. `given` are the forces
+    In calculix, a clearance replaces the gap and is not added to it. `given` are the forces
     along mean motions, by number, that act in place of them.
     """
 

@@ -1,4 +1,4 @@
-"""Run calculix on a deck and keep what it says beside it."""
+"""Run calculix on a deck and store its output beside the deck."""
 
 import os
 import re
@@ -41,7 +41,7 @@ def version() -> str:
 
 
 def start() -> float:
-    """Seconds of a process that only tells its version."""
+    """Seconds of a process that only prints its version."""
     begun = time.perf_counter()
     version()
     return time.perf_counter() - begun

@@ -53,7 +53,7 @@ def named(loads: Array) -> dict[str, float]:
 def written(rest: "Joint", moves: Array, path: Path) -> Path:
     """The deck: a spring for each strut, pressed as it lies, between held and joined nodes.
 
-    One more spring holds a node that nothing else does: calculix solves for something.
+    An additional spring on a separate node gives calculix an unknown to solve for.
     """
     from fem.rotor.struts_kinds import Pinned
     from verify.studies.crosscheck.calculix import keywords
