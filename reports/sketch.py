@@ -110,7 +110,7 @@ def _dimension(points: Points, label: str) -> Markup:
     if ny > 1e-9 or (abs(ny) <= 1e-9 and nx < 0):  # above, or to the right
         nx, ny = -nx, -ny
     upright = abs(dx) < abs(dy)
-    if upright:  # on the side that looks away from the drawing
+    if upright:  # on the outer side
         side = math.copysign(1.0, (x0 + x1) / 2 - WIDTH / 2)
         anchor = "start" if side > 0 else "end"
         return parts + svg.text((x0 + x1) / 2 + 7 * side, (y0 + y1) / 2 + 4, label, "sym", anchor)

@@ -4,7 +4,7 @@ Near the end face of a roller without crown, on a race that goes on, the section
 a right angle on a half-plane, without friction. Stresses go as :math:`r^{\lambda-1}` with the
 lambda in (0, 1) for which both bodies, free of tractions but for equal pressures, open by equal
 amounts (Williams' eigenfunctions). For the right angle :math:`\lambda - 1 = -0.226`; a half-space
-that goes on beyond the end, too, has :math:`-1/2`. The angle alone counts: both bodies being of
+that goes on beyond the end, too, has :math:`-1/2`. Only the angle is relevant: both bodies being of
 one material, their moduli cancel.
 
 References

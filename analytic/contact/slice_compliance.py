@@ -64,7 +64,7 @@ def compliance_matrix(weights: ArrayLike, *, compliance: ArrayLike) -> Array:
     if w.ndim < 2 or w.shape[-1] != w.shape[-2]:
         raise ValueError(f"weights must be a matrix (n, n), got shape {w.shape}")
     if not np.allclose(w, np.swapaxes(w, -1, -2), rtol=1e-10, atol=0):
-        raise ValueError("weights must be symmetric, w_jk = w_kj: works are reciprocal")
+        raise ValueError("weights must be symmetric, w_jk = w_kj (reciprocity of work)")
     total = w.sum(axis=(-2, -1))
     try:
         np.linalg.cholesky(w)

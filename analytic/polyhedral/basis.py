@@ -61,7 +61,7 @@ def basis_of(sector: Sector, *, density: float) -> Basis:
     """
     if sector.z * np.log(sector.r_e / sector.apothem) > DEEPEST:
         raise ArithmeticError(
-            f"so many corners in so thick a ring are beyond the series: z={sector.z}, "
+            f"the series cannot be evaluated for this number of corners and wall: z={sector.z}, "
             f"d_e={sector.d_e:g} m, d_i={sector.d_i:g} m; take a round bore"
         )
     corner = np.exp(1j * sector.half_angle)

@@ -54,7 +54,7 @@ def self_locking(share: ArrayLike) -> NDArray[np.bool_]:
 
 
 def hub_releases(*, psi: ArrayLike, phi_1: ArrayLike) -> NDArray[np.bool_]:
-    """Whether the hub, its friction reversed, turns the ring back: psi > phi_1 (after Eq. 15)."""
+    """Whether the hub, with reversed friction, releases the ring: psi > phi_1 (after Eq. 15)."""
     return np.asarray(np.asarray(psi) > np.asarray(phi_1))
 
 

@@ -7,7 +7,7 @@ from fem.contact.problem import ContactProblem
 from fem.contact.solution import ContactSolution
 from fem.plane.discretisation import Array
 
-HIT, STEPS = 1e-12, 30  # of the load, within which it is met, and by how many steps
+HIT, STEPS = 1e-12, 30  # relative error of the load, and largest number of steps
 ABOUT, WIDE = (0.25, 0.75), 0.3  # z/a about the largest shear stress, and r/a
 
 

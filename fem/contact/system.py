@@ -26,7 +26,7 @@ FELT = 1e-7  # of the squared displacements: below, only facets resist the motio
 LOAD_TOLERANCE = 1e-13  # of the forces that would close the gaps: smaller loads are round-off
 GAP_TOLERANCE = 1e-14  # of the largest gap or slip: smaller gaps of unloaded bodies are none
 BALANCE_TOLERANCE = 1e-9  # of the loads on rigid motions: smaller imbalances are allowed
-BARE = 1e-12  # of the largest: rows that act on no rigid motion
+BARE = 1e-12  # of the largest: smaller rows act on no rigid motion
 ASKEW = 1e-2  # of the loads: so much may act on a neutral motion until surfaces are paired again
 OFFSET = 1e-3  # and this much where they are: moments count about places in the mesh
 

@@ -49,7 +49,7 @@ class Limit:
         return Sector(self.place, self.start.widths, COARSE, mu=mu).at(self.drags)
 
     def shares(self) -> Array:
-        """mu/tan(alpha) and the shares of N that slip, (3, m)."""
+        """mu/tan(alpha) and the slipping shares of N, (3, m)."""
         found = [(k, *self.slipping(k * self.tan)) for k in SHARES]
         return np.array(found).T
 

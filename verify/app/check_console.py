@@ -116,7 +116,7 @@ def _print_list(title: str, lines: Sequence[str]) -> None:
 
 
 def _limit(cells: tuple[str, ...]) -> tuple[str, ...]:
-    """A limit with its numbers first, so that long texts stand in the last column."""
+    """A limit with its numbers first, so that long texts are in the last column."""
     state, what, value, limit, margin, source = cells
     return state, margin, value, limit, f"{what}; {source}"
 

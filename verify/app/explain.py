@@ -1,4 +1,4 @@
-"""The command `explain`: a row by its name, how it was judged; an equation, its verdict."""
+"""The command `explain`: the judgement of a row, or the verdict of an equation."""
 
 import json
 import os

@@ -6,7 +6,7 @@ from verify.core.differences import COMPARED, UNJUDGED, difference_texts, larges
 from verify.core.references import FINITE_ELEMENTS, reference_name
 from verify.core.results import FE, Row, Status
 
-COMPANION = ": convergence"  # rows that stand beside the one they are about
+COMPANION = ": convergence"  # rows that share the line of their comparison
 LISTED = (Status.FAIL, Status.SKIP, Status.SHOWN, Status.NOTE, Status.CALIBRATED)
 PRINTED = "printed values"
 NAMED = 5  # rows of one status that the closing sentences name

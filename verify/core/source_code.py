@@ -158,7 +158,7 @@ def _used_in(
     queue = [f".{name}" for name in names] if owner else list(names)
     while queue:
         name = queue.pop()
-        if name in borrowed:  # a helper of another case module: all of that module
+        if name in borrowed:  # a helper of another case module: the whole module counts
             start |= borrowed[name]
         elif name in parts and name not in used:
             used[name], reads, imported = _part(module.__name__, owner, name, whole=whole)

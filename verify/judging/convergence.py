@@ -20,7 +20,7 @@ import numpy as np
 
 ROUND_OFF = 1e-10  # of the scale: effect of round-off on a difference of two values
 # Of the scale: an order needs a last difference above this. Round-off then changes the logarithm of
-# the ratio of differences by a third at most, whatever the processor.
+# the ratio of differences by a third at most, on any processor.
 RESOLVED = 5 * ROUND_OFF
 FLOOR = 1e-12  # of the scale: no value is trusted beyond
 NEAR_FORMAL, FAR_FROM_FORMAL = 0.5, 0.55  # |observed - formal| where F leaves 1.25 and reaches 3

@@ -28,7 +28,7 @@ def figures(outcome: Outcome) -> list[Picture]:
 
 
 def profiles(outcome: Outcome) -> Curves:
-    """Drop along the sprag now and of the optimal crown, with its tolerance."""
+    """Drop along the sprag, of the present and the optimal crown, with its tolerance."""
     model, q = outcome.search.model, outcome.task.clutch
     y = np.linspace(-0.5, 0.5, POINTS) * q.l
     drops = model.drop(outcome.chosen.crowns, y) / um

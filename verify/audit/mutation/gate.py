@@ -13,7 +13,7 @@ from verify.audit.mutation.references_moved import Tried, is_convergence
 from verify.core.results import Kind, Row, Status
 from verify.judging.judge import DEMAND
 
-SMALL, LARGE = 0.01, 0.05  # of the reference, both signs
+SMALL, LARGE = 0.01, 0.05  # changes of the reference, with both signs
 LEAST = 0.99  # share of the held rows that fail at `SMALL`, each sign; all fail at `LARGE`
 MOST_LISTED = 0.2  # of all rows
 

@@ -9,7 +9,7 @@ BASELINE = "baseline"
 SEEDS = 10
 CORE_TYPE, DISABLED, NUMBA = "OPENBLAS_CORETYPE", "NPY_DISABLE_CPU_FEATURES", "NUMBA_CPU_NAME"
 THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
-CORES = {  # core type of OpenBLAS, and an instruction set without which its kernels end the process
+CORES = {  # core type of OpenBLAS, and the instruction set that its kernels require
     "Prescott": "pni",
     "Nehalem": "sse4_2",
     "Sandybridge": "avx",

@@ -49,7 +49,7 @@ class Plan:
         return (next(name for name, one in self.reruns.items() if one.what == rerun.after),)
 
     def levels(self, rerun: Rerun) -> tuple[int, ...]:
-        """The meshes that a cause is removed on, coarse to fine."""
+        """The meshes of the reruns without a cause, coarse to fine."""
         return rerun.levels or self.case.levels[:2]
 
 
