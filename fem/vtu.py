@@ -5,32 +5,42 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from fem.vtu_space import Array, Content, modes, shell, solid
+
 T = TypeVar("T")
-CELLS = {2: "line", 3: "triangle", 4: "quad"}
+CELLS = {2: "line", 3: "triangle", 4: "quad", 8: "hexahedron", 9: "quad9"}
 
 
-def to_vtu(solution: Any, path: str | Path, *, elements: Any = None) -> Path:
+def to_vtu(solution: Any, path: str | Path, *, elements: Any = None, rotor: Any = None) -> Path:
     """Write a solution as VTU, lengths and stresses in the units of the input; the path.
 
-    Plane, axisymmetric and contact solutions have `displacement` at the vertices, and per cell the
-    mean `stress` (six components XX, YY, ZZ, XY, YZ, XZ; ZZ is the hoop stress of a body of
-    revolution) and `von_mises`. Frames have `displacement` and `rotation` [rad] at their nodes and
-    need their `elements` (m, 2 or 3), of which a line joins the ends.
+    Tensors have the six components XX, YY, ZZ, XY, YZ, XZ; values per cell are means over the
+    cell, weighted by volume or area.
+
+    - plane, axisymmetric and contact solutions: `displacement` at the vertices; `stress` and
+      `von_mises` per cell. In a body of revolution x is the radius, y the axis, ZZ the hoop stress
+    - solids: the same in space
+    - shells: `displacement` and `rotation` [rad] at the nodes; per cell the tensors
+      `membrane_stress` and `bending_stress` (on the face that the normals point to) and the
+      vector `shear_stress`
+    - frames: `displacement` and `rotation` [rad] at the nodes; they need their `elements`
+      (m, 2 or 3), of which a line joins the ends
+    - modes of a `rotor`, which they need: its numbered nodes along z; for the k-th mode, from 1
+      on, the parts `mode_k_real` and `mode_k_imaginary` of the displacement
 
     ImportError without meshio, which `freewheel-verification[fem]` has; TypeError for a solution
-    of another kind; ValueError for a frame without elements; OSError where it cannot be written.
+    of another kind; ValueError for a frame without elements, and for modes without their rotor;
+    OSError where it cannot be written.
     """
     content = kind_of(solution, WRITTEN)
     try:
         import meshio
     except ImportError as error:
         raise ImportError("to_vtu needs meshio: install freewheel-verification[fem]") from error
-    points, cells, at_points, in_cells = content(solution, elements)
+    points, cells, at_points, in_cells = content(solution, elements=elements, rotor=rotor)
     meshio.Mesh(
-        _solid(points), [(CELLS[cells.shape[1]], cells)], point_data=at_points,
+        points, [(CELLS[cells.shape[1]], cells)], point_data=at_points,
         cell_data={name: [values] for name, values in in_cells.items()},
     ).write(path, file_format="vtu")  # fmt: skip
     return Path(path)
@@ -45,38 +55,38 @@ def kind_of(solution: object, known: Mapping[str, T]) -> T:
     raise TypeError(f"a solution is one of {names}, got {type(solution).__name__}")
 
 
-Content = tuple[Array, NDArray[np.int64], dict[str, Array], dict[str, Array]]
-
-
-def _plane(solution: Any, _elements: Any) -> Content:
+def _plane(solution: Any, **_more: Any) -> Content:
     f = solution.cells()
     xx, yy, xy, zz = f["stress"].T
     none = np.zeros_like(xx)
     stress = np.column_stack([xx, yy, zz, xy, none, none])
     return (
-        f["points"], f["cells"], {"displacement": _solid(f["displacement"])},
+        _in_space(f["points"]), f["cells"], {"displacement": _in_space(f["displacement"])},
         {"stress": stress, "von_mises": f["von_mises"]},
     )  # fmt: skip
 
 
-def _contact(solution: Any, elements: Any) -> Content:
-    return _plane(solution.plane, elements)
+def _contact(solution: Any, **more: Any) -> Content:
+    return _plane(solution.plane, **more)
 
 
-def _frame(solution: Any, elements: Any) -> Content:
+def _frame(solution: Any, *, elements: Any, **_more: Any) -> Content:
     if elements is None:
         raise ValueError("the solution of a frame contains no elements: give elements=")
-    fields = {"displacement": _solid(solution.u[:, :2]), "rotation": solution.u[:, 2]}
-    return np.asarray(solution.points), np.asarray(elements)[:, :2], fields, {}
+    fields = {"displacement": _in_space(solution.u[:, :2]), "rotation": solution.u[:, 2]}
+    return _in_space(np.asarray(solution.points)), np.asarray(elements)[:, :2], fields, {}
 
 
-def _solid(values: Array) -> Array:
+def _in_space(values: Array) -> Array:
     """Plane vectors in space."""
     return np.column_stack([values, np.zeros(len(values))])
 
 
-WRITTEN: dict[str, Callable[[Any, Any], Content]] = {
+WRITTEN: dict[str, Callable[..., Content]] = {
     "fem.plane.solution.PlaneSolution": _plane,
     "fem.contact.solution.ContactSolution": _contact,
+    "fem.solid.solution.SolidSolution": solid,
+    "fem.shell.solution.ShellSolution": shell,
     "fem.beam.section.FrameSolution": _frame,
+    "fem.rotor.modes.Modes": modes,
 }
