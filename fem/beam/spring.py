@@ -24,6 +24,14 @@ def compress_spring(
 
     Of a wide strip, E/(1 - nu^2) may stand for E. ValueError for another head, a line without
     tips or a U that does not rise; ArithmeticError where no equilibrium is found at a U.
+
+    >>> from math import radians
+    >>> from meshes.spring import spring_centre_line
+    >>> path = {"n": 2, "L1": 11.6e-3, "radius": 0.5e-3, "alpha": radians(80), "tail": "arc"}
+    >>> line = spring_centre_line(**path, tips=True, per_arc=2, per_leaf=2)
+    >>> curve = compress_spring(line, [0.2e-3, 2.2e-3], b=0.1e-3, h=56e-3, E=206e9, nu=0.3)
+    >>> bool(curve.F[1] / curve.U[1] > curve.F[0] / curve.U[0])  # the leaves support each other
+    True
     """
     if head not in HEADS:
         raise ValueError(f"a head is one of {', '.join(HEADS)}, got {head!r}")

@@ -49,7 +49,28 @@ GAP_TOLERANCE = 1e-13  # of the mesh's extent: less is round-off of the places o
 
 
 class ContactProblem:
-    """Bodies, supports and contact pairs, factorised once; `solve` applies loads stepwise."""
+    """Bodies, supports and contact pairs, factorised once; `solve` applies loads stepwise.
+
+    A steel roller of 10 mm radius on a flat under 800 N/mm; Hertz's peak pressure is 1714 MPa:
+
+    >>> from fem.contact import Circle, Flat
+    >>> from meshes import join_meshes
+    >>> from meshes.contact import half_block, quarter_disc
+    >>> fine = {"zone": 0.5, "refine": 1}
+    >>> flat = half_block(width=80.0, depth=80.0, **fine)
+    >>> problem = ContactProblem(
+    ...     join_meshes({"roller": quarter_disc(R=10.0, **fine), "flat": flat}),
+    ...     materials=Elastic(E=210e3, nu=0.3), assumption="plane strain",
+    ...     supports={"roller.axis": "x", "flat.axis": "x", "flat.bottom": "y"},
+    ...     contacts=[Pair(
+    ...         slave="roller.surface", master="flat.surface",
+    ...         slave_shape=Circle((0.0, 10.0), 10.0), master_shape=Flat(),
+    ...     )],
+    ... )
+    >>> half = problem.solve(forces={"roller.middle": (0.0, -400.0)})
+    >>> print(f"{half.touches[0].peak:.0f} MPa")
+    1724 MPa
+    """
 
     def __init__(
         self,

@@ -51,6 +51,12 @@ def solve_polygon_ring(
     arguments. Outside diameter `d_e`, diameter `d_i` of the circle through the round corners,
     radius `fillet` of these [length]; E [stress], nu. `refine` 2 leaves about 1e-4 of the growth.
     ValueError for dimensions that make no ring.
+
+    >>> from meshes.polyhedral import polygon_half_sector
+    >>> size = {"z": 6, "d_e": 80.0, "d_i": 72.0, "fillet": 2.0}  # mm, with MPa
+    >>> ring = solve_polygon_ring(polygon_half_sector, **size, E=210e3, nu=0.3, p=10.0)
+    >>> print(f"above a flat {ring.growth(0.0)[0] * 1e3:.2f} µm")
+    above a flat 14.81 µm
     """
     solution = solve_plane(
         mesh(z=z, d_e=d_e, d_i=d_i, fillet=fillet, refine=refine), materials=Elastic(E=E, nu=nu),

@@ -97,6 +97,20 @@ def solve_plane(
         thickness and radial forces on the axis.
     ArithmeticError
         Where the last correction of the linear solve holds more than 1e-12 of the energy.
+
+    Examples
+    --------
+    A quarter of a large plate with a hole under unit tension along x; Kirsch's stress beside the
+    hole is 3:
+
+    >>> from meshes.ring import quarter_ring
+    >>> plate = solve_plane(
+    ...     quarter_ring(r_i=1.0, r_o=40.0, refine=4), materials=Elastic(E=210e3, nu=0.3),
+    ...     assumption="plane stress", supports={"x=0": "x", "y=0": "y"},
+    ...     tractions={"rim": lambda x: np.array([x[0] / np.hypot(*x), 0 * x[0]])},
+    ... )
+    >>> print(f"{plate.at(np.array([[0.0], [1.0]])).stress[0, 0]:.1f}")
+    3.0
     """
     if assumption not in get_args(Assumption):
         known = ", ".join(map(repr, get_args(Assumption)))

@@ -55,6 +55,14 @@ def solve_freewheel(
 
     ValueError unless mu exceeds tan(alpha) without load and loads are positive (F_ax may be 0);
     ArithmeticError where no equilibrium is found, as where the axial load makes the clutch slip.
+
+    >>> from meshes.freewheel import inner_cam_sector
+    >>> clutch = {"R": 21e-3, "X": 14.9e-3, "r": 3e-3, "z": 10, "L": 12e-3, "r_b": 8e-3}
+    >>> steel = {"E": 206e9, "nu": 0.3, "mu": 0.1}
+    >>> state = solve_freewheel(inner_cam_sector, **clutch, R_a=28e-3, **steel, T=20.0, cells=4)
+    >>> without_load = math.acos((14.9 + 3) / (21 - 3)) / 2
+    >>> print(f"{math.degrees(without_load):.2f} deg, at 20 N m {math.degrees(state.alpha):.2f}")
+    3.02 deg, at 20 N m 3.19
     """
     if not (0 < T < math.inf and 0 <= F_ax < math.inf):
         raise ValueError(f"needs T > 0 N m and F_ax >= 0 N, got {T:g} N m and {F_ax:g} N")
