@@ -50,6 +50,9 @@ def solve_solid(
         scikit-fem hexahedra of 8 or 27 nodes; displacements have the mesh's degree.
     materials
         One material, or one for each body named in `mesh.subdomains`; every cell needs one.
+        The elements have the displacement form and lock if nearly incompressible: with four cells
+        through the wall of a thick sphere, the radial stress is off by 4 % of the pressure (27
+        nodes) or 37 % (8 nodes) at nu = 0.45, by 19 % or 156 % at nu = 0.49 (root mean square).
     supports
         Place to components: "xyz", or a mapping such as {"x": 1e-3} or {"x": f}, where f takes
         points (3, m) and returns (m,) [length]. A place is a boundary's name, or coordinates where

@@ -91,9 +91,15 @@ class Grid:
 class Row:
     """One judged comparison. Dimensional numbers are in `unit`; `detects`, `demand` are relative.
 
-    `method` is that of the reference `fem`; `difference` is value minus reference; `interval` holds
-    the expected signed model error of an approximation; `levels` the reference's values by mesh
-    size, coarse to fine, and `levels_u` their standard uncertainties where a limit is fitted.
+    `method` is that of the reference `fem`; `interval` holds the expected signed model error of an
+    approximation; `levels` the reference's values by mesh size, coarse to fine, and `levels_u`
+    their standard uncertainties where a limit is fitted.
+
+    `difference` is formula minus reference in approximations and against printed numbers. In all
+    other identities, in trends and limits the reference is judged by the formula: it is reference
+    minus formula. It is the residual of a balance and the margin of a fact.
+    `verify.core.differences.offset` has one sign, formula minus reference, for all rows.
+
     `formula` is the key of the case's value that is judged, `equation` its number in the paper or
     its source, `form` which form of it, `safe` the side on which an error of it does no harm, and
     `shares` are assumptions of both sides besides the inputs.

@@ -154,3 +154,47 @@ def test_a_cylinder_expands_as_lame_has_it():
 def test_the_cylinders_energy_has_order_4_on_curved_cells_and_2_on_straight_ones(straight, order):
     error = [energy_error(cylinder(through, straight=straight)) for through in (4, 8)]
     assert np.log2(error[0] / error[1]) == pytest.approx(order, abs=SPREAD)
+
+
+def sphere(nu, order, n=4):
+    """Errors of the bore's growth and, root mean square over p, of the radial stress.
+
+    A sixth of the octant a < r < b between planes through the centre: u = A r + B/r^2.
+    """
+    a, b, p = 1.0, 2.0, 1.0
+    block = solid_block(x=(0, 1), y=(0, 1), z=(a, b), cells=(n, n, n), order=order)
+    x, y, r = block.doflocs
+    ray = np.array([np.tan(x * pi / 4), np.tan(y * pi / 4), np.ones_like(x)])
+    mesh = replace(block, doflocs=r * ray / np.linalg.norm(ray, axis=0))
+    A = p * a**3 * (1 - 2 * nu) / (E * (b**3 - a**3))
+    B = p * a**3 * b**3 * (1 + nu) / (2 * E * (b**3 - a**3))
+
+    def growth(x):
+        r = np.linalg.norm(x, axis=0)
+        return (A + B / r**3) * x
+
+    moved = {c: (lambda x, i=i: growth(x)[i]) for i, c in enumerate("xyz")}
+    solved = solve_solid(
+        mesh, materials=Elastic(E=E, nu=nu), pressures={"z=0": p},
+        supports={"x=0": "x", "y=0": "y", "x=1": moved, "y=1": moved},
+    )  # fmt: skip
+    bore = np.isclose(np.linalg.norm(mesh.doflocs, axis=0), a)
+    error = np.linalg.norm(solved.displacement.T - growth(mesh.doflocs), axis=0)[bore].max()
+    found = solved.stresses()
+    r = np.linalg.norm(found.x, axis=1)
+    n = found.x / r[:, None]
+    missed = np.einsum("mi,mij,mj->m", n, found.stress, n)
+    missed -= p * a**3 / (b**3 - a**3) * (1 - b**3 / r**3)
+    return error / (A + B), np.sqrt((found.weight * missed**2).sum() / found.weight.sum()) / p
+
+
+def test_a_thick_sphere_is_accurate_up_to_nu_045():
+    """Errors of degree 1 halve (stress) or quarter with the cells, those of degree 2 faster."""
+    for nu, order, growth, stress in (
+        (0.3, 1, 0.031, 0.13), (0.3, 2, 4e-4, 0.014), (0.45, 1, 0.09, 0.38), (0.45, 2, 2e-3, 0.042),
+    ):  # fmt: skip
+        u, s = sphere(nu, order)
+        assert (u < growth, s < stress) == (True, True), (nu, order, u, s)
+        coarse_u, coarse_s = sphere(nu, order, n=2)
+        assert coarse_u > 2.5 * u
+        assert coarse_s > 1.8 * s
