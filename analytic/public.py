@@ -29,9 +29,19 @@ def lazily(package: str, file: str) -> tuple[Callable[[str], Any], Callable[[], 
         imports = [node for node in stub.body if isinstance(node, ast.ImportFrom)]
         return {a.asname or a.name: (str(i.module), a.name) for i in imports for a in i.names}
 
+    @cache
+    def earlier() -> dict[str, str]:
+        """Present name of every name that version 0.1 had instead."""
+        stub = ast.parse(Path(file).with_suffix(".pyi").read_text("utf-8"))
+        named = [
+            x for x in stub.body if isinstance(x, ast.Assign) and isinstance(x.value, ast.Name)
+        ]
+        return {ast.unparse(x.targets[0]): ast.unparse(x.value) for x in named}
+
     def public(name: str) -> Any:
         if name == "__all__":
             return sorted(homes())
+        name = earlier().get(name, name)
         if name.startswith("__") or name not in homes():
             raise AttributeError(f"module {package!r} has no attribute {name!r}")
         module, there = homes()[name]

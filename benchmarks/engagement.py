@@ -14,11 +14,11 @@ from typing import Any
 import numpy as np
 
 from analytic.sprag.closure import wedged
-from analytic.sprag.clutch import Clutch
+from analytic.sprag.clutch import SpragClutch
 from analytic.sprag.events import engage_by_events
 from analytic.sprag.geometry import LogSprag
 from analytic.sprag.motion import Motion, Torque
-from analytic.sprag.parts import Parts
+from analytic.sprag.parts import SpragClutchParts
 from analytic.sprag.table import tabulated
 from analytic.sprag.transient import engage
 
@@ -30,13 +30,13 @@ MANY = 125  # engagements, as many as a full factorial of three parameters at fi
 
 
 def main() -> None:
-    parts = Parts(
+    parts = SpragClutchParts(
         sprag=LogSprag.from_wedge_angle(
             R_i=11.11e-3, R_e=19.44e-3, r_i=4.02e-3, nu_0=np.radians(3.15)
         ),
         n_s=12, l=9e-3, b=4e-3, R_id=7.21e-3, R_ed=26.23e-3, E=206e9, nu=0.3,
     )  # fmt: skip
-    clutch = Clutch(sprag=parts.sprag, n_s=12, compliance=parts.palmgren())
+    clutch = SpragClutch(sprag=parts.sprag, n_s=12, compliance=parts.palmgren())
     motion = Motion(
         m_g=1.8e-3, I_g=1.18e-8, I_bi=1.41e-3, I_be=1.41e-3, K_r=0.01, alpha_max=0.5, C_rl=0.1,
         k_out=1e5, mu_s=0.12, mu_c=0.08, gamma_b=1.0,

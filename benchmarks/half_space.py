@@ -26,7 +26,7 @@ from typing import Any
 import numpy as np
 from scipy import fft
 
-from analytic.contact.half_space import press
+from analytic.contact.half_space import press_half_space
 from analytic.contact.half_space_contact import centres
 from analytic.contact.half_space_convolution import Convolution
 from benchmarks.plot_half_space import draw
@@ -88,7 +88,7 @@ def tamaas_python() -> str | None:
 def ours(asked: Asked, tolerance: float = TOLERANCE) -> dict[str, Any]:
     start, cpu = time.perf_counter(), time.process_time()
     with fft.set_workers(THREADS):
-        found = press(
+        found = press_half_space(
             asked.gap, cell=asked.cell, E_star=E_STAR, load=asked.load, tolerance=tolerance
         )
     seconds, cpu = time.perf_counter() - start, time.process_time() - cpu

@@ -27,8 +27,8 @@ def main() -> None:
     workers = len(os.sched_getaffinity(0))
     roller = rollers(cases)
     runs: dict[str, Callable[[], Any]] = {
-        "coupled strips": lambda: strips.press(**roller, tolerance=1e-8, workers=workers),
-        "independent slices": lambda: lamina.press(**roller),
+        "coupled strips": lambda: strips.press_strips(**roller, tolerance=1e-8, workers=workers),
+        "independent slices": lambda: lamina.press_laminae(**roller),
     }
     print(f"{cases} rollers of {SLICES} slices, {workers} cores, median of {REPEATS}")
     for name, run in runs.items():

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from analytic.freewheel import Clutch, InnerCam, Material, loaded, required_friction
+from analytic.freewheel import ContactMaterial, InnerCam, RollerClutch, loaded, required_friction
 from analytic.polyhedral import Sector, rim_displacement
-from analytic.sprag import LogSprag, Motion, Parts, engage_suddenly
+from analytic.sprag import LogSprag, Motion, SpragClutchParts, engage_suddenly
 from analytic.sprag.transient import LongStepError
 from analytic.spring import two_stages
 from fem.beam import compress_spring
@@ -28,8 +28,8 @@ def freewheel():
 
 
 def test_a_freewheel_bears_its_loads_at_the_angle_of_the_formulas(freewheel):
-    steel = Material(E=206e9, nu=0.3)
-    clutch = Clutch(cam=InnerCam(**STAR), **SIZES, roller=steel, inner=steel, outer=steel)
+    steel = ContactMaterial(E=206e9, nu=0.3)
+    clutch = RollerClutch(cam=InnerCam(**STAR), **SIZES, roller=steel, inner=steel, outer=steel)
     state = loaded(clutch, T)
     assert freewheel.torque == pytest.approx(T, rel=1e-3)
     assert freewheel.axial_load == pytest.approx(F_AX, rel=1e-3)
@@ -98,7 +98,9 @@ def test_an_engagement_locks_with_nearly_twice_the_force_at_rest():
     sprag = LogSprag.from_wedge_angle(
         R_i=11.11e-3, R_e=19.44e-3, r_i=4.02e-3, nu_0=np.radians(3.15)
     )
-    parts = Parts(sprag=sprag, n_s=12, l=9e-3, b=4e-3, R_id=7.21e-3, R_ed=26.23e-3, E=206e9, nu=0.3)
+    parts = SpragClutchParts(
+        sprag=sprag, n_s=12, l=9e-3, b=4e-3, R_id=7.21e-3, R_ed=26.23e-3, E=206e9, nu=0.3
+    )
     motion = Motion(
         m_g=1.8e-3, I_g=1.18e-8, I_bi=1.41e-3, I_be=1.41e-3, K_r=0.01, alpha_max=0.5, C_rl=0.1,
         k_out=1e5, mu_s=0.12, mu_c=0.08, gamma_b=1.0,

@@ -60,6 +60,27 @@ def test_a_public_name_hides_no_module_and_the_stub_lists_what_it_imports(packag
     assert [type(node).__name__ for node in code] == ["Expr", "ImportFrom", "Assign"]
 
 
+def test_no_two_classes_or_functions_share_a_public_name():
+    homes = {}
+    for package in public_names.packages():
+        for name, thing in public_names.names(package).items():
+            assert homes.setdefault(name, thing) is thing, f"{name} of {package} is taken"
+
+
+@pytest.mark.parametrize("package", public_names.packages())
+def test_the_names_of_version_0_1_are_importable_and_not_listed(package):
+    module = sys.modules[package]
+    folder = ROOT / package.replace(".", "/")
+    body = ast.parse((folder / "__init__.pyi").read_text("utf-8")).body[:-1]
+    for node in (node for node in body if isinstance(node, ast.Assign)):
+        old, new = node.targets[0].id, node.value.id
+        scope = {}
+        exec(f"from {package} import {old}", scope)
+        assert scope[old] is getattr(module, new)
+        assert old not in module.__all__
+        assert new in module.__all__
+
+
 def test_an_unknown_name_is_an_error_that_names_the_package():
     import fem.plane
 

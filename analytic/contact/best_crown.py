@@ -76,7 +76,7 @@ def best_crown(
         z = logarithmic(
             y, K_1=K_1, K_2=K_2, z_m=z_m * unit, load=load, length=length, E_star=E_star
         )
-        found = strips.press(
+        found = strips.press_strips(
             z[:, None] + lean, length=length, R=R, E_star=E_star, load=load, tolerance=1e-8
         )
         ends = (found.q[..., 0] + found.q[..., -1]).max(axis=-1) * length / load
@@ -92,7 +92,7 @@ def best_crown(
     )  # fmt: skip
     K_1, K_2, z_m = (float(v) for v in _rounded(np.exp(found.x)))
     z = logarithmic(y, K_1=K_1, K_2=K_2, z_m=z_m * unit, load=load, length=length, E_star=E_star)
-    peak = strips.press(z + lean, length=length, R=R, E_star=E_star, load=load).peak.max()
+    peak = strips.press_strips(z + lean, length=length, R=R, E_star=E_star, load=load).peak.max()
     return BestCrown(K_1, K_2, z_m * unit, float(peak), bool(found.fun < LOADED))
 
 

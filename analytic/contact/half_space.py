@@ -108,7 +108,7 @@ class HalfSpace:
         return self._influence[mirrored]
 
 
-def press(
+def press_half_space(
     gap: ArrayLike,
     *,
     cell: tuple[float, float],
@@ -119,7 +119,7 @@ def press(
 ) -> HalfSpaceContact:
     """One contact with the `gap` (nx, ny) before it; see `HalfSpace.press` for the result.
 
-    >>> one = press([[0.0]], cell=(1.0, 1.0), E_star=4 / np.pi, load=1.0)
+    >>> one = press_half_space([[0.0]], cell=(1.0, 1.0), E_star=4 / np.pi, load=1.0)
     >>> bool(np.isclose(one.approach, np.log(1 + np.sqrt(2))))  # Love's 4 h asinh(1) / (pi E*)
     True
     """
@@ -129,6 +129,9 @@ def press(
     return HalfSpace(shape, cell=cell, E_star=E_star).press(
         gap, load=load, approach=approach, **how
     )
+
+
+press = press_half_space  # its name in version 0.1
 
 
 def whole_counts(shape: tuple[int, int]) -> tuple[int, int]:

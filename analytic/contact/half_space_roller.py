@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.contact.checks import Array, finite, positive
-from analytic.contact.half_space import press, whole_counts
+from analytic.contact.half_space import press_half_space, whole_counts
 from analytic.contact.half_space_contact import HalfSpaceContact, centres
 
 Crown = Callable[[Array], ArrayLike] | ArrayLike
@@ -112,7 +112,7 @@ def press_roller(
     def pressed(across: int, patch: float) -> HalfSpaceContact:
         hx = patch / across
         gap = centres(across, hx)[:, None] ** 2 / (2 * R) + profile
-        return press(
+        return press_half_space(
             gap, cell=(hx, length / cells[1]), E_star=E_star, load=load, approach=approach, **how
         )
 

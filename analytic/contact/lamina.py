@@ -26,7 +26,7 @@ ITERATIONS = 100
 TOLERANCE = 1e-14
 
 
-def press(
+def press_laminae(
     gap: ArrayLike,
     *,
     length: ArrayLike,
@@ -43,7 +43,7 @@ def press(
     what makes no sense.
 
     >>> roller = {"length": 1.0, "R": 1.0, "E_star": 1.0, "compliance": 1.0}
-    >>> contact = press([0.0, 511.0, 600.0], approach=512.0, **roller)  # 512 = 2^9, and 1 = 1^9
+    >>> contact = press_laminae([0.0, 511.0, 600.0], approach=512.0, **roller)  # 2^9 - 511 = 1^9
     >>> contact.force.round(9).tolist(), round(float(contact.load), 9)
     ([1024.0, 1.0, 0.0], 1025.0)
     """
@@ -62,6 +62,9 @@ def press(
         force[part], delta[part] = _carry(cases.gap[part], deflection[part])
     force /= cases.compliance[:, None]
     return cases.contact(force, delta)
+
+
+press = press_laminae  # its name in version 0.1
 
 
 def _carry(gap: Array, total: Array) -> tuple[Array, Array]:

@@ -8,7 +8,7 @@ from analytic.contact.checks import Array
 
 
 @dataclass(frozen=True, kw_only=True)
-class Parts:
+class RollerParts:
     """Pressure at x = 0 and line load at the centres y of equal parts (n,) of a roller.
 
     `length` is the roller's, about whose middle y counts, d [length] that of what counts as an end.
@@ -60,12 +60,15 @@ class Parts:
         """Loads within d of the ends at -l/2 and l/2, of a cut part its share.
 
         >>> y, load = np.array([-1.5, -0.5, 0.5, 1.5]), np.array([1.0, 2.0, 3.0, 4.0])
-        >>> Parts(y=y, p=load, line=load, delta=0.0, length=4.0, d=1.5).ends
+        >>> RollerParts(y=y, p=load, line=load, delta=0.0, length=4.0, d=1.5).ends
         (2.0, 5.5)
         """
         share = np.clip(self.d / self.width - np.arange(len(self.y)), 0.0, 1.0)
         force = self.line * self.width
         return float(share @ force), float(share[::-1] @ force)
+
+
+Parts = RollerParts  # its name in version 0.1
 
 
 def vertex(p: Array, at: int) -> float:

@@ -30,7 +30,7 @@ ITERATIONS = 100
 TOLERANCE = 1e-13
 
 
-def press(
+def press_slices(
     gap: ArrayLike,
     *,
     length: ArrayLike,
@@ -50,15 +50,15 @@ def press(
 
     >>> roller = {"length": 1.0, "R": 1.0, "E_star": 1.0, "compliance": 1.5}
     >>> w = [[2.0, 1.0], [1.0, 2.0]]  # S = w/2; 512^(10/9) = 1024, 1^(10/9) = 1
-    >>> press([0.0, 511.0], approach=512.0, kernel=w, **roller).force.round(9).tolist()
+    >>> press_slices([0.0, 511.0], approach=512.0, kernel=w, **roller).force.round(9).tolist()
     [1024.0, 0.0]
-    >>> press([0.0, 0.0], approach=512.0, kernel=w, **roller).force.round(9).tolist()
+    >>> press_slices([0.0, 0.0], approach=512.0, kernel=w, **roller).force.round(9).tolist()
     [682.666666667, 682.666666667]
     """
     cases = Cases.of(
         gap, length=length, R=R, E_star=E_star, load=load, approach=approach, compliance=compliance
     )
-    alone = lamina.press(
+    alone = lamina.press_laminae(
         cases.gap, length=cases.length, R=cases.R, E_star=cases.E_star, load=cases.load,
         approach=cases.approach, compliance=cases.compliance,
     )  # fmt: skip
@@ -73,6 +73,9 @@ def press(
         else:
             force[part], delta[part] = _to_load(some, kernel, delta[part])
     return cases.contact(force, delta)
+
+
+press = press_slices  # its name in version 0.1
 
 
 def _matrix(cases: Cases, kernel: Kernel | ArrayLike, load: Array) -> Array:

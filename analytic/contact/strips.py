@@ -75,7 +75,7 @@ class Strips:
         return np.asarray(np.sqrt(middle / 2))
 
 
-def press(
+def press_strips(
     gap: ArrayLike,
     *,
     length: ArrayLike,
@@ -95,7 +95,8 @@ def press(
     BLAS thread each. ValueError for input that makes no sense and for a contact wider than the
     roller is long; ArithmeticError if a case doesn't converge.
 
-    >>> roller = press(np.zeros(400), length=100.0, R=1.0, E_star=4.0, load=100 * np.pi * 1e-4)
+    >>> load = 100 * np.pi * 1e-4
+    >>> roller = press_strips(np.zeros(400), length=100.0, R=1.0, E_star=4.0, load=load)
     >>> round(float(roller.half_width[200]), 3), round(float(roller.mid), 3)  # Hertz: 0.01, 0.02
     (0.01, 0.02)
     """
@@ -135,6 +136,9 @@ def press(
         R=R,
         E_star=E_star,
     )
+
+
+press = press_strips  # its name in version 0.1
 
 
 def _cases(

@@ -17,7 +17,7 @@ Star = Literal["annulus", "half space"]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Material:
+class ContactMaterial:
     """Young's modulus [stress], infinite for a rigid body, and Poisson's ratio."""
 
     E: ArrayLike
@@ -29,8 +29,11 @@ class Material:
         return in_plane(self.E, self.nu, "plane strain")
 
 
+Material = ContactMaterial  # its name in version 0.1
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Clutch:
+class RollerClutch:
     """Cam, rollers of the length L, bore r_b of the inner part and rim R_a of the outer part.
 
     The star of an inner cam is clamped on its bore, a shaft is free on it and may be solid
@@ -42,9 +45,9 @@ class Clutch:
     L: ArrayLike
     r_b: ArrayLike
     R_a: ArrayLike
-    roller: Material
-    inner: Material
-    outer: Material
+    roller: ContactMaterial
+    inner: ContactMaterial
+    outer: ContactMaterial
     star: Star = "annulus"
 
     def __post_init__(self) -> None:
@@ -108,3 +111,6 @@ class Clutch:
         a = positive(a, "half-width", "m")
         P_i, P_o = (a**2 * np.pi * E / (4 * R) for R, E in self._contacts)
         return np.asarray(P_i), np.asarray(P_o)
+
+
+Clutch = RollerClutch  # its name in version 0.1

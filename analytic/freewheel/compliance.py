@@ -27,7 +27,7 @@ from numpy.typing import ArrayLike
 
 from analytic.contact.checks import Array, not_negative
 from analytic.freewheel import series
-from analytic.freewheel.clutch import Clutch, Material
+from analytic.freewheel.clutch import ContactMaterial, RollerClutch
 from analytic.freewheel.geometry import InnerCam
 
 ROLLER = 2 * np.log(4) - 1  # k of half a roller
@@ -65,7 +65,7 @@ class Approaches:
 class Compliance:
     """The bodies of a clutch: half a roller at either contact, inner and outer part."""
 
-    clutch: Clutch
+    clutch: RollerClutch
     inner: Body
     outer: Body
     half_roller: Body
@@ -95,7 +95,7 @@ class Compliance:
         return tangent, (rho * d_lower - lower * d_rho) / (2 * rho - lower) ** 2 / tangent
 
 
-def compliance(clutch: Clutch) -> Compliance:
+def compliance(clutch: RollerClutch) -> Compliance:
     """The bodies of `clutch`."""
     E, _ = clutch.roller.plane
     half = Body(E=E, l=clutch.cam.roller, k=np.asarray(ROLLER))
@@ -105,7 +105,7 @@ def compliance(clutch: Clutch) -> Compliance:
     return Compliance(clutch=clutch, inner=inner, outer=outer, half_roller=half)
 
 
-def _race(clutch: Clutch) -> Body:
+def _race(clutch: RollerClutch) -> Body:
     R = clutch.cam.race
     if isinstance(clutch.cam, InnerCam):
         return _ring(clutch, clutch.outer, R)
@@ -116,20 +116,20 @@ def _race(clutch: Clutch) -> Body:
     return Body(E=E, l=R, k=k, c=series.curvature_term(nu=nu, loaded="rim"))
 
 
-def _ring(clutch: Clutch, material: Material, bore: Array) -> Body:
+def _ring(clutch: RollerClutch, material: ContactMaterial, bore: Array) -> Body:
     E, nu = material.plane
     ratio = np.asarray(clutch.R_a) / bore
     k = series.race_constant(ratio=ratio, n=clutch.cam.count, nu=nu, loaded="bore")
     return Body(E=E, l=bore, k=k, c=series.curvature_term(nu=nu, loaded="bore"))
 
 
-def _cup(clutch: Clutch) -> Body:
+def _cup(clutch: RollerClutch) -> Body:
     """A bore of the flats' area: the ring with X_o is too stiff, with X_o/cos(pi/z) too soft."""
     angle = np.pi / clutch.cam.count
     return _ring(clutch, clutch.outer, clutch.cam.flat * np.sqrt(np.tan(angle) / angle))
 
 
-def _star(clutch: Clutch) -> Body:
+def _star(clutch: RollerClutch) -> Body:
     cam, r_b = clutch.cam, np.asarray(clutch.r_b)
     E, nu = clutch.inner.plane
     if clutch.star == "half space":

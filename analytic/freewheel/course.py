@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from analytic.contact.checks import Array
 from analytic.freewheel import criterion, state
-from analytic.freewheel.clutch import Clutch
+from analytic.freewheel.clutch import RollerClutch
 from analytic.freewheel.load_path import LoadPath
 
 POINTS = 4001
@@ -59,7 +59,9 @@ class Course:
         return str(criterion.traffic_light(self.mu / self.peak))
 
 
-def follow(clutch: Clutch, path: LoadPath, *, mu: float, t: ArrayLike | None = None) -> Course:
+def follow(
+    clutch: RollerClutch, path: LoadPath, *, mu: float, t: ArrayLike | None = None
+) -> Course:
     """Course of one clutch along `path`, at evenly spaced times unless `t` [s] names them.
 
     A cycle needs some 100 times: the peak is then short of its value by 5e-4 at most.

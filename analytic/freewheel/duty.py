@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from analytic.contact.checks import Array
 from analytic.freewheel import criterion, state, tilt
-from analytic.freewheel.clutch import Clutch
-from analytic.freewheel.limits import Limits, limits
-from analytic.freewheel.state import State
+from analytic.freewheel.clutch import RollerClutch
+from analytic.freewheel.limits import RollerClutchLimits, roller_torque_limits
+from analytic.freewheel.state import RollerClutchState
 
 LIFT_OFF = 1 / 6  # e/L from which on a linear line load lifts off one end
 NONE = 10.0  # pressure over E for no limit of pressure: no contact reaches it
@@ -57,7 +57,7 @@ class Duty:
     pressure, if any; `e_lim` is e/L up to which rollers may tilt, or until one end lifts off.
     """
 
-    clutch: Clutch
+    clutch: RollerClutch
     T: float
     F_ax: float
     mu: float
@@ -65,7 +65,7 @@ class Duty:
     e_lim: float | None = None
 
     @cached_property
-    def under(self) -> State | None:
+    def under(self) -> RollerClutchState | None:
         """The state under the torque; None where the clutch overruns, rests or has no state."""
         if self.T <= 0:
             return None
@@ -78,10 +78,10 @@ class Duty:
         return criterion.required_friction(alpha=alpha, T=T, F_ax=self.F_ax, R=R)
 
     @cached_property
-    def of_torque_alone(self) -> Limits:
+    def of_torque_alone(self) -> RollerClutchLimits:
         """Limits of the torque that are independent of the axial load."""
         p_lim = self.p_lim or NONE * float(np.asarray(self.clutch.roller.E))
-        return limits(self.clutch, mu=self.mu, p_lim=p_lim)
+        return roller_torque_limits(self.clutch, mu=self.mu, p_lim=p_lim)
 
     @property
     def end(self) -> float:

@@ -8,13 +8,13 @@ axis is made up by what both approaches lose, dd_i + dd_o = -tan(alpha) R dphi, 
 import numpy as np
 
 from analytic.contact.checks import Array
-from analytic.freewheel.clutch import Clutch
+from analytic.freewheel.clutch import RollerClutch
 from analytic.freewheel.state import at_normal_force, loaded
 
 GRID = np.linspace(0.0, 1.0, 401)  # of N, along which rollers move out
 
 
-def let_out(clutch: Clutch, *, T: float, mu: float) -> tuple[Array, Array]:
+def let_out(clutch: RollerClutch, *, T: float, mu: float) -> tuple[Array, Array]:
     """Axial slip (m,) [length] with the friction mu, and the torque (m,) over T.
 
     Backwards: the first is where nothing is left. nan where T alone slips, tan(alpha) > mu.

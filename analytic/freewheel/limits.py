@@ -12,9 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from analytic.contact.checks import Array, not_negative
 from analytic.freewheel import state
-from analytic.freewheel.clutch import Clutch
+from analytic.freewheel.clutch import RollerClutch
 from analytic.freewheel.criterion import friction
-from analytic.freewheel.state import State
+from analytic.freewheel.state import RollerClutchState
 
 HALVINGS = 60
 LEAST = 1e-9  # of the largest normal force, from which limits are searched
@@ -30,7 +30,7 @@ MEANINGS = {
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Limits:
+class RollerClutchLimits:
     """Torque [force x length] at each limit; `MEANINGS` describes them."""
 
     release: Array
@@ -63,7 +63,12 @@ class Limits:
         return np.array(np.broadcast_arrays(*(getattr(self, f.name) for f in fields(self))))
 
 
-def limits(clutch: Clutch, *, mu: ArrayLike, p_lim: ArrayLike) -> Limits:
+Limits = RollerClutchLimits  # its name in version 0.1
+
+
+def roller_torque_limits(
+    clutch: RollerClutch, *, mu: ArrayLike, p_lim: ArrayLike
+) -> RollerClutchLimits:
     """Limits of `clutch` with the coefficient of friction mu and the allowed pressure [stress]."""
     mu, cam = friction(mu), clutch.cam
     L = np.asarray(clutch.L)
@@ -79,14 +84,17 @@ def limits(clutch: Clutch, *, mu: ArrayLike, p_lim: ArrayLike) -> Limits:
 
     P_i, P_o = clutch.loads_at_pressure(p_lim)
     hertz = np.where(np.isfinite(summit), np.inf, torque(last))
-    return Limits(
+    return RollerClutchLimits(
         release=_release(clutch, mu), pressure_inner=torque(P_i * L),
         pressure_outer=torque(P_o * L), corner=torque(corner), pop_through=torque(summit),
         hertz=hertz,
     )  # fmt: skip
 
 
-def pop_through(clutch: Clutch) -> Array:
+limits = roller_torque_limits  # its name in version 0.1
+
+
+def pop_through(clutch: RollerClutch) -> Array:
     """Torque [force x length] at the maximum alone; infinite without a maximum."""
     last = _last(clutch)
     summit = _summit(clutch, last)
@@ -95,18 +103,18 @@ def pop_through(clutch: Clutch) -> Array:
     return np.where(within, found, np.inf)
 
 
-def _last(clutch: Clutch) -> Array:
+def _last(clutch: RollerClutch) -> Array:
     """Normal force [force] at which contacts become too wide."""
     widths = clutch.loads_at_half_width(state.WIDEST * clutch.cam.roller)
     return np.asarray(np.asarray(clutch.L) * np.minimum(*widths))
 
 
-def _summit(clutch: Clutch, last: Array) -> Array:
+def _summit(clutch: RollerClutch, last: Array) -> Array:
     """Normal force [force] from which on torque no longer grows; infinite if never."""
     return _first(clutch, last, lambda now: np.isnan(now.alpha) | (_growth(now) <= 0))
 
 
-def _release(clutch: Clutch, mu: Array) -> Array:
+def _release(clutch: RollerClutch, mu: Array) -> Array:
     """Torque at which tan(alpha) = mu: 0 where it is more without load, infinite where never."""
     at = state.at_angle(clutch, 2 * np.arctan(mu))
     started = np.tan(clutch.cam.alpha0) > mu
@@ -114,21 +122,23 @@ def _release(clutch: Clutch, mu: Array) -> Array:
     return np.where(started, 0.0, np.where(np.isnan(reached), np.inf, reached))
 
 
-def _growth(now: State) -> Array:
+def _growth(now: RollerClutchState) -> Array:
     """dT/dN over T/N."""
     N = np.where(np.isfinite(now.N), now.N, 0.0)  # beyond the last state: any value
     tangent, slope = now.bodies.tangent(N)
     return np.asarray(1 + N * slope / tangent)
 
 
-def _corner_angle(now: State) -> Array:
+def _corner_angle(now: RollerClutchState) -> Array:
     """Half the angle psi [rad] under which the contact would stand at the corner."""
     cam = now.bodies.clutch.cam
     _, y = cam.centre(d_i=now.d_i, d_o=now.d_o)
     return np.asarray(np.arctan(cam.corner / y) / 2)
 
 
-def _first(clutch: Clutch, last: Array, met: Callable[[State], NDArray[np.bool_]]) -> Array:
+def _first(
+    clutch: RollerClutch, last: Array, met: Callable[[RollerClutchState], NDArray[np.bool_]]
+) -> Array:
     """Least normal force [force] at which `met` holds, on bisection; infinite if never."""
     shape = np.broadcast_shapes(last.shape, clutch.cam.alpha0.shape)
     low, high = np.broadcast_to(LEAST * last, shape), np.broadcast_to(last, shape)

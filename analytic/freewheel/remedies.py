@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from analytic.contact.checks import Array
 from analytic.freewheel import criterion, state
-from analytic.freewheel.clutch import Clutch
+from analytic.freewheel.clutch import RollerClutch
 from analytic.freewheel.duty import Duty
 from analytic.freewheel.geometry import InnerCam
 
@@ -21,19 +21,19 @@ LONGEST = 10.0  # times L that are advised at most
 Named = dict[str, str]
 
 
-def field_of(clutch: Clutch, name: str) -> str:
+def field_of(clutch: RollerClutch, name: str) -> str:
     """Name of the field of the clutch's cam for `name` X, r or R."""
     outer: Named = {"X": "X_o", "R": "R_s"}
     return name if isinstance(clutch.cam, InnerCam) else outer.get(name, name)
 
 
-def shifted(clutch: Clutch, name: str, by: Array | float) -> Clutch:
+def shifted(clutch: RollerClutch, name: str, by: Array | float) -> RollerClutch:
     """Clutches whose X, r or R deviate `by` [m]; ValueError if one has no wedge."""
     cam, field = clutch.cam, field_of(clutch, name)
     return replace(clutch, cam=replace(cam, **{field: getattr(cam, field) + by}))
 
 
-def ratios(duty: Duty, clutch: Clutch) -> Array:
+def ratios(duty: Duty, clutch: RollerClutch) -> Array:
     """mu/mu_req of `clutch` under these loads; 0 where it releases itself or has no state at T."""
     now = state.loaded(clutch, duty.T)
     asked = criterion.required_friction(
@@ -77,7 +77,7 @@ def _first(duty: Duty, sense: float, met: Callable[[Array], NDArray[np.bool_]]) 
     return float(fine[np.argmax(met(fine))])
 
 
-def _nearer(duty: Duty, dX: Array) -> Clutch:
+def _nearer(duty: Duty, dX: Array) -> RollerClutch:
     """Clutches with their flats nearer; those past a corner stay at the last that is not."""
     for share in np.linspace(1.0, 0.0, 50):
         try:
@@ -125,7 +125,7 @@ def bearing(duty: Duty) -> list[tuple[str, float]]:
     L, R_a, X = (float(np.asarray(x)) for x in (clutch.L, clutch.R_a, cam.flat))
     flat = field_of(clutch, "X")
     found = [("L", L * duty.T / duty.end)] if LONGEST * duty.end > duty.T else []
-    ways: tuple[tuple[str, float, float, Callable[[float], Clutch]], ...] = (
+    ways: tuple[tuple[str, float, float, Callable[[float], RollerClutch]], ...] = (
         ("R_a", R_a, R_a * STIFFEST, lambda value: replace(clutch, R_a=value)),
         (
             "X",
@@ -140,7 +140,9 @@ def bearing(duty: Duty) -> list[tuple[str, float]]:
     return found
 
 
-def _towards(T: float, near: float, far: float, made: Callable[[float], Clutch]) -> float | None:
+def _towards(
+    T: float, near: float, far: float, made: Callable[[float], RollerClutch]
+) -> float | None:
     """The value between `near` and `far` from which on the clutch `made` of it carries T [N m]."""
 
     def bears(value: float) -> bool:

@@ -9,7 +9,14 @@ from analytic.contact.checks import Array
 from analytic.freewheel import criterion
 from analytic.freewheel.cam import Cam
 from analytic.freewheel.duty import Duty
-from analytic.freewheel.tolerance import Ensemble, Kind, Outcome, draw, first_order, sensitivities
+from analytic.freewheel.tolerance import (
+    Ensemble,
+    Kind,
+    Outcome,
+    clamping_angle_sensitivities,
+    draw,
+    first_order,
+)
 
 DRAWS, SEED = 20_000, 2021
 PERCENTILES = (5.0, 50.0, 95.0)
@@ -82,7 +89,7 @@ def slopes(cam: Cam, sigma: Mapping[str, float]) -> list[Slope]:
     """
     shares = first_order(cam, sigma)[1] if sigma else {}
     found = [Slope(NAMES.get(n, n), float(v), shares.get(n, 0.0))
-             for n, v in sensitivities(cam).items()]  # fmt: skip
+             for n, v in clamping_angle_sensitivities(cam).items()]  # fmt: skip
     return sorted(found, key=lambda s: "XrR".index(s.name))
 
 

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 
 from analytic.contact.checks import Array, finite, not_negative
 from analytic.freewheel import printed, rolling
-from analytic.freewheel.clutch import Clutch
+from analytic.freewheel.clutch import RollerClutch
 from analytic.freewheel.compliance import Compliance, compliance
 
 WIDEST = 0.5  # half-width over roller's radius beyond which there is no result
@@ -28,7 +28,7 @@ POINTS = 20  # of Gauss' rule for the wind-up
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class State:
+class RollerClutchState:
     """State of a clutch [rad, force, force x length, length, stress], shaped like the load.
 
     `N`, `F_t` of one contact of one roller, `T` of the clutch.
@@ -84,7 +84,10 @@ class State:
         return np.asarray(cam.sense * rolled / cam.race)
 
 
-def loaded(clutch: Clutch, T: ArrayLike) -> State:
+State = RollerClutchState  # its name in version 0.1
+
+
+def loaded(clutch: RollerClutch, T: ArrayLike) -> RollerClutchState:
     """State under the torque T [force x length], not negative; nan without an equilibrium."""
     bodies, T = compliance(clutch), not_negative(T, "torque", "N m")
     F_t = T / (clutch.cam.count * clutch.cam.race)
@@ -96,13 +99,13 @@ def loaded(clutch: Clutch, T: ArrayLike) -> State:
     return _state(bodies, _newton(residual, F_t / np.tan(clutch.cam.alpha0), clutch))
 
 
-def at_normal_force(clutch: Clutch, N: ArrayLike) -> State:
+def at_normal_force(clutch: RollerClutch, N: ArrayLike) -> RollerClutchState:
     """State at the normal force N [force] of one contact; nan without an equilibrium."""
     N = not_negative(N, "normal force", "N")
     return _state(compliance(clutch), np.where(_widest(clutch) >= N, N, np.nan))
 
 
-def at_angle(clutch: Clutch, psi: ArrayLike) -> State:
+def at_angle(clutch: RollerClutch, psi: ArrayLike) -> RollerClutchState:
     """State at the angle psi [rad] of the roller's centre; nan where no load brings it there."""
     bodies, cam = compliance(clutch), clutch.cam
     cos = np.cos(finite(psi, "angle", "rad"))
@@ -124,7 +127,7 @@ def at_angle(clutch: Clutch, psi: ArrayLike) -> State:
 
 
 def _newton(
-    residual: Callable[[Array], tuple[Array, Array]], start: Array, clutch: Clutch
+    residual: Callable[[Array], tuple[Array, Array]], start: Array, clutch: RollerClutch
 ) -> Array:
     """N [force] where `residual`, a function of ln N with its slope, vanishes; 0 stays 0."""
     N, ceiling = np.minimum(start, _widest(clutch)), _widest(clutch)
@@ -139,14 +142,14 @@ def _newton(
     return np.where((start == 0) | (np.abs(value) < 1e3 * CONVERGED), N, np.nan)
 
 
-def _widest(clutch: Clutch) -> Array:
+def _widest(clutch: RollerClutch) -> Array:
     """N [force] at which the wider contact reaches the half-width where Hertz ends."""
     return np.asarray(
         clutch.L * np.minimum(*clutch.loads_at_half_width(WIDEST * clutch.cam.roller))
     )
 
 
-def _state(bodies: Compliance, N: Array) -> State:
+def _state(bodies: Compliance, N: Array) -> RollerClutchState:
     clutch, cam = bodies.clutch, bodies.clutch.cam
     known = np.isfinite(N)
     P = np.where(known, N, 0.0) / np.asarray(clutch.L)
@@ -160,7 +163,7 @@ def _state(bodies: Compliance, N: Array) -> State:
         for value in (d.d_i, d.d_o, *clutch.half_widths(P), *clutch.pressures(P))
     ]
     d_i, d_o, a_i, a_o, p_i, p_o = found
-    return State(
+    return RollerClutchState(
         bodies=bodies, N=N, F_t=F_t, T=cam.torque_on_race(F_t=F_t), alpha=alpha,
         d_i=d_i, d_o=d_o, a_i=a_i, a_o=a_o, p_i=p_i, p_o=p_o,
     )  # fmt: skip

@@ -3,15 +3,15 @@
 import numpy as np
 from scipy.optimize import minimize_scalar
 
-from analytic.freewheel.clutch import Clutch
+from analytic.freewheel.clutch import RollerClutch
 from analytic.freewheel.limits import pop_through
-from analytic.freewheel.state import State, at_normal_force, loaded
+from analytic.freewheel.state import RollerClutchState, at_normal_force, loaded
 
 NEAR, BEYOND = 0.99, 1.4  # of the largest torque, of N there: where the summit is searched
 FOUND = 1e-9  # of N
 
 
-def summit(clutch: Clutch) -> State | None:
+def summit(clutch: RollerClutch) -> RollerClutchState | None:
     """The state of one clutch at its largest torque.
 
     None where contacts are wider than half the rollers' radius before, and of an inner cam.

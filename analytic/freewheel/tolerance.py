@@ -21,20 +21,21 @@ from numpy.typing import NDArray
 from analytic.contact.checks import Array, not_negative
 from analytic.freewheel import criterion, state
 from analytic.freewheel.cam import Cam
-from analytic.freewheel.clutch import Clutch
+from analytic.freewheel.clutch import RollerClutch
 from analytic.freewheel.geometry import InnerCam
 from analytic.freewheel.rules import require
-from analytic.freewheel.state import State
+from analytic.freewheel.state import RollerClutchState
 
 Kind = Literal["normal", "uniform"]
 Outcome = Literal["holds", "slips", "no wedge", "past the corners", "no state"]
 
 
-def sensitivities(cam: Cam) -> dict[str, Array]:
+def clamping_angle_sensitivities(cam: Cam) -> dict[str, Array]:
     """Derivatives of alpha0 [rad/length] by the fields R, r, X (R_s, r, X_o) of `cam`.
 
     >>> cam = InnerCam(R=16.5, r=2.5, X=14 * np.cos(np.radians(7)) - 2.5, z=8)
-    >>> round(float(np.degrees(5e-3 * sensitivities(cam)["X"])), 3)  # 5 um on X, in degrees
+    >>> by_X = clamping_angle_sensitivities(cam)["X"]
+    >>> round(float(np.degrees(5e-3 * by_X)), 3)  # 5 um on X, in degrees
     -0.084
     """
     psi, rho = 2 * cam.alpha0, cam.distance(d_i=0.0, d_o=0.0)
@@ -44,6 +45,9 @@ def sensitivities(cam: Cam) -> dict[str, Array]:
     return {X: np.asarray(-scale), "r": np.asarray(by_r), R: np.asarray(scale * np.cos(psi))}
 
 
+sensitivities = clamping_angle_sensitivities  # its name in version 0.1
+
+
 def first_order(cam: Cam, sigma: Mapping[str, float]) -> tuple[float, dict[str, float]]:
     """Standard deviation of alpha0 [rad] and each field's share of its variance.
 
@@ -51,7 +55,7 @@ def first_order(cam: Cam, sigma: Mapping[str, float]) -> tuple[float, dict[str, 
     >>> first_order(cam, {"X": 5e-3})[1]
     {'X': 1.0}
     """
-    slopes = sensitivities(cam)
+    slopes = clamping_angle_sensitivities(cam)
     _known(sigma, slopes)
     parts = {name: float((slopes[name] * value) ** 2) for name, value in sigma.items()}
     variance = sum(parts.values())
@@ -81,7 +85,7 @@ class Ensemble:
 
 
 def draw(
-    clutch: Clutch,
+    clutch: RollerClutch,
     sigma: Mapping[str, float],
     *,
     mu: float,
@@ -139,7 +143,7 @@ def _unloaded(cam: Cam, drawn: Mapping[str, Array]) -> NDArray[np.str_]:
                    (drawn["mu"] <= 0, "slips")])  # fmt: skip
 
 
-def _loaded(cam: Cam, now: State, asked: Array, mu: Array) -> NDArray[np.str_]:
+def _loaded(cam: Cam, now: RollerClutchState, asked: Array, mu: Array) -> NDArray[np.str_]:
     """Outcomes under the load of the clutches that wedge."""
     x, _ = cam.centre(d_i=now.d_i, d_o=now.d_o)
     slips = (asked > mu) | criterion.self_releasing(alpha=cam.alpha0, mu=mu)

@@ -1,11 +1,11 @@
 r"""A polyhedral ring clutch from its parts to its torque, with every value between.
 
-`Clutch` runs through Eqs. 2 to 21 in the paper's order. Two readings are open: the lever of the
-hub's contact ("exact", or the paper's "d_i/2") and the direction that the hub's force is projected
-on (the flat's "normal", or the "radius" of the paper's first design). K is 1 as in the paper, or
-the result of a model of the ring. With a wedge angle alpha the rollers use tan(alpha/2) of their
-friction; without one they are at its limit, mu N, as in Eqs. 4 and 17 to 21: without a cage that is
-alpha = 2 arctan mu, the largest angle that holds.
+`PolyhedralClutch` runs through Eqs. 2 to 21 in the paper's order. Two readings are open: the lever
+of the hub's contact ("exact", or the paper's "d_i/2") and the direction that the hub's force is
+projected on (the flat's "normal", or the "radius" of the paper's first design). K is 1 as in the
+paper, or the result of a model of the ring. With a wedge angle alpha the rollers use tan(alpha/2)
+of their friction; without one they are at its limit, mu N, as in Eqs. 4 and 17 to 21: without a
+cage that is alpha = 2 arctan mu, the largest angle that holds.
 """
 
 from dataclasses import dataclass
@@ -15,27 +15,27 @@ from typing import Literal, get_args
 from analytic.contact import hertz_line
 from analytic.contact.checks import not_negative, positive
 from analytic.polyhedral import expansion, forces, torque, wedging
-from analytic.polyhedral.parts import Parts
+from analytic.polyhedral.parts import PolyhedralParts
 
 Lever = Literal["exact", "d_i/2"]
 Gamma = Literal["normal", "radius"]
 
 
 @dataclass(frozen=True)
-class Clutch:
+class PolyhedralClutch:
     """Clutch of `parts` under the total pressure p_t; SI, angles in rad, forces per roller.
 
     E and nu are of ring, rollers and race; mu on the rollers, phi_1 the angle of friction of the
     hub; M_wanted [N m] is a target torque. ValueError for impossible values; a roller that is
     not touched or is expelled, and a hub that locks by itself, are `remarks`.
 
-    >>> parts = Parts(z=6, d_i=0.072, d_e=0.08, D_i=0.10006, d=0.01, b=0.03, e=0.009)
+    >>> parts = PolyhedralParts(z=6, d_i=0.072, d_e=0.08, D_i=0.10006, d=0.01, b=0.03, e=0.009)
     >>> steel = {"p_t": 30e6, "E": 210e9, "nu": 0.3, "mu": 0.08, "phi_1": 0.05}
-    >>> round(Clutch(parts, **steel, lever="d_i/2", gamma="radius").M_t, 1)  # N m
+    >>> round(PolyhedralClutch(parts, **steel, lever="d_i/2", gamma="radius").M_t, 1)  # N m
     443.9
     """
 
-    parts: Parts
+    parts: PolyhedralParts
     p_t: float
     E: float
     nu: float
@@ -213,3 +213,6 @@ class Clutch:
         return sqrt(self.N / self.parts.b) * float(
             hertz_line.peak_pressure(P=1.0, R=R, E_star=E_star)
         )
+
+
+Clutch = PolyhedralClutch  # its name in version 0.1

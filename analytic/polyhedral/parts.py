@@ -8,7 +8,7 @@ from analytic.polyhedral import expansion, forces
 
 
 @dataclass(frozen=True)
-class Parts:
+class PolyhedralParts:
     """Ring, rollers, outer race and hub in the paper's symbols; lengths in m.
 
     z rollers of diameter d between the ring (d_i through the real corners, fillet rho, outside
@@ -107,3 +107,6 @@ class Parts:
                 f"hub locks: psi must exceed the angle of friction, got psi={degrees(self.psi):g} "
                 f"deg, phi_1={degrees(phi_1):g} deg; a larger e raises psi"
             )
+
+
+Parts = PolyhedralParts  # its name in version 0.1

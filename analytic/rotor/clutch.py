@@ -62,7 +62,7 @@ def even_angles(*, Z: int, psi_0: float = 0.0, missing: tuple[int, ...] = ()) ->
 
 
 @dataclass(frozen=True, kw_only=True)
-class Clutch:
+class SpragCoupling:
     """Z sprags at angles `psi` (Z,) [rad] on an inner race R_i [m], inclined by nu [rad] there.
 
     `k_n` [N/m^n] is the force of a whole sprag over the n-th power of the deflection of both its
@@ -152,7 +152,7 @@ class Clutch:
 
         Four sprags, d_t = 1 m, pressed equally by a twist of 1 rad:
 
-        >>> one = Clutch(psi=even_angles(Z=4), R_i=1.0, nu=np.pi / 4, L=1.0, k_n=3.0)
+        >>> one = SpragCoupling(psi=even_angles(Z=4), R_i=1.0, nu=np.pi / 4, L=1.0, k_n=3.0)
         >>> round(float(one.loads([0, 0, 0, 0, 1.0])[4]), 12)
         12.0
         """
@@ -161,12 +161,15 @@ class Clutch:
     def stiffness(self, q: ArrayLike) -> Array:
         """Tangent K (..., 5, 5) at displacements q (..., 5), symmetric (Eq. 10, increments).
 
-        >>> one = Clutch(psi=even_angles(Z=4), R_i=1.0, nu=np.pi / 4, L=1.0, k_n=3.0, n=1.0)
+        >>> one = SpragCoupling(psi=even_angles(Z=4), R_i=1.0, nu=np.pi / 4, L=1.0, k_n=3.0, n=1.0)
         >>> np.diag(one.stiffness([0, 0, 0, 0, 1.0])).round(12).tolist()
         [6.0, 6.0, 0.0, 0.0, 12.0]
         """
         J = self.gradient
         return np.asarray(np.einsum("...jk,jka,jkb->...ab", self.slopes(q), J, J, optimize=True))
+
+
+Clutch = SpragCoupling  # its name in version 0.1
 
 
 def with_axial(K: ArrayLike) -> Array:

@@ -12,15 +12,15 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.rotor.clutch import Array, Clutch
+from analytic.rotor.clutch import Array, SpragCoupling
 from analytic.rotor.clutch_state import under_torque
 
 
-def inclined_stiffness(clutch: Clutch, *, T: float, dx: float = 0.0) -> Array:
+def inclined_stiffness(clutch: SpragCoupling, *, T: float, dx: float = 0.0) -> Array:
     """K (5, 5) under T [N m] at an offset dx [m], with forces along the struts.
 
     >>> from analytic.rotor.clutch import even_angles
-    >>> one = Clutch(psi=even_angles(Z=4), R_i=1.0, nu=0.1, L=1.0, k_n=3.0)
+    >>> one = SpragCoupling(psi=even_angles(Z=4), R_i=1.0, nu=0.1, L=1.0, k_n=3.0)
     >>> K = one.stiffness(under_torque(one, T=1.0))
     >>> round(float(inclined_stiffness(one, T=1.0)[0, 0] / K[0, 0] * math.cos(0.1) ** 2), 9)
     1.0
@@ -32,7 +32,7 @@ def inclined_stiffness(clutch: Clutch, *, T: float, dx: float = 0.0) -> Array:
     return np.asarray(K * np.outer(stretch, stretch))
 
 
-def leaning(clutch: Clutch, at: ArrayLike) -> float:
+def leaning(clutch: SpragCoupling, at: ArrayLike) -> float:
     """Decrease of K_tilt [N m/rad] by the forces, as their points on the race tilt with it.
 
     At displacements `at` (5,). A force along e at a point y of the race, which turns while the

@@ -9,27 +9,27 @@ References
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.rotor.clutch import Array, Clutch
+from analytic.rotor.clutch import Array, SpragCoupling
 
 
-def radial_force(clutch: Clutch, q: ArrayLike, *, i: int = 0) -> float:
+def radial_force(clutch: SpragCoupling, q: ArrayLike, *, i: int = 0) -> float:
     """F_r [N] of Eq. 9 as printed: every sprag counts with the cosine of sprag i.
 
     Four sprags with 3 N each give 12 N without any displacement across:
 
     >>> from analytic.rotor.clutch import even_angles
-    >>> one = Clutch(psi=even_angles(Z=4), R_i=1.0, nu=np.pi / 4, L=1.0, k_n=3.0)
+    >>> one = SpragCoupling(psi=even_angles(Z=4), R_i=1.0, nu=np.pi / 4, L=1.0, k_n=3.0)
     >>> round(radial_force(one, [0, 0, 0, 0, 1.0]), 12)
     12.0
     """
     return float(np.sum(clutch.forces(q)) * np.cos(clutch.psi[i]))
 
 
-def radial_stiffness(clutch: Clutch, q: ArrayLike, *, i: int = 0) -> float:
+def radial_stiffness(clutch: SpragCoupling, q: ArrayLike, *, i: int = 0) -> float:
     """dF_r/d delta_r [N/m] of the same: its sum over even sprags vanishes.
 
     >>> from analytic.rotor.clutch import even_angles
-    >>> one = Clutch(psi=even_angles(Z=4), R_i=1.0, nu=np.pi / 4, L=1.0, k_n=3.0)
+    >>> one = SpragCoupling(psi=even_angles(Z=4), R_i=1.0, nu=np.pi / 4, L=1.0, k_n=3.0)
     >>> abs(radial_stiffness(one, [0, 0, 0, 0, 1.0])) < 1e-12
     True
     """
@@ -37,11 +37,12 @@ def radial_stiffness(clutch: Clutch, q: ArrayLike, *, i: int = 0) -> float:
     return float(np.sum(slopes * np.cos(clutch.psi)) * np.cos(clutch.psi[i]))
 
 
-def stiffness_with_lever(clutch: Clutch, q: ArrayLike, *, lever: float) -> Array:
+def stiffness_with_lever(clutch: SpragCoupling, q: ArrayLike, *, lever: float) -> Array:
     """K (5, 5) where the torque has another lever [m] than d_t: its last row times lever/d_t.
 
     >>> from analytic.rotor.clutch import even_angles
-    >>> gap = Clutch(psi=even_angles(Z=4, missing=(0,)), R_i=1.0, nu=np.pi / 4, L=1.0, k_n=3.0)
+    >>> psi = even_angles(Z=4, missing=(0,))
+    >>> gap = SpragCoupling(psi=psi, R_i=1.0, nu=np.pi / 4, L=1.0, k_n=3.0)
     >>> K = stiffness_with_lever(gap, [0, 0, 0, 0, 1.0], lever=2.0)
     >>> round(float(K[4, 0] / K[0, 4]), 12)
     2.0

@@ -8,7 +8,7 @@ all loads together the potential less their work has one minimum.
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.rotor.clutch import Array, Clutch
+from analytic.rotor.clutch import Array, SpragCoupling
 
 STEPS = 200
 ROUND_OFF = 1e-15
@@ -17,7 +17,7 @@ HALVINGS = 60
 
 
 def preload_twist(
-    clutch: Clutch, *, T: ArrayLike, offset: ArrayLike = (0.0, 0.0, 0.0, 0.0)
+    clutch: SpragCoupling, *, T: ArrayLike, offset: ArrayLike = (0.0, 0.0, 0.0, 0.0)
 ) -> Array:
     """Twist g0 (...) [rad] at which the torque is T (...) [N m], at a fixed offset.
 
@@ -25,7 +25,7 @@ def preload_twist(
     is the closed form of a uniform clutch, moved until every slice is pressed as much.
 
     >>> from analytic.rotor.clutch import even_angles
-    >>> one = Clutch(psi=even_angles(Z=4), R_i=1.0, nu=np.pi / 4, L=1.0, k_n=3.0)
+    >>> one = SpragCoupling(psi=even_angles(Z=4), R_i=1.0, nu=np.pi / 4, L=1.0, k_n=3.0)
     >>> round(float(preload_twist(one, T=12.0)), 12)
     1.0
 
@@ -56,7 +56,7 @@ def preload_twist(
 
 
 def under_torque(
-    clutch: Clutch, *, T: ArrayLike, offset: ArrayLike = (0.0, 0.0, 0.0, 0.0)
+    clutch: SpragCoupling, *, T: ArrayLike, offset: ArrayLike = (0.0, 0.0, 0.0, 0.0)
 ) -> Array:
     """Displacements q (..., 5) [m, rad] at a fixed offset under torques T (...) [N m]."""
     g = preload_twist(clutch, T=T, offset=offset)
@@ -64,7 +64,7 @@ def under_torque(
     return np.concatenate([fixed, g[..., None]], axis=-1)
 
 
-def under_loads(clutch: Clutch, loads: ArrayLike) -> Array:
+def under_loads(clutch: SpragCoupling, loads: ArrayLike) -> Array:
     """Displacements q (5,) [m, rad] under `loads` (F_x, F_y, M_x, M_y, M_z) (5,) [N, N m].
 
     One slice leaves the tilts free: `loads` must then have no bending moments, which stay zero.
@@ -104,7 +104,7 @@ def under_loads(clutch: Clutch, loads: ArrayLike) -> Array:
     )
 
 
-def _shortened(clutch: Clutch, q: Array, step: Array, P: Array) -> float:
+def _shortened(clutch: SpragCoupling, q: Array, step: Array, P: Array) -> float:
     """Share of a step, halved until the potential does not rise steeply at its end; 0 if never.
 
     Slopes are judged, as values of the potential round off long before the loads do.

@@ -8,7 +8,7 @@ with a tilt about y; even loads, or uneven ones around alone, couple neither.
 import math
 from dataclasses import replace
 
-from analytic.rotor.clutch import Clutch, even_angles
+from analytic.rotor.clutch import SpragCoupling, even_angles
 from analytic.rotor.clutch_state import under_torque
 
 LARGEST = 0.25  # of the deflection, so that every slice remains in contact
@@ -27,7 +27,7 @@ def aside(offset: float, L: float, delta_0: float) -> tuple[float, float]:
     return dx, 2 * dx / L
 
 
-def couplings(clutch: Clutch, *, T: float, dx: float, tilt: float) -> dict[str, float]:
+def couplings(clutch: SpragCoupling, *, T: float, dx: float, tilt: float) -> dict[str, float]:
     """Both entries [N] by Eqs. 3 to 11 under T [N m], with sprags from half a pitch on.
 
     Four of them at 0 deg would couple nothing.

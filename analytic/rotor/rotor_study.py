@@ -6,16 +6,16 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from analytic.rotor.transfer_model import Rotor
+from analytic.rotor.transfer_model import TransferMatrixRotor
 from analytic.rotor.transfer_modes import (
-    Modes,
+    TransferModes,
     Whirl,
-    critical_speeds,
     modes,
     natural_frequencies,
+    transfer_critical_speeds,
     whirl_frequencies,
 )
-from analytic.rotor.transfer_response import Response, unbalance_response
+from analytic.rotor.transfer_response import TransferResponse, transfer_unbalance_response
 from analytic.rotor.transfer_torsion import torsional_frequencies
 
 SEARCHED = 8  # critical speeds of each shaft's unbalance
@@ -30,7 +30,7 @@ class Excited:
 
     ratio: float
     shafts: tuple[str, ...]
-    modes: Modes
+    modes: TransferModes
 
     @property
     def speeds(self) -> Array:
@@ -42,15 +42,15 @@ class Excited:
 class Study:
     """Results of the formulas for a rotor."""
 
-    modes: Modes
+    modes: TransferModes
     excited: tuple[Excited, ...]
-    responses: tuple[Response, ...]
+    responses: tuple[TransferResponse, ...]
     torsion: Array
     slender: Array  # frequencies by Euler's theory
 
 
 def study(
-    rotor: Rotor, names: Sequence[str], speed: float,
+    rotor: TransferMatrixRotor, names: Sequence[str], speed: float,
     unbalances: Mapping[float, Mapping[int, complex]], count: int,
 ) -> Study:  # fmt: skip
     """`count` modes at the speed [rad/s], critical speeds, response, the lowest torsion.
@@ -62,7 +62,7 @@ def study(
         modes=modes(rotor, speed, count=count),
         excited=tuple(_excited(rotor, names, ratio) for ratio in ratios(rotor)),
         responses=tuple(
-            unbalance_response(rotor, speed, group, excitation=ratio)
+            transfer_unbalance_response(rotor, speed, group, excitation=ratio)
             for ratio, group in unbalances.items() if ratio
         ),
         torsion=torsional_frequencies(rotor, count=1),
@@ -70,22 +70,22 @@ def study(
     )  # fmt: skip
 
 
-def ratios(rotor: Rotor) -> list[float]:
+def ratios(rotor: TransferMatrixRotor) -> list[float]:
     """Ratios of speed that unbalance may turn with, in the order of the shafts."""
     return list(dict.fromkeys(shaft.ratio for shaft in rotor.shafts if shaft.ratio))
 
 
-def _excited(rotor: Rotor, names: Sequence[str], ratio: float) -> Excited:
+def _excited(rotor: TransferMatrixRotor, names: Sequence[str], ratio: float) -> Excited:
     """On isotropic bearings unbalance excites whirl only in the direction of its rotation."""
     own = tuple(n for n, s in zip(names, rotor.shafts, strict=True) if s.ratio == ratio)
     sense: Whirl | None = None
     if rotor.isotropic:
         sense = "forward" if ratio > 0 else "backward"
-    found = critical_speeds(rotor, count=SEARCHED, whirl=sense, excitation=abs(ratio))
+    found = transfer_critical_speeds(rotor, count=SEARCHED, whirl=sense, excitation=abs(ratio))
     return Excited(ratio, own, found)
 
 
-def opposite_criticals(rotor: Rotor) -> list[float]:
+def opposite_criticals(rotor: TransferMatrixRotor) -> list[float]:
     """Critical speeds [rad/s] of whirl against the unbalance's turn, which bearings excite.
 
     Unbalance excites them only where bearings differ in x and y; where they are given so, all
@@ -96,13 +96,15 @@ def opposite_criticals(rotor: Rotor) -> list[float]:
     found: list[float] = []
     for ratio in ratios(rotor):
         sense: Whirl = "backward" if ratio > 0 else "forward"
-        opposite = critical_speeds(rotor, count=SEARCHED, whirl=sense, excitation=abs(ratio))
+        opposite = transfer_critical_speeds(
+            rotor, count=SEARCHED, whirl=sense, excitation=abs(ratio)
+        )
         found += [float(w) for w in opposite.speeds]
     return sorted(found)
 
 
 def branches(
-    rotor: Rotor, top: float, at_speed: Modes, count: int
+    rotor: TransferMatrixRotor, top: float, at_speed: TransferModes, count: int
 ) -> tuple[Array, Array, tuple[int, ...]]:
     """Speeds (n,) up to `top`, natural frequencies (n, branches) [rad/s], sense of each branch.
 

@@ -9,7 +9,13 @@ from itertools import pairwise
 
 import numpy as np
 
-from analytic.rotor.transfer_model import Disc, Rotor, Segment, Shaft, Support
+from analytic.rotor.transfer_model import (
+    Segment,
+    SegmentedShaft,
+    StationDisc,
+    StationSupport,
+    TransferMatrixRotor,
+)
 
 SLICES = 16  # of a cone, each of its mean diameter
 SMALLEST = 1e-9  # of the length: a piece that is round-off
@@ -74,7 +80,7 @@ class SteppedShape:
 def stepped_beam(
     shape: SteppedShape, *, E: float, nu: float, rho: float, k: float, cone: bool = False,
     slices: int = SLICES,
-) -> Rotor:  # fmt: skip
+) -> TransferMatrixRotor:  # fmt: skip
     """The shaft on bearings with the stiffness k [N/m] across.
 
     What cones lack of rotary inertia sits at their ends.
@@ -88,9 +94,11 @@ def stepped_beam(
         missing = np.pi / 64 * piece.d**2 * (piece.d**2 - piece.d_stiff**2)
         half = rho * missing * piece.length / 2
         if half > 0:
-            lumps += [Disc(node=at, mass=0.0, polar=2 * half, diametral=half) for at in (i, i + 1)]
+            lumps += [
+                StationDisc(node=at, mass=0.0, polar=2 * half, diametral=half) for at in (i, i + 1)
+            ]
         node = i + 1
-    return Rotor(
-        shafts=(Shaft(segments=tuple(segments)),), discs=tuple(lumps),
-        supports=(Support(node=1, kxx=k), Support(node=node - 1, kxx=k)),
+    return TransferMatrixRotor(
+        shafts=(SegmentedShaft(segments=tuple(segments)),), discs=tuple(lumps),
+        supports=(StationSupport(node=1, kxx=k), StationSupport(node=node - 1, kxx=k)),
     )  # fmt: skip

@@ -13,7 +13,13 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from analytic.rotor.transfer_model import Link, Rotor, Segment, Spring, Support
+from analytic.rotor.transfer_model import (
+    Segment,
+    Spring,
+    StationLink,
+    StationSupport,
+    TransferMatrixRotor,
+)
 from analytic.rotor.transfer_segment import dynamic_stiffness, pieces
 
 Array = NDArray[np.float64]
@@ -24,11 +30,11 @@ Complex = NDArray[np.complex128]
 class Bending:
     """A rotor cut into pieces: `parts` of each segment, so short that none has a clamped root."""
 
-    rotor: Rotor
+    rotor: TransferMatrixRotor
     parts: tuple[int, ...]
 
     @staticmethod
-    def up_to(rotor: Rotor, w: ArrayLike, Omega: ArrayLike) -> "Bending":
+    def up_to(rotor: TransferMatrixRotor, w: ArrayLike, Omega: ArrayLike) -> "Bending":
         """Cut for all frequencies from 0 to `w` [rad/s] at the speeds `Omega`, as pairs."""
         s, b, t = numbers(rotor, w, Omega)
         parts = pieces(s=s, b=b, t=t).reshape(-1, s.shape[-1]).max(axis=0)
@@ -138,14 +144,14 @@ class Bending:
 
 def pairs(spring: Spring) -> tuple[tuple[int, int, float], ...]:
     """Rows, columns and signs with which a bearing enters a stiffness of the stations."""
-    if isinstance(spring, Support):
+    if isinstance(spring, StationSupport):
         return ((spring.node, spring.node, 1.0),)
-    assert isinstance(spring, Link)
+    assert isinstance(spring, StationLink)
     a, b = spring.a, spring.b
     return (a, a, 1.0), (b, b, 1.0), (a, b, -1.0), (b, a, -1.0)
 
 
-def stations_of(rotor: Rotor) -> list[tuple[int, int]]:
+def stations_of(rotor: TransferMatrixRotor) -> list[tuple[int, int]]:
     """Near station and shaft of each segment."""
     found, node = [], 0
     for k, shaft in enumerate(rotor.shafts):
@@ -154,7 +160,9 @@ def stations_of(rotor: Rotor) -> list[tuple[int, int]]:
     return found
 
 
-def numbers(rotor: Rotor, w: ArrayLike, Omega: ArrayLike) -> tuple[Array, Array, Array]:
+def numbers(
+    rotor: TransferMatrixRotor, w: ArrayLike, Omega: ArrayLike
+) -> tuple[Array, Array, Array]:
     """The numbers s, b, t (m, segments) of whole segments; see `transfer_segment`."""
     w = np.asarray(w, dtype=np.float64)[..., None]
     spin = np.asarray(Omega, dtype=np.float64)[..., None] * np.array(

@@ -67,7 +67,7 @@ class Segment:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Shaft:
+class SegmentedShaft:
     """Segments end to end, turning at `ratio` times the rotor's speed (negative: against it)."""
 
     segments: tuple[Segment, ...]
@@ -80,8 +80,11 @@ class Shaft:
             raise ValueError(f"a shaft's ratio of speed must be finite, got {self.ratio:g}")
 
 
+Shaft = SegmentedShaft  # its name in version 0.1
+
+
 @dataclass(frozen=True, kw_only=True)
-class Disc:
+class StationDisc:
     """A rigid disc at a station: `mass` [kg], `polar` and `diametral` moment of inertia [kg m²]."""
 
     node: int
@@ -95,6 +98,9 @@ class Disc:
         ):  # fmt: skip
             if not (math.isfinite(value) and value >= 0):
                 raise ValueError(f"{what} of a disc must not be negative, got {value:g}")
+
+
+Disc = StationDisc  # its name in version 0.1
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -147,14 +153,17 @@ def _parts(xx: float, yy: float | None, xy: float) -> tuple[float, complex]:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Support(Spring):
+class StationSupport(Spring):
     """A bearing between a station and the ground."""
 
     node: int
 
 
+Support = StationSupport  # its name in version 0.1
+
+
 @dataclass(frozen=True, kw_only=True)
-class Link(Spring):
+class StationLink(Spring):
     """A bearing or a clutch between the stations `a` and `b`."""
 
     a: int
@@ -166,18 +175,21 @@ class Link(Spring):
             raise ValueError(f"a link joins two stations, got {self.a} twice")
 
 
+Link = StationLink  # its name in version 0.1
+
+
 @dataclass(frozen=True, kw_only=True)
-class Rotor:
+class TransferMatrixRotor:
     """Shafts with discs, bearings to the ground and links between shafts, all undamped segments.
 
     `theory`: "timoshenko", "rayleigh" (no shear) or "euler" (nor rotary inertia of the shafts).
     ValueError: no shaft, a station that does not exist.
     """
 
-    shafts: tuple[Shaft, ...]
-    discs: tuple[Disc, ...] = ()
-    supports: tuple[Support, ...] = ()
-    links: tuple[Link, ...] = ()
+    shafts: tuple[SegmentedShaft, ...]
+    discs: tuple[StationDisc, ...] = ()
+    supports: tuple[StationSupport, ...] = ()
+    links: tuple[StationLink, ...] = ()
     theory: Theory = "timoshenko"
 
     def __post_init__(self) -> None:
@@ -223,3 +235,6 @@ class Rotor:
         """Whether all bearings are equal in x and y."""
         springs = (*self.supports, *self.links)
         return all(s.stiffness[1] == 0 and s.damping[1] == 0 for s in springs)
+
+
+Rotor = TransferMatrixRotor  # its name in version 0.1

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from analytic.rotor.transfer_bending import Bending
-from analytic.rotor.transfer_model import Rotor
+from analytic.rotor.transfer_model import TransferMatrixRotor
 from analytic.rotor.transfer_roots import count_below, roots_below
 from analytic.rotor.transfer_supported import check_supported
 
@@ -21,7 +21,7 @@ SAME_SIZE = 1e-9  # of the largest: equal unknowns of a symmetric shape differ b
 
 
 @dataclass(frozen=True)
-class Modes:
+class TransferModes:
     """Roots `w` (k,) [rad/s], rising, with the `whirl` of each: 1 forward, -1 backward, 0 planar.
 
     `unknowns` (k, 2n) are (r+, phi+ L) and then (r-, phi- L) of the nodes of `bending`, with
@@ -35,8 +35,11 @@ class Modes:
     bending: Bending
 
 
+Modes = TransferModes  # its name in version 0.1
+
+
 def whirl_frequencies(
-    rotor: Rotor, speeds: ArrayLike, *, count: int = 3, whirl: Whirl = "forward"
+    rotor: TransferMatrixRotor, speeds: ArrayLike, *, count: int = 3, whirl: Whirl = "forward"
 ) -> Array:
     """The lowest `count` natural frequencies (speeds, count) [rad/s] at `speeds` [rad/s].
 
@@ -47,7 +50,7 @@ def whirl_frequencies(
     return _Search(rotor, lambda _, item: Omega[item], Omega.size, whirl).lowest(count)[0]
 
 
-def natural_frequencies(rotor: Rotor, speeds: ArrayLike, *, count: int = 6) -> Array:
+def natural_frequencies(rotor: TransferMatrixRotor, speeds: ArrayLike, *, count: int = 6) -> Array:
     """The lowest `count` (speeds, count) [rad/s] of both whirls together, for any bearings."""
     if not rotor.isotropic:
         Omega = np.atleast_1d(np.asarray(speeds, dtype=np.float64))
@@ -56,14 +59,18 @@ def natural_frequencies(rotor: Rotor, speeds: ArrayLike, *, count: int = 6) -> A
     return np.sort(np.concatenate(both, axis=1), axis=1)[:, :count]
 
 
-def modes(rotor: Rotor, speed: float, *, count: int = 6) -> Modes:
+def modes(rotor: TransferMatrixRotor, speed: float, *, count: int = 6) -> TransferModes:
     """The lowest `count` modes at one speed [rad/s], of both whirls."""
     return _modes(rotor, lambda w, _: np.full_like(w, speed), count, None)
 
 
-def critical_speeds(
-    rotor: Rotor, *, count: int = 3, whirl: Whirl | None = None, excitation: float = 1.0
-) -> Modes:
+def transfer_critical_speeds(
+    rotor: TransferMatrixRotor,
+    *,
+    count: int = 3,
+    whirl: Whirl | None = None,
+    excitation: float = 1.0,
+) -> TransferModes:
     """Speeds at which a whirl frequency is `excitation` times the speed, the lowest `count`.
 
     Unbalance of a shaft of ratio q excites with |q|, forward where q > 0. `whirl` None takes both
@@ -76,11 +83,14 @@ def critical_speeds(
     return _modes(rotor, lambda w, _: w / abs(excitation), count, whirl)
 
 
+critical_speeds = transfer_critical_speeds  # its name in version 0.1
+
+
 @dataclass(frozen=True)
 class _Search:
     """The roots w > 0 of `items` problems, the speed of each being `speed(w, item)`."""
 
-    rotor: Rotor
+    rotor: TransferMatrixRotor
     speed: Callable[[Array, NDArray[np.int64]], Array]
     items: int
     whirl: Whirl | None  # None: both, coupled by bearings that differ in x and y
@@ -117,7 +127,7 @@ class _Search:
         return bending.stiffness(self.sign * w, self.speed(w, item))
 
 
-def _guess(rotor: Rotor) -> float:
+def _guess(rotor: TransferMatrixRotor) -> float:
     """A frequency [rad/s] of the order of the lowest: all mass on all springs."""
     k = sum(s.stiffness[0] for s in rotor.supports)
     m = sum(d.mass for d in rotor.discs)
@@ -128,11 +138,11 @@ def _guess(rotor: Rotor) -> float:
 
 
 def _modes(
-    rotor: Rotor,
+    rotor: TransferMatrixRotor,
     speed: Callable[[Array, NDArray[np.int64]], Array],
     count: int,
     whirl: Whirl | None,
-) -> Modes:
+) -> TransferModes:
     """Modes of one item; forward and backward circles separately where bearings are isotropic."""
     senses: tuple[Whirl | None, ...] = (whirl,)
     if whirl is None and rotor.isotropic:
@@ -150,7 +160,7 @@ def _modes(
                 signs.append(_sense(v))
     order = np.argsort(ws)[:count]
     w = np.array(ws)[order]
-    return Modes(
+    return TransferModes(
         w, np.array(signs, dtype=np.int64)[order],
         np.array(vectors, dtype=np.complex128).reshape(-1, 4 * bending.nodes)[order],
         speed(w, np.zeros(w.size, dtype=np.int64)), bending,

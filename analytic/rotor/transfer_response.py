@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from analytic.rotor.transfer_bending import Bending
-from analytic.rotor.transfer_model import Link, Rotor, Spring, Support
+from analytic.rotor.transfer_model import Spring, StationLink, StationSupport, TransferMatrixRotor
 from analytic.rotor.transfer_supported import check_supported
 
 Complex = NDArray[np.complex128]
@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class Response:
+class TransferResponse:
     """Deflections (speeds, 4 nodes) over `speeds` [rad/s], turning at `w` >= 0 [rad/s].
 
     `unknowns` are (r+, phi+ L) and then (r-, phi- L), r = r+ e^{iwt} + conj(r-) e^{-iwt}.
@@ -38,10 +38,10 @@ class Response:
 
     def force(self, spring: Spring) -> tuple[Complex, Complex]:
         """F+ and F- (speeds,) of a bearing on its shaft, or on `a` of a link, turned round [N]."""
-        if isinstance(spring, Support):
+        if isinstance(spring, StationSupport):
             plus, minus = self.at(spring.node)
         else:
-            assert isinstance(spring, Link)
+            assert isinstance(spring, StationLink)
             (pa, ma), (pb, mb) = self.at(spring.a), self.at(spring.b)
             plus, minus = pa - pb, ma - mb
         (k, d), (c, e) = spring.stiffness, spring.damping
@@ -56,13 +56,16 @@ class Response:
         return np.asarray(np.abs(plus) + np.abs(minus))
 
 
-def unbalance_response(
-    rotor: Rotor,
+Response = TransferResponse  # its name in version 0.1
+
+
+def transfer_unbalance_response(
+    rotor: TransferMatrixRotor,
     speeds: ArrayLike,
     unbalances: Mapping[int, complex],
     *,
     excitation: float = 1.0,
-) -> Response:
+) -> TransferResponse:
     """Response to unbalances m e [kg m] at stations, complex by their angle.
 
     They turn at `excitation` times the rotor's speed: the ratio of the shaft that carries them.
@@ -87,7 +90,10 @@ def unbalance_response(
             force[:, 2 * node] += value * w**2
         else:  # turns against the rotor
             force[:, 2 * bending.nodes + 2 * node] += np.conj(value) * w**2
-    return Response(Omega, w, _solved(bending, w, Omega, force), bending)
+    return TransferResponse(Omega, w, _solved(bending, w, Omega, force), bending)
+
+
+unbalance_response = transfer_unbalance_response  # its name in version 0.1
 
 
 def _solved(bending: Bending, w: Array, Omega: Array, force: Complex) -> Complex:

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.rotor.transfer_bending import Bending, numbers, stations_of
-from analytic.rotor.transfer_modes import Modes
+from analytic.rotor.transfer_modes import TransferModes
 from analytic.rotor.transfer_segment import transfer
 
 Array = NDArray[np.float64]
@@ -32,7 +32,7 @@ class Line:
         return np.asarray(np.abs(self.plus) + np.abs(self.minus))
 
 
-def mode_lines(found: Modes, k: int, *, points: int = 9) -> tuple[Line, ...]:
+def mode_lines(found: TransferModes, k: int, *, points: int = 9) -> tuple[Line, ...]:
     """The mode number `k` along each shaft, `points` places to a piece, largest orbit 1."""
     lines = lines_of(
         found.bending, float(found.w[k]), float(found.speeds[k]), found.unknowns[k], points=points

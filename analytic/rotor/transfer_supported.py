@@ -4,12 +4,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.rotor.transfer_bending import pairs
-from analytic.rotor.transfer_model import Rotor
+from analytic.rotor.transfer_model import TransferMatrixRotor
 
 FREE = 1e-12  # of the largest stiffness
 
 
-def check_supported(rotor: Rotor, names: tuple[str, ...] = ()) -> None:
+def check_supported(rotor: TransferMatrixRotor, names: tuple[str, ...] = ()) -> None:
     """ValueError that names the shaft and the free motion: along x or y, or tilting.
 
     `names` are the shafts' in messages, numbers from 1 where left out.
@@ -30,7 +30,7 @@ def check_supported(rotor: Rotor, names: tuple[str, ...] = ()) -> None:
     raise ValueError(f"an unsupported rotor: shaft {name} {moved} freely in {along}")
 
 
-def rigid_stiffness(rotor: Rotor) -> NDArray[np.float64]:
+def rigid_stiffness(rotor: TransferMatrixRotor) -> NDArray[np.float64]:
     """Stiffness of the shafts' rigid motions: shift and tilt about the middle, each in x and y.
 
     Tilts are measured by the shift that they give half a length away.

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.rotor.transfer_bending import pairs, stations_of
-from analytic.rotor.transfer_model import Rotor
+from analytic.rotor.transfer_model import TransferMatrixRotor
 from analytic.rotor.transfer_roots import count_below, roots_below
 
 Array = NDArray[np.float64]
@@ -18,7 +18,7 @@ MOST_NODES = 400
 FREE = 1e-12
 
 
-def torsional_frequencies(rotor: Rotor, *, count: int = 3) -> Array:
+def torsional_frequencies(rotor: TransferMatrixRotor, *, count: int = 3) -> Array:
     """The lowest `count` natural frequencies (count,) of torsion above zero [rad/s].
 
     Shafts that nothing holds turn freely, which is no frequency here.
@@ -42,7 +42,7 @@ def torsional_frequencies(rotor: Rotor, *, count: int = 3) -> Array:
     return np.asarray(found[0])
 
 
-def free_turns(rotor: Rotor) -> int:
+def free_turns(rotor: TransferMatrixRotor) -> int:
     """Number of rigid-body rotations of the shafts without torsion."""
     count = len(rotor.shafts)
     K = np.zeros((count, count))
@@ -53,7 +53,7 @@ def free_turns(rotor: Rotor) -> int:
     return int((values <= FREE * max(values[-1], 1e-300)).sum())
 
 
-def _parts(rotor: Rotor, w: float) -> list[int]:
+def _parts(rotor: TransferMatrixRotor, w: float) -> list[int]:
     """Pieces of each segment, at most a quarter wave long: no clamped root below w."""
     return [
         max(1, int(np.ceil(w * s.length * np.sqrt(s.rho / s.G) / (np.pi / 2))))
@@ -61,7 +61,7 @@ def _parts(rotor: Rotor, w: float) -> list[int]:
     ]  # fmt: skip
 
 
-def _stiffness(rotor: Rotor, parts: list[int], w: Array) -> Array:
+def _stiffness(rotor: TransferMatrixRotor, parts: list[int], w: Array) -> Array:
     """D (m, n, n) [N m/rad], stations first, then the cuts."""
     nodes = rotor.stations + sum(parts) - len(parts)
     D = np.zeros((w.size, nodes, nodes))

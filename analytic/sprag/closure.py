@@ -33,7 +33,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.contact.checks import Array, finite, not_negative
-from analytic.sprag.clutch import Clutch
+from analytic.sprag.clutch import SpragClutch
 from analytic.sprag.compliance import Yields
 from analytic.sprag.geometry import strut, triangle
 from analytic.sprag.search import first_reach
@@ -85,7 +85,7 @@ class Wedged:
         return np.asarray(self.OC_g * np.sin(self.gamma))
 
 
-def wedged(clutch: Clutch, N: ArrayLike) -> Wedged:
+def wedged(clutch: SpragClutch, N: ArrayLike) -> Wedged:
     """State under the normal force N [N] of each sprag on the inner race."""
     N = np.asarray(N, dtype=np.float64)
     not_negative(np.where(np.isnan(N), 0.0, N), "normal force", "N")
@@ -95,7 +95,7 @@ def wedged(clutch: Clutch, N: ArrayLike) -> Wedged:
     return closed(clutch, N, yields, OA_s=OA_s, OA=OA)
 
 
-def closed(clutch: Clutch, N: Array, yields: Yields, *, OA_s: Array, OA: Array) -> Wedged:
+def closed(clutch: SpragClutch, N: Array, yields: Yields, *, OA_s: Array, OA: Array) -> Wedged:
     """State whose spiral meets the inner race at OA_s and carries its forces at OA [m]."""
     sprag = clutch.sprag
     OB = np.asarray(np.asarray(sprag.R_e) + yields.race_e + yields.contact_e / 2 + yields.d_ce)
@@ -117,7 +117,7 @@ def closed(clutch: Clutch, N: Array, yields: Yields, *, OA_s: Array, OA: Array) 
     )  # fmt: skip
 
 
-def at_torque(clutch: Clutch, T: ArrayLike) -> Wedged:
+def at_torque(clutch: SpragClutch, T: ArrayLike) -> Wedged:
     """State under the torque T [N m] of the clutch, the first from no load upwards."""
     T = not_negative(T, "torque", "N m")
     sprag = clutch.sprag
@@ -125,7 +125,7 @@ def at_torque(clutch: Clutch, T: ArrayLike) -> Wedged:
     return wedged(clutch, first_reach(lambda N: wedged(clutch, N).T, T, start=start))
 
 
-def at_rotation(clutch: Clutch, alpha: ArrayLike) -> Wedged:
+def at_rotation(clutch: SpragClutch, alpha: ArrayLike) -> Wedged:
     """State at the rotation alpha [rad]; unloaded up to the alpha of first contact at speed."""
     alpha = finite(alpha, "rotation alpha", "rad")
     alpha = np.maximum(alpha, wedged(clutch, 0.0).alpha)
@@ -133,7 +133,7 @@ def at_rotation(clutch: Clutch, alpha: ArrayLike) -> Wedged:
     return wedged(clutch, first_reach(lambda N: wedged(clutch, N).alpha, alpha, start=start))
 
 
-def _centroid(clutch: Clutch, OC_e: Array, alpha_b: Array) -> tuple[Array, Array]:
+def _centroid(clutch: SpragClutch, OC_e: Array, alpha_b: Array) -> tuple[Array, Array]:
     """Angle gamma [rad] from OB to the centroid, away from A, and its distance from O [m]."""
     c_x, c_y = clutch.centroid
     x = c_x * np.cos(alpha_b) + c_y * np.sin(alpha_b)

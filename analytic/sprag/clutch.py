@@ -13,7 +13,7 @@ from analytic.sprag.geometry import LogSprag
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Clutch:
+class SpragClutch:
     """n_s sprags with their compliance.
 
     (c_x, c_y) [m] leads from the pole C_e to the centroid at first contact, y along OB and x to
@@ -46,3 +46,6 @@ class Clutch:
     def rigid_races(self) -> Self:
         """Clutch with races that do not deflect as rings (Liu's model)."""
         return replace(self, compliance=self.compliance.rigid_races())
+
+
+Clutch = SpragClutch  # its name in version 0.1

@@ -20,14 +20,14 @@ from numpy.typing import ArrayLike
 
 from analytic.contact.checks import Array
 from analytic.sprag.closure import Wedged, wedged
-from analytic.sprag.clutch import Clutch
+from analytic.sprag.clutch import SpragClutch
 
 PANELS, POINTS = 32, 4  # of the path, and of Gauss' rule in each
 POWER = 5  # N is this power of the path, along which powers like N^0.9 are smooth
 AT, WEIGHTS = np.polynomial.legendre.leggauss(POINTS)
 
 
-def rolled(clutch: Clutch, N: ArrayLike) -> Array:
+def rolled(clutch: SpragClutch, N: ArrayLike) -> Array:
     """Rotation theta_i [rad] of the inner race against the outer from no load to N [N]."""
     on_way = _way(clutch, N)
     per_turn = on_way.OC_e * (np.cos(on_way.beta) / on_way.OA - 1 / on_way.OB)
@@ -35,20 +35,20 @@ def rolled(clutch: Clutch, N: ArrayLike) -> Array:
     return _integral(per_turn, on_way.alpha_b) + _integral(per_way, on_way.OC_e)
 
 
-def energy(clutch: Clutch, N: ArrayLike) -> Array:
+def energy(clutch: SpragClutch, N: ArrayLike) -> Array:
     """Elastic energy U [J] that one sprag and its share of the races hold under N [N]."""
     on_way = _way(clutch, N)
     return _integral(on_way.N, on_way.yields.H)
 
 
-def work(clutch: Clutch, N: ArrayLike) -> Array:
+def work(clutch: SpragClutch, N: ArrayLike) -> Array:
     """Work [J] of both forces of one sprag on all deflections, N_e dH_e for N dH_e in U."""
     on_way = _way(clutch, N)
     inner = _integral(on_way.N, on_way.yields.inner)
     return np.asarray(inner + _integral(on_way.N_e, on_way.yields.outer))
 
 
-def _way(clutch: Clutch, N: ArrayLike) -> Wedged:
+def _way(clutch: SpragClutch, N: ArrayLike) -> Wedged:
     """States at Gauss' points between no load and N: panels, points, shape of N."""
     N = np.asarray(N, dtype=np.float64)
     path = (np.arange(PANELS)[:, None] + (1 + AT) / 2) / PANELS

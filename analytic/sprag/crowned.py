@@ -10,9 +10,9 @@ from analytic.contact import slices
 from analytic.contact.checks import Array
 from analytic.contact.sliced import SlicedContact
 from analytic.sprag.closure import Wedged, wedged
-from analytic.sprag.clutch import Clutch
+from analytic.sprag.clutch import SpragClutch
 from analytic.sprag.course import rolled
-from analytic.sprag.parts import Parts
+from analytic.sprag.parts import SpragClutchParts
 
 LEAST = 1e-4  # of the largest load: below, no pressure is searched
 STEP = 1e-3  # of a force, for slopes
@@ -22,8 +22,8 @@ STEP = 1e-3  # of a force, for slopes
 class Crowned:
     """A clutch with crowned contacts: `gap` [m] of the slices; its laws hold up to `N_top` [N]."""
 
-    parts: Parts
-    clutch: Clutch
+    parts: SpragClutchParts
+    clutch: SpragClutch
     gap: Array
     N_top: float
 
@@ -40,7 +40,7 @@ class Crowned:
         given = {"length": self.parts.l, "E_star": self.parts.E_star}
         loads = float(now.N), float(now.N_e)
         inner, outer = (
-            slices.press(self.gap, R=R, load=load, **given)
+            slices.press_slices(self.gap, R=R, load=load, **given)
             for R, load in zip(self.radii(now), loads, strict=True)
         )
         return inner, outer
@@ -67,7 +67,7 @@ class Crowned:
 def mid(contact: SlicedContact) -> float:
     """Pressure [Pa] at mid-length; between two slices the mean of their squares, which are loads.
 
-    >>> one = slices.press([0.0] * 4, length=1.0, R=1.0, E_star=1.0, load=1.0)
+    >>> one = slices.press_slices([0.0] * 4, length=1.0, R=1.0, E_star=1.0, load=1.0)
     >>> bool(np.isclose(mid(one), one.peak_pressure[1]))
     True
     """
@@ -75,7 +75,7 @@ def mid(contact: SlicedContact) -> float:
     return float(np.sqrt((p[(n - 1) // 2] ** 2 + p[n // 2] ** 2) / 2))
 
 
-def stiffness(clutch: Clutch, N: float) -> float:
+def stiffness(clutch: SpragClutch, N: float) -> float:
     """Torsional stiffness dT/dtheta_i [N m/rad] of the clutch under N [N]."""
     around = N * np.array([1 - STEP, 1 + STEP])
     T, turn = wedged(clutch, around).T, rolled(clutch, around)

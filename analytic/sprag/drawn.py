@@ -147,7 +147,7 @@ class Drawn:
         found["g"] = N * (q.R_e - q.R_i) / (q.E * q.b * q.l)
         for name, r, R in (("HI", q.r_i, q.R_i), ("HE", r_e, -q.R_e)):
             given = {"length": q.l, "R": r * R / (r + R), "E_star": E_star}
-            found[name] = float(slices.press(q.gap, load=N, **given).approach) if N else 0.0
+            found[name] = float(slices.press_slices(q.gap, load=N, **given).approach) if N else 0.0
         return found
 
     def under(self, N: float) -> Touching:

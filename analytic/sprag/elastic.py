@@ -22,12 +22,12 @@ from analytic.ring.fourier_ring import Wall
 from analytic.ring.loaded_race import LoadedRace
 from analytic.sprag import column
 from analytic.sprag.closure import Wedged, wedged
-from analytic.sprag.clutch import Clutch
+from analytic.sprag.clutch import SpragClutch
 from analytic.sprag.column import Column
 from analytic.sprag.compliance import Compliance
 from analytic.sprag.laws import Law
-from analytic.sprag.limits import limits
-from analytic.sprag.parts import Parts
+from analytic.sprag.limits import sprag_torque_limits
+from analytic.sprag.parts import SpragClutchParts
 from analytic.sprag.search import first_reach
 
 MOST_FRICTION = 0.99  # no limit here
@@ -52,10 +52,10 @@ class Race:
 
 
 @dataclass(frozen=True, eq=False)
-class Elastic:
+class ElasticSpragClutch:
     """The clutch of these parts, with each kind of deflection; scalar sizes only."""
 
-    parts: Parts
+    parts: SpragClutchParts
 
     @cached_property
     def E_plane(self) -> float:
@@ -96,12 +96,12 @@ class Elastic:
             return None
 
     @cached_property
-    def clutch(self) -> Clutch:
+    def clutch(self) -> SpragClutch:
         """The clutch whose parts deflect as elastic bodies."""
         sprag, n_s = self.parts.sprag, self.parts.n_s
         still = self._constant(turned=0.0, alpha_b=0.0) or self._disc
         compliance = self._compliance(lambda N: np.full_like(N, still))
-        clutch = Clutch(sprag=sprag, n_s=n_s, compliance=compliance)
+        clutch = SpragClutch(sprag=sprag, n_s=n_s, compliance=compliance)
         bent = [(float(at.N), self._constant(turned=float(at.turned), alpha_b=float(at.alpha_b)))
                 for at in self._on_the_way(clutch)]  # fmt: skip
         (N_1, half), (N_2, full) = bent if len(bent) == 2 else [(1.0, None), (2.0, None)]
@@ -116,19 +116,19 @@ class Elastic:
         return replace(clutch, compliance=self._compliance(bending))
 
     @cached_property
-    def plane(self) -> Clutch:
+    def plane(self) -> SpragClutch:
         """With Hertz's contacts and Eq. 6 of long rings."""
         p = self.parts
-        return Clutch(sprag=p.sprag, n_s=p.n_s, compliance=p.plane())
+        return SpragClutch(sprag=p.sprag, n_s=p.n_s, compliance=p.plane())
 
     @cached_property
-    def composite(self) -> Clutch:
+    def composite(self) -> SpragClutch:
         """With Palmgren's law and Eqs. 6 and 7."""
         p = self.parts
-        return Clutch(sprag=p.sprag, n_s=p.n_s, compliance=p.palmgren())
+        return SpragClutch(sprag=p.sprag, n_s=p.n_s, compliance=p.palmgren())
 
     @cached_property
-    def by_contacts_and_races(self) -> Clutch:
+    def by_contacts_and_races(self) -> SpragClutch:
         """With Palmgren's law and Eq. 6: Eq. 7 would count the sprag's body a second time."""
         compliance = replace(self.parts.palmgren(), sprag=0.0)
         return replace(self.composite, compliance=compliance)
@@ -139,7 +139,9 @@ class Elastic:
         if self.column is None:
             return math.inf
         turned = min(self.column.turned, self.column.alpha_b)  # theta - theta_0 but for 1 %
-        return float(limits(self.clutch, mu=MOST_FRICTION, theta_max=turned).end_of_cam)
+        return float(
+            sprag_torque_limits(self.clutch, mu=MOST_FRICTION, theta_max=turned).end_of_cam
+        )
 
     def _constant(self, *, turned: float, alpha_b: float) -> float | None:
         """A sprag's approach over P/E' but for the logarithms of both half-widths in metres.
@@ -176,7 +178,7 @@ class Elastic:
             race_e=unit * outer.mean, sprag=0.0,
         )  # fmt: skip
 
-    def _on_the_way(self, clutch: Clutch) -> list[Wedged]:
+    def _on_the_way(self, clutch: SpragClutch) -> list[Wedged]:
         """States of rotations at `BENDING` of that with a contact at a flank, as far as any are."""
         whole, p = self.column, self.parts
         if whole is None:
@@ -186,3 +188,6 @@ class Elastic:
         start = np.full_like(turned, small)
         found = first_reach(lambda N: np.asarray(wedged(clutch, N).turned), turned, start=start)
         return [wedged(clutch, N) for N in found if np.isfinite(N)]
+
+
+Elastic = ElasticSpragClutch  # its name in version 0.1

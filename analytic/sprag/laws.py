@@ -85,7 +85,7 @@ def sliced_law(
     """
     N = positive(N_max, "largest load", "N") * np.geomspace(RANGE, 1.0, loads)
     gap = np.asarray(gap, dtype=np.float64)
-    delta = slices.press(gap - gap.min(), length=l, R=R, E_star=E_star, load=N).approach
+    delta = slices.press_slices(gap - gap.min(), length=l, R=R, E_star=E_star, load=N).approach
     # dividing by the power law of the last decades leaves a function with little curvature
     ratio = PchipInterpolator(np.log(N), np.log(delta) - EXPONENT * np.log(N))
 

@@ -13,13 +13,13 @@ from numpy.typing import ArrayLike, NDArray
 from analytic.contact.checks import Array, positive
 from analytic.freewheel.criterion import friction
 from analytic.sprag.closure import Wedged, wedged
-from analytic.sprag.clutch import Clutch
-from analytic.sprag.parts import Parts
+from analytic.sprag.clutch import SpragClutch
+from analytic.sprag.parts import SpragClutchParts
 from analytic.sprag.search import first_reach
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Limits:
+class SpragClutchLimits:
     """Torques [N m] at which nu reaches arctan(mu) and at which A reaches the spiral's end."""
 
     slip: Array
@@ -31,19 +31,27 @@ class Limits:
         return np.asarray(np.minimum(self.slip, self.end_of_cam))
 
 
-def limits(clutch: Clutch, *, mu: ArrayLike, theta_max: ArrayLike) -> Limits:
+Limits = SpragClutchLimits  # its name in version 0.1
+
+
+def sprag_torque_limits(
+    clutch: SpragClutch, *, mu: ArrayLike, theta_max: ArrayLike
+) -> SpragClutchLimits:
     """Limits with the coefficient of friction mu and theta_max [rad] of spiral past first contact.
 
     The inner contact slips first: nu is larger than omega.
     """
     mu, theta_max = friction(mu), positive(theta_max, "angle theta_max of the spiral", "rad")
-    return Limits(
+    return SpragClutchLimits(
         slip=_torque(clutch, lambda now: np.asarray(np.tan(now.nu)), mu),
         end_of_cam=_torque(clutch, lambda now: now.turned, theta_max),
     )
 
 
-def _torque(clutch: Clutch, quantity: Callable[[Wedged], Array], limit: Array) -> Array:
+limits = sprag_torque_limits  # its name in version 0.1
+
+
+def _torque(clutch: SpragClutch, quantity: Callable[[Wedged], Array], limit: Array) -> Array:
     """Torque [N m] at which `quantity` of the state first reaches its limit."""
     past = quantity(wedged(clutch, 0.0)) > limit
     N = first_reach(lambda N: quantity(wedged(clutch, N)), limit, start=np.where(past, 0.0, 1.0))
@@ -55,7 +63,7 @@ def slips(state: Wedged, *, mu: ArrayLike) -> NDArray[np.bool_]:
     return np.asarray(np.tan(state.nu) > friction(mu))
 
 
-def pressures(parts: Parts, state: Wedged) -> tuple[Array, Array]:
+def pressures(parts: SpragClutchParts, state: Wedged) -> tuple[Array, Array]:
     """Hertz's peak pressures p_i, p_o [Pa] of a uniform load, with the spiral's radius at A.
 
     Each contact under its normal force; crowns load the middle more.

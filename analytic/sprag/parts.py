@@ -18,7 +18,7 @@ from analytic.sprag.laws import Law, palmgren_law, plane_law
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Parts:
+class SpragClutchParts:
     """n_s sprags l long and b wide between rings R_id..R_i and R_e..R_ed of one material [SI].
 
     `rho` [kg/m³] and the speed `omega` [rad/s] make the outer race's growth. ValueError where a
@@ -131,3 +131,6 @@ class Parts:
             contact_i=inner, contact_e=outer, race_i=race_i, race_e=race_e, sprag=0.0,
             d_ce=self.d_ce,
         )  # fmt: skip
+
+
+Parts = SpragClutchParts  # its name in version 0.1

@@ -28,6 +28,6 @@ def along(
     if most == 0:
         return np.zeros((*N.shape, len(gap)))
     root = np.linspace(0.0, np.sqrt(most), loads)
-    pressed = slices.press(gap, length=length, R=R, E_star=E_star, load=root[1:] ** 2)
+    pressed = slices.press_slices(gap, length=length, R=R, E_star=E_star, load=root[1:] ** 2)
     p = np.concatenate([np.zeros((1, len(gap))), pressed.peak_pressure])
     return np.asarray(PchipInterpolator(root, p)(np.sqrt(N)))

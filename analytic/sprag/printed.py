@@ -14,13 +14,13 @@ from numpy.typing import ArrayLike
 from analytic.contact.checks import Array
 from analytic.sprag import closure
 from analytic.sprag.closure import Wedged
-from analytic.sprag.clutch import Clutch
+from analytic.sprag.clutch import SpragClutch
 from analytic.sprag.compliance import Yields
 from analytic.sprag.geometry import LogSprag
 from analytic.sprag.search import first_reach
 
 
-def wedged(clutch: Clutch, N: ArrayLike) -> Wedged:
+def wedged(clutch: SpragClutch, N: ArrayLike) -> Wedged:
     """State under N [N] with Eq. 9's OA in the triangle of Eq. 10; OC_e includes its delta_ce."""
     N = np.asarray(N, dtype=np.float64)
     yields = clutch.compliance.yields(N)
@@ -28,7 +28,7 @@ def wedged(clutch: Clutch, N: ArrayLike) -> Wedged:
     return closure.closed(clutch, N, yields, OA_s=OA, OA=OA)
 
 
-def at_torque(clutch: Clutch, T: float) -> Wedged:
+def at_torque(clutch: SpragClutch, T: float) -> Wedged:
     """State under the torque T [N m] of the clutch, the first from no load upwards."""
     sprag = clutch.sprag
     start = np.asarray(T / (clutch.n_s * np.asarray(sprag.R_i) * np.tan(sprag.nu_0)))

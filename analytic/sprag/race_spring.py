@@ -14,7 +14,7 @@ from scipy.interpolate import CubicSpline
 
 from analytic.contact.checks import Array
 from analytic.sprag.closure import Wedged, wedged
-from analytic.sprag.clutch import Clutch
+from analytic.sprag.clutch import SpragClutch
 from analytic.sprag.course import energy, rolled
 from analytic.sprag.start import spring_equilibrium
 from analytic.sprag.table import INTERVALS, Table, tabulated
@@ -44,7 +44,7 @@ class RaceSpring:
     """
 
     blades: Blades
-    clutch: Clutch
+    clutch: SpragClutch
     states: Wedged
     theta: Array
     ends: bool
@@ -98,7 +98,7 @@ def _table(w: RaceSpring, intervals: int) -> Table:
 
 
 def reached(
-    made: Callable[[float], Clutch], N: float, *, T: float, kinetic: float, blades: Blades
+    made: Callable[[float], SpragClutch], N: float, *, T: float, kinetic: float, blades: Blades
 ) -> RaceSpring:
     """The clutch up to the largest load of an engagement, or the end of the profile.
 
@@ -125,7 +125,7 @@ def _sprung(blades: Blades, n_s: int, alpha: Array) -> float:
     return float(n_s * blades.K_r * (left[0] ** 2 - left[-1] ** 2) / 2)
 
 
-def _to_profile_end(found: Clutch, N: float, blades: Blades) -> RaceSpring:
+def _to_profile_end(found: SpragClutch, N: float, blades: Blades) -> RaceSpring:
     low, high = 0.0, N
     first = float(wedged(found, 0.0).alpha)
     for _ in range(60):
@@ -135,6 +135,6 @@ def _to_profile_end(found: Clutch, N: float, blades: Blades) -> RaceSpring:
     return _of(found, low, blades, ends=True)
 
 
-def _of(found: Clutch, N: float, blades: Blades, *, ends: bool) -> RaceSpring:
+def _of(found: SpragClutch, N: float, blades: Blades, *, ends: bool) -> RaceSpring:
     loads = N * np.linspace(0, 1, STATES) ** 2
     return RaceSpring(blades, found, wedged(found, loads), rolled(found, loads), ends)

@@ -7,12 +7,12 @@ import numpy as np
 from analytic.ring import lame
 from analytic.ring.fourier_ring import Wall
 from analytic.ring.smeared import smeared_error
-from analytic.sprag.parts import Parts
+from analytic.sprag.parts import SpragClutchParts
 
 WIDEST = 0.9  # of half a pitch: patches that are wider would overlap
 
 
-def hoop(p: Parts, N: float, N_e: float) -> dict[str, float]:
+def hoop(p: SpragClutchParts, N: float, N_e: float) -> dict[str, float]:
     """Hoop stresses [Pa] at R_i, at the inner race's bore and at R_e, and Tresca's of both races.
 
     The forces N, N_e [N] of the sprags are uniformly distributed; the inner race has its largest
@@ -29,7 +29,7 @@ def hoop(p: Parts, N: float, N_e: float) -> dict[str, float]:
     }  # fmt: skip
 
 
-def over_smeared(p: Parts, a: float, loaded: Wall) -> float:
+def over_smeared(p: SpragClutchParts, a: float, loaded: Wall) -> float:
     """Deflection of a race under patches of the half-width `a` [m] over Eq. 6's uniform load.
 
     Indentation is excluded.
@@ -40,6 +40,6 @@ def over_smeared(p: Parts, a: float, loaded: Wall) -> float:
     return 1 / (1 + smeared_error(n=p.n_s, ratio=ratio, a_r=a_r, nu=p.nu, loaded=loaded).load)
 
 
-def _radii(p: Parts) -> tuple[float, ...]:
+def _radii(p: SpragClutchParts) -> tuple[float, ...]:
     """R_i, R_e, R_id, R_ed, l as numbers."""
     return tuple(float(np.asarray(x)) for x in (p.sprag.R_i, p.sprag.R_e, p.R_id, p.R_ed, p.l))

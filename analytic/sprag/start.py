@@ -17,12 +17,12 @@ from numpy.typing import ArrayLike
 from analytic.contact.checks import Array, positive
 from analytic.freewheel.rules import require
 from analytic.sprag.closure import Wedged, wedged
-from analytic.sprag.clutch import Clutch
+from analytic.sprag.clutch import SpragClutch
 from analytic.sprag.search import first_reach
 
 
 def spring_equilibrium(
-    clutch: Clutch, *, K_r: ArrayLike, alpha_max: ArrayLike
+    clutch: SpragClutch, *, K_r: ArrayLike, alpha_max: ArrayLike
 ) -> tuple[Wedged, Array]:
     """State under N_0 and the force T_e [N] of the outer race, K_r [N m/rad], alpha_max [rad].
 

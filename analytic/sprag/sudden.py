@@ -1,10 +1,10 @@
 """Engagement of a sprag clutch from its dimensions, in one call."""
 
 from analytic.sprag.closure import at_torque
-from analytic.sprag.clutch import Clutch
+from analytic.sprag.clutch import SpragClutch
 from analytic.sprag.history import Engagement
 from analytic.sprag.motion import Motion, Torque
-from analytic.sprag.parts import Parts
+from analytic.sprag.parts import SpragClutchParts
 from analytic.sprag.table import tabulated
 from analytic.sprag.transient import engage
 
@@ -12,7 +12,7 @@ REACH = 3.0  # normal force up to which states are tabulated, over that at rest
 
 
 def engage_suddenly(
-    parts: Parts, motion: Motion, *, T: float, duration: float, dt: float = 1e-5
+    parts: SpragClutchParts, motion: Motion, *, T: float, duration: float, dt: float = 1e-5
 ) -> Engagement:
     """The clutch of `parts` under the torque T [N m] that acts from the start, over `duration` [s].
 
@@ -21,6 +21,6 @@ def engage_suddenly(
     the `verdict`. Forces up to 3 times that at rest are tabulated. ValueError for what makes no
     sense, ArithmeticError where steps are too long.
     """
-    clutch = Clutch(sprag=parts.sprag, n_s=parts.n_s, compliance=parts.palmgren())
+    clutch = SpragClutch(sprag=parts.sprag, n_s=parts.n_s, compliance=parts.palmgren())
     table = tabulated(clutch, N_end=REACH * float(at_torque(clutch, T).N))
     return engage(table, motion, Torque.step(T), duration=duration, dt=dt)

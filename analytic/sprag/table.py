@@ -26,7 +26,7 @@ from scipy.interpolate import CubicHermiteSpline, CubicSpline, PchipInterpolator
 
 from analytic.contact.checks import Array, positive
 from analytic.sprag.closure import wedged
-from analytic.sprag.clutch import Clutch
+from analytic.sprag.clutch import SpragClutch
 
 COLUMNS = ("N", "OA", "OB", "OC_g", "b_i", "b_e", "h", "W")
 INTERVALS = 2000
@@ -122,7 +122,7 @@ def table(
 
 
 def tabulated(
-    clutch: Clutch,
+    clutch: SpragClutch,
     *,
     N_end: float,
     intervals: int = INTERVALS,

@@ -31,7 +31,7 @@ class Sensitivities:
     m: Array
 
 
-def sensitivities(sprag: LogSprag) -> Sensitivities:
+def wedge_angle_sensitivities(sprag: LogSprag) -> Sensitivities:
     """Derivatives of the wedge angle nu_0, the other dimensions of sprag and races fixed."""
     R_i, R_e, m = (np.asarray(x, dtype=np.float64) for x in (sprag.R_i, sprag.R_e, sprag.m))
     beta, eta, OC_e = sprag.beta_0, sprag.eta_0, sprag.OC_e
@@ -45,6 +45,9 @@ def sensitivities(sprag: LogSprag) -> Sensitivities:
         r_e=np.asarray(-by_beta * np.tan(eta) / OC_e),
         m=np.asarray(by_beta * spiral),
     )
+
+
+sensitivities = wedge_angle_sensitivities  # its name in version 0.1
 
 
 def first_contact(sprag: LogSprag, *, dR_i: float = 0.0, dR_e: float = 0.0) -> tuple[float, float]:

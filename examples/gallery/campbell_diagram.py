@@ -7,7 +7,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from analytic.rotor import transfer_model as exact
-from analytic.rotor.transfer_modes import critical_speeds
+from analytic.rotor.transfer_modes import transfer_critical_speeds
 from fem.rotor.campbell import campbell
 from fem.rotor.model import Disc, Element, Rotor, Shaft, Support
 from fem.rotor.parts import Material
@@ -17,14 +17,15 @@ discs = [Disc.cylinder(node, d_o=0.3, d_i=0.05, width=0.05, rho=7850.0) for node
 elements = [Element(length=0.1, d_o=0.05, material=STEEL)] * 13
 rotor = Rotor([Shaft(elements)], discs, [Support(node, kxx=5e7) for node in (0, 13)])
 
-same = exact.Rotor(
-    shafts=(exact.Shaft(segments=(exact.Segment(length=0.1, d_o=0.05),) * 13),),
+same = exact.TransferMatrixRotor(
+    shafts=(exact.SegmentedShaft(segments=(exact.Segment(length=0.1, d_o=0.05),) * 13),),
     discs=tuple(
-        exact.Disc(node=d.node, mass=d.mass, polar=d.polar, diametral=d.diametral) for d in discs
+        exact.StationDisc(node=d.node, mass=d.mass, polar=d.polar, diametral=d.diametral)
+        for d in discs
     ),
-    supports=tuple(exact.Support(node=node, kxx=5e7) for node in (0, 13)),
+    supports=tuple(exact.StationSupport(node=node, kxx=5e7) for node in (0, 13)),
 )  # fmt: skip
-reference = critical_speeds(same, count=2, whirl="forward").w * 30 / np.pi
+reference = transfer_critical_speeds(same, count=2, whirl="forward").w * 30 / np.pi
 
 speeds = np.linspace(0, 1000, 51)
 diagram = campbell(rotor, speeds, count=4)

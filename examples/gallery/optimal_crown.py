@@ -26,7 +26,7 @@ profiles = {
     "too deep": logarithmic(y, K_1=3 * best.K_1, K_2=best.K_2, z_m=best.z_m, **shape),
 }
 for name, profile in profiles.items():
-    pressed = strips.press(profile, load=load, **roller)
+    pressed = strips.press_strips(profile, load=load, **roller)
     plt.plot(y * 1e3, pressed.pressure / 1e6, label=name)
 plt.axhline(uniform / 1e6, color="0.5", ls="--", label="uniform line load")
 plt.xlabel("distance from mid-length [mm]")

@@ -8,13 +8,13 @@ cos 2α = (X + r)/(R - r).
 import matplotlib.pyplot as plt
 import numpy as np
 
-from analytic.freewheel import Clutch, InnerCam, Material, loaded, torque_limits
+from analytic.freewheel import ContactMaterial, InnerCam, RollerClutch, loaded, roller_torque_limits
 from fem.wedge import solve_freewheel
 from meshes.freewheel import inner_cam_sector
 
 R, X, r = 21.0e-3, 14.9e-3, 3.0e-3  # bore of the ring, flat of the star, roller [m]
-steel = Material(E=206e9, nu=0.3)
-clutch = Clutch(
+steel = ContactMaterial(E=206e9, nu=0.3)
+clutch = RollerClutch(
     cam=InnerCam(R=R, X=X, r=r, z=10), L=12e-3, r_b=8e-3, R_a=28e-3,
     roller=steel, inner=steel, outer=steel,
 )  # fmt: skip
@@ -25,7 +25,7 @@ unloaded, angle = np.degrees(state.alpha[[0, 100]])
 print(f"clamping angle without load {unloaded:.4f} deg, rigid clutch {rigid:.4f} deg")
 print(f"at 100 N m: clamping angle {angle:.3f} deg, wind-up {np.degrees(state.phi[100]):.3f} deg")
 print(f"pressure on the star {state.p_i[100] / 1e6:.0f} MPa")
-first = torque_limits(clutch, mu=0.08, p_lim=4e9)
+first = roller_torque_limits(clutch, mu=0.08, p_lim=4e9)
 print(f"torque at the first limit {float(first.torque):.0f} N m: {first.first}")
 solved = solve_freewheel(
     inner_cam_sector, R=R, X=X, r=r, z=10, L=12e-3, r_b=8e-3, R_a=28e-3, E=206e9, nu=0.3, mu=0.1,

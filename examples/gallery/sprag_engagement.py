@@ -7,9 +7,9 @@ under a suddenly applied load, the factor would be 2. The first call compiles th
 import matplotlib.pyplot as plt
 import numpy as np
 
-from analytic.sprag import LogSprag, Motion, Parts, engage_suddenly
+from analytic.sprag import LogSprag, Motion, SpragClutchParts, engage_suddenly
 
-parts = Parts(
+parts = SpragClutchParts(
     sprag=LogSprag.from_wedge_angle(
         R_i=11.11e-3, R_e=19.44e-3, r_i=4.02e-3, nu_0=np.radians(3.15)
     ),

@@ -25,7 +25,7 @@ from fem.beam.large_loading import (
 )
 from fem.beam.large_march import March
 from fem.beam.large_stability import CriticalPoint, critical_points, linear_buckling
-from fem.beam.large_state import Path, State
+from fem.beam.large_state import BeamState, Path
 from fem.beam.section import (
     Array,
     Bodies,
@@ -99,15 +99,15 @@ class LargeFrame:
         self.held = held_components(len(self.points), supports)
         self.terms = tuple(terms)
         self._sections, self._supports, self._bodies = sections, supports, bodies
-        self._reached: State | None = None  # last state of the terms
+        self._reached: BeamState | None = None  # last state of the terms
 
-    def rest(self) -> State:
+    def rest(self) -> BeamState:
         """The reference state, without load; the history of terms is cleared."""
         n = len(self.points)
         u = np.zeros((n, 3), np.longdouble)
         for term in self.terms:
             term.start(np.column_stack([self.points, np.zeros(n)]))
-        self._reached = State(0.0, u, nothing(n), self.held, np.zeros(3 * n), 0.0)
+        self._reached = BeamState(0.0, u, nothing(n), self.held, np.zeros(3 * n), 0.0)
         return self._reached
 
     def under_loads(
@@ -117,7 +117,7 @@ class LargeFrame:
         *,
         follower: Forces | None = None,
         distributed: Forces | None = None,
-        since: State | None = None,
+        since: BeamState | None = None,
     ) -> Path:
         """States under loads times each of the factors.
 
@@ -142,7 +142,7 @@ class LargeFrame:
         factors: Iterable[float],
         *,
         loads: Loads | None = None,
-        since: State | None = None,
+        since: BeamState | None = None,
     ) -> Path:
         """States with nodes moved by components "x", "y", "r" times each of the factors.
 
@@ -166,12 +166,12 @@ class LargeFrame:
         *,
         first: float,
         steps: int = 200,
-        until: Callable[[State], bool] | None = None,
+        until: Callable[[BeamState], bool] | None = None,
         largest: float = 0.05,
         follower: Forces | None = None,
         distributed: Forces | None = None,
         moved: Movements | None = None,
-        since: State | None = None,
+        since: BeamState | None = None,
     ) -> Path:
         """States along the path of equilibrium, with loads or movement that grow or fall.
 
@@ -231,7 +231,7 @@ class LargeFrame:
             sections=self._sections, supports=self._supports, bodies=self._bodies, terms=terms,
         )  # fmt: skip
 
-    def section_forces(self, state: State) -> tuple[Array, Array]:
+    def section_forces(self, state: BeamState) -> tuple[Array, Array]:
         """Gauss points at rest (m, q, 2) and N, V, M there (m, q, 3).
 
         Signs as in `fem.beam.section.FrameSolution`: tension positive, V = -dM/ds at small load.
@@ -241,12 +241,12 @@ class LargeFrame:
         stations = e.shape.astype(float) @ self.points[e.nodes]
         return stations, e.moduli * strain
 
-    def _balance(self, start: State, pattern: Loading, held: Mask) -> Balance:
+    def _balance(self, start: BeamState, pattern: Loading, held: Mask) -> Balance:
         base = start.loading.plus(-start.factor, pattern)
         return Balance(self.points, self.elements, self.terms, base, pattern, held)
 
     def _reach(
-        self, pattern: Loading, held: Mask, factors: Iterable[float], since: State | None
+        self, pattern: Loading, held: Mask, factors: Iterable[float], since: BeamState | None
     ) -> Path:
         targets = [float(factor) for factor in factors]
         if not np.isfinite(targets).all():
@@ -255,7 +255,7 @@ class LargeFrame:
         start = march.state
         return self._end(Path(start, tuple(march.reach(f) for f in targets), pattern))
 
-    def _march(self, pattern: Loading, held: Mask, since: State | None) -> March:
+    def _march(self, pattern: Loading, held: Mask, since: BeamState | None) -> March:
         if self.terms and since is not None and since is not self._reached:
             raise ValueError("terms remember one path: go on from its last state, or from rest")
         start, self._reached = (since or self.rest()).at(0.0), None

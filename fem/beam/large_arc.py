@@ -14,7 +14,7 @@ import numpy as np
 
 from fem.beam.large_balance import ConvergenceError
 from fem.beam.large_march import HALVINGS, March
-from fem.beam.large_state import State
+from fem.beam.large_state import BeamState
 from fem.beam.section import Array
 
 ITERATIONS = 7  # that steps are sized for
@@ -39,7 +39,7 @@ class Arc:
         return math.copysign(self.size / math.sqrt(float(along @ push)), float(along @ moved))
 
 
-def follow(march: March, first: float, largest: float) -> Iterator[State]:
+def follow(march: March, first: float, largest: float) -> Iterator[BeamState]:
     """States along the arc; the `first` change of the factor sets direction and step size.
 
     Steps grow up to `largest`, measured as the arc is. ArithmeticError where no step goes on.
@@ -72,10 +72,10 @@ def follow(march: March, first: float, largest: float) -> Iterator[State]:
 
 
 def collect(
-    states: Iterator[State], steps: int, until: Callable[[State], bool] | None
-) -> tuple[State, ...]:
+    states: Iterator[BeamState], steps: int, until: Callable[[BeamState], bool] | None
+) -> tuple[BeamState, ...]:
     """The first `steps` states, or those up to the first that `until` accepts."""
-    found: list[State] = []
+    found: list[BeamState] = []
     for state in states:
         found.append(state)
         if until is not None and until(state):

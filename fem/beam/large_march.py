@@ -8,7 +8,7 @@ import numpy as np
 from fem.beam.large_balance import Balance, ConvergenceError, Response, Tangent
 from fem.beam.large_elements import Extended
 from fem.beam.large_newton import Control, equilibrium
-from fem.beam.large_state import State
+from fem.beam.large_state import BeamState
 from fem.beam.section import Array
 
 HALVINGS = 12
@@ -32,16 +32,16 @@ class Given:
 class March:
     """Goes from one state in equilibrium to the next; nothing changes where a step fails."""
 
-    def __init__(self, balance: Balance, start: State) -> None:
+    def __init__(self, balance: Balance, start: BeamState) -> None:
         self.balance = balance
         self._look(start)
         self.state = replace(start, negative=self.tangent.negative)
 
-    def _look(self, here: State) -> None:
+    def _look(self, here: BeamState) -> None:
         self.response: Response = self.balance.respond(here.exact, here.factor)
         self.tangent: Tangent = self.balance.factorise(here.exact, self.response.K)
 
-    def step(self, change: float, control: Control, *, crossing: bool = True) -> State:
+    def step(self, change: float, control: Control, *, crossing: bool = True) -> BeamState:
         """The state after a predicted `change` of the factor.
 
         ConvergenceError leaves everything as it was; also where the sign of a pivot changes
@@ -69,7 +69,7 @@ class March:
         work = before.work + self._work(moved, control, found, tangent)
         for term in balance.terms:
             term.accept(balance.positions(u))
-        self.state = State(
+        self.state = BeamState(
             factor, u, balance.base.plus(factor, balance.pattern), balance.held, found.internal,
             found.strain_energy, found.term_energy,
             sum(term.dissipated for term in balance.terms), work, residuals, 1, tangent.negative,
@@ -79,7 +79,7 @@ class March:
             self._look(self.state)
         return self.state
 
-    def reach(self, factor: float) -> State:
+    def reach(self, factor: float) -> BeamState:
         """The state at a given factor, in as few steps as Newton's method allows."""
         start, steps, good = self.state.factor, 0, 1
         whole = size = factor - start

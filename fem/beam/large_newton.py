@@ -10,7 +10,7 @@ from typing import Protocol
 
 from fem.beam.large_balance import Balance, ConvergenceError, Response
 from fem.beam.large_elements import Extended
-from fem.beam.large_state import State
+from fem.beam.large_state import BeamState
 from fem.beam.section import Array
 
 TOLERANCE = 1e-10  # residual, relative to the forces between nodes and elements
@@ -46,7 +46,7 @@ class Control(Protocol):
 
 
 def equilibrium(
-    balance: Balance, start: State, step: Array, change: float, stress: Array, control: Control
+    balance: Balance, start: BeamState, step: Array, change: float, stress: Array, control: Control
 ) -> tuple[Extended, float, Response, tuple[float, ...]]:
     """Displacements, factor and response in equilibrium, and the residuals of the iterations.
 

@@ -10,7 +10,7 @@ from scipy.sparse.linalg import eigsh
 
 from fem.beam.large_balance import Balance, ConvergenceError, Tangent, reduced
 from fem.beam.large_newton import equilibrium
-from fem.beam.large_state import Path, State
+from fem.beam.large_state import BeamState, Path
 from fem.beam.section import Array
 
 ASYMMETRY = 1e-5  # share of the loads' work in a mode, above which it is that of a limit point
@@ -26,7 +26,7 @@ class CriticalPoint:
     bifurcation; `width` is the bracket of the factor.
     """
 
-    state: State
+    state: BeamState
     mode: Array
     limit: bool
     width: float
@@ -54,7 +54,7 @@ class _Plane:
 
 @dataclass(frozen=True)
 class _Place:
-    state: State
+    state: BeamState
     tangent: Tangent
     lowest: float  # eigenvalue of the smallest size
     mode: Array
@@ -97,7 +97,9 @@ def _section(balance: Balance, low: _Place, high: _Place, normal: Array) -> tupl
     return low, high
 
 
-def _between(balance: Balance, low: State, high: State, share: float, plane: _Plane) -> _Place:
+def _between(
+    balance: Balance, low: BeamState, high: BeamState, share: float, plane: _Plane
+) -> _Place:
     step, change = share * _moved(low, high), share * (high.factor - low.factor)
     stress = balance.respond(low.exact, low.factor).predict(step)
     try:
@@ -112,7 +114,7 @@ def _between(balance: Balance, low: State, high: State, share: float, plane: _Pl
     ))  # fmt: skip
 
 
-def _look(balance: Balance, state: State) -> _Place:
+def _look(balance: Balance, state: BeamState) -> _Place:
     """Tangent at a state and its eigenvalue of the smallest size, by inverse iteration."""
     tangent = balance.factorise(state.exact, balance.respond(state.exact, state.factor).K)
     weights = np.where(balance.held, 0.0, balance.weights)
@@ -162,7 +164,7 @@ def linear_buckling(balance: Balance, count: int) -> tuple[Array, Array]:
     return 1 / inverse[::-1], np.array([_scaled(mode) for mode in modes])
 
 
-def _moved(before: State, after: State) -> Array:
+def _moved(before: BeamState, after: BeamState) -> Array:
     return (after.exact - before.exact).astype(float).ravel()
 
 

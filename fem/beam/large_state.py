@@ -10,7 +10,7 @@ from fem.beam.section import Array
 
 
 @dataclass(frozen=True)
-class State:
+class BeamState:
     """One state in equilibrium.
 
     `exact` (n, 3) are displacements and rotation in extended precision; `internal` (3n,) what
@@ -49,9 +49,12 @@ class State:
         """Stored energy less the potential of the dead loads [force x length]."""
         return self.strain_energy + self.term_energy - float(self.loading.dead @ self.u.ravel())
 
-    def at(self, factor: float) -> "State":
+    def at(self, factor: float) -> "BeamState":
         """The state as the start of a path that counts from `factor`."""
         return replace(self, factor=factor, residuals=(), steps=0)
+
+
+State = BeamState  # its name in version 0.1
 
 
 @dataclass(frozen=True)
@@ -61,12 +64,12 @@ class Path:
     `held` counts what the supports and the prescribed movement hold.
     """
 
-    start: State
-    states: tuple[State, ...]
+    start: BeamState
+    states: tuple[BeamState, ...]
     pattern: Loading  # loading that the factor multiplies
 
     @property
-    def last(self) -> State:
+    def last(self) -> BeamState:
         return self.states[-1] if self.states else self.start
 
     @property

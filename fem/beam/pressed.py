@@ -14,7 +14,7 @@ from scipy.sparse.linalg import splu
 
 from fem.beam.curved import solve_curved_frame
 from fem.beam.large import LargeFrame
-from fem.beam.large_state import State
+from fem.beam.large_state import BeamState
 from fem.beam.section import Array, Indices, Section
 
 PLACES = 1e-11  # of a load, displacement or stiffness: nodes' places, rounded in double precision
@@ -49,16 +49,16 @@ class PressedFrame:
     def guided(self) -> LargeFrame:
         return self.frame("yr")
 
-    def compressed(self, U: Iterable[float], since: State | None = None) -> list[State]:
+    def compressed(self, U: Iterable[float], since: BeamState | None = None) -> list[BeamState]:
         """States of the guided frame at the displacements `U` since rest, or since a state."""
         one = {self.head: {"x": 1.0}}
         return list(self.guided.displaced(one, U, since=since).states)
 
-    def force(self, state: State) -> float:
+    def force(self, state: BeamState) -> float:
         """Force on the head along x."""
         return float(state.reactions[self.head, 0])
 
-    def head_stiffness(self, state: State) -> tuple[Array, Array]:
+    def head_stiffness(self, state: BeamState) -> tuple[Array, Array]:
         """Force and couple (3, 3) on the head per small movement of it, released from a state.
 
         And its rounding (3, 3), by what it lacks in symmetry and what the last correction changed.
@@ -98,11 +98,11 @@ class PressedFrame:
         worst = float((np.maximum(abs(S - S.T), abs(S - before)) / size).max())
         return (S + S.T) / 2, worst * size
 
-    def determinant(self, state: State, head: Freedom) -> float:
+    def determinant(self, state: BeamState, head: Freedom) -> float:
         """Determinant of the stiffness of a head of this freedom under its loads."""
         return let_go(self.head_stiffness(state)[0], head)
 
-    def lateral_stiffness(self, state: State) -> tuple[float, float]:
+    def lateral_stiffness(self, state: BeamState) -> tuple[float, float]:
         """Stiffness of the guided head across, along y, and its rounding error [force/length]."""
         S, rounding = self.head_stiffness(state)
         return float(S[1, 1]), float(rounding[1, 1]) + PLACES * abs(float(S[1, 1]))

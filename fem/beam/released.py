@@ -7,11 +7,11 @@ import numpy as np
 from scipy.optimize import brentq
 
 from fem.beam.at_rest import AtRest
-from fem.beam.large_state import State
+from fem.beam.large_state import BeamState
 from fem.beam.pressed import PLACES, PressedFrame, let_go
 from fem.beam.section import Array
 
-Held = tuple[State, tuple[Array, Array]]  # with the head's stiffness and its rounding
+Held = tuple[BeamState, tuple[Array, Array]]  # with the head's stiffness and its rounding
 
 LOCATED = 1e-13  # of the displacement
 ITERATIONS = 3  # inverse ones from a mode of six digits: each gains two digits and more of its load
@@ -38,7 +38,7 @@ def linear_load(one: PressedFrame) -> tuple[float, float]:
     return loads[-1], abs(loads[-1] - loads[-2]) + PLACES * loads[-1]
 
 
-def gives_way(one: PressedFrame, until: float) -> tuple[float, float, State | None]:
+def gives_way(one: PressedFrame, until: float) -> tuple[float, float, BeamState | None]:
     """First buckling of a guided head that is released: displacement, rounding error, state.
 
     NaN and None where it does not up to `until`. The search begins at the linear buckling load; a
@@ -64,7 +64,7 @@ def _held(one: PressedFrame, since: Held, step: float) -> Held:
 
 def _located(
     one: PressedFrame, before: Held, beyond: Held, at: float, u: float
-) -> tuple[float, float, State]:
+) -> tuple[float, float, BeamState]:
     """Between the displacement `at` of a state before and `u` of one beyond.
 
     The determinant is as good as round-off there, so that its root is one number.

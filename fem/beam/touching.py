@@ -189,8 +189,8 @@ class SelfContact(Touching):
                       answer.sticking)  # fmt: skip
 
 
-class Obstacle(Touching):
-    """Contact of lines with a rigid `shape`: `Flat` or `Disc` of `fem.beam.touching_rigid`.
+class BeamObstacle(Touching):
+    """Contact of lines with a rigid `shape`, a `FlatObstacle` or `DiscObstacle`.
 
     With a `carrier` the shape moves and turns with that node of the frame, whose supports or
     prescribed movement then move it and whose reaction is the contact force: an end of a separate
@@ -251,6 +251,9 @@ class Obstacle(Touching):
         none = np.full(probe.shape, OBSTACLE)
         return Record(self.probes.element[probe], none, at, n, found.gap, answer.normal,
                       answer.tangential, answer.sticking)  # fmt: skip
+
+
+Obstacle = BeamObstacle  # its name in version 0.1
 
 
 def _checked(

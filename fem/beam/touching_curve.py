@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from fem.beam.large import LargeFrame
-from fem.beam.large_state import State
+from fem.beam.large_state import BeamState
 from fem.beam.section import Array, Indices, Section
 from fem.beam.touching import SHARE, SelfContact
 from fem.beam.touching_record import Record
@@ -106,7 +106,7 @@ def compress(
         line.points, line.elements, sections=line.section, terms=(contact,),
         supports={line.tail: "xyr", head: line.held},
     )  # fmt: skip
-    states: list[State] = []
+    states: list[BeamState] = []
     records: list[Record] = []
 
     def press_to(place: float) -> None:
@@ -129,7 +129,7 @@ def compress(
     return _curve(line, states, records)
 
 
-def _curve(line: TouchingLine, states: list[State], records: list[Record]) -> Curve:
+def _curve(line: TouchingLine, states: list[BeamState], records: list[Record]) -> Curve:
     names = [str(i) for i in range(len(line.units))]
     units = dict(zip(names, line.units, strict=True))
     found = [record.pressing(units) for record in records]

@@ -51,7 +51,7 @@ class Shape(Protocol):
 
 
 @dataclass(frozen=True)
-class Flat:
+class FlatObstacle:
     """The half plane behind `at`; `normal` points out of it, at the beam."""
 
     at: tuple[float, float]
@@ -69,8 +69,11 @@ class Flat:
         return Surface(d @ n, np.tile(n, (len(at), 1)), none, none + 1, arc)
 
 
+Flat = FlatObstacle  # its name in version 0.1
+
+
 @dataclass(frozen=True)
-class Disc:
+class DiscObstacle:
     """A disc of `radius` [length] around `centre`; with `inside` the beam lies in its bore."""
 
     centre: tuple[float, float]
@@ -90,6 +93,9 @@ class Disc:
         arc = -way * self.radius * angle
         round_ = 2 * math.pi * self.radius
         return Surface(way * (away - self.radius), n, -way / away, self.radius / away, arc, round_)
+
+
+Disc = DiscObstacle  # its name in version 0.1
 
 
 class Body:

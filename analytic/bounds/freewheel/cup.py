@@ -26,7 +26,7 @@ from analytic.bounds.freewheel.intervals import (
     tilting,
     winding,
 )
-from analytic.bounds.freewheel.parts import Loaded, Parts
+from analytic.bounds.freewheel.parts import FreewheelParts, Loaded
 from analytic.contact.checks import Array
 
 POINTS = 4000  # of a course
@@ -50,7 +50,7 @@ class Approaches:
 class Course:
     """A course over N with approaches and torque times given factors."""
 
-    cup: Parts
+    cup: FreewheelParts
     approaches: Approaches
     factors: Factors
 
@@ -91,7 +91,7 @@ class Course:
 class CupBounds:
     """Intervals for formula/reference - 1 in a state."""
 
-    def __init__(self, cup: Parts, at: Loaded, approaches: Approaches) -> None:
+    def __init__(self, cup: FreewheelParts, at: Loaded, approaches: Approaches) -> None:
         self.cup, self.at, self.approaches = cup, at, approaches
         P, c = at.N / cup.L, of_round_bodies(cup, at)
         low, middle, high = expected_approach(cup, P)

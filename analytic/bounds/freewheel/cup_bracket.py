@@ -11,11 +11,11 @@ import math
 
 import numpy as np
 
-from analytic.bounds.freewheel.parts import Parts, approach, half_roller
+from analytic.bounds.freewheel.parts import FreewheelParts, approach, half_roller
 from analytic.bounds.freewheel.ring_constants import free_ring
 
 
-def expected_approach(cup: Parts, P: float) -> tuple[float, float, float]:
+def expected_approach(cup: FreewheelParts, P: float) -> tuple[float, float, float]:
     """Least, expected and largest approach [length] of roller and cup under P [force/length].
 
     Expected is that of the ring whose bore encloses as much as the flats do, drawn between those of
@@ -30,7 +30,7 @@ def expected_approach(cup: Parts, P: float) -> tuple[float, float, float]:
     return at_flats, middle, _as_ring(cup, P, corner, column)
 
 
-def _as_ring(cup: Parts, P: float, bore: float, column: float) -> float:
+def _as_ring(cup: FreewheelParts, P: float, bore: float, column: float) -> float:
     """Approach [length] of roller and a ring, its constant k raised by `column`."""
     E, nu = cup.plane[0], float(cup.plane[1])
     load, a = np.asarray(P), cup.width_on_flat(P)

@@ -2,7 +2,7 @@
 
 import math
 
-from analytic.bounds.freewheel.parts import Loaded, Parts
+from analytic.bounds.freewheel.parts import FreewheelParts, Loaded
 
 CURVED = 4.0  # bound of Hertz's error of pressures over (a/r)²; between flats it is 3/16
 LEAST = 7e-3  # and no less is required: 1 % is accepted, meshes take 0.3
@@ -16,13 +16,13 @@ STRAIGHT = 0.01  # share of phi: change of the printed angle's ratio along its a
 Interval = tuple[float, float]
 
 
-def of_contact(parts: Parts, at: Loaded) -> Interval:
+def of_contact(parts: FreewheelParts, at: Loaded) -> Interval:
     """Error of half-widths and pressures: a parabola for a round body errs by about (a/r)²."""
     bound = max(CURVED * _wide(parts, at) ** 2, LEAST)
     return -bound, bound
 
 
-def of_round_bodies(parts: Parts, at: Loaded) -> float:
+def of_round_bodies(parts: FreewheelParts, at: Loaded) -> float:
     """Relative error of an approach of round bodies.
 
     Hertz errs by some (a/r)²; a roller's loads are psi off its diameter, and the roller is half
@@ -31,7 +31,7 @@ def of_round_bodies(parts: Parts, at: Loaded) -> float:
     return max(_wide(parts, at) ** 2 / 2 + at.psi**2 / 16, SMALLEST)
 
 
-def _wide(parts: Parts, at: Loaded) -> float:
+def _wide(parts: FreewheelParts, at: Loaded) -> float:
     return max(at.a_i, at.a_o) / parts.r
 
 
@@ -60,12 +60,12 @@ def times(interval: Interval, ratio: float, spread: float = 0.0) -> Interval:
     return ratio * (1 - spread) * (1 + low) - 1, ratio * (1 + spread) * (1 + high) - 1
 
 
-def winding(parts: Parts, T: float, r_1: float, r_2: float) -> float:
+def winding(parts: FreewheelParts, T: float, r_1: float, r_2: float) -> float:
     """Angle [rad] by which T winds up a hollow shaft from one radius [length] to the other."""
     G = parts.E / (2 * (1 + parts.nu))
     return T / parts.L / (4 * math.pi * G) * (1 / r_1**2 - 1 / r_2**2)
 
 
-def tilting(parts: Parts, P: float, wall: float) -> float:
+def tilting(parts: FreewheelParts, P: float, wall: float) -> float:
     """Angle [rad] by which a half plane tilts at the depth of a wall [length] under P."""
     return 2 * P * (1 - parts.nu**2) / (math.pi * parts.E * wall)

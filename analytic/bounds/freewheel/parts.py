@@ -18,7 +18,7 @@ from analytic.contact.checks import Array, in_plane
 
 
 @dataclass(frozen=True, kw_only=True)
-class Parts:
+class FreewheelParts:
     """Rollers between flats and a round race, all parts of one material [length, stress].
 
     `sense` is +1 of a star with flats in a ring, whose angle grows under load, and -1 of a cup with
@@ -56,7 +56,7 @@ class Parts:
 
         >>> more = {"L": 10.0, "r_b": 7.5, "R_a": 21.0, "E": 206e3, "nu": 0.3}
         >>> X = 14 * np.cos(np.radians(7)) - 2.5  # cos 2 alpha = (X + r)/(R - r)
-        >>> star = Parts(sense=1, race=16.5, flat=X, r=2.5, z=8, **more)
+        >>> star = FreewheelParts(sense=1, race=16.5, flat=X, r=2.5, z=8, **more)
         >>> round(float(np.degrees(star.alpha(d_i=0.0, d_o=0.0))), 12)
         3.5
         """
@@ -97,6 +97,9 @@ class Parts:
         return np.asarray(np.sqrt(4 * np.asarray(P) * self.r / (np.pi * E_star)))
 
 
+Parts = FreewheelParts  # its name in version 0.1
+
+
 @dataclass(frozen=True, kw_only=True)
 class Loaded:
     """A state of the formulas, for the sizes of bounds [force, force x length, rad, length].
@@ -128,6 +131,6 @@ def approach(
     return np.asarray(P * (1 / (np.pi * E)) * (2 * np.log(l / a) + k + c * a / l))
 
 
-def half_roller(parts: Parts, P: Array, a: Array) -> Array:
+def half_roller(parts: FreewheelParts, P: Array, a: Array) -> Array:
     """Approach [length] between a contact and the roller's centre, k = 2 ln 4 - 1."""
     return approach(P, a, E=parts.plane[0], l=parts.r, k=2 * np.log(4) - 1)

@@ -25,7 +25,7 @@ from analytic.bounds.freewheel.intervals import (
     times,
     winding,
 )
-from analytic.bounds.freewheel.parts import Loaded, Parts
+from analytic.bounds.freewheel.parts import FreewheelParts, Loaded
 from analytic.bounds.freewheel.star_bracket import between_discs, expected_approach
 
 STEEPER = 1.15  # d ln(N)/d ln(approach) at most
@@ -34,7 +34,7 @@ STEEPER = 1.15  # d ln(N)/d ln(approach) at most
 class StarBounds:
     """Intervals for formula/reference - 1 in a state, from bounds of the approaches."""
 
-    def __init__(self, star: Parts, at: Loaded) -> None:
+    def __init__(self, star: FreewheelParts, at: Loaded) -> None:
         self.star, self.at = star, at
         P, c = at.N / star.L, of_round_bodies(star, at)
         low, high = (float(d) for d in expected_approach(star, P))

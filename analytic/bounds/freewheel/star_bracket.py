@@ -20,14 +20,14 @@ References
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.bounds.freewheel.parts import Parts, approach, half_roller
+from analytic.bounds.freewheel.parts import FreewheelParts, approach, half_roller
 from analytic.bounds.freewheel.ring_constants import clamped_disc
 from analytic.contact.checks import Array, positive
 
 DEEP = 20.0  # q h beyond which K is 1 to round-off
 
 
-def expected_approach(star: Parts, P: ArrayLike) -> tuple[Array, Array]:
+def expected_approach(star: FreewheelParts, P: ArrayLike) -> tuple[Array, Array]:
     """Least and largest d_i [length] of a star under P = N/L [force/length]."""
     P = positive(P, "load per length", "N/m")
     flat, corner = _rims(star)
@@ -35,7 +35,7 @@ def expected_approach(star: Parts, P: ArrayLike) -> tuple[Array, Array]:
     return found.min(axis=0), found.max(axis=0)
 
 
-def between_discs(star: Parts, P: ArrayLike) -> Array:
+def between_discs(star: FreewheelParts, P: ArrayLike) -> Array:
     """Approach d_i [length] of a disc through the contact, interpolated between those of two discs.
 
     What is expected of a star, to second order in the corners' height.
@@ -63,23 +63,23 @@ def layer_constant(*, pitch: float, kappa: float) -> float:
     return float(2 * np.log(2 / step) + 1 + uniform * step + 2 * ((K - 1) / t * step).sum())
 
 
-def _rims(star: Parts) -> tuple[float, float]:
+def _rims(star: FreewheelParts) -> tuple[float, float]:
     """Radii [length] of the discs through the flats and through the corners."""
     return star.flat, min(star.flat / np.cos(np.pi / star.z), star.race)
 
 
-def _on_layer(star: Parts, P: Array) -> Array:
+def _on_layer(star: FreewheelParts, P: Array) -> Array:
     height, kappa = star.flat - star.r_b, 3 - 4 * star.nu
     k = layer_constant(pitch=float(2 * star.corner / height), kappa=kappa)
     return _with_roller(star, P, height, k)
 
 
-def _on_disc(star: Parts, rim: float, P: Array) -> Array:
+def _on_disc(star: FreewheelParts, rim: float, P: Array) -> Array:
     k = clamped_disc(ratio=rim / star.r_b, n=star.z, nu=float(star.plane[1]))
     return _with_roller(star, P, rim, k)
 
 
-def _with_roller(star: Parts, P: Array, l: float, k: Array | float) -> Array:  # noqa: E741
+def _with_roller(star: FreewheelParts, P: Array, l: float, k: Array | float) -> Array:  # noqa: E741
     """Approach [length] of half a roller and a body of the constants l and k."""
     a = star.width_on_flat(P)
     return half_roller(star, P, a) + approach(P, a, E=star.plane[0], l=l, k=k)

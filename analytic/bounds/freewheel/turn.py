@@ -8,7 +8,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from analytic.bounds.freewheel.intervals import SMALLEST, Interval
-from analytic.bounds.freewheel.parts import Parts
+from analytic.bounds.freewheel.parts import FreewheelParts
 from analytic.bounds.freewheel.star import StarBounds
 
 FAR = 5.0  # the normal force is searched within this factor of the one that is given
@@ -18,7 +18,7 @@ FAR = 5.0  # the normal force is searched within this factor of the one that is 
 class Moved:
     """A star whose flats are off, with approaches [length] of both contacts over N [force]."""
 
-    star: Parts
+    star: FreewheelParts
     approaches: Callable[[float], tuple[float, float]]
 
     def angle(self, F_t: float, N: float, f_i: float, f_o: float) -> float:

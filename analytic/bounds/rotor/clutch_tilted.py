@@ -12,7 +12,7 @@ from typing import Literal
 import numpy as np
 from scipy.optimize import brentq
 
-from analytic.rotor.clutch import Array, Clutch, even_angles
+from analytic.rotor.clutch import Array, SpragCoupling, even_angles
 from analytic.rotor.clutch_state import under_torque
 
 POWER = 10 / 9  # of a line contact
@@ -21,7 +21,9 @@ Entry = Literal["K_y_tilt_x", "K_x_tilt_y"]
 PLACES: dict[Entry, tuple[int, int]] = {"K_y_tilt_x": (1, 2), "K_x_tilt_y": (0, 3)}
 
 
-def summed(clutch: Clutch, *, T: float, dx: float, tilt: float, n_s: int) -> dict[Entry, float]:
+def summed(
+    clutch: SpragCoupling, *, T: float, dx: float, tilt: float, n_s: int
+) -> dict[Entry, float]:
     """Couplings [N] of a force along y with a tilt about x, and of one along x with one about y.
 
     The offset dx [m] is along x, the tilt [rad] about y, the torque T [N m]. Of `clutch` only its
@@ -51,7 +53,7 @@ def summed(clutch: Clutch, *, T: float, dx: float, tilt: float, n_s: int) -> dic
 
 
 def left_out(
-    entry: Entry, clutch: Clutch, *, T: float, dx: float, tilt: float, n_s: int
+    entry: Entry, clutch: SpragCoupling, *, T: float, dx: float, tilt: float, n_s: int
 ) -> tuple[float, float]:
     """Interval of formula/struts - 1: forces along the struts, at points that sink with the tilt.
 

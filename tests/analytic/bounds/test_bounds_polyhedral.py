@@ -15,13 +15,13 @@ from analytic.contact import pair_series
 from analytic.contact.hertz_line_approach import approach_to_depth
 from analytic.contact.partial_slip import dundurs_beta
 from analytic.polyhedral import expansion, wedging
-from analytic.polyhedral.design import Clutch
-from analytic.polyhedral.parts import Parts
+from analytic.polyhedral.design import PolyhedralClutch
+from analytic.polyhedral.parts import PolyhedralParts
 from analytic.ring import lame
 from analytic.spring import frame
 
 ROLLER = RollerOnRing(d=0.01, d_e=0.08, j_D=6e-5, apothem=0.03145, E=210e9, nu=0.3)
-PARTS = Parts(z=6, d_i=0.072, d_e=0.08, D_i=0.10006, d=0.01, b=0.03, e=0.009)
+PARTS = PolyhedralParts(z=6, d_i=0.072, d_e=0.08, D_i=0.10006, d=0.01, b=0.03, e=0.009)
 
 
 @pytest.mark.parametrize("E_1", [np.inf, 210e9, 70e9])
@@ -40,11 +40,11 @@ def test_statics_by_vectors_are_the_chain_s(alpha):
     apothem = PARTS.d_i / 2 * np.cos(np.pi / 6)
     parts = flat.FlatParts(z=6, d_i=0.072, D_i=0.10006, b=0.03, e=0.009, apothem=apothem, mu=0.08,
                            phi_1=atan(0.05), alpha=alpha)  # fmt: skip
-    first = Clutch(PARTS, **steel, lever="d_i/2", gamma="radius", M_wanted=200.0)
+    first = PolyhedralClutch(PARTS, **steel, lever="d_i/2", gamma="radius", M_wanted=200.0)
     own = flat.first_design(parts, d_m=0.076, wall=0.004, j_D=PARTS.j_D, E=210e9)
     assert own.torque(30e6) == pytest.approx(first.M_t, rel=1e-12)
     assert own.pressure(200.0) == pytest.approx(first.p_required, rel=1e-12)
-    whole = Clutch(PARTS, **steel, K=1.1)
+    whole = PolyhedralClutch(PARTS, **steel, K=1.1)
     assert flat.filleted(parts, whole.p_1r).torque(30e6) == pytest.approx(whole.M_t, rel=1e-12)
     per_width = flat.roller_force(p=30e6, touch=whole.p_1r, d_i=0.072, z=6)
     assert per_width == pytest.approx(whole.F / 0.03, rel=1e-12)

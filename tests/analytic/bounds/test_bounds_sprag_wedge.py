@@ -10,9 +10,9 @@ from analytic.bounds.sprag import engagement
 from analytic.bounds.sprag.wedge import ELASTIC, SHARP, Bounds, times
 from analytic.bounds.sprag.wedge_sizes import Race, Sizes
 from analytic.sprag.closure import wedged
-from analytic.sprag.elastic import Elastic
+from analytic.sprag.elastic import ElasticSpragClutch
 from analytic.sprag.geometry import LogSprag
-from analytic.sprag.parts import Parts
+from analytic.sprag.parts import SpragClutchParts
 
 RADII = {"R_i": 11.11e-3, "R_e": 19.44e-3, "r_i": 4.02e-3}
 WALLS = {"R_id": 7.21e-3, "R_ed": 26.23e-3, "b": 4e-3, "l": 9e-3}
@@ -20,7 +20,7 @@ WALLS = {"R_id": 7.21e-3, "R_ed": 26.23e-3, "b": 4e-3, "l": 9e-3}
 
 def bounds(N=3000.0, nu=0.3):
     sprag = LogSprag.from_wedge_angle(nu_0=0.055, **RADII)
-    one = Elastic(Parts(sprag=sprag, n_s=12, E=206e9, nu=nu, **WALLS))
+    one = ElasticSpragClutch(SpragClutchParts(sprag=sprag, n_s=12, E=206e9, nu=nu, **WALLS))
     a = tuple(float(x) for x in one.half_widths(np.asarray(N)))
     races = tuple(
         Race(race.mean, float(race.at(x)), float(race.under(x)))

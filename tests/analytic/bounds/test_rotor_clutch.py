@@ -8,7 +8,7 @@ import pytest
 from analytic.bounds.rotor import clutch as bounds
 from analytic.bounds.rotor import shaft
 from analytic.bounds.rotor.clutch_tilted import SHARE, left_out, summed
-from analytic.rotor.clutch import Clutch, even_angles
+from analytic.rotor.clutch import SpragCoupling, even_angles
 from analytic.rotor.clutch_tilted import aside, couplings
 from analytic.rotor.shafts import UniformShaft, hutchinson
 
@@ -17,7 +17,7 @@ T = 15.0
 
 
 def clutch(Z, nu, n_s):
-    return Clutch(psi=even_angles(Z=Z), R_i=11.11e-3, nu=nu, L=9e-3, k_n=5e9, n_s=n_s)
+    return SpragCoupling(psi=even_angles(Z=Z), R_i=11.11e-3, nu=nu, L=9e-3, k_n=5e9, n_s=n_s)
 
 
 def held(of, torque, offset):
@@ -86,6 +86,6 @@ def test_less_is_left_out_of_flatter_wedges(entry):
 @pytest.mark.parametrize("entry", ["K_y_tilt_x", "K_x_tilt_y"])
 def test_the_width_for_a_long_slender_clutch_is_its_share_of_tan_squared(entry):
     """At a radius of 1e-6 of the length, points of the race do not move with the tilt."""
-    slim = Clutch(psi=even_angles(Z=12), R_i=9e-9, nu=0.3, L=9e-3, k_n=5e9, n_s=41)
+    slim = SpragCoupling(psi=even_angles(Z=12), R_i=9e-9, nu=0.3, L=9e-3, k_n=5e9, n_s=41)
     low, high = left_out(entry, slim, n_s=41, **held(slim, T * slim.d_t, 1e-7))
     assert (high - low) / 2 == pytest.approx(SHARE * math.tan(0.3) ** 2, rel=1e-3)

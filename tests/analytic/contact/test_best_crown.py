@@ -31,7 +31,7 @@ def logarithmic(y, K_1, K_2, z_m, load):
 def pressed(gap, load, tilts=(0.0,)):
     """Highest peak under the tilts, and the highest line load of an end, of all gaps (..., n)."""
     lean = np.multiply.outer([s * t for t in tilts for s in (-1, 1)], centres(load))
-    found = strips.press(gap[..., None, :] + lean, load=load, tolerance=1e-8, **ROLLER)
+    found = strips.press_strips(gap[..., None, :] + lean, load=load, tolerance=1e-8, **ROLLER)
     return found.peak.max(axis=-1), found.q[..., [0, -1]].max(axis=(-1, -2))
 
 

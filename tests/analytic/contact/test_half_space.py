@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from analytic.contact.crown_again import logarithmic, lundberg
-from analytic.contact.half_space import HalfSpace, press
+from analytic.contact.half_space import HalfSpace, press_half_space
 from analytic.contact.half_space_contact import HalfSpaceContact, centres
 from analytic.contact.half_space_ridge import press_ridge
 from analytic.contact.half_space_roller import press_roller
@@ -26,7 +26,7 @@ def paraboloid(n: int) -> tuple[np.ndarray, float]:
 
 def sphere(n: int, **asked: float) -> HalfSpaceContact:
     gap, side = paraboloid(n)
-    return press(gap, cell=(side, side), E_star=E_STAR, **(asked or {"load": LOAD}))
+    return press_half_space(gap, cell=(side, side), E_star=E_STAR, **(asked or {"load": LOAD}))
 
 
 def off_hertz(found: HalfSpaceContact) -> float:
@@ -69,7 +69,7 @@ def test_a_sphere_converges_to_hertzs_pressure_area_and_approach() -> None:
 def test_rough_bodies_meet_the_conditions_of_contact(seed: int, decade: float, thin: bool) -> None:
     gap = rough(seed, (2, 90) if thin else (24, 20))
     cell = (1e-7, 2e-6) if thin else (1e-6, 2e-6)
-    found = press(gap, cell=cell, E_star=E_STAR, load=10**decade)
+    found = press_half_space(gap, cell=cell, E_star=E_STAR, load=10**decade)
     assert_in_contact(found)
     assert found.load == pytest.approx(10**decade, rel=1e-12)
 
@@ -79,14 +79,14 @@ def test_a_series_of_loads_gives_what_each_alone_gives() -> None:
     loads = [0.1 * LOAD, LOAD, 0.5 * LOAD]
     grid = HalfSpace((48, 48), cell=(side, side), E_star=E_STAR)
     for load, found in zip(loads, grid.press_each(gap, loads), strict=True):
-        alone = press(gap, cell=(side, side), E_star=E_STAR, load=load)
+        alone = press_half_space(gap, cell=(side, side), E_star=E_STAR, load=load)
         assert found.pressure == pytest.approx(alone.pressure, abs=1e-7 * PEAK)
         assert found.load == pytest.approx(load, rel=1e-12)
 
 
 def test_failed_convergence_is_reported() -> None:
     with pytest.raises(ArithmeticError, match=r"does not converge: residual .* after 3 iterations"):
-        press(rough(9), cell=(1e-6, 2e-6), E_star=E_STAR, load=5.0, limit=3)
+        press_half_space(rough(9), cell=(1e-6, 2e-6), E_star=E_STAR, load=5.0, limit=3)
 
 
 ROLLER = {"R": 2.95e-3, "length": 9e-3, "E_star": 113e9}  # a sprag's on its race

@@ -24,7 +24,7 @@ from analytic.contact import (
 )
 from analytic.contact.best_crown import best_crown
 from analytic.contact.edge import edge_exponent
-from analytic.contact.half_space import HalfSpace, press
+from analytic.contact.half_space import HalfSpace, press_half_space
 from analytic.contact.half_space_roller import press_roller
 
 nan, inf = np.nan, np.inf
@@ -58,7 +58,7 @@ def pressed(by, gap=(0.0, 1e-6), **change):
 
 
 def strips_of(n):
-    return strips.press(np.zeros(n), load=100.0, **ROLLER)
+    return strips.press_strips(np.zeros(n), load=100.0, **ROLLER)
 
 
 REFUSED = [
@@ -121,7 +121,7 @@ REFUSED = [
     (lambda: best_crown(**ROLLER, load=3407.0, tilt=nan), "tilt must be finite, got nan rad"),
     (lambda: best_crown(**ROLLER, load=3407.0, tilt=[]), "tilt must be one or more angles"),
     (lambda: best_crown(**ROLLER, load=1e9), "a line contact must be longer than wide"),
-    *[(lambda change=change: press(**GRID | change), message) for change, message in (
+    *[(lambda change=change: press_half_space(**GRID | change), message) for change, message in (
         ({"load": None}, "either load or approach"),
         ({"cell": (1.0,)}, "a cell has two sides"),
         ({"gap": [0.0, 1.0]}, "nx by ny values"),

@@ -33,7 +33,7 @@ def matrix(load, n):
 @pytest.mark.parametrize("load", [1.0, 300.0, 3400.0, 3e4])
 def test_forces_and_gaps_are_complementary(design, tilt, load):
     z = crowned(design, tilt=tilt)
-    contact = slices.press(z, load=load, **ROLLER)
+    contact = slices.press_slices(z, load=load, **ROLLER)
     q, delta = contact.force, float(contact.approach)
     after = z + (matrix(load, 50) @ q) ** 0.9 - delta
     assert float(contact.load) == pytest.approx(load, rel=1e-12)
@@ -49,12 +49,12 @@ def test_two_slices_by_hand():
     """S = [[2, 1], [1, 2]]: delta^(10/9) = 3 q with even gaps, 2 q with one slice out of reach."""
     w = [[2.0, 1.0], [1.0, 2.0]]
     roller = {"length": 1.0, "R": 1.0, "E_star": 1.0, "compliance": 3.0, "kernel": w}
-    even = slices.press([0.0, 0.0], load=2048.0 / 3, **roller)
+    even = slices.press_slices([0.0, 0.0], load=2048.0 / 3, **roller)
     assert float(even.approach) == pytest.approx(512.0, rel=1e-12)
     np.testing.assert_allclose(even.force, 1024 / 3, rtol=1e-12)
-    alone = slices.press([0.0, 1e9], load=512.0, **roller)
+    alone = slices.press_slices([0.0, 1e9], load=512.0, **roller)
     assert float(alone.approach) == pytest.approx(512.0, rel=1e-12)
-    lifted = slices.press([0.0, 511.0], load=512.0, **roller)  # 1 - 512 < 0: it would pull
+    lifted = slices.press_slices([0.0, 511.0], load=512.0, **roller)  # 1 - 512 < 0: it would pull
     np.testing.assert_allclose(lifted.force, [512.0, 0.0], rtol=1e-12)
     assert lifted.carries.tolist() == [True, False]
 
@@ -64,15 +64,15 @@ def test_two_slices_by_hand():
 def test_pressing_to_the_approach_returns_the_load(load, tilt):
     z = crowned(tilt=tilt)
     z -= z.min()
-    there = slices.press(z, load=load, **ROLLER)
-    back = slices.press(z, approach=there.approach, **ROLLER)
+    there = slices.press_slices(z, load=load, **ROLLER)
+    back = slices.press_slices(z, approach=there.approach, **ROLLER)
     assert float(back.load) == pytest.approx(load, rel=1e-11)
     np.testing.assert_allclose(back.force, there.force, rtol=1e-8, atol=1e-11 * load)
 
 
 def test_a_flat_rollers_approach_is_palmgrens_but_for_the_ends():
     """Summed over all slices the law is Palmgren's; the ends carry more at the same approach."""
-    contact = slices.press(np.zeros(50), load=3400.0, **ROLLER)
+    contact = slices.press_slices(np.zeros(50), load=3400.0, **ROLLER)
     expected = float(palmgren.approach(load=3400.0, length=9e-3))
     assert 0.98 < float(contact.approach) / expected < 1
     row_sums = matrix(3400.0, 50).sum(axis=1)
@@ -82,19 +82,19 @@ def test_a_flat_rollers_approach_is_palmgrens_but_for_the_ends():
 def test_a_search_that_does_not_end_is_an_error(monkeypatch):
     monkeypatch.setattr(slice_pivoting, "PIVOTS", 1)
     with pytest.raises(ArithmeticError, match="not found in 1 exchanges"):
-        slices.press(crowned(tilt=1e-3), load=300.0, **ROLLER)
+        slices.press_slices(crowned(tilt=1e-3), load=300.0, **ROLLER)
     monkeypatch.undo()
     monkeypatch.setattr(slices, "ITERATIONS", 1)
     with pytest.raises(ArithmeticError, match="the approach for the given load did not converge"):
-        slices.press(crowned(), load=300.0, **ROLLER)
+        slices.press_slices(crowned(), load=300.0, **ROLLER)
     with pytest.raises(ArithmeticError, match="the load at this approach did not converge in 1"):
-        slices.press(crowned(), approach=1e-6, **ROLLER)
+        slices.press_slices(crowned(), approach=1e-6, **ROLLER)
 
 
 @pytest.mark.parametrize("slices", [1, 50])
 @pytest.mark.parametrize("load", [1e-6, 1e6])
 def test_a_flat_roller_has_palmgrens_approach_and_an_even_load(slices, load):
-    contact = lamina.press(np.full(slices, 2e-6), load=load, **ROLLER)
+    contact = lamina.press_laminae(np.full(slices, 2e-6), load=load, **ROLLER)
     expected = 2e-6 + palmgren.approach(load=load, length=9e-3)
     assert float(contact.approach) == pytest.approx(float(expected), rel=1e-13)
     np.testing.assert_allclose(contact.force, load / slices, rtol=1e-12)
@@ -135,7 +135,7 @@ def test_where_block_exchanges_cycle_single_exchanges_find_the_solution(monkeypa
 
 
 def test_pressures_and_widths_are_hertzs_for_each_slice():
-    contact = lamina.press(crowned(), load=3400.0, **ROLLER)
+    contact = lamina.press_laminae(crowned(), load=3400.0, **ROLLER)
     on = {"P": contact.force * 50 / 9e-3, "R": ROLLER["R"], "E_star": ROLLER["E_star"]}
     np.testing.assert_allclose(contact.line_load, on["P"], rtol=1e-14)
     np.testing.assert_allclose(contact.peak_pressure, hertz_line.peak_pressure(**on), rtol=1e-13)

@@ -8,10 +8,10 @@ from scipy.integrate import quad
 from scipy.special import ellipe, ellipkm1
 
 from analytic.contact import hertz_line
-from analytic.contact.roller_parts import Parts, load_elsewhere
+from analytic.contact.roller_parts import RollerParts, load_elsewhere
 from analytic.contact.strip_error import discretisation, neglected
 from analytic.contact.strip_influence import excess, log_part
-from analytic.contact.strips import press
+from analytic.contact.strips import press_strips
 
 # a sprag on its race: Huang 2018, R_1 = 4.02 and R_2 = 11.11 mm, l = 9 mm, steel
 P_0 = 1e-3  # of an ellipse, in units of E*
@@ -31,7 +31,7 @@ def test_a_long_roller_has_hertz_pressure_and_width_in_the_middle():
     """Ends 500 half-widths away: what they take from the middle is of the order (b/l)²."""
     load = 100 * np.pi * 1e-4
     line = {"P": load / 100, "R": 1.0, "E_star": 4.0}
-    roller = press(np.zeros(2000), length=100.0, R=1.0, E_star=4.0, load=load)
+    roller = press_strips(np.zeros(2000), length=100.0, R=1.0, E_star=4.0, load=load)
     q = roller.q[1000]
     hertz = line | {"P": q}
     assert float(roller.mid) == pytest.approx(hertz_line.peak_pressure(**hertz), rel=1e-12)
@@ -46,7 +46,7 @@ def ellipse(b, n=161):
     along = P_0 * b / (1 - b**2) * (K - E)  # 1/(2 R_y), Johnson 1985, Eqs. 4.26 to 4.28
     across = P_0 * b / (1 - b**2) * (E / b**2 - K)
     y = centres(n, 2.2)
-    roller = press(
+    roller = press_strips(
         along * y**2, length=2.2, R=1 / (2 * across), E_star=1.0, load=2 / 3 * np.pi * b * P_0
     )
     return roller, P_0 * np.sqrt(np.maximum(1 - y**2, 0.0)), y
@@ -62,7 +62,7 @@ def ellipse(b, n=161):
 def test_nothing_pulls_and_nothing_overlaps(radius, tilt, load, n):
     """Displacements are computed here strip by strip, from the definition of C."""
     gap = barrel(n, radius=radius, tilt=tilt)
-    roller = press(gap, **SPRAG, load=load)
+    roller = press_strips(gap, **SPRAG, load=load)
     assert float(roller.q.sum() * 9e-3 / n) == pytest.approx(load, rel=1e-9)
     assert np.all(roller.q >= 0)
     D = 9e-3 / n
@@ -89,20 +89,20 @@ def test_a_batch_equals_its_single_cases_with_and_without_workers(monkeypatch):
     gap = barrel(50) * crown + centres(50) * tilt
     sizes = {"R": rng.uniform(2e-3, 4e-3, cases), "length": rng.uniform(8e-3, 12e-3, cases),
              "load": 10 ** rng.uniform(1, 3.8, cases)}  # fmt: skip
-    batch = press(gap, E_star=1e11, **sizes)
+    batch = press_strips(gap, E_star=1e11, **sizes)
     assert batch.residual.max() <= 1e-10
     for k in range(0, cases, 25):
-        alone = press(gap[k], E_star=1e11, **{name: size[k] for name, size in sizes.items()})
+        alone = press_strips(gap[k], E_star=1e11, **{name: size[k] for name, size in sizes.items()})
         np.testing.assert_allclose(batch.q[k], alone.q, atol=5e-9 * alone.q.max())
         assert float(batch.approach[k]) == pytest.approx(float(alone.approach), rel=1e-9)
-    threads = press(gap, E_star=1e11, **sizes, workers=2)
+    threads = press_strips(gap, E_star=1e11, **sizes, workers=2)
     np.testing.assert_array_equal(threads.q, batch.q)
 
 
 def test_cases_that_do_not_converge_are_reported(monkeypatch):
     monkeypatch.setattr("analytic.contact.strip_newton.ITERATIONS", 2)
     with pytest.raises(ArithmeticError, match="1 of 1 cases did not converge in 2 iterations"):
-        press(barrel(30), **SPRAG, load=3400.0)
+        press_strips(barrel(30), **SPRAG, load=3400.0)
 
 
 def F(v):
@@ -156,8 +156,8 @@ def test_loads_that_agree_put_nothing_elsewhere_however_they_are_divided():
 def parts(p, line=None, d=0.0, length=1.0):
     n = len(p)
     y = ((np.arange(n) + 0.5) / n - 0.5) * length
-    return Parts(y=y, p=np.asarray(p, float), line=np.asarray(p if line is None else line, float),
-                 delta=0.0, length=length, d=d)  # fmt: skip
+    line = np.asarray(p if line is None else line, float)
+    return RollerParts(y=y, p=np.asarray(p, float), line=line, delta=0.0, length=length, d=d)
 
 
 @pytest.mark.parametrize("n", [40, 41])
@@ -178,14 +178,14 @@ def test_a_pressure_that_rises_to_the_ends_is_read_at_their_limit():
 @pytest.mark.parametrize("n", [1, 2, 51])
 def test_load_and_approach_lead_back_to_each_other(n):
     gap = barrel(n, tilt=3e-4)
-    by_load = press(gap, **SPRAG, load=3400.0)
-    by_approach = press(gap, **SPRAG, approach=by_load.approach)
+    by_load = press_strips(gap, **SPRAG, load=3400.0)
+    by_approach = press_strips(gap, **SPRAG, approach=by_load.approach)
     assert float(by_approach.load) == pytest.approx(3400.0, rel=1e-8)
     np.testing.assert_allclose(by_approach.q, by_load.q, atol=1e-8 * by_load.q.max())
 
 
 def test_a_flat_roller_has_no_estimate_at_its_ends_and_nearly_nothing_in_the_middle():
-    roller = press(np.zeros(81), length=9e-3, R=3e-3, E_star=1e11, load=3000.0)
+    roller = press_strips(np.zeros(81), length=9e-3, R=3e-3, E_star=1e11, load=3000.0)
     estimate = neglected(roller)
     from_end = (np.arange(81) + 0.5) * 9e-3 / 81
     near = np.minimum(from_end, from_end[::-1]) < 3 * roller.half_width

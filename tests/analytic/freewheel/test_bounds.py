@@ -9,7 +9,7 @@ import pytest
 from analytic.bounds.freewheel import cup_bracket, intervals
 from analytic.bounds.freewheel.cup import Approaches, Course, CupBounds
 from analytic.bounds.freewheel.friction import FrictionBounds, at_limit, limit_load
-from analytic.bounds.freewheel.parts import Loaded, Parts
+from analytic.bounds.freewheel.parts import FreewheelParts, Loaded
 from analytic.bounds.freewheel.slip_times import Rig
 from analytic.bounds.freewheel.star import StarBounds
 from analytic.bounds.freewheel.turn import Moved, of_turn, turned
@@ -20,7 +20,7 @@ from analytic.freewheel.geometry import InnerCam
 
 def parts(clutch):
     cam = clutch.cam
-    return Parts(
+    return FreewheelParts(
         sense=int(cam.sense), race=float(cam.race), flat=float(cam.flat), r=cam.r, z=cam.z,
         L=clutch.L, r_b=clutch.r_b, R_a=clutch.R_a, E=clutch.roller.E, nu=clutch.roller.nu,
     )  # fmt: skip

@@ -78,7 +78,7 @@ def test_the_scatter_is_the_same_every_time_and_that_of_first_order(star):
 
 def test_sensitivities_are_derivatives_of_the_clamping_angle(clutch):
     cam, h = clutch.cam, 1e-9
-    for name, slope in tolerance.sensitivities(cam).items():
+    for name, slope in tolerance.clamping_angle_sensitivities(cam).items():
         value = getattr(cam, name)
         up, down = (replace(cam, **{name: value + s * h}).alpha0 for s in (1, -1))
         assert float(slope) == pytest.approx(float(up - down) / (2 * h), rel=1e-5)
@@ -91,7 +91,7 @@ def test_a_clutch_that_holds_need_not_move_and_one_that_slips_has_nothing_to_spa
 
 
 def test_half_of_the_stars_at_their_corners_are_past_them(star):
-    T = float(limits.limits(star, mu=2.0, p_lim=1e12).corner)
+    T = float(limits.roller_torque_limits(star, mu=2.0, p_lim=1e12).corner)
     load = {"T": T, "F_ax": 0.0, "mu": 2.0}
     under_load = tolerance.draw(star, {"X": 1e-7}, n=4000, seed=3, **load)
     assert under_load.share("past the corners") == pytest.approx(0.5, abs=0.03)

@@ -5,13 +5,13 @@ import pytest
 
 from analytic.bounds.freewheel import ring_constants
 from analytic.freewheel import series
-from analytic.freewheel.clutch import Clutch, Material
+from analytic.freewheel.clutch import ContactMaterial, RollerClutch
 from analytic.freewheel.compliance import compliance
 from analytic.freewheel.geometry import OuterCam
 from analytic.ring.loaded_race import LoadedRace
 
 E, NU = 206e9, 0.3
-STEEL = Material(E=E, nu=NU)
+STEEL = ContactMaterial(E=E, nu=NU)
 PARTS = {"roller": STEEL, "inner": STEEL, "outer": STEEL}
 
 
@@ -19,7 +19,7 @@ PARTS = {"roller": STEEL, "inner": STEEL, "outer": STEEL}
 def test_the_shaft_deflects_like_the_loaded_race(r_b):
     P, a = 2e5, 1e-4
     cam = OuterCam(R_s=10e-3, r=2e-3, X_o=13.88e-3, z=8)
-    body = compliance(Clutch(cam=cam, L=10e-3, r_b=r_b, R_a=20e-3, **PARTS)).inner
+    body = compliance(RollerClutch(cam=cam, L=10e-3, r_b=r_b, R_a=20e-3, **PARTS)).inner
     race = LoadedRace(r_i=max(r_b, 1e-7), r_o=10e-3, E=E, nu=NU, assumption="plane strain",
                       loaded="rim", n=8, P=P, a=a)  # fmt: skip
     found, _ = body.approach(np.array(P), np.array(a))

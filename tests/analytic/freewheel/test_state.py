@@ -8,7 +8,7 @@ from analytic.contact import hertz_line
 from analytic.freewheel import state
 from analytic.freewheel.compliance import compliance
 from analytic.freewheel.let_out import let_out
-from analytic.freewheel.limits import MEANINGS, limits, pop_through
+from analytic.freewheel.limits import MEANINGS, pop_through, roller_torque_limits
 from analytic.freewheel.state import at_normal_force, loaded
 from analytic.freewheel.summit import summit
 
@@ -54,7 +54,7 @@ def test_angle_normal_force_and_torque_name_the_same_state(clutch):
 
 
 def test_at_each_limit_s_torque_the_state_is_at_the_limit(star):
-    found = limits(star, mu=0.1, p_lim=2.5e9)
+    found = roller_torque_limits(star, mu=0.1, p_lim=2.5e9)
     now = state.loaded(star, [found.release, found.pressure_inner, found.pressure_outer])
     assert np.tan(now.alpha[0]) == pytest.approx(0.1, rel=1e-9)
     assert now.p_i[1] == pytest.approx(2.5e9, rel=1e-9)
@@ -64,7 +64,7 @@ def test_at_each_limit_s_torque_the_state_is_at_the_limit(star):
 
 
 def test_a_clutch_too_steep_for_its_friction_releases_at_once(clutch):
-    found = limits(clutch, mu=0.05, p_lim=2.5e9)
+    found = roller_torque_limits(clutch, mu=0.05, p_lim=2.5e9)
     assert float(found.release) == 0
     assert found.first == "release"
     assert found.passed(1.0) == MEANINGS["release"]

@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 
 from analytic.contact import hertz_line
 from analytic.polyhedral import forces, torque
-from analytic.polyhedral.design import Clutch
-from analytic.polyhedral.parts import Parts
+from analytic.polyhedral.design import PolyhedralClutch
+from analytic.polyhedral.parts import PolyhedralParts
 
-PARTS = Parts(z=6, d_i=0.072, d_e=0.08, D_i=0.10006, d=0.01, b=0.03, e=0.009)
+PARTS = PolyhedralParts(z=6, d_i=0.072, d_e=0.08, D_i=0.10006, d=0.01, b=0.03, e=0.009)
 LOADS = {"p_t": 30e6, "E": 210e9, "nu": 0.3, "mu": 0.08, "phi_1": atan(0.05)}
 
 
@@ -21,7 +21,9 @@ LOADS = {"p_t": 30e6, "E": 210e9, "nu": 0.3, "mu": 0.08, "phi_1": atan(0.05)}
 @pytest.mark.parametrize("gamma", ["normal", "radius"])
 @pytest.mark.parametrize("alpha", [None, radians(6.0)])
 def test_the_normal_force_carries_the_torque_that_it_came_from(lever, gamma, alpha):
-    clutch = Clutch(PARTS, **LOADS, K=1.3, alpha=alpha, lever=lever, gamma=gamma, M_wanted=150.0)
+    clutch = PolyhedralClutch(
+        PARTS, **LOADS, K=1.3, alpha=alpha, lever=lever, gamma=gamma, M_wanted=150.0
+    )
     grip = 0.08 if alpha is None else tan(radians(3.0))
     assert clutch.grip * clutch.N * 6 * PARTS.D_i / 2 == pytest.approx(clutch.M_t, rel=1e-12)
     assert clutch.grip == grip
@@ -36,7 +38,7 @@ def test_the_normal_force_carries_the_torque_that_it_came_from(lever, gamma, alp
 
 
 def test_rollers_without_contact_carry_nothing_and_the_clutch_reports_it():
-    clutch = Clutch(PARTS, **LOADS | {"p_t": 18e6}, M_wanted=100.0)
+    clutch = PolyhedralClutch(PARTS, **LOADS | {"p_t": 18e6}, M_wanted=100.0)
     assert (clutch.p_2, clutch.M_t, clutch.N, clutch.p_0_ring, clutch.margin) == (0, 0, 0, 0, 0)
     assert "p_t=1.8e+07 Pa is not above p_1r=1.84211e+07 Pa, no torque" in clutch.remarks[0]
     assert replace(clutch, p_t=clutch.p_required).M_t == pytest.approx(100.0)
@@ -76,7 +78,7 @@ def test_a_fillet_moves_the_flats_out_while_its_corners_stay():
 
 def test_rollers_press_the_ring_harder_than_the_race():
     """Hertz on two steel cylinders of lengths b; the race is hollow."""
-    clutch = Clutch(PARTS, **LOADS)
+    clutch = PolyhedralClutch(PARTS, **LOADS)
     for R, p_0 in ((1 / (2 / 0.01 + 2 / 0.08), clutch.p_0_ring),
                    (1 / (2 / 0.01 - 2 / 0.10006), clutch.p_0_race)):  # fmt: skip
         a = hertz_line.half_width(P=clutch.N / 0.03, R=R, E_star=210e9 / (2 * 0.91))

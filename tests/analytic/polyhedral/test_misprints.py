@@ -7,10 +7,10 @@ import pytest
 from scipy.integrate import quad
 
 from analytic.polyhedral import forces, torque
-from analytic.polyhedral.design import Clutch
-from analytic.polyhedral.parts import Parts
+from analytic.polyhedral.design import PolyhedralClutch
+from analytic.polyhedral.parts import PolyhedralParts
 
-PARTS = Parts(z=6, d_i=0.072, d_e=0.08, D_i=0.10006, d=0.01, b=0.03, e=0.009)
+PARTS = PolyhedralParts(z=6, d_i=0.072, d_e=0.08, D_i=0.10006, d=0.01, b=0.03, e=0.009)
 PHI_1 = float(np.arctan(0.05))
 LOADS = {"p_t": 30e6, "E": 210e9, "nu": 0.3, "mu": 0.08, "phi_1": PHI_1}
 CORNERS = pytest.mark.parametrize("z", [3, 4, 6, 12, 48])
@@ -18,7 +18,9 @@ IN_CORNERS = 0.018  # e at the end of the sharp flat
 
 
 def test_no_equation_of_the_chain_fixes_the_wedge_angle():
-    narrow, wide = (Clutch(PARTS, **LOADS, alpha=np.radians(alpha)) for alpha in (3.0, 6.0))
+    narrow, wide = (
+        PolyhedralClutch(PARTS, **LOADS, alpha=np.radians(alpha)) for alpha in (3.0, 6.0)
+    )
     for value in ("sigma_t", "p_1", "p_1r", "p_2", "F", "arm"):
         assert getattr(narrow, value) == getattr(wide, value)
     assert wide.M_t > 1.5 * narrow.M_t
@@ -87,7 +89,7 @@ def test_hub_s_forces_carry_the_torque_on_the_exact_lever(e):
 
 
 def test_the_lever_d_i_over_2_is_a_tenth_too_long_and_costs_a_twentieth_of_the_torque():
-    paper = Clutch(PARTS, **LOADS, lever="d_i/2", gamma="radius")
+    paper = PolyhedralClutch(PARTS, **LOADS, lever="d_i/2", gamma="radius")
     exact = replace(paper, lever="exact")
     assert paper.arm / exact.arm == pytest.approx(1.109, abs=5e-4)
     assert exact.M_t == pytest.approx(equilibrium(PARTS, "radius", exact.p_2)[1], rel=1e-12)
@@ -113,7 +115,9 @@ def test_hub_with_its_friction_reversed_turns_the_ring_back_only_for_psi_above_p
         assert (clockwise(at, unit) > 1e-12) == back
         assert bool(torque.hub_releases(psi=PARTS.psi, phi_1=phi_1)) == back
     with pytest.raises(ValueError, match="hub locks: psi must exceed"):
-        replace(Clutch(PARTS, **LOADS), phi_1=PARTS.psi)  # the printed psi >= phi_1 lets it pass
+        replace(
+            PolyhedralClutch(PARTS, **LOADS), phi_1=PARTS.psi
+        )  # the printed psi >= phi_1 lets it pass
 
 
 def test_d_i_through_the_corners_makes_delta_1_the_least_wall():
@@ -142,7 +146,7 @@ def equilibrium(parts, gamma, p_2, mu=0.08):
 @pytest.mark.parametrize("gamma", ["normal", "radius"])
 @pytest.mark.parametrize(("z", "e"), [(3, 0.02), (6, 0.009), (6, IN_CORNERS), (8, 0.005)])
 def test_torque_under_a_pressure_is_that_of_ring_rollers_and_hub_in_balance(z, e, gamma):
-    clutch = Clutch(replace(PARTS, z=z, e=e), **LOADS, gamma=gamma)
+    clutch = PolyhedralClutch(replace(PARTS, z=z, e=e), **LOADS, gamma=gamma)
     N, M_t, R = equilibrium(clutch.parts, gamma, clutch.p_2)
     assert (clutch.N, clutch.M_t, clutch.R) == pytest.approx((N, M_t, R), rel=1e-12)
     # Eqs. 17 and 20 as printed, with the circumference
@@ -163,7 +167,7 @@ def test_eq_17_holds_with_eq_14_and_not_with_eq_15():
 
 
 def test_eq_21_as_printed_is_z_times_too_small():
-    first = Clutch(PARTS, **LOADS, lever="d_i/2", gamma="radius")
+    first = PolyhedralClutch(PARTS, **LOADS, lever="d_i/2", gamma="radius")
     corner = replace(PARTS, e=IN_CORNERS)  # lever d_i/2 exactly, so that statics may judge
     by_statics = equilibrium(corner, "radius", first.p_2)[1]
     right = 2 / (0.08 * 0.10006) - 2 / (0.072 * np.tan(corner.psi + PHI_1))
@@ -182,7 +186,7 @@ def test_eq_21_as_printed_is_z_times_too_small():
 def test_below_a_bound_the_hub_alone_wedges_the_rollers(psi, limited):
     """Forces in turn: the rollers' torque loads the hub, the hub's force the rollers."""
     e = 0.036 * np.cos(np.pi / 6) * np.tan(np.radians(psi))
-    clutch = Clutch(replace(PARTS, e=e), **LOADS, lever="d_i/2", gamma="radius")
+    clutch = PolyhedralClutch(replace(PARTS, e=e), **LOADS, lever="d_i/2", gamma="radius")
     added = [clutch.F]
     for _ in range(10):
         M_t = 0.08 * added[-1] * 6 * 0.10006 / 2

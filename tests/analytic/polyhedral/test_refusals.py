@@ -9,16 +9,16 @@ import pytest
 from analytic.polyhedral import forces, wedging
 from analytic.polyhedral.bore_pressure import rim_displacement
 from analytic.polyhedral.capacity import Driven
-from analytic.polyhedral.design import Clutch
+from analytic.polyhedral.design import PolyhedralClutch
 from analytic.polyhedral.hub_force import hub_force
 from analytic.polyhedral.locking import Roller, RollerContact
-from analytic.polyhedral.parts import Parts
+from analytic.polyhedral.parts import PolyhedralParts
 from analytic.polyhedral.roller_load import roller_load
 from analytic.polyhedral.sector import Sector
 from analytic.polyhedral.wall_stress import bore_stress
 
 nan = np.nan
-PARTS = Parts(z=6, d_i=0.072, d_e=0.08, D_i=0.10006, d=0.01, b=0.03, e=0.009)
+PARTS = PolyhedralParts(z=6, d_i=0.072, d_e=0.08, D_i=0.10006, d=0.01, b=0.03, e=0.009)
 LOADS = {"p_t": 30e6, "E": 210e9, "nu": 0.3, "mu": 0.08, "phi_1": atan(0.05)}
 STEEL = {"E": 210e3, "nu": 0.3, "assumption": "plane stress"}
 SIZES = {"z": 6, "d_e": 80.0, "d_i": 72.0, "rho": 2.0}
@@ -50,7 +50,8 @@ REFUSED = [
         ({"e": 0.0181}, "hub must touch the flat: e must be at most 0.018 m, half its length"),
         ({"D": 0.1}, "race needs D above D_i=0.10006 m, got D=0.1 m"),
     )],
-    *[(lambda change=change: Clutch(PARTS, **LOADS | change), message) for change, message in (
+    *[(lambda change=change: PolyhedralClutch(PARTS, **LOADS | change), message)
+      for change, message in (
         ({"p_t": -1.0}, "total pressure p_t must be finite and not negative, got -1.0 Pa"),
         ({"phi_1": 0.29}, "hub locks: psi must exceed the angle of friction, got psi=16.10"),
         ({"alpha": 0.0}, "wedge angle must lie in"),

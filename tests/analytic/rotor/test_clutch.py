@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from analytic.contact import crown as profiles
 from analytic.rotor import clutch_uniform as uniform
-from analytic.rotor.clutch import Clutch, even_angles, slice_middles, with_axial
+from analytic.rotor.clutch import SpragCoupling, even_angles, slice_middles, with_axial
 from analytic.rotor.clutch_inclined import coupling_across, inclined_stiffness
 from analytic.rotor.clutch_state import preload_twist, under_loads, under_torque
 from analytic.rotor.inertia import cylinder_inertia, tubes_inertia
@@ -22,7 +22,9 @@ T = 15.0
 
 
 def clutch(Z=12, *, missing=(), psi_0=0.0, **more):
-    return Clutch(psi=even_angles(Z=Z, psi_0=psi_0, missing=missing), **SPRAG | {"n_s": 11} | more)
+    return SpragCoupling(
+        psi=even_angles(Z=Z, psi_0=psi_0, missing=missing), **SPRAG | {"n_s": 11} | more
+    )
 
 
 def uneven(**more):

@@ -7,11 +7,11 @@ import pytest
 
 from analytic.rotor import clutch_printed as printed
 from analytic.rotor import clutch_uniform as uniform
-from analytic.rotor.clutch import Clutch, even_angles
+from analytic.rotor.clutch import SpragCoupling, even_angles
 from analytic.rotor.clutch_state import under_torque
 
 T, Z = 15.0, 24
-ONE = Clutch(psi=even_angles(Z=Z), R_i=40e-3, nu=math.radians(4), L=10e-3, k_n=6e8, n_s=9)
+ONE = SpragCoupling(psi=even_angles(Z=Z), R_i=40e-3, nu=math.radians(4), L=10e-3, k_n=6e8, n_s=9)
 AT = under_torque(ONE, T=T)
 N = float(uniform.normal_force(T=T, Z=Z, d_t=ONE.d_t))
 DELTA = float(uniform.approach(N=N, k_n=ONE.k_n))
@@ -67,7 +67,7 @@ def test_eq_8_with_one_angle_cannot_tell_the_plane_of_a_tilt():
 
 
 def test_a_torque_with_twice_the_lever_makes_k_asymmetric():
-    gap = Clutch(psi=even_angles(Z=Z, missing=(0,)), R_i=40e-3, nu=math.radians(4), L=10e-3,
+    gap = SpragCoupling(psi=even_angles(Z=Z, missing=(0,)), R_i=40e-3, nu=math.radians(4), L=10e-3,
                  k_n=6e8)  # fmt: skip
     at = under_torque(gap, T=T)
     K = printed.stiffness_with_lever(gap, at, lever=2 * gap.d_t)
@@ -86,7 +86,7 @@ def test_eq_10_with_whole_displacements_overstates_the_load_by_n():
 
 
 def test_a_uniform_preload_couples_nothing_with_or_without_a_crown():
-    crowned = Clutch(psi=ONE.psi, R_i=ONE.R_i, nu=ONE.nu, L=ONE.L, k_n=ONE.k_n, n_s=9,
+    crowned = SpragCoupling(psi=ONE.psi, R_i=ONE.R_i, nu=ONE.nu, L=ONE.L, k_n=ONE.k_n, n_s=9,
                      crown=lambda x: 1e-6 * (x / 5e-3) ** 2)  # fmt: skip
     size = np.array([1, 1, ONE.L, ONE.L, ONE.R_i])
     for one in (ONE, crowned):

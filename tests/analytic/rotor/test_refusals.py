@@ -6,13 +6,24 @@ import numpy as np
 import pytest
 
 from analytic.rotor import clutch_uniform as uniform
-from analytic.rotor.clutch import Clutch, even_angles, with_axial
+from analytic.rotor.clutch import SpragCoupling, even_angles, with_axial
 from analytic.rotor.clutch_state import preload_twist, under_loads
 from analytic.rotor.cylinder import Cylinder
 from analytic.rotor.shafts import UniformShaft, hutchinson
-from analytic.rotor.transfer_model import Disc, Link, Rotor, Segment, Shaft, Support
-from analytic.rotor.transfer_modes import critical_speeds, natural_frequencies, whirl_frequencies
-from analytic.rotor.transfer_response import unbalance_response
+from analytic.rotor.transfer_model import (
+    Segment,
+    SegmentedShaft,
+    StationDisc,
+    StationLink,
+    StationSupport,
+    TransferMatrixRotor,
+)
+from analytic.rotor.transfer_modes import (
+    natural_frequencies,
+    transfer_critical_speeds,
+    whirl_frequencies,
+)
+from analytic.rotor.transfer_response import transfer_unbalance_response
 from analytic.rotor.transfer_supported import check_supported
 
 SPRAG = {"R_i": 11.11e-3, "nu": math.radians(3.15), "L": 9e-3, "k_n": 5.7e8}
@@ -21,17 +32,17 @@ CYLINDER = {"r_o": 0.03, "r_i": 0.0, "E": 210e9, "nu": 0.3, "rho": 7850.0}
 
 
 SEGMENT = Segment(length=0.2, d_o=0.05)
-THREE = Shaft(segments=(SEGMENT,) * 3)
-HELD = (Support(node=0, kxx=1e8), Support(node=3, kxx=1e8))
-UNLIKE = (HELD[0], Support(node=3, kxx=1e8, kyy=5e7))
+THREE = SegmentedShaft(segments=(SEGMENT,) * 3)
+HELD = (StationSupport(node=0, kxx=1e8), StationSupport(node=3, kxx=1e8))
+UNLIKE = (HELD[0], StationSupport(node=3, kxx=1e8, kyy=5e7))
 
 
 def rotor(*supports, shafts=(THREE,), **parts):
-    return Rotor(shafts=shafts, supports=supports, **parts)
+    return TransferMatrixRotor(shafts=shafts, supports=supports, **parts)
 
 
 def clutch(**change):
-    return Clutch(**{"psi": even_angles(Z=12), "n_s": 11} | SPRAG | change)
+    return SpragCoupling(**{"psi": even_angles(Z=12), "n_s": 11} | SPRAG | change)
 
 
 REFUSED = [
@@ -61,21 +72,25 @@ REFUSED = [
     (lambda: Segment(length=0.0, d_o=0.05), "length of a segment must be positive, got 0 m"),
     (lambda: Segment(length=0.1, d_o=0.05, d_i=0.05), "0 <= d_i < d_o, got d_i = 0.05 m"),
     (lambda: Segment(length=0.1, d_o=0.05, nu=0.6), "Poisson's ratio must be above -1"),
-    (lambda: Shaft(segments=()), "a shaft needs a segment"),
-    (lambda: Shaft(segments=(SEGMENT,), ratio=math.inf), "ratio of speed must be finite"),
-    (lambda: Disc(node=0, mass=-1.0, polar=0, diametral=0), "mass of a disc must not be neg"),
-    (lambda: Support(node=0, kxx=-1.0), "stiffness must not be negative, got kxx = -1"),
-    (lambda: Support(node=0, kxx=1e8, kxy=2e8), "kxy must not exceed the root of kxx kyy"),
-    (lambda: Link(a=1, b=1, kxx=1e8), "a link joins two stations, got 1 twice"),
-    (lambda: Rotor(shafts=()), "a rotor needs a shaft"),
-    (lambda: rotor(Support(node=4, kxx=1e8)), "support is at station 4, there are 0 to 3"),
-    (lambda: rotor(links=(Link(a=0, b=9, kxx=1e8),)), "link is at station 9"),
+    (lambda: SegmentedShaft(segments=()), "a shaft needs a segment"),
+    (lambda: SegmentedShaft(segments=(SEGMENT,), ratio=math.inf), "ratio of speed must be finite"),
+    (lambda: StationDisc(node=0, mass=-1.0, polar=0, diametral=0),
+     "mass of a disc must not be neg"),
+    (lambda: StationSupport(node=0, kxx=-1.0), "stiffness must not be negative, got kxx = -1"),
+    (lambda: StationSupport(node=0, kxx=1e8, kxy=2e8), "kxy must not exceed the root of kxx kyy"),
+    (lambda: StationLink(a=1, b=1, kxx=1e8), "a link joins two stations, got 1 twice"),
+    (lambda: TransferMatrixRotor(shafts=()), "a rotor needs a shaft"),
+    (lambda: rotor(StationSupport(node=4, kxx=1e8)), "support is at station 4, there are 0 to 3"),
+    (lambda: rotor(links=(StationLink(a=0, b=9, kxx=1e8),)), "link is at station 9"),
     (lambda: rotor(theory="saint-venant"), "theory is one of timoshenko, rayleigh, euler"),
     (lambda: natural_frequencies(rotor(*HELD), 0.0, count=0), "count must be at least 1"),
-    (lambda: critical_speeds(rotor(*HELD), excitation=0.0), "must be a number other than 0"),
-    (lambda: unbalance_response(rotor(*HELD), -1.0, {0: 1e-5}), "speeds must be finite and not"),
-    (lambda: unbalance_response(rotor(*HELD), 100.0, {}), "needs an unbalance"),
-    (lambda: unbalance_response(rotor(*HELD), 100.0, {7: 1e-5}), "unbalance is at station 7"),
+    (lambda: transfer_critical_speeds(rotor(*HELD), excitation=0.0),
+     "must be a number other than 0"),
+    (lambda: transfer_unbalance_response(rotor(*HELD), -1.0, {0: 1e-5}),
+     "speeds must be finite and not"),
+    (lambda: transfer_unbalance_response(rotor(*HELD), 100.0, {}), "needs an unbalance"),
+    (lambda: transfer_unbalance_response(rotor(*HELD), 100.0, {7: 1e-5}),
+     "unbalance is at station 7"),
     (lambda: whirl_frequencies(rotor(*UNLIKE), 0.0), "no forward and backward circles"),
 ]  # fmt: skip
 
@@ -90,11 +105,11 @@ def test_what_makes_no_sense_is_refused_in_words(call, message):
     ("free", "message"),
     [
         (rotor(), "no bearing holds it"),
-        (rotor(Support(node=0, kxx=1e8)), "shaft 1 .*tilts freely in x and y"),
-        (rotor(HELD[0], Support(node=3, kxx=1e8, kyy=0.0)), "freely in y"),
-        (rotor(HELD[0], Support(node=3, kxx=0.0, kyy=1e8)), "freely in x"),
-        (rotor(Support(node=0, kxx=0.0, k_tilt=1e5)), "shaft 1 shifts freely"),
-        (rotor(*HELD, shafts=(THREE, THREE), links=(Link(a=1, b=5, kxx=1e8),)),
+        (rotor(StationSupport(node=0, kxx=1e8)), "shaft 1 .*tilts freely in x and y"),
+        (rotor(HELD[0], StationSupport(node=3, kxx=1e8, kyy=0.0)), "freely in y"),
+        (rotor(HELD[0], StationSupport(node=3, kxx=0.0, kyy=1e8)), "freely in x"),
+        (rotor(StationSupport(node=0, kxx=0.0, k_tilt=1e5)), "shaft 1 shifts freely"),
+        (rotor(*HELD, shafts=(THREE, THREE), links=(StationLink(a=1, b=5, kxx=1e8),)),
          "shaft 2 .*tilts freely"),
     ],
 )  # fmt: skip
@@ -104,10 +119,10 @@ def test_a_rotor_that_can_move_as_a_rigid_body_is_refused_with_its_motion(free, 
     with pytest.raises(ValueError, match="unsupported rotor"):
         natural_frequencies(free, 0.0)
     with pytest.raises(ValueError, match="unsupported rotor"):
-        unbalance_response(free, 100.0, {0: 1e-5})
+        transfer_unbalance_response(free, 100.0, {0: 1e-5})
 
 
 def test_one_bearing_that_resists_tilting_is_enough():
-    check_supported(rotor(Support(node=0, kxx=1e8, k_tilt=1e5)))
+    check_supported(rotor(StationSupport(node=0, kxx=1e8, k_tilt=1e5)))
     with pytest.raises(ValueError, match="shaft inner"):
         check_supported(rotor(*HELD, shafts=(THREE, THREE)), ("outer", "inner"))

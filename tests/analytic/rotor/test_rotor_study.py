@@ -6,24 +6,31 @@ import numpy as np
 import pytest
 
 from analytic.rotor.rotor_study import branches, opposite_criticals, ratios, study
-from analytic.rotor.transfer_model import Disc, Link, Rotor, Segment, Shaft, Support
+from analytic.rotor.transfer_model import (
+    Segment,
+    SegmentedShaft,
+    StationDisc,
+    StationLink,
+    StationSupport,
+    TransferMatrixRotor,
+)
 
 NAMES = ("outer", "inner")
 
 
 def shaft(ratio):
     one = Segment(length=0.2, d_o=0.03, d_i=0.0, E=210e9, nu=0.3, rho=7850.0)
-    return Shaft(segments=(one, one), ratio=ratio)
+    return SegmentedShaft(segments=(one, one), ratio=ratio)
 
 
 @pytest.fixture
 def rotor():
     """The inner shaft turns against the outer one; stations 0 to 2 and 3 to 5."""
-    return Rotor(
+    return TransferMatrixRotor(
         shafts=(shaft(1.0), shaft(-1.5)),
-        discs=(Disc(node=1, mass=2.0, polar=8e-3, diametral=4e-3),),
-        supports=tuple(Support(node=n, kxx=5e7) for n in (0, 2, 5)),
-        links=(Link(a=1, b=4, kxx=1e8),),
+        discs=(StationDisc(node=1, mass=2.0, polar=8e-3, diametral=4e-3),),
+        supports=tuple(StationSupport(node=n, kxx=5e7) for n in (0, 2, 5)),
+        links=(StationLink(a=1, b=4, kxx=1e8),),
     )  # fmt: skip
 
 

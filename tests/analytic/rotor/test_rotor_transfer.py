@@ -5,8 +5,14 @@ import pytest
 from scipy.linalg import expm
 
 from analytic.rotor.shafts import UniformShaft, hutchinson
-from analytic.rotor.transfer_model import Disc, Rotor, Segment, Shaft, Support
-from analytic.rotor.transfer_modes import critical_speeds, modes, whirl_frequencies
+from analytic.rotor.transfer_model import (
+    Segment,
+    SegmentedShaft,
+    StationDisc,
+    StationSupport,
+    TransferMatrixRotor,
+)
+from analytic.rotor.transfer_modes import modes, transfer_critical_speeds, whirl_frequencies
 from analytic.rotor.transfer_segment import transfer
 from analytic.rotor.transfer_shapes import mode_lines
 
@@ -16,12 +22,12 @@ RIGID = 1e12  # N/m, of bearings whose compliance is then taken out
 
 def shaft(*, L=1.0, d=0.1, n=1, E=E, rho=RHO, ratio=1.0):
     piece = Segment(length=L / n, d_o=d, E=E, nu=NU, rho=rho)
-    return Shaft(segments=(piece,) * n, ratio=ratio)
+    return SegmentedShaft(segments=(piece,) * n, ratio=ratio)
 
 
 def supported(theory="timoshenko", *, n=1, d=0.1, k=1e8, kyy=None):
-    ends = tuple(Support(node=node, kxx=k, kyy=kyy) for node in (0, n))
-    return Rotor(shafts=(shaft(n=n, d=d),), supports=ends, theory=theory)
+    ends = tuple(StationSupport(node=node, kxx=k, kyy=kyy) for node in (0, n))
+    return TransferMatrixRotor(shafts=(shaft(n=n, d=d),), supports=ends, theory=theory)
 
 
 def on_rigid(value):
@@ -47,10 +53,10 @@ def test_turning_simply_supported_shafts_have_their_closed_form(theory, whirl):
 @pytest.mark.parametrize("Ip", [0.0, 0.05, 0.2])
 def test_an_overhung_disc_has_stodola_s_critical_speeds(Ip):
     L, d, m, Id = 0.4, 0.03, 10.0, 0.1
-    rotor = Rotor(
+    rotor = TransferMatrixRotor(
         shafts=(shaft(L=L, d=d, rho=1e-3),),
-        discs=(Disc(node=1, mass=m, polar=Ip, diametral=Id),),
-        supports=(Support(node=0, kxx=1e12, k_tilt=1e12),), theory="euler",
+        discs=(StationDisc(node=1, mass=m, polar=Ip, diametral=Id),),
+        supports=(StationSupport(node=0, kxx=1e12, k_tilt=1e12),), theory="euler",
     )  # fmt: skip
     EI = E * np.pi * d**4 / 64
     # det(K - W² diag(m, Id - Ip)) = 0, K = EI/L³ (12, -6L; -6L, 4L²)
@@ -58,17 +64,17 @@ def test_an_overhung_disc_has_stodola_s_critical_speeds(Ip):
     squares = np.roots([m * net, -EI / L**3 * (12 * net + 4 * L**2 * m), 12 * (EI / L**2) ** 2])
     exact = np.sort(np.sqrt(squares[squares > 0]))
     assert len(exact) == (1 if Ip > Id else 2)  # Stodola: a thin disc has one only
-    found = critical_speeds(rotor, count=2, whirl="forward").w
+    found = transfer_critical_speeds(rotor, count=2, whirl="forward").w
     assert found[: len(exact)] == pytest.approx(exact, rel=1e-6)
     assert len(exact) == 2 or len(found) == 1 or found[1] > 100 * exact[0]
 
 
 def test_a_top_on_unlike_springs_has_its_closed_form_and_sense():
     kx, ky, L, Id, Ip, Omega = 2e4, 1e4, 0.5, 0.4, 0.7, 60.0
-    rotor = Rotor(
+    rotor = TransferMatrixRotor(
         shafts=(shaft(L=L, n=2, E=E * 1e3, rho=1e-6),),
-        discs=(Disc(node=1, mass=1e-3, polar=Ip, diametral=Id),),
-        supports=tuple(Support(node=n, kxx=kx, kyy=ky) for n in (0, 2)),
+        discs=(StationDisc(node=1, mass=1e-3, polar=Ip, diametral=Id),),
+        supports=tuple(StationSupport(node=n, kxx=kx, kyy=ky) for n in (0, 2)),
     )
     tx, ty = kx * L**2 / 2, ky * L**2 / 2
     squares = np.roots([Id**2, -(Id * (tx + ty) + (Ip * Omega) ** 2), tx * ty])

@@ -3,9 +3,16 @@
 import numpy as np
 import pytest
 
-from analytic.rotor.transfer_model import Disc, Link, Rotor, Segment, Shaft, Support
+from analytic.rotor.transfer_model import (
+    Segment,
+    SegmentedShaft,
+    StationDisc,
+    StationLink,
+    StationSupport,
+    TransferMatrixRotor,
+)
 from analytic.rotor.transfer_modes import whirl_frequencies
-from analytic.rotor.transfer_response import unbalance_response
+from analytic.rotor.transfer_response import transfer_unbalance_response
 from analytic.rotor.transfer_torsion import free_turns, torsional_frequencies
 
 E, NU = 210e9, 0.3
@@ -14,26 +21,31 @@ LIGHT = 1e-4  # kg/m³: shafts without mass, exactly elastic
 
 def light(lengths, d, ratio=1.0):
     segments = tuple(Segment(length=a, d_o=d, E=E, nu=NU, rho=LIGHT) for a in lengths)
-    return Shaft(segments=segments, ratio=ratio)
+    return SegmentedShaft(segments=segments, ratio=ratio)
 
 
 DISCS = (
-    Disc(node=1, mass=4.0, polar=0.03, diametral=0.016),
-    Disc(node=3, mass=3.0, polar=0.01, diametral=0.02),
-    Disc(node=4, mass=2.0, polar=0.004, diametral=0.005),
-    Disc(node=5, mass=5.0, polar=0.05, diametral=0.026),
-    Disc(node=6, mass=1.0, polar=0.002, diametral=0.002),
-    Disc(node=0, mass=0.5, polar=0.001, diametral=0.001),
-    Disc(node=2, mass=0.5, polar=0.001, diametral=0.001),
+    StationDisc(node=1, mass=4.0, polar=0.03, diametral=0.016),
+    StationDisc(node=3, mass=3.0, polar=0.01, diametral=0.02),
+    StationDisc(node=4, mass=2.0, polar=0.004, diametral=0.005),
+    StationDisc(node=5, mass=5.0, polar=0.05, diametral=0.026),
+    StationDisc(node=6, mass=1.0, polar=0.002, diametral=0.002),
+    StationDisc(node=0, mass=0.5, polar=0.001, diametral=0.001),
+    StationDisc(node=2, mass=0.5, polar=0.001, diametral=0.001),
 )
-LINKS = (Link(a=1, b=4, kxx=3e7), Link(a=2, b=6, kxx=2e7, k_tilt=4e4, cxx=300.0))
-SUPPORTS = (Support(node=0, kxx=5e7, cxx=900.0), Support(node=3, kxx=4e7, cxx=200.0, c_tilt=3.0))
+LINKS = (StationLink(a=1, b=4, kxx=3e7), StationLink(a=2, b=6, kxx=2e7, k_tilt=4e4, cxx=300.0))
+SUPPORTS = (
+    StationSupport(node=0, kxx=5e7, cxx=900.0),
+    StationSupport(node=3, kxx=4e7, cxx=200.0, c_tilt=3.0),
+)
 
 
 def dual(ratio):
     """Seven stations, 0 to 3 on one shaft of unequal lengths and 4 to 6 on the other."""
     shafts = (light([0.2, 0.15, 0.25], 0.05), light([0.15, 0.1], 0.03, ratio))
-    return Rotor(shafts=shafts, discs=DISCS, supports=SUPPORTS, links=LINKS, theory="euler")
+    return TransferMatrixRotor(
+        shafts=shafts, discs=DISCS, supports=SUPPORTS, links=LINKS, theory="euler"
+    )
 
 
 def lumped(ratio):
@@ -89,7 +101,7 @@ def test_damped_response_to_unbalance_is_the_lumped_model_s(ratio):
     M, G, K, C = lumped(ratio)
     speeds = np.array([50.0, 400.0, 777.0, 1500.0])
     unbalances = {1: 2e-5 + 1e-5j, 3: -1e-5j}
-    found = unbalance_response(dual(ratio), speeds, unbalances)
+    found = transfer_unbalance_response(dual(ratio), speeds, unbalances)
     for k, w in enumerate(speeds):
         f = np.zeros(14, dtype=complex)
         f[[2, 6]] = w**2 * np.array([unbalances[1], unbalances[3]])
@@ -105,13 +117,15 @@ def test_damped_response_to_unbalance_is_the_lumped_model_s(ratio):
 def test_a_bearing_that_couples_x_and_y_pushes_across():
     kxx, kyy, kxy, cxx, cyy, cxy = 4e6, 2e6, 9e5, 900.0, 400.0, 250.0
     bearing = {"kxx": kxx, "kyy": kyy, "kxy": kxy, "cxx": cxx, "cyy": cyy, "cxy": cxy}
-    rotor = Rotor(
-        shafts=(Shaft(segments=(Segment(length=0.25, d_o=0.2, E=E * 1e4, rho=LIGHT),) * 2),),
-        discs=(Disc(node=1, mass=20.0, polar=0.3, diametral=0.2),),
-        supports=(Support(node=0, **bearing), Support(node=2, **bearing)),
+    rotor = TransferMatrixRotor(
+        shafts=(
+            SegmentedShaft(segments=(Segment(length=0.25, d_o=0.2, E=E * 1e4, rho=LIGHT),) * 2),
+        ),
+        discs=(StationDisc(node=1, mass=20.0, polar=0.3, diametral=0.2),),
+        supports=(StationSupport(node=0, **bearing), StationSupport(node=2, **bearing)),
     )
     for w in (100.0, 450.0, 700.0):
-        found = unbalance_response(rotor, [w], {1: 3e-5})
+        found = transfer_unbalance_response(rotor, [w], {1: 3e-5})
         D = 2 * np.array([[kxx, kxy], [kxy, kyy]]) - 20 * w**2 * np.eye(2)
         D = D + 2j * w * np.array([[cxx, cxy], [cxy, cyy]])
         x, y = np.linalg.solve(D, 3e-5 * w**2 * np.array([1, -1j]))
@@ -127,12 +141,12 @@ def test_a_bearing_that_couples_x_and_y_pushes_across():
 
 
 def bar(L, d, rho=7850.0):
-    return Shaft(segments=(Segment(length=L, d_o=d, E=E, nu=NU, rho=rho),))
+    return SegmentedShaft(segments=(Segment(length=L, d_o=d, E=E, nu=NU, rho=rho),))
 
 
 def test_a_free_bar_turns_in_half_waves():
     c = np.sqrt(E / 2.6 / 7850.0)
-    found = torsional_frequencies(Rotor(shafts=(bar(1.3, 0.05),)), count=8)
+    found = torsional_frequencies(TransferMatrixRotor(shafts=(bar(1.3, 0.05),)), count=8)
     assert found == pytest.approx(np.arange(1, 9) * np.pi * c / 1.3, rel=1e-12)
 
 
@@ -141,7 +155,8 @@ def test_shafts_in_a_row_have_one_free_turn(k):
     """Independent of the round-off of the zero among the eigenvalues of their springs."""
     shafts = (bar(1.0, 0.05), bar(0.7, 0.03), bar(0.6, 0.04), bar(0.9, 0.02))
     links = tuple(
-        Link(a=a, b=b, kxx=1e6, k_turn=k * c) for a, b, c in ((1, 2, 0.3), (3, 4, 1.1), (5, 6, 0.7))
+        StationLink(a=a, b=b, kxx=1e6, k_turn=k * c)
+        for a, b, c in ((1, 2, 0.3), (3, 4, 1.1), (5, 6, 0.7))
     )
-    assert free_turns(Rotor(shafts=shafts, links=links)) == 1
-    assert free_turns(Rotor(shafts=shafts, links=links[:2])) == 2
+    assert free_turns(TransferMatrixRotor(shafts=shafts, links=links)) == 1
+    assert free_turns(TransferMatrixRotor(shafts=shafts, links=links[:2])) == 2

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from analytic.sprag.closure import wedged
-from analytic.sprag.clutch import Clutch
+from analytic.sprag.clutch import SpragClutch
 from analytic.sprag.events import engage_by_events
 from analytic.sprag.geometry import LogSprag
 from analytic.sprag.motion import Motion, Torque
-from analytic.sprag.parts import Parts
+from analytic.sprag.parts import SpragClutchParts
 from analytic.sprag.table import tabulated
 from analytic.sprag.transient import engage
 
@@ -22,19 +22,19 @@ def sprag():
 
 @pytest.fixture
 def parts(sprag):
-    return Parts(
+    return SpragClutchParts(
         sprag=sprag, n_s=12, l=9e-3, b=4e-3, R_id=7.21e-3, R_ed=26.23e-3, E=206e9, nu=0.3
     )  # fmt: skip
 
 
 @pytest.fixture
 def clutch(parts):
-    return Clutch(sprag=parts.sprag, n_s=parts.n_s, compliance=parts.palmgren())
+    return SpragClutch(sprag=parts.sprag, n_s=parts.n_s, compliance=parts.palmgren())
 
 
 @pytest.fixture
 def plane_clutch(parts):
-    return Clutch(sprag=parts.sprag, n_s=parts.n_s, compliance=parts.plane())
+    return SpragClutch(sprag=parts.sprag, n_s=parts.n_s, compliance=parts.plane())
 
 
 @pytest.fixture

@@ -6,15 +6,15 @@ import pytest
 from analytic.contact.hertz_line_approach import approach_to_centre
 from analytic.sprag.bending import Ends, shift
 from analytic.sprag.closure import wedged
-from analytic.sprag.clutch import Clutch
+from analytic.sprag.clutch import SpragClutch
 from analytic.sprag.column import Column, Outline, approach
 from analytic.sprag.compliance import Compliance
-from analytic.sprag.elastic import Elastic
+from analytic.sprag.elastic import ElasticSpragClutch
 from analytic.sprag.geometry import LogSprag
-from analytic.sprag.parts import Parts
+from analytic.sprag.parts import SpragClutchParts
 from tests.analytic.sprag.models import SPRAG
 
-RIGID = Clutch(sprag=SPRAG, n_s=12, compliance=Compliance(
+RIGID = SpragClutch(sprag=SPRAG, n_s=12, compliance=Compliance(
     contact_i=np.zeros_like, contact_e=np.zeros_like, race_i=0.0, race_e=0.0, sprag=0.0,
 ))  # fmt: skip
 AT, COLUMN = wedged(RIGID, 1.0), Column(sprag=SPRAG, b=4e-3)
@@ -81,8 +81,8 @@ def made(size=1.0, R_ed=26.23e-3, b=4e-3, r_i=4.02e-3):
     sprag = LogSprag.from_wedge_angle(
         nu_0=0.055, R_i=size * 11.11e-3, R_e=size * 19.44e-3, r_i=size * r_i
     )
-    return Elastic(
-        Parts(sprag=sprag, n_s=12, l=size * 9e-3, b=size * b, R_id=size * 7.21e-3,
+    return ElasticSpragClutch(
+        SpragClutchParts(sprag=sprag, n_s=12, l=size * 9e-3, b=size * b, R_id=size * 7.21e-3,
               R_ed=size * R_ed, E=206e9, nu=0.3)
     )  # fmt: skip
 

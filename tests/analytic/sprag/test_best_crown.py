@@ -8,7 +8,7 @@ import pytest
 from analytic.contact import crown
 from analytic.sprag.best_crown import Answer, fit_regimes, simplex
 from analytic.sprag.closure import wedged
-from analytic.sprag.clutch import Clutch
+from analytic.sprag.clutch import SpragClutch
 from analytic.sprag.compliance import Compliance
 from analytic.sprag.crown_surrogate import axes, held, over_box
 from analytic.sprag.drawn import Drawn, Sizes, crown_drop, middles
@@ -44,7 +44,7 @@ def test_a_drawn_sprag_lies_where_the_triangle_has_it():
         contact_i=lambda N: 0 * N + d["HI"], contact_e=lambda N: 0 * N + d["HE"],
         race_i=d["BI"] / 3000, race_e=d["BE"] / 3000, sprag=d["g"] / 3000,
     )  # fmt: skip
-    at = wedged(Clutch(sprag=SPRAG, n_s=12, compliance=compliance), 3000.0)
+    at = wedged(SpragClutch(sprag=SPRAG, n_s=12, compliance=compliance), 3000.0)
     assert found.nu == pytest.approx(float(at.nu), rel=2e-5)
     assert found.alpha == pytest.approx(float(at.alpha_b), rel=1e-5)
     assert pytest.approx(float(at.T), rel=2e-5) == found.T

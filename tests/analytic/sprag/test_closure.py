@@ -7,10 +7,10 @@ from scipy.optimize import brentq, minimize_scalar
 from analytic.contact import hertz_line
 from analytic.sprag import printed
 from analytic.sprag.closure import at_rotation, at_torque, wedged
-from analytic.sprag.clutch import Clutch
+from analytic.sprag.clutch import SpragClutch
 from analytic.sprag.compression import sprag_compression
-from analytic.sprag.limits import limits, pressures, slips
-from analytic.sprag.parts import Parts
+from analytic.sprag.limits import pressures, slips, sprag_torque_limits
+from analytic.sprag.parts import SpragClutchParts
 from analytic.sprag.search import first_reach
 
 N = np.array([50.0, 500.0, 3407.0, 8000.0])
@@ -112,11 +112,11 @@ def test_long_bodies_deflect_in_plane_strain_with_the_indentations_of_the_bar(pa
 @pytest.fixture
 def fast(sprag):
     """The clutch at 1000 rad/s."""
-    parts = Parts(
+    parts = SpragClutchParts(
         sprag=sprag, n_s=12, l=9e-3, b=4e-3, R_id=7.21e-3, R_ed=26.23e-3, E=206e9, nu=0.3,
         omega=1000.0,
     )  # fmt: skip
-    return Clutch(sprag=sprag, n_s=12, compliance=parts.palmgren())
+    return SpragClutch(sprag=sprag, n_s=12, compliance=parts.palmgren())
 
 
 def test_the_printed_pole_lets_the_sprag_grow_with_the_outer_race(fast):
@@ -185,11 +185,11 @@ def test_torque_and_rotation_lead_back_to_the_load_and_rigid_races_need_more(clu
 
 def test_limits_are_met_at_their_torque_without_load_or_never(clutch):
     mu = 0.0555
-    T = float(limits(clutch, mu=mu, theta_max=0.5).slip)
+    T = float(sprag_torque_limits(clutch, mu=mu, theta_max=0.5).slip)
     assert float(np.tan(at_torque(clutch, T).nu)) == pytest.approx(mu, rel=1e-10)
     assert slips(at_torque(clutch, [0.99 * T, 1.01 * T]), mu=mu).tolist() == [False, True]
-    T = float(limits(clutch, mu=0.12, theta_max=0.3).end_of_cam)
+    T = float(sprag_torque_limits(clutch, mu=0.12, theta_max=0.3).end_of_cam)
     assert float(at_torque(clutch, T).turned) == pytest.approx(0.3, rel=1e-10)
-    found = limits(clutch, mu=[0.05, 0.3], theta_max=0.5)
+    found = sprag_torque_limits(clutch, mu=[0.05, 0.3], theta_max=0.5)
     assert found.slip.tolist() == [0.0, np.inf]
     assert found.torque.tolist() == [0.0, float(found.end_of_cam)]

@@ -10,11 +10,11 @@ from analytic.contact.hertz_line_approach import approach_to_depth
 from analytic.ring import rotating
 from analytic.sprag import pressure
 from analytic.sprag.closure import wedged
-from analytic.sprag.clutch import Clutch
+from analytic.sprag.clutch import SpragClutch
 from analytic.sprag.crowned import Crowned, mid, stiffness
 from analytic.sprag.laws import plane_law, sliced_law
 from analytic.sprag.race_stress import hoop, over_smeared
-from analytic.sprag.tolerance import sensitivities, slope
+from analytic.sprag.tolerance import slope, wedge_angle_sensitivities
 from tests.analytic.sprag.models import PARTS, SPRAG
 
 N = np.geomspace(1.0, 1e4, 60)
@@ -34,7 +34,7 @@ def contact(parts):
 def test_slices_are_met_between_their_loads_from_none_to_the_largest(contact):
     gap, body = contact
     law = sliced_law(gap, l=9e-3, N_max=1e4, **body)
-    exact = slices.press(gap - gap.min(), length=9e-3, load=N, **body).approach
+    exact = slices.press_slices(gap - gap.min(), length=9e-3, load=N, **body).approach
     assert law(N) == pytest.approx(exact, rel=2e-3)
     assert law(np.array(1e4)) == pytest.approx(exact[-1], rel=1e-12)
     # they grow from nothing and end at their largest load
@@ -53,7 +53,7 @@ def test_the_largest_pressure_is_that_of_slices_solved_at_each_load():
     y = crown.slice_centres(length=9e-3, slices=41)
     gap = crown.logarithmic(y, K_1=1, K_2=0.7, z_m=0.01e-3, load=3407, length=9e-3, E_star=113.2e9)
     p = pressure.along(PRESSURE_N, gap, **CONTACT)
-    exact = slices.press(gap, load=PRESSURE_N[1:], **CONTACT).peak_pressure
+    exact = slices.press_slices(gap, load=PRESSURE_N[1:], **CONTACT).peak_pressure
     assert p.shape == (6, 41)
     assert np.all(p[0] == 0)
     np.testing.assert_allclose(p[1:].max(axis=1), exact.max(axis=1), rtol=2e-3)
@@ -61,7 +61,7 @@ def test_the_largest_pressure_is_that_of_slices_solved_at_each_load():
 
 
 ONE = Crowned(
-    PARTS, Clutch(sprag=SPRAG, n_s=12, compliance=PARTS.plane()), np.zeros(21), N_top=2e4
+    PARTS, SpragClutch(sprag=SPRAG, n_s=12, compliance=PARTS.plane()), np.zeros(21), N_top=2e4
 )  # fmt: skip
 
 
@@ -113,7 +113,7 @@ def test_a_torque_of_a_pressure_has_it_and_stiffness_grows_with_the_load():
 
 
 def test_slopes_of_the_wedge_angle_are_its_derivatives():
-    exact = sensitivities(SPRAG)
+    exact = wedge_angle_sensitivities(SPRAG)
     assert slope(SPRAG, "dR_i")[0] == pytest.approx(float(exact.R_i), rel=1e-5)
 
 

@@ -9,7 +9,7 @@ from scipy.optimize import brentq
 from analytic.sprag import printed
 from analytic.sprag.balance import sampled
 from analytic.sprag.closure import wedged
-from analytic.sprag.clutch import Clutch
+from analytic.sprag.clutch import SpragClutch
 from analytic.sprag.course import energy
 from analytic.sprag.motion import Motion
 from analytic.sprag.oscillation import Oscillation
@@ -28,7 +28,7 @@ from analytic.sprag.work_balance import (
 from tests.analytic.sprag.models import PARTS, SPRAG
 
 T = 25.0
-CLUTCH = Clutch(sprag=SPRAG, n_s=12, compliance=PARTS.plane())
+CLUTCH = SpragClutch(sprag=SPRAG, n_s=12, compliance=PARTS.plane())
 HELD = Motion(m_g=2e-3, I_g=2e-8, I_bi=5e-3, I_be=5e3, K_r=0.05, alpha_max=0.3, C_rl=0.0,
               k_out=1e7, mu_s=0.12, mu_c=0.08, gamma_b=1.0)  # fmt: skip
 

@@ -68,8 +68,8 @@ def test_what_makes_no_sense_is_refused_in_one_line(call, message):
 OF_CLUTCH = [
     (lambda c: wedged(c, -1.0), "normal force"),
     (lambda c: at_rotation(c, nan), "rotation alpha"),
-    (lambda c: limits.limits(c, mu=0.0, theta_max=0.3), "friction"),
-    (lambda c: limits.limits(c, mu=0.1, theta_max=-1.0), "theta_max"),
+    (lambda c: limits.sprag_torque_limits(c, mu=0.0, theta_max=0.3), "friction"),
+    (lambda c: limits.sprag_torque_limits(c, mu=0.1, theta_max=-1.0), "theta_max"),
     (lambda c: spring_equilibrium(c, K_r=0.01, alpha_max=-0.1), "alpha_max above alpha"),
     (lambda c: spring_equilibrium(c, K_r=1e9, alpha_max=3.0), "balances springs of K_r"),
     (lambda c: tabulated(c, N_end=20e3, theta_max=1e-9), "no state"),

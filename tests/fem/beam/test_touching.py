@@ -6,8 +6,8 @@ States are random, near those in which lines overlap by a few hundredths of the 
 import numpy as np
 import pytest
 
-from fem.beam.touching import Obstacle, SelfContact
-from fem.beam.touching_rigid import Disc, Flat
+from fem.beam.touching import BeamObstacle, SelfContact
+from fem.beam.touching_rigid import DiscObstacle, FlatObstacle
 from tests.fem.beam.touching_shapes import (
     at_rest,
     couples,
@@ -20,9 +20,9 @@ from tests.fem.beam.touching_shapes import (
 
 B = 0.3
 SHAPES = {
-    "flat": Flat((0.0, 0.25), (0.1, -1.0)),
-    "disc": Disc((1.0, 2.0), 1.6),
-    "bore": Disc((2.0, -1.0), 3.0, inside=True),
+    "flat": FlatObstacle((0.0, 0.25), (0.1, -1.0)),
+    "disc": DiscObstacle((1.0, 2.0), 1.6),
+    "bore": DiscObstacle((2.0, -1.0), 3.0, inside=True),
 }
 
 
@@ -46,7 +46,7 @@ def crossing(nodes, friction=0.0, slide=0.002):
 
 def on_obstacle(shape, friction=0.0, carrier=None):
     points, elements, _ = together(line((0, 0), (4, 0.1), 4, bulge=-0.2), line((6, 6), (7, 7), 1))
-    term = Obstacle(
+    term = BeamObstacle(
         points, elements[:4], shape, thickness=B, EA=1.0, friction=friction, carrier=carrier
     )
     x = at_rest(points)
@@ -152,11 +152,11 @@ def contact(**wrong):
         (lambda: contact(share=0.0), "share must be positive and finite, got 0.0"),
         (lambda: contact(per_element=0), "an element needs 1 probe or more, got per_element = 0"),
         (lambda: contact(apart=-1.0), "apart must be a length of 0 or more, got -1.0"),
-        (lambda: Flat((0, 0), (0, 0)), "the normal of a flat has a length"),
-        (lambda: Disc((0, 0), -1.0), "a disc's radius must be positive, got -1"),
-        (lambda: Obstacle(*LINE, SHAPES["flat"], thickness=0.1, EA=1.0, carrier=5),
+        (lambda: FlatObstacle((0, 0), (0, 0)), "the normal of a flat has a length"),
+        (lambda: DiscObstacle((0, 0), -1.0), "a disc's radius must be positive, got -1"),
+        (lambda: BeamObstacle(*LINE, SHAPES["flat"], thickness=0.1, EA=1.0, carrier=5),
          "no node 5: the frame has nodes 0 to 4"),
-        (lambda: Obstacle(LINE[0], [[0, 9]], SHAPES["flat"], thickness=0.1, EA=1.0),
+        (lambda: BeamObstacle(LINE[0], [[0, 9]], SHAPES["flat"], thickness=0.1, EA=1.0),
          "no node 9: the frame has nodes 0 to 4"),
     ],
 )  # fmt: skip

@@ -6,8 +6,8 @@ import pytest
 from fem.beam.large import LargeFrame
 from fem.beam.large_balance import ConvergenceError
 from fem.beam.section import Section
-from fem.beam.touching import Obstacle, SelfContact
-from fem.beam.touching_rigid import Disc, Flat
+from fem.beam.touching import BeamObstacle, SelfContact
+from fem.beam.touching_rigid import DiscObstacle, FlatObstacle
 from tests.fem.beam.touching_shapes import at_rest, line, rotated, together
 
 L, B, EI = 1.0, 0.01, 1.0
@@ -59,7 +59,9 @@ MU, WEIGHT = 0.2, 5.0
 def lying(support):
     """A beam on a rough flat, held by `support` at its left end, under its weight."""
     points, elements = line((0, B / 2), (L, B / 2), 4)
-    flat = Obstacle(points, elements, Flat((0, 0), (0, 1)), thickness=B, EA=EA, friction=MU)
+    flat = BeamObstacle(
+        points, elements, FlatObstacle((0, 0), (0, 1)), thickness=B, EA=EA, friction=MU
+    )
     frame = LargeFrame(
         points, elements, sections=SECTION, supports={0: support} if support else {}, terms=[flat]
     )
@@ -134,8 +136,8 @@ def test_lines_may_turn_together_and_go_round_each_others_ends_step_by_step():
 @pytest.mark.parametrize("carried", [False, True], ids=["beam moves", "disc moves"])
 def test_a_line_does_not_leap_over_a_disc(carried):
     points, elements, (_, stub) = together(line((0, 0), (30, 0), 10), line((15, 9), (16, 9), 1))
-    disc = Disc((15, 5), 2.0)
-    term = Obstacle(
+    disc = DiscObstacle((15, 5), 2.0)
+    term = BeamObstacle(
         points, elements[:10], disc, thickness=THICK, EA=1.0, carrier=stub if carried else None
     )
     x = at_rest(points)

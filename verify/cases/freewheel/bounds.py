@@ -1,9 +1,9 @@
 """Bounds of the formulas of star and cup, from the inputs and states of their cases."""
 
 from analytic.bounds.freewheel.intervals import Interval
-from analytic.bounds.freewheel.parts import Loaded, Parts
+from analytic.bounds.freewheel.parts import FreewheelParts, Loaded
 from analytic.bounds.freewheel.star import StarBounds
-from analytic.freewheel.state import State
+from analytic.freewheel.state import RollerClutchState
 from verify.case import Expected
 from verify.cases.freewheel.bodies import OneClutch
 from verify.cases.freewheel.star import Star
@@ -14,20 +14,20 @@ BRACKET = "a layer and two discs that enclose the star, its winding up, (a/r)² 
 TANGENTIAL = f"{BRACKET}, tangential deformation of 0.5 to 1 tan²α"
 
 
-def parts(q: OneClutch) -> Parts:
+def parts(q: OneClutch) -> FreewheelParts:
     """The sizes and the material of a star or a cup."""
-    return Parts(sense=q.sense, race=q.race, flat=q.flat, r=q.r, z=q.z, L=q.L,
+    return FreewheelParts(sense=q.sense, race=q.race, flat=q.flat, r=q.r, z=q.z, L=q.L,
                  r_b=q.r_b, R_a=q.R_a, E=q.E, nu=q.nu)  # fmt: skip
 
 
-def sizes(state: State) -> Loaded:
+def sizes(state: RollerClutchState) -> Loaded:
     """What bounds read of a state of the formulas."""
     s = state
     return Loaded(N=float(s.N), T=float(s.T), alpha=float(s.alpha), d_i=float(s.d_i),
                   d_o=float(s.d_o), a_i=float(s.a_i), a_o=float(s.a_o))  # fmt: skip
 
 
-def of_star(q: OneClutch, state: State) -> StarBounds:
+def of_star(q: OneClutch, state: RollerClutchState) -> StarBounds:
     """The bounds of a star in a state."""
     return StarBounds(parts(q), sizes(state))
 

@@ -11,10 +11,10 @@ import numpy as np
 from pydantic import model_validator
 
 from analytic.freewheel.cam import Cam
-from analytic.freewheel.clutch import Clutch, Material
+from analytic.freewheel.clutch import ContactMaterial, RollerClutch
 from analytic.freewheel.compliance import Compliance, compliance
 from analytic.freewheel.geometry import InnerCam
-from analytic.freewheel.state import State, at_angle, at_normal_force, loaded
+from analytic.freewheel.state import RollerClutchState, at_angle, at_normal_force, loaded
 from verify.case import Case, Quantity, count, given, shared
 from verify.cases.freewheel.bodies import OneClutch
 from verify.cases.freewheel.inputs import in_millimetres
@@ -28,10 +28,10 @@ BEYOND, EDGE = 1.1, 4.0  # of those approaches; half-widths up to the flat's cor
 Load = Literal["T", "N_0", "ψ"]
 
 
-def of_one_steel(q: OneClutch, cam: Cam) -> Clutch:
+def of_one_steel(q: OneClutch, cam: Cam) -> RollerClutch:
     """The elastic clutch whose parts are all of one material."""
-    steel = Material(E=q.E, nu=q.nu)
-    return Clutch(
+    steel = ContactMaterial(E=q.E, nu=q.nu)
+    return RollerClutch(
         cam=cam, L=q.L, r_b=q.r_b, R_a=q.R_a, roller=steel, inner=steel, outer=steel
     )  # fmt: skip
 
@@ -42,7 +42,7 @@ class Rollers(Case):
     load: ClassVar[Load] = "T"  # what the state of the formulas is given by
 
     @shared
-    def clutch(self: Any) -> Clutch:
+    def clutch(self: Any) -> RollerClutch:
         """The elastic clutch."""
         return of_one_steel(self, self.cam)
 
@@ -123,7 +123,7 @@ class Star(Rollers):
         return InnerCam(R=self.R, r=self.r, X=self.X, z=self.z)
 
     @shared
-    def state(self) -> State:
+    def state(self) -> RollerClutchState:
         """The state under what `load` names."""
         if self.load == "T":
             return self.under(self.T)
@@ -133,7 +133,7 @@ class Star(Rollers):
         y = self.X + self.r - d / 2
         return self._known(at_angle(self.clutch, math.acos(y / (self.R - self.r + d / 2))))
 
-    def under(self, T: float) -> State:
+    def under(self, T: float) -> RollerClutchState:
         """The state under a torque [N m]; ValueError where the rollers are beyond their flats."""
         state = loaded(self.clutch, T)
         if not np.isfinite(state.N):
@@ -149,7 +149,7 @@ class Star(Rollers):
             )
         return state
 
-    def _known(self, state: State) -> State:
+    def _known(self, state: RollerClutchState) -> RollerClutchState:
         if not np.isfinite(state.N):
             raise ValueError(
                 f"under N = T/(z R tan α_0) = {self.rigid_force:.4g} N, a rigid clutch's, the "

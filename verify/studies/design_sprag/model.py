@@ -88,7 +88,7 @@ class Model:
 
     def by_strips(self, crowns: Array, loads: Array, torque: int, n: int) -> Array:
         """Pressures (k, n) [Pa] of crowns (k, 3) by n strips, under loads (k,) [N] of a torque."""
-        return strips.press(
+        return strips.press_strips(
             self.gap(crowns, n), length=self.q.l, R=self.R[torque],
             E_star=float(self.one.parts.E_star), load=loads, tolerance=TOLERANCE,
         ).pressure  # fmt: skip

@@ -93,7 +93,9 @@ def checks(task: Task, model: Model, crown: Array) -> Sequence[Check]:
 def _check(task: Task, model: Model, known: Known, i: int, k: int, which: str) -> Check:
     q, N, crown = model.q, float(known.N_max[i, k]), known.crowns[i]
     E_star, R = float(model.one.parts.E_star), float(model.R[k])
-    twice = slices.press(model.gap(crown, 2 * q.slices), length=q.l, R=R, E_star=E_star, load=N)
+    twice = slices.press_slices(
+        model.gap(crown, 2 * q.slices), length=q.l, R=R, E_star=E_star, load=N
+    )
     coarse, fine = (
         press_roller(model.gap(crown, cells[1]), R=R, length=q.l, E_star=E_star, load=N,
                      cells=cells)

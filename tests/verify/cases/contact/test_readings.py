@@ -49,7 +49,7 @@ READINGS = [
                  lambda _: lambda *, Q, P, mu, a: np.asarray(a * (1 - Q / (mu * P))),
                  "traction within 3 % in L2, Q/(μP) = 0.4", id="c/a = 1 - Q/(μP)"),
     pytest.param(ROLLER, crown, "_scale", times(0.5), f"{PEAK}, strips", id="E' of Eq. 1 is 4 E*"),
-    pytest.param(UNCROWNED, slices.press, "__kwdefaults__",
+    pytest.param(UNCROWNED, slices.press_slices, "__kwdefaults__",
                  lambda defaults: defaults | {"kernel": alone}, f"{MID}, slices",
                  id="w deflects its slice only"),
     pytest.param(TILTED, Tilt, "gap",

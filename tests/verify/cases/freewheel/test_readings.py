@@ -7,7 +7,7 @@ import pytest
 
 from analytic.freewheel import compliance, criterion, printed
 from analytic.freewheel.cam import Cam
-from analytic.freewheel.state import State
+from analytic.freewheel.state import RollerClutchState
 from verify.cases.freewheel import star
 from verify.cases.freewheel.cup.case import CUP
 from verify.cases.freewheel.friction.case import FRICTION
@@ -35,7 +35,7 @@ READINGS = [
      "a half space for the star"),
     (TORQUE, "torque z X F_t of the star, Eq. 3 as printed", printed, "torque_on_cam",
      lambda _: lambda cam, *, F_t: cam.torque_on_race(F_t=F_t), "Eq. 3 corrected as printed"),
-    (CUP, "wind-up by exact rolling", State, "phi",
+    (CUP, "wind-up by exact rolling", RollerClutchState, "phi",
      lambda _: property(lambda self: self.s / 10e-3), "the shaft's part alone"),
     (FRICTION, REQUIRED, criterion, "required_friction", lambda _: lambda *, alpha, T, F_ax, R: (
         np.tan(alpha) * (1 + F_ax * R / T)), "forces added without their right angle"),

@@ -25,12 +25,12 @@ COUPLED = "coupling of y and the tilt about x, displaced and tilted"
 READINGS = [
     pytest.param(CLUTCH, clutch_uniform, "approach", times(2), "stiffness along y, uniform",
                  id="each contact yields as both"),
-    pytest.param(CLUTCH, clutch.Clutch, "deformation",
+    pytest.param(CLUTCH, clutch.SpragCoupling, "deformation",
                  lambda f: lambda self, q: f(self, np.asarray(q) * [-1, 1, 1, 1, 1]),
                  "coupling of bending and torsion, with an offset", id="sign in Eq. 3"),
     pytest.param(CLUTCH, SpragLink, "crown", times(2), "stiffness along x, with a crown",
                  id="four drops for two in Eq. 6"),
-    pytest.param(CLUTCH, clutch.Clutch, "__post_init__", tilted, COUPLED,
+    pytest.param(CLUTCH, clutch.SpragCoupling, "__post_init__", tilted, COUPLED,
                  id="tilt about x in Eq. 7"),
     pytest.param(SHAFT, shafts.UniformShaft, "whirl", lambda f: (
                  lambda s, j, *, Omega=0.0, theory: f(s, j, Omega=Omega / 2, theory=theory)),

@@ -62,7 +62,7 @@ def unbalances(change):
     [
         pytest.param(transfer_bending, "numbers", shafts_turn_backwards,
                      "natural frequency 1 at the speed", id="shafts turn backwards"),
-        pytest.param(rotor_study, "unbalance_response",
+        pytest.param(rotor_study, "transfer_unbalance_response",
                      unbalances(lambda v, e: v if e > 0 else np.conj(v)),
                      "companion with anisotropic bearings: amplitude",
                      id="conjugate unbalance on the shaft that turns against the other"),

@@ -26,7 +26,7 @@ def known(q, crowns, torques, **_more):
         y, K_1=K_1, K_2=K_2, z_m=z_m, load=q.Q, length=q.l, E_star=E_STAR
     )  # fmt: skip
     forces = np.array([N * T / 25.0 for T in torques])
-    p = [slices.press(gap, length=q.l, R=R, E_star=E_STAR, load=one).peak_pressure
+    p = [slices.press_slices(gap, length=q.l, R=R, E_star=E_STAR, load=one).peak_pressure
          for one in forces]  # fmt: skip
     return Peaks(np.asarray(crowns), np.array(torques), np.tile(forces, (len(crowns), 1)),
                  np.stack(p, axis=1))  # fmt: skip

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from analytic.sprag import closure, printed, race_spring
-from analytic.sprag.clutch import Clutch
+from analytic.sprag.clutch import SpragClutch
 from analytic.sprag.geometry import LogSprag
 from tests.verify.cases.rows import failed
 from verify.cases.sprag.clutch import model
@@ -52,7 +52,7 @@ READINGS = [
     (ENGAGEMENT, "force at rest after a slow rise", race_spring, "wedged", as_printed,
      "Eqs. 9 and 10 as printed"),
     (CLUTCH, TURN, LogSprag, "rho_0", polar, "r_i a polar radius"),
-    (CLUTCH, "normal force with rigid races (Liu)", Clutch, "rigid_races",
+    (CLUTCH, "normal force with rigid races (Liu)", SpragClutch, "rigid_races",
      lambda _: lambda self: self, "rigid races that yield"),
 ]  # fmt: skip
 

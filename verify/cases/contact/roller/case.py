@@ -53,12 +53,12 @@ class RollerOnRace(CrownedRoller):
 
     def plane_at_middle(self, level: int) -> dict[str, float]:
         """A disc of the relative radius on a rigid flat, plane strain, under the strips' load."""
-        from analytic.contact.strips import press
+        from analytic.contact.strips import press_strips
         from verify.cases.contact.line.inputs import FlatInputs
         from verify.cases.contact.line.reference import disc_fem
 
         gap = self.gap(self.centres)
-        solved = press(gap, length=self.L, R=self.R, E_star=self.E_star, load=self.F)
+        solved = press_strips(gap, length=self.L, R=self.R, E_star=self.E_star, load=self.F)
         P = float(solved.mid**2 * np.pi * self.R / self.E_star)
         disc = FlatInputs(R=self.R, E=self.E_star * (1 - PLANE_NU**2), nu=PLANE_NU, F=P * self.L,
                           L=self.L)  # fmt: skip

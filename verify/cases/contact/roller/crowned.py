@@ -134,7 +134,7 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
         """
         roller: dict[str, Any] = {"length": self.L, "R": self.R, "E_star": self.E_star}
         pairs = zip(gaps, loads, strict=True)
-        solved = [strips.press(z, load=k * self.F, **roller) for z, k in pairs]
+        solved = [strips.press_strips(z, load=k * self.F, **roller) for z, k in pairs]
         curves = figures.over(solved, x, [self.even_pressure(k) for k in loads])
         least = context.fem[-1].arrays.get(f"best_over_{over}") if context.fem else None
         if least is not None:

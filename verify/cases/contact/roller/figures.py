@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from analytic.contact.roller_parts import Parts
+from analytic.contact.roller_parts import RollerParts
 from analytic.contact.strips import Strips
 from verify.cases.contact.roller.formulas import SlicedRoller
 from verify.cases.contact.roller.inputs import STRETCH, Crown, Roller, Tilt
@@ -51,7 +51,7 @@ def sketch(q: Roller) -> Sketch:
     )  # fmt: skip
 
 
-def modelled(q: SlicedRoller) -> Iterator[tuple[str, Parts, dict[str, Any]]]:
+def modelled(q: SlicedRoller) -> Iterator[tuple[str, RollerParts, dict[str, Any]]]:
     """All models: words, what they give along the roller, style of their curve."""
     for name, words in NAMES.items():
         style, colour = STYLES[name]

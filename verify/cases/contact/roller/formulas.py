@@ -7,9 +7,9 @@ import numpy as np
 
 from analytic.contact import hertz_line, lamina, palmgren, slices
 from analytic.contact.crown import slice_centres
-from analytic.contact.roller_parts import Parts
+from analytic.contact.roller_parts import RollerParts
 from analytic.contact.strip_error import neglected
-from analytic.contact.strips import Strips, press
+from analytic.contact.strips import Strips, press_strips
 from verify.case import Quantity, count, shared
 from verify.cases.contact.roller.inputs import Roller
 from verify.core.figures import Array
@@ -32,15 +32,15 @@ def roller(q: Roller, n: int) -> dict[str, Any]:
     return {"gap": z, "length": q.L, "R": q.R, "E_star": q.E_star, "load": q.F}
 
 
-def parts(q: Roller, p: Array, line: Array, approach: Any) -> Parts:
+def parts(q: Roller, p: Array, line: Array, approach: Any) -> RollerParts:
     """What a model gives of equal parts of the roller."""
     y = slice_centres(length=q.L, slices=len(p))
-    return Parts(y=y, p=p, line=line, delta=float(approach), length=q.L, d=q.d)
+    return RollerParts(y=y, p=p, line=line, delta=float(approach), length=q.L, d=q.d)
 
 
-def by_strips(q: Roller, n: int) -> tuple[Strips, Parts]:
+def by_strips(q: Roller, n: int) -> tuple[Strips, RollerParts]:
     """The strips' solution for n strips."""
-    found = press(**roller(q, n))
+    found = press_strips(**roller(q, n))
     return found, parts(q, found.pressure, found.q, found.approach)
 
 
@@ -102,16 +102,16 @@ class StripRoller(Roller):
         return float(self._strips[0].carries.mean() * self.L)
 
     @shared
-    def _strips(self) -> tuple[Strips, Parts]:
+    def _strips(self) -> tuple[Strips, RollerParts]:
         return by_strips(self, self.n)
 
     @property
-    def strips(self) -> Parts:
+    def strips(self) -> RollerParts:
         """Pressure along n strips."""
         return self._strips[1]
 
     @shared
-    def twice(self) -> Parts:
+    def twice(self) -> RollerParts:
         """The same along twice as many strips."""
         return by_strips(self, 2 * self.n)[1]
 
@@ -161,13 +161,13 @@ class SlicedRoller(StripRoller):
                             tex=LAMINA).reads(lambda q: q.sliced("independent").delta)  # fmt: skip
 
     @shared
-    def _sliced(self) -> Mapping[str, Parts]:
+    def _sliced(self) -> Mapping[str, RollerParts]:
         found = {}
         for name, model in (("slices", slices), ("independent", lamina)):
             one = model.press(**roller(self, self.slices))
             found[name] = parts(self, one.peak_pressure, one.line_load, one.approach)
         return found
 
-    def sliced(self, model: str) -> Parts:
+    def sliced(self, model: str) -> RollerParts:
         """Pressure along slices, by Palmgren's law for a whole roller of its length."""
         return self._sliced[model]

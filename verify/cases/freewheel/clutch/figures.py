@@ -8,7 +8,7 @@ import numpy as np
 from analytic.freewheel import criterion, state
 from analytic.freewheel.duty import WORDS
 from analytic.freewheel.scatter import DRAWS
-from analytic.freewheel.state import State
+from analytic.freewheel.state import RollerClutchState
 from verify.cases.freewheel import star_sketch
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
 from verify.cases.freewheel.clutch.reference import GRID
@@ -100,7 +100,7 @@ def _zones(q: ClutchInputs, T: Array, F: dict[float, Array], top: float) -> tupl
     )
 
 
-def _states(q: ClutchInputs) -> tuple[Array, State]:
+def _states(q: ClutchInputs) -> tuple[Array, RollerClutchState]:
     T = np.linspace(0.0, min(WIDE * q.T, (1 - 1e-9) * q.duty.end), POINTS)
     T[0] = 1e-6 * T[-1]
     return T, state.loaded(q.clutch, T)

@@ -8,7 +8,7 @@ from typing import Any, ClassVar, Literal, Self
 from pydantic import model_validator
 
 from analytic.freewheel.cam import Cam
-from analytic.freewheel.clutch import Clutch, Material
+from analytic.freewheel.clutch import ContactMaterial, RollerClutch
 from analytic.freewheel.duty import Duty
 from analytic.freewheel.geometry import InnerCam, OuterCam
 from analytic.freewheel.remedies import shifted
@@ -143,7 +143,7 @@ class ClutchInputs(Case):
             return InnerCam(R=self.R, r=self.r, X=self.X, z=self.z)
         return OuterCam(R_s=self.R, r=self.r, X_o=self.X, z=self.z)
 
-    def moved(self, dX: float) -> Clutch:
+    def moved(self, dX: float) -> RollerClutch:
         """The clutch with its flats `dX` [m] further from the axis."""
         return shifted(self.clutch, "X", dX)
 
@@ -160,9 +160,9 @@ class ClutchInputs(Case):
         return Star(**{name: getattr(self, name) for name in names})
 
     @property
-    def clutch(self) -> Clutch:
+    def clutch(self) -> RollerClutch:
         """The whole clutch; ValueError where a part has no wall."""
-        return Clutch(
+        return RollerClutch(
             cam=self.cam, L=self.L, r_b=self.r_b, R_a=self.R_a, roller=self._material("r"),
             inner=self._material("i"), outer=self._material("o"),
         )  # fmt: skip
@@ -202,9 +202,9 @@ class ClutchInputs(Case):
         found = {name: t / over for name, t in found.items()} | {"mu": self.s_mu}
         return {name: s for name, s in found.items() if s > 0}
 
-    def _material(self, part: str) -> Material:
+    def _material(self, part: str) -> ContactMaterial:
         E, nu = self._constants(part)
-        return Material(E=E, nu=nu)
+        return ContactMaterial(E=E, nu=nu)
 
     def _constants(self, part: str) -> tuple[float, float]:
         E, nu = getattr(self, f"E_{part}"), getattr(self, f"nu_{part}")

@@ -240,7 +240,7 @@ class FreewheelCup(Cup):
                    margin("past_summit"))  # fmt: skip
         yield from statics.balanced(cup, cup.torque_cup, NAMED)
 
-    def within(self, at: state.State) -> CupBounds:
+    def within(self, at: state.RollerClutchState) -> CupBounds:
         """Bounds of the formulas in a state."""
 
         def approaches(N: Array) -> tuple[Array, Array]:

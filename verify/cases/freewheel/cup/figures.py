@@ -6,7 +6,7 @@ from functools import partial
 
 import numpy as np
 
-from analytic.freewheel.state import State, at_normal_force
+from analytic.freewheel.state import RollerClutchState, at_normal_force
 from verify.case import converged
 from verify.cases.freewheel import over_torque
 from verify.cases.freewheel.cup.inputs import Cup
@@ -74,7 +74,7 @@ def figures(q: Cup) -> Iterator[Drawing]:
     yield over_torque.pressure("shaft")
 
 
-def _course(context: Context) -> State:
+def _course(context: Context) -> RollerClutchState:
     return at_normal_force(context.inputs.clutch, FORCES * context.fem[-1].arrays["loads"][1][-1])
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from pydantic import model_validator
 
 from analytic.freewheel.geometry import OuterCam
-from analytic.freewheel.state import State, at_angle, at_normal_force, loaded
+from analytic.freewheel.state import RollerClutchState, at_angle, at_normal_force, loaded
 from analytic.freewheel.summit import summit
 from verify.case import count, given, shared
 from verify.cases.freewheel.star import LARGEST_ANGLE, Rollers
@@ -83,7 +83,7 @@ class Cup(Rollers):
         return OuterCam(R_s=self.R_s, r=self.r, X_o=self.X_o, z=self.z)
 
     @shared
-    def state(self) -> State:
+    def state(self) -> RollerClutchState:
         """The state under what `load` names."""
         if self.load == "N_0":
             return at_normal_force(self.clutch, self.rigid_force)
@@ -99,7 +99,7 @@ class Cup(Rollers):
         return under
 
     @shared
-    def at_summit(self) -> State:
+    def at_summit(self) -> RollerClutchState:
         """The state with the largest torque."""
         if (found := summit(self.clutch)) is None:
             raise ValueError(

@@ -17,7 +17,7 @@ from analytic.bounds.freewheel.intervals import Interval
 from analytic.bounds.freewheel.slip_times import Rig
 from analytic.freewheel.course import Course, follow
 from analytic.freewheel.load_path import AlternatingAxial, AxialRamp, BothAlternating, LoadPath
-from analytic.freewheel.state import State, loaded
+from analytic.freewheel.state import RollerClutchState, loaded
 from verify.case import Comparison, Level, Quantity, Scan, drawn_by, given, shared
 from verify.cases.freewheel import pictures, star_sketch
 from verify.cases.freewheel.bounds import of_star
@@ -204,7 +204,7 @@ class LoadPaths(Pulled):
         return {c: follow(self.clutch, path, mu=self.mu, t=t) for c, path in self.paths.items()}
 
     @shared
-    def _top(self) -> State:
+    def _top(self) -> RollerClutchState:
         """The state under the largest torque."""
         return self.under(self.T_peak)
 

@@ -4,8 +4,8 @@ from math import atan
 from typing import Any
 
 from analytic.polyhedral import bore_pressure, printed
-from analytic.polyhedral.design import Clutch
-from analytic.polyhedral.parts import Parts
+from analytic.polyhedral.design import PolyhedralClutch
+from analytic.polyhedral.parts import PolyhedralParts
 from analytic.polyhedral.sector import Sector
 from verify.case import Quantity, shared
 from verify.cases.polyhedral.clutch.inputs import ClutchInputs
@@ -118,17 +118,17 @@ class PaperChain(ClutchInputs):
         return Sector(z=self.z, d_e=self.d_e, d_i=self.d_i, rho=self.rho)
 
     @shared
-    def full(self) -> Clutch:
+    def full(self) -> PolyhedralClutch:
         """The chain with K of the middle of the flats and the hub's exact lever."""
         return self.paper(K=self.K)
 
-    def paper(self, *, rho: float | None = None, **readings: Any) -> Clutch:
+    def paper(self, *, rho: float | None = None, **readings: Any) -> PolyhedralClutch:
         """The paper's formulas, corrected, in one of their readings."""
-        parts = Parts(
+        parts = PolyhedralParts(
             z=self.z, d_i=self.d_i, d_e=self.d_e, D_i=self.D_i, d=self.d, b=self.b, e=self.e,
             rho=self.rho if rho is None else rho,
         )  # fmt: skip
-        return Clutch(
+        return PolyhedralClutch(
             parts, p_t=self.p_t, E=self.E, nu=self.nu, mu=self.mu, phi_1=atan(self.tan_phi),
             alpha=self.alpha, M_wanted=self.M_t, **readings,
         )  # fmt: skip

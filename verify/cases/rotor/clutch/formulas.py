@@ -5,7 +5,7 @@ from typing import ClassVar, Self
 
 from analytic.rotor import clutch_inclined, clutch_tilted
 from analytic.rotor import clutch_uniform as uniform
-from analytic.rotor.clutch import LINE_CONTACT, Array, Clutch
+from analytic.rotor.clutch import LINE_CONTACT, Array, SpragCoupling
 from analytic.rotor.clutch_state import under_torque
 from verify.case import Quantity, State, shared
 from verify.cases.rotor.clutch.inputs import SpragLink
@@ -145,7 +145,7 @@ class ClutchStiffness(SpragLink):
         return State(self.in_state[key], key, UNEVEN[key][1])
 
     @shared
-    def sums(self) -> Clutch:
+    def sums(self) -> SpragCoupling:
         """The clutch of Eqs. 3 to 11, with crown or gap."""
         return self.clutch(crowned=self.with_crown, gap=self.with_gap)
 

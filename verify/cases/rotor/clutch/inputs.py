@@ -10,7 +10,7 @@ from typing import Self
 from pydantic import model_validator
 
 from analytic.contact import palmgren
-from analytic.rotor.clutch import LINE_CONTACT, Array, Clutch, even_angles
+from analytic.rotor.clutch import LINE_CONTACT, Array, SpragCoupling, even_angles
 from verify.case import Case, Quantity, count, given
 
 REFERENCE = 1000.0  # N, at which deflections are given
@@ -84,9 +84,11 @@ class SpragLink(Case):
         first = -(self.missing - 1) * math.pi / self.Z
         return even_angles(Z=self.Z, psi_0=first, missing=self.gap() if uneven else ())
 
-    def clutch(self, *, crowned: bool = False, gap: bool = False, n_s: int | None = None) -> Clutch:
+    def clutch(
+        self, *, crowned: bool = False, gap: bool = False, n_s: int | None = None
+    ) -> SpragCoupling:
         """The clutch of the formulas, with a crown or a gap where requested."""
-        return Clutch(
+        return SpragCoupling(
             psi=self.angles(uneven=gap), R_i=self.R_i, nu=self.nu, L=self.L, k_n=self.k_n,
             n_s=n_s or self.n_s, crown=self.crown if crowned else None,
         )  # fmt: skip

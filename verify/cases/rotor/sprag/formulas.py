@@ -4,9 +4,9 @@ from math import atan, pi
 from typing import Any, Literal
 
 from analytic.rotor import transfer_model as transfer
-from analytic.rotor.clutch import Clutch, even_angles
-from analytic.rotor.transfer_modes import critical_speeds, natural_frequencies
-from analytic.rotor.transfer_response import unbalance_response
+from analytic.rotor.clutch import SpragCoupling, even_angles
+from analytic.rotor.transfer_modes import natural_frequencies, transfer_critical_speeds
+from analytic.rotor.transfer_response import transfer_unbalance_response
 from analytic.rotor.transfer_torsion import torsional_frequencies
 from verify.case import Quantity, shared
 from verify.cases.rotor.sprag.inputs import SpragRotorInputs
@@ -36,7 +36,7 @@ MODES = 6
 ORDERS = (1, 3, 5)
 
 
-def rotor() -> transfer.Rotor:
+def rotor() -> transfer.TransferMatrixRotor:
     """The central system without damping."""
     s = layout(CENTRAL)
     segments = tuple(
@@ -46,26 +46,27 @@ def rotor() -> transfer.Rotor:
         )
     )
     k_g, k_s, k_c = float(s.k_g[0]), float(s.k_s[0]), float(s.k_c[0])
-    clutch = transfer.Link(
+    clutch = transfer.StationLink(
         a=CLUTCH[0] - 1, b=CLUTCH[1] - 1, kxx=k_c, k_tilt=float(s.k_tilt[0]),
         k_turn=float(s.k_turn[0]),
     )  # fmt: skip
-    return transfer.Rotor(
+    return transfer.TransferMatrixRotor(
         shafts=tuple(
-            transfer.Shaft(segments=own) for own in (segments[: OUTER - 1], segments[OUTER - 1 :])
+            transfer.SegmentedShaft(segments=own)
+            for own in (segments[: OUTER - 1], segments[OUTER - 1 :])
         ),
         discs=tuple(
-            transfer.Disc(
+            transfer.StationDisc(
                 node=node - 1, mass=float(s.mass[0, i]), polar=float(s.polar[0, i]),
                 diametral=float(s.diametral[0, i]),
             )
             for i, node in enumerate(DISCS)
         ),
         supports=tuple(
-            transfer.Support(node=n - 1, kxx=k_g, k_turn=DRIVE if n == GROUNDED[0] else 0.0)
+            transfer.StationSupport(node=n - 1, kxx=k_g, k_turn=DRIVE if n == GROUNDED[0] else 0.0)
             for n in GROUNDED
         ),
-        links=(*(transfer.Link(a=a - 1, b=b - 1, kxx=k_s) for a, b in BETWEEN), clutch),
+        links=(*(transfer.StationLink(a=a - 1, b=b - 1, kxx=k_s) for a, b in BETWEEN), clutch),
     )  # fmt: skip
 
 
@@ -78,7 +79,7 @@ def uneven(offset: float) -> Array:
     """K (5, 5) of the central clutch about a deflection of 1 µm; only the ratio to it matters."""
     R_i, delta_0 = CENTRAL[D_2] / 2, 1e-6
     k = 2 * CENTRAL[K_C] / SPRAGS
-    clutch = Clutch(
+    clutch = SpragCoupling(
         psi=even_angles(Z=SPRAGS), R_i=R_i, nu=atan(WEDGE), L=SPRAG_LENGTH, n=EXPONENT,
         k_n=k / (EXPONENT * delta_0 ** (EXPONENT - 1)), n_s=SLICES,
     )  # fmt: skip
@@ -123,7 +124,7 @@ class CentralSystem(SpragRotorInputs):
     @Quantity("x_{0}", "µm", "amplitude of node {0} at the rig's speed, no damping").over(DISCS)
     def amplitude(self, node: int) -> float:
         U = {DISCS[0] - 1: self.u_rig_1, DISCS[1] - 1: self.u_rig_2}
-        response = unbalance_response(self._rotor, self.rig_speed, U)
+        response = transfer_unbalance_response(self._rotor, self.rig_speed, U)
         return float(response.amplitude(node - 1)[0])
 
     @Quantity("f_c", "Hz", "torsional frequency of the clutch between both rotors")
@@ -162,7 +163,7 @@ class CentralSystem(SpragRotorInputs):
         return (EXPONENT - 1) * self.across * self.d_t * self.offset
 
     @shared
-    def _rotor(self) -> transfer.Rotor:
+    def _rotor(self) -> transfer.TransferMatrixRotor:
         return rotor()
 
     def _critical(self, whirl: Whirl, k: int) -> float:
@@ -172,7 +173,7 @@ class CentralSystem(SpragRotorInputs):
     def _criticals(self) -> dict[Whirl, Any]:
         whirls: tuple[Whirl, Whirl] = ("forward", "backward")
         count = len(ORDERS)
-        return {w: critical_speeds(self._rotor, count=count, whirl=w).w for w in whirls}
+        return {w: transfer_critical_speeds(self._rotor, count=count, whirl=w).w for w in whirls}
 
     @shared
     def _frequencies(self) -> Any:

@@ -7,8 +7,8 @@ from typing import Any, ClassVar, Literal, Self
 import numpy as np
 
 from analytic.rotor.stepped import SLICES, SteppedShape, stepped_beam
-from analytic.rotor.transfer_model import Rotor
-from analytic.rotor.transfer_modes import critical_speeds, whirl_frequencies
+from analytic.rotor.transfer_model import TransferMatrixRotor
+from analytic.rotor.transfer_modes import transfer_critical_speeds, whirl_frequencies
 from verify.case import (
     Comparison,
     Level,
@@ -70,7 +70,7 @@ class SteppedBeam(SteppedShaft):
 
     @Quantity("Ω_c", "r/min", "first critical speed", safe="too low")
     def critical(self) -> float:
-        return float(critical_speeds(self._rotor, count=1, whirl="forward").speeds[0])
+        return float(transfer_critical_speeds(self._rotor, count=1, whirl="forward").speeds[0])
 
     @Quantity("Δω_2", "rad/s", "gyroscopic splitting of mode 2", tex=r"\omega_{2f} - \omega_{2b}")
     def split(self) -> float:
@@ -87,13 +87,13 @@ class SteppedBeam(SteppedShaft):
         return SteppedShape(L=self.L, d_1=self.d_1, d_2=self.d_2, L_2=self.L_2, start=self.start,
                             seats=self.seats)  # fmt: skip
 
-    def rotor(self, *, cone: bool = False, slices: int = SLICES) -> Rotor:
+    def rotor(self, *, cone: bool = False, slices: int = SLICES) -> TransferMatrixRotor:
         """The shaft as Timoshenko's beam; `cone`: stiffness by the 45° rule."""
         return stepped_beam(self.shape, E=self.E, nu=self.nu, rho=self.rho, k=self.k, cone=cone,
                             slices=slices)  # fmt: skip
 
     @shared
-    def _rotor(self) -> Rotor:
+    def _rotor(self) -> TransferMatrixRotor:
         return self.rotor(cone=self.cone, slices=self.slices)
 
     @shared

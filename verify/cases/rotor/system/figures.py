@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from analytic.rotor.transfer_response import unbalance_response
+from analytic.rotor.transfer_response import transfer_unbalance_response
 from analytic.rotor.transfer_shapes import mode_lines
 from verify.cases.rotor.system.advice import SENSE, criticals
 from verify.cases.rotor.system.formulas import TransferRotor
@@ -91,7 +91,7 @@ def _response(q: TransferRotor) -> Curves:
     for k, (ratio, group) in enumerate(q.unbalanced().items()):
         if ratio:
             names = " and ".join(s.name for s in q.shafts if s.ratio == ratio)
-            found = unbalance_response(q.rotor, speeds, group, excitation=ratio)
+            found = transfer_unbalance_response(q.rotor, speeds, group, excitation=ratio)
             y = found.amplitude(q.probe - 1) / um
             curves.append(line(f"unbalance of {names}", speeds / RPM, y, k))
     return plot(f"Amplitude of node {q.probe} over the speed", "n [r/min]", "|r| [µm]", curves,

@@ -9,7 +9,14 @@ import numpy as np
 from pydantic import model_validator
 
 from analytic.rotor.inertia import cylinder_inertia
-from analytic.rotor.transfer_model import Disc, Link, Rotor, Segment, Shaft, Support
+from analytic.rotor.transfer_model import (
+    Segment,
+    SegmentedShaft,
+    StationDisc,
+    StationLink,
+    StationSupport,
+    TransferMatrixRotor,
+)
 from analytic.rotor.transfer_supported import check_supported
 from verify.cases.rotor.description import DiscInputs, SpringInputs
 from verify.cases.rotor.system.inputs import CoaxialRotor
@@ -43,10 +50,10 @@ class DescribedRotor(CoaxialRotor):
                 )  # fmt: skip
 
     @cached_property
-    def rotor(self) -> Rotor:
+    def rotor(self) -> TransferMatrixRotor:
         """The rotor of the formulas."""
         made = (
-            Shaft(
+            SegmentedShaft(
                 ratio=shaft.ratio,
                 segments=tuple(
                     Segment(length=s.length, d_o=s.d_o, d_i=s.d_i, E=s.E, nu=s.nu, rho=s.rho)
@@ -56,21 +63,23 @@ class DescribedRotor(CoaxialRotor):
             for shaft in self.shafts
         )  # fmt: skip
         supports, links = self._springs()
-        return Rotor(shafts=tuple(made), discs=discs_of(self.discs), supports=supports, links=links)
+        return TransferMatrixRotor(
+            shafts=tuple(made), discs=discs_of(self.discs), supports=supports, links=links
+        )
 
-    def _springs(self) -> tuple[tuple[Support, ...], tuple[Link, ...]]:
+    def _springs(self) -> tuple[tuple[StationSupport, ...], tuple[StationLink, ...]]:
         """Bearings; EntryError for coefficients that do not resist, or one node."""
         supports, links = [], []
         for k, entry in enumerate(self.supports, start=1):
             try:
-                supports.append(Support(node=entry.node - 1, **coefficients(entry)))
+                supports.append(StationSupport(node=entry.node - 1, **coefficients(entry)))
             except ValueError as error:
                 raise EntryError("supports", k, "", str(error)) from error
         for k, link in enumerate(self.links, start=1):
             if link.node == link.to:
                 raise EntryError("links", k, f"to = {link.to}", "joins a node with itself")
             try:
-                links.append(Link(a=link.node - 1, b=link.to - 1, **coefficients(link)))
+                links.append(StationLink(a=link.node - 1, b=link.to - 1, **coefficients(link)))
             except ValueError as error:
                 raise EntryError("links", k, "", str(error)) from error
         return tuple(supports), tuple(links)
@@ -115,7 +124,7 @@ def inertia_of(disc: DiscInputs) -> tuple[float, float, float]:
     return m, p, d
 
 
-def discs_of(discs: Sequence[DiscInputs]) -> tuple[Disc, ...]:
+def discs_of(discs: Sequence[DiscInputs]) -> tuple[StationDisc, ...]:
     """The discs of the formulas; EntryError where their masses do not follow."""
     found = []
     for k, disc in enumerate(discs, start=1):
@@ -128,11 +137,11 @@ def discs_of(discs: Sequence[DiscInputs]) -> tuple[Disc, ...]:
                 "discs", k, f"polar = {polar:.6g} kg m^2",
                 f"no body has more than twice its diametral moment, {2 * diametral:.6g} kg m^2",
             )  # fmt: skip
-        found.append(Disc(node=disc.node - 1, mass=mass, polar=polar, diametral=diametral))
+        found.append(StationDisc(node=disc.node - 1, mass=mass, polar=polar, diametral=diametral))
     return tuple(found)
 
 
-def check_widths(discs: Sequence[DiscInputs], rotor: Rotor) -> None:
+def check_widths(discs: Sequence[DiscInputs], rotor: TransferMatrixRotor) -> None:
     """EntryError where two discs of one shaft overlap."""
     wide = sorted(
         (rotor.shaft_of[d.node - 1], rotor.places[d.node - 1], d.width or 0.0, k)

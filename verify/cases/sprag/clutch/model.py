@@ -9,7 +9,7 @@ from analytic.sprag import printed
 from analytic.sprag.closure import Wedged, at_torque, wedged
 from analytic.sprag.crowned import Crowned
 from analytic.sprag.laws import LOADS
-from analytic.sprag.limits import Limits, limits
+from analytic.sprag.limits import SpragClutchLimits, sprag_torque_limits
 from analytic.sprag.search import first_reach
 from analytic.sprag.start import spring_equilibrium
 from verify.cases.sprag.engagement.model import clutch, gap, parts
@@ -74,9 +74,9 @@ def spring_force(q: EngagementInputs) -> float:
 
 
 @lru_cache(maxsize=16)
-def grip(q: SpragInputs) -> Limits:
+def grip(q: SpragInputs) -> SpragClutchLimits:
     """Torques at which the contacts slip and at which the profile ends."""
-    return limits(built(q).clutch, mu=q.mu_s, theta_max=q.alpha_max)
+    return sprag_torque_limits(built(q).clutch, mu=q.mu_s, theta_max=q.alpha_max)
 
 
 def low_friction(q: SpragInputs) -> float:

@@ -13,10 +13,10 @@ from numpy.typing import ArrayLike
 from analytic.contact import crown, slices, strips
 from analytic.contact.sliced import SlicedContact
 from analytic.contact.strips import Strips
-from analytic.sprag.clutch import Clutch
+from analytic.sprag.clutch import SpragClutch
 from analytic.sprag.laws import LOADS, Law, sliced_law
 from analytic.sprag.motion import Motion
-from analytic.sprag.parts import Parts
+from analytic.sprag.parts import SpragClutchParts
 from analytic.sprag.race_spring import CACHE_SIZE, Blades, RaceSpring, reached
 from verify.cases.sprag.inputs import EngagementInputs, SpragInputs
 from verify.core.figures import Array
@@ -25,9 +25,9 @@ LAWS = 2048  # of both contacts: the crowns of two factorials and of the searche
 HEADROOM = 2.5  # of the static load: a load that comes at once swings to twice, or a little less
 
 
-def parts(q: SpragInputs) -> Parts:
+def parts(q: SpragInputs) -> SpragClutchParts:
     """Dimensions and material."""
-    return Parts(
+    return SpragClutchParts(
         sprag=q.sprag, n_s=q.z, l=q.l, b=q.b, R_id=q.R_id, R_ed=q.R_ed, E=q.E, nu=q.nu,
         rho=q.density, omega=q.n,
     )  # fmt: skip
@@ -51,12 +51,12 @@ def gap(q: SpragInputs) -> Array:
 
 def in_slices(q: SpragInputs, gap: Array, R: ArrayLike, N: ArrayLike) -> SlicedContact:
     """A contact of relative radius R [m] with the drop `gap` [m] at its slices, under N [N]."""
-    return slices.press(gap, length=q.l, R=R, E_star=float(parts(q).E_star), load=N)
+    return slices.press_slices(gap, length=q.l, R=R, E_star=float(parts(q).E_star), load=N)
 
 
 def in_strips(q: SpragInputs, gap: Array, R: ArrayLike, N: ArrayLike) -> Strips:
     """The same in strips on a half-space, `gap` at their centres."""
-    return strips.press(gap, length=q.l, R=R, E_star=float(parts(q).E_star), load=N)
+    return strips.press_strips(gap, length=q.l, R=R, E_star=float(parts(q).E_star), load=N)
 
 
 @lru_cache(maxsize=LAWS)
@@ -65,7 +65,7 @@ def _law(gap: tuple[float, ...], **contact: Any) -> Law:
     return sliced_law(gap, **contact)
 
 
-def clutch(q: SpragInputs, N_end: float, loads: int = LOADS) -> Clutch:
+def clutch(q: SpragInputs, N_end: float, loads: int = LOADS) -> SpragClutch:
     """The clutch with contacts in slices, solved at some loads up to N_end [N]."""
     whole, drop = parts(q), tuple(gap(q).tolist())
     E_star = float(whole.E_star)
@@ -73,7 +73,7 @@ def clutch(q: SpragInputs, N_end: float, loads: int = LOADS) -> Clutch:
         _law(drop, l=q.l, R=float(R), E_star=E_star, N_max=float(N_end), loads=loads)
         for R in (whole.R_contact_i, whole.R_contact_e)
     )
-    return Clutch(
+    return SpragClutch(
         sprag=q.sprag, n_s=q.z, compliance=whole.compliance(contact_i=inner, contact_e=outer)
     )
 
@@ -85,7 +85,7 @@ def wedge(q: EngagementInputs, *, rigid: bool = False) -> RaceSpring:
     `rigid` races are Liu's.
     """
 
-    def made(N: float) -> Clutch:
+    def made(N: float) -> SpragClutch:
         found = clutch(q, N)
         return found.rigid_races() if rigid else found
 

@@ -12,9 +12,9 @@ import numpy as np
 
 from analytic.sprag import printed
 from analytic.sprag.closure import Wedged, at_torque, wedged
-from analytic.sprag.clutch import Clutch
+from analytic.sprag.clutch import SpragClutch
 from analytic.sprag.course import rolled
-from analytic.sprag.elastic import Elastic
+from analytic.sprag.elastic import ElasticSpragClutch
 from analytic.sprag.limits import pressures
 from verify.case import Case, Quantity, State, shared
 from verify.cases.sprag.inputs import WedgeInputs
@@ -56,12 +56,12 @@ class WedgeFormulas(WedgeInputs, Case):
         }
 
     @shared
-    def bodies(self) -> Elastic:
+    def bodies(self) -> ElasticSpragClutch:
         """The parts, and the clutches by each law of their deflections."""
         return model.bodies(self.part)
 
     @shared
-    def clutch(self) -> Clutch:
+    def clutch(self) -> SpragClutch:
         """The clutch with parts that deflect as elastic bodies."""
         return self.bodies.clutch
 
@@ -75,13 +75,13 @@ class WedgeFormulas(WedgeInputs, Case):
             )
         return found
 
-    def state_of(self, clutch: Clutch) -> Wedged:
+    def state_of(self, clutch: SpragClutch) -> Wedged:
         """The state of another clutch under the same load."""
         if self.share is None:
             return at_torque(clutch, self.T)
         return wedged(clutch, self.N)
 
-    def printed_state_of(self, clutch: Clutch) -> Wedged:
+    def printed_state_of(self, clutch: SpragClutch) -> Wedged:
         """The same with Eqs. 9 and 10 as printed."""
         if self.share is None:
             return printed.at_torque(clutch, self.T)

@@ -7,18 +7,20 @@ import numpy as np
 from analytic.bounds.sprag.wedge import Bounds
 from analytic.bounds.sprag.wedge_sizes import Race, Sizes
 from analytic.sprag.closure import wedged
-from analytic.sprag.elastic import Elastic
-from analytic.sprag.parts import Parts
+from analytic.sprag.elastic import ElasticSpragClutch
+from analytic.sprag.parts import SpragClutchParts
 from verify.cases.sprag.inputs import WedgeInputs
 
 MESHES = 5e-4  # of angles of a user's sprags; on the case's, meshes were refined to convergence
 
 
 @lru_cache(maxsize=32)
-def bodies(q: WedgeInputs) -> Elastic:
+def bodies(q: WedgeInputs) -> ElasticSpragClutch:
     """The clutch with parts that deflect."""
-    return Elastic(
-        Parts(sprag=q.sprag, n_s=q.z, l=q.l, b=q.b, R_id=q.R_id, R_ed=q.R_ed, E=q.E, nu=q.nu)
+    return ElasticSpragClutch(
+        SpragClutchParts(
+            sprag=q.sprag, n_s=q.z, l=q.l, b=q.b, R_id=q.R_id, R_ed=q.R_ed, E=q.E, nu=q.nu
+        )
     )
 
 

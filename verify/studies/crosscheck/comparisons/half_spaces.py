@@ -78,7 +78,9 @@ def sphere() -> Posed:
 def press(shape: Array, cell: tuple[float, float], E_star: float, load: float) -> Any:
     from analytic.contact import half_space
 
-    return half_space.press(shape, cell=cell, E_star=E_star, load=load, tolerance=TOLERANCE)
+    return half_space.press_half_space(
+        shape, cell=cell, E_star=E_star, load=load, tolerance=TOLERANCE
+    )
 
 
 def asked(
