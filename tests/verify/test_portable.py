@@ -12,12 +12,14 @@ from verify.app.cli import run
 from verify.audit.portable import command, reasons, runner
 from verify.audit.portable import variants as emulating
 from verify.audit.portable.compare import Kind, differences
-from verify.audit.portable.moving import Record, move
+from verify.audit.portable.moving import Record, move, record
 from verify.audit.portable.perturbation import SIZE, Outcome, perturb_defaults, perturbed
 from verify.audit.portable.store import CaseRecord, Place
 from verify.audit.portable.variants import BASELINE, CORE_TYPE, Variant
 from verify.cases.registry import CASES, find
 from verify.core.inputs import EntryError, InputError, Inputs, count, quantity, table, word
+from verify.core.results import Kind as RowKind
+from verify.core.results import Partner, Row, Status
 from verify.core.store import Store
 from verify.jobs.level import Job
 
@@ -134,10 +136,34 @@ def test_the_size_of_a_move():
         (FACT, {"values": {"reference": 1.85}, "difference": 1.35}, 0.1),
         (replace(ROW, values={"formula": NAN}), {"values": {"formula": 2.0}}, math.inf),
         (replace(ROW, difference=NAN, values={"formula": NAN}), {}, 0.0),
+        (replace(ROW, difference=None), {"difference": 0.001}, math.inf),
         (free, {"values": {"formula": 50.0005}}, 1.0),
     ):
         found = move(was, replace(was, **now), perturbed=False)
         assert found == pytest.approx(size, rel=1e-4)
+
+
+def test_the_record_of_a_row_has_the_value_of_its_partner():
+    row = Row(
+        case="ring", quantity="bore", symbol="u", unit="mm", kind=RowKind.IDENTITY,
+        status=Status.PASS, analytic=2.0, difference=0.001,
+    )  # fmt: skip
+    assert record(row).values == {"formula": 2.0, "reference": None}
+    beside = replace(row, partner=Partner(by="series", value=2.001))
+    assert record(beside).values == {"formula": 2.0, "reference": None, "partner": 2.001}
+
+
+def test_what_a_value_may_move_by():
+    # perturbed: 1e-5 of the scale of 2 where the tolerance is less, the tolerance where it is more
+    sharp = replace(ROW, tolerance=1e-6)
+    both = {"values": {"formula": 2.00001, "reference": 2.00101}}
+    assert move(sharp, replace(sharp, **both), perturbed=True) == pytest.approx(0.5)
+    assert move(ROW, replace(ROW, **both), perturbed=True) == pytest.approx(1e-3)
+    # a fact: its margin without the uncertainty, on either side; nothing where it is undecided
+    for margin, U, size in ((1.5, 0.5, 0.1), (-1.5, 0.5, 0.1), (0.3, 0.5, math.inf)):
+        was = replace(FACT, values={}, difference=margin, tolerance=U)
+        now = replace(was, difference=margin + 0.1)
+        assert move(was, now, perturbed=False) == pytest.approx(size)
 
 
 def compared(before=ROW, *, perturbed=False, **change):
@@ -152,7 +178,7 @@ def test_a_status_a_value_or_a_tolerance_that_differs_is_reported():
         ({"difference": -0.0021, "values": {**VALUES, "reference": 2.0021}}, Kind.VALUE, "", ""),
         ({"difference": -0.0019, "values": {**VALUES, "reference": 2.0019}}, None, "", ""),
         # a tolerance is estimated and may differ by a factor of two
-        ({"tolerance": 0.0199}, None, "", ""),
+        ({"tolerance": 0.02}, None, "", ""),
         ({"tolerance": 0.0201}, Kind.VALUE, "tolerance 0.01", "tolerance 0.0201"),
         ({"tolerance": None}, Kind.VALUE, "tolerance 0.01", "tolerance none"),
     ):
@@ -171,6 +197,7 @@ def test_other_rows_are_reported():
 
 def test_of_a_fact_a_tenth_of_its_margin_counts_and_perturbed_sides_may_move_equally():
     assert [compared(FACT, tolerance=U) == [] for U in (0.14, 0.16)] == [True, False]
+    assert compared(replace(FACT, tolerance=0.05), tolerance=0.15) == []
     alike = {name: value * (1 + 1e-7) for name, value in VALUES.items()}
     assert compared(values=alike, perturbed=True) == []
     assert [one.kind for one in compared(perturbed=True, **MOVED)] == [Kind.VALUE]

@@ -7,8 +7,9 @@ from fem.beam.large import LargeFrame
 from fem.beam.large_balance import ConvergenceError
 from fem.beam.section import Section
 from fem.beam.touching import BeamObstacle, SelfContact
+from fem.beam.touching_passing import _times
 from fem.beam.touching_rigid import DiscObstacle, FlatObstacle
-from tests.fem.beam.touching_shapes import at_rest, line, rotated, together
+from tests.fem.beam.touching_shapes import at_rest, chain, line, rotated, together
 
 L, B, EI = 1.0, 0.01, 1.0
 EA = 12 * EI / B**2
@@ -150,3 +151,41 @@ def test_a_line_does_not_leap_over_a_disc(carried):
     with refused:
         term.settle(x)
     assert not term.evaluate(x)[1].any()
+
+
+def test_the_times_at_which_a_moving_place_is_in_line_with_a_moving_chord():
+    """Two times where both are parallel; a place that has none stays on one side of the chord."""
+    along, off = np.random.default_rng(3).uniform(-1, 1, (2, 2, 200, 2))
+
+    def side(time, which):
+        return np.linalg.det(np.stack([
+            (1 - time) * v[0, which] + time * v[1, which] for v in (along, off)
+        ], axis=1))  # fmt: skip
+
+    found = np.array(_times(along, off))
+    twice = np.isfinite(found).all(axis=0)
+    assert 50 < twice.sum() < 200
+    assert abs(found[0] - found[1])[twice].min() > 1e-6
+    for time in found[:, twice]:
+        scale = 1 + time**2  # of the place and of the chord at this time
+        assert side(time[:, None], twice) / scale == pytest.approx(0, abs=1e-12)
+    for time in np.linspace(-5, 6, 45):
+        assert (side(time, ~twice) * side(0.0, ~twice) > 0).all()
+
+
+def test_corners_that_move_towards_each_other_meet_before_the_next_look_round():
+    """Each by half a thickness in x and in y: others are searched for in a wider range."""
+    gap, step = 2.3 * THICK, 0.49 * THICK
+    assert gap - 2 * np.sqrt(2) * step < THICK
+    side = np.linspace(4, 0, 17)  # elements of half a thickness
+    bent = np.concatenate([np.column_stack([side, 0 * side]),
+                           np.column_stack([0 * side, side])[::-1][1:]])  # fmt: skip
+    points, elements, (_, second) = together(
+        (-bent, chain(len(bent))), (bent + gap / np.sqrt(2), chain(len(bent)))
+    )
+    term = SelfContact(points, elements, thickness=THICK, EA=1.0)
+    term.start(at_rest(points))
+    nearer = at_rest(points)
+    nearer[:second, :2] += step
+    nearer[second:, :2] -= step
+    assert term.evaluate(nearer)[1].any()

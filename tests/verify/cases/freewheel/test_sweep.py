@@ -1,5 +1,7 @@
 """Sweeps over the torque, the rig's load paths, and intervals that are derived beforehand."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -13,6 +15,8 @@ from verify.cases.freewheel.cup.sweep import ONWARD, SHARES, CupSweep, through
 from verify.cases.freewheel.paths.case import PATHS, LoadPaths
 from verify.cases.freewheel.sweep import given_angle, rigid_force, sweep
 from verify.cases.freewheel.torque.case import TORQUE, FreewheelTorque
+from verify.core.case import Context
+from verify.core.results import Kind
 
 STAR, Q = FreewheelTorque(), FreewheelCup()
 
@@ -102,3 +106,21 @@ def test_round_off_of_the_frequency_moves_no_time_of_a_course():
     for off in (-1e-13, 1e-13):
         for case, along in q.model_copy(update={"f": q.f * (1 + off)}).courses.items():
             assert np.array_equal(along.t, q.courses[case].t)
+
+
+def test_reference_values_of_order_2_have_the_uncertainty_of_that_order():
+    levels = [level.result for level in solved(CUP, Q)]
+    exact = levels[-1].values
+    made = [
+        replace(one, u_it={}, values={key: v * (1 + 0.2 * one.h**2) for key, v in exact.items()})
+        for one in levels
+    ]
+    of = Context(CUP.id, Q, CUP.analytic(Q), made, is_paper=True)
+    found = [
+        row for check in CUP.checks for row in check.rows(of)
+        if row.kind is Kind.APPROXIMATION and row.formal_order is not None and row.grid
+    ]  # fmt: skip
+    assert len(found) > 10
+    for row in found:
+        assert row.grid.used == pytest.approx(2, abs=0.02), row.quantity
+        assert row.grid.factor == pytest.approx(1.25), row.quantity
