@@ -39,8 +39,8 @@ def press_laminae(
     """A roller with `gap` [m], (..., n), pressed by `load` [N] or to `approach` [m], each (...).
 
     `length` [m], relative radius R [m], contact modulus [Pa] and the slices' `compliance`
-    [m^(10/9)/N] are (...), too. An approach that reaches nothing gives no force. ValueError for
-    what makes no sense.
+    [m^(10/9)/N] are (...), too; the default, Palmgren's, requires SI units. An approach that
+    reaches nothing gives no force. ValueError for what makes no sense.
 
     >>> roller = {"length": 1.0, "R": 1.0, "E_star": 1.0, "compliance": 1.0}
     >>> contact = press_laminae([0.0, 511.0, 600.0], approach=512.0, **roller)  # 2^9 - 511 = 1^9

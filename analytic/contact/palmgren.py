@@ -4,7 +4,7 @@ r"""Approach of a steel roller and its race by Palmgren's fit.
 
 It contains neither radii nor elastic constants: the number holds for steel on steel and for
 the radii of bearings. In SI it is 3.84e-5 times 1e-3 (delta in m) over 1000^0.8 (l in m), which is
-3.84e-10.4. `hertz_line_approach` has the results of a half plane.
+3.84 x 10^-10.4. `hertz_line_approach` has the results of a half plane.
 
 The contact cut into n equal slices keeps this law as a whole if each slice obeys
 :math:`(\delta - z)^{10/9} = s q`, q being its force, with the compliance

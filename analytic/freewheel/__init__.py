@@ -1,6 +1,6 @@
 """Roller freewheels.
 
-Any consistent units, where a docstring does not name SI units.
+Any consistent units, where a docstring does not name SI units; messages state SI units.
 """
 
 from analytic.public import lazily

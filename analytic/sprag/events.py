@@ -247,7 +247,7 @@ def engage_by_events(
     balanced: bool = False,
     rtol: float = 1e-9,
 ) -> Events:
-    """Engagement over `duration` [s] from rest under the blades, but for `speeds`.
+    """Engagement over `duration` [s] from rest under the blades, but for `speeds`; SI units.
 
     `unlimited` friction: the contacts always roll (Xu's and Liu's assumption); `asked` is for the
     friction that this takes. `balanced` as in `table`. ArithmeticError where the solver or the

@@ -1,6 +1,6 @@
 """Contact of elastic and rigid bodies in the plane, with and without friction.
 
-Any consistent units.
+Any consistent units; messages state SI units.
 """
 
 from fem.public import lazily

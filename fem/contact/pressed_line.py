@@ -2,7 +2,7 @@
 
 The cut through a disc's centre that moves as a rigid line makes the quarter an exact part of a
 disc pressed from both sides. Plane problems without friction, symmetric about x = 0, that touch at
-the origin and are pushed along y; any consistent units.
+the origin and are pushed along y. Any consistent units; docstrings state those of SI.
 """
 
 from collections.abc import Callable
@@ -73,7 +73,7 @@ class PressedLine:
         return (points.x[0] + points.y[0]) / 2, self.touch.p * np.abs(points.n[1]) * points.weight
 
     def values(self) -> dict[str, float]:
-        """Peak pressure, half-width and approach in SI units."""
+        """Peak pressure, half-width and approach in the units of the input."""
         return {"p_0": self.peak, "a": self.half_width, "approach": self.approach}
 
     def rounding(self, key: str, value: float) -> float:

@@ -1,6 +1,6 @@
 """Bodies of revolution under loads that vary round the axis: one problem in (r, z) per harmonic.
 
-Any consistent units.
+Any consistent units; messages state SI units.
 """
 
 from fem.public import lazily

@@ -1,6 +1,6 @@
 """Bodies that touch: cells fine around the contact at the origin, coarse far from it.
 
-Lengths in any consistent unit.
+Lengths in any consistent unit; messages state metres.
 """
 
 from meshes.public import lazily

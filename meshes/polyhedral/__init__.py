@@ -1,6 +1,6 @@
 """Sectors of rings whose bore is a polygon.
 
-Lengths in any consistent unit.
+Lengths in any consistent unit; messages state metres.
 """
 
 from meshes.public import lazily

@@ -1,6 +1,6 @@
 """Half-sections of bodies of revolution: x is the radius, y the axis.
 
-Lengths in any consistent unit.
+Lengths in any consistent unit; messages state metres.
 """
 
 from meshes.public import lazily
