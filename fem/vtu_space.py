@@ -57,7 +57,7 @@ def modes(solution: Any, *, rotor: Any, **_more: Any) -> Content:
             f"the modes have {solution.shapes.shape[1]} nodes, the rotor has {z.size + inner}"
         )
     first = np.flatnonzero(shaft[1:] == shaft[:-1])
-    fields = {}
+    fields: dict[str, Array] = {}
     for k, shape in enumerate(solution.shapes[:, : z.size, :3], 1):
         fields |= {f"mode_{k}_real": shape.real, f"mode_{k}_imaginary": shape.imag}
     points = np.column_stack([np.zeros((z.size, 2)), z])
