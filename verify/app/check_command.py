@@ -40,7 +40,7 @@ FAILED = (Status.FAIL, Status.SKIP)
 
 @dataclass(frozen=True, kw_only=True)
 class Options:
-    """Options of `check`."""
+    """Options of `check`; without `notes`, the slow study of assumed inputs is left out."""
 
     fem: bool = False
     dynamic: bool = False
@@ -49,6 +49,7 @@ class Options:
     cache: bool = True
     out: Path | None = None
     units: System | None = None
+    notes: bool = True
 
 
 def run_check(path: Path, options: Options) -> int:
@@ -87,7 +88,7 @@ def check_part(
         dynamic = run_dynamic(case, inputs, values, where=named, drawn=drawn, quiet=options.json)
     job = Job(case, inputs, use_fem=options.fem, values=values, drawn=drawn)
     (result,) = solve([job], where, options.cache, quiet=options.json)
-    part = _assessed(file, named)
+    part = _assessed(file, named, options.notes)
     odd = unusual(inputs)
     doubts = [w for w in result.warnings if not w.endswith(GIVE_STRENGTH)]  # a limit decides that
     warnings = (*odd.values(), *doubts)
@@ -133,14 +134,14 @@ class _Assessed:
     shared: tuple[SharedReading, ...]
 
 
-def _assessed(file: ParameterFile, where: str) -> _Assessed:
+def _assessed(file: ParameterFile, where: str, notes: bool) -> _Assessed:
     """Criteria, dependence on assumed inputs, shared readings; InputError if one overflows."""
     case, inputs, values = file.case, file.inputs, file.values
     try:
         with np.errstate(over="raise", divide="raise", invalid="raise"):
             return _Assessed(
                 answer=answer_of(case, inputs, values, assumed=[one.name for one in file.assumed]),
-                notes=margin_notes(case, inputs, file.assumed),
+                notes=margin_notes(case, inputs, file.assumed) if notes else (),
                 shared=shared_readings(case.id, inputs, values),
             )
     except (ValueError, ArithmeticError) as error:

@@ -18,6 +18,7 @@ from verify.app.arguments import CaseId, Engine, Jobs, ProblemKind, case_ids  # 
 from verify.app.crosscheck.cli import crosscheck  # noqa: E402
 from verify.app.design.cli import design  # noqa: E402
 from verify.app.mutation.cli import mutants  # noqa: E402
+from verify.app.page.cli import app as local_page  # noqa: E402
 from verify.app.portable.cli import portable  # noqa: E402
 from verify.app.readings.cli import search  # noqa: E402
 from verify.app.sweep.cli import sweep  # noqa: E402
@@ -36,6 +37,7 @@ BAD_INPUT = 2
 
 for _command in (search, design, sweep, crosscheck, mutants, portable):
     app.command(_command)
+app.command(local_page, name="app")
 
 
 def _templates(_context: Any) -> list[str]:

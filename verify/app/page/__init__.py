@@ -1,0 +1,1 @@
+"""Command app: a local page on which a part is dimensioned."""

@@ -1,0 +1,89 @@
+"""The answer as HTML: verdict, design value, margin, limits, values, messages."""
+
+from collections.abc import Sequence
+
+from markupsafe import Markup
+
+from reports.svg import lowered
+from verify.app.page.answers import Cells, Shown
+
+STYLE = {"holds": "pass", "fails": "fail", "cannot say": "shown"}
+MARK = {"holds": "✓", "fails": "✗", "cannot say": "?"}
+
+
+def answer(shown: Shown) -> Markup:
+    """Verdict first; where an input is wrong, what is wrong and no verdict."""
+    if not shown.verdict:
+        return _faults(shown)
+    first, *rest = shown.lines
+    return Markup(
+        '<p class="verdict {}"><span aria-hidden="true">{}</span> {}</p><dl class="key">'
+        "<div><dt>Design value</dt><dd>{}</dd></div><div><dt>Margin</dt><dd>{}</dd></div></dl>"
+        "<p>{}</p>{}{}{}{}"
+    ).format(
+        STYLE[shown.verdict], MARK[shown.verdict], shown.verdict.capitalize(),
+        lowered(shown.design or "none"), shown.margin or "none", first,
+        _list([one for one in rest if not one.startswith(("Design value:", "Margin:"))]),
+        _list(shown.warnings, "warnings"), _limits(shown.limits), _values(shown),
+    )  # fmt: skip
+
+
+def _faults(shown: Shown) -> Markup:
+    told = [shown.fault] if shown.fault else [f"{k}: {v}" for k, v in shown.faults.items()]
+    return Markup('<p class="verdict none">No answer: an input is wrong</p>{}').format(
+        _list(told, "warnings")
+    )
+
+
+def _list(lines: Sequence[str], css: str = "") -> Markup:
+    if not lines:
+        return Markup("")
+    items = Markup("").join(Markup("<li>{}</li>").format(one) for one in lines)
+    return Markup('<ul class="{}">{}</ul>').format(css, items)
+
+
+def _limits(cells: Cells) -> Markup:
+    if not cells:
+        return Markup("")
+    header = ("", "criterion", "value", "limit", "margin", "source")
+    rows = [(*c[:4], c[4].removeprefix("margin "), c[5]) for c in cells]
+    return Markup("<h3>Limits</h3>") + table(header, rows)
+
+
+def _values(shown: Shown) -> Markup:
+    body = table(("symbol", "value", "unit", "what"), shown.values)
+    notes = _list(shown.notes)
+    assumed = table(("input", "assumed"), tuple(shown.assumed.items())) if shown.assumed else ""
+    parts = Markup("<details><summary>Values of the formulas</summary>{}{}</details>").format(
+        notes, body
+    )
+    if assumed:
+        parts += Markup("<details><summary>Assumed inputs ({})</summary>{}</details>").format(
+            len(shown.assumed), assumed
+        )
+    return parts
+
+
+def evidence(shown: Shown) -> Markup:
+    """The rows that finite elements have judged."""
+    header, *rows = shown.rows or ((),)
+    return (
+        Markup("<p><b>{}</b></p>").format(shown.rows_title)
+        + table(header, rows)
+        + _list(shown.rows_notes)
+    )
+
+
+def table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> Markup:
+    """Cells as a table that scrolls by itself where it is too wide."""
+    head = Markup("").join(Markup('<th scope="col">{}</th>').format(lowered(c)) for c in header)
+    body = Markup("").join(
+        Markup("<tr>{}</tr>").format(
+            Markup("").join(Markup("<td>{}</td>").format(lowered(c)) for c in row)
+        )
+        for row in rows
+    )
+    return Markup(
+        '<div class="wide" tabindex="0"><table><thead><tr>{}</tr></thead><tbody>{}</tbody>'
+        "</table></div>"
+    ).format(head, body)

@@ -1,0 +1,157 @@
+"""The answer of `freewheel check` to what is typed, as plain data for a page."""
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from verify.answers.assumed.complete import build_completed
+from verify.answers.console import limits, margin, number
+from verify.answers.parameter_file import completed
+from verify.app.check_command import Options, check_part, in_system
+from verify.app.check_console import Checked, answer_lines
+from verify.app.page.described import model_of
+from verify.app.page.sketches import named_sketch
+from verify.cases.registry import find
+from verify.core.case import Case
+from verify.core.console import raised, sentences
+from verify.core.console_rows import row_cells, title, unit_of
+from verify.core.inputs import InputError
+from verify.jobs.executor import ThisProcess
+
+MOST_FAULTS = 20  # inputs that are marked at once
+WHERE = "page"
+_PLACE = re.compile(r"inputs\.(\w+(?:\[\d+\]\.\w+)?)")
+Cells = tuple[tuple[str, ...], ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Shown:
+    """What a page shows of one set of inputs.
+
+    `faults` and `beside` are messages by the place of an input, `fault` is one without a place;
+    then there is no verdict. `rest` are inputs that were assumed, by name. `values` have keys.
+    """
+
+    verdict: str = ""
+    lines: tuple[str, ...] = ()
+    design: str = ""
+    margin: str = ""
+    limits: Cells = ()
+    values: Cells = ()
+    fault: str = ""
+    faults: Mapping[str, str] = field(default_factory=dict)
+    warnings: tuple[str, ...] = ()
+    beside: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    assumed: Mapping[str, str] = field(default_factory=dict)
+    notes: tuple[str, ...] = ()
+    sketch: str = ""
+    refused: str = ""
+    rows: Cells = ()
+    rows_title: str = ""
+    rows_notes: tuple[str, ...] = ()
+
+
+def shown(
+    case_name: str, name: str, raw: Mapping[str, Any], notes: bool, _tell: Callable[[Any], None]
+) -> Shown:
+    """The answer to raw inputs; without `notes` the slow study of assumed inputs is left out.
+
+    Faults of inputs are part of the answer; InputError where there is no such case.
+    """
+    try:
+        case = find(case_name)
+    except ValueError as error:
+        raise InputError(str(error)) from error
+    try:
+        file = completed(case, raw, name=name, where=WHERE, named=case_name)
+        options = Options(json=True, notes=notes)
+        return of_checked(in_system(check_part(file, WHERE, options, ThisProcess()), file.system))
+    except InputError as error:
+        return _wrong(case, raw, str(error))
+
+
+def of_checked(checked: Checked) -> Shown:
+    """The answer of a check as plain data."""
+    answer, result = checked.answer, checked.result
+    worst = answer.limiting
+    beside, general = _placed(checked)
+    return Shown(
+        verdict=str(answer.verdict),
+        lines=tuple(raised(line.strip()) for line in answer_lines(checked)),
+        design="" if answer.design is None else
+        f"{answer.design.symbol} = {number(answer.design.value, answer.design.unit)}, "
+        f"{answer.design.what}",
+        margin="" if worst is None or answer.failures else margin(worst),
+        limits=tuple(limits(answer)),
+        values=tuple((v.symbol, f"{v.value:.6g}", unit_of(v.unit), v.what) for v in result.values),
+        warnings=general, beside=beside,
+        assumed={one.name: f"{one.text} ({one.source})" for one in checked.assumed},
+        notes=tuple(map(raised, result.findings)), refused=result.refused,
+        sketch=named_sketch(result.sketch, model_of(checked.case)),
+        **_evidence(checked),
+    )  # fmt: skip
+
+
+def _evidence(checked: Checked) -> dict[str, Any]:
+    rows = checked.result.rows
+    if not checked.used_fem:
+        return {}
+    cells = tuple(tuple(map(raised, line)) for line in row_cells(rows))
+    return {"rows": cells, "rows_title": title(rows), "rows_notes": tuple(sentences(rows))}
+
+
+def _placed(checked: Checked) -> tuple[dict[str, tuple[str, ...]], tuple[str, ...]]:
+    """Warnings beside the input that they begin with, or that they name alone; and the others."""
+    beside: dict[str, tuple[str, ...]] = {}
+    general = []
+    by_symbol = model_of(checked.case)
+    names = {**by_symbol, **{name: name for name in by_symbol.values()}}
+    for warning in checked.result.warnings:
+        first = re.match(r"[\w\[\].]+", warning)
+        known = {names[word] for word in re.findall(r"\w+", warning) if word in names}
+        place = first[0] if first and (first[0] in names or "[" in first[0]) else ""
+        place = names.get(place, place) or (known.pop() if len(known) == 1 else "")
+        if place:
+            beside[place] = (*beside.get(place, ()), raised(warning))
+        else:
+            general.append(raised(warning))
+    return beside, tuple(general)
+
+
+def _wrong(case: Case, raw: Mapping[str, Any], message: str) -> Shown:
+    """Every input that is wrong by itself: the others are tried with the wrong ones left out."""
+    fields = case.inputs.model_fields
+    faults: dict[str, str] = {}
+    rest, error = dict(raw), message
+    while (match := _PLACE.search(error)) and len(faults) < MOST_FAULTS:
+        place = match[1]
+        faults[place] = _bare(error, place)
+        name = place.partition("[")[0]
+        default = fields[name].default if name in fields else None
+        if name not in rest or "[" in place or default is None:
+            break
+        del rest[name]
+        try:
+            build_completed(case.id, case.inputs, {**_defaults(case), **rest}, WHERE)
+        except InputError as again:
+            error = str(again)
+            if (match := _PLACE.search(error)) and match[1] in faults:
+                break
+        else:
+            break
+    return Shown(faults=faults, fault="" if faults else _bare(message, ""), sketch="")
+
+
+def _defaults(case: Case) -> dict[str, Any]:
+    """The default inputs as a file has them."""
+    from verify.app.page.described import describe
+    from verify.app.page.toml_text import as_values
+
+    made = describe(case.named)
+    return as_values(made.raw, made.whole)
+
+
+def _bare(message: str, place: str) -> str:
+    text = message.removeprefix(f"{WHERE}: ").removeprefix("inputs.").removeprefix("inputs: ")
+    return text.removeprefix(f"{place}: ")

@@ -1,0 +1,117 @@
+"""What a form needs to know of a case's inputs, from their model, as plain data."""
+
+import tomllib
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from verify.answers.assumed.registry import ASSUMPTIONS
+from verify.answers.template import template
+from verify.app.page.toml_text import as_texts
+from verify.cases.registry import find
+from verify.core import units
+from verify.core.case import Case
+from verify.core.inputs import (
+    REQUIRED,
+    Inputs,
+    bounds_of,
+    choices,
+    entry_model,
+    is_table,
+    kind_of,
+    meta,
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Field:
+    """One input: `rule` states its range; a table has the `fields` of its entries."""
+
+    name: str
+    symbol: str
+    unit: str
+    what: str
+    rule: str
+    needed: bool
+    whole: bool = False
+    words: tuple[str, ...] = ()
+    takes: str = ""
+    fields: tuple["Field", ...] = ()
+    is_table: bool = False
+
+    @property
+    def is_number(self) -> bool:
+        """Whether a sweep can vary it."""
+        return not self.is_table and not self.words and bool(self.takes)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Described:
+    """A case as a form shows it; `raw` are the inputs of its template, `outputs` its values."""
+
+    id: str
+    title: str
+    fields: tuple[Field, ...]
+    raw: Mapping[str, Any]
+    outputs: tuple[tuple[str, str], ...]
+    method: str
+
+    @property
+    def whole(self) -> frozenset[str]:
+        """Names of the inputs that are whole numbers, those of tables included."""
+        every = [f for field in self.fields for f in (field, *field.fields)]
+        return frozenset(field.name for field in every if field.whole)
+
+
+def describe(case_name: str, _tell: Callable[[Any], None] = print) -> Described:
+    """The form of a case that is called by its name or its file; InputError, ValueError."""
+    case = find(case_name)
+    assumable = {one.name for one in ASSUMPTIONS.get(case.id, ())}
+    return Described(
+        id=case_name, title=case.title, fields=_fields(case.inputs, assumable),
+        raw=as_texts(tomllib.loads(template(case))["inputs"]),
+        outputs=tuple((o.key, _named(o.symbol, o.what, o.unit)) for o in case.outputs),
+        method=case.method.case,
+    )  # fmt: skip
+
+
+def model_of(case: Case) -> Mapping[str, str]:
+    """The input that each symbol of a case names."""
+    return {meta(f)["symbol"] or n: n for n, f in case.inputs.model_fields.items()}
+
+
+def _fields(model: type[Inputs], assumable: set[str]) -> tuple[Field, ...]:
+    found = []
+    for name, field in model.model_fields.items():
+        about = meta(field)
+        needed = about["omitted"] == REQUIRED and name not in assumable
+        if is_table(field):
+            found.append(Field(
+                name=name, symbol="", unit="1", what=about["what"], rule="", needed=needed,
+                fields=_fields(entry_model(field), set()), is_table=True,
+            ))  # fmt: skip
+            continue
+        kind = kind_of(field)
+        found.append(Field(
+            name=name, symbol=about["symbol"], unit=about["unit"], what=about["what"],
+            rule=_rule(bounds_of(field), about["unit"]), needed=needed, whole=kind is int,
+            words=choices(field), takes=_takes(kind, about["unit"]),
+        ))  # fmt: skip
+    return tuple(found)
+
+
+def _rule(bounds: list[tuple[str, float]], unit: str) -> str:
+    shown = "" if unit == "1" else f" {unit}"
+    return ", ".join(f"{word} {limit / units.factor(unit):.6g}{shown}" for word, limit in bounds)
+
+
+def _takes(kind: type, unit: str) -> str:
+    if kind is int:
+        return "a whole number"
+    if kind is float:
+        return units.TAKEN.get(unit, "a number" if unit == "1" else unit)
+    return ""
+
+
+def _named(symbol: str, what: str, unit: str) -> str:
+    return f"{symbol}: {what}" + ("" if unit == "1" else f" [{unit}]")

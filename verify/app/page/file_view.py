@@ -1,0 +1,61 @@
+"""Load and save parameter files of the folder, and the link of the session."""
+
+from dataclasses import replace
+from typing import Any
+
+from nicegui import ui
+
+from verify.app.page.toml_text import parameter_file, read_state
+from verify.app.page.widgets import Choice, Typed, button, html, message, tool
+from verify.core.inputs import InputError
+
+
+class FileView:
+    """Files of one screen."""
+
+    def __init__(self, screen: Any) -> None:
+        self.screen = screen
+        with tool("File", "tool-file"):
+            with ui.element("div").classes("row"):
+                names = screen.place.folder.names_of(".toml")
+                self.file = Choice("In the folder", {n: n for n in names}, "load-name")
+                button("Load", self._load, name="load")
+            with ui.element("div").classes("row"):
+                state = screen.session.state
+                self.title = Typed("Name of the part", "part-name", state.name)
+                self.name = Typed("File", "save-name", f"{state.name.replace(' ', '-')}.toml")
+                self.replace = Choice("Where it exists", {"": "refuse", "yes": "replace"},
+                                      "save-replace")  # fmt: skip
+                button("Save", self._save, name="save")
+                button("Download", self._download, name="download")
+                button("Copy the link of this session", self._copy, name="copy")
+            self.told = html().props('id="file-told" role="status"')
+
+    async def _load(self) -> None:
+        try:
+            state = read_state(self.screen.place.folder.path(self.file.value, ".toml"))
+        except InputError as error:
+            self.told.set_content(message(str(error)))
+            return
+        await self.screen.show(state)
+
+    def _named(self) -> str:
+        session = self.screen.session
+        session.state = replace(session.state, name=self.title.value.strip() or "my part")
+        return parameter_file(session.state)
+
+    def _save(self) -> None:
+        try:
+            text, name = self._named(), self.name.value
+            self.screen.place.folder.write(name, text, ".toml", replace=bool(self.replace.value))
+        except InputError as error:
+            self.told.set_content(message(str(error)))
+            return
+        self.told.set_content("saved")
+
+    def _download(self) -> None:
+        ui.download.content(self._named(), self.name.value, "application/toml")
+
+    def _copy(self) -> None:
+        ui.run_javascript("navigator.clipboard?.writeText(location.href)")
+        self.told.set_content("the address of this page, which holds the session, was copied")

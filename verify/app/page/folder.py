@@ -1,0 +1,64 @@
+"""The folder of a page: no other file is read or written."""
+
+import os
+from functools import partial
+from pathlib import Path
+from typing import IO
+
+from verify.core.files import write_whole
+from verify.core.inputs import MAX_BYTES, InputError
+
+MOST_FILES = 200  # that are listed
+LONGEST = 100  # characters of a file's name
+
+
+class Folder:
+    """Files of one folder by their names."""
+
+    def __init__(self, root: Path) -> None:
+        """InputError where `root` is no folder."""
+        if not root.is_dir():
+            raise InputError(f"--folder {root}: is no folder")
+        self.root = root.resolve()
+
+    def path(self, name: str, *suffixes: str) -> Path:
+        """The path of a file in the folder or in one of its folders.
+
+        InputError where the name leads out of the folder, also by a link, is hidden or has another
+        suffix.
+        """
+        parts = name.replace("\\", "/").split("/")
+        if not name.strip() or len(name) > LONGEST or not name.isprintable():
+            raise InputError(f"a file name has 1 to {LONGEST} printable characters")
+        if any(part in ("", "..") or part.startswith(".") or ":" in part for part in parts):
+            raise InputError(f"{name}: only files in the folder {self.root} can be used")
+        path = self.root.joinpath(*parts)
+        if suffixes and path.suffix not in suffixes:
+            raise InputError(f"{name}: the name must end with {' or '.join(suffixes)}")
+        if not path.resolve().is_relative_to(self.root):
+            raise InputError(f"{name}: leads out of the folder {self.root}")
+        return path
+
+    def names_of(self, suffix: str) -> list[str]:
+        """Files of the folder itself that end with `suffix`, by name."""
+        with os.scandir(self.root) as entries:
+            found = [one.name for one in entries if one.name.endswith(suffix)]
+        return sorted(name for name in found if not name.startswith("."))[:MOST_FILES]
+
+    def write(self, name: str, text: str, *suffixes: str, replace: bool = False) -> Path:
+        """Write a file, whole or not at all; InputError where it exists, unless `replace`."""
+        path = self.path(name, *suffixes)
+        data = text.encode()
+        if len(data) > MAX_BYTES:
+            raise InputError(f"{name}: is larger than {MAX_BYTES:,} bytes")
+        if path.exists() and not replace:
+            raise InputError(f"{name}: exists already and is not overwritten")
+        try:
+            write_whole(path, partial(_fill, data))
+        except OSError as error:
+            raise InputError(f"{name}: cannot be written: {error.strerror}") from error
+        return path
+
+
+def _fill(data: bytes, file: IO[bytes]) -> None:
+    file.write(data)

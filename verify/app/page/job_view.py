@@ -1,0 +1,85 @@
+"""A job of a page: its button, its progress, and the button that cancels it."""
+
+import asyncio
+import time
+from collections.abc import Callable, Coroutine
+from typing import Any
+
+from markupsafe import Markup
+from nicegui import ui
+
+from verify.app.page.jobs import CancelledError, FailedError, Jobs, Worker
+from verify.app.page.widgets import button, enable, html, message
+from verify.core.inputs import InputError
+from verify.core.progress import duration
+
+Work = Callable[[Worker, Callable[[Any], None]], Coroutine[Any, Any, None]]
+
+
+class JobView:
+    """Runs `work` in a process of its own when its button is pressed; one at a time."""
+
+    def __init__(self, text: str, name: str, jobs: Jobs, work: Work) -> None:
+        self._jobs, self._work, self._worker = jobs, work, None
+        self._told: Any = None
+        self._start = 0.0
+        with ui.element("div").classes("row"):
+            self._run = button(text, self._begin, css="main", name=name)
+            self._cancel = button("Cancel", self.cancel, name=f"{name}-cancel")
+            enable(self._cancel, False)
+            self._progress = html().props(f'id="{name}-progress" role="status"')
+        self._timer = ui.timer(0.5, self._show, active=False)
+        ui.context.client.on_delete(self.cancel)
+
+    def cancel(self) -> None:
+        """End the process."""
+        if self._worker is not None:
+            self._worker.end()
+
+    async def _begin(self) -> None:
+        if self._worker is not None:
+            return
+        try:
+            self._worker = self._jobs.begin()
+        except InputError as error:
+            self._progress.set_content(message(str(error)))
+            return
+        self._told, self._start = None, time.monotonic()
+        enable(self._run, False)
+        enable(self._cancel, True)
+        self._timer.activate()
+        self._show()
+        told = ""
+        try:
+            await self._work(self._worker, self._take)
+        except CancelledError:
+            told = "cancelled; finished levels are stored"
+        except (InputError, FailedError) as error:
+            told = str(error)
+        except asyncio.CancelledError:
+            told = "the page was closed"
+            raise
+        finally:
+            self._jobs.finish(self._worker)
+            self._worker = None
+            self._timer.deactivate()
+            enable(self._run, True)
+            enable(self._cancel, False)
+            seconds = f"done in {duration(time.monotonic() - self._start)}"
+            self._progress.set_content(message(told) or seconds)
+
+    def _take(self, told: Any) -> None:
+        self._told = told
+
+    def _show(self) -> None:
+        if self._worker is None:
+            return
+        spent = duration(time.monotonic() - self._start)
+        if not self._told:
+            self._progress.set_content(f"running, {spent}")
+            return
+        done, total, what = self._told
+        self._progress.set_content(
+            Markup('<progress value="{}" max="{}" aria-label="progress"></progress> '
+                   "{} of {}, {} {}").format(done, total, done, total, spent, what)  # fmt: skip
+        )

@@ -1,0 +1,145 @@
+"""Work in other processes: with progress, a limit of time, and an end at any moment."""
+
+import asyncio
+import os
+import signal
+import threading
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from multiprocessing import connection
+from typing import Any
+
+from verify.core.inputs import InputError
+from verify.jobs.processes import SPAWN
+
+MOST_RUNNING = 2  # jobs of all pages at a time
+LONGEST = 1800.0  # s of a job
+WATCH = 1.0  # s between two looks for the parent
+POLL = 0.004  # s between two looks for an answer
+
+
+class CancelledError(Exception):
+    """The work was ended before its answer."""
+
+
+class FailedError(Exception):
+    """The work has no answer; the message says in one line why."""
+
+
+class Worker:
+    """One process that does one piece of work at a time, a fresh one after an end by force."""
+
+    def __init__(self) -> None:
+        self._process: Any = None
+        self._pipe: connection.Connection | None = None
+        self._turn = asyncio.Lock()
+
+    async def ask(
+        self, function: Callable[..., Any], *arguments: Any, seconds: float = LONGEST,
+        tell: Callable[[Any], None] = lambda _told: None,
+    ) -> Any:  # fmt: skip
+        """What `function`, of a module's top level, returns; `tell` takes what it sends before.
+
+        InputError and FailedError with its message; CancelledError after `end`.
+        """
+        async with self._turn:
+            pipe = self._started()
+            try:
+                pipe.send((function, arguments))
+                return await self._answer(pipe, time.monotonic() + seconds, seconds, tell)
+            except (EOFError, OSError) as error:
+                ended = self._process is None
+                self.end()
+                raise (CancelledError if ended else FailedError)("the process ended") from error
+
+    async def _answer(
+        self, pipe: connection.Connection, until: float, seconds: float,
+        tell: Callable[[Any], None],
+    ) -> Any:  # fmt: skip
+        while True:
+            while not pipe.poll():
+                if time.monotonic() > until:
+                    self.end()
+                    raise FailedError(f"stopped after {seconds:g} s")
+                await asyncio.sleep(POLL)
+            kind, value = pipe.recv()
+            if kind == "told":
+                tell(value)
+            elif kind == "done":
+                return value
+            else:
+                raise (InputError if kind == "input" else FailedError)(value)
+
+    def end(self) -> None:
+        """End the process and what it started at once."""
+        process, self._process = self._process, None
+        if process is not None:
+            with suppress(ProcessLookupError, PermissionError):
+                os.killpg(process.pid, signal.SIGKILL)
+            process.kill()
+            process.join()
+        if self._pipe is not None:
+            self._pipe.close()
+            self._pipe = None
+
+    def _started(self) -> connection.Connection:
+        if self._pipe is None:
+            self._pipe, theirs = SPAWN.Pipe()
+            self._process = SPAWN.Process(target=_work, args=(theirs, os.getpid()))
+            self._process.start()
+            theirs.close()
+        return self._pipe
+
+
+class Jobs:
+    """The jobs of all pages: a few at a time."""
+
+    def __init__(self, most: int = MOST_RUNNING) -> None:
+        self._most, self._running = most, set[Worker]()
+
+    def begin(self) -> Worker:
+        """A worker for a job; InputError where too many run."""
+        if len(self._running) >= self._most:
+            raise InputError(f"{self._most} jobs are running; wait for one or cancel it")
+        worker = Worker()
+        self._running.add(worker)
+        return worker
+
+    def finish(self, worker: Worker) -> None:
+        """End the worker of a job, also before its answer."""
+        self._running.discard(worker)
+        worker.end()
+
+    def end(self) -> None:
+        """End all of them."""
+        for worker in tuple(self._running):
+            self.finish(worker)
+
+
+def _work(pipe: connection.Connection, parent: int) -> None:
+    """What the process does: a group of its own, which ends with its parent."""
+    os.setsid()
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    threading.Thread(target=_watch, args=(parent,), daemon=True).start()
+    with suppress(EOFError, OSError):
+        while True:
+            function, arguments = pipe.recv()
+            try:
+                answer = ("done", function(*arguments, lambda told: pipe.send(("told", told))))
+            except InputError as error:
+                answer = ("input", _line(error))
+            except (Exception, SystemExit) as error:
+                answer = ("failed", f"{type(error).__name__}: {_line(error)}")
+            pipe.send(answer)
+
+
+def _line(error: BaseException) -> str:
+    return " ".join(str(error).split())
+
+
+def _watch(parent: int) -> None:
+    while os.getppid() == parent:
+        time.sleep(WATCH)
+    with suppress(ProcessLookupError, PermissionError):
+        os.killpg(0, signal.SIGKILL)

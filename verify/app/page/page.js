@@ -1,0 +1,45 @@
+// Messages beside inputs, the input in the sketch, the link in the address, and the end of the server.
+const freewheel = {
+  messages(faults, beside, assumed) {
+    for (const field of document.querySelectorAll(".field")) {
+      const at = field.dataset.at, fault = faults[at], warned = beside[at];
+      const input = field.querySelector("[data-place]");
+      field.classList.toggle("fault", !!fault);
+      field.classList.toggle("warned", !fault && !!warned);
+      input.setAttribute("aria-invalid", fault ? "true" : "false");
+      if (input.tagName === "INPUT" && input.placeholder && !input.value) input.placeholder = assumed[at] || "left out";
+      const text = fault ? fault : (warned || []).join(" ");
+      const message = field.querySelector(".message");
+      if (message.textContent !== text) message.textContent = text;
+    }
+  },
+  highlight() {
+    const place = document.activeElement?.dataset?.place;
+    for (const one of document.querySelectorAll(".sketch [data-input]"))
+      one.classList.toggle("on", one.dataset.input === place);
+    const note = document.getElementById("sketch-note");
+    if (!note || !place) return;
+    const shown = [...document.querySelectorAll(".sketch [data-input]")].some(one => one.dataset.input === place);
+    note.textContent = shown ? `${place} is marked in the sketch` : `${place} is not a dimension of the sketch`;
+  },
+  focus(place) {
+    const input = [...document.querySelectorAll("[data-place]")].find(one => one.dataset.place === place);
+    if (input) { input.focus(); input.select?.(); }
+  },
+  keep(link) { history.replaceState(null, "", "/?s=" + link); },
+  async ended() {  // a server that was started again has another token
+    try { if ((await fetch("/", { cache: "no-store" })).status === 403) location.reload(); } catch { /* not there yet */ }
+  },
+};
+document.addEventListener("focusin", freewheel.highlight);
+document.addEventListener("click", event => {
+  const one = event.target.closest(".sketch [data-input]");
+  if (one) freewheel.focus(one.dataset.input);
+});
+setInterval(() => { if (window.socket && !window.socket.connected) freewheel.ended(); }, 2000);
+document.addEventListener("keydown", event => {
+  if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
+  const key = event.key.toLowerCase();
+  const name = key === "z" ? (event.shiftKey ? "redo" : "undo") : key === "y" ? "redo" : "";
+  if (name) { event.preventDefault(); document.getElementById(name)?.click(); }
+});

@@ -1,0 +1,25 @@
+"""What the page offers to choose: parts first, then every case."""
+
+from collections.abc import Sequence
+
+from verify.cases.registry import CASES
+
+PARTS = {
+    "Sprag clutch": "sprag-clutch",
+    "Roller clutch": "freewheel-clutch",
+    "Drawn cup": "freewheel-cup",
+    "Polyhedral ring clutch": "polyhedral-clutch",
+    "Accordion spring": "spring-accordion",
+    "Shaft": "rotor-system",
+    "Contact": "contact-roller",
+}
+
+
+def groups(files: Sequence[str], also: str = "") -> list[tuple[str, list[tuple[str, str]]]]:
+    """Headings with the names and titles of what is below; `files` are Python files of cases."""
+    own = sorted({*files, *([also] if also.endswith(".py") else [])})
+    found = [
+        ("Parts", [(case, title) for title, case in PARTS.items()]),
+        ("All cases", [(case, case) for case in CASES.ids]),
+    ]
+    return [*found, ("Own cases", [(name, name) for name in own])] if own else found

@@ -1,0 +1,252 @@
+"""One page in a browser: the choice of a case, the form, the answer, and the tools."""
+
+import asyncio
+import itertools
+import json
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from markupsafe import Markup
+from nicegui import background_tasks, ui
+
+from verify.app.page.answer_view import answer
+from verify.app.page.answers import Shown, shown
+from verify.app.page.described import Described, describe
+from verify.app.page.file_view import FileView
+from verify.app.page.form import ADD, form
+from verify.app.page.jobs import CancelledError, FailedError
+from verify.app.page.link import from_link, to_link
+from verify.app.page.parts import groups
+from verify.app.page.server import FIRST, Place
+from verify.app.page.session import Session, State, with_entry, without_entry
+from verify.app.page.toml_text import as_values, read_state
+from verify.app.page.tools_view import Tools
+from verify.app.page.widgets import VALUE, button, enable, html, message
+from verify.core.inputs import InputError
+
+HERE = Path(__file__).parent
+TEMPLATES = Path(__file__).parents[3] / "reports" / "templates"
+FORMULAS, DETAILS = 20.0, 60.0  # s that an answer may take
+PAUSE = 0.5  # s without typing before slow notes are computed
+NUMBERS = itertools.count(1)
+TYPED = "e => { if (e.target.dataset.place) emit([e.target.dataset.place, e.target.value]); }"
+PRESSED = (
+    "e => { const b = e.target.closest('[data-action]'); "
+    "if (b) emit([b.dataset.action, b.dataset.table, b.dataset.entry || '0']); }"
+)
+
+
+class Screen:
+    """A page with its own session; pages share the processes and the folder of `place`."""
+
+    def __init__(self, place: Place) -> None:
+        self.place, self.number = place, next(NUMBERS)
+        self.client = ui.context.client
+        self.session = Session(State(FIRST, f"my {FIRST}"))
+        self.case: Described
+        self._answering = False
+
+    async def build(self, link: str) -> None:
+        """Everything, for the session of a link, a file, or the first part."""
+        self._head()
+        self.bar = ui.element("div").classes("bar")
+        self.told = html().props('id="told"')
+        self.body = ui.element("main")
+        try:
+            state = self._first(link)
+        except InputError as error:
+            self.told.set_content(message(str(error)))
+            state = State(FIRST, f"my {FIRST}")
+        await self.show(state, fill=not state.raw)
+
+    def _first(self, link: str) -> State:
+        if link:
+            return from_link(link)
+        if self.place.first:
+            return read_state(self.place.folder.path(self.place.first, ".toml"))
+        return State(FIRST, f"my {FIRST}")
+
+    def _head(self) -> None:
+        css = [TEMPLATES / "palette.css", TEMPLATES / "figures.css", HERE / "page.css"]
+        styles = "\n".join(one.read_text("utf-8") for one in css)
+        ui.add_head_html(f"<style>{styles}</style>")
+        ui.add_head_html(f"<script>{(HERE / 'page.js').read_text('utf-8')}</script>")
+        ui.add_head_html("<script>document.documentElement.lang = 'en'</script>")
+
+    @property
+    def path(self) -> str:
+        """What names the case: its id, or the path of its file in the folder; InputError."""
+        name = self.session.state.case
+        return str(self.place.folder.path(name, ".py")) if name.endswith(".py") else name
+
+    def asked(self, raw: Mapping[str, Any] | None = None) -> tuple[str, str, dict[str, Any]]:
+        """Case, name and inputs as the command line takes them."""
+        state = self.session.state
+        given = state.raw if raw is None else raw
+        return self.path, state.name, as_values(given, self.case.whole)
+
+    async def show(self, state: State, *, fill: bool = False) -> None:
+        """Another case or file; with `fill` the inputs of the template. Errors are shown."""
+        before = self.session.state
+        self.session.state = state
+        try:
+            self.case = await self.place.formulas.ask(describe, self.path, seconds=FORMULAS)
+        except (InputError, FailedError, CancelledError) as error:
+            self.session.state = before
+            self.told.set_content(message(str(error)))
+            if not hasattr(self, "case"):
+                await self.show(State(FIRST, f"my {FIRST}"), fill=True)
+            return
+        self.session.state = before
+        filled = replace(state, raw=self.case.raw) if fill else state
+        if before.raw:
+            self.session.put(filled)
+        else:
+            self.session.state = filled
+        self._lay_out()
+        self.changed()
+
+    def _lay_out(self) -> None:
+        self.bar.clear()
+        with self.bar:
+            html("freewheel app").classes("title")
+            self._choice()
+            self.undo = button("Undo", self._undo, name="undo")
+            self.redo = button("Redo", self._redo, name="redo")
+            FileView(self)
+        self.body.clear()
+        with self.body:
+            html(Markup("<h2>{}</h2>").format(self.case.title))
+            with ui.element("div").classes("columns"):
+                with ui.element("div"):
+                    self.sketch = html(css="drawing")
+                    html('<p class="soft" id="sketch-note" aria-live="polite"></p>')
+                    self.form = html(form(self.case, self.session.state.raw)).props('id="form"')
+                    self.form.on("input", self._typed, js_handler=TYPED)
+                    self.form.on("click", self._pressed, js_handler=PRESSED)
+                self.answer = html(css="answer").props('id="answer" aria-live="polite"')
+            with ui.element("div").classes("tools"):
+                self.tools = Tools(self)
+
+    def _choice(self) -> None:
+        chosen = self.session.state.case
+        parts = []
+        for title, names in groups(self.place.folder.names_of(".py"), chosen):
+            options = Markup("").join(
+                Markup('<option value="{}"{}>{}</option>').format(
+                    name, Markup(" selected") if name == chosen else "", text
+                )
+                for name, text in names
+            )
+            parts.append(Markup('<optgroup label="{}">{}</optgroup>').format(title, options))
+        content = Markup("").join(parts)
+        select = ui.html(content, sanitize=False, tag="select")
+        select.props('id="case" aria-label="part or case"').on("change", self._choose,
+                                                                js_handler=VALUE)  # fmt: skip
+
+    async def _choose(self, event: Any) -> None:
+        name = str(event.args)
+        self.told.set_content("")
+        await self.show(State(name, f"my {name}"), fill=True)
+
+    def _typed(self, event: Any) -> None:
+        place, text = (str(one) for one in event.args)
+        try:
+            self.session.edit(place, text)
+        except (ValueError, LookupError) as error:
+            self.told.set_content(message(str(error)))
+            return
+        self.changed()
+
+    def _pressed(self, event: Any) -> None:
+        action, table, number = (str(one) for one in event.args)
+        state = self.session.state
+        if action == ADD:
+            entries = self.case.raw.get(table) or [{}]
+            raw = with_entry(state.raw, table, entries[-1])
+        else:
+            raw = without_entry(state.raw, table, int(number))
+        self.put(replace(state, raw=raw))
+
+    def put(self, state: State) -> None:
+        """Another state of the same case."""
+        self.session.put(state)
+        self._refill()
+
+    async def _undo(self) -> None:
+        case = self.session.state.case
+        if self.session.undo():
+            await self._after_step(case)
+
+    async def _redo(self) -> None:
+        case = self.session.state.case
+        if self.session.redo():
+            await self._after_step(case)
+
+    async def _after_step(self, case: str) -> None:
+        if self.session.state.case == case:
+            self._refill()
+            return
+        self.case = await self.place.formulas.ask(describe, self.path, seconds=FORMULAS)
+        self._lay_out()
+        self.changed()
+
+    def _refill(self) -> None:
+        self.form.set_content(form(self.case, self.session.state.raw))
+        self.changed()
+
+    def changed(self) -> None:
+        """Answer the present state; while an answer is computed, only the last one is kept."""
+        if not self._answering:
+            self._answering = True
+            background_tasks.create(self._answer(), name="answer")
+
+    async def _answer(self) -> None:
+        try:
+            state = None
+            while state is not self.session.state:
+                state = self.session.state
+                with self.client:
+                    await self._once(state)
+        finally:
+            self._answering = False
+        await asyncio.sleep(PAUSE)
+        if state is self.session.state and not self._answering:
+            with self.client:
+                await self._details(state)
+
+    async def _once(self, state: State) -> None:
+        enable(self.undo, bool(self.session.before))
+        enable(self.redo, bool(self.session.after))
+        try:
+            found = await self.place.formulas.ask(shown, *self.asked(), False, seconds=FORMULAS)
+            other = None
+            if state.other is not None:
+                other = await self.place.formulas.ask(shown, *self.asked(state.other), False,
+                                                      seconds=FORMULAS)  # fmt: skip
+        except (InputError, FailedError, CancelledError) as error:
+            found, other = Shown(fault=str(error)), None
+        self._display(found)
+        self.tools.show_compared(found, other)
+        ui.run_javascript(f"freewheel.keep({json.dumps(to_link(state))})")
+
+    async def _details(self, state: State) -> None:
+        """The same with the slow notes, where inputs were assumed."""
+        if not self.found.assumed:
+            return
+        try:
+            found = await self.place.details.ask(shown, *self.asked(), True, seconds=DETAILS)
+        except (InputError, FailedError, CancelledError):
+            return
+        if state is self.session.state:
+            self._display(found)
+
+    def _display(self, found: Shown) -> None:
+        self.found = found
+        self.answer.set_content(answer(found))
+        if found.sketch:
+            self.sketch.set_content(found.sketch)
+        data = json.dumps([found.faults, found.beside, found.assumed])
+        ui.run_javascript(f"freewheel.messages(...{data}); freewheel.highlight()")

@@ -1,0 +1,137 @@
+"""What the page does beside the answer: finite elements, a sweep, a comparison, a report."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+from markupsafe import Markup, escape
+from nicegui import run, ui
+
+from verify.app.page import tasks
+from verify.app.page.answer_view import evidence, table
+from verify.app.page.answers import Shown
+from verify.app.page.job_view import JobView
+from verify.app.page.jobs import Worker
+from verify.app.page.session import text_at
+from verify.app.page.sweep_figure import options
+from verify.app.page.toml_text import parameter_file
+from verify.app.page.widgets import Choice, Typed, button, html, message, tool
+
+Tell = Callable[[Any], None]
+
+
+class Tools:
+    """The tools of one screen, made for its case."""
+
+    def __init__(self, screen: Any) -> None:
+        self.screen = screen
+        with tool("Check with finite elements", "tool-fem"):
+            html(Markup('<p class="soft">{}</p>').format(screen.case.method))
+            self._job("Check with finite elements", "fem", self._fem)
+            self.rows = html().props('id="fem-rows"')
+        with tool("Sweep over one or two inputs", "tool-sweep"):
+            self._sweep_form()
+        with tool("Compare two variants", "tool-compare"), ui.element("div").classes("row"):
+            button("Keep these inputs as variant B", self._keep, name="keep")
+            button("Exchange A and B", self._exchange, name="exchange")
+            button("Remove variant B", self._drop, name="drop")
+        with ui.element("div"):
+            self.compared = html().props('id="compared"')
+        with tool("Report: fields, deformed shapes, PDF, CSV", "tool-report"):
+            self.fem = Choice("Content", {"": "formulas", "fem": "with finite elements and fields"},
+                              "report-content")  # fmt: skip
+            self._job("Write the report", "report", self._report)
+            self.report = html().props('id="report-files"')
+
+    def _job(self, text: str, name: str, work: Any) -> None:
+        JobView(text, name, self.screen.place.jobs, work)
+
+    async def _fem(self, worker: Worker, tell: Tell) -> None:
+        found: Shown = await worker.ask(tasks.finite_elements, *self.screen.asked(), tell=tell)
+        self.rows.set_content(evidence(found))
+
+    def _sweep_form(self) -> None:
+        numbers = {f.name: f.symbol or f.name for f in self.screen.case.fields if f.is_number}
+        none = {"": "none"}
+        first = next(iter(numbers), "")
+        with ui.element("div").classes("row"):
+            self.first = Choice("First input", numbers, "sweep-first")
+            about = f"{text_at(self.screen.session.state.raw, first)}"
+            self.values = Typed("From : to : number", "sweep-values", "", f"such as {about}:…:20")
+            self.second = Choice("Second input", none | numbers, "sweep-second")
+            self.more = Typed("From : to : number", "sweep-more")
+            results = {tasks.MARGIN: "margin", tasks.DESIGN: "design value"}
+            self.result = Choice("Result", results | dict(self.screen.case.outputs),
+                                 "sweep-result")  # fmt: skip
+        self._job("Sweep the formulas", "sweep", self._sweep)
+        self.figure = ui.element("div").props('id="sweep-figure"')
+
+    async def _sweep(self, worker: Worker, tell: Tell) -> None:
+        vary = [f"{self.first.value}={self.values.value}"]
+        if self.second.value:
+            vary.append(f"{self.second.value}={self.more.value}")
+        found: tasks.Swept = await worker.ask(
+            tasks.sweep, *self.screen.asked(), vary, self.result.value, tell=tell
+        )
+        dark = bool(await ui.run_javascript("matchMedia('(prefers-color-scheme: dark)').matches"))
+        self.figure.clear()
+        with self.figure:
+            ui.echart(options(found, dark=dark)).classes("figure")
+            repeat = f"freewheel sweep FILE {' '.join(f'--vary {v}' for v in vary)}"
+            html(Markup("<p>{}</p>").format(f"By finite elements: {repeat}"), "soft")
+            html(message(found.problem and f"points without a result: {found.problem}"))
+
+    def _keep(self) -> None:
+        state = self.screen.session.state
+        self.screen.put(replace(state, other=state.raw))
+
+    def _exchange(self) -> None:
+        state = self.screen.session.state
+        if state.other is not None:
+            self.screen.put(replace(state, raw=state.other, other=state.raw))
+
+    def _drop(self) -> None:
+        self.screen.put(replace(self.screen.session.state, other=None))
+
+    def show_compared(self, present: Shown, other: Shown | None) -> None:
+        """Both variants side by side: verdicts, results, and the inputs that differ."""
+        state = self.screen.session.state
+        if other is None or state.other is None:
+            self.compared.set_content("")
+            return
+        rows: list[tuple[str, ...]] = [
+            ("verdict", present.verdict or "wrong input", other.verdict or "wrong input"),
+            ("design value", present.design, other.design),
+            ("margin", present.margin, other.margin),
+        ]
+        names = [*state.raw, *(k for k in state.other if k not in state.raw)]
+        rows += [
+            (k, str(state.raw.get(k, "left out")), str(state.other.get(k, "left out")))
+            for k in names if state.raw.get(k) != state.other.get(k)
+        ]  # fmt: skip
+        theirs = {v[0]: v[1] for v in other.values}
+        rows += [
+            (f"{v[0]} [{v[2]}]" if v[2] else v[0], v[1], theirs.get(v[0], ""))
+            for v in present.values if theirs.get(v[0]) != v[1]
+        ]  # fmt: skip
+        head = Markup("<h3>Variants side by side</h3>")
+        self.compared.set_content(head + table(("", "A (the form)", "B (kept)"), rows))
+
+    async def _report(self, worker: Worker, _tell: Tell) -> None:
+        place, state = self.screen.place, self.screen.session.state
+        folder = place.reports / f"{self.screen.number}"
+        folder.mkdir(exist_ok=True)
+        file = folder / "part.toml"
+        await run.io_bound(file.write_text, parameter_file(replace(state, case=self.screen.path)),
+                           "utf-8")  # fmt: skip
+        out = folder / "report"
+        names = await worker.ask(tasks.report, file, out, bool(self.fem.value))
+        links = Markup(" ").join(
+            Markup('<a href="/reports/{0}/report/{1}" download>{1}</a>').format(
+                self.screen.number, name)
+            for name in names
+        )  # fmt: skip
+        frame = Markup('<iframe title="report" src="/reports/{}/report/report.html?{}"></iframe>')
+        self.report.set_content(
+            Markup("<p>{}</p>").format(links) + frame.format(self.screen.number, escape(len(names)))
+        )

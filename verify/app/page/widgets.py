@@ -1,0 +1,71 @@
+"""Elements of the page that take keys and screen readers as the browser gives them."""
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from markupsafe import Markup, escape
+from nicegui import ui
+
+VALUE = "event => emit(event.target.value)"
+
+
+def button(text: str, on_click: Callable[[], Any], *, css: str = "", name: str = "") -> ui.html:
+    """A button with an id, by which keys and tests find it."""
+    found = ui.html(escape(text), sanitize=False, tag="button").classes(css)
+    found.props(f'type="button" id="{name}"' if name else 'type="button"')
+    return found.on("click", on_click, args=[])
+
+
+def enable(one: ui.html, on: bool) -> None:
+    """Let a button be used, or not."""
+    one.props(remove="disabled") if on else one.props("disabled")
+
+
+class Choice:
+    """A labelled list of which one can be selected; `value` is its key."""
+
+    def __init__(self, label: str, options: Mapping[str, str], name: str, value: str = "") -> None:
+        self.value = value or next(iter(options), "")
+        items = Markup("").join(
+            Markup('<option value="{}"{}>{}</option>').format(
+                key, Markup(" selected") if key == self.value else "", text
+            )
+            for key, text in options.items()
+        )
+        html = Markup('{}<select id="{}">{}</select>').format(label, name, items)
+        ui.html(html, sanitize=False, tag="label").on("change", self._take, js_handler=VALUE)
+
+    def _take(self, event: Any) -> None:
+        self.value = str(event.args)
+
+
+class Typed:
+    """A labelled line of text."""
+
+    def __init__(self, label: str, name: str, value: str = "", example: str = "") -> None:
+        self.value = value
+        html = Markup(
+            '{}<input id="{}" value="{}" placeholder="{}" maxlength="100" autocomplete="off">'
+        ).format(label, name, value, example)
+        ui.html(html, sanitize=False, tag="label").on("input", self._take, js_handler=VALUE)
+
+    def _take(self, event: Any) -> None:
+        self.value = str(event.args)[:200]
+
+
+def tool(title: str, name: str) -> ui.element:
+    """A part of the page that opens and closes."""
+    found = ui.element("details").classes("tool").props(f'id="{name}"')
+    with found:
+        ui.html(escape(title), sanitize=False, tag="summary")
+    return found
+
+
+def html(content: str = "", css: str = "") -> ui.html:
+    """HTML whose texts are escaped already."""
+    return ui.html(content, sanitize=False).classes(css)
+
+
+def message(text: str) -> str:
+    """An error as HTML."""
+    return str(Markup('<p class="error" role="alert">{}</p>').format(text)) if text else ""
