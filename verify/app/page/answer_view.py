@@ -8,6 +8,7 @@ from reports.svg import lowered
 from verify.app.page.answers import Cells, Shown
 
 STYLE = {"holds": "pass", "fails": "fail", "cannot say": "shown"}
+ELSEWHERE = ("design value:", "margin:", "assumed inputs:")  # lines with a place of their own
 MARK = {"holds": "✓", "fails": "✗", "cannot say": "?"}
 
 
@@ -19,20 +20,31 @@ def answer(shown: Shown) -> Markup:
     return Markup(
         '<p class="verdict {}"><span aria-hidden="true">{}</span> {}</p><dl class="key">'
         "<div><dt>Design value</dt><dd>{}</dd></div><div><dt>Margin</dt><dd>{}</dd></div></dl>"
-        "<p>{}</p>{}{}{}{}"
+        "{}{}{}{}{}"
     ).format(
         STYLE[shown.verdict], MARK[shown.verdict], shown.verdict.capitalize(),
-        lowered(shown.design or "none"), shown.margin or "none", first,
-        _list([one for one in rest if not one.startswith(("Design value:", "Margin:"))]),
+        lowered(shown.design or "none"), shown.margin or "none",
+        Markup("<p>{}</p>").format(reason) if (reason := first.partition(": ")[2]) != shown.verdict
+        else "",
+        _list([one for one in rest if not one.startswith(ELSEWHERE)]),
         _list(shown.warnings, "warnings"), _limits(shown.limits), _values(shown),
     )  # fmt: skip
 
 
+def brief(shown: Shown) -> Markup:
+    """One line for a narrow screen, where the form is below the answer."""
+    if not shown.verdict:
+        return Markup("No answer: an input is wrong")
+    margin = f", margin {shown.margin}" if shown.margin else ""
+    return Markup("{} {}{}").format(MARK[shown.verdict], shown.verdict.capitalize(), margin)
+
+
 def _faults(shown: Shown) -> Markup:
     told = [shown.fault] if shown.fault else [f"{k}: {v}" for k, v in shown.faults.items()]
-    return Markup('<p class="verdict none">No answer: an input is wrong</p>{}').format(
+    return Markup('<p class="verdict none">No answer: an input is wrong</p>{}'
+                  '<p class="soft">The sketch is that of the last inputs with an answer.</p>').format(
         _list(told, "warnings")
-    )
+    )  # fmt: skip
 
 
 def _list(lines: Sequence[str], css: str = "") -> Markup:
@@ -53,7 +65,7 @@ def _limits(cells: Cells) -> Markup:
 def _values(shown: Shown) -> Markup:
     body = table(("symbol", "value", "unit", "what"), shown.values)
     notes = _list(shown.notes)
-    assumed = table(("input", "assumed"), tuple(shown.assumed.items())) if shown.assumed else ""
+    assumed = table(("assumed", "source"), tuple(shown.assumed.values())) if shown.assumed else ""
     parts = Markup("<details><summary>Values of the formulas</summary>{}{}</details>").format(
         notes, body
     )

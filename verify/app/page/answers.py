@@ -43,7 +43,7 @@ class Shown:
     faults: Mapping[str, str] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
     beside: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    assumed: Mapping[str, str] = field(default_factory=dict)
+    assumed: Mapping[str, tuple[str, str]] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
     sketch: str = ""
     refused: str = ""
@@ -86,7 +86,7 @@ def of_checked(checked: Checked) -> Shown:
         limits=tuple(limits(answer)),
         values=tuple((v.symbol, f"{v.value:.6g}", unit_of(v.unit), v.what) for v in result.values),
         warnings=general, beside=beside,
-        assumed={one.name: f"{one.text} ({one.source})" for one in checked.assumed},
+        assumed={one.name: (one.text, one.source) for one in checked.assumed},
         notes=tuple(map(raised, result.findings)), refused=result.refused,
         sketch=named_sketch(result.sketch, model_of(checked.case)),
         **_evidence(checked),

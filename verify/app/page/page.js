@@ -7,7 +7,7 @@ const freewheel = {
       field.classList.toggle("fault", !!fault);
       field.classList.toggle("warned", !fault && !!warned);
       input.setAttribute("aria-invalid", fault ? "true" : "false");
-      if (input.tagName === "INPUT" && input.placeholder && !input.value) input.placeholder = assumed[at] || "left out";
+      if (input.placeholder) input.placeholder = assumed[at] ? `assumed: ${assumed[at][0].replace(/^.* = /, "")}` : "left out";
       const text = fault ? fault : (warned || []).join(" ");
       const message = field.querySelector(".message");
       if (message.textContent !== text) message.textContent = text;

@@ -11,7 +11,7 @@ from typing import Any
 from markupsafe import Markup
 from nicegui import background_tasks, ui
 
-from verify.app.page.answer_view import answer
+from verify.app.page.answer_view import answer, brief
 from verify.app.page.answers import Shown, shown
 from verify.app.page.described import Described, describe
 from verify.app.page.file_view import FileView
@@ -23,7 +23,7 @@ from verify.app.page.server import FIRST, Place
 from verify.app.page.session import Session, State, with_entry, without_entry
 from verify.app.page.toml_text import as_values, read_state
 from verify.app.page.tools_view import Tools
-from verify.app.page.widgets import VALUE, button, enable, html, message
+from verify.app.page.widgets import VALUE, button, chosen_of, enable, html, message
 from verify.core.inputs import InputError
 
 HERE = Path(__file__).parent
@@ -111,7 +111,7 @@ class Screen:
     def _lay_out(self) -> None:
         self.bar.clear()
         with self.bar:
-            html("freewheel app").classes("title")
+            html("<h1>freewheel app</h1>")
             self._choice()
             self.undo = button("Undo", self._undo, name="undo")
             self.redo = button("Redo", self._redo, name="redo")
@@ -119,6 +119,7 @@ class Screen:
         self.body.clear()
         with self.body:
             html(Markup("<h2>{}</h2>").format(self.case.title))
+            self.brief = html(css="brief")
             with ui.element("div").classes("columns"):
                 with ui.element("div"):
                     self.sketch = html(css="drawing")
@@ -132,16 +133,7 @@ class Screen:
 
     def _choice(self) -> None:
         chosen = self.session.state.case
-        parts = []
-        for title, names in groups(self.place.folder.names_of(".py"), chosen):
-            options = Markup("").join(
-                Markup('<option value="{}"{}>{}</option>').format(
-                    name, Markup(" selected") if name == chosen else "", text
-                )
-                for name, text in names
-            )
-            parts.append(Markup('<optgroup label="{}">{}</optgroup>').format(title, options))
-        content = Markup("").join(parts)
+        content = chosen_of(groups(self.place.folder.names_of(".py"), chosen), chosen)
         select = ui.html(content, sanitize=False, tag="select")
         select.props('id="case" aria-label="part or case"').on("change", self._choose,
                                                                 js_handler=VALUE)  # fmt: skip
@@ -246,6 +238,7 @@ class Screen:
     def _display(self, found: Shown) -> None:
         self.found = found
         self.answer.set_content(answer(found))
+        self.brief.set_content(brief(found))
         if found.sketch:
             self.sketch.set_content(found.sketch)
         data = json.dumps([found.faults, found.beside, found.assumed])

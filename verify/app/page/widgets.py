@@ -1,6 +1,6 @@
 """Elements of the page that take keys and screen readers as the browser gives them."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from markupsafe import Markup, escape
@@ -69,3 +69,16 @@ def html(content: str = "", css: str = "") -> ui.html:
 def message(text: str) -> str:
     """An error as HTML."""
     return str(Markup('<p class="error" role="alert">{}</p>').format(text)) if text else ""
+
+
+def chosen_of(groups: Sequence[tuple[str, Sequence[tuple[str, str]]]], chosen: str) -> Markup:
+    """Options in groups; the first that is `chosen` is selected."""
+    parts = []
+    for title, names in groups:
+        options = Markup("")
+        for name, text in names:
+            here, chosen = name == chosen, "" if name == chosen else chosen
+            mark = Markup(" selected") if here else ""
+            options += Markup('<option value="{}"{}>{}</option>').format(name, mark, text)
+        parts.append(Markup('<optgroup label="{}">{}</optgroup>').format(title, options))
+    return Markup("").join(parts)

@@ -1,0 +1,140 @@
+"""The page gives the answers of the command line, and marks what is wrong."""
+
+import contextlib
+import io
+import json
+import random
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from verify.answers.console import margin
+from verify.answers.parameter_file import read
+from verify.app.check_command import Options, check_part, run_check
+from verify.app.page.answers import shown
+from verify.app.page.described import describe
+from verify.app.page.session import State, edited_raw
+from verify.app.page.tasks import DESIGN, MARGIN, sweep
+from verify.app.page.toml_text import as_values, parameter_file
+from verify.cases.registry import CASES
+from verify.core.inputs import InputError
+from verify.jobs.executor import ThisProcess
+
+TEXTS = ("", " ", "0", "-1", "1e30", "3,5", "nan", "5 furlongs", "12", "0.3", "40 mm", "-2 mm",
+         "1e-9 mm", "210 GPa", "50 N m", "2000 r/min", "2 kg", "left", "<b>", "\u2603", '"', "10 %")  # fmt: skip
+RING = {"r_i": "60 mm", "r_o": "80 mm", "p_i": "100 MPa", "E": "210 GPa", "nu": "0.3"}
+EDITS = 1000
+
+
+def quietly(_told: Any) -> None:
+    """Progress that no one sees."""
+
+
+def answered(case: str, raw: dict[str, Any], *, notes: bool = False) -> Any:
+    return shown(case, "my part", as_values(raw, describe(case).whole), notes, quietly)
+
+
+@pytest.mark.parametrize("case", CASES.ids)
+def test_every_case_has_a_form_whose_template_has_an_answer(case: str) -> None:
+    made = describe(case)
+    assert {f.name for f in made.fields} >= set(made.raw)
+    assert answered(case, dict(made.raw)).verdict
+
+
+def test_every_input_that_is_wrong_is_marked_with_the_words_of_the_command_line() -> None:
+    found = answered("ring-lame", RING | {"r_i": "60", "r_o": "4 kg", "nu": "0.9"})
+    assert found.verdict == ""
+    assert found.faults == {
+        "r_i": '"60" has no unit: needs a length, such as "1.5 mm"',
+        "r_o": '"4 kg" is not a length, such as "1.5 mm"',
+        "nu": "nu = 0.9: must be at most 0.45",
+    }
+
+
+def test_a_warning_stands_beside_the_input_that_causes_it() -> None:
+    found = answered("ring-lame", RING | {"E": "500 GPa"})
+    (text,) = found.beside["E"]
+    assert "outside the usual range" in text
+
+
+def test_dimensions_of_the_sketch_carry_the_names_of_their_inputs() -> None:
+    assert 'data-input="r_i"' in answered("ring-lame", RING).sketch
+
+
+def test_answers_are_those_of_the_command_line_for_random_inputs(tmp_path: Path) -> None:
+    made = random.Random(7)
+    for case in ("ring-lame", "freewheel-cup", "contact-flat", "rotor-shaft", "spring-accordion"):
+        described = describe(case)
+        for _ in range(4):
+            raw = {k: _scaled(v, made) for k, v in described.raw.items()}
+            path = tmp_path / "my.toml"
+            path.write_text(parameter_file(State(case, "my part", raw)), "utf-8")
+            found = answered(case, raw, notes=True)
+            output = io.StringIO()
+            try:
+                with contextlib.redirect_stdout(output):
+                    run_check(path, Options(json=True))
+            except InputError:
+                assert found.verdict == ""
+                continue
+            told = json.loads(output.getvalue())
+            checked = check_part(read(path), "my", Options(json=True), ThisProcess())
+            assert found.verdict == told["verdict"] == str(checked.answer.verdict)
+            assert {v[0]: v[1] for v in found.values} == {
+                v.symbol: f"{v.value:.6g}" for v in checked.result.values
+            }
+            worst = checked.answer.limiting
+            if found.margin and worst:
+                assert found.margin == margin(worst)
+
+
+def _scaled(value: Any, made: random.Random) -> Any:
+    """A text with its number changed by up to a tenth."""
+    number, _, unit = str(value).partition(" ")
+    if not unit:
+        return value
+    return f"{float(number) * made.uniform(0.9, 1.1):.6g} {unit}"
+
+
+@pytest.mark.soak
+def test_a_thousand_random_edits_of_all_forms_end_no_answer() -> None:
+    made = random.Random(3)
+    for number in range(EDITS):
+        described = describe(CASES.ids[number % len(CASES.ids)])
+        raw = dict(described.raw)
+        for _ in range(made.randrange(1, 4)):
+            raw = edited_raw(raw, made.choice(_places(described, raw)), made.choice(TEXTS))
+        found = answered(described.id, raw)
+        assert found.verdict or found.fault or found.faults
+
+
+def _places(described: Any, raw: dict[str, Any]) -> list[str]:
+    places = [f.name for f in described.fields if not f.is_table]
+    for table in (f for f in described.fields if f.is_table):
+        for k in range(1, len(raw.get(table.name, ())) + 1):
+            places += [f"{table.name}[{k}].{f.name}" for f in table.fields]
+    return places
+
+
+def test_a_sweep_has_results_and_gaps_where_inputs_are_refused() -> None:
+    found = sweep("ring-lame", "my", RING, ["r_i=70mm:90mm:3"], MARGIN, quietly)
+    assert found.axes == (("r_i [mm]", (70.0, 80.0, 90.0)),)
+    first, *rest = found.values[0]
+    assert first == float(f"{float(first or 0):.6g}")
+    assert rest == [None, None]
+    assert found.problem
+
+
+def test_a_sweep_over_two_inputs_is_a_grid() -> None:
+    found = sweep("ring-lame", "my", RING, ["r_i=50mm:60mm:3", "p_i=10MPa:20MPa:2"], DESIGN, quietly)
+    assert [len(row) for row in found.values] == [3, 3]
+    ratio = float(found.values[1][0] or 0) / float(found.values[0][0] or 1)
+    assert ratio == pytest.approx(2, rel=1e-5)  # linear in the pressure
+
+
+def test_a_sweep_that_is_too_large_or_of_a_word_is_refused() -> None:
+    with pytest.raises(InputError, match="at most 1000 points"):
+        sweep("ring-lame", "my", RING, ["r_i=1mm:2mm:500", "p_i=1MPa:2MPa:3"], MARGIN, quietly)
+    with pytest.raises(InputError, match="unknown input"):
+        sweep("ring-lame", "my", RING, ["x=1:2:3"], MARGIN, quietly)

@@ -1,0 +1,77 @@
+"""Work in other processes: its answer, errors, progress, limit and end."""
+
+import asyncio
+import os
+import time
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from verify.app.page.jobs import CancelledError, FailedError, Jobs, Worker
+from verify.core.inputs import InputError
+
+Tell = Callable[[Any], None]
+
+
+def doubled(x: int, tell: Tell) -> int:
+    tell("half")
+    return 2 * x
+
+
+def wrong(_tell: Tell) -> None:
+    raise InputError("r_i: needs\na length")
+
+
+def broken(_tell: Tell) -> None:
+    raise SystemExit(3)
+
+
+def dead(_tell: Tell) -> None:
+    os._exit(1)
+
+
+def sleeping(_tell: Tell) -> None:
+    time.sleep(600)
+
+
+async def _all() -> None:
+    worker, told = Worker(), list[Any]()
+    assert await worker.ask(doubled, 4, tell=told.append) == 8
+    assert told == ["half"]
+    with pytest.raises(InputError, match="needs a length"):
+        await worker.ask(wrong)
+    with pytest.raises(FailedError, match="SystemExit: 3"):
+        await worker.ask(broken)
+    with pytest.raises(FailedError, match="the process ended"):
+        await worker.ask(dead)
+    assert await worker.ask(doubled, 5) == 10  # by a fresh process
+    with pytest.raises(FailedError, match=r"stopped after 0\.2 s"):
+        await worker.ask(sleeping, seconds=0.2)
+    task = asyncio.create_task(worker.ask(sleeping))
+    await asyncio.sleep(0.2)
+    pid = worker._process.pid
+    worker.end()
+    with pytest.raises(CancelledError):
+        await task
+    with pytest.raises(ProcessLookupError):
+        os.kill(pid, 0)
+
+
+def test_answers_errors_limit_of_time_and_end() -> None:
+    asyncio.run(_all())
+
+
+async def _limited() -> None:
+    jobs = Jobs(2)
+    first, _ = jobs.begin(), jobs.begin()
+    with pytest.raises(InputError, match="2 jobs are running"):
+        jobs.begin()
+    jobs.finish(first)
+    jobs.begin()
+    jobs.end()
+    assert jobs.begin()
+
+
+def test_the_number_of_jobs_is_limited() -> None:
+    asyncio.run(_limited())
