@@ -1,0 +1,235 @@
+"""The page in a browser: form, answer, finite elements, sweep, files, tabs, keys."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.verify.page.conftest import Server, missing
+from verify.core.inputs import read_parameter_file
+
+if reason := missing():
+    pytest.skip(reason, allow_module_level=True)
+
+from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.ui import Select
+
+from tests.verify.page.browsing import Browser
+
+
+
+@pytest.fixture
+def page(driver: Any, server: Server) -> Browser:
+    found = Browser(driver, server.address)
+    found.open()
+    return found
+
+
+def test_the_answer_follows_what_is_typed_in_any_unit(page: Browser) -> None:
+    assert "Holds" in page.verdict
+    page.type("p_i", "14.5 ksi")
+    page.until(lambda: "p_i=" in page.text("#answer") or page.message("p_i") == "")
+    page.type("p_i", "600 MPa")
+    page.until(lambda: "Fails" in page.verdict)
+    page.type("p_i", "80 N/mm^2")
+    page.until(lambda: "Holds" in page.verdict)
+
+
+def test_an_error_stands_at_its_input_and_goes_when_it_is_mended(page: Browser) -> None:
+    page.type("r_i", "19 kg")
+    page.until(lambda: "is not a length" in page.message("r_i"))
+    assert page.input("r_i").get_attribute("aria-invalid") == "true"
+    assert "No answer" in page.verdict
+    page.type("r_i", "19 mm")
+    page.until(lambda: page.message("r_i") == "" and "Holds" in page.verdict)
+
+
+def test_a_warning_stands_beside_the_input(page: Browser) -> None:
+    page.type("E", "500 GPa")
+    page.until(lambda: "outside the usual range" in page.message("E"))
+    assert page.verdict
+
+
+def test_the_input_that_is_edited_is_marked_in_the_sketch(page: Browser) -> None:
+    page.input("r_o").click()
+    page.until(lambda: page.all('.sketch [data-input="r_o"].on'))
+    assert not page.all('.sketch [data-input="r_i"].on')
+
+
+def test_undo_and_redo_by_keys(page: Browser) -> None:
+    page.type("nu", "0.29")
+    page.until(lambda: page.one("#undo").is_enabled())
+    page.input("nu").send_keys(Keys.CONTROL, "z")
+    page.until(lambda: page.value("nu") == "0.3")
+    page.press("redo")
+    page.until(lambda: page.value("nu") == "0.29")
+
+
+def test_finite_elements_have_progress_and_judged_rows(page: Browser) -> None:
+    page.unfold("tool-fem")
+    page.press("fem")
+    page.until(lambda: page.all("#fem-rows table"), 300)
+    assert "passed" in page.text("#fem-rows")
+    assert "done in" in page.text("#fem-progress")
+
+
+def test_finite_elements_are_cancelled_and_the_page_stays_usable(page: Browser) -> None:
+    page.choose("freewheel-clutch")
+    page.type("R", "16.7123 mm")  # nothing is stored for it
+    page.unfold("tool-fem")
+    page.press("fem")
+    page.until(lambda: page.one("#fem-cancel").is_enabled())
+    page.type("T", "21 N m")
+    page.until(lambda: page.verdict)
+    page.press("fem-cancel")
+    page.until(lambda: "cancelled" in page.text("#fem-progress"), 30)
+    assert page.one("#fem").is_enabled()
+
+
+def test_a_sweep_draws_a_figure_and_names_points_without_a_result(page: Browser) -> None:
+    page.unfold("tool-sweep")
+    Select(page.one("#sweep-first")).select_by_value("r_i")
+    page.one("#sweep-values").send_keys("15mm:30mm:6")
+    page.press("sweep")
+    page.until(lambda: page.all("#sweep-figure canvas"))
+    assert "points without a result" in page.text("#sweep-figure")
+
+
+def test_a_wrong_sweep_is_an_error_of_one_line(page: Browser) -> None:
+    page.unfold("tool-sweep")
+    page.one("#sweep-values").send_keys("1:2")
+    page.press("sweep")
+    page.until(lambda: "needs NAME=a:b:n" in page.text("#sweep-progress"))
+
+
+def test_two_variants_stand_side_by_side(page: Browser) -> None:
+    page.unfold("tool-compare")
+    page.press("keep")
+    page.type("p_i", "600 MPa")
+    page.until(lambda: "fails" in page.text("#compared") and "holds" in page.text("#compared"))
+    assert "600 MPa" in page.text("#compared")
+
+
+def test_a_file_is_saved_as_the_command_line_reads_it_and_loaded(
+    page: Browser, server: Server
+) -> None:
+    page.type("nu", "0.28")
+    page.until(lambda: page.one("#undo").is_enabled())
+    page.unfold("tool-file")
+    page.press("save")
+    page.until(lambda: "saved" in page.text("#file-told"))
+    case, _, raw = read_parameter_file(server.folder / "my-ring-lame.toml")
+    assert (case, raw["nu"]) == ("ring-lame", 0.28)
+    page.press("save")
+    page.until(lambda: "exists already" in page.text("#file-told"))
+    page.open("contact-flat")
+    page.unfold("tool-file")
+    Select(page.one("#load-name")).select_by_value("my-ring-lame.toml")
+    page.press("load")
+    page.until(lambda: page.value("nu") == "0.28")
+
+
+def test_a_file_outside_the_folder_is_not_written(page: Browser, server: Server) -> None:
+    page.unfold("tool-file")
+    name = page.one("#save-name")
+    name.send_keys(Keys.CONTROL, "a")
+    name.send_keys("../out.toml")
+    page.press("save")
+    page.until(lambda: "only files in the folder" in page.text("#file-told"))
+    assert not (server.folder.parent / "out.toml").exists()
+
+
+def test_the_address_reproduces_the_session_in_another_tab(page: Browser) -> None:
+    page.type("r_i", "18.5 mm")
+    page.until(lambda: page.one("#undo").is_enabled() and "?s=" in page.driver.current_url)
+    page.until(lambda: page.verdict)
+    first = page.driver.current_window_handle
+    before = page.driver.current_url
+    page.driver.switch_to.new_window("tab")
+    page.driver.get(before)
+    page.until(lambda: page.value("r_i") == "18.5 mm")
+    page.type("r_i", "17 mm")
+    page.until(lambda: page.driver.current_url != before)
+    page.driver.close()
+    page.driver.switch_to.window(first)
+    assert page.value("r_i") == "18.5 mm"  # tabs have sessions of their own
+
+
+def test_the_page_is_used_with_the_keyboard_alone(page: Browser) -> None:
+    seen: list[str] = []
+    for _ in range(60):
+        active = page.driver.switch_to.active_element
+        active.send_keys(Keys.TAB)
+        now = page.driver.switch_to.active_element
+        seen.append(now.get_attribute("id") or now.get_attribute("class") or now.tag_name)
+        if "in-r_i" in seen[-1]:
+            break
+    assert {"case", "in-r_i"} <= set(seen)
+    page.driver.switch_to.active_element.send_keys(Keys.CONTROL, "a")
+    page.driver.switch_to.active_element.send_keys("26.0 mm")
+    page.until(lambda: "Fails" in page.verdict)
+    width = "return getComputedStyle(document.activeElement).outlineWidth"
+    assert page.driver.execute_script(width) == "3px"
+
+
+def test_a_table_gains_and_loses_an_entry(page: Browser) -> None:
+    page.choose("rotor-system")
+    count = len(page.all('[data-at^="supports["][data-at$=".k"]')) or len(page.all(".entry"))
+    before = len(page.all(".entry"))
+    page.all('[data-action="add"]')[0].click()
+    page.until(lambda: len(page.all(".entry")) == before + 1)
+    page.all('[data-action="remove"]')[0].click()
+    page.until(lambda: len(page.all(".entry")) == before)
+    assert count
+
+
+def test_the_report_is_written_and_shown(page: Browser) -> None:
+    page.unfold("tool-report")
+    page.press("report")
+    page.until(lambda: page.all("#report-files iframe"), 300)
+    assert {"report.html", "report.pdf", "rows.csv"} <= set(page.text("#report-files a").split())
+    page.driver.switch_to.frame(page.one("#report-files iframe"))
+    assert "ring" in page.text("body")
+    page.driver.switch_to.default_content()
+
+
+def test_no_request_leaves_the_machine(page: Browser, server: Server) -> None:
+    page.choose("sprag-clutch")
+    found = [json.loads(e["message"])["message"] for e in page.driver.get_log("performance")]
+    asked = [m["params"]["request"]["url"] for m in found
+             if m["method"] == "Network.requestWillBeSent"]  # fmt: skip
+    asked += [m["params"]["url"] for m in found if m["method"] == "Network.webSocketCreated"]
+    mine = (f"http://127.0.0.1:{server.port}/", f"ws://127.0.0.1:{server.port}/", "data:", "blob:")
+    assert len(asked) > 5
+    assert [url for url in asked if not url.startswith(mine)] == []
+
+
+def test_nothing_is_logged_as_an_error(page: Browser, server: Server) -> None:
+    severe = [e["message"] for e in page.driver.get_log("browser") if e["level"] == "SEVERE"]
+    assert severe == []
+    assert "Traceback" not in server.text
+    assert "ERROR" not in server.text.upper()
+
+
+def test_a_server_that_is_started_again_asks_for_its_token_and_keeps_the_inputs(
+    driver: Any, tmp_path: Path
+) -> None:
+    first = Server(tmp_path)
+    page = Browser(driver, first.address)
+    page.open()
+    page.type("r_i", "18.25 mm")
+    page.until(lambda: page.one("#undo").is_enabled())
+    page.until(lambda: page.verdict)
+    kept = page.driver.current_url
+    page.until(lambda: page.driver.current_url == kept and "s=" in kept)
+    assert first.end() == 0
+    second = Server(tmp_path, first.port)
+    try:
+        page.until(lambda: page.all('input[name="token"]'))
+        page.one('input[name="token"]').send_keys(second.address.partition("token=")[2], Keys.ENTER)
+        page.until(lambda: page.verdict)
+        assert page.value("r_i") == "18.25 mm"
+    finally:
+        second.end()
+    page.driver.get_log("browser")  # of the time without a server
