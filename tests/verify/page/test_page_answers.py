@@ -22,7 +22,8 @@ from verify.core.inputs import InputError
 from verify.jobs.executor import ThisProcess
 
 TEXTS = ("", " ", "0", "-1", "1e30", "3,5", "nan", "5 furlongs", "12", "0.3", "40 mm", "-2 mm",
-         "1e-9 mm", "210 GPa", "50 N m", "2000 r/min", "2 kg", "left", "<b>", "\u2603", '"', "10 %")  # fmt: skip
+         "1e-9 mm", "210 GPa", "50 N m", "2000 r/min", "2 kg", "left", "<b>", "\u2603", '"',
+         "10 %")  # fmt: skip
 RING = {"r_i": "60 mm", "r_o": "80 mm", "p_i": "100 MPa", "E": "210 GPa", "nu": "0.3"}
 EDITS = 1000
 
@@ -80,7 +81,7 @@ def test_answers_are_those_of_the_command_line_for_random_inputs(tmp_path: Path)
                 continue
             told = json.loads(output.getvalue())
             checked = check_part(read(path), "my", Options(json=True), ThisProcess())
-            assert found.verdict == told["verdict"] == str(checked.answer.verdict)
+            assert found.verdict == told["answer"]["verdict"] == str(checked.answer.verdict)
             assert {v[0]: v[1] for v in found.values} == {
                 v.symbol: f"{v.value:.6g}" for v in checked.result.values
             }
@@ -127,7 +128,9 @@ def test_a_sweep_has_results_and_gaps_where_inputs_are_refused() -> None:
 
 
 def test_a_sweep_over_two_inputs_is_a_grid() -> None:
-    found = sweep("ring-lame", "my", RING, ["r_i=50mm:60mm:3", "p_i=10MPa:20MPa:2"], DESIGN, quietly)
+    found = sweep(
+        "ring-lame", "my", RING, ["r_i=50mm:60mm:3", "p_i=10MPa:20MPa:2"], DESIGN, quietly
+    )
     assert [len(row) for row in found.values] == [3, 3]
     ratio = float(found.values[1][0] or 0) / float(found.values[0][0] or 1)
     assert ratio == pytest.approx(2, rel=1e-5)  # linear in the pressure

@@ -18,7 +18,6 @@ from selenium.webdriver.support.ui import Select
 from tests.verify.page.browsing import Browser
 
 
-
 @pytest.fixture
 def page(driver: Any, server: Server) -> Browser:
     found = Browser(driver, server.address)
@@ -62,6 +61,8 @@ def test_undo_and_redo_by_keys(page: Browser) -> None:
     page.until(lambda: page.one("#undo").is_enabled())
     page.input("nu").send_keys(Keys.CONTROL, "z")
     page.until(lambda: page.value("nu") == "0.3")
+    page.until(lambda: page.driver.switch_to.active_element.get_attribute("id") == "in-nu")
+    page.until(lambda: page.one("#redo").is_enabled())
     page.press("redo")
     page.until(lambda: page.value("nu") == "0.29")
 
@@ -70,7 +71,7 @@ def test_finite_elements_have_progress_and_judged_rows(page: Browser) -> None:
     page.unfold("tool-fem")
     page.press("fem")
     page.until(lambda: page.all("#fem-rows table"), 300)
-    assert "passed" in page.text("#fem-rows")
+    assert "PASS" in page.text("#fem-rows")
     assert "done in" in page.text("#fem-progress")
 
 

@@ -41,10 +41,9 @@ def brief(shown: Shown) -> Markup:
 
 def _faults(shown: Shown) -> Markup:
     told = [shown.fault] if shown.fault else [f"{k}: {v}" for k, v in shown.faults.items()]
-    return Markup('<p class="verdict none">No answer: an input is wrong</p>{}'
-                  '<p class="soft">The sketch is that of the last inputs with an answer.</p>').format(
-        _list(told, "warnings")
-    )  # fmt: skip
+    return Markup(
+        '<p class="verdict none">No answer: an input is wrong</p>{}<p class="soft">{}</p>'
+    ).format(_list(told, "warnings"), "The sketch is that of the last inputs with an answer.")
 
 
 def _list(lines: Sequence[str], css: str = "") -> Markup:

@@ -79,7 +79,8 @@ class JobView:
             self._progress.set_content(f"running, {spent}")
             return
         done, total, what = self._told
-        self._progress.set_content(
-            Markup('<progress value="{}" max="{}" aria-label="progress"></progress> '
-                   "{} of {}, {} {}").format(done, total, done, total, spent, what)  # fmt: skip
+        bar = Markup('<progress value="{}" max="{}" aria-label="progress"></progress>')
+        text = Markup("{} {} of {}, {} {}").format(
+            bar.format(done, total), done, total, spent, what
         )
+        self._progress.set_content(text)

@@ -15,6 +15,7 @@ const freewheel = {
   },
   highlight() {
     const place = document.activeElement?.dataset?.place;
+    if (place) freewheel.last = place;
     for (const one of document.querySelectorAll(".sketch [data-input]"))
       one.classList.toggle("on", one.dataset.input === place);
     const note = document.getElementById("sketch-note");
@@ -26,6 +27,7 @@ const freewheel = {
     const input = [...document.querySelectorAll("[data-place]")].find(one => one.dataset.place === place);
     if (input) { input.focus(); input.select?.(); }
   },
+  again() { setTimeout(() => { if (document.activeElement === document.body && freewheel.last) freewheel.focus(freewheel.last); }, 50); },
   keep(link) { history.replaceState(null, "", "/?s=" + link); },
   async ended() {  // a server that was started again has another token
     try { if ((await fetch("/", { cache: "no-store" })).status === 403) location.reload(); } catch { /* not there yet */ }

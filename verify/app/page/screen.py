@@ -187,6 +187,7 @@ class Screen:
 
     def _refill(self) -> None:
         self.form.set_content(form(self.case, self.session.state.raw))
+        ui.run_javascript("freewheel.again()")
         self.changed()
 
     def changed(self) -> None:

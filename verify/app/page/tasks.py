@@ -54,7 +54,8 @@ def report(path: Path, out: Path, fem: bool, _tell: Tell) -> tuple[str, ...]:
         redirect_stdout(nowhere), redirect_stderr(nowhere),
     ):  # fmt: skip
         run_check(path, Options(fem=fem, json=True, out=out, jobs=1))
-    return tuple(sorted(one.name for one in out.iterdir() if one.is_file()))
+    names = sorted(one.name for one in out.iterdir() if one.is_file())
+    return tuple(name for name in names if not name.startswith("."))
 
 
 @dataclass(frozen=True, kw_only=True)
