@@ -87,7 +87,7 @@ endif
 # Needs uv, which the project itself does not.
 lock:
 	uv pip compile --universal --python-version 3.11 --generate-hashes --no-emit-index-url \
-		--no-header --all-extras --group build --group dev pyproject.toml -o requirements.txt
+		--no-header --all-extras --group build --group dev -c requirements-docs.txt pyproject.toml -o requirements.txt
 	uv pip compile --universal --python-version 3.11 --generate-hashes --no-emit-index-url \
 		--no-header requirements-crosscheck.in -o requirements-crosscheck.txt
 	uv pip compile --universal --python-version 3.11 --generate-hashes --no-emit-index-url \

@@ -10,8 +10,9 @@ from verify.app import extras
 from verify.app.extras import PACKAGE, extra_of, missing_library, shared_names
 
 EXTRA = {
-    "cvxopt", "distributed", "gmsh", "jinja2", "latex2mathml", "matplotlib", "meshio", "numba",
-    "PIL", "pyvista", "skfem", "sklearn", "threadpoolctl", "typst", "xlsxwriter",
+    "cvxopt", "distributed", "fastapi", "gmsh", "jinja2", "latex2mathml", "matplotlib", "meshio",
+    "nicegui", "numba", "PIL", "pyvista", "skfem", "sklearn", "threadpoolctl", "typst", "uvicorn",
+    "xlsxwriter",
 }  # fmt: skip
 WITHOUT = """
 import sys
@@ -48,8 +49,17 @@ def test_finite_elements_name_their_extra(tmp_path: Path) -> None:
     assert done.stderr.count("\n") == 1
 
 
+def test_the_local_page_names_its_extra(tmp_path: Path) -> None:
+    done = freewheel("app", "--no-browser", "--port", "0", folder=tmp_path)
+    assert done.returncode == 2
+    assert "nicegui is not installed" in done.stderr
+    assert "pip install 'freewheel-verification[app]'" in done.stderr
+    assert done.stderr.count("\n") == 1
+
+
 @pytest.mark.parametrize(("module", "extra"), [
     ("gmsh", "fem"), ("sklearn", "fem"), ("PIL", "report"), ("distributed", "dask"), ("numpy", ""),
+    ("nicegui", "app"), ("uvicorn", "app"),
 ])  # fmt: skip
 def test_extra_of_a_module(module: str, extra: str) -> None:
     assert extra_of(module) == extra

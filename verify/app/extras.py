@@ -5,7 +5,10 @@ from importlib.metadata import PackageNotFoundError, packages_distributions, req
 
 PACKAGE = "freewheel-verification"
 TOP_LEVEL = ("analytic", "fem", "meshes", "reports", "verify")
-LIBRARIES = {"skfem": "scikit-fem", "sklearn": "scikit-learn", "PIL": "pillow"}  # by module
+LIBRARIES = {  # by module
+    "skfem": "scikit-fem", "sklearn": "scikit-learn", "PIL": "pillow",
+    "fastapi": "nicegui", "uvicorn": "nicegui",
+}  # fmt: skip
 
 
 def extra_of(module: str) -> str:

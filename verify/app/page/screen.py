@@ -28,7 +28,8 @@ from verify.core.inputs import InputError
 
 HERE = Path(__file__).parent
 TEMPLATES = Path(__file__).parents[3] / "reports" / "templates"
-FORMULAS, DETAILS = 20.0, 60.0  # s that an answer may take
+FORMULAS, DETAILS = 60.0, 60.0  # s that an answer may take
+SLOW = 0.4  # s after which the page states that it computes
 PAUSE = 0.5  # s without typing before slow notes are computed
 NUMBERS = itertools.count(1)
 TYPED = "e => { if (e.target.dataset.place) emit([e.target.dataset.place, e.target.value]); }"
@@ -127,7 +128,9 @@ class Screen:
                     self.form = html(form(self.case, self.session.state.raw)).props('id="form"')
                     self.form.on("input", self._typed, js_handler=TYPED)
                     self.form.on("click", self._pressed, js_handler=PRESSED)
-                self.answer = html(css="answer").props('id="answer" aria-live="polite"')
+                with ui.element("div").classes("answer"):
+                    self.busy = html(css="soft").props('id="busy" role="status"')
+                    self.answer = html().props('id="answer" aria-live="polite"')
             with ui.element("div").classes("tools"):
                 self.tools = Tools(self)
 
@@ -213,6 +216,7 @@ class Screen:
     async def _once(self, state: State) -> None:
         enable(self.undo, bool(self.session.before))
         enable(self.redo, bool(self.session.after))
+        busy = background_tasks.create(self._busy(), name="busy")
         try:
             found = await self.place.formulas.ask(shown, *self.asked(), False, seconds=FORMULAS)
             other = None
@@ -221,9 +225,18 @@ class Screen:
                                                       seconds=FORMULAS)  # fmt: skip
         except (InputError, FailedError, CancelledError) as error:
             found, other = Shown(fault=str(error)), None
+        finally:
+            busy.cancel()
+        self.busy.set_content("")
         self._display(found)
         self.tools.show_compared(found, other)
         ui.run_javascript(f"freewheel.keep({json.dumps(to_link(state))})")
+
+    async def _busy(self) -> None:
+        """State after a while that the answer is not yet that of the present inputs."""
+        await asyncio.sleep(SLOW)
+        with self.client:
+            self.busy.set_content("computing; the answer below is that of the inputs before")
 
     async def _details(self, state: State) -> None:
         """The same with the slow notes, where inputs were assumed."""
