@@ -20,7 +20,8 @@ class JobView:
     """Runs `work` in a process of its own when its button is pressed; one at a time."""
 
     def __init__(self, text: str, name: str, jobs: Jobs, work: Work) -> None:
-        self._jobs, self._work, self._worker = jobs, work, None
+        self._jobs, self._work = jobs, work
+        self._worker: Worker | None = None
         self._told: Any = None
         self._start = 0.0
         with ui.element("div").classes("row"):
@@ -40,7 +41,7 @@ class JobView:
         if self._worker is not None:
             return
         try:
-            self._worker = self._jobs.begin()
+            worker = self._worker = self._jobs.begin()
         except InputError as error:
             self._progress.set_content(message(str(error)))
             return
@@ -51,7 +52,7 @@ class JobView:
         self._show()
         told = ""
         try:
-            await self._work(self._worker, self._take)
+            await self._work(worker, self._take)
         except CancelledError:
             told = "cancelled; finished levels are stored"
         except (InputError, FailedError) as error:
@@ -60,7 +61,7 @@ class JobView:
             told = "the page was closed"
             raise
         finally:
-            self._jobs.finish(self._worker)
+            self._jobs.finish(worker)
             self._worker = None
             self._timer.deactivate()
             enable(self._run, True)

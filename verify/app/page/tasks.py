@@ -121,7 +121,8 @@ class _Point:
         found = answer(case, inputs, values, assumed=self.assumed,
                        with_design=self.result == DESIGN)  # fmt: skip
         if self.result == DESIGN:
-            return found.design and found.design.value / units.factor(found.design.unit)
+            one = found.design
+            return None if one is None else one.value / units.factor(one.unit)
         if found.failures:
             raise ValueError(found.failures[0])
         return None if found.limiting is None else found.limiting.margin
