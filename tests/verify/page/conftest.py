@@ -1,4 +1,4 @@
-"""A server of the page in a process of its own, and a browser without a window."""
+"""A server of the page in a separate process, and a browser without a window."""
 
 import os
 import re

@@ -154,7 +154,7 @@ def test_the_address_reproduces_the_session_in_another_tab(page: Browser) -> Non
     page.until(lambda: page.driver.current_url != before)
     page.driver.close()
     page.driver.switch_to.window(first)
-    assert page.value("r_i") == "18.5 mm"  # tabs have sessions of their own
+    assert page.value("r_i") == "18.5 mm"  # each tab has a session
 
 
 def test_the_page_is_used_with_the_keyboard_alone(page: Browser) -> None:

@@ -7,8 +7,8 @@ from markupsafe import Markup
 from reports.svg import lowered
 from verify.app.page.answers import Cells, Shown
 
-STYLE = {"holds": "pass", "fails": "fail", "cannot say": "shown"}
-ELSEWHERE = ("design value:", "margin:", "assumed inputs:")  # lines with a place of their own
+STYLE = {"holds": "pass", "fails": "fail", "cannot say": "undecided"}
+ELSEWHERE = ("design value:", "margin:", "assumed inputs:")  # lines that are displayed separately
 MARK = {"holds": "✓", "fails": "✗", "cannot say": "?"}
 
 

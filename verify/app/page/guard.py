@@ -24,8 +24,8 @@ ASK = """<!doctype html><html lang="en"><meta charset="utf-8"><title>freewheel a
 <meta name="viewport" content="width=device-width"><style>:root {{ color-scheme: light dark }}
 body {{ font: 1rem/1.5 sans-serif; margin: 2rem auto; max-width: 38rem; padding: 0 1rem }}</style>
 <h1>The page needs its token</h1><p>freewheel app printed an address with a token when it started.
-Open this address, or enter the token here. Inputs that were typed are kept in the address of this
-page.</p><form><label>Token <input name="token" autofocus></label>{kept}
+Open this address, or enter the token here. The address of this page still has the inputs that were
+typed.</p><form><label>Token <input name="token" autofocus></label>{hidden}
 <button>Open</button></form></html>"""
 
 
@@ -34,7 +34,7 @@ class Guard:
 
     def __init__(self, app: App, *, token: str, port: int) -> None:
         self.app, self.token = app, token
-        self.cookie = f"freewheel-{port}"  # browsers do not tell ports apart
+        self.cookie = f"freewheel-{port}"  # browsers send a cookie to every port
         self.hosts = {f"{host}:{port}" for host in HOSTS}
         self.origins = {f"http://{host}" for host in self.hosts}
 
@@ -78,15 +78,15 @@ class Guard:
         return secrets.compare_digest(text.encode(), self.token.encode())
 
     async def _admit(self, scope: Scope, send: Send) -> None:
-        """The cookie for the right token in the address, which then loses it; else ask for it."""
+        """The cookie for the right token in the address, which then loses it; without it a page with a field for it."""
         query = dict(parse_qsl(scope["query_string"].decode("latin-1")))
         given = query.pop("token", "")
         if not self._is_token(given):
-            kept = "".join(
+            hidden = "".join(
                 f'<input type="hidden" name="{html.escape(k)}" value="{html.escape(v)}">'
                 for k, v in query.items()
             )
-            await _answer(send, 403, ASK.format(kept=kept), b"text/html; charset=utf-8")
+            await _answer(send, 403, ASK.format(hidden=hidden), b"text/html; charset=utf-8")
             return
         cookie = f"{self.cookie}={self.token}; HttpOnly; SameSite=Strict; Path=/"
         place = "/" + (f"?{urlencode(query)}" if query else "")

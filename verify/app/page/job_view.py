@@ -17,7 +17,7 @@ Work = Callable[[Worker, Callable[[Any], None]], Coroutine[Any, Any, None]]
 
 
 class JobView:
-    """Runs `work` in a process of its own when its button is pressed; one at a time."""
+    """Runs `work` in a separate process when its button is pressed; one at a time."""
 
     def __init__(self, text: str, name: str, jobs: Jobs, work: Work) -> None:
         self._jobs, self._work = jobs, work

@@ -64,7 +64,7 @@ class Worker:
                     raise FailedError(f"stopped after {seconds:g} s")
                 await asyncio.sleep(POLL)
             kind, value = pipe.recv()
-            if kind == "told":
+            if kind == "state":
                 tell(value)
             elif kind == "done":
                 return value
@@ -118,7 +118,7 @@ class Jobs:
 
 
 def _work(pipe: connection.Connection, parent: int) -> None:
-    """What the process does: a group of its own, which ends with its parent."""
+    """What the process does: a separate group, which ends with its parent."""
     os.setsid()
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     threading.Thread(target=_watch, args=(parent,), daemon=True).start()
@@ -126,7 +126,7 @@ def _work(pipe: connection.Connection, parent: int) -> None:
         while True:
             function, arguments = pipe.recv()
             try:
-                answer = ("done", function(*arguments, lambda told: pipe.send(("told", told))))
+                answer = ("done", function(*arguments, lambda state: pipe.send(("state", state))))
             except InputError as error:
                 answer = ("input", _line(error))
             except (Exception, SystemExit) as error:

@@ -22,4 +22,4 @@ def groups(files: Sequence[str], also: str = "") -> list[tuple[str, list[tuple[s
         ("Parts", [(case, title) for title, case in PARTS.items()]),
         ("All cases", [(case, case) for case in CASES.ids]),
     ]
-    return [*found, ("Own cases", [(name, name) for name in own])] if own else found
+    return [*found, ("Cases in the folder", [(name, name) for name in own])] if own else found

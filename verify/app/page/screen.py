@@ -40,7 +40,7 @@ PRESSED = (
 
 
 class Screen:
-    """A page with its own session; pages share the processes and the folder of `place`."""
+    """A page with its session; pages share the processes and the folder of `place`."""
 
     def __init__(self, place: Place) -> None:
         self.place, self.number = place, next(NUMBERS)
@@ -53,7 +53,7 @@ class Screen:
         """Everything, for the session of a link, a file, or the first part."""
         self._head()
         self.bar = ui.element("div").classes("bar")
-        self.told = html().props('id="told"')
+        self.told = html().props('id="error"')
         self.body = ui.element("main")
         try:
             state = self._first(link)
@@ -89,7 +89,7 @@ class Screen:
         return self.path, state.name, as_values(given, self.case.whole)
 
     async def show(self, state: State, *, fill: bool = False) -> None:
-        """Another case or file; with `fill` the inputs of the template. Errors are shown."""
+        """Another case or file; with `fill` the inputs of the template. Errors are displayed."""
         before = self.session.state
         self.session.state = state
         try:
@@ -194,7 +194,7 @@ class Screen:
         self.changed()
 
     def changed(self) -> None:
-        """Answer the present state; while an answer is computed, only the last one is kept."""
+        """Answer the present state; while an answer is computed, the inputs in between are skipped."""
         if not self._answering:
             self._answering = True
             background_tasks.create(self._answer(), name="answer")

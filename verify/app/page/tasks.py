@@ -30,7 +30,7 @@ MARGIN, DESIGN = "margin", "design value"  # results of a sweep beside the case'
 
 
 def finite_elements(case: str, name: str, raw: Mapping[str, Any], tell: Tell) -> Shown:
-    """The answer with judged rows; solved levels are stored, and told of. InputError."""
+    """The answer with judged rows; solved levels are stored and reported. InputError."""
     file = _file(case, name, raw)
     if reason := file.case.too_large(file.inputs):
         raise InputError(f"finite elements refuse these inputs: {reason}")

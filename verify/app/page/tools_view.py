@@ -32,7 +32,7 @@ class Tools:
         with tool("Sweep over one or two inputs", "tool-sweep"):
             self._sweep_form()
         with tool("Compare two variants", "tool-compare"), ui.element("div").classes("row"):
-            button("Keep these inputs as variant B", self._keep, name="keep")
+            button("Store these inputs as variant B", self._keep, name="keep")
             button("Exchange A and B", self._exchange, name="exchange")
             button("Remove variant B", self._drop, name="drop")
         with ui.element("div"):
@@ -115,7 +115,7 @@ class Tools:
             for v in present.values if theirs.get(v[0]) != v[1]
         ]  # fmt: skip
         head = Markup("<h3>Variants side by side</h3>")
-        self.compared.set_content(head + table(("", "A (the form)", "B (kept)"), rows))
+        self.compared.set_content(head + table(("", "A (the form)", "B (stored)"), rows))
 
     async def _report(self, worker: Worker, _tell: Tell) -> None:
         place, state = self.screen.place, self.screen.session.state
