@@ -78,7 +78,7 @@ class Guard:
         return secrets.compare_digest(text.encode(), self.token.encode())
 
     async def _admit(self, scope: Scope, send: Send) -> None:
-        """The cookie for the right token in the address, which then loses it; without it a page with a field for it."""
+        """The cookie for the right token in the address; else a page with a field for the token."""
         query = dict(parse_qsl(scope["query_string"].decode("latin-1")))
         given = query.pop("token", "")
         if not self._is_token(given):

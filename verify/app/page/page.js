@@ -27,7 +27,10 @@ const freewheel = {
     const input = [...document.querySelectorAll("[data-place]")].find(one => one.dataset.place === place);
     if (input) { input.focus(); input.select?.(); }
   },
-  again() { setTimeout(() => { if (document.activeElement === document.body && freewheel.last) freewheel.focus(freewheel.last); }, 50); },
+  again() {  // after the form was made again
+    const back = () => { if (document.activeElement === document.body && freewheel.last) freewheel.focus(freewheel.last); };
+    for (const after of [50, 250, 1000]) setTimeout(back, after);
+  },
   keep(link) { history.replaceState(null, "", "/?s=" + link); },
   async ended() {  // a server that was started again has another token
     try { if ((await fetch("/", { cache: "no-store" })).status === 403) location.reload(); } catch { /* not there yet */ }

@@ -189,12 +189,15 @@ class Screen:
         self.changed()
 
     def _refill(self) -> None:
-        self.form.set_content(form(self.case, self.session.state.raw))
+        again = Markup("<!-- {} -->").format(
+            next(NUMBERS)
+        )  # the same text would leave what is typed
+        self.form.set_content(again + form(self.case, self.session.state.raw))
         ui.run_javascript("freewheel.again()")
         self.changed()
 
     def changed(self) -> None:
-        """Answer the present state; while an answer is computed, the inputs in between are skipped."""
+        """Answer the present state; states that pass while an answer is computed are skipped."""
         if not self._answering:
             self._answering = True
             background_tasks.create(self._answer(), name="answer")

@@ -17,6 +17,8 @@ from verify.app.page.sweep_figure import options
 from verify.app.page.toml_text import parameter_file
 from verify.app.page.widgets import Choice, Typed, button, html, message, tool
 
+IS_DARK = "matchMedia('(prefers-color-scheme: dark)').matches"
+ANSWERED = 10.0  # s in which a browser answers
 Tell = Callable[[Any], None]
 
 
@@ -73,7 +75,10 @@ class Tools:
         found: tasks.Swept = await worker.ask(
             tasks.sweep, *self.screen.asked(), vary, self.result.value, tell=tell
         )
-        dark = bool(await ui.run_javascript("matchMedia('(prefers-color-scheme: dark)').matches"))
+        try:
+            dark = bool(await ui.run_javascript(IS_DARK, timeout=ANSWERED))
+        except TimeoutError:  # a browser that is busy
+            dark = False
         self.figure.clear()
         with self.figure:
             ui.echart(options(found, dark=dark)).classes("figure")
