@@ -59,6 +59,12 @@ def test_a_warning_stands_beside_the_input_that_causes_it() -> None:
     assert "outside the usual range" in text
 
 
+def test_a_warning_that_has_a_word_like_an_input_is_not_placed_there() -> None:
+    found = answered("contact-roller", dict(describe("contact-roller").raw) | {"E_1": "500 GPa"})
+    assert set(found.beside) == {"E_1"}
+    assert any("Palmgren" in text for text in found.warnings)
+
+
 def test_dimensions_of_the_sketch_carry_the_names_of_their_inputs() -> None:
     assert 'data-input="r_i"' in answered("ring-lame", RING).sketch
 

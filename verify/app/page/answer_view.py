@@ -24,11 +24,14 @@ def answer(shown: Shown) -> Markup:
     ).format(
         STYLE[shown.verdict], MARK[shown.verdict], shown.verdict.capitalize(),
         lowered(shown.design or "none"), shown.margin or "none",
-        Markup("<p>{}</p>").format(reason) if (reason := first.partition(": ")[2]) != shown.verdict
-        else "",
-        _list([one for one in rest if not one.startswith(ELSEWHERE)]),
+        Markup("<p>{}</p>").format(first.partition(f": {shown.verdict}")[2].removeprefix(": ")),
+        _list([one for one in rest if not _is_elsewhere(one)]),
         _list(shown.warnings, "warnings"), _limits(shown.limits), _values(shown),
     )  # fmt: skip
+
+
+def _is_elsewhere(line: str) -> bool:
+    return line.startswith(ELSEWHERE) or line.endswith("listed below the limits")
 
 
 def brief(shown: Shown) -> Markup:

@@ -109,7 +109,8 @@ def _placed(checked: Checked) -> tuple[dict[str, tuple[str, ...]], tuple[str, ..
     names = {**by_symbol, **{name: name for name in by_symbol.values()}}
     for warning in checked.result.warnings:
         first = re.match(r"[\w\[\].]+", warning)
-        known = {names[word] for word in re.findall(r"\w+", warning) if word in names}
+        words = re.findall(r"\w+", warning)
+        known = {names[w] for w in words if w in names and (_is_symbol(w) or f"{w} =" in warning)}
         place = first[0] if first and (first[0] in names or "[" in first[0]) else ""
         place = names.get(place, place) or (known.pop() if len(known) == 1 else "")
         if place:
@@ -117,6 +118,11 @@ def _placed(checked: Checked) -> tuple[dict[str, tuple[str, ...]], tuple[str, ..
         else:
             general.append(raised(warning))
     return beside, tuple(general)
+
+
+def _is_symbol(word: str) -> bool:
+    """Whether a name of an input is no word of a sentence, as "slices" and "a" are."""
+    return "_" in word or not word.isascii() or word.isupper()
 
 
 def _wrong(case: Case, raw: Mapping[str, Any], message: str) -> Shown:

@@ -16,10 +16,8 @@ class FileView:
     def __init__(self, screen: Any) -> None:
         self.screen = screen
         with tool("File", "tool-file"):
-            with ui.element("div").classes("row"):
-                names = screen.place.folder.names_of(".toml")
-                self.file = Choice("In the folder", {n: n for n in names}, "load-name")
-                button("Load", self._load, name="load")
+            self.listed = ui.element("div").classes("row")
+            self._list()
             with ui.element("div").classes("row"):
                 state = screen.session.state
                 self.title = Typed("Name of the part", "part-name", state.name)
@@ -30,6 +28,15 @@ class FileView:
                 button("Download", self._download, name="download")
                 button("Copy the link of this session", self._copy, name="copy")
             self.told = html().props('id="file-told" role="status"')
+
+    def _list(self) -> None:
+        """The files of the folder at present."""
+        names = self.screen.place.folder.names_of(".toml")
+        self.listed.clear()
+        with self.listed:
+            files = {n: n for n in names} or {"": "no parameter file"}
+            self.file = Choice("In the folder", files, "load-name")
+            button("Load", self._load, name="load")
 
     async def _load(self) -> None:
         try:
@@ -52,6 +59,7 @@ class FileView:
             self.told.set_content(message(str(error)))
             return
         self.told.set_content("saved")
+        self._list()
 
     def _download(self) -> None:
         ui.download.content(self._named(), self.name.value, "application/toml")

@@ -167,8 +167,9 @@ class Screen:
 
     def put(self, state: State) -> None:
         """Another state of the same case."""
+        is_typed = state.raw == self.session.state.raw
         self.session.put(state)
-        self._refill()
+        self.changed() if is_typed else self._refill()
 
     async def _undo(self) -> None:
         case = self.session.state.case
@@ -189,9 +190,7 @@ class Screen:
         self.changed()
 
     def _refill(self) -> None:
-        again = Markup("<!-- {} -->").format(
-            next(NUMBERS)
-        )  # the same text would leave what is typed
+        again = Markup("<!-- {} -->").format(next(NUMBERS))  # the same text would change nothing
         self.form.set_content(again + form(self.case, self.session.state.raw))
         ui.run_javascript("freewheel.again()")
         self.changed()

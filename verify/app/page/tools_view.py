@@ -85,6 +85,8 @@ class Tools:
             repeat = f"freewheel sweep FILE {' '.join(f'--vary {v}' for v in vary)}"
             html(Markup("<p>{}</p>").format(f"By finite elements: {repeat}"), "soft")
             html(message(found.problem and f"points without a result: {found.problem}"))
+            if not any(value is not None for line in found.values for value in line):
+                html(message(f"no point has a result: {found.label}"))
 
     def _keep(self) -> None:
         state = self.screen.session.state
