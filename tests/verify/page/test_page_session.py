@@ -63,7 +63,8 @@ def test_a_text_that_is_too_long_and_an_entry_that_is_missing_are_refused() -> N
 
 
 @pytest.mark.parametrize("state", [
-    RING, TABLE, State("a", 'ü "quoted" \\ \x7f', {"x": "1e5", "y": ".5", "z": "-0", "w": "007"}),
+    RING, TABLE, State("a", 'ü "quoted" \\ \x7f', {"x": "1e5", "y": ".5", "z": "-0"}),
+    State("a", "b", {"w": "007", "v": '\x7f "\\', "k e y": "\u2603"}),
 ])  # fmt: skip
 def test_a_file_and_a_link_reproduce_a_state(state: State, tmp_path: Path) -> None:
     path = tmp_path / "my.toml"

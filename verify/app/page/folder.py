@@ -30,7 +30,7 @@ class Folder:
         parts = name.replace("\\", "/").split("/")
         if not name.strip() or len(name) > LONGEST or not name.isprintable():
             raise InputError(f"a file name has 1 to {LONGEST} printable characters")
-        if any(part in ("", "..") or part.startswith(".") or ":" in part for part in parts):
+        if any(not part or part.startswith(".") or ":" in part for part in parts):
             raise InputError(f"{name}: only files in the folder {self.root} can be used")
         path = self.root.joinpath(*parts)
         if suffixes and path.suffix not in suffixes:
