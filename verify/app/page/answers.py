@@ -10,8 +10,9 @@ from verify.answers.console import limits, margin, number
 from verify.answers.parameter_file import completed
 from verify.app.check_command import Options, check_part, in_system
 from verify.app.check_console import Checked, answer_lines
-from verify.app.page.described import model_of
+from verify.app.page.described import describe, model_of
 from verify.app.page.sketches import named_sketch
+from verify.app.page.toml_text import as_values
 from verify.cases.registry import find
 from verify.core.case import Case
 from verify.core.console import raised, sentences
@@ -151,9 +152,6 @@ def _wrong(case: Case, raw: Mapping[str, Any], message: str) -> Shown:
 
 def _defaults(case: Case) -> dict[str, Any]:
     """The default inputs as a file has them."""
-    from verify.app.page.described import describe
-    from verify.app.page.toml_text import as_values
-
     made = describe(case.named)
     return as_values(made.raw, made.whole)
 

@@ -19,7 +19,7 @@ from verify.app.page.form import ADD, form
 from verify.app.page.jobs import CancelledError, FailedError
 from verify.app.page.link import from_link, to_link
 from verify.app.page.parts import groups
-from verify.app.page.server import FIRST, Place
+from verify.app.page.place import FIRST, Place
 from verify.app.page.session import Session, State, with_entry, without_entry
 from verify.app.page.toml_text import as_values, read_state
 from verify.app.page.tools_view import Tools

@@ -5,7 +5,6 @@ import secrets
 import socket
 import webbrowser
 from contextlib import asynccontextmanager, suppress
-from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from threading import Timer
@@ -20,26 +19,14 @@ from verify.app.page.described import describe
 from verify.app.page.folder import Folder
 from verify.app.page.guard import Guard
 from verify.app.page.jobs import Jobs, Worker
-from verify.app.page.parts import PARTS
+from verify.app.page.place import FIRST, Place
+from verify.app.page.screen import Screen
 from verify.core.inputs import InputError
 
 HOST = "127.0.0.1"
-FIRST = next(iter(PARTS.values()))
 STARTED = 60.0  # s in which the first page must be there, also on a slow machine
 LAST_PORT = 65535
 BROWSER_AFTER = 0.5  # s
-
-
-@dataclass(frozen=True)
-class Place:
-    """What the pages of a server share: the folder, the processes, and a place for reports."""
-
-    folder: Folder
-    reports: Path
-    formulas: Worker
-    details: Worker
-    jobs: Jobs
-    first: str = ""  # parameter file that a page without a link shows
 
 
 def run_app(file: Path | None, *, folder: Path, port: int, browser: bool) -> int:
@@ -85,7 +72,6 @@ def bound(port: int) -> socket.socket:
 
 def application(place: Place) -> FastAPI:
     """The page and the files of its reports, without a guard."""
-    from verify.app.page.screen import Screen
 
     @asynccontextmanager
     async def running(_app: FastAPI) -> Any:
