@@ -1,36 +1,30 @@
 """One page in a browser: the choice of a case, the form, the answer, and the tools."""
 
-import asyncio
 import itertools
-import json
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from markupsafe import Markup
-from nicegui import background_tasks, ui
+from nicegui import ui
 
-from verify.app.page.answer_view import answer, brief
-from verify.app.page.answers import Shown, shown
+from verify.app.page.answering import FORMULAS, Answering
 from verify.app.page.described import Described, describe
 from verify.app.page.file_view import FileView
 from verify.app.page.form import ADD, form
 from verify.app.page.jobs import CancelledError, FailedError
-from verify.app.page.link import from_link, to_link
+from verify.app.page.link import from_link
 from verify.app.page.parts import groups
 from verify.app.page.place import FIRST, Place
 from verify.app.page.session import Session, State, with_entry, without_entry
 from verify.app.page.toml_text import as_values, read_state
 from verify.app.page.tools_view import Tools
-from verify.app.page.widgets import VALUE, button, chosen_of, enable, html, message
+from verify.app.page.widgets import VALUE, button, chosen_of, html, message
 from verify.core.inputs import InputError
 
 HERE = Path(__file__).parent
 TEMPLATES = Path(__file__).parents[3] / "reports" / "templates"
-FORMULAS, DETAILS = 60.0, 60.0  # s that an answer may take
-SLOW = 0.4  # s after which the page states that it computes
-PAUSE = 0.5  # s without typing before slow notes are computed
 NUMBERS = itertools.count(1)
 TYPED = "e => { if (e.target.dataset.place) emit([e.target.dataset.place, e.target.value]); }"
 PRESSED = (
@@ -47,7 +41,7 @@ class Screen:
         self.client = ui.context.client
         self.session = Session(State(FIRST, f"my {FIRST}"))
         self.case: Described
-        self._answering = False
+        self.changed = Answering(self).changed
 
     async def build(self, link: str) -> None:
         """Everything, for the session of a link, a file, or the first part."""
@@ -194,68 +188,3 @@ class Screen:
         self.form.set_content(again + form(self.case, self.session.state.raw))
         ui.run_javascript("freewheel.again()")
         self.changed()
-
-    def changed(self) -> None:
-        """Answer the present state; states that pass while an answer is computed are skipped."""
-        if not self._answering:
-            self._answering = True
-            background_tasks.create(self._answer(), name="answer")
-
-    async def _answer(self) -> None:
-        try:
-            state = None
-            while state is not self.session.state:
-                state = self.session.state
-                with self.client:
-                    await self._once(state)
-        finally:
-            self._answering = False
-        await asyncio.sleep(PAUSE)
-        if state is self.session.state and not self._answering:
-            with self.client:
-                await self._details(state)
-
-    async def _once(self, state: State) -> None:
-        enable(self.undo, bool(self.session.before))
-        enable(self.redo, bool(self.session.after))
-        busy = background_tasks.create(self._busy(), name="busy")
-        try:
-            found = await self.place.formulas.ask(shown, *self.asked(), False, seconds=FORMULAS)
-            other = None
-            if state.other is not None:
-                other = await self.place.formulas.ask(shown, *self.asked(state.other), False,
-                                                      seconds=FORMULAS)  # fmt: skip
-        except (InputError, FailedError, CancelledError) as error:
-            found, other = Shown(fault=str(error)), None
-        finally:
-            busy.cancel()
-        self.busy.set_content("")
-        self._display(found)
-        self.tools.show_compared(found, other)
-        ui.run_javascript(f"freewheel.keep({json.dumps(to_link(state))})")
-
-    async def _busy(self) -> None:
-        """State after a while that the answer is not yet that of the present inputs."""
-        await asyncio.sleep(SLOW)
-        with self.client:
-            self.busy.set_content("computing; the answer below is that of the inputs before")
-
-    async def _details(self, state: State) -> None:
-        """The same with the slow notes, where inputs were assumed."""
-        if not self.found.assumed:
-            return
-        try:
-            found = await self.place.details.ask(shown, *self.asked(), True, seconds=DETAILS)
-        except (InputError, FailedError, CancelledError):
-            return
-        if state is self.session.state:
-            self._display(found)
-
-    def _display(self, found: Shown) -> None:
-        self.found = found
-        self.answer.set_content(answer(found))
-        self.brief.set_content(brief(found))
-        if found.sketch:
-            self.sketch.set_content(found.sketch)
-        data = json.dumps([found.faults, found.beside, found.assumed])
-        ui.run_javascript(f"freewheel.messages(...{data}); freewheel.highlight()")

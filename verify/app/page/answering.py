@@ -1,0 +1,96 @@
+"""The answer of a page follows its state; slow notes follow where nothing is typed."""
+
+import asyncio
+import json
+from collections.abc import Mapping
+from typing import Any
+
+from nicegui import background_tasks, ui
+
+from verify.app.page.answer_view import answer, brief
+from verify.app.page.answers import Shown, shown
+from verify.app.page.jobs import CancelledError, FailedError
+from verify.app.page.link import to_link
+from verify.app.page.session import State
+from verify.app.page.widgets import enable
+from verify.core.inputs import InputError
+
+FORMULAS, DETAILS = 60.0, 60.0  # s that an answer may take
+SLOW = 0.4  # s after which the page states that it computes
+PAUSE = 0.5  # s without typing before slow notes are computed
+
+
+class Answering:
+    """Answers the states of one screen one after the other."""
+
+    def __init__(self, screen: Any) -> None:
+        self.screen, self.found = screen, Shown()
+        self._answering = False
+
+    def changed(self) -> None:
+        """Answer the present state; states that pass while an answer is computed are skipped."""
+        if not self._answering:
+            self._answering = True
+            background_tasks.create(self._answer(), name="answer")
+
+    async def _answer(self) -> None:
+        try:
+            state: Any = None
+            while state is not self.screen.session.state:
+                state = self.screen.session.state
+                with self.screen.client:
+                    await self._once(state)
+        finally:
+            self._answering = False
+        await asyncio.sleep(PAUSE)
+        if state is self.screen.session.state and not self._answering:
+            with self.screen.client:
+                await self._details(state)
+
+    async def _once(self, state: State) -> None:
+        enable(self.screen.undo, bool(self.screen.session.before))
+        enable(self.screen.redo, bool(self.screen.session.after))
+        busy = background_tasks.create(self._busy(), name="busy")
+        try:
+            found = await self._asked(state.raw)
+            other = None if state.other is None else await self._asked(state.other)
+        except (InputError, FailedError, CancelledError) as error:
+            found, other = Shown(fault=str(error)), None
+        finally:
+            busy.cancel()
+        self.screen.busy.set_content("")
+        self._display(found)
+        self.screen.tools.show_compared(found, other)
+        ui.run_javascript(f"freewheel.keep({json.dumps(to_link(state))})")
+
+    async def _asked(self, raw: Mapping[str, Any]) -> Shown:
+        asked = self.screen.asked(raw)
+        found: Shown = await self.screen.place.formulas.ask(shown, *asked, False, seconds=FORMULAS)
+        return found
+
+    async def _busy(self) -> None:
+        """State after a while that the answer is not yet that of the present inputs."""
+        await asyncio.sleep(SLOW)
+        with self.screen.client:
+            self.screen.busy.set_content("computing; the answer below is that of the inputs before")
+
+    async def _details(self, state: State) -> None:
+        """The same with the slow notes, where inputs were assumed."""
+        if not self.found.assumed:
+            return
+        asked = self.screen.asked()
+        try:
+            found = await self.screen.place.details.ask(shown, *asked, True, seconds=DETAILS)
+        except (InputError, FailedError, CancelledError):
+            return
+        if state is self.screen.session.state:
+            self._display(found)
+
+    def _display(self, found: Shown) -> None:
+        self.found = found
+        self.screen.answer.set_content(answer(found))
+        self.screen.brief.set_content(brief(found))
+        if found.sketch:
+            self.screen.sketch.set_content(found.sketch)
+        data = json.dumps([found.faults, found.beside, found.assumed])
+        ui.run_javascript(f"freewheel.messages(...{data}); freewheel.highlight()")
