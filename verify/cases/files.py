@@ -23,11 +23,11 @@ from verify.form.adapter import adapted
 from verify.form.case import Case as Form
 
 GROUP = "freewheel.cases"
-FILES = "FREEWHEEL_CASE_FILES"  # paths, separated as those of PATH
+FILES = "FREEWHEEL_CASE_FILES"  # paths, separated like the entries of PATH
 
 
 def is_file_name(name: str) -> bool:
-    """Whether a name of a case is that of a Python file."""
+    """Whether the name of a case is the name of a Python file."""
     return name.endswith(".py")
 
 
@@ -44,7 +44,7 @@ def load(name: str) -> Case:
 
 
 def loaded() -> Iterator[Case]:
-    """The cases of files that this process or the one that started it has loaded."""
+    """The cases of files that this process or its parent process has loaded."""
     for path in filter(None, os.environ.get(FILES, "").split(os.pathsep)):
         yield _loaded(Path(path))
 

@@ -13,12 +13,12 @@ NARROWER = 10
 
 
 def light(q: Any) -> Any:
-    """A line contact a tenth as wide."""
+    """A line contact of a tenth of the width."""
     return q.model_copy(update={"F": q.F / LIGHTER})
 
 
 def light_point(q: Any) -> Any:
-    """A point contact a tenth as wide."""
+    """A point contact of a tenth of the contact radius."""
     return q.model_copy(update={"P": q.P / POINT})
 
 
@@ -46,7 +46,7 @@ def straight(q: Any) -> Any:
 
 
 def fem_narrow_disc(q: Any, level: int) -> FemResult:
-    """The widest contact's values in proportion to those of one a tenth as wide."""
+    """Values of the widest contact, scaled from a contact of a tenth of its width."""
     from verify.cases.contact.line.flat import WIDEST, key
     from verify.cases.contact.line.reference import disc_fem
 
@@ -60,7 +60,7 @@ def fem_narrow_disc(q: Any, level: int) -> FemResult:
 
 
 def fem_narrow_unlike(q: Any, level: int) -> FemResult:
-    """The same of rollers of different materials."""
+    """Scaled values of a narrow contact for rollers of different materials."""
     from verify.cases.contact.line.reference import pair_fem
 
     found = pair_fem(light(q.unlike()), level).values()
@@ -91,13 +91,13 @@ HALF_SPACE = (
 
 
 def in_proportion(rows: str, fem: Callable[[Any, int], FemResult]) -> Rerun:
-    """Wide contacts by a narrow one."""
+    """Cause that replaces wide contacts by scaled values of a narrow contact."""
     return Rerun(cause=Cause.GEOMETRY, what="a contact a tenth as wide, values in proportion",
                  rows=(rows,), fem=fem)  # fmt: skip
 
 
 def line_contact(more: Rerun) -> Statement:
-    """The causes that line contacts share, and one more."""
+    """The causes common to all line contacts, and an additional cause."""
     return Statement(reruns=(NARROW, PLANE, more), finer=8)
 
 

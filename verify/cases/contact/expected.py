@@ -4,8 +4,8 @@ from analytic.bounds.contact.estimate import Estimate
 from verify.case import Expected
 from verify.judging import judge
 
-FLOOR = 3e-4  # of an error: the least slack at one load
-BLUNT = 1e-3  # of a line contact's shear: the least slack of smoothed stresses
+FLOOR = 3e-4  # least slack of a relative error at a single load
+BLUNT = 1e-3  # least slack for a line contact's shear stress, which is smoothed
 SHARP = judge.DEMAND / 2  # slack up to which an estimate judges
 
 

@@ -53,7 +53,7 @@ def refinement(limits: Callable[[Context], Mapping[str, float]], note: str) -> D
 def neglected(
     symbol: str, theory: float, words: str, deviations: Callable[[Sequence[Level]], Points]
 ) -> Drawn:
-    """What Hertz neglects over a/R, beside the derived parabola."""
+    """Error of Hertz's theory over a/R, with the derived parabola."""
 
     @converged
     def drawn(context: Context) -> Profile:
@@ -71,7 +71,7 @@ def neglected(
 
 
 def two_bodies(q: LineContact) -> Iterator[AlongLine | Drawn]:
-    """Pressure beside Hertz's, his errors, convergence."""
+    """Figures: pressure with Hertz's pressure, the error of Hertz's theory, convergence."""
     note = "Line: Hertz; dots: finest mesh, in the band of the whole profile, which ends at 0.85 a."
     yield pressure(q, q.pressure, "Hertz", note)
 

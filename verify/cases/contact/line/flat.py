@@ -38,7 +38,7 @@ SWEEP = (0.015, 0.03, 0.06, 0.1, 0.15)  # Hertz's a/R
 WIDEST = SWEEP[-1]
 WIDE = f"a/R = {WIDEST:g}"
 LIMITS = "acceptance figure of the contact models"
-DEPTH = 5e-3  # of the depth of the largest shear
+DEPTH = 5e-3  # relative to the depth of the largest shear stress
 DISC = "elastic disc between flats"
 SERIES = "derived series of the disc; its next term, taken as 1 × (a/R)⁴"
 SHEAR = (
@@ -117,7 +117,7 @@ class RollerOnFlat(FlatInputs):
 
     @shared
     def disc_shear(self) -> tuple[float, float]:
-        """Its largest shear stress [Pa] and the depth of that [m]."""
+        """Largest shear stress [Pa] in the disc and its depth [m]."""
         return disc_stress.largest_shear_stress(disc=self.disc)
 
     def disc_pressure(self, x: Any) -> Array:
@@ -125,17 +125,17 @@ class RollerOnFlat(FlatInputs):
         return np.asarray(self.disc.pressure(x) * np.sqrt(1 - (x / self.R) ** 2))
 
     def at_ratio(self, ratio: float) -> Self:
-        """The same roller under the load for which Hertz's a/R is `ratio`."""
+        """The roller under the load for which a/R by Hertz is `ratio`."""
         return self.under(float(np.pi / 4 * ratio**2 * self.R / self.softness))
 
     def reference(self, level: int) -> Level:
-        """The quarter under the load, and under those of the sweep."""
+        """The quarter under the load, and under the loads of the sweep."""
         swept = {f"_{key(e)}": disc_fem(self, self.at_ratio(e).P, e * self.R, level) for e in SWEEP}
         found = disc_fem(self, self.P, self.guess, level)
         return result(found, level, ("axis", "middle"), swept)
 
     def comparisons(self) -> Iterator[Comparison]:
-        """The disc, exact; Hertz, with what he neglects; the limit of narrow contacts."""
+        """Rows: the exact disc; Hertz within his expected error; the limit of narrow contacts."""
         by = RollerOnFlat
         wide = State(self.at_ratio(WIDEST), key(WIDEST), WIDE, displayed=False)
         places = (("", None), (WIDE, wide))
@@ -187,7 +187,7 @@ class RollerOnFlat(FlatInputs):
     def depth_margin(self, context: Context) -> tuple[float, float]:
         """Depths of stresses that jump from cell to cell follow no order: their spread counts.
 
-        Three times that of the last three levels, as for any series without an order.
+        Three times the spread of the last three levels, as for any series without an order.
         """
         depths = np.array(context.series("z")[1][-3:]) / self.z_disc
         return DEPTH - float(abs(depths[-1] - 1)), 3 * float(np.ptp(depths))
@@ -206,7 +206,7 @@ class RollerOnFlat(FlatInputs):
         return points
 
     def figures(self) -> Iterator[AlongLine | Drawn]:
-        """Profiles beside the disc, what Hertz neglects over a/R, and convergence."""
+        """Profiles with the exact disc, the error of Hertz's theory over a/R, and convergence."""
         note = (
             "Line: the disc, along its arc; dots: finest mesh. Below, the difference in the band "
             "of the whole profile, which ends at 0.85 a."
@@ -220,7 +220,7 @@ class RollerOnFlat(FlatInputs):
         yield figures.refinement(lambda _: limits, "the limit is the exact disc")
 
     def pictures(self) -> Iterator[Picture]:
-        """Stresses about the contact; a rigid flat has none."""
+        """Stresses about the contact in the roller only; the flat is rigid."""
         yield from figures.pictures(self.guess, below=0.05)
 
     sketch = sketches.flat

@@ -10,8 +10,8 @@ from verify.core.case import Context
 from verify.core.figures import Array
 from verify.judging.profile_checks import Within, l2_error
 
-NARROWEST = 1e-4  # and down to which round-off leaves them sharp
-WIDEST = 0.3  # a over the smallest radius up to which finite elements follow
+NARROWEST = 1e-4  # smallest a/R for which round-off is negligible
+WIDEST = 0.3  # largest a over the smallest radius for which finite elements are used
 STATIC_RATING = 4.0e9  # Pa, ISO 76: pressure of roller bearings at their static load rating
 HERTZ = "Hertz; behind Eqs. 2-5"
 PROFILE = 0.03  # acceptance figure of q(x) in L2
@@ -86,25 +86,25 @@ class LineContact(Case):
 
     @property
     def smallest(self) -> float:
-        """The length that a is to be small against [m]."""
+        """The length [m] that must be large compared with a."""
         raise NotImplementedError
 
     @property
     def smallest_name(self) -> str:
-        """What that length is."""
+        """Name of the length that must be large compared with a."""
         return "the roller's radius"
 
     @property
     def guess(self) -> float:
-        """About the half-width [m]: the size of the finest cells, which decides no result."""
+        """Estimate of the half-width [m]; it sets the size of the finest cells only."""
         return math.sqrt(4 * self.P * self.softness / (math.pi * self.curvature))
 
     def under(self, P: float) -> Self:
-        """The same bodies under another load per length [N/m]."""
+        """These bodies under another load per length [N/m]."""
         return self.variant(line_load=P)
 
     def check_load(self, sizes: str) -> None:
-        """ValueError where the contact would be as wide as the bodies."""
+        """ValueError if the contact would be as wide as the bodies."""
         if self.guess > WIDEST * self.smallest:
             raise ValueError(
                 f"F = {self.F:g} N on L = {self.L * 1e3:g} mm flattens a = {self.guess * 1e3:.3g} "
@@ -138,7 +138,7 @@ class LineContact(Case):
                           because=ROUND)  # fmt: skip
 
     def refusal(self) -> str:
-        """Contacts so narrow lose too many digits among the displacements of their bodies."""
+        """Reason to refuse very narrow contacts: round-off of the bodies' displacements."""
         ratio = self.guess / self.smallest
         if ratio >= NARROWEST:
             return ""
@@ -148,7 +148,7 @@ class LineContact(Case):
         )
 
     def warnings(self) -> Iterator[str]:
-        """What an engineer should know before trusting Hertz's formulas."""
+        """Warnings on the validity of Hertz's formulas for these inputs."""
         ratio = self.a / self.smallest
         if ratio > 0.05:
             yield (

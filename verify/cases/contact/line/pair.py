@@ -106,7 +106,7 @@ class TwoRollers(TwoBodies):
 
     @shared
     def known(self) -> OfDiscs:
-        """What Hertz neglects of two discs."""
+        """Error of Hertz's theory for two discs, from `pair_series`."""
         return OfDiscs(a=self.a, R_1=self.R_1, R_2=self.R_2, **self.materials)
 
     @property
@@ -126,7 +126,7 @@ class TwoRollers(TwoBodies):
         return "the upper roller's radius" if self.R_1 <= self.R_2 else "the lower roller's radius"
 
     def unlike(self) -> Self:
-        """The same rollers, the lower one softer, under the load that makes a/R `RATIO`."""
+        """These rollers, the lower one softer, under the load that makes a/R `RATIO`."""
         soft = self.model_copy(update={"E_2": SOFT * self.E_1, "nu_2": NU})
         P = math.pi / 4 * (RATIO * self.smallest) ** 2 * self.curvature / soft.softness
         return soft.model_copy(update={"F": P * self.L})
@@ -137,7 +137,7 @@ class TwoRollers(TwoBodies):
         return result(pair_fem(self, level), level, ("upper.axis", "upper.middle"), soft)
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Hertz within the series of two discs, also of different materials."""
+        """Rows: Hertz within the error of the series of two discs, also for different materials."""
         by = TwoRollers
         yield from self.against(self.known, by.approach, (SERIES, COUPLING, SHEAR))
         soft = self.unlike()

@@ -52,7 +52,7 @@ def pair_fem(q: Any, level: int) -> "PressedLine":
 
 
 def race_fem(q: Any, level: int) -> "PressedLine":
-    """A quarter of the roller in half a race whose rim is held, under the load."""
+    """A quarter of the roller in half a race with a fixed rim, under the load."""
     from fem.contact.shapes import Circle
     from meshes.contact.race import half_race
 
@@ -67,7 +67,7 @@ def _two_bodies(
     q: Any, level: int, names: tuple[str, str], R: float, held: dict[str, str], master: str,
     shape: Any, mesh: Any,
 ) -> "PressedLine":  # fmt: skip
-    """A quarter disc of the radius R pushed on a second body, of which `mesh(fine)` is the mesh."""
+    """A quarter disc of the radius R pressed on a second body with the mesh `mesh(fine)`."""
     from fem.contact.pairs import Pair
     from fem.contact.pressed_line import PressedLine
     from fem.contact.problem import ContactProblem
@@ -100,7 +100,7 @@ def result(
     found: "PressedLine", level: int, supports: tuple[str, ...],
     others: "Mapping[str, PressedLine] | None" = None,
 ) -> Level:  # fmt: skip
-    """All of it, with the values of `others` by what follows their names, and profiles."""
+    """Result of a level with its profiles; `others` are further solutions by their key suffix."""
     shear, depth = found.shear()
     values = found.values() | found.balance(supports) | {"tau_max": shear, "z": depth}
     u_it = {key: found.rounding(key, value) for key, value in values.items()}
@@ -117,7 +117,7 @@ def result(
 
 
 def near(found: "PressedLine") -> Field:
-    """Cells near the contact with their largest shear stress over the peak pressure."""
+    """Cells near the contact with their largest shear stress, divided by the peak pressure."""
     from fem.plane.cell_fields import cut_out, largest_shear
 
     cells = cut_out(

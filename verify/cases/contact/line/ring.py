@@ -1,4 +1,4 @@
-"""A roller in a concave race whose rim is held: Hertz's line contact inside a ring."""
+"""A roller in a concave race with a fixed rim: Hertz's line contact inside a ring."""
 
 from collections.abc import Iterator
 from typing import ClassVar, Self
@@ -27,7 +27,7 @@ class RollerInRace(TwoBodies):
     """A roller of the sprag's radius in the outer race.
 
     The bore is curved in the same direction as the roller, which widens the contact, and the wall
-    is about fifty half-widths thick. The approach of centre and held rim is derived from the
+    is about fifty half-widths thick. The approach of centre and fixed rim is derived from the
     Fourier series of the ring.
     """
 
@@ -144,7 +144,7 @@ class RollerInRace(TwoBodies):
         return result(race_fem(self, level), level, ("roller.axis", "roller.middle"))
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Hertz within what curvature, rim and materials change."""
+        """Rows: Hertz within the error due to curvature, fixed rim and materials."""
         known = InRace(a=self.a, R_1=self.R, R_2=-self.r_i, wall=self.wall, **self.materials)
         yield from self.against(known, RollerInRace.approach, (BOUND, APPROACH, SHEAR),
                                 shares="rim that is held all around")  # fmt: skip
@@ -156,7 +156,7 @@ class RollerInRace(TwoBodies):
     def refusal(self) -> str:
         """Cells about the contact are carried far into a thick wall, and are coarse there.
 
-        In a thin wall they are no longer than it all around the bore, any part of which may touch:
+        In a thin wall all cells around the bore are as short as the wall, as any part may touch:
         the compliance of so many points takes minutes.
         """
         if self.wall < THINNEST * self.r_i:

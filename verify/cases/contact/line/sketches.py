@@ -41,7 +41,7 @@ def flat(q: "FlatInputs") -> Sketch:
 
 
 def pair(q: "TwoRollers") -> Sketch:
-    """Two rollers; one that is much smaller is drawn larger."""
+    """Two rollers; a much smaller roller is drawn larger."""
     size = max(q.R_1, q.R_2)
     top, low = max(q.R_1 / size, 0.05), max(q.R_2 / size, 0.05)
     load = 2 * top + 0.1

@@ -1,4 +1,4 @@
-"""Line contacts of two bodies, each of one material, and what Hertz neglects of them."""
+"""Line contacts of two bodies, each of one material, and the error of Hertz's theory."""
 
 from collections.abc import Iterator
 
@@ -13,7 +13,7 @@ from verify.core.figures import Picture
 
 
 class TwoBodies(LineContact):
-    """Materials of two bodies in contact."""
+    """Line contact of two elastic bodies with separate materials."""
 
     E_1: float = given("206 GPa", "GPa", "E_1", "Young's modulus, roller", gt=0, le=1e5)
     nu_1: float = given(0.3, "1", "ν_1", "Poisson's ratio, roller", ge=0, le=0.45)
@@ -43,9 +43,9 @@ class TwoBodies(LineContact):
         self, known: OfDiscs | InRace, approach: Quantity, sources: tuple[str, str, str],
         shares: str = "",
     ) -> Iterator[Comparison]:  # fmt: skip
-        """Hertz within what is known to be neglected.
+        """Rows: Hertz within the known error of his theory.
 
-        `sources` are those of pressure and half-width, of the approach and of the shear stress.
+        `sources`: for pressure and half-width, for the approach, for the shear stress.
         """
         by, (contact, between, below) = type(self), sources
         yield approximation(by.p_0, order=2, expected=expected(known.pressure, contact))

@@ -1,4 +1,4 @@
-"""Press fit: a race in its housing, two walls that contact alone joins (Lamé twice)."""
+"""Press fit: a race in its housing, two walls joined by contact only (Lamé twice)."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -25,13 +25,13 @@ from verify.form.adapter import adapted
 FAST = 1e-3, "smooth fields on curved quadratic cells: much sharper than 1 % at no cost"
 DIRECT = "direct solve: machine epsilon times the condition of K"
 MOST_CELLS = 400_000
-SCATTERED = 1e-3  # share of the pressure up to which rounded positions may scatter it
-AROUND = 150  # about the finest mesh's nodes on a quarter
-THINNEST = 0.04  # wall over r_f that the cells around are short against
+SCATTERED = 1e-3  # limit for the scatter of the pressure due to rounded positions, relative to it
+AROUND = 150  # about the number of nodes on a quarter of the finest mesh
+THINNEST = 0.04  # wall over r_f: cells along the circumference must be shorter
 
 
 class PressFit(FitFormulas):
-    """Two walls meet along a whole circle, where their meshes do not match.
+    """Two walls touch along a whole circle; their meshes do not match there.
 
     Contact must transmit a uniform pressure. The interference is given once as a number and once
     by meshes that overlap; in a third fit a solid shaft replaces the race.
@@ -128,7 +128,7 @@ class PressFit(FitFormulas):
         )
 
     def warnings(self) -> Iterator[str]:
-        """Where a wall yields."""
+        """Warnings if a wall yields."""
         for fit, words in ((FITS[0], "the rings"), (FITS[3], "the solid shaft's hub")):
             of = self.of(fit)
             centre = of.p if fit.walls == "shaft" else self.p_i

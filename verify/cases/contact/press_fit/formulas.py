@@ -18,7 +18,7 @@ LAME = "Lamé; behind Eq. 6"
 
 
 class FitFormulas(FitInputs):
-    """What both walls do, of one fit."""
+    """Stresses and displacements of both walls of a fit."""
 
     @Quantity(
         "c_i", "µm/MPa", "compliance of the inner wall's rim, plane stress", role="step",
@@ -99,7 +99,7 @@ class FitFormulas(FitInputs):
 
     @property
     def pair(self) -> tuple[Wall, Wall]:
-        """The inner wall, or the shaft, and the outer one."""
+        """The inner wall or the shaft, and the outer wall."""
         rim, bore = self.surfaces
         return (
             Wall(r_i=self.bore, r_o=rim, E=self.E_i, nu=self.nu_i),
@@ -108,7 +108,7 @@ class FitFormulas(FitInputs):
 
     @shared
     def loaded(self) -> tuple[LoadedWall, LoadedWall]:
-        """Both under their pressures; the force between them is one."""
+        """Both walls under their pressures; action and reaction at the fit are equal."""
         inner, outer = self.pair
         p = self.p
         return (
@@ -130,7 +130,7 @@ class FitFormulas(FitInputs):
 
     @property
     def moved(self) -> float:
-        """The largest displacement [m]."""
+        """The largest displacement [m] of both walls."""
         return max(abs(u) for wall in self.loaded for u in (wall.u_bore, wall.u_rim))
 
     def stresses(self, r: Any) -> tuple[Any, Any]:

@@ -11,7 +11,7 @@ Walls = Literal["rings", "drawn", "shaft"]
 
 
 class Fit(NamedTuple):
-    """Two walls that are computed: which ones, their ends, names of numbers and in sentences."""
+    """A computed fit: its walls, the condition of its ends, its key suffix and its name in text."""
 
     key: str
     walls: Walls
@@ -20,7 +20,7 @@ class Fit(NamedTuple):
 
     @property
     def name(self) -> str:
-        """How scales of its rows begin."""
+        """Prefix of the scales of its rows."""
         return f"{self.walls}, {self.ends}"
 
 
@@ -33,7 +33,7 @@ FITS = (
 
 
 class FitInputs(Case):
-    """A ring pressed into another one, both under pressure; or a solid shaft in the outer one."""
+    """A ring, or a solid shaft, pressed into an outer ring; pressures inside and outside."""
 
     walls: ClassVar[Walls] = "rings"  # of the quantities
     ends: ClassVar[Assumption] = "plane stress"
@@ -88,7 +88,7 @@ class FitInputs(Case):
         return min(self.r_f - self.r_i, self.r_o - self.r_f)
 
     def of(self, fit: Fit) -> Self:
-        """The same inputs for other walls or ends."""
+        """These inputs for other walls or ends."""
         return self.variant(walls=fit.walls, ends=fit.ends)
 
     @property
@@ -98,12 +98,12 @@ class FitInputs(Case):
 
     @property
     def p_bore(self) -> float:
-        """Pressure in it [Pa]."""
+        """Pressure in the bore [Pa]."""
         return 0.0 if self.walls == "shaft" else self.p_i
 
     @property
     def surfaces(self) -> tuple[float, float]:
-        """Rim of the inner and bore of the outer wall [m]; drawn, they overlap by δ."""
+        """Radii of the inner wall's rim and the outer wall's bore [m]; "drawn" overlap by δ."""
         if self.walls == "drawn":
             return self.r_f + self.delta / 2, self.r_f - self.delta / 2
         return self.r_f, self.r_f

@@ -1,4 +1,4 @@
-"""Finite elements of a press fit: quarters of both walls, which contact alone joins."""
+"""Finite elements of a press fit: quarters of both walls, joined by contact only."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 EPS = float(np.finfo(np.float64).eps)
 TURNS = np.linspace(0.02, np.pi / 2 - 0.02, 41)  # where the pressure is plotted [rad]
-PROFILE_ANGLE = np.radians(30.0)  # of the stations across: no line of the mesh's symmetry
+PROFILE_ANGLE = np.radians(30.0)  # angle of the stations across: no symmetry line of the mesh
 ACROSS = 7  # stations in each wall
 
 
@@ -44,7 +44,7 @@ def solve(q: FitInputs, level: int) -> Level:
 
 
 def sizes(found: dict[str, float]) -> dict[str, float]:
-    """What round-off of each value is a share of: the largest of its kind.
+    """Reference values for the round-off of each value: the largest of its kind.
 
     Positions are rounded to EPS r_f, and the interference is a difference of positions.
     """
@@ -56,7 +56,7 @@ def sizes(found: dict[str, float]) -> dict[str, float]:
 
 
 def jitter(q: FitInputs, around: int) -> float:
-    """Pressure [Pa] that rounded positions make from node to node, `around` of them on a quarter.
+    """Scatter [Pa] of the pressure from rounded positions of `around` nodes on a quarter.
 
     The inner wall, whose cells are shorter, is pushed from cell to cell by EPS r_f.
     """
@@ -125,7 +125,7 @@ def read(q: FitInputs, fit: "ContactSolution") -> dict[str, float]:
 
 
 def stations(q: FitInputs) -> Any:
-    """Radii (m,) of the profile, as many in the inner wall as in the outer one, off the fit [m]."""
+    """Radii (m,) [m] of the profile, equally many in both walls, excluding the fit."""
     off = 1e-3
     return np.concatenate([
         np.linspace(a + off * (b - a), b - off * (b - a), ACROSS)

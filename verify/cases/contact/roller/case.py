@@ -16,7 +16,7 @@ from verify.core.figures import Array, Figure
 from verify.core.references import Method
 from verify.form.adapter import adapted
 
-PLANE_NU = 0.3  # of the disc, of which E/(1 − ν²) alone counts
+PLANE_NU = 0.3  # Poisson's ratio of the disc; only E/(1 − ν²) matters
 BEST_AT = np.geomspace(0.2, 2.5, 6)  # loads over F
 FINE_AT = np.geomspace(0.2, 2.5, 40)
 SERIES = "derived series of the disc; its next term counts once, 3e-4 at least"
@@ -66,7 +66,7 @@ class RollerOnRace(CrownedRoller):
         return {"p_plane": found.peak, "b_plane": found.half_width}
 
     def _best_over_load(self) -> Array:
-        """Peak of the optimal crown at each load over Hertz's pressure of it."""
+        """Peak of the optimal crown at each load, divided by Hertz's pressure at that load."""
         return np.array([self.best(k).peak / self.even_pressure(k) for k in BEST_AT])
 
     def comparisons(self) -> Iterator[Comparison]:

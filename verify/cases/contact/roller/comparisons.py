@@ -1,4 +1,4 @@
-"""Comparisons that rollers share: strips and slices beside the half-space."""
+"""Comparisons common to all rollers: strips and slices against the half-space."""
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import fields, replace
@@ -35,8 +35,8 @@ ESTIMATE = (
 )
 PALMGREN = underived("Palmgren's fit is of measured approaches: no interval is known beforehand")
 SHARPEST = 3e-3  # acceptance of the strips
-SHARE = 0.04  # of the load that slices may misplace
-ENDS = 0.06  # of loads near the ends
+SHARE = 0.04  # acceptance of the load share that slices misplace
+ENDS = 0.06  # acceptance of loads near the ends
 LEAST = 1e-3  # of load, or load times length: less near the ends or about the middle counts as zero
 SLICED = 0.02  # acceptance of the slicing technique's pressures
 
@@ -52,7 +52,7 @@ def of_strips(q: StripRoller, key: str, *, own: bool) -> Interval:
 
 
 def of_disc(q: StripRoller, key: str) -> Interval:
-    """What Hertz neglects of a disc at mid-length, in "pressure" or "width"."""
+    """Error of Hertz's theory for a disc at mid-length, in "pressure" or "width"."""
     found = expected(getattr(OnFlat(q.b_mid / q.R), key), "")
     return (found.low, found.high) if found.sharp else None
 
@@ -61,14 +61,14 @@ def estimated(
     q: Quantity, reference: str = "", *, expected: Expected | Computed | None,
     **options: Unpack[Options],
 ) -> Comparison:  # fmt: skip
-    """An approximation whose reference may stay open for inputs of the user."""
+    """An approximation; for user inputs its reference may lack sufficient accuracy."""
     one = approximation(q, reference, expected=expected, **options)
     stated = {f.name: getattr(one.check, f.name) for f in fields(one.check)}  # type: ignore[arg-type]
     return replace(one, check=Estimated(**stated))
 
 
 def strips_rows(q: StripRoller, *judged: Quantity) -> Iterator[Comparison]:
-    """Strips against the half-space, as sharp as the acceptance figures."""
+    """Rows: strips against the half-space within the acceptance figures."""
     for one in judged:
         interval = partial(of_strips, q, one.name, own=not q.is_default)
         yield estimated(one, expected=Computed(interval, ESTIMATE), order=1, by=HALF_SPACE,
@@ -97,7 +97,7 @@ def sliced_rows(
 
 
 def balanced(q: StripRoller) -> Comparison:
-    """The load of the half-space."""
+    """Row: the half-space carries the given load."""
     return balance("balance", "balance of forces, half-space", "ΣF", "N", of={"F": q.F},
                    bound=1e-10, because="the load is held by every iteration")  # fmt: skip
 
@@ -133,7 +133,7 @@ Scale = float | Callable[[], float]
 
 
 def pair_of(key: str, scale: Scale) -> Callable[[Context], Pair]:
-    """Their error in words is over the half-space's or, where that is zero, over `scale`."""
+    """The stated error is relative to the half-space's value or, if this is zero, to `scale`."""
 
     def pair(context: Context) -> Pair:
         v, strips = context.series(key)[1], context.analytic[key]
@@ -144,7 +144,7 @@ def pair_of(key: str, scale: Scale) -> Callable[[Context], Pair]:
 
 
 def within(key: str, bound: float, scale: Scale) -> Margin:
-    """The strips' error in `key`, over itself or, where it is nearly zero, over `scale`."""
+    """Relative error of strips in `key`; relative to `scale` if the value is nearly zero."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         v, strips = context.series(key)[1], context.analytic[key]
@@ -156,25 +156,25 @@ def within(key: str, bound: float, scale: Scale) -> Margin:
 
 
 def size(value: float, scale: Scale) -> float:
-    """The magnitude that errors are taken over."""
+    """The reference value of relative errors."""
     return max(abs(value), LEAST * (scale() if callable(scale) else scale))
 
 
 def misplaced(context: Context) -> tuple[float, float, str]:
-    """Accepted less computed share of the load that slices misplace."""
+    """Accepted minus computed share of the load that slices misplace."""
     share, U, error = misplaced_load(context, "slices")
     return SHARE - share, U, f"{share:.1%} misplaced; line load off by {error:.1%} in L2"
 
 
 def nearer(context: Context) -> tuple[float, float, str]:
-    """Share of the load that independent slices misplace, less that of slices."""
+    """Load share misplaced by independent slices minus the load share misplaced by slices."""
     share, U, _ = misplaced_load(context, "slices")
     alone, U_alone, _ = misplaced_load(context, "independent")
     return alone - share, U + U_alone, f"{share:.1%} against {alone:.1%} misplaced"
 
 
 def misplaced_load(context: Context, model: str) -> tuple[float, float, float]:
-    """Share of the load that a model misplaces, its U, and the line load's error in L2."""
+    """Load share that a model misplaces, its U, and the L2 error of the line load."""
     q: Any = context.inputs
     line = q.sliced(model).line
     found = [load_elsewhere(line, level.arrays["q"], q.L) for level in context.fem[-2:]]

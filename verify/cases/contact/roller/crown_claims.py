@@ -12,11 +12,11 @@ from verify.core.figures import Array
 from verify.judging.checks import Accepted, Fact, Margin
 from verify.judging.tolerance_checks import Deviation, suites
 
-FLAT = 0.01  # of a uniform pressure
+FLAT = 0.01  # acceptance of a uniform pressure
 FITTED = "length and load are not printed but identified, and other loads have other winners"
 FIRST, NEXT = 1e-5, 0.05
-RESOLVED = 2e-3  # of the half-length: 9 µm of the paper's
-MID, AT_ENDS = 3e-3, 0.02  # of strips against the half-space
+RESOLVED = 2e-3  # relative to the half-length: 9 µm of the paper's roller
+MID, AT_ENDS = 3e-3, 0.02  # acceptance of strips against the half-space
 BEST = ("huang2018:fig12-best-k1", "huang2018:fig12-best-k2", "huang2018:fig12-best-zm")
 
 
@@ -45,7 +45,7 @@ def printed_designs() -> Iterator[Check]:
 
 
 def deviations() -> Iterator[Check]:
-    """What depends on K_2 alone, and where contact begins."""
+    """Rows: deviations that depend on K_2 only, and the start of contact."""
     yield Deviation(
         name="the straight middle follows K_2, not z_m", symbol="Δl_s/l", unit="1", size=straight,
         accepted=RESOLVED, source=suites("9 µm of the paper's length, a cell of the half-space"),
@@ -56,7 +56,7 @@ def deviations() -> Iterator[Check]:
 
 
 def extreme(design: int, *, most: bool) -> Margin:
-    """How much more of the load would have to move for the next design, or for this one."""
+    """Additional load share that the next design, or this design, would have to redistribute."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         found = _designs(context, "uneven")
@@ -89,7 +89,7 @@ def _spread(found: Array) -> float:
 
 
 def straight(context: Context) -> tuple[float, float, str]:
-    """How far the drop's start is moved by z_m, and is off (1 - K_2) l/2."""
+    """Shift of the start of the drop due to z_m, and its deviation from (1 - K_2) l/2."""
     q = context.inputs
     y = np.linspace(0, q.L / 2, 20001)
 

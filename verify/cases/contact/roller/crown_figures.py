@@ -35,7 +35,7 @@ def drawn(context: Context) -> Iterator[Figure]:
 
 
 def grown(q: "ComparedCrowns", varied: str) -> Figure:
-    """Fig. 11: the crown as one of its parameters grows."""
+    """Fig. 11: the crown for growing values of a single parameter."""
     start = 0.85 if varied == "z_m" else 0.0  # where it is visible
     y = np.linspace(start, 1.0, 301) * q.L / 2
     return plot(
@@ -66,7 +66,7 @@ def designs(context: Context) -> Figure:
 
 
 def by_all(context: Context, design: Design) -> Figure:
-    """p(y) of all methods for one of the designs."""
+    """p(y) of all methods for a single design."""
     roller = context.inputs.designed(design)
     return figures.pressures(context, roller, f"_of_{design!s}", f", {design}")
 
@@ -85,7 +85,7 @@ def even(context: Context) -> Figure:
 
 
 def ends(context: Context) -> Figure:
-    """The same within some half-widths of the end."""
+    """Uniform pressures within some half-widths of the end."""
     q, b = context.inputs, context.inputs.b
     curves = []
     for i, (name, words) in enumerate(EVEN.items()):

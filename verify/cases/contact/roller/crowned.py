@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 def _best_crown(
     load: float, length: float, R: float, E_star: float, tilts: tuple[float, float]
 ) -> "BestCrown":
-    """The optimal crown, cached: formulas and levels need it for the same loads and tilts."""
-    from analytic.contact.best_crown import best_crown  # the same for formulas and reference
+    """The optimal crown, cached: formulas and all levels use equal loads and tilts."""
+    from analytic.contact.best_crown import best_crown  # common to formulas and reference
 
     return best_crown(load=load, length=length, R=R, E_star=E_star, tilt=tilts)
 
@@ -81,13 +81,13 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
         return self.model_copy(update=sizes | {"Q": self.F})
 
     def best(self, load: float = 1.0, tilt: float | None = None) -> "BestCrown":
-        """The optimal crown for a load [of F] and a tilt to either side, or the roller's."""
+        """The optimal crown for a load, as a multiple of F, and a tilt of either sign."""
         tilts = (0.0, self.lean if tilt is None else tilt)
         return _best_crown(load * self.F, self.L, self.R, self.E_star, tilts)
 
     @property
     def best_design(self) -> Design:
-        """The optimal crown as the reference takes it."""
+        """The optimal crown as input of the reference."""
         best = self.best()
         return Design(best.K_1, best.K_2, best.z_m)
 
@@ -113,7 +113,7 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
         )  # fmt: skip
 
     def warnings(self) -> Iterator[str]:
-        """What an engineer should know before trusting these pressures."""
+        """Warnings on the validity of these pressures."""
         yield from texts.of_contact(self)
         if not self._best.free:
             yield "no crown leaves both ends unloaded: the one reported has the least loaded ends"

@@ -31,7 +31,7 @@ from verify.form.adapter import adapted
 from verify.judging.tolerance_checks import SUBJECT, suites
 
 NEAR_END = 0.1e-3  # m, nearly the half-width, from the ends
-FAR = 5.0  # half-widths from the ends, up to which a uniform pressure is judged
+FAR = 5.0  # a uniform pressure is judged up to this distance from the ends, in half-widths
 BESIDE = "strips, as the finer model, with their acceptance figure of 0.3 %"
 
 
@@ -88,11 +88,11 @@ class ComparedCrowns(Divided, StripRoller):
         return lambda y: johns_gohar(y, half_width=self.b, **made)
 
     def with_crown(self, name: str) -> Self:
-        """The roller with one of the crowns for a uniform pressure."""
+        """The roller with a crown for uniform pressure."""
         return self if name == self.crown else self.variant(crown=name)
 
     def designed(self, design: Design) -> CrownedRoller:
-        """The roller with one of the paper's crowns, Q = F."""
+        """The roller with a crown of the paper, designed for Q = F."""
         same = {name: getattr(self, name) for name in Divided.model_fields}
         return CrownedRoller(**same, **design._asdict(), Q=self.F)
 
@@ -160,7 +160,7 @@ class ComparedCrowns(Divided, StripRoller):
     refusal = half_space.too_short
 
     def warnings(self) -> Iterator[str]:
-        """A contact that is wide beside the roller."""
+        """Warnings if the contact is wide compared with the roller."""
         yield from texts.of_width(self.b, self.R_1)
 
     figures = drawn_by(drawn)

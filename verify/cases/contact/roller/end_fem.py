@@ -41,7 +41,7 @@ def solve_fem(q: "EndFace", level: int) -> Level:
                 for more in (-1, 1)
             ]
             state = f"{name}_{crown}"
-            # the contact's rim is a stair of cells: what other cells across make of the ends
+            # the contact boundary follows cells; effect of other cell sizes across on the ends
             u_it[f"F_d_{state}"] = max(abs(F_d - here["F_d"]) for F_d in beside)
             values |= named(here, f"_{state}")
             arrays |= {

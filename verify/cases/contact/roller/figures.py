@@ -18,8 +18,8 @@ from verify.form.sketches import arrow, leader, shape
 MPa, mm, um = 1e6, 1e-3, 1e-6
 NAMES = {"strips": "strips", "slices": "slices, Eqs. 2-5", "independent": "independent slices"}
 STYLES = {"strips": ("line", 0), "slices": ("dashes", 1), "independent": ("dashes", 3)}
-DOTS = 60  # of the half-space along the roller
-OVER = 1.35  # of the strips' largest pressure beyond the ends, where the plot is cut
+DOTS = 60  # number of half-space points along the roller
+OVER = 1.35  # upper end of the plot, relative to the largest strip pressure away from the ends
 
 
 def sketch(q: Roller) -> Sketch:
@@ -83,7 +83,7 @@ def half_space(context: Context, name: str, key: str = "", colour: int = 4) -> C
 
 
 def over(found: Sequence[Strips], x: Array, even: Sequence[float]) -> list[Curve]:
-    """Peaks over `even` pressures: a line while the ends are unloaded, dots where one is loaded."""
+    """Peak over `even` pressure: a line if both ends are unloaded, dots if an end is loaded."""
     p = np.array([float(f.peak) / e for f, e in zip(found, even, strict=True)])
     loaded = np.array([bool(f.carries[0] or f.carries[-1]) for f in found])
     parts = (("this crown, ends unloaded", ~loaded, "line"),

@@ -1,4 +1,4 @@
-"""A roller without crown: what converges, and the peak at its ends that does not."""
+"""A roller without crown: its converging results, and the singular peak at its ends."""
 
 from collections.abc import Iterator
 from typing import ClassVar
@@ -17,7 +17,7 @@ from verify.form.adapter import adapted
 from verify.form.plots import dashes, line, plot
 from verify.judging.checks import Order
 
-SLOPE = 0.5  # of 1/peak over the cell: pressure grows as 1/sqrt(distance) towards the end
+SLOPE = 0.5  # order of 1/peak in the cell: pressure grows as 1/sqrt(distance) at the end
 ALONG = 128  # cells along the roller, a level: no more than b/12 long
 COUNTS = (41, 57, 81, 115, 161, 229, 321)
 FLAT = 5e-3  # acceptance of pressures and approach without a crown
@@ -58,7 +58,7 @@ class FlatRoller(OnHalfSpace):
         return half_space.result(found, level, {})
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """What converges in the middle and at the ends, and the slope of what does not."""
+        """Rows: converging results in the middle and at the ends; slope of the singular peak."""
         q = FlatRoller
         yield comparisons.agreeing(f"{MIDDLE}, {WITHIN}", q.p_mid, FLAT, lambda: self.p_0)
         yield comparisons.agreeing(f"approach, {WITHIN}", q.delta, FLAT, lambda: self.delta_P)

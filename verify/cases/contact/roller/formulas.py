@@ -27,7 +27,7 @@ LAMINA = r"z_j + \left(\frac{n_s \delta_P^{10/9}}{F} q_j\right)^{9/10}"
 
 
 def roller(q: Roller, n: int) -> dict[str, Any]:
-    """What all models take, for n parts."""
+    """Arguments common to all models, for n parts."""
     z = q.gap(slice_centres(length=q.L, slices=n))
     return {"gap": z, "length": q.L, "R": q.R, "E_star": q.E_star, "load": q.F}
 
@@ -117,7 +117,7 @@ class StripRoller(Roller):
 
     @property
     def loaded_ends(self) -> int:
-        """How many ends carry load."""
+        """Number of loaded ends."""
         carries = self._strips[0].carries
         return int(carries[0]) + int(carries[-1])
 
@@ -135,7 +135,7 @@ class StripRoller(Roller):
 
 
 class SlicedRoller(StripRoller):
-    """The same roller by the paper's slices, and by slices that do not deflect each other."""
+    """The roller by the paper's slices and by independent slices."""
 
     slices: int = count(50, "n_s", "slices of Eqs. 2-5, their number not printed", ge=10, le=401)
 

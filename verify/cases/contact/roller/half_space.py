@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 LEVELS = (16, 24, 32)
 ACROSS, ALONG = 2, 32  # cells on the half-width and along the roller, a level
 SHOWN = 256  # cells along the roller in pictures
-SHORTEST = 1 / 64  # of the roller's length that d may be: eight cells of the coarsest grid
+SHORTEST = 1 / 64  # least d over the roller's length: eight cells of the coarsest grid
 
 Crown = Callable[[Array], Array] | None
 
@@ -34,7 +34,7 @@ def pressed(q: Roller, level: int, *, crown: Crown = None, along: int = 0) -> "R
 
 
 def too_short(q: Roller) -> str:
-    """Why the grid is too coarse for an end of the length d; empty where it is not."""
+    """Reason if the grid is too coarse for an end zone of length d; empty otherwise."""
     if q.d >= SHORTEST * q.L:
         return ""
     return (
@@ -56,7 +56,7 @@ def result(
     found: "Ridge", level: int, u_it: Mapping[str, float], more: Mapping[str, float] | None = None,
     arrays: Mapping[str, Array] | None = None,
 ) -> FemResult:  # fmt: skip
-    """All of it for one level, with its remaining uncertainty; `more` values and `arrays`."""
+    """Result of a level with its uncertainty; `more` values and `arrays` are added."""
     residual, values = found.contact.contact.residual, found.values
     least = {key: 10 * residual * abs(value) for key, value in values.items()}
     return FemResult(
@@ -85,7 +85,7 @@ def along(found: "Ridge") -> dict[str, Array]:
 
 
 def patch(found: "Ridge", name: str = "patch") -> Field:
-    """The patch with its pressure, stretched across; cells along it put together."""
+    """Picture of the patch with its pressure, stretched across; cells along it are merged."""
     loaded = found.contact.contact
     many = math.gcd(loaded.pressure.shape[1], loaded.pressure.shape[1] // SHOWN or 1)
     p = loaded.pressure.reshape(len(loaded.pressure), -1, many).mean(axis=2)

@@ -10,10 +10,10 @@ from analytic.contact.crown import logarithmic
 from verify.case import Case, Quantity, count, given
 from verify.core.figures import Array
 
-WIDEST = 0.1  # of the length of the roller that its half-width may be
+WIDEST = 0.1  # largest half-width over the length of the roller
 FEWEST, MOST = 41, 401  # strips
-STRETCH = 20.0  # of lengths across in pictures of the patch
-FLATTEST = 50  # rollers lengths that a relative radius may be
+STRETCH = 20.0  # magnification across in pictures of the patch
+FLATTEST = 50  # largest relative radius over the length of the roller
 
 
 class Design(NamedTuple):
@@ -24,7 +24,7 @@ class Design(NamedTuple):
     z_m: float
 
     def __format__(self, _: str) -> str:
-        """What it is called: "(1, 0.7, 10 µm)"."""
+        """The name of the design, such as "(1, 0.7, 10 µm)"."""
         return f"({self.K_1:g}, {self.K_2:g}, {self.z_m * 1e6:g} µm)"
 
     def __str__(self) -> str:
@@ -47,7 +47,7 @@ def ending(name: str) -> str:
 
 
 class Roller(Case):
-    """A roller without crown on a race that is longer than it."""
+    """A roller without crown on a longer race."""
 
     F: float = given("3407 N", "N", "F", "normal load", gt=0, le=1e9)
     L: float = given("9 mm", "mm", "l", "length of the roller", gt=0, le=1e4)
@@ -116,7 +116,7 @@ class Roller(Case):
 
 
 class Divided(Roller):
-    """How many strips divide it."""
+    """Number of strips."""
 
     n: int = count(161, "n", "strips over the length", ge=FEWEST, le=MOST)
 

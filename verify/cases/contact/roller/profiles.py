@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def gap(q: Roller, design: Design | None = None) -> "Gap":
-    """Height over the race at y: of the crown where there is one, and of the tilt.
+    """Gap to the race at y from tilt and, if present, crown.
 
     A `design`, which is made for F, replaces the crown of the roller.
     """

@@ -14,7 +14,7 @@ class OnHalfSpace(SlicedRoller):
     refusal = half_space.too_short
 
     def warnings(self) -> Iterator[str]:
-        """What an engineer should know before trusting these pressures."""
+        """Warnings on the validity of these pressures."""
         yield from texts.of_contact(self)
         yield from texts.of_materials(self)
 

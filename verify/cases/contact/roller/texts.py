@@ -63,7 +63,7 @@ def of_materials(q: "SlicedRoller") -> Iterator[str]:
 
 
 def of_width(b: float, R_1: float) -> Iterator[str]:
-    """A contact that is wide beside the roller."""
+    """Warning if the contact is wide compared with the roller."""
     if b > 0.05 * R_1:
         yield (
             f"b = {b * 1e3:.4g} mm is {b / R_1:.1%} of the roller's "

@@ -19,14 +19,14 @@ from verify.judging.tolerance_checks import suites
 
 TILTS = np.linspace(0.0, 2.0, 33)  # over the one given
 BEST_TILTS = np.linspace(0.0, 2.0, 5)
-LEAN = 5e-4  # rad, where none is given
-MOMENT = 0.01  # of the tilting moment
+LEAN = 5e-4  # rad, if no tilt is given
+MOMENT = 0.01  # relative to the tilting moment
 
 
 class TiltedRoller(Tilt, CrownedRoller):
     """Races deflect and sprags tilt: the same roller with its axis not parallel to the race.
 
-    Strips and slices take the gap of the tilted roller and must predict the more loaded end.
+    Strips and slices use the gap of the tilted roller and must predict the more loaded end.
     """
 
     id = "contact-roller-tilted"

@@ -104,7 +104,7 @@ class SlippingRollers(SlipFormulas):
         yield from self._balances()
 
     def _traction(self, q: Quantity, name: str, at: float) -> Comparison:
-        """The traction at `at`, its error over the norm of that at the same Q, or at Q_max."""
+        """The traction at `at`; its error is relative to its norm at this Q, or at Q_max."""
         first = q.name == "q_1"
         formula, scale = (self.first_traction, at) if first else (self.cycle_traction, 1.0)
         what = f"Q/(μP) = {at:g}" if first else name
@@ -153,7 +153,7 @@ class SlippingRollers(SlipFormulas):
         )
 
     def warnings(self) -> Iterator[str]:
-        """Where the contact is wide, where surfaces yield, and where friction is high."""
+        """Warnings if the contact is wide, if surfaces yield, and if friction is high."""
         if neglected(self) > HALF_PLANES * 10:
             yield (
                 f"a/R = {self.a / self.R:.3g}: the rollers are no half planes, the formulas err "

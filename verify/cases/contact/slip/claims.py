@@ -14,19 +14,19 @@ from verify.judging.claims import FemClaim
 from verify.judging.profile_checks import l2_error
 from verify.judging.tolerance_checks import Pair
 
-HALF_PLANES = 2e-4  # error of half planes up to which they count as equal to discs
-AGREE = 1e-3  # of two methods for one energy
+HALF_PLANES = 2e-4  # largest error for which half planes count as equal to discs
+AGREE = 1e-3  # tolerance between two methods for the energy
 L2 = 0.03  # acceptance of tractions
 
 
 def neglected(q: SlipInputs) -> float:
-    """Bound of what half planes neglect of discs, as a share of a value."""
+    """Bound of the relative error of half planes as a model of discs."""
     return slip.neglected(a=q.width, R=q.R)
 
 
 @dataclass(frozen=True, kw_only=True)
 class HalfPlanes(FemClaim):
-    """Identity while discs are half planes to what a row can see, else an approximation."""
+    """Identity if the error of half planes is below HALF_PLANES, else an approximation."""
 
     kind = Kind.IDENTITY
 
@@ -69,7 +69,7 @@ def two_ways(context: Context) -> Pair:
 def step_order_fem(context: Context) -> tuple[float, float]:
     """Order above 1.8 in which straight lines between steps approach the loop's area.
 
-    What Simpson's rule leaves of the difference is the scatter of the mesh, and uncertain.
+    The difference left after Simpson's rule is scatter of the mesh and counts as uncertainty.
     """
     from fem.contact.partial_slip import order_in_steps
 

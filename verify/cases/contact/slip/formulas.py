@@ -83,16 +83,16 @@ class SlipFormulas(SlipInputs):
 
     @property
     def loads(self) -> dict[str, float]:
-        """What the formulas of partial slip share."""
+        """Arguments common to the formulas of partial slip."""
         return {"P": self.P, "mu": self.mu}
 
     @property
     def moved(self) -> dict[str, float]:
-        """What those of displacements share."""
+        """Arguments common to the formulas of displacements."""
         return {**self.loads, "E_star": self.E_star}
 
     def at_share(self, k: float) -> Self:
-        """The same rollers under Q_max = k mu P."""
+        """These rollers under Q_max = k mu P."""
         return self.model_copy(update={"share": k})
 
     def first_traction(self, x: Any, k: float) -> Any:

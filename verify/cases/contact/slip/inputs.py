@@ -9,7 +9,7 @@ from verify.case import Case, given
 
 WIDEST = 0.3  # a/R that the rollers may reach
 SHARES = (0.2, 0.4, 0.6, 0.8)  # Q/(mu P) of the first loading's rows
-CHORD = SHARES[-1]  # Q/(mu P) up to which the chord of displacements goes
+CHORD = SHARES[-1]  # Q/(mu P) at the end of the chord of displacements
 STAGES = (0.5, 0.0, -0.5, -1.0)  # Q/Q_max of the unloading's rows
 
 
@@ -49,7 +49,7 @@ class SlipInputs(Case):
 
     @property
     def hertz(self) -> dict[str, Any]:
-        """What Hertz's formulas take: P, R of the pair, E_star in plane strain."""
+        """Arguments of Hertz's formulas: P, R of the pair, E_star in plane strain."""
         E_star = hertz_line.contact_modulus(
             E_1=self.E, nu_1=self.nu, E_2=self.E, nu_2=self.nu, assumption="plane strain"
         )

@@ -21,9 +21,9 @@ GROWTH = np.linspace(0.1, 0.85, 16)  # Q/(mu P) at which the stick zone's growth
 SIDES = ("upper", "lower")
 ZONE = 1.1  # half-width of the fine cells over Hertz's
 SWEEP, SWEPT = 80, 0.92  # steps of the first loading and Q/(mu P) at its end
-STEPS = 32  # of a swing from Q_max to -Q_max
+STEPS = 32  # steps of a swing from Q_max to -Q_max
 ACROSS = np.linspace(-0.95, 0.95, 39)  # x/a of the profiles
-AROUND = np.linspace(-1.0, 1.0, 17)  # Q/Q_max where the loop is drawn, on both branches
+AROUND = np.linspace(-1.0, 1.0, 17)  # Q/Q_max of the points of the loop, on both branches
 VIEW = 3.0  # half-widths about the contact whose cells are stored
 
 
@@ -117,7 +117,7 @@ def cycle(
 
     plane, touch = first.plane, first.touches[0]
     upper, lower = (np.array(plane.reaction(f"{side}.middle")) for side in SIDES)
-    # about the origin; what a cut holds is what its half disc's surface receives, reversed
+    # about the origin; the force on a cut balances the force on the half disc's surface
     values["cuts"] = float(np.hypot(*(upper + lower)[:2]))
     values["passed_on"] = float(np.hypot(*(upper[:2] - np.array(touch.force))))
     values["moment"] = float(upper[2] + touch.moment(on="slave"))

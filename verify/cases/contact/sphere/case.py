@@ -1,4 +1,4 @@
-"""Point contact: a sphere on a rigid flat and on another sphere (Hertz), and what he neglects."""
+"""Point contact: a sphere on a rigid flat and on another sphere; errors of Hertz's theory."""
 
 from collections.abc import Iterator
 from typing import Any, ClassVar
@@ -95,7 +95,7 @@ class Spheres(SphereFormulas):
             (by.force, by.force.what, self.force_excess, 2e-3, 1.5),
         )
         for q, what, excess, sharp, order in kinds:
-            power = 1.5 if q is by.force else 1.0  # P goes with delta^(3/2)
+            power = 1.5 if q is by.force else 1.0  # P is proportional to delta^(3/2)
             known = point.corrected(excess, beyond=self.beyond, power=power)
             yield approximation(
                 q, order=order, state=state, name=f"{what} {state.words}",
@@ -103,7 +103,7 @@ class Spheres(SphereFormulas):
             )  # fmt: skip
 
     def figures(self) -> Iterator[AlongLine | Drawn]:
-        """Pressures, stresses on the axes, and what Hertz neglects."""
+        """Figures: pressures, stresses on the axes, and errors of Hertz's theory."""
         both = [self.of(pair) for pair in PAIRS]
         for at, words in zip(both, ("a rigid flat", "the lower sphere"), strict=True):
             yield drawn.pressure(at, words)
@@ -119,7 +119,7 @@ class Spheres(SphereFormulas):
     sketch = drawn.sketch
 
     def refusal(self) -> str:
-        """The approach must stand out of the round-off of the larger sphere's coordinates."""
+        """The approach must exceed the round-off of the larger sphere's coordinates."""
         ratio = max(self.R_1, self.R_2) / (self.width**2 / self.hertz["R"])
         if ratio <= 1e9:
             return ""
@@ -129,7 +129,7 @@ class Spheres(SphereFormulas):
         )
 
     def warnings(self) -> Iterator[str]:
-        """Where the contact is wide, and where a body yields."""
+        """Warnings if the contact is wide or a body yields."""
         for pair in PAIRS:
             at: Any = self.of(pair)
             wide, where = at.beyond**0.5, WORDS[pair]

@@ -16,7 +16,7 @@ from verify.form.sketches import shape
 
 
 def sketch(q: SphereFormulas) -> Sketch:
-    """Both spheres to scale; where one is far larger, the part of it next to the contact."""
+    """Both spheres to scale; of a far larger sphere only the part next to the contact."""
     R = q.R_2 / q.R_1  # the upper sphere has radius 1 about (0, 1)
     t = np.linspace(0, 2 * np.pi, 145)
     ball = np.column_stack([np.sin(t), 1 + np.cos(t)])
@@ -56,7 +56,7 @@ def pressure(q: SphereFormulas, words: str) -> AlongLine:
 
 
 def stresses(q: SphereFormulas, body: str) -> Iterator[AlongLine]:
-    """Radial and axial stress on the axis of a body, with one uncertainty for both."""
+    """Radial and axial stress on the axis of a body, with a common uncertainty."""
     nu = q.nu_1 if body == "upper" else q.nu_2
     shared: dict[str, Any] = {
         "x": ("depth", "µm"), "reference": f"axis_{body}", "at": q.a * DEEP, "order": 2.0,
@@ -99,7 +99,7 @@ def errors(q: SphereFormulas) -> Drawn:
 
 
 def pictures(a: float) -> Iterator[Picture]:
-    """Stresses about the contact of both spheres, of which `a` is the radius."""
+    """Stresses about the contact of both spheres; `a` is the contact radius."""
     reach = VIEW * a * 0.65
     for data, symbol, words in (
         ("von_mises", "σ_v", "Von Mises stress"), ("axial_stress", "σ_z", "Axial stress"),

@@ -1,4 +1,4 @@
-"""Inputs of two spheres in point contact, and what both sides derive from them."""
+"""Inputs of two spheres in point contact, and values that both sides derive from them."""
 
 from typing import Any, ClassVar, Literal, Self
 
@@ -62,7 +62,7 @@ class SphereInputs(Case):
         return self
 
     def of(self, pair: Pair) -> Self:
-        """The same inputs for one of both contacts."""
+        """These inputs for one of the two contacts."""
         return self.variant(pair=pair)
 
     @property
@@ -75,7 +75,7 @@ class SphereInputs(Case):
 
     @property
     def hertz(self) -> dict[str, Any]:
-        """What Hertz's formulas take: P, R, E_star."""
+        """Arguments of Hertz's formulas: P, R, E_star."""
         one, other = self.spheres
         E_star = hertz_line.contact_modulus(
             E_1=one.E, nu_1=one.nu, E_2=other.E, nu_2=other.nu, assumption="plane strain"

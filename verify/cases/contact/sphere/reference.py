@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-ZONE, CELLS = 1.5, 6  # of fine cells: width over a, and number of cells on the coarsest mesh
+ZONE, CELLS = 1.5, 6  # fine cells: width of the zone over a; number, coarsest mesh
 ACROSS = np.linspace(0.0, 0.95, 39)  # r/a of the plotted pressure
 DEEP = np.linspace(0.05, 2.5, 50)  # z/a of the plotted stresses
 VIEW = 4.0  # half-widths about the contact whose cells are stored
