@@ -12,9 +12,9 @@ from verify.core.case import Context
 from verify.core.figures import Curves
 from verify.form.plots import dashes, dots, line, plot
 
-FINE = np.linspace(0.002, 1.0, 160)  # of T, where curves are drawn
+FINE = np.linspace(0.002, 1.0, 160)  # torques of the curves, over T
 DEGREE = math.degrees(1.0)
-WIDTH = np.sin(np.linspace(-np.pi / 2, np.pi / 2, 201))  # of a contact, more points at its ends
+WIDTH = np.sin(np.linspace(-np.pi / 2, np.pi / 2, 201))  # x/a of a contact, more points at its ends
 
 
 def angle(q: Any, *, ends: str) -> AlongLine:

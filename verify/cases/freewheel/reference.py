@@ -16,9 +16,9 @@ from verify.core.figures import Field
 Array = NDArray[np.float64]
 
 LEVELS = (4, 7, 10)  # cells on the half-width of the fine zones
-GRID = np.linspace(0.1, 1.0, 10)  # of T, where profiles are compared
-ACROSS = np.linspace(-0.95, 0.95, 39)  # of the half-width, where pressures are
-SPLINE = 5e-6  # of a value: what splines between the states may miss, twice that of phi
+GRID = np.linspace(0.1, 1.0, 10)  # torques of the compared profiles, over T
+ACROSS = np.linspace(-0.95, 0.95, 39)  # positions of the pressures over the half-width
+SPLINE = 5e-6  # relative error of splines between the states; twice for phi
 
 
 def under_torque(q: OneClutch, sweep: Sweep) -> dict[str, float]:

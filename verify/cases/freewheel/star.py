@@ -21,8 +21,8 @@ from verify.cases.freewheel.inputs import in_millimetres
 
 LARGEST_ANGLE = math.radians(15)
 GIVEN = 10.0  # N_0/(L E'): both approaches together at the angle that is given
-WIDE = 0.12  # a/r up to which finite elements, small in displacements, are used
-BENT = 0.1  # of the ring's wall: a larger deflection moves its forces along it
+WIDE = 0.12  # largest a/r for finite elements with small displacements
+BENT = 0.1  # deflection over the ring's wall above which forces shift along it
 BEYOND, EDGE = 1.1, 4.0  # of those approaches; half-widths up to the flat's corner
 
 Load = Literal["T", "N_0", "ψ"]

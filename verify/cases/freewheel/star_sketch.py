@@ -10,7 +10,7 @@ from verify.form import sketches
 from verify.form.sketches import arrow, leader, shape, text
 
 mm = 1e-3
-SIDE = 0.62  # of the drawing's height: room for labels on either side
+SIDE = 0.62  # over the height of the drawing: space for labels on both sides
 
 
 def ray(angle: float) -> Array:

@@ -14,7 +14,7 @@ from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, demanded, 
 TORQUE = suites("as the torque")
 BOTH = suites("2e-3 of either contact")
 OTHER = suites("as the torque of the other contact")
-NOISE = 5e-6  # of F_t/N, from mesh to mesh at least
+NOISE = 5e-6  # least difference of F_t/N between meshes
 
 Points = tuple[list[float], list[float], list[float]]
 
@@ -47,11 +47,11 @@ class Named:
     race: str
     race_radius: str
     flat_distance: str
-    form: str  # of the equation of the torque
+    form: str  # form of the torque equation
     cam_tilt: str  # why the forces on the cam differ from the formula
     race_tilt: str  # likewise on the race
     unlike_forces: str  # why the tangential forces of both contacts differ
-    rolling: str  # why the angle differs from that of rolling
+    rolling: str  # reason why the angle differs from the rolling angle
 
 
 def balanced(clutch: Any, of_cam: Quantity, words: Named) -> Iterator[Comparison]:

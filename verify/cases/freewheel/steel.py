@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 HARD = 4000e6  # Pa, limit of hardened rollers in static contact (ISO 76)
-FRICTION = 0.1  # which oiled steel hardly exceeds
+FRICTION = 0.1  # upper estimate for oiled steel
 
 
 def pressed(*pressures: float) -> Iterator[str]:

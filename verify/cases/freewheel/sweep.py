@@ -13,7 +13,7 @@ from fem.wedge.flat_start import COARSE, Start, after, guessed_inside, loaded
 from verify.cases.freewheel.bodies import OneClutch
 from verify.cases.freewheel.fem import overlapping, pitch
 
-SHARES = (0.012, 0.045, 0.15, 0.42, 0.82, 1.06)  # of the overlap under N_0
+SHARES = (0.012, 0.045, 0.15, 0.42, 0.82, 1.06)  # overlaps of the states over the overlap under N_0
 NEAR = 2e-3  # how near N_0 the end of the sweep is
 GIVEN = 10.0  # N_0/(L E'): approaches at an angle that is given
 

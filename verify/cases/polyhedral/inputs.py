@@ -11,8 +11,8 @@ from pydantic import model_validator
 from verify.case import Case, Quantity, count, given
 
 THINNEST = 0.005  # wall over outer diameter: below, a shell
-OUTERMOST = 0.95  # of half a flat, where the hub may touch
-LEAST_FLAT = 0.05  # of a side of the unfilleted bore that stays flat
+OUTERMOST = 0.95  # outermost position of the hub's contact over half a flat
+LEAST_FLAT = 0.05  # least flat part of a side of the unfilleted bore
 
 
 class RoundRing(Case):

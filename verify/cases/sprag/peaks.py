@@ -121,7 +121,7 @@ def peaks_fem(
                 raise ArithmeticError(f"an engagement had no answer: {answer.reason}")
             if isinstance(answer, str):
                 raise NoLockError(answer)
-            found[task] = answer  # the same for crowns that come twice
+            found[task] = answer  # also for repeated crowns
             done += len(task)
             progress(done)
     whole = [one for task in tasks for one in found[task]]

@@ -11,7 +11,7 @@ from verify.cases.sprag.inputs import WedgeInputs
 
 WIDE = 0.4  # half-width over sqrt(r d), about
 SOFT = 15.0  # total deflection over N/E', about
-NEAR, MOST = 1e-3, 20  # how near the force is met, and in how many steps
+NEAR, MOST = 1e-3, 20  # relative tolerance of the force, largest number of steps
 
 
 def races(q: WedgeInputs) -> Races:

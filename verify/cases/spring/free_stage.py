@@ -13,7 +13,7 @@ from verify.cases.spring.inputs import AccordionInputs, strip_of
 from verify.cases.spring.sketch import sketch as to_scale
 
 L0_OVER_B = 240  # Eq. 13
-FREE_STAGE = 11.95 / 25.6  # where Eq. 10's branches meet, over L_0 of the true centre line
+FREE_STAGE = 11.95 / 25.6  # intersection of Eq. 10's branches over L_0 of the true centre line
 FRAME = "force method on the true centre line"
 
 

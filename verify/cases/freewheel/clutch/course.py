@@ -9,7 +9,7 @@ from verify.cases.freewheel.clutch.inputs import ClutchInputs
 from verify.cases.freewheel.clutch.numbers import newton, newton_metres, pascal
 from verify.core.case import Values
 
-FAR = 10.0  # times the first limit ahead, beyond which another one is not reported
+FAR = 10.0  # limits beyond this multiple of the next limit are not reported
 
 
 def torque(q: ClutchInputs, v: Values) -> list[str]:

@@ -19,8 +19,8 @@ from verify.form.plots import dashes, dots, line, plot
 
 DEGREE = math.degrees(1.0)
 POINTS = 241
-WIDE, HIGH = 2.0, 2.2  # of T, F_ax: how far figures reach at least
-AT_END = 1e-6  # of the torque: how near the last one of a figure is to the last that has a state
+WIDE, HIGH = 2.0, 2.2  # least range of figures, as multiples of T and F_ax
+AT_END = 1e-6  # relative tolerance for the last torque of a figure at the last state
 DRAWN = np.linspace(0.1, 99.9, 200)  # per cent of the clutches
 
 

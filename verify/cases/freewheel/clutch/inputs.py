@@ -20,9 +20,9 @@ from verify.cases.freewheel.star import Star
 Kind = Literal["inner cam", "outer cam"]
 Spread = Literal["normal", "uniform"]
 
-OFF = 5e-6  # of X [m]: how far flats are moved to either side, where wedges allow for it
-TURNED = 0.05  # of the angle: more would be no small change
-DEVIATIONS = {"normal": 3.0, "uniform": math.sqrt(3)}  # of a part within its tolerance
+OFF = 5e-6  # change of X [m] in both directions, if the wedges permit it
+TURNED = 0.05  # largest relative change of the angle that counts as small
+DEVIATIONS = {"normal": 3.0, "uniform": math.sqrt(3)}  # tolerance over standard deviation of a part
 
 
 def in_terms_of_inputs(rule: str) -> str:

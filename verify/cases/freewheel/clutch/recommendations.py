@@ -15,7 +15,7 @@ from verify.cases.freewheel.clutch.inputs import ClutchInputs
 from verify.core.case import Values
 
 DEGREE = math.degrees(1.0)
-GOALS = (1.0, 1.1)  # of mu/mu_req: what holds by Coulomb's law, and with a tenth to spare
+GOALS = (1.0, 1.1)  # target mu/mu_req: Coulomb's limit, and a margin of 10 %
 
 
 def advice(q: ClutchInputs, v: Values) -> list[str]:

@@ -18,9 +18,9 @@ from verify.cases.freewheel.sweep import sweep
 
 Array = NDArray[np.float64]
 
-LEFT = 1e-5  # of dalpha/dX: what the last step to the torque may miss
-GRID = np.linspace(0.1, 1.0, 10)  # of T, where profiles are compared
-AROUND = (0.99, 1.01)  # of mu_req: friction that does not hold, and that does
+LEFT = 1e-5  # tolerance of dalpha/dX for the last step to the torque
+GRID = np.linspace(0.1, 1.0, 10)  # torques of the compared profiles, over T
+AROUND = (0.99, 1.01)  # friction over mu_req: slips, holds
 
 
 def solve(q: ClutchInputs, level: int) -> Level:

@@ -32,12 +32,12 @@ from verify.core.figures import Array
 from verify.form.adapter import adapted
 from verify.judging.judge import DEMAND
 
-THIN = 0.2  # wall at the corners over X_o below which a cup is a thin one
-NEAR = 0.9  # of the largest torque, beyond which little compliance decides
-LITTLE = 0.02  # of it, below which states hardly reach
-WIDEST = 0.2  # a/r up to which these meshes are made
-COURSE = 3e-5  # of a value: what splines between states miss
-BEGINNING = 1e-4  # of phi: what a power below the first state misses
+THIN = 0.2  # wall at the corners over X_o below which a cup counts as thin
+NEAR = 0.9  # over the largest torque: above it, small compliances decide
+LITTLE = 0.02  # over the largest torque: nearly no states below it
+WIDEST = 0.2  # largest a/r for these meshes
+COURSE = 3e-5  # relative error of splines between states
+BEGINNING = 1e-4  # relative error of phi by the power law below the first state
 
 BRACKET = "rings that enclose the cup, with a column below the flat; winding up; (a/r)² of Hertz"
 TANGENTIAL = f"{BRACKET}, tangential deformation of 0.5 to 1 tan²α"

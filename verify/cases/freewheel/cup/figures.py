@@ -18,7 +18,7 @@ from verify.form.case import Drawing
 from verify.form.plots import dashes, dots, line, plot
 from verify.form.sketches import arrow, leader, shape, text
 
-FORCES = np.linspace(1e-4, 1.0, 160)  # of the largest normal force of the states
+FORCES = np.linspace(1e-4, 1.0, 160)  # over the largest normal force of the states
 
 TILTS = "Flat and shaft tilt under the normal force, while the angle itself falls."
 ROLLED = "The wind-up grows faster than the torque: the stiffness is zero at the largest torque."

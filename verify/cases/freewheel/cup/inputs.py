@@ -17,7 +17,7 @@ from analytic.freewheel.summit import summit
 from verify.case import count, given, shared
 from verify.cases.freewheel.star import LARGEST_ANGLE, Rollers
 
-GIVEN = 0.25  # of the overlap at pop-through, at the angle that is given
+GIVEN = 0.25  # overlap at the given angle over the overlap at pop-through
 
 
 class Cup(Rollers):

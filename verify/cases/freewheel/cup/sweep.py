@@ -16,13 +16,13 @@ from verify.cases.freewheel.bodies import OneClutch
 from verify.cases.freewheel.fem import overlapping, pitch
 from verify.cases.freewheel.sweep import rigid_force
 
-SHARES = (0.03, 0.09, 0.22, 0.45, 0.75, 1.04)  # of the overlap under T
-# and of that at pop-through
+SHARES = (0.03, 0.09, 0.22, 0.45, 0.75, 1.04)  # overlaps of the states over the overlap under T
+# overlaps over the overlap at pop-through
 ONWARD = (0.018, 0.045, 0.1, 0.22, 0.36, 0.5, 0.6, 0.68, 0.76)
-APART = 1.1  # of the overlap under T, from where on these count
+APART = 1.1  # over the overlap under T: states at pop-through shares count above it
 INNER = 0.37  # part of the shaft's contact, about
 NEAR = 2e-2  # how near T the search comes
-GIVEN = 0.25  # of the overlap at pop-through, at the angle that is given
+GIVEN = 0.25  # overlap at the given angle over the overlap at pop-through
 STEEP, FLAT = 1.1, 0.25  # d ln(T)/d ln(overlap) of a rigid angle; and no less
 
 

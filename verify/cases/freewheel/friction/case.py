@@ -28,7 +28,7 @@ from verify.core.figures import Array, Picture
 from verify.form.adapter import adapted
 from verify.form.comparisons import Options
 
-CLOSE = 0.02  # of tan(alpha): friction that near leaves no axial load worth measuring
+CLOSE = 0.02  # friction closer to tan(alpha), relative, leaves too small an axial load
 ANGLE = "α of two bodies that enclose the star, friction along surfaces by its magnitude"
 TILTED = f"{ANGLE}, surfaces tilt under N"
 HEAVY: Any = Options(own=(0.03, "surfaces tilt by more, the heavier the load"))

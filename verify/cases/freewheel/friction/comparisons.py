@@ -21,7 +21,7 @@ from verify.judging.tolerance_checks import (
 ONSET, CONE = 1e-3, 5e-3  # acceptance of the subject
 CONTACT = 2e-3  # and of F_t/F_n, which is the required friction without an axial load
 ALONE = "as F_t/F_n, which it is without an axial load"
-SHARE = 1e-3  # of F_t/(mu N) over the wedge angles
+SHARE = 1e-3  # tolerance of F_t/(mu N) over the wedge angles
 COULOMB = "Coulomb's law of friction"
 
 

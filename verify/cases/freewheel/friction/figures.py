@@ -17,10 +17,10 @@ from verify.form.sketches import arrow, leader, shape, text
 
 mm, µm = 1e-3, 1e-6
 QUARTER = np.linspace(0.0, np.pi / 2, 91)
-STARTED = 0.999  # of T: the ring has begun to slide
-GRID = np.linspace(0.0, 1.6, 81)[1:]  # of T, over which the limit is drawn
-WIDE, CIRCLE = 2.2, 1.7  # over r: half of the walls drawn, radius of the cone's circle
-ABOVE = 2.2  # of F_ax,lim or F_ax, up to where it is
+STARTED = 0.999  # torque over T below which the ring slides
+GRID = np.linspace(0.0, 1.6, 81)[1:]  # torques over T for the curve of the limit
+WIDE, CIRCLE = 2.2, 1.7  # over r: half-length of the drawn walls, radius of the cone's circle
+ABOVE = 2.2  # upper end of the axial load, over F_ax,lim or F_ax
 
 
 def sketch(q: Any) -> Sketch:

@@ -19,9 +19,9 @@ if TYPE_CHECKING:
     from verify.cases.freewheel.friction.case import FreewheelFriction
 
 LEVELS = (4, 6, 8)  # cells on the half-width of the fine zones
-STEPS = (1.0, 2.0, 3.0, 4.0)  # of the ring along z, over what parts yield at the limit
-FREE = (1.0, 2.0, 5.0, 10.0, 18.0, 27.0, 37.0)  # the same with the ring held
-SOLVED = 1e-9  # of N, within which the solver balances a body that only contact holds
+STEPS = (1.0, 2.0, 3.0, 4.0)  # steps of the ring along z over the deflection at the limit
+FREE = (1.0, 2.0, 5.0, 10.0, 18.0, 27.0, 37.0)  # likewise with the ring fixed
+SOLVED = 1e-9  # relative to N: force balance of a body held by contact only
 
 
 def solve(q: "FreewheelFriction", level: int) -> Level:

@@ -30,15 +30,15 @@ from verify.form.adapter import adapted
 
 MOST = 1000  # cycles of a path
 CASES = (1, 2, 3)
-STEP = 1e-3  # of T, over which the stiffness is taken
-SWAY = 0.01  # of the loads: inertia that may be neglected
-TIMES = 240  # of a cycle
-LEAST = 2000  # of a path
-ROUND_OFF = 1e-9  # of the cycles of a path: one time more would move all of them
-CLOSE = 0.02  # of tan(alpha): friction that near leaves no axial load worth measuring
-LIGHTEST = 0.05  # of the largest torque, down to which load case 3 is solved
-SWINGS = 0.25  # of the loads, beyond which inertia is no small addition
-WORN = 2.0  # mu_req up to which finite elements are used
+STEP = 1e-3  # torque step over T for the stiffness
+SWAY = 0.01  # inertia over the loads that may be neglected
+TIMES = 240  # time steps of a cycle
+LEAST = 2000  # time steps of a path, at least
+ROUND_OFF = 1e-9  # relative to the number of cycles: avoids an additional time by round-off
+CLOSE = 0.02  # friction closer to tan(alpha), relative, leaves too small an axial load
+LIGHTEST = 0.05  # least torque of load case 3, over the largest torque
+SWINGS = 0.25  # inertia over the loads above which it is not small
+WORN = 2.0  # largest mu_req for finite elements
 SETTLES = 0.6  # of the limit: alternating loads below settled, of the synthetic clutch
 
 

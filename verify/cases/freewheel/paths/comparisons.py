@@ -21,8 +21,8 @@ from verify.judging.tolerance_checks import Agreement, Deviation, Pair, demanded
 MU, TORQUE, SLIP = 2e-3, 5e-3, 1e-2  # accepted of mu_req, of the torque, of the load at slip
 ROOTED = "twice the friction cone's 0.5 %: it is a root of a small difference"
 STATICS = "as sharp as F_t/F_n against tan(ψ/2)"
-SETTLES = 1 / 3  # of the first cycle's creep, in the last
-GOES_ON = 0.9  # of the creep in the cycle before
+SETTLES = 1 / 3  # creep of the last cycle over the first
+GOES_ON = 0.9  # creep of a cycle over the cycle before
 ANGLE = "α of two bodies that enclose the star, surfaces tilt under N"
 COULOMB = "Coulomb's law of friction"
 RULE = "rule adopted, not derived: an average over the runs of clutch A in load case 1"

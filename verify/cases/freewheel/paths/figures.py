@@ -20,9 +20,9 @@ NAMES = {
     2: "load case 2: steady torque, alternating axial load",
     3: "load case 3: both alternate in phase",
 }
-HIGH = 1.15  # of the largest value, up to which is drawn
-NEAR = 0.9  # of tan(alpha_0), from where on the friction cone is drawn
-CUT = 4.0  # of mu, beyond which the required friction is not drawn
+HIGH = 1.15  # upper end of the axis over the largest value
+NEAR = 0.9  # friction cone drawn from this multiple of tan(alpha_0)
+CUT = 4.0  # required friction is drawn up to this multiple of mu
 DRAWN = 8  # steps of a path's times that a curve is drawn over: 30 points a cycle
 
 

@@ -12,7 +12,7 @@ from verify.cases.polyhedral.warnings import of_fillets, of_rollers
 from verify.core.figures import Picture, Sketch
 from verify.form.adapter import adapted
 
-PRESSED = 1.02  # of the pressure that touches: from there on forces are compared
+PRESSED = 1.02  # over the touching pressure: forces are compared above it
 
 
 class LockedPolyhedralRing(LockedFormulas):

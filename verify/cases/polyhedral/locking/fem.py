@@ -10,8 +10,8 @@ if TYPE_CHECKING:
 
 CELLS = 6  # even ones in every fine zone, on the mesh of level 1
 ZONE = 1.5  # half-widths of even cells under the roller
-FIRST = 0.1  # of the wall that the fine zone takes while the half-width is unknown
-WIDEST = 0.45  # of wall, roller's radius and the hub's distance from the middle
+FIRST = 0.1  # fine zone over the wall while the half-width is unknown
+WIDEST = 0.45  # limit over wall, roller radius and the hub's distance from the middle
 COARSE = (1, 2)  # meshes that determine the width of the contacts
 HELD = 2  # level of the mesh for bonded stretches
 

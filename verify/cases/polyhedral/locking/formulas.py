@@ -18,7 +18,7 @@ from verify.cases.polyhedral.thin_ring import SERIES, PolygonSeries
 class LockedFormulas(PolygonSeries, LockingInputs):
     """Rollers on the ring under pressure and hub, rigid; `alone` and `soft` are other states."""
 
-    pushed: ClassVar[bool] = True  # by the hub
+    pushed: ClassVar[bool] = True  # whether the hub presses
     elastic: ClassVar[bool] = False  # rollers
 
     @Quantity("p_1r", "MPa", "pressure at which the ring reaches its rollers", equation="11",

@@ -16,10 +16,10 @@ if TYPE_CHECKING:
 LEVELS = (1, 2, 3, 4)
 DRAWN = 2  # level of the curves
 THICK = 0.15  # wall over outer diameter from which on a mesh is twice as fine
-STEP = 0.05  # of the hub's force, more and less, for its share
-SIZES = (0.25, 0.5, 1.0, 2.0, 4.0)  # of the roller's diameter
-STRETCHES = (0.005, 0.01, 0.02, 0.05, 0.1)  # of the wall above the flat
-PRESSURES = np.linspace(0, 1.2, 9)  # of p_t, where curves have dots
+STEP = 0.05  # relative change of the hub's force in both directions, for its share
+SIZES = (0.25, 0.5, 1.0, 2.0, 4.0)  # diameters of the swept rollers over the given one
+STRETCHES = (0.005, 0.01, 0.02, 0.05, 0.1)  # distances above the flat over the wall
+PRESSURES = np.linspace(0, 1.2, 9)  # pressures of the dots over p_t
 
 
 def solve(q: LockingInputs, level: int) -> Level:

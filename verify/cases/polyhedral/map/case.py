@@ -19,13 +19,13 @@ from verify.form.adapter import adapted
 from verify.judging.checks import Accepted
 from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, demanded, farthest, suites
 
-ASKED = (0, 3, 9, 11)  # of FLATS, where the series is evaluated in the maps
-NEAR_LAME = 0.02  # of K at 48 flats
+ASKED = (0, 3, 9, 11)  # indices of FLATS for which the maps contain the series
+NEAR_LAME = 0.02  # tolerance of K at 48 flats
 TRUE = 1e-3  # series against finite elements, all over the map
 AS_MESH = "as much as halving the mesh may change"
 HALVED = 1e-3, "acceptance figure: 0.1 % under halving of the mesh"
-FROM = 12  # flats from which on K falls to its limit
-ETA = 0.01  # of the load-transfer ratio, series against finite elements
+FROM = 12  # K falls to its limit from this number of flats
+ETA = 0.01  # tolerance of the load-transfer ratio, series against finite elements
 PLANE: Assumption = "plane stress"
 
 

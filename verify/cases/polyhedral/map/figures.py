@@ -12,7 +12,7 @@ from verify.form.plots import dashes, dots, line, plot
 
 TICKS = (3, 4, 6, 8, 12, 24, 48)
 NAMES = tuple((float(np.log2(z)), str(z)) for z in TICKS)
-LARGEST, LEAST = 4.0, -2.0  # of K in the figure: at the corners of four flats it has no bound
+LARGEST, LEAST = 4.0, -2.0  # limits of K in the figure: K at the corners of four flats is unbounded
 
 
 def on_map(context: Context, name: str) -> Array | None:

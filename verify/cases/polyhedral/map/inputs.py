@@ -9,10 +9,10 @@ from verify.case import given
 from verify.cases.polyhedral.inputs import PolygonRing, RoundRing
 
 FLATS = (3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 24, 48)
-WALLS = (0.0125, 0.025, 0.05, 0.1, 0.15, 0.2)  # over the outer diameter
+WALLS = (0.0125, 0.025, 0.05, 0.1, 0.15, 0.2)  # walls over the outer diameter
 SHARES = (0.125, 0.25, 0.5, 1.0, 2.0)  # fillet over wall
 THICKEST = 0.15  # wall over outer diameter
-PRESSED = 1.5  # of the touching pressure, for the load-transfer ratio
+PRESSED = 1.5  # over the touching pressure, for the load-transfer ratio
 Size = tuple[int, float, float]  # flats, wall [m], fillet [m]
 
 

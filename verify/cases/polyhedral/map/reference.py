@@ -37,7 +37,7 @@ def _per_p_1(q: MapInputs, size: Size, level: int) -> tuple[float, ...]:
     solved = pressed_fem(one, level, "plane stress")
     thin = 2 * one.delta_1 * q.E / (one.d_i * one.d_m)  # p_1 over j_D
     u = factors_fem(one, solved)
-    p = UNIT / 2 / u["mid"]  # over j_D, where the middle of the flats has taken it up
+    p = UNIT / 2 / u["mid"]  # per j_D, once the middle of the flats has taken up the clearance
     stress = in_fillet_fem(one, solved) * p / UNIT / (q.E / one.d_m)
     return (*(2 * thin * u[name] / UNIT for name in DEFINITIONS), stress)
 

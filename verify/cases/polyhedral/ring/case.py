@@ -33,12 +33,12 @@ from verify.core.figures import Array, Picture
 from verify.form.adapter import adapted
 
 STRESS = 30.0  # times the series' residual: stress in the fillet is worse by one or two digits
-PEAK = 1e-4  # of a largest stress: what a polynomial along the fillet may miss
+PEAK = 1e-4  # relative error of a largest stress by the polynomial along the fillet
 NEAR = 1e-3  # about the series' predictions: a hundred times their residual
 HALVED = 1e-3, "acceptance figure: 0.1 % under halving of the mesh"
 LARGEST = "the series' largest stress in the fillets, within half a per cent"
 FILLET = 5e-3, "a peak stress: half a per cent distinguishes fillets"
-PLACES = {"e": "e", "corner": "the corner"}  # of the hub's force
+PLACES = {"e": "e", "corner": "the corner"}  # places of the hub's force
 WHERE = {"mid": "middle of the flats", "corner": "corners"}
 HUB = "the part of the hub's force that is the same for all flats; plane stress"
 BALANCE = "acceptance figure; direct solve"
@@ -203,7 +203,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
         yield approximation(ring.sigma_tr_printed, "sigma_tr", order=4, expected=twice,
                             name="mean hoop stress in the corners, Eq. 12 as printed",
                             shares="plane stress")  # fmt: skip
-        hoop = self.E * self.j_D / (self.d_e - self.delta_1)  # of a thin ring as wide in the mean
+        hoop = self.E * self.j_D / (self.d_e - self.delta_1)  # of a thin ring of this mean diameter
         for q, stress, name in (
             (ring.sigma_t, hoop, "hoop stress, Eq. 9, against the largest in the fillets"),
             (ring.sigma_tr, self.K_mid * hoop,

@@ -16,10 +16,10 @@ from verify.judging.checks import Fact
 from verify.judging.tolerance_checks import Deviation
 
 BALANCED = "forces in balance, on any mesh"
-REST = 1e-3  # of N: counts as zero
+REST = 1e-3  # relative to N: counts as zero
 EXPELLED = 1e-6  # how close T/N is to tan(alpha/2) in the sweep
 L2 = 0.03  # acceptance of tractions
-EDGES = 0.01  # of the normal force: what may slip where N and T grow together
+EDGES = 0.01  # limit of the slipping share of N if N and T grow together
 FREE = "statics of a free roller: it uses tan(α/2)/μ of its friction"
 HALF_PLANES = "argued: (a/(μR))² of the inclined surfaces, 2 (a/R)² of half planes"
 SOLVER = "the solver's balance of a body that only contact holds"

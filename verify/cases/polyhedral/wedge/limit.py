@@ -10,8 +10,8 @@ from verify.cases.polyhedral.wedge.inputs import WedgeInputs
 Array = NDArray[np.float64]
 
 COARSE = 6  # cells on the half-width: forces do not depend on it
-ANY = 0.5  # of N, where approaches are equal and forces differ, wedge by wedge
-LOST = 1e-6  # of N: less is what round-off leaves of a contact that has opened
+ANY = 0.5  # over N: the roller stays above it; forces differ between wedges
+LOST = 1e-6  # relative to N: smaller forces are round-off of an open contact
 ANGLES = (0.1, 0.3, 0.5, 0.7, 0.9, 0.98, 1.02, 1.2, 1.45)  # tan(alpha/2)/mu of the sweep
 
 

@@ -20,10 +20,10 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 LEVELS = (12, 16, 24)  # cells on the half-width; half of them where only forces count
-SOLVED = 1e-9  # of N, within which the solver balances a body that only contact holds
-FAR = 20.0  # of mu times the approach: how far a race slides until nothing sticks
+SOLVED = 1e-9  # relative to N: force balance of a body held by contact only
+FAR = 20.0  # sliding distance of a race over mu times the approach, until full slip
 GROWN = 150  # steps in which N and T grow together
-ACROSS = np.linspace(-0.95, 0.95, 39)  # of the half-width, where tractions are drawn
+ACROSS = np.linspace(-0.95, 0.95, 39)  # positions of the tractions over the half-width
 
 
 def solve(q: WedgeInputs, level: int) -> Level:

@@ -18,8 +18,8 @@ class Share(float):
         return f"{self:g}".replace(".", "_")
 
 
-SHARES = tuple(map(Share, (0.4, 0.6, 0.8)))  # of the rows
-GROWTH = np.linspace(0.1, 0.8, 15)  # and of the figure
+SHARES = tuple(map(Share, (0.4, 0.6, 0.8)))  # shares of the rows
+GROWTH = np.linspace(0.1, 0.8, 15)  # shares of the figure
 TILT, FLATTEST = 0.04, 0.02  # a/(mu R) and a/R at most
 
 

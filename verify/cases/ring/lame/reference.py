@@ -28,7 +28,7 @@ def solve(q: Any, level: int) -> Level:
         arrays |= {f"x{edges}": body.x, f"u{edges}": body.u, f"weight{edges}": body.weight}
     profiles = dict(walls.across(q, long))
     # without prescribed movement energy and potential differ by round-off alone; the residual is
-    # that of displacements, not of energies
+    # the residual of displacements, not of energies
     round_off = max(
         max(abs(ring.potential_energy / ring.strain_energy + 1), ring.residual**0.5)
         for ring in (thin, long, straight)

@@ -14,7 +14,7 @@ from verify.form.fields import picture
 
 MPa, um = 1e6, 1e-6
 COUNTS = (6, 12, 24)
-EDGE = 1.5  # formal order of the largest error, beside the patch
+EDGE = 1.5  # formal order of the largest error, next to the patch
 LISTED = (6, 8, 12, 16, 24)  # numbers of sprags in the table
 DOTS = 40  # nodes of finite elements in a curve
 

@@ -11,7 +11,7 @@ from verify.cases.ring import walls
 Wall = Literal["bore", "rim"]
 WIDEST = 0.3  # half-width over the wall or the roller: beyond, no line contact
 CLOSEST = 0.5  # half-width over half a pitch
-FIT = 0.9  # of the bore that a roller may fill
+FIT = 0.9  # largest share of the bore for a roller
 THINNEST, THICKEST = 1.02, 10.0  # r_o/r_i that finite elements follow
 NARROWEST = 1e-4  # half-width over the loaded radius, likewise
 MOST = 200  # loads, likewise

@@ -7,10 +7,10 @@ from typing import Any
 from analytic.rotor.clutch_state import preload_twist
 from verify.cases.rotor.clutch.formulas import ClutchStiffness
 
-FRICTION = 0.1  # of oiled steel, upper estimate
+FRICTION = 0.1  # upper estimate for oiled steel
 LARGEST_TWIST = 0.35  # rad, 20 deg
 ROUGH = 0.5e-6  # m, roughness of ground races: deflections below it follow no contact law
-LEANS = 0.02  # of K_tilt, that leaning forces take without a warning
+LEANS = 0.02  # reduction of K_tilt by leaning forces without a warning
 WORDS = {"offset": "the offset", "crown": "the crown", "gap": "the gap", "together": "all of it"}
 
 

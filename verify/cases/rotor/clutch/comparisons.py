@@ -32,7 +32,7 @@ from verify.judging.tolerance_checks import SUBJECT, Agreement, Deviation, Pair
 SAME = "the same problem on both sides, to round-off"
 RIGID = "rigid races; line contacts as struts"
 HELD = "ends held in both races"
-DIFFERENCES = 1e-8  # of a tangent by central differences
+DIFFERENCES = 1e-8  # relative error of a tangent by central differences
 INCLINED = "derived: forces along struts inclined by ν, directions cos ψ − tan ν sin ψ in Eq. 3, "\
     "and what tilting forces take; to a twentieth of either"  # fmt: skip
 Points = tuple[list[float], list[float], list[float]]

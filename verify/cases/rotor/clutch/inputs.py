@@ -14,7 +14,7 @@ from analytic.rotor.clutch import LINE_CONTACT, Array, SpragCoupling, even_angle
 from verify.case import Case, Quantity, count, given
 
 REFERENCE = 1000.0  # N, at which deflections are given
-SLICES = 41  # of a sprag; the paper gives no number
+SLICES = 41  # slices of a sprag; the paper states no number
 
 
 class SpragLink(Case):

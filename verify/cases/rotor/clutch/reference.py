@@ -18,8 +18,8 @@ ANGLES = (0.08, 0.2, 0.4, 0.7, 1.0)  # shares of nu
 STIFFER = (10.0, 20.0, 40.0, 70.0, 100.0)  # deflections smaller by these
 OFFSETS = (0.25, 0.5, 1.0, 1.5, 2.0)  # shares of the offset
 SMALL = (2e-3, 4e-3, 8e-3, 0.014, 0.02)  # offsets over the deflection
-HARD = 1e3  # the same where twists are to stay small
-COARSE = 8  # slices where tilts do not matter
+HARD = 1e3  # stiffer springs for small twists
+COARSE = 8  # slices if tilts do not matter
 SIX = {"K_xx": (0, 0), "K_yy": (1, 1), "K_tilt": (4, 4), "K_zz": (5, 5), "K_xz": (0, 5),
        "K_xy": (0, 1), "K_yz": (1, 5)}  # fmt: skip
 

@@ -26,11 +26,11 @@ from verify.judging.checks import Accepted, Limit, Order
 from verify.judging.judge import DEMAND
 from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, farthest
 
-CEILING = 0.002  # of a uniform tube's frequencies, Timoshenko's beam against the elastic body
+CEILING = 0.002  # frequencies of a uniform tube, Timoshenko's beam against the elastic body
 NEAR = 5e-5  # uncertainty of the predicted error of a formula
-FINE = 1e-5  # of a slender shaft's frequency, 32 elements
+FINE = 1e-5  # relative to a slender shaft's frequency, 32 elements
 TOWARDS = (0.0125, 0.025, 0.05, 0.125)  # diameters over lengths of Timoshenko's limit
-DIGITS = 2e-12  # of both sides there
+DIGITS = 2e-12  # relative accuracy of both sides for it
 FOUR, TWO = "elements of order four", "elements of order two"
 SOLVED = "his equation, solved independently, over the cylinder of elasticity; ± 5e-5"
 SERIES = "neglected terms of Timoshenko's equation, to second order"

@@ -25,7 +25,7 @@ from verify.cases.rotor.shaft.inputs import (
 
 ALONG = 6  # cells along the shaft, times the level
 RIGID = 1e14  # stiffness of the bearings over that of the shaft
-ROUND = 1e-9  # of a frequency: round-off of the factors of slender shafts, over all levels
+ROUND = 1e-9  # relative round-off of frequencies of slender shafts, over all levels
 
 
 def solve(q: TurningShaft, level: int) -> Level:

@@ -17,8 +17,8 @@ from verify.core.figures import Array
 
 Members = NDArray[np.bool_]
 Arrays = Mapping[str, Array]
-ALIKE = 0.1  # of the mean: amplitudes that are "nearly equal"
-SMALL = 0.5  # of the median of the others: amplitudes that are "significantly lower"
+ALIKE = 0.1  # relative to the mean: amplitudes that are "nearly equal"
+SMALL = 0.5  # over the median of the others: amplitudes that are "significantly lower"
 ORDERS = (1, 3, 5)
 
 

@@ -15,7 +15,7 @@ from verify.judging.checks import Accepted
 from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, farthest
 
 BEAMS = 5e-6  # acceptance figure of 8 beams in each of the paper's elements
-BARS = 1e-5  # the same for elements of torsion, whose twist is linear
+BARS = 1e-5  # tolerance for torsion elements, with linear twist
 WITHIN_PRINTED = 3e-3
 EIGHT = "acceptance figure of beams against transfer matrices, 8 in each element"
 BEAM = "Timoshenko's beam with Hutchinson's shear coefficient"

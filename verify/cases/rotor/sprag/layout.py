@@ -12,11 +12,11 @@ from numpy.typing import ArrayLike
 from verify.core.figures import Array
 
 E, NU, RHO = 210e9, 0.3, 7850.0  # steel
-BORE = 19.44 / 26.23  # of the drum over its diameter, as of the outer race of Ref. 9
+BORE = 19.44 / 26.23  # bore of the drum over its diameter, as for the outer race of Ref. 9
 WIDTH = 0.02  # m, of both discs
 SPRAGS, SPRAG_LENGTH, SLICES = 12, 0.012, 20
-WEDGE = tan(4 * pi / 180)  # of the wedge angle at the inner race
-EXPONENT = 10 / 9  # of Eq. 2
+WEDGE = tan(4 * pi / 180)  # tangent of the wedge angle at the inner race
+EXPONENT = 10 / 9  # exponent of Eq. 2
 DRIVE = 0.1  # N m/rad: the drive, far softer in torsion than anything else
 OUTER, INNER = 12, 10  # nodes
 DISCS = (4, 19)
@@ -24,7 +24,7 @@ BOTTOM = 6  # element of the drum's bottom, between nodes 7 and 8
 GROUNDED = (2, 6, 21)  # bearings 1, 2, 5
 BETWEEN = ((9, 14), (11, 16))  # bearings 3, 4
 CLUTCH = (10, 15)
-OPPOSITE = ", opposite"  # of arrays with unbalance 2 half a turn from unbalance 1
+OPPOSITE = ", opposite"  # key suffix of arrays with unbalance 2 opposite to unbalance 1
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -27,8 +27,8 @@ from verify.judging.tolerance_checks import Agreement, Pair, farthest, suites
 from verify.papers.ledger import published
 
 ROUND_OFF = 1e-10
-LINEAR = 5e-3  # of the exponent 1 of torsion over the offset
-FREE = 3e-4  # of the inner rotor's angular momentum: 0.1 N m/rad over J_out Ω², J_out > 3e-4
+LINEAR = 5e-3  # deviation from exponent 1 of torsion over the offset
+FREE = 3e-4  # over the inner rotor's angular momentum: 0.1 N m/rad per J_out Ω², J_out > 3e-4
 NODES = {
     "outer-rotor-elements": OUTER - 1, "outer-rotor-first-node": 1, "outer-rotor-last-node": OUTER,
     "inner-rotor-elements": len(PARTS) - OUTER + 1, "inner-rotor-first-node": OUTER + 1,

@@ -18,7 +18,7 @@ from verify.core.figures import Array
 LEVELS = (1, 2, 4, 8)  # beam elements in each of the paper's
 ORDERS = (1, 3, 5)
 MODES = 6
-ROUND_OFF = 1e-10  # of frequencies and amplitudes: the condition of K times epsilon
+ROUND_OFF = 1e-10  # relative error of frequencies and amplitudes: condition of K times epsilon
 SWEPT = np.linspace(0, 40_000, 41) * RPM
 
 

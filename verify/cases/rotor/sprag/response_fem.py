@@ -12,13 +12,13 @@ from verify.cases.rotor.sprag.layout import DISCS, INNER, OPPOSITE, OUTER
 from verify.cases.rotor.sprag.system_fem import Damped, rotor_fem
 from verify.core.figures import Array
 
-SHOWN_NODES = (4, 6, 11, 16, 19, 21)  # of Figs. 9 to 11
+SHOWN_NODES = (4, 6, 11, 16, 19, 21)  # nodes of Figs. 9 to 11
 NEAR = np.outer(PRINTED, 1 + np.linspace(-0.05, 0.05, 17)).ravel()
 GRID = np.sort(np.concatenate([np.geomspace(3000, 42_000, 60) * RPM, NEAR]))
-MOVED = 11  # where a remark of Sec. 2.2 has unbalance 1
+MOVED = 11  # node of unbalance 1 according to a remark in Sec. 2.2
 WINDOW = np.linspace(-1, 1, 25)  # about a peak, in shares of
-WIDEST = 0.055  # of the speed: peaks 3 and 5 differ by 12 %
-RATIOS = 3.0  # of the damping ratio
+WIDEST = 0.055  # relative to the speed: peaks 3 and 5 differ by 12 %
+RATIOS = 3.0  # half-width of the window over the damping ratio
 BAND = (5, 50, 95)  # per cent of members
 SMALL_OFFSETS = (0.01, 0.02)
 THETA_Z = 5

@@ -22,7 +22,7 @@ from verify.core.figures import Array, Shape, Sketch, Table
 from verify.form import sketches
 from verify.form.sketches import arrow, leader, shape, text
 
-UPPER = 4.2  # where the sketch has the outer rotor's axis, over the inner one's
+UPPER = 4.2  # height of the outer rotor's axis above the inner rotor's axis in the sketch
 
 
 def tables(context: Context) -> Sequence[Table]:
@@ -121,7 +121,7 @@ def sketch(_: SpragRotorInputs) -> Sketch:
         at = [x[n], up[n] + (1.25 if n <= OUTER else -1.4)]
         shapes.append(text(at, str(n)))
     for k, n in zip((1, 2, 5), GROUNDED, strict=True):
-        away = -1 if n <= OUTER else 1  # from the numbers
+        away = -1 if n <= OUTER else 1  # direction away from the numbers
         foot, head = up[n] + 1.7 * away, up[n] + 0.5 * away
         shapes += [leader((x[n], foot), (x[n], head), f"bearing {k}")]
     for a, b in (*BETWEEN, CLUTCH):

@@ -25,7 +25,7 @@ ELEMENTS = 4  # in each piece of the shaft, times the level
 FIRST = 0.03  # cells at the corners over d_1, coarsest mesh
 MAPPED = 2  # level of the map
 MAP_FIRST = 0.06
-ROUND = 1e-9  # of a frequency: round-off of the factors of slender shafts
+ROUND = 1e-9  # relative round-off of frequencies of slender shafts
 
 
 def solve(q: SteppedShaft, level: int) -> Level:

@@ -18,7 +18,7 @@ SHARP = "both sides solve the same beam: only the elements' size lies between th
 BEAM = "Timoshenko's beam with Hutchinson's shear coefficient"
 COARSE, FINE = 2e-4, 5e-6
 FINER = 8
-LOADS = 1e-4  # that a load or an amplitude may be off by
+LOADS = 1e-4  # tolerance of a load or an amplitude
 rotor = TransferRotor
 
 

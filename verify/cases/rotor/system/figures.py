@@ -15,7 +15,7 @@ from verify.core.figures import Campbell, Curves, Figure, Mode, Refinement, Whir
 from verify.form.plots import line, plot
 
 Hz, mm, um = 2 * np.pi, 1e-3, 1e-6
-SPEEDS = 400  # of the response
+SPEEDS = 400  # number of speeds of the response
 DRAWN = 4  # critical speeds in motion
 
 
@@ -24,7 +24,7 @@ def figures(context: Context) -> Sequence[Figure]:
     found: list[Figure] = [_campbell(q)]
     if criticals(q):
         found.append(_modes(q))
-    if any(q.unbalanced()):  # on a shaft that turns
+    if any(q.unbalanced()):  # on a rotating shaft
         found.append(_response(q))
     return (*found, *(_refinement(context) if context.converging else ()))
 

@@ -19,7 +19,7 @@ from verify.core import units
 
 RPM = np.pi / 30
 MOST_NODES = 150
-FREQUENCIES, CRITICALS = 6, 3  # that are compared; critical speeds for unbalance of each speed
+FREQUENCIES, CRITICALS = 6, 3  # numbers compared; critical speeds for each unbalance speed
 
 
 def critical_name(group: int) -> str:

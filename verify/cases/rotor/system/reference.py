@@ -13,8 +13,8 @@ from verify.cases.rotor.system.inputs import (
     critical_name,
 )
 
-TURN = 2 * np.pi  # a frequency in Hz is its angular one over this
-RIGID = 1e-4  # of a torsional frequency: below it a shaft turns freely
+TURN = 2 * np.pi  # divisor from rad/s to Hz
+RIGID = 1e-4  # relative to a torsional frequency: a shaft turns freely below it
 
 
 def fem_rotor(q: CoaxialRotor, refine: int, theory: str = "timoshenko") -> Any:

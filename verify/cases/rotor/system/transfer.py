@@ -22,7 +22,7 @@ from verify.cases.rotor.description import DiscInputs, SpringInputs
 from verify.cases.rotor.system.inputs import CoaxialRotor
 from verify.core.inputs import EntryError
 
-ROUNDED = 0.01  # what numbers of few digits may exceed a bound by
+ROUNDED = 0.01  # relative excess over a bound that rounded numbers may have
 
 
 class DescribedRotor(CoaxialRotor):

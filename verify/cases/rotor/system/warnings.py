@@ -8,9 +8,9 @@ from verify.cases.rotor.description import SegmentInputs
 from verify.cases.rotor.system.inputs import RPM
 from verify.cases.rotor.system.transfer import DescribedRotor
 
-AXIAL_GAP = 1e-4  # m: what a bearing between two shafts may span along the axis
-TOUCH = 1e-9  # m: what rounded places may overlap by
-RIGID = 0.5  # damping times speed over stiffness, from which on damping holds a shaft
+AXIAL_GAP = 1e-4  # m: largest axial distance of the two nodes of a bearing between shafts
+TOUCH = 1e-9  # m: largest overlap of rounded places
+RIGID = 0.5  # damping times speed over stiffness above which damping supports a shaft
 LISTED = 4  # parts that a warning names
 
 

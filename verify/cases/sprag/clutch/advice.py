@@ -15,12 +15,12 @@ from verify.cases.sprag.inputs import EngagementInputs
 DEGREE = math.degrees(1.0)
 UM = 1e-6
 STEEL = (195e9, 220e9)  # Pa, of which Palmgren's law is
-SHORT = 1e-4  # of the law's last load: below it slices are not solved
-HARD = 0.1  # of N, by which springs press
-REACHED = 0.5  # of z_m: an end slice that drops by less is stated
-DEEPER = 1.05  # times what it drops, by twice z_m: not worth it
-UNEVEN = 1.5  # over the uniformly loaded ring of Eq. 6
-CENTRIFUGAL = 0.1  # of N_0, by which centrifugal forces change it
+SHORT = 1e-4  # over the law's last load: slices are not solved below it
+HARD = 0.1  # spring force over N
+REACHED = 0.5  # over z_m: a smaller drop of an end slice is reported
+DEEPER = 1.05  # ratio of the drop with twice z_m to the drop: no benefit below it
+UNEVEN = 1.5  # deflection over the uniformly loaded ring of Eq. 6
+CENTRIFUGAL = 0.1  # relative change of N_0 by centrifugal forces
 SLOWLY = "; this is of a torque that rises slowly: one that comes at once nearly doubles the " \
     "force (check --dynamic)"  # fmt: skip
 FINEST = 61  # slices that the reference solves at each of many loads

@@ -17,8 +17,8 @@ from verify.form.comparisons import key_of
 from verify.judging.checks import Identity
 from verify.judging.profile_checks import Estimated
 
-LAW = 2e-5  # of N, tan(nu): error of the cubic between the loads of a contact's law, standard
-LAW_ALPHA = 1e-3  # the same of turns and deflections, 0.15 % of the contacts' at the most
+LAW = 2e-5  # standard relative error of N and tan(nu) by the cubic between loads of a law
+LAW_ALPHA = 1e-3  # likewise for rotations and deflections, at most 0.15 % of the contacts' share
 DRAWN = "drawn sprag, same deflections"
 FROM_DRAWN = 1e-3, "cubic between the loads of the contacts' laws, as stated in u_ref"
 SLIPS = 0.01

@@ -34,8 +34,8 @@ WORDS = {
     "disengages": "the contacts are separated at the end",
     "not followed": "not followed to its peak",
 }
-WELL = 1e-3  # of the work: energies that miss more are stated
-SPARE = 1.2  # of half a period: stiffness grows with the load
+WELL = 1e-3  # relative to the work: larger energy errors are reported
+SPARE = 1.2  # over half a period: stiffness grows with the load
 DECAYS = 5.0  # time constants of a force that creeps
 
 

@@ -20,7 +20,7 @@ from verify.form.plots import dashes, dots, line, plot
 
 DEGREE = math.degrees(1.0)
 POINTS = 121
-LEAST = 1e-3  # of the largest force of a figure
+LEAST = 1e-3  # over the largest force of a figure
 
 
 def figures(context: Context) -> Sequence[Figure]:

@@ -15,9 +15,9 @@ from analytic.sprag.start import spring_equilibrium
 from verify.cases.sprag.engagement.model import clutch, gap, parts
 from verify.cases.sprag.inputs import EngagementInputs, SpragInputs
 
-WIDE = 0.15  # of the inner contact's relative radius: half-widths up to which Hertz's law is used
-MANY, FEW_LOADS = 61, 21  # slices from which on fewer loads make up a contact's law
-HALF = 0.5  # of N, where the ends of a crown are free and strips have a highest pressure
+WIDE = 0.15  # largest half-width for Hertz's law, over the inner contact's relative radius
+MANY, FEW_LOADS = 61, 21  # number of slices above which a contact's law has fewer loads
+HALF = 0.5  # load over N at which a crown's ends are unloaded and strips have a finite peak
 FAST = 20_000 * 2 * math.pi / 60  # rad/s: the outer race grows by 2 µm
 
 

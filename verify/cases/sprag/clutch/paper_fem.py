@@ -20,7 +20,7 @@ PRINTED = {25.0: (3500e6, 2980e6), 40.0: (4700e6, 3400e6)}  # without and with t
 FIG_13 = ((1.0, 0.4, 0.01e-3), (3.0, 0.4, 0.01e-3))
 COUNTS = (11, 15, 19, 21, 23, 25, 27, 31, 41, 81, 161)  # slices
 ANGLES = np.radians([2.9, 3.3])
-CALMED = {"C_rl": 3.0, "t_end": 0.15}  # N m s/rad, s, in which an engagement comes to rest
+CALMED = {"C_rl": 3.0, "t_end": 0.15}  # N m s/rad and s for an engagement that comes to rest
 SHORT = 0.03  # s, past the first peaks
 
 Crown = tuple[float, float, float]

@@ -15,9 +15,9 @@ from verify.core.case import Check, Context
 from verify.judging.published_checks import Adopted
 from verify.judging.tolerance_checks import Agreement, Pair, suites
 
-RESTS = 1e-3  # of the force, where N_e = N_i makes half as much
+RESTS = 1e-3  # relative to the force; N_e = N_i has half of this effect
 ROUNDED = {"m_g": 0.05e-3, "I_g": 0.005e-8}  # kg, kg m²: half of the last digit in Table 1
-ON_FIT: dict[str, Any] = {"bound": 0.02, "fitted": FITTED}  # of what was fitted
+ON_FIT: dict[str, Any] = {"bound": 0.02, "fitted": FITTED}  # for rows of fitted values
 
 
 def rectangle(q: EngagementInputs) -> tuple[float, float]:

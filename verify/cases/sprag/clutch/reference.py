@@ -25,13 +25,13 @@ from verify.cases.sprag.clutch.paper_fem import paper_fem
 from verify.cases.sprag.engagement.model import in_strips
 from verify.core.figures import Array
 
-POINTS = 2  # of the drawn spiral on a radian, over the strips' number
+POINTS = 2  # points of the drawn spiral per radian, over the number of strips
 
 
 def solve(q: Any, level: int) -> Level:
     """One level: so many strips, twice as many points on a radian of the drawn spiral."""
     now = under(q)
-    assert now is not None  # refused where there is none
+    assert now is not None  # refused without an equilibrium
     one = drawn(q, POINTS * level)
     found = one.at_torque(q.T, float(now.N))
     values = {

@@ -13,7 +13,7 @@ from verify.cases.sprag.clutch.model import built, spring_force, under
 from verify.cases.sprag.engagement.model import motion
 from verify.cases.sprag.inputs import EngagementInputs
 
-AHEAD, WIDER = 4.0, 3.0  # of the static force: how far a table reaches, how much farther the next
+AHEAD, WIDER = 4.0, 3.0  # end of the table over the static force; factor for the next table
 INSIDE = 1 - 1e-6
 
 
@@ -23,7 +23,7 @@ class Run:
 
     one: Crowned
     engagement: Engagement
-    end_of_profile: bool  # where its table ends; else the formulas do
+    end_of_profile: bool  # whether the table ends with the profile, else with the formulas
 
     @property
     def peaks(self) -> tuple[float, float]:

@@ -12,10 +12,10 @@ from verify.form import sketches
 from verify.form.sketches import arrow, leader, shape
 
 ORIGIN = np.zeros(2)
-SIDE = 0.36  # rad of race to either side
+SIDE = 0.36  # rad of race on both sides
 LARGER = 5.0  # times the angles are drawn, at most
-STEEP = 0.8  # of the largest that a spiral has: (2 R_i/r_i + 1) sin(beta) is 1 there
-WALL = 0.4  # of the sprag's height: walls of races, where these are thicker
+STEEP = 0.8  # over the largest angle of a spiral, at (2 R_i/r_i + 1) sin(beta) = 1
+WALL = 0.4  # over the sprag's height: largest drawn wall of a race
 
 
 def drawn(q: SpragInputs) -> LogSprag:

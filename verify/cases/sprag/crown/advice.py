@@ -6,9 +6,9 @@ from typing import Any
 
 from verify.cases.freewheel.clutch.numbers import newton, pascal
 
-EVEN = 1.05  # of an even load's pressure
+EVEN = 1.05  # over the pressure of a uniform load
 UM = 1e-6
-REACHED = 0.5  # of z_m
+REACHED = 0.5  # over z_m
 
 
 def verdict(q: Any) -> str:

@@ -14,8 +14,8 @@ from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.figures import Array
 
 FEW, MANY = 3, 5  # levels of the factorial: by engagements, and the paper's
-SHARES = (0.4, 1.0, 1.2, 1.6)  # of T: 10, 25, 30 and 40 N m in the paper
-FORCES = (0.08, 0.2, 0.4, 0.6, 0.8, 1.0)  # of the largest: where both contacts are compared
+SHARES = (0.4, 1.0, 1.2, 1.6)  # over T: 10, 25, 30 and 40 N m in the paper
+FORCES = (0.08, 0.2, 0.4, 0.6, 0.8, 1.0)  # over the largest, for comparing both contacts
 
 
 def forces(q: EngagementInputs, engaged: Peaks, crowns: Array) -> Array:

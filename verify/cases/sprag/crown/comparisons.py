@@ -47,7 +47,7 @@ UNEQUAL = "N_e = N_i in Eqs. 14-16 and sprags without mass, half of what they do
 HERTZ = "line contacts, radius of the inner contact"
 MEAN_OF = 4000  # places of a profile
 EQUAL = 1e-9
-MOST = 0.5  # of a per cent: from here on z_m would do more than K_1
+MOST = 0.5  # per cent above which z_m would have a larger effect than K_1
 
 
 def near(q: Any, _values: Any) -> tuple[float, float] | None:

@@ -22,7 +22,7 @@ from verify.form.sketches import shape
 
 MPa, mm, um, kN = 1e6, 1e-3, 1e-6, 1e3
 EQ_22 = (2.80, 0.7, 11.8e-6)
-DEEPER = 0.3  # of the length that the sketch's crown drops by
+DEEPER = 0.3  # drop of the sketched crown over the length
 
 
 def sketch(q: EngagementInputs) -> Sketch | None:

@@ -13,10 +13,10 @@ from verify.core.figures import Array
 from verify.judging.checks import Margin
 
 MPa = 1e6
-AT = {10: 0, 25: 1, 30: 2, 40: 3}  # number of the torque [N m] among those engaged
-STEP = 1e-3  # of a pressure: tables of the engagements, fits of N_max
+AT = {10: 0, 25: 1, 30: 2, 40: 3}  # index by torque [N m]
+STEP = 1e-3  # relative error of a pressure: tables of the engagements, fits of N_max
 NEAR = 0.01
-LEVEL = 1.0  # of K_1 in the factorial
+LEVEL = 1.0  # step of K_1 in the factorial
 
 
 def arrays(context: Context) -> Mapping[str, Array]:

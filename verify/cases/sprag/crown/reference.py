@@ -13,9 +13,9 @@ from verify.cases.sprag.crown.formulas import DEEP, factorial
 from verify.cases.sprag.crown.paper_fem import paper_fem
 from verify.cases.sprag.peaks import peaks_fem, with_crown
 
-POINTS = 1200  # of a drawn profile for each strip
-STEP = 1e-3  # of z_m, for its share
-ROUNDED = {"mean": 1e-12, "share": 1e-9}  # of themselves, by so many terms and that step
+POINTS = 1200  # points of a drawn profile per strip
+STEP = 1e-3  # relative step of z_m, for its share
+ROUNDED = {"mean": 1e-12, "share": 1e-9}  # relative round-off by the number of terms and by STEP
 
 
 def solve(q: Any, level: int) -> Level:

@@ -21,7 +21,7 @@ ROWS = range(1, 11)
 SAMPLE, CUT = 4, 10  # rows: a point of the factorial; an error that was cut off
 SURE = 3.0  # standard deviations
 COARSE = 0.27  # the change that a printed error's only digit may hide, 5 % of the largest error
-MEAN_LEVEL = 0.03  # of the pressure that the wedge angle was fitted to
+MEAN_LEVEL = 0.03  # relative to the pressure to which the wedge angle was fitted
 
 
 def cell(row: int, column: str) -> float:

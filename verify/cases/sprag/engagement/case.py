@@ -11,8 +11,8 @@ from verify.cases.sprag.engagement.reference import LEVELS
 from verify.core.references import BY_INTEGRATION
 from verify.form.adapter import adapted
 
-MOST_STEPS = 200_000  # of a level, limited by memory and the time of LSODA
-SURE = 1.05  # of the required friction
+MOST_STEPS = 200_000  # steps of a level, limited by memory and the time of LSODA
+SURE = 1.05  # over the required friction
 
 
 class SpragEngagement(EngagementFormulas):

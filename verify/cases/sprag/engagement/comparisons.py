@@ -23,9 +23,9 @@ from verify.judging.tolerance_checks import SUBJECT, Agreement, Deviation, Pair,
 BY = "Runge-Kutta steps, compiled"
 CLOSURE = "closure of Eqs. 9 and 10, N as at rest"
 LSODA, HALVING, CROWN, CENTROID, SLICES = 1e-3, 1e-4, 0.03, 1e-3, 2e-3  # accepted
-ROLLED = 1e-4  # of the work, on the cubics of those
-LOADS = 13  # over which the contacts' pressures are compared
-NEAR = 0.5  # of the order, which is then nearer to 4 than to any other
+ROLLED = 1e-4  # relative to the work, with cubics of the deflections
+LOADS = 13  # number of loads at which the contacts' pressures are compared
+NEAR = 0.5  # tolerance of the order, which is then closest to 4
 FITTED = "length, width, wedge angle and support are identified, not printed"
 UNEQUAL = "N_e = N_i in Eqs. 14-16, where a strut has N_e/N_i = cos ω/cos ν"
 

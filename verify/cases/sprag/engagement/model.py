@@ -21,8 +21,8 @@ from analytic.sprag.race_spring import CACHE_SIZE, Blades, RaceSpring, reached
 from verify.cases.sprag.inputs import EngagementInputs, SpragInputs
 from verify.core.figures import Array
 
-LAWS = 2048  # of both contacts: the crowns of two factorials and of the searches after them
-HEADROOM = 2.5  # of the static load: a load that comes at once swings to twice, or a little less
+LAWS = 2048  # laws of both contacts: crowns of two factorials and of the searches after them
+HEADROOM = 2.5  # over the static load: a sudden load reaches nearly twice the static load
 
 
 def parts(q: SpragInputs) -> SpragClutchParts:

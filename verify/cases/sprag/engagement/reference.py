@@ -30,16 +30,16 @@ if TYPE_CHECKING:
     from analytic.sprag.events import Events
     from analytic.sprag.history import Engagement
 
-LEVELS = (1, 2, 4)  # steps in the one of the inputs
-ORDER = (4.0, 2.0, 1.0, 0.5)  # steps of the inputs in one, of which the order is fitted
-FINEST = 16  # steps in the one of the inputs that those are measured by
-FIRST = 1.3  # of the time of the first peak, which the partner is followed to
+LEVELS = (1, 2, 4)  # steps in a step of the inputs
+ORDER = (4.0, 2.0, 1.0, 0.5)  # step over the step of the inputs, for the fit of the order
+FINEST = 16  # steps in a step of the inputs, as reference for the order
+FIRST = 1.3  # end time of the partner over the time of the first peak
 RTOL = 1e-8
 COARSER = 1500  # intervals of the table by which the error of its cubics is estimated
-LEAST = 1e-7  # of a value: half of what a table of 500 intervals changes, 4000 change 6e-9
-SPLINES = 1e-6  # of a value, standard: LSODA's force is another spline through the states
-CROSSED = 1e-6  # of a frequency: crossings are read on straight lines between samples
-STUCK = 0.05  # of a step, within which the time of sticking is known
+LEAST = 1e-7  # relative: half the effect of a table of 500 intervals; 4000 change 6e-9
+SPLINES = 1e-6  # standard, relative: LSODA's force is another spline through the states
+CROSSED = 1e-6  # relative to a frequency: crossings by linear interpolation of samples
+STUCK = 0.05  # uncertainty of the time of sticking, in steps
 SHOWN = 601  # samples that are stored
 ACROSS = 240  # moments in figures of pressure
 

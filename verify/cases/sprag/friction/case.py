@@ -14,8 +14,8 @@ from verify.core.figures import Equation
 from verify.core.references import BY_INTEGRATION
 from verify.form.adapter import adapted
 
-MOST_STEPS = 50_000  # of a level: several hundred engagements are run
-SURE = 1.1  # of the required friction
+MOST_STEPS = 50_000  # steps of a level: several hundred engagements are run
+SURE = 1.1  # over the required friction
 
 
 class SpragFriction(FrictionFormulas):

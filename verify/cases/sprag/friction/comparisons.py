@@ -26,7 +26,7 @@ from verify.judging.tolerance_checks import (
 
 BOUNDARY, GUARDED = 0.02, 1e-3  # accepted
 CLOSURE = "closure of Eqs. 9 and 10, N as at rest"
-SPREAD = 0.1  # of the right force, and more, between torques that are nearly equal
+SPREAD = 0.1  # least spread, relative to the correct force, for nearly equal torques
 WEAK = "springs a 25th as stiff, at the start of which sprags slip"
 UNEQUAL = "N_e = N_i in Eqs. 14-16, where a strut has N_e/N_i = cos ω/cos ν"
 

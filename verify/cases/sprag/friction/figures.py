@@ -16,10 +16,10 @@ from verify.form.plots import dashes, dots, line, plot
 from verify.form.sketches import arrow, shape, text
 
 ms, kN = 1e-3, 1e3
-FASTEST = 5.0  # over gamma_b, the sliding speeds of the law
-EARLY = 40  # steps after the start in which a contact comes to rest, or does not
+FASTEST = 5.0  # sliding speeds of the law's curve over gamma_b
+EARLY = 40  # displayed steps after the start, in which a contact comes to rest or not
 FINE = 141  # torques in the map
-HIGH = 0.3  # friction up to which the map goes
+HIGH = 0.3  # largest friction of the map
 
 
 def sketch(q: EngagementInputs) -> Sketch:

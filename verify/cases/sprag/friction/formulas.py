@@ -15,8 +15,8 @@ from verify.cases.sprag.engagement.model import wedge
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.figures import Array, Equation
 
-WEAK = 0.04  # of the energizing springs' stiffness: with these the sprags slip at the start
-BELOW = 0.9  # of tan(nu_0), the friction with which they slide permanently
+WEAK = 0.04  # stiffness of weak springs over the given one: sprags slip at the start
+BELOW = 0.9  # friction over tan(nu_0) for permanent sliding
 
 
 def asked(q: EngagementInputs, factor: float = 1.0) -> tuple[float, float]:

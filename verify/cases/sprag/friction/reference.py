@@ -25,21 +25,21 @@ from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.case import FemResult
 from verify.core.figures import Array
 
-LEVELS = (1, 2, 4)  # steps in the one of the inputs
-TORQUES = (0.6, 1.0, MORE)  # of T
-OVER = np.array([0.2, 0.4, 0.6, 0.8, 1.0, 1.2, 1.4, MORE])  # of T, in the map
-BRACKET = (0.9, 1.1)  # of the required friction
+LEVELS = (1, 2, 4)  # steps in a step of the inputs
+TORQUES = (0.6, 1.0, MORE)  # over T
+OVER = np.array([0.2, 0.4, 0.6, 0.8, 1.0, 1.2, 1.4, MORE])  # torques of the map, over T
+BRACKET = (0.9, 1.1)  # over the required friction
 HALVINGS = 12
 SPEED = 100.0  # rad/s of a race that slides on
 HEAVY = 1e9  # times its inertia, for constant speed
-SLIDES, SETTLES = 16, 5  # periods of the engagement in which sliding, and the end, are steady
-UNTIL = 1.3  # of the time of the first peak
+SLIDES, SETTLES = 16, 5  # periods of the engagement until sliding, and the end state, are steady
+UNTIL = 1.3  # over the time of the first peak
 NARROW = 1e-3  # m/s: the band of which the subject warns
-NEARLY = 1e-9  # of a torque, by which 16 of them differ
-ROUGH = 1e-6  # of LSODA, where a thousandth is required
-SWEEP = ((0.4, 1.0), (MORE, 1.0), (MORE, 2.0))  # of T, and of mu_s
+NEARLY = 1e-9  # relative difference of 16 nearby torques
+ROUGH = 1e-6  # tolerance of LSODA; 1e-3 is required
+SWEEP = ((0.4, 1.0), (MORE, 1.0), (MORE, 2.0))  # torque over T, friction over mu_s
 BANDS = (1.0, 0.1, 0.01, 1e-3, 1e-4)  # m/s
-STEPS = (2.0, 1.0, 0.5, 0.2)  # of the time step, in the sweep of the guard
+STEPS = (2.0, 1.0, 0.5, 0.2)  # over the time step, in the sweep of the guard
 
 
 def solve(q: EngagementInputs, level: int) -> FemResult:

@@ -15,10 +15,10 @@ from verify.cases.sprag.statements import FITTED, Beside, OfPaper, measured
 from verify.core.case import Check, Context
 from verify.core.figures import Array
 
-NEAR = 0.01  # of the optimal crown's pressure: what is as good
-ON_BOUND = 1e-3  # of a range
-FLAT = 0.005  # of it, that bounds the valley
-SURE = 1e-3  # of a pressure, which engagements are surely good for
+NEAR = 0.01  # relative excess over the optimal crown's pressure that counts as equal
+ON_BOUND = 1e-3  # relative to a range
+FLAT = 0.005  # relative excess that bounds the valley
+SURE = 1e-3  # relative accuracy of pressures by engagements
 
 
 def best(context: Context) -> float:

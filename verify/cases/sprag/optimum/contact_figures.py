@@ -20,7 +20,7 @@ from verify.core.figures import Array, Curves, Figure
 from verify.form.plots import curve, dashes, dots, line, plot
 
 MPa, mm, um = 1e6, 1e-3, 1e-6
-BELOW, ABOVE = 0.6, 1.4  # times the slices' largest pressure: what figures show
+BELOW, ABOVE = 0.6, 1.4  # range of figures over the slices' largest pressure
 
 
 def names(context: Context) -> dict[str, str]:

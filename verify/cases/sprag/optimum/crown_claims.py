@@ -27,10 +27,10 @@ from verify.core.results import Row, Status
 from verify.judging import judge
 from verify.judging.profile_checks import Estimated
 
-STRIPPED, CELLS = (41, 81, 161), (384, 512, 768)  # of a sprag's length
+STRIPPED, CELLS = (41, 81, 161), (384, 512, 768)  # strips and cells on a sprag's length
 HALF_SPACE = "half-space"
-EDGE = 1e-4  # of a pressure: effect of the position of cells on the edge of the contact
-SPREAD = 3.0  # times the last difference: uncertainty of what is refined
+EDGE = 1e-4  # relative effect of cell positions at the contact's edge on a pressure
+SPREAD = 3.0  # uncertainty of refined values over their last difference
 GROWS = 0.02  # at each refinement, of a pressure that has no largest
 NONE_FREE = "no crown with unloaded ends was found: surrogate and strips do not agree on one"
 

@@ -21,8 +21,8 @@ from verify.core.figures import Array
 from verify.form.adapter import adapted
 
 DESIGNS, SEED = 200, 3
-PARTS = (0, 1, 2)  # of the measurement
-ENGAGEMENTS = 400  # of DIRECT
+PARTS = (0, 1, 2)  # parts of the measurement
+ENGAGEMENTS = 400  # number of engagements for DIRECT
 SEEDS = 10
 
 

@@ -42,7 +42,7 @@ def freed_fem(q: OptimumInputs, x: Array, N: Array) -> dict[str, Array]:
     agree on a crown. Engagements and contacts that are not solved raise errors.
     """
     one = built(q)
-    R = one.radii(wedged(one.clutch, float(np.median(N))))[0]  # which the crowns hardly change
+    R = one.radii(wedged(one.clutch, float(np.median(N))))[0]  # nearly independent of the crown
     gaps = np.array([crowned(with_crown(q, crown), STRIPS) for crown in x])
     by = in_strips(q, gaps, R, N)
     known = answers(Peaks(x, np.array([q.T]), N[:, None], by.pressure[:, None], "strips"))
@@ -69,7 +69,7 @@ def pressed_fem(q: OptimumInputs, crown: Array) -> dict[str, Array]:
     for n in STRIPPED:
         by = in_strips(q, crowned(mine, n), R, load)
         found |= {f"strips {n}": by.pressure, f"strips mid {n}": by.mid}
-    width = None  # of the patch, the same for all cells
+    width = None  # width of the patch, common to all cells
     for across, along in CELLS:
         solid = press_roller(crowned(mine, along), length=q.l, R=R, E_star=E_star, load=load,
                              cells=(across, along), width=width)  # fmt: skip

@@ -23,7 +23,7 @@ from verify.core.tex import tex
 
 LEVELS = (41, 81, 161)  # strips along a sprag
 UM = 1e-6
-MOST_STEPS = 50_000  # of an engagement, of which a study has hundreds
+MOST_STEPS = 50_000  # steps of an engagement; a study has hundreds of engagements
 
 
 class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an input

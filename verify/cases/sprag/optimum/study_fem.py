@@ -15,7 +15,7 @@ from verify.cases.sprag.optimum.inputs import OptimumInputs
 from verify.cases.sprag.peaks import peaks_fem
 from verify.core.figures import Array
 
-EXTRA_SEED = 1  # of the extra designs
+EXTRA_SEED = 1  # random seed of the extra designs
 
 
 def study_fem(q: OptimumInputs) -> dict[str, Array]:

@@ -15,15 +15,15 @@ from verify.judging.claims import Claim
 from verify.judging.tolerance_checks import SUBJECT, Agreement, Deviation, Pair, suites
 
 MEAN, LARGEST, AGREE = 0.005, 0.03, 0.005  # accepted errors of a surrogate
-SEARCHES = 1e-3  # by which searches of one surrogate may differ
-NEAR = 1e-3  # of the optimal crown's pressure: where a search has found it
-BLIND = 0.1  # of the error at fresh designs
-LEFT_OUT = 7  # designs that are left out one by one
-BOUND = 1e-6  # beyond which a condition number proves nothing
+SEARCHES = 1e-3  # relative difference of searches on the same surrogate
+NEAR = 1e-3  # relative excess over the optimum at which a search has found it
+BLIND = 0.1  # over the error at new designs
+LEFT_OUT = 7  # number of designs left out, one at a time
+BOUND = 1e-6  # largest bound by condition number that is conclusive
 EPS = float(np.finfo(np.float64).eps)
 
 Named = Callable[[str], Array]  # arrays of a regime by name
-Pairs = tuple[Array, Array, float]  # of both sides, and their scale
+Pairs = tuple[Array, Array, float]  # values of both sides, and their scale
 
 
 def agrees(

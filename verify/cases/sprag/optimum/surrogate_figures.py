@@ -16,7 +16,7 @@ from verify.jobs.deep_results import measured as deep_measured
 from verify.papers.ledger import published
 
 MPa, PERCENT = 1e6, 100
-ASIDE = np.array([0.42, 0.30])  # of the third axis in an oblique view
+ASIDE = np.array([0.42, 0.30])  # direction of the third axis in an oblique view
 TABLE_2 = 10  # rows
 
 

@@ -10,10 +10,10 @@ from analytic.sprag.closure import wedged
 from verify.cases.sprag.wedge.formulas import WedgeFormulas
 
 HARD = 4000e6  # Pa, static limit of hardened rollers (ISO 76)
-FRICTION = 0.1  # of oiled steel, upper estimate
-WIDE = 0.12  # a/r up to which these finite elements are used: displacements are small
-BENT = 0.1  # of a race's wall: by how much more it bends, its forces move along it
-MOST = 1.9  # of N_0, that the stroke of the finite elements goes to
+FRICTION = 0.1  # upper estimate for oiled steel
+WIDE = 0.12  # largest a/r for these finite elements, which assume small displacements
+BENT = 0.1  # deflection over a race's wall above which its forces shift along it
+MOST = 1.9  # end of the finite-element stroke over N_0
 ZONES = 2.2  # half-widths that meshes need between a contact and a flank
 NEAREST = 0.29  # of half the outline: a quarter, and what the rotation is uncertain by
 TURNED = 0.6  # rad

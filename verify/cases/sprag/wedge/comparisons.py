@@ -36,7 +36,7 @@ EIGHTH = 0.02, "a formula 12 % off: two per cent are sufficient"
 ROLLERS = "a sprag's statics as sharp as those of a roller freewheel"
 EDGE = 1  # order of values that depend on the end of a contact within a cell
 PLANE = "plane strain"
-WIDEST = 1.5  # of the sensitivity: an interval that leaves a user's row sufficiently sensitive
+WIDEST = 1.5  # widest interval over the required sensitivity of a user's row
 COLUMN = f"{PLANE}, the sprag as a column with rounded ends"
 
 

@@ -16,7 +16,7 @@ from verify.core.figures import Array, Bars, Curve, Curves, Figure, Panel, Profi
 from verify.form.plots import curve, dots, line, plot
 from verify.judging.profiles import along
 
-FINE = np.linspace(0.005, 1.88, 94)  # of N_0, where curves are drawn
+FINE = np.linspace(0.005, 1.88, 94)  # forces of the curves over N_0
 DEGREE = math.degrees(1.0)
 DRAWN = (0.0, 0.5, 1.0, 1.8)  # of N_0
 

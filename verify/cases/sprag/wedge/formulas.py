@@ -36,7 +36,7 @@ def mean_of(E: str, N: str, radii: tuple[str, str], nu: str) -> str:
 class WedgeFormulas(WedgeInputs, Case):
     """A sprag between two races; contacts, sprag and races deflect as elastic bodies."""
 
-    share: ClassVar[float | None] = None  # of N_0, under which the quantities are; None is under T
+    share: ClassVar[float | None] = None  # load of the quantities over N_0; None means the torque T
 
     def at_share(self, share: float) -> Self:
         """The same clutch under `share` of a rigid one's normal force in place of T."""

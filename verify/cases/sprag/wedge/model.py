@@ -11,7 +11,7 @@ from analytic.sprag.elastic import ElasticSpragClutch
 from analytic.sprag.parts import SpragClutchParts
 from verify.cases.sprag.inputs import WedgeInputs
 
-MESHES = 5e-4  # of angles of a user's sprags; on the case's, meshes were refined to convergence
+MESHES = 5e-4  # error of angles of user sprags; the meshes of the case were refined to convergence
 
 
 @lru_cache(maxsize=32)

@@ -15,14 +15,14 @@ from verify.form.fields import plane_field
 Array = NDArray[np.float64]
 
 LEVELS = (9, 12, 15)  # cells on half a fine zone, of which contacts take 6, 8, 10
-GRID = np.linspace(0.2, 1.8, 9)  # of N_0, where profiles are compared
-ONSET = 5e-4  # of tan(nu): to either side of the friction that just holds
+GRID = np.linspace(0.2, 1.8, 9)  # forces of the compared profiles over N_0
+ONSET = 5e-4  # relative to tan(nu): friction below and above the limit
 SLIPS = 1  # the state, at a quarter of N_0, whose friction is lowered
 # contacts end at another place in a cell on each mesh: measured by zones 1 % wider and narrower
-NOISE, PEAKS, EDGES = 1e-4, 2e-4, 6e-4  # of forces and deflections, pressures and half-widths
-SPLINE = 5e-6  # of a value: what splines miss
+NOISE, PEAKS, EDGES = 1e-4, 2e-4, 6e-4  # for forces and deflections; pressures; half-widths
+SPLINE = 5e-6  # relative error of splines
 # the states of the stroke, and of what is read there the name in the sweep
-STROKE = {"quarter": 0.25, "half": 0.5, "rigid": 1.0, "most": 1.8}  # of N_0
+STROKE = {"quarter": 0.25, "half": 0.5, "rigid": 1.0, "most": 1.8}  # over N_0
 AT_FORCE = {"mu_i": "tan nu", "mu_e": "tan omega", "T": "T", "alpha": "alpha", "H": "H",
             "mean_i": "mean i", "mean_e": "mean e", "race_i": "race i", "race_e": "race e",
             "p_i": "p_i", "p_e": "p_e", "a_i": "a_i", "a_e": "a_e"}  # fmt: skip
@@ -40,7 +40,7 @@ def solve(q: WedgeInputs, level: int) -> FemResult:
         values[f"theta_{name}"] = float(sweep.turn_by_energy(at)[0])
     values["secant_rigid"] = values["T_rigid"] / values["theta_rigid"]
     values |= statics(sweep)
-    if level <= LEVELS[0]:  # on coarse meshes all the same
+    if level <= LEVELS[0]:  # equal for all contacts on coarse meshes
         values |= onset(sweep)
     states, grid = sweep.at_states, GRID * N_0
     arrays = {

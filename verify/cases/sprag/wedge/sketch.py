@@ -10,7 +10,7 @@ from verify.core.figures import Array, Shape, Sketch
 from verify.form import sketches
 from verify.form.sketches import arrow, leader, shape, text
 
-SIDE = 0.42  # of the drawing's height: room for labels on either side
+SIDE = 0.42  # over the height of the drawing: space for labels on both sides
 
 
 def outline(q: WedgeFormulas, *, turned: float, alpha_b: float, OC_e: float) -> Array:

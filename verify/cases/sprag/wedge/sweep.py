@@ -18,7 +18,7 @@ from meshes.sprag.wedged import Place
 from verify.cases.sprag.inputs import WedgeInputs
 from verify.cases.sprag.stroke import at_force
 
-SHARES = (0.03, 0.22, 0.5, 1.0, 1.86)  # of N_0
+SHARES = (0.03, 0.22, 0.5, 1.0, 1.86)  # forces of the states over N_0
 GROWS = 0.965  # power of N with which rotations grow
 FINER = 8  # cells for the width of contacts
 

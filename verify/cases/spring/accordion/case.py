@@ -36,7 +36,7 @@ from verify.judging.published_checks import Contradiction, PrintedMeasurement
 
 TEST_FORCE = 11.0  # N, the largest of Sec. 4
 EQ_9_SOURCE = "axial and shear energy of the force method, within a tenth of itself"
-CENTRE_LINE = 0.02  # of the error by the radius: what elements and shear may move
+CENTRE_LINE = 0.02  # over the error by the radius: effect of elements and shear
 RADIUS_SOURCE = "force method on the centre line, axial force and shear included"
 PRINTED = ("wang2023:k1-theory", "wang2023:k1-fea", "wang2023:k1-test")
 SHARED = "beam theory, small displacements, E I of a narrow strip"
@@ -59,7 +59,7 @@ class AccordionSpring(FreeStage):
     source = "wang2023"
     place = "Sec. 1.2, Eqs. 1-9; Table 1"
     levels: ClassVar = (4, 8, 16, 32)
-    ends: ClassVar[Ends] = COMBINED[0]  # of the stiffnesses k_N and k_V
+    ends: ClassVar[Ends] = COMBINED[0]  # ends for the stiffnesses k_N and k_V
     portions: ClassVar = (
         Portion(name="k_1", fem=solve_paper, levels=(4, 8, 16), keys=(PAPER.named("k_V"),)),
     )

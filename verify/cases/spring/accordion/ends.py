@@ -31,7 +31,7 @@ class Ends(NamedTuple):
 
 def _combined() -> Iterator[Ends]:
     for head, tail, hold in product(HEADS, TAILS, HOLDS):
-        if (head, hold) == ("free", "hinged"):  # that one swings freely
+        if (head, hold) == ("free", "hinged"):  # a mechanism
             continue
         hinged, how = ("", "") if hold == "clamped" else ("_hinged", " hinged")
         key = f"{head}_{tail.replace('-', '_')}{hinged}".replace("free_arc", "")

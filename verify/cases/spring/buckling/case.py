@@ -25,9 +25,9 @@ from verify.form.adapter import adapted
 from verify.judging.checks import Accepted, Limit
 from verify.judging.tolerance_checks import Agreement, suites
 
-CUBE = 1e-3  # of the exponent, which strain and shear change by (b/L_1)^2
-SPREAD = 0.005  # of U_cr over a fourfold thickness
-HINGED_TO = 0.7  # of the free length
+CUBE = 1e-3  # tolerance of the exponent; strain and shear change it by (b/L_1)^2
+SPREAD = 0.005  # spread of U_cr over a fourfold thickness
+HINGED_TO = 0.7  # over the free length
 NOT_FOUND = "no equilibrium of the elastica was found before a critical point"
 FEW = 5e-4, "one unit, a few curved elements"
 EXACT = 1e-3, "exact elastica and exact beam"

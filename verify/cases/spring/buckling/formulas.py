@@ -17,7 +17,7 @@ from verify.cases.spring.inputs import strip_of
 from verify.cases.spring.limits import Share
 
 MOST = 24  # segments of an elastica that a check has time for
-SEARCHED = np.linspace(0.05, 0.75, 15)  # of the free length, for critical points
+SEARCHED = np.linspace(0.05, 0.75, 15)  # compressions over the free length, for critical points
 HELD_HEADS: tuple[column.Head, ...] = ("hinged", "guided")
 UNIT = "unit-load integrals of a middle unit"
 HARINGX = "Haringx's column"
@@ -63,7 +63,7 @@ def _flexibility(q: BucklingInputs, tail: frame.Tail) -> float:
 class BucklingFormulas(BucklingInputs, Case):
     """Lateral buckling of a spring; no value where it does not buckle."""
 
-    tail: ClassVar[frame.Tail] = "arc"  # where the elastica's is held
+    tail: ClassVar[frame.Tail] = "arc"  # clamped end of the elastica
 
     U_cr = Quantity("U_cr", "mm", "displacement at which the spring with a free head buckles",
                     source=EXACT).reads(lambda q: q._critical.get("U_cr", math.nan))  # fmt: skip

@@ -9,13 +9,13 @@ from verify.core.inputs import quantity
 
 TAILS: tuple[Literal["arc"], Literal["mid-leaf"]] = ("arc", "mid-leaf")
 KEYS = {"arc": "", "mid-leaf": "_mid_leaf"}  # end the names of numbers
-DRIFT = (Share(0.5), Share(0.9))  # of the load P, at which the drift is compared
-THICKNESSES = (0.5, 1.0, 1.5, 2.0)  # of b
+DRIFT = (Share(0.5), Share(0.9))  # loads over P at which the drift is compared
+THICKNESSES = (0.5, 1.0, 1.5, 2.0)  # thicknesses over b
 MANY = (16, 24, 36, 54)  # units, increasing
 RATIO = 240.0  # L_0/b of Eq. 13
 SAME_RATIO = (8, 12, 20)  # units at that ratio
 MAP_N = (6, 8, 10, 14, 20)
-MAP_L1 = (0.5, 1.0, 1.5, 2.0)  # of L_1
+MAP_L1 = (0.5, 1.0, 1.5, 2.0)  # lengths over L_1
 
 
 class BucklingInputs(SpringInputs):

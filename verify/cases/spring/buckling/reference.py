@@ -25,9 +25,9 @@ if TYPE_CHECKING:
     from fem.beam.pressed import PressedFrame
 
 SWEPT = 8  # the level of sweeps and the map
-COARSE = 4  # of springs of another shape
-SHOWN = 0.1  # of the free length: a free head's shape in the figure
-LAST = 0.75  # of the free length: leaves of any spring would have met
+COARSE = 4  # grid of springs with other shapes
+SHOWN = 0.1  # compression over the free length for the figure of a free head
+LAST = 0.75  # over the free length: the leaves of any spring touch before
 UNIT_PIECES = slice(2, 5)  # arc, leaf, arc of the first middle unit
 
 

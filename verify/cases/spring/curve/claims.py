@@ -26,9 +26,9 @@ from verify.core.figures import Array
 from verify.judging.checks import Margin
 
 mm = 1e-3
-FORCE = 0.04  # of Eq. 10, along the curve
-SETTLED = 1e-4  # of b: how early contact may act, or late
-STIFFER = 10.0  # times k_2, once all loops meet
+FORCE = 0.04  # relative to Eq. 10, along the curve
+SETTLED = 1e-4  # over b: tolerance of the gap at which contact acts
+STIFFER = 10.0  # over k_2, once all loops touch
 
 
 def curve(context: Context, level: int = FINE) -> Array:

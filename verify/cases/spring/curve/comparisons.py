@@ -8,12 +8,12 @@ from verify.cases.spring.stages.readings import eq10
 from verify.judging.checks import Accepted, Limit
 from verify.judging.tolerance_checks import Deviation, suites
 
-PENETRATION = 1e-4  # of b: contact is settled to that
-SAME_CONTACT = 0.002  # of a slope, whatever the contact's stiffness
-HALVED = 0.003  # of a slope, on a mesh of half the size
-BALANCE = 1e-5  # of the work
-RETRACED = 1e-5  # of the force: contact is settled to 1e-4 b, a few millionths of it
-K1, K2, CROSSING = 0.01, 0.05, 0.05  # of Eq. 10
+PENETRATION = 1e-4  # over b: tolerance of the contact gap
+SAME_CONTACT = 0.002  # relative change of a slope with the contact stiffness
+HALVED = 0.003  # relative change of a slope on a mesh of half the size
+BALANCE = 1e-5  # relative to the work
+RETRACED = 1e-5  # relative to the force: contact within 1e-4 b changes it by a few 1e-6
+K1, K2, CROSSING = 0.01, 0.05, 0.05  # relative to Eq. 10
 FITTED = "calibrated: of the readings the one whose k_1 is nearest to that of Eq. 10"
 ASKED = "the required sensitivity of slopes, 1 %"
 LIMIT = "linear theory is exact where leaves turn by nothing; 0.2 % settles the closed form"

@@ -12,7 +12,7 @@ from verify.cases.spring.stages.inputs import refuse_wider
 from verify.core.inputs import quantity, word
 
 Arcs = Literal["r", "r + b/2"]
-SHORTEST = 0.05  # of the free length: a curve shorter than that shows nothing
+SHORTEST = 0.05  # shortest useful curve over the free length
 LONGEST = 0.72
 
 

@@ -15,14 +15,14 @@ LEVELS = (4, 6, 8)  # cells of an arc and of a leaf
 COARSE, READINGS, FINE = LEVELS
 GRID = 68  # states over the stroke on the finest mesh
 HALF, QUARTER = GRID // 2, GRID // 4  # on the coarse mesh, and of its variants and the readings
-FIRST = 1e-6  # of the stroke, for the stiffness at rest
+FIRST = 1e-6  # over the stroke, for the initial stiffness
 TIMES = (0.1, 10.0)  # the contact's usual stiffness
-BACK = (14, 10, 6)  # of the variants' states, unloading
-BEYOND = np.arange(1, 41) * 0.006  # of the stroke, beyond it
+BACK = (14, 10, 6)  # indices of the variants' states, unloading
+BEYOND = np.arange(1, 41) * 0.006  # steps beyond the stroke, over the stroke
 ROUND_OFF = 1e-9
-THIN = (0.01, 0.005, 0.002, 0.001)  # r over L_1, towards leaves that stay parallel
+THIN = (0.01, 0.005, 0.002, 0.001)  # r over L_1, towards parallel leaves
 THIN_UNITS, THIN_SLOPE, THIN_CELLS = 10, 1.5, (2, 3)
-THIN_GRID = (10.0, 14.0, 15.6, 16.0)  # of the loops' radius
+THIN_GRID = (10.0, 14.0, 15.6, 16.0)  # displacements over the radius of the loops
 
 
 def spring_of(q: CurveInputs, **changed: Any) -> Spring:

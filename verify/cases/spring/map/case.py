@@ -30,7 +30,7 @@ from verify.judging.checks import Accepted
 from verify.judging.published_checks import Contradiction
 from verify.judging.tolerance_checks import Agreement, demanded, suites
 
-WAY = 0.01  # of the force at the end of a straight path
+WAY = 0.01  # relative to the force at the end of a straight path
 EXACT = 1e-3, "exact elastica and exact beam"
 SHARED = "narrow strip, E I; no contact of leaves"
 

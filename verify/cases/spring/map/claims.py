@@ -12,7 +12,7 @@ from verify.judging.tolerance_checks import Pair
 
 CLAIMED, FROM = 0.10, 240.0  # the paper's error at larger L_0/b
 THIRD = 1 / 3
-NOISE = 1e-4  # of the maps' finite elements
+NOISE = 1e-4  # relative error of the finite elements of the maps
 
 
 def errors(q: MapInputs, cells: list[list[Cell]], k: Any) -> Any:

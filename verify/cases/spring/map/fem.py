@@ -13,8 +13,8 @@ if TYPE_CHECKING:
     from fem.beam.pressed import PressedFrame
 
 MAPPED = 8  # the level of the maps
-PER_ARC, PER_LEAF = 4, 2  # of the cells of a map
-ON_LINE = (0.25, 0.5, 1.0, 1.5, 2.0)  # of b, on one centre line
+PER_ARC, PER_LEAF = 4, 2  # elements for the cells of a map
+ON_LINE = (0.25, 0.5, 1.0, 1.5, 2.0)  # thicknesses over b, on the same centre line
 
 
 def solve(q: MapInputs, level: int) -> FemResult:

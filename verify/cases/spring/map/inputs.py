@@ -9,7 +9,7 @@ from pydantic import model_validator
 from verify.cases.spring.inputs import SpringInputs, length_of
 from verify.core.inputs import quantity
 
-SHARES = (0.3, 0.6)  # of the free length: the limits of Eq. 12
+SHARES = (0.3, 0.6)  # over the free length: the limits of Eq. 12
 SLENDER = (60.0, 120.0, 240.0, 480.0)  # L_0/b
 SEGMENTS = (4, 6, 10, 16, 24)
 LEAVES = (8.0, 16.0, 26.0, 40.0)  # L_1/r

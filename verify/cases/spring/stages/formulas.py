@@ -13,7 +13,7 @@ from verify.cases.spring.claims import loaded, other_width
 from verify.cases.spring.inputs import strip_of
 from verify.cases.spring.stages.inputs import StagesInputs
 
-LINEAR = 0.1  # U_A over L_0 up to which lengths may be taken as unchanged
+LINEAR = 0.1  # largest U_A over L_0 for unchanged lengths
 PARALLEL = math.radians(5)
 TIPS = "closed form of the touching tips"
 
@@ -26,7 +26,7 @@ def narrow(q: Any) -> bool:
 class StageFormulas(StagesInputs, Case):
     """Point A, where the first tip touches, and the stiffness before and beyond."""
 
-    theory: ClassVar[Theory] = "thin"  # of the stages below
+    theory: ClassVar[Theory] = "thin"  # theory of the stages below
     normal: ClassVar[Normal] = "force"
     inner: ClassVar[bool] = False  # whether arcs have the inner radius
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from fem.beam.section import Section
     from meshes.line import LineMesh
 
-SHARES = np.linspace(0.0625, 0.6875, 11)  # of the length between head and tail
+SHARES = np.linspace(0.0625, 0.6875, 11)  # over the length between head and tail
 SUPPORTS = {"free": "", "hinged": "y", "guided": "yr"}
 
 

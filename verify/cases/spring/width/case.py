@@ -34,8 +34,8 @@ from verify.judging.tolerance_checks import BOTH_WAYS, Agreement, suites
 
 MOST = 30  # segments that shells are solved for
 FOIL = 3000  # thicknesses in a leaf's length, beyond which narrow shells are ill-conditioned
-PLATE = 3.0  # widths over the thickness from which a leaf is a plate
-SLENDER = 0.2  # of a leaf's length, that an arc is long
+PLATE = 3.0  # least width over the thickness of a leaf as a plate
+SLENDER = 0.2  # length of an arc over the length of a leaf
 HELD = 5e-4, "a shell with held edges is a beam"
 PLATES = 5e-4, "a thin leaf is Kirchhoff's plate"
 FIFTH = "a fifth of the acceptance figure"

@@ -23,14 +23,14 @@ from verify.papers.ledger import published
 
 OfContext = Callable[[Context], Pair]
 N_PER_MM = 1e3
-LIMIT = 0.005  # of the factor at the ends of the sweep
-TAKEN = 0.002  # of the factor that the whole curve is computed with
-ESTIMATE = 0.001  # of the factor, by a leaf's
-SWEEP = 0.005  # the same over all widths
-SOLID = 1e-3  # of the factor, by solids
-HEAD = 5e-4  # of the factor, whatever holds the head and the tail
-UNIFORM = 5e-5  # of the factor, however the head's force spreads
-MET = 0.01  # of the printed stiffness
+LIMIT = 0.005  # tolerance of the factor at the ends of the sweep
+TAKEN = 0.002  # tolerance of the factor used for the whole curve
+ESTIMATE = 0.001  # tolerance of the factor from a leaf's factor
+SWEEP = 0.005  # likewise over all widths
+SOLID = 1e-3  # tolerance of the factor against solids
+HEAD = 5e-4  # change of the factor with the supports of head and tail
+UNIFORM = 5e-5  # change of the factor with the distribution of the head's force
+MET = 0.01  # relative to the printed stiffness
 
 
 def relative_uncertainty(context: Context, key: str, formal: float | None = None) -> float:

@@ -21,19 +21,19 @@ if TYPE_CHECKING:
     from meshes.spring.path import Piece
 
 LEVELS = (2, 3, 4)  # cells of an arc
-SWEPT = 2  # the level of sweeps and of ends other than those of the inputs
+SWEPT = 2  # level for sweeps and for other end conditions
 ENDS: tuple[tuple[Tail, Head], ...] = (
     ("arc", "free"), ("arc", "guided"), ("mid-leaf", "free"), ("mid-leaf", "guided"),
 )  # fmt: skip
 HEADS = {"free": "", "hinged": "y", "guided": "yabc"}
-NARROW = (0.2, 0.5, 1.0, 2.0, 4.0)  # widths over the thickness, or over THREAD where that is more
-THREAD = 1 / 120  # of a leaf's length: narrower ones are ill-conditioned
+NARROW = (0.2, 0.5, 1.0, 2.0, 4.0)  # widths over the thickness or over THREAD, whichever is larger
+THREAD = 1 / 120  # over a leaf's length: narrower strips are ill-conditioned
 MEDIUM = (0.1, 0.2, 0.4, 0.7, 1.0)  # widths over a leaf's length
 WIDE = (2.0, 5.0, 10.0, 30.0, 90.0)
-RATIOS = (Share(0.2), Share(1.0), Share(5.0))  # of a thin leaf's width over its length
+RATIOS = (Share(0.2), Share(1.0), Share(5.0))  # width over length of a thin leaf
 THIN = 3e-5  # thickness over length of a leaf that is Kirchhoff's plate
 BOTH = (20.0, 100.0)  # widths over the thickness at which solids are compared with shells
-ROUND_OFF = 1e-12  # of the energy
+ROUND_OFF = 1e-12  # relative to the energy
 
 
 def solve(q: WidthInputs, level: int) -> Level:
