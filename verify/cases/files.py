@@ -111,7 +111,7 @@ def _loaded(path: Path) -> Case:
 
 
 def _told(error: BaseException, path: Path) -> str:
-    """One line: the place in the user's file and what is wrong there."""
+    """One line: place and cause of the error in the user's file."""
     if isinstance(error, SyntaxError):
         return f"{path.name}:{error.lineno}: {error.msg}"
     text = " ".join(str(error).split())

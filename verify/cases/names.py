@@ -1,4 +1,4 @@
-"""Names of rows in earlier versions, of which `renamed.toml` holds the parts that have changed."""
+"""Names of rows in earlier versions; `renamed.toml` holds the changed parts of names."""
 
 import tomllib
 from functools import cache
@@ -9,7 +9,7 @@ FILE = Path(__file__).with_name("renamed.toml")
 
 @cache
 def _parts() -> tuple[tuple[str, str], ...]:
-    """Parts of names as they were and as they are, in the order in which they apply."""
+    """Earlier and present parts of names, in their order of application."""
     listed = tomllib.loads(FILE.read_text("utf-8"))["renamed"]
     return tuple((one["was"], one["now"]) for one in listed)
 
@@ -26,7 +26,7 @@ def present_name(name: str) -> str:
 
 
 def former_name(name: str) -> str:
-    """An earlier name of a row, to search by old words; one of them where there are several.
+    """An earlier name of a row, for searches by old words; one of several if it had several.
 
     >>> former_name("freewheel-torque/wind-up, Eq. 7 as printed")
     'freewheel-torque/torsion, Eq. 7 as printed'

@@ -99,14 +99,14 @@ CASES = Listed(
     }
 )
 
-# what `verify --quick` runs: cheap ones of every subject
+# cases of `verify --quick`: cheap cases of every subject
 QUICK = (
     "ring-lame", "ring-rotation", "polyhedral-pressure", "polyhedral-ring", "freewheel-torque",
     "sprag-clutch", "spring-accordion", "spring-stages", "contact-press-fit",
     "contact-roller-flat", "rotor-clutch", "rotor-shaft",
 )  # fmt: skip
 
-# measured by `freewheel deep` alone
+# measured by `freewheel deep` only
 DEEP = Listed(
     {
         "spring-map-deep": "spring.map.case:DEEP_MAP",
@@ -117,7 +117,7 @@ DEEP = Listed(
 
 
 def find_any(case_id: str) -> Case:
-    """The case named `case_id`, deep ones included."""
+    """The case named `case_id`, including deep cases."""
     return DEEP.named(case_id) if case_id in DEEP.ids else find(case_id)
 
 
@@ -141,7 +141,7 @@ def find(case_id: str, among: Sequence[Case] | None = None) -> Case:
 
 
 def ids(cases: Iterable[Case]) -> tuple[str, ...]:
-    """The names of cases; those of the suite without an import."""
+    """The names of cases; the suite's cases are not imported."""
     return cases.ids if isinstance(cases, Listed) else tuple(case.id for case in cases)
 
 

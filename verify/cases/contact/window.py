@@ -12,12 +12,12 @@ Data = Mapping[str, tuple[Array, str]]  # values and their unit
 
 
 def named(found: Mapping[str, T], end: str) -> dict[str, T]:
-    """Numbers or arrays of one of several contacts, whose names end in `end`."""
+    """Numbers or arrays of a contact, with `end` appended to their names."""
     return {f"{key}{end}": value for key, value in found.items()}
 
 
 def field(name: str, cells: Mapping[str, Any], data: Data, at_nodes: Data | None = None) -> Field:
-    """Cells of a solution with their displacements and `data`, and what is given `at_nodes`."""
+    """Cells of a solution with their displacements, `data` and values `at_nodes`."""
     nodes = at_nodes or {}
     return Field(
         name=name, points=cells["points"], cells=cells["cells"].astype(np.int64),

@@ -1,7 +1,7 @@
-"""What both kinds of roller freewheels have in common, by the names of their parts.
+"""Common base of both kinds of roller freewheels, by the names of their parts.
 
 The cam has the flats, the race is round. `sense` is +1 for a star with flats in a ring and -1 for a
-cup with flats around a shaft, where the sense that draws a roller into the wedge is reversed.
+cup with flats around a shaft, for which the sense that draws a roller into the wedge is reversed.
 """
 
 from typing import Protocol

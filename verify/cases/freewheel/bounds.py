@@ -33,6 +33,6 @@ def of_star(q: OneClutch, state: RollerClutchState) -> StarBounds:
 
 
 def known(q: Star, interval: Interval, source: str = BRACKET) -> Expected:
-    """The interval; that of a user's star may be too wide to judge by."""
+    """The interval; for a user's star it may be too wide to judge by."""
     low, high = interval
     return Expected(low, high, source, sharp=q.is_default or high - low <= WIDEST)

@@ -24,7 +24,7 @@ def pitch(q: OneClutch) -> Pitch:
 
 
 def overlapping(q: OneClutch, d_i: float, d_o: float) -> Place:
-    """The roller's place in which its contacts overlap by these [m]."""
+    """The position of the roller at which its contacts overlap by the given values [m]."""
     return Place.overlapping(pitch(q), d_i, d_o)
 
 

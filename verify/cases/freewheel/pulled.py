@@ -56,6 +56,6 @@ class Pulled(Star):
         return bool(np.isfinite(limit) and limit > 0)
 
     def largest_axial_load(self, T: float) -> float:
-        """Axial load [N] at which the clutch slips under a torque; nan where it slips without."""
+        """Axial load [N] at slip under a torque; nan if the torque alone causes slip."""
         alpha = self.state.alpha if T == self.T else self.under(T).alpha
         return float(criterion.largest_axial_load(alpha=alpha, T=T, R=self.R, mu=self.mu))

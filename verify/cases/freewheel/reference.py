@@ -37,7 +37,7 @@ def under_torque(q: OneClutch, sweep: Sweep) -> dict[str, float]:
 
 
 def over_torque(q: OneClutch, sweep: Sweep) -> dict[str, Array]:
-    """Profiles over the torque, what the states are, and pressures of the heaviest one."""
+    """Profiles over the torque, the states, and pressures of the state with the largest load."""
     grid, at = GRID * q.T, sweep.at_states
     psi, d = np.array([(p.psi, p.to_race) for p in map(sweep.place, grid)]).T
     names, touches = sweep.q.names, sweep.last.solution.touches

@@ -1,4 +1,4 @@
-"""A roller freewheel with a flat star under torque: inputs, clutch, state, and what follows of it.
+"""A roller freewheel with a flat star under torque: inputs, clutch, state and results.
 
 The paper prints no dimensions of its two clutches; 5 µm of X change the clamping angle by
 0.08 deg, so that they cannot be guessed: the default clutch is synthetic.
@@ -23,7 +23,7 @@ LARGEST_ANGLE = math.radians(15)
 GIVEN = 10.0  # N_0/(L E'): both approaches together at the angle that is given
 WIDE = 0.12  # largest a/r for finite elements with small displacements
 BENT = 0.1  # deflection over the ring's wall above which forces shift along it
-BEYOND, EDGE = 1.1, 4.0  # of those approaches; half-widths up to the flat's corner
+BEYOND, EDGE = 1.1, 4.0  # over those approaches; least distance to the flat's corner in half-widths
 
 Load = Literal["T", "N_0", "ψ"]
 
@@ -37,9 +37,9 @@ def of_one_steel(q: OneClutch, cam: Cam) -> RollerClutch:
 
 
 class Rollers(Case):
-    """What stars and cups have in common: the elastic clutch, and the force of a rigid one."""
+    """Common base of stars and cups: the elastic clutch, and the force of a rigid clutch."""
 
-    load: ClassVar[Load] = "T"  # what the state of the formulas is given by
+    load: ClassVar[Load] = "T"  # load that defines the state of the formulas
 
     @shared
     def clutch(self: Any) -> RollerClutch:
@@ -57,7 +57,7 @@ class Rollers(Case):
         return float(self.T / (self.z * self.race * np.tan(self.cam.alpha0)))
 
     def loaded_by(self, load: Load) -> Self:
-        """The same clutch where N is N_0, or at the angle psi that is given."""
+        """This clutch at N = N_0, or at the given angle psi."""
         return self.variant(load=load)
 
 
@@ -101,7 +101,7 @@ class Star(Rollers):
             )
         return self
 
-    # what sectors of stars and cups have in common: see `verify.cases.freewheel.bodies`
+    # common to sectors of stars and cups: see `verify.cases.freewheel.bodies`
     @property
     def sense(self) -> int:
         """+1: load widens the angle."""
@@ -119,7 +119,7 @@ class Star(Rollers):
 
     @property
     def cam(self) -> InnerCam:
-        """The clutch's wedges; ValueError where there are none."""
+        """The clutch's wedges; ValueError if it has none."""
         return InnerCam(R=self.R, r=self.r, X=self.X, z=self.z)
 
     @shared
@@ -211,10 +211,10 @@ class Star(Rollers):
         return float(np.tan(self.state.alpha))
 
     def refusal(self) -> str:
-        """Where displacements under N_0 are not small."""
+        """Reason to refuse: displacements under N_0 are not small."""
         same, under = self.loaded_by("N_0"), "under T/(z R tan α_0)"
         for one in (self, same, self.loaded_by("ψ")):
-            _ = one.state  # ValueError where there is none
+            _ = one.state  # ValueError if it has none
         wide = max(same.a_i, same.a_o) / self.r
         if wide > WIDE:
             return (

@@ -19,7 +19,7 @@ def ray(angle: float) -> Array:
 
 
 def arc(r: float, start: float, end: float) -> Array:
-    """Points (m, 2) on a circle around the axis, from one angle [rad] to another."""
+    """Points (m, 2) on a circle around the axis, between two angles [rad]."""
     turn = np.linspace(start, end, 61)
     return np.asarray(r * np.column_stack([np.sin(turn), np.cos(turn)]))
 
@@ -97,7 +97,7 @@ def _flat(q: Any, half: float, low: float, tall: float, wide: float) -> tuple[Sh
 def _radii(
     q: Any, centre: Array, half: float, psi: float, tall: float, wide: float
 ) -> tuple[Shape, ...]:
-    """Radii on the right, one below the other, each with an arrow to its circle."""
+    """Radii in a column on the right, each with an arrow to its circle."""
     foot = min(q.R * math.cos(half + psi) - 0.06 * tall, q.R_a - 0.2 * tall)
     below = min(q.r_b, foot - 0.3 * tall)
     named = (

@@ -25,8 +25,8 @@ def accepted(
 ) -> Comparison:  # fmt: skip
     """The formula `q` with the forces of the reference, within a figure stated beforehand.
 
-    `share` names its ratio to the reference, less 1; the reference over it where `inverse`. How
-    much the last meshes differ is its uncertainty. `words` lead the error in the row.
+    `share` names its ratio to the reference minus 1 (inverse ratio if `inverse`). The difference
+    of the last meshes is its uncertainty. `words` precede the error in the row.
     """
 
     def pair(context: Context) -> Pair:

@@ -7,7 +7,7 @@ FRICTION = 0.1  # upper estimate for oiled steel
 
 
 def pressed(*pressures: float) -> Iterator[str]:
-    """A warning where a peak pressure [Pa] is more than that."""
+    """A warning if a peak pressure [Pa] exceeds `HARD`."""
     if (p := max(pressures)) > HARD:
         yield (
             f"pressure {p / 1e6:.4g} MPa exceeds the {HARD / 1e6:g} MPa of static contact of "

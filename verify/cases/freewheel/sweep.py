@@ -1,7 +1,7 @@
 """The sector of a roller freewheel over its load, by finite elements.
 
-States are taken at overlaps of the contacts that grow from nearly zero to where the normal
-force is that of a rigid clutch, N_0 = T/(z R tan(alpha_0)), and beyond the torque T.
+The states have overlaps of the contacts from nearly zero to the normal force of a rigid
+clutch, N_0 = T/(z R tan(alpha_0)), and beyond the torque T.
 """
 
 from functools import lru_cache
@@ -19,7 +19,7 @@ GIVEN = 10.0  # N_0/(L E'): approaches at an angle that is given
 
 
 def rigid_force(q: OneClutch) -> float:
-    """N_0 = T/(z R tan(alpha_0)) [N]: what a rigid clutch would press with."""
+    """N_0 = T/(z R tan(alpha_0)) [N]: normal force of a rigid clutch."""
     return flat_start.rigid_force(pitch(q), q.T)
 
 
@@ -30,7 +30,7 @@ def given_angle(q: OneClutch) -> float:
 
 
 def sweep(q: OneClutch, cells: int) -> FlatCourse:
-    """States of the sector on meshes of `cells`; cases of the same clutch share them."""
+    """States of the sector on meshes of `cells`, stored for all cases of the clutch."""
     return _sweep(pitch(q), q.L, rigid_force(q), cells)
 
 

@@ -20,18 +20,18 @@ THINNER, SHARPER, LIGHTER = 10, 10, 16
 
 
 def thin_round(q: Any) -> Any:
-    """A thinner wall about the same mean diameter."""
+    """A thinner wall with equal mean diameter."""
     wall = q.delta_1 / THINNER
     return q.model_copy(update={"d_e": q.d_m + wall, "delta_1": wall})
 
 
 def sharp(q: HubRing) -> HubRing:
-    """Fillets a tenth as large, corners where they are."""
+    """Fillets of a tenth of the size with unchanged corners."""
     return q.model_copy(update={"rho": q.rho / SHARPER})
 
 
 def fem_round(q: HubRing, level: int) -> FemResult:
-    """K of the same wall with a round bore."""
+    """K of this wall with a round bore."""
     from verify.cases.polyhedral.fem import UNIT
     from verify.cases.polyhedral.ring.reference import stiffness
 
@@ -44,7 +44,7 @@ def fem_round(q: HubRing, level: int) -> FemResult:
 
 
 def fem_thin_round(q: HubRing, level: int) -> FemResult:
-    """The same of a wall a tenth as thick."""
+    """K of a wall of a tenth of the thickness with a round bore."""
     return fem_round(thin_round(q), level)
 
 
@@ -59,7 +59,7 @@ def tight(q: Any) -> Any:
 
 
 def clutch_tight(q: Any) -> Any:
-    """The same of a clutch, whose race determines the clearance."""
+    """A smaller clearance of a clutch, set by its race."""
     return q.model_copy(
         update={"D_i": q.D_i - 0.75 * (q.D_i - 2 * q.d - q.d_e), "p_t": q.p_t / 4, "M_t": q.M_t / 4}
     )

@@ -23,7 +23,7 @@ def pressed_fem(
 ) -> "PlaneSolution":
     """Half a sector, free outside, with the pressure `UNIT` in its bore.
 
-    `arc` cells lie on the fillet where `refine` is 1.
+    `arc` cells lie on the fillet if `refine` is 1.
     """
     from fem.plane.material import Elastic
     from fem.plane.solve import solve_plane
@@ -65,7 +65,7 @@ def whole_fem(name: str, z: int, half: dict[str, Array], **data: tuple[Array, st
 
 
 def expanded(q: PolygonRing, z: int) -> Field:
-    """The ring with `z` flats where they have taken up the clearance, on a coarse mesh."""
+    """The ring with `z` flats once they have taken up the clearance, on a coarse mesh."""
     other = q.model_copy(update={"z": z})
     ring = pressed_fem(other, 1, "plane stress")
     cells: dict[str, Any] = ring.cells()
@@ -85,7 +85,7 @@ def pushed_fem(q: HubRing, refine: int) -> tuple["PlaneSolution", "PlaneSolution
 
     normal, along = q.R_b / np.hypot(1, q.tan_phi) * np.array([1, -q.tan_phi]) / 2
     corner = q.d_i / 2 * np.array([np.cos(q.half_angle), np.sin(q.half_angle)])
-    # cells on both sides of e are of one size where there is room: a point force between large and
+    # cells on both sides of e are equal if space permits: a point force between large and
     # small ones brings an error of third order beside the mesh's fourth
     even = HUB * min(q.e, (q.d_e / 2 - q.apothem) / ROWS)
     beside = q.e + min(even, (q.half_flat - q.e) / 2)

@@ -5,7 +5,7 @@ STRAINED = 3e-3  # hoop strain at which most steels yield
 
 
 def of_fillets(stress: float, *, E: float, R_p: float | None, when: str) -> list[str]:
-    """Of the largest hoop stress [Pa] in the fillets; `when` states under which loads."""
+    """Warning for the largest hoop stress [Pa] in the fillets; `when` states the loads."""
     stressed = f"hoop stress {stress / 1e6:.4g} MPa in the fillets{when}"
     if R_p is not None and stress > R_p:
         return [f"{stressed} exceeds R_p = {R_p / 1e6:.4g} MPa: the ring yields there"]
@@ -15,7 +15,7 @@ def of_fillets(stress: float, *, E: float, R_p: float | None, when: str) -> list
 
 
 def of_rollers(p_0: float, where: str = "") -> list[str]:
-    """Of the largest pressure [Pa] of rollers; `where` they touch."""
+    """Warning for the largest pressure [Pa] of rollers; `where` names the contact."""
     if not p_0 > STATIC_RATING:
         return []
     return [

@@ -14,7 +14,7 @@ WAVE = "loads as their mean and first wave, one a pitch, not on patches: no inde
 
 
 def fem_smeared(q: LoadsInputs, level: int) -> FemResult:
-    """The same race with its loads as a uniform pressure on the loaded wall."""
+    """The race with its loads replaced by a uniform pressure on the loaded wall."""
     p = q.n * q.P / (2 * math.pi * q.radius)
     ring = quarter_fem(q, q.r_i, q.r_o, "plane stress", level, pressures={q.loaded: p})
     wall = ring.on_boundary(q.loaded)
@@ -23,7 +23,7 @@ def fem_smeared(q: LoadsInputs, level: int) -> FemResult:
 
 
 def fem_wave(q: LoadsInputs, level: int) -> FemResult:
-    """The same race under the mean of its loads and their first wave, one a pitch, no patches."""
+    """The race under the mean of its loads and their first harmonic per pitch, without patches."""
     import numpy as np
 
     from fem.plane.material import Elastic
@@ -47,7 +47,7 @@ def fem_wave(q: LoadsInputs, level: int) -> FemResult:
 
 
 def closer(q: Any) -> Any:
-    """The same load on more sprags."""
+    """The total load on more sprags."""
     return q.model_copy(update={"n": CLOSER * q.n, "F": q.F / CLOSER})
 
 

@@ -27,7 +27,7 @@ PROFILE_NOTE = (
 
 
 def check_wall(r_i: float, r_o: float, names: tuple[str, str] = ("r_i", "r_o")) -> None:
-    """ValueError where two radii are no ring, or its wall is a shell."""
+    """ValueError if two radii form no ring, or its wall is a shell."""
     if not r_i < r_o:
         raise ValueError(
             f"a ring needs {names[0]} < {names[1]}, got r_i = {r_i * 1e3:g} mm, "
@@ -85,7 +85,7 @@ def profiles(
 
 
 def quarter(inner: float) -> Iterator[Shape]:
-    """Ring of outer radius 1, the quarter that finite elements take, and both axes."""
+    """Ring of outer radius 1, the quarter of the finite-element model, and both axes."""
     yield from sketches.ring(inner, 1.0)
     arcs = [polar(1.0, d) for d in np.linspace(0, 90, 73)]
     arcs += [polar(inner, d) for d in np.linspace(90, 0, 73)]

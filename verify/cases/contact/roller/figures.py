@@ -60,7 +60,7 @@ def modelled(q: SlicedRoller) -> Iterator[tuple[str, RollerParts, dict[str, Any]
 
 
 def pressures(context: Context, of: Any = None, key: str = "", crown: str = "") -> Figure:
-    """p(y) of all models and of the half-space; `of` another one, its arrays ending in `key`."""
+    """p(y) of all models and of the half-space, for roller `of`; its arrays end in `key`."""
     q = of or context.inputs
     models = list(modelled(q))
     curves = [Curve(name=n, x=one.y / mm, y=one.p / MPa, **style) for n, one, style in models]

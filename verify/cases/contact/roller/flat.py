@@ -70,7 +70,7 @@ class FlatRoller(OnHalfSpace):
         yield comparisons.balanced(self)
 
     def _inverse_peaks(self, context: Context) -> tuple[list[float], list[float]]:
-        """Cell sizes and Hertz's pressure over the largest one, which tends to zero."""
+        """Cell sizes, and Hertz's pressure over the largest pressure; the ratio tends to zero."""
         h, peaks = context.series("p_largest")
         return h, [self.p_0 / p for p in peaks]
 

@@ -42,7 +42,7 @@ EVEN = {"Lundberg": "Lundberg's crown", "Johns": "Johns and Gohar's crown"}  # u
 
 
 def ending(name: str) -> str:
-    """The end of an even crown's keys: Lundberg's is the one of the quantities themselves."""
+    """Key suffix of a crown for uniform pressure; empty for Lundberg's crown."""
     return "" if name == "Lundberg" else f"_{name}"
 
 

@@ -248,7 +248,7 @@ class FreewheelClutch(ClutchInputs):
         return solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Under its torque, with the flats moved, and about slip."""
+        """Rows: under the torque, with moved flats, and about slip."""
         yield from compared.comparisons(self, FreewheelClutch)
 
     figures = drawn_by(drawn.figures)
@@ -259,7 +259,7 @@ class FreewheelClutch(ClutchInputs):
         yield from messages.warnings(self, self.values)
 
     def advice(self) -> Iterator[str]:
-        """The verdict, the limits, what to change."""
+        """The verdict, the limits, recommended changes."""
         yield from messages.findings(self, self.values)
 
     def summary(self) -> Mapping[str, Any]:

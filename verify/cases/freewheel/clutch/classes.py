@@ -10,8 +10,8 @@ from verify.core.case import Values
 def light(q: ClutchInputs, v: Values) -> str:
     """Class by the worst limit: "free", "green", "overloaded", "yellow" or "red".
 
-    Red also where torque alone releases the rollers, or where they are beyond the flats' ends;
-    overloaded where friction holds and pressure or tilt is beyond its limit.
+    Red also if torque alone releases the rollers, or if they are beyond the flats' ends;
+    overloaded if friction holds and pressure or tilt is beyond its limit.
     """
     if q.T < 0:
         return "free"

@@ -28,7 +28,7 @@ def expected(q: ClutchInputs) -> StarBounds:
 
 @lru_cache(maxsize=8)
 def turn(q: ClutchInputs) -> Interval:
-    """Of dalpha/dX at the torque, with approaches anywhere within their bounds."""
+    """Interval of dalpha/dX at the torque, with all approaches within their bounds."""
     ends = [moved(q, dX) for dX in (-q.off, q.off)]
     return of_turn(ends, expected(q), off=q.off, F_t=q.T / (q.z * q.R))
 
@@ -45,23 +45,23 @@ def moved(q: ClutchInputs, dX: float) -> Moved:
 
 
 def slips_below(context: Context) -> tuple[float, float]:
-    """With friction a per cent below mu_req the limit of slip is below the axial load."""
+    """With friction 1 % below mu_req the limit of slip is below the axial load."""
     return float(0.5 - context.fem[-1].arrays["around"][0]), 0.0
 
 
 def bears(context: Context) -> tuple[float, float]:
-    """And a per cent above it is higher."""
+    """With friction 1 % above mu_req the limit of slip is above the axial load."""
     return float(context.fem[-1].arrays["around"][1] - 0.5), 0.0
 
 
 def interval(q: ClutchInputs, of: Callable[[], Interval]) -> tuple[float, float] | None:
-    """An interval, where it is narrow enough to judge by."""
+    """An interval, if it is narrow enough to judge by."""
     found = known(q.as_star, of())
     return (found.low, found.high) if found.sharp else None
 
 
 def comparisons(q: ClutchInputs, case: Any) -> Iterator[Comparison]:
-    """Of `q`, whose class is `case`: under its torque, with the flats moved, and about slip."""
+    """Rows of `q` with the class `case`: under the torque, with moved flats, and about slip."""
     judged: tuple[tuple[Quantity, str, str, Callable[[], Interval], str], ...] = (
         (case.alpha, "clamping angle under torque (Eqs. 4, 5)", "α(T)",
          lambda: expected(q).angle(), BRACKET),

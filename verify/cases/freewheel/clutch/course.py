@@ -1,4 +1,4 @@
-"""Messages on a freewheel's limits: those exceeded, and the next ones as loads grow."""
+"""Messages on a freewheel's limits: exceeded limits, and the next limits as loads grow."""
 
 import math
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""Figures of a user's freewheel: where it holds, its values over torque, its scatter."""
+"""Figures of a user's freewheel: range without slip, values over torque, scatter."""
 
 import math
 from collections.abc import Sequence
@@ -48,7 +48,7 @@ def figures(context: Context) -> Sequence[Figure]:
 
 
 def reach(q: ClutchInputs) -> float:
-    """The largest torque [N m] of figures: to the limit after next, within what has a state."""
+    """The largest torque [N m] of figures: about the second limit ahead, if a state exists."""
     ahead = [limit.at for limit in q.duty.of_torque if limit.at > q.T]
     most = 1.15 * ahead[1] if len(ahead) > 1 else 1.3 * ahead[0] if ahead else 3 * q.T
     return min(max(WIDE * q.T, min(most, 6 * q.T)), (1 - 1e-9) * q.duty.end)
@@ -122,7 +122,7 @@ def angles(q: ClutchInputs) -> Curves:
 
 
 def flats(q: ClutchInputs, context: Context) -> Curves:
-    """Both angles over the distance of the flats, a few µm to either side."""
+    """Both angles over the distance of the flats, within a few µm of it."""
     far = 2 * q.off
     X = np.linspace(-far, far, 41)
     moved = [q.moved(dX) for dX in X]
@@ -155,7 +155,7 @@ def windup(q: ClutchInputs, context: Context) -> Curves:
 
 
 def cumulated(title: str, label: str, x: Array, drawn: float, *, limits: bool = False) -> Curves:
-    """Per cent of the clutches below a value, with the nominal one and the classes."""
+    """Per cent of the clutches below a value, with the nominal value and the classes."""
     ends = np.percentile(x, DRAWN)
     full = np.array([0.0, 100.0])
     lines = [(drawn, "nominal", 5)]

@@ -138,7 +138,7 @@ class ClutchInputs(Case):
 
     @property
     def cam(self) -> Cam:
-        """The clutch's wedges; ValueError where there are none."""
+        """The clutch's wedges; ValueError if it has none."""
         if self.is_star:
             return InnerCam(R=self.R, r=self.r, X=self.X, z=self.z)
         return OuterCam(R_s=self.R, r=self.r, X_o=self.X, z=self.z)
@@ -149,13 +149,13 @@ class ClutchInputs(Case):
 
     @property
     def off(self) -> float:
-        """How far [m] flats are moved for the sensitivity of the loaded angle."""
+        """Displacement [m] of the flats for the sensitivity of the loaded angle."""
         x, _ = self.cam.centre(d_i=0.0, d_o=0.0)
         return min(OFF, TURNED * float(x) * 2 * float(self.cam.alpha0))
 
     @property
     def as_star(self) -> Star:
-        """The clutch as an inner cam of one material; ValueError where that is none."""
+        """The clutch as an inner cam of one material; ValueError if that is impossible."""
         names = ("R", "r", "X", "R_a", "r_b", "z", "L", "T", "E", "nu")
         return Star(**{name: getattr(self, name) for name in names})
 
@@ -185,12 +185,12 @@ class ClutchInputs(Case):
 
     @property
     def slopes(self) -> list[Slope]:
-        """What X, r and R do to alpha_0."""
+        """Derivatives of alpha_0 with respect to X, r and R."""
         return slopes(self.cam, self.sigma)
 
     @property
     def like(self) -> bool:
-        """Whether all parts are of one material."""
+        """Whether all parts have the same material."""
         return all(self._constants(part) == (self.E, self.nu) for part in "rio")
 
     @property

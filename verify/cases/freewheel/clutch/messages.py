@@ -63,7 +63,7 @@ def verdict(q: ClutchInputs, v: Values) -> str:
 
 
 def beyond(q: ClutchInputs, v: Values) -> str:
-    """What of an overloaded clutch is beyond its limit."""
+    """The exceeded limits of an overloaded clutch."""
     found = []
     if q.p_lim is not None and v.get("p_end", math.inf) > q.p_lim:
         even = max(v["p_i"], v["p_o"])

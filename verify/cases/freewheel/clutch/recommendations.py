@@ -1,4 +1,4 @@
-"""Recommendations where a freewheel does not hold, and its sensitivity to dimensions."""
+"""Recommendations for a freewheel that slips, and its sensitivity to dimensions."""
 
 import math
 
@@ -19,7 +19,7 @@ GOALS = (1.0, 1.1)  # target mu/mu_req: Coulomb's limit, and a margin of 10 %
 
 
 def advice(q: ClutchInputs, v: Values) -> list[str]:
-    """Changes with which friction transmits T and F_ax; none where it does."""
+    """Changes with which friction transmits T and F_ax; empty if it already does."""
     if q.T <= 0:
         return []
     if q.duty.under is None:
@@ -36,7 +36,7 @@ def advice(q: ClutchInputs, v: Values) -> list[str]:
 
 
 def flats(q: ClutchInputs) -> str:
-    """Where the flats would have to lie."""
+    """Required position of the flats."""
     needed = [moved_to(q.duty, goal) for goal in GOALS]
     if math.isnan(needed[0]):
         return "to hold at this T and F_ax: no X is enough"

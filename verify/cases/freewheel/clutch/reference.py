@@ -24,7 +24,7 @@ AROUND = (0.99, 1.01)  # friction over mu_req: slips, holds
 
 
 def solve(q: ClutchInputs, level: int) -> Level:
-    """One level: the sweep over the torque, the flats moved; on the finest slip about mu_req."""
+    """One level: sweep over the torque, moved flats; on the finest, slip about mu_req."""
     one, T = q.as_star, q.T
     states = sweep(one, level)
     place = states.place(T)

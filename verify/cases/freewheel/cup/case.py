@@ -45,7 +45,7 @@ NOT_LOADED = f"α_0/α of the formula under load: {BRACKET}"
 ON_FLAT = "rolling on a flat instead of on a circle: (R_s + X_o)/(2X_o)"
 ENCLOSED = "rings enclose a cup to some per cent, and torques near the summit multiply that"
 FINE, NEARLY, MEDIUM, COARSE = 0.015, 0.02, 0.04, 0.06  # required sensitivities
-WIDE = 0.12  # a/r up to which finite elements, small in displacements, are judged at the summit
+WIDE = 0.12  # largest a/r at which finite elements (small displacements) are judged at the summit
 NAMED = statics.Named(
     cam="cup", race="shaft", race_radius="R_s", flat_distance="X_o", form="Eq. 3 for a cup",
     cam_tilt="its flat tilts under load:", race_tilt="its surface tilts under load:",
@@ -254,9 +254,9 @@ class FreewheelCup(Cup):
         self, q: Quantity, interval: Interval, demand: float = DEMAND, source: str = BRACKET,
         **more: Any,
     ) -> Comparison:  # fmt: skip
-        """A row with its `demand`; one near the suite's applies to inputs of the user alone.
+        """A row with its `demand`; a demand near the suite's applies only to user inputs.
 
-        The interval of a user's cup may be too wide to judge by.
+        For a user's cup, the interval may be too wide to judge by.
         """
         if demand > NEARLY:
             more["sensitivity"] = demand, ENCLOSED
@@ -304,7 +304,7 @@ class FreewheelCup(Cup):
                            name=f"torque z R_s F_t (Eq. 3 for a cup), {where}")  # fmt: skip
 
     def _summit(self) -> Comparison:
-        """The largest torque's, judged where contacts are narrow there."""
+        """Row of the largest torque, judged if contacts are narrow there."""
         top = self.at_summit
         wide = max(float(top.a_i), float(top.a_o)) / self.r > WIDE
         interval = (-math.inf, math.inf) if wide else self.within(top).summit()
@@ -316,7 +316,7 @@ class FreewheelCup(Cup):
     sketch = drawn.sketch
 
     def warnings(self) -> Iterator[str]:
-        """Where friction or hardness is exceeded, and where the cup is thin."""
+        """Warnings if friction or hardness is exceeded, or the cup is thin."""
         if np.tan(self.alpha_0) > FRICTION:
             yield (
                 f"tan α_0 = {np.tan(self.alpha_0):.3g} is more than the friction {FRICTION:g} that "
@@ -349,7 +349,7 @@ class FreewheelCup(Cup):
 
 
 def margin(key: str) -> Callable[[Context], tuple[float, float]]:
-    """A value that is positive, with how much the last meshes differ."""
+    """A positive value, with the difference of the last meshes."""
 
     def of(context: Context) -> tuple[float, float]:
         before, now = (r.values[key] for r in context.fem[-2:])

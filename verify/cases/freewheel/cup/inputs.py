@@ -56,7 +56,7 @@ class Cup(Rollers):
             )
         return self
 
-    # what sectors of stars and cups have in common: see `verify.cases.freewheel.bodies`
+    # common to sectors of stars and cups: see `verify.cases.freewheel.bodies`
     @property
     def sense(self) -> int:
         """-1: load narrows the angle."""
@@ -79,7 +79,7 @@ class Cup(Rollers):
 
     @property
     def cam(self) -> OuterCam:
-        """The clutch's wedges; ValueError where there are none."""
+        """The clutch's wedges; ValueError if it has none."""
         return OuterCam(R_s=self.R_s, r=self.r, X_o=self.X_o, z=self.z)
 
     @shared

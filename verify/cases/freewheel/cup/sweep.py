@@ -19,9 +19,9 @@ from verify.cases.freewheel.sweep import rigid_force
 SHARES = (0.03, 0.09, 0.22, 0.45, 0.75, 1.04)  # overlaps of the states over the overlap under T
 # overlaps over the overlap at pop-through
 ONWARD = (0.018, 0.045, 0.1, 0.22, 0.36, 0.5, 0.6, 0.68, 0.76)
-APART = 1.1  # over the overlap under T: states at pop-through shares count above it
-INNER = 0.37  # part of the shaft's contact, about
-NEAR = 2e-2  # how near T the search comes
+APART = 1.1  # over the largest of SHARES: states of ONWARD are used above it
+INNER = 0.37  # approximate part of the overlap at the shaft
+NEAR = 2e-2  # relative tolerance of T in the search
 GIVEN = 0.25  # overlap at the given angle over the overlap at pop-through
 STEEP, FLAT = 1.1, 0.25  # d ln(T)/d ln(overlap) of a rigid angle; and no less
 
@@ -32,7 +32,7 @@ def through(q: OneClutch) -> float:
 
 
 def given_angle(q: OneClutch) -> float:
-    """The angle psi [rad] at which contacts overlap by `GIVEN` of that at pop-through."""
+    """The angle psi [rad] at which contacts overlap by `GIVEN` of the overlap at pop-through."""
     d = GIVEN * through(q) / 2
     return overlapping(q, d, d).psi
 
@@ -52,7 +52,7 @@ def starts(q: OneClutch) -> tuple[Start, ...]:
 
 
 def under_torque(q: OneClutch) -> Start:
-    """A start with about the torque T."""
+    """A start at approximately the torque T."""
     one, most = pitch(q), through(q)
     D = min(overlap(one, rigid_force(q) / q.L), 0.3 * most)
     now = Start.guessed(one, D, inner=INNER, flatter=3)

@@ -125,7 +125,7 @@ class FreewheelFriction(Pulled):
         return let_out(self.clutch, T=self.T, mu=self.mu)
 
     def reference(self, level: int) -> Level:
-        """The sector under torque alone, with axial load, and beyond the limit."""
+        """The sector under torque only, with axial load, and beyond the limit."""
         from verify.cases.freewheel.friction.reference import solve
 
         return solve(self, level)
@@ -136,7 +136,7 @@ class FreewheelFriction(Pulled):
         return FrictionBounds(of_star(self, self.state), mu=self.mu, lever=self.lever)
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Forces and required friction; the limit; where slip begins and what slips then."""
+        """Rows: forces and required friction; the limit; onset and location of slip."""
         law, bounds = FreewheelFriction, self.within
         more: Any = {"order": 2, "shares": SHARED}
         yield identity(law.F_t, name="tangential force of a roller (Eq. 3, corrected)", **STATICS)
@@ -188,7 +188,7 @@ class FreewheelFriction(Pulled):
     sketch = drawn.sketch
 
     def warnings(self) -> Iterator[str]:
-        """Where the clutch slips or tilts its rollers."""
+        """Warnings if the clutch slips or tilts its rollers."""
         light = str(criterion.traffic_light(self.safety))
         if not self.bears_axial_load:
             yield (
@@ -207,7 +207,7 @@ class FreewheelFriction(Pulled):
             )
 
     def advice(self) -> Iterator[str]:
-        """Whether it holds, and what happens beyond its limit."""
+        """Whether the clutch holds, and its behaviour beyond the limit."""
         if not self.bears_axial_load:
             yield "slips under the torque alone: friction is less than the wedge requires"
             return
@@ -219,7 +219,7 @@ class FreewheelFriction(Pulled):
         )
 
     def refusal(self) -> str:
-        """Where the torque alone nearly slips, or displacements are not small."""
+        """Reason to refuse: torque alone nearly causes slip, or displacements are not small."""
         low, _ = self.within.both_contacts()
         if self.mu_T * (1 + CLOSE) / (1 + low) < self.mu:
             return super().refusal()
@@ -230,7 +230,7 @@ class FreewheelFriction(Pulled):
 
 
 def expected(interval: Interval | None, source: str = TILTED) -> Expected:
-    """The interval with its source, where there is one."""
+    """The interval with its source, if it exists."""
     return underived(source) if interval is None else Expected(*interval, source)
 
 

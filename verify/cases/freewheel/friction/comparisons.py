@@ -1,4 +1,4 @@
-"""Onset of slip of a freewheel and what slips then, at the angle of the reference."""
+"""Onset and location of slip of a freewheel, at the angle of the reference."""
 
 from collections.abc import Iterator
 from functools import partial
@@ -19,14 +19,14 @@ from verify.judging.tolerance_checks import (
 )
 
 ONSET, CONE = 1e-3, 5e-3  # acceptance of the subject
-CONTACT = 2e-3  # and of F_t/F_n, which is the required friction without an axial load
+CONTACT = 2e-3  # also of F_t/F_n, the required friction without axial load
 ALONE = "as F_t/F_n, which it is without an axial load"
 SHARE = 1e-3  # tolerance of F_t/(mu N) over the wedge angles
 COULOMB = "Coulomb's law of friction"
 
 
 def at_slip(mu_T: Quantity, mu_req: Quantity) -> Iterator[Comparison]:
-    """Friction at which all slips, torque alone and with axial load; the cone; wedge angles."""
+    """Rows: friction at full slip, torque only and with axial load; the cone; wedge angles."""
 
     def judged(check: Agreement | Deviation, q: Quantity) -> Comparison:
         return Comparison(check=check, quantity=q, shares=COULOMB)
@@ -59,9 +59,9 @@ def at_slip(mu_T: Quantity, mu_req: Quantity) -> Iterator[Comparison]:
 
 
 def required(context: Context, *, loaded: bool, of_mesh: bool = False) -> float:
-    """Eq. 9 at the angle that finite elements have; their loads are in the ratio of the inputs.
+    """Eq. 9 at the angle of the finite elements; their loads are in the ratio of the inputs.
 
-    The angle of the mesh is that of its normals, on which the solver's friction acts.
+    The angle of the mesh follows from its normals, which the solver's friction uses.
     """
     turned, meshed = context.fem[-1].arrays["tan"]
     tan = meshed if of_mesh else turned
@@ -71,7 +71,7 @@ def required(context: Context, *, loaded: bool, of_mesh: bool = False) -> float:
 
 
 def onset(context: Context) -> Pair:
-    """All of both contacts slips where friction is tan(alpha)."""
+    """Friction at which both contacts slip completely, against tan(alpha)."""
     share, half = context.fem[-1].arrays["onset"]
     tan = context.fem[-1].arrays["tan"][1]
     off = share * tan / required(context, loaded=False, of_mesh=True) - 1
@@ -94,7 +94,7 @@ def _of_required(off: float) -> str:
 
 
 def of_contact(context: Context, where: int) -> Pair:
-    """Resultant over N of one contact against Eq. 9."""
+    """Resultant over N of a contact against Eq. 9."""
     before, now = (_off(context, r.arrays["loaded"][:, where]) for r in context.fem[-2:])
     words = f"off by {now:+.3%}, {CONTACT:.1%} accepted"
     return Pair(1 / (1 + now), 1.0, abs(now - before), words)
@@ -107,7 +107,7 @@ def _off(context: Context, forces: Array) -> float:
 
 
 def on_the_cone(context: Context) -> tuple[float, float, str]:
-    """Resultant over mu N where all slips, of all contacts and clutches."""
+    """Resultant over mu N at full slip, for all contacts and clutches."""
     arrays, mu = context.fem[-1].arrays, context.inputs.mu
     last = arrays["creep"][-1] / mu
     slid = [row for row in arrays["angles"] if row[3] > 0]

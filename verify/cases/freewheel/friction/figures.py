@@ -24,7 +24,7 @@ ABOVE = 2.2  # upper end of the axial load, over F_ax,lim or F_ax
 
 
 def sketch(q: Any) -> Sketch:
-    """Roller between flat and ring, and the friction of one contact in its cone."""
+    """Roller between flat and ring, and the friction of a contact in its cone."""
     state = loaded(q.clutch, q.T)
     psi, tan = float(state.psi), math.tan(float(state.alpha))
     ray, along = np.array([math.sin(psi), math.cos(psi)]), np.array([math.cos(psi), -math.sin(psi)])

@@ -1,4 +1,4 @@
-"""Finite elements of a freewheel's friction: torque alone, axial load, and beyond the limit."""
+"""Finite elements of a freewheel's friction: torque only, axial load, and beyond the limit."""
 
 import math
 from dataclasses import replace
@@ -25,7 +25,7 @@ SOLVED = 1e-9  # relative to N: force balance of a body held by contact only
 
 
 def solve(q: "FreewheelFriction", level: int) -> Level:
-    """One level: forces with ample friction, the path to slip; on the finest what slips how."""
+    """One level: forces with ample friction, the path to slip; finest: motion beyond slip."""
     one = one_pulled(q)
     start = at_torque(one, level)
     rest, held = under_load(one, start, level)
@@ -44,7 +44,7 @@ def solve(q: "FreewheelFriction", level: int) -> Level:
     stuck = there.rest(rest.drags)
     unit = yielding(one, there, stuck)
     path = driven(there, stuck, [u * unit for u in STEPS])
-    # slip is where the mesh has its normals: from its angle to that of the given torque
+    # slip depends on the normals of the mesh: from its angle to the angle of the given torque
     own = lever_left(q.mu, stuck.place) / lever_left(q.mu, stuck.start)
     force = -own * path[:, 5] / path[:, 3] * q.T / q.R
     turned = np.diff(path[:, 1]) / np.diff(path[:, 0]) / own
@@ -73,7 +73,7 @@ def solve(q: "FreewheelFriction", level: int) -> Level:
 
 
 def with_flat(one: Pulled, X: float) -> Pitch:
-    """The pitch with its flats at another distance [m]; ValueError where it has no wedges."""
+    """The pitch with its flats at another distance [m]; ValueError if it has no wedges."""
     q = one.q
     InnerCam(R=q.race, r=q.r, X=X, z=q.z)
     return replace(q, flat=X)

@@ -39,7 +39,7 @@ CLOSE = 0.02  # friction closer to tan(alpha), relative, leaves too small an axi
 LIGHTEST = 0.05  # least torque of load case 3, over the largest torque
 SWINGS = 0.25  # inertia over the loads above which it is not small
 WORN = 2.0  # largest mu_req for finite elements
-SETTLES = 0.6  # of the limit: alternating loads below settled, of the synthetic clutch
+SETTLES = 0.6  # over the limit: lower alternating loads settled for the synthetic clutch
 
 
 class LoadPaths(Pulled):
@@ -209,11 +209,11 @@ class LoadPaths(Pulled):
         return self.under(self.T_peak)
 
     def in_phase(self, sine: float) -> Self:
-        """Load case 3 in its last cycle where its sine has a value."""
+        """Load case 3 in its last cycle at a given value of its sine."""
         return self.at(T=self.T_m + sine * self.T, F_ax=self.F_ax * sine)
 
     def limit_of(self, T: float) -> Interval | None:
-        """Interval of the axial load at slip, from what may be wrong with one contact's tan α."""
+        """Interval of the axial load at slip, from the error of tan α of a contact."""
         if not T:
             return None
         return friction.limit_load(of_star(self, loaded(self.clutch, T)), self.mu)
@@ -242,7 +242,7 @@ class LoadPaths(Pulled):
     sketch = star_sketch.sketch
 
     def warnings(self) -> Iterator[str]:
-        """Where the torque alone slips or comes to zero, and where inertia counts."""
+        """Warnings if torque alone causes slip or falls to zero, or if inertia matters."""
         if not math.isfinite(self.F_lim):
             yield (
                 f"tan α = {self.mu_T:.4g} is not below μ = {self.mu:g} (Eq. 1): the torque alone "

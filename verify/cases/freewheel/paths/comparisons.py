@@ -42,7 +42,7 @@ def _required(context: Context, at: int, name: str) -> tuple[Array, Array]:
 def along(context: Context, name: str) -> Pair:
     """Eq. 9 and both contacts' resultant over N, where they differ most along a path.
 
-    What the finest meshes differ by in that is its uncertainty.
+    Its uncertainty is the difference of the finest meshes.
     """
     pairs = (_required(context, at, name) for at in (-2, -1))
     before, now = (farthest(needed, found, 0.0) for found, needed in pairs)
@@ -91,7 +91,7 @@ def settles(context: Context) -> tuple[float, float, str]:
 
 
 def walks(context: Context) -> tuple[float, float, str]:
-    """Under a large one it rotates further in every cycle, well below slip."""
+    """Creep of the last cycle under a large amplitude: ratcheting well below slip."""
     before, now = (
         float(walk[-1] / walk[-2]) for walk in (r.arrays["cycles"][1] for r in context.fem[-2:])
     )
@@ -105,16 +105,16 @@ def walks(context: Context) -> tuple[float, float, str]:
 
 
 def falls(context: Context) -> tuple[float, float]:
-    """In phase about zero mu_req is largest where the torque is."""
+    """Excess of mu_req at the largest torque over a low torque, in phase about zero."""
     key, low = MU_REQ.values()
     before, now = (r.values[key] / r.values[low] - 1 for r in context.fem[-2:])
     return now, abs(now - before)
 
 
 def in_time(context: Context, case: int) -> Pair:
-    """The formula's time of slip within those at which the path is `SLIP` beside the limit of FE.
+    """Time of slip by formula, against the times at `SLIP` below and above the limit of FE.
 
-    A course names the first of its times beyond slip: half a step of it is unknown.
+    A course states its first time beyond slip, so that half a time step is uncertain.
     """
     q, course = context.inputs, context.inputs.courses[case]
     F, half = slips(context, case)
@@ -173,7 +173,7 @@ def in_phase(q: Any, mu_req: Quantity) -> Iterator[Comparison]:
 
 
 def comparisons(q: Any, path: Any) -> Iterator[Comparison | Check]:
-    """Of the case `q`, whose class is `path`."""
+    """Rows of the case `q` with the class `path`."""
     yield from _loads(q, path)
     yield from in_phase(q, path.mu_req)
     yield fact("load case 3: required friction is largest at the largest torque", "μ_req", falls)
@@ -212,7 +212,7 @@ def _loads(q: Any, path: Any) -> Iterator[Comparison]:
 
 
 def _adopted(path: Any) -> Iterator[Comparison | Check]:
-    """Numbers of the paper that are taken as they stand."""
+    """Numbers of the paper that are used as printed."""
     for name, key, why in (
         ("red below", "red-yellow", "by Coulomb it slips below 1 (erratum traffic-light-wording)"),
         ("green from", "yellow-green", "it is Coulomb's limit, with the equal sign (erratum "

@@ -98,7 +98,7 @@ def classes(context: Context, case: int) -> Zones:
 
 
 def _pieces(course: Course) -> list[tuple[bool, Array, Array]]:
-    """Times and mu_req between the gaps in which the clutch overruns."""
+    """Times and mu_req between the intervals of overrunning."""
     known = ~np.isnan(course.mu_req)
     starts = np.flatnonzero(np.diff(np.concatenate([[False], known, [False]]).astype(int)))
     return [
@@ -132,7 +132,7 @@ def plane(context: Context) -> Curves:
 
 
 def _path(course: Course, R: float, name: str, colour: int, drawn: str) -> list[Curve]:
-    """One path up to slip, a curve for each time in which it is locked."""
+    """A path up to slip, with a curve for each interval in which the clutch is locked."""
     found: list[Curve] = []
     for _, t, mu_req in _pieces(course):
         held = t <= course.slips_at
@@ -169,7 +169,7 @@ def creeping(context: Context) -> Curves:
 
 
 def walked(context: Context) -> Curves:
-    """How much of N lies on nodes that slip at the extremes."""
+    """Share of N on nodes that slip at the extremes."""
     last = context.fem[-1].arrays
     return plot(
         "Micro-slip at the extremes before gross slip, finite elements", "|F_ax|/F_lim",

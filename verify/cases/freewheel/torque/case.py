@@ -229,7 +229,7 @@ class FreewheelTorque(Star):
     sketch = star_sketch.sketch
 
     def warnings(self) -> Iterator[str]:
-        """Where friction or hardness is exceeded."""
+        """Warnings if friction or hardness is exceeded."""
         if self.mu_T > FRICTION:
             yield (
                 f"tan α(T) = {self.mu_T:.3g} is more than the friction {FRICTION:g} that oiled "

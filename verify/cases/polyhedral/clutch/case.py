@@ -92,7 +92,7 @@ class PolyhedralClutch(ClutchFormulas):
         return sketch(self.ring, d=self.d, e=self.e, p_t=self.p_t)
 
     def warnings(self) -> Iterator[str]:
-        """What leaves the clutch without torque or without a limit, and where parts yield."""
+        """Warnings if the clutch has no torque or no limit, or if parts yield."""
         yield from self._about_torque()
         if self.alpha_need > self.alpha_ring:
             yield (

@@ -12,7 +12,7 @@ from verify.cases.polyhedral.clutch.inputs import ClutchInputs
 
 
 class PaperChain(ClutchInputs):
-    """Every value of the chain, misprints corrected; infinite where friction locks."""
+    """All values of the chain, misprints corrected; infinite if friction locks."""
 
     d_m = Quantity("d_m", "mm", "mean diameter of the ring", equation="6", role="step",
                    tex=r"\frac{d_i + d_e}{2}").reads(lambda q: q.full.parts.d_m)  # fmt: skip

@@ -18,7 +18,7 @@ from verify.core.results import Row, Status
 from verify.judging import judge
 from verify.judging.checks import Approximation
 
-LOOSE = 0.1  # slack from which on a formula is not judged
+LOOSE = 0.1  # slack above which a formula is not judged
 NO_LIMIT = "the side without a value sets no limit: the hub's friction locks"
 HERTZ = "argued: (2 a/d)² of each contact, (a/wall)² and 1e-3 of the closure, times what it moves"
 STATICS = (
@@ -34,7 +34,7 @@ class ClutchFormulas(PaperChain, ElasticClutch):
 
     @property
     def slack(self) -> float:
-        """Share of the elastic torque; nan where there is none."""
+        """Share of the elastic torque; nan without one."""
         return self._blur(self.hub, self.line_load)
 
     @property
@@ -59,7 +59,7 @@ class ClutchFormulas(PaperChain, ElasticClutch):
         return self._neglect(hub, N) * hub.force_sensitivity(N) if 0 < N < inf else nan
 
     def _neglect(self, hub: Driven, N: float) -> float:
-        """What Hertz neglects of the closure under N [N/m], as a share."""
+        """Relative error of Hertz's closure under N [N/m]."""
         roller = RollerOnRing(d=self.d, d_e=self.d_e, j_D=self.j_D, apothem=self.ring.apothem,
                               E=self.E, nu=self.nu)  # fmt: skip
         return roller.closure(hub.contact.half_width(N), hub.contact.half_width_on_race(N))
@@ -76,14 +76,14 @@ class ClutchFormulas(PaperChain, ElasticClutch):
         return first_design(self.flat, **ring).torque(self.p_t)
 
     def pressure_over_the_arc(self) -> float:
-        """Pressure [Pa] for the target torque where each side's force acts on its arc."""
+        """Pressure [Pa] for the target torque if each side's force acts on its arc."""
         touch = self.touch
         rest = filleted(self.flat, touch).pressure(self.M_t) - touch
         return touch + rest / self.flat.arc
 
     @property
     def from_rollers(self) -> float:
-        """Share of the stress in the fillets that rollers and hub make."""
+        """Share of the fillet stress due to rollers and hub."""
         if not 0 < self.line_load < inf:
             return nan
         return abs(1 - driven_fillet_stress(self.hub, 0.0, self.p_t) / self.fillet)
@@ -91,9 +91,9 @@ class ClutchFormulas(PaperChain, ElasticClutch):
 
 @dataclass(frozen=True, kw_only=True)
 class Claimed(Approximation):
-    """A formula with the slack `give` by Hertz's neglect; not judged without a value.
+    """A formula with the slack `give` due to Hertz's error; not judged without a value.
 
-    For inputs of the user the demand is that slack to both sides, where it is larger than usual.
+    For user inputs the demand is at least twice this slack.
     """
 
     give: str
@@ -126,7 +126,7 @@ def _claimed(
 
 
 def comparisons(self: ClutchFormulas) -> Iterator[Comparison]:
-    """Series, the paper's chain, stress and balances; intervals are computed where rows are."""
+    """Rows: series, the paper's chain, stress, balances; intervals are computed with the rows."""
     case, arc = ClutchFormulas, self.flat.arc
     slack = ("slack", lambda: self.slack)
     rigid, p = ("slack rigid", lambda: self.slack_rigid), ("slack p", lambda: self.slack_p)
@@ -174,12 +174,12 @@ def _around(
     q: ClutchFormulas, series: Quantity, slack: Callable[[], float],
     statics: Callable[[], float] | None,
 ) -> Callable[[], Interval]:  # fmt: skip
-    """Interval of a formula's error: what it should give, by other means, over the series."""
+    """Interval of a formula's error: its expected value, derived otherwise, over the series."""
 
     def interval() -> Interval:
         value, give = getattr(q, series.name), slack()
         if not value > 0:
-            return 0.0, 0.0  # finite elements are used only where they have a force
+            return 0.0, 0.0  # finite elements are used only with a positive force
         if give > LOOSE:
             return None
         return over_series(statics() if statics else value, value, give)
@@ -188,7 +188,7 @@ def _around(
 
 
 def _of_stress(q: ClutchFormulas) -> Interval:
-    """The same of the fillets' stress, of which roller and hub make a part."""
+    """Interval of the error of the fillet stress, which is partly due to roller and hub."""
     if not q.slack < LOOSE:
         return None
     give = PEAK_STRESS + q.from_rollers * q.slack

@@ -1,4 +1,4 @@
-"""Meshes of the driven ring: the hub's force is in proportion to that of the rollers."""
+"""Meshes of the driven ring: the hub's force is proportional to the roller force."""
 
 from typing import TYPE_CHECKING
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from fem.contact.driven import DrivenSector
     from fem.contact.locked import LockedSector
 
-THICK = 0.15  # wall over outer diameter from which on a mesh is twice as fine
+THICK = 0.15  # wall over outer diameter above which a mesh is twice as fine
 THIN = 0.02  # and that at the rollers below which it is: bent walls end contacts beside vertices
 
 

@@ -15,7 +15,7 @@ SOLVED = {"M_rigid": "elastic ring, rigid rollers, FE", "M_el": "ring and roller
 
 
 def torques(q: ClutchFormulas, context: Context) -> Iterator[Dots]:
-    """Torques by formulas and finite elements, where pressure limits them."""
+    """Torques by formulas and finite elements, if pressure limits them."""
     values = {key: getattr(q, key) for key in FORMULAS}
     items: list[tuple[str, float, float | None, str]] = [
         (FORMULAS[key], value, None, "formula") for key, value in values.items() if isfinite(value)

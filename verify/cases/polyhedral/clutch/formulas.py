@@ -19,7 +19,7 @@ SERIES = "elastic ring and rollers: series"
 
 
 class ElasticClutch(ClutchInputs):
-    """What a designer needs first; infinite or nan where pressure sets no limit."""
+    """Main results for design; infinite or nan if pressure sets no limit."""
 
     @Quantity("S", "1", "margin: torque of elastic ring and rollers over the target torque",
               role="step", safe="too low", tex=r"\frac{M_{el}}{M_t}")  # fmt: skip
@@ -110,7 +110,7 @@ class ElasticClutch(ClutchInputs):
 
     @shared
     def stiff(self) -> Driven:
-        """The same with rigid rollers."""
+        """The clutch with rigid rollers."""
         return self.driven(rigid=True)
 
     @shared
@@ -120,7 +120,7 @@ class ElasticClutch(ClutchInputs):
 
     @shared
     def line_rigid(self) -> float:
-        """The same of a rigid roller."""
+        """The line load with a rigid roller."""
         return self.stiff.force(self.p_t) if self.stays else 0.0
 
     @property

@@ -61,7 +61,7 @@ class ClutchInputs(Case):
 
     @property
     def ring(self) -> PolygonRing:
-        """The elastic ring alone; ValidationError where it cannot be."""
+        """The elastic ring alone; ValidationError if it is impossible."""
         return PolygonRing(
             d_e=self.d_e, delta_1=self.delta_1, j_D=self.j_D, E=self.E, nu=self.nu, R_p=self.R_p,
             z=self.z, rho=self.rho,
@@ -95,7 +95,7 @@ class ClutchInputs(Case):
         return self.b * self.z * self.D_i / 2
 
     def _check_loads(self) -> None:
-        """ValueError where rollers would be pressed flat: a/d beyond `FLATTENED`."""
+        """ValueError if rollers would be flattened: a/d above `FLATTENED`."""
         E_star = self.E / 2 / (1 - self.nu**2)
         most = np.pi * E_star * (FLATTENED * self.d) ** 2 / 4 * (2 / self.d + 2 / self.d_e)
         torque = self.mu * most * self.b * self.z * self.D_i / 2

@@ -1,4 +1,4 @@
-"""The ring locked against its rollers: how much of the pressure reaches them."""
+"""The ring locked against its rollers: share of the pressure that reaches them."""
 
 from collections.abc import Iterator
 from typing import ClassVar
@@ -18,7 +18,7 @@ PRESSED = 1.02  # over the touching pressure: forces are compared above it
 class LockedPolyhedralRing(LockedFormulas):
     """The paper assigns all of the blocking pressure to the rollers.
 
-    The hoop force of the ring carries a large part of it. How much follows from finite elements
+    The hoop force of the ring carries a large part of it. This part follows from finite elements
     with the roller as a contact, and from complex potentials with Hertz's patch. Sizes and loads
     are assumed.
     """
@@ -74,7 +74,7 @@ class LockedPolyhedralRing(LockedFormulas):
         return sketch.sketch(self, d=self.d, e=self.e, p_t=self.p_t)
 
     def warnings(self) -> Iterator[str]:
-        """Where the rollers are loose, and where parts yield."""
+        """Warnings if the rollers are loose or parts yield."""
         if not self.alone.N > 0:
             yield (
                 f"p_t = {self.shown('p_t')} is below {self.shown('p_1r')}, at which the ring "

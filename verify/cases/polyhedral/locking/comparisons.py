@@ -131,7 +131,7 @@ def _flat(self: LockedFormulas) -> Iterator[Comparison]:
 
 
 def _of_round_ring(self: LockedFormulas, touch: float) -> Expected:
-    """The error of Eq. 19 with p_1 of the round ring where the rollers are reached at `touch`."""
+    """The error of Eq. 19 with p_1 of the round ring if the rollers are reached at `touch`."""
     left = self.p_t - touch
     if left <= 0:
         return Expected(0.0, 0.0, ROUND, sharp=False)
@@ -144,7 +144,7 @@ def _roller(self: LockedFormulas) -> RollerOnRing:
 
 
 def wider(context: Context) -> tuple[float, float]:
-    """How much more of the pressure the widest roller's contact takes than the narrowest's."""
+    """Difference of the pressure share between the widest and the narrowest roller contact."""
     eta = figures.curves(context.fem)["rollers"][1]
     v = context.series("efficiency_alone")[1]
     return float(eta[-1] - eta[0]), 3 * abs(v[-1] - v[-3])

@@ -15,7 +15,7 @@ FINE = 25
 
 
 def curves(levels: Sequence[FemResult]) -> dict[str, Array]:
-    """The finite elements' curves, which one level has; none without it."""
+    """Curves of the finite elements from the level that stores them; empty without it."""
     return next((dict(level.arrays) for level in levels if level.arrays), {})
 
 

@@ -1,4 +1,4 @@
-"""The roller force of the paper, and that of the elastic ring by complex potentials and Hertz."""
+"""The roller force of the paper, and of the elastic ring by complex potentials and Hertz."""
 
 from dataclasses import replace
 from typing import Any, ClassVar, Self
@@ -96,12 +96,12 @@ class LockedFormulas(PolygonSeries, LockingInputs):
 
     @shared
     def alone(self) -> Self:
-        """The same under pressure alone."""
+        """The ring under pressure only."""
         return self.variant(pushed=False)
 
     @shared
     def soft(self) -> Self:
-        """The same under pressure alone, rollers as elastic as the ring."""
+        """The ring under pressure only, with rollers as elastic as the ring."""
         return self.variant(pushed=False, elastic=True)
 
     @shared
@@ -123,7 +123,7 @@ class LockedFormulas(PolygonSeries, LockingInputs):
 
     @shared
     def from_rollers(self) -> float:
-        """Share of the stress in the fillets that the rollers make."""
+        """Share of the fillet stress due to the rollers."""
         return abs(1 - self._in_fillet(replace(self.locked, N=0.0)) / self.fillet)
 
     def under(self, p: float, d: float, hub: HubForce | None = None) -> Locked:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 LEVELS = (1, 2, 3, 4)
 DRAWN = 2  # level of the curves
-THICK = 0.15  # wall over outer diameter from which on a mesh is twice as fine
+THICK = 0.15  # wall over outer diameter above which a mesh is twice as fine
 STEP = 0.05  # relative change of the hub's force in both directions, for its share
 SIZES = (0.25, 0.5, 1.0, 2.0, 4.0)  # diameters of the swept rollers over the given one
 STRETCHES = (0.005, 0.01, 0.02, 0.05, 0.1)  # distances above the flat over the wall
@@ -23,7 +23,7 @@ PRESSURES = np.linspace(0, 1.2, 9)  # pressures of the dots over p_t
 
 
 def solve(q: LockingInputs, level: int) -> Level:
-    """One level under pressure alone, with the hub, and with elastic rollers."""
+    """One level: under pressure only, with the hub, and with elastic rollers."""
     hub, thick = q.push, q.d_e / 2 - q.apothem > THICK * q.d_e
     fine = 2 * level if thick else level
     alone = locked_fem(q, fine, d=q.d, p=q.p_t)
@@ -64,7 +64,7 @@ def solve(q: LockingInputs, level: int) -> Level:
 
 
 def elastic_rollers(q: LockingInputs, ring: "LockedSector") -> dict[str, float]:
-    """Force and half-widths of elastic rollers, and the residual of forces on one [N/m]."""
+    """Force and half-widths of elastic rollers, and the force residual of a roller [N/m]."""
     near, far = ring.half_widths(q.p_t)
     on_roller, on_race = (touch.force[0] for touch in ring.at(q.p_t).touches)
     return {
@@ -89,7 +89,7 @@ def supports(q: LockingInputs) -> dict[str, Array]:
 
 
 def diameters(q: LockingInputs) -> list[float]:
-    """Diameters [m] of rollers that fit beside each other."""
+    """Diameters [m] of rollers that fit side by side."""
     sine = np.sin(q.half_angle)
     room = 0.98 * (q.d_e + q.j_D) * sine / (1 - sine)
     return [float(d) for d in q.d * np.array(SIZES) if d < room]

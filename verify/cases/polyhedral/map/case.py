@@ -1,4 +1,4 @@
-"""K of the polyhedral ring over number of flats, wall and fillet: where K = 1 is accurate."""
+"""K of the polyhedral ring over number of flats, wall and fillet: range of validity of K = 1."""
 
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, ClassVar
@@ -76,7 +76,7 @@ class PolyhedralMap(MapInputs):
         ])  # fmt: skip
 
     def sector(self, size: Size) -> Sector:
-        """Half a sector of one ring for the series."""
+        """Half a sector of a ring for the series."""
         z, delta_1, rho = size
         return Sector(z=z, d_e=self.d_e, d_i=self.d_e - 2 * delta_1, rho=rho)
 
@@ -125,10 +125,10 @@ class PolyhedralMap(MapInputs):
 
 
 def over_map(name: str) -> Callable[[Context], Pair]:
-    """Series and finite elements where they differ most over a map, as 1/K.
+    """Series and finite elements at their largest difference over a map, as 1/K.
 
-    The series is evaluated in some of the cells: a third of the flats in every other row. How much
-    a finer mesh changes is known for the rings of the middle.
+    The series is evaluated in some of the cells: a third of the flats in every other row. The
+    effect of a finer mesh is known for the rings of the middle.
     """
 
     def pair(context: Context) -> Pair:
@@ -145,12 +145,12 @@ def over_map(name: str) -> Callable[[Context], Pair]:
 
 
 def shares(context: Context) -> Pair:
-    """The load-transfer ratios where series and finite elements differ most."""
+    """The load-transfer ratios at the largest difference of series and finite elements."""
     return farthest(context.inputs.efficiency, context.fem[-1].arrays["efficiency"], 0.0)
 
 
 def falls(context: Context) -> tuple[float, float, str]:
-    """Least step of |K_mid - K_∞| from one number of flats to the next, from 12 on."""
+    """Least step of |K_mid - K_∞| between successive numbers of flats, from 12 flats."""
     limit, over = context.inputs.K_many, [z for z in FLATS if z >= FROM]
     on = [
         np.array([abs(level.values[f"K_mid_{z}"] - limit) for z in over]) for level in context.fem
@@ -166,7 +166,7 @@ def near_lame(context: Context) -> Pair:
 
 
 def draws_in(context: Context) -> tuple[float, float, str]:
-    """How far the corners of three flats draw in: minus 1/K there."""
+    """Inward displacement of the corners of three flats: minus 1/K there."""
     K = context.series(f"K_corner_{FLATS[0]}")[1]
     return -1 / K[-1], 3 * abs(1 / K[-1] - 1 / K[-2]), f"K_corner is {K[-1]:.4g}"
 

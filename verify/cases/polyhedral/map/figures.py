@@ -21,7 +21,7 @@ def on_map(context: Context, name: str) -> Array | None:
 
 
 def figures(q: Any, context: Context) -> Sequence[Figure]:
-    """Error of K = 1 over walls and fillets, by finite elements where there are any; curves."""
+    """Error of K = 1 over walls and fillets, by finite elements if solved; curves."""
     wall, fillet = (
         q.flexibility(rings)[:, 0] if (found := on_map(context, name)) is None else found
         for name, rings in (("wall", q.by_wall), ("fillet", q.by_fillet))
@@ -49,7 +49,7 @@ def _map(
 
 
 def _factors(q: Any, context: Context) -> Curves:
-    """K by three definitions; cut off where corners hardly move."""
+    """K by three definitions; cut off if corners hardly move."""
     x = np.log2(np.array(FLATS, dtype=float))
     curves = []
     names = ("middle of the flats", "mean of the outside", "corners")

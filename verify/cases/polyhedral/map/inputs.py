@@ -17,7 +17,7 @@ Size = tuple[int, float, float]  # flats, wall [m], fillet [m]
 
 
 class MapInputs(RoundRing):
-    """The ring whose flats, wall and fillet are varied; δ_1 and ρ are those of its middle."""
+    """The ring with varied flats, wall and fillet; δ_1 and ρ are the middle values."""
 
     rho: float = given("2 mm", "mm", "ρ", "fillet radius of the bore's corners", gt=0, le=1e4)
     d: float = given("10 mm", "mm", "d", "diameter of the rollers", gt=0, le=1e5)
@@ -61,10 +61,10 @@ class MapInputs(RoundRing):
         )
 
     def touching(self, wall: float) -> float:
-        """Pressure [Pa] of the thin ring that takes up the clearance, for the size of loads."""
+        """Pressure [Pa] of the thin ring that takes up the clearance, as scale of the loads."""
         return 2 * wall * self.E * self.j_D / ((self.d_e - 2 * wall) * (self.d_e - wall))
 
     def roller(self, z: int) -> float:
-        """Diameter [m] of the rollers, those of the inputs where so many fit."""
+        """Diameter [m] of the rollers; the diameter of the inputs if that number fits."""
         sine = float(np.sin(np.pi / z))
         return min(self.d, 0.9 * (self.d_e + self.j_D) * sine / (1 - sine))

@@ -1,4 +1,4 @@
-"""The round ring behind the polyhedral one: pressure that takes up a clearance, thin and thick."""
+"""The round ring behind the polyhedral ring: pressure that takes up a clearance, thin and thick."""
 
 from collections.abc import Iterator
 from typing import Any, ClassVar, Self
@@ -30,8 +30,8 @@ from verify.form.fields import picture, plane_field
 from verify.form.figures import Overlay
 
 WALLS = (0.01, 0.0178, 0.0316, 0.0562, 0.1)  # δ_1/d_m: a decade
-THICK = 0.15  # δ_1/d_m from which on meshes are twice as fine
-SOLID = 0.96  # δ_1/d_m where figures end: at 1 there is no bore
+THICK = 0.15  # δ_1/d_m above which meshes are twice as fine
+SOLID = 0.96  # δ_1/d_m at the end of figures; at 1 the bore vanishes
 ACCEPTED = 5e-4, "uniform pressure on a round ring: acceptance figure"
 LAME = "derived: Lamé's pressure is d_m²/(d_i d_e) times p_1, in plane stress"
 MEAN = (
@@ -54,7 +54,7 @@ MIDDLE = "Lamé: growth of the mean diameter where the outside grows by j_D"
 
 
 class RingPressure(ThinRing):
-    """A round ring under pressure, on which that of the polygonal ring is based.
+    """A round ring under pressure, the basis of the polygonal ring's theory.
 
     The paper's thin ring is compared with Lamé's thick one and with finite elements; a sweep shows
     that they agree as the wall vanishes. Sizes are assumed: the paper prints none.
@@ -101,7 +101,7 @@ class RingPressure(ThinRing):
         return float(p)
 
     def of_wall(self, share: float) -> Self:
-        """The ring of the same mean diameter whose wall is a `share` of that, allowed or not."""
+        """The ring of equal mean diameter with the wall `share` times it, allowed or not."""
         sizes = {"delta_1": share * self.d_m, "d_e": (1 + share) * self.d_m}
         return self.model_copy(update=sizes)
 
@@ -126,7 +126,7 @@ class RingPressure(ThinRing):
 
         narrow, long = (expanded(self.d_i, self.d_e, a) for a in ("plane stress", "plane strain"))
         rim, bore, p = narrow.on_boundary("rim"), narrow.on_boundary("bore"), pressure(narrow)
-        cut = -narrow.reaction("x=0")[0]  # the hoop force of one wall, pulling on the quarter
+        cut = -narrow.reaction("x=0")[0]  # the hoop force of a wall, pulling on the quarter
         round_off = max(
             max(s.residual**0.5, abs(s.potential_energy / s.strain_energy + 1))
             for s in (narrow, long)
@@ -201,7 +201,7 @@ class RingPressure(ThinRing):
         )  # fmt: skip
 
     def warnings(self) -> Iterator[str]:
-        """Where the ring yields before it reaches its rollers."""
+        """Warnings if the ring yields before it reaches its rollers."""
         tresca = 2 * self.d_e**2 / (self.d_e**2 - self.d_i**2) * self.p  # in the bore
         if self.R_p is not None and tresca > self.R_p:
             yield (

@@ -162,7 +162,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
         }
 
     def outside(self, theta: Array) -> Array:
-        """Radial displacement (m,) [m] of the outside where it reaches the rollers."""
+        """Radial displacement (m,) [m] of the outside when it reaches the rollers."""
         load: dict[str, Any] = {"p": self.p_1r, "E": self.E, "nu": self.nu}
         u = bore_pressure.rim_displacement(
             theta, sector=self.sector, assumption="plane stress", **load
@@ -170,7 +170,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
         return np.asarray(u.real)
 
     def as_wide(self) -> Self:
-        """The same ring in plane strain."""
+        """This ring in plane strain."""
         return self.variant(ends="plane strain")
 
     def reference(self, level: int) -> Level:
@@ -227,7 +227,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
             )  # fmt: skip
 
     def figures(self) -> Iterator[AlongLine]:
-        """The outside where its flats have reached the rollers."""
+        """The outside when its flats have reached the rollers."""
         degree = np.degrees
         yield AlongLine(
             title="Growth of the outside where it reaches the rollers",
@@ -247,7 +247,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
     sketch = sketched.sketch
 
     def warnings(self) -> Iterator[str]:
-        """Where the fillets yield, and where the corners do not follow."""
+        """Warnings if the fillets yield or the corners do not follow."""
         when = " where the ring reaches the rollers"
         yield from of_fillets(self.fillet, E=self.E, R_p=self.R_p, when=when)
         if self.flexibility < 0:
@@ -255,7 +255,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
 
 
 def of_one(K: float) -> Expected:
-    """The error of K = 1 where the series has `K`."""
+    """The error of K = 1 if the series has `K`."""
     return about(1 / K - 1, NEAR, "1/K of the series (complex potentials)")
 
 

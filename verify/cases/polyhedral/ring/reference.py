@@ -57,7 +57,7 @@ def stiffness_fem(q: HubRing, level: int) -> Level:
 def both_fem(q: HubRing, level: int) -> Level:
     """K by its three definitions in plane stress, and in the middle of the flats in plane strain.
 
-    The residual of either solve is that of all values.
+    The residual of each solve applies to all values.
     """
     narrow, wide = (pressed_fem(q, level, a, ARC) for a in ("plane stress", "plane strain"))
     values = stiffness(q, factors_fem(q, narrow)) | {
@@ -80,9 +80,9 @@ def round_off(values: Values, residual: float) -> dict[str, float]:
 
 
 def fillet_fem(q: HubRing, level: int) -> float:
-    """Largest hoop stress [Pa] of the fillet where the ring reaches its rollers.
+    """Largest hoop stress [Pa] of the fillet when the ring reaches its rollers.
 
-    On cells that are all as coarse as those at the fillet: with finer ones there alone the wall's
+    All cells are as coarse as the cells at the fillet: with finer cells only there the wall's
     error, of the other sign, is of the same size.
     """
     ring = pressed_fem(q, level, "plane stress")

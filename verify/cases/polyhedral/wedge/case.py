@@ -16,10 +16,10 @@ from verify.form.adapter import adapted
 
 
 class WedgedRoller(WedgeFormulas):
-    """A roller in a wedge stays where tan(α/2) is below μ.
+    """A roller stays in a wedge if tan(α/2) is below μ.
 
-    Friction on it is then no more than N tan(α/2). The printed torque μ N z D_i/2 is that of
-    rollers which a cage holds back until they slip. Finite elements of an elastic roller on an
+    Friction on the roller is then at most N tan(α/2). The printed torque μ N z D_i/2 applies to
+    rollers that a cage holds back until they slip. Finite elements of an elastic roller on an
     elastic race with friction confirm both.
     """
 
@@ -62,7 +62,7 @@ class WedgedRoller(WedgeFormulas):
         return fem.solve(self, level)
 
     def warnings(self) -> Iterator[str]:
-        """Where a free roller leaves its wedge, and where surfaces yield."""
+        """Warnings if a free roller leaves its wedge or surfaces yield."""
         if not stays(self):
             yield (
                 f"tan(α/2) = {np.tan(self.half):.4g} is not below μ = {self.mu:g} (Eq. 2): a free "

@@ -28,7 +28,7 @@ COULOMB = "Coulomb's law of friction"
 
 
 def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
-    """Free rollers, caged ones, Eqs. 3 and 4 as printed, and where contacts stick."""
+    """Rows: free rollers, caged rollers, Eqs. 3 and 4 as printed, stick zones of contacts."""
     case, scale, angle = WedgeFormulas, {"N": self.N}, {"alpha": self.alpha, "mu": self.mu}
     too_much = Expected(*bounds.torque_error(**angle), FREE)
     too_little = Expected(*bounds.normal_force_error(**angle), FREE)
@@ -83,12 +83,12 @@ def held(context: Context) -> tuple[float, float]:
 
 
 def below(bound: float, array: str, k: int) -> Callable[[Context], tuple[float, float]]:
-    """How far a member of the finest mesh's array is below a bound."""
+    """Margin of a member of the finest mesh's array below a bound."""
     return lambda context: (float(bound - context.fem[-1].arrays[array][k]), 0.0)
 
 
 def over_angles(context: Context) -> tuple[float, float, str]:
-    """How far T/(mu N) is off tan(alpha/2)/mu; where the roller is squeezed out N is zero."""
+    """Difference of T/(mu N) and tan(alpha/2)/mu; N is zero if the roller is squeezed out."""
     share, left, ratio = context.fem[-1].arrays["over angles"]
     mu = context.inputs.mu
     stays = wedging.holds(alpha=2 * np.arctan(share * mu), mu=mu)

@@ -16,7 +16,7 @@ from verify.form.plots import dashes, dots, line, plot
 
 
 def figures(self: WedgeFormulas) -> Iterator[AlongLine | Drawn]:
-    """Curves and profiles, where finite elements are solved."""
+    """Curves and profiles, if finite elements are solved."""
     yield converged(_limit)
     yield converged(lambda context: _torques(self, context))
     yield AlongLine(

@@ -15,7 +15,7 @@ def stays(q: "WedgeFormulas") -> bool:
 
 
 class WedgeFormulas(WedgeInputs):
-    """Eqs. 1 to 5; the load of a free roller exists only where it stays in its wedge."""
+    """Eqs. 1 to 5; the load of a free roller exists only if the roller stays in its wedge."""
 
     @Quantity("M_t", "N m", "torque of free rollers", equation="3", form="corrected", when=stays,
               safe="too low",

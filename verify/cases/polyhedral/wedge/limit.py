@@ -16,9 +16,9 @@ ANGLES = (0.1, 0.3, 0.5, 0.7, 0.9, 0.98, 1.02, 1.2, 1.45)  # tan(alpha/2)/mu of 
 
 
 def pressed_fem(q: WedgeInputs, down: float, *, half: float, mu: float) -> tuple[float, float]:
-    """N over the given one, and T/N, where a race comes `down` [m] on a roller at half an angle.
+    """N over the given N, and T/N, if a race moves `down` [m] on a roller at half an angle.
 
-    Zeros where the roller has lost its contact.
+    Zeros if the roller has lost its contact.
     """
     from fem.contact.wedged import Geometry, Wedge
     from verify.cases.polyhedral.wedge.mesh import fem_mesh
@@ -38,7 +38,7 @@ def least_fem(q: WedgeInputs, down: float, share: float) -> tuple[float, float]:
 
 
 def around_fem(q: WedgeInputs, down: float) -> Array:
-    """What is left of N (2,) with friction 1 % below and above tan(alpha/2)."""
+    """Remaining share of N (2,) with friction 1 % below and above tan(alpha/2)."""
     limit = math.tan(q.half)
     return np.array([
         pressed_fem(q, down, half=q.half, mu=share * limit)[0] for share in (0.99, 1.01)
@@ -46,7 +46,7 @@ def around_fem(q: WedgeInputs, down: float) -> Array:
 
 
 def over_angles_fem(q: WedgeInputs, down: float) -> Array:
-    """tan(alpha/2)/mu, part of N that is left, T/(mu N) or 0 where it is none (3, m)."""
+    """tan(alpha/2)/mu, remaining share of N, T/(mu N) or 0 without N (3, m)."""
     found = []
     for share in ANGLES:
         left, ratio = pressed_fem(q, down, half=math.atan(share * q.mu), mu=q.mu)

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-LEVELS = (12, 16, 24)  # cells on the half-width; half of them where only forces count
+LEVELS = (12, 16, 24)  # cells on the half-width; half of them if only forces matter
 SOLVED = 1e-9  # relative to N: force balance of a body held by contact only
 FAR = 20.0  # sliding distance of a race over mu times the approach, until full slip
 GROWN = 150  # steps in which N and T grow together
@@ -39,7 +39,7 @@ def solve(q: WedgeInputs, level: int) -> Level:
     state, down = free.pressed(q.line_load)
     found, caught = freely(q, free, state), held_back(q, cage)
     values = found | caught
-    # what the balance along the bisector misses is missing in T
+    # the residual along the bisector is an error of T
     u_it = {key: SOLVED * abs(found[key]) / math.tan(q.half) for key in ("T", "M_free", "N_per_M")}
     u_it |= {key: SOLVED * abs(caught[key]) for key in ("M_caged", "N_per_M_caged")}
     u_it["C"] = SOLVED * q.N
@@ -61,7 +61,7 @@ def solve(q: WedgeInputs, level: int) -> Level:
 
 
 def freely(q: WedgeInputs, free: "Wedge", state: "ContactSolution") -> dict[str, float]:
-    """What a free roller carries under N, and its balance along and across the bisector."""
+    """Loads of a free roller under N, and its balance along and across the bisector."""
     N, T = free.forces(state)
     lever = q.z * q.D_i / 2
     cut = sum(state.plane.reaction(f"roller.{part}")[1] for part in ("inner", "outer"))
@@ -87,7 +87,7 @@ def held_back(q: WedgeInputs, cage: "Wedge") -> dict[str, float]:
 
 
 def across(q: WedgeInputs, touch: "Touch", s: Array) -> Array:
-    """Traction (m,) into the wedge at `ACROSS`, over tan(alpha/2) p_0; s is where nodes are."""
+    """Traction (m,) into the wedge at `ACROSS`, over tan(alpha/2) p_0; s: node positions."""
     order = np.argsort(s)
     return np.interp(ACROSS, s[order], touch.traction[order]) / (math.tan(q.half) * q.p_0)
 

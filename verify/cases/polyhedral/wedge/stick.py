@@ -1,4 +1,4 @@
-"""A wedged roller pressed without friction and released: where its contacts stick."""
+"""A wedged roller pressed without friction and released: stick zones of its contacts."""
 
 import math
 from typing import NamedTuple
@@ -24,10 +24,10 @@ TILT, FLATTEST = 0.04, 0.02  # a/(mu R) and a/R at most
 
 
 def small(q: WedgeInputs) -> float:
-    """Half-width [m] small against R and mu R, where Cattaneo's half planes are the limit.
+    """Half-width [m], small against R and mu R: the limit of Cattaneo's half planes.
 
     Otherwise the surface on which roller and race meet is inclined by up to a/(2R) at its ends,
-    which counts against the angle of friction.
+    which reduces the available angle of friction.
     """
     return q.R * min(TILT * q.mu, FLATTEST)
 

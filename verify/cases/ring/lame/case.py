@@ -46,7 +46,7 @@ class Ring(Case):
     source = "huang2018"
     place = "Eq. 6, the formula behind it"
     levels: ClassVar = (2, 4, 8, 16)
-    ends: ClassVar[Ends] = "plane stress"  # of the quantities below
+    ends: ClassVar[Ends] = "plane stress"  # ends for the quantities below
     scans: ClassVar = (
         Scan(
             vary=("r_i=5mm,12mm,19.44mm,24mm", "nu=0.1,0.3,0.45", "p_o=0MPa,30MPa,90MPa"),
@@ -149,11 +149,11 @@ class Ring(Case):
         return float(lame.radial_displacement(r, **plain, **self._loads))
 
     def as_long(self) -> Self:
-        """The same ring in plane strain."""
+        """This ring in plane strain."""
         return self.variant(ends="plane strain")
 
     def reference(self, level: int) -> Level:
-        """Quarters in plane stress and plane strain, and one with straight edges."""
+        """Quarters in plane stress and plane strain, and a quarter with straight edges."""
         from verify.cases.ring.lame.reference import solve
 
         return solve(self, level)
@@ -223,7 +223,7 @@ class Ring(Case):
         )  # fmt: skip
 
     def warnings(self) -> Iterator[str]:
-        """Where the ring yields, and where strains or the wall leave the theory."""
+        """Warnings if the ring yields, or strains or the wall are outside the theory."""
         _, hoop = lame.stresses([self.r_i, self.r_o], **self._loads)
         radial = np.array([-self.p_i, -self.p_o])
         shear = np.maximum.reduce([abs(hoop - radial), abs(hoop), abs(radial)])  # Tresca, σ_z = 0

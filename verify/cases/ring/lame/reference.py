@@ -1,4 +1,4 @@
-"""Finite elements of a thick ring: quarters in plane stress and strain, one with straight edges."""
+"""Finite elements of a thick ring: quarters in plane stress and strain; straight edges."""
 
 from typing import Any
 

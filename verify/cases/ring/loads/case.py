@@ -23,7 +23,7 @@ READINGS = (
 
 
 class SpragRace(SpragLoads):
-    """What both races have in common."""
+    """Common base of both races."""
 
     levels: ClassVar = (8, 12, 16)
     assumptions: ClassVar = (
@@ -48,7 +48,7 @@ class SpragRace(SpragLoads):
         yield drawn.table(self, (OuterRace(), InnerRace()) if context.is_paper else ())
 
     def warnings(self) -> Iterator[str]:
-        """Where the race yields, and where it is no ring under line contacts."""
+        """Warnings if the race yields or is no ring under line contacts."""
         if self.R_p is not None:
             limit = YIELDING * self.R_p
             if self.p_0 > limit:
@@ -75,8 +75,8 @@ class SpragRace(SpragLoads):
 class OuterRace(SpragRace):
     """Eq. 6 replaces the forces of n sprags by a uniform pressure.
 
-    Finite elements of half a pitch and a Fourier ring, which agree, give the error of Eq. 6 at a
-    load and between loads, with the local indentation and without it.
+    Finite elements of half a pitch and a Fourier ring agree. They measure the error of Eq. 6 at a
+    load and between loads, with and without the local indentation.
     """
 
     id = "ring-loads-outer"

@@ -19,7 +19,7 @@ from verify.judging.tolerance_checks import Deviation
 
 BY_SUBJECT = "acceptance figure of finite elements against the Fourier ring"
 EDGE = 1.5  # order at the load: even cells on the pressure's square-root end
-AWAY = 3.0  # and away from it: twice the order of the energy norm, 3/2 by that end
+AWAY = 3.0  # away from it: twice the order of the energy norm, which is 3/2 due to that end
 FITTED = "on a force and a length that are identified, not printed"
 PATCHES = "Hertz's pressure on the patches, forces along radii, plane stress"
 RADII = "forces along radii, plane stress"
@@ -32,7 +32,7 @@ BY_FOURIER = (
 
 @dataclass(frozen=True, kw_only=True)
 class Smeared(Approximation):
-    """A formula beside the finite elements' deflection, less what `less` names: the indentation."""
+    """A formula against the finite elements' deflection minus the indentation named by `less`."""
 
     less: str = ""
 
@@ -46,7 +46,7 @@ class Smeared(Approximation):
 
 
 def comparisons(self: SpragLoads) -> Iterator[Comparison | Check]:
-    """Fourier ring against finite elements; then Eq. 6, whose forces are one pressure."""
+    """Rows: Fourier ring against finite elements; then Eq. 6, with forces as a pressure."""
     race = type(self)
     wall, far = ("bore", "rim") if self.loaded == "bore" else ("rim", "bore")
     shared: dict[str, Any] = {"sensitivity": (ACCEPTED, BY_SUBJECT), "shares": PATCHES}
@@ -154,7 +154,7 @@ def finest(
 
 
 def too_soft(context: Context) -> tuple[float, float, str]:
-    """How far Eq. 6 exceeds what finite elements give at the load less the indentation."""
+    """Excess of Eq. 6 over the finite elements' deflection at the load minus the indentation."""
     q, (h, series) = context.inputs, context.series("load")
     u = numerical_uncertainty(grid_convergence(h, series, formal=EDGE, scale=series[-1]))
     reference = series[-1] - q.dent

@@ -67,7 +67,7 @@ def _ripple(q: SpragLoads, context: Context) -> Curves:
 
 
 def _thinned(context: Context, wall: str) -> Array:
-    """Some nodes (3, m) of a wall on the finest mesh, the first and last among them."""
+    """Some nodes (3, m) of a wall on the finest mesh, including the first and last."""
     nodes = context.fem[-1].arrays[f"{wall} nodes"]
     n = context.inputs.n / np.pi
     wanted = np.linspace(0, 1, DOTS)
@@ -113,7 +113,7 @@ def ratios(races: Sequence[SpragLoads], n: int) -> tuple[float, float]:
 
 
 def table(q: SpragLoads, pair: Sequence[SpragLoads]) -> Table:
-    """Both ratios over n: of this race alone and, for the paper's numbers, of both races."""
+    """Both ratios over n: of this race and, for the paper's numbers, of both races."""
     rows: list[tuple[str | float | None, ...]] = []
     for n in sorted({*LISTED, q.n}):
         if not all(race.room_for(n) for race in (q, *pair)):

@@ -11,7 +11,7 @@ from verify.cases.ring.loads.inputs import LoadsInputs
 
 
 class SpragLoads(LoadsInputs):
-    """Eq. 6 and the indentation beside the Fourier ring, which carries the same loads."""
+    """Eq. 6 and the indentation, and the Fourier ring under the same loads."""
 
     @Quantity("δ_6", "µm", "deflection", equation="6")
     def smeared(self) -> float:

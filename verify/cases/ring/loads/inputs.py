@@ -54,12 +54,12 @@ class LoadsInputs(Case):
 
     @property
     def half_width(self) -> float:
-        """Half-width of Hertz's contact [m], which finite elements take for their patch."""
+        """Half-width of Hertz's contact [m], used as the patch of the finite elements."""
         bend = 1 / self.R + (-1 if self.loaded == "bore" else 1) / self.radius
         return math.sqrt(8 * self.P * (1 - self.nu**2) / (math.pi * self.E * bend))
 
     def room_for(self, n: int) -> bool:
-        """Whether n patches leave half of the wall free."""
+        """Whether n patches cover at most half of the wall."""
         return 2 * n * self.half_width <= math.pi * self.radius
 
     @model_validator(mode="after")

@@ -9,14 +9,14 @@ from verify.cases.ring.loads.inputs import LoadsInputs, Wall
 from verify.core.figures import Array, Field
 
 CELLS = 4  # on half the patch of the coarsest mesh
-ROUND = 1e-11  # of displacements: machine epsilon times the ring over its cells (below 1e5)
+ROUND = 1e-11  # relative: machine epsilon times the ring over its cells (below 1e5)
 AROUND, ACROSS = 9, 5  # stations of the stresses inside
 ALONG = 16  # stations of the profiles on the walls
 AWAY = 2.0  # half-widths from the patch's middle beyond which they are compared
 
 
 def stations(q: LoadsInputs) -> Array:
-    """Points (2, m): r and theta of a polar grid over half a pitch, one patch width off it."""
+    """Points (2, m): r and theta of a polar grid over half a pitch, a patch width from the load."""
     r, theta = np.meshgrid(
         np.linspace(q.r_i, q.r_o, ACROSS), np.linspace(0, np.pi / q.n, AROUND), indexing="ij"
     )
@@ -63,7 +63,7 @@ def solve(q: LoadsInputs, level: int) -> Level:
     other = q.r_o if q.loaded == "bore" else q.r_i
     r, theta = np.array([[q.radius, other, other], [pitch, 0.0, pitch]])
     hoop = sector.at(np.array([r * np.cos(theta), r * np.sin(theta)])).polar()[2]
-    cut = sector.reaction("free cut")  # along the inward normal where the ring is pulled
+    cut = sector.reaction("free cut")  # along the inward normal if the ring is pulled
     inside, turn = stations(q)
     within = sector.at(np.array([inside * np.cos(turn), inside * np.sin(turn)])).polar()
     values = {

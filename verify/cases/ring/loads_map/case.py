@@ -31,7 +31,7 @@ class Point(NamedTuple):
 
     @property
     def words(self) -> str:
-        """How rows name it."""
+        """Name of the wall in rows."""
         return f"n = {self.n}, r_o/r_i = {self.ratio:g}"
 
 
@@ -141,7 +141,7 @@ class LoadsMap(Case):
                                shares=PATCHES)  # fmt: skip
 
     def figures(self) -> Iterator[Drawn]:
-        """Errors of either race at three places."""
+        """Errors of both races at three places."""
         walls: tuple[Wall, ...] = ("bore", "rim")
         yield Drawn(lambda _: [self._map(loaded, place) for loaded in walls for place in PLACES])
 

@@ -54,7 +54,7 @@ class RotatingRace(Case):
     source = "huang2018"
     place = "Eq. 8; Table 1, the outer race's radii"
     levels: ClassVar = (2, 4, 8, 12)
-    ends: ClassVar[Ends] = "plane stress"  # of the quantities below
+    ends: ClassVar[Ends] = "plane stress"  # ends for the quantities below
     scans: ClassVar = (Scan(vary=("r_i=5mm,12mm,19.44mm,24mm", "nu=0.1,0.3,0.45"), star=True),)
     readings: ClassVar = (
         "the n of Eq. 8 is a speed in r/min, its ρ a density: πn/30 is the angular speed",
@@ -161,7 +161,7 @@ class RotatingRace(Case):
         return float(rotating.radial_displacement(r, E=self.E, assumption=self.ends, **race))
 
     def as_long(self) -> Self:
-        """The same race in plane strain."""
+        """This race in plane strain."""
         return self.variant(ends="plane strain")
 
     def reference(self, level: int) -> Level:
@@ -174,7 +174,7 @@ class RotatingRace(Case):
                 "growth": bore.mean(bore.polar()[0]), "growth_rim": rim.mean(rim.polar()[0]),
                 "hoop_bore": bore.mean(bore.polar()[2]), "hoop_rim": rim.mean(rim.polar()[2]),
                 "radial_mid": middle.mean(middle.polar()[1]), "U": 4 * race.strain_energy,
-                # what acts on a quarter along x: rho omega² times the integral of x
+                # force on a quarter along x: rho omega² times the integral of x
                 "balance": race.reaction("x=0")[0] + pull * (self.r_o**3 - self.r_i**3) / 3,
             }  # fmt: skip
 
@@ -216,7 +216,7 @@ class RotatingRace(Case):
         yield Comparison(check=Small(name=name, symbol="δ_ce/δ_BE", unit="1"), quantity=race.ratio)
 
     def figures(self) -> Iterator[AlongLine | Drawn]:
-        """The profiles over the wall, and the growth over speed beside the sprags' deflection."""
+        """Profiles over the wall; growth over speed, with the deflection under the sprags."""
         thin: dict[str, Any] = self._race | {"assumption": "plane stress"}
         yield from walls.profiles(
             self, "plane stress", lambda r: rotating.stresses(r, **thin),
@@ -265,7 +265,7 @@ class RotatingRace(Case):
         )  # fmt: skip
 
     def warnings(self) -> Iterator[str]:
-        """Where the race yields, and where its growth counts beside the sprags."""
+        """Warnings if the race yields, or its growth matters against the sprags' deflection."""
         stress = self.hoop_bore
         if self.R_p is not None and stress > self.R_p:
             yield (

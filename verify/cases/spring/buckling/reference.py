@@ -1,4 +1,4 @@
-"""Finite elements of case spring-buckling: one unit, critical points, drift, sweeps and the map."""
+"""Finite elements of case spring-buckling: a unit, critical points, drift, sweeps and the map."""
 
 import math
 from typing import TYPE_CHECKING, Any
@@ -25,14 +25,14 @@ if TYPE_CHECKING:
     from fem.beam.pressed import PressedFrame
 
 SWEPT = 8  # the level of sweeps and the map
-COARSE = 4  # grid of springs with other shapes
+COARSE = 4  # mesh level of springs with other shapes
 SHOWN = 0.1  # compression over the free length for the figure of a free head
 LAST = 0.75  # over the free length: the leaves of any spring touch before
 UNIT_PIECES = slice(2, 5)  # arc, leaf, arc of the first middle unit
 
 
 def solve(q: BucklingInputs, level: int) -> Level:
-    """One level of a unit and of both tails; on one of them paths and sweeps, too."""
+    """One level of a unit and of both tails; a single level also has paths and sweeps."""
     from fem.beam.pressed import PLACES
     from fem.beam.pressed_path import both_paths, deflected, drifts
     from fem.beam.released import gives_way, linear_load
@@ -70,7 +70,7 @@ def spring(q: BucklingInputs, path: dict[str, Any], b: float, level: int) -> "Pr
 
 
 def swept(q: BucklingInputs) -> dict[str, Any]:
-    """U_cr over b on one centre line; over n; at one L_0/b; and U_cr/L_0 over n and L_1."""
+    """U_cr over b on one centre line, over n, and at a given L_0/b; U_cr/L_0 over n and L_1."""
     from fem.beam.released import gives_way
 
     own = q.path | {"tail": "arc"}
@@ -103,7 +103,7 @@ def shortening(one: "PressedFrame", length: float) -> float:
 
 
 def unit_fem(q: BucklingInputs, level: int) -> dict[str, float]:
-    """Stiffnesses of one middle unit about its centre, clamped at one end."""
+    """Stiffnesses of a middle unit about its centre, clamped at an end."""
     from fem.beam.part import part_stiffness
     from meshes.spring.path import accordion
 
