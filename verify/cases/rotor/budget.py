@@ -15,7 +15,7 @@ def slender(q: Any) -> Any:
 
 
 def slender_step(q: Any) -> Any:
-    """The same with its step; seats as wide, springs as much softer as the shaft."""
+    """A slender shaft with its step; unchanged seats, springs softer in the ratio of the shaft."""
     return q.model_copy(update={
         "L": SLENDER * q.L, "L_2": SLENDER * q.L_2, "k": q.k / SLENDER**3, "n": q.n / SLENDER**2,
     })  # fmt: skip
@@ -27,12 +27,12 @@ def low_step(q: Any) -> Any:
 
 
 def low_and_slender(q: Any) -> Any:
-    """Both: what a smooth shaft's beam leaves out."""
+    """A low step on a slender shaft: both causes of the error of a beam."""
     return slender_step(low_step(q))
 
 
 def flat(q: Any) -> Any:
-    """A wedge a quarter as steep under the same normal forces."""
+    """A wedge of a quarter of the steepness under equal normal forces."""
     nu = q.nu / 4
     return q.model_copy(update={"nu": nu, "T": q.T * math.tan(nu) / math.tan(q.nu)})
 
@@ -78,7 +78,7 @@ STATEMENTS: Mapping[str, Statement] = {
     "rotor-step": Statement(
         reruns=(
             Rerun(cause=Cause.GEOMETRY, what=LOW, rows=BEAM, inputs=low_step),
-            # a longer shaft has a step that is as much lower against its length: one cause twice
+            # a longer shaft also has a relatively lower step: the cause would count twice
             Rerun(cause=Cause.GEOMETRY, what="and four times as long, hardly stepped", rows=BEAM,
                   inputs=low_and_slender, after=LOW),
         ),

@@ -1,4 +1,4 @@
-"""What a user states of a rotor: its shafts, segments, discs, bearings, links and unbalances.
+"""A user's description of a rotor: shafts, segments, discs, bearings, links and unbalances.
 
 Nodes are the ends of the segments, numbered from 1 along the first shaft, then on along the next.
 """
@@ -20,7 +20,7 @@ class ShaftInputs(Inputs):
 
 
 class SegmentInputs(Inputs):
-    """A tube of one section."""
+    """A tube of constant section."""
 
     shaft: str = text("shaft", "the shaft it belongs to; segments follow each other")
     length: float = quantity("100 mm", "mm", "l", "length", gt=0, le=1e5)
@@ -32,19 +32,19 @@ class SegmentInputs(Inputs):
 
 
 class NodeInputs(Inputs):
-    """What is at a node."""
+    """Common inputs of elements at a node."""
 
     node: int = count(1, "", "node", ge=1, le=10_000)
 
 
 class BetweenInputs(NodeInputs):
-    """What is between two nodes."""
+    """Common inputs of elements between two nodes."""
 
     to: int = count(2, "", "the other shaft's node", ge=1, le=10_000)
 
 
 class DiscInputs(NodeInputs):
-    """A rigid disc at a node, by mass and moments or, what of them is left out, as a cylinder."""
+    """A rigid disc at a node: mass and moments, omitted values as for a cylinder."""
 
     mass: float | None = quantity(
         None, "kg", "m", "mass", omitted=None, example="5 kg", ge=0, le=1e6
@@ -113,7 +113,7 @@ class UnbalanceInputs(NodeInputs):
 def check_shafts(shafts: Sequence[ShaftInputs], segments: Sequence[SegmentInputs]) -> None:
     """EntryError: a name given twice, a segment of no shaft, a shaft without segments.
 
-    ValueError where there is neither.
+    ValueError without both.
     """
     if not shafts or not segments:
         raise ValueError("a rotor has at least one shaft with one segment")

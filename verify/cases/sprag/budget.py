@@ -43,12 +43,12 @@ def long_half_crowned(q: Any) -> Any:
 BOTH = Without(Cause.PLANE, "plane strain on both sides")
 LONG = Rerun(cause=Cause.GEOMETRY, what="four times as long under the same load per length",
              inputs=long, levels=(41, 81))  # fmt: skip
-# the deflection of a slice depends on its load only, that of a strip on all loads
+# the deflection of a slice depends on its load only, a strip's deflection on all loads
 EVEN = Rerun(
     cause=Cause.GEOMETRY, what="and a hundredth of the crown: an even load of the slices",
     rows=("pressure at mid-length*",), inputs=long_uncrowned, levels=LONG.levels, after=LONG.what,
 )  # fmt: skip
-# at the larger torque the largest pressure would then be at the ends: another one
+# at the larger torque, the largest pressure would then be at the ends
 HALF = Rerun(
     cause=Cause.GEOMETRY, what="and half the crown", rows=("largest pressure*",),
     inputs=long_half_crowned, levels=LONG.levels, after=LONG.what,

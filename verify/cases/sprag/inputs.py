@@ -84,12 +84,12 @@ class WedgeInputs(Inputs):
 
     @property
     def sprag(self) -> LogSprag:
-        """The sprag between its races; ValueError where there is no wedge."""
+        """The sprag between its races; ValueError if they form no wedge."""
         return LogSprag.from_wedge_angle(R_i=self.R_i, R_e=self.R_e, r_i=self.r_i, nu_0=self.nu_0)
 
 
 class SpragInputs(WedgeInputs):
-    """The same with the friction, the crown and the speed of the clutch."""
+    """Inputs of the wedge with the friction, the crown and the speed of the clutch."""
 
     mu_s: float = quantity(0.12, "1", "μ_s", "coefficient of static friction", gt=0, lt=1)
     mu_c: float = quantity(0.08, "1", "μ_c", "coefficient of Coulomb friction, of fast sliding",
@@ -128,7 +128,7 @@ class SpragInputs(WedgeInputs):
 
 
 class EngagementInputs(SpragInputs):
-    """The same with inertias, springs, damping and the time integration."""
+    """Inputs of the clutch with inertias, springs, damping and the time integration."""
 
     m_g: float = quantity("1.8e-3 kg", "kg", "m_g", "mass of a sprag", gt=0, le=1e6,
                           claims="huang2018:table1-m-g")  # fmt: skip

@@ -170,7 +170,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
         return np.asarray(u.real)
 
     def as_wide(self) -> Self:
-        """This ring in plane strain."""
+        """The ring in plane strain."""
         return self.variant(ends="plane strain")
 
     def reference(self, level: int) -> Level:

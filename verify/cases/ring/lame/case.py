@@ -149,7 +149,7 @@ class Ring(Case):
         return float(lame.radial_displacement(r, **plain, **self._loads))
 
     def as_long(self) -> Self:
-        """This ring in plane strain."""
+        """The ring in plane strain."""
         return self.variant(ends="plane strain")
 
     def reference(self, level: int) -> Level:

@@ -31,7 +31,7 @@ class Point(NamedTuple):
 
     @property
     def words(self) -> str:
-        """Name of the wall in rows."""
+        """Name of the point in rows."""
         return f"n = {self.n}, r_o/r_i = {self.ratio:g}"
 
 

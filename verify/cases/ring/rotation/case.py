@@ -161,7 +161,7 @@ class RotatingRace(Case):
         return float(rotating.radial_displacement(r, E=self.E, assumption=self.ends, **race))
 
     def as_long(self) -> Self:
-        """This race in plane strain."""
+        """The race in plane strain."""
         return self.variant(ends="plane strain")
 
     def reference(self, level: int) -> Level:

@@ -1,4 +1,4 @@
-"""Statements on the stiffness of a clutch, and where it is not valid."""
+"""Statements on the stiffness of a clutch and the limits of its validity."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence

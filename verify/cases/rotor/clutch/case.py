@@ -1,4 +1,4 @@
-"""Stiffness of a sprag clutch between two rotors (Eqs. 1-11), beside struts between rigid hubs."""
+"""Stiffness of a sprag clutch between two rotors (Eqs. 1-11), against struts between rigid hubs."""
 
 from typing import ClassVar
 

@@ -1,4 +1,4 @@
-"""Rows of a clutch's formulas beside struts: closed forms, uneven states, limits, misprints."""
+"""Rows of a clutch's formulas against struts: closed forms, uneven states, limits, misprints."""
 
 import math
 from collections.abc import Callable, Iterator, Sequence
@@ -40,7 +40,7 @@ link = ClutchStiffness
 
 
 def rows(q: ClutchStiffness) -> Iterator[Comparison | Check]:
-    """All of them, in the order of the page."""
+    """All rows, in the order of the page."""
     yield from _states(q)
     yield from _along_struts(q)
     yield from _held_ends(q)
@@ -134,7 +134,7 @@ def _limits(q: ClutchStiffness) -> Iterator[Comparison]:
     """Stiffness of struts over wedge angle, deflection and offset."""
 
     def over_angle(levels: Sequence[Level]) -> Points:
-        """What Eq. 3 leaves out over sin ν, at the same normal forces."""
+        """Error of Eq. 3 over sin ν, at equal normal forces."""
         K = levels[-1].arrays["K_xx over nu"]
         sines = [math.sin(share * q.nu) for share in ANGLES]
         return sines, (HARD * q.K_xx / K - 1).tolist(), [1e-13] * len(sines)
@@ -147,9 +147,9 @@ def _limits(q: ClutchStiffness) -> Iterator[Comparison]:
         return eps, d.tolist(), [1e-13] * len(eps)
 
     def over_offset(levels: Sequence[Level]) -> Points:
-        """First-order coupling over that of struts, Eq. 3 corrected in both, over dx/delta_0.
+        """First-order coupling relative to struts, Eq. 3 corrected in both, over dx/delta_0.
 
-        The term after the one that is fitted counts as uncertainty, beside round-off: the coupling
+        The term after the fitted term counts as uncertainty, and so does round-off: the coupling
         is a small difference of large entries.
         """
         K = levels[-1].arrays["K_xz over small offsets"]
@@ -241,7 +241,7 @@ def _misprints(q: ClutchStiffness) -> Iterator[Check]:
         return 1e-9 - abs(ratio - 2), words
 
     def no_coupling(context: Context) -> tuple[float, str]:
-        """Under the torque alone, formulas and struts couple nothing."""
+        """Under torque only, formulas and struts have no coupling."""
         formula = abs(q.coupling)
         struts = context.series("off_diagonal")[1][-1] / q.K_xx
         words = (

@@ -18,7 +18,7 @@ from verify.form.plots import curve, dashes, dots, line, plot
 from verify.form.sketches import arrow, leader, shape, text
 
 um = 1e-6
-THIN = 201  # slices, so that a curve shows no single one leave contact
+THIN = 201  # slices, enough for a smooth curve when slices leave contact
 
 
 def sketch(q: SpragLink) -> Sketch:
@@ -33,7 +33,7 @@ def sketch(q: SpragLink) -> Sketch:
     first, R = ends[1], 1.35 * q.R_e
     beyond = first[0] + (first[1] - first[0]) * (R - q.R_i) / (q.R_e - q.R_i)
     out = first[0] / np.hypot(*first[0])
-    # names above and below: beside the races a narrow page has no room for them
+    # names above and below: a narrow page has no space for them next to the races
     named = (
         ((-0.85, 1.5), q.R_e * ray(-0.6), label("R_e", q.R_e)),
         ((0.1, 1.5), ends[q.Z // 4].mean(axis=0), f"ν = {math.degrees(q.nu):.4g}°"),
@@ -102,7 +102,7 @@ def _over_offset(context: Context) -> Curves:
 
 
 def _relative(K: Any, whole: Any) -> dict[str, Any]:
-    """Entries over those of the uniform clutch; coupling over sqrt(K_xx K_zz) of it."""
+    """Entries relative to the uniform clutch; coupling relative to its sqrt(K_xx K_zz)."""
     across = math.sqrt(whole[0, 0] * whole[4, 4])
     return {
         "K_xx": K[0, 0] / whole[0, 0], "K_yy": K[1, 1] / whole[1, 1],

@@ -1,4 +1,4 @@
-"""Formulas of a clutch between two rotors, in its uniform state and in uneven ones."""
+"""Formulas of a clutch between two rotors, in its uniform state and in uneven states."""
 
 import math
 from typing import ClassVar, Self
@@ -10,10 +10,10 @@ from analytic.rotor.clutch_state import under_torque
 from verify.case import Quantity, State, shared
 from verify.cases.rotor.clutch.inputs import SpragLink
 
-FINE = 401  # slices that stand for none
+FINE = 401  # number of slices that represents a continuous sprag
 ENTRIES = {"K_xx": (0, 0), "K_yy": (1, 1), "K_tilt": (3, 3), "K_zz": (4, 4), "K_xz": (0, 4)}
 ACROSS = {"K_xy": (0, 1), "K_yz": (1, 4)}  # zero by Eq. 3 wherever the x-axis halves a clutch
-UNEVEN = {  # what is uneven in each state, and its words
+UNEVEN = {  # cause of the unevenness of each state, and its name in text
     "": ((), "uniform"),
     "offset": (("with_offset",), "with an offset"),
     "crown": (("with_crown",), "with a crown"),
@@ -23,7 +23,7 @@ UNEVEN = {  # what is uneven in each state, and its words
 
 
 class ClutchStiffness(SpragLink):
-    """Stiffness under T: even clutches in closed form, uneven ones as sums over their sprags."""
+    """Stiffness under T: uniform clutches in closed form, uneven clutches as sums over sprags."""
 
     with_offset: ClassVar[bool] = False
     with_crown: ClassVar[bool] = False
@@ -90,7 +90,7 @@ class ClutchStiffness(SpragLink):
     @Quantity("K_xy", "N/mm", "coupling of x and y by the wedge angle", when=lambda q: q.with_gap,
               source="forces along the struts; none by Eq. 3")  # fmt: skip
     def K_xy(self) -> float:
-        """Of sprags missing at psi_g -k tan(nu) sum cos(2 psi_g)."""
+        """K_xy for missing sprags at psi_g: -k tan(nu) sum cos(2 psi_g)."""
         if self.with_offset:
             return self.inclined("K_xy")
         return clutch_inclined.coupling_across(self._gone, k=self._k_left, nu=self.nu)
@@ -99,7 +99,7 @@ class ClutchStiffness(SpragLink):
               when=lambda q: q.with_gap,
               source="forces along the struts; none by Eq. 3")  # fmt: skip
     def K_yz(self) -> float:
-        """Of sprags missing tan(nu) K_xz."""
+        """K_yz for missing sprags: tan(nu) K_xz."""
         if self.with_offset:
             return self.inclined("K_yz")
         return clutch_inclined.coupling_with_torsion(
@@ -175,7 +175,7 @@ class ClutchStiffness(SpragLink):
 
     @shared
     def leaning(self) -> float:
-        """What the forces take from K_tilt [N m/rad] as their points on the race tilt with it."""
+        """Reduction of K_tilt [N m/rad] because the contact points tilt with the race."""
         return clutch_inclined.leaning(self.sums, self.at_T)
 
     @property
@@ -190,7 +190,7 @@ class ClutchStiffness(SpragLink):
 
     @property
     def _k_left(self) -> float:
-        """Slope of a sprag where some are missing."""
+        """Stiffness of a sprag if some sprags are missing."""
         N = uniform.normal_force(T=self.T, Z=self.Z - self.missing, d_t=self.d_t)
         return float(uniform.contact_stiffness(N=N, k_n=self.k_n))
 

@@ -1,7 +1,7 @@
 """Inputs of a sprag clutch between two rotors: sprags, deflections, torque, and uneven states.
 
-The paper gives the torque of its rig alone. Radii and the number of sprags are those that the same
-authors print for their clutch of 2018; wedge angle and length are identified there.
+The paper states only the torque of its rig. Radii and the number of sprags are printed by these
+authors for their clutch of 2018; wedge angle and length are identified there.
 """
 
 import math
@@ -72,7 +72,7 @@ class SpragLink(Case):
         return self.R_i * math.tan(self.nu)
 
     def crown(self, x: Array) -> Array:
-        """Drop of one contact [m] at x [m] from the middle."""
+        """Drop of a contact [m] at x [m] from the middle."""
         return self.drop * (2 * x / self.L) ** 2
 
     def gap(self) -> tuple[int, ...]:

@@ -70,10 +70,10 @@ def solve(q: SpragLink, level: int) -> Level:
 
 
 def series_fem(q: SpragLink, struts: "SpragStruts") -> dict[str, Array]:
-    """Stiffnesses over torque, wedge angle and offset, and pinned ones over deflection."""
+    """Stiffnesses over torque, wedge angle and offset; with pinned ends over deflection."""
     by_torque = [replace(struts, T=x * q.T).rolling(COARSE).tangent() for x in TORQUES]
     flat = []
-    for share in ANGLES:  # the same normal forces at all angles
+    for share in ANGLES:  # equal normal forces at all angles
         T = q.T * math.tan(share * q.nu) / math.tan(q.nu)
         flat.append(replace(struts, nu=share * q.nu, T=T).rolling(COARSE, stiffer=HARD))
     yields = struts.yields

@@ -61,7 +61,7 @@ class UniformShaft(BeamTheories):
         return solve(self, level)
 
     def warnings(self) -> Iterator[str]:
-        """Where a theory is off, and where the speed is critical or bursts the shaft."""
+        """Warnings if a theory is inaccurate, or the speed is critical or bursts the shaft."""
         if (error := self.euler.at_rest(1) / self.exact.at_rest(1) - 1) > 0.02:
             yield f"Euler's beam is {error:+.1%} off at mode 1: take Timoshenko's"
         worst = max((self.at_rest(j) / self.exact.at_rest(j) - 1 for j in MODES), key=abs)
@@ -74,7 +74,7 @@ class UniformShaft(BeamTheories):
             yield f"its rim runs at {rim:.0f} m/s: steel bursts at some {FASTEST:.0f} m/s"
 
     def tables(self, context: Context) -> Iterator[Table]:
-        """Frequencies of all theories beside the body's."""
+        """Frequencies of all theories with the frequencies of the elastic body."""
         yield drawn.frequencies(context)
 
 

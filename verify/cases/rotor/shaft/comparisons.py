@@ -1,4 +1,4 @@
-"""Rows of a uniform turning shaft: beams beside beams, elasticity, the elastic body; limits."""
+"""Rows of a uniform rotating shaft: beams against beams, elasticity, the elastic body; limits."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
@@ -40,7 +40,7 @@ Points = tuple[list[float], list[float], list[float]]
 
 
 def rows(beam: BeamTheories) -> Iterator[Comparison | Check]:
-    """Beams beside beams, elasticity beside the body, beams beside the body, limits, orders."""
+    """Beams against beams, elasticity against the body, beams against the body, limits, orders."""
     yield from _beams(beam)
     yield from _bodies(beam)
     yield from _neglected(beam)
@@ -76,7 +76,7 @@ def _elasticity(beam: BeamTheories) -> State:
 
 
 def _beams(beam: BeamTheories) -> Iterator[Comparison]:
-    """Beam elements and weak forms against the same theory."""
+    """Beam elements and weak forms against closed forms of their theory."""
     modes = ((1, "forward"), (1, "backward"), (3, "forward"))
     for theory, state in zip(THEORIES, _theories(beam), strict=True):
         short = theory == "timoshenko"
@@ -147,7 +147,7 @@ def _orders(beam: BeamTheories) -> Iterator[Comparison]:
 def _euler_limit(beam: BeamTheories, levels: Any) -> Points:
     """Euler's error at rest against the elastic body, as the shaft gets slender.
 
-    Beside the meshes' uncertainty stands that of a first term alone: (k r)^2 of it.
+    The uncertainty includes the meshes and the truncation after the first term, (k r)^2 of it.
     """
     runs = np.array([r.arrays["limit"] for r in levels])
     formula = [beam.shaft(L=beam.d_o / x).whirl(1, theory="euler")[0] for x in RATIOS]
@@ -157,7 +157,7 @@ def _euler_limit(beam: BeamTheories, levels: Any) -> Points:
 
 
 def _timoshenko_limit(beam: BeamTheories) -> Points:
-    """Timoshenko's error at rest against the cylinder of elasticity, with the same first term."""
+    """Timoshenko's error at rest against the elastic cylinder, with this first term."""
     d = []
     for x in TOWARDS:
         exact = beam.cylinder().whirl(np.pi * x / beam.d_o)[0][0]
@@ -167,7 +167,7 @@ def _timoshenko_limit(beam: BeamTheories) -> Points:
 
 
 def _within_ceiling(beam: BeamTheories, context: Context) -> Pair:
-    """Timoshenko's beam and the elastic body, of modes 1 to 3 where they differ most."""
+    """Timoshenko's beam and the elastic body at the largest difference of modes 1 to 3."""
     runs = [context.series(f"solid_at_rest_{j}")[1] for j in MODES]
     beams, bodies = (np.array(v) for v in ([beam.at_rest(j) for j in MODES],
                                            [v[-1] for v in runs]))  # fmt: skip
@@ -193,7 +193,7 @@ class FormulasLimit(Limit):
 def _whirl(
     q: Quantity, reference: str, name: str, *, order: float, demand: float = 1e-3, **more: Any
 ) -> Comparison:
-    """A frequency or a critical speed of elements against the exact one."""
+    """A frequency or a critical speed of elements against the exact value."""
     symbol = "Ω_c" if q == BeamTheories.critical else "ω"
     shares = BEAM if "timoshenko" in reference else ""
     return identity(q, reference, name=name, symbol=symbol, unit="rad/s", order=order,
@@ -220,7 +220,7 @@ def _errors(key: str, state: State) -> Callable[[Context], tuple[list[float], li
 
 
 def _sense(context: Context) -> tuple[float, float, str]:
-    """The least share by which forward whirl is faster, where elements name it so."""
+    """Least relative excess of forward over backward whirl, as named by the elements."""
     v = context.fem[-1].values
     share = [v[f"{name}_split"] / v[f"{name}_whirl_1_forward"]
              for name in ("beam_timoshenko", "weak_timoshenko", "solid")]  # fmt: skip

@@ -35,7 +35,7 @@ def sketch(q: Any) -> Sketch:
 
 
 def frequencies(context: Context) -> Table:
-    """Frequencies of all theories beside the body's."""
+    """Frequencies of all theories with the frequencies of the elastic body."""
     q = context.inputs
     rows = [
         (f"mode {j} {sense}",
@@ -113,7 +113,7 @@ def campbell(context: Context) -> Campbell:
 
 
 def refinement(context: Context, order: int) -> Refinement:
-    """Errors of mode 1 forward against the exact value of each model, of one order."""
+    """Errors of mode 1 forward against the exact value of each model, with a common order."""
     q, first = context.inputs, "whirl_1_forward"
     series = {
         4: (("Euler", f"beam_euler_{first}", q.euler.whirl(1, "forward")),

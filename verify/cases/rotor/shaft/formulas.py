@@ -14,7 +14,7 @@ SENSES: tuple[Sense, ...] = ("forward", "backward")
 
 
 class BeamTheories(TurningShaft):
-    """The frequencies of one theory; the others are states."""
+    """The frequencies of a theory; the other theories are states."""
 
     theory: ClassVar[Theory | Literal["elasticity"]] = "timoshenko"
 

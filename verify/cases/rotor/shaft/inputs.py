@@ -59,7 +59,7 @@ class TurningShaft(Case):
         )  # fmt: skip
 
     def cylinder(self) -> Cylinder:
-        """The same in three-dimensional elasticity."""
+        """The shaft as an elastic cylinder."""
         return Cylinder(
             r_o=self.d_o / 2, r_i=self.d_i / 2, E=self.E, nu=self.nu, rho=self.rho
         )  # fmt: skip

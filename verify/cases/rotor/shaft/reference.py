@@ -29,7 +29,7 @@ ROUND = 1e-9  # relative round-off of frequencies of slender shafts, over all le
 
 
 def solve(q: TurningShaft, level: int) -> Level:
-    """All models on one level."""
+    """All models on a level."""
     values = elements(q, level) | weak_forms(q, level) | of_body(q, body(q, q.L, level))
     limit = np.array([_half_at_rest(q, q.d_o / ratio, level) for ratio in RATIOS])
     u_it = {key: ROUND * abs(value) for key, value in values.items()}
@@ -73,7 +73,7 @@ def elements(q: TurningShaft, level: int) -> dict[str, float]:
 
 
 def weak_forms(q: TurningShaft, level: int) -> dict[str, float]:
-    """The same shaft as a weak form."""
+    """The shaft as a weak form."""
     s = q.shaft()
     mesh = MeshLine(np.linspace(0, q.L, BEAMS * level + 1))
     values: dict[str, float] = {}

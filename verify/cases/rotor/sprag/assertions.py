@@ -1,7 +1,7 @@
 """Statements of the paper beyond three critical speeds, evaluated for every member.
 
-Arrays are those of `responses_fem`; a fact gives one truth value a member, and is evaluated
-only for those in which all compared responses have a peak.
+Arrays come from `responses_fem`. A fact has a truth value for each member; it is evaluated
+only for members in which all compared responses have a peak.
 """
 
 from collections.abc import Callable, Mapping
@@ -26,7 +26,7 @@ ORDERS = (1, 3, 5)
 class Statement:
     """A statement of the paper, the members in which it holds, and its printed values.
 
-    `compares` gives what it compares (m, ...): NaN where a response has no peak.
+    `compares` returns the compared values (m, ...): NaN if a response has no peak.
     """
 
     name: str
@@ -37,7 +37,7 @@ class Statement:
     place: str = "Sec. 2.2"
 
     def asked(self, a: Arrays) -> Members:
-        """The members in which everything that is compared has a peak."""
+        """The members in which all compared responses have a peak."""
         of = self.compares(a)
         return np.asarray(np.isfinite(of.reshape(len(of), -1)).all(axis=1))
 
@@ -114,7 +114,7 @@ def anomaly(a: Arrays) -> Members:
 
 
 def inverse_inertia(a: Arrays, order: int) -> Array:
-    """Torsion of node 4 over that of node 19, over -J_in/J_out, less 1 (m,)."""
+    """Ratio of the torsion of nodes 4 and 19, over -J_in/J_out, minus 1 (m,)."""
     turned: Any = a["turned"][:, :, ORDERS.index(order)]
     wanted = -a["inertia"][:, 1] / a["inertia"][:, 0]
     return np.asarray(np.abs(turned[:, 0] / turned[:, 1] / wanted - 1))

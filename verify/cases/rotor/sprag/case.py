@@ -19,9 +19,9 @@ class SpragRotor(CentralSystem):
     """The paper's 22 nodes with twelve unknown dimensions and stiffnesses.
 
     Only three critical speeds are printed, none of these values. Many sets of parameters have all
-    three; each of them is compared with everything else that the paper states. One set, reached
-    from the middle of all ranges (the central system), is computed by exact transfer matrices, by
-    finer and finer beams and as elastic bodies.
+    three speeds; each set is compared with all other statements of the paper. A set reached from
+    the middle of all ranges (the central system) is computed by exact transfer matrices, by
+    refined beams and as elastic bodies.
     """
 
     id = "rotor-sprag"
@@ -68,7 +68,7 @@ class SpragRotor(CentralSystem):
         yield from (*IDENTITIES, *FITTED_SPEEDS, *LINEAR_ROWS, *ELASTIC, *SHARES)
 
     def advice(self) -> Iterator[str]:
-        """Critical speeds, the nearest of them, and the sprags' deformation."""
+        """Critical speeds, the nearest critical speed, and the sprags' deformation."""
         found = {k: self.critical_forward(k) for k in ORDERS}
         speeds = ", ".join(f"{n / RPM:.0f}" for n in found.values())
         near = min((abs(self.rig_speed / n - 1), k) for k, n in found.items())
@@ -83,7 +83,7 @@ class SpragRotor(CentralSystem):
         )
 
     def warnings(self) -> Iterator[str]:
-        """Where the rig's speed is critical, and where peaks merge."""
+        """Warnings if the rig's speed is critical or peaks merge."""
         for k in ORDERS:
             off = abs(self.rig_speed / self.critical_forward(k) - 1)
             if off < 0.1:

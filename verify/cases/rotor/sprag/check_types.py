@@ -1,4 +1,4 @@
-"""Kinds of claims about the ensemble: shares, spreads, what is exact, fitted, contradicted."""
+"""Kinds of claims about the ensemble: shares, spreads, exact, fitted and contradicted claims."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
@@ -16,7 +16,7 @@ from verify.judging.claims import Claim
 from verify.papers.ledger import published
 
 Arrays = Mapping[str, Array]
-COARSE = 2e-4  # acceptance figure of one beam element in each of the paper's
+COARSE = 2e-4  # acceptance figure of a single beam element in each element of the paper
 NO_SETS = "no set of parameters hits the three critical speeds"
 FITTED = f"{len(PARAMETERS)} unknowns fitted to three speeds"
 
@@ -34,7 +34,7 @@ def band(values: Array, factor: float = 1.0, digits: int = 3) -> str:
 
 @dataclass(frozen=True, kw_only=True)
 class Share(Claim):
-    """In how many sets of parameters something holds: CALIBRATED, whatever the share."""
+    """Share of the sets of parameters in which a claim holds: CALIBRATED for any share."""
 
     kind = Kind.FACT
 
@@ -67,7 +67,7 @@ class Share(Claim):
 class Claimed(Share):
     """A statement of the paper, evaluated where peaks exist, also with opposite unbalances.
 
-    What the paper prints in it are names of nodes, no values beside a share.
+    The paper's statement contains names of nodes only, no values.
     """
 
     statement: Statement
@@ -82,7 +82,7 @@ class Claimed(Share):
 
 
 def held_of(statement: Statement, a: Arrays) -> str:
-    """In how many sets of parameters a statement holds, of those with the compared peaks."""
+    """Share of the sets of parameters with the compared peaks in which a statement holds."""
     held, asked = statement.holds(a), statement.asked(a)
     with_peak = "" if asked.all() else " with a peak"
     return f"{int((held & asked).sum())} of {int(asked.sum())} sets{with_peak}"
@@ -90,7 +90,7 @@ def held_of(statement: Statement, a: Arrays) -> str:
 
 @dataclass(frozen=True, kw_only=True)
 class Spread(Claim):
-    """The median over the members of what the paper does not print; its 5 to 95 % in words."""
+    """The median over the members of a value that is not printed; its 5 to 95 % range in words."""
 
     kind = Kind.FACT
 
@@ -114,7 +114,7 @@ class Spread(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Rounded(Claim):
-    """What every member must have to round-off: the largest `residual` over `bound`."""
+    """A property of every member to round-off: the largest `residual` over `bound`."""
 
     kind = Kind.EXACT
 
@@ -138,7 +138,7 @@ class Rounded(Claim):
 class FittedTo(Claim):
     """A critical speed of the central system, fitted to the printed one: CALIBRATED within 2e-4.
 
-    It was fitted on the paper's mesh; the formula is the exact model of the same system.
+    It was fitted on the paper's mesh; the formula is the exact model of this system.
     """
 
     kind = Kind.APPROXIMATION
@@ -168,7 +168,7 @@ class FittedTo(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Drawn(Claim):
-    """Counts and numbers of nodes as printed: what the model has is what the figure shows."""
+    """Counts and numbers of nodes: the model has the numbers that the figure shows."""
 
     kind = Kind.FACT
 

@@ -1,4 +1,4 @@
-"""Claims about the system with sprag clutch: identities, what is fitted, what holds in shares."""
+"""Claims about the system with sprag clutch: identities, fitted values, shares of members."""
 
 from dataclasses import replace
 
@@ -37,7 +37,7 @@ def printed_bound(context: Context) -> tuple[float, float, str]:
 
 
 def coarse(context: Context) -> Pair:
-    """The exact model and 20 elements where their difference is largest."""
+    """The exact model and 20 elements at their largest difference."""
     keys = (*FREQUENCIES, *(f"critical_forward_{k}" for k in ORDERS))
     v = context.fem[0].values
     exact = np.array([context.analytic[key] for key in keys])

@@ -1,4 +1,4 @@
-"""How far the elastic bodies are from the beams: three-dimensional elasticity beside them."""
+"""Difference of elastic bodies and beams: three-dimensional elasticity against the beams."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -24,7 +24,7 @@ from verify.judging.convergence import grid_convergence
 class Bodies(Claim):
     """Exact beams over elastic bodies of revolution with the same springs and discs: SHOWN.
 
-    No second source gives the flexibility of a bell on a shaft: no interval is expected.
+    The flexibility of a bell on a shaft has no second source: no interval is expected.
     """
 
     kind = Kind.APPROXIMATION

@@ -1,4 +1,4 @@
-"""Figures of the system with sprag clutch: bands over members, never one of them."""
+"""Figures of the system with sprag clutch: bands over all members, no single member."""
 
 from collections.abc import Sequence
 from math import pi
@@ -149,7 +149,7 @@ def over_unbalance(context: Context, a: Arrays) -> tuple[Curves, ...]:
 
 
 def torsion(context: Context, a: Arrays) -> Curves:
-    """Torsion of node 19 at the critical speeds over the offset, from its slope at small ones."""
+    """Torsion of node 19 at the critical speeds over the offset, from its initial slope."""
     offsets = np.linspace(SMALL_OFFSETS[0], max(context.inputs.offset, SMALL_OFFSETS[-1]), 12)
     slopes = a["torsion, small offsets"][:, -1, :, DISCS[1] - 1] / SMALL_OFFSETS[-1] / um
     low, middle, high = np.percentile(slopes, (5, 50, 95), axis=0)

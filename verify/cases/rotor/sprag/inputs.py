@@ -1,4 +1,4 @@
-"""Inputs of the sprag clutch - rotor system: what the paper gives, and ranges for what it lacks."""
+"""Inputs of the sprag clutch - rotor system: printed values, and ranges for missing values."""
 
 from typing import Self
 

@@ -1,6 +1,6 @@
-"""Fig. 1 of the paper, the dimensions that it lacks as parameters: plain numbers for both sides.
+"""Fig. 1 of the paper with missing dimensions as parameters: plain numbers for both sides.
 
-Nodes are numbered as in the paper, 1 to 12 on the outer rotor and 13 to 22 on the inner one.
+Nodes are numbered as in the paper, 1 to 12 on the outer and 13 to 22 on the inner rotor.
 """
 
 from dataclasses import dataclass
@@ -29,7 +29,7 @@ OPPOSITE = ", opposite"  # key suffix of arrays with unbalance 2 opposite to unb
 
 @dataclass(frozen=True, kw_only=True)
 class Parameter:
-    """What the paper lacks: symbol, meaning, unit with its size in SI, range and its reason."""
+    """A missing value: symbol, meaning, unit with its size in SI, range and its reason."""
 
     symbol: str
     what: str
@@ -69,13 +69,13 @@ PARAMETERS = (
 L_1, L_2, L_3, L_4, D_1, D, D_2, M_4, M_19, K_G, K_S, K_C = range(len(PARAMETERS))
 LOW = np.array([p.low * p.factor for p in PARAMETERS])
 HIGH = np.array([p.high * p.factor for p in PARAMETERS])
-# What least-norm steps from the middle of all ranges lead to, to six digits: no evidence of itself.
+# Result of least-norm steps from the middle of all ranges, six digits: not evidence by itself.
 CENTRAL = np.array([p.factor for p in PARAMETERS]) * np.array([
     201.45, 151.447, 76.1678, 260.765, 26.8457, 60.1335, 23.9792, 1.12583, 1.03208, 34.4554,
     108.376, 561.007,
 ])  # fmt: skip
 
-# Elements of both rotors: which length, in what share of it, and which diameter.
+# Elements of both rotors: index of the length, share of it, and index of the diameter.
 ELEMENT_LENGTHS = (
     [(L_1, 1 / 8)]
     + [(L_1, 1 / 4)] * 4
@@ -113,7 +113,7 @@ class Layout:
 
     @property
     def k_turn(self) -> Array:
-        """Torsional stiffness of the clutch [N m/rad]: Z k d_t^2, where Z k/2 is that across."""
+        """Torsional stiffness of the clutch [N m/rad]: Z k d_t^2; Z k/2 acts laterally."""
         return 2 * self.k_c * self.d_t**2
 
     @property

@@ -23,7 +23,7 @@ SWEPT = np.linspace(0, 40_000, 41) * RPM
 
 
 def solve(q: SpragRotorInputs, level: int) -> Level:
-    """Beams of one level; on the paper's mesh the ensemble, its responses and bodies, too."""
+    """Beams of a level; on the paper's mesh also the ensemble, its responses and bodies."""
     values = beams_fem(q, level)
     arrays: dict[str, Any] = {}
     if level == LEVELS[0]:
@@ -44,7 +44,7 @@ def ensemble_arrays_fem(found: Ensemble) -> dict[str, Any]:
 
 
 def beams_fem(q: SpragRotorInputs, refine: int) -> dict[str, float]:
-    """What the transfer matrices give too."""
+    """Beam results that the transfer matrices also compute."""
     from fem.rotor.critical import critical_speeds
     from fem.rotor.modes import modes
     from fem.rotor.response import unbalance_response

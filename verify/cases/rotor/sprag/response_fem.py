@@ -1,6 +1,6 @@
-"""What unbalance does to every member: amplitudes and loads over the speed and at the peaks.
+"""Unbalance response of every member: amplitudes and loads over the speed and at the peaks.
 
-Nodes here are the paper's, numbered from 1; arrays begin with the members (m,).
+Nodes are numbered from 1 as in the paper; the first axis of arrays is the member (m,).
 """
 
 from typing import Any

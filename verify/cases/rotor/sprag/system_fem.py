@@ -1,4 +1,4 @@
-"""Systems of the ensemble as beam elements, one and many, and the clutch under an uneven load."""
+"""Systems of the ensemble as beam elements, and the clutch under an uneven load."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -36,8 +36,8 @@ def rotor_fem(
 ) -> Any:  # fmt: skip
     """The rotor of `parameters` (12,), every element of Fig. 1 cut into `refine`.
 
-    `offset` is that of the clutch over its sprags' deformation, `anisotropy` k_y/k_x - 1 of the
-    bearings to the ground. Nodes count from zero: the paper's less one.
+    `offset` is the offset of the clutch over its sprags' deformation, `anisotropy` k_y/k_x - 1 of
+    the bearings to the ground. Nodes count from zero, in the paper from one.
     """
     from fem.rotor.damping import Rayleigh
     from fem.rotor.model import Disc, Element, Link, Material, Rotor, Shaft, Support

@@ -93,7 +93,7 @@ def unknowns(members: Array | None) -> Table:
 
 
 def slopes(elasticities: Array) -> Table:
-    """Medians of relative changes (m, 3, 12), and what combinations the speeds leave alone."""
+    """Medians of relative changes (m, 3, 12), and combinations without effect on the speeds."""
     middle = np.median(elasticities, axis=0)
     stiff = np.linalg.svd(middle, compute_uv=False)
     rows = tuple(
@@ -110,7 +110,7 @@ def slopes(elasticities: Array) -> Table:
 
 
 def sketch(_: SpragRotorInputs) -> Sketch:
-    """Fig. 1, one step a node: the outer rotor above, the inner one below."""
+    """Fig. 1, a step per node: the outer rotor above, the inner rotor below."""
     x = {n: n - 1.0 for n in range(1, OUTER + 1)}
     x |= {n: n - CLUTCH[1] + x[CLUTCH[0]] for n in range(OUTER + 1, OUTER + INNER + 1)}
     up = {n: UPPER if n <= OUTER else 0.0 for n in x}

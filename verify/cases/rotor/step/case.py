@@ -29,7 +29,7 @@ from verify.form.adapter import adapted
 from verify.judging.checks import Accepted, Exact
 
 CORNER = 2 * 0.5445  # energy's order at a free corner of 270°: sin(1.5 π x) = -x sin(1.5 π)
-CLAIMED = 0.003  # what the paper's beams differ by from other beams
+CLAIMED = 0.003  # difference of the paper's beams from other beams
 BEAM = "Timoshenko's beam with Hutchinson's shear coefficient"
 WEAK = "weak form"
 Sense = Literal["forward", "backward"]
@@ -38,9 +38,9 @@ Points = tuple[list[float], list[float], list[float]]
 
 
 class SteppedBeam(SteppedShaft):
-    """A step of the diameter, where beam theory overestimates the stiffness of a shaft.
+    """A step of the diameter, for which beam theory overestimates the stiffness of a shaft.
 
-    The corners of the thick part are unloaded. The elastic body of revolution gives the error of
+    The corners of the thick part are unloaded. The elastic body of revolution measures the error of
     the beam, with nominal diameters and by the 45° rule. Different beam models agree to round-off.
     The paper prints no dimensions: those here were chosen for this project.
     """
@@ -105,7 +105,7 @@ class SteppedBeam(SteppedShaft):
 
     @shared
     def by_rule(self) -> Self:
-        """The same shaft with the stiffness of the 45° rule."""
+        """The shaft with the stiffness of the 45° rule."""
         return self.variant(cone=True)
 
     @shared
@@ -114,12 +114,12 @@ class SteppedBeam(SteppedShaft):
         return self.variant(cone=True, slices=SLICES // 2)
 
     def _slice_error(self, j: int) -> float:
-        """What slices leave of mode j by the 45° rule, over it."""
+        """Relative error of mode j by the slices of the 45° rule."""
         coarse, fine = (beam.whirl(j, "forward") for beam in (self._coarse, self.by_rule))
         return float(abs(coarse / fine - 1) / 3)
 
     def _slice_error_of_split(self) -> float:
-        """The same of the splitting, over mode 2."""
+        """Error of the splitting by these slices, relative to mode 2."""
         off = abs(self._coarse.split - self.by_rule.split)
         return float(off / self.by_rule.whirl(2, "forward") / 3)
 
@@ -133,7 +133,7 @@ class SteppedBeam(SteppedShaft):
         return solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Beams beside beams, both beams beside the body, and what follows."""
+        """Rows: beams against beams, both beams against the body, and conclusions."""
         yield from self._beams()
         yield from self._inertia()
         yield from self._against_body()
@@ -217,7 +217,7 @@ class SteppedBeam(SteppedShaft):
         return float(m.min()), U, ", ".join(f"{x:+.2%}" for x in m)
 
     def _helps(self, context: Context) -> tuple[float, float, str]:
-        """By how much more than half the 45° rule reduces the error of mode 1, over it."""
+        """Reduction of mode 1's error by the 45° rule, minus one half, relative to it."""
         (m, *_), U = self._errors(context, self)
         (left, *_), _ = self._errors(context, self.by_rule)
         return (
@@ -227,7 +227,7 @@ class SteppedBeam(SteppedShaft):
         )
 
     def _beyond_claim(self, context: Context) -> tuple[float, float, str]:
-        """By how much a step's error exceeds 0.3 %."""
+        """Excess of the step's error over 0.3 %."""
         (m, *_), U = self._errors(context, self)
         return float(m) - CLAIMED, U, f"{m:+.2%} in mode 1"
 
@@ -242,7 +242,7 @@ class SteppedBeam(SteppedShaft):
         return [r - 1 for r in NEAR_ONE], (formula / runs[-1] - 1).tolist(), u.tolist()
 
     def tables(self, context: Context) -> Iterator[Table]:
-        """Frequencies of both beams beside the body's."""
+        """Frequencies of both beams with the frequencies of the elastic body."""
         if context.fem:
             yield drawn.frequencies(self, context.fem[-1].values)
 
@@ -251,7 +251,7 @@ class SteppedBeam(SteppedShaft):
         yield drawn.MODE
 
     def warnings(self) -> Iterator[str]:
-        """Where the 45° rule differs from the beam with nominal diameters."""
+        """Warnings if the 45° rule differs from the beam with nominal diameters."""
         off = max(self.whirl(j, "forward") / self.by_rule.whirl(j, "forward") - 1 for j in MODES)
         if off >= 0.002:
             yield (

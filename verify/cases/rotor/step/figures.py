@@ -54,7 +54,7 @@ def sketch(q: Any) -> Sketch:
 
 
 def frequencies(q: Any, body: Values) -> Table:
-    """Frequencies of both beams beside those of the body."""
+    """Frequencies of both beams with the frequencies of the elastic body."""
     rows = []
     for j in MODES:
         for sense in ("backward", "forward"):

@@ -71,12 +71,12 @@ class SteppedShaft(Case):
 
     @property
     def start(self) -> float:
-        """Where the thick part begins [m]."""
+        """Start of the thick part [m]."""
         return (self.L - self.L_2) / 2 if self.a is None else self.a
 
     @property
     def end(self) -> float:
-        """Where it ends [m]."""
+        """End of the thick part [m]."""
         return self.start + self.L_2
 
     @property
@@ -91,5 +91,5 @@ class SteppedShaft(Case):
         return self.b / 2, self.L - self.b / 2
 
     def with_middle(self, ratio: float, share: float) -> Self:
-        """The same shaft with another thick part, in its middle: d_2/d_1 and L_2/L."""
+        """The shaft with another thick part in its middle: d_2/d_1 and L_2/L."""
         return self.model_copy(update={"d_2": ratio * self.d_1, "L_2": share * self.L, "a": None})

@@ -29,7 +29,7 @@ ROUND = 1e-9  # relative round-off of frequencies of slender shafts
 
 
 def solve(q: SteppedShaft, level: int) -> Level:
-    """All models on one level; the map of errors on one of them."""
+    """All models on a level; a single level also has the map of errors."""
     values = elements(q, level)
     weak = {"weak": weak_form(q, level), "weak_cone": weak_form(q, level, cone=True)}
     for name, shaft in weak.items():
@@ -73,7 +73,7 @@ def beam(q: SteppedShaft, refine: int) -> Rotor:
 
 
 def weak_form(q: SteppedShaft, level: int, *, cone: bool = False) -> WeakShaft:
-    """The same as a weak form; with `cone`, stiffness by the 45° rule, over the steps' cones."""
+    """The shaft as a weak form; with `cone`, stiffness by the 45° rule over the steps' cones."""
     return stepped_weak(
         L=q.L, d_1=q.d_1, d_2=q.d_2, step=(q.start, q.end), seats=q.seats, k=q.k,
         reach=q.reach if cone else 0.0, E=q.E, nu=q.nu, rho=q.rho, level=level,
@@ -92,7 +92,7 @@ def body(q: SteppedShaft, level: int, first: float, *, half: bool = False) -> Ro
 
 
 def of_body(q: SteppedShaft, solid: RotatingSolid) -> tuple[dict[str, float], Field]:
-    """Its whirl, and what its mass and polar moment differ by from those of its parts."""
+    """Whirl of the body; differences of its mass and polar moment from sums over its parts."""
     found = solid.modes(q.n, len(MODES))
     values = _whirl("solid", found.forward, found.backward)
     values["solid_critical"] = solid.critical_speeds(1)[0][0]
@@ -102,7 +102,7 @@ def of_body(q: SteppedShaft, solid: RotatingSolid) -> tuple[dict[str, float], Fi
 
 
 def _mode(body: RotatingSolid, u: Any) -> Field:
-    """The plane of the shaft in which mode 1 bends: displacements, and stress along the axis."""
+    """The plane of bending of mode 1: displacements, and stress along the axis."""
     plane = bending_plane(body, u)
     return Field(
         name="mode 1", points=plane.points, cells=plane.cells,

@@ -20,7 +20,7 @@ class Critical(NamedTuple):
 
 
 def criticals(q: TransferRotor) -> list[Critical]:
-    """Of every shaft's unbalance, rising."""
+    """Critical speeds by unbalance of every shaft, ascending."""
     return sorted(
         Critical(float(speed), " and ".join(excited.shafts), int(whirl))
         for excited in q.study.excited
@@ -68,7 +68,7 @@ def _told(q: TransferRotor, critical: Critical) -> str:
 
 
 def _neighbours(q: TransferRotor) -> list[str]:
-    """The nearest critical speeds on either side of the margin."""
+    """The nearest critical speeds on both sides of the margin."""
     low, high = limits(q)
     found = criticals(q)
     below = [c for c in found if c.speed < low][-1:]

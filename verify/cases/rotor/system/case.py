@@ -1,4 +1,4 @@
-"""Any rotor of coaxial shafts: exact transfer matrices beside beams, from a user's file."""
+"""Any rotor of coaxial shafts: exact transfer matrices against beams, from a user's file."""
 
 from typing import ClassVar
 
@@ -15,8 +15,8 @@ from verify.form.adapter import adapted
 class RotorSystem(TransferRotor):
     """Shafts in segments, discs, bearings, links and unbalances as described in a file.
 
-    Exact transfer matrices find every frequency and critical speed; beams of finer and finer
-    elements converge to the same values. The numbers were chosen for this project.
+    Exact transfer matrices find every frequency and critical speed; beams with refined elements
+    converge to these values. The numbers were chosen for this project.
     """
 
     id = "rotor-system"

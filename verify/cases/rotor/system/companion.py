@@ -1,8 +1,8 @@
 """A fixed companion of the default rotor, in which bearings and shafts differ in every property.
 
-Bearings differ in x and y and couple both, damping differs, tilting is held and damped, a shaft
-turns against the other, and each has two unbalances at an angle: signs and conjugates that do not
-affect the default rotor change the results of this one.
+Bearings differ in x and y and couple both, damping differs, tilting is supported and damped, the
+shafts rotate in opposite senses, and each has two unbalances at an angle: signs and conjugates
+without effect on the default rotor change the results of the companion.
 """
 
 from typing import TypeVar

@@ -32,13 +32,13 @@ class Present(Identity):
 
 @dataclass(frozen=True, kw_only=True)
 class Companion(Present):
-    """An identity of the companion, which is judged beside the default rotor alone."""
+    """An identity of the companion, judged only together with the default rotor."""
 
     paper_only: bool = True
 
 
 def rows(q: TransferRotor) -> Iterator[Comparison | Check]:
-    """All of them, in the order of the page."""
+    """All rows, in the order of the page."""
     for k in range(1, FREQUENCIES + 1):
         yield _identical(rotor.frequency(k))
     yield Fact(name="sense of each whirl", symbol="", unit="1", margin=_senses)
@@ -110,7 +110,7 @@ def _accepted(q: TransferRotor, name: str, level: int, figure: float) -> Compari
 
 
 def _senses(context: Context) -> tuple[float, float]:
-    """Positive where both sides have the same sense of whirl in each mode."""
+    """Positive if both sides have equal senses of whirl in each mode."""
     v = context.fem[-1].values
     keys = [k for k in context.analytic if k.startswith("sense_")]
     equal = all(v[k] == context.analytic[k] for k in keys)

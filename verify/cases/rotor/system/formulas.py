@@ -104,7 +104,7 @@ class TransferRotor(DescribedRotor):
 
     @shared
     def speed_axis(self) -> float:
-        """Where axes of the speed end [rad/s]: with the nearest critical speed above on them."""
+        """End of speed axes [rad/s]: they include the nearest critical speed above."""
         top = max(self.speed_to, self.speed)
         above = [w for excited in self.study.excited for w in excited.speeds if w > top]
         return float(max(1.2 * top, 1.1 * min(above, default=0.0)))

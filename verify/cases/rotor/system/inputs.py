@@ -1,4 +1,4 @@
-"""Inputs of any rotor: two shafts, one in the other, unless others are given."""
+"""Inputs of any rotor: by default two shafts, one inside the other."""
 
 from typing import Self
 
@@ -23,7 +23,7 @@ FREQUENCIES, CRITICALS = 6, 3  # numbers compared; critical speeds for each unba
 
 
 def critical_name(group: int) -> str:
-    """Of the critical speeds that unbalance of the first shaft's, or another, speed meets."""
+    """Name of critical speeds for unbalance at the speed of the first or another shaft."""
     return {1: "critical_first", 2: "critical_other"}.get(group, f"critical_{group}")
 
 

@@ -1,4 +1,4 @@
-"""The same rotor as beams, every segment cut into `refine` elements."""
+"""The rotor as beams, every segment divided into `refine` elements."""
 
 from typing import Any
 
@@ -56,7 +56,7 @@ def _bearing(spring: Any) -> dict[str, Any]:
 
 
 def solve(q: CoaxialRotor, level: int) -> Level:
-    """Beams, and beside the default rotor those of its companion."""
+    """Beams of the rotor and, with the default rotor, of its companion."""
     values = fem_values(q, level)
     if q.is_default:
         other = fem_values(companion(CoaxialRotor), level)
@@ -87,7 +87,7 @@ def fem_values(q: CoaxialRotor, level: int) -> dict[str, float]:
 
 
 def still(q: CoaxialRotor) -> CoaxialRotor:
-    """The same without damping."""
+    """The rotor without damping."""
     none = {"c": 0.0, "cyy": None, "c_tilt": 0.0}
     bearings = {
         "supports": tuple(s.model_copy(update=none) for s in q.supports),
@@ -97,7 +97,7 @@ def still(q: CoaxialRotor) -> CoaxialRotor:
 
 
 def _fem_response(q: CoaxialRotor, rotor: Any) -> dict[str, float]:
-    """Amplitude and loads at the speed; unbalances of different speeds add where they align."""
+    """Amplitude and loads at the speed; unbalances of different speeds add when aligned."""
     from fem.rotor.response import unbalance_response
 
     groups: dict[float, dict[int, complex]] = {}

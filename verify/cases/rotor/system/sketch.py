@@ -13,7 +13,7 @@ TALL = 6  # the largest radius is drawn as a part of the length, larger than to 
 
 
 def outlines(q: DescribedRotor) -> list[tuple[Any, Any]]:
-    """Places and radii (m,) [m] of each shaft, a step as two points of one place."""
+    """Positions and radii (m,) [m] of each shaft; a step has two points at one position."""
     found = []
     for shaft in q.shafts:
         z, r, at = [], [], shaft.start
@@ -26,7 +26,7 @@ def outlines(q: DescribedRotor) -> list[tuple[Any, Any]]:
 
 
 def sketch(q: DescribedRotor) -> Sketch:
-    """Radii drawn larger than lengths; the triangles of bearings stand at their shaft's radius."""
+    """Radii on a larger scale than lengths; triangles of bearings are at their shaft's radius."""
     lines = outlines(q)
     low, high = min(z.min() for z, _ in lines), max(z.max() for z, _ in lines)
     length = high - low
@@ -40,7 +40,7 @@ def sketch(q: DescribedRotor) -> Sketch:
             np.column_stack([z, k * r]), np.column_stack([z, k * np.array(bore)])[::-1],
         ])  # fmt: skip
         shapes += [shape("body", points)]
-        # the other half, unfilled: bearings stand on it
+        # the other half, unfilled: bearings are drawn at it
         shapes += [shape("line", np.column_stack([z, -k * r]))]
     radius = [k * _radius(q, lines, n) for n in range(len(q.rotor.shaft_of))]
     for disc in q.discs:

@@ -1,4 +1,4 @@
-"""A described rotor as the transfer matrices take it; what of a description is no rotor."""
+"""A described rotor as input of the transfer matrices; rejection of impossible descriptions."""
 
 from collections.abc import Sequence
 from functools import cached_property
@@ -109,7 +109,7 @@ def coefficients(spring: SpringInputs) -> dict[str, Any]:
 
 
 def inertia_of(disc: DiscInputs) -> tuple[float, float, float]:
-    """Mass [kg], polar and diametral moment [kg m²]; ValueError where they do not follow."""
+    """Mass [kg], polar and diametral moment [kg m²]; ValueError if they cannot be determined."""
     given = (disc.mass, disc.polar, disc.diametral)
     if disc.d_o is None or disc.width is None:
         if disc.mass is None or disc.polar is None or disc.diametral is None:

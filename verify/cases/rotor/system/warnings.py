@@ -50,7 +50,7 @@ def _links(q: DescribedRotor) -> Iterator[str]:
 
 
 def _through(q: DescribedRotor) -> Iterator[str]:
-    """Shafts on one axis: the one must fit into the bore of the other."""
+    """Coaxial shafts: the inner shaft must fit into the bore of the outer."""
     met = []
     for a, b in combinations(placed(q), 2):
         over = min(a.high, b.high) - max(a.low, b.low)
@@ -86,7 +86,7 @@ def _damping(q: DescribedRotor) -> Iterator[str]:
 
 
 def _short(q: DescribedRotor) -> Iterator[str]:
-    """Runs of one diameter count, not what they are cut into."""
+    """Whole lengths of constant diameter count, not their segments."""
     runs: list[list[Placed]] = []
     for s in placed(q):
         last = runs[-1][-1].segment if runs else None

@@ -1,4 +1,4 @@
-"""Advice on a sprag clutch: whether it holds, what ends its grip first, warnings, refusal."""
+"""Advice on a sprag clutch: verdict, first limit reached, warnings, refusal."""
 
 import math
 from collections.abc import Sequence
@@ -42,7 +42,7 @@ def findings(q: ClutchFormulas) -> Sequence[str]:
 
 
 def as_it_grows(q: ClutchFormulas) -> list[str]:
-    """Limits that the torque has passed, and what comes first as it grows."""
+    """Limits exceeded by the torque, and the first limit as it grows."""
     known = [x for x in as_torque_grows(q) if x.key != "wide"]
     passed, ahead = [x for x in known if x.at <= q.T], [x for x in known if x.at > q.T]
     lines = []
@@ -78,7 +78,7 @@ def crowned(q: ClutchFormulas, stands: bool) -> str:
 
 
 def dropped(q: ClutchFormulas) -> list[str]:
-    """Where z_m is reached at the very ends only."""
+    """Warning if the drop reaches z_m only at the outermost ends."""
     if q.z_m == 0 or q.z_end > REACHED * q.z_m:
         return []
     flat = q.z_end_deeper < DEEPER * q.z_end
@@ -90,7 +90,7 @@ def dropped(q: ClutchFormulas) -> list[str]:
 
 
 def beside(q: ClutchFormulas) -> str:
-    """Results of two other models at the same torque."""
+    """Results of two other models at this torque."""
     return (
         f"with rigid races (Liu) the sprags would turn by {q.alpha_Liu * DEGREE:.3g}°, by Eqs. "
         f"9 and 10 as printed by {q.alpha_printed * DEGREE:.3g}°"

@@ -1,4 +1,4 @@
-"""A logarithmic sprag clutch of the user: whether it holds, what ends its grip, its engagement."""
+"""A logarithmic sprag clutch of the user: verdict, limits, engagement."""
 
 from typing import ClassVar
 
@@ -18,9 +18,9 @@ class SpragClutch(ClutchFormulas):
     """Whether a logarithmic sprag clutch holds, and which limit is reached first.
 
     With growing torque these are friction, pressure, the end of the profile; in time, the first
-    peak of an engagement. The reference is the same sprag drawn point by point, and strips for the
-    slices: they verify geometry, equilibrium and pressures, with the same deflections; finite
-    elements of the whole clutch are those of sprag-wedge. The paper's figures depend on
+    peak of an engagement. The reference is this sprag drawn point by point, and strips instead of
+    slices: they verify geometry, equilibrium and pressures with equal deflections. Case
+    sprag-wedge has finite elements of the whole clutch. The paper's figures depend on
     5 inputs that it does not print and that are identified here (l, b, ν_0, k_out, Q), and 8 that
     are assumed: results that depend on them are calibrated, not evidence.
     """

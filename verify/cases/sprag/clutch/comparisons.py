@@ -1,4 +1,4 @@
-"""What is compared of a sprag clutch: its state by a drawn sprag, its pressures by strips."""
+"""Rows of a sprag clutch: its state by a drawn sprag, its pressures by strips."""
 
 import math
 from collections.abc import Iterator
@@ -28,7 +28,7 @@ SAME_LAWS = "deflections by the laws of Eqs. 2-8"
 
 @dataclass(frozen=True, kw_only=True)
 class ByDrawn(Identity):
-    """A value beside the drawn sprag's, where the clutch has it."""
+    """A value against the drawn sprag, if the clutch has it."""
 
     by: str = DRAWN
 
@@ -43,7 +43,7 @@ def by_drawn(
     q: Quantity, name: str, symbol: str, law: float = LAW_ALPHA, state: State | None = None,
     **more: Any,
 ) -> Comparison:  # fmt: skip
-    """A quantity beside the drawn sprag's; its law of the contacts is off by `law`."""
+    """A quantity against the drawn sprag; `law` is the error of the contact law."""
     key, numbers = key_of(q, state), {f"uncertainty of {name}": law} if law else {}
     check = ByDrawn(name=name, symbol=symbol, unit=q.unit, analytic=key, fem=key, formal=2,
                     residual=next(iter(numbers), ""), **more)  # fmt: skip
@@ -73,7 +73,7 @@ def drawn_states(clutch: Any) -> Iterator[Comparison]:
 
 
 def pressures(clutch: Any) -> Iterator[Comparison]:
-    """Slices beside strips under half of N: there a crown's ends are free."""
+    """Rows: slices against strips under half of N, with unloaded ends of the crown."""
     c, half = ClutchFormulas, State(None, "half", "under half of N")
     for k, (race, symbol, mid, peak) in enumerate(
         (("inner", "p_i", c.p_i_mid, c.p_i), ("outer", "p_o", c.p_o_mid, c.p_o))

@@ -70,7 +70,7 @@ OUTPUTS = (
 
 
 def summary(q: ClutchFormulas, v: Values) -> dict[str, Any]:
-    """JSON; the verdict of the motion, `peak_factor` None where the clutch does not lock."""
+    """JSON; the verdict of the motion; `peak_factor` is None if the clutch does not lock."""
     return {"verdict": run_fem(q).engagement.verdict, "peak_factor": v.get("peak_factor")}
 
 

@@ -1,4 +1,4 @@
-"""What is stated of an engagement; the verdict of a sprag clutch at rest and in it together."""
+"""Statements on an engagement; common verdict of a sprag clutch at rest and in engagement."""
 
 import math
 from collections.abc import Sequence
@@ -65,7 +65,7 @@ def in_time(q: ClutchFormulas, v: Values) -> str:
 
 
 def unfollowed(q: ClutchFormulas) -> str:
-    """How long an engagement must be followed."""
+    """Message on the required duration of the computed engagement."""
     if not q.state:
         return f"t_e = {q.t_end * 1e3:.3g} ms is too short"
     return f"t_e = {q.t_end * 1e3:.3g} ms is too short, take t_end of at least " \
@@ -86,7 +86,7 @@ def least_time(q: ClutchFormulas) -> float:
 
 
 def outcome(found: Run) -> str:
-    """The verdict; where the formulas end and not the profile, that."""
+    """The verdict; if the formulas end before the profile, a statement of this."""
     e = found.engagement
     if e.over and not found.end_of_profile:
         return "the contacts become too wide for the formulas"

@@ -35,7 +35,7 @@ def figures(context: Context) -> Sequence[Figure]:
 
 
 def reach(q: SpragInputs) -> float:
-    """The largest torque [N m] of figures: a little past the first limit ahead."""
+    """The largest torque [N m] of figures: slightly above the first limit ahead."""
     found = as_torque_grows(q)
     ahead = [x.at for x in found if x.at > q.T and x.key != "wide"]
     wide = min((x.at for x in found if x.key == "wide"), default=math.inf)

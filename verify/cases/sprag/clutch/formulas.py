@@ -66,7 +66,7 @@ class ClutchFormulas(EngagementInputs, Case):
 
     @shared
     def state(self) -> Wedged | None:
-        """Of each sprag under the torque."""
+        """State of each sprag under the torque."""
         return model.under(self)
 
     def _in_state(self, name: str) -> float:
@@ -191,14 +191,14 @@ class ClutchFormulas(EngagementInputs, Case):
 
     @shared
     def _half_pressed(self) -> Contacts | None:
-        """The same under half of it, where the ends of a crown are free."""
+        """The contact under half of the normal force, with unloaded ends of a crown."""
         return None if self.state is None else model.built(self).pressed(model.HALF * self.N)
 
     def _pressure(self, contact: int, *, mid: bool = False) -> float:
         return _read(self._pressed, contact, mid=mid)
 
     def half_pressure(self, contact: int, *, mid: bool) -> float:
-        """Pressure [Pa] at mid-length, or the largest one, under half of the normal force."""
+        """Pressure [Pa] at mid-length, or the largest pressure, under half of the normal force."""
         return _read(self._half_pressed, contact, mid=mid)
 
     @Quantity("p_i(0)", "MPa", "pressure at mid-length, inner race", safe="too high")

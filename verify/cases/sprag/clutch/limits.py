@@ -1,4 +1,4 @@
-"""What ends a sprag clutch's work first as its torque grows: friction, pressure, its profile."""
+"""First limit of a sprag clutch as the torque grows: friction, pressure, end of the profile."""
 
 import math
 from dataclasses import dataclass
@@ -34,7 +34,7 @@ class Limit:
 
 @lru_cache(maxsize=16)
 def as_torque_grows(q: SpragInputs) -> tuple[Limit, ...]:
-    """Limits of the torque, the first one first; those that are not met are left out."""
+    """Limits of the torque in ascending order; limits that are not reached are omitted."""
     one = built(q)
     alone = grip(q)
     found = {

@@ -31,7 +31,7 @@ def built(q: SpragInputs) -> Crowned:
 
 @lru_cache(maxsize=16)
 def under(q: SpragInputs) -> Wedged | None:
-    """The state under the torque; None where it needs loads beyond those of the contacts' laws."""
+    """The state under the torque; None if it exceeds the loads of the contacts' laws."""
     one = built(q)
     now = at_torque(one.clutch, q.T)
     return now if np.isfinite(now.N) and one.N_top >= now.N else None
@@ -45,7 +45,7 @@ def rigid(q: SpragInputs) -> Wedged | None:
 
 @lru_cache(maxsize=16)
 def literal(q: SpragInputs) -> Wedged | None:
-    """The same with Eqs. 9 and 10 as printed."""
+    """The state with Eqs. 9 and 10 as printed."""
     if (now := under(q)) is None:
         return None
     clutch = built(q).clutch
@@ -62,7 +62,7 @@ def normal_force(state: Wedged | None) -> float:
 
 @lru_cache(maxsize=16)
 def spring_force(q: EngagementInputs) -> float:
-    """Force N_0 [N] of the springs alone; nan where no equilibrium is found."""
+    """Force N_0 [N] of the springs only; nan if no equilibrium is found."""
     clutch = built(q).clutch
     if not q.alpha_max > wedged(clutch, 0.0).alpha:
         return 0.0
@@ -80,7 +80,7 @@ def grip(q: SpragInputs) -> SpragClutchLimits:
 
 
 def low_friction(q: SpragInputs) -> float:
-    """Friction twice as far above that of first contact as the torque's is: about 2 T slip it.
+    """Friction with twice the margin over first contact that T requires: slips at about 2 T.
 
     At the paper's friction no torque slips: the spiral maintains its wedge angle.
     """

@@ -1,8 +1,8 @@
-"""The numbers that the paper prints of its engagements: one angle and one slice count calibrated.
+"""Numbers that the paper prints of its engagements, with calibrated wedge angle and slice count.
 
-At 25 N m the wedge angle follows from the pressure printed for the optimised crown, on which the
-slice count has hardly an effect, and the slice count from that without a crown. With both, 40 N m
-is predicted.
+At 25 N m the wedge angle follows from the pressure printed for the optimised crown, which hardly
+depends on the slice count. The slice count follows from the pressure without a crown. With both,
+40 N m is predicted.
 """
 
 import numpy as np
@@ -48,7 +48,7 @@ def ends(run: Run) -> Array:
 
 
 def paper_fem() -> dict[str, Array]:
-    """What is measured of the paper's clutch, by name."""
+    """Measured values of the paper's clutch, by name."""
     q = EngagementInputs()
     runs = [run_fem(designed(BEST[T], T)).engagement for T in TORQUES]
     return {
@@ -67,8 +67,8 @@ def paper_fem() -> dict[str, Array]:
 def fitted_angle_fem() -> float | None:
     """Wedge angle [rad] with the pressure printed at 25 N m, optimal crown.
 
-    None where both ends of ANGLES have more than that, or both less. An engagement that is not
-    found raises an error.
+    None if the pressures at both ends of ANGLES are larger, or both smaller. An engagement that is
+    not found raises an error.
     """
     T = TORQUES[0]
 
@@ -82,7 +82,7 @@ def fitted_angle_fem() -> float | None:
 
 
 def calibrated_fem() -> dict[str, Array]:
-    """The wedge angle and the slices from 25 N m, and what they predict; nan where none fit."""
+    """The wedge angle and the slices from 25 N m, and their predictions; nan if none fit."""
     counts = np.array(COUNTS, dtype=np.float64)
     nu_0 = fitted_angle_fem()
     if nu_0 is None:

@@ -1,4 +1,4 @@
-"""What the paper states of its clutch and its engagements, beside what is computed of them."""
+"""Statements of the paper on its clutch and its engagements, against computed values."""
 
 import math
 from itertools import pairwise
@@ -28,7 +28,7 @@ def rectangle(q: EngagementInputs) -> tuple[float, float]:
 
 
 def length(context: Context) -> tuple[float, float, str]:
-    """How far inside what the rounding of m_g and I_g leaves the length is, over the length."""
+    """Margin of the length inside the interval that rounded m_g and I_g permit, over the length."""
     q = context.inputs
     w, l = rectangle(q)  # noqa: E741
     (_, low), (_, high) = corners(q)
@@ -53,7 +53,7 @@ def corners(q: EngagementInputs) -> tuple[tuple[float, float], tuple[float, floa
 
 
 def width(context: Context) -> tuple[float, float, str]:
-    """How little the sprag's width means: N_max with the rectangle's instead."""
+    """Effect of the sprag's width: N_max with the width of the rectangle instead."""
     narrow = float(measured(context)["narrow"][0])
     change = narrow / float(measured(context)["N_max"][0]) - 1
     w, _ = rectangle(context.inputs)
@@ -66,7 +66,7 @@ def width(context: Context) -> tuple[float, float, str]:
 
 
 def preload(context: Context) -> tuple[float, float, str]:
-    """The springs' force is less than a hundredth of the static one."""
+    """Margin of the spring force below a hundredth of the static force."""
     share = context.analytic["N_0"] / context.analytic["N"]
     return 0.01 - share, 0.0, f"{share:.2%} of N"
 
@@ -84,7 +84,7 @@ def at_rest(context: Context) -> Pair:
 
 
 def first_is_largest(context: Context) -> tuple[float, float, str]:
-    """The largest force is that of the first peak, over the next ones' by more than round-off."""
+    """Excess of the first peak of the force over the later peaks, beyond round-off."""
     found = measured(context)
     share = found["second peak"] / found["first peak"]
     words = f"the second is {share[0]:.3f} of it at 25 N m, {share[1]:.3f} at 40 N m"
@@ -121,7 +121,7 @@ def grows(context: Context) -> tuple[float, float, str]:
 
 
 def ratios(context: Context) -> tuple[float, float, str]:
-    """Ratio of forces that both printed pairs imply, beside this clutch's."""
+    """Ratio of forces that both printed pairs imply, against this clutch."""
     found = measured(context)
     computed = float(found["N_max"][1] / found["N_max"][0])
     flat, best = ((PRINTED[40.0][k] / PRINTED[25.0][k]) ** 2 for k in (0, 1))

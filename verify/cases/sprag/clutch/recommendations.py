@@ -1,4 +1,4 @@
-"""Why a sprag clutch holds or does not, and what would change it."""
+"""Reasons why a sprag clutch holds or slips, and recommended changes."""
 
 import math
 from collections.abc import Callable
@@ -11,7 +11,7 @@ DEGREE = math.degrees(1.0)
 
 
 def verdict(q: ClutchFormulas) -> str:
-    """One of "holds", "slips", "rolls over", "overloaded"; "no state" where formulas give none."""
+    """"holds", "slips", "rolls over", "overloaded", or "no state" without a solution."""
     if max(q.mu_0, q.mu_req if q.state else 0.0) > q.mu_s:
         return "slips"
     if q.T_end < q.T:
@@ -24,7 +24,7 @@ def verdict(q: ClutchFormulas) -> str:
 
 
 def why(q: ClutchFormulas) -> str:
-    """The reason of the verdict, and what would change it."""
+    """The reason of the verdict, and recommended changes."""
     state = verdict(q)
     if q.mu_0 > q.mu_s:
         return f"tan ν_0 = {q.mu_0:.4g} exceeds μ_s = {q.mu_s:g}: the sprags do not wedge, " \
@@ -67,7 +67,7 @@ def profile(q: ClutchFormulas) -> str:
 
 
 def overload(q: ClutchFormulas) -> str:
-    """The load beyond its limit, and what would lower it."""
+    """The load beyond its limit, and changes that lower it."""
     p, race = max((q.p_i, "inner"), (q.p_o, "outer"))
     if q.p_lim is not None and p > q.p_lim:
         times = rounded((p / q.p_lim) ** 2, math.ceil)

@@ -51,9 +51,9 @@ def solve(q: Any, level: int) -> Level:
 
 
 def others(q: Any, level: int, found: Touching) -> dict[str, float]:
-    """By drawing: rolling, rigid races (Liu), Eqs. 9 and 10 as printed, and the two variants.
+    """By drawing: rolling, rigid races (Liu), Eqs. 9 and 10 as printed, and two variants.
 
-    Formulas give the intervals of roots, on which the roots do not depend.
+    Formulas supply the search intervals; the roots do not depend on them.
     """
     points, steps = POINTS * level, level // 2
     one = drawn(q, points)

@@ -33,14 +33,14 @@ class Run:
 
 @lru_cache(maxsize=32)
 def run_fem(q: EngagementInputs) -> Run:
-    """The engagement; ArithmeticError or ValueError in a line where there is none."""
+    """The engagement; ArithmeticError or ValueError in a line if none is found."""
     one, now = built(q), under(q)
     least = np.nanmax([spring_force(q), float(now.N) if now else one.N_top])
     return engaged_fem(one, q, AHEAD * float(least))
 
 
 def engaged_fem(one: Crowned, q: EngagementInputs, N_end: float) -> Run:
-    """The same of a clutch whose contacts are solved, with a table up to N_end [N] at first."""
+    """The engagement of a clutch with solved contacts, with a table up to N_end [N] at first."""
     from analytic.sprag.transient import engage
 
     N_end = min(N_end, INSIDE * one.N_top)

@@ -1,4 +1,4 @@
-"""What a sprag between its races looks like, its angles drawn larger than they are."""
+"""Sketch of a sprag between its races, with enlarged angles."""
 
 import math
 
@@ -19,7 +19,7 @@ WALL = 0.4  # over the sprag's height: largest drawn wall of a race
 
 
 def drawn(q: SpragInputs) -> LogSprag:
-    """The same sprag with a larger wedge angle."""
+    """The sprag with a larger wedge angle."""
     most = math.asin(STEEP / (2 * q.R_i / q.r_i + 1))
 
     def over(nu: float) -> float:
@@ -88,7 +88,7 @@ def outline(q: SpragInputs, sprag: LogSprag) -> Array:
 
 
 def marked(found: Array, label: str, away: float) -> tuple[Shape, ...]:
-    """An angle, its label beside it."""
+    """An angle with its label."""
     return (shape("angle", found), *named(label, found[len(found) // 2], away))
 
 

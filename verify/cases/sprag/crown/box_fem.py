@@ -1,7 +1,7 @@
 """Largest pressures of an engagement over Eq. 19's crowns: some by engagements, all by contacts.
 
 A crown changes the largest force by a per cent, smoothly: a quadratic through the forces of 27
-engagements gives it for every other crown, whose contact alone is then solved.
+engagements interpolates it for every other crown; only its contact is then solved.
 """
 
 import numpy as np
@@ -32,7 +32,7 @@ def largest(q: EngagementInputs, crowns: Array, N: Array) -> Array:
 
 
 def inner_over_outer(q: EngagementInputs, crowns: Array, N_max: float) -> Array:
-    """Largest pressures of the inner contact over those of the outer, (n, forces)."""
+    """Ratio of the largest pressures of inner and outer contact, (n, forces)."""
     whole, N = parts(q), N_max * np.array(FORCES)
     inner, outer = (
         in_slices(q, gaps(q, crowns)[:, None], float(R), N).peak_pressure.max(axis=-1)
@@ -42,7 +42,7 @@ def inner_over_outer(q: EngagementInputs, crowns: Array, N_max: float) -> Array:
 
 
 def box_fem(q: EngagementInputs, engaged: Peaks) -> dict[str, Array]:
-    """Largest pressures under T over Eq. 19's crowns; `engaged` are those of 27 under T."""
+    """Largest pressures under T over Eq. 19's crowns; `engaged`: 27 engagements under T."""
     many = factorial(q, MANY)
     N = forces(q, engaged, many)
     return {

@@ -35,14 +35,14 @@ def _is_crowned(q: "SpragCrown") -> bool:
 
 
 Drop = partial(Quantity, when=_is_crowned)
-ARTANH = r"\ln\left(\frac{1 + \sqrt{c}}{1 - \sqrt{c}}\right)"  # twice that of √c
+ARTANH = r"\ln\left(\frac{1 + \sqrt{c}}{1 - \sqrt{c}}\right)"  # twice the order of √c
 
 
 class SpragCrown(EngagementInputs, Case):
-    """Which load a crown suits, and its effect on the largest pressure of an engagement.
+    """Suitable load of a crown, and its effect on the largest pressure of an engagement.
 
     Statements of the paper's figures on its crowns are verified under the forces of compiled
-    engagements; where they hold under another force only, that force is stated.
+    engagements; if they hold only under another force, that force is stated.
     """
 
     id = "sprag-crown"
@@ -172,12 +172,12 @@ class SpragCrown(EngagementInputs, Case):
         return formulas.even(self, self.N_max) if math.isfinite(self.N_max) else math.nan
 
     def peak_of(self, crown: Crown) -> float:
-        """Largest pressure [Pa] of another crown under the force of this one's first peak."""
+        """Largest pressure [Pa] of another crown under the first peak force of this crown."""
         return _largest(formulas.pressed(self, self.N_max, crown))
 
     @property
     def unequal(self) -> float:
-        """By how much the outer contact's force exceeds the inner's at the first peak."""
+        """Excess of the outer contact's force over the inner's at the first peak."""
         states = wedge(self).states
         return float(np.interp(self.N_max, states.N[1:], states.N_e[1:] / states.N[1:])) - 1
 
@@ -206,7 +206,7 @@ class SpragCrown(EngagementInputs, Case):
             yield table_2()
 
     def refusal(self) -> str:
-        """No crown, no peak, or what the clutch at rest cannot be solved for."""
+        """Reason to refuse: no crown, no peak, or no solution of the clutch at rest."""
         if self.z_m == 0:
             return "without a crown there is nothing to compare; check it without --fem"
         if not math.isfinite(self.N_max):

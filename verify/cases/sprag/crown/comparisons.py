@@ -1,4 +1,4 @@
-"""What is compared of a crown: its profile, its pressures, and what the figures of crowns state."""
+"""Rows of a crown: its profile, its pressures, and statements of the figures of crowns."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -63,7 +63,7 @@ def near(q: Any, _values: Any) -> tuple[float, float] | None:
 
 @dataclass(frozen=True, kw_only=True)
 class OfPaperEstimated(Estimated):
-    """An estimate for the paper's clutch alone."""
+    """An estimate for the paper's clutch only."""
 
     paper_only: bool = True
 
@@ -77,9 +77,9 @@ def drops(q: EngagementInputs, crowns: Array) -> Array:
 
 
 def straight_and_ends(context: Context) -> tuple[float, float]:
-    """How far below two places of MEAN_OF the straight middle is off (1 - K_2) l, for all crowns.
+    """Margin of the straight middle's deviation from (1 - K_2) l below two of MEAN_OF points.
 
-    The drop is nowhere above z_m, and no smaller K_1 or K_2 makes it deeper anywhere.
+    The drop never exceeds z_m, and no smaller K_1 or K_2 makes it deeper.
     """
     q = context.inputs
     crowns = factorial(q, 5)
@@ -92,7 +92,7 @@ def straight_and_ends(context: Context) -> tuple[float, float]:
 
 
 def z_m_is_not_the_mean(context: Context) -> tuple[float, float, str]:
-    """How far below a half z_m's share of the mean drop is, of the printed crowns at the most."""
+    """Margin below one half of z_m's largest share of the mean drop, for the printed crowns."""
     q = context.inputs
     printed = {c: z_m_share(c[0] * unit(q), c[2]) for c in ((1.0, 0.7, 1e-5), *DEEP)}
     box = np.array([z_m_share(x[0] * unit(q), x[2]) for x in factorial(q, 5)])
@@ -106,12 +106,12 @@ def z_m_is_not_the_mean(context: Context) -> tuple[float, float, str]:
 
 
 def inner_above(context: Context) -> tuple[float, float]:
-    """Least ratio of the contacts' largest pressures, inner over outer, less one, of all crowns."""
+    """Least ratio of the largest pressures, inner over outer contact, minus one, of all crowns."""
     return float(context.fem[-1].arrays["inner/outer"].min()) - 1, 1e-6
 
 
 def in_the_box(context: Context) -> tuple[float, float, str]:
-    """How much lower than the given crown the lowest of Eq. 19's factorial is."""
+    """Reduction from the given crown to the lowest of Eq. 19's factorial."""
     q, found = context.inputs, context.fem[-1].arrays
     k = int(found["box p"].argmin())
     p, given = float(found["box p"][k]), q.p_peak

@@ -26,7 +26,7 @@ DEEPER = 0.3  # drop of the sketched crown over the length
 
 
 def sketch(q: EngagementInputs) -> Sketch | None:
-    """The sprag's outline along its axis, its drop drawn much larger than it is."""
+    """The sprag's outline along its axis, with a strongly enlarged drop."""
     if q.z_m == 0:
         return None
     y, z = places(q, 401), gap(q.model_copy(update={"slices": 401}))
@@ -64,7 +64,7 @@ def figures(context: Context) -> Sequence[Figure]:
 
 
 def shares(q: EngagementInputs) -> Curves:
-    """How much of the mean drop z_m makes, over z_m in units of A."""
+    """Share of z_m in the mean drop, over z_m in units of A."""
     m = np.geomspace(0.05, 30.0, 121)
     printed = np.array([(c[2] / (c[0] * unit(q)), z_m_share(c[0] * unit(q), c[2]))
                         for c in DESIGNS])  # fmt: skip
@@ -147,7 +147,7 @@ def by_torque(found: Mapping[str, Array]) -> Curves:
 
 
 def above(found: Mapping[str, Array]) -> Curves:
-    """How far above the lowest crown at each torque the printed ones are."""
+    """Excess of the printed crowns over the lowest crown at each torque."""
     T, low = found["band T"], found["band low"]
     names = (*FIG_14, EQ_21, EQ_22)
     return plot(
@@ -165,7 +165,7 @@ def above(found: Mapping[str, Array]) -> Curves:
 
 
 def suits(context: Context) -> Curves:
-    """K_1 of the lowest crown over the torque, beside N_max/Q and what is printed."""
+    """K_1 of the lowest crown over the torque, with N_max/Q and the printed values."""
     found, Q = context.fem[-1].arrays, crowned_for(context.inputs)
     T = found["band T"]
     return plot(
@@ -180,7 +180,7 @@ def suits(context: Context) -> Curves:
 
 
 def ratios(found: Mapping[str, Array]) -> Dots:
-    """p_max(40 N m)/p_max(25 N m): printed, and by what force, crowns and slices make of it."""
+    """p_max(40 N m)/p_max(25 N m): printed, and computed from force, crowns and slices."""
     N_25, N_40 = found["counted N"]
     flat = found["counted, 40"][0] / found["counted, slices"][0]
     best = found["named p"][number(EQ_22), AT[40]] / found["named p"][number(EQ_21), AT[25]]

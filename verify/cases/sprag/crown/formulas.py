@@ -1,4 +1,4 @@
-"""What the crown's three parameters make of its profile, and of the pressure under a force."""
+"""Effect of the crown's three parameters on its profile and on the pressure under a force."""
 
 from itertools import product
 
@@ -51,7 +51,7 @@ def radius(q: EngagementInputs, N: float) -> float:
 
 
 def pressed(q: EngagementInputs, N: float, crown: Crown | None = None) -> SlicedContact:
-    """The inner contact under N [N], with the clutch's crown or another for the same load."""
+    """The inner contact under N [N], with the clutch's crown or another crown for its load."""
     z = gap(with_crown(q, crown)) if crown else gap(q)
     return in_slices(q, z, radius(q, N), N)
 

@@ -69,7 +69,7 @@ def highest_and_lowest(context: Context) -> tuple[float, float, str]:
 
 
 def in_other_order(context: Context) -> tuple[float, float, str]:
-    """How far the optimal crown of Fig. 12 is above the worst at the first peak under 25 N m."""
+    """Excess of Fig. 12's optimal crown over its worst crown at the first peak under 25 N m."""
     found = arrays(context)
     best, worst = (float(found["named p"][number(c), AT[25]]) for c in FIG_12)
     N = float(found["named N"][number(FIG_12[0]), AT[25]])
@@ -91,19 +91,19 @@ def first_and_trough(context: Context) -> tuple[float, float, str]:
 
 
 def uneven(p: Array) -> float:
-    """Share of the load that would have to move for the line load, which goes as p², to be even."""
+    """Load share to be redistributed for a uniform line load, which is proportional to p²."""
     return float(np.abs(p**2 / (p**2).mean() - 1).mean() / 2)
 
 
 def more_even(context: Context) -> tuple[float, float, str]:
-    """How much less of the load would have to move with K_1 = 3 than with 1."""
+    """Reduction of this load share from K_1 = 1 to K_1 = 3."""
     shallow, deep = (uneven(p[0]) for p in arrays(context)["Fig. 13"])
     words = f"{shallow:.1%} of the load would have to move with K_1 = 1, {deep:.1%} with 3"
     return 1 - deep / shallow, STEP, words
 
 
 def order_at(which: int) -> Margin:
-    """How far Fig. 14's crown number `which` is below the other at its torque."""
+    """Margin of Fig. 14's crown number `which` below the other crown at its torque."""
     T = (10, 30)[which]
 
     def margin(context: Context) -> tuple[float, float, str]:
@@ -116,7 +116,7 @@ def order_at(which: int) -> Margin:
 
 
 def above_lowest(context: Context, which: int) -> tuple[float, str]:
-    """How far Fig. 14's crown is above the lowest of the factorial at its torque, in words too."""
+    """Excess of Fig. 14's crown over the lowest of the factorial at its torque, with text."""
     T, found = (10, 30)[which], arrays(context)
     p = found["many p"][:, AT[T]]
     named, k = float(found["named p"][number(FIG_14[which]), AT[T]]), int(p.argmin())

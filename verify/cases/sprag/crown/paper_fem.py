@@ -1,4 +1,4 @@
-"""What is measured of the paper's crowns: Figs. 12 to 14 and Table 2's level."""
+"""Measured values of the paper's crowns: Figs. 12 to 14 and Table 2's level."""
 
 import numpy as np
 

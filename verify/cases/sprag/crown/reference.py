@@ -39,7 +39,7 @@ def solve(q: Any, level: int) -> Level:
 
 
 def drawn(q: Any, n: int) -> dict[str, float]:
-    """Mean of the drop [m] at n places of the sprag, and by how many per cent one of z_m adds."""
+    """Mean of the drop [m] at n positions; its increase in per cent for 1 % of z_m."""
 
     def mean(step: float) -> float:
         return float(crowned(q.model_copy(update={"z_m": q.z_m * (1 + step)}), n).mean())

@@ -1,4 +1,4 @@
-"""How the largest pressure of a crown depends on the number of slices, or of strips."""
+"""Dependence of the largest pressure of a crown on the number of slices or strips."""
 
 import numpy as np
 
@@ -13,7 +13,7 @@ WITHIN = 5e-3
 
 
 def hardly_by_slices(context: Context) -> tuple[float, float, str]:
-    """What is left of WITHIN of the spread by slices; strips, whose ends carry, in words."""
+    """Margin of the spread by slices below WITHIN; strips, with loaded ends, in text."""
     found = context.fem[-1].arrays
     enough = found["counts"] >= FROM
     by_slices = found["counted, slices"][1][enough] / MPa

@@ -1,4 +1,4 @@
-"""Table 2: consistency of its numbers, and its level of pressure beside this clutch's."""
+"""Table 2: consistency of its numbers, and its level of pressure against this clutch."""
 
 import math
 from dataclasses import dataclass
@@ -35,7 +35,7 @@ def relative_error(row: int) -> float:
 
 
 def standardised(row: int) -> float:
-    """The printed difference over the root of the printed MSE, read as MPa²; nan where that is 0.
+    """The printed difference over the root of the printed MSE, read as MPa²; nan if MSE is 0.
 
     >>> round(standardised(1), 1)
     11.6
@@ -46,7 +46,7 @@ def standardised(row: int) -> float:
 
 @dataclass(frozen=True, kw_only=True)
 class Recomputed(PrintedClaim):
-    """A row's relative error from its printed pair beside the printed one; `reference` is that."""
+    """A row's relative error from its printed pair, against the printed error `reference`."""
 
     kind = Kind.IDENTITY
 
@@ -66,7 +66,7 @@ class Recomputed(PrintedClaim):
 
 
 def cut_off(_context: Context) -> tuple[float, float, str]:
-    """How far the last row's error is above what rounds to the printed one."""
+    """Excess of the last row's error over the interval that rounds to the printed error."""
     entry = published(f"huang2018:table2-row{CUT}-error")
     v = relative_error(CUT)
     rounds = (entry.value + half_last_digit(entry.printed)) / 100
@@ -74,7 +74,7 @@ def cut_off(_context: Context) -> tuple[float, float, str]:
 
 
 def too_small(_context: Context) -> tuple[float, float, str]:
-    """Mean square of the differences over what SURE deviations of the mean MSE allow [Pa²]."""
+    """Excess of the mean square of differences over SURE deviations of the mean MSE [Pa²]."""
     d = np.array([cell(k, "actual") - cell(k, "predicted") for k in ROWS if k != SAMPLE])
     mse = np.array([cell(k, "mse") for k in ROWS if k != SAMPLE])
     z = np.abs(d) / np.sqrt(mse)
@@ -97,9 +97,9 @@ def is_a_sample(_context: Context) -> tuple[float, float, str]:
 
 
 def between(column: str) -> Margin:
-    """How far [Pa] a column's values are inside what Eq. 19's crowns reach at 25 N m.
+    """Margin [Pa] of a column's values inside the range of Eq. 19's crowns at 25 N m.
 
-    And how far all are below the lowest crown at 40 N m.
+    Also the margin of all values below the lowest crown at 40 N m.
     """
 
     def margin(context: Context) -> tuple[float, float, str]:

@@ -19,7 +19,7 @@ class SpragEngagement(EngagementFormulas):
     """A suddenly applied torque makes the races oscillate on the sprags.
 
     The paper's equations of motion in its Runge-Kutta steps are refined in time and compared with
-    LSODA with events, which has only the closure in common, and with energy, statics and two races
+    LSODA with events, which shares only the closure, and with energy, statics and two races
     on a spring.
     """
 
@@ -87,7 +87,7 @@ class SpragEngagement(EngagementFormulas):
         return ""
 
     def warnings(self) -> Iterator[str]:
-        """Where the sprags leave their profile, slide at the start or slip."""
+        """Warnings if the sprags leave their profile, slide at the start or slip."""
         start = self.number("start")
         if self.rolls_over:
             yield (f"the profile ends at α_max = {self.alpha_max:.4g} rad before the first swing")
@@ -104,7 +104,7 @@ class SpragEngagement(EngagementFormulas):
             )
 
     def advice(self) -> Iterator[str]:
-        """Whether it locks, and how much rigid races change."""
+        """Whether the clutch locks, and the effect of rigid races."""
         if self.rolls_over:
             yield "rolls over: the sprags rotate past their profile"
         elif self.mu_s < self.mu_asked:

@@ -1,4 +1,4 @@
-"""What is compared of an engagement: steps with LSODA, energy, limits, and what follows."""
+"""Rows of an engagement: steps against LSODA, energy, limits, and conclusions."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
@@ -32,7 +32,7 @@ UNEQUAL = "N_e = N_i in Eqs. 14-16, where a strut has N_e/N_i = cos ω/cos ν"
 
 @dataclass(frozen=True, kw_only=True)
 class Partnered(Identity):
-    """The steps against LSODA, whose values are stored with those of the finest level."""
+    """The steps against LSODA, whose values are stored with the finest level."""
 
     by: str = BY
 
@@ -51,13 +51,13 @@ class AtPeak(Approximation):
 
 
 def conjugate(context: Context) -> Pair:
-    """Rolling and deflections, with only the closure in common, have the same work."""
+    """Work by rolling against work by deflections; only the closure is common to both."""
     turning = context.inputs.number("by turning")
     return Pair(turning, 1.0, 0.0, f"off by {turning - 1:+.1e} of the work")
 
 
 def bounds(q: EngagementFormulas) -> Bounds:
-    """The intervals of its rows, read where these are judged."""
+    """The intervals of the rows, read when these are judged."""
     return Bounds(
         unequal=q.number("unequal"), passed_on=q.number("passed on"), inertia=q.number("inertia"),
         left_out=q.number("left out"), turns=bool(q.w_i),
@@ -81,19 +81,19 @@ def along(context: Context) -> tuple[float, float, str]:
 
 
 def halving(context: Context) -> Pair:
-    """What half of the time step changes."""
+    """Effect of half the time step."""
     whole, half = (r.values["N_max"] for r in context.fem[:2])
     return Pair(whole, half, 0.0, f"N_max changes by {abs(half / whole - 1):.1e}")
 
 
 def order(context: Context) -> tuple[float, float, str]:
-    """How near 4 the order of N(t) is; cubics of the table have a second slope that jumps."""
+    """Margin of the order of N(t) about 4; cubics of the table have a discontinuous curvature."""
     fit = fit_order(list(ORDER), context.fem[-1].arrays["order"].tolist())
     return NEAR - abs(fit.order - 4), 2 * fit.u, f"order {fit.order:.2f}, theory 4"
 
 
 def crowns(context: Context) -> tuple[float, float, str]:
-    """How much the paper's crowns change the largest force."""
+    """Effect of the paper's crowns on the largest force."""
     none, *with_one = context.fem[-1].arrays["crowns"]
     share = np.array(with_one) / none - 1
     words = f"{share.min():+.1%} to {share.max():+.1%} over {len(DESIGNS)} crowns"
@@ -101,14 +101,14 @@ def crowns(context: Context) -> tuple[float, float, str]:
 
 
 def centroids(context: Context) -> tuple[float, float, str]:
-    """How much the centroid's place, which is not printed, changes the largest force."""
+    """Effect of the centroid's position, which is not printed, on the largest force."""
     v = context.fem[-1]
     worst = float(np.abs(v.arrays["centroids"] / v.values["N_max"] - 1).max())
     return CENTROID - worst, 0.0, f"at the pole or beside it: {worst:.1e} of N_max"
 
 
 def balanced(context: Context) -> Pair:
-    """First peak without damping against energy, where N_e/N_i is that of a strut."""
+    """First peak without damping against energy, with N_e/N_i of a strut."""
     v, last = context.analytic, context.fem[-1]
     N_max, free = last.arrays["balanced"]
     off, change = free / v["N_undamped"] - 1, N_max / last.values["N_max"] - 1
@@ -125,7 +125,7 @@ def sliced(context: Context) -> Pair:
 
 
 def liu(context: Context) -> tuple[float, float, str]:
-    """How much larger the force is with races that do not deflect as rings."""
+    """Increase of the force with races that do not deflect as rings."""
     q, v, w = context.inputs, context.fem[-1].values, wedge(context.inputs)
     now = w.states.yields
     share = float((now.race_i + now.race_e)[-1] / now.H[-1])
@@ -146,7 +146,7 @@ def first(context: Context) -> tuple[float, float, str]:
 
 
 def inner(context: Context) -> tuple[float, float]:
-    """Least ratio of the inner contact's largest pressure to the outer's, less one."""
+    """Least ratio of the inner contact's largest pressure to the outer's, minus one."""
     q, v = context.inputs, context.analytic
     whole, N = parts(q), v["N_max"] * np.linspace(0, 1, LOADS)[1:]
     both = [in_slices(q, gap(q), float(R), N) for R in (whole.R_contact_i, whole.R_contact_e)]
@@ -170,7 +170,7 @@ def partnered(name: str, symbol: str, unit: str, key: str, **more: Any) -> Partn
 
 
 def comparisons(q: EngagementFormulas) -> Iterator[Comparison | Check]:
-    """All of them, in the order of the page."""
+    """All rows, in the order of the page."""
     yield from _partners()
     yield from _energies(q)
     yield from _models(q)

@@ -1,8 +1,8 @@
-"""Values of an engagement's formulas: statics, energy, small oscillation, two races on one spring.
+"""Values of an engagement's formulas: statics, energy, small oscillation, two races on a spring.
 
-Contacts that roll tie the sprags' motion to the turn theta of the races against each other. Where
-the sprags' mass is left out the clutch is a spring T(theta), N(theta), whose statics balance work,
-and two races swing on it.
+Rolling contacts couple the sprags' motion to the relative rotation theta of the races. Without
+the mass of the sprags the clutch is a spring T(theta), N(theta), whose statics balance work, and
+the two races oscillate on it.
 """
 
 import math
@@ -38,7 +38,7 @@ def swing(q: EngagementInputs, *, rigid: bool = False) -> Swing:
 
 
 def analytic(q: EngagementInputs) -> Mapping[str, float]:
-    """Values in SI units; what has no answer is left out."""
+    """Values in SI units; values without a solution are omitted."""
     w = wedge(q)
     first, found, force = w.states, swing(q), w.force()
     rest, peak = at_rest(w, q.T), undamped(w, q.T)
@@ -63,5 +63,5 @@ def analytic(q: EngagementInputs) -> Mapping[str, float]:
 
 
 def with_torque(q: EngagementInputs, factor: float = MORE) -> EngagementInputs:
-    """The same clutch under `factor` times the torque, its crown as it was."""
+    """The clutch under `factor` times the torque, with unchanged crown."""
     return q.model_copy(update={"T": factor * q.T, "Q": crowned_for(q)})

@@ -1,6 +1,6 @@
-"""A sprag clutch of the inputs as an engagement needs it: its contacts, its spring, what moves.
+"""A sprag clutch of the inputs for an engagement: its contacts, its spring, its moving parts.
 
-Everything here is formulas: nothing is compiled.
+These are formulas only; no compiled code.
 """
 
 import math
@@ -80,7 +80,7 @@ def clutch(q: SpragInputs, N_end: float, loads: int = LOADS) -> SpragClutch:
 
 @lru_cache(maxsize=CACHE_SIZE)
 def wedge(q: EngagementInputs, *, rigid: bool = False) -> RaceSpring:
-    """The clutch up to what an engagement can reach, or the end of the profile.
+    """The clutch up to the largest state of an engagement, or the end of the profile.
 
     `rigid` races are Liu's.
     """

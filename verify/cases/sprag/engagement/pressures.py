@@ -16,7 +16,7 @@ ms, MPa, mm = 1e-3, 1e6, 1e-3
 
 
 def pressures(context: Context) -> Sequence[Figure]:
-    """Of each design that is drawn: some moments, and p(y, t) on both races."""
+    """Figures of each drawn design: some moments, and p(y, t) on both races."""
     found: list[Figure] = []
     last = context.fem[-1].arrays
     planes = {
@@ -48,7 +48,7 @@ def over_time(
 
 
 def centres(q: EngagementInputs) -> Array:
-    """Where the slices are along the sprag [m]."""
+    """Positions of the slices along the sprag [m]."""
     return (np.arange(q.slices) + 0.5) / q.slices * q.l - q.l / 2
 
 

@@ -14,7 +14,7 @@ SPRING = "two races on the clutch as a spring"
 
 
 class EngagementFormulas(EngagementInputs, Case):
-    """Statics, energy, small oscillation and two races on one spring; nan where there is none."""
+    """Statics, energy, small oscillation and two races on a spring; nan without a solution."""
 
     @shared
     def numbers(self) -> Mapping[str, float]:
@@ -22,7 +22,7 @@ class EngagementFormulas(EngagementInputs, Case):
         return analytic(self)
 
     def number(self, name: str) -> float:
-        """One of them, nan where the part does not have it."""
+        """A value by name; nan if the part does not have it."""
         return self.numbers.get(name, math.nan)
 
     @shared

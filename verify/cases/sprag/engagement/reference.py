@@ -1,6 +1,6 @@
 """The compiled Runge-Kutta steps of an engagement, refined like a mesh, and their LSODA partner.
 
-A level halves the time step that the inputs name. What is compiled is imported inside functions.
+A level halves the time step of the inputs. Compiled code is imported inside functions.
 """
 
 import math
@@ -107,7 +107,7 @@ def engaged_fem(
 
 
 def held(q: EngagementInputs, **changes: float) -> Motion:
-    """The same motion with the outer race held."""
+    """The motion with the outer race fixed."""
     return oscillation.held(motion(q), **changes)
 
 
@@ -131,7 +131,7 @@ def partner_fem(
     rtol: float = RTOL,
     every: int = 1,
 ) -> "Events":
-    """The same engagement by events and LSODA, the force from every so many of the states."""
+    """The engagement by events and LSODA; the force from every n-th state."""
     from analytic.sprag.events import engage_by_events
 
     return engage_by_events(
@@ -141,9 +141,9 @@ def partner_fem(
 
 
 def partners_fem(q: EngagementInputs) -> Mapping[str, float]:
-    """Largest N of each engagement by LSODA and its time, to a little past the first peak.
+    """Largest N of each engagement by LSODA and its time, until shortly after the first peak.
 
-    The residual is what half the states and a hundredfold tolerance change.
+    The residual is the change with half the states and a hundredfold tolerance.
     """
     values: dict[str, float] = {}
     until = min(FIRST * analytic(q)["t_max"], q.t_end)

@@ -19,7 +19,7 @@ SURE = 1.1  # over the required friction
 
 
 class SpragFriction(FrictionFormulas):
-    """Sprags lock if the friction coefficient exceeds tan ν of the wedge, and slide if it does not.
+    """Sprags lock if the friction coefficient exceeds tan ν of the wedge, and slide otherwise.
 
     This is verified in the paper's steps, in closed form and by LSODA with events. A time step that
     misses the whole band of sticking gives wrong forces without any sign; a guard rejects it.
@@ -50,7 +50,7 @@ class SpragFriction(FrictionFormulas):
     sketch = drawn.sketch
 
     def reference(self, level: int) -> Level:
-        """The paper's steps, LSODA and what the guard refuses."""
+        """The paper's steps, LSODA and rejections by the guard."""
         from verify.cases.sprag.friction.reference import solve
 
         return solve(self, level)
@@ -78,7 +78,7 @@ class SpragFriction(FrictionFormulas):
         return ""
 
     def warnings(self) -> Iterator[str]:
-        """Where the sprags roll over, or lock only if they do not slip first."""
+        """Warnings if the sprags roll over, or lock only without initial slip."""
         if not math.isfinite(self.mu_b):
             yield "the sprags roll over before they carry the torque"
         elif self.mu_c < self.mu_b <= self.mu_s:
@@ -88,7 +88,7 @@ class SpragFriction(FrictionFormulas):
             )
 
     def advice(self) -> Iterator[str]:
-        """Whether it locks, and how much it drags where it overruns."""
+        """Whether the clutch locks, and its drag while overrunning."""
         if not math.isfinite(self.mu_b):
             yield "rolls over: the sprags rotate past their profile"
             return

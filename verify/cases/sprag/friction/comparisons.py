@@ -1,4 +1,4 @@
-"""What is compared of friction in a sprag clutch: where it locks, what slides, what is guarded."""
+"""Rows on friction in a sprag clutch: limit of locking, sliding states, guard of the time step."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -35,7 +35,7 @@ UNEQUAL = "N_e = N_i in Eqs. 14-16, where a strut has N_e/N_i = cos ω/cos ν"
 class Ended(Partnered):
     """A time that is known to a time step; for user inputs three steps are sufficient.
 
-    Displayed where no contact slides at all.
+    Displayed if no contact slides at all.
     """
 
     def rows(self, context: Context) -> list[Row]:
@@ -51,7 +51,7 @@ class Ended(Partnered):
 
 
 def at_tan(context: Context) -> Pair:
-    """Friction from which on it locks, over tan(nu) at rest, at three torques."""
+    """Least friction for locking, over tan(nu) at rest, at three torques."""
     T, ratio, half = context.fem[-1].arrays["boundaries"].T
     words = ", ".join(f"{r - 1:+.2%} at {t:.4g} N m" for t, r in zip(T, ratio, strict=True))
     found = farthest(np.ones_like(ratio), ratio, 0.0)
@@ -81,7 +81,7 @@ def never_wrong(context: Context) -> tuple[float, float, str]:
 
 
 def never_idle(context: Context) -> tuple[float, float, str]:
-    """Least median error of what the guard refuses, so that no right answer is."""
+    """Least median error of rejected runs, so that the guard rejects no correct result."""
     all_of_them = context.fem[-1].arrays["guard"]
     stopped = all_of_them[all_of_them[:, 3] == 1]
     least = float(np.abs(stopped[:, 4]).min()) if len(stopped) else np.inf
@@ -99,7 +99,7 @@ def by_default(context: Context) -> Pair:
 
 
 def comparisons(q: FrictionFormulas) -> Iterator[Comparison | Check]:
-    """All of them, in the order of the page."""
+    """All rows, in the order of the page."""
     yield from _limits(q)
     yield from _partners()
     yield from _guard()

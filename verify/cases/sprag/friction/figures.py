@@ -96,7 +96,7 @@ def slides(context: Context) -> Figure:
 
 
 def zones(context: Context) -> Figure:
-    """What locks over torque and friction, with weak springs."""
+    """Locking over torque and friction, with weak springs."""
     coarse = context.fem[-1].arrays["map"].T
     T = np.linspace(coarse[0, 0], coarse[0, -1], FINE)
     firm, _, weak, most = (np.interp(T, coarse[0], column) for column in coarse[1:])
@@ -117,7 +117,7 @@ def zones(context: Context) -> Figure:
 
 
 def wrong(context: Context) -> Figure:
-    """N(t) where the guard is off, and where it is on."""
+    """N(t) without and with the guard."""
     last = context.fem[-1].arrays
     return plot(
         "A band too narrow for the step, unguarded", "t [ms]", "N [kN]",
@@ -144,7 +144,7 @@ def speeds(context: Context) -> Figure:
 
 
 def guarded(context: Context, factor: float) -> Figure:
-    """Error without the guard over bands and steps, with what it refuses."""
+    """Error without the guard over bands and steps, with its rejections."""
     guard, q = context.fem[-1].arrays["guard"], context.inputs
     chosen = guard[guard[:, 0] == factor].reshape(len(STEPS), len(BANDS), -1)
     return Map(

@@ -30,7 +30,7 @@ def asked(q: EngagementInputs, factor: float = 1.0) -> tuple[float, float]:
 
 
 def weak(q: EngagementInputs, factor: float = 1.0) -> EngagementInputs:
-    """The same clutch with weak springs under `factor` times the torque."""
+    """The clutch with weak springs under `factor` times the torque."""
     return with_torque(q, factor).model_copy(update={"K_r": WEAK * q.K_r})
 
 
@@ -44,7 +44,7 @@ LAW = Equation(
 class FrictionFormulas(EngagementInputs, Case):
     """Required friction of a sprag clutch at rest, and forces of sliding sprags.
 
-    nan where the sprags roll over, or where nothing slides on.
+    nan if the sprags roll over, or if no contact continues to slide.
     """
 
     @shared
@@ -85,7 +85,7 @@ class FrictionFormulas(EngagementInputs, Case):
         return float(np.tan(np.interp(swing(self).peak[1], now.N, now.nu)))
 
     def at_turn(self, values: Array) -> float:
-        """What a state has at rest, of its `values` over the turn."""
+        """Value of a state at rest, from its `values` over the rotation."""
         return float(np.interp(self.rest, self.wedge.theta, values))
 
     @Quantity("μ_b", "1", "friction coefficient above which it locks, at rest under T",

@@ -1,6 +1,6 @@
-"""The compiled steps where contacts slide: limits, sliding states, and the guard of their band.
+"""The compiled steps with sliding contacts: limits, sliding states, and the guard of their band.
 
-A level halves the time step of the inputs. What is compiled is imported inside functions.
+A level halves the time step of the inputs. Compiled code is imported inside functions.
 """
 
 import math
@@ -79,12 +79,12 @@ def settled(q: EngagementInputs) -> float:
 
 
 def rough(q: EngagementInputs, mu: float) -> EngagementInputs:
-    """The same with one coefficient of friction."""
+    """The clutch with a single coefficient of friction."""
     return q.model_copy(update={"mu_s": mu, "mu_c": mu})
 
 
 def boundary_fem(q: EngagementInputs, dt: float) -> tuple[float, float]:
-    """The friction from which on the clutch locks, and half of the bracket."""
+    """The least friction with which the clutch locks, and half of the bracket."""
     mu, _ = asked(q)
     low, high = (share * mu for share in BRACKET)
     duration = settled(q)
@@ -97,7 +97,7 @@ def boundary_fem(q: EngagementInputs, dt: float) -> tuple[float, float]:
 
 
 def boundaries_fem(q: EngagementInputs) -> dict[str, Array]:
-    """The same over tan(nu) at several torques."""
+    """This friction over tan(nu) at several torques."""
     found = []
     for factor in TORQUES:
         boundary, half = boundary_fem(with_torque(q, factor), q.dt)
@@ -107,7 +107,7 @@ def boundaries_fem(q: EngagementInputs) -> dict[str, Array]:
 
 
 def sliding_fem(q: EngagementInputs, dt: float, mu: float, speed: float) -> tuple[float, float]:
-    """Mean N [N] while the inner race slides on at `speed` [rad/s], and how much it wanders."""
+    """Mean N [N] while the inner race slides at `speed` [rad/s], and its fluctuation."""
     moves = held(rough(q, mu), C_rl=0.0, I_bi=HEAVY * q.I_bi)
     found = engaged_fem(
         q, wedge(q), dt, moves, Torque.step(0.0), duration=SLIDES / frequency(q),
@@ -152,9 +152,9 @@ def partners_fem(q: EngagementInputs, until: float) -> dict[str, float]:
 
 
 def narrow_fem(q: EngagementInputs) -> dict[str, Array]:
-    """1.6 T with weak springs and the narrow band: refused, and what comes back unguarded.
+    """1.6 T with weak springs and the narrow band: rejected; result without the guard.
 
-    That is chaotic: the last digits of the torque, or of a machine's arithmetic, decide.
+    That result is chaotic: it depends on the last digits of the torque or of the arithmetic.
     """
     p = weak(q, MORE)
     w = wedge(p)
@@ -170,7 +170,7 @@ def narrow_fem(q: EngagementInputs) -> dict[str, Array]:
 
 
 def nearby(p: EngagementInputs) -> list[EngagementInputs]:
-    """The same under 16 torques that differ by round-off, as another processor's results do."""
+    """The clutch under 16 torques that differ by round-off, as results of processors do."""
     return [p.model_copy(update={"T": p.T * (1 + NEARLY * k)}) for k in range(16)]
 
 
@@ -199,8 +199,8 @@ def swept_fem(q: EngagementInputs, until: float) -> dict[str, Array]:
 def guarded_fem(q: EngagementInputs, until: float) -> dict[str, Array]:
     """Bands and steps: refused or not, and N_max with and without the guard over the right one.
 
-    Right is what steps a fifth as long give in the band chosen for them. Where the guard refuses,
-    the last digits decide the force: of nearby torques the one counts whose error is the median.
+    The correct value is computed by steps of a fifth in the band chosen for them. If the guard
+    rejects a run, its force depends on the last digits: the median error of nearby torques counts.
     """
     found = []
     for factor in (1.0, MORE):
@@ -221,9 +221,9 @@ def guarded_fem(q: EngagementInputs, until: float) -> dict[str, Array]:
 
 
 def map_fem(q: EngagementInputs) -> dict[str, Array]:
-    """Over torques: friction from which on it locks in the end, and without slip before.
+    """Over torques: least friction for locking in the end, and for locking without prior slip.
 
-    The first with the springs of the inputs, both also with weak ones.
+    The first with the springs of the inputs, both also with weak springs.
     """
     rows = []
     for factor in OVER:
