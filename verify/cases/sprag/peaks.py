@@ -21,9 +21,9 @@ from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.figures import Array
 from verify.jobs.executor import Drive, Lost, local
 
-ENGAGED = 1024  # engagements stored: those of two optimisations, which share their designs
-CHUNK = 5  # crowns that a process takes at a time
-STRIPS = 81  # along a sprag; where its ends are unloaded 161 of them change the peak by 0.1 %
+ENGAGED = 1024  # engagements stored: two optimisations with common designs
+CHUNK = 5  # crowns per task of a process
+STRIPS = 81  # along a sprag; with unloaded ends, 161 strips change the peak by 0.1 %
 HOW = {
     "slips": "a contact slides on",
     "over the end": "the sprags leave their profile, or the range of the formulas",
@@ -35,11 +35,11 @@ Crown = tuple[float, float, float]  # K_1, K_2, z_m [m]
 
 
 class NoLockError(ArithmeticError):
-    """An engagement that does not lock: it has no largest pressure to make less."""
+    """An engagement that does not lock: no largest pressure exists."""
 
 
 def with_crown(q: EngagementInputs, crown: Crown | Array | None) -> EngagementInputs:
-    """The clutch with another crown for the same load, or with none; of all cases the same."""
+    """The clutch with another crown for its load, or without crown; common to all cases."""
     own = {name: getattr(q, name) for name in EngagementInputs.model_fields}
     own["Q"] = crowned_for(q)
     if crown is None:
@@ -53,7 +53,7 @@ def one_fem(
 ) -> tuple[Array, Array]:
     """N_max [N], (m,), and pressures [Pa], (m, slices), with the crown of `q`.
 
-    NoLockError where an engagement does not lock; other errors where there is none.
+    NoLockError if an engagement does not lock; other errors if none is found.
     """
     one = built(q)
     N, R = np.array([_peak_fem(q.model_copy(update={"T": float(T)})) for T in torques]).T
@@ -79,7 +79,7 @@ Task = tuple[EngagementInputs, tuple[float, ...], tuple[Crown, ...], By]
 
 
 def some_fem(task: Task) -> list[tuple[Array, Array]] | str:
-    """A chunk of crowns; why, where an engagement does not lock.
+    """A chunk of crowns; the reason if an engagement does not lock.
 
     An engagement that is not solved raises another error: it is no statement on the clutch.
     """
@@ -99,11 +99,11 @@ def peaks_fem(
     jobs: int = 1,
     progress: Callable[[int], None] = lambda _done: None,
 ) -> Peaks:
-    """Engagements with each of the crowns (n, 3), made for the same load, under each torque [N m].
+    """Engagements with the crowns (n, 3), of equal design load, under each torque [N m].
 
-    Pressures are those of the clutch's slices, or of STRIPS strips on a half-space. `progress` is
-    called with the number of crowns done. NoLockError where one does not lock, another
-    ArithmeticError where an engagement is not solved.
+    Pressures follow from the clutch's slices, or from STRIPS strips on a half-space. `progress` is
+    called with the number of crowns done. NoLockError if one does not lock, another
+    ArithmeticError if an engagement is not solved.
     """
     torques, n = tuple(float(T) for T in torques), len(crowns)
     tasks = [

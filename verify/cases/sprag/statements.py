@@ -1,4 +1,4 @@
-"""Kinds of statements about sprag clutches: of the paper alone, noted, beside a printed number."""
+"""Kinds of statements about sprag clutches: for the paper only, noted, against a printed number."""
 
 import math
 from collections.abc import Callable, Mapping
@@ -35,13 +35,13 @@ def sliced(q: Any, _values: Any) -> tuple[float, float] | None:
 
 
 def measured(context: Context) -> Measured:
-    """What the finest level has measured, by name."""
+    """Measured values of the finest level, by name."""
     return context.fem[-1].arrays
 
 
 @dataclass(frozen=True, kw_only=True)
 class OfPaper(Accepted):
-    """A statement about the paper's clutch alone."""
+    """A statement about the paper's clutch only."""
 
     paper_only: bool = True
 
@@ -51,9 +51,9 @@ class OfPaper(Accepted):
 
 @dataclass(frozen=True, kw_only=True)
 class Noted(Claim):
-    """A printed statement that equations of the same paper contradict: NOTE with its ledger entry.
+    """A printed statement that the paper's equations contradict: NOTE with its ledger entry.
 
-    `margin` is positive where they do; otherwise the ledger is wrong and the row fails.
+    `margin` is positive if they do; otherwise the ledger is wrong and the row fails.
     """
 
     kind = Kind.FACT
@@ -78,9 +78,9 @@ class Noted(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Beside(Claim):
-    """What is computed from identified inputs beside a `figure` [SI], printed or given as input.
+    """A value from identified inputs against a `figure` [SI], printed or given as input.
 
-    CALIBRATED within `bound` where it was `fitted` to it; else a prediction, SHOWN.
+    CALIBRATED within `bound` if it was `fitted` to the figure; else a prediction, SHOWN.
     """
 
     kind = Kind.APPROXIMATION

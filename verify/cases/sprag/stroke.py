@@ -22,12 +22,12 @@ def races(q: WedgeInputs) -> Races:
 
 
 def struts(q: WedgeInputs) -> Struts:
-    """The sprags as finite elements take them."""
+    """The sprags as input of the finite elements."""
     return Struts(z=q.z, b=q.b, E=q.E, nu=q.nu)
 
 
 def guessed(q: WedgeInputs, alpha: float) -> Start[Place]:
-    """At the rotation `alpha` [rad]; ValueError where the sprag does not overlap the races."""
+    """At the rotation `alpha` [rad]; ValueError if the sprag does not overlap the races."""
     place = Place.overlapping(races(q), alpha)
     d_i, d_e = place.overlaps
     if not min(d_i, d_e) > 0:
@@ -40,7 +40,7 @@ def guessed(q: WedgeInputs, alpha: float) -> Start[Place]:
 
 @lru_cache(256)
 def at_rotation(q: WedgeInputs, alpha: float) -> Start[Place]:
-    """Where the sprag lies turned by `alpha` [rad]."""
+    """Position of the sprag rotated by `alpha` [rad]."""
     return guessed(q, alpha).settled()[0]
 
 

@@ -19,7 +19,7 @@ from verify.judging.budget_statement import (
 )
 
 SECTION = "fem.beam.section:Section"
-RIGID = 1e11  # N, five orders above what a strip of this size has
+RIGID = 1e11  # N, five orders above the value of a strip of this size
 THINNER, MORE, SMALL, FIRMER = 4, 3, 1e-4, 10.0
 
 
@@ -39,7 +39,7 @@ def many(q: Any) -> Any:
 
 
 def long_leaf(q: Any) -> Any:
-    """Longer leaves between the same arcs, and a strip as much wider."""
+    """Longer leaves between unchanged arcs, and a strip wider by this factor."""
     return q.model_copy(update={"L1": 2 * q.L1, "h": 2 * q.h})
 
 
@@ -53,7 +53,7 @@ def fem_small(q: MapInputs, level: int) -> FemResult:
 
 
 def fem_free(q: MapInputs, level: int) -> FemResult:
-    """The same with a free head."""
+    """The spring with a free head."""
     from verify.cases.spring.map.fem import spring
 
     here = Cell(q.n, q.b, q.r, q.L1, q.alpha)
@@ -62,7 +62,7 @@ def fem_free(q: MapInputs, level: int) -> FemResult:
 
 
 def fem_paper(q: MapInputs, level: int) -> FemResult:
-    """The same on the paper's lengths: arcs of the inner radius."""
+    """The spring with the paper's lengths: arcs of the inner radius."""
     from verify.cases.spring.large_fem import spring_fem
 
     path = q.paper_path | {"tail": "arc"}
@@ -71,7 +71,7 @@ def fem_paper(q: MapInputs, level: int) -> FemResult:
 
 
 def proportional(level: int, force: float, share: float) -> FemResult:
-    """Forces at the shares of the length that a case has, from one at another share."""
+    """Forces at the case's shares of the length, from the force at another share."""
     values = {f"F_{target}": target / share * force for target in map(Share, SHARES)}
     return FemResult(h=1 / level, values=values)
 

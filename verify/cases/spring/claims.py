@@ -1,4 +1,4 @@
-"""What formulas and comparisons of springs share: limits of the paper, warnings, conditions."""
+"""Common to formulas and comparisons of springs: limits of the paper, warnings, conditions."""
 
 from collections.abc import Iterator
 from itertools import product
@@ -8,11 +8,11 @@ from analytic.spring import frame
 from analytic.spring.wide_leaf import width_factor
 from verify.core.case import Context
 
-OTHER_WIDTH = 0.005  # between the factor given and that of a leaf
+OTHER_WIDTH = 0.005  # tolerance between the given factor and a leaf's factor
 
 
 def other_width(given: float, *, h: float, leaf: float, nu: float) -> Iterator[str]:
-    """A warning where leaves of this width h [m] and length have another factor than the given."""
+    """A warning if leaves of this width h [m] and length have another factor than the given."""
     wide = float(width_factor(h, leaf, nu=nu))
     if abs(wide / given - 1) > OTHER_WIDTH:
         yield (
@@ -30,7 +30,7 @@ def left_open(q: Any) -> Iterator[tuple[frame.Tail, frame.Head, str, dict[str, A
 
 
 def stored(context: Context, name: str) -> Any:
-    """The array `name` of the level that has it; None where no level was solved with it."""
+    """The array `name` of the level that has it; None if no level has it."""
     return next((level.arrays[name] for level in context.fem if name in level.arrays), None)
 
 

@@ -1,6 +1,6 @@
 """Accordion spring before its leaves touch: Eqs. 1-9 of Wang et al. 2023 and the true centre line.
 
-Formulas, warnings and sketch that the cases of the free stage share.
+Formulas, warnings and sketch common to the cases of the free stage.
 """
 
 from collections.abc import Iterator
@@ -86,7 +86,7 @@ class FreeStage(AccordionInputs, Case):
     sketch = to_scale
 
     def warnings(self) -> Iterator[str]:
-        """Where geometry and force leave what Eqs. 1-9 are for."""
+        """Warnings if geometry or force is outside the range of Eqs. 1-9."""
         if self.L0 / self.b > L0_OVER_B:
             yield (
                 f"L_0/b = {self.L0 / self.b:.4g} is above {L0_OVER_B} (Eq. 13): the paper expects "

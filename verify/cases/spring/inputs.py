@@ -51,12 +51,12 @@ class SpringInputs(Inputs):
 
     @property
     def widest(self) -> float:
-        """Stiffness of a strip much wider than its leaves are long, over a narrow one's."""
+        """Stiffness of a strip much wider than the length of its leaves, over a narrow strip."""
         return 1 / (1 - self.nu**2)
 
     @property
     def path(self) -> dict[str, Any]:
-        """What the clean centre line needs."""
+        """Arguments of the exact centre line."""
         return {"n": self.n, "L1": self.L1, "radius": self.R, "alpha": self.alpha}
 
     @property

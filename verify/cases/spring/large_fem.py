@@ -9,7 +9,7 @@ if TYPE_CHECKING:
 def spring_fem(
     path: dict[str, Any], b: float, h: float, E: float, nu: float, *, per_arc: int, per_leaf: int
 ) -> "PressedFrame":
-    """A centre line `path` (as `meshes.spring.centre_line` takes it) of a strip, tail clamped."""
+    """A strip with centre line `path` (arguments of `meshes.spring.centre_line`), tail clamped."""
     from fem.beam.pressed import PressedFrame
     from fem.beam.section import Section
     from meshes.spring.centre_line import centre_line

@@ -1,4 +1,4 @@
-"""What cases of springs share beside their inputs: ratios as indices, and strips too slender."""
+"""Common to spring cases: ratios as indices, and limits for slender strips."""
 
 from verify.cases.spring.inputs import SpringInputs
 

@@ -1,4 +1,4 @@
-"""Definition search: what the garbled Eqs. 3 and 5 give under every reading of their symbols."""
+"""Definition search: results of the garbled Eqs. 3 and 5 for every reading of their symbols."""
 
 from collections.abc import Sequence
 from typing import Any

@@ -39,7 +39,7 @@ def under(q: SpragInputs) -> Wedged | None:
 
 @lru_cache(maxsize=16)
 def rigid(q: SpragInputs) -> Wedged | None:
-    """The state under the torque with rigid races (Liu); None where there is none with others."""
+    """The state under the torque with rigid races (Liu); None if `under` has none."""
     return None if under(q) is None else at_torque(built(q).clutch.rigid_races(), q.T)
 
 

@@ -11,7 +11,7 @@ DEGREE = math.degrees(1.0)
 
 
 def verdict(q: ClutchFormulas) -> str:
-    """"holds", "slips", "rolls over", "overloaded", or "no state" without a solution."""
+    """Verdict: "holds", "slips", "rolls over", "overloaded"; "no state" without a solution."""
     if max(q.mu_0, q.mu_req if q.state else 0.0) > q.mu_s:
         return "slips"
     if q.T_end < q.T:

@@ -35,7 +35,7 @@ def _is_crowned(q: "SpragCrown") -> bool:
 
 
 Drop = partial(Quantity, when=_is_crowned)
-ARTANH = r"\ln\left(\frac{1 + \sqrt{c}}{1 - \sqrt{c}}\right)"  # twice the order of √c
+ARTANH = r"\ln\left(\frac{1 + \sqrt{c}}{1 - \sqrt{c}}\right)"  # 2 artanh(√c)
 
 
 class SpragCrown(EngagementInputs, Case):

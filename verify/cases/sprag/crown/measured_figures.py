@@ -96,7 +96,7 @@ def uneven(p: Array) -> float:
 
 
 def more_even(context: Context) -> tuple[float, float, str]:
-    """Reduction of this load share from K_1 = 1 to K_1 = 3."""
+    """Relative reduction of the uneven load share from K_1 = 1 to K_1 = 3."""
     shallow, deep = (uneven(p[0]) for p in arrays(context)["Fig. 13"])
     words = f"{shallow:.1%} of the load would have to move with K_1 = 1, {deep:.1%} with 3"
     return 1 - deep / shallow, STEP, words

@@ -22,7 +22,7 @@ class SpragOptimum(Optimum25Inputs, CrownAtHand):  # type: ignore[misc]
 
 
 class SpragOptimum40(Optimum40Inputs, CrownAtHand):  # type: ignore[misc]
-    """The same under the larger torque, for crowns made for the same load.
+    """The optimal crown under the larger torque, for crowns of equal design load.
 
     It is compared with the optimum under the smaller torque.
     """

@@ -1,4 +1,4 @@
-"""What is compared of the optimal crown: with what is printed, its valley, its maps, torques."""
+"""Rows of the optimal crown: printed values, its valley, its maps, both torques."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -26,7 +26,7 @@ def best(context: Context) -> float:
 
 
 def printed_crown(context: Context) -> tuple[float, float, str]:
-    """Pressure of the printed crown above that of the optimal one found."""
+    """Excess pressure of the printed crown over the optimal crown found."""
     p, found = float(measured(context)["at hand: pressures"][0].max()), measured(context)["best"]
     words = (
         f"{p / 1e6:.0f} MPa, {p / best(context) - 1:+.2%} above {best(context) / 1e6:.0f} MPa at "
@@ -41,7 +41,7 @@ def crowned(crown: Array) -> str:
 
 
 def valley(context: Context, within: float = FLAT) -> dict[str, tuple[float, float]]:
-    """Range of each parameter in which some values of the others are within that of the lowest."""
+    """Range of each parameter with pressures close to the lowest for some values of the others."""
     found = measured(context)
     low = found["whole"] <= found["whole"].min() * (1 + within)
     sides = {}
@@ -76,7 +76,7 @@ def bound(context: Context) -> str:
 
 
 def lundberg(context: Context) -> tuple[float, float, str]:
-    """A crown with K_1 Q = N_max, Lundberg's for the largest force, against the best one."""
+    """A crown with K_1 Q = N_max, Lundberg's for the largest force, against the optimal crown."""
     K_1, _, _, p = measured(context)["Lundberg"]
     low, high = valley(context)["K_1"]
     words = (
@@ -88,20 +88,20 @@ def lundberg(context: Context) -> tuple[float, float, str]:
 
 
 def turns(lines: Array) -> Array:
-    """By how much of its lowest value each line falls at first and rises at last, (n,)."""
+    """Initial fall and final rise of each line, relative to its lowest value, (n,)."""
     lowest = lines.min(axis=1)
     return np.asarray(np.minimum(lines[:, 0], lines[:, -1]) / lowest - 1)
 
 
 def factorial(context: Context) -> Array:
-    """True largest pressures [Pa] over K_1 and K_2 at the z_m nearest to that of Figs. 15, 17."""
+    """True largest pressures [Pa] over K_1 and K_2 at the z_m nearest to Figs. 15, 17."""
     found, n = measured(context), context.inputs.levels
     largest = np.maximum(found["end"][:, 0], found["inside"][:, 0]).reshape(n, n, n)
     return np.asarray(largest[:, :, int(np.argmin(np.abs(found["X"][:n, 2] - 10e-6)))])
 
 
 def over_K_1(context: Context) -> tuple[float, float, str]:
-    """Along K_1 every line of both maps falls, then rises, but for that of the lowest z_m."""
+    """Along K_1 every line of both maps falls, then rises, except the line of the lowest z_m."""
     shallow, *deeper = measured(context)["true K_1, z_m"][0].T
     found = turns(np.vstack([factorial(context).T, *deeper]))
     words = (
@@ -121,7 +121,7 @@ def over_z_m(context: Context) -> str:
 
 
 def counted(context: Context, lines: Array) -> str:
-    """How many lines of constant K_1 turn, and what that of the optimal crown's K_1 does."""
+    """Number of lines of constant K_1 with a minimum, and shape of the line of the optimal K_1."""
     found, q = turns(lines), context.inputs
     K_1 = np.linspace(q.K_1_low, q.K_1_high, q.levels)
     near = int(np.argmin(np.abs(K_1 - measured(context)["best"][0])))
@@ -133,14 +133,14 @@ def counted(context: Context, lines: Array) -> str:
 
 
 def course(line: Array) -> str:
-    """What a line does, turns of SURE and less aside."""
+    """Shape of a line; reversals of SURE or less are ignored."""
     if (turn := float(turns(line[None])[0])) > SURE:
         return f"falls, then rises by {turn:.2%}"
     return f"only {'falls' if line[-1] < line[0] else 'rises'}, but for {SURE:.1%} at most"
 
 
 def larger_K_1(context: Context) -> tuple[float, float, str]:
-    """What the K_1 that is best under the smaller torque costs, all else being best for it."""
+    """Cost of the K_1 that is optimal under the smaller torque, with optimal other parameters."""
     found = measured(context)
     K_1, other = float(found["best"][0]), float(found["less"][0])
     over = found["whole"].min(axis=(1, 2))
@@ -153,13 +153,13 @@ def larger_K_1(context: Context) -> tuple[float, float, str]:
 
 
 def band(K_1: Array, over: Array) -> str:
-    """From where to where a pressure over K_1 stays near its lowest."""
+    """Range of K_1 in which a pressure is close to its lowest value."""
     near = K_1[over <= over.min() * (1 + FLAT)]
     return f"{near[0]:.2f} to {near[-1]:.2f} within {FLAT:.1%}"
 
 
 def steeper_z_m(context: Context) -> tuple[float, float, str]:
-    """How much more z_m changes under the larger torque, in the mean of the lines at K_2 = 0.5."""
+    """Increase of z_m's effect under the larger torque, mean of the lines at K_2 = 0.5."""
     more, less = (
         float(np.mean(p.max(axis=1) / p.min(axis=1) - 1))
         for p in measured(context)["true K_1, z_m"]
@@ -168,7 +168,7 @@ def steeper_z_m(context: Context) -> tuple[float, float, str]:
 
 
 def reductions(found: Any) -> Array:
-    """What the optimal crowns take off the pressure without one, under each torque."""
+    """Reduction of the pressure by the optimal crowns against no crown, under each torque."""
     crowns = [float(found["best: pressures"][0].max())]
     crowns += [float(found["less"][4])] if "less" in found else []
     flat_ones = found["none: pressures"].max(axis=1)
@@ -186,13 +186,13 @@ def improves(context: Context) -> tuple[float, float, str]:
 
 
 def made_for(context: Context) -> tuple[float, float, str]:
-    """Pressure of the other torque's optimal crown above that of the optimal one."""
+    """Excess pressure of the other torque's optimal crown over the optimal crown."""
     p = float(measured(context)["less"][3])
     return p / best(context) - 1, SURE, f"{p / best(context) - 1:+.1%}"
 
 
 def taken_off(context: Context) -> str:
-    """Reduction by the optimal crown, by several numbers of slices under the same forces."""
+    """Reduction by the optimal crown, with several numbers of slices under equal forces."""
     best, none = (by_number(context, crown) for crown in ("best", "none"))
     shares = ", ".join(
         f"{1 - p / flat:.1%} by {n} slices ({flat / 1e6:.0f} to {p / 1e6:.0f} MPa)"
@@ -223,7 +223,7 @@ def _fitted(context: Context) -> float:
 
 
 def checks(T: int) -> tuple[Any, ...]:
-    """The claims of one of the two torques [N m]."""
+    """The claims of a torque [N m]."""
     optimum = tuple(f"huang2018:optimum-{T}nm-{key}" for key in ("k1", "k2", "zm"))
     fitted = FITTED if T == 25 else ""
     why = "" if T == 25 else ": predicted, the printed pairs contradict each other"
@@ -251,7 +251,7 @@ def checks(T: int) -> tuple[Any, ...]:
 
 
 def stated(q: Any) -> Iterator[Comparison | Check]:
-    """Surrogates and searches, what the paper states at this torque, contacts."""
+    """Surrogates and searches, statements of the paper at this torque, contacts."""
     yield from checks(q.torque)
     yield at_rest(type(q).static_mid, "pressure at mid-length")
     yield at_rest(type(q).static_peak, "largest pressure")

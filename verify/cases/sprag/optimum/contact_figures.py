@@ -64,7 +64,7 @@ def cut(top: float, *highest: float) -> str:
 
 
 def half(values: Array) -> Array:
-    """Those from mid-length to one end."""
+    """Values from mid-length to an end."""
     return np.asarray(values[len(values) // 2 :])
 
 
@@ -113,7 +113,7 @@ def apart(context: Context) -> Curves:
 
 
 def before_and_after(context: Context) -> Sequence[Figure]:
-    """p(y, t) without a crown and with the best one (Figs. 16, 18)."""
+    """p(y, t) without a crown and with the optimal crown (Figs. 16, 18)."""
     found, q = measured(context), context.inputs
     printed = f" (Fig. {18 if q.T_less else 16}{{}})" if context.is_paper else ""
     designs = {"before": None, "after": found["best"]}

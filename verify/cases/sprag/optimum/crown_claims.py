@@ -45,7 +45,7 @@ def series(context: Context, crown: str, by: str, what: str) -> list[float]:
 
 
 def by_slices(context: Context, crown: str, what: str) -> float:
-    """The same of the slices."""
+    """Values by slices."""
     found, q = measured(context), with_crown(context.inputs, measured(context)[f"{crown}: crown"])
     contact = in_slices(q, gap(q), float(found[f"{crown}: R"]), float(found[f"{crown}: N_max"][0]))
     return mid(contact) if what == "mid" else float(contact.peak_pressure.max())
@@ -53,7 +53,7 @@ def by_slices(context: Context, crown: str, what: str) -> float:
 
 @dataclass(frozen=True, kw_only=True)
 class AtCrown(Estimated):
-    """A pressure at the crown with unloaded ends under N_max, refined where the study found it."""
+    """A refined pressure under N_max at the crown with unloaded ends found by the study."""
 
     what: str
     beside: str  # "slices" or "strips"
@@ -96,13 +96,13 @@ def at_crown(name: str, what: str, beside: str, against: str, share: float, dema
 
 
 def refined(context: Context, crown: str) -> tuple[float, float]:
-    """Largest pressure [Pa] on the half-space and how far it is uncertain."""
+    """Largest pressure [Pa] on the half-space and its uncertainty."""
     v = series(context, crown, "cells", "peak")
     return v[-1], SPREAD * abs(v[-1] - v[-2])
 
 
 def higher(context: Context) -> tuple[float, float, str]:
-    """How much the pressure of the printed crown on a half-space exceeds that by slices."""
+    """Excess of the printed crown's pressure on a half-space over its pressure by slices."""
     p, U = refined(context, "at hand")
     sliced = by_slices(context, "at hand", "peak")
     v = series(context, "at hand", "cells", "peak")
@@ -114,7 +114,7 @@ def higher(context: Context) -> tuple[float, float, str]:
 
 
 def endless(context: Context) -> tuple[float, float, str]:
-    """How much every refinement raises the pressure at the ends of the optimal crown by slices."""
+    """Increase by every refinement of the end pressure of the optimal crown by slices."""
     v = [series(context, "best", by, "peak") for by in ("strips", "cells")]
     grows = min(float(np.min(np.diff(one) / one[:-1])) for one in v)
     words = "; ".join(
@@ -125,7 +125,7 @@ def endless(context: Context) -> tuple[float, float, str]:
 
 
 def to_make(context: Context) -> str:
-    """The crown with unloaded ends and its pressure on a half-space, beside the given one."""
+    """The crown with unloaded ends and its pressure on a half-space, against the given crown."""
     if "free: R" not in measured(context):
         return NONE_FREE
     K_1, K_2, z_m = measured(context)["free"]
@@ -138,7 +138,7 @@ def to_make(context: Context) -> str:
 
 
 def lower(context: Context) -> tuple[float, float, str]:
-    """What the crown with unloaded ends takes off the printed one's pressure on a half-space."""
+    """Reduction by the crown with unloaded ends of the printed crown's half-space pressure."""
     free, u = refined(context, "free")
     hand, U = refined(context, "at hand")
     paper = by_slices(context, "free", "peak") / float(measured(context)["best true"][0]) - 1
@@ -152,7 +152,7 @@ def lower(context: Context) -> tuple[float, float, str]:
 
 
 def at_rest(q: Any, name: str) -> Comparison:
-    """A pressure of the given crown at rest: slices beside strips."""
+    """A pressure of the given crown at rest: slices against strips."""
     check = Estimated(
         name=f"{name} of the given crown at rest, by slices", symbol="p", unit="MPa",
         analytic=q.name, fem=q.name, by=BY_STRIPS, interval=within(SLICED + STRIPS), source=PLACE,

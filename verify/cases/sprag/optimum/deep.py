@@ -1,4 +1,4 @@
-"""What of the optimisation is measured beyond the time of a run: 200 designs, long searches, seeds.
+"""Long measurements of the optimisation: 200 designs, long searches, several seeds.
 
 Parts of a deep measurement: validation designs; scipy's DIRECT on the engagements, without any
 surrogate; genetic algorithm and differential evolution from several seeds.
@@ -52,7 +52,7 @@ def direct_fem(q: OptimumInputs) -> dict[str, Array]:
 
 
 def seeds_fem(q: OptimumInputs) -> dict[str, Array]:
-    """Smallest values [Pa] of one surrogate by both searches, from several seeds."""
+    """Smallest values [Pa] of a surrogate by both searches, from several seeds."""
     x = full_factorial(q.box, q.levels)
     surrogate = fit_regimes(x, answers(peaks_fem(q, x, [q.T])), q.box)
     ga = [

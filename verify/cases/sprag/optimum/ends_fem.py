@@ -1,4 +1,4 @@
-"""Ends of the optimal crown: slices, strips and the half-space under the same forces.
+"""Ends of the optimal crown: slices, strips and the half-space under equal forces.
 
 Slices hardly represent the end of a sprag. A contact that reaches the end under load has no largest
 pressure on a half-space, so that the crown to be made is sought among those with unloaded ends.
@@ -23,7 +23,7 @@ CELLS = ((40, 384), (48, 512), (64, 768))  # across and along, narrow at the end
 
 
 def ends_fem(q: OptimumInputs, found: dict[str, Array]) -> dict[str, Array]:
-    """Of the optimal crown by slices, of the given one, of the optimal by strips, and of none."""
+    """Ends of the optimal crown by slices, the given crown, the optimal by strips, and no crown."""
     crowns = {"best": found["best"], "at hand": np.array([q.K_1, q.K_2, q.z_m])}
     own = freed_fem(q, found["X"], found["N_max"][:, 0])
     if "free" in own:
@@ -36,7 +36,7 @@ def ends_fem(q: OptimumInputs, found: dict[str, Array]) -> dict[str, Array]:
 
 
 def freed_fem(q: OptimumInputs, x: Array, N: Array) -> dict[str, Array]:
-    """The optimal crown by strips, with unloaded ends; the same kriging, infill and search.
+    """The optimal crown by strips, with unloaded ends; kriging, infill and search as by slices.
 
     N (n,) are the known forces with the crowns x (n, 3). Empty where surrogate and strips do not
     agree on a crown. Engagements and contacts that are not solved raise errors.

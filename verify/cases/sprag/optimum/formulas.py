@@ -131,7 +131,7 @@ class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an 
         )
 
     def advice(self) -> Iterator[str]:
-        """What formulas state of the given crown; the optimal one is found with --fem."""
+        """Statements of the formulas on the given crown; the optimal crown is found with --fem."""
         yield (
             f"the given crown is Lundberg's for {self.K_1_Q:.4g} N, straight over "
             f"{self.straight * 1e3:.3g} mm of {self.l * 1e3:g} mm"
@@ -144,7 +144,7 @@ class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an 
             )
 
     def refusal(self) -> str:
-        """What the clutch at rest cannot be solved for, slip, too many steps."""
+        """Reason to refuse: no solution at rest, slip, or too many steps."""
         if reason := clutch_advice.refusal(self):
             return reason
         if self.mu_s < self.mu_req:

@@ -13,7 +13,7 @@ MOST_DESIGNS = 7  # levels: 343 designs take half a minute
 
 
 class OptimumInputs(EngagementInputs):
-    """A clutch whose crown is to be the best of a box (Eq. 19) under one torque."""
+    """A clutch whose crown is optimised in a box (Eq. 19) under a torque."""
 
     K_1_low: float = quantity(1.0, "1", "K_1,min", "lower bound of K_1", omitted=1.0,
                               gt=0, le=100, claims="huang2018:k1-lower-bound")  # fmt: skip
@@ -72,7 +72,7 @@ class OptimumInputs(EngagementInputs):
 
     @property
     def torques(self) -> tuple[float, ...]:
-        """The torque [N m], and the one beside, if any."""
+        """The torque [N m], and the second torque, if any."""
         return (self.T,) if self.T_less is None else (self.T, self.T_less)
 
 

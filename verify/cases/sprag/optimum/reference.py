@@ -22,7 +22,7 @@ LEVELS = STRIPPED  # strips along a sprag
 def solve(q: OptimumInputs, level: int) -> Level:
     """One level: so many strips at the given crown; the finest has the optimisation."""
     now, one = under(q), built(q)
-    assert now is not None  # refused where there is none
+    assert now is not None  # refused without a peak
     found = in_strips(q, crowned(q, level), one.radii(now)[0], float(now.N))
     values = {"static_mid": float(found.mid), "static_peak": float(found.peak)}
     arrays: dict[str, Array] = {}
@@ -54,7 +54,7 @@ def lundberg_fem(q: OptimumInputs, found: dict[str, Array]) -> dict[str, Array]:
 
 
 def courses_fem(q: OptimumInputs, best: Array) -> dict[str, Array]:
-    """N [N] over time [s] without a crown and with the best one (Figs. 16, 18)."""
+    """N [N] over time [s] without a crown and with the optimal crown (Figs. 16, 18)."""
     found: dict[str, Array] = {}
     for name, crown in (("before", None), ("after", best)):
         run = run_fem(with_crown(q, crown)).engagement
@@ -64,9 +64,9 @@ def courses_fem(q: OptimumInputs, best: Array) -> dict[str, Array]:
 
 
 def calibrated_fem(q: OptimumInputs, found: dict[str, Array]) -> dict[str, Array]:
-    """Peaks of the optimal crown where the wedge angle has the pressure printed for 25 N m.
+    """Peaks of the optimal crown if the wedge angle has the pressure printed for 25 N m.
 
-    Without a crown and with the best one, slices as given; only of the paper's clutch.
+    Without a crown and with the optimal crown, slices as given; only for the paper's clutch.
     """
     if q != type(q)():
         return {}

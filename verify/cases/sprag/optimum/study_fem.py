@@ -1,7 +1,7 @@
-"""The paper's optimisation (Eqs. 17-22, Fig. 9) on compiled engagements: everything it measures.
+"""The paper's optimisation (Eqs. 17-22, Fig. 9) on compiled engagements: all measurements.
 
-A full factorial, kriging of its largest pressures, searches on the surrogate, the true model where
-they end. Beside it, searches without surrogate.
+A full factorial, kriging of its largest pressures, searches on the surrogate, and the true model
+at their results. Also searches without surrogate.
 """
 
 import numpy as np

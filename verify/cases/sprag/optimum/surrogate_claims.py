@@ -37,7 +37,7 @@ def agrees(
 
 @dataclass(frozen=True, kw_only=True)
 class Displayed(Claim):
-    """What is measured and judged by nothing: SHOWN."""
+    """A measured value without a criterion: SHOWN."""
 
     kind = Kind.FACT
 
@@ -50,9 +50,9 @@ class Displayed(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Repeated(Claim):
-    """A result of the kriging code against the bordered system, within what its condition leaves.
+    """A result of the kriging code against the bordered system, within the error of its condition.
 
-    `pair(context, array, one, extra)` gives both for one of the regimes, and their scale.
+    `pair(context, array, one, extra)` returns both values for a regime, and their scale.
     """
 
     kind = Kind.EXACT
@@ -75,7 +75,7 @@ class Repeated(Claim):
 
 
 def regimes(context: Context) -> Iterator[tuple[Named, Bordered, Array]]:
-    """Of each kriged regime: its arrays by name, its bordered system, the extra designs there."""
+    """For each kriged regime: its arrays by name, its bordered system, its extra designs."""
     found, box = measured(context), context.inputs.box
     for name in ("end", "inside"):
         if f"{name} designs" in found:
@@ -87,7 +87,7 @@ def regimes(context: Context) -> Iterator[tuple[Named, Bordered, Array]]:
 
 
 def at_extra(name: str) -> Callable[[Context, Named, Bordered, Array], Pairs]:
-    """What kriging gives at the extra designs, "predicted" or "deviation"."""
+    """Result of kriging at the extra designs, "predicted" or "deviation"."""
 
     def pair(_: Context, array: Named, one: Bordered, extra: Array) -> Pairs:
         return array(name), getattr(one, name)(extra), float(np.abs(one.values).max())
@@ -96,7 +96,7 @@ def at_extra(name: str) -> Callable[[Context, Named, Bordered, Array], Pairs]:
 
 
 def left_out(_: Context, array: Named, one: Bordered, _extra: Array) -> Pairs:
-    """Some designs left out one by one, with constant length scales."""
+    """Some designs left out, one at a time, with constant length scales."""
     some = np.unique(np.linspace(0, len(one.x) - 1, LEFT_OUT).round().astype(int))
     theirs = np.array([one.left_out(int(k)) for k in some])
     return array("left out")[some], theirs, float(np.abs(one.values).max())
@@ -115,7 +115,7 @@ def spread(errors: Array) -> str:
 def fresh(context: Context) -> tuple[float, float, str]:
     """The mean error at new designs, or the largest over its separate limit.
 
-    The larger of both counts, so that `MEAN` is the figure of either.
+    The larger ratio counts, so that `MEAN` limits both.
     """
     error = np.abs(missed(measured(context), "two"))
     size = max(float(error.mean()), float(error.max()) * MEAN / LARGEST)
@@ -123,7 +123,7 @@ def fresh(context: Context) -> tuple[float, float, str]:
 
 
 def at_best(context: Context) -> Pair:
-    """Surrogate and true model where the search ended."""
+    """Surrogate and true model at the result of the search."""
     *_, (*_, predicted, true) = measured(context)["infill"]
     rounds = len(measured(context)["infill"])
     words = (
@@ -134,7 +134,7 @@ def at_best(context: Context) -> Pair:
 
 
 def searched(context: Context) -> Pair:
-    """Genetic algorithm and differential evolution on one surrogate."""
+    """Genetic algorithm and differential evolution on a common surrogate."""
     found = measured(context)
     ga, de = (float(found[f"{name} value"][0]) for name in ("GA", "DE"))
     words = (
@@ -145,7 +145,7 @@ def searched(context: Context) -> Pair:
 
 
 def directly(context: Context) -> Pair:
-    """The optimal crown against a search on engagements alone, from the given crown."""
+    """The optimal crown against a search on engagements only, from the given crown."""
     found = measured(context)
     tried, best = found["direct"][:, 3], float(found["best true"][0])
     low = float(tried.min())
@@ -185,7 +185,7 @@ def two_errors(context: Context) -> str:
 
 
 def blind(context: Context) -> tuple[float, float, str]:
-    """Leaving out a design gives less than a tenth of a single kriging's errors."""
+    """Leaving out a design detects less than a tenth of the errors of a single kriging."""
     found = measured(context)
     known = float(np.abs(found["left out single"]).mean())
     true = float(np.abs(missed(found, "single")).mean())

@@ -21,7 +21,7 @@ TABLE_2 = 10  # rows
 
 
 def deeper(context: Context) -> Measured | None:
-    """What was measured beyond a run, of the paper's clutch."""
+    """Long measurements of the paper's clutch."""
     if not context.is_paper:
         return None
     return deep_measured(DEEP_25 if isinstance(context.inputs, Optimum25Inputs) else DEEP_40)
@@ -55,7 +55,7 @@ def designs(context: Context) -> Sequence[Figure]:
 
 
 def errors(context: Context) -> Sequence[Figure]:
-    """Errors over the true pressure: extra designs, the deep ones where measured, Table 2's."""
+    """Errors over the true pressure: extra designs, deep designs if measured, Table 2."""
     found, deep = measured(context), deeper(context)
     true = found["extra largest"][:, 0] / MPa
     more = deep.parts[0].arrays if deep else None
@@ -110,7 +110,7 @@ def bars(context: Context) -> Bars:
 
 
 def searches(context: Context) -> Curves:
-    """Lowest pressure over the points evaluated: on the surrogate, and on engagements alone."""
+    """Lowest pressure over the number of evaluations: on the surrogate, and on engagements only."""
     found = measured(context)
     curves = []
     for colour, (key, name) in enumerate(
@@ -141,7 +141,7 @@ def searches(context: Context) -> Curves:
 
 
 def longer(context: Context) -> Sequence[Table]:
-    """What was measured beyond a run."""
+    """Curves of the long searches."""
     if not context.is_paper:
         return ()
     deep = deeper(context)

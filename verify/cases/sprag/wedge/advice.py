@@ -1,4 +1,4 @@
-"""What a wedged sprag's numbers mean in words, and what its meshes cannot do."""
+"""Statements on the results of a wedged sprag, and limits of its meshes."""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -15,7 +15,7 @@ WIDE = 0.12  # largest a/r for these finite elements, which assume small displac
 BENT = 0.1  # deflection over a race's wall above which its forces shift along it
 MOST = 1.9  # end of the finite-element stroke over N_0
 ZONES = 2.2  # half-widths that meshes need between a contact and a flank
-NEAREST = 0.29  # of half the outline: a quarter, and what the rotation is uncertain by
+NEAREST = 0.29  # over half the outline: a quarter, plus the uncertainty of the rotation
 TURNED = 0.6  # rad
 
 
@@ -44,7 +44,7 @@ def advice(q: WedgeFormulas) -> Iterator[str]:
 
 
 def summary(q: WedgeFormulas) -> Mapping[str, Any]:
-    """The same for programs."""
+    """These statements for programs."""
     verdict = "too much pressure" if max(q.p_i, q.p_e) > HARD else "holds"
     return {
         "verdict": "rolls over" if q.T_roll < q.T else verdict,
@@ -54,7 +54,7 @@ def summary(q: WedgeFormulas) -> Mapping[str, Any]:
 
 
 def warnings(q: WedgeFormulas) -> Iterator[str]:
-    """Where the sprags roll over, slip or are pressed too much."""
+    """Warnings if the sprags roll over, slip or exceed the pressure limit."""
     if q.T_roll < q.T:
         yield f"a contact reaches the sprag's flank at {q.T_roll:.4g} N m: the sprags roll over"
     if q.bodies.column is None:

@@ -27,9 +27,9 @@ def no_load(context: Context) -> Pair:
 
 
 def ratio(key: str, most: float, what: str, *, of_fem: bool = False) -> Function:
-    """A ratio less 1, `key`, of formula and finite elements; where `of_fem`, theirs over it.
+    """A ratio minus 1, `key`, of formula over finite elements; inverse if `of_fem`.
 
-    How much the last meshes differ is its uncertainty.
+    Its uncertainty is the difference of the last meshes.
     """
 
     def pair(context: Context) -> Pair:
@@ -41,7 +41,7 @@ def ratio(key: str, most: float, what: str, *, of_fem: bool = False) -> Function
 
 
 def force_ratio(key: str) -> Function:
-    """The strut's against that of finite elements, at its worst up to N_0."""
+    """Force of the strut against finite elements, at the largest difference up to N_0."""
     names = [f"{key}_{KEYS[point]}" for point, share in STROKE.items() if share <= 1]
 
     def pair(context: Context) -> Pair:
@@ -57,7 +57,7 @@ def force_ratio(key: str) -> Function:
 
 
 def force_ratio_bent(key: str) -> Function:
-    """The strut's at 1.8 N_0 with the change by bending against that of finite elements."""
+    """Force of the strut at 1.8 N_0 with the change by bending, against finite elements."""
     name = f"{key}_most"
 
     def pair(context: Context) -> Pair:
@@ -92,7 +92,7 @@ def inner_above_outer(context: Context) -> tuple[float, float]:
 
 
 def onset(context: Context) -> Pair:
-    """tan(nu) against the friction between what holds and what slides."""
+    """tan(nu) against the friction between the holding and the sliding value."""
     v = context.fem[0].values
     tan = float(np.tan(wedged(context.inputs.clutch, v["N_at_onset"]).nu))
     between, half = (v["holds"] + v["slides"]) / 2, abs(v["holds"] - v["slides"]) / 2

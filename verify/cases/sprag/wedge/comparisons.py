@@ -1,4 +1,4 @@
-"""What is compared of a wedged sprag: at equal force through the stroke, and at equal torque."""
+"""Rows of a wedged sprag: at equal force over the stroke, and at equal torque."""
 
 from collections.abc import Callable, Iterator
 from functools import partial
@@ -41,7 +41,7 @@ COLUMN = f"{PLANE}, the sprag as a column with rounded ends"
 
 
 def expected(q: Any, bound: Bound, source: str, sensitivity: float) -> Computed:
-    """The interval; None for a user's clutch where it is too wide to judge by."""
+    """The interval; None for a user's clutch if it is too wide to judge by."""
 
     def interval() -> Interval | None:
         low, high = bound(bounds(q.part, q.N))
@@ -68,7 +68,7 @@ def through(
 
 
 def comparisons(q: Wedge) -> Iterator[Comparison]:
-    """All of them, in the order of the page."""
+    """All rows, in the order of the page."""
     yield from _angles(q)
     yield from _forces(q)
     yield from _rotations(q)

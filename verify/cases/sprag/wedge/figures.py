@@ -1,4 +1,4 @@
-"""What the report shows of a wedged sprag."""
+"""Figures of a wedged sprag."""
 
 import math
 from collections.abc import Sequence

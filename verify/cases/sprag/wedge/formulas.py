@@ -1,7 +1,7 @@
 """Formulas of a wedged logarithmic sprag (Huang, Zhao, Liu, Eqs. 6, 7, 9, 10).
 
-The clutches that they stand for are made in `model`; the quantities are those under the torque T,
-and of `at_share` those under a share of a rigid clutch's normal force.
+The clutches are built in `model`. The quantities apply under the torque T, and in `at_share`
+under a share of a rigid clutch's normal force.
 """
 
 from collections.abc import Mapping
@@ -39,17 +39,17 @@ class WedgeFormulas(WedgeInputs, Case):
     share: ClassVar[float | None] = None  # load of the quantities over N_0; None means the torque T
 
     def at_share(self, share: float) -> Self:
-        """The same clutch under `share` of a rigid one's normal force in place of T."""
+        """The clutch under `share` of a rigid clutch's normal force instead of T."""
         return self.variant(share=share)
 
     @shared
     def part(self) -> WedgeInputs:
-        """The inputs alone, for which the clutches of `model` are made once, whatever the state."""
+        """The inputs only: the clutches of `model` are built once for all states."""
         return WedgeInputs(**{name: getattr(self, name) for name in WedgeInputs.model_fields})
 
     @shared
     def stroke(self) -> Mapping[str, State]:
-        """The states in which formulas and finite elements are compared."""
+        """The states at which formulas and finite elements are compared."""
         return {
             point: State(self.at_share(share), KEYS[point], f"at {point}")
             for point, share in STROKE.items()
@@ -67,7 +67,7 @@ class WedgeFormulas(WedgeInputs, Case):
 
     @shared
     def state(self) -> Wedged:
-        """Its state; ValueError where no equilibrium exists at the torque."""
+        """State of the clutch; ValueError if no equilibrium exists at the torque."""
         found = self.state_of(self.clutch)
         if self.share is None and not np.isfinite(found.N):
             raise ValueError(
@@ -94,7 +94,7 @@ class WedgeFormulas(WedgeInputs, Case):
 
     @property
     def unit(self) -> float:
-        """What P/E' is of a force [1/N times m]."""
+        """P/E' per force [1/N times m]."""
         return 1 / (self.l * self.bodies.E_plane)
 
     @Quantity("N_0", "N", "normal force of a rigid clutch", role="step",

@@ -21,7 +21,7 @@ SLIPS = 1  # the state, at a quarter of N_0, whose friction is lowered
 # contacts end at another place in a cell on each mesh: measured by zones 1 % wider and narrower
 NOISE, PEAKS, EDGES = 1e-4, 2e-4, 6e-4  # for forces and deflections; pressures; half-widths
 SPLINE = 5e-6  # relative error of splines
-# the states of the stroke, and of what is read there the name in the sweep
+# the states of the stroke, and names of values in the sweep
 STROKE = {"quarter": 0.25, "half": 0.5, "rigid": 1.0, "most": 1.8}  # over N_0
 AT_FORCE = {"mu_i": "tan nu", "mu_e": "tan omega", "T": "T", "alpha": "alpha", "H": "H",
             "mean_i": "mean i", "mean_e": "mean e", "race_i": "race i", "race_e": "race e",
@@ -58,7 +58,7 @@ def solve(q: WedgeInputs, level: int) -> FemResult:
 def doubt(key: str) -> float:
     """Iteration uncertainty of a value, relative."""
     if key.startswith("mean"):
-        return SPLINE  # as the force, wherever it acts
+        return SPLINE  # error of the force, for any position
     if key.startswith("excess"):
         return 2 * NOISE  # it is proportional to the square of the angles
     if key.startswith(("p_", "a_")):
@@ -67,7 +67,7 @@ def doubt(key: str) -> float:
 
 
 def statics(sweep: Sweep) -> dict[str, float]:
-    """What balances leave at the state near N_0, relative."""
+    """Relative residuals of the balances at the state near N_0."""
     k = len(sweep.states) - 2
     state, at = sweep.states[k], {name: v[k] for name, v in sweep.at_states.items()}
     force = np.add(*(np.array(touch.force) for touch in state.solution.touches))
@@ -81,7 +81,7 @@ def statics(sweep: Sweep) -> dict[str, float]:
 
 
 def onset(sweep: Sweep) -> dict[str, float]:
-    """Coefficients of friction with which the sprag holds and slides out; nan where it does not."""
+    """Coefficients of friction with which the sprag holds and slides out; nan if it does not."""
     state = sweep.states[SLIPS]
     tan = state.T[0] / state.N[0]
     above, below = (1 + ONSET) * tan, (1 - ONSET) * tan

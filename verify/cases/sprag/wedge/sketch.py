@@ -1,4 +1,4 @@
-"""What a wedged sprag looks like: one pitch with the strut between both contacts."""
+"""Sketch of a wedged sprag: a pitch with the strut between both contacts."""
 
 import math
 
@@ -56,7 +56,7 @@ def sketch(q: WedgeFormulas) -> Sketch:
 def _named(
     q: WedgeFormulas, A: Array, B: Array, pole: Array, *, tall: float, wide: float, low: float
 ) -> tuple[Shape, ...]:
-    """Radii on the right, what is the sprag's on the left, each with an arrow to its place."""
+    """Radii on the right, sizes of the sprag on the left, each with an arrow to its position."""
     half, right, left = math.pi / q.z, wide + 0.06 * tall, -wide - 0.06 * tall
     radii = [
         ("R_ed", q.R_ed, 0.97),

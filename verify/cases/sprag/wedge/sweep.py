@@ -1,7 +1,7 @@
-"""The sector of a sprag clutch over its stroke, by finite elements, and what lies between.
+"""The sector of a sprag clutch over its stroke by finite elements, with interpolation.
 
-States are taken at rotations whose normal forces grow from next to nothing to beyond 1.8 times a
-rigid clutch's, N_0 = T/(n_s R_i tan(nu_0)).
+The states have rotations with normal forces from nearly zero to above 1.8 N_0, with
+N_0 = T/(n_s R_i tan(nu_0)) of a rigid clutch.
 """
 
 import math
@@ -24,13 +24,13 @@ FINER = 8  # cells for the width of contacts
 
 
 def rigid_force(q: WedgeInputs) -> float:
-    """N_0 = T/(n_s R_i tan(nu_0)) [N]: what a rigid clutch would press with."""
+    """N_0 = T/(n_s R_i tan(nu_0)) [N]: normal force of a rigid clutch."""
     return q.T / (q.z * q.R_i * math.tan(q.nu_0))
 
 
 @lru_cache(maxsize=16)
 def starts_by_fem(q: WedgeInputs) -> tuple[Start[Place], ...]:
-    """Starts of all states, the least loaded first; ArithmeticError where the sprag has none."""
+    """Starts of all states, the least loaded first; ArithmeticError if the sprag has none."""
     now = at_force(q, SHARES[-1] * rigid_force(q) / q.l)
     found = [now]
     for above, share in pairwise(reversed(SHARES)):
@@ -56,7 +56,7 @@ class Sweep(Stroke):
 
 
 def read(q: WedgeInputs, state: State[Place]) -> dict[str, float]:
-    """Torque [N m], forces [N] on one sprag, lengths, angles, pressures; energy [J] of a pitch."""
+    """Torque [N m], forces [N] on a sprag, lengths, angles, pressures; energy [J] of a pitch."""
     (N, N_e), (T_i, T_e), (p_i, p_e) = state.N, state.T, state.peaks
     a_i, a_e = map(half_width, state.solution.touches)
     place, (nu, omega) = state.place, state.angles

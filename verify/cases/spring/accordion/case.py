@@ -51,7 +51,7 @@ def solve_paper(q: Any, level: int) -> Level:
 class AccordionSpring(FreeStage):
     """The energy formula for the stiffness before leaves touch, against two frame models.
 
-    They are models of its centre line: straight elements of beam theory and curved quadratic ones.
+    They are models of its centre line: straight elements of beam theory, curved quadratic elements.
     """
 
     id = "spring-accordion"
@@ -143,16 +143,16 @@ class AccordionSpring(FreeStage):
 
     @property
     def lengths(self) -> dict[str, Any]:
-        """Of the centre line: the true ones, or those of Eqs. 1-9."""
+        """Lengths of the true centre line, or as in Eqs. 1-9."""
         return self.paper_path if self.ends.inner else self.path
 
     def held(self, ends: Ends) -> Self:
-        """The same spring with other ends."""
+        """The spring with other ends."""
         return self.variant(ends=ends)
 
     @property
     def of_five(self) -> Self:
-        """The same spring with five segments."""
+        """The spring with five segments."""
         return self.at(n=5).variant(ends=FIVE)
 
     def reference(self, level: int) -> Level:
@@ -230,13 +230,13 @@ class AccordionSpring(FreeStage):
         )  # fmt: skip
 
     def _neglected(self) -> Expected:
-        """What axial force and shear add to the compliance, known to a tenth of itself."""
+        """Increase of the compliance by axial force and shear, known to a tenth."""
         bending = frame.stiffness(**self.paper_path, **strip_of(self), theory="bending")
         m = bending / self.held(PAPER).k_V - 1
         return Expected(0.9 * m, 1.1 * m, EQ_9_SOURCE)
 
     def _of_inner_radius(self) -> Expected:
-        """What the inner radius in place of the centre line's adds to the stiffness."""
+        """Increase of the stiffness by the inner radius in place of the centre line's radius."""
         bending = frame.stiffness(**self.paper_path, **strip_of(self), theory="bending")
         m = bending / self.held(COMBINED[0]).k_V - 1
         return about(m, CENTRE_LINE * abs(m), RADIUS_SOURCE)

@@ -14,7 +14,7 @@ HOLDS: tuple[frame.Hold, ...] = ("clamped", "hinged")
 class Ends(NamedTuple):
     """How head and tail are held, and whether arcs have the inner radius, as in Eqs. 1-9.
 
-    `key` ends the names of its numbers, `words` those of its rows.
+    `key` is the suffix of its numbers, `words` the suffix of its rows.
     """
 
     key: str

@@ -1,4 +1,4 @@
-"""Figures of the accordion spring: its moments, and what the paper leaves open."""
+"""Figures of the accordion spring: its moments, and the open readings of the paper."""
 
 from collections.abc import Iterator
 from typing import Any, NamedTuple
@@ -18,7 +18,7 @@ PRINTED = ("k1-theory", "k1-fea", "k1-test")
 
 
 class Combination(NamedTuple):
-    """One reading that the paper leaves open, and its stiffness [N/m]."""
+    """An open reading of the paper, and its stiffness [N/m]."""
 
     tail: frame.Tail
     head: frame.Head
@@ -57,7 +57,7 @@ def moments(context: Context) -> Iterator[Profile]:
 
 
 def open_questions(context: Context) -> Iterator[Dots]:
-    """Every reading that the paper leaves open beside what it prints."""
+    """Every open reading of the paper against the printed values."""
     q = context.inputs
     items: list[tuple[str, float, float | None, str]] = []
     for name in PRINTED if context.is_paper else ():
@@ -80,7 +80,7 @@ def open_questions(context: Context) -> Iterator[Dots]:
 
 
 def sensitivity(q: Any) -> Table:
-    """What the paper leaves open: tail, head, radius and strip, all 16 combinations."""
+    """Open readings of the paper: tail, head, radius and strip, all 16 combinations."""
     return Table(
         title="What the paper leaves open: k_1 [N/mm] for every combination",
         header=("tail clamped at", "head", "arc radius", "strip", "k_1 [N/mm]"),

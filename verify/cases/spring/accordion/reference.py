@@ -18,7 +18,7 @@ TAIL_SUPPORTS = {"clamped": "xyr", "hinged": "xy"}
 
 
 def solve(springs: Iterable[Any], level: int) -> Level:
-    """One level of springs of one strip with other ends, the first with moments and field."""
+    """One level of springs of a strip with all ends; the first also has moments and field."""
     from fem.beam.straight import solve_frame
     from fem.unit_load import stiffness
 
@@ -43,7 +43,7 @@ def solve(springs: Iterable[Any], level: int) -> Level:
 
 
 def solve_curved(q: Any, level: int) -> Level:
-    """The stiffness of one spring, of curved elements."""
+    """The stiffness of a spring by curved elements."""
     from fem.unit_load import stiffness
 
     key = q.ends.named("k_V")
@@ -85,16 +85,16 @@ def held_and_pulled(q: Any, line: "LineMesh") -> dict[str, Any]:
 
 
 def apexes(q: Any) -> list[tuple[float, float]]:
-    """Where leaves and arcs of the centre line end."""
+    """Ends of leaves and arcs of the centre line."""
     from meshes.spring.path import accordion
 
     return [piece.end for piece in accordion(**q.lengths, tail=q.ends.tail)]
 
 
 def moments_at(places: Sequence[tuple[float, float]], solved: Any) -> Array:
-    """Bending moments (m,) under 1 N where elements end at `places`, counted as in Eqs. 1-5.
+    """Bending moments (m,) under 1 N at element ends at `places`, signs as in Eqs. 1-5.
 
-    There a moment is positive that turns as the force does, clockwise.
+    A clockwise moment, in the sense of the force, is positive.
     """
     ends, moments = solved.stations[:, 1], -solved.section_forces[:, 1, 2]
     return np.array([moments[np.hypot(*(ends - at).T).argmin()] for at in places])

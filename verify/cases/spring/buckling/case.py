@@ -113,7 +113,7 @@ class BucklingSpring(BucklingFormulas):
 
 
 def _swept() -> Iterator[Check]:
-    """Powers, ratios and paths of springs beside the one given."""
+    """Powers, ratios and paths of other springs than the given one."""
     yield Agreement(
         name="the buckling force grows with the cube of the thickness", symbol="q", unit="1",
         pair=claims.by_cube, accepted=CUBE / 3, by="theory",

@@ -1,4 +1,4 @@
-"""What case spring-buckling claims of sweeps over thickness, length and force."""
+"""Claims of case spring-buckling on sweeps over thickness, length and force."""
 
 from collections.abc import Callable
 
@@ -14,7 +14,7 @@ NOISE = 1e-5  # rounding of finite elements of slender springs, with a factor
 
 
 def spread(context: Context) -> Pair:
-    """Largest and least U_cr over thicknesses on one centre line."""
+    """Largest and least U_cr over thicknesses on a given centre line."""
     b, U, _ = stored(context, "by_b").T
     spread = float(np.ptp(U) / U.mean())
     z = context.inputs.length / b
@@ -23,7 +23,7 @@ def spread(context: Context) -> Pair:
 
 
 def by_cube(context: Context) -> Pair:
-    """The exponent of b in F_cr where it differs most from three, and three."""
+    """The exponent of b in F_cr with the largest difference from three, and three."""
     b, _, F = np.log(stored(context, "by_b")).T
     slope = np.diff(F) / np.diff(b)
     worst = float(slope[np.abs(slope - 3).argmax()])
@@ -31,7 +31,7 @@ def by_cube(context: Context) -> Pair:
 
 
 def one_ratio(context: Context) -> tuple[float, float, str]:
-    """How much more than a factor of five U_cr/L_0 of springs with the same L_0/b differs."""
+    """Excess over a factor of five of the range of U_cr/L_0 of springs with equal L_0/b."""
     xi = stored(context, "same_ratio")
     return (float(xi.max() / xi.min() - 5), 0.01,
             f"U_cr/L_0 from {xi.min():.2%} to {xi.max():.1%} at L_0/b = {RATIO:g}")  # fmt: skip
@@ -53,7 +53,7 @@ def stays(tail: str) -> Callable[[Context], tuple[float, float, str]]:
 
 
 def hinged(tail: str) -> Callable[[Context], tuple[float, float, str]]:
-    """The same of a hinged head on the guided path."""
+    """Margin for a hinged head on the guided path."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         left = stored(context, f"guided{KEYS[tail]}")[:, 3]

@@ -35,7 +35,7 @@ def elastica(q: BucklingInputs, tail: frame.Tail) -> Elastica:
 def critical_point(q: BucklingInputs, tail: frame.Tail) -> Mapping[str, float]:
     """The critical point of the elastica with a free head, and its drift before, by quantity.
 
-    Empty where the determinant has one sign in all states of the path. ArithmeticError where a
+    Empty if the determinant has one sign in all states of the path. ArithmeticError if a
     state is not found, which is no statement on the spring. Small steps first, since slender
     springs buckle early.
     """
@@ -61,7 +61,7 @@ def _flexibility(q: BucklingInputs, tail: frame.Tail) -> float:
 
 
 class BucklingFormulas(BucklingInputs, Case):
-    """Lateral buckling of a spring; no value where it does not buckle."""
+    """Lateral buckling of a spring; no value if it does not buckle."""
 
     tail: ClassVar[frame.Tail] = "arc"  # clamped end of the elastica
 
@@ -167,12 +167,12 @@ class BucklingFormulas(BucklingInputs, Case):
         return {}
 
     def _shortening(self, head: column.Head) -> float:
-        """Share of the length at which the column buckles; NaN where it never does."""
+        """Share of the length at which the column buckles; NaN if it never does."""
         xi = float(column.critical_shortening(head, **self.path, b=self.b, nu=self.nu))
         return xi if math.isfinite(xi) else math.nan
 
     def held(self, tail: frame.Tail) -> Self:
-        """The same spring with another end of its tail."""
+        """The spring with another end of its tail."""
         return self.variant(tail=tail)
 
     def warnings(self) -> Iterator[str]:

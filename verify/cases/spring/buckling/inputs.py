@@ -32,7 +32,7 @@ class BucklingInputs(SpringInputs):
         return self.length_of(self.n, self.L1)
 
     def length_of(self, n: int, L1: float) -> float:
-        """The same of a spring with other segments [m]."""
+        """Length [m] of a spring with other segments."""
         return length_of(n, L1, self.R, self.alpha)
 
     @property

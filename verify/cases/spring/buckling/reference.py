@@ -96,7 +96,7 @@ def swept(q: BucklingInputs) -> dict[str, Any]:
 
 
 def shortening(one: "PressedFrame", length: float) -> float:
-    """Share of the free length at which a free head buckles; NaN where it never does."""
+    """Share of the free length at which a free head buckles; NaN if it never does."""
     from fem.beam.released import gives_way
 
     return gives_way(one, LAST * length)[0] / length

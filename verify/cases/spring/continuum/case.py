@@ -1,4 +1,4 @@
-"""Accordion spring, linear part, as a plane body: what the thin frame neglects."""
+"""Accordion spring, linear part, as a plane body: error of the thin frame."""
 
 from collections.abc import Iterator
 from functools import partial
@@ -31,10 +31,10 @@ STRIPS = (("plane stress", False), ("plane strain", True))
 
 
 class PlaneSpring(FreeStage):
-    """What the thin frame neglects, measured with plane elasticity on the true centre line.
+    """Error of the thin frame, measured with plane elasticity on the true centre line.
 
-    That is shear, axial force, and the bending of a bar whose thickness is not small against its
-    radius. The strip is taken as narrow (plane stress) and as wide (plane strain).
+    The frame neglects shear, axial force, and the bending of a bar whose thickness is not small
+    against its radius. The strip is taken as narrow (plane stress) and as wide (plane strain).
     """
 
     id = "spring-continuum"
@@ -85,9 +85,9 @@ class PlaneSpring(FreeStage):
                 )  # fmt: skip
 
     def _expected(self, more: Added, neglected: float) -> Expected:
-        """What the formula neglects, within one order more.
+        """Error of the formula, known to the next order.
 
-        Where even that is more than half the demand, the bar is too thick for an estimate and its
+        If the next order exceeds half the demand, the bar is too thick for an estimate and its
         error is measured.
         """
         unknown = max(more.next_order(self.b / self.R), DEMAND[0] / 100)  # nothing sharper
@@ -96,7 +96,7 @@ class PlaneSpring(FreeStage):
     refusal = plane_body.refusal
 
     def figures(self) -> Iterator[Drawn]:
-        """How far each frame theory is from the plane body."""
+        """Difference of each frame theory from the plane body."""
         for strip, wide in STRIPS:
             yield converged(partial(self._theories, strip, wide))
 

@@ -115,7 +115,7 @@ class CurveSpring(CurveInputs, Case):
                 ))  # fmt: skip
 
     def refusal(self) -> str:
-        """Only guided heads are followed: a free one buckles, a hinged one moves sideways."""
+        """Only guided heads are computed: a free head buckles, a hinged head moves sideways."""
         if self.head != "guided":
             return (
                 f"head = {self.head}: the whole curve is followed for a guided head alone, the "

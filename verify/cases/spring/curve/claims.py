@@ -1,4 +1,4 @@
-"""What rows of the whole curve are judged by: fitted lines, contact, energy, limits, Eq. 10."""
+"""Criteria of the rows of the whole curve: fitted lines, contact, energy, limits, Eq. 10."""
 
 from collections.abc import Callable
 from functools import cache
@@ -38,7 +38,7 @@ def curve(context: Context, level: int = FINE) -> Array:
 
 
 def lines(context: Context, level: int = FINE) -> FittedLines:
-    """Of the curve of the inputs."""
+    """Fitted lines of the curve of the inputs."""
     return fitted(curve(context, level), context.inputs.stroke)
 
 
@@ -55,7 +55,7 @@ def read(context: Context) -> list[tuple[str, float, FittedLines, Array]]:
 
 
 def beside(context: Context, other: Array) -> tuple[FittedLines, FittedLines]:
-    """Of the inputs' curve on the coarse mesh and of the `other` (3, k), in states of both."""
+    """Fitted lines of the coarse curve of the inputs and of the `other` (3, k), common states."""
     stroke = context.inputs.stroke
     own, other = on_common(curve(context, COARSE), other, stroke)
     return fitted(own, stroke), fitted(other, stroke)
@@ -68,12 +68,12 @@ def apart(context: Context, other: Array) -> float:
 
 
 def without(context: Context) -> str:
-    """What is missing where no leaves touch within the stroke, in words."""
+    """Statement on the missing values if no leaves touch within the stroke."""
     return "" if np.isfinite(lines(context).k2) else "; k_2: no leaves touch for long enough"
 
 
 def drift(number: Callable[[FittedLines], float]) -> Callable[[Context], float]:
-    """How far a fitted number is from the one on the coarse mesh, over itself."""
+    """Relative difference of a fitted number from the coarse mesh."""
 
     def of(context: Context) -> float:
         coarse, fine = map(number, beside(context, curve(context)))
@@ -136,7 +136,7 @@ def stiffens(context: Context) -> tuple[float, float, str]:
 
 
 def near(key: str, figure: float, printed: Callable[[], float]) -> Margin:
-    """What is left of `figure` about a number of Eq. 10."""
+    """Margin of the deviation from a number of Eq. 10 below `figure`."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         def own(found: FittedLines) -> float:
@@ -149,7 +149,7 @@ def near(key: str, figure: float, printed: Callable[[], float]) -> Margin:
 
 
 def nearest(context: Context) -> tuple[float, float, str]:
-    """How much nearer in k_1 the inputs' reading is than the next one; it is chosen by that."""
+    """Margin in k_1 of the inputs' reading over the next reading; k_1 determines the choice."""
     q: CurveInputs = context.inputs
     given = f"{q.tail}, {q.head}, {q.arcs}", q.width_factor
     off = {
@@ -173,14 +173,14 @@ def along(context: Context) -> tuple[float, float, str]:
 
 
 def deviations(context: Context, level: int) -> tuple[Array, Array]:
-    """U = 1 ... 17 mm, and force over that of Eq. 10, less one."""
+    """U = 1 ... 17 mm, and force over Eq. 10, minus one."""
     U = np.arange(1.0, 18.0) * mm
     reached, F = (stored(context, f"curve {level} {key}") for key in ("U", "F"))
     return U, np.interp(U, reached, F) / eq10().force(U) - 1
 
 
 def parallel(k: int) -> Callable[[Context], tuple[list[float], list[float], list[float]]]:
-    """Nonlinear beam over closed form for leaves ever more slender: U_A, F_A or k_2."""
+    """Nonlinear beam over closed form for increasingly slender leaves: U_A, F_A or k_2."""
     name = ("U_A", "F_A", "k2")[k]
 
     def points(context: Context) -> tuple[list[float], list[float], list[float]]:

@@ -1,4 +1,4 @@
-"""What is compared of the whole curve: contact, energy, limits, and Eq. 10 beside its readings."""
+"""Rows of the whole curve: contact, energy, limits, and Eq. 10 against its readings."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -49,7 +49,7 @@ def deviations() -> Iterator[Deviation]:
 
 
 def accepted() -> Iterator[Accepted]:
-    """The third stage, and the paper's spring beside Eq. 10."""
+    """The third stage, and the paper's spring against Eq. 10."""
     yield Accepted(name="stiffness rises tenfold after the loops touch (stage BE)", symbol="dF/dU",
                    unit="1", margin=claims.stiffens)  # fmt: skip
     fitted: dict[str, Any] = {"unit": "1", "fitted": FITTED, "paper_only": True}

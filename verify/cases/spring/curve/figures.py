@@ -99,7 +99,7 @@ def _slope(context: Context) -> Curves:
 
 
 def points(context: Context) -> dict[str, int]:
-    """States by name: O (-1), A where leaves begin to press, B where half of the pairs do, E."""
+    """States by name: O (-1), A at the first contact of leaves, B with half of the pairs, E."""
     press, F = (stored(context, f"curve {FINE} {key}") for key in ("press", "F"))
     found = {"O": -1}
     touching = press.sum(axis=1) > TOUCH * F
@@ -130,7 +130,7 @@ def _states(context: Context) -> Shapes:
 
 
 def _readings(context: Context) -> Curves:
-    """How far each reading is from Eq. 10 over the displacement, with the strip's factor."""
+    """Deviation of each reading from Eq. 10 over the displacement, with the strip's factor."""
     curves = []
     for k, (name, found) in enumerate(_stable(context)):
         U, F = found

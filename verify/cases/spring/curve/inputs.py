@@ -1,4 +1,4 @@
-"""Inputs of the accordion spring's whole curve: ends, arcs, friction and how far it is pressed."""
+"""Inputs of the accordion spring's whole curve: ends, arcs, friction and stroke."""
 
 from typing import Literal, Self
 

@@ -1,4 +1,4 @@
-"""What case spring-curve has solved: the curve, other contacts and friction, readings, limits."""
+"""Solutions of case spring-curve: the curve, other contacts and friction, readings, limits."""
 
 from collections.abc import Iterator
 from itertools import product
@@ -26,7 +26,7 @@ THIN_GRID = (10.0, 14.0, 15.6, 16.0)  # displacements over the radius of the loo
 
 
 def spring_of(q: CurveInputs, **changed: Any) -> Spring:
-    """The spring of the inputs, or one of its readings."""
+    """The spring of the inputs, or a reading of it."""
     own: dict[str, Any] = {
         "line": q.path, "b": q.b, "h": q.h, "E": q.E, "nu": q.nu, "factor": q.width_factor,
         "head": q.head, "tail": q.tail, "mu": q.mu,
@@ -35,7 +35,7 @@ def spring_of(q: CurveInputs, **changed: Any) -> Spring:
 
 
 def readings(q: CurveInputs) -> Iterator[tuple[str, Spring]]:
-    """What the paper leaves open: tail, head and arcs, without friction and width factor."""
+    """Open readings of the paper: tail, head and arcs, without friction and width factor."""
     arcs = {"r": q.r, "r + b/2": q.r + q.b / 2}
     for tail, head, (name, radius) in product(
         ("arc", "mid-leaf"), ("free", "guided"), arcs.items()
@@ -50,7 +50,7 @@ def grid(q: CurveInputs, states: int) -> Array:
 
 
 def solve(q: CurveInputs, level: int) -> Level:
-    """The stiffness at rest on every level; curves, variants and readings on one each."""
+    """The initial stiffness on every level; curves, variants and readings on a level each."""
     own = spring_of(q)
     rest = fem_compress(own, [FIRST * q.stroke, 2 * FIRST * q.stroke], per_arc=level)
     once, twice = rest.F / rest.U
@@ -90,9 +90,9 @@ def _read(q: CurveInputs) -> dict[str, Any]:
 
 
 def thin(q: CurveInputs, share: float) -> Spring:
-    """A guided spring whose loops are `share` of its leaves, and so are its leaves' slopes.
+    """A guided spring with loops of `share` of its leaves; slopes of the leaves are also `share`.
 
-    Small enough, everything turns by angles of that order only, and linear theory becomes exact.
+    For small `share` all angles are of this order, and linear theory becomes exact.
     """
     radius = share * q.L1
     line = {"n": THIN_UNITS, "L1": q.L1, "radius": radius, "alpha": np.pi / 2 - THIN_SLOPE * share}
@@ -101,7 +101,7 @@ def thin(q: CurveInputs, share: float) -> Spring:
 
 
 def thin_fem(q: CurveInputs, share: float, cells: int) -> tuple[float, float, float]:
-    """Displacement [m] and force [N] where its tips touch, and the stiffness from there on."""
+    """Displacement [m] and force [N] at first contact of the tips, and the stiffness after it."""
     from fem.beam.two_lines import onset
 
     spring = thin(q, share)

@@ -36,7 +36,7 @@ SHARED = "narrow strip, E I; no contact of leaves"
 
 
 def _maps(context: Context) -> Iterator[Figure]:
-    """The maps as solved; on the paper's numbers as measured more finely, where that was done."""
+    """The maps as solved; for the paper's numbers the finer measurement if available."""
     q, finer = context.inputs, measured(DEEP_MAP) if context.is_paper else None
     if not context.fem:
         return
@@ -82,7 +82,7 @@ class MapSpring(MapFormulas):
         return beams.solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Elastica and Eq. 9 against beams; what the paper claims of Eqs. 1-9."""
+        """Rows: elastica and Eq. 9 against beams; claims of the paper on Eqs. 1-9."""
         spring = MapSpring
         exact: dict[str, Any] = {"order": 4, "sensitivity": EXACT, "shares": SHARED}
         for share in PARTS:

@@ -1,4 +1,4 @@
-"""What case spring-map claims of its maps, of a free head and of the roller's path."""
+"""Claims of case spring-map on its maps, a free head and the roller's path."""
 
 from typing import Any
 
@@ -16,7 +16,7 @@ NOISE = 1e-4  # relative error of the finite elements of the maps
 
 
 def errors(q: MapInputs, cells: list[list[Cell]], k: Any) -> Any:
-    """Eqs. 1-9 over finite elements less one (rows, columns, 3); NaN where there is none."""
+    """Eqs. 1-9 over finite elements minus one (rows, columns, 3); NaN without a value."""
     k1 = np.array([[float(energy.stiffness(**c.eqs, h=q.h, E=q.E)) if c.b < c.r else np.nan
                     for c in row] for row in cells])  # fmt: skip
     with np.errstate(divide="ignore"):
@@ -24,7 +24,7 @@ def errors(q: MapInputs, cells: list[list[Cell]], k: Any) -> Any:
 
 
 def within_claim(context: Context) -> tuple[float, float, str]:
-    """What is left of 10 % at L_0/b from 240 on, at small displacement."""
+    """Margin of the error below 10 % for L_0/b of at least 240, at small displacement."""
     q = context.inputs
     cells = points(q, deep=False)["slender"]
     m = errors(q, cells, stored(context, "slender"))[..., 0]
@@ -34,7 +34,7 @@ def within_claim(context: Context) -> tuple[float, float, str]:
 
 
 def falls(context: Context) -> tuple[float, float, str]:
-    """Least step by which the error at small displacement falls as b does, on one centre line."""
+    """Least decrease of the error at small displacement with decreasing b, on a centre line."""
     q = context.inputs
     b, z, k = stored(context, "on_line").T
     k1 = np.array([
@@ -47,7 +47,7 @@ def falls(context: Context) -> tuple[float, float, str]:
 
 
 def free_head(context: Context) -> tuple[float, float, str]:
-    """What a third of Eq. 9's force leaves above that of a free head at 0.3 of the length."""
+    """Margin of a free head's force below a third of Eq. 9's force at 0.3 of the length."""
     F = [r.values["F_free"] for r in context.fem]
     promised = context.analytic["linear_0_3"]
     words = f"{F[-1]:.3g} N, Eq. 9 gives {promised:.3g} N"

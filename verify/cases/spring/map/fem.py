@@ -1,4 +1,4 @@
-"""Finite elements of case spring-map: one spring on every level, maps on one of them."""
+"""Finite elements of case spring-map: a spring on every level, maps on a single level."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -18,7 +18,7 @@ ON_LINE = (0.25, 0.5, 1.0, 1.5, 2.0)  # thicknesses over b, on the same centre l
 
 
 def solve(q: MapInputs, level: int) -> FemResult:
-    """One level of the spring; on one of them the maps, too."""
+    """One level of the spring; a single level also has the maps."""
     from fem.beam.pressed_path import free_force, slanted_force, stable_forces
 
     here = Cell(q.n, q.b, q.r, q.L1, q.alpha)
@@ -37,7 +37,7 @@ def solve(q: MapInputs, level: int) -> FemResult:
 
 
 def deep_fem(q: MapInputs, row: int) -> FemResult:
-    """One row of the finer maps, those of the first map before those of the second."""
+    """A row of the finer maps; rows of the first map precede rows of the second."""
     rows = [cells for grid in points(q, deep=True).values() for cells in grid]
     return FemResult(
         h=1.0, values={}, arrays={"cells": np.array([measured(q, cell) for cell in rows[row]])}
@@ -49,9 +49,9 @@ def spring(q: MapInputs, cell: Cell, per_arc: int, per_leaf: int) -> "PressedFra
 
 
 def measured(q: MapInputs, cell: Cell) -> tuple[float, ...]:
-    """Stiffness of a free head at small displacement, and secant ones of a guided head.
+    """Stiffness of a free head at small displacement, and secant stiffnesses of a guided head.
 
-    Zero where the strip is no leaf spring (b >= r), and the secant ones where the guided spring
+    Zero if the strip is no leaf spring (b >= r); the secant values are zero if the guided spring
     becomes unstable before the largest share. A path that is not found raises ArithmeticError: it
     is no statement on the spring.
     """

@@ -29,9 +29,9 @@ WHAT = (
 
 
 def maps(name: str, m: Array, date: str) -> list[Map]:
-    """One map for each of small displacement and the shares of the length.
+    """A map for small displacement and one for each share of the length.
 
-    `date` is when the finer cells were measured, empty for those of the run.
+    `date` is the date of the measurement of the finer cells, empty for cells of the run.
     """
     deep, unstable = bool(date), f"guided spring unstable before {SHARES[-1]:.0%} of its length"
     columns: Sequence[float]

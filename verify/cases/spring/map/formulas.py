@@ -1,4 +1,4 @@
-"""Eqs. 1-9 of the accordion spring beside the exact elastica of a guided head."""
+"""Eqs. 1-9 of the accordion spring and the exact elastica of a guided head."""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -22,9 +22,9 @@ EXACT = "exact elastica"
 
 @lru_cache(maxsize=4)
 def pressed(q: MapInputs) -> Mapping[str, float]:
-    """The exact forces of a guided head at the shares of its length, and aside, by quantity.
+    """The exact axial and lateral forces of a guided head at the shares of its length, by quantity.
 
-    Empty where Newton's method finds no state on the path, whatever the reason: refusal and
+    Empty if Newton's method finds no state on the path, for any reason: refusal and
     warnings then state that there is no result.
     """
     try:
@@ -55,7 +55,7 @@ def of_paper(q: Case) -> bool:
 
 
 class MapFormulas(MapInputs, Case):
-    """Forces by Eq. 9 and by the elastica, which has none where it is not found."""
+    """Forces by Eq. 9 and by the elastica; the elastica may have no solution."""
 
     @Quantity("J", "mm^3", "integral of the squared lever of the force", equation="7",
               role="step", tex=r"\int (M/F)^2 ds")  # fmt: skip
@@ -112,13 +112,13 @@ class MapFormulas(MapInputs, Case):
         return pressed(self) if self.n <= MOST else {}
 
     def refusal(self) -> str:
-        """Long springs, and those of which no equilibrium is found."""
+        """Reason to refuse: long springs, and springs without a computed equilibrium."""
         if self.n > MOST:
             return f"n = {self.n} segments are more than {MOST}: check it without --fem"
         return "" if self._pressed else f"{NOT_FOUND}: check it without --fem"
 
     def warnings(self) -> Iterator[str]:
-        """Where Eq. 9 is off."""
+        """Warnings if Eq. 9 is inaccurate."""
         if self.n <= MOST and not self._pressed:
             yield NOT_FOUND
         for share, linear in zip(PARTS, (self.linear_0_3, self.linear_0_6), strict=True):

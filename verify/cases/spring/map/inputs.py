@@ -78,12 +78,12 @@ class Cell:
 
     @property
     def path(self) -> dict[str, Any]:
-        """What the centre line needs."""
+        """Arguments of the centre line."""
         return {"n": self.n, "L1": self.L1, "radius": self.R, "alpha": self.alpha, "tail": "arc"}
 
     @property
     def eqs(self) -> dict[str, Any]:
-        """What Eqs. 1-9 need of the geometry."""
+        """Geometry for Eqs. 1-9."""
         return {"n": self.n, "b": self.b, "r": self.r, "L1": self.L1, "alpha": self.alpha}
 
 

@@ -65,11 +65,11 @@ class StageSpring(StageFormulas):
     )
 
     def reference(self, level: int) -> Level:
-        """Frames whose tips are linked to the leaves where they touch."""
+        """Frames with tips linked to the leaves at their contacts."""
         return linked_frame.solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Closed forms against the frame; the reading chosen by k_1 beside Eq. 10."""
+        """Rows: closed forms against the frame; the reading chosen by k_1 against Eq. 10."""
         spring = StageSpring
         first = ((spring.k1, "stiffness k_1"), (spring.F_A, "force at A"),
                  (spring.U_A, "displacement at A"), (spring.k2, "stiffness k_2"))  # fmt: skip
@@ -145,7 +145,7 @@ class StageSpring(StageFormulas):
     refusal = too_slender
 
     def figures(self) -> Iterator[AlongLine | Drawn]:
-        """Force over displacement, with the frame and beside Eq. 10."""
+        """Force over displacement, with the frame and Eq. 10."""
         yield drawn.judged(self)
         yield Drawn(drawn.beside)
 
@@ -158,7 +158,7 @@ class StageSpring(StageFormulas):
 
 
 def _beside(q: Quantity, state: State, name: str, printed: str) -> Comparison:
-    """A printed measurement beside the formula in a state."""
+    """A printed measurement against the formula in a state."""
     return Comparison(quantity=q, state=state, check=PrintedMeasurement(
         name=name, symbol=q.symbol, unit=q.unit, analytic=f"{q.name}_{state.key}",
         reference=f"wang2023:{printed}",

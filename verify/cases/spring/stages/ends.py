@@ -10,7 +10,7 @@ from analytic.spring.stages import Head
 class Ends(NamedTuple):
     """How both ends are held, and the direction in which tip and leaf press.
 
-    `key` ends the names of its numbers, `words` those of its rows.
+    `key` is the suffix of its numbers, `words` the suffix of its rows.
     """
 
     head: Head
@@ -31,5 +31,5 @@ class Ends(NamedTuple):
 HEADS: tuple[Head, ...] = ("guided", "free", "hinged")
 TAILS: tuple[Tail, ...] = ("mid-leaf", "arc")
 ENDS = (*(Ends(h, t) for h, t in product(HEADS, TAILS)), Ends("guided", "mid-leaf", "leaf"))
-# whose tips touch one after the other
+# ends with tips that touch in succession
 LATER = (Ends("hinged", "mid-leaf"), Ends("guided", "arc"), Ends("free", "arc"))

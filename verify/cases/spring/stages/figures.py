@@ -1,4 +1,4 @@
-"""Figures of the spring beyond its free stage: force over displacement, beside Eq. 10."""
+"""Figures of the spring beyond its free stage: force over displacement, with Eq. 10."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -37,7 +37,7 @@ def beside(context: Context) -> Iterator[Curves]:
 
 
 def _beside_eq_10(q: StagesInputs) -> Iterator[Curves]:
-    """Readings that meet the printed k_1, and that of the inputs, over the lines of Eq. 10."""
+    """Readings with the printed k_1, and the reading of the inputs, over the lines of Eq. 10."""
     lines = eq10()
     tests = [published(f"wang2023:{name}-test").value * 1e3 for name in ("k1", "k2")]
     U = np.linspace(0.0, EQ10_END, 60)

@@ -24,7 +24,7 @@ def narrow(q: Any) -> bool:
 
 
 class StageFormulas(StagesInputs, Case):
-    """Point A, where the first tip touches, and the stiffness before and beyond."""
+    """Point A, first contact of a tip, and the stiffness before and after it."""
 
     theory: ClassVar[Theory] = "thin"  # theory of the stages below
     normal: ClassVar[Normal] = "force"
@@ -121,7 +121,7 @@ class StageFormulas(StagesInputs, Case):
 
     @property
     def tilt(self) -> float:
-        """What is left at A of the angle [rad] between the tip that touches and its leaf."""
+        """Remaining angle [rad] at A between the touching tip and its leaf."""
         return float(self._bent.tilt)
 
     @shared
@@ -135,7 +135,7 @@ class StageFormulas(StagesInputs, Case):
 
     @shared
     def _bent(self) -> Stages:
-        """Bending alone."""
+        """Bending only."""
         return self.held()
 
     def warnings(self) -> Iterator[str]:

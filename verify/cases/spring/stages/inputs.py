@@ -1,4 +1,4 @@
-"""Inputs of the accordion spring beyond its free stage: its ends, and what the width stiffens."""
+"""Inputs of the accordion spring beyond its free stage: its ends, and its width factor."""
 
 from typing import Any
 
@@ -11,7 +11,7 @@ from verify.core.inputs import quantity, word
 
 
 def refuse_wider(width_factor: float | None, nu: float) -> None:
-    """ValueError for a factor beyond that of a strip much wider than its leaves are long."""
+    """ValueError for a factor above the limit of a very wide strip."""
     most = 1 / (1 - nu**2)
     if width_factor is not None and width_factor > most * (1 + 1e-6):
         raise ValueError(
@@ -21,7 +21,7 @@ def refuse_wider(width_factor: float | None, nu: float) -> None:
 
 
 class StagesInputs(AccordionInputs):
-    """The accordion spring with both end leaves whole, and how it is held."""
+    """The accordion spring with whole end leaves, and its supports."""
 
     width_factor: float | None = quantity(
         1.0957, "1", "f",
@@ -42,7 +42,7 @@ class StagesInputs(AccordionInputs):
 
     @property
     def factor(self) -> float:
-        """The width factor that the judged rows take."""
+        """The width factor of the judged rows."""
         return 1.0 if self.width_factor is None else self.width_factor
 
     def held(self, **other: Any) -> Stages:

@@ -1,7 +1,7 @@
 """Readings of the paper's spring against Eq. 10: sixteen springs, one line each.
 
-The paper states neither how head and tail are held nor whether arcs have r or r + b/2, nor how
-much its shell model gains by its width. A reading is chosen by k_1 alone; its k_2
+The paper does not state the supports of head and tail, the radius of the arcs (r or r + b/2), or
+the increase of its shell model's stiffness by the width. A reading is chosen by k_1 alone; its k_2
 and point A are then predictions, but count as calibrated.
 """
 
@@ -48,7 +48,7 @@ class Reading:
 
     @property
     def off(self) -> float:
-        """Of k_1 from that of Eq. 10."""
+        """Relative deviation of k_1 from Eq. 10."""
         return self.k1 / eq10().k1 - 1
 
     def __str__(self) -> str:
@@ -92,18 +92,18 @@ def readings(q: StagesInputs) -> list[Reading]:
 
 
 def meeting(q: StagesInputs) -> list[Reading]:
-    """The readings whose k_1 is within a per cent of the printed one, the nearest first."""
+    """The readings with k_1 within 1 % of the printed value, the nearest first."""
     near = sorted(readings(q), key=lambda x: abs(x.off))
     return [x for x in near if abs(x.off) <= MET]
 
 
 def chosen(q: StagesInputs) -> Reading:
-    """By k_1 alone, among the sixteen that need no given factor."""
+    """The reading chosen by k_1 only, among the sixteen without a given factor."""
     return min(readings(q.model_copy(update={"width_factor": None})), key=lambda x: abs(x.off))
 
 
 def keeps(key: str, figure: float) -> Margin:
-    """What the chosen reading leaves of `figure` about k1, k2, U or F of Eq. 10 [SI]."""
+    """Margin of the chosen reading below `figure` for k1, k2, U or F of Eq. 10 [SI]."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         reading, printed = chosen(context.inputs), float(getattr(eq10(), key))
@@ -116,7 +116,7 @@ def keeps(key: str, figure: float) -> Margin:
 
 
 def tables(q: StagesInputs, context: Context) -> Sequence[Table]:
-    """Every reading beside Eq. 10 and the tests; deviations for the numbers of the paper."""
+    """Every reading against Eq. 10 and the tests; deviations for the numbers of the paper."""
     test = {name: published(f"wang2023:{name}-test").value * N_PER_MM for name in ("k1", "k2")}
     rows = []
     for x in readings(q):
@@ -162,5 +162,5 @@ def predictions(q: StagesInputs) -> str:
 
 
 def percent(share: float) -> str:
-    """A signed deviation with one decimal."""
+    """A signed deviation in per cent with one decimal."""
     return f"{100 * share:+.1f} %"

@@ -54,7 +54,7 @@ def force_over_displacement(found: dict[str, float], length: float) -> Any:
 
 
 def linked(line: "LineMesh", section: "Section", ends: Ends, q: StagesInputs) -> "LinkedFrame":
-    """The spring on a mesh with tips, cut where they will touch."""
+    """The spring on a mesh with tips and nodes at their future contacts."""
     from fem.beam.linked_stages import LinkedFrame, opposite
     from fem.beam.links import Link, divide
 

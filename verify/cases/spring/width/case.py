@@ -125,12 +125,12 @@ class WideSpring(WidthInputs, Case):
         )  # fmt: skip
 
     def _left(self, ratio: Share) -> float:
-        """What twice the terms change of a leaf's factor, relative."""
+        """Relative change of a leaf's factor with twice the terms."""
         leaf = self.leaf_factor(ratio)
         return (float(width_factor(ratio, 1.0, nu=self.nu, terms=TERMS // 2)) - leaf) / leaf
 
     def held(self, tail: frame.Tail, head: frame.Head) -> Self:
-        """The same spring with other ends."""
+        """The spring with other ends."""
         return self.model_copy(update={"tail": tail, "head": head})
 
     def reference(self, level: int) -> Level:
@@ -138,7 +138,7 @@ class WideSpring(WidthInputs, Case):
         return shells.solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Beams and plates against shells, solids, and what the paper prints."""
+        """Rows: beams and plates against shells, solids, and printed values."""
         spring = WideSpring
         states = {ends: State(self.held(*ends), shells.key_of(*ends), "", displayed=False)
                   for ends in ENDS}  # fmt: skip
@@ -199,7 +199,7 @@ class WideSpring(WidthInputs, Case):
     sketch = drawn.sketch
 
     def warnings(self) -> Iterator[str]:
-        """Where a leaf's factor does not represent the spring."""
+        """Warnings if a leaf's factor does not represent the spring."""
         if self.h < PLATE * self.b:
             yield (
                 f"a strip {self.h / self.b:.2g} times as wide as thick is no plate: its factor is "
@@ -239,7 +239,7 @@ def _limits() -> Iterator[Comparison]:
 
 
 def _accepted() -> Iterator[Comparison | Check]:
-    """What agrees within a figure: other elements, widths, ends, and another case's factor."""
+    """Rows within an acceptance figure: other elements, widths, ends, another case's factor."""
     for name, what in zip(widths_of_both(WidthInputs()), LOOPS, strict=True):
         yield _agrees(f"loop as a shell and as solids, {what}", claims.solids(name), claims.SOLID,
                       THEORY, by="solids")  # fmt: skip
@@ -264,7 +264,7 @@ def _accepted() -> Iterator[Comparison | Check]:
 def _agrees(
     name: str, pair: claims.OfContext, accepted: float, why: str, by: str = ""
 ) -> Agreement:
-    """Two factors that are the same but for `accepted`."""
+    """Two factors that are equal within `accepted`."""
     return Agreement(
         name=name, symbol="f", unit="1", pair=pair, accepted=accepted, source=suites(why), by=by
     )

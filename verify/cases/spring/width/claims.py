@@ -1,4 +1,4 @@
-"""What case spring-width claims of its shells: acceptance figures, limits, other elements."""
+"""Claims of case spring-width on its shells: acceptance figures, limits, other elements."""
 
 import math
 from collections.abc import Callable
@@ -34,14 +34,14 @@ MET = 0.01  # relative to the printed stiffness
 
 
 def relative_uncertainty(context: Context, key: str, formal: float | None = None) -> float:
-    """Of the finest value of `key`, standard; infinite where it does not converge."""
+    """Standard uncertainty of the finest value of `key`; infinite if it does not converge."""
     h, v = context.series(key)
     grid = grid_convergence(h, v, formal=formal, scale=abs(v[-1]))
     return judge.numerical_uncertainty(grid) / abs(v[-1])
 
 
 def sweep_uncertainty(context: Context) -> float:
-    """Standard uncertainty of swept factors: what their mesh and the finest differ by.
+    """Standard uncertainty of swept factors: difference of their mesh and the finest mesh.
 
     At the inputs' width and at the narrowest.
     """
@@ -57,7 +57,7 @@ def sweep(context: Context) -> Array:
 
 
 def limits(context: Context) -> tuple[float, float]:
-    """Of a narrow and of a wide spring by formula."""
+    """Factors of a narrow and of a wide spring by formula."""
     return 1.0, context.analytic["k_wide"] / context.analytic["k_narrow"]
 
 
@@ -108,7 +108,7 @@ def leaf_factor(q: WidthInputs, h: Any) -> Array:
 
 
 def estimates(context: Context) -> Pair:
-    """Both where their difference is largest over all widths of the sweep."""
+    """Both factors at their largest difference over all widths of the sweep."""
     h, f = sweep(context).T
     leaves = leaf_factor(context.inputs, h)
     off = leaves / f - 1
@@ -133,13 +133,13 @@ def solids(name: str) -> OfContext:
 
 
 def ends(context: Context) -> Pair:
-    """The largest and the least factor of all end conditions, on one mesh."""
+    """The largest and the least factor of all end conditions, on a common mesh."""
     f = stored(context, "ends")
     return Pair(float(f.max()), float(f.min()), 0.0, f"{f.min():.5f} to {f.max():.5f}")
 
 
 def uniform(context: Context) -> Pair:
-    """Stiffness by a line that stays straight and by a uniform force, on one mesh."""
+    """Stiffness by a straight line and by a uniform force, on a common mesh."""
     line, force = map(float, stored(context, "uniform"))
     words = f"a uniform force moves the head by {1 - force / line:+.1e} more"
     return Pair(line, force, 0.0, words)
@@ -154,7 +154,7 @@ def readings(context: Context) -> dict[tuple[Tail, Head], tuple[float, float]]:
 
 
 def meets(tail: Tail, head: Head) -> Margin:
-    """What is left of the figure between the shell with these ends and the paper's shell model."""
+    """Margin of the difference of the shell with these ends and the paper's shell model."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         printed = published("wang2023:k1-fea").value * N_PER_MM

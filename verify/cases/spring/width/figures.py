@@ -26,7 +26,7 @@ mm, MPa = 1e-3, 1e6
 
 
 def sketch(q: WidthInputs) -> Sketch:
-    """The spring with its whole end leaves, held as in the inputs."""
+    """The spring with its whole end leaves and the supports of the inputs."""
     return stages_sketch(StagesInputs(**q.model_dump()))
 
 
@@ -37,7 +37,7 @@ def tables(_: WidthInputs, context: Context) -> Sequence[Table]:
 
 
 def _readings(context: Context) -> Table:
-    """Stiffness by the shell for all end conditions, beside the printed values."""
+    """Stiffness by the shell for all end conditions, with the printed values."""
     header: tuple[str, ...] = ("tail clamped at", "head", "k_1 of E I [N/mm]", "f, shell",
                                "k_1, shell [N/mm]")  # fmt: skip
     if context.is_paper:

@@ -6,7 +6,7 @@ from verify.core.inputs import word
 
 
 class WidthInputs(SpringInputs):
-    """The accordion spring between its head and where its tail is held."""
+    """The accordion spring between its head and the support of its tail."""
 
     head: Head = word(
         "guided", "boundary condition of the head: guided, neither sideways motion nor rotation"

@@ -37,7 +37,7 @@ ROUND_OFF = 1e-12  # relative to the energy
 
 
 def solve(q: WidthInputs, level: int) -> Level:
-    """One level of spring, leaves and loops; on one of them the sweeps, too."""
+    """One level of spring, leaves and loops; a single level also has the sweeps."""
     values: dict[str, float] = {}
     for tail, head in ENDS:
         values[f"k_wide_{key_of(tail, head)}"] = fem_spring(q, q.h, level, tail, head, held=True)
@@ -52,7 +52,7 @@ def solve(q: WidthInputs, level: int) -> Level:
     for name, h in widths_of_both(q).items():
         loops = shell_loop(q, h, level)
         values[f"shell_{name}"], values[f"solid_{name}"] = loops[0], solid_loop(q, h, level)
-        fields = [loop_field(*loops[1:])]  # the last one has the inputs' width
+        fields = [loop_field(*loops[1:])]  # the last loop has the inputs' width
     if level == SWEPT:
         arrays |= sweeps(q)
     u_it = {key: ROUND_OFF * abs(value) for key, value in values.items()}
@@ -70,7 +70,7 @@ def thread(q: WidthInputs) -> float:
 
 
 def widths_of_both(q: WidthInputs) -> dict[str, float]:
-    """Widths [m] of the loop that is solved as a shell and as a solid, that of the inputs last."""
+    """Widths [m] of the loop solved as a shell and as a solid; the inputs' width is last."""
     return {f"{ratio:g}": ratio * q.b for ratio in BOTH} | {"given": q.h}
 
 
@@ -94,7 +94,7 @@ def factor(
     q: WidthInputs, h: float, level: int, tail: Tail | None = None, head: Head | None = None, *,
     uniform: bool = False,
 ) -> float:  # fmt: skip
-    """Stiffness over that in plane stress on the same mesh, held as in the inputs or otherwise."""
+    """Stiffness over plane stress on the same mesh, with the supports of the inputs or others."""
     ends = tail or q.tail, head or q.head
     plane = fem_spring(q, h, level, *ends, held=True, narrow=True)
     return fem_spring(q, h, level, *ends, uniform=uniform) / plane
@@ -107,9 +107,9 @@ def fem_spring(
 ) -> float:  # fmt: skip
     """Stiffness [N/m] of the spring as a shell of width h [m], symmetric about its middle.
 
-    With its edges `held`, which neither turn nor leave their planes, it is in plane strain, and of
-    the `narrow` strip's material as stiff as that in plane stress. A `uniform` force acts on the
-    head instead of a line that stays straight.
+    With its edges `held` (no rotation, no displacement out of their planes) it is in plane strain;
+    with the `narrow` strip's material its stiffness is the plane-stress value. A `uniform` force
+    acts on the head instead of a line that stays straight.
     """
     from meshes.spring.path import accordion
 
@@ -122,7 +122,7 @@ def fem_spring(
 
 
 def cells(q: WidthInputs, h: float, level: int, held: bool) -> int:
-    """Across half the width: one where nothing changes, few where all of it is edge."""
+    """Cells across half the width: one in plane strain, few if the edge zone is the whole width."""
     if held:
         return 1
     return level if h <= NARROW[-1] * q.b else 3 * level
@@ -135,7 +135,7 @@ def fem_steel(q: WidthInputs) -> "Elastic":
 
 
 def fem_plane_stress(q: WidthInputs) -> "Elastic":
-    """What is in plane strain as stiff as the spring's steel in plane stress."""
+    """Material with the plane-strain stiffness of the spring's steel in plane stress."""
     from fem.plane.material import Elastic
 
     return Elastic(E=q.E * (1 + 2 * q.nu) / (1 + q.nu) ** 2, nu=q.nu / (1 + q.nu))
@@ -155,7 +155,7 @@ def fem_pulled(
     mesh: "ShellMesh", b: float, h: float, material: "Elastic", head: str, *,
     held: bool = False, uniform: bool = False,
 ) -> "ShellSolution":  # fmt: skip
-    """Under one newton along x on half the width's head; two on the whole."""
+    """Solution under 1 N along x on the head of half the width; 2 N on the whole."""
     from fem.shell.solve import solve_shell
 
     supports: dict[str | int, Any] = {"tail": "xyzabc", "middle": "zab", "head": head}
@@ -169,7 +169,7 @@ def fem_pulled(
 
 
 def fem_leaf(q: WidthInputs, ratio: float, level: int) -> tuple[float, NDArray[np.float64]]:
-    """The factor of a leaf so thin that it is Kirchhoff's plate, and how it curves across.
+    """The factor of a leaf thin enough for Kirchhoff's plate, and its transverse curvature.
 
     The latter (k, 2): place along the leaf over its length, and what the edge is lifted above the
     middle there over the head's movement.
@@ -225,7 +225,7 @@ def solid_loop(q: WidthInputs, h: float, level: int) -> float:
 
 
 def fem_solid(q: WidthInputs, h: float, level: int, *, held: bool) -> float:
-    """Stiffness [N/m] of the loop as a solid; what shears its ends is a parabola over them."""
+    """Stiffness [N/m] of the loop as a solid; the shear stress on its ends is a parabola."""
     from fem.solid.solve import solve_solid
     from meshes.solid.strip import solid_strip
 
