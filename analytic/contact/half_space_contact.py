@@ -12,7 +12,7 @@ from analytic.contact.checks import Array
 class HalfSpaceContact:
     """Fields (nx, ny) over the cells; x and y from the middle of the grid.
 
-    `displacement` is the sum of both bodies', `gap` what is left between them; residual: the
+    `displacement` is the sum of both bodies', `gap` the remaining distance; residual: the
     largest gap where pressure acts or overlap where none does, over the largest displacement.
     """
 

@@ -21,7 +21,7 @@ NEAR = 0.7  # of the half-width, within which p² over x² gives the pressure at
 
 @dataclass(frozen=True, kw_only=True)
 class Ridge:
-    """A roller of the relative radius R pressed on a half-space by `load`; d is that of its ends.
+    """A roller of relative radius R pressed on a half-space by `load`; d: length of end zones.
 
     Any consistent units.
     """

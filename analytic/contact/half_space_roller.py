@@ -4,7 +4,7 @@ The gap is :math:`x^2/2R + z(y) + \theta y` with R the relative radius, z the cr
 mid-length; pressure acts on |y| < l/2 alone, whereas the half-space goes on beyond the roller's
 ends. Any consistent units.
 
-Range: that of `half_space`. Without a crown the pressure is singular at the ends: the largest one
+Range: see `half_space`. Without a crown the pressure is singular at the ends: the largest one
 grows as 1/sqrt(cell) and means nothing without its cells; mid pressure, approach and the load in
 the last stretch (`end_load`) converge.
 """
@@ -97,7 +97,7 @@ def press_roller(
     `crown` is the profile z(y) [length], a function or its values at the cells (ny,) or a number;
     `tilt` the angle θ about x. `width` is the patch's across, whole; without it a coarse solution
     finds it, so that a study of refinement should give one. A patch whose sides the contact
-    reaches is made wider. Further words are those of `HalfSpace.press`.
+    reaches is made wider. Further arguments: see `HalfSpace.press`.
 
     >>> found = press_roller(R=1.0, length=100.0, E_star=np.pi, load=100.0, cells=(32, 64))
     >>> hertz = np.sqrt(found.line_load[32])  # sqrt(P E* / (pi R)) of the load in the middle

@@ -2,7 +2,7 @@ r"""Approach of bodies in line contact.
 
 In the plane the displacement under a load grows with the logarithm of the distance, so that an
 approach is always one between the contact and a point that has to be named. Approaches are
-positive, of one body of modulus E and load P per unit length; those of two bodies add up.
+positive, of one body of modulus E and load P per unit length; approaches of two bodies add up.
 
 On the axis below an elliptic pressure, with S = sqrt(a² + z²),
 

@@ -38,7 +38,7 @@ def approach(*, load: ArrayLike, length: ArrayLike) -> Array:
 def compliance(*, length: ArrayLike, slices: int) -> Array:
     """Compliance s [m^(10/9)/N] of each of the equal slices.
 
-    >>> s = compliance(length=32e-3, slices=4)  # 4 times that of the whole
+    >>> s = compliance(length=32e-3, slices=4)  # 4 times the whole roller's
     >>> round(float((s * 1024 / 4) ** 0.9), 16)
     1.2288e-06
     """

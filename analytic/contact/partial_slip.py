@@ -83,7 +83,7 @@ def slip(
 def rigid_displacement_beyond_stick(
     *, Q: ArrayLike, P: ArrayLike, mu: ArrayLike, E_star: ArrayLike
 ) -> Array:
-    r"""Tangential displacement [length] of the bodies, less that of a contact in complete stick.
+    r"""Tangential displacement [length] of the bodies, minus the value for complete stick.
 
     The whole displacement is known up to a logarithm of the bodies' size; what slipping adds to
     it is not, as it is local. With k = Q/(mu P)

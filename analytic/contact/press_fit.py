@@ -7,7 +7,7 @@ interference before assembly, get one common radius:
 
 with Lamé's displacements of each wall under the contact pressures on its two sides, a linear
 system with three diagonals. A solid shaft is a wall with r_i = 0. Pressures count positive when
-they push, interferences (radial, half that of the diameters) when the parts overlap. Any
+they push, interferences (radial, half the difference of diameters) when the parts overlap. Any
 consistent units.
 
 Range: linear elasticity, small strain, radii of an interface equal but for the interference,

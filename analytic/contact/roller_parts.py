@@ -11,7 +11,7 @@ from analytic.contact.checks import Array
 class RollerParts:
     """Pressure at x = 0 and line load at the centres y of equal parts (n,) of a roller.
 
-    `length` is the roller's, about whose middle y counts, d [length] that of what counts as an end.
+    `length` of the roller, y from its middle, d [length] of an end zone.
     """
 
     y: Array
@@ -84,7 +84,7 @@ def load_elsewhere(line: Array, other: Array, length: float) -> tuple[float, flo
     """Share of the load that `line` (n,) places differently from `other` (m,), and error in L2.
 
     Both are line loads of equal parts of the roller. The share does not depend on their
-    number; the error in L2 is mostly that of the parts in which contact ends.
+    number; the error in L2 is mostly due to the parts at the end of contact.
 
     >>> load_elsewhere(np.array([2.0, 0.0]), np.ones(8), 1.0)
     (0.5, 1.0)

@@ -14,9 +14,9 @@ second is a logarithm, so that near the force
           \qquad \lambda = \frac{(1-2\nu)^2}{2(1-\nu)}, \quad E' = \frac{E}{1-\nu^2}.
 
 The tilt of the surface against the direction of the force adds a constant too: at x, a force at x'
-acts (x - x') . x' through its tangential part, -(x - x') . x through the tilt of what it moves.
-The logarithm's share of the displacements, whose Laplacian is the pressure's, changes the shape
-that the half spaces have to meet; Galin's integrals give the answer in closed form. With
+acts (x - x') . x' through its tangential part, -(x - x') . x through the tilt of the displaced
+surface. The logarithm's share of the displacements, whose Laplacian is the pressure's, changes the
+shape that the half spaces have to meet; Galin's integrals give the answer in closed form. With
 :math:`\varepsilon = a \sum \lambda_i E^*/(E_i' R_i)`
 
 .. math::
@@ -73,7 +73,7 @@ class Sphere:
         return (1 - 2 * self.nu) ** 2 / (2 * (1 - self.nu)) * self.softness / self.R
 
     def sinking(self, a: float) -> float:
-        """Displacement by an elliptic pressure of unit load beyond that of the half space.
+        """Displacement by an elliptic pressure of unit load, minus the half space's displacement.
 
         Of the contact's middle against the plane of symmetry half-way to the other contact
         [length/force], without the surface's tilt.

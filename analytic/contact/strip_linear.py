@@ -3,7 +3,7 @@ r"""Newton's linear systems of many cases of strips: J ds - dDelta = -g on those
 J is the logarithm of all strips (one matrix for every case), bands of the near ones that vary with
 the case, and a diagonal. `conjugate_gradients` never forms it: it takes the bands as symmetric,
 which they are up to the change of half-width from strip to strip, and keeps the sum of the loads
-by projection. `direct` forms it and takes it as it is.
+by projection. `direct` forms and uses the full matrix.
 """
 
 from dataclasses import dataclass
@@ -26,7 +26,7 @@ Real = TypeVar("Real", Array, Single)
 class System:
     """Linear system of Newton's step: `push` is -g on the strips that carry, (N, n).
 
-    Shared `far` matrices (n, n); `bands` (M, N, n), of which the first is the diagonal; `carries`
+    Shared `far` matrices (n, n); `bands` (M, N, n), the first is the diagonal; `carries`
     (N, n); the load still `missing` (N,), or None where the approach is given.
     """
 

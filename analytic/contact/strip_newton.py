@@ -46,7 +46,7 @@ class Solved:
 class Response:
     """Displacement u (N, n) under s; near bands (M, N, n) of u/s and of du/ds; far matrices.
 
-    The bands for m > 0 are what the strip adds to the logarithm of far[0].
+    The bands for m > 0 are the strip's differences from the logarithm of far[0].
     """
 
     u: Array

@@ -8,9 +8,9 @@ across is Hertz's ellipse with the half-width of this strip and is constant over
     \sum_k C_{jk}(b_k)\, q_k \ge \delta - z_j, \quad q_j \ge 0, \quad
     D\sum_k q_k = W,
 
-with equality where q_j > 0; C (`strip_influence`) is what a strip of elliptic pressure on a
-half-space sinks the middle line of another by, both bodies together. z is the gap that crown, tilt
-and faults leave beside the parabola x²/2R. SI or any consistent units.
+with equality where q_j > 0; C (`strip_influence`) is the displacement of the
+middle line of a strip by a strip of elliptic pressure on a half-space, both bodies together. z is
+the gap that crown, tilt and faults leave beside the parabola x²/2R. SI or any consistent units.
 
 Range: frictionless, small strain, b much smaller than R and than the length over which q changes;
 `strip_error.neglected` estimates the error. Where the roller ends under load (no crown) the

@@ -55,7 +55,7 @@ class Course:
 
     @property
     def light(self) -> str:
-        """Class of the path: that of its largest mu_req."""
+        """Class of the path, by its largest mu_req."""
         return str(criterion.traffic_light(self.mu / self.peak))
 
 

@@ -11,7 +11,7 @@ left side tan(alpha), which is F_t/F_n (Eq. 1), and takes the same F_ax in both.
 The torque counts in the locking direction alone (T > 0). An overrunning clutch (T < 0) is not
 wedged and the criterion does not apply: nan. At T = 0 there is no normal force to carry
 F_ax: infinite; if both are zero, tan(alpha), as Eq. 1 requires. On a path on which both vanish
-together the limit is that of the ratio F_ax/T: `required_friction_of_ratio`.
+together the limit depends on the ratio F_ax/T: `required_friction_of_ratio`.
 
 References
 ----------

@@ -2,7 +2,7 @@
 
 Slip is along the resultant of the friction, so that its parts along the axis and around it are as
 F_a and F_t. Where the ring is held, the rollers move out of their wedges: the part around the
-axis is made up by what both approaches lose, dd_i + dd_o = -tan(alpha) R dphi, until none is left.
+axis equals the decrease of both approaches, dd_i + dd_o = -tan(alpha) R dphi, until none is left.
 """
 
 import numpy as np

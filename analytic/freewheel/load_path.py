@@ -91,7 +91,7 @@ class BothAlternating(LoadPath):
     """T_m + T sin and F_ax in phase, its amplitude growing from 0 to F (load case 3).
 
     >>> path = BothAlternating(T=20.0, F=3000.0, frequency=1.0, duration=10.0)
-    >>> path.ratio([0.0, 5.0]).tolist()  # F_ax/T where both vanish: that of the amplitudes
+    >>> path.ratio([0.0, 5.0]).tolist()  # ratio of the amplitudes if F_ax and T vanish
     [0.0, 75.0]
     """
 

@@ -119,7 +119,7 @@ def per_micrometre(duty: Duty) -> dict[str, float]:
 def bearing(duty: Duty) -> list[tuple[str, float]]:
     """L, R_a, X [m] that just give an equilibrium at T, where `duty` has none; if they exist.
 
-    All torques grow with L; R_a is that of the part with its housing.
+    All torques grow with L; R_a is the outer radius of the part with its housing.
     """
     clutch, cam = duty.clutch, duty.clutch.cam
     L, R_a, X = (float(np.asarray(x)) for x in (clutch.L, clutch.R_a, cam.flat))

@@ -39,7 +39,7 @@ def peak_factor(*, e: ArrayLike, L: ArrayLike) -> Array:
 
 
 def pressure_factor(*, e: ArrayLike, L: ArrayLike) -> Array:
-    """Peak of Hertz's pressure over that of the uniform line load: the root of `peak_factor`."""
+    """Peak of Hertz's pressure over its value for uniform line load: the root of `peak_factor`."""
     return np.asarray(np.sqrt(peak_factor(e=e, L=L)))
 
 

@@ -97,8 +97,9 @@ def draw(
 ) -> Ensemble:
     """Draw n clutches about `clutch` with standard deviations `sigma` and load them.
 
-    `sigma` by name: R, r, X (R_s, r, X_o) [length], mu. `kind` is that of the dimensions,
-    "uniform" with the same deviations; mu is always normal: no inspection cuts its tails.
+    `sigma` by name: R, r, X (R_s, r, X_o) [length], mu. `kind` is the distribution of the
+    dimensions, "uniform" with the same deviations; mu is always normal: no inspection cuts its
+    tails.
     """
     names = {*_names(clutch.cam), "r", "mu"}
     _known(sigma, names)

@@ -15,7 +15,7 @@ the ring decides (`locking`),
 with u_h1 the lift by the unit hub force. If the lift grows as fast as the ring deflects, no more
 pressure is needed: the torque has no limit by pressure.
 
-All forces per unit length. Range as that of `locking`.
+All forces per unit length. Range: see `locking`.
 """
 
 from dataclasses import dataclass
@@ -78,7 +78,7 @@ class Driven:
     def pressure(self, N: float) -> float:
         """Pressure [stress] at which the rollers carry N each; it falls if the hub wedges them.
 
-        Then no pressure holds N, and `required_pressure` is what leads there.
+        Then no pressure holds N; `required_pressure` is the pressure that leads to this state.
         """
         return self._pressure(float(positive(N, "the roller's force N", "N/m")), self.lift)
 

@@ -63,7 +63,7 @@ class HubForce:
 def hub_force(*, sector: Sector, e: float, normal: float, along: float = 0.0) -> HubForce:
     """Solution for a hub that pushes on each flat with `normal` outwards and `along` to the corner.
 
-    Forces [force per length] are those of one flat; one half acts at the distance e [length] from
+    Forces [force per length] act on one flat; one half acts at the distance e [length] from
     its middle, the other, mirrored, at -e: the part of a hub's push that is equal for all rollers
     at mid-flat. e counts along the bore, `Sector.half_bore` is the corner itself.
 

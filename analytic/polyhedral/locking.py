@@ -12,7 +12,7 @@ Of the pressure's force on a flat, :math:`p\,d_i\sin(\pi/z)` per unit length, th
 .. math:: \eta = \frac{1}{d_i\sin(\pi/z)}\,\frac{dN}{dp}
 
 of each further part reaches the roller; the hoop force of the ring holds the rest. Towards many
-corners it rises beyond 1, to what a rigid housing takes from a round ring,
+corners it rises above 1, to the pressure share of a rigid housing around a round ring,
 
 .. math:: \eta \to \frac{2\, d_i d_e}{(1 - \nu')\, d_e^2 + (1 + \nu')\, d_i^2},
 

@@ -13,7 +13,7 @@ class PolyhedralParts:
 
     z rollers of diameter d between the ring (d_i through the real corners, fillet rho, outside
     d_e, width b) and the race (D_i inside, D outside, if it matters); the hub touches each flat at
-    e from its middle. ValueError for what cannot be built.
+    e from its middle. ValueError for impossible dimensions.
     """
 
     z: int

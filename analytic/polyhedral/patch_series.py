@@ -8,7 +8,7 @@ terms fall slowly and alpha may be small, so the slow parts are averages, over t
           \sum \frac{\cos m\theta}{m^2} = \frac{1}{z^2}\left(\frac{\pi^2}{6} - \frac{\pi x}{2}
           + \frac{x^2}{4}\right), \quad x = z|\theta|,
 
-and what remains falls as 1/m³ without any help of J_m.
+and the remaining terms decrease as 1/m³ independently of J_m.
 """
 
 import numpy as np

@@ -26,7 +26,7 @@ def arc_over_chord(z: ArrayLike) -> Array:
 
 
 def required_pressure(*, p_t: ArrayLike, p_1r: ArrayLike, z: ArrayLike) -> Array:
-    """Total pressure [stress] by Eqs. 17 and 18, from the right one `p_t` and that of touching.
+    """Total pressure [stress] by Eqs. 17 and 18, from the correct `p_t` and the touching pressure.
 
     Infinite where the right one is.
     """

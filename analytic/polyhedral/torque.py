@@ -12,7 +12,7 @@ force alone wedges the rollers ever harder: pressure does not limit the torque, 
 here, and touching is pressure enough. A free roller uses tan(alpha/2) of its friction (`wedging`):
 put that for mu.
 
-Angles in rad, otherwise any consistent units. Range: that of `wedging` and `forces`; z rollers
+Angles in rad, otherwise any consistent units. Range: see `wedging` and `forces`; z rollers
 carry equal loads.
 
 References

@@ -64,7 +64,7 @@ class FourierRing:
     """Ring with the pressure sum of p[k] cos(k n theta) on its `loaded` wall.
 
     `p` (K + 1,) [stress], positive where it pushes; n >= 2, as with n = 1 nothing balances it.
-    ValueError for what is no ring.
+    ValueError for impossible radii.
 
     >>> ring = FourierRing(r_i=1.0, r_o=2.0, E=1.0, nu=0.25, assumption="plane stress",
     ...                    loaded="bore", n=2, p=np.array([3.0, 0.0]))

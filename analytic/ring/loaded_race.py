@@ -16,9 +16,10 @@ t over the patch, s = theta/alpha and <> the mean over the semi-ellipse:
         &= \arcsin s + s\sqrt{1 - s^2} - \frac{\phi}{2} \quad (|s| \le 1),
 
 pi/2 - phi/2 beyond the patch, and the hoop stress of the rest is minus the rest of the pressure.
-With waves up to m = 60/alpha what remains, of the next order, is below 1e-4 alpha/n of P/E'.
-Off the walls the sum is left as it is: complete to round-off from the depth a on; nearer to the
-loaded wall the cut series shows in the stresses, at the patch's end by 7 % of the peak pressure.
+With waves up to m = 60/alpha the remainder, of the next order, is below 1e-4 alpha/n of P/E'.
+Away from the walls the sum is used unchanged: complete to round-off from the depth a on; nearer to
+the loaded wall the cut series shows in the stresses, at the patch's end by 7 % of the peak
+pressure.
 """
 
 from dataclasses import dataclass

@@ -72,7 +72,7 @@ def smeared_error(
 ) -> SmearedError:
     """Errors of Eq. 6 on the loaded wall for r_o/r_i = `ratio` and a = `a_r` times its radius.
 
-    The indentation is that of a half plane to the wall's depth. In plane stress, without units. The
+    The indentation is a half plane's down to the wall's depth. In plane stress, without units. The
     mean over the loaded wall has no error, as Lamé's ring is the mean of the Fourier ring.
     """
     r_i, r_o = (1.0, ratio) if loaded == "bore" else (1 / ratio, 1.0)

@@ -9,13 +9,13 @@ displacement :math:`q = (\Delta\delta_x, \Delta\delta_y, \Delta\gamma_x, \Delta\
 
 (Eq. 8 with a separate direction for the tilt, and the preload's twist counted in
 :math:`\Delta\gamma_z`; :math:`i_j` is an interference of one sprag). With Eq. 2 slice by slice the
-potential and what follows from it, Eqs. 9 to 11, are
+potential and the derived Eqs. 9 to 11 are
 
 .. math:: U = \frac{k_n}{n_s} \sum_{jk} \frac{\langle\delta_{jk}\rangle^{n+1}}{n+1}, \quad
    P = \frac{k_n}{n_s} \sum_{jk} \langle\delta_{jk}\rangle^n J_{jk}, \quad
    K = \frac{k_n}{n_s} \sum_{jk} n \langle\delta_{jk}\rangle^{n-1} J_{jk} J_{jk}^T
 
-where J is the gradient of :math:`\delta_{jk}` and only what is pressed counts. A torque
+where J is the gradient of :math:`\delta_{jk}` and only loaded slices count. A torque
 :math:`T = Z N R_i \tan\nu` requires :math:`d_t = R_i \tan\nu`.
 
 References

@@ -34,7 +34,7 @@ def preload_twist(
     ValueError
         If a torque is not positive, or the offset not four finite numbers.
     ArithmeticError
-        If the twist is not found to 1e-12 of that of a uniform clutch, or to round-off.
+        If the twist is not found to 1e-12 of a uniform clutch's twist, or to round-off.
     """
     T, offset = np.asarray(T, dtype=np.float64), np.asarray(offset, dtype=np.float64)
     if not (np.isfinite(T).all() and (T > 0).all()):

@@ -3,7 +3,7 @@ r"""Uniform clutch in closed form: Z >= 3 even sprags, pressed equally, without 
 .. math:: N = \frac{T}{Z d_t}, \quad \delta_0 = \left(\frac{N}{k_n}\right)^{1/n}, \quad
    k = n k_n \delta_0^{n-1}
 
-Sums of cos^2 and sin^2 over even angles are Z/2 each, those of cos, sin and their product vanish:
+Sums of cos^2 and sin^2 over even angles are Z/2 each; sums of cos, sin and their product vanish:
 
 .. math:: K_{xx} = K_{yy} = \frac{Z k}{2}, \quad K_{zz} = Z k d_t^2, \quad
    K_{tilt} = \frac{Z k}{2} \frac{L^2}{12} \left(1 - \frac{1}{n_s^2}\right)

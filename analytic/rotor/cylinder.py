@@ -4,7 +4,7 @@ Ends at z = 0 and L are held across and free along; mode j is then a sine exactl
 
 .. math:: u = (U(r)\sin kz,\ -iV(r)\sin kz,\ W(r)\cos kz)\,e^{i(\varphi - wt)},\quad k = j\pi/L,
 
-and what is left is one dimension. U, V and W are polynomials whose coefficients make the action
+and a single dimension remains. U, V and W are polynomials whose coefficients make the action
 
 .. math::
     \int \sigma:\varepsilon + \rho\,[2wW(U^2+V^2+2UV+W^2) - w^2(U^2+V^2+W^2)]\,r\,dr
@@ -106,7 +106,7 @@ class Cylinder:
 
         With polynomials f, g, h: U = f, V = -f + c g, W = b h. A solid cylinder has them in r^2 and
         c = (r/r_o)^2, b = r/r_o, which keeps displacements and strains single-valued on the axis. A
-        hollow one has them in ln r, of which Bessel's functions are entire, and c = b = 1.
+        hollow cylinder has them in ln r: Bessel's functions are entire in ln r, and c = b = 1.
         """
         p = self.powers
         x, w = legendre.leggauss(2 * p + 4)

@@ -55,7 +55,7 @@ def study(
 ) -> Study:  # fmt: skip
     """`count` modes at the speed [rad/s], critical speeds, response, the lowest torsion.
 
-    `names` are those of the shafts, `unbalances` [kg m] lie at stations from 0, by the ratio of
+    `names` name the shafts, `unbalances` [kg m] lie at stations from 0, by the ratio of
     their shaft; one that does not turn excites nothing.
     """
     return Study(
@@ -89,7 +89,7 @@ def opposite_criticals(rotor: TransferMatrixRotor) -> list[float]:
     """Critical speeds [rad/s] of whirl against the unbalance's turn, which bearings excite.
 
     Unbalance excites them only where bearings differ in x and y; where they are given so, all
-    critical speeds are among those of `study`.
+    critical speeds are also in `study`.
     """
     if not rotor.isotropic:
         return []

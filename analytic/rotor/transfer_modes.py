@@ -25,7 +25,7 @@ class TransferModes:
     """Roots `w` (k,) [rad/s], rising, with the `whirl` of each: 1 forward, -1 backward, 0 planar.
 
     `unknowns` (k, 2n) are (r+, phi+ L) and then (r-, phi- L) of the nodes of `bending`, with
-    r = r+ e^{iwt} + conj(r-) e^{-iwt}; `speeds` (k,) those of the rotor [rad/s].
+    r = r+ e^{iwt} + conj(r-) e^{-iwt}; `speeds` (k,) of the rotor [rad/s].
     """
 
     w: Array

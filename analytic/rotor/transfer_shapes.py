@@ -17,7 +17,7 @@ Complex = NDArray[np.complex128]
 class Line:
     """Deflection of one shaft: r = `plus` e^{iwt} + conj(`minus`) e^{-iwt} at the places `z` (m,).
 
-    Places are along the shaft [m]; `tilt_plus` and `tilt_minus` are those of phi.
+    Positions are along the shaft [m]; `tilt_plus` and `tilt_minus` are components of phi.
     """
 
     z: Array

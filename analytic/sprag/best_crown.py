@@ -89,7 +89,8 @@ def recorded(
 ) -> tuple[Callable[[Array], float], list[list[float]]]:
     """The largest pressure [Pa] of a crown of the unit cube, and all evaluations, in order.
 
-    `true` gives that of crowns (1, 3). The record has rows of K_1, K_2, z_m and the pressure.
+    `true` returns the pressure of crowns (1, 3). The record has rows of K_1, K_2, z_m and the
+    pressure.
     """
     seen: list[list[float]] = []
 

@@ -6,7 +6,7 @@ H, the path of a normal force, is the sum of five deflections, half of the sprag
     H = \underbrace{\delta_{BI} + \delta_{HI} + \tfrac12\delta_g}_{\text{inner}}
       + \underbrace{\delta_{BE} + \delta_{HE} + \tfrac12\delta_g}_{\text{outer}}
 
-The outer race's growth delta_ce under rotation is there without load and no part of H.
+The outer race's growth delta_ce under rotation also exists without load; H excludes it.
 """
 
 from dataclasses import dataclass, replace

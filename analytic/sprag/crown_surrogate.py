@@ -27,7 +27,7 @@ HELD = {1: 0.5, 2: 10e-6}  # of K_2 and z_m [m] in Figs. 15 and 17
 def tried(box: Box, x: Array, peaks: Peaks, extra: Array, surrogate: "Largest") -> dict[str, Array]:
     """Errors of one kriging (Eq. 20) and of kriging by regimes, and the repetition of the first.
 
-    `surrogate` is that of the designs x (n, 3) with their `peaks` under the first torque; `extra`
+    `surrogate` fits the designs x (n, 3) with their `peaks` under the first torque; `extra`
     (m, 3) are designs that it has not seen.
     """
     from analytic.surrogate.kriging import fit

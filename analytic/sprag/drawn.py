@@ -84,7 +84,7 @@ class Touching:
 class Drawn:
     """The sprag of a clutch as `points` per radian of spiral.
 
-    With `rigid` races (Liu), or with what Eqs. 9 and 10 as printed lose on the inner side.
+    With `rigid` races (Liu), or with the inner deflection omitted by Eqs. 9 and 10 as printed.
     """
 
     q: Sizes

@@ -2,7 +2,7 @@
 
 - elastic: races as rings under single loads (`analytic.ring.loaded_race`), the sprag as a rounded
   column (`analytic.sprag.column`), all in plane strain. As contacts leave its middle the column
-  bends and deflects more: a parabola through what it has without load and at two rotations.
+  bends and deflects more: a parabola through its values without load and at two rotations.
 - plane: Hertz's line contacts to the walls' depth and to half the sprag's height, and Eq. 6 of long
   rings.
 - composite: Palmgren's law, Eqs. 6 and 7, as the paper has it.

@@ -18,7 +18,7 @@ the speed at which it entered the band. Both forces follow from both conditions 
 
 A contact that comes to rest must be detected inside the band. In one step its sliding changes by
 |dv/dt| dt; if that exceeds the whole band, friction changes sign step by step and its mean is
-arbitrary: the sprag slides for ever, without any sign of the error. dv/dt is that of a light sprag
+arbitrary: the sprag slides for ever, without any sign of the error. dv/dt applies to a light sprag
 under the friction of full sliding, d - a T, 1e4 to 1e6 m/s², known only afterwards; that of the
 inner race at rest, OA C/I_bi, some 100 m/s², is enough for engagements from rest and by far too
 little where a race arrives with speed. So each step and each stage is checked: a change of sign
@@ -125,7 +125,7 @@ def column(law: Law, c: int, k: int, u: float) -> tuple[float, float]:
 
 @compiled
 def place(law: Law, alpha: float) -> Place:
-    """Position of the sprag; for alpha <= 0 that of first contact, which is constant."""
+    """Position of the sprag; for alpha <= 0 the constant position of first contact."""
     s = np.sqrt(max(alpha, 0.0))
     at = s / law.step
     k = min(int(at), law.values.shape[1] - 2)

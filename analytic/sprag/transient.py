@@ -46,7 +46,7 @@ def engage(
     change that a step makes in the inner contact's sliding at rest, and twice the change at which
     the guard stops, until it no longer does. NarrowBandError, an ArithmeticError, where the band
     given is too narrow, LongStepError if the energy balance is off by a hundredth of the work
-    put in; without `guard` the wrong result is returned. ValueError for what makes no sense.
+    put in; without `guard` the wrong result is returned. ValueError for impossible inputs.
     """
     positive(duration, "duration", "s")
     positive(dt, "dt", "s")

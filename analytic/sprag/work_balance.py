@@ -44,7 +44,7 @@ def stored(w: RaceSpring, N: float) -> float:
 
 
 def by_turning(w: RaceSpring) -> float:
-    """Work of the torque on rotation by rolling, to the last state, over that of deflection."""
+    """Work of the torque on rotation by rolling, to the last state, over the work of deflection."""
     turned = CubicSpline(w.theta, w.states.T).integrate(0.0, w.theta[-1])
     return float(turned) / (w.n_s * float(work(w.clutch, w.end)))
 

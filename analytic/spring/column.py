@@ -1,8 +1,8 @@
 r"""Sideways buckling of an accordion spring: the equivalent column of Haringx.
 
 A spring under compression is a column that bends, shears and, above all, shortens. Its rigidities
-are those of one middle unit (arc, leaf, arc) of pitch p, by unit-load integrals about the unit's
-centre, which are exact for a small load:
+are stiffnesses of one middle unit (arc, leaf, arc) of pitch p, by unit-load integrals about the
+unit's centre, which are exact for a small load:
 
 .. math:: B = p / a_B, \qquad C = p / a_C, \qquad S = p \,/\, (a_S - p^2 a_B/12)
 
@@ -69,7 +69,7 @@ def unit(
     E: ArrayLike,
     nu: ArrayLike = 0.3,
 ) -> Unit:
-    r"""Unit-load integrals over arc, leaf and arc; `radius` is that of the arcs' centre line.
+    r"""Unit-load integrals over arc, leaf and arc; `radius` of the arcs' centre line.
 
     With the angle :math:`\beta` that the arc's tangent makes with the axis, its points lie at
 

@@ -148,7 +148,7 @@ def bending_stress(
 
 
 def curvature_factor(*, b: ArrayLike, r: ArrayLike) -> Array:
-    r"""Largest stress of a curved bar in pure bending over that of a straight one, 6M/(hb²).
+    r"""Largest stress of a curved bar in pure bending over a straight bar's, 6M/(hb²).
 
     .. math::
         \kappa = \frac{2 b^2}{3 N}\left[2 b_o^2 \ln\frac{b_o}{r} - (b_o^2 - r^2)\right], \qquad

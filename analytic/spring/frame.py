@@ -13,7 +13,7 @@ Theories, each containing the one before:
 "bending"  M^2/(EI), as in the paper;
 "thin"     and N^2/(EA);
 "shear"    and 6/5 V^2/(GA) (Timoshenko beam);
-"thick"    and on the arcs what plane elasticity adds in the second order of b/R: pure bending
+"thick"    and on the arcs the second-order terms in b/R of plane elasticity: pure bending
            of a curved bar, and the coupling of M and N.
 
 References
@@ -165,7 +165,7 @@ def stiffness(
     radius
         Of the arcs' centre line: r + b/2, or the paper's inner radius r.
     leaf
-        Straight length of the middle units, by default that of a symmetric spring.
+        Straight length of the middle units; by default the spring is symmetric.
     head
         "free" to move sideways and to turn, "hinged" (turns only) or "guided" (neither).
     tail, hold

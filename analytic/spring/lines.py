@@ -37,7 +37,7 @@ class Lines:
         return np.where(self.U > U, self.k1 * U + self.c1, self.k2 * U + self.c2)
 
     def spread(self, u_k1: float, u_c1: float, u_k2: float, u_c2: float) -> tuple[float, float]:
-        """Standard uncertainties of U and F by those of the constants, to first order.
+        """Standard uncertainties of U and F from uncertain constants, to first order.
 
         >>> Lines(k1=2.0, c1=0.0, k2=3.0, c2=-4.0).spread(0.0, 0.1, 0.0, 0.0)
         (0.1, 0.30000000000000004)

@@ -25,7 +25,7 @@ class Pair:
 
     They load a section at (x, y) with the couple `moment` . (1, x, y) and the force `force`:
     on `loop` together with the spring's force; `with_tip` contains the free half leaf, too.
-    `distance` is from centre line to centre line, `gap` what the thickness leaves of it.
+    `distance` is from centre line to centre line, `gap` the distance minus the thickness.
     """
 
     moment: Array

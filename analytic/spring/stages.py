@@ -35,7 +35,7 @@ Head guided: the guide's couple and side force, P = (F_x, F_y, M_0), follow from
 its rotation and side movement being zero. They do not vanish: of n even leaves one loop more
 lies on the one side of the force, the mean height S/L = int y ds/int ds is not zero, and
 M = y - S/L, k_1 = EI/(J - S^2/L); for odd n the side force does the like. So the integrals above
-become entries of a matrix, and what supports hold is eliminated:
+become entries of a matrix, and supported displacements are eliminated:
 
 .. math:: E I\,d = A\,X, \quad X = (F_x, F_y, M_0, C_h, C_t), \quad A_{jk} = w_j^T G\, w_k
 
@@ -78,7 +78,7 @@ class Stages:
     `k1` [force/length] up to (`U_A`, `F_A`), where the first tip touches, then `k2`; from
     (`U_B`, `F_B`), where the second touches, `k3`. Tips that touch at once have B = A, k3 = k2.
     inf where nothing touches. `top_couple` [force x length] is the largest couple at a loop's top
-    at A, `tilt` [rad] what is left at A of the angle between the tip that touches and its leaf,
+    at A, `tilt` [rad] the remaining angle at A between the touching tip and its leaf,
     `gap` [length] the distance that it closes.
     """
 
@@ -148,7 +148,7 @@ def stages(
     ----------
     radius, leaf
         Of the arcs' centre line (r + b/2, or the paper's r), and the straight length of the
-        middle units, by default that of a symmetric spring.
+        middle units; by default the spring is symmetric.
     width_factor
         On E I: 1 for a narrow strip, 1/(1 - nu^2) for a wide one. U_A does not depend on it.
     head

@@ -6,7 +6,7 @@ A plane strip whose bending couple is affine in the place of the section,
 
 .. math:: G = \int v\,v^T ds, \qquad D = \int t\,t^T ds
 
-of its centre line taken as a wire, t being the tangent; D holds what axial and shear force store.
+of its centre line taken as a wire, t being the tangent; D contains the axial and shear energy.
 On a leaf from v_0 to v_1 of length L, and on an arc of radius R about (x_c, y_c) from the polar
 angle psi_0 to psi_1,
 

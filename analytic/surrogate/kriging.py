@@ -119,7 +119,7 @@ class Kriging:
         return np.asarray(self.dual / diagonal)  # C^-1 (y - F b) is the projected C^-1 times y
 
     def without(self, x: Array) -> "Kriging":
-        """Process without those of its designs that are among x (m, d)."""
+        """Process without the designs that are in x (m, d)."""
         kept = cdist(self.u, self.box.to_unit(x)).min(axis=1) >= 1e-9
         return Kriging(
             box=self.box,
@@ -133,7 +133,7 @@ def fit(x: Array, y: Array, box: Box, *, seed: int = 0) -> Kriging:
     """Universal kriging of values y (n,) at x (n, d) with the likeliest length scales.
 
     Trend and process are found in turn, the trend by generalised least squares of the present
-    length scales, these by the likelihood of what the trend leaves, until they no longer move:
+    length scales, these by the likelihood of the residual of the trend, until they converge:
     coordinate ascent on the likelihood of both. Three starts, one of them random by `seed`; the
     likeliest goes on. ValueError for values that are not finite, fewer designs than trend terms
     + 2, or a design given twice.

@@ -35,7 +35,7 @@ class Largest:
         return self._largest([model.predict(x) for model in self.models])
 
     def without(self, x: Array) -> "Largest":
-        """Processes without those of their designs that are among x (m, d)."""
+        """Processes without the designs that are in x (m, d)."""
         return Largest(tuple(model.without(x) for model in self.models), self.power)
 
     def left_out(self, x: Array, values: Sequence[Array]) -> Array:

@@ -14,7 +14,7 @@ CORRECTIONS = 4  # of a linear solution, each of which gains digits
 class AtRest:
     """Small displacements of an unloaded frame, as accurate as its nodes' places.
 
-    `strain`, `stretch` and `tangent` are those of its `elements` at rest; `free` are the unknowns
+    `strain`, `stretch` and `tangent` describe its `elements` at rest; `free` are the unknowns
     that can move. Strains and residuals are taken in extended precision, since the strains of a
     thin strip are differences of nearly equal displacements: with those in double precision the
     axial force of a spring of L/b = 250 has four digits.

@@ -224,7 +224,7 @@ class LargeFrame:
     def imperfect(self, mode: Array, amplitude: float, terms: Sequence[Term] = ()) -> "LargeFrame":
         """The frame with its stress-free shape moved by `amplitude` times a mode (n, 3).
 
-        `terms` are those of the new shape.
+        `terms` belong to the new shape.
         """
         return LargeFrame(
             self.points + amplitude * mode[:, :2], self.elements.nodes,

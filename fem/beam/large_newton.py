@@ -1,6 +1,6 @@
 """Newton's method for a geometrically exact frame with one load factor.
 
-The geometric stiffness takes the section forces that the last step predicted, not those of the
+The geometric stiffness takes the section forces that the last step predicted, not the forces of the
 new displacements (mixed integration points, Magisano, Leonetti & Garcea 2017): the root is the
 same, and stiff members, whose axial force a finite rotation upsets, converge with large steps.
 """

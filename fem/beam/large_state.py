@@ -13,11 +13,11 @@ from fem.beam.section import Array
 class BeamState:
     """One state in equilibrium.
 
-    `exact` (n, 3) are displacements and rotation in extended precision; `internal` (3n,) what
-    elements and terms demand of the nodes. `work` is what loads and moved supports did along
+    `exact` (n, 3) are displacements and rotation in extended precision; `internal` (3n,) the loads
+    that balance elements and terms. `work` is the work of loads and moved supports along
     the path, a fourth-order integral over its steps; `residuals` the relative residual of each
-    Newton iteration of the last step, `negative` the number of negative pivots of its tangent
-    at held supports: 0 where the state is stable under the path's control.
+    Newton iteration of the last step, `negative` the number of negative pivots of its tangent at
+    held supports: 0 where the state is stable under the path's control.
     """
 
     factor: float
@@ -61,7 +61,7 @@ State = BeamState  # its name in version 0.1
 class Path:
     """States in the order in which a driver reached them from `start`.
 
-    `held` counts what the supports and the prescribed movement hold.
+    `held` is the number of supported and prescribed displacements.
     """
 
     start: BeamState

@@ -20,7 +20,7 @@ class LinkedFrame:
     """Straight `chords` pressed along x at `head`, with two pairs of places that may touch.
 
     The pairs are `links` that may be closed, between the nodes `ends` (2, 2); `round_off` grows
-    with what the solver leaves.
+    with the residual of the solver.
     """
 
     points: Array
@@ -77,7 +77,7 @@ class LinkedFrame:
 class Opposite:
     """Point of a leaf on the normal through a tip: its element, and the place on that.
 
-    `direction` is the normal, `gap` [m] what the thickness leaves of the distance.
+    `direction` is the normal, `gap` [m] the distance minus the thickness.
     """
 
     element: int
@@ -91,7 +91,7 @@ def opposite(
 ) -> Opposite:
     """The place of `leaf` (m, 2) that faces the node `tip` of a leaf along y, b thick [length].
 
-    `normal` is that of the unloaded `leaf`, or the direction of the `force`, x.
+    `normal` is the unloaded `leaf`'s normal, or the direction of the `force`, x.
     """
     starts, steps = points[leaf[:, 0]], points[leaf[:, 1]] - points[leaf[:, 0]]
     along = steps[0] / np.hypot(*steps[0])

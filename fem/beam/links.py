@@ -122,7 +122,7 @@ class Ties:
 
 
 def ties(nodes: int, links: Sequence[Link], ends: Indices | None = None) -> Ties:
-    """Rows of `links`, whose places are nodes or given as nodes by `ends` (k, 2)."""
+    """Rows of `links`; their positions are nodes, or nodes given by `ends` (k, 2)."""
     rows, columns, entries = [], [], []
     for i, link in enumerate(links):
         direction = np.array(link.direction) / math.hypot(*link.direction)

@@ -14,7 +14,7 @@ def part_stiffness(
     """Against unit loads at the centre between `start`, clamped, and `end`, along its arm.
 
     A couple ("turn"), a force along x ("axial") and one along y ("lateral"), carried from the
-    centre to the `end` by a rigid arm. `elements` (m, 3) are those of the part alone.
+    centre to the `end` by a rigid arm. `elements` (m, 3) are the elements of the part only.
     """
     nodes, own = np.unique(elements, return_inverse=True)
     places = points[nodes]

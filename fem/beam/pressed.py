@@ -61,9 +61,9 @@ class PressedFrame:
     def head_stiffness(self, state: BeamState) -> tuple[Array, Array]:
         """Force and couple (3, 3) on the head per small movement of it, released from a state.
 
-        And its rounding (3, 3), by what it lacks in symmetry and what the last correction changed.
+        And its rounding (3, 3), from its asymmetry and the change by the last correction.
         Only the rest of the frame is solved for, so that nothing is singular where the frame
-        buckles; what is left comes from strains in extended precision, since K u would round in
+        buckles; the remainder comes from strains in extended precision, since K u would round in
         thin strips.
         """
         e = self.guided.elements

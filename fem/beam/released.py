@@ -21,7 +21,7 @@ NEAR, STEP = 0.85, 1.25  # of the linear load's displacement; from one displacem
 def linear_load(one: PressedFrame) -> tuple[float, float]:
     """Force at which a free head's frame buckles if it does not deform before [force].
 
-    And its rounding: what the last step of inverse iteration changes of it, and nodes' places.
+    And its rounding: the change by the last step of inverse iteration, and node coordinates.
     """
     frame = one.frame("")
     rest, e = frame.rest(), frame.elements

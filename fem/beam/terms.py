@@ -31,7 +31,7 @@ class Term(Protocol):
     def evaluate(self, x: Positions) -> tuple[float, Array, csc_array]:
         """Stored energy, internal force (3n,) = d energy/dx and tangent (3n, 3n) at `x`.
 
-        The internal force is what the term demands of the loads: a spring that pulls a node
+        The internal force is the load that balances the term: a spring that pulls a node
         back has it along the node's displacement. It represents the step from the last accepted
         state to `x` and must change no history, since Newton may pass any x in any order. With
         friction the force has no energy and the tangent need not be symmetric; the energy is

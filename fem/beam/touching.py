@@ -34,7 +34,7 @@ NEIGHBOURS = 3.0  # thicknesses along the line within which it cannot meet itsel
 class Touching(Term, ABC):
     """Probes of lines, the law of contact between them and something else.
 
-    `record` is what touches in the accepted state, `records` in all since the path's start
+    `record` has the contacts of the accepted state, `records` all since the path's start
     (the reference state first).
     """
 
@@ -194,8 +194,8 @@ class BeamObstacle(Touching):
 
     With a `carrier` the shape moves and turns with that node of the frame, whose supports or
     prescribed movement then move it and whose reaction is the contact force: an end of a separate
-    stub, since every node belongs to an element. `elements` may be some of the frame's; the
-    other parameters are those of `SelfContact`.
+    stub, since every node belongs to an element. `elements` may be some of the frame's; for
+    other parameters see `SelfContact`.
 
     Raises
     ------

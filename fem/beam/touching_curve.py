@@ -21,8 +21,8 @@ STORED = ("U", "F", "side", "press", "depth", "work", "stored", "dissipated", "n
 class TouchingLine:
     """One line of quadratic `elements` (m, 3: ends and middle) of one `section` that may touch.
 
-    `thickness` and coefficient of `friction` of the strip; `units` are the elements of its parts,
-    each of which may touch the next. It begins at the node `start`, is clamped at `tail` and
+    `thickness` and coefficient of `friction` of the strip; `units` are the elements of its parts;
+    each part may touch the next. The curve begins at the node `start`, is clamped at `tail` and
     pressed along x at `head`, whose components `held` ("yr") are fixed.
     """
 

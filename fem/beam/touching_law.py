@@ -1,6 +1,6 @@
 r"""Normal force and friction of touching places: penalties with multipliers.
 
-The normal force is what z = multiplier - stiffness x gap has above zero, rounded within the
+The normal force is the positive part of z = multiplier - stiffness x gap, rounded within the
 onset e = stiffness x `rounding` so that there is no kink for Newton's method:
 
 .. math:: N = \frac{(z + e)^2}{4 e}\ (|z| < e), \qquad N = z\ (z \ge e)

@@ -6,7 +6,7 @@ thickness off their lines:
 .. math:: g = n\cdot(x_s - x_m) - b, \qquad
    \dot s = t\cdot(\dot x_s - \dot x_m) + \tfrac{l}{2}(\dot\phi_s + \dot\phi_m), \quad l = g + b
 
-Over a step the slip is measured by what no rigid rotation changes: the arc length passed on the
+The slip of a step is a measure without effect of rigid rotation: the arc length passed on the
 other line and the turns of both sections against n.
 """
 

@@ -121,7 +121,7 @@ class Pairs:
         return Meeting(self.slot[pair], element, eta, xi, n, distance, end, held, eased, easing)
 
     def _easing(self, probe: Indices, eta: Array) -> tuple[Array, Array]:
-        """Slope by eta of what the gap counts more, and that."""
+        """Derivative by eta of the additional gap, and the additional gap."""
         off = eta - self.probes.middle[probe]
         easing = self.probes.ease[probe] * off
         return easing, easing * off / 2

@@ -43,7 +43,7 @@ class Surface:
 
 
 class Shape(Protocol):
-    """An obstacle in its local frame, as it stands in the reference state."""
+    """An obstacle in its local frame, in the reference state."""
 
     def surface(self, at: Array) -> Surface:
         """The nearest places to points (k, 2)."""

@@ -20,7 +20,7 @@ class FittedLines:
     """Two straight lines fitted to a curve before and after its parts touch.
 
     `k1`, `k2` [force/length], their constants `c1`, `c2` [force]; `U_A`, `F_A` where the parts
-    begin to press. NaN is what the curve does not reach.
+    begin to press. NaN if the curve does not reach a value.
     """
 
     k1: float

@@ -23,7 +23,7 @@ from fem.plane.supports import Prescribed
 class AlongBodies:
     """Stiffness and shifts along z of all bodies, seen from their contact surfaces.
 
-    `T` (nodes, n) spreads the free unknowns, of which the last s belong to surfaces, rigid bodies
+    `T` (nodes, n) spreads the free unknowns; the last s of them belong to surfaces, rigid bodies
     and obstacles. `shifts` (s, k) are orthonormal shifts that supports leave, `words` names them.
     """
 

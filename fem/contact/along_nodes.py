@@ -98,7 +98,7 @@ class AlongNodes:
     def loose(self) -> list[tuple[NDArray[np.bool_], str]]:
         """Nodes (count,) of every body that no support holds, and the body's name.
 
-        A body is what hangs together by cells, ties and rigidity.
+        A body is a set connected by cells, ties and rigidity.
         """
         first = np.repeat(self.cells[:, :1], self.cells.shape[1], axis=1).ravel()
         one = np.zeros(self.held.size, int)

@@ -26,7 +26,7 @@ Before = tuple[Rest, AlongStep]
 
 
 class AlongProblem:
-    """Bodies and contact along z, in addition to those of the plane."""
+    """Bodies and contact along z, in addition to the plane problem."""
 
     def __init__(
         self, bodies: Bodies, along: Along, surfaces: Surfaces, plane: Interface,

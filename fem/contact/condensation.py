@@ -35,7 +35,7 @@ class Condensed:
     def inside(self, f: Array, on_surface: Array, surface: Array) -> Array:
         """All unknowns under `f` (unknowns,), from the known ones of the `surface` (s,).
 
-        `on_surface` (s,) is what `load` makes of `f`.
+        `on_surface` (s,) is `load` applied to `f`.
         """
         f = f.copy()
         # with these forces on the sprung surface the factorised matrix moves it to `surface`

@@ -1,8 +1,8 @@
 """The linear system of a cone at given states: Newton's step, and tangents of a path of solutions.
 
-Multipliers are l = Q x: pressures with the friction of slipping nodes, then what sticks, then
-friction across the direction of slip. The rows are P' w, with P' l = x, and the balance of forces.
-P and Q (n, unknowns) are never made: they pick rows and combine two or three of them.
+Multipliers are l = Q x: pressures with the friction of slipping nodes, then sticking components,
+then friction across the direction of slip. The rows are P' w, with P' l = x, and the balance of
+forces. P and Q (n, unknowns) are never made: they pick rows and combine two or three of them.
 """
 
 from dataclasses import dataclass
@@ -98,7 +98,7 @@ class Linearised:
 
     @cached_property
     def _places(self) -> tuple[Indices, Indices, Indices]:
-        """Rows of the pressures and of what sticks; slipping rows (2, slipping); their pressures.
+        """Rows of pressures and sticking components; slipping rows (2, slipping); their pressures.
 
         The last are places among the unknowns.
         """

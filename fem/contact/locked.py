@@ -1,8 +1,8 @@
 """A pressed sector of a ring with flats, locked against rollers that sit above its flats.
 
 Half a sector between the middle of a flat on the x axis and a corner, in plane stress. The mesh
-touches; what the roller rests on then moves outward by the clearance, so that gaps stay linear in
-the loads. Forces are per unit width, those of the whole roller or hub.
+touches; the roller's support then moves outward by the clearance, so that gaps stay linear in
+the loads. Forces are per unit width, of the whole roller or hub.
 """
 
 from dataclasses import dataclass
@@ -97,7 +97,7 @@ class LockedSector:
         """Share of the force of a further pressure on the flat that reaches the roller, its u.
 
         A cubic over some pressures smooths the steps by which nodes come to touch; the standard
-        uncertainty is that of its slope.
+        uncertainty is the uncertainty of its slope.
         """
         side = self.sector.d_i * np.sin(self.sector.half_angle)
         reach, t = STEP * self.force(p), np.linspace(-1, 1, STEPS)

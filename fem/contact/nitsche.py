@@ -10,7 +10,7 @@ Hild 2013; Chouly, Hild and Renard 2015: theta = 1). J is convex unless alpha is
 Coulomb's friction cuts P_t u - s(u)/gamma, s the slip, to +-mu p, with the pressure p of the
 iteration before, so that each J is convex (Tresca's friction).
 
-Pairs, integration points and body stiffness are those of `ContactProblem.solve`. The space of the
+Pairs, integration points and body stiffness are as in `ContactProblem.solve`. The space of the
 tractions, the condensed system and the active sets are not used: tractions are found at the
 points, from the sparse system of all unknowns.
 """

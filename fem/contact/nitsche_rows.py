@@ -36,7 +36,7 @@ class Rows:
         return np.asarray(self.start + self.motion @ u)
 
     def limits(self, p: Array) -> tuple[Array, Array]:
-        """Least and largest tractions (rows,), those of friction for the pressures `p` (n,)."""
+        """Least and largest tractions (rows,); friction limits for the pressures `p` (n,)."""
         n, bound = self.friction.size, self.friction[self.rough] * p[self.rough]
         return np.concatenate([np.zeros(n), -bound]), np.concatenate([np.full(n, np.inf), bound])
 

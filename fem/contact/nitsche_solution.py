@@ -34,7 +34,7 @@ class PointTouch(Touch):
 class NitscheSolution:
     """A solved contact problem.
 
-    `touches` follow the problem's pairs. `displacements` (unknowns,) are those of the mesh, then
+    `touches` follow the problem's pairs. `displacements` (unknowns,) of the mesh, then
     x, y and rotation of each obstacle; `forces` (unknowns,) the loads and the contact's.
     `tractions` and `slips` belong to rows at the points, `free` are the unknowns T q + u_0 as q.
     `iterations` counts linear systems.

@@ -1,9 +1,9 @@
 """Pairing of surfaces: the segments of a slave surface, each opposite one facet of the master.
 
-Both the gap and the contact traction run along one direction n, that of the surface on which the
-deformed bodies will meet: n ~ c_1 n_1 - c_2 n_2, with the outward normals of slave and master
-weighted by the bodies' plane moduli, for the stiffer body bends the softer one. With n_1 of a
-round slave alone, Hertz's pressure would be off by the order of a/R instead of its square.
+Both the gap and the contact traction run along one direction n, the normal of the surface on which
+the deformed bodies will meet: n ~ c_1 n_1 - c_2 n_2, with the outward normals of slave and master
+weighted by the bodies' plane moduli, for the stiffer body bends the softer one. With n_1 of a round
+slave alone, Hertz's pressure would be off by the order of a/R instead of its square.
 """
 
 from dataclasses import dataclass

@@ -12,8 +12,9 @@ WINDOW = 0.06  # of Q/(mu P) about a value's, over which a sweep is smoothed
 def stick_share(touch: Touch) -> float:
     """(c/a)² from the moments of a traction mu p_a - mu p_c of two ellipses.
 
-    Both mu p have the moments mu P and mu P a²/4, those of c have (c/a)² and (c/a)⁴ of that, so
-    that 4 M_2/(M_0 a²) = (1 - (c/a)⁴)/(1 - (c/a)²) = 1 + (c/a)². M_2 is about the centre of q.
+    Both mu p have the moments mu P and mu P a²/4, the moments for c have the factors (c/a)² and
+    (c/a)⁴, so that 4 M_2/(M_0 a²) = (1 - (c/a)⁴)/(1 - (c/a)²) = 1 + (c/a)². M_2 is about the centre
+    of q.
     """
     s, load = touch.along((0.0, 0.0)), touch.q * touch.weight
     M_0 = load.sum()

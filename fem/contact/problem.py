@@ -114,7 +114,7 @@ class ContactProblem:
         thickness
             Out-of-plane length; forces refer to it.
         degree
-            Degree of the displacements, 1 or 2; by default that of the mesh.
+            Degree of the displacements, 1 or 2; by default the degree of the mesh.
 
         Raises
         ------
@@ -319,7 +319,7 @@ class ContactProblem:
     def _touching(self, interface: Interface, w: Array, e: Array) -> Array:
         """Weighted slips (r - m,) of bodies that loads `w`, `e` have just brought together.
 
-        Friction counts from there; what bodies slide before they touch costs nothing. Bodies that
+        Friction acts from this state; sliding before contact needs no force. Bodies that
         overlap from the start, or that no load moves, stick from where they are.
         """
         kernel, m, smooth = interface.kernel, interface.gaps.size, interface.kernel.smooth()

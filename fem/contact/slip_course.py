@@ -62,8 +62,8 @@ def push(discs: DrivenDiscs, to: float, *, limit: float, steps: int) -> Push:
 class Swing:
     """A swing from a state to its opposite and back, in steps: x [m] and Q [N/m] (2n + 1,).
 
-    `work` [J/m] is that of friction; `opposite` and `last` are the states in the middle and in the
-    end.
+    `work` [J/m] is the work of friction; `opposite` and `last` are the states in the middle and in
+    the end.
     """
 
     x: Array

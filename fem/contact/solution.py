@@ -229,7 +229,7 @@ class ContactSolution:
     def plane(self) -> PlaneSolution:
         """Displacements, stresses, reactions and energies of the bodies.
 
-        Contact forces count among its loads: reactions are those of the supports alone.
+        Contact forces count as its loads: reactions are forces of the supports only.
         """
         contact = self.interface.rows.T @ self.rest.multipliers
         return in_plane(self.bodies, self.displacements, self.total.f + contact)
@@ -263,7 +263,7 @@ class ContactSolution:
 def in_plane(bodies: Bodies, u: Array, f: Array) -> PlaneSolution:
     """The bodies under displacements `u` (all,) and forces `f` (all,), contact forces included.
 
-    Reactions are those of the supports alone.
+    Reactions are forces of the supports only.
     """
     n, T = bodies.basis.N, bodies.unknowns.T
     internal = bodies.cells.internal_forces(u[:n])

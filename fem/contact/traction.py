@@ -14,7 +14,7 @@ def traction_rows(bodies: Bodies, slave: Trace, points: Points, direction: Array
     """Rows (m, unknowns) of -direction . sigma(u) n_1 [stress] at the slave's `points`.
 
     n_1 is the outward normal of the facets, `direction` (2, m) unit vectors. Along the direction
-    of contact that is the pressure. The stress is that of the cell behind each point.
+    of contact that is the pressure. The stress is taken in the cell behind each point.
     """
     basis, cells = bodies.basis, slave.cells[points.slave]
     X = _cell_points(bodies, slave, points)

@@ -1,7 +1,7 @@
 """Frictionless contact of two bodies of revolution with parallel axes, on a narrow patch.
 
 The patch is a grid of cells, across (arc length s from the line of centres) and along z, each with
-a uniform pressure, symmetric in s. The mean gap of a cell is that of the undeformed surfaces
+a uniform pressure, symmetric in s. The mean gap of a cell is the gap of the undeformed surfaces
 plus the deflection of both bodies, from their finite elements (`SurfaceCompliance`): nothing is
 a half-space. Both bodies carry the same load at each of their `places`, so that they are in
 balance without supports.
@@ -32,7 +32,7 @@ class PatchContact:
     """Pressures `p` (M, cells) between `across` (M + 1,) and `stations` (cells + 1,).
 
     `across` are distances from the plane through the axes, of what was at the arc lengths s.
-    `load` and `approach` are those of the length modelled.
+    `load` and `approach` refer to the modelled length.
     """
 
     across: Array
@@ -86,7 +86,7 @@ def patch_contact(
 ) -> PatchContact:
     """The contact of `bodies` under `load` [force] on the modelled length.
 
-    Their undeformed gap is that of their circles, R - R cos(s/R) for a rim and less that for a
+    Their undeformed gap is the gap of their circles, R - R cos(s/R) for a rim and minus this for a
     bore, plus `crown` (z). ValueError where stations or places of the bodies differ, or where
     their surfaces don't curve away from each other; NarrowPatchError where the contact is as wide
     as the patch.

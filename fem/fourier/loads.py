@@ -26,7 +26,7 @@ def turn_of(n: int) -> float:
 def surface_load(basis: Basis, tractions: Tractions, n: int) -> Array:
     """Forces (unknowns,) of the amplitudes (t_r, t_t, t_z) [stress] of `tractions`.
 
-    ValueError for unknown boundaries, boundaries on the axis, and what is not finite.
+    ValueError for unknown boundaries, boundaries on the axis, and values that are not finite.
     """
     f = np.zeros(basis.N)
     for name, traction in tractions.items():

@@ -35,8 +35,8 @@ class FourierSolid:
 
     `materials` is one material or one for each body named in `mesh.subdomains`; `supports` names
     boundaries and the components "r", "t", "z" that vanish there in every harmonic. `degree` of
-    the displacements is 1 or 2, by default that of the mesh. ValueError for unknown names, cells
-    without material, of nu > 0.45, folded or beyond the axis.
+    the displacements is 1 or 2, by default the degree of the mesh. ValueError for unknown names,
+    cells without material, of nu > 0.45, folded or beyond the axis.
     """
 
     mesh: Mesh2D
@@ -147,7 +147,7 @@ class Harmonic:
     def of(
         cls, solid: FourierSolid, n: int, antisymmetric: bool, place: Indices | None = None
     ) -> "Harmonic":
-        """Assemble and factorise, in the order of `place` (unknowns,) or that of the solid."""
+        """Assemble and factorise, in the order of `place` (unknowns,) or of the solid."""
         place = solid.place if place is None else place
         T = free_unknowns(solid.basis, solid.supports, n, antisymmetric, place)
         check_held(solid.basis, T, n, antisymmetric)

@@ -1,6 +1,6 @@
 """Solved harmonics of a body of revolution, and their sum, read off at points and angles.
 
-Stress rows are rr, tt, zz, rt, tz, zr. Energies and forces are those of the full turn.
+Stress rows are rr, tt, zz, rt, tz, zr. Energies and forces refer to the full turn.
 """
 
 from dataclasses import dataclass

@@ -64,7 +64,7 @@ class RotatingSolid:
     """The bodies of `solid`, of density `rho`, at the rotor's speed times `ratio`.
 
     Density and ratio are one for all bodies or one for each that the mesh names. Springs and discs
-    are those of harmonic n = 1. ValueError for a density that is not positive, n < 1, springs or
+    belong to harmonic n = 1. ValueError for a density that is not positive, n < 1, springs or
     discs at other harmonics, and bodies that can move rigidly.
     """
 

@@ -29,7 +29,7 @@ SWAP = np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
 def by_body(basis: Basis, values: float | Mapping[str, float], what: str) -> Array:
     """`values` (cells,), one for all cells or one for each body that the mesh names.
 
-    ValueError for unknown bodies, cells without a value, and what is not finite.
+    ValueError for unknown bodies, cells without a value, and values that are not finite.
     """
     mesh = basis.mesh
     if not isinstance(values, Mapping):

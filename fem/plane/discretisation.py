@@ -76,7 +76,7 @@ def vector_basis(
 ) -> Basis:
     """Displacements of the given degree; by default the degree of the mesh itself.
 
-    With `turn`, x is a radius. `mixed` are those of cells with a projected dilatation. ValueError
+    With `turn`, x is a radius. `mixed` belongs to cells with a projected dilatation. ValueError
     for other degrees, and where a cell of the mesh is folded or, with `turn`, lies beyond the axis.
     """
     degree = degree_on(mesh, degree)

@@ -81,7 +81,7 @@ def force_load(
 ) -> Array:
     """Totals `forces` [force] on named boundaries, each uniformly distributed over its boundary.
 
-    A total is what acts on the whole thickness or turn. ValueError for a radial one around a turn,
+    A total acts on the whole thickness or turn. ValueError for a radial one around a turn,
     which has no resultant.
     """
     f = np.zeros(basis.N)

@@ -41,7 +41,7 @@ def free_motions(
 ) -> Motions:
     """The rigid motions that the conditions leave to a body, or to a chain of hinged ones.
 
-    A body is what hangs together by edges; bodies that share a vertex alone are hinged there.
+    A body is a set connected by edges; bodies that share only a vertex are hinged there.
     Ties and the rows `means` (k, unknowns) hold as well.
     With `turn` it is one of revolution, and its only rigid motion is along the axis, y.
     """

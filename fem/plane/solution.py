@@ -47,11 +47,11 @@ class Held:
 class PlaneSolution:
     """Displacements `u` (unknowns,) on `basis`, in balance with the loads.
 
-    `internal` (unknowns,) are the forces of the stresses, `f` those of the loads; their
+    `internal` (unknowns,) are the forces of the stresses, `f` the forces of the loads; their
     difference is the reaction of the supports. `lam`, `mu`, `ratio` are given per cell.
     `residual` is the share of the energy that the solver's last correction held, the square of a
     relative displacement. With `turn` x is the radius of a body of revolution, y runs along its
-    axis, and integrals and forces are those of the full turn.
+    axis, and integrals and forces refer to the full turn.
     """
 
     basis: Basis
@@ -88,7 +88,7 @@ class PlaneSolution:
     def reaction(self, boundary: str) -> tuple[float, float, float]:
         """Force (x, y) and moment about the origin that the supports of `boundary` exert.
 
-        At a corner that several supports hold, each counts what it carries itself. In a body of
+        At a corner with several supports, each reports only its part of the force. In a body of
         revolution x is the sum of the radial forces off the axis, y the axial force, and the moment
         vanishes.
         """

@@ -87,7 +87,7 @@ def solve_plane(
     thickness
         Out-of-plane length; energies, reactions and point forces refer to it.
     degree
-        Degree of the displacements, 1 or 2; by default that of the mesh.
+        Degree of the displacements, 1 or 2; by default the degree of the mesh.
 
     Raises
     ------

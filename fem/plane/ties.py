@@ -1,4 +1,4 @@
-"""Cuts of cyclic sectors and periodic cells: the nodes of one boundary follow those of another.
+"""Cuts of cyclic sectors and periodic cells: the nodes of one boundary follow the nodes of another.
 
     Tie(leader="ring.left", follower="ring.right", angle=-2 * pi / 8)
 
@@ -113,7 +113,7 @@ class Tied:
         return leader, angle
 
     def led(self, conditions: Conditions) -> Conditions:
-        """Conditions in which the unknowns of followers are replaced by those of their leaders."""
+        """Conditions with unknowns of followers replaced by unknowns of their leaders."""
         dofs, angle = self.led_by(conditions.dofs)
         return replace(conditions, dofs=dofs, direction=turned(conditions.direction, -angle))
 

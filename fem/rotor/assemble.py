@@ -1,4 +1,4 @@
-"""Matrices of a rotor from those of its parts: M q'' + (C + Omega G) q' + K q = f."""
+"""Matrices of a rotor from matrices of its parts: M q'' + (C + Omega G) q' + K q = f."""
 
 from dataclasses import dataclass
 from itertools import pairwise

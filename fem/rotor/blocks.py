@@ -68,7 +68,7 @@ class Block:
         return not (across.size and rigid_motions(self.K[np.ix_(across, across)]).shape[1])
 
     def own(self, q: Complex) -> Complex:
-        """Amplitudes (..., n) in this block's coordinates of those of the nodes' unknowns."""
+        """Amplitudes (..., n) in this block's coordinates from those of the nodes."""
         return (to_whirl(q) if self.turned else q)[..., self.at]
 
     def real(self, v: NDArray[np.inexact], unknowns: int) -> Complex:
@@ -87,7 +87,7 @@ def rigid_motions(K: NDArray[np.inexact]) -> NDArray[np.inexact]:
 
 
 def to_whirl(q: NDArray[np.inexact]) -> Complex:
-    """Amplitudes (..., n) in the complex coordinates from those of the nodes' unknowns."""
+    """Amplitudes (..., n) in complex coordinates from amplitudes of the nodes' unknowns."""
     nodes = q.reshape(*q.shape[:-1], -1, UNKNOWNS)
     return np.asarray((nodes @ WHIRL.T).reshape(q.shape))
 
@@ -127,7 +127,7 @@ def blocks(system: System, speed: float = 0.0) -> list[Block]:
 
 
 def _partner(at: Indices) -> Indices:
-    """The unknowns that are conjugate to `at`; those of one node are in the same two places."""
+    """The unknowns that are conjugate to `at`; both unknowns of a node have the same positions."""
     return at + np.tile([1, -1, 0, 1, -1, 0], at.max() // UNKNOWNS + 1)[at]
 
 

@@ -44,7 +44,7 @@ def check_count(count: int) -> int:
 
 
 def parts(rotor: Rotor, speed: float, plane: str) -> list[Block]:
-    """The blocks to be solved: those of `plane`, and of two conjugate ones the forward one."""
+    """The blocks of `plane` to be solved; of two conjugate blocks only the forward block."""
     known = ("bending", "torsion", "axial", "all")
     if plane not in known:
         raise ValueError(f"a plane is one of {', '.join(known)}, got {plane!r}")

@@ -1,4 +1,4 @@
-"""Damping of the whole rotor, in addition to that of its bearings."""
+"""Damping of the whole rotor, in addition to its bearings."""
 
 import math
 from collections.abc import Sequence

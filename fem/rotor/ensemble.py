@@ -72,7 +72,7 @@ def ensemble(
 
 
 def elasticities(ranges: Ranges, p: Array, systems: Systems, count: int) -> Array:
-    """Relative change (m, count, k) of each critical speed over that of each parameter (m, k)."""
+    """Relative change (m, count, k) of critical speeds per relative change of parameters (m, k)."""
     _, shapes = systems(p).critical_speeds(count)
     at_places = gradients(ranges.places(p), shapes, lambda x: systems(ranges.parameters(x)))
     return np.asarray(at_places / ranges.width)

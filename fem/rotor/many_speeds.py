@@ -10,7 +10,7 @@ bearings has a low rank, C = P Q^H:
     V^H D V = d + i omega (V^H P) (V^H Q)^H,  d = 1 - omega^2 mu,
 
 so that Woodbury's formula leaves systems as large as that rank. One correction with the residual
-of D itself follows, and its size shows whether the result is as good as that of a direct solution.
+of D itself follows, and its size shows whether the result is as accurate as a direct solution.
 """
 
 from dataclasses import dataclass

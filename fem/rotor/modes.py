@@ -40,10 +40,10 @@ class Modes:
 def modes(rotor: Rotor, speed: float = 0.0, count: int = 6, plane: str = "bending") -> Modes:
     """The lowest `count` modes at `speed` [rad/s].
 
-    `plane` is "bending", "torsion", "axial" or "all"; what a link couples comes with either.
-    Shapes have a largest displacement (or, where nothing else moves, rotation) of 1 and inner nodes
-    of refined elements after the numbered ones. A rotor without supports has its rigid motions as
-    modes of frequency zero.
+    `plane` is "bending", "torsion", "axial" or "all"; motions coupled by a link are included.
+    Shapes have a largest displacement (or, without displacements, a largest rotation) of 1 and
+    inner nodes of refined elements after the numbered ones. A rotor without supports has its rigid
+    motions as modes of frequency zero.
     """
     found = branches(rotor, check_speeds(speed), check_count(count), plane)
     values = np.concatenate([b.values[0] for b in found])

@@ -11,7 +11,7 @@ LESS = 1 - 1e-9  # than the bound of Rayleigh damping
 def spread_ratios(low: float, high: float, apart: float, count: int) -> Array:
     """Damping ratios (count, 2) at two frequencies, even over their logarithms (R2 sequence).
 
-    With Rayleigh damping the quotient of both ratios is at most that of the frequencies: the
+    With Rayleigh damping the quotient of both ratios is at most the quotient of frequencies: the
     second ratio is limited to it.
 
     >>> ratios = spread_ratios(0.005, 0.03, 3.5, 64)

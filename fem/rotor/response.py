@@ -25,7 +25,7 @@ MANY = 250
 class Orbit:
     """An ellipse: half axes [m]; the small one is negative for backward motion.
 
-    `inclination` [rad] is that of the large axis against x.
+    `inclination` [rad] is the angle of the large axis against x.
     """
 
     major: float
@@ -146,7 +146,7 @@ def forced_response(
     """The response to forces Re(f e^(i omega t)), `force` (speeds, unknowns) or (unknowns,).
 
     `speeds` and `omega` (m,) go together; one of them may be a single number. Forces of a negative
-    omega turn in the opposite sense; amplitudes are those of the positive one.
+    omega turn in the opposite sense; amplitudes belong to the positive omega.
     """
     return _responses(rotor, speeds, omega, [force])[0]
 

@@ -22,8 +22,8 @@ TURN = (5,)  # the component that is free under a torque
 class SpragStruts:
     """Z sprags of the length L [m] under the torque T [N m], on radii R_i and R_e [m].
 
-    `nu` [rad] is the wedge angle at the inner race, `yields_at_kn` [m] what 1 kN presses both
-    contacts together, by Palmgren where left out. The first sprag lies half of `missing` - 1
+    `nu` [rad] is the wedge angle at the inner race, `yields_at_kn` [m] the deflection under 1 kN of
+    both contacts together, by Palmgren where left out. The first sprag lies half of `missing` - 1
     pitches before the x-axis, so that a gap of as many is symmetric about it.
     """
 

@@ -55,7 +55,7 @@ def curvatures(u, v, w):
 
 @dataclass(frozen=True)
 class WeakShaft:
-    """K, M and G (n, n) of a shaft along the line `mesh`; `basis` that of the deflection."""
+    """K, M and G (n, n) of a shaft along the line `mesh`; `basis` of the deflection."""
 
     K: csr_array
     M: csr_array

@@ -1,7 +1,7 @@
 """Many rotors of one layout at once, undamped, in the complex coordinate of forward whirl.
 
 Node n, from 0, has the unknowns (r, phi) at 2n and 2n + 1: K v = Omega^2 (M - G_1) v is a critical
-speed. Elements are those of `fem.rotor.elements`. Matrices are dense (m, 2 nodes, 2 nodes).
+speed. Elements are as in `fem.rotor.elements`. Matrices are dense (m, 2 nodes, 2 nodes).
 """
 
 from dataclasses import dataclass

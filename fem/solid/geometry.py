@@ -67,7 +67,7 @@ def check_unfolded(mesh: Mesh3D) -> None:
 class Faces:
     """Faces of cells with one place in the reference cube, at Gauss points of the face.
 
-    `nodes` (k, n) are those of the cells, `N` (q, n) their shape functions, `x` (k, q, 3) the
+    `nodes` (k, n) of the cells, `N` (q, n) their shape functions, `x` (k, q, 3) the
     points, `area` (k, q, 3) their outward normals times weights; `on_face` (n,) is true for nodes
     on the face.
     """

@@ -15,7 +15,7 @@ FREE = 1e-9  # singular value, relative: a motion that strains no support
 def check_rigid_motions(mesh: Mesh3D, conditions: Conditions) -> None:
     """ValueError naming the rigid motion that the conditions leave to a body.
 
-    A body is what hangs together by faces; bodies that share a node alone move there as one.
+    A body is a set connected by faces; bodies that share only a node move together there.
     """
     nodes = np.asarray(mesh.dofs.element_dofs)
     count, body = _bodies(mesh)

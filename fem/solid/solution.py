@@ -25,7 +25,7 @@ class Stresses:
 class SolidSolution:
     """Displacements `u` (unknowns,) of `mesh`, in balance with the loads.
 
-    `internal` (unknowns,) are the forces of the stresses, `f` those of the loads; their
+    `internal` (unknowns,) are the forces of the stresses, `f` the forces of the loads; their
     difference is the reaction of the supports. `residual` is the share of the energy that the
     solver's last correction held, the square of a relative displacement.
     """

@@ -26,7 +26,7 @@ class Course:
     at_states: dict[str, Array]
 
     def logarithm(self, name: str, by: str) -> CubicSpline:
-        """Logarithm of a quantity over that of another."""
+        """Logarithm of a quantity as a function of the logarithm of another."""
         return CubicSpline(np.log(self.at_states[by]), np.log(self.at_states[name]))
 
     def over(self, name: str, by: str) -> Callable[[Array], Array]:
@@ -49,7 +49,7 @@ class Course:
     def integral(self, slope: Callable[[Array], Array], along: str, ends: Array) -> Array:
         """Integrals (m,) of `slope` over the logarithm of `along`, from no load up to `ends` (m,).
 
-        Up to the first state the slope is taken for a power, as that of its beginning.
+        Up to the first state a power law with the slope at its beginning is used.
         """
         first = float(np.log(self.at_states[along][0]))
         x, w = np.polynomial.legendre.leggauss(GAUSS)

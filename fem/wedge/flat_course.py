@@ -79,7 +79,7 @@ class FlatCourse(Course):
         return self._up_to(slope, T)
 
     def log_torque(self, t: Array) -> Array:
-        """Logarithm of the torque where that of the states' parameter is `t`."""
+        """Logarithm of the torque if the logarithm of the states' parameter is `t`."""
         return t
 
     def log_along(self, T: Array) -> Array:

@@ -33,7 +33,7 @@ class Names(NamedTuple):
 class Pitch:
     """z rollers of the radius `r` between flats at a distance `flat` and a race `race`, all SI.
 
-    `mesh` draws one pitch at a place, for contacts of these half-widths with so many cells.
+    `mesh` makes a pitch at a position, for contacts of given half-widths and number of cells.
     """
 
     sense: int

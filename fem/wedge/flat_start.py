@@ -50,7 +50,7 @@ class Start:
 
 
 def after(state: State) -> Start:
-    """A start that overlaps as much as that of `state`, shared as where this came to rest."""
+    """A start with the total overlap of `state`, divided between contacts as at its equilibrium."""
     start, rest = state.start, state.place
     share = (start.d_i + start.d_o) / (rest.d_i + rest.d_o)
     return Start((share * rest.d_i, share * rest.d_o), state.widths, state.drags)

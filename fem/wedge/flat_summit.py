@@ -26,7 +26,7 @@ class SummitCourse(FlatCourse):
         return CubicSpline(np.sqrt(N), (self.at_states["T"] / N) ** 2)
 
     def _T(self, t: Array | float) -> Array:
-        """Logarithm of the torque over that of the normal force."""
+        """Logarithm of the torque as a function of the logarithm of the normal force."""
         return np.asarray(t + np.log(self._square(np.exp(np.asarray(t) / 2))) / 2)
 
     def at(self, name: str, value: float, by: str = "") -> float:

@@ -21,7 +21,7 @@ def pitch_problem(
     """The pitch of `z` equal ones, whose `races` are cut at the boundaries "left" and "right".
 
     Of the boundaries `turned` the mean rotation is prescribed; all else is free, so that races
-    breathe as rings do. E [Pa] and nu are those of all bodies.
+    breathe as rings do. E [Pa] and nu apply to all bodies.
     """
     # imported on use: reading a case loads no solver
     from fem.contact.problem import ContactProblem

@@ -9,7 +9,7 @@ if TYPE_CHECKING:
 class Place(Protocol):
     """Place of the strut, its pole at the distance `D` [m] from the axis, and its drawing.
 
-    `overlaps` are those of both contacts without loads, `bends` how much of them is drawn, H all
+    `overlaps` of both contacts without loads, `bends` how much of them is drawn, H all
     of them; `OA` and `OB` are the radii at which forces act. `spiral` has pole, first radius, its
     direction and growth, `arc` centre and radius, `core` is the point at which motion is read.
     """

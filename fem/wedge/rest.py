@@ -85,7 +85,7 @@ def core_motion(
 ) -> tuple[Array, float]:
     """Movement of a body of this `size` [m] about `centre`: displacements (2, 4) [m], turn [rad].
 
-    They are those of points to the right, left, above and below; the turn counts anticlockwise.
+    They belong to points to the right, left, above and below; the rotation is anticlockwise.
     """
     near = CORE * size
     points = np.array([[centre[0]], [centre[1]]]) + near * np.array([[1, -1, 0, 0], [0, 0, 1, -1]])

@@ -82,7 +82,7 @@ class Limit:
     def bears(self, mu: float) -> bool:
         """Whether friction `mu` holds the clutch under its torque and its axial load.
 
-        NotFoundError where the axial load is the limit but for what this is uncertain by.
+        NotFoundError if the axial load is within the uncertainty of the limit.
         """
         if not self.sticks(mu):  # under the torque alone
             return False
@@ -130,7 +130,7 @@ def over_angles(
     tan(alpha)/mu, part of `N` [N/m] that is left, F_t/(mu N) (0 where it is none), and after the
     ring has been driven along z until all slips F_t/(mu N) and F_z/(mu N) of cam and ring. At its
     angle the clutch, `stuck`, deflects by `unit` [m] along z to where it slips. Angles and forces
-    are those of the meshes, on whose normals slip is decided.
+    belong to the meshes, because slip depends on their normals.
     """
     q, mu, (d_i, d_o) = one.q, one.mu, start.d
     own = math.tan(Place.overlapping(q, *start.d).psi / 2) / mu

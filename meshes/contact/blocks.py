@@ -94,7 +94,7 @@ def mesh_blocks(
     """The mesh of `blocks`, with the names of their edges and bodies.
 
     Quadrilaterals, or triangles that halve them. `order` 1 or 2; `straight` cells keep
-    straight edges. Each boundary of `whole` is made of those of its parts that there are.
+    straight edges. Each boundary of `whole` consists of the existing boundaries of its parts.
     """
     whole = whole or {}
     with gmsh_session():

@@ -21,7 +21,7 @@ def flat_mesh(blocks: tuple[Block, ...], order: int) -> Mesh2D:
 
 
 def bent(mesh: Mesh2D, places: Places, names: Mapping[str, str], *, straight: bool) -> Mesh2D:
-    """The cells of `mesh` on `places`, with those of its boundaries that get a name in `names`."""
+    """The cells of `mesh` on `places`, with the boundaries that have a name in `names`."""
     bodies = dict(mesh.subdomains)
     boundaries = {new: mesh.boundaries[old] for old, new in names.items()}
     moved = type(mesh)(places, mesh.t)

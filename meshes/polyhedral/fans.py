@@ -1,6 +1,6 @@
 """The two fine ends of a half sector: under the roller, and around the fillet of the corner.
 
-Points are those of the local frame of the sector; see half_sector.
+Points are in the local frame of the sector; see half_sector.
 """
 
 import math

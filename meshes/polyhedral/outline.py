@@ -11,7 +11,7 @@ class Outline:
     """Half a sector of a ring whose bore is a regular polygon of `z` sides with round corners.
 
     The middle of a side lies at the angle 0, the corner at pi/z. `d_e` is the outside diameter,
-    `d_i` that of the circle through the round corners, `fillet` their radius [one unit].
+    `d_i` of the circle through the round corners, `fillet` their radius [one unit].
     """
 
     z: int

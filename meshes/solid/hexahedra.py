@@ -47,7 +47,7 @@ def solid_mesh(*, straight: bool = False) -> Mesh3D:
 def _order(kind: int, doflocs: Array) -> Indices:
     """Order of gmsh's nodes by scikit-fem's, by their place in the unit cube.
 
-    Both cubes are right-handed, so that the first reference direction is that of gmsh.
+    Both cubes are right-handed, so that the first reference direction is gmsh's.
     """
     local = np.reshape(gmsh.model.mesh.getElementProperties(kind)[4], (-1, 3))
     return np.array([np.argmin(abs((local + 1) / 2 - x).sum(axis=1)) for x in doflocs])

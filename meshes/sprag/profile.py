@@ -1,7 +1,7 @@
 """The outline of a sprag: spiral below, arc above, two straight flanks, and where races touch it.
 
 The local frame has the spiral's pole at the origin and the top of the arc on +y. Directions of the
-spiral count anticlockwise from -y, those of the arc clockwise from +y.
+spiral count anticlockwise from -y, angles of the arc clockwise from +y.
 """
 
 import math

@@ -94,7 +94,7 @@ def first_contact(R_i: float, R_e: float, r_i: float, nu_0: float) -> FirstConta
 class Place:
     """Position of the sprag: rotated by `alpha` [rad], pole at the distance `D` [m] from O.
 
-    `shares` are what the races take of the overlaps of the inner and of the outer contact, the
+    `shares` are the races' parts of the overlaps of the inner and of the outer contact, the
     sprag taking the rest: bodies are drawn as they are compressed, so that forces act where they
     do. `bends` [m] are how much of the overlaps is drawn, as the curved surfaces are that far from
     each other on the average over the pressure.

@@ -56,8 +56,8 @@ def accordion(
 ) -> Iterator[Piece]:
     """Pieces from the middle of the head (origin, heading along y) to where the tail is held.
 
-    `radius` is that of the arcs' centre line; `leaf` the straight length of the n - 2 middle
-    units, by default that of a spring whose loops reach equally far to both sides. With `tips`
+    `radius` of the arcs' centre line; `leaf` the straight length of the n - 2 middle
+    units; by default the loops reach equally far to both sides. With `tips`
     both end leaves are whole: the path begins at the head's tip, half a leaf before the origin,
     and leads beyond the tail to its tip.
     """

@@ -1,7 +1,7 @@
 """Errors of Hertz's line contact for a disc between rigid flats.
 
 Each estimate is his signed error and how far that may be off, from his half-width a over the radius
-R: coefficients of `disc_series` and `shear_series`. The next terms, of which no coefficient is
+R: coefficients of `disc_series` and `shear_series`. The next terms, whose coefficients are not
 known, count once. Range: small a/R, no friction, plane strain.
 """
 

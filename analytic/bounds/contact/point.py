@@ -1,6 +1,6 @@
 """Errors of Hertz's point contact for finite spheres.
 
-`beyond` is (a/R)² of the smaller sphere, the size of what the first correction leaves out.
+`beyond` is (a/R)² of the smaller sphere, the size of the terms after the first correction.
 """
 
 from analytic.bounds.contact.estimate import Estimate
@@ -9,7 +9,7 @@ from analytic.bounds.contact.estimate import Estimate
 def corrected(excess: float, *, beyond: float, power: float = 1.0) -> Estimate:
     """Error of a value that finite spheres exceed by the share `excess`, by the first correction.
 
-    `power` is that of the approach with which the value goes: 3/2 for the load.
+    The value is proportional to the approach to the `power`: 3/2 for the load.
 
     >>> corrected(1.0, beyond=0.01)
     Estimate(error=-0.5, slack=0.01)

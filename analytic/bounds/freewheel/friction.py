@@ -19,7 +19,7 @@ SAME_EQUATION = 1e-6  # relative difference of two forms of one equation, beside
 class FrictionBounds:
     """Intervals for formula/reference - 1 under torque and axial load.
 
-    `star` has those of the angle; `mu` is the friction that there is, `lever` F_ax R/T.
+    `star` has the bounds of the angle; `mu` is the friction coefficient, `lever` F_ax R/T.
     """
 
     def __init__(self, star: StarBounds, *, mu: float, lever: float) -> None:

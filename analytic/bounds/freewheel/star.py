@@ -1,6 +1,6 @@
 """Expected errors of a star's formulas, from bodies that enclose the star and from sizes.
 
-The star's approach lies among those of a layer and of two discs (`star_bracket`) and the torque
+The star's approach lies between a layer and two discs (`star_bracket`) and the torque
 winds the star up on its bore, which lowers the flat under the roller; everything else follows from
 the approaches. Round bodies that Hertz takes for parabolas on half planes err by some (a/r)².
 Surfaces tilt under N as far as a half plane does at the depth of its wall. Tangential forces deform
@@ -84,7 +84,7 @@ class StarBounds:
         return self._of(lambda **d: float(self.star.arc(**d)))
 
     def slope(self, *, tilted: bool = False) -> Interval:
-        """Error of tan(alpha); with `tilted`, also that of tan(alpha) by one contact alone."""
+        """Error of tan(alpha); with `tilted`, also the error of tan(alpha) by a single contact."""
         low, high = self._of(lambda **d: math.tan(float(self.star.alpha(**d))))
         more = self.tilt if tilted else 0.0
         return low - more, high + more
@@ -95,7 +95,7 @@ class StarBounds:
         return 1 / (1 + high) - 1, 1 / (1 + low) - 1
 
     def torsion(self) -> Interval:
-        """Error of phi, proportional to the roller travel, plus that of the tangential forces."""
+        """Error of phi: part proportional to the roller travel, and part by tangential forces."""
         (low, high), square = self.travel(), math.tan(self.at.alpha) ** 2
         less, more = (share * square for share in SIDEWAYS)
         return (1 + low) / (1 + more) - 1, (1 + high) / (1 + less) - 1

@@ -24,7 +24,7 @@ class Moved:
     def angle(self, F_t: float, N: float, f_i: float, f_o: float) -> float:
         """The angle [rad] under F_t = N tan(alpha), with `f_i`, `f_o` times these approaches.
 
-        `N` [force] is about what it will be.
+        `N` [force] is an estimate of the result.
         """
 
         def at(force: float) -> float:

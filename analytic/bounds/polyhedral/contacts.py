@@ -63,7 +63,7 @@ class RollerOnRing:
     def on_ring(self, first: float, a: float, *, elastic: bool = False) -> Interval:
         """Error of Hertz's contact on the ring, `first` times beta kappa a, for a rigid roller.
 
-        Argued: what the ring strains and bends where it takes up the clearance.
+        Argued: strain and bending of the ring when it takes up the clearance.
         """
         R = self.relative_radius
         straining = self.j_D / self.d_e * (1 + R / (self.d_e / 2 - self.apothem))
@@ -86,7 +86,7 @@ class RollerOnRing:
         return self.relative_radius * (R_b * e / 2) / (self.E * self.wall**3 / 12) / 2
 
     def fillet_blur(self, rollers: float, a: float) -> float:
-        """Standard uncertainty of a largest stress of which `rollers` make that share."""
+        """Standard uncertainty of a largest stress with the share `rollers` due to rollers."""
         return (PEAK_STRESS + rollers * self.reach(a)) / 2
 
     def coupled(self, a: float, *, R_2: float, E_1: float, E_2: float) -> float:

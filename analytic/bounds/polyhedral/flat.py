@@ -1,7 +1,7 @@
 """Statics of a rigid flat by vectors, as a second form of the paper's chain of equations.
 
 Pressure between two corners, the hub's force and the roller's are in balance across the flat; the
-hub's moment about the axis is that of the rollers' friction.
+hub's moment about the axis equals the moment of the rollers' friction.
 """
 
 from dataclasses import dataclass

@@ -32,7 +32,7 @@ def frequency(
     """Mode j at rest [rad/s]: the square W over Euler's solves 1 - W (1 + e + e s) + s e^2 W^2 = 0.
 
     e = (k i)^2 with i the radius of gyration of the section is the rotary inertia and
-    s = E/(kappa G) what shear adds to it. `L` between the supports, diameters `d_o` and `d_i` [m].
+    s = E/(kappa G) its increase by shear. `L` between the supports, diameters `d_o` and `d_i` [m].
     """
     k = j * math.pi / L
     e = k**2 * (d_o**2 + d_i**2) / 16
@@ -47,7 +47,7 @@ def neglected(
 ) -> tuple[float, float] | None:
     """Least and largest error [1] of mode 1, Timoshenko's equation being exact.
 
-    `e` is the rotary inertia, `s` what shear adds to it. 1 - W (1 + a) + s e^2 W^2 = 0 with
+    `e` is the rotary inertia, `s` its increase by shear. 1 - W (1 + a) + s e^2 W^2 = 0 with
     a = e (1 + s), W the square over Euler's: Euler's error is 1/sqrt(W) - 1 = a/2 less
     a^2/8 + s e^2/2 to second order, Rayleigh's is e s/2 less no more than that. Twice the second
     order is allowed, downwards. None where `a` is not SMALL: the series is not valid there.

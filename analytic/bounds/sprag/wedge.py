@@ -2,7 +2,7 @@ r"""Expected errors of the formulas of a sprag clutch, from sizes and second mod
 
 The angles of the forces omit the part that `analytic.sprag.bending` has for the column's ends and
 the races under tangential forces, to a quarter of all its parts and half beta² of the triangle. The
-tangential compliance of a race is 0.4 to 1.2 of that of its local indentation.
+tangential compliance of a race is 0.4 to 1.2 times the compliance of its local indentation.
 
 The elastic deflections omit (a/r)² of a contact, half tan²(nu) by which an inclined force is
 larger than N, and that the outer force is N_e. Hertz takes an arc for a parabola, an error of
@@ -41,7 +41,7 @@ class Bounds:
     """Intervals for formula/FE - 1 at a normal force N [N].
 
     `at` is the state there, `a` half-widths [m] of both contacts, `column` the sprag between its
-    flanks, None where it has none. `meshes` is what meshes leave of angles.
+    flanks, None where it has none. `meshes` is the error of angles by meshes.
     """
 
     sizes: Sizes

@@ -7,7 +7,7 @@ N = -cos t and V = sin t there, cos alpha and sin alpha on the leaves. Over 1/(E
 
 - N^2 + 12/5 (1 + nu) V^2: axial force, and shear of a rectangle;
 - on arcs 2/5 (M/R)^2: a curved bar in pure bending is softer by (b/R)^2/30 in Golovin's solution;
-- on arcs 2 (1 + 6 nu/5) N M/R: what M and N do together, M positive that pulls the outer fibre.
+- on arcs 2 (1 + 6 nu/5) N M/R: coupling of M and N; positive M puts the outer fibre in tension.
 
 M^2/I = 12 M^2/(A b^2) is the thin frame's part. What is left out goes with the fourth power of b/R.
 
