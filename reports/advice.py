@@ -28,7 +28,7 @@ def _advised(one: FormulaVerdict, corrected: FormulaVerdict | None) -> FormulaVe
 
 
 def _of_corrected(one: FormulaVerdict) -> str:
-    """The corrected form if it may be used, and what is advised in its place."""
+    """The corrected form if it may be used, and the recommended alternative."""
     form = "" if one.verdict in REFUSED else f"{CORRECTED}{_quality(one)}"
     return "; or ".join(filter(None, (form, one.instead)))
 

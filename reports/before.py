@@ -36,7 +36,7 @@ class Before:
         return self._kept[part]["about"]
 
     def note(self, written: Mapping[str, Iterable[str]], about: Mapping[str, Any]) -> None:
-        """Note the files of parts that were written now, beside those of the earlier run."""
+        """Record the files of parts written now, in addition to the earlier run's files."""
         new = {
             part: {
                 "of": self._digests[part], "about": about.get(part),

@@ -91,7 +91,7 @@ class Shown(NamedTuple):
 def values(row: Row) -> Shown:
     """Formula and reference with as many decimals as u has: 0.5820205 and 0.5817896(40).
 
-    The digits in brackets are those of u, in units of the last decimal.
+    The digits in brackets are u in units of the last decimal.
     """
     u = row.u_num
     if row.kind == "fact" and row.formal_order is not None:  # an order beside that of theory

@@ -21,7 +21,7 @@ class Measured:
     solved; without `y` both are (n,). `nominal` is where the inputs of the file are, None where
     inputs that are not drawn differ from them; `box` are the first and last x and y of the region
     that `box_name` names. `log` says of x and y whether they
-    are spaced in equal ratios. `unsafe_sign` is that of errors on the unsafe side, 0 for both.
+    are spaced in equal ratios. `unsafe_sign` is the sign of errors on the unsafe side, 0 for both.
     """
 
     title: str

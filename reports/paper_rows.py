@@ -16,7 +16,7 @@ from verify.core.results import PaperCell, PaperClaim, PaperTable, Status
 
 @dataclass(frozen=True)
 class Claim:
-    """A row of the suite below a printed row; `columns` are those of the compared numbers."""
+    """A row of the suite below a printed row; `columns` are the columns of the compared numbers."""
 
     row: str
     name: str

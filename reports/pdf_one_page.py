@@ -71,7 +71,7 @@ def by_weight(case: CaseResult, verdicts: Sequence[FormulaVerdict]) -> list[Line
 
 
 def _kind(row: Row) -> int:
-    """0 for what is not settled, 1 for an identity, 2 for balances, statements and orders."""
+    """0 for undecided rows, 1 for an identity, 2 for balances, statements and orders."""
     if row.status is not Status.PASS or row.kind in APPROXIMATE:
         return 0
     return 1 if row.kind is Kind.IDENTITY else 2

@@ -58,7 +58,7 @@ def polygons(
 ) -> tuple[Array, Indices, NDArray[np.uint8]]:
     """Lines as strokes with round joints; surfaces with their grid, thin ones with a rim.
 
-    `fill` is what surfaces are filled with in place of one colour a cell.
+    `fill` is the fill of surfaces in place of one colour a cell.
     """
     if cells.shape[1] == 2:
         parts = [_strokes(at, cells, colours, STROKE), _joints(at, cells, colours)]

@@ -16,7 +16,7 @@ RAISED = str.maketrans("0123456789−+", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺")
 def runs(text: str) -> list[Run]:
     """Text as runs: plain strings and lists of a tag (var, sub, sup, small, br) and its runs.
 
-    Only `Markup` holds tags; any other string is one run, as it stands.
+    Only `Markup` holds tags; any other string is one unchanged run.
     """
     if not isinstance(text, Markup):
         return [text] if text else []
@@ -27,7 +27,7 @@ def runs(text: str) -> list[Run]:
 
 
 def digits(text: str) -> list[Run]:
-    """A written number as runs: 1.2e-08 as 1.2×10⁻⁸, anything else as it stands."""
+    """A written number as runs: 1.2e-08 as 1.2×10⁻⁸, anything else unchanged."""
     match = _EXPONENT.fullmatch(text)
     if not match:
         return runs(text)

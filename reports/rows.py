@@ -56,7 +56,7 @@ def _hundredfold(fraction: float | None) -> float | None:
 def rows_csv(rows: Iterable[Row], beside: Mapping[str, Sequence[Crosscheck]] | None = None) -> str:
     """One line a row; a text that a spreadsheet would compute starts with an apostrophe.
 
-    `beside` has what second solvers found, by id of the row.
+    `beside` has results of second solvers, by id of the row.
 
     Begins with a byte-order mark, without which spreadsheets misread µm.
     """

@@ -22,7 +22,7 @@ def position(row: Row) -> float | None:
     """Position of the formula, in tolerances from its reference; None without a reference.
 
     An approximation lies in its expected interval: from -1 to 1 there. A balance has no formula:
-    its residual is what is placed.
+    its residual is placed.
     """
     found = difference(row)
     if found is None:

@@ -49,7 +49,7 @@ def _more(changes: Sequence[Change]) -> str:
 
 
 def since_data(drift: Drift | None) -> Data | None:
-    """The section for the PDF, what was loosened first."""
+    """The section for the PDF, loosened requirements first."""
     if drift is None:
         return None
     return {

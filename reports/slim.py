@@ -62,7 +62,7 @@ def _equations_once(page: str) -> str:
 def steps(path: str) -> str:
     """Straight lines M1,2L3.5,2z as M1,2h2.5z: tenths of a pixel are retained, so no point moves.
 
-    Points within a straight piece go. What has finer coordinates stays as it is.
+    Points within a straight piece are removed. Finer coordinates are unchanged.
     """
     parts = path.split("M")[1:]
     if not all(_POINT.fullmatch(p) for part in parts for p in part.rstrip("z").split("L")):

@@ -31,7 +31,7 @@ Picture = Figure | Measured | Histogram | Causes
 class Formula:
     """Result of a sweep for one formula: a sentence, tables and pictures, `panels` of small ones.
 
-    `kind` says in words what is compared, `opened` whether all of it is displayed at once.
+    `kind` names the comparison, `opened` states whether all of it is displayed at once.
     """
 
     anchor: str

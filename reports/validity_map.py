@@ -145,7 +145,7 @@ def _axes(m: Measured, y: Array, cells: Cells) -> list[Markup]:
 def _ticks(
     values: Array, step: float, *, log: bool, upright: bool = False
 ) -> list[tuple[float, str]]:
-    """Places, as indices, and their numbers: those of the cells, or round ones of many cells."""
+    """Positions, as indices, and their numbers: of the cells, or round numbers for many cells."""
     if len(values) > MANY and not log:
         about = max(2, round(len(values) * step / 50))
         round_ones = svg.ticks(float(values.min()), float(values.max()), about)
@@ -165,7 +165,7 @@ def has_nominal(m: Measured) -> bool:
 def _key(
     m: Measured, top: float, *, every: bool = False, marked: bool = False
 ) -> tuple[list[Markup], float]:
-    """The scale and what each mark means, those that are there; and where the drawing ends."""
+    """The scale and the meaning of each mark present, and the end of the drawing."""
     drawn = scale(12.0, top, WIDTH - 24.0, m.limits)
     said: list[tuple[str, str]] = []
     names = [f"{100 * limit:.4g}" for limit in m.limits]

@@ -63,7 +63,7 @@ class Criterion:
 
 @dataclass(frozen=True, kw_only=True)
 class Answer:
-    """The criteria of a part, other causes of failure, and what is unknown.
+    """The criteria of a part, other causes of failure, and unknown values.
 
     `remarks` state effects that the criteria do not include.
     """

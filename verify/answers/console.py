@@ -39,7 +39,7 @@ def _state(criterion: Criterion) -> str:
 
 
 def number(value: float, unit: str, system: System = "mm") -> str:
-    """A value [SI] in its display unit or that of a unit system, with four digits."""
+    """A value [SI] in its display unit or in a unit system, with four digits."""
     unit = unit_in(unit, system)
     size = value / units.factor(unit)
     text = f"{size:.0f}" if WHOLE[0] <= abs(size) < WHOLE[1] else f"{size:.4g}"

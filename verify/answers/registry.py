@@ -93,9 +93,9 @@ def answer(
     case: Case, inputs: Inputs, values: Values, *, assumed: Iterable[str] = (),
     with_design: bool = True,
 ) -> Answer:  # fmt: skip
-    """The answer to a user's `inputs`, of which `assumed` were not given.
+    """The answer to a user's `inputs`; `assumed` names the inputs that were not given.
 
-    `values` are those of the formulas. Where only the criteria are needed, `with_design` is False.
+    `values` are results of the formulas. If only the criteria are needed, `with_design` is False.
     """
     rule = RULES.get(case.id) or _outside(case)
     part = Assessment(design=_output(case, rule.design, values), with_design=with_design,

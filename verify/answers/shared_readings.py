@@ -27,7 +27,7 @@ ELASTIC = SharedReading(
 def shared_readings(case_id: str, inputs: Any, values: Values) -> tuple[SharedReading, ...]:
     """The assumptions that both sides of a case share, with their effects for these inputs.
 
-    `values` are those of the case's formulas. A case outside the suite states none.
+    `values` are results of the case's formulas. A case outside the suite states none.
     """
     if case_id not in SHARED:
         return ()

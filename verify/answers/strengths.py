@@ -31,7 +31,7 @@ class Strength:
 
 
 def is_steel(*moduli: float) -> bool:
-    """Whether all Young's moduli [Pa] are those of steel."""
+    """Whether all Young's moduli [Pa] are in the range of steel."""
     return all(STEEL[0] <= E <= STEEL[1] for E in moduli)
 
 

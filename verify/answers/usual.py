@@ -48,7 +48,7 @@ def unusual(inputs: Inputs) -> dict[str, str]:
 
 
 def _numbers(inputs: Inputs, place: str = "") -> Iterator[tuple[str, float, str]]:
-    """Names, values [SI] and units of all inputs that are numbers, those of tables included."""
+    """Names, values [SI] and units of all inputs that are numbers, including tables."""
     for name, field in type(inputs).model_fields.items():
         value: Any = getattr(inputs, name)
         if is_table(field):
@@ -73,7 +73,7 @@ def _warning(name: str, value: float, unit: str, usual: Usual) -> str:
 
 
 def _sprag_body(inputs: Inputs) -> dict[str, str]:
-    """Mass and inertia of a sprag beside those of a steel block of its size."""
+    """Mass and inertia of a sprag against a steel block of its size."""
     q: Mapping[str, Any] = dict(inputs)
     if not {"m_g", "I_g", "l", "b", "R_e", "R_i"} <= set(q):
         return {}

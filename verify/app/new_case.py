@@ -12,7 +12,7 @@ def template(kind: ProblemKind) -> Path:
 
 
 def run_new_case(file: Path, kind: ProblemKind) -> int:
-    """Write the file; InputError if it exists or its name cannot be that of a module."""
+    """Write the file; InputError if it exists or its name is no module name."""
     if file.suffix != ".py" or not file.stem.isidentifier():
         raise InputError(f"{file}: name a Python file: letters, digits and _, ending in .py")
     try:

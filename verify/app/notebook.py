@@ -145,7 +145,7 @@ def run(case: str | Path, inputs: Mapping[str, Any] | None = None, *, cache: boo
     """A case of the suite, of a file ("my_pipe.py") or of a part ("clutch.toml"), judged.
 
     `inputs` that are not the default ones are texts with units, {"r_i": "40 mm"}; those that are
-    left out are those of `freewheel init`. With `cache` stored results are used. InputError, which
+    left out are as in `freewheel init`. With `cache` stored results are used. InputError, which
     is a ValueError, states the fault in one line.
     """
     if Path(case).suffix == ".toml" or inputs:

@@ -68,7 +68,7 @@ class Check(Protocol):
 class Output:
     """A value of the analytic side that `check` prints; `judged` where a row pairs it with FE.
 
-    The last four are those of `verify.form.quantity.Quantity`.
+    The last four are as in `verify.form.quantity.Quantity`.
     """
 
     key: str

@@ -3,7 +3,7 @@
 One convention: (formula - reference)/reference, so that a positive difference is a formula of the
 larger magnitude also where both are negative, and the difference lies in the same interval as the
 expected model error. Where a row has another scale than its reference, the difference is
-(formula - reference)/scale: its sign is that of the values, and the scale is named beside it.
+(formula - reference)/scale: with the sign of the values; the scale is named next to it.
 Balances and orders are plain numbers; facts have no difference.
 """
 

@@ -65,7 +65,7 @@ def loads(library: str) -> bool:
 
 
 def missing_libraries(need: str = "") -> tuple[str, ...]:
-    """Missing libraries, all or those of one `need`; empty on other systems than Linux."""
+    """Missing libraries, all or of a `need`; empty on other systems than Linux."""
     if sys.platform != "linux":
         return ()
     return tuple(library for library, _, of in LIBRARIES if need in ("", of) and not loads(library))

@@ -139,7 +139,7 @@ class Curves:
 
     Curves are clipped at `y_top`. `x_names` puts names where x has the values given.
     `bands` lie behind the curves. `y_log` spaces y by its logarithm, from the lowest on, `x_log`
-    x; what is not positive is left out.
+    x; values that are not positive are left out.
     """
 
     title: str
@@ -232,7 +232,7 @@ class Zones:
 class Density:
     """A quantity `z` (k, m) over a plane, in colours: columns at `x` (m,), rows at `y` (k,), even.
 
-    `range` is the colour scale, the same in figures that are compared; None: that of z.
+    `range` is the colour scale, common to compared figures; None: the range of z.
     `point` is a place and its name.
     """
 

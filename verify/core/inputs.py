@@ -7,7 +7,7 @@ A parameter file is TOML:
     r_i = "60 mm"
     nu = 0.3
 
-An input may be a list of tables, [[inputs.supports]], each entry of which is a separate model.
+An input may be a list of tables, [[inputs.supports]]; each entry is a separate model.
 """
 
 import math
@@ -117,7 +117,7 @@ def quantity(
 
     `default` is the paper's number as text with its unit, a number where the unit is "1"; `claims`
     is the printed value that it repeats ("paper:id").
-    `omitted` is what a parameter file means by leaving the input out; without it, it may not.
+    `omitted` is the value if a parameter file omits the input; without it the input is required.
     An input without a default has an `example` with its unit, for templates.
     """
     if isinstance(default, int | float) and unit != "1":

@@ -12,7 +12,7 @@ FINITE_ELEMENTS = "finite elements"
 
 @dataclass(frozen=True)
 class Method:
-    """The references of a `case` in words, and what stands `alone` in rows that name no other."""
+    """The references of a `case` in words; `alone` is the default of rows that name none."""
 
     case: str = FINITE_ELEMENTS
     alone: str = FE

@@ -71,7 +71,7 @@ class Grid:
 
     `levels` are values by relative mesh size, coarse to fine. With an order the index is
     gci = factor |v3 - v2|/(r^used - 1). All but orders and `factor` is in `unit`: `scale` measures
-    round-off, and `allowed` is what the index of a series without an order may be.
+    round-off, and `allowed` is the limit of the index of a series without an order.
     """
 
     unit: str
@@ -414,7 +414,7 @@ class CrossState(StrEnum):
 
 @dataclass(frozen=True, kw_only=True)
 class Crosscheck:
-    """A number of the project and that of a second solver on the same mesh and loads.
+    """A number of the project and of a second solver on the same mesh and loads.
 
     `ours`, `theirs` are in `unit`, `difference` (theirs over ours less one) and `allowed` relative;
     `why` says what makes a difference, or why nothing was measured or no solver takes it. `row` is
@@ -624,7 +624,7 @@ class Caught:
 class Report:
     """A whole run: judged cases, the ledgers and where the numbers come from.
 
-    `name` is that of a user's parameter file; empty for the default inputs of the cases.
+    `name` is the name of a user's parameter file; empty for the default inputs of the cases.
     """
 
     cases: tuple[CaseResult, ...]

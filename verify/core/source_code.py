@@ -62,7 +62,7 @@ def whole_parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
 def parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
     """Code of a `fem` function and of the names of its module it uses, and modules it reaches.
 
-    Where it reaches COMPILED, its results are those of formulas, and all formulas count.
+    If it reaches COMPILED, its results are results of formulas, and all formulas count.
     """
     used, start = _used(function, whole=False)
     reached = _reached(start, whole=False)
@@ -243,7 +243,7 @@ def _is_formula(name: str) -> bool:
 
 
 def include(folder: Path) -> None:
-    """Include the modules of a folder outside the suite, like those of the suite's cases."""
+    """Include the modules of a folder outside the suite, like the modules of the suite's cases."""
     _outside.add(folder)
 
 
@@ -296,7 +296,7 @@ def _reached(start: set[str], *, whole: bool) -> set[str]:
 def _read(
     module: str, *, whole: bool = False, group: frozenset[str] = frozenset()
 ) -> tuple[str, tuple[str, ...]]:
-    """Hash of a module's code, and those of its imported modules that count."""
+    """Hash of a module's code, and of its imported modules that count."""
     bound = _bound(module, whole=whole, group=group)
     code = plain(syntax.tree(module), bound)
     return _digest("\n".join([code, *_exported(module, bound)])), tuple(
@@ -325,7 +325,7 @@ def _shallow(module: str) -> str:
 def _bound(module: str, *, whole: bool, group: frozenset[str] = frozenset()) -> Mapping[str, str]:
     """What each name that an import of the project's modules binds stands for: their code.
 
-    Modules of `group` count besides those of `_counts`. A name of the other side, whose code does
+    Modules of `group` count in addition to `_counts`. A name of the other side, whose code does
     not count (`_imported_by`), and one of any other module stand for themselves alone.
     """
     found = {}

@@ -75,7 +75,7 @@ def share() -> None:
 def remembered(name: str, function: Any, make: Callable[[], T], modules: Collection[str] = ()) -> T:
     """Result of `make` for a function of the project, from the memory where one is in use.
 
-    It may depend on what the function's module imports, or on what `modules` do.
+    It may depend on the imports of the function's module, or on the imports of `modules`.
     """
     module = str(getattr(function, "__module__", ""))
     if not _used or not _is_of_project(module):

@@ -52,7 +52,7 @@ def this_machine() -> Machine:
 
 
 def debian_family(os_release: str) -> bool:
-    """Whether the text of /etc/os-release is that of Debian, Ubuntu or a descendant."""
+    """Whether the text of /etc/os-release belongs to Debian, Ubuntu or a derivative."""
     pairs = (line.partition("=")[::2] for line in os_release.splitlines())
     names = {key: value.strip("\"'").split() for key, value in pairs}
     return "debian" in names.get("ID", []) + names.get("ID_LIKE", []) or "ubuntu" in names.get(
@@ -72,7 +72,7 @@ def packages_for(libraries: Collection[str], venv: str = "") -> list[str]:
 
 
 def line_to_run(libraries: Collection[str], venv: str, machine: Machine) -> str:
-    """The one line that installs what is missing on `machine`."""
+    """The command that installs the missing packages on `machine`."""
     packages = " ".join(packages_for(libraries, venv))
     sudo = "" if machine.root else "sudo "
     if machine.apt:

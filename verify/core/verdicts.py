@@ -100,7 +100,7 @@ class FormulaVerdict:
 
     `error`, `U` belong to the default inputs, at `worst_row`, of the largest error; `above` and
     `below` are the largest errors on both sides over all points, bars included. `within` is the
-    accuracy class of ACCURATE and of PART. `is_of_part` tells whether the errors are against the
+    accuracy class of ACCURATE and of PART. `is_of_part` states whether the errors are against the
     part itself, or only against its idealisation; `model` states how well the formula solves
     that where `rows` set it beside the part. `points` counts inputs beside the paper's,
     `unsolved` those without an answer; `own_only` are cases without a study. `misprint` is the

@@ -153,7 +153,7 @@ def install(folder: Path, lock: str, others: set[str]) -> None:
 
 
 def install_downloaded(folder: Path, lock: str) -> None:
-    """Install the files that a killed pip left, as far as they are whole: those of the lock."""
+    """Install the complete files of the lock that a killed pip left."""
     hashes = set(HASH.findall(lock))
     found = sorted((folder / DOWNLOADS).rglob("*.whl"))
     whole = [x for x in found if hashlib.sha256(x.read_bytes()).hexdigest() in hashes]
@@ -196,7 +196,7 @@ def set_up(folder: Path, lock: Path, *, project: bool, shared: Path | None) -> N
     """Make or complete the environment `folder` from `lock`.
 
     With `project`, the project itself is installed, editable. Packages of the environment `shared`
-    are used where their versions are those of the lock.
+    are used if their versions agree with the lock.
     """
     for name in (READY, FAILED):
         (folder / name).unlink(missing_ok=True)

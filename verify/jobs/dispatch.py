@@ -18,7 +18,7 @@ from verify.jobs.executor import Drive, Split
 
 @dataclass
 class Dispatch:
-    """A run with `total` results called `what`; `done` of them exist, `known` of these before it.
+    """A run with `total` results called `what`; `done` exist, of which `known` existed before it.
 
     A study changes `total` where answers add further tasks, and `unstored`, how many of `done`
     are not in the store: failed ones, or all where it takes no more. `title` names a running

@@ -17,7 +17,7 @@ from verify.papers.case_report import shown_values
 
 @dataclass(frozen=True, kw_only=True)
 class DynamicResult:
-    """Transient result: `raw` in SI units by key, of which `outputs` are printed, and findings."""
+    """Transient result: `raw` in SI units by key, printed `outputs`, and findings."""
 
     what: str
     raw: Values
@@ -29,7 +29,7 @@ class DynamicResult:
     first: tuple[str, ...] = ()  # findings in the place of the formulas' first
 
     def after(self, findings: tuple[str, ...]) -> tuple[str, ...]:
-        """All findings, `findings` being those of the formulas."""
+        """All findings; `findings` are the findings of the formulas."""
         return (self.first + findings[1:] if self.first else findings) + self.findings
 
     @property

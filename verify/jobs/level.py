@@ -30,7 +30,7 @@ INDEPENDENT = (
 class Job:
     """A case with the inputs to run it on; `use_fem` False judges the formulas alone.
 
-    `values` are those of the formulas where they are known already; without `drawn` no figure is
+    `values` are known results of the formulas, if any; without `drawn` no figure is
     made.
     """
 

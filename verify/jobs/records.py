@@ -95,7 +95,7 @@ def today() -> str:
 
 
 def _lines(value: Any, depth: int = 0) -> str:
-    """JSON with a line for each entry down to LINE_DEPTH, so that a diff shows what changed."""
+    """JSON with a line for each entry down to LINE_DEPTH, so that a diff shows the changes."""
     is_object = isinstance(value, dict)
     entries = list(value.values()) if is_object else value if isinstance(value, list) else []
     if depth == LINE_DEPTH or not any(isinstance(entry, dict | list) for entry in entries):

@@ -46,7 +46,7 @@ def too_wide(rows: list[Row], reason: str) -> list[Row]:
 class OwnFormula(Approximation):
     """A formula with a band; on user inputs the required sensitivity is the band if that is larger.
 
-    `bent` [1] is what bending adds to the band on such inputs, `wide` the reason for which a band
+    `bent` [1] is the widening of the band by bending on such inputs, `wide` the reason why a band
     that is too wide is so.
     """
 

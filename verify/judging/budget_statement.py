@@ -124,7 +124,7 @@ class Statement:
 
     `finer` is a level beyond the finest, 0 where one takes too long: then the three finest are
     extrapolated. `headline` names the row that is drawn, the first approximation where empty.
-    `corrected` formulas come before all reruns, and what stays large is `left` with its reason.
+    `corrected` formulas precede all reruns; a large remainder is `left` with its reason.
     """
 
     reruns: tuple[Rerun, ...] = ()
@@ -135,7 +135,7 @@ class Statement:
     headline: str = ""
 
     def correction(self, row: str) -> Corrected | None:
-        """The formula that replaces that of the row."""
+        """The formula that replaces the row's formula."""
         return next((one for one in self.corrected if one.row == row), None)
 
     def reason(self, row: str) -> str:

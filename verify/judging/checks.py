@@ -188,7 +188,7 @@ Margin = Callable[[Context], tuple[float, float, str]]
 class Accepted(Claim):
     """A statement with an acceptance figure, which is one for the paper's numbers: judged there.
 
-    At user inputs it is SHOWN. `margin` gives what is left of the figure, its expanded uncertainty,
+    At user inputs it is SHOWN. `margin` returns the margin to the figure, its expanded uncertainty,
     and the error in words.
     What holds on inputs that were fitted is CALIBRATED: `fitted` names them.
     """

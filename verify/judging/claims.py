@@ -196,7 +196,7 @@ class FemClaim(Claim):
     def numbers(
         self, context: Context, grid: GridConvergence, u_num: float, u_it: float, scale: float
     ) -> dict[str, Any]:
-        """Data of every finite-element row; `scale` is that of the convergence check [SI]."""
+        """Data of every finite-element row; `scale` is the scale of the convergence check [SI]."""
         recorded = self._recorded(context, grid, u_it, scale)
         finest = context.series(self.fem)[1][-1]
         partner = Partner(by=self.by, value=finest) if self.by else None

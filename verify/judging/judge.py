@@ -131,7 +131,7 @@ def fit_limit(eps: Sequence[float], d: Sequence[float], u: Sequence[float]) -> L
     """Weighted least squares of d = d0 + c eps^q over at least four points and a decade.
 
     For every q the constants follow linearly; the best q is searched in (0, 10]. The stated
-    standard uncertainties `u` may have one sign at all points, as those of similar meshes do: their
+    standard uncertainties `u` may have one sign at all points, as for similar meshes: their
     effects on a constant add up. Scatter about the fit counts instead where it does more, as
     independent errors.
     """
@@ -184,7 +184,7 @@ def quadratic_coefficient(
 ) -> tuple[float, float]:
     """The c of d = c eps^2 + e eps^4 by weighted least squares, and its expanded uncertainty.
 
-    The standard uncertainties `u` of the points may have one sign at all of them, as those of
+    The standard uncertainties `u` of the points may all have one sign, as the uncertainties of
     similar meshes do: their effects on c add up.
     """
     x, y, sigma = (np.asarray(a, dtype=np.float64) for a in (eps, d, u))

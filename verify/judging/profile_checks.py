@@ -17,7 +17,7 @@ Points = tuple[list[float], list[float], list[float]]  # parameter, error, its u
 
 
 def l2_error(error: Array, norm: Array, weight: Array) -> float:
-    """Errors (n,) in L2 over that of `norm` (n,), of points with weights (n,)."""
+    """Errors (n,) in L2 over the L2 norm of `norm` (n,), of points with weights (n,)."""
     return float(np.sqrt((error**2 @ weight) / (norm**2 @ weight)))
 
 

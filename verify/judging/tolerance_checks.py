@@ -98,7 +98,7 @@ class Agreement(Stated):
 
 @dataclass(frozen=True, kw_only=True)
 class Deviation(Stated):
-    """The size of a difference over a field or a set, over that of the whole: zero is expected.
+    """The size of a difference over a field or a set, relative to the whole: zero is expected.
 
     `size(context)` gives it with its expanded uncertainty, and the error in words. Both sides
     solve the same problem; what moves one of them by p of the whole moves the size by p at most.

@@ -25,7 +25,7 @@ class Formula(Entry):
     `errata` change the number of this form, `notation` lists those that do not. A definition names
     what it `defines`; a formula that cannot be verified names the `missing` datum. `caution` names
     a failure that no error of the formula shows, and the row that does; `readings` are rows whose
-    formulas use other readings of what the paper leaves open.
+    formulas use other readings of the paper's open points.
     """
 
     equation: int = Field(default=0, ge=0)
@@ -108,7 +108,7 @@ def cases_by_paper() -> dict[str, tuple[str, ...]]:
 
 
 def _check(paper: Paper, declarations: Declarations) -> None:
-    """Each equation has a verdict, a misprinted one also that of its corrected form."""
+    """Each equation has a verdict; a misprinted equation also has one for its corrected form."""
     known = {erratum.id for erratum in paper.errata}
     for formula in declarations.formulas:
         if unknown := [e for e in formula.errata + formula.notation if e not in known]:

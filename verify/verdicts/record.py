@@ -40,7 +40,7 @@ def keep(verdicts: Sequence[FormulaVerdict], file: Path = FILE) -> None:
 
 
 def moved(verdicts: Sequence[FormulaVerdict]) -> list[str]:
-    """A line for each formula whose verdict, accuracy class or ranges are not those of record."""
+    """A line for each formula whose verdict, accuracy class or ranges differ from the record."""
     before = {one.id: one for one in kept()}
     lines = []
     for one in verdicts:

@@ -74,7 +74,7 @@ def _is_varied(case: Case, one: Assumed) -> bool:
 
 @dataclass(frozen=True)
 class _Study:
-    """A result of a case, `middle` with these inputs, of which `names` are assumed."""
+    """A result of a case, `middle` with these inputs; `names` are the assumed inputs."""
 
     case: Case
     inputs: Inputs

@@ -15,7 +15,7 @@ DIGITS = 6  # of a derived value, so that the printed value is the one used
 
 
 def given_values(model: type[Inputs], raw: Mapping[str, Any]) -> tuple[Given, bool]:
-    """Values in SI units by name, those of omitted inputs too, and whether all could be read."""
+    """Values in SI units by name, including omitted inputs, and whether all could be read."""
     fields, found, readable = model.model_fields, Given(), True
     for name, field in fields.items():
         omitted = meta(field)["omitted"]

@@ -33,7 +33,7 @@ def design(
     out
         Folder for the page, all candidates and a parameter file of the selected design.
     units
-        Units of the answer: si, mm (mm, N, MPa) or inch; by default those of the file. Files of
+        Units of the answer: si, mm (mm, N, MPa) or inch; by default the units of the file. Files of
         `--out` and the pressure table of a crown are always in mm, N and MPa.
     """
     from verify.core.inputs import read_parameter_file

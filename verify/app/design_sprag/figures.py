@@ -76,7 +76,7 @@ def _thinned(values: Array, most: int) -> Array:
 
 
 def plane(outcome: Outcome, i: int, j: int) -> Density:
-    """Objective over two of the parameters; the third is that of the optimal crown."""
+    """Objective over two of the parameters; the third has its optimal value."""
     search, task = outcome.search, outcome.task
     x, y = (np.linspace(task.low[k], task.high[k], CELLS) for k in (i, j))
     crowns = np.tile(outcome.crown, (CELLS * CELLS, 1))

@@ -241,7 +241,7 @@ def _nominal(axes: Sequence[Axis]) -> tuple[float, ...] | None:
 
 
 def _at_nominal(a: Axis, value: float) -> bool:
-    """Whether a value equals that of the file."""
+    """Whether a value equals the value in the file."""
     return a.nominal is not None and math.isclose(a.in_unit(a.nominal), a.in_unit(value))
 
 

@@ -86,7 +86,7 @@ def removed(
 def finer(name: str, finest: float, beyond: float, h: tuple[float, float], order: float) -> Part:
     """Change by a mesh beyond the finest; the remaining error, by the order, is its uncertainty.
 
-    `h` are both mesh sizes, `order` that of the series or NaN.
+    `h` are both mesh sizes, `order` the order of the series or NaN.
     """
     change = finest - beyond
     if not math.isfinite(change):

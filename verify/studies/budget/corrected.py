@@ -1,6 +1,6 @@
 """The budgets of rows whose formula is itself a cause: a corrected formula replaces it.
 
-The corrected formula replaces that of the row first, and all other causes are removed from what
+The corrected formula replaces the row's formula first, and all other causes are removed from what
 remains: the remainder of the row is that of the corrected formula.
 """
 

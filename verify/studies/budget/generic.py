@@ -29,7 +29,7 @@ INTEGRATED = ("fem.contact.pairing:GAUSS", "fem.fourier.contact:GAUSS")
 
 
 def reached(case: Case) -> frozenset[str]:
-    """Modules that the case's finite elements reach, including that of the case."""
+    """Modules that the case's finite elements reach, including the case's module."""
     return frozenset(source_code.modules_of(case.reference)) | {case.reference.__module__}
 
 

@@ -13,7 +13,7 @@ from fem.rotor.model import Link, Rotor, Support
 def asked(
     rotor: Rotor, speeds: Sequence[float], count: int, unbalance: Mapping[str, Any] | None = None
 ) -> dict[str, Any]:
-    """The rotor with its pieces cut as `rotor.refine` says, and what is asked of it.
+    """The rotor with its pieces cut by `rotor.refine`, and the requested results.
 
     `unbalance` has nodes, magnitudes [kg m], phases [rad], speeds [rad/s] and the node that is the
     probe. ValueError for shafts that turn at other speeds than the rotor, and for bearings that
@@ -36,7 +36,7 @@ def asked(
 
 
 def refined(rotor: Rotor, node: int) -> int:
-    """Number of a node as given, among those of the cut pieces."""
+    """Number of a given node among the nodes of the cut pieces."""
     shaft = int(rotor.shaft_of[node])
     inside = node - int(rotor.first_nodes[shaft])
     before = sum(rotor.refine * len(s.elements) + 1 for s in rotor.shafts[:shaft])

@@ -81,7 +81,7 @@ def interpreter() -> Path | None:
 
 
 def solve(name: str, deck: Path, limit: float = LONG) -> float:
-    """Solve a deck and leave the answer beside it; seconds, without those of an interpreter.
+    """Solve a deck and store the answer next to it; seconds without the start of an interpreter.
 
     RuntimeError with the last output of the solver, or over the `limit` in seconds.
     """

@@ -143,7 +143,7 @@ class Demands(Inputs):
 
 @dataclass(frozen=True)
 class Task:
-    """A design task: `demands`, the SI values of every swept parameter, what the file left out."""
+    """A design task: `demands`, the SI values of every swept parameter, omitted inputs."""
 
     name: str
     demands: Demands

@@ -18,7 +18,7 @@ ROUND_OFF = 1e-12  # a limit that is just met is not violated
 class Limit:
     """`value` (N,) [SI] must be at most `bound`, or at least where `least`; `key` names the input.
 
-    `scaled` turns a bound on `value` into that of the input: the margin is U_A/U_w - 1.
+    `scaled` turns a bound on `value` into a bound on the input: the margin is U_A/U_w - 1.
     """
 
     key: str

@@ -41,7 +41,7 @@ class Search:
 
     @cached_property
     def relaxations(self) -> Sequence[Relaxation]:
-        """Limits of which relaxing one is sufficient, where nothing is feasible."""
+        """Limits whose relaxation alone is sufficient if no candidate is feasible."""
         return () if self.front.size else alone(self.judged)
 
     @cached_property

@@ -104,7 +104,7 @@ def load(path: Path) -> Task:
 
 
 def task(raw: Mapping[str, Any], name: str, where: str) -> Task:
-    """A design task from raw inputs; what they leave out is the paper's task without tolerance."""
+    """A design task from raw inputs; omitted inputs as in the paper's task, without tolerance."""
     known = (*Wishes.model_fields, TORQUES.name, *(r.name for r in RANGES))
     for key in raw:
         if key not in known:

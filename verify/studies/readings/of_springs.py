@@ -50,7 +50,7 @@ ADOPTED = STATICS | {"arcs": 0.0}
 
 
 def _stiffness_readings() -> tuple[Reading, ...]:
-    """Readings that Eqs. 1 to 9 leave open, with those of any bent strip."""
+    """Open readings of Eqs. 1 to 9, and readings common to any bent strip."""
     return (
         switched("leaves", "L_1 for 2 L_1 in L_2", leaves=1.0),
         switched("leaves", "L_1/2 for 2 L_1 in L_2", leaves=0.5),
@@ -138,7 +138,7 @@ def _eq_10() -> dict[str, Any]:
 
 
 def _error_readings() -> tuple[Reading, ...]:
-    """At which force, over which forces, and of which force."""
+    """Readings of the force: its value, its range and its kind."""
     A, every = _eq_10()["F_A"], tuple(float(F) for F in range(1, 12))
     return (
         *(switched("forces", f"at {F:g} N", forces=(F,)) for F in (1.0, 2.0, 8.0, 9.0, 10.0, 18.0)),

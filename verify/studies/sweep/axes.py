@@ -29,7 +29,7 @@ _SHARE = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*%")
 
 @dataclass(frozen=True)
 class Axis:
-    """One input and the values [SI] that it takes, rising; `name` is that of the parameter file."""
+    """An input and its values [SI], ascending; `name` is its name in the parameter file."""
 
     name: str
     symbol: str
@@ -199,7 +199,7 @@ def _spaced(given: str, unit: str, where: str, *, whole: bool) -> tuple[list[flo
 
 
 def _with_units(parts: Sequence[str]) -> Sequence[str]:
-    """Numbers without a unit take that of the last one: 2:6mm is 2mm:6mm."""
+    """Numbers without a unit have the unit of the last number: 2:6mm is 2mm:6mm."""
     of_last = _UNIT.search(parts[-1])
     return [part if _UNIT.search(part) or not of_last else part + of_last[0] for part in parts]
 

@@ -178,7 +178,7 @@ def _listed(words: Sequence[str]) -> str:
 
 
 def _wrapped(line: str) -> list[str]:
-    """At most WIDE characters, what goes on set in further than its beginning."""
+    """At most WIDE characters; continuation lines are indented."""
     line = raised(line)
     if len(line) <= WIDE:
         return [line]

@@ -64,7 +64,7 @@ class Compared:
 
 
 def pairs(case: Case) -> tuple[Pair, ...]:
-    """All pairs of a case, in the order of its rows, but for what is true of the paper alone."""
+    """All pairs of a case, in the order of its rows, without rows for the paper only."""
     return tuple(
         Pair(
             name=claim.name, symbol=claim.symbol, unit=claim.unit, kind=claim.kind,
@@ -106,7 +106,7 @@ def selected(case: Case, only: Sequence[str]) -> tuple[Pair, ...]:
 
 
 def _offered(text: str, names: Sequence[str]) -> str:
-    """The names with most words like those of the text, or else the first and how many more."""
+    """The names most similar to the text, or else the first names and the number of others."""
     scores = [
         sum(bool(difflib.get_close_matches(word, name.lower().split(), 1, LIKE))
             for word in text.lower().split()) for name in names
@@ -132,7 +132,7 @@ def portion(case: Case, chosen: Sequence[Pair]) -> Portion:
 
 @dataclass(frozen=True)
 class Known:
-    """Known values of a point [SI]: the formulas' values, and those of the levels by key.
+    """Known values of a point [SI]: the formulas' values, and values of the levels by key.
 
     A value that a level does not have is NaN. `h` are the mesh sizes, coarse to fine; `u_it` the
     largest iteration uncertainty of all levels.

@@ -51,7 +51,7 @@ class Timing:
 class Solved:
     """A solution for each point of a plan, in its order, or why there is none.
 
-    `inputs` are those of each point, None where the inputs' rules refuse it.
+    `inputs` has the inputs of each point, None if the rules of the inputs reject it.
     """
 
     plan: Plan
@@ -101,7 +101,7 @@ def versions(part: Portion) -> str:
 
 
 class _Points:
-    """The points of a plan, each with its inputs or why it has none, and what is known of it.
+    """The points of a plan, each with its inputs or the reason without, and its known values.
 
     Points with the same inputs are one.
     """
@@ -141,7 +141,7 @@ class _Points:
         return todo
 
     def keep(self, tasks: Sequence[Task], answers: Sequence[Solution]) -> None:
-        """Store what has been solved."""
+        """Store the solved points."""
         keys = self.names
         found = {
             keys[task.number]: joined(self.known.get(keys[task.number]), answer)

@@ -59,5 +59,5 @@ def _left(text: str) -> str:
 
 
 def _bare(symbol: str) -> str:
-    """A symbol without what it depends on: α(T) is α."""
+    """A symbol without its arguments: α(T) is α."""
     return symbol.partition("(")[0].strip()

@@ -68,7 +68,7 @@ def measured(case: Case) -> Measured | None:
 
 
 def keep(case: Case, outcomes: Sequence[Outcome]) -> None:
-    """Write what was measured, one outcome for each scan; OSError."""
+    """Write the measurements, one outcome for each scan; OSError."""
     RECORDS.keep(case.id, _made_by(case, [one.solved.plan for one in outcomes]), [
         {course.pair.name: {
             "error": _short(course.error), "U": _short(course.U_error),
@@ -79,7 +79,7 @@ def keep(case: Case, outcomes: Sequence[Outcome]) -> None:
 
 
 def _made_by(case: Case, every: Sequence[Plan]) -> dict[str, Any]:
-    """All that numbers depend on: inputs, scans, what is compared how, and both sides' sources."""
+    """All data that affect the numbers: inputs, scans, comparisons, and both sides' sources."""
     return {
         "arithmetic": _arithmetic(),
         "inputs": case.inputs().model_dump(),

@@ -24,7 +24,7 @@ ALIKE = 1e-5
 
 
 def struts() -> Posed:
-    """The inner hub moved aside and tilted, as it stands under T, and then turned back."""
+    """The inner hub displaced and tilted under T, and then turned back."""
     q: Any = CLUTCH.inputs()
     rest = struts_fem(q).pinned(SLICES)
     moves = np.zeros((2, 6))
@@ -96,7 +96,7 @@ def written(rest: "Joint", moves: Array, path: Path) -> Path:
 
 
 def holding(deck: Path) -> Array:
-    """The same (2, 3) of calculix's tables: in each step the centre, then what turns about it."""
+    """These values (2, 3) from calculix's tables: in each step the centre, then its rotation."""
     from verify.studies.crosscheck.calculix.reading import blocks
 
     centre, turn = (
