@@ -26,7 +26,7 @@ def pdf(report: Report, frames: Frames, make: Make = document) -> bytes:
 
 
 def content(report: Report, frames: Frames, make: Make = document) -> str:
-    """All that the PDF of a report prints, as JSON; raises NotSet for mathematics unknown here."""
+    """The content of the PDF of a report, as JSON; raises NotSet for unsupported mathematics."""
     try:
         return json.dumps(_cleaned(make(report, frames)), ensure_ascii=False)
     except ValueError as error:

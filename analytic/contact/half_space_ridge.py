@@ -15,8 +15,8 @@ from analytic.contact.checks import Array
 from analytic.contact.half_space_roller import RollerContact, press_roller
 
 SCOUT = (32, 256)  # cells of the grid that finds the contact's width
-BEYOND = 1.1  # of the widest contact, which the patch covers
-NEAR = 0.7  # of the half-width, within which p² over x² gives the pressure at x = 0
+BEYOND = 1.1  # width of the patch over the widest contact
+NEAR = 0.7  # part of the half-width for the fit of p² over x², which gives p at x = 0
 
 
 @dataclass(frozen=True, kw_only=True)

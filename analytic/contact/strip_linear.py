@@ -1,9 +1,9 @@
 r"""Newton's linear systems of many cases of strips: J ds - dDelta = -g on those that carry.
 
 J is the logarithm of all strips (one matrix for every case), bands of the near ones that vary with
-the case, and a diagonal. `conjugate_gradients` never forms it: it takes the bands as symmetric,
-which they are up to the change of half-width from strip to strip, and keeps the sum of the loads
-by projection. `direct` forms and uses the full matrix.
+the case, and a diagonal. `conjugate_gradients` does not form J. It treats the bands as symmetric,
+which holds up to the change of half-width from strip to strip, and keeps the sum of the loads by
+projection. `direct` forms and uses the full matrix.
 """
 
 from dataclasses import dataclass

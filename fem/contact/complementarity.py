@@ -154,7 +154,7 @@ class Complementarity(ContactSystem):
     def _polished(self, w_0: Array, e: Array, rest: Rest) -> Rest:
         """The solution of the linear system of the states of `rest` if it misses less, else `rest`.
 
-        That system has no springs, and no round-off of the pivots.
+        The linear system contains no stabilising springs and no round-off from pivoting.
         """
         exact = FrictionLcp(self, w_0, e, self.springs(0.0))
         found = exact.polished(rest.multipliers, rest.motion, rest.states)

@@ -10,9 +10,9 @@ from fem.contact.complementarity import Complementarity
 from fem.contact.system import directions
 from fem.plane.discretisation import Array, Indices
 
-EXACT = 1e-9  # of the peak pressure and of the forces: allowed error of the solution
-RESISTED = 1e-7  # of the squared displacements: below, only facets resist the motion
-NEUTRAL_SPRING = 1e-2  # of the contact's stiffness: holds motions that only facets resist
+EXACT = 1e-9  # tolerance of the solution, relative to peak pressure and forces
+RESISTED = 1e-7  # over the squared displacements: below it, only facets resist the motion
+NEUTRAL_SPRING = 1e-2  # over the contact's stiffness: supports motions that only facets resist
 
 
 @dataclass(frozen=True)

@@ -7,8 +7,8 @@ import numpy as np
 from fem.contact.system import ContactSystem
 from fem.plane.discretisation import Array
 
-CLOSING_SHARE = 1e-3  # of the forces that close the overlaps: a scale where no load is one
-TRAVEL_SHARE = 1e-5  # of gaps and travel: scale of round-off of a gap
+CLOSING_SHARE = 1e-3  # over the forces that close overlaps: scale if all loads are zero
+TRAVEL_SHARE = 1e-5  # round-off of a gap relative to gaps and travel
 
 
 @dataclass(frozen=True)

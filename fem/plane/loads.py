@@ -81,8 +81,8 @@ def force_load(
 ) -> Array:
     """Totals `forces` [force] on named boundaries, each uniformly distributed over its boundary.
 
-    A total acts on the whole thickness or turn. ValueError for a radial one around a turn,
-    which has no resultant.
+    A total acts on the whole thickness or turn. ValueError for a radial total in a body of
+    revolution, which has no resultant.
     """
     f = np.zeros(basis.N)
     for name, force in forces.items():

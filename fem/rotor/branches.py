@@ -85,8 +85,8 @@ Chosen = tuple[Complex, Complex, NDArray[np.inexact]]
 def _lowest(found: Spectrum, block: Block, count: int, unknowns: int) -> list[Chosen]:
     """Per speed: the lowest oscillating eigenvalues (k,), shapes (k, unknowns), states (m, k).
 
-    Of a block of both senses the conjugate half is left out; a forward one has its backward
-    eigenvalues below zero.
+    A block with both senses of whirl has conjugate pairs: only one half is returned. In a forward
+    block, backward eigenvalues are negative.
     """
     made = []
     for i, values in enumerate(found.values):

@@ -119,7 +119,7 @@ class State(Touching):
 
     @property
     def _flat(self) -> int:
-        """Index of the contact at the flat: the inner one of an inner cam."""
+        """Index of the contact at the flat: 0 (inner contact) for an inner cam, else 1."""
         return 0 if self.start.q.sense > 0 else 1
 
 

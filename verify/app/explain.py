@@ -133,7 +133,7 @@ def find_row(name: str, ids: Sequence[str], where: str = "") -> str:
 
 
 def _plain(name: str) -> str:
-    """Lower case without commas, so that words alone name a row."""
+    """Lower case without commas, so that a row can be named by its words only."""
     return " ".join(name.lower().replace(",", " ").split())
 
 

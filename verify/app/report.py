@@ -33,7 +33,7 @@ def make_report(
 ) -> Report:  # fmt: skip
     """A run with the ledgers and its provenance; `name` is the name of a user's parameter file.
 
-    What `parts` has stored is not made again; a case is imported where something of it is made.
+    Pages stored in `parts` are not made again; only cases with new pages are imported.
     """
     from verify.papers.ledgers import ledgers, sources
 

@@ -201,7 +201,7 @@ class Shapes:
 
 @dataclass(frozen=True, kw_only=True)
 class Zone:
-    """A state that holds between the zone below and `top` (m,); `tone` "good", "fair" or "bad"."""
+    """A zone from the top of the zone below to `top` (m,); `tone` "good", "fair" or "bad"."""
 
     name: str
     top: Array

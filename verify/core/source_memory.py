@@ -54,7 +54,7 @@ class Memory:
 
 
 def use(folder: Path) -> None:
-    """Remember in the store of a folder until the process ends."""
+    """Store hashes in a folder, and reuse them until the process ends."""
     if not _used:
         _used.append(Memory(folder))
         atexit.register(share)

@@ -142,7 +142,7 @@ def parse(text: str, unit: str) -> float:
     0.0116
     """
     if unit not in DIMENSIONS:
-        dimensions(unit)  # a unit that is none
+        dimensions(unit)  # raises for an unknown unit
     needed = DIMENSIONS.get(unit, f"a quantity in {unit}")
     example = "" if unit == "1" else f', such as "1.5 {unit}"'
     match = _TEXT.fullmatch(text)

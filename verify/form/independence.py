@@ -11,7 +11,7 @@ from verify.form.case import Case
 from verify.form.comparisons import Comparison, Computed, Expected
 from verify.form.quantity import CHANGE, Quantity, changed, read_by
 
-SHARE = 0.1  # of a change of the formula: an interval may depend weakly on the formula's size
+SHARE = 0.1  # over a change of the formula: an interval may depend weakly on the formula
 LEAST = 0.25 * CHANGE  # change of a formula by what it reads; a load changes a stiffness less
 
 

@@ -159,7 +159,7 @@ class _Worker:
 
 
 def _without_interrupts() -> None:
-    """A terminal's Ctrl-C goes to all processes: those that this thread starts don't see it."""
+    """Block Ctrl-C in this thread and in processes that it starts; a terminal sends it to all."""
     signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
 
 

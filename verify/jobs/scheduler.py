@@ -36,7 +36,7 @@ def run(
 
     OSError names the missing library if gmsh cannot start and something must be solved.
     `engine` is entered where something is to be solved; without one this process does. `show`
-    follows the state, `warn` takes what the user should know of at once. With `judged` cases are
+    receives the state, `warn` receives warnings for the user at once. With `judged` cases are
     judged on the engine, too, each as soon as its levels are stored, and handed to it.
     """
     many = bool(judged and cache_folder and len(jobs) > FEW)

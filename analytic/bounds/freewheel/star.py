@@ -2,7 +2,7 @@
 
 The star's approach lies between a layer and two discs (`star_bracket`) and the torque
 winds the star up on its bore, which lowers the flat under the roller; everything else follows from
-the approaches. Round bodies that Hertz takes for parabolas on half planes err by some (a/r)².
+the approaches. Hertz's parabolas on half planes cause errors of the order of (a/r)².
 Surfaces tilt under N as far as a half plane does at the depth of its wall. Tangential forces deform
 the contacts, too, and turn the ring further by tan² alpha, times the tangential compliance over the
 normal one, which is somewhat below 1.

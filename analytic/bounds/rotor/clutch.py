@@ -1,8 +1,8 @@
 """Errors of Eqs. 3 to 11 of Huang et al. 2022 expected against struts in exact kinematics.
 
-Eq. 3 presses a sprag at psi by cos psi dx where a strut that is inclined by nu takes
-(cos psi - tan nu sin psi) dx: the equations are too soft by tan^2 nu and by what stands beside it
-in each state. Errors are formula/struts - 1; intervals are (least, largest).
+By Eq. 3 an offset dx compresses a sprag at psi by cos psi dx; a strut inclined by nu is compressed
+by (cos psi - tan nu sin psi) dx. The equations therefore underestimate the stiffness by tan^2 nu
+and by further terms of each state. Errors are formula/struts - 1; intervals are (least, largest).
 """
 
 import math

@@ -35,9 +35,9 @@ def run_sweep(
 ) -> int:  # fmt: skip
     """Formulas and finite elements over a grid or a sample; 1 where a point failed, else 0.
 
-    A point at which a row does not converge has failed, too. One that the inputs' rules refuse, or
-    where a formula has no value, has not. All are counted; the rest is there. InputError where all
-    are refused.
+    A point at which a row does not converge has failed, too. A point has not failed if the rules of
+    the inputs reject it or a formula has no value. All points are counted; the other results are
+    stored. InputError if all points are rejected.
     """
     plan = planned(path, vary=vary, star=star, sample=sample, tolerances=tolerances, only=only)
     _some_possible(plan)

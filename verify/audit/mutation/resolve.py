@@ -1,7 +1,7 @@
 """Cases whose levels are made with formulas, too: a formula's mutant changes both of their sides.
 
-Levels stored by unchanged code are no evidence on such a mutant: rows would count as failed that
-pass in a run, and others as passed that fail in one. The key of the stored levels states which
+Levels stored by unchanged code are not valid for such a mutant: some rows would fail that pass
+in a new run, and others would pass that fail in it. The key of the stored levels states which
 formulas they are made with.
 """
 

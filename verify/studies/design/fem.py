@@ -71,13 +71,13 @@ class Verified:
 
     @property
     def fits(self) -> bool:
-        """Whether that keeps Eq. 11, no leaves touch up to U_w, and room and strength suffice.
+        """Whether Eq. 11 holds, no leaves touch up to U_w, and space and strength suffice.
 
-        What was not solved does not fit: it might do anything.
+        An unsolved spring does not fit, since its behaviour is unknown.
         """
         if self.too_high or self.overstressed or self.curve.touches <= self.U_w or self.unsolved:
             return False
-        return abs(self.e_r) <= self.e_max  # a NaN does not
+        return abs(self.e_r) <= self.e_max  # False for NaN
 
 
 def verified_by_fem(s: Springs, f: Formulas, i: int, q: Demands) -> Verified:

@@ -128,9 +128,9 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
         self, context: Context, over: str, x_label: str, *, gaps: Array, loads: Array, x: Array,
         best: tuple[str, Array], y_top: float, note: str,
     ) -> Figure:  # fmt: skip
-        """Peaks over Hertz's pressure at `x` for gaps and loads [of F], and of optimal crowns.
+        """Peaks over Hertz's pressure at `x` for gaps and loads (over F), and of optimal crowns.
 
-        The latter at separate places, from the reference.
+        Peaks of optimal crowns are from the reference, at separate abscissae.
         """
         roller: dict[str, Any] = {"length": self.L, "R": self.R, "E_star": self.E_star}
         pairs = zip(gaps, loads, strict=True)

@@ -162,7 +162,7 @@ def at_rest(q: Any, name: str) -> Comparison:
 
 
 def pressed(T: int) -> tuple[Any, ...]:
-    """About contacts, of the printed crown for a torque [N m] and of those found."""
+    """Contact pressures of the printed crown for a torque [N m] and of the crowns found."""
     both = SLICED + STRIPS
     return (
         at_crown("largest pressure by slices", "peak", "slices", "strips", both, WIDER),
