@@ -6,7 +6,7 @@ bits of a logarithm or a sine, which differ between processors, would choose bet
 
 import math
 
-ROUND_OFF = 1e-9  # of a ratio: far above round-off, far below the tolerance of a cell's length
+ROUND_OFF = 1e-9  # over a ratio: far above round-off, far below the tolerance of a cell's length
 
 
 def at_least(ratio: float) -> int:

@@ -17,7 +17,7 @@ import numpy as np
 from scipy.integrate import quad
 
 ACCEPTED = 1e-3  # of finite elements against the Fourier ring
-PART = 0.05  # of the displacement at a load: a ratio to less has no meaning
+PART = 0.05  # relative to the displacement at a load: a ratio to less has no meaning
 
 Interval = tuple[float, float]
 

@@ -22,7 +22,7 @@ from analytic.contact.half_space_contact import HalfSpaceContact, centres
 
 Crown = Callable[[Array], ArrayLike] | ArrayLike
 SCOUT = 32  # cells across that find the contact's width before the real ones are laid
-MARGIN = 1.25  # of the contact's width, or of the Hertzian one where none is known
+MARGIN = 1.25  # over the contact's width, or over Hertz's width if the former is unknown
 WIDER = 1.5  # for a patch whose sides the contact reaches
 MOST = 40  # times that a patch is made wider
 

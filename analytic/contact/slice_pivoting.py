@@ -21,7 +21,7 @@ from analytic.contact.checks import Array
 
 PATIENCE = 3  # allowed number of block steps without progress
 PIVOTS = 1000
-ROUND_OFF = 1e-13  # of the largest f: smaller tensions and overlaps count as zero
+ROUND_OFF = 1e-13  # relative to the largest f: smaller tensions and overlaps count as zero
 
 
 def carried(S: Array, f: Array, rate: Array, carries: NDArray[np.bool_]) -> tuple[Array, Array]:

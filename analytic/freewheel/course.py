@@ -18,7 +18,7 @@ from analytic.freewheel.clutch import RollerClutch
 from analytic.freewheel.load_path import LoadPath
 
 POINTS = 4001
-AT_ZERO = 1e-10  # of the largest load: round-off at zero crossings after thousands of cycles
+AT_ZERO = 1e-10  # over the largest load: round-off at zero crossings after thousands of cycles
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

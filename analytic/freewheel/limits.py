@@ -17,7 +17,7 @@ from analytic.freewheel.criterion import friction
 from analytic.freewheel.state import RollerClutchState
 
 HALVINGS = 60
-LEAST = 1e-9  # of the largest normal force, from which limits are searched
+LEAST = 1e-9  # relative to the largest normal force, from which limits are searched
 
 MEANINGS = {
     "release": "the rollers slip out: tan(alpha) exceeds mu",

@@ -8,7 +8,7 @@ from analytic.freewheel.limits import pop_through
 from analytic.freewheel.state import RollerClutchState, at_normal_force, loaded
 
 NEAR, BEYOND = 0.99, 1.4  # of the largest torque, of N there: where the summit is searched
-FOUND = 1e-9  # of N
+FOUND = 1e-9  # relative to N
 
 
 def summit(clutch: RollerClutch) -> RollerClutchState | None:

@@ -26,7 +26,7 @@ from analytic.polyhedral.sector import Complex, Sector
 
 DEEPEST = 200.0  # -ln omega_a, whose square must be a number
 INSIDE = 40.0  # ln of the omega_a over that of a pole, beyond which poles are powers
-CLOSEST = 1e-4  # of the arc: distance of the last pole from its tangent point
+CLOSEST = 1e-4  # relative to the arc: distance of the last pole from its tangent point
 
 
 @dataclass(frozen=True)

@@ -34,7 +34,7 @@ from analytic.polyhedral.roller_load import roller_load
 from analytic.polyhedral.sector import Sector
 
 STEPS, CLOSE = 40, 1e-12
-FIRST = 1e-4  # of the outside radius: half-width with which the search starts
+FIRST = 1e-4  # relative to the outside radius: half-width with which the search starts
 NUDGE = 1e-3  # relative change of N in the difference quotient of the compression
 
 

@@ -29,7 +29,7 @@ from analytic.polyhedral.free_rim import FreeRim, Values, free_rim
 from analytic.polyhedral.patch_series import slow_sums, weights
 from analytic.polyhedral.sector import Complex, Sector
 
-DEEPEST = 0.999  # of the outside radius: nearer to the load the disc's series is too slow
+DEEPEST = 0.999  # relative to the outside radius: nearer to the load the disc's series is too slow
 DIGITS = 38.0  # the disc's series ends where its terms have fallen by exp(-38)
 
 

@@ -35,7 +35,7 @@ from analytic.ring.fourier_ring import NEGLIGIBLE, FourierRing, State, Wall
 WAVES = 60.0  # m alpha of the last one
 MOST = 6e5  # and its m at most, as 1/m² is left out: below 1e-7 of the displacement at a load
 POINTS = 48  # of Gauss' rule over the patch
-ON_WALL = 1e-9  # of the radius
+ON_WALL = 1e-9  # relative to the radius
 
 
 @dataclass(frozen=True, kw_only=True)

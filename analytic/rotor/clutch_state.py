@@ -12,7 +12,7 @@ from analytic.rotor.clutch import Array, SpragCoupling
 
 STEPS = 200
 ROUND_OFF = 1e-15
-TOLERANCE = 1e-12  # of the twist, or of the loads
+TOLERANCE = 1e-12  # relative to the twist, or to the loads
 HALVINGS = 60
 
 

@@ -11,7 +11,7 @@ from dataclasses import replace
 from analytic.rotor.clutch import SpragCoupling, even_angles
 from analytic.rotor.clutch_state import under_torque
 
-LARGEST = 0.25  # of the deflection, so that every slice remains in contact
+LARGEST = 0.25  # relative to the deflection, so that every slice remains in contact
 TILTS = {"K_y_tilt_x": (1, 2), "K_x_tilt_y": (0, 3)}
 
 

@@ -18,7 +18,7 @@ from analytic.rotor.transfer_model import (
 )
 
 SLICES = 16  # of a cone, each of its mean diameter
-SMALLEST = 1e-9  # of the length: a piece that is round-off
+SMALLEST = 1e-9  # relative to the length: a piece that is round-off
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ Whirl = Literal["forward", "backward"]
 SENSES: tuple[Whirl, ...] = ("forward", "backward")
 MOST_NODES = 400  # cut so fine, a rotor is far beyond the range of beam theory
 PLANAR = 1e-6
-SAME_SIZE = 1e-9  # of the largest: equal unknowns of a symmetric shape differ by round-off
+SAME_SIZE = 1e-9  # relative to the largest: equal unknowns of a symmetric shape differ by round-off
 
 
 @dataclass(frozen=True)

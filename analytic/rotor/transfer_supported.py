@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 from analytic.rotor.transfer_bending import pairs
 from analytic.rotor.transfer_model import TransferMatrixRotor
 
-FREE = 1e-12  # of the largest stiffness
+FREE = 1e-12  # relative to the largest stiffness
 
 
 def check_supported(rotor: TransferMatrixRotor, names: tuple[str, ...] = ()) -> None:

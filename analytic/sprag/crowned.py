@@ -14,8 +14,8 @@ from analytic.sprag.clutch import SpragClutch
 from analytic.sprag.course import rolled
 from analytic.sprag.parts import SpragClutchParts
 
-LEAST = 1e-4  # of the largest load: below, no pressure is searched
-STEP = 1e-3  # of a force, for slopes
+LEAST = 1e-4  # relative to the largest load: below, no pressure is searched
+STEP = 1e-3  # relative to a force, for slopes
 
 
 @dataclass(frozen=True, eq=False)

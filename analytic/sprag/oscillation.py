@@ -22,7 +22,7 @@ DAMPED = 0.3  # of critical damping
 RAMP, REST = 4, 12  # periods in which the torque rises, and in which motion decays
 SWUNG = 1.5  # periods about rest, past the first peak without damping
 SLOW, COUNTED = 8, 12  # periods of the ramp and of the free oscillation
-STEP = 0.01  # of the torque, which starts that
+STEP = 0.01  # step over the torque that starts the oscillation
 
 
 def held(motion: Motion, **changes: float) -> Motion:

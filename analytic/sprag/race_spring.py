@@ -21,7 +21,7 @@ from analytic.sprag.table import INTERVALS, Table, tabulated
 
 CACHE_SIZE = 64  # clutches in memory
 STATES = 401  # from no load to the end of the profile
-SHARE = 1.3  # of the energy put in, which the end of the table must store
+SHARE = 1.3  # relative to the energy put in, which the end of the table must store
 LONGEST = 60  # times that the largest load is raised
 
 

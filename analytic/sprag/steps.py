@@ -9,7 +9,7 @@ from analytic.sprag.history import Engagement
 from analytic.sprag.motion import Motion
 from analytic.sprag.table import Table
 
-MISSED = 1e-2  # of the work put in: beyond it an engagement is not valid
+MISSED = 1e-2  # relative to the work put in: beyond it an engagement is not valid
 RADIAN = 0.3  # of the fastest motion in one step: Runge-Kutta's error is then below 1e-4
 
 

@@ -18,7 +18,7 @@ import numpy as np
 from analytic.contact.checks import Array
 from analytic.sprag.geometry import LogSprag, strut, triangle
 
-STEP = 1e-6  # of a radius, for slopes
+STEP = 1e-6  # relative to a radius, for slopes
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

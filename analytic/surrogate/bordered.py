@@ -17,7 +17,7 @@ import numpy as np
 
 from analytic.contact.checks import Array
 
-NUGGET = 1e-10  # of the variance, on the diagonal of C
+NUGGET = 1e-10  # relative to the variance, on the diagonal of C
 
 
 @dataclass(frozen=True, eq=False)

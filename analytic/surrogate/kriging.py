@@ -18,7 +18,7 @@ from analytic.surrogate.box import Box
 from analytic.surrogate.length_scales import SHORTEST, likeliest
 from analytic.surrogate.terms import NUGGET, matern, trend_terms
 
-ROUNDING = 1e-12  # of the largest value: a residual below it is round-off of the trend
+ROUNDING = 1e-12  # relative to the largest value: a residual below it is round-off of the trend
 SETTLED = 0.02  # change of a length scale's logarithm
 ROUNDS = 20  # each raises the likelihood; five were always enough so far
 

@@ -5,7 +5,7 @@ from scipy.spatial.distance import cdist
 
 from analytic.contact.checks import Array
 
-NUGGET = 1e-10  # of the variance: prevents a singular C for a close pair of designs
+NUGGET = 1e-10  # relative to the variance: prevents a singular C for a close pair of designs
 
 
 def trend_terms(u: Array) -> Array:

@@ -18,7 +18,7 @@ from fem.beam.large_state import BeamState
 from fem.beam.section import Array
 
 ITERATIONS = 7  # that steps are sized for
-CROSSING = 1 / 32  # of the longest step: longer ones may jump over a turn to another branch
+CROSSING = 1 / 32  # over the longest step: longer ones may jump over a turn to another branch
 
 
 @dataclass(frozen=True)

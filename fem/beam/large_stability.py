@@ -14,7 +14,7 @@ from fem.beam.large_state import BeamState, Path
 from fem.beam.section import Array
 
 ASYMMETRY = 1e-5  # share of the loads' work in a mode, above which it is that of a limit point
-WIDTH = 1e-9  # of the bracket, relative to the step
+WIDTH = 1e-9  # width of the bracket, relative to the step
 MAX_SECTIONS = 60
 
 

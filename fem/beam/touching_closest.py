@@ -9,7 +9,7 @@ from fem.beam.section import Array, Indices
 ITERATIONS = 30
 BRACKETINGS = 80
 CONVERGED = 1e-14
-SETTLED = 1e-11  # of a place: the distance there is stationary
+SETTLED = 1e-11  # relative to a place: the distance there is stationary
 
 
 def closest(curve: Array, at: Array) -> Array:

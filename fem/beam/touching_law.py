@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 from fem.beam.section import Array
 from fem.beam.touching_touch import Touch, outer
 
-ROUNDING = 1e-4  # of the thickness
-ALLOWED = 1e-4  # of the thickness: penetration and elastic slip that need no settling
+ROUNDING = 1e-4  # relative to the thickness
+ALLOWED = 1e-4  # relative to the thickness: penetration and elastic slip that need no settling
 DEEP = 0.05  # of the thickness: only an iterate is so deep, and its huge force must not turn
 STICKS = 2.0  # besides -1 and 1, the directions of sliding, and 0, not known yet
 SLACK = 1e-9  # relative, of the friction's limit and of the allowed slip

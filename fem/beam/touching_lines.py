@@ -22,7 +22,7 @@ from fem.beam.touching_points import Places, Probes, places
 from fem.beam.touching_touch import Touch, along, outer, turned
 
 PARALLEL = 1e-6  # relative curvature x thickness below which lines count as parallel
-LEAST = 0.2  # of the thickness: lines nearer than that turn by no more
+LEAST = 0.2  # relative to the thickness: lines nearer than that turn by no more
 
 
 @dataclass(frozen=True)

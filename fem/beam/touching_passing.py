@@ -11,8 +11,8 @@ from fem.beam.section import Array, Indices
 from fem.beam.touching_neighbours import Apart, Arcs
 from fem.beam.touching_points import powers
 
-SAGITTA = 0.1  # of the thickness: largest distance of an element's chords from its curve
-ENDS = 1e-9  # of a chord: beyond its ends counts as on it
+SAGITTA = 0.1  # relative to the thickness: largest distance of an element's chords from its curve
+ENDS = 1e-9  # relative to a chord: beyond its ends counts as on it
 
 
 class Passing:

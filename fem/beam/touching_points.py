@@ -12,7 +12,7 @@ from fem.beam.section import Array, Indices
 A = TypeVar("A", Array, Extended)  # of one precision or the other
 
 GAUSS = tuple((float(at + 1) / 2, float(w) / 2) for at, w in zip(*leggauss(5), strict=True))  # 0..1
-EASE = 1e-4  # of the thickness: what a gap at the end of a cell counts more
+EASE = 1e-4  # relative to the thickness: additional gap at the end of a cell
 
 
 def shapes(xi: A, nodes: int) -> tuple[A, A, A]:

@@ -10,7 +10,7 @@ from fem.contact.interface import LEAST, Interface
 from fem.contact.mortar import Mortar
 from fem.plane.discretisation import Array, Indices
 
-UNHELD = 1e-9  # of a shift: below, no surface with friction resists it
+UNHELD = 1e-9  # relative to a shift: below, no surface with friction resists it
 
 
 class AlongInterface:

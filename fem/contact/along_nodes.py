@@ -13,7 +13,7 @@ from fem.plane.discretisation import Array, Indices, named_facets
 from fem.plane.ordering import nested_dissection
 from fem.plane.supports import Prescribed, node_dofs, nodes_on
 
-CONTRADICTION = 1e-9  # of the values prescribed along z
+CONTRADICTION = 1e-9  # relative to the values prescribed along z
 
 
 class AlongNodes:

@@ -23,7 +23,7 @@ from fem.plane.rigid import free_motions
 from fem.plane.supports import Conditions
 from fem.plane.ties import Tie, tied
 
-UNHELD = 1e-9  # of a rigid motion: below, the surface does not resist it
+UNHELD = 1e-9  # relative to a rigid motion: below, the surface does not resist it
 
 
 @dataclass(frozen=True)

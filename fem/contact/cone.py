@@ -25,7 +25,7 @@ from fem.contact.cone_system import EXACT, State, System, Task
 from fem.plane.discretisation import Array
 
 SLIP = FORWARD
-CANCELLED = 1e-5  # of the pressures that close gaps: smaller ones are not exact to EXACT
+CANCELLED = 1e-5  # relative to the pressures that close gaps: smaller ones are not exact to EXACT
 
 
 @dataclass(frozen=True)

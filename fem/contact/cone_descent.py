@@ -29,10 +29,10 @@ from fem.contact.cone_system import State, Task
 from fem.contact.errors import NotFoundError
 from fem.plane.discretisation import Array
 
-STIFF = 1.0  # of the contact's stiffness: springs that hold motions on the path from no friction
+STIFF = 1.0  # over the contact's stiffness: springs that hold motions on the path from no friction
 LEAST_FRICTION = 1e-4  # share of the given friction at which the path starts
 MOST_FRICTION = 1e6  # times the given friction: everything sticks
-BEYOND = 1.01  # of the friction that is mobilised: there the path downwards starts
+BEYOND = 1.01  # relative to the friction that is mobilised: there the path downwards starts
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ from fem.contact.cone import SLIP, Cone
 from fem.contact.cone_system import State, Task
 from fem.plane.discretisation import Array, Indices
 
-NEGLIGIBLE = 1e-24  # of the largest stiffness against a motion, in whose units others are
+NEGLIGIBLE = 1e-24  # relative to the largest stiffness against a motion, in whose units others are
 
 
 @dataclass(frozen=True)

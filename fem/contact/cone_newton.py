@@ -12,10 +12,10 @@ from fem.contact.cone_system import State, Task
 from fem.contact.errors import NotFoundError
 from fem.plane.discretisation import Array
 
-FINE = 1e-13  # of the peak pressure: Newton's method ends
+FINE = 1e-13  # relative to the peak pressure: Newton's method ends
 GOOD = 1e-10  # accepted as well if rounding prevents a smaller error
 MAX_STEPS = 40
-ROUGHLY = 0.2  # of the peak pressure: error up to which a full Newton step may increase the error
+ROUGHLY = 0.2  # over the peak pressure: error up to which a full Newton step may increase the error
 SHORTEST = 1.0 / 8  # of Newton's step, if its error exceeds those of all steps before
 MEMORY = 6  # of these steps
 SPRING, WEAKEST = 1e-7, 1e-12  # of the contact's stiffness: the first springs and the last

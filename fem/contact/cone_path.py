@@ -21,7 +21,7 @@ from fem.plane.discretisation import Array
 MAX_STEPS = 1000
 FIRST, LONGEST, SHORTEST = 1e-2, 0.5, 1e-6  # arc lengths of a step
 MAX_CORRECTIONS, FEW_CORRECTIONS = 8, 4
-ON_PATH = 1e-9  # of the peak pressure: allowed error of points of the path
+ON_PATH = 1e-9  # relative to the peak pressure: allowed error of points of the path
 SMOOTH = 0.7  # cosine of the angle by which the tangent may turn in a step of more than SHORTEST
 PROBES, INTO = 20, 4  # steps, each twice the one before: to the next states, and into them
 

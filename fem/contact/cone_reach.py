@@ -10,8 +10,8 @@ from scipy.optimize import nnls
 from fem.contact.cone import Cone
 from fem.plane.discretisation import Array
 
-UNHELD = 1e-9  # of the loads: smaller differences are allowed
-BARE = 1e-12  # of the largest: forces that act on no rigid motion
+UNHELD = 1e-9  # relative to the loads: smaller differences are allowed
+BARE = 1e-12  # relative to the largest: forces that act on no rigid motion
 MAX_ROUNDS = 60
 
 

@@ -9,9 +9,9 @@ from scipy.sparse.linalg import SuperLU, splu
 
 from fem.plane.discretisation import Array
 
-CONVERGED = 1e-10  # of the largest force
-FULL = 1e-9  # of the slope at the start of a step: a full step leads to the least value
-SPRINGS = 1e-7  # of the stiffness, for bodies without any support yet; a tenth of it at each step
+CONVERGED = 1e-10  # relative to the largest force
+FULL = 1e-9  # relative to the slope at the start of a step: a full step leads to the least value
+SPRINGS = 1e-7  # over the stiffness, for bodies without any support yet; a tenth of it at each step
 LEAST_SPRINGS = 1e-13
 DOUBLINGS = 60
 MAX_STEPS = 100

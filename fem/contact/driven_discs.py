@@ -7,7 +7,7 @@ from fem.contact.problem import ContactProblem
 from fem.contact.solution import ContactSolution
 from fem.plane.discretisation import Array
 
-HIT = 1e-12  # of P, within which loads are met
+HIT = 1e-12  # relative to P, within which loads are met
 
 
 class DrivenDiscs:

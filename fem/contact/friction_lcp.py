@@ -18,7 +18,7 @@ from fem.contact.system import BACKWARD, FORWARD, OPEN, STICK, ContactSystem
 from fem.plane.discretisation import Array
 
 COVERING_VECTORS = 8
-SPREAD = 0.5  # of the covering vector's entries: breaks ties of symmetric problems
+SPREAD = 0.5  # relative to the covering vector's entries: breaks ties of symmetric problems
 
 
 @dataclass(frozen=True)

@@ -15,8 +15,8 @@ from fem.contact.trace import Trace, trace_of
 from fem.plane.discretisation import Array, Indices
 
 SPIN = 1e-3  # turn times extent over displacement: below, a motion is a translation
-LEAST = 1e-13  # of the mean compliance per area
-ROUND_OFF = 1e-9  # of the mesh's extent: overlaps that are round-off
+LEAST = 1e-13  # relative to the mean compliance per area
+ROUND_OFF = 1e-9  # relative to the mesh's extent: overlaps that are round-off
 
 
 class Surfaces:

@@ -19,7 +19,7 @@ from fem.contact.pairing import Points
 from fem.contact.trace import Trace
 from fem.plane.discretisation import Array, Indices
 
-BARE = 1e-9  # of the integral of a hat: less than that over the segments carries no traction
+BARE = 1e-9  # over the integral of a hat: less than that over the segments carries no traction
 
 
 @dataclass(frozen=True)

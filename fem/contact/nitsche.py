@@ -31,7 +31,7 @@ from fem.plane.incompressible import refuse
 from fem.plane.loads import Pressure, Vector
 from fem.plane.supports import Support
 
-BOUND = 1e-9  # of the largest pressure: by how much bounds of friction may change at last
+BOUND = 1e-9  # relative to the largest pressure: by how much bounds of friction may change at last
 MAX_BOUNDS = 200
 
 

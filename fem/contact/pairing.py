@@ -19,7 +19,7 @@ FACING = -0.2  # n_1 . n_2 of surfaces that can touch: at more than some 100 deg
 GAUSS = 4
 SECANT_STEPS = 40
 DONE = 1e-12
-SHORTEST = 1e-10  # of a facet: shorter segments carry nothing
+SHORTEST = 1e-10  # relative to a facet: shorter segments carry nothing
 PAIRS = 2_000_000  # points times facets compared at once
 
 

@@ -17,7 +17,7 @@ from fem.plane.discretisation import Array
 ZONE = 1.5  # of the even cells over the contact
 CELLS = 6  # on it, on the mesh of level 1: four on the half-width
 COARSE = 2  # the level that finds where the contact ends
-HIT = 1e-12  # of P, within which the load is met
+HIT = 1e-12  # relative to P, within which the load is met
 MOST = 40
 SOLVED = 1e-10  # relative error of values if the load is reached within HIT
 PLACES = 8.0  # of the pressure by which places of nodes, rounded in double precision, move a peak

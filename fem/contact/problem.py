@@ -45,7 +45,7 @@ from fem.plane.ties import Tie
 MAX_APPROACHES = 8
 RUNAWAY = 100.0  # times elastic displacements and closed gaps: larger motions are unsupported
 LIGHT = 1e-6  # the part of the loads that brings bodies together and hardly deforms them
-GAP_TOLERANCE = 1e-13  # of the mesh's extent: less is round-off of the places of nodes
+GAP_TOLERANCE = 1e-13  # relative to the mesh's extent: less is round-off of the places of nodes
 
 
 class ContactProblem:

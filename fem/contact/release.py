@@ -17,8 +17,8 @@ from fem.plane.discretisation import Array
 
 SPRINGS = (1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7)  # of the stiffness of the contact
 WEAKEST_SPRING = 1e-12
-RELEASED = 1e-13  # of the forces on rigid motions: remaining force of the springs
-NEUTRAL = 1e-6  # of the forces on rigid motions: error of facets relative to the surface
+RELEASED = 1e-13  # relative to the forces on rigid motions: remaining force of the springs
+NEUTRAL = 1e-6  # relative to the forces on rigid motions: error of facets relative to the surface
 MAX_RELEASES = 60
 ACCEPTED_RESIDUAL = 1e-9
 

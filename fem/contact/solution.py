@@ -16,7 +16,7 @@ from fem.contact.system import OPEN, STICK
 from fem.plane.discretisation import Array
 from fem.plane.solution import Held, PlaneSolution
 
-STICKING_TOLERANCE = 1e-9  # of the normal force: less on sticking nodes is round-off
+STICKING_TOLERANCE = 1e-9  # relative to the normal force: less on sticking nodes is round-off
 
 
 @dataclass(frozen=True)

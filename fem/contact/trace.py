@@ -13,7 +13,7 @@ from skfem.mesh import Mesh2D
 from fem.contact.shapes import Motion, Shape
 from fem.plane.discretisation import Array, Indices, is_curved, outer_facets
 
-BESIDE = 1e-3  # of a facet: vertices farther from a shape do not lie on it
+BESIDE = 1e-3  # relative to a facet: vertices farther from a shape do not lie on it
 SMOOTH = 0.866  # cos 30 deg: facets that turn by less are one smooth wall
 
 

@@ -19,7 +19,7 @@ from fem.contact.solution import ContactSolution
 from fem.plane.discretisation import Array
 from fem.plane.material import Elastic
 
-HIT = 1e-12  # of the normal force, within which it is met
+HIT = 1e-12  # relative to the normal force, within which it is met
 UNCHANGED = 1e-6  # relative change of the error of N: it does not depend on the race's position
 MOST = 40
 

@@ -9,7 +9,7 @@ from fem.fourier.harmonic_cells import stress
 from fem.fourier.vibration import RotatingSolid
 from fem.plane.discretisation import Array
 
-CUT = 0.98  # of the volume, whose stress a picture's colours span
+CUT = 0.98  # relative to the volume, whose stress a picture's colours span
 
 
 class BendingPlane(NamedTuple):

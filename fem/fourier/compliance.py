@@ -16,7 +16,7 @@ from fem.fourier.loads import pull, turn_of
 from fem.fourier.solid import FourierSolid
 from fem.plane.discretisation import Array, Indices, facet_basis, outer_facets
 
-AT_STATION = 1e-9  # of the surface's length
+AT_STATION = 1e-9  # relative to the surface's length
 LOW = 8  # multiples of the lowest harmonic that are all solved
 SAME = 1e-9
 CUBIC = 4  # harmonics that a cubic runs through

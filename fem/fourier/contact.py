@@ -143,7 +143,7 @@ def _check(
         )
     if first.places != second.places:
         raise ValueError(
-            f"bodies are loaded at as many places, got {first.places}, {second.places}"
+            f"both bodies need equally many loads, got {first.places}, {second.places}"
         )
     same = first.stations.shape == second.stations.shape
     if not same or np.ptp(first.stations - second.stations) > SAME * np.ptp(first.stations):

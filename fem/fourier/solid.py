@@ -26,7 +26,7 @@ from fem.plane.material import Elastic
 from fem.plane.ordering import nested_dissection
 
 AMPLITUDES = 3  # along r, t and z
-RESIDUAL_LIMIT = 1e-8  # of the load's forces, after the correction
+RESIDUAL_LIMIT = 1e-8  # relative to the load's forces, after the correction
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ from scipy.linalg import cho_factor, cho_solve
 from fem.plane.discretisation import Array
 
 MAX_CHANGES = 60
-ROUND_OFF = 1e-11  # of the largest pressure, and of the largest gap
+ROUND_OFF = 1e-11  # relative to the largest pressure, and to the largest gap
 
 
 def push_together(A: Array, gap: Array, area: Array, load: float) -> tuple[Array, float]:

@@ -36,7 +36,7 @@ from fem.fourier.vibration_parts import by_body, gyroscopic_form, mass_matrix, m
 from fem.plane.discretisation import Array
 from fem.rotor.splitting import Whirl, gyroscopic_splitting
 
-RESIDUAL_LIMIT = 1e-5  # of a mode, in the energy's norm: its frequency errs by the square
+RESIDUAL_LIMIT = 1e-5  # relative to a mode, in the energy's norm: its frequency errs by the square
 TOLERANCE = 1e-12  # Lanczos', of 1/w
 NO_SPEED = 1e-12  # 1/W^2 of the lowest speed: below, roots are zero but for round-off
 SEED = 1

@@ -9,7 +9,7 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 TENSOR = {ElementQuad1: 1, ElementQuad2: 2}  # products of polynomials of this degree
-FLAT = 1e-9  # of a cell's largest determinant: below, it vanishes to round-off
+FLAT = 1e-9  # relative to a cell's largest determinant: below, it vanishes to round-off
 
 
 def shapes(elem: Element, X: Array) -> tuple[Array, Array]:

@@ -12,7 +12,7 @@ from skfem.mesh import Mesh2D
 from fem.plane.discretisation import Array, Indices, is_curved
 from fem.plane.geometry import shapes
 
-INSIDE = 1e-4  # of a cell: a circle's parabolas miss it by less, and so does round-off
+INSIDE = 1e-4  # relative to a cell: a circle's parabolas miss it by less, and so does round-off
 BULGE = 1 / 3  # of a cell's extent, the most by which a quadratic edge leaves the box of its nodes
 TRIALS = ((4, 0.0), (32, 0.0), (32, INSIDE))  # nearest cells, and gap; after these, all cells
 ROUND_OFF_DIGITS = 9  # of a depth: cells that hold a point as deeply count by their number

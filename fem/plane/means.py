@@ -20,7 +20,7 @@ from fem.plane.discretisation import Array, facet_basis, named_facets
 from fem.plane.loads import surface_load
 
 COMPONENTS = "xyr"
-INDEPENDENT = 1e-9  # of the largest singular value
+INDEPENDENT = 1e-9  # relative to the largest singular value
 
 
 @dataclass(frozen=True)

@@ -27,8 +27,8 @@ Anchors = Mapping[tuple[float, float], Support]
 Owner = str | tuple[float, float]
 COMPONENTS = "xynt"
 INDEPENDENT = 1e-9  # singular values of the unit directions at a node: below, two are one
-COINCIDENT = 1e-9  # of the mesh's extent
-CONTRADICTION = 1e-9  # of the values prescribed at a node
+COINCIDENT = 1e-9  # relative to the mesh's extent
+CONTRADICTION = 1e-9  # relative to the values prescribed at a node
 AXIS = "the axis"  # holder of the condition u_r = 0 on the axis of a body of revolution
 CENTRE = "the centre of a tie"  # holder of the nodes that follow themselves, turned
 

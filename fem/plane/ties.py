@@ -22,7 +22,7 @@ from fem.plane.guides import turned
 from fem.plane.moves import Move
 from fem.plane.supports import Conditions, free_directions, node_dofs, nodes_on
 
-MATCH = 1e-6  # of the mesh's extent: largest distance of nodes from their partners
+MATCH = 1e-6  # relative to the mesh's extent: largest distance of nodes from their partners
 SAME = 1e-9  # rotations [rad] that differ by less are one
 Follows = dict[int, tuple[int, Move]]  # by the unknowns x of nodes: whom, and the move from there
 

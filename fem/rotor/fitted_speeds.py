@@ -13,8 +13,8 @@ from fem.rotor.elements import Array
 from fem.rotor.whirl_systems import WhirlSystems
 
 STEPS = 14
-HIT = 1e-8  # of each critical speed
-LONGEST = 0.25  # of a step, over the width of a range
+HIT = 1e-8  # relative to each critical speed
+LONGEST = 0.25  # length of a step over the width of a range
 SMALL = 1e-5  # of a range, for differences
 Systems = Callable[[Array], WhirlSystems]  # at places (m, k)
 

@@ -24,11 +24,11 @@ from fem.rotor.blocks import Block, Complex
 from fem.rotor.elements import Array
 
 RATIO = 1e-14  # omega / Omega of speeds that are in one ratio differ by less
-SKEW = 1e-14  # of K that counts as symmetric
+SKEW = 1e-14  # relative asymmetry of K that counts as symmetric
 RANK = 1e-14  # singular values of C, over the largest, that are round-off
 SPARSE = 4  # times the rank of C may fit into the unknowns: beyond, little is saved
 NEAR = 1e-6  # |d| of an undamped resonance, where the terms of the formula cancel
-GOOD = 1e-8  # of the motion: a larger correction leaves more than round-off behind
+GOOD = 1e-8  # relative to the motion: a larger correction leaves more than round-off behind
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from fem.rotor.elements import Array
 from fem.rotor.model import Rotor
 from fem.rotor.parts import UNKNOWNS
 
-SAME_SIZE = 1e-9  # of the largest: equal displacements of a symmetric shape differ by round-off
+SAME_SIZE = 1e-9  # over the largest: equal displacements of a symmetric shape differ by round-off
 
 
 @dataclass(frozen=True)

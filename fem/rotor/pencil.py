@@ -24,7 +24,7 @@ from scipy.linalg import cholesky, eigh, solve_triangular
 from fem.rotor.blocks import Block, Complex, Indices, rigid_motions
 from fem.rotor.elements import Array
 
-STILL = 1e-6  # of a state, below which it has no motion
+STILL = 1e-6  # relative to a state, below which it has no motion
 NUDGE = 1e-13  # off an eigenvalue, so that its matrix can be factorised
 ABSENT = 1e-14  # eigenvalues of the second matrix, over the largest, that are zero
 

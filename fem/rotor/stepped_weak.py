@@ -11,7 +11,7 @@ from fem.rotor.weak import WeakShaft, weak_shaft
 CELLS = 10  # along the shaft, at least, times the level
 CONE = 8  # in a cone of the 45° rule, times the level
 WITH_CONES = 2  # times CELLS: else the cells' error, order four, hides that of the cones, order two
-SAME = 1e-9  # of the length: stations that differ by less are one; of a count of cells: round-off
+SAME = 1e-9  # over the length: stations that differ by less are one; of a count of cells: round-off
 
 
 def stepped_weak(

@@ -8,7 +8,7 @@ from fem.solid.geometry import Indices, faces
 
 Point = tuple[float | None, float | None, float | None]
 Place = str | Point
-NEAR = 1e-6  # of the mesh's extent
+NEAR = 1e-6  # relative to the mesh's extent
 
 
 def nodes_at(mesh: Mesh3D, place: Place) -> Indices:

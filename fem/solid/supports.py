@@ -17,7 +17,7 @@ from fem.solid.places import Place, nodes_at
 Prescribed = float | Callable[[Array], Array]
 Support = str | Mapping[str, Prescribed]
 AXES = "xyz"
-CONTRADICTION = 1e-9  # of the values prescribed at a node
+CONTRADICTION = 1e-9  # relative to the values prescribed at a node
 
 
 @dataclass(frozen=True)

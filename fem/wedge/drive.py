@@ -16,9 +16,9 @@ from fem.wedge.flat import Sector, State
 from fem.wedge.flat_start import Start
 from fem.wedge.pulled import EDGES, Borne, Pulled, creeping, lever_left, sector, yielding
 
-STEP = 0.25  # of the rim along z, over the deflection of parts at the limit
-MOBILISED = 1e-6  # of the axial force: largest growth by the cone where a contact slips
-MET = 2e-3  # of the limit, within which loads of a path are met
+STEP = 0.25  # step of the rim along z, over the deflection of parts at the limit
+MOBILISED = 1e-6  # relative to the axial force: largest growth by the cone where a contact slips
+MET = 2e-3  # relative to the limit, within which loads of a path are met
 MOST = 40  # steps
 # Halving the steps again and again adds 1.5 to 2.1 times what the last halving did, measured down
 # to a thirty-second of the deflection.

@@ -22,7 +22,7 @@ AMPLE = 2.0  # friction over that required by statics, where forces are measured
 HARDER = 0.85  # d ln(approach)/d ln(T), about
 NEAR, MOST = 1e-4, 12  # how near the torque coarse meshes come; steps of a ring that creeps
 STILL = 1e-6  # of both approaches: allowed movement of the roller while the ring creeps
-EDGES = 1e-4  # of a value, as the ends of contacts lie between two nodes
+EDGES = 1e-4  # relative to a value, as the ends of contacts lie between two nodes
 PROBE = 0.3  # mu P'/G, the first step of the ring along z; it would be the deflection of all
 
 

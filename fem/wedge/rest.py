@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 Drags = tuple[float, float]  # m, how far inner and outer surface are turned where they are touched
 
 STILL = 1e-5  # of both overlaps: allowed movement of a body
-CORE = 0.05  # of a body's size: where its motion is read
+CORE = 0.05  # relative to a body's size: where its motion is read
 
 
 class Solved(Protocol):

@@ -17,12 +17,12 @@ from fem.wedge.pulled import Borne, Pulled, held_along, slipping
 Array = NDArray[np.float64]
 
 BELOW, ABOVE = 1e-3, 1.4e-3  # of tan(psi/2): first bracket of the onset under torque
-STICKING_TOLERANCE = 1e-9  # of N: less on sticking nodes is round-off
+STICKING_TOLERANCE = 1e-9  # relative to N: less on sticking nodes is round-off
 ONSET_WIDTH = 1e-6  # of tan(psi/2): last bracket
 AXIAL_ABOVE = 1e-3  # of mu_req: the first friction with an axial load
 SHARES = (1.01, 1.06, 1.15, 1.35, 1.8, 3.0)  # mu/tan(alpha) of the slip shares
 ANGLES = (0.3, 0.5, 0.7, 0.85, 0.97, 1.03, 1.2, 1.5)  # tan(alpha)/mu of the sweep
-HELD = 0.5  # of N: more is left of it where places are equal and forces are not
+HELD = 0.5  # relative to N: more is left of it where places are equal and forces are not
 DRIVEN = (1.5, 3.0)  # of the ring along z, over the deflection of parts: to where all slips
 
 

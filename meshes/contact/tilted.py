@@ -9,7 +9,7 @@ from skfem.mesh import Mesh2D
 from meshes.contact.blocks import Block, Point, mesh_blocks
 from meshes.contact.fan import Outline, Zone, fan
 
-INNER = 0.45  # of the radius: length of the inner part of the cut, on each side of the centre
+INNER = 0.45  # over the radius: length of the inner part of the cut, on each side of the centre
 
 
 def tilted_half_disc(*, R: float, tilt: float, zone: float, refine: int, cells: int = 6) -> Mesh2D:

@@ -8,7 +8,7 @@ from meshes.contact.blocks import Point
 from meshes.freewheel.races import FlatRace, RoundRace
 
 STEEPEST = math.pi / 4  # angle psi up to which the roller's mesh bends
-ASTRAY = 1 / 2  # of the roller's radius: largest gap or overlap with either race
+ASTRAY = 1 / 2  # relative to the roller's radius: largest gap or overlap with either race
 ROOM = 2.0  # fine zones that fit between the contact and the end of the flat
 
 

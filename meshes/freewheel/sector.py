@@ -15,7 +15,7 @@ from meshes.freewheel.races import FlatRace, RoundRace
 from meshes.freewheel.roller import bent_roller
 from meshes.join import join
 
-CLEARANCE = 0.2  # of the roller's radius, between the tip of a star and the ring
+CLEARANCE = 0.2  # relative to the roller's radius, between the tip of a star and the ring
 
 
 def inner_cam_sector(

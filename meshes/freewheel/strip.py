@@ -13,7 +13,7 @@ from meshes.contact.grading import last_cell
 from meshes.counts import at_least
 
 SLIM = 1.5  # a longer side goes on beside a fan about as wide as deep, in growing cells
-LONG = 0.6  # of the width across the strip, how long its cells far from the contact are about
+LONG = 0.6  # over the width across the strip, how long its cells far from the contact are about
 
 
 @dataclass(frozen=True)

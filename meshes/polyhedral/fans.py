@@ -14,7 +14,7 @@ from meshes.polyhedral.outline import Outline
 
 BODY = "ring"
 SLENDER = 2.0  # and how much longer than the wall is thick they are at most
-LEAN = 0.6  # of the core's depth, by which its end leans to the corner to open the fan
+LEAN = 0.6  # relative to the core's depth, by which its end leans to the corner to open the fan
 DEEP = 1 / 3  # of the wall at the corner, which the core around the fillet takes at most
 
 

@@ -12,7 +12,7 @@ from meshes.revolution.section import chain, stations
 
 Array = NDArray[np.float64]
 Part = tuple[float, float, float]  # length, outer diameter, bore
-SAME = 1e-9  # of the shaft's length
+SAME = 1e-9  # relative to the shaft's length
 
 
 def stepped_section(

@@ -12,7 +12,7 @@ from meshes.freewheel.strip import Side, Strip
 from meshes.sprag.profile import Array, Placed
 
 BODY = "sprag"
-ROUND_OFF = 1e-9  # of the half column's height: both halves meet exactly
+ROUND_OFF = 1e-9  # relative to the half column's height: both halves meet exactly
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from meshes.freewheel.races import RoundRace
 from meshes.sprag.column import Reach
 from meshes.sprag.profile import Placed
 
-ASTRAY = 1 / 4  # of the gap between the races: largest gap or overlap of the sprag with either
+ASTRAY = 1 / 4  # over the gap between the races: largest gap or overlap of the sprag with either
 FURTHEST = math.pi / 4  # largest rotation of a sprag, and angle of its pole from +y [rad]
 ROOM = 4 / 3  # fine zones that fit between the contact and the flank
 NEAREST = 1 / 4  # of half the outline: smallest distance of a contact from the flank

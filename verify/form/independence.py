@@ -12,7 +12,7 @@ from verify.form.comparisons import Comparison, Computed, Expected
 from verify.form.quantity import CHANGE, Quantity, changed, read_by
 
 SHARE = 0.1  # over a change of the formula: an interval may depend weakly on the formula
-LEAST = 0.25 * CHANGE  # change of a formula by what it reads; a load changes a stiffness less
+LEAST = 0.25 * CHANGE  # least change of a formula by a quantity that it reads
 
 
 def check(case: Case, one: Comparison) -> None:

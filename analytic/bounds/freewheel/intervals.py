@@ -6,7 +6,7 @@ from analytic.bounds.freewheel.parts import FreewheelParts, Loaded
 
 CURVED = 4.0  # bound of Hertz's error of pressures over (a/r)²; between flats it is 3/16
 LEAST = 7e-3  # and no less is required: 1 % is accepted, meshes take 0.3
-ROUNDED = 2e-5  # of a value: nothing finer is required, splines and meshes take half of it
+ROUNDED = 2e-5  # relative to a value: nothing finer is required, splines and meshes take half of it
 SMALLEST = 2e-3  # nor of approaches that others follow from
 ASKED = 4e-3  # nor of approaches themselves
 TIGHT, LOOSE = 0.8, 1.2  # of the winding of a ring: corners stand beyond it, some without shear

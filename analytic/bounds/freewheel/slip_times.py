@@ -17,7 +17,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 FINE = 400  # times of a cycle: a crossing below the top by less than 4e-5 of it may be missed
-ROUND_OFF = 1e-9  # of the cycles, so that their times are the same on all processors
+ROUND_OFF = 1e-9  # relative to the cycles, so that their times are the same on all processors
 
 Tangent = Callable[[float], float]  # tan(alpha) over the torque
 

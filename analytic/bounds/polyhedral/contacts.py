@@ -18,7 +18,7 @@ import numpy as np
 
 CATALAN = 0.915965594177219
 BLUNT = 1e-3  # least error of Hertz's semi-ellipse
-PEAK_STRESS = 2e-3  # of a largest stress: the polynomial along the fillet and the mesh error
+PEAK_STRESS = 2e-3  # over a largest stress: the polynomial along the fillet and the mesh error
 WIDTH = 64 / (45 * np.pi)  # first terms of beta kappa a: of the half-width,
 PEAK = -(2 * CATALAN - 1 / 3) / np.pi  # and of the pressure in the middle
 

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 Interval = tuple[float, float]
 
-ENERGY = 1e-5  # of the work: error of the cubics of a table
+ENERGY = 1e-5  # relative to the work: error of the cubics of a table
 BOOKED = 2 * ENERGY  # the same, and the rotation of the outer race that inertia alone holds
-PART = 0.1  # of the centroid's outward travel, from the trapezia of 401 states
+PART = 0.1  # relative to the centroid's outward travel, from the trapezia of 401 states
 
 
 @dataclass(frozen=True, kw_only=True)

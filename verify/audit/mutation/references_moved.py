@@ -52,7 +52,7 @@ def of_paper(case: Case, folder: Path | None = None) -> Context:
     for level in case.levels:
         stored = cache.load(folder or cache.default_folder(), case, inputs, level)
         if stored is None:
-            raise InputError(f"{case.id} level {level} is not solved: freewheel verify does it")
+            raise InputError(f"{case.id} level {level} is not solved: run `freewheel verify`")
         found.append(replace(stored, fields=()))  # pictures, which no row looks at
     return Context(case.id, inputs, case.analytic(inputs), found, is_paper=True)
 

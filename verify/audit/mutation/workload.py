@@ -63,7 +63,7 @@ def _load(case: Case, folder: Path) -> Load:
     for level in case.levels:
         found = cache.load(folder, case, inputs, level)
         if found is None:
-            raise InputError(f"{case.id} level {level} is not solved: freewheel verify does it")
+            raise InputError(f"{case.id} level {level} is not solved: run `freewheel verify`")
         levels.append(replace(found, fields=()))  # pictures, which no row looks at
     return Load(case, inputs, tuple(levels))
 
