@@ -35,7 +35,9 @@ END = np.exp(-0.5) / 2  # Johns and Gohar print 0.3033
 
 
 def slice_centres(*, length: float, slices: int) -> Array:
-    """Axial positions [length] of the centres of equal slices, from mid-length, (slices,).
+    """Axial positions (slices,) [length] of the centres of equal slices, from mid-length.
+
+    ValueError without a slice, or unless length > 0.
 
     >>> slice_centres(length=8.0, slices=4).tolist()
     [-3.0, -1.0, 1.0, 3.0]
@@ -100,7 +102,7 @@ def logarithmic(
     r"""Drop [length] of the crown with three parameters (Eq. 1, corrected); z_m at the ends.
 
     K_1 multiplies the design load Q = `load`, K_2 in (0, 1] is the crowned part of the length, z_m
-    [length] the drop at the ends. With K_1 = K_2 = 1 and z_m without end it is Lundberg's; with
+    [length] the drop at the ends. With K_1 = K_2 = 1 and infinite z_m it is Lundberg's crown; with
     z_m much below A it is the parabola :math:`z_m t^2`.
 
     >>> A = {"K_1": 1.0, "load": np.pi, "length": 2.0, "E_star": 0.5}  # A = 1

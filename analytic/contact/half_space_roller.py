@@ -92,12 +92,14 @@ def press_roller(
     width: float | None = None,
     **how: Any,
 ) -> RollerContact:
-    """Contact of the roller under either `load` or `approach`.
+    """Contact of the roller under either `load` [force] or `approach` [length].
 
     `crown` is the profile z(y) [length], a function or its values at the cells (ny,) or a number;
-    `tilt` the angle θ about x. `width` is the patch's across, whole; without it a coarse solution
+    `tilt` the angle θ [rad] about x. `width` [length] is the full width of the patch; without it a
+    coarse solution
     finds it, so that a study of refinement should give one. A patch whose sides the contact
     reaches is made wider. Further arguments: see `HalfSpace.press`.
+    ValueError unless R, length, E_star and load are positive.
 
     >>> found = press_roller(R=1.0, length=100.0, E_star=np.pi, load=100.0, cells=(32, 64))
     >>> hertz = np.sqrt(found.line_load[32])  # sqrt(P E* / (pi R)) of the load in the middle

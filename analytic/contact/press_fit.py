@@ -31,7 +31,10 @@ from analytic.contact.checks import Array, Assumption, finite, in_plane, not_neg
 
 @dataclass(frozen=True)
 class Wall:
-    """One ring (or, with r_i = 0, a solid shaft): radii [length], E [stress], nu."""
+    """A ring (or, with r_i = 0, a solid shaft): radii [length], E [stress], nu [1].
+
+    ValueError unless 0 <= r_i < r_o and E > 0.
+    """
 
     r_i: float
     r_o: float

@@ -38,7 +38,7 @@ class RollerClutch:
 
     The star of an inner cam is clamped on its bore, a shaft is free on it and may be solid
     (r_b = 0); the rim is free. `star` chooses the star's compliance, see `compliance`.
-    ValueError where a part has no wall.
+    ValueError if a part has no wall.
     """
 
     cam: Cam

@@ -183,7 +183,7 @@ class TransferMatrixRotor:
     """Shafts with discs, bearings to the ground and links between shafts, all undamped segments.
 
     `theory`: "timoshenko", "rayleigh" (no shear) or "euler" (nor rotary inertia of the shafts).
-    ValueError: no shaft, a station that does not exist.
+    ValueError: no shaft, an unknown theory, a station that does not exist.
     """
 
     shafts: tuple[SegmentedShaft, ...]

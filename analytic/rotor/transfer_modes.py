@@ -73,9 +73,9 @@ def transfer_critical_speeds(
 ) -> TransferModes:
     """Speeds at which a whirl frequency is `excitation` times the speed, the lowest `count`.
 
-    Unbalance of a shaft of ratio q excites with |q|, forward where q > 0. `whirl` None takes both
-    whirls; one of them is of isotropic bearings alone. There may be fewer than `count`, as
-    gyroscopic stiffening leaves finitely many forward ones.
+    Unbalance of a shaft of ratio q excites with |q|, forward if q > 0. `whirl` None includes both
+    senses; a single sense requires isotropic bearings. Fewer than `count` speeds may exist, since
+    with gyroscopic stiffening the number of forward critical speeds is finite.
     ValueError: no excitation, count < 1, an unsupported rotor.
     """
     if not (np.isfinite(excitation) and excitation != 0):

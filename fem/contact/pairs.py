@@ -45,8 +45,9 @@ class Pair:
     surface. `friction` is Coulomb's coefficient. The shapes are exact ones of the meshed
     boundaries, so that facets do not enter the gap. `interference` [length] is taken off the gap
     everywhere; `press_fit` accepts surfaces that overlap in the mesh. `normal` is the direction of
-    gap and pressure: that of the surface "between" the deformed bodies, on which they meet, or that
-    of the "master", where a body slides along a flat that stays as inclined as it is.
+    gap and pressure: normal to the surface "between" the deformed bodies, on which they meet, or to
+    the "master", if a body slides along a flat with constant inclination. ValueError for negative
+    friction, infinite interference, or a surface paired with itself.
     """
 
     slave: str

@@ -97,7 +97,10 @@ class Flat:
 
 @dataclass(frozen=True)
 class Circle:
-    """The circle about `centre`: the rim of a disc, or with `hollow` the bore of a ring."""
+    """The circle of `radius` about `centre` [length]: a disc's rim, or with `hollow` a ring's bore.
+
+    ValueError unless radius and centre are finite and the radius is positive.
+    """
 
     centre: tuple[float, float]
     radius: float

@@ -12,6 +12,7 @@ class Elastic:
     """Young's modulus `E` [stress] and Poisson's ratio `nu` [1] of one body.
 
     Plane strain and bodies of revolution above nu = 0.45: see `fem.plane.mixed`.
+    ValueError unless E > 0 is finite and -1 < nu < 0.5.
     """
 
     E: float

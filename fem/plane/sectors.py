@@ -13,7 +13,7 @@ FINE = 2001  # points among which its largest value is sought
 
 
 def radial(body: PlaneSolution, r: float, theta: Array) -> Array:
-    """Radial displacement (m,) [length] at the radius `r` and the angles `theta` [rad]."""
+    """Radial displacement (m,) [length] at the radius `r` [length], angles `theta` (m,) [rad]."""
     direction = np.array([np.cos(theta), np.sin(theta)])
     return np.asarray((body.at(r * direction).u * direction).sum(axis=0))
 

@@ -15,7 +15,7 @@ from fem.rotor.model import Rotor
 class Campbell:
     """Branches over `speeds` (m,) [rad/s]: lambda (m, k), whirl (m, k), ordered at the first.
 
-    NaN where a branch no longer oscillates.
+    NaN if a branch no longer oscillates. The lambda are eigenvalues [1/s].
     """
 
     speeds: Array

@@ -33,12 +33,12 @@ class CriticalSpeeds:
 def critical_speeds(
     rotor: Rotor, count: int = 4, whirl: str = "forward", excitation: float = 1.0
 ) -> CriticalSpeeds:
-    """Speeds of the rotor at which `excitation` times the speed is a natural frequency.
+    """Speeds [rad/s] of the rotor at which `excitation` times the speed is a natural frequency.
 
     `whirl` is "forward", "backward" or "both"; on anisotropic supports every mode turns in one
-    of the two senses, "both" also has those that go to and fro. The sense of the whirl is against
-    that of a rotor with a positive speed. Damping is left out. For the unbalance of a shaft with
-    another ratio, `excitation` is that ratio. Fewer than `count` where there are no more.
+    of the two senses, "both" also has modes that oscillate in a line. The sense of the whirl is
+    relative to a positive speed of the rotor. Damping is neglected. For the unbalance of a shaft
+    with another ratio, `excitation` is that ratio. Fewer than `count` if no more exist.
     ValueError for supports that depend on the speed, and for a rotor that is not supported.
     """
     check_count(count)

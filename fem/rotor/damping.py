@@ -12,7 +12,7 @@ from fem.rotor.elements import Array
 
 @dataclass(frozen=True)
 class Rayleigh:
-    """C = alpha M + beta K, with alpha [1/s] and beta [s]."""
+    """C = alpha M + beta K, with alpha [1/s] and beta [s]; ValueError for negative values."""
 
     alpha: float
     beta: float
@@ -27,7 +27,7 @@ class Rayleigh:
     def at(cls, first: tuple[float, float], second: tuple[float, float]) -> "Rayleigh":
         """From the damping ratios at two frequencies: (omega [rad/s], zeta) each.
 
-        zeta = (alpha/omega + beta omega)/2. ValueError where a coefficient would be negative.
+        zeta = (alpha/omega + beta omega)/2. ValueError if a coefficient would be negative.
         """
         (w_1, z_1), (w_2, z_2) = first, second
         if not (w_1 > 0 and w_2 > 0 and w_1 != w_2):

@@ -37,7 +37,7 @@ class Rotor:
     """Shafts with discs, supports and links; every given element is `refine` beam elements.
 
     `theory` is "timoshenko", "rayleigh" (no shear) or "euler" (nor rotary inertia). ValueError
-    for nodes that do not exist, and for discs on one shaft that overlap.
+    for nodes that do not exist, and for overlapping discs on one shaft. SI units.
     """
 
     shafts: Sequence[Shaft]

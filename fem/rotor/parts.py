@@ -17,7 +17,7 @@ UNKNOWNS = 6  # of a node: x, y, z, theta_x, theta_y, theta_z
 class Material:
     """Isotropic elastic: Young's modulus `E` [Pa], Poisson's ratio `nu`, density `rho` [kg/m^3].
 
-    A shaft without mass has rho = 0.
+    A shaft without mass has rho = 0. ValueError unless E > 0, -1 < nu <= 0.5 and rho >= 0.
     """
 
     E: float
@@ -46,7 +46,8 @@ class Element:
     """A cylindrical piece of a shaft: `length`, outer and inner diameter `d_o`, `d_i` [m].
 
     `shear` is the coefficient kappa of the shear stiffness kappa G A; by default Hutchinson's
-    (J. Appl. Mech. 68 (2001) 87-92) for the circular section, solid or hollow.
+    (J. Appl. Mech. 68 (2001) 87-92) for the circular section, solid or hollow. ValueError unless
+    length > 0, 0 <= d_i < d_o and kappa > 0.
     """
 
     length: float
@@ -90,7 +91,8 @@ class Element:
 class Shaft:
     """Elements one after the other, from `z` on [m].
 
-    The shaft turns at `ratio` times the rotor's speed, backwards where that is negative.
+    The shaft rotates at `ratio` [1] times the rotor's speed, in the opposite sense if negative.
+    ValueError without elements.
     """
 
     elements: Sequence[Element]
@@ -110,7 +112,8 @@ class Shaft:
 class Disc:
     """A rigid disc: `mass` [kg], `polar` and `diametral` moments of inertia [kg m^2].
 
-    Discs of a `width` [m], the node in the middle, must not overlap.
+    Discs of a `width` [m], the node in the middle, must not overlap. ValueError for negative
+    values.
     """
 
     node: int
@@ -156,7 +159,8 @@ class Support:
     """A bearing between a node and the ground: stiffness k.. [N/m], damping c.. [N s/m].
 
     Left out, `kyy` is `kxx` and `kyx` is `kxy`, so that one number makes an isotropic bearing.
-    `k_tilt` and `c_tilt` hold both tilts, `k_turn` the rotation about the axis [N m, N m s].
+    `k_tilt` and `c_tilt` act on both tilts, `k_turn` and `c_turn` on the rotation about the axis
+    [N m/rad, N m s/rad]. ValueError for negative or infinite coefficients.
     """
 
     node: int
