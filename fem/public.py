@@ -24,7 +24,7 @@ def lazily(package: str, file: str) -> tuple[Callable[[str], Any], Callable[[], 
 
     @cache
     def homes() -> dict[str, tuple[str, str]]:
-        """Module and name there of every public name."""
+        """Module of every public name, and the name in that module."""
         stub = ast.parse(Path(file).with_suffix(".pyi").read_text("utf-8"))
         imports = [node for node in stub.body if isinstance(node, ast.ImportFrom)]
         return {a.asname or a.name: (str(i.module), a.name) for i in imports for a in i.names}
