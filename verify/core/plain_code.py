@@ -26,7 +26,7 @@ Bound = Mapping[str, str]  # meaning of each imported name
 
 
 def plain(node: ast.AST, bound: Bound) -> str:
-    """Text of a syntax tree without docstrings and positions; the tree is unchanged.
+    """Text of a syntax tree without docstrings, messages and positions; the tree is unchanged.
 
     It is the text of `ast.dump` in Python 3.11: with empty lists, which 3.13 leaves out, and
     without `type_params`, which 3.12 added.
