@@ -45,7 +45,7 @@ class Equations:
         """A page with its glyphs, numbered by their first use, independent of other pages."""
         names = {name: f"g{i}" for i, name in enumerate(dict.fromkeys(_GLYPH.findall(page)))}
         glyphs = (
-            f'<path id="{own}" transform="scale(1 -1)" d="{self._outlines[name]}"/>'
+            f'<path id="{own}" transform="scale(.01 -.01)" d="{self._outlines[name]}"/>'
             for name, own in names.items()
         )
         used = _GLYPH.sub(lambda use: f'<use href="#{names[use[1]]}"', page)
@@ -100,7 +100,7 @@ class Equations:
         """The name of a glyph, whose outline joins the others where it is new."""
         if glyph not in self._names:
             name = self._names[glyph] = f"g{len(self._names)}"
-            self._outlines[name] = _tight(outline)
+            self._outlines[name] = _in_hundredths(outline)
         return self._names[glyph]
 
 
@@ -129,10 +129,20 @@ def _numbers(text: str) -> list[float]:
 
 
 def _tight(path: str) -> str:
-    """A path in hundredths of a point, without the blanks that no reader needs."""
+    """A path rounded to hundredths of a point, without the blanks that no reader needs."""
     short = _NUMBER.sub(lambda number: _short(float(number[0]), 2), path)
-    tight = re.sub(r" ?([A-Za-z]) ?", r"\1", short).replace(" -", "-").strip()
-    return re.sub(r"(\.\d+) (?=\.)", r"\1", tight.replace("M0 0m", "M", 1))
+    return re.sub(r"(\.\d+) (?=\.)", r"\1", _joined(short))
+
+
+def _in_hundredths(path: str) -> str:
+    """The outline of a glyph in hundredths of a point: whole numbers are shorter."""
+    return _joined(_NUMBER.sub(lambda number: str(round(100 * float(number[0]))), path))
+
+
+def _joined(path: str) -> str:
+    """A path without blanks at letters and signs; its first move is absolute."""
+    tight = re.sub(r" ?([A-Za-z]) ?", r"\1", path).replace(" -", "-").strip()
+    return tight.replace("M0 0m", "M", 1)
 
 
 def _line(y: float, glyphs: Sequence[tuple[str, float, float]]) -> str:

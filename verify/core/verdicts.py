@@ -73,9 +73,9 @@ class DesignRange:
 class VerdictRange:
     """Range in which the error of a formula is within `limit`, in words, and its number of points.
 
-    `over` states the varied inputs of the study of a case, `studied` their ends; `box` holds the
-    ranges within the limit,
-    one at a time where `is_star`, and is empty where no point does. `interpolation` is by how much
+    `over` states the varied inputs of the study of a case, `studied` their ends, `held` the
+    constant inputs that differ from the default; `box` contains the ranges within the limit, one at
+    a time if `is_star`, and is empty if no point is within it. `interpolation` is by how much
     the error at a point differs at most from a straight line between its neighbours, None where no
     point has two.
     """
@@ -86,6 +86,7 @@ class VerdictRange:
     over: str
     box: tuple[Side, ...] = ()
     studied: tuple[Side, ...] = ()
+    held: tuple[Side, ...] = ()
     is_star: bool = False
     inside: int
     points: int

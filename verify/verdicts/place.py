@@ -1,7 +1,7 @@
 """Position of a user's inputs relative to the ranges that a verdict compared."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 
@@ -43,19 +43,20 @@ def place(found: FormulaVerdict, case: str, inputs: Inputs) -> Place:
         return Place(Where.INSIDE, "these are the default inputs of the case")
     ranges = sorted((r for r in found.ranges if r.case == case), key=lambda r: r.limit)
     symbols = {one.name: one.symbol for one in inputs.display()}
-    for limit in dict.fromkeys(r.limit for r in ranges):
-        of_limit = [r for r in ranges if r.limit == limit and _compares(r, mine, changed)]
-        if of_limit and all(_holds(r, mine, changed) for r in of_limit):
-            return Place(Where.INSIDE, f"inside the range with errors within {percent(limit)}")
-    studied = {n: [s for r in ranges for s in r.studied if s.name == n] for n in changed}
-    if other := [symbols[name] for name in changed if not studied[name]]:
-        return Place(Where.NOT_COMPARED, f"not compared with another {_named(other)}")
-    for name, sides in studied.items():
-        if not any(_inside(side, mine[name]) for side in sides):
-            return Place(Where.NOT_COMPARED, f"beyond what was compared: {_spans(sides)}")
-    if len(changed) > 1 and all(r.is_star for r in ranges):
+    apply = [r for r in ranges if _varies(r, _changed(r, mine, paper))]
+    if not apply:
+        known = {side.name for r in ranges for side in (*r.studied, *r.held)}
+        if other := [symbols[name] for name in changed if name not in known]:
+            return Place(Where.NOT_COMPARED, f"not compared with another {_named(other)}")
         both = _named([symbols[name] for name in changed])
         return Place(Where.NOT_COMPARED, f"not compared with {both} changed at once")
+    compared = [r for r in apply if _is_within(r.studied, _changed(r, mine, paper), mine)]
+    if not compared:
+        return Place(Where.NOT_COMPARED, f"beyond what was compared: {_beyond(apply, mine)}")
+    for limit in dict.fromkeys(r.limit for r in compared):
+        of_limit = [r for r in compared if r.limit == limit]
+        if all(r.box and _is_within(r.box, _changed(r, mine, paper), mine) for r in of_limit):
+            return Place(Where.INSIDE, f"inside the range with errors within {percent(limit)}")
     return Place(Where.OUTSIDE, f"outside the range with errors within {percent(_last(ranges))}")
 
 
@@ -69,20 +70,35 @@ def _equal(one: object, other: object) -> bool:
     return one == other
 
 
-def _compares(found: VerdictRange, mine: Mapping[str, object], changed: list[str]) -> bool:
-    """Whether a study has such inputs between its ends."""
-    if found.is_star and len(changed) > 1:
-        return False
-    sides = {side.name: side for side in found.studied}
-    return all(n in sides and _inside(sides[n], mine[n]) for n in changed)
+def _changed(
+    found: VerdictRange, mine: Mapping[str, object], paper: Mapping[str, object]
+) -> list[str]:
+    """The inputs that differ from the centre of a study: its constant inputs, else the default."""
+    centre = {**paper, **{side.name: side.low for side in found.held}}
+    return [name for name, value in mine.items() if not _equal(value, centre.get(name))]
 
 
-def _holds(found: VerdictRange, mine: Mapping[str, object], changed: list[str]) -> bool:
-    """Whether a range was compared with these inputs changed, and holds their values."""
-    sides = {side.name: side for side in found.box}
-    if found.is_star and len(changed) > 1:
-        return False
-    return bool(sides) and all(n in sides and _inside(sides[n], mine[n]) for n in changed)
+def _varies(found: VerdictRange, changed: list[str]) -> bool:
+    """Whether a study varies these inputs, all of them at once."""
+    return set(changed) <= {s.name for s in found.studied} and not (
+        found.is_star and len(changed) > 1
+    )
+
+
+def _is_within(sides: Sequence[Side], changed: list[str], mine: Mapping[str, object]) -> bool:
+    """Whether the changed inputs lie between the ends."""
+    ends = {side.name: side for side in sides}
+    return all(name in ends and _inside(ends[name], mine[name]) for name in changed)
+
+
+def _beyond(ranges: Sequence[VerdictRange], mine: Mapping[str, object]) -> str:
+    """The studied range of the first input that lies in none of them."""
+    sides = [side for r in ranges for side in r.studied]
+    for name in dict.fromkeys(side.name for side in sides):
+        of_name = [side for side in sides if side.name == name]
+        if not any(_inside(side, mine[name]) for side in of_name):
+            return _spans(of_name)
+    return "; ".join(dict.fromkeys(r.over for r in ranges))
 
 
 def _inside(side: Side, value: object) -> bool:

@@ -20,6 +20,9 @@ from verify.papers.numbers import numbers
 
 FILE = Path(__file__).parents[1] / "measured" / "verdicts.json"
 DIGITS = 3  # significant, of errors
+ERRORS = ("error", "above", "below")
+ERROR_TOLERANCE = 0.01  # relative, of an error beside the error of record
+SMALLEST_ERROR = 1e-5  # errors below it depend on rounding, so that they are not compared
 
 
 @cache
@@ -40,7 +43,7 @@ def keep(verdicts: Sequence[FormulaVerdict], file: Path = FILE) -> None:
 
 
 def moved(verdicts: Sequence[FormulaVerdict]) -> list[str]:
-    """A line for each formula whose verdict, accuracy class or ranges differ from the record."""
+    """A line for each formula whose verdict, class, safe side, ranges or errors differ from it."""
     before = {one.id: one for one in kept()}
     lines = []
     for one in verdicts:
@@ -49,9 +52,19 @@ def moved(verdicts: Sequence[FormulaVerdict]) -> list[str]:
             lines.append(f"verdict of {one.id}: {one.words}; not on record")
         elif (was.verdict, was.within) != (one.verdict, one.within):
             lines.append(f"verdict of {one.id}: {one.words}; {was.words} on record")
-        elif was.ranges != one.ranges:
+        elif was.safe is not one.safe:
+            lines.append(f"verdict of {one.id}: its safe side is not that of record")
+        elif (was.ranges, was.design) != (one.ranges, one.design):
             lines.append(f"verdict of {one.id}: its ranges are not those of record")
+        elif any(_differs(getattr(was, name), getattr(one, name)) for name in ERRORS):
+            lines.append(f"verdict of {one.id}: its errors are not those of record")
     return lines + [f"verdict of {name}: on record only" for name in before]
+
+
+def _differs(was: float | None, now: float | None) -> bool:
+    if was is None or now is None:
+        return was is not now
+    return not math.isclose(was, now, rel_tol=ERROR_TOLERANCE, abs_tol=SMALLEST_ERROR)
 
 
 def of_case(case: Case) -> tuple[FormulaVerdict, ...]:

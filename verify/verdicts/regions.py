@@ -5,11 +5,11 @@ from collections.abc import Sequence
 import numpy as np
 
 from verify.core.figures import Array
-from verify.core.verdicts import VerdictRange
+from verify.core.verdicts import Side, VerdictRange
 from verify.studies.sweep.outcome import Course
 from verify.studies.sweep.plan import Plan
 from verify.studies.sweep.region import lines, regions
-from verify.studies.validity.messages import over
+from verify.studies.validity.messages import constant, over
 from verify.studies.validity.regions import box_words
 from verify.verdicts.design import side
 from verify.verdicts.evidence import Study, joined
@@ -28,6 +28,11 @@ def ranges(studies: Sequence[Study]) -> tuple[VerdictRange, ...]:
             box=tuple(side(plan.case.id, of.axis, of.low, of.high) for of in one.box),
             studied=tuple(
                 side(plan.case.id, axis, axis.values[0], axis.values[-1]) for axis in plan.axes
+            ),
+            held=tuple(
+                Side(name=one.name, symbol=one.symbol or one.name, unit=one.unit,
+                     low=float(one.value), high=float(one.value))
+                for one in constant(plan)
             ),
             interpolation=interpolation(plan, course),
         )

@@ -99,7 +99,9 @@ def percent(value: float | None) -> str:
 
 
 def _studied(found: FormulaVerdict) -> str:
-    """Varied inputs, study by study."""
+    """Varied inputs, study by study; if points have no answer, the ranges with errors alone."""
+    if found.unsolved:
+        return "; ".join(dict.fromkeys(_range(one) for one in _widest(found) if one.inside))
     over = dict.fromkeys((one.case, one.over) for one in found.ranges)
     cases = {case for case, _ in over}
     return "; ".join(
@@ -142,7 +144,7 @@ def _part(found: FormulaVerdict) -> str:
             if found.own_only else "",
         )  # fmt: skip
         return "; ".join(filter(None, parts))
-    widest = [one for one in found.ranges if one.limit == found.ranges[-1].limit]
+    widest = _widest(found)
     best = [one for one in widest if one.inside]
     if not best:
         return "accurate only at the default inputs"
@@ -154,6 +156,11 @@ def _part(found: FormulaVerdict) -> str:
     if 2 * inside < points:
         return f"within {limit} at {inside} of {points} points, for {where}"
     return f"accurate within {limit} for {where}"
+
+
+def _widest(found: FormulaVerdict) -> list[VerdictRange]:
+    """The range of each study within the largest limit."""
+    return [one for one in found.ranges if one.limit == found.ranges[-1].limit]
 
 
 def _is_outside(found: FormulaVerdict) -> bool:

@@ -80,11 +80,11 @@ STATEMENTS: Mapping[str, Statement] = {
         reruns=(
             Rerun(
                 cause=Cause.GEOMETRY, what="a wall a tenth as thick, mean diameter as it is",
-                rows=("*Eq. 8", "*Eq. 9*", "*Eq. 10"), inputs=thin_round,
+                rows=("*Eq. 8*", "*Eq. 9*", "*Eq. 10"), inputs=thin_round,
             ),
             Rerun(
                 cause=Cause.PLANE, what="plane strain instead of plane stress",
-                rows=("*Eq. 8", "*Eq. 9*", "*Eq. 10"), changes=plane_strain(), shared=True,
+                rows=("*Eq. 8*", "*Eq. 9*", "*Eq. 10"), changes=plane_strain(), shared=True,
             ),
         ),
         finer=6,

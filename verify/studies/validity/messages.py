@@ -1,5 +1,6 @@
 """Numbers, ranges and axes of a measurement in words."""
 
+from verify.core.results import InputValue
 from verify.studies.sweep.axes import Axis
 from verify.studies.sweep.plan import Plan
 
@@ -53,12 +54,19 @@ def over(plan: Plan) -> str:
 
 def held(plan: Plan) -> str:
     """The constant inputs that differ from the default: "e = 2 mm"."""
-    default, varied = plan.case.inputs(), {axis.name for axis in plan.axes}
     return ", ".join(
         f"{one.symbol or one.name} = {number(float(one.value))} {one.unit}".removesuffix(" 1")
-        for one, usual in zip(plan.inputs.display(), default.display(), strict=True)
-        if one.value != usual.value and one.name not in varied
+        for one in constant(plan)
     )
+
+
+def constant(plan: Plan) -> tuple[InputValue, ...]:
+    """The inputs that a plan holds at another value than the default."""
+    default, varied = plan.case.inputs(), {axis.name for axis in plan.axes}
+    return tuple(
+        one for one, usual in zip(plan.inputs.display(), default.display(), strict=True)
+        if one.value != usual.value and one.name not in varied
+    )  # fmt: skip
 
 
 def _ends(axis: Axis, low: float, high: float) -> str:

@@ -32,7 +32,11 @@ STUDIED = (  # rows of the study
     "torsional stiffness of rigid races",
 )
 THIN_RACES = ("R_ed=23mm", "R_id=9.5mm", "T=12.5N m")  # that bend between few sprags
-NEAR_FLANK = ("z=8", "nu_0=2.5deg")  # few sprags and a small angle: contacts near the flanks
+NEAR_FLANK = (
+    "z=8",
+    "nu_0=2.5deg",
+    "T=12.5N m",
+)  # few sprags and a small angle: contacts near the flanks
 
 
 class WedgedSprag(WedgeSteps):
