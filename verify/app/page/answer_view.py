@@ -43,7 +43,11 @@ def brief(shown: Shown) -> Markup:
 
 
 def _faults(shown: Shown) -> Markup:
-    told = [shown.fault] if shown.fault else [f"{k}: {v}" for k, v in shown.faults.items()]
+    told = (
+        [shown.fault]
+        if shown.fault
+        else [v if v.startswith(f"{k} = ") else f"{k}: {v}" for k, v in shown.faults.items()]
+    )
     return Markup(
         '<p class="verdict none">No answer: an input is wrong</p>{}<p class="soft">{}</p>'
     ).format(_list(told, "warnings"), "The sketch is that of the last inputs with an answer.")
@@ -52,7 +56,7 @@ def _faults(shown: Shown) -> Markup:
 def _list(lines: Sequence[str], css: str = "") -> Markup:
     if not lines:
         return Markup("")
-    items = Markup("").join(Markup("<li>{}</li>").format(one) for one in lines)
+    items = Markup("").join(Markup("<li>{}</li>").format(lowered(one)) for one in lines)
     return Markup('<ul class="{}">{}</ul>').format(css, items)
 
 
@@ -61,7 +65,7 @@ def _limits(cells: Cells) -> Markup:
         return Markup("")
     header = ("", "criterion", "value", "limit", "margin", "source")
     rows = [(*c[:4], c[4].removeprefix("margin "), c[5]) for c in cells]
-    return Markup("<h3>Limits</h3>") + table(header, rows)
+    return Markup('<h3>Limits</h3><div class="limits">{}</div>').format(table(header, rows))
 
 
 def _values(shown: Shown) -> Markup:
