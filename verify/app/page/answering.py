@@ -92,5 +92,5 @@ class Answering:
         self.screen.brief.set_content(brief(found))
         if found.sketch:
             self.screen.sketch.set_content(found.sketch)
-        data = json.dumps([found.faults, found.beside, found.assumed])
+        data = json.dumps([found.faults, found.beside, found.assumed, bool(found.verdict)])
         ui.run_javascript(f"freewheel.messages(...{data}); freewheel.highlight()")

@@ -1,13 +1,13 @@
 // Messages beside inputs, the input in the sketch, the link in the address, and the end of the server.
 const freewheel = {
-  messages(faults, beside, assumed) {
+  messages(faults, beside, assumed, answered) {
     for (const field of document.querySelectorAll(".field")) {
       const at = field.dataset.at, fault = faults[at], warned = beside[at];
       const input = field.querySelector("[data-place]");
       field.classList.toggle("fault", !!fault);
       field.classList.toggle("warned", !fault && !!warned);
       input.setAttribute("aria-invalid", fault ? "true" : "false");
-      if (input.placeholder) input.placeholder = assumed[at] ? `assumed: ${assumed[at][0].replace(/^.* = /, "")}` : "left out";
+      if (answered && input.placeholder) input.placeholder = assumed[at] ? `assumed: ${assumed[at][0].replace(/^.* = /, "")}` : "left out";
       const text = fault ? fault : (warned || []).join(" ");
       const message = field.querySelector(".message");
       if (message.textContent !== text) message.textContent = text;
@@ -20,8 +20,9 @@ const freewheel = {
       one.classList.toggle("on", one.dataset.input === place);
     const note = document.getElementById("sketch-note");
     if (!note || !place) return;
+    const symbol = document.activeElement.closest(".field")?.querySelector("label b");
     const shown = [...document.querySelectorAll(".sketch [data-input]")].some(one => one.dataset.input === place);
-    note.textContent = shown ? `${place} is marked in the sketch` : `${place} is not a dimension of the sketch`;
+    note.replaceChildren(symbol?.cloneNode(true) ?? place, shown ? " is marked in the sketch" : " is not marked in the sketch");
   },
   focus(place) {
     const input = [...document.querySelectorAll("[data-place]")].find(one => one.dataset.place === place);
@@ -41,7 +42,11 @@ document.addEventListener("click", event => {
   const one = event.target.closest(".sketch [data-input]");
   if (one) freewheel.focus(one.dataset.input);
 });
-setInterval(() => { if (window.socket && !window.socket.connected) freewheel.ended(); }, 2000);
+setInterval(() => {
+  const lost = !!window.socket && !window.socket.connected;
+  document.body.classList.toggle("offline", lost);  // the answer is that of the inputs before
+  if (lost) freewheel.ended();
+}, 2000);
 document.addEventListener("keydown", event => {
   if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
   const key = event.key.toLowerCase();
