@@ -147,6 +147,7 @@ class Screen:
         except (ValueError, LookupError) as error:
             self.told.set_content(message(str(error)))
             return
+        self.told.set_content("")
         self.changed()
 
     def _pressed(self, event: Any) -> None:
