@@ -3,6 +3,7 @@
 from dataclasses import replace
 from typing import Any
 
+from markupsafe import Markup
 from nicegui import ui
 
 from verify.app.page.toml_text import parameter_file, read_state
@@ -29,13 +30,14 @@ class FileView:
                 button("Copy the link of this session", self._copy, name="copy")
             self.told = html().props('id="file-told" role="status"')
 
-    def _list(self) -> None:
-        """The files of the folder at present."""
+    def _list(self, chosen: str = "") -> None:
+        """The files of the folder at present; `chosen` is selected if it is one of them."""
         names = self.screen.place.folder.names_of(".toml")
         self.listed.clear()
         with self.listed:
             files = {n: n for n in names} or {"": "no parameter file"}
-            self.file = Choice("In the folder", files, "load-name")
+            self.file = Choice("In the folder", files, "load-name",
+                               chosen if chosen in files else "")  # fmt: skip
             button("Load", self._load, name="load")
 
     async def _load(self) -> None:
@@ -58,8 +60,8 @@ class FileView:
         except InputError as error:
             self.told.set_content(message(str(error)))
             return
-        self.told.set_content("saved")
-        self._list()
+        self.told.set_content(str(Markup("saved as {} in the folder").format(name)))
+        self._list(name)
 
     def _download(self) -> None:
         ui.download.content(self._named(), self.name.value, "application/toml")
