@@ -1,5 +1,6 @@
 """What the page does beside the answer: finite elements, a sweep, a comparison, a report."""
 
+import shlex
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
@@ -15,10 +16,12 @@ from verify.app.page.jobs import Worker
 from verify.app.page.session import text_at
 from verify.app.page.sweep_figure import options
 from verify.app.page.toml_text import parameter_file
-from verify.app.page.widgets import Choice, Typed, button, html, message, tool
+from verify.app.page.widgets import Choice, Typed, button, enable, html, message, tool
+from verify.core.inputs import InputError
 
 IS_DARK = "matchMedia('(prefers-color-scheme: dark)').matches"
 ANSWERED = 10.0  # s in which a browser answers
+OLD = "of earlier inputs: the form has changed since then"
 Tell = Callable[[Any], None]
 
 
@@ -27,6 +30,8 @@ class Tools:
 
     def __init__(self, screen: Any) -> None:
         self.screen = screen
+        self.old: dict[str, ui.html] = {}
+        self.made: dict[str, Any] = {}  # the inputs of what a job has made
         with tool("Check with finite elements", "tool-fem"):
             html(Markup('<p class="soft">{}</p>').format(screen.case.method))
             self._job("Check with finite elements", "fem", self._fem)
@@ -35,8 +40,8 @@ class Tools:
             self._sweep_form()
         with tool("Compare two variants", "tool-compare"), ui.element("div").classes("row"):
             button("Store these inputs as variant B", self._keep, name="keep")
-            button("Exchange A and B", self._exchange, name="exchange")
-            button("Remove variant B", self._drop, name="drop")
+            self.exchange = button("Exchange A and B", self._exchange, name="exchange")
+            self.drop = button("Remove variant B", self._drop, name="drop")
         with ui.element("div"):
             self.compared = html().props('id="compared"')
         with tool("Report: fields, deformed shapes, PDF, CSV", "tool-report"):
@@ -47,19 +52,34 @@ class Tools:
 
     def _job(self, text: str, name: str, work: Any) -> None:
         JobView(text, name, self.screen.place.jobs, work)
+        self.old[name] = html(css="error").props(f'id="{name}-old" role="status"')
+
+    def tell_old(self) -> None:
+        """State beside what a job has made that it is not of the present inputs."""
+        for name, raw in self.made.items():
+            self.old[name].set_content(OLD if raw != self.screen.session.state.raw else "")
+
+    def _is_made(self, name: str, raw: Any) -> None:
+        self.made[name] = raw
+        self.tell_old()
 
     async def _fem(self, worker: Worker, tell: Tell) -> None:
+        raw = self.screen.session.state.raw
         found: Shown = await worker.ask(tasks.finite_elements, *self.screen.asked(), tell=tell)
         self.rows.set_content(evidence(found))
+        self._is_made("fem", raw)
 
     def _sweep_form(self) -> None:
         numbers = {f.name: f.symbol or f.name for f in self.screen.case.fields if f.is_number}
         none = {"": "none"}
-        first = next(iter(numbers), "")
+        raw = self.screen.session.state.raw
+        first = next((n for n in numbers if raw.get(n)), next(iter(numbers), ""))
         with ui.element("div").classes("row"):
-            self.first = Choice("First input", numbers, "sweep-first")
-            about = f"{text_at(self.screen.session.state.raw, first)}"
-            self.values = Typed("From : to : number", "sweep-values", "", f"such as {about}:…:20")
+            self.first = Choice("First input", numbers, "sweep-first", first)
+            about = text_at(raw, first)
+            self.values = Typed(
+                "From : to : number", "sweep-values", "", about and f"such as {about}:…:20"
+            )
             self.second = Choice("Second input", none | numbers, "sweep-second")
             self.more = Typed("From : to : number", "sweep-more")
             results = {tasks.MARGIN: "margin", tasks.DESIGN: "design value"}
@@ -69,12 +89,20 @@ class Tools:
         self.figure = ui.element("div").props('id="sweep-figure"')
 
     async def _sweep(self, worker: Worker, tell: Tell) -> None:
-        vary = [f"{self.first.value}={self.values.value}"]
+        raw = self.screen.session.state.raw
+        axes = [(self.first.value, self.values.value)]
         if self.second.value:
-            vary.append(f"{self.second.value}={self.more.value}")
-        found: tasks.Swept = await worker.ask(
-            tasks.sweep, *self.screen.asked(), vary, self.result.value, tell=tell
-        )
+            axes.append((self.second.value, self.more.value))
+        for name, values in axes:
+            if not values.strip():
+                raise InputError(f"{name}: needs from : to : number, such as 5 mm:30 mm:20")
+        vary = [f"{name}={values}" for name, values in axes]
+        try:
+            found: tasks.Swept = await worker.ask(
+                tasks.sweep, *self.screen.asked(), vary, self.result.value, tell=tell
+            )
+        except InputError as error:
+            raise InputError(str(error).removeprefix("--vary ")) from error
         try:
             dark = bool(await ui.run_javascript(IS_DARK, timeout=ANSWERED))
         except TimeoutError:  # a browser that is busy
@@ -82,11 +110,13 @@ class Tools:
         self.figure.clear()
         with self.figure:
             ui.echart(options(found, dark=dark)).classes("figure")
-            repeat = f"freewheel sweep FILE {' '.join(f'--vary {v}' for v in vary)}"
+            options_of = " ".join(f"--vary {shlex.quote(v)}" for v in vary)
+            repeat = f"freewheel sweep FILE {options_of}"
             html(Markup("<p>{}</p>").format(f"By finite elements: {repeat}"), "soft")
             html(message(found.problem and f"points without a result: {found.problem}"))
             if not any(value is not None for line in found.values for value in line):
                 html(message(f"no point has a result: {found.label}"))
+        self._is_made("sweep", raw)
 
     def _keep(self) -> None:
         state = self.screen.session.state
@@ -103,6 +133,8 @@ class Tools:
     def show_compared(self, present: Shown, other: Shown | None) -> None:
         """Both variants side by side: verdicts, results, and the inputs that differ."""
         state = self.screen.session.state
+        for one in (self.exchange, self.drop):
+            enable(one, state.other is not None)
         if other is None or state.other is None:
             self.compared.set_content("")
             return
@@ -142,3 +174,4 @@ class Tools:
         self.report.set_content(
             Markup("<p>{}</p>").format(links) + frame.format(self.screen.number, escape(len(names)))
         )
+        self._is_made("report", state.raw)
