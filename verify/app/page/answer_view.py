@@ -19,11 +19,12 @@ def answer(shown: Shown) -> Markup:
     first, *rest = shown.lines
     return Markup(
         '<p class="verdict {}"><span aria-hidden="true">{}</span> {}</p><dl class="key">'
-        "<div><dt>Design value</dt><dd>{}</dd></div><div><dt>Margin</dt><dd>{}</dd></div></dl>"
+        "<div><dt>Design value</dt><dd>{}</dd></div><div><dt>Margin</dt><dd>{}{}</dd></div></dl>"
         "{}{}{}{}{}"
     ).format(
         STYLE[shown.verdict], MARK[shown.verdict], shown.verdict.capitalize(),
         lowered(shown.design or "none"), shown.margin or "none",
+        lowered(shown.limiting and f" ({shown.limiting})"),
         Markup("<p>{}</p>").format(first.partition(f": {shown.verdict}")[2].removeprefix(": ")),
         _list([one for one in rest if not _is_elsewhere(one)]),
         _list(shown.warnings, "warnings"), _limits(shown.limits), _values(shown),

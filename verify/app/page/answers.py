@@ -23,6 +23,7 @@ from verify.jobs.executor import ThisProcess
 MOST_FAULTS = 20  # inputs that are marked at once
 WHERE = "page"
 _PLACE = re.compile(r"inputs\.(\w+(?:\[\d+\]\.\w+)?)")
+_MISSING = re.compile(r"inputs: missing (\w+(?:, \w+)*) \(")
 Cells = tuple[tuple[str, ...], ...]
 
 
@@ -38,6 +39,7 @@ class Shown:
     lines: tuple[str, ...] = ()
     design: str = ""
     margin: str = ""
+    limiting: str = ""
     limits: Cells = ()
     values: Cells = ()
     fault: str = ""
@@ -84,6 +86,7 @@ def of_checked(checked: Checked) -> Shown:
         f"{answer.design.symbol} = {number(answer.design.value, answer.design.unit)}, "
         f"{answer.design.what}",
         margin="" if worst is None or answer.failures else margin(worst),
+        limiting="" if worst is None or answer.failures else raised(worst.what),
         limits=tuple(limits(answer)),
         values=tuple((v.symbol, f"{v.value:.6g}", unit_of(v.unit), v.what) for v in result.values),
         warnings=general, beside=beside,
@@ -129,6 +132,8 @@ def _is_symbol(word: str) -> bool:
 def _wrong(case: Case, raw: Mapping[str, Any], message: str) -> Shown:
     """Every input that is wrong by itself: the others are tried with the wrong ones left out."""
     fields = case.inputs.model_fields
+    if match := _MISSING.search(message):
+        return Shown(faults=dict.fromkeys(match[1].split(", "), "missing"))
     faults: dict[str, str] = {}
     rest, error = dict(raw), message
     while (match := _PLACE.search(error)) and len(faults) < MOST_FAULTS:
