@@ -17,10 +17,13 @@ Work = Callable[[Worker, Callable[[Any], None]], Coroutine[Any, Any, None]]
 
 
 class JobView:
-    """Runs `work` in a separate process when its button is pressed; one at a time."""
+    """Runs `work` in a separate process when its button is pressed; one at a time.
 
-    def __init__(self, text: str, name: str, jobs: Jobs, work: Work) -> None:
-        self._jobs, self._work = jobs, work
+    `kept` is added to the message where it is cancelled.
+    """
+
+    def __init__(self, text: str, name: str, jobs: Jobs, work: Work, *, kept: str = "") -> None:
+        self._jobs, self._work, self._kept = jobs, work, kept
         self._worker: Worker | None = None
         self._told: Any = None
         self._start = 0.0
@@ -54,7 +57,7 @@ class JobView:
         try:
             await self._work(worker, self._take)
         except CancelledError:
-            told = "cancelled; finished levels are stored"
+            told = f"cancelled{self._kept}"
         except (InputError, FailedError) as error:
             told = str(error)
         except asyncio.CancelledError:
@@ -81,7 +84,5 @@ class JobView:
             return
         done, total, what = self._told
         bar = Markup('<progress value="{}" max="{}" aria-label="progress"></progress>')
-        text = Markup("{} {} of {}, {} {}").format(
-            bar.format(done, total), done, total, spent, what
-        )
-        self._progress.set_content(text)
+        text = ", ".join(filter(None, (f"{done} of {total}", what, spent)))
+        self._progress.set_content(Markup("{} {}").format(bar.format(done, total), text))

@@ -85,10 +85,13 @@ def sweep(
     if count > MOST_POINTS:
         raise InputError(f"a sweep has at most {MOST_POINTS} points, got {count}")
     point = _Point(file, found, result)
-    values = []
-    for line, (second,) in enumerate(lines):
-        tell((line, len(lines), ""))
-        values.append(tuple(point.value(first, second) for first in found[0].values))
+    values: list[tuple[float | None, ...]] = []
+    for second in (line[0] for line in lines):
+        row: list[float | None] = []
+        for first in found[0].values:
+            tell((len(values) * len(found[0].values) + len(row), count, ""))
+            row.append(point.value(first, second))
+        values.append(tuple(row))
     return Swept(
         axes=tuple((_label(a), tuple(a.in_unit(v) for v in a.values)) for a in found),
         label=point.label(), values=tuple(values), problem=point.problem,

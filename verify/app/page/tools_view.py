@@ -51,7 +51,8 @@ class Tools:
             self.report = html().props('id="report-files"')
 
     def _job(self, text: str, name: str, work: Any) -> None:
-        JobView(text, name, self.screen.place.jobs, work)
+        kept = "" if name == "sweep" else "; finished levels are stored"
+        JobView(text, name, self.screen.place.jobs, work, kept=kept)
         self.old[name] = html(css="error").props(f'id="{name}-old" role="status"')
 
     def tell_old(self) -> None:
