@@ -17,6 +17,8 @@ from selenium.webdriver.support.ui import Select
 
 from tests.verify.page.browsing import Browser
 
+pytestmark = pytest.mark.slow("a browser opens the page")
+
 
 @pytest.fixture
 def page(driver: Any, server: Server) -> Browser:

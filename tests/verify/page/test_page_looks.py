@@ -15,6 +15,8 @@ from tests.verify.page.browsing import Browser
 LEAST = 4.5  # contrast, WCAG 2.2 AA
 CONTRAST = Path(__file__).with_name("contrast.js").read_text("utf-8")
 
+pytestmark = pytest.mark.slow("a browser opens the page")
+
 
 @pytest.fixture
 def page(driver: Any, server: Server) -> Browser:

@@ -112,6 +112,7 @@ def test_what_is_right_passes_and_a_series_that_does_not_converge_fails(output):
     assert any("FAIL" in part and "converge" in part for part in coarse)
 
 
+@pytest.mark.slow("pytest in a separate process on a case that is solved")
 def test_what_is_shown_is_skipped_with_its_reason_and_fails_where_the_setting_is_strict(project):
     words = ("--freewheel", "case_shown.py", "-k", "inner and not convergence")
     status, text = pytest_in(project, *words)

@@ -9,9 +9,11 @@ import pytest
 from verify.app.cli import run
 from verify.cases.registry import find
 from verify.core.verdicts import Form, FormulaVerdict, Safe, Side, Verdict, VerdictRange
+from verify.studies.validity.store import measured
 from verify.verdicts import record
 from verify.verdicts.declared import declared
 from verify.verdicts.place import Where, place
+from verify.verdicts.regions import ranges
 
 
 def test_the_record_has_a_verdict_of_each_declared_formula_with_its_evidence(tmp_path):
@@ -42,7 +44,36 @@ def test_a_verdict_that_is_not_the_one_of_record_is_named():
     assert changed(one, ranges=(replace(one.ranges[0], words="all"),)) == [
         f"verdict of {one.id}: its ranges are not those of record"
     ]
+    one = next(one for one in kept if one.safe is Safe.BELOW and one.error)
+    assert changed(one, safe=Safe.ABOVE) == [
+        f"verdict of {one.id}: its safe side is not that of record"
+    ]
+    for change, lines in ((1.005, 0), (1.02, 1)):
+        assert len(changed(one, error=change * one.error)) == lines
+    one = next(one for one in kept if one.design)
+    spanned = replace(one.design[0], spanned=not one.design[0].spanned)
+    assert changed(one, design=(spanned, *one.design[1:])) == [
+        f"verdict of {one.id}: its ranges are not those of record"
+    ]
     assert record.moved(kept[1:]) == [f"verdict of {kept[0].id}: on record only"]
+
+
+def test_ranges_of_record_are_those_of_the_stored_studies():
+    """A widened range of record, or a changed error of a stored study, fails without a run."""
+    stored = {
+        case.id: measured(case)
+        for case in map(find, {r.case for o in record.kept() for r in o.ranges})
+    }
+    for one in record.kept():
+        rows = one.rows if one.is_of_part else one.model_rows
+        studies = [
+            (plan, course)
+            for case, found in stored.items() for plan, courses in found.scans
+            for course in courses if f"{case}/{course.pair.name}" in rows
+        ]  # fmt: skip
+        now = {(r.case, r.over, r.limit): (r.box, r.inside) for r in ranges(studies)}
+        kept = {(r.case, r.over, r.limit): (r.box, r.inside) for r in one.ranges}
+        assert kept.items() <= now.items(), one.id
 
 
 def test_a_user_s_inputs_lie_inside_outside_or_were_not_compared():
@@ -67,6 +98,48 @@ def test_a_user_s_inputs_lie_inside_outside_or_were_not_compared():
         )  # fmt: skip
         found = place(one, "ring-lame", find("ring-lame").inputs(**changes))
         assert found.where is where, (star, changes)
+
+
+def test_a_study_with_constant_inputs_is_about_parts_with_these_values():
+    nu = Side(name="nu", symbol="ν", unit="1", low=0.1, high=0.4)
+    held = Side(name="r_i", symbol="r_i", unit="mm", low=6.0, high=6.0)
+    study = VerdictRange(case="ring-lame", limit=0.05, words="", over="", box=(nu,), studied=(nu,),
+                         held=(held,), inside=4, points=5)  # fmt: skip
+    one = FormulaVerdict(
+        id="x", paper="huang2018", source="", name="Eq. 6", form=Form.PRINTED, what="",
+        words="", verdict=Verdict.PART, safe=Safe.ABOVE, ranges=(study,), rows=("ring-lame/x",),
+    )  # fmt: skip
+    for changes, where in (
+        ({"r_i": 6e-3}, Where.INSIDE),
+        ({"r_i": 6e-3, "nu": 0.2}, Where.INSIDE),
+        ({"nu": 0.2}, Where.NOT_COMPARED),
+        ({"r_i": 7e-3}, Where.NOT_COMPARED),
+        ({"r_i": 7e-3, "nu": 0.2}, Where.NOT_COMPARED),
+        ({"r_i": 6e-3, "nu": 0.45}, Where.NOT_COMPARED),
+    ):
+        found = place(one, "ring-lame", find("ring-lame").inputs(**changes))
+        assert found.where is where, changes
+
+
+# Beginnings of what a formula gives, with the side on which an error leaves a margin. They are
+# written here again, because the declarations and the record could be changed together.
+ABOVE = (
+    "friction", "clamping angle", "contact angles", "contact pressure", "share of each slice",
+    "normal force of a sprag", "normal force per torque", "largest normal force", "torsion angle",
+    "hoop stress", "mean hoop stress", "pressure for that", "the same pressure", "correction for",
+    "blocking pressure needed", "centrifugal growth",
+)  # fmt: skip
+BELOW = (
+    "torque", "largest load", "force of the guided spring", "growth of the ring",
+    "force of the pressure", "normal force on a roller", "blocking pressure left",
+)  # fmt: skip
+
+
+def test_safe_sides_are_those_of_the_purpose_of_a_value():
+    for one in record.kept():
+        if one.safe is not Safe.NEITHER:
+            begins = ABOVE if one.safe is Safe.ABOVE else BELOW
+            assert one.what.startswith(begins), (one.id, one.what, one.safe)
 
 
 def test_an_equation_is_explained_in_both_forms_and_as_json(capsys):
