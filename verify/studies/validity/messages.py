@@ -1,6 +1,6 @@
 """Numbers, ranges and axes of a measurement in words."""
 
-from verify.core.results import InputValue
+from verify.core.figures import InputValue
 from verify.studies.sweep.axes import Axis
 from verify.studies.sweep.plan import Plan
 
