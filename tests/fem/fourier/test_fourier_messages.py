@@ -93,7 +93,7 @@ def test_bodies_must_agree_and_be_narrower_than_their_patch():
     third = compliance(orders=harmonics(places=3, highest=40), places=3)
     with pytest.raises(ValueError, match="same stations along z"):
         patch_contact((body, short), **asked)
-    with pytest.raises(ValueError, match="as many places, got 2, 3"):
+    with pytest.raises(ValueError, match="both bodies need equally many loads, got 2, 3"):
         patch_contact((body, third), **asked)
     with pytest.raises(NarrowPatchError, match=r"as wide as its patch, \|s\| <= 0.2 m"):
         patch_contact((body, body), **asked | {"load": 5.0})
