@@ -7,7 +7,7 @@ from enum import StrEnum
 
 from verify.core.inputs import Inputs
 from verify.core.verdicts import FormulaVerdict, Side, Verdict, VerdictRange
-from verify.verdicts.words import percent, side_in_words
+from verify.verdicts.words import constant, percent, side_in_words
 
 SAME = 1e-9  # relative: inputs that differ by less are equal
 MOST_NAMED = 3  # inputs that a line names
@@ -50,12 +50,12 @@ def place(found: FormulaVerdict, case: str, inputs: Inputs) -> Place:
             return Place(Where.NOT_COMPARED, f"not compared with another {_named(other)}")
         both = _named([symbols[name] for name in changed])
         return Place(Where.NOT_COMPARED, f"not compared with {both} changed at once")
-    compared = [r for r in apply if _is_within(r.studied, _changed(r, mine, paper), mine)]
+    compared = [r for r in apply if _is_within(r.studied, _placed(r, mine, paper), mine)]
     if not compared:
         return Place(Where.NOT_COMPARED, f"beyond what was compared: {_beyond(apply, mine)}")
     for limit in dict.fromkeys(r.limit for r in compared):
         of_limit = [r for r in compared if r.limit == limit]
-        if all(r.box and _is_within(r.box, _changed(r, mine, paper), mine) for r in of_limit):
+        if all(_is_within(r.box, _placed(r, mine, paper), mine) for r in of_limit):
             return Place(Where.INSIDE, f"inside the range with errors within {percent(limit)}")
     return Place(Where.OUTSIDE, f"outside the range with errors within {percent(_last(ranges))}")
 
@@ -85,19 +85,30 @@ def _varies(found: VerdictRange, changed: list[str]) -> bool:
     )
 
 
-def _is_within(sides: Sequence[Side], changed: list[str], mine: Mapping[str, object]) -> bool:
-    """Whether the changed inputs lie between the ends."""
+def _placed(
+    found: VerdictRange, mine: Mapping[str, object], paper: Mapping[str, object]
+) -> list[str]:
+    """The inputs that must lie between ends: of a line of a star one, else all that are varied.
+
+    The default of an input that a study varies may lie beyond the ends of the study.
+    """
+    changed = _changed(found, mine, paper)
+    return changed if found.is_star and changed else [side.name for side in found.studied]
+
+
+def _is_within(sides: Sequence[Side], names: list[str], mine: Mapping[str, object]) -> bool:
+    """Whether the inputs of these names lie between the ends."""
     ends = {side.name: side for side in sides}
-    return all(name in ends and _inside(ends[name], mine[name]) for name in changed)
+    return all(name in ends and _inside(ends[name], mine[name]) for name in names)
 
 
 def _beyond(ranges: Sequence[VerdictRange], mine: Mapping[str, object]) -> str:
-    """The studied range of the first input that lies in none of them."""
+    """The studied range of the first input that lies in none of them, and the constant inputs."""
     sides = [side for r in ranges for side in r.studied]
     for name in dict.fromkeys(side.name for side in sides):
         of_name = [side for side in sides if side.name == name]
         if not any(_inside(side, mine[name]) for side in of_name):
-            return _spans(of_name)
+            return _spans(of_name) + _at(ranges)
     return "; ".join(dict.fromkeys(r.over for r in ranges))
 
 
@@ -111,6 +122,12 @@ def _inside(side: Side, value: object) -> bool:
 def _named(symbols: list[str]) -> str:
     more = len(symbols) - MOST_NAMED
     return ", ".join(symbols[:MOST_NAMED]) + (f" and {more} more" if more > 0 else "")
+
+
+def _at(ranges: Sequence[VerdictRange]) -> str:
+    """The constant inputs, if all of the studies have the same: " at z = 8"."""
+    found = {constant(r) for r in ranges}
+    return f" at {found.pop()}" if len(found) == 1 and "" not in found else ""
 
 
 def _spans(sides: list[Side]) -> str:

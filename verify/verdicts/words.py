@@ -40,7 +40,7 @@ def _head(found: FormulaVerdict) -> str:
             only = left if found.points else ", the only ones compared"
             is_over = found.verdict is Verdict.CONSERVATIVE and found.ranges
             over = f" over {_studied(found)}" if is_over else ""
-            is_alone = _one_at_a_time(found) and not any(map(_held, found.ranges))
+            is_alone = _one_at_a_time(found) and not any(map(constant, found.ranges))
             alone = ", one input changed at a time" if is_alone and not over else ""
             largest = sides(found.above or 0.0, found.below or 0.0) + alone
             errors = f"{largest}; {_error(found)}{only}"
@@ -172,11 +172,11 @@ def _range(one: VerdictRange) -> str:
     """The range of one study within a limit, its inputs also as dimensionless quantities."""
     box = ", ".join(map(side_in_words, one.box))
     alone = "" if not one.is_star or len(one.box) < 2 else " (one at a time)"
-    held = f" at {_held(one)}" if _held(one) else ""
+    held = f" at {constant(one)}" if constant(one) else ""
     return f"{box}{alone}{held} in {one.case}, {one.inside} of {one.points} points"
 
 
-def _held(one: VerdictRange) -> str:
+def constant(one: VerdictRange) -> str:
     """The inputs that a study held at other than default values: "z = 8"; empty without any."""
     return one.over.partition(", at ")[2]
 

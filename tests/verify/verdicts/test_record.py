@@ -1,6 +1,7 @@
 """Verdicts of record: stored, compared, placed against the inputs of a user, and printed."""
 
 import json
+import math
 import re
 from dataclasses import replace
 
@@ -118,6 +119,30 @@ def test_a_study_with_constant_inputs_is_about_parts_with_these_values():
         ({"r_i": 6e-3, "nu": 0.45}, Where.NOT_COMPARED),
     ):
         found = place(one, "ring-lame", find("ring-lame").inputs(**changes))
+        assert found.where is where, changes
+
+
+def test_a_study_that_varies_an_input_away_from_its_default_does_not_hold_at_the_default():
+    """Torque of the sprag clutch: 25 N m by default; at ν_0 = 2.5° and z = 8 only to 22 N m."""
+    one = next(o for o in record.kept() if o.id == "huang2018/Eq. 9, corrected")
+    sprag = find("sprag-wedge").inputs
+    for T, where in ((12.5, Where.INSIDE), (18.0, Where.INSIDE), (25.0, Where.NOT_COMPARED)):
+        found = place(one, "sprag-wedge", sprag(T=T, z=8, nu_0=math.radians(2.5)))
+        assert found.where is where, T
+    assert found.words == "beyond what was compared: T 12.5 to 22 N m at ν_0 = 2.5 deg, n_s = 8"
+
+
+def test_the_centre_of_a_star_with_constant_inputs_can_be_beyond_a_limit():
+    """At the default of the varied input, outside the range within the limit."""
+    held = Side(name="nu", symbol="ν", unit="1", low=0.2, high=0.2)
+    box = Side(name="r_i", symbol="r_i", unit="mm", low=1.0, high=2.0)
+    star = VerdictRange(
+        case="ring-lame", limit=0.05, words="", over="", box=(box,), is_star=True,
+        studied=(replace(box, high=24.0),), held=(held,), inside=2, points=5,
+    )  # fmt: skip
+    one = replace(record.kept()[0], verdict=Verdict.PART, rows=("ring-lame/x",), ranges=(star,))
+    for changes, where in (({}, Where.OUTSIDE), ({"r_i": 1.5e-3}, Where.INSIDE)):
+        found = place(one, "ring-lame", find("ring-lame").inputs(nu=0.2, **changes))
         assert found.where is where, changes
 
 
