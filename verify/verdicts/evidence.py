@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from verify.cases.registry import find
+from verify.core.differences import offset
 from verify.core.results import Kind, Row, Status
 from verify.studies.sweep.outcome import Course
 from verify.studies.sweep.plan import Plan
@@ -67,11 +68,12 @@ def evidence(ids: Sequence[str], rows: Mapping[str, Row]) -> Evidence:
 
 def point_of(row: Row) -> Point:
     """The error of a row and its expanded uncertainty, relative; NoEvidenceError without one."""
-    if row.difference is None or not row.scale or row.tolerance is None:
+    found = offset(row)
+    if found is None or row.difference is None or not row.scale or row.tolerance is None:
         raise NoEvidenceError(f"{row.id} has no error with an uncertainty")
-    if not math.isfinite(row.difference + row.tolerance):
+    if not math.isfinite(found + row.tolerance):
         raise NoEvidenceError(f"{row.id} has an error that is not a finite number")
-    return Point(row.difference / row.scale, row.tolerance / row.scale)
+    return Point(found / row.scale, row.tolerance / row.scale)
 
 
 def require(row_id: str, rows: Mapping[str, Row], *, may_be_note: bool = False) -> Row:

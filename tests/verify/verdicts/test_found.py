@@ -41,6 +41,13 @@ def test_evidence_that_failed_or_was_not_run_gives_no_verdict(row):
         assert verdict(formula()).verdict is Verdict.NONE
 
 
+def test_an_error_is_formula_less_reference_also_where_a_row_states_reference_less_formula(row):
+    for kind, difference in ((Kind.APPROXIMATION, 0.03), (Kind.IDENTITY, -0.03)):
+        got = verdict(formula(), row("x", 0.03, kind=kind, difference=difference, detects=0.05))
+        assert got.error == pytest.approx(0.03)
+        assert (got.above, got.below) == (pytest.approx(0.03), 0.0)
+
+
 def test_what_is_no_declaration_is_refused():
     for changes, says in (
         ({"part": ()}, "give one of defines, missing, or evidence"),
