@@ -7,6 +7,8 @@ from enum import StrEnum
 
 from verify.core.inputs import Inputs
 from verify.core.verdicts import FormulaVerdict, Side, Verdict, VerdictRange
+from verify.verdicts.independent import independent
+from verify.verdicts.rule import CLASSES
 from verify.verdicts.words import constant, percent, side_in_words
 
 SAME = 1e-9  # relative: inputs that differ by less are equal
@@ -37,19 +39,15 @@ def place(found: FormulaVerdict, case: str, inputs: Inputs) -> Place:
         return Place(Where.NONE, "")
     if case not in found.cases:
         return Place(Where.NOT_COMPARED, f"compared in {', '.join(found.cases)}")
-    mine, paper = _values(inputs), _values(type(inputs)())
+    free = independent(found, case)
+    mine, paper = _values(inputs, free), _values(type(inputs)(), free)
     changed = [name for name in mine if not _equal(mine[name], paper.get(name))]
     if not changed:
-        return Place(Where.INSIDE, "these are the default inputs of the case")
-    ranges = sorted((r for r in found.ranges if r.case == case), key=lambda r: r.limit)
-    symbols = {one.name: one.symbol for one in inputs.display()}
+        return Place(_at_default(found, case), "these are the default inputs of the case")
+    ranges = sorted((_without(r, free) for r in found.ranges if r.case == case), key=_limit)
     apply = [r for r in ranges if _varies(r, _changed(r, mine, paper))]
     if not apply:
-        known = {side.name for r in ranges for side in (*r.studied, *r.held)}
-        if other := [symbols[name] for name in changed if name not in known]:
-            return Place(Where.NOT_COMPARED, f"not compared with another {_named(other)}")
-        both = _named([symbols[name] for name in changed])
-        return Place(Where.NOT_COMPARED, f"not compared with {both} changed at once")
+        return Place(Where.NOT_COMPARED, _together(changed, ranges, inputs))
     compared = [r for r in apply if _is_within(r.studied, _placed(r, mine, paper), mine)]
     if not compared:
         return Place(Where.NOT_COMPARED, f"beyond what was compared: {_beyond(apply, mine)}")
@@ -57,11 +55,61 @@ def place(found: FormulaVerdict, case: str, inputs: Inputs) -> Place:
         of_limit = [r for r in compared if r.limit == limit]
         if all(_is_within(r.box, _placed(r, mine, paper), mine) for r in of_limit):
             return Place(Where.INSIDE, f"inside the range with errors within {percent(limit)}")
-    return Place(Where.OUTSIDE, f"outside the range with errors within {percent(_last(ranges))}")
+    return Place(Where.OUTSIDE, _outside(of_limit, mine, paper))
 
 
-def _values(inputs: Inputs) -> Mapping[str, object]:
-    return {one.name: one.value for one in inputs.display()}
+def _at_default(found: FormulaVerdict, case: str) -> Where:
+    """Outside if the largest error at default inputs is of this case and beyond all classes."""
+    size = abs(found.error or 0.0) + (found.U or 0.0)
+    is_here = found.worst_row.partition("/")[0] == case
+    return Where.OUTSIDE if is_here and size > CLASSES[-1] else Where.INSIDE
+
+
+def _outside(
+    ranges: Sequence[VerdictRange], mine: Mapping[str, object], paper: Mapping[str, object]
+) -> str:
+    """The sides of the ranges within the largest limit that the inputs exceed.
+
+    The range of a study is the largest one without an error beyond the limit: errors outside of it
+    can be within the limit, and are if the range of another study contains the inputs.
+    """
+    limit, placed = percent(ranges[0].limit), [(r, _placed(r, mine, paper)) for r in ranges]
+    sides = [
+        side for r, names in placed for side in r.box
+        if side.name in names and not _inside(side, mine[side.name])
+    ]  # fmt: skip
+    words = ", ".join(dict.fromkeys(side_in_words(replace(side, ratio="")) for side in sides))
+    if any(_is_within(r.box, names, mine) for r, names in placed):
+        return f"inside a range with errors within {limit}, outside that of another study: {words}"
+    if not sides:
+        return f"no compared error is within {limit}"
+    return f"outside the range with all errors within {limit}: {words}"
+
+
+def _values(inputs: Inputs, free: frozenset[str]) -> Mapping[str, object]:
+    return {one.name: one.value for one in inputs.display() if one.name not in free}
+
+
+def _without(found: VerdictRange, free: frozenset[str]) -> VerdictRange:
+    """A range without the inputs that change no error."""
+    box, studied, held = (
+        tuple(side for side in sides if side.name not in free)
+        for sides in (found.box, found.studied, found.held)
+    )
+    return replace(found, box=box, studied=studied, held=held)
+
+
+def _limit(one: VerdictRange) -> float:
+    return one.limit
+
+
+def _together(changed: list[str], ranges: Sequence[VerdictRange], inputs: Inputs) -> str:
+    """The changed inputs that no study varies, else all, which none varies at once."""
+    symbols = {one.name: one.symbol for one in inputs.display()}
+    known = {side.name for r in ranges for side in (*r.studied, *r.held)}
+    if other := [symbols[name] for name in changed if name not in known]:
+        return f"not compared with another {_named(other)}"
+    return f"not compared with {_named([symbols[name] for name in changed])} changed at once"
 
 
 def _equal(one: object, other: object) -> bool:
@@ -134,7 +182,3 @@ def _spans(sides: list[Side]) -> str:
     """The range of one input over all studies: "T 6.5 to 52 N m"."""
     low, high = min(side.low for side in sides), max(side.high for side in sides)
     return side_in_words(replace(sides[0], low=low, high=high, ratio=""))
-
-
-def _last(ranges: list[VerdictRange]) -> float | None:
-    return ranges[-1].limit if ranges else None

@@ -1,7 +1,6 @@
-"""Verdicts of record: stored, compared, placed against the inputs of a user, and printed."""
+"""Verdicts of record: stored, compared and printed."""
 
 import json
-import math
 import re
 from dataclasses import replace
 
@@ -9,11 +8,10 @@ import pytest
 
 from verify.app.cli import run
 from verify.cases.registry import find
-from verify.core.verdicts import Form, FormulaVerdict, Safe, Side, Verdict, VerdictRange
+from verify.core.verdicts import Safe, Verdict
 from verify.studies.validity.store import measured
 from verify.verdicts import record
 from verify.verdicts.declared import declared
-from verify.verdicts.place import Where, place
 from verify.verdicts.regions import ranges
 
 
@@ -75,75 +73,6 @@ def test_ranges_of_record_are_those_of_the_stored_studies():
         now = {(r.case, r.over, r.limit): (r.box, r.inside) for r in ranges(studies)}
         kept = {(r.case, r.over, r.limit): (r.box, r.inside) for r in one.ranges}
         assert kept.items() <= now.items(), one.id
-
-
-def test_a_user_s_inputs_lie_inside_outside_or_were_not_compared():
-    box = (Side(name="r_i", symbol="r_i", unit="mm", low=5.0, high=24.0),
-           Side(name="nu", symbol="ν", unit="1", low=0.1, high=0.4))  # fmt: skip
-    wide = tuple(replace(side, low=side.low / 2, high=side.high * 1.1) for side in box)
-    for star, changes, where in (
-        (True, {}, Where.INSIDE),
-        (True, {"r_i": 6e-3}, Where.INSIDE),
-        (True, {"r_i": 4e-3}, Where.OUTSIDE),
-        (True, {"r_i": 6e-3, "nu": 0.2}, Where.NOT_COMPARED),
-        (False, {"r_i": 6e-3, "nu": 0.2}, Where.INSIDE),
-        (False, {"r_i": 6e-3, "nu": 0.43}, Where.OUTSIDE),
-        (False, {"r_i": 6e-3, "nu": 0.45}, Where.NOT_COMPARED),
-        (False, {"E": 1e11}, Where.NOT_COMPARED),
-    ):
-        sides = VerdictRange(case="ring-lame", limit=0.05, words="", over="", box=box,
-                             studied=wide, is_star=star, inside=4, points=5)  # fmt: skip
-        one = FormulaVerdict(
-            id="x", paper="huang2018", source="", name="Eq. 6", form=Form.PRINTED, what="",
-            words="", verdict=Verdict.PART, safe=Safe.ABOVE, ranges=(sides,), rows=("ring-lame/x",),
-        )  # fmt: skip
-        found = place(one, "ring-lame", find("ring-lame").inputs(**changes))
-        assert found.where is where, (star, changes)
-
-
-def test_a_study_with_constant_inputs_is_about_parts_with_these_values():
-    nu = Side(name="nu", symbol="ν", unit="1", low=0.1, high=0.4)
-    held = Side(name="r_i", symbol="r_i", unit="mm", low=6.0, high=6.0)
-    study = VerdictRange(case="ring-lame", limit=0.05, words="", over="", box=(nu,), studied=(nu,),
-                         held=(held,), inside=4, points=5)  # fmt: skip
-    one = FormulaVerdict(
-        id="x", paper="huang2018", source="", name="Eq. 6", form=Form.PRINTED, what="",
-        words="", verdict=Verdict.PART, safe=Safe.ABOVE, ranges=(study,), rows=("ring-lame/x",),
-    )  # fmt: skip
-    for changes, where in (
-        ({"r_i": 6e-3}, Where.INSIDE),
-        ({"r_i": 6e-3, "nu": 0.2}, Where.INSIDE),
-        ({"nu": 0.2}, Where.NOT_COMPARED),
-        ({"r_i": 7e-3}, Where.NOT_COMPARED),
-        ({"r_i": 7e-3, "nu": 0.2}, Where.NOT_COMPARED),
-        ({"r_i": 6e-3, "nu": 0.45}, Where.NOT_COMPARED),
-    ):
-        found = place(one, "ring-lame", find("ring-lame").inputs(**changes))
-        assert found.where is where, changes
-
-
-def test_a_study_that_varies_an_input_away_from_its_default_does_not_hold_at_the_default():
-    """Torque of the sprag clutch: 25 N m by default; at ν_0 = 2.5° and z = 8 only to 22 N m."""
-    one = next(o for o in record.kept() if o.id == "huang2018/Eq. 9, corrected")
-    sprag = find("sprag-wedge").inputs
-    for T, where in ((12.5, Where.INSIDE), (18.0, Where.INSIDE), (25.0, Where.NOT_COMPARED)):
-        found = place(one, "sprag-wedge", sprag(T=T, z=8, nu_0=math.radians(2.5)))
-        assert found.where is where, T
-    assert found.words == "beyond what was compared: T 12.5 to 22 N m at ν_0 = 2.5 deg, n_s = 8"
-
-
-def test_the_centre_of_a_star_with_constant_inputs_can_be_beyond_a_limit():
-    """At the default of the varied input, outside the range within the limit."""
-    held = Side(name="nu", symbol="ν", unit="1", low=0.2, high=0.2)
-    box = Side(name="r_i", symbol="r_i", unit="mm", low=1.0, high=2.0)
-    star = VerdictRange(
-        case="ring-lame", limit=0.05, words="", over="", box=(box,), is_star=True,
-        studied=(replace(box, high=24.0),), held=(held,), inside=2, points=5,
-    )  # fmt: skip
-    one = replace(record.kept()[0], verdict=Verdict.PART, rows=("ring-lame/x",), ranges=(star,))
-    for changes, where in (({}, Where.OUTSIDE), ({"r_i": 1.5e-3}, Where.INSIDE)):
-        found = place(one, "ring-lame", find("ring-lame").inputs(nu=0.2, **changes))
-        assert found.where is where, changes
 
 
 # Beginnings of what a formula gives, with the side on which an error leaves a margin. They are
