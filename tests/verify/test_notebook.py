@@ -6,6 +6,7 @@ import re
 import shutil
 import sys
 import types
+from dataclasses import replace
 from html import unescape
 from pathlib import Path
 from xml.etree import ElementTree as ET
@@ -16,6 +17,8 @@ import verify
 from reports.notebook import table
 from verify.answers.answer import Verdict
 from verify.app.cli import run
+from verify.app.notebook import Run
+from verify.core.results import Status
 
 TEMPLATES = Path(__file__).parents[2] / "verify" / "app" / "templates"
 
@@ -49,6 +52,28 @@ def test_a_run_and_a_part_are_one_line_with_the_main_number(judged):
     part = verify.check("freewheel-clutch", {"T": "500 N m"})
     name = "my freewheel-clutch (freewheel-clutch)"
     assert repr(part) == f"<Part {name}: fails, margin {part.margin:.3g}>"
+
+
+def test_the_line_of_a_run_has_its_first_failure_or_its_first_compared_row(judged):
+    row = next(row for row in judged.rows if row.difference is not None)
+    cited = replace(row, quantity="cited", analytic=None, fem=None)
+    compared = replace(row, quantity="b", unit="µm", difference=2e-3)
+    failed = replace(row, quantity="c", status=Status.FAIL, unit="1", difference=-1e-3)
+    skipped = replace(failed, quantity="d", status=Status.SKIP, difference=None)
+    for rows, line in (
+        ((cited, compared), "PASS, 2 of 2 rows pass; b: PASS, difference 0.002 µm"),
+        ((compared, failed, skipped), "FAIL, 1 of 3 rows pass; c: FAIL, difference -0.001"),
+        ((compared, skipped), "FAIL, 1 of 2 rows pass; d: SKIP"),
+        ((cited,), "PASS, 1 of 1 rows pass"),
+    ):
+        found = repr(Run(replace(judged.result, rows=rows)))
+        assert found == f"<Run ring-rotation: {line}>"
+
+
+def test_the_line_of_a_part_without_limits_has_no_margin():
+    part = verify.check("rotor-clutch")
+    assert part.margin is None
+    assert repr(part) == "<Part my rotor-clutch (rotor-clutch): cannot say>"
 
 
 def test_its_table_has_the_values_of_the_rows_as_plain_ones(judged):

@@ -41,6 +41,7 @@ FILES = {
     "case_leaves.py": "raise SystemExit(3)\n",
     "case_syntax.py": EXAMPLE.replace("CurvedBar(Case):", "CurvedBar(Case:"),
     "case_import.py": f"import no_such_module\n{EXAMPLE}",
+    "case_extra.py": "raise ModuleNotFoundError(\"No module named 'nicegui.ui'\")\n",
     "case_empty.py": EXAMPLE.partition("    def comparisons")[0],
     "case_equal.py": EXAMPLE.replace("refine=2**level", "refine=8"),
     "case_exact.py": EXAMPLE.replace("refine=2**level", "refine=8").replace(
@@ -94,6 +95,7 @@ def test_a_failure_states_what_is_wrong_without_a_traceback(output):
         ("case_leaves.py: file", "\ncase_leaves.py:1: SystemExit: 3\n"),
         ("case_syntax.py: file", "\ncase_syntax.py:22: "),
         ("case_import.py: file", "case_import.py:1: ModuleNotFoundError: No module named"),
+        ("case_extra.py: file", "\ninstall it: pip install 'freewheel-verification[app]'\n"),
         ("case_empty.py: file", "case_empty.py: the case has no rows"),
         ("fails.toml: check", "fails"),
         ("mistyped.toml: check", "inputs.T"),
@@ -102,6 +104,23 @@ def test_a_failure_states_what_is_wrong_without_a_traceback(output):
         assert says in output.partition(f" {file} _")[2].partition("\n____")[0] + "\n"
     assert "Traceback" not in output
     assert "INTERNALERROR" not in output
+    assert output.count("install it") == 1  # no extra contains the other missing module
+
+
+def test_an_unexpected_error_is_one_line_with_the_extra_that_is_missing(project):
+    (project / "extra").mkdir()
+    (project / "extra" / "conftest.py").write_text(
+        "import verify.plugin.parts as parts\n"
+        "def read(path):\n"
+        "    raise ModuleNotFoundError(\"No module named 'numba'\", name='numba')\n"
+        "parts.read = read\n", "utf-8")  # fmt: skip
+    (project / "extra" / "one.toml").write_text(FILES["holds.toml"], "utf-8")
+    _, text = pytest_in(project, "--freewheel", "extra/one.toml")
+    lines = text.partition(" one.toml: check _")[2].splitlines()[1:3]
+    assert lines == [
+        "one.toml: ModuleNotFoundError: No module named 'numba' (traceback: --full-trace)",
+        "install it: pip install 'freewheel-verification[fem]'",
+    ]
 
 
 def test_what_is_right_passes_and_a_series_that_does_not_converge_fails(output):
