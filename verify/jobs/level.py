@@ -15,7 +15,7 @@ import numpy as np
 
 from verify.core.case import Case, Check, Context, FemResult, Values
 from verify.core.inputs import Inputs
-from verify.core.results import CaseResult, Row, Status
+from verify.core.results import CaseResult, Grid, Row, Status
 from verify.jobs import cache
 from verify.jobs.guard import Guard, named, unsolved
 from verify.papers.case_report import described
@@ -98,18 +98,19 @@ def _judged(check: Check, context: Context, job: Job) -> list[Row]:
         if reason := _without(context, check, error.args[0]):
             raise ValueError(reason) from error
         raise
-    if (job.is_paper or job.case.file) and ignores_level(context.fem):
-        return [
-            replace(row, status=Status.FAIL, reason=INDEPENDENT) if row.grid else row
-            for row in rows
-        ]
-    return rows
+    all_same = (job.is_paper or job.case.file) and ignores_level(context.fem)
+    return [
+        replace(row, status=Status.FAIL, reason=INDEPENDENT)
+        if row.grid and (all_same or (job.case.file and is_constant(row.grid)))
+        else row
+        for row in rows
+    ]
 
 
 def ignores_level(levels: Sequence[FemResult]) -> bool:
     """Whether all numbers and arrays are the same on every level, without a stated round-off.
 
-    Single numbers may be the same, such as a reaction that equilibrium determines.
+    Single numbers may be the same in the suite, such as a formula that is drawn point by point.
     """
     first, *others = levels or (None,)
     if first is None or not others or any(any(one.u_it.values()) for one in levels):
@@ -120,6 +121,18 @@ def ignores_level(levels: Sequence[FemResult]) -> bool:
         and all(np.array_equal(one.arrays[key], first.arrays[key]) for key in first.arrays)
         for one in others
     )
+
+
+def is_constant(grid: Grid) -> bool:
+    """Whether a quantity of a user's case is the same on every level, without a stated round-off.
+
+    Zero and whole numbers without a unit (counts) may be the same.
+    """
+    values = {value for _, value in grid.levels}
+    if len(grid.levels) < 2 or len(values) > 1 or grid.u_it:
+        return False
+    (value,) = values
+    return value != 0 and not (grid.unit == "1" and value.is_integer())
 
 
 def _without(context: Context, check: Check, key: object) -> str:
