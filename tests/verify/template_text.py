@@ -4,6 +4,7 @@ import re
 import tomllib
 
 EXAMPLES = "# Optional too"
+CONTINUED = re.compile(r"\n(?:# )?#? +#   ")  # a long comment
 HIDDEN = re.compile(r"^# (\w+ = )")
 
 
@@ -19,3 +20,8 @@ def whole(text):
 def inputs_of(text):
     """The raw inputs of a template with all lines of the paper's numbers."""
     return tomllib.loads(whole(text))["inputs"]
+
+
+def joined(text):
+    """A template with each comment in one line."""
+    return CONTINUED.sub(" ", text)

@@ -6,10 +6,11 @@ from dataclasses import replace
 
 import pytest
 
-from tests.verify.template_text import whole
+from tests.verify.template_text import joined, whole
 from verify.answers.assumed.complete import complete
 from verify.answers.assumed.registry import ASSUMPTIONS
 from verify.answers.template import template
+from verify.answers.template_lines import aligned, remark
 from verify.app.cli import run
 from verify.cases.registry import CASES
 from verify.core import inputs as kinds
@@ -29,7 +30,7 @@ def lines_in(text):
 def inputs_in(case):
     """Fields and lines of the case, and of the first entry of each of its tables."""
     fields = case.inputs.model_fields
-    body = template(case).partition("[inputs]\n")[2].partition("\n# Or ")[0]
+    body = joined(template(case)).partition("[inputs]\n")[2].partition("\n# Or ")[0]
     own, *parts = TABLE.split(body)
     own = own if case.id in ASSUMPTIONS else own.partition("\n\n")[0]
     yield {n: f for n, f in fields.items() if not is_table(f)}, lines_in(own)
@@ -48,7 +49,7 @@ def test_a_template_builds_to_the_paper_s_inputs_and_a_tool_s_needs_eight_lines_
         assert data["case"] == case.id
         assert build(case.inputs, data["inputs"], "template") == case.inputs()
     for case in (case for case in CASES if case.id in ASSUMPTIONS):
-        begin = template(case).partition("[inputs]\n")[2].partition("\n\n")[0].splitlines()
+        begin = joined(template(case)).partition("[inputs]\n")[2].partition("\n\n")[0].splitlines()
         assert 1 <= len(begin) <= 8
         given = tomllib.loads(template(case))["inputs"]
         scalars = {name for name, value in given.items() if not isinstance(value, list)}
@@ -65,7 +66,34 @@ def test_a_template_of_a_task_begins_with_what_it_needs(tmp_path, capsys):
         path.write_text(text, encoding="utf-8")
         found = load(path)
         assert found.assumed
-        assert all(one.source in text for one in found.assumed)
+        assert all(one.source in joined(text) for one in found.assumed)
+
+
+def test_no_line_is_longer_than_a_hundred_columns(capsys):
+    for task in (*CASES.ids, "design-spring", "design-sprag"):
+        assert run(["init", task]) == 0
+        assert max(map(len, capsys.readouterr().out.splitlines())) <= 100
+
+
+@pytest.mark.parametrize("word", ["100 mm", "line-by-line"])
+def test_numbers_stay_with_their_units_and_words_are_not_broken(word):
+    for length in range(60, 100):
+        text = f"{'x' * length} {word} end"
+        for written in (remark(text), aligned([("a = 1", text), ("# b = 2", text)])):
+            assert word in written
+            assert max(map(len, written.splitlines())) <= 98
+
+
+def test_optional_lines_can_be_uncommented_together(capsys):
+    """As by the command of an editor, which takes a # and a space away from the lines."""
+    for task in ("freewheel-clutch", "design-spring"):
+        assert run(["init", task]) == 0
+        text = capsys.readouterr().out.partition("\n# Optional: ")[2].partition("\n")[2]
+        lines = text.partition("\n\n")[0].splitlines(keepends=True)
+        assert any(line.startswith("#   ") for line in lines)
+        shown = "".join(line.removeprefix("#").removeprefix(" ") for line in lines)
+        assert tomllib.loads(shown) == tomllib.loads(whole("".join(lines)))
+        assert len(tomllib.loads(shown)) > 10
 
 
 def test_every_line_has_a_unit_a_description_a_range_and_a_source():

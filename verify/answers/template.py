@@ -7,14 +7,21 @@ from io import TextIOWrapper
 from pathlib import Path
 
 from verify.answers.assumed.registry import ASSUMPTIONS
-from verify.answers.template_lines import CHOSEN, aligned, assigned, comment, commented, sections
+from verify.answers.template_lines import (
+    CHOSEN,
+    aligned,
+    assigned,
+    comment,
+    commented,
+    remark,
+    sections,
+)
 from verify.cases.registry import CASES, DEEP, find
 from verify.core.case import Case
 from verify.core.inputs import REQUIRED, InputError, Inputs, entry_model, is_table, meta
 from verify.papers.ledger import cited
 
 HEAD = """\
-# Parameters of the freewheel case {called}: {title}.
 # The numbers are {whose}. Replace them by yours, then run
 #   freewheel check my.toml          formulas, with warnings outside their range of validity
 #   freewheel check --fem my.toml    also judged by finite elements for these parameters
@@ -70,8 +77,8 @@ def template(case: Case, folder: Path = Path()) -> str:
         else f"the paper's ({cited(case.paper)}) where it prints them" if printed \
         else "this project's"  # fmt: skip
     name = os.path.relpath(case.file, folder.resolve()) if case.file else case.id
-    head = HEAD.format(id=case.id, called=case.named, title=case.title, whose=whose,
-                       case=json.dumps(name, ensure_ascii=False))  # fmt: skip
+    what = remark(f"Parameters of the freewheel case {case.named}: {case.title}.")
+    head = what + HEAD.format(id=case.id, whose=whose, case=json.dumps(name, ensure_ascii=False))
     assumptions = ASSUMPTIONS.get(case.id, ())
     if assumptions:
         body = sections(case.inputs, assumptions, "the paper's" if printed else "this project's")
@@ -97,7 +104,7 @@ def _tables(model: type[Inputs]) -> str:
             continue
         own, about = entry_model(field), meta(field)
         optional = "" if about["omitted"] == REQUIRED else " Optional."
-        found += f"\n# {about['what']}{optional}\n"
+        found += "\n" + remark(about["what"] + optional)
         entries = field.default or (own(),)
         hidden = "" if field.default else "# "
         for k, entry in enumerate(entries):

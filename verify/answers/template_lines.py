@@ -1,6 +1,8 @@
 """Lines of a template: an input with its value, description, range and source."""
 
+import re
 from collections.abc import Mapping, Sequence
+from textwrap import wrap
 from typing import Any
 
 from pydantic.fields import FieldInfo
@@ -10,6 +12,9 @@ from verify.core import units
 from verify.core.inputs import REQUIRED, Inputs, bounds_of, choices, is_table, meta
 from verify.papers.ledger import published
 
+WIDTH = 98  # of 100: each line of a table without a default begins with a further #
+NUMBER_AND_UNIT = re.compile(r"(?<=\d) (?=[^\W\d])")
+UNBROKEN = "\N{NO-BREAK SPACE}"
 CHOSEN = "not printed, chosen for this suite"
 OPTIONAL = "# Optional: an omitted line has the value stated here; these are {whose} numbers"
 EXAMPLES = "# Optional too, not among {whose} numbers: examples"
@@ -76,9 +81,29 @@ def commented(model: type[Inputs], chosen: str = CHOSEN) -> list[tuple[str, str]
 
 
 def aligned(lines: Sequence[tuple[str, str]]) -> str:
-    """Lines of TOML with their comments below each other."""
+    """Lines of TOML with their comments below each other; a long comment continues below.
+
+    Behind a # it continues behind a #, so that an editor can uncomment all lines at once.
+    """
     width = max(len(text) for text, _ in lines)
-    return "".join(f"{text:{width}}  # {comment}\n" for text, comment in lines)
+    found = ""
+    for text, about in lines:
+        first, *rest = _wrapped(about, WIDTH - width - len("  #   "))
+        found += f"{text:{width}}  # {first}\n"
+        hidden = "#" if text.startswith("#") else ""
+        found += "".join(f"{hidden:{width}}  #   {line}\n" for line in rest)
+    return found
+
+
+def remark(text: str) -> str:
+    """A comment of its own lines."""
+    return "".join(f"# {line}\n" for line in _wrapped(text, WIDTH - len("# ")))
+
+
+def _wrapped(text: str, width: int) -> list[str]:
+    """Lines of at most `width` columns; a number and its unit stay together."""
+    lines = wrap(NUMBER_AND_UNIT.sub(UNBROKEN, text), width, break_on_hyphens=False)
+    return [line.replace(UNBROKEN, " ") for line in lines]
 
 
 def assigned(name: str, field: FieldInfo, value: Any) -> str:
