@@ -137,7 +137,16 @@ def test_the_size_of_a_move():
         (replace(ROW, values={"formula": NAN}), {"values": {"formula": 2.0}}, math.inf),
         (replace(ROW, difference=NAN, values={"formula": NAN}), {}, 0.0),
         (replace(ROW, difference=None), {"difference": 0.001}, math.inf),
+        # without a scale: shares of 1e-5 of the largest number
         (free, {"values": {"formula": 50.0005}}, 1.0),
+        (replace(free, scale=0.0), {"values": {"formula": 50.0005}}, 1.0),
+        (replace(free, scale=-1.0), {"values": {"formula": 50.0005}}, 1.0),
+        (replace(free, scale=math.inf), {"values": {"formula": 50.0005}}, 1.0),
+        (replace(free, difference=math.inf), {"values": {"formula": 50.0005}}, 1.0),
+        (replace(free, values={"formula": -50.0}), {"values": {"formula": -50.0005}}, 1.0),
+        (replace(free, values={"formula": 0.5}), {"values": {"formula": 0.500005}}, 1.0),
+        (replace(free, values={"formula": 0.5}, difference=5.0), {"difference": 5.00005}, 1.0),
+        (replace(free, values={"formula": 0.0}), {"values": {"formula": 1e-9}}, math.inf),
     ):
         found = move(was, replace(was, **now), perturbed=False)
         assert found == pytest.approx(size, rel=1e-4)

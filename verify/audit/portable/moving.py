@@ -89,8 +89,8 @@ def _ratio(change: float, allowed: float) -> float:
 
 
 def _scale(row: Record) -> float:
-    """The row's scale, else its largest number."""
+    """The row's scale, else the size of its largest number."""
     if row.scale is not None and math.isfinite(row.scale) and row.scale > 0:
         return row.scale
-    numbers = (*row.values.values(), row.difference)
-    return max((abs(v) for v in numbers if v is not None and math.isfinite(v)), default=0.0)
+    numbers = (0.0, *row.values.values(), row.difference)
+    return max(abs(v) for v in numbers if v is not None and math.isfinite(v))
