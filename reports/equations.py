@@ -2,7 +2,9 @@
 
 import json
 import re
-from collections.abc import Iterable, Sequence
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from string import ascii_letters
 from xml.etree import ElementTree as ET
 
 from markupsafe import Markup, escape
@@ -14,6 +16,7 @@ SYMBOLS = "<!--glyphs-->"  # place of the glyphs that the equations of a page sh
 SVG = "{http://www.w3.org/2000/svg}"
 LINK = "{http://www.w3.org/1999/xlink}href"
 PIXELS = 4 / 3  # of a point
+FINE = 100  # steps of a point [1/pt] of outlines
 FEW = 5  # glyphs, whose heights are shorter than a group
 _NUMBER = re.compile(r"-?[\d.]+")
 _GLYPH = re.compile(r'<use href="#(g\d+)"')
@@ -25,8 +28,7 @@ class Equations:
 
     def __init__(self) -> None:
         self._numbers: dict[str, int] = {}
-        self._names: dict[str, str] = {}  # of glyphs, by those of typst
-        self._outlines: dict[str, str] = {}  # by name
+        self._names: dict[str, str] = {}  # of glyphs, by their outlines
 
     def maths(self, tex: str) -> Markup:
         """The place of an equation in a page."""
@@ -42,14 +44,17 @@ class Equations:
         return [self._with(_PLACE.sub(lambda place: drawn[int(place[1])], page)) for page in pages]
 
     def _with(self, page: str) -> str:
-        """A page with its glyphs, numbered by their first use, independent of other pages."""
-        names = {name: f"g{i}" for i, name in enumerate(dict.fromkeys(_GLYPH.findall(page)))}
+        """A page with its glyphs, named by their frequency, independent of other pages."""
+        used = Counter(_GLYPH.findall(page)).most_common()
+        names = {name: _letters(i) for i, (name, _) in enumerate(used)}
+        outlines = {name: outline for outline, name in self._names.items()}
+        scale = f"scale({1 / FINE:g} -{1 / FINE:g})"
         glyphs = (
-            f'<path id="{own}" transform="scale(.01 -.01)" d="{self._outlines[name]}"/>'
+            f'<path id="{own}" transform="{scale}" d="{outlines[name]}"/>'
             for name, own in names.items()
         )
-        used = _GLYPH.sub(lambda use: f'<use href="#{names[use[1]]}"', page)
-        return used.replace(SYMBOLS, f"<defs>{''.join(glyphs)}</defs>")
+        named = _GLYPH.sub(lambda use: f'<use href="#{names[use[1]]}"', page)
+        return named.replace(SYMBOLS, f"<defs>{''.join(glyphs)}</defs>")
 
     def _drawn(self) -> list[str]:
         """Every equation, in the order of asking; as source where nothing can draw it."""
@@ -89,19 +94,30 @@ class Equations:
                     f'<path d="M{left:.2f} {top:.2f}{_tight(length)}" '
                     f'stroke="currentColor" stroke-width="{width}"/>'
                 )
-            for use in part:
-                x, y = left + float(use.attrib["x"]), top - float(use.attrib["y"])
-                name = use.attrib[LINK].removeprefix("#")
-                glyphs.append((self._name(name, outlines[name]), x, round(y, 1)))
+            elif uses := list(part):
+                x, y = left + float(uses[0].attrib["x"]), top - float(uses[0].attrib["y"])
+                glyphs.append((self._name(_run(uses, outlines)), x, round(y, 1)))
         lines = dict.fromkeys(y for *_, y in glyphs)
         return rules + "".join(_line(y, [g for g in glyphs if g[2] == y]) for y in lines)
 
-    def _name(self, glyph: str, outline: str) -> str:
-        """The name of a glyph, whose outline joins the others where it is new."""
-        if glyph not in self._names:
-            name = self._names[glyph] = f"g{len(self._names)}"
-            self._outlines[name] = _in_hundredths(outline)
-        return self._names[glyph]
+    def _name(self, outline: str) -> str:
+        """The name of a glyph or of a run of glyphs, as of "mm", by its outline."""
+        return self._names.setdefault(outline, f"g{len(self._names)}")
+
+
+def _run(uses: Sequence[ET.Element], outlines: Mapping[str, str]) -> str:
+    """The outline of glyphs side by side on one line, from the first, in steps of 1/`FINE` pt."""
+    start = float(uses[0].attrib["x"])
+    return "".join(
+        _in_steps(outlines[use.attrib[LINK].removeprefix("#")], float(use.attrib["x"]) - start)
+        for use in uses
+    )
+
+
+def _letters(number: int) -> str:
+    """A short name: a to z, A to Z, aa to ZZ and so on; no other place of a page has such a one."""
+    rest, last = divmod(number, len(ascii_letters))
+    return (_letters(rest - 1) if rest else "") + ascii_letters[last]
 
 
 def _tree_or_none(tex: str) -> Node | None:
@@ -134,9 +150,10 @@ def _tight(path: str) -> str:
     return re.sub(r"(\.\d+) (?=\.)", r"\1", _joined(short))
 
 
-def _in_hundredths(path: str) -> str:
-    """The outline of a glyph in hundredths of a point: whole numbers are shorter."""
-    return _joined(_NUMBER.sub(lambda number: str(round(100 * float(number[0]))), path))
+def _in_steps(outline: str, right: float) -> str:
+    """An outline moved to the right [pt], in whole steps of 1/`FINE` pt, which are short."""
+    moved = outline.replace("M 0 0", f"M {right} 0", 1)
+    return _joined(_NUMBER.sub(lambda number: str(round(FINE * float(number[0]))), moved))
 
 
 def _joined(path: str) -> str:

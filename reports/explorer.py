@@ -23,7 +23,7 @@ from verify.core.verdicts import FormulaVerdict, Safe
 
 SIGN = {Safe.ABOVE: 1, Safe.BELOW: -1, Safe.NEITHER: 0}  # of errors on the safe side
 
-DECIMALS = 7  # of errors, which are relative
+DECIMALS = 7  # of errors, which are relative; the page has them as whole numbers of the last one
 
 
 @dataclass(frozen=True)
@@ -61,6 +61,7 @@ def data(report: Report, anchors: Mapping[str, str]) -> Markup:
     """All stored points as JSON, for a script element of the page."""
     known = [v for v in report.verdicts if v.rows or v.model_rows]
     content = {
+        "decimals": DECIMALS,
         "cases": [_case(one, anchors, known) for one in of_cases(report)],
         "verdicts": [_verdict(one) for one in known],
     }
@@ -83,16 +84,18 @@ def _case(
 
 
 def _axis(axis: StudyAxis) -> dict[str, Any]:
-    return {
-        "name": axis.name, "symbol": symbol(axis.symbol), "unit": unit(axis),
-        "what": axis.what, "nominal": axis.own, "log": axis.log, "whole": axis.whole,
-        "ratio": symbol(axis.ratio) if axis.ratio else "", "factor": axis.factor,
-        "scales": axis.scales,
+    choices = _without_empty({
+        "unit": unit(axis), "log": axis.log, "whole": axis.whole, "scales": axis.scales,
+        "ratio": symbol(axis.ratio) if axis.ratio else "",
         "per": [
             {"name": one.name, "symbol": symbol(one.symbol), "unit": unit(one),
              "nominal": one.own, "power": one.power}
             for one in axis.per
         ],
+    })  # fmt: skip
+    return {
+        "name": axis.name, "symbol": symbol(axis.symbol), "what": axis.what, "nominal": axis.own,
+        "factor": axis.factor, **choices,
     }  # fmt: skip
 
 
@@ -115,21 +118,18 @@ def _formula(
         "of": first.of, "no_factor": bool(first.of) or not first.is_positive,
         "safe": SIGN[first.safe],
         "verdicts": [n for n, v in enumerate(verdicts) if row in v.rows + v.model_rows],
-        "at": [{"study": n} | _errors(f) for n, f in found],
+        "at": [[n, *_errors(f)] for n, f in found],
     })  # fmt: skip
 
 
-def _errors(formula: StudiedFormula) -> dict[str, Any]:
-    """Errors and bars at the points of a study, null at points without a value."""
-    return _without_empty({
-        "error": _numbers(formula.error), "U": _numbers(formula.U),
-        "problems": {n: problem for n, problem in enumerate(formula.problems) if problem},
-    })  # fmt: skip
+def _errors(formula: StudiedFormula) -> list[Any]:
+    """Errors and bars at the points of a study, null at points without a value; their problems."""
+    problems = {n: problem for n, problem in enumerate(formula.problems) if problem}
+    return [_numbers(formula.error), _numbers(formula.U), *([problems] if problems else [])]
 
 
-def _numbers(values: Sequence[float]) -> list[float | None]:
-    short = (round(v, DECIMALS) if math.isfinite(v) else None for v in values)
-    return [v if v is None or v % 1 else int(v) for v in short]
+def _numbers(values: Sequence[float]) -> list[int | None]:
+    return [round(v * 10**DECIMALS) if math.isfinite(v) else None for v in values]
 
 
 def _without_empty(content: Mapping[str, Any]) -> dict[str, Any]:

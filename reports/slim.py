@@ -1,8 +1,11 @@
-"""A page in fewer bytes, drawn as before: paths by steps, repeated equations by reference."""
+"""A page in fewer bytes, drawn as before: paths by steps, repeated equations by reference.
+
+The file of a page has no quotes around attributes without blanks.
+"""
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import pairwise
 
 # a page has the name space of its drawings; text is anchored at its start by default
@@ -12,9 +15,12 @@ BAND = (
     '<rect class="band" x="30" y="2" width="72" height="14"/><path class="zero" d="M66,0L66,18"/>'
 )
 SEVERAL = 2
+MOST = 400_000  # bytes of a page of a report with several
 _STRAIGHT = re.compile(r'(?<= d=")M-?\d[-\d.,LMz]*(?=")')
 _POINT = re.compile(r"-?\d+(\.\d)?,-?\d+(\.\d)?")
 _CELL_END = re.compile(r"</t[dh]>\s*(?=<t[dh][ >]|</tr>)")  # which HTML leaves out
+_SIMPLE_VALUE = re.compile(r"""( [a-zA-Z][\w:-]*=)"([^\s"'=<>`]+)"(?=[ >])""")
+_VERBATIM = re.compile(r"(<(?:script|style)\b.*?</(?:script|style)>)", re.DOTALL)
 _EQUATION = re.compile(r'(<svg class="maths"[^>]*>)(.*?)(</svg>)', re.DOTALL)
 
 Point = tuple[int, int]  # in tenths of a pixel
@@ -31,6 +37,22 @@ def slim(page: str) -> str:
 def cells(page: str) -> str:
     """The page without the ends of cells before the next cell or the end of a row."""
     return _CELL_END.sub("", page)
+
+
+def unquoted(page: str) -> str:
+    """The page without quotes that HTML does not require; scripts and styles are unchanged."""
+    parts = _VERBATIM.split(page)  # those that are verbatim have odd numbers
+    # without the blank, the slash of "/>" would belong to the value
+    spaced = (part.replace('"/>', '" />') for part in parts[::2])
+    parts[::2] = (_SIMPLE_VALUE.sub(r"\1\2", part) for part in spaced)
+    return "".join(parts)
+
+
+def too_large(files: Mapping[str, bytes]) -> Iterator[str]:
+    """A line for each page of these files with more than `MOST` bytes."""
+    for name, text in files.items():
+        if name.endswith(".html") and len(text) > MOST:
+            yield f"{name} has {len(text) / 1000:.1f} kB; a page has at most {MOST // 1000} kB"
 
 
 def _once(page: str, drawing: str, name: str) -> str:

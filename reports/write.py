@@ -28,6 +28,7 @@ from reports.pdf_record import record
 from reports.records import report_record, text_of
 from reports.rows import rows_csv
 from reports.second import seconds
+from reports.slim import too_large, unquoted
 from reports.typesetting import NotSet
 from reports.vtu import vtu_files
 from reports.xlsx import xlsx
@@ -72,7 +73,10 @@ def write(
         remarks = dict.fromkeys(f.why for group in drawn.values() for f in group if f.why)
         if why:
             remarks[f"{PAPER} is not written: {why}"] = None
-        _replace(folder, {name: text for files in parts.values() for name, text in files.items()})
+        made = {name: text for files in parts.values() for name, text in files.items()}
+        if is_paged(report) and not single_file:
+            remarks |= dict.fromkeys(too_large(made))
+        _replace(folder, made)
         _remove_stale(folder, before.files.union(*parts.values()))
         bad = {page_of(case) for case, group in drawn.items() if any(f.why for f in group)}
         by = {page_of(case): sorted({f.by for f in group if f.by}) for case, group in drawn.items()}
@@ -139,7 +143,7 @@ def _made(
         has_pages = is_paged(report) and not single_file
         made = pages(report, drawn, before) if has_pages else {FIRST: page(report, drawn)}
         for name, text in made.items():
-            parts.setdefault(part_of(name), {})[name] = text.encode()
+            parts.setdefault(part_of(name), {})[name] = unquoted(text).encode()
     try:
         if PAPER_PART not in before:
             parts[PAPER_PART] = {PAPER: paper.result()}

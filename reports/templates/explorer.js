@@ -1,5 +1,5 @@
 // The error of a formula at the inputs of a part: form, sentence, charts, address.
-const DATA = JSON.parse(document.getElementById("explorer-data").textContent);
+const DATA = unpacked(JSON.parse(document.getElementById("explorer-data").textContent));
 const LIMITS = [0.01, 0.02, 0.05, 0.1], SMALL = 0.02; // an error on the unsafe side that a conservative formula may have
 const STEPS = 500, SNAP = 4; // SNAP: steps of a slider to a stored value
 const $ = (name) => document.getElementById(`explorer-${name}`);
@@ -8,6 +8,15 @@ const percent = (x) => (Math.abs(x) >= 1e-6 ? digits(100 * Math.abs(x), 2) : x ?
 const signed = (x) => (x < 0 ? "−" : "+") + digits(100 * Math.abs(x), 3);
 const link = (target, words) => `<a href=${JSON.stringify(target)}>${plain(words)}</a>`;
 let one, formula, axes, sizes, values; // case, its formula and inputs, what ratios divide by, numbers by name
+
+function unpacked(data) { // errors and bars as fractions, axes with what they leave out where it is empty
+  const fractions = (list) => list.map((n) => n === null ? null : n / 10 ** data.decimals);
+  for (const { studies, formulas } of data.cases) {
+    for (const s of studies) s.axes = s.axes.map((a) => ({ unit: "", ratio: "", per: [], ...a }));
+    for (const f of formulas) f.at = f.at.map(([study, error, U, problems]) => ({ study, error: fractions(error), U: fractions(U), problems }));
+  }
+  return data;
+}
 
 // ---------- the part: numbers that a user types, and where they lie on the axes of the case
 const product = (axis, number) => axis.per.reduce((all, p) => all * number(p) ** p.power, 1);
@@ -77,7 +86,7 @@ function answer(q) {
   const from = q.stored ? "a stored point" : `between stored points; ±${percent(q.bent)} % of the bar is interpolation`;
   const error = `error ${with_bar(q.e, q.u)}${formula.of ? ` of ${plain(formula.of)}` : ""} (${from}); ${words}`;
   const verdict = (v) => `<p>Verdict of ${link(`../report.html#${v.place}`, v.name)}: <span class="state verdict-${v.css}">${v.verdict}</span>${v.instead && `. Use instead: ${v.instead}`}.</p>`;
-  box.innerHTML = `<b>${head}</b><p>At ${where}${held && `, stored for ${plain(held)}`}: ${error}.</p>` +
+  box.innerHTML = `<b>${head}</b><p>At ${where}${held && ` (stored for ${plain(held)})`}: ${error}.</p>` +
     (!formula.no_factor && q.e - q.u > -1 ? factor(q) : "") + (formula.verdicts ?? []).map((n) => verdict(DATA.verdicts[n])).join("");
 }
 

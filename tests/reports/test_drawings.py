@@ -12,7 +12,7 @@ from reports import plots, signature, svg
 from reports.html import plot
 from reports.overview import overview
 from reports.sketch import WIDTH, sketch
-from reports.slim import slim, steps
+from reports.slim import MOST, slim, steps, too_large, unquoted
 from reports.standalone import standalone
 from tests.reports.paths import walked
 from verify.cases.freewheel import star_sketch
@@ -62,6 +62,26 @@ def test_a_path_is_written_by_its_steps_and_other_paths_stay():
     drawn = str(svg.text(1, 2, 'text-anchor="start" class=""'))
     assert slim(drawn) == '<text x="1" y="2">text-anchor=&#34;start&#34; class=&#34;&#34;</text>'
     assert 'text-anchor="end"' in slim(str(svg.text(1, 2, "words", "tick", "end")))
+
+
+def test_quotes_are_left_out_where_html_does_not_require_them():
+    for page, short in {
+        '<td class="n fe" id="row-1-2" title="a">': '<td class="n fe" id=row-1-2 title=a>',
+        '<use href="#a" x="3"/><path d="M1 2"/>': '<use href=#a x=3 /><path d="M1 2" />',
+        '<a href="a?b=c" title="" data-x="it&#39;s">': '<a href="a?b=c" title="" data-x=it&#39;s>',
+        '<script>"<p class="n">"</script>': '<script>"<p class="n">"</script>',
+        '<style>a[b="c" ]</style><p id="d">': '<style>a[b="c" ]</style><p id=d>',
+    }.items():
+        assert unquoted(page) == short
+
+
+def test_a_page_over_the_limit_is_named():
+    files = {
+        "report.html": b"x" * MOST,
+        "report/a.html": b"x" * (MOST + 900),
+        "b.json": b"x" * MOST * 2,
+    }
+    assert list(too_large(files)) == ["report/a.html has 400.9 kB; a page has at most 400 kB"]
 
 
 def test_every_drawing_alone_is_xml_with_a_rule_for_each_class_and_no_variable(report):

@@ -34,9 +34,9 @@ def test_the_data_are_the_stored_points(explored, data):
         assert [tuple(p) for p in one["studies"][n]["points"]] == list(study.points)
         for formula in study.formulas:
             shown = next(f for f in one["formulas"] if f["name"] == formula.quantity)
-            at = next(a for a in shown["at"] if a["study"] == n)
-            for key in ("error", "U"):
-                values = [np.nan if v is None else v for v in at[key]]
+            at = next(found for number, *found in shown["at"] if number == n)
+            for key, whole in zip(("error", "U"), at, strict=False):
+                values = [np.nan if v is None else v * STEP for v in whole]
                 np.testing.assert_allclose(values, getattr(formula, key), rtol=0, atol=0.6 * STEP)
             count += len(formula.error)
     assert count == sum(len(f.error) for s in explored.studies for f in s.formulas) > 500
@@ -222,7 +222,7 @@ def test_an_answer_states_class_side_bar_factor_and_verdict_and_draws_numbers(an
         "Beyond 10 %, on the unsafe side", "error −11.9 % ± 0.5 % (between stored points; ±0.5 %",
         "the formula is too low, the unsafe side", "formula × 1.136 (1.129 to 1.142)",
         "Belcin, Eq. 11: unsafe. Use instead: the series", "(δ1/de = 0.05625)",
-        "stored for e = 2 mm",
+        "(stored for e = 2 mm, distance of the hub's contact from the middle of a flat)",
     ):  # fmt: skip
         assert words in answers[0]["text"]
     stored = answers[1]["text"]

@@ -2,7 +2,6 @@
 
 import re
 from collections import Counter
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -14,12 +13,12 @@ from reports.links import FOLDER
 from reports.pages import pages
 from reports.pdf import pdf
 from reports.pdf_record import BYTES, PAGES, record
+from reports.slim import MOST
+from reports.write import write
 from tests.reports.browser import NO_CHROMIUM, assert_links, assert_silent, looked_at, sheets
 from tests.reports.conftest import sheets_of
-from tests.reports.test_page import MOST
 from tests.test_documents import VERIFIED
 from verify.jobs.cache import default_folder
-from verify.verdicts.record import kept
 
 pytestmark = pytest.mark.soak  # every case is judged; `make verify` writes this page
 TICKS = 5  # of a strip of the overview
@@ -42,12 +41,17 @@ def test_the_table_of_cases_is_that_of_this_code(whole):
     assert printed == markdown(whole), "run make readme"
 
 
-def test_every_row_is_once_on_a_page_small_enough_to_mail_and_each_of_several_is_small(whole, text):
+def test_every_row_is_once_on_a_page_that_is_small_enough_to_mail(whole, text):
     ids = Counter(re.findall(r'id="(row-[\d-]+)"', text))
     assert ids == dict.fromkeys(anchors(whole.rows).values(), 1)
     assert len(text.encode()) < 9e6  # what most mail takes, with room to spare
-    made = pages(replace(whole, verdicts=kept()), frames(whole.cases, default_folder()))
-    sizes = {name: len(text.encode()) for name, text in made.items()}
+
+
+def test_each_of_several_pages_is_small_on_disk(tmp_path, whole):
+    """As `make verify` writes them: with pictures and verdicts."""
+    assert write(whole, tmp_path, cache=default_folder()).remarks == ()
+    sizes = {path.name: path.stat().st_size for path in tmp_path.rglob("*.html")}
+    assert sizes.keys() >= {f"{case.id}.html" for case in whole.cases}
     assert {name: size for name, size in sizes.items() if size > MOST} == {}
 
 

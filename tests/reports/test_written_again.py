@@ -9,7 +9,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from reports import ahead
+from reports import ahead, slim
 from reports import write as writing
 from reports.ahead import Ahead
 from reports.before import FILE
@@ -118,6 +118,14 @@ def test_a_run_of_other_cases_or_in_one_file_removes_pages_of_the_one_before(som
     assert not [*folder.glob(f"{FOLDER}/*.html")]
     page = (folder / FIRST).read_text("utf-8")
     assert all(f'id="case-{case.id}"' in page for case in some.cases)
+
+
+def test_a_page_over_the_limit_is_reported(some, tmp_path, monkeypatch):
+    monkeypatch.setattr(slim, "MOST", 50_000)
+    remarks = write(some, tmp_path, cache=default_folder()).remarks
+    large = {path.name for path in tmp_path.rglob("*.html") if path.stat().st_size > 50_000}
+    assert len(large) == len(remarks) > 1
+    assert all(any(one.partition(" ")[0].endswith(name) for one in remarks) for name in large)
 
 
 def test_a_case_without_a_key_has_all_parts_written(some, origins):

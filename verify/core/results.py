@@ -390,7 +390,7 @@ class StoredStudy:
     """A stored study: `points` of values in the units of the axes, and formulas compared there.
 
     A star varies one input at a time, from the default values in its first point; a grid all
-    combinations. `held` names the other inputs that do not have default values.
+    combinations. `held` names the other inputs that do not have default values, with their meaning.
     """
 
     case: str

@@ -20,7 +20,7 @@ from verify.core.verdicts import Safe
 from verify.studies.sweep.axes import Axis
 from verify.studies.sweep.outcome import Course
 from verify.studies.sweep.plan import Plan
-from verify.studies.validity.messages import held, over
+from verify.studies.validity.messages import held_with_meaning, over
 from verify.studies.validity.store import measured
 from verify.verdicts.declared import declared
 from verify.verdicts.design import Declared, ratio_of
@@ -51,7 +51,8 @@ def _study(result: CaseResult, date: str, plan: Plan, courses: Sequence[Course])
     kept = [n for n, point in enumerate(shown) if point not in shown[:n]]
     rows = {row.quantity: row for row in result.rows}
     return StoredStudy(
-        case=result.id, date=date, is_star=plan.star, over=over(plan), held=held(plan),
+        case=result.id, date=date, is_star=plan.star, over=over(plan),
+        held=held_with_meaning(plan),
         axes=tuple(_axis(plan, axis) for axis in plan.axes),
         points=tuple(shown[n] for n in kept),
         formulas=tuple(

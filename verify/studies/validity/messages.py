@@ -54,10 +54,12 @@ def over(plan: Plan) -> str:
 
 def held(plan: Plan) -> str:
     """The constant inputs that differ from the default: "e = 2 mm"."""
-    return ", ".join(
-        f"{one.symbol or one.name} = {number(float(one.value))} {one.unit}".removesuffix(" 1")
-        for one in constant(plan)
-    )
+    return ", ".join(map(_value, constant(plan)))
+
+
+def held_with_meaning(plan: Plan) -> str:
+    """The same inputs with what they are: "e = 2 mm, distance of the hub's contact from ..."."""
+    return "; ".join(f"{_value(one)}, {one.what}" for one in constant(plan))
 
 
 def constant(plan: Plan) -> tuple[InputValue, ...]:
@@ -67,6 +69,10 @@ def constant(plan: Plan) -> tuple[InputValue, ...]:
         one for one, usual in zip(plan.inputs.display(), default.display(), strict=True)
         if one.value != usual.value and one.name not in varied
     )  # fmt: skip
+
+
+def _value(one: InputValue) -> str:
+    return f"{one.symbol or one.name} = {number(float(one.value))} {one.unit}".removesuffix(" 1")
 
 
 def _ends(axis: Axis, low: float, high: float) -> str:
