@@ -33,6 +33,31 @@ class Problem:
         return "" if self.missing else "; ".join(dict.fromkeys(c.why for c in self.lines))
 
 
+@dataclass(frozen=True)
+class Solver:
+    """All comparisons with a solver, and the one with the largest difference."""
+
+    name: str
+    lines: Sequence[Crosscheck]
+
+    @property
+    def problems(self) -> int:
+        return len({check.problem for check in self.lines})
+
+    @property
+    def largest(self) -> Crosscheck:
+        return max(self.lines, key=lambda check: abs(check.difference or 0.0))
+
+
+def solvers(checks: Sequence[Crosscheck]) -> list[Solver]:
+    """The solvers that have results, in the order of their first one."""
+    found: dict[str, list[Crosscheck]] = {}
+    for check in checks:
+        if check.state not in WITHOUT_NUMBERS:
+            found.setdefault(f"{check.solver} {check.version}".strip(), []).append(check)
+    return [Solver(name, lines) for name, lines in found.items()]
+
+
 def of_cases(report: Report) -> tuple[Crosscheck, ...]:
     """Comparisons of the cases of the report, to whose places it links."""
     here = {case.id for case in report.cases}
@@ -62,12 +87,12 @@ def told(checks: Sequence[Crosscheck]) -> str:
     outside = sum(check.state is CrossState.OUTSIDE for check in checks)
     missing = sum(p.head.state is CrossState.MISSING for p in problems(checks))
     alone = sum(check.state is CrossState.ALONE for check in checks)
-    parts = [f"{agree} of {agree + outside} agree"] if agree + outside else []
+    parts = [f"{agree} of {agree + outside} numbers agree"] if agree + outside else []
     if missing:
         parts.append(f"{missing} problem{'s are' if missing > 1 else ' is'} not measured")
     if alone:
         have = "s have" if alone > 1 else " has"
-        parts.append(f"{alone} case{have} no second solver, with the reason")
+        parts.append(f"{alone} case{have} no second solver (reasons below)")
     return "; ".join(parts)
 
 

@@ -13,7 +13,6 @@ from verify.core.results import CaseResult, PaperTable, Report
 from verify.core.verdicts import FormulaVerdict, Verdict
 
 MOST_NAMED = 2  # quantities of a line
-MOST_CLAIMS = 3  # rows of the suite below a printed row
 FILE = Path(__file__).parent / "first_page.toml"
 
 

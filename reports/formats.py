@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from markupsafe import Markup, escape
 
+from reports.erratum_names import erratum_name
 from verify.core.differences import difference_texts, divisor, significant
 from verify.core.references import reference_name
 from verify.core.results import FE, Kind, Row
@@ -46,8 +47,13 @@ def prose(text: str) -> Markup:
 def linked(text: str) -> Markup:
     """Running text in which "ledger paper:entry" links to that entry."""
     return Markup(  # noqa: S704 - escaped by prose
-        _LEDGER.sub(r'ledger <a href="#erratum-\1-\2">\2</a>', str(prose(text)))
+        _LEDGER.sub(_erratum, str(prose(text)))
     )
+
+
+def _erratum(entry: re.Match[str]) -> str:
+    paper, key = entry.groups()
+    return f'<a href="#erratum-{paper}-{key}">erratum of {prose(erratum_name(key))}</a>'
 
 
 def number(value: float | int | str | None, digits: int = 6) -> str:

@@ -34,8 +34,9 @@ from reports.curves import curves
 from reports.density import density
 from reports.drawable import drawable, nothing
 from reports.equations import Equations
+from reports.erratum_names import erratum_name
 from reports.error_map import error_map
-from reports.first_page import MOST_CLAIMS, groups
+from reports.first_page import groups
 from reports.frames import Frame
 from reports.in_short import cases_in_short, named, where
 from reports.overview import overview
@@ -280,21 +281,21 @@ def environment(equations: Equations) -> jinja2.Environment:
         "budget_headline": budget.headline, "budget_lines": budget.lines,
         "budget_compact": budget.compact, "budget_identities": budget.identities,
         "budget_outside": budget.outside, "budget_left": budget.left,
-        "cross_problems": crosscheck.problems, "cross_told": crosscheck.told,
+        "cross_problems": crosscheck.problems, "cross_solvers": crosscheck.solvers,
+        "cross_told": crosscheck.told,
         "cross_left": crosscheck.left_out, "second_value": second.value,
         "second_apart": second.apart, "second_meshes": second.meshes, "linked": formats.linked,
         "printed": printed, "counts": lambda case: present(case.rows), "anchor": _anchor,
         "reproduce": reproduce, "where": where, "at_paper": at_paper, "sides": sides,
         "short_words": short_words, "slug": slug, "not_to_be_used": not_to_be_used,
         "may_be_used": may_be_used,
-        "grouped": groups, "errata_in_verdicts": errata_in_verdicts,
+        "grouped": groups, "erratum_name": erratum_name, "errata_in_verdicts": errata_in_verdicts,
         "study_head": explorer_tables.head, "study_lines": explorer_tables.lines,
     }  # fmt: skip
     env.globals |= {
         "LONG_LIST": LONG_LIST,
         "limits_title": LIMITS_TITLE,
         "NAMED_IN_MENU": NAMED_IN_MENU,
-        "MOST_CLAIMS": MOST_CLAIMS,
         "CORRECTED": CORRECTED,
         "CHANGED": caught.NAMES,
         "explored": {},  # places on the page of the explorer, which a run of one page has not

@@ -10,8 +10,10 @@ from dataclasses import dataclass, replace
 from markupsafe import Markup
 
 from reports import formats
-from reports.row_lines import rank
+from reports.row_lines import LISTED_FIRST, rank
 from verify.core.results import PaperCell, PaperClaim, PaperTable, Status
+
+MOST_CLAIMS = 3  # rows of the suite directly below a printed row
 
 
 @dataclass(frozen=True)
@@ -28,6 +30,12 @@ class Claim:
     def formula(self) -> str | Markup:
         """The formula's value in the printed unit; a dash where the row has none."""
         return formats.small(self.numbers.analytic)
+
+    @property
+    def is_first(self) -> bool:
+        """Whether the row has a number, or was not passed."""
+        has_number = not (self.numbers.analytic is None and self.numbers.fem is None)
+        return has_number or self.status in LISTED_FIRST
 
     def beside(self, printed: PaperCell) -> Markup:
         """The formula's value and its difference from the printed number above it."""
@@ -67,6 +75,19 @@ class PrintedRow:
     inputs: Sequence[Uses]
     errata: Sequence[str]
 
+    @property
+    def first(self) -> list[Claim]:
+        """The rows directly below the printed one: each column with a number has one if it can."""
+        numbers = [claim for claim in self.claims if claim.is_first]
+        new = {k: claim for claim in reversed(numbers) for k in claim.columns}.values()
+        listed = sorted(numbers, key=lambda claim: claim not in new)[:MOST_CLAIMS]
+        return [c for c in self.claims if c in listed] or list(self.claims[:1])
+
+    @property
+    def further(self) -> list[Claim]:
+        """All other rows."""
+        return [claim for claim in self.claims if claim not in self.first]
+
 
 @dataclass(frozen=True)
 class UsedNumber:
@@ -103,6 +124,11 @@ class PrintedTable:
     rows: Sequence[tuple[Sequence[PaperCell], PrintedRow]]
     common: Sequence[Claim]
     has_references: bool
+
+    @property
+    def further(self) -> int:
+        """How many rows of the suite are not listed directly below their printed row."""
+        return sum(len(row.further) for _, row in self.rows)
 
     @property
     def is_compared(self) -> bool:

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from reports.erratum_names import erratum_name
 from reports.html import cited, partly
 from reports.paper_rows import printed_row
 from reports.pdf_case import maths
@@ -49,10 +50,14 @@ def paper_table(
     paper: str,
     places: Mapping[str, str],
     erratum: Mapping[tuple[str, str], str],
+    *,
+    shortened: bool = False,
 ) -> Data:
     def linked(names: Sequence[str]) -> list[Data]:
         known = ((name, erratum.get((table.paper, name))) for name in names)
-        return [{"id": name, "label": label} for name, label in known if label]
+        return [
+            {"name": prose(erratum_name(name)), "label": label} for name, label in known if label
+        ]
 
     def row(cells: Sequence[PaperCell]) -> Data:
         found = printed_row(cells)
@@ -63,9 +68,9 @@ def paper_table(
                  "formulas": [runs(c.beside(cell) if k in c.columns else "")
                               for k, cell in enumerate(cells)],
                  "fem": runs(c.fem)}
-                for c in found.claims
+                for c in (found.first if shortened else found.claims)
             ],
-            "more": 0,
+            "more": len(found.further) if shortened else 0,
             "inputs": [{"column": i.column, "words": prose(i.words)} for i in found.inputs],
             "errata": linked(found.errata),
         }  # fmt: skip
@@ -84,6 +89,7 @@ def erratum_data(e: Mapping[str, Any], erratum: Mapping[tuple[str, str], str]) -
     return {
         "label": erratum[e["paper"], e["id"]],
         "id": e["id"],
+        "name": prose(erratum_name(e["id"])),
         "place": e["place"],
         "printed": maths(e["printed_tex"]) or prose(e["printed"]),
         "right": maths(e["right_tex"]) or prose(e["right"]),

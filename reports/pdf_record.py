@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 
-from reports.first_page import MOST_CLAIMS, PaperPart, groups, paper_parts
+from reports.first_page import PaperPart, groups, paper_parts
 from reports.frames import Frame
 from reports.html import partly
 from reports.in_short import cases_in_short, named, where
@@ -14,7 +14,7 @@ from reports.pdf_one_page import one_page
 from reports.pdf_tables import Data, prose
 from reports.pdf_verdicts import counts_data, group_data
 from reports.verdicts import not_to_be_used
-from verify.core.results import PaperTable, Report
+from verify.core.results import Report
 from verify.core.verdicts import Form, Verdict
 
 PAGES = 70  # at most, of the suite's cases
@@ -71,21 +71,15 @@ def _paper(part: PaperPart, report: Report, places: Mapping[str, str], errata: L
         ],
         "lines": [group_data(group, here) for group in groups(part.verdicts)],
         "definitions": prose("; ".join(f"{v.name}, {v.what}" for v in definitions)),
-        "tables": [_compared(paper_table(t, part.cited, places, errata), t) for t in part.tables],
+        "tables": [
+            _compared(paper_table(t, part.cited, places, errata, shortened=True))
+            for t in part.tables
+        ],
         "errata": [erratum_data(e, errata) for e in part.errata],
     }  # fmt: skip
 
 
-def _compared(data: Data, table: PaperTable) -> Data:
+def _compared(data: Data) -> Data:
     """The printed rows with which rows of the suite are compared."""
-    rows = [_with_numbers(row) for row in data["rows"] if row["claims"]]
-    return data | {"rows": rows, "left_out": len(table.rows) - len(rows)}
-
-
-def _with_numbers(row: Data) -> Data:
-    """A printed row with the first claims that have a number, or with one that has none."""
-    found = [
-        c for c in row["claims"] if c["fem"] or any(f not in ([], ["–"]) for f in c["formulas"])
-    ]
-    shown = found[:MOST_CLAIMS] or row["claims"][:1]
-    return row | {"inputs": [], "claims": shown, "more": len(row["claims"]) - len(shown)}
+    rows = [row | {"inputs": []} for row in data["rows"] if row["claims"]]
+    return data | {"rows": rows, "left_out": len(data["rows"]) - len(rows)}

@@ -49,7 +49,9 @@ def checked(wordy) -> Report:
 
 def test_page_and_pdf_have_a_separate_table_and_a_row_leads_to_its_line(checked):
     html, text = page(checked, {}), section(checked, "crosscheck")
-    assert "2 of 3 agree; 1 problem is not measured" in text
+    assert "2 of 3 numbers agree; 1 problem is not measured" in text
+    assert "calculix 2.20: 3 numbers of 1 problem; largest difference +10\u202f%" in text
+    assert '(<a href="#cross-1">ring-lame, rim</a>)' in text
     assert "a quarter &amp; more" in text
     assert "5522 unknowns, 0.11 s in the project, 0.52 s there" in text
     assert text.count('class="is-fail"') == 1
@@ -72,7 +74,7 @@ def test_page_and_pdf_have_a_separate_table_and_a_row_leads_to_its_line(checked)
 
 def test_a_case_that_no_solver_takes_has_its_reason(checked):
     text = section(replace(checked, crosschecks=(AGREES, ALONE)), "crosscheck")
-    assert "1 case has no second solver, with the reason" in text
+    assert "1 case has no second solver (reasons below)" in text
     assert "()" not in text
     (sentence,) = left_out_data([ALONE])
     assert said(sentence) == "Nobody's: ring-lame, no second solver."
