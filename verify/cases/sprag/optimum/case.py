@@ -14,6 +14,10 @@ class SpragOptimum(Optimum25Inputs, CrownAtHand):  # type: ignore[misc]
     It is found by 125 engagements, kriging, a genetic algorithm and differential evolution, and
     checked by engagements at the optimum. It is compared with a search without surrogate, and with
     the half-space, on which the crowns that are optimal by slices have loaded ends.
+
+    Terms of the paper: the unmodified profile is the sprag without a crown, the optimized profile
+    of Eq. 21 is the printed crown (the given crown of other inputs). The optimal crowns are those
+    of this project: by slices, and with unloaded ends on a half-space.
     """
 
     id = "sprag-optimum"
@@ -25,6 +29,10 @@ class SpragOptimum40(Optimum40Inputs, CrownAtHand):  # type: ignore[misc]
     """The optimal crown under the larger torque, for crowns of equal design load.
 
     It is compared with the optimum under the smaller torque.
+
+    Terms of the paper: the unmodified profile is the sprag without a crown, the optimized profile
+    of Eq. 22 is the printed crown (the given crown of other inputs). The optimal crowns are those
+    of this project: by slices, and with unloaded ends on a half-space.
     """
 
     id = "sprag-optimum-40"
