@@ -12,6 +12,7 @@ import reports
 from reports.frames import frames
 from reports.html import page
 from reports.pages import pages
+from reports.slim import unquoted
 from verify.app.report import make_report
 from verify.cases.registry import CASES, find
 from verify.core.results import Kind, Partner, Published, Report, Row, Status
@@ -104,11 +105,11 @@ def made(explored) -> dict[str, str]:
 
 @pytest.fixture(scope="session")
 def folder(made, tmp_path_factory) -> Path:
-    """The pages as files."""
+    """The pages as files, as a report has them."""
     place = tmp_path_factory.mktemp("pages")
     for name, html in made.items():
         (place / name).parent.mkdir(exist_ok=True)
-        (place / name).write_text(html, "utf-8")
+        (place / name).write_text(unquoted(html), "utf-8")
     return place
 
 
