@@ -8,6 +8,7 @@ from reports.pdf_tables import Data, prose
 from reports.richtext import Run, runs
 from verify.core.results import Crosscheck, CrossState, Report
 
+SEVERAL = 4  # comparisons of a problem that are listed one by one
 WITHOUT_NUMBERS = (CrossState.MISSING, CrossState.ALONE)
 
 
@@ -28,6 +29,16 @@ class Problem:
         return f" ({self.head.solver})" if self.head.solver else ""
 
     @property
+    def is_brief(self) -> bool:
+        """Whether the largest difference stands for all: of several that agree."""
+        return len(self.lines) > SEVERAL and all(c.state is CrossState.AGREES for c in self.lines)
+
+    @property
+    def largest(self) -> Crosscheck:
+        """The comparison with the largest difference."""
+        return _largest(self.lines)
+
+    @property
     def why(self) -> str:
         """Causes of differences, each one once."""
         return "" if self.missing else "; ".join(dict.fromkeys(c.why for c in self.lines))
@@ -46,7 +57,11 @@ class Solver:
 
     @property
     def largest(self) -> Crosscheck:
-        return max(self.lines, key=lambda check: abs(check.difference or 0.0))
+        return _largest(self.lines)
+
+
+def _largest(lines: Sequence[Crosscheck]) -> Crosscheck:
+    return max(lines, key=lambda check: abs(check.difference or 0.0))
 
 
 def solvers(checks: Sequence[Crosscheck]) -> list[Solver]:

@@ -72,6 +72,17 @@ def test_page_and_pdf_have_a_separate_table_and_a_row_leads_to_its_line(checked)
     assert data["crosschecks_told"] == told(checked.crosschecks)
 
 
+def test_several_numbers_that_agree_have_one_sentence_at_the_head_of_a_case(checked):
+    many = [replace(AGREES, quantity=f"sum {i}", difference=i * 1e-6) for i in range(6)]
+    head = page(replace(checked, crosschecks=tuple(many)), {}).partition("Second solver, ")[2][:900]
+    assert '<a href="#cross-5">6 numbers</a> at most +0.00050\u202f%, 0.52 s.' in head
+    outside = replace(many[0], state=CrossState.OUTSIDE)
+    head = page(replace(checked, crosschecks=(outside, *many[1:])), {})
+    head = head.partition("Second solver, ")[2].partition("</p>")[0]
+    assert head.count("</a> +") == 5
+    assert ", more than allowed" in head
+
+
 def test_a_case_that_no_solver_takes_has_its_reason(checked):
     text = section(replace(checked, crosschecks=(AGREES, ALONE)), "crosscheck")
     assert "1 case has no second solver (reasons below)" in text
