@@ -100,6 +100,16 @@ def test_keys_are_identifiers_numbers_have_four_digits_and_unusual_inputs_their_
         assert part in unusual_ones[name]
 
 
+def test_a_limit_that_is_an_input_is_named_by_its_symbol_and_meaning():
+    q = find("sprag-friction").inputs()
+    for assumed, start in (((), "given "), (("mu_s",), "")):
+        part = Assessment(assumed=frozenset(assumed))
+        part.below_input("friction", "tan ν", 0.05, q, "mu_s")
+        (one,) = part.criteria
+        assert (one.limit, one.assumed) == (q.mu_s, bool(assumed))
+        assert one.source == f"{start}μ_s, coefficient of static friction"
+
+
 def test_contact_pressures_are_those_of_hertz():
     same = {"E_2": 206e9, "nu_2": 0.3}
     spheres = found("contact-sphere", R_1=11.11e-3, R_2=2e-3, P=700.0, **same)

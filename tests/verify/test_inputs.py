@@ -102,7 +102,7 @@ def test_optional_inputs_may_be_left_out_and_meet_their_bounds_exactly():
 
 KNOWN = "unknown key; known are L, alpha, nu, n, q, F, posts, rails"
 WRONG_VALUES = [
-    ({"L": "2"}, 'inputs.L: "2" has no unit: needs a length, such as "1.5 mm"'),
+    ({"L": "2"}, 'inputs.L: "2" has no unit: needs a length, such as "2 mm"'),
     ({"L": "2 N"}, 'inputs.L: "2 N" is not a length, such as "1.5 mm"'),
     ({"nu": math.nan}, "inputs.nu: nan is not finite"),
     ({"nu": True}, "inputs.nu: needs a number, got True"),

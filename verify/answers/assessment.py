@@ -7,11 +7,13 @@ from typing import Literal
 from verify.answers.answer import Answer, Criterion, Quantity
 from verify.answers.strengths import (
     BALL_STATIC,
+    GIVEN,
     ROLLER_STATIC,
     SOURCES,
     Strength,
     contact_pressure,
 )
+from verify.core.inputs import Inputs, meta
 
 
 @dataclass
@@ -37,12 +39,12 @@ class Assessment:
             unknowns=tuple(self.unknowns), remarks=tuple(self.remarks),
         )  # fmt: skip
 
-    def below_input(self, key: str, what: str, value: float, name: str, limit: float,
-                    unit: str) -> None:  # fmt: skip
-        """`value` [SI] must not exceed the input `name`, whose value is `limit` [SI]."""
-        is_assumed = name in self.assumed
-        source = f"input {name}" if is_assumed else f"input {name}, given"
-        self.at_most(key, what, value, limit, unit, source, assumed=is_assumed)
+    def below_input(self, key: str, what: str, value: float, inputs: Inputs, name: str) -> None:
+        """`value` [SI] must not exceed the input `name` of `inputs`."""
+        about, is_assumed = meta(type(inputs).model_fields[name]), name in self.assumed
+        source = f"{'' if is_assumed else f'{GIVEN} '}{about['symbol'] or name}, {about['what']}"
+        limit = getattr(inputs, name)
+        self.at_most(key, what, value, limit, about["unit"], source, assumed=is_assumed)
 
     def at_most(self, key: str, what: str, value: float, limit: float, unit: str, source: str,
                 *, assumed: bool = False, doubt: str = "") -> None:  # fmt: skip

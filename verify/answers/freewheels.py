@@ -35,17 +35,17 @@ def cup(q: Any, v: Values, part: Assessment) -> None:
 
 def with_axial_load(q: Any, v: Values, part: Assessment) -> None:
     """Friction under torque and axial load, and the pressure on the flat."""
-    part.below_input("friction", MARGIN, v["mu_req"], "mu", q.mu, "1")
+    part.below_input("friction", MARGIN, v["mu_req"], q, "mu")
     _flat_pressure(q, v["N"], v.get("pressure", 1.0), part)
 
 
 def load_paths(q: Any, v: Values, part: Assessment) -> None:
     """Largest required friction of the three load cases of the test rig."""
-    part.below_input("friction_torque", f"{MARGIN} under torque alone", v["mu_T"], "mu", q.mu, "1")
+    part.below_input("friction_torque", f"{MARGIN} under torque alone", v["mu_T"], q, "mu")
     for case in (1, 2, 3):
         if f"peak_{case}" in v:
             part.below_input(f"friction_load_case_{case}", f"{MARGIN}, load case {case}",
-                         v[f"peak_{case}"], "mu", q.mu, "1")  # fmt: skip
+                         v[f"peak_{case}"], q, "mu")  # fmt: skip
         else:
             part.unknowns.append(f"load case {case}: no required friction with these inputs")
     _flat_pressure(q, v["N"], 1.0, part)
@@ -57,7 +57,7 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
         part.unknowns.append("the torque acts against the locking direction: the clutch overruns")
         return
     what = f"{MARGIN} without load, tan α_0"
-    part.below_input("friction_unloaded", what, v["mu_0"], "mu", q.mu, "1")
+    part.below_input("friction_unloaded", what, v["mu_0"], q, "mu")
     if q.T == 0:
         if q.F_ax > 0:
             part.failures.append("no torque presses the rollers: the axial load meets no friction")
@@ -70,7 +70,7 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
     if "safety" not in v:
         part.failures.append(verdict(q, v))
         return
-    part.below_input("friction", MARGIN, v["mu_req"], "mu", q.mu, "1")
+    part.below_input("friction", MARGIN, v["mu_req"], q, "mu")
     worst = v.get("p_end", math.inf)
     part.pressure("contact_pressure", "largest contact pressure, rollers' ends included", worst,
                   *_moduli(q), given=q.p_lim, option="give p_lim")  # fmt: skip

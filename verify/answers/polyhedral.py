@@ -37,7 +37,7 @@ def locking(q: Any, v: Values, part: Assessment) -> None:
 def wedge(q: Any, v: Values, part: Assessment) -> None:
     """Friction that a free roller needs, and its pressure."""
     part.below_input("friction", "required friction coefficient tan(α/2)",
-                     math.tan(q.alpha / 2), "mu", q.mu, "1")  # fmt: skip
+                     math.tan(q.alpha / 2), q, "mu")  # fmt: skip
     p = v["p_0"] * math.sqrt(1 + q.d / (q.D_i - 2 * q.d))
     part.pressure("contact_pressure", "Hertzian pressure of the rollers on the convex ring", p, q.E,
                   given=q.p_lim, option="give p_lim")  # fmt: skip

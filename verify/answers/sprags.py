@@ -46,7 +46,7 @@ def clutch(q: Any, _v: Values, part: Assessment) -> None:
     state = verdict(q)
     if part.with_design:
         part.design = _permissible(q)
-    part.below_input("friction", FRICTION, q.mu_req if q.state else q.mu_0, "mu_s", q.mu_s, "1")
+    part.below_input("friction", FRICTION, q.mu_req if q.state else q.mu_0, q, "mu_s")
     if state == "no state":
         part.failures.append(why(q))
     if math.isfinite(q.T_end):
@@ -80,7 +80,7 @@ def engagement(q: Any, v: Values, part: Assessment) -> None:
         part.failures.append(ROLLS_OVER)
         return
     what = "largest required friction coefficient"
-    part.below_input("friction", what, v["mu_asked"], "mu_s", q.mu_s, "1")
+    part.below_input("friction", what, v["mu_asked"], q, "mu_s")
     _largest_pressure(q, v["N_max"], "in the first peak", part)
     _yield_is_elsewhere(q, part)
 
@@ -90,7 +90,7 @@ def stick_slip(q: Any, v: Values, part: Assessment) -> None:
     if "mu_b" not in v:
         part.failures.append(ROLLS_OVER)
         return
-    part.below_input("friction", FRICTION, v["mu_b"], "mu_s", q.mu_s, "1")
+    part.below_input("friction", FRICTION, v["mu_b"], q, "mu_s")
     w = wedge_states(q)
     _largest_pressure(q, float(w.force()(at_rest(w, q.T))), "at rest", part)
     _yield_is_elsewhere(q, part)
@@ -101,7 +101,7 @@ def crown(q: Any, v: Values, part: Assessment) -> None:
     if "p_peak" not in v:
         part.failures.append("no state within the sprags' profile carries the first peak")
         return
-    part.below_input("friction", FRICTION, required_friction(q)[0], "mu_s", q.mu_s, "1")
+    part.below_input("friction", FRICTION, required_friction(q)[0], q, "mu_s")
     if q.z_m == 0:
         part.unknowns.append(NO_CROWN)
     part.pressure("contact_pressure", "largest pressure in the first peak", v["p_peak"], q.E,
@@ -110,7 +110,7 @@ def crown(q: Any, v: Values, part: Assessment) -> None:
 
 def optimum(q: Any, v: Values, part: Assessment) -> None:
     """Friction and pressure under the static load; the optimum itself needs `check --fem`."""
-    part.below_input("friction", FRICTION, v["mu_req"], "mu_s", q.mu_s, "1")
+    part.below_input("friction", FRICTION, v["mu_req"], q, "mu_s")
     part.pressure("contact_pressure", "largest pressure under the static load", v["static_peak"],
                   q.E, given=q.p_lim, option=MISSING)  # fmt: skip
     part.unknowns.append(STATIC_ONLY)

@@ -50,6 +50,10 @@ inch = 0.0254 * meter = in = inches
 foot = 0.3048 * meter = ft = feet
 mil = 2.54e-5 * meter = thou
 newton = 1000 * gram * meter / second ** 2 = N
+newton_meter = newton * meter = Nm
+newton_millimeter = 1e-3 * newton_meter = Nmm
+newton_meter_second = newton_meter * second = Nms
+newton_second = newton * second = Ns
 pascal = newton / meter ** 2 = Pa
 bar = 1e5 * pascal
 joule = newton * meter = J
@@ -104,9 +108,16 @@ _TEXT = re.compile(
     rf"(?:\s*(?P<unit>{_WORD}[^\"']{{0,39}})|\s+(?P<reciprocal>1\s*/[^\"']{{1,39}}))?\s*"
 )
 _NOT_FINITE = re.compile(r"\s*[-+]?(?:nan|inf(?:inity)?)\b", re.IGNORECASE)
-_POUND = re.compile(r"\blbs?\b")
+MISTAKEN = {
+    re.compile(r"\blbs?\b"): '; "lb" is a mass, a force is "lbf"',
+    re.compile(r"\bnm\b"): '; "nm" is nanometre, newton metre is "N m"',
+    re.compile(r"\bNm\b"): '; "Nm" is newton metre, nanometre is "nm"',
+}
 _COMMA = re.compile(r"\s*[-+]?\d+,\d")
-_FACTOR = re.compile(rf"\s*([*/·]?)\s*({_WORD}+|1)(?:\s*(?:\^|\*\*)\s*(-?\d(?:\.5)?))?")
+_FACTOR = re.compile(
+    rf"\s*([*/·]?)\s*({_WORD}+|1)"
+    r"(?:\s*(?:\^|\*\*)\s*(-?\d(?:\.5)?)|(?<!1)([2-4])(?!\d))?"  # mm^2, or mm2
+)
 
 
 @cache
@@ -156,7 +167,9 @@ def parse(text: str, unit: str) -> float:
     if not math.isfinite(number):
         raise ValueError(f'"{_short(text)}" is not finite')
     if given == "1" and unit != "1":
-        raise ValueError(f'"{_short(text)}" has no unit: needs {needed}{example}')
+        raise ValueError(
+            f'"{_short(text)}" has no unit: needs {needed}, such as "{_short(text)} {unit}"'
+        )
     try:
         fits = dimensions(given) == dimensions(unit)
     except ValueError as error:
@@ -164,12 +177,22 @@ def parse(text: str, unit: str) -> float:
             if unit in TAKEN else ""  # fmt: skip
         raise ValueError(f"{error}{taken}") from error
     if not fits:
-        force = '; "lb" is a mass, a force is "lbf"' if _POUND.search(given) else ""
-        raise ValueError(f'"{_short(text)}" is not {needed}{example}{force}')
+        hint = next((words for one, words in MISTAKEN.items() if one.search(given)), "")
+        raise ValueError(f'"{_short(text)}" is not {needed}{example}{hint}')
     value = number * factor(given)
     if not math.isfinite(value):
         raise ValueError(f'"{_short(text)}" is not finite')
     return value
+
+
+def is_bare(text: str) -> bool:
+    """Whether `text` is a number without a unit.
+
+    >>> is_bare("300"), is_bare("300 N m"), is_bare("3,5")
+    (True, False, False)
+    """
+    match = _TEXT.fullmatch(text)
+    return match is not None and not (match["unit"] or match["reciprocal"])
 
 
 @cache
@@ -192,7 +215,8 @@ def _parsed(unit: str) -> "pint.Unit":
         if match is None or (match[1] == "" and match[2] == "1" and at > 0):
             raise ValueError(f'"{_short(unit)}" is not a unit')
         parts.append(f"{match[1].replace('·', '*') or ('*' if parts else '')}{match[2]}")
-        parts[-1] += f"**{match[3]}" if match[3] else ""
+        power = match[3] or match[4]
+        parts[-1] += f"**{power}" if power else ""
         at = match.end()
     if not parts or parts[0][0] in "*/":
         raise ValueError(f'"{_short(unit)}" is not a unit; that of a plain number is "1"')

@@ -47,7 +47,7 @@ def test_every_input_that_is_wrong_is_marked_with_the_words_of_the_command_line(
     found = answered("ring-lame", RING | {"r_i": "60", "r_o": "4 kg", "nu": "0.9"})
     assert found.verdict == ""
     assert found.faults == {
-        "r_i": '"60" has no unit: needs a length, such as "1.5 mm"',
+        "r_i": '"60" has no unit: needs a length, such as "60 mm"',
         "r_o": '"4 kg" is not a length, such as "1.5 mm"',
         "nu": "nu = 0.9: must be at most 0.45",
     }

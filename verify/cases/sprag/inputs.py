@@ -113,8 +113,8 @@ class SpragInputs(WedgeInputs):
                                 "profile ends and their springs are slack", gt=0, le=3)  # fmt: skip
     p_lim: float | None = quantity("4500 MPa", "MPa", "p_lim", "permissible contact pressure",
                                    omitted=None, gt=0, le=1e6)  # fmt: skip
-    R_p: float | None = quantity(None, "MPa", "R_p", "yield strength of both races; left out, they "
-                                 "have no such limit", omitted=None, gt=0, le=1e5,
+    R_p: float | None = quantity(None, "MPa", "R_p", "yield strength of both races; left out, that "
+                                 "of quenched and tempered steel", omitted=None, gt=0, le=1e5,
                                  example="1500 MPa")  # fmt: skip
 
     @model_validator(mode="after")
