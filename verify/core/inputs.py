@@ -247,7 +247,7 @@ def _built(model: type[Inputs], raw: Mapping[str, Any], where: str, place: str) 
     values = {
         key: _entries(entry_model(fields[key]), raw[key], where, f"{place}.{key}")
         if is_table(fields[key])
-        else _value(fields[key], raw[key], f"{where}: {place}.{key}")
+        else value_of(fields[key], raw[key], f"{where}: {place}.{key}")
         for key in raw
     }
     try:
@@ -291,8 +291,8 @@ def _entries(model: type[Inputs], raw: Any, where: str, place: str) -> tuple[Inp
     )
 
 
-def _value(field: FieldInfo, raw: Any, where: str) -> Any:
-    """One raw TOML value in the type of the model."""
+def value_of(field: FieldInfo, raw: Any, where: str) -> Any:
+    """One raw TOML value in the type of the model; its bounds are not checked. InputError."""
     unit, kind = meta(field)["unit"], kind_of(field)
     if kind is float and isinstance(raw, str):
         try:
@@ -363,9 +363,13 @@ def broken_rule(model: type[Inputs], wrong: ValidationError, place: str) -> str:
     unit = meta(model.model_fields[name])["unit"]
     for rule, bound in (error.get("ctx") or {}).items():
         if rule in BOUNDS:
-            given, limit = _with_unit(error["input"], unit), _with_unit(bound, unit)
-            return f"{place}.{name} = {given}: must be {BOUNDS[rule]} {limit}"
+            return f"{place}.{beyond(name, error['input'], BOUNDS[rule], bound, unit)}"
     return f"{place}.{name} = {_with_unit(error['input'], unit)}: {_one_line(message)}"
+
+
+def beyond(name: str, value: Any, word: str, bound: float, unit: str) -> str:
+    """That a value [SI] is beyond a bound [SI], in the input's unit."""
+    return f"{name} = {_with_unit(value, unit)}: must be {word} {_with_unit(bound, unit)}"
 
 
 def _with_unit(value: Any, unit: str) -> str:

@@ -9,6 +9,7 @@ from verify.app.page.answers import Cells, Shown
 
 STYLE = {"holds": "pass", "fails": "fail", "cannot say": "undecided"}
 ELSEWHERE = ("design value:", "margin:", "assumed inputs:")  # lines that are displayed separately
+MOST_FAULTS = 20  # that are listed
 MARK = {"holds": "✓", "fails": "✗", "cannot say": "?"}
 
 
@@ -44,14 +45,14 @@ def brief(shown: Shown) -> Markup:
 
 
 def _faults(shown: Shown) -> Markup:
-    told = (
-        [shown.fault]
-        if shown.fault
-        else [v if v.startswith(f"{k} = ") else f"{k}: {v}" for k, v in shown.faults.items()]
-    )
-    return Markup(
-        '<p class="verdict none">No answer: an input is wrong</p>{}<p class="soft">{}</p>'
-    ).format(_list(told, "warnings"), "The sketch is that of the last inputs with an answer.")
+    told = [v if v.startswith(f"{k} = ") else f"{k}: {v}" for k, v in shown.faults.items()]
+    count = f"{len(told)} inputs are wrong" if len(told) > 1 else "an input is wrong"
+    if len(told) > MOST_FAULTS:
+        told[MOST_FAULTS:] = [f"and {len(told) - MOST_FAULTS} more, marked in the form"]
+    return Markup('<p class="verdict none">No answer: {}</p>{}<p class="soft">{}</p>').format(
+        count, _list(told or [shown.fault], "warnings"),
+        "The sketch is that of the last inputs with an answer.",
+    )  # fmt: skip
 
 
 def _list(lines: Sequence[str], css: str = "") -> Markup:

@@ -5,24 +5,22 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from verify.answers.assumed.complete import build_completed
 from verify.answers.console import limits, margin, number
 from verify.answers.parameter_file import completed
 from verify.app.check_command import Options, check_part, in_system
 from verify.app.check_console import Checked, answer_lines
-from verify.app.page.described import describe, model_of
+from verify.app.page.described import model_of
 from verify.app.page.sketches import named_sketch
-from verify.app.page.toml_text import as_values
 from verify.cases.registry import find
 from verify.core.case import Case
 from verify.core.console import raised, sentences
 from verify.core.console_rows import row_cells, title, unit_of
 from verify.core.inputs import InputError
+from verify.core.wrong_values import MISSING, wrong_values
 from verify.jobs.executor import ThisProcess
 
-MOST_FAULTS = 20  # inputs that are marked at once
 WHERE = "page"
-_PLACE = re.compile(r"inputs\.(\w+(?:\[\d+\]\.\w+)?)")
+_PLACE = re.compile(r"inputs\.(\w+(?:\[\d+\](?:\.\w+)?)?)")
 _MISSING = re.compile(r"inputs: missing (\w+(?:, \w+)*) \(")
 Cells = tuple[tuple[str, ...], ...]
 
@@ -130,35 +128,13 @@ def _is_symbol(word: str) -> bool:
 
 
 def _wrong(case: Case, raw: Mapping[str, Any], message: str) -> Shown:
-    """Every input that is wrong by itself: the others are tried with the wrong ones left out."""
-    fields = case.inputs.model_fields
+    """Every input that is missing or wrong by itself; else the rule between inputs."""
+    faults = wrong_values(case.inputs, raw)
     if match := _MISSING.search(message):
-        return Shown(faults=dict.fromkeys(match[1].split(", "), "missing"))
-    faults: dict[str, str] = {}
-    rest, error = dict(raw), message
-    while (match := _PLACE.search(error)) and len(faults) < MOST_FAULTS:
-        place = match[1]
-        faults[place] = _bare(error, place)
-        name = place.partition("[")[0]
-        default = fields[name].default if name in fields else None
-        if name not in rest or "[" in place or default is None:
-            break
-        del rest[name]
-        try:
-            build_completed(case.id, case.inputs, {**_defaults(case), **rest}, WHERE)
-        except InputError as again:
-            error = str(again)
-            if (match := _PLACE.search(error)) and match[1] in faults:
-                break
-        else:
-            break
-    return Shown(faults=faults, fault="" if faults else _bare(message, ""), sketch="")
-
-
-def _defaults(case: Case) -> dict[str, Any]:
-    """The default inputs as a file has them."""
-    made = describe(case.named)
-    return as_values(made.raw, made.whole)
+        faults |= dict.fromkeys(match[1].split(", "), MISSING)
+    if not faults and (match := _PLACE.search(message)):
+        faults[match[1]] = _bare(message, match[1])
+    return Shown(faults=faults, fault="" if faults else _bare(message, ""))
 
 
 def _bare(message: str, place: str) -> str:

@@ -13,6 +13,7 @@ from verify.core import units
 from verify.core.case import Case
 from verify.core.inputs import (
     REQUIRED,
+    InputError,
     Inputs,
     bounds_of,
     choices,
@@ -61,6 +62,22 @@ class Described:
         """Names of the inputs that are whole numbers, those of tables included."""
         every = [f for field in self.fields for f in (field, *field.fields)]
         return frozenset(field.name for field in every if field.whole)
+
+    def entered(self, place: str, text: str) -> str:
+        """What is typed into an input; a number alone is in the unit that the form states."""
+        table, _, key = place.rpartition("].")
+        fields = self.fields
+        if table:
+            fields = next((f.fields for f in fields if f.name == table.partition("[")[0]), ())
+        unit = next((f.unit for f in fields if f.name == (key or place)), "1")
+        return text if unit == "1" or not units.is_bare(text) else f"{text.strip()} {unit}"
+
+    def refuse_shapes(self, raw: Mapping[str, Any]) -> None:
+        """InputError where a file or a link has something else for a table."""
+        for table in (f.name for f in self.fields if f.is_table and f.name in raw):
+            entries = raw[table]
+            if not isinstance(entries, list) or not all(isinstance(e, Mapping) for e in entries):
+                raise InputError(f"inputs.{table}: needs tables [[inputs.{table}]]")
 
 
 def describe(case_name: str, _tell: Callable[[Any], None] = print) -> Described:

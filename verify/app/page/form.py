@@ -73,9 +73,10 @@ def _control(field: Field, place: str, text: str) -> Markup:
     about = Markup('id="in-{0}" data-place="{0}" aria-describedby="rule-{0} msg-{0}"').format(place)
     if not field.words:
         return Markup(
-            '<input {} value="{}" placeholder="{}" title="takes {}" maxlength="200" '
-            'autocomplete="off" spellcheck="false">'
-        ).format(about, text, "" if field.needed else "left out", field.takes or "a text")
+            '<input {} data-unit="{}" value="{}" placeholder="{}" title="takes {}" '
+            'maxlength="200" autocomplete="off" spellcheck="false">'
+        ).format(about, "" if field.unit == "1" else field.unit, text,
+                 "" if field.needed else "left out", field.takes or "a text")  # fmt: skip
     words = ["", *field.words]
     if text not in words:
         words.append(text)

@@ -8,10 +8,22 @@ const freewheel = {
       field.classList.toggle("warned", !fault && !!warned);
       input.setAttribute("aria-invalid", fault ? "true" : "false");
       if (answered && input.placeholder) input.placeholder = assumed[at] ? `assumed: ${assumed[at][0].replace(/^.* = /, "")}` : "left out";
-      const text = fault ? fault : (warned || []).join(" ");
+      const given = freewheel.inUnit(input);
+      const text = fault ? fault : (warned || [given && `read as ${given}`]).join(" ");
       const message = field.querySelector(".message");
       if (message.textContent !== text) message.textContent = text;
     }
+  },
+  inUnit(input) {  // a number alone is in the unit below its field, as the server reads it
+    const text = input.value.trim(), unit = input.dataset.unit;
+    return unit && /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d{1,3})?$/i.test(text) ? `${text} ${unit}` : "";
+  },
+  left(event) {  // the field then has the unit
+    const given = event.target.dataset.place && freewheel.inUnit(event.target);
+    if (!given) return;
+    event.target.value = given;
+    const message = event.target.closest(".field").querySelector(".message");
+    if (message.textContent === `read as ${given}`) message.textContent = "";
   },
   highlight() {
     const place = document.activeElement?.dataset?.place;
@@ -38,6 +50,7 @@ const freewheel = {
   },
 };
 document.addEventListener("focusin", freewheel.highlight);
+document.addEventListener("change", freewheel.left);
 document.addEventListener("click", event => {
   const one = event.target.closest(".sketch [data-input]");
   if (one) freewheel.focus(one.dataset.input);

@@ -87,14 +87,15 @@ class Screen:
         before = self.session.state
         self.session.state = state
         try:
-            self.case = await self.place.formulas.ask(describe, self.path, seconds=FORMULAS)
+            case = await self.place.formulas.ask(describe, self.path, seconds=FORMULAS)
+            case.refuse_shapes(state.raw)
         except (InputError, FailedError, CancelledError) as error:
             self.session.state = before
             self.told.set_content(message(str(error)))
             if not hasattr(self, "case"):
                 await self.show(State(FIRST, f"my {FIRST}"), fill=True)
             return
-        self.session.state = before
+        self.case, self.session.state = case, before
         filled = replace(state, raw=self.case.raw) if fill else state
         if before.raw:
             self.session.put(filled)
@@ -143,7 +144,7 @@ class Screen:
     def _typed(self, event: Any) -> None:
         place, text = (str(one) for one in event.args)
         try:
-            self.session.edit(place, text)
+            self.session.edit(place, self.case.entered(place, text))
         except (ValueError, LookupError) as error:
             self.told.set_content(message(str(error)))
             return
