@@ -94,4 +94,6 @@ class Answering:
         if found.sketch:
             self.screen.sketch.set_content(found.sketch)
         data = json.dumps([found.faults, found.beside, found.assumed, bool(found.verdict)])
-        ui.run_javascript(f"freewheel.messages(...{data}); freewheel.highlight()")
+        ui.run_javascript(
+            f"freewheel.messages(...{data}); freewheel.highlight(); freewheel.unfold()"
+        )

@@ -32,12 +32,12 @@ class FileView:
 
     def _list(self, chosen: str = "") -> None:
         """The files of the folder at present; `chosen` is selected if it is one of them."""
-        names = self.screen.place.folder.names_of(".toml")
+        names = self.screen.place.folder.names_of(".toml", below=True)
         self.listed.clear()
         with self.listed:
-            files = {n: n for n in names} or {"": "no parameter file"}
-            self.file = Choice("In the folder", files, "load-name",
-                               chosen if chosen in files else "")  # fmt: skip
+            every = dict.fromkeys([*names, *filter(None, [chosen])])
+            files = {name: name for name in every} or {"": "no parameter file"}
+            self.file = Choice("In the folder", files, "load-name", chosen)
             button("Load", self._load, name="load")
 
     async def _load(self) -> None:

@@ -1,6 +1,8 @@
 """The folder of a page: no other file is read or written."""
 
+import itertools
 import os
+from contextlib import suppress
 from functools import partial
 from pathlib import Path
 from typing import IO
@@ -8,7 +10,7 @@ from typing import IO
 from verify.core.files import write_whole
 from verify.core.inputs import MAX_BYTES, InputError
 
-MOST_FILES = 200  # that are listed
+MOST_FILES, MOST_LOOKED = 200, 5000  # that are listed; that are looked at for the list
 LONGEST = 100  # characters of a file's name
 
 
@@ -39,11 +41,20 @@ class Folder:
             raise InputError(f"{name}: leads out of the folder {self.root}")
         return path
 
-    def names_of(self, suffix: str) -> list[str]:
-        """Files of the folder itself that end with `suffix`, by name."""
-        with os.scandir(self.root) as entries:
-            found = [one.name for one in entries if one.name.endswith(suffix)]
-        return sorted(name for name in found if not name.startswith("."))[:MOST_FILES]
+    def names_of(self, suffix: str, *, below: bool = False) -> list[str]:
+        """Files that end with `suffix`, by name; with `below` those of its folders follow."""
+        found, folders, looked = list[str](), [""], 0
+        for folder in folders:  # which grows
+            with suppress(OSError), os.scandir(self.root / folder) as entries:
+                for one in itertools.islice(entries, MOST_LOOKED - looked):
+                    looked += 1
+                    if one.name.startswith("."):
+                        continue
+                    if one.is_dir(follow_symlinks=False):
+                        folders += [f"{folder}{one.name}/"] if below else []
+                    elif one.name.endswith(suffix):
+                        found.append(f"{folder}{one.name}")
+        return sorted(found, key=lambda name: (name.count("/"), name))[:MOST_FILES]
 
     def write(self, name: str, text: str, *suffixes: str, replace: bool = False) -> Path:
         """Write a file, whole or not at all; InputError where it exists, unless `replace`."""
@@ -51,6 +62,9 @@ class Folder:
         data = text.encode()
         if len(data) > MAX_BYTES:
             raise InputError(f"{name}: is larger than {MAX_BYTES:,} bytes")
+        if not path.parent.is_dir():
+            below = path.parent.relative_to(self.root)
+            raise InputError(f"{name}: cannot be written: there is no folder {below}")
         if path.exists() and not replace:
             raise InputError(f"{name}: exists already and is not overwritten")
         try:

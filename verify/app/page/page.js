@@ -25,6 +25,12 @@ const freewheel = {
     const message = event.target.closest(".field").querySelector(".message");
     if (message.textContent === `read as ${given}`) message.textContent = "";
   },
+  unfolded: new Set(),  // titles of what is unfolded in the answer, which is made again with each edit
+  unfold() {
+    for (const one of document.querySelectorAll(".answer details, #compared details"))
+      one.open = freewheel.unfolded.has(freewheel.title(one));
+  },
+  title: details => details.querySelector("summary").textContent.replace(/ \(.*/, ""),
   highlight() {
     const place = document.activeElement?.dataset?.place;
     if (place) freewheel.last = place;
@@ -51,6 +57,10 @@ const freewheel = {
 };
 document.addEventListener("focusin", freewheel.highlight);
 document.addEventListener("change", freewheel.left);
+document.addEventListener("toggle", event => {
+  if (event.target.matches?.(".answer details, #compared details"))
+    freewheel.unfolded[event.target.open ? "add" : "delete"](freewheel.title(event.target));
+}, true);
 document.addEventListener("click", event => {
   const one = event.target.closest(".sketch [data-input]");
   if (one) freewheel.focus(one.dataset.input);

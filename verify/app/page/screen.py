@@ -88,7 +88,8 @@ class Screen:
         self.session.state = state
         try:
             case = await self.place.formulas.ask(describe, self.path, seconds=FORMULAS)
-            case.refuse_shapes(state.raw)
+            for raw in filter(None, (state.raw, state.other)):
+                case.refuse_shapes(raw)
         except (InputError, FailedError, CancelledError) as error:
             self.session.state = before
             self.told.set_content(message(str(error)))

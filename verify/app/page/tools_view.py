@@ -9,8 +9,9 @@ from markupsafe import Markup, escape
 from nicegui import run, ui
 
 from verify.app.page import tasks
-from verify.app.page.answer_view import evidence, table
+from verify.app.page.answer_view import evidence
 from verify.app.page.answers import Shown
+from verify.app.page.compared import compared
 from verify.app.page.job_view import JobView
 from verify.app.page.jobs import Worker
 from verify.app.page.session import text_at
@@ -132,30 +133,15 @@ class Tools:
         self.screen.put(replace(self.screen.session.state, other=None))
 
     def show_compared(self, present: Shown, other: Shown | None) -> None:
-        """Both variants side by side: verdicts, results, and the inputs that differ."""
+        """Both variants side by side."""
         state = self.screen.session.state
         for one in (self.exchange, self.drop):
             enable(one, state.other is not None)
         if other is None or state.other is None:
             self.compared.set_content("")
             return
-        rows: list[tuple[str, ...]] = [
-            ("verdict", present.verdict or "wrong input", other.verdict or "wrong input"),
-            ("design value", present.design, other.design),
-            ("margin", present.margin, other.margin),
-        ]
-        names = [*state.raw, *(k for k in state.other if k not in state.raw)]
-        rows += [
-            (k, str(state.raw.get(k, "left out")), str(state.other.get(k, "left out")))
-            for k in names if state.raw.get(k) != state.other.get(k)
-        ]  # fmt: skip
-        theirs = {v[0]: v[1] for v in other.values}
-        rows += [
-            (f"{v[0]} [{v[2]}]" if v[2] else v[0], v[1], theirs.get(v[0], ""))
-            for v in present.values if theirs.get(v[0]) != v[1]
-        ]  # fmt: skip
-        head = Markup("<h3>Variants side by side</h3>")
-        self.compared.set_content(head + table(("", "A (the form)", "B (stored)"), rows))
+        raws = (state.raw, state.other)
+        self.compared.set_content(compared(self.screen.case, raws, (present, other)))
 
     async def _report(self, worker: Worker, _tell: Tell) -> None:
         place, state = self.screen.place, self.screen.session.state
