@@ -12,7 +12,7 @@ from verify.form import sketches
 from verify.form.sketches import arrow, leader, shape
 
 ORIGIN = np.zeros(2)
-SIDE = 0.36  # rad of race on both sides
+SIDE, SHARE = 0.36, 0.85  # rad of race on both sides, and over the sprag's height, at most
 LARGER = 5.0  # times the angles are drawn, at most
 STEEP = 0.8  # over the largest angle of a spiral, at (2 R_i/r_i + 1) sin(beta) = 1
 WALL = 0.4  # over the sprag's height: largest drawn wall of a race
@@ -48,18 +48,19 @@ def sketch(q: SpragInputs) -> Sketch:
     tilt = math.atan2(along[0], along[1])
     true = {name: math.degrees(float(getattr(q.sprag, f"{name}_0")))
             for name in ("nu", "omega", "beta", "eta")}  # fmt: skip
-    top, away = q.R_e + 0.12 * height, 0.55 * height
+    top, away, end = q.R_e + 0.12 * height, 0.55 * height, low - 0.24 * height
+    side = min(SIDE, SHARE * height / q.R_e)
     shapes = (
-        shape("modelled", ring(low, q.R_i)), shape("modelled", ring(q.R_e, high)),
-        shape("body", outline(q, sprag)), arrow(low * 0.9 * up, top * up, style="axis"),
-        arrow(low * 0.9 * out, (q.R_i + 0.8 * long) * out, style="axis"), arrow(A, B, style="line"),
+        shape("modelled", ring(low, q.R_i, side)), shape("modelled", ring(q.R_e, high, side)),
+        shape("body", outline(q, sprag)), arrow(end * up, top * up, style="axis"),
+        arrow(end * out, (q.R_i + 0.8 * long) * out, style="axis"), arrow(A, B, style="line"),
         arrow(A, C, style="faint"), arrow(A - 0.3 * height * along, A),
         arrow(B + 0.3 * height * along, B),
         *marked(arc(A, 0.72 * long, tilt, beta), f"ν_0 = {true['nu']:.3g}°", away),
         *marked(arc(B, 0.36 * long, math.pi + tilt, math.pi), f"ω_0 = {true['omega']:.3g}°", -away),
         *marked(arc(C, 0.6 * float(sprag.rho_0), math.pi - eta, math.pi),
                 f"η_0 = {true['eta']:.3g}°", away),
-        *marked(arc(ORIGIN, 0.93 * low, 0.0, beta), f"β_0 = {true['beta']:.3g}°", away),
+        *marked(arc(ORIGIN, low - 0.2 * height, 0.0, beta), f"β_0 = {true['beta']:.3g}°", away),
         *named("B", B, -away), *named("C_e", C, -away), *named("A", A, 1.2 * away),
     )  # fmt: skip
     times = float(sprag.nu_0) / q.nu_0
@@ -70,8 +71,8 @@ def sketch(q: SpragInputs) -> Sketch:
     )  # fmt: skip
 
 
-def ring(low: float, high: float) -> Array:
-    return np.vstack([arc(ORIGIN, low, -SIDE, SIDE), arc(ORIGIN, high, SIDE, -SIDE)])
+def ring(low: float, high: float, side: float) -> Array:
+    return np.vstack([arc(ORIGIN, low, -side, side), arc(ORIGIN, high, side, -side)])
 
 
 def outline(q: SpragInputs, sprag: LogSprag) -> Array:
