@@ -4,22 +4,26 @@ import contextlib
 import io
 import json
 import random
+import re
 from pathlib import Path
 from typing import Any
 
 import pytest
+from markupsafe import Markup
 
 from verify.answers.console import margin
 from verify.answers.parameter_file import read
 from verify.app.check_command import Options, check_part, run_check
 from verify.app.page.answer_view import answer
 from verify.app.page.answers import shown
-from verify.app.page.described import describe
+from verify.app.page.described import describe, model_of
 from verify.app.page.session import State, edited_raw
+from verify.app.page.sketches import named_sketch
+from verify.app.page.sweep_figure import options
 from verify.app.page.tasks import DESIGN, MARGIN, sweep
 from verify.app.page.toml_text import as_values, parameter_file
-from verify.cases.registry import CASES
-from verify.core.inputs import InputError
+from verify.cases.registry import CASES, find
+from verify.core.inputs import InputError, meta
 from verify.jobs.executor import ThisProcess
 
 TEXTS = ("", " ", "0", "-1", "1e30", "3,5", "nan", "5 furlongs", "12", "0.3", "40 mm", "-2 mm",
@@ -126,7 +130,17 @@ def test_a_warning_that_has_a_word_like_an_input_is_not_placed_there() -> None:
 
 
 def test_dimensions_of_the_sketch_carry_the_names_of_their_inputs() -> None:
-    assert 'data-input="r_i"' in answered("ring-lame", RING).sketch
+    marked = 0
+    for case in map(find, CASES.ids):
+        q = case.inputs()
+        drawn = named_sketch(case.sketch(q) if case.sketch else None, model_of(case))
+        fields = case.inputs.model_fields
+        for name, label in re.findall(r'<g data-input="(\w+)">.*?<text[^>]*>(.*?)</text>', drawn):
+            words = re.split(r"\s*[=/,]\s*", Markup(label).striptags())[0]
+            symbol = str(meta(fields[name])["symbol"] or name)
+            assert words.replace("\u200b", "") == symbol.replace("_", ""), (case.id, label)
+            marked += 1
+    assert marked > 60
 
 
 def test_answers_are_those_of_the_command_line_for_random_inputs(tmp_path: Path) -> None:
@@ -200,6 +214,20 @@ def test_a_sweep_over_two_inputs_is_a_grid() -> None:
     assert [len(row) for row in found.values] == [3, 3]
     ratio = float(found.values[1][0] or 0) / float(found.values[0][0] or 1)
     assert ratio == pytest.approx(2, rel=1e-5)  # linear in the pressure
+
+
+def test_the_figure_of_a_sweep_has_every_point() -> None:
+    line = sweep("ring-lame", "my", RING, ["p_i=10MPa:30MPa:3"], "hoop_bore", quietly)
+    drawn = options(line, dark=False)["series"][0]["data"]
+    assert [x for x, _ in drawn] == pytest.approx([10, 20, 30])
+    assert tuple(y for _, y in drawn) == line.values[0]
+    last = answered("ring-lame", RING | {"p_i": "30 MPa"})
+    assert f"{line.values[0][-1]:.6g}" in {v[1] for v in last.values if v[0] == "σ_θ(r_i)"}
+    grid = sweep("ring-lame", "my", RING, ["p_i=10MPa:30MPa:3", "r_o=75mm:80mm:2"], MARGIN, quietly)
+    cells = options(grid, dark=True)["series"][0]["data"]
+    assert {(i, j): value for i, j, value in cells} == {
+        (i, j): grid.values[j][i] for i in range(3) for j in range(2)
+    }
 
 
 def test_a_sweep_that_is_too_large_or_of_a_word_is_refused() -> None:

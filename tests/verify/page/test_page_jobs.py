@@ -11,6 +11,7 @@ import pytest
 from verify.app.page.jobs import CancelledError, FailedError, Jobs, Worker
 from verify.core.inputs import InputError
 
+ENDED = 30.0  # s within which each test has ended, also where a limit is not kept
 Tell = Callable[[Any], None]
 
 
@@ -32,7 +33,7 @@ def dead(_tell: Tell) -> None:
 
 
 def sleeping(_tell: Tell) -> None:
-    time.sleep(600)
+    time.sleep(ENDED)
 
 
 async def _all() -> None:
@@ -59,7 +60,7 @@ async def _all() -> None:
 
 
 def test_answers_errors_limit_of_time_and_end() -> None:
-    asyncio.run(_all())
+    asyncio.run(asyncio.wait_for(_all(), ENDED))
 
 
 async def _limited() -> None:

@@ -2,7 +2,7 @@
 
 import asyncio
 import json
-from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 from nicegui import background_tasks, ui
@@ -52,8 +52,9 @@ class Answering:
         enable(self.screen.redo, bool(self.screen.session.after))
         busy = background_tasks.create(self._busy(), name="busy")
         try:
-            found = await self._asked(state.raw)
-            other = None if state.other is None else await self._asked(state.other)
+            found = await self._asked(state)
+            stored = None if state.other is None else replace(state, raw=state.other)
+            other = stored and await self._asked(stored)
         except (InputError, FailedError, CancelledError) as error:
             found, other = Shown(fault=str(error)), None
         finally:
@@ -64,8 +65,8 @@ class Answering:
         self.screen.tools.tell_old()
         ui.run_javascript(f"freewheel.keep({json.dumps(to_link(state))})")
 
-    async def _asked(self, raw: Mapping[str, Any]) -> Shown:
-        asked = self.screen.asked(raw)
+    async def _asked(self, state: State) -> Shown:
+        asked = self.screen.asked(state)
         found: Shown = await self.screen.place.formulas.ask(shown, *asked, False, seconds=FORMULAS)
         return found
 
@@ -79,9 +80,9 @@ class Answering:
         """The same with the slow notes, where inputs were assumed."""
         if not self.found.assumed:
             return
-        asked = self.screen.asked()
+        ask = self.screen.place.details.ask
         try:
-            found = await self.screen.place.details.ask(shown, *asked, True, seconds=DETAILS)
+            found = await ask(shown, *self.screen.asked(state), True, seconds=DETAILS)
         except (InputError, FailedError, CancelledError):
             return
         if state is self.screen.session.state:

@@ -89,4 +89,5 @@ def _values(a: Shown, b: Shown) -> Iterator[Row]:
              for one in (a, b)]  # fmt: skip
     names: Iterable[tuple[str, str]] = sides[0] | sides[1]
     for symbol, what in names:
-        yield symbol, what, *(side.get((symbol, what), "none") for side in sides)
+        told = [side.get((symbol, what), "none") for side in sides]
+        yield symbol, what, told[0], told[1]

@@ -1,7 +1,7 @@
 """One page in a browser: the choice of a case, the form, the answer, and the tools."""
 
 import itertools
-from collections.abc import Mapping
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -70,40 +70,42 @@ class Screen:
         ui.add_head_html(f"<script>{(HERE / 'page.js').read_text('utf-8')}</script>")
         ui.add_head_html("<script>document.documentElement.lang = 'en'</script>")
 
-    @property
-    def path(self) -> str:
-        """What names the case: its id, or the path of its file in the folder; InputError."""
-        name = self.session.state.case
+    def path(self, state: State) -> str:
+        """What names a state's case: its id, or the path of its file in the folder; InputError."""
+        name = state.case
         return str(self.place.folder.path(name, ".py")) if name.endswith(".py") else name
 
-    def asked(self, raw: Mapping[str, Any] | None = None) -> tuple[str, str, dict[str, Any]]:
-        """Case, name and inputs as the command line takes them."""
-        state = self.session.state
-        given = state.raw if raw is None else raw
-        return self.path, state.name, as_values(given, self.case.whole)
+    def asked(self, state: State) -> tuple[str, str, dict[str, Any]]:
+        """Case, name and inputs of a state as the command line takes them."""
+        return self.path(state), state.name, as_values(state.raw, self.case.whole)
 
     async def show(self, state: State, *, fill: bool = False) -> None:
         """Another case or file; with `fill` the inputs of the template. Errors are displayed."""
-        before = self.session.state
-        self.session.state = state
-        try:
-            case = await self.place.formulas.ask(describe, self.path, seconds=FORMULAS)
-            for raw in filter(None, (state.raw, state.other)):
-                case.refuse_shapes(raw)
-        except (InputError, FailedError, CancelledError) as error:
-            self.session.state = before
-            self.told.set_content(message(str(error)))
+        case = await self._described(state)
+        if case is None:
             if not hasattr(self, "case"):
                 await self.show(State(FIRST, f"my {FIRST}"), fill=True)
             return
-        self.case, self.session.state = case, before
+        self.case = case
         filled = replace(state, raw=self.case.raw) if fill else state
-        if before.raw:
+        if self.session.state.raw:
             self.session.put(filled)
         else:
             self.session.state = filled
         self._lay_out()
         self.changed()
+
+    async def _described(self, state: State) -> Described | None:
+        """The form of a state's case; None after an error, which is displayed."""
+        try:
+            path = self.path(state)
+            case: Described = await self.place.formulas.ask(describe, path, seconds=FORMULAS)
+            for raw in filter(None, (state.raw, state.other)):
+                case.refuse_shapes(raw)
+        except (InputError, FailedError, CancelledError) as error:
+            self.told.set_content(message(str(error)))
+            return None
+        return case
 
     def _lay_out(self) -> None:
         self.bar.clear()
@@ -171,18 +173,23 @@ class Screen:
     async def _undo(self) -> None:
         case = self.session.state.case
         if self.session.undo():
-            await self._after_step(case)
+            await self._after_step(case, self.session.redo)
 
     async def _redo(self) -> None:
         case = self.session.state.case
         if self.session.redo():
-            await self._after_step(case)
+            await self._after_step(case, self.session.undo)
 
-    async def _after_step(self, case: str) -> None:
+    async def _after_step(self, case: str, back: Callable[[], bool]) -> None:
+        """Show the state of a step; it is taken `back` where its case cannot be shown."""
         if self.session.state.case == case:
             self._refill()
             return
-        self.case = await self.place.formulas.ask(describe, self.path, seconds=FORMULAS)
+        described = await self._described(self.session.state)
+        if described is None:
+            back()
+            return
+        self.case = described
         self._lay_out()
         self.changed()
 

@@ -66,10 +66,11 @@ class Tools:
         self.tell_old()
 
     async def _fem(self, worker: Worker, tell: Tell) -> None:
-        raw = self.screen.session.state.raw
-        found: Shown = await worker.ask(tasks.finite_elements, *self.screen.asked(), tell=tell)
+        state = self.screen.session.state
+        asked = self.screen.asked(state)
+        found: Shown = await worker.ask(tasks.finite_elements, *asked, tell=tell)
         self.rows.set_content(evidence(found))
-        self._is_made("fem", raw)
+        self._is_made("fem", state.raw)
 
     def _sweep_form(self) -> None:
         numbers = {f.name: f.symbol or f.name for f in self.screen.case.fields if f.is_number}
@@ -91,7 +92,7 @@ class Tools:
         self.figure = ui.element("div").props('id="sweep-figure"')
 
     async def _sweep(self, worker: Worker, tell: Tell) -> None:
-        raw = self.screen.session.state.raw
+        state = self.screen.session.state
         axes = [(self.first.value, self.values.value)]
         if self.second.value:
             axes.append((self.second.value, self.more.value))
@@ -101,7 +102,7 @@ class Tools:
         vary = [f"{name}={values}" for name, values in axes]
         try:
             found: tasks.Swept = await worker.ask(
-                tasks.sweep, *self.screen.asked(), vary, self.result.value, tell=tell
+                tasks.sweep, *self.screen.asked(state), vary, self.result.value, tell=tell
             )
         except InputError as error:
             raise InputError(str(error).removeprefix("--vary ")) from error
@@ -118,7 +119,7 @@ class Tools:
             html(message(found.problem and f"points without a result: {found.problem}"))
             if not any(value is not None for line in found.values for value in line):
                 html(message(f"no point has a result: {found.label}"))
-        self._is_made("sweep", raw)
+        self._is_made("sweep", state.raw)
 
     def _keep(self) -> None:
         state = self.screen.session.state
@@ -148,8 +149,8 @@ class Tools:
         folder = place.reports / f"{self.screen.number}"
         folder.mkdir(exist_ok=True)
         file = folder / "part.toml"
-        await run.io_bound(file.write_text, parameter_file(replace(state, case=self.screen.path)),
-                           "utf-8")  # fmt: skip
+        text = parameter_file(replace(state, case=self.screen.path(state)))
+        await run.io_bound(file.write_text, text, "utf-8")
         out = folder / "report"
         names = await worker.ask(tasks.report, file, out, bool(self.fem.value))
         links = Markup(" ").join(
