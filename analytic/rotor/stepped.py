@@ -1,7 +1,7 @@
-"""A stepped shaft as Timoshenko's beam, with nominal diameters or stiff by the 45° rule.
+"""A stepped shaft as a Timoshenko beam, with nominal diameters or with the 45° rule.
 
-From either step on, the thick part counts for stiffness with a diameter that grows from d_1 by
-twice the distance, up to d_2: the corners carry nothing. Masses are as drawn.
+By the 45° rule, the diameter that determines the stiffness of the thick part is d_1 plus twice the
+distance from the nearer step, at most d_2: the corners are unloaded. Masses are the real masses.
 """
 
 from dataclasses import dataclass
@@ -17,13 +17,13 @@ from analytic.rotor.transfer_model import (
     TransferMatrixRotor,
 )
 
-SLICES = 16  # of a cone, each of its mean diameter
-SMALLEST = 1e-9  # relative to the length: a piece that is round-off
+SLICES = 16  # number of slices of a cone; each slice has its mean diameter
+SMALLEST = 1e-9  # relative to the length: a shorter piece is caused by round-off
 
 
 @dataclass(frozen=True)
 class Piece:
-    """A piece of the shaft: its length, its diameter, and the one that counts for stiffness [m]."""
+    """A piece of the shaft: length, diameter, and diameter used for the stiffness [m]."""
 
     length: float
     d: float
@@ -32,7 +32,7 @@ class Piece:
 
 @dataclass(frozen=True, kw_only=True)
 class SteppedShape:
-    """Length L and diameter d_1 with a thick part d_2, L_2 long from `start` on [m].
+    """Shaft of length L and diameter d_1; its thick part (d_2, L_2) begins at `start` [m].
 
     Bearings act at the two `seats` [m], both outside the thick part.
     """
@@ -50,7 +50,7 @@ class SteppedShape:
         return min((self.d_2 - self.d_1) / 2, self.L_2 / 2)
 
     def pieces(self, *, cone: bool, slices: int = SLICES) -> tuple[Piece, ...]:
-        """Pieces end to end, with stations at the seats; `cone`: stiffness by the 45° rule.
+        """Pieces from end to end, with stations at the seats; `cone`: stiffness by the 45° rule.
 
         >>> shape = SteppedShape(L=8.0, d_1=1.0, d_2=3.0, L_2=4.0, start=2.0, seats=(0.5, 7.5))
         >>> [(p.length, p.d_stiff) for p in shape.pieces(cone=False)]
@@ -81,13 +81,13 @@ def stepped_beam(
     shape: SteppedShape, *, E: float, nu: float, rho: float, k: float, cone: bool = False,
     slices: int = SLICES,
 ) -> TransferMatrixRotor:  # fmt: skip
-    """The shaft on bearings with the stiffness k [N/m] across.
+    """The shaft on two bearings with the radial stiffness k [N/m].
 
-    What cones lack of rotary inertia sits at their ends.
+    The rotary inertia that a cone lacks is added as lumps at the ends of its slices.
     """
     segments, lumps, node = [], [], 0
     for i, piece in enumerate(shape.pieces(cone=cone, slices=slices)):
-        share = (piece.d / piece.d_stiff) ** 2  # of the areas: preserves the mass
+        share = (piece.d / piece.d_stiff) ** 2  # ratio of the areas; it preserves the mass
         segments.append(
             Segment(length=piece.length, d_o=piece.d_stiff, E=E, nu=nu, rho=rho * share)
         )

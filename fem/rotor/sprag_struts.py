@@ -1,7 +1,7 @@
-"""Sprags between two races as struts of rigid hubs, inclined by the wedge angle, under a torque.
+"""Sprags between two races as struts between rigid hubs, inclined by the wedge angle, under torque.
 
-Their ends roll, so that their lines keep their distance from the axis, or are held in both races.
-Each contact deflects as a line contact: its force is proportional to the power 10/9.
+The ends of a strut either roll on the races (its line has a constant distance from the axis) or are
+pinned to both races. Each contact is a line contact: force proportional to deflection^(10/9).
 """
 
 import math
@@ -13,18 +13,18 @@ from numpy.typing import NDArray
 from fem.rotor import struts, struts_kinds
 
 Array = NDArray[np.float64]
-POWER = 10 / 9  # of a line contact
-START = 1e-3  # rad, to press the struts at all
-TURN = (5,)  # the component that is free under a torque
+POWER = 10 / 9  # exponent of a line contact
+START = 1e-3  # rad, initial twist that brings the struts into contact
+TURN = (5,)  # component that is free under a torque: rotation about the axis
 
 
 @dataclass(frozen=True, kw_only=True)
 class SpragStruts:
     """Z sprags of the length L [m] under the torque T [N m], on radii R_i and R_e [m].
 
-    `nu` [rad] is the wedge angle at the inner race, `yields_at_kn` [m] the deflection under 1 kN of
-    both contacts together, by Palmgren where left out. The first sprag lies half of `missing` - 1
-    pitches before the x-axis, so that a gap of as many is symmetric about it.
+    `nu` [rad] is the wedge angle at the inner race. `yields_at_kn` [m] is the deflection of both
+    contacts together under 1 kN; its default is Palmgren's value. The first sprag lies
+    (`missing` - 1)/2 pitches before the x-axis: a gap of `missing` sprags is symmetric about it.
     """
 
     T: float
@@ -38,9 +38,9 @@ class SpragStruts:
 
     @property
     def law(self) -> float:
-        """Force of a sprag over its deflection to the power 10/9 [N/m^(10/9)].
+        """Ratio of the force of a sprag to its deflection^(10/9) [N/m^(10/9)].
 
-        Palmgren's approach of one contact is 3.84e-5 N^0.9/l^0.8 in newtons and millimetres.
+        Palmgren's deflection of one contact is 3.84e-5 N^0.9/l^0.8 in newtons and millimetres.
 
         >>> sprags = SpragStruts(T=1.0, Z=12, R_i=0.01, R_e=0.02, nu=0.05, L=0.01, yields_at_kn=1.0)
         >>> sprags.law
@@ -52,7 +52,7 @@ class SpragStruts:
 
     @property
     def yields(self) -> float:
-        """Deflection [m] of every sprag's contacts under T alone."""
+        """Deflection [m] of the contacts of each sprag under T alone."""
         force = self.T / self.Z / self.R_i / math.tan(self.nu)
         return float((force / self.law) ** (1 / POWER))
 
@@ -65,10 +65,10 @@ class SpragStruts:
         self, count: int, *, dx: float = 0.0, drop: float = 0.0, gone: int = 0,
         stiffer: float = 1.0,
     ) -> struts.Joint:  # fmt: skip
-        """Rolling ends in `count` slices under T, the inner hub held at dx, from no load on.
+        """State of struts with rolling ends, `count` slices each, under T; inner hub held at dx.
 
-        Both contacts have a parabolic crown with the `drop` [m] at its ends; the first sprags are
-        `gone`. Deflections are smaller by `stiffer`.
+        Both contacts have a parabolic crown with the `drop` [m] at its ends. The first `gone`
+        sprags are missing. Deflections are divided by `stiffer`.
         """
         step = 2 * math.pi / self.Z
         psi = step * (np.arange(gone, self.Z, dtype=float) - (self.missing - 1) / 2)
@@ -76,22 +76,23 @@ class SpragStruts:
         law = self._power_law(self.law * stiffer**POWER / count)
         crown = -2 * drop * (2 * z / self.L) ** 2 * math.cos(self.nu)
         cams = self._cams(angle, z, crown)
-        # from a twist that has every strut in contact: cams, offsets and drops are of its size
+        # start with a twist at which every strut is in contact: larger than offset and drop need
         lost = 2 * drop + abs(dx)
         twist = START + lost / (self.R_i * math.tan(self.nu))
         started = struts.Joint.at_rest(cams, law).moved(np.array([dx, 0, 0, 0, 0, twist]))
         return started.under(self._torque, TURN)
 
     def tilted(self, count: int, offset: float) -> struts.Joint:
-        """Rolling ends from half a pitch on under T, the inner hub aside at one end, twice as far.
+        """State of struts with rolling ends under T, with an offset and tilted inner hub.
 
-        Aside by `offset` [m] in the middle, by a quarter of the deflection: every slice stays in
-        contact.
+        The first strut lies half a pitch from the x-axis. The hub is offset in x by `offset` [m] at
+        mid-length (at most a quarter of the deflection: every slice stays in contact), by twice
+        this value at one end, and by zero at the other end.
         """
         psi = 2 * math.pi * (np.arange(self.Z) + 0.5) / self.Z
         cams = self._cams(*self.slices(psi, count))
         law = self._power_law(self.law / count)
-        # the twist first: what is left to turn about z then hardly turns the axis of the tilt
+        # the twist is applied first: the remaining rotation about z hardly turns the tilt axis
         twist = self.yields / (self.R_i * math.tan(self.nu))
         twisted = struts.Joint.at_rest(cams, law).moved(np.array([0, 0, 0, 0, 0, twist]))
         dx = min(offset, self.yields / 4)
@@ -99,7 +100,7 @@ class SpragStruts:
         return held.under(self._torque, TURN)
 
     def pinned(self, count: int, *, stiffer: float = 1.0) -> struts.Joint:
-        """Struts held in both races, placed as they stand under T."""
+        """Struts pinned to both races, in their positions under T."""
         psi, z = self.slices(2 * math.pi * np.arange(self.Z) / self.Z, count)
         h = self.R_i * math.sin(self.nu)
         away = psi + self.nu - math.asin(h / self.R_e)
@@ -112,7 +113,7 @@ class SpragStruts:
         return struts.Joint.at_rest(held, struts.power_law(k / count, POWER))
 
     def off_diagonal(self, K: Array) -> float:
-        """Largest entry off the diagonal [N/m], tilts over L and the twist over R_i."""
+        """Largest off-diagonal entry [N/m], with tilts divided by L and the twist by R_i."""
         size = np.array([1, 1, 1, self.L, self.L, self.R_i])
         return float(np.abs((K - np.diag(np.diag(K))) / np.outer(size, size)).max())
 
@@ -121,10 +122,10 @@ class SpragStruts:
         return np.array([0, 0, 0, 0, 0, self.T])
 
     def _cams(self, angle: Array, z: Array, s_0: Array | float = 0.0) -> struts_kinds.Rolling:
-        """Struts whose lines touch a circle round the axis."""
+        """Struts whose lines are tangents of a circle about the axis."""
         lever, reach = self.R_i * math.sin(self.nu), self.R_i * math.cos(self.nu)
         return struts_kinds.Rolling(angle=angle + self.nu, z=z, lever=lever, reach=reach, s_0=s_0)
 
     def _power_law(self, k: float) -> struts.Law:
-        """Of shortenings along struts that contacts with the constant k are inclined to."""
+        """Law for the shortening of struts, whose contacts have the constant k at an angle nu."""
         return struts.power_law(k / math.cos(self.nu) ** (POWER + 1), POWER)

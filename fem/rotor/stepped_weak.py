@@ -8,21 +8,21 @@ from skfem import MeshLine
 from fem.rotor.elements import Array
 from fem.rotor.weak import WeakShaft, weak_shaft
 
-CELLS = 10  # along the shaft, at least, times the level
-CONE = 8  # in a cone of the 45° rule, times the level
-WITH_CONES = 2  # times CELLS: else the cells' error, order four, hides that of the cones, order two
-SAME = 1e-9  # over the length: stations that differ by less are one; of a count of cells: round-off
+CELLS = 10  # least number of cells along the shaft, times the level
+CONE = 8  # number of cells in a cone of the 45° rule, times the level
+WITH_CONES = 2  # factor on CELLS: the error of the cells (order 4) must not hide that of the cones
+SAME = 1e-9  # relative to the length: stations that differ by less are equal; also a cell count
 
 
 def stepped_weak(
     *, L: float, d_1: float, d_2: float, step: tuple[float, float], seats: tuple[float, float],
     k: float, reach: float, E: float, nu: float, rho: float, level: int,
 ) -> WeakShaft:  # fmt: skip
-    """Solid, d_1 in diameter and d_2 between both places of `step`, on springs k [N/m] at `seats`.
+    """Solid shaft of diameter d_1, and d_2 between both `step`s, on springs k [N/m] at `seats`.
 
-    With a `reach` above zero the stiff diameter grows from d_1 by twice the distance from a step
-    up to there. Cells are of their middle's diameter: rotary inertia stays where it is, without
-    lumps.
+    If `reach` > 0, the diameter used for the stiffness is d_1 plus twice the distance from a step,
+    up to the distance `reach`. Each cell has the diameter at its middle. Rotary inertia is
+    distributed, without lumps.
     """
     first, last = step
     z = [0.0]
@@ -34,7 +34,7 @@ def stepped_weak(
     inwards = np.minimum(m := (np.array(z[1:]) + z[:-1]) / 2, first + last - m) - first
     d: Array = np.where(inwards > 0, d_2, d_1)
     stiff = np.where(inwards > 0, np.minimum(d, d_1 + 2 * inwards), d) if reach else d
-    kappa = 6 * (1 + nu) ** 2 / (7 + 12 * nu + 4 * nu**2)  # Hutchinson's, solid
+    kappa = 6 * (1 + nu) ** 2 / (7 + 12 * nu + 4 * nu**2)  # Hutchinson, solid circle
     own = weak_shaft(
         MeshLine(np.array(z)), bending=E * np.pi / 64 * stiff**4,
         shear=kappa * E / (2 * (1 + nu)) * np.pi / 4 * stiff**2,
@@ -44,7 +44,7 @@ def stepped_weak(
 
 
 def stations(L: float, inner: tuple[float, ...]) -> list[float]:
-    """Ends of a shaft and the `inner` stations in order, one where some are the same.
+    """Ends of a shaft and the `inner` stations in ascending order; equal stations occur once.
 
     >>> stations(4.0, (3.0, 1.0, 1.0 + 1e-12))
     [0.0, 1.0, 3.0, 4.0]

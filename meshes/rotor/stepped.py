@@ -23,13 +23,13 @@ def stepped_section(
     growth: float = 2.0,
     refine: int = 1,
 ) -> MeshQuad1:
-    """Rectangular cells in a shaft of `parts` end to end from z = 0: length, d_o and d_i each.
+    """Rectangular cells in a shaft of `parts` (length, d_o, d_i) from z = 0, end to end.
 
-    Cells are at most `first` long at the corners of steps and grow away from them; `refine` 2
-    halves all, and so on. All in one unit of length. Boundaries "rim" and "bore" of all parts,
-    "axis", "start" and "end", and each of the `bands` (from, to) on the rim; body "body".
-    ValueError unless lengths are positive, 0 <= d_i < d_o, neighbours share some of their section,
-    and bands lie on the shaft.
+    Cells are at most `first` long at the corners of steps, and larger at a distance from them;
+    `refine` divides the size of all cells. All lengths have the same unit. Boundaries: "rim" and
+    "bore" of all parts, "axis", "start", "end", and each of the `bands` (from, to) on the rim.
+    Body: "body". ValueError unless lengths are positive, 0 <= d_i < d_o, the sections of
+    neighbours overlap, and bands lie on the shaft.
     """
     _check(parts)
     z = np.cumsum([0.0, *(length for length, _, _ in parts)])
@@ -52,14 +52,14 @@ def stepped_section(
 def _graded(
     points: Sequence[float], fine: set[float], first: float, growth: float, refine: int
 ) -> Array:
-    """Stations through all `points`, cells of `first` at those that are `fine`."""
+    """Stations through all `points`, with cells of the size `first` at the `fine` points."""
     return chain([_between(a, b, fine, first, growth, refine) for a, b in pairwise(points)])
 
 
 def _between(
     a: float, b: float, fine: set[float], first: float, growth: float, refine: int
 ) -> Array:
-    """Stations from a to b, fine at either end, at both, or even where neither is."""
+    """Stations from a to b: fine cells at each fine end; equal cells if neither end is fine."""
     if a in fine and b in fine:
         middle = (a + b) / 2
         own = {a, b}
@@ -73,7 +73,7 @@ def _between(
 
 
 def _on(z: Array, band: tuple[float, float]) -> tuple[float, float]:
-    """The band, its ends on the parts' where they are the same but for round-off."""
+    """The band; an end that differs from the end of a part by round-off is moved there."""
     if not 0 <= band[0] < band[1] <= z[-1] * (1 + SAME):
         raise ValueError(
             f"a band lies on the shaft, 0 to {z[-1]:g} m, from low to high: got {band}"
@@ -87,7 +87,7 @@ def _on(z: Array, band: tuple[float, float]) -> tuple[float, float]:
 
 
 def _named(mesh: MeshQuad1, z: Array, bands: Mapping[str, tuple[float, float]]) -> MeshQuad1:
-    """Boundaries by where facets lie, as the outside of one cell each."""
+    """The mesh with boundaries named by the position of facets, each the outside of one cell."""
     outside = mesh.boundary_facets()
     ends = mesh.p[:, mesh.facets[:, outside]]
     r, at = ends.mean(axis=1)

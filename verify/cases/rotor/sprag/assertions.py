@@ -1,7 +1,7 @@
-"""Statements of the paper beyond three critical speeds, evaluated for every member.
+"""Statements of the paper other than its three critical speeds, evaluated for every member.
 
-Arrays come from `responses_fem`. A fact has a truth value for each member; it is evaluated
-only for members in which all compared responses have a peak.
+A member is one set of parameters of the ensemble. `responses_fem` returns the arrays. A statement
+is evaluated only for members in which all compared responses have a peak.
 """
 
 from collections.abc import Callable, Mapping
@@ -18,7 +18,7 @@ from verify.core.figures import Array
 Members = NDArray[np.bool_]
 Arrays = Mapping[str, Array]
 ALIKE = 0.1  # relative to the mean: amplitudes that are "nearly equal"
-SMALL = 0.5  # over the median of the others: amplitudes that are "significantly lower"
+SMALL = 0.5  # relative to the median of the others: amplitudes that are "significantly lower"
 ORDERS = (1, 3, 5)
 
 
@@ -26,7 +26,7 @@ ORDERS = (1, 3, 5)
 class Statement:
     """A statement of the paper, the members in which it holds, and its printed values.
 
-    `compares` returns the compared values (m, ...): NaN if a response has no peak.
+    `compares` returns the compared values (m, ...); a value is NaN if a response has no peak.
     """
 
     name: str
@@ -43,7 +43,7 @@ class Statement:
 
 
 def opposite(a: Arrays) -> Arrays:
-    """The arrays with unbalance 2 half a turn from unbalance 1."""
+    """The arrays for unbalance 2 opposite to unbalance 1 (phase difference 180°)."""
     turned = {key.removesuffix(OPPOSITE): v for key, v in a.items() if key.endswith(OPPOSITE)}
     return {**a, **turned}
 
@@ -103,25 +103,25 @@ def grows(values: Array) -> Members:
 
 
 def rises(loads: Array) -> Members:
-    """Whether loads (m, U_2, 3, 2) rise from critical speed to critical speed."""
+    """Whether loads (m, U_2, 3, 2) increase from each critical speed to the next."""
     return np.asarray((np.diff(loads, axis=2) > 0).reshape(len(loads), -1).all(axis=1))
 
 
 def anomaly(a: Arrays) -> Members:
-    """Whether node 19's peak at critical speed 3 falls from the middle to the highest unbalance."""
+    """Whether the peak of node 19 at critical speed 3 falls from the middle to the largest U_2."""
     peaks = a["peaks"][:, :, 1, 18]
     return np.asarray(peaks[:, 1] > peaks[:, 2])
 
 
 def inverse_inertia(a: Arrays, order: int) -> Array:
-    """Ratio of the torsion of nodes 4 and 19, over -J_in/J_out, minus 1 (m,)."""
+    """Relative difference (m,) of the torsion ratio of nodes 4 and 19 from -J_in/J_out."""
     turned: Any = a["turned"][:, :, ORDERS.index(order)]
     wanted = -a["inertia"][:, 1] / a["inertia"][:, 0]
     return np.asarray(np.abs(turned[:, 0] / turned[:, 1] / wanted - 1))
 
 
 def torsion(a: Arrays) -> Array:
-    """Torsion at the critical speeds, which needs no peak."""
+    """Torsion at the critical speeds; it is defined without a peak."""
     return a["torsion"]
 
 

@@ -18,10 +18,10 @@ from verify.form.adapter import adapted
 class SpragRotor(CentralSystem):
     """The paper's 22 nodes with twelve unknown dimensions and stiffnesses.
 
-    Only three critical speeds are printed, none of these values. Many sets of parameters have all
-    three speeds; each set is compared with all other statements of the paper. A set reached from
-    the middle of all ranges (the central system) is computed by exact transfer matrices, by
-    refined beams and as elastic bodies.
+    The paper prints three critical speeds, but none of the dimensions and stiffnesses. Many sets of
+    parameters give all three speeds; each set is compared with all other statements of the paper.
+    The set found from the middle of all ranges (the central system) is computed by exact transfer
+    matrices, by refined beams and as elastic bodies.
     """
 
     id = "rotor-sprag"
@@ -58,7 +58,7 @@ class SpragRotor(CentralSystem):
     sketch = tabulated.sketch
 
     def reference(self, level: int) -> Level:
-        """The central system as beams, and on the paper's mesh the ensemble."""
+        """The central system as beams; on the mesh of the paper, also the ensemble."""
         from verify.cases.rotor.sprag.reference import solve
 
         return solve(self, level)
@@ -83,7 +83,7 @@ class SpragRotor(CentralSystem):
         )
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if the rig's speed is critical or peaks merge."""
+        """Warnings if the speed of the test rig is critical, or if peaks merge."""
         for k in ORDERS:
             off = abs(self.rig_speed / self.critical_forward(k) - 1)
             if off < 0.1:

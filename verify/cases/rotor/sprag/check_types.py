@@ -16,25 +16,25 @@ from verify.judging.claims import Claim
 from verify.papers.ledger import published
 
 Arrays = Mapping[str, Array]
-COARSE = 2e-4  # acceptance figure of a single beam element in each element of the paper
+COARSE = 2e-4  # acceptance figure of the mesh with one beam element for each element of the paper
 NO_SETS = "no set of parameters hits the three critical speeds"
 FITTED = f"{len(PARAMETERS)} unknowns fitted to three speeds"
 
 
 def arrays(context: Context) -> Arrays:
-    """Those of the mesh of the paper, with the ensemble."""
+    """Arrays of the mesh of the paper, which include the ensemble."""
     return context.fem[0].arrays
 
 
 def band(values: Array, factor: float = 1.0, digits: int = 3) -> str:
-    """Low (5 %), median and high (95 %) of members in words."""
+    """Median, 5th and 95th percentile of the members in words."""
     low, middle, high = (float(v) / factor for v in np.percentile(values, (5, 50, 95)))
     return f"{middle:.{digits}g} ({low:.{digits}g} to {high:.{digits}g})"
 
 
 @dataclass(frozen=True, kw_only=True)
 class Share(Claim):
-    """Share of the sets of parameters in which a claim holds: CALIBRATED for any share."""
+    """Share of the sets of parameters in which a claim holds; the status is always CALIBRATED."""
 
     kind = Kind.FACT
 
@@ -42,7 +42,7 @@ class Share(Claim):
     of: str = "sets"
 
     def asked(self, context: Context) -> Members:
-        """Sets for which it is evaluated: all."""
+        """Sets for which the claim is evaluated: all sets."""
         return np.ones(self.holds(context).size, dtype=bool)
 
     def words(self, context: Context) -> str:
@@ -65,9 +65,9 @@ class Share(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Claimed(Share):
-    """A statement of the paper, evaluated where peaks exist, also with opposite unbalances.
+    """A statement of the paper, evaluated for sets with peaks, also with opposite unbalances.
 
-    The paper's statement contains names of nodes only, no values.
+    The statement of the paper names nodes only, not values.
     """
 
     statement: Statement
@@ -82,7 +82,7 @@ class Claimed(Share):
 
 
 def held_of(statement: Statement, a: Arrays) -> str:
-    """Share of the sets of parameters with the compared peaks in which a statement holds."""
+    """Share of sets in which a statement holds, among the sets that have the compared peaks."""
     held, asked = statement.holds(a), statement.asked(a)
     with_peak = "" if asked.all() else " with a peak"
     return f"{int((held & asked).sum())} of {int(asked.sum())} sets{with_peak}"
@@ -90,7 +90,7 @@ def held_of(statement: Statement, a: Arrays) -> str:
 
 @dataclass(frozen=True, kw_only=True)
 class Spread(Claim):
-    """The median over the members of a value that is not printed; its 5 to 95 % range in words."""
+    """Median of a value over the members, with its 5 to 95 % range; the paper does not print it."""
 
     kind = Kind.FACT
 
@@ -114,7 +114,7 @@ class Spread(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Rounded(Claim):
-    """A property of every member to round-off: the largest `residual` over `bound`."""
+    """A property exact to round-off for each member: the largest `residual` is below `bound`."""
 
     kind = Kind.EXACT
 
@@ -136,9 +136,9 @@ class Rounded(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class FittedTo(Claim):
-    """A critical speed of the central system, fitted to the printed one: CALIBRATED within 2e-4.
+    """A critical speed of the central system, fitted to the printed value: CALIBRATED within 2e-4.
 
-    It was fitted on the paper's mesh; the formula is the exact model of this system.
+    It was fitted on the mesh of the paper; the formula is the exact model of the same system.
     """
 
     kind = Kind.APPROXIMATION
@@ -168,7 +168,7 @@ class FittedTo(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Drawn(Claim):
-    """Counts and numbers of nodes: the model has the numbers that the figure shows."""
+    """Counts of nodes and node numbers: those of the model agree with the figure of the paper."""
 
     kind = Kind.FACT
 

@@ -14,7 +14,7 @@ from verify.core.case import Check, Context
 from verify.judging.checks import Accepted
 from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, farthest
 
-BEAMS = 5e-6  # acceptance figure of 8 beams in each of the paper's elements
+BEAMS = 5e-6  # acceptance figure of 8 beam elements in each element of the paper
 BARS = 1e-5  # tolerance for torsion elements, with linear twist
 WITHIN_PRINTED = 3e-3
 EIGHT = "acceptance figure of beams against transfer matrices, 8 in each element"
@@ -31,13 +31,13 @@ FREQUENCIES = tuple(f"frequency_{i + 1}" for i in range(MODES))
 
 
 def printed_bound(context: Context) -> tuple[float, float, str]:
-    """The mesh of the paper against the exact model."""
+    """Critical speed on the mesh of the paper, against the exact model."""
     error = largest_error(context, 0, FREQUENCIES)
     return WITHIN_PRINTED - error, 0.0, f"20 elements are off by {error:.1e} at most"
 
 
 def coarse(context: Context) -> Pair:
-    """The exact model and 20 elements at their largest difference."""
+    """Critical speeds of the exact model and of 20 elements, at their largest difference."""
     keys = (*FREQUENCIES, *(f"critical_forward_{k}" for k in ORDERS))
     v = context.fem[0].values
     exact = np.array([context.analytic[key] for key in keys])

@@ -1,4 +1,4 @@
-"""Sets of the twelve parameters, as systems of the paper's 20 elements, with its three speeds."""
+"""Sets of the twelve parameters for which the paper's 20 elements give its three speeds."""
 
 from fem.rotor.ensemble import Ensemble, Ranges, elasticities, ensemble
 from verify.cases.rotor.sprag.inputs import PRINTED
@@ -10,10 +10,10 @@ RANGES = Ranges(LOW, HIGH)
 
 
 def ensemble_fem(members: int) -> Ensemble:
-    """At least `members` sets (m, 12) [SI], unless 32 batches of starts give fewer."""
+    """At least `members` sets (m, 12) [SI]; fewer if 32 batches of initial values give fewer."""
     return ensemble(RANGES, PRINTED, systems_fem, members, seed=2022)
 
 
 def elasticities_fem(p: Array) -> Array:
-    """Relative change (m, 3, 12) of each critical speed over that of each parameter (m, 12)."""
+    """Relative change (m, 3, 12) of each critical speed per relative change of each parameter."""
     return elasticities(RANGES, p, systems_fem, len(PRINTED))

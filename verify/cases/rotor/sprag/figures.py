@@ -1,4 +1,4 @@
-"""Figures of the system with sprag clutch: bands over all members, no single member."""
+"""Figures of the system with sprag clutch: each figure covers all members of the ensemble."""
 
 from collections.abc import Sequence
 from math import pi
@@ -92,7 +92,7 @@ def shapes(context: Context, a: Arrays) -> Whirl:
 
 
 def _outline(k: int) -> tuple[Array, Array]:
-    """Places and radii along a rotor, a step as two points."""
+    """Positions and radii along a rotor; a step has two points."""
     s = layout(CENTRAL)
     own = slice(OUTER - 1) if k == 0 else slice(OUTER - 1, None)
     nodes = slice(OUTER) if k == 0 else slice(OUTER, None)
@@ -149,7 +149,7 @@ def over_unbalance(context: Context, a: Arrays) -> tuple[Curves, ...]:
 
 
 def torsion(context: Context, a: Arrays) -> Curves:
-    """Torsion of node 19 at the critical speeds over the offset, from its initial slope."""
+    """Torsion of node 19 at the critical speeds over the offset, by the slope at small offsets."""
     offsets = np.linspace(SMALL_OFFSETS[0], max(context.inputs.offset, SMALL_OFFSETS[-1]), 12)
     slopes = a["torsion, small offsets"][:, -1, :, DISCS[1] - 1] / SMALL_OFFSETS[-1] / um
     low, middle, high = np.percentile(slopes, (5, 50, 95), axis=0)

@@ -1,4 +1,4 @@
-"""The central system by exact transfer matrices, and its clutch under an uneven load."""
+"""The central system by exact transfer matrices, and its clutch with unequal sprag deflections."""
 
 from math import atan, pi
 from typing import Any, Literal
@@ -76,7 +76,7 @@ def coupling(offset: float) -> float:
 
 
 def uneven(offset: float) -> Array:
-    """K (5, 5) of the central clutch about a deflection of 1 µm; only the ratio to it matters."""
+    """K (5, 5) of the central clutch at a deflection of 1 µm; only the offset over it matters."""
     R_i, delta_0 = CENTRAL[D_2] / 2, 1e-6
     k = 2 * CENTRAL[K_C] / SPRAGS
     clutch = SpragCoupling(
@@ -87,7 +87,7 @@ def uneven(offset: float) -> Array:
 
 
 def yield_of_sprags(T: float, parameters: Array) -> Array:
-    """delta_0 (m,) [m] under T [N m]: K = n T/(2 d_t delta_0) solved for it."""
+    """delta_0 (m,) [m] under T [N m], from K = n T/(2 d_t delta_0)."""
     s = layout(parameters)
     return EXPONENT * T / (2 * s.d_t * s.k_c)
 
@@ -96,7 +96,7 @@ Whirl = Literal["forward", "backward"]
 
 
 class CentralSystem(SpragRotorInputs):
-    """The central system in numbers."""
+    """Numerical results of the central system."""
 
     @Quantity("f_{0}", "Hz", "natural frequency {0} at the speed of comparison").over(
         range(1, MODES + 1)

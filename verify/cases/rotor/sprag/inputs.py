@@ -15,7 +15,7 @@ SLOWEST, FASTEST = 2000 * RPM, 60_000 * RPM  # range of speeds of a response
 
 
 class SpragRotorInputs(Case):
-    """Loads, damping and the ensemble; the system itself is the paper's."""
+    """Loads, damping and size of the ensemble; the layout is that of the paper."""
 
     speed: float = given(
         "5000 r/min", "r/min", "n", "speed at which natural frequencies are compared",
@@ -86,5 +86,5 @@ class SpragRotorInputs(Case):
 
     @property
     def unbalances_2(self) -> Array:
-        """Unbalance 2 (3,) [kg m], rising."""
+        """Unbalance 2 (3,) [kg m], ascending."""
         return np.array([self.U_2, self.U_2_middle, self.U_2_high])

@@ -1,4 +1,4 @@
-"""Fig. 1 of the paper with missing dimensions as parameters: plain numbers for both sides.
+"""Fig. 1 of the paper, its missing dimensions as parameters: numbers for formulas and reference.
 
 Nodes are numbered as in the paper, 1 to 12 on the outer and 13 to 22 on the inner rotor.
 """
@@ -17,7 +17,7 @@ WIDTH = 0.02  # m, of both discs
 SPRAGS, SPRAG_LENGTH, SLICES = 12, 0.012, 20
 WEDGE = tan(4 * pi / 180)  # tangent of the wedge angle at the inner race
 EXPONENT = 10 / 9  # exponent of Eq. 2
-DRIVE = 0.1  # N m/rad: the drive, far softer in torsion than anything else
+DRIVE = 0.1  # N m/rad: stiffness of the drive, much less than any other torsional stiffness
 OUTER, INNER = 12, 10  # nodes
 DISCS = (4, 19)
 BOTTOM = 6  # element of the drum's bottom, between nodes 7 and 8
@@ -69,13 +69,13 @@ PARAMETERS = (
 L_1, L_2, L_3, L_4, D_1, D, D_2, M_4, M_19, K_G, K_S, K_C = range(len(PARAMETERS))
 LOW = np.array([p.low * p.factor for p in PARAMETERS])
 HIGH = np.array([p.high * p.factor for p in PARAMETERS])
-# Result of least-norm steps from the middle of all ranges, six digits: not evidence by itself.
+# Result of least-norm steps from the middle of all ranges, rounded to six digits.
 CENTRAL = np.array([p.factor for p in PARAMETERS]) * np.array([
     201.45, 151.447, 76.1678, 260.765, 26.8457, 60.1335, 23.9792, 1.12583, 1.03208, 34.4554,
     108.376, 561.007,
 ])  # fmt: skip
 
-# Elements of both rotors: index of the length, share of it, and index of the diameter.
+# Elements of both rotors: index of a length, share of this length, and index of the diameter.
 ELEMENT_LENGTHS = (
     [(L_1, 1 / 8)]
     + [(L_1, 1 / 4)] * 4
@@ -93,7 +93,7 @@ HOLLOW = np.where((ACROSS == D) & (np.arange(len(PARTS)) != BOTTOM), BORE, 0.0)
 
 @dataclass(frozen=True)
 class Layout:
-    """Systems (m,): lengths and diameters (m, 20) of elements, discs (m, 2) and springs (m,)."""
+    """Dimensions of m systems: elements (m, 20), discs (m, 2) and springs (m,)."""
 
     length: Array
     d_o: Array
@@ -113,12 +113,12 @@ class Layout:
 
     @property
     def k_turn(self) -> Array:
-        """Torsional stiffness of the clutch [N m/rad]: Z k d_t^2; Z k/2 acts laterally."""
+        """Torsional stiffness of the clutch [N m/rad], Z k d_t^2; the lateral one is Z k/2."""
         return 2 * self.k_c * self.d_t**2
 
     @property
     def z(self) -> Array:
-        """Places (m, 22) of the nodes along the axis [m]."""
+        """Axial positions (m, 22) of the nodes [m]."""
         outer = _places(self.length[:, : OUTER - 1])
         inner = _places(self.length[:, OUTER - 1 :])
         first = outer[:, CLUTCH[0] - 1] - inner[:, CLUTCH[1] - OUTER - 1]

@@ -28,7 +28,7 @@ from verify.papers.ledger import published
 
 ROUND_OFF = 1e-10
 LINEAR = 5e-3  # deviation from exponent 1 of torsion over the offset
-FREE = 3e-4  # over the inner rotor's angular momentum: 0.1 N m/rad per J_out Ω², J_out > 3e-4
+FREE = 3e-4  # relative to the angular momentum of the inner rotor: 0.1 N m/rad/(J_out Ω²)
 NODES = {
     "outer-rotor-elements": OUTER - 1, "outer-rotor-first-node": 1, "outer-rotor-last-node": OUTER,
     "inner-rotor-elements": len(PARTS) - OUTER + 1, "inner-rotor-first-node": OUTER + 1,
@@ -44,7 +44,7 @@ NODES = {
 
 
 def as_drawn(_: Context) -> float:
-    """Nodes are counted as printed, and each has as many unknowns as printed."""
+    """The numbers of nodes and the number of unknowns of a node agree with the printed numbers."""
     unknowns = published("huang2022:commercial-beam-dofs").value
     off = [abs(unknowns - len(uneven_clutch_fem(CENTRAL, 0.0)))]
     off += [abs(published(f"huang2022:{key}").value - node) for key, node in NODES.items()]
@@ -79,7 +79,7 @@ def linear(context: Context) -> Pair:
 
 
 def never_between(context: Context) -> tuple[float, str]:
-    """Peaks of node 19 at critical speed 3 that rise from 1 to 3 rise on to 5e-5 kg m."""
+    """Least rise of node 19's peak from U_2 = 3 to 5e-5 kg m, if it rises from 1 to 3e-5 kg m."""
     peaks = arrays(context)["peaks"][:, :, 1, 18]
     peaks = peaks[np.isfinite(peaks).all(axis=1)]
     rising = peaks[:, 1] > peaks[:, 0]
@@ -95,7 +95,7 @@ def never_between(context: Context) -> tuple[float, str]:
 
 
 def at_two_nodes(context: Context) -> tuple[float, str]:
-    """Unbalance 1 is at node 4, but stated at node 11: the highest node with it there."""
+    """The highest node with unbalance 1 at node 4 (figure), and at node 11 (text of the paper)."""
     a = dict(arrays(context))
     highest = next(s for s in STATEMENTS if s.name.endswith("1 to 11 at critical speeds 3 and 5"))
     moved = a | {"peaks": a["peaks, moved"][:, None]}

@@ -1,4 +1,4 @@
-"""The central system on finer and finer beams; on the mesh of the paper also the ensemble."""
+"""The central system on refined beams; on the mesh of the paper, also the ensemble."""
 
 from math import pi
 from typing import Any
@@ -15,7 +15,7 @@ from verify.cases.rotor.sprag.solid_fem import solid_fem
 from verify.cases.rotor.sprag.system_fem import rotor_fem, systems_fem, uneven_clutch_fem
 from verify.core.figures import Array
 
-LEVELS = (1, 2, 4, 8)  # beam elements in each of the paper's
+LEVELS = (1, 2, 4, 8)  # number of beam elements in each element of the paper
 ORDERS = (1, 3, 5)
 MODES = 6
 ROUND_OFF = 1e-10  # relative error of frequencies and amplitudes: condition of K times epsilon
@@ -23,7 +23,7 @@ SWEPT = np.linspace(0, 40_000, 41) * RPM
 
 
 def solve(q: SpragRotorInputs, level: int) -> Level:
-    """Beams of a level; on the paper's mesh also the ensemble, its responses and bodies."""
+    """Beams of a level; on the mesh of the paper, also the ensemble, its responses and bodies."""
     values = beams_fem(q, level)
     arrays: dict[str, Any] = {}
     if level == LEVELS[0]:
@@ -35,7 +35,7 @@ def solve(q: SpragRotorInputs, level: int) -> Level:
 
 
 def ensemble_arrays_fem(found: Ensemble) -> dict[str, Any]:
-    """The members, the outcome of each start, and critical speeds of the members."""
+    """The members, the result of each initial value, and the critical speeds of the members."""
     starts = {"start met": found.met, "start in range": found.kept}
     slopes = elasticities_fem(found.members)
     return {
@@ -66,7 +66,7 @@ def beams_fem(q: SpragRotorInputs, refine: int) -> dict[str, float]:
 
 
 def critical_fem(members: Array) -> dict[str, Array]:
-    """Critical speeds (m, 3): of assembled rotors, both whirls, and without the clutch."""
+    """Critical speeds (m, 3) of the assembled rotors, with both whirls, and without the clutch."""
     from fem.rotor.critical import critical_speeds
 
     count = len(ORDERS)
@@ -85,7 +85,7 @@ def critical_fem(members: Array) -> dict[str, Array]:
 
 
 def drawn_fem(q: SpragRotorInputs) -> dict[str, Array]:
-    """For figures: branches, whirl and shapes of the central system."""
+    """Frequency branches, whirl and mode shapes of the central system, for figures."""
     from fem.rotor.campbell import campbell
     from fem.rotor.modes import modes
 

@@ -16,8 +16,8 @@ SHOWN_NODES = (4, 6, 11, 16, 19, 21)  # nodes of Figs. 9 to 11
 NEAR = np.outer(PRINTED, 1 + np.linspace(-0.05, 0.05, 17)).ravel()
 GRID = np.sort(np.concatenate([np.geomspace(3000, 42_000, 60) * RPM, NEAR]))
 MOVED = 11  # node of unbalance 1 according to a remark in Sec. 2.2
-WINDOW = np.linspace(-1, 1, 25)  # about a peak, in shares of
-WIDEST = 0.055  # relative to the speed: peaks 3 and 5 differ by 12 %
+WINDOW = np.linspace(-1, 1, 25)  # speeds about a peak, relative to the half-width of the window
+WIDEST = 0.055  # largest half-width over the speed: peaks 3 and 5 differ by 12 %
 RATIOS = 3.0  # half-width of the window over the damping ratio
 BAND = (5, 50, 95)  # per cent of members
 SMALL_OFFSETS = (0.01, 0.02)
@@ -25,25 +25,25 @@ THETA_Z = 5
 
 
 def damping_ratios_fem(q: SpragRotorInputs, members: int) -> Array:
-    """Ratios (m, 2) at critical speeds 1 and 5."""
+    """Damping ratios (m, 2) at critical speeds 1 and 5."""
     from fem.rotor.peaks import spread_ratios
 
     return spread_ratios(q.zeta_low, q.zeta_high, PRINTED[-1] / PRINTED[0], members)
 
 
 def damped(zeta: Array) -> Damped:
-    """Ratios (2,) at critical speeds 1 and 5."""
+    """Critical speeds 1 and 5 [rad/s], and the damping ratios (2,) there."""
     return (PRINTED[0], float(zeta[0])), (PRINTED[-1], float(zeta[1]))
 
 
 def windows(zeta: Array) -> Array:
-    """Speeds (3, 25) [rad/s] about the three critical ones."""
+    """Speeds (3, 25) [rad/s] about the three critical speeds."""
     wide = np.minimum(RATIOS * zeta[[0, 1, 1]], WIDEST)
     return np.asarray(np.array(PRINTED)[:, None] * (1 + wide[:, None] * WINDOW))
 
 
 def responses_fem(q: SpragRotorInputs, members: Array) -> dict[str, Array]:
-    """Everything that facts and figures need of the members (m, 12)."""
+    """All responses of the members (m, 12) that rows and figures use."""
     zeta = damping_ratios_fem(q, len(members))
     each = [_member(q, p, z) for p, z in zip(members, zeta, strict=True)]
     found = {key: np.stack([one[key] for one in each]) for key in each[0]}
@@ -59,7 +59,7 @@ def _member(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:
 
 
 def bending_fem(q: SpragRotorInputs, rotor: Any, zeta: Array) -> dict[str, Array]:
-    """Amplitudes: peaks (U_2, 3, 22), loads of bearings 3 and 4 (U_2, 3, 2), and over the speed."""
+    """Peaks (U_2, 3, 22) of nodes and (U_2, 3, 2) of loads of bearings 3 and 4; also over speed."""
     from fem.rotor.peaks import above_chord
     from fem.rotor.response import unbalance_responses
 
@@ -96,7 +96,7 @@ def together_fem(q: SpragRotorInputs, rotor: Any) -> Array:
 
 
 def peaks_fem(f: Array) -> Array:
-    """Peaks (U_2, 3, k) in the windows of f (U_2, k, speeds)."""
+    """Peaks (U_2, 3, k) of the curves f (U_2, k, speeds) in the windows about the peaks."""
     from fem.rotor.peaks import peaks
 
     near = f[:, :, GRID.size :].reshape(*f.shape[:2], len(PRINTED), WINDOW.size)
@@ -104,7 +104,7 @@ def peaks_fem(f: Array) -> Array:
 
 
 def torsion_fem(q: SpragRotorInputs, p: Array, zeta: Array, even: Any) -> dict[str, Array]:
-    """Amplitudes of theta_z (3, 22) at the critical speeds, with offset and without; momentum."""
+    """Amplitudes of theta_z (3, 22) at the critical speeds, with and without offset; momentum."""
     from fem.rotor.response import unbalance_response
 
     def offset_by(offset: float) -> Any:
@@ -133,7 +133,7 @@ def torsion_fem(q: SpragRotorInputs, p: Array, zeta: Array, even: Any) -> dict[s
 
 
 def orbits_fem(q: SpragRotorInputs, p: Array, zeta: Array, even: Any) -> dict[str, Array]:
-    """X and y (2, 2) of nodes 4 and 19 at the rig's speed, supports equal in x and y, and not."""
+    """Orbit axes of nodes 4 and 19 at the speed of the rig, isotropic and anisotropic supports."""
     from fem.rotor.response import unbalance_response
 
     U = {DISCS[0] - 1: q.u_rig_1, DISCS[1] - 1: q.u_rig_2}

@@ -24,16 +24,16 @@ from verify.core.figures import Array
 if TYPE_CHECKING:
     from fem.fourier.vibration import RotatingSolid
 
-REFINED = (2, 3, 5)  # cells along an edge of the coarsest
-BAND = 0.01  # m of the rim that springs and discs hold on to
-COARSEST = 0.012  # m
+REFINED = (2, 3, 5)  # number of cells along an edge of a cell of the coarsest mesh
+BAND = 0.01  # m, width of the bands on the rim to which springs and discs are attached
+COARSEST = 0.012  # m, cell size before refinement
 
 
 def solid_fem(q: SpragRotorInputs) -> dict[str, Array]:
-    """Frequencies (3, 6) [Hz] on three meshes at the speed of comparison, both whirls by size.
+    """Frequencies (3, 6) [Hz] on three meshes at the speed of comparison, both whirls, ascending.
 
-    Also those (6,) of the coarsest with bands twice as wide, and mass [kg], polar moment and
-    diametral moment about node 1 [kg m^2] of all that turns.
+    Also the frequencies (6,) of the coarsest mesh with bands of twice the width, and the mass [kg],
+    the polar and the diametral moment about node 1 [kg m^2] of all rotating parts.
     """
     from fem.fourier.inertia import rigid_inertia
 
@@ -52,7 +52,7 @@ def frequencies_fem(body: "RotatingSolid", speed: float) -> Array:
 
 
 def body_fem(refine: int, width: float) -> "RotatingSolid":
-    """Both rotors, held on bands of `width`."""
+    """Both rotors, supported on bands of `width`."""
     from fem.fourier.solid import FourierSolid
     from fem.fourier.vibration import RotatingSolid
     from fem.fourier.vibration_mounts import Mount, RigidDisc
@@ -93,7 +93,7 @@ def parts(s: Layout, k: int) -> list[tuple[float, float, float]]:
 
 
 def bands(s: Layout, k: int, width: float) -> dict[str, tuple[float, float]]:
-    """Bands on a rotor's rim, from its first node on, at nodes with bearing, disc or clutch."""
+    """Bands on the rim of a rotor at nodes with bearing, disc or clutch; z from its first node."""
     held = {*GROUNDED, *DISCS, *CLUTCH, *(n for pair in BETWEEN for n in pair)}
     first = OUTER if k else 0
     own = sorted(n for n in held if (n > OUTER) == bool(k))

@@ -1,4 +1,4 @@
-"""Systems of the ensemble as beam elements, and the clutch under an uneven load."""
+"""Systems of the ensemble as beam elements, and the clutch with unequal sprag deflections."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -34,10 +34,10 @@ def rotor_fem(
     parameters: Array, *, refine: int = 1, damping: Damped | None = None, offset: float = 0.0,
     anisotropy: float = 0.0,
 ) -> Any:  # fmt: skip
-    """The rotor of `parameters` (12,), every element of Fig. 1 cut into `refine`.
+    """The rotor of `parameters` (12,), each element of Fig. 1 divided into `refine` elements.
 
-    `offset` is the offset of the clutch over its sprags' deformation, `anisotropy` k_y/k_x - 1 of
-    the bearings to the ground. Nodes count from zero, in the paper from one.
+    `offset` is the offset of the clutch over the deformation of its sprags; `anisotropy` is
+    k_y/k_x - 1 of the bearings to the ground. Nodes are numbered from 0; in the paper, from 1.
     """
     from fem.rotor.damping import Rayleigh
     from fem.rotor.model import Disc, Element, Link, Material, Rotor, Shaft, Support
@@ -77,7 +77,7 @@ def uneven_clutch_fem(parameters: Array, offset: float) -> Array:
 
 
 def systems_fem(p: Array, *, across: bool = True, tilt: bool = True) -> "WhirlSystems":
-    """Many systems of parameters (m, 12) at once; the clutch left out `across` or in `tilt`."""
+    """Systems of parameters (m, 12); clutch without radial (`across`) or `tilt` stiffness."""
     from fem.rotor.parts import Element, Material
     from fem.rotor.whirl_systems import Discs, Springs, WhirlSystems
 

@@ -75,7 +75,7 @@ def _share(statement: Statement, a: Arrays) -> str:
 
 
 def unknowns(members: Array | None) -> Table:
-    """Missing in the paper: ranges with their reasons, and after the three critical speeds."""
+    """Values missing in the paper: ranges with reasons, and ranges after the fit of the speeds."""
     rows = []
     for i, p in enumerate(PARAMETERS):
         left = ("", "", "")
@@ -93,7 +93,7 @@ def unknowns(members: Array | None) -> Table:
 
 
 def slopes(elasticities: Array) -> Table:
-    """Medians of relative changes (m, 3, 12), and combinations without effect on the speeds."""
+    """Medians of the relative changes (m, 3, 12); combinations without effect on the speeds."""
     middle = np.median(elasticities, axis=0)
     stiff = np.linalg.svd(middle, compute_uv=False)
     rows = tuple(
@@ -110,7 +110,7 @@ def slopes(elasticities: Array) -> Table:
 
 
 def sketch(_: SpragRotorInputs) -> Sketch:
-    """Fig. 1, a step per node: the outer rotor above, the inner rotor below."""
+    """Fig. 1 with one step for each node: the outer rotor above, the inner rotor below."""
     x = {n: n - 1.0 for n in range(1, OUTER + 1)}
     x |= {n: n - CLUTCH[1] + x[CLUTCH[0]] for n in range(OUTER + 1, OUTER + INNER + 1)}
     up = {n: UPPER if n <= OUTER else 0.0 for n in x}

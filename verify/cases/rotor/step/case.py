@@ -40,9 +40,9 @@ Points = tuple[list[float], list[float], list[float]]
 class SteppedBeam(SteppedShaft):
     """A step of the diameter, for which beam theory overestimates the stiffness of a shaft.
 
-    The corners of the thick part are unloaded. The elastic body of revolution measures the error of
+    The corners of the thick part are unloaded. The elastic body of revolution gives the error of
     the beam, with nominal diameters and by the 45° rule. Different beam models agree to round-off.
-    The paper prints no dimensions: those here were chosen for this project.
+    The paper prints no dimensions; the dimensions here were chosen for this project.
     """
 
     id = "rotor-step"
@@ -83,12 +83,12 @@ class SteppedBeam(SteppedShaft):
 
     @property
     def shape(self) -> SteppedShape:
-        """Its sizes."""
+        """Dimensions of the shaft."""
         return SteppedShape(L=self.L, d_1=self.d_1, d_2=self.d_2, L_2=self.L_2, start=self.start,
                             seats=self.seats)  # fmt: skip
 
     def rotor(self, *, cone: bool = False, slices: int = SLICES) -> TransferMatrixRotor:
-        """The shaft as Timoshenko's beam; `cone`: stiffness by the 45° rule."""
+        """The shaft as a Timoshenko beam; `cone`: stiffness by the 45° rule."""
         return stepped_beam(self.shape, E=self.E, nu=self.nu, rho=self.rho, k=self.k, cone=cone,
                             slices=slices)  # fmt: skip
 
@@ -110,16 +110,16 @@ class SteppedBeam(SteppedShaft):
 
     @shared
     def _coarse(self) -> Self:
-        """With half as many slices in the cones, whose error of second order is four times it."""
+        """The beam with half as many slices in the cones: four times the slicing error."""
         return self.variant(cone=True, slices=SLICES // 2)
 
     def _slice_error(self, j: int) -> float:
-        """Relative error of mode j by the slices of the 45° rule."""
+        """Relative error of mode j caused by the slices of the cones."""
         coarse, fine = (beam.whirl(j, "forward") for beam in (self._coarse, self.by_rule))
         return float(abs(coarse / fine - 1) / 3)
 
     def _slice_error_of_split(self) -> float:
-        """Error of the splitting by these slices, relative to mode 2."""
+        """Error of the gyroscopic splitting caused by the slices, relative to mode 2."""
         off = abs(self._coarse.split - self.by_rule.split)
         return float(off / self.by_rule.whirl(2, "forward") / 3)
 
@@ -212,12 +212,12 @@ class SteppedBeam(SteppedShaft):
         return formula / runs[:, -1] - 1, 3 * float(abs(runs[:, -1] / runs[:, -2] - 1).max())
 
     def _too_fast(self, context: Context) -> tuple[float, float, str]:
-        """Least error of modes 1 to 3, positive at a step: a beam has stiff corners there."""
+        """Least error of modes 1 to 3; it is positive at a step, where a beam has stiff corners."""
         m, U = self._errors(context, self)
         return float(m.min()), U, ", ".join(f"{x:+.2%}" for x in m)
 
     def _helps(self, context: Context) -> tuple[float, float, str]:
-        """Reduction of mode 1's error by the 45° rule, minus one half, relative to it."""
+        """Relative reduction of the error of mode 1 by the 45° rule, minus one half."""
         (m, *_), U = self._errors(context, self)
         (left, *_), _ = self._errors(context, self.by_rule)
         return (
@@ -227,12 +227,12 @@ class SteppedBeam(SteppedShaft):
         )
 
     def _beyond_claim(self, context: Context) -> tuple[float, float, str]:
-        """Excess of the step's error over 0.3 %."""
+        """Excess of the error at the step over 0.3 %."""
         (m, *_), U = self._errors(context, self)
         return float(m) - CLAIMED, U, f"{m:+.2%} in mode 1"
 
     def _without_step(self, levels: Any) -> Points:
-        """Error of the beam at rest as d_2 comes down to d_1."""
+        """Error of the beam at rest as d_2 approaches d_1."""
         runs = np.array([r.arrays["near_one"] for r in levels])
         formula = [
             whirl_frequencies(self.with_middle(r, self.L_2 / self.L).rotor(), [0.0], count=1)[0][0]

@@ -1,4 +1,4 @@
-"""Figures of a stepped turning shaft: sketch, maps of the error, stress at the step."""
+"""Figures of a stepped rotating shaft: sketch, maps of the error, stress at the step."""
 
 from collections.abc import Sequence
 from typing import Any

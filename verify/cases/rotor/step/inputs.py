@@ -1,4 +1,4 @@
-"""Inputs of a shaft that is thick in its middle, in two short elastic bearings."""
+"""Inputs of a shaft with a thick part in the middle, in two short elastic bearings."""
 
 from typing import Self
 

@@ -21,9 +21,9 @@ from verify.case import Level, solved
 from verify.cases.rotor.step.inputs import MODES, NEAR_ONE, RATIOS, SHARES, SteppedShaft
 from verify.core.figures import Field
 
-ELEMENTS = 4  # in each piece of the shaft, times the level
-FIRST = 0.03  # cells at the corners over d_1, coarsest mesh
-MAPPED = 2  # level of the map
+ELEMENTS = 4  # number of elements in each piece of the shaft, times the level
+FIRST = 0.03  # cell size at the corners over d_1, coarsest mesh
+MAPPED = 2  # level at which the map of errors is computed
 MAP_FIRST = 0.06
 ROUND = 1e-9  # relative round-off of frequencies of slender shafts
 
@@ -47,7 +47,7 @@ def solve(q: SteppedShaft, level: int) -> Level:
 
 
 def _whirl(name: str, forward: Any, backward: Any) -> dict[str, float]:
-    """Frequencies of a model by the quantities' names."""
+    """Frequencies of a model by the names of the quantities."""
     senses = (("forward", forward), ("backward", backward))
     return {f"{name}_whirl_{j}_{sense}": found[j - 1] for sense, found in senses for j in MODES}
 
@@ -56,13 +56,13 @@ def elements(q: SteppedShaft, level: int) -> dict[str, float]:
     """Timoshenko beam elements with the nominal diameters."""
     rotor = beam(q, ELEMENTS * level)
     found = modes(rotor, q.n, 2 * len(MODES)).frequencies
-    # they come in pairs: backward, forward
+    # frequencies are in pairs: backward, forward
     values = _whirl("beam", found[1::2], found[::2])
     return values | {"beam_critical": critical_speeds(rotor, 1).speeds[0]}
 
 
 def beam(q: SteppedShaft, refine: int) -> Rotor:
-    """The shaft with nominal diameters, pieces between steps and seats in `refine` elements."""
+    """The shaft with nominal diameters; `refine` elements in each piece between steps and seats."""
     steel = Material(E=q.E, nu=q.nu, rho=q.rho)
     inside = [
         Element(high - low, q.d_2 if q.start < (low + high) / 2 < q.end else q.d_1, 0.0, steel)
@@ -73,7 +73,7 @@ def beam(q: SteppedShaft, refine: int) -> Rotor:
 
 
 def weak_form(q: SteppedShaft, level: int, *, cone: bool = False) -> WeakShaft:
-    """The shaft as a weak form; with `cone`, stiffness by the 45° rule over the steps' cones."""
+    """The shaft as a weak form; with `cone`, stiffness by the 45° rule."""
     return stepped_weak(
         L=q.L, d_1=q.d_1, d_2=q.d_2, step=(q.start, q.end), seats=q.seats, k=q.k,
         reach=q.reach if cone else 0.0, E=q.E, nu=q.nu, rho=q.rho, level=level,
@@ -81,7 +81,7 @@ def weak_form(q: SteppedShaft, level: int, *, cone: bool = False) -> WeakShaft:
 
 
 def body(q: SteppedShaft, level: int, first: float, *, half: bool = False) -> RotatingSolid:
-    """The elastic body, its seats' mean motions on springs; `half` with symmetry at L/2."""
+    """The elastic body; springs act on the mean motion of the seats; `half`: symmetry at L/2."""
     parts = [q.parts[0], (q.L_2 / 2, q.d_2, 0.0)] if half else q.parts
     seats = {"left": (0.0, q.b)} | ({} if half else {"right": (q.L - q.b, q.L)})
     mesh = stepped_section(parts, bands=seats, first=first * q.d_1, refine=level)
@@ -92,7 +92,7 @@ def body(q: SteppedShaft, level: int, first: float, *, half: bool = False) -> Ro
 
 
 def of_body(q: SteppedShaft, solid: RotatingSolid) -> tuple[dict[str, float], Field]:
-    """Whirl of the body; differences of its mass and polar moment from sums over its parts."""
+    """Whirl of the body; differences of its mass and polar moment from the sums over the parts."""
     found = solid.modes(q.n, len(MODES))
     values = _whirl("solid", found.forward, found.backward)
     values["solid_critical"] = solid.critical_speeds(1)[0][0]
@@ -102,7 +102,7 @@ def of_body(q: SteppedShaft, solid: RotatingSolid) -> tuple[dict[str, float], Fi
 
 
 def _mode(body: RotatingSolid, u: Any) -> Field:
-    """The plane of bending of mode 1: displacements, and stress along the axis."""
+    """Displacements and axial stress of mode 1 in the plane of bending."""
     plane = bending_plane(body, u)
     return Field(
         name="mode 1", points=plane.points, cells=plane.cells,

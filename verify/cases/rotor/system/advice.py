@@ -12,7 +12,7 @@ SENSE = {1: "forward", -1: "backward", 0: "to and fro"}
 
 
 class Critical(NamedTuple):
-    """A critical speed of the rotor [rad/s], whose unbalance meets it, and its sense of whirl."""
+    """A critical speed of the rotor [rad/s], the shafts that excite it, and its sense of whirl."""
 
     speed: float
     shafts: str
@@ -115,7 +115,7 @@ def summary(q: TransferRotor) -> Mapping[str, Any]:
 
 
 def refusal(q: TransferRotor) -> str:
-    """Why beams of eight elements a segment are not taken."""
+    """Reason to refuse the reference with eight elements in each segment; empty if none."""
     most = 60
     if len(q.segments) > most:
         return f"{len(q.segments)} segments, at most {most} are cut into elements"

@@ -15,8 +15,8 @@ from verify.form.adapter import adapted
 class RotorSystem(TransferRotor):
     """Shafts in segments, discs, bearings, links and unbalances as described in a file.
 
-    Exact transfer matrices find every frequency and critical speed; beams with refined elements
-    converge to these values. The numbers were chosen for this project.
+    Exact transfer matrices find every frequency and critical speed; refined beam elements converge
+    to these values. The default inputs were chosen for this project.
     """
 
     id = "rotor-system"
@@ -48,7 +48,7 @@ class RotorSystem(TransferRotor):
     refusal = advised.refusal
 
     def reference(self, level: int) -> Level:
-        """Beams, every segment cut into `level` elements."""
+        """Beams; each segment is divided into `level` elements."""
         from verify.cases.rotor.system.reference import solve
 
         return solve(self, level)

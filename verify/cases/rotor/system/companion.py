@@ -1,8 +1,8 @@
-"""A fixed companion of the default rotor, in which bearings and shafts differ in every property.
+"""A second rotor (companion), in which bearings and shafts differ in every property.
 
-Bearings differ in x and y and couple both, damping differs, tilting is supported and damped, the
-shafts rotate in opposite senses, and each has two unbalances at an angle: signs and conjugates
-without effect on the default rotor change the results of the companion.
+Stiffness and damping of the bearings differ in x and y, with coupling terms; the bearings resist
+tilting; the shafts rotate in opposite senses; each shaft has two unbalances at an angle. A wrong
+sign or conjugate that has no effect on the default rotor changes the results of the companion.
 """
 
 from typing import TypeVar
@@ -16,7 +16,7 @@ T = TypeVar("T", bound=CoaxialRotor)
 
 
 def companion(form: type[T]) -> T:
-    """The companion with anisotropic bearings: for formulas, or for the reference."""
+    """The companion as the case class `form`: for the formulas, or for the reference."""
     turned = np.deg2rad
     return form(
         speed=5200 * RPM,

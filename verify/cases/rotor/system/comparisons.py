@@ -1,4 +1,4 @@
-"""Rows of a rotor: transfer matrices and beams side by side."""
+"""Rows of a rotor: transfer matrices against beam elements."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -24,7 +24,7 @@ rotor = TransferRotor
 
 @dataclass(frozen=True, kw_only=True)
 class Present(Identity):
-    """An identity of rotors that have the quantity: a critical speed, a link, an unbalance."""
+    """An identity, if the rotor has the quantity: a critical speed, a link, an unbalance."""
 
     def rows(self, context: Context) -> list[Row]:
         return super().rows(context) if self.analytic in context.analytic else []
@@ -75,7 +75,7 @@ def _identical(
 
 
 def _of_companion() -> Iterator[Comparison]:
-    """Every judged value of the companion."""
+    """All values of the companion that are judged."""
     built = State(
         companion(TransferRotor),
         "companion",

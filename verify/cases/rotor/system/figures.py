@@ -16,7 +16,7 @@ from verify.form.plots import line, plot
 
 Hz, mm, um = 2 * np.pi, 1e-3, 1e-6
 SPEEDS = 400  # number of speeds of the response
-DRAWN = 4  # critical speeds in motion
+DRAWN = 4  # number of critical speeds with an animated mode
 
 
 def figures(context: Context) -> Sequence[Figure]:

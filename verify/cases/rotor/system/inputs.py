@@ -19,11 +19,11 @@ from verify.core import units
 
 RPM = np.pi / 30
 MOST_NODES = 150
-FREQUENCIES, CRITICALS = 6, 3  # numbers compared; critical speeds for each unbalance speed
+FREQUENCIES, CRITICALS = 6, 3  # compared frequencies; compared critical speeds of each unbalance
 
 
 def critical_name(group: int) -> str:
-    """Name of critical speeds for unbalance at the speed of the first or another shaft."""
+    """Name of the critical speeds that the unbalance of a shaft excites."""
     return {1: "critical_first", 2: "critical_other"}.get(group, f"critical_{group}")
 
 

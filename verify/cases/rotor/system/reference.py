@@ -14,11 +14,11 @@ from verify.cases.rotor.system.inputs import (
 )
 
 TURN = 2 * np.pi  # divisor from rad/s to Hz
-RIGID = 1e-4  # relative to a torsional frequency: a shaft turns freely below it
+RIGID = 1e-4  # relative to a torsional frequency: a lower frequency is a rigid-body rotation
 
 
 def fem_rotor(q: CoaxialRotor, refine: int, theory: str = "timoshenko") -> Any:
-    """The rotor that a user described, of beam elements."""
+    """The rotor of a user's file as beam elements."""
     from fem.rotor.model import Disc, Element, Link, Material, Rotor, Shaft, Support
 
     shafts = [
@@ -87,7 +87,7 @@ def fem_values(q: CoaxialRotor, level: int) -> dict[str, float]:
 
 
 def still(q: CoaxialRotor) -> CoaxialRotor:
-    """The rotor without damping."""
+    """The rotor without damping, for natural frequencies."""
     none = {"c": 0.0, "cyy": None, "c_tilt": 0.0}
     bearings = {
         "supports": tuple(s.model_copy(update=none) for s in q.supports),
@@ -97,7 +97,7 @@ def still(q: CoaxialRotor) -> CoaxialRotor:
 
 
 def _fem_response(q: CoaxialRotor, rotor: Any) -> dict[str, float]:
-    """Amplitude and loads at the speed; unbalances of different speeds add when aligned."""
+    """Amplitude and loads at the speed; amplitudes by unbalances of different speeds are added."""
     from fem.rotor.response import unbalance_response
 
     groups: dict[float, dict[int, complex]] = {}
@@ -118,6 +118,6 @@ def _fem_response(q: CoaxialRotor, rotor: Any) -> dict[str, float]:
 
 
 def _largest(load: Any) -> float:
-    """Half the large axis of the ellipse that a force runs through [N]."""
+    """Semi-major axis of the ellipse of a rotating force [N]."""
     x, y = load[:2]
     return float((abs(x + 1j * y) + abs(x - 1j * y)) / 2)

@@ -9,7 +9,7 @@ from verify.core.figures import Array, Shape, Sketch
 from verify.form import sketches
 from verify.form.sketches import shape
 
-TALL = 6  # the largest radius is drawn as a part of the length, larger than to scale
+TALL = 6  # length of the sketch over its largest radius; radii are on a larger scale
 
 
 def outlines(q: DescribedRotor) -> list[tuple[Any, Any]]:
@@ -26,7 +26,7 @@ def outlines(q: DescribedRotor) -> list[tuple[Any, Any]]:
 
 
 def sketch(q: DescribedRotor) -> Sketch:
-    """Radii on a larger scale than lengths; triangles of bearings are at their shaft's radius."""
+    """Sketch with radii on a larger scale than lengths; bearings at the radius of their shaft."""
     lines = outlines(q)
     low, high = min(z.min() for z, _ in lines), max(z.max() for z, _ in lines)
     length = high - low
@@ -40,7 +40,7 @@ def sketch(q: DescribedRotor) -> Sketch:
             np.column_stack([z, k * r]), np.column_stack([z, k * np.array(bore)])[::-1],
         ])  # fmt: skip
         shapes += [shape("body", points)]
-        # the other half, unfilled: bearings are drawn at it
+        # outline of the lower half, unfilled: bearings are drawn there
         shapes += [shape("line", np.column_stack([z, -k * r]))]
     radius = [k * _radius(q, lines, n) for n in range(len(q.rotor.shaft_of))]
     for disc in q.discs:
@@ -68,7 +68,7 @@ def _radius(q: DescribedRotor, lines: list[tuple[Any, Any]], station: int) -> fl
 
 
 def _triangle(top: Array, size: float, number: str) -> list[Shape]:
-    """A bearing to the ground with its number below it, clear of its lines."""
+    """A bearing to the ground, with its number below its lines."""
     wedge = top + size * np.array([[0.0, 0.0], [-1.0, -1.7], [1.0, -1.7]])
     below = top + size * np.array([[0.0, -3.3]])
     return [shape("body", wedge), shape("text", below, number)]

@@ -1,4 +1,4 @@
-"""A described rotor as input of the transfer matrices; rejection of impossible descriptions."""
+"""The rotor of a user's file as input of the transfer matrices; impossible rotors are rejected."""
 
 from collections.abc import Sequence
 from functools import cached_property
@@ -22,7 +22,7 @@ from verify.cases.rotor.description import DiscInputs, SpringInputs
 from verify.cases.rotor.system.inputs import CoaxialRotor
 from verify.core.inputs import EntryError
 
-ROUNDED = 0.01  # relative excess over a bound that rounded numbers may have
+ROUNDED = 0.01  # permissible relative excess of rounded numbers over a bound
 
 
 class DescribedRotor(CoaxialRotor):
@@ -68,7 +68,7 @@ class DescribedRotor(CoaxialRotor):
         )
 
     def _springs(self) -> tuple[tuple[StationSupport, ...], tuple[StationLink, ...]]:
-        """Bearings; EntryError for coefficients that do not resist, or one node."""
+        """Bearings and links; EntryError if a coefficient is invalid, or both nodes are equal."""
         supports, links = [], []
         for k, entry in enumerate(self.supports, start=1):
             try:
@@ -86,12 +86,12 @@ class DescribedRotor(CoaxialRotor):
 
     @property
     def places(self) -> tuple[float, ...]:
-        """Place of each node along the axis [m]."""
+        """Axial position of each node [m]."""
         start = [self.shafts[k].start for k in self.rotor.shaft_of]
         return tuple(z0 + z for z0, z in zip(start, self.rotor.places, strict=True))
 
     def unbalanced(self) -> dict[float, dict[int, complex]]:
-        """Unbalances [kg m] by the ratio of their shaft and by station from 0."""
+        """Unbalances [kg m] by the speed ratio of the shaft and by station, numbered from 0."""
         found: dict[float, dict[int, complex]] = {}
         for u in self.unbalances:
             ratio = self.shafts[self.rotor.shaft_of[u.node - 1]].ratio
@@ -101,7 +101,7 @@ class DescribedRotor(CoaxialRotor):
 
 
 def coefficients(spring: SpringInputs) -> dict[str, Any]:
-    """By the names of the formulas."""
+    """Coefficients of a bearing by the names of the formulas."""
     return {
         "kxx": spring.k, "kyy": spring.kyy, "kxy": spring.kxy, "cxx": spring.c, "cyy": spring.cyy,
         "k_tilt": spring.k_tilt, "c_tilt": spring.c_tilt, "k_turn": spring.k_turn,
@@ -125,7 +125,7 @@ def inertia_of(disc: DiscInputs) -> tuple[float, float, float]:
 
 
 def discs_of(discs: Sequence[DiscInputs]) -> tuple[StationDisc, ...]:
-    """The discs of the formulas; EntryError where their masses do not follow."""
+    """The discs of the formulas; EntryError if the mass of a disc cannot be determined."""
     found = []
     for k, disc in enumerate(discs, start=1):
         try:
@@ -142,7 +142,7 @@ def discs_of(discs: Sequence[DiscInputs]) -> tuple[StationDisc, ...]:
 
 
 def check_widths(discs: Sequence[DiscInputs], rotor: TransferMatrixRotor) -> None:
-    """EntryError where two discs of one shaft overlap."""
+    """EntryError if two discs of a shaft overlap."""
     wide = sorted(
         (rotor.shaft_of[d.node - 1], rotor.places[d.node - 1], d.width or 0.0, k)
         for k, d in enumerate(discs, start=1)

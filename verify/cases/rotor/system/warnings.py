@@ -8,14 +8,14 @@ from verify.cases.rotor.description import SegmentInputs
 from verify.cases.rotor.system.inputs import RPM
 from verify.cases.rotor.system.transfer import DescribedRotor
 
-AXIAL_GAP = 1e-4  # m: largest axial distance of the two nodes of a bearing between shafts
-TOUCH = 1e-9  # m: largest overlap of rounded places
-RIGID = 0.5  # damping times speed over stiffness above which damping supports a shaft
-LISTED = 4  # parts that a warning names
+AXIAL_GAP = 1e-4  # m, largest axial distance between the two nodes of a bearing between shafts
+TOUCH = 1e-9  # m, largest overlap that rounded positions can cause
+RIGID = 0.5  # damping times speed over stiffness; above it, damping supports a shaft
+LISTED = 4  # largest number of parts that a warning names
 
 
 class Placed(NamedTuple):
-    """Segment number `k` between two places of the axis [m]."""
+    """Segment number `k` between two axial positions [m]."""
 
     k: int
     low: float
@@ -28,7 +28,7 @@ def warnings(q: DescribedRotor) -> Sequence[str]:
 
 
 def placed(q: DescribedRotor) -> list[Placed]:
-    """Segments in their places, shaft by shaft."""
+    """Segments of each shaft with their axial positions."""
     found = []
     for shaft in q.shafts:
         at = shaft.start
@@ -50,7 +50,7 @@ def _links(q: DescribedRotor) -> Iterator[str]:
 
 
 def _through(q: DescribedRotor) -> Iterator[str]:
-    """Coaxial shafts: the inner shaft must fit into the bore of the outer."""
+    """Warnings if the inner of two coaxial shafts does not fit into the bore of the outer."""
     met = []
     for a, b in combinations(placed(q), 2):
         over = min(a.high, b.high) - max(a.low, b.low)
@@ -86,7 +86,7 @@ def _damping(q: DescribedRotor) -> Iterator[str]:
 
 
 def _short(q: DescribedRotor) -> Iterator[str]:
-    """Whole lengths of constant diameter count, not their segments."""
+    """Warnings on short lengths of constant diameter; adjacent equal segments are one length."""
     runs: list[list[Placed]] = []
     for s in placed(q):
         last = runs[-1][-1].segment if runs else None

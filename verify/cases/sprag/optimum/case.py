@@ -1,4 +1,4 @@
-"""The optimal crown of a sprag clutch: the paper's optimisation by kriging, at both its torques."""
+"""The optimal crown of a sprag clutch: the paper's optimisation by kriging, at both torques."""
 
 from dataclasses import replace
 from typing import ClassVar
@@ -12,8 +12,8 @@ class SpragOptimum(Optimum25Inputs, CrownAtHand):  # type: ignore[misc]
     """The crown (K_1, K_2, z_m) with the lowest peak pressure of an engagement.
 
     It is found by 125 engagements, kriging, a genetic algorithm and differential evolution, and
-    checked by engagements at the optimum. It is compared with a search without surrogate, and with
-    the half-space, on which the crowns that are optimal by slices have loaded ends.
+    checked by engagements at the optimum. It is compared with a search without surrogate and with
+    contacts of a half-space: by these, the crowns that are optimal by slices have loaded ends.
 
     Terms of the paper: the unmodified profile is the sprag without a crown, the optimized profile
     of Eq. 21 is the printed crown (the given crown of other inputs). The optimal crowns are those
@@ -26,7 +26,7 @@ class SpragOptimum(Optimum25Inputs, CrownAtHand):  # type: ignore[misc]
 
 
 class SpragOptimum40(Optimum40Inputs, CrownAtHand):  # type: ignore[misc]
-    """The optimal crown under the larger torque, for crowns of equal design load.
+    """The optimal crown under the larger torque, for crowns with equal design load.
 
     It is compared with the optimum under the smaller torque.
 

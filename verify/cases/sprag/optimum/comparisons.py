@@ -1,4 +1,4 @@
-"""Rows of the optimal crown: printed values, its valley, its maps, both torques."""
+"""Rows of the optimal crown: printed values, range of nearly optimal crowns, maps, both torques."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -15,9 +15,9 @@ from verify.cases.sprag.statements import FITTED, Beside, OfPaper, measured
 from verify.core.case import Check, Context
 from verify.core.figures import Array
 
-NEAR = 0.01  # relative excess over the optimal crown's pressure that counts as equal
-ON_BOUND = 1e-3  # relative to a range
-FLAT = 0.005  # relative excess that bounds the valley
+NEAR = 0.01  # pressures are equal if they exceed that of the optimal crown by less (relative)
+ON_BOUND = 1e-3  # distance relative to the range within which a parameter is at its bound
+FLAT = 0.005  # relative excess of the pressure that bounds the nearly optimal crowns
 SURE = 1e-3  # relative accuracy of pressures by engagements
 
 
@@ -26,7 +26,7 @@ def best(context: Context) -> float:
 
 
 def printed_crown(context: Context) -> tuple[float, float, str]:
-    """Excess pressure of the printed crown over the optimal crown found."""
+    """Margin of the relative excess pressure of the printed crown over the optimal crown."""
     p, found = float(measured(context)["at hand: pressures"][0].max()), measured(context)["best"]
     words = (
         f"{p / 1e6:.0f} MPa, {p / best(context) - 1:+.2%} above {best(context) / 1e6:.0f} MPa at "
@@ -41,7 +41,7 @@ def crowned(crown: Array) -> str:
 
 
 def valley(context: Context, within: float = FLAT) -> dict[str, tuple[float, float]]:
-    """Range of each parameter with pressures close to the lowest for some values of the others."""
+    """Range of each parameter in which suitable others give nearly the lowest pressure."""
     found = measured(context)
     low = found["whole"] <= found["whole"].min() * (1 + within)
     sides = {}
@@ -63,7 +63,7 @@ def flat(context: Context) -> str:
 
 
 def bound(context: Context) -> str:
-    """The bounds that the optimal crown lies on."""
+    """The bounds of parameters that are reached by the optimal crown."""
     box = context.inputs.box
     u = box.to_unit(measured(context)["best"][None])[0]
     on = [
@@ -76,7 +76,7 @@ def bound(context: Context) -> str:
 
 
 def lundberg(context: Context) -> tuple[float, float, str]:
-    """A crown with K_1 Q = N_max, Lundberg's for the largest force, against the optimal crown."""
+    """Lundberg's crown for the largest force (K_1 Q = N_max), against the optimal crown."""
     K_1, _, _, p = measured(context)["Lundberg"]
     low, high = valley(context)["K_1"]
     words = (
@@ -101,7 +101,7 @@ def factorial(context: Context) -> Array:
 
 
 def over_K_1(context: Context) -> tuple[float, float, str]:
-    """Along K_1 every line of both maps falls, then rises, except the line of the lowest z_m."""
+    """Each line of both maps falls, then rises along K_1, except the line of the lowest z_m."""
     shallow, *deeper = measured(context)["true K_1, z_m"][0].T
     found = turns(np.vstack([factorial(context).T, *deeper]))
     words = (
@@ -121,7 +121,7 @@ def over_z_m(context: Context) -> str:
 
 
 def counted(context: Context, lines: Array) -> str:
-    """Number of lines of constant K_1 with a minimum, and shape of the line of the optimal K_1."""
+    """Number of lines of constant K_1 with a minimum, and shape of the line at the optimal K_1."""
     found, q = turns(lines), context.inputs
     K_1 = np.linspace(q.K_1_low, q.K_1_high, q.levels)
     near = int(np.argmin(np.abs(K_1 - measured(context)["best"][0])))
@@ -140,7 +140,7 @@ def course(line: Array) -> str:
 
 
 def larger_K_1(context: Context) -> tuple[float, float, str]:
-    """Cost of the K_1 that is optimal under the smaller torque, with optimal other parameters."""
+    """Excess pressure by the optimal K_1 of the smaller torque, other parameters optimal."""
     found = measured(context)
     K_1, other = float(found["best"][0]), float(found["less"][0])
     over = found["whole"].min(axis=(1, 2))
@@ -153,13 +153,13 @@ def larger_K_1(context: Context) -> tuple[float, float, str]:
 
 
 def band(K_1: Array, over: Array) -> str:
-    """Range of K_1 in which a pressure is close to its lowest value."""
+    """Range of K_1 in which the pressure is within FLAT of its lowest value."""
     near = K_1[over <= over.min() * (1 + FLAT)]
     return f"{near[0]:.2f} to {near[-1]:.2f} within {FLAT:.1%}"
 
 
 def steeper_z_m(context: Context) -> tuple[float, float, str]:
-    """Increase of z_m's effect under the larger torque, mean of the lines at K_2 = 0.5."""
+    """Increase of the effect of z_m from the smaller to the larger torque, mean at K_2 = 0.5."""
     more, less = (
         float(np.mean(p.max(axis=1) / p.min(axis=1) - 1))
         for p in measured(context)["true K_1, z_m"]
@@ -168,7 +168,7 @@ def steeper_z_m(context: Context) -> tuple[float, float, str]:
 
 
 def reductions(found: Any) -> Array:
-    """Reduction of the pressure by the optimal crowns against no crown, under each torque."""
+    """Relative reduction of the pressure by the optimal crown under each torque."""
     crowns = [float(found["best: pressures"][0].max())]
     crowns += [float(found["less"][4])] if "less" in found else []
     flat_ones = found["none: pressures"].max(axis=1)
@@ -176,7 +176,7 @@ def reductions(found: Any) -> Array:
 
 
 def improves(context: Context) -> tuple[float, float, str]:
-    """The reduction grows with the torque."""
+    """Difference of the reductions under both torques; positive if it grows with the torque."""
     more, less = reductions(measured(context))
     return (
         float(more - less),
@@ -186,13 +186,13 @@ def improves(context: Context) -> tuple[float, float, str]:
 
 
 def made_for(context: Context) -> tuple[float, float, str]:
-    """Excess pressure of the other torque's optimal crown over the optimal crown."""
+    """Excess pressure of the crown that is optimal for the other torque, over the optimal crown."""
     p = float(measured(context)["less"][3])
     return p / best(context) - 1, SURE, f"{p / best(context) - 1:+.1%}"
 
 
 def taken_off(context: Context) -> str:
-    """Reduction by the optimal crown, with several numbers of slices under equal forces."""
+    """Pressure reduction by the optimal crown for several numbers of slices, equal forces."""
     best, none = (by_number(context, crown) for crown in ("best", "none"))
     shares = ", ".join(
         f"{1 - p / flat:.1%} by {n} slices ({flat / 1e6:.0f} to {p / 1e6:.0f} MPa)"
@@ -202,7 +202,7 @@ def taken_off(context: Context) -> str:
 
 
 def by_number(context: Context, crown: str) -> Array:
-    """Largest pressures [Pa] by each of SLICED slices, for the given number from the engagement."""
+    """Largest pressures [Pa] for each number of slices in SLICED."""
     found = measured(context)
     given = np.array(SLICED) == context.inputs.slices
     return np.where(given, found[f"{crown}: pressures"][0].max(), found[f"{crown}: sliced"])
@@ -223,7 +223,7 @@ def _fitted(context: Context) -> float:
 
 
 def checks(T: int) -> tuple[Any, ...]:
-    """The claims of a torque [N m]."""
+    """The claims at a torque [N m]."""
     optimum = tuple(f"huang2018:optimum-{T}nm-{key}" for key in ("k1", "k2", "zm"))
     fitted = FITTED if T == 25 else ""
     why = "" if T == 25 else ": predicted, the printed pairs contradict each other"
@@ -251,7 +251,7 @@ def checks(T: int) -> tuple[Any, ...]:
 
 
 def stated(q: Any) -> Iterator[Comparison | Check]:
-    """Surrogates and searches, statements of the paper at this torque, contacts."""
+    """Claims on surrogates and searches, statements of the paper at this torque, and contacts."""
     yield from checks(q.torque)
     yield at_rest(type(q).static_mid, "pressure at mid-length")
     yield at_rest(type(q).static_peak, "largest pressure")

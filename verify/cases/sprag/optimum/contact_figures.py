@@ -1,4 +1,4 @@
-"""Figures of the contact at the largest force: along the sprag, over its parts, over time."""
+"""Figures of the contact at the largest force: along the sprag, over its slices, over time."""
 
 from collections.abc import Sequence
 
@@ -20,11 +20,11 @@ from verify.core.figures import Array, Curves, Figure
 from verify.form.plots import curve, dashes, dots, line, plot
 
 MPa, mm, um = 1e6, 1e-3, 1e-6
-BELOW, ABOVE = 0.6, 1.4  # range of figures over the slices' largest pressure
+BELOW, ABOVE = 0.6, 1.4  # range of the pressure axis over the largest pressure by slices
 
 
 def names(context: Context) -> dict[str, str]:
-    """The crowns whose contacts are known, in words."""
+    """Names in words of the crowns whose contacts were solved."""
     hand = "printed crown" if context.is_paper else "given crown"
     found = {
         "best": "optimal crown by slices",
@@ -58,7 +58,7 @@ def contact(context: Context) -> Sequence[Figure]:
 
 
 def cut(top: float, *highest: float) -> str:
-    """Remark of a figure that ends at a pressure [MPa] on those above it."""
+    """Remark on the pressures above the upper end [MPa] of a figure's axis."""
     above = max(highest)
     return f" Cut off at the top: up to {above:.0f} MPa." if above > top else ""
 
@@ -69,7 +69,7 @@ def half(values: Array) -> Array:
 
 
 def outer(q: OptimumInputs, n: int) -> Array:
-    """Middles [m] of the parts there."""
+    """Centres [m] of the slices, strips or cells in that half."""
     return half(places(q, n))
 
 

@@ -1,4 +1,4 @@
-"""The claims about a crown's contact at N_max: slices, strips and a half-space."""
+"""Claims about the contact of a crown at N_max: slices, strips and a half-space."""
 
 from dataclasses import dataclass, replace
 from typing import Any
@@ -27,16 +27,16 @@ from verify.core.results import Row, Status
 from verify.judging import judge
 from verify.judging.profile_checks import Estimated
 
-STRIPPED, CELLS = (41, 81, 161), (384, 512, 768)  # strips and cells on a sprag's length
+STRIPPED, CELLS = (41, 81, 161), (384, 512, 768)  # number of strips and cells along a sprag
 HALF_SPACE = "half-space"
-EDGE = 1e-4  # relative effect of cell positions at the contact's edge on a pressure
-SPREAD = 3.0  # uncertainty of refined values over their last difference
-GROWS = 0.02  # at each refinement, of a pressure that has no largest
+EDGE = 1e-4  # relative effect on a pressure of the position of the cells at the edge of the contact
+SPREAD = 3.0  # ratio of the uncertainty to the last difference between meshes
+GROWS = 0.02  # least relative increase per refinement of a pressure without a finite limit
 NONE_FREE = "no crown with unloaded ends was found: surrogate and strips do not agree on one"
 
 
 def series(context: Context, crown: str, by: str, what: str) -> list[float]:
-    """Largest ("peak") or middle ("mid") pressures [Pa], coarse to fine."""
+    """Largest pressures ("peak") or pressures at mid-length ("mid") [Pa], coarse to fine."""
     found = measured(context)
     counts = STRIPPED if by == "strips" else CELLS
     if what == "mid":
@@ -45,7 +45,7 @@ def series(context: Context, crown: str, by: str, what: str) -> list[float]:
 
 
 def by_slices(context: Context, crown: str, what: str) -> float:
-    """Values by slices."""
+    """Largest pressure or pressure at mid-length [Pa] by slices."""
     found, q = measured(context), with_crown(context.inputs, measured(context)[f"{crown}: crown"])
     contact = in_slices(q, gap(q), float(found[f"{crown}: R"]), float(found[f"{crown}: N_max"][0]))
     return mid(contact) if what == "mid" else float(contact.peak_pressure.max())
@@ -53,7 +53,7 @@ def by_slices(context: Context, crown: str, what: str) -> float:
 
 @dataclass(frozen=True, kw_only=True)
 class AtCrown(Estimated):
-    """A refined pressure under N_max at the crown with unloaded ends found by the study."""
+    """A refined pressure under N_max of the crown with unloaded ends found by the study."""
 
     what: str
     beside: str  # "slices" or "strips"
@@ -78,7 +78,7 @@ class AtCrown(Estimated):
 
 
 def within(share: float) -> Any:
-    """Interval of an acceptance figure; none at user inputs, for which none was accepted."""
+    """Interval of an acceptance figure; none at other inputs than those of the paper."""
 
     def interval(q: Any, _values: Any) -> tuple[float, float] | None:
         return (-share, share) if q == type(q)() else None
@@ -102,7 +102,7 @@ def refined(context: Context, crown: str) -> tuple[float, float]:
 
 
 def higher(context: Context) -> tuple[float, float, str]:
-    """Excess of the printed crown's pressure on a half-space over its pressure by slices."""
+    """Relative excess of the half-space pressure of the printed crown over that by slices."""
     p, U = refined(context, "at hand")
     sliced = by_slices(context, "at hand", "peak")
     v = series(context, "at hand", "cells", "peak")
@@ -114,7 +114,7 @@ def higher(context: Context) -> tuple[float, float, str]:
 
 
 def endless(context: Context) -> tuple[float, float, str]:
-    """Increase by every refinement of the end pressure of the optimal crown by slices."""
+    """Increase per refinement of the end pressure, for the crown that is optimal by slices."""
     v = [series(context, "best", by, "peak") for by in ("strips", "cells")]
     grows = min(float(np.min(np.diff(one) / one[:-1])) for one in v)
     words = "; ".join(
@@ -125,7 +125,7 @@ def endless(context: Context) -> tuple[float, float, str]:
 
 
 def to_make(context: Context) -> str:
-    """The crown with unloaded ends and its pressure on a half-space, against the given crown."""
+    """Half-space pressure of the crown with unloaded ends and of the given crown, in words."""
     if "free: R" not in measured(context):
         return NONE_FREE
     K_1, K_2, z_m = measured(context)["free"]
@@ -138,7 +138,7 @@ def to_make(context: Context) -> str:
 
 
 def lower(context: Context) -> tuple[float, float, str]:
-    """Reduction by the crown with unloaded ends of the printed crown's half-space pressure."""
+    """Reduction of the half-space pressure by unloaded ends, relative to the printed crown."""
     free, u = refined(context, "free")
     hand, U = refined(context, "at hand")
     paper = by_slices(context, "free", "peak") / float(measured(context)["best true"][0]) - 1
@@ -162,7 +162,7 @@ def at_rest(q: Any, name: str) -> Comparison:
 
 
 def pressed(T: int) -> tuple[Any, ...]:
-    """Contact pressures of the printed crown for a torque [N m] and of the crowns found."""
+    """Claims on contact pressures of the printed crown at T [N m] and of the optimal crowns."""
     both = SLICED + STRIPS
     return (
         at_crown("largest pressure by slices", "peak", "slices", "strips", both, WIDER),

@@ -45,7 +45,7 @@ def validated_fem(q: OptimumInputs) -> dict[str, Array]:
 
 
 def direct_fem(q: OptimumInputs) -> dict[str, Array]:
-    """Crowns and pressures [Pa] in the order of DIRECT, (n, 4)."""
+    """Crowns and pressures [Pa] in the order of evaluation by DIRECT, (n, 4)."""
     pressure, seen = recorded(lambda crown: largest_fem(q, crown), q.box)
     direct(pressure, [(0.0, 1.0)] * 3, maxfun=ENGAGEMENTS, maxiter=ENGAGEMENTS)
     return {"direct": np.array(seen)}

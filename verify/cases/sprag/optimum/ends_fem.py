@@ -1,7 +1,8 @@
 """Ends of the optimal crown: slices, strips and the half-space under equal forces.
 
-Slices hardly represent the end of a sprag. A contact that reaches the end under load has no largest
-pressure on a half-space, so that the crown to be made is sought among those with unloaded ends.
+Slices hardly represent the end of a sprag. On a half-space, the pressure of a contact that reaches
+the end has no finite maximum. The crown for manufacture is therefore searched for among crowns with
+unloaded ends.
 """
 
 import numpy as np
@@ -19,11 +20,11 @@ from verify.core.figures import Array
 
 STRIPPED = (41, 81, 161)
 SLICED = (21, 41, 81, 161)
-CELLS = ((40, 384), (48, 512), (64, 768))  # across and along, narrow at the ends
+CELLS = ((40, 384), (48, 512), (64, 768))  # cells across and along the contact, narrow at the ends
 
 
 def ends_fem(q: OptimumInputs, found: dict[str, Array]) -> dict[str, Array]:
-    """Ends of the optimal crown by slices, the given crown, the optimal by strips, and no crown."""
+    """Contacts of four crowns: optimal by slices, given, optimal by strips, and no crown."""
     crowns = {"best": found["best"], "at hand": np.array([q.K_1, q.K_2, q.z_m])}
     own = freed_fem(q, found["X"], found["N_max"][:, 0])
     if "free" in own:
@@ -36,10 +37,10 @@ def ends_fem(q: OptimumInputs, found: dict[str, Array]) -> dict[str, Array]:
 
 
 def freed_fem(q: OptimumInputs, x: Array, N: Array) -> dict[str, Array]:
-    """The optimal crown by strips, with unloaded ends; kriging, infill and search as by slices.
+    """The optimal crown by strips, with unloaded ends; kriging, infill and search as for slices.
 
-    N (n,) are the known forces with the crowns x (n, 3). Empty where surrogate and strips do not
-    agree on a crown. Engagements and contacts that are not solved raise errors.
+    N (n,) are the known forces of the crowns x (n, 3). The result is empty if surrogate and strips
+    do not agree on a crown. An engagement or contact without a solution raises an error.
     """
     one = built(q)
     R = one.radii(wedged(one.clutch, float(np.median(N))))[0]  # nearly independent of the crown
@@ -58,7 +59,7 @@ def freed_fem(q: OptimumInputs, x: Array, N: Array) -> dict[str, Array]:
 
 
 def pressed_fem(q: OptimumInputs, crown: Array) -> dict[str, Array]:
-    """A crown's engagement, and its contact at N_max by all three methods, refined."""
+    """Engagement of a crown, and its contact at N_max by all three methods, refined."""
     from analytic.contact.half_space_roller import press_roller
 
     mine = with_crown(q, crown)
@@ -80,7 +81,7 @@ def pressed_fem(q: OptimumInputs, crown: Array) -> dict[str, Array]:
 
 
 def sliced(q: OptimumInputs, crown: Array | None, N: float, R: float) -> Array:
-    """Largest pressures [Pa] by each of SLICED slices under N [N]."""
+    """Largest pressures [Pa] under N [N] for each number of slices in SLICED."""
     mine = with_crown(q, crown)
     contacts = [in_slices(q, crowned(mine, n), R, N) for n in SLICED]
     return np.array([contact.peak_pressure.max() for contact in contacts])

@@ -21,7 +21,7 @@ def tables(context: Context) -> Sequence[Table]:
 
 
 def crowns(context: Context) -> Table:
-    """All crowns by all methods, each under its largest force."""
+    """Pressures of all crowns by all methods, each crown under its largest force."""
     found = measured(context)
     names = {"at hand": "printed" if context.is_paper else "at hand", "best": "optimal by slices",
              "free": "optimal with unloaded ends"}  # fmt: skip
@@ -51,7 +51,7 @@ def crowns(context: Context) -> Table:
 
 
 def extra(context: Context) -> Table:
-    """The extra designs, as Table 2 has them."""
+    """The extra designs in the form of Table 2."""
     found = measured(context)
     true, one, two = found["extra largest"][:, 0], found["extra single"], found["extra two"]
     rows = tuple(

@@ -1,4 +1,4 @@
-"""Formulas of a crown without engagements: the load that it suits, statics."""
+"""Formulas of a crown at rest, without an engagement: design load and statics."""
 
 import math
 from collections.abc import Iterator
@@ -23,7 +23,7 @@ from verify.core.tex import tex
 
 LEVELS = (41, 81, 161)  # strips along a sprag
 UM = 1e-6
-MOST_STEPS = 50_000  # steps of an engagement; a study has hundreds of engagements
+MOST_STEPS = 50_000  # largest number of steps of an engagement; a study has hundreds of them
 
 
 class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an input
@@ -131,7 +131,7 @@ class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an 
         )
 
     def advice(self) -> Iterator[str]:
-        """Statements of the formulas on the given crown; the optimal crown is found with --fem."""
+        """Statements of the formulas on the given crown; only `--fem` finds the optimal crown."""
         yield (
             f"the given crown is Lundberg's for {self.K_1_Q:.4g} N, straight over "
             f"{self.straight * 1e3:.3g} mm of {self.l * 1e3:g} mm"

@@ -88,7 +88,7 @@ class Optimum25Inputs(OptimumInputs):
 
 
 class Optimum40Inputs(OptimumInputs):
-    """40 N m, with Eq. 22, beside 25 N m."""
+    """Inputs for 40 N m with the crown of Eq. 22; 25 N m is the other torque."""
 
     T: float = quantity("40 N m", "N m", "T", "torque in the locking direction", gt=0, le=1e9,
                         claims="huang2018:torque-40")  # fmt: skip

@@ -1,4 +1,4 @@
-"""Figures of the largest pressure over the crown's parameters (Figs. 15, 17), and its valley."""
+"""Figures of the largest pressure over the parameters of the crown (Figs. 15, 17)."""
 
 from collections.abc import Sequence
 
@@ -12,18 +12,18 @@ from verify.core.figures import Curves, Density, Figure
 from verify.form.plots import dashes, dots, line, plot
 
 MPa, um, PERCENT = 1e6, 1e-6, 100
-ABOVE = 4.0  # % of the lowest pressure that the valley's figure shows
+ABOVE = 4.0  # % above the lowest pressure, upper end of the axis of the figure over K_1
 
 
 def figure(context: Context) -> str:
-    """Which of the paper's figures the maps are."""
+    """Number of the figure of the paper to which the maps correspond."""
     if not context.is_paper:
         return ""
     return " (Fig. 17{})" if context.inputs.T_less else " (Fig. 15{})"
 
 
 def maps(context: Context) -> Sequence[Figure]:
-    """The surrogate over K_1 and K_2, and over K_1 and z_m."""
+    """Maps of the surrogate over K_1 and K_2, and over K_1 and z_m."""
     found, q = measured(context), context.inputs
     both = {"K_2": found["map K_1, K_2"], "z_m": found["map K_1, z_m"]}
     top = (min(float(z.min()) for z in both.values()) / MPa,
@@ -41,7 +41,7 @@ def maps(context: Context) -> Sequence[Figure]:
 
 
 def lines(context: Context) -> Curves:
-    """Along K_1 at several z_m: the surrogate and true engagements."""
+    """Largest pressure along K_1 at several z_m by the surrogate and by engagements."""
     found, q = measured(context), context.inputs
     true, K_1 = found["true K_1, z_m"][0], np.linspace(q.K_1_low, q.K_1_high, q.levels)
     z_m = np.linspace(q.z_m_low, q.z_m_high, q.levels)

@@ -1,4 +1,4 @@
-"""Reference of the formulas: strips at the given crown, the optimisation, its ends."""
+"""Reference of the formulas: strips at the given crown, the optimisation, and its end effects."""
 
 import numpy as np
 
@@ -15,14 +15,14 @@ from verify.cases.sprag.optimum.study_fem import study_fem
 from verify.cases.sprag.peaks import peaks_fem, with_crown
 from verify.core.figures import Array
 
-STEPS = 241  # states of an engagement that are drawn
+STEPS = 241  # number of states of an engagement that are drawn
 LEVELS = STRIPPED  # strips along a sprag
 
 
 def solve(q: OptimumInputs, level: int) -> Level:
-    """One level: so many strips at the given crown; the finest has the optimisation."""
+    """One level: `level` strips at the given crown; the finest level includes the optimisation."""
     now, one = under(q), built(q)
-    assert now is not None  # refused without a peak
+    assert now is not None  # a clutch without a peak was refused before
     found = in_strips(q, crowned(q, level), one.radii(now)[0], float(now.N))
     values = {"static_mid": float(found.mid), "static_peak": float(found.peak)}
     arrays: dict[str, Array] = {}
@@ -44,7 +44,7 @@ def maps_fem(q: OptimumInputs) -> dict[str, Array]:
 
 
 def lundberg_fem(q: OptimumInputs, found: dict[str, Array]) -> dict[str, Array]:
-    """The crown that Lundberg has for N_max, K_1 = N_max/Q, with K_2 and z_m best for it."""
+    """Lundberg's crown for N_max (K_1 = N_max/Q), with the best K_2 and z_m for this K_1."""
     K_1 = float(np.clip(found["best true"][3] / crowned_for(q), q.K_1_low, q.K_1_high))
     row = int(np.argmin(np.abs(found["K_1"] - K_1)))
     K_2, z_m = np.unravel_index(np.argmin(found["whole"][row]), found["whole"][row].shape)
@@ -64,9 +64,9 @@ def courses_fem(q: OptimumInputs, best: Array) -> dict[str, Array]:
 
 
 def calibrated_fem(q: OptimumInputs, found: dict[str, Array]) -> dict[str, Array]:
-    """Peaks of the optimal crown if the wedge angle has the pressure printed for 25 N m.
+    """Peaks without and with the optimal crown; wedge angle fitted to the pressure at 25 N m.
 
-    Without a crown and with the optimal crown, slices as given; only for the paper's clutch.
+    The number of slices is that of the inputs. Computed only for the clutch of the paper.
     """
     if q != type(q)():
         return {}

@@ -1,7 +1,7 @@
-"""The paper's optimisation (Eqs. 17-22, Fig. 9) on compiled engagements: all measurements.
+"""The optimisation of the paper (Eqs. 17-22, Fig. 9) with compiled engagements.
 
-A full factorial, kriging of its largest pressures, searches on the surrogate, and the true model
-at their results. Also searches without surrogate.
+It consists of a full factorial design, kriging of the largest pressures, searches on the surrogate,
+and engagements at the optima found; also of searches without surrogate.
 """
 
 import numpy as np
@@ -43,12 +43,12 @@ def study_fem(q: OptimumInputs) -> dict[str, Array]:
 
 
 def largest_fem(q: OptimumInputs, crowns: Array) -> float:
-    """The largest pressure [Pa] under T of the first of the crowns."""
+    """The largest pressure [Pa] under T of the first crown."""
     return float(peaks_fem(q, crowns, [q.T]).largest[0, 0])
 
 
 def less_fem(q: OptimumInputs, x: Array, known: list[Answer]) -> dict[str, Array]:
-    """The optimal crown under the other torque, by its surrogate, and its pressures under both."""
+    """The optimal crown for the other torque by its surrogate; its pressures at both torques."""
     assert q.T_less is not None
     surrogate = best_crown.fit_regimes(x, known, q.box)
     crown = evolve(surrogate.predict, q.box).x

@@ -1,4 +1,4 @@
-"""The claims about kriging: its equations against the bordered system, its errors, its searches."""
+"""Claims about kriging: its equations against the bordered system, errors and searches."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -14,10 +14,10 @@ from verify.judging import judge
 from verify.judging.claims import Claim
 from verify.judging.tolerance_checks import SUBJECT, Agreement, Deviation, Pair, suites
 
-MEAN, LARGEST, AGREE = 0.005, 0.03, 0.005  # accepted errors of a surrogate
+MEAN, LARGEST, AGREE = 0.005, 0.03, 0.005  # accepted errors of a surrogate: mean, largest, optimum
 SEARCHES = 1e-3  # relative difference of searches on the same surrogate
-NEAR = 1e-3  # relative excess over the optimum at which a search has found it
-BLIND = 0.1  # over the error at new designs
+NEAR = 1e-3  # relative excess over the optimum below which a search has found the optimum
+BLIND = 0.1  # ratio of an error estimate to the error at new designs below which it is useless
 LEFT_OUT = 7  # number of designs left out, one at a time
 BOUND = 1e-6  # largest bound by condition number that is conclusive
 EPS = float(np.finfo(np.float64).eps)
@@ -29,7 +29,7 @@ Pairs = tuple[Array, Array, float]  # values of both sides, and their scale
 def agrees(
     name: str, symbol: str, pair: Callable[[Context], Pair], accepted: float, by: str, source: str
 ) -> Agreement:
-    """Two largest pressures of any clutch."""
+    """Claim that two largest pressures agree, for any clutch."""
     return Agreement(name=name, symbol=symbol, unit="MPa", pair=pair, accepted=accepted, by=by,
                      source=source,
                      everywhere=True)  # fmt: skip
@@ -37,7 +37,7 @@ def agrees(
 
 @dataclass(frozen=True, kw_only=True)
 class Displayed(Claim):
-    """A measured value without a criterion: SHOWN."""
+    """A measured value without a criterion; the status is SHOWN."""
 
     kind = Kind.FACT
 
@@ -50,7 +50,7 @@ class Displayed(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Repeated(Claim):
-    """A result of the kriging code against the bordered system, within the error of its condition.
+    """A kriging result against the bordered system, within the bound by its condition number.
 
     `pair(context, array, one, extra)` returns both values for a regime, and their scale.
     """
@@ -75,7 +75,7 @@ class Repeated(Claim):
 
 
 def regimes(context: Context) -> Iterator[tuple[Named, Bordered, Array]]:
-    """For each kriged regime: its arrays by name, its bordered system, its extra designs."""
+    """For each regime with kriging: its arrays by name, its bordered system, its extra designs."""
     found, box = measured(context), context.inputs.box
     for name in ("end", "inside"):
         if f"{name} designs" in found:
@@ -113,9 +113,9 @@ def spread(errors: Array) -> str:
 
 
 def fresh(context: Context) -> tuple[float, float, str]:
-    """The mean error at new designs, or the largest over its separate limit.
+    """Mean error at new designs, or the scaled largest error if that is larger.
 
-    The larger ratio counts, so that `MEAN` limits both.
+    The largest error is scaled by MEAN/LARGEST: one limit, MEAN, applies to both.
     """
     error = np.abs(missed(measured(context), "two"))
     size = max(float(error.mean()), float(error.max()) * MEAN / LARGEST)
@@ -157,7 +157,7 @@ def directly(context: Context) -> Pair:
 
 
 def asked(context: Context) -> str:
-    """Engagements that the surrogate costs, and those that a search without it needs."""
+    """Numbers of engagements for the surrogate and for a search without surrogate."""
     found = measured(context)
     tried, best = found["direct"][:, 3], float(found["best true"][0])
     near = tried <= best * (1 + NEAR)
@@ -185,7 +185,7 @@ def two_errors(context: Context) -> str:
 
 
 def blind(context: Context) -> tuple[float, float, str]:
-    """Leaving out a design detects less than a tenth of the errors of a single kriging."""
+    """Leave-one-out estimates are below a tenth of the errors of a single kriging."""
     found = measured(context)
     known = float(np.abs(found["left out single"]).mean())
     true = float(np.abs(missed(found, "single")).mean())

@@ -1,4 +1,4 @@
-"""Figures and tables of the surrogate: its designs, its errors, the searches on it."""
+"""Figures and tables of the surrogate: designs, errors and searches."""
 
 from collections.abc import Sequence
 
@@ -21,19 +21,19 @@ TABLE_2 = 10  # rows
 
 
 def deeper(context: Context) -> Measured | None:
-    """Long measurements of the paper's clutch."""
+    """Stored long measurements of the clutch of the paper."""
     if not context.is_paper:
         return None
     return deep_measured(DEEP_25 if isinstance(context.inputs, Optimum25Inputs) else DEEP_40)
 
 
 def oblique(u: Array) -> Array:
-    """Points (n, 3) of the unit cube in the plane, (n, 2): K_1 across, z_m up, K_2 aslant."""
+    """Oblique projection (n, 2) of points (n, 3) in the unit cube; K_2 is the oblique axis."""
     return np.asarray(u[:, [0, 2]] + u[:, [1]] * ASIDE)
 
 
 def designs(context: Context) -> Sequence[Figure]:
-    """Fig. 10."""
+    """The designs in the space of the parameters (Fig. 10)."""
     found, box = measured(context), context.inputs.box
     corners = np.array([[a, b, c] for a in (0, 1) for b in (0, 1) for c in (0, 1)], dtype=float)
     edges = tuple(
@@ -89,7 +89,7 @@ def errors(context: Context) -> Sequence[Figure]:
 
 
 def bars(context: Context) -> Bars:
-    """The errors, and their estimates by each method."""
+    """Errors of the surrogate, and their estimates by each method."""
     found = measured(context)
     items = []
     for key, name in (("single", "one kriging"), ("two", "end and rest separately")):

@@ -32,9 +32,9 @@ from verify.judging.checks import Accepted, Limit
 from verify.judging.published_checks import PrintedMeasurement
 from verify.judging.tolerance_checks import BOTH_WAYS, Agreement, suites
 
-MOST = 30  # segments that shells are solved for
-FOIL = 3000  # thicknesses in a leaf's length, beyond which narrow shells are ill-conditioned
-PLATE = 3.0  # least width over the thickness of a leaf as a plate
+MOST = 30  # largest number of segments for which shells are solved
+FOIL = 3000  # length over thickness of a leaf, above which narrow shells are ill-conditioned
+PLATE = 3.0  # width over thickness of a leaf, below which it is not a plate
 SLENDER = 0.2  # length of an arc over the length of a leaf
 HELD = 5e-4, "a shell with held edges is a beam"
 PLATES = 5e-4, "a thin leaf is Kirchhoff's plate"
@@ -125,12 +125,12 @@ class WideSpring(WidthInputs, Case):
         )  # fmt: skip
 
     def _left(self, ratio: Share) -> float:
-        """Relative change of a leaf's factor with twice the terms."""
+        """Relative change of the factor of a leaf with twice the number of terms."""
         leaf = self.leaf_factor(ratio)
         return (float(width_factor(ratio, 1.0, nu=self.nu, terms=TERMS // 2)) - leaf) / leaf
 
     def held(self, tail: frame.Tail, head: frame.Head) -> Self:
-        """The spring with other ends."""
+        """The spring with other end conditions."""
         return self.model_copy(update={"tail": tail, "head": head})
 
     def reference(self, level: int) -> Level:
@@ -175,7 +175,7 @@ class WideSpring(WidthInputs, Case):
                 ))  # fmt: skip
 
     def refusal(self) -> str:
-        """Foils and long springs."""
+        """Reason to refuse: the strip is a foil, or the spring is too long."""
         if self.leaf > FOIL * self.b:
             return (
                 f"leaves {self.leaf / self.b:.0f} times as long as thick are more than {FOIL}: "
@@ -192,14 +192,14 @@ class WideSpring(WidthInputs, Case):
     figures = drawn_by(drawn.figures)
 
     def pictures(self) -> Iterator[Picture]:
-        """Bending stress across a loop."""
+        """Picture of the bending stress across a loop."""
         yield drawn.ACROSS
 
     tables = drawn.tables
     sketch = drawn.sketch
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if a leaf's factor does not represent the spring."""
+        """Warnings if the factor of a leaf does not represent the spring."""
         if self.h < PLATE * self.b:
             yield (
                 f"a strip {self.h / self.b:.2g} times as wide as thick is no plate: its factor is "
@@ -219,7 +219,7 @@ class WideSpring(WidthInputs, Case):
 
 
 def _limits() -> Iterator[Comparison]:
-    """Plane stress and plane strain as limits of the width."""
+    """Rows: plane stress and plane strain as limits of a narrow and of a wide strip."""
     spring = WideSpring
     yield Comparison(quantity=spring.k_narrow, check=Limit(
         name="a narrow spring is in plane stress", symbol="f", unit="1", points=claims.narrow,
@@ -239,7 +239,7 @@ def _limits() -> Iterator[Comparison]:
 
 
 def _accepted() -> Iterator[Comparison | Check]:
-    """Rows within an acceptance figure: other elements, widths, ends, another case's factor."""
+    """Rows within an acceptance figure: other elements, widths, ends, factor of another case."""
     for name, what in zip(widths_of_both(WidthInputs()), LOOPS, strict=True):
         yield _agrees(f"loop as a shell and as solids, {what}", claims.solids(name), claims.SOLID,
                       THEORY, by="solids")  # fmt: skip
@@ -264,7 +264,7 @@ def _accepted() -> Iterator[Comparison | Check]:
 def _agrees(
     name: str, pair: claims.OfContext, accepted: float, why: str, by: str = ""
 ) -> Agreement:
-    """Two factors that are equal within `accepted`."""
+    """Row: two factors are equal within `accepted`."""
     return Agreement(
         name=name, symbol="f", unit="1", pair=pair, accepted=accepted, source=suites(why), by=by
     )

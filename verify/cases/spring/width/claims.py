@@ -25,12 +25,12 @@ OfContext = Callable[[Context], Pair]
 N_PER_MM = 1e3
 LIMIT = 0.005  # tolerance of the factor at the ends of the sweep
 TAKEN = 0.002  # tolerance of the factor used for the whole curve
-ESTIMATE = 0.001  # tolerance of the factor from a leaf's factor
-SWEEP = 0.005  # likewise over all widths
+ESTIMATE = 0.001  # tolerance of the factor of the spring estimated from the factor of a leaf
+SWEEP = 0.005  # the same tolerance over all widths
 SOLID = 1e-3  # tolerance of the factor against solids
 HEAD = 5e-4  # change of the factor with the supports of head and tail
 UNIFORM = 5e-5  # change of the factor with the distribution of the head's force
-MET = 0.01  # relative to the printed stiffness
+MET = 0.01  # largest difference from the printed stiffness, relative to it
 
 
 def relative_uncertainty(context: Context, key: str, formal: float | None = None) -> float:
@@ -41,9 +41,9 @@ def relative_uncertainty(context: Context, key: str, formal: float | None = None
 
 
 def sweep_uncertainty(context: Context) -> float:
-    """Standard uncertainty of swept factors: difference of their mesh and the finest mesh.
+    """Standard uncertainty of swept factors: difference of their mesh from the finest mesh.
 
-    At the inputs' width and at the narrowest.
+    The difference is taken at the width of the inputs and at the narrowest width.
     """
     series = (context.series(key)[1] for key in ("f", "f_narrowest"))
     return max(abs(value / f[-1] - 1) for f in series for value in f)
@@ -62,14 +62,14 @@ def limits(context: Context) -> tuple[float, float]:
 
 
 def narrow(context: Context) -> tuple[list[float], list[float], list[float]]:
-    """Plane stress over the shell, against the width over the thickness."""
+    """Width over thickness, relative excess of plane stress over the shell, and uncertainty."""
     h, f = stored(context, "sweep_narrow").T
     u = [sweep_uncertainty(context)] * len(h)
     return (h / context.inputs.b).tolist(), (limits(context)[0] / f - 1).tolist(), u
 
 
 def wide(context: Context) -> tuple[list[float], list[float], list[float]]:
-    """Plane strain over the shell, against a leaf's length over the width."""
+    """Leaf length over width, relative excess of plane strain over the shell, and uncertainty."""
     h, f = stored(context, "sweep_wide").T
     u = [sweep_uncertainty(context)] * len(h)
     return (context.inputs.leaf / h).tolist(), (limits(context)[1] / f - 1).tolist(), u
@@ -88,7 +88,7 @@ def at_end(which: int) -> OfContext:
 
 
 def taken(context: Context) -> Pair:
-    """The factor that curves are made with, and the shell's."""
+    """The factor used for curves, and the factor by the shell."""
     default = CurveInputs.model_fields["width_factor"].default
     f = context.series("f")[1][-1]
     U = judge.expanded(relative_uncertainty(context, "f")) * f
@@ -96,7 +96,7 @@ def taken(context: Context) -> Pair:
 
 
 def estimate(context: Context) -> Pair:
-    """A leaf's factor and the spring's at the inputs' width."""
+    """Factor of a leaf and factor of the spring at the width of the inputs."""
     f, leaf = context.series("f")[1][-1], context.analytic["f"]
     U = judge.expanded(relative_uncertainty(context, "f")) * f
     return Pair(leaf, f, U, f"leaf {leaf:.5f}, spring {f:.5f}: {leaf / f - 1:+.3%}")
@@ -108,7 +108,7 @@ def leaf_factor(q: WidthInputs, h: Any) -> Array:
 
 
 def estimates(context: Context) -> Pair:
-    """Both factors at their largest difference over all widths of the sweep."""
+    """Factors of a leaf and of the spring at the width with their largest difference."""
     h, f = sweep(context).T
     leaves = leaf_factor(context.inputs, h)
     off = leaves / f - 1
@@ -119,7 +119,7 @@ def estimates(context: Context) -> Pair:
 
 
 def solids(name: str) -> OfContext:
-    """Shell and solid of a loop, each over its value in plane strain."""
+    """Stiffness of a loop by shell and by solid, each over its value in plane strain."""
 
     def pair(context: Context) -> Pair:
         keys = f"shell_{name}", f"solid_{name}"
@@ -133,13 +133,13 @@ def solids(name: str) -> OfContext:
 
 
 def ends(context: Context) -> Pair:
-    """The largest and the least factor of all end conditions, on a common mesh."""
+    """The largest and the smallest factor of all end conditions, on a common mesh."""
     f = stored(context, "ends")
     return Pair(float(f.max()), float(f.min()), 0.0, f"{f.min():.5f} to {f.max():.5f}")
 
 
 def uniform(context: Context) -> Pair:
-    """Stiffness by a straight line and by a uniform force, on a common mesh."""
+    """Stiffness with a straight head and with a uniform force on the head, on a common mesh."""
     line, force = map(float, stored(context, "uniform"))
     words = f"a uniform force moves the head by {1 - force / line:+.1e} more"
     return Pair(line, force, 0.0, words)
@@ -154,7 +154,7 @@ def readings(context: Context) -> dict[tuple[Tail, Head], tuple[float, float]]:
 
 
 def meets(tail: Tail, head: Head) -> Margin:
-    """Margin of the difference of the shell with these ends and the paper's shell model."""
+    """Margin to MET of the difference between the shell with these ends and that of the paper."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         printed = published("wang2023:k1-fea").value * N_PER_MM

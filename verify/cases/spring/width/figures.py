@@ -1,4 +1,4 @@
-"""Figures of the strip's width: the factor over the width, shapes, how the ends are held."""
+"""Figures on the width of the strip: factor over the width, shapes, end conditions."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -100,7 +100,7 @@ def _over_width(context: Context) -> Profile:
 
 
 def _elements(context: Context) -> Curves:
-    """The loop's share of plane strain by shells and solids, between both limits."""
+    """Stiffness of the loop over its value in plane strain, by shells and solids, with limits."""
     q = context.inputs
     h, f = sweep(context).T
     low, high = limits(context)

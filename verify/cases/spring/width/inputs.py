@@ -1,4 +1,4 @@
-"""Inputs of the accordion spring as a strip of finite width: how its ends are held."""
+"""Inputs of the accordion spring as a strip of finite width, with its end conditions."""
 
 from analytic.spring.frame import Head, Tail
 from verify.cases.spring.inputs import SpringInputs

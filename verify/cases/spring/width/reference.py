@@ -20,18 +20,18 @@ if TYPE_CHECKING:
     from meshes.shell.surface import ShellMesh
     from meshes.spring.path import Piece
 
-LEVELS = (2, 3, 4)  # cells of an arc
+LEVELS = (2, 3, 4)  # number of cells of an arc
 SWEPT = 2  # level for sweeps and for other end conditions
 ENDS: tuple[tuple[Tail, Head], ...] = (
     ("arc", "free"), ("arc", "guided"), ("mid-leaf", "free"), ("mid-leaf", "guided"),
 )  # fmt: skip
 HEADS = {"free": "", "hinged": "y", "guided": "yabc"}
 NARROW = (0.2, 0.5, 1.0, 2.0, 4.0)  # widths over the thickness or over THREAD, whichever is larger
-THREAD = 1 / 120  # over a leaf's length: narrower strips are ill-conditioned
-MEDIUM = (0.1, 0.2, 0.4, 0.7, 1.0)  # widths over a leaf's length
+THREAD = 1 / 120  # width over the length of a leaf: narrower strips are ill-conditioned
+MEDIUM = (0.1, 0.2, 0.4, 0.7, 1.0)  # widths over the length of a leaf
 WIDE = (2.0, 5.0, 10.0, 30.0, 90.0)
 RATIOS = (Share(0.2), Share(1.0), Share(5.0))  # width over length of a thin leaf
-THIN = 3e-5  # thickness over length of a leaf that is Kirchhoff's plate
+THIN = 3e-5  # thickness over length of a leaf for which Kirchhoff's plate theory is valid
 BOTH = (20.0, 100.0)  # widths over the thickness at which solids are compared with shells
 ROUND_OFF = 1e-12  # relative to the energy
 
@@ -60,22 +60,22 @@ def solve(q: WidthInputs, level: int) -> Level:
 
 
 def key_of(tail: Tail, head: Head) -> str:
-    """The end of a number's name with these ends."""
+    """Suffix of the keys of results with these end conditions."""
     return f"{tail}_{head}".replace("-", "_")
 
 
 def thread(q: WidthInputs) -> float:
-    """The width [m] that narrow springs are measured by."""
+    """Unit width [m] of narrow springs: the thickness, or THREAD times a leaf if larger."""
     return max(q.b, THREAD * q.leaf)
 
 
 def widths_of_both(q: WidthInputs) -> dict[str, float]:
-    """Widths [m] of the loop solved as a shell and as a solid; the inputs' width is last."""
+    """Widths [m] of the loop as a shell and as a solid; the last is the width of the inputs."""
     return {f"{ratio:g}": ratio * q.b for ratio in BOTH} | {"given": q.h}
 
 
 def sweeps(q: WidthInputs) -> dict[str, NDArray[Any]]:
-    """The factor over widths, at other ends, and under a uniform force instead of a rigid line."""
+    """Factors over widths, with other end conditions, and under a uniform force on the head."""
     swept = {
         "narrow": [ratio * thread(q) for ratio in NARROW],
         "medium": [ratio * q.leaf for ratio in MEDIUM if ratio * q.leaf > NARROW[-1] * thread(q)],
@@ -94,7 +94,7 @@ def factor(
     q: WidthInputs, h: float, level: int, tail: Tail | None = None, head: Head | None = None, *,
     uniform: bool = False,
 ) -> float:  # fmt: skip
-    """Stiffness over plane stress on the same mesh, with the supports of the inputs or others."""
+    """Stiffness over that in plane stress on the same mesh, with the given end conditions."""
     ends = tail or q.tail, head or q.head
     plane = fem_spring(q, h, level, *ends, held=True, narrow=True)
     return fem_spring(q, h, level, *ends, uniform=uniform) / plane
@@ -107,9 +107,9 @@ def fem_spring(
 ) -> float:  # fmt: skip
     """Stiffness [N/m] of the spring as a shell of width h [m], symmetric about its middle.
 
-    With its edges `held` (no rotation, no displacement out of their planes) it is in plane strain;
-    with the `narrow` strip's material its stiffness is the plane-stress value. A `uniform` force
-    acts on the head instead of a line that stays straight.
+    With `held` edges (no rotation, no displacement normal to the plane) it is in plane strain; with
+    the material of a `narrow` strip, it has the plane-stress stiffness. If `uniform`, a uniform
+    force acts on the head; otherwise, the head remains straight.
     """
     from meshes.spring.path import accordion
 
@@ -122,7 +122,7 @@ def fem_spring(
 
 
 def cells(q: WidthInputs, h: float, level: int, held: bool) -> int:
-    """Cells across half the width: one in plane strain, few if the edge zone is the whole width."""
+    """Cells across half the width: one in plane strain, few if the edge zone covers the width."""
     if held:
         return 1
     return level if h <= NARROW[-1] * q.b else 3 * level
@@ -135,7 +135,7 @@ def fem_steel(q: WidthInputs) -> "Elastic":
 
 
 def fem_plane_stress(q: WidthInputs) -> "Elastic":
-    """Material with the plane-strain stiffness of the spring's steel in plane stress."""
+    """Material whose plane-strain stiffness equals the plane-stress stiffness of the steel."""
     from fem.plane.material import Elastic
 
     return Elastic(E=q.E * (1 + 2 * q.nu) / (1 + q.nu) ** 2, nu=q.nu / (1 + q.nu))
@@ -144,7 +144,7 @@ def fem_plane_stress(q: WidthInputs) -> "Elastic":
 def fem_mesh(
     path: "Sequence[Piece]", b: float, h: float, level: int, *, across: int
 ) -> "ShellMesh":
-    """Half of the strip's width; cells shrink to its edge, whose layer is about b wide."""
+    """Mesh of half the width of the strip; cells are small in the edge layer of width b."""
     from meshes.shell.strip import swept_path
 
     return swept_path(path, width=h / 2, per_arc=level, per_leaf=3 * level, across=across,
@@ -155,7 +155,7 @@ def fem_pulled(
     mesh: "ShellMesh", b: float, h: float, material: "Elastic", head: str, *,
     held: bool = False, uniform: bool = False,
 ) -> "ShellSolution":  # fmt: skip
-    """Solution under 1 N along x on the head of half the width; 2 N on the whole."""
+    """Solution under 1 N along x on the head for half the width (2 N on the whole width)."""
     from fem.shell.solve import solve_shell
 
     supports: dict[str | int, Any] = {"tail": "xyzabc", "middle": "zab", "head": head}
@@ -169,10 +169,10 @@ def fem_pulled(
 
 
 def fem_leaf(q: WidthInputs, ratio: float, level: int) -> tuple[float, NDArray[np.float64]]:
-    """The factor of a leaf thin enough for Kirchhoff's plate, and its transverse curvature.
+    """Factor of a leaf thin enough for Kirchhoff's plate theory, and its transverse curvature.
 
-    The latter (k, 2): place along the leaf over its length, and what the edge is lifted above the
-    middle there over the head's movement.
+    The curvature (k, 2) is stated by the position over the length of the leaf, and the deflection
+    of the edge relative to the middle, over the displacement of the head.
     """
     from meshes.shell.strip import swept_path
     from meshes.spring.path import Piece
@@ -220,7 +220,7 @@ def shell_loop(q: WidthInputs, h: float, level: int) -> "tuple[float, ShellMesh,
 
 
 def solid_loop(q: WidthInputs, h: float, level: int) -> float:
-    """The same of 27-node solids, one through the thickness."""
+    """The same by 27-node solid elements, one through the thickness."""
     return fem_solid(q, h, level, held=False) / fem_solid(q, h, level, held=True)
 
 
@@ -257,7 +257,7 @@ NEAREST = (0, 6, 8, 2)  # Gauss point in each quarter, the second coordinate run
 
 
 def loop_field(mesh: "ShellMesh", solved: "ShellSolution") -> Field:
-    """Half the loop's width under two newtons on the whole."""
+    """Fields of half the width of the loop, with 2 N on the whole width."""
     cells = mesh.cells[:, QUARTERS].reshape(-1, 4)
     stress = solved.bending_stress[:, NEAREST].reshape(-1, 3, 3)
     return Field(
