@@ -1,7 +1,8 @@
-"""The benchmark's contact as a calculix deck, run there, and its result.
+"""The contact of two discs (benchmark) in calculix: input deck, run and result.
 
-Same nodes, same nodal loads; eight-node quadrilaterals lack the centre node of the nine-node ones.
-Contact is a penalty there, surface to surface: a pressure of `slope` times the overlap.
+Nodes and nodal loads are those of this project; the eight-node quadrilaterals of calculix lack the
+centre node of nine-node cells. Contact is a surface-to-surface penalty: pressure = `slope` times
+overlap.
 """
 
 from dataclasses import dataclass
@@ -23,10 +24,10 @@ from verify.studies.crosscheck.calculix.running import Run
 class Settings:
     """Settings of calculix.
 
-    `slope` [E/a] of the pressure over the overlap; `start` [approach of both discs by Hertz]: how
-    far the discs overlap to begin with, for without any overlap the upper one falls through. Kind
-    of element, linear solver, threads, increments, pairing and lines of *CONTROLS as calculix
-    has them.
+    `slope` [E/a] is the ratio of pressure to overlap. `start` is the initial overlap of the discs
+    over the approach of both discs by Hertz; without overlap, calculix finds no contact. Element
+    type, linear solver, threads, increments, pairing and lines of *CONTROLS are in calculix'
+    notation.
     """
 
     slope: float = 150.0
@@ -40,7 +41,7 @@ class Settings:
 
     @property
     def shift(self) -> float:
-        """By how much the upper disc is lowered [m]."""
+        """Initial downward displacement of the upper disc [m]."""
         return self.start * 2 * hertz.EXACT.approach
 
     @property
@@ -65,7 +66,7 @@ class Settings:
 
 @dataclass(frozen=True, kw_only=True)
 class Answer:
-    """A run, how many iterations it took, displacements (nodes, 2) from the mesh, errors."""
+    """A run, its number of iterations, displacements (nodes, 2) from the mesh, and errors."""
 
     run: Run
     iterations: int
@@ -85,7 +86,7 @@ def write_deck(path: Path, solution: ContactSolution, ask: Settings) -> None:
 def run_deck(
     deck: Path, problem: ContactProblem, plane: PlaneSolution, ask: Settings, limit: float = 60.0
 ) -> Answer:
-    """Run and evaluate; RuntimeError where calculix fails or takes more than `limit` seconds."""
+    """Run and evaluate; RuntimeError if calculix fails or takes more than `limit` seconds."""
     run, numbering = (
         running.run_deck(deck, threads=ask.threads, limit=limit),
         Numbering(plane.basis),
@@ -105,7 +106,7 @@ def run_deck(
 
 
 def lowered(plane: PlaneSolution, ask: Settings) -> Array:
-    """How far (nodes, 2) each node starts below its place in the mesh."""
+    """Initial distance (nodes, 2) of each node below its position in the mesh."""
     numbering = Numbering(plane.basis)
     own = numbering.cells[:, numbering.body("upper")]
     down = np.zeros((numbering.count, 2))

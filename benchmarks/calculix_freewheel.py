@@ -1,8 +1,9 @@
-"""The benchmark's pitch of a freewheel as a calculix deck, run there, and its result.
+"""One pitch of a roller freewheel (benchmark) in calculix: input deck, run and result.
 
-Same nodes, cuts tied and the rim's mean rotation held by *EQUATION with this project's weights.
-Contact is a penalty there, surface to surface, friction another one; circle and flat cannot be
-entered and are replaced by the parabolas of the cells' sides. The overlap is that of the mesh.
+Nodes are those of this project. *EQUATION with the weights of this project ties both cuts and
+prescribes the mean rotation of the rim. Contact and friction are surface-to-surface penalties.
+calculix has no exact circles and flats: parabolic cell sides are used. The overlap is that of the
+mesh.
 """
 
 from dataclasses import dataclass
@@ -27,10 +28,10 @@ STIFF = sector.CLUTCH.E / sector.WIDTHS[0]  # Pa/m
 class Settings:
     """Settings of calculix.
 
-    `slope` [E/a] of the pressure over the overlap; `stick` of the friction over the slip, in
-    slopes. Kind of element, linear solver, threads, increments (`cut` shorter where needed),
-    pairing and lines of *CONTROLS as calculix has them. `given` [N m]: that torque, evenly spread,
-    in place of the rim's rotation.
+    `slope` [E/a] is the ratio of pressure to overlap; `stick` is the ratio of friction to slip, in
+    units of `slope`. Element type, linear solver, threads, increments (`cut`: automatic reduction),
+    pairing and lines of *CONTROLS are in calculix' notation. `given` [N m] is a uniformly
+    distributed torque; it replaces the prescribed rotation of the rim.
     """
 
     slope: float = 50.0
@@ -68,7 +69,7 @@ class Settings:
 
 @dataclass(frozen=True, kw_only=True)
 class Answer:
-    """A run, how many iterations it took, and the compared quantities."""
+    """A run, its number of iterations, and the compared quantities."""
 
     run: Run
     iterations: int
@@ -84,7 +85,7 @@ class Deck:
         self.rim = self.numbering.nodes("ring.rim")
 
     def write(self, path: Path, ask: Settings) -> None:
-        """Bore and rim turned as solved, or the torque that is given."""
+        """Write the deck: bore and rim rotated as in this project's solution, or a given torque."""
         given = {} if ask.given is None else {0: -ask.given / (sector.CLUTCH.z * sector.CLUTCH.L)}
         contact.ContactDeck(
             states=[self.solution], assumption="plane strain", how=ask.in_deck, given=given,
@@ -92,7 +93,7 @@ class Deck:
         ).write(path)  # fmt: skip
 
     def run(self, path: Path, ask: Settings, limit: float) -> Answer:
-        """Run and read; RuntimeError where calculix fails or takes more than `limit` seconds."""
+        """Run and read; RuntimeError if calculix fails or takes more than `limit` seconds."""
         run = running.run_deck(path, threads=ask.threads, limit=limit)
         frd, dat = path.with_suffix(".frd"), path.with_suffix(".dat")
         pressure, force = reading.nodal(frd, "CONTACT")[:, 3], reading.nodal(frd, "FORC")
@@ -106,7 +107,7 @@ class Deck:
             torque=-float(torque),
             forces=((-inner[0], -inner[1]), (-outer[0], -outer[1])),
             centre=(float(run.u[centre, 0]), float(run.u[centre, 1])),
-            widths=(area_i / 2, area_o / 2),  # nodal pressures reach 3 % too far
+            widths=(area_i / 2, area_o / 2),  # the region with nodal pressures is 3 % too wide
             peaks=(self.peak(slaves[0], pressure), self.peak(slaves[1], pressure)),
         )
         rounds = reading.iterations(path.with_suffix(".sta"))

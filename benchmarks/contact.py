@@ -1,15 +1,16 @@
-"""Hertz contact of two elastic bodies beside calculix on the same mesh; `make bench`.
+"""Hertz contact of two elastic bodies: this project and calculix on the same mesh; `make bench`.
 
-Both run as separate processes, in turn, with one thread. Ours is timed from the scikit-fem
-mesh in memory to contact pressures, displacements and the stress of every cell, and as a whole
-process with Python's start; calculix as a whole process, which reads its deck and writes the same.
-Meshing counts on neither side, nor does writing the deck; both are reported. Both are judged by the
-peak pressure, the half-width from the pressure's moment and the approach of the centres.
+Both solvers run alternately as separate processes with one thread. This project is timed twice:
+from the scikit-fem mesh in memory to contact pressures, displacements and the stress of every cell;
+and as a complete process with the start of Python. calculix is timed as a complete process, which
+reads its deck and writes the same results. Meshing and writing the deck are reported, but not
+included. Both are judged by the peak pressure, the half-width from the moment of the pressure, and
+the approach of the centres.
 
-calculix runs with many settings, all of them printed; it is compared in the fastest one of
-those nearest to the exact values. One row is separate: discs that start with an overlap as wide
-as the contact will be, so that calculix has nothing left to search, need the solution to begin
-with. Numbers and plot go to benchmarks/out.
+calculix runs with many settings, which are all printed. The fastest of the most accurate settings
+is compared. A separate row has discs whose initial overlap is as wide as the final contact:
+calculix then has no contact to search, but this start requires the solution. Numbers and plot are
+written to benchmarks/out.
 """
 
 import json
@@ -30,8 +31,8 @@ from verify.studies.crosscheck.calculix import running as calculix
 OUT = Path(__file__).parent / "out"
 RUNS = 7
 MINUTE = 60.0  # s
-NEAR = 1.1  # times the smallest error counts as that error
-# circles that overlap by a^2/R cut each other at 2a: the start from the solution
+NEAR = 1.1  # errors up to this multiple of the smallest error are considered equal to it
+# circles with the overlap a^2/R intersect at 2a: start from the solution
 SOLVED_START = hertz.A**2 / hertz.R / (2 * hertz.EXACT.approach)
 USUAL = Settings()
 TRIED = (
@@ -72,7 +73,7 @@ class Peer:
         self.writing = 0.0
 
     def ask(self, how: Settings, limit: float = MINUTE) -> Answer:
-        """A run; RuntimeError where calculix fails."""
+        """Result of a run; RuntimeError if calculix fails."""
         with TemporaryDirectory() as folder:
             deck = Path(folder) / "contact.inp"
             start = time.perf_counter()
@@ -82,7 +83,7 @@ class Peer:
 
 
 def worst(errors: dict[str, float]) -> float:
-    """The largest of the errors that are compared."""
+    """The largest of the compared errors."""
     return max(abs(errors[name]) for name in ("p_0", "a", "approach"))
 
 
@@ -92,7 +93,7 @@ def error_list(errors: dict[str, float]) -> str:
 
 
 def try_all(peer: Peer) -> list[tuple[Settings, Answer]]:
-    """Every setting once, printed; those that gave a result."""
+    """Run every setting once and print it; return the runs with a result."""
     found = []
     for how in (*TRIED, *(replace(USUAL, start=SOLVED_START, slope=s) for s in (50, 150, 500))):
         try:
@@ -110,14 +111,14 @@ def try_all(peer: Peer) -> list[tuple[Settings, Answer]]:
 
 
 def choose(found: list[tuple[Settings, Answer]], enough: float) -> Settings:
-    """The fastest that errs by `enough` at most, or where there is none by the least."""
+    """The fastest run with an error of at most `enough`; if there is none, the most accurate."""
     least = max(enough, NEAR * min(worst(answer.errors) for _, answer in found))
     near = [(answer.run.cpu, how) for how, answer in found if worst(answer.errors) <= least]
     return min(near, key=lambda pair: pair[0])[1]
 
 
 def compare(peer: Peer, how: Settings, runs: int) -> dict[str, Any]:
-    """Runs of both in turn: medians of seconds and of ratios."""
+    """Medians of seconds and of ratios of alternate runs of both solvers."""
     here, there = [], []
     for _ in range(runs):
         here.append(ours(hertz.CELLS, 1))
@@ -149,7 +150,7 @@ def compare(peer: Peer, how: Settings, runs: int) -> dict[str, Any]:
 
 
 def climb(how: Settings | None) -> list[dict[str, Any]]:
-    """Both by size in processor seconds, calculix as long as a run stays within a minute."""
+    """Processor seconds of both over the size; calculix up to the size that takes a minute."""
     rows: list[dict[str, Any]] = []
     for cells, refine in LADDER:
         runs = [ours(cells, refine) for _ in range(3 if refine < 3 else 1)]

@@ -1,10 +1,10 @@
-"""How long a sprag clutch's engagement takes: compiled Runge-Kutta steps and scipy's LSODA.
+"""Run time of an engagement of a sprag clutch: compiled Runge-Kutta steps and scipy's LSODA.
 
     python -m benchmarks.engagement
 
-Both follow the same clutch (Table 1 of Huang et al., contacts by Palmgren's law) over 60 ms under
-a torque that comes at once, and are compared by the largest force, against both at their finest.
-Compilation is not counted, nor are the states of the clutch that both begin with.
+Both integrate the same clutch (Table 1 of Huang et al., contacts by Palmgren's law) over 60 ms
+under a step of torque. The largest force is compared with that of both methods at their finest
+settings. The times exclude compilation and the computation of the initial state.
 """
 
 import time
@@ -26,7 +26,7 @@ TORQUE, DURATION, N_END = 25.0, 0.06, 12e3
 STEPS = (4e-5, 2e-5, 1e-5, 5e-6, 2.5e-6)
 TOLERANCES = (1e-4, 1e-5, 1e-6, 1e-7, 1e-9)
 REPEATS = 5
-MANY = 125  # engagements, as many as a full factorial of three parameters at five levels
+MANY = 125  # number of engagements of a full factorial of three parameters at five levels
 
 
 def main() -> None:

@@ -1,13 +1,14 @@
-"""A roller freewheel's pitch with friction beside calculix on the same mesh; `make bench`.
+"""One pitch of a roller freewheel with friction: this project and calculix on the same mesh.
 
-Both run as separate processes, in turn, with one thread. Ours is timed from the scikit-fem
-mesh in memory to torque, contact forces, pressures, half-widths, displacements and the stress of
-every cell, and as a whole process with Python's start; calculix as a whole process, which reads
-its deck and writes the same (its start time is printed). Meshing counts on neither side, nor
-does writing the deck. Both are judged against this project's solution on a mesh six times as fine.
+Both solvers run alternately as separate processes with one thread (`make bench`). This project is
+timed twice: from the scikit-fem mesh in memory to torque, contact forces, pressures, half-widths,
+displacements and the stress of every cell; and as a complete process with the start of Python.
+calculix is timed as a complete process, which reads its deck and writes the same results; its start
+time is printed. Meshing and writing the deck are not included. Both are judged by the solution of
+this project on a mesh six times as fine.
 
-calculix runs with many settings, all of them printed; it is compared in the fastest one of
-those nearest to the reference. Numbers and plot go to benchmarks/out.
+calculix runs with many settings, which are all printed. The fastest of the settings nearest to the
+reference is compared. Numbers and plot are written to benchmarks/out.
 """
 
 import json
@@ -29,9 +30,9 @@ from verify.studies.crosscheck.calculix import running as calculix
 OUT = Path(__file__).parent / "out"
 RUNS = 5
 MINUTE, PATIENT = 60.0, 600.0  # s
-NEAR = 1.1  # times the smallest error counts as that error
+NEAR = 1.1  # errors up to this multiple of the smallest error are considered equal to it
 LOST = (
-    0.5  # a torque that errs by more: the contacts have opened, and calculix calls that converged
+    0.5  # larger relative error of torque: the contacts are open, although calculix has converged
 )
 USUAL = Settings()
 TRIED = (
@@ -67,7 +68,7 @@ class Peer:
         self.deck, self.reference, self.writing = Deck(problem, solution), reference, 0.0
 
     def ask(self, how: Settings, limit: float = MINUTE) -> tuple[Answer, Errors]:
-        """A run and its errors; RuntimeError where calculix fails or loses the contacts."""
+        """A run and its errors; RuntimeError if calculix fails or the contacts open."""
         with TemporaryDirectory() as folder:
             path = Path(folder) / "freewheel.inp"
             start = time.perf_counter()
@@ -88,7 +89,7 @@ def error_list(errors: Errors) -> str:
 
 
 def try_all(peer: Peer) -> list[tuple[Settings, Answer, Errors]]:
-    """Every setting once, printed; those that gave a result."""
+    """Run every setting once and print it; return the runs with a result."""
     found = []
     for how in (*TRIED, replace(USUAL, given=peer.torque)):
         try:
@@ -105,7 +106,7 @@ def try_all(peer: Peer) -> list[tuple[Settings, Answer, Errors]]:
 
 
 def choose(found: list[tuple[Settings, Answer, Errors]], enough: float) -> Settings:
-    """The fastest that errs by `enough` at most, or where there is none by the least."""
+    """The fastest run with an error of at most `enough`; if there is none, the most accurate."""
     own = [(how, answer, sector.worst(errors)) for how, answer, errors in found if not how.given]
     least = max(enough, NEAR * min(error for _, _, error in own))
     near = [(answer.run.cpu, how) for how, answer, error in own if error <= least]
@@ -119,7 +120,7 @@ def ours(cells: int, *more: str) -> dict[str, Any]:
 
 
 def compare(peer: Peer, how: Settings) -> dict[str, Any]:
-    """Runs of both in turn: medians of seconds and of ratios."""
+    """Medians of seconds and of ratios of alternate runs of both solvers."""
     here, there = [], []
     for _ in range(RUNS):
         here.append(ours(sector.CELLS))
@@ -154,7 +155,7 @@ def compare(peer: Peer, how: Settings) -> dict[str, Any]:
 
 
 def table(reference: dict[str, float], row: dict[str, Any]) -> None:
-    """Errors of both sides and their difference, quantity by quantity."""
+    """Errors of both solvers and their difference for each quantity."""
     print(f"    {'':20s} {'reference':>12s} {'ours':>10s} {'calculix':>10s} {'difference':>10s}")
     sides = "ours errors", "theirs errors", "difference"
     for name, words in sector.JUDGED.items():
@@ -164,7 +165,7 @@ def table(reference: dict[str, float], row: dict[str, Any]) -> None:
 
 
 def climb(how: Settings | None, reference: dict[str, float]) -> list[dict[str, Any]]:
-    """Both by size in processor seconds, calculix as long as a run stays within a minute."""
+    """Processor seconds of both over the size; calculix up to the size that takes a minute."""
     rows: list[dict[str, Any]] = []
     for cells in LADDER:
         runs = [ours(cells) for _ in range(3)]

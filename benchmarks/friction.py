@@ -1,10 +1,10 @@
-"""Random frictional contact problems: which method solves them, how fast, and whether they hold.
+"""Random problems of contact with friction: solving method, run time, and check of each solution.
 
     python -m benchmarks.friction [--problems 10000] [--seed 0]
 
-One to four bodies press on each other and on the ground along graded surfaces of half-planes, with
-Dundurs' coupling of pressure and slip, and follow a load path of 20 steps with reversals. A
-separate check, which shares no code with the solver, judges every solution.
+One to four bodies are in contact with each other and with the ground along graded surfaces of
+half-planes; Dundurs' constant couples pressure and slip. The load path has 20 steps with reversals.
+A separate check, which shares no code with the solver, judges every solution.
 """
 
 import argparse
@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 
 STEPS = 20
 ACCEPTED = 1e-9
-PROVEN = 1e-6  # of the largest load: so much must be missing, well above the program's errors
+PROVEN = 1e-6  # load without equilibrium, over the largest load: well above numerical errors
 HELD, PRESSED, DRIVEN, HUNG, PULLED = KINDS = (
     "no free bodies", "pressed by loads", "driven by the ground", "held by friction", "pulled away",
 )  # fmt: skip
@@ -42,7 +42,7 @@ class Problem:
 
 
 def second_differences(F: Array) -> Array:
-    """Integrals over pairs of cells from a function F of the distances of their ends."""
+    """Integrals over pairs of cells, computed from F, a function of the distances of their ends."""
     return np.asarray(F[1:, :-1] - F[:-1, :-1] - F[1:, 1:] + F[:-1, 1:])
 
 
@@ -56,7 +56,7 @@ def half_plane(ends: Array, beta: float) -> Array:
 
 
 def cells(rng: np.random.Generator, n: int) -> Array:
-    """Ends (n + 1,) of cells on (-1, 1), whose lengths grow by up to ten towards a random side."""
+    """Ends (n + 1,) of cells on (-1, 1); lengths grow up to tenfold towards a random side."""
     lengths = np.geomspace(1.0, rng.uniform(1, 10), n)
     if rng.random() < 0.5:
         lengths = np.concatenate([lengths[::-2], lengths[1::2]])
@@ -65,13 +65,13 @@ def cells(rng: np.random.Generator, n: int) -> Array:
 
 
 def problem(seed: int) -> Problem:
-    """The problem of a seed."""
+    """The problem for a seed."""
     rng = np.random.default_rng(seed)
     kind = KINDS[rng.choice(5, p=[0.3, 0.35, 0.2, 0.1, 0.05])]
     bodies = int(rng.integers(1, 5))
     pairs = [(i, i - 1) for i in range(bodies)]  # body -1 is the ground
     if kind != PULLED and rng.random() < 0.5:
-        pairs.append((bodies - 1, -1))  # held from two sides
+        pairs.append((bodies - 1, -1))  # in contact on two sides
     sizes = rng.integers(4, 33, len(pairs))
     blocks = [surface(rng, int(n)) for n in sizes]
     m, k = int(sizes.sum()), 0 if kind == HELD else 3 * bodies
@@ -103,7 +103,7 @@ def problem(seed: int) -> Problem:
 
 
 def surface(rng: np.random.Generator, n: int) -> tuple[Array, Array, Array, Array]:
-    """Compliance, middles, lengths and gaps of a surface: flat, round or with a sharp end."""
+    """Compliance, midpoints, lengths and gaps of a surface: flat, round or with a sharp end."""
     ends = cells(rng, n)
     x, length = (ends[1:] + ends[:-1]) / 2, np.diff(ends)
     gap = rng.choice([0.0, 0.5, 5.0]) * (x - rng.uniform(-0.3, 0.3)) ** 2
@@ -113,7 +113,7 @@ def surface(rng: np.random.Generator, n: int) -> tuple[Array, Array, Array, Arra
 def paths(
     rng: np.random.Generator, kind: str, kernel: Complementarity, D: Array, gaps: Array
 ) -> tuple[Array, Array]:
-    """Motions of the ground and loads, from barely touching to flattened, with reversals."""
+    """Motions of the ground and loads with reversals, for small to nearly complete contacts."""
     m, k = gaps.size, kernel.D.shape[1]
     size = 10.0 ** rng.uniform(-6, 0)
     turns = np.cumsum(rng.choice([-1.0, 1.0], STEPS, p=[0.4, 0.6])) / 5
@@ -135,7 +135,7 @@ def paths(
 
 
 def violation(one: Problem, w_0: Array, e: Array, rest: Rest) -> float:
-    """Largest violation of the laws of contact, each over its scale, from scratch."""
+    """Largest violation of the laws of contact, each over its scale, without code of the solver."""
     B, D, mu, m = one.kernel.B, one.kernel.D, one.kernel.friction, one.gaps.size
     w, own = w_0 + B @ rest.multipliers + D @ rest.motion, np.diag(B)
     p, q = rest.multipliers[:m], rest.multipliers[m:]
@@ -150,9 +150,9 @@ def violation(one: Problem, w_0: Array, e: Array, rest: Rest) -> float:
         (-g).max(),
         np.minimum(np.abs(p) / force, np.abs(g)).max(),
         (np.abs(q) - mu * np.abs(p)).max() / force,
-        np.minimum(np.abs(s), (mu * p - np.abs(q)) / force).max(),  # slips below the bound
+        np.minimum(np.abs(s), (mu * p - np.abs(q)) / force).max(),  # slip below the limit
         np.minimum(s, q / force).max(),
-        np.minimum(-s, -q / force).max(),  # or along the traction
+        np.minimum(-s, -q / force).max(),  # slip along the traction
     ]
     if e.size:
         missed = np.abs(e + D.T @ rest.multipliers).max()
@@ -164,9 +164,9 @@ def violation(one: Problem, w_0: Array, e: Array, rest: Rest) -> float:
 
 
 def is_impossible(one: Problem, e: Array) -> bool:
-    """Whether admissible contact forces leave a part of `e` (k,), by a linear programme.
+    """Whether no admissible contact forces balance the loads `e` (k,), by a linear programme.
 
-    The least sum of what is missing, in units of the largest load.
+    The programme minimises the sum of the unbalanced loads over the largest load.
     """
     D, mu, m, k = one.kernel.D, one.kernel.friction, one.gaps.size, e.size
     normal, sideways = D[:m].T, (mu[:, None] * D[m:]).T

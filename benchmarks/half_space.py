@@ -1,13 +1,15 @@
-"""Half-spaces in contact beside tamaas on the same grids; `python -m benchmarks.half_space`.
+"""Half-spaces in contact: this project and tamaas on equal grids.
 
-tamaas runs in a separate Python: the one that TAMAAS_PYTHON names, or this one if it has tamaas.
-First the results are compared, then both are timed in turn, with THREADS (default 1) threads each:
-from the gap in memory to pressures, the influence and its transform included, imports and files
-not. Both results are judged by one measure, the largest wrong gap (left where pressure acts,
-overlap where none does) over the largest displacement, with the influence that both take. tamaas
-stops by another measure, pressure times gap over load times the roughness of the surface; ours
-stops by the measure above, at the value that tamaas reached, so that it is at least as close.
-Plot and numbers go to benchmarks/out.
+    python -m benchmarks.half_space
+
+tamaas runs in a separate Python: that of TAMAAS_PYTHON, or the present one if it has tamaas. First
+the results are compared. Then both solvers are timed alternately with THREADS (default 1) threads,
+from the gap in memory to the pressures. The time includes the influence coefficients and their
+transform, but not imports and files. Both results are judged by the same measure: the largest error
+of the gap over the largest displacement, with equal influence coefficients. The error is the
+remaining gap where pressure acts, and the overlap where no pressure acts. tamaas terminates by
+another measure: pressure times gap, over load times roughness. This project terminates when its
+error is not larger than that of tamaas. Plot and numbers are written to benchmarks/out.
 """
 
 import json
@@ -38,10 +40,10 @@ THREADS = int(os.environ.get("THREADS", "1"))
 TOLERANCE = 1e-10
 FINEST = 1e-13  # limit of double precision
 LIMIT = 5000  # iterations of tamaas
-SHORT, RUNS, LONG = 5.0, 5, 3  # runs in turn, fewer where one takes more than so many seconds
-R, LENGTH, E_STAR, LOAD = 2.9519e-3, 9e-3, 1.1319e11, 3400.0  # the sprag's roller, SI
+SHORT, RUNS, LONG = 5.0, 5, 3  # s; number of runs below and above this time
+R, LENGTH, E_STAR, LOAD = 2.9519e-3, 9e-3, 1.1319e11, 3400.0  # equivalent roller of a sprag, SI
 HALF_WIDTH = np.sqrt(4 * LOAD * R / (np.pi * E_STAR * LENGTH))
-RADIUS, RIM = 1e-2, 1e-4  # a sphere, and its contact's radius
+RADIUS, RIM = 1e-2, 1e-4  # radius of a sphere, and radius of its contact
 Array = np.ndarray
 
 
@@ -113,7 +115,7 @@ def theirs(asked: Asked, python: str) -> dict[str, Any]:
 
 
 def residual(asked: Asked, pressure: Array) -> float:
-    """The largest wrong gap over the largest displacement; the approach is the mean's."""
+    """The largest error of the gap over the largest displacement, at the mean approach."""
     K = Convolution(asked.gap.shape, cell=asked.cell, E_star=E_STAR)  # type: ignore[arg-type]
     u = K.displacement(pressure)
     gap = u + asked.gap
@@ -122,7 +124,7 @@ def residual(asked: Asked, pressure: Array) -> float:
 
 
 def compare(asked: Asked, python: str | None) -> dict[str, Any]:
-    """Results first, then medians of seconds of runs in turn."""
+    """Compare the results; then return medians of seconds of alternate runs."""
     nx, ny = asked.gap.shape
     row: dict[str, Any] = {"kind": asked.kind, "nx": nx, "ny": ny}
     if python is None:
@@ -161,7 +163,7 @@ def compare(asked: Asked, python: str | None) -> dict[str, Any]:
 
 
 def version(python: str) -> str:
-    """The version of tamaas there; ends the run where there is none."""
+    """The version of tamaas in that Python; ends the run if tamaas is not installed."""
     words = [python, "-c", "import tamaas; print(tamaas.__version__)"]
     try:
         said = subprocess.run(words, capture_output=True, text=True, check=True)  # noqa: S603

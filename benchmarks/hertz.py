@@ -1,8 +1,8 @@
-"""The benchmark's contact: two equal discs, a quarter of each, pressed by a given load.
+"""The contact of the benchmark: two equal discs, a quarter of each, pressed by a given load.
 
-The load is spread over the middle of the upper disc as two opposite forces on a disc would have it
-(Timoshenko and Goodier, art. 41): the middle then stays flat, and p_0, the half-width a and the
-approach of the centres all have values in closed form. At a/R = 0.01 Hertz's values differ from
+The load is distributed over the mid-plane of the upper disc as in a disc under two opposite forces
+(Timoshenko and Goodier, art. 41). The mid-plane then remains plane, and p_0, the half-width a and
+the approach of the centres have closed-form values. At a/R = 0.01, the values of Hertz differ from
 those of the disc by 3e-5.
 """
 
@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 R = 10e-3  # m
 A = 0.01 * R  # Hertz's half-width
 ZONE = 1.5 * A
-CELLS = (24, 20)  # in the fine zones of the upper and the lower disc: a/h = 16 and 13, not matching
+CELLS = (24, 20)  # in the fine zones of both discs: a/h = 16 and 13, non-matching meshes
 STEEL = Elastic(E=210e9, nu=0.3)
 ASSUMPTION: Assumption = "plane strain"
 E_PLANE = STEEL.E / (1 - STEEL.nu**2)
@@ -36,7 +36,7 @@ MU = 0.3
 
 
 def discs(cells: tuple[int, int] = CELLS, refine: int = 1, *, whole: bool = False) -> Mesh2D:
-    """The upper disc on the lower one; quarters, or halves where `whole`."""
+    """Mesh of the upper disc on the lower disc; quarters, or halves if `whole`."""
     shape = half_disc if whole else quarter_disc
     return join({
         "upper": shape(R=R, zone=ZONE, cells=cells[0], refine=refine),
@@ -45,7 +45,7 @@ def discs(cells: tuple[int, int] = CELLS, refine: int = 1, *, whole: bool = Fals
 
 
 def contact(friction: float = 0.0) -> Pair:
-    """The arcs, as circles: the parabolas of the cells do not enter the gap."""
+    """The contact of both arcs as exact circles: parabolic cell sides do not affect the gap."""
     return Pair(
         slave="upper.surface", master="lower.surface", friction=friction,
         slave_shape=Circle((0.0, R), R), master_shape=Circle((0.0, -R), R),
@@ -53,7 +53,7 @@ def contact(friction: float = 0.0) -> Pair:
 
 
 def pressed(mesh: Mesh2D) -> ContactProblem:
-    """The quarters, free to approach."""
+    """Problem of the quarters; the upper is free to approach."""
     return ContactProblem(
         mesh, materials=STEEL, assumption=ASSUMPTION, contacts=[contact()],
         supports={"upper.axis": "x", "lower.axis": "x", "lower.middle": "y"},
@@ -61,7 +61,7 @@ def pressed(mesh: Mesh2D) -> ContactProblem:
 
 
 def sheared(mesh: Mesh2D) -> ContactProblem:
-    """The halves with friction, both held along their middles."""
+    """Problem of the halves with friction, both supported along their mid-planes."""
     return ContactProblem(
         mesh, materials=STEEL, assumption=ASSUMPTION, contacts=[contact(MU)],
         supports={"upper.middle": "xy", "lower.middle": "xy"},
@@ -69,7 +69,7 @@ def sheared(mesh: Mesh2D) -> ContactProblem:
 
 
 def on_middle(x: Array, share: float = 1.0) -> Array:
-    """Pressure on the middle y = R of the upper disc at `x` (2, ...), under a share of the load."""
+    """Pressure on the mid-plane y = R of the upper disc at `x` (2, ...), for a share of the load."""
     return np.asarray(share * LOAD / (np.pi * R) * (4 / (1 + (x[0] / R) ** 2) ** 2 - 1))
 
 
@@ -81,8 +81,8 @@ def solve_pressed(problem: ContactProblem, share: float = 1.0) -> ContactSolutio
 def errors(*, peak: float, moment: float, force: float, approach: float) -> dict[str, float]:
     """Relative errors of p_0, a, the load and the approach of both centres.
 
-    `force` and `moment` are those of the pressure on half the contact about its middle: an
-    elliptic pressure has a = 3 pi/4 moment/force.
+    `force` and `moment` are those of the pressure on half the contact, about the middle of the
+    contact: for an elliptic pressure, a = 3 pi/4 moment/force.
     """
     return {
         "p_0": peak / EXACT.p_0 - 1,
@@ -93,7 +93,7 @@ def errors(*, peak: float, moment: float, force: float, approach: float) -> dict
 
 
 def own_errors(solution: ContactSolution) -> dict[str, float]:
-    """Errors of this project's solution."""
+    """Relative errors of the solution of this project."""
     touch = solution.touches[0]
     middle = int(np.argmin(np.abs(touch.x[0])))
     return errors(
@@ -105,7 +105,7 @@ def own_errors(solution: ContactSolution) -> dict[str, float]:
 
 
 def _first_moment_width() -> float:
-    """The half-width that the disc's exact pressure has by the same rule."""
+    """The half-width from force and moment of the exact pressure of the disc."""
     g, w = np.polynomial.legendre.leggauss(200)
     x = EXACT.a * (1 + g) / 2
     q = w * EXACT.pressure(x)

@@ -1,11 +1,12 @@
-"""How long the optimal crown of a sprag clutch takes, by kriging and without it.
+"""Run time of the search for the optimal crown of a sprag clutch, with and without kriging.
 
     python -m benchmarks.optimum
 
-The paper's clutch under 25 N m in Eq. 19's box: 125 engagements in two processes that compile them
-first (an empty cache) and again, separate kriging of the end and the rest, genetic algorithm and
-differential evolution on it, designs added until the true model agrees. Beside it DIRECT on the
-engagements alone: how many it takes to the same pressure. One thread a process.
+The clutch of the paper under 25 N m, with the bounds of Eq. 19: 125 engagements in two processes,
+first with compilation (empty cache), then without; separate kriging of the end and the rest;
+genetic algorithm and differential evolution on the surrogate; further designs until the surrogate
+agrees with the engagement. For comparison, DIRECT on engagements without surrogate: the number of
+engagements to reach the same pressure. Each process has one thread.
 """
 
 import os
@@ -27,8 +28,8 @@ from verify.cases.sprag.optimum.inputs import Optimum25Inputs
 from verify.cases.sprag.peaks import peaks_fem
 
 JOBS = 2
-ENGAGEMENTS = 400  # of DIRECT
-AS_GOOD = (1.01, 1.005, 1.002, 1.001, 1.0)  # times the pressure that kriging ends at
+ENGAGEMENTS = 400  # number of engagements for DIRECT
+AS_GOOD = (1.01, 1.005, 1.002, 1.001, 1.0)  # multiples of the final pressure by kriging
 COLD = "--factorial"  # a separate run: the engagements of the factorial, seconds printed
 
 
@@ -47,7 +48,7 @@ def main() -> None:
 
 
 def factorial_seconds() -> float:
-    """Seconds of the factorial's engagements."""
+    """Seconds of the engagements of the factorial design."""
     q = Optimum25Inputs()
     start = time.perf_counter()
     peaks_fem(q, full_factorial(q.box, q.levels), [q.T], jobs=JOBS)
@@ -55,7 +56,7 @@ def factorial_seconds() -> float:
 
 
 def surrogate() -> tuple[float, float]:
-    """Seconds of the whole solution by kriging, and the pressure [Pa] that it ends at."""
+    """Seconds of the complete solution by kriging, and its final pressure [Pa]."""
     q = Optimum25Inputs()
     x = full_factorial(q.box, q.levels)
     peaks_fem(q, x[:1], [q.T])  # compiled
@@ -82,7 +83,7 @@ def surrogate() -> tuple[float, float]:
 
 
 def directly(pressure: float, by_kriging: float) -> None:
-    """DIRECT on the engagements: how many, and how long, to a pressure near that of kriging."""
+    """DIRECT on engagements: number and seconds until the pressure is near that of kriging."""
     found, seconds = timed(lambda: direct_fem(Optimum25Inputs())["direct"])
     lowest = np.minimum.accumulate(found[:, 3])
     each = seconds / len(found)

@@ -1,4 +1,4 @@
-"""One solution of the benchmark's ring in a separate process, timed by stage.
+"""One solution of the ring of the benchmark in a separate process, with the time of each stage.
 
 python -m benchmarks.ours KIND AROUND [DECK]    prints JSON; with DECK writes it for calculix
 """

@@ -1,4 +1,4 @@
-"""The benchmark's contact in a separate process, timed by stage.
+"""The contact of the benchmark in a separate process, with the time of each stage.
 
 python -m benchmarks.ours_contact CELLS CELLS REFINE [friction]    prints JSON
 """
@@ -21,7 +21,7 @@ from fem.plane.cells import Cells
 
 PARTS = ("set-up", "first", "fields")  # in processor seconds
 STEPS = 20
-FARTHEST = 1.8e-6  # m, where three quarters of the contact's friction are used up
+FARTHEST = 1.8e-6  # m, displacement at which the tangential force is 3/4 of its limit
 SET_UP = {  # everything else is supports, motions, the Schur complement and loads
     "hand-over": (bodies, ("basis_for",)),
     "assembly": (Cells, ("of", "stiffness")),
@@ -38,7 +38,7 @@ STEP = {  # everything else is bookkeeping
 
 
 def load_steps(mesh: Any) -> dict[str, Any]:
-    """The quarters: set-up, first solve, displacements and stresses, then further loads."""
+    """Times of the quarters: set-up, first solution, displacements and stresses, further loads."""
     stages: dict[str, float] = {}
     start, clock = time.perf_counter(), [time.process_time()]
     with timed(stages, SET_UP):
@@ -65,7 +65,7 @@ def load_steps(mesh: Any) -> dict[str, Any]:
 
 
 def friction_steps(mesh: Any) -> dict[str, Any]:
-    """The halves, pressed and then pushed sideways."""
+    """Times of the halves, first pressed, then loaded in the tangential direction."""
     problem = hertz.sheared(mesh)
     down = -2 * float(hertz.EXACT.approach)
 
@@ -88,9 +88,9 @@ def friction_steps(mesh: Any) -> dict[str, Any]:
 def further(
     step: Callable[[int, ContactSolution], ContactSolution], solution: ContactSolution
 ) -> dict[str, Any]:
-    """Median seconds of a further step to its contact tractions; processor seconds by stage."""
+    """Median seconds of a further step up to contact tractions; processor seconds of each stage."""
     seconds, cpu, parts = [], [], []
-    solution = step(1, solution)  # keeps the responses that later steps scale
+    solution = step(1, solution)  # stores the responses that later steps scale
     for i in range(1, STEPS + 1):
         stages: dict[str, float] = {}
         with timed(stages, STEP):

@@ -1,6 +1,6 @@
-"""The benchmark's pitch of a freewheel in a separate process, timed by stage.
+"""One pitch of the freewheel of the benchmark in a separate process, with the time of each stage.
 
-python -m benchmarks.ours_freewheel CELLS [rest]    prints JSON; with rest the roller is steered
+python -m benchmarks.ours_freewheel CELLS [rest]    prints JSON; with `rest`, rotations are searched
 """
 
 import json
@@ -18,7 +18,7 @@ PARTS = ("set-up", "first", "fields")  # in processor seconds
 
 
 def solved(cells: int) -> dict[str, Any]:
-    """From the mesh to forces, half-widths, pressures, displacements and stresses."""
+    """Solution from the mesh to forces, half-widths, pressures, displacements and stresses."""
     mesh = sector.pitch(cells)
     stages: dict[str, float] = {}
     start, clock = time.perf_counter(), [time.process_time()]
@@ -40,9 +40,9 @@ def solved(cells: int) -> dict[str, Any]:
 
 
 def steered(cells: int) -> dict[str, Any]:
-    """Seconds of finding by how much star and ring must be turned, meshing and set-up included.
+    """Seconds of the search for the rotations of star and ring, with meshing and set-up.
 
-    The first mesh of a process loads what draws it.
+    The first mesh of a process includes the time to load the mesh generator.
     """
     sector.pitch(cells)
     start, begun = time.perf_counter(), time.process_time()

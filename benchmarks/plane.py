@@ -1,9 +1,10 @@
-"""Plane elasticity by size, beside calculix on the same mesh; `make bench`.
+"""Plane elasticity over the size: this project and calculix on the same mesh; `make bench`.
 
-Both run as separate processes, in turn, with one thread. Ours is timed from the scikit-fem
-mesh in memory to displacements and the stress of every cell, and as a whole process with Python's
-start; calculix as a whole process, which reads its deck and writes displacements and stresses.
-No ratio is printed before displacement and energy agree. Numbers and plot go to benchmarks/out.
+Both solvers run alternately as separate processes with one thread. This project is timed twice:
+from the scikit-fem mesh in memory to displacements and the stress of every cell; and as a complete
+process with the start of Python. calculix is timed as a complete process, which reads its deck and
+writes displacements and stresses. Ratios are printed only if displacement and energy agree. Numbers
+and plot are written to benchmarks/out.
 """
 
 import json
@@ -32,7 +33,7 @@ def ours(kind: str, around: int, deck: Path | None = None) -> dict[str, Any]:
 
 
 def check(kind: str, around: int, deck: Path) -> None:
-    """RuntimeError unless both sides and Lamé agree in displacement, and both in energy."""
+    """RuntimeError unless the displacements of both solvers and Lamé, and both energies, agree."""
     ring = solve_ring(ring_mesh(kind, around))  # type: ignore[arg-type]
     dofs = Numbering(ring.basis).dofs
     theirs, here = calculix.run_deck(deck).u, ring.u[dofs].T
@@ -50,7 +51,7 @@ def check(kind: str, around: int, deck: Path) -> None:
 
 
 def measure(kind: str, around: int, peer: bool) -> dict[str, Any]:
-    """Runs of both in turn: medians and minima of seconds, and ratios."""
+    """Medians and minima of seconds, and ratios, of alternate runs of both solvers."""
     deck = OUT / f"{kind}-{around}.inp"
     ours(kind, around, deck)  # warms up, and writes the deck
     if peer:

@@ -18,7 +18,7 @@ CURVES = (  # name, seconds of a row, colour, marker
 
 
 def draw(rows: list[dict[str, Any]], *files: Path) -> None:
-    """One panel for each kind of cell, to each of `files`."""
+    """Draw one panel for each kind of cell into each of `files`."""
     kinds = list(dict.fromkeys(row["kind"] for row in rows))
     figure = Figure(figsize=(4.2 * len(kinds), 3.8), layout="constrained")
     for i, kind in enumerate(kinds):

@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 mpl.rcParams["svg.hashsalt"] = "contact"
-LARGE = 1e4  # unknowns from which on exponents are fitted: below, calls cost more than numbers
+LARGE = 1e4  # least number of unknowns for the fit of exponents: below, overhead dominates
 CURVES = (  # name, key of a row, colour, marker
     ("calculix, end to end", "calculix", "#b5482a", "s"),
     ("this project, end to end", "cpu", "#1f4e79", "o"),
@@ -19,7 +19,7 @@ CURVES = (  # name, key of a row, colour, marker
 
 
 def draw(rows: list[dict[str, Any]], *files: Path) -> None:
-    """All curves in one panel, to each of `files`."""
+    """Draw all curves in one panel into each of `files`."""
     figure = Figure(figsize=(6.4, 4.4), layout="constrained")
     axes = figure.add_subplot()
     for name, key, colour, marker in CURVES:

@@ -1,4 +1,4 @@
-"""Cost of a freewheel's pitch over its unknowns, and the error that the seconds buy."""
+"""Cost of one pitch of a freewheel over the number of unknowns, and its error over the cost."""
 
 from pathlib import Path
 from typing import Any
@@ -23,7 +23,7 @@ CURVES = (  # name, key of a row, colour, marker
 
 
 def draw(result: dict[str, Any], *files: Path) -> None:
-    """Seconds over unknowns beside errors over seconds, to each of `files`."""
+    """Draw seconds over unknowns, and errors over seconds, into each of `files`."""
     figure = Figure(figsize=(9.2, 4.2), layout="constrained")
     left, right = figure.subplots(1, 2)
     rows = result["rows"]

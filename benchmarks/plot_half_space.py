@@ -16,7 +16,7 @@ LINES = ("-", "--", ":")
 
 
 def draw(rows: list[dict[str, Any]], *files: Path) -> None:
-    """Both solvers' curves for each kind of contact in one panel, to each of `files`."""
+    """Draw the curves of both solvers for each kind of contact into each of `files`."""
     figure = Figure(figsize=(6.4, 4.4), layout="constrained")
     axes = figure.add_subplot()
     kinds = list(dict.fromkeys(row["kind"] for row in rows))

@@ -1,10 +1,10 @@
-"""Cost of finite-element points of sweeps, and savings by each kind of reuse, in one run.
+"""Cost of finite-element points of sweeps, and the time saved by each cache.
 
     OPENBLAS_NUM_THREADS=1 python -m benchmarks.points [points]
 
-A point is solved on the three meshes of its portion. Every sweep runs with what earlier solves
-leave in the process, and without, in turns. Seconds are of the processor; the numbers of both are
-compared to the last bit.
+A point is solved on the three meshes of its portion. Each sweep runs alternately with and without
+the data that earlier solutions leave in the process. Times are processor seconds. The results of
+both are compared bit for bit.
 """
 
 import itertools
@@ -55,7 +55,7 @@ def main() -> None:
 
 
 def print_levels(portion: Portion, points: Sequence[Any], size: Callable[[Any, int], int]) -> None:
-    """Median seconds of a portion's levels over `points`, and unknowns of the first point."""
+    """Print median seconds of each level of a portion over `points`, and unknowns of the first."""
     for level in portion.levels:
         seconds = []
         for q in points:
@@ -67,19 +67,19 @@ def print_levels(portion: Portion, points: Sequence[Any], size: Callable[[Any, i
 
 
 def grid(count: int, *axes: Iterable[float]) -> list[tuple[Any, ...]]:
-    """`count` points of the grid over `axes`, spread evenly."""
+    """`count` evenly distributed points of the grid over `axes`."""
     whole = list(itertools.product(*axes))
     return [whole[k] for k in np.linspace(0, len(whole) - 1, count).astype(int)]
 
 
 def rings(count: int) -> list[HubRing]:
-    """Rings that differ in wall and fillet by little, as neighbours of a sweep do."""
+    """Rings with small differences in wall and fillet, like neighbouring points of a sweep."""
     walls, fillets = np.linspace(3.8e-3, 4.2e-3, 5), np.linspace(1.8e-3, 2.2e-3, count)
     return [ring_of(delta_1=wall, rho=rho) for wall, rho in grid(count, walls, fillets)]
 
 
 def moduli(count: int) -> list[HubRing]:
-    """One ring of several materials."""
+    """One ring with several materials."""
     return [ring_of(E=E) for E in np.linspace(70e9, 210e9, count)]
 
 
@@ -102,12 +102,12 @@ def solved(portion: Portion) -> Run:
 
 
 def pushed(q: HubRing) -> list[list[float]]:
-    """Displacements of the hub's two loads on three meshes."""
+    """Displacements under both loads of the hub on three meshes."""
     return [s.u.tolist() for level in (1, 2, 3) for s in polyhedral_fem.pushed_fem(q, level)]
 
 
 def both(points: Sequence[Any], run: Run, what: Sequence[str]) -> tuple[float, float]:
-    """Mean seconds a point with what earlier solves leave, and without `what`, run in turns."""
+    """Mean seconds per point, with all caches and without `what`, in alternate runs."""
     with_all, without, without_too, with_all_too = (
         sweep(points, run, names) for names in ((), what, what, ())
     )
@@ -118,7 +118,7 @@ def both(points: Sequence[Any], run: Run, what: Sequence[str]) -> tuple[float, f
 
 
 def sweep(points: Sequence[Any], run: Run, without: Sequence[str]) -> tuple[float, list[Any]]:
-    """Seconds and values of all points, where nothing of `without` is cached."""
+    """Seconds and values of all points, without caching for the functions `without`."""
     most = {name: CACHES[name].most for name in without}
     for cache in CACHES.values():
         cache.kept.clear()

@@ -1,4 +1,4 @@
-"""Commands of both sides in separate processes: time and memory, one thread each."""
+"""Commands in separate processes with one thread: time and memory."""
 
 import json
 import os
@@ -17,7 +17,7 @@ STEP = 0.01  # s between readings of the memory
 
 @dataclass(frozen=True)
 class Used:
-    """Wall and processor seconds, the most memory at once [MB], and the printed text."""
+    """Wall and processor seconds, peak memory [MB], and the printed text."""
 
     wall: float
     cpu: float
@@ -26,14 +26,14 @@ class Used:
 
 
 def measured(command: list[str], folder: Path | None = None) -> Used:
-    """A command run in `folder`; RuntimeError with its error output where it fails."""
+    """Result of a command in `folder`; RuntimeError with its error output if it fails."""
     with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
         start, peak, ended = time.perf_counter(), 0.0, 0
         process = subprocess.Popen(  # noqa: S603
             command, cwd=folder, env=os.environ | ONE_THREAD, stdout=out, stderr=err
         )
         while not ended:
-            # the system's count for the process begins with the memory of its parent
+            # the peak stated by the system includes the memory of the parent process at the start
             peak = max(peak, _most(process.pid))
             ended, status, used = os.wait4(process.pid, os.WNOHANG)
             time.sleep(0.0 if ended else STEP)
@@ -46,7 +46,7 @@ def measured(command: list[str], folder: Path | None = None) -> Used:
 
 
 def _most(process: int) -> float:
-    """The most memory [MB] that a running process has had; 0 where it is not reported."""
+    """Peak memory [MB] of a running process so far; 0 if the system does not report it."""
     status = Path(f"/proc/{process}/status")
     found = re.search(r"VmHWM:\s+(\d+)", status.read_text()) if status.exists() else None
     return int(found[1]) / 1024 if found else 0.0
@@ -58,9 +58,9 @@ def _read(file: Any) -> str:
 
 
 def run_module(name: str, *words: object) -> dict[str, Any]:
-    """JSON printed by a module, and the time of its process with Python's start.
+    """JSON printed by a module, and the time of its process with the start of Python.
 
-    RuntimeError with its error output where it fails.
+    If it fails, RuntimeError with its error output.
     """
     used = measured([sys.executable, "-m", name, *map(str, words)])
     answer: dict[str, Any] = json.loads(used.output)

@@ -1,4 +1,4 @@
-"""The benchmark's problem: a quarter of a thick ring under pressure in its bore, plane strain."""
+"""The problem of the benchmark: a quarter of a thick ring under internal pressure, plane strain."""
 
 from dataclasses import replace
 from typing import Literal
@@ -39,7 +39,7 @@ def ring_mesh(kind: Kind, around: int) -> Mesh2D:
 
 
 def solve_ring(mesh: Mesh2D) -> PlaneSolution:
-    """The ring on `mesh`."""
+    """Solution of the ring on `mesh`."""
     return solve_plane(
         mesh, materials=STEEL, assumption=ASSUMPTION, supports={"x=0": "x", "y=0": "y"},
         pressures={"bore": PRESSURE},

@@ -1,10 +1,11 @@
-"""A rotor of 132 unknowns here and in ROSS: Campbell diagram, and runs of the unbalance response.
+"""A rotor of 132 unknowns in this project and in ROSS: Campbell diagram and unbalance response.
 
-    python -m benchmarks.rotor          # in an environment that has ross-rotordynamics, too
+    python -m benchmarks.rotor          # in an environment with ross-rotordynamics
 
-Two shafts with 22 nodes, 50 speeds of the Campbell diagram with six frequencies each and 1000 of
-the unbalance response, on isotropic and on unlike supports, damped and not. Matrices are assembled
-before the clock starts; processor seconds, of the diagram the best of three here and one run there.
+Two shafts with 22 nodes on isotropic and anisotropic supports, with and without damping. The
+Campbell diagram has 50 speeds with six frequencies each; the unbalance response has 1000 speeds.
+Times are processor seconds without the assembly of matrices. For the diagram, the time is the best
+of three runs of this project, and one run of ROSS.
 """
 
 import time
@@ -36,28 +37,28 @@ def words(*, unlike: bool, damped: bool) -> str:
 
 
 def pair(*, unlike: bool, damped: bool) -> tuple[Any, Any]:
-    """The rotor here, and there; None where ROSS is not installed."""
+    """The rotor in this project and in ROSS; None if ROSS is not installed."""
     other = theirs(ross, unlike=unlike, damped=damped) if ross else None
     return ours(kappas(other) if ross else [0.88] * 20, unlike=unlike, damped=damped), other
 
 
 def here(own: Any) -> Any:
-    """Our amplitudes (unknowns, speeds)."""
+    """Amplitudes (unknowns, speeds) by this project."""
     return unbalance_response(own, FINE, UNBALANCES).q.T
 
 
 def there(other: Any) -> Any:
-    """ROSS's amplitudes (unknowns, speeds)."""
+    """Amplitudes (unknowns, speeds) by ROSS."""
     nodes, sizes = list(UNBALANCES), list(UNBALANCES.values())
     return other.run_unbalance_response(nodes, sizes, [0.0, 0.0], frequency=FINE).forced_resp
 
 
 def unbalance(*, unlike: bool, damped: bool, runs: int) -> tuple[int, list[Run], list[Run]]:
-    """The unbalance response: unknowns, and runs of both in turn."""
+    """Unbalance response: number of unknowns, and alternate runs of both."""
     own, other = pair(unlike=unlike, damped=damped)
     exact, found = refined(own), ([], [])
     for k in range(runs + 1):
-        if k:  # a new rotor: ROSS stores what it finds of one, and its next run takes a tenth
+        if k:  # a new rotor: ROSS stores results, and a second run takes a tenth
             own, other = pair(unlike=unlike, damped=damped)
         sides = partial(here, own), partial(there, other)
         if not k:
@@ -87,14 +88,14 @@ def refined(rotor: Any) -> Any:
 
 
 def deviation(q: Any, exact: Any) -> float:
-    """The error over the size of a sample's motion, the median of the samples."""
+    """Median over the samples of the error relative to the size of the motion."""
     q = q[bending(len(q))][:, SAMPLES]
     exact = exact[bending(len(exact))]
     return float(np.median(np.linalg.norm(q - exact, axis=0) / np.linalg.norm(exact, axis=0)))
 
 
 def peak(run: Callable[[], object]) -> float:
-    """The most memory [MB] that a run allocates."""
+    """Peak memory [MB] allocated by a run."""
     tracemalloc.start()
     run()
     most = tracemalloc.get_traced_memory()[1]
@@ -103,7 +104,7 @@ def peak(run: Callable[[], object]) -> float:
 
 
 def least(rotor: Any) -> float:
-    """Seconds of one product of amplitudes of modes (speeds, n) with modes (n, n) by block."""
+    """Seconds of one product, block by block, of modal amplitudes (speeds, n) and modes (n, n)."""
     total = 0.0
     for block in rotor.blocks:
         if "bending" in block.planes and block.sense >= 0:
@@ -121,7 +122,7 @@ def seconds(run: Callable[[], object]) -> tuple[float, float]:
 
 
 def main() -> None:
-    """Campbell diagrams; the responses are rows of `benchmarks.solvers`."""
+    """Print times of Campbell diagrams; `benchmarks.solvers` prints those of the responses."""
     if ross:  # its first run imports and compiles
         theirs(ross).run_campbell(SPEEDS[:2], frequencies=6)
     print(f"{'supports':<18} {'here':>9} {'ROSS':>9} {'ratio':>7}")

@@ -1,8 +1,8 @@
-"""The benchmark's pitch of a roller freewheel: star, roller and ring with friction at both races.
+"""One pitch of the roller freewheel of the benchmark: star, roller, ring; friction at both races.
 
-The roller overlaps both races; star and ring are turned into the wedge until it lies where the mesh
-has it. Everything is judged by forces, torque, half-widths, pressures and the roller's centre
-against a mesh six times as fine.
+In the mesh, the roller overlaps both races. The rotations of star and ring are such that the
+solved centre of the roller coincides with that of the mesh. Forces, torque, half-widths, pressures
+and the centre of the roller are compared with those of a mesh six times as fine.
 """
 
 import math
@@ -22,14 +22,14 @@ Array = NDArray[np.float64]
 Point = tuple[float, float]
 
 CLUTCH = Star()
-OVERLAP = 20e-6  # m, of each contact: 51 N m on ten millimetres
+OVERLAP = 20e-6  # m, overlap of each contact: 51 N m for a length of 10 mm
 PLACE = overlapping(CLUTCH, OVERLAP, OVERLAP)
 CENTRE = (PLACE.x, PLACE.y)
-WIDTHS = (0.1235e-3, 0.1341e-3)  # m, half-widths as they come out
-TURNED = (1.2536e-6, 0.6598e-6)  # m, of the surfaces of star and ring: the roller does not roll
+WIDTHS = (0.1235e-3, 0.1341e-3)  # m, computed half-widths
+TURNED = (1.2536e-6, 0.6598e-6)  # m, displacements of the surfaces of star and ring: no rolling
 TILT, ROTATION = TURNED[0] / CLUTCH.X, TURNED[1] / CLUTCH.R  # rad, clockwise
-CELLS = 6  # in 1.5 half-widths
-FINE = 6 * CELLS  # of the reference
+CELLS = 6  # number of cells in 1.5 half-widths
+FINE = 6 * CELLS  # number of cells of the reference
 MU = 0.15
 JUDGED = {  # names of the values in tables
     "T": "torque [N m]", "N_i": "N, star [N/m]", "N_o": "N, ring [N/m]",
@@ -40,7 +40,7 @@ JUDGED = {  # names of the values in tables
 
 
 def pitch(cells: int = CELLS) -> Mesh2D:
-    """Star, roller and ring with that many cells on each half of the fine zones."""
+    """Mesh of star, roller and ring with `cells` cells on each half of the fine zones."""
     return fem_mesh(PLACE, WIDTHS, cells)
 
 
@@ -49,7 +49,7 @@ def posed(mesh: Mesh2D) -> ContactProblem:
 
 
 def turned(problem: ContactProblem) -> ContactSolution:
-    """The bore and the rim's mean turned into the wedge."""
+    """Solution with prescribed rotation of the bore and mean rotation of the rim."""
     moved: Any = {
         "ring.rim": {"r": -ROTATION},
         "star.bore": {"x": lambda x: TILT * x[1], "y": lambda x: -TILT * x[0]},
@@ -58,7 +58,7 @@ def turned(problem: ContactProblem) -> ContactSolution:
 
 
 def found(solution: ContactSolution) -> dict[str, float]:
-    """Compared quantities of this project's solution."""
+    """Compared quantities of the solution of this project."""
     inner, outer = solution.touches
     return values(
         torque=-solution.plane.mean_reaction("ring.rim")["r"],
@@ -72,7 +72,7 @@ def found(solution: ContactSolution) -> dict[str, float]:
 def values(
     *, torque: float, forces: tuple[Point, Point], centre: Point, widths: Point, peaks: Point
 ) -> dict[str, float]:
-    """Quantities of one pitch: forces (x, y) on star and ring, the centre's displacement."""
+    """Quantities of one pitch: forces (x, y) on star and ring, displacement of the centre."""
     (x, y), (x_o, y_o) = forces
     psi = math.atan2(CENTRE[0] + centre[0], CENTRE[1] + centre[1])
     c, s = math.cos(TILT), math.sin(TILT)
@@ -87,7 +87,7 @@ def values(
 
 
 def errors(one: dict[str, float], other: dict[str, float]) -> dict[str, float]:
-    """Relative differences of the compared quantities; the centre's in parts of both overlaps."""
+    """Relative differences of the compared quantities; of the centre, relative to both overlaps."""
     apart = math.hypot(one["u_x"] - other["u_x"], one["u_y"] - other["u_y"])
     same = {name: one[name] / other[name] - 1 for name in JUDGED if name != "centre"}
     return same | {"centre": apart / (2 * OVERLAP)}

@@ -1,13 +1,13 @@
-"""The project's solvers beside calculix and ROSS: errors, seconds, memory and limits in one table.
+"""Solvers of this project against calculix and ROSS: errors, seconds, memory and lower time limits.
 
     python -m benchmarks.solvers [--runs 5] [contact] [plane] [rotor] [growth]
 
-Both sides of a row run in turn, with one thread; "ours" counts from the mesh in memory to stresses,
-calculix from its deck to its results, both sides of the rotor from matrices to amplitudes. Ratios
-are those of processor seconds, the median of the pairs of runs. Where other work shares the machine
-wall seconds have little meaning. A limit is what a part that cannot be left out takes alone: the
-factorisation (CHOLMOD), of a rotor the product that turns modes into displacements.
-Peaks of contact and plane are those of whole processes, of the rotor of its arrays.
+Both sides of a row run alternately with one thread. Times of "ours" are from the mesh in memory to
+stresses; those of calculix from its deck to its results; those of rotors from matrices to
+amplitudes. A ratio is the median over pairs of runs of the ratio of processor seconds. Wall seconds
+are of little use if other work shares the machine. The limit is the time of a step that every
+method needs: the factorisation (CHOLMOD), or the product of modes and modal amplitudes of a rotor.
+Peak memory is that of the complete process for contact and plane, and of the arrays for the rotor.
 """
 
 import argparse
@@ -27,9 +27,9 @@ from benchmarks.processes import Used, measured
 from verify.studies.crosscheck.calculix import running as calculix
 from verify.studies.crosscheck.calculix.numbering import Numbering
 
-AROUND = 134  # cells along the ring's quarter: 1e5 unknowns
-TRIED = tuple(Settings(slope=slope) for slope in (50, 150, 500))  # the nearest of `contact.TRIED`
-SIZES = (42, 134, 232)  # of `growth`: 1e4 to 3e5 unknowns
+AROUND = 134  # cells along the quarter of the ring: 1e5 unknowns
+TRIED = tuple(Settings(slope=slope) for slope in (50, 150, 500))  # the best of `contact.TRIED`
+SIZES = (42, 134, 232)  # cells along the quarter for `growth`: 1e4 to 3e5 unknowns
 
 
 @dataclass(frozen=True)
@@ -48,12 +48,12 @@ def ours(run: dict[str, float], stages: dict[str, float], error: float) -> Run:
 
 
 def ccx(deck: Path) -> Used:
-    """Calculix on a deck."""
+    """Run of calculix on a deck."""
     return measured([str(calculix.executable()), "-i", deck.stem], deck.parent)
 
 
 def plane_runs(kind: str, around: int, runs: int) -> tuple[int, list[Run], list[Run]]:
-    """The ring: its unknowns, our runs and calculix's, by the rim's displacement."""
+    """The ring: number of unknowns, runs of this project and of calculix; error of the rim."""
     with tempfile.TemporaryDirectory() as folder:
         deck = Path(folder) / "ring.inp"
         unknowns = plane.ours(kind, around, deck)["unknowns"]
@@ -67,7 +67,7 @@ def plane_runs(kind: str, around: int, runs: int) -> tuple[int, list[Run], list[
 
 
 def rim(kind: str, around: int, deck: Path) -> float:
-    """The rim's displacement in calculix's results."""
+    """Displacement of the rim in the results of calculix."""
     basis = ring.solve_ring(ring.ring_mesh(kind, around)).basis  # type: ignore[arg-type]
     at = basis.doflocs[:, Numbering(basis).dofs[0]] - np.reshape(ring.RIM, (2, 1))
     u = calculix.Run(wall=0.0, cpu=0.0, deck=deck).u
@@ -75,7 +75,7 @@ def rim(kind: str, around: int, deck: Path) -> float:
 
 
 def contact_runs(runs: int) -> tuple[int, list[Run], list[Run]]:
-    """Two discs in contact, by the largest error of peak pressure, width and approach."""
+    """Two discs in contact; the error is the largest of peak pressure, width and approach."""
     peer = contact.Peer(hertz.CELLS, 1)
     found = [(how, peer.ask(how, limit=1e4)) for how in TRIED]
     how = contact.choose(found, contact.worst(hertz.own_errors(peer.solution)))
@@ -93,7 +93,7 @@ def contact_runs(runs: int) -> tuple[int, list[Run], list[Run]]:
 
 
 def rows(names: list[str], runs: int) -> Iterator[tuple[str, str, int, list[Run], list[Run]]]:
-    """Name, other side, unknowns and runs of each row."""
+    """Name, other solver, number of unknowns and runs of each row."""
     if "contact" in names:
         yield "contact", "calculix", *contact_runs(runs)
     if "plane" in names:
@@ -111,7 +111,7 @@ def rows(names: list[str], runs: int) -> Iterator[tuple[str, str, int, list[Run]
 
 
 def growth(kind: str) -> Iterator[tuple[str, str, int, list[Run], list[Run]]]:
-    """Rows of growing meshes; the exponents of both sides' processor seconds between them."""
+    """Print rows of increasingly fine meshes, and exponents of the processor seconds over size."""
     before: tuple[int, float, float] | None = None
     for around in SIZES:
         unknowns, here, there = plane_runs(kind, around, 1)
@@ -142,7 +142,7 @@ def line(name: str, peer: str, unknowns: int, here: list[Run], there: list[Run])
 
 
 def rate(work: float, run: Callable[[], object]) -> float:
-    """The best of five, in 1e9 per second."""
+    """The best rate of five runs, in 1e9 per second."""
     seconds = []
     for _ in range(5):
         start = time.process_time()
@@ -152,7 +152,7 @@ def rate(work: float, run: Callable[[], object]) -> float:
 
 
 def main() -> None:
-    """Print the machine's rates and the table."""
+    """Print the rates of the machine and the table."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
     known = ["contact", "plane", "rotor", "growth"]
     parser.add_argument("names", nargs="*", choices=[[], *known])

@@ -1,9 +1,9 @@
-"""How long many finite line contacts take: coupled strips and independent slices, in one run.
+"""Run time of many finite line contacts by coupled strips and by independent slices.
 
     python -m benchmarks.strips [cases]
 
-Half of the rollers are tilted; loads run from 500 to 6000 N. Strips are solved to 1e-8 of the load
-(their pressures to 1e-7), slices to round-off. Two processes' worth of threads share the strips.
+Half of the rollers are tilted; loads are 500 to 6000 N. Strips are solved to 1e-8 of the load
+(their pressures to 1e-7), slices to round-off. The strips are divided between all processors.
 """
 
 import os
@@ -46,7 +46,7 @@ def main() -> None:
 
 
 def rollers(cases: int) -> dict[str, Any]:
-    """Gaps (cases, SLICES), loads (cases,) and the rest."""
+    """Gaps (cases, SLICES), loads (cases,) and constant arguments."""
     rng = np.random.default_rng(1)
     y = slice_centres(length=9e-3, slices=SLICES)
 

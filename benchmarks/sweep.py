@@ -1,10 +1,10 @@
-"""A thousand finite-element points on processes of this machine and on a dask cluster here.
+"""1000 finite-element points on processes and on a dask cluster of this machine.
 
     python -m benchmarks.sweep [--points N]
 
-Cold: nothing is stored before, every process imports what it needs. The polyhedral ring's K over
-flats, wall and fillet; the accordion spring's k_1 over segments and thickness. Both engines must
-give the same numbers, digit for digit; two processes are set beside one.
+Runs are cold: nothing is stored before, and each process imports its modules. The sweeps are K of
+the polyhedral ring over flats, wall and fillet, and k_1 of the accordion spring over segments and
+thickness. Both engines must give identical numbers. Two processes are compared with one.
 """
 
 import argparse
@@ -46,7 +46,7 @@ def spring_plan(count: int) -> Plan:
 
 
 def unknowns(plan: Plan) -> int:
-    """Unknowns of a point's three meshes, at the inputs of the file."""
+    """Unknowns of the three meshes of a point, at the inputs of the file."""
     q, part = plan.inputs, portion(plan.case, plan.chosen)
     return sum(_unknowns(plan.case, q, level) for level in part.levels)
 
@@ -63,7 +63,7 @@ def _unknowns(case: Case, q: Inputs, level: int) -> int:
 
 
 def measured(plan: Plan, where: Where) -> tuple[Solved, float]:
-    """The sweep solved cold, and the seconds that it took."""
+    """The sweep solved without stored results, and its seconds."""
     with tempfile.TemporaryDirectory() as folder:
         start = time.perf_counter()
         solved = solve(plan, where, folder=Path(folder))
@@ -71,7 +71,7 @@ def measured(plan: Plan, where: Where) -> tuple[Solved, float]:
 
 
 def numbers(solved: Solved) -> list[str]:
-    """Everything of a sweep but its times."""
+    """Results of a sweep without its times."""
     return [
         repr((one.formulas, one.h, one.fe, one.u_it, one.problem_fe)) for one in solved.solutions
     ]

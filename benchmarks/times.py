@@ -29,7 +29,7 @@ Seconds = tuple[float, float]  # wall, processor
 
 
 def timed(command: tuple[str, ...], store: Path) -> Seconds:
-    """Wall and processor seconds of a command with its results in a store."""
+    """Wall and processor seconds of a command that uses the given store."""
     environment = {**os.environ, "FREEWHEEL_CACHE": str(store)}
     before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
     subprocess.run(command, env=environment, check=True, capture_output=True)  # noqa: S603
@@ -54,12 +54,12 @@ def warm(*command: str) -> Callable[[Path], Seconds]:
 
 
 def again(*command: str) -> Callable[[Path], Seconds]:
-    """A run of which nothing has changed since the one before."""
+    """A run in which nothing has changed since the previous run."""
     return lambda folder: warm(*command, "--out", str(folder / "out"))(folder)
 
 
 def checks(folder: Path) -> Seconds:
-    """One of a hundred checks in one process, without its start."""
+    """Mean time of a check over a hundred checks in one process, without the start."""
     file = _file(folder)
     one = timed((*FREEWHEEL, "check", file), folder / "store")
     many = timed((sys.executable, "-c", CHECKS, file), folder / "store")

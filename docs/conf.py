@@ -16,12 +16,12 @@ extensions = [
     "docstrings", "equations", "gallery", "theory",
     "console", "figures", "navigation", "outside",
 ]  # fmt: skip
-nitpicky = True  # a reference that leads nowhere is a warning
+nitpicky = True  # a reference without a target is a warning
 nitpick_ignore_regex = [("py:(class|exc|data)", ".*"), ("py:obj", "None|True|False")]  # types
 templates_path = ["_templates"]
 exclude_patterns = ["_build", "theory/_generated"]
 default_role = "code"
-suppress_warnings = ["ref.footnote"]  # a docstring names its sources without a number in the text
+suppress_warnings = ["ref.footnote"]  # docstrings list sources without footnote numbers in the text
 
 myst_enable_extensions = ["dollarmath", "deflist", "colon_fence"]
 myst_heading_anchors = 3

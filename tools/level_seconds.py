@@ -1,4 +1,4 @@
-"""Write verify/jobs/seconds.json from the store: run `make verify` from empty before."""
+"""Write verify/jobs/seconds.json from the store. Run `make verify` with an empty store first."""
 
 import json
 
@@ -10,7 +10,7 @@ SHORTEST = 0.01  # s
 
 
 def main() -> None:
-    """Seconds of every level of every case, to two digits."""
+    """Write the run time of every level of every case in seconds, to two digits."""
     known = load(default_folder())
     seconds = {
         case.id: {

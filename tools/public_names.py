@@ -27,13 +27,13 @@ def packages() -> list[str]:
 
 
 def names(package: str) -> dict[str, object]:
-    """What the public names of a package are."""
+    """Public names of a package, and the objects that they denote."""
     module = import_module(package)
     return {name: getattr(module, name) for name in module.__all__}
 
 
 def page() -> str:
-    """The page of all public names."""
+    """Text of the page of all public names."""
     return "\n".join([HEAD, *(line for package in packages() for line in _section(package))])
 
 

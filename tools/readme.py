@@ -1,4 +1,4 @@
-"""Put what `make verify` found into the documents, between their marks, and on record."""
+"""Write tables of the last `make verify` between the marks of documents; update stored verdicts."""
 
 import json
 import re
@@ -11,7 +11,7 @@ from verify.verdicts.record import keep
 
 ROOT = Path(__file__).parents[1]
 OUT = ROOT / "reports" / "out"
-TABLES = {  # mark: what `make verify` wrote, and the document
+TABLES = {  # mark: file written by `make verify`, and the document with the mark
     "cases": ("cases.md", "docs/verified.md"),
     "verdicts": ("verdicts.md", "docs/verdicts.md"),
     "counts": ("verdict-counts.md", "README.md"),

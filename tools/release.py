@@ -1,4 +1,4 @@
-"""Store the rows of this version in verify/audit/releases, the base of comparison."""
+"""Store the rows of this version in verify/audit/releases, for comparison with later versions."""
 
 import sys
 from pathlib import Path

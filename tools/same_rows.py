@@ -1,14 +1,14 @@
-"""Compare two outputs of the suite: results.json, or what `list`, `check` and `sweep` print.
+"""Compare two outputs of the suite: results.json, or the output of `list`, `check` and `sweep`.
 
     python -m tools.same_rows BEFORE AFTER
     python -m tools.same_rows BEFORE AFTER --other-machine
     python -m tools.same_rows BEFORE AFTER --renamed names.toml
 
-Rows, their order, statuses, kinds and texts must be equal, and numbers bit for bit. With
---other-machine a number of a row may differ by the numerical error of that row, an estimate of an
-error by a factor of two, and numbers in texts are passed over. A file of names has tables
-[[renamed]] with `was`, `now` and a `reason`; they apply to the texts of BEFORE. Exit status:
-0 equal, 1 different, 2 a file cannot be read.
+Rows, their order, statuses, kinds and texts must be equal, and numbers must be equal bit for bit.
+With --other-machine, a number of a row may differ by the numerical error of this row, and an
+estimate of an error may differ by a factor of two; numbers in texts are not compared. A file of
+names has tables [[renamed]] with `was`, `now` and a `reason`; they apply to the texts of BEFORE.
+Exit status: 0 equal, 1 different, 2 a file cannot be read.
 """
 
 import argparse
@@ -24,21 +24,21 @@ from typing import Any
 
 IDENTIFIERS = ("id", "key", "name")  # fields that identify a record of a list
 OF_THE_RUN = frozenset(("provenance", "seconds", "made", "date"))  # differ from run to run
-ERRORS = ("u_num", "u_ref", "u_it", "tolerance")  # of a row: numerical error of both sides
+ERRORS = ("u_num", "u_ref", "u_it", "tolerance")  # numerical errors of both sides of a row
 ESTIMATES = frozenset((
     "u_num", "u_ref", "u_it", "u_input", "tolerance", "detects", "gci", "levels_u", "order", "used",
     "allowed",
 ))  # fmt: skip
-DERIVED = frozenset(("difference",))  # of values that are compared themselves
-FACTOR = 2.0  # by which an estimate of an error may differ on another machine
-UNSTATED = 1e-3  # relative, of a number without a stated error: an observed order, a margin
+DERIVED = frozenset(("difference",))  # computed from values that are compared
+FACTOR = 2.0  # permitted ratio of two estimates of an error on different machines
+UNSTATED = 1e-3  # relative tolerance of a number without a stated error: observed order, margin
 NUMBER = re.compile(r"[-+−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")  # in a text
 MOST_PRINTED = 40
 
 
 @dataclass(frozen=True)
 class Difference:
-    """A place in the output, and its two values as text."""
+    """A position in the output, and its two values as text."""
 
     where: str
     was: str
@@ -50,14 +50,14 @@ class Difference:
 
 @dataclass(frozen=True)
 class Comparison:
-    """`exact` compares numbers bit for bit; else each may differ by its row's error, `allowed`."""
+    """Numbers are compared bit for bit if `exact`; otherwise within `allowed`, the row's error."""
 
     exact: bool = True
     allowed: float = 0.0
     is_estimate: bool = False
 
     def differences(self, was: Any, now: Any, where: str = "") -> Iterator[Difference]:
-        """What differs between two values of JSON."""
+        """Differences of two JSON values."""
         if isinstance(was, Mapping) and isinstance(now, Mapping):
             yield from self._records(was, now, where)
         elif isinstance(was, list) and isinstance(now, list):
@@ -113,13 +113,13 @@ def _are_numbers(*values: Any) -> bool:
 
 
 def _error(record: Mapping[str, Any]) -> float:
-    """Numerical error that a record states of itself, 0 where it states none."""
+    """Numerical error stated in a record; 0 if none is stated."""
     stated = (record.get(key) for key in ERRORS)
     return max((float(u) for u in stated if _are_numbers(u)), default=0.0)
 
 
 def _identifiers(records: Sequence[Any]) -> list[str] | None:
-    """What identifies the records of a list; None where no field does."""
+    """Identifiers of the records of a list; None if no field identifies them."""
     if not records or not all(isinstance(record, Mapping) for record in records):
         return None
     for key in IDENTIFIERS:
@@ -130,7 +130,7 @@ def _identifiers(records: Sequence[Any]) -> list[str] | None:
 
 
 def _names(was: Sequence[str], now: Sequence[str], where: str) -> Iterator[Difference]:
-    """Names that only one side has, and the first that stands in another place."""
+    """Differences of two lists of names: names on one side only, and the first change of order."""
     known, found = set(was), set(now)
     yield from (Difference(f"{where}[{name}]", "present", "missing") for name in was
                 if name not in found)  # fmt: skip
@@ -144,7 +144,7 @@ def _names(was: Sequence[str], now: Sequence[str], where: str) -> Iterator[Diffe
 
 
 def read(path: Path) -> Any:
-    """JSON, or the lines of any other text."""
+    """Content of a file: JSON, or the lines of any other text."""
     text = path.read_text("utf-8")
     try:
         return json.loads(text)
@@ -153,7 +153,7 @@ def read(path: Path) -> Any:
 
 
 def renamed(value: Any, names: Sequence[tuple[str, str]]) -> Any:
-    """A value of JSON whose texts have the new names."""
+    """A JSON value after the names in its texts were replaced by the new names."""
     if isinstance(value, str):
         for was, now in names:
             value = value.replace(was, now)
@@ -166,7 +166,7 @@ def renamed(value: Any, names: Sequence[tuple[str, str]]) -> Any:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Print every difference, and how many there are."""
+    """Print every difference and their number; return the exit status."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("before", type=Path)
     parser.add_argument("after", type=Path)

@@ -1,9 +1,9 @@
-"""Find words in texts and comments that the glossary replaces.
+"""Find words in texts and comments for which tools/words.toml prescribes another term.
 
     python -m tools.words [FILE ...]
 
-Reads comments and strings of Python and JavaScript files, and whole texts of documents and
-templates. Prints `file:line: word: replacement`; exit status 1 where a word was found.
+Reads comments and strings of Python and JavaScript files, and the complete text of documents and
+templates. Prints `file:line: word: replacement`. The exit status is 1 if a word was found.
 """
 
 import io
@@ -37,7 +37,7 @@ NAMES = re.compile(r"#?[\w-]+(?:\.[\w-]+)+|#[\w-]+")  # of typst
 
 
 class Word(NamedTuple):
-    """A word to replace: where it is found, what stands in its place, and phrases that may stay."""
+    """A word to replace: its pattern, its replacement, and permitted phrases that contain it."""
 
     found: re.Pattern[str]
     instead: str
@@ -45,7 +45,7 @@ class Word(NamedTuple):
 
 
 def words(listed: Sequence[dict[str, Any]]) -> list[Word]:
-    """The list as patterns; raises KeyError and re.error where an entry is wrong."""
+    """The list as patterns; raises KeyError or re.error if an entry is wrong."""
     return [
         Word(
             re.compile(rf"(?<![\w-])(?:{one['pattern']})(?![\w-])", re.IGNORECASE),
@@ -57,7 +57,7 @@ def words(listed: Sequence[dict[str, Any]]) -> list[Word]:
 
 
 def texts(path: Path) -> Iterator[tuple[int, str]]:
-    """Lines of a file with their numbers; of a Python file, its comments and strings only."""
+    """Lines of a file with their numbers; for a Python file, only comments and strings."""
     source = path.read_text("utf-8")
     if path.suffix == ".py":
         yield from _python(source)
@@ -111,7 +111,7 @@ def tracked(skipped: Sequence[str]) -> list[Path]:
 
 
 def main(arguments: Sequence[str]) -> int:
-    """Print every occurrence in the files given, or in the whole project."""
+    """Print every occurrence in the given files, or in the whole project."""
     settings = tomllib.loads(LIST.read_text("utf-8"))
     listed = words(settings["word"])
     paths = [Path(one).resolve() for one in arguments] or tracked(settings["skipped"])

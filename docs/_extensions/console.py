@@ -1,4 +1,4 @@
-"""The directive `console`: commands of `freewheel`, run when the pages are built, and their output.
+"""The directive `console`: runs commands of `freewheel` when the pages are built, prints output.
 
     ```{console}
     :lines: 4
@@ -6,7 +6,8 @@
     freewheel check sprag.toml
     ```
 
-The commands of a page share an empty folder. `lines` limits the output of each.
+The commands of a page run in a common folder, which is empty first. `lines` limits the number of
+lines of each output.
 """
 
 import contextlib
@@ -34,7 +35,7 @@ def setup(app: Any) -> dict[str, bool]:
 
 
 class Console(SphinxDirective):
-    """Commands, a line each, with what they print."""
+    """Directive with one command per line; the page shows the commands and their output."""
 
     has_content = True
     option_spec: ClassVar = {"lines": directives.nonnegative_int}

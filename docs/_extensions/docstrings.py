@@ -1,7 +1,7 @@
-"""Docstrings as Sphinx reads them: signatures with types as the source has them, plain text.
+"""Converts docstrings for Sphinx: types in signatures as in the source, and plain text marked up.
 
-The docstrings are written for `help()`. What reStructuredText reads otherwise is marked here:
-absolute values |x|, indented lines that are code or a table, a plural after a code word.
+The docstrings are written for `help()`. Parts that reStructuredText would misread are marked up
+here: absolute values |x|, indented lines of code or tables, a plural ending after a code word.
 """
 
 import ast
@@ -76,7 +76,7 @@ def with_items(lines: list[str]) -> list[str]:
 
 
 def with_examples(lines: list[str]) -> list[str]:
-    """A heading before the doctest after sections, which would belong to the last one otherwise."""
+    """Adds a heading before a doctest that follows sections, so that it is not part of the last."""
     first = next((n for n, line in enumerate(lines) if line.startswith(">>>")), None)
     before = lines[:first]
     sections = any(set(line) == {"-"} for line in before if line)
@@ -90,14 +90,14 @@ def _last_full(lines: list[str]) -> str:
 
 
 def _is_text(lines: list[str], before: str) -> bool:
-    """Whether an indented line after these belongs to no directive and no section."""
+    """Whether an indented line after the given lines is outside directives and sections."""
     if before.startswith((" ", "..", "-", ":")) or before.endswith("::") or not before:
         return False
     return not any(set(line) == {"-"} for line in lines[-3:] if line.strip())
 
 
 def _plain(line: str) -> str:
-    """A line of text whose bars are bars and whose code words may have an ending."""
+    """A line of text with escaped bars; a code word may have an ending."""
     parts = CODE.split(line)
     for at in range(0, len(parts), 2):
         text = parts[at].replace("|", r"\|").replace("**", r"\*\*")
@@ -108,7 +108,7 @@ def _plain(line: str) -> str:
 def signature(
     _app: Any, what: str, _name: str, thing: Any, _options: Any, _args: str, _returns: str
 ) -> tuple[str, str] | None:
-    """Arguments and result with the types as they are written, `ArrayLike` and not its parts."""
+    """Arguments and result with types as written in the source: `ArrayLike` is not expanded."""
     if what in {"function", "method"}:
         return _of_function(thing, drop_first=what == "method")
     if what == "class" and is_dataclass(thing):
@@ -117,7 +117,7 @@ def signature(
 
 
 def exact(_app: Any, tree: Any) -> None:
-    """Types refer to the name that they state, not to any class of another module called so."""
+    """Makes a type refer to its stated name only, not to an equal name in another module."""
     from sphinx import addnodes
 
     for reference in tree.findall(addnodes.pending_xref):
@@ -145,7 +145,7 @@ def _of_function(function: Any, *, drop_first: bool) -> tuple[str, str] | None:
 
 
 class Qualified(ast.NodeTransformer):
-    """Classes of this project in an annotation with their modules, which pages do not print."""
+    """Adds modules to classes of this project in an annotation; pages do not print the modules."""
 
     def __init__(self, names: Mapping[str, Any]) -> None:
         self.names = names

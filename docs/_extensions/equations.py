@@ -1,4 +1,4 @@
-"""Mathematics drawn when the pages are built, by the typesetter of the reports: no script, no font.
+"""Equations drawn by the typesetter of the reports when the pages are built: no script, no font.
 
 `reports.equations` draws an equation as SVG in the colour of the text.
 """
@@ -14,7 +14,7 @@ from reports.mathematics import tree
 
 LOGGER = logging.getLogger(__name__)
 GLYPHS = f'<svg width="0" height="0" style="position:absolute" aria-hidden="true">{SYMBOLS}</svg>'
-SIZES = re.compile(r"\\[td](?=frac)|\\!")  # sizes and spaces that the typesetter chooses itself
+SIZES = re.compile(r"\\[td](?=frac)|\\!")  # sizes and spaces; the typesetter chooses its values
 _of_page: dict[str, Equations] = {}
 
 
@@ -31,7 +31,7 @@ def inline(translator: Any, node: Any) -> None:
 
 
 def display(translator: Any, node: Any) -> None:
-    """An equation on a separate line, which scrolls where a page is narrow."""
+    """An equation on a separate line; on a narrow page, it can be scrolled."""
     translator.body.append(f'<div class="equation" tabindex="0">{_asked(translator, node)}</div>')
     raise SkipNode
 
@@ -47,6 +47,6 @@ def _asked(translator: Any, node: Any) -> str:
 
 
 def place(_app: Any, page: str, _template: str, context: dict[str, Any], _tree: Any) -> None:
-    """Put the drawings of a page in."""
+    """Insert the drawings into a page."""
     if equations := _of_page.pop(page, None):
         context["body"] = equations.placed([GLYPHS + context["body"]])[0]

@@ -1,4 +1,4 @@
-"""Figures of the pages on verification, drawn by the code that they explain."""
+"""Figures of the pages on verification, drawn with the code that the pages explain."""
 
 import json
 from collections import Counter
@@ -24,7 +24,7 @@ FOLDER = ROOT / "docs" / "verification" / "_generated"
 RING = {"r_i": 30.0, "r_o": 45.0}
 PRESSURE = 100.0
 REFINE = (1, 2, 4, 8)
-ORDER = 2.0  # of stresses of quadratic elements on a boundary
+ORDER = 2.0  # order of convergence of stresses of quadratic elements on a boundary
 BLUE, ORANGE, GREEN, GREY = "#0072b2", "#d55e00", "#009e73", "#808080"
 
 
@@ -57,7 +57,7 @@ def hoop_stresses() -> list[float]:
 
 
 def kinds() -> plt.Figure:
-    """Where the difference of formula and reference may lie, for three kinds of checks."""
+    """Permitted intervals of the difference of formula and reference for three kinds of checks."""
     figure, axes = plt.subplots(3, 1, figsize=(7, 3.6), layout="constrained")
     rows = (
         ("identity: within the expanded uncertainty", (-0.4, 0.4), 0.15, 0.0),
@@ -94,7 +94,7 @@ def tolerances() -> plt.Figure:
 
 
 def detection() -> plt.Figure:
-    """What a row makes of errors that are put into the formula, and its detection limit."""
+    """Status of a row over the error put into its formula, and its detection limit."""
     values = hoop_stresses()
     exact = float(stresses(RING["r_i"], **RING, p_i=PRESSURE)[1])
     found = grid_convergence([1 / r for r in REFINE], values, formal=ORDER, scale=exact)
@@ -122,7 +122,7 @@ def detection() -> plt.Figure:
 
 
 def verdicts() -> plt.Figure:
-    """How many formulas have each verdict of record."""
+    """Number of formulas with each verdict of record."""
     record = json.loads((ROOT / "verify" / "measured" / "verdicts.json").read_text("utf-8"))
     counts = Counter(entry["verdict"] for entry in record).most_common()[::-1]
     figure, axis = plt.subplots(figsize=(7, 3.2), layout="constrained")

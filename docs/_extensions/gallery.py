@@ -1,4 +1,4 @@
-"""The gallery: every script of examples/gallery is run; its page has code, output and picture."""
+"""The gallery: runs each script of examples/gallery; its page has code, output and picture."""
 
 import ast
 import os
@@ -37,7 +37,7 @@ def setup(app: Any) -> dict[str, bool]:
 
 
 def write(_app: Any) -> None:
-    """Run all scripts and write their pages and the cards of the first page."""
+    """Run all scripts; write their pages and the cards of the first page."""
     PAGES.mkdir(parents=True, exist_ok=True)
     scripts = sorted(SCRIPTS.glob("*.py"))
     with ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -47,7 +47,7 @@ def write(_app: Any) -> None:
 
 
 def run(script: Path) -> str:
-    """What a script prints; its picture is in the folder of the pages then."""
+    """Output of a script; its picture is written to the folder of the pages."""
     environment = {**os.environ, "PYTHONPATH": str(ROOT), "MPLBACKEND": "agg"}
     done = subprocess.run(  # noqa: S603 - a fixed command
         [sys.executable, str(script)], cwd=PAGES, env=environment, capture_output=True, text=True,
@@ -59,7 +59,7 @@ def run(script: Path) -> str:
 
 
 def page(script: Path, printed: str) -> str:
-    """Write the page of a script; its card."""
+    """Write the page of a script; returns its card."""
     source = script.read_text("utf-8")
     node = ast.parse(source)
     text = ast.get_docstring(node) or ""

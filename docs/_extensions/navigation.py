@@ -1,4 +1,4 @@
-"""A side bar down to packages: five hundred modules in it would slow every page down."""
+"""Shortens the side bar to packages: entries for 500 modules would make every page slow."""
 
 from collections.abc import Callable
 from typing import Any

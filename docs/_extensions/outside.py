@@ -1,4 +1,4 @@
-"""Links of the documents to what is no page: the README is the first page, folders are names."""
+"""Links of documents to files without a page: README is the first page, a folder is plain text."""
 
 import re
 from pathlib import Path

@@ -1,7 +1,7 @@
 """Equations of the theory pages, from the ledgers of the papers and the code of the cases.
 
-An equation stands as printed, with the errata that are about it, their right form and the verdict
-of record; the equations of a case are those that its formulas compute.
+Each equation is stated as printed, with its errata, the corrected form and the verdict of record.
+The equations of a case are those that its formulas compute.
 """
 
 import json
@@ -38,7 +38,7 @@ def setup(app: Any) -> dict[str, bool]:
 
 
 def write(_app: Any) -> None:
-    """Write what the theory pages include."""
+    """Write the files that the theory pages include."""
     PAGES.mkdir(parents=True, exist_ok=True)
     verdicts = json.loads((ROOT / "verify" / "measured" / "verdicts.json").read_text("utf-8"))
     of_equation = {entry["id"]: entry for entry in verdicts}
@@ -107,5 +107,5 @@ def _math(tex: str) -> str:
 
 
 def _text(words: str) -> str:
-    """Plain words in Markdown, where a few signs mean something else."""
+    """Plain text with the special characters of Markdown escaped."""
     return re.sub(r"([\\`*_{}\[\]<>$|#])", r"\\\1", words)
